@@ -1,0 +1,46 @@
+/*
+ * random.h -- random numbers without a state: a function of (seed, id, step, use), the same on any rank in any order.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ *   seed   the user's number for the whole run
+ *   id     whose number it is: a particle's id
+ *   step   when: the step's number
+ *   use    what for: each place that draws has its own constant, and counts up from it if it draws more than one
+ *
+ * The four words are absorbed one after the other by a 64-bit mixing function. The mixer is the finaliser of
+ * Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014, with the shifts and
+ * multipliers David Stafford published as his variant 13; the increment is 2^64 over the golden ratio.
+ * Not for cryptography.
+ */
+#ifndef DEM_BASE_RANDOM_H
+#define DEM_BASE_RANDOM_H
+
+#include <stdint.h>
+
+/* Spread every bit of a word over all 64 bits; one-to-one. */
+static inline uint64_t dem_random_mix(uint64_t h)
+{
+    h += 0x9e3779b97f4a7c15u;
+    h = (h ^ (h >> 30))*0xbf58476d1ce4e5b9u;
+    h = (h ^ (h >> 27))*0x94d049bb133111ebu;
+    return h ^ (h >> 31);
+}
+
+/* 64 random bits. */
+static inline uint64_t dem_random_bits(uint64_t seed, uint64_t id, uint64_t step, uint64_t use)
+{
+    uint64_t h = dem_random_mix(seed);
+
+    h = dem_random_mix(h ^ id);
+    h = dem_random_mix(h ^ step);
+    return dem_random_mix(h ^ use);
+}
+
+/* A double in [0, 1), a multiple of 2^-53. */
+static inline double dem_random_unit(uint64_t seed, uint64_t id, uint64_t step, uint64_t use)
+{
+    return (double)(int64_t)(dem_random_bits(seed, id, step, use) >> 11)*0x1p-53;
+}
+
+#endif
