@@ -49,7 +49,7 @@ const char *dem_error_text(void);
         }                                      \
     } while (0)
 
-/* Leave the calling function with a status and a sentence unless the condition holds: (condition, status, format, ...). */
+/* Leave the calling function with a status and a sentence (format, ...) unless the condition holds. */
 #define DEM_REQUIRE(condition, status, ...)             \
     do                                                  \
     {                                                   \
