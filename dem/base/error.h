@@ -49,14 +49,17 @@ const char *dem_error_text(void);
         }                                      \
     } while (0)
 
-/* Leave the calling function with a status and a sentence (format, ...) unless the condition holds. */
-#define DEM_REQUIRE(condition, status, ...)             \
-    do                                                  \
-    {                                                   \
-        if (!(condition))                               \
-        {                                               \
-            return dem_error((status), __VA_ARGS__);    \
-        }                                               \
+/* Leave the calling function with a status and a sentence (format, ...) unless the condition holds. The status is
+   returned by itself so that a compiler sees a failure for what it is: no result was written, and none is read. */
+#define DEM_REQUIRE(condition, status, ...)                   \
+    do                                                        \
+    {                                                         \
+        if (!(condition))                                     \
+        {                                                     \
+            const int dem_require_status = (status);          \
+            dem_error(dem_require_status, __VA_ARGS__);       \
+            return dem_require_status;                        \
+        }                                                     \
     } while (0)
 
 #endif
