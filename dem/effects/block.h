@@ -1,0 +1,98 @@
+/*
+ * block.h -- the two trays that the house hands to the effects: one of contacts, one of bodies.
+ *
+ * A row of a contact tray is one contact, always seen from the partner with the lower id ("i") to the one with the
+ * higher id or the wall ("j"): every force and moment here acts on i, its opposite acts on j. A row of a body tray is
+ * one particle. An effect reads the geometry, adds to the results, and never sees an index, a rank or a store.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_EFFECTS_BLOCK_H
+#define DEM_EFFECTS_BLOCK_H
+
+enum
+{
+    DEM_BLOCK = 128                                       /* rows of a tray: a contact tray in use stays in the L1 cache */
+};
+
+#ifndef DEM_REAL
+#define DEM_REAL double                                   /* a kernel file may be built in another precision */
+#endif
+typedef DEM_REAL dem_real;
+
+struct dem_block
+{
+    int n;                                                /* rows in use, padded to whole vectors by the house */
+    dem_real dt;                                          /* s    */
+
+    /* geometry, filled by the house */
+    _Alignas(64) dem_real nx[DEM_BLOCK];                  /* 1    unit normal from j to i, now */
+    _Alignas(64) dem_real ny[DEM_BLOCK];
+    _Alignas(64) dem_real nz[DEM_BLOCK];
+    _Alignas(64) dem_real hx[DEM_BLOCK];                  /* 1    the same half a step ago: unit(r - dt v/2) */
+    _Alignas(64) dem_real hy[DEM_BLOCK];
+    _Alignas(64) dem_real hz[DEM_BLOCK];
+    _Alignas(64) dem_real overlap[DEM_BLOCK];             /* m    R_i + R_j - |r|; positive in contact, never negative here */
+    _Alignas(64) dem_real touching[DEM_BLOCK];            /* 1 in contact, 0 apart */
+    _Alignas(64) dem_real reduced_radius[DEM_BLOCK];      /* m    R_i R_j/(R_i + R_j); R_i at a wall */
+    _Alignas(64) dem_real reduced_mass[DEM_BLOCK];        /* kg   of the inertial masses; m_i at a wall */
+    _Alignas(64) dem_real vn[DEM_BLOCK];                  /* m/s  (v_i - v_j).n, negative on approach */
+    _Alignas(64) dem_real sx[DEM_BLOCK];                  /* m/s  slip of the contact point of i over j, in the half-step plane */
+    _Alignas(64) dem_real sy[DEM_BLOCK];
+    _Alignas(64) dem_real sz[DEM_BLOCK];
+    _Alignas(64) dem_real wx[DEM_BLOCK];                  /* 1/s  relative spin w_i - w_j (filled if an effect needs DEM_NEEDS_SPIN) */
+    _Alignas(64) dem_real wy[DEM_BLOCK];
+    _Alignas(64) dem_real wz[DEM_BLOCK];
+    _Alignas(64) dem_real viscosity[DEM_BLOCK];           /* Pa s of the fluid at the contact (filled if DEM_NEEDS_VISCOSITY) */
+
+    /* results, cleared by the house, filled by the effects in the order of their stages */
+    _Alignas(64) dem_real kn[DEM_BLOCK];                  /* N/m  secant normal stiffness, by NORMAL */
+    _Alignas(64) dem_real kt[DEM_BLOCK];                  /* N/m  tangential stiffness, by TANGENT */
+    _Alignas(64) dem_real eta[DEM_BLOCK];                 /* kg/s normal damping coefficient, by DAMP */
+    _Alignas(64) dem_real fn[DEM_BLOCK];                  /* N    normal force on i along n, repulsion positive */
+    _Alignas(64) dem_real fx[DEM_BLOCK];                  /* N    tangential force on i */
+    _Alignas(64) dem_real fy[DEM_BLOCK];
+    _Alignas(64) dem_real fz[DEM_BLOCK];
+    _Alignas(64) dem_real mx[DEM_BLOCK];                  /* N m  moment of the pair on i (rolling, twisting) */
+    _Alignas(64) dem_real my[DEM_BLOCK];
+    _Alignas(64) dem_real mz[DEM_BLOCK];
+};
+
+struct dem_body_block
+{
+    int n;                                                /* rows in use, padded to whole vectors */
+    dem_real dt;                                          /* s      length of the kick that follows */
+
+    /* the particle */
+    _Alignas(64) dem_real radius[DEM_BLOCK];              /* m      */
+    _Alignas(64) dem_real mass[DEM_BLOCK];                /* kg     */
+    _Alignas(64) dem_real volume[DEM_BLOCK];              /* m3     */
+    _Alignas(64) dem_real vx[DEM_BLOCK];                  /* m/s    */
+    _Alignas(64) dem_real vy[DEM_BLOCK];
+    _Alignas(64) dem_real vz[DEM_BLOCK];
+    _Alignas(64) dem_real wx[DEM_BLOCK];                  /* 1/s    */
+    _Alignas(64) dem_real wy[DEM_BLOCK];
+    _Alignas(64) dem_real wz[DEM_BLOCK];
+
+    /* the fluid seen by it (filled if an effect needs DEM_NEEDS_FLUID) */
+    _Alignas(64) dem_real ux[DEM_BLOCK];                  /* m/s    fluid velocity */
+    _Alignas(64) dem_real uy[DEM_BLOCK];
+    _Alignas(64) dem_real uz[DEM_BLOCK];
+    _Alignas(64) dem_real gx[DEM_BLOCK];                  /* Pa/m   full pressure gradient, hydrostatic part included */
+    _Alignas(64) dem_real gy[DEM_BLOCK];
+    _Alignas(64) dem_real gz[DEM_BLOCK];
+    _Alignas(64) dem_real void_fraction[DEM_BLOCK];       /* 1      of the fluid */
+    _Alignas(64) dem_real density[DEM_BLOCK];             /* kg/m3  of the fluid */
+    _Alignas(64) dem_real viscosity[DEM_BLOCK];           /* Pa s   of the fluid */
+
+    /* results, cleared by the house: force = f + bu - b v, integrated exactly in v */
+    _Alignas(64) dem_real fx[DEM_BLOCK];                  /* N      explicit force */
+    _Alignas(64) dem_real fy[DEM_BLOCK];
+    _Alignas(64) dem_real fz[DEM_BLOCK];
+    _Alignas(64) dem_real b[DEM_BLOCK];                   /* kg/s   drag coefficient, >= 0 */
+    _Alignas(64) dem_real bux[DEM_BLOCK];                 /* N      drag coefficient times its target velocity */
+    _Alignas(64) dem_real buy[DEM_BLOCK];
+    _Alignas(64) dem_real buz[DEM_BLOCK];
+};
+
+#endif

@@ -1,0 +1,92 @@
+/*
+ * effect.h -- the contract between the house and one effect. An effect file includes this header only.
+ *
+ * An effect is one file and one row: it describes itself once (word, sentence, source, numbers with units, remembered
+ * columns) and the house derives input, errors, tables, restart, search distance and time step from that.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_EFFECTS_EFFECT_H
+#define DEM_EFFECTS_EFFECT_H
+
+#include "base/error.h"
+#include "base/field.h"
+#include "effects/block.h"
+#include <stddef.h>
+
+/* A kernel is compiled once for any x86-64 and once for AVX2, chosen at load time; contraction is off, so both give the same bits. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) && !defined(DEM_NO_CLONES)
+#define DEM_KERNEL __attribute__((target_clones("default", "arch=x86-64-v3")))
+#else
+#define DEM_KERNEL
+#endif
+
+enum dem_stage                                            /* the order in which effects act; one NORMAL and one DAMP per pair */
+{
+    DEM_STAGE_NORMAL,
+    DEM_STAGE_DAMP,
+    DEM_STAGE_TANGENT,
+    DEM_STAGE_MOMENT,
+    DEM_STAGE_BOND,                                       /* from here on a contact effect may act past touching */
+    DEM_STAGE_FILM,
+    DEM_STAGE_BODY,                                       /* from here on an effect acts on bodies */
+    DEM_STAGE_FLUID,
+    DEM_STAGES
+};
+
+enum dem_needs                                            /* optional columns of a tray */
+{
+    DEM_NEEDS_SPIN = 1,                                   /* contact: wx wy wz */
+    DEM_NEEDS_VISCOSITY = 2,                              /* contact: viscosity of the running fluid */
+    DEM_NEEDS_FLUID = 4                                   /* body: the fluid columns */
+};
+
+struct dem_material
+{
+    char name[48];
+    double density;                                       /* kg/m3 */
+    double youngs_modulus;                                /* Pa    */
+    double poissons_ratio;                                /* 1     */
+};
+
+struct dem_pair_class                                     /* what all contacts of two materials share */
+{
+    const struct dem_material *a, *b;                     /* b is the wall's where with_wall */
+    int with_wall;
+    double reduced_modulus;                               /* Pa   E*, 1/E* = sum (1 - nu^2)/E */
+    double reduced_shear;                                 /* Pa   G*, 1/G* = sum 2 (2 - nu)(1 + nu)/E */
+    double exponent;                                      /* 1    of the normal law in the overlap: 1 linear, 3/2 Hertz */
+    double least_radius;                                  /* m    smallest reduced radius present */
+    double least_mass;                                    /* kg   smallest reduced mass present */
+};
+
+struct dem_effect
+{
+    const char *name;                                     /* the user's word */
+    const char *says;                                     /* one sentence */
+    const char *source;                                   /* the paper */
+    enum dem_stage stage;
+    unsigned needs;                                       /* enum dem_needs, or-ed */
+    double exponent;                                      /* NORMAL only: of the force in the overlap */
+    size_t size;                                          /* bytes of the settings struct; 0 for none */
+    const struct dem_field *settings;                     /* its numbers, ended by a row of zeros; NULL for none */
+    const char *const *memory;                            /* names of remembered columns, ended by NULL; NULL for none */
+
+    /* Derive constants and refuse nonsense. The class is NULL for body effects. May be NULL. */
+    int (*prepare)(void *settings, const struct dem_pair_class *);
+
+    /* How far past touching it acts [m]. NULL: not at all. */
+    double (*reach)(const void *settings, const struct dem_pair_class *);
+
+    /* The longest time step it stands [s], and why in a few words. NULL: any. */
+    double (*time_limit)(const void *settings, const struct dem_pair_class *, const char **why);
+
+    /* Contact effects: add to the tray. memory[k] is the k-th remembered column at the tray's rows; the house clears
+       it where partners do not touch (stages before BOND). */
+    void (*act)(const void *settings, struct dem_block *restrict, dem_real *const *memory);
+
+    /* Body effects: add to the tray of bodies. */
+    void (*act_on_bodies)(const void *settings, struct dem_body_block *restrict);
+};
+
+#endif

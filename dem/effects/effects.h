@@ -1,0 +1,34 @@
+/*
+ * effects.h -- the list of all effects. To add one: write effects/<name>.c and add its row here.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_EFFECTS_EFFECTS_H
+#define DEM_EFFECTS_EFFECTS_H
+
+#include "effects/effect.h"
+
+#define DEM_EFFECT_ROWS(ROW)                                                                                          \
+    ROW(hertz)                                                                                                        \
+    ROW(dry)                                                                                                          \
+    ROW(stokes)                                                                                                       \
+    ROW(mindlin)                                                                                                      \
+    ROW(gravity)                                                                                                      \
+    ROW(pressure_gradient)                                                                                            \
+    ROW(wen_yu)                                                                                                       \
+    ROW(gidaspow)
+
+#define DEM_EFFECT_DECLARE(name) extern const struct dem_effect dem_##name;
+DEM_EFFECT_ROWS(DEM_EFFECT_DECLARE)
+#undef DEM_EFFECT_DECLARE
+
+/* All effects, in the order of the list, ended by NULL. */
+extern const struct dem_effect *const dem_effects[];
+
+/* The effect with this word, or NULL. */
+const struct dem_effect *dem_effects_find(const char *name);
+
+/* DEM_ERROR_INPUT with a sentence that names the known words, nearest first; `where` is the place in the input. */
+int dem_effects_unknown(const char *where, const char *name);
+
+#endif
