@@ -1,0 +1,279 @@
+/*
+ * dictionary.c -- asking a dictionary for one value, and the sentences when it is absent or not what was wanted.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "io/dictionary.h"
+
+#include "base/error.h"
+#include "base/unknown.h"
+#include "io/dictionary_tree.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum
+{
+    NEAR = 64    /* most entries considered for "is that meant?" */
+};
+
+static bool has_unit(const char *unit)
+{
+    return unit && *unit && strcmp(unit, "1") != 0;
+}
+
+/* An unread entry of d whose name looks like a slip for this one, or null. */
+const struct dem_entry *dem_dict_slip(const struct dem_dict *d, const char *name)
+{
+    const char *names[NEAR], *near;
+    int n = 0;
+
+    for (size_t i = 0; i < d->count && n < NEAR; i++)
+    {
+        if (!d->entries[i]->used)
+        {
+            names[n++] = d->entries[i]->name;
+        }
+    }
+    near = n > 0 ? dem_unknown_nearest(name, names, n) : NULL;
+    return near ? dem_dict_find(d, near, strlen(near)) : NULL;
+}
+
+int dem_dict_need(const struct dem_dict *d, const char *name, const char *unit, const struct dem_entry **e)
+{
+    struct dem_entry *found = dem_dict_find(d, name, strlen(name));
+    const struct dem_entry *slip;
+    char hint[128] = "";
+
+    dem_dict_remember_question(d, name);
+    if (found)
+    {
+        found->used = true;
+        *e = found;
+        return DEM_OK;
+    }
+    slip = dem_dict_slip(d, name);
+    if (slip)
+    {
+        snprintf(hint, sizeof hint, "; is \"%.60s\" in line %d meant to be it?", slip->name, slip->line);
+    }
+    return dem_error(DEM_ERROR_INPUT, "%s: %s%sneeds %s%s%s%s%s", dem_dict_where(d), dem_dict_path(d),
+                     *dem_dict_path(d) ? " " : "", name, has_unit(unit) ? " (" : "", has_unit(unit) ? unit : "",
+                     has_unit(unit) ? ")" : "", hint);
+}
+
+/* The line at whose end a semicolon may be missing: the value goes on in a later line, outside brackets. Else 0. */
+static int broken_line(const struct dem_entry *e)
+{
+    int depth = 0, line = e->line;
+
+    for (size_t i = 0; i < e->count; i++)
+    {
+        const struct dem_token *t = &e->tokens[i];
+
+        if (i > 0 && depth == 0 && t->line > line)
+        {
+            return line;
+        }
+        if (t->kind == DEM_TOKEN_SIGN)
+        {
+            depth += strchr("([", t->text[0]) ? 1 : -1;
+        }
+        line = t->line;
+    }
+    return 0;
+}
+
+int dem_dict_refuse_value(const struct dem_entry *e, const char *wants, const char *unit)
+{
+    const char *path = dem_dict_path(e->home);
+    const int broken = broken_line(e);
+    char found[96], hint[64] = "";
+
+    if (e->dict || e->count == 0)
+    {
+        snprintf(found, sizeof found, "found %s", e->dict ? "a dictionary" : "nothing");
+    }
+    else
+    {
+        char value[80];
+
+        dem_dict_print(e->tokens, e->count, value, sizeof value);
+        snprintf(found, sizeof found, "found \"%s\"", value);
+    }
+    if (broken > 0)
+    {
+        snprintf(hint, sizeof hint, "; is a ; missing at the end of line %d?", broken);
+    }
+    return dem_error(DEM_ERROR_INPUT, "%s: %s%s%s wants %s%s%s%s, %s%s", dem_entry_where(e), path, *path ? "/" : "",
+                     e->name, wants, has_unit(unit) ? " (" : "", has_unit(unit) ? unit : "",
+                     has_unit(unit) ? ")" : "", found, hint);
+}
+
+/* The value of an entry behind its dimensions. */
+static struct dem_cursor value_of(const struct dem_entry *e)
+{
+    struct dem_cursor c = {e->tokens, e->tokens + e->count};
+
+    dem_dict_skip_dimensions(&c);
+    return c;
+}
+
+bool dem_dict_has(const struct dem_dict *d, const char *name)
+{
+    dem_dict_remember_question(d, name);
+    return dem_dict_find(d, name, strlen(name)) != NULL;
+}
+
+int dem_dict_sub(const struct dem_dict *d, const char *name, const struct dem_dict **sub)
+{
+    const struct dem_entry *e;
+
+    DEM_TRY(dem_dict_need(d, name, "a dictionary", &e));
+    *sub = e->dict;
+    return e->dict ? DEM_OK : dem_dict_refuse_value(e, "a dictionary { ... }", "");
+}
+
+int dem_dict_sub_if(const struct dem_dict *d, const char *name, const struct dem_dict **sub)
+{
+    *sub = NULL;
+    return dem_dict_has(d, name) ? dem_dict_sub(d, name, sub) : DEM_OK;
+}
+
+int dem_dict_number(const struct dem_dict *d, const char *name, const char *unit, double *value)
+{
+    const struct dem_entry *e;
+    struct dem_cursor c;
+
+    DEM_TRY(dem_dict_need(d, name, unit, &e));
+    c = value_of(e);
+    return dem_dict_take_number(&c, value) && c.at == c.end ? DEM_OK : dem_dict_refuse_value(e, "one number", unit);
+}
+
+int dem_dict_number_or(const struct dem_dict *d, const char *name, const char *unit, double fallback,
+                       double *value)
+{
+    *value = fallback;
+    return dem_dict_has(d, name) ? dem_dict_number(d, name, unit, value) : DEM_OK;
+}
+
+int dem_dict_vector(const struct dem_dict *d, const char *name, const char *unit, double value[3])
+{
+    const struct dem_entry *e;
+    struct dem_cursor c;
+
+    DEM_TRY(dem_dict_need(d, name, unit, &e));
+    c = value_of(e);
+    return dem_dict_take_vector(&c, value) && c.at == c.end ? DEM_OK
+                                                            : dem_dict_refuse_value(e, "a vector (x y z)", unit);
+}
+
+int dem_dict_vector_or(const struct dem_dict *d, const char *name, const char *unit, const double fallback[3],
+                       double value[3])
+{
+    if (dem_dict_has(d, name))
+    {
+        return dem_dict_vector(d, name, unit, value);
+    }
+    memcpy(value, fallback, 3*sizeof *value);
+    return DEM_OK;
+}
+
+/* Digits are read exactly; 1e6 is a whole number too, as far as doubles hold all of them. */
+static bool whole(const char *text, int64_t *value)
+{
+    char *end;
+    double number;
+
+    errno = 0;
+    *value = strtoll(text, &end, 10);
+    if (*end == '\0' && end != text)
+    {
+        return errno == 0;
+    }
+    if (!dem_dict_is_number(text, &number) || fabs(number) > 0x1p53 || floor(number) != number)
+    {
+        return false;
+    }
+    *value = (int64_t)number;
+    return true;
+}
+
+int dem_dict_int64(const struct dem_dict *d, const char *name, int64_t *value)
+{
+    const struct dem_entry *e;
+    struct dem_cursor c;
+
+    DEM_TRY(dem_dict_need(d, name, "", &e));
+    c = value_of(e);
+    return c.end - c.at == 1 && c.at->kind == DEM_TOKEN_WORD && whole(c.at->text, value)
+               ? DEM_OK
+               : dem_dict_refuse_value(e, "one whole number", "");
+}
+
+int dem_dict_int64_or(const struct dem_dict *d, const char *name, int64_t fallback, int64_t *value)
+{
+    *value = fallback;
+    return dem_dict_has(d, name) ? dem_dict_int64(d, name, value) : DEM_OK;
+}
+
+int dem_dict_text(const struct dem_dict *d, const char *name, const char **text)
+{
+    const struct dem_entry *e;
+    struct dem_cursor c;
+
+    DEM_TRY(dem_dict_need(d, name, "", &e));
+    c = value_of(e);
+    return dem_dict_take_word(&c, text) && c.at == c.end ? DEM_OK
+                                                         : dem_dict_refuse_value(e, "one word or \"text\"", "");
+}
+
+int dem_dict_text_or(const struct dem_dict *d, const char *name, const char *fallback, const char **text)
+{
+    *text = fallback;
+    return dem_dict_has(d, name) ? dem_dict_text(d, name, text) : DEM_OK;
+}
+
+int dem_dict_word(const struct dem_dict *d, const char *name, const char **word)
+{
+    const struct dem_entry *e;
+    struct dem_cursor c;
+
+    DEM_TRY(dem_dict_need(d, name, "", &e));
+    c = value_of(e);
+    return dem_dict_take_word(&c, word) && c.at == c.end && **word && !strpbrk(*word, " \t\n")
+               ? DEM_OK
+               : dem_dict_refuse_value(e, "one word", "");
+}
+
+int dem_dict_word_or(const struct dem_dict *d, const char *name, const char *fallback, const char **word)
+{
+    *word = fallback;
+    return dem_dict_has(d, name) ? dem_dict_word(d, name, word) : DEM_OK;
+}
+
+int dem_dict_switch(const struct dem_dict *d, const char *name, bool *value)
+{
+    static const char *const words[] = {"no", "yes", "off", "on", "false", "true"};
+    const struct dem_entry *e;
+
+    DEM_TRY(dem_dict_need(d, name, "", &e));
+    for (size_t i = 0; i < sizeof words/sizeof *words; i++)
+    {
+        if (e->count == 1 && strcmp(e->tokens[0].text, words[i]) == 0)
+        {
+            *value = i%2 == 1;
+            return DEM_OK;
+        }
+    }
+    return dem_dict_refuse_value(e, "yes or no (on, off, true, false)", "");
+}
+
+int dem_dict_switch_or(const struct dem_dict *d, const char *name, bool fallback, bool *value)
+{
+    *value = fallback;
+    return dem_dict_has(d, name) ? dem_dict_switch(d, name, value) : DEM_OK;
+}

@@ -1,0 +1,221 @@
+/*
+ * dictionary_entries.c -- walking over a dictionary, naming its places, and refusing what nobody read.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "io/dictionary.h"
+
+#include "base/error.h"
+#include "base/unknown.h"
+#include "io/dictionary_tree.h"
+
+#include <stdio.h>
+#include <string.h>
+
+void dem_dict_remember_question(const struct dem_dict *d, const char *name)
+{
+    struct dem_questions *q = d->questions;
+    void *names = q->names;
+
+    for (size_t i = 0; i < q->count; i++)
+    {
+        if (strcmp(q->names[i], name) == 0)
+        {
+            return;
+        }
+    }
+    /* without memory for it only the list of known words is the poorer */
+    if (dem_dict_take_room(d->pool, &names, &q->room, q->count + 1, sizeof *q->names) == DEM_OK)
+    {
+        q->names = names;
+        q->count += dem_dict_take_text(d->pool, name, strlen(name), &q->names[q->count]) == DEM_OK;
+    }
+}
+
+size_t dem_dict_count(const struct dem_dict *d)
+{
+    return d->count;
+}
+
+const struct dem_entry *dem_dict_entry(const struct dem_dict *d, size_t i)
+{
+    return i < d->count ? d->entries[i] : NULL;
+}
+
+const char *dem_entry_name(const struct dem_entry *e)
+{
+    return e->name;
+}
+
+bool dem_entry_is_dict(const struct dem_entry *e)
+{
+    return e->dict != NULL;
+}
+
+/* An entry is reached through its home, so that marking it needs no write through a const pointer. */
+static void mark(const struct dem_entry *e)
+{
+    struct dem_entry *mine = dem_dict_find(e->home, e->name, strlen(e->name));
+
+    if (mine)
+    {
+        mine->used = true;
+    }
+}
+
+const struct dem_dict *dem_entry_dict(const struct dem_entry *e)
+{
+    if (e->dict)
+    {
+        mark(e);
+    }
+    return e->dict;
+}
+
+size_t dem_entry_tokens(const struct dem_entry *e)
+{
+    return e->count;
+}
+
+const char *dem_entry_token(const struct dem_entry *e, size_t i)
+{
+    mark(e);
+    return i < e->count ? e->tokens[i].text : NULL;
+}
+
+const char *dem_dict_name(const struct dem_dict *d)
+{
+    return d->name;
+}
+
+/* The part of a path that belongs to d alone: "glass", "walls/floor", or "walls[2]" for an item without a name. */
+static size_t print_step(const struct dem_dict *d, char *out, size_t size)
+{
+    const int n = !d->list  ? snprintf(out, size, "%s", d->name)
+                  : *d->name ? snprintf(out, size, "%s/%s", d->list, d->name)
+                             : snprintf(out, size, "%s[%zu]", d->list, d->item);
+
+    return n > 0 ? (size_t)n : 0;
+}
+
+/* Built from the inside out, from the end of the text to its beginning. */
+const char *dem_dict_path(const struct dem_dict *d)
+{
+    size_t length = 0;
+    char *text;
+    void *p;
+
+    for (const struct dem_dict *at = d; at->parent; at = at->parent)
+    {
+        length += print_step(at, NULL, 0) + (at->parent->parent != NULL);
+    }
+    if (length == 0 || dem_dict_take(d->pool, length + 1, &p) != DEM_OK)
+    {
+        return "";
+    }
+    text = p;
+    for (const struct dem_dict *at = d; at->parent; at = at->parent)
+    {
+        const size_t n = print_step(at, NULL, 0);
+        const char after = text[length];
+
+        length -= n;
+        print_step(at, text + length, n + 1);
+        text[length + n] = after;
+        if (at->parent->parent)
+        {
+            text[--length] = '/';
+        }
+    }
+    return text;
+}
+
+static const char *place(struct dem_pool *pool, const char *file, int line)
+{
+    const size_t size = strlen(file) + sizeof ", line -2147483648";
+    void *p;
+
+    if (dem_dict_take(pool, size, &p) != DEM_OK)
+    {
+        return file;
+    }
+    snprintf(p, size, "%s, line %d", file, line);
+    return p;
+}
+
+const char *dem_dict_where(const struct dem_dict *d)
+{
+    return d->parent ? place(d->pool, d->file, d->line) : d->file;
+}
+
+const char *dem_entry_where(const struct dem_entry *e)
+{
+    return place(e->home->pool, e->file, e->line);
+}
+
+/* `unknown entry "x"` of dem_unknown_word, with the dictionary named before the words it knows. */
+static int refuse_entry(const struct dem_entry *e)
+{
+    const struct dem_questions *q = e->home->questions;
+    const char *path = dem_dict_path(e->home), *known = "";
+    char head[128];
+    const int n = snprintf(head, sizeof head, "unknown entry \"%s\"", e->name);
+
+    if (q->count > 0)
+    {
+        (void)dem_unknown_word("entry", e->name, q->names, (int)q->count);
+        known = n > 0 && (size_t)n < sizeof head && strncmp(dem_error_text(), head, (size_t)n) == 0
+                    ? dem_error_text() + n
+                    : "";
+    }
+    return dem_error(DEM_ERROR_INPUT, "%s: unknown entry \"%s\"%s%s%s", dem_entry_where(e), e->name,
+                     *path ? " in " : "", path, *known ? known : "; remove it");
+}
+
+static int refuse_unread_items(const struct dem_entry *e)
+{
+    for (size_t i = 0; i < e->count; i++)
+    {
+        if (e->tokens[i].dict)
+        {
+            DEM_TRY(dem_dict_refuse_unread(e->tokens[i].dict));
+        }
+    }
+    return DEM_OK;
+}
+
+int dem_dict_refuse_unread(const struct dem_dict *d)
+{
+    for (size_t i = 0; i < d->count; i++)
+    {
+        const struct dem_entry *e = d->entries[i];
+
+        if (!e->used)
+        {
+            return refuse_entry(e);
+        }
+        DEM_TRY(e->dict ? dem_dict_refuse_unread(e->dict) : refuse_unread_items(e));
+    }
+    return DEM_OK;
+}
+
+void dem_dict_accept(const struct dem_dict *d)
+{
+    for (size_t i = 0; i < d->count; i++)
+    {
+        struct dem_entry *e = d->entries[i];
+
+        e->used = true;
+        if (e->dict)
+        {
+            dem_dict_accept(e->dict);
+        }
+        for (size_t k = 0; k < e->count; k++)
+        {
+            if (e->tokens[k].dict)
+            {
+                dem_dict_accept(e->tokens[k].dict);
+            }
+        }
+    }
+}

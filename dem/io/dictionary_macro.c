@@ -1,0 +1,109 @@
+/*
+ * dictionary_macro.c -- which entry a $name means.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ *   $name         the nearest entry of that name, from the dictionary it is written in outward
+ *   $dict.sub.x   the same for `dict`, then inward; a name that itself holds dots is found too
+ *   $.x $..x      only in this dictionary, only in the one around it; each further dot goes one further out
+ *   $:dict.x      from the top
+ *
+ * Only what stands above the macro is known. A macro counts as reading: a dictionary that is inserted
+ * elsewhere is a template and need not be read where it stands.
+ */
+#include "io/dictionary_tree.h"
+
+#include "base/error.h"
+#include "base/unknown.h"
+
+#include <string.h>
+
+enum
+{
+    NEAR = 64    /* most names considered for "did you mean" */
+};
+
+/* The entry of that dotted path in d itself. */
+static struct dem_entry *descend(const struct dem_dict *d, const char *path)
+{
+    struct dem_entry *e = dem_dict_find(d, path, strlen(path));
+
+    for (const char *dot = strchr(path, '.'); !e && dot; dot = strchr(dot + 1, '.'))
+    {
+        struct dem_entry *head = dem_dict_find(d, path, (size_t)(dot - path));
+
+        e = head && head->dict ? descend(head->dict, dot + 1) : NULL;
+    }
+    return e;
+}
+
+static struct dem_entry *search_outward(const struct dem_dict *d, const char *path)
+{
+    struct dem_entry *e = NULL;
+
+    for (; d && !e; d = d->parent)
+    {
+        e = descend(d, path);
+    }
+    return e;
+}
+
+static struct dem_entry *search(const struct dem_dict *d, const char *path)
+{
+    if (*path == ':')
+    {
+        while (d->parent)
+        {
+            d = d->parent;
+        }
+        return descend(d, path + 1);
+    }
+    if (*path == '.')
+    {
+        for (path++; d && *path == '.'; path++)
+        {
+            d = d->parent;
+        }
+        return d ? descend(d, path) : NULL;
+    }
+    return search_outward(d, path);
+}
+
+static const char *nearest(const struct dem_dict *d, const char *name)
+{
+    const char *known[NEAR];
+    int n = 0;
+
+    for (; d; d = d->parent)
+    {
+        for (size_t i = 0; i < d->count && n < NEAR; i++)
+        {
+            known[n++] = d->entries[i]->name;
+        }
+    }
+    return n > 0 ? dem_unknown_nearest(name, known, n) : NULL;
+}
+
+int dem_dict_macro(const struct dem_dict *here, const char *file, const struct dem_token *token,
+                   const struct dem_entry **e)
+{
+    const char *name = token->text + 1, *near;
+    struct dem_entry *found;
+
+    DEM_REQUIRE(*name != '\0', DEM_ERROR_INPUT, "%s, line %d: $ stands alone; write $name directly, without a space",
+                file, token->line);
+    found = search(here, name);
+    if (!found)
+    {
+        near = nearest(here, name);
+        return dem_error(DEM_ERROR_INPUT, "%s, line %d: nothing above this line defines $%s%s%s%s", file, token->line,
+                         name, near ? "; did you mean $" : "; define it first", near ? near : "", near ? "?" : "");
+    }
+    found->used = true;
+    if (found->dict)
+    {
+        dem_dict_accept(found->dict);
+    }
+    *e = found;
+    return DEM_OK;
+}
