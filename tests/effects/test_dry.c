@@ -1,0 +1,158 @@
+/*
+ * Claims: with a Hertzian and with a linear spring the restitution that comes out is the one put in, at any speed
+ * (Chung and Ooi, Granular Matter 13 (2011) 643, test 3); e = 1 damps nothing, e = 0 critically, both finite; the
+ * clamped variant never pulls and has the bias its help tells; rows apart are zero and trap nothing.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "tray.h"
+
+static const struct dem_material oxide = {"aluminium oxide", 4000.0, 380e9, 0.23};
+static const struct dem_material rigid = {"rigid", 1.0, INFINITY, 0.3};
+static struct world w;
+
+/* a linear spring, to stand before the dashpot in this test only */
+static const double linear_stiffness = 1e6;
+static void linear_act(const void *of, struct dem_block *restrict b, dem_real *const *memory)
+{
+    (void)of;
+    (void)memory;
+    for (int c = 0; c < b->n; c++)
+    {
+        b->kn[c] = b->touching[c]*linear_stiffness;
+        b->fn[c] += b->kn[c]*b->overlap[c];
+    }
+}
+static const struct dem_field no_settings[] = {{0}};
+static const struct dem_effect linear = {.name = "linear", .stage = DEM_STAGE_NORMAL, .exponent = 1.0, .settings = no_settings,
+                                         .act = linear_act};
+
+/* aluminium oxide, 2.5 mm, on a rigid plane; mean over 16 phases */
+static double bounce(double e, double speed, int clamped, int steps)
+{
+    world_wall(&w, &oxide, &rigid, 0.0025);
+    const double dt = world_contact_time(&w, speed)/steps;
+
+    world_add(&w, &dem_hertz, "impactSpeed", speed);
+    struct link *const dry = world_add(&w, &dem_dry, "restitution", e);
+    settle(&dem_dry, dry->settings, &w.pair, "attraction", clamped);
+    world_aim(&w, 16, dt, speed);
+    return world_impact(&w, dt, 20*steps) > 0 ? world_parting(&w)/speed : NAN;
+}
+
+static double bounce_linear(double e, double speed, int steps)
+{
+    world_wall(&w, &oxide, &rigid, 0.0025);
+    const double dt = 3.14159265358979324*sqrt(w.mass[0]/linear_stiffness)/steps;
+
+    struct link *const l = &w.link[w.links++];
+    l->effect = &linear;
+    w.pair.exponent = 1.0;
+    world_add(&w, &dem_dry, "restitution", e);
+    world_aim(&w, 16, dt, speed);
+    return world_impact(&w, dt, 20*steps) > 0 ? world_parting(&w)/speed : NAN;
+}
+
+/*
+ * The dashpot sees the velocity of half a step before: m a = -k d - eta (v - a dt/2), as if the mass were less by
+ * eta dt/2. So the restitution is too small by a part of the order dt: halving it halves the error. At t_c/400 that is
+ * 1e-4 down to e = 0.7 and 6e-4 at e = 0.2; a tenth of the step leaves a tenth of it.
+ */
+static void as_asked(void)
+{
+    static const double given[] = {0.05, 0.1, 0.2, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 1.0};
+
+    for (int k = 0; k < (int)(sizeof given/sizeof given[0]); k++)
+    {
+        const double e = given[k], coarse = bounce(e, 3.9, 0, 400);
+
+        TAP_NEAR(coarse, e, e < 0.7 ? 6e-4 : 1e-4, "hertz, e = %g at t_c/400", e);
+        TAP_NEAR(bounce(e, 3.9, 0, 4000), e, 1e-4, "hertz, e = %g at t_c/4000", e);
+        TAP_NEAR(bounce_linear(e, 3.9, 400), e, 1e-3, "linear spring, e = %g at t_c/400", e);
+        TAP_NEAR(bounce_linear(e, 3.9, 4000), e, 1e-4, "linear spring, e = %g at t_c/4000", e);
+    }
+    const double a = bounce(0.5, 3.9, 0, 400) - 0.5, b = bounce(0.5, 3.9, 0, 800) - 0.5;
+
+    TAP_NEAR(b/a, 0.5, 0.05, "half the step, half the error");
+    TAP_NEAR(bounce(0.8, 0.01, 0, 400), bounce(0.8, 30.0, 0, 400), 1e-9, "the speed of impact does not matter");
+}
+
+static void clamped(void)
+{
+    /* an independent integration of the clamped law, same particle and wall, 40000 steps a contact */
+    static const double given[] = {0.2, 0.4, 0.5, 0.6, 0.8, 0.9};
+    static const double found[] = {0.32485934, 0.47201187, 0.55028171, 0.63228964, 0.80809925, 0.90202613};
+
+    for (int k = 0; k < 6; k++)
+    {
+        /* the lag of half a step again, at a tenth of the step */
+        TAP_NEAR(bounce(given[k], 3.9, 1, 4000), found[k], 1e-4, "clamped, e = %g gives %.3f", given[k], found[k]);
+    }
+}
+
+static void row(double e, int attraction, double exponent, double vn, double *fn, double *eta)
+{
+    world_wall(&w, &oxide, &rigid, 0.0025);
+    world_add(&w, &dem_hertz, "impactSpeed", 1.0);
+    w.pair.exponent = exponent;
+    struct link *const dry = world_add(&w, &dem_dry, "restitution", e);
+    settle(&dem_dry, dry->settings, &w.pair, "attraction", attraction);
+    w.b.n = 2;
+    w.b.reduced_mass[0] = w.b.reduced_mass[1] = 0.01;
+    w.b.kn[0] = 1e6;                                      /* the second row is apart: no stiffness */
+    w.b.fn[0] = 7.0;
+    w.b.vn[0] = w.b.vn[1] = vn;
+    w.b.fn[1] = 0.0;
+    dem_dry.act(dry->settings, &w.b, dry->memory);
+    *fn = w.b.fn[0];
+    *eta = w.b.eta[0];
+}
+
+static void closed_forms(void)
+{
+    const double l = -log(0.3), beta0 = l/sqrt(l*l + 3.14159265358979324*3.14159265358979324);
+    double fn, eta;
+
+    /* sqrt(m* kn) = 100 kg/s; a handful of rounded factors */
+    row(0.3, 0, 1.0, 0.5, &fn, &eta);
+    TAP_NEAR(eta, 2.0*beta0*100.0, 1e-12, "linear: 2 beta sqrt(m k)");
+    TAP_NEAR(fn, 7.0 - eta*0.5, 1e-12, "the force is less by eta vn, and may pull");
+    TAP_OK(fn < 0.0, "it does pull here");
+    TAP_OK(w.b.eta[1] == 0.0 && w.b.fn[1] == 0.0, "a row apart gets nothing");
+    row(0.3, 1, 1.0, 0.5, &fn, &eta);
+    TAP_OK(fn == 0.0, "clamped, it does not");
+    row(0.3, 0, 1.5, -0.5, &fn, &eta);
+    TAP_NEAR(eta, sqrt(5.0)*beta0*100.0, 1e-12, "hertz: sqrt(5) beta sqrt(m k)");
+    TAP_OK(fn > 7.0, "on approach it pushes");
+    row(0.3, 1, 1.5, -0.5, &fn, &eta);
+    TAP_OK(fn > 7.0, "clamped or not");
+    row(1.0, 0, 1.5, 0.5, &fn, &eta);
+    TAP_OK(eta == 0.0, "e = 1 does not damp at all");
+    row(0.0, 0, 1.0, 0.5, &fn, &eta);
+    TAP_NEAR(eta, 200.0, 1e-12, "e = 0 damps critically: 2 sqrt(m k)");
+    row(0.0, 0, 1.5, 0.5, &fn, &eta);
+    TAP_NEAR(eta, sqrt(5.0)*100.0, 1e-12, "e = 0 with hertz: sqrt(5 m k)");
+}
+
+static void refusals(void)
+{
+    double settings[32] = {0};
+    struct dem_pair_class pair = {.a = &oxide, .b = &rigid, .exponent = 1.5};
+
+    dem_field_defaults(dem_dry.settings, settings);
+    TAP_OK(dem_field_missing(dem_dry.settings, settings, "dry") == DEM_ERROR_INPUT, "restitution has no default");
+    TAP_OK(settle(&dem_dry, settings, &pair, "restitution", 1.1) == DEM_ERROR_INPUT, "e = 1.1: %s", dem_error_text());
+    TAP_OK(settle(&dem_dry, settings, &pair, "restitution", -0.1) == DEM_ERROR_INPUT, "e = -0.1: %s", dem_error_text());
+    pair.exponent = 0.0;
+    TAP_OK(settle(&dem_dry, settings, &pair, "restitution", 0.9) == DEM_ERROR_INPUT, "no spring: %s", dem_error_text());
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    closed_forms();
+    as_asked();
+    clamped();
+    refusals();
+    TAP_DONE;
+}

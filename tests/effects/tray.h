@@ -1,0 +1,344 @@
+/*
+ * tray.h -- the trays filled by hand, and a small world of two bodies per row that moves by the same leapfrog as the core.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Every row is an impact of its own: two spheres, or a sphere on the plane z = 0. Rows differ in when, within a time
+ * step, the surfaces meet (the contact phase), so that means over the rows have little of the step left in them.
+ *
+ *     struct world w;
+ *     world_spheres(&w, &glass, &glass, 0.01, 0.01);             or world_wall(&w, &glass, &glass, 0.01)
+ *     world_add(&w, &dem_hertz, "impactSpeed", 1.0, NULL);       name, value pairs ended by NULL
+ *     world_aim(&w, 16, dt, normal_speed);                       then velocities and spins may be set by hand
+ *     world_impact(&w, dt, most_steps);                          until all rows have touched and parted
+ *
+ * Lever arms are the radii, not shortened by the overlap: so are those of the closed forms compared with.
+ */
+#ifndef TESTS_EFFECTS_TRAY_H
+#define TESTS_EFFECTS_TRAY_H
+
+#include "effects/effects.h"
+#include "unit/tap.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum
+{
+    WORLD_EFFECTS = 4,
+    WORLD_MEMORY = 4
+};
+
+struct link
+{
+    const struct dem_effect *effect;
+    double settings[32];                                  /* room for any settings struct, aligned */
+    _Alignas(64) dem_real column[WORLD_MEMORY][DEM_BLOCK];
+    dem_real *memory[WORLD_MEMORY];
+};
+
+struct world
+{
+    struct dem_pair_class pair;
+    double radius[2], mass[2];                            /* the wall: radius 0, mass 0 for infinite */
+    int links;
+    struct link link[WORLD_EFFECTS];
+    struct dem_block b;
+
+    double x[2][3][DEM_BLOCK], v[2][3][DEM_BLOCK], w[2][3][DEM_BLOCK];    /* v, w: half a step behind x */
+    double touched[DEM_BLOCK], peak_force[DEM_BLOCK], peak_overlap[DEM_BLOCK];
+    double normal_impulse[DEM_BLOCK], friction_impulse[DEM_BLOCK];       /* N s, of fn and of |ft| */
+    double worst_friction;                                /* largest |ft| - limit*max(fn,0), over all rows and steps */
+    double friction_limit;                                /* the limit */
+    int steps_touching[DEM_BLOCK];
+};
+
+static inline struct dem_material material(const char *name, double E, double nu, double rho)
+{
+    struct dem_material m = {.density = rho, .youngs_modulus = E, .poissons_ratio = nu};
+
+    snprintf(m.name, sizeof m.name, "%s", name);
+    return m;
+}
+
+static inline double ball(double radius, double density)
+{
+    return 4.0/3.0*3.14159265358979324*radius*radius*radius*density;
+}
+
+/* E* and G* of the class; a rigid wall has an infinite modulus and adds nothing */
+static inline void world_class(struct world *w, const struct dem_material *a, const struct dem_material *b, int wall)
+{
+    double e = 0.0, g = 0.0;
+    const struct dem_material *const both[2] = {a, b};
+
+    for (int k = 0; k < 2; k++)
+    {
+        const double nu = both[k]->poissons_ratio, E = both[k]->youngs_modulus;
+
+        e += isfinite(E) ? (1.0 - nu*nu)/E : 0.0;
+        g += isfinite(E) ? 2.0*(2.0 - nu)*(1.0 + nu)/E : 0.0;
+    }
+    w->pair = (struct dem_pair_class){.a = a, .b = b, .with_wall = wall, .reduced_modulus = 1.0/e,
+                                      .reduced_shear = 1.0/g, .exponent = 1.0};
+}
+
+static inline void world_spheres(struct world *w, const struct dem_material *a, const struct dem_material *b,
+                                 double radius_a, double radius_b)
+{
+    memset(w, 0, sizeof *w);
+    world_class(w, a, b, 0);
+    w->radius[0] = radius_a;
+    w->radius[1] = radius_b;
+    w->mass[0] = ball(radius_a, a->density);
+    w->mass[1] = ball(radius_b, b->density);
+    w->pair.least_radius = radius_a*radius_b/(radius_a + radius_b);
+    w->pair.least_mass = w->mass[0]*w->mass[1]/(w->mass[0] + w->mass[1]);
+}
+
+static inline void world_wall(struct world *w, const struct dem_material *a, const struct dem_material *b, double radius)
+{
+    memset(w, 0, sizeof *w);
+    world_class(w, a, b, 1);
+    w->radius[0] = radius;
+    w->mass[0] = ball(radius, a->density);
+    w->pair.least_radius = radius;
+    w->pair.least_mass = w->mass[0];
+}
+
+/* 4/3 E* sqrt(R*): F = this d^1.5 */
+static inline double world_hertz(const struct world *w)
+{
+    return 4.0/3.0*w->pair.reduced_modulus*sqrt(w->pair.least_radius);
+}
+
+/* duration of an elastic Hertzian impact */
+static inline double world_contact_time(const struct world *w, double speed)
+{
+    const double E = w->pair.reduced_modulus, m = w->pair.least_mass, R = w->pair.least_radius;
+
+    return 2.8682656992*pow(m*m/(R*E*E*speed), 0.2);
+}
+
+/* set one number or choice (by its place), check that all is given, prepare; 0 or the status */
+static inline int settle(const struct dem_effect *effect, void *settings, const struct dem_pair_class *pair,
+                         const char *name, double value)
+{
+    const struct dem_field *const f = dem_field_find(effect->settings, name);
+
+    if (f && (f->kind == DEM_FIELD_CHOICE || f->kind == DEM_FIELD_SWITCH))
+    {
+        const int choice = (int)value;
+
+        memcpy((char *)settings + f->offset, &choice, sizeof choice);
+    }
+    else
+    {
+        DEM_TRY(dem_field_set_number(effect->settings, settings, effect->name, name, &value, 1));
+    }
+    DEM_TRY(dem_field_missing(effect->settings, settings, effect->name));
+    return effect->prepare ? effect->prepare(settings, pair) : DEM_OK;
+}
+
+/* append an effect with one setting; more by settle(w.link[k].effect, w.link[k].settings, &w.pair, ...) */
+static inline struct link *world_add(struct world *w, const struct dem_effect *effect, const char *name, double value)
+{
+    struct link *const l = &w->link[w->links++];
+
+    l->effect = effect;
+    for (int k = 0; k < WORLD_MEMORY; k++)
+    {
+        l->memory[k] = l->column[k];
+    }
+    if (effect->stage == DEM_STAGE_NORMAL)
+    {
+        w->pair.exponent = effect->exponent;
+    }
+    if (effect->size > sizeof l->settings)
+    {
+        printf("Bail out! settings of %s are too large for the test's room\n", effect->name);
+        exit(1);
+    }
+    dem_field_defaults(effect->settings, l->settings);
+    if (settle(effect, l->settings, &w->pair, name, value))
+    {
+        printf("Bail out! %s\n", dem_error_text());
+        exit(1);
+    }
+    return l;
+}
+
+/* n rows, body i over body j (or the plane) along z, gap such that contact begins in the first step, at n even phases */
+static inline void world_aim(struct world *w, int n, double dt, double speed)
+{
+    memset(w->x, 0, sizeof w->x);
+    memset(w->v, 0, sizeof w->v);
+    memset(w->w, 0, sizeof w->w);
+    w->b.n = n;
+    for (int c = 0; c < n; c++)
+    {
+        w->x[0][2][c] = w->radius[0] + w->radius[1] + speed*dt*((double)c + 0.5)/(double)n;
+        w->v[0][2][c] = -speed;
+        w->touched[c] = w->peak_force[c] = w->peak_overlap[c] = w->normal_impulse[c] = w->friction_impulse[c] = 0.0;
+        w->steps_touching[c] = 0;
+    }
+    for (int k = 0; k < w->links; k++)
+    {
+        memset(w->link[k].column, 0, sizeof w->link[k].column);
+    }
+    w->worst_friction = -1e300;
+}
+
+static inline double dot(const double a[3], const double b[3])
+{
+    return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
+}
+
+static inline void cross(const double a[3], const double b[3], double out[3])
+{
+    out[0] = a[1]*b[2] - a[2]*b[1];
+    out[1] = a[2]*b[0] - a[0]*b[2];
+    out[2] = a[0]*b[1] - a[1]*b[0];
+}
+
+/* the geometry of row c, as the core's sweep would fill it */
+static inline void world_gather(struct world *w, int c, double dt)
+{
+    struct dem_block *const b = &w->b;
+    const int wall = w->pair.with_wall;
+    double r[3], h[3], v[3], spin[3], turn[3];
+
+    for (int k = 0; k < 3; k++)
+    {
+        r[k] = wall && k < 2 ? 0.0 : w->x[0][k][c] - w->x[1][k][c];
+        v[k] = w->v[0][k][c] - w->v[1][k][c];
+        h[k] = r[k] - (wall && k < 2 ? 0.0 : 0.5*dt*v[k]);
+        spin[k] = w->radius[0]*w->w[0][k][c] + w->radius[1]*w->w[1][k][c];
+    }
+    const double distance = sqrt(dot(r, r)), before = sqrt(dot(h, h));
+
+    for (int k = 0; k < 3; k++)
+    {
+        r[k] /= distance;
+        h[k] /= before;
+    }
+    const double overlap = w->radius[0] + w->radius[1] - distance;
+
+    b->nx[c] = r[0], b->ny[c] = r[1], b->nz[c] = r[2];
+    b->hx[c] = h[0], b->hy[c] = h[1], b->hz[c] = h[2];
+    b->overlap[c] = overlap > 0.0 ? overlap : 0.0;
+    b->touching[c] = overlap > 0.0 ? 1.0 : 0.0;
+    b->reduced_radius[c] = w->pair.least_radius;
+    b->reduced_mass[c] = w->pair.least_mass;
+    b->vn[c] = dot(v, r);
+    cross(spin, h, turn);
+    b->sx[c] = v[0] - dot(v, h)*h[0] - turn[0];
+    b->sy[c] = v[1] - dot(v, h)*h[1] - turn[1];
+    b->sz[c] = v[2] - dot(v, h)*h[2] - turn[2];
+    b->kn[c] = b->kt[c] = b->eta[c] = b->fn[c] = b->fx[c] = b->fy[c] = b->fz[c] = 0.0;
+}
+
+static inline void world_kick(struct world *w, int c, double dt)
+{
+    const struct dem_block *const b = &w->b;
+    const double n[3] = {b->nx[c], b->ny[c], b->nz[c]}, ft[3] = {b->fx[c], b->fy[c], b->fz[c]};
+    double turn[3];
+
+    cross(n, ft, turn);
+    for (int side = 0; side < 2 && w->mass[side] > 0.0; side++)
+    {
+        const double sign = side ? -1.0 : 1.0, m = w->mass[side], R = w->radius[side];
+
+        for (int k = 0; k < 3; k++)
+        {
+            w->v[side][k][c] += dt*sign*(b->fn[c]*n[k] + ft[k])/m;
+            w->w[side][k][c] -= dt*R*turn[k]/(0.4*m*R*R);     /* contact point at -R n of i, +R n of j */
+        }
+    }
+    const double friction = sqrt(dot(ft, ft)), push = b->fn[c] > 0.0 ? b->fn[c] : 0.0;
+
+    w->normal_impulse[c] += dt*b->fn[c];
+    w->friction_impulse[c] += dt*friction;
+    w->worst_friction = fmax(w->worst_friction, friction - w->friction_limit*push);
+    w->peak_force[c] = fmax(w->peak_force[c], b->fn[c]);
+    w->peak_overlap[c] = fmax(w->peak_overlap[c], b->overlap[c]);
+}
+
+/* one leapfrog step: drift, forces at the new place with the velocity of the middle, kick */
+static inline void world_step(struct world *w, double dt)
+{
+    w->b.dt = dt;
+    for (int c = 0; c < w->b.n; c++)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            w->x[0][k][c] += dt*w->v[0][k][c];
+            w->x[1][k][c] += dt*w->v[1][k][c];
+        }
+        world_gather(w, c, dt);
+    }
+    for (int k = 0; k < w->links; k++)
+    {
+        w->link[k].effect->act(w->link[k].settings, &w->b, w->link[k].memory);
+    }
+    for (int c = 0; c < w->b.n; c++)
+    {
+        const double touching = w->b.touching[c];
+
+        for (int k = 0; k < w->links; k++)
+        {
+            for (int m = 0; w->link[k].effect->memory && w->link[k].effect->memory[m]; m++)
+            {
+                w->link[k].column[m][c] = touching > 0.0 ? w->link[k].column[m][c] : 0.0;
+            }
+        }
+        world_kick(w, c, dt);
+        w->steps_touching[c] += touching > 0.0;
+    }
+}
+
+/* step until every row has touched and parted; how many steps, or -1 if some still touch after most_steps */
+static inline int world_impact(struct world *w, double dt, int most_steps)
+{
+    for (int s = 1; s <= most_steps; s++)
+    {
+        int parted = 0;
+
+        world_step(w, dt);
+        for (int c = 0; c < w->b.n; c++)
+        {
+            w->touched[c] = w->b.touching[c] > 0.0 ? 1.0 : w->touched[c];
+            parted += w->touched[c] > 0.0 && w->b.touching[c] == 0.0 && w->b.vn[c] > 0.0;
+        }
+        if (parted == w->b.n)
+        {
+            return s;
+        }
+    }
+    return -1;
+}
+
+static inline double mean(const double *value, int n)
+{
+    double sum = 0.0;
+
+    for (int c = 0; c < n; c++)
+    {
+        sum += value[c];
+    }
+    return sum/(double)n;
+}
+
+/* mean over the rows of the speed at which the bodies part */
+static inline double world_parting(const struct world *w)
+{
+    double sum = 0.0;
+
+    for (int c = 0; c < w->b.n; c++)
+    {
+        sum += w->v[0][2][c] - w->v[1][2][c];
+    }
+    return sum/(double)w->b.n;
+}
+
+#endif
