@@ -1,0 +1,176 @@
+/*
+ * Claims: the restitution that comes out of an impact in a fluid is e_max exp(-beta/St) with the Stokes number of the
+ * first touch, on a wall and between spheres; the speed is latched until the surfaces part; St -> 0 ends in critical
+ * damping and no corner case in an infinity; the viscosity is the setting's, or else the fluid's; added mass enters St.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "tray.h"
+
+static const struct dem_material steel = {"steel", 7800.0, 200e9, 0.3}, glass = {"glass", 2540.0, 60e9, 0.23};
+static const struct dem_material rigid = {"rigid", 1.0, INFINITY, 0.3};
+static const double pi = 3.14159265358979324;
+static struct world w;
+
+/* a sphere of 6 mm against the plane (pair: against another) with this Stokes number; mean over 16 phases */
+static double bounce(double St, double e_max, int wall, int steps)
+{
+    const double speed = 0.5;
+
+    if (wall)
+    {
+        world_wall(&w, &steel, &rigid, 0.003);
+    }
+    else
+    {
+        world_spheres(&w, &steel, &steel, 0.003, 0.003);
+    }
+    const double R = w.pair.least_radius, mu = w.pair.least_mass*speed/(6.0*pi*R*R*St);
+    const double dt = world_contact_time(&w, speed)/steps;
+
+    world_add(&w, &dem_hertz, "impactSpeed", speed);
+    struct link *const stokes = world_add(&w, &dem_stokes, "restitution", e_max);
+    settle(&dem_stokes, stokes->settings, &w.pair, "viscosity", mu);
+    world_aim(&w, 16, dt, speed);
+    return world_impact(&w, dt, 20*steps) > 0 ? world_parting(&w)/speed : NAN;
+}
+
+/*
+ * Tolerance 1 %: the dashpot sees the velocity of half a step before, which lessens e by a part of the order dt (see
+ * test_dry.c); at t_c/4000 that is 0.4 % at St = 10, where e is 0.03, and less above.
+ */
+static void law(void)
+{
+    static const double St[] = {10.0, 15.0, 20.0, 30.0, 50.0, 75.0, 100.0, 152.0, 200.0, 300.0, 500.0, 1000.0, 1e4};
+
+    for (int k = 0; k < (int)(sizeof St/sizeof St[0]); k++)
+    {
+        const double target = 0.97*exp(-35.0/St[k]);
+
+        TAP_NEAR(bounce(St[k], 0.97, 1, 4000), target, 0.01*target, "wall, St = %g: e = %.4f", St[k], target);
+        TAP_NEAR(bounce(St[k], 0.97, 0, 4000), target, 0.01*target, "pair, St = %g: e = %.4f", St[k], target);
+    }
+    TAP_NEAR(bounce(100.0, 0.97, 1, 400), 0.97*exp(-0.35), 0.002, "a usual step, t_c/400, at St = 100");
+    TAP_NEAR(bounce(35.0, 1.0, 1, 4000), exp(-1.0), 0.004, "e_max = 1, St = 35: 1/e");
+}
+
+/* one row by hand: m* = 2 g, R* = 3 mm, kn = 1e6 N/m, touching; returns alpha = eta/sqrt(m* kn) */
+static double alpha(const struct link *l, double vn, double fluid, double *speed)
+{
+    w.b.n = 1;
+    w.b.reduced_mass[0] = 2e-3;
+    w.b.reduced_radius[0] = 3e-3;
+    w.b.kn[0] = 1e6;
+    w.b.touching[0] = 1.0;
+    w.b.overlap[0] = 1e-6;
+    w.b.vn[0] = vn;
+    w.b.viscosity[0] = fluid;
+    w.b.fn[0] = 0.0;
+    dem_real *memory[1] = {speed};
+
+    dem_stokes.act(l->settings, &w.b, memory);
+    return w.b.eta[0]/sqrt(2e-3*1e6);
+}
+
+static double alpha_of(double e)
+{
+    const double l = -log(e);
+
+    return sqrt(5.0)*l/sqrt(l*l + pi*pi);
+}
+
+static void by_hand(void)
+{
+    const double critical = sqrt(5.0), mu = 0.01, St = 2e-3*0.5/(6.0*pi*mu*9e-6);
+    double speed = 0.0;
+
+    world_wall(&w, &steel, &rigid, 0.003);
+    w.pair.exponent = 1.5;
+    struct link *const l = world_add(&w, &dem_stokes, "restitution", 0.97);
+
+    /* from here on a few rounded factors: 1e-13 */
+    TAP_NEAR(alpha(l, -0.5, mu, &speed), alpha_of(0.97*exp(-35.0/St)), 1e-13, "alpha of e_max exp(-beta/St), St = %.3g", St);
+    TAP_OK(speed == 0.5 && w.b.fn[0] > 0.0, "the speed is remembered, the force resists approach");
+    TAP_NEAR(alpha(l, 0.1, mu, &speed), alpha_of(0.97*exp(-35.0/St)), 1e-13, "later speeds in the contact change nothing");
+    TAP_OK(speed == 0.5 && w.b.fn[0] < 0.0, "still remembered; the force may pull");
+    w.b.touching[0] = 0.0;
+    w.b.kn[0] = 0.0;
+    dem_real *memory[1] = {&speed};
+    dem_stokes.act(l->settings, &w.b, memory);
+    TAP_OK(speed == 0.0 && w.b.eta[0] == 0.0, "apart it is forgotten and nothing acts");
+    alpha(l, -0.2, mu, &speed);
+    TAP_OK(speed == 0.2, "the next contact latches its own");
+
+    TAP_NEAR((speed = 0.0, alpha(l, 0.0, mu, &speed)), critical, 1e-13, "touched at rest: critical damping");
+    TAP_OK(speed > 0.0 && speed < 1e-20, "and that too is latched");
+    TAP_NEAR(alpha(l, -3.0, mu, &speed), critical, 1e-13, "so a later push finds it critical");
+    TAP_NEAR((speed = 0.0, alpha(l, -0.5, 0.0, &speed)), alpha_of(0.97), 1e-13, "no viscosity: e_max");
+    TAP_NEAR((speed = 0.0, alpha(l, 0.0, 0.0, &speed)), alpha_of(0.97), 1e-13, "no viscosity at rest: e_max");
+    TAP_NEAR((speed = 0.0, alpha(l, -1e-12, mu, &speed)), critical, 1e-9, "creeping: critical damping");
+
+    settle(&dem_stokes, l->settings, &w.pair, "restitution", 0.0);
+    TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), critical, 1e-13, "e_max = 0: critical damping");
+    TAP_NEAR((speed = 0.0, alpha(l, -0.5, 0.0, &speed)), critical, 1e-13, "e_max = 0 without viscosity too");
+    settle(&dem_stokes, l->settings, &w.pair, "restitution", 1.0);
+    TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), alpha_of(exp(-35.0/St)), 1e-13, "e_max = 1: the film alone");
+    TAP_OK((speed = 0.0, alpha(l, -0.5, 0.0, &speed)) == 0.0, "e_max = 1 without viscosity: no damping");
+
+    settle(&dem_stokes, l->settings, &w.pair, "viscosity", 2.0*mu);
+    TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), alpha_of(exp(-70.0/St)), 1e-13, "its own viscosity goes before the fluid's");
+    settle(&dem_stokes, l->settings, &w.pair, "beta", 0.0);
+    TAP_OK((speed = 0.0, alpha(l, -0.5, mu, &speed)) == 0.0, "beta = 0: e_max whatever the fluid");
+    TAP_OK((speed = 0.0, alpha(l, 0.0, mu, &speed)) == 0.0, "beta = 0 at rest");
+    TAP_OK(dem_stokes.needs & DEM_NEEDS_VISCOSITY, "asks for the fluid's viscosity");
+}
+
+/* alpha of a pair with added mass C_M rho_f per particle volume against the one written out with both masses */
+static void added(const char *what, const struct dem_material *a, const struct dem_material *b, double Ra, double Rb, int wall)
+{
+    const double more = 0.5*1000.0, mu = 0.01, v = 0.3;
+    double speed = 0.0;
+
+    if (wall)
+    {
+        world_wall(&w, a, b, Ra);
+    }
+    else
+    {
+        world_spheres(&w, a, b, Ra, Rb);
+    }
+    w.pair.exponent = 1.5;
+    struct link *const l = world_add(&w, &dem_stokes, "restitution", 0.97);
+    settle(&dem_stokes, l->settings, &w.pair, "fluidDensity", 1000.0);
+    settle(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5);
+
+    const double ma = ball(Ra, a->density + more), mb = wall ? 0.0 : ball(Rb, b->density + more);
+    const double m = wall ? ma : ma*mb/(ma + mb), R = w.pair.least_radius;
+    const double St = m*v/(6.0*pi*mu*R*R);
+
+    w.b.n = 1;
+    w.b.reduced_mass[0] = w.pair.least_mass;
+    w.b.reduced_radius[0] = R;
+    w.b.kn[0] = 1e6;
+    w.b.touching[0] = 1.0;
+    w.b.vn[0] = -v;
+    w.b.viscosity[0] = mu;
+    dem_real *memory[1] = {&speed};
+    dem_stokes.act(l->settings, &w.b, memory);
+    TAP_NEAR(w.b.eta[0]/sqrt(w.pair.least_mass*1e6), alpha_of(0.97*exp(-35.0/St)), 1e-13, "added mass: %s", what);
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    by_hand();
+    law();
+    added("sphere and wall", &glass, &rigid, 0.003, 0.0, 1);
+    added("two alike", &glass, &glass, 0.003, 0.003, 0);
+    added("same density, different size", &glass, &glass, 0.003, 0.001, 0);
+    added("same size, different density", &glass, &steel, 0.003, 0.003, 0);
+
+    world_wall(&w, &steel, &rigid, 0.003);
+    w.pair.exponent = 1.5;
+    struct link *const l = world_add(&w, &dem_stokes, "restitution", 0.97);
+    TAP_OK(settle(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_DONE;
+}
