@@ -1,0 +1,121 @@
+/*---------------------------------------------------------------------------*\
+    demPimpleFoam -- incompressible flow through moving particles.
+
+    Part of Suna, CFD-DEM for OpenFOAM.
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+    Suna is free software: you can redistribute it and/or modify it under the
+    terms of the GNU General Public License as published by the Free Software
+    Foundation, either version 3 of the License, or (at your option) any later
+    version. It comes without any warranty; see COPYING.
+
+Application
+    demPimpleFoam
+
+Description
+    Transient, incompressible, volume-averaged flow coupled with discrete
+    particles. Set II ("model A") of Zhou, Kuang, Chu and Yu, J. Fluid Mech.
+    661 (2010) 482, divided by the fluid's density:
+
+        d(e U)/dt + div(e U U) = - e grad p + div(e tau) + (F - K U)/rho
+        div(e U) = ds/dt
+
+    e       void fraction, 1 - s                                       [1]
+    U       interstitial velocity                                    [m/s]
+    p       pressure over density, *without* the hydrostatic part  [m2/s2]
+    tau     viscous and turbulent stress over density              [m2/s2]
+    F       explicit part of the particles' reaction                [N/m3]
+    K       coefficient of its implicit part                     [kg/m3/s]
+    ds/dt   change of the solid's fraction over the step, from the
+            particles' positions                                     [1/s]
+
+    With p free of the hydrostatic part gravity drops out of the equation:
+    -e grad(p + g.x) + e g = -e grad p; a bed of any shape at rest in a fluid
+    at rest is exact. The particles are given the full pressure gradient,
+    rho (grad p + g), and so feel Archimedes' force.
+
+    The momentum equation is interpolated to the faces as it stands, with the
+    drag in it (see pEqn.H). There the pressure meets the particles' force on
+    one stencil, so a sharp bed surface makes no checkerboard and a thin first
+    cell above a distributor carries the full flux.
+
+    Not here: heat, species, more than one fluid, a moving mesh. Turbulence
+    models see U and the interstitial flux; e enters the stress only.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "singlePhaseTransportModel.H"
+#include "turbulentTransportModel.H"
+#include "pimpleControl.H"
+#include "fvOptions.H"
+#include "fixedFluxPressureFvPatchScalarField.H"
+#include "demCloud.H"
+#include "fixedFlux.H"
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Transient incompressible flow through moving particles (CFD-DEM)"
+    );
+
+    #include "setRootCaseLists.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    pimpleControl pimple(mesh);
+
+    #include "createTimeControls.H"
+    #include "createFields.H"
+
+    Info<< "\nStarting time loop\n" << endl;
+
+    while (runTime.run())
+    {
+        #include "readTimeControls.H"
+        #include "CourantNo.H"
+        #include "setParticleDeltaT.H"
+
+        ++runTime;
+
+        Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        // One exchange per step: what the particles did stays as it is while
+        // the fluid iterates
+        cloud.evolve(Us, gradP, rho, mu());
+        voidFractionf = fvc::interpolate(voidFraction);
+        #include "particleForces.H"
+
+        while (pimple.loop())
+        {
+            #include "UEqn.H"
+
+            while (pimple.correct())
+            {
+                #include "pEqn.H"
+            }
+
+            if (pimple.turbCorr())
+            {
+                laminarTransport.correct();
+                turbulence->correct();
+            }
+        }
+
+        #include "continuity.H"
+        cloud.correct(Us, gradP);
+
+        runTime.write();
+        cloud.write();
+        runTime.printExecutionTime(Info);
+    }
+
+    Info<< "End\n" << endl;
+
+    return 0;
+}
+
+// ************************************************************************* //
