@@ -37,7 +37,7 @@ static double bounce(double St, double e_max, int wall, int steps)
 
 /*
  * Tolerance 1 %: the dashpot sees the velocity of half a step before, which lessens e by a part of the order dt (see
- * test_dry.c); at t_c/4000 that is 0.4 % at St = 10, where e is 0.03, and less above.
+ * test_dry.c); at t_c/4000 that is 0.15 % at St = 10, where e is 0.03, and less above.
  */
 static void law(void)
 {

@@ -47,9 +47,9 @@ struct world
 
     double x[2][3][DEM_BLOCK], v[2][3][DEM_BLOCK], w[2][3][DEM_BLOCK];    /* v, w: half a step behind x */
     double touched[DEM_BLOCK], peak_force[DEM_BLOCK], peak_overlap[DEM_BLOCK];
-    double normal_impulse[DEM_BLOCK], friction_impulse[DEM_BLOCK];       /* N s, of fn and of |ft| */
-    double worst_friction;                                /* largest |ft| - limit*max(fn,0), over all rows and steps */
-    double friction_limit;                                /* the limit */
+    double push_impulse[DEM_BLOCK], friction_impulse[DEM_BLOCK];         /* N s, of max(fn, 0) and of |ft| */
+    double friction;                                      /* set it to have the next line watched */
+    double worst_friction;                                /* N, largest |ft| - friction*max(fn, 0) of all rows and steps */
     int steps_touching[DEM_BLOCK];
 };
 
@@ -179,7 +179,7 @@ static inline void world_aim(struct world *w, int n, double dt, double speed)
     {
         w->x[0][2][c] = w->radius[0] + w->radius[1] + speed*dt*((double)c + 0.5)/(double)n;
         w->v[0][2][c] = -speed;
-        w->touched[c] = w->peak_force[c] = w->peak_overlap[c] = w->normal_impulse[c] = w->friction_impulse[c] = 0.0;
+        w->touched[c] = w->peak_force[c] = w->peak_overlap[c] = w->push_impulse[c] = w->friction_impulse[c] = 0.0;
         w->steps_touching[c] = 0;
     }
     for (int k = 0; k < w->links; k++)
@@ -257,9 +257,9 @@ static inline void world_kick(struct world *w, int c, double dt)
     }
     const double friction = sqrt(dot(ft, ft)), push = b->fn[c] > 0.0 ? b->fn[c] : 0.0;
 
-    w->normal_impulse[c] += dt*b->fn[c];
+    w->push_impulse[c] += dt*push;
     w->friction_impulse[c] += dt*friction;
-    w->worst_friction = fmax(w->worst_friction, friction - w->friction_limit*push);
+    w->worst_friction = fmax(w->worst_friction, friction - w->friction*push);
     w->peak_force[c] = fmax(w->peak_force[c], b->fn[c]);
     w->peak_overlap[c] = fmax(w->peak_overlap[c], b->overlap[c]);
 }
