@@ -1,0 +1,243 @@
+/*
+ * Claims about all effects of the list at once: each tells what the manual needs; each is found by its word, and a word
+ * nobody knows gets an answer; a row's result has the same bits wherever it lies in the tray and however many rows there
+ * are (whole vectors or the rest); rows of zeros, as the house pads with, and rows apart give zeros and trap nothing.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "bodies.h"
+
+#include "base/random.h"
+
+#include <stdlib.h>
+
+enum
+{
+    ROWS = 37,                                            /* whole vectors of 2, 4, 8 and a rest */
+    MEMORY = 4
+};
+
+static const struct dem_material glass = {"glass", 2500.0, 60e9, 0.22};
+static const struct dem_pair_class pair = {.a = &glass, .b = &glass, .reduced_modulus = 31e9, .reduced_shear = 7e9,
+                                           .exponent = 1.5, .least_radius = 1e-3, .least_mass = 1e-5};
+
+/* settings in the middle of their range, or their defaults; prepared */
+static void settings_of(const struct dem_effect *e, void *settings)
+{
+    const double values[3] = {0.5, 0.5, 0.5};
+
+    if (e->settings)
+    {
+        dem_field_defaults(e->settings, settings);
+        for (const struct dem_field *f = e->settings; f->name; f++)
+        {
+            if (isnan(f->def))
+            {
+                dem_field_set_number(e->settings, settings, e->name, f->name, values, f->kind == DEM_FIELD_VECTOR ? 3 : 1);
+            }
+        }
+    }
+    if (e->prepare && e->prepare(settings, e->stage < DEM_STAGE_BODY ? &pair : NULL))
+    {
+        printf("Bail out! %s\n", dem_error_text());
+        exit(1);
+    }
+}
+
+static double uniform(int row, int use, double least, double most)
+{
+    return least + (most - least)*dem_random_unit(1, (uint64_t)row, 0, (uint64_t)use);
+}
+
+/* every third row is apart */
+static void random_contact(struct dem_block *b, dem_real memory[MEMORY][DEM_BLOCK], int to, int row)
+{
+    const double a = uniform(row, 0, 0.0, 6.28), z = uniform(row, 1, -1.0, 1.0), tilt = uniform(row, 2, -0.01, 0.01);
+    const double apart = row % 3 == 2 ? 0.0 : 1.0;
+
+    b->dt = 1e-6;
+    b->nx[to] = sqrt(1.0 - z*z)*cos(a), b->ny[to] = sqrt(1.0 - z*z)*sin(a), b->nz[to] = z;
+    b->hx[to] = sqrt(1.0 - z*z)*cos(a + tilt), b->hy[to] = sqrt(1.0 - z*z)*sin(a + tilt), b->hz[to] = z;
+    b->overlap[to] = apart*uniform(row, 3, 0.0, 1e-5);
+    b->touching[to] = apart;
+    b->reduced_radius[to] = uniform(row, 4, 1e-3, 2e-3);
+    b->reduced_mass[to] = uniform(row, 5, 1e-5, 1e-4);
+    b->vn[to] = uniform(row, 6, -1.0, 1.0);
+    b->sx[to] = uniform(row, 7, -1.0, 1.0), b->sy[to] = uniform(row, 8, -1.0, 1.0), b->sz[to] = uniform(row, 9, -1.0, 1.0);
+    b->wx[to] = uniform(row, 10, -9.0, 9.0), b->wy[to] = uniform(row, 11, -9.0, 9.0), b->wz[to] = uniform(row, 12, -9.0, 9.0);
+    b->viscosity[to] = uniform(row, 13, 0.0, 0.01);
+    b->kn[to] = apart*uniform(row, 14, 0.0, 1e6);
+    b->kt[to] = apart*uniform(row, 15, 0.0, 1e6);
+    b->eta[to] = apart*uniform(row, 16, 0.0, 10.0);
+    b->fn[to] = apart*uniform(row, 17, -1.0, 5.0);
+    for (int m = 0; m < MEMORY; m++)
+    {
+        memory[m][to] = apart*uniform(row, 18 + m, -1e-6, 1e-6);
+    }
+}
+
+static void random_body(struct dem_body_block *b, int to, int row)
+{
+    body_fill(b, to, uniform(row, 0, 1e-4, 1e-2), uniform(row, 1, 1.0, 1000.0), uniform(row, 2, 1e-5, 1e-2),
+              uniform(row, 3, 0.1, 1.1), uniform(row, 4, 0.0, 2000.0));
+    b->vx[to] = uniform(row, 5, -1.0, 1.0), b->vy[to] = uniform(row, 6, -1.0, 1.0), b->vz[to] = uniform(row, 7, -1.0, 1.0);
+    b->gx[to] = uniform(row, 8, -1e4, 1e4), b->gy[to] = uniform(row, 9, -1e4, 1e4), b->gz[to] = uniform(row, 10, -1e4, 1e4);
+}
+
+static int all_finite(const dem_real *values)
+{
+    int all = 1;
+
+    for (int c = 0; c < DEM_BLOCK; c++)
+    {
+        all &= isfinite(values[c]) ? 1 : 0;
+    }
+    return all;
+}
+
+/* how many of the columns from first to last (results and memory) hold a number that isn't finite */
+static int bad_columns(const dem_real *first, const dem_real *last)
+{
+    int bad = 0;
+
+    for (const dem_real *column = first; column <= last; column += DEM_BLOCK)
+    {
+        bad += !all_finite(column);
+    }
+    return bad;
+}
+
+static int differs(const dem_real *first, const dem_real *last, const dem_real *other_first, int row)
+{
+    int bad = 0;
+
+    for (const dem_real *a = first, *b = other_first; a <= last; a += DEM_BLOCK, b += DEM_BLOCK)
+    {
+        bad += memcmp(a + row, b, sizeof *a) != 0;        /* bits, so that -0 is not 0 */
+    }
+    return bad;
+}
+
+static void contact_effect(const struct dem_effect *e)
+{
+    static struct dem_block many, one;
+    static _Alignas(64) dem_real memory[MEMORY][DEM_BLOCK], memory_of_one[MEMORY][DEM_BLOCK];
+    dem_real *const all[MEMORY] = {memory[0], memory[1], memory[2], memory[3]};
+    dem_real *const alone[MEMORY] = {memory_of_one[0], memory_of_one[1], memory_of_one[2], memory_of_one[3]};
+    double settings[32] = {0};
+    int bad = 0;
+
+    settings_of(e, settings);
+    memset(&many, 0, sizeof many);
+    memset(memory, 0, sizeof memory);
+    many.n = ROWS;
+    for (int row = 0; row < ROWS; row++)
+    {
+        random_contact(&many, memory, row, row);
+    }
+    e->act(settings, &many, all);
+    for (int row = 0; row < ROWS; row++)
+    {
+        memset(&one, 0, sizeof one);
+        one.n = 1;
+        random_contact(&one, memory_of_one, 0, row);
+        e->act(settings, &one, alone);
+        bad += differs(many.kn, many.mz, one.kn, row) + differs(memory[0], memory[MEMORY - 1], memory_of_one[0], row);
+    }
+    TAP_OK(bad == 0, "%s: a row has the same bits alone and among others (%d differ)", e->name, bad);
+    TAP_OK(bad_columns(many.kn, many.mz) + bad_columns(memory[0], memory[MEMORY - 1]) == 0, "%s: all finite", e->name);
+    bad = 0;
+    for (int row = 2; row < ROWS; row += 3)
+    {
+        bad += many.kn[row] != 0.0 || many.kt[row] != 0.0 || many.eta[row] != 0.0 || many.fn[row] != 0.0;
+        bad += many.fx[row] != 0.0 || many.fy[row] != 0.0 || many.fz[row] != 0.0;
+    }
+    TAP_OK(bad == 0, "%s: nothing acts on rows apart", e->name);
+
+    memset(&many, 0, sizeof many);
+    memset(memory, 0, sizeof memory);
+    many.n = DEM_BLOCK;
+    e->act(settings, &many, all);
+    TAP_OK(bad_columns(many.kn, many.mz) == 0 && many.fn[DEM_BLOCK - 1] == 0.0 && many.fx[0] == 0.0, "%s: rows of zeros", e->name);
+}
+
+static void body_effect(const struct dem_effect *e)
+{
+    static struct dem_body_block many, one;
+    double settings[32] = {0};
+    int bad = 0;
+
+    settings_of(e, settings);
+    memset(&many, 0, sizeof many);
+    many.n = ROWS;
+    for (int row = 0; row < ROWS; row++)
+    {
+        random_body(&many, row, row);
+    }
+    e->act_on_bodies(settings, &many);
+    for (int row = 0; row < ROWS; row++)
+    {
+        memset(&one, 0, sizeof one);
+        one.n = 1;
+        random_body(&one, 0, row);
+        e->act_on_bodies(settings, &one);
+        bad += differs(many.fx, many.buz, one.fx, row);
+    }
+    TAP_OK(bad == 0, "%s: a row has the same bits alone and among others (%d differ)", e->name, bad);
+    TAP_OK(bad_columns(many.fx, many.buz) == 0, "%s: all finite", e->name);
+    bad = 0;
+    for (int row = 0; row < ROWS; row++)
+    {
+        bad += many.b[row] < 0.0;
+    }
+    TAP_OK(bad == 0, "%s: no drag pushes", e->name);
+
+    memset(&many, 0, sizeof many);
+    many.n = DEM_BLOCK;
+    e->act_on_bodies(settings, &many);
+    TAP_OK(bad_columns(many.fx, many.buz) == 0 && many.fx[DEM_BLOCK - 1] == 0.0 && many.b[0] == 0.0, "%s: rows of zeros", e->name);
+}
+
+static void tells(const struct dem_effect *e)
+{
+    const int body = e->stage >= DEM_STAGE_BODY;
+    int fields = 0, bad = 0;
+
+    for (const struct dem_field *f = e->settings; f && f->name; f++)
+    {
+        fields++;
+        bad += f->help == NULL || f->help[0] == '\0' || f->unit == NULL || f->offset >= e->size;
+    }
+    TAP_OK(e->says && e->source && e->name[0] && e->says[0] && e->source[0], "%s: word, sentence, source", e->name);
+    TAP_OK(bad == 0 && (fields > 0) == (e->size > 0), "%s: %d settings, each with unit and help", e->name, fields);
+    TAP_OK(body ? e->act_on_bodies && !e->act && !e->memory : e->act && !e->act_on_bodies, "%s: acts as its stage wants", e->name);
+    TAP_OK((e->exponent > 0.0) == (e->stage == DEM_STAGE_NORMAL), "%s: an exponent for the normal law only", e->name);
+    TAP_OK(dem_effects_find(e->name) == e, "%s: found by its word", e->name);
+}
+
+int main(void)
+{
+    int count = 0;
+
+    TAP_TRAPS;
+    for (const struct dem_effect *const *e = dem_effects; *e; e++)
+    {
+        count++;
+        tells(*e);
+        if ((*e)->stage < DEM_STAGE_BODY)
+        {
+            contact_effect(*e);
+        }
+        else
+        {
+            body_effect(*e);
+        }
+    }
+    TAP_OK(count > 0, "%d effects", count);
+    TAP_OK(dem_effects_find("hertzz") == NULL && dem_effects_find("") == NULL, "an unknown word is not found");
+    TAP_OK(dem_effects_unknown("scene.dem, line 3", "hertzz") == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(strncmp(dem_error_text(), "scene.dem, line 3: ", 19) == 0, "the message begins with the place");
+    TAP_OK(strstr(dem_error_text(), "did you mean hertz") != NULL, "and offers the nearest word");
+    TAP_OK(strstr(dem_error_text(), "gidaspow") != NULL, "and lists the others");
+    TAP_DONE;
+}

@@ -1,0 +1,99 @@
+/*
+ * Claims: switched at e = 0.8 the drag has the tabulated values and the pressure drop of a packed bed is Ergun's; bridged
+ * it is continuous, halfway between both laws at e = 0.8 and near them outside; everything is finite at rest.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "bodies.h"
+
+static int blend;                                         /* the settings: 0 smooth, 1 switch */
+
+static double G(double e, double re)
+{
+    return body_drag(&dem_gidaspow, &blend, e, re);
+}
+
+static double wen_yu(double e, double re)
+{
+    return body_drag(&dem_wen_yu, NULL, e, re);
+}
+
+static double ergun(double e, double re)
+{
+    return (150.0*(1.0 - e)/e + 1.75*re/e)/18.0;
+}
+
+static void switched(void)
+{
+    static const double table[][3] = {                    /* e, Re, G: rounded to two places */
+        {0.42, 1.0, 11.74}, {0.42, 200.0, 57.80}, {0.60, 20.0, 8.80}, {0.70, 200.0, 31.35},
+        {0.80, 20.0, 3.93}, {0.90, 20.0, 2.88}, {0.99, 20.0, 2.23},
+    };
+
+    blend = 1;
+    for (int k = 0; k < (int)(sizeof table/sizeof table[0]); k++)
+    {
+        TAP_NEAR(G(table[k][0], table[k][1]), table[k][2], 0.00501, "e = %g, Re = %g", table[k][0], table[k][1]);
+    }
+    TAP_NEAR(G(0.8 - 1e-12, 200.0), 26.4, 0.0501, "below the switch at Re = 200: Ergun, 26.4");
+    TAP_NEAR(G(0.8, 200.0), 12.1, 0.0501, "at the switch: Wen and Yu, 12.1");
+    TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a lone creeping sphere: Stokes' 3 pi mu d");
+
+    /* e grad p = n b (u - v) is the fluid's balance in a fixed bed; u is the velocity between the grains, U = e u */
+    static const double beds[][2] = {{0.4, 0.1}, {0.4, 5.0}, {0.45, 300.0}, {0.6, 2000.0}};
+    for (int k = 0; k < 4; k++)
+    {
+        const double e = beds[k][0], s = 1.0 - e, mu = 1e-3, rho = 1000.0, d = 1e-3, U = beds[k][1]*mu/(rho*d);
+        const double n = s/sphere_volume(d);
+        const double drop = n*(3.0*3.14159265358979324*mu*d*G(e, beds[k][1]))*(U/e)/e;
+        const double published = 150.0*mu*s*s*U/(e*e*e*d*d) + 1.75*rho*s*U*U/(e*e*e*d);
+
+        TAP_NEAR(drop/published, 1.0, 1e-13, "Ergun's pressure drop, e = %g, Re = %g", e, beds[k][1]);    /* rounding */
+    }
+}
+
+/* phi to 1e-14: atan is a series cut at 7e-19, then a dozen roundings */
+static void smooth(void)
+{
+    double worst = 0.0, step = 0.0;
+
+    blend = 0;
+    for (int k = 0; k <= 8000; k++)
+    {
+        const double e = 0.2 + 1e-4*k, s = 1.0 - e;
+        const double phi = 0.5 + atan(150.0*1.75*(0.2 - s))/3.14159265358979324;
+        const double expected = (1.0 - phi)*ergun(e, 200.0) + phi*wen_yu(e, 200.0);
+
+        worst = fmax(worst, fabs(G(e, 200.0)/expected - 1.0));
+        step = k ? fmax(step, fabs(G(e, 200.0)/G(e - 1e-4, 200.0) - 1.0)) : 0.0;
+    }
+    TAP_NEAR(worst, 0.0, 1e-13, "the bridge is (1 - phi) Ergun + phi Wen-Yu over e = 0.2 to 1");
+    TAP_OK(step < 0.01, "no jump: at most %.2g from one e to the next, 1e-4 on, where the switch has 0.54", step);
+    TAP_NEAR(G(0.8, 200.0), 0.5*(ergun(0.8, 200.0) + wen_yu(0.8, 200.0)), 1e-11, "halfway at e = 0.8");
+    TAP_NEAR(G(0.4, 20.0)/ergun(0.4, 20.0), 1.0, 2e-3, "in a packed bed within 0.2 %% of Ergun");
+    TAP_NEAR(G(1.0, 0.0), 1.0, 0.0061, "a lone creeping sphere: 0.6 %% below Stokes, the bridge's price");
+}
+
+static void edges(void)
+{
+    for (blend = 0; blend < 2; blend++)
+    {
+        TAP_OK(isfinite(G(0.4, 0.0)) && isfinite(G(0.9, 0.0)), "finite at rest");
+        TAP_OK(G(0.1, 0.0) == G(0.2, 0.0) && G(0.0, 0.0) == G(0.2, 0.0), "below e = 0.2 as at 0.2");
+        TAP_OK(G(1.2, 0.0) == G(1.0, 0.0), "above e = 1 as at 1");
+    }
+}
+
+int main(void)
+{
+    int settings;
+
+    TAP_TRAPS;
+    switched();
+    smooth();
+    edges();
+    dem_field_defaults(dem_gidaspow.settings, &settings);
+    TAP_OK(settings == 0, "smooth unless told otherwise");
+    TAP_OK(dem_field_set_word(dem_gidaspow.settings, &settings, "gidaspow", "blend", "switch") == DEM_OK && settings == 1, "switch");
+    TAP_DONE;
+}

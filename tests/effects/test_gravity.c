@@ -1,0 +1,31 @@
+/*
+ * Claims: the weight m g is added to the force, whatever the direction of g; heavier falls no faster.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "bodies.h"
+
+int main(void)
+{
+    static struct dem_body_block b;
+    static const double down[3] = {0.3, -0.2, -9.81};
+    double settings[4] = {0};
+
+    TAP_TRAPS;
+    dem_field_defaults(dem_gravity.settings, settings);
+    TAP_OK(dem_field_missing(dem_gravity.settings, settings, "gravity") == DEM_ERROR_INPUT, "which way is down has to be told");
+    TAP_OK(dem_field_set_number(dem_gravity.settings, settings, "gravity", "acceleration", down, 3) == DEM_OK, "it can be");
+
+    b.n = 3;
+    for (int c = 0; c < 3; c++)
+    {
+        b.mass[c] = c;
+        b.fx[c] = 1.0, b.fz[c] = 2.0;
+    }
+    dem_gravity.act_on_bodies(settings, &b);
+    TAP_OK(b.fx[0] == 1.0 && b.fy[0] == 0.0 && b.fz[0] == 2.0, "no mass, no weight; what was there stays");
+    TAP_OK(b.fx[1] == 1.0 + 0.3 && b.fy[1] == -0.2 && b.fz[1] == 2.0 - 9.81, "1 kg");
+    TAP_OK(b.fx[2] == 1.0 + 2.0*0.3 && b.fy[2] == -2.0*0.2 && b.fz[2] == 2.0 - 2.0*9.81, "2 kg");
+    TAP_OK(b.b[2] == 0.0 && b.bux[2] == 0.0, "no drag in it");
+    TAP_DONE;
+}
