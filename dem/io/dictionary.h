@@ -38,6 +38,9 @@ struct dem_entry;
 /* Read a file, or a text (name stands for the file in errors; a text may not #include). On failure *d is null. */
 int dem_dict_read_file(struct dem_dict **d, const char *path);
 int dem_dict_read_text(struct dem_dict **d, const char *text, const char *name);
+
+/* Merge a further text into a tree, as if it stood at the end of the first one. */
+int dem_dict_read_more(struct dem_dict *d, const char *text, const char *name);
 void dem_dict_free(struct dem_dict *d);    /* the top only; null is fine */
 
 /* Is there such an entry? Does not count as reading it. */

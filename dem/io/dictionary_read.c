@@ -11,9 +11,8 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "io/file.h"
 
-#include <errno.h>
-#include <stdio.h>
 #include <string.h>
 
 enum
@@ -56,7 +55,8 @@ static int insert_dict(struct dem_reader *r, struct dem_dict *d, const struct de
     }
     DEM_TRY(dem_dict_scan(&r->scan, &end));
     DEM_REQUIRE(dem_dict_is_sign(&end, ';'), DEM_ERROR_INPUT,
-                "%s, line %d: found %s, expected ; after %s; end line %d with ;", r->scan.file, end.line, end.text, t->text, t->line);
+                "%s, line %d: found %s, expected ; after %s; end line %d with ;", r->scan.file, end.line, end.text, t->text,
+                t->line);
     DEM_TRY(dem_dict_new(d, "", r->scan.file, t->line, &copy));
     DEM_TRY(dem_dict_merge(copy, from->dict));
     return dem_dict_merge(d, copy);
@@ -88,7 +88,8 @@ int dem_dict_read_entries(struct dem_reader *r, struct dem_dict *d, int opened)
     struct dem_token t;
 
     DEM_REQUIRE(++r->depth <= DEM_DICT_DEEPEST, DEM_ERROR_INPUT,
-                "%s, line %d: more than %d dictionaries are open here; close some with }", file, r->scan.line, DEM_DICT_DEEPEST);
+                "%s, line %d: more than %d dictionaries are open here; close some with }", file, r->scan.line,
+                DEM_DICT_DEEPEST);
     for (;;)
     {
         DEM_TRY(dem_dict_scan(&r->scan, &t));
@@ -106,7 +107,8 @@ int dem_dict_read_entries(struct dem_reader *r, struct dem_dict *d, int opened)
             continue;
         }
         DEM_REQUIRE(t.kind != DEM_TOKEN_SIGN, DEM_ERROR_INPUT,
-                    "%s, line %d: found %s, expected the name of an entry; write name value; or name { ... }", r->scan.file, t.line, t.text);
+                    "%s, line %d: found %s, expected the name of an entry; write name value; or name { ... }", r->scan.file,
+                    t.line, t.text);
         DEM_TRY(dem_dict_is_name(&t) ? read_entry(r, d, &t)
                             : t.text[0] == '$' ? insert_dict(r, d, &t) : read_directive(r, d, &t));
     }
@@ -117,29 +119,12 @@ int dem_dict_read_entries(struct dem_reader *r, struct dem_dict *d, int opened)
 /* The bytes of a file, in the pool. */
 static int load(struct dem_pool *pool, const char *path, const char **text, size_t *length)
 {
-    FILE *f = fopen(path, "rb");
-    char *bytes = NULL;
-    size_t room = 0, n = 0, got = 1;
-    int status = DEM_OK;
+    char *bytes;
+    int status;
 
-    DEM_REQUIRE(f, DEM_ERROR_FILE, "can't open %s: %s", path, strerror(errno));
-    while (got > 0 && status == DEM_OK)
-    {
-        status = DEM_GROW(bytes, room, n + (1 << 16));
-        got = status == DEM_OK ? fread(bytes + n, 1, room - n, f) : 0;
-        n += got;
-    }
-    if (status == DEM_OK && ferror(f))
-    {
-        status = dem_error(DEM_ERROR_FILE, "can't read %s: %s", path, strerror(errno));
-    }
-    fclose(f);
-    if (status == DEM_OK)
-    {
-        status = dem_dict_take_text(pool, bytes, n, text);
-    }
+    DEM_TRY(dem_file_load(path, &bytes, length));
+    status = dem_dict_take_text(pool, bytes, *length, text);
     dem_memory_free(bytes);
-    *length = n;
     return status;
 }
 
@@ -206,4 +191,14 @@ int dem_dict_read_file(struct dem_dict **d, const char *path)
 int dem_dict_read_text(struct dem_dict **d, const char *text, const char *name)
 {
     return read_top(d, text, strlen(text), name, false);
+}
+
+int dem_dict_read_more(struct dem_dict *d, const char *text, const char *name)
+{
+    struct dem_reader r = {.may_include = false};
+    const char *file;
+
+    DEM_TRY(dem_dict_take_text(d->pool, name, strlen(name), &file));
+    dem_dict_scan_start(&r.scan, text, strlen(text), file, d->pool);
+    return dem_dict_read_entries(&r, d, 0);
 }

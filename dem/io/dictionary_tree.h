@@ -81,10 +81,11 @@ int dem_dict_merge(struct dem_dict *into, const struct dem_dict *from);    /* co
 /* Print tokens on one line, cut with "..." to fit, into out[size]. */
 void dem_dict_print(const struct dem_token *tokens, size_t count, char *out, size_t size);
 
-/* Asking: an entry that must be there, and the sentence about one that is not what was wanted. */
+/* Asking: an entry that must be there; the unread one whose name looks like a slip for it; the sentence about one
+   that is not what was wanted. */
 void dem_dict_remember_question(const struct dem_dict *d, const char *name);
 int dem_dict_need(const struct dem_dict *d, const char *name, const char *unit, const struct dem_entry **e);
-const struct dem_entry *dem_dict_slip(const struct dem_dict *d, const char *name);    /* unread, looks like it, or null */
+const struct dem_entry *dem_dict_slip(const struct dem_dict *d, const char *name);    /* or null */
 int dem_dict_refuse_value(const struct dem_entry *e, const char *wants, const char *unit);
 
 /* Where a reader of a value stands. Each take moves on and says true, or leaves it where it is. */

@@ -46,7 +46,8 @@ static int refuse_brace(const struct dem_reader *r, const struct dem_entry *e, c
     if (t->text[0] == '{' && count == 0)
     {
         return dem_error(DEM_ERROR_INPUT,
-                         "%s, line %d: { can't follow \"%s\"; a dictionary has one name: name { ... }", r->scan.file, t->line, so_far(e, e->count, text));
+                         "%s, line %d: { can't follow \"%s\"; a dictionary has one name: name { ... }", r->scan.file, t->line,
+                         so_far(e, e->count, text));
     }
     return dem_error(DEM_ERROR_INPUT, "%s, line %d: found %s in the value of %s, expected ; after \"%s\"; "
                      "end line %d with ;", r->scan.file, t->line, t->text, e->name, so_far(e, count, text),
@@ -103,7 +104,8 @@ static int close_bracket(const struct dem_reader *r, const struct dem_token *t, 
 static int open_bracket(const struct dem_reader *r, const struct dem_token *t, struct opened *open, int *depth)
 {
     DEM_REQUIRE(*depth < DEM_DICT_DEEPEST, DEM_ERROR_INPUT,
-                "%s, line %d: more than %d brackets are open here; close some", r->scan.file, t->line, DEM_DICT_DEEPEST);
+                "%s, line %d: more than %d brackets are open here; close some", r->scan.file, t->line,
+                DEM_DICT_DEEPEST);
     open[*depth] = (struct opened){.close = t->text[0] == '(' ? ')' : ']', .line = t->line};
     (*depth)++;
     return DEM_OK;

@@ -277,6 +277,7 @@ static const struct
      "scene.dem, line 1: materials/glass needs density (kg/m3); is \"densitty\" in line 1 meant to be it?"},
     {"g (0 -9.81);", "scene.dem, line 1: g wants a vector (x y z) (m/s2), found \"( 0 -9.81 )\""},
     {"n 2.5;", "scene.dem, line 1: n wants one whole number, found \"2.5\""},
+    {"n 1e300;", "scene.dem, line 1: n wants one whole number, found \"1e300\""},
     {"n 9223372036854775808;", "scene.dem, line 1: n wants one whole number, found \"9223372036854775808\""},
     {"on maybe;", "scene.dem, line 1: on wants yes or no (on, off, true, false), found \"maybe\""},
     {"shape a b;", "scene.dem, line 1: shape wants one word, found \"a b\""},
