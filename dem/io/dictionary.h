@@ -39,7 +39,8 @@ struct dem_entry;
 int dem_dict_read_file(struct dem_dict **d, const char *path);
 int dem_dict_read_text(struct dem_dict **d, const char *text, const char *name);
 
-/* Merge a further text into a tree, as if it stood at the end of the first one. */
+/* Merge a further text into a tree, as if it stood at the end of the first one. After an error free the tree: the
+   entries before the error are in it. */
 int dem_dict_read_more(struct dem_dict *d, const char *text, const char *name);
 void dem_dict_free(struct dem_dict *d);    /* the top only; null is fine */
 

@@ -155,32 +155,35 @@ static int read_included(struct dem_reader *r, struct dem_dict *d, const char *p
     return dem_dict_read_entries(&inner, d, 0);
 }
 
+/* A text merged into d, which may hold entries already. */
+static int read_into(struct dem_dict *d, const char *text, size_t length, const char *file, bool may_include)
+{
+    struct dem_reader r = {.may_include = may_include};
+    const struct dem_dict *header;
+
+    dem_dict_scan_start(&r.scan, text, length, file, d->pool);
+    DEM_TRY(dem_dict_read_entries(&r, d, 0));
+    if (dem_dict_find(d, "FoamFile", strlen("FoamFile")))
+    {
+        DEM_TRY(dem_dict_sub(d, "FoamFile", &header));
+        dem_dict_accept(header);
+    }
+    return DEM_OK;
+}
+
 static int read_top(struct dem_dict **d, const char *text, size_t length, const char *name, bool is_file)
 {
-    struct dem_reader r = {.may_include = is_file};
-    struct dem_entry *header;
     int status;
 
     DEM_TRY(dem_dict_new_top(d, name));
     status = is_file ? load((*d)->pool, name, &text, &length) : DEM_OK;
-    if (status == DEM_OK)
-    {
-        dem_dict_scan_start(&r.scan, text, length, (*d)->file, (*d)->pool);
-        status = dem_dict_read_entries(&r, *d, 0);
-    }
+    status = status == DEM_OK ? read_into(*d, text, length, (*d)->file, is_file) : status;
     if (status != DEM_OK)
     {
         dem_dict_free(*d);
         *d = NULL;
-        return status;
     }
-    header = dem_dict_find(*d, "FoamFile", strlen("FoamFile"));
-    if (header && header->dict)
-    {
-        header->used = true;
-        dem_dict_accept(header->dict);
-    }
-    return DEM_OK;
+    return status;
 }
 
 int dem_dict_read_file(struct dem_dict **d, const char *path)
@@ -195,10 +198,8 @@ int dem_dict_read_text(struct dem_dict **d, const char *text, const char *name)
 
 int dem_dict_read_more(struct dem_dict *d, const char *text, const char *name)
 {
-    struct dem_reader r = {.may_include = false};
     const char *file;
 
     DEM_TRY(dem_dict_take_text(d->pool, name, strlen(name), &file));
-    dem_dict_scan_start(&r.scan, text, strlen(text), file, d->pool);
-    return dem_dict_read_entries(&r, d, 0);
+    return read_into(d, text, strlen(text), file, false);
 }

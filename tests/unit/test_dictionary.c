@@ -158,6 +158,20 @@ static void walking(void)
     dem_dict_free(d);
 }
 
+static void more(void)
+{
+    struct dem_dict *d = read_good("a { x 1; y 2; } n 3;");
+    const struct dem_dict *a;
+    double x = 0.0, y = 0.0, n = 0.0;
+
+    TAP_OK(!dem_dict_read_more(d, "a { x $n; }\nn 4;", "override"), "a further text");
+    TAP_OK(!dem_dict_sub(d, "a", &a) && !dem_dict_number(a, "x", "m", &x) && !dem_dict_number(a, "y", "m", &y)
+           && !dem_dict_number(d, "n", "1", &n) && x == 3 && y == 2 && n == 4, "replaces, keeps and sees the first one");
+    TAP_OK(strcmp(dem_entry_where(dem_dict_entry(d, 1)), "override, line 2") == 0, "and knows its own name");
+    TAP_OK(dem_dict_read_more(d, "n {", "override") == DEM_ERROR_INPUT, "refused: %s", dem_error_text());
+    dem_dict_free(d);
+}
+
 struct spring
 {
     double restitution, direction[3], count;
@@ -421,6 +435,7 @@ int main(void)
     words_and_vectors();
     lists();
     walking();
+    more();
     fields();
     refusals();
     files();
