@@ -159,14 +159,15 @@ static int read_included(struct dem_reader *r, struct dem_dict *d, const char *p
 static int read_into(struct dem_dict *d, const char *text, size_t length, const char *file, bool may_include)
 {
     struct dem_reader r = {.may_include = may_include};
-    const struct dem_dict *header;
+    struct dem_entry *header;
 
     dem_dict_scan_start(&r.scan, text, length, file, d->pool);
     DEM_TRY(dem_dict_read_entries(&r, d, 0));
-    if (dem_dict_find(d, "FoamFile", strlen("FoamFile")))
+    header = dem_dict_find(d, "FoamFile", strlen("FoamFile"));
+    if (header && header->dict)
     {
-        DEM_TRY(dem_dict_sub(d, "FoamFile", &header));
-        dem_dict_accept(header);
+        header->used = true;
+        dem_dict_accept(header->dict);
     }
     return DEM_OK;
 }
