@@ -52,7 +52,7 @@ static void switched(void)
     }
 }
 
-/* phi to 1e-14: atan is a series cut at 7e-19, then a dozen roundings */
+/* phi to 1e-14: atan is a series cut at 2e-17, then a dozen roundings */
 static void smooth(void)
 {
     double worst = 0.0, step = 0.0;
