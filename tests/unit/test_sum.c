@@ -1,0 +1,217 @@
+/*
+ * An exact sum has the bits of the correctly rounded true sum, in any order and from any number of ranks.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Three judges that know nothing of limbs: IEEE 754's own addition is correctly rounded for two terms, 128-bit
+ * integers hold many terms exactly, and sums built to cancel have a known rest. No tolerance anywhere.
+ */
+#include "tap.h"
+
+#include "base/random.h"
+#include "base/sum.h"
+
+#include <float.h>
+#include <stdint.h>
+#include <string.h>
+
+__extension__ typedef __int128 wide;
+
+enum
+{
+    TERMS = 10000
+};
+
+static double term[TERMS];
+
+static int same_bits(double a, double b)
+{
+    return memcmp(&a, &b, sizeof a) == 0;
+}
+
+static double of(const double *value, int n)
+{
+    struct dem_sum s;
+
+    dem_sum_clear(&s);
+    for (int i = 0; i < n; i++)
+    {
+        dem_sum_add(&s, value[i]);
+    }
+    return dem_sum_value(&s);
+}
+
+/* any finite double, or one within 2^60 of 1 so that the two terms meet */
+static double any_double(uint64_t id, uint64_t use)
+{
+    const uint64_t bits = dem_random_bits(3, id, 0, use);
+    const uint64_t near = (bits & 0x800fffffffffffffu) | (UINT64_C(0x3ff) - bits%60) << 52;
+    const uint64_t chosen = id%2 && (bits >> 52 & 0x7ff) < 0x7ff ? bits : near;
+    double value;
+
+    memcpy(&value, &chosen, sizeof value);
+    return value;
+}
+
+static void two_terms(void)
+{
+    int bad = 0;
+
+    for (uint64_t i = 0; i < 400000; i++)
+    {
+        const double a = any_double(i, 0), b = any_double(i, 1), two[2] = {a, b};
+        const double expected = a + b;
+
+        bad += !same_bits(of(two, 2), expected == 0.0 ? 0.0 : expected);
+    }
+    TAP_OK(bad == 0, "two terms: the processor's own addition, 400000 pairs, %d wrong", bad);
+}
+
+static void many_terms(void)
+{
+    int bad = 0;
+
+    for (uint64_t trial = 0; trial < 200; trial++)
+    {
+        const int n = 1 + (int)(dem_random_bits(4, trial, 0, 0)%TERMS);
+        wide exact = 0;
+
+        for (int i = 0; i < n; i++)
+        {
+            const uint64_t bits = dem_random_bits(4, trial, (uint64_t)i, 1);
+            const int64_t whole = (int64_t)(bits >> 11)*(bits & 1 ? 1 : -1);
+            const int scale = (int)(bits >> 1 & 0x3f)%50;
+
+            term[i] = ldexp((double)whole, scale);
+            exact += (wide)whole*((wide)1 << scale);
+        }
+        bad += !same_bits(of(term, n), (double)exact);
+    }
+    TAP_OK(bad == 0, "many terms: 128-bit integers rounded once, 200 sums, %d wrong", bad);
+}
+
+static void known_sums(void)
+{
+    const double tiny = 0x1p-1074, ulp = DBL_EPSILON;
+
+    TAP_OK(same_bits(of((double[]){1e308, 1.0, -1e308}, 3), 1.0), "1e308 + 1 - 1e308 is 1");
+    TAP_OK(same_bits(of((double[]){DBL_MAX, DBL_MAX, tiny, -DBL_MAX, -DBL_MAX}, 5), tiny),
+           "twice the largest comes and goes and leaves the smallest");
+    TAP_OK(same_bits(of((double[]){1.0, ulp/2}, 2), 1.0), "a tie goes to the even neighbour below");
+    TAP_OK(same_bits(of((double[]){1.0 + ulp, ulp/2}, 2), 1.0 + 2*ulp), "and to the even neighbour above");
+    TAP_OK(same_bits(of((double[]){1.0, ulp/2, tiny}, 3), 1.0 + ulp), "the smallest double breaks a tie upwards");
+    TAP_OK(same_bits(of((double[]){1.0 + ulp, ulp/2, -tiny}, 3), 1.0 + ulp), "and downwards");
+    TAP_OK(same_bits(of((double[]){-1.0, -ulp/2, -tiny}, 3), -1.0 - ulp), "a negative sum mirrors a positive one");
+    TAP_OK(same_bits(of((double[]){2.0 - ulp, ulp/2}, 2), 2.0), "rounding may carry into the exponent");
+    TAP_OK(same_bits(of((double[]){DBL_MIN, -tiny}, 2), DBL_MIN - tiny), "subnormal numbers are exact");
+    TAP_OK(same_bits(of((double[]){3*tiny, -5*tiny}, 2), -2*tiny), "down to the last bit");
+    TAP_OK(same_bits(of((double[]){0.0, -0.0}, 2), 0.0) && same_bits(of(term, 0), 0.0), "nothing sums to +0");
+    TAP_OK(same_bits(of((double[]){DBL_MAX, DBL_MAX}, 2), INFINITY) && same_bits(of((double[]){-DBL_MAX, -DBL_MAX}, 2), -INFINITY),
+           "past the largest double lies infinity");
+    TAP_OK(same_bits(of((double[]){DBL_MAX, 0x1p969}, 2), DBL_MAX), "just under half a step past it does not");
+    TAP_OK(same_bits(of((double[]){DBL_MAX, 0x1p970}, 2), INFINITY), "half a step past it does");
+}
+
+static void any_order(void)
+{
+    struct dem_sum rank[7], total;
+    double forwards, backwards;
+
+    for (int i = 0; i < TERMS; i++)
+    {
+        term[i] = ldexp(dem_random_unit(5, (uint64_t)i, 0, 0) - 0.5, (int)(dem_random_bits(5, (uint64_t)i, 0, 1)%200));
+    }
+    forwards = of(term, TERMS);
+    for (int i = 0; i < TERMS/2; i++)
+    {
+        const double t = term[i];
+
+        term[i] = term[TERMS - 1 - i];
+        term[TERMS - 1 - i] = t;
+    }
+    backwards = of(term, TERMS);
+    TAP_OK(same_bits(forwards, backwards), "forwards and backwards: %a", forwards);
+
+    /* as MPI_SUM does it: limb by limb */
+    for (int r = 0; r < 7; r++)
+    {
+        dem_sum_clear(rank + r);
+        for (int i = r; i < TERMS; i += 7)
+        {
+            dem_sum_add(rank + r, term[i]);
+        }
+    }
+    dem_sum_clear(&total);
+    for (int r = 0; r < 7; r++)
+    {
+        dem_sum_merge(&total, rank + r);
+    }
+    TAP_OK(same_bits(dem_sum_value(&total), forwards), "merged from seven parts");
+
+    dem_sum_clear(&total);
+    for (int r = 6; r >= 0; r--)
+    {
+        dem_sum_normalise(rank + r);
+        for (int i = 0; i < DEM_SUM_PARTS; i++)
+        {
+            total.part[i] += rank[r].part[i];
+        }
+    }
+    TAP_OK(same_bits(dem_sum_value(&total), forwards), "reduced from seven ranks");
+}
+
+static void many_additions(void)
+{
+    const int64_t n = 100000000, whole = (INT64_C(1) << 53) - 1;
+    struct dem_sum s;
+
+    dem_sum_clear(&s);
+    for (int64_t i = 0; i < n; i++)
+    {
+        dem_sum_add(&s, (double)whole);
+    }
+    TAP_OK(same_bits(dem_sum_value(&s), (double)((wide)n*whole)), "a hundred million additions without a carry");
+
+    /* 2^40 times the sum by doubling: every limb carries again and again */
+    for (int i = 0; i < 40; i++)
+    {
+        dem_sum_merge(&s, &s);
+    }
+    TAP_OK(same_bits(dem_sum_value(&s), ldexp((double)((wide)n*whole), 40)), "doubled forty times");
+
+    /* full limbs: 2^30 - 1 additions are on record, the next one must carry before a limb can overflow */
+    dem_sum_clear(&s);
+    s.part[10] = INT64_C(1) << 62;
+    s.part[DEM_SUM_ADDED] = (1 << 30) - 1;
+    dem_sum_add(&s, 1.0);
+    TAP_OK(s.part[10] == 0 && s.part[11] == 1 << 30 && s.part[DEM_SUM_ADDED] == 0, "limbs are carried in time");
+}
+
+static void not_numbers(void)
+{
+    struct dem_sum a, b;
+
+    TAP_OK(isnan(of((double[]){1.0, NAN, 2.0}, 3)), "a not-a-number is not lost");
+    TAP_OK(same_bits(of((double[]){1.0, INFINITY, -DBL_MAX}, 3), INFINITY), "nor is an infinity");
+    TAP_OK(same_bits(of((double[]){-INFINITY, DBL_MAX}, 2), -INFINITY), "nor a negative one");
+    TAP_OK(isnan(of((double[]){INFINITY, -INFINITY}, 2)), "both infinities make a not-a-number");
+    dem_sum_clear(&a);
+    dem_sum_clear(&b);
+    dem_sum_add(&b, NAN);
+    dem_sum_merge(&a, &b);
+    TAP_OK(isnan(dem_sum_value(&a)), "they survive a merge");
+}
+
+int main(void)
+{
+    /* only invalid operations trap: the judge of two terms overflows on purpose */
+    feenableexcept(FE_INVALID);
+    two_terms();
+    TAP_TRAPS;
+    many_terms();
+    known_sums();
+    any_order();
+    many_additions();
+    not_numbers();
+    TAP_DONE;
+}
