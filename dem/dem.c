@@ -1,0 +1,624 @@
+/*
+ * dem.c -- the door: every public call, and the order in which a scene becomes a running state.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "dem.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "io/scene.h"
+#include "io/snapshot.h"
+#include "step/measure.h"
+#include "step/parts.h"
+#include "step/step.h"
+#include <fenv.h>
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* More initial overlap than this share of a diameter is a slip in the input, not a contact. */
+static const double most_initial_overlap = 0.05;
+
+struct mesh_wall                                          /* a wall handed in before the scene is read */
+{
+    char name[64], material[48];
+    size_t n;
+    double *triangles;
+};
+
+struct dem
+{
+    struct dem_parts parts;
+    struct dem_scene scene;
+    struct dem_dict *dict;
+    struct dem_crowd crowd;                               /* handed in by program; material is resolved at ready */
+    char (*crowd_material)[48];
+    size_t crowd_room;
+    struct mesh_wall *mesh_wall;
+    size_t mesh_walls, mesh_wall_room;
+    char load[1024];
+    int ready, with_fluid, coupled;
+    int feels_gradient;                                   /* 1: pressureGradient is among the effects */
+    double step;                                          /* s, the limit in force */
+};
+
+/* ---- making -------------------------------------------------------------------------------------------------- */
+
+int dem_create(struct dem **out, MPI_Comm comm)
+{
+    MPI_Comm own = MPI_COMM_NULL;
+    struct dem *d;
+    int rank = 0, ranks = 1;
+
+    DEM_TRY(DEM_NEW(d, 1));
+    if (comm != MPI_COMM_NULL)
+    {
+        MPI_Comm_dup(comm, &own);
+        MPI_Comm_rank(own, &rank);
+        MPI_Comm_size(own, &ranks);
+    }
+    dem_domain_init(&d->parts.domain);
+    dem_recipe_init(&d->parts.recipe);
+    DEM_TRY(dem_pieces_init(&d->parts.pieces, own, rank, ranks));
+    dem_halo_init(&d->parts.halo, &d->parts.pieces);
+    *out = d;
+    return DEM_OK;
+}
+
+void dem_free(struct dem *d)
+{
+    if (!d)
+    {
+        return;
+    }
+    MPI_Comm comm = d->parts.pieces.comm;
+
+    for (size_t k = 0; k < d->mesh_walls; k++)
+    {
+        dem_memory_free(d->mesh_wall[k].triangles);
+    }
+    dem_memory_free(d->mesh_wall);
+    dem_memory_free(d->crowd_material);
+    dem_crowd_free(&d->crowd);
+    dem_scene_free(&d->scene);
+    dem_dict_free(d->dict);
+    dem_halo_free(&d->parts.halo);
+    dem_pairs_free(&d->parts.pairs);
+    dem_wall_touches_free(&d->parts.touches);
+    dem_contacts_free(&d->parts.contacts);
+    dem_particles_free(&d->parts.particles);
+    dem_walls_free(&d->parts.walls);
+    dem_recipe_free(&d->parts.recipe);
+    dem_pieces_free(&d->parts.pieces);
+    dem_memory_free(d);
+    if (comm != MPI_COMM_NULL)
+    {
+        MPI_Comm_free(&comm);
+    }
+}
+
+static int not_ready(const struct dem *d, const char *call)
+{
+    DEM_REQUIRE(!d->ready, DEM_ERROR_STATE, "%s comes before dem_ready", call);
+    return DEM_OK;
+}
+
+int dem_scene_file(struct dem *d, const char *path)
+{
+    DEM_TRY(not_ready(d, "dem_scene_file"));
+    DEM_REQUIRE(!d->dict, DEM_ERROR_STATE, "a scene has been read already");
+    return dem_dict_read_file(&d->dict, path);
+}
+
+int dem_scene_text(struct dem *d, const char *text, const char *name)
+{
+    DEM_TRY(not_ready(d, "dem_scene_text"));
+    DEM_REQUIRE(!d->dict, DEM_ERROR_STATE, "a scene has been read already");
+    return dem_dict_read_text(&d->dict, text, name);
+}
+
+/* a/b/c with a value becomes the text "a { b { c value; } }", merged into the scene */
+int dem_set(struct dem *d, const char *path, const char *value)
+{
+    char text[1024] = "", close[128] = "";
+    size_t used = 0, depth = 0;
+
+    DEM_TRY(not_ready(d, "dem_set"));
+    DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "dem_set comes after the scene has been read");
+    DEM_REQUIRE(strlen(path) + strlen(value) < sizeof text/2, DEM_ERROR_INPUT, "%s = %s is too long", path, value);
+    for (const char *at = path; *at; at++)
+    {
+        text[used++] = *at == '/' ? '{' : *at;
+        depth += *at == '/';
+    }
+    DEM_REQUIRE(depth < sizeof close/2, DEM_ERROR_INPUT, "%s is nested too deeply", path);
+    for (size_t k = 0; k < depth; k++)
+    {
+        close[k] = '}';
+    }
+    snprintf(text + used, sizeof text - used, " %s; %s", value, close);
+    return dem_dict_read_more(d->dict, text, path);
+}
+
+int dem_add_wall(struct dem *d, const char *name, const char *material, int64_t n, const double *triangles)
+{
+    struct mesh_wall *w;
+
+    DEM_TRY(not_ready(d, "dem_add_wall"));
+    DEM_REQUIRE(strlen(name) < sizeof w->name && strlen(material) < sizeof w->material, DEM_ERROR_INPUT,
+                "wall %s of %s: a name longer than %zu letters; shorten it", name, material, sizeof w->material - 1);
+    DEM_TRY(DEM_GROW(d->mesh_wall, d->mesh_wall_room, d->mesh_walls + 1));
+    w = &d->mesh_wall[d->mesh_walls++];
+    snprintf(w->name, sizeof w->name, "%s", name);
+    snprintf(w->material, sizeof w->material, "%s", material);
+    w->n = (size_t)n;
+    DEM_TRY(DEM_NEW(w->triangles, 9*w->n + 1));
+    memcpy(w->triangles, triangles, 9*w->n*sizeof *triangles);
+    return DEM_OK;
+}
+
+int dem_add_particles(struct dem *d, int64_t n, const struct dem_seed *seed)
+{
+    DEM_TRY(not_ready(d, "dem_add_particles"));
+    DEM_TRY(DEM_GROW(d->crowd_material, d->crowd_room, d->crowd.n + (size_t)n + 1));
+    for (int64_t k = 0; k < n; k++)
+    {
+        struct dem_particle p = dem_particle_sphere(seed[k].id, seed[k].position, seed[k].diameter, 1.0, 0);
+
+        memcpy(p.v, seed[k].velocity, sizeof p.v);
+        memcpy(p.w, seed[k].spin, sizeof p.w);
+        p.flags = seed[k].frozen ? DEM_PARTICLE_FROZEN : 0;
+        snprintf(d->crowd_material[d->crowd.n], sizeof *d->crowd_material, "%s", seed[k].material);
+        DEM_TRY(dem_crowd_add(&d->crowd, p, "dem_add_particles"));
+    }
+    return DEM_OK;
+}
+
+int dem_load(struct dem *d, const char *path)
+{
+    DEM_TRY(not_ready(d, "dem_load"));
+    DEM_REQUIRE(strlen(path) < sizeof d->load, DEM_ERROR_INPUT, "path %s is longer than %zu letters", path, sizeof d->load - 1);
+    snprintf(d->load, sizeof d->load, "%s", path);
+    return DEM_OK;
+}
+
+/* ---- getting ready ------------------------------------------------------------------------------------------- */
+
+/* Triangles of all ranks; walls.c sorts them, so who brought which does not matter. */
+static int gather_wall(struct dem_parts *p, int wall, const struct mesh_wall *m)
+{
+    const int count = (int)(9*m->n);
+    int *counts, *start, total = 0;
+    double *all;
+
+    if (p->pieces.ranks == 1)
+    {
+        return dem_walls_add_triangles(&p->walls, wall, m->n, m->triangles);
+    }
+    DEM_TRY(DEM_NEW(counts, p->pieces.ranks));
+    DEM_TRY(DEM_NEW(start, p->pieces.ranks));
+    MPI_Allgather(&count, 1, MPI_INT, counts, 1, MPI_INT, p->pieces.comm);
+    for (int k = 0; k < p->pieces.ranks; k++)
+    {
+        start[k] = total;
+        total += counts[k];
+    }
+    DEM_TRY(DEM_NEW(all, total + 1));
+    MPI_Allgatherv(m->triangles, count, MPI_DOUBLE, all, counts, start, MPI_DOUBLE, p->pieces.comm);
+    const int status = dem_walls_add_triangles(&p->walls, wall, (size_t)total/9, all);
+
+    dem_memory_free(counts);
+    dem_memory_free(start);
+    dem_memory_free(all);
+    return status;
+}
+
+static int take_walls(struct dem *d)
+{
+    for (size_t k = 0; k < d->mesh_walls; k++)
+    {
+        const struct mesh_wall *const m = &d->mesh_wall[k];
+        int material, wall;
+
+        DEM_TRY(dem_recipe_material(&d->parts.recipe, m->material, m->name, &material));
+        DEM_TRY(dem_walls_add(&d->parts.walls, m->name, material, &wall));
+        DEM_TRY(gather_wall(&d->parts, wall, m));
+    }
+    return DEM_OK;
+}
+
+/* What the program handed in joins what the scene inserts. */
+static int take_crowd(struct dem *d)
+{
+    for (size_t k = 0; k < d->crowd.n; k++)
+    {
+        struct dem_particle p = d->crowd.particle[k], whole;
+        int material;
+
+        DEM_TRY(dem_recipe_material(&d->parts.recipe, d->crowd_material[k], "dem_add_particles", &material));
+        whole = dem_particle_sphere(p.id, p.x, 2.0*p.radius, d->parts.recipe.material[material].density, material);
+        memcpy(whole.v, p.v, sizeof p.v);
+        memcpy(whole.w, p.w, sizeof p.w);
+        if (p.flags & DEM_PARTICLE_FROZEN)
+        {
+            whole.flags = DEM_PARTICLE_FROZEN;
+            whole.inverse_mass = whole.inverse_inertia = 0.0;
+        }
+        DEM_TRY(dem_crowd_add(&d->scene.crowd, whole, "dem_add_particles"));
+    }
+    return DEM_OK;
+}
+
+/* Does anything need the fluid of a run, and is there one source for each of its numbers? */
+static int decide_fluid(struct dem *d)
+{
+    const double own = dem_recipe_number(&d->parts.recipe, "stokes", "viscosity");
+    unsigned needs = 0;
+
+    for (int k = 0; k < d->parts.recipe.chosen; k++)
+    {
+        needs |= d->parts.recipe.effect[k]->needs;
+        d->feels_gradient |= strcmp(d->parts.recipe.effect[k]->name, "pressureGradient") == 0;
+    }
+    d->with_fluid = (needs & DEM_NEEDS_FLUID) || ((needs & DEM_NEEDS_VISCOSITY) && !(own > 0.0));
+    DEM_REQUIRE(!(own > 0.0 && (d->with_fluid || d->scene.fluid.given)), DEM_ERROR_INPUT,
+                "effects/stokes gives viscosity %g Pa s, but the fluid of the run has one too; remove viscosity from stokes", own);
+    return DEM_OK;
+}
+
+/* Each rank takes every ranks-th particle of the common list; the first balance hands them over. */
+static int spread_crowd(struct dem *d)
+{
+    const struct dem_crowd *const c = &d->scene.crowd;
+    struct dem_particles *const p = &d->parts.particles;
+
+    for (size_t k = 0; k < c->n; k++)
+    {
+        DEM_REQUIRE(dem_domain_holds(&d->parts.domain, c->particle[k].x), DEM_ERROR_INPUT,
+                    "particle %lld at (%g %g %g) m is outside the domain; move it, or enlarge the domain",
+                    (long long)c->particle[k].id, c->particle[k].x[0], c->particle[k].x[1], c->particle[k].x[2]);
+        if (k%(size_t)d->parts.pieces.ranks == (size_t)d->parts.pieces.rank)
+        {
+            DEM_TRY(dem_particles_grow(p, p->n + 1));
+            memset(&p->record[p->n], 0, sizeof p->record[p->n]);
+            p->record[p->n++] = c->particle[k];
+        }
+    }
+    return DEM_OK;
+}
+
+/* Radii of all ranks: smallest by material for the recipe, largest for the search. */
+static double survey_radii(struct dem_parts *p)
+{
+    double least[DEM_MATERIALS + 1];
+
+    for (int m = 0; m <= DEM_MATERIALS; m++)
+    {
+        least[m] = m < DEM_MATERIALS ? DBL_MAX : 0.0;
+    }
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const struct dem_particle *const r = &p->particles.record[i];
+
+        least[r->material] = fmin(least[r->material], r->radius);
+        least[DEM_MATERIALS] = fmin(least[DEM_MATERIALS], -r->radius);
+    }
+    if (p->pieces.ranks > 1)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, least, DEM_MATERIALS + 1, MPI_DOUBLE, MPI_MIN, p->pieces.comm);
+    }
+    for (int m = 0; m < DEM_MATERIALS; m++)
+    {
+        p->recipe.least_radius[m] = least[m] < DBL_MAX ? least[m] : 0.0;
+    }
+    return -least[DEM_MATERIALS];
+}
+
+static int choose_step(struct dem *d)
+{
+    const struct dem_recipe *const r = &d->parts.recipe;
+
+    d->step = d->scene.step > 0.0 ? d->scene.step : r->step_limit;
+    DEM_REQUIRE(d->scene.step <= r->step_limit || d->scene.force, DEM_ERROR_INPUT,
+                "time step %g s exceeds %.3g s (%s); use at most that, a softer material, or time/force yes", d->scene.step,
+                r->step_limit, r->why);
+    DEM_REQUIRE(d->step < DBL_MAX, DEM_ERROR_INPUT, "no effect bounds the time step; give time/step");
+    return DEM_OK;
+}
+
+static int prepare_physics(struct dem *d)
+{
+    struct dem_parts *const p = &d->parts;
+    int wall_materials[DEM_MATERIALS] = {0}, moments = 0;
+    const double radius = survey_radii(p);
+
+    for (int w = 0; w < p->walls.walls; w++)
+    {
+        wall_materials[p->walls.wall[w].material] = 1;
+    }
+    DEM_TRY(dem_recipe_freeze(&p->recipe, wall_materials));
+    for (int c = 0; c < p->recipe.classes; c++)
+    {
+        moments |= p->recipe.chain[c].moments;
+    }
+    DEM_TRY(dem_contacts_init(&p->contacts, p->recipe.classes, p->recipe.memories, moments));
+    DEM_TRY(dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0));
+    dem_pairs_init(&p->pairs, &p->domain, p->recipe.reach + 2.0*radius*d->scene.outer_skin,
+                   p->recipe.reach + 2.0*radius*d->scene.inner_skin, radius);
+    DEM_TRY(dem_wall_search_prepare(&p->pairs.search, &p->walls, radius > 0.0 ? radius : 1.0));
+    return choose_step(d);
+}
+
+/* A uniform fluid fills the columns once; a coupled one marks every particle as not yet placed. */
+static void fill_fluid(struct dem *d)
+{
+    struct dem_particles *const p = &d->parts.particles;
+    const struct dem_uniform_fluid *const f = &d->scene.fluid;
+
+    for (size_t i = 0; d->with_fluid && i < p->n; i++)
+    {
+        for (size_t k = 0; k < 3; k++)
+        {
+            dem_column(p, DEM_COLUMN_FLUID_VELOCITY)[3*i + k] = f->velocity[k];
+            dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT)[3*i + k] = f->pressure_gradient[k];
+        }
+        dem_column(p, DEM_COLUMN_VOID_FRACTION)[i] = f->given ? f->void_fraction : 1.0;
+        dem_column(p, DEM_COLUMN_FLUID_DENSITY)[i] = f->given ? f->density : 1.0;
+        dem_column(p, DEM_COLUMN_FLUID_VISCOSITY)[i] = f->given ? f->viscosity : 1.0;
+        dem_column(p, DEM_COLUMN_PLACE)[2*i] = dem_column(p, DEM_COLUMN_PLACE)[2*i + 1] = -1.0;
+    }
+}
+
+static int start_particles(struct dem *d)
+{
+    struct dem_parts *const p = &d->parts;
+    struct dem_snapshot s;
+
+    dem_particles_init(&p->particles, d->with_fluid);
+    DEM_TRY(dem_particles_grow(&p->particles, 1));
+    if (d->load[0])
+    {
+        DEM_TRY(dem_snapshot_read_particles(d->load, &s, &p->pieces, &p->recipe, &p->particles));
+        p->time = s.time;
+        p->steps = s.steps;
+        return DEM_OK;
+    }
+    DEM_TRY(take_crowd(d));
+    return spread_crowd(d);
+}
+
+static int refuse_overlap(struct dem_parts *p)
+{
+    int64_t i = 0, j = 0;
+    double x[3] = {0.0, 0.0, 0.0};
+    const double worst = dem_measure_overlap(p, &i, &j, x);
+
+    DEM_REQUIRE(worst <= most_initial_overlap || j >= 0, DEM_ERROR_INPUT,
+                "particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the start, the limit is %g; move it",
+                (long long)i, x[0], x[1], x[2], p->walls.wall[p->walls.region[-1 - j].wall].name, worst, most_initial_overlap);
+    DEM_REQUIRE(worst <= most_initial_overlap, DEM_ERROR_INPUT,
+                "particles %lld and %lld at (%g %g %g) m overlap by %.3g of a diameter at the start, the limit is %g; move them apart",
+                (long long)i, (long long)j, x[0], x[1], x[2], worst, most_initial_overlap);
+    return DEM_OK;
+}
+
+/* Hand particles to their owners; a fresh start also gets its first lists, to look for overlaps. */
+static int settle_in(struct dem *d)
+{
+    struct dem_parts *const p = &d->parts;
+
+    DEM_TRY(dem_pieces_balance(&p->pieces, &p->particles));
+    DEM_TRY(dem_halo_migrate(&p->halo, &p->particles, &p->contacts));
+    p->stale = 1;
+    if (d->load[0])
+    {
+        return dem_snapshot_read_rows(d->load, &p->recipe, &p->particles, &p->contacts);
+    }
+    DEM_TRY(dem_step_renew(p));
+    p->stale = 1;
+    return refuse_overlap(p);
+}
+
+static int make_ready(struct dem *d)
+{
+    struct dem_parts *const p = &d->parts;
+
+    DEM_TRY(dem_scene_read_materials(d->dict, &p->recipe));
+    DEM_TRY(take_walls(d));
+    DEM_TRY(dem_scene_read(&d->scene, d->dict, &p->recipe, &p->walls, &p->domain));
+    if (d->scene.snapshot && !d->load[0])
+    {
+        DEM_TRY(dem_load(d, d->scene.snapshot));
+    }
+    p->watch.limit = d->scene.most_overlap;
+    DEM_TRY(decide_fluid(d));
+    DEM_TRY(start_particles(d));
+    return prepare_physics(d);
+}
+
+/* All ranks fail when one does: the smallest of what they report. */
+static int together(const struct dem_parts *p, int status)
+{
+    int worst = status;
+
+    if (p->pieces.ranks > 1)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, p->pieces.comm);
+    }
+    return worst == DEM_OK || status != DEM_OK ? status : dem_error(worst, "another rank failed; its message tells why");
+}
+
+int dem_ready(struct dem *d)
+{
+    DEM_TRY(not_ready(d, "dem_ready"));
+    DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "dem_ready comes after the scene has been read");
+    DEM_TRY(together(&d->parts, make_ready(d)));
+    if (d->scene.fluid.given || !d->load[0])
+    {
+        fill_fluid(d);
+    }
+    DEM_TRY(together(&d->parts, settle_in(d)));
+    d->ready = 1;
+    return DEM_OK;
+}
+
+/* Entries that nobody asked for are slips of the pen; the program has read its own by now. */
+int dem_scene_check(struct dem *d)
+{
+    return dem_dict_refuse_unread(d->dict);
+}
+
+const struct dem_dict *dem_scene_dict(const struct dem *d)
+{
+    return d->dict;
+}
+
+/* ---- running ------------------------------------------------------------------------------------------------- */
+
+static int check_fluid(const struct dem *d)
+{
+    DEM_REQUIRE(!d->with_fluid || d->scene.fluid.given || d->coupled, DEM_ERROR_INPUT,
+                "an effect of the scene needs a fluid, and there is none; add fluid { density; viscosity; velocity; } or run it "
+                "in OpenFOAM");
+    return DEM_OK;
+}
+
+static void tell_viscosity(struct dem_particles *p)
+{
+    const double *const mu = dem_column(p, DEM_COLUMN_FLUID_VISCOSITY);
+
+    for (size_t i = 0; mu && i < p->n; i++)
+    {
+        p->record[i].viscosity = mu[i];
+    }
+}
+
+int dem_advance(struct dem *d, double duration)
+{
+    fenv_t caller;
+
+    DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_advance comes after dem_ready");
+    DEM_REQUIRE(duration > 0.0 && isfinite(duration), DEM_ERROR_INPUT, "duration %g s; give a time above 0", duration);
+    DEM_TRY(check_fluid(d));
+    const int64_t steps = (int64_t)ceil(duration/d->step*(1.0 - 1e-12));
+
+    tell_viscosity(&d->parts.particles);
+    /* a caller may trap floating-point errors (OpenFOAM does); the core looks at its numbers itself */
+    feholdexcept(&caller);
+    const int status = dem_step_window(&d->parts, duration/(double)(steps > 0 ? steps : 1), steps > 0 ? steps : 1);
+
+    fesetenv(&caller);
+    return status;
+}
+
+struct dem_step_limit dem_step_limit(const struct dem *d)
+{
+    struct dem_step_limit s = {.limit = d->parts.recipe.step_limit, .used = d->step};
+
+    snprintf(s.why, sizeof s.why, "%s", d->parts.recipe.why);
+    return s;
+}
+
+int dem_tally(struct dem *d, struct dem_tally *t)
+{
+    dem_measure_tally(&d->parts, t);
+    return DEM_OK;
+}
+
+int dem_hash(struct dem *d, uint64_t *hash)
+{
+    *hash = dem_measure_hash(&d->parts);
+    return DEM_OK;
+}
+
+int dem_wall_count(const struct dem *d)
+{
+    return d->parts.walls.walls;
+}
+
+const char *dem_wall_name(const struct dem *d, int wall)
+{
+    return d->parts.walls.wall[wall].name;
+}
+
+int dem_wall_load(struct dem *d, int wall, double force[3], double torque[3])
+{
+    DEM_REQUIRE(wall >= 0 && wall < d->parts.walls.walls, DEM_ERROR_INPUT, "wall %d; there are %d", wall, d->parts.walls.walls);
+    dem_measure_wall(&d->parts, wall, force, torque);
+    return DEM_OK;
+}
+
+/* ---- looking ------------------------------------------------------------------------------------------------- */
+
+void dem_view(const struct dem *d, struct dem_view *v)
+{
+    const struct dem_particles *const p = &d->parts.particles;
+    const struct dem_particle *const r = p->record;
+
+    *v = (struct dem_view){.n = p->n, .stride = sizeof *r, .position = r->x, .velocity = r->v, .spin = r->w, .radius = &r->radius,
+                           .mass = &r->mass, .id = &r->id, .material = &r->material, .flags = &r->flags,
+                           .force = dem_column(p, DEM_COLUMN_FORCE), .torque = dem_column(p, DEM_COLUMN_TORQUE)};
+}
+
+const char *dem_material_name(const struct dem *d, int material)
+{
+    return material >= 0 && material < d->parts.recipe.materials ? d->parts.recipe.material[material].name : "";
+}
+
+/* ---- the fluid ----------------------------------------------------------------------------------------------- */
+
+int dem_needs_fluid(const struct dem *d)
+{
+    return d->with_fluid;
+}
+
+int dem_fluid(struct dem *d, struct dem_fluid *f)
+{
+    const struct dem_particles *const p = &d->parts.particles;
+
+    DEM_REQUIRE(!d->scene.fluid.given, DEM_ERROR_INPUT, "the scene gives a uniform fluid, but it is coupled to a running one; remove "
+                "the entry fluid");
+    d->coupled = 1;
+    *f = (struct dem_fluid){.n = p->n, .velocity = dem_column(p, DEM_COLUMN_FLUID_VELOCITY),
+                            .pressure_gradient = dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT),
+                            .void_fraction = dem_column(p, DEM_COLUMN_VOID_FRACTION), .density = dem_column(p, DEM_COLUMN_FLUID_DENSITY),
+                            .viscosity = dem_column(p, DEM_COLUMN_FLUID_VISCOSITY), .place = dem_column(p, DEM_COLUMN_PLACE),
+                            .drag_impulse = dem_column(p, DEM_COLUMN_DRAG_IMPULSE), .response = dem_column(p, DEM_COLUMN_RESPONSE),
+                            .pending = dem_column(p, DEM_COLUMN_PENDING)};
+    return DEM_OK;
+}
+
+int dem_fluid_correct(struct dem *d, const double *velocity, const double *pressure_gradient)
+{
+    struct dem_particles *const p = &d->parts.particles;
+    const double *const u = dem_column(p, DEM_COLUMN_FLUID_VELOCITY), *const g = dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT);
+    const double *const R = dem_column(p, DEM_COLUMN_RESPONSE);
+    double *const pending = dem_column(p, DEM_COLUMN_PENDING);
+
+    DEM_REQUIRE(d->with_fluid, DEM_ERROR_STATE, "dem_fluid_correct without fluid effects");
+    for (size_t i = 0; i < p->n; i++)
+    {
+        const double volume = d->feels_gradient ? dem_particle_volume(&p->record[i]) : 0.0;
+
+        for (size_t k = 3*i; k < 3*i + 3; k++)
+        {
+            pending[k] = R[i]*(velocity[k] - u[k]) - volume*d->parts.window*(pressure_gradient[k] - g[k]);
+        }
+    }
+    return DEM_OK;
+}
+
+/* ---- keeping ------------------------------------------------------------------------------------------------- */
+
+int dem_save(struct dem *d, const char *path)
+{
+    struct dem_parts *const p = &d->parts;
+    const struct dem_snapshot s = {.steps = p->steps, .time = p->time};
+
+    DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_save comes after dem_ready");
+    DEM_TRY(dem_snapshot_write(path, &s, &p->pieces, &p->recipe, &p->particles, &p->contacts, p->pairs.wall_region));
+    /* who goes on from the file rebuilds first and wraps positions there: so does who wrote it */
+    p->stale = 1;
+    return DEM_OK;
+}

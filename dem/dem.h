@@ -1,0 +1,156 @@
+/*
+ * dem.h -- the only public header of Suna's discrete element core.
+ *
+ * Order of use:   dem_create -> dem_scene_text | dem_scene_file, dem_set, dem_add_wall, dem_add_particles
+ *                 -> dem_ready -> dem_advance ... -> dem_free
+ *
+ * Every function returns DEM_OK (0) or another status; dem_error_text() then holds one sentence with the thing, the
+ * value, the limit and the cure. Functions marked collective are called by all ranks of the communicator together and
+ * fail on all of them together. Units are SI. The core never prints, exits or aborts, and makes no MPI call when it
+ * was created with MPI_COMM_NULL.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_H
+#define DEM_H
+
+#include <mpi.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#include <stddef.h>
+#include <stdint.h>
+
+struct dem;
+
+/* The sentence about the last error on this thread. */
+const char *dem_error_text(void);
+
+/* ---- making one ---------------------------------------------------------------------------------------------- */
+
+/* Collective. The communicator is duplicated; MPI_COMM_NULL works alone and without MPI. */
+int dem_create(struct dem **, MPI_Comm);
+void dem_free(struct dem *);
+
+/* The scene's tree, for entries that belong to the caller (io/dictionary.h), and the refusal of entries that nobody
+   has asked for: call it after dem_ready, when the caller has read its own. */
+struct dem_dict;
+const struct dem_dict *dem_scene_dict(const struct dem *);
+int dem_scene_check(struct dem *);
+
+/* Read a scene in OpenFOAM's dictionary syntax; `name` stands in messages. May be called once. */
+int dem_scene_file(struct dem *, const char *path);
+int dem_scene_text(struct dem *, const char *text, const char *name);
+
+/* Override one entry of the scene before dem_ready, e.g. dem_set(d, "effects/dry/restitution", "0.9"). */
+int dem_set(struct dem *, const char *path, const char *value);
+
+/* One wall of n triangles, 9 numbers each (three corners), copied. Every rank hands in all triangles or its own ones;
+   the same triangle handed in by two ranks counts once. `name` must match no other wall. Collective. */
+int dem_add_wall(struct dem *, const char *name, const char *material, int64_t n, const double *triangles);
+
+struct dem_seed                                           /* one particle to add */
+{
+    double position[3], velocity[3], spin[3];             /* m, m/s, 1/s */
+    double diameter;                                      /* m */
+    int64_t id;                                           /* < 0: the next free one */
+    const char *material;
+    int frozen;                                           /* 1: never moves, yet is felt */
+};
+int dem_add_particles(struct dem *, int64_t n, const struct dem_seed *);   /* every rank hands in the same list */
+
+/* Collective. Check everything, freeze the recipe, insert, load the start snapshot, hand particles to ranks. */
+int dem_ready(struct dem *);
+
+/* ---- running ------------------------------------------------------------------------------------------------- */
+
+/* Collective. Advance by `duration` [s] in equal steps no longer than the step limit. Position and velocity are
+   synchronous before and after. On an error the state is the last good one and dem_error_text names the culprit. */
+int dem_advance(struct dem *, double duration);
+
+struct dem_step_limit                                     /* s; what bounds the step, in words */
+{
+    double limit, used;
+    char why[160];
+};
+struct dem_step_limit dem_step_limit(const struct dem *);
+
+struct dem_tally                                          /* sums over all ranks, the same bits on any number of them */
+{
+    int64_t particles, steps, contacts, rebuilds, prunes;
+    double time;                                          /* s  since the start of the scene */
+    double kinetic;                                       /* J  translation and rotation */
+    double largest_overlap;                               /* 1  of the smaller partner's diameter, since the last call */
+    double momentum[3];                                   /* kg m/s */
+    double volume;                                        /* m3 of all particles */
+};
+int dem_tally(struct dem *, struct dem_tally *);          /* collective */
+
+/* A 64-bit fingerprint of particles and contact memory, the same for any number of ranks. Collective. */
+int dem_hash(struct dem *, uint64_t *hash);
+
+/* Force and torque of particles on each wall, now; 3 numbers each [N], [N m about the origin]. Collective. */
+int dem_wall_count(const struct dem *);
+const char *dem_wall_name(const struct dem *, int wall);
+int dem_wall_load(struct dem *, int wall, double force[3], double torque[3]);
+
+/* ---- looking ------------------------------------------------------------------------------------------------- */
+
+/* The particles that this rank owns. Valid until the next collective call. Record members lie `stride` bytes apart
+   from particle to particle; use dem_at. Contiguous columns have 3 numbers (or 1) per particle. */
+struct dem_view
+{
+    size_t n, stride;
+    const double *position, *velocity, *spin;             /* 3 numbers, stride */
+    const double *radius, *mass;                          /* 1 number, stride */
+    const int64_t *id;                                    /* stride */
+    const uint16_t *material;                             /* stride; index for dem_material_name */
+    const uint16_t *flags;                                /* stride; bit 0: frozen */
+    const double *force, *torque;                         /* contact force [N] and torque [N m], contiguous, 3 each */
+};
+void dem_view(const struct dem *, struct dem_view *);
+const char *dem_material_name(const struct dem *, int material);
+
+static inline const double *dem_at(const double *column, size_t stride, size_t particle)
+{
+    return (const double *)(const void *)((const char *)column + stride*particle);
+}
+
+/* ---- the fluid ----------------------------------------------------------------------------------------------- */
+
+/* 1 when an effect of the scene needs fluid columns. */
+int dem_needs_fluid(const struct dem *);
+
+/* Columns per owned particle, contiguous, written by the coupling before dem_advance (in) and read after it (out).
+   They travel with their particles; the pointers are valid until the next collective call. NULL without fluid effects. */
+struct dem_fluid
+{
+    size_t n;
+    double *velocity;                                     /* in   m/s   3 */
+    double *pressure_gradient;                            /* in   Pa/m  3, full, hydrostatic part included */
+    double *void_fraction;                                /* in   1     */
+    double *density;                                      /* in   kg/m3 */
+    double *viscosity;                                    /* in   Pa s  */
+    double *place;                                        /* in/out  the coupling's own: 2 numbers per particle, carried along */
+    const double *drag_impulse;                           /* out  N s   3, J: on the particle during the last advance */
+    const double *response;                               /* out  kg    R: d(drag impulse)/d(fluid velocity), clamped for held particles */
+    const double *pending;                                /* out  N s   3, what dem_fluid_correct left for the next window */
+};
+int dem_fluid(struct dem *, struct dem_fluid *);
+
+/* After the fluid is solved: with its new velocity and full pressure gradient at the particles (3 numbers each, same
+   order as the columns), leave for the next window the impulse R (u' - u) - V T (grad p' - grad p). */
+int dem_fluid_correct(struct dem *, const double *velocity, const double *pressure_gradient);
+
+/* ---- keeping ------------------------------------------------------------------------------------------------- */
+
+/* Collective. Written aside, checked and renamed; loads on any number of ranks, and then runs on with the same bits. */
+int dem_save(struct dem *, const char *path);
+int dem_load(struct dem *, const char *path);             /* after the scene, instead of its insertions, before dem_ready */
+
+#ifdef __cplusplus
+}
+#endif
+#endif

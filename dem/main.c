@@ -1,0 +1,86 @@
+/*
+ * main.c -- the program `dem`: run a scene, list the effects, print the fingerprint of a snapshot.
+ *
+ * Only here does Suna's core print. Commands are in main_*.c; each prints its own -help.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "main.h"
+#include "base/error.h"
+#include "base/unknown.h"
+#include <mpi.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct command
+{
+    const char *name, *says;
+    int (*run)(struct dem_program *, int argc, char **argv);
+} commands[] =
+{
+    {"run", "run a scene (alone or under mpirun)", dem_main_run},
+    {"effects", "list the effects with their settings, units, defaults, ranges and sources", dem_main_effects},
+    {"hash", "print the fingerprint of a snapshot", dem_main_hash},
+};
+
+enum
+{
+    COMMANDS = (int)(sizeof commands/sizeof commands[0])
+};
+
+static void usage(FILE *to)
+{
+    fprintf(to, "dem: Suna's discrete element method, without a fluid solver\n\nUsage: dem COMMAND [...]\n\n");
+    for (int k = 0; k < COMMANDS; k++)
+    {
+        fprintf(to, "  %-10s %s\n", commands[k].name, commands[k].says);
+    }
+    fprintf(to, "\ndem COMMAND -help tells more. The exit status is 0 only on success.\n");
+}
+
+static int dispatch(struct dem_program *p, int argc, char **argv)
+{
+    const char *known[COMMANDS];
+
+    for (int k = 0; k < COMMANDS; k++)
+    {
+        known[k] = commands[k].name;
+        if (strcmp(argv[1], known[k]) == 0)
+        {
+            return commands[k].run(p, argc - 2, argv + 2);
+        }
+    }
+    return dem_unknown_word("command", argv[1], known, COMMANDS);
+}
+
+int main(int argc, char **argv)
+{
+    struct dem_program p = {.comm = MPI_COMM_NULL};
+    int status, loud;
+
+    MPI_Init(&argc, &argv);
+    MPI_Comm_rank(MPI_COMM_WORLD, &p.rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &p.ranks);
+    p.comm = p.ranks > 1 ? MPI_COMM_WORLD : MPI_COMM_NULL;
+    if (argc < 2 || strcmp(argv[1], "-help") == 0 || strcmp(argv[1], "--help") == 0)
+    {
+        if (p.rank == 0)
+        {
+            usage(argc < 2 ? stderr : stdout);
+        }
+        MPI_Finalize();
+        return argc < 2 ? EXIT_FAILURE : EXIT_SUCCESS;
+    }
+    status = dispatch(&p, argc, argv);
+    /* the sentence once: from the first rank that has it */
+    loud = status != DEM_OK && strncmp(dem_error_text(), "another rank failed", 19) != 0 ? p.rank : p.ranks;
+    MPI_Allreduce(MPI_IN_PLACE, &loud, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+    if (status != DEM_OK && loud == p.rank)
+    {
+        fflush(stdout);
+        fprintf(stderr, "dem: %s\n", dem_error_text());
+    }
+    MPI_Finalize();
+    return status == DEM_OK ? EXIT_SUCCESS : EXIT_FAILURE;
+}

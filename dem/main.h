@@ -1,0 +1,22 @@
+/*
+ * main.h -- the commands of the program `dem`.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_MAIN_H
+#define DEM_MAIN_H
+
+#include <mpi.h>
+
+struct dem_program
+{
+    MPI_Comm comm;                                        /* MPI_COMM_NULL on one rank */
+    int rank, ranks;
+};
+
+/* Arguments after the command's name. Return a status of the core. */
+int dem_main_run(struct dem_program *, int argc, char **argv);
+int dem_main_effects(struct dem_program *, int argc, char **argv);
+int dem_main_hash(struct dem_program *, int argc, char **argv);
+
+#endif

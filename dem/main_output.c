@@ -1,0 +1,169 @@
+/*
+ * main_output.c -- gather the view on the first rank and hand its columns to the VTK writer.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "main_output.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/unknown.h"
+#include "io/vtk.h"
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+struct shown                                              /* one particle as it is written */
+{
+    double position[3], velocity[3], spin[3], force[3], diameter;
+    int64_t id, material;
+};
+
+int dem_output_read(struct dem_output *o, const struct dem_dict *write, const char *scene)
+{
+    static const char *const kinds[] = {"no", "last", "all"};
+    const char *const slash = strrchr(scene, '/'), *const name = slash ? slash + 1 : scene, *const dot = strrchr(name, '.');
+    const char *folder = "", *kind = "last";
+
+    o->vtk = true;
+    if (write)
+    {
+        DEM_TRY(dem_dict_text_or(write, "folder", "", &folder));
+        DEM_TRY(dem_dict_switch_or(write, "vtk", true, &o->vtk));
+        DEM_TRY(dem_dict_word_or(write, "snapshot", "last", &kind));
+    }
+    o->snapshots = -1;
+    for (int k = 0; k < 3; k++)
+    {
+        o->snapshots = strcmp(kind, kinds[k]) == 0 ? k : o->snapshots;
+    }
+    if (o->snapshots < 0)
+    {
+        return dem_error_prefix(dem_unknown_word("kind of snapshot", kind, kinds, 3), "write: ");
+    }
+    if (folder[0])
+    {
+        snprintf(o->folder, sizeof o->folder, "%s", folder);
+    }
+    else
+    {
+        snprintf(o->folder, sizeof o->folder, "%.*s%s", (int)(dot && dot > name ? dot - name : (long)strlen(name)), name,
+                 dot && dot > name ? "" : ".out");
+    }
+    return DEM_OK;
+}
+
+static int gather(const struct dem_program *prog, const struct dem *d, struct shown **all, int64_t *count)
+{
+    struct dem_view v;
+    struct shown *mine;
+    int *bytes = NULL, *start = NULL, total = 0;
+
+    dem_view(d, &v);
+    DEM_TRY(DEM_NEW(mine, v.n + 1));
+    for (size_t i = 0; i < v.n; i++)
+    {
+        struct shown *const s = &mine[i];
+
+        memcpy(s->position, dem_at(v.position, v.stride, i), sizeof s->position);
+        memcpy(s->velocity, dem_at(v.velocity, v.stride, i), sizeof s->velocity);
+        memcpy(s->spin, dem_at(v.spin, v.stride, i), sizeof s->spin);
+        memcpy(s->force, v.force + 3*i, sizeof s->force);
+        s->diameter = 2.0**dem_at(v.radius, v.stride, i);
+        s->id = *(const int64_t *)(const void *)((const char *)v.id + v.stride*i);
+        s->material = *(const uint16_t *)(const void *)((const char *)v.material + v.stride*i);
+    }
+    *count = (int64_t)v.n;
+    *all = mine;
+    if (prog->comm == MPI_COMM_NULL)
+    {
+        return DEM_OK;
+    }
+    const int here = (int)(v.n*sizeof *mine);
+
+    DEM_TRY(DEM_NEW(bytes, prog->ranks));
+    DEM_TRY(DEM_NEW(start, prog->ranks));
+    MPI_Gather(&here, 1, MPI_INT, bytes, 1, MPI_INT, 0, prog->comm);
+    for (int k = 0; k < prog->ranks && prog->rank == 0; k++)
+    {
+        start[k] = total;
+        total += bytes[k];
+    }
+    DEM_TRY(dem_memory_new((void **)all, (size_t)total + 1, 1));
+    MPI_Gatherv(mine, here, MPI_BYTE, *all, bytes, start, MPI_BYTE, 0, prog->comm);
+    *count = total/(int)sizeof *mine;
+    dem_memory_free(mine);
+    dem_memory_free(bytes);
+    dem_memory_free(start);
+    return DEM_OK;
+}
+
+static int write_vtk(const struct dem_output *o, const struct shown *s, int64_t n, int64_t number, double time)
+{
+    const size_t stride = sizeof *s;
+    const struct dem_vtk_column columns[] =
+    {
+        {"points", s->position, stride, DEM_VTK_DOUBLE, 3},
+        {"id", &s->id, stride, DEM_VTK_INT64, 1},
+        {"material", &s->material, stride, DEM_VTK_INT64, 1},
+        {"diameter", &s->diameter, stride, DEM_VTK_NARROW, 1},
+        {"velocity", s->velocity, stride, DEM_VTK_NARROW, 3},
+        {"spin", s->spin, stride, DEM_VTK_NARROW, 3},
+        {"force", s->force, stride, DEM_VTK_NARROW, 3},
+    };
+    char file[64], path[640];
+
+    snprintf(file, sizeof file, "particles_%06lld.vtp", (long long)number);
+    snprintf(path, sizeof path, "%s/%s", o->folder, file);
+    DEM_TRY(dem_vtk_write(path, n, columns, (int)(sizeof columns/sizeof columns[0])));
+    snprintf(path, sizeof path, "%s/particles.pvd", o->folder);
+    return dem_vtk_collection_add(path, time, file);
+}
+
+static int make_folder(const char *path)
+{
+    errno = 0;
+    DEM_REQUIRE(mkdir(path, 0777) == 0 || errno == EEXIST, DEM_ERROR_FILE, "can't make the folder %s: %s", path, strerror(errno));
+    return DEM_OK;
+}
+
+static int write_pictures(const struct dem_output *o, const struct dem_program *prog, const struct dem *d, int64_t number,
+                          double time)
+{
+    struct shown *all;
+    int64_t n;
+
+    DEM_TRY(gather(prog, d, &all, &n));
+    const int status = prog->rank == 0 ? write_vtk(o, all, n, number, time) : DEM_OK;
+
+    dem_memory_free(all);
+    return status;
+}
+
+int dem_output_write(const struct dem_output *o, const struct dem_program *prog, struct dem *d, int64_t number, double time)
+{
+    char path[640];
+    int status = prog->rank == 0 && (o->vtk || o->snapshots) ? make_folder(o->folder) : DEM_OK;
+
+    if (o->vtk && !status)
+    {
+        status = write_pictures(o, prog, d, number, time);
+    }
+    if (prog->comm != MPI_COMM_NULL)
+    {
+        int worst = status;
+
+        MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, prog->comm);
+        status = worst && !status ? dem_error(worst, "another rank failed; its message tells why") : status;
+    }
+    DEM_TRY(status);
+    if (o->snapshots == 2)
+    {
+        snprintf(path, sizeof path, "%s/snapshot_%06lld.dem", o->folder, (long long)number);
+    }
+    else
+    {
+        snprintf(path, sizeof path, "%s/snapshot.dem", o->folder);
+    }
+    return o->snapshots ? dem_save(d, path) : DEM_OK;
+}

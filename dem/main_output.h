@@ -1,0 +1,27 @@
+/*
+ * main_output.h -- what `dem run` leaves on disk: VTK files and snapshots.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_MAIN_OUTPUT_H
+#define DEM_MAIN_OUTPUT_H
+
+#include "dem.h"
+#include "io/dictionary.h"
+#include "main.h"
+#include <stdbool.h>
+
+struct dem_output
+{
+    char folder[512];
+    bool vtk;
+    int snapshots;                                        /* 0 no, 1 last, 2 all */
+};
+
+/* `write` may be NULL. The folder's default is the scene's name without its ending. */
+int dem_output_read(struct dem_output *, const struct dem_dict *write, const char *scene);
+
+/* Collective. */
+int dem_output_write(const struct dem_output *, const struct dem_program *, struct dem *, int64_t number, double time);
+
+#endif

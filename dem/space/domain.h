@@ -1,0 +1,34 @@
+/*
+ * domain.h -- the box that particles live in: which axes are periodic, and what a shift by whole boxes means.
+ *
+ * Particles keep true coordinates; the shift of a periodic pair belongs to the pair, so that every rank computes
+ * r = (x_i - x_j) + shift L with the same bits. An axis that is neither periodic nor bounded has infinite limits.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_SPACE_DOMAIN_H
+#define DEM_SPACE_DOMAIN_H
+
+#include "state/image.h"
+#include "state/particles.h"
+
+struct dem_domain
+{
+    double min[3], max[3];                                /* m; infinite where open */
+    double length[3];                                     /* m; of periodic axes, else 0 */
+    int periodic[3];
+    int remove;                                           /* 1: a particle that leaves is removed, 0: it is an error */
+};
+
+void dem_domain_init(struct dem_domain *);                /* open everywhere */
+
+/* The vector [m] of each code, 27 x 3; zero along axes that are not periodic. */
+void dem_domain_shifts(const struct dem_domain *, double shift[DEM_SHIFTS][3]);
+
+/* Bring a particle back into the box along periodic axes, counting its image. */
+void dem_domain_wrap(const struct dem_domain *, struct dem_particle *);
+
+/* 1 when the position is inside, or the axis is open or periodic. */
+int dem_domain_holds(const struct dem_domain *, const double x[3]);
+
+#endif

@@ -1,0 +1,46 @@
+/*
+ * halo.h -- particles on the move between ranks: migration to their owners, and copies for the neighbours.
+ *
+ * A particle takes its columns and its contact memory along. Copies keep their true coordinates. Refresh each step,
+ * renew after a rebuild. When alone (one rank) all of these do nothing.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_SPACE_HALO_H
+#define DEM_SPACE_HALO_H
+
+#include "space/domain.h"
+#include "space/mail.h"
+#include "space/pieces.h"
+#include "state/contacts.h"
+
+struct dem_halo
+{
+    struct dem_pieces *pieces;
+    struct dem_mail out, in;
+    int sends, receives;                                  /* peers of the refresh */
+    int *send_peer, *receive_peer;
+    size_t *send_start, *receive_start;                   /* particles, offsets */
+    uint32_t *send_index;
+    double *send_buffer, *receive_buffer;
+    MPI_Request *request;
+    size_t send_peer_room, receive_peer_room, send_start_room, receive_start_room, send_index_room, send_room, receive_room,
+        request_room;
+};
+
+void dem_halo_init(struct dem_halo *, struct dem_pieces *);
+void dem_halo_free(struct dem_halo *);
+
+/* Collective. Hand every particle to the owner of its place, with the carried rows of its contacts. */
+int dem_halo_migrate(struct dem_halo *, struct dem_particles *, struct dem_contacts *);
+
+/* Collective. Copies of all particles within `reach` [m] past touching of what other ranks own. */
+int dem_halo_renew(struct dem_halo *, struct dem_particles *, const struct dem_domain *, double most_radius, double reach);
+
+/* Collective. Positions, velocities and spins of the copies; never allocates. */
+int dem_halo_refresh(struct dem_halo *, struct dem_particles *);
+
+/* Collective. The fluid's viscosity at the copies. */
+int dem_halo_refresh_viscosity(struct dem_halo *, struct dem_particles *);
+
+#endif

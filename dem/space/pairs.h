@@ -1,0 +1,62 @@
+/*
+ * pairs.h -- finding pairs: the cell grid, the order of particles, the two skins and when each list is stale.
+ *
+ * Outer pairs are found when some particle has moved more than half of the outer skin since the last time, near rows
+ * pruned when it has moved more than half of the inner skin. The running sum of the largest speed times dt is a cheap
+ * bound; only when it runs out are displacements looked at. So no contact is ever missed, however fast a particle is.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_SPACE_PAIRS_H
+#define DEM_SPACE_PAIRS_H
+
+#include "space/domain.h"
+#include "space/wall_search.h"
+#include "state/contacts.h"
+
+struct dem_pairs
+{
+    double outer, inner;                                  /* m: skins past touching */
+    double most_radius;                                   /* m: of all particles of all ranks */
+    double shift[DEM_SHIFTS][3];                          /* m */
+    struct dem_wall_search search;
+    int *wall_region;                                     /* region of each wall near */
+    size_t wall_region_room;
+
+    double moved_outer, moved_inner;                      /* m: bounds since the last rebuild and prune */
+    double *at_outer, *at_inner;                          /* m: positions then, 3 an owned particle */
+    size_t at_room;
+
+    size_t entries, entry_room, cell_room;                /* the grid; entries are particles and their periodic images */
+    struct dem_grid_entry *entry;
+    uint32_t *cell_start;
+    double origin[3], edge;
+    int cells[3];
+
+    size_t near_room;
+    uint8_t *near;
+};
+
+struct dem_grid_entry                                     /* what a distance test needs, packed */
+{
+    double x[3], radius;
+    uint32_t particle, shift;
+};
+
+void dem_pairs_init(struct dem_pairs *, const struct dem_domain *, double outer, double inner, double most_radius);
+void dem_pairs_free(struct dem_pairs *);
+
+/* Sort owned particles by (cell, id): the one global order. Drops ghosts. */
+int dem_pairs_order(struct dem_pairs *, struct dem_particles *);
+
+/* Find all outer pairs of owned particles with owned ones, copies and walls, sorted by class. */
+int dem_pairs_find(struct dem_pairs *, const struct dem_domain *, const struct dem_particles *, const struct dem_walls *,
+                   const struct dem_recipe *, struct dem_contacts *);
+
+/* Prune near rows from the outer pairs at the present positions. */
+int dem_pairs_prune(struct dem_pairs *, const struct dem_particles *, const struct dem_walls *, struct dem_contacts *);
+
+/* Largest displacement [m] of owned particles since the last rebuild and the last prune. */
+void dem_pairs_moved(const struct dem_pairs *, const struct dem_particles *, double *outer, double *inner);
+
+#endif

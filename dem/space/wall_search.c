@@ -1,0 +1,315 @@
+/*
+ * wall_search.c -- a dense grid of triangles, and for each particle the regions in its reach.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "space/wall_search.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/vec.h"
+#include <math.h>
+#include <string.h>
+
+enum
+{
+    MOST_CELLS = 1 << 21
+};
+
+void dem_wall_search_free(struct dem_wall_search *s)
+{
+    dem_memory_free(s->start);
+    dem_memory_free(s->entry);
+    dem_memory_free(s->near);
+    dem_memory_free(s->candidate);
+    dem_memory_free(s->seen);
+    memset(s, 0, sizeof *s);
+}
+
+/* ---- nearest point ------------------------------------------------------------------------------------------- */
+
+static double nearest_on_edge(const double a[3], const double b[3], const double x[3], double nearest[3])
+{
+    double ab[3], ax[3], d[3];
+
+    dem_vec_minus(b, a, ab);
+    dem_vec_minus(x, a, ax);
+    const double along = dem_vec_dot(ax, ab)/dem_vec_dot(ab, ab);
+    const double t = along < 0.0 ? 0.0 : along > 1.0 ? 1.0 : along;
+
+    for (int k = 0; k < 3; k++)
+    {
+        nearest[k] = a[k] + t*ab[k];
+        d[k] = x[k] - nearest[k];
+    }
+    return dem_vec_dot(d, d);
+}
+
+double dem_triangle_nearest(const struct dem_triangle *t, const double x[3], double nearest[3])
+{
+    double ab[3], ac[3], n[3], d[3], best = INFINITY;
+    int inside = 1;
+
+    dem_vec_minus(t->corner[1], t->corner[0], ab);
+    dem_vec_minus(t->corner[2], t->corner[0], ac);
+    dem_vec_cross(ab, ac, n);
+    for (int k = 0; k < 3; k++)
+    {
+        const double *const a = t->corner[k], *const b = t->corner[(k + 1)%3];
+        double edge[3], to[3], out[3], on[3];
+
+        dem_vec_minus(b, a, edge);
+        dem_vec_minus(x, a, to);
+        dem_vec_cross(edge, n, out);
+        inside &= dem_vec_dot(to, out) <= 0.0;
+        const double square = nearest_on_edge(a, b, x, on);
+
+        if (square < best)
+        {
+            best = square;
+            memcpy(nearest, on, sizeof on);
+        }
+    }
+    if (inside)
+    {
+        dem_vec_minus(x, t->corner[0], d);
+        const double height = dem_vec_dot(d, n)/dem_vec_dot(n, n);
+
+        for (int k = 0; k < 3; k++)
+        {
+            nearest[k] = x[k] - height*n[k];
+        }
+        return height*height*dem_vec_dot(n, n);
+    }
+    return best;
+}
+
+/* ---- the grid ------------------------------------------------------------------------------------------------ */
+
+static void triangle_box(const struct dem_triangle *t, double box[2][3])
+{
+    for (int k = 0; k < 3; k++)
+    {
+        box[0][k] = fmin(t->corner[0][k], fmin(t->corner[1][k], t->corner[2][k]));
+        box[1][k] = fmax(t->corner[0][k], fmax(t->corner[1][k], t->corner[2][k]));
+    }
+}
+
+static void cell_range(const struct dem_wall_search *s, double box[2][3], double margin, int from[3], int to[3])
+{
+    for (int k = 0; k < 3; k++)
+    {
+        const double a = floor((box[0][k] - margin - s->origin[k])/s->edge);
+        const double b = floor((box[1][k] + margin - s->origin[k])/s->edge);
+
+        from[k] = a < 0.0 ? 0 : a > s->cells[k] ? s->cells[k] : (int)a;
+        to[k] = b < -1.0 ? -1 : b > s->cells[k] - 1 ? s->cells[k] - 1 : (int)b;
+    }
+}
+
+/* Call for each cell of a range; with entry NULL only count. */
+static void enter(struct dem_wall_search *s, const struct dem_walls *w, size_t *place, uint32_t *entry)
+{
+    for (size_t t = 0; t < w->triangles; t++)
+    {
+        double box[2][3];
+        int from[3], to[3];
+
+        triangle_box(&w->triangle[t], box);
+        cell_range(s, box, 1e-9*s->edge, from, to);
+        for (int z = from[2]; z <= to[2]; z++)
+        {
+            for (int y = from[1]; y <= to[1]; y++)
+            {
+                for (int x = from[0]; x <= to[0]; x++)
+                {
+                    const size_t cell = ((size_t)z*(size_t)s->cells[1] + (size_t)y)*(size_t)s->cells[0] + (size_t)x;
+
+                    if (entry)
+                    {
+                        entry[place[cell]] = (uint32_t)t;
+                    }
+                    place[cell]++;
+                }
+            }
+        }
+    }
+}
+
+static void size_grid(struct dem_wall_search *s, const struct dem_walls *w, double radius)
+{
+    double all[2][3] = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}, cells = 1.0;
+
+    for (size_t t = 0; t < w->triangles; t++)
+    {
+        double box[2][3];
+
+        triangle_box(&w->triangle[t], box);
+        for (int k = 0; k < 3; k++)
+        {
+            all[0][k] = fmin(all[0][k], box[0][k]);
+            all[1][k] = fmax(all[1][k], box[1][k]);
+        }
+    }
+    s->edge = 3.0*radius;
+    do
+    {
+        cells = 1.0;
+        for (int k = 0; k < 3; k++)
+        {
+            s->origin[k] = all[0][k];
+            cells *= s->cells[k] = (int)fmin(2.0*MOST_CELLS, (all[1][k] - all[0][k])/s->edge) + 1;
+        }
+        s->edge *= cells > MOST_CELLS ? 1.26 : 1.0;
+    } while (cells > MOST_CELLS);
+}
+
+int dem_wall_search_prepare(struct dem_wall_search *s, const struct dem_walls *w, double radius)
+{
+    size_t *place;
+
+    if (w->triangles == 0)
+    {
+        return DEM_OK;
+    }
+    size_grid(s, w, radius);
+    const size_t cells = (size_t)s->cells[0]*(size_t)s->cells[1]*(size_t)s->cells[2];
+
+    DEM_TRY(DEM_NEW(s->start, cells + 1));
+    DEM_TRY(DEM_NEW(place, cells + 1));
+    DEM_TRY(DEM_NEW(s->seen, w->triangles));
+    enter(s, w, place, NULL);
+    for (size_t c = 0; c < cells; c++)
+    {
+        s->start[c + 1] = s->start[c] + place[c];
+        place[c] = s->start[c];
+    }
+    DEM_TRY(DEM_NEW(s->entry, s->start[cells] + 1));
+    enter(s, w, place, s->entry);
+    dem_memory_free(place);
+    return DEM_OK;
+}
+
+/* ---- looking ------------------------------------------------------------------------------------------------- */
+
+static int new_near(struct dem_wall_search *s, uint32_t particle, int region, int open, struct dem_wall_near **near)
+{
+    DEM_TRY(DEM_GROW(s->near, s->near_room, s->nears + 1));
+    *near = &s->near[s->nears++];
+    **near = (struct dem_wall_near){.particle = particle, .region = region, .open = open, .first = (uint32_t)s->candidates};
+    return DEM_OK;
+}
+
+static int planes_near(struct dem_wall_search *s, const struct dem_walls *w, const struct dem_particle *p, uint32_t particle,
+                       double skin)
+{
+    struct dem_wall_near *near;
+
+    for (int r = 0; r < w->regions && w->region[r].one_sided; r++)
+    {
+        if (dem_vec_dot(w->region[r].normal, p->x) - w->region[r].offset < p->radius + skin)
+        {
+            DEM_TRY(new_near(s, particle, r, 1, &near));
+        }
+    }
+    return DEM_OK;
+}
+
+/* The triangles in reach, each once. */
+static int gather_triangles(struct dem_wall_search *s, const struct dem_walls *w, const double x[3], double reach)
+{
+    double box[2][3], nearest[3];
+    int from[3], to[3];
+
+    memcpy(box[0], x, sizeof box[0]);
+    memcpy(box[1], x, sizeof box[1]);
+    cell_range(s, box, reach, from, to);
+    s->stamp++;
+    for (int z = from[2]; z <= to[2]; z++)
+    {
+        for (int y = from[1]; y <= to[1]; y++)
+        {
+            const size_t row = ((size_t)z*(size_t)s->cells[1] + (size_t)y)*(size_t)s->cells[0];
+
+            for (size_t e = s->start[row + (size_t)from[0]]; from[0] <= to[0] && e < s->start[row + (size_t)to[0] + 1]; e++)
+            {
+                const uint32_t t = s->entry[e];
+
+                if (s->seen[t] != s->stamp && dem_triangle_nearest(&w->triangle[t], x, nearest) < reach*reach)
+                {
+                    DEM_TRY(DEM_GROW(s->candidate, s->candidate_room, s->candidates + 1));
+                    s->candidate[s->candidates++] = t;
+                }
+                s->seen[t] = s->stamp;
+            }
+        }
+    }
+    return DEM_OK;
+}
+
+static void sort_by_region(const struct dem_walls *w, uint32_t *t, size_t n)
+{
+    for (size_t k = 1; k < n; k++)
+    {
+        const uint32_t here = t[k];
+        size_t m = k;
+
+        for (; m > 0 && (w->triangle[t[m - 1]].region > w->triangle[here].region
+                         || (w->triangle[t[m - 1]].region == w->triangle[here].region && t[m - 1] > here)); m--)
+        {
+            t[m] = t[m - 1];
+        }
+        t[m] = here;
+    }
+}
+
+static int rim_in_reach(const struct dem_triangle *t, const double x[3], double reach)
+{
+    double on[3];
+
+    for (int k = 0; k < 3; k++)
+    {
+        if ((t->rim >> k & 1u) && nearest_on_edge(t->corner[k], t->corner[(k + 1)%3], x, on) < reach*reach)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int regions_near(struct dem_wall_search *s, const struct dem_walls *w, const struct dem_particle *p, uint32_t particle,
+                        double skin)
+{
+    const size_t first = s->candidates;
+    const double reach = p->radius + skin;
+    struct dem_wall_near *near = NULL;
+
+    DEM_TRY(gather_triangles(s, w, p->x, reach));
+    sort_by_region(w, s->candidate + first, s->candidates - first);
+    for (size_t c = first; c < s->candidates; c++)
+    {
+        const struct dem_triangle *const t = &w->triangle[s->candidate[c]];
+
+        if (!near || near->region != t->region)
+        {
+            DEM_TRY(new_near(s, particle, t->region, 1, &near));
+            near->first = (uint32_t)c;
+        }
+        near->count++;
+        near->open &= !rim_in_reach(t, p->x, reach);
+    }
+    return DEM_OK;
+}
+
+int dem_wall_search_find(struct dem_wall_search *s, const struct dem_walls *w, const struct dem_particles *q, double skin)
+{
+    s->nears = s->candidates = 0;
+    for (size_t i = 0; i < q->n; i++)
+    {
+        DEM_TRY(planes_near(s, w, &q->record[i], (uint32_t)i, skin));
+        if (w->triangles > 0)
+        {
+            DEM_TRY(regions_near(s, w, &q->record[i], (uint32_t)i, skin));
+        }
+    }
+    return DEM_OK;
+}

@@ -1,0 +1,359 @@
+/*
+ * contacts.c -- laying out rows, and carrying their memory through prunes, rebuilds and ranks.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "state/contacts.h"
+#include "base/memory.h"
+#include "base/random.h"
+#include "state/image.h"
+#include <string.h>
+
+enum
+{
+    LANES = 8                                             /* rows are padded to this many */
+};
+
+int dem_contacts_init(struct dem_contacts *c, int classes, int memories, int moments)
+{
+    memset(c, 0, sizeof *c);
+    c->classes = classes;
+    c->memories = memories;
+    c->moments = moments;
+    return DEM_NEW(c->segment, classes + 1);
+}
+
+void dem_contacts_free(struct dem_contacts *c)
+{
+    for (int m = 0; m < DEM_MEMORY_COLUMNS; m++)
+    {
+        dem_memory_free(c->memory[m]);
+    }
+    dem_memory_free(c->pair);
+    dem_memory_free(c->row_pair);
+    dem_memory_free(c->segment);
+    dem_memory_free(c->memory_scratch);
+    dem_memory_free(c->push);
+    dem_memory_free(c->moment);
+    dem_memory_free(c->start);
+    dem_memory_free(c->entry);
+    dem_memory_free(c->near_start);
+    dem_memory_free(c->near_entry);
+    dem_memory_free(c->carry);
+    dem_memory_free(c->kept);
+    memset(c, 0, sizeof *c);
+}
+
+/* ---- who sums what ------------------------------------------------------------------------------------------- */
+
+/* The order of a particle's sum: partner id, then image; walls after all particles, by region (they come in order). */
+static int later(const struct dem_contacts *c, const struct dem_particles *p, uint32_t a, uint32_t b)
+{
+    const struct dem_pair *const s = &c->pair[a >> 1], *const t = &c->pair[b >> 1];
+
+    if (s->wall || t->wall)
+    {
+        return s->wall > t->wall || (s->wall && t->wall && s->j > t->j);
+    }
+    const int64_t is = p->record[a & 1 ? s->i : s->j].id, it = p->record[b & 1 ? t->i : t->j].id;
+
+    return is > it || (is == it && s->shift > t->shift);
+}
+
+static void sort_entries(const struct dem_contacts *c, const struct dem_particles *p, uint32_t *entry, uint32_t count)
+{
+    for (uint32_t k = 1; k < count; k++)
+    {
+        const uint32_t here = entry[k];
+        uint32_t m = k;
+
+        for (; m > 0 && later(c, p, entry[m - 1], here); m--)
+        {
+            entry[m] = entry[m - 1];
+        }
+        entry[m] = here;
+    }
+}
+
+int dem_contacts_adjoin(struct dem_contacts *c, const struct dem_particles *p)
+{
+    const size_t n = p->n, room = dem_memory_room(c->start_room, n + 2);
+
+    DEM_TRY(DEM_RESIZE(c->start, c->start_room, room));
+    DEM_TRY(DEM_RESIZE(c->near_start, c->start_room, room));
+    c->start_room = room;
+    memset(c->start, 0, (n + 2)*sizeof *c->start);
+    for (size_t k = 0; k < c->pairs; k++)
+    {
+        const struct dem_pair *const q = &c->pair[k];
+
+        c->start[q->i + 2] += q->i < n;
+        if (!q->wall && q->j < n)
+        {
+            c->start[q->j + 2]++;
+        }
+    }
+    for (size_t i = 2; i < n + 2; i++)
+    {
+        c->start[i] += c->start[i - 1];
+    }
+    const size_t entries = c->start[n + 1], entry_room = dem_memory_room(c->entry_room, entries);
+
+    DEM_TRY(DEM_RESIZE(c->entry, c->entry_room, entry_room));
+    DEM_TRY(DEM_RESIZE(c->near_entry, c->entry_room, entry_room));
+    c->entry_room = entry_room;
+    for (size_t k = 0; k < c->pairs; k++)
+    {
+        const struct dem_pair *const q = &c->pair[k];
+
+        if (q->i < n)
+        {
+            c->entry[c->start[q->i + 1]++] = (uint32_t)(2*k);
+        }
+        if (!q->wall && q->j < n)
+        {
+            c->entry[c->start[q->j + 1]++] = (uint32_t)(2*k + 1);
+        }
+    }
+    for (size_t i = 0; i < n; i++)
+    {
+        sort_entries(c, p, c->entry + c->start[i], c->start[i + 1] - c->start[i]);
+    }
+    return DEM_OK;
+}
+
+/* ---- near rows ----------------------------------------------------------------------------------------------- */
+
+static int grow_rows(struct dem_contacts *c, size_t rows)
+{
+    const size_t room = dem_memory_room(c->row_room, rows);
+
+    DEM_TRY(DEM_RESIZE(c->row_pair, c->row_room, room));
+    DEM_TRY(DEM_RESIZE(c->push, c->row_room, room));
+    DEM_TRY(DEM_RESIZE(c->memory_scratch, c->row_room, room));
+    if (c->moments)
+    {
+        DEM_TRY(DEM_RESIZE(c->moment, 3*c->row_room, 3*room));
+    }
+    for (int m = 0; m < c->memories; m++)
+    {
+        DEM_TRY(DEM_RESIZE(c->memory[m], c->row_room, room));
+    }
+    c->row_room = room;
+    return DEM_OK;
+}
+
+static size_t count_rows(const struct dem_contacts *c, const uint8_t *near)
+{
+    size_t rows = 0;
+
+    for (size_t k = 0; k < c->pairs; k++)
+    {
+        rows += near[k];
+    }
+    return rows + (size_t)(LANES*c->classes);
+}
+
+/* Pairs are sorted by class, so the rows of a class follow each other. */
+static void number_rows(struct dem_contacts *c, const uint8_t *near)
+{
+    uint32_t row = 0;
+    size_t k = 0;
+
+    for (int s = 0; s < c->classes; s++)
+    {
+        c->segment[s].first = row;
+        for (; k < c->pairs && c->pair[k].class == s; k++)
+        {
+            if (near[k])
+            {
+                c->row_pair[row++] = (uint32_t)k;
+            }
+        }
+        c->segment[s].count = row - c->segment[s].first;
+        while (row%LANES)
+        {
+            c->row_pair[row++] = DEM_ROW_NONE;
+        }
+    }
+    c->rows = row;
+}
+
+static void move_memory(struct dem_contacts *c)
+{
+    for (int m = 0; m < c->memories; m++)
+    {
+        double *const old = c->memory[m], *const new = c->memory_scratch;
+
+        for (uint32_t r = 0; r < c->rows; r++)
+        {
+            const uint32_t from = c->row_pair[r] == DEM_ROW_NONE ? DEM_ROW_NONE : c->pair[c->row_pair[r]].row;
+
+            new[r] = from == DEM_ROW_NONE ? 0.0 : old[from];
+        }
+        c->memory[m] = new;
+        c->memory_scratch = old;
+    }
+}
+
+static void adjoin_near(struct dem_contacts *c, size_t n)
+{
+    uint32_t at = 0;
+
+    for (size_t i = 0; i < n; i++)
+    {
+        c->near_start[i] = at;
+        for (uint32_t e = c->start[i]; e < c->start[i + 1]; e++)
+        {
+            const uint32_t row = c->pair[c->entry[e] >> 1].row;
+
+            if (row != DEM_ROW_NONE)
+            {
+                c->near_entry[at++] = 2*row + (c->entry[e] & 1);
+            }
+        }
+    }
+    c->near_start[n] = at;
+}
+
+int dem_contacts_prune(struct dem_contacts *c, const struct dem_particles *p, const uint8_t *near)
+{
+    DEM_TRY(grow_rows(c, count_rows(c, near)));
+    number_rows(c, near);
+    move_memory(c);
+    for (size_t k = 0; k < c->pairs; k++)
+    {
+        c->pair[k].row = DEM_ROW_NONE;
+    }
+    for (uint32_t r = 0; r < c->rows; r++)
+    {
+        if (c->row_pair[r] != DEM_ROW_NONE)
+        {
+            c->pair[c->row_pair[r]].row = r;
+        }
+    }
+    memset(c->push, 0, c->rows*sizeof *c->push);
+    adjoin_near(c, p->n);
+    return DEM_OK;
+}
+
+/* ---- carrying ------------------------------------------------------------------------------------------------ */
+
+struct dem_carried dem_contacts_name(const struct dem_contacts *c, const struct dem_particles *p, const int *wall_region,
+                                     uint32_t row)
+{
+    const struct dem_pair *const q = &c->pair[c->row_pair[row]];
+    const struct dem_particle *const i = &p->record[q->i];
+
+    if (q->wall)
+    {
+        return (struct dem_carried){.low = i->id, .high = -1 - wall_region[q->j]};
+    }
+    const struct dem_particle *const j = &p->record[q->j];
+
+    return (struct dem_carried){.low = i->id, .high = j->id, .image = dem_image_of_pair(q->shift, i->image, j->image)};
+}
+
+int dem_contacts_remembers(const struct dem_contacts *c, uint32_t row)
+{
+    int some = 0;
+
+    for (int m = 0; m < c->memories; m++)
+    {
+        some |= c->memory[m][row] != 0.0;
+    }
+    return some;
+}
+
+void dem_contacts_recall(const struct dem_contacts *c, uint32_t row, double *memory)
+{
+    for (int m = 0; m < c->memories; m++)
+    {
+        memory[m] = c->memory[m][row];
+    }
+}
+
+int dem_contacts_carry(struct dem_contacts *c, const struct dem_carried *name, const double *memory)
+{
+    DEM_TRY(DEM_GROW(c->carry, c->carried_room, c->carried + 1));
+    DEM_TRY(DEM_GROW(c->kept, c->kept_room, (c->carried + 1)*(size_t)c->memories));
+    c->carry[c->carried] = *name;
+    memcpy(c->kept + c->carried*(size_t)c->memories, memory, (size_t)c->memories*sizeof *memory);
+    c->carried++;
+    return DEM_OK;
+}
+
+int dem_contacts_lift(struct dem_contacts *c, const struct dem_particles *p, const int *wall_region)
+{
+    double memory[DEM_MEMORY_COLUMNS];
+
+    for (uint32_t r = 0; r < c->rows; r++)
+    {
+        if (c->row_pair[r] != DEM_ROW_NONE && dem_contacts_remembers(c, r))
+        {
+            const struct dem_carried name = dem_contacts_name(c, p, wall_region, r);
+
+            dem_contacts_recall(c, r, memory);
+            DEM_TRY(dem_contacts_carry(c, &name, memory));
+        }
+    }
+    c->rows = 0;
+    return DEM_OK;
+}
+
+static size_t slot_of(const struct dem_carried *name, size_t mask)
+{
+    return dem_random_bits((uint64_t)name->low, (uint64_t)name->high, name->image, 0) & mask;
+}
+
+static int same_name(const struct dem_carried *a, const struct dem_carried *b)
+{
+    return a->low == b->low && a->high == b->high && a->image == b->image;
+}
+
+int dem_contacts_settle(struct dem_contacts *c, const struct dem_particles *p, const int *wall_region)
+{
+    size_t mask = 15;
+    uint32_t *table;
+
+    if (c->carried == 0)
+    {
+        return DEM_OK;
+    }
+    while (mask < 2*c->carried)
+    {
+        mask = 2*mask + 1;
+    }
+    DEM_TRY(DEM_NEW(table, mask + 1));
+    for (size_t k = 0; k < c->carried; k++)
+    {
+        size_t slot = slot_of(&c->carry[k], mask);
+
+        while (table[slot])
+        {
+            slot = (slot + 1) & mask;
+        }
+        table[slot] = (uint32_t)k + 1;
+    }
+    for (uint32_t r = 0; r < c->rows; r++)
+    {
+        if (c->row_pair[r] == DEM_ROW_NONE)
+        {
+            continue;
+        }
+        const struct dem_carried name = dem_contacts_name(c, p, wall_region, r);
+        size_t slot = slot_of(&name, mask);
+
+        while (table[slot] && !same_name(&c->carry[table[slot] - 1], &name))
+        {
+            slot = (slot + 1) & mask;
+        }
+        for (int m = 0; table[slot] && m < c->memories; m++)
+        {
+            c->memory[m][r] = c->kept[(table[slot] - 1)*(size_t)c->memories + (size_t)m];
+        }
+    }
+    dem_memory_free(table);
+    c->carried = 0;
+    return DEM_OK;
+}

@@ -1,0 +1,105 @@
+/*
+ * contacts.h -- outer pairs, the near rows pruned from them, what rows remember, and who sums which row.
+ *
+ *   outer pairs   gap < outer skin, found from cells, rarely; sorted by pair class, wall classes last
+ *   near rows     gap < inner skin, pruned from the pairs; one row of memory and one push each; this is what the sweep runs over
+ *   touching      a lane mask inside the sweep
+ *
+ * A row is seen from the lower id (i) to the higher id or the wall (j). Memory survives a prune by pair, and a rebuild
+ * or a change of rank as a "carried" row named by (lower id, higher id or region, image).
+ *
+ * A particle sums its rows by partner id, walls last by region: `near_entry` lists them in that order as 2 row + side.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_STATE_CONTACTS_H
+#define DEM_STATE_CONTACTS_H
+
+#include "state/particles.h"
+#include "state/recipe.h"
+
+enum
+{
+    DEM_ROW_NONE = 0x7fffffff
+};
+
+struct dem_pair
+{
+    uint32_t i, j;                                        /* records; j is the place in the list of wall nears at a wall */
+    uint32_t row;                                         /* its near row, or DEM_ROW_NONE */
+    uint16_t class;                                       /* of the recipe */
+    uint8_t shift;                                        /* code: r = x_i - x_j + shift L */
+    uint8_t wall;                                         /* 1: with a wall */
+};
+
+struct dem_push                                           /* what a row does to its partners; one cache line */
+{
+    double f[3], arm;                                     /* N on i, m: the lever is radius - arm on either side */
+    double t[3], spare;                                   /* N: n x F; the torque is -(radius - arm) t on either side */
+};
+
+struct dem_segment                                        /* the near rows of one class, padded to whole blocks of lanes */
+{
+    uint32_t first, count;
+};
+
+struct dem_carried                                        /* a row's name and where its memory lies */
+{
+    int64_t low, high;                                    /* ids; high is -1 - region at a wall */
+    uint32_t image;
+    uint32_t counted;                                     /* 1: this rank is the one that counts it (after a load) */
+};
+
+struct dem_contacts
+{
+    size_t pairs, pair_room;
+    struct dem_pair *pair;
+
+    uint32_t rows;                                        /* with padding */
+    size_t row_room;
+    uint32_t *row_pair;                                   /* DEM_ROW_NONE on padding */
+    struct dem_segment *segment;                          /* one a class */
+    int classes;
+    int memories;
+    double *memory[DEM_MEMORY_COLUMNS];
+    double *memory_scratch;
+    struct dem_push *push;
+    double *moment;                                       /* 3 a row; NULL when no effect makes moments */
+    int moments;
+
+    size_t start_room, entry_room;                        /* adjacency: pairs of each owned particle, then its near rows */
+    uint32_t *start, *entry;                              /* 2 pair + side, in the order of sums */
+    uint32_t *near_start, *near_entry;                    /* 2 row + side */
+
+    size_t carried, carried_room, kept_room;
+    struct dem_carried *carry;
+    double *kept;                                         /* memories numbers a carried row */
+};
+
+int dem_contacts_init(struct dem_contacts *, int classes, int memories, int moments);
+void dem_contacts_free(struct dem_contacts *);
+
+/* New list of pairs (already in place, sorted by class): lay out who sums what. `partner` orders sums, see pairs.c. */
+int dem_contacts_adjoin(struct dem_contacts *, const struct dem_particles *);
+
+/* Keep as near rows the pairs marked in `near` (one byte a pair); memory of rows that stay is kept. */
+int dem_contacts_prune(struct dem_contacts *, const struct dem_particles *, const uint8_t *near);
+
+/* Name of a row, for carrying. */
+struct dem_carried dem_contacts_name(const struct dem_contacts *, const struct dem_particles *, const int *wall_region, uint32_t row);
+
+/* 1 when any remembered number of the row is not zero. */
+int dem_contacts_remembers(const struct dem_contacts *, uint32_t row);
+
+/* The remembered numbers of a row. */
+void dem_contacts_recall(const struct dem_contacts *, uint32_t row, double *memory);
+
+int dem_contacts_carry(struct dem_contacts *, const struct dem_carried *, const double *memory);
+
+/* Lift every row with memory into the carried list (before a rebuild); `wall_region` of each wall near. */
+int dem_contacts_lift(struct dem_contacts *, const struct dem_particles *, const int *wall_region);
+
+/* Give carried memory back to the near rows of the same name (after a rebuild), then empty the list. */
+int dem_contacts_settle(struct dem_contacts *, const struct dem_particles *, const int *wall_region);
+
+#endif

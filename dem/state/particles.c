@@ -1,0 +1,172 @@
+/*
+ * particles.c -- grow, reorder, pack and append: everything a store of records and columns must be able to do.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "state/particles.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include <string.h>
+
+static const struct dem_column columns[DEM_COLUMNS] =
+{
+    [DEM_COLUMN_FORCE] = {"force", 3, 0, NULL},
+    [DEM_COLUMN_TORQUE] = {"torque", 3, 0, NULL},
+    [DEM_COLUMN_FLUID_VELOCITY] = {"fluidVelocity", 3, 1, NULL},
+    [DEM_COLUMN_PRESSURE_GRADIENT] = {"pressureGradient", 3, 1, NULL},
+    [DEM_COLUMN_VOID_FRACTION] = {"voidFraction", 1, 1, NULL},
+    [DEM_COLUMN_FLUID_DENSITY] = {"fluidDensity", 1, 1, NULL},
+    [DEM_COLUMN_FLUID_VISCOSITY] = {"fluidViscosity", 1, 1, NULL},
+    [DEM_COLUMN_PLACE] = {"place", 2, 1, NULL},
+    [DEM_COLUMN_DRAG_IMPULSE] = {"dragImpulse", 3, 1, NULL},
+    [DEM_COLUMN_KEPT] = {"kept", 1, 1, NULL},
+    [DEM_COLUMN_DRAG_TIME] = {"dragTime", 1, 1, NULL},
+    [DEM_COLUMN_START_VELOCITY] = {"startVelocity", 3, 1, NULL},
+    [DEM_COLUMN_RESPONSE] = {"response", 1, 1, NULL},
+    [DEM_COLUMN_PENDING] = {"pending", 3, 1, NULL},
+};
+
+enum
+{
+    RECORD_DOUBLES = (int)(sizeof(struct dem_particle)/sizeof(double)),
+    WIDEST_COLUMN = 3
+};
+
+static int used(const struct dem_particles *p, int c)
+{
+    return !columns[c].fluid || p->column[c].fluid;
+}
+
+void dem_particles_init(struct dem_particles *p, int with_fluid)
+{
+    memset(p, 0, sizeof *p);
+    for (int c = 0; c < DEM_COLUMNS; c++)
+    {
+        p->column[c] = columns[c];
+        p->column[c].fluid = with_fluid;
+    }
+}
+
+void dem_particles_free(struct dem_particles *p)
+{
+    for (int c = 0; c < DEM_COLUMNS; c++)
+    {
+        dem_memory_free(p->column[c].data);
+    }
+    dem_memory_free(p->record);
+    dem_memory_free(p->record_scratch);
+    dem_memory_free(p->column_scratch);
+    memset(p, 0, sizeof *p);
+}
+
+int dem_particles_grow(struct dem_particles *p, size_t count)
+{
+    const size_t room = dem_memory_room(p->room, count);
+
+    if (room == p->room && p->record)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(DEM_RESIZE(p->record, p->room, room));
+    DEM_TRY(DEM_RESIZE(p->record_scratch, p->room, room));
+    DEM_TRY(DEM_RESIZE(p->column_scratch, p->room*WIDEST_COLUMN, room*WIDEST_COLUMN));
+    for (int c = 0; c < DEM_COLUMNS; c++)
+    {
+        const size_t width = (size_t)p->column[c].width;
+
+        if (used(p, c))
+        {
+            DEM_TRY(DEM_RESIZE(p->column[c].data, p->room*width, room*width));
+        }
+    }
+    p->room = room;
+    return DEM_OK;
+}
+
+void dem_particles_reorder(struct dem_particles *p, const uint32_t *order, size_t count)
+{
+    struct dem_particle *const record = p->record;
+
+    for (size_t k = 0; k < count; k++)
+    {
+        p->record_scratch[k] = record[order[k]];
+    }
+    p->record = p->record_scratch;
+    p->record_scratch = record;
+    for (int c = 0; c < DEM_COLUMNS; c++)
+    {
+        const size_t width = (size_t)p->column[c].width;
+        double *const data = p->column[c].data;
+
+        for (size_t k = 0; data && k < count; k++)
+        {
+            memcpy(p->column_scratch + k*width, data + order[k]*width, width*sizeof *data);
+        }
+        if (data)
+        {
+            memcpy(data, p->column_scratch, count*width*sizeof *data);
+        }
+    }
+    p->n = count;
+    p->ghosts = 0;
+}
+
+size_t dem_particles_packed_size(const struct dem_particles *p)
+{
+    size_t size = RECORD_DOUBLES;
+
+    for (int c = 0; c < DEM_COLUMNS; c++)
+    {
+        size += used(p, c) ? (size_t)p->column[c].width : 0;
+    }
+    return size;
+}
+
+void dem_particles_pack(const struct dem_particles *p, size_t particle, double *out)
+{
+    memcpy(out, &p->record[particle], sizeof *p->record);
+    out += RECORD_DOUBLES;
+    for (int c = 0; c < DEM_COLUMNS; c++)
+    {
+        const size_t width = (size_t)p->column[c].width;
+
+        if (p->column[c].data)
+        {
+            memcpy(out, p->column[c].data + particle*width, width*sizeof *out);
+            out += width;
+        }
+    }
+}
+
+int dem_particles_append(struct dem_particles *p, const double *packed)
+{
+    const size_t place = p->n;
+
+    DEM_TRY(dem_particles_grow(p, place + 1));
+    memcpy(&p->record[place], packed, sizeof *p->record);
+    packed += RECORD_DOUBLES;
+    for (int c = 0; c < DEM_COLUMNS; c++)
+    {
+        const size_t width = (size_t)p->column[c].width;
+
+        if (p->column[c].data)
+        {
+            memcpy(p->column[c].data + place*width, packed, width*sizeof *packed);
+            packed += width;
+        }
+    }
+    p->n = place + 1;
+    p->ghosts = 0;
+    return DEM_OK;
+}
+
+struct dem_particle dem_particle_sphere(int64_t id, const double x[3], double diameter, double density, int material)
+{
+    struct dem_particle p = {.radius = 0.5*diameter, .id = id, .material = (uint16_t)material};
+
+    memcpy(p.x, x, sizeof p.x);
+    p.mass = density*dem_particle_volume(&p);
+    p.inverse_mass = 1.0/p.mass;
+    p.inverse_inertia = 1.0/(0.4*p.mass*p.radius*p.radius);
+    return p;
+}

@@ -1,0 +1,96 @@
+/*
+ * particles.h -- the particles of one rank: packed records where contacts gather, columns where loops stream.
+ *
+ * Owned particles are [0, n), copies of other ranks' particles [n, n + ghosts). Records of both are kept; columns only
+ * of owned ones. The store owns its arrays and knows nothing of space, contacts or ranks.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_STATE_PARTICLES_H
+#define DEM_STATE_PARTICLES_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+struct dem_particle                                       /* 128 bytes, two cache lines: all that a contact needs */
+{
+    double x[3], radius;                                  /* m, m           */
+    double v[3], inverse_mass;                            /* m/s, 1/kg: of the inertial mass, 0 when frozen */
+    double w[3], inverse_inertia;                         /* 1/s, 1/(kg m2) */
+    double mass;                                          /* kg: what gravity pulls */
+    int64_t id;
+    uint16_t material, flags;
+    uint32_t image;                                       /* how often it crossed each periodic face, 10 bits an axis */
+    double viscosity;                                     /* Pa s of the fluid here */
+};
+_Static_assert(sizeof(struct dem_particle) == 128, "a particle record is two cache lines");
+
+enum dem_particle_flag
+{
+    DEM_PARTICLE_FROZEN = 1
+};
+
+enum dem_column_name                                      /* 3, 3: every scene; the rest: with fluid effects */
+{
+    DEM_COLUMN_FORCE,                                     /* N    contact force            */
+    DEM_COLUMN_TORQUE,                                    /* N m  contact torque           */
+    DEM_COLUMN_FLUID_VELOCITY,
+    DEM_COLUMN_PRESSURE_GRADIENT,
+    DEM_COLUMN_VOID_FRACTION,
+    DEM_COLUMN_FLUID_DENSITY,
+    DEM_COLUMN_FLUID_VISCOSITY,
+    DEM_COLUMN_PLACE,                                     /* the coupling's own            */
+    DEM_COLUMN_DRAG_IMPULSE,                              /* N s  J of this window         */
+    DEM_COLUMN_KEPT,                                      /* 1    product of exp(-b dt/m)  */
+    DEM_COLUMN_DRAG_TIME,                                 /* kg   sum of b dt              */
+    DEM_COLUMN_START_VELOCITY,                            /* m/s  at the window's start    */
+    DEM_COLUMN_RESPONSE,                                  /* kg   R of this window         */
+    DEM_COLUMN_PENDING,                                   /* N s  impulse for this window, from the last exchange */
+    DEM_COLUMNS
+};
+
+struct dem_column
+{
+    const char *name;
+    int width;                                            /* numbers per particle */
+    int fluid;                                            /* 1: only with fluid effects */
+    double *data;                                         /* NULL when not in use */
+};
+
+struct dem_particles
+{
+    size_t n, ghosts, room;
+    struct dem_particle *record;
+    struct dem_column column[DEM_COLUMNS];
+    struct dem_particle *record_scratch;                  /* for reordering */
+    double *column_scratch;
+};
+
+void dem_particles_init(struct dem_particles *, int with_fluid);
+void dem_particles_free(struct dem_particles *);
+
+/* Room for `count` records and columns, contents kept. */
+int dem_particles_grow(struct dem_particles *, size_t count);
+
+/* Put owned particle order[k] at place k, for k in [0, count); what is not named is dropped. Ghosts are dropped. */
+void dem_particles_reorder(struct dem_particles *, const uint32_t *order, size_t count);
+
+/* One particle with all columns in use, as `dem_particles_packed_size` doubles. */
+size_t dem_particles_packed_size(const struct dem_particles *);
+void dem_particles_pack(const struct dem_particles *, size_t particle, double *out);
+int dem_particles_append(struct dem_particles *, const double *packed);
+
+/* A record of given diameter [m] and density [kg/m3] at rest. */
+struct dem_particle dem_particle_sphere(int64_t id, const double x[3], double diameter, double density, int material);
+
+static inline double dem_particle_volume(const struct dem_particle *p)
+{
+    return 4.0/3.0*3.14159265358979323846*p->radius*p->radius*p->radius;
+}
+
+static inline double *dem_column(const struct dem_particles *p, enum dem_column_name c)
+{
+    return p->column[c].data;
+}
+
+#endif

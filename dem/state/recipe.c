@@ -1,0 +1,377 @@
+/*
+ * recipe.c -- from chosen words to prepared chains of effects, one chain a pair class.
+ *
+ * Memory columns are shared by name over all classes, so a row of contact memory has the same layout everywhere.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "state/recipe.h"
+#include "base/memory.h"
+#include "effects/effects.h"
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+struct dem_override
+{
+    const struct dem_effect *effect;
+    int pair[2], count;
+    char entry[48], word[48], where[160];
+    double values[3];
+};
+
+void dem_recipe_init(struct dem_recipe *r)
+{
+    memset(r, 0, sizeof *r);
+}
+
+static void free_chain(struct dem_chain *chain)
+{
+    for (int k = 0; k < chain->links; k++)
+    {
+        dem_memory_free(chain->link[k].settings);
+    }
+    chain->links = 0;
+}
+
+void dem_recipe_free(struct dem_recipe *r)
+{
+    for (int k = 0; k < r->chosen; k++)
+    {
+        dem_memory_free(r->settings[k]);
+    }
+    for (int c = 0; c < r->classes; c++)
+    {
+        free_chain(&r->chain[c]);
+    }
+    free_chain(&r->bodies);
+    dem_memory_free(r->chain);
+    dem_memory_free(r->override);
+    memset(r, 0, sizeof *r);
+}
+
+/* ---- choosing ------------------------------------------------------------------------------------------------ */
+
+int dem_recipe_add_material(struct dem_recipe *r, const struct dem_material *m, const char *where)
+{
+    DEM_REQUIRE(r->materials < DEM_MATERIALS, DEM_ERROR_INPUT, "%s: more than %d materials; merge those that are alike",
+                where, DEM_MATERIALS);
+    for (int k = 0; k < r->materials; k++)
+    {
+        DEM_REQUIRE(strcmp(r->material[k].name, m->name) != 0, DEM_ERROR_INPUT,
+                    "%s: material %s is given twice; rename one of them", where, m->name);
+    }
+    r->material[r->materials++] = *m;
+    return DEM_OK;
+}
+
+int dem_recipe_material(const struct dem_recipe *r, const char *name, const char *where, int *material)
+{
+    const char *known[DEM_MATERIALS];
+
+    for (int k = 0; k < r->materials; k++)
+    {
+        known[k] = r->material[k].name;
+        if (strcmp(known[k], name) == 0)
+        {
+            *material = k;
+            return DEM_OK;
+        }
+    }
+    const int status = dem_unknown_word("material", name, known, r->materials);
+    return dem_error_prefix(status, "%s: ", where);
+}
+
+static int place_of(const struct dem_recipe *r, const char *name)
+{
+    for (int k = 0; k < r->chosen; k++)
+    {
+        if (strcmp(r->effect[k]->name, name) == 0)
+        {
+            return k;
+        }
+    }
+    return -1;
+}
+
+int dem_recipe_choose(struct dem_recipe *r, const char *name, const char *where)
+{
+    const struct dem_effect *const effect = dem_effects_find(name);
+    int place = r->chosen;
+
+    if (!effect)
+    {
+        return dem_effects_unknown(where, name);
+    }
+    DEM_REQUIRE(place_of(r, name) < 0, DEM_ERROR_INPUT, "%s: effect %s is chosen twice; keep one", where, name);
+    DEM_REQUIRE(r->chosen < DEM_CHAIN, DEM_ERROR_INPUT, "%s: more than %d effects", where, DEM_CHAIN);
+    for (int k = 0; k < r->chosen; k++)
+    {
+        const int alone = effect->stage == DEM_STAGE_NORMAL || effect->stage == DEM_STAGE_DAMP
+                       || effect->stage == DEM_STAGE_TANGENT;
+
+        DEM_REQUIRE(!(alone && r->effect[k]->stage == effect->stage), DEM_ERROR_INPUT,
+                    "%s: %s and %s are of the same kind; choose one of them", where, r->effect[k]->name, name);
+    }
+    while (place > 0 && r->effect[place - 1]->stage > effect->stage)
+    {
+        r->effect[place] = r->effect[place - 1];
+        r->settings[place] = r->settings[place - 1];
+        place--;
+    }
+    r->effect[place] = effect;
+    DEM_TRY(dem_memory_new(&r->settings[place], 1, effect->size + 1));
+    r->chosen++;
+    if (effect->settings)
+    {
+        dem_field_defaults(effect->settings, r->settings[place]);
+    }
+    return DEM_OK;
+}
+
+static const double *number_of(const struct dem_recipe *r, const char *effect, const char *entry)
+{
+    const int place = place_of(r, effect);
+    const struct dem_field *const field = place < 0 || !r->effect[place]->settings ? NULL
+                                        : dem_field_find(r->effect[place]->settings, entry);
+
+    return field ? (const double *)(const void *)((const char *)r->settings[place] + field->offset) : NULL;
+}
+
+double dem_recipe_number(const struct dem_recipe *r, const char *effect, const char *entry)
+{
+    const double *const number = number_of(r, effect, entry);
+
+    return number ? *number : NAN;
+}
+
+void dem_recipe_vector(const struct dem_recipe *r, const char *effect, const char *entry, double value[3])
+{
+    const double *const number = number_of(r, effect, entry);
+
+    for (int k = 0; k < 3; k++)
+    {
+        value[k] = number ? number[k] : 0.0;
+    }
+}
+
+/* ---- numbers ------------------------------------------------------------------------------------------------- */
+
+static const struct dem_field no_settings[] = {{0}};
+
+static int set(const struct dem_effect *effect, void *settings, const char *entry, const double *values, int count,
+               const char *word, const char *where)
+{
+    const struct dem_field *const fields = effect->settings ? effect->settings : no_settings;
+    const int status = word ? dem_field_set_word(fields, settings, effect->name, entry, word)
+                            : dem_field_set_number(fields, settings, effect->name, entry, values, count);
+
+    return status ? dem_error_prefix(status, "%s: ", where) : DEM_OK;
+}
+
+static int set_or_note(struct dem_recipe *r, const int pair[2], const char *effect, const char *entry,
+                       const double *values, int count, const char *word, const char *where)
+{
+    const int place = place_of(r, effect);
+    struct dem_override o = {.count = count};
+
+    DEM_REQUIRE(place >= 0, DEM_ERROR_INPUT, "%s: %s is not among the chosen effects; add it to effects", where, effect);
+    if (!pair)
+    {
+        return set(r->effect[place], r->settings[place], entry, values, count, word, where);
+    }
+    DEM_REQUIRE(r->overrides < DEM_CHOICES, DEM_ERROR_INPUT, "%s: more than %d settings for pairs", where, DEM_CHOICES);
+    if (!r->override)
+    {
+        DEM_TRY(DEM_NEW(r->override, DEM_CHOICES));
+    }
+    memcpy(o.pair, pair, sizeof o.pair);
+    o.effect = r->effect[place];
+    snprintf(o.entry, sizeof o.entry, "%s", entry);
+    snprintf(o.word, sizeof o.word, "%s", word ? word : "");
+    snprintf(o.where, sizeof o.where, "%s", where);
+    for (int k = 0; k < count && k < 3; k++)
+    {
+        o.values[k] = values[k];
+    }
+    r->override[r->overrides++] = o;
+    return DEM_OK;
+}
+
+int dem_recipe_set_number(struct dem_recipe *r, const int pair[2], const char *effect, const char *entry,
+                          const double *values, int count, const char *where)
+{
+    return set_or_note(r, pair, effect, entry, values, count, NULL, where);
+}
+
+int dem_recipe_set_word(struct dem_recipe *r, const int pair[2], const char *effect, const char *entry,
+                        const char *word, const char *where)
+{
+    return set_or_note(r, pair, effect, entry, NULL, 0, word, where);
+}
+
+/* ---- freezing ------------------------------------------------------------------------------------------------ */
+
+int dem_effect_memories(const struct dem_effect *effect)
+{
+    int n = 0;
+
+    while (effect->memory && effect->memory[n])
+    {
+        n++;
+    }
+    return n;
+}
+
+static double sphere_mass(const struct dem_material *m, double radius)
+{
+    return m->density*4.0/3.0*3.14159265358979323846*radius*radius*radius;
+}
+
+static struct dem_pair_class pair_class(const struct dem_recipe *r, int with_wall, int a, int b)
+{
+    const struct dem_material *const m = &r->material[a], *const o = &r->material[b];
+    const double nm = m->poissons_ratio, no = o->poissons_ratio, Em = m->youngs_modulus, Eo = o->youngs_modulus;
+    const double Ra = r->least_radius[a], Rb = r->least_radius[b];
+    struct dem_pair_class c = {.a = m, .b = o, .with_wall = with_wall};
+
+    c.reduced_modulus = 1.0/((1.0 - nm*nm)/Em + (1.0 - no*no)/Eo);
+    c.reduced_shear = 1.0/(2.0*(2.0 - nm)*(1.0 + nm)/Em + 2.0*(2.0 - no)*(1.0 + no)/Eo);
+    c.least_radius = with_wall ? Ra : Ra*Rb/(Ra + Rb);
+    c.least_mass = with_wall ? sphere_mass(m, Ra) : 1.0/(1.0/sphere_mass(m, Ra) + 1.0/sphere_mass(o, Rb));
+    return c;
+}
+
+static int add_link(struct dem_recipe *r, struct dem_chain *chain, int place, int memory, int a, int b)
+{
+    const struct dem_effect *const effect = r->effect[place];
+    struct dem_link *const link = &chain->link[chain->links];
+    const int contact = effect->stage < DEM_STAGE_BODY;
+
+    DEM_TRY(dem_memory_new(&link->settings, 1, effect->size + 1));
+    link->effect = effect;
+    link->memory = memory;
+    chain->links++;
+    memcpy(link->settings, r->settings[place], effect->size);
+    for (int k = 0; contact && k < r->overrides; k++)
+    {
+        const struct dem_override *const o = &r->override[k];
+        const int this_pair = (o->pair[0] == a && o->pair[1] == b) || (o->pair[0] == b && o->pair[1] == a);
+
+        if (o->effect == effect && this_pair)
+        {
+            DEM_TRY(set(effect, link->settings, o->entry, o->values, o->count, o->word[0] ? o->word : NULL, o->where));
+        }
+    }
+    if (effect->settings)
+    {
+        const int status = dem_field_missing(effect->settings, link->settings, effect->name);
+
+        if (status && contact)
+        {
+            return dem_error_prefix(status, "contact %s-%s: ", chain->pair.a->name, chain->pair.b->name);
+        }
+        DEM_TRY(status);
+    }
+    chain->pair.exponent = effect->stage == DEM_STAGE_NORMAL ? effect->exponent : chain->pair.exponent;
+    chain->needs |= effect->needs;
+    chain->moments |= effect->stage == DEM_STAGE_MOMENT || effect->stage == DEM_STAGE_BOND;
+    chain->past_touching |= effect->stage == DEM_STAGE_BOND || effect->stage == DEM_STAGE_FILM;
+    return effect->prepare ? effect->prepare(link->settings, contact ? &chain->pair : NULL) : DEM_OK;
+}
+
+/* The step and the distance that one link asks for. */
+static void bound(struct dem_recipe *r, const struct dem_chain *chain, const struct dem_link *link)
+{
+    const char *why = link->effect->name;
+    const double reach = link->effect->reach ? link->effect->reach(link->settings, &chain->pair) : 0.0;
+    const double limit = link->effect->time_limit ? link->effect->time_limit(link->settings, &chain->pair, &why)
+                                                  : DBL_MAX;
+
+    r->reach = reach > r->reach ? reach : r->reach;
+    if (limit < r->step_limit)
+    {
+        r->step_limit = limit;
+        snprintf(r->why, sizeof r->why, "%s", why);
+    }
+}
+
+static int build_chain(struct dem_recipe *r, struct dem_chain *chain, int a, int b, const int *first_memory)
+{
+    const int bodies = chain == &r->bodies;
+
+    for (int k = 0; k < r->chosen; k++)
+    {
+        if (bodies == (r->effect[k]->stage >= DEM_STAGE_BODY))
+        {
+            DEM_TRY(add_link(r, chain, k, first_memory[k], a, b));
+            bound(r, chain, &chain->link[chain->links - 1]);
+        }
+    }
+    r->needs |= chain->needs;
+    return DEM_OK;
+}
+
+static int add_class(struct dem_recipe *r, int with_wall, int a, int b, const int *first_memory)
+{
+    struct dem_chain *const chain = &r->chain[r->classes];
+
+    chain->pair = pair_class(r, with_wall, a, b);
+    r->class_of[with_wall][a][b] = r->classes;
+    if (!with_wall)
+    {
+        r->class_of[0][b][a] = r->classes;
+    }
+    r->classes++;
+    return build_chain(r, chain, a, b, first_memory);
+}
+
+static int name_memories(struct dem_recipe *r, int *first_memory)
+{
+    for (int k = 0; k < r->chosen; k++)
+    {
+        const int n = dem_effect_memories(r->effect[k]);
+
+        DEM_REQUIRE(r->memories + n <= DEM_MEMORY_COLUMNS, DEM_ERROR_INPUT,
+                    "the chosen effects remember more than %d numbers per contact; choose fewer", DEM_MEMORY_COLUMNS);
+        first_memory[k] = r->memories;
+        for (int m = 0; m < n; m++)
+        {
+            r->memory[r->memories++] = r->effect[k]->memory[m];
+        }
+    }
+    return DEM_OK;
+}
+
+int dem_recipe_freeze(struct dem_recipe *r, const int wall_materials[DEM_MATERIALS])
+{
+    int first_memory[DEM_CHAIN];
+
+    DEM_TRY(name_memories(r, first_memory));
+    DEM_TRY(DEM_NEW(r->chain, 2*r->materials*r->materials + 1));
+    memset(r->class_of, -1, sizeof r->class_of);
+    r->step_limit = DBL_MAX;
+    snprintf(r->why, sizeof r->why, "no effect bounds it");
+    for (int a = 0; a < r->materials; a++)
+    {
+        for (int b = a; b < r->materials; b++)
+        {
+            if (r->least_radius[a] > 0.0 && r->least_radius[b] > 0.0)
+            {
+                DEM_TRY(add_class(r, 0, a, b, first_memory));
+            }
+        }
+    }
+    for (int a = 0; a < r->materials; a++)
+    {
+        for (int b = 0; b < r->materials; b++)
+        {
+            if (r->least_radius[a] > 0.0 && wall_materials[b])
+            {
+                DEM_TRY(add_class(r, 1, a, b, first_memory));
+            }
+        }
+    }
+    return build_chain(r, &r->bodies, -1, -1, first_memory);
+}

@@ -1,0 +1,164 @@
+/*
+ * measure.c -- exact sums: the order in which ranks and particles come does not matter.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "step/measure.h"
+#include "base/sum.h"
+#include "base/vec.h"
+#include "io/fingerprint.h"
+#include <math.h>
+#include <string.h>
+
+static void reduce(const struct dem_parts *p, struct dem_sum *sum, int count, double *value)
+{
+    for (int k = 0; k < count; k++)
+    {
+        dem_sum_normalise(&sum[k]);
+        if (p->pieces.ranks > 1)
+        {
+            MPI_Allreduce(MPI_IN_PLACE, sum[k].part, DEM_SUM_PARTS, MPI_INT64_T, MPI_SUM, p->pieces.comm);
+        }
+        value[k] = dem_sum_value(&sum[k]);
+    }
+}
+
+static void add_particle(struct dem_sum sum[5], const struct dem_particle *r)
+{
+    const double inertia = 0.4*r->mass*r->radius*r->radius;
+
+    dem_sum_add(&sum[0], 0.5*r->mass*dem_vec_dot(r->v, r->v) + 0.5*inertia*dem_vec_dot(r->w, r->w));
+    for (int k = 0; k < 3; k++)
+    {
+        dem_sum_add(&sum[1 + k], r->mass*r->v[k]);
+    }
+    dem_sum_add(&sum[4], dem_particle_volume(r));
+}
+
+void dem_measure_tally(struct dem_parts *p, struct dem_tally *t)
+{
+    struct dem_sum sum[5];
+    double value[5];
+    int64_t count[2] = {(int64_t)p->particles.n, p->watch.touching};
+
+    for (int k = 0; k < 5; k++)
+    {
+        dem_sum_clear(&sum[k]);
+    }
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        add_particle(sum, &p->particles.record[i]);
+    }
+    reduce(p, sum, 5, value);
+    if (p->pieces.ranks > 1)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, count, 2, MPI_INT64_T, MPI_SUM, p->pieces.comm);
+        MPI_Allreduce(MPI_IN_PLACE, &p->watch.overlap, 1, MPI_DOUBLE, MPI_MAX, p->pieces.comm);
+    }
+    *t = (struct dem_tally){.particles = count[0], .steps = p->steps, .contacts = count[1], .rebuilds = p->rebuilds,
+                            .prunes = p->prunes, .time = p->time, .kinetic = value[0], .largest_overlap = p->watch.overlap,
+                            .momentum = {value[1], value[2], value[3]}, .volume = value[4]};
+    p->watch.overlap = 0.0;
+}
+
+void dem_measure_wall(const struct dem_parts *p, int wall, double force[3], double torque[3])
+{
+    const struct dem_contacts *const c = &p->contacts;
+    struct dem_sum sum[6];
+    double value[6];
+
+    for (int k = 0; k < 6; k++)
+    {
+        dem_sum_clear(&sum[k]);
+    }
+    for (uint32_t r = 0; r < c->rows; r++)
+    {
+        const struct dem_pair *const q = c->row_pair[r] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[r]];
+
+        if (q && q->wall && p->walls.region[p->pairs.wall_region[q->j]].wall == wall)
+        {
+            double moment[3];
+
+            dem_vec_cross(p->touches.touch[q->j].point, c->push[r].f, moment);
+            for (int k = 0; k < 3; k++)
+            {
+                dem_sum_add(&sum[k], -c->push[r].f[k]);
+                dem_sum_add(&sum[3 + k], -moment[k]);
+            }
+        }
+    }
+    reduce(p, sum, 6, value);
+    memcpy(force, value, 3*sizeof *force);
+    memcpy(torque, value + 3, 3*sizeof *torque);
+}
+
+/* ---- fingerprint --------------------------------------------------------------------------------------------- */
+
+uint64_t dem_measure_hash(const struct dem_parts *p)
+{
+    const struct dem_contacts *const c = &p->contacts;
+    double memory[DEM_MEMORY_COLUMNS];
+    uint64_t total = 0;
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        total += dem_fingerprint_particle(&p->particles.record[i]);
+    }
+    for (uint32_t r = 0; r < c->rows; r++)
+    {
+        const int mine = c->row_pair[r] != DEM_ROW_NONE && c->pair[c->row_pair[r]].i < p->particles.n;
+
+        if (mine && dem_contacts_remembers(c, r))
+        {
+            const struct dem_carried name = dem_contacts_name(c, &p->particles, p->pairs.wall_region, r);
+
+            dem_contacts_recall(c, r, memory);
+            total += dem_fingerprint_row(&name, memory, c->memories);
+        }
+    }
+    for (size_t k = 0; k < c->carried; k++)
+    {
+        total += c->carry[k].counted ? dem_fingerprint_row(&c->carry[k], c->kept + k*(size_t)c->memories, c->memories) : 0;
+    }
+    if (p->pieces.ranks > 1)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, &total, 1, MPI_UINT64_T, MPI_SUM, p->pieces.comm);
+    }
+    return total;
+}
+
+double dem_measure_overlap(struct dem_parts *p, int64_t *i, int64_t *j, double x[3])
+{
+    double worst = 0.0;
+
+    dem_wall_touches_update(&p->touches, &p->pairs.search, &p->walls, &p->particles);
+    for (uint32_t r = 0; r < p->contacts.rows; r++)
+    {
+        const struct dem_pair *const q = p->contacts.row_pair[r] == DEM_ROW_NONE ? NULL : &p->contacts.pair[p->contacts.row_pair[r]];
+        const struct dem_particle *const a = q ? &p->particles.record[q->i] : NULL;
+        double overlap = 0.0, least = 1.0;
+
+        if (q && q->wall)
+        {
+            overlap = a->radius - p->touches.touch[q->j].distance;
+            least = a->radius;
+        }
+        else if (q)
+        {
+            const struct dem_particle *const b = &p->particles.record[q->j];
+            const double *const s = p->pairs.shift[q->shift];
+            const double d[3] = {a->x[0] - b->x[0] + s[0], a->x[1] - b->x[1] + s[1], a->x[2] - b->x[2] + s[2]};
+
+            overlap = a->radius + b->radius - dem_vec_norm(d);
+            least = fmin(a->radius, b->radius);
+        }
+        if (q && 0.5*overlap/least > worst)
+        {
+            worst = 0.5*overlap/least;
+            *i = a->id;
+            *j = q->wall ? -1 - p->pairs.wall_region[q->j] : p->particles.record[q->j].id;
+            memcpy(x, a->x, sizeof a->x);
+        }
+    }
+    return worst;
+}

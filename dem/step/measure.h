@@ -1,0 +1,24 @@
+/*
+ * measure.h -- sums over all particles and rows that come out with the same bits on any number of ranks.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_STEP_MEASURE_H
+#define DEM_STEP_MEASURE_H
+
+#include "dem.h"
+#include "step/parts.h"
+
+/* Collective. Particles, energy, momentum, touching contacts. Resets the watch's largest overlap. */
+void dem_measure_tally(struct dem_parts *, struct dem_tally *);
+
+/* Collective. Force [N] and torque about the origin [N m] of the particles on a wall in the last step. */
+void dem_measure_wall(const struct dem_parts *, int wall, double force[3], double torque[3]);
+
+/* Collective. Fingerprint of ids, positions, velocities, spins and of all remembered contacts. */
+uint64_t dem_measure_hash(const struct dem_parts *);
+
+/* The near row with the largest overlap at the present positions: its share of the smaller diameter. For input checks. */
+double dem_measure_overlap(struct dem_parts *, int64_t *i, int64_t *j, double x[3]);
+
+#endif

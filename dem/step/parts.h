@@ -1,0 +1,46 @@
+/*
+ * parts.h -- all stores of one rank in one hand. Only the step pipeline and the door hold it; a function below takes the
+ * stores it works on.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_STEP_PARTS_H
+#define DEM_STEP_PARTS_H
+
+#include "space/domain.h"
+#include "space/halo.h"
+#include "space/pairs.h"
+#include "space/pieces.h"
+#include "state/contacts.h"
+#include "state/particles.h"
+#include "state/recipe.h"
+#include "state/walls.h"
+#include "step/wall_touch.h"
+
+struct dem_watch                                          /* what the sweep saw; reset by who asks */
+{
+    double overlap;                                       /* 1  largest, of the smaller partner's diameter */
+    double limit;                                         /* 1  more than this ends the run */
+    int64_t i, j;                                         /* culprits; j is -1 - region at a wall */
+    double x[3];                                          /* m  where */
+    int64_t touching;                                     /* rows in touch in the last sweep, each counted by its lower owner */
+};
+
+struct dem_parts
+{
+    struct dem_domain domain;
+    struct dem_recipe recipe;
+    struct dem_particles particles;
+    struct dem_contacts contacts;
+    struct dem_walls walls;
+    struct dem_wall_touches touches;
+    struct dem_pairs pairs;
+    struct dem_pieces pieces;
+    struct dem_halo halo;
+    struct dem_watch watch;
+    int stale;                                            /* 1: rebuild in the next step whatever has moved */
+    int64_t steps, rebuilds, prunes, removed;
+    double time, window;                                  /* s; length of the last window */
+};
+
+#endif

@@ -1,0 +1,195 @@
+/*
+ * step.c -- one step of the particles. Data moves down this page and never up. Only here are all stores in one hand.
+ *
+ * Leapfrog in kick-drift form. Ranks agree on one thing a step: how fast the fastest particle is and whether anyone
+ * failed; all other decisions follow from that and from what all ranks know.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "step/step.h"
+#include "base/memory.h"
+#include "step/motion.h"
+#include "step/sweep_bodies.h"
+#include "step/sweep_contacts.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum
+{
+    FULL_TEXT = DEM_ERROR_TEXT_SIZE
+};
+
+/* More than this share of particles above the mean on one rank, and the pieces are cut anew. */
+static const double most_imbalance = 1.1;
+
+/* ---- agreeing ------------------------------------------------------------------------------------------------ */
+
+/* The failing rank of lowest number tells all the others its sentence; all return its status. */
+static int fail_together(const struct dem_parts *p, int status)
+{
+    char text[FULL_TEXT];
+    int speaker = status ? p->pieces.rank : p->pieces.ranks;
+
+    MPI_Allreduce(MPI_IN_PLACE, &speaker, 1, MPI_INT, MPI_MIN, p->pieces.comm);
+    snprintf(text, sizeof text, "%s", dem_error_text());
+    MPI_Bcast(text, FULL_TEXT, MPI_CHAR, speaker, p->pieces.comm);
+    MPI_Bcast(&status, 1, MPI_INT, speaker, p->pieces.comm);
+    return dem_error(status, "%s", text);
+}
+
+/* The largest of two numbers over all ranks; fails on all ranks if one has failed. */
+static int agree(const struct dem_parts *p, int status, double value[2])
+{
+    double all[3] = {value[0], value[1], status ? 1.0 : 0.0};
+
+    if (p->pieces.ranks == 1)
+    {
+        return status;
+    }
+    MPI_Allreduce(MPI_IN_PLACE, all, 3, MPI_DOUBLE, MPI_MAX, p->pieces.comm);
+    value[0] = all[0];
+    value[1] = all[1];
+    return all[2] > 0.0 ? fail_together(p, status) : DEM_OK;
+}
+
+/* ---- the neighbourhood --------------------------------------------------------------------------------------- */
+
+static int stays_inside(const struct dem_parts *p, const struct dem_particle *q)
+{
+    DEM_REQUIRE(isfinite(q->x[0] + q->x[1] + q->x[2]), DEM_ERROR_NUMBER,
+                "the position of particle %lld is not a number at step %lld; look at its input and at the fluid around it",
+                (long long)q->id, (long long)p->steps);
+    DEM_REQUIRE(dem_domain_holds(&p->domain, q->x), DEM_ERROR_LOST,
+                "particle %lld left the domain at (%g %g %g) m at time %g s with %g m/s; enlarge the domain, close it with a "
+                "wall, or set domain/leaving remove", (long long)q->id, q->x[0], q->x[1], q->x[2], p->time,
+                sqrt(q->v[0]*q->v[0] + q->v[1]*q->v[1] + q->v[2]*q->v[2]));
+    return DEM_OK;
+}
+
+/* Wrap along periodic axes; who is outside is removed and counted, or an error. */
+static int bring_home(struct dem_parts *p)
+{
+    struct dem_particle *const record = p->particles.record;
+    const size_t n = p->particles.n;
+    int status = DEM_OK;
+    uint32_t *order;
+    size_t kept = 0;
+
+    DEM_TRY(DEM_NEW(order, n + 1));
+    for (size_t i = 0; i < n && !status; i++)
+    {
+        dem_domain_wrap(&p->domain, &record[i]);
+        if (dem_domain_holds(&p->domain, record[i].x) || !p->domain.remove)
+        {
+            status = stays_inside(p, &record[i]);
+            order[kept++] = (uint32_t)i;
+        }
+    }
+    if (!status && kept < n)
+    {
+        p->removed += (int64_t)(n - kept);
+        dem_particles_reorder(&p->particles, order, kept);
+    }
+    dem_memory_free(order);
+    return status;
+}
+
+static int hand_over(struct dem_parts *p)
+{
+    if (dem_pieces_imbalance(&p->pieces, p->particles.n) > most_imbalance)
+    {
+        DEM_TRY(dem_pieces_balance(&p->pieces, &p->particles));
+    }
+    return dem_halo_migrate(&p->halo, &p->particles, &p->contacts);
+}
+
+int dem_step_renew(struct dem_parts *p)
+{
+    double none[2] = {0.0, 0.0};
+    int status = dem_contacts_lift(&p->contacts, &p->particles, p->pairs.wall_region);
+
+    status = status ? status : bring_home(p);
+    DEM_TRY(agree(p, status, none));
+    DEM_TRY(hand_over(p));
+    DEM_TRY(dem_pairs_order(&p->pairs, &p->particles));
+    DEM_TRY(dem_halo_renew(&p->halo, &p->particles, &p->domain, p->pairs.most_radius, p->pairs.outer));
+    status = dem_pairs_find(&p->pairs, &p->domain, &p->particles, &p->walls, &p->recipe, &p->contacts);
+    DEM_TRY(agree(p, status, none));
+    DEM_TRY(dem_wall_touches_fit(&p->touches, &p->pairs.search));
+    DEM_TRY(dem_pairs_prune(&p->pairs, &p->particles, &p->walls, &p->contacts));
+    DEM_TRY(dem_contacts_settle(&p->contacts, &p->particles, p->pairs.wall_region));
+    p->stale = 0;
+    p->rebuilds++;
+    p->prunes++;
+    return DEM_OK;
+}
+
+/* After a drift: rebuild, prune, or neither, from the bounds on how far anyone has moved. */
+static int neighbourhood(struct dem_parts *p, double fastest, double dt)
+{
+    struct dem_pairs *const s = &p->pairs;
+    double moved[2];
+
+    s->moved_outer += fastest*dt;
+    s->moved_inner += fastest*dt;
+    if (!p->stale && (s->moved_outer > 0.5*s->outer || s->moved_inner > 0.5*s->inner))
+    {
+        dem_pairs_moved(s, &p->particles, &moved[0], &moved[1]);
+        DEM_TRY(agree(p, DEM_OK, moved));
+        s->moved_outer = moved[0];
+        s->moved_inner = moved[1];
+    }
+    if (p->stale || s->moved_outer > 0.5*s->outer)
+    {
+        return dem_step_renew(p);
+    }
+    DEM_TRY(dem_halo_refresh(&p->halo, &p->particles));
+    if (s->moved_inner > 0.5*s->inner)
+    {
+        p->prunes++;
+        return dem_pairs_prune(s, &p->particles, &p->walls, &p->contacts);
+    }
+    return DEM_OK;
+}
+
+/* ---- the step ------------------------------------------------------------------------------------------------ */
+
+/* The status of the sweep is kept for the next agreement, so that all ranks stop together. */
+static int step(struct dem_parts *p, double dt, double kick, double window, int *status)
+{
+    double fastest[2] = {dem_motion_drift(&p->particles, dt), 0.0};
+
+    p->steps++;
+    DEM_TRY(agree(p, *status, fastest));
+    DEM_REQUIRE(isfinite(fastest[0]), DEM_ERROR_NUMBER, "a particle's velocity is not a number at step %lld; look at the forces "
+                "on it, and at the fluid around it", (long long)p->steps);
+    DEM_TRY(neighbourhood(p, fastest[0], dt));
+    *status = dem_sweep_contacts(p, dt);
+    dem_sweep_sum(&p->particles, &p->contacts);
+    dem_sweep_bodies(&p->particles, &p->recipe.bodies, kick, window);
+    return DEM_OK;
+}
+
+int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
+{
+    const double start = p->time, window = dt*(double)steps;
+    double none[2] = {0.0, 0.0};
+    int status = DEM_OK;
+
+    p->window = window;
+    dem_bodies_open(&p->particles);
+    if (p->recipe.needs & DEM_NEEDS_VISCOSITY && !p->stale)
+    {
+        DEM_TRY(dem_halo_refresh_viscosity(&p->halo, &p->particles));
+    }
+    dem_sweep_bodies(&p->particles, &p->recipe.bodies, 0.5*dt, window);
+    for (int64_t k = 1; k <= steps; k++)
+    {
+        DEM_TRY(step(p, dt, k < steps ? dt : 0.5*dt, window, &status));
+        p->time = start + (double)k*dt;
+    }
+    DEM_TRY(agree(p, status, none));
+    dem_bodies_close(&p->particles);
+    return DEM_OK;
+}

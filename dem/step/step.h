@@ -1,0 +1,18 @@
+/*
+ * step.h -- one step of the particles, and the windows that steps are grouped in.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_STEP_STEP_H
+#define DEM_STEP_STEP_H
+
+#include "step/parts.h"
+
+/* Collective. Advance `steps` steps of dt [s] in one window: a half kick at its start and its end, full kicks between,
+   so that positions and velocities are synchronous before and after. */
+int dem_step_window(struct dem_parts *, double dt, int64_t steps);
+
+/* Collective. Order, copies, pairs, rows and memory anew, at the present positions. */
+int dem_step_renew(struct dem_parts *);
+
+#endif

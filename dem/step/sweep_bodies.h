@@ -1,0 +1,23 @@
+/*
+ * sweep_bodies.h -- forces on single particles (gravity, fluid) and the kick that integrates everything.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_STEP_SWEEP_BODIES_H
+#define DEM_STEP_SWEEP_BODIES_H
+
+#include "state/particles.h"
+#include "state/recipe.h"
+
+/* Evaluate the body effects at the present state and kick velocities and spins over `kick` [s]. The contact force and
+   torque of the columns act as constants; drag is integrated exactly. `window` [s] is the time over which the pending
+   impulse of the last exchange is spread; 0 for none. */
+void dem_sweep_bodies(struct dem_particles *, const struct dem_chain *bodies, double kick, double window);
+
+/* Start a window of the fluid: clear what the particles will tell it. */
+void dem_bodies_open(struct dem_particles *);
+
+/* End it: the response R of each particle from its drag impulse (see the definition in sweep_bodies.c). */
+void dem_bodies_close(struct dem_particles *);
+
+#endif

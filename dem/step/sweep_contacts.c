@@ -1,0 +1,360 @@
+/*
+ * sweep_contacts.c -- gather -> each effect of the class in the order of stages -> one push per row.
+ *
+ * With n from j to i, the contact point lies at x_i - a_i n and x_j + a_j n, so with T = n x F the torque is -a T on
+ * both sides. The arms are R - overlap/2 at a pair (their sum is the distance, which conserves angular momentum) and
+ * R - overlap at a wall (the contact point lies on the wall).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "step/sweep_contacts.h"
+#include <math.h>
+#include <string.h>
+
+struct gathered                                           /* what the geometry of a block is computed from */
+{
+    _Alignas(64) double rx[DEM_BLOCK], ry[DEM_BLOCK], rz[DEM_BLOCK];          /* m    from j (or the wall's point) to i */
+    _Alignas(64) double vx[DEM_BLOCK], vy[DEM_BLOCK], vz[DEM_BLOCK];          /* m/s  v_i - v_j */
+    _Alignas(64) double ax[DEM_BLOCK], ay[DEM_BLOCK], az[DEM_BLOCK];          /* m/s  R_i w_i + R_j w_j */
+    _Alignas(64) double bx[DEM_BLOCK], by[DEM_BLOCK], bz[DEM_BLOCK];          /* 1/s  share (w_i + w_j) */
+    _Alignas(64) double radii[DEM_BLOCK];                                     /* m    R_i + R_j */
+    _Alignas(64) double inverse_mass[DEM_BLOCK];                              /* 1/kg summed */
+    _Alignas(64) double least[DEM_BLOCK];                                     /* m    the smaller radius */
+};
+
+struct tray
+{
+    struct dem_block block;
+    struct gathered g;
+};
+
+/* ---- gathering ----------------------------------------------------------------------------------------------- */
+
+static void gather_pairs(struct tray *t, const struct dem_parts *p, const uint32_t *row_pair)
+{
+    struct gathered *const g = &t->g;
+    struct dem_block *const b = &t->block;
+
+    for (int c = 0; c < b->n; c++)
+    {
+        const struct dem_pair *const q = &p->contacts.pair[row_pair[c]];
+        const struct dem_particle *const i = &p->particles.record[q->i], *const j = &p->particles.record[q->j];
+        const double *const shift = p->pairs.shift[q->shift];
+
+        g->rx[c] = i->x[0] - j->x[0] + shift[0];
+        g->ry[c] = i->x[1] - j->x[1] + shift[1];
+        g->rz[c] = i->x[2] - j->x[2] + shift[2];
+        g->vx[c] = i->v[0] - j->v[0];
+        g->vy[c] = i->v[1] - j->v[1];
+        g->vz[c] = i->v[2] - j->v[2];
+        g->ax[c] = i->radius*i->w[0] + j->radius*j->w[0];
+        g->ay[c] = i->radius*i->w[1] + j->radius*j->w[1];
+        g->az[c] = i->radius*i->w[2] + j->radius*j->w[2];
+        g->bx[c] = 0.5*(i->w[0] + j->w[0]);
+        g->by[c] = 0.5*(i->w[1] + j->w[1]);
+        g->bz[c] = 0.5*(i->w[2] + j->w[2]);
+        g->radii[c] = i->radius + j->radius;
+        g->inverse_mass[c] = i->inverse_mass + j->inverse_mass;
+        g->least[c] = i->radius < j->radius ? i->radius : j->radius;
+        b->reduced_radius[c] = i->radius*j->radius/(i->radius + j->radius);
+        b->wx[c] = i->w[0] - j->w[0];
+        b->wy[c] = i->w[1] - j->w[1];
+        b->wz[c] = i->w[2] - j->w[2];
+        b->viscosity[c] = 0.5*(i->viscosity + j->viscosity);
+    }
+}
+
+static void gather_walls(struct tray *t, const struct dem_parts *p, const uint32_t *row_pair)
+{
+    struct gathered *const g = &t->g;
+    struct dem_block *const b = &t->block;
+
+    for (int c = 0; c < b->n; c++)
+    {
+        const struct dem_pair *const q = &p->contacts.pair[row_pair[c]];
+        const struct dem_particle *const i = &p->particles.record[q->i];
+        const struct dem_wall_touch *const at = &p->touches.touch[q->j];
+        /* past the plane of a one-sided wall the distance is negative and n still points into the room */
+        const double distance = at->distance < 4.0*i->radius ? at->distance : 4.0*i->radius;
+
+        g->rx[c] = distance*at->normal[0];
+        g->ry[c] = distance*at->normal[1];
+        g->rz[c] = distance*at->normal[2];
+        b->nx[c] = at->normal[0];
+        b->ny[c] = at->normal[1];
+        b->nz[c] = at->normal[2];
+        b->overlap[c] = i->radius - distance;
+        g->vx[c] = i->v[0];
+        g->vy[c] = i->v[1];
+        g->vz[c] = i->v[2];
+        g->ax[c] = i->radius*i->w[0];
+        g->ay[c] = i->radius*i->w[1];
+        g->az[c] = i->radius*i->w[2];
+        g->bx[c] = i->w[0];
+        g->by[c] = i->w[1];
+        g->bz[c] = i->w[2];
+        g->inverse_mass[c] = i->inverse_mass;
+        g->least[c] = i->radius;
+        b->reduced_radius[c] = i->radius;
+        b->wx[c] = i->w[0];
+        b->wy[c] = i->w[1];
+        b->wz[c] = i->w[2];
+        b->viscosity[c] = i->viscosity;
+    }
+}
+
+/* ---- geometry ------------------------------------------------------------------------------------------------ */
+
+DEM_KERNEL
+static void normals_of_pairs(struct dem_block *restrict b, const struct gathered *restrict g)
+{
+    const double half = 0.5*b->dt;
+
+    for (int c = 0; c < b->n; c++)
+    {
+        const double rx = g->rx[c], ry = g->ry[c], rz = g->rz[c];
+        const double hx = rx - half*g->vx[c], hy = ry - half*g->vy[c], hz = rz - half*g->vz[c];
+        const double r2 = rx*rx + ry*ry + rz*rz, h2 = hx*hx + hy*hy + hz*hz;
+        const double r = sqrt(r2), over = r > 0.0 ? 1.0/r : 0.0, over_half = h2 > 0.0 ? 1.0/sqrt(h2) : 0.0;
+
+        /* coincident centres: any fixed direction will do, as long as all ranks take the same */
+        b->nx[c] = r > 0.0 ? rx*over : 1.0;
+        b->ny[c] = ry*over;
+        b->nz[c] = rz*over;
+        b->hx[c] = h2 > 0.0 ? hx*over_half : 1.0;
+        b->hy[c] = hy*over_half;
+        b->hz[c] = hz*over_half;
+        b->overlap[c] = g->radii[c] - r;
+    }
+}
+
+/* The foot of the particle moves along a wall with it: the normal of half a step ago is today's. */
+static void normals_of_walls(struct dem_block *b)
+{
+    memcpy(b->hx, b->nx, sizeof b->hx);
+    memcpy(b->hy, b->ny, sizeof b->hy);
+    memcpy(b->hz, b->nz, sizeof b->hz);
+}
+
+DEM_KERNEL
+static void relative_motion(struct dem_block *restrict b, const struct gathered *restrict g)
+{
+    for (int c = 0; c < b->n; c++)
+    {
+        const double raw = b->overlap[c], touch = raw > 0.0 ? 1.0 : 0.0, overlap = raw > 0.0 ? raw : 0.0;
+        const double hx = b->hx[c], hy = b->hy[c], hz = b->hz[c];
+        const double along = g->vx[c]*hx + g->vy[c]*hy + g->vz[c]*hz;
+        const double ax = g->ax[c] - overlap*g->bx[c], ay = g->ay[c] - overlap*g->by[c], az = g->az[c] - overlap*g->bz[c];
+        const double sum = g->inverse_mass[c];
+
+        b->overlap[c] = overlap;
+        b->touching[c] = touch;
+        b->reduced_mass[c] = sum > 0.0 ? 1.0/sum : 0.0;
+        b->vn[c] = g->vx[c]*b->nx[c] + g->vy[c]*b->ny[c] + g->vz[c]*b->nz[c];
+        b->sx[c] = g->vx[c] - along*hx - (ay*hz - az*hy);
+        b->sy[c] = g->vy[c] - along*hy - (az*hx - ax*hz);
+        b->sz[c] = g->vz[c] - along*hz - (ax*hy - ay*hx);
+        b->kn[c] = b->kt[c] = b->eta[c] = 0.0;
+        b->fn[c] = b->fx[c] = b->fy[c] = b->fz[c] = 0.0;
+        b->mx[c] = b->my[c] = b->mz[c] = 0.0;
+    }
+}
+
+/* Lanes past the last row repeat it, so that every lane is as good as a real one. */
+static void pad(struct tray *t, const uint32_t *row_pair, int rows, uint32_t *padded)
+{
+    t->block.n = (rows + 7)/8*8;
+    for (int c = 0; c < t->block.n; c++)
+    {
+        padded[c] = row_pair[c < rows ? c : rows - 1];
+    }
+}
+
+/* ---- results ------------------------------------------------------------------------------------------------- */
+
+DEM_KERNEL
+static void forget_apart(const struct dem_block *restrict b, double *restrict memory)
+{
+    for (int c = 0; c < b->n; c++)
+    {
+        memory[c] = b->touching[c] > 0.0 ? memory[c] : 0.0;
+    }
+}
+
+DEM_KERNEL
+static void push_out(const struct dem_block *restrict b, int rows, double share, int past_touching,
+                     struct dem_push *restrict push)
+{
+    for (int c = 0; c < rows; c++)
+    {
+        const double on = past_touching ? 1.0 : b->touching[c];
+        const double nx = b->nx[c], ny = b->ny[c], nz = b->nz[c];
+        const double fx = on*b->fx[c], fy = on*b->fy[c], fz = on*b->fz[c], fn = on*b->fn[c];
+
+        push[c].f[0] = fn*nx + fx;
+        push[c].f[1] = fn*ny + fy;
+        push[c].f[2] = fn*nz + fz;
+        push[c].arm = share*b->overlap[c];
+        push[c].t[0] = ny*fz - nz*fy;
+        push[c].t[1] = nz*fx - nx*fz;
+        push[c].t[2] = nx*fy - ny*fx;
+    }
+}
+
+/* Largest overlap of the smaller diameter; not-a-numbers come out as a value above every limit. */
+static double worst_of(const struct dem_block *b, const struct gathered *g, const struct dem_push *push, int rows, int *lane)
+{
+    double worst = 0.0;
+
+    for (int c = 0; c < rows; c++)
+    {
+        const double *const f = push[c].f;
+        const double share = 0.5*b->overlap[c]/g->least[c], sum = (f[0] + f[1] + f[2])*0.0;
+        const double here = sum == 0.0 ? share : 1e30;
+
+        *lane = here > worst ? c : *lane;
+        worst = here > worst ? here : worst;
+    }
+    return worst;
+}
+
+static void note_worst(struct dem_parts *p, const struct tray *t, const uint32_t *row_pair, uint32_t row, int rows)
+{
+    int lane = 0;
+    const double worst = worst_of(&t->block, &t->g, p->contacts.push + row, rows, &lane);
+
+    for (int c = 0; c < rows; c++)
+    {
+        p->watch.touching += t->block.touching[c] > 0.0 && p->contacts.pair[row_pair[c]].i < p->particles.n;
+    }
+    if (worst > p->watch.overlap)
+    {
+        const struct dem_pair *const q = &p->contacts.pair[row_pair[lane]];
+        const struct dem_particle *const i = &p->particles.record[q->i];
+
+        p->watch.overlap = worst;
+        p->watch.i = i->id;
+        p->watch.j = q->wall ? -1 - p->pairs.wall_region[q->j] : p->particles.record[q->j].id;
+        memcpy(p->watch.x, i->x, sizeof i->x);
+    }
+}
+
+/* ---- the sweep ----------------------------------------------------------------------------------------------- */
+
+static void act(struct tray *t, const struct dem_chain *chain, const struct dem_contacts *c, uint32_t row)
+{
+    double *memory[DEM_MEMORY_COLUMNS];
+
+    for (int k = 0; k < chain->links; k++)
+    {
+        const struct dem_link *const link = &chain->link[k];
+        const int memories = dem_effect_memories(link->effect);
+
+        for (int m = 0; m < memories; m++)
+        {
+            memory[m] = c->memory[link->memory + m] + row;
+        }
+        link->effect->act(link->settings, &t->block, memory);
+        for (int m = 0; m < memories && link->effect->stage < DEM_STAGE_BOND; m++)
+        {
+            forget_apart(&t->block, memory[m]);
+        }
+    }
+}
+
+static void keep_moments(struct dem_contacts *c, const struct dem_block *b, uint32_t row, int rows)
+{
+    for (int k = 0; k < rows; k++)
+    {
+        double *const m = c->moment + 3*(row + (uint32_t)k);
+
+        m[0] = b->mx[k];
+        m[1] = b->my[k];
+        m[2] = b->mz[k];
+    }
+}
+
+static void sweep_block(struct dem_parts *p, struct tray *t, const struct dem_chain *chain, uint32_t row, int rows)
+{
+    uint32_t padded[DEM_BLOCK];
+    const int wall = chain->pair.with_wall;
+
+    pad(t, p->contacts.row_pair + row, rows, padded);
+    if (wall)
+    {
+        gather_walls(t, p, padded);
+        normals_of_walls(&t->block);
+    }
+    else
+    {
+        gather_pairs(t, p, padded);
+        normals_of_pairs(&t->block, &t->g);
+    }
+    relative_motion(&t->block, &t->g);
+    act(t, chain, &p->contacts, row);
+    push_out(&t->block, rows, wall ? 1.0 : 0.5, chain->past_touching, p->contacts.push + row);
+    if (p->contacts.moment)
+    {
+        keep_moments(&p->contacts, &t->block, row, rows);
+    }
+    note_worst(p, t, padded, row, rows);
+}
+
+int dem_sweep_contacts(struct dem_parts *p, double dt)
+{
+    struct tray t;
+
+    memset(&t, 0, sizeof t);
+    t.block.dt = dt;
+    p->watch.touching = 0;
+    dem_wall_touches_update(&p->touches, &p->pairs.search, &p->walls, &p->particles);
+    for (int s = 0; s < p->contacts.classes; s++)
+    {
+        const struct dem_segment *const seg = &p->contacts.segment[s];
+
+        for (uint32_t done = 0; done < seg->count; done += DEM_BLOCK)
+        {
+            const uint32_t left = seg->count - done;
+
+            sweep_block(p, &t, &p->recipe.chain[s], seg->first + done, left < DEM_BLOCK ? (int)left : DEM_BLOCK);
+        }
+    }
+    DEM_REQUIRE(p->watch.overlap < 1e29, DEM_ERROR_NUMBER,
+                "the force between particles %lld and %lld near (%g %g %g) m is not a number at step %lld; "
+                "look at their input, or at the fluid around them", (long long)p->watch.i, (long long)p->watch.j,
+                p->watch.x[0], p->watch.x[1], p->watch.x[2], (long long)p->steps);
+    DEM_REQUIRE(p->watch.overlap <= p->watch.limit, DEM_ERROR_NUMBER,
+                "particles %lld and %lld near (%g %g %g) m overlap by %.3g of a diameter at step %lld, the limit is %g "
+                "(a partner below 0 is a wall); use a smaller step or a stiffer material, or raise time/maxOverlap",
+                (long long)p->watch.i, (long long)p->watch.j, p->watch.x[0], p->watch.x[1], p->watch.x[2], p->watch.overlap,
+                (long long)p->steps, p->watch.limit);
+    return DEM_OK;
+}
+
+/* ---- the sum ------------------------------------------------------------------------------------------------- */
+
+void dem_sweep_sum(struct dem_particles *p, const struct dem_contacts *c)
+{
+    double *const force = dem_column(p, DEM_COLUMN_FORCE), *const torque = dem_column(p, DEM_COLUMN_TORQUE);
+
+    for (size_t i = 0; i < p->n; i++)
+    {
+        const double radius = p->record[i].radius;
+        double f[3] = {0.0, 0.0, 0.0}, t[3] = {0.0, 0.0, 0.0};
+
+        for (uint32_t e = c->near_start[i]; e < c->near_start[i + 1]; e++)
+        {
+            const uint32_t row = c->near_entry[e] >> 1;
+            const struct dem_push *const push = &c->push[row];
+            const double side = c->near_entry[e] & 1 ? -1.0 : 1.0, arm = push->arm - radius;
+
+            for (int k = 0; k < 3; k++)
+            {
+                f[k] += side*push->f[k];
+                t[k] += arm*push->t[k] + (c->moment ? side*c->moment[3*row + (uint32_t)k] : 0.0);
+            }
+        }
+        memcpy(force + 3*i, f, sizeof f);
+        memcpy(torque + 3*i, t, sizeof t);
+    }
+}

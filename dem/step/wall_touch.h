@@ -1,0 +1,35 @@
+/*
+ * wall_touch.h -- where a particle touches a wall: the nearest point of each region near it, one contact per flat region
+ * and none twice.
+ *
+ * A region's nearest point that lies on another region is dropped when the other is nearer (the sphere on a floor does
+ * not feel the floor's edge as well) and counted once when both are equally near (a convex edge is one contact).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_STEP_WALL_TOUCH_H
+#define DEM_STEP_WALL_TOUCH_H
+
+#include "space/wall_search.h"
+
+struct dem_wall_touch
+{
+    double point[3], normal[3], distance;                 /* m, unit vector to the particle, m; huge when dropped */
+};
+
+struct dem_wall_touches
+{
+    struct dem_wall_touch *touch;                         /* one a wall near */
+    size_t room;
+};
+
+void dem_wall_touches_free(struct dem_wall_touches *);
+
+/* Room for one touch per wall near; after every search. */
+int dem_wall_touches_fit(struct dem_wall_touches *, const struct dem_wall_search *);
+
+/* Fill all touches at the present positions. */
+void dem_wall_touches_update(struct dem_wall_touches *, const struct dem_wall_search *, const struct dem_walls *,
+                             const struct dem_particles *);
+
+#endif
