@@ -1,0 +1,290 @@
+/*---------------------------------------------------------------------------*\
+    demCloud.C -- building the particles, saving them, telling about them.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demCloud.H"
+#include "demCheck.H"
+#include "demWalls.H"
+#include "demWriter.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "wallFvPatch.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// A serial OpenFOAM has no MPI, and the core then needs none
+static MPI_Comm communicator()
+{
+    if (!Pstream::parRun())
+    {
+        return MPI_COMM_NULL;
+    }
+
+    int size = 0;
+    MPI_Comm_size(MPI_COMM_WORLD, &size);
+    if (size == Pstream::nProcs())
+    {
+        return MPI_COMM_WORLD;
+    }
+
+    // Several worlds share MPI_COMM_WORLD: ours are the ranks of procID
+    List<int> ranks(Pstream::nProcs());
+    forAll(ranks, i)
+    {
+        ranks[i] = Pstream::procID(Pstream::worldComm)[i];
+    }
+
+    MPI_Group world, ours;
+    MPI_Comm comm;
+    MPI_Comm_group(MPI_COMM_WORLD, &world);
+    MPI_Group_incl(world, ranks.size(), ranks.cdata(), &ours);
+    MPI_Comm_create_group(MPI_COMM_WORLD, ours, 0, &comm);
+    MPI_Group_free(&ours);
+    MPI_Group_free(&world);
+    return comm;
+}
+
+
+// Clear fluid comes in where the velocity is given: users give the superficial
+// velocity. Elsewhere the particles go on behind the patch.
+static wordList patchTypes(const fvMesh& mesh)
+{
+    wordList types(mesh.boundary().size(), "zeroGradient");
+    const volVectorField* U = mesh.findObject<volVectorField>("U");
+
+    forAll(types, patchi)
+    {
+        const fvPatch& patch = mesh.boundary()[patchi];
+
+        if
+        (
+            U
+         && !patch.coupled()
+         && !isA<wallFvPatch>(patch)
+         && U->boundaryField()[patchi].fixesValue()
+        )
+        {
+            types[patchi] = "fixedValue";
+        }
+    }
+
+    return types;
+}
+
+
+static IOobject fieldAt
+(
+    const fvMesh& mesh,
+    const word& name,
+    const IOobject::readOption read = IOobject::NO_READ
+)
+{
+    return IOobject(name, mesh.time().timeName(), mesh, read);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::fileName Foam::demCloud::snapshotFile(const word& instance) const
+{
+    fileName file(mesh_.time().path()/instance/"uniform"/"dem.snapshot");
+    demBroadcast(file);
+    return file;
+}
+
+
+bool Foam::demCloud::onMaster(const fileName& file) const
+{
+    bool there = Pstream::master() && isFile(file, false);
+    reduce(there, orOp<bool>());
+    return there;
+}
+
+
+void Foam::demCloud::build()
+{
+    demCheck(dem_create(&dem_, communicator()));
+    demCheck
+    (
+        dem_scene_text(dem_, dict_.text().c_str(), "constant/demProperties")
+    );
+
+    const label walls = demWalls::add(dem_, mesh_, dict_);
+
+    const fileName restart(snapshotFile(mesh_.time().timeName()));
+    if (onMaster(restart))
+    {
+        Info<< "Suna: particles from "
+            << mesh_.time().relativePath(restart) << endl;
+        demCheck(dem_load(dem_, restart.c_str()));
+    }
+    else if (!dict_.snapshot().empty())
+    {
+        Info<< "Suna: particles from " << dict_.snapshot() << endl;
+        demCheck(dem_load(dem_, dict_.snapshot().c_str()));
+    }
+
+    demCheck(dem_ready(dem_));
+    demCheck(dem_tally(dem_, &before_));
+
+    const struct dem_step_limit step = dem_step_limit(dem_);
+    Info<< "Suna: " << before_.particles << " particles, " << walls
+        << " wall patches; DEM steps of at most " << step.limit << " s: "
+        << step.why << endl;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demCloud::demCloud(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    dict_(mesh),
+    twoWay_(dict_.coupling().getOrDefault("twoWay", true)),
+    leastVoidFraction_
+    (
+        dict_.coupling().getOrDefault<scalar>("leastVoidFraction", 0.2)
+    ),
+    transfer_(mesh, dict_.coupling()),
+    dem_(nullptr),
+    view_(),
+    fluid_(),
+    voidFraction_
+    (
+        fieldAt(mesh, "voidFraction", IOobject::READ_IF_PRESENT),
+        mesh,
+        dimensionedScalar("clear", dimless, 1),
+        patchTypes(mesh)
+    ),
+    dsdt_
+    (
+        fieldAt(mesh, "dem:dsdt"),
+        mesh,
+        dimensionedScalar(dimless/dimTime, Zero)
+    ),
+    force_
+    (
+        fieldAt(mesh, "dem:force"),
+        mesh,
+        dimensionedVector(dimForce/dimVolume, Zero)
+    ),
+    drag_
+    (
+        fieldAt(mesh, "dem:drag"),
+        mesh,
+        dimensionedScalar(dimDensity/dimTime, Zero)
+    ),
+    clear_
+    (
+        fieldAt(mesh, "dem:clear"),
+        mesh,
+        dimensionedScalar("clear", dimless, 1)
+    ),
+    diameter_(dict_.coupling().getOrDefault<scalar>("diameter", 0)),
+    before_(),
+    window_(0)
+{
+    build();
+    look();
+    depositVolume();
+    dsdt_ = dimensionedScalar(dsdt_.dimensions(), Zero);
+    ledger_.charge(demLedger::EXCHANGE);
+}
+
+
+Foam::demCloud::~demCloud()
+{
+    ledger_.close();
+    dem_free(dem_);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::demCloud::density() const
+{
+    const dictionary* transport =
+        mesh_.findObject<dictionary>("transportProperties");
+
+    const dictionary& own = dict_.coupling();
+    const bool here = own.found("rho");
+    const bool there = transport && transport->found("rho");
+
+    if (!here && !there)
+    {
+        FatalIOErrorInFunction(own)
+            << "The density of the fluid is missing: add rho <kg/m3> to"
+            << " coupling in constant/" << demDict::name()
+            << exit(FatalIOError);
+    }
+
+    const scalar rho =
+        dimensionedScalar("rho", dimDensity, here ? own : *transport).value();
+
+    if (here && there)
+    {
+        const scalar other =
+            dimensionedScalar("rho", dimDensity, *transport).value();
+
+        if (mag(rho - other) > 1e-9*mag(rho))
+        {
+            FatalIOErrorInFunction(own)
+                << "The density of the fluid is " << rho << " here and "
+                << other << " in constant/transportProperties; write it in"
+                << " one place only" << exit(FatalIOError);
+        }
+    }
+
+    if (rho <= 0)
+    {
+        FatalIOErrorInFunction(own)
+            << "The density of the fluid is " << rho << " kg/m3; it must be"
+            << " positive" << exit(FatalIOError);
+    }
+
+    return rho;
+}
+
+
+Foam::scalar Foam::demCloud::courant() const
+{
+    scalar fastest = 0;
+    for (size_t i = 0; i < view_.n; i++)
+    {
+        const double* v = dem_at(view_.velocity, view_.stride, i);
+        fastest = max(fastest, mag(vector(v[0], v[1], v[2])));
+    }
+
+    // The smallest cell speaks for all: no cell is asked for per particle
+    const scalar width = std::cbrt(gMin(mesh_.V().field()));
+    return returnReduce(fastest, maxOp<scalar>())*mesh_.time().deltaTValue()/width;
+}
+
+
+void Foam::demCloud::write() const
+{
+    const fileName file(snapshotFile(mesh_.time().timeName()));
+    if (Pstream::master())
+    {
+        mkDir(file.path());
+    }
+
+    // Nobody opens a file in a folder that is not there yet
+    bool made = true;
+    reduce(made, andOp<bool>());
+
+    demCheck(dem_save(dem_, file.c_str()));
+    demWriter::write(mesh_, view_, fluid_.place ? fluid_.place : place_.cdata());
+    voidFraction_.write();
+}
+
+// ************************************************************************* //

@@ -1,0 +1,169 @@
+/*---------------------------------------------------------------------------*\
+    demFluid.C -- what the particles need of a solver that knows them not.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demFluid.H"
+#include "demCloud.H"
+#include "fvcGrad.H"
+#include "turbulenceModel.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+template<class Type>
+static const Type& wanted(const fvMesh& mesh, const word& name)
+{
+    const Type* field = mesh.findObject<Type>(name);
+
+    if (!field)
+    {
+        FatalErrorInFunction
+            << "The solver has no " << Type::typeName << ' ' << name
+            << ", which the particles need; it has "
+            << flatOutput(mesh.sortedNames<Type>()) << exit(FatalError);
+    }
+    return *field;
+}
+
+
+static tmp<volScalarField> uniform
+(
+    const fvMesh& mesh,
+    const dimensionedScalar& value
+)
+{
+    return tmp<volScalarField>
+    (
+        new volScalarField
+        (
+            IOobject
+            (
+                "dem:" + value.name(),
+                mesh.time().timeName(),
+                mesh,
+                IOobject::NO_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            mesh,
+            value
+        )
+    );
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::demFluid::onlyThere(const word& name, const word& where) const
+{
+    const dictionary& own = cloud_.dict().coupling();
+
+    if (own.found(name))
+    {
+        FatalIOErrorInFunction(own)
+            << name << " comes from " << where << " here; take it out of"
+            << " coupling in constant/" << demDict::name()
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demFluid::demFluid(const fvMesh& mesh, const demCloud& cloud)
+:
+    mesh_(mesh),
+    cloud_(cloud)
+{
+    // Say what is missing now, not in the first step
+    velocity();
+    pressureGradient();
+    viscosity();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+const Foam::volVectorField& Foam::demFluid::velocity() const
+{
+    return wanted<volVectorField>(mesh_, "U");
+}
+
+
+bool Foam::demFluid::dimensional() const
+{
+    return wanted<volScalarField>(mesh_, "p").dimensions() == dimPressure;
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::demFluid::pressureGradient() const
+{
+    const volScalarField& p = wanted<volScalarField>(mesh_, "p");
+    const bool whole = mesh_.foundObject<volScalarField>("p_rgh");
+    const dimensionedVector g
+    (
+        "g",
+        dimAcceleration,
+        whole ? vector(Zero) : cloud_.gravity()
+    );
+
+    const tmp<volScalarField> trho(density());
+
+    if (p.dimensions() == dimPressure)
+    {
+        return fvc::grad(p) + trho*g;
+    }
+    return trho*(fvc::grad(p) + g);
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::demFluid::density() const
+{
+    const volScalarField* rho = mesh_.findObject<volScalarField>("rho");
+
+    if (rho && rho->dimensions() == dimDensity)
+    {
+        onlyThere("rho", "the solver");
+        return tmp<volScalarField>(*rho);
+    }
+    return uniform
+    (
+        mesh_,
+        dimensionedScalar("rho", dimDensity, cloud_.density())
+    );
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::demFluid::viscosity() const
+{
+    const turbulenceModel* model =
+        mesh_.findObject<turbulenceModel>(turbulenceModel::propertiesName);
+
+    if (model)
+    {
+        onlyThere("nu", "the solver");
+        return density()*model->nu();
+    }
+
+    const dictionary* transport =
+        mesh_.findObject<dictionary>("transportProperties");
+    const dictionary& own = cloud_.dict().coupling();
+
+    if (transport && transport->found("nu"))
+    {
+        onlyThere("nu", "constant/transportProperties");
+        return
+            density()*dimensionedScalar("nu", dimViscosity, *transport);
+    }
+    return density()*dimensionedScalar("nu", dimViscosity, own);
+}
+
+// ************************************************************************* //

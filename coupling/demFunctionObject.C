@@ -1,0 +1,144 @@
+/*---------------------------------------------------------------------------*\
+    demFunctionObject.C -- particles in any solver, by dictionary.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demFunctionObject.H"
+#include "demMomentumSource.H"
+#include "fvOptions.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(demFunctionObject, 0);
+    addToRunTimeSelectionTable(functionObject, demFunctionObject, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Has the case a file fvOptions? Such a list is read again when the file
+// changes, and then stops at a source that is not in the file.
+static bool hasFile(const fvMesh& mesh)
+{
+    for (const word& folder : {mesh.time().constant(), mesh.time().system()})
+    {
+        IOobject io
+        (
+            "fvOptions",
+            folder,
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        );
+
+        if (io.typeHeaderOk<IOdictionary>(true))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::functionObjects::demFunctionObject::addSource()
+{
+    fv::optionList& sources = fv::options::New(mesh_);
+
+    forAll(sources, i)
+    {
+        if (isA<fv::demMomentumSource>(sources[i]))
+        {
+            return;
+        }
+    }
+
+    if (hasFile(mesh_))
+    {
+        FatalErrorInFunction
+            << "The coupling is two-way, and this case has its own file"
+            << " fvOptions; add to it" << nl
+            << "    particles { type demMomentumSource;"
+            << " libs (\"libdemCoupling.so\"); }" << exit(FatalError);
+    }
+
+    dictionary dict;
+    dict.add("type", fv::demMomentumSource::typeName);
+
+    const label n = sources.size();
+    sources.setSize(n + 1);
+    sources.set(n, fv::option::New(name(), dict, mesh_).ptr());
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::functionObjects::demFunctionObject::demFunctionObject
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict)
+{
+    // OpenFOAM turns an error in this constructor into a warning, runs on
+    // without particles and, if only one rank fails, hangs. Errors end the run.
+    const bool throwing = FatalError.throwExceptions(false);
+    const bool throwingIO = FatalIOError.throwExceptions(false);
+
+    if (mesh_.foundObject<volScalarField>("dem:drag"))
+    {
+        FatalErrorInFunction
+            << "This solver or another function object has particles already;"
+            << " take out " << name << exit(FatalError);
+    }
+
+    read(dict);
+    driver_.reset(new demDriver(mesh_));
+
+    if (driver_().cloud().twoWay())
+    {
+        addSource();
+    }
+
+    FatalIOError.throwExceptions(throwingIO);
+    FatalError.throwExceptions(throwing);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::demFunctionObject::read(const dictionary& dict)
+{
+    return fvMeshFunctionObject::read(dict);
+}
+
+
+bool Foam::functionObjects::demFunctionObject::execute()
+{
+    driver_().finish();
+    return true;
+}
+
+
+bool Foam::functionObjects::demFunctionObject::write()
+{
+    driver_().cloud().write();
+    return true;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,113 @@
+/*---------------------------------------------------------------------------*\
+    demLedger.C -- momentum: is what the fluid got what the particles got?
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demLedger.H"
+#include "PstreamReduceOps.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static inline vector three(const double* column, const size_t i)
+{
+    return vector(column[3*i], column[3*i + 1], column[3*i + 2]);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demLedger::demLedger()
+:
+    since_(clock::now()),
+    worst_(0)
+{
+    for (scalar& s : spent_)
+    {
+        s = 0;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demLedger::charge(const account who)
+{
+    const clock::time_point now = clock::now();
+    spent_[who] += std::chrono::duration<double>(now - since_).count();
+    since_ = now;
+}
+
+
+Foam::scalar Foam::demLedger::exchange
+(
+    const scalar window,
+    const volVectorField& force,
+    const volScalarField& drag,
+    const volVectorField& U,
+    const struct ::dem_fluid& fluid,
+    const UList<vector>& velocity
+)
+{
+    const scalarField& V = force.mesh().V();
+    vector toFluid(Zero);
+    vector toParticles(Zero);
+    scalar moved = 0;
+
+    forAll(V, celli)
+    {
+        toFluid += window*V[celli]*(force[celli] - drag[celli]*U[celli]);
+    }
+
+    forAll(velocity, i)
+    {
+        const vector J(three(fluid.drag_impulse, i));
+        const vector more
+        (
+            fluid.response[i]*(velocity[i] - three(fluid.velocity, i))
+        );
+
+        toParticles += J + more;
+        moved += mag(J) + mag(more);
+    }
+
+    reduce(toFluid, sumOp<vector>());
+    reduce(toParticles, sumOp<vector>());
+    reduce(moved, sumOp<scalar>());
+
+    const scalar error = mag(toFluid + toParticles)/(moved + VSMALL);
+    worst_ = max(worst_, error);
+    return error;
+}
+
+
+Foam::vector Foam::demLedger::owed(const struct ::dem_fluid& fluid)
+{
+    vector sum(Zero);
+
+    for (size_t i = 0; i < fluid.n; i++)
+    {
+        sum += three(fluid.pending, i);
+    }
+
+    reduce(sum, sumOp<vector>());
+    return sum;
+}
+
+
+void Foam::demLedger::close() const
+{
+    Info<< "Suna: time spent on fluid " << spent_[FLUID]
+        << " s, particles " << spent_[PARTICLES]
+        << " s, exchange " << spent_[EXCHANGE]
+        << " s; largest error of the exchange " << worst_ << nl << endl;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,213 @@
+/*---------------------------------------------------------------------------*\
+    demWriter.C -- particles as a lagrangian cloud.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demWriter.H"
+#include "IOField.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "PstreamBuffers.H"
+#include "Time.H"
+#include "DynamicList.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static const fileName cloudFolder("lagrangian/particles");
+
+// One particle on its way to the rank that writes it, as plain numbers:
+// 0 cell, 1 position, 4 velocity, 7 spin, 10 contact force, 13 diameter,
+// 14 mass, 15 id, 16 material, 17 flags
+enum { NUMBERS = 18 };
+
+static void pack
+(
+    const struct ::dem_view& v,
+    const double* place,
+    const size_t i,
+    DynamicList<scalar>& to
+)
+{
+    const double* x = dem_at(v.position, v.stride, i);
+    const double* u = dem_at(v.velocity, v.stride, i);
+    const double* w = dem_at(v.spin, v.stride, i);
+
+    to.append(place[2*i + 1]);
+    for (int k = 0; k < 3; k++) to.append(x[k]);
+    for (int k = 0; k < 3; k++) to.append(u[k]);
+    for (int k = 0; k < 3; k++) to.append(w[k]);
+    for (int k = 0; k < 3; k++) to.append(v.force[3*i + k]);
+    to.append(2*(*dem_at(v.radius, v.stride, i)));
+    to.append(*dem_at(v.mass, v.stride, i));
+
+    // The id keeps its lower 31 bits: a label of OpenFOAM may have no more
+    const char* at = reinterpret_cast<const char*>(v.id) + v.stride*i;
+    to.append(*reinterpret_cast<const int64_t*>(at) & 0x7fffffff);
+    at = reinterpret_cast<const char*>(v.material) + v.stride*i;
+    to.append(*reinterpret_cast<const uint16_t*>(at));
+    at = reinterpret_cast<const char*>(v.flags) + v.stride*i;
+    to.append(*reinterpret_cast<const uint16_t*>(at));
+}
+
+
+// Everyone's particles to the ranks of their cells
+static List<scalar> deal(const struct ::dem_view& v, const double* place)
+{
+    List<DynamicList<scalar>> out(Pstream::nProcs());
+
+    for (size_t i = 0; i < v.n; i++)
+    {
+        pack(v, place, i, out[label(place[2*i])]);
+    }
+
+    if (!Pstream::parRun())
+    {
+        return List<scalar>(out[0]);
+    }
+
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+    forAll(out, rank)
+    {
+        if (out[rank].size())
+        {
+            UOPstream os(rank, buffers);
+            os << List<scalar>(out[rank]);
+        }
+    }
+
+    labelList sizes(Pstream::nProcs());
+    buffers.finishedSends(sizes);
+
+    DynamicList<scalar> in;
+    forAll(sizes, rank)
+    {
+        if (sizes[rank])
+        {
+            UIPstream is(rank, buffers);
+            in.append(List<scalar>(is));
+        }
+    }
+    return List<scalar>(in);
+}
+
+
+static inline vector three(const UList<scalar>& numbers, const label at)
+{
+    return vector(numbers[at], numbers[at + 1], numbers[at + 2]);
+}
+
+
+static IOobject place
+(
+    const fvMesh& mesh,
+    const word& name,
+    const fileName& folder
+)
+{
+    return IOobject
+    (
+        name,
+        mesh.time().timeName(),
+        folder,
+        mesh,
+        IOobject::NO_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+
+static void writePositions(const fvMesh& mesh, const UList<scalar>& all)
+{
+    const IOobject io(place(mesh, "positions", cloudFolder));
+    mkDir(io.path());
+
+    OFstream os(io.objectPath());
+    os.precision(15);
+    io.writeHeader(os, "Cloud<passiveParticle>");
+    os  << all.size()/NUMBERS << nl << "(" << nl;
+
+    for (label at = 0; at < all.size(); at += NUMBERS)
+    {
+        os  << three(all, at + 1) << ' ' << label(all[at]) << nl;
+    }
+    os  << ")" << nl;
+}
+
+
+// Without this file the readers look for barycentric coordinates
+static void writeProperties(const fvMesh& mesh)
+{
+    const IOobject io
+    (
+        place(mesh, "cloudProperties", fileName("uniform")/cloudFolder)
+    );
+    mkDir(io.path());
+
+    OFstream os(io.objectPath());
+    io.writeHeader(os, "dictionary");
+    os  << "geometry        positions;" << nl;
+}
+
+
+template<class Type, class From>
+static void writeField
+(
+    const fvMesh& mesh,
+    const word& name,
+    const UList<scalar>& all,
+    const label first,
+    const From& from
+)
+{
+    IOField<Type> field(place(mesh, name, cloudFolder), all.size()/NUMBERS);
+
+    forAll(field, i)
+    {
+        field[i] = from(all, NUMBERS*i + first);
+    }
+    field.write();
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::demWriter::write
+(
+    const fvMesh& mesh,
+    const struct ::dem_view& view,
+    const double* place
+)
+{
+    const List<scalar> all(deal(view, place));
+
+    const auto one = [](const UList<scalar>& n, const label at)
+    {
+        return n[at];
+    };
+    const auto whole = [](const UList<scalar>& n, const label at)
+    {
+        return label(n[at]);
+    };
+
+    writePositions(mesh, all);
+    writeProperties(mesh);
+    writeField<vector>(mesh, "U", all, 4, three);
+    writeField<vector>(mesh, "omega", all, 7, three);
+    writeField<vector>(mesh, "contactForce", all, 10, three);
+    writeField<scalar>(mesh, "d", all, 13, one);
+    writeField<scalar>(mesh, "mass", all, 14, one);
+    writeField<label>(mesh, "id", all, 15, whole);
+    writeField<label>(mesh, "material", all, 16, whole);
+    writeField<label>(mesh, "flags", all, 17, whole);
+}
+
+// ************************************************************************* //
