@@ -12,8 +12,8 @@
  * The switch jumps at e = 0.8 (Re = 200: from 26.4 to 12.1), which makes a fluid solver chatter; hence smooth is the
  * default. Its price: phi is 0.994 and not 1 at e = 1, 0.9985 of Ergun at e = 0.2.
  *
- * Source: Gidaspow, Multiphase Flow and Fluidization (1994); Ergun, Chem. Eng. Prog. 48 (1952) 89; Wen and Yu, Chem. Eng.
- * Prog. Symp. Ser. 62 (1966) 100; bridge: Lu and Gidaspow, Chem. Eng. Sci. 58 (2003) 3777.
+ * Source: Gidaspow, Multiphase Flow and Fluidization (1994); Ergun, Chem. Eng. Prog. 48 (1952) 89; Wen and Yu, Chem.
+ * Eng. Prog. Symp. Ser. 62 (1966) 100; bridge: Lu and Gidaspow, Chem. Eng. Sci. 58 (2003) 3777.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -14,25 +14,27 @@
  *   n, h   unit normal from j to i now and half a step ago         [1]
  *
  * Sliding: F_t keeps the direction of spring and dashpot together and gets the length mu max(F_n, 0); the spring is
- * cut to xi = -F_t/k_t, so that it holds the friction and nothing else. (Cut to -(F_t + eta_t s)/k_t, as often seen, it
- * loses 3 to 11 % of the friction impulse of a sliding impact; with mu |F_n| the pulling end of a damped impact adds 7 %.)
+ * cut to xi = -F_t/k_t, so that it holds the friction and nothing else. (Cut to -(F_t + eta_t s)/k_t, as often seen,
+ * it loses 3 to 11 % of the friction impulse of a sliding impact; with mu |F_n| the pulling end of a damped impact
+ * adds 7 %.)
  *
- * Carrying the spring into the new contact plane: positions move with the half-step velocity, r_new = r_old + dt v, so
- * h = unit(r_new - dt v/2) points along r_old + r_new and halves the angle between n_old and n when |r| is kept. The
- * mirror at the plane normal to h, xi - 2 (h.xi) h, maps n_old to -n, hence the plane normal to n_old to that normal to
- * n; in these planes it is the smallest rotation that takes n_old to n, and it keeps every length. Then dt s is added
- * and what points along n (second order in dt: s lies normal to h, and |r| changes a little) is taken off.
+ * Carrying the spring into the new contact plane: positions move with the half-step velocity, r_new = r_old + dt v,
+ * so h = unit(r_new - dt v/2) points along r_old + r_new and halves the angle between n_old and n when |r| is kept.
+ * The mirror at the plane normal to h, xi - 2 (h.xi) h, maps n_old to -n, hence the plane normal to n_old to that
+ * normal to n; in these planes it is the smallest rotation that takes n_old to n, and it keeps every length. Then
+ * dt s is added and what points along n (second order in dt: s lies normal to h, and |r| changes a little) is taken
+ * off. Where h = n (flat walls), mirror and cut together are a plain projection.
  *
  * Source: Mindlin, J. Appl. Mech. 16 (1949) 259 (stiffness without micro-slip), in the secant form of Kasuga, Discrete
  * element method (in Japanese, 2012), eqs. (15) to (23); friction: Coulomb. Changed from Kasuga's note:
- *   (17)       slip is v_t - (R_i w_i + R_j w_j) x n: with n from j to i the contact point of i is at -R_i n (done by who
- *              fills s); (22), (23) need the same sign, torque -R_i n x F_t. The two errors of sign cancel in every
- *              velocity, only the spin comes out reversed.
+ *   (17)       slip is v_t - (R_i w_i + R_j w_j) x n: with n from j to i the contact point of i is at -R_i n (done by
+ *              who fills s); (22), (23) need the same sign, torque -R_i n x F_t. The two errors of sign cancel in
+ *              every velocity, only the spin comes out reversed.
  *   (18)       d is the positive overlap; the note's delta is negative in contact and has no root.
  *   (20), (21) the direction of friction is that of the trial force, not of the slip (which reverses before the force
  *              does, and is 0/0 at rest); the limit counts no pulling; the spring is cut.
- * The secant law gives back up to 0.06 % more tangential speed than it took (elastic impact within 3 degrees of normal),
- * because k_t shrinks with d while xi stays.
+ * The secant law gives back up to 0.06 % more tangential speed than it took (elastic impact within 3 degrees of
+ * normal), because k_t shrinks with d while xi stays.
  * Not here: partial slip and its loading history; turning of the spring with a common spin about n; rolling.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

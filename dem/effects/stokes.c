@@ -1,7 +1,8 @@
 /*
- * stokes.c -- in a viscous fluid two bodies part the slower, the less inertia they meet with: restitution by Stokes number.
+ * stokes.c -- in a viscous fluid two bodies part the slower, the less inertia they meet with.
  *
- *   F_n = ... - eta v_n,   eta = alpha(e) sqrt(m* k_n),   ln e = ln e_max - beta/St,   St = m* v/(6 pi mu R*^2)
+ *   F_n = ... - eta v_n,       eta = alpha(e) sqrt(m* k_n)
+ *   ln e = ln e_max - beta/St,  St = m* v/(6 pi mu R*^2)
  *
  *   v      |normal relative speed| when the surfaces first overlap, kept until they separate   [m/s]
  *   mu     viscosity, of the setting or of the running fluid       [Pa s]
@@ -20,15 +21,15 @@
  * logarithm is taken of anything that changes.
  *
  * Added mass (St only; the motion itself is not changed here): each particle counts m_i + C_M rho_f V_i. With
- * f = 1 + C_M rho_f/rho_p, m* becomes f_a m* at a wall and f_a f_b (rho_a + rho_b)/(f_a rho_a + f_b rho_b) m* in a
- * pair. That is exact at a wall, for two of the same density whatever their sizes, and for two of the same size
+ * f = 1 + C_M rho_f/rho_p, m* becomes f_a m* at a wall and f_a f_b (rho_a + rho_b)/(f_a rho_a + f_b rho_b) m* in
+ * a pair. That is exact at a wall, for two of the same density whatever their sizes, and for two of the same size
  * whatever their densities; for unequal sizes and densities it lies between f_a and f_b times m*, as the truth does.
  *
  * Why the speed is latched: with the speed of the moment in St, e = 0.48 is asked for at St = 50 and 0.07 comes out.
  * The dashpot may pull when the contact opens; a clamp would make small e far too large (0.15 instead of 0.001).
  *
- * Source: Legendre, Zenit, Daniel, Guiraud, Chem. Eng. Sci. 61 (2006) 3543; measured: Gondret, Lance, Petit, Phys. Fluids
- * 14 (2002) 643; Joseph, Zenit, Hunt, Rosenwinkel, J. Fluid Mech. 433 (2001) 329.
+ * Source: Legendre, Zenit, Daniel, Guiraud, Chem. Eng. Sci. 61 (2006) 3543; measured: Gondret, Lance, Petit, Phys.
+ * Fluids 14 (2002) 643; Joseph, Zenit, Hunt, Rosenwinkel, J. Fluid Mech. 433 (2001) 329.
  * Not here: lubrication before touching. Never use both: the film's loss is already in e.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -124,7 +125,7 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 
 const struct dem_effect dem_stokes = {
     .name = "stokes",
-    .says = "viscous damping with a restitution that falls with the Stokes number of the impact, ln e = ln e_max - beta/St",
+    .says = "viscous damping in a fluid: restitution e_max exp(-beta/St) by the Stokes number of the impact",
     .source = "Legendre, Zenit, Daniel, Guiraud 2006",
     .stage = DEM_STAGE_DAMP,
     .needs = DEM_NEEDS_VISCOSITY,

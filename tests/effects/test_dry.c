@@ -141,10 +141,13 @@ static void refusals(void)
 
     dem_field_defaults(dem_dry.settings, settings);
     TAP_OK(dem_field_missing(dem_dry.settings, settings, "dry") == DEM_ERROR_INPUT, "restitution has no default");
-    TAP_OK(settle(&dem_dry, settings, &pair, "restitution", 1.1) == DEM_ERROR_INPUT, "e = 1.1: %s", dem_error_text());
-    TAP_OK(settle(&dem_dry, settings, &pair, "restitution", -0.1) == DEM_ERROR_INPUT, "e = -0.1: %s", dem_error_text());
+    TAP_OK(settle(&dem_dry, settings, &pair, "restitution", 1.1) == DEM_ERROR_INPUT,
+           "e = 1.1: %s", dem_error_text());
+    TAP_OK(settle(&dem_dry, settings, &pair, "restitution", -0.1) == DEM_ERROR_INPUT,
+           "e = -0.1: %s", dem_error_text());
     pair.exponent = 0.0;
-    TAP_OK(settle(&dem_dry, settings, &pair, "restitution", 0.9) == DEM_ERROR_INPUT, "no spring: %s", dem_error_text());
+    TAP_OK(settle(&dem_dry, settings, &pair, "restitution", 0.9) == DEM_ERROR_INPUT,
+           "no spring: %s", dem_error_text());
 }
 
 int main(void)

@@ -145,7 +145,8 @@ static void contact_effect(const struct dem_effect *e)
         bad += differs(many.kn, many.mz, one.kn, row) + differs(memory[0], memory[MEMORY - 1], memory_of_one[0], row);
     }
     TAP_OK(bad == 0, "%s: a row has the same bits alone and among others (%d differ)", e->name, bad);
-    TAP_OK(bad_columns(many.kn, many.mz) + bad_columns(memory[0], memory[MEMORY - 1]) == 0, "%s: all finite", e->name);
+    TAP_OK(bad_columns(many.kn, many.mz) + bad_columns(memory[0], memory[MEMORY - 1]) == 0,
+           "%s: all finite", e->name);
     bad = 0;
     for (int row = 2; row < ROWS; row += 3)
     {
@@ -158,7 +159,8 @@ static void contact_effect(const struct dem_effect *e)
     memset(memory, 0, sizeof memory);
     many.n = DEM_BLOCK;
     e->act(settings, &many, all);
-    TAP_OK(bad_columns(many.kn, many.mz) == 0 && many.fn[DEM_BLOCK - 1] == 0.0 && many.fx[0] == 0.0, "%s: rows of zeros", e->name);
+    TAP_OK(bad_columns(many.kn, many.mz) == 0 && many.fn[DEM_BLOCK - 1] == 0.0 && many.fx[0] == 0.0,
+           "%s: rows of zeros", e->name);
 }
 
 static void body_effect(const struct dem_effect *e)
@@ -195,7 +197,8 @@ static void body_effect(const struct dem_effect *e)
     memset(&many, 0, sizeof many);
     many.n = DEM_BLOCK;
     e->act_on_bodies(settings, &many);
-    TAP_OK(bad_columns(many.fx, many.buz) == 0 && many.fx[DEM_BLOCK - 1] == 0.0 && many.b[0] == 0.0, "%s: rows of zeros", e->name);
+    TAP_OK(bad_columns(many.fx, many.buz) == 0 && many.fx[DEM_BLOCK - 1] == 0.0 && many.b[0] == 0.0,
+           "%s: rows of zeros", e->name);
 }
 
 static void tells(const struct dem_effect *e)
@@ -208,10 +211,13 @@ static void tells(const struct dem_effect *e)
         fields++;
         bad += f->help == NULL || f->help[0] == '\0' || f->unit == NULL || f->offset >= e->size;
     }
-    TAP_OK(e->says && e->source && e->name[0] && e->says[0] && e->source[0], "%s: word, sentence, source", e->name);
+    TAP_OK(e->says && e->source && e->name[0] && e->says[0] && e->source[0],
+           "%s: word, sentence, source", e->name);
     TAP_OK(bad == 0 && (fields > 0) == (e->size > 0), "%s: %d settings, each with unit and help", e->name, fields);
-    TAP_OK(body ? e->act_on_bodies && !e->act && !e->memory : e->act && !e->act_on_bodies, "%s: acts as its stage wants", e->name);
-    TAP_OK((e->exponent > 0.0) == (e->stage == DEM_STAGE_NORMAL), "%s: an exponent for the normal law only", e->name);
+    TAP_OK(body ? e->act_on_bodies && !e->act && !e->memory : e->act && !e->act_on_bodies,
+           "%s: acts as its stage wants", e->name);
+    TAP_OK((e->exponent > 0.0) == (e->stage == DEM_STAGE_NORMAL),
+           "%s: an exponent for the normal law only", e->name);
     TAP_OK(dem_effects_find(e->name) == e, "%s: found by its word", e->name);
 }
 

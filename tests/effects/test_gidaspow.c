@@ -48,7 +48,8 @@ static void switched(void)
         const double drop = n*(3.0*3.14159265358979324*mu*d*G(e, beds[k][1]))*(U/e)/e;
         const double published = 150.0*mu*s*s*U/(e*e*e*d*d) + 1.75*rho*s*U*U/(e*e*e*d);
 
-        TAP_NEAR(drop/published, 1.0, 1e-13, "Ergun's pressure drop, e = %g, Re = %g", e, beds[k][1]);    /* rounding */
+        TAP_NEAR(drop/published, 1.0, 1e-13,
+                 "Ergun's pressure drop, e = %g, Re = %g", e, beds[k][1]);    /* rounding */
     }
 }
 
@@ -94,6 +95,7 @@ int main(void)
     edges();
     dem_field_defaults(dem_gidaspow.settings, &settings);
     TAP_OK(settings == 0, "smooth unless told otherwise");
-    TAP_OK(dem_field_set_word(dem_gidaspow.settings, &settings, "gidaspow", "blend", "switch") == DEM_OK && settings == 1, "switch");
+    TAP_OK(dem_field_set_word(dem_gidaspow.settings, &settings, "gidaspow", "blend",
+           "switch") == DEM_OK && settings == 1, "switch");
     TAP_DONE;
 }

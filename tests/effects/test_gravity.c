@@ -13,8 +13,10 @@ int main(void)
 
     TAP_TRAPS;
     dem_field_defaults(dem_gravity.settings, settings);
-    TAP_OK(dem_field_missing(dem_gravity.settings, settings, "gravity") == DEM_ERROR_INPUT, "which way is down has to be told");
-    TAP_OK(dem_field_set_number(dem_gravity.settings, settings, "gravity", "acceleration", down, 3) == DEM_OK, "it can be");
+    TAP_OK(dem_field_missing(dem_gravity.settings, settings, "gravity") == DEM_ERROR_INPUT,
+           "which way is down has to be told");
+    TAP_OK(dem_field_set_number(dem_gravity.settings, settings, "gravity", "acceleration", down, 3) == DEM_OK,
+           "it can be");
 
     b.n = 3;
     for (int c = 0; c < 3; c++)

@@ -17,7 +17,8 @@ static void impact(const char *what, struct world *w, double speed, double overl
     TAP_OK(world_impact(w, dt, 1000) > 0, "%s: parts again", what);
 
     /* the peak lies at most half a step from a sample, where 1 - cos(pi/800) < 1e-5 of it is missing */
-    TAP_NEAR(1e6*mean(w->peak_overlap, 16), overlap_um, 0.002*overlap_um, "%s: largest overlap %g um", what, overlap_um);
+    TAP_NEAR(1e6*mean(w->peak_overlap, 16), overlap_um, 0.002*overlap_um,
+             "%s: largest overlap %g um", what, overlap_um);
     TAP_NEAR(1e-3*mean(w->peak_force, 16), force_kN, 0.002*force_kN, "%s: largest force %g kN", what, force_kN);
 
     /* counted in whole steps: 1/400 is one of them */
@@ -87,7 +88,8 @@ static void order(void)
     const double coarse = loss(&w, 1.0, 50), fine = loss(&w, 1.0, 100), finer = loss(&w, 1.0, 200);
 
     TAP_NOTE("speed error %.3g, %.3g, %.3g at 1/50, 1/100, 1/200 of the contact time", coarse, fine, finer);
-    TAP_OK(fine <= coarse/4.0 && finer <= fine/4.0, "the error of the parting speed falls at least fourfold per halving");
+    TAP_OK(fine <= coarse/4.0 && finer <= fine/4.0,
+           "the error of the parting speed falls at least fourfold per halving");
 }
 
 static void limits(void)
@@ -102,7 +104,8 @@ static void limits(void)
     const double rayleigh = 3.14159265358979324*0.01*sqrt(2800.0/20e9)/(0.1631*0.2 + 0.8766);
 
     /* dem_pow, a product and a quotient: a few units in the last place */
-    TAP_NEAR(dem_hertz.time_limit(w.link[0].settings, &w.pair, &why), 0.2*rayleigh, 1e-12*rayleigh, "0.2 Rayleigh time");
+    TAP_NEAR(dem_hertz.time_limit(w.link[0].settings, &w.pair, &why), 0.2*rayleigh, 1e-12*rayleigh,
+             "0.2 Rayleigh time");
     TAP_OK(strcmp(why, "0.2 of the Rayleigh time of glass") == 0, "says why: %s", why);
 
     settle(&dem_hertz, w.link[0].settings, &w.pair, "impactSpeed", 20.0);
@@ -113,10 +116,12 @@ static void limits(void)
     /* of a wall only the particle counts for the wave, and its radius is the reduced one */
     world_wall(&w, &glass, &soft, 0.01);
     world_add(&w, &dem_hertz, "impactSpeed", 1e-9);
-    TAP_NEAR(dem_hertz.time_limit(w.link[0].settings, &w.pair, &why), 0.2*rayleigh, 1e-12*rayleigh, "particle on soft wall");
+    TAP_NEAR(dem_hertz.time_limit(w.link[0].settings, &w.pair, &why), 0.2*rayleigh, 1e-12*rayleigh,
+             "particle on soft wall");
 
     w.pair.reduced_modulus = 0.0;
-    TAP_OK(dem_hertz.prepare(w.link[0].settings, &w.pair) == DEM_ERROR_INPUT, "refuses no modulus: %s", dem_error_text());
+    TAP_OK(dem_hertz.prepare(w.link[0].settings, &w.pair) == DEM_ERROR_INPUT,
+           "refuses no modulus: %s", dem_error_text());
 }
 
 int main(void)

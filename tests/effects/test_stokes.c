@@ -89,9 +89,11 @@ static void by_hand(void)
     struct link *const l = world_add(&w, &dem_stokes, "restitution", 0.97);
 
     /* from here on a few rounded factors: 1e-13 */
-    TAP_NEAR(alpha(l, -0.5, mu, &speed), alpha_of(0.97*exp(-35.0/St)), 1e-13, "alpha of e_max exp(-beta/St), St = %.3g", St);
+    TAP_NEAR(alpha(l, -0.5, mu, &speed), alpha_of(0.97*exp(-35.0/St)), 1e-13,
+             "alpha of e_max exp(-beta/St), St = %.3g", St);
     TAP_OK(speed == 0.5 && w.b.fn[0] > 0.0, "the speed is remembered, the force resists approach");
-    TAP_NEAR(alpha(l, 0.1, mu, &speed), alpha_of(0.97*exp(-35.0/St)), 1e-13, "later speeds in the contact change nothing");
+    TAP_NEAR(alpha(l, 0.1, mu, &speed), alpha_of(0.97*exp(-35.0/St)), 1e-13,
+             "later speeds in the contact change nothing");
     TAP_OK(speed == 0.5 && w.b.fn[0] < 0.0, "still remembered; the force may pull");
     w.b.touching[0] = 0.0;
     w.b.kn[0] = 0.0;
@@ -112,11 +114,13 @@ static void by_hand(void)
     TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), critical, 1e-13, "e_max = 0: critical damping");
     TAP_NEAR((speed = 0.0, alpha(l, -0.5, 0.0, &speed)), critical, 1e-13, "e_max = 0 without viscosity too");
     settle(&dem_stokes, l->settings, &w.pair, "restitution", 1.0);
-    TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), alpha_of(exp(-35.0/St)), 1e-13, "e_max = 1: the film alone");
+    TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), alpha_of(exp(-35.0/St)), 1e-13,
+             "e_max = 1: the film alone");
     TAP_OK((speed = 0.0, alpha(l, -0.5, 0.0, &speed)) == 0.0, "e_max = 1 without viscosity: no damping");
 
     settle(&dem_stokes, l->settings, &w.pair, "viscosity", 2.0*mu);
-    TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), alpha_of(exp(-70.0/St)), 1e-13, "its own viscosity goes before the fluid's");
+    TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), alpha_of(exp(-70.0/St)), 1e-13,
+             "its own viscosity goes before the fluid's");
     settle(&dem_stokes, l->settings, &w.pair, "beta", 0.0);
     TAP_OK((speed = 0.0, alpha(l, -0.5, mu, &speed)) == 0.0, "beta = 0: e_max whatever the fluid");
     TAP_OK((speed = 0.0, alpha(l, 0.0, mu, &speed)) == 0.0, "beta = 0 at rest");

@@ -44,7 +44,8 @@ int main(void)
         b.uz[c] = b.vz[c] + (c == 3 ? 0.04 : 0.0);
     }
     dem_wen_yu.act_on_bodies(NULL, &b);
-    TAP_NEAR(b.b[0]/(3.0*3.14159265358979324*1e-6), G(0.6, 0.0), 1e-13, "moving with the fluid is as at rest in it");
+    TAP_NEAR(b.b[0]/(3.0*3.14159265358979324*1e-6), G(0.6, 0.0), 1e-13,
+             "moving with the fluid is as at rest in it");
     for (int c = 1; c < 4; c++)
     {
         /* 0.04 comes out of 3.04 - 3: 1e-14 of it is lost */
@@ -61,7 +62,8 @@ int main(void)
     body_fill(&b, 2, 1e-3, 1000.0, 0.0, 0.6, 0.0);
     b.ux[2] = 5.0;
     dem_wen_yu.act_on_bodies(NULL, &b);
-    TAP_OK(b.bux[0] == b.b[0]*b.ux[0] && b.buy[0] == b.b[0]*3.0 && b.buz[0] == -b.b[0], "target: b times the fluid velocity");
+    TAP_OK(b.bux[0] == b.b[0]*b.ux[0] && b.buy[0] == b.b[0]*3.0 && b.buz[0] == -b.b[0],
+           "target: b times the fluid velocity");
     TAP_NEAR(b.b[1]/(3.0*3.14159265358979324*1e-6), G(0.6, 40.0), 1e-13, "only the slip counts");
     TAP_OK(b.b[2] == 0.0 && b.bux[2] == 0.0, "no viscosity, no drag");
     TAP_OK(b.b[3] == 0.0 && b.bux[3] == 0.0, "an empty row: nothing");
