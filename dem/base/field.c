@@ -85,11 +85,11 @@ static const char *unit_of(const struct dem_field *f, char *text, size_t size)
     return text;
 }
 
-/* the range in words: "from 0 to 1", "above 0", "0 or more", "any finite number", each with its unit */
+/* what a value must be, to follow "give a value": "from 0 to 1", "above 0 Pa", "of 0 Pa or more" */
 static const char *range_of(const struct dem_field *f, char *text, size_t size)
 {
     const int above_zero = f->least == DEM_ABOVE_ZERO, low = f->least > -DBL_MAX, high = f->most < DBL_MAX;
-    const char *whole = f->flags & DEM_FIELD_WHOLE ? "a whole number " : "";
+    const char *whole = f->flags & DEM_FIELD_WHOLE ? "that is whole, " : "";
     char unit[PHRASE];
 
     unit_of(f, unit, sizeof unit);
@@ -111,8 +111,7 @@ static const char *range_of(const struct dem_field *f, char *text, size_t size)
     }
     else
     {
-        snprintf(text, size, "%s%s", whole[0] ? whole : "a finite number", unit[0] ? " in" : "");
-        strncat(text, unit, size - strlen(text) - 1);
+        snprintf(text, size, "%sthat is finite", whole);
     }
     return text;
 }

@@ -24,8 +24,8 @@
  * log 0.95, log10 1.9 over the whole range of double; pow 4e-16 relative for |y| <= 12 and x in 1e-12 ..
  * 1e12, growing as |y| 2e-17 beyond.
  *
- * Nothing here raises invalid, division by zero or overflow for finite arguments (a not-a-number does, when
- * compared): where the result is not a finite number it is chosen, not computed.
+ * Nothing here raises invalid, division by zero or overflow for finite arguments: where the result is not a
+ * finite number it is chosen, not computed. A not-a-number gives a not-a-number, and raises invalid when compared.
  */
 #ifndef DEM_BASE_MATH_H
 #define DEM_BASE_MATH_H
@@ -129,7 +129,7 @@ DEM_MATH double dem_exp(double x)
     const double y = dem_math_from_bits(dem_math_bits(e) + (dem_math_bits(shifted) << 52));
     const double z = dem_pick(x < DEM_MATH_EXP_LEAST, 0.0, y);
 
-    return dem_pick(x > DEM_MATH_EXP_MOST, INFINITY, z);
+    return dem_pick(x <= DEM_MATH_EXP_MOST, z, fabs(x) + INFINITY);
 }
 
 /* e^x - 1, as exact for tiny x as for large; infinite above 709.78 */
@@ -148,16 +148,16 @@ DEM_MATH double dem_expm1(double x)
     const double half = dem_math_from_bits((dem_math_bits(shifted) + 1022) << 52);
     const double y = 2.0*(half*q + (half - 0.5));
 
-    return dem_pick(x > DEM_MATH_EXP_MOST, INFINITY, y);
+    return dem_pick(x <= DEM_MATH_EXP_MOST, y, fabs(x) + INFINITY);
 }
 
 /* (1 - e^-z)/z, 1 at z = 0: the mean of e^-t over 0 .. z. For exact exponential drag, z = b dt/m. */
 DEM_MATH double dem_phi(double z)
 {
-    const double divisor = dem_pick(fabs(z) > 0x1p-54, z, 1.0);
+    const double divisor = dem_pick(fabs(z) <= 0x1p-54, 1.0, z);
     const double y = -dem_expm1(-divisor)/divisor;
 
-    return dem_pick(fabs(z) > 0x1p-54, y, 1.0);
+    return dem_pick(fabs(z) <= 0x1p-54, 1.0, y);
 }
 
 /* ln x; -infinite at 0, not-a-number below */
@@ -213,8 +213,8 @@ DEM_MATH double dem_pow(double x, double y)
 
     /* the edges */
     const double small = dem_pick(power <= DEM_MATH_EXP_LEAST, 0.0, finite);
-    const double large = dem_pick(power >= -DEM_MATH_EXP_LEAST, INFINITY, small);
-    const double from_zero = dem_pick(y > 0.0, 0.0, dem_pick(y < 0.0, INFINITY, 1.0));
+    const double large = dem_pick(power < -DEM_MATH_EXP_LEAST, small, fabs(power) + INFINITY);
+    const double from_zero = dem_pick(y > 0.0, 0.0, dem_pick(y < 0.0, INFINITY, 1.0 + y));
     const double z = dem_pick(x == 0.0, from_zero, large);
 
     return dem_pick((x >= 0.0) & (x <= DBL_MAX), z, NAN);

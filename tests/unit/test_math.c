@@ -143,7 +143,7 @@ static void edges(void)
     TAP_OK(dem_phi(1e300) == 1e-300 && dem_phi(64.0) == 0x1p-6, "phi of large z is 1/z");
     TAP_OK(dem_log(1.0) == 0.0 && dem_log10(1.0) == 0.0, "ln 1 is 0");
     TAP_OK(isinf(dem_log(0.0)) && dem_log(0.0) < 0.0 && isinf(dem_log10(-0.0)), "ln 0 is -infinite, no division by zero");
-    TAP_OK(isnan(dem_log(-1.0)) && isnan(dem_log10(-1e300)) && isnan(dem_log(NAN)), "ln of a negative is not a number");
+    TAP_OK(isnan(dem_log(-1.0)) && isnan(dem_log10(-1e300)), "ln of a negative is not a number");
     /* one ulp of 744 */
     TAP_NEAR(dem_log(0x1p-1074), -1074.0*0x1.62e42fefa39efp-1, 0x1p-43, "ln of the smallest double");
     TAP_OK(isinf(dem_log(INFINITY)) && isinf(dem_exp(INFINITY)) && dem_exp(-INFINITY) == 0.0, "infinities pass through");
@@ -168,6 +168,25 @@ static void edges_of_pow(void)
            "at the ends of the doubles");
     TAP_OK(dem_pow(2.0, 10.0) == 1024.0 && dem_pow(4.0, 0.5) == 2.0 && dem_pow(0x1p-100, 3.0) == 0x1p-300,
            "powers of two are exact");
+}
+
+/* comparing a not-a-number raises invalid, so here the traps are off; all bits of its payload are tried */
+static void not_numbers(void)
+{
+    fenv_t traps;
+    int numbers = 0;
+
+    feholdexcept(&traps);
+    for (int i = 0; i < 52; i++)
+    {
+        const volatile double nan = dem_math_from_bits(UINT64_C(0x7ff8000000000000) | UINT64_C(1) << i);
+
+        numbers += !isnan(dem_exp(nan)) + !isnan(dem_expm1(nan)) + !isnan(dem_phi(nan)) + !isnan(dem_log(nan))
+                 + !isnan(dem_log10(nan)) + !isnan(dem_pow(nan, 2.0)) + !isnan(dem_pow(2.0, nan))
+                 + !isnan(dem_pow(0.0, nan));
+    }
+    fesetenv(&traps);
+    TAP_OK(numbers == 0, "no function makes a number of a not-a-number, %d did", numbers);
 }
 
 static uint64_t hash_in(uint64_t hash, double value)
@@ -268,6 +287,7 @@ int main(void)
     accuracy_of_pow();
     edges();
     edges_of_pow();
+    not_numbers();
     same_bits_everywhere();
     loops_equal_calls();
     TAP_OK(!fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW), "and no exception was left behind");

@@ -1,0 +1,75 @@
+/*
+ * A mistyped word is answered by the one that was meant, a foreign word by no guess, both by all that are known.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "tap.h"
+
+#include "base/error.h"
+#include "base/unknown.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const effects[] = {"mindlin", "hooke", "hertz", "rollingSpring", "gravity"};
+
+static int means(const char *word, const char *expected)
+{
+    const char *nearest = dem_unknown_nearest(word, effects, 5);
+
+    return expected ? nearest && strcmp(nearest, expected) == 0 : !nearest;
+}
+
+static void long_lists(void)
+{
+    enum
+    {
+        MANY = 300
+    };
+    static char word[MANY][32];
+    const char *known[MANY];
+
+    for (int i = 0; i < MANY; i++)
+    {
+        snprintf(word[i], sizeof word[i], "particleNumber%d", i);
+        known[i] = word[i];
+    }
+    TAP_OK(dem_unknown_word("particle", "particelNumber123", known, MANY) == DEM_ERROR_INPUT
+           && strstr(dem_error_text(), "did you mean particleNumber123? known: particleNumber123, ")
+           && strcmp(dem_error_text() + strlen(dem_error_text()) - 3, "...") == 0,
+           "a list too long for a sentence keeps the nearest and says that more are known");
+}
+
+static void long_words(void)
+{
+    char word[1000];
+
+    memset(word, 'h', sizeof word - 1);
+    word[sizeof word - 1] = '\0';
+    TAP_OK(dem_unknown_word("effect", word, effects, 5) == DEM_ERROR_INPUT && !strstr(dem_error_text(), "did you mean"),
+           "a thousand letters are no slip");
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    TAP_OK(means("hertzz", "hertz") && means("herz", "hertz") && means("hartz", "hertz") && means("hretz", "hertz"),
+           "one letter too many, too few, wrong, or two swapped");
+    TAP_OK(means("Hertz", "hertz") && means("rollingspring", "rollingSpring"), "the wrong case");
+    TAP_OK(means("rolingSprnig", "rollingSpring"), "two slips in a long word");
+    TAP_OK(means("magnetism", NULL) && means("", NULL) && means("h", NULL), "a foreign word is not guessed at");
+
+    TAP_OK(dem_unknown_word("effect", "hertzz", effects, 5) == DEM_ERROR_INPUT, "an unknown word is an input error");
+    TAP_OK(strcmp(dem_error_text(), "unknown effect \"hertzz\"; did you mean hertz? "
+                                    "known: hertz, hooke, mindlin, gravity, rollingSpring") == 0,
+           "the known ones come nearest first (1, 5, 7, 7 and 12 letters off), equals as listed: %s", dem_error_text());
+    TAP_OK(dem_unknown_word("effect", "magnetism", effects, 5) == DEM_ERROR_INPUT
+           && strstr(dem_error_text(), "unknown effect \"magnetism\"; known: ") == dem_error_text(),
+           "without a guess: %s", dem_error_text());
+    TAP_OK(dem_unknown_word("effect", "any", effects, 0) == DEM_ERROR_INPUT
+           && strcmp(dem_error_text(), "unknown effect \"any\"; none is known here, so leave it out") == 0, "%s",
+           dem_error_text());
+    long_lists();
+    long_words();
+    TAP_DONE;
+}
