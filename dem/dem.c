@@ -253,7 +253,8 @@ static int take_crowd(struct dem *d)
 /* Does anything need the fluid of a run, and is there one source for each of its numbers? */
 static int decide_fluid(struct dem *d)
 {
-    const double own = dem_recipe_number(&d->parts.recipe, "stokes", "viscosity");
+    const double own = dem_recipe_number(&d->parts.recipe, "stokes", "viscosity");   /* not a number: no stokes */
+    const int has_own = isgreater(own, 0.0);                                         /* does not trap */
     unsigned needs = 0;
 
     for (int k = 0; k < d->parts.recipe.chosen; k++)
@@ -261,8 +262,8 @@ static int decide_fluid(struct dem *d)
         needs |= d->parts.recipe.effect[k]->needs;
         d->feels_gradient |= strcmp(d->parts.recipe.effect[k]->name, "pressureGradient") == 0;
     }
-    d->with_fluid = (needs & DEM_NEEDS_FLUID) || ((needs & DEM_NEEDS_VISCOSITY) && !(own > 0.0));
-    DEM_REQUIRE(!(own > 0.0 && (d->with_fluid || d->scene.fluid.given)), DEM_ERROR_INPUT,
+    d->with_fluid = (needs & DEM_NEEDS_FLUID) || ((needs & DEM_NEEDS_VISCOSITY) && !has_own);
+    DEM_REQUIRE(!(has_own && (d->with_fluid || d->scene.fluid.given)), DEM_ERROR_INPUT,
                 "effects/stokes gives viscosity %g Pa s, but the fluid of the run has one too; remove viscosity from stokes", own);
     return DEM_OK;
 }
