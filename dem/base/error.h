@@ -1,12 +1,12 @@
 /*
- * error.h -- every failure is a status and a sentence that names the thing, the value, the limit and the cure.
+ * error.h -- a failure is a status and a sentence that names the thing, the value, the limit and the cure.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A function that can fail returns a status; its results go through pointers. The sentence lives in the
  * thread that failed until that thread fails again; nothing is printed and nothing is allocated.
  *
- *     DEM_REQUIRE(dt <= most, DEM_ERROR_INPUT, "time step %g s exceeds %g s; use at most %g s", dt, most, most);
+ *     DEM_REQUIRE(dt <= most, DEM_ERROR_INPUT, "time step %g s exceeds %g s; use at most that", dt, most);
  *     DEM_TRY(dem_walls_add(walls, triangles, n));
  */
 #ifndef DEM_BASE_ERROR_H
@@ -49,8 +49,8 @@ const char *dem_error_text(void);
         }                                      \
     } while (0)
 
-/* Leave the calling function with a status and a sentence (format, ...) unless the condition holds. The status is
-   returned by itself so that a compiler sees a failure for what it is: no result was written, and none is read. */
+/* Leave the calling function with a status and a sentence (format, ...) unless the condition holds. The status
+   is returned by itself so that a compiler sees that it is no success, and that no result is read after it. */
 #define DEM_REQUIRE(condition, status, ...)                   \
     do                                                        \
     {                                                         \

@@ -107,7 +107,8 @@ static const char *range_of(const struct dem_field *f, char *text, size_t size)
     }
     else if (low || high)
     {
-        snprintf(text, size, "%sof %.10g%s or %s", whole, low ? f->least : f->most, unit, low ? "more" : "less");
+        snprintf(text, size, "%sof %.10g%s or %s", whole, low ? f->least : f->most, unit,
+                 low ? "more" : "less");
     }
     else
     {
@@ -123,8 +124,8 @@ static int check(const struct dem_field *f, const char *owner, double value)
     const int in_range = finite && value >= f->least && value <= f->most;
     const int whole = !(f->flags & DEM_FIELD_WHOLE) || (finite && value == floor(value));
 
-    DEM_REQUIRE(in_range && whole, DEM_ERROR_INPUT, "%s: %s %.10g%s %s; give a value %s (%s)", owner, f->name, value,
-                unit_of(f, unit, sizeof unit),
+    DEM_REQUIRE(in_range && whole, DEM_ERROR_INPUT, "%s: %s %.10g%s %s; give a value %s (%s)", owner,
+                f->name, value, unit_of(f, unit, sizeof unit),
                 !finite ? "is not a finite number" : in_range ? "is not a whole number" : "is out of range",
                 range_of(f, range, sizeof range), f->help);
     return DEM_OK;
@@ -139,9 +140,10 @@ int dem_field_set_number(const struct dem_field *fields, void *settings, const c
     {
         return unknown_name(fields, owner, name);
     }
-    DEM_REQUIRE(takes_numbers(f), DEM_ERROR_INPUT, "%s: %s takes a word, not a number (%s)", owner, name, f->help);
-    DEM_REQUIRE(count == components(f), DEM_ERROR_INPUT, "%s: %s has %d number%s; give %s (%s)", owner, name, count,
-                count == 1 ? "" : "s", components(f) == 3 ? "three, as (x y z)" : "one", f->help);
+    DEM_REQUIRE(takes_numbers(f), DEM_ERROR_INPUT, "%s: %s takes a word, not a number (%s)", owner, name,
+                f->help);
+    DEM_REQUIRE(count == components(f), DEM_ERROR_INPUT, "%s: %s has %d number%s; give %s (%s)", owner, name,
+                count, count == 1 ? "" : "s", components(f) == 3 ? "three, as (x y z)" : "one", f->help);
     for (int i = 0; i < count; i++)
     {
         DEM_TRY(check(f, owner, values[i]));
@@ -222,12 +224,13 @@ int dem_field_missing(const struct dem_field *fields, const void *settings, cons
     {
         if (is_missing(f, settings))
         {
-            const int wanted = snprintf(list + used, sizeof list - used, "%s%s (%s%s%s)", used ? ", " : "", f->name,
-                                        f->help, unit_of(f, unit, sizeof unit)[0] ? "," : "", unit);
+            const int wanted = snprintf(list + used, sizeof list - used, "%s%s (%s%s%s)", used ? ", " : "",
+                                        f->name, f->help, unit_of(f, unit, sizeof unit)[0] ? "," : "", unit);
 
             used += wanted > 0 ? (size_t)wanted : 0;
         }
     }
-    DEM_REQUIRE(used == 0, DEM_ERROR_INPUT, "%s: no value for %s; these have no default, give them", owner, list);
+    DEM_REQUIRE(used == 0, DEM_ERROR_INPUT, "%s: no value for %s; these have no default, give them", owner,
+                list);
     return DEM_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * field.h -- the numbers of a struct, declared once: name, unit, default, range and help, for reader and manual.
+ * field.h -- the numbers of a struct, declared once: name, unit, default, range, help; for reader and manual.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
@@ -73,8 +73,9 @@ struct dem_field
 #define DEM_FIELD_VECTOR(type, member, unit, def, least, most, help) \
     DEM_FIELD_VECTOR_AS(type, member, #member, unit, def, least, most, help)
 
-#define DEM_FIELD_CHOICE(type, member, word, def, choices, help)                                              \
-    {(word), DEM_FIELD_CHOICE, DEM_FIELD_OF_TYPE_(type, member, int *), "", (def), 0.0, 0.0, (help), (choices), 0}
+#define DEM_FIELD_CHOICE(type, member, word, def, choices, help)                                      \
+    {(word), DEM_FIELD_CHOICE, DEM_FIELD_OF_TYPE_(type, member, int *), "", (def), 0.0, 0.0, (help), \
+     (choices), 0}
 
 #define DEM_FIELD_SWITCH(type, member, word, def, help) \
     {(word), DEM_FIELD_SWITCH, DEM_FIELD_OF_TYPE_(type, member, int *), "", (def), 0.0, 1.0, (help), NULL, 0}
@@ -85,7 +86,7 @@ void dem_field_defaults(const struct dem_field *fields, void *settings);
 /* The field of that name, or null. */
 const struct dem_field *dem_field_find(const struct dem_field *fields, const char *name);
 
-/* Set a number (count 1) or a vector (count 3). owner names the thing in errors: "hertz", "material glass". */
+/* Set a number (count 1) or vector (count 3). owner names the thing in errors: "hertz", "material glass". */
 int dem_field_set_number(const struct dem_field *fields, void *settings, const char *owner, const char *name,
                          const double *values, int count);
 

@@ -25,7 +25,7 @@
  * 1e12, growing as |y| 2e-17 beyond.
  *
  * Nothing here raises invalid, division by zero or overflow for finite arguments: where the result is not a
- * finite number it is chosen, not computed. A not-a-number gives a not-a-number, and raises invalid when compared.
+ * finite number it is chosen, not computed. A not-a-number gives one, and raises invalid when compared.
  */
 #ifndef DEM_BASE_MATH_H
 #define DEM_BASE_MATH_H

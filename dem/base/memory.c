@@ -19,8 +19,8 @@ static int bytes_of(size_t count, size_t size, size_t *bytes)
     const size_t line = DEM_MEMORY_LINE, most = PTRDIFF_MAX - line;
 
     DEM_REQUIRE(size == 0 || count <= most/size, DEM_ERROR_MEMORY,
-                "%zu elements of %zu bytes are more bytes than an address can count (%zu); ask for fewer", count,
-                size, most);
+                "%zu elements of %zu bytes are more than an address can count (%zu bytes); ask for fewer",
+                count, size, most);
     *bytes = (count*size + line - 1)/line*line;
     *bytes = *bytes > 0 ? *bytes : line;
     return DEM_OK;
@@ -35,8 +35,8 @@ int dem_memory_new(void **p, size_t count, size_t size)
     void *fresh = aligned_alloc(DEM_MEMORY_LINE, bytes);
 
     DEM_REQUIRE(fresh, DEM_ERROR_MEMORY,
-                "no memory for %zu bytes (%zu elements of %zu bytes); use fewer particles or more ranks", bytes,
-                count, size);
+                "no memory for %zu bytes (%zu elements of %zu bytes); use fewer particles or more ranks",
+                bytes, count, size);
     memset(fresh, 0, bytes);
     memcpy(p, &fresh, sizeof fresh);
     return DEM_OK;

@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * 64 bytes is a cache line and the widest vector register; sizes are rounded up to it, so a vector loop may
- * read (not trust) up to the end of the last line. Allocate at create, ready and rebuild only, never in a step.
+ * read (not trust) up to the end of the last line. Allocate at create, ready and rebuild, never in a step.
  *
  *     double *x = NULL;  size_t room = 0;
  *     DEM_TRY(DEM_GROW(x, room, n));               one array with its own room
@@ -26,13 +26,13 @@ enum
     DEM_MEMORY_LINE = 64    /* alignment of every array [byte] */
 };
 
-/* Make *p hold count elements of size bytes or more: contents kept, new bytes zero, room 1.5 times the old or more. */
+/* Make *p hold count elements of size bytes: contents kept, new bytes zero, room at least 1.5 times the old. */
 int dem_memory_grow(void **p, size_t *capacity, size_t count, size_t size);
 
 /* Room to ask for so that count elements fit: capacity if they do, else max(count, 1.5 capacity). */
 size_t dem_memory_room(size_t capacity, size_t count);
 
-/* Move *p from `from` elements to `to`: contents kept, new bytes zero. Never shrinks: to <= from does nothing. */
+/* Move *p from `from` elements to `to`: contents kept, new bytes zero. It never shrinks. */
 int dem_memory_resize(void **p, size_t from, size_t to, size_t size);
 
 /* A fresh zeroed array in *p (whatever *p held is not freed); count 0 gives a valid, empty array. */

@@ -1,12 +1,12 @@
 /*
- * random.h -- random numbers without a state: a function of (seed, id, step, use), the same on any rank in any order.
+ * random.h -- random numbers without a state: a function of (seed, id, step, use), the same on any rank.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  *   seed   the user's number for the whole run
  *   id     whose number it is: a particle's id
  *   step   when: the step's number
- *   use    what for: each place that draws has its own constant, and counts up from it if it draws more than one
+ *   use    what for: each place that draws has its own constant, and counts up from it to draw more than one
  *
  * The four words are absorbed one after the other by a 64-bit mixing function. The mixer is the finaliser of
  * Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014, with the shifts and

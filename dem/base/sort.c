@@ -85,7 +85,8 @@ void dem_sort_keys(uint64_t *key, uint32_t *index, size_t n, uint64_t *key_scrat
 }
 
 /* one pass over byte b of a pair, bytes 0-7 in lo and 8-15 in hi */
-static void move_pairs(const struct dem_sort_pair *from, struct dem_sort_pair *to, size_t n, size_t *place, int b)
+static void move_pairs(const struct dem_sort_pair *from, struct dem_sort_pair *to, size_t n, size_t *place,
+                       int b)
 {
     for (size_t i = 0; i < n; i++)
     {

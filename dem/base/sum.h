@@ -38,7 +38,7 @@ struct dem_sum
 void dem_sum_clear(struct dem_sum *s);
 void dem_sum_add(struct dem_sum *s, double value);                     /* any double; any number of times */
 void dem_sum_merge(struct dem_sum *s, const struct dem_sum *other);    /* s += other */
-void dem_sum_normalise(struct dem_sum *s);    /* carry; leaves the value alone. Up to 2^30 ranks may then be added up */
+void dem_sum_normalise(struct dem_sum *s);    /* carry; then up to 2^30 ranks may be added up */
 
 /* The exact sum rounded to nearest, ties to even; infinite past the largest double or after an infinity;
    not-a-number after one, or after both infinities. Raises no floating-point exception. */

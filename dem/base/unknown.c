@@ -33,7 +33,7 @@ static int length(const char *word)
     return end ? (int)(end - word) : LONGEST;
 }
 
-/* insertions, removals, changes and swaps of neighbours that make b of a; rows of the usual table, last three kept */
+/* insertions, removals, changes and swaps of neighbours that make b of a; three rows of the table are kept */
 static int distance(const char *a, const char *b)
 {
     int row[3][LONGEST + 1];
@@ -54,7 +54,8 @@ static int distance(const char *a, const char *b)
             const int same = letter(a, i - 1) == letter(b, j - 1);
 
             now[j] = least(last[j - 1] + !same, least(last[j], now[j - 1]) + 1);
-            if (i > 1 && j > 1 && letter(a, i - 1) == letter(b, j - 2) && letter(a, i - 2) == letter(b, j - 1))
+            if (i > 1 && j > 1 && letter(a, i - 1) == letter(b, j - 2)
+                && letter(a, i - 2) == letter(b, j - 1))
             {
                 now[j] = least(now[j], before[j - 2] + 1);
             }
@@ -114,8 +115,10 @@ int dem_unknown_word(const char *what, const char *word, const char *const *know
     }
     if (n <= 0)
     {
-        return dem_error(DEM_ERROR_INPUT, "unknown %s \"%s\"; none is known here, so leave it out", what, word);
+        return dem_error(DEM_ERROR_INPUT, "unknown %s \"%s\"; none is known here, so leave it out", what,
+                         word);
     }
-    return nearest ? dem_error(DEM_ERROR_INPUT, "unknown %s \"%s\"; did you mean %s? known: %s", what, word, nearest, list)
+    return nearest ? dem_error(DEM_ERROR_INPUT, "unknown %s \"%s\"; did you mean %s? known: %s", what, word,
+                               nearest, list)
                    : dem_error(DEM_ERROR_INPUT, "unknown %s \"%s\"; known: %s", what, word, list);
 }

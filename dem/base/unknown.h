@@ -1,5 +1,5 @@
 /*
- * unknown.h -- a word nobody knows gets an answer: the word it was probably meant to be, and all that are known.
+ * unknown.h -- a word nobody knows gets an answer: the word that was probably meant, and all that are known.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  *

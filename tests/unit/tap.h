@@ -5,10 +5,10 @@
  *
  *     int main(void)
  *     {
- *         TAP_TRAPS;                                               invalid, division by zero and overflow kill the test
- *         TAP_OK(n == 3, "three contacts, found %d", n);           a truth
- *         TAP_NEAR(e, 0.9, 1e-4, "restitution of glass");          |value - expected| <= tolerance, never met by a nan
- *         TAP_DONE;                                                the plan; returns 0 only if something ran and all held
+ *         TAP_TRAPS;                                         invalid, division by zero and overflow kill the test
+ *         TAP_OK(n == 3, "three contacts, found %d", n);     a truth
+ *         TAP_NEAR(e, 0.9, 1e-4, "restitution of glass");    |value - expected| <= tolerance, never met by a nan
+ *         TAP_DONE;                                          the plan; returns 0 if something ran and all held
  *     }
  *
  * A test states its claim in its first comment, and each tolerance its reason beside it.

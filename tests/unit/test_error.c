@@ -1,5 +1,5 @@
 /*
- * An error's sentence is kept whole, per thread, with its context in front, and its status comes back unchanged.
+ * An error's sentence is kept whole, per thread, with its context in front; its status comes back unchanged.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -39,16 +39,19 @@ static void try_and_require(void)
 
     TAP_OK(passes_on(2, &reached) == DEM_OK && reached, "a call that succeeds lets the caller go on");
     reached = 0;
-    TAP_OK(passes_on(3, &reached) == DEM_ERROR_INPUT && !reached, "a call that fails makes the caller return its status");
-    TAP_OK(strcmp(dem_error_text(), "n is 3, more than 2; use less") == 0, "the sentence holds its numbers: %s",
-           dem_error_text());
+    TAP_OK(passes_on(3, &reached) == DEM_ERROR_INPUT && !reached,
+           "a call that fails makes the caller return its status");
+    TAP_OK(strcmp(dem_error_text(), "n is 3, more than 2; use less") == 0,
+           "the sentence holds its numbers: %s", dem_error_text());
 }
 
 static void context(void)
 {
     dem_error(DEM_ERROR_INPUT, "no value");
-    TAP_OK(dem_error_prefix(DEM_ERROR_FILE, "line %d: ", 12) == DEM_ERROR_FILE, "context returns the status it is given");
-    TAP_OK(strcmp(dem_error_text(), "line 12: no value") == 0, "context stands in front: %s", dem_error_text());
+    TAP_OK(dem_error_prefix(DEM_ERROR_FILE, "line %d: ", 12) == DEM_ERROR_FILE,
+           "context returns the status it is given");
+    TAP_OK(strcmp(dem_error_text(), "line 12: no value") == 0, "context stands in front: %s",
+           dem_error_text());
     dem_error(DEM_ERROR_STATE, "(%s)", dem_error_text());
     TAP_OK(strcmp(dem_error_text(), "(line 12: no value)") == 0, "a sentence may quote the last one: %s",
            dem_error_text());
@@ -64,7 +67,8 @@ static void long_sentences(void)
     TAP_OK(strlen(dem_error_text()) == DEM_ERROR_TEXT_SIZE - 1, "a long sentence is cut to what is kept");
     TAP_OK(strcmp(dem_error_text() + DEM_ERROR_TEXT_SIZE - 5, "x...") == 0, "and says so");
     dem_error_prefix(DEM_ERROR_INPUT, "here: ");
-    TAP_OK(strncmp(dem_error_text(), "here: xxx", 9) == 0 && strlen(dem_error_text()) == DEM_ERROR_TEXT_SIZE - 1,
+    TAP_OK(strncmp(dem_error_text(), "here: xxx", 9) == 0
+           && strlen(dem_error_text()) == DEM_ERROR_TEXT_SIZE - 1,
            "context before a full sentence pushes out its end, not itself");
     dem_error_prefix(DEM_ERROR_INPUT, "%s", word);
     TAP_OK(strlen(dem_error_text()) == DEM_ERROR_TEXT_SIZE - 1, "context that is too long is cut as well");

@@ -32,7 +32,8 @@ static const struct dem_field fields[] = {
     DEM_FIELD(glue, strength, "Pa", 1e3, 0.0, INFINITY, "stress at which it breaks"),
     DEM_FIELD_COUNT(glue, layers, "layers", 1.0, 1.0, 10.0, "coats of glue"),
     DEM_FIELD_VECTOR(glue, axis, "1", 0.0, -1.0, 1.0, "direction of the fibres"),
-    DEM_FIELD_VECTOR_AS(glue, shift, "offset", "m", DEM_FIELD_REQUIRED, -INFINITY, INFINITY, "from the centre"),
+    DEM_FIELD_VECTOR_AS(glue, shift, "offset", "m", DEM_FIELD_REQUIRED, -INFINITY, INFINITY,
+                        "from the centre"),
     DEM_FIELD_CHOICE(glue, law, "law", POWER, laws, "how it hardens"),
     DEM_FIELD_SWITCH(glue, on, "active", 1, "whether it holds"),
     {0},
@@ -53,8 +54,10 @@ static void defaults(void)
     struct glue g = {.after = 7.0};
 
     dem_field_defaults(fields, &g);
-    TAP_OK(isnan(g.restitution) && isnan(g.shift[0]) && isnan(g.shift[2]), "what is required starts as a not-a-number");
-    TAP_OK(g.stiffness == 1e7 && g.strength == 1e3 && g.layers == 1.0 && g.axis[2] == 0.0, "numbers get their defaults");
+    TAP_OK(isnan(g.restitution) && isnan(g.shift[0]) && isnan(g.shift[2]),
+           "what is required starts as a not-a-number");
+    TAP_OK(g.stiffness == 1e7 && g.strength == 1e3 && g.layers == 1.0 && g.axis[2] == 0.0,
+           "numbers get their defaults");
     TAP_OK(g.law == POWER && g.on == 1, "choices and switches too");
     TAP_OK(g.after == 7.0, "members without a field are left alone");
 
@@ -62,7 +65,8 @@ static void defaults(void)
     TAP_OK(says("glue: no value for restitution (speed after over speed before), offset (from the centre, m); "
                 "these have no default, give them"), "%s", dem_error_text());
     set(&g, "restitution", 0.5);
-    TAP_OK(dem_field_missing(fields, &g, "glue") == DEM_ERROR_INPUT && !strstr(dem_error_text(), "restitution"),
+    TAP_OK(dem_field_missing(fields, &g, "glue") == DEM_ERROR_INPUT
+           && !strstr(dem_error_text(), "restitution"),
            "only what is still missing: %s", dem_error_text());
     dem_field_set_number(fields, &g, "glue", "offset", (const double[]){0.0, 0.0, 1.0}, 3);
     TAP_OK(dem_field_missing(fields, &g, "glue") == DEM_OK, "and nothing once all is given");
@@ -74,11 +78,14 @@ static void numbers(void)
 
     dem_field_defaults(fields, &g);
     TAP_OK(set(&g, "restitution", 0.9) == DEM_OK && g.restitution == 0.9, "a number is set");
-    TAP_OK(set(&g, "restitution", 0.0) == DEM_OK && set(&g, "restitution", 1.0) == DEM_OK, "limits belong to the range");
-    TAP_OK(set(&g, "youngsModulus", 5e6) == DEM_OK && g.stiffness == 5e6, "by the user's word, not the member's");
+    TAP_OK(set(&g, "restitution", 0.0) == DEM_OK && set(&g, "restitution", 1.0) == DEM_OK,
+           "limits belong to the range");
+    TAP_OK(set(&g, "youngsModulus", 5e6) == DEM_OK && g.stiffness == 5e6,
+           "by the user's word, not the member's");
     TAP_OK(set(&g, "stiffness", 5e6) == DEM_ERROR_INPUT, "and only by that");
 
-    TAP_OK(set(&g, "restitution", 1.2) == DEM_ERROR_INPUT && g.restitution == 1.0, "a number out of range changes nothing");
+    TAP_OK(set(&g, "restitution", 1.2) == DEM_ERROR_INPUT && g.restitution == 1.0,
+           "a number out of range changes nothing");
     TAP_OK(says("glue: restitution 1.2 is out of range; give a value from 0 to 1 (speed after over speed before)"), "%s",
            dem_error_text());
     TAP_OK(set(&g, "youngsModulus", 0.0) == DEM_ERROR_INPUT, "zero is refused where it is excluded");
@@ -103,14 +110,20 @@ static void vectors(void)
     struct glue g;
 
     dem_field_defaults(fields, &g);
-    TAP_OK(dem_field_set_number(fields, &g, "glue", "axis", along, 3) == DEM_OK && memcmp(g.axis, along, sizeof along) == 0,
+    TAP_OK(dem_field_set_number(fields, &g, "glue", "axis", along, 3) == DEM_OK
+           && memcmp(g.axis, along, sizeof along) == 0,
            "a vector is set");
     TAP_OK(dem_field_set_number(fields, &g, "glue", "axis", outside, 3) == DEM_ERROR_INPUT
-           && memcmp(g.axis, along, sizeof along) == 0, "one component out of range changes none: %s", dem_error_text());
-    TAP_OK(dem_field_set_number(fields, &g, "glue", "axis", along, 1) == DEM_ERROR_INPUT, "a vector needs three numbers");
-    TAP_OK(says("glue: axis has 1 number; give three, as (x y z) (direction of the fibres)"), "%s", dem_error_text());
-    TAP_OK(dem_field_set_number(fields, &g, "glue", "strength", along, 3) == DEM_ERROR_INPUT, "and a number needs one");
-    TAP_OK(says("glue: strength has 3 numbers; give one (stress at which it breaks)"), "%s", dem_error_text());
+           && memcmp(g.axis, along, sizeof along) == 0,
+           "one component out of range changes none: %s", dem_error_text());
+    TAP_OK(dem_field_set_number(fields, &g, "glue", "axis", along, 1) == DEM_ERROR_INPUT,
+           "a vector needs three numbers");
+    TAP_OK(says("glue: axis has 1 number; give three, as (x y z) (direction of the fibres)"), "%s",
+           dem_error_text());
+    TAP_OK(dem_field_set_number(fields, &g, "glue", "strength", along, 3) == DEM_ERROR_INPUT,
+           "and a number needs one");
+    TAP_OK(says("glue: strength has 3 numbers; give one (stress at which it breaks)"), "%s",
+           dem_error_text());
 }
 
 static void words(void)
@@ -118,7 +131,8 @@ static void words(void)
     struct glue g;
 
     dem_field_defaults(fields, &g);
-    TAP_OK(dem_field_set_word(fields, &g, "glue", "law", "linear") == DEM_OK && g.law == LINEAR, "a choice is set by its word");
+    TAP_OK(dem_field_set_word(fields, &g, "glue", "law", "linear") == DEM_OK && g.law == LINEAR,
+           "a choice is set by its word");
     TAP_OK(dem_field_set_word(fields, &g, "glue", "law", "pwoer") == DEM_ERROR_INPUT && g.law == LINEAR,
            "an unknown word changes nothing");
     TAP_OK(says("unknown word for law of glue, \"pwoer\"; did you mean power? known: power, linear"), "%s",
@@ -131,19 +145,22 @@ static void words(void)
                && dem_field_set_word(fields, &g, "glue", "active", yes[i]) == DEM_OK && g.on == 1,
                "a switch takes %s and %s", yes[i], no[i]);
     }
-    TAP_OK(dem_field_set_word(fields, &g, "glue", "active", "maybe") == DEM_ERROR_INPUT && g.on == 1, "but not maybe: %s",
-           dem_error_text());
-    TAP_OK(dem_field_set_word(fields, &g, "glue", "strength", "high") == DEM_ERROR_INPUT, "a number is no word");
+    TAP_OK(dem_field_set_word(fields, &g, "glue", "active", "maybe") == DEM_ERROR_INPUT && g.on == 1,
+           "but not maybe: %s", dem_error_text());
+    TAP_OK(dem_field_set_word(fields, &g, "glue", "strength", "high") == DEM_ERROR_INPUT,
+           "a number is no word");
     TAP_OK(says("glue: strength takes a number, not the word \"high\" (stress at which it breaks)"), "%s",
            dem_error_text());
     TAP_OK(set(&g, "law", 1.0) == DEM_ERROR_INPUT, "and a choice no number");
     TAP_OK(says("glue: law takes a word, not a number (how it hardens)"), "%s", dem_error_text());
     TAP_OK(set(&g, "restituton", 1.0) == DEM_ERROR_INPUT
-           && strstr(dem_error_text(), "unknown setting of glue, \"restituton\"; did you mean restitution? known: restitution, ")
+           && strstr(dem_error_text(),
+                     "unknown setting of glue, \"restituton\"; did you mean restitution? known: restitution, ")
            == dem_error_text(), "an unknown setting gets its nearest: %s", dem_error_text());
     TAP_OK(dem_field_set_word(fields, &g, "glue", "lwa", "linear") == DEM_ERROR_INPUT
            && strstr(dem_error_text(), "did you mean law?"), "so does one with a word: %s", dem_error_text());
-    TAP_OK(dem_field_find(fields, "layers") == fields + 3 && !dem_field_find(fields, "layer"), "fields are found by name");
+    TAP_OK(dem_field_find(fields, "layers") == fields + 3 && !dem_field_find(fields, "layer"),
+           "fields are found by name");
 }
 
 int main(void)

@@ -73,7 +73,8 @@ static double error_in_ulps(double value, long double exact)
     return (double)(fabsl((long double)value - exact)/ldexpl(1.0L, exponent - DBL_MANT_DIG));
 }
 
-static void accurate(const char *what, function_1 *f, judge_1 *judge, double (*argument)(double, double, uint64_t),
+static void accurate(const char *what, function_1 *f, judge_1 *judge,
+                     double (*argument)(double, double, uint64_t),
                      double a, double b, double allowed)
 {
     double worst = 0.0, at = 0.0;
@@ -86,7 +87,8 @@ static void accurate(const char *what, function_1 *f, judge_1 *judge, double (*a
         at = error > worst ? x : at;
         worst = error > worst ? error : worst;
     }
-    TAP_OK(worst < allowed, "%s for x from %g to %g: %.3f ulp at %a, %g allowed", what, a, b, worst, at, allowed);
+    TAP_OK(worst < allowed, "%s for x from %g to %g: %.3f ulp at %a, %g allowed", what, a, b, worst, at,
+           allowed);
 }
 
 static double minus_decades(double a, double b, uint64_t i)
@@ -127,7 +129,8 @@ static void accuracy_of_pow(void)
         worst = error > worst ? error : worst;
         worst_square = square > worst_square ? square : worst_square;
     }
-    TAP_OK(worst < 1e-14, "pow for x from 1e-12 to 1e12, |y| to 12: relative error %.2e, 1e-14 allowed", worst);
+    TAP_OK(worst < 1e-14, "pow for x from 1e-12 to 1e12, |y| to 12: relative error %.2e, 1e-14 allowed",
+           worst);
     TAP_OK(worst_square < 2.0, "pow(x, 2) is x x: %.3f ulp, 2 allowed", worst_square);
 }
 
@@ -136,17 +139,21 @@ static void edges(void)
     TAP_OK(dem_exp(0.0) == 1.0 && dem_exp(-0.0) == 1.0, "e^0 is 1");
     TAP_OK(dem_exp(-708.5) == 0.0 && dem_exp(-1e300) == 0.0 && dem_exp(-DBL_MAX) == 0.0, "e^-large is 0");
     TAP_OK(isinf(dem_exp(709.8)) && isinf(dem_exp(DBL_MAX)), "e^large is infinite without an overflow");
-    TAP_OK(dem_expm1(0.0) == 0.0 && dem_expm1(-1e300) == -1.0 && dem_expm1(-40.0) == -1.0 && isinf(dem_expm1(710.0)),
+    TAP_OK(dem_expm1(0.0) == 0.0 && dem_expm1(-1e300) == -1.0 && dem_expm1(-40.0) == -1.0
+           && isinf(dem_expm1(710.0)),
            "e^x - 1 at 0, -large and large");
     TAP_OK(dem_expm1(-1e-20) == -1e-20 && dem_expm1(1e-300) == 1e-300, "e^x - 1 of tiny x is x");
-    TAP_OK(dem_phi(0.0) == 1.0 && dem_phi(0x1p-1074) == 1.0 && dem_phi(1e-17) == 1.0, "phi is 1 at and near 0");
+    TAP_OK(dem_phi(0.0) == 1.0 && dem_phi(0x1p-1074) == 1.0 && dem_phi(1e-17) == 1.0,
+           "phi is 1 at and near 0");
     TAP_OK(dem_phi(1e300) == 1e-300 && dem_phi(64.0) == 0x1p-6, "phi of large z is 1/z");
     TAP_OK(dem_log(1.0) == 0.0 && dem_log10(1.0) == 0.0, "ln 1 is 0");
-    TAP_OK(isinf(dem_log(0.0)) && dem_log(0.0) < 0.0 && isinf(dem_log10(-0.0)), "ln 0 is -infinite, no division by zero");
+    TAP_OK(isinf(dem_log(0.0)) && dem_log(0.0) < 0.0 && isinf(dem_log10(-0.0)),
+           "ln 0 is -infinite, no division by zero");
     TAP_OK(isnan(dem_log(-1.0)) && isnan(dem_log10(-1e300)), "ln of a negative is not a number");
     /* one ulp of 744 */
     TAP_NEAR(dem_log(0x1p-1074), -1074.0*0x1.62e42fefa39efp-1, 0x1p-43, "ln of the smallest double");
-    TAP_OK(isinf(dem_log(INFINITY)) && isinf(dem_exp(INFINITY)) && dem_exp(-INFINITY) == 0.0, "infinities pass through");
+    TAP_OK(isinf(dem_log(INFINITY)) && isinf(dem_exp(INFINITY)) && dem_exp(-INFINITY) == 0.0,
+           "infinities pass through");
 }
 
 static void edges_of_pow(void)
@@ -160,11 +167,13 @@ static void edges_of_pow(void)
         ones &= dem_pow(x, 0.0) == 1.0 && dem_pow(1.0, 1e3*dem_log(x)) == 1.0;
     }
     TAP_OK(ones, "x^0 and 1^y are 1 exactly");
-    TAP_OK(dem_pow(0.0, 0.5) == 0.0 && dem_pow(-0.0, 1e300) == 0.0 && dem_pow(0.0, 1e-300) == 0.0, "0^y is 0 for y > 0");
+    TAP_OK(dem_pow(0.0, 0.5) == 0.0 && dem_pow(-0.0, 1e300) == 0.0 && dem_pow(0.0, 1e-300) == 0.0,
+           "0^y is 0 for y > 0");
     TAP_OK(isinf(dem_pow(0.0, -1.0)) && dem_pow(0.0, 0.0) == 1.0, "0^-1 is infinite, 0^0 is 1");
     TAP_OK(isnan(dem_pow(-1.0, 0.5)) && isnan(dem_pow(-1e300, 2.0)), "a negative base is not a number");
     TAP_OK(dem_pow(10.0, -400.0) == 0.0 && isinf(dem_pow(10.0, 400.0)), "too small is 0, too large infinite");
-    TAP_OK(dem_pow(DBL_MAX, -DBL_MAX) == 0.0 && isinf(dem_pow(0x1p-1074, -DBL_MAX)) && dem_pow(1.0, DBL_MAX) == 1.0,
+    TAP_OK(dem_pow(DBL_MAX, -DBL_MAX) == 0.0
+           && isinf(dem_pow(0x1p-1074, -DBL_MAX)) && dem_pow(1.0, DBL_MAX) == 1.0,
            "at the ends of the doubles");
     TAP_OK(dem_pow(2.0, 10.0) == 1024.0 && dem_pow(4.0, 0.5) == 2.0 && dem_pow(0x1p-100, 3.0) == 0x1p-300,
            "powers of two are exact");
@@ -210,7 +219,8 @@ static void same_bits_everywhere(void)
         hash = hash_in(hash, dem_log(positive) + dem_log10(positive));
         hash = hash_in(hash, dem_pow(positive, 12.0*small));
     }
-    TAP_OK(hash == UINT64_C(0x56aff08c6ec9270e), "bits of 40000 results: hash %016llx", (unsigned long long)hash);
+    TAP_OK(hash == UINT64_C(0x56aff08c6ec9270e), "bits of 40000 results: hash %016llx",
+           (unsigned long long)hash);
 }
 
 /* one binary, code for several machines, where the compiler can do that */

@@ -57,7 +57,8 @@ static void growing(void)
     const size_t full = room;
 
     TAP_OK(DEM_GROW(x, room, 5) == DEM_OK && x == same && room == full, "asking for less moves nothing");
-    TAP_OK(DEM_GROW(x, room, SIZE_MAX/2) == DEM_ERROR_MEMORY && x == same && room == full && x[19999] == 20000.0,
+    TAP_OK(DEM_GROW(x, room, SIZE_MAX/2) == DEM_ERROR_MEMORY
+           && x == same && room == full && x[19999] == 20000.0,
            "a failed growth leaves array and room alone: %s", dem_error_text());
     dem_memory_free(x);
 }
@@ -71,14 +72,17 @@ static void columns(void)
     int *b = NULL;
     size_t room = dem_memory_room(0, 10);
 
-    TAP_OK(room == 10 && dem_memory_room(10, 11) == 15 && dem_memory_room(10, 40) == 40 && dem_memory_room(10, 9) == 10,
+    TAP_OK(room == 10 && dem_memory_room(10, 11) == 15 && dem_memory_room(10, 40) == 40
+           && dem_memory_room(10, 9) == 10,
            "the room to ask for is what is needed, half more, or what there is");
     TAP_OK(dem_memory_room(SIZE_MAX - 1, SIZE_MAX) == SIZE_MAX, "it does not wrap round");
-    TAP_OK(DEM_RESIZE(a, 0, room) == DEM_OK && DEM_RESIZE(b, 0, room) == DEM_OK, "two columns share one room");
+    TAP_OK(DEM_RESIZE(a, 0, room) == DEM_OK && DEM_RESIZE(b, 0, room) == DEM_OK,
+           "two columns share one room");
     memset(a, 7, 10*sizeof *a);
     b[9] = 9;
     TAP_OK(DEM_RESIZE(a, room, 1000) == DEM_OK && DEM_RESIZE(b, room, 1000) == DEM_OK, "and grow together");
-    TAP_OK(a[9].byte[2] == 7 && a[10].byte[0] == 0 && a[999].byte[2] == 0 && b[9] == 9 && b[10] == 0 && b[999] == 0,
+    TAP_OK(a[9].byte[2] == 7 && a[10].byte[0] == 0 && a[999].byte[2] == 0
+           && b[9] == 9 && b[10] == 0 && b[999] == 0,
            "contents kept, the rest zero");
     dem_memory_free(a);
     dem_memory_free(b);
@@ -97,9 +101,11 @@ static void fresh(void)
     }
     TAP_OK(zero, "and zero to the end of its last line");
     TAP_OK(DEM_NEW(empty, 0) == DEM_OK && empty && aligned(empty), "an empty array is an array");
-    TAP_OK(DEM_NEW(huge, SIZE_MAX/8 + 2) == DEM_ERROR_MEMORY && !huge, "a size that wraps round is refused: %s",
+    TAP_OK(DEM_NEW(huge, SIZE_MAX/8 + 2) == DEM_ERROR_MEMORY && !huge,
+           "a size that wraps round is refused: %s",
            dem_error_text());
-    TAP_OK(DEM_NEW(huge, (size_t)1 << 58) == DEM_ERROR_MEMORY && !huge && strstr(dem_error_text(), "2305843009213693952"),
+    TAP_OK(DEM_NEW(huge, (size_t)1 << 58) == DEM_ERROR_MEMORY
+           && !huge && strstr(dem_error_text(), "2305843009213693952"),
            "memory that is not there is an error with its bytes: %s", dem_error_text());
     dem_memory_free(c);
     dem_memory_free(empty);

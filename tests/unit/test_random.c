@@ -59,7 +59,8 @@ static void moments(int word)
     TAP_OK(inside, "along %s: all in [0, 1)", word_name[word]);
     TAP_NEAR(sum/DRAWS, 0.0, 5.0*sqrt(1.0/12.0/DRAWS), "along %s: mean", word_name[word]);
     TAP_NEAR(square/DRAWS, 1.0/12.0, 5.0*sqrt(1.0/180.0/DRAWS), "along %s: variance", word_name[word]);
-    TAP_NEAR(product/DRAWS, 0.0, 5.0/12.0/sqrt(DRAWS), "along %s: correlation with the next", word_name[word]);
+    TAP_NEAR(product/DRAWS, 0.0, 5.0/12.0/sqrt(DRAWS), "along %s: correlation with the next",
+             word_name[word]);
 }
 
 /* chi square over 256 cells has mean 255 and standard deviation sqrt(510), for each of the eight bytes */
@@ -92,7 +93,8 @@ static void even_bytes(int word)
         }
         worst = fmax(worst, fabs(chi - 255.0)/sqrt(510.0));
     }
-    TAP_OK(worst < 5.0, "along %s: every byte takes its values evenly, %.1f standard deviations", word_name[word], worst);
+    TAP_OK(worst < 5.0, "along %s: every byte takes its values evenly, %.1f standard deviations",
+           word_name[word], worst);
 }
 
 /* pairs of neighbours fill the square: chi square over 64 x 64 cells, mean 4095, standard deviation sqrt(8190) */
@@ -189,8 +191,10 @@ int main(void)
     TAP_TRAPS;
     /* worked out with whole numbers of any length, apart from the C code */
     TAP_OK(dem_random_bits(1, 2, 3, 4) == UINT64_C(0xd55ccd4aeb3ccafb), "the bits of (1, 2, 3, 4) are fixed");
-    TAP_OK(dem_random_bits(UINT64_MAX, 0, UINT64_MAX, 7) == UINT64_C(0x7a025378bfc0b2a1), "and those of extreme words");
-    TAP_OK(dem_random_bits(1, 2, 3, 4) != dem_random_bits(2, 1, 3, 4) && dem_random_bits(1, 2, 3, 4) != dem_random_bits(1, 2, 4, 3),
+    TAP_OK(dem_random_bits(UINT64_MAX, 0, UINT64_MAX, 7) == UINT64_C(0x7a025378bfc0b2a1),
+           "and those of extreme words");
+    TAP_OK(dem_random_bits(1, 2, 3, 4) != dem_random_bits(2, 1, 3, 4)
+           && dem_random_bits(1, 2, 3, 4) != dem_random_bits(1, 2, 4, 3),
            "the words are not interchangeable");
     for (int word = 0; word < WORDS; word++)
     {

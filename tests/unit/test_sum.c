@@ -99,16 +99,20 @@ static void known_sums(void)
            "twice the largest comes and goes and leaves the smallest");
     TAP_OK(same_bits(of((double[]){1.0, ulp/2}, 2), 1.0), "a tie goes to the even neighbour below");
     TAP_OK(same_bits(of((double[]){1.0 + ulp, ulp/2}, 2), 1.0 + 2*ulp), "and to the even neighbour above");
-    TAP_OK(same_bits(of((double[]){1.0, ulp/2, tiny}, 3), 1.0 + ulp), "the smallest double breaks a tie upwards");
+    TAP_OK(same_bits(of((double[]){1.0, ulp/2, tiny}, 3), 1.0 + ulp),
+           "the smallest double breaks a tie upwards");
     TAP_OK(same_bits(of((double[]){1.0 + ulp, ulp/2, -tiny}, 3), 1.0 + ulp), "and downwards");
-    TAP_OK(same_bits(of((double[]){-1.0, -ulp/2, -tiny}, 3), -1.0 - ulp), "a negative sum mirrors a positive one");
+    TAP_OK(same_bits(of((double[]){-1.0, -ulp/2, -tiny}, 3), -1.0 - ulp),
+           "a negative sum mirrors a positive one");
     TAP_OK(same_bits(of((double[]){2.0 - ulp, ulp/2}, 2), 2.0), "rounding may carry into the exponent");
     TAP_OK(same_bits(of((double[]){DBL_MIN, -tiny}, 2), DBL_MIN - tiny), "subnormal numbers are exact");
     TAP_OK(same_bits(of((double[]){3*tiny, -5*tiny}, 2), -2*tiny), "down to the last bit");
     TAP_OK(same_bits(of((double[]){0.0, -0.0}, 2), 0.0) && same_bits(of(term, 0), 0.0), "nothing sums to +0");
-    TAP_OK(same_bits(of((double[]){DBL_MAX, DBL_MAX}, 2), INFINITY) && same_bits(of((double[]){-DBL_MAX, -DBL_MAX}, 2), -INFINITY),
+    TAP_OK(same_bits(of((double[]){DBL_MAX, DBL_MAX}, 2), INFINITY)
+           && same_bits(of((double[]){-DBL_MAX, -DBL_MAX}, 2), -INFINITY),
            "past the largest double lies infinity");
-    TAP_OK(same_bits(of((double[]){DBL_MAX, 0x1p969}, 2), DBL_MAX), "just under half a step past it does not");
+    TAP_OK(same_bits(of((double[]){DBL_MAX, 0x1p969}, 2), DBL_MAX),
+           "just under half a step past it does not");
     TAP_OK(same_bits(of((double[]){DBL_MAX, 0x1p970}, 2), INFINITY), "half a step past it does");
 }
 
@@ -119,7 +123,8 @@ static void any_order(void)
 
     for (int i = 0; i < TERMS; i++)
     {
-        term[i] = ldexp(dem_random_unit(5, (uint64_t)i, 0, 0) - 0.5, (int)(dem_random_bits(5, (uint64_t)i, 0, 1)%200));
+        term[i] = ldexp(dem_random_unit(5, (uint64_t)i, 0, 0) - 0.5,
+                        (int)(dem_random_bits(5, (uint64_t)i, 0, 1)%200));
     }
     forwards = of(term, TERMS);
     for (int i = 0; i < TERMS/2; i++)
@@ -170,7 +175,8 @@ static void many_additions(void)
     {
         dem_sum_add(&s, (double)whole);
     }
-    TAP_OK(same_bits(dem_sum_value(&s), (double)((wide)n*whole)), "a hundred million additions without a carry");
+    TAP_OK(same_bits(dem_sum_value(&s), (double)((wide)n*whole)),
+           "a hundred million additions without a carry");
 
     /* 2^40 times the sum by doubling: every limb carries again and again */
     for (int i = 0; i < 40; i++)
@@ -184,7 +190,8 @@ static void many_additions(void)
     s.part[10] = INT64_C(1) << 62;
     s.part[DEM_SUM_ADDED] = (1 << 30) - 1;
     dem_sum_add(&s, 1.0);
-    TAP_OK(s.part[10] == 0 && s.part[11] == 1 << 30 && s.part[DEM_SUM_ADDED] == 0, "limbs are carried in time");
+    TAP_OK(s.part[10] == 0 && s.part[11] == 1 << 30 && s.part[DEM_SUM_ADDED] == 0,
+           "limbs are carried in time");
 }
 
 static void not_numbers(void)

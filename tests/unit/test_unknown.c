@@ -46,20 +46,24 @@ static void long_words(void)
 
     memset(word, 'h', sizeof word - 1);
     word[sizeof word - 1] = '\0';
-    TAP_OK(dem_unknown_word("effect", word, effects, 5) == DEM_ERROR_INPUT && !strstr(dem_error_text(), "did you mean"),
+    TAP_OK(dem_unknown_word("effect", word, effects, 5) == DEM_ERROR_INPUT
+           && !strstr(dem_error_text(), "did you mean"),
            "a thousand letters are no slip");
 }
 
 int main(void)
 {
     TAP_TRAPS;
-    TAP_OK(means("hertzz", "hertz") && means("herz", "hertz") && means("hartz", "hertz") && means("hretz", "hertz"),
+    TAP_OK(means("hertzz", "hertz")
+           && means("herz", "hertz") && means("hartz", "hertz") && means("hretz", "hertz"),
            "one letter too many, too few, wrong, or two swapped");
     TAP_OK(means("Hertz", "hertz") && means("rollingspring", "rollingSpring"), "the wrong case");
     TAP_OK(means("rolingSprnig", "rollingSpring"), "two slips in a long word");
-    TAP_OK(means("magnetism", NULL) && means("", NULL) && means("h", NULL), "a foreign word is not guessed at");
+    TAP_OK(means("magnetism", NULL) && means("", NULL) && means("h", NULL),
+           "a foreign word is not guessed at");
 
-    TAP_OK(dem_unknown_word("effect", "hertzz", effects, 5) == DEM_ERROR_INPUT, "an unknown word is an input error");
+    TAP_OK(dem_unknown_word("effect", "hertzz", effects, 5) == DEM_ERROR_INPUT,
+           "an unknown word is an input error");
     TAP_OK(strcmp(dem_error_text(), "unknown effect \"hertzz\"; did you mean hertz? "
                                     "known: hertz, hooke, mindlin, gravity, rollingSpring") == 0,
            "the known ones come nearest first (1, 5, 7, 7 and 12 letters off), equals as listed: %s", dem_error_text());
@@ -67,7 +71,8 @@ int main(void)
            && strstr(dem_error_text(), "unknown effect \"magnetism\"; known: ") == dem_error_text(),
            "without a guess: %s", dem_error_text());
     TAP_OK(dem_unknown_word("effect", "any", effects, 0) == DEM_ERROR_INPUT
-           && strcmp(dem_error_text(), "unknown effect \"any\"; none is known here, so leave it out") == 0, "%s",
+           && strcmp(dem_error_text(),
+                     "unknown effect \"any\"; none is known here, so leave it out") == 0, "%s",
            dem_error_text());
     long_lists();
     long_words();
