@@ -87,7 +87,7 @@ const char *dem_unknown_nearest(const char *word, const char *const *known, int 
 {
     const int best = next_in_order(word, known, n, -1);
 
-    /* a third of the letters wrong is a slip, at least one is; more is another word */
+    /* up to a third of the letters wrong, rounded up, is a slip; more is another word */
     if (best < 0 || 3*distance(word, known[best]) > least(length(word), length(known[best])) + 2)
     {
         return NULL;

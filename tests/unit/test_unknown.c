@@ -59,6 +59,9 @@ int main(void)
            "one letter too many, too few, wrong, or two swapped");
     TAP_OK(means("Hertz", "hertz") && means("rollingspring", "rollingSpring"), "the wrong case");
     TAP_OK(means("rolingSprnig", "rollingSpring"), "two slips in a long word");
+    TAP_OK(dem_unknown_nearest("lwa", (const char *const[]){"law"}, 1)
+           && !dem_unknown_nearest("lxy", (const char *const[]){"law"}, 1),
+           "in three letters a swap is one slip, two changes are another word");
     TAP_OK(means("magnetism", NULL) && means("", NULL) && means("h", NULL),
            "a foreign word is not guessed at");
 
