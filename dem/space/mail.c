@@ -11,7 +11,7 @@
 
 enum
 {
-    TAG = 71                                              /* on a communicator of our own; told apart by parity */
+    TAG = 70                                              /* and 71: a rank that is one exchange ahead must not be read now */
 };
 
 void dem_mail_free(struct dem_mail *m)
@@ -51,25 +51,25 @@ int dem_mail_room(struct dem_mail *m, size_t count, double **where)
     return DEM_OK;
 }
 
-static int post(MPI_Comm comm, const struct dem_mail *out, MPI_Request *request)
+static int post(MPI_Comm comm, const struct dem_mail *out, int tag, MPI_Request *request)
 {
     for (int k = 0; k < out->peers; k++)
     {
         const size_t count = out->start[k + 1] - out->start[k];
 
         DEM_REQUIRE(count <= INT_MAX, DEM_ERROR_MPI, "a message of %zu numbers is too long for MPI; use more ranks", count);
-        MPI_Issend(out->data + out->start[k], (int)count, MPI_DOUBLE, out->peer[k], TAG, comm, &request[k]);
+        MPI_Issend(out->data + out->start[k], (int)count, MPI_DOUBLE, out->peer[k], tag, comm, &request[k]);
     }
     return DEM_OK;
 }
 
-static int read_one(MPI_Comm comm, struct dem_mail *in)
+static int read_one(MPI_Comm comm, struct dem_mail *in, int tag)
 {
     MPI_Status status;
     int there, count;
     double *where;
 
-    MPI_Iprobe(MPI_ANY_SOURCE, TAG, comm, &there, &status);
+    MPI_Iprobe(MPI_ANY_SOURCE, tag, comm, &there, &status);
     if (!there)
     {
         return DEM_OK;
@@ -77,14 +77,14 @@ static int read_one(MPI_Comm comm, struct dem_mail *in)
     MPI_Get_count(&status, MPI_DOUBLE, &count);
     DEM_TRY(dem_mail_letter(in, status.MPI_SOURCE));
     DEM_TRY(dem_mail_room(in, (size_t)count, &where));
-    MPI_Recv(where, count, MPI_DOUBLE, status.MPI_SOURCE, TAG, comm, MPI_STATUS_IGNORE);
+    MPI_Recv(where, count, MPI_DOUBLE, status.MPI_SOURCE, tag, comm, MPI_STATUS_IGNORE);
     return DEM_OK;
 }
 
 /* Letters arrive in any order; what is built from them must not depend on it. */
 static int sort_by_peer(struct dem_mail *in)
 {
-    struct dem_mail sorted = {0};
+    struct dem_mail sorted = {.rounds = in->rounds};
 
     for (int done = 0; done < in->peers; done++)
     {
@@ -110,14 +110,15 @@ static int sort_by_peer(struct dem_mail *in)
 int dem_mail_exchange(MPI_Comm comm, const struct dem_mail *out, struct dem_mail *in)
 {
     MPI_Request *request, barrier = MPI_REQUEST_NULL;
+    const int tag = TAG + (in->rounds++ & 1);
     int all_read = 0, waiting = 0, sent = 0, status = DEM_OK;
 
     DEM_TRY(DEM_NEW(request, out->peers + 1));
     dem_mail_clear(in);
-    status = post(comm, out, request);
+    status = post(comm, out, tag, request);
     while (!all_read && !status)
     {
-        status = read_one(comm, in);
+        status = read_one(comm, in, tag);
         if (waiting)
         {
             MPI_Test(&barrier, &all_read, MPI_STATUS_IGNORE);

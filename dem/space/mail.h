@@ -20,6 +20,7 @@ struct dem_mail                                           /* letters of doubles,
     size_t *start;                                        /* peers + 1 offsets into data */
     double *data;
     size_t peer_room, start_room, data_room;
+    int rounds;                                           /* exchanges so far; counts on every rank alike */
 };
 
 void dem_mail_free(struct dem_mail *);
@@ -29,7 +30,7 @@ void dem_mail_clear(struct dem_mail *);
 int dem_mail_letter(struct dem_mail *, int peer);
 int dem_mail_room(struct dem_mail *, size_t count, double **where);   /* lengthens the last letter */
 
-/* Collective. */
+/* Collective, always with the same `in` on all ranks. */
 int dem_mail_exchange(MPI_Comm, const struct dem_mail *out, struct dem_mail *in);
 
 #endif
