@@ -35,11 +35,24 @@ static void add_particle(struct dem_sum sum[5], const struct dem_particle *r)
     dem_sum_add(&sum[4], dem_particle_volume(r));
 }
 
+/* Rows in touch in the last sweep, each counted by the owner of its lower particle. */
+static int64_t touching_rows(const struct dem_parts *p)
+{
+    const struct dem_contacts *const c = &p->contacts;
+    int64_t count = 0;
+
+    for (uint32_t r = 0; r < c->rows; r++)
+    {
+        count += c->push[r].arm > 0.0 && c->row_pair[r] != DEM_ROW_NONE && c->pair[c->row_pair[r]].i < p->particles.n;
+    }
+    return count;
+}
+
 void dem_measure_tally(struct dem_parts *p, struct dem_tally *t)
 {
     struct dem_sum sum[5];
     double value[5];
-    int64_t count[2] = {(int64_t)p->particles.n, p->watch.touching};
+    int64_t count[2] = {(int64_t)p->particles.n, touching_rows(p)};
 
     for (int k = 0; k < 5; k++)
     {

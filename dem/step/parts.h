@@ -23,7 +23,6 @@ struct dem_watch                                          /* what the sweep saw;
     double limit;                                         /* 1  more than this ends the run */
     int64_t i, j;                                         /* culprits; j is -1 - region at a wall */
     double x[3];                                          /* m  where */
-    int64_t touching;                                     /* rows in touch in the last sweep, each counted by its lower owner */
 };
 
 struct dem_parts

@@ -8,8 +8,14 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/sweep_contacts.h"
+#include "base/math.h"
 #include <math.h>
 #include <string.h>
+
+enum
+{
+    LANES = 8
+};
 
 struct gathered                                           /* what the geometry of a block is computed from */
 {
@@ -115,13 +121,13 @@ static void normals_of_pairs(struct dem_block *restrict b, const struct gathered
         const double rx = g->rx[c], ry = g->ry[c], rz = g->rz[c];
         const double hx = rx - half*g->vx[c], hy = ry - half*g->vy[c], hz = rz - half*g->vz[c];
         const double r2 = rx*rx + ry*ry + rz*rz, h2 = hx*hx + hy*hy + hz*hz;
-        const double r = sqrt(r2), over = r > 0.0 ? 1.0/r : 0.0, over_half = h2 > 0.0 ? 1.0/sqrt(h2) : 0.0;
+        const double r = sqrt(r2), h = sqrt(h2), over = 1.0/dem_pick(r > 0.0, r, 1.0), over_half = 1.0/dem_pick(h > 0.0, h, 1.0);
 
         /* coincident centres: any fixed direction will do, as long as all ranks take the same */
-        b->nx[c] = r > 0.0 ? rx*over : 1.0;
+        b->nx[c] = dem_pick(r > 0.0, rx*over, 1.0);
         b->ny[c] = ry*over;
         b->nz[c] = rz*over;
-        b->hx[c] = h2 > 0.0 ? hx*over_half : 1.0;
+        b->hx[c] = dem_pick(h > 0.0, hx*over_half, 1.0);
         b->hy[c] = hy*over_half;
         b->hz[c] = hz*over_half;
         b->overlap[c] = g->radii[c] - r;
@@ -141,7 +147,7 @@ static void relative_motion(struct dem_block *restrict b, const struct gathered 
 {
     for (int c = 0; c < b->n; c++)
     {
-        const double raw = b->overlap[c], touch = raw > 0.0 ? 1.0 : 0.0, overlap = raw > 0.0 ? raw : 0.0;
+        const double raw = b->overlap[c], touch = dem_pick(raw > 0.0, 1.0, 0.0), overlap = dem_pick(raw > 0.0, raw, 0.0);
         const double hx = b->hx[c], hy = b->hy[c], hz = b->hz[c];
         const double along = g->vx[c]*hx + g->vy[c]*hy + g->vz[c]*hz;
         const double ax = g->ax[c] - overlap*g->bx[c], ay = g->ay[c] - overlap*g->by[c], az = g->az[c] - overlap*g->bz[c];
@@ -149,7 +155,7 @@ static void relative_motion(struct dem_block *restrict b, const struct gathered 
 
         b->overlap[c] = overlap;
         b->touching[c] = touch;
-        b->reduced_mass[c] = sum > 0.0 ? 1.0/sum : 0.0;
+        b->reduced_mass[c] = 1.0/sum;
         b->vn[c] = g->vx[c]*b->nx[c] + g->vy[c]*b->ny[c] + g->vz[c]*b->nz[c];
         b->sx[c] = g->vx[c] - along*hx - (ay*hz - az*hy);
         b->sy[c] = g->vy[c] - along*hy - (az*hx - ax*hz);
@@ -163,7 +169,7 @@ static void relative_motion(struct dem_block *restrict b, const struct gathered 
 /* Lanes past the last row repeat it, so that every lane is as good as a real one. */
 static void pad(struct tray *t, const uint32_t *row_pair, int rows, uint32_t *padded)
 {
-    t->block.n = (rows + 7)/8*8;
+    t->block.n = (rows + LANES - 1)/LANES*LANES;
     for (int c = 0; c < t->block.n; c++)
     {
         padded[c] = row_pair[c < rows ? c : rows - 1];
@@ -177,7 +183,7 @@ static void forget_apart(const struct dem_block *restrict b, double *restrict me
 {
     for (int c = 0; c < b->n; c++)
     {
-        memory[c] = b->touching[c] > 0.0 ? memory[c] : 0.0;
+        memory[c] = dem_pick(b->touching[c] > 0.0, memory[c], 0.0);
     }
 }
 
@@ -201,42 +207,53 @@ static void push_out(const struct dem_block *restrict b, int rows, double share,
     }
 }
 
-/* Largest overlap of the smaller diameter; not-a-numbers come out as a value above every limit. */
-static double worst_of(const struct dem_block *b, const struct gathered *g, const struct dem_push *push, int rows, int *lane)
+/* Largest overlap of the smaller diameter; a force that is not a number comes out above every limit. */
+DEM_KERNEL
+static double worst_of(const struct dem_block *restrict b, const struct gathered *restrict g)
 {
-    double worst = 0.0;
+    double most[LANES] = {0.0}, bad[LANES] = {0.0}, worst = 0.0;
 
-    for (int c = 0; c < rows; c++)
+    for (int c = 0; c < b->n; c += LANES)
     {
-        const double *const f = push[c].f;
-        const double share = 0.5*b->overlap[c]/g->least[c], sum = (f[0] + f[1] + f[2])*0.0;
-        const double here = sum == 0.0 ? share : 1e30;
+        for (int k = 0; k < LANES; k++)
+        {
+            const double share = 0.5*b->overlap[c + k]/g->least[c + k];
 
-        *lane = here > worst ? c : *lane;
-        worst = here > worst ? here : worst;
+            most[k] = dem_pick(share > most[k], share, most[k]);
+            bad[k] += (b->fn[c + k] + b->fx[c + k] + b->fy[c + k] + b->fz[c + k])*0.0;
+        }
+    }
+    for (int k = 0; k < LANES; k++)
+    {
+        worst = most[k] > worst ? most[k] : worst;
+        worst = bad[k] == 0.0 ? worst : 1e30;
     }
     return worst;
 }
 
-static void note_worst(struct dem_parts *p, const struct tray *t, const uint32_t *row_pair, uint32_t row, int rows)
+/* Remember the worst row so far, and who it is. */
+static void note_worst(struct dem_parts *p, const struct tray *t, const uint32_t *row_pair)
 {
+    const double worst = worst_of(&t->block, &t->g);
     int lane = 0;
-    const double worst = worst_of(&t->block, &t->g, p->contacts.push + row, rows, &lane);
 
-    for (int c = 0; c < rows; c++)
+    if (worst <= p->watch.overlap)
     {
-        p->watch.touching += t->block.touching[c] > 0.0 && p->contacts.pair[row_pair[c]].i < p->particles.n;
+        return;
     }
-    if (worst > p->watch.overlap)
+    for (int c = 0; c < t->block.n; c++)
     {
-        const struct dem_pair *const q = &p->contacts.pair[row_pair[lane]];
-        const struct dem_particle *const i = &p->particles.record[q->i];
+        const double force = t->block.fn[c] + t->block.fx[c] + t->block.fy[c] + t->block.fz[c];
 
-        p->watch.overlap = worst;
-        p->watch.i = i->id;
-        p->watch.j = q->wall ? -1 - p->pairs.wall_region[q->j] : p->particles.record[q->j].id;
-        memcpy(p->watch.x, i->x, sizeof i->x);
+        lane = force*0.0 != 0.0 || 0.5*t->block.overlap[c]/t->g.least[c] == worst ? c : lane;
     }
+    const struct dem_pair *const q = &p->contacts.pair[row_pair[lane]];
+    const struct dem_particle *const i = &p->particles.record[q->i];
+
+    p->watch.overlap = worst;
+    p->watch.i = i->id;
+    p->watch.j = q->wall ? -1 - p->pairs.wall_region[q->j] : p->particles.record[q->j].id;
+    memcpy(p->watch.x, i->x, sizeof i->x);
 }
 
 /* ---- the sweep ----------------------------------------------------------------------------------------------- */
@@ -297,7 +314,7 @@ static void sweep_block(struct dem_parts *p, struct tray *t, const struct dem_ch
     {
         keep_moments(&p->contacts, &t->block, row, rows);
     }
-    note_worst(p, t, padded, row, rows);
+    note_worst(p, t, padded);
 }
 
 int dem_sweep_contacts(struct dem_parts *p, double dt)
@@ -306,7 +323,6 @@ int dem_sweep_contacts(struct dem_parts *p, double dt)
 
     memset(&t, 0, sizeof t);
     t.block.dt = dt;
-    p->watch.touching = 0;
     dem_wall_touches_update(&p->touches, &p->pairs.search, &p->walls, &p->particles);
     for (int s = 0; s < p->contacts.classes; s++)
     {
@@ -333,28 +349,49 @@ int dem_sweep_contacts(struct dem_parts *p, double dt)
 
 /* ---- the sum ------------------------------------------------------------------------------------------------- */
 
+static void sum_moments(const struct dem_contacts *c, uint32_t first, uint32_t end, double t[3])
+{
+    for (uint32_t e = first; e < end; e++)
+    {
+        const double side = c->near_entry[e] & 1 ? -1.0 : 1.0;
+        const double *const m = c->moment + 3*(c->near_entry[e] >> 1);
+
+        t[0] += side*m[0];
+        t[1] += side*m[1];
+        t[2] += side*m[2];
+    }
+}
+
 void dem_sweep_sum(struct dem_particles *p, const struct dem_contacts *c)
 {
     double *const force = dem_column(p, DEM_COLUMN_FORCE), *const torque = dem_column(p, DEM_COLUMN_TORQUE);
+    const uint32_t *const entry = c->near_entry;
 
     for (size_t i = 0; i < p->n; i++)
     {
         const double radius = p->record[i].radius;
-        double f[3] = {0.0, 0.0, 0.0}, t[3] = {0.0, 0.0, 0.0};
+        const uint32_t first = c->near_start[i], end = c->near_start[i + 1];
+        double fx = 0.0, fy = 0.0, fz = 0.0, t[3] = {0.0, 0.0, 0.0};
 
-        for (uint32_t e = c->near_start[i]; e < c->near_start[i + 1]; e++)
+        for (uint32_t e = first; e < end; e++)
         {
-            const uint32_t row = c->near_entry[e] >> 1;
-            const struct dem_push *const push = &c->push[row];
-            const double side = c->near_entry[e] & 1 ? -1.0 : 1.0, arm = push->arm - radius;
+            const struct dem_push *const push = &c->push[entry[e] >> 1];
+            const double side = 1.0 - 2.0*(double)(entry[e] & 1), arm = push->arm - radius;
 
-            for (int k = 0; k < 3; k++)
-            {
-                f[k] += side*push->f[k];
-                t[k] += arm*push->t[k] + (c->moment ? side*c->moment[3*row + (uint32_t)k] : 0.0);
-            }
+            fx += side*push->f[0];
+            fy += side*push->f[1];
+            fz += side*push->f[2];
+            t[0] += arm*push->t[0];
+            t[1] += arm*push->t[1];
+            t[2] += arm*push->t[2];
         }
-        memcpy(force + 3*i, f, sizeof f);
+        if (c->moment)
+        {
+            sum_moments(c, first, end, t);
+        }
+        force[3*i] = fx;
+        force[3*i + 1] = fy;
+        force[3*i + 2] = fz;
         memcpy(torque + 3*i, t, sizeof t);
     }
 }
