@@ -1,0 +1,168 @@
+/*---------------------------------------------------------------------------*\
+    demTransfer.C -- locate, sample, deposit.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demTransfer.H"
+
+
+void Foam::demTransfer::read(const dictionary& coupling)
+{
+    const word kernel(coupling.getOrDefault<word>("kernel", "diffusion"));
+    const word base(coupling.getOrDefault<word>("base", "linear"));
+    const bool diffusion = kernel == "diffusion";
+
+    width_ = coupling.getOrDefault<scalar>("width", 3);
+    minVoidFraction_ = coupling.getOrDefault<scalar>("minVoidFraction", 0.2);
+
+    if (!diffusion && kernel != "linear" && kernel != "particleCentre")
+    {
+        FatalIOErrorInFunction(coupling)
+            << "kernel " << kernel << " is unknown; use diffusion, linear or"
+            << " particleCentre" << exit(FatalIOError);
+    }
+    if (base != "linear" && base != "particleCentre")
+    {
+        FatalIOErrorInFunction(coupling)
+            << "base " << base << " is unknown; use linear or particleCentre"
+            << exit(FatalIOError);
+    }
+    if (width_ < 0)
+    {
+        FatalIOErrorInFunction(coupling)
+            << "width " << width_ << " is negative; give the smoothing length in"
+            << " particle diameters, 0 for none" << exit(FatalIOError);
+    }
+
+    linear_ = diffusion ? base == "linear" : kernel == "linear";
+    width_ = diffusion ? width_ : 0;
+}
+
+
+void Foam::demTransfer::build()
+{
+    route_.clear();
+    locator_.reset(new demLocator(mesh_));
+    route_.reset(new demRoute(mesh_, locator_()));
+    weights_.reset(new demWeights(mesh_));
+    smoother_.reset(new demSmoother(mesh_));
+    smoother_().setWidth(width_*diameter_);
+}
+
+
+Foam::demTransfer::demTransfer(const fvMesh& mesh, const dictionary& coupling)
+:
+    mesh_(mesh),
+    width_(0),
+    minVoidFraction_(0),
+    linear_(true),
+    diameter_(0)
+{
+    read(coupling);
+    build();
+}
+
+
+void Foam::demTransfer::setDiameter(const scalar d)
+{
+    if (d != diameter_)
+    {
+        diameter_ = d;
+        smoother_().setWidth(width_*d);
+    }
+}
+
+
+void Foam::demTransfer::locate(const demView& view, double* place)
+{
+    if (mesh_.changing())
+    {
+        build();
+    }
+    route_().locate(view, place);
+    if (!linear_)
+    {
+        route_().toCentres();
+    }
+}
+
+
+template<class Type>
+Foam::tmp<Foam::Field<Type>> Foam::demTransfer::sample(const UList<Type>& cells) const
+{
+    Field<Type> smooth(cells);
+    smoother_().smooth(smooth);
+
+    tmp<Field<Type>> tvalues(new Field<Type>(route_().spots().size()));
+    weights_().collect(route_().spots(), smooth, tvalues.ref());
+    route_().toParticles(tvalues.ref());
+    return tvalues;
+}
+
+
+template<class Type>
+void Foam::demTransfer::deposit
+(
+    const UList<Type>& perParticle,
+    Field<Type>& density
+) const
+{
+    List<Type> values(perParticle);
+    route_().toSpots(values);
+
+    density.setSize(mesh_.nCells());
+    density = Zero;
+    weights_().spread(route_().spots(), values, density);
+    density /= mesh_.V().field();
+    smoother_().smooth(density);
+}
+
+
+#define INSTANTIATE(Type, VolField)                                            \
+                                                                               \
+template Foam::tmp<Foam::Field<Foam::Type>>                                    \
+Foam::demTransfer::sample(const UList<Type>&) const;                           \
+                                                                               \
+template void Foam::demTransfer::deposit                                       \
+(const UList<Type>&, Field<Type>&) const;                                      \
+                                                                               \
+Foam::tmp<Foam::Field<Foam::Type>>                                             \
+Foam::demTransfer::sample(const VolField& field) const                         \
+{                                                                              \
+    return sample<Type>(field.primitiveField());                               \
+}                                                                              \
+                                                                               \
+void Foam::demTransfer::deposit                                                \
+(const UList<Type>& perParticle, VolField& density) const                      \
+{                                                                              \
+    deposit<Type>(perParticle, density.primitiveFieldRef());                   \
+    density.correctBoundaryConditions();                                       \
+}                                                                              \
+                                                                               \
+void Foam::demTransfer::deposit                                                \
+(const UList<Type>& perParticle, VolField::Internal& density) const            \
+{                                                                              \
+    deposit<Type>(perParticle, density.field());                               \
+}
+
+INSTANTIATE(scalar, volScalarField)
+INSTANTIATE(vector, volVectorField)
+
+#undef INSTANTIATE
+
+
+Foam::label Foam::demTransfer::crowded(const UList<scalar>& voidFraction) const
+{
+    label count = 0;
+    for (const scalar e : voidFraction)
+    {
+        count += e < minVoidFraction_;
+    }
+    return returnReduce(count, sumOp<label>());
+}
+
+
+// ************************************************************************* //
