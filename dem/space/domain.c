@@ -17,7 +17,7 @@ void dem_domain_init(struct dem_domain *d)
     }
 }
 
-void dem_domain_shifts(const struct dem_domain *d, double shift[DEM_SHIFTS][3])
+void dem_domain_shifts(const struct dem_domain *d, double shift[DEM_SHIFTS][4])
 {
     for (int code = 0; code < DEM_SHIFTS; code++)
     {
@@ -25,6 +25,7 @@ void dem_domain_shifts(const struct dem_domain *d, double shift[DEM_SHIFTS][3])
         {
             shift[code][k] = dem_shift_axis(code, k)*d->length[k];
         }
+        shift[code][3] = 0.0;
     }
 }
 

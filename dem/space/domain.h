@@ -22,8 +22,8 @@ struct dem_domain
 
 void dem_domain_init(struct dem_domain *);                /* open everywhere */
 
-/* The vector [m] of each code, 27 x 3; zero along axes that are not periodic. */
-void dem_domain_shifts(const struct dem_domain *, double shift[DEM_SHIFTS][3]);
+/* The vector [m] of each code, 27 x 4, the last is 0; zero along axes that are not periodic. */
+void dem_domain_shifts(const struct dem_domain *, double shift[DEM_SHIFTS][4]);
 
 /* Bring a particle back into the box along periodic axes, counting its image. */
 void dem_domain_wrap(const struct dem_domain *, struct dem_particle *);

@@ -18,7 +18,7 @@ struct dem_pairs
 {
     double outer, inner;                                  /* m: skins past touching */
     double most_radius;                                   /* m: of all particles of all ranks */
-    double shift[DEM_SHIFTS][3];                          /* m */
+    double shift[DEM_SHIFTS][4];                           /* m, m, m, 0 */
     struct dem_wall_search search;
     int *wall_region;                                     /* region of each wall near */
     size_t wall_region_room;

@@ -25,7 +25,9 @@ struct gathered                                           /* what the geometry o
     _Alignas(64) double bx[DEM_BLOCK], by[DEM_BLOCK], bz[DEM_BLOCK];          /* 1/s  share (w_i + w_j) */
     _Alignas(64) double radii[DEM_BLOCK];                                     /* m    R_i + R_j */
     _Alignas(64) double inverse_mass[DEM_BLOCK];                              /* 1/kg summed */
+    _Alignas(64) double product[DEM_BLOCK];                                   /* m2   R_i R_j */
     _Alignas(64) double least[DEM_BLOCK];                                     /* m    the smaller radius */
+    _Alignas(64) double unused[DEM_BLOCK];                                    /* fourth members nobody needs */
 };
 
 struct tray
@@ -36,37 +38,56 @@ struct tray
 
 /* ---- gathering ----------------------------------------------------------------------------------------------- */
 
-static void gather_pairs(struct tray *t, const struct dem_parts *p, const uint32_t *row_pair)
+/* Four members of a record that lie side by side, e.g. {x, y, z, radius}. The rows of four pairs turn into columns in
+   registers: several times faster than number by number, and the same bits. */
+typedef double quad __attribute__((vector_size(32), aligned(16), may_alias));
+
+/* A quad in memory; not a function, because a vector returned has no fixed calling convention without AVX. */
+#define QUAD(from) (*(const quad *)(const void *)(from))
+
+__attribute__((always_inline)) static inline void columns(const quad *row, double *x, double *y, double *z, double *w)
 {
+    const quad a = __builtin_shufflevector(row[0], row[1], 0, 4, 2, 6), b = __builtin_shufflevector(row[0], row[1], 1, 5, 3, 7);
+    const quad c = __builtin_shufflevector(row[2], row[3], 0, 4, 2, 6), d = __builtin_shufflevector(row[2], row[3], 1, 5, 3, 7);
+
+    *(quad *)(void *)x = __builtin_shufflevector(a, c, 0, 1, 4, 5);
+    *(quad *)(void *)y = __builtin_shufflevector(b, d, 0, 1, 4, 5);
+    *(quad *)(void *)z = __builtin_shufflevector(a, c, 2, 3, 6, 7);
+    *(quad *)(void *)w = __builtin_shufflevector(b, d, 2, 3, 6, 7);
+}
+
+DEM_KERNEL
+static void gather_pairs(struct tray *restrict t, const struct dem_pair *pair, const struct dem_particle *record,
+                         double shift[DEM_SHIFTS][4], const uint32_t *restrict row_pair)
+{
+    const quad less = {-1.0, -1.0, -1.0, 1.0}, half = {0.5, 0.5, 0.5, 0.5};
     struct gathered *const g = &t->g;
-    struct dem_block *const b = &t->block;
 
-    for (int c = 0; c < b->n; c++)
+    for (int c = 0; c < t->block.n; c += 4)
     {
-        const struct dem_pair *const q = &p->contacts.pair[row_pair[c]];
-        const struct dem_particle *const i = &p->particles.record[q->i], *const j = &p->particles.record[q->j];
-        const double *const shift = p->pairs.shift[q->shift];
+        quad r[4], v[4], a[4], b[4], w[4];
 
-        g->rx[c] = i->x[0] - j->x[0] + shift[0];
-        g->ry[c] = i->x[1] - j->x[1] + shift[1];
-        g->rz[c] = i->x[2] - j->x[2] + shift[2];
-        g->vx[c] = i->v[0] - j->v[0];
-        g->vy[c] = i->v[1] - j->v[1];
-        g->vz[c] = i->v[2] - j->v[2];
-        g->ax[c] = i->radius*i->w[0] + j->radius*j->w[0];
-        g->ay[c] = i->radius*i->w[1] + j->radius*j->w[1];
-        g->az[c] = i->radius*i->w[2] + j->radius*j->w[2];
-        g->bx[c] = 0.5*(i->w[0] + j->w[0]);
-        g->by[c] = 0.5*(i->w[1] + j->w[1]);
-        g->bz[c] = 0.5*(i->w[2] + j->w[2]);
-        g->radii[c] = i->radius + j->radius;
-        g->inverse_mass[c] = i->inverse_mass + j->inverse_mass;
-        g->least[c] = i->radius < j->radius ? i->radius : j->radius;
-        b->reduced_radius[c] = i->radius*j->radius/(i->radius + j->radius);
-        b->wx[c] = i->w[0] - j->w[0];
-        b->wy[c] = i->w[1] - j->w[1];
-        b->wz[c] = i->w[2] - j->w[2];
-        b->viscosity[c] = 0.5*(i->viscosity + j->viscosity);
+        for (int k = 0; k < 4; k++)
+        {
+            const struct dem_pair *const q = &pair[row_pair[c + k]];
+            const struct dem_particle *const i = &record[q->i], *const j = &record[q->j];
+            const quad wi = QUAD(i->w), wj = QUAD(j->w);
+            const quad ri = {i->radius, i->radius, i->radius, i->radius}, rj = {j->radius, j->radius, j->radius, j->radius};
+
+            r[k] = QUAD(i->x) + less*QUAD(j->x) + QUAD(shift[q->shift]);      /* x_i - x_j + shift, R_i + R_j */
+            v[k] = QUAD(i->v) + less*QUAD(j->v);                              /* v_i - v_j, 1/m_i + 1/m_j */
+            a[k] = ri*wi + rj*wj;
+            b[k] = half*(wi + wj);
+            w[k] = wi - wj;
+            g->product[c + k] = i->radius*j->radius;
+            g->least[c + k] = dem_pick(i->radius < j->radius, i->radius, j->radius);
+            t->block.viscosity[c + k] = 0.5*(i->viscosity + j->viscosity);
+        }
+        columns(r, g->rx + c, g->ry + c, g->rz + c, g->radii + c);
+        columns(v, g->vx + c, g->vy + c, g->vz + c, g->inverse_mass + c);
+        columns(a, g->ax + c, g->ay + c, g->az + c, g->unused + c);
+        columns(b, g->bx + c, g->by + c, g->bz + c, g->unused + c);
+        columns(w, t->block.wx + c, t->block.wy + c, t->block.wz + c, g->unused + c);
     }
 }
 
@@ -131,6 +152,7 @@ static void normals_of_pairs(struct dem_block *restrict b, const struct gathered
         b->hy[c] = hy*over_half;
         b->hz[c] = hz*over_half;
         b->overlap[c] = g->radii[c] - r;
+        b->reduced_radius[c] = g->product[c]/g->radii[c];
     }
 }
 
@@ -304,7 +326,7 @@ static void sweep_block(struct dem_parts *p, struct tray *t, const struct dem_ch
     }
     else
     {
-        gather_pairs(t, p, padded);
+        gather_pairs(t, p->contacts.pair, p->particles.record, p->pairs.shift, padded);
         normals_of_pairs(&t->block, &t->g);
     }
     relative_motion(&t->block, &t->g);
