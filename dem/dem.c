@@ -421,6 +421,7 @@ static int settle_in(struct dem *d)
     return refuse_overlap(p);
 }
 
+/* Words and particles; ranks may read different parts of a snapshot, so they may fail alone. */
 static int make_ready(struct dem *d)
 {
     struct dem_parts *const p = &d->parts;
@@ -434,8 +435,7 @@ static int make_ready(struct dem *d)
     }
     p->watch.limit = d->scene.most_overlap;
     DEM_TRY(decide_fluid(d));
-    DEM_TRY(start_particles(d));
-    return prepare_physics(d);
+    return start_particles(d);
 }
 
 /* All ranks fail when one does: the smallest of what they report. */
@@ -455,6 +455,7 @@ int dem_ready(struct dem *d)
     DEM_TRY(not_ready(d, "dem_ready"));
     DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "dem_ready comes after the scene has been read");
     DEM_TRY(together(&d->parts, make_ready(d)));
+    DEM_TRY(together(&d->parts, prepare_physics(d)));
     if (d->scene.fluid.given || !d->load[0])
     {
         fill_fluid(d);

@@ -67,7 +67,8 @@ int dem_ready(struct dem *);
 /* ---- running ------------------------------------------------------------------------------------------------- */
 
 /* Collective. Advance by `duration` [s] in equal steps no longer than the step limit. Position and velocity are
-   synchronous before and after. On an error the state is the last good one and dem_error_text names the culprit. */
+   synchronous before and after. After an error dem_error_text names the culprit, and the run can't go on: start again
+   from the last snapshot. */
 int dem_advance(struct dem *, double duration);
 
 struct dem_step_limit                                     /* s; what bounds the step, in words */
