@@ -109,7 +109,10 @@ int main(int argc, char *argv[])
         cloud.correct(Us, gradP);
 
         runTime.write();
-        cloud.write();
+        if (runTime.writeTime())
+        {
+            cloud.write();
+        }
         runTime.printExecutionTime(Info);
     }
 
