@@ -19,7 +19,8 @@ enum
     NAME = 48,
     RECORD = (int)(sizeof(struct dem_particle)/sizeof(double)),
     ROW_NAME = (int)(sizeof(struct dem_carried)/sizeof(double)),
-    CHUNK = 4096                                          /* rows read at a time */
+    CHUNK = 4096,                                         /* rows read at a time */
+    NAMES = 128                                           /* a fixed number, so that a new column moves nothing in the file */
 };
 
 static const char magic[8] = "SUNADEM";
@@ -36,8 +37,9 @@ struct head
     {
         char name[NAME];
         int64_t width;
-    } list[DEM_MATERIALS + DEM_COLUMNS + DEM_MEMORY_COLUMNS];   /* materials, columns, memory */
+    } list[NAMES];                                        /* materials, columns, memory */
 };
+_Static_assert(DEM_MATERIALS + DEM_COLUMNS + DEM_MEMORY_COLUMNS <= NAMES, "the head has room for all names");
 
 static size_t particle_doubles(const struct head *h)
 {
