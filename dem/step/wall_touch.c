@@ -92,23 +92,30 @@ static int lies_on(const struct dem_wall_search *s, const struct dem_walls *w, c
     return nearest_of(s, w, near, point, on) < tolerance;
 }
 
+/* 1 when region a's nearest point belongs to region b as well and b is to keep it: b is nearer (then its own nearest point
+   is not on a), or both have the same nearest point and b comes first. */
+static int yields(const struct dem_wall_search *s, const struct dem_walls *w, size_t a, size_t b, double tolerance,
+                  const struct dem_wall_touch *touch)
+{
+    return touch[b].distance < touch[a].distance + tolerance && lies_on(s, w, &s->near[b], touch[a].point, tolerance)
+        && (b < a || !lies_on(s, w, &s->near[a], touch[b].point, tolerance));
+}
+
+/* Marked first, dropped after: a region may yield to one that yields itself, down to the nearest of a curved surface. */
 static void drop_doubles(const struct dem_wall_search *s, const struct dem_walls *w, size_t first, size_t end, double radius,
                          struct dem_wall_touch *touch)
 {
-    const double tolerance = same_point*radius;
-
     for (size_t a = first; a < end; a++)
     {
-        int drop = 0;
-
-        for (size_t b = first; b < end && !drop && touch[a].distance < radius; b++)
+        touch[a].drop = 0;
+        for (size_t b = first; b < end && !touch[a].drop && touch[a].distance < radius; b++)
         {
-            const double gain = touch[a].distance - touch[b].distance;
-            const int wins = gain > tolerance || (gain > -tolerance && b < a);
-
-            drop = b != a && wins && lies_on(s, w, &s->near[b], touch[a].point, tolerance);
+            touch[a].drop = b != a && yields(s, w, a, b, same_point*radius, touch);
         }
-        touch[a].distance = drop ? DBL_MAX : touch[a].distance;
+    }
+    for (size_t a = first; a < end; a++)
+    {
+        touch[a].distance = touch[a].drop ? DBL_MAX : touch[a].distance;
     }
 }
 

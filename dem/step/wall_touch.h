@@ -3,7 +3,7 @@
  * and none twice.
  *
  * A region's nearest point that lies on another region is dropped when the other is nearer (the sphere on a floor does
- * not feel the floor's edge as well) and counted once when both are equally near (a convex edge is one contact).
+ * not feel the floor's edge as well) and counted once when both have it as their nearest (a convex edge is one contact).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -15,6 +15,7 @@
 struct dem_wall_touch
 {
     double point[3], normal[3], distance;                 /* m, unit vector to the particle, m; huge when dropped */
+    int drop;                                             /* 1: another region has this contact */
 };
 
 struct dem_wall_touches
