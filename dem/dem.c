@@ -11,6 +11,7 @@
 #include "step/measure.h"
 #include "step/parts.h"
 #include "step/step.h"
+#include "step/sweep_contacts.h"
 #include <fenv.h>
 #include <float.h>
 #include <math.h>
@@ -404,7 +405,8 @@ static int refuse_overlap(struct dem_parts *p)
     return DEM_OK;
 }
 
-/* Hand particles to their owners; a fresh start also gets its first lists, to look for overlaps. */
+/* Hand particles to their owners; a fresh start also gets its first lists, to look for overlaps, and the forces with
+   which the first half kick begins (a snapshot brings them along). */
 static int settle_in(struct dem *d)
 {
     struct dem_parts *const p = &d->parts;
@@ -418,7 +420,11 @@ static int settle_in(struct dem *d)
     }
     DEM_TRY(dem_step_renew(p));
     p->stale = 1;
-    return refuse_overlap(p);
+    DEM_TRY(refuse_overlap(p));
+    DEM_TRY(dem_sweep_contacts(p, 0.0));
+    dem_sweep_sum(&p->particles, &p->contacts);
+    p->watch.overlap = 0.0;
+    return DEM_OK;
 }
 
 /* Words and particles; ranks may read different parts of a snapshot, so they may fail alone. */
@@ -450,10 +456,8 @@ static int together(const struct dem_parts *p, int status)
     return worst == DEM_OK || status != DEM_OK ? status : dem_error(worst, "another rank failed; its message tells why");
 }
 
-int dem_ready(struct dem *d)
+static int get_ready(struct dem *d)
 {
-    DEM_TRY(not_ready(d, "dem_ready"));
-    DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "dem_ready comes after the scene has been read");
     DEM_TRY(together(&d->parts, make_ready(d)));
     DEM_TRY(together(&d->parts, prepare_physics(d)));
     if (d->scene.fluid.given || !d->load[0])
@@ -463,6 +467,20 @@ int dem_ready(struct dem *d)
     DEM_TRY(together(&d->parts, settle_in(d)));
     d->ready = 1;
     return DEM_OK;
+}
+
+int dem_ready(struct dem *d)
+{
+    fenv_t caller;
+
+    DEM_TRY(not_ready(d, "dem_ready"));
+    DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "dem_ready comes after the scene has been read");
+    /* a caller may trap floating-point errors (OpenFOAM does); the core looks at its numbers itself */
+    feholdexcept(&caller);
+    const int status = get_ready(d);
+
+    fesetenv(&caller);
+    return status;
 }
 
 /* Entries that nobody asked for are slips of the pen; the program has read its own by now. */
@@ -506,7 +524,6 @@ int dem_advance(struct dem *d, double duration)
     const int64_t steps = (int64_t)ceil(duration/d->step*(1.0 - 1e-12));
 
     tell_viscosity(&d->parts.particles);
-    /* a caller may trap floating-point errors (OpenFOAM does); the core looks at its numbers itself */
     feholdexcept(&caller);
     const int status = dem_step_window(&d->parts, duration/(double)(steps > 0 ? steps : 1), steps > 0 ? steps : 1);
 
