@@ -1,0 +1,189 @@
+/*
+ * Claims: through the whole core two spheres, and a sphere and a rigid wall, meet as Hertz has it: peak force and overlap,
+ * contact time, no speed lost; the error of an elastic impact falls at least fourfold when the step is halved; with `dry`
+ * the restitution asked for comes out.
+ *
+ * Sets: tests 1 to 3 of Chung and Ooi, Granul. Matter 13 (2011) 643; values from the closed forms of hertz_normal.csv.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/world.h"
+
+enum
+{
+    PHASES = 16                                           /* impacts at once that start at even fractions of a step */
+};
+
+struct impact                                             /* what is needed to set up a head-on impact */
+{
+    const char *name;
+    double radius, E, nu, density, speed;                 /* m, Pa, 1, kg/m3, m/s: of each sphere; the wall is rigid */
+    int wall;
+    double force, overlap, time;                          /* N, m, s: expected */
+};
+
+/* the reduced quantities: two equal spheres, or a sphere and a rigid wall */
+static double reduced_modulus(const struct impact *i)
+{
+    return (i->wall ? 1.0 : 0.5)*i->E/(1.0 - i->nu*i->nu);
+}
+
+static double contact_time(const struct impact *i)
+{
+    const double share = i->wall ? 1.0 : 0.5;
+
+    return world_contact_time(share*world_ball(i->radius, i->density), share*i->radius, reduced_modulus(i),
+                              i->wall ? i->speed : 2.0*i->speed);
+}
+
+static struct dem *start(const struct impact *i, double step, const char *damping)
+{
+    const double approach = i->wall ? i->speed : 2.0*i->speed;
+    struct dem_seed seed[2*PHASES];
+    int n = 0;
+
+    memset(seed, 0, sizeof seed);
+    for (int k = 0; k < PHASES; k++)
+    {
+        const double gap = approach*step*(3.0 + (k + 0.5)/PHASES), y = 4.0*i->radius*k;
+
+        for (int s = 0; s < (i->wall ? 1 : 2); s++, n++)
+        {
+            seed[n] = (struct dem_seed){.position = {0.0, y, s ? -i->radius - gap : i->radius}, .diameter = 2.0*i->radius,
+                                        .id = n, .material = "ball"};
+            seed[n].velocity[2] = s ? i->speed : -i->speed;
+            seed[n].position[2] += i->wall ? gap : 0.0;
+        }
+    }
+    char *const scene = world_text("materials { ball { density %.17g; youngsModulus %.17g; poissonsRatio %.17g; }"
+                                   " rigid { density 1; youngsModulus 1e30; } }"
+                                   "effects { hertz { impactSpeed %g; } %s } time { step %.17g; } %s", i->density, i->E, i->nu,
+                                   approach, damping, step,
+                                   i->wall ? "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }" : "");
+    struct dem *const d = world(scene, n, seed);
+
+    free(scene);
+    return d;
+}
+
+struct outcome
+{
+    double restitution[PHASES], mean, worst;              /* worst: largest |e - 1| */
+    double force, overlap, time;                          /* N, m, s: peaks of the first impact, its duration in steps */
+};
+
+/* Step until all have parted: no contact any more, after there were some. */
+static struct outcome run(const struct impact *i, double step, const char *damping)
+{
+    struct dem *const d = start(i, step, damping);
+    struct outcome o = {.mean = 0.0};
+    int touched = 0;
+
+    for (int k = 0; k < 100000; k++)
+    {
+        world_step(d);
+        const struct dem_tally t = world_tally(d);
+        const struct world_particle p = world_at(d, 0);
+        const double overlap = i->wall ? p.radius - p.x[2] : 2.0*p.radius - p.x[2] + world_at(d, 1).x[2];
+
+        o.force = fmax(o.force, p.f[2]);
+        o.overlap = fmax(o.overlap, overlap);
+        o.time += overlap > 0.0 ? step : 0.0;
+        touched |= t.contacts > 0;
+        if (touched && t.contacts == 0)
+        {
+            break;
+        }
+    }
+    for (int k = 0; k < PHASES; k++)
+    {
+        const double out = i->wall ? world_at(d, k).v[2] : 0.5*(world_at(d, 2*k).v[2] - world_at(d, 2*k + 1).v[2]);
+
+        o.restitution[k] = out/i->speed;
+        o.mean += o.restitution[k]/PHASES;
+        o.worst = fmax(o.worst, fabs(o.restitution[k] - 1.0));
+    }
+    dem_free(d);
+    return o;
+}
+
+static void elastic(const struct impact *i)
+{
+    const double step = contact_time(i)/400.0;
+    const struct outcome o = run(i, step, "");
+
+    /* the peak lies between two steps: (pi/800)^2/2 of the overlap at most; the rest is the published rounding */
+    TAP_NEAR(o.force, i->force, 2e-3*i->force, "%s: peak force", i->name);
+    TAP_NEAR(o.overlap, i->overlap, 2e-3*i->overlap, "%s: peak overlap", i->name);
+    /* counted in whole steps, 1/400 each */
+    TAP_NEAR(o.time, i->time, 1e-2*i->time, "%s: contact time", i->name);
+    /* Verlet of order 2: (1/400)^2 times a constant of order 10 */
+    TAP_NEAR(o.mean, 1.0, 1e-4, "%s: no speed is lost", i->name);
+}
+
+/* Error of the speed after an elastic impact, worst of the phases. */
+static void order(const struct impact *i)
+{
+    const double coarse = contact_time(i)/40.0;
+    double before = 0.0;
+
+    for (int k = 0; k < 4; k++)
+    {
+        const struct outcome o = run(i, coarse/(1 << k), "");
+
+        if (k > 0)
+        {
+            /* order 2 or better: a half step leaves a quarter of the error */
+            TAP_OK(before >= 4.0*o.worst, "%s: halving the step to t_c/%d divides the error by %.2f, at least 4", i->name,
+                   40 << k, before/o.worst);
+        }
+        before = o.worst;
+    }
+}
+
+static void damped(const struct impact *i, double e)
+{
+    char words[64];
+
+    snprintf(words, sizeof words, "dry { restitution %g; }", e);
+    const struct outcome o = run(i, contact_time(i)/400.0, words);
+
+    /* the dashpot sees the speed of half a step before: order 1, 5e-4 at e = 0.2 and less above */
+    TAP_NEAR(o.mean, e, 6e-4, "%s: restitution %g comes out as %.5f", i->name, e, o.mean);
+}
+
+int main(void)
+{
+    static const struct impact cases[] =
+    {
+        {"glass pair", 0.01, 48e9, 0.20, 2800.0, 10.0, 0, 0, 0, 0},
+        {"limestone pair", 0.01, 20e9, 0.25, 2500.0, 10.0, 0, 0, 0, 0},
+        {"aluminium on a rigid wall", 0.1, 70e9, 0.30, 2699.0, 0.2, 1, 0, 0, 0},
+        {"magnesium on a rigid wall", 0.1, 40e9, 0.35, 1800.0, 0.2, 1, 0, 0, 0},
+    };
+    static const struct impact oxide = {"aluminium oxide", 0.0025, 380e9, 0.23, 4000.0, 3.9, 1, 0, 0, 0};
+    double table[4*5];
+
+    if (!TAP_OK(world_table("physics/hertz_normal.csv", 5, 4, table) == 4, "four rows in hertz_normal.csv"))
+    {
+        TAP_DONE;
+    }
+    TAP_TRAPS;
+    for (int k = 0; k < 4; k++)
+    {
+        struct impact i = cases[k];
+
+        i.overlap = 1e-6*table[5*k + 2];
+        i.force = 1e3*table[5*k + 3];
+        i.time = 1e-6*table[5*k + 4];
+        elastic(&i);
+    }
+    order(&cases[0]);
+    order(&cases[2]);
+    for (int k = 1; k <= 5; k++)
+    {
+        damped(&oxide, 0.2*k);
+        damped(&cases[0], 0.2*k);
+    }
+    TAP_DONE;
+}

@@ -1,0 +1,472 @@
+/*
+ * Claims: a sphere that slides over a plane cut into random triangles, in any position in space, feels m g and no seam, and
+ * does what it does on a plane, bit for bit where the coordinates allow; sliver, degenerate, repeated and turned triangles
+ * and T-joints change nothing; in a corner of three walls the forces balance the weight, with planes and with triangles; a
+ * concave edge is two contacts, a convex edge or tip one; two walls that meet in a plane are one floor; a sphere does not
+ * fall through a wall of triangles from either side.
+ *
+ * Source: geometry and statics.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/mesh.h"
+#include "physics/world.h"
+
+static const double R = 1e-3, density = 2500.0, E = 1e7, g = 9.81;
+
+static const char materials[] = "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; }"
+                                " rigid { density 1; youngsModulus 1e30; } }";
+
+static double weight(void)
+{
+    return world_ball(R, density)*g;
+}
+
+/* overlap at which the Hertzian contact with a rigid wall carries this force */
+static double overlap_of(double force)
+{
+    return pow(0.75*force*(1.0 - 0.09)/(E*sqrt(R)), 2.0/3.0);
+}
+
+/* A right-handed frame that lies along nothing. */
+static const double frame[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0.0}, {0.48, 0.64, 0.6}};
+
+static void turn(const double flat[3], double out[3])
+{
+    double in[3];
+
+    memcpy(in, flat, sizeof in);
+    for (int k = 0; k < 3; k++)
+    {
+        out[k] = frame[0][k]*in[0] + frame[1][k]*in[1] + frame[2][k]*in[2];
+    }
+}
+
+static void turn_mesh(struct mesh *m)
+{
+    for (size_t k = 0; k < 3*m->n; k++)
+    {
+        turn(m->corner + 3*k, m->corner + 3*k);
+    }
+}
+
+/* One sphere at rest overlap over z = 0, sliding along it; mesh NULL: over a plane. */
+static struct dem *slide(struct mesh *m, int turned, const char *effects, double speed)
+{
+    double x[3] = {0.0013, 0.0007, R - overlap_of(weight())}, v[3] = {speed, 0.37*speed, 0.0}, down[3] = {0.0, 0.0, -g};
+    struct dem_seed seed = {.diameter = 2.0*R, .material = "glass"};
+
+    if (turned)
+    {
+        turn(x, x), turn(v, v), turn(down, down);
+    }
+    memcpy(seed.position, x, sizeof x);
+    memcpy(seed.velocity, v, sizeof v);
+    char *const scene = world_text("%s effects { hertz {} %s gravity { acceleration (%.17g %.17g %.17g); } } time { step 8e-6; } %s",
+                                   materials, effects, down[0], down[1], down[2],
+                                   m ? "" : "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
+    struct dem *const d = world_begin(scene);
+
+    if (m)
+    {
+        mesh_hand_over(d, "floor", "rigid", m);
+    }
+    WORLD_TRY(dem_add_particles(d, 1, &seed));
+    WORLD_TRY(dem_ready(d));
+    free(scene);
+    return d;
+}
+
+/* along the frame's third axis, or z */
+static double height(const double a[3], int turned)
+{
+    return turned ? a[0]*frame[2][0] + a[1]*frame[2][1] + a[2]*frame[2][2] : a[2];
+}
+
+static void smooth(struct mesh m, int turned, const char *what)
+{
+    const size_t triangles = m.n;
+    double worst_force = 0.0, worst_speed = 0.0;
+    int64_t most = 0;
+
+    if (turned)
+    {
+        turn_mesh(&m);
+    }
+    struct dem *const d = slide(&m, turned, "dry { restitution 0.9; }", 1.0);
+
+    for (int k = 0; k < 3750; k++)
+    {
+        world_step(d);
+        const struct world_particle p = world_at(d, 0);
+        const int64_t contacts = world_tally(d).contacts;
+
+        worst_force = fmax(worst_force, fabs(height(p.f, turned)/weight() - 1.0));
+        worst_speed = fmax(worst_speed, fabs(height(p.v, turned)));
+        most = contacts > most ? contacts : most;
+    }
+    const struct world_particle p = world_at(d, 0);
+
+    /* positions are known to 1e-17 m of an overlap of 4e-6 m, in a turned frame some ten times worse */
+    TAP_NEAR(worst_force, 0.0, 1e-6, "%s (%zu triangles): carries m g within %.0e", what, triangles, worst_force);
+    TAP_NEAR(worst_speed, 0.0, 1e-9, "%s: is never lifted, %.0e m/s", what, worst_speed);
+    TAP_OK(most == 1, "%s: one contact, never %lld", what, (long long)most);
+    /* 30 mm with 1 m/s, nothing slows it */
+    const double square = p.v[0]*p.v[0] + p.v[1]*p.v[1] + p.v[2]*p.v[2];
+
+    TAP_NEAR(sqrt(square), sqrt(1.0 + 0.37*0.37), 1e-12, "%s: slides on at its speed", what);
+    dem_free(d);
+}
+
+/* With friction, spin and all: the triangles of z = 0 give the plane's bits. */
+static void like_a_plane(void)
+{
+    static const char effects[] = "dry { restitution 0.9; } mindlin { friction 0.3; }";
+    struct mesh m = mesh_floor(-0.01, 0.05, 2.5e-3);
+    struct dem *const a = slide(NULL, 0, effects, 0.5), *const b = slide(&m, 0, effects, 0.5);
+
+    world_run(a, 0.05);
+    world_run(b, 0.05);
+    const struct world_particle p = world_at(a, 0), q = world_at(b, 0);
+
+    TAP_OK(memcmp(p.x, q.x, sizeof p.x) == 0 && memcmp(p.v, q.v, sizeof p.v) == 0 && memcmp(p.w, q.w, sizeof p.w) == 0,
+           "with friction: the same bits as on a plane");
+    dem_free(a);
+    dem_free(b);
+}
+
+/* What surface files bring along: see E of any STL. */
+static void ugly(void)
+{
+    struct mesh m = mesh_floor(-0.01, 0.05, 4e-3);
+    const size_t clean = m.n;
+    const double a[3] = {0.0, 0.0, 0.0}, b[3] = {0.01, 0.0, 0.0}, c[3] = {0.02, 0.0, 0.0};
+
+    for (size_t k = 0; k < clean; k += 7)
+    {
+        double t[9];
+
+        memcpy(t, m.corner + 9*k, sizeof t);
+        mesh_triangle(&m, t, t + 3, t + 6);               /* again */
+        mesh_triangle(&m, t + 6, t + 3, t);               /* again, turned over */
+        mesh_triangle(&m, t, t, t + 3);                   /* no area */
+    }
+    mesh_triangle(&m, a, b, c);                           /* no area, a line */
+    smooth(m, 0, "repeated, turned over, without area");
+
+    /* T-joints: strips cut at different places */
+    struct mesh t = {0};
+
+    for (int row = 0; row < 20; row++)
+    {
+        const double y0 = -0.01 + 3e-3*row, y1 = y0 + 3e-3;
+
+        for (int k = 0; k < 12; k++)
+        {
+            const double shift = row%2 ? 2.1e-3 : 0.0;
+            const double x0 = k > 0 ? -0.01 + 5e-3*k + shift : -0.01, x1 = k < 11 ? -0.005 + 5e-3*k + shift : 0.05;
+            const double corner[4][3] = {{x0, y0, 0.0}, {x1, y0, 0.0}, {x1, y1, 0.0}, {x0, y1, 0.0}};
+
+            mesh_quad(&t, corner[0], corner[1], corner[2], corner[3]);
+        }
+    }
+    smooth(t, 0, "T-joints");
+}
+
+/* A floor of two walls that meet under the path: one contact all along. */
+static void seam(void)
+{
+    const struct dem_seed seed = {.position = {-0.004, 0.0, R - overlap_of(weight())}, .velocity = {0.4, 0.0, 0.0}, .diameter = 2.0*R,
+                                  .material = "glass"};
+    char *const scene = world_text("%s effects { hertz {} dry { restitution 0.9; } gravity { acceleration (0 0 -9.81); } }"
+                                   "walls {"
+                                   " left  { type triangles; material rigid; corners ((-0.02 -0.02 0) (0 -0.02 0) (0 0.02 0)"
+                                   "                                  (-0.02 -0.02 0) (0 0.02 0) (-0.02 0.02 0)); }"
+                                   " right { type triangles; material rigid; corners ((0 -0.02 0) (0.02 -0.02 0) (0.02 0.02 0)"
+                                   "                                  (0 -0.02 0) (0.02 0.02 0) (0 0.02 0)); } }", materials);
+    struct dem *const d = world(scene, 1, &seed);
+    double worst = 0.0, left[3] = {0.0}, right[3] = {0.0};
+
+    for (int k = 0; k < 200; k++)
+    {
+        world_run(d, 1e-4);
+        world_wall(d, "left", left);
+        world_wall(d, "right", right);
+        worst = fmax(worst, fabs(left[2] + right[2] + weight()));
+        if (k == 10)
+        {
+            TAP_OK(right[2] == 0.0 && left[2] < 0.0, "two walls in a plane: first the left one carries it");
+        }
+    }
+    TAP_NEAR(worst, 0.0, 1e-6*weight(), "two walls in a plane: the weight goes over without a jump");
+    TAP_OK(left[2] == 0.0 && right[2] < 0.0, "two walls in a plane: in the end the right one carries it");
+    free(scene);
+    dem_free(d);
+}
+
+/* ---- corners and edges --------------------------------------------------------------------------------------- */
+
+/* Rolled into a corner under gravity that pulls into it. */
+static void corner(int triangles)
+{
+    static const double min[3] = {0.0, 0.0, 0.0}, max[3] = {0.02, 0.02, 0.02};
+    const struct dem_seed seed = {.position = {0.006, 0.005, R}, .velocity = {-1.0, -0.8, 0.0}, .diameter = 2.0*R, .material = "glass"};
+    const char *const what = triangles ? "corner of triangles" : "corner of planes";
+    char *const scene = world_text("%s effects { hertz {} dry { restitution 0.3; } mindlin { friction 0.2; }"
+                                   "gravity { acceleration (-2 -3 -9.81); } } %s", materials,
+                                   triangles ? "" : "walls { b { type box; material rigid; min (0 0 0); max (0.02 0.02 0.02); } }");
+    struct dem *const d = world_begin(scene);
+    double total[3] = {0.0, 0.0, 0.0};
+
+    if (triangles)
+    {
+        struct mesh m = mesh_box(min, max);
+
+        mesh_hand_over(d, "b", "rigid", &m);
+    }
+    WORLD_TRY(dem_add_particles(d, 1, &seed));
+    WORLD_TRY(dem_ready(d));
+    world_run(d, 1.0);
+    for (int w = 0; w < dem_wall_count(d); w++)
+    {
+        double force[3], torque[3];
+
+        WORLD_TRY(dem_wall_load(d, w, force, torque));
+        for (int k = 0; k < 3; k++)
+        {
+            total[k] += force[k];
+        }
+    }
+    const double m = world_ball(R, density), pull[3] = {-2.0*m, -3.0*m, -9.81*m};
+    const struct world_particle p = world_at(d, 0);
+
+    for (int k = 0; k < 3; k++)
+    {
+        TAP_NEAR(total[k], pull[k], 1e-8*weight(), "%s: the walls carry the weight, axis %d", what, k);
+        TAP_NEAR(p.t[k], 0.0, 1e-8*weight()*R, "%s: no torque is left, axis %d", what, k);
+    }
+    TAP_OK(world_tally(d).contacts == 3, "%s: three contacts", what);
+    TAP_NEAR(world_tally(d).kinetic, 0.0, 1e-20, "%s: at rest", what);
+    free(scene);
+    dem_free(d);
+}
+
+/* Where a sphere is set down on surfaces; counts contacts and adds up the force on it. */
+static int64_t set_down(struct mesh *m, const double x[3], double force[3])
+{
+    struct dem_seed seed = {.diameter = 2.0*R, .material = "glass"};
+    char *const scene = world_text("%s effects { hertz {} } time { step 1e-9; }", materials);
+    struct dem *const d = world_begin(scene);
+
+    memcpy(seed.position, x, sizeof seed.position);
+    mesh_hand_over(d, "surface", "rigid", m);
+    WORLD_TRY(dem_add_particles(d, 1, &seed));
+    WORLD_TRY(dem_ready(d));
+    world_step(d);
+    const int64_t contacts = world_tally(d).contacts;
+
+    memcpy(force, world_at(d, 0).f, 3*sizeof *force);
+    free(scene);
+    dem_free(d);
+    return contacts;
+}
+
+/* Two rectangles that meet along the y axis; heights of their far sides. */
+static struct mesh roof(double left, double right)
+{
+    const double a[3] = {-0.01, -0.01, left}, b[3] = {0.0, -0.01, 0.0}, c[3] = {0.0, 0.01, 0.0}, e[3] = {-0.01, 0.01, left};
+    const double f[3] = {0.01, -0.01, right}, h[3] = {0.01, 0.01, right};
+    struct mesh m = {0};
+
+    mesh_quad(&m, a, b, c, e);
+    mesh_quad(&m, b, f, h, c);
+    return m;
+}
+
+static void edges(void)
+{
+    const double d = 5e-6;                                /* m, overlap */
+    const double push = 4.0/3.0*E/(1.0 - 0.09)*sqrt(R)*d*sqrt(d);
+    double f[3];
+
+    struct mesh ridge = roof(-0.01, -0.01);
+    const double on_ridge[3] = {0.0, 0.0, R - d};
+    int64_t n = set_down(&ridge, on_ridge, f);
+
+    TAP_OK(n == 1, "convex edge: one contact (%lld)", (long long)n);
+    TAP_NEAR(f[2], push, 1e-9*push, "convex edge: pushes straight up, once");
+
+    struct mesh valley = roof(0.01, 0.01);
+    const double in_valley[3] = {0.0, 0.0, (R - d)*sqrt(2.0)};
+
+    n = set_down(&valley, in_valley, f);
+    TAP_OK(n == 2, "concave edge: two contacts (%lld)", (long long)n);
+    TAP_NEAR(f[2], 2.0*push/sqrt(2.0), 1e-9*push, "concave edge: both push");
+
+    /* beside the ridge, on the left slope: that slope alone */
+    struct mesh again = roof(-0.01, -0.01);
+    const double s = sqrt(0.5), beside[3] = {-2e-4 - (R - d)*s, 0.0, -2e-4 + (R - d)*s};
+
+    n = set_down(&again, beside, f);
+    TAP_OK(n == 1, "beside a convex edge: one contact (%lld)", (long long)n);
+    TAP_NEAR(f[0], -push*s, 1e-9*push, "beside a convex edge: along the slope's normal");
+
+    /* a flat roof is a floor */
+    struct mesh level = roof(0.0, 0.0);
+
+    n = set_down(&level, on_ridge, f);
+    TAP_OK(n == 1, "flat edge: one contact (%lld)", (long long)n);
+    TAP_NEAR(f[2], push, 1e-9*push, "flat edge: as on a plane");
+
+    /* the tip of a box, from the diagonal */
+    const double min[3] = {-0.01, -0.01, -0.01}, max[3] = {0.0, 0.0, 0.0}, third = (R - d)/sqrt(3.0), tip[3] = {third, third, third};
+    struct mesh box = mesh_box(min, max);
+
+    n = set_down(&box, tip, f);
+    TAP_OK(n == 1, "tip of three faces: one contact (%lld)", (long long)n);
+    TAP_NEAR(f[0] + f[1] + f[2], push*sqrt(3.0), 1e-9*push, "tip of three faces: pushes along the diagonal");
+
+    /* the rim of a sheet in the air */
+    struct mesh sheet = {0};
+    const double a[3] = {-0.01, -0.01, 0.0}, b[3] = {0.0, -0.01, 0.0}, c[3] = {0.0, 0.01, 0.0}, e[3] = {-0.01, 0.01, 0.0};
+    const double rim[3] = {R - d, 0.0, 0.0};
+
+    mesh_quad(&sheet, a, b, c, e);
+    n = set_down(&sheet, rim, f);
+    TAP_OK(n == 1, "rim of a sheet: one contact (%lld)", (long long)n);
+    TAP_NEAR(f[0], push, 1e-9*push, "rim of a sheet: pushes in its plane");
+}
+
+/* Facets far smaller than the overlap's footprint, each a region of its own: still one contact, wherever it is. */
+static void facets(void)
+{
+    const double d = 2e-5, push = 4.0/3.0*E/(1.0 - 0.09)*sqrt(R)*d*sqrt(d);
+    const double out = 0.005, step = 0.01, wide = 5e-5;
+    int wrong = 0, more = 0;
+
+    for (int place = 0; place < 40; place++)
+    {
+        /* a round bar of radius 5 mm along y, facets of 50 um; places from an edge to the middle of a facet */
+        const double angle = step*0.5*place/39.0;
+        struct mesh bar = {0}, strips = {0};
+        double f[3];
+
+        for (int k = -40; k < 40; k++)
+        {
+            const double p[2] = {k*step, (k + 1)*step};
+            const double corner[4][3] = {{out*sin(p[0]), -0.01, out*cos(p[0])}, {out*sin(p[1]), -0.01, out*cos(p[1])},
+                                         {out*sin(p[1]), 0.01, out*cos(p[1])}, {out*sin(p[0]), 0.01, out*cos(p[0])}};
+            /* flat strips of 50 um that share no corner with their neighbours */
+            const double low = -0.01 - 1e-4*(k & 1), x0 = wide*k, x1 = wide*(k + 1);
+            const double strip[4][3] = {{x0, low, 0.0}, {x1, low, 0.0}, {x1, 0.01, 0.0}, {x0, 0.01 + 1e-4*(k & 1), 0.0}};
+
+            mesh_quad(&bar, corner[0], corner[1], corner[2], corner[3]);
+            mesh_quad(&strips, strip[0], strip[1], strip[2], strip[3]);
+        }
+        const double far = out + R - d, over[3] = {far*sin(angle), 1e-4, far*cos(angle)}, above[3] = {wide*place/39.0, 1e-4, R - d};
+
+        more += set_down(&bar, over, f) != 1;
+        more += set_down(&strips, above, f) != 1;
+        wrong += fabs(f[2] - push) > 1e-6*push;
+    }
+    TAP_OK(more == 0, "small facets, round and flat: one contact (%d of 80 places have another number)", more);
+    TAP_OK(wrong == 0, "small facets: with the force of a plane (%d of 40 places differ)", wrong);
+}
+
+/* Rolling over a ridge and down: the path of a sphere pivoting on an edge has one normal at any time, energy is kept. */
+static void over_the_edge(void)
+{
+    struct mesh m = roof(-0.01, 0.0);                     /* flat on the right, 45 degrees down on the left */
+    const struct dem_seed seed = {.position = {0.003, 0.0, R}, .velocity = {-0.05, 0.0, 0.0}, .diameter = 2.0*R, .material = "glass"};
+    char *const scene = world_text("%s effects { hertz {} gravity { acceleration (0 0 -9.81); } } time { step 5e-6; }", materials);
+    struct dem *const d = world_begin(scene);
+    const double mass = world_ball(R, density);
+    double worst = 0.0, start = 0.0;
+    int64_t most = 0;
+
+    mesh_hand_over(d, "roof", "rigid", &m);
+    WORLD_TRY(dem_add_particles(d, 1, &seed));
+    WORLD_TRY(dem_ready(d));
+    for (int k = 0; k < 24000; k++)
+    {
+        world_step(d);
+        const struct world_particle p = world_at(d, 0);
+        const int64_t contacts = world_tally(d).contacts;
+
+        most = contacts > most ? contacts : most;
+        if (p.x[0] < -0.006)
+        {
+            break;
+        }
+        /* the elastic energy of an overlap of 1e-5 m is 2/5 F d: 1e-3 of what the fall gives */
+        const double energy = 0.5*mass*(p.v[0]*p.v[0] + p.v[2]*p.v[2]) + mass*g*p.x[2];
+
+        start = k == 0 ? energy : start;
+        worst = fmax(worst, fabs(energy - start));
+    }
+    TAP_OK(world_at(d, 0).x[0] < -0.006, "over an edge: it goes over and down");
+    TAP_OK(most == 1, "over an edge: one contact at a time");
+    TAP_NEAR(worst, 0.0, 1e-2*mass*g*0.006, "over an edge: the energy stays");
+    free(scene);
+    dem_free(d);
+}
+
+/* Against a sheet of triangles from both sides, as fast as the limit of the step allows. */
+static void both_sides(void)
+{
+    struct mesh m = mesh_floor(-0.05, 0.05, 5e-3);
+    struct dem_seed seed[40];
+    char *const scene = world_text("%s effects { hertz { impactSpeed 5; } }", materials);
+    struct dem *const d = world_begin(scene);
+    int wrong = 0;
+
+    memset(seed, 0, sizeof seed);
+    for (int k = 0; k < 40; k++)
+    {
+        const double side = k%2 ? 1.0 : -1.0;
+
+        seed[k] = (struct dem_seed){.position = {-0.045 + 0.0023*k, 0.002*(k%7), side*3e-3}, .velocity = {0.5, 0.1, -5.0*side},
+                                    .diameter = 2.0*R, .id = k, .material = "glass"};
+        seed[k].position[1] += 0.02*(k%3) - 0.03;
+    }
+    mesh_hand_over(d, "sheet", "rigid", &m);
+    WORLD_TRY(dem_add_particles(d, 40, seed));
+    WORLD_TRY(dem_ready(d));
+    world_run(d, 2e-3);
+    for (int k = 0; k < 40; k++)
+    {
+        const struct world_particle p = world_at(d, k);
+        const double side = k%2 ? 1.0 : -1.0;
+
+        wrong += p.x[2]*side < R || fabs(p.v[2] - 5.0*side) > 5e-3 || fabs(p.v[0] - 0.5) > 1e-9;
+    }
+    TAP_OK(wrong == 0, "a sheet turns back spheres on both sides, as a mirror (%d wrong)", wrong);
+    free(scene);
+    dem_free(d);
+}
+
+int main(void)
+{
+    static const double sizes[] = {0.4e-3, 2.5e-3, 0.03};
+
+    TAP_TRAPS;
+    for (int k = 0; k < 3; k++)
+    {
+        char what[64];
+
+        snprintf(what, sizeof what, "triangles of %g R", sizes[k]/R);
+        smooth(mesh_floor(-0.01, 0.05, sizes[k]), 0, what);
+        snprintf(what, sizeof what, "triangles of %g R, turned", sizes[k]/R);
+        smooth(mesh_floor(-0.01, 0.05, sizes[k]), 1, what);
+    }
+    like_a_plane();
+    ugly();
+    seam();
+    corner(0);
+    corner(1);
+    edges();
+    facets();
+    over_the_edge();
+    both_sides();
+    TAP_DONE;
+}

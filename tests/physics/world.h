@@ -1,0 +1,210 @@
+/*
+ * world.h -- a scene as text, particles by number and numbers read back: what the tests of physics need of dem.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ *     struct dem *d = world(scene, n, seeds);                    ready to run, alone, without MPI
+ *     world_run(d, 0.1);                                         or world_step(d) for one step of the scene's time/step
+ *     world_at(d, id).x[2]                                       position, velocity, spin, contact force and torque
+ *
+ * Whatever the core refuses ends the test with the core's sentence.
+ */
+#ifndef TESTS_PHYSICS_WORLD_H
+#define TESTS_PHYSICS_WORLD_H
+
+#include "unit/tap.h"
+
+#include "dem.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double world_pi = 3.14159265358979324;
+
+struct world_particle
+{
+    double x[3], v[3], w[3], f[3], t[3], radius, mass;
+};
+
+__attribute__((noreturn)) static inline void world_end(const char *call)
+{
+    printf("Bail out! %s: %s\n", call, dem_error_text());
+    exit(1);
+}
+
+#define WORLD_TRY(call) ((call) ? world_end(#call) : (void)0)
+
+/* text from a format; the caller frees it */
+__attribute__((format(printf, 1, 2)))
+static inline char *world_text(const char *format, ...)
+{
+    const size_t room = 1 << 20;
+    char *const text = malloc(room);
+    va_list arguments;
+
+    va_start(arguments, format);
+    if (!text || vsnprintf(text, room, format, arguments) >= (int)room)
+    {
+        printf("Bail out! scene too long\n");
+        exit(1);
+    }
+    va_end(arguments);
+    return text;
+}
+
+static inline struct dem *world_begin(const char *scene)
+{
+    struct dem *d;
+
+    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
+    WORLD_TRY(dem_scene_text(d, scene, "scene"));
+    return d;
+}
+
+static inline struct dem *world(const char *scene, int64_t n, const struct dem_seed *seed)
+{
+    struct dem *const d = world_begin(scene);
+
+    if (n > 0)
+    {
+        WORLD_TRY(dem_add_particles(d, n, seed));
+    }
+    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_scene_check(d));
+    return d;
+}
+
+static inline void world_run(struct dem *d, double duration)
+{
+    WORLD_TRY(dem_advance(d, duration));
+}
+
+static inline void world_step(struct dem *d)
+{
+    WORLD_TRY(dem_advance(d, dem_step_limit(d).used));
+}
+
+static inline struct dem_tally world_tally(struct dem *d)
+{
+    struct dem_tally t;
+
+    WORLD_TRY(dem_tally(d, &t));
+    return t;
+}
+
+static inline uint64_t world_hash(struct dem *d)
+{
+    uint64_t hash;
+
+    WORLD_TRY(dem_hash(d, &hash));
+    return hash;
+}
+
+/* by place in the view, 0 to particles - 1 */
+static inline int64_t world_id(const struct dem_view *v, size_t k)
+{
+    return *(const int64_t *)(const void *)((const char *)v->id + v->stride*k);
+}
+
+static inline struct world_particle world_take(const struct dem_view *v, size_t k)
+{
+    struct world_particle p = {.radius = *dem_at(v->radius, v->stride, k), .mass = *dem_at(v->mass, v->stride, k)};
+
+    memcpy(p.x, dem_at(v->position, v->stride, k), sizeof p.x);
+    memcpy(p.v, dem_at(v->velocity, v->stride, k), sizeof p.v);
+    memcpy(p.w, dem_at(v->spin, v->stride, k), sizeof p.w);
+    memcpy(p.f, v->force + 3*k, sizeof p.f);
+    memcpy(p.t, v->torque + 3*k, sizeof p.t);
+    return p;
+}
+
+/* all particles, by id: ids 0 to n - 1 */
+static inline void world_all(const struct dem *d, struct world_particle *p)
+{
+    struct dem_view v;
+
+    dem_view(d, &v);
+    for (size_t k = 0; k < v.n; k++)
+    {
+        p[world_id(&v, k)] = world_take(&v, k);
+    }
+}
+
+static inline struct world_particle world_at(const struct dem *d, int64_t id)
+{
+    struct dem_view v;
+
+    dem_view(d, &v);
+    for (size_t k = 0; k < v.n; k++)
+    {
+        if (world_id(&v, k) == id)
+        {
+            return world_take(&v, k);
+        }
+    }
+    printf("Bail out! there is no particle %lld\n", (long long)id);
+    exit(1);
+}
+
+/* force on the wall of this name */
+static inline void world_wall(struct dem *d, const char *name, double force[3])
+{
+    double torque[3];
+
+    for (int w = 0; w < dem_wall_count(d); w++)
+    {
+        if (strcmp(dem_wall_name(d, w), name) == 0)
+        {
+            WORLD_TRY(dem_wall_load(d, w, force, torque));
+            return;
+        }
+    }
+    printf("Bail out! there is no wall %s\n", name);
+    exit(1);
+}
+
+static inline double world_ball(double radius, double density)
+{
+    return 4.0/3.0*world_pi*radius*radius*radius*density;
+}
+
+/* duration of an elastic Hertzian impact; Johnson, Contact Mechanics (1985), section 11.4 */
+static inline double world_contact_time(double reduced_mass, double reduced_radius, double reduced_modulus, double speed)
+{
+    return 2.8682656992*pow(reduced_mass*reduced_mass/(reduced_radius*reduced_modulus*reduced_modulus*speed), 0.2);
+}
+
+/* a table of numbers with commas, "#" lines and one line of names skipped; returns the number of rows. `name` is relative
+   to tests/, where the programs run. */
+static inline int world_table(const char *name, int columns, int room, double *row)
+{
+    FILE *const f = fopen(name, "r");
+    char line[1024];
+    int rows = 0;
+
+    if (!f)
+    {
+        printf("Bail out! can't open %s\n", name);
+        exit(1);
+    }
+    while (rows < room && fgets(line, sizeof line, f))
+    {
+        char *at = line, *end;
+        int k = 0;
+
+        for (; k < columns; k++, at = end + (*end == ','))
+        {
+            row[rows*columns + k] = strtod(at, &end);
+            if (end == at)
+            {
+                break;
+            }
+        }
+        rows += k == columns;
+    }
+    fclose(f);
+    return rows;
+}
+
+#endif
