@@ -25,8 +25,10 @@ namespace Foam
     // both claim such a point; its weights are the same to this precision.
     static const scalar onFace = 1e-9;
 
-    // Up to here the face's triangles decide, not its plane, as it may be warped
+    // Up to here the face's triangles decide, not its plane, as it may be warped;
+    // and always after so many steps, as planes may lead in circles
     static const scalar nearFace = 1.2;
+    static const label planeSteps = 50;
 
     // Square of a tetrahedron's height over its longest possible one
     static const scalar flat = 1e-20;
@@ -54,6 +56,16 @@ void Foam::demLocator::addPlanes()
 
     face_.setSize(start_.last());
     plane_.setSize(start_.last());
+
+    middle_.setSize(mesh_.nFaces(), point::zero);
+    forAll(middle_, facei)
+    {
+        const face& f = mesh_.faces()[facei];
+        for (const label pointi : f)
+        {
+            middle_[facei] += mesh_.points()[pointi]/f.size();
+        }
+    }
 
     label slot = 0;
     forAll(cells, celli)
@@ -106,7 +118,11 @@ void Foam::demLocator::addOtherSide()
                 << "; particles pass only cyclic and processor patches: make"
                 << " the faces match and use cyclic" << exit(FatalError);
         }
-        if (!refCast<const coupledPolyPatch>(patch).parallel())
+        if
+        (
+            patch.type() != processorPolyPatch::typeName
+         && !refCast<const coupledPolyPatch>(patch).parallel()
+        )
         {
             FatalErrorInFunction
                 << "patch " << patch.name() << " is rotational, but particles"
@@ -159,7 +175,7 @@ void Foam::demLocator::tryFace
 {
     const pointField& points = mesh_.points();
     const face& f = mesh_.faces()[facei];
-    const vector e(mesh_.faceCentres()[facei] - centre);
+    const vector e(middle_[facei] - centre);
     const vector dxe(d ^ e);
 
     label pi = f.last();
@@ -310,7 +326,7 @@ Foam::demLocator::ending Foam::demLocator::walk(traveller& t, demSpot& spot) con
         const label worst = behind(t.cell, d, most);
         label through = face_[worst];
 
-        if (most <= nearFace)
+        if (most <= nearFace || step >= planeSteps)
         {
             aim(t.cell, d, worst, spot);
             through = spot.face;

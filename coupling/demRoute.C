@@ -129,7 +129,7 @@ void Foam::demRoute::walkOne(const scalar* question, mail& answers, mail* onward
         label(question[3]),
         Pstream::myProcNo()
     };
-    const bool sure = question[4] > 0;
+    const label sure = label(question[4]);
     const label owner = label(question[5]);
 
     demLocator::traveller t(start);
@@ -137,7 +137,7 @@ void Foam::demRoute::walkOne(const scalar* question, mail& answers, mail* onward
     const demLocator::ending end = locator_.walk(t, spot);
     bool found = end == demLocator::INSIDE;
 
-    if (end == demLocator::LEFT && onward)
+    if (end == demLocator::LEFT && onward && sure < 2)
     {
         DynamicList<scalar>& letter = (*onward)[t.rank];
         write(letter, t.position);
@@ -330,7 +330,7 @@ void Foam::demRoute::locate(const demView& view, double* place)
 {
     nParticles_ = label(view.n);
     sure_.setSize(nParticles_);
-    sure_ = false;
+    sure_ = 0;
     spots_.clear();
     asker_.clear();
     for (DynamicList<label>& list : asked_)
@@ -346,6 +346,14 @@ void Foam::demRoute::locate(const demView& view, double* place)
     {
         who.transfer(lost);
         search(view, place, who);
+        ask(view, place, who, lost);
+
+        // between warped faces a walk may not end in the cell that a tree is sure of
+        who.transfer(lost);
+        for (const label i : who)
+        {
+            sure_[i] *= 2;
+        }
         ask(view, place, who, lost);
         if (returnReduce(lost.size(), sumOp<label>()) > 0)
         {

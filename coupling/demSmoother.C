@@ -18,16 +18,36 @@ namespace Foam
 }
 
 
+Foam::tmp<Foam::scalarField> Foam::demSmoother::conductance
+(
+    const vectorField& S,
+    const vectorField& d
+)
+{
+    // d is never taken to lie flatter on the face than this, as in OpenFOAM
+    return max(S & d, 0.05*mag(S)*mag(d))/magSqr(d);
+}
+
+
 Foam::demSmoother::demSmoother(const fvMesh& mesh)
 :
     mesh_(mesh),
-    inside_(mesh.nonOrthDeltaCoeffs().primitiveField()*mesh.magSf().primitiveField()),
     border_(mesh.nBoundaryFaces(), Zero),
     stiffest_(0),
     coupled_(false),
     steps_(0),
     rate_(mesh.nCells(), Zero)
 {
+    const pointField& C = mesh_.cellCentres();
+    const label nInternal = mesh_.nInternalFaces();
+    vectorField d(nInternal);
+
+    forAll(d, facei)
+    {
+        d[facei] = C[mesh_.faceNeighbour()[facei]] - C[mesh_.faceOwner()[facei]];
+    }
+    inside_ = conductance(vectorField(SubField<vector>(mesh_.faceAreas(), nInternal)), d);
+
     scalarField sum(mesh_.nCells(), Zero);
 
     forAll(inside_, facei)
@@ -39,13 +59,10 @@ Foam::demSmoother::demSmoother(const fvMesh& mesh)
     {
         if (patch.coupled())
         {
-            const scalarField k
-            (
-                mesh_.nonOrthDeltaCoeffs().boundaryField()[patch.index()]*patch.magSf()
-            );
+            const scalarField k(conductance(patch.Sf(), patch.delta()));
             forAll(k, i)
             {
-                border_[patch.start() - mesh_.nInternalFaces() + i] = k[i];
+                border_[patch.start() - nInternal + i] = k[i];
                 sum[patch.faceCells()[i]] += k[i];
             }
             coupled_ = true;

@@ -8,7 +8,6 @@
 
 #include "demWeights.H"
 #include "syncTools.H"
-#include "symmTensorField.H"
 
 namespace Foam
 {
@@ -17,18 +16,50 @@ namespace Foam
 // cloud: what is left of k there changes weights by a thousandth at most
 static const scalar stiff = 1e3;
 
-//- k of w = 1 + k.(x_c - x) from the sums of (x_c - x) and its dyad over the
-//  cloud; `hold` is the weighted sum of dyads of directions in which k must vanish
-static vector slope(const vector& sum, const symmTensor& dyads, const symmTensor& hold)
+// A cloud of cell centres is flat in a direction if its extent there, squared,
+// is less than this times its extent in all: an aspect ratio of 30 000
+static const scalar flat = 1e-9;
+
+
+//- k of m.k = b by elimination, largest pivot first; where pivots are below
+//  `least` the cloud is flat, k does not matter and is 0
+static vector solve(const symmTensor& m, const vector& b, const scalar least)
 {
-    const scalar size = tr(dyads);
-    if (size <= VSMALL)
+    scalar a[3][4] =
     {
-        return vector::zero;
+        {m.xx(), m.xy(), m.xz(), b.x()},
+        {m.xy(), m.yy(), m.yz(), b.y()},
+        {m.xz(), m.yz(), m.zz(), b.z()}
+    };
+    bool done[3] = {false, false, false};
+    vector k(Zero);
+
+    for (label round = 0; round < 3; ++round)
+    {
+        label p = -1;
+        for (label i = 0; i < 3; ++i)
+        {
+            p = !done[i] && (p < 0 || a[i][i] > a[p][p]) ? i : p;
+        }
+        if (a[p][p] <= least)
+        {
+            break;
+        }
+        done[p] = true;
+        for (label i = 0; i < 3; ++i)
+        {
+            const scalar factor = i == p ? 0 : a[i][p]/a[p][p];
+            for (label j = 0; j < 4; ++j)
+            {
+                a[i][j] -= factor*a[p][j];
+            }
+        }
     }
-    // dimensionless; the last term keeps a flat cloud (all in one plane) solvable
-    const symmTensor m(dyads/size + hold + 1e-14*symmTensor::I);
-    return -(inv(m) & sum)/size;
+    for (direction i = 0; i < 3; ++i)
+    {
+        k[i] = done[i] ? a[i][3]/a[i][i] : 0;
+    }
+    return k;
 }
 
 
@@ -42,75 +73,42 @@ static scalar clipped(const scalar w)
 
 // * * * * * * * * * * * * * * * set-up  * * * * * * * * * * * * * * * * * * //
 
-void Foam::demWeights::weighFaces()
+void Foam::demWeights::cloud
+(
+    scalarField& count,
+    vectorField& mean,
+    symmTensorField& spread
+) const
 {
-    const faceList& faces = mesh_.faces();
-    const pointField& points = mesh_.points();
-
-    facePointStart_.setSize(faces.size() + 1);
-    facePointStart_[0] = 0;
-    forAll(faces, facei)
+    forAll(count, pointi)
     {
-        facePointStart_[facei + 1] = facePointStart_[facei] + faces[facei].size();
+        for (const label celli : mesh_.pointCells()[pointi])
+        {
+            const vector d(mesh_.cellCentres()[celli] - mesh_.points()[pointi]);
+            count[pointi] += 1;
+            mean[pointi] += d;
+            spread[pointi] += sqr(d);
+        }
     }
-    facePoint_.setSize(facePointStart_.last());
-    facePointWeight_.setSize(facePointStart_.last());
+    addCopies(count);
+    addCopies(mean);
+    addCopies(spread);
 
-    forAll(faces, facei)
+    forAll(count, pointi)
     {
-        const point& centre = mesh_.faceCentres()[facei];
-        const vector n(normalised(mesh_.faceAreas()[facei]));
-        vector sum(Zero);
-        symmTensor dyads(Zero);
-
-        for (const label pointi : faces[facei])
-        {
-            const vector d(points[pointi] - centre);
-            sum += d;
-            dyads += sqr(d);
-        }
-
-        const vector k(slope(sum, dyads, sqr(n)));
-        scalar total = 0;
-        label slot = facePointStart_[facei];
-
-        for (const label pointi : faces[facei])
-        {
-            facePoint_[slot] = pointi;
-            total += facePointWeight_[slot++] = clipped(1 + (k & (points[pointi] - centre)));
-        }
-        for (slot = facePointStart_[facei]; slot < facePointStart_[facei + 1]; ++slot)
-        {
-            facePointWeight_[slot] /= total;
-        }
+        // points that belong to no cell have none
+        const scalar n = max(count[pointi], scalar(1));
+        mean[pointi] /= n;
+        spread[pointi] = spread[pointi]/n - sqr(mean[pointi]);
     }
 }
 
 
-void Foam::demWeights::weighPoints()
+Foam::tmp<Foam::symmTensorField> Foam::demWeights::walls() const
 {
-    const labelListList& pointCells = mesh_.pointCells();
-    const pointField& points = mesh_.points();
-    const pointField& C = mesh_.cellCentres();
+    tmp<symmTensorField> tdyads(new symmTensorField(mesh_.nPoints(), Zero));
+    symmTensorField& dyads = tdyads.ref();
 
-    pointCellStart_.setSize(points.size() + 1);
-    pointCellStart_[0] = 0;
-
-    vectorField sum(points.size(), Zero);
-    symmTensorField dyads(points.size(), Zero);
-    symmTensorField walls(points.size(), Zero);
-    scalarField total(points.size(), Zero);
-
-    forAll(points, pointi)
-    {
-        pointCellStart_[pointi + 1] = pointCellStart_[pointi] + pointCells[pointi].size();
-        for (const label celli : pointCells[pointi])
-        {
-            const vector d(C[celli] - points[pointi]);
-            sum[pointi] += d;
-            dyads[pointi] += sqr(d);
-        }
-    }
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
         if (!patch.coupled())
@@ -118,39 +116,61 @@ void Foam::demWeights::weighPoints()
             forAll(patch, i)
             {
                 const vector n(normalised(patch.faceAreas()[i]));
-                const symmTensor nn(stiff*sqr(n));
                 for (const label pointi : patch[i])
                 {
-                    walls[pointi] += nn;
+                    dyads[pointi] += sqr(n);
                 }
             }
         }
     }
-    addCopies(sum);
     addCopies(dyads);
-    addCopies(walls);
+    return tdyads;
+}
 
-    pointCell_.setSize(pointCellStart_.last());
-    pointCellWeight_.setSize(pointCellStart_.last());
 
+void Foam::demWeights::weigh()
+{
+    const pointField& points = mesh_.points();
+    scalarField total(points.size(), Zero);
+    vectorField mean(points.size(), Zero);
+    symmTensorField spread(points.size(), Zero);
+
+    cloud(total, mean, spread);
+    const symmTensorField hold(walls());
+
+    start_.setSize(points.size() + 1);
+    start_[0] = 0;
+    forAll(points, pointi)
+    {
+        start_[pointi + 1] = start_[pointi] + mesh_.pointCells()[pointi].size();
+    }
+    cell_.setSize(start_.last());
+    weight_.setSize(start_.last());
+
+    total = 0;
     label slot = 0;
     forAll(points, pointi)
     {
-        const vector k(slope(sum[pointi], dyads[pointi], walls[pointi]));
-        for (const label celli : pointCells[pointi])
+        const scalar size = tr(spread[pointi]);
+        const vector k
+        (
+            -solve(spread[pointi] + stiff*size*hold[pointi], mean[pointi], flat*size)
+        );
+        for (const label celli : mesh_.pointCells()[pointi])
         {
-            pointCell_[slot] = celli;
-            total[pointi] +=
-                pointCellWeight_[slot++] = clipped(1 + (k & (C[celli] - points[pointi])));
+            const vector d(mesh_.cellCentres()[celli] - points[pointi]);
+            cell_[slot] = celli;
+            weight_[slot] = clipped(1 + (k & (d - mean[pointi])));
+            total[pointi] += weight_[slot++];
         }
     }
     addCopies(total);
 
     forAll(points, pointi)
     {
-        for (slot = pointCellStart_[pointi]; slot < pointCellStart_[pointi + 1]; ++slot)
+        for (slot = start_[pointi]; slot < start_[pointi + 1]; ++slot)
         {
-            pointCellWeight_[slot] /= total[pointi];
+            weight_[slot] /= total[pointi];
         }
     }
 }
@@ -165,8 +185,7 @@ Foam::demWeights::demWeights(const fvMesh& mesh)
     {
         shared_ = shared_ || patch.coupled();
     }
-    weighFaces();
-    weighPoints();
+    weigh();
 }
 
 
@@ -190,6 +209,7 @@ void Foam::demWeights::spread
     UList<Type>& cells
 ) const
 {
+    const faceList& faces = mesh_.faces();
     Field<Type> atFaces(mesh_.nFaces(), Zero);
     Field<Type> atPoints(mesh_.nPoints(), Zero);
 
@@ -208,9 +228,11 @@ void Foam::demWeights::spread
     {
         if (atFaces[facei] != Type(Zero))
         {
-            for (label k = facePointStart_[facei]; k < facePointStart_[facei + 1]; ++k)
+            const face& f = faces[facei];
+            const Type share(atFaces[facei]/f.size());
+            for (const label pointi : f)
             {
-                atPoints[facePoint_[k]] += facePointWeight_[k]*atFaces[facei];
+                atPoints[pointi] += share;
             }
         }
     }
@@ -221,9 +243,9 @@ void Foam::demWeights::spread
     {
         if (atPoints[pointi] != Type(Zero))
         {
-            for (label k = pointCellStart_[pointi]; k < pointCellStart_[pointi + 1]; ++k)
+            for (label k = start_[pointi]; k < start_[pointi + 1]; ++k)
             {
-                cells[pointCell_[k]] += pointCellWeight_[k]*atPoints[pointi];
+                cells[cell_[k]] += weight_[k]*atPoints[pointi];
             }
         }
     }
@@ -238,14 +260,15 @@ void Foam::demWeights::collect
     UList<Type>& values
 ) const
 {
+    const faceList& faces = mesh_.faces();
     Field<Type> atPoints(mesh_.nPoints(), Zero);
     Field<Type> atFaces(mesh_.nFaces(), Zero);
 
     forAll(atPoints, pointi)
     {
-        for (label k = pointCellStart_[pointi]; k < pointCellStart_[pointi + 1]; ++k)
+        for (label k = start_[pointi]; k < start_[pointi + 1]; ++k)
         {
-            atPoints[pointi] += pointCellWeight_[k]*cells[pointCell_[k]];
+            atPoints[pointi] += weight_[k]*cells[cell_[k]];
         }
     }
 
@@ -253,10 +276,12 @@ void Foam::demWeights::collect
 
     forAll(atFaces, facei)
     {
-        for (label k = facePointStart_[facei]; k < facePointStart_[facei + 1]; ++k)
+        const face& f = faces[facei];
+        for (const label pointi : f)
         {
-            atFaces[facei] += facePointWeight_[k]*atPoints[facePoint_[k]];
+            atFaces[facei] += atPoints[pointi];
         }
+        atFaces[facei] /= f.size();
     }
 
     forAll(spots, i)
