@@ -1,9 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demRoute.C -- questions, walks across ranks, answers.
-
-    Letters are lists of numbers (cells and ranks are exact in a double):
-    question  x y z cell sure owner particle   answer  particle cell (-1: nowhere)
-    search    x y z particle                   found   particle cell distance
+    demRoute.C -- the mesh's side: walk what is asked, here and over ranks, and answer.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
@@ -14,28 +10,18 @@
 #include "PstreamBuffers.H"
 #include "PstreamReduceOps.H"
 
-namespace Foam
+
+void Foam::demRoute::write(DynamicList<scalar>& letter, const point& x)
 {
-    static const label questionSize = 7, answerSize = 2, searchSize = 4, foundSize = 3;
+    letter.append(x.x());
+    letter.append(x.y());
+    letter.append(x.z());
+}
 
-    static point positionOf(const demView& view, const label i)
-    {
-        const double* x = dem_at(view.position, view.stride, size_t(i));
-        return point(x[0], x[1], x[2]);
-    }
 
-    static int64_t idOf(const demView& view, const label i)
-    {
-        const char* first = reinterpret_cast<const char*>(view.id);
-        return *reinterpret_cast<const int64_t*>(first + view.stride*size_t(i));
-    }
-
-    static void write(DynamicList<scalar>& letter, const point& x)
-    {
-        letter.append(x.x());
-        letter.append(x.y());
-        letter.append(x.z());
-    }
+bool Foam::demRoute::filled(const boundBox& box)
+{
+    return box.min().x() <= box.max().x();
 }
 
 
@@ -71,7 +57,7 @@ Foam::demRoute::demRoute(const fvMesh& mesh, const demLocator& locator)
     // room for points on the bounds
     for (boundBox& box : bounds_)
     {
-        if (box.valid())
+        if (filled(box))
         {
             const vector room(1e-6*whole_.span());
             box.min() -= room;
@@ -194,71 +180,9 @@ void Foam::demRoute::walkAll()
 }
 
 
-// * * * * * * * * * * * * * * * owner's side  * * * * * * * * * * * * * * * //
-
-void Foam::demRoute::ask
-(
-    const demView& view,
-    double* place,
-    const UList<label>& who,
-    DynamicList<label>& lost
-)
+void Foam::demRoute::searchAll()
 {
-    for (const label i : who)
-    {
-        const label rank = label(place[2*i]);
-        if (rank < 0 || rank >= Pstream::nProcs())
-        {
-            lost.append(i);
-            continue;
-        }
-        DynamicList<scalar>& letter = out_[rank];
-        write(letter, positionOf(view, i));
-        letter.append(place[2*i + 1]);
-        letter.append(sure_[i]);
-        letter.append(Pstream::myProcNo());
-        letter.append(i);
-    }
-
-    walkAll();
-
-    forAll(in_, rank)
-    {
-        const DynamicList<scalar>& letter = in_[rank];
-        for (label k = 0; k < letter.size(); k += answerSize)
-        {
-            const label i = label(letter[k]);
-            if (letter[k + 1] < 0)
-            {
-                lost.append(i);
-                continue;
-            }
-            asked_[rank].append(i);
-            place[2*i] = rank;
-            place[2*i + 1] = letter[k + 1];
-        }
-    }
-}
-
-
-void Foam::demRoute::search(const demView& view, double* place, const UList<label>& who)
-{
-    for (const label i : who)
-    {
-        // a point beyond a cyclic patch starts from the bounds and walks through
-        const point x(min(max(positionOf(view, i), whole_.min()), whole_.max()));
-        forAll(bounds_, rank)
-        {
-            if (bounds_[rank].valid() && bounds_[rank].contains(x))
-            {
-                write(out_[rank], x);
-                out_[rank].append(i);
-            }
-        }
-        place[2*i] = place[2*i + 1] = -1;
-    }
     post();
-
     forAll(in_, rank)
     {
         const DynamicList<scalar>& letter = in_[rank];
@@ -274,116 +198,6 @@ void Foam::demRoute::search(const demView& view, double* place, const UList<labe
         }
     }
     post();
-
-    // the nearest wins: distance 0 inside a cell; of equals the lowest rank.
-    // A tree is not sure about a point that was moved to the bounds.
-    scalarField nearest(nParticles_, GREAT);
-    forAll(in_, rank)
-    {
-        const DynamicList<scalar>& letter = in_[rank];
-        for (label k = 0; k < letter.size(); k += foundSize)
-        {
-            const label i = label(letter[k]);
-            if (letter[k + 2] < nearest[i])
-            {
-                nearest[i] = letter[k + 2];
-                place[2*i] = rank;
-                place[2*i + 1] = letter[k + 1];
-                sure_[i] = nearest[i] <= 0 && whole_.contains(positionOf(view, i));
-            }
-        }
-    }
-}
-
-
-void Foam::demRoute::complain(const demView& view, const UList<label>& lost) const
-{
-    // the lowest id of all ranks, so that all say the same
-    scalar id = GREAT;
-    label mine = -1;
-    for (const label i : lost)
-    {
-        const scalar here = scalar(idOf(view, i));
-        if (mine < 0 || here < id)
-        {
-            id = here;
-            mine = i;
-        }
-    }
-    const scalar lowest = returnReduce(id, minOp<scalar>());
-    const point none(-GREAT, -GREAT, -GREAT);
-    const point where
-    (
-        returnReduce(mine >= 0 && id == lowest ? positionOf(view, mine) : none, maxOp<point>())
-    );
-    const label count = returnReduce(lost.size(), sumOp<label>());
-
-    FatalErrorInFunction
-        << count << " particle(s) outside the mesh, whose bounds are " << whole_
-        << "; the first is particle " << int64_t(lowest) << " at " << where
-        << ". Start particles inside the mesh, and make walls of all patches"
-        << " that particles must not pass" << exit(FatalError);
-}
-
-
-void Foam::demRoute::locate(const demView& view, double* place)
-{
-    nParticles_ = label(view.n);
-    sure_.setSize(nParticles_);
-    sure_ = 0;
-    spots_.clear();
-    asker_.clear();
-    for (DynamicList<label>& list : asked_)
-    {
-        list.clear();
-    }
-
-    DynamicList<label> who(identity(nParticles_));
-    DynamicList<label> lost;
-
-    ask(view, place, who, lost);
-    if (returnReduce(lost.size(), sumOp<label>()) > 0)
-    {
-        who.transfer(lost);
-        search(view, place, who);
-        ask(view, place, who, lost);
-
-        // between warped faces a walk may not end in the cell that a tree is sure of
-        who.transfer(lost);
-        for (const label i : who)
-        {
-            sure_[i] *= 2;
-        }
-        ask(view, place, who, lost);
-        if (returnReduce(lost.size(), sumOp<label>()) > 0)
-        {
-            complain(view, lost);
-        }
-    }
-
-    labelListList particles(Pstream::nProcs());
-    labelListList spots(Pstream::nProcs());
-    labelList count(Pstream::nProcs(), Zero);
-
-    for (const label owner : asker_)
-    {
-        ++count[owner];
-    }
-    forAll(spots, rank)
-    {
-        particles[rank] = asked_[rank];
-        spots[rank].setSize(count[rank]);
-        count[rank] = 0;
-    }
-    forAll(asker_, k)
-    {
-        const label owner = asker_[k];
-        spots[owner][count[owner]++] = k;
-    }
-    map_.reset
-    (
-        new mapDistributeBase(spots_.size(), std::move(particles), std::move(spots))
-    );
 }
 
 

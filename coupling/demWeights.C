@@ -63,11 +63,6 @@ static vector solve(const symmTensor& m, const vector& b, const scalar least)
 }
 
 
-static scalar clipped(const scalar w)
-{
-    return min(max(w, scalar(0)), scalar(2));
-}
-
 } // End namespace Foam
 
 
@@ -160,7 +155,7 @@ void Foam::demWeights::weigh()
         {
             const vector d(mesh_.cellCentres()[celli] - points[pointi]);
             cell_[slot] = celli;
-            weight_[slot] = clipped(1 + (k & (d - mean[pointi])));
+            weight_[slot] = min(max(1 + (k & (d - mean[pointi])), scalar(0)), scalar(2));
             total[pointi] += weight_[slot++];
         }
     }
