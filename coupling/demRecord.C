@@ -1,0 +1,205 @@
+/*---------------------------------------------------------------------------*\
+    demRecord.C -- a light record of the particles.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demRecord.H"
+#include "demCheck.H"
+#include "OSspecific.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// 0 id, 1 position, 4 velocity, 7 diameter
+enum { RECORD_NUMBERS = 8 };
+
+static scalarList pack(const demView& v)
+{
+    scalarList all(RECORD_NUMBERS*label(v.n));
+    label to = 0;
+
+    for (size_t i = 0; i < v.n; i++)
+    {
+        const char* id = reinterpret_cast<const char*>(v.id) + v.stride*i;
+        const double* x = dem_at(v.position, v.stride, i);
+        const double* u = dem_at(v.velocity, v.stride, i);
+
+        all[to++] = scalar(*reinterpret_cast<const int64_t*>(id) & 0x7fffffff);
+        for (int k = 0; k < 3; k++) all[to++] = x[k];
+        for (int k = 0; k < 3; k++) all[to++] = u[k];
+        all[to++] = 2*(*dem_at(v.radius, v.stride, i));
+    }
+    return all;
+}
+
+
+template<class Type>
+static void put(std::ofstream& os, const Type value)
+{
+    os.write(reinterpret_cast<const char*>(&value), sizeof(value));
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+// At the first step, so that a run that only looks leaves no empty files
+void Foam::demRecord::open(const ::dem* d)
+{
+    impulse_.setSize(dem_wall_count(d));
+    impulse_ = Zero;
+
+    const scalar start = time_.value() - time_.deltaTValue();
+    entries_ = label(start/interval_ + 1e-6);
+
+    if (!Pstream::master())
+    {
+        return;
+    }
+
+    const fileName folder
+    (
+        time_.globalPath()/"postProcessing"/"dem"/Time::timeName(start)
+    );
+    mkDir(folder);
+
+    particles_.open((folder/"particles.bin").c_str(), std::ios::binary);
+    walls_.open((folder/"walls.dat").c_str());
+
+    if (!particles_ || !walls_)
+    {
+        FatalErrorInFunction
+            << "Can't write " << folder/"particles.bin" << " and walls.dat;"
+            << " take out coupling/record, or make room" << exit(FatalError);
+    }
+
+    walls_.precision(8);
+    walls_ << "# force of the particles on walls [N], mean since the last"
+        << " line\n# time[s]";
+    for (int wall = 0; wall < dem_wall_count(d); wall++)
+    {
+        const char* name = dem_wall_name(d, wall);
+        walls_ << "  " << name << ".x " << name << ".y " << name << ".z";
+    }
+    walls_ << std::endl;
+}
+
+
+void Foam::demRecord::writeParticles(const demView& view)
+{
+    List<scalarList> parts(Pstream::nProcs());
+    parts[Pstream::myProcNo()] = pack(view);
+    Pstream::gatherList(parts);
+
+    if (!Pstream::master())
+    {
+        return;
+    }
+
+    int64_t n = 0;
+    forAll(parts, rank)
+    {
+        n += parts[rank].size()/RECORD_NUMBERS;
+    }
+    put<double>(particles_, time_.value());
+    put<int64_t>(particles_, n);
+
+    forAll(parts, rank)
+    {
+        const scalarList& part = parts[rank];
+
+        forAll(part, i)
+        {
+            if (i % RECORD_NUMBERS == 0)
+            {
+                put<int32_t>(particles_, int32_t(part[i]));
+            }
+            else
+            {
+                put<float>(particles_, float(part[i]));
+            }
+        }
+    }
+    particles_.flush();
+}
+
+
+void Foam::demRecord::writeWalls()
+{
+    walls_ << time_.value();
+    forAll(impulse_, wall)
+    {
+        const vector mean(impulse_[wall]/since_);
+        walls_ << "  " << mean.x() << ' ' << mean.y() << ' ' << mean.z();
+    }
+    walls_ << std::endl;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
+:
+    time_(time),
+    interval_(0),
+    entries_(-1),
+    since_(0)
+{
+    if (coupling.found("record"))
+    {
+        const dictionary& record = coupling.subDict("record");
+        interval_ = record.get<scalar>("interval");
+
+        if (interval_ <= 0)
+        {
+            FatalIOErrorInFunction(record)
+                << "interval " << interval_ << " s; give a time above 0, or"
+                << " take out record" << exit(FatalIOError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demRecord::add(::dem* d, const demView& view)
+{
+    if (interval_ <= 0)
+    {
+        return;
+    }
+    if (entries_ < 0)
+    {
+        open(d);
+    }
+
+    const scalar step = time_.deltaTValue();
+    since_ += step;
+    forAll(impulse_, wall)
+    {
+        vector force(Zero), torque(Zero);
+        demCheck(dem_wall_load(d, wall, force.data(), torque.data()));
+        impulse_[wall] += step*force;
+    }
+
+    const label passed = label(time_.value()/interval_ + 1e-6);
+    if (passed > entries_)
+    {
+        entries_ = passed;
+        writeParticles(view);
+        if (Pstream::master())
+        {
+            writeWalls();
+        }
+        impulse_ = Zero;
+        since_ = 0;
+    }
+}
+
+// ************************************************************************* //
