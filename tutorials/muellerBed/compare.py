@@ -1,0 +1,225 @@
+#!/usr/bin/env python3
+"""compare.py -- the bubbling bed against the magnetic-resonance measurements of Mueller et al. 2008/2009.
+
+    compare.py [-from 1] [-slab 2] [CASE]    tables and pictures of a run; CASE is the folder of this file by default
+    compare.py --selfcheck                   averages whose answer is known, as TAP
+
+Reads the record of the beads, the pressure at plate and top, the forces on walls and the solver's log. Writes into CASE
+    result.csv      one row a quantity: rms difference from the measured points, their own spread, 95 % interval of rms
+    profiles.csv    the profiles themselves with their 95 % intervals
+    profiles.png pressure.png bed.png
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import argparse
+import csv
+import re
+import sys
+from pathlib import Path
+
+import numpy
+
+import averages
+import frames
+
+HERE = Path(__file__).resolve().parent
+WIDTH, DEPTH = 0.044, 0.010                         # m, of the bed
+DIAMETER = 1.2e-3                                   # m, of a bead
+EDGES = numpy.linspace(0, WIDTH, 23)                # m, 22 boxes of 2 mm
+CENTRES = 0.5*(EDGES[1:] + EDGES[:-1])
+BLOCK = 0.25                                        # s, a few bubbles: blocks know little of each other
+
+# quantity, height [mm], unit, and what others have on the same points: DPMFoam of OpenFOAM v1912 (number mean, the same
+# boxes, 3.9 s, E = 1.2e5 Pa) and sediFoam (its published profiles)
+ROWS = [
+    ("voidFraction", 16.4, "1", 0.036, 0.089),
+    ("voidFraction", 31.2, "1", 0.135, 0.147),
+    ("velocity", 15.0, "m/s", 0.042, 0.021),
+    ("velocity", 25.0, "m/s", 0.056, 0.024),
+    ("velocity", 35.0, "m/s", 0.065, 0.091),
+]
+
+
+class Profile:
+    """One quantity at one height: raw sums of each frame, then its mean and its distance from the measured points."""
+
+    def __init__(self, quantity, height, unit, half):
+        self.quantity, self.height, self.unit = quantity, height, unit
+        self.low, self.high = height*1e-3 - half, height*1e-3 + half
+        path = HERE/"measured"/f"{quantity}_{height:g}mm.csv"
+        self.measured = numpy.loadtxt(path, delimiter=",", skiprows=2).T
+        self.sums = []
+
+    def add(self, position, velocity):
+        if self.quantity == "voidFraction":
+            solid = averages.solid_volume(position, 0.5*DIAMETER, EDGES, self.low, self.high)
+            self.sums.append((1 - solid/(numpy.diff(EDGES)*DEPTH*(self.high - self.low)),))
+        else:
+            self.sums.append(averages.velocity_sums(position, velocity, EDGES, self.low, self.high))
+
+    def average(self, blocks):
+        """Means, their intervals, and the distance from what was measured."""
+        sums = [numpy.array(column) for column in zip(*self.sums)]
+        mean = averages.velocity_by_number if self.quantity == "velocity" else averages.mean_in_time
+
+        def of(function):
+            return lambda chosen: function(*(column[chosen] for column in sums))
+
+        def distance(function):
+            return lambda chosen: averages.rms(self.difference(of(function)(chosen)))
+
+        self.profile, self.interval = averages.jackknife(of(mean), blocks)
+        self.rms, self.rms_interval = averages.jackknife(distance(mean), blocks)
+        self.bias = self.difference(self.profile).mean()
+        self.spread = self.measured[1].std()
+        self.noise = averages.rms(self.interval)
+        if self.quantity == "velocity":
+            self.in_time = of(averages.velocity_in_time)(numpy.concatenate(blocks))
+            self.rms_in_time = averages.rms(self.difference(self.in_time))
+
+    def difference(self, profile):
+        return averages.difference(CENTRES, profile, self.measured)
+
+
+# ---- a run -------------------------------------------------------------------------------------------------------
+
+def read_profiles(case, start, half):
+    """Profiles with the sums of all frames from `start` on, the frames' times, and the number of beads."""
+    profiles = [Profile(quantity, height, unit, half) for quantity, height, unit, *_ in ROWS]
+    listed = frames.list_frames(case)
+    if not listed:
+        sys.exit(f"compare: no record of beads in {case}/postProcessing/dem; run ./Allrun first")
+    end = listed[-1][0]
+    start = min(start, 0.5*end)
+    chosen = [frame for frame in listed if frame[0] > start*(1 + 1e-9)]
+    count = 0
+    for _, *place in chosen:
+        position, velocity = frames.read_frame(*place)
+        count = len(position)
+        for profile in profiles:
+            profile.add(position, velocity)
+    times = numpy.array([frame[0] for frame in chosen])
+    blocks = averages.cut_blocks(len(times), max(4, int(round((end - start)/BLOCK))))
+    for profile in profiles:
+        profile.average(blocks)
+    return profiles, times, len(blocks), count
+
+
+def mean_of(time, values, start):
+    """Mean after `start` with its interval."""
+    chosen = values[time > start*(1 + 1e-9)]
+    blocks = averages.cut_blocks(len(chosen), max(4, int(round((time[-1] - start)/BLOCK))))
+    return averages.jackknife(lambda c: chosen[c].mean(), blocks)
+
+
+class Balance:
+    """What carries the beads: pressures [Pa], forces over the bed's cross-section."""
+
+    def __init__(self, case, start, count):
+        air = frames.entry(case/"constant/transportProperties", "rho")
+        beads = frames.entry(case/"constant/demProperties", "density")
+        area = WIDTH*DEPTH
+        self.weight = count*numpy.pi/6*DIAMETER**3*(beads - air)*9.81/area      # less buoyancy, as p is without rho g
+
+        self.time, plate, *_ = frames.read_columns(case, "platePressure", "surfaceFieldValue.dat")
+        _, top, *_ = frames.read_columns(case, "topPressure", "surfaceFieldValue.dat")
+        self.drop = air*(plate - top)
+        self.mean, self.interval = mean_of(self.time, self.drop, start)
+
+        path = frames.starts(case, "dem", "walls.dat")[0][0]
+        names = re.findall(r"(\S+)\.z", path.read_text())
+        time, *force = frames.read_columns(case, "dem", "walls.dat")
+        self.walls = {name: mean_of(time, -force[3*k + 2]/area, start) for k, name in enumerate(names)}
+
+
+def read_log(case):
+    """What the solver says of itself at its end, and its worst moments."""
+    path = case/"log.demPimpleFoam"
+    text = path.read_text(errors="replace") if path.exists() else ""
+
+    def last(pattern, default=numpy.nan):
+        found = re.findall(pattern, text)
+        return float(found[-1]) if found else default
+
+    def worst(pattern, choose):
+        found = [float(value) for value in re.findall(pattern, text)]
+        return choose(found) if found else numpy.nan
+
+    number = r"([-+0-9.eE]+)"
+    return {
+        "wall": last(rf"ClockTime = {number} s"),
+        "fluid": last(rf"time spent on fluid {number} s"),
+        "particles": last(rf"time spent on fluid .* particles {number} s"),
+        "exchange": last(rf"time spent on fluid .* exchange {number} s"),
+        "ledger": worst(rf"exchange error {number}", max),
+        "overlap": worst(rf"overlap at most {number}", max),
+        "void": worst(rf"void fraction at least {number}", min),
+    }
+
+
+# ---- telling -----------------------------------------------------------------------------------------------------
+
+def write_result(case, profiles, balance, log):
+    with open(case/"result.csv", "w", newline="") as file:
+        out = csv.writer(file)
+        out.writerow(["quantity", "height_mm", "rms", "spread", "ci95", "unit"])
+        for p in profiles:
+            out.writerow([p.quantity, p.height, f"{p.rms:.4f}", f"{p.spread:.4f}", f"{p.rms_interval:.4f}", p.unit])
+        # no profile: rms is the value itself, spread what it is held against
+        out.writerow(["pressureDrop", 0, f"{balance.mean:.2f}", f"{balance.weight:.2f}", f"{balance.interval:.2f}", "Pa"])
+        out.writerow(["wallTime", 0, f"{log['wall']:.0f}", 0, 0, "s"])
+    with open(case/"profiles.csv", "w", newline="") as file:
+        out = csv.writer(file)
+        out.writerow(["quantity", "height_mm", "x_mm", "value", "ci95", "time_mean", "unit"])
+        for p in profiles:
+            for k, x in enumerate(CENTRES):
+                plain = p.in_time[k] if p.quantity == "velocity" else p.profile[k]
+                out.writerow([p.quantity, p.height, f"{1e3*x:.1f}", f"{p.profile[k]:.5f}", f"{p.interval[k]:.5f}",
+                              f"{plain:.5f}", p.unit])
+
+
+def tell(profiles, times, blocks, balance, log):
+    print(f"\n{len(times)} frames, {times[0]:g} .. {times[-1]:g} s, {blocks} blocks\n")
+    print("rms difference from the measured points     95 %            of the measured         DPMFoam  sediFoam")
+    print("quantity       height            rms      interval    bias    spread    profile's 95 %     rms       rms")
+    for p, (*_, dpmfoam, sedifoam) in zip(profiles, ROWS):
+        print(f"{p.quantity:13s} {p.height:5.1f} mm {p.rms:14.3f}    +-{p.rms_interval:6.3f}  {p.bias:+7.3f}  {p.spread:7.3f}"
+              f"        +-{p.noise:6.3f}  {dpmfoam:10.3f} {sedifoam:9.3f}")
+    plain = ", ".join(f"{p.rms_in_time:.3f}" for p in profiles if p.quantity == "velocity")
+    print(f"\nvelocity: mean over beads; with the plain mean over time the rms is {plain} m/s")
+    carried = balance.mean + sum(mean for mean, _ in balance.walls.values())
+    walls = ", ".join(f"{name} {mean:.1f} +- {interval:.1f}" for name, (mean, interval) in balance.walls.items())
+    print(f"pressure drop {balance.mean:.1f} +- {balance.interval:.1f} Pa, walls carry {walls} Pa, together {carried:.1f} Pa; "
+          f"weight of the beads {balance.weight:.1f} Pa")
+    print(f"exchange of momentum: largest relative error {log['ledger']:.1e}; largest overlap {100*log['overlap']:.2f} % of d, "
+          f"least void fraction in a cell {log['void']:.3f}")
+    print(f"wall time {log['wall']:.0f} s: fluid {log['fluid']:.0f} s, particles {log['particles']:.0f} s, "
+          f"exchange {log['exchange']:.0f} s\n")
+
+
+def main():
+    words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    words.add_argument("-from", dest="start", type=float, default=1.0, help="s, where averages begin (at most half of the run)")
+    words.add_argument("-slab", type=float, default=2.0, help="mm, half the height of the boxes")
+    words.add_argument("--selfcheck", action="store_true", help="averages whose answer is known, as TAP")
+    words.add_argument("case", nargs="?", type=Path, default=HERE)
+    words = words.parse_args()
+    if words.selfcheck:
+        import selfcheck
+        sys.exit(selfcheck.run())
+
+    profiles, times, blocks, count = read_profiles(words.case, words.start, 1e-3*words.slab)
+    balance = Balance(words.case, min(words.start, 0.5*times[-1]), count)
+    log = read_log(words.case)
+    write_result(words.case, profiles, balance, log)
+    tell(profiles, times, blocks, balance, log)
+    try:
+        import plots
+    except ImportError as reason:
+        print(f"compare: no pictures ({reason})")
+        return
+    plots.draw_all(words.case, profiles, CENTRES, balance)
+
+
+if __name__ == "__main__":
+    main()

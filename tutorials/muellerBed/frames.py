@@ -1,0 +1,62 @@
+"""frames.py -- what a run has left: the record of the beads, pressures, forces on walls.
+
+particles.bin holds a block an instant: time [s] (double), number n (int64), then n times id, position [m], velocity
+[m/s], diameter [m]; walls.dat and surfaceFieldValue.dat are columns of text. Each lies in a folder named after the
+time at which the run started or went on; what a later start repeats replaces what an earlier one wrote.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import re
+from pathlib import Path
+
+import numpy
+
+BEAD = numpy.dtype([("id", "i4"), ("position", "f4", 3), ("velocity", "f4", 3), ("diameter", "f4")])
+HEAD = numpy.dtype([("time", "f8"), ("count", "i8")])
+
+
+def starts(case, name, file):
+    """The file of each start with the time up to which it counts."""
+    paths = sorted(Path(case).glob(f"postProcessing/{name}/*/{file}"), key=lambda path: float(path.parent.name))
+    ends = [float(path.parent.name)*(1 + 1e-9) for path in paths[1:]] + [numpy.inf]
+    return list(zip(paths, ends))
+
+
+def list_frames(case):
+    """Time [s], file and place in it of each instant, in order of time."""
+    listed = []
+    for path, end in starts(case, "dem", "particles.bin"):
+        size, at = path.stat().st_size, 0
+        with open(path, "rb") as file:
+            while at + HEAD.itemsize <= size:
+                file.seek(at)
+                head = numpy.fromfile(file, HEAD, 1)[0]
+                after = at + HEAD.itemsize + int(head["count"])*BEAD.itemsize
+                if after > size or head["time"] > end:      # cut off, or told again by a later start
+                    break
+                listed.append((float(head["time"]), path, at))
+                at = after
+    return listed
+
+
+def read_frame(path, at):
+    """Positions [m] and velocities [m/s] of all beads."""
+    with open(path, "rb") as file:
+        file.seek(at)
+        count = numpy.fromfile(file, HEAD, 1)[0]["count"]
+        beads = numpy.fromfile(file, BEAD, count)
+    return beads["position"].astype(float), beads["velocity"].astype(float)
+
+
+def read_columns(case, name, file):
+    """Columns of text over time, the first of them."""
+    rows = [row for path, end in starts(case, name, file) for row in numpy.loadtxt(path, ndmin=2) if row[0] <= end]
+    return numpy.array(rows).T
+
+
+def entry(path, keyword):
+    """A number of an OpenFOAM dictionary, by its keyword."""
+    found = re.search(rf"^\s*{keyword}\s+([-+0-9.eE]+);", Path(path).read_text(), re.MULTILINE)
+    if not found:
+        raise ValueError(f"{path}: no number {keyword}")
+    return float(found.group(1))
