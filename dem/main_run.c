@@ -85,6 +85,7 @@ static int read_schedule(struct schedule *s, const struct dem_dict *scene, const
     {
         DEM_TRY(dem_dict_number_or(write, "interval", "s", s->end, &s->interval));
     }
+    DEM_REQUIRE(s->end > 0.0, DEM_ERROR_INPUT, "time/end %g s; give a time above 0", s->end);
     DEM_REQUIRE(s->interval > 0.0, DEM_ERROR_INPUT, "write/interval %g s; give a time above 0", s->interval);
     return dem_output_read(&s->output, write, path);
 }
@@ -153,6 +154,15 @@ static int announce(const struct dem_program *prog, struct dem *d)
     return DEM_OK;
 }
 
+/* No fluid solver will ever come: say so before anything is written. */
+static int need_no_solver(struct dem *d)
+{
+    DEM_REQUIRE(!dem_needs_fluid(d) || dem_dict_has(dem_scene_dict(d), "fluid"), DEM_ERROR_INPUT,
+                "an effect of the scene needs a fluid, and there is none; add fluid { density; viscosity; velocity; } or run it "
+                "in OpenFOAM");
+    return DEM_OK;
+}
+
 static int run(struct dem_program *prog, struct dem *d, const struct request *r)
 {
     struct schedule s = {.end = 0.0};
@@ -170,6 +180,7 @@ static int run(struct dem_program *prog, struct dem *d, const struct request *r)
     DEM_TRY(dem_ready(d));
     DEM_TRY(read_schedule(&s, dem_scene_dict(d), r->scene));
     DEM_TRY(dem_scene_check(d));
+    DEM_TRY(need_no_solver(d));
     DEM_TRY(announce(prog, d));
     DEM_TRY(advance_to_end(prog, d, &s));
     DEM_TRY(dem_hash(d, &hash));

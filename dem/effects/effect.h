@@ -68,6 +68,7 @@ struct dem_effect
     enum dem_stage stage;
     unsigned needs;                                       /* enum dem_needs, or-ed */
     double exponent;                                      /* NORMAL only: of the force in the overlap */
+    int drag;                                             /* FLUID only: 1 for a law of drag, of which a scene takes one */
     size_t size;                                          /* bytes of the settings struct; 0 for none */
     const struct dem_field *settings;                     /* its numbers, ended by a row of zeros; NULL for none */
     const char *const *memory;                            /* names of remembered columns, ended by NULL; NULL for none */

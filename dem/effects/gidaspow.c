@@ -80,6 +80,7 @@ const struct dem_effect dem_gidaspow = {
     .says = "drag of Ergun below void fraction 0.8, of Wen and Yu above, bridged smoothly or switched",
     .source = "Gidaspow 1994; Lu and Gidaspow 2003",
     .stage = DEM_STAGE_FLUID,
+    .drag = 1,
     .needs = DEM_NEEDS_FLUID,
     .size = sizeof(struct gidaspow),
     .settings = settings,

@@ -61,6 +61,9 @@ static const char *const memory[] = {"shear_x", "shear_y", "shear_z", NULL};
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
+    DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
+                "mindlin between %s and %s: there is no normal law to rub under; add one to the effects, hertz for example",
+                pair->a->name, pair->b->name);
     DEM_REQUIRE(pair->reduced_shear > 0.0 && pair->reduced_shear <= DBL_MAX, DEM_ERROR_INPUT,
                 "mindlin between %s and %s: the reduced shear modulus is %g Pa, but must be above 0 and finite; "
                 "check youngsModulus and poissonsRatio of both",

@@ -35,6 +35,7 @@ const struct dem_effect dem_wen_yu = {
     .says = "drag on a swarm of spheres, Wen and Yu's e^-2.65 times the single sphere's",
     .source = "Wen and Yu 1966",
     .stage = DEM_STAGE_FLUID,
+    .drag = 1,
     .needs = DEM_NEEDS_FLUID,
     .act_on_bodies = act_on_bodies,
 };

@@ -69,8 +69,38 @@ static int set_field(struct dem_recipe *r, const int *pair, const char *effect, 
     }
 }
 
+enum
+{
+    MOST_WORDS = 32                                       /* settings of one effect */
+};
+
+/* A word that is no setting of the effect: said at once, before a setting that it was meant to be is missed. */
+static int refuse_unknown(const struct dem_effect *effect, const struct dem_dict *dict)
+{
+    const char *known[MOST_WORDS];
+    int n = 0;
+
+    for (const struct dem_field *f = effect->settings; f && f->name && n < MOST_WORDS; f++)
+    {
+        known[n++] = f->name;
+    }
+    for (size_t k = 0; k < dem_dict_count(dict); k++)
+    {
+        const struct dem_entry *const e = dem_dict_entry(dict, k);
+
+        if (!effect->settings || !dem_field_find(effect->settings, dem_entry_name(e)))
+        {
+            const int status = dem_unknown_word("setting", dem_entry_name(e), known, n);
+
+            return dem_error_prefix(status, "%s, %s: ", dem_entry_where(e), effect->name);
+        }
+    }
+    return DEM_OK;
+}
+
 static int set_fields(struct dem_recipe *r, const int *pair, const struct dem_effect *effect, const struct dem_dict *dict)
 {
+    DEM_TRY(refuse_unknown(effect, dict));
     for (const struct dem_field *f = effect->settings; f && f->name; f++)
     {
         if (dem_dict_has(dict, f->name))
@@ -117,6 +147,8 @@ static int read_pair(void *with, const struct dem_dict *dict)
         DEM_TRY(dem_dict_sub_if(dict, r->effect[k]->name, &sub));
         if (sub)
         {
+            DEM_REQUIRE(r->effect[k]->stage < DEM_STAGE_BODY, DEM_ERROR_INPUT,
+                        "%s: %s acts on single particles, not on pairs; set it in effects", dem_dict_where(sub), r->effect[k]->name);
             DEM_TRY(set_fields(r, pair, r->effect[k], sub));
         }
     }

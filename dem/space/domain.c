@@ -29,16 +29,28 @@ void dem_domain_shifts(const struct dem_domain *d, double shift[DEM_SHIFTS][4])
     }
 }
 
+enum
+{
+    MOST_BOXES = 1024                                     /* who is further from a periodic box than so many is lost */
+};
+
+static int can_wrap(const struct dem_domain *d, int k, double x)
+{
+    return d->periodic[k] && fabs(x - d->min[k]) < MOST_BOXES*d->length[k];
+}
+
 void dem_domain_wrap(const struct dem_domain *d, struct dem_particle *p)
 {
     for (int k = 0; k < 3; k++)
     {
-        while (d->periodic[k] && p->x[k] < d->min[k])
+        const int wraps = can_wrap(d, k, p->x[k]);
+
+        while (wraps && p->x[k] < d->min[k])
         {
             p->x[k] += d->length[k];
             p->image = dem_image_add(p->image, k, -1);
         }
-        while (d->periodic[k] && p->x[k] >= d->max[k])
+        while (wraps && p->x[k] >= d->max[k])
         {
             p->x[k] -= d->length[k];
             p->image = dem_image_add(p->image, k, 1);
@@ -52,7 +64,7 @@ int dem_domain_holds(const struct dem_domain *d, const double x[3])
 
     for (int k = 0; k < 3; k++)
     {
-        inside &= d->periodic[k] || (x[k] >= d->min[k] && x[k] <= d->max[k]);
+        inside &= can_wrap(d, k, x[k]) || (x[k] >= d->min[k] && x[k] <= d->max[k]);
     }
     return inside;
 }

@@ -28,7 +28,7 @@ void dem_domain_shifts(const struct dem_domain *, double shift[DEM_SHIFTS][4]);
 /* Bring a particle back into the box along periodic axes, counting its image. */
 void dem_domain_wrap(const struct dem_domain *, struct dem_particle *);
 
-/* 1 when the position is inside, or the axis is open or periodic. */
+/* 1 when the position is inside, or the axis is open or periodic (and the position not a thousand boxes away). */
 int dem_domain_holds(const struct dem_domain *, const double x[3]);
 
 #endif

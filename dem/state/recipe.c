@@ -111,7 +111,7 @@ int dem_recipe_choose(struct dem_recipe *r, const char *name, const char *where)
         const int alone = effect->stage == DEM_STAGE_NORMAL || effect->stage == DEM_STAGE_DAMP
                        || effect->stage == DEM_STAGE_TANGENT;
 
-        DEM_REQUIRE(!(alone && r->effect[k]->stage == effect->stage), DEM_ERROR_INPUT,
+        DEM_REQUIRE(!(alone && r->effect[k]->stage == effect->stage) && !(effect->drag && r->effect[k]->drag), DEM_ERROR_INPUT,
                     "%s: %s and %s are of the same kind; choose one of them", where, r->effect[k]->name, name);
     }
     while (place > 0 && r->effect[place - 1]->stage > effect->stage)

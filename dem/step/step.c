@@ -155,12 +155,37 @@ static int neighbourhood(struct dem_parts *p, double fastest, double dt)
 
 /* ---- the step ------------------------------------------------------------------------------------------------ */
 
+/* Who moves by more than its radius in one step may pass through another unseen. Without contact effects anyone may. */
+static int not_too_far(const struct dem_parts *p, double fastest, double dt)
+{
+    double least = INFINITY;
+
+    for (int c = 0; c < p->recipe.classes; c++)
+    {
+        const int material = (int)(p->recipe.chain[c].pair.a - p->recipe.material);
+
+        least = p->recipe.chain[c].links > 0 ? fmin(least, p->recipe.least_radius[material]) : least;
+    }
+    for (size_t i = 0; fastest*dt > least && i < p->particles.n; i++)
+    {
+        const struct dem_particle *const q = &p->particles.record[i];
+        const double speed = sqrt(q->v[0]*q->v[0] + q->v[1]*q->v[1] + q->v[2]*q->v[2]);
+
+        DEM_REQUIRE(speed*dt <= q->radius, DEM_ERROR_NUMBER,
+                    "particle %lld at (%g %g %g) m moves by %.3g m in step %lld, at %g m/s; its radius is %g m, which is the limit, "
+                    "or it may miss a contact; use a smaller time/step, or look at the forces on it", (long long)q->id, q->x[0],
+                    q->x[1], q->x[2], speed*dt, (long long)p->steps, speed, q->radius);
+    }
+    return DEM_OK;
+}
+
 /* The status of the sweep is kept for the next agreement, so that all ranks stop together. */
 static int step(struct dem_parts *p, double dt, double kick, double window, int *status)
 {
     double fastest[2] = {dem_motion_drift(&p->particles, dt), 0.0};
 
     p->steps++;
+    *status = *status ? *status : not_too_far(p, fastest[0], dt);
     DEM_TRY(agree(p, *status, fastest));
     DEM_REQUIRE(isfinite(fastest[0]), DEM_ERROR_NUMBER, "a particle's velocity is not a number at step %lld; look at the forces "
                 "on it, and at the fluid around it", (long long)p->steps);
