@@ -16,6 +16,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* More initial overlap than this share of a diameter is a slip in the input, not a contact. */
@@ -159,9 +160,8 @@ int dem_add_wall(struct dem *d, const char *name, const char *material, int64_t 
     return DEM_OK;
 }
 
-int dem_add_particles(struct dem *d, int64_t n, const struct dem_seed *seed)
+static int add_particles(struct dem *d, int64_t n, const struct dem_seed *seed)
 {
-    DEM_TRY(not_ready(d, "dem_add_particles"));
     DEM_TRY(DEM_GROW(d->crowd_material, d->crowd_room, d->crowd.n + (size_t)n + 1));
     for (int64_t k = 0; k < n; k++)
     {
@@ -172,8 +172,22 @@ int dem_add_particles(struct dem *d, int64_t n, const struct dem_seed *seed)
         p.flags = seed[k].frozen ? DEM_PARTICLE_FROZEN : 0;
         snprintf(d->crowd_material[d->crowd.n], sizeof *d->crowd_material, "%s", seed[k].material);
         DEM_TRY(dem_crowd_add(&d->crowd, p, "dem_add_particles"));
+        /* the next free number is known when the scene has inserted its own */
+        d->crowd.particle[d->crowd.n - 1].id = seed[k].id;
     }
     return DEM_OK;
+}
+
+int dem_add_particles(struct dem *d, int64_t n, const struct dem_seed *seed)
+{
+    fenv_t caller;
+
+    DEM_TRY(not_ready(d, "dem_add_particles"));
+    feholdexcept(&caller);                                /* a diameter of 0 is refused with a sentence, not with a signal */
+    const int status = add_particles(d, n, seed);
+
+    fesetenv(&caller);
+    return status;
 }
 
 int dem_load(struct dem *d, const char *path)
@@ -269,12 +283,40 @@ static int decide_fluid(struct dem *d)
     return DEM_OK;
 }
 
+static int compare_ids(const void *a, const void *b)
+{
+    const int64_t p = *(const int64_t *)a, q = *(const int64_t *)b;
+
+    return (p > q) - (p < q);
+}
+
+static int refuse_twins(const struct dem_crowd *c)
+{
+    int64_t *id, twin = -1;
+
+    DEM_TRY(DEM_NEW(id, c->n + 1));
+    for (size_t k = 0; k < c->n; k++)
+    {
+        id[k] = c->particle[k].id;
+    }
+    qsort(id, c->n, sizeof *id, compare_ids);
+    for (size_t k = 1; k < c->n; k++)
+    {
+        twin = id[k] == id[k - 1] ? id[k] : twin;
+    }
+    dem_memory_free(id);
+    DEM_REQUIRE(twin < 0, DEM_ERROR_INPUT, "two particles have id %lld; give each its own, or -1 for the next free one",
+                (long long)twin);
+    return DEM_OK;
+}
+
 /* Each rank takes every ranks-th particle of the common list; the first balance hands them over. */
 static int spread_crowd(struct dem *d)
 {
     const struct dem_crowd *const c = &d->scene.crowd;
     struct dem_particles *const p = &d->parts.particles;
 
+    DEM_TRY(refuse_twins(c));
     for (size_t k = 0; k < c->n; k++)
     {
         DEM_REQUIRE(dem_domain_holds(&d->parts.domain, c->particle[k].x), DEM_ERROR_INPUT,
@@ -519,7 +561,7 @@ int dem_advance(struct dem *d, double duration)
     fenv_t caller;
 
     DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_advance comes after dem_ready");
-    DEM_REQUIRE(duration > 0.0 && isfinite(duration), DEM_ERROR_INPUT, "duration %g s; give a time above 0", duration);
+    DEM_REQUIRE(isgreater(duration, 0.0) && isfinite(duration), DEM_ERROR_INPUT, "duration %g s; give a time above 0", duration);
     DEM_TRY(check_fluid(d));
     const int64_t steps = (int64_t)ceil(duration/d->step*(1.0 - 1e-12));
 

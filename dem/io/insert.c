@@ -47,6 +47,9 @@ int dem_crowd_add(struct dem_crowd *c, struct dem_particle p, const char *where)
     {
         DEM_REQUIRE(isfinite(p.x[k] + p.v[k] + p.w[k]), DEM_ERROR_INPUT,
                     "%s: a position, velocity or spin is not a number", where);
+        DEM_REQUIRE(!(p.flags & DEM_PARTICLE_FROZEN) || (p.v[k] == 0.0 && p.w[k] == 0.0), DEM_ERROR_INPUT,
+                    "%s: a frozen particle never moves, but has a velocity or spin of %g; leave it out, or frozen", where,
+                    p.v[k] != 0.0 ? p.v[k] : p.w[k]);
     }
     DEM_TRY(DEM_GROW(c->particle, c->room, c->n + 1));
     p.id = p.id < 0 ? c->next_id : p.id;
@@ -115,10 +118,10 @@ static int insert_lattice(struct dem_crowd *c, struct group *g, const struct dem
 
         for (int k = 0; k < 3; k++)
         {
-            const double wide = (g->max[k] - g->min[k])/(double)n[k], pitch_here = k == 2 ? pitch : wide;
+            const double wide = (g->max[k] - g->min[k])/(double)n[k], pitch_here = k == 2 && wide > pitch ? pitch : wide;
             const double shake = dem_random_unit((uint64_t)g->seed, (uint64_t)m, 0, USE_JITTER + (uint64_t)k) - 0.5;
 
-            x[k] = g->min[k] + ((double)at[k] + 0.5)*pitch_here + amplitude*shake;
+            x[k] = g->min[k] + ((double)at[k] + 0.5)*pitch_here + fmin(amplitude, wide - g->diameter)*shake;
         }
         DEM_TRY(add(c, g, r, x, g->diameter));
     }
