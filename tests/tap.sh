@@ -1,0 +1,83 @@
+# tap.sh -- for suites in bash that run the program dem: `. ../tap.sh` in the suite's folder, then claim and finish.
+#
+#   $dem                     the program, built if need be; DEM=... in the environment names another one
+#   $work                    a folder of this run's own, removed at the end (kept with SUNA_KEEP=1)
+#   claim "what" command ... prints "ok" when the command succeeds
+#   skip "what" why          prints "ok ... # SKIP why"
+#   ranks N command ...      the command on N ranks, ended after a minute
+#   printed_hash FILE        the fingerprint that a run printed
+#   c_test SUITE/test_NAME   build and run a test in C; its own lines of TAP go by
+#   finish                   the plan, and the exit status
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+here=$PWD
+dem=${DEM:-$here/../../dem/build/dem}
+if [ -z "${DEM-}" ] && ! built=$(make --no-print-directory -C ../../dem -j "$(nproc)" library program 2>&1)
+then
+    echo "Bail out! the program dem can't be built"
+    echo "$built" | tail -n 20
+    exit 1
+fi
+work=$(mktemp -d) || exit 1
+[ -n "${SUNA_KEEP-}" ] || trap 'rm -rf "$work"' EXIT
+claims=0 failures=0
+
+# more ranks than cores: let those that wait give way, else every exchange costs a slice of the scheduler
+export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
+if [ "$(id -u)" = 0 ]
+then
+    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+fi
+
+claim()
+{
+    local what=$1
+    shift
+    claims=$((claims + 1))
+    if "$@"
+    then
+        echo "ok $claims - $what"
+    else
+        echo "not ok $claims - $what"
+        echo "#   failed: $*"
+        failures=$((failures + 1))
+        return 1
+    fi
+}
+
+skip()
+{
+    claims=$((claims + 1))
+    echo "ok $claims - $1 # SKIP $2"
+}
+
+ranks()
+{
+    local n=$1
+    shift
+    timeout -k 5 60 mpirun -np "$n" "$@"
+}
+
+printed_hash()
+{
+    sed -n 's/^hash //p' "$1"
+}
+
+c_test()
+{
+    local build
+    build=$(cd "$(dirname "$dem")" && pwd)
+    if make --no-print-directory -C "$here/../../dem" BUILD="$build" "$build/tests/$1" > "$work/c_test.log" 2>&1
+    then
+        (cd "$here/.." && "$build/tests/$1") || failures=$((failures + 1))
+    else
+        claim "$1 can be built" false || sed 's/^/#   /' "$work/c_test.log" | tail -n 20
+    fi
+}
+
+finish()
+{
+    echo "1..$claims"
+    [ "$failures" -eq 0 ] && [ "$claims" -gt 0 ]
+}
