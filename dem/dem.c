@@ -410,6 +410,7 @@ static void fill_fluid(struct dem *d)
         dem_column(p, DEM_COLUMN_VOID_FRACTION)[i] = f->given ? f->void_fraction : 1.0;
         dem_column(p, DEM_COLUMN_FLUID_DENSITY)[i] = f->given ? f->density : 1.0;
         dem_column(p, DEM_COLUMN_FLUID_VISCOSITY)[i] = f->given ? f->viscosity : 1.0;
+        dem_column(p, DEM_COLUMN_COUNTERFLOW)[i] = 1.0;
         dem_column(p, DEM_COLUMN_PLACE)[2*i] = dem_column(p, DEM_COLUMN_PLACE)[2*i + 1] = -1.0;
     }
 }
@@ -644,9 +645,10 @@ int dem_fluid(struct dem *d, struct dem_fluid *f)
     *f = (struct dem_fluid){.n = p->n, .velocity = dem_column(p, DEM_COLUMN_FLUID_VELOCITY),
                             .pressure_gradient = dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT),
                             .void_fraction = dem_column(p, DEM_COLUMN_VOID_FRACTION), .density = dem_column(p, DEM_COLUMN_FLUID_DENSITY),
-                            .viscosity = dem_column(p, DEM_COLUMN_FLUID_VISCOSITY), .place = dem_column(p, DEM_COLUMN_PLACE),
+                            .viscosity = dem_column(p, DEM_COLUMN_FLUID_VISCOSITY),
+                            .counterflow = dem_column(p, DEM_COLUMN_COUNTERFLOW), .place = dem_column(p, DEM_COLUMN_PLACE),
                             .drag_impulse = dem_column(p, DEM_COLUMN_DRAG_IMPULSE), .response = dem_column(p, DEM_COLUMN_RESPONSE),
-                            .pending = dem_column(p, DEM_COLUMN_PENDING)};
+                            .passed = dem_column(p, DEM_COLUMN_PASSED), .pending = dem_column(p, DEM_COLUMN_PENDING)};
     return DEM_OK;
 }
 
@@ -654,17 +656,18 @@ int dem_fluid_correct(struct dem *d, const double *velocity, const double *press
 {
     struct dem_particles *const p = &d->parts.particles;
     const double *const u = dem_column(p, DEM_COLUMN_FLUID_VELOCITY), *const g = dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT);
-    const double *const R = dem_column(p, DEM_COLUMN_RESPONSE);
+    const double *const R = dem_column(p, DEM_COLUMN_RESPONSE), *const passed = dem_column(p, DEM_COLUMN_PASSED);
     double *const pending = dem_column(p, DEM_COLUMN_PENDING);
 
     DEM_REQUIRE(d->with_fluid, DEM_ERROR_STATE, "dem_fluid_correct without fluid effects");
     for (size_t i = 0; i < p->n; i++)
     {
         const double volume = d->feels_gradient ? dem_particle_volume(&p->record[i]) : 0.0;
+        const double Q = passed[i]*volume*d->parts.window;
 
         for (size_t k = 3*i; k < 3*i + 3; k++)
         {
-            pending[k] = R[i]*(velocity[k] - u[k]) - volume*d->parts.window*(pressure_gradient[k] - g[k]);
+            pending[k] = R[i]*(velocity[k] - u[k]) + Q*(pressure_gradient[k] - g[k]);
         }
     }
     return DEM_OK;

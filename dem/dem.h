@@ -134,15 +134,20 @@ struct dem_fluid
     double *void_fraction;                                /* in   1     */
     double *density;                                      /* in   kg/m3 */
     double *viscosity;                                    /* in   Pa s  */
+    double *counterflow;                                  /* in   1     how much faster than in a fluid of given velocity a
+                                                             particle's motion changes its slip; 1 unless set, 1/e^2
+                                                             where the fluid must make room (step/sweep_bodies.c) */
     double *place;                                        /* in/out  the coupling's own: 2 numbers per particle, carried along */
     const double *drag_impulse;                           /* out  N s   3, J: on the particle during the last advance */
     const double *response;                               /* out  kg    R: d(drag impulse)/d(fluid velocity), clamped for held particles */
+    const double *passed;                                 /* out  1     share of a steady force that drag passed to the fluid */
     const double *pending;                                /* out  N s   3, what dem_fluid_correct left for the next window */
 };
 int dem_fluid(struct dem *, struct dem_fluid *);
 
 /* After the fluid is solved: with its new velocity and full pressure gradient at the particles (3 numbers each, same
-   order as the columns), leave for the next window the impulse R (u' - u) - V T (grad p' - grad p). */
+   order as the columns), leave for the next window what the drag of this one would have changed by: the impulse
+   R (u' - u) + q V T (grad p' - grad p) with q `passed`. The fluid must receive the same with the other sign. */
 int dem_fluid_correct(struct dem *, const double *velocity, const double *pressure_gradient);
 
 /* ---- keeping ------------------------------------------------------------------------------------------------- */

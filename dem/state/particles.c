@@ -17,12 +17,14 @@ static const struct dem_column columns[DEM_COLUMNS] =
     [DEM_COLUMN_VOID_FRACTION] = {"voidFraction", 1, 1, NULL},
     [DEM_COLUMN_FLUID_DENSITY] = {"fluidDensity", 1, 1, NULL},
     [DEM_COLUMN_FLUID_VISCOSITY] = {"fluidViscosity", 1, 1, NULL},
+    [DEM_COLUMN_COUNTERFLOW] = {"counterflow", 1, 1, NULL},
     [DEM_COLUMN_PLACE] = {"place", 2, 1, NULL},
     [DEM_COLUMN_DRAG_IMPULSE] = {"dragImpulse", 3, 1, NULL},
     [DEM_COLUMN_KEPT] = {"kept", 1, 1, NULL},
     [DEM_COLUMN_DRAG_TIME] = {"dragTime", 1, 1, NULL},
     [DEM_COLUMN_START_VELOCITY] = {"startVelocity", 3, 1, NULL},
     [DEM_COLUMN_RESPONSE] = {"response", 1, 1, NULL},
+    [DEM_COLUMN_PASSED] = {"passed", 1, 1, NULL},
     [DEM_COLUMN_PENDING] = {"pending", 3, 1, NULL},
 };
 

@@ -39,12 +39,14 @@ enum dem_column_name                                      /* 3, 3: every scene; 
     DEM_COLUMN_VOID_FRACTION,
     DEM_COLUMN_FLUID_DENSITY,
     DEM_COLUMN_FLUID_VISCOSITY,
+    DEM_COLUMN_COUNTERFLOW,                               /* 1    see step/sweep_bodies.c   */
     DEM_COLUMN_PLACE,                                     /* the coupling's own            */
     DEM_COLUMN_DRAG_IMPULSE,                              /* N s  J of this window         */
     DEM_COLUMN_KEPT,                                      /* 1    product of exp(-b dt/m)  */
     DEM_COLUMN_DRAG_TIME,                                 /* kg   sum of b dt              */
     DEM_COLUMN_START_VELOCITY,                            /* m/s  at the window's start    */
     DEM_COLUMN_RESPONSE,                                  /* kg   R of this window         */
+    DEM_COLUMN_PASSED,                                    /* 1    of a steady force, by drag to the fluid */
     DEM_COLUMN_PENDING,                                   /* N s  impulse for this window, from the last exchange */
     DEM_COLUMNS
 };
