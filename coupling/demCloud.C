@@ -134,6 +134,7 @@ void Foam::demCloud::build()
     }
 
     demCheck(dem_ready(dem_));
+    demCheck(dem_scene_check(dem_));
     demCheck(dem_tally(dem_, &before_));
 
     const struct dem_step_limit step = dem_step_limit(dem_);
@@ -145,11 +146,12 @@ void Foam::demCloud::build()
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-Foam::demCloud::demCloud(const fvMesh& mesh)
+Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
 :
     mesh_(mesh),
     dict_(mesh),
     twoWay_(dict_.coupling().getOrDefault("twoWay", true)),
+    makesRoom_(makesRoom && twoWay_),
     leastVoidFraction_
     (
         dict_.coupling().getOrDefault<scalar>("leastVoidFraction", 0.2)
@@ -183,6 +185,18 @@ Foam::demCloud::demCloud(const fvMesh& mesh)
         mesh,
         dimensionedScalar(dimDensity/dimTime, Zero)
     ),
+    yielding_
+    (
+        fieldAt(mesh, "dem:yielding"),
+        mesh,
+        dimensionedScalar(dimless, Zero)
+    ),
+    gradP_
+    (
+        fieldAt(mesh, "dem:gradP"),
+        mesh,
+        dimensionedVector(dimPressure/dimLength, Zero)
+    ),
     clear_
     (
         fieldAt(mesh, "dem:clear"),
@@ -191,7 +205,8 @@ Foam::demCloud::demCloud(const fvMesh& mesh)
     ),
     diameter_(dict_.coupling().getOrDefault<scalar>("diameter", 0)),
     before_(),
-    window_(0)
+    window_(0),
+    record_(mesh.time(), dict_.coupling())
 {
     build();
     look();

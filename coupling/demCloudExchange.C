@@ -117,6 +117,12 @@ void Foam::demCloud::tellParticles
     toColumn(transfer_.sample(voidFraction_)(), fluid_.void_fraction);
     toColumn(transfer_.sample(rho)(), fluid_.density);
     toColumn(transfer_.sample(mu)(), fluid_.viscosity);
+
+    for (size_t i = 0; i < fluid_.n; i++)
+    {
+        const scalar e = max(fluid_.void_fraction[i], 0.1);
+        fluid_.counterflow[i] = makesRoom_ ? 1/(e*e) : 1;
+    }
 }
 
 
@@ -146,7 +152,7 @@ void Foam::demCloud::depositVolume()
 
 void Foam::demCloud::depositReaction()
 {
-    if (!twoWay_ || !dem_needs_fluid(dem_))
+    if (!reacts())
     {
         return;
     }
@@ -166,19 +172,53 @@ void Foam::demCloud::depositReaction()
     transfer_.deposit(reaction, force_.ref());
     drag_.correctBoundaryConditions();
     force_.correctBoundaryConditions();
+
+    if (makesRoom_ && dict_.acts("pressureGradient"))
+    {
+        scalarField yields(volumes(view_));
+        forAll(yields, i)
+        {
+            yields[i] *= fluid_.passed[i];
+        }
+
+        transfer_.deposit(yields, yielding_.ref());
+        yielding_.correctBoundaryConditions();
+    }
 }
 
 
+bool Foam::demCloud::reacts() const
+{
+    return twoWay_ && dem_needs_fluid(dem_);
+}
+
+
+// `change` of the pressure gradient since evolve, on the mesh: so the fluid
+// and the particles answer to one and the same field
 void Foam::demCloud::settle
 (
     const volVectorField& U,
-    const UList<vector>& velocity,
-    const double* gradient
+    const volVectorField& change
 )
 {
+    const vectorField velocity(transfer_.sample(U));
+    vectorField gradient(transfer_.sample(change));
+
     Info<< "Suna: exchange error "
-        << ledger_.exchange(window_, force_, drag_, U, fluid_, velocity)
+        << ledger_.exchange
+           (
+               window_,
+               force_ - drag_*U - yielding_*change,
+               fluid_,
+               velocity,
+               makesRoom_ ? volumes(view_)*gradient : 0*gradient
+           )
         << endl;
+
+    forAll(gradient, i)
+    {
+        gradient[i] += three(fluid_.pressure_gradient, i);
+    }
 
     demCheck
     (
@@ -186,7 +226,7 @@ void Foam::demCloud::settle
         (
             dem_,
             reinterpret_cast<const double*>(velocity.cdata()),
-            gradient
+            reinterpret_cast<const double*>(gradient.cdata())
         )
     );
     ledger_.charge(demLedger::EXCHANGE);
@@ -206,9 +246,13 @@ void Foam::demCloud::report()
     }
     reduce(dense, sumOp<label>());
 
+    const scalar solid = gSum(mesh_.V().field()*(1 - e));
+
     Info<< "Suna: " << now.particles << " particles, "
         << now.steps - before_.steps << " DEM steps, void fraction at least "
-        << gMin(e) << ", overlap at most " << now.largest_overlap << endl;
+        << gMin(e) << ", overlap at most " << now.largest_overlap
+        << ", volume error " << mag(solid - now.volume)/(now.volume + VSMALL)
+        << endl;
 
     if (dense)
     {
@@ -235,6 +279,7 @@ void Foam::demCloud::evolve
     window_ = mesh_.time().deltaTValue();
 
     tellParticles(U, gradP, rho, mu);
+    gradP_ = gradP;
     ledger_.charge(demLedger::EXCHANGE);
 
     demCheck(dem_advance(dem_, window_));
@@ -244,6 +289,7 @@ void Foam::demCloud::evolve
     depositVolume();
     depositReaction();
     report();
+    record_.add(dem_, view_);
     ledger_.charge(demLedger::EXCHANGE);
 }
 
@@ -254,32 +300,21 @@ void Foam::demCloud::correct
     const volVectorField& gradP
 )
 {
-    if (!twoWay_ || !dem_needs_fluid(dem_))
+    if (reacts())
     {
-        return;
+        ledger_.charge(demLedger::FLUID);
+        settle(U, (gradP - gradP_)());
     }
-
-    ledger_.charge(demLedger::FLUID);
-
-    const vectorField gradient(transfer_.sample(gradP));
-    settle
-    (
-        U,
-        transfer_.sample(U)(),
-        reinterpret_cast<const double*>(gradient.cdata())
-    );
 }
 
 
 void Foam::demCloud::correct(const volVectorField& U)
 {
-    if (!twoWay_ || !dem_needs_fluid(dem_))
+    if (reacts())
     {
-        return;
+        ledger_.charge(demLedger::FLUID);
+        settle(U, (0*gradP_)());
     }
-
-    ledger_.charge(demLedger::FLUID);
-    settle(U, transfer_.sample(U)(), fluid_.pressure_gradient);
 }
 
 
@@ -290,7 +325,7 @@ Foam::tmp<Foam::volVectorField> Foam::demCloud::pressureReaction() const
         new volVectorField("dem:pressureReaction", 0*force_)
     );
 
-    if (twoWay_ && dem_needs_fluid(dem_) && dict_.acts("pressureGradient"))
+    if (reacts() && dict_.acts("pressureGradient"))
     {
         const scalarField V(volumes(view_));
         vectorField force(view_.n);

@@ -24,8 +24,12 @@ static void writeEntries(const dictionary& dict, OStringStream& os)
     {
         const entry& e = *iter;
 
-        os  << nl << "#line " << e.startLineNumber() << " \"constant/"
-            << demDict::name().c_str() << '"' << nl;
+        // What was added here stands in no line
+        if (e.startLineNumber() > 0)
+        {
+            os  << nl << "#line " << e.startLineNumber() << " \"constant/"
+                << demDict::name().c_str() << "\"" << nl;
+        }
 
         if (e.isDict())
         {
@@ -157,6 +161,13 @@ Foam::demDict::demDict(const polyMesh& mesh)
 {
     dict_.remove("coupling");
     dict_.remove("FoamFile");
+
+    // The end and the output of a run are controlDict's here
+    dict_.remove("write");
+    if (dict_.found("time"))
+    {
+        dict_.subDict("time").remove("end");
+    }
 
     if (dict_.found("fluid"))
     {

@@ -52,7 +52,7 @@ Foam::demDriver::demDriver(const fvMesh& mesh)
         )
     ),
     mesh_(mesh),
-    cloud_(mesh),
+    cloud_(mesh, false),
     fluid_(mesh, cloud_),
     moved_(-1),
     force_("dem:wholeForce", cloud_.force())

@@ -50,10 +50,9 @@ Foam::scalar Foam::demLedger::exchange
 (
     const scalar window,
     const volVectorField& force,
-    const volScalarField& drag,
-    const volVectorField& U,
     const struct ::dem_fluid& fluid,
-    const UList<vector>& velocity
+    const UList<vector>& velocity,
+    const UList<vector>& push
 )
 {
     const scalarField& V = force.mesh().V();
@@ -63,7 +62,7 @@ Foam::scalar Foam::demLedger::exchange
 
     forAll(V, celli)
     {
-        toFluid += window*V[celli]*(force[celli] - drag[celli]*U[celli]);
+        toFluid += window*V[celli]*force[celli];
     }
 
     forAll(velocity, i)
@@ -72,6 +71,7 @@ Foam::scalar Foam::demLedger::exchange
         const vector more
         (
             fluid.response[i]*(velocity[i] - three(fluid.velocity, i))
+          + fluid.passed[i]*window*push[i]
         );
 
         toParticles += J + more;

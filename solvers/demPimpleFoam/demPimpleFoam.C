@@ -85,7 +85,7 @@ int main(int argc, char *argv[])
 
         // One exchange per step: what the particles did stays as it is while
         // the fluid iterates
-        cloud.evolve(Us, gradP, rho, mu());
+        cloud.evolve(U, gradP, rho, mu());
         voidFractionf = fvc::interpolate(voidFraction);
         #include "particleForces.H"
 
@@ -106,7 +106,7 @@ int main(int argc, char *argv[])
         }
 
         #include "continuity.H"
-        cloud.correct(Us, gradP);
+        cloud.correct(U, gradP);
 
         runTime.write();
         if (runTime.writeTime())
