@@ -1,0 +1,39 @@
+/*
+ * door.h -- struct dem, shared by the two files of the door: dem.c (the calls) and ready.c (how a scene becomes a state).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_DOOR_H
+#define DEM_DOOR_H
+
+#include "dem.h"
+#include "io/scene.h"
+#include "step/parts.h"
+
+struct dem_mesh_wall                                          /* a wall handed in before the scene is read */
+{
+    char name[64], material[48];
+    size_t n;
+    double *triangles;
+};
+
+struct dem
+{
+    struct dem_parts parts;
+    struct dem_scene scene;
+    struct dem_dict *dict;
+    struct dem_crowd crowd;                               /* handed in by program; material is resolved at ready */
+    char (*crowd_material)[48];
+    size_t crowd_room;
+    struct dem_mesh_wall *mesh_wall;
+    size_t mesh_walls, mesh_wall_room;
+    char load[1024];
+    int ready, with_fluid, coupled;
+    int feels_gradient;                                   /* 1: pressureGradient is among the effects */
+    double step;                                          /* s, the limit in force */
+};
+
+/* Collective. Read the scene, make walls and particles, freeze the recipe, hand particles to ranks. */
+int dem_door_get_ready(struct dem *);
+
+#endif

@@ -1,0 +1,332 @@
+/*
+ * ready.c -- how a scene becomes a running state: words, walls, particles, physics, owners, in this order.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "door.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "io/snapshot.h"
+#include "step/measure.h"
+#include "step/step.h"
+#include "step/sweep_contacts.h"
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* More initial overlap than this share of a diameter is a slip in the input, not a contact. */
+static const double most_initial_overlap = 0.05;
+
+/* Triangles of all ranks; walls.c sorts them, so who brought which does not matter. */
+static int gather_wall(struct dem_parts *p, int wall, const struct dem_mesh_wall *m)
+{
+    const int count = (int)(9*m->n);
+    int *counts, *start, total = 0;
+    double *all;
+
+    if (p->pieces.ranks == 1)
+    {
+        return dem_walls_add_triangles(&p->walls, wall, m->n, m->triangles);
+    }
+    DEM_TRY(DEM_NEW(counts, p->pieces.ranks));
+    DEM_TRY(DEM_NEW(start, p->pieces.ranks));
+    MPI_Allgather(&count, 1, MPI_INT, counts, 1, MPI_INT, p->pieces.comm);
+    for (int k = 0; k < p->pieces.ranks; k++)
+    {
+        start[k] = total;
+        total += counts[k];
+    }
+    DEM_TRY(DEM_NEW(all, total + 1));
+    MPI_Allgatherv(m->triangles, count, MPI_DOUBLE, all, counts, start, MPI_DOUBLE, p->pieces.comm);
+    const int status = dem_walls_add_triangles(&p->walls, wall, (size_t)total/9, all);
+
+    dem_memory_free(counts);
+    dem_memory_free(start);
+    dem_memory_free(all);
+    return status;
+}
+
+static int take_walls(struct dem *d)
+{
+    for (size_t k = 0; k < d->mesh_walls; k++)
+    {
+        const struct dem_mesh_wall *const m = &d->mesh_wall[k];
+        int material, wall;
+
+        DEM_TRY(dem_recipe_material(&d->parts.recipe, m->material, m->name, &material));
+        DEM_TRY(dem_walls_add(&d->parts.walls, m->name, material, &wall));
+        DEM_TRY(gather_wall(&d->parts, wall, m));
+    }
+    return DEM_OK;
+}
+
+/* What the program handed in joins what the scene inserts. */
+static int take_crowd(struct dem *d)
+{
+    for (size_t k = 0; k < d->crowd.n; k++)
+    {
+        struct dem_particle p = d->crowd.particle[k], whole;
+        int material;
+
+        DEM_TRY(dem_recipe_material(&d->parts.recipe, d->crowd_material[k], "dem_add_particles", &material));
+        whole = dem_particle_sphere(p.id, p.x, 2.0*p.radius, d->parts.recipe.material[material].density, material);
+        memcpy(whole.v, p.v, sizeof p.v);
+        memcpy(whole.w, p.w, sizeof p.w);
+        if (p.flags & DEM_PARTICLE_FROZEN)
+        {
+            whole.flags = DEM_PARTICLE_FROZEN;
+            whole.inverse_mass = whole.inverse_inertia = 0.0;
+        }
+        DEM_TRY(dem_crowd_add(&d->scene.crowd, whole, "dem_add_particles"));
+    }
+    return DEM_OK;
+}
+
+/* Does anything need the fluid of a run, and is there one source for each of its numbers? */
+static int decide_fluid(struct dem *d)
+{
+    const double own = dem_recipe_number(&d->parts.recipe, "stokes", "viscosity");   /* not a number: no stokes */
+    const int has_own = isgreater(own, 0.0);                                         /* does not trap */
+    unsigned needs = 0;
+
+    for (int k = 0; k < d->parts.recipe.chosen; k++)
+    {
+        needs |= d->parts.recipe.effect[k]->needs;
+        d->feels_gradient |= strcmp(d->parts.recipe.effect[k]->name, "pressureGradient") == 0;
+    }
+    d->with_fluid = (needs & DEM_NEEDS_FLUID) || ((needs & DEM_NEEDS_VISCOSITY) && !has_own);
+    DEM_REQUIRE(!(has_own && (d->with_fluid || d->scene.fluid.given)), DEM_ERROR_INPUT,
+                "effects/stokes gives viscosity %g Pa s, but the fluid of the run has one too; remove viscosity from stokes", own);
+    return DEM_OK;
+}
+
+static int compare_ids(const void *a, const void *b)
+{
+    const int64_t p = *(const int64_t *)a, q = *(const int64_t *)b;
+
+    return (p > q) - (p < q);
+}
+
+static int refuse_twins(const struct dem_crowd *c)
+{
+    int64_t *id, twin = -1;
+
+    DEM_TRY(DEM_NEW(id, c->n + 1));
+    for (size_t k = 0; k < c->n; k++)
+    {
+        id[k] = c->particle[k].id;
+    }
+    qsort(id, c->n, sizeof *id, compare_ids);
+    for (size_t k = 1; k < c->n; k++)
+    {
+        twin = id[k] == id[k - 1] ? id[k] : twin;
+    }
+    dem_memory_free(id);
+    DEM_REQUIRE(twin < 0, DEM_ERROR_INPUT, "two particles have id %lld; give each its own, or -1 for the next free one",
+                (long long)twin);
+    return DEM_OK;
+}
+
+/* Each rank takes every ranks-th particle of the common list; the first balance hands them over. */
+static int spread_crowd(struct dem *d)
+{
+    const struct dem_crowd *const c = &d->scene.crowd;
+    struct dem_particles *const p = &d->parts.particles;
+
+    DEM_TRY(refuse_twins(c));
+    for (size_t k = 0; k < c->n; k++)
+    {
+        DEM_REQUIRE(dem_domain_holds(&d->parts.domain, c->particle[k].x), DEM_ERROR_INPUT,
+                    "particle %lld at (%g %g %g) m is outside the domain; move it, or enlarge the domain",
+                    (long long)c->particle[k].id, c->particle[k].x[0], c->particle[k].x[1], c->particle[k].x[2]);
+        if (k%(size_t)d->parts.pieces.ranks == (size_t)d->parts.pieces.rank)
+        {
+            DEM_TRY(dem_particles_grow(p, p->n + 1));
+            memset(&p->record[p->n], 0, sizeof p->record[p->n]);
+            p->record[p->n++] = c->particle[k];
+        }
+    }
+    return DEM_OK;
+}
+
+/* Radii of all ranks: smallest by material for the recipe, largest for the search. */
+static double survey_radii(struct dem_parts *p)
+{
+    double least[DEM_MATERIALS + 1];
+
+    for (int m = 0; m <= DEM_MATERIALS; m++)
+    {
+        least[m] = m < DEM_MATERIALS ? DBL_MAX : 0.0;
+    }
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const struct dem_particle *const r = &p->particles.record[i];
+
+        least[r->material] = fmin(least[r->material], r->radius);
+        least[DEM_MATERIALS] = fmin(least[DEM_MATERIALS], -r->radius);
+    }
+    if (p->pieces.ranks > 1)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, least, DEM_MATERIALS + 1, MPI_DOUBLE, MPI_MIN, p->pieces.comm);
+    }
+    for (int m = 0; m < DEM_MATERIALS; m++)
+    {
+        p->recipe.least_radius[m] = least[m] < DBL_MAX ? least[m] : 0.0;
+    }
+    return -least[DEM_MATERIALS];
+}
+
+static int choose_step(struct dem *d)
+{
+    const struct dem_recipe *const r = &d->parts.recipe;
+
+    d->step = d->scene.step > 0.0 ? d->scene.step : r->step_limit;
+    DEM_REQUIRE(d->scene.step <= r->step_limit || d->scene.force, DEM_ERROR_INPUT,
+                "time step %g s exceeds %.3g s (%s); use at most that, a softer material, or time/force yes", d->scene.step,
+                r->step_limit, r->why);
+    DEM_REQUIRE(d->step < DBL_MAX, DEM_ERROR_INPUT, "no effect bounds the time step; give time/step");
+    return DEM_OK;
+}
+
+static int prepare_physics(struct dem *d)
+{
+    struct dem_parts *const p = &d->parts;
+    int wall_materials[DEM_MATERIALS] = {0}, moments = 0;
+    const double radius = survey_radii(p);
+
+    for (int w = 0; w < p->walls.walls; w++)
+    {
+        wall_materials[p->walls.wall[w].material] = 1;
+    }
+    DEM_TRY(dem_recipe_freeze(&p->recipe, wall_materials));
+    for (int c = 0; c < p->recipe.classes; c++)
+    {
+        moments |= p->recipe.chain[c].moments;
+    }
+    DEM_TRY(dem_contacts_init(&p->contacts, p->recipe.classes, p->recipe.memories, moments));
+    DEM_TRY(dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0));
+    dem_pairs_init(&p->pairs, &p->domain, p->recipe.reach + 2.0*radius*d->scene.outer_skin,
+                   p->recipe.reach + 2.0*radius*d->scene.inner_skin, radius);
+    DEM_TRY(dem_wall_search_prepare(&p->pairs.search, &p->walls, radius > 0.0 ? radius : 1.0));
+    return choose_step(d);
+}
+
+/* A uniform fluid fills the columns once; a coupled one marks every particle as not yet placed. */
+static void fill_fluid(struct dem *d)
+{
+    struct dem_particles *const p = &d->parts.particles;
+    const struct dem_uniform_fluid *const f = &d->scene.fluid;
+
+    for (size_t i = 0; d->with_fluid && i < p->n; i++)
+    {
+        for (size_t k = 0; k < 3; k++)
+        {
+            dem_column(p, DEM_COLUMN_FLUID_VELOCITY)[3*i + k] = f->velocity[k];
+            dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT)[3*i + k] = f->pressure_gradient[k];
+        }
+        dem_column(p, DEM_COLUMN_VOID_FRACTION)[i] = f->given ? f->void_fraction : 1.0;
+        dem_column(p, DEM_COLUMN_FLUID_DENSITY)[i] = f->given ? f->density : 1.0;
+        dem_column(p, DEM_COLUMN_FLUID_VISCOSITY)[i] = f->given ? f->viscosity : 1.0;
+        dem_column(p, DEM_COLUMN_COUNTERFLOW)[i] = 1.0;
+        dem_column(p, DEM_COLUMN_PLACE)[2*i] = dem_column(p, DEM_COLUMN_PLACE)[2*i + 1] = -1.0;
+    }
+}
+
+static int start_particles(struct dem *d)
+{
+    struct dem_parts *const p = &d->parts;
+    struct dem_snapshot s;
+
+    dem_particles_init(&p->particles, d->with_fluid);
+    DEM_TRY(dem_particles_grow(&p->particles, 1));
+    if (d->load[0])
+    {
+        DEM_TRY(dem_snapshot_read_particles(d->load, &s, &p->pieces, &p->recipe, &p->particles));
+        p->time = s.time;
+        p->steps = s.steps;
+        return DEM_OK;
+    }
+    DEM_TRY(take_crowd(d));
+    return spread_crowd(d);
+}
+
+static int refuse_overlap(struct dem_parts *p)
+{
+    int64_t i = 0, j = 0;
+    double x[3] = {0.0, 0.0, 0.0};
+    const double worst = dem_measure_overlap(p, &i, &j, x);
+
+    DEM_REQUIRE(worst <= most_initial_overlap || j >= 0, DEM_ERROR_INPUT,
+                "particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the start, the limit is %g; move it",
+                (long long)i, x[0], x[1], x[2], p->walls.wall[p->walls.region[-1 - j].wall].name, worst, most_initial_overlap);
+    DEM_REQUIRE(worst <= most_initial_overlap, DEM_ERROR_INPUT,
+                "particles %lld and %lld at (%g %g %g) m overlap by %.3g of a diameter at the start, the limit is %g; move them apart",
+                (long long)i, (long long)j, x[0], x[1], x[2], worst, most_initial_overlap);
+    return DEM_OK;
+}
+
+/* Hand particles to their owners; a fresh start also gets its first lists, to look for overlaps, and the forces with
+   which the first half kick begins (a snapshot brings them along). */
+static int settle_in(struct dem *d)
+{
+    struct dem_parts *const p = &d->parts;
+
+    DEM_TRY(dem_pieces_balance(&p->pieces, &p->particles));
+    DEM_TRY(dem_halo_migrate(&p->halo, &p->particles, &p->contacts));
+    p->stale = 1;
+    if (d->load[0])
+    {
+        return dem_snapshot_read_rows(d->load, &p->recipe, &p->particles, &p->contacts);
+    }
+    DEM_TRY(dem_step_renew(p));
+    p->stale = 1;
+    DEM_TRY(refuse_overlap(p));
+    DEM_TRY(dem_sweep_contacts(p, 0.0));
+    dem_sweep_sum(&p->particles, &p->contacts);
+    p->watch.overlap = 0.0;
+    return DEM_OK;
+}
+
+/* Words and particles; ranks may read different parts of a snapshot, so they may fail alone. */
+static int make_ready(struct dem *d)
+{
+    struct dem_parts *const p = &d->parts;
+
+    DEM_TRY(dem_scene_read_materials(d->dict, &p->recipe));
+    DEM_TRY(take_walls(d));
+    DEM_TRY(dem_scene_read(&d->scene, d->dict, &p->recipe, &p->walls, &p->domain));
+    if (d->scene.snapshot && !d->load[0])
+    {
+        DEM_TRY(dem_load(d, d->scene.snapshot));
+    }
+    p->watch.limit = d->scene.most_overlap;
+    DEM_TRY(decide_fluid(d));
+    return start_particles(d);
+}
+
+/* All ranks fail when one does: the smallest of what they report. */
+static int together(const struct dem_parts *p, int status)
+{
+    int worst = status;
+
+    if (p->pieces.ranks > 1)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, p->pieces.comm);
+    }
+    return worst == DEM_OK || status != DEM_OK ? status : dem_error(worst, "another rank failed; its message tells why");
+}
+
+int dem_door_get_ready(struct dem *d)
+{
+    DEM_TRY(together(&d->parts, make_ready(d)));
+    DEM_TRY(together(&d->parts, prepare_physics(d)));
+    if (d->scene.fluid.given || !d->load[0])
+    {
+        fill_fluid(d);
+    }
+    DEM_TRY(together(&d->parts, settle_in(d)));
+    d->ready = 1;
+    return DEM_OK;
+}
