@@ -59,6 +59,10 @@ static int read_arguments(struct request *r, int argc, char **argv)
             r->set[r->sets][0] = argv[++k];
             r->set[r->sets++][1] = argv[++k];
         }
+        else if (strcmp(argv[k], "-restart") == 0 || strcmp(argv[k], "-set") == 0)
+        {
+            return dem_error(DEM_ERROR_INPUT, "%s lacks its value%s; dem run -help tells how", argv[k], argv[k][1] == 's' ? "s" : "");
+        }
         else if (argv[k][0] == '-')
         {
             return dem_unknown_word("option", argv[k], known, 3);

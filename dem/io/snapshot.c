@@ -216,9 +216,11 @@ static int read_head(struct dem_store *s, const char *path, struct head *h)
 {
     const int64_t most = (int64_t)(sizeof h->list/sizeof h->list[0]);
 
+    memset(h->magic, 0, sizeof h->magic);
+    dem_store_read(s, 0, h->magic, sizeof h->magic);
+    DEM_REQUIRE(memcmp(h->magic, magic, sizeof magic) == 0, DEM_ERROR_FILE, "%s is not a snapshot of Suna", path);
     dem_store_read(s, 0, h, sizeof *h);
     DEM_TRY(s->status);
-    DEM_REQUIRE(memcmp(h->magic, magic, sizeof magic) == 0, DEM_ERROR_FILE, "%s is not a snapshot of Suna", path);
     DEM_REQUIRE(h->order == byte_order, DEM_ERROR_FILE, "%s was written on a machine of another byte order", path);
     DEM_REQUIRE(h->version == VERSION, DEM_ERROR_FILE, "%s is of version %llu, this program reads version %d", path,
                 (unsigned long long)h->version, VERSION);

@@ -10,6 +10,7 @@
 #include "step/sweep_contacts.h"
 #include "base/math.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum
@@ -339,6 +340,39 @@ static void sweep_block(struct dem_parts *p, struct tray *t, const struct dem_ch
     note_worst(p, t, padded);
 }
 
+/* Who touches whom, in words. */
+static void culprits(const struct dem_parts *p, char *text, size_t size)
+{
+    const struct dem_watch *const w = &p->watch;
+
+    if (w->j < 0)
+    {
+        snprintf(text, size, "particle %lld and wall %s", (long long)w->i, p->walls.wall[p->walls.region[-1 - w->j].wall].name);
+    }
+    else
+    {
+        snprintf(text, size, "particles %lld and %lld", (long long)w->i, (long long)w->j);
+    }
+}
+
+static int judge(const struct dem_parts *p)
+{
+    const struct dem_watch *const w = &p->watch;
+    char who[160];
+
+    if (w->overlap <= w->limit)
+    {
+        return DEM_OK;
+    }
+    culprits(p, who, sizeof who);
+    DEM_REQUIRE(w->overlap < 1e29, DEM_ERROR_NUMBER,
+                "the force between %s near (%g %g %g) m is not a number at step %lld; look at their input, or at the fluid "
+                "around them", who, w->x[0], w->x[1], w->x[2], (long long)p->steps);
+    return dem_error(DEM_ERROR_NUMBER, "%s near (%g %g %g) m overlap by %.3g of a diameter at step %lld, the limit is %g; use a "
+                     "smaller step or a stiffer material, or raise time/maxOverlap", who, w->x[0], w->x[1], w->x[2], w->overlap,
+                     (long long)p->steps, w->limit);
+}
+
 int dem_sweep_contacts(struct dem_parts *p, double dt)
 {
     struct tray t;
@@ -357,16 +391,7 @@ int dem_sweep_contacts(struct dem_parts *p, double dt)
             sweep_block(p, &t, &p->recipe.chain[s], seg->first + done, left < DEM_BLOCK ? (int)left : DEM_BLOCK);
         }
     }
-    DEM_REQUIRE(p->watch.overlap < 1e29, DEM_ERROR_NUMBER,
-                "the force between particles %lld and %lld near (%g %g %g) m is not a number at step %lld; "
-                "look at their input, or at the fluid around them", (long long)p->watch.i, (long long)p->watch.j,
-                p->watch.x[0], p->watch.x[1], p->watch.x[2], (long long)p->steps);
-    DEM_REQUIRE(p->watch.overlap <= p->watch.limit, DEM_ERROR_NUMBER,
-                "particles %lld and %lld near (%g %g %g) m overlap by %.3g of a diameter at step %lld, the limit is %g "
-                "(a partner below 0 is a wall); use a smaller step or a stiffer material, or raise time/maxOverlap",
-                (long long)p->watch.i, (long long)p->watch.j, p->watch.x[0], p->watch.x[1], p->watch.x[2], p->watch.overlap,
-                (long long)p->steps, p->watch.limit);
-    return DEM_OK;
+    return judge(p);
 }
 
 /* ---- the sum ------------------------------------------------------------------------------------------------- */
