@@ -30,6 +30,7 @@ namespace Foam
 
     // Up to here a point behind the domain's boundary is on the boundary
     static const scalar onWall = 1.1;
+    static const label mostSlides = 3;
 }
 
 
@@ -162,24 +163,46 @@ bool Foam::demLocator::isWall(const label facei) const
 }
 
 
-bool Foam::demLocator::cross(const label facei, traveller& t) const
+bool Foam::demLocator::isBorder(const label facei) const
+{
+    return
+        facei >= mesh_.nInternalFaces()
+     && otherRank_[facei - mesh_.nInternalFaces()] != Pstream::myProcNo();
+}
+
+
+void Foam::demLocator::cross(const label facei, traveller& t) const
 {
     if (facei < mesh_.nInternalFaces())
     {
         const label owner = mesh_.faceOwner()[facei];
         t.cell = owner == t.cell ? mesh_.faceNeighbour()[facei] : owner;
-        return true;
     }
-
-    const label i = facei - mesh_.nInternalFaces();
-    if (otherRank_[i] < 0)
+    else
     {
-        return false;
+        const label i = facei - mesh_.nInternalFaces();
+        t.position += shift_[i];
+        t.cell = otherCell_[i];
+        t.rank = otherRank_[i];
     }
-    t.position += shift_[i];
-    t.cell = otherCell_[i];
-    t.rank = otherRank_[i];
-    return true;
+}
+
+
+Foam::label Foam::demLocator::wayAround(const label cell, const vector& d) const
+{
+    label way = -1;
+    scalar most = 1 + onFace;
+
+    for (label slot = start_[cell]; slot < start_[cell + 1]; ++slot)
+    {
+        const scalar here = d & plane_[slot];
+        if (here > most && !isWall(face_[slot]))
+        {
+            most = here;
+            way = face_[slot];
+        }
+    }
+    return way;
 }
 
 
@@ -190,29 +213,46 @@ Foam::demLocator::ending Foam::demLocator::walk(traveller& t, demSpot& spot) con
         return OUTSIDE;
     }
 
+    label slides = 0;
     for (label step = 0; step < longestWalk; ++step)
     {
         const vector d(t.position - mesh_.cellCentres()[t.cell]);
         scalar most;
         const label worst = behind(t.cell, d, most);
+        const bool close = most <= nearFace || step >= planeSteps;
         label through = face_[worst];
 
-        if (most <= nearFace || step >= planeSteps)
+        if (close)
         {
             aim(t.cell, d, worst, spot);
             through = spot.face;
 
             // wCell is 1 at the centre, 0 on the face
-            if (-spot.wCell <= (isWall(through) ? onWall - 1 : onFace))
+            if (-spot.wCell <= onFace)
             {
                 clean(spot);
                 return INSIDE;
             }
         }
-        if (!cross(through, t))
+        if (isWall(through))
         {
-            return OUTSIDE;
+            const bool onIt = close && -spot.wCell <= onWall - 1;
+
+            // around a corner of the domain, or along the wall to where it is
+            // nearest. Not for long and not to other ranks if it may stay here:
+            // cells with warped sides may send the point to each other.
+            through = wayAround(t.cell, d);
+            if (onIt && (through < 0 || isBorder(through) || ++slides > mostSlides))
+            {
+                clean(spot);
+                return INSIDE;
+            }
+            if (through < 0)
+            {
+                return OUTSIDE;
+            }
         }
+        cross(through, t);
         if (t.rank != Pstream::myProcNo())
         {
             return LEFT;
