@@ -15,7 +15,7 @@
 
 enum
 {
-    VERSION = 1,
+    VERSION = 2,
     NAME = 48,
     RECORD = (int)(sizeof(struct dem_particle)/sizeof(double)),
     ROW_NAME = (int)(sizeof(struct dem_carried)/sizeof(double)),
@@ -29,7 +29,7 @@ static const uint64_t byte_order = 0x0102030405060708u;
 struct head
 {
     char magic[8];
-    uint64_t order, version, checksum;
+    uint64_t order, version, checksum, head_checksum;     /* of particles and rows; of this head without itself */
     int64_t particles, rows, steps;
     double time;
     int64_t materials, columns, memories;
@@ -60,6 +60,14 @@ static size_t row_doubles(const struct head *h)
 static size_t rows_at(const struct head *h)
 {
     return sizeof *h + (size_t)h->particles*particle_doubles(h)*sizeof(double);
+}
+
+static uint64_t head_check(const struct head *h)
+{
+    struct head plain = *h;
+
+    plain.head_checksum = 0;
+    return dem_hash_record(&plain, sizeof plain, 'h');
 }
 
 /* ---- writing ------------------------------------------------------------------------------------------------- */
@@ -179,6 +187,7 @@ static void place(const struct dem_pieces *q, struct head *h, int64_t before[2],
     }
     h->particles = all[0];
     h->rows = all[1];
+    h->head_checksum = head_check(h);
 }
 
 int dem_snapshot_write(const char *path, const struct dem_snapshot *s, const struct dem_pieces *q, const struct dem_recipe *r,
@@ -214,18 +223,41 @@ int dem_snapshot_write(const char *path, const struct dem_snapshot *s, const str
 
 static int read_head(struct dem_store *s, const char *path, struct head *h)
 {
-    const int64_t most = (int64_t)(sizeof h->list/sizeof h->list[0]);
-
     memset(h->magic, 0, sizeof h->magic);
-    dem_store_read(s, 0, h->magic, sizeof h->magic);
+    dem_store_read(s, 0, h->magic, sizeof h->magic);      /* alone: a file of another kind may be shorter than a head */
     DEM_REQUIRE(memcmp(h->magic, magic, sizeof magic) == 0, DEM_ERROR_FILE, "%s is not a snapshot of Suna", path);
     dem_store_read(s, 0, h, sizeof *h);
     DEM_TRY(s->status);
-    DEM_REQUIRE(h->order == byte_order, DEM_ERROR_FILE, "%s was written on a machine of another byte order", path);
-    DEM_REQUIRE(h->version == VERSION, DEM_ERROR_FILE, "%s is of version %llu, this program reads version %d", path,
+    DEM_REQUIRE(h->order == byte_order, DEM_ERROR_FILE, "%s was written on a machine of another byte order, or is damaged", path);
+    DEM_REQUIRE(h->version == VERSION, DEM_ERROR_FILE, "%s is of version %llu, this program reads version %d; write it anew", path,
                 (unsigned long long)h->version, VERSION);
-    DEM_REQUIRE(h->particles >= 0 && h->rows >= 0 && h->materials >= 0 && h->columns >= 0 && h->memories >= 0
-                && h->materials + h->columns + h->memories <= most, DEM_ERROR_FILE, "%s is damaged: its counts make no sense", path);
+    DEM_REQUIRE(head_check(h) == h->head_checksum, DEM_ERROR_FILE, "%s is damaged: its head has checksum %016llx and should have "
+                "%016llx; use another one", path, (unsigned long long)head_check(h), (unsigned long long)h->head_checksum);
+    const size_t size = rows_at(h) + (size_t)h->rows*row_doubles(h)*sizeof(double), found = dem_store_size(s);
+
+    DEM_REQUIRE(found == size, DEM_ERROR_FILE, "%s is damaged: it has %zu bytes and should have %zu; use another one", path, found,
+                size);
+    return DEM_OK;
+}
+
+/* Open and read the head; closed again when that fails. */
+static int open_file(struct dem_store *s, MPI_Comm comm, int rank, const char *path, struct head *h)
+{
+    DEM_TRY(dem_store_open(s, comm, rank, path));
+    const int status = read_head(s, path, h);
+
+    if (status)
+    {
+        s->status = status;                               /* the sentence that counts has been said */
+        (void)dem_store_close(s);
+    }
+    return status;
+}
+
+static int agrees(const char *path, const struct head *h, uint64_t sum)
+{
+    DEM_REQUIRE(sum == h->checksum, DEM_ERROR_FILE, "%s is damaged: its checksum is %016llx and should be %016llx; use another one",
+                path, (unsigned long long)sum, (unsigned long long)h->checksum);
     return DEM_OK;
 }
 
@@ -249,9 +281,7 @@ static int verify(struct dem_store *s, const char *path, const struct dem_pieces
         MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UINT64_T, MPI_SUM, q->comm);
     }
     DEM_TRY(dem_store_close(s));
-    DEM_REQUIRE(sum == h->checksum, DEM_ERROR_FILE, "%s is damaged: its checksum is %016llx and should be %016llx; use another one",
-                path, (unsigned long long)sum, (unsigned long long)h->checksum);
-    return DEM_OK;
+    return agrees(path, h, sum);
 }
 
 static int map_materials(const char *path, const struct head *h, const struct dem_recipe *r, int *material)
@@ -309,8 +339,7 @@ int dem_snapshot_read_particles(const char *path, struct dem_snapshot *s, const 
     int material[DEM_MATERIALS];
     double *packed, *mine;
 
-    DEM_TRY(dem_store_open(&store, q->ranks > 1 ? q->comm : MPI_COMM_NULL, q->rank, path));
-    DEM_TRY(read_head(&store, path, &h));
+    DEM_TRY(open_file(&store, q->ranks > 1 ? q->comm : MPI_COMM_NULL, q->rank, path, &h));
     DEM_TRY(map_materials(path, &h, r, material));
     const int64_t first = h.particles*q->rank/q->ranks, end = h.particles*(q->rank + 1)/q->ranks;
     const size_t size = particle_doubles(&h), count = (size_t)(end - first);
@@ -370,8 +399,7 @@ int dem_snapshot_read_rows(const char *path, const struct dem_recipe *r, const s
     int64_t *id;
     double *row;
 
-    DEM_TRY(dem_store_open(&store, MPI_COMM_NULL, 0, path));
-    DEM_TRY(read_head(&store, path, &h));
+    DEM_TRY(open_file(&store, MPI_COMM_NULL, 0, path, &h));
     const size_t size = row_doubles(&h);
 
     DEM_TRY(DEM_NEW(id, p->n + 1));
@@ -401,9 +429,9 @@ int dem_snapshot_fingerprint(const char *path, uint64_t *fingerprint)
     struct dem_store store;
     struct head h;
     double *item;
+    uint64_t sum = 0;
 
-    DEM_TRY(dem_store_open(&store, MPI_COMM_NULL, 0, path));
-    DEM_TRY(read_head(&store, path, &h));
+    DEM_TRY(open_file(&store, MPI_COMM_NULL, 0, path, &h));
     const size_t size = particle_doubles(&h), row = row_doubles(&h);
 
     DEM_TRY(DEM_NEW(item, size + row));
@@ -414,6 +442,7 @@ int dem_snapshot_fingerprint(const char *path, uint64_t *fingerprint)
 
         dem_store_read(&store, sizeof h + i*size*sizeof *item, item, size*sizeof *item);
         memcpy(&record, item, sizeof record);
+        sum += check(item, 1, size);
         *fingerprint += dem_fingerprint_particle(&record);
     }
     for (size_t k = 0; k < (size_t)h.rows && !store.status; k++)
@@ -422,8 +451,10 @@ int dem_snapshot_fingerprint(const char *path, uint64_t *fingerprint)
 
         dem_store_read(&store, rows_at(&h) + k*row*sizeof *item, item, row*sizeof *item);
         memcpy(&name, item, sizeof name);
+        sum += check(item, 1, row);
         *fingerprint += dem_fingerprint_row(&name, item + ROW_NAME, (int)h.memories);
     }
     dem_memory_free(item);
-    return dem_store_close(&store);
+    DEM_TRY(dem_store_close(&store));
+    return agrees(path, &h, sum);
 }

@@ -1,7 +1,7 @@
 /*
  * snapshot.h -- the whole state in one file: written aside, checked and renamed; read on any number of ranks.
  *
- * Layout, all in 8-byte words of the machine's own order (checked): magic, byte order, version, checksum, counts, time,
+ * Layout, all in 8-byte words of the machine's own order (checked): magic, byte order, version, checksums, counts, time,
  * names (materials, columns, memory), then particles (record and columns), then remembered contacts (name and memory).
  * Columns and memory are matched by name when loading, materials too; what the file has and the scene lacks is left.
  *

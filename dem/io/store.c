@@ -107,6 +107,19 @@ void dem_store_read(struct dem_store *s, size_t at, void *data, size_t size)
     in_pieces(s, at, data, size, 0);
 }
 
+size_t dem_store_size(struct dem_store *s)
+{
+    MPI_Offset size = 0;
+
+    if (s->comm != MPI_COMM_NULL)
+    {
+        return MPI_File_get_size(s->file, &size) == MPI_SUCCESS ? (size_t)size : 0;
+    }
+    const long end = fseek(s->alone, 0, SEEK_END) == 0 ? ftell(s->alone) : 0;
+
+    return end > 0 ? (size_t)end : 0;
+}
+
 int dem_store_close(struct dem_store *s)
 {
     char name[sizeof s->path + 8];

@@ -29,5 +29,6 @@ int dem_store_close(struct dem_store *);                  /* fails on all ranks 
 /* Not collective. `at` and `size` in bytes. A failure is remembered, later calls do nothing. */
 void dem_store_write(struct dem_store *, size_t at, const void *data, size_t size);
 void dem_store_read(struct dem_store *, size_t at, void *data, size_t size);
+size_t dem_store_size(struct dem_store *);                /* bytes in the file; 0 when that can't be told */
 
 #endif
