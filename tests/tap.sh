@@ -3,8 +3,10 @@
 #   $dem                     the program, built if need be; DEM=... in the environment names another one
 #   $work                    a folder of this run's own, removed at the end (kept with SUNA_KEEP=1)
 #   claim "what" command ... prints "ok" when the command succeeds
+#   later "what" command ... a claim that runs aside, at most $at_once together (most of a short run is the start of MPI,
+#                            which waits); collect waits and tells them all
 #   skip "what" why          prints "ok ... # SKIP why"
-#   ranks N command ...      the command on N ranks, ended after a minute
+#   ranks N command ...      the command on N ranks, ended after SUNA_TEST_LIMIT seconds (default 120)
 #   printed_hash FILE        the fingerprint that a run printed
 #   c_test SUITE/test_NAME   build and run a test in C; its own lines of TAP go by
 #   finish                   the plan, and the exit status
@@ -21,7 +23,7 @@ then
 fi
 work=$(mktemp -d) || exit 1
 [ -n "${SUNA_KEEP-}" ] || trap 'rm -rf "$work"' EXIT
-claims=0 failures=0
+claims=0 failures=0 most=${SUNA_TEST_LIMIT:-120}
 
 # more ranks than cores: let those that wait give way, else every exchange costs a slice of the scheduler
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
@@ -46,6 +48,32 @@ claim()
     fi
 }
 
+at_once=12
+waiting=()
+
+later()
+{
+    local k=${#waiting[@]}
+    waiting+=("$1")
+    shift
+    (
+        if "$@" > "$work/later.$k" 2>&1; then touch "$work/later.$k.good"; else echo "#   failed: $*" >> "$work/later.$k"; fi
+    ) &
+    while [ "$(jobs -rp | wc -l)" -ge $at_once ]; do wait -n; done
+}
+
+collect()
+{
+    local k
+    wait
+    for k in "${!waiting[@]}"
+    do
+        claim "${waiting[$k]}" test -e "$work/later.$k.good" || cat "$work/later.$k"
+        rm -f "$work/later.$k" "$work/later.$k.good"
+    done
+    waiting=()
+}
+
 skip()
 {
     claims=$((claims + 1))
@@ -56,7 +84,12 @@ ranks()
 {
     local n=$1
     shift
-    timeout -k 5 60 mpirun -np "$n" "$@"
+    if [ "$n" -eq 1 ]
+    then
+        timeout -k 5 "$most" "$@"
+    else
+        timeout -k 5 "$most" mpirun -np "$n" "$@"
+    fi
 }
 
 printed_hash()
