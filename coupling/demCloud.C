@@ -13,6 +13,7 @@
 #include "OSspecific.H"
 #include "Time.H"
 #include "wallFvPatch.H"
+#include "emptyFvPatch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -110,8 +111,31 @@ bool Foam::demCloud::onMaster(const fileName& file) const
 }
 
 
+// The flow across an empty patch is not solved for
+void Foam::demCloud::checkPatches() const
+{
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+
+        if (twoWay_ && isA<emptyFvPatch>(patch))
+        {
+            FatalErrorInFunction
+                << "Patch " << patch.name() << " is of type empty, but"
+                << " particles move in three dimensions and the fluid would not"
+                << " get the momentum that they give it across that patch; use"
+                << " walls with slip or cyclic patches, or set twoWay no; in"
+                << " coupling of constant/" << demDict::name()
+                << exit(FatalError);
+        }
+    }
+}
+
+
 void Foam::demCloud::build()
 {
+    checkPatches();
+
     demCheck(dem_create(&dem_, communicator()));
     demCheck
     (
@@ -152,10 +176,6 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
     dict_(mesh),
     twoWay_(dict_.coupling().getOrDefault("twoWay", true)),
     makesRoom_(makesRoom && twoWay_),
-    leastVoidFraction_
-    (
-        dict_.coupling().getOrDefault<scalar>("leastVoidFraction", 0.2)
-    ),
     transfer_(mesh, dict_.coupling()),
     dem_(nullptr),
     view_(),

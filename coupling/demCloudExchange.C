@@ -239,13 +239,7 @@ void Foam::demCloud::report()
     demCheck(dem_tally(dem_, &now));
 
     const scalarField& e = voidFraction_;
-    label dense = 0;
-    forAll(e, celli)
-    {
-        dense += e[celli] < leastVoidFraction_;
-    }
-    reduce(dense, sumOp<label>());
-
+    const label crowded = transfer_.crowded(e);
     const scalar solid = gSum(mesh_.V().field()*(1 - e));
 
     Info<< "Suna: " << now.particles << " particles, "
@@ -254,14 +248,47 @@ void Foam::demCloud::report()
         << ", volume error " << mag(solid - now.volume)/(now.volume + VSMALL)
         << endl;
 
-    if (dense)
+    if (crowded)
     {
-        Info<< "Suna: void fraction below " << leastVoidFraction_ << " in "
-            << dense << " cells: particles are too soft, or cells too small"
-            << " for the kernel's width" << endl;
+        Info<< "Suna: void fraction below " << transfer_.minVoidFraction()
+            << " in " << crowded << " cells: particles are too soft, or cells"
+            << " too small for the kernel's width" << endl;
     }
 
     before_ = now;
+}
+
+
+// The pressure gradient has moved the fluid in this step and will move the
+// particles in the next: their share of it is owed to them, too.
+void Foam::demCloud::reportMomentum
+(
+    const volVectorField& U,
+    const volVectorField& gradP
+)
+{
+    struct dem_tally now;
+    demCheck(dem_tally(dem_, &now));
+
+    const vectorField& u = U;
+    const vector fluid
+    (
+        density()*gSum(mesh_.V().field()*voidFraction_.primitiveField()*u)
+    );
+    const vector particles(now.momentum[0], now.momentum[1], now.momentum[2]);
+    vector owed(demLedger::owed(fluid_));
+
+    if (dict_.acts("pressureGradient"))
+    {
+        const vectorField dynamic
+        (
+            transfer_.sample(gradP)() - density()*gravity()
+        );
+        owed -= window_*gSum((volumes(view_)*dynamic)());
+    }
+
+    Info<< "Suna: momentum fluid " << fluid << " particles " << particles
+        << " owed " << owed << " sum " << fluid + particles + owed << endl;
 }
 
 
@@ -304,6 +331,7 @@ void Foam::demCloud::correct
     {
         ledger_.charge(demLedger::FLUID);
         settle(U, (gradP - gradP_)());
+        reportMomentum(U, gradP);
     }
 }
 

@@ -10,6 +10,8 @@
 #include "wallPolyPatch.H"
 #include "uniformDimensionedFields.H"
 #include "OStringStream.H"
+#include "DynamicList.H"
+#include "HashSet.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -50,6 +52,28 @@ static void writeEntries(const dictionary& dict, OStringStream& os)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::demDict::checkCoupling() const
+{
+    const wordHashSet known
+    ({
+        "twoWay", "rho", "nu", "walls", "diameter",
+        "kernel", "width", "base", "minVoidFraction", "record"
+    });
+
+    forAllConstIters(coupling_, iter)
+    {
+        const keyType& key = iter().keyword();
+
+        if (!known.found(key))
+        {
+            FatalIOErrorInFunction(coupling_)
+                << "There is no entry " << key << " in coupling; there are "
+                << flatOutput(known.sortedToc()) << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::demDict::keepBackPatches()
 {
     if (!dict_.found("walls"))
@@ -60,7 +84,12 @@ void Foam::demDict::keepBackPatches()
     dictionary& walls = dict_.subDict("walls");
 
     // A copy of the names: entries go while we look
-    const List<keyType> names(walls.keys());
+    DynamicList<keyType> names;
+    forAllConstIters(walls, iter)
+    {
+        names.append(iter().keyword());
+    }
+
     forAll(names, i)
     {
         const wordRe pattern(names[i]);
@@ -188,6 +217,7 @@ Foam::demDict::demDict(const polyMesh& mesh)
         }
     }
 
+    checkCoupling();
     coupling_.readIfPresent("walls", alsoWalls_);
     keepBackPatches();
     settleGravity();

@@ -10,7 +10,6 @@
 #include "syncTools.H"
 #include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
-#include "emptyPolyPatch.H"
 #include "wedgePolyPatch.H"
 
 
@@ -73,13 +72,12 @@ void Foam::demLocator::addOtherSide()
         const label start = patch.start() - nInternal;
         const bool between = isA<processorPolyPatch>(patch);
 
-        if (isA<emptyPolyPatch>(patch) || isA<wedgePolyPatch>(patch))
+        if (isA<wedgePolyPatch>(patch))
         {
             FatalErrorInFunction
                 << "patch " << patch.name() << " is of type " << patch.type()
-                << ", but particles move in three dimensions and the flow would"
-                << " not get the momentum they give it across that patch; use"
-                << " walls with slip or cyclic patches" << exit(FatalError);
+                << ", but particles do not turn with it; use the whole domain,"
+                << " or a box" << exit(FatalError);
         }
         if (!patch.coupled())
         {
