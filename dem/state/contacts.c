@@ -87,7 +87,10 @@ int dem_contacts_adjoin(struct dem_contacts *c, const struct dem_particles *p)
     {
         const struct dem_pair *const q = &c->pair[k];
 
-        c->start[q->i + 2] += q->i < n;
+        if (q->i < n)
+        {
+            c->start[q->i + 2]++;
+        }
         if (!q->wall && q->j < n)
         {
             c->start[q->j + 2]++;

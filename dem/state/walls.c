@@ -304,6 +304,10 @@ int dem_walls_finish(struct dem_walls *w, double scale)
     size_t *name, *parent;
     int status;
 
+    if (w->triangles == 0)
+    {
+        return number_regions(w, NULL);                   /* planes alone */
+    }
     drop_repeats(w, scale);
     DEM_TRY(DEM_NEW(edge, 3*w->triangles + 1));
     DEM_TRY(DEM_NEW(name, 3*w->triangles + 1));
