@@ -41,10 +41,7 @@ static vector solve(const symmTensor& m, const vector& b, const scalar least)
         {
             p = !done[i] && (p < 0 || a[i][i] > a[p][p]) ? i : p;
         }
-        if (a[p][p] <= least)
-        {
-            break;
-        }
+        if (a[p][p] <= least) break;
         done[p] = true;
         for (label i = 0; i < 3; ++i)
         {
@@ -91,8 +88,7 @@ void Foam::demWeights::cloud
 
     forAll(count, pointi)
     {
-        // points that belong to no cell have none
-        const scalar n = max(count[pointi], scalar(1));
+        const scalar n = max(count[pointi], scalar(1));     // a point may belong to no cell
         mean[pointi] /= n;
         spread[pointi] = spread[pointi]/n - sqr(mean[pointi]);
     }
@@ -129,7 +125,6 @@ void Foam::demWeights::weigh()
     scalarField total(points.size(), Zero);
     vectorField mean(points.size(), Zero);
     symmTensorField spread(points.size(), Zero);
-
     cloud(total, mean, spread);
     const symmTensorField hold(walls());
 
@@ -147,10 +142,8 @@ void Foam::demWeights::weigh()
     forAll(points, pointi)
     {
         const scalar size = tr(spread[pointi]);
-        const vector k
-        (
-            -solve(spread[pointi] + stiff*size*hold[pointi], mean[pointi], flat*size)
-        );
+        const symmTensor extent(spread[pointi] + stiff*size*hold[pointi]);
+        const vector k(-solve(extent, mean[pointi], flat*size));
         for (const label celli : mesh_.pointCells()[pointi])
         {
             const vector d(mesh_.cellCentres()[celli] - points[pointi]);
