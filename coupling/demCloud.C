@@ -290,8 +290,9 @@ Foam::scalar Foam::demCloud::density() const
 }
 
 
-Foam::scalar Foam::demCloud::courant() const
+Foam::scalar Foam::demCloud::courant()
 {
+    refresh();
     scalar fastest = 0;
     for (size_t i = 0; i < view_.n; i++)
     {
@@ -305,7 +306,7 @@ Foam::scalar Foam::demCloud::courant() const
 }
 
 
-void Foam::demCloud::write() const
+void Foam::demCloud::write()
 {
     const fileName file(snapshotFile(mesh_.time().timeName()));
     if (Pstream::master())
@@ -318,6 +319,7 @@ void Foam::demCloud::write() const
     reduce(made, andOp<bool>());
 
     demCheck(dem_save(dem_, file.c_str()));
+    refresh();
     demWriter::write(mesh_, view_, fluid_.place ? fluid_.place : place_.cdata());
     voidFraction_.write();
 }

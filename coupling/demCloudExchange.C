@@ -59,12 +59,19 @@ static scalarField volumes(const struct ::dem_view& view)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-// The core's columns, and every particle's cell. To be called whenever the
-// core may have moved particles or handed them to other ranks.
-void Foam::demCloud::look()
+// The core's columns: its pointers hold until its next collective call
+void Foam::demCloud::refresh()
 {
     dem_view(dem_, &view_);
     demCheck(dem_fluid(dem_, &fluid_));
+}
+
+
+// Every particle's cell. To be called whenever the core may have moved
+// particles or handed them to other ranks.
+void Foam::demCloud::look()
+{
+    refresh();
 
     if (!fluid_.place)
     {
@@ -74,6 +81,7 @@ void Foam::demCloud::look()
 
     transfer_.locate(view_, fluid_.place ? fluid_.place : place_.begin());
     setDiameter();
+    refresh();
 }
 
 
@@ -99,6 +107,22 @@ void Foam::demCloud::setDiameter()
 }
 
 
+// At the particles; what is uniform needs no transfer
+Foam::tmp<Foam::scalarField> Foam::demCloud::values
+(
+    const volScalarField& field
+) const
+{
+    const scalar most = gMax(field.primitiveField());
+
+    if (most > gMin(field.primitiveField()))
+    {
+        return transfer_.sample(field);
+    }
+    return tmp<scalarField>(new scalarField(view_.n, most));
+}
+
+
 void Foam::demCloud::tellParticles
 (
     const volVectorField& U,
@@ -115,8 +139,8 @@ void Foam::demCloud::tellParticles
     toColumn(transfer_.sample(U)(), fluid_.velocity);
     toColumn(transfer_.sample(gradP)(), fluid_.pressure_gradient);
     toColumn(transfer_.sample(voidFraction_)(), fluid_.void_fraction);
-    toColumn(transfer_.sample(rho)(), fluid_.density);
-    toColumn(transfer_.sample(mu)(), fluid_.viscosity);
+    toColumn(values(rho)(), fluid_.density);
+    toColumn(values(mu)(), fluid_.viscosity);
 
     for (size_t i = 0; i < fluid_.n; i++)
     {
@@ -220,6 +244,7 @@ void Foam::demCloud::settle
         gradient[i] += three(fluid_.pressure_gradient, i);
     }
 
+    refresh();
     demCheck
     (
         dem_fluid_correct
@@ -275,6 +300,7 @@ void Foam::demCloud::reportMomentum
     (
         density()*gSum(mesh_.V().field()*voidFraction_.primitiveField()*u)
     );
+    refresh();
     const vector particles(now.momentum[0], now.momentum[1], now.momentum[2]);
     vector owed(demLedger::owed(fluid_));
 
@@ -316,6 +342,7 @@ void Foam::demCloud::evolve
     depositVolume();
     depositReaction();
     report();
+    refresh();
     record_.add(dem_, view_);
     ledger_.charge(demLedger::EXCHANGE);
 }
