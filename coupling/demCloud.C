@@ -14,6 +14,7 @@
 #include "Time.H"
 #include "wallFvPatch.H"
 #include "emptyFvPatch.H"
+#include "cyclicFvPatch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -70,6 +71,7 @@ static wordList patchTypes(const fvMesh& mesh)
          && !patch.coupled()
          && !isA<wallFvPatch>(patch)
          && U->boundaryField()[patchi].fixesValue()
+         && !U->boundaryField()[patchi].assignable()     // not an outlet
         )
         {
             types[patchi] = "fixedValue";
@@ -111,7 +113,8 @@ bool Foam::demCloud::onMaster(const fileName& file) const
 }
 
 
-// The flow across an empty patch is not solved for
+// The flow across an empty patch is not solved for; through a cyclic patch the
+// core must know its way, too
 void Foam::demCloud::checkPatches() const
 {
     forAll(mesh_.boundary(), patchi)
@@ -126,6 +129,16 @@ void Foam::demCloud::checkPatches() const
                 << " get the momentum that they give it across that patch; use"
                 << " walls with slip or cyclic patches, or set twoWay no; in"
                 << " coupling of constant/" << demDict::name()
+                << exit(FatalError);
+        }
+
+        if (isA<cyclicFvPatch>(patch) && !dict_.periodic())
+        {
+            FatalErrorInFunction
+                << "Patch " << patch.name() << " is cyclic, but the particles"
+                << " do not know: those on one side would not feel those on the"
+                << " other. Add domain { min ...; max ...; periodic (x); } with"
+                << " the mesh's limits to constant/" << demDict::name()
                 << exit(FatalError);
         }
     }

@@ -232,6 +232,12 @@ bool Foam::demDict::acts(const word& effect) const
 }
 
 
+bool Foam::demDict::periodic() const
+{
+    return dict_.subOrEmptyDict("domain").found("periodic");
+}
+
+
 bool Foam::demDict::isWall(const polyPatch& patch) const
 {
     return

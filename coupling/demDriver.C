@@ -56,7 +56,22 @@ Foam::demDriver::demDriver(const fvMesh& mesh)
     fluid_(mesh, cloud_),
     moved_(-1),
     force_("dem:wholeForce", cloud_.force())
-{}
+{
+    const word ddt
+    (
+        mesh.schemesDict().subOrEmptyDict("ddtSchemes")
+       .lookupOrDefault<word>("default", "none")
+    );
+
+    if (ddt == "steadyState")
+    {
+        FatalErrorInFunction
+            << "ddtSchemes default is steadyState, but particles move in time:"
+            << " an iteration of " << mesh.time().deltaTValue() << " s is no"
+            << " time step. Take a transient solver, pimpleFoam for example"
+            << exit(FatalError);
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
