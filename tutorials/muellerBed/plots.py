@@ -28,9 +28,9 @@ def draw_profiles(case, profiles, centres):
         axes.plot(1e3*centres, p.profile, color=OURS, lw=1.8)
         axes.plot(1e3*p.measured[0], p.measured[1], "o", ms=4, mfc="none", color=MEASURED)
         name = "void fraction" if p.quantity == "voidFraction" else "vertical velocity [m/s]"
-        axes.set(title=f"{name} at {p.height:g} mm", xlabel="x [mm]", xlim=(0, 44))
-        axes.text(0.98, 0.03, f"rms {p.rms:.3f}, bias {p.bias:+.3f}", transform=axes.transAxes, ha="right", va="bottom",
-                  fontsize=8, color="0.3")
+        axes.set(xlabel="x [mm]", xlim=(0, 44))
+        axes.set_title(f"{name} at {p.height:g} mm", loc="left", fontsize=9.5)
+        axes.set_title(f"rms {p.rms:.3f}", loc="right", fontsize=8.5, color="0.35")
     for axes in panels[0, :2]:
         axes.set_ylim(0.3, 0.9)
     legend = panels[0, 2]

@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""store.py -- keep a run's results in stored/ and put its table into README.md.
+
+    store.py CASE "10 s, 2 cores of ..., DATE"
+
+CASE is a folder in which compare.py has written; the text says what ran where.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import csv
+import re
+import shutil
+import sys
+from pathlib import Path
+
+from compare import HERE, ROWS
+
+FILES = ["result.csv", "profiles.csv", "profiles.png", "pressure.png", "bed.png"]
+
+
+def table(rows, text):
+    others = {(quantity, height): (dpmfoam, sedifoam) for quantity, height, _, dpmfoam, sedifoam in ROWS}
+    lines = [f"{text}:", "", "| | height | rms | 95 % of rms | spread of the measured points | DPMFoam | sediFoam |",
+             "|---|---|---|---|---|---|---|"]
+    last = []
+    for row in rows:
+        key = row["quantity"], float(row["height_mm"])
+        if key in others:
+            unit = "" if row["unit"] == "1" else " " + row["unit"]
+            name = "void fraction" if key[0] == "voidFraction" else "vertical velocity"
+            lines.append(f"| {name} | {key[1]:g} mm | **{float(row['rms']):.3f}**{unit} | ± {float(row['ci95']):.3f} "
+                         f"| {float(row['spread']):.3f} | {others[key][0]:.3f} | {others[key][1]:.3f} |")
+        elif key[0] == "pressureDrop":
+            last.append(f"Pressure drop {float(row['rms']):.1f} ± {float(row['ci95']):.1f} Pa; the beads weigh "
+                        f"{float(row['spread']):.1f} Pa.")
+        elif key[0] == "wallTime":
+            last.append(f"Wall time {float(row['rms']):.0f} s.")
+    return "\n".join(lines + ["", " ".join(last)])
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    case = Path(sys.argv[1])
+    (HERE/"stored").mkdir(exist_ok=True)
+    for file in FILES:
+        shutil.copy(case/file, HERE/"stored"/file)
+    with open(case/"result.csv", newline="") as file:
+        new = table(csv.DictReader(file), sys.argv[2])
+    readme = HERE/"README.md"
+    readme.write_text(re.sub(r"(<!-- table -->\n).*(<!-- end -->)", lambda m: m.group(1) + new + "\n" + m.group(2),
+                             readme.read_text(), flags=re.DOTALL))
+
+
+if __name__ == "__main__":
+    main()
