@@ -92,6 +92,8 @@ def read_profiles(case, start, half):
     end = listed[-1][0]
     start = min(start, 0.5*end)
     chosen = [frame for frame in listed if frame[0] > start*(1 + 1e-9)]
+    if len(chosen) < 4:
+        sys.exit(f"compare: {len(chosen)} instants after {start:g} s are too few for an interval; run 0.1 s or more")
     count = 0
     for _, *place in chosen:
         position, velocity = frames.read_frame(*place)
