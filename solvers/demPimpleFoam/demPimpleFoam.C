@@ -52,6 +52,7 @@ Description
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "demCloud.H"
 #include "fixedFlux.H"
+#include "cellVector.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
