@@ -1,5 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demCloud.C -- building the particles, saving them, telling about them.
+    demCloud.C -- building the particles and saving them.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
@@ -8,6 +8,7 @@
 
 #include "demCloud.H"
 #include "demCheck.H"
+#include "demFluid.H"
 #include "demWalls.H"
 #include "demWriter.H"
 #include "OSspecific.H"
@@ -260,46 +261,7 @@ Foam::demCloud::~demCloud()
 
 Foam::scalar Foam::demCloud::density() const
 {
-    const dictionary* transport =
-        mesh_.findObject<dictionary>("transportProperties");
-
-    const dictionary& own = dict_.coupling();
-    const bool here = own.found("rho");
-    const bool there = transport && transport->found("rho");
-
-    if (!here && !there)
-    {
-        FatalIOErrorInFunction(own)
-            << "The density of the fluid is missing: add rho <kg/m3> to"
-            << " coupling in constant/" << demDict::name()
-            << exit(FatalIOError);
-    }
-
-    const scalar rho =
-        dimensionedScalar("rho", dimDensity, here ? own : *transport).value();
-
-    if (here && there)
-    {
-        const scalar other =
-            dimensionedScalar("rho", dimDensity, *transport).value();
-
-        if (mag(rho - other) > 1e-9*mag(rho))
-        {
-            FatalIOErrorInFunction(own)
-                << "The density of the fluid is " << rho << " here and "
-                << other << " in constant/transportProperties; write it in"
-                << " one place only" << exit(FatalIOError);
-        }
-    }
-
-    if (rho <= 0)
-    {
-        FatalIOErrorInFunction(own)
-            << "The density of the fluid is " << rho << " kg/m3; it must be"
-            << " positive" << exit(FatalIOError);
-    }
-
-    return rho;
+    return demFluid::uniformDensity(mesh_, dict_.coupling());
 }
 
 

@@ -1,5 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demCloudExchange.C -- one exchange: fluid -> particles -> fluid.
+    demCloudExchange.C -- what the particles are told, and what they bring back.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
@@ -8,54 +8,7 @@
 
 #include "demCloud.H"
 #include "demCheck.H"
-#include "mathematicalConstants.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-static void toColumn(const UList<scalar>& values, double* column)
-{
-    forAll(values, i)
-    {
-        column[i] = values[i];
-    }
-}
-
-
-static void toColumn(const UList<vector>& values, double* column)
-{
-    forAll(values, i)
-    {
-        for (direction d = 0; d < 3; d++)
-        {
-            column[3*i + d] = values[i][d];
-        }
-    }
-}
-
-
-static inline vector three(const double* column, const label i)
-{
-    return vector(column[3*i], column[3*i + 1], column[3*i + 2]);
-}
-
-
-// Volumes [m3]
-static scalarField volumes(const struct ::dem_view& view)
-{
-    scalarField V(view.n);
-    forAll(V, i)
-    {
-        const scalar r = *dem_at(view.radius, view.stride, i);
-        V[i] = 4.0/3.0*constant::mathematical::pi*r*r*r;
-    }
-    return V;
-}
-
-} // End namespace Foam
-
+#include "demColumns.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -217,107 +170,6 @@ bool Foam::demCloud::reacts() const
 }
 
 
-// `change` of the pressure gradient since evolve, on the mesh: so the fluid
-// and the particles answer to one and the same field
-void Foam::demCloud::settle
-(
-    const volVectorField& U,
-    const volVectorField& change
-)
-{
-    const vectorField velocity(transfer_.sample(U));
-    vectorField gradient(transfer_.sample(change));
-
-    Info<< "Suna: exchange error "
-        << ledger_.exchange
-           (
-               window_,
-               force_ - drag_*U - yielding_*change,
-               fluid_,
-               velocity,
-               makesRoom_ ? volumes(view_)*gradient : 0*gradient
-           )
-        << endl;
-
-    forAll(gradient, i)
-    {
-        gradient[i] += three(fluid_.pressure_gradient, i);
-    }
-
-    refresh();
-    demCheck
-    (
-        dem_fluid_correct
-        (
-            dem_,
-            reinterpret_cast<const double*>(velocity.cdata()),
-            reinterpret_cast<const double*>(gradient.cdata())
-        )
-    );
-    ledger_.charge(demLedger::EXCHANGE);
-}
-
-
-void Foam::demCloud::report()
-{
-    struct dem_tally now;
-    demCheck(dem_tally(dem_, &now));
-
-    const scalarField& e = voidFraction_;
-    const label crowded = transfer_.crowded(e);
-    const scalar solid = gSum(mesh_.V().field()*(1 - e));
-
-    Info<< "Suna: " << now.particles << " particles, "
-        << now.steps - before_.steps << " DEM steps, void fraction at least "
-        << gMin(e) << ", overlap at most " << now.largest_overlap
-        << ", volume error " << mag(solid - now.volume)/(now.volume + VSMALL)
-        << endl;
-
-    if (crowded)
-    {
-        Info<< "Suna: void fraction below " << transfer_.minVoidFraction()
-            << " in " << crowded << " cells: particles are too soft, or cells"
-            << " too small for the kernel's width" << endl;
-    }
-
-    before_ = now;
-}
-
-
-// The pressure gradient has moved the fluid in this step and will move the
-// particles in the next: their share of it is owed to them, too.
-void Foam::demCloud::reportMomentum
-(
-    const volVectorField& U,
-    const volVectorField& gradP
-)
-{
-    struct dem_tally now;
-    demCheck(dem_tally(dem_, &now));
-
-    const vectorField& u = U;
-    const vector fluid
-    (
-        density()*gSum(mesh_.V().field()*voidFraction_.primitiveField()*u)
-    );
-    refresh();
-    const vector particles(now.momentum[0], now.momentum[1], now.momentum[2]);
-    vector owed(demLedger::owed(fluid_));
-
-    if (dict_.acts("pressureGradient"))
-    {
-        const vectorField dynamic
-        (
-            transfer_.sample(gradP)() - density()*gravity()
-        );
-        owed -= window_*gSum((volumes(view_)*dynamic)());
-    }
-
-    Info<< "Suna: momentum fluid " << fluid << " particles " << particles
-        << " owed " << owed << " sum " << fluid + particles + owed << endl;
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demCloud::evolve
@@ -345,61 +197,6 @@ void Foam::demCloud::evolve
     refresh();
     record_.add(dem_, view_);
     ledger_.charge(demLedger::EXCHANGE);
-}
-
-
-void Foam::demCloud::correct
-(
-    const volVectorField& U,
-    const volVectorField& gradP
-)
-{
-    if (reacts())
-    {
-        ledger_.charge(demLedger::FLUID);
-        settle(U, (gradP - gradP_)());
-        reportMomentum(U, gradP);
-    }
-}
-
-
-void Foam::demCloud::correct(const volVectorField& U)
-{
-    if (reacts())
-    {
-        ledger_.charge(demLedger::FLUID);
-        settle(U, (0*gradP_)());
-    }
-}
-
-
-Foam::tmp<Foam::volVectorField> Foam::demCloud::pressureReaction() const
-{
-    tmp<volVectorField> treaction
-    (
-        new volVectorField("dem:pressureReaction", 0*force_)
-    );
-
-    if (reacts() && dict_.acts("pressureGradient"))
-    {
-        const scalarField V(volumes(view_));
-        vectorField force(view_.n);
-
-        forAll(force, i)
-        {
-            force[i] =
-                V[i]
-               *(
-                    three(fluid_.pressure_gradient, i)
-                  - fluid_.density[i]*gravity()
-                );
-        }
-
-        transfer_.deposit(force, treaction.ref().ref());
-        treaction.ref().correctBoundaryConditions();
-    }
-
-    return treaction;
 }
 
 // ************************************************************************* //

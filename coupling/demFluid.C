@@ -92,6 +92,54 @@ Foam::demFluid::demFluid(const fvMesh& mesh, const demCloud& cloud)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::demFluid::uniformDensity
+(
+    const fvMesh& mesh,
+    const dictionary& own
+)
+{
+    const dictionary* transport =
+        mesh.findObject<dictionary>("transportProperties");
+
+    const bool here = own.found("rho");
+    const bool there = transport && transport->found("rho");
+
+    if (!here && !there)
+    {
+        FatalIOErrorInFunction(own)
+            << "The density of the fluid is missing: add rho <kg/m3> to"
+            << " coupling in constant/" << demDict::name()
+            << exit(FatalIOError);
+    }
+
+    const scalar rho =
+        dimensionedScalar("rho", dimDensity, here ? own : *transport).value();
+
+    if (here && there)
+    {
+        const scalar other =
+            dimensionedScalar("rho", dimDensity, *transport).value();
+
+        if (mag(rho - other) > 1e-9*mag(rho))
+        {
+            FatalIOErrorInFunction(own)
+                << "The density of the fluid is " << rho << " here and "
+                << other << " in constant/transportProperties; write it in"
+                << " one place only" << exit(FatalIOError);
+        }
+    }
+
+    if (rho <= 0)
+    {
+        FatalIOErrorInFunction(own)
+            << "The density of the fluid is " << rho << " kg/m3; it must be"
+            << " positive" << exit(FatalIOError);
+    }
+
+    return rho;
+}
+
+
 const Foam::volVectorField& Foam::demFluid::velocity() const
 {
     return wanted<volVectorField>(mesh_, "U");
