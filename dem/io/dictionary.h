@@ -88,6 +88,9 @@ size_t dem_entry_tokens(const struct dem_entry *e);                            /
 const char *dem_entry_token(const struct dem_entry *e, size_t i);              /* null past the end, "{}" for a
                                                                                   dictionary in a list */
 
+/* Call `read` for each dictionary in d/name, in the order of the text; nothing when d/name is absent. */
+int dem_dict_each(const struct dem_dict *d, const char *name, int (*read)(void *, const struct dem_dict *), void *with);
+
 /* Places for sentences: "glass", "materials/glass", "scene.dem, line 12". Name and path of the top are empty. */
 const char *dem_dict_name(const struct dem_dict *d);
 const char *dem_dict_path(const struct dem_dict *d);

@@ -83,6 +83,22 @@ const char *dem_entry_token(const struct dem_entry *e, size_t i)
     return i < e->count ? e->tokens[i].text : NULL;
 }
 
+int dem_dict_each(const struct dem_dict *d, const char *name, int (*read)(void *, const struct dem_dict *), void *with)
+{
+    const struct dem_dict *list;
+
+    DEM_TRY(dem_dict_sub_if(d, name, &list));
+    for (size_t k = 0; list && k < dem_dict_count(list); k++)
+    {
+        const struct dem_entry *const e = dem_dict_entry(list, k);
+
+        DEM_REQUIRE(dem_entry_is_dict(e), DEM_ERROR_INPUT, "%s: %s holds dictionaries; write %s { ... }", dem_entry_where(e),
+                    name, dem_entry_name(e));
+        DEM_TRY(read(with, dem_entry_dict(e)));
+    }
+    return DEM_OK;
+}
+
 const char *dem_dict_name(const struct dem_dict *d)
 {
     return d->name;

@@ -1,0 +1,17 @@
+/*
+ * scene_parts.h -- the parts of a scene that have a file of their own; called by scene.c in this order.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_IO_SCENE_PARTS_H
+#define DEM_IO_SCENE_PARTS_H
+
+#include "io/scene.h"
+
+/* effects and pairs; materials (dem_scene_read_materials) have been read before. */
+int dem_scene_read_recipe(const struct dem_dict *, struct dem_recipe *);
+
+/* Walls made of the recipe's materials, behind those that were handed in by program. */
+int dem_scene_read_walls(const struct dem_dict *, const struct dem_recipe *, struct dem_walls *);
+
+#endif
