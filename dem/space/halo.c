@@ -1,5 +1,5 @@
 /*
- * halo.c -- letters with particles and rows in them, and the fixed routes of the refresh.
+ * halo.c -- copies: who needs which, and the fixed routes on which they are refreshed. Migration is in halo_migrate.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -12,10 +12,8 @@ enum
 {
     REFRESHED = 9,                                        /* x, v, w */
     RECORD = (int)(sizeof(struct dem_particle)/sizeof(double)),
-    NAME = (int)(sizeof(struct dem_carried)/sizeof(double)),
     TAG_REFRESH = 72
 };
-_Static_assert(sizeof(struct dem_carried)%sizeof(double) == 0, "a carried row's name travels as doubles");
 
 void dem_halo_init(struct dem_halo *h, struct dem_pieces *pieces)
 {
@@ -38,203 +36,7 @@ void dem_halo_free(struct dem_halo *h)
     memset(h, 0, sizeof *h);
 }
 
-/* ---- migration ----------------------------------------------------------------------------------------------- */
-
-
-struct named
-{
-    int64_t id;
-    uint32_t particle;
-};
-
-/* Open addressing from id to owned particle, for finding whose a carried row is. */
-static int index_ids(const struct dem_particles *p, struct named **table, size_t *mask)
-{
-    *mask = 15;
-    while (*mask < 2*p->n)
-    {
-        *mask = 2**mask + 1;
-    }
-    DEM_TRY(DEM_NEW(*table, *mask + 1));
-    for (size_t i = 0; i < p->n; i++)
-    {
-        size_t slot = (uint64_t)p->record[i].id*0x9e3779b97f4a7c15u >> 20 & *mask;
-
-        while ((*table)[slot].particle)
-        {
-            slot = (slot + 1) & *mask;
-        }
-        (*table)[slot] = (struct named){p->record[i].id, (uint32_t)i + 1};
-    }
-    return DEM_OK;
-}
-
-/* The owned particle with this id, or n. */
-static size_t find_id(const struct dem_particles *p, const struct named *table, size_t mask, int64_t id)
-{
-    size_t slot = (uint64_t)id*0x9e3779b97f4a7c15u >> 20 & mask;
-
-    while (table[slot].particle && table[slot].id != id)
-    {
-        slot = (slot + 1) & mask;
-    }
-    return table[slot].particle ? table[slot].particle - 1 : p->n;
-}
-
-/* One letter a destination: number of particles, of rows, particles, rows. */
-static int write_letter(struct dem_halo *h, const struct dem_particles *p, const struct dem_contacts *c, int peer,
-                        const int *owner, const int *row_owner)
-{
-    const size_t size = dem_particles_packed_size(p), memories = (size_t)c->memories;
-    size_t particles = 0, rows = 0;
-    double *where;
-
-    for (size_t i = 0; i < p->n; i++)
-    {
-        particles += owner[i] == peer;
-    }
-    for (size_t r = 0; r < 2*c->carried; r++)
-    {
-        rows += row_owner[r] == peer;
-    }
-    DEM_TRY(dem_mail_letter(&h->out, peer));
-    DEM_TRY(dem_mail_room(&h->out, 2 + particles*size + rows*(NAME + memories), &where));
-    *where++ = (double)particles;
-    *where++ = (double)rows;
-    for (size_t i = 0; i < p->n; i++)
-    {
-        if (owner[i] == peer)
-        {
-            dem_particles_pack(p, i, where);
-            where += size;
-        }
-    }
-    for (size_t r = 0; r < 2*c->carried; r++)
-    {
-        if (row_owner[r] == peer)
-        {
-            memcpy(where, &c->carry[r/2], sizeof *c->carry);
-            memcpy(where + NAME, c->kept + r/2*memories, memories*sizeof *where);
-            where += NAME + memories;
-        }
-    }
-    return DEM_OK;
-}
-
-static int read_letters(struct dem_halo *h, struct dem_particles *p, struct dem_contacts *c)
-{
-    const size_t size = dem_particles_packed_size(p), memories = (size_t)c->memories;
-
-    for (int k = 0; k < h->in.peers; k++)
-    {
-        const double *where = h->in.data + h->in.start[k];
-        const size_t particles = (size_t)where[0], rows = (size_t)where[1];
-
-        where += 2;
-        for (size_t i = 0; i < particles; i++, where += size)
-        {
-            DEM_TRY(dem_particles_append(p, where));
-        }
-        for (size_t r = 0; r < rows; r++, where += NAME + memories)
-        {
-            struct dem_carried name;
-
-            memcpy(&name, where, sizeof name);
-            DEM_TRY(dem_contacts_carry(c, &name, where + NAME));
-        }
-    }
-    return DEM_OK;
-}
-
-/* Where each particle goes (-1: stays), and where each carried row goes with its lower and its higher particle. */
-static int destinations(struct dem_halo *h, const struct dem_particles *p, const struct dem_contacts *c, int *owner,
-                        int *row_owner, int *leaving)
-{
-    const int me = h->pieces->rank;
-    struct named *table;
-    size_t mask;
-
-    *leaving = 0;
-    for (size_t i = 0; i < p->n; i++)
-    {
-        const int to = dem_pieces_owner(h->pieces, p->record[i].x);
-
-        owner[i] = to == me ? -1 : to;
-        *leaving += to != me;
-    }
-    DEM_TRY(index_ids(p, &table, &mask));
-    for (size_t r = 0; r < 2*c->carried; r++)
-    {
-        const int64_t id = r%2 ? c->carry[r/2].high : c->carry[r/2].low;
-        const size_t i = id < 0 ? p->n : find_id(p, table, mask, id);
-
-        row_owner[r] = i < p->n ? owner[i] : -1;
-        /* both partners to the same place: once is enough */
-        row_owner[r] = r%2 && row_owner[r] == row_owner[r - 1] ? -1 : row_owner[r];
-    }
-    dem_memory_free(table);
-    return DEM_OK;
-}
-
-static int drop_leavers(struct dem_particles *p, const int *owner)
-{
-    uint32_t *order;
-    size_t kept = 0;
-
-    DEM_TRY(DEM_NEW(order, p->n + 1));
-    for (size_t i = 0; i < p->n; i++)
-    {
-        if (owner[i] < 0)
-        {
-            order[kept++] = (uint32_t)i;
-        }
-    }
-    dem_particles_reorder(p, order, kept);
-    dem_memory_free(order);
-    return DEM_OK;
-}
-
-int dem_halo_migrate(struct dem_halo *h, struct dem_particles *p, struct dem_contacts *c)
-{
-    int *owner, *row_owner, leaving;
-    char *wanted;
-
-    p->ghosts = 0;
-    if (h->pieces->ranks == 1)
-    {
-        return DEM_OK;
-    }
-    DEM_TRY(DEM_NEW(owner, p->n + 1));
-    DEM_TRY(DEM_NEW(row_owner, 2*c->carried + 1));
-    DEM_TRY(DEM_NEW(wanted, h->pieces->ranks + 1));
-    DEM_TRY(destinations(h, p, c, owner, row_owner, &leaving));
-    dem_mail_clear(&h->out);
-    for (size_t i = 0; i < p->n; i++)
-    {
-        if (owner[i] >= 0)
-        {
-            wanted[owner[i]] = 1;
-        }
-    }
-    for (int peer = 0; peer < h->pieces->ranks; peer++)
-    {
-        if (wanted[peer])
-        {
-            DEM_TRY(write_letter(h, p, c, peer, owner, row_owner));
-        }
-    }
-    if (leaving)
-    {
-        DEM_TRY(drop_leavers(p, owner));
-    }
-    dem_memory_free(owner);
-    dem_memory_free(row_owner);
-    dem_memory_free(wanted);
-    DEM_TRY(dem_mail_exchange(h->pieces->comm, &h->out, &h->in));
-    return read_letters(h, p, c);
-}
-
-/* ---- copies -------------------------------------------------------------------------------------------------- */
+/* ---- choosing ------------------------------------------------------------------------------------------------ */
 
 /* 1 when some periodic image of x lies within `reach` of the box. */
 static int box_in_reach(const struct dem_domain *d, const double x[3], const double min[3], const double max[3], double reach)
@@ -350,6 +152,8 @@ int dem_halo_renew(struct dem_halo *h, struct dem_particles *p, const struct dem
     DEM_TRY(dem_mail_exchange(h->pieces->comm, &h->out, &h->in));
     return take_copies(h, p);
 }
+
+/* ---- refreshing ---------------------------------------------------------------------------------------------- */
 
 static void send_and_receive(struct dem_halo *h, int width)
 {
