@@ -6,11 +6,14 @@
  *   G    1 for a single sphere creeping through the fluid; a law of drag is a G    [1]
  *   e    void fraction, taken from 0.2 to 1                                        [1]
  *   Re   superficial Reynolds number                                               [1]
- *   u    fluid velocity; v particle velocity                                       [m/s]
+ *   u    fluid velocity between the grains; v particle velocity                    [m/s]
  *   mu, rho, d   viscosity, density of the fluid, diameter                         [Pa s], [kg/m3], [m]
  *
- * f is the drag of the pressure-shared form of the averaged equations (model A, set II), where the pressure gradient is
- * a force of its own. All of G is products with Re, never a quotient by it: at rest nothing is 0/0.
+ * The slip is that of the fluid between the grains (interstitial), u - v. Papers that write the superficial slip
+ * U = e (u - v) have their drag coefficient multiplied by e here, and Re holds U. f is the drag of the pressure-shared
+ * form of the averaged equations (model A, set II), where the pressure gradient is a force of its own; a law given for
+ * the whole force (drag and pressure gradient, model B) has been multiplied by e. All of G is products with Re, never a
+ * quotient by it: at rest nothing is 0/0.
  *
  * Source: Gidaspow, Multiphase Flow and Fluidization (1994), chapter 2; Zhou, Kuang, Chu, Yu, J. Fluid Mech. 661 (2010)
  * 482 for the forms of the equations.
@@ -51,6 +54,28 @@ static inline __attribute__((always_inline)) double dem_drag_single_sphere(doubl
 static inline __attribute__((always_inline)) double dem_drag_wen_yu(double e, double re)
 {
     return dem_pow(e, -2.65)*dem_drag_single_sphere(re);
+}
+
+/* Ergun, Chem. Eng. Prog. 48 (1952) 89 */
+static inline __attribute__((always_inline)) double dem_drag_ergun(double e, double re)
+{
+    return (150.0*(1.0 - e) + 1.75*re)/(18.0*e);
+}
+
+/* Cd Re/24 of a lone sphere, Cd = (0.63 + 4.8/sqrt Re)^2: Dallavalle, Micromeritics (1948). 0.96 at Re = 0, not 1 */
+static inline __attribute__((always_inline)) double dem_drag_dallavalle(double re)
+{
+    const double root = 0.63*sqrt(re) + 4.8;
+
+    return root*root/24.0;
+}
+
+/* exp(-(1.5 - log10 Re)^2/2): how far a swarm is between creeping and inertial flow, 1 at Re = 32 and 0 far from it */
+static inline __attribute__((always_inline)) double dem_drag_bell(double re)
+{
+    const double from = 1.5 - dem_log10(dem_pick(re > 1e-12, re, 1e-12));    /* e^-91 at 1e-12 */
+
+    return dem_exp(-0.5*from*from);
 }
 
 /* add the drag of row c */

@@ -15,8 +15,15 @@
     ROW(mindlin)                                                                                                      \
     ROW(gravity)                                                                                                      \
     ROW(pressure_gradient)                                                                                            \
+    ROW(stokes_drag)                                                                                                  \
+    ROW(schiller_naumann)                                                                                             \
     ROW(wen_yu)                                                                                                       \
-    ROW(gidaspow)
+    ROW(ergun)                                                                                                        \
+    ROW(gidaspow)                                                                                                     \
+    ROW(di_felice)                                                                                                    \
+    ROW(rong)                                                                                                         \
+    ROW(koch_hill)                                                                                                    \
+    ROW(beetstra)
 
 #define DEM_EFFECT_DECLARE(name) extern const struct dem_effect dem_##name;
 DEM_EFFECT_ROWS(DEM_EFFECT_DECLARE)

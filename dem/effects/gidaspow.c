@@ -67,7 +67,7 @@ static void act_on_bodies(const void *of, struct dem_body_block *restrict b)
         const double e = dem_drag_void(b->void_fraction[c]), s = 1.0 - e;
         const double re = dem_drag_reynolds(b, c, e);
 
-        const double ergun = (150.0*s + 1.75*re)/(18.0*e);
+        const double ergun = dem_drag_ergun(e, re);
         const double bridge = 0.5 + arctangent(150.0*1.75*(0.2 - s))/pi;
         const double phi = dem_pick(smooth, bridge, dem_pick(e < 0.8, 0.0, 1.0));
 

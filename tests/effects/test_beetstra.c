@@ -1,0 +1,95 @@
+/*
+ * Claims: the drag is that of Beetstra, van der Hoef and Kuipers: the tabulated values, Stokes' for a lone creeping sphere,
+ * Carman's in a creeping packing, the paper's slope at large Re; in a mixture the drag of all is that of spheres of the
+ * Sauter mean, each has its share with d^2, and equal spheres of the mean are as without a mean.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "drag_table.h"
+
+static double mean_diameter;                              /* the settings; 0: each its own */
+
+static double G(double e, double re)
+{
+    return body_drag(&dem_beetstra, &mean_diameter, e, re);
+}
+
+/* the paper's F, with its negative powers of Re */
+static double paper(double e, double re)
+{
+    const double s = 1.0 - e;
+
+    return 10.0*s/(e*e) + e*e*(1.0 + 1.5*sqrt(s)) + 0.413*re/(24.0*e*e)*(1.0/e + 3.0*e*s + 8.4*pow(re, -0.343))
+         /(1.0 + pow(10.0, 3.0*s)*pow(re, -0.5*(1.0 + 4.0*s)));
+}
+
+/* three sizes in one fluid with one slip: the sum of their drags in a unit volume against that of the Sauter mean */
+static void mixture(double e, double slip)
+{
+    static const double d[3] = {0.5e-3, 1e-3, 2e-3}, solids[3] = {0.2, 0.5, 0.3};    /* shares of the solid volume */
+    static struct dem_body_block b;
+    double over = 0.0, sum = 0.0;
+
+    for (int k = 0; k < 3; k++)
+    {
+        over += solids[k]/d[k];
+    }
+    mean_diameter = 1.0/over;
+    memset(&b, 0, sizeof b);
+    b.n = 4;
+    for (int k = 0; k < 4; k++)
+    {
+        body_fill(&b, k, k < 3 ? d[k] : mean_diameter, 1000.0, 1e-3, e, 0.0);
+        b.ux[k] = slip;
+    }
+    dem_beetstra.act_on_bodies(&mean_diameter, &b);
+    for (int k = 0; k < 3; k++)
+    {
+        sum += solids[k]*(1.0 - e)/sphere_volume(d[k])*b.b[k];
+    }
+    /* rounding */
+    TAP_NEAR(sum/((1.0 - e)/sphere_volume(mean_diameter)*b.b[3]), 1.0, 1e-13, "e = %g: as spheres of the Sauter mean", e);
+    TAP_NEAR(b.b[2]/b.b[0], 16.0, 1e-12, "e = %g: four times the size, sixteen times the drag", e);
+    const double alone = b.b[3];
+
+    mean_diameter = 0.0;
+    body_fill(&b, 3, 1.0/over, 1000.0, 1e-3, e, 0.0);
+    b.ux[3] = slip;
+    dem_beetstra.act_on_bodies(&mean_diameter, &b);
+    TAP_NEAR(b.b[3]/alone, 1.0, 1e-15, "e = %g: the mean itself is as among its equals", e);    /* rounding of y = 1 */
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    mean_diameter = 0.0;
+    drag_in_table(&dem_beetstra, &mean_diameter, DRAG_BEETSTRA);
+    TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a lone creeping sphere: Stokes' 3 pi mu d");
+    TAP_NEAR(G(1.0, 1e-6), 1.0, 1e-5, "and nearly so at Re = 1e-6");                     /* 0.145 Re^1.157 */
+    TAP_NEAR(G(0.4, 0.0), 0.4*(10.0*0.6/0.16 + 0.16*(1.0 + 1.5*sqrt(0.6))), 1e-13, "a creeping packing");    /* rounding */
+    for (double e = 0.25; e < 1.0; e += 0.07)
+    {
+        for (double re = 1e-3; re < 1e5; re *= 7.0)
+        {
+            if (fabs(G(e, re)/(e*paper(e, re)) - 1.0) > 1e-13)                            /* rounding of powers */
+            {
+                TAP_NEAR(G(e, re)/(e*paper(e, re)), 1.0, 1e-13, "as the paper writes it, e = %g, Re = %g", e, re);
+            }
+        }
+    }
+    TAP_OK(tap_count.failed == 0, "as the paper writes it, e from 0.25 to 1, Re from 1e-3 to 1e5");
+    mixture(0.45, 0.1);
+    mixture(0.8, 0.01);
+    mixture(0.99, 0.5);
+    mean_diameter = 0.0;
+    drag_limits(&dem_beetstra, &mean_diameter);
+    drag_form(&dem_beetstra, &mean_diameter);
+
+    double settings = -1.0, bad = -1e-3;
+
+    dem_field_defaults(dem_beetstra.settings, &settings);
+    TAP_OK(settings == 0.0, "of one size unless told otherwise");
+    TAP_OK(dem_field_set_number(dem_beetstra.settings, &settings, "beetstra", "meanDiameter", &bad, 1) == DEM_ERROR_INPUT,
+           "%s", dem_error_text());
+    TAP_DONE;
+}
