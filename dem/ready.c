@@ -9,6 +9,7 @@
 #include "io/snapshot.h"
 #include "step/measure.h"
 #include "step/step.h"
+#include "step/sum_contacts.h"
 #include "step/sweep_contacts.h"
 #include <float.h>
 #include <math.h>
@@ -284,7 +285,7 @@ static int settle_in(struct dem *d)
     p->stale = 1;
     DEM_TRY(refuse_overlap(p));
     DEM_TRY(dem_sweep_contacts(p, 0.0));
-    dem_sweep_sum(&p->particles, &p->contacts);
+    dem_sum_contacts(&p->particles, &p->contacts);
     p->watch.overlap = 0.0;
     return DEM_OK;
 }

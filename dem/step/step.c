@@ -9,6 +9,7 @@
 #include "step/step.h"
 #include "base/memory.h"
 #include "step/motion.h"
+#include "step/sum_contacts.h"
 #include "step/sweep_bodies.h"
 #include "step/sweep_contacts.h"
 #include <math.h>
@@ -191,7 +192,7 @@ static int step(struct dem_parts *p, double dt, double kick, double window, int 
                 "on it, and at the fluid around it", (long long)p->steps);
     DEM_TRY(neighbourhood(p, fastest[0], dt));
     *status = dem_sweep_contacts(p, dt);
-    dem_sweep_sum(&p->particles, &p->contacts);
+    dem_sum_contacts(&p->particles, &p->contacts);
     dem_sweep_bodies(&p->particles, &p->recipe.bodies, kick, window);
     return DEM_OK;
 }
