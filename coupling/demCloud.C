@@ -9,6 +9,7 @@
 #include "demCloud.H"
 #include "demCheck.H"
 #include "demFluid.H"
+#include "demSnapshot.H"
 #include "demWalls.H"
 #include "demWriter.H"
 #include "OSspecific.H"
@@ -98,22 +99,6 @@ static IOobject fieldAt
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::fileName Foam::demCloud::snapshotFile(const word& instance) const
-{
-    fileName file(mesh_.time().path()/instance/"uniform"/"dem.snapshot");
-    demBroadcast(file);
-    return file;
-}
-
-
-bool Foam::demCloud::onMaster(const fileName& file) const
-{
-    bool there = Pstream::master() && isFile(file, false);
-    reduce(there, orOp<bool>());
-    return there;
-}
-
-
 // The flow across an empty patch is not solved for; through a cyclic patch the
 // core must know its way, too
 void Foam::demCloud::checkPatches() const
@@ -158,17 +143,10 @@ void Foam::demCloud::build()
 
     const label walls = demWalls::add(dem_, mesh_, dict_);
 
-    const fileName restart(snapshotFile(mesh_.time().timeName()));
-    if (onMaster(restart))
+    const fileName start(demSnapshot::start(mesh_.time(), dict_));
+    if (!start.empty())
     {
-        Info<< "Suna: particles from "
-            << mesh_.time().relativePath(restart) << endl;
-        demCheck(dem_load(dem_, restart.c_str()));
-    }
-    else if (!dict_.snapshot().empty())
-    {
-        Info<< "Suna: particles from " << dict_.snapshot() << endl;
-        demCheck(dem_load(dem_, dict_.snapshot().c_str()));
+        demCheck(dem_load(dem_, start.c_str()));
     }
 
     demCheck(dem_ready(dem_));
@@ -283,7 +261,7 @@ Foam::scalar Foam::demCloud::courant()
 
 void Foam::demCloud::write()
 {
-    const fileName file(snapshotFile(mesh_.time().timeName()));
+    const fileName file(demSnapshot::present(mesh_.time()));
     if (Pstream::master())
     {
         mkDir(file.path());

@@ -7,11 +7,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demDict.H"
-#include "wallPolyPatch.H"
+#include "demCheck.H"
 #include "uniformDimensionedFields.H"
 #include "OStringStream.H"
 #include "DynamicList.H"
-#include "HashSet.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -54,7 +53,7 @@ static void writeEntries(const dictionary& dict, OStringStream& os)
 
 void Foam::demDict::checkCoupling() const
 {
-    const wordHashSet known
+    const wordList known
     ({
         "twoWay", "rho", "nu", "walls", "diameter",
         "kernel", "width", "base", "minVoidFraction", "record"
@@ -66,57 +65,31 @@ void Foam::demDict::checkCoupling() const
 
         if (!known.found(key))
         {
-            FatalIOErrorInFunction(coupling_)
-                << "There is no entry " << key << " in coupling; there are "
-                << flatOutput(known.sortedToc()) << exit(FatalIOError);
+            demUnknown(coupling_, "coupling", "entry", key, known);
         }
     }
 }
 
 
-void Foam::demDict::keepBackPatches()
+// The end and the output of a run are controlDict's here
+void Foam::demDict::leaveToControlDict()
 {
-    if (!dict_.found("walls"))
+    DynamicList<word> unread;
+
+    if (dict_.remove("write"))
     {
-        return;
+        unread.append("write");
+    }
+    if (dict_.isDict("time") && dict_.subDict("time").remove("end"))
+    {
+        unread.append("time/end");
     }
 
-    dictionary& walls = dict_.subDict("walls");
-
-    // A copy of the names: entries go while we look
-    DynamicList<keyType> names;
-    forAllConstIters(walls, iter)
+    if (unread.size())
     {
-        names.append(iter().keyword());
-    }
-
-    forAll(names, i)
-    {
-        const wordRe pattern(names[i]);
-        bool aPatch = false;
-
-        forAll(mesh_.boundaryMesh(), patchi)
-        {
-            aPatch = aPatch || pattern.match(mesh_.boundaryMesh()[patchi].name());
-        }
-
-        if (aPatch)
-        {
-            patches_.add(*walls.findEntry(names[i], keyType::LITERAL));
-            walls.remove(names[i]);
-        }
-        else if (names[i].isPattern())
-        {
-            FatalIOErrorInFunction(walls)
-                << "walls/" << names[i] << " matches no patch; there are "
-                << flatOutput(mesh_.boundaryMesh().names())
-                << exit(FatalIOError);
-        }
-    }
-
-    if (walls.empty())
-    {
-        dict_.remove("walls");
+        Info<< "Suna: not read from constant/" << name() << ": "
+            << flatOutput(unread) << "; here system/controlDict decides"
+            << endl;
     }
 }
 
@@ -139,6 +112,7 @@ void Foam::demDict::settleGravity()
 
     if (!io.typeHeaderOk<uniformDimensionedVectorField>(true))
     {
+        sayGravity(inScene ? "effects/gravity/acceleration" : "");
         return;
     }
 
@@ -164,6 +138,22 @@ void Foam::demDict::settleGravity()
         dictionary all;
         all.add("effects", added);
         dict_.merge(all);
+    }
+    sayGravity("constant/g");
+}
+
+
+void Foam::demDict::sayGravity(const char* source) const
+{
+    if (mag(gravity_) > 0)
+    {
+        Info<< "Suna: gravity " << gravity_ << " m/s2 from " << source << endl;
+    }
+    else
+    {
+        Info<< "Suna: no gravity: "
+            << (*source ? source : "neither constant/g nor effects/gravity")
+            << (*source ? " is zero" : " is there") << endl;
     }
 }
 
@@ -191,12 +181,7 @@ Foam::demDict::demDict(const polyMesh& mesh)
     dict_.remove("coupling");
     dict_.remove("FoamFile");
 
-    // The end and the output of a run are controlDict's here
-    dict_.remove("write");
-    if (dict_.found("time"))
-    {
-        dict_.subDict("time").remove("end");
-    }
+    leaveToControlDict();
 
     if (dict_.found("fluid"))
     {
@@ -219,6 +204,7 @@ Foam::demDict::demDict(const polyMesh& mesh)
 
     checkCoupling();
     coupling_.readIfPresent("walls", alsoWalls_);
+    checkPatchNames();
     keepBackPatches();
     settleGravity();
 }
@@ -232,57 +218,21 @@ bool Foam::demDict::acts(const word& effect) const
 }
 
 
+void Foam::demDict::onlyThere(const word& name, const char* where) const
+{
+    if (coupling_.found(name))
+    {
+        FatalIOErrorInFunction(coupling_)
+            << name << " comes from " << where << " here; take it out of"
+            << " coupling in constant/" << demDict::name()
+            << exit(FatalIOError);
+    }
+}
+
+
 bool Foam::demDict::periodic() const
 {
     return dict_.subOrEmptyDict("domain").found("periodic");
-}
-
-
-bool Foam::demDict::isWall(const polyPatch& patch) const
-{
-    return
-        isA<wallPolyPatch>(patch)
-     || alsoWalls_.match(patch.name())
-     || patches_.found(patch.name());
-}
-
-
-Foam::word Foam::demDict::material(const polyPatch& patch) const
-{
-    const dictionary* wall = patches_.findDict(patch.name());
-
-    if (wall)
-    {
-        forAllConstIters(*wall, iter)
-        {
-            const keyType& key = iter().keyword();
-
-            if
-            (
-                key != "material"
-             && !(key == "type" && wall->get<word>("type") == "patch")
-            )
-            {
-                FatalIOErrorInFunction(*wall)
-                    << "A wall made from a patch has a material and nothing"
-                    << " else; take out " << key << exit(FatalIOError);
-            }
-        }
-        return wall->get<word>("material");
-    }
-
-    const wordList materials(dict_.subOrEmptyDict("materials").toc());
-
-    if (materials.size() != 1)
-    {
-        FatalIOErrorInFunction(dict_)
-            << "What is wall " << patch.name() << " made of? Add"
-            << " walls { " << patch.name() << " { material name; } } with one"
-            << " of the materials " << flatOutput(materials)
-            << exit(FatalIOError);
-    }
-
-    return materials[0];
 }
 
 

@@ -60,22 +60,6 @@ static tmp<volScalarField> uniform
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::demFluid::onlyThere(const word& name, const word& where) const
-{
-    const dictionary& own = cloud_.dict().coupling();
-
-    if (own.found(name))
-    {
-        FatalIOErrorInFunction(own)
-            << name << " comes from " << where << " here; take it out of"
-            << " coupling in constant/" << demDict::name()
-            << exit(FatalIOError);
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demFluid::demFluid(const fvMesh& mesh, const demCloud& cloud)
@@ -179,7 +163,7 @@ Foam::tmp<Foam::volScalarField> Foam::demFluid::density() const
 
     if (rho && rho->dimensions() == dimDensity)
     {
-        onlyThere("rho", "the solver");
+        cloud_.dict().onlyThere("rho", "the solver");
         return tmp<volScalarField>(*rho);
     }
     return uniform
@@ -197,7 +181,7 @@ Foam::tmp<Foam::volScalarField> Foam::demFluid::viscosity() const
 
     if (model)
     {
-        onlyThere("nu", "the solver");
+        cloud_.dict().onlyThere("nu", "the solver");
         return density()*model->nu();
     }
 
@@ -207,11 +191,27 @@ Foam::tmp<Foam::volScalarField> Foam::demFluid::viscosity() const
 
     if (transport && transport->found("nu"))
     {
-        onlyThere("nu", "constant/transportProperties");
+        cloud_.dict().onlyThere("nu", "constant/transportProperties");
         return
             density()*dimensionedScalar("nu", dimViscosity, *transport);
     }
-    return density()*dimensionedScalar("nu", dimViscosity, own);
+    if (!own.found("nu"))
+    {
+        FatalIOErrorInFunction(own)
+            << "The viscosity of the fluid is missing: add nu <m2/s> to"
+            << " coupling in constant/" << demDict::name()
+            << exit(FatalIOError);
+    }
+
+    const dimensionedScalar nu("nu", dimViscosity, own);
+
+    if (nu.value() <= 0)
+    {
+        FatalIOErrorInFunction(own)
+            << "coupling/nu is " << nu.value() << " m2/s; it must be positive"
+            << exit(FatalIOError);
+    }
+    return density()*nu;
 }
 
 // ************************************************************************* //

@@ -49,6 +49,24 @@ static bool hasFile(const fvMesh& mesh)
     return false;
 }
 
+
+// The particles move in each step, from the first to the last
+static void checkControl(const dictionary& dict)
+{
+    const bool each =
+        dict.getOrDefault<word>("executeControl", "timeStep") == "timeStep"
+     && dict.getOrDefault<scalar>("executeInterval", 1) == 1;
+
+    if (!each || dict.found("timeStart") || dict.found("timeEnd"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "functions/" << dict.dictName() << " in system/controlDict lets"
+            << " the fluid go on without its particles: they move in each time"
+            << " step. Take out executeControl, executeInterval, timeStart and"
+            << " timeEnd" << exit(FatalIOError);
+    }
+}
+
 } // End namespace Foam
 
 
@@ -93,8 +111,21 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict)
+    fvMeshFunctionObject(name, runTime, dict),
+    ownTimes_
+    (
+        dict.found("writeControl")
+     || dict.found("outputControl")
+     || dict.found("writeInterval")
+    )
 {
+    // What is being looked at afterwards must not move
+    if (postProcess)
+    {
+        Info<< "Suna: post-processing, the particles stay as they are" << endl;
+        return;
+    }
+
     // OpenFOAM turns an error in this constructor into a warning, runs on
     // without particles and, if only one rank fails, hangs. Errors end the run.
     const bool throwing = FatalError.throwExceptions(false);
@@ -107,6 +138,7 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
             << " take out " << name << exit(FatalError);
     }
 
+    checkControl(dict);
     read(dict);
     driver_.reset(new demDriver(mesh_));
 
@@ -130,14 +162,21 @@ bool Foam::functionObjects::demFunctionObject::read(const dictionary& dict)
 
 bool Foam::functionObjects::demFunctionObject::execute()
 {
-    driver_().finish();
+    if (driver_)
+    {
+        driver_().finish();
+    }
     return true;
 }
 
 
 bool Foam::functionObjects::demFunctionObject::write()
 {
-    driver_().cloud().write();
+    // Without a writeControl OpenFOAM asks in every step
+    if (driver_ && (ownTimes_ || time_.writeTime()))
+    {
+        driver_().cloud().write();
+    }
     return true;
 }
 

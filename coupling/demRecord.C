@@ -56,7 +56,7 @@ void Foam::demRecord::open(const ::dem* d)
     impulse_ = Zero;
 
     const scalar start = time_.value() - time_.deltaTValue();
-    entries_ = label(start/interval_ + 1e-6);
+    entries_ = std::floor(start/interval_ + 1e-6);
 
     if (!Pstream::master())
     {
@@ -148,18 +148,29 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
 :
     time_(time),
     interval_(0),
-    entries_(-1),
+    entries_(-GREAT),
     since_(0)
 {
     if (coupling.found("record"))
     {
         const dictionary& record = coupling.subDict("record");
+        const wordList known({"interval"});
+
+        forAllConstIters(record, iter)
+        {
+            const keyType& key = iter().keyword();
+
+            if (!known.found(key))
+            {
+                demUnknown(record, "coupling/record", "entry", key, known);
+            }
+        }
         interval_ = record.get<scalar>("interval");
 
-        if (interval_ <= 0)
+        if (interval_ < SMALL)
         {
             FatalIOErrorInFunction(record)
-                << "interval " << interval_ << " s; give a time above 0, or"
+                << "coupling/record/interval " << interval_ << " s; give a time above 0, or"
                 << " take out record" << exit(FatalIOError);
         }
     }
@@ -174,7 +185,7 @@ void Foam::demRecord::add(::dem* d, const demView& view)
     {
         return;
     }
-    if (entries_ < 0)
+    if (entries_ == -GREAT)
     {
         open(d);
     }
@@ -188,7 +199,7 @@ void Foam::demRecord::add(::dem* d, const demView& view)
         impulse_[wall] += step*force;
     }
 
-    const label passed = label(time_.value()/interval_ + 1e-6);
+    const scalar passed = std::floor(time_.value()/interval_ + 1e-6);
     if (passed > entries_)
     {
         entries_ = passed;

@@ -7,10 +7,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demTransfer.H"
+#include "demCheck.H"
 
 
 void Foam::demTransfer::read(const dictionary& coupling)
 {
+    const wordList kernels({"diffusion", "linear", "particleCentre"});
+    const wordList bases({"linear", "particleCentre"});
     const word kernel(coupling.getOrDefault<word>("kernel", "diffusion"));
     const word base(coupling.getOrDefault<word>("base", "linear"));
     const bool diffusion = kernel == "diffusion";
@@ -18,23 +21,41 @@ void Foam::demTransfer::read(const dictionary& coupling)
     width_ = coupling.getOrDefault<scalar>("width", 3);
     minVoidFraction_ = coupling.getOrDefault<scalar>("minVoidFraction", 0.2);
 
-    if (!diffusion && kernel != "linear" && kernel != "particleCentre")
+    if (!kernels.found(kernel))
     {
-        FatalIOErrorInFunction(coupling)
-            << "kernel " << kernel << " is unknown; use diffusion, linear or"
-            << " particleCentre" << exit(FatalIOError);
+        demUnknown(coupling, "coupling", "kernel", kernel, kernels);
     }
-    if (base != "linear" && base != "particleCentre")
+    if (!bases.found(base))
     {
-        FatalIOErrorInFunction(coupling)
-            << "base " << base << " is unknown; use linear or particleCentre"
-            << exit(FatalIOError);
+        demUnknown(coupling, "coupling", "base", base, bases);
+    }
+    for (const char* name : {"width", "base", "diameter"})
+    {
+        if (!diffusion && coupling.found(name))
+        {
+            FatalIOErrorInFunction(coupling)
+                << "coupling/" << name << " is of the smoothing, but kernel "
+                << kernel << " does not smooth; take it out, or use kernel"
+                << " diffusion" << exit(FatalIOError);
+        }
     }
     if (width_ < 0)
     {
         FatalIOErrorInFunction(coupling)
-            << "width " << width_ << " is negative; give the smoothing length in"
-            << " particle diameters, 0 for none" << exit(FatalIOError);
+            << "coupling/width " << width_ << " is negative; give the smoothing"
+            << " length in particle diameters, 0 for none" << exit(FatalIOError);
+    }
+    if (coupling.getOrDefault<scalar>("diameter", 1) <= 0)
+    {
+        FatalIOErrorInFunction(coupling)
+            << "coupling/diameter is " << coupling.get<scalar>("diameter")
+            << " m; it must be positive" << exit(FatalIOError);
+    }
+    if (minVoidFraction_ < 0 || minVoidFraction_ > 1)
+    {
+        FatalIOErrorInFunction(coupling)
+            << "coupling/minVoidFraction " << minVoidFraction_ << " is out of"
+            << " range; give a number from 0 to 1" << exit(FatalIOError);
     }
 
     linear_ = diffusion ? base == "linear" : kernel == "linear";
@@ -68,6 +89,15 @@ Foam::demTransfer::demTransfer(const fvMesh& mesh, const dictionary& coupling)
 
 void Foam::demTransfer::setDiameter(const scalar d)
 {
+    const scalar most = mesh_.bounds().mag();
+
+    if (width_*d > most)
+    {
+        FatalErrorInFunction
+            << "coupling/width is " << width_ << " diameters of " << d
+            << " m, together more than the mesh is long (" << most
+            << " m); give a smaller width or diameter" << exit(FatalError);
+    }
     if (d != diameter_)
     {
         diameter_ = d;

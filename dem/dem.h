@@ -28,6 +28,9 @@ struct dem;
 /* The sentence about the last error on this thread. */
 const char *dem_error_text(void);
 
+/* For a caller's own words: always fails, with a sentence that lists the known ones, nearest first. */
+int dem_unknown_word(const char *what, const char *word, const char *const *known, int n);
+
 /* ---- making one ---------------------------------------------------------------------------------------------- */
 
 /* Collective. The communicator is duplicated; MPI_COMM_NULL works alone and without MPI. */

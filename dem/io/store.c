@@ -59,8 +59,8 @@ static void fail(struct dem_store *s, const char *what)
     char name[sizeof s->path + 8];
 
     part_name(s, name, sizeof name);
-    s->status = dem_error(DEM_ERROR_FILE, "%s %s failed%s%s; is the disk full or the file cut short?", what, name,
-                          errno ? ": " : "", errno ? strerror(errno) : "");
+    s->status = dem_error(DEM_ERROR_FILE, "%s %s failed%s%s; is the %s?", what, name, errno ? ": " : "",
+                          errno ? strerror(errno) : "", s->writing ? "disk full" : "file cut short");
 }
 
 static int transfer(struct dem_store *s, size_t at, void *data, size_t size, int writing)

@@ -1,0 +1,254 @@
+/*---------------------------------------------------------------------------*\
+    demDictWalls.C -- which patches are walls of the particles, and of what.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demDict.H"
+#include "demCheck.H"
+#include "DynamicList.H"
+#include "processorPolyPatch.H"
+#include "wallPolyPatch.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Those of the case, the same on all ranks
+static wordList patchNames(const polyMesh& mesh)
+{
+    DynamicList<word> names;
+
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (!isA<processorPolyPatch>(patch))
+        {
+            names.append(patch.name());
+        }
+    }
+    return wordList(names);
+}
+
+
+// A word or an "expression" that meets none of them
+static void refuseNone
+(
+    const dictionary& dict,
+    const std::string& where,
+    const wordRe& pattern,
+    const UList<word>& patches
+)
+{
+    if (!pattern.isPattern())
+    {
+        demUnknown(dict, where, "patch", pattern, patches);
+    }
+    FatalIOErrorInFunction(dict)
+        << where.c_str() << ": \"" << pattern.c_str() << "\" matches no patch;"
+        << " there are " << flatOutput(patches) << exit(FatalIOError);
+}
+
+
+static bool matches(const wordRe& pattern, const UList<word>& names)
+{
+    for (const word& name : names)
+    {
+        if (pattern.match(name))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::demDict::checkPatchNames() const
+{
+    const wordList patches(patchNames(mesh_));
+
+    for (const wordRe& pattern : alsoWalls_)
+    {
+        if (!matches(pattern, patches))
+        {
+            refuseNone(coupling_, "coupling/walls", pattern, patches);
+        }
+    }
+}
+
+
+// What a walls entry that names no patch may be: a wall of the core's own
+void Foam::demDict::checkOwnWall(const entry& e) const
+{
+    const dictionary& walls = dict_.subDict("walls");
+    const word type
+    (
+        e.isDict() ? e.dict().getOrDefault<word>("type", "patch") : "patch"
+    );
+
+    if (e.keyword().isPattern() || type == "patch")
+    {
+        refuseNone
+        (
+            walls,
+            "walls/" + e.keyword() + " has no other type (plane, box,"
+            " triangles), so it must be a patch",
+            wordRe(e.keyword()),
+            patchNames(mesh_)
+        );
+    }
+}
+
+
+// A wall made from a patch has a material and nothing else
+void Foam::demDict::checkPatchWall(const entry& e) const
+{
+    const std::string where("walls/" + e.keyword());
+
+    if (!e.isDict())
+    {
+        FatalIOErrorInFunction(dict_.subDict("walls"))
+            << where.c_str() << " is no dictionary; write " << e.keyword()
+            << " { material " << flatOutput(materials()) << "; } with one of"
+            << " these" << exit(FatalIOError);
+    }
+
+    const dictionary& wall = e.dict();
+
+    forAllConstIters(wall, iter)
+    {
+        const keyType& key = iter().keyword();
+
+        if
+        (
+            key != "material"
+         && !(key == "type" && wall.get<word>("type") == "patch")
+        )
+        {
+            FatalIOErrorInFunction(wall)
+                << where.c_str() << " is made from a patch; such a wall has a"
+                << " material and nothing else. Take out " << key
+                << exit(FatalIOError);
+        }
+    }
+
+    const wordList known(materials());
+    word name;
+
+    if (wall.readIfPresent("material", name))
+    {
+        if (!known.found(name))
+        {
+            demUnknown(wall, where, "material", name, known);
+        }
+    }
+    else if (known.size() != 1)
+    {
+        FatalIOErrorInFunction(wall)
+            << where.c_str() << " misses its material, as the scene has "
+            << known.size() << "; add material, one of "
+            << flatOutput(known) << exit(FatalIOError);
+    }
+}
+
+
+void Foam::demDict::keepBackPatches()
+{
+    if (!dict_.isDict("walls"))
+    {
+        return;                     // not there, or the core will complain
+    }
+
+    dictionary& walls = dict_.subDict("walls");
+    const wordList patches(patchNames(mesh_));
+
+    // A copy of the names: entries go while we look
+    DynamicList<keyType> names;
+    forAllConstIters(walls, iter)
+    {
+        names.append(iter().keyword());
+    }
+
+    forAll(names, i)
+    {
+        const entry& e = *walls.findEntry(names[i], keyType::LITERAL);
+
+        if (!matches(wordRe(names[i]), patches))
+        {
+            checkOwnWall(e);
+            continue;
+        }
+
+        checkPatchWall(e);
+
+        const label patchi = mesh_.boundaryMesh().findPatchID(names[i]);
+        if (patchi >= 0 && mesh_.boundaryMesh()[patchi].coupled())
+        {
+            FatalIOErrorInFunction(walls)
+                << "walls/" << names[i] << " is a patch of type "
+                << mesh_.boundaryMesh()[patchi].type() << ", which particles"
+                << " pass; take the entry out, or make the patch a wall"
+                << exit(FatalIOError);
+        }
+
+        patches_.add(e);
+        walls.remove(names[i]);
+    }
+
+    if (walls.empty())
+    {
+        dict_.remove("walls");
+    }
+}
+
+
+Foam::wordList Foam::demDict::materials() const
+{
+    const wordList names(dict_.subOrEmptyDict("materials").toc());
+
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "The scene has no materials; add"
+            << " materials { glass { density 2500; youngsModulus 1e7; } }"
+            << exit(FatalIOError);
+    }
+    return names;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::demDict::isWall(const polyPatch& patch) const
+{
+    return
+        isA<wallPolyPatch>(patch)
+     || alsoWalls_.match(patch.name())
+     || patches_.found(patch.name());
+}
+
+
+Foam::word Foam::demDict::material(const polyPatch& patch) const
+{
+    const dictionary* wall = patches_.findDict(patch.name());
+    const wordList known(materials());
+    word name(known[0]);
+
+    if (!(wall && wall->readIfPresent("material", name)) && known.size() != 1)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "What is wall " << patch.name() << " made of? Add"
+            << " walls { " << patch.name() << " { material name; } } with one"
+            << " of the materials " << flatOutput(known)
+            << exit(FatalIOError);
+    }
+    return name;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,106 @@
+/*---------------------------------------------------------------------------*\
+    demSnapshot.C -- which snapshot a run starts from.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demSnapshot.H"
+#include "OSspecific.H"
+#include "PstreamReduceOps.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static fileName fileAt(const Time& time, const word& instant)
+{
+    fileName file(time.path()/instant/"uniform"/"dem.snapshot");
+    demBroadcast(file);
+    return file;
+}
+
+
+static bool onMaster(const fileName& file)
+{
+    bool there = Pstream::master() && isFile(file, false);
+    reduce(there, orOp<bool>());
+    return there;
+}
+
+
+// The latest time before the present one that has a snapshot, or empty
+static word latestBefore(const Time& time)
+{
+    word latest;
+
+    if (Pstream::master())
+    {
+        for (const instant& t : Time::findTimes(time.path(), time.constant()))
+        {
+            if
+            (
+                t.value() < time.value()
+             && isFile(time.path()/t.name()/"uniform"/"dem.snapshot", false)
+            )
+            {
+                latest = t.name();
+            }
+        }
+    }
+
+    demBroadcast(latest);
+    return latest;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::fileName Foam::demSnapshot::present(const Time& time)
+{
+    return fileAt(time, time.timeName());
+}
+
+
+Foam::fileName Foam::demSnapshot::start
+(
+    const Time& time,
+    const demDict& dict
+)
+{
+    const fileName here(present(time));
+
+    if (onMaster(here))
+    {
+        Info<< "Suna: particles from " << time.relativePath(here) << endl;
+        return here;
+    }
+
+    const word latest(latestBefore(time));
+
+    if (!latest.empty())
+    {
+        FatalErrorInFunction
+            << "Time " << time.timeName() << " has no particles (there is no "
+            << time.relativePath(here) << "), but time " << latest << " has;"
+            << " start from there, or remove the snapshots uniform/dem.snapshot"
+            << " of earlier times to begin with new particles"
+            << exit(FatalError);
+    }
+
+    if (dict.snapshot().empty())
+    {
+        Info<< "Suna: particles as the scene inserts them" << endl;
+    }
+    else
+    {
+        Info<< "Suna: particles from " << dict.snapshot() << endl;
+    }
+    return dict.snapshot();
+}
+
+// ************************************************************************* //
