@@ -13,6 +13,10 @@
     ROW(dry)                                                                                                          \
     ROW(stokes)                                                                                                       \
     ROW(mindlin)                                                                                                      \
+    ROW(rolling_constant)                                                                                             \
+    ROW(rolling_spring)                                                                                               \
+    ROW(rolling_viscous)                                                                                              \
+    ROW(twisting_spring)                                                                                              \
     ROW(gravity)                                                                                                      \
     ROW(pressure_gradient)                                                                                            \
     ROW(stokes_drag)                                                                                                  \

@@ -18,12 +18,7 @@
  * it loses 3 to 11 % of the friction impulse of a sliding impact; with mu |F_n| the pulling end of a damped impact
  * adds 7 %.)
  *
- * Carrying the spring into the new contact plane: positions move with the half-step velocity, r_new = r_old + dt v,
- * so h = unit(r_new - dt v/2) points along r_old + r_new and halves the angle between n_old and n when |r| is kept.
- * The mirror at the plane normal to h, xi - 2 (h.xi) h, maps n_old to -n, hence the plane normal to n_old to that
- * normal to n; in these planes it is the smallest rotation that takes n_old to n, and it keeps every length. Then
- * dt s is added and what points along n (second order in dt: s lies normal to h, and |r| changes a little) is taken
- * off. Where h = n (flat walls), mirror and cut together are a plain projection.
+ * How the spring is carried into the new contact plane: see slider.h.
  *
  * Source: Mindlin, J. Appl. Mech. 16 (1949) 259 (stiffness without micro-slip), in the secant form of Kasuga, Discrete
  * element method (in Japanese, 2012), eqs. (15) to (23); friction: Coulomb. Changed from Kasuga's note:
@@ -41,7 +36,7 @@
  */
 #include "effects/effect.h"
 
-#include "base/math.h"
+#include "effects/slider.h"
 
 struct mindlin
 {
@@ -76,47 +71,25 @@ DEM_KERNEL
 static void act(const void *of, struct dem_block *restrict b, dem_real *const *remembered)
 {
     const struct mindlin *mindlin = of;
-    const dem_real friction = mindlin->friction, modulus = mindlin->modulus, dt = b->dt;
+    const dem_real friction = mindlin->friction, modulus = mindlin->modulus;
     const dem_real damped = mindlin->damping ? 1.0 : 0.0;
     dem_real *restrict xi_x = remembered[0], *restrict xi_y = remembered[1], *restrict xi_z = remembered[2];
 
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real nx = b->nx[c], ny = b->ny[c], nz = b->nz[c];
-        const dem_real hx = b->hx[c], hy = b->hy[c], hz = b->hz[c];
         const dem_real kt = modulus*sqrt(b->reduced_radius[c]*b->overlap[c]);
-        const dem_real eta = damped*b->eta[c];
+        const struct dem_slider s = dem_slider_step(b, c, (struct dem_slider){
+            .stiffness = kt, .damping = damped*b->eta[c], .limit = dem_pick(b->fn[c] > 0.0, friction*b->fn[c], 0.0),
+            .sx = b->sx[c], .sy = b->sy[c], .sz = b->sz[c],
+            .xi_x = xi_x[c], .xi_y = xi_y[c], .xi_z = xi_z[c]});
 
-        /* carry last step's spring into today's plane and load it; what is left along n goes, of spring and slip */
-        const dem_real twice = 2.0*(hx*xi_x[c] + hy*xi_y[c] + hz*xi_z[c]);
-        const dem_real tilt = nx*b->sx[c] + ny*b->sy[c] + nz*b->sz[c];
-        const dem_real sx = b->sx[c] - tilt*nx;
-        const dem_real sy = b->sy[c] - tilt*ny;
-        const dem_real sz = b->sz[c] - tilt*nz;
-        const dem_real rx = xi_x[c] - twice*hx;
-        const dem_real ry = xi_y[c] - twice*hy;
-        const dem_real rz = xi_z[c] - twice*hz;
-        const dem_real lean = nx*rx + ny*ry + nz*rz;
-        const dem_real ex = rx - lean*nx + dt*sx;
-        const dem_real ey = ry - lean*ny + dt*sy;
-        const dem_real ez = rz - lean*nz + dt*sz;
-
-        /* sticks or slides; rows apart slide with no force and keep no spring */
-        const dem_real tx = -kt*ex - eta*sx;
-        const dem_real ty = -kt*ey - eta*sy;
-        const dem_real tz = -kt*ez - eta*sz;
-        const dem_real size = sqrt(tx*tx + ty*ty + tz*tz);
-        const dem_real limit = dem_pick(b->fn[c] > 0.0, friction*b->fn[c], 0.0);
-        const dem_real keep = dem_pick(size < limit, 1.0, limit/dem_pick(size > 0.0, size, 1.0));
-        const dem_real cut = keep/dem_pick(kt > 0.0, kt, 1.0);
-
-        xi_x[c] = dem_pick(size < limit, ex, -cut*tx);
-        xi_y[c] = dem_pick(size < limit, ey, -cut*ty);
-        xi_z[c] = dem_pick(size < limit, ez, -cut*tz);
+        xi_x[c] = s.xi_x;
+        xi_y[c] = s.xi_y;
+        xi_z[c] = s.xi_z;
         b->kt[c] = kt;
-        b->fx[c] += keep*tx;
-        b->fy[c] += keep*ty;
-        b->fz[c] += keep*tz;
+        b->fx[c] += s.fx;
+        b->fy[c] += s.fy;
+        b->fz[c] += s.fz;
     }
 }
 

@@ -41,6 +41,7 @@ struct world
 {
     struct dem_pair_class pair;
     double radius[2], mass[2];                            /* the wall: radius 0, mass 0 for infinite */
+    double weight;                                        /* m/s2 that pulls body i to -z; set it for a contact at rest */
     int links;
     struct link link[WORLD_EFFECTS];
     struct dem_block b;
@@ -235,13 +236,18 @@ static inline void world_gather(struct world *w, int c, double dt)
     b->sx[c] = v[0] - dot(v, h)*h[0] - turn[0];
     b->sy[c] = v[1] - dot(v, h)*h[1] - turn[1];
     b->sz[c] = v[2] - dot(v, h)*h[2] - turn[2];
+    b->wx[c] = w->w[0][0][c] - w->w[1][0][c];
+    b->wy[c] = w->w[0][1][c] - w->w[1][1][c];
+    b->wz[c] = w->w[0][2][c] - w->w[1][2][c];
     b->kn[c] = b->kt[c] = b->eta[c] = b->fn[c] = b->fx[c] = b->fy[c] = b->fz[c] = 0.0;
+    b->mx[c] = b->my[c] = b->mz[c] = 0.0;
 }
 
 static inline void world_kick(struct world *w, int c, double dt)
 {
     const struct dem_block *const b = &w->b;
     const double n[3] = {b->nx[c], b->ny[c], b->nz[c]}, ft[3] = {b->fx[c], b->fy[c], b->fz[c]};
+    const double moment[3] = {b->mx[c], b->my[c], b->mz[c]};
     double turn[3];
 
     cross(n, ft, turn);
@@ -252,9 +258,11 @@ static inline void world_kick(struct world *w, int c, double dt)
         for (int k = 0; k < 3; k++)
         {
             w->v[side][k][c] += dt*sign*(b->fn[c]*n[k] + ft[k])/m;
-            w->w[side][k][c] -= dt*R*turn[k]/(0.4*m*R*R);     /* contact point at -R n of i, +R n of j */
+            w->w[side][k][c] -= dt*(R*turn[k] - sign*moment[k])/(0.4*m*R*R);    /* contact point at -R n of i, +R n of j */
         }
     }
+    w->v[0][2][c] -= dt*w->weight;
+
     const double friction = sqrt(dot(ft, ft)), push = b->fn[c] > 0.0 ? b->fn[c] : 0.0;
 
     w->push_impulse[c] += dt*push;
@@ -295,6 +303,14 @@ static inline void world_step(struct world *w, double dt)
         world_kick(w, c, dt);
         w->steps_touching[c] += touching > 0.0;
     }
+}
+
+/* one row: body i lies at rest on the plane, pressed by its weight at this overlap */
+static inline void world_lay(struct world *w, double weight, double overlap)
+{
+    world_aim(w, 1, 0.0, 0.0);
+    w->weight = weight;
+    w->x[0][2][0] = w->radius[0] - overlap;
 }
 
 /* step until every row has touched and parted; how many steps, or -1 if some still touch after most_steps */

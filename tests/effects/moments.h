@@ -1,0 +1,147 @@
+/*
+ * moments.h -- rows and a sphere on a plane for the laws of rolling and twisting, and what all of them are asked.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef TESTS_EFFECTS_MOMENTS_H
+#define TESTS_EFFECTS_MOMENTS_H
+
+#include "tray.h"
+
+static const struct dem_material moments_bead = {"bead", 2500.0, 1e6, 0.25};
+static const double moments_pi = 3.14159265358979324;
+
+/* one row by hand: normal z, R* = 4 mm, m* = 1 g, k_n = 1e4 N/m, overlap 1 um, pressed with 10 N */
+static inline struct link *moments_row(struct world *w, const struct dem_effect *effect, const char *name, double value)
+{
+    world_wall(w, &moments_bead, &moments_bead, 0.004);
+    w->pair.exponent = 1.5;
+    struct link *const l = world_add(w, effect, name, value);
+
+    w->b.n = 1;
+    w->b.dt = 1e-6;
+    w->b.nz[0] = w->b.hz[0] = 1.0;
+    w->b.touching[0] = 1.0;
+    w->b.overlap[0] = 1e-6;
+    w->b.kn[0] = 1e4;
+    w->b.reduced_radius[0] = 0.004;
+    w->b.reduced_mass[0] = 1e-3;
+    w->b.fn[0] = 10.0;
+    return l;
+}
+
+static inline void moments_act(struct world *w, struct link *l)
+{
+    w->b.mx[0] = w->b.my[0] = w->b.mz[0] = 0.0;
+    l->effect->act(l->settings, &w->b, l->memory);
+}
+
+static inline double moments_size(const struct world *w)
+{
+    return sqrt(w->b.mx[0]*w->b.mx[0] + w->b.my[0]*w->b.my[0] + w->b.mz[0]*w->b.mz[0]);
+}
+
+/* one row at random, once in axes turned at random: the moment turns with them */
+static inline void moments_axes(struct world *w, const struct dem_effect *effect, const char *name, double value)
+{
+    const double s = sin(0.7), c = cos(0.7), t = sin(1.9), u = cos(1.9);
+    const double turned[3][3] = {{c, -s*u, s*t}, {s, c*u, -c*t}, {0.0, t, u}};
+    const double v[4][3] = {{0.6, 0.0, 0.8}, {0.64, 0.02, 0.76}, {3e-6, 1e-6, -2e-6}, {3.0, -7.0, 5.0}};
+    double moment[2][3];
+
+    for (int pass = 0; pass < 2; pass++)
+    {
+        double a[4][3];
+        struct link *const l = moments_row(w, effect, name, value);
+
+        for (int k = 0; k < 4; k++)
+        {
+            for (int d = 0; d < 3; d++)
+            {
+                a[k][d] = pass ? dot(turned[d], v[k]) : v[k][d];
+            }
+        }
+        w->b.nx[0] = a[0][0], w->b.ny[0] = a[0][1], w->b.nz[0] = a[0][2];
+        w->b.hx[0] = a[1][0], w->b.hy[0] = a[1][1], w->b.hz[0] = a[1][2];
+        w->b.wx[0] = a[3][0], w->b.wy[0] = a[3][1], w->b.wz[0] = a[3][2];
+        for (int m = 0; effect->memory && effect->memory[1] && m < 3; m++)
+        {
+            l->column[m][0] = a[2][m];
+        }
+        moments_act(w, l);
+        moment[pass][0] = w->b.mx[0], moment[pass][1] = w->b.my[0], moment[pass][2] = w->b.mz[0];
+    }
+    const double size = sqrt(dot(moment[0], moment[0]));
+
+    TAP_OK(size > 0.0, "a moment of %g N m", size);
+    for (int d = 0; d < 3; d++)
+    {
+        TAP_NEAR(moment[1][d], dot(turned[d], moment[0]), 1e-13*size, "turned axes, component %d", d);    /* rounding */
+    }
+}
+
+/* what holds for all: nothing at rest, apart or pulling; refused without a normal law */
+static inline void moments_none(struct world *w, const struct dem_effect *effect, const char *name, double value)
+{
+    struct link *l = moments_row(w, effect, name, value);
+
+    moments_act(w, l);
+    TAP_OK(moments_size(w) == 0.0, "at rest: no moment");
+    w->b.wx[0] = 3.0, w->b.wz[0] = 2.0;
+    w->b.fn[0] = -10.0;
+    moments_act(w, l);
+    TAP_OK(moments_size(w) == 0.0, "pulling: no moment");
+    for (int m = 0; effect->memory && effect->memory[m]; m++)
+    {
+        TAP_OK(l->column[m][0] == 0.0, "and nothing is remembered");
+    }
+    l = moments_row(w, effect, name, 0.0);
+    w->b.wx[0] = 3.0, w->b.wz[0] = 2.0;
+    moments_act(w, l);
+    TAP_OK(moments_size(w) == 0.0, "%s 0: no moment", name);
+    TAP_OK(settle(effect, l->settings, &w->pair, name, -0.1) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    w->pair.exponent = 0.0;
+    TAP_OK(effect->prepare(l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(effect->stage == DEM_STAGE_MOMENT && (effect->needs & DEM_NEEDS_SPIN), "a law of moments that needs the spin");
+}
+
+/* overlap at which a Hertzian contact of body 0 with the plane carries its weight */
+static inline double moments_depth(const struct world *w, double weight)
+{
+    return pow(w->mass[0]*weight/world_hertz(w), 2.0/3.0);
+}
+
+/*
+ * A sphere of 4 mm lies on a plane under 9.81 m/s2 with friction that never slips, and a law of rolling; more settings by
+ * settle(). Returns a good time step: a fortieth of the contact time.
+ */
+static inline double moments_plane(struct world *w, const struct dem_effect *effect, const char *name, double value, double grip)
+{
+    world_wall(w, &moments_bead, &moments_bead, 0.004);
+    world_add(w, &dem_hertz, "impactSpeed", 0.1);
+    world_add(w, &dem_dry, "restitution", 0.5);
+    world_add(w, &dem_mindlin, "friction", grip);
+    world_add(w, effect, name, value);
+    world_lay(w, 9.81, moments_depth(w, 9.81));
+    return world_contact_time(w, 0.1)/40.0;
+}
+
+/* how far it has rolled when it first stands still, or -1; *time it took */
+static inline double moments_rest(struct world *w, double dt, double speed, double *time)
+{
+    *time = 0.0;
+    w->v[0][0][0] = speed;
+    w->w[0][1][0] = speed/w->radius[0];
+    for (int s = 1; s < 1000000; s++)
+    {
+        world_step(w, dt);
+        if (w->v[0][0][0] <= 1e-4*speed)
+        {
+            *time = s*dt;
+            return w->x[0][0][0];
+        }
+    }
+    return -1.0;
+}
+
+#endif
