@@ -57,6 +57,7 @@ void dem_free(struct dem *d)
     dem_halo_free(&d->parts.halo);
     dem_pairs_free(&d->parts.pairs);
     dem_wall_touches_free(&d->parts.touches);
+    dem_losses_free(&d->parts.losses);
     dem_contacts_free(&d->parts.contacts);
     dem_particles_free(&d->parts.particles);
     dem_walls_free(&d->parts.walls);
@@ -265,6 +266,14 @@ int dem_wall_load(struct dem *d, int wall, double force[3], double torque[3])
 {
     DEM_REQUIRE(wall >= 0 && wall < d->parts.walls.walls, DEM_ERROR_INPUT, "wall %d; there are %d", wall, d->parts.walls.walls);
     dem_measure_wall(&d->parts, wall, force, torque);
+    return DEM_OK;
+}
+
+int dem_lost(struct dem *d, int64_t *n, const struct dem_loss **loss)
+{
+    DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_lost comes after dem_ready");
+    DEM_TRY(dem_losses_tell(&d->parts.losses, &d->parts.pieces, n));
+    *loss = d->parts.losses.all;
     return DEM_OK;
 }
 

@@ -92,6 +92,19 @@ struct dem_tally                                          /* sums over all ranks
 };
 int dem_tally(struct dem *, struct dem_tally *);          /* collective */
 
+struct dem_loss                                           /* a particle that was taken out, or passed through a wall */
+{
+    int64_t id;
+    double time;                                          /* s  when it was found outside: lists were rebuilt, or it passed */
+    double position[3], velocity[3], diameter;            /* m, m/s, m  then; the velocity is that of its last drift */
+    int removed;                                          /* 1: it was taken out (domain/leaving remove); 0: it is still there */
+    char cause[212];                                      /* where, by whom, why: as far as its last step tells */
+};
+
+/* Losses of all ranks since the last call, by time and id: the same list on every rank, on any number of ranks. It holds
+   until the next call. Collective. */
+int dem_lost(struct dem *, int64_t *n, const struct dem_loss **);
+
 /* A 64-bit fingerprint of particles and contact memory, the same for any number of ranks. Collective. */
 int dem_hash(struct dem *, uint64_t *hash);
 

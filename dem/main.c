@@ -54,6 +54,17 @@ static int dispatch(struct dem_program *p, int argc, char **argv)
     return dem_unknown_word("command", argv[1], known, COMMANDS);
 }
 
+int dem_program_together(const struct dem_program *p, int status)
+{
+    int worst = status;
+
+    if (p->comm != MPI_COMM_NULL)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, p->comm);
+    }
+    return worst && !status ? dem_error(worst, "another rank failed; its message tells why") : status;
+}
+
 int main(int argc, char **argv)
 {
     struct dem_program p = {.comm = MPI_COMM_NULL};

@@ -14,6 +14,9 @@ struct dem_program
     int rank, ranks;
 };
 
+/* Collective. Fails on all ranks when one has failed; the others say that another one did. */
+int dem_program_together(const struct dem_program *, int status);
+
 /* Arguments after the command's name. Return a status of the core. */
 int dem_main_run(struct dem_program *, int argc, char **argv);
 int dem_main_effects(struct dem_program *, int argc, char **argv);

@@ -120,10 +120,11 @@ static int write_vtk(const struct dem_output *o, const struct shown *s, int64_t 
     return dem_vtk_collection_add(path, time, file);
 }
 
-static int make_folder(const char *path)
+int dem_output_folder(const struct dem_output *o)
 {
     errno = 0;
-    DEM_REQUIRE(mkdir(path, 0777) == 0 || errno == EEXIST, DEM_ERROR_FILE, "can't make the folder %s: %s", path, strerror(errno));
+    DEM_REQUIRE(mkdir(o->folder, 0777) == 0 || errno == EEXIST, DEM_ERROR_FILE, "can't make the folder %s: %s", o->folder,
+                strerror(errno));
     return DEM_OK;
 }
 
@@ -143,20 +144,13 @@ static int write_pictures(const struct dem_output *o, const struct dem_program *
 int dem_output_write(const struct dem_output *o, const struct dem_program *prog, struct dem *d, int64_t number, double time)
 {
     char path[640];
-    int status = prog->rank == 0 && (o->vtk || o->snapshots) ? make_folder(o->folder) : DEM_OK;
+    int status = prog->rank == 0 && (o->vtk || o->snapshots) ? dem_output_folder(o) : DEM_OK;
 
     if (o->vtk && !status)
     {
         status = write_pictures(o, prog, d, number, time);
     }
-    if (prog->comm != MPI_COMM_NULL)
-    {
-        int worst = status;
-
-        MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, prog->comm);
-        status = worst && !status ? dem_error(worst, "another rank failed; its message tells why") : status;
-    }
-    DEM_TRY(status);
+    DEM_TRY(dem_program_together(prog, status));
     if (o->snapshots == 2)
     {
         snprintf(path, sizeof path, "%s/snapshot_%06lld.dem", o->folder, (long long)number);

@@ -21,6 +21,9 @@ struct dem_output
 /* `write` may be NULL. The folder's default is the scene's name without its ending. */
 int dem_output_read(struct dem_output *, const struct dem_dict *write, const char *scene);
 
+/* Make the folder, if it is not there. */
+int dem_output_folder(const struct dem_output *);
+
 /* Collective. */
 int dem_output_write(const struct dem_output *, const struct dem_program *, struct dem *, int64_t number, double time);
 

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "main.h"
+#include "main_lost.h"
 #include "main_output.h"
 #include "base/error.h"
 #include "base/memory.h"
@@ -122,11 +123,13 @@ static int report(struct progress *p, struct dem *d, double end)
 static int advance_to_end(struct dem_program *prog, struct dem *d, const struct schedule *s)
 {
     struct progress p = {.started = MPI_Wtime(), .rank = prog->rank};
+    struct dem_lost_log lost;
     struct dem_tally t;
 
     DEM_TRY(dem_tally(d, &t));
     p.from = t.time;
     p.steps = t.steps;
+    DEM_TRY(dem_lost_begin(&lost, prog, &s->output, t.time));
     if (t.time == 0.0)
     {
         DEM_TRY(dem_output_write(&s->output, prog, d, 0, 0.0));
@@ -138,6 +141,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
         DEM_TRY(dem_advance(d, next - t.time));
         DEM_TRY(dem_output_write(&s->output, prog, d, k, next));
         DEM_TRY(report(&p, d, s->end));
+        DEM_TRY(dem_lost_tell(&lost, prog, d));
         DEM_TRY(dem_tally(d, &t));
     }
     return DEM_OK;

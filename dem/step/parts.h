@@ -15,6 +15,7 @@
 #include "state/particles.h"
 #include "state/recipe.h"
 #include "state/walls.h"
+#include "step/losses.h"
 #include "step/wall_touch.h"
 
 struct dem_watch                                          /* what the sweep saw; reset by who asks */
@@ -37,9 +38,11 @@ struct dem_parts
     struct dem_pieces pieces;
     struct dem_halo halo;
     struct dem_watch watch;
-    int stale;                                            /* 1: rebuild in the next step whatever has moved */
-    int64_t steps, rebuilds, prunes, removed;
-    double time, window;                                  /* s; length of the last window */
+    struct dem_losses losses;
+    int stale;                                            /* 1: rebuild in the next step whatever has moved; 2: there are no
+                                                             lists of these particles yet */
+    int64_t steps, rebuilds, prunes;
+    double time, dt, window;                              /* s; of the positions; last step; length of the last window */
 };
 
 #endif

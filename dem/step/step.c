@@ -8,6 +8,7 @@
  */
 #include "step/step.h"
 #include "base/memory.h"
+#include "step/loss_cause.h"
 #include "step/motion.h"
 #include "step/sum_contacts.h"
 #include "step/sweep_bodies.h"
@@ -56,19 +57,23 @@ static int agree(const struct dem_parts *p, int status, double value[2])
 
 /* ---- the neighbourhood --------------------------------------------------------------------------------------- */
 
-static int stays_inside(const struct dem_parts *p, const struct dem_particle *q)
+/* Who is outside is noted, to be removed, or an error. */
+static int send_off(struct dem_parts *p, size_t i)
 {
+    const struct dem_particle *const q = &p->particles.record[i];
+    char cause[DEM_CAUSE_SIZE];
+
     DEM_REQUIRE(isfinite(q->x[0] + q->x[1] + q->x[2]), DEM_ERROR_NUMBER,
                 "the position of particle %lld is not a number at step %lld; look at its input and at the fluid around it",
                 (long long)q->id, (long long)p->steps);
-    DEM_REQUIRE(dem_domain_holds(&p->domain, q->x), DEM_ERROR_LOST,
-                "particle %lld left the domain at (%g %g %g) m at time %g s with %g m/s; enlarge the domain, close it with a "
-                "wall, or set domain/leaving remove", (long long)q->id, q->x[0], q->x[1], q->x[2], p->time,
-                sqrt(q->v[0]*q->v[0] + q->v[1]*q->v[1] + q->v[2]*q->v[2]));
-    return DEM_OK;
+    dem_loss_cause_outside(p, i, cause);
+    DEM_REQUIRE(p->domain.remove, DEM_ERROR_LOST,
+                "particle %lld left the domain at (%g %g %g) m at time %g s: %s; enlarge the domain, close it with a wall, or set "
+                "domain/leaving remove", (long long)q->id, q->x[0], q->x[1], q->x[2], p->time, cause);
+    return dem_losses_note(&p->losses, q, p->time, 1, cause);
 }
 
-/* Wrap along periodic axes; who is outside is removed and counted, or an error. */
+/* Wrap along periodic axes; who is outside then goes. */
 static int bring_home(struct dem_parts *p)
 {
     struct dem_particle *const record = p->particles.record;
@@ -81,15 +86,17 @@ static int bring_home(struct dem_parts *p)
     for (size_t i = 0; i < n && !status; i++)
     {
         dem_domain_wrap(&p->domain, &record[i]);
-        if (dem_domain_holds(&p->domain, record[i].x) || !p->domain.remove)
+        if (dem_domain_holds(&p->domain, record[i].x))
         {
-            status = stays_inside(p, &record[i]);
             order[kept++] = (uint32_t)i;
+        }
+        else
+        {
+            status = send_off(p, i);
         }
     }
     if (!status && kept < n)
     {
-        p->removed += (int64_t)(n - kept);
         dem_particles_reorder(&p->particles, order, kept);
     }
     dem_memory_free(order);
@@ -204,6 +211,7 @@ int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
     int status = DEM_OK;
 
     p->window = window;
+    p->dt = dt;
     dem_bodies_open(&p->particles);
     if (p->recipe.needs & DEM_NEEDS_VISCOSITY && !p->stale)
     {
@@ -212,8 +220,8 @@ int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
     dem_sweep_bodies(&p->particles, &p->recipe.bodies, 0.5*dt, window);
     for (int64_t k = 1; k <= steps; k++)
     {
-        DEM_TRY(step(p, dt, k < steps ? dt : 0.5*dt, window, &status));
         p->time = start + (double)k*dt;
+        DEM_TRY(step(p, dt, k < steps ? dt : 0.5*dt, window, &status));
     }
     DEM_TRY(agree(p, status, none));
     dem_bodies_close(&p->particles);

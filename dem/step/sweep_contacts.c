@@ -7,6 +7,8 @@
  */
 #include "step/sweep_contacts.h"
 #include "base/math.h"
+#include "base/memory.h"
+#include "step/loss_cause.h"
 #include "step/tray.h"
 #include <math.h>
 #include <stdio.h>
@@ -92,6 +94,42 @@ static void note_worst(struct dem_parts *p, const struct dem_tray *t, const uint
     memcpy(p->watch.x, i->x, sizeof i->x);
 }
 
+/* ---- passing through ----------------------------------------------------------------------------------------- */
+
+/* 1 when a particle's centre was on the other side of its wall a step ago: it moves away faster than that takes. */
+static inline double passed(const struct dem_block *restrict b, const struct dem_gathered *restrict g, int c)
+{
+    return dem_pick(b->vn[c]*b->dt > g->least[c] - b->overlap[c], b->touching[c], 0.0);
+}
+
+DEM_KERNEL
+static double count_passes(const struct dem_block *restrict b, const struct dem_gathered *restrict g)
+{
+    double count = 0.0;
+
+    for (int c = 0; c < b->n; c++)
+    {
+        count += passed(b, g, c);
+    }
+    return count;
+}
+
+/* A plane has one side only: there is no behind. */
+static int list_passes(struct dem_parts *p, const struct dem_tray *t, uint32_t row, int rows)
+{
+    for (int c = 0; c < rows; c++)
+    {
+        const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[row + (uint32_t)c]];
+
+        if (passed(&t->block, &t->g, c) > 0.0 && !p->walls.region[p->pairs.wall_region[q->j]].one_sided)
+        {
+            DEM_TRY(DEM_GROW(p->losses.pass, p->losses.pass_room, p->losses.passes + 1));
+            p->losses.pass[p->losses.passes++] = row + (uint32_t)c;
+        }
+    }
+    return DEM_OK;
+}
+
 /* ---- the sweep ----------------------------------------------------------------------------------------------- */
 
 static void act(struct dem_tray *t, const struct dem_chain *chain, const struct dem_contacts *c, uint32_t row)
@@ -127,7 +165,7 @@ static void keep_moments(struct dem_contacts *c, const struct dem_block *b, uint
     }
 }
 
-static void sweep_block(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, uint32_t row, int rows)
+static int sweep_block(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, uint32_t row, int rows)
 {
     uint32_t padded[DEM_BLOCK];
     const int wall = chain->pair.with_wall;
@@ -140,6 +178,7 @@ static void sweep_block(struct dem_parts *p, struct dem_tray *t, const struct de
         keep_moments(&p->contacts, &t->block, row, rows);
     }
     note_worst(p, t, padded);
+    return wall && count_passes(&t->block, &t->g) > 0.0 ? list_passes(p, t, row, rows) : DEM_OK;
 }
 
 /* Who touches whom, in words. */
@@ -190,8 +229,9 @@ int dem_sweep_contacts(struct dem_parts *p, double dt)
         {
             const uint32_t left = seg->count - done;
 
-            sweep_block(p, &t, &p->recipe.chain[s], seg->first + done, left < DEM_BLOCK ? (int)left : DEM_BLOCK);
+            DEM_TRY(sweep_block(p, &t, &p->recipe.chain[s], seg->first + done, left < DEM_BLOCK ? (int)left : DEM_BLOCK));
         }
     }
+    DEM_TRY(dem_loss_note_passes(p));
     return judge(p);
 }

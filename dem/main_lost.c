@@ -1,0 +1,153 @@
+/*
+ * main_lost.c -- one row of lost.csv for each loss, and their ids on one line.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "main_lost.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "io/file.h"
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum
+{
+    MOST_IDS = 10                                         /* on a line; all are in the file */
+};
+
+/* ---- the file ------------------------------------------------------------------------------------------------ */
+
+static int keep_rows(const char *path, char *text, double until)
+{
+    struct dem_file f;
+
+    DEM_TRY(dem_file_begin(&f, path));
+    for (char *line = text, *end; (end = strchr(line, '\n')); line = end + 1)
+    {
+        const char *const comma = strchr(line, ',');
+
+        *end = 0;
+        if (line == text || (comma && comma < end && strtod(comma + 1, NULL) <= until))
+        {
+            fprintf(f.stream, "%s\n", line);
+        }
+    }
+    return dem_file_finish(&f, DEM_OK);
+}
+
+static int begin(const char *path, double start)
+{
+    char *text;
+    size_t n;
+
+    if (!dem_file_exists(path))
+    {
+        return DEM_OK;
+    }
+    if (start > 0.0)
+    {
+        DEM_TRY(dem_file_load(path, &text, &n));
+        const int status = keep_rows(path, text, start*(1.0 + 1e-9));      /* times are written with 10 digits */
+
+        dem_memory_free(text);
+        return status;
+    }
+    DEM_REQUIRE(remove(path) == 0, DEM_ERROR_FILE, "can't remove %s of an earlier run: %s", path, strerror(errno));
+    return DEM_OK;
+}
+
+static int append(const struct dem_lost_log *log, int64_t n, const struct dem_loss *loss)
+{
+    const int new = !dem_file_exists(log->path);
+    FILE *const f = fopen(log->path, "a");
+
+    DEM_REQUIRE(f, DEM_ERROR_FILE, "can't write %s: %s", log->path, strerror(errno));
+    if (new)
+    {
+        fprintf(f, "id,time,x,y,z,vx,vy,vz,diameter,cause\n");
+    }
+    for (int64_t k = 0; k < n; k++)
+    {
+        const double *const x = loss[k].position, *const v = loss[k].velocity;
+
+        fprintf(f, "%lld,%.10g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,\"%s\"\n", (long long)loss[k].id, loss[k].time, x[0], x[1], x[2],
+                v[0], v[1], v[2], loss[k].diameter, loss[k].cause);
+    }
+    const int bad = ferror(f) != 0;
+
+    DEM_REQUIRE(fclose(f) == 0 && !bad, DEM_ERROR_FILE, "can't write all of %s: %s", log->path, strerror(errno));
+    return DEM_OK;
+}
+
+/* ---- the line ------------------------------------------------------------------------------------------------ */
+
+static void print_ids(int64_t n, const struct dem_loss *loss, int removed)
+{
+    int said = 0;
+
+    for (int64_t k = 0; k < n && said <= MOST_IDS; k++)
+    {
+        if (loss[k].removed == removed && said++ < MOST_IDS)
+        {
+            printf(" %lld", (long long)loss[k].id);
+        }
+    }
+    printf(said > MOST_IDS ? " ..." : "");
+}
+
+static void print(struct dem_lost_log *log, int64_t n, const struct dem_loss *loss)
+{
+    int64_t removed = 0;
+
+    for (int64_t k = 0; k < n; k++)
+    {
+        removed += loss[k].removed;
+    }
+    log->removed += removed;
+    if (removed > 0)
+    {
+        printf("lost: %lld particle%s left the domain, %lld in this run, ids", (long long)removed, removed > 1 ? "s" : "",
+               (long long)log->removed);
+        print_ids(n, loss, 1);
+        printf("\n");
+    }
+    if (removed < n)
+    {
+        printf("lost: %lld passage%s through walls, ids", (long long)(n - removed), n - removed > 1 ? "s" : "");
+        print_ids(n, loss, 0);
+        printf("\n");
+    }
+    printf("lost: where and why is in %s\n", log->path);
+    fflush(stdout);
+}
+
+/* ---- what others call ---------------------------------------------------------------------------------------- */
+
+int dem_lost_begin(struct dem_lost_log *log, const struct dem_program *prog, const struct dem_output *o, double start)
+{
+    *log = (struct dem_lost_log){.output = o};
+    snprintf(log->path, sizeof log->path, "%s/lost.csv", o->folder);
+    return dem_program_together(prog, prog->rank == 0 ? begin(log->path, start) : DEM_OK);
+}
+
+int dem_lost_tell(struct dem_lost_log *log, const struct dem_program *prog, struct dem *d)
+{
+    const struct dem_loss *loss;
+    int64_t n;
+    int status = DEM_OK;
+
+    DEM_TRY(dem_lost(d, &n, &loss));
+    if (n == 0)
+    {
+        return DEM_OK;
+    }
+    if (prog->rank == 0)
+    {
+        status = dem_output_folder(log->output);
+        status = status ? status : append(log, n, loss);
+        print(log, n, loss);
+    }
+    return dem_program_together(prog, status);
+}
