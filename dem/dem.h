@@ -89,6 +89,11 @@ struct dem_tally                                          /* sums over all ranks
     double largest_overlap;                               /* 1  of the smaller partner's diameter, since the last call */
     double momentum[3];                                   /* kg m/s */
     double volume;                                        /* m3 of all particles */
+
+    /* the books of effects that act past touching (bonds, films); 0 without them */
+    int64_t bonds;                                        /* that hold */
+    double broken;                                        /* bonds since the start */
+    double stored, lost;                                  /* J  in bonds now; to bonds and films since the start */
 };
 int dem_tally(struct dem *, struct dem_tally *);          /* collective */
 

@@ -88,18 +88,22 @@ static int take_crowd(struct dem *d)
 /* Does anything need the fluid of a run, and is there one source for each of its numbers? */
 static int decide_fluid(struct dem *d)
 {
-    const double own = dem_recipe_number(&d->parts.recipe, "stokes", "viscosity");   /* not a number: no stokes */
-    const int has_own = isgreater(own, 0.0);                                         /* does not trap */
-    unsigned needs = 0;
+    const struct dem_effect *has_own = NULL;
+    double viscosity = 0.0;
 
     for (int k = 0; k < d->parts.recipe.chosen; k++)
     {
-        needs |= d->parts.recipe.effect[k]->needs;
-        d->feels_gradient |= strcmp(d->parts.recipe.effect[k]->name, "pressureGradient") == 0;
+        const struct dem_effect *const effect = d->parts.recipe.effect[k];
+        const double own = effect->needs & DEM_NEEDS_VISCOSITY ? dem_recipe_number(&d->parts.recipe, effect->name, "viscosity") : 0.0;
+
+        d->with_fluid |= (effect->needs & DEM_NEEDS_FLUID) || (effect->needs & DEM_NEEDS_VISCOSITY && own == 0.0);
+        d->feels_gradient |= strcmp(effect->name, "pressureGradient") == 0;
+        viscosity = own > 0.0 ? own : viscosity;
+        has_own = own > 0.0 ? effect : has_own;
     }
-    d->with_fluid = (needs & DEM_NEEDS_FLUID) || ((needs & DEM_NEEDS_VISCOSITY) && !has_own);
     DEM_REQUIRE(!(has_own && (d->with_fluid || d->scene.fluid.given)), DEM_ERROR_INPUT,
-                "effects/stokes gives viscosity %g Pa s, but the fluid of the run has one too; remove viscosity from stokes", own);
+                "effects/%s gives viscosity %g Pa s, but the fluid of the run has one too; remove viscosity from %s", has_own->name,
+                viscosity, has_own->name);
     return DEM_OK;
 }
 
@@ -152,38 +156,41 @@ static int spread_crowd(struct dem *d)
     return DEM_OK;
 }
 
-/* Radii of all ranks: smallest by material for the recipe, largest for the search. */
+/* Radii of all ranks: smallest and largest by material for the recipe. Returns the largest. */
 static double survey_radii(struct dem_parts *p)
 {
-    double least[DEM_MATERIALS + 1];
+    double least[2*DEM_MATERIALS], most = 0.0;            /* smallest radii, then the negative of the largest */
 
-    for (int m = 0; m <= DEM_MATERIALS; m++)
+    for (int m = 0; m < DEM_MATERIALS; m++)
     {
-        least[m] = m < DEM_MATERIALS ? DBL_MAX : 0.0;
+        least[m] = DBL_MAX;
+        least[DEM_MATERIALS + m] = 0.0;
     }
     for (size_t i = 0; i < p->particles.n; i++)
     {
         const struct dem_particle *const r = &p->particles.record[i];
 
         least[r->material] = fmin(least[r->material], r->radius);
-        least[DEM_MATERIALS] = fmin(least[DEM_MATERIALS], -r->radius);
+        least[DEM_MATERIALS + r->material] = fmin(least[DEM_MATERIALS + r->material], -r->radius);
     }
     if (p->pieces.ranks > 1)
     {
-        MPI_Allreduce(MPI_IN_PLACE, least, DEM_MATERIALS + 1, MPI_DOUBLE, MPI_MIN, p->pieces.comm);
+        MPI_Allreduce(MPI_IN_PLACE, least, 2*DEM_MATERIALS, MPI_DOUBLE, MPI_MIN, p->pieces.comm);
     }
     for (int m = 0; m < DEM_MATERIALS; m++)
     {
         p->recipe.least_radius[m] = least[m] < DBL_MAX ? least[m] : 0.0;
+        p->recipe.most_radius[m] = -least[DEM_MATERIALS + m];
+        most = fmax(most, p->recipe.most_radius[m]);
     }
-    return -least[DEM_MATERIALS];
+    return most;
 }
 
 static int choose_step(struct dem *d)
 {
     const struct dem_recipe *const r = &d->parts.recipe;
 
-    d->step = d->scene.step > 0.0 ? d->scene.step : r->step_limit;
+    d->step = d->parts.longest_step = d->scene.step > 0.0 ? d->scene.step : r->step_limit;
     DEM_REQUIRE(d->scene.step <= r->step_limit || d->scene.force, DEM_ERROR_INPUT,
                 "time step %g s exceeds %.3g s (%s); use at most that, a softer material, or time/force yes", d->scene.step,
                 r->step_limit, r->why);
@@ -194,22 +201,17 @@ static int choose_step(struct dem *d)
 static int prepare_physics(struct dem *d)
 {
     struct dem_parts *const p = &d->parts;
-    int wall_materials[DEM_MATERIALS] = {0}, moments = 0;
-    const double radius = survey_radii(p);
+    int wall_materials[DEM_MATERIALS] = {0};
+    const double radius = survey_radii(p), skin[2] = {2.0*radius*d->scene.outer_skin, 2.0*radius*d->scene.inner_skin};
 
     for (int w = 0; w < p->walls.walls; w++)
     {
         wall_materials[p->walls.wall[w].material] = 1;
     }
     DEM_TRY(dem_recipe_freeze(&p->recipe, wall_materials));
-    for (int c = 0; c < p->recipe.classes; c++)
-    {
-        moments |= p->recipe.chain[c].moments;
-    }
-    DEM_TRY(dem_contacts_init(&p->contacts, p->recipe.classes, p->recipe.memories, moments));
+    DEM_TRY(dem_contacts_init(&p->contacts, &p->recipe));
     DEM_TRY(dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0));
-    dem_pairs_init(&p->pairs, &p->domain, p->recipe.reach + 2.0*radius*d->scene.outer_skin,
-                   p->recipe.reach + 2.0*radius*d->scene.inner_skin, radius);
+    dem_pairs_init(&p->pairs, &p->domain, skin, p->recipe.reach, radius);
     DEM_TRY(dem_wall_search_prepare(&p->pairs.search, &p->walls, radius > 0.0 ? radius : 1.0));
     return choose_step(d);
 }
@@ -235,12 +237,24 @@ static void fill_fluid(struct dem *d)
     }
 }
 
+/* The recipe is not frozen yet when particles come. */
+static int keeps_books(const struct dem_recipe *r)
+{
+    int books = 0;
+
+    for (int k = 0; k < r->chosen; k++)
+    {
+        books |= r->effect[k]->stage == DEM_STAGE_BOND || r->effect[k]->stage == DEM_STAGE_FILM;
+    }
+    return books;
+}
+
 static int start_particles(struct dem *d)
 {
     struct dem_parts *const p = &d->parts;
     struct dem_snapshot s;
 
-    dem_particles_init(&p->particles, d->with_fluid);
+    dem_particles_init(&p->particles, (d->with_fluid ? DEM_GROUP_FLUID : 0) | (keeps_books(&p->recipe) ? DEM_GROUP_BOOKS : 0));
     DEM_TRY(dem_particles_grow(&p->particles, 1));
     if (d->load[0])
     {
@@ -284,8 +298,9 @@ static int settle_in(struct dem *d)
     DEM_TRY(dem_step_renew(p));
     p->stale = 1;
     DEM_TRY(refuse_overlap(p));
-    DEM_TRY(dem_sweep_contacts(p, 0.0));
+    DEM_TRY(dem_sweep_contacts(p, 0.0, (const double[2]){-INFINITY, p->time}));
     dem_sum_contacts(&p->particles, &p->contacts);
+    dem_sum_books(&p->particles, &p->contacts);
     p->watch.overlap = 0.0;
     return DEM_OK;
 }

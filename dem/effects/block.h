@@ -24,6 +24,8 @@ struct dem_block
 {
     int n;                                                /* rows in use, padded to whole vectors by the house */
     dem_real dt;                                          /* s    */
+    dem_real longest;                                     /* s    no step of this run is longer (dt is 0 in the first sweep) */
+    dem_real time, since;                                 /* s    now, and at the last sweep; -infinite in the first */
 
     /* geometry, filled by the house */
     _Alignas(64) dem_real nx[DEM_BLOCK];                  /* 1    unit normal from j to i, now */
@@ -36,6 +38,7 @@ struct dem_block
     _Alignas(64) dem_real touching[DEM_BLOCK];            /* 1 in contact, 0 apart */
     _Alignas(64) dem_real reduced_radius[DEM_BLOCK];      /* m    R_i R_j/(R_i + R_j); R_i at a wall */
     _Alignas(64) dem_real reduced_mass[DEM_BLOCK];        /* kg   of the inertial masses; m_i at a wall */
+    _Alignas(64) dem_real least_radius[DEM_BLOCK];        /* m    the smaller of R_i and R_j; R_i at a wall */
     _Alignas(64) dem_real vn[DEM_BLOCK];                  /* m/s  (v_i - v_j).n, negative on approach */
     _Alignas(64) dem_real sx[DEM_BLOCK];                  /* m/s  slip of the contact point of i over j, in the half-step plane */
     _Alignas(64) dem_real sy[DEM_BLOCK];
@@ -44,6 +47,13 @@ struct dem_block
     _Alignas(64) dem_real wy[DEM_BLOCK];
     _Alignas(64) dem_real wz[DEM_BLOCK];
     _Alignas(64) dem_real viscosity[DEM_BLOCK];           /* Pa s of the fluid at the contact (filled if DEM_NEEDS_VISCOSITY) */
+
+    /* filled only for classes with an effect of the stages BOND or FILM; there slip counts the gap in the arms, too */
+    _Alignas(64) dem_real distance[DEM_BLOCK];            /* m    |r|; height over a wall */
+    _Alignas(64) dem_real gap[DEM_BLOCK];                 /* m    |r| - R_i - R_j, negative in contact; |r| - R_i at a wall */
+    _Alignas(64) dem_real swing[DEM_BLOCK];               /* 1/s  mean spin of both along n: what turns the frame of the pair */
+    _Alignas(64) dem_real counts[DEM_BLOCK];              /* 1    0 where another region of the wall has this contact: nothing new here */
+    _Alignas(64) dem_real chance[DEM_BLOCK];              /* 1    0 to 1, of the two ids only (filled if DEM_NEEDS_CHANCE) */
 
     /* results, cleared by the house, filled by the effects in the order of their stages */
     _Alignas(64) dem_real kn[DEM_BLOCK];                  /* N/m  secant normal stiffness, by NORMAL */
@@ -56,6 +66,12 @@ struct dem_block
     _Alignas(64) dem_real mx[DEM_BLOCK];                  /* N m  moment of the pair on i (rolling, twisting) */
     _Alignas(64) dem_real my[DEM_BLOCK];
     _Alignas(64) dem_real mz[DEM_BLOCK];
+
+    /* the books of stages BOND and FILM, cleared by the house for such classes */
+    _Alignas(64) dem_real stored[DEM_BLOCK];              /* J    elastic energy of the row now */
+    _Alignas(64) dem_real lost[DEM_BLOCK];                /* J    turned to heat in this step */
+    _Alignas(64) dem_real bonds[DEM_BLOCK];               /* 1    bonds that hold now */
+    _Alignas(64) dem_real broke[DEM_BLOCK];               /* 1    bonds that broke in this step */
 };
 
 struct dem_body_block

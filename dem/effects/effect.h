@@ -38,7 +38,8 @@ enum dem_needs                                            /* optional columns of
 {
     DEM_NEEDS_SPIN = 1,                                   /* contact: wx wy wz */
     DEM_NEEDS_VISCOSITY = 2,                              /* contact: viscosity of the running fluid */
-    DEM_NEEDS_FLUID = 4                                   /* body: the fluid columns */
+    DEM_NEEDS_FLUID = 4,                                  /* body: the fluid columns */
+    DEM_NEEDS_CHANCE = 8                                  /* contact: chance */
 };
 
 struct dem_material
@@ -58,6 +59,7 @@ struct dem_pair_class                                     /* what all contacts o
     double exponent;                                      /* 1    of the normal law in the overlap: 1 linear, 3/2 Hertz */
     double least_radius;                                  /* m    smallest reduced radius present */
     double least_mass;                                    /* kg   smallest reduced mass present */
+    double widest;                                        /* m    largest R_i + R_j present; R_i at a wall */
 };
 
 struct dem_effect
@@ -69,6 +71,7 @@ struct dem_effect
     unsigned needs;                                       /* enum dem_needs, or-ed */
     double exponent;                                      /* NORMAL only: of the force in the overlap */
     int drag;                                             /* FLUID only: 1 for a law of drag, of which a scene takes one */
+    const char *excludes;                                 /* word of an effect whose work it would do again; NULL: none */
     size_t size;                                          /* bytes of the settings struct; 0 for none */
     const struct dem_field *settings;                     /* its numbers, ended by a row of zeros; NULL for none */
     const char *const *memory;                            /* names of remembered columns, ended by NULL; NULL for none */
@@ -76,11 +79,14 @@ struct dem_effect
     /* Derive constants and refuse nonsense. The class is NULL for body effects. May be NULL. */
     int (*prepare)(void *settings, const struct dem_pair_class *);
 
-    /* How far past touching it acts [m]. NULL: not at all. */
+    /* BOND and FILM: the largest gap at which it acts [m]. NULL: acts in contact only. */
     double (*reach)(const void *settings, const struct dem_pair_class *);
 
     /* The longest time step it stands [s], and why in a few words. NULL: any. */
     double (*time_limit)(const void *settings, const struct dem_pair_class *, const char **why);
+
+    /* BOND and FILM: called before the first stage, may take overlap and touch from the laws of contact. May be NULL. */
+    void (*shield)(const void *settings, struct dem_block *restrict, dem_real *const *memory);
 
     /* Contact effects: add to the tray. memory[k] is the k-th remembered column at the tray's rows; the house clears
        it where partners do not touch (stages before BOND). */

@@ -17,6 +17,7 @@
     ROW(rolling_spring)                                                                                               \
     ROW(rolling_viscous)                                                                                              \
     ROW(twisting_spring)                                                                                              \
+    ROW(lubrication)                                                                                                  \
     ROW(gravity)                                                                                                      \
     ROW(pressure_gradient)                                                                                            \
     ROW(stokes_drag)                                                                                                  \

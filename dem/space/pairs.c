@@ -17,11 +17,13 @@ enum
     CELLS_A_PARTICLE = 8                                  /* an emptier grid gets wider cells */
 };
 
-void dem_pairs_init(struct dem_pairs *s, const struct dem_domain *d, double outer, double inner, double most_radius)
+void dem_pairs_init(struct dem_pairs *s, const struct dem_domain *d, const double skin[2], double reach, double most_radius)
 {
     memset(s, 0, sizeof *s);
-    s->outer = outer;
-    s->inner = inner;
+    s->outer = reach + skin[0];
+    s->inner = reach + skin[1];
+    s->half_outer = 0.5*skin[0];
+    s->half_inner = 0.5*skin[1];
     s->most_radius = most_radius;
     dem_domain_shifts(d, s->shift);
 }

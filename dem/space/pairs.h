@@ -1,8 +1,9 @@
 /*
  * pairs.h -- finding pairs: the cell grid, the order of particles, the two skins and when each list is stale.
  *
- * Outer pairs are found when some particle has moved more than half of the outer skin since the last time, near rows
- * pruned when it has moved more than half of the inner skin. The running sum of the largest speed times dt is a cheap
+ * Skins begin where the effects end: at the reach of the one that reaches furthest past touching. Outer pairs are found
+ * when some particle has moved more than half of the outer skin since the last time, near rows pruned when it has moved
+ * more than half of the inner skin. The running sum of the largest speed times dt is a cheap
  * bound; only when it runs out are displacements looked at. So no contact is ever missed, however fast a particle is.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -16,7 +17,8 @@
 
 struct dem_pairs
 {
-    double outer, inner;                                  /* m: skins past touching */
+    double outer, inner;                                  /* m: gaps up to which pairs are listed, and rows kept */
+    double half_outer, half_inner;                        /* m: half of the skins; who moves further makes the lists stale */
     double most_radius;                                   /* m: of all particles of all ranks */
     double shift[DEM_SHIFTS][4];                           /* m, m, m, 0 */
     struct dem_wall_search search;
@@ -43,7 +45,8 @@ struct dem_grid_entry                                     /* what a distance tes
     uint32_t particle, shift;
 };
 
-void dem_pairs_init(struct dem_pairs *, const struct dem_domain *, double outer, double inner, double most_radius);
+/* `skin` [m]: outer, inner; `reach` [m]: past touching, of all effects. */
+void dem_pairs_init(struct dem_pairs *, const struct dem_domain *, const double skin[2], double reach, double most_radius);
 void dem_pairs_free(struct dem_pairs *);
 
 /* Sort owned particles by (cell, id): the one global order. Drops ghosts. */

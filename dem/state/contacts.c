@@ -14,13 +14,14 @@ enum
     LANES = 8                                             /* rows are padded to this many */
 };
 
-int dem_contacts_init(struct dem_contacts *c, int classes, int memories, int moments)
+int dem_contacts_init(struct dem_contacts *c, const struct dem_recipe *r)
 {
     memset(c, 0, sizeof *c);
-    c->classes = classes;
-    c->memories = memories;
-    c->moments = moments;
-    return DEM_NEW(c->segment, classes + 1);
+    c->classes = r->classes;
+    c->memories = r->memories;
+    c->moments = r->moments;
+    c->booked = r->past_touching;
+    return DEM_NEW(c->segment, r->classes + 1);
 }
 
 void dem_contacts_free(struct dem_contacts *c)
@@ -35,6 +36,7 @@ void dem_contacts_free(struct dem_contacts *c)
     dem_memory_free(c->memory_scratch);
     dem_memory_free(c->push);
     dem_memory_free(c->moment);
+    dem_memory_free(c->books);
     dem_memory_free(c->start);
     dem_memory_free(c->entry);
     dem_memory_free(c->near_start);
@@ -138,6 +140,10 @@ static int grow_rows(struct dem_contacts *c, size_t rows)
     {
         DEM_TRY(DEM_RESIZE(c->moment, 3*c->row_room, 3*room));
     }
+    if (c->booked)
+    {
+        DEM_TRY(DEM_RESIZE(c->books, c->row_room, room));
+    }
     for (int m = 0; m < c->memories; m++)
     {
         DEM_TRY(DEM_RESIZE(c->memory[m], c->row_room, room));
@@ -236,6 +242,10 @@ int dem_contacts_prune(struct dem_contacts *c, const struct dem_particles *p, co
         }
     }
     memset(c->push, 0, c->rows*sizeof *c->push);
+    if (c->booked)
+    {
+        memset(c->books, 0, c->rows*sizeof *c->books);
+    }
     adjoin_near(c, p->n);
     return DEM_OK;
 }

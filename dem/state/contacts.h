@@ -38,6 +38,12 @@ struct dem_push                                           /* what a row does to 
     double t[3], spare;                                   /* N: n x F; the torque is -(radius - arm) t on either side */
 };
 
+struct dem_books                                          /* energies of a row: see effects/block.h */
+{
+    double stored, lost;                                  /* J, J in the last step */
+    double bonds, broke;                                  /* that hold, that broke in the last step */
+};
+
 struct dem_segment                                        /* the near rows of one class, padded to whole blocks of lanes */
 {
     uint32_t first, count;
@@ -66,6 +72,8 @@ struct dem_contacts
     struct dem_push *push;
     double *moment;                                       /* 3 a row; NULL when no effect makes moments */
     int moments;
+    struct dem_books *books;                              /* one a row; NULL when no effect acts past touching */
+    int booked;
 
     size_t start_room, entry_room;                        /* adjacency: pairs of each owned particle, then its near rows */
     uint32_t *start, *entry;                              /* 2 pair + side, in the order of sums */
@@ -76,7 +84,7 @@ struct dem_contacts
     double *kept;                                         /* memories numbers a carried row */
 };
 
-int dem_contacts_init(struct dem_contacts *, int classes, int memories, int moments);
+int dem_contacts_init(struct dem_contacts *, const struct dem_recipe *);
 void dem_contacts_free(struct dem_contacts *);
 
 /* New list of pairs (already in place, sorted by class): lay out who sums what. `partner` orders sums, see pairs.c. */

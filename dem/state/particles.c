@@ -12,20 +12,22 @@ static const struct dem_column columns[DEM_COLUMNS] =
 {
     [DEM_COLUMN_FORCE] = {"force", 3, 0, NULL},
     [DEM_COLUMN_TORQUE] = {"torque", 3, 0, NULL},
-    [DEM_COLUMN_FLUID_VELOCITY] = {"fluidVelocity", 3, 1, NULL},
-    [DEM_COLUMN_PRESSURE_GRADIENT] = {"pressureGradient", 3, 1, NULL},
-    [DEM_COLUMN_VOID_FRACTION] = {"voidFraction", 1, 1, NULL},
-    [DEM_COLUMN_FLUID_DENSITY] = {"fluidDensity", 1, 1, NULL},
-    [DEM_COLUMN_FLUID_VISCOSITY] = {"fluidViscosity", 1, 1, NULL},
-    [DEM_COLUMN_COUNTERFLOW] = {"counterflow", 1, 1, NULL},
-    [DEM_COLUMN_PLACE] = {"place", 2, 1, NULL},
-    [DEM_COLUMN_DRAG_IMPULSE] = {"dragImpulse", 3, 1, NULL},
-    [DEM_COLUMN_KEPT] = {"kept", 1, 1, NULL},
-    [DEM_COLUMN_DRAG_TIME] = {"dragTime", 1, 1, NULL},
-    [DEM_COLUMN_START_VELOCITY] = {"startVelocity", 3, 1, NULL},
-    [DEM_COLUMN_RESPONSE] = {"response", 1, 1, NULL},
-    [DEM_COLUMN_PASSED] = {"passed", 1, 1, NULL},
-    [DEM_COLUMN_PENDING] = {"pending", 3, 1, NULL},
+    [DEM_COLUMN_FLUID_VELOCITY] = {"fluidVelocity", 3, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_PRESSURE_GRADIENT] = {"pressureGradient", 3, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_VOID_FRACTION] = {"voidFraction", 1, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_FLUID_DENSITY] = {"fluidDensity", 1, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_FLUID_VISCOSITY] = {"fluidViscosity", 1, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_COUNTERFLOW] = {"counterflow", 1, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_PLACE] = {"place", 2, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_DRAG_IMPULSE] = {"dragImpulse", 3, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_KEPT] = {"kept", 1, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_DRAG_TIME] = {"dragTime", 1, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_START_VELOCITY] = {"startVelocity", 3, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_RESPONSE] = {"response", 1, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_PASSED] = {"passed", 1, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_PENDING] = {"pending", 3, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_LOST] = {"lostEnergy", 1, DEM_GROUP_BOOKS, NULL},
+    [DEM_COLUMN_BROKEN] = {"brokenBonds", 1, DEM_GROUP_BOOKS, NULL},
 };
 
 enum
@@ -36,17 +38,14 @@ enum
 
 static int used(const struct dem_particles *p, int c)
 {
-    return !columns[c].fluid || p->column[c].fluid;
+    return (columns[c].group & ~p->groups) == 0;
 }
 
-void dem_particles_init(struct dem_particles *p, int with_fluid)
+void dem_particles_init(struct dem_particles *p, unsigned groups)
 {
     memset(p, 0, sizeof *p);
-    for (int c = 0; c < DEM_COLUMNS; c++)
-    {
-        p->column[c] = columns[c];
-        p->column[c].fluid = with_fluid;
-    }
+    p->groups = groups;
+    memcpy(p->column, columns, sizeof columns);
 }
 
 void dem_particles_free(struct dem_particles *p)

@@ -30,7 +30,13 @@ enum dem_particle_flag
     DEM_PARTICLE_FROZEN = 1
 };
 
-enum dem_column_name                                      /* 3, 3: every scene; the rest: with fluid effects */
+enum dem_column_group                                     /* a column is there when the scene has all of its groups */
+{
+    DEM_GROUP_FLUID = 1,                                  /* effects that need a fluid */
+    DEM_GROUP_BOOKS = 2                                   /* effects past touching, which keep books */
+};
+
+enum dem_column_name
 {
     DEM_COLUMN_FORCE,                                     /* N    contact force            */
     DEM_COLUMN_TORQUE,                                    /* N m  contact torque           */
@@ -48,6 +54,8 @@ enum dem_column_name                                      /* 3, 3: every scene; 
     DEM_COLUMN_RESPONSE,                                  /* kg   R of this window         */
     DEM_COLUMN_PASSED,                                    /* 1    of a steady force, by drag to the fluid */
     DEM_COLUMN_PENDING,                                   /* N s  impulse for this window, from the last exchange */
+    DEM_COLUMN_LOST,                                      /* J    lost so far to bonds and films: half of each pair's, all at a wall */
+    DEM_COLUMN_BROKEN,                                    /* 1    bonds broken so far, halves as well */
     DEM_COLUMNS
 };
 
@@ -55,20 +63,21 @@ struct dem_column
 {
     const char *name;
     int width;                                            /* numbers per particle */
-    int fluid;                                            /* 1: only with fluid effects */
+    unsigned group;                                       /* enum dem_column_group, or-ed */
     double *data;                                         /* NULL when not in use */
 };
 
 struct dem_particles
 {
     size_t n, ghosts, room;
+    unsigned groups;                                      /* whose columns are in use */
     struct dem_particle *record;
     struct dem_column column[DEM_COLUMNS];
     struct dem_particle *record_scratch;                  /* for reordering */
     double *column_scratch;
 };
 
-void dem_particles_init(struct dem_particles *, int with_fluid);
+void dem_particles_init(struct dem_particles *, unsigned groups);
 void dem_particles_free(struct dem_particles *);
 
 /* Room for `count` records and columns, contents kept. */

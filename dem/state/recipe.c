@@ -95,6 +95,11 @@ static int place_of(const struct dem_recipe *r, const char *name)
     return -1;
 }
 
+static int excludes(const struct dem_effect *a, const struct dem_effect *b)
+{
+    return a->excludes && strcmp(a->excludes, b->name) == 0;
+}
+
 int dem_recipe_choose(struct dem_recipe *r, const char *name, const char *where)
 {
     const struct dem_effect *const effect = dem_effects_find(name);
@@ -113,6 +118,9 @@ int dem_recipe_choose(struct dem_recipe *r, const char *name, const char *where)
 
         DEM_REQUIRE(!(alone && r->effect[k]->stage == effect->stage) && !(effect->drag && r->effect[k]->drag), DEM_ERROR_INPUT,
                     "%s: %s and %s are of the same kind; choose one of them", where, r->effect[k]->name, name);
+        DEM_REQUIRE(!excludes(effect, r->effect[k]) && !excludes(r->effect[k], effect), DEM_ERROR_INPUT,
+                    "%s: %s and %s both stand for the same loss, which would count twice; choose one of them", where,
+                    r->effect[k]->name, name);
     }
     while (place > 0 && r->effect[place - 1]->stage > effect->stage)
     {
@@ -239,6 +247,7 @@ static struct dem_pair_class pair_class(const struct dem_recipe *r, int with_wal
     c.reduced_modulus = 1.0/((1.0 - nm*nm)/Em + (1.0 - no*no)/Eo);
     c.reduced_shear = 1.0/(2.0*(2.0 - nm)*(1.0 + nm)/Em + 2.0*(2.0 - no)*(1.0 + no)/Eo);
     c.least_radius = with_wall ? Ra : Ra*Rb/(Ra + Rb);
+    c.widest = r->most_radius[a] + (with_wall ? 0.0 : r->most_radius[b]);
     c.least_mass = with_wall ? sphere_mass(m, Ra) : 1.0/(1.0/sphere_mass(m, Ra) + 1.0/sphere_mass(o, Rb));
     return c;
 }
@@ -310,6 +319,8 @@ static int build_chain(struct dem_recipe *r, struct dem_chain *chain, int a, int
         }
     }
     r->needs |= chain->needs;
+    r->moments |= chain->moments;
+    r->past_touching |= chain->past_touching;
     return DEM_OK;
 }
 

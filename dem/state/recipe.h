@@ -44,6 +44,7 @@ struct dem_recipe
     int materials;
     struct dem_material material[DEM_MATERIALS];
     double least_radius[DEM_MATERIALS];                   /* m, of the particles of a material; 0: none present */
+    double most_radius[DEM_MATERIALS];
     int chosen;                                           /* effects, in the order of stages after freeze */
     const struct dem_effect *effect[DEM_CHAIN];
     void *settings[DEM_CHAIN];                            /* as set for all pairs */
@@ -58,6 +59,7 @@ struct dem_recipe
     int memories;
     const char *memory[DEM_MEMORY_COLUMNS];               /* names of the remembered columns */
     unsigned needs;                                       /* of all chains together */
+    int moments, past_touching;                           /* 1: some chain has such links */
     double reach;                                         /* m past touching, the largest of all */
     double step_limit;                                    /* s */
     char why[160];                                        /* what bounds it */
@@ -81,7 +83,7 @@ int dem_recipe_set_word(struct dem_recipe *, const int pair[2], const char *effe
 double dem_recipe_number(const struct dem_recipe *, const char *effect, const char *entry);
 void dem_recipe_vector(const struct dem_recipe *, const char *effect, const char *entry, double value[3]);
 
-/* Build and prepare all chains. Reads least_radius; wall_materials[m] is 1 when a wall is made of material m. */
+/* Build and prepare all chains. Reads least_radius and most_radius; wall_materials[m] is 1 when a wall is made of material m. */
 int dem_recipe_freeze(struct dem_recipe *, const int wall_materials[DEM_MATERIALS]);
 
 /* Columns an effect remembers. */

@@ -48,6 +48,37 @@ static int64_t touching_rows(const struct dem_parts *p)
     return count;
 }
 
+/* What is stored and holds is counted by the owner of the lower particle; what is lost and broken stands with particles. */
+static void tally_books(const struct dem_parts *p, struct dem_tally *t)
+{
+    const struct dem_contacts *const c = &p->contacts;
+    struct dem_sum sum[4];
+    double value[4];
+
+    for (int k = 0; k < 4; k++)
+    {
+        dem_sum_clear(&sum[k]);
+    }
+    for (uint32_t r = 0; r < c->rows; r++)
+    {
+        if (c->row_pair[r] != DEM_ROW_NONE && c->pair[c->row_pair[r]].i < p->particles.n)
+        {
+            dem_sum_add(&sum[0], c->books[r].stored);
+            dem_sum_add(&sum[1], c->books[r].bonds);
+        }
+    }
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        dem_sum_add(&sum[2], dem_column(&p->particles, DEM_COLUMN_LOST)[i]);
+        dem_sum_add(&sum[3], dem_column(&p->particles, DEM_COLUMN_BROKEN)[i]);
+    }
+    reduce(p, sum, 4, value);
+    t->stored = value[0];
+    t->bonds = (int64_t)value[1];
+    t->lost = value[2];
+    t->broken = value[3];
+}
+
 void dem_measure_tally(struct dem_parts *p, struct dem_tally *t)
 {
     struct dem_sum sum[5];
@@ -72,6 +103,10 @@ void dem_measure_tally(struct dem_parts *p, struct dem_tally *t)
                             .prunes = p->prunes, .time = p->time, .kinetic = value[0], .largest_overlap = p->watch.overlap,
                             .momentum = {value[1], value[2], value[3]}, .volume = value[4]};
     p->watch.overlap = 0.0;
+    if (p->contacts.booked)
+    {
+        tally_books(p, t);
+    }
 }
 
 void dem_measure_wall(const struct dem_parts *p, int wall, double force[3], double torque[3])
@@ -93,10 +128,11 @@ void dem_measure_wall(const struct dem_parts *p, int wall, double force[3], doub
             double moment[3];
 
             dem_vec_cross(p->touches.touch[q->j].point, c->push[r].f, moment);
-            for (int k = 0; k < 3; k++)
+            for (uint32_t k = 0; k < 3; k++)
             {
                 dem_sum_add(&sum[k], -c->push[r].f[k]);
                 dem_sum_add(&sum[3 + k], -moment[k]);
+                dem_sum_add(&sum[3 + k], c->moments ? -c->moment[3*r + k] : 0.0);
             }
         }
     }

@@ -43,6 +43,7 @@ struct dem_parts
                                                              lists of these particles yet */
     int64_t steps, rebuilds, prunes;
     double time, dt, window;                              /* s; of the positions; last step; length of the last window */
+    double longest_step;                                  /* s; that any window takes */
 };
 
 #endif

@@ -141,19 +141,19 @@ static int neighbourhood(struct dem_parts *p, double fastest, double dt)
 
     s->moved_outer += fastest*dt;
     s->moved_inner += fastest*dt;
-    if (!p->stale && (s->moved_outer > 0.5*s->outer || s->moved_inner > 0.5*s->inner))
+    if (!p->stale && (s->moved_outer > s->half_outer || s->moved_inner > s->half_inner))
     {
         dem_pairs_moved(s, &p->particles, &moved[0], &moved[1]);
         DEM_TRY(agree(p, DEM_OK, moved));
         s->moved_outer = moved[0];
         s->moved_inner = moved[1];
     }
-    if (p->stale || s->moved_outer > 0.5*s->outer)
+    if (p->stale || s->moved_outer > s->half_outer)
     {
         return dem_step_renew(p);
     }
     DEM_TRY(dem_halo_refresh(&p->halo, &p->particles));
-    if (s->moved_inner > 0.5*s->inner)
+    if (s->moved_inner > s->half_inner)
     {
         p->prunes++;
         return dem_pairs_prune(s, &p->particles, &p->walls, &p->contacts);
@@ -188,7 +188,7 @@ static int not_too_far(const struct dem_parts *p, double fastest, double dt)
 }
 
 /* The status of the sweep is kept for the next agreement, so that all ranks stop together. */
-static int step(struct dem_parts *p, double dt, double kick, double window, int *status)
+static int step(struct dem_parts *p, double dt, double kick, double since, int *status)
 {
     double fastest[2] = {dem_motion_drift(&p->particles, dt), 0.0};
 
@@ -198,9 +198,10 @@ static int step(struct dem_parts *p, double dt, double kick, double window, int 
     DEM_REQUIRE(isfinite(fastest[0]), DEM_ERROR_NUMBER, "a particle's velocity is not a number at step %lld; look at the forces "
                 "on it, and at the fluid around it", (long long)p->steps);
     DEM_TRY(neighbourhood(p, fastest[0], dt));
-    *status = dem_sweep_contacts(p, dt);
+    *status = dem_sweep_contacts(p, dt, (const double[2]){since, p->time});
     dem_sum_contacts(&p->particles, &p->contacts);
-    dem_sweep_bodies(&p->particles, &p->recipe.bodies, kick, window);
+    dem_sum_books(&p->particles, &p->contacts);
+    dem_sweep_bodies(&p->particles, &p->recipe.bodies, kick, p->window);
     return DEM_OK;
 }
 
@@ -220,8 +221,10 @@ int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
     dem_sweep_bodies(&p->particles, &p->recipe.bodies, 0.5*dt, window);
     for (int64_t k = 1; k <= steps; k++)
     {
+        const double since = p->time;
+
         p->time = start + (double)k*dt;
-        DEM_TRY(step(p, dt, k < steps ? dt : 0.5*dt, window, &status));
+        DEM_TRY(step(p, dt, k < steps ? dt : 0.5*dt, since, &status));
     }
     DEM_TRY(agree(p, status, none));
     dem_bodies_close(&p->particles);

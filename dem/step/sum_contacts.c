@@ -52,3 +52,21 @@ void dem_sum_contacts(struct dem_particles *p, const struct dem_contacts *c)
         memcpy(torque + 3*i, t, sizeof t);
     }
 }
+
+/* Half of what a pair books belongs to each partner; a wall keeps no books. */
+void dem_sum_books(struct dem_particles *p, const struct dem_contacts *c)
+{
+    double *const lost = dem_column(p, DEM_COLUMN_LOST), *const broken = dem_column(p, DEM_COLUMN_BROKEN);
+
+    for (size_t i = 0; c->booked && i < p->n; i++)
+    {
+        for (uint32_t e = c->near_start[i]; e < c->near_start[i + 1]; e++)
+        {
+            const uint32_t row = c->near_entry[e] >> 1;
+            const double share = c->pair[c->row_pair[row]].wall ? 1.0 : 0.5;
+
+            lost[i] += share*c->books[row].lost;
+            broken[i] += share*c->books[row].broke;
+        }
+    }
+}

@@ -12,4 +12,7 @@
 /* Each particle sums its rows in fixed order into the columns force and torque. */
 void dem_sum_contacts(struct dem_particles *, const struct dem_contacts *);
 
+/* What rows have booked in the last sweep joins the columns lost and broken. */
+void dem_sum_books(struct dem_particles *, const struct dem_contacts *);
+
 #endif

@@ -25,10 +25,14 @@ static void forget_apart(const struct dem_block *restrict b, double *restrict me
     }
 }
 
+/* The arm is the radius less `share` of the overlap, or less a share of the gap that is negative. */
 DEM_KERNEL
 static void push_out(const struct dem_block *restrict b, int rows, double share, int past_touching,
                      struct dem_push *restrict push)
 {
+    const double *const less = past_touching ? b->gap : b->overlap;
+    const double part = past_touching ? -share : share;
+
     for (int c = 0; c < rows; c++)
     {
         const double on = past_touching ? 1.0 : b->touching[c];
@@ -38,7 +42,7 @@ static void push_out(const struct dem_block *restrict b, int rows, double share,
         push[c].f[0] = fn*nx + fx;
         push[c].f[1] = fn*ny + fy;
         push[c].f[2] = fn*nz + fz;
-        push[c].arm = share*b->overlap[c];
+        push[c].arm = part*less[c];
         push[c].t[0] = ny*fz - nz*fy;
         push[c].t[1] = nz*fx - nx*fz;
         push[c].t[2] = nx*fy - ny*fx;
@@ -47,7 +51,7 @@ static void push_out(const struct dem_block *restrict b, int rows, double share,
 
 /* Largest overlap of the smaller diameter; a force that is not a number comes out above every limit. */
 DEM_KERNEL
-static double worst_of(const struct dem_block *restrict b, const struct dem_gathered *restrict g)
+static double worst_of(const struct dem_block *restrict b)
 {
     double most[DEM_LANES] = {0.0}, bad[DEM_LANES] = {0.0}, worst = 0.0;
 
@@ -55,7 +59,7 @@ static double worst_of(const struct dem_block *restrict b, const struct dem_gath
     {
         for (int k = 0; k < DEM_LANES; k++)
         {
-            const double share = 0.5*b->overlap[c + k]/g->least[c + k];
+            const double share = 0.5*b->overlap[c + k]/b->least_radius[c + k];
 
             most[k] = dem_pick(share > most[k], share, most[k]);
             bad[k] += (b->fn[c + k] + b->fx[c + k] + b->fy[c + k] + b->fz[c + k])*0.0;
@@ -72,7 +76,7 @@ static double worst_of(const struct dem_block *restrict b, const struct dem_gath
 /* Remember the worst row so far, and who it is. */
 static void note_worst(struct dem_parts *p, const struct dem_tray *t, const uint32_t *row_pair)
 {
-    const double worst = worst_of(&t->block, &t->g);
+    const double worst = worst_of(&t->block);
     int lane = 0;
 
     if (worst <= p->watch.overlap)
@@ -83,7 +87,7 @@ static void note_worst(struct dem_parts *p, const struct dem_tray *t, const uint
     {
         const double force = t->block.fn[c] + t->block.fx[c] + t->block.fy[c] + t->block.fz[c];
 
-        lane = force*0.0 != 0.0 || 0.5*t->block.overlap[c]/t->g.least[c] == worst ? c : lane;
+        lane = force*0.0 != 0.0 || 0.5*t->block.overlap[c]/t->block.least_radius[c] == worst ? c : lane;
     }
     const struct dem_pair *const q = &p->contacts.pair[row_pair[lane]];
     const struct dem_particle *const i = &p->particles.record[q->i];
@@ -97,19 +101,19 @@ static void note_worst(struct dem_parts *p, const struct dem_tray *t, const uint
 /* ---- passing through ----------------------------------------------------------------------------------------- */
 
 /* 1 when a particle's centre was on the other side of its wall a step ago: it moves away faster than that takes. */
-static inline double passed(const struct dem_block *restrict b, const struct dem_gathered *restrict g, int c)
+static inline double passed(const struct dem_block *restrict b, int c)
 {
-    return dem_pick(b->vn[c]*b->dt > g->least[c] - b->overlap[c], b->touching[c], 0.0);
+    return dem_pick(b->vn[c]*b->dt > b->least_radius[c] - b->overlap[c], b->touching[c], 0.0);
 }
 
 DEM_KERNEL
-static double count_passes(const struct dem_block *restrict b, const struct dem_gathered *restrict g)
+static double count_passes(const struct dem_block *restrict b)
 {
     double count = 0.0;
 
     for (int c = 0; c < b->n; c++)
     {
-        count += passed(b, g, c);
+        count += passed(b, c);
     }
     return count;
 }
@@ -121,7 +125,7 @@ static int list_passes(struct dem_parts *p, const struct dem_tray *t, uint32_t r
     {
         const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[row + (uint32_t)c]];
 
-        if (passed(&t->block, &t->g, c) > 0.0 && !p->walls.region[p->pairs.wall_region[q->j]].one_sided)
+        if (passed(&t->block, c) > 0.0 && !p->walls.region[p->pairs.wall_region[q->j]].one_sided)
         {
             DEM_TRY(DEM_GROW(p->losses.pass, p->losses.pass_room, p->losses.passes + 1));
             p->losses.pass[p->losses.passes++] = row + (uint32_t)c;
@@ -132,6 +136,32 @@ static int list_passes(struct dem_parts *p, const struct dem_tray *t, uint32_t r
 
 /* ---- the sweep ----------------------------------------------------------------------------------------------- */
 
+/* The columns that an effect remembers, at the tray's rows; returns how many. */
+static int recall(const struct dem_contacts *c, const struct dem_link *link, uint32_t row, double **memory)
+{
+    const int memories = dem_effect_memories(link->effect);
+
+    for (int m = 0; m < memories; m++)
+    {
+        memory[m] = c->memory[link->memory + m] + row;
+    }
+    return memories;
+}
+
+static void shield(struct dem_tray *t, const struct dem_chain *chain, const struct dem_contacts *c, uint32_t row)
+{
+    double *memory[DEM_MEMORY_COLUMNS];
+
+    for (int k = 0; k < chain->links; k++)
+    {
+        if (chain->link[k].effect->shield)
+        {
+            recall(c, &chain->link[k], row, memory);
+            chain->link[k].effect->shield(chain->link[k].settings, &t->block, memory);
+        }
+    }
+}
+
 static void act(struct dem_tray *t, const struct dem_chain *chain, const struct dem_contacts *c, uint32_t row)
 {
     double *memory[DEM_MEMORY_COLUMNS];
@@ -139,12 +169,8 @@ static void act(struct dem_tray *t, const struct dem_chain *chain, const struct 
     for (int k = 0; k < chain->links; k++)
     {
         const struct dem_link *const link = &chain->link[k];
-        const int memories = dem_effect_memories(link->effect);
+        const int memories = recall(c, link, row, memory);
 
-        for (int m = 0; m < memories; m++)
-        {
-            memory[m] = c->memory[link->memory + m] + row;
-        }
         link->effect->act(link->settings, &t->block, memory);
         for (int m = 0; m < memories && link->effect->stage < DEM_STAGE_BOND; m++)
         {
@@ -165,20 +191,36 @@ static void keep_moments(struct dem_contacts *c, const struct dem_block *b, uint
     }
 }
 
+static void keep_books(struct dem_contacts *c, const struct dem_block *b, uint32_t row, int rows)
+{
+    for (int k = 0; k < rows; k++)
+    {
+        c->books[row + (uint32_t)k] = (struct dem_books){.stored = b->stored[k], .lost = b->lost[k], .bonds = b->bonds[k],
+                                                         .broke = b->broke[k]};
+    }
+}
+
 static int sweep_block(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, uint32_t row, int rows)
 {
     uint32_t padded[DEM_BLOCK];
-    const int wall = chain->pair.with_wall;
 
-    dem_tray_fill(t, p, wall, p->contacts.row_pair + row, rows, padded);
+    dem_tray_fill(t, p, chain, p->contacts.row_pair + row, rows, padded);
+    if (chain->past_touching)
+    {
+        shield(t, chain, &p->contacts, row);
+    }
     act(t, chain, &p->contacts, row);
-    push_out(&t->block, rows, wall ? 1.0 : 0.5, chain->past_touching, p->contacts.push + row);
+    push_out(&t->block, rows, chain->pair.with_wall ? 1.0 : 0.5, chain->past_touching, p->contacts.push + row);
+    if (chain->past_touching)
+    {
+        keep_books(&p->contacts, &t->block, row, rows);
+    }
     if (p->contacts.moment)
     {
         keep_moments(&p->contacts, &t->block, row, rows);
     }
     note_worst(p, t, padded);
-    return wall && count_passes(&t->block, &t->g) > 0.0 ? list_passes(p, t, row, rows) : DEM_OK;
+    return chain->pair.with_wall && count_passes(&t->block) > 0.0 ? list_passes(p, t, row, rows) : DEM_OK;
 }
 
 /* Who touches whom, in words. */
@@ -214,12 +256,15 @@ static int judge(const struct dem_parts *p)
                      (long long)p->steps, w->limit);
 }
 
-int dem_sweep_contacts(struct dem_parts *p, double dt)
+int dem_sweep_contacts(struct dem_parts *p, double dt, const double time[2])
 {
     struct dem_tray t;
 
     memset(&t, 0, sizeof t);
     t.block.dt = dt;
+    t.block.longest = p->longest_step;
+    t.block.since = time[0];
+    t.block.time = time[1];
     dem_wall_touches_update(&p->touches, &p->pairs.search, &p->walls, &p->particles);
     for (int s = 0; s < p->contacts.classes; s++)
     {

@@ -8,8 +8,8 @@
 
 #include "step/parts.h"
 
-/* Push of every near row. Advances contact memory by dt [s]: call once per step. Fails on a number that is none and on
+/* Push of every near row at time[1], the last sweep was at time[0] [s]. Advances contact memory by dt [s]: call once per step. Fails on a number that is none and on
    an overlap past the watch's limit, and names the culprits. */
-int dem_sweep_contacts(struct dem_parts *, double dt);
+int dem_sweep_contacts(struct dem_parts *, double dt, const double time[2]);
 
 #endif

@@ -3,11 +3,15 @@
  *
  * With n from j to i, the contact point lies at x_i - a_i n and x_j + a_j n. The arms are R - overlap/2 at a pair (their
  * sum is the distance, which conserves angular momentum) and R - overlap at a wall (the contact point lies on the wall).
+ * Past touching the same holds with the gap as a negative overlap: the two points meet in the middle of the gap, or on
+ * the wall. Only classes with effects of the stages BOND and FILM are seen past touching.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/tray.h"
 #include "base/math.h"
+#include "base/random.h"
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -55,7 +59,7 @@ static void gather_pairs(struct dem_tray *restrict t, const struct dem_pair *pai
             b[k] = half*(wi + wj);
             w[k] = wi - wj;
             g->product[c + k] = i->radius*j->radius;
-            g->least[c + k] = dem_pick(i->radius < j->radius, i->radius, j->radius);
+            t->block.least_radius[c + k] = dem_pick(i->radius < j->radius, i->radius, j->radius);
             t->block.viscosity[c + k] = 0.5*(i->viscosity + j->viscosity);
         }
         columns(r, g->rx + c, g->ry + c, g->rz + c, g->radii + c);
@@ -96,7 +100,7 @@ static void gather_walls(struct dem_tray *restrict t, const struct dem_parts *p,
         g->by[c] = i->w[1];
         g->bz[c] = i->w[2];
         g->inverse_mass[c] = i->inverse_mass;
-        g->least[c] = i->radius;
+        b->least_radius[c] = i->radius;
         b->reduced_radius[c] = i->radius;
         b->wx[c] = i->w[0];
         b->wy[c] = i->w[1];
@@ -173,10 +177,95 @@ static void pad(struct dem_tray *restrict t, const uint32_t *restrict row_pair, 
     }
 }
 
-void dem_tray_fill(struct dem_tray *t, const struct dem_parts *p, int wall, const uint32_t *row_pair, int rows, uint32_t *padded)
+/* ---- past touching ------------------------------------------------------------------------------------------- */
+
+/* A region that another one has taken the contact from is still as far away as it is: what was made there goes on. */
+static void gaps_of_walls(struct dem_tray *restrict t, const struct dem_parts *p, const uint32_t *restrict row_pair)
+{
+    struct dem_block *const b = &t->block;
+
+    for (int c = 0; c < b->n; c++)
+    {
+        const struct dem_pair *const q = &p->contacts.pair[row_pair[c]];
+        const struct dem_wall_touch *const at = &p->touches.touch[q->j];
+        const double *const x = p->particles.record[q->i].x;
+        const double height = (x[0] - at->point[0])*at->normal[0] + (x[1] - at->point[1])*at->normal[1]
+                            + (x[2] - at->point[2])*at->normal[2];
+
+        const int dropped = at->distance > DBL_MAX/2.0;
+
+        b->distance[c] = dropped ? height : at->distance;
+        b->gap[c] = b->distance[c] - b->least_radius[c];
+        b->counts[c] = dropped ? 0.0 : 1.0;
+    }
+}
+
+static void gaps_of_pairs(struct dem_tray *t)
+{
+    struct dem_block *const b = &t->block;
+    const struct dem_gathered *const g = &t->g;
+
+    for (int c = 0; c < b->n; c++)
+    {
+        b->distance[c] = sqrt(g->rx[c]*g->rx[c] + g->ry[c]*g->ry[c] + g->rz[c]*g->rz[c]);
+        b->gap[c] = b->distance[c] - g->radii[c];
+        b->counts[c] = 1.0;
+    }
+}
+
+/* Longer arms where there is a gap, and the mean spin along n: `share` of what was gathered. */
+DEM_KERNEL
+static void motion_past_touching(struct dem_block *restrict b, const struct dem_gathered *restrict g, double share)
+{
+    for (int c = 0; c < b->n; c++)
+    {
+        const double gap = dem_pick(b->gap[c] > 0.0, b->gap[c], 0.0);
+        const double bx = g->bx[c], by = g->by[c], bz = g->bz[c];
+
+        b->sx[c] -= gap*(by*b->hz[c] - bz*b->hy[c]);
+        b->sy[c] -= gap*(bz*b->hx[c] - bx*b->hz[c]);
+        b->sz[c] -= gap*(bx*b->hy[c] - by*b->hx[c]);
+        b->swing[c] = share*(bx*b->nx[c] + by*b->ny[c] + bz*b->nz[c]);
+        b->stored[c] = b->lost[c] = b->bonds[c] = b->broke[c] = 0.0;
+    }
+}
+
+static void chances(struct dem_tray *t, const struct dem_parts *p, const uint32_t *row_pair)
+{
+    for (int c = 0; c < t->block.n; c++)
+    {
+        const struct dem_pair *const q = &p->contacts.pair[row_pair[c]];
+        const int64_t i = p->particles.record[q->i].id;
+        const int64_t j = q->wall ? -1 - p->pairs.wall_region[q->j] : p->particles.record[q->j].id;
+
+        t->block.chance[c] = dem_random_unit((uint64_t)i, (uint64_t)j, 0, 0);
+    }
+}
+
+static void fill_past_touching(struct dem_tray *t, const struct dem_parts *p, const struct dem_chain *chain, const uint32_t *padded)
+{
+    if (chain->pair.with_wall)
+    {
+        gaps_of_walls(t, p, padded);
+    }
+    else
+    {
+        gaps_of_pairs(t);
+    }
+    motion_past_touching(&t->block, &t->g, chain->pair.with_wall ? 0.5 : 1.0);
+    if (chain->needs & DEM_NEEDS_CHANCE)
+    {
+        chances(t, p, padded);
+    }
+}
+
+/* ---- the whole ----------------------------------------------------------------------------------------------- */
+
+void dem_tray_fill(struct dem_tray *t, const struct dem_parts *p, const struct dem_chain *chain, const uint32_t *row_pair, int rows,
+                   uint32_t *padded)
 {
     pad(t, row_pair, rows, padded);
-    if (wall)
+    if (chain->pair.with_wall)
     {
         gather_walls(t, p, padded);
         normals_of_walls(&t->block);
@@ -187,4 +276,8 @@ void dem_tray_fill(struct dem_tray *t, const struct dem_parts *p, int wall, cons
         normals_of_pairs(&t->block, &t->g);
     }
     relative_motion(&t->block, &t->g);
+    if (chain->past_touching)
+    {
+        fill_past_touching(t, p, chain, padded);
+    }
 }

@@ -22,7 +22,6 @@ struct dem_gathered                                       /* what the geometry o
     _Alignas(64) double radii[DEM_BLOCK];                                     /* m    R_i + R_j */
     _Alignas(64) double inverse_mass[DEM_BLOCK];                              /* 1/kg summed */
     _Alignas(64) double product[DEM_BLOCK];                                   /* m2   R_i R_j */
-    _Alignas(64) double least[DEM_BLOCK];                                     /* m    the smaller radius */
     _Alignas(64) double unused[DEM_BLOCK];                                    /* fourth members nobody needs */
 };
 
@@ -34,6 +33,7 @@ struct dem_tray
 
 /* Fill the tray with the geometry and the relative motion of `rows` rows of one class, from row_pair on, and clear its
    results. `padded` (DEM_BLOCK places) is told the pair of every lane. */
-void dem_tray_fill(struct dem_tray *, const struct dem_parts *, int wall, const uint32_t *row_pair, int rows, uint32_t *padded);
+void dem_tray_fill(struct dem_tray *, const struct dem_parts *, const struct dem_chain *, const uint32_t *row_pair, int rows,
+                   uint32_t *padded);
 
 #endif

@@ -14,7 +14,7 @@
 enum
 {
     ROWS = 37,                                            /* whole vectors of 2, 4, 8 and a rest */
-    MEMORY = 4
+    MEMORY = 16
 };
 
 static const struct dem_material glass = {"glass", 2500.0, 60e9, 0.22};
@@ -24,7 +24,7 @@ static const struct dem_pair_class pair = {.a = &glass, .b = &glass, .reduced_mo
 /* settings in the middle of their range, or their defaults; prepared */
 static void settings_of(const struct dem_effect *e, void *settings)
 {
-    const double values[3] = {0.5, 0.5, 0.5};
+    double values[3] = {0.5, 0.5, 0.5};
 
     if (e->settings)
     {
@@ -34,6 +34,7 @@ static void settings_of(const struct dem_effect *e, void *settings)
             if (isnan(f->def))
             {
                 dem_field_set_number(e->settings, settings, e->name, f->name, values, f->kind == DEM_FIELD_VECTOR ? 3 : 1);
+                values[0] += 0.01;                        /* no two alike: one may have to be above the other */
             }
         }
     }
@@ -55,7 +56,7 @@ static void random_contact(struct dem_block *b, dem_real memory[MEMORY][DEM_BLOC
     const double a = uniform(row, 0, 0.0, 6.28), z = uniform(row, 1, -1.0, 1.0), tilt = uniform(row, 2, -0.01, 0.01);
     const double apart = row % 3 == 2 ? 0.0 : 1.0;
 
-    b->dt = 1e-6;
+    b->dt = b->longest = 1e-6;
     b->nx[to] = sqrt(1.0 - z*z)*cos(a), b->ny[to] = sqrt(1.0 - z*z)*sin(a), b->nz[to] = z;
     b->hx[to] = sqrt(1.0 - z*z)*cos(a + tilt), b->hy[to] = sqrt(1.0 - z*z)*sin(a + tilt), b->hz[to] = z;
     b->overlap[to] = apart*uniform(row, 3, 0.0, 1e-5);
@@ -66,6 +67,12 @@ static void random_contact(struct dem_block *b, dem_real memory[MEMORY][DEM_BLOC
     b->sx[to] = uniform(row, 7, -1.0, 1.0), b->sy[to] = uniform(row, 8, -1.0, 1.0), b->sz[to] = uniform(row, 9, -1.0, 1.0);
     b->wx[to] = uniform(row, 10, -9.0, 9.0), b->wy[to] = uniform(row, 11, -9.0, 9.0), b->wz[to] = uniform(row, 12, -9.0, 9.0);
     b->viscosity[to] = uniform(row, 13, 0.0, 0.01);
+    b->least_radius[to] = uniform(row, 50, 1e-3, 2e-3);
+    b->gap[to] = apart > 0.0 ? -b->overlap[to] : uniform(row, 51, 0.0, 1.0);
+    b->distance[to] = 2.0*b->least_radius[to] + b->gap[to];
+    b->swing[to] = uniform(row, 52, -9.0, 9.0);
+    b->counts[to] = uniform(row, 53, 0.0, 1.0) < 0.8 ? 1.0 : 0.0;
+    b->chance[to] = uniform(row, 54, 0.0, 1.0);
     b->kn[to] = apart*uniform(row, 14, 0.0, 1e6);
     b->kt[to] = apart*uniform(row, 15, 0.0, 1e6);
     b->eta[to] = apart*uniform(row, 16, 0.0, 10.0);
@@ -122,11 +129,15 @@ static void contact_effect(const struct dem_effect *e)
 {
     static struct dem_block many, one;
     static _Alignas(64) dem_real memory[MEMORY][DEM_BLOCK], memory_of_one[MEMORY][DEM_BLOCK];
-    dem_real *const all[MEMORY] = {memory[0], memory[1], memory[2], memory[3]};
-    dem_real *const alone[MEMORY] = {memory_of_one[0], memory_of_one[1], memory_of_one[2], memory_of_one[3]};
+    dem_real *all[MEMORY], *alone[MEMORY];
     double settings[32] = {0};
     int bad = 0;
 
+    for (int m = 0; m < MEMORY; m++)
+    {
+        all[m] = memory[m];
+        alone[m] = memory_of_one[m];
+    }
     settings_of(e, settings);
     memset(&many, 0, sizeof many);
     memset(memory, 0, sizeof memory);
@@ -142,13 +153,13 @@ static void contact_effect(const struct dem_effect *e)
         one.n = 1;
         random_contact(&one, memory_of_one, 0, row);
         e->act(settings, &one, alone);
-        bad += differs(many.kn, many.mz, one.kn, row) + differs(memory[0], memory[MEMORY - 1], memory_of_one[0], row);
+        bad += differs(many.kn, many.broke, one.kn, row) + differs(memory[0], memory[MEMORY - 1], memory_of_one[0], row);
     }
     TAP_OK(bad == 0, "%s: a row has the same bits alone and among others (%d differ)", e->name, bad);
-    TAP_OK(bad_columns(many.kn, many.mz) + bad_columns(memory[0], memory[MEMORY - 1]) == 0,
+    TAP_OK(bad_columns(many.kn, many.broke) + bad_columns(memory[0], memory[MEMORY - 1]) == 0,
            "%s: all finite", e->name);
     bad = 0;
-    for (int row = 2; row < ROWS; row += 3)
+    for (int row = 2; row < ROWS && e->stage < DEM_STAGE_BOND; row += 3)
     {
         bad += many.kn[row] != 0.0 || many.kt[row] != 0.0 || many.eta[row] != 0.0 || many.fn[row] != 0.0;
         bad += many.fx[row] != 0.0 || many.fy[row] != 0.0 || many.fz[row] != 0.0;
@@ -158,8 +169,9 @@ static void contact_effect(const struct dem_effect *e)
     memset(&many, 0, sizeof many);
     memset(memory, 0, sizeof memory);
     many.n = DEM_BLOCK;
+    many.longest = 1e-6;
     e->act(settings, &many, all);
-    TAP_OK(bad_columns(many.kn, many.mz) == 0 && many.fn[DEM_BLOCK - 1] == 0.0 && many.fx[0] == 0.0,
+    TAP_OK(bad_columns(many.kn, many.broke) == 0 && many.fn[DEM_BLOCK - 1] == 0.0 && many.fx[0] == 0.0,
            "%s: rows of zeros", e->name);
 }
 
@@ -216,6 +228,8 @@ static void tells(const struct dem_effect *e)
     TAP_OK(bad == 0 && (fields > 0) == (e->size > 0), "%s: %d settings, each with unit and help", e->name, fields);
     TAP_OK(body ? e->act_on_bodies && !e->act && !e->memory : e->act && !e->act_on_bodies,
            "%s: acts as its stage wants", e->name);
+    TAP_OK(!(e->reach || e->shield) || e->stage == DEM_STAGE_BOND || e->stage == DEM_STAGE_FILM,
+           "%s: only bonds and films act past touching", e->name);
     TAP_OK((e->exponent > 0.0) == (e->stage == DEM_STAGE_NORMAL),
            "%s: an exponent for the normal law only", e->name);
     TAP_OK(dem_effects_find(e->name) == e, "%s: found by its word", e->name);
