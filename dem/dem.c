@@ -52,6 +52,7 @@ void dem_free(struct dem *d)
     dem_memory_free(d->mesh_wall);
     dem_memory_free(d->crowd_material);
     dem_crowd_free(&d->crowd);
+    dem_averages_free(&d->parts.averages);
     dem_scene_free(&d->scene);
     dem_dict_free(d->dict);
     dem_halo_free(&d->parts.halo);
@@ -337,6 +338,16 @@ int dem_fluid_correct(struct dem *d, const double *velocity, const double *press
         }
     }
     return DEM_OK;
+}
+
+int dem_averages_count(const struct dem *d)
+{
+    return d->scene.averages;
+}
+
+int dem_averages(struct dem *d, const char *folder)
+{
+    return dem_averages_save(&d->parts.averages, &d->parts, folder);
 }
 
 /* ---- keeping ------------------------------------------------------------------------------------------------- */

@@ -118,6 +118,11 @@ int dem_wall_count(const struct dem *);
 const char *dem_wall_name(const struct dem *, int wall);
 int dem_wall_load(struct dem *, int wall, double force[3], double torque[3]);
 
+/* Means in the grids of the scene's `averages`, sampled while it advances: the first rank writes NAME.csv and NAME.vti
+   of each grid that has samples into the folder, which must exist. Call it on all ranks; only the first can fail. */
+int dem_averages_count(const struct dem *);
+int dem_averages(struct dem *, const char *folder);
+
 /* ---- looking ------------------------------------------------------------------------------------------------- */
 
 /* The particles that this rank owns. Valid until the next collective call. Record members lie `stride` bytes apart

@@ -144,12 +144,13 @@ static int write_pictures(const struct dem_output *o, const struct dem_program *
 int dem_output_write(const struct dem_output *o, const struct dem_program *prog, struct dem *d, int64_t number, double time)
 {
     char path[640];
-    int status = prog->rank == 0 && (o->vtk || o->snapshots) ? dem_output_folder(o) : DEM_OK;
+    int status = prog->rank == 0 && (o->vtk || o->snapshots || dem_averages_count(d)) ? dem_output_folder(o) : DEM_OK;
 
     if (o->vtk && !status)
     {
         status = write_pictures(o, prog, d, number, time);
     }
+    status = status ? status : dem_averages(d, o->folder);
     DEM_TRY(dem_program_together(prog, status));
     if (o->snapshots == 2)
     {

@@ -343,6 +343,7 @@ int dem_door_get_ready(struct dem *d)
         fill_fluid(d);
     }
     DEM_TRY(together(&d->parts, settle_in(d)));
+    DEM_TRY(dem_averages_init(&d->parts.averages, d->scene.average, d->scene.averages, d->parts.time, d->parts.pieces.rank == 0));
     d->ready = 1;
     return DEM_OK;
 }

@@ -5,6 +5,7 @@
  */
 #include "io/scene.h"
 #include "base/error.h"
+#include "base/memory.h"
 #include "base/unknown.h"
 #include "io/scene_parts.h"
 #include <math.h>
@@ -146,6 +147,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene, struct dem
     DEM_TRY(read_fluid(&s->fluid, scene, r));
     DEM_TRY(read_time(s, scene));
     DEM_TRY(read_neighbours(s, scene));
+    DEM_TRY(dem_averages_read(scene, &s->average, &s->averages));
     DEM_TRY(dem_dict_sub_if(scene, "start", &start));
     if (start)
     {
@@ -158,5 +160,6 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene, struct dem
 
 void dem_scene_free(struct dem_scene *s)
 {
+    dem_memory_free(s->average);
     dem_crowd_free(&s->crowd);
 }

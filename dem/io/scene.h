@@ -11,6 +11,7 @@
  *     fluid     { velocity; density; viscosity; voidFraction; pressureGradient; }   uniform, when none is coupled
  *     time      { end; step auto|NUMBER; maxOverlap; force; }
  *     neighbours{ outerSkin; innerSkin; }
+ *     averages  { NAME { min; max; cells; start; end; interval; } }
  *     write     { ... }                                          read by the program
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -18,6 +19,7 @@
 #ifndef DEM_IO_SCENE_H
 #define DEM_IO_SCENE_H
 
+#include "io/averages.h"
 #include "io/dictionary.h"
 #include "io/insert.h"
 #include "space/domain.h"
@@ -39,6 +41,8 @@ struct dem_scene
     const char *snapshot;                                 /* path to start from, or NULL */
     struct dem_uniform_fluid fluid;
     struct dem_crowd crowd;
+    struct dem_average_plan *average;                     /* grids of means */
+    int averages;
 };
 
 /* The materials first: walls and particles that are handed in by program need them. */

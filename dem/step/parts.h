@@ -15,6 +15,7 @@
 #include "state/particles.h"
 #include "state/recipe.h"
 #include "state/walls.h"
+#include "step/averages.h"
 #include "step/losses.h"
 #include "step/wall_touch.h"
 
@@ -38,6 +39,7 @@ struct dem_parts
     struct dem_pieces pieces;
     struct dem_halo halo;
     struct dem_watch watch;
+    struct dem_averages averages;
     struct dem_losses losses;
     int stale;                                            /* 1: rebuild in the next step whatever has moved; 2: there are no
                                                              lists of these particles yet */

@@ -225,6 +225,7 @@ int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
 
         p->time = start + (double)k*dt;
         DEM_TRY(step(p, dt, k < steps ? dt : 0.5*dt, since, &status));
+        DEM_TRY(dem_averages_sample(&p->averages, p));
     }
     DEM_TRY(agree(p, status, none));
     dem_bodies_close(&p->particles);

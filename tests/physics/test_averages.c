@@ -1,0 +1,230 @@
+/*
+ * Claims: a sphere gives each cell of a grid the volume it has there (slabs exactly, all cells together its volume, also
+ * across a periodic face); mass that streams through has its velocity and no temperature, two streams against each other
+ * have the square of their speed over three, and carry the stress rho v v; a column of spheres at rest stresses its box by
+ * the sum of its contact forces times branches.
+ *
+ * Source: geometry of the spherical cap; statics; kinetic theory of two streams.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/world.h"
+
+#include <unistd.h>
+
+static const char material[] = "materials { glass { density 2500; youngsModulus 1e7; } }";
+static char folder[] = "/tmp/averages.XXXXXX";
+
+enum
+{
+    CELLS = 1000, NUMBERS = 32
+};
+
+static struct
+{
+    char name[NUMBERS][48];
+    double value[CELLS][NUMBERS];
+    int columns, rows;
+} table;
+
+static void read_table(struct dem *d, const char *name)
+{
+    char path[64], line[4096];
+    FILE *f;
+
+    WORLD_TRY(dem_averages(d, folder));
+    snprintf(path, sizeof path, "%s/%s.csv", folder, name);
+    f = fopen(path, "r");
+    table.rows = table.columns = 0;
+    for (char *s = f && fgets(line, sizeof line, f) ? strtok(line, ",\n") : NULL; s; s = strtok(NULL, ",\n"))
+    {
+        snprintf(table.name[table.columns++], 48, "%.*s", (int)strcspn(s, "["), s);
+    }
+    while (f && fgets(line, sizeof line, f))
+    {
+        int k = 0;
+
+        for (char *s = strtok(line, ",\n"); s; s = strtok(NULL, ",\n"))
+        {
+            table.value[table.rows][k++] = strtod(s, NULL);
+        }
+        table.rows++;
+    }
+    if (f)
+    {
+        fclose(f);
+    }
+    unlink(path);
+    snprintf(path, sizeof path, "%s/%s.vti", folder, name);
+    TAP_OK(unlink(path) == 0, "%s: %d cells, and an image", name, table.rows);
+}
+
+static double at(int row, const char *name)
+{
+    for (int k = 0; k < table.columns; k++)
+    {
+        if (strcmp(table.name[k], name) == 0)
+        {
+            return table.value[row][k];
+        }
+    }
+    return NAN;
+}
+
+static double sum(const char *name)
+{
+    double s = 0.0;
+
+    for (int r = 0; r < table.rows; r++)
+    {
+        s += at(r, name);
+    }
+    return s;
+}
+
+/* tables have nine digits */
+static const double digits = 2e-9;
+
+static void shares(void)
+{
+    const double R = 1e-3, V = 4.0/3.0*world_pi*R*R*R, z = 0.0013;
+    const struct dem_seed seed[] = {{.position = {0.0, 0.0, z}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
+    char *const scene = world_text("%s effects { hertz {} } time { step 1e-6; }"
+        "averages { slabs { min (-0.005 -0.005 -0.001); max (0.005 0.005 0.004); cells (1 1 10); interval 1e-6; }"
+        "           all { min (-0.0027 -0.0031 -0.001); max (0.0053 0.0049 0.004); cells (10 10 10); interval 1e-6; } }", material);
+    struct dem *const d = world(scene, 1, seed);
+
+    world_run(d, 3.5e-6);
+    read_table(d, "slabs");
+    for (int k = 0; k < 10; k++)
+    {
+        double cap[2];
+
+        for (int side = 0; side < 2; side++)                  /* volume of the cap below a plane */
+        {
+            const double h = fmin(2.0*R, fmax(0.0, -0.001 + 5e-4*(k + side) - (z - R)));
+
+            cap[side] = world_pi*h*h*(3.0*R - h)/3.0;
+        }
+        TAP_NEAR(at(k, "solidFraction"), (cap[1] - cap[0])/5e-8, digits, "slab %d: the volume between two planes", k);
+    }
+    TAP_NEAR(sum("bulkDensity"), 2500.0*V/5e-8, 2500.0*V/5e-8*digits, "its mass");
+    read_table(d, "all");
+    TAP_NEAR(sum("solidFraction")*3.2e-10, V, V*1e-7, "a thousand cells: the whole volume");     /* 9 digits of many small numbers */
+    dem_free(d);
+    free(scene);
+}
+
+static void wraps(void)
+{
+    const double R = 1e-3, V = 4.0/3.0*world_pi*R*R*R;
+    const struct dem_seed seed[] = {{.position = {0.0002, 0.0098, 0.005}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
+    char *const scene = world_text("%s effects { hertz {} } time { step 1e-6; }"
+        "domain { min (0 0 0); max (0.01 0.01 0.01); periodic (x y); }"
+        "averages { all { min (0 0 0); max (0.01 0.01 0.01); cells (5 5 1); interval 1e-6; } }", material);
+    struct dem *const d = world(scene, 1, seed);
+
+    world_run(d, 1e-6);
+    read_table(d, "all");
+    TAP_NEAR(sum("solidFraction")*4e-8, V, V*digits, "a sphere across two periodic faces: the whole volume");
+    TAP_OK(at(0, "solidFraction") > 0.0 && at(4, "solidFraction") > 0.0 && at(20, "solidFraction") > 0.0 && at(24, "solidFraction") > 0.0,
+           "in four corners of the box");
+    dem_free(d);
+    free(scene);
+}
+
+/* two layers that slide past each other, apart */
+static void streams(void)
+{
+    struct dem_seed seed[50];
+    const double v[3] = {0.3, -0.2, 0.1}, R = 1e-3;
+    char *const scene = world_text("%s effects { hertz {} } time { step 1e-5; }"
+        "domain { min (0 0 0); max (0.02 0.02 0.02); periodic (x y z); }"
+        "averages { box { min (0 0 0); max (0.02 0.02 0.02); interval 1e-4; } }", material);
+
+    for (int k = 0; k < 50; k++)
+    {
+        const double side = k < 25 ? 1.0 : -1.0;
+
+        seed[k] = (struct dem_seed){.position = {0.002 + 0.004*(k%5), 0.002 + 0.004*(k/5%5), k < 25 ? 0.006 : 0.014}, .diameter = 2.0*R,
+                                    .velocity = {side*v[0], side*v[1], 0.0}, .id = k, .material = "glass"};
+    }
+    struct dem *d = world(scene, 50, seed);
+    const double rho = 50.0*2500.0*4.0/3.0*world_pi*R*R*R/8e-6;
+
+    world_run(d, 1e-3);
+    read_table(d, "box");
+    TAP_NEAR(at(0, "velocityX"), 0.0, 1e-9, "two equal streams: no mean velocity");
+    TAP_NEAR(at(0, "temperature"), (v[0]*v[0] + v[1]*v[1])/3.0, 1e-9, "a temperature");
+    TAP_NEAR(at(0, "stressXX"), -rho*v[0]*v[0], rho*1e-9, "a pressure along x");
+    TAP_NEAR(at(0, "stressXY"), -rho*v[0]*v[1], rho*1e-9, "a shear stress");
+    dem_free(d);
+
+    for (int k = 0; k < 50; k++)
+    {
+        memcpy(seed[k].velocity, v, sizeof v);
+    }
+    d = world(scene, 50, seed);
+    world_run(d, 1e-3);
+    read_table(d, "box");
+    TAP_NEAR(at(0, "velocityX"), v[0], 1e-9, "one stream: its velocity x");
+    TAP_NEAR(at(0, "velocityZ"), v[2], 1e-9, "and z");
+    TAP_NEAR(at(0, "temperature"), 0.0, 1e-12, "no temperature");
+    TAP_NEAR(at(0, "stressXX"), 0.0, rho*1e-12, "no stress");
+    TAP_OK(at(0, "velocityX_ci95") < 1e-12, "and no doubt");
+    dem_free(d);
+    free(scene);
+}
+
+/* n spheres on a floor under gravity: contact k carries the weight of those above it */
+static void column(void)
+{
+    enum { HIGH = 5 };
+    struct dem_seed seed[HIGH];
+    const double R = 1e-3, g = 9.81, m = 2500.0*4.0/3.0*world_pi*R*R*R, volume = 0.004*0.004*0.012;
+    char *const scene = world_text("%s effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.1; } }"
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
+        "averages { box { min (-0.002 -0.002 0); max (0.002 0.002 0.012); start 0.2; interval 0.001; }"
+        "           later { min (-0.002 -0.002 0); max (0.002 0.002 0.012); start 5; interval 0.001; } }", material);
+    double expected = 0.0;
+
+    for (int k = 0; k < HIGH; k++)
+    {
+        seed[k] = (struct dem_seed){.position = {0.0, 0.0, R*(2*k + 1)}, .diameter = 2.0*R, .id = k, .material = "glass"};
+    }
+    struct dem *const d = world(scene, HIGH, seed);
+
+    world_run(d, 0.25);
+    for (int k = 0; k < HIGH; k++)                            /* the branch from the contact below to the centre, and the half above */
+    {
+        const struct world_particle q = world_at(d, k), below = world_at(d, k ? k - 1 : 0);
+
+        expected -= (HIGH - k)*m*g*(k ? q.x[2] - below.x[2] : q.x[2]);
+    }
+    read_table(d, "box");
+    /* what is left of the bounce: 1e-5 of the weight */
+    TAP_NEAR(at(0, "stressZZ"), expected/volume, 1e-5*fabs(expected)/volume, "a column: forces times branches");
+    TAP_NEAR(at(0, "stressXX"), 0.0, 1e-9*fabs(expected)/volume, "none across");
+    WORLD_TRY(dem_averages(d, folder));
+    TAP_OK(access(strcat(strcpy((char[64]){0}, folder), "/later.csv"), F_OK) != 0, "no samples, no file");
+    unlink(strcat(strcpy((char[64]){0}, folder), "/box.csv"));
+    unlink(strcat(strcpy((char[64]){0}, folder), "/box.vti"));
+    dem_free(d);
+    free(scene);
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    if (!mkdtemp(folder))
+    {
+        printf("Bail out! no folder in /tmp\n");
+        return 1;
+    }
+    shares();
+    wraps();
+    streams();
+    column();
+    rmdir(folder);
+    TAP_DONE;
+}
