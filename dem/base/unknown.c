@@ -1,10 +1,11 @@
 /*
- * unknown.c -- the known words sorted by how few slips of the pen lead to them.
+ * unknown.c -- the known words sorted by how few slips of the pen lead to them; first what is meant by habit.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/unknown.h"
 #include "base/error.h"
+#include "base/habits.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -64,15 +65,21 @@ static int distance(const char *a, const char *b)
     return row[na%3][nb];
 }
 
+/* slips that lead from one to the other; none when one is another code's word for it */
+static int slips(const char *word, const char *known)
+{
+    return dem_habit(word, known) || dem_habit(known, word) ? 0 : distance(word, known);
+}
+
 /* place in known of the next word in order of (distance, place) after the one given; -1 past the last */
 static int next_in_order(const char *word, const char *const *known, int n, int after)
 {
-    const int from = after < 0 ? -1 : distance(word, known[after]);
+    const int from = after < 0 ? -1 : slips(word, known[after]);
     int best = -1, best_distance = 0;
 
     for (int i = 0; i < n; i++)
     {
-        const int d = distance(word, known[i]);
+        const int d = slips(word, known[i]);
 
         if ((d > from || (d == from && i > after)) && (best < 0 || d < best_distance))
         {
@@ -88,7 +95,7 @@ const char *dem_unknown_nearest(const char *word, const char *const *known, int 
     const int best = next_in_order(word, known, n, -1);
 
     /* up to a third of the letters wrong, rounded up, is a slip; more is another word */
-    if (best < 0 || 3*distance(word, known[best]) > least(length(word), length(known[best])) + 2)
+    if (best < 0 || 3*slips(word, known[best]) > least(length(word), length(known[best])) + 2)
     {
         return NULL;
     }
@@ -118,7 +125,9 @@ int dem_unknown_word(const char *what, const char *word, const char *const *know
         return dem_error(DEM_ERROR_INPUT, "unknown %s \"%s\"; none is known here, so leave it out", what,
                          word);
     }
-    return nearest ? dem_error(DEM_ERROR_INPUT, "unknown %s \"%s\"; did you mean %s? known: %s", what, word,
-                               nearest, list)
+    const char *note = nearest ? dem_habit(word, nearest) : NULL;
+
+    return nearest ? dem_error(DEM_ERROR_INPUT, "unknown %s \"%s\"; did you mean %s%s? known: %s", what, word, nearest,
+                               note ? note : "", list)
                    : dem_error(DEM_ERROR_INPUT, "unknown %s \"%s\"; known: %s", what, word, list);
 }

@@ -6,7 +6,8 @@
  *     unknown effect "hertzz"; did you mean hertz? known: hertz, hooke, mindlin, ...
  *
  * Nearness is the number of letters to insert, remove, change or swap with a neighbour, whatever their case
- * (Damerau, Commun. ACM 7 (1964) 171, in the restricted form where no letter moves twice).
+ * (Damerau, Commun. ACM 7 (1964) 171, in the restricted form where no letter moves twice). What another code calls it
+ * (base/habits.h) is nearest of all.
  */
 #ifndef DEM_BASE_UNKNOWN_H
 #define DEM_BASE_UNKNOWN_H

@@ -6,6 +6,7 @@
 #include "io/dictionary.h"
 
 #include "base/error.h"
+#include "base/habits.h"
 #include "base/unknown.h"
 #include "io/dictionary_tree.h"
 
@@ -42,11 +43,55 @@ const struct dem_entry *dem_dict_slip(const struct dem_dict *d, const char *name
     return near ? dem_dict_find(d, near, strlen(near)) : NULL;
 }
 
+/* The first token of e, behind the first of its value and outside brackets, that is this word; else count. */
+static size_t find_inside(const struct dem_entry *e, const char *word)
+{
+    int depth = 0;
+
+    for (size_t i = 0; i < e->count; i++)
+    {
+        const struct dem_token *t = &e->tokens[i];
+
+        if (i > 0 && depth == 0 && t->kind == DEM_TOKEN_WORD && (!word || strcmp(t->text, word) == 0))
+        {
+            return i;
+        }
+        if (t->kind == DEM_TOKEN_SIGN)
+        {
+            depth += strchr("([", t->text[0]) ? 1 : -1;
+        }
+    }
+    return e->count;
+}
+
+/* Why an entry is not there: an unread one is misspelt, or the one before it lacks its semicolon and has swallowed it. */
+static void explain_absence(const struct dem_dict *d, const char *name, char *hint, size_t size)
+{
+    const struct dem_entry *const slip = dem_dict_slip(d, name);
+    const char *const note = slip ? dem_habit(slip->name, name) : NULL;
+
+    hint[0] = '\0';
+    if (slip)
+    {
+        snprintf(hint, size, "; is \"%.60s\" in line %d meant to be it%s?", slip->name, slip->line, note ? note : "");
+    }
+    for (size_t i = 0; i < d->count; i++)
+    {
+        const struct dem_entry *const e = d->entries[i];
+        const size_t at = find_inside(e, name);
+
+        if (at < e->count)
+        {
+            snprintf(hint, size, "; it stands in the value of %.60s: is a ; missing at the end of line %d?", e->name,
+                     e->tokens[at - 1].line);
+        }
+    }
+}
+
 int dem_dict_need(const struct dem_dict *d, const char *name, const char *unit, const struct dem_entry **e)
 {
     struct dem_entry *found = dem_dict_find(d, name, strlen(name));
-    const struct dem_entry *slip;
-    char hint[128] = "";
+    char hint[192];
 
     dem_dict_remember_question(d, name);
     if (found)
@@ -55,34 +100,22 @@ int dem_dict_need(const struct dem_dict *d, const char *name, const char *unit, 
         *e = found;
         return DEM_OK;
     }
-    slip = dem_dict_slip(d, name);
-    if (slip)
-    {
-        snprintf(hint, sizeof hint, "; is \"%.60s\" in line %d meant to be it?", slip->name, slip->line);
-    }
+    explain_absence(d, name, hint, sizeof hint);
     return dem_error(DEM_ERROR_INPUT, "%s: %s%sneeds %s%s%s%s%s", dem_dict_where(d), dem_dict_path(d),
                      *dem_dict_path(d) ? " " : "", name, has_unit(unit) ? " (" : "", has_unit(unit) ? unit : "",
                      has_unit(unit) ? ")" : "", hint);
 }
 
-/* The line at whose end a semicolon may be missing: the value goes on in a later line, outside brackets. Else 0. */
+/* The line at whose end a semicolon may be missing: behind the first value a word and its value follow, or another line. */
 static int broken_line(const struct dem_entry *e)
 {
-    int depth = 0, line = e->line;
+    const size_t at = find_inside(e, NULL);
+    double number;
 
-    for (size_t i = 0; i < e->count; i++)
+    if (at < e->count && (e->tokens[at].line > e->tokens[at - 1].line
+                          || (at + 1 < e->count && !dem_dict_is_number(e->tokens[at].text, &number))))
     {
-        const struct dem_token *t = &e->tokens[i];
-
-        if (i > 0 && depth == 0 && t->line > line)
-        {
-            return line;
-        }
-        if (t->kind == DEM_TOKEN_SIGN)
-        {
-            depth += strchr("([", t->text[0]) ? 1 : -1;
-        }
-        line = t->line;
+        return e->tokens[at - 1].line;
     }
     return 0;
 }

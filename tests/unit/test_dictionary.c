@@ -277,6 +277,14 @@ static const struct
     {"materials { glass { density 2500\n young 1e7; } }",
      "scene.dem, line 1: materials/glass/density wants one number (kg/m3), found \"2500 young 1e7\"; "
      "is a ; missing at the end of line 1?"},
+    {"materials { glass { density 2500 young 1e7; } }",
+     "scene.dem, line 1: materials/glass/density wants one number (kg/m3), found \"2500 young 1e7\"; "
+     "is a ; missing at the end of line 1?"},
+    {"materials { glass { density 2500 kg; } }",
+     "scene.dem, line 1: materials/glass/density wants one number (kg/m3), found \"2500 kg\""},
+    {"materials { glass { young 1e7\n density 2500; } }",
+     "scene.dem, line 1: materials/glass needs density (kg/m3); it stands in the value of young: "
+     "is a ; missing at the end of line 1?"},
     {"materials { glass { density 2,5; } }",
      "scene.dem, line 1: materials/glass/density wants one number (kg/m3), found \"2,5\""},
     {"materials { glass { density 1e999; } }",
@@ -289,6 +297,8 @@ static const struct
      "scene.dem, line 1: materials/glass/density wants one number (kg/m3), found a dictionary"},
     {"materials { glass { densitty 3; } }",
      "scene.dem, line 1: materials/glass needs density (kg/m3); is \"densitty\" in line 1 meant to be it?"},
+    {"materials { glass { rho 3; } }",
+     "scene.dem, line 1: materials/glass needs density (kg/m3); is \"rho\" in line 1 meant to be it?"},
     {"g (0 -9.81);", "scene.dem, line 1: g wants a vector (x y z) (m/s2), found \"( 0 -9.81 )\""},
     {"n 2.5;", "scene.dem, line 1: n wants one whole number, found \"2.5\""},
     {"n 1e300;", "scene.dem, line 1: n wants one whole number, found \"1e300\""},

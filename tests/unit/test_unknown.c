@@ -1,5 +1,6 @@
 /*
- * A mistyped word is answered by the one that was meant, a foreign word by no guess, both by all that are known.
+ * A mistyped word is answered by the one that was meant, another code's word by ours, a foreign word by no guess, all by
+ * what is known.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -51,6 +52,28 @@ static void long_words(void)
            "a thousand letters are no slip");
 }
 
+/* Words of other codes, among our own. */
+static void habits(void)
+{
+    static const char *const ours[] = {"restitution", "friction", "youngsModulus", "density", "diameter", "poissonsRatio"};
+    static const char *const pairs[][2] = {{"coefficientOfRestitution", "restitution"}, {"e", "restitution"}, {"mu", "friction"},
+        {"frictionCoefficient", "friction"}, {"E", "youngsModulus"}, {"youngModulus", "youngsModulus"}, {"rho", "density"},
+        {"rho0", "density"}, {"d0", "diameter"}, {"radius", "diameter"}, {"nu", "poissonsRatio"}};
+
+    for (size_t k = 0; k < sizeof pairs/sizeof *pairs; k++)
+    {
+        const char *const nearest = dem_unknown_nearest(pairs[k][0], ours, 6);
+
+        TAP_OK(nearest && strcmp(nearest, pairs[k][1]) == 0, "%s is taken for %s", pairs[k][0], pairs[k][1]);
+    }
+    TAP_OK(strcmp(dem_unknown_nearest("density", (const char *const[]){"temperature", "rho"}, 2), "rho") == 0,
+           "and the other way round: rho may be the density that is missed");
+    TAP_OK(!dem_unknown_nearest("Rho", ours, 6) && !dem_unknown_nearest("ef", ours, 6) && !dem_unknown_nearest(" ", ours, 6),
+           "no part of a habit, no other case");
+    TAP_OK(dem_unknown_word("setting", "radius", ours, 6) && strstr(dem_error_text(), "did you mean diameter, twice the radius?"),
+           "a radius is no diameter: %s", dem_error_text());
+}
+
 int main(void)
 {
     TAP_TRAPS;
@@ -77,6 +100,7 @@ int main(void)
            && strcmp(dem_error_text(),
                      "unknown effect \"any\"; none is known here, so leave it out") == 0, "%s",
            dem_error_text());
+    habits();
     long_lists();
     long_words();
     TAP_DONE;
