@@ -170,7 +170,42 @@ bool Foam::demCloud::reacts() const
 }
 
 
+// Mean section of the mesh across gravity, which a bed stands on [m2]
+Foam::scalar Foam::demCloud::crossSection() const
+{
+    const scalar g = mag(gravity());
+    const scalar height =
+        g > 0 ? mag(mesh_.bounds().span() & gravity())/g : 0;
+
+    return height > 0 ? gSum(mesh_.V().field())/height : 0;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demCloud::plan
+(
+    const volVectorField& U,
+    const volVectorField& gradP,
+    const volScalarField& rho,
+    const volScalarField& mu,
+    const string& why
+)
+{
+    const Time& time = mesh_.time();
+    const char* text = nullptr;
+
+    struct dem_prospect ahead;
+    ahead.duration = time.endTime().value() - time.value();
+    ahead.window = time.deltaTValue();
+    ahead.why = why.c_str();
+    ahead.cross_section = crossSection();
+
+    tellParticles(U, gradP, rho, mu);
+    demCheck(dem_plan(dem_, &ahead, &text));
+    Info<< nl << text << endl;
+}
+
 
 void Foam::demCloud::evolve
 (

@@ -16,11 +16,32 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::demDriver::tellPlan()
+{
+    const Time& time = mesh_.time();
+    const bool adjusts =
+        time.controlDict().lookupOrDefault<Switch>("adjustTimeStep", false);
+
+    cloud_.plan
+    (
+        fluid_.velocity(),
+        fluid_.pressureGradient()(),
+        fluid_.density()(),
+        fluid_.viscosity()(),
+        adjusts ? "the solver's adjustTimeStep" : "deltaT of controlDict"
+    );
+}
+
+
 void Foam::demDriver::step()
 {
     if (moved_ == mesh_.time().timeIndex())
     {
         return;
+    }
+    if (moved_ < 0)
+    {
+        tellPlan();
     }
     moved_ = mesh_.time().timeIndex();
 

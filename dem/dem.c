@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "io/snapshot.h"
+#include "plan/plan.h"
 #include "step/measure.h"
 #include "step/step.h"
 #include <fenv.h>
@@ -53,6 +54,7 @@ void dem_free(struct dem *d)
     dem_memory_free(d->crowd_material);
     dem_crowd_free(&d->crowd);
     dem_averages_free(&d->parts.averages);
+    dem_text_free(&d->plan);
     dem_scene_free(&d->scene);
     dem_dict_free(d->dict);
     dem_halo_free(&d->parts.halo);
@@ -194,6 +196,21 @@ int dem_scene_check(struct dem *d)
 const struct dem_dict *dem_scene_dict(const struct dem *d)
 {
     return d->dict;
+}
+
+int dem_plan(struct dem *d, const struct dem_prospect *prospect, const char **text)
+{
+    struct dem_plan plan = {.parts = &d->parts, .scene = &d->scene, .prospect = *prospect, .step = d->step};
+    fenv_t caller;
+
+    DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_plan comes after dem_ready");
+    dem_text_free(&d->plan);
+    feholdexcept(&caller);
+    const int status = dem_plan_write(&d->plan, &plan);
+
+    fesetenv(&caller);
+    *text = d->plan.text;
+    return status;
 }
 
 /* ---- running ------------------------------------------------------------------------------------------------- */

@@ -67,6 +67,19 @@ int dem_add_particles(struct dem *, int64_t n, const struct dem_seed *);   /* ev
 /* Collective. Check everything, freeze the recipe, insert, load the start snapshot, hand particles to ranks. */
 int dem_ready(struct dem *);
 
+struct dem_prospect                                       /* what the caller knows of the run ahead; 0 where nothing */
+{
+    double duration;                                      /* s  from now */
+    double window;                                        /* s  the fluid's step, when one is coupled */
+    const char *why;                                      /* what sets the window, in a few words */
+    double cross_section;                                 /* m2 that the bed stands on; 0: look at the walls */
+};
+
+/* Collective, after dem_ready; in coupled runs after the fluid's columns were filled. What acts, walls, particles, step,
+   bed, fluid, memory and time of the run ahead, as lines of text, the same on all ranks; it stays until the next call
+   or dem_free. Takes a tenth of a second for measuring; nothing moves, and views stay valid. */
+int dem_plan(struct dem *, const struct dem_prospect *, const char **text);
+
 /* ---- running ------------------------------------------------------------------------------------------------- */
 
 /* Collective. Advance by `duration` [s] in equal steps no longer than the step limit. Position and velocity are

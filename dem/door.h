@@ -8,6 +8,7 @@
 
 #include "dem.h"
 #include "io/scene.h"
+#include "plan/text.h"
 #include "step/parts.h"
 
 struct dem_mesh_wall                                          /* a wall handed in before the scene is read */
@@ -31,6 +32,7 @@ struct dem
     int ready, with_fluid, coupled;
     int feels_gradient;                                   /* 1: pressureGradient is among the effects */
     double step;                                          /* s, the limit in force */
+    struct dem_text plan;                                 /* the last one */
 };
 
 /* Collective. Read the scene, make walls and particles, freeze the recipe, hand particles to ranks. */

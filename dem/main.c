@@ -1,5 +1,5 @@
 /*
- * main.c -- the program `dem`: run a scene, list the effects, print the fingerprint of a snapshot.
+ * main.c -- the program `dem`: run a scene, plan one, list the effects, print the fingerprint of a snapshot.
  *
  * Only here does Suna's core print. Commands are in main_*.c; each prints its own -help.
  *
@@ -20,6 +20,7 @@ static const struct command
 } commands[] =
 {
     {"run", "run a scene (alone or under mpirun)", dem_main_run},
+    {"plan", "check a scene and tell what would run and what it would take, without running it", dem_main_plan},
     {"effects", "list the effects with their settings, units, defaults, ranges and sources", dem_main_effects},
     {"hash", "print the fingerprint of a snapshot", dem_main_hash},
 };

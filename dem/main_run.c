@@ -5,28 +5,13 @@
  */
 #include "main.h"
 #include "main_lost.h"
-#include "main_output.h"
+#include "main_scene.h"
 #include "base/error.h"
-#include "base/memory.h"
-#include "io/dictionary.h"
 #include "io/snapshot.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-struct request                                            /* the command line */
-{
-    const char *scene, *restart;
-    const char *set[64][2];
-    int sets, help;
-};
-
-struct schedule                                           /* time { ... } and write { ... } */
-{
-    double end, interval;
-    struct dem_output output;
-};
 
 static const char help[] =
     "Usage: dem run [-restart SNAPSHOT] [-set PATH VALUE] ... SCENE\n"
@@ -40,60 +25,6 @@ static const char help[] =
     "-restart goes on from a snapshot, on any number of ranks, with the same bits as the run that wrote it.\n"
     "-set overrides an entry: -set effects/dry/restitution 0.8\n"
     "dem effects lists what can act.\n";
-
-static int read_arguments(struct request *r, int argc, char **argv)
-{
-    static const char *const known[] = {"-restart", "-set", "-help"};
-
-    for (int k = 0; k < argc; k++)
-    {
-        if (strcmp(argv[k], "-help") == 0)
-        {
-            r->help = 1;
-        }
-        else if (strcmp(argv[k], "-restart") == 0 && k + 1 < argc)
-        {
-            r->restart = argv[++k];
-        }
-        else if (strcmp(argv[k], "-set") == 0 && k + 2 < argc && r->sets < 64)
-        {
-            r->set[r->sets][0] = argv[++k];
-            r->set[r->sets++][1] = argv[++k];
-        }
-        else if (strcmp(argv[k], "-restart") == 0 || strcmp(argv[k], "-set") == 0)
-        {
-            return dem_error(DEM_ERROR_INPUT, "%s lacks its value%s; dem run -help tells how", argv[k], argv[k][1] == 's' ? "s" : "");
-        }
-        else if (argv[k][0] == '-')
-        {
-            return dem_unknown_word("option", argv[k], known, 3);
-        }
-        else
-        {
-            DEM_REQUIRE(!r->scene, DEM_ERROR_INPUT, "two scenes, %s and %s; run one", r->scene, argv[k]);
-            r->scene = argv[k];
-        }
-    }
-    DEM_REQUIRE(r->scene || r->help, DEM_ERROR_INPUT, "no scene; dem run -help tells how");
-    return DEM_OK;
-}
-
-static int read_schedule(struct schedule *s, const struct dem_dict *scene, const char *path)
-{
-    const struct dem_dict *time, *write;
-
-    DEM_TRY(dem_dict_sub(scene, "time", &time));
-    DEM_TRY(dem_dict_number(time, "end", "s", &s->end));
-    DEM_TRY(dem_dict_sub_if(scene, "write", &write));
-    s->interval = s->end;
-    if (write)
-    {
-        DEM_TRY(dem_dict_number_or(write, "interval", "s", s->end, &s->interval));
-    }
-    DEM_REQUIRE(s->end > 0.0, DEM_ERROR_INPUT, "time/end %g s; give a time above 0", s->end);
-    DEM_REQUIRE(s->interval > 0.0, DEM_ERROR_INPUT, "write/interval %g s; give a time above 0", s->interval);
-    return dem_output_read(&s->output, write, path);
-}
 
 struct progress
 {
@@ -120,7 +51,7 @@ static int report(struct progress *p, struct dem *d, double end)
 }
 
 /* Outputs lie at whole multiples of the interval, so that a restarted run has the same windows. */
-static int advance_to_end(struct dem_program *prog, struct dem *d, const struct schedule *s)
+static int advance_to_end(struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
 {
     struct progress p = {.started = MPI_Wtime(), .rank = prog->rank};
     struct dem_lost_log lost;
@@ -162,35 +93,12 @@ static int announce(const struct dem_program *prog, struct dem *d)
     return DEM_OK;
 }
 
-/* No fluid solver will ever come: say so before anything is written. */
-static int need_no_solver(struct dem *d)
+static int run(struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
 {
-    DEM_REQUIRE(!dem_needs_fluid(d) || dem_dict_has(dem_scene_dict(d), "fluid"), DEM_ERROR_INPUT,
-                "an effect of the scene needs a fluid, and there is none; add fluid { density; viscosity; velocity; } or run it "
-                "in OpenFOAM");
-    return DEM_OK;
-}
-
-static int run(struct dem_program *prog, struct dem *d, const struct request *r)
-{
-    struct schedule s = {.end = 0.0};
     uint64_t hash;
 
-    DEM_TRY(dem_scene_file(d, r->scene));
-    for (int k = 0; k < r->sets; k++)
-    {
-        DEM_TRY(dem_set(d, r->set[k][0], r->set[k][1]));
-    }
-    if (r->restart)
-    {
-        DEM_TRY(dem_load(d, r->restart));
-    }
-    DEM_TRY(dem_ready(d));
-    DEM_TRY(read_schedule(&s, dem_scene_dict(d), r->scene));
-    DEM_TRY(dem_scene_check(d));
-    DEM_TRY(need_no_solver(d));
     DEM_TRY(announce(prog, d));
-    DEM_TRY(advance_to_end(prog, d, &s));
+    DEM_TRY(advance_to_end(prog, d, s));
     DEM_TRY(dem_hash(d, &hash));
     if (prog->rank == 0)
     {
@@ -201,23 +109,9 @@ static int run(struct dem_program *prog, struct dem *d, const struct request *r)
 
 int dem_main_run(struct dem_program *prog, int argc, char **argv)
 {
-    struct request r = {.scene = NULL};
-    struct dem *d;
-    int status;
+    const struct dem_command command = {.name = "run", .help = help, .serve = run};
 
-    DEM_TRY(read_arguments(&r, argc, argv));
-    if (r.help)
-    {
-        if (prog->rank == 0)
-        {
-            fputs(help, stdout);
-        }
-        return DEM_OK;
-    }
-    DEM_TRY(dem_create(&d, prog->comm));
-    status = run(prog, d, &r);
-    dem_free(d);
-    return status;
+    return dem_scene_serve(prog, &command, argc, argv);
 }
 
 int dem_main_hash(struct dem_program *prog, int argc, char **argv)

@@ -66,6 +66,10 @@ static int take_walls(struct dem *d)
 /* What the program handed in joins what the scene inserts. */
 static int take_crowd(struct dem *d)
 {
+    if (d->crowd.n > 0)
+    {
+        DEM_TRY(dem_crowd_begin(&d->scene.crowd, "dem_add_particles"));
+    }
     for (size_t k = 0; k < d->crowd.n; k++)
     {
         struct dem_particle p = d->crowd.particle[k], whole;
@@ -141,6 +145,7 @@ static int spread_crowd(struct dem *d)
     struct dem_particles *const p = &d->parts.particles;
 
     DEM_TRY(refuse_twins(c));
+    DEM_TRY(dem_particles_grow(p, c->n/(size_t)d->parts.pieces.ranks + 1));
     for (size_t k = 0; k < c->n; k++)
     {
         DEM_REQUIRE(dem_domain_holds(&d->parts.domain, c->particle[k].x), DEM_ERROR_INPUT,
@@ -264,7 +269,10 @@ static int start_particles(struct dem *d)
         return DEM_OK;
     }
     DEM_TRY(take_crowd(d));
-    return spread_crowd(d);
+    DEM_TRY(spread_crowd(d));
+    dem_crowd_disperse(&d->scene.crowd);
+    dem_crowd_disperse(&d->crowd);
+    return DEM_OK;
 }
 
 static int refuse_overlap(struct dem_parts *p)

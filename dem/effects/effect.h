@@ -88,6 +88,10 @@ struct dem_effect
     /* BOND and FILM: called before the first stage, may take overlap and touch from the laws of contact. May be NULL. */
     void (*shield)(const void *settings, struct dem_block *restrict, dem_real *const *memory);
 
+    /* How long an elastic impact of the smallest bodies lasts [s], at the speed that bounds the step; for the plan's
+       table of contacts. NORMAL only, may be NULL. */
+    double (*contact_time)(const void *settings, const struct dem_pair_class *);
+
     /* Contact effects: add to the tray. memory[k] is the k-th remembered column at the tray's rows; the house clears
        it where partners do not touch (stages before BOND). */
     void (*act)(const void *settings, struct dem_block *restrict, dem_real *const *memory);

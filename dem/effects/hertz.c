@@ -62,14 +62,20 @@ static double rayleigh_time(const struct dem_material *particle, double radius)
     return 3.14159265358979324*radius*sqrt(particle->density/shear)/(0.1631*nu + 0.8766);
 }
 
+static double contact_time(const void *of, const struct dem_pair_class *pair)
+{
+    const double over = pair->least_mass/pair->reduced_modulus;
+
+    return 2.8682657*dem_pow(over*over/(pair->least_radius*((const struct hertz *)of)->impact_speed), 0.2);
+}
+
 /* the text stays until this thread asks again */
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
 {
     static _Thread_local char text[160];
 
     const double speed = ((const struct hertz *)of)->impact_speed;
-    const double modulus = pair->reduced_modulus, mass = pair->least_mass;
-    const double contact = 2.8682657*dem_pow(mass/modulus*(mass/modulus)/(pair->least_radius*speed), 0.2);
+    const double contact = contact_time(of, pair);
 
     const double radius = pair->with_wall ? pair->least_radius : 2.0*pair->least_radius;
     const double wave_a = rayleigh_time(pair->a, radius);
@@ -112,5 +118,6 @@ const struct dem_effect dem_hertz = {
     .settings = settings,
     .prepare = prepare,
     .time_limit = time_limit,
+    .contact_time = contact_time,
     .act = act,
 };

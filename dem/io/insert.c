@@ -16,6 +16,7 @@
 #include "base/random.h"
 #include "base/unknown.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum
@@ -36,7 +37,37 @@ struct group
 void dem_crowd_free(struct dem_crowd *c)
 {
     dem_memory_free(c->particle);
+    dem_memory_free(c->group);
     memset(c, 0, sizeof *c);
+}
+
+void dem_crowd_disperse(struct dem_crowd *c)
+{
+    dem_memory_free(c->particle);
+    c->particle = NULL;
+    c->n = c->room = 0;
+}
+
+int dem_crowd_begin(struct dem_crowd *c, const char *group)
+{
+    DEM_TRY(DEM_GROW(c->group, c->group_room, c->groups + 1));
+    c->group[c->groups] = (struct dem_group){.least = INFINITY};
+    snprintf(c->group[c->groups++].name, sizeof c->group->name, "%s", group);
+    return DEM_OK;
+}
+
+static void count_in(struct dem_crowd *c, const struct dem_particle *p)
+{
+    struct dem_group *const g = &c->group[c->groups - 1];
+    const double diameter = 2.0*p->radius;
+
+    g->material = g->n == 0 || g->material == p->material ? p->material : -1;
+    g->n++;
+    g->least = fmin(g->least, diameter);
+    g->most = fmax(g->most, diameter);
+    g->sum += diameter;
+    g->volume += dem_particle_volume(p);
+    g->mass += p->mass;
 }
 
 int dem_crowd_add(struct dem_crowd *c, struct dem_particle p, const char *where)
@@ -55,6 +86,10 @@ int dem_crowd_add(struct dem_crowd *c, struct dem_particle p, const char *where)
     p.id = p.id < 0 ? c->next_id : p.id;
     c->next_id = p.id >= c->next_id ? p.id + 1 : c->next_id;
     c->particle[c->n++] = p;
+    if (c->groups > 0)
+    {
+        count_in(c, &p);
+    }
     return DEM_OK;
 }
 
@@ -312,6 +347,7 @@ int dem_insert_read(struct dem_crowd *c, const struct dem_dict *insert, const st
 
         DEM_REQUIRE(dem_entry_is_dict(e), DEM_ERROR_INPUT, "%s: insert holds groups like %s { type lattice; ... }",
                     dem_entry_where(e), dem_entry_name(e));
+        DEM_TRY(dem_crowd_begin(c, dem_entry_name(e)));
         DEM_TRY(read_group(c, dem_entry_dict(e), r));
     }
     return DEM_OK;

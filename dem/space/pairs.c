@@ -40,6 +40,13 @@ void dem_pairs_free(struct dem_pairs *s)
     memset(s, 0, sizeof *s);
 }
 
+size_t dem_pairs_bytes(const struct dem_pairs *s)
+{
+    return s->wall_region_room*sizeof *s->wall_region + s->at_room*(sizeof *s->at_outer + sizeof *s->at_inner)
+         + s->entry_room*sizeof *s->entry + s->cell_room*sizeof *s->cell_start + s->near_room*sizeof *s->near
+         + s->search.near_room*sizeof *s->search.near + s->search.candidate_room*sizeof *s->search.candidate;
+}
+
 /* ---- the grid ------------------------------------------------------------------------------------------------ */
 
 static void size_grid(struct dem_pairs *s, const double min[3], const double max[3], size_t count)

@@ -49,6 +49,9 @@ struct dem_grid_entry                                     /* what a distance tes
 void dem_pairs_init(struct dem_pairs *, const struct dem_domain *, const double skin[2], double reach, double most_radius);
 void dem_pairs_free(struct dem_pairs *);
 
+/* Bytes held. */
+size_t dem_pairs_bytes(const struct dem_pairs *);
+
 /* Sort owned particles by (cell, id): the one global order. Drops ghosts. */
 int dem_pairs_order(struct dem_pairs *, struct dem_particles *);
 

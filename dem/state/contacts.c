@@ -46,6 +46,36 @@ void dem_contacts_free(struct dem_contacts *c)
     memset(c, 0, sizeof *c);
 }
 
+/* a pair between two owned particles is an entry of both */
+size_t dem_contacts_each_pair(const struct dem_contacts *c)
+{
+    return sizeof *c->pair + 2*(sizeof *c->entry + sizeof *c->near_entry);
+}
+
+static size_t each_kept(const struct dem_contacts *c)
+{
+    return c->memories > 0 ? sizeof *c->carry + (size_t)c->memories*sizeof *c->kept : 0;
+}
+
+static size_t each_row(const struct dem_contacts *c)
+{
+    return sizeof *c->row_pair + sizeof *c->push + (size_t)(c->memories + 1 + 3*c->moments)*sizeof *c->memory_scratch
+         + (c->booked ? sizeof *c->books : 0);
+}
+
+/* what a row remembers is carried through a rebuild in arrays of its own */
+size_t dem_contacts_each_row(const struct dem_contacts *c)
+{
+    return each_row(c) + each_kept(c);
+}
+
+size_t dem_contacts_bytes(const struct dem_contacts *c)
+{
+    return c->pair_room*sizeof *c->pair + c->entry_room*(sizeof *c->entry + sizeof *c->near_entry)
+         + c->start_room*(sizeof *c->start + sizeof *c->near_start) + c->row_room*each_row(c)
+         + c->carried_room*sizeof *c->carry + c->kept_room*sizeof *c->kept;
+}
+
 /* ---- who sums what ------------------------------------------------------------------------------------------- */
 
 /* The order of a particle's sum: partner id, then image; walls after all particles, by region (they come in order). */

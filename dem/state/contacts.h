@@ -87,6 +87,11 @@ struct dem_contacts
 int dem_contacts_init(struct dem_contacts *, const struct dem_recipe *);
 void dem_contacts_free(struct dem_contacts *);
 
+/* Bytes held, and bytes that one outer pair and one near row take. */
+size_t dem_contacts_bytes(const struct dem_contacts *);
+size_t dem_contacts_each_pair(const struct dem_contacts *);
+size_t dem_contacts_each_row(const struct dem_contacts *);
+
 /* New list of pairs (already in place, sorted by class): lay out who sums what. `partner` orders sums, see pairs.c. */
 int dem_contacts_adjoin(struct dem_contacts *, const struct dem_particles *);
 

@@ -112,6 +112,22 @@ void dem_particles_reorder(struct dem_particles *p, const uint32_t *order, size_
     p->ghosts = 0;
 }
 
+size_t dem_particles_each(const struct dem_particles *p)
+{
+    size_t each = 2*sizeof *p->record + WIDEST_COLUMN*sizeof *p->column_scratch;
+
+    for (int c = 0; c < DEM_COLUMNS; c++)
+    {
+        each += used(p, c) ? (size_t)p->column[c].width*sizeof *p->column[c].data : 0;
+    }
+    return each;
+}
+
+size_t dem_particles_bytes(const struct dem_particles *p)
+{
+    return p->room*dem_particles_each(p);
+}
+
 size_t dem_particles_packed_size(const struct dem_particles *p)
 {
     size_t size = RECORD_DOUBLES;

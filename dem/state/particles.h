@@ -94,6 +94,10 @@ int dem_particles_append(struct dem_particles *, const double *packed);
 /* A record of given diameter [m] and density [kg/m3] at rest. */
 struct dem_particle dem_particle_sphere(int64_t id, const double x[3], double diameter, double density, int material);
 
+/* Bytes held, and bytes that one particle takes. */
+size_t dem_particles_bytes(const struct dem_particles *);
+size_t dem_particles_each(const struct dem_particles *);
+
 static inline double dem_particle_volume(const struct dem_particle *p)
 {
     return 4.0/3.0*3.14159265358979323846*p->radius*p->radius*p->radius;

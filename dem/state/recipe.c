@@ -138,6 +138,11 @@ int dem_recipe_choose(struct dem_recipe *r, const char *name, const char *where)
     return DEM_OK;
 }
 
+int dem_recipe_acts(const struct dem_recipe *r, const char *effect)
+{
+    return place_of(r, effect) >= 0;
+}
+
 static const double *number_of(const struct dem_recipe *r, const char *effect, const char *entry)
 {
     const int place = place_of(r, effect);
@@ -293,7 +298,7 @@ static int add_link(struct dem_recipe *r, struct dem_chain *chain, int place, in
 /* The step and the distance that one link asks for. */
 static void bound(struct dem_recipe *r, const struct dem_chain *chain, const struct dem_link *link)
 {
-    const char *why = link->effect->name;
+    const char *why = link->effect->name, *const place = chain->pair.with_wall ? ", at a wall" : "";
     const double reach = link->effect->reach ? link->effect->reach(link->settings, &chain->pair) : 0.0;
     const double limit = link->effect->time_limit ? link->effect->time_limit(link->settings, &chain->pair, &why)
                                                   : DBL_MAX;
@@ -301,8 +306,15 @@ static void bound(struct dem_recipe *r, const struct dem_chain *chain, const str
     r->reach = reach > r->reach ? reach : r->reach;
     if (limit < r->step_limit)
     {
+        r->next_limit = r->step_limit;
+        memcpy(r->next_why, r->why, sizeof r->why);
         r->step_limit = limit;
-        snprintf(r->why, sizeof r->why, "%s", why);
+        snprintf(r->why, sizeof r->why, "%s%s", why, place);
+    }
+    else if (limit < r->next_limit)
+    {
+        r->next_limit = limit;
+        snprintf(r->next_why, sizeof r->next_why, "%s%s", why, place);
     }
 }
 
@@ -362,7 +374,7 @@ int dem_recipe_freeze(struct dem_recipe *r, const int wall_materials[DEM_MATERIA
     DEM_TRY(name_memories(r, first_memory));
     DEM_TRY(DEM_NEW(r->chain, 2*r->materials*r->materials + 1));
     memset(r->class_of, -1, sizeof r->class_of);
-    r->step_limit = DBL_MAX;
+    r->step_limit = r->next_limit = DBL_MAX;
     snprintf(r->why, sizeof r->why, "no effect bounds it");
     for (int a = 0; a < r->materials; a++)
     {
@@ -385,4 +397,24 @@ int dem_recipe_freeze(struct dem_recipe *r, const int wall_materials[DEM_MATERIA
         }
     }
     return build_chain(r, &r->bodies, -1, -1, first_memory);
+}
+
+int dem_recipe_lend(const struct dem_recipe *r, struct dem_recipe *to)
+{
+    *to = *r;
+    to->chain = NULL;
+    DEM_TRY(DEM_NEW(to->chain, r->classes + 1));
+    memcpy(to->chain, r->chain, (size_t)r->classes*sizeof *to->chain);
+    for (int c = 0; c < r->classes; c++)
+    {
+        to->chain[c].pair.a = to->material + (r->chain[c].pair.a - r->material);
+        to->chain[c].pair.b = to->material + (r->chain[c].pair.b - r->material);
+    }
+    return DEM_OK;
+}
+
+void dem_recipe_give_back(struct dem_recipe *r)
+{
+    dem_memory_free(r->chain);
+    memset(r, 0, sizeof *r);
 }

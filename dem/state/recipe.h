@@ -63,6 +63,8 @@ struct dem_recipe
     double reach;                                         /* m past touching, the largest of all */
     double step_limit;                                    /* s */
     char why[160];                                        /* what bounds it */
+    double next_limit;                                    /* s: what would bound it if that were not there */
+    char next_why[160];
 };
 
 void dem_recipe_init(struct dem_recipe *);
@@ -83,8 +85,15 @@ int dem_recipe_set_word(struct dem_recipe *, const int pair[2], const char *effe
 double dem_recipe_number(const struct dem_recipe *, const char *effect, const char *entry);
 void dem_recipe_vector(const struct dem_recipe *, const char *effect, const char *entry, double value[3]);
 
+/* 1 when that effect was chosen. */
+int dem_recipe_acts(const struct dem_recipe *, const char *effect);
+
 /* Build and prepare all chains. Reads least_radius and most_radius; wall_materials[m] is 1 when a wall is made of material m. */
 int dem_recipe_freeze(struct dem_recipe *, const int wall_materials[DEM_MATERIALS]);
+
+/* A second hand on a frozen recipe, for a state of its own: settings are shared, so it must go before the first does. */
+int dem_recipe_lend(const struct dem_recipe *, struct dem_recipe *to);
+void dem_recipe_give_back(struct dem_recipe *);
 
 /* Columns an effect remembers. */
 int dem_effect_memories(const struct dem_effect *);

@@ -4,13 +4,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/measure.h"
-#include "base/sum.h"
 #include "base/vec.h"
 #include "io/fingerprint.h"
 #include <math.h>
 #include <string.h>
 
-static void reduce(const struct dem_parts *p, struct dem_sum *sum, int count, double *value)
+void dem_measure_sums(const struct dem_parts *p, struct dem_sum *sum, int count, double *value)
 {
     for (int k = 0; k < count; k++)
     {
@@ -20,6 +19,14 @@ static void reduce(const struct dem_parts *p, struct dem_sum *sum, int count, do
             MPI_Allreduce(MPI_IN_PLACE, sum[k].part, DEM_SUM_PARTS, MPI_INT64_T, MPI_SUM, p->pieces.comm);
         }
         value[k] = dem_sum_value(&sum[k]);
+    }
+}
+
+void dem_measure_most(const struct dem_parts *p, double *value, int count)
+{
+    if (p->pieces.ranks > 1)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, value, count, MPI_DOUBLE, MPI_MAX, p->pieces.comm);
     }
 }
 
@@ -72,7 +79,7 @@ static void tally_books(const struct dem_parts *p, struct dem_tally *t)
         dem_sum_add(&sum[2], dem_column(&p->particles, DEM_COLUMN_LOST)[i]);
         dem_sum_add(&sum[3], dem_column(&p->particles, DEM_COLUMN_BROKEN)[i]);
     }
-    reduce(p, sum, 4, value);
+    dem_measure_sums(p, sum, 4, value);
     t->stored = value[0];
     t->bonds = (int64_t)value[1];
     t->lost = value[2];
@@ -93,7 +100,7 @@ void dem_measure_tally(struct dem_parts *p, struct dem_tally *t)
     {
         add_particle(sum, &p->particles.record[i]);
     }
-    reduce(p, sum, 5, value);
+    dem_measure_sums(p, sum, 5, value);
     if (p->pieces.ranks > 1)
     {
         MPI_Allreduce(MPI_IN_PLACE, count, 2, MPI_INT64_T, MPI_SUM, p->pieces.comm);
@@ -136,7 +143,7 @@ void dem_measure_wall(const struct dem_parts *p, int wall, double force[3], doub
             }
         }
     }
-    reduce(p, sum, 6, value);
+    dem_measure_sums(p, sum, 6, value);
     memcpy(force, value, 3*sizeof *force);
     memcpy(torque, value + 3, 3*sizeof *torque);
 }

@@ -7,7 +7,14 @@
 #define DEM_STEP_MEASURE_H
 
 #include "dem.h"
+#include "base/sum.h"
 #include "step/parts.h"
+
+/* Collective. The values of exact sums over all ranks. */
+void dem_measure_sums(const struct dem_parts *, struct dem_sum *sum, int count, double *value);
+
+/* Collective. The largest of each number over all ranks. */
+void dem_measure_most(const struct dem_parts *, double *value, int count);
 
 /* Collective. Particles, energy, momentum, touching contacts. Resets the watch's largest overlap. */
 void dem_measure_tally(struct dem_parts *, struct dem_tally *);

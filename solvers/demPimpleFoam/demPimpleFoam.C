@@ -63,6 +63,12 @@ int main(int argc, char *argv[])
         "Transient incompressible flow through moving particles (CFD-DEM)"
     );
 
+    argList::addBoolOption
+    (
+        "plan",
+        "Tell what would run and what it would take, then stop"
+    );
+
     #include "setRootCaseLists.H"
     #include "createTime.H"
     #include "createMesh.H"
@@ -74,11 +80,23 @@ int main(int argc, char *argv[])
 
     Info<< "\nStarting time loop\n" << endl;
 
+    bool planned = false;
+
     while (runTime.run())
     {
         #include "readTimeControls.H"
         #include "CourantNo.H"
         #include "setParticleDeltaT.H"
+
+        if (!planned)
+        {
+            cloud.plan(U, gradP, rho, mu(), binds);
+            planned = true;
+        }
+        if (args.found("plan"))
+        {
+            break;
+        }
 
         ++runTime;
 

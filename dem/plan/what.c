@@ -1,0 +1,250 @@
+/*
+ * what.c -- effects, materials, contacts, walls, particles.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "plan/plan.h"
+#include "base/error.h"
+#include <math.h>
+#include <string.h>
+
+/* ---- effects ------------------------------------------------------------------------------------------------- */
+
+static const double *numbers_of(const struct dem_field *f, const void *settings)
+{
+    return (const double *)(const void *)((const char *)settings + f->offset);
+}
+
+static int word_of(const struct dem_field *f, const void *settings)
+{
+    return *(const int *)(const void *)((const char *)settings + f->offset);
+}
+
+static int as_default(const struct dem_field *f, const void *settings)
+{
+    int same = 1;
+
+    if (isnan(f->def))
+    {
+        return 0;
+    }
+    if (f->kind == DEM_FIELD_CHOICE || f->kind == DEM_FIELD_SWITCH)
+    {
+        return word_of(f, settings) == (int)f->def;
+    }
+    for (int k = 0; k < (f->kind == DEM_FIELD_VECTOR ? 3 : 1); k++)
+    {
+        same &= numbers_of(f, settings)[k] == f->def;
+    }
+    return same;
+}
+
+static void tell_value(struct dem_text *t, const struct dem_field *f, const void *settings)
+{
+    const double *const v = numbers_of(f, settings);
+    const char *const unit = strcmp(f->unit, "1") == 0 ? "" : f->unit, *const gap = unit[0] ? " " : "";
+
+    switch (f->kind)
+    {
+    case DEM_FIELD_NUMBER:
+        if (isnan(v[0]))
+        {
+            dem_text_add(t, "%s as in pairs", f->name);
+            break;
+        }
+        dem_text_add(t, "%s %g%s%s", f->name, v[0], gap, unit);
+        break;
+    case DEM_FIELD_VECTOR:
+        dem_text_add(t, "%s (%g %g %g)%s%s", f->name, v[0], v[1], v[2], gap, unit);
+        break;
+    case DEM_FIELD_CHOICE:
+        dem_text_add(t, "%s %s", f->name, f->choices[word_of(f, settings)]);
+        break;
+    default:
+        dem_text_add(t, "%s %s", f->name, word_of(f, settings) ? "yes" : "no");
+    }
+}
+
+void dem_plan_effects(struct dem_text *t, const struct dem_plan *p)
+{
+    const struct dem_recipe *const r = &p->parts->recipe;
+
+    dem_text_add(t, "Effects\n");
+    for (int k = 0; k < r->chosen; k++)
+    {
+        dem_text_add(t, "    %-18s %s\n", r->effect[k]->name, r->effect[k]->says);
+        for (const struct dem_field *f = r->effect[k]->settings; f && f->name; f++)
+        {
+            dem_text_add(t, "%-23s", "");
+            tell_value(t, f, r->settings[k]);
+            dem_text_add(t, "%s\n", as_default(f, r->settings[k]) ? ", default" : "");
+        }
+    }
+    if (r->chosen == 0)
+    {
+        dem_text_add(t, "    none\n");
+    }
+}
+
+/* ---- materials and contacts ---------------------------------------------------------------------------------- */
+
+/* What differs from pair to pair: the numbers that every scene must give, like restitution and friction. */
+static void tell_link(struct dem_text *t, const struct dem_link *link)
+{
+    for (const struct dem_field *f = link->effect->settings; f && f->name; f++)
+    {
+        if (f->kind == DEM_FIELD_NUMBER && isnan(f->def))
+        {
+            dem_text_add(t, ", ");
+            tell_value(t, f, link->settings);
+        }
+    }
+}
+
+static void tell_contact(struct dem_text *t, const struct dem_chain *chain)
+{
+    const struct dem_pair_class *const pair = &chain->pair;
+
+    dem_text_add(t, "    %s and %s%s: ", pair->a->name, pair->with_wall ? "walls of " : "", pair->b->name);
+    if (chain->links == 0)
+    {
+        dem_text_add(t, "nothing acts between them\n");
+        return;
+    }
+    dem_text_add(t, "reduced modulus %.4g Pa", pair->reduced_modulus);
+    for (int k = 0; k < chain->links; k++)
+    {
+        const struct dem_link *const link = &chain->link[k];
+
+        if (link->effect->contact_time)
+        {
+            dem_text_add(t, ", contact time %.4g s", link->effect->contact_time(link->settings, pair));
+        }
+        tell_link(t, link);
+    }
+    dem_text_add(t, "\n");
+}
+
+void dem_plan_contacts(struct dem_text *t, const struct dem_plan *p)
+{
+    const struct dem_recipe *const r = &p->parts->recipe;
+
+    dem_text_add(t, "Materials\n");
+    for (int k = 0; k < r->materials; k++)
+    {
+        const struct dem_material *const m = &r->material[k];
+
+        dem_text_add(t, "    %-18s density %g kg/m3, youngsModulus %g Pa, poissonsRatio %g\n", m->name, m->density,
+                     m->youngs_modulus, m->poissons_ratio);
+    }
+    dem_text_add(t, "Contacts%s\n", r->classes > 0 ? " (times: the smallest partners at impactSpeed)" : "");
+    for (int c = 0; c < r->classes; c++)
+    {
+        tell_contact(t, &r->chain[c]);
+    }
+    if (r->classes == 0)
+    {
+        dem_text_add(t, "    none: no particles\n");
+    }
+}
+
+/* ---- walls --------------------------------------------------------------------------------------------------- */
+
+void dem_plan_walls(struct dem_text *t, const struct dem_plan *p)
+{
+    const struct dem_walls *const w = &p->parts->walls;
+
+    dem_text_add(t, "Walls\n");
+    for (int k = 0; k < w->walls; k++)
+    {
+        const char *const material = p->parts->recipe.material[w->wall[k].material].name;
+        size_t triangles = 0;
+        int regions = 0;
+
+        for (size_t i = 0; i < w->triangles; i++)
+        {
+            triangles += w->triangle[i].wall == k;
+        }
+        for (int i = 0; i < w->regions; i++)
+        {
+            regions += w->region[i].wall == k;
+        }
+        if (w->wall[k].plane)
+        {
+            dem_text_add(t, "    %-18s plane, %s\n", w->wall[k].name, material);
+        }
+        else
+        {
+            dem_text_add(t, "    %-18s %zu triangles in %d flat piece%s, %s\n", w->wall[k].name, triangles, regions,
+                         regions == 1 ? "" : "s", material);
+        }
+    }
+    if (w->walls == 0)
+    {
+        dem_text_add(t, "    none\n");
+    }
+}
+
+/* ---- particles ----------------------------------------------------------------------------------------------- */
+
+static void tell_stock(struct dem_text *t, const char *name, int64_t n, const char *of, const double d[3], double mass, double volume)
+{
+    dem_text_add(t, "    %-18s %lld%s%s, diameter ", name, (long long)n, of[0] ? " of " : "", of);
+    if (d[0] == d[2])
+    {
+        dem_text_add(t, "%g m", d[0]);
+    }
+    else
+    {
+        dem_text_add(t, "%g to %g m, mean %.4g m", d[0], d[2], d[1]);
+    }
+    dem_text_add(t, ", %.4g kg, %.4g m3\n", mass, volume);
+}
+
+static void tell_groups(struct dem_text *t, const struct dem_plan *p)
+{
+    const struct dem_crowd *const c = &p->scene->crowd;
+    const struct dem_recipe *const r = &p->parts->recipe;
+
+    for (size_t k = 0; k < c->groups; k++)
+    {
+        const struct dem_group *const g = &c->group[k];
+        const double d[3] = {g->least, g->sum/(double)(g->n > 0 ? g->n : 1), g->most};
+
+        if (g->n > 0)
+        {
+            tell_stock(t, g->name, g->n, g->material < 0 ? "several materials" : r->material[g->material].name, d, g->mass, g->volume);
+        }
+    }
+}
+
+void dem_plan_particles(struct dem_text *t, const struct dem_plan *p)
+{
+    const struct dem_recipe *const r = &p->parts->recipe;
+    const struct dem_survey *const s = &p->survey;
+
+    dem_text_add(t, "Particles\n");
+    if (s->all.n == 0)
+    {
+        dem_text_add(t, "    none\n");
+        return;
+    }
+    tell_groups(t, p);
+    for (int m = 0; m < r->materials && p->scene->crowd.groups == 0; m++)
+    {
+        const struct dem_stock *const k = &s->material[m];
+        const double d[3] = {k->least, k->diameters/(double)(k->n > 0 ? k->n : 1), k->most};
+
+        if (k->n > 0)
+        {
+            tell_stock(t, "from the snapshot", k->n, r->material[m].name, d, k->mass, k->volume);
+        }
+    }
+    const double d[3] = {s->all.least, s->all.diameters/(double)s->all.n, s->all.most};
+
+    tell_stock(t, "together", s->all.n, "", d, s->all.mass, s->all.volume);
+    if (s->all.frozen > 0)
+    {
+        dem_text_add(t, "    %-18s %lld of them\n", "frozen", (long long)s->all.frozen);
+    }
+}

@@ -1,0 +1,208 @@
+/*
+ * Claims: the plan of a scene tells the numbers that one finds by hand: contact time, step, weight, pressure drop, number
+ * and velocities of fluidisation, response time, steps; a fluid that comes through the columns gives the same as one in
+ * the scene; bytes are what the allocator has given out, before and after settling; the time a dense bed takes is what
+ * it takes. Planning moves nothing.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/world.h"
+
+#include <malloc.h>
+#include <time.h>
+
+static const double digits = 6e-4;                        /* four of them are printed: half of the last is 5e-4 */
+
+/* The number after the words, anywhere in the text; not a number when they are not there. */
+static double told(const char *text, const char *words)
+{
+    const char *const at = strstr(text, words);
+
+    return at ? strtod(at + strlen(words), NULL) : NAN;
+}
+
+static const char *plan(struct dem *d, struct dem_prospect ahead)
+{
+    const char *text;
+
+    WORLD_TRY(dem_plan(d, &ahead, &text));
+    return text;
+}
+
+static double sphere(double d)
+{
+    return world_pi/6.0*d*d*d;
+}
+
+/* ---- contacts, step, weight ------------------------------------------------------------------------------------ */
+
+static void test_cup(void)
+{
+    const double d = 1e-3, rho = 2500.0, E = 1e7, nu = 0.3, v = 0.7, m = rho*sphere(d), reduced = E/(2.0*(1.0 - nu*nu));
+    const double factor = 4.0*sqrt(world_pi)*tgamma(0.4)/(5.0*tgamma(0.9))*pow(15.0/16.0, 0.4);
+    const double pair = factor*pow(0.25*m*m/(0.25*d*reduced*reduced*v), 0.2);
+    const double wall = factor*pow(m*m/(0.5*d*reduced*reduced*v), 0.2);
+    struct dem *const w = world("materials { glass { density 2500; youngsModulus 1e7; } }"
+                                "effects { gravity { acceleration (0 0 -9.81); } hertz { impactSpeed 0.7; }"
+                                "          dry { restitution 0.85; } mindlin { friction 0.25; } }"
+                                "walls { cup { type box; min (0 0 0); max (0.01 0.02 0.05); } }"
+                                "insert { grains { type lattice; count 1000; diameter 1e-3; min (0 0 0); max (0.01 0.02 0.05); } }",
+                                0, NULL);
+    uint64_t before, after;
+
+    WORLD_TRY(dem_hash(w, &before));
+    const char *const text = plan(w, (struct dem_prospect){.duration = 1.0});
+
+    TAP_NEAR(told(text, "glass and glass: reduced modulus "), reduced, digits*reduced, "reduced modulus");
+    TAP_NEAR(told(text, "contact time "), pair, digits*pair, "contact time of two");
+    TAP_NEAR(told(strstr(text, "walls of glass"), "contact time "), wall, digits*wall, "contact time at a wall");
+    TAP_NEAR(told(strstr(text, "Contacts"), "restitution "), 0.85, 0.0, "restitution");
+    TAP_NEAR(told(strstr(text, "Contacts"), "friction "), 0.25, 0.0, "friction");
+    TAP_NEAR(told(text, "the limit is "), pair/20.0, digits*pair/20.0, "the step's limit");
+    TAP_NEAR(told(text, "next would be "), wall/20.0, digits*wall/20.0, "what comes next");
+    TAP_OK(strstr(text, "attraction allowed, default") && !strstr(text, "restitution 0.85, default"), "what is a default is told");
+    TAP_OK(strstr(text, "cupMaxZ            plane, glass"), "walls are listed");
+    TAP_NEAR(told(text, "weight "), 1000.0*m*9.81, digits*1000.0*m*9.81, "weight");
+    TAP_NEAR(told(strstr(text, "weight "), ", "), 1000.0*m*9.81/2e-4, digits*1000.0*m*9.81/2e-4, "weight per area");
+    TAP_NEAR(told(text, "1 s ahead: "), ceil(20.0/pair), digits*20.0/pair, "steps");
+    WORLD_TRY(dem_hash(w, &after));
+    TAP_OK(before == after, "nothing has moved");
+    dem_free(w);
+}
+
+/* ---- fluidisation ---------------------------------------------------------------------------------------------- */
+
+/* Ergun: 3 pi mu d u (150 s + 1.75 e rho d u/mu)/(18 e) = e V (rho_p - rho) g, a quadratic in u; returns e u */
+static double ergun(double d, double rho_p, double rho, double mu)
+{
+    const double e = pow(14.0, -1.0/3.0), s = 1.0 - e;
+    const double a = 1.75*e*rho*d/mu, b = 150.0*s, c = e*sphere(d)*(rho_p - rho)*9.81*18.0*e/(3.0*world_pi*mu*d);
+
+    return e*(-b + sqrt(b*b + 4.0*a*c))/(2.0*a);
+}
+
+/* The bed of Goldschmidt: 24750 glass beads of 2.5 mm on 150 x 15 mm; Wen and Yu's velocity and the drop in pressure are
+   those of a table computed apart (spheres of 2526 kg/m3 in air of 1.2 kg/m3, 1.2e-5 Pa s). */
+static void test_bed_in_scene(void)
+{
+    struct dem *const w = world("materials { glass { density 2526; youngsModulus 1e7; } }"
+                                "effects { gravity { acceleration (0 -9.81 0); } hertz { } gidaspow { blend switch; } pressureGradient { } }"
+                                "fluid { density 1.2; viscosity 1.2e-5; }"
+                                "domain { min (0 0 0); max (0.15 1 0.015); periodic (x z); }"
+                                "insert { bed { type lattice; count 24750; spacing 1; jitter 0; diameter 2.5e-3;"
+                                "               min (0 0 0); max (0.15 0.5 0.015); } }", 0, NULL);
+    const char *const text = plan(w, (struct dem_prospect){.duration = 1.0});
+    const double balance = ergun(2.5e-3, 2526.0, 1.2, 1.2e-5), response = 2526.0*2.5e-3*2.5e-3/(18.0*1.2e-5);
+
+    TAP_NEAR(told(text, "minimum fluidisation at "), 1.322415, digits*1.322415, "Wen and Yu");
+    TAP_NEAR(told(text, "and at "), balance, digits*balance, "where Ergun's law carries the bed");
+    TAP_NEAR(told(text, "Archimedes number "), 3225037.5, digits*3225037.5, "Archimedes number");
+    TAP_NEAR(told(text, "response time of a particle "), response, digits*response, "response time");
+    TAP_NEAR(told(text, "together           24750, diameter 0.0025 m, "), 0.51147828, digits*0.511, "mass");
+    TAP_NEAR(told(strstr(text, "less buoyancy"), " N, "), 2228.9859, digits*2229.0, "pressure drop");
+    /* Newton's Cd = 0.44 above Re = 1000 (here 2.6e3): v^2 = 4 d g (rho_p - rho)/(3 Cd rho) */
+    TAP_NEAR(told(text, "sinks at "), sqrt(4.0*2.5e-3*9.81*2524.8/(3.0*0.44*1.2)), 0.01, "terminal velocity");
+    dem_free(w);
+}
+
+/* The bed of Mueller, with the fluid in the columns as a transfer writes it. */
+static void test_bed_by_columns(void)
+{
+    struct dem *const w = world("materials { bead { density 1000; youngsModulus 1e7; } }"
+                                "effects { gravity { acceleration (0 0 -9.81); } hertz { } wenYu { } }"
+                                "insert { bed { type lattice; count 9240; spacing 1; jitter 0; diameter 1.2e-3;"
+                                "               min (0 0 0); max (0.044 0.01 0.16); } }", 0, NULL);
+    struct dem_fluid f;
+
+    WORLD_TRY(dem_fluid(w, &f));
+    for (size_t i = 0; i < f.n; i++)
+    {
+        f.density[i] = 1.2;
+        f.viscosity[i] = 1.8e-5;
+    }
+    const char *const text = plan(w, (struct dem_prospect){.duration = 2.0, .window = 1e-4, .why = "deltaT", .cross_section = 4.4e-4});
+    const double weight = 9240*1000.0*sphere(1.2e-3)*9.81/4.4e-4, response = 1000.0*1.44e-6/(18.0*1.8e-5);
+    const double limit = dem_step_limit(w).used;
+
+    TAP_NEAR(told(text, "minimum fluidisation at "), 0.33849948, digits*0.338, "Wen and Yu");
+    TAP_NEAR(told(strstr(text, "weight "), ", "), weight, digits*weight, "weight over the section that was given");
+    TAP_NEAR(told(strstr(text, "less buoyancy"), " N, "), 186.16978, digits*186.2, "pressure drop");
+    TAP_OK(strstr(text, "set by deltaT: "), "what sets the fluid's step is told");
+    TAP_NEAR(told(text, "set by deltaT: "), ceil(1e-4/limit), 0.0, "DEM steps of a fluid step");
+    TAP_NEAR(told(text, "over response time "), 1e-4/response, 6e-3*1e-4/response, "fluid step over response time, three digits");
+    TAP_NEAR(told(text, "2 s ahead: "), 2e4*ceil(1e-4/limit), 2e4*ceil(1e-4/limit)*digits, "steps of the run");
+    TAP_OK(strstr(text, "without pressureGradient"), "what carries the weight is told");
+    dem_free(w);
+}
+
+/* ---- what it takes --------------------------------------------------------------------------------------------- */
+
+static double held(void)
+{
+    const struct mallinfo2 m = mallinfo2();
+
+    return (double)m.uordblks + (double)m.hblkhd;
+}
+
+static double bytes_told(const char *text, const char *words)
+{
+    const char *const at = strstr(text, words);
+    char unit[8] = "", *end;
+
+    if (!at)
+    {
+        return NAN;
+    }
+    const double number = strtod(at + strlen(words), &end);
+
+    sscanf(end, "%7s", unit);
+    return number*(unit[0] == 'k' ? 1e3 : unit[0] == 'M' ? 1e6 : 1.0);
+}
+
+static void test_cost(void)
+{
+    const double before = held();
+    struct dem *const w = world("materials { glass { density 2500; youngsModulus 1e6; } }"
+                                "effects { gravity { acceleration (0 0 -9.81); } hertz { } dry { restitution 0.3; } mindlin { friction 0.3; } }"
+                                "walls { cup { type box; min (0 0 0); max (0.01 0.03 0.05); } }"
+                                "insert { grains { type lattice; count 3000; diameter 1e-3; min (0 0 0); max (0.01 0.03 0.05); } }", 0, NULL);
+    const double at_start = held() - before;
+    const char *text = plan(w, (struct dem_prospect){.duration = 1.0});
+    const double start_told = bytes_told(text, "now "), bed_told = bytes_told(text, "dense bed ");
+    struct dem_tally a, b;
+
+    world_run(w, 0.08);
+    WORLD_TRY(dem_tally(w, &a));
+    const clock_t begin = clock();
+
+    world_run(w, 0.01);
+    const double spent = (double)(clock() - begin)/CLOCKS_PER_SEC;
+
+    WORLD_TRY(dem_tally(w, &b));
+    const double each = 1e6*spent/(3000.0*(double)(b.steps - a.steps)), settled = held() - before;
+
+    text = plan(w, (struct dem_prospect){.duration = 1.0});
+    const double pace = told(text, "Time\n    "), settled_told = bytes_told(text, "now ");
+
+    /* 7 to 9 rows touch at rest: fast enough to differ from a gas, 2 is what the plan promises */
+    TAP_OK(pace > 0.5*each && pace < 2.0*each, "time of a particle and step within a factor of 2: told %g us, was %g us", pace, each);
+    if (at_start > 0.0)
+    {
+        /* the walls, the scene's text and what a rebuild leaves are not counted: a few per cent of 2 MB */
+        TAP_NEAR(start_told, at_start, 0.1*at_start, "bytes at the start");
+        TAP_NEAR(settled_told, settled, 0.1*settled, "bytes of the settled bed");
+        /* lists grow by half, so their room is a guess; these counts always come out the same */
+        TAP_NEAR(bed_told, settled, 0.1*settled, "bytes of the settled bed, told at the start");
+    }
+    dem_free(w);
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    test_cup();
+    test_bed_in_scene();
+    test_bed_by_columns();
+    test_cost();
+    TAP_DONE;
+}
