@@ -131,9 +131,54 @@ void Foam::demCloud::checkPatches() const
 }
 
 
+// Iterations of a steady solver are no time; steps of others are
+void Foam::demCloud::checkInterval() const
+{
+    const dictionary& own = dict_.coupling();
+    const bool steady = demFluid::steady(mesh_);
+
+    if (steady && makesRoom_)
+    {
+        FatalErrorInFunction
+            << "ddtSchemes in system/fvSchemes knows no time, but this solver"
+            << " follows moving particles in time; take Euler"
+            << exit(FatalError);
+    }
+
+    if (steady && !own.found("interval"))
+    {
+        FatalIOErrorInFunction(own)
+            << "This solver is steady (ddtSchemes): its iterations take no"
+            << " time, but particles move in time. Add interval <s> to coupling"
+            << " in constant/" << demDict::name() << ", how long particles move"
+            << " in each iteration, or take a transient solver"
+            << exit(FatalIOError);
+    }
+
+    for (const char* name : {"interval", "relaxation"})
+    {
+        if (!steady && own.found(name))
+        {
+            FatalIOErrorInFunction(own)
+                << name << " is for steady solvers; here particles move by the"
+                << " solver's time step. Take it out of coupling in constant/"
+                << demDict::name() << exit(FatalIOError);
+        }
+    }
+
+    if (steady && interval_ <= 0)
+    {
+        FatalIOErrorInFunction(own)
+            << "interval is " << interval_ << " s; it must be positive"
+            << exit(FatalIOError);
+    }
+}
+
+
 void Foam::demCloud::build()
 {
     checkPatches();
+    checkInterval();
 
     demCheck(dem_create(&dem_, communicator()));
     demCheck
@@ -216,6 +261,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
         dimensionedScalar("clear", dimless, 1)
     ),
     diameter_(dict_.coupling().getOrDefault<scalar>("diameter", 0)),
+    interval_(dict_.coupling().getOrDefault<scalar>("interval", 0)),
     before_(),
     window_(0),
     record_(mesh.time(), dict_.coupling())

@@ -216,7 +216,7 @@ void Foam::demCloud::evolve
 )
 {
     ledger_.charge(demLedger::FLUID);
-    window_ = mesh_.time().deltaTValue();
+    window_ = interval_ > 0 ? interval_ : mesh_.time().deltaTValue();
 
     tellParticles(U, gradP, rho, mu);
     gradP_ = gradP;

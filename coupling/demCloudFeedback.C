@@ -79,34 +79,18 @@ void Foam::demCloud::report()
 }
 
 
-// The pressure gradient has moved the fluid in this step and will move the
-// particles in the next: their share of it is owed to them, too.
 void Foam::demCloud::reportMomentum
 (
-    const volVectorField& U,
-    const volVectorField& gradP
+    const vector& fluid,
+    const vector& alsoOwed
 )
 {
     struct dem_tally now;
     demCheck(dem_tally(dem_, &now));
-
-    const vectorField& u = U;
-    const vector fluid
-    (
-        density()*gSum(mesh_.V().field()*voidFraction_.primitiveField()*u)
-    );
     refresh();
-    const vector particles(now.momentum[0], now.momentum[1], now.momentum[2]);
-    vector owed(demLedger::owed(fluid_));
 
-    if (dict_.acts("pressureGradient"))
-    {
-        const vectorField dynamic
-        (
-            transfer_.sample(gradP)() - density()*gravity()
-        );
-        owed -= window_*gSum((volumes(view_)*dynamic)());
-    }
+    const vector particles(now.momentum[0], now.momentum[1], now.momentum[2]);
+    const vector owed(demLedger::owed(fluid_) + alsoOwed);
 
     Info<< "Suna: momentum fluid " << fluid << " particles " << particles
         << " owed " << owed << " sum " << fluid + particles + owed << endl;
@@ -125,17 +109,40 @@ void Foam::demCloud::correct
     {
         ledger_.charge(demLedger::FLUID);
         settle(U, (gradP - gradP_)());
-        reportMomentum(U, gradP);
+
+        // The pressure gradient has moved the fluid in this step and will move
+        // the particles in the next: their share of it is owed to them, too
+        vector owed(Zero);
+        if (dict_.acts("pressureGradient"))
+        {
+            const vectorField dynamic
+            (
+                transfer_.sample(gradP)() - density()*gravity()
+            );
+            owed -= window_*gSum((volumes(view_)*dynamic)());
+        }
+
+        const vectorField& u = U;
+        const scalarField& e = voidFraction_;
+        reportMomentum(density()*gSum((mesh_.V().field()*e*u)()), owed);
     }
 }
 
 
-void Foam::demCloud::correct(const volVectorField& U)
+void Foam::demCloud::correct
+(
+    const volVectorField& U,
+    const volScalarField& rho
+)
 {
     if (reacts())
     {
         ledger_.charge(demLedger::FLUID);
         settle(U, (0*gradP_)());
+
+        const vectorField& u = U;
+        const scalarField& density = rho;
+        reportMomentum(gSum((mesh_.V().field()*density*u)()), vector::zero);
     }
 }
 

@@ -55,7 +55,7 @@ void Foam::demDict::checkCoupling() const
 {
     const wordList known
     ({
-        "twoWay", "rho", "nu", "walls", "diameter",
+        "twoWay", "rho", "nu", "walls", "diameter", "interval", "relaxation",
         "kernel", "width", "base", "minVoidFraction", "record"
     });
 

@@ -14,6 +14,27 @@ namespace Foam
     defineTypeNameAndDebug(demDriver, 0);
 }
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// A running mean must go on after a restart
+static IOobject meanField(const fvMesh& mesh, const word& name, const bool kept)
+{
+    return IOobject
+    (
+        name,
+        mesh.time().timeName(),
+        mesh,
+        kept ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
+        kept ? IOobject::AUTO_WRITE : IOobject::NO_WRITE
+    );
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::demDriver::tellPlan()
@@ -45,6 +66,12 @@ void Foam::demDriver::step()
     }
     moved_ = mesh_.time().timeIndex();
 
+    // OpenFOAM tells function objects nothing of a mesh while they rest
+    if (mesh_.changing() || mesh_.nCells() != cells_)
+    {
+        refuseMotion(mesh_.moving() ? "moves" : "changes");
+    }
+
     cloud_.evolve
     (
         fluid_.velocity(),
@@ -53,7 +80,29 @@ void Foam::demDriver::step()
         fluid_.viscosity()()
     );
 
-    force_ = cloud_.force() + cloud_.pressureReaction();
+    if (!steady_)
+    {
+        force_ = cloud_.force() + cloud_.pressureReaction();
+        return;
+    }
+
+    const volVectorField now(cloud_.force() + cloud_.pressureReaction());
+    given_ = total(now, cloud_.drag());
+    force_ += relaxation_*(now - force_);
+    drag_ += relaxation_*(cloud_.drag() - drag_);
+}
+
+
+Foam::vector Foam::demDriver::total
+(
+    const volVectorField& F,
+    const volScalarField& K
+) const
+{
+    const vectorField& f = F;
+    const scalarField& k = K;
+    const vectorField& u = fluid_.velocity();
+    return gSum((mesh_.V().field()*(f - k*u))());
 }
 
 
@@ -75,27 +124,46 @@ Foam::demDriver::demDriver(const fvMesh& mesh)
     mesh_(mesh),
     cloud_(mesh, false),
     fluid_(mesh, cloud_),
+    steady_(demFluid::steady(mesh)),
+    cells_(mesh.nCells()),
     moved_(-1),
-    force_("dem:wholeForce", cloud_.force())
+    from_(-VGREAT),
+    until_(VGREAT),
+    relaxation_(cloud_.dict().coupling().getOrDefault<scalar>("relaxation", 0.1)),
+    force_(meanField(mesh, "particleForce", steady_), cloud_.force()),
+    drag_(meanField(mesh, "particleDrag", steady_), cloud_.drag()),
+    given_(Zero)
 {
-    const word ddt
-    (
-        mesh.schemesDict().subOrEmptyDict("ddtSchemes")
-       .lookupOrDefault<word>("default", "none")
-    );
-
-    if (ddt == "steadyState")
+    if (relaxation_ <= 0 || relaxation_ > 1)
     {
-        FatalErrorInFunction
-            << "ddtSchemes default is steadyState, but particles move in time:"
-            << " an iteration of " << mesh.time().deltaTValue() << " s is no"
-            << " time step. Take a transient solver, pimpleFoam for example"
-            << exit(FatalError);
+        FatalIOErrorInFunction(cloud_.dict().coupling())
+            << "relaxation is " << relaxation_ << "; it must be above 0 and at"
+            << " most 1" << exit(FatalIOError);
     }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demDriver::refuseMotion(const char* what) const
+{
+    FatalErrorInFunction
+        << "The mesh " << what << ", but the particles' cells and walls are"
+        << " those of a mesh that stands still; take dynamicFvMesh"
+        << " staticFvMesh in constant/dynamicMeshDict, or leave the particles"
+        << " out" << exit(FatalError);
+}
+
+
+bool Foam::demDriver::active() const
+{
+    const Time& time = mesh_.time();
+    const scalar half = 0.5*time.deltaTValue();
+
+    // as functionObjects::timeControl
+    return time.value() >= from_ - half && time.value() <= until_ + half;
+}
+
 
 const Foam::volVectorField& Foam::demDriver::force()
 {
@@ -107,7 +175,7 @@ const Foam::volVectorField& Foam::demDriver::force()
 const Foam::volScalarField& Foam::demDriver::drag()
 {
     step();
-    return cloud_.drag();
+    return steady_ ? drag_ : cloud_.drag();
 }
 
 
@@ -125,7 +193,16 @@ void Foam::demDriver::finish()
                 << " twoWay no; in coupling of constant/" << demDict::name()
                 << exit(FatalError);
         }
-        cloud_.correct(fluid_.velocity());
+
+        if (steady_)
+        {
+            Info<< "Suna: particles give " << given_ << " N, the fluid gets "
+                << total(force_, drag_) << " N" << endl;
+        }
+        else
+        {
+            cloud_.correct(fluid_.velocity(), fluid_.density()());
+        }
     }
     else
     {

@@ -9,6 +9,11 @@
 #include "demFluid.H"
 #include "demCloud.H"
 #include "fvcGrad.H"
+#include "fvcSnGrad.H"
+#include "fvcReconstruct.H"
+#include "surfaceFields.H"
+#include "uniformDimensionedFields.H"
+#include "HashSet.H"
 #include "turbulenceModel.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -60,6 +65,26 @@ static tmp<volScalarField> uniform
 } // End namespace Foam
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+// p = p_rgh + rho gh, so grad p - rho g = grad p_rgh + gh grad rho: zero on
+// every face of a fluid at rest, by the solver's own balance. The gradient of p
+// in cells is not, where the density jumps.
+Foam::tmp<Foam::volVectorField> Foam::demFluid::dynamicGradient
+(
+    const volScalarField& p_rgh
+) const
+{
+    const volScalarField& rho = wanted<volScalarField>(mesh_, "rho");
+    const surfaceScalarField& ghf = wanted<surfaceScalarField>(mesh_, "ghf");
+
+    return fvc::reconstruct
+    (
+        (fvc::snGrad(p_rgh) + ghf*fvc::snGrad(rho))*mesh_.magSf()
+    );
+}
+
+
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demFluid::demFluid(const fvMesh& mesh, const demCloud& cloud)
@@ -71,6 +96,12 @@ Foam::demFluid::demFluid(const fvMesh& mesh, const demCloud& cloud)
     velocity();
     pressureGradient();
     viscosity();
+
+    if (!mesh.foundObject<volScalarField>("p"))
+    {
+        Info<< "Suna: the solver has no field p; particles feel the hydrostatic"
+            << " pressure only" << endl;
+    }
 }
 
 
@@ -130,30 +161,49 @@ const Foam::volVectorField& Foam::demFluid::velocity() const
 }
 
 
-bool Foam::demFluid::dimensional() const
+bool Foam::demFluid::steady(const fvMesh& mesh)
 {
-    return wanted<volScalarField>(mesh_, "p").dimensions() == dimPressure;
+    const wordHashSet timeless
+    ({
+        "steadyState", "localEuler", "SLTS", "CoEuler"
+    });
+    const dictionary schemes(mesh.schemesDict().subOrEmptyDict("ddtSchemes"));
+
+    for (const char* of : {"ddt(U)", "ddt(rho,U)", "default"})
+    {
+        if (schemes.found(of))
+        {
+            return timeless.found(word(schemes.lookup(of)));
+        }
+    }
+    return false;
 }
 
 
 Foam::tmp<Foam::volVectorField> Foam::demFluid::pressureGradient() const
 {
-    const volScalarField& p = wanted<volScalarField>(mesh_, "p");
-    const bool whole = mesh_.foundObject<volScalarField>("p_rgh");
-    const dimensionedVector g
-    (
-        "g",
-        dimAcceleration,
-        whole ? vector(Zero) : cloud_.gravity()
-    );
-
+    const dimensionedVector g("g", dimAcceleration, cloud_.gravity());
+    const volScalarField* p = mesh_.findObject<volScalarField>("p");
+    const volScalarField* p_rgh = mesh_.findObject<volScalarField>("p_rgh");
     const tmp<volScalarField> trho(density());
 
-    if (p.dimensions() == dimPressure)
+    if (p_rgh && p_rgh->dimensions() == dimPressure)
     {
-        return fvc::grad(p) + trho*g;
+        return dynamicGradient(*p_rgh) + trho*g;
     }
-    return trho*(fvc::grad(p) + g);
+    if (!p)
+    {
+        return trho*g;
+    }
+    if (p_rgh)                  // per density: the Boussinesq solvers
+    {
+        return trho*fvc::grad(*p);
+    }
+    if (p->dimensions() == dimPressure)
+    {
+        return fvc::grad(*p) + trho*g;
+    }
+    return trho*(fvc::grad(*p) + g);
 }
 
 

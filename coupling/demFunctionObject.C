@@ -9,6 +9,7 @@
 #include "demFunctionObject.H"
 #include "demMomentumSource.H"
 #include "fvOptions.H"
+#include "mapPolyMesh.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -57,13 +58,14 @@ static void checkControl(const dictionary& dict)
         dict.getOrDefault<word>("executeControl", "timeStep") == "timeStep"
      && dict.getOrDefault<scalar>("executeInterval", 1) == 1;
 
-    if (!each || dict.found("timeStart") || dict.found("timeEnd"))
+    if (!each || dict.found("triggerStart"))
     {
         FatalIOErrorInFunction(dict)
             << "functions/" << dict.dictName() << " in system/controlDict lets"
             << " the fluid go on without its particles: they move in each time"
-            << " step. Take out executeControl, executeInterval, timeStart and"
-            << " timeEnd" << exit(FatalIOError);
+            << " step. Take out executeControl, executeInterval and"
+            << " triggerStart; timeStart and timeEnd may stay"
+            << exit(FatalIOError);
     }
 }
 
@@ -138,9 +140,8 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
             << " take out " << name << exit(FatalError);
     }
 
-    checkControl(dict);
-    read(dict);
     driver_.reset(new demDriver(mesh_));
+    read(dict);
 
     if (driver_().cloud().twoWay())
     {
@@ -156,6 +157,15 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
 
 bool Foam::functionObjects::demFunctionObject::read(const dictionary& dict)
 {
+    if (driver_)
+    {
+        checkControl(dict);
+        driver_().between
+        (
+            time_.userTimeToTime(dict.getOrDefault<scalar>("timeStart", -VGREAT)),
+            time_.userTimeToTime(dict.getOrDefault<scalar>("timeEnd", VGREAT))
+        );
+    }
     return fvMeshFunctionObject::read(dict);
 }
 
@@ -178,6 +188,27 @@ bool Foam::functionObjects::demFunctionObject::write()
         driver_().cloud().write();
     }
     return true;
+}
+
+
+void Foam::functionObjects::demFunctionObject::updateMesh
+(
+    const mapPolyMesh& map
+)
+{
+    if (driver_ && &map.mesh() == &mesh_)
+    {
+        driver_().refuseMotion("changes");
+    }
+}
+
+
+void Foam::functionObjects::demFunctionObject::movePoints(const polyMesh& mesh)
+{
+    if (driver_ && &mesh == &mesh_)
+    {
+        driver_().refuseMotion("moves");
+    }
 }
 
 // ************************************************************************* //

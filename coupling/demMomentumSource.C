@@ -76,6 +76,11 @@ void Foam::fv::demMomentumSource::addSup
     const label
 )
 {
+    if (!driver().active())
+    {
+        return;
+    }
+
     const dimensionedScalar rho
     (
         "rho",
@@ -94,6 +99,11 @@ void Foam::fv::demMomentumSource::addSup
     const label
 )
 {
+    if (!driver().active())
+    {
+        return;
+    }
+
     eqn += driver().force() - fvm::Sp(driver().drag(), eqn.psi());
 }
 
