@@ -61,6 +61,7 @@ void dem_free(struct dem *d)
     dem_pairs_free(&d->parts.pairs);
     dem_wall_touches_free(&d->parts.touches);
     dem_losses_free(&d->parts.losses);
+    dem_kept_free(&d->parts.kept);
     dem_contacts_free(&d->parts.contacts);
     dem_particles_free(&d->parts.particles);
     dem_walls_free(&d->parts.walls);
@@ -378,5 +379,32 @@ int dem_save(struct dem *d, const char *path)
     DEM_TRY(dem_snapshot_write(path, &s, &p->pieces, &p->recipe, &p->particles, &p->contacts, p->pairs.wall_region));
     /* who goes on from the file rebuilds first and wraps positions there: so does who wrote it */
     p->stale = 1;
+    return DEM_OK;
+}
+
+int dem_keep(struct dem *d, int64_t steps)
+{
+    fenv_t caller;
+
+    DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_keep comes after dem_ready");
+    DEM_REQUIRE(steps >= 0, DEM_ERROR_INPUT, "copies %lld steps apart; give a number above 0, or 0 for none", (long long)steps);
+    d->parts.kept.every = steps;
+    feholdexcept(&caller);                                /* it looks for numbers that are none */
+    const int status = dem_step_keep(&d->parts);
+
+    fesetenv(&caller);
+    return status;
+}
+
+int dem_restore(struct dem *d, double *time)
+{
+    struct dem_parts *const p = &d->parts;
+
+    DEM_REQUIRE(p->kept.held, DEM_ERROR_STATE, "there is no copy to go back to; dem_keep comes before dem_restore");
+    DEM_TRY(dem_kept_give(&p->kept, &p->particles, &p->contacts));
+    p->steps = p->kept.steps;
+    p->time = *time = p->kept.time;
+    p->watch.overlap = 0.0;
+    p->stale = 2;
     return DEM_OK;
 }

@@ -195,6 +195,15 @@ int dem_fluid_correct(struct dem *, const double *velocity, const double *pressu
 int dem_save(struct dem *, const char *path);
 int dem_load(struct dem *, const char *path);             /* after the scene, instead of its insertions, before dem_ready */
 
+/* A copy in memory, for the case that the run fails: one now, and one in dem_advance whenever `steps` steps have passed
+   since the last (0: none). A state with a number that is none is not copied; the copy of before stays. The run has the
+   same bits with copies and without. Collective. */
+int dem_keep(struct dem *, int64_t steps);
+
+/* Go back to the last copy; also after a failed dem_advance. Then look, save, or advance on; averages keep what they have
+   sampled. Collective. */
+int dem_restore(struct dem *, double *time);
+
 #ifdef __cplusplus
 }
 #endif

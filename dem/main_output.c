@@ -25,12 +25,13 @@ int dem_output_read(struct dem_output *o, const struct dem_dict *write, const ch
     const char *const slash = strrchr(scene, '/'), *const name = slash ? slash + 1 : scene, *const dot = strrchr(name, '.');
     const char *folder = "", *kind = "last";
 
-    o->vtk = true;
+    o->vtk = o->last_good = true;
     if (write)
     {
         DEM_TRY(dem_dict_text_or(write, "folder", "", &folder));
         DEM_TRY(dem_dict_switch_or(write, "vtk", true, &o->vtk));
         DEM_TRY(dem_dict_word_or(write, "snapshot", "last", &kind));
+        DEM_TRY(dem_dict_switch_or(write, "lastGood", true, &o->last_good));
     }
     o->snapshots = -1;
     for (int k = 0; k < 3; k++)
@@ -98,7 +99,7 @@ static int gather(const struct dem_program *prog, const struct dem *d, struct sh
     return DEM_OK;
 }
 
-static int write_vtk(const struct dem_output *o, const struct shown *s, int64_t n, int64_t number, double time)
+static int write_vtk(const struct dem_output *o, const struct shown *s, int64_t n, const char *file)
 {
     const size_t stride = sizeof *s;
     const struct dem_vtk_column columns[] =
@@ -111,13 +112,10 @@ static int write_vtk(const struct dem_output *o, const struct shown *s, int64_t 
         {"spin", s->spin, stride, DEM_VTK_NARROW, 3},
         {"force", s->force, stride, DEM_VTK_NARROW, 3},
     };
-    char file[64], path[640];
+    char path[640];
 
-    snprintf(file, sizeof file, "particles_%06lld.vtp", (long long)number);
     snprintf(path, sizeof path, "%s/%s", o->folder, file);
-    DEM_TRY(dem_vtk_write(path, n, columns, (int)(sizeof columns/sizeof columns[0])));
-    snprintf(path, sizeof path, "%s/particles.pvd", o->folder);
-    return dem_vtk_collection_add(path, time, file);
+    return dem_vtk_write(path, n, columns, (int)(sizeof columns/sizeof columns[0]));
 }
 
 int dem_output_folder(const struct dem_output *o)
@@ -128,17 +126,28 @@ int dem_output_folder(const struct dem_output *o)
     return DEM_OK;
 }
 
-static int write_pictures(const struct dem_output *o, const struct dem_program *prog, const struct dem *d, int64_t number,
-                          double time)
+static int write_picture(const struct dem_output *o, const struct dem_program *prog, const struct dem *d, const char *file)
 {
     struct shown *all;
     int64_t n;
 
     DEM_TRY(gather(prog, d, &all, &n));
-    const int status = prog->rank == 0 ? write_vtk(o, all, n, number, time) : DEM_OK;
+    const int status = prog->rank == 0 ? write_vtk(o, all, n, file) : DEM_OK;
 
     dem_memory_free(all);
     return status;
+}
+
+/* A picture with its place in the collection. */
+static int write_pictures(const struct dem_output *o, const struct dem_program *prog, const struct dem *d, int64_t number,
+                          double time)
+{
+    char file[64], path[640];
+
+    snprintf(file, sizeof file, "particles_%06lld.vtp", (long long)number);
+    DEM_TRY(write_picture(o, prog, d, file));
+    snprintf(path, sizeof path, "%s/particles.pvd", o->folder);
+    return prog->rank == 0 ? dem_vtk_collection_add(path, time, file) : DEM_OK;
 }
 
 int dem_output_write(const struct dem_output *o, const struct dem_program *prog, struct dem *d, int64_t number, double time)
@@ -161,4 +170,18 @@ int dem_output_write(const struct dem_output *o, const struct dem_program *prog,
         snprintf(path, sizeof path, "%s/snapshot.dem", o->folder);
     }
     return o->snapshots ? dem_save(d, path) : DEM_OK;
+}
+
+int dem_output_last_good(const struct dem_output *o, const struct dem_program *prog, struct dem *d)
+{
+    char path[640];
+    int status = prog->rank == 0 ? dem_output_folder(o) : DEM_OK;
+
+    if (o->vtk && !status)
+    {
+        status = write_picture(o, prog, d, "lastGood.vtp");
+    }
+    DEM_TRY(dem_program_together(prog, status));
+    snprintf(path, sizeof path, "%s/lastGood.dem", o->folder);
+    return dem_save(d, path);
 }

@@ -1,5 +1,5 @@
 /*
- * main_output.h -- what `dem run` leaves on disk: VTK files and snapshots.
+ * main_output.h -- what `dem run` leaves on disk: VTK files and snapshots, and the last good state of a run that failed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -16,6 +16,7 @@ struct dem_output
     char folder[512];
     bool vtk;
     int snapshots;                                        /* 0 no, 1 last, 2 all */
+    bool last_good;                                       /* copies are kept in memory, and written when the run fails */
 };
 
 /* `write` may be NULL. The folder's default is the scene's name without its ending. */
@@ -26,5 +27,8 @@ int dem_output_folder(const struct dem_output *);
 
 /* Collective. */
 int dem_output_write(const struct dem_output *, const struct dem_program *, struct dem *, int64_t number, double time);
+
+/* Collective. The state as it is, after dem_restore, as lastGood.dem and, where pictures are written, lastGood.vtp. */
+int dem_output_last_good(const struct dem_output *, const struct dem_program *, struct dem *);
 
 #endif

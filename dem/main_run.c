@@ -13,6 +13,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum
+{
+    KEEP_STEPS = 1000                                     /* between copies of the state in memory; one costs less than a step */
+};
+
 static const char help[] =
     "Usage: dem run [-restart SNAPSHOT] [-set PATH VALUE] ... SCENE\n"
     "       mpirun -np N dem run SCENE\n\n"
@@ -21,7 +26,8 @@ static const char help[] =
     "    write { interval 0.01;                s of simulated time between outputs\n"
     "            folder \"NAME\";                default: the scene's name without its ending\n"
     "            vtk yes;                      particles_*.vtp and particles.pvd for ParaView\n"
-    "            snapshot last; }              last | all | no: snapshot.dem, or one per output\n"
+    "            snapshot last;                last | all | no: snapshot.dem, or one per output\n"
+    "            lastGood yes; }               copies in memory, written as lastGood.dem when the run fails\n"
     "-restart goes on from a snapshot, on any number of ranks, with the same bits as the run that wrote it.\n"
     "-set overrides an entry: -set effects/dry/restitution 0.8\n"
     "dem effects lists what can act.\n";
@@ -50,6 +56,43 @@ static int report(struct progress *p, struct dem *d, double end)
     return DEM_OK;
 }
 
+/* The run has failed: tell who was lost, write the state that was copied last, and say where it is. */
+static int rescue(const struct dem_program *prog, struct dem *d, const struct dem_output *o, struct dem_lost_log *lost, int failure)
+{
+    char text[DEM_ERROR_TEXT_SIZE];
+    double time = 0.0;
+    int status;
+
+    snprintf(text, sizeof text, "%s", dem_error_text());
+    status = dem_lost_tell(lost, prog, d);
+    if (!o->last_good && !status)
+    {
+        return dem_error(failure, "%s", text);
+    }
+    status = status ? status : dem_restore(d, &time);
+    status = status ? status : dem_output_last_good(o, prog, d);
+    if (status)
+    {
+        return dem_error(failure, "%s; the last good state can't be written: %s", text, dem_error_text());
+    }
+    return dem_error(failure, "%s; the last good state, of time %g s, is in %s/lastGood.dem: look at it, or go on from it with "
+                     "-restart", text, time, o->folder);
+}
+
+/* One window, with copies of the state in it. */
+static int advance(const struct dem_program *prog, struct dem *d, const struct dem_output *o, struct dem_lost_log *lost,
+                   double duration)
+{
+    if (o->last_good)
+    {
+        DEM_TRY(dem_keep(d, KEEP_STEPS));
+    }
+    const int status = dem_advance(d, duration);
+
+    /* such failures all ranks have together, and then they can still talk */
+    return status == DEM_ERROR_NUMBER || status == DEM_ERROR_LOST ? rescue(prog, d, o, lost, status) : status;
+}
+
 /* Outputs lie at whole multiples of the interval, so that a restarted run has the same windows. */
 static int advance_to_end(struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
 {
@@ -69,7 +112,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
     {
         const double next = fmin((double)k*s->interval, s->end);
 
-        DEM_TRY(dem_advance(d, next - t.time));
+        DEM_TRY(advance(prog, d, &s->output, &lost, next - t.time));
         DEM_TRY(dem_output_write(&s->output, prog, d, k, next));
         DEM_TRY(report(&p, d, s->end));
         DEM_TRY(dem_lost_tell(&lost, prog, d));

@@ -326,22 +326,40 @@ int dem_contacts_carry(struct dem_contacts *c, const struct dem_carried *name, c
     return DEM_OK;
 }
 
-int dem_contacts_lift(struct dem_contacts *c, const struct dem_particles *p, const int *wall_region)
+/* Rows with memory of `from`, each counted by the owner of its lower particle, to the carried ones of c. */
+static int carry_rows(struct dem_contacts *c, const struct dem_contacts *from, const struct dem_particles *p, const int *wall_region)
 {
     double memory[DEM_MEMORY_COLUMNS];
 
-    for (uint32_t r = 0; r < c->rows; r++)
+    for (uint32_t r = 0; r < from->rows; r++)
     {
-        if (c->row_pair[r] != DEM_ROW_NONE && dem_contacts_remembers(c, r))
+        if (from->row_pair[r] != DEM_ROW_NONE && dem_contacts_remembers(from, r))
         {
-            const struct dem_carried name = dem_contacts_name(c, p, wall_region, r);
+            struct dem_carried name = dem_contacts_name(from, p, wall_region, r);
 
-            dem_contacts_recall(c, r, memory);
+            name.counted = from->pair[from->row_pair[r]].i < p->n;
+            dem_contacts_recall(from, r, memory);
             DEM_TRY(dem_contacts_carry(c, &name, memory));
         }
     }
+    return DEM_OK;
+}
+
+int dem_contacts_lift(struct dem_contacts *c, const struct dem_particles *p, const int *wall_region)
+{
+    DEM_TRY(carry_rows(c, c, p, wall_region));
     c->rows = 0;
     return DEM_OK;
+}
+
+int dem_contacts_copy_rows(struct dem_contacts *c, const struct dem_contacts *from, const struct dem_particles *p,
+                           const int *wall_region)
+{
+    for (size_t k = 0; k < from->carried; k++)
+    {
+        DEM_TRY(dem_contacts_carry(c, &from->carry[k], from->kept + k*(size_t)from->memories));
+    }
+    return carry_rows(c, from, p, wall_region);
 }
 
 static size_t slot_of(const struct dem_carried *name, size_t mask)

@@ -112,6 +112,10 @@ int dem_contacts_carry(struct dem_contacts *, const struct dem_carried *, const 
 /* Lift every row with memory into the carried list (before a rebuild); `wall_region` of each wall near. */
 int dem_contacts_lift(struct dem_contacts *, const struct dem_particles *, const int *wall_region);
 
+/* Add the carried rows of `from` and its near rows with memory to the carried ones here, and leave `from` as it is. */
+int dem_contacts_copy_rows(struct dem_contacts *, const struct dem_contacts *from, const struct dem_particles *,
+                           const int *wall_region);
+
 /* Give carried memory back to the near rows of the same name (after a rebuild), then empty the list. */
 int dem_contacts_settle(struct dem_contacts *, const struct dem_particles *, const int *wall_region);
 

@@ -84,6 +84,33 @@ int dem_particles_grow(struct dem_particles *p, size_t count)
     return DEM_OK;
 }
 
+int dem_particles_copy(struct dem_particles *p, const struct dem_particles *from)
+{
+    const size_t room = dem_memory_room(p->room, from->n);
+
+    DEM_TRY(DEM_RESIZE(p->record, p->room, room));
+    memcpy(p->record, from->record, from->n*sizeof *p->record);
+    for (int c = 0; c < DEM_COLUMNS; c++)
+    {
+        struct dem_column *const to = &p->column[c];
+        const size_t width = (size_t)from->column[c].width;
+
+        if (from->column[c].data)
+        {
+            double *const data = to->data;
+
+            *to = from->column[c];
+            to->data = data;
+            DEM_TRY(DEM_RESIZE(to->data, p->room*width, room*width));
+            memcpy(to->data, from->column[c].data, from->n*width*sizeof *to->data);
+        }
+    }
+    p->room = room;
+    p->n = from->n;
+    p->ghosts = 0;
+    return DEM_OK;
+}
+
 void dem_particles_reorder(struct dem_particles *p, const uint32_t *order, size_t count)
 {
     struct dem_particle *const record = p->record;

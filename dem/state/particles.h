@@ -83,6 +83,10 @@ void dem_particles_free(struct dem_particles *);
 /* Room for `count` records and columns, contents kept. */
 int dem_particles_grow(struct dem_particles *, size_t count);
 
+/* The owned particles of another store and their columns; what was in this one is gone. A store that only holds copies
+   (all zero before the first) gets no room to reorder. */
+int dem_particles_copy(struct dem_particles *, const struct dem_particles *from);
+
 /* Put owned particle order[k] at place k, for k in [0, count); what is not named is dropped. Ghosts are dropped. */
 void dem_particles_reorder(struct dem_particles *, const uint32_t *order, size_t count);
 

@@ -16,6 +16,7 @@
 #include "state/recipe.h"
 #include "state/walls.h"
 #include "step/averages.h"
+#include "step/kept.h"
 #include "step/losses.h"
 #include "step/wall_touch.h"
 
@@ -41,6 +42,7 @@ struct dem_parts
     struct dem_watch watch;
     struct dem_averages averages;
     struct dem_losses losses;
+    struct dem_kept kept;
     int stale;                                            /* 1: rebuild in the next step whatever has moved; 2: there are no
                                                              lists of these particles yet */
     int64_t steps, rebuilds, prunes;

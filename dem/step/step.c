@@ -161,6 +161,50 @@ static int neighbourhood(struct dem_parts *p, double fastest, double dt)
     return DEM_OK;
 }
 
+/* ---- keeping ------------------------------------------------------------------------------------------------- */
+
+/* 1 when a position, a velocity, a spin, a force or a torque is not a number. */
+static int is_spoilt(const struct dem_particles *p)
+{
+    const double *const force = dem_column(p, DEM_COLUMN_FORCE), *const torque = dem_column(p, DEM_COLUMN_TORQUE);
+    double sum = 0.0;
+
+    for (size_t i = 0; i < p->n; i++)
+    {
+        for (size_t k = 0; k < 3; k++)
+        {
+            sum += 0.0*(p->record[i].x[k] + p->record[i].v[k] + p->record[i].w[k] + force[3*i + k] + torque[3*i + k]);
+        }
+    }
+    return isnan(sum);
+}
+
+/* Within a window velocities are half a kick behind: the copy gets it, the run does not feel that it was copied. */
+static int keep(struct dem_parts *p, int status, double half_kick)
+{
+    struct dem_kept *const k = &p->kept;
+    double spoilt[2] = {is_spoilt(&p->particles), 0.0};
+
+    DEM_TRY(agree(p, status, spoilt));
+    if (spoilt[0] > 0.0)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_kept_take(k, &p->particles, &p->contacts, p->pairs.wall_region));
+    k->time = p->time;
+    k->steps = p->steps;
+    if (half_kick > 0.0)
+    {
+        dem_sweep_bodies(&k->particles, &p->recipe.bodies, half_kick, p->window);
+    }
+    return DEM_OK;
+}
+
+int dem_step_keep(struct dem_parts *p)
+{
+    return keep(p, DEM_OK, 0.0);
+}
+
 /* ---- the step ------------------------------------------------------------------------------------------------ */
 
 /* Who moves by more than its radius in one step may pass through another unseen. Without contact effects anyone may. */
@@ -179,6 +223,8 @@ static int not_too_far(const struct dem_parts *p, double fastest, double dt)
         const struct dem_particle *const q = &p->particles.record[i];
         const double speed = sqrt(q->v[0]*q->v[0] + q->v[1]*q->v[1] + q->v[2]*q->v[2]);
 
+        DEM_REQUIRE(!isnan(speed), DEM_ERROR_NUMBER, "the velocity of particle %lld is not a number at step %lld; look at the "
+                    "forces on it, and at the fluid around it", (long long)q->id, (long long)p->steps);
         DEM_REQUIRE(speed*dt <= q->radius, DEM_ERROR_NUMBER,
                     "particle %lld at (%g %g %g) m moves by %.3g m in step %lld, at %g m/s; its radius is %g m, which is the limit, "
                     "or it may miss a contact; use a smaller time/step, or look at the forces on it", (long long)q->id, q->x[0],
@@ -201,6 +247,10 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
     *status = dem_sweep_contacts(p, dt, (const double[2]){since, p->time});
     dem_sum_contacts(&p->particles, &p->contacts);
     dem_sum_books(&p->particles, &p->contacts);
+    if (p->kept.every > 0 && p->steps >= p->kept.steps + p->kept.every && kick == dt)
+    {
+        *status = keep(p, *status, 0.5*dt);
+    }
     dem_sweep_bodies(&p->particles, &p->recipe.bodies, kick, p->window);
     return DEM_OK;
 }

@@ -12,6 +12,10 @@
    so that positions and velocities are synchronous before and after. */
 int dem_step_window(struct dem_parts *, double dt, int64_t steps);
 
+/* Collective. Copy the present state into parts.kept, unless it holds a number that is none; then the copy of before
+   stays. Not within a window. */
+int dem_step_keep(struct dem_parts *);
+
 /* Collective. Order, copies, pairs, rows and memory anew, at the present positions. */
 int dem_step_renew(struct dem_parts *);
 

@@ -1,0 +1,118 @@
+/*
+ * Claims: a run goes back to the copy that it kept, and from there has the bits that it had before, friction included;
+ * copies within a window disturb nothing and are synchronous; after a failure the state of before comes back whole, and
+ * what is spoilt is never kept.
+ *
+ * Source: the contract in dem.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/world.h"
+
+static const char heap[] =
+    "materials { glass { density 2500; youngsModulus 2e6; } }"
+    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; } mindlin { friction 0.5; } }"
+    "walls { cup { type box; min (0 0 0); max (0.01 0.01 0.1); } }"
+    "insert { grains { type lattice; count 60; diameter 2e-3; min (0 0 0); max (0.01 0.01 0.1); } }"
+    "time { step 1.52587890625e-05; }";
+
+static const double step = 1.0/65536.0;                   /* s: times are sums without round-off, so windows can be compared */
+
+static uint64_t hash_of(struct dem *d)
+{
+    uint64_t hash;
+
+    WORLD_TRY(dem_hash(d, &hash));
+    return hash;
+}
+
+static void twice(void)
+{
+    struct dem *const d = world(heap, 0, NULL);
+    double time = 0.0;
+
+    TAP_OK(dem_restore(d, &time) != 0 && strstr(dem_error_text(), "dem_keep"), "nothing kept: refused, names dem_keep");
+    TAP_OK(dem_keep(d, -1) != 0 && strstr(dem_error_text(), "-1"), "copies -1 steps apart: refused");
+    world_run(d, 4096*step);
+    const uint64_t before = hash_of(d);
+
+    WORLD_TRY(dem_keep(d, 0));
+    world_run(d, 1000*step);
+    const uint64_t after = hash_of(d);
+
+    WORLD_TRY(dem_restore(d, &time));
+    TAP_OK(time == 4096*step && hash_of(d) == before && before != after, "back to the copy, contacts' memory included");
+    world_run(d, 1000*step);
+    TAP_OK(hash_of(d) == after, "the same bits when it runs again");
+    WORLD_TRY(dem_restore(d, &time));
+    world_run(d, 1000*step);
+    TAP_OK(hash_of(d) == after, "and once more");
+    dem_free(d);
+}
+
+/* Two runs, one of which keeps copies; then the copy against a run that ends at its time. */
+static void within(void)
+{
+    struct dem *const plain = world(heap, 0, NULL), *const keeps = world(heap, 0, NULL), *const ends = world(heap, 0, NULL);
+    double time = 0.0;
+
+    WORLD_TRY(dem_keep(keeps, 300));
+    world_run(plain, 1000*step);
+    world_run(keeps, 1000*step);
+    TAP_OK(hash_of(plain) == hash_of(keeps), "the same bits with copies and without");
+    WORLD_TRY(dem_restore(keeps, &time));
+    TAP_OK(time == 900*step, "the last copy is of step 900");
+    world_run(ends, 900*step);
+    TAP_OK(hash_of(keeps) == hash_of(ends), "it is the state of a run that ends there");
+    dem_free(plain);
+    dem_free(keeps);
+    dem_free(ends);
+}
+
+static void give_fluid(struct dem *d, double velocity)
+{
+    struct dem_fluid f;
+
+    WORLD_TRY(dem_fluid(d, &f));
+    for (size_t i = 0; i < f.n; i++)
+    {
+        f.velocity[3*i] = f.velocity[3*i + 1] = 0.0;
+        f.velocity[3*i + 2] = velocity;
+        f.void_fraction[i] = 0.6;
+        f.density[i] = 1.2;
+        f.viscosity[i] = 1.8e-5;
+    }
+}
+
+/* The fluid goes mad. */
+static void failure(void)
+{
+    char *const scene = world_text("%s effects { gidaspow {} }", heap);
+    struct dem *const d = world(scene, 0, NULL);
+    double time = 0.0;
+
+    give_fluid(d, 0.5);
+    WORLD_TRY(dem_keep(d, 100));
+    world_run(d, 1050*step);
+    const uint64_t before = hash_of(d);
+
+    WORLD_TRY(dem_keep(d, 100));
+    give_fluid(d, (double)NAN);
+    TAP_OK(dem_advance(d, 500*step) != 0, "a velocity that is no number ends the run: %s", dem_error_text());
+    TAP_OK(dem_keep(d, 0) == 0, "a spoilt state is passed over");
+    WORLD_TRY(dem_restore(d, &time));
+    TAP_OK(time == 1050*step && hash_of(d) == before, "the state of before comes back whole");
+    give_fluid(d, 0.5);
+    TAP_OK(dem_advance(d, 500*step) == 0, "and runs on in a sound fluid");
+    dem_free(d);
+    free(scene);
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    twice();
+    within();
+    failure();
+    TAP_DONE;
+}
