@@ -62,6 +62,7 @@ void dem_free(struct dem *d)
     dem_wall_touches_free(&d->parts.touches);
     dem_losses_free(&d->parts.losses);
     dem_kept_free(&d->parts.kept);
+    dem_wall_books_free(&d->parts.books);
     dem_contacts_free(&d->parts.contacts);
     dem_particles_free(&d->parts.particles);
     dem_walls_free(&d->parts.walls);
@@ -294,6 +295,27 @@ int dem_lost(struct dem *d, int64_t *n, const struct dem_loss **loss)
     DEM_TRY(dem_losses_tell(&d->parts.losses, &d->parts.pieces, n));
     *loss = d->parts.losses.all;
     return DEM_OK;
+}
+
+int dem_wall_watch(struct dem *d)
+{
+    DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_wall_watch comes after dem_ready");
+    return dem_wall_books_open(&d->parts.books, d->parts.walls.walls);
+}
+
+int dem_wall_impulse(struct dem *d, int wall, double impulse[3], double twist[3])
+{
+    DEM_REQUIRE(d->parts.books.sum, DEM_ERROR_STATE, "dem_wall_impulse comes after dem_wall_watch");
+    DEM_REQUIRE(wall >= 0 && wall < d->parts.walls.walls, DEM_ERROR_INPUT, "wall %d; there are %d", wall, d->parts.walls.walls);
+    dem_measure_impulse(&d->parts, wall, impulse, twist);
+    return DEM_OK;
+}
+
+void dem_wall_facts(const struct dem *d, int wall, struct dem_wall_facts *f)
+{
+    const struct dem_wall *const w = &d->parts.walls.wall[wall];
+
+    *f = (struct dem_wall_facts){.triangles = (int64_t)w->triangles, .flat = (int64_t)w->flat, .repeats = (int64_t)w->repeats};
 }
 
 /* ---- looking ------------------------------------------------------------------------------------------------- */

@@ -135,6 +135,16 @@ int dem_wall_load(struct dem *, int wall, double force[3], double torque[3]);
    of each grid that has samples into the folder, which must exist. Call it on all ranks; only the first can fail. */
 int dem_averages_count(const struct dem *);
 int dem_averages(struct dem *, const char *folder);
+/* Impulse of particles on each wall [N s] and its moment [N m s, about the origin] since the last dem_wall_watch, which
+   begins to keep these books or begins them anew. Over the time since it is the mean force and torque. Collective. */
+int dem_wall_watch(struct dem *);
+int dem_wall_impulse(struct dem *, int wall, double impulse[3], double twist[3]);
+
+struct dem_wall_facts                                     /* of a wall made of triangles; 0 at others */
+{
+    int64_t triangles, flat, repeats;                     /* kept; left out: without area, given before */
+};
+void dem_wall_facts(const struct dem *, int wall, struct dem_wall_facts *);
 
 /* ---- looking ------------------------------------------------------------------------------------------------- */
 

@@ -121,6 +121,22 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
     return DEM_OK;
 }
 
+/* What was left out of surfaces: the user may not know of it. */
+static void announce_walls(const struct dem *d)
+{
+    for (int w = 0; w < dem_wall_count(d); w++)
+    {
+        struct dem_wall_facts f;
+
+        dem_wall_facts(d, w, &f);
+        if (f.flat + f.repeats > 0)
+        {
+            printf("wall %s: %lld triangles; left out %lld without area, %lld given before\n", dem_wall_name(d, w), (long long)f.triangles,
+                   (long long)f.flat, (long long)f.repeats);
+        }
+    }
+}
+
 static int announce(const struct dem_program *prog, struct dem *d)
 {
     const struct dem_step_limit step = dem_step_limit(d);
@@ -131,6 +147,7 @@ static int announce(const struct dem_program *prog, struct dem *d)
     {
         printf("Suna: %lld particles, %d walls, %d rank%s\nstep %.4g s, limit %.4g s: %s\n", (long long)t.particles, dem_wall_count(d),
                prog->ranks, prog->ranks > 1 ? "s" : "", step.used, step.limit, step.why);
+        announce_walls(d);
         fflush(stdout);
     }
     return DEM_OK;

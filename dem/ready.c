@@ -299,6 +299,7 @@ static int settle_in(struct dem *d)
     DEM_TRY(dem_pieces_balance(&p->pieces, &p->particles));
     DEM_TRY(dem_halo_migrate(&p->halo, &p->particles, &p->contacts));
     p->stale = 2;
+    dem_walls_move(&p->walls, p->time, 0.0);
     if (d->load[0])
     {
         return dem_snapshot_read_rows(d->load, &p->recipe, &p->particles, &p->contacts);

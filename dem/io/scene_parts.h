@@ -14,4 +14,7 @@ int dem_scene_read_recipe(const struct dem_dict *, struct dem_recipe *);
 /* Walls made of the recipe's materials, behind those that were handed in by program. */
 int dem_scene_read_walls(const struct dem_dict *, const struct dem_recipe *, struct dem_walls *);
 
+/* motion, surfaceVelocity and surfaceRotation of one wall's entry */
+int dem_scene_read_motion(struct dem_walls *, int wall, const struct dem_dict *);
+
 #endif

@@ -1,11 +1,14 @@
 /*
- * scene_walls.c -- the walls of a scene: planes, boxes of six planes, triangles, and patches that a mesh has handed in.
+ * scene_walls.c -- the walls of a scene: planes, boxes of six planes, cylinders, spheres, triangles, files of triangles,
+ * and patches and surfaces that a mesh has handed in; how they and their surfaces move.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "io/scene_parts.h"
 #include "base/error.h"
+#include "base/memory.h"
 #include "base/unknown.h"
+#include "io/stl.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -49,52 +52,115 @@ static int read_triangles(struct dem_walls *w, const struct dem_dict *dict, int 
     return dem_walls_add_triangles(w, wall, n/3, &corner[0][0]);
 }
 
-static int is_there(const struct dem_walls *w, const char *name)
+static int read_file(struct dem_walls *w, const struct dem_dict *dict, int material)
 {
-    for (int k = 0; k < w->walls; k++)
-    {
-        if (strcmp(w->wall[k].name, name) == 0)
-        {
-            return 1;
-        }
-    }
-    return 0;
+    const char *file;
+    double scale, *corner;
+    size_t n;
+    int wall;
+
+    DEM_TRY(dem_dict_text(dict, "file", &file));
+    DEM_TRY(dem_dict_number_or(dict, "scale", "1", 1.0, &scale));
+    DEM_REQUIRE(scale > 0.0, DEM_ERROR_INPUT, "%s: scale %g; give a number above 0, metres per unit of the file", dem_dict_where(dict),
+                scale);
+    DEM_TRY(dem_stl_read(file, scale, &corner, &n));
+    int status = dem_walls_add(w, dem_dict_name(dict), material, &wall);
+
+    status = status ? status : dem_walls_add_triangles(w, wall, n, corner);
+    dem_memory_free(corner);
+    return status;
 }
 
-static int read_wall(void *with, const struct dem_dict *dict)
+static int read_plane(struct dem_walls *w, const struct dem_dict *dict, int material)
 {
-    static const char *const known[] = {"plane", "box", "triangles", "patch"};
-    struct wall_reader *const reader = with;
-    const struct dem_recipe *const r = reader->recipe;
-    const char *type, *name;
     double point[3], normal[3];
-    int material;
+
+    DEM_TRY(dem_dict_vector(dict, "point", "m", point));
+    DEM_TRY(dem_dict_vector(dict, "normal", "1", normal));
+    return dem_walls_add_plane(w, dem_dict_name(dict), material, point, normal);
+}
+
+static int read_round(struct dem_walls *w, const struct dem_dict *dict, int material, int cylinder)
+{
+    static const char *const sides[] = {"inside", "outside"};
+    double point[3], axis[3], radius;
+    const char *side;
+
+    DEM_TRY(dem_dict_vector(dict, cylinder ? "point" : "centre", "m", point));
+    if (cylinder)
+    {
+        DEM_TRY(dem_dict_vector(dict, "axis", "1", axis));
+    }
+    DEM_TRY(dem_dict_number(dict, "radius", "m", &radius));
+    DEM_TRY(dem_dict_word(dict, "particles", &side));
+    if (strcmp(side, sides[0]) != 0 && strcmp(side, sides[1]) != 0)
+    {
+        return dem_error_prefix(dem_unknown_word("side of the particles", side, sides, 2), "%s: ", dem_dict_where(dict));
+    }
+    return dem_walls_add_round(w, dem_dict_name(dict), material, point, cylinder ? axis : NULL, radius, strcmp(side, sides[1]) == 0);
+}
+
+static int find(const struct dem_walls *w, const char *name)
+{
+    int k = 0;
+
+    while (k < w->walls && strcmp(w->wall[k].name, name) != 0)
+    {
+        k++;
+    }
+    return k;
+}
+
+/* Add the walls of an entry; `first` is the first of them. */
+static int read_shape(const struct wall_reader *reader, const struct dem_dict *dict, int *first)
+{
+    static const char *const known[] = {"plane", "box", "cylinder", "sphere", "triangles", "stl", "patch", "surface"};
+    const struct dem_recipe *const r = reader->recipe;
+    struct dem_walls *const w = reader->walls;
+    const char *type, *name;
+    int kind = 0, material;
 
     DEM_TRY(dem_dict_word(dict, "type", &type));
     DEM_TRY(dem_dict_word_or(dict, "material", r->materials == 1 ? r->material[0].name : "", &name));
     DEM_TRY(dem_recipe_material(r, name, dem_dict_where(dict), &material));
-    if (strcmp(type, "plane") == 0)
+    *first = w->walls;
+    while (kind < 8 && strcmp(type, known[kind]) != 0)
     {
-        DEM_TRY(dem_dict_vector(dict, "point", "m", point));
-        DEM_TRY(dem_dict_vector(dict, "normal", "1", normal));
-        return dem_walls_add_plane(reader->walls, dem_dict_name(dict), material, point, normal);
+        kind++;
     }
-    if (strcmp(type, "box") == 0)
+    switch (kind)
     {
-        return read_box(reader->walls, dict, material);
-    }
-    if (strcmp(type, "triangles") == 0)
-    {
-        return read_triangles(reader->walls, dict, material);
-    }
-    if (strcmp(type, "patch") == 0)
-    {
-        DEM_REQUIRE(is_there(reader->walls, dem_dict_name(dict)), DEM_ERROR_INPUT,
-                    "%s: wall %s is a patch, but no mesh has given it; run it in OpenFOAM, or use type plane, box or triangles",
-                    dem_dict_where(dict), dem_dict_name(dict));
+    case 0: return read_plane(w, dict, material);
+    case 1: return read_box(w, dict, material);
+    case 2: return read_round(w, dict, material, 1);
+    case 3: return read_round(w, dict, material, 0);
+    case 4: return read_triangles(w, dict, material);
+    case 5: return read_file(w, dict, material);
+    case 8: return dem_error_prefix(dem_unknown_word("type of wall", type, known, 8), "%s: ", dem_dict_where(dict));
+    default:
+        *first = find(w, dem_dict_name(dict));
+        DEM_REQUIRE(*first < w->walls, DEM_ERROR_INPUT,
+                    "%s: wall %s is a %s, but no mesh has given it; run it in OpenFOAM, or use type plane, box, cylinder, sphere, "
+                    "triangles or stl", dem_dict_where(dict), dem_dict_name(dict), type);
         return DEM_OK;
     }
-    return dem_error_prefix(dem_unknown_word("type of wall", type, known, 4), "%s: ", dem_dict_where(dict));
+}
+
+static int read_wall(void *with, const struct dem_dict *dict)
+{
+    const struct wall_reader *const reader = with;
+    struct dem_walls *const w = reader->walls;
+    int first;
+
+    DEM_TRY(read_shape(reader, dict, &first));
+    /* what a mesh has handed in is one wall, and stands before */
+    const int end = first < w->walls && strcmp(w->wall[first].name, dem_dict_name(dict)) == 0 ? first + 1 : w->walls;
+
+    for (int k = first; k < end; k++)
+    {
+        DEM_TRY(dem_scene_read_motion(w, k, dict));
+    }
+    return DEM_OK;
 }
 
 int dem_scene_read_walls(const struct dem_dict *scene, const struct dem_recipe *r, struct dem_walls *w)

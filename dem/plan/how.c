@@ -56,7 +56,7 @@ static double width(const struct dem_parts *p, int axis)
     for (int k = 0; k < p->walls.walls; k++)
     {
         const struct dem_wall *const w = &p->walls.wall[k];
-        const double along = w->plane ? w->normal[axis] : 0.0;
+        const double along = w->shape == DEM_SHAPE_PLANE ? w->normal[axis] : 0.0;
 
         low = along == 1.0 ? fmax(low, w->point[axis]) : low;
         high = along == -1.0 ? fmin(high, w->point[axis]) : high;

@@ -150,34 +150,43 @@ void dem_plan_contacts(struct dem_text *t, const struct dem_plan *p)
 
 /* ---- walls --------------------------------------------------------------------------------------------------- */
 
+static void tell_triangles(struct dem_text *t, const struct dem_walls *w, int wall)
+{
+    const struct dem_wall *const of = &w->wall[wall];
+    int regions = 0;
+
+    for (int i = 0; i < w->regions; i++)
+    {
+        regions += w->region[i].wall == wall;
+    }
+    dem_text_add(t, "    %-18s %zu triangles in %d flat piece%s", of->name, of->triangles, regions, regions == 1 ? "" : "s");
+    if (of->flat + of->repeats > 0)
+    {
+        dem_text_add(t, " (left out: %zu without area, %zu given before)", of->flat, of->repeats);
+    }
+}
+
 void dem_plan_walls(struct dem_text *t, const struct dem_plan *p)
 {
+    static const char *const shape[] = {"", "plane", "cylinder", "sphere"};
+    static const char *const moves[] = {"", ", translates", ", turns", ", oscillates"};
     const struct dem_walls *const w = &p->parts->walls;
 
     dem_text_add(t, "Walls\n");
     for (int k = 0; k < w->walls; k++)
     {
-        const char *const material = p->parts->recipe.material[w->wall[k].material].name;
-        size_t triangles = 0;
-        int regions = 0;
+        const struct dem_wall *const of = &w->wall[k];
 
-        for (size_t i = 0; i < w->triangles; i++)
+        if (of->shape == DEM_SHAPE_TRIANGLES)
         {
-            triangles += w->triangle[i].wall == k;
-        }
-        for (int i = 0; i < w->regions; i++)
-        {
-            regions += w->region[i].wall == k;
-        }
-        if (w->wall[k].plane)
-        {
-            dem_text_add(t, "    %-18s plane, %s\n", w->wall[k].name, material);
+            tell_triangles(t, w, k);
         }
         else
         {
-            dem_text_add(t, "    %-18s %zu triangles in %d flat piece%s, %s\n", w->wall[k].name, triangles, regions,
-                         regions == 1 ? "" : "s", material);
+            dem_text_add(t, "    %-18s %s", of->name, shape[of->shape]);
         }
+        dem_text_add(t, ", %s%s%s\n", p->parts->recipe.material[of->material].name,
+                     of->moving < 0 ? "" : moves[w->moving[of->moving].motion.kind], of->driven ? ", its surface runs" : "");
     }
     if (w->walls == 0)
     {

@@ -356,9 +356,10 @@ static int wall_near(const struct dem_pairs *s, const struct dem_particles *p, c
     const struct dem_wall_near *const near = &s->search.near[q->j];
     const struct dem_region *const region = &w->region[near->region];
     const struct dem_particle *const i = &p->record[q->i];
-    const double h = region->normal[0]*i->x[0] + region->normal[1]*i->x[1] + region->normal[2]*i->x[2] - region->offset;
+    double room[3], normal[3];
+    const double h = dem_region_height(region, dem_walls_own(w, region->wall, i->x, room), normal);
 
-    return !near->open || (region->one_sided ? h : fabs(h)) < i->radius + s->inner;
+    return !near->open || (region->shape == DEM_SHAPE_TRIANGLES ? fabs(h) : h) < i->radius + s->inner;
 }
 
 int dem_pairs_prune(struct dem_pairs *s, const struct dem_particles *p, const struct dem_walls *w, struct dem_contacts *c)

@@ -199,14 +199,18 @@ static int new_near(struct dem_wall_search *s, uint32_t particle, int region, in
     return DEM_OK;
 }
 
-static int planes_near(struct dem_wall_search *s, const struct dem_walls *w, const struct dem_particle *p, uint32_t particle,
+/* Regions without triangles come first. */
+static int wholes_near(struct dem_wall_search *s, const struct dem_walls *w, const struct dem_particle *p, uint32_t particle,
                        double skin)
 {
     struct dem_wall_near *near;
+    double room[3], normal[3];
 
-    for (int r = 0; r < w->regions && w->region[r].one_sided; r++)
+    for (int r = 0; r < w->regions && w->region[r].shape != DEM_SHAPE_TRIANGLES; r++)
     {
-        if (dem_vec_dot(w->region[r].normal, p->x) - w->region[r].offset < p->radius + skin)
+        const double *const x = dem_walls_own(w, w->region[r].wall, p->x, room);
+
+        if (dem_region_height(&w->region[r], x, normal) < p->radius + skin)
         {
             DEM_TRY(new_near(s, particle, r, 1, &near));
         }
@@ -214,8 +218,8 @@ static int planes_near(struct dem_wall_search *s, const struct dem_walls *w, con
     return DEM_OK;
 }
 
-/* The triangles in reach, each once. */
-static int gather_triangles(struct dem_wall_search *s, const struct dem_walls *w, const double x[3], double reach)
+/* The triangles in reach, each once, of the walls that move this way (-1: rest), in whose frame x is. */
+static int gather_triangles(struct dem_wall_search *s, const struct dem_walls *w, int moving, const double x[3], double reach)
 {
     double box[2][3], nearest[3];
     int from[3], to[3];
@@ -234,7 +238,8 @@ static int gather_triangles(struct dem_wall_search *s, const struct dem_walls *w
             {
                 const uint32_t t = s->entry[e];
 
-                if (s->seen[t] != s->stamp && dem_triangle_nearest(&w->triangle[t], x, nearest) < reach*reach)
+                if (s->seen[t] != s->stamp && w->wall[w->triangle[t].wall].moving == moving
+                    && dem_triangle_nearest(&w->triangle[t], x, nearest) < reach*reach)
                 {
                     DEM_TRY(DEM_GROW(s->candidate, s->candidate_room, s->candidates + 1));
                     s->candidate[s->candidates++] = t;
@@ -282,8 +287,17 @@ static int regions_near(struct dem_wall_search *s, const struct dem_walls *w, co
     const size_t first = s->candidates;
     const double reach = p->radius + skin;
     struct dem_wall_near *near = NULL;
+    double room[3];
 
-    DEM_TRY(gather_triangles(s, w, p->x, reach));
+    DEM_TRY(gather_triangles(s, w, -1, p->x, reach));
+    for (int k = 0; k < w->movings; k++)
+    {
+        if (w->moving[k].triangles)
+        {
+            dem_pose_own(&w->moving[k].pose, p->x, room);
+            DEM_TRY(gather_triangles(s, w, k, room, reach));
+        }
+    }
     sort_by_region(w, s->candidate + first, s->candidates - first);
     for (size_t c = first; c < s->candidates; c++)
     {
@@ -295,7 +309,7 @@ static int regions_near(struct dem_wall_search *s, const struct dem_walls *w, co
             near->first = (uint32_t)c;
         }
         near->count++;
-        near->open &= !rim_in_reach(t, p->x, reach);
+        near->open &= !rim_in_reach(t, dem_walls_own(w, t->wall, p->x, room), reach);
     }
     return DEM_OK;
 }
@@ -305,7 +319,7 @@ int dem_wall_search_find(struct dem_wall_search *s, const struct dem_walls *w, c
     s->nears = s->candidates = 0;
     for (size_t i = 0; i < q->n; i++)
     {
-        DEM_TRY(planes_near(s, w, &q->record[i], (uint32_t)i, skin));
+        DEM_TRY(wholes_near(s, w, &q->record[i], (uint32_t)i, skin));
         if (w->triangles > 0)
         {
             DEM_TRY(regions_near(s, w, &q->record[i], (uint32_t)i, skin));

@@ -2,7 +2,8 @@
  * wall_search.h -- which regions of the walls a particle may reach before the next rebuild, found through a grid.
  *
  * For each particle and region within reach one dem_wall_near: either "open" (no rim of the region is in reach, so the
- * region is as good as its whole plane) or with the list of its triangles in reach.
+ * region is as good as its whole plane, cylinder or sphere) or with the list of its triangles in reach. Triangles are
+ * searched in the frame of their wall, so the grid is made once, wherever walls move.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * walls.c -- from triangles to flat regions: sort, drop repeats, weld corners, join what is coplanar and connected.
+ * walls.c -- from triangles to regions: sort, drop repeats, weld corners, join what is coplanar and connected.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -19,6 +19,8 @@ void dem_walls_free(struct dem_walls *w)
     dem_memory_free(w->wall);
     dem_memory_free(w->triangle);
     dem_memory_free(w->region);
+    dem_memory_free(w->moving);
+    dem_memory_free(w->mark);
     memset(w, 0, sizeof *w);
 }
 
@@ -32,26 +34,55 @@ int dem_walls_add(struct dem_walls *w, const char *name, int material, int *wall
                 name, sizeof w->wall->name - 1);
     DEM_TRY(DEM_GROW(w->wall, w->wall_room, w->walls + 1));
     *wall = w->walls++;
-    w->wall[*wall] = (struct dem_wall){.material = material};
+    w->wall[*wall] = (struct dem_wall){.material = material, .moving = -1};
     memcpy(w->wall[*wall].name, name, strlen(name));
+    return DEM_OK;
+}
+
+/* A plane's normal or a cylinder's axis. */
+static int unit(const char *name, const char *what, const double v[3], double out[3])
+{
+    const double size = dem_vec_norm(v);
+
+    DEM_REQUIRE(size > 0.0 && isfinite(size), DEM_ERROR_INPUT, "wall %s: %s (%g %g %g) has no direction; give a vector that %s", name,
+                what, v[0], v[1], v[2], what[0] == 'n' ? "points to the particles" : "lies along it");
+    for (int k = 0; k < 3; k++)
+    {
+        out[k] = v[k]/size;
+    }
     return DEM_OK;
 }
 
 int dem_walls_add_plane(struct dem_walls *w, const char *name, int material, const double point[3], const double normal[3])
 {
-    const double size = dem_vec_norm(normal);
+    double direction[3];
     int wall;
 
-    DEM_REQUIRE(size > 0.0 && isfinite(size), DEM_ERROR_INPUT,
-                "wall %s: normal (%g %g %g) has no direction; give a vector that points to the particles", name, normal[0],
-                normal[1], normal[2]);
+    DEM_TRY(unit(name, "normal", normal, direction));
     DEM_TRY(dem_walls_add(w, name, material, &wall));
-    w->wall[wall].plane = 1;
+    w->wall[wall].shape = DEM_SHAPE_PLANE;
     memcpy(w->wall[wall].point, point, sizeof w->wall[wall].point);
-    for (int k = 0; k < 3; k++)
+    memcpy(w->wall[wall].normal, direction, sizeof direction);
+    return DEM_OK;
+}
+
+int dem_walls_add_round(struct dem_walls *w, const char *name, int material, const double point[3], const double *axis, double radius,
+                        int outside)
+{
+    double direction[3] = {0.0, 0.0, 1.0};
+    int wall;
+
+    DEM_REQUIRE(radius > 0.0 && isfinite(radius), DEM_ERROR_INPUT, "wall %s: radius %g m; give a length above 0", name, radius);
+    if (axis)
     {
-        w->wall[wall].normal[k] = normal[k]/size;
+        DEM_TRY(unit(name, "axis", axis, direction));
     }
+    DEM_TRY(dem_walls_add(w, name, material, &wall));
+    w->wall[wall].shape = axis ? DEM_SHAPE_CYLINDER : DEM_SHAPE_SPHERE;
+    w->wall[wall].radius = radius;
+    w->wall[wall].outside = outside;
+    memcpy(w->wall[wall].point, point, sizeof w->wall[wall].point);
+    memcpy(w->wall[wall].normal, direction, sizeof direction);
     return DEM_OK;
 }
 
@@ -131,23 +162,50 @@ static int same_place(const struct dem_triangle *s, const struct dem_triangle *t
     return memcmp(p, q, sizeof p) == 0;
 }
 
-/* A triangle without area has edges that its neighbours have too: nothing is lost with it. */
-static void drop_repeats(struct dem_walls *w, double scale)
+/* 1 when a triangle is no higher than this: nothing is lost with it, its neighbours have its edges too. */
+static int is_flat(const struct dem_triangle *t, double height)
+{
+    double normal[3], edge[3], longest = 0.0;
+
+    for (int k = 0; k < 3; k++)
+    {
+        dem_vec_minus(t->corner[(k + 1)%3], t->corner[k], edge);
+        longest = fmax(longest, dem_vec_norm(edge));
+    }
+    return area_vector(t, normal) <= height*longest;
+}
+
+static int drop_useless(struct dem_walls *w, double scale)
 {
     size_t kept = 0;
-    double normal[3];
 
     qsort(w->triangle, w->triangles, sizeof *w->triangle, compare_triangles);
     for (size_t t = 0; t < w->triangles; t++)
     {
-        const int again = kept > 0 && same_place(&w->triangle[kept - 1], &w->triangle[t]);
+        struct dem_wall *const wall = &w->wall[w->triangle[t].wall];
 
-        if (!again && area_vector(&w->triangle[t], normal) > weld*weld*scale*scale)
+        if (kept > 0 && w->triangle[kept - 1].wall == w->triangle[t].wall && same_place(&w->triangle[kept - 1], &w->triangle[t]))
+        {
+            wall->repeats++;
+        }
+        else if (is_flat(&w->triangle[t], weld*scale))
+        {
+            wall->flat++;
+        }
+        else
         {
             w->triangle[kept++] = w->triangle[t];
+            wall->triangles++;
         }
     }
     w->triangles = kept;
+    for (int k = 0; k < w->walls; k++)
+    {
+        DEM_REQUIRE(w->wall[k].triangles > 0 || w->wall[k].flat == 0, DEM_ERROR_INPUT,
+                    "wall %s: none of its %zu triangles is higher than %.3g m (1e-6 of the largest radius); give a surface that has an "
+                    "area, in metres", w->wall[k].name, w->wall[k].flat, weld*scale);
+    }
+    return DEM_OK;
 }
 
 /* ---- welding ------------------------------------------------------------------------------------------------- */
@@ -219,21 +277,23 @@ static size_t root(size_t *parent, size_t t)
     return t;
 }
 
+/* The plane of the larger triangle decides: a sliver's own is drowned in round-off. */
 static int coplanar(const struct dem_triangle *s, const struct dem_triangle *t, double tolerance)
 {
-    double n[3], m[3];
-    const double size = area_vector(s, n);
-    double worst = 0.0;
+    double n[3], m[3], worst = 0.0;
+    double size = area_vector(s, n), other = area_vector(t, m);
+    const int swap = other > size;
+    const struct dem_triangle *const large = swap ? t : s, *const small = swap ? s : t;
+    const double *const normal = swap ? m : n;
 
-    area_vector(t, m);
     for (int k = 0; k < 3; k++)
     {
         double d[3];
 
-        dem_vec_minus(t->corner[k], s->corner[0], d);
-        worst = fmax(worst, fabs(dem_vec_dot(d, n))/size);
+        dem_vec_minus(small->corner[k], large->corner[0], d);
+        worst = fmax(worst, fabs(dem_vec_dot(d, normal))/(swap ? other : size));
     }
-    return s->wall == t->wall && worst <= tolerance && fabs(dem_vec_dot(n, m)) > 0.999999*size*dem_vec_norm(m);
+    return s->wall == t->wall && worst <= tolerance && (fabs(dem_vec_dot(n, m)) > 0.999999*size*other || is_flat(small, 1e3*tolerance));
 }
 
 static void join(struct dem_walls *w, struct edge *edge, size_t edges, size_t *parent, double tolerance)
@@ -256,14 +316,18 @@ static void join(struct dem_walls *w, struct edge *edge, size_t edges, size_t *p
     }
 }
 
-static int add_region(struct dem_walls *w, const double normal[3], const double point[3], int wall, int one_sided)
+static int add_region(struct dem_walls *w, int wall, const double normal[3], const double point[3])
 {
+    const struct dem_wall *const of = &w->wall[wall];
     struct dem_region *r;
 
     DEM_TRY(DEM_GROW(w->region, w->region_room, w->regions + 1));
     r = &w->region[w->regions++];
-    *r = (struct dem_region){.wall = wall, .one_sided = one_sided, .offset = dem_vec_dot(normal, point)};
+    *r = (struct dem_region){.wall = wall, .shape = of->shape, .outside = of->outside, .radius = of->radius,
+                             .offset = dem_vec_dot(normal, point)};
     memcpy(r->normal, normal, sizeof r->normal);
+    memcpy(r->centre, point, sizeof r->centre);
+    w->plain &= (of->shape == DEM_SHAPE_PLANE || of->shape == DEM_SHAPE_TRIANGLES) && of->moving < 0 && !of->driven;
     return DEM_OK;
 }
 
@@ -271,9 +335,9 @@ static int number_regions(struct dem_walls *w, size_t *parent)
 {
     for (int k = 0; k < w->walls; k++)
     {
-        if (w->wall[k].plane)
+        if (w->wall[k].shape != DEM_SHAPE_TRIANGLES)
         {
-            DEM_TRY(add_region(w, w->wall[k].normal, w->wall[k].point, k, 1));
+            DEM_TRY(add_region(w, k, w->wall[k].normal, w->wall[k].point));
         }
     }
     for (size_t t = 0; t < w->triangles; t++)
@@ -291,24 +355,43 @@ static int number_regions(struct dem_walls *w, size_t *parent)
                 n[k] /= size;
             }
             here->region = w->regions;
-            DEM_TRY(add_region(w, n, here->corner[0], here->wall, 0));
+            DEM_TRY(add_region(w, here->wall, n, here->corner[0]));
         }
         here->region = w->triangle[first].region;
     }
     return DEM_OK;
 }
 
-int dem_walls_finish(struct dem_walls *w, double scale)
+/* The plane of a region is that of its largest triangle, the first of several alike. */
+static int choose_planes(struct dem_walls *w)
+{
+    double *largest, n[3];
+
+    DEM_TRY(DEM_NEW(largest, w->regions + 1));
+    for (size_t t = 0; t < w->triangles; t++)
+    {
+        struct dem_region *const r = &w->region[w->triangle[t].region];
+        const double size = area_vector(&w->triangle[t], n);
+
+        if (size > largest[w->triangle[t].region])
+        {
+            largest[w->triangle[t].region] = size;
+            for (int k = 0; k < 3; k++)
+            {
+                r->normal[k] = n[k]/size;
+            }
+            r->offset = dem_vec_dot(r->normal, w->triangle[t].corner[0]);
+        }
+    }
+    dem_memory_free(largest);
+    return DEM_OK;
+}
+
+static int join_triangles(struct dem_walls *w, double scale)
 {
     struct edge *edge;
     size_t *name, *parent;
-    int status;
 
-    if (w->triangles == 0)
-    {
-        return number_regions(w, NULL);                   /* planes alone */
-    }
-    drop_repeats(w, scale);
     DEM_TRY(DEM_NEW(edge, 3*w->triangles + 1));
     DEM_TRY(DEM_NEW(name, 3*w->triangles + 1));
     DEM_TRY(DEM_NEW(parent, w->triangles + 1));
@@ -323,9 +406,56 @@ int dem_walls_finish(struct dem_walls *w, double scale)
     }
     qsort(edge, 3*w->triangles, sizeof *edge, compare_edges);
     join(w, edge, 3*w->triangles, parent, weld*scale);
-    status = number_regions(w, parent);
+    const int status = number_regions(w, parent);
+
     dem_memory_free(edge);
     dem_memory_free(name);
     dem_memory_free(parent);
     return status;
+}
+
+int dem_walls_finish(struct dem_walls *w, double scale)
+{
+    w->plain = 1;
+    if (w->triangles > 0)
+    {
+        DEM_TRY(drop_useless(w, scale));
+        DEM_TRY(join_triangles(w, scale));
+        DEM_TRY(choose_planes(w));
+    }
+    else
+    {
+        DEM_TRY(number_regions(w, NULL));
+    }
+    return dem_walls_make_marks(w);
+}
+
+/* ---- heights ------------------------------------------------------------------------------------------------- */
+
+double dem_region_height(const struct dem_region *r, const double x[3], double normal[3])
+{
+    double d[3], size;
+
+    if (r->shape == DEM_SHAPE_PLANE || r->shape == DEM_SHAPE_TRIANGLES)
+    {
+        memcpy(normal, r->normal, sizeof r->normal);
+        return dem_vec_dot(r->normal, x) - r->offset;
+    }
+    dem_vec_minus(x, r->centre, d);
+    if (r->shape == DEM_SHAPE_CYLINDER)
+    {
+        const double along = dem_vec_dot(d, r->normal);
+
+        for (int k = 0; k < 3; k++)
+        {
+            d[k] -= along*r->normal[k];
+        }
+    }
+    size = dem_vec_norm(d);
+    for (int k = 0; k < 3; k++)
+    {
+        /* on the axis any direction across it will do, as long as all ranks take the same; here nobody touches from inside */
+        normal[k] = size > 0.0 ? (r->outside ? d[k] : -d[k])/size : r->normal[(k + 1)%3];
+    }
+    return r->outside ? size - r->radius : r->radius - size;
 }

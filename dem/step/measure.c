@@ -118,7 +118,6 @@ void dem_measure_tally(struct dem_parts *p, struct dem_tally *t)
 
 void dem_measure_wall(const struct dem_parts *p, int wall, double force[3], double torque[3])
 {
-    const struct dem_contacts *const c = &p->contacts;
     struct dem_sum sum[6];
     double value[6];
 
@@ -126,26 +125,21 @@ void dem_measure_wall(const struct dem_parts *p, int wall, double force[3], doub
     {
         dem_sum_clear(&sum[k]);
     }
-    for (uint32_t r = 0; r < c->rows; r++)
-    {
-        const struct dem_pair *const q = c->row_pair[r] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[r]];
-
-        if (q && q->wall && p->walls.region[p->pairs.wall_region[q->j]].wall == wall)
-        {
-            double moment[3];
-
-            dem_vec_cross(p->touches.touch[q->j].point, c->push[r].f, moment);
-            for (uint32_t k = 0; k < 3; k++)
-            {
-                dem_sum_add(&sum[k], -c->push[r].f[k]);
-                dem_sum_add(&sum[3 + k], -moment[k]);
-                dem_sum_add(&sum[3 + k], c->moments ? -c->moment[3*r + k] : 0.0);
-            }
-        }
-    }
+    dem_wall_books_sum(p, wall, 1.0, sum);
     dem_measure_sums(p, sum, 6, value);
     memcpy(force, value, 3*sizeof *force);
     memcpy(torque, value + 3, 3*sizeof *torque);
+}
+
+void dem_measure_impulse(const struct dem_parts *p, int wall, double impulse[3], double twist[3])
+{
+    struct dem_sum sum[6];
+    double value[6];
+
+    memcpy(sum, p->books.sum + 6*wall, sizeof sum);
+    dem_measure_sums(p, sum, 6, value);
+    memcpy(impulse, value, 3*sizeof *impulse);
+    memcpy(twist, value + 3, 3*sizeof *twist);
 }
 
 /* ---- fingerprint --------------------------------------------------------------------------------------------- */

@@ -22,6 +22,9 @@ void dem_measure_tally(struct dem_parts *, struct dem_tally *);
 /* Collective. Force [N] and torque about the origin [N m] of the particles on a wall in the last step. */
 void dem_measure_wall(const struct dem_parts *, int wall, double force[3], double torque[3]);
 
+/* Impulse [N s] and its moment [N m s] on a wall since the books were opened. Collective. */
+void dem_measure_impulse(const struct dem_parts *, int wall, double impulse[3], double twist[3]);
+
 /* Collective. Fingerprint of ids, positions, velocities, spins and of all remembered contacts. */
 uint64_t dem_measure_hash(const struct dem_parts *);
 

@@ -18,6 +18,7 @@
 #include "step/averages.h"
 #include "step/kept.h"
 #include "step/losses.h"
+#include "step/wall_books.h"
 #include "step/wall_touch.h"
 
 struct dem_watch                                          /* what the sweep saw; reset by who asks */
@@ -43,6 +44,7 @@ struct dem_parts
     struct dem_averages averages;
     struct dem_losses losses;
     struct dem_kept kept;
+    struct dem_wall_books books;
     int stale;                                            /* 1: rebuild in the next step whatever has moved; 2: there are no
                                                              lists of these particles yet */
     int64_t steps, rebuilds, prunes;

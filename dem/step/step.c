@@ -112,6 +112,15 @@ static int hand_over(struct dem_parts *p)
     return dem_halo_migrate(&p->halo, &p->particles, &p->contacts);
 }
 
+static int prune(struct dem_parts *p)
+{
+    p->prunes++;
+    dem_walls_remark(&p->walls, DEM_LIST_INNER);
+    DEM_TRY(dem_pairs_prune(&p->pairs, &p->particles, &p->walls, &p->contacts));
+    dem_wall_touches_rows(&p->touches, &p->pairs.search, &p->contacts);
+    return DEM_OK;
+}
+
 int dem_step_renew(struct dem_parts *p)
 {
     double none[2] = {0.0, 0.0};
@@ -125,15 +134,16 @@ int dem_step_renew(struct dem_parts *p)
     status = dem_pairs_find(&p->pairs, &p->domain, &p->particles, &p->walls, &p->recipe, &p->contacts);
     DEM_TRY(agree(p, status, none));
     DEM_TRY(dem_wall_touches_fit(&p->touches, &p->pairs.search));
-    DEM_TRY(dem_pairs_prune(&p->pairs, &p->particles, &p->walls, &p->contacts));
+    dem_walls_remark(&p->walls, DEM_LIST_OUTER);
+    DEM_TRY(prune(p));
     DEM_TRY(dem_contacts_settle(&p->contacts, &p->particles, p->pairs.wall_region));
     p->stale = 0;
     p->rebuilds++;
-    p->prunes++;
     return DEM_OK;
 }
 
-/* After a drift: rebuild, prune, or neither, from the bounds on how far anyone has moved. */
+/* After a drift: rebuild, prune, or neither, from the bounds on how far anyone has moved. Particles and walls may each use
+   up half a skin. */
 static int neighbourhood(struct dem_parts *p, double fastest, double dt)
 {
     struct dem_pairs *const s = &p->pairs;
@@ -148,15 +158,14 @@ static int neighbourhood(struct dem_parts *p, double fastest, double dt)
         s->moved_outer = moved[0];
         s->moved_inner = moved[1];
     }
-    if (p->stale || s->moved_outer > s->half_outer)
+    if (p->stale || s->moved_outer > s->half_outer || dem_walls_moved(&p->walls, DEM_LIST_OUTER) > s->half_outer)
     {
         return dem_step_renew(p);
     }
     DEM_TRY(dem_halo_refresh(&p->halo, &p->particles));
-    if (s->moved_inner > s->half_inner)
+    if (s->moved_inner > s->half_inner || dem_walls_moved(&p->walls, DEM_LIST_INNER) > s->half_inner)
     {
-        p->prunes++;
-        return dem_pairs_prune(s, &p->particles, &p->walls, &p->contacts);
+        return prune(p);
     }
     return DEM_OK;
 }
@@ -218,6 +227,9 @@ static int not_too_far(const struct dem_parts *p, double fastest, double dt)
 
         least = p->recipe.chain[c].links > 0 ? fmin(least, p->recipe.least_radius[material]) : least;
     }
+    DEM_REQUIRE(p->walls.stride <= least, DEM_ERROR_NUMBER,
+                "a wall moves by %.3g m in step %lld at time %g s; the limit is %g m, the radius of the smallest particle, or it may miss a "
+                "contact; use a smaller time/step, or a slower motion", p->walls.stride, (long long)p->steps, p->time, least);
     for (size_t i = 0; fastest*dt > least && i < p->particles.n; i++)
     {
         const struct dem_particle *const q = &p->particles.record[i];
@@ -233,12 +245,13 @@ static int not_too_far(const struct dem_parts *p, double fastest, double dt)
     return DEM_OK;
 }
 
-/* The status of the sweep is kept for the next agreement, so that all ranks stop together. */
+/* The step that ends at p->time. The status of the sweep is kept for the next agreement, so that all ranks stop together. */
 static int step(struct dem_parts *p, double dt, double kick, double since, int *status)
 {
     double fastest[2] = {dem_motion_drift(&p->particles, dt), 0.0};
 
     p->steps++;
+    dem_walls_move(&p->walls, p->time, dt);
     *status = *status ? *status : not_too_far(p, fastest[0], dt);
     DEM_TRY(agree(p, *status, fastest));
     DEM_REQUIRE(isfinite(fastest[0]), DEM_ERROR_NUMBER, "a particle's velocity is not a number at step %lld; look at the forces "
@@ -246,6 +259,7 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
     DEM_TRY(neighbourhood(p, fastest[0], dt));
     *status = dem_sweep_contacts(p, dt, (const double[2]){since, p->time});
     dem_sum_contacts(&p->particles, &p->contacts);
+    dem_wall_books_add(p, kick);
     dem_sum_books(&p->particles, &p->contacts);
     if (p->kept.every > 0 && p->steps >= p->kept.steps + p->kept.every && kick == dt)
     {
@@ -263,11 +277,13 @@ int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
 
     p->window = window;
     p->dt = dt;
+    dem_walls_move(&p->walls, start, 0.0);
     dem_bodies_open(&p->particles);
     if (p->recipe.needs & DEM_NEEDS_VISCOSITY && !p->stale)
     {
         DEM_TRY(dem_halo_refresh_viscosity(&p->halo, &p->particles));
     }
+    dem_wall_books_add(p, 0.5*dt);
     dem_sweep_bodies(&p->particles, &p->recipe.bodies, 0.5*dt, window);
     for (int64_t k = 1; k <= steps; k++)
     {

@@ -10,6 +10,7 @@
 #include "base/memory.h"
 #include "step/loss_cause.h"
 #include "step/tray.h"
+#include "step/wall_springs.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -118,14 +119,14 @@ static double count_passes(const struct dem_block *restrict b)
     return count;
 }
 
-/* A plane has one side only: there is no behind. */
+/* Only triangles have two sides: elsewhere there is no behind. */
 static int list_passes(struct dem_parts *p, const struct dem_tray *t, uint32_t row, int rows)
 {
     for (int c = 0; c < rows; c++)
     {
         const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[row + (uint32_t)c]];
 
-        if (passed(&t->block, c) > 0.0 && !p->walls.region[p->pairs.wall_region[q->j]].one_sided)
+        if (passed(&t->block, c) > 0.0 && p->walls.region[p->pairs.wall_region[q->j]].shape == DEM_SHAPE_TRIANGLES)
         {
             DEM_TRY(DEM_GROW(p->losses.pass, p->losses.pass_room, p->losses.passes + 1));
             p->losses.pass[p->losses.passes++] = row + (uint32_t)c;
@@ -266,6 +267,7 @@ int dem_sweep_contacts(struct dem_parts *p, double dt, const double time[2])
     t.block.since = time[0];
     t.block.time = time[1];
     dem_wall_touches_update(&p->touches, &p->pairs.search, &p->walls, &p->particles);
+    dem_wall_springs(p);
     for (int s = 0; s < p->contacts.classes; s++)
     {
         const struct dem_segment *const seg = &p->contacts.segment[s];

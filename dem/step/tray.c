@@ -11,6 +11,7 @@
 #include "step/tray.h"
 #include "base/math.h"
 #include "base/random.h"
+#include "step/wall_kind.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -109,6 +110,33 @@ static void gather_walls(struct dem_tray *restrict t, const struct dem_parts *p,
     }
 }
 
+/* What is different at a wall that moves, is round, or whose surface runs in itself: velocity, spin and, half a step ago,
+   normal; curvature. */
+static void gather_special(struct dem_tray *restrict t, const struct dem_parts *p, const uint32_t *restrict row_pair)
+{
+    struct dem_gathered *const g = &t->g;
+    struct dem_block *const b = &t->block;
+
+    for (int c = 0; c < b->n; c++)
+    {
+        const struct dem_pair *const q = &p->contacts.pair[row_pair[c]];
+        const struct dem_particle *const i = &p->particles.record[q->i];
+        struct dem_wall_kind kind;
+
+        dem_wall_kind_at(&p->walls, p->pairs.wall_region[q->j], i, &p->touches.touch[q->j], b->dt, &kind);
+        g->vx[c] -= kind.velocity[0];
+        g->vy[c] -= kind.velocity[1];
+        g->vz[c] -= kind.velocity[2];
+        b->wx[c] -= kind.spin[0];
+        b->wy[c] -= kind.spin[1];
+        b->wz[c] -= kind.spin[2];
+        b->hx[c] = kind.half[0];
+        b->hy[c] = kind.half[1];
+        b->hz[c] = kind.half[2];
+        b->reduced_radius[c] = kind.reduced_radius;
+    }
+}
+
 /* ---- geometry ------------------------------------------------------------------------------------------------ */
 
 DEM_KERNEL
@@ -135,7 +163,7 @@ static void normals_of_pairs(struct dem_block *restrict b, const struct dem_gath
     }
 }
 
-/* The foot of the particle moves along a wall with it: the normal of half a step ago is today's. */
+/* The foot of the particle moves along a flat wall with it: the normal of half a step ago is today's. */
 static void normals_of_walls(struct dem_block *b)
 {
     memcpy(b->hx, b->nx, sizeof b->hx);
@@ -242,6 +270,18 @@ static void chances(struct dem_tray *t, const struct dem_parts *p, const uint32_
     }
 }
 
+/* A wall that turns has a spin, too: what was gathered of the particle less what is left of it relative to the wall. */
+static void swing_of_walls(struct dem_tray *t)
+{
+    struct dem_block *const b = &t->block;
+    const struct dem_gathered *const g = &t->g;
+
+    for (int c = 0; c < b->n; c++)
+    {
+        b->swing[c] += 0.5*((g->bx[c] - b->wx[c])*b->nx[c] + (g->by[c] - b->wy[c])*b->ny[c] + (g->bz[c] - b->wz[c])*b->nz[c]);
+    }
+}
+
 static void fill_past_touching(struct dem_tray *t, const struct dem_parts *p, const struct dem_chain *chain, const uint32_t *padded)
 {
     if (chain->pair.with_wall)
@@ -253,6 +293,10 @@ static void fill_past_touching(struct dem_tray *t, const struct dem_parts *p, co
         gaps_of_pairs(t);
     }
     motion_past_touching(&t->block, &t->g, chain->pair.with_wall ? 0.5 : 1.0);
+    if (chain->pair.with_wall && !p->walls.plain)
+    {
+        swing_of_walls(t);
+    }
     if (chain->needs & DEM_NEEDS_CHANCE)
     {
         chances(t, p, padded);
@@ -269,6 +313,10 @@ void dem_tray_fill(struct dem_tray *t, const struct dem_parts *p, const struct d
     {
         gather_walls(t, p, padded);
         normals_of_walls(&t->block);
+        if (!p->walls.plain)
+        {
+            gather_special(t, p, padded);
+        }
     }
     else
     {

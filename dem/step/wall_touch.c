@@ -1,5 +1,6 @@
 /*
- * wall_touch.c -- plane distances for open nears, nearest points for the others, and the removal of doubles.
+ * wall_touch.c -- heights for open nears, nearest points for the others, and the removal of doubles. A wall that moves is
+ * touched in its own frame; the touch is told in the world's.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -25,16 +26,35 @@ int dem_wall_touches_fit(struct dem_wall_touches *t, const struct dem_wall_searc
     return DEM_GROW(t->touch, t->room, s->nears + 1);
 }
 
-static void touch_plane(const struct dem_region *r, const double x[3], struct dem_wall_touch *t)
+void dem_wall_touches_rows(struct dem_wall_touches *t, const struct dem_wall_search *s, const struct dem_contacts *c)
 {
-    const double h = dem_vec_dot(r->normal, x) - r->offset;
-    const double side = r->one_sided || h >= 0.0 ? 1.0 : -1.0;
+    for (size_t k = 0; k < s->nears; k++)
+    {
+        t->touch[k].row = DEM_ROW_NONE;
+    }
+    for (uint32_t r = 0; r < c->rows && s->nears > 0; r++)
+    {
+        const struct dem_pair *const q = c->row_pair[r] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[r]];
+
+        if (q && q->wall)
+        {
+            t->touch[q->j].row = r;
+        }
+    }
+}
+
+/* Triangles have two sides, all else has one. */
+static void touch_whole(const struct dem_region *r, const double x[3], struct dem_wall_touch *t)
+{
+    double normal[3];
+    const double h = dem_region_height(r, x, normal);
+    const double side = r->shape != DEM_SHAPE_TRIANGLES || h >= 0.0 ? 1.0 : -1.0;
 
     t->distance = side*h;
     for (int k = 0; k < 3; k++)
     {
-        t->normal[k] = side*r->normal[k];
-        t->point[k] = x[k] - h*r->normal[k];
+        t->normal[k] = side*normal[k];
+        t->point[k] = x[k] - h*normal[k];
     }
 }
 
@@ -64,11 +84,11 @@ static void touch_triangles(const struct dem_wall_search *s, const struct dem_wa
     double away[3];
 
     t->distance = nearest_of(s, w, near, x, t->point);
-    touch_plane(&w->region[near->region], x, &face);
+    touch_whole(&w->region[near->region], x, &face);
     dem_vec_minus(face.point, t->point, away);
     if (dem_vec_norm(away) < same_point*radius || t->distance == 0.0)
     {
-        *t = face;                                        /* on the flat: the plane's own normal, free of the seams' round-off */
+        touch_whole(&w->region[near->region], x, t);      /* on the flat: the plane's own normal, free of the seams' round-off */
         return;
     }
     for (int k = 0; k < 3; k++)
@@ -77,19 +97,44 @@ static void touch_triangles(const struct dem_wall_search *s, const struct dem_wa
     }
 }
 
-/* 1 when a point lies on the region of a near. */
-static int lies_on(const struct dem_wall_search *s, const struct dem_walls *w, const struct dem_wall_near *near,
-                   const double point[3], double tolerance)
+static void touch_region(const struct dem_wall_search *s, const struct dem_walls *w, const struct dem_wall_near *near,
+                         const struct dem_particle *i, struct dem_wall_touch *t)
 {
-    double on[3];
+    const struct dem_region *const r = &w->region[near->region];
+    const int moving = w->wall[r->wall].moving;
+    struct dem_wall_touch own;
+    double room[3];
+    const double *const x = dem_walls_own(w, r->wall, i->x, room);
 
     if (near->open)
     {
-        const struct dem_region *const r = &w->region[near->region];
-
-        return fabs(dem_vec_dot(r->normal, point) - r->offset) < tolerance;
+        touch_whole(r, x, t);
     }
-    return nearest_of(s, w, near, point, on) < tolerance;
+    else
+    {
+        touch_triangles(s, w, near, x, i->radius, t);
+    }
+    if (moving >= 0)
+    {
+        own = *t;
+        dem_pose_direction(&w->moving[moving].pose, own.normal, t->normal);
+        dem_pose_point(&w->moving[moving].pose, own.point, t->point);
+    }
+}
+
+/* 1 when a point of the world lies on the region of a near. */
+static int lies_on(const struct dem_wall_search *s, const struct dem_walls *w, const struct dem_wall_near *near,
+                   const double point[3], double tolerance)
+{
+    const struct dem_region *const r = &w->region[near->region];
+    double on[3], room[3], normal[3];
+    const double *const x = dem_walls_own(w, r->wall, point, room);
+
+    if (near->open)
+    {
+        return fabs(dem_region_height(r, x, normal)) < tolerance;
+    }
+    return nearest_of(s, w, near, x, on) < tolerance;
 }
 
 /* 1 when region a's nearest point belongs to region b as well and b is to keep it: b is nearer (then its own nearest point
@@ -101,16 +146,27 @@ static int yields(const struct dem_wall_search *s, const struct dem_walls *w, si
         && (b < a || !lies_on(s, w, &s->near[a], touch[b].point, tolerance));
 }
 
+/* 1 when the areas of contact of a and b, circles of radius sqrt(R d) about points nearer to each other than that, are one, and b is
+   the deeper one. */
+static int merges(size_t a, size_t b, double radius, const struct dem_wall_touch *touch)
+{
+    const double depth = radius - touch[b].distance;
+    double apart[3];
+
+    dem_vec_minus(touch[a].point, touch[b].point, apart);
+    return (touch[b].distance < touch[a].distance || (touch[b].distance <= touch[a].distance && b < a))
+        && dem_vec_dot(apart, apart) < radius*depth;
+}
+
 /* Marked first, dropped after: a region may yield to one that yields itself, down to the nearest of a curved surface. */
 static void drop_doubles(const struct dem_wall_search *s, const struct dem_walls *w, size_t first, size_t end, double radius,
                          struct dem_wall_touch *touch)
 {
     for (size_t a = first; a < end; a++)
     {
-        touch[a].drop = 0;
         for (size_t b = first; b < end && !touch[a].drop && touch[a].distance < radius; b++)
         {
-            touch[a].drop = b != a && yields(s, w, a, b, same_point*radius, touch);
+            touch[a].drop = b != a && (merges(a, b, radius, touch) || yields(s, w, a, b, same_point*radius, touch));
         }
     }
     for (size_t a = first; a < end; a++)
@@ -128,23 +184,12 @@ void dem_wall_touches_update(struct dem_wall_touches *t, const struct dem_wall_s
     {
         const struct dem_particle *const i = &p->record[s->near[first].particle];
         size_t end = first;
-        int closed = 0;
-
         for (; end < s->nears && s->near[end].particle == s->near[first].particle; end++)
         {
-            const struct dem_wall_near *const near = &s->near[end];
-
-            closed |= !near->open;
-            if (near->open)
-            {
-                touch_plane(&w->region[near->region], i->x, &t->touch[end]);
-            }
-            else
-            {
-                touch_triangles(s, w, near, i->x, i->radius, &t->touch[end]);
-            }
+            touch_region(s, w, &s->near[end], i, &t->touch[end]);
+            t->touch[end].drop = 0;
         }
-        if (closed)
+        if (end > first + 1)
         {
             drop_doubles(s, w, first, end, i->radius, t->touch);
         }

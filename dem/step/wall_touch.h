@@ -3,7 +3,10 @@
  * and none twice.
  *
  * A region's nearest point that lies on another region is dropped when the other is nearer (the sphere on a floor does
- * not feel the floor's edge as well) and counted once when both have it as their nearest (a convex edge is one contact).
+ * not feel the floor's edge as well) and counted once when both have it as their nearest (a convex edge is one contact). Faces
+ * of a concave edge are one contact each; but where the edge is so blunt that the areas of contact, circles of radius
+ * sqrt(R d) (Hertz), lie over each other, only the nearer one counts: the surface is nearly flat there, and two contacts would push
+ * twice as hard.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -11,11 +14,14 @@
 #define DEM_STEP_WALL_TOUCH_H
 
 #include "space/wall_search.h"
+#include "state/contacts.h"
 
 struct dem_wall_touch
 {
     double point[3], normal[3], distance;                 /* m, unit vector to the particle, m; huge when dropped */
     int drop;                                             /* 1: another region has this contact */
+    uint32_t row;                                         /* its near row, or DEM_ROW_NONE */
+    uint32_t surface;                                     /* scratch of wall_springs */
 };
 
 struct dem_wall_touches
@@ -28,6 +34,9 @@ void dem_wall_touches_free(struct dem_wall_touches *);
 
 /* Room for one touch per wall near; after every search. */
 int dem_wall_touches_fit(struct dem_wall_touches *, const struct dem_wall_search *);
+
+/* Tell each touch its row; after every prune. */
+void dem_wall_touches_rows(struct dem_wall_touches *, const struct dem_wall_search *, const struct dem_contacts *);
 
 /* Fill all touches at the present positions. */
 void dem_wall_touches_update(struct dem_wall_touches *, const struct dem_wall_search *, const struct dem_walls *,

@@ -1,0 +1,66 @@
+/*
+ * wall_books.c -- one pass over the rows of the wall classes.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "step/wall_books.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/vec.h"
+#include "step/parts.h"
+#include <string.h>
+
+void dem_wall_books_free(struct dem_wall_books *b)
+{
+    dem_memory_free(b->sum);
+    memset(b, 0, sizeof *b);
+}
+
+int dem_wall_books_open(struct dem_wall_books *b, int walls)
+{
+    if (!b->sum)
+    {
+        DEM_TRY(DEM_NEW(b->sum, 6*walls + 1));
+        b->walls = walls;
+    }
+    for (int k = 0; k < 6*walls; k++)
+    {
+        dem_sum_clear(&b->sum[k]);
+    }
+    return DEM_OK;
+}
+
+void dem_wall_books_sum(const struct dem_parts *p, int wall, double factor, struct dem_sum *sum)
+{
+    const struct dem_contacts *const c = &p->contacts;
+
+    for (int s = 0; s < c->classes && c->rows > 0; s++)
+    {
+        const uint32_t end = c->segment[s].first + (p->recipe.chain[s].pair.with_wall ? c->segment[s].count : 0);
+
+        for (uint32_t r = c->segment[s].first; r < end; r++)
+        {
+            const struct dem_pair *const q = &c->pair[c->row_pair[r]];
+            const int here = p->walls.region[p->pairs.wall_region[q->j]].wall;
+            const double f[3] = {-factor*c->push[r].f[0], -factor*c->push[r].f[1], -factor*c->push[r].f[2]};
+            struct dem_sum *const to = sum + (wall < 0 ? 6*here : 0);
+            double moment[3];
+
+            dem_vec_cross(p->touches.touch[q->j].point, f, moment);
+            for (uint32_t k = 0; k < 3 && (wall < 0 || wall == here); k++)
+            {
+                dem_sum_add(&to[k], f[k]);
+                dem_sum_add(&to[3 + k], moment[k]);
+                dem_sum_add(&to[3 + k], c->moments ? -factor*c->moment[3*r + k] : 0.0);
+            }
+        }
+    }
+}
+
+void dem_wall_books_add(struct dem_parts *p, double kick)
+{
+    if (p->books.sum)
+    {
+        dem_wall_books_sum(p, -1, kick, p->books.sum);
+    }
+}

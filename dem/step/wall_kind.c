@@ -1,0 +1,127 @@
+/*
+ * wall_kind.c -- velocity, normal half a step ago and curvature of a wall at a contact.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "step/wall_kind.h"
+#include "base/vec.h"
+#include <math.h>
+#include <string.h>
+
+/* A wall inside which a particle can't fit is taken to be this much wider than it. */
+static const double least_room = 1e-3;
+
+static double reduced_radius(const struct dem_region *r, double radius)
+{
+    const double ratio = radius/r->radius, bend = r->outside ? 1.0 + ratio : fmax(1.0 - ratio, least_room);
+
+    switch (r->shape)
+    {
+    case DEM_SHAPE_SPHERE: return radius/bend;
+    case DEM_SHAPE_CYLINDER: return radius/sqrt(bend);
+    default: return radius;
+    }
+}
+
+/* A surface that runs in itself; what the given velocity has along the normal does not count. */
+static void add_drive(const struct dem_walls *w, const struct dem_wall *of, const struct dem_wall_touch *at, struct dem_wall_kind *kind)
+{
+    double room[3], d[3], own[3], run[3], spin[3];
+    const double *const x = of->moving < 0 ? at->point : (dem_pose_own(&w->moving[of->moving].pose, at->point, room), room);
+
+    dem_vec_minus(x, of->drive_origin, d);
+    dem_vec_cross(of->drive_spin, d, own);
+    for (int k = 0; k < 3; k++)
+    {
+        own[k] += of->drive[k];
+    }
+    memcpy(run, own, sizeof run);
+    memcpy(spin, of->drive_spin, sizeof spin);
+    if (of->moving >= 0)
+    {
+        dem_pose_direction(&w->moving[of->moving].pose, own, run);
+        dem_pose_direction(&w->moving[of->moving].pose, of->drive_spin, spin);
+    }
+    const double along = dem_vec_dot(run, at->normal);
+
+    for (int k = 0; k < 3; k++)
+    {
+        kind->velocity[k] += run[k] - along*at->normal[k];
+        kind->spin[k] += spin[k];
+    }
+}
+
+/* The normal a step ago: of the face as it stood then, or of a round wall where the particle was then. */
+static void normal_before(const struct dem_region *r, const struct dem_stride *s, const double back[3], const struct dem_wall_touch *at,
+                          double before[3])
+{
+    double d[3];
+
+    if (r->shape == DEM_SHAPE_PLANE || r->shape == DEM_SHAPE_TRIANGLES)
+    {
+        dem_stride_back(s, at->normal, before);
+        return;
+    }
+    /* towards the axis or centre: a height of 1 along n is so much of the particle's distance from it */
+    const double reach = r->outside ? r->radius + at->distance : r->radius - at->distance;
+    double along = 0.0;
+
+    for (int k = 0; k < 3; k++)
+    {
+        d[k] = (r->outside ? reach : -reach)*at->normal[k] - back[k];
+    }
+    for (int k = 0; k < 3 && r->shape == DEM_SHAPE_CYLINDER; k++)
+    {
+        along += d[k]*r->normal[k];
+    }
+    const double size = sqrt(fmax(dem_vec_dot(d, d) - along*along, 0.0));
+
+    for (int k = 0; k < 3; k++)
+    {
+        const double flat = d[k] - (r->shape == DEM_SHAPE_CYLINDER ? along*r->normal[k] : 0.0);
+
+        before[k] = size > 0.0 ? (r->outside ? flat : -flat)/size : at->normal[k];
+    }
+}
+
+void dem_wall_kind_at(const struct dem_walls *w, int region, const struct dem_particle *i, const struct dem_wall_touch *at, double dt,
+                      struct dem_wall_kind *kind)
+{
+    static const struct dem_stride rest;
+    const struct dem_region *const r = &w->region[region];
+    const struct dem_wall *const of = &w->wall[r->wall];
+    const struct dem_stride *const s = of->moving < 0 ? &rest : &w->moving[of->moving].stride;
+    double back[3], before[3], centre[3] = {0.0, 0.0, 0.0};
+
+    dem_stride_velocity(s, at->point, kind->velocity);
+    if (r->shape == DEM_SHAPE_CYLINDER || r->shape == DEM_SHAPE_SPHERE)
+    {
+        memcpy(centre, r->centre, sizeof centre);
+        if (of->moving >= 0)
+        {
+            dem_pose_point(&w->moving[of->moving].pose, r->centre, centre);
+        }
+        dem_stride_velocity(s, centre, centre);
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        kind->spin[k] = s->sine_rate*s->axis[k];
+        back[k] = dt*(i->v[k] - centre[k]);
+    }
+    normal_before(r, s, back, at, before);
+    for (int k = 0; k < 3; k++)
+    {
+        kind->half[k] = at->normal[k] + before[k];
+    }
+    const double size = dem_vec_norm(kind->half);
+
+    for (int k = 0; k < 3; k++)
+    {
+        kind->half[k] = size > 0.0 ? kind->half[k]/size : at->normal[k];
+    }
+    kind->reduced_radius = reduced_radius(r, i->radius);
+    if (of->driven)
+    {
+        add_drive(w, of, at, kind);
+    }
+}
