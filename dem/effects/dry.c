@@ -10,7 +10,7 @@
  *   alpha  depends on e and the exponent of the normal law         [1]   see restitution.h
  *
  * At the end of a contact the dashpot pulls harder than the spring pushes, so F_n < 0 for a moment: e comes out as
- * asked only if this attraction is allowed, which is the default. Clamped at zero, a Hertzian contact returns
+ * asked only if this attraction is allowed, which is the default. Clamped at zero, a contact, linear or Hertzian, returns
  * 0.33 for e = 0.2, 0.47 for 0.4, 0.55 for 0.5, 0.63 for 0.6, 0.81 for 0.8, 0.90 for 0.9.
  *
  * Source: Antypov and Elliott, EPL 94 (2011) 50004; the spring and dashpot: Tsuji, Tanaka, Ishida, Powder Technol. 71
@@ -30,18 +30,11 @@ struct dry
     double alpha;                                         /* 1    derived */
 };
 
-enum
-{
-    ALLOWED,
-    CLAMPED
-};
-static const char *const attractions[] = {"allowed", "clamped", NULL};
-
 static const struct dem_field settings[] = {
     DEM_FIELD(dry, restitution, "1", DEM_FIELD_REQUIRED, 0.0, 1.0, "speed after a normal impact over speed before"),
-    DEM_FIELD_CHOICE(dry, attraction, "attraction", ALLOWED, attractions,
+    DEM_FIELD_CHOICE(dry, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
                      "whether the dashpot may pull when a contact opens; clamped never pulls but bounces too high: "
-                     "with hertz 0.33 comes out for 0.2, 0.55 for 0.5, 0.81 for 0.8, 0.90 for 0.9"),
+                     "0.33 comes out for 0.2, 0.55 for 0.5, 0.81 for 0.8, 0.90 for 0.9"),
     {0},
 };
 
@@ -62,16 +55,15 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *m
 {
     const struct dry *dry = of;
     const dem_real alpha = dry->alpha;
-    const dem_real least = dry->attraction == CLAMPED ? 0.0 : -1e30;    /* N: beyond any force */
+    const dem_real least = dem_attraction_least(dry->attraction);
 
     (void)memory;
     for (int c = 0; c < b->n; c++)
     {
         const dem_real eta = alpha*sqrt(b->reduced_mass[c]*b->kn[c]);
-        const dem_real fn = b->fn[c] - eta*b->vn[c];
 
         b->eta[c] = eta;
-        b->fn[c] = fn < least ? least : fn;
+        b->fn[c] = dem_attraction(b->fn[c], eta*b->vn[c], least);
     }
 }
 

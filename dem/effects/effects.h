@@ -10,13 +10,17 @@
 
 #define DEM_EFFECT_ROWS(ROW)                                                                                          \
     ROW(hertz)                                                                                                        \
+    ROW(hooke)                                                                                                        \
+    ROW(hooke_hysteresis)                                                                                             \
     ROW(dry)                                                                                                          \
+    ROW(viscous)                                                                                                      \
     ROW(stokes)                                                                                                       \
     ROW(mindlin)                                                                                                      \
     ROW(rolling_constant)                                                                                             \
     ROW(rolling_spring)                                                                                               \
     ROW(rolling_viscous)                                                                                              \
     ROW(twisting_spring)                                                                                              \
+    ROW(sjkr)                                                                                                         \
     ROW(lubrication)                                                                                                  \
     ROW(gravity)                                                                                                      \
     ROW(pressure_gradient)                                                                                            \

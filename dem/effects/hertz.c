@@ -11,62 +11,64 @@
  * Longest step: the lesser of
  *
  *   t_c/20,   t_c = 2.8683 (m*^2/(R* E*^2 v))^(1/5)                duration of an elastic impact at the speed v
- *   T_R/5,    T_R = pi R sqrt(rho/G)/(0.1631 nu + 0.8766)          a surface wave runs round half a particle
+ *   T_R/5,    T_R = pi R sqrt(rho/G)/(0.1631 nu + 0.8766)          a surface wave runs round half a particle (impact.h)
  *
  *   m*   reduced mass                                              [kg]
- *   v    impact speed, the only setting                            [m/s]
+ *   v    impact speed, a setting                                   [m/s]
  *   2.8683 = 4 sqrt(pi) Gamma(2/5)/(5 Gamma(9/10)) (15/16)^(2/5)
- *   R    radius of the smallest particle: R* at a wall, and 2 R* in a pair, where two equal ones are assumed
  *
- * Source: Hertz, J. reine angew. Math. 92 (1882) 156; duration: Johnson, Contact Mechanics (1985), section 11.4.
- * Rayleigh time: Thornton and Randall in Micromechanics of Granular Materials (1988) 133. The fractions 1/20 and 1/5
- * are common practice, not theory: at 1/20 an elastic impact keeps its speed within 0.1 %.
+ * A stiffness in place of 4/3 E* may be given; then there is no wave to resolve.
+ *
+ * Source: Hertz, J. reine angew. Math. 92 (1882) 156; duration: Johnson, Contact Mechanics (1985), section 11.4. At 1/20 an
+ * elastic impact keeps its speed within 0.1 %.
  * Not here: damping (see dry, stokes), friction (see mindlin), plastic contact, adhesion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "effects/effect.h"
 
-#include "base/math.h"
-
-#include <stdio.h>
+#include "effects/impact.h"
 
 struct hertz
 {
     double impact_speed;
-    double modulus;                                       /* Pa   4/3 E*, derived */
+    double stiffness;
+    double modulus;                                       /* Pa   4/3 E* or the stiffness, derived */
 };
 
 static const struct dem_field settings[] = {
     DEM_FIELD_AS(hertz, impact_speed, "impactSpeed", "m/s", 1.0, DEM_ABOVE_ZERO, INFINITY,
                  "fastest impact to be resolved; bounds the time step, not the force"),
+    DEM_FIELD(hertz, stiffness, "Pa", 0.0, 0.0, INFINITY, 
+              "in place of 4/3 E*: F_n = stiffness sqrt(R*) d^(3/2); 0: from the materials"),
     {0},
 };
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    DEM_REQUIRE(pair->reduced_modulus > 0.0 && pair->reduced_modulus <= DBL_MAX, DEM_ERROR_INPUT,
-                "hertz between %s and %s: the reduced modulus is %g Pa, but must be above 0 and finite; "
-                "check youngsModulus and poissonsRatio of both",
-                pair->a->name, pair->b->name, pair->reduced_modulus);
-    ((struct hertz *)of)->modulus = 4.0/3.0*pair->reduced_modulus;
+    struct hertz *const hertz = of;
+
+    hertz->modulus = hertz->stiffness;
+    if (hertz->stiffness == 0.0)
+    {
+        DEM_TRY(dem_impact_elastic("hertz", pair));
+        hertz->modulus = 4.0/3.0*pair->reduced_modulus;
+    }
     return DEM_OK;
 }
 
-/* s: a surface wave of this particle runs round half of it */
-static double rayleigh_time(const struct dem_material *particle, double radius)
+/* Pa: E*, or what stands for it where a stiffness is given */
+static double modulus_of(const struct hertz *hertz, const struct dem_pair_class *pair)
 {
-    const double nu = particle->poissons_ratio;
-    const double shear = particle->youngs_modulus/(2.0*(1.0 + nu));
-
-    return 3.14159265358979324*radius*sqrt(particle->density/shear)/(0.1631*nu + 0.8766);
+    return hertz->stiffness > 0.0 ? 0.75*hertz->stiffness : pair->reduced_modulus;
 }
 
 static double contact_time(const void *of, const struct dem_pair_class *pair)
 {
-    const double over = pair->least_mass/pair->reduced_modulus;
+    const struct hertz *const hertz = of;
+    const double over = pair->least_mass/modulus_of(hertz, pair);
 
-    return 2.8682657*dem_pow(over*over/(pair->least_radius*((const struct hertz *)of)->impact_speed), 0.2);
+    return 2.8682657*dem_pow(over*over/(pair->least_radius*hertz->impact_speed), 0.2);
 }
 
 /* the text stays until this thread asks again */
@@ -74,23 +76,21 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 {
     static _Thread_local char text[160];
 
-    const double speed = ((const struct hertz *)of)->impact_speed;
+    const struct hertz *const hertz = of;
     const double contact = contact_time(of, pair);
 
-    const double radius = pair->with_wall ? pair->least_radius : 2.0*pair->least_radius;
-    const double wave_a = rayleigh_time(pair->a, radius);
-    const double wave_b = pair->with_wall ? wave_a : rayleigh_time(pair->b, radius);
-    const double wave = wave_b < wave_a ? wave_b : wave_a;
+    const char *whose;
+    const double wave = dem_impact_rayleigh(pair, &whose);
 
     *why = text;
-    if (0.05*contact <= 0.2*wave)
+    if (hertz->stiffness > 0.0 || 0.05*contact <= wave)
     {
         snprintf(text, sizeof text, "1/20 of the Hertz contact time of %s-%s at %g m/s", pair->a->name, pair->b->name,
-                 speed);
+                 hertz->impact_speed);
         return 0.05*contact;
     }
-    snprintf(text, sizeof text, "0.2 of the Rayleigh time of %s", wave_b < wave_a ? pair->b->name : pair->a->name);
-    return 0.2*wave;
+    snprintf(text, sizeof text, "0.2 of the Rayleigh time of %s", whose);
+    return wave;
 }
 
 DEM_KERNEL

@@ -1,5 +1,5 @@
 /*
- * restitution.h -- the dashpot that makes two bodies part with e times the speed at which they met.
+ * restitution.h -- what laws of damping share: the dashpot that makes two bodies part with e times the speed at which they met.
  *
  *   eta = alpha sqrt(m* k_n),    alpha = sqrt(2 (p + 1)) * L/sqrt(pi^2 + L^2),    L = -ln e
  *
@@ -11,7 +11,8 @@
  * With a dashpot ~ d^((p-1)/2) the equation of motion turns into the linear one by a change of variables, so e does
  * not depend on the impact speed and alpha is exact: p = 1 gives the textbook 2 L/sqrt(pi^2 + L^2), p = 3/2 the
  * sqrt(5) L/sqrt(pi^2 + L^2) of Hu et al. The factor after the dot is 0 for e = 1 and 1, critical damping, for e = 0.
- * Both hold if the force may pull at the end of the contact.
+ * Both hold if the force may pull at the end of the contact; clamped, they bounce higher. A spring that pulls by itself,
+ * by adhesion, is never clamped.
  *
  * Source: Antypov and Elliott, EPL 94 (2011) 50004; Hu, Hu, Jian, Liu, Wan, J. Computers 6, no. 5 (2011).
  *
@@ -34,6 +35,29 @@ static inline double dem_restitution_critical(double exponent)
 static inline double dem_restitution_loss(double e)
 {
     return e > 0.0 ? 0.0 - dem_log(e) : 1e9;
+}
+
+/* ---- the pull at the end: a dashpot may pull harder than the spring pushes, for a moment ---------------------------- */
+
+enum
+{
+    DEM_ATTRACTION_ALLOWED,
+    DEM_ATTRACTION_CLAMPED
+};
+static const char *const dem_attractions[] = {"allowed", "clamped", NULL};
+
+/* N: the least force that this choice leaves */
+static inline double dem_attraction_least(int choice)
+{
+    return choice == DEM_ATTRACTION_CLAMPED ? 0.0 : -1e30;    /* beyond any force */
+}
+
+/* the force less the dashpot's; clamped, a spring that pushes is not turned into a pull, and one that pulls stays as it is */
+static inline __attribute__((always_inline)) double dem_attraction(double spring, double dashpot, double least)
+{
+    const double sum = spring - dashpot;
+
+    return dem_pick((spring < 0.0) | (sum >= least), sum, least);
 }
 
 #endif

@@ -11,21 +11,7 @@ static const struct dem_material oxide = {"aluminium oxide", 4000.0, 380e9, 0.23
 static const struct dem_material rigid = {"rigid", 1.0, INFINITY, 0.3};
 static struct world w;
 
-/* a linear spring, to stand before the dashpot in this test only */
 static const double linear_stiffness = 1e6;
-static void linear_act(const void *of, struct dem_block *restrict b, dem_real *const *memory)
-{
-    (void)of;
-    (void)memory;
-    for (int c = 0; c < b->n; c++)
-    {
-        b->kn[c] = b->touching[c]*linear_stiffness;
-        b->fn[c] += b->kn[c]*b->overlap[c];
-    }
-}
-static const struct dem_field no_settings[] = {{0}};
-static const struct dem_effect linear = {.name = "linear", .stage = DEM_STAGE_NORMAL, .exponent = 1.0, .settings = no_settings,
-                                         .act = linear_act};
 
 /* aluminium oxide, 2.5 mm, on a rigid plane; mean over 16 phases */
 static double bounce(double e, double speed, int clamped, int steps)
@@ -45,9 +31,7 @@ static double bounce_linear(double e, double speed, int steps)
     world_wall(&w, &oxide, &rigid, 0.0025);
     const double dt = 3.14159265358979324*sqrt(w.mass[0]/linear_stiffness)/steps;
 
-    struct link *const l = &w.link[w.links++];
-    l->effect = &linear;
-    w.pair.exponent = 1.0;
+    world_add(&w, &dem_hooke, "stiffness", linear_stiffness);
     world_add(&w, &dem_dry, "restitution", e);
     world_aim(&w, 16, dt, speed);
     return world_impact(&w, dt, 20*steps) > 0 ? world_parting(&w)/speed : NAN;
@@ -121,6 +105,10 @@ static void closed_forms(void)
     TAP_OK(w.b.eta[1] == 0.0 && w.b.fn[1] == 0.0, "a row apart gets nothing");
     row(0.3, 1, 1.0, 0.5, &fn, &eta);
     TAP_OK(fn == 0.0, "clamped, it does not");
+    w.b.fn[0] = -7.0;
+    w.b.vn[0] = 0.5;
+    dem_dry.act(w.link[1].settings, &w.b, w.link[1].memory);
+    TAP_OK(w.b.fn[0] < -7.0, "but what pulls by itself, adhesion, is left as it is");
     row(0.3, 0, 1.5, -0.5, &fn, &eta);
     TAP_NEAR(eta, sqrt(5.0)*beta0*100.0, 1e-12, "hertz: sqrt(5) beta sqrt(m k)");
     TAP_OK(fn > 7.0, "on approach it pushes");

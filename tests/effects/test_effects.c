@@ -24,7 +24,7 @@ static const struct dem_pair_class pair = {.a = &glass, .b = &glass, .reduced_mo
 /* settings in the middle of their range, or their defaults; prepared */
 static void settings_of(const struct dem_effect *e, void *settings)
 {
-    double values[3] = {0.5, 0.5, 0.5};
+    double unlike = 0.0;                                  /* no two alike: one may have to be above the other */
 
     if (e->settings)
     {
@@ -33,8 +33,10 @@ static void settings_of(const struct dem_effect *e, void *settings)
         {
             if (isnan(f->def))
             {
+                const double value = (f->least > 0.5 ? 2.0*f->least : 0.5) + unlike, values[3] = {value, 0.5, 0.5};
+
                 dem_field_set_number(e->settings, settings, e->name, f->name, values, f->kind == DEM_FIELD_VECTOR ? 3 : 1);
-                values[0] += 0.01;                        /* no two alike: one may have to be above the other */
+                unlike += 0.01;
             }
         }
     }

@@ -119,7 +119,20 @@ static void limits(void)
     TAP_NEAR(dem_hertz.time_limit(w.link[0].settings, &w.pair, &why), 0.2*rayleigh, 1e-12*rayleigh,
              "particle on soft wall");
 
+    /* a stiffness in place of 4/3 E*: the same numbers, and no wave */
+    world_spheres(&w, &glass, &glass, 0.01, 0.01);
+    world_add(&w, &dem_hertz, "impactSpeed", 1.0);
+    settle(&dem_hertz, w.link[0].settings, &w.pair, "stiffness", 4.0/3.0*25e9);
+    TAP_NEAR(dem_hertz.time_limit(w.link[0].settings, &w.pair, &why), 0.05*world_contact_time(&w, 1.0), 1e-7*3.67e-6,
+             "a given stiffness: %s", why);                                               /* digits of 2.8682657 */
+    w.b.n = 1;
+    w.b.overlap[0] = 1e-5, w.b.reduced_radius[0] = 0.005, w.b.fn[0] = 0.0;
+    dem_hertz.act(w.link[0].settings, &w.b, w.link[0].memory);
+    TAP_NEAR(w.b.fn[0], 4.0/3.0*25e9*sqrt(0.005)*pow(1e-5, 1.5), 1e-13*75.0, "and the force of those materials");    /* rounding */
+
     w.pair.reduced_modulus = 0.0;
+    TAP_OK(dem_hertz.prepare(w.link[0].settings, &w.pair) == DEM_OK, "which needs no modulus");
+    settle(&dem_hertz, w.link[0].settings, &w.pair, "stiffness", 0.0);
     TAP_OK(dem_hertz.prepare(w.link[0].settings, &w.pair) == DEM_ERROR_INPUT,
            "refuses no modulus: %s", dem_error_text());
 }

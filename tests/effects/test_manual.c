@@ -1,6 +1,6 @@
 /*
  * Claims: the table on the page of effects (dem/effects/README.md) is what the program prints; `dem effects WORD` prints one
- * of its entries, and a word nobody knows is refused.
+ * of its entries, and a word nobody knows is refused; the effect and the test that dem/README.md shows are the files.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -64,6 +64,18 @@ static int parting(const char *a, const char *b)
     return *a == *b ? 0 : line;
 }
 
+/* a whole file stands on dem/README.md */
+static void shown(const char *name)
+{
+    FILE *const file = fopen(name, "r"), *const manual = fopen("../dem/README.md", "r");
+
+    in(file, printed);
+    in(manual, page);
+    fclose(file);
+    fclose(manual);
+    TAP_OK(strstr(page, printed) != NULL, "dem/README.md shows %s as it is", name);
+}
+
 int main(void)
 {
     char *known[] = {"dry"}, *unknown[] = {"herz"};
@@ -91,5 +103,7 @@ int main(void)
     }
     TAP_OK(print(1, known) == DEM_OK && strncmp(printed, "dry ", 4) == 0 && strstr(page, "\ndry "), "dem effects dry");
     TAP_OK(print(1, unknown) == DEM_ERROR_INPUT && strstr(dem_error_text(), "hertz"), "%s", dem_error_text());
+    shown("../dem/effects/sjkr.c");
+    shown("effects/test_sjkr.c");
     TAP_DONE;
 }

@@ -1,0 +1,77 @@
+/*
+ * hooke.c -- spheres push each other apart like a linear spring.
+ *
+ *   F_n = k d
+ *
+ *   d    overlap                                                   [m]
+ *   k    stiffness: given, or such that an impact at the speed v overlaps as far as Hertz's         [N/m]
+ *   v    impactSpeed                                               [m/s]  see impact.h
+ *
+ * From the speed, k follows E*, R* and m* of each contact. Longest step: t_c/20, t_c = pi sqrt(m/k), and where k is not
+ * given 1/5 of the Rayleigh time, too (impact.h).
+ *
+ * Source: Cundall and Strack, Geotechnique 29 (1979) 47; k: eq. (1) of Open DEM Japan, Hooke/Hysteresis normal contact
+ * model (in Japanese, 2025); with a wall R* = R_i, m* = m_i and E* of both, which that note leaves open.
+ * Not here: damping (see dry, viscous, stokes), friction (see linear, mindlin), plastic contact (see hookeHysteresis).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "effects/effect.h"
+
+#include "effects/impact.h"
+
+struct hooke
+{
+    double stiffness, impact_speed;
+    struct dem_impact_spring spring;                      /* derived */
+};
+
+static const struct dem_field settings[] = {
+    DEM_FIELD(hooke, stiffness, "N/m", 0.0, 0.0, INFINITY, "force per overlap; 0: from the materials and impactSpeed"),
+    DEM_FIELD_AS(hooke, impact_speed, "impactSpeed", "m/s", 1.0, DEM_ABOVE_ZERO, INFINITY,
+                 "without stiffness: an impact at this speed overlaps as with hertz"),
+    {0},
+};
+
+static int prepare(void *of, const struct dem_pair_class *pair)
+{
+    struct hooke *hooke = of;
+
+    hooke->spring = (struct dem_impact_spring){.stiffness = hooke->stiffness, .speed = hooke->impact_speed};
+    return dem_impact_prepare(&hooke->spring, "hooke", pair);
+}
+
+static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
+{
+    return dem_impact_limit(&((const struct hooke *)of)->spring, 1.0, pair, why);
+}
+
+static double contact_time(const void *of, const struct dem_pair_class *pair)
+{
+    return dem_impact_contact(&((const struct hooke *)of)->spring, 1.0, pair);
+}
+
+DEM_KERNEL
+static void act(const void *of, struct dem_block *restrict b, dem_real *const *memory)
+{
+    (void)memory;
+    dem_impact_stiffness(&((const struct hooke *)of)->spring, b);
+    for (int c = 0; c < b->n; c++)
+    {
+        b->fn[c] += b->kn[c]*b->overlap[c];
+    }
+}
+
+const struct dem_effect dem_hooke = {
+    .name = "hooke",
+    .says = "elastic repulsion by a linear spring, F_n = k d",
+    .source = "Cundall and Strack 1979",
+    .stage = DEM_STAGE_NORMAL,
+    .exponent = 1.0,
+    .size = sizeof(struct hooke),
+    .settings = settings,
+    .prepare = prepare,
+    .time_limit = time_limit,
+    .contact_time = contact_time,
+    .act = act,
+};

@@ -1,0 +1,50 @@
+/*
+ * sjkr.c -- spheres in contact attract each other in proportion to the area of their contact.
+ *
+ *   F_n = ... - w A,    A = 2 pi R* d
+ *
+ *   w    cohesion energy density, the only setting                 [J/m3]
+ *   A    the circle in which the undeformed spheres meet, to first order in d/R*                    [m2]
+ *   R*   reduced radius, R_i R_j/(R_i + R_j); R_i at a wall        [m]
+ *   d    overlap                                                   [m]
+ *
+ * It acts after friction and rolling, whose limits so count the repulsion of the normal law alone.
+ *
+ * Source: the simplified Johnson-Kendall-Roberts force of LIGGGHTS (sjkr), there with the exact circle.
+ * Not here: attraction past touching, pull-off at a force that the surface energy gives.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "effects/effect.h"
+
+struct sjkr
+{
+    double density;
+};
+
+static const struct dem_field settings[] = {
+    DEM_FIELD_AS(sjkr, density, "energyDensity", "J/m3", DEM_FIELD_REQUIRED, 0.0, INFINITY, "attraction per area of contact"),
+    {0},
+};
+
+DEM_KERNEL
+static void act(const void *of, struct dem_block *restrict b, dem_real *const *memory)
+{
+    const dem_real scale = 6.28318530717958648*((const struct sjkr *)of)->density;
+
+    (void)memory;
+    for (int c = 0; c < b->n; c++)
+    {
+        b->fn[c] -= scale*b->reduced_radius[c]*b->overlap[c];
+    }
+}
+
+const struct dem_effect dem_sjkr = {
+    .name = "sjkr",
+    .says = "cohesion in proportion to the area of contact, -w 2 pi R* d",
+    .source = "after Johnson, Kendall, Roberts 1971, simplified",
+    .stage = DEM_STAGE_FILM,
+    .size = sizeof(struct sjkr),
+    .settings = settings,
+    .act = act,
+};

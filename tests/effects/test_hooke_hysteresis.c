@@ -1,0 +1,362 @@
+/*
+ * Claims: a scripted path of loading, unloading, sticking and loading again has the forces, the memory and the work of an
+ * independent program (hysteresis_loop.csv); the special points of the law are those of its closed forms; impacts return
+ * the closed form of e(v), below and above the speed at which yielding ends, or stick and then never gain energy; no
+ * closed loop gives work; a second evaluation changes nothing; the guards k_m = k and phi = 0 are linear springs.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "tray.h"
+
+#include "base/random.h"
+
+static const struct dem_material bead = {"bead", 2500.0, 1e7, 0.3};
+static const double pi = 3.14159265358979324;
+static struct world w;
+
+/* the reference pair: two spheres of 1 mm radius, k_m = 5 k, phi = 0.05, k from 1 m/s */
+static const double k = 1090.8212625, d_lim = 6.25e-5;
+
+static struct link *pair_of(double unloading, double adhesion, double depth)
+{
+    world_spheres(&w, &bead, &bead, 1e-3, 1e-3);
+    struct link *const l = world_add(&w, &dem_hooke_hysteresis, "unloading", unloading);
+
+    settle(&dem_hooke_hysteresis, l->settings, &w.pair, "adhesion", adhesion);
+    settle(&dem_hooke_hysteresis, l->settings, &w.pair, "plasticDepth", depth);
+    w.b.n = 1;
+    w.b.dt = 1e-6;
+    for (int c = 0; c < DEM_BLOCK; c++)
+    {
+        w.b.reduced_radius[c] = w.pair.least_radius;
+        w.b.reduced_mass[c] = w.pair.least_mass;
+    }
+    return l;
+}
+
+/* the force of row 0 at this overlap, memory cleared apart as the house does */
+static double at(struct link *l, double overlap)
+{
+    w.b.overlap[0] = overlap > 0.0 ? overlap : 0.0;
+    w.b.touching[0] = overlap > 0.0 ? 1.0 : 0.0;
+    w.b.fn[0] = 0.0;
+    l->effect->act(l->settings, &w.b, l->memory);
+    l->column[0][0] *= w.b.touching[0];
+    return w.b.fn[0];
+}
+
+/* to this overlap in 1000 increments, work by trapezoids */
+static double leg(struct link *l, double *from, double to, double *work)
+{
+    const double start = *from;
+    double force = at(l, start);
+
+    for (int s = 1; s <= 1000; s++)
+    {
+        const double next = start + (to - start)*s/1000.0, then = at(l, next);
+
+        *work += 0.5*(force + then)*(next - *from);
+        force = then;
+        *from = next;
+    }
+    return force;
+}
+
+/* ---- the scripted path --------------------------------------------------------------------------------------------- */
+
+static void path(void)
+{
+    static const double turn[] = {0.5, 0.3, 0.5, 0.8, 0.2, 0.05, 0.4, 0.8, 1.0, 1.5, 1.1, 0.7, 0.3, 0.1, 0.6, 1.2, 0.0, 0.2, 0.0};
+    struct link *const l = pair_of(5.0, 1.0, 0.05);
+    FILE *const table = fopen("effects/hysteresis_loop.csv", "r");
+    double work = 0.0, before = 0.0, d = 0.0;
+    double worst[3] = {0.0, 0.0, 0.0};
+    int rows = 0;
+
+    if (!TAP_OK(table && fscanf(table, "%*[^\n]\n%*[^\n]\n") == 0, "the table is there"))
+    {
+        return;
+    }
+    for (int t = 0; t < 19; t++)
+    {
+        const double start = d;
+
+        for (int s = 1; s <= 1000; s++)
+        {
+            const double next = start + (turn[t]*d_lim - start)*s/1000.0, force = at(l, next);
+            double overlap, expected, largest, sum;
+
+            work += 0.5*(before + force)*(next - d);
+            before = force;
+            d = next;
+            if (s % 100 == 0 && fscanf(table, "%lf,%lf,%lf,%*[^,],%lf", &overlap, &expected, &largest, &sum) == 4)
+            {
+                rows += fabs(overlap*d_lim - d) < 1e-9*d_lim;
+                worst[0] = fmax(worst[0], fabs(force - expected));
+                worst[1] = fmax(worst[1], fabs(l->column[0][0] - largest*d_lim)/d_lim);
+                worst[2] = fmax(worst[2], fabs(work - sum));
+            }
+        }
+    }
+    fclose(table);
+    TAP_OK(rows == 190, "%d of 190 rows", rows);
+    /* nine digits printed; k and d_lim of this test have eleven */
+    TAP_NEAR(worst[0], 0.0, 1e-8*k*d_lim, "forces");
+    TAP_NEAR(worst[1], 0.0, 1e-8, "largest overlaps remembered");
+    TAP_NEAR(worst[2], 0.0, 1e-8*k*d_lim*d_lim, "work");
+}
+
+static void points(void)
+{
+    /* largest overlap over d_lim; k_2, overlap without force, overlap and force of the strongest pull, force of the peak */
+    static const double table[][6] = {
+        {0.25, 2181.64252, 7.8125e-06, 5.20833333e-06, -0.00568136074, 0.0170440822},
+        {0.5, 3272.46379, 2.08333333e-05, 1.5625e-05, -0.0170440822, 0.0340881645},
+        {0.75, 4363.28505, 3.515625e-05, 2.8125e-05, -0.030679348, 0.0511322467},
+        {1.0, 5454.10631, 5e-05, 4.16666667e-05, -0.0454508859, 0.0681763289},
+        {1.5, 5454.10631, 5e-05, 4.16666667e-05, -0.0454508859, 0.238617151},
+    };
+    const double peak = 0.0681763289;
+
+    for (int r = 0; r < 5; r++)
+    {
+        struct link *const l = pair_of(5.0, 1.0, 0.05);
+        const double *const t = table[r], most = t[0]*d_lim;
+        double d = 0.0, work = 0.0;
+
+        /* nine digits printed */
+        TAP_NEAR(leg(l, &d, most, &work), t[5], 1e-8*peak, "pressed to %g d_lim: %g N", t[0], t[5]);
+        TAP_NEAR((at(l, most) - at(l, 0.99*most))/(0.01*most), t[1], 1e-6*t[1], "unloads on %g N/m", t[1]);
+        TAP_NEAR(at(l, t[2]), 0.0, 1e-8*peak, "no force at %g m", t[2]);
+        TAP_NEAR(at(l, t[3]), t[4], 1e-8*peak, "pulls most, %g N, at %g m", t[4], t[3]);
+        TAP_NEAR(at(l, 0.5*t[3]), 0.5*t[4], 1e-8*peak, "and half of it at half of that: on -k_c d");
+    }
+}
+
+/* ---- impacts ------------------------------------------------------------------------------------------------------- */
+
+/* e^2 in closed form; negative: sticks */
+static double returned(double adhesion, double x)
+{
+    const double hard = x > 1.0 ? 5.0 : 1.0 + 4.0*x, kc = adhesion;
+    const double lost = 1.0 - 1.0/hard + kc*(hard - 1.0)*(hard - 1.0)/(hard*(hard + kc));
+
+    return 1.0 - lost/(x > 1.0 ? x*x : 1.0);
+}
+
+static void impacts(void)
+{
+    static const double adhesion[] = {0.0, 0.2, 1.0, 5.0};
+    static const double speed[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.2, 1.5, 2.0, 3.0, 5.0, 10.0};
+    /* four of them from the independent program: adhesion, speed, e */
+    static const double table[][3] = {{0.2, 0.5, 0.5}, {1.0, 1.2, 0.272165527}, {5.0, 2.0, 0.632455532}, {1.0, 3.0, 0.922958207}};
+
+    for (int t = 0; t < 4; t++)
+    {
+        TAP_NEAR(sqrt(returned(table[t][0], table[t][1])), table[t][2], 1e-8, "closed form: k_c/k %g, v/v_lim %g", table[t][0],
+                 table[t][1]);                                                          /* nine digits printed */
+    }
+    for (int a = 0; a < 4; a++)
+    {
+        for (int s = 0; s < (int)(sizeof speed/sizeof speed[0]); s++)
+        {
+            pair_of(5.0, adhesion[a], 0.05);
+            const double m = w.pair.least_mass, v = speed[s]*d_lim*sqrt(k/m), dt = pi*sqrt(m/(5.0*k))/50.0;
+            const double expected = returned(adhesion[a], speed[s]);
+
+            if (fabs(expected) < 0.01)
+            {
+                continue;                                 /* between sticking and not */
+            }
+            world_aim(&w, 16, dt, v);
+            const int steps = world_impact(&w, dt, 3000);
+
+            if (expected < 0.0)
+            {
+                TAP_OK(steps < 0, "k_c/k %g, v/v_lim %g: sticks", adhesion[a], speed[s]);
+                continue;
+            }
+            /* at a usual step, t_c(k_m)/50: the mean over the phases of contact within 0.005 */
+            TAP_OK(steps > 0, "k_c/k %g, v/v_lim %g: parts", adhesion[a], speed[s]);
+            TAP_NEAR(world_parting(&w)/v, sqrt(expected), 5e-3, "with e = %.4f", sqrt(expected));
+        }
+    }
+}
+
+/* a pair that sticks swings on for ever; its largest kinetic energy in 10000 steps never grows */
+static void sticking(void)
+{
+    struct link *const l = pair_of(5.0, 1.0, 0.05);
+    const double m = w.pair.least_mass, v = 0.8*d_lim*sqrt(k/m), dt = pi*sqrt(m/(5.0*k))/20.0;
+    double before = 0.0, worst = 0.0, widest = 0.0;
+
+    world_aim(&w, 16, dt, v);
+    for (int span = 0; span < 10; span++)
+    {
+        double most = 0.0;
+
+        for (int s = 0; s < 10000; s++)
+        {
+            world_step(&w, dt);
+            for (int c = 0; c < 16; c++)
+            {
+                const double u = w.v[0][2][c] - w.v[1][2][c];
+
+                most = span == 0 && s < 1000 ? most : fmax(most, 0.5*m*u*u);
+                widest = fmax(widest, w.b.overlap[c]);
+            }
+        }
+        worst = span ? fmax(worst, most/before - 1.0) : worst;
+        before = most;
+    }
+    /* the peaks fall somewhere in a step: (pi/20)^2/2 = 1 % of a swing at most; leapfrog itself gains nothing */
+    TAP_NEAR(fmax(worst, 0.0), 0.0, 0.01, "stuck for 100000 steps: the energy of the swing grows by %.2g at most", worst);
+    TAP_OK(before < 0.5*m*v*v && widest <= 0.81*d_lim, "and is less than that of the impact");
+    for (int c = 0; c < 16; c++)
+    {
+        if (w.b.touching[c] == 0.0)
+        {
+            TAP_OK(0, "row %d has come loose", c);
+        }
+    }
+    TAP_OK(l->column[0][0] > 0.0, "nobody has come loose");
+}
+
+/* ---- closed loops -------------------------------------------------------------------------------------------------- */
+
+/* 128 contacts pressed and pulled at random, back to 0 at the end; and loops between two overlaps after any history */
+static void loops(void)
+{
+    static const double adhesion[] = {0.0, 1.0, 5.0};
+
+    for (int a = 0; a < 3; a++)
+    {
+        struct link *const l = pair_of(5.0, adhesion[a], 0.05);
+        double d[DEM_BLOCK] = {0}, force[DEM_BLOCK] = {0}, work[DEM_BLOCK] = {0};
+        double target[DEM_BLOCK] = {0}, from[DEM_BLOCK] = {0}, least = 1e300;
+
+        w.b.n = DEM_BLOCK;
+        for (int turn = 0; turn < 12; turn++)
+        {
+            for (int c = 0; c < DEM_BLOCK; c++)
+            {
+                from[c] = d[c];
+                target[c] = turn == 11 ? 0.0 : 1.6*d_lim*dem_random_unit(3, (uint64_t)c, (uint64_t)turn, (uint64_t)a);
+            }
+            for (int s = 1; s <= 500; s++)
+            {
+                for (int c = 0; c < DEM_BLOCK; c++)
+                {
+                    w.b.overlap[c] = from[c] + (target[c] - from[c])*s/500.0;
+                    w.b.touching[c] = w.b.overlap[c] > 0.0 ? 1.0 : 0.0;
+                    w.b.fn[c] = 0.0;
+                }
+                l->effect->act(l->settings, &w.b, l->memory);
+                for (int c = 0; c < DEM_BLOCK; c++)
+                {
+                    work[c] += 0.5*(force[c] + w.b.fn[c])*(w.b.overlap[c] - d[c]);
+                    force[c] = w.b.fn[c];
+                    d[c] = w.b.overlap[c];
+                    l->column[0][c] *= w.b.touching[c];
+                }
+            }
+        }
+        for (int c = 0; c < DEM_BLOCK; c++)
+        {
+            least = fmin(least, work[c]/(k*d_lim*d_lim));
+        }
+        /* trapezoids miss what is left of a kink: 12 of at most (1.6/500)^2 each */
+        TAP_OK(least > -1e-4, "k_c/k %g: 128 random loops take %.3g k d_lim^2 or more", adhesion[a], least);
+    }
+
+    struct link *const l = pair_of(5.0, 1.0, 0.05);
+    double least = 1e300;
+
+    for (int t = 0; t < 300; t++)
+    {
+        double d = 0.0, unused = 0.0, first = 0.0, second = 0.0;
+        const double low = 1.5*d_lim*dem_random_unit(4, (uint64_t)t, 0, 0), high = 1.5*d_lim*dem_random_unit(4, (uint64_t)t, 1, 0);
+
+        l->column[0][0] = 0.0;
+        leg(l, &d, 1.5*d_lim*dem_random_unit(4, (uint64_t)t, 2, 0), &unused);
+        leg(l, &d, low, &unused);
+        leg(l, &d, high, &first);
+        leg(l, &d, low, &first);
+        leg(l, &d, high, &second);
+        leg(l, &d, low, &second);
+        least = fmin(least, second/(k*d_lim*d_lim));
+    }
+    TAP_OK(least > -1e-5, "300 loops between two overlaps, gone a second time: %.3g or more", least);    /* (1.5/1000)^2 a kink */
+}
+
+/* ---- the rest ------------------------------------------------------------------------------------------------------ */
+
+static void again(void)
+{
+    struct link *const l = pair_of(5.0, 1.0, 0.05);
+    static const double turn[] = {0.7, 0.5, 0.2, 0.05, 0.3, 1.3, 0.8, 0.1};
+    double worst = 0.0, d = 0.0, unused = 0.0;
+
+    for (int t = 0; t < 8; t++)
+    {
+        const double force = leg(l, &d, turn[t]*d_lim, &unused), largest = l->column[0][0];
+
+        worst = fmax(worst, fabs(at(l, d) - force)/(k*d_lim));
+        worst = fmax(worst, fabs(l->column[0][0] - largest)/d_lim);
+    }
+    TAP_NEAR(worst, 0.0, 1e-14, "a second evaluation changes nothing");                 /* rounding */
+}
+
+static void guards(void)
+{
+    struct link *l = pair_of(1.0, 1.0, 0.05);
+    double d = 0.0, work = 0.0;
+
+    TAP_NEAR(leg(l, &d, d_lim, &work), k*d_lim, 1e-9*k*d_lim, "k_m = k: a linear spring");
+    TAP_NEAR(leg(l, &d, 0.5*d_lim, &work), 0.5*k*d_lim, 1e-9*k*d_lim, "both ways");
+    TAP_NEAR(leg(l, &d, 0.0, &work), 0.0, 1e-15, "without a pull");
+    TAP_NEAR(work, 0.0, 1e-12*k*d_lim*d_lim, "and without loss");                        /* rounding of 3000 steps */
+    l = pair_of(5.0, 1.0, 0.0);
+    d = 0.0;
+    TAP_NEAR(leg(l, &d, d_lim, &work), 5.0*k*d_lim, 1e-9*k*d_lim, "phi = 0: a linear spring of k_m");
+    TAP_NEAR(leg(l, &d, 0.5*d_lim, &work), 2.5*k*d_lim, 1e-9*k*d_lim, "both ways");
+
+    l = pair_of(5.0, 1.0, 0.05);
+    const char *why = "";
+    const double limit = 0.05*pi*sqrt(w.pair.least_mass/(5.0*k));
+
+    TAP_NEAR(dem_hooke_hysteresis.time_limit(l->settings, &w.pair, &why), limit, 1e-9*limit, "%s", why);    /* digits of k */
+    TAP_OK(settle(&dem_hooke_hysteresis, l->settings, &w.pair, "unloading", 0.5) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(settle(&dem_hooke_hysteresis, l->settings, &w.pair, "adhesion", -1.0) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    settle(&dem_hooke_hysteresis, l->settings, &w.pair, "stiffness", 100.0);
+    TAP_NEAR(at(l, 1e-6), 1e-4, 1e-19, "a given stiffness");
+
+    /* with dry the dashpot refers to k; clamped it leaves the pull of adhesion */
+    l = pair_of(5.0, 1.0, 0.05);
+    struct link *const dry = world_add(&w, &dem_dry, "restitution", 0.5);
+
+    settle(&dem_dry, dry->settings, &w.pair, "attraction", 1.0);
+    d = 0.0;
+    leg(l, &d, 0.8*d_lim, &work);
+    leg(l, &d, 0.2*d_lim, &work);
+    w.b.vn[0] = 0.01;
+    const double loss = log(2.0), eta = 2.0*loss/sqrt(pi*pi + loss*loss)*sqrt(k*w.pair.least_mass), pull = w.b.fn[0];
+
+    dem_dry.act(dry->settings, &w.b, dry->memory);
+    TAP_NEAR(w.b.eta[0], eta, 1e-9*eta, "dry: the dashpot refers to k");                  /* digits of k */
+    TAP_NEAR(w.b.fn[0], pull - 0.01*eta, 1e-12*k*d_lim, "and clamped it leaves the pull of %g N", pull);
+    TAP_OK(pull < 0.0, "which is one");
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    path();
+    points();
+    impacts();
+    sticking();
+    loops();
+    again();
+    guards();
+    TAP_DONE;
+}

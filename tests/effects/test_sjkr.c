@@ -1,0 +1,52 @@
+/*
+ * Claims: the attraction is w times the area of the circle in which two spheres meet; two spheres on linear springs stay
+ * as springs that are softer by 2 pi w R*; on a Hertzian contact pressed by its cohesion alone the two forces balance.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "tray.h"
+
+static const struct dem_material glass = {"glass", 2500.0, 1e7, 0.3};
+static struct world w;
+
+int main(void)
+{
+    const double pi = 3.14159265358979324, density = 1e5, R = 5e-4, k = 1000.0, v = 0.1;
+
+    TAP_TRAPS;
+    world_spheres(&w, &glass, &glass, 1e-3, 1e-3);
+    world_add(&w, &dem_hooke, "stiffness", k);
+    struct link *const l = world_add(&w, &dem_sjkr, "energyDensity", density);
+
+    /* two spheres of 1 mm, 1 um into each other: the circle's radius is that of a sphere cut 0.5 um below its top */
+    const double h = 0.5e-6, area = pi*h*(2.0*1e-3 - h);
+
+    w.b.n = 1;
+    w.b.overlap[0] = 2.0*h, w.b.reduced_radius[0] = R;
+    w.b.fn[0] = 0.0;
+    dem_sjkr.act(l->settings, &w.b, l->memory);
+    TAP_NEAR(w.b.fn[0], -density*area, 1e-3*density*area, "w times the circle");       /* first order in d/R = 2e-3 */
+
+    /* an impact on what is left of the spring */
+    const double soft = k - 2.0*pi*density*R, dt = pi*sqrt(w.pair.least_mass/soft)/400.0;
+
+    world_aim(&w, 16, dt, v);
+    TAP_OK(world_impact(&w, dt, 1000) > 0, "touches and parts");
+    TAP_NEAR(world_parting(&w), v, 1e-4*v, "no speed lost");                            /* second order in the step */
+    TAP_NEAR(mean(w.peak_overlap, 16)/(v*sqrt(w.pair.least_mass/soft)), 1.0, 1e-4, "a spring softer by 2 pi w R*");
+
+    /* 4/3 E* sqrt(R*) d^(3/2) = 2 pi w R* d */
+    world_spheres(&w, &glass, &glass, 1e-3, 1e-3);
+    world_add(&w, &dem_hertz, "impactSpeed", 1.0);
+    world_add(&w, &dem_sjkr, "energyDensity", density);
+    const double root = 2.0*pi*density*R/world_hertz(&w);
+
+    w.b.n = 1;
+    w.b.touching[0] = 1.0, w.b.overlap[0] = root*root, w.b.reduced_radius[0] = R;
+    dem_hertz.act(w.link[0].settings, &w.b, w.link[0].memory);
+    const double push = w.b.fn[0];
+
+    dem_sjkr.act(w.link[1].settings, &w.b, w.link[1].memory);
+    TAP_NEAR(w.b.fn[0], 0.0, 1e-14*push, "with hertz at rest where the forces balance");    /* rounding */
+    TAP_DONE;
+}
