@@ -5,11 +5,10 @@
  */
 #include "main_lost.h"
 #include "base/error.h"
-#include "base/memory.h"
 #include "io/file.h"
+#include "main_rows.h"
 #include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum
@@ -18,45 +17,6 @@ enum
 };
 
 /* ---- the file ------------------------------------------------------------------------------------------------ */
-
-static int keep_rows(const char *path, char *text, double until)
-{
-    struct dem_file f;
-
-    DEM_TRY(dem_file_begin(&f, path));
-    for (char *line = text, *end; (end = strchr(line, '\n')); line = end + 1)
-    {
-        const char *const comma = strchr(line, ',');
-
-        *end = 0;
-        if (line == text || (comma && comma < end && strtod(comma + 1, NULL) <= until))
-        {
-            fprintf(f.stream, "%s\n", line);
-        }
-    }
-    return dem_file_finish(&f, DEM_OK);
-}
-
-static int begin(const char *path, double start)
-{
-    char *text;
-    size_t n;
-
-    if (!dem_file_exists(path))
-    {
-        return DEM_OK;
-    }
-    if (start > 0.0)
-    {
-        DEM_TRY(dem_file_load(path, &text, &n));
-        const int status = keep_rows(path, text, start*(1.0 + 1e-9));      /* times are written with 10 digits */
-
-        dem_memory_free(text);
-        return status;
-    }
-    DEM_REQUIRE(remove(path) == 0, DEM_ERROR_FILE, "can't remove %s of an earlier run: %s", path, strerror(errno));
-    return DEM_OK;
-}
 
 static int append(const struct dem_lost_log *log, int64_t n, const struct dem_loss *loss)
 {
@@ -129,7 +89,7 @@ int dem_lost_begin(struct dem_lost_log *log, const struct dem_program *prog, con
 {
     *log = (struct dem_lost_log){.output = o};
     snprintf(log->path, sizeof log->path, "%s/lost.csv", o->folder);
-    return dem_program_together(prog, prog->rank == 0 ? begin(log->path, start) : DEM_OK);
+    return dem_program_together(prog, prog->rank == 0 ? dem_rows_begin(log->path, 1, start) : DEM_OK);
 }
 
 int dem_lost_tell(struct dem_lost_log *log, const struct dem_program *prog, struct dem *d)

@@ -6,6 +6,7 @@
 #include "main.h"
 #include "main_lost.h"
 #include "main_scene.h"
+#include "main_walls.h"
 #include "base/error.h"
 #include "io/snapshot.h"
 #include <math.h>
@@ -98,6 +99,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
 {
     struct progress p = {.started = MPI_Wtime(), .rank = prog->rank};
     struct dem_lost_log lost;
+    struct dem_wall_log walls;
     struct dem_tally t;
 
     DEM_TRY(dem_tally(d, &t));
@@ -108,15 +110,23 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
     {
         DEM_TRY(dem_output_write(&s->output, prog, d, 0, 0.0));
     }
+    DEM_TRY(dem_wall_log_begin(&walls, prog, &s->output, d, t.time));
     for (int64_t k = (int64_t)floor(t.time/s->interval + 1e-6) + 1; t.time < s->end*(1.0 - 1e-12); k++)
     {
         const double next = fmin((double)k*s->interval, s->end);
 
-        DEM_TRY(advance(prog, d, &s->output, &lost, next - t.time));
+        double due = 0.0;
+
+        while (due < next)
+        {
+            due = dem_wall_log_due(&walls, t.time, next);
+            DEM_TRY(advance(prog, d, &s->output, &lost, due - t.time));
+            DEM_TRY(dem_wall_log_tell(&walls, prog, d, due));
+            DEM_TRY(dem_tally(d, &t));
+        }
         DEM_TRY(dem_output_write(&s->output, prog, d, k, next));
         DEM_TRY(report(&p, d, s->end));
         DEM_TRY(dem_lost_tell(&lost, prog, d));
-        DEM_TRY(dem_tally(d, &t));
     }
     return DEM_OK;
 }

@@ -66,6 +66,12 @@ static int read_schedule(struct dem_schedule *s, const struct dem_dict *scene, c
     if (write)
     {
         DEM_TRY(dem_dict_number_or(write, "interval", "s", s->end, &s->interval));
+        s->output.walls = 0.0;
+        if (dem_dict_has(write, "walls"))
+        {
+            DEM_TRY(dem_dict_number(write, "walls", "s", &s->output.walls));
+            DEM_REQUIRE(s->output.walls > 0.0, DEM_ERROR_INPUT, "write/walls %g s; give a time above 0, or leave it out", s->output.walls);
+        }
     }
     DEM_REQUIRE(s->end > 0.0, DEM_ERROR_INPUT, "time/end %g s; give a time above 0", s->end);
     DEM_REQUIRE(s->interval > 0.0, DEM_ERROR_INPUT, "write/interval %g s; give a time above 0", s->interval);

@@ -1,0 +1,13 @@
+/*
+ * main_rows.h -- tables of numbers with commas that grow while `dem run` goes on, and go on after a restart.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_MAIN_ROWS_H
+#define DEM_MAIN_ROWS_H
+
+/* What an earlier run left under this path: a run that starts at 0 removes it, a later one removes the rows that are later
+   than its start [s]. Time stands in that column, 0 for the first. */
+int dem_rows_begin(const char *path, int column, double start);
+
+#endif

@@ -1,0 +1,98 @@
+/*
+ * main_walls.c -- rows of walls.csv.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "main_walls.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "io/file.h"
+#include "main_rows.h"
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char head[] = "time[s],wall,fx[N],fy[N],fz[N],tx[Nm],ty[Nm],tz[Nm],fx_now[N],fy_now[N],fz_now[N],tx_now[Nm],ty_now[Nm],"
+                           "tz_now[Nm]";
+
+int dem_wall_log_begin(struct dem_wall_log *log, const struct dem_program *prog, const struct dem_output *o, struct dem *d, double start)
+{
+    *log = (struct dem_wall_log){.output = o, .interval = o->walls, .since = start};
+    snprintf(log->path, sizeof log->path, "%s/walls.csv", o->folder);
+    if (log->interval <= 0.0)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_wall_watch(d));
+    return dem_program_together(prog, prog->rank == 0 ? dem_rows_begin(log->path, 0, start) : DEM_OK);
+}
+
+/* Times are whole multiples of the interval, so that a run that goes on has the same. */
+double dem_wall_log_due(const struct dem_wall_log *log, double now, double next)
+{
+    const double due = log->interval > 0.0 ? (floor(now/log->interval + 1e-6) + 1.0)*log->interval : next;
+
+    return due < next*(1.0 - 1e-12) ? due : next;
+}
+
+static int write_rows(const struct dem_wall_log *log, const struct dem *d, double now, double (*value)[12])
+{
+    const int new = !dem_file_exists(log->path);
+    FILE *const f = fopen(log->path, "a");
+
+    DEM_REQUIRE(f, DEM_ERROR_FILE, "can't write %s: %s", log->path, strerror(errno));
+    if (new)
+    {
+        fprintf(f, "%s\n", head);
+    }
+    for (int w = 0; w < dem_wall_count(d); w++)
+    {
+        fprintf(f, "%.10g,%s", now, dem_wall_name(d, w));
+        for (int k = 0; k < 12; k++)
+        {
+            fprintf(f, ",%.9g", value[w][k]);
+        }
+        fprintf(f, "\n");
+    }
+    const int bad = ferror(f) != 0;
+
+    DEM_REQUIRE(fclose(f) == 0 && !bad, DEM_ERROR_FILE, "can't write all of %s: %s", log->path, strerror(errno));
+    return DEM_OK;
+}
+
+static int measure(const struct dem_wall_log *log, struct dem *d, double now, double (*value)[12])
+{
+    for (int w = 0; w < dem_wall_count(d); w++)
+    {
+        DEM_TRY(dem_wall_impulse(d, w, value[w], value[w] + 3));
+        DEM_TRY(dem_wall_load(d, w, value[w] + 6, value[w] + 9));
+        for (int k = 0; k < 6; k++)
+        {
+            value[w][k] /= now - log->since;
+        }
+    }
+    return dem_wall_watch(d);
+}
+
+int dem_wall_log_tell(struct dem_wall_log *log, const struct dem_program *prog, struct dem *d, double now)
+{
+    const double number = log->interval > 0.0 ? now/log->interval : 0.0;
+    double (*value)[12];
+    int status = DEM_OK;
+
+    if (log->interval <= 0.0 || fabs(number - floor(number + 0.5)) > 1e-6)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(DEM_NEW(value, dem_wall_count(d) + 1));
+    DEM_TRY(measure(log, d, now, value));
+    log->since = now;
+    if (prog->rank == 0)
+    {
+        status = dem_output_folder(log->output);
+        status = status ? status : write_rows(log, d, now, value);
+    }
+    dem_memory_free(value);
+    return dem_program_together(prog, status);
+}
