@@ -205,6 +205,28 @@ void Foam::demCloud::build()
 }
 
 
+void Foam::demCloud::writeMeans()
+{
+    if (!dem_averages_count(dem_))
+    {
+        return;
+    }
+
+    const Time& time = mesh_.time();
+    const fileName folder
+    (
+        time.globalPath()/"postProcessing"/"dem"
+       /Time::timeName(time.startTime().value())
+    );
+
+    if (Pstream::master())
+    {
+        mkDir(folder);
+    }
+    demCheck(dem_averages(dem_, folder.c_str()));
+}
+
+
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
@@ -264,12 +286,14 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
     interval_(dict_.coupling().getOrDefault<scalar>("interval", 0)),
     before_(),
     window_(0),
-    record_(mesh.time(), dict_.coupling())
+    record_(mesh.time(), dict_.coupling()),
+    fields_(mesh, dict_.coupling())
 {
     build();
     look();
     depositVolume();
     dsdt_ = dimensionedScalar(dsdt_.dimensions(), Zero);
+    fields_.update(dem_, transfer_, view_);
     ledger_.charge(demLedger::EXCHANGE);
 }
 
@@ -321,6 +345,7 @@ void Foam::demCloud::write()
     refresh();
     demWriter::write(mesh_, view_, fluid_.place ? fluid_.place : place_.cdata());
     voidFraction_.write();
+    writeMeans();
 }
 
 // ************************************************************************* //

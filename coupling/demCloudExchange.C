@@ -231,6 +231,7 @@ void Foam::demCloud::evolve
     report();
     refresh();
     record_.add(dem_, view_);
+    fields_.update(dem_, transfer_, view_);
     ledger_.charge(demLedger::EXCHANGE);
 }
 

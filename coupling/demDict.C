@@ -56,7 +56,7 @@ void Foam::demDict::checkCoupling() const
     const wordList known
     ({
         "twoWay", "rho", "nu", "walls", "diameter", "interval", "relaxation",
-        "kernel", "width", "base", "minVoidFraction", "record"
+        "kernel", "width", "base", "minVoidFraction", "record", "fields"
     });
 
     forAllConstIters(coupling_, iter)

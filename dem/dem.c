@@ -10,6 +10,7 @@
 #include "plan/plan.h"
 #include "step/measure.h"
 #include "step/step.h"
+#include "step/virial.h"
 #include <fenv.h>
 #include <math.h>
 #include <stdio.h>
@@ -328,6 +329,17 @@ void dem_view(const struct dem *d, struct dem_view *v)
     *v = (struct dem_view){.n = p->n, .stride = sizeof *r, .position = r->x, .velocity = r->v, .spin = r->w, .radius = &r->radius,
                            .mass = &r->mass, .id = &r->id, .material = &r->material, .flags = &r->flags,
                            .force = dem_column(p, DEM_COLUMN_FORCE), .torque = dem_column(p, DEM_COLUMN_TORQUE)};
+}
+
+int dem_virial(struct dem *d, double *virial)
+{
+    DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_virial comes after dem_ready");
+    memset(virial, 0, 6*d->parts.particles.n*sizeof *virial);
+    if (d->parts.stale < 2)                               /* a loaded state has no rows until its first step */
+    {
+        dem_virial_sum(&d->parts, virial);
+    }
+    return DEM_OK;
 }
 
 const char *dem_material_name(const struct dem *d, int material)

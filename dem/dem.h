@@ -161,6 +161,9 @@ struct dem_view
     const double *force, *torque;                         /* contact force [N] and torque [N m], contiguous, 3 each */
 };
 void dem_view(const struct dem *, struct dem_view *);
+/* What contacts contribute to the stress, xx yy zz xy yz zx of each particle of the view [J]: sum of force times branch
+   over its contacts, tension positive (step/virial.h). Per volume of the mean it is the contact stress. */
+int dem_virial(struct dem *, double *virial);
 const char *dem_material_name(const struct dem *, int material);
 
 static inline const double *dem_at(const double *column, size_t stride, size_t particle)

@@ -1,0 +1,214 @@
+/*---------------------------------------------------------------------------*\
+    demFields.C -- the particles as fields on the mesh.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demFields.H"
+#include "demCheck.H"
+#include "demColumns.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static vector velocity(const demView& view, const label i)
+{
+    const double* v = dem_at(view.velocity, view.stride, i);
+    return vector(v[0], v[1], v[2]);
+}
+
+
+static scalar mass(const demView& view, const label i)
+{
+    return *dem_at(view.mass, view.stride, i);
+}
+
+
+// Six numbers per particle travel as two vectors: xx yy zz and xy yz zx
+static tmp<symmTensorField> depositTensor
+(
+    const demTransfer& transfer,
+    const vectorField& along,
+    const vectorField& across
+)
+{
+    vectorField a, b;
+    transfer.deposit(along, a);
+    transfer.deposit(across, b);
+
+    tmp<symmTensorField> tresult(new symmTensorField(a.size()));
+    symmTensorField& result = tresult.ref();
+    forAll(result, c)
+    {
+        result[c] = symmTensor
+        (
+            a[c].x(), b[c].x(), b[c].z(), a[c].y(), b[c].y(), a[c].z()
+        );
+    }
+    return tresult;
+}
+
+
+template<class Field>
+static void set(Field& field, const typename Field::Internal::FieldType& values)
+{
+    field.primitiveFieldRef() = values;
+    field.correctBoundaryConditions();
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+void Foam::demFields::make
+(
+    autoPtr<GeometricField<Type, fvPatchField, volMesh>>& field,
+    const wordList& wanted,
+    const word& name,
+    const dimensionSet& dimensions
+)
+{
+    if (!wanted.found(name))
+    {
+        return;
+    }
+
+    field.reset
+    (
+        new GeometricField<Type, fvPatchField, volMesh>
+        (
+            IOobject
+            (
+                IOobject::groupName(name, "particles"),
+                mesh_.time().timeName(),
+                mesh_,
+                IOobject::NO_READ,
+                IOobject::AUTO_WRITE
+            ),
+            mesh_,
+            dimensioned<Type>(dimensions, Zero)
+        )
+    );
+}
+
+
+Foam::tmp<Foam::symmTensorField> Foam::demFields::flux
+(
+    const demTransfer& transfer,
+    const demView& view
+) const
+{
+    vectorField along(view.n), across(view.n);
+
+    forAll(along, i)
+    {
+        const vector v(velocity(view, i));
+        along[i] = mass(view, i)*cmptMultiply(v, v);
+        across[i] =
+            mass(view, i)*vector(v.x()*v.y(), v.y()*v.z(), v.z()*v.x());
+    }
+    return depositTensor(transfer, along, across);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demFields::demFields(const fvMesh& mesh, const dictionary& coupling)
+:
+    mesh_(mesh)
+{
+    const wordList known({"alpha", "U", "Theta", "stress"});
+    const wordList wanted(coupling.getOrDefault<wordList>("fields", wordList()));
+
+    for (const word& name : wanted)
+    {
+        if (!known.found(name))
+        {
+            FatalIOErrorInFunction(coupling)
+                << "fields: there is no field " << name << " of particles;"
+                << " known: " << flatOutput(known) << exit(FatalIOError);
+        }
+    }
+
+    make(alpha_, wanted, "alpha", dimless);
+    make(U_, wanted, "U", dimVelocity);
+    make(Theta_, wanted, "Theta", sqr(dimVelocity));
+    make(stress_, wanted, "stress", dimPressure);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demFields::update
+(
+    ::dem* d,
+    const demTransfer& transfer,
+    const demView& view
+)
+{
+    if (alpha_)
+    {
+        scalarField solid;
+        transfer.deposit(volumes(view), solid);
+        set(alpha_(), solid);
+    }
+
+    if (!U_ && !Theta_ && !stress_)
+    {
+        return;
+    }
+
+    scalarField m(view.n);
+    vectorField momentum(view.n);
+    forAll(m, i)
+    {
+        m[i] = mass(view, i);
+        momentum[i] = m[i]*velocity(view, i);
+    }
+
+    scalarField rho;            // of the bulk [kg/m3]
+    vectorField meanV;
+    transfer.deposit(m, rho);
+    transfer.deposit(momentum, meanV);
+    meanV /= max(rho, VSMALL);
+
+    if (U_)
+    {
+        set(U_(), meanV);
+    }
+
+    if (!Theta_ && !stress_)
+    {
+        return;
+    }
+
+    // Relative to the mean velocity of the cell
+    const symmTensorField motion(flux(transfer, view) - rho*sqr(meanV));
+
+    if (Theta_)
+    {
+        set(Theta_(), tr(motion)/(3*max(rho, VSMALL)));
+    }
+
+    if (stress_)
+    {
+        scalarField virial(6*view.n);
+        demCheck(dem_virial(d, virial.begin()));
+
+        vectorField along(view.n), across(view.n);
+        forAll(along, i)
+        {
+            along[i] = three(virial.cdata(), 2*i);
+            across[i] = three(virial.cdata(), 2*i + 1);
+        }
+        set(stress_(), depositTensor(transfer, along, across) - motion);
+    }
+}
+
+// ************************************************************************* //
