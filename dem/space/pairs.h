@@ -14,13 +14,14 @@
 #include "space/domain.h"
 #include "space/wall_search.h"
 #include "state/contacts.h"
+#include <stdalign.h>
 
 struct dem_pairs
 {
     double outer, inner;                                  /* m: gaps up to which pairs are listed, and rows kept */
     double half_outer, half_inner;                        /* m: half of the skins; who moves further makes the lists stale */
     double most_radius;                                   /* m: of all particles of all ranks */
-    double shift[DEM_SHIFTS][4];                           /* m, m, m, 0 */
+    alignas(16) double shift[DEM_SHIFTS][4];               /* m, m, m, 0; read four at once */
     struct dem_wall_search search;
     int *wall_region;                                     /* region of each wall near */
     size_t wall_region_room;
