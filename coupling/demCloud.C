@@ -123,7 +123,7 @@ void Foam::demCloud::checkPatches() const
             FatalErrorInFunction
                 << "Patch " << patch.name() << " is cyclic, but the particles"
                 << " do not know: those on one side would not feel those on the"
-                << " other. Add domain { min ...; max ...; periodic (x); } with"
+                << " other. Add domain { x (min max); periodic (x); } with"
                 << " the mesh's limits to constant/" << demDict::name()
                 << exit(FatalError);
         }

@@ -15,6 +15,7 @@
 #include "base/memory.h"
 #include "base/random.h"
 #include "base/unknown.h"
+#include "io/scene_parts.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -311,11 +312,10 @@ static int read_group(struct dem_crowd *c, const struct dem_dict *dict, const st
     static const char *const known[] = {"lattice", "random", "list"};
     static const double zero[3] = {0.0, 0.0, 0.0};
     struct group g = {.dict = dict};
-    const char *type, *material;
+    const char *type;
 
     DEM_TRY(dem_dict_word(dict, "type", &type));
-    DEM_TRY(dem_dict_word_or(dict, "material", r->materials == 1 ? r->material[0].name : "", &material));
-    DEM_TRY(dem_recipe_material(r, material, dem_dict_where(dict), &g.material));
+    DEM_TRY(dem_scene_read_material_of(dict, r, &g.material));
     DEM_TRY(dem_dict_vector_or(dict, "velocity", "m/s", zero, g.velocity));
     DEM_TRY(dem_dict_vector_or(dict, "spin", "1/s", zero, g.spin));
     DEM_TRY(dem_dict_switch_or(dict, "frozen", false, &g.frozen));

@@ -11,6 +11,43 @@
 #include <math.h>
 #include <string.h>
 
+/* `min (x y z); max (x y z);`, or only the axes that are limited, each by itself: `x (0 0.1);`. The others stay open. */
+static int read_limits(struct dem_domain *d, const struct dem_dict *dict)
+{
+    static const char *const axis[] = {"x", "y", "z"};
+    const bool corners = dem_dict_has(dict, "min") || dem_dict_has(dict, "max");
+    int axes = 0;
+
+    for (int k = 0; k < 3; k++)
+    {
+        const double *limit;
+        size_t n;
+
+        if (dem_dict_has(dict, axis[k]))
+        {
+            DEM_TRY(dem_dict_numbers(dict, axis[k], "m", &limit, &n));
+            DEM_REQUIRE(n == 2, DEM_ERROR_INPUT, "%s: domain/%s has %zu numbers; give two, %s (min max)", dem_dict_where(dict), axis[k],
+                        n, axis[k]);
+            DEM_REQUIRE(!corners, DEM_ERROR_INPUT, "%s: domain has min or max and %s, which give the same twice; keep min and max, or "
+                        "x, y, z", dem_dict_where(dict), axis[k]);
+            d->min[k] = limit[0];
+            d->max[k] = limit[1];
+            axes++;
+        }
+    }
+    if (corners || axes == 0)
+    {
+        DEM_TRY(dem_dict_vector(dict, "min", "m", d->min));
+        DEM_TRY(dem_dict_vector(dict, "max", "m", d->max));
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        DEM_REQUIRE(d->min[k] < d->max[k], DEM_ERROR_INPUT, "%s: domain: min %g m is not below max %g m along %s",
+                    dem_dict_where(dict), d->min[k], d->max[k], axis[k]);
+    }
+    return DEM_OK;
+}
+
 static int read_periodic(struct dem_domain *d, const struct dem_dict *dict)
 {
     const char *const *axis;
@@ -30,8 +67,8 @@ static int read_periodic(struct dem_domain *d, const struct dem_dict *dict)
         {
             return dem_error_prefix(dem_unknown_word("periodic axis", axis[k], known, 3), "%s: ", dem_dict_where(dict));
         }
-        DEM_REQUIRE(isfinite(d->max[a] - d->min[a]), DEM_ERROR_INPUT, "%s: axis %s is periodic but has no limits; give min and max",
-                    dem_dict_where(dict), axis[k]);
+        DEM_REQUIRE(isfinite(d->max[a] - d->min[a]), DEM_ERROR_INPUT,
+                    "%s: domain: axis %s is periodic but has no limits; give them, %s (min max)", dem_dict_where(dict), axis[k], axis[k]);
         d->periodic[a] = 1;
         d->length[a] = d->max[a] - d->min[a];
     }
@@ -49,13 +86,7 @@ static int read_domain(struct dem_domain *d, const struct dem_dict *scene)
     {
         return DEM_OK;
     }
-    DEM_TRY(dem_dict_vector(dict, "min", "m", d->min));
-    DEM_TRY(dem_dict_vector(dict, "max", "m", d->max));
-    for (int k = 0; k < 3; k++)
-    {
-        DEM_REQUIRE(d->min[k] < d->max[k], DEM_ERROR_INPUT, "%s: min %g m is not below max %g m along axis %d",
-                    dem_dict_where(dict), d->min[k], d->max[k], k);
-    }
+    DEM_TRY(read_limits(d, dict));
     DEM_TRY(dem_dict_word_or(dict, "leaving", "error", &leaving));
     d->remove = strcmp(leaving, "remove") == 0;
     if (!d->remove && strcmp(leaving, "error") != 0)

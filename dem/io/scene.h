@@ -5,7 +5,7 @@
  *     effects   { WORD { SETTING VALUE; } }                      what acts, with the numbers for all contacts
  *     pairs     { NAME { between (A B); WORD { SETTING VALUE; } } }   other numbers for two materials
  *     walls     { NAME { type plane|box|cylinder|sphere|triangles|stl|patch|surface; material; motion { ... } ... } }
- *     domain    { min; max; periodic (x y z); leaving error|remove; }
+ *     domain    { min; max; | x; y; z; periodic (x y z); leaving error|remove; }
  *     insert    { NAME { type lattice|random|list; ... } }
  *     start     { snapshot "FILE"; }                             instead of insert
  *     fluid     { velocity; density; viscosity; voidFraction; pressureGradient; }   uniform, when none is coupled

@@ -8,6 +8,9 @@
 
 #include "io/scene.h"
 
+/* The entry material of a wall or an insertion; where there is one only, it need not be given. */
+int dem_scene_read_material_of(const struct dem_dict *, const struct dem_recipe *, int *material);
+
 /* effects and pairs; materials (dem_scene_read_materials) have been read before. */
 int dem_scene_read_recipe(const struct dem_dict *, struct dem_recipe *);
 

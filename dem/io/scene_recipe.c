@@ -148,6 +148,26 @@ int dem_scene_read_materials(const struct dem_dict *scene, struct dem_recipe *r)
     return DEM_OK;
 }
 
+int dem_scene_read_material_of(const struct dem_dict *dict, const struct dem_recipe *r, int *material)
+{
+    char list[256] = "";
+    const char *name;
+
+    if (dem_dict_has(dict, "material"))
+    {
+        DEM_TRY(dem_dict_word(dict, "material", &name));
+        return dem_recipe_material(r, name, dem_dict_where(dict), material);
+    }
+    for (int k = 0; k < r->materials && strlen(list) < sizeof list - 64; k++)
+    {
+        snprintf(list + strlen(list), 64, "%s%s", k > 0 ? ", " : "", r->material[k].name);
+    }
+    DEM_REQUIRE(r->materials == 1, DEM_ERROR_INPUT, "%s: %s misses its material, as the scene has %d; add material, one of %s",
+                dem_dict_where(dict), dem_dict_path(dict), r->materials, list);
+    *material = 0;
+    return DEM_OK;
+}
+
 int dem_scene_read_recipe(const struct dem_dict *scene, struct dem_recipe *r)
 {
     DEM_TRY(dem_dict_each(scene, "effects", read_effect, r));

@@ -115,14 +115,12 @@ static int find(const struct dem_walls *w, const char *name)
 static int read_shape(const struct wall_reader *reader, const struct dem_dict *dict, int *first)
 {
     static const char *const known[] = {"plane", "box", "cylinder", "sphere", "triangles", "stl", "patch", "surface"};
-    const struct dem_recipe *const r = reader->recipe;
     struct dem_walls *const w = reader->walls;
-    const char *type, *name;
+    const char *type;
     int kind = 0, material;
 
     DEM_TRY(dem_dict_word(dict, "type", &type));
-    DEM_TRY(dem_dict_word_or(dict, "material", r->materials == 1 ? r->material[0].name : "", &name));
-    DEM_TRY(dem_recipe_material(r, name, dem_dict_where(dict), &material));
+    DEM_TRY(dem_scene_read_material_of(dict, reader->recipe, &material));
     *first = w->walls;
     while (kind < 8 && strcmp(type, known[kind]) != 0)
     {
