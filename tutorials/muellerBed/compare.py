@@ -12,6 +12,7 @@ Reads the record of the beads, the pressure at plate and top, the forces on wall
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import argparse
+import collections
 import csv
 import re
 import sys
@@ -39,14 +40,30 @@ ROWS = [
     ("velocity", 35.0, "m/s", 0.065, 0.091),
 ]
 
+# at 0.6 m/s: the simulation that Mueller et al. themselves held against the measurement, and sediFoam, both as published
+SLOW_ROWS = [
+    ("voidFraction", 16.4, "1", 0.073, 0.027),
+    ("voidFraction", 31.2, "1", 0.073, 0.057),
+]
+
+Experiment = collections.namedtuple("Experiment", "folder others rows")
+FAST = Experiment("measured", ("DPMFoam", "sediFoam"), ROWS)
+SLOW = Experiment("measured/slow", ("Mueller", "sediFoam"), SLOW_ROWS)
+
+
+def experiment(case):
+    """What the run is held against: Allrun writes the air's velocity into system/options when it is not 0.9 m/s."""
+    options = Path(case)/"system"/"options"
+    return SLOW if options.exists() and "speed" in options.read_text() else FAST
+
 
 class Profile:
     """One quantity at one height: raw sums of each frame, then its mean and its distance from the measured points."""
 
-    def __init__(self, quantity, height, unit, half):
+    def __init__(self, quantity, height, unit, half, folder=FAST.folder):
         self.quantity, self.height, self.unit = quantity, height, unit
         self.low, self.high = height*1e-3 - half, height*1e-3 + half
-        path = HERE/"measured"/f"{quantity}_{height:g}mm.csv"
+        path = HERE/folder/f"{quantity}_{height:g}mm.csv"
         self.measured = numpy.loadtxt(path, delimiter=",", skiprows=2).T
         self.sums = []
 
@@ -85,7 +102,8 @@ class Profile:
 
 def read_profiles(case, start, half):
     """Profiles with the sums of all frames from `start` on, the frames' times, and the number of beads."""
-    profiles = [Profile(quantity, height, unit, half) for quantity, height, unit, *_ in ROWS]
+    against = experiment(case)
+    profiles = [Profile(quantity, height, unit, half, against.folder) for quantity, height, unit, *_ in against.rows]
     listed = frames.list_frames(case)
     if not listed:
         sys.exit(f"compare: no record of beads in {case}/postProcessing/dem; run ./Allrun first")
@@ -180,15 +198,17 @@ def write_result(case, profiles, balance, log):
                               f"{plain:.5f}", p.unit])
 
 
-def tell(profiles, times, blocks, balance, log):
+def tell(profiles, against, times, blocks, balance, log):
     print(f"\n{len(times)} frames, {times[0]:g} .. {times[-1]:g} s, {blocks} blocks\n")
-    print("rms difference from the measured points     95 %            of the measured         DPMFoam  sediFoam")
+    first, second = against.others
+    print(f"rms difference from the measured points     95 %            of the measured        {first:>8s}  {second:>8s}")
     print("quantity       height            rms      interval    bias    spread    profile's 95 %     rms       rms")
-    for p, (*_, dpmfoam, sedifoam) in zip(profiles, ROWS):
+    for p, (*_, one, other) in zip(profiles, against.rows):
         print(f"{p.quantity:13s} {p.height:5.1f} mm {p.rms:14.3f}    +-{p.rms_interval:6.3f}  {p.bias:+7.3f}  {p.spread:7.3f}"
-              f"        +-{p.noise:6.3f}  {dpmfoam:10.3f} {sedifoam:9.3f}")
+              f"        +-{p.noise:6.3f}  {one:10.3f} {other:9.3f}")
     plain = ", ".join(f"{p.rms_in_time:.3f}" for p in profiles if p.quantity == "velocity")
-    print(f"\nvelocity: mean over beads; with the plain mean over time the rms is {plain} m/s")
+    if plain:
+        print(f"\nvelocity: mean over beads; with the plain mean over time the rms is {plain} m/s")
     carried = balance.mean + sum(mean for mean, _ in balance.walls.values())
     walls = ", ".join(f"{name} {mean:.1f} +- {interval:.1f}" for name, (mean, interval) in balance.walls.items())
     print(f"pressure drop {balance.mean:.1f} +- {balance.interval:.1f} Pa, walls carry {walls} Pa, together {carried:.1f} Pa; "
@@ -214,7 +234,7 @@ def main():
     balance = Balance(words.case, min(words.start, 0.5*times[-1]), count)
     log = read_log(words.case)
     write_result(words.case, profiles, balance, log)
-    tell(profiles, times, blocks, balance, log)
+    tell(profiles, experiment(words.case), times, blocks, balance, log)
     try:
         import plots
     except ImportError as reason:

@@ -21,8 +21,9 @@ plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.righ
 
 
 def draw_profiles(case, profiles, centres):
-    figure, panels = plt.subplots(2, 3, figsize=(11, 6.2))
-    places = [panels[0, 0], panels[0, 1], panels[1, 0], panels[1, 1], panels[1, 2]]
+    rows = 1 if len(profiles) == 2 else 2                   # void fraction above, velocity below
+    figure, panels = plt.subplots(rows, 3, figsize=(11, 3.1*rows), squeeze=False)
+    places = [*panels[0, :2], *panels[1:].flat]
     for axes, p in zip(places, profiles):
         axes.fill_between(1e3*centres, p.profile - p.interval, p.profile + p.interval, color=OURS, alpha=0.22, lw=0)
         axes.plot(1e3*centres, p.profile, color=OURS, lw=1.8)
