@@ -16,6 +16,8 @@
     ROW(viscous)                                                                                                      \
     ROW(stokes)                                                                                                       \
     ROW(mindlin)                                                                                                      \
+    ROW(mindlin_incremental)                                                                                          \
+    ROW(linear)                                                                                                       \
     ROW(rolling_constant)                                                                                             \
     ROW(rolling_spring)                                                                                               \
     ROW(rolling_viscous)                                                                                              \

@@ -1,0 +1,100 @@
+/*
+ * mindlin_incremental.c -- friction as mindlin's, whose spring takes on its stiffness as it is loaded, and never gives energy.
+ *
+ *   F_t = -k_t xi - eta_t s,    k_t = 8 G* sqrt(R* d),    |F_t| <= mu max(F_n, 0)
+ *   d(k_t xi) = k_t s dt while d grows,     d xi = s dt while it shrinks
+ *
+ *   xi     elongation of the spring at its present stiffness       [m]    remembered
+ *   k_t    tangential stiffness, of the last step, too             [N/m]  remembered
+ *   s      slip velocity of i's contact point over j's             [m/s]
+ *   G*     reduced shear modulus, 1/G* = sum 2 (2 - nu)(1 + nu)/E  [Pa]
+ *   R*, d  reduced radius, overlap                                 [m]
+ *   eta_t  the normal law's damping coefficient, or 0              [kg/s]
+ *   mu     coefficient of friction                                 [1]
+ *   F_n    total normal force, repulsion positive                  [N]
+ *
+ * While two bodies are pressed together, new contact is made without slip and bears none: the force stays, xi becomes
+ * xi k_old/k_t. While they part, contact that bore some is lost: the force falls with k_t, xi stays. Each way the energy
+ * k_t xi^2/2 falls or stays. mindlin keeps xi both ways, which gives back what was never taken where slip comes before
+ * pressure: there e_t is 1.0006 near the normal in the set of Kharaz et al., here 0.878 (measured 0.79 to 0.67 at 2 to 10
+ * degrees). From 17.5 degrees on both are the same.
+ *
+ * Source: Mindlin and Deresiewicz, J. Appl. Mech. 20 (1953) 327, without micro-slip; the correction while parting:
+ * Thornton, Cummins, Cleary, Powder Technol. 233 (2013) 30. The rest as mindlin.c and slider.h.
+ * Not here: micro-slip and its loading history; turning of the spring with a common spin about n; rolling.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "effects/effect.h"
+
+#include "effects/slider.h"
+
+struct incremental
+{
+    double friction;
+    int damping;
+    double modulus;                                       /* Pa   8 G*, derived */
+};
+
+static const struct dem_field settings[] = {
+    DEM_FIELD(incremental, friction, "1", DEM_FIELD_REQUIRED, 0.0, 100.0, "tangential force limit per normal force"),
+    DEM_FIELD_SWITCH(incremental, damping, "tangentialDamping", 1,
+                     "damp slip with the coefficient of the normal law as long as the contact sticks"),
+    {0},
+};
+
+static const char *const memory[] = {"stretch_x", "stretch_y", "stretch_z", "tangential_stiffness", NULL};
+
+static int prepare(void *of, const struct dem_pair_class *pair)
+{
+    DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
+                "mindlinIncremental between %s and %s: there is no normal law to rub under; add one to the effects, hertz for "
+                "example", pair->a->name, pair->b->name);
+    DEM_REQUIRE(pair->reduced_shear > 0.0 && pair->reduced_shear <= DBL_MAX, DEM_ERROR_INPUT,
+                "mindlinIncremental between %s and %s: the reduced shear modulus is %g Pa, but must be above 0 and finite; "
+                "check youngsModulus and poissonsRatio of both",
+                pair->a->name, pair->b->name, pair->reduced_shear);
+    ((struct incremental *)of)->modulus = 8.0*pair->reduced_shear;
+    return DEM_OK;
+}
+
+DEM_KERNEL
+static void act(const void *of, struct dem_block *restrict b, dem_real *const *remembered)
+{
+    const struct incremental *incremental = of;
+    const dem_real friction = incremental->friction, modulus = incremental->modulus;
+    const dem_real damped = incremental->damping ? 1.0 : 0.0;
+    dem_real *restrict xi_x = remembered[0], *restrict xi_y = remembered[1], *restrict xi_z = remembered[2];
+    dem_real *restrict stiffness = remembered[3];
+
+    for (int c = 0; c < b->n; c++)
+    {
+        const dem_real kt = modulus*sqrt(b->reduced_radius[c]*b->overlap[c]), before = stiffness[c];
+        const dem_real keep = dem_pick(before < kt, before/dem_pick(kt > 0.0, kt, 1.0), 1.0);
+        const struct dem_slider s = dem_slider_step(b, c, (struct dem_slider){
+            .stiffness = kt, .damping = damped*b->eta[c], .limit = dem_pick(b->fn[c] > 0.0, friction*b->fn[c], 0.0),
+            .sx = b->sx[c], .sy = b->sy[c], .sz = b->sz[c],
+            .xi_x = keep*xi_x[c], .xi_y = keep*xi_y[c], .xi_z = keep*xi_z[c]});
+
+        xi_x[c] = s.xi_x;
+        xi_y[c] = s.xi_y;
+        xi_z[c] = s.xi_z;
+        stiffness[c] = kt;
+        b->kt[c] = kt;
+        b->fx[c] += s.fx;
+        b->fy[c] += s.fy;
+        b->fz[c] += s.fz;
+    }
+}
+
+const struct dem_effect dem_mindlin_incremental = {
+    .name = "mindlinIncremental",
+    .says = "friction as mindlin, with a spring that is loaded step by step and gives back no more than it took",
+    .source = "Mindlin and Deresiewicz 1953; Thornton, Cummins, Cleary 2013; Coulomb",
+    .stage = DEM_STAGE_TANGENT,
+    .size = sizeof(struct incremental),
+    .settings = settings,
+    .memory = memory,
+    .prepare = prepare,
+    .act = act,
+};

@@ -1,0 +1,122 @@
+/*
+ * tangential.h -- a row and impacts for laws of friction, and what all of them are asked.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef TESTS_EFFECTS_TANGENTIAL_H
+#define TESTS_EFFECTS_TANGENTIAL_H
+
+#include "tray.h"
+
+/* Kharaz, Gorham, Salman, Powder Technol. 120 (2001) 281: 5 mm aluminium oxide on soda-lime glass at 3.9 m/s */
+static const struct dem_material tangential_oxide = {"aluminium oxide", 4000.0, 380e9, 0.23};
+static const struct dem_material tangential_soda = {"soda-lime glass", 2500.0, 70e9, 0.25};
+static const double tangential_pi = 3.14159265358979324;
+
+/* one row at rest: normal z, R* = 4 mm, overlap 1 um, k_n = 1e6 N/m, fn = 1 kN, no tangential damping */
+static inline struct link *tangential_row(struct world *w, const struct dem_effect *law, double friction, double damping)
+{
+    world_wall(w, &tangential_oxide, &tangential_soda, 0.004);
+    w->pair.exponent = 1.5;
+    struct link *const l = world_add(w, law, "friction", friction);
+
+    settle(law, l->settings, &w->pair, "tangentialDamping", damping);
+    w->b.n = 1;
+    w->b.dt = 1e-6;
+    w->b.nz[0] = w->b.hz[0] = 1.0;
+    w->b.touching[0] = 1.0;
+    w->b.overlap[0] = 1e-6;
+    w->b.reduced_radius[0] = 0.004;
+    w->b.kn[0] = 1e6;
+    w->b.fn[0] = 1e3;
+    return l;
+}
+
+static inline void tangential_act(struct world *w, struct link *l)
+{
+    w->b.fx[0] = w->b.fy[0] = w->b.fz[0] = 0.0;
+    l->effect->act(l->settings, &w->b, l->memory);
+}
+
+static inline double tangential_size(const struct world *w)
+{
+    return sqrt(w->b.fx[0]*w->b.fx[0] + w->b.fy[0]*w->b.fy[0] + w->b.fz[0]*w->b.fz[0]);
+}
+
+/* sticking, sliding, pulling, apart; the spring is what k_t says it is */
+static inline void tangential_claims(struct world *w, const struct dem_effect *law)
+{
+    struct link *l = tangential_row(w, law, 0.5, 0.0);
+
+    /* a few rounded factors */
+    w->b.sx[0] = 2e-3, w->b.sy[0] = -1e-3;
+    tangential_act(w, l);
+    tangential_act(w, l);
+    const double kt = w->b.kt[0];
+
+    TAP_OK(kt > 0.0, "a stiffness of %g N/m", kt);
+    TAP_NEAR(w->b.fx[0], -kt*4e-9, 1e-14*kt*4e-9, "two steps of slip load the spring against it");
+    TAP_NEAR(w->b.fy[0], kt*2e-9, 1e-14*kt*2e-9, "in both directions");
+    w->b.sx[0] = -4e-3, w->b.sy[0] = 2e-3;
+    tangential_act(w, l);
+    TAP_NEAR(tangential_size(w), 0.0, 1e-14*kt*4e-9, "and slip back unloads it");
+    l = tangential_row(w, law, 0.5, 1.0);
+    w->b.eta[0] = 30.0;
+    w->b.sx[0] = 1e-3;
+    tangential_act(w, l);
+    TAP_NEAR(w->b.fx[0], -kt*1e-9 - 30.0*1e-3, 1e-14*30.0, "with damping the dashpot of the normal law adds to it");
+
+    l = tangential_row(w, law, 0.5, 1.0);
+    w->b.eta[0] = 30.0;
+    w->b.fn[0] = 10.0;
+    w->b.sx[0] = 3.0, w->b.sy[0] = 4.0;
+    tangential_act(w, l);
+    TAP_NEAR(tangential_size(w), 5.0, 5e-15, "sliding: mu fn");
+    TAP_NEAR(w->b.fx[0], -3.0, 5e-15, "against the slip");
+    TAP_NEAR(-kt*l->column[1][0], -4.0, 5e-15, "and the spring holds the whole of it");
+    w->b.sx[0] = -1e-5, w->b.sy[0] = 0.0;
+    tangential_act(w, l);
+    TAP_OK(tangential_size(w) < 5.0 && w->b.fx[0] < 0.0, "a little slip back unloads; the force does not turn round at once");
+    w->b.fn[0] = -1.0;
+    tangential_act(w, l);
+    TAP_OK(tangential_size(w) == 0.0 && l->column[0][0] == 0.0, "a contact that pulls has no friction and keeps no spring");
+    l = tangential_row(w, law, 0.5, 1.0);
+    w->b.touching[0] = w->b.overlap[0] = w->b.kn[0] = w->b.fn[0] = 0.0;
+    w->b.sx[0] = 3.0;
+    l->column[0][0] = 1e-6;
+    tangential_act(w, l);
+    TAP_OK(tangential_size(w) == 0.0 && w->b.kt[0] == 0.0 && l->column[0][0] == 0.0, "a row apart gets and keeps nothing");
+    TAP_OK(settle(law, l->settings, &w->pair, "friction", -0.1) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    w->pair.exponent = 0.0;
+    TAP_OK(law->prepare(l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
+}
+
+/*
+ * The set of Kharaz et al. at this angle from the normal, elastic, 16 phases, `steps` a contact time; the links after the
+ * wall are the caller's. Tangential speed over the one before; *spin about +y; *energy over the one before.
+ */
+static inline double tangential_throw(struct world *w, double angle, double dt, int most, double *spin, double *energy)
+{
+    const double a = angle*tangential_pi/180.0, vn = 3.9*cos(a), vt = 3.9*sin(a);
+    double sum = 0.0;
+
+    w->friction = 0.092;
+    world_aim(w, 16, dt, vn);
+    for (int c = 0; c < 16; c++)
+    {
+        w->v[0][0][c] = vt;
+    }
+    TAP_OK(world_impact(w, dt, most) > 0, "%g degrees: parts again", angle);
+    TAP_NEAR(fmax(w->worst_friction, 0.0), 0.0, 1e-11, "friction was never above mu max(fn, 0)");    /* rounding of 1e3 N */
+    for (int c = 0; c < 16; c++)
+    {
+        const double v = w->v[0][0][c], u = w->v[0][2][c], turn = w->w[0][1][c]*w->radius[0];
+
+        sum += (v*v + u*u + 0.4*turn*turn)/(3.9*3.9)/16.0;
+    }
+    *spin = mean(w->w[0][1], 16);
+    *energy = sum;
+    return mean(w->v[0][0], 16)/vt;
+}
+
+#endif
