@@ -40,6 +40,15 @@ struct progress
     int rank;
 };
 
+/* What bonds and films have booked, where there are any. */
+static void report_books(const struct dem_tally *t)
+{
+    if (t->bonds > 0 || t->broken > 0.0 || t->lost != 0.0)
+    {
+        printf("        %lld bonds  %.0f broken  stored %.4g J  lost %.4g J\n", (long long)t->bonds, t->broken, t->stored, t->lost);
+    }
+}
+
 static int report(struct progress *p, struct dem *d, double end)
 {
     struct dem_tally t;
@@ -52,6 +61,7 @@ static int report(struct progress *p, struct dem *d, double end)
         printf("t %.6g s  %lld particles  %lld contacts  %.0f steps/s  kinetic %.4g J  overlap %.3g %%  ETA %.0f s\n", t.time,
                (long long)t.particles, (long long)t.contacts, (double)(t.steps - p->steps)/spent, t.kinetic,
                100.0*t.largest_overlap, done > 0.0 ? spent/done*(end - t.time) : 0.0);
+        report_books(&t);
         fflush(stdout);
     }
     return DEM_OK;

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "io/snapshot.h"
+#include "step/bond_pairs.h"
 #include "step/measure.h"
 #include "step/step.h"
 #include "step/sum_contacts.h"
@@ -307,6 +308,7 @@ static int settle_in(struct dem *d)
     DEM_TRY(dem_step_renew(p));
     p->stale = 1;
     DEM_TRY(refuse_overlap(p));
+    DEM_TRY(dem_bond_pairs_ask(p, d->scene.bond_ids, d->scene.bond_id_count));
     DEM_TRY(dem_sweep_contacts(p, 0.0, (const double[2]){-INFINITY, p->time}));
     dem_sum_contacts(&p->particles, &p->contacts);
     dem_sum_books(&p->particles, &p->contacts);

@@ -23,6 +23,7 @@
     ROW(rolling_viscous)                                                                                              \
     ROW(twisting_spring)                                                                                              \
     ROW(sjkr)                                                                                                         \
+    ROW(bond_linear)                                                                                                  \
     ROW(lubrication)                                                                                                  \
     ROW(gravity)                                                                                                      \
     ROW(pressure_gradient)                                                                                            \

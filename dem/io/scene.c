@@ -167,6 +167,21 @@ static int read_neighbours(struct dem_scene *s, const struct dem_dict *scene)
 
 /* ---- the whole ----------------------------------------------------------------------------------------------- */
 
+/* Read only where an effect makes bonds, so that anywhere else it is an entry nobody reads. */
+static int read_bonds(struct dem_scene *s, const struct dem_dict *scene, const struct dem_recipe *r)
+{
+    const struct dem_dict *bonds = NULL;
+    const int listed = dem_recipe_word(r, "bondLinear", "make", "listed");
+
+    if (listed >= 0)
+    {
+        DEM_TRY(dem_dict_sub_if(scene, "bonds", &bonds));
+    }
+    DEM_REQUIRE(listed <= 0 || bonds, DEM_ERROR_INPUT, "effects/bondLinear makes listed bonds, and the scene lists none; add bonds { pairs "
+                "(...); } with two ids for each");
+    return bonds ? dem_dict_numbers(bonds, "pairs", "1", &s->bond_ids, &s->bond_id_count) : DEM_OK;
+}
+
 int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene, struct dem_recipe *r, struct dem_walls *w,
                    struct dem_domain *d)
 {
@@ -179,6 +194,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene, struct dem
     DEM_TRY(read_time(s, scene));
     DEM_TRY(read_neighbours(s, scene));
     DEM_TRY(dem_averages_read(scene, &s->average, &s->averages));
+    DEM_TRY(read_bonds(s, scene, r));
     DEM_TRY(dem_dict_sub_if(scene, "start", &start));
     if (start)
     {

@@ -43,6 +43,8 @@ struct dem_scene
     struct dem_crowd crowd;
     struct dem_average_plan *average;                     /* grids of means */
     int averages;
+    const double *bond_ids;                               /* two a pair that the scene wants bonded; NULL: no list */
+    size_t bond_id_count;
 };
 
 /* The materials first: walls and particles that are handed in by program need them. */

@@ -159,6 +159,20 @@ double dem_recipe_number(const struct dem_recipe *r, const char *effect, const c
     return number ? *number : NAN;
 }
 
+int dem_recipe_word(const struct dem_recipe *r, const char *effect, const char *entry, const char *word)
+{
+    const int place = place_of(r, effect);
+    const struct dem_field *const field = place < 0 ? NULL : dem_field_find(r->effect[place]->settings, entry);
+    int choice;
+
+    if (!field)
+    {
+        return -1;
+    }
+    memcpy(&choice, (const char *)r->settings[place] + field->offset, sizeof choice);
+    return choice >= 0 && strcmp(field->choices[choice], word) == 0;
+}
+
 void dem_recipe_vector(const struct dem_recipe *r, const char *effect, const char *entry, double value[3])
 {
     const double *const number = number_of(r, effect, entry);

@@ -83,6 +83,9 @@ int dem_recipe_set_word(struct dem_recipe *, const int pair[2], const char *effe
 
 /* A number or a vector of a chosen effect as set for all pairs; not-a-number, or zero, when it was not chosen. */
 double dem_recipe_number(const struct dem_recipe *, const char *effect, const char *entry);
+/* 1 when a choice of a chosen effect is set to that word for all pairs, 0 when to another, -1 when it was not chosen. */
+int dem_recipe_word(const struct dem_recipe *, const char *effect, const char *entry, const char *word);
+
 void dem_recipe_vector(const struct dem_recipe *, const char *effect, const char *entry, double value[3]);
 
 /* 1 when that effect was chosen. */

@@ -253,6 +253,7 @@ static void motion_past_touching(struct dem_block *restrict b, const struct dem_
         b->sx[c] -= gap*(by*b->hz[c] - bz*b->hy[c]);
         b->sy[c] -= gap*(bz*b->hx[c] - bx*b->hz[c]);
         b->sz[c] -= gap*(bx*b->hy[c] - by*b->hx[c]);
+        b->rate[c] = g->vx[c]*b->hx[c] + g->vy[c]*b->hy[c] + g->vz[c]*b->hz[c];
         b->swing[c] = share*(bx*b->nx[c] + by*b->ny[c] + bz*b->nz[c]);
         b->stored[c] = b->lost[c] = b->bonds[c] = b->broke[c] = 0.0;
     }

@@ -72,6 +72,7 @@ static void random_contact(struct dem_block *b, dem_real memory[MEMORY][DEM_BLOC
     b->least_radius[to] = uniform(row, 50, 1e-3, 2e-3);
     b->gap[to] = apart > 0.0 ? -b->overlap[to] : uniform(row, 51, 0.0, 1.0);
     b->distance[to] = 2.0*b->least_radius[to] + b->gap[to];
+    b->rate[to] = b->vn[to];
     b->swing[to] = uniform(row, 52, -9.0, 9.0);
     b->counts[to] = uniform(row, 53, 0.0, 1.0) < 0.8 ? 1.0 : 0.0;
     b->chance[to] = uniform(row, 54, 0.0, 1.0);

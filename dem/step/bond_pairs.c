@@ -1,0 +1,101 @@
+/*
+ * bond_pairs.c -- sort the list, look every near row up in it, and see that each pair was found by somebody.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "step/bond_pairs.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct asked
+{
+    int64_t low, high;
+};
+
+static int compare(const void *a, const void *b)
+{
+    const struct asked *const s = a, *const t = b;
+    const int low = (s->low > t->low) - (s->low < t->low);
+
+    return low ? low : (s->high > t->high) - (s->high < t->high);
+}
+
+static int take_list(const double *ids, size_t pairs, struct asked *list)
+{
+    for (size_t k = 0; k < pairs; k++)
+    {
+        const double low = fmin(ids[2*k], ids[2*k + 1]), high = fmax(ids[2*k], ids[2*k + 1]);
+
+        DEM_REQUIRE(low >= 0.0 && high < 9e15 && floor(low) == low && floor(high) == high && low < high, DEM_ERROR_INPUT,
+                    "bonds/pairs: %.17g and %.17g; give two different ids of particles, whole numbers from 0", ids[2*k], ids[2*k + 1]);
+        list[k] = (struct asked){.low = (int64_t)low, .high = (int64_t)high};
+    }
+    qsort(list, pairs, sizeof *list, compare);
+    return DEM_OK;
+}
+
+static void mark(struct dem_parts *p, const struct asked *list, size_t pairs, double *column, uint8_t *found)
+{
+    const struct dem_contacts *const c = &p->contacts;
+
+    for (uint32_t r = 0; r < c->rows; r++)
+    {
+        const struct dem_pair *const q = c->row_pair[r] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[r]];
+
+        if (q && !q->wall)
+        {
+            const struct asked key = {.low = p->particles.record[q->i].id, .high = p->particles.record[q->j].id};
+            const struct asked *const hit = bsearch(&key, list, pairs, sizeof key, compare);
+
+            if (hit)
+            {
+                column[r] = 1.0;
+                found[hit - list] = 1;
+            }
+        }
+    }
+}
+
+static int see(const struct dem_parts *p, const struct asked *list, size_t pairs, uint8_t *found)
+{
+    if (p->pieces.ranks > 1)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, found, (int)pairs, MPI_UINT8_T, MPI_MAX, p->pieces.comm);
+    }
+    for (size_t k = 0; k < pairs; k++)
+    {
+        const int twin = k > 0 && compare(&list[k], &list[k - 1]) == 0;
+
+        DEM_REQUIRE(found[k] || twin, DEM_ERROR_INPUT,
+                    "bonds/pairs: particles %lld and %lld are not there or farther apart than breakDistance of bondLinear; correct "
+                    "the list, or raise makeDistance and breakDistance", (long long)list[k].low, (long long)list[k].high);
+    }
+    return DEM_OK;
+}
+
+int dem_bond_pairs_ask(struct dem_parts *p, const double *ids, size_t count)
+{
+    const size_t pairs = count/2;
+    struct asked *list;
+    uint8_t *found;
+    int status;
+
+    DEM_REQUIRE(count%2 == 0, DEM_ERROR_INPUT, "bonds/pairs: %zu ids; give two for each bond", count);
+    DEM_TRY(DEM_NEW(list, pairs + 1));
+    DEM_TRY(DEM_NEW(found, pairs + 1));
+    status = take_list(ids, pairs, list);
+    for (int m = 0; m < p->recipe.memories && !status; m++)
+    {
+        if (strcmp(p->recipe.memory[m], "bond_asked") == 0)
+        {
+            mark(p, list, pairs, p->contacts.memory[m], found);
+        }
+    }
+    status = status ? status : see(p, list, pairs, found);
+    dem_memory_free(list);
+    dem_memory_free(found);
+    return status;
+}

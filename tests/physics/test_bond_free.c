@@ -1,0 +1,354 @@
+/*
+ * Claims: what is bonded and free keeps its linear and angular momentum to round-off and its energy within the order of the
+ * step: a pair turning about any axis is not sheared, a bent triangle, a chain of 20 of unequal spheres that wriggles.
+ * Turned axes and swapped ids give the same motion (1e-10), with either kind of damping and while bonds break. The contact
+ * of a bonded pair is hidden until the bond breaks, and takes over without a jump in force, in pressure and in tension. A
+ * sphere bonded to a wall hangs and swings; a removed particle takes its bonds along and no others.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/bonds.h"
+
+#include "base/random.h"
+
+static double drawn(int k, int use)
+{
+    return 2.0*dem_random_unit(7, (uint64_t)k, 0, (uint64_t)use) - 1.0;
+}
+
+static double apart(const double a[3], const double b[3])
+{
+    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+
+    return sqrt(vector_dot(d, d));
+}
+
+static double size(const double a[3])
+{
+    return sqrt(vector_dot(a, a));
+}
+
+/* Advance and compare; the scales are of the parts, because sums may vanish. */
+static void keeps(const char *what, struct dem *d, int n, double time, double energy_within)
+{
+    struct world_particle p[MOST];
+    double momentum[2][3], angular[2][3], kinetic[2], scale[2] = {0.0, 0.0};
+    const double before = world_tally(d).stored;
+
+    world_all(d, p);
+    for (int k = 0; k < n; k++)
+    {
+        scale[0] += p[k].mass*size(p[k].v);
+        scale[1] += p[k].mass*size(p[k].x)*size(p[k].v) + 0.4*p[k].mass*p[k].radius*p[k].radius*size(p[k].w);
+    }
+    chain_totals(d, n, momentum[0], angular[0], &kinetic[0]);
+    world_run(d, time);
+    chain_totals(d, n, momentum[1], angular[1], &kinetic[1]);
+    const struct dem_tally t = world_tally(d);
+
+    TAP_NEAR(apart(momentum[1], momentum[0]), 0.0, 1e-12*scale[0], "%s: momentum", what);
+    TAP_NEAR(apart(angular[1], angular[0]), 0.0, 1e-12*scale[1], "%s: angular momentum", what);
+    TAP_NEAR(kinetic[1] + t.stored, kinetic[0] + before, energy_within*kinetic[0], "%s: energy", what);
+    TAP_OK(t.lost == 0.0 && t.broken == 0.0 && t.bonds >= n - 1, "%s: %d bonds hold, nothing is lost", what, (int)t.bonds);
+}
+
+/* |F_t| of the bond between particles 0 and 1 */
+static double shear_of(const struct dem *d)
+{
+    const struct world_particle a = world_at(d, 0), b = world_at(d, 1);
+    const double r[3] = {a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]}, along = vector_dot(a.f, r)/vector_dot(r, r);
+    const double shear[3] = {a.f[0] - along*r[0], a.f[1] - along*r[1], a.f[2] - along*r[2]};
+
+    return size(shear);
+}
+
+static struct dem *turning(const double omega[3], double soft, const char *more)
+{
+    struct dem_seed seed[2];
+
+    chain_seeds(seed, 2, 0);
+    for (int k = 0; k < 2; k++)
+    {
+        const double arm[3] = {k ? 0.5*L : -0.5*L, 0.0, 0.0};
+
+        vector_cross(omega, arm, seed[k].velocity);
+        memcpy(seed[k].spin, omega, 3*sizeof *omega);
+    }
+    return bonded(soft, 0.0, more, 2, seed);
+}
+
+/* At 10 1/s; bonds are soft, for long steps. The printed slip of the note would come to k_t A r Omega t = 628 k_t A L here. */
+static void turning_pair(void)
+{
+    const double soft = 1e-4, slanted[3] = {4.8, -6.0, 6.4}, upright[3] = {0.0, -6.0, 8.0}, m = world_ball(R, 2500.0);
+    struct dem *d = turning(slanted, soft, "");
+
+    keeps("a pair that turns ten times about a slanted axis", d, 2, 2.0*world_pi, 1e-6);
+    /* its axis is no principal one, so it takes shear to keep it turning: less than the centripetal force, and as much again
+       while it swings in from rest */
+    TAP_OK(shear_of(d) < m*100.0*L, "it is sheared by inertia alone, %.3g k_t A L", shear_of(d)/(soft*kt*A*L));
+    dem_free(d);
+    d = turning(upright, soft, "dampingRatio 0.5;");
+    const double before = world_tally(d).kinetic;
+
+    world_run(d, 2.0*world_pi);
+    const struct dem_tally t = world_tally(d);
+
+    TAP_NEAR(shear_of(d), 0.0, 1e-9*soft*kt*A*L, "turning about an axis normal to it, it is not sheared once it is calm");
+    TAP_NEAR(t.kinetic + t.stored + t.lost, before, 1e-8*before, "what swinging in from rest took is booked");
+    dem_free(d);
+}
+
+/* n spheres of different sizes in a row with a bend, with random velocities and spins; steps of 1/100 of the limit */
+static struct dem *wriggling(int n, const char *more, double fraction, double turn[3][3], int swapped)
+{
+    struct dem_seed seed[MOST];
+    double x = 0.0, before = 0.0;
+
+    memset(seed, 0, sizeof seed);
+    for (int k = 0; k < n; k++)
+    {
+        const double radius = R*(1.0 + 0.3*drawn(k, 0)), place[3] = {x += k ? before + radius : 0.0, 0.0, 0.0};
+        const double v[3] = {0.05*drawn(k, 1), 0.05*drawn(k, 2), 0.05*drawn(k, 3)};
+        const double w[3] = {30.0*drawn(k, 4), 30.0*drawn(k, 5), 30.0*drawn(k, 6)};
+
+        before = radius;
+        seed[k] = (struct dem_seed){.diameter = 2.0*radius, .id = swapped ? n - 1 - k : k, .material = "rock"};
+        for (int i = 0; i < 3; i++)
+        {
+            seed[k].position[i] = vector_dot(turn[i], place);
+            seed[k].velocity[i] = vector_dot(turn[i], v);
+            seed[k].spin[i] = vector_dot(turn[i], w);
+        }
+    }
+    /* automatic step of spheres of 0.7 R: 0.7 of 5.16e-7 s */
+    return bonded(1e-2, fraction*3e-6, more, n, seed);
+}
+
+static void turned_axes(double turn[3][3])
+{
+    /* columns of a rotation, from a unit quaternion that is as good as any */
+    const double w = 0.2, x = -0.5, y = 0.7, z = sqrt(1.0 - 0.04 - 0.25 - 0.49);
+    const double q[3][3] = {{1 - 2*(y*y + z*z), 2*(x*y - z*w), 2*(x*z + y*w)},
+                            {2*(x*y + z*w), 1 - 2*(x*x + z*z), 2*(y*z - x*w)},
+                            {2*(x*z - y*w), 2*(y*z + x*w), 1 - 2*(x*x + y*y)}};
+
+    memcpy(turn, q, sizeof q);
+}
+
+static double straight[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+static void objective(const char *what, const char *more, int n, double time)
+{
+    struct world_particle p[MOST], q[MOST], s[MOST];
+    double turn[3][3], off[2] = {0.0, 0.0};
+    struct dem *d[3];
+
+    turned_axes(turn);
+    d[0] = wriggling(n, more, 0.5, straight, 0);
+    d[1] = wriggling(n, more, 0.5, turn, 0);
+    d[2] = wriggling(n, more, 0.5, straight, 1);
+    for (int k = 0; k < 3; k++)
+    {
+        world_run(d[k], time);
+    }
+    world_all(d[0], p);
+    world_all(d[1], q);
+    world_all(d[2], s);
+    for (int k = 0; k < n; k++)
+    {
+        const double back[3] = {vector_dot(turn[0], p[k].x), vector_dot(turn[1], p[k].x), vector_dot(turn[2], p[k].x)};
+
+        off[0] = fmax(off[0], apart(back, q[k].x));
+        off[1] = fmax(off[1], apart(p[k].x, s[n - 1 - k].x));
+    }
+    TAP_NEAR(off[0], 0.0, 1e-10*L, "%s: the same in turned axes (%.3g bonds broke)", what, world_tally(d[0]).broken);
+    TAP_NEAR(off[1], 0.0, 1e-10*L, "%s: the same with ids the other way round", what);
+    for (int k = 0; k < 3; k++)
+    {
+        dem_free(d[k]);
+    }
+}
+
+static void triangle(void)
+{
+    struct dem_seed seed[3];
+
+    memset(seed, 0, sizeof seed);
+    for (int k = 0; k < 3; k++)
+    {
+        const double angle = 2.0*world_pi*k/3.0, r = L/sqrt(3.0);
+
+        seed[k] = (struct dem_seed){.position = {r*cos(angle), r*sin(angle), 0.0}, .velocity = {0.02*drawn(k, 7), 0.02*drawn(k, 8), 0.02*drawn(k, 9)},
+                                    .spin = {9.0*drawn(k, 1), 9.0*drawn(k, 2), 9.0*drawn(k, 3)}, .diameter = 2.0*R, .id = k, .material = "rock"};
+    }
+    struct dem *const d = bonded(1e-2, 2e-8, "", 3, seed);
+
+    keeps("a triangle", d, 3, 2e-3, 1e-6);
+    dem_free(d);
+}
+
+/* ---- contact and bond ---------------------------------------------------------------------------------------- */
+
+/* A pair made with an overlap of 0.5 %, with Hertz's law beside the bond; led apart or together, and broken by a twist. */
+static struct dem *overlapping(const char *more)
+{
+    char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
+                                   "effects { hertz { } dry { restitution 0.9; } mindlin { friction 0.5; }"
+                                   " bondLinear { normalStiffness %g; shearStiffness %g; %s } } time { step 1e-7; }", kn, kt, more);
+    const struct dem_seed seed[2] = {{.position = {0, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "rock", .frozen = 1},
+                                     {.position = {0.995*L, 0, 0}, .diameter = 2.0*R, .id = 1, .material = "rock"}};
+    struct dem *const d = world(scene, 2, seed);
+
+    free(scene);
+    return d;
+}
+
+static void led(struct dem *d, double along, double twist, int steps)
+{
+    const double dt = dem_step_limit(d).used, v[3] = {along/dt, 0.0, 0.0}, w[3] = {twist/dt, 0.0, 0.0};
+
+    for (int k = 0; k < steps && world_tally(d).broken == 0.0; k++)
+    {
+        const struct world_particle p = world_at(d, 1);
+
+        chain_set(d, 1, v, w);
+        chain_kick(d, 1, p.f, p.t, -0.5*dt);
+        world_step(d);
+    }
+}
+
+static void hand_over(void)
+{
+    const double E = 1e9/(2.0*(1.0 - 0.0625)), able = 4.0/3.0*E*sqrt(0.5*R)*pow(0.005*L, 1.5);
+    struct dem *d = overlapping("shearStrength 5e6;");
+    const double none[3] = {0.0, 0.0, 0.0};
+
+    TAP_NEAR(world_at(d, 1).f[0], 0.0, 0.0, "the contact of a bonded pair does not push");
+    TAP_NEAR(world_tally(d).lost, 0.4*able*0.005*L, 1e-9*able*L, "what it held is lost");
+    led(d, 0.0, 0.0, 3);
+    TAP_NEAR(world_at(d, 1).f[0], 0.0, 1e-12*able, "nor later");
+    dem_free(d);
+
+    /* half of what the overlap can carry, by the bond; then a twist breaks it */
+    d = overlapping("shearStrength 5e6;");
+    led(d, -0.5*able/(kn*A)/50.0, 0.0, 50);
+    const double pressed = world_at(d, 1).f[0];
+
+    led(d, 0.0, 1e-4, 10000);
+    TAP_OK(world_tally(d).broken == 1.0, "a twist breaks it");
+    TAP_NEAR(world_at(d, 1).f[0], pressed, 1e-9*pressed, "in the step in which it breaks the contact carries on");
+    chain_set(d, 1, none, none);
+    chain_kick(d, 1, world_at(d, 1).f, world_at(d, 1).t, -0.5e-7);
+    world_step(d);
+    TAP_NEAR(world_at(d, 1).f[0], pressed, 1e-9*pressed, "and in the next");
+    dem_free(d);
+
+    /* in tension nothing is left, though the surfaces still overlap */
+    d = overlapping("shearStrength 5e6;");
+    led(d, 0.5*able/(kn*A)/50.0, 0.0, 50);
+    TAP_OK(world_at(d, 1).f[0] < -0.4*able, "the bond pulls");
+    led(d, 0.0, 1e-4, 10000);
+    chain_set(d, 1, none, none);
+    world_step(d);
+    TAP_NEAR(world_at(d, 1).f[0], 0.0, 1e-9*able, "broken in tension, nothing pushes");
+    const double in[3] = {-0.1, 0.0, 0.0};
+
+    chain_set(d, 1, in, none);
+    world_run(d, 1e-6);
+    TAP_OK(world_at(d, 1).f[0] > 0.0, "until they come nearer");
+    dem_free(d);
+
+    d = overlapping("contact parallel;");
+    TAP_NEAR(world_at(d, 1).f[0], able, 1e-9*able, "in parallel the contact pushes as if there were no bond");
+    dem_free(d);
+}
+
+/* ---- walls, removal, chance ---------------------------------------------------------------------------------- */
+
+static void hanging(void)
+{
+    char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
+                                   "effects { gravity { acceleration (0 0 -9.81); }"
+                                   " bondLinear { normalStiffness %g; shearStiffness %g; walls yes; dampingRatio 0.3; } }"
+                                   "walls { lid { type plane; point (0 0 %.17g); normal (0 0 -1); } side { type triangles; corners"
+                                   " ((0.05 -1 -1) (0.05 1 -1) (0.05 1 1)); } }", kn*1e-4, kt*1e-4, R);
+    const struct dem_seed seed[2] = {{.position = {0, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "rock"},
+                                     {.position = {0.05 - R, -0.5, -0.8}, .diameter = 2.0*R, .id = 1, .material = "rock"}};
+    struct dem *const d = world(scene, 2, seed);
+    const double weight = 9.81*world_ball(R, 2500.0), ktA = kt*1e-4*A, arm = R*R*ktA/(kn*1e-4*I);
+
+    world_run(d, 0.05);
+    const struct world_particle p = world_at(d, 0), q = world_at(d, 1);
+
+    TAP_OK(world_tally(d).bonds == 2, "bonded to a plane and to a triangle");
+    TAP_NEAR(p.x[2], -weight/(kn*1e-4*A), 1e-3*weight/(kn*1e-4*A), "one hangs by its elongation");
+    /* a cantilever of one element: shear, and the bend by weight times arm that turns the arm */
+    TAP_NEAR(q.x[2] + 0.8, -weight/ktA*(1.0 + arm), 2e-3*weight/ktA*(1.0 + arm), "one is held out by shear and bending");
+    dem_free(d);
+    free(scene);
+}
+
+/* The middle one of five flies out of the domain and is removed; the bonds of the others stay. */
+static void removal(void)
+{
+    char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
+                                   "domain { min (-1 -1 -1); max (1 1 1); leaving remove; }"
+                                   "effects { bondLinear { normalStiffness %g; shearStiffness %g; } }", kn, kt);
+    struct dem_seed seed[5];
+
+    chain_seeds(seed, 5, 0);
+    for (int k = 0; k < 5; k++)
+    {
+        seed[k].position[0] += 1.0 - 4.5*L;               /* the last one half out */
+        seed[k].velocity[0] = 0.05;
+    }
+    struct dem *const d = world(scene, 5, seed);
+
+    world_run(d, 0.05);
+    const struct dem_tally t = world_tally(d);
+
+    TAP_OK(t.particles < 5 && t.particles > 1 && t.bonds == t.particles - 1 && t.broken == 0.0,
+           "%d of a chain are left, with %d bonds", (int)t.particles, (int)t.bonds);
+    dem_free(d);
+    free(scene);
+}
+
+static int64_t lot(int seed, double probability)
+{
+    char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
+                                   "effects { bondLinear { normalStiffness %g; shearStiffness %g; makeDistance 1.05; probability %g; seed %d; } }"
+                                   "insert { all { type lattice; count 1000; diameter 1e-3; spacing 1.02; jitter 0; min (0 0 0);"
+                                   " max (0.01025 0.01025 0.01025); } }", kn, kt, probability, seed);
+    struct dem *const d = world(scene, 0, NULL);
+    const int64_t bonds = world_tally(d).bonds;
+
+    dem_free(d);
+    free(scene);
+    return bonds;
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    turning_pair();
+    triangle();
+    struct dem *const d = wriggling(20, "", 0.01, straight, 0);
+
+    keeps("a chain of 20", d, 20, 2e-4, 1e-6);
+    dem_free(d);
+    objective("a pair", "", 2, 1e-3);
+    objective("a chain of 5", "dampingRatio 0.1;", 5, 1e-3);
+    objective("a chain of 5 with a share", "dampingShare 0.2;", 5, 1e-3);
+    objective("a chain of 12 that breaks", "normalStrength 4e3; shearStrength 4e3; internalFriction 0.5;", 12, 1e-3);
+    hand_over();
+    hanging();
+    removal();
+
+    const int64_t all = lot(1, 1.0), some = lot(1, 0.3);
+
+    TAP_OK(all == 2700, "all %d neighbours of a lattice bond", (int)all);
+    TAP_NEAR((double)some, 810.0, 4.0*sqrt(2700.0*0.3*0.7), "of chance 0.3, %d", (int)some);   /* four standard deviations */
+    TAP_OK(lot(1, 0.3) == some && lot(2, 0.3) != some, "the same by the same seed, others by another");
+    TAP_DONE;
+}
