@@ -196,6 +196,7 @@ void Foam::demCloud::build()
 
     demCheck(dem_ready(dem_));
     demCheck(dem_scene_check(dem_));
+    record_.watch(dem_);
     demCheck(dem_tally(dem_, &before_));
 
     const struct dem_step_limit step = dem_step_limit(dem_);

@@ -230,7 +230,7 @@ void Foam::demCloud::evolve
     depositReaction();
     report();
     refresh();
-    record_.add(dem_, view_);
+    record_.add(dem_, view_, window_);
     fields_.update(dem_, transfer_, view_);
     ledger_.charge(demLedger::EXCHANGE);
 }

@@ -98,7 +98,8 @@ void Foam::demDict::checkOwnWall(const entry& e) const
         (
             walls,
             "walls/" + e.keyword() + " has no other type (plane, box,"
-            " triangles), so it must be a patch",
+            " cylinder, sphere, triangles, stl, surface), so it must be a"
+            " patch",
             wordRe(e.keyword()),
             patchNames(mesh_)
         );
@@ -106,38 +107,12 @@ void Foam::demDict::checkOwnWall(const entry& e) const
 }
 
 
-// A wall made from a patch has a material and nothing else
-void Foam::demDict::checkPatchWall(const entry& e) const
+void Foam::demDict::checkMaterial
+(
+    const dictionary& wall,
+    const std::string& where
+) const
 {
-    const std::string where("walls/" + e.keyword());
-
-    if (!e.isDict())
-    {
-        FatalIOErrorInFunction(dict_.subDict("walls"))
-            << where.c_str() << " is no dictionary; write " << e.keyword()
-            << " { material " << flatOutput(materials()) << "; } with one of"
-            << " these" << exit(FatalIOError);
-    }
-
-    const dictionary& wall = e.dict();
-
-    forAllConstIters(wall, iter)
-    {
-        const keyType& key = iter().keyword();
-
-        if
-        (
-            key != "material"
-         && !(key == "type" && wall.get<word>("type") == "patch")
-        )
-        {
-            FatalIOErrorInFunction(wall)
-                << where.c_str() << " is made from a patch; such a wall has a"
-                << " material and nothing else. Take out " << key
-                << exit(FatalIOError);
-        }
-    }
-
     const wordList known(materials());
     word name;
 
@@ -155,6 +130,102 @@ void Foam::demDict::checkPatchWall(const entry& e) const
             << known.size() << "; add material, one of "
             << flatOutput(known) << exit(FatalIOError);
     }
+}
+
+
+// A patch stands where the mesh has it; its surface may run in itself
+void Foam::demDict::checkPatchWall(const entry& e) const
+{
+    const std::string where("walls/" + e.keyword());
+
+    if (!e.isDict())
+    {
+        FatalIOErrorInFunction(dict_.subDict("walls"))
+            << where.c_str() << " is no dictionary; write " << e.keyword()
+            << " { material " << flatOutput(materials()) << "; } with one of"
+            << " these" << exit(FatalIOError);
+    }
+
+    const dictionary& wall = e.dict();
+    const wordHashSet known
+    (
+        {"type", "material", "surfaceVelocity", "surfaceRotation"}
+    );
+
+    forAllConstIters(wall, iter)
+    {
+        const keyType& key = iter().keyword();
+
+        if
+        (
+            !known.found(key)
+         || (key == "type" && wall.get<word>("type") != "patch")
+        )
+        {
+            FatalIOErrorInFunction(wall)
+                << where.c_str() << " is made from a patch; such a wall stands"
+                << " where the mesh has it and has a material,"
+                << " surfaceVelocity and surfaceRotation, nothing else. Take"
+                << " out " << key << exit(FatalIOError);
+        }
+    }
+
+    checkMaterial(wall, where);
+}
+
+
+// What the core must know of patches besides their triangles
+void Foam::demDict::addRunning(const entry& e)
+{
+    dictionary plain(e.dict());
+    plain.remove("type");
+    plain.remove("material");
+
+    if (plain.empty())
+    {
+        return;
+    }
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (wordRe(e.keyword()).match(patch.name()) && isWall(patch))
+        {
+            dictionary wall(plain);
+            wall.add("type", "patch");
+            wall.add("material", material(patch));
+            dict_.subDict("walls").add(patch.name(), wall);
+        }
+    }
+}
+
+
+// The surface is read here, the core gets its triangles
+void Foam::demDict::keepBackSurface(const word& name)
+{
+    dictionary& wall = dict_.subDict("walls").subDict(name);
+
+    checkMaterial(wall, "walls/" + name);
+    if (!wall.found("material"))
+    {
+        wall.add("material", materials()[0]);
+    }
+    if (!wall.found("file"))
+    {
+        FatalIOErrorInFunction(wall)
+            << "walls/" << name << " is a surface without a file; add file,"
+            << " the name of one in constant/triSurface" << exit(FatalIOError);
+    }
+    if (wall.getOrDefault<scalar>("scale", 1) <= 0)
+    {
+        FatalIOErrorInFunction(wall)
+            << "walls/" << name << "/scale " << wall.get<scalar>("scale")
+            << "; give a number above 0, metres per unit of the file"
+            << exit(FatalIOError);
+    }
+
+    surfaces_.add(name, wall);
+    wall.remove("file");
+    wall.remove("scale");
 }
 
 
@@ -182,6 +253,10 @@ void Foam::demDict::keepBackPatches()
         if (!matches(wordRe(names[i]), patches))
         {
             checkOwnWall(e);
+            if (e.isDict() && e.dict().getOrDefault<word>("type", "") == "surface")
+            {
+                keepBackSurface(names[i]);
+            }
             continue;
         }
 
@@ -199,6 +274,12 @@ void Foam::demDict::keepBackPatches()
 
         patches_.add(e);
         walls.remove(names[i]);
+    }
+
+    // Only now all patches are known
+    forAllConstIters(patches_, iter)
+    {
+        addRunning(*iter);
     }
 
     if (walls.empty())

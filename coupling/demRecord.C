@@ -50,11 +50,8 @@ static void put(std::ofstream& os, const Type value)
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // At the first step, so that a run that only looks leaves no empty files
-void Foam::demRecord::open(const ::dem* d)
+void Foam::demRecord::open()
 {
-    impulse_.setSize(dem_wall_count(d));
-    impulse_ = Zero;
-
     const scalar start = time_.value() - time_.deltaTValue();
     entries_ = std::floor(start/interval_ + 1e-6);
 
@@ -70,24 +67,18 @@ void Foam::demRecord::open(const ::dem* d)
     mkDir(folder);
 
     particles_.open((folder/"particles.bin").c_str(), std::ios::binary);
-    walls_.open((folder/"walls.dat").c_str());
+    walls_.open((folder/"walls.csv").c_str());
 
     if (!particles_ || !walls_)
     {
         FatalErrorInFunction
-            << "Can't write " << folder/"particles.bin" << " and walls.dat;"
+            << "Can't write " << folder/"particles.bin" << " and walls.csv;"
             << " take out coupling/record, or make room" << exit(FatalError);
     }
 
-    walls_.precision(8);
-    walls_ << "# force of the particles on walls [N], mean since the last"
-        << " line\n# time[s]";
-    for (int wall = 0; wall < dem_wall_count(d); wall++)
-    {
-        const char* name = dem_wall_name(d, wall);
-        walls_ << "  " << name << ".x " << name << ".y " << name << ".z";
-    }
-    walls_ << std::endl;
+    walls_.precision(9);
+    walls_ << "time[s],wall,fx[N],fy[N],fz[N],tx[Nm],ty[Nm],tz[Nm],fx_now[N],"
+        "fy_now[N],fz_now[N],tx_now[Nm],ty_now[Nm],tz_now[Nm]" << std::endl;
 }
 
 
@@ -130,15 +121,27 @@ void Foam::demRecord::writeParticles(const demView& view)
 }
 
 
-void Foam::demRecord::writeWalls()
+// The same table as the program dem writes
+void Foam::demRecord::writeWalls(::dem* d)
 {
-    walls_ << time_.value();
-    forAll(impulse_, wall)
+    for (int wall = 0; wall < dem_wall_count(d); wall++)
     {
-        const vector mean(impulse_[wall]/since_);
-        walls_ << "  " << mean.x() << ' ' << mean.y() << ' ' << mean.z();
+        double value[12];
+        demCheck(dem_wall_impulse(d, wall, value, value + 3));
+        demCheck(dem_wall_load(d, wall, value + 6, value + 9));
+
+        if (Pstream::master())
+        {
+            walls_ << time_.value() << ',' << dem_wall_name(d, wall);
+            for (label k = 0; k < 12; k++)
+            {
+                walls_ << ',' << (k < 6 ? value[k]/moved_ : value[k]);
+            }
+            walls_ << '\n';
+        }
     }
-    walls_ << std::endl;
+    walls_.flush();
+    watch(d);
 }
 
 
@@ -149,7 +152,7 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
     time_(time),
     interval_(0),
     entries_(-GREAT),
-    since_(0)
+    moved_(0)
 {
     if (coupling.found("record"))
     {
@@ -179,7 +182,17 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::demRecord::add(::dem* d, const demView& view)
+void Foam::demRecord::watch(::dem* d)
+{
+    if (interval_ > 0)
+    {
+        demCheck(dem_wall_watch(d));
+        moved_ = 0;
+    }
+}
+
+
+void Foam::demRecord::add(::dem* d, const demView& view, const scalar moved)
 {
     if (interval_ <= 0)
     {
@@ -187,29 +200,17 @@ void Foam::demRecord::add(::dem* d, const demView& view)
     }
     if (entries_ == -GREAT)
     {
-        open(d);
+        open();
     }
 
-    const scalar step = time_.deltaTValue();
-    since_ += step;
-    forAll(impulse_, wall)
-    {
-        vector force(Zero), torque(Zero);
-        demCheck(dem_wall_load(d, wall, force.data(), torque.data()));
-        impulse_[wall] += step*force;
-    }
+    moved_ += moved;
 
     const scalar passed = std::floor(time_.value()/interval_ + 1e-6);
     if (passed > entries_)
     {
         entries_ = passed;
         writeParticles(view);
-        if (Pstream::master())
-        {
-            writeWalls();
-        }
-        impulse_ = Zero;
-        since_ = 0;
+        writeWalls(d);
     }
 }
 

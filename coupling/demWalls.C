@@ -1,5 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demWalls.C -- wall patches become triangles of the core.
+    demWalls.C -- wall patches and surfaces become triangles of the core.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
@@ -9,6 +9,9 @@
 #include "demWalls.H"
 #include "demCheck.H"
 #include "DynamicList.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "triSurface.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -42,6 +45,74 @@ static List<double> triangles(const polyPatch& patch)
     return corners;
 }
 
+// The first rank reads the file, the others have no triangles of it
+static List<double> triangles(const Time& time, const dictionary& wall)
+{
+    List<double> corners;
+
+    if (!Pstream::master())
+    {
+        return corners;
+    }
+
+    const fileName file
+    (
+        time.globalPath()/"constant"/"triSurface"/wall.get<fileName>("file")
+    );
+
+    if (!isFile(file))
+    {
+        FatalIOErrorInFunction(wall)
+            << "There is no file " << file << exit(FatalIOError);
+    }
+
+    const triSurface surface(file);
+    const scalar scale = wall.getOrDefault<scalar>("scale", 1);
+    label n = 0;
+
+    corners.setSize(9*surface.size());
+    for (const labelledTri& triangle : surface)
+    {
+        for (const label pointi : triangle)
+        {
+            for (direction k = 0; k < 3; k++)
+            {
+                corners[n++] = scale*surface.points()[pointi][k];
+            }
+        }
+    }
+
+    if (surface.empty())
+    {
+        FatalIOErrorInFunction(wall)
+            << "The surface " << file << " holds no triangle"
+            << exit(FatalIOError);
+    }
+    return corners;
+}
+
+
+static void hand
+(
+    ::dem* d,
+    const word& name,
+    const word& material,
+    const List<double>& corners
+)
+{
+    demCheck
+    (
+        dem_add_wall
+        (
+            d,
+            name.c_str(),
+            material.c_str(),
+            corners.size()/9,
+            corners.cdata()
+        )
+    );
+}
+
 } // End namespace Foam
 
 
@@ -67,18 +138,20 @@ Foam::label Foam::demWalls::add
             continue;
         }
 
-        const List<double> corners(triangles(patch));
+        hand(d, patch.name(), dict.material(patch), triangles(patch));
+        walls++;
+    }
 
-        demCheck
+    forAllConstIters(dict.surfaces(), iter)
+    {
+        const dictionary& wall = iter().dict();
+
+        hand
         (
-            dem_add_wall
-            (
-                d,
-                patch.name().c_str(),
-                dict.material(patch).c_str(),
-                corners.size()/9,
-                corners.cdata()
-            )
+            d,
+            iter().keyword(),
+            wall.get<word>("material"),
+            triangles(mesh.time(), wall)
         );
         walls++;
     }

@@ -146,10 +146,10 @@ class Balance:
         self.drop = air*(plate - top)
         self.mean, self.interval = mean_of(self.time, self.drop, start)
 
-        path = frames.starts(case, "dem", "walls.dat")[0][0]
-        names = re.findall(r"(\S+)\.z", path.read_text())
-        time, *force = frames.read_columns(case, "dem", "walls.dat")
-        self.walls = {name: mean_of(time, -force[3*k + 2]/area, start) for k, name in enumerate(names)}
+        rows = frames.read_table(case, "dem", "walls.csv")
+        force = {name: numpy.array([(row["time[s]"], row["fz[N]"]) for row in rows if row["wall"] == name], float).T
+                 for name in dict.fromkeys(row["wall"] for row in rows)}
+        self.walls = {name: mean_of(time, -z/area, start) for name, (time, z) in force.items()}
 
 
 def read_log(case):

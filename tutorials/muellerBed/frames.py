@@ -1,11 +1,12 @@
 """frames.py -- what a run has left: the record of the beads, pressures, forces on walls.
 
 particles.bin holds a block an instant: time [s] (double), number n (int64), then n times id, position [m], velocity
-[m/s], diameter [m]; walls.dat and surfaceFieldValue.dat are columns of text. Each lies in a folder named after the
+[m/s], diameter [m]; surfaceFieldValue.dat is columns of text, walls.csv a table. Each lies in a folder named after the
 time at which the run started or went on; what a later start repeats replaces what an earlier one wrote.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import csv
 import re
 from pathlib import Path
 
@@ -52,6 +53,15 @@ def read_columns(case, name, file):
     """Columns of text over time, the first of them."""
     rows = [row for path, end in starts(case, name, file) for row in numpy.loadtxt(path, ndmin=2) if row[0] <= end]
     return numpy.array(rows).T
+
+
+def read_table(case, name, file):
+    """Rows of a table with a head, by the names in it."""
+    rows = []
+    for path, end in starts(case, name, file):
+        with open(path, newline="") as text:
+            rows += [row for row in csv.DictReader(text) if float(row["time[s]"]) <= end]
+    return rows
 
 
 def entry(path, keyword):
