@@ -36,6 +36,7 @@ static const char help[] =
 struct progress
 {
     double started, from;                                 /* s: wall clock, simulated */
+    double overlap;                                       /* 1: largest since the last line; a tally begins anew */
     int64_t steps;
     int rank;
 };
@@ -60,8 +61,9 @@ static int report(struct progress *p, struct dem *d, double end)
 
         printf("t %.6g s  %lld particles  %lld contacts  %.0f steps/s  kinetic %.4g J  overlap %.3g %%  ETA %.0f s\n", t.time,
                (long long)t.particles, (long long)t.contacts, (double)(t.steps - p->steps)/spent, t.kinetic,
-               100.0*t.largest_overlap, done > 0.0 ? spent/done*(end - t.time) : 0.0);
+               100.0*fmax(t.largest_overlap, p->overlap), done > 0.0 ? spent/done*(end - t.time) : 0.0);
         report_books(&t);
+        p->overlap = 0.0;
         fflush(stdout);
     }
     return DEM_OK;
@@ -133,6 +135,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
             DEM_TRY(advance(prog, d, &s->output, &lost, due - t.time));
             DEM_TRY(dem_wall_log_tell(&walls, prog, d, due));
             DEM_TRY(dem_tally(d, &t));
+            p.overlap = fmax(p.overlap, t.largest_overlap);
         }
         DEM_TRY(dem_output_write(&s->output, prog, d, k, next));
         DEM_TRY(report(&p, d, s->end));

@@ -24,6 +24,7 @@
     ROW(twisting_spring)                                                                                              \
     ROW(sjkr)                                                                                                         \
     ROW(bond_linear)                                                                                                  \
+    ROW(jkr)                                                                                                          \
     ROW(lubrication)                                                                                                  \
     ROW(gravity)                                                                                                      \
     ROW(pressure_gradient)                                                                                            \
