@@ -264,9 +264,16 @@ void dem_wall_springs(struct dem_parts *p)
         for (end = first + 1; end < s->nears && s->near[end].particle == s->near[first].particle; end++)
         {
         }
-        if (end > first + 1)
+        const double radius = p->particles.record[s->near[first].particle].radius;
+        int live = 0;
+
+        for (size_t k = first; k < end; k++)
         {
-            share_of_particle(p, column, first, end, p->particles.record[s->near[first].particle].radius);
+            live += p->touches.touch[k].distance < radius || p->touches.touch[k].drop;
+        }
+        if (live > 1)
+        {
+            share_of_particle(p, column, first, end, radius);
         }
     }
 }

@@ -46,8 +46,10 @@ void dem_wall_touches_rows(struct dem_wall_touches *t, const struct dem_wall_sea
 /* Triangles have two sides, all else has one. */
 static void touch_whole(const struct dem_region *r, const double x[3], struct dem_wall_touch *t)
 {
-    double normal[3];
-    const double h = dem_region_height(r, x, normal);
+    const int flat = r->shape == DEM_SHAPE_PLANE || r->shape == DEM_SHAPE_TRIANGLES;
+    double round[3];
+    const double *const normal = flat ? r->normal : round;
+    const double h = flat ? dem_vec_dot(r->normal, x) - r->offset : dem_region_height(r, x, round);
     const double side = r->shape != DEM_SHAPE_TRIANGLES || h >= 0.0 ? 1.0 : -1.0;
 
     t->distance = side*h;
