@@ -250,7 +250,7 @@ void dem_wall_springs(struct dem_parts *p)
     const struct dem_wall_search *const s = &p->pairs.search;
     enum column column[DEM_MEMORY_COLUMNS];
 
-    if (p->contacts.memories == 0 || s->nears == 0)
+    if (p->contacts.memories == 0 || (p->touches.shared == 0 && p->walls.movings == 0))
     {
         return;
     }
@@ -259,21 +259,15 @@ void dem_wall_springs(struct dem_parts *p)
     {
         twist_all(p, column);
     }
-    for (size_t first = 0, end; first < s->nears; first = end)
+    for (size_t k = 0; k < p->touches.shared; k++)
     {
-        for (end = first + 1; end < s->nears && s->near[end].particle == s->near[first].particle; end++)
-        {
-        }
-        const double radius = p->particles.record[s->near[first].particle].radius;
-        int live = 0;
+        const size_t first = p->touches.share[k];
+        size_t end = first + 1;
 
-        for (size_t k = first; k < end; k++)
+        while (end < s->nears && s->near[end].particle == s->near[first].particle)
         {
-            live += p->touches.touch[k].distance < radius || p->touches.touch[k].drop;
+            end++;
         }
-        if (live > 1)
-        {
-            share_of_particle(p, column, first, end, radius);
-        }
+        share_of_particle(p, column, first, end, p->particles.record[s->near[first].particle].radius);
     }
 }

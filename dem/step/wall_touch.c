@@ -18,12 +18,15 @@ static const double same_point = 1e-7;
 void dem_wall_touches_free(struct dem_wall_touches *t)
 {
     dem_memory_free(t->touch);
+    dem_memory_free(t->share);
     memset(t, 0, sizeof *t);
 }
 
 int dem_wall_touches_fit(struct dem_wall_touches *t, const struct dem_wall_search *s)
 {
-    return DEM_GROW(t->touch, t->room, s->nears + 1);
+    t->shared = 0;
+    DEM_TRY(DEM_GROW(t->touch, t->room, s->nears + 1));
+    return DEM_GROW(t->share, t->shared_room, s->nears + 1);
 }
 
 void dem_wall_touches_rows(struct dem_wall_touches *t, const struct dem_wall_search *s, const struct dem_contacts *c)
@@ -44,7 +47,7 @@ void dem_wall_touches_rows(struct dem_wall_touches *t, const struct dem_wall_sea
 }
 
 /* Triangles have two sides, all else has one. */
-static void touch_whole(const struct dem_region *r, const double x[3], struct dem_wall_touch *t)
+static inline void touch_whole(const struct dem_region *r, const double x[3], struct dem_wall_touch *t)
 {
     const int flat = r->shape == DEM_SHAPE_PLANE || r->shape == DEM_SHAPE_TRIANGLES;
     double round[3];
@@ -182,18 +185,23 @@ void dem_wall_touches_update(struct dem_wall_touches *t, const struct dem_wall_s
 {
     size_t first = 0;
 
+    t->shared = 0;
     while (first < s->nears)
     {
         const struct dem_particle *const i = &p->record[s->near[first].particle];
         size_t end = first;
+        int live = 0;
+
         for (; end < s->nears && s->near[end].particle == s->near[first].particle; end++)
         {
             touch_region(s, w, &s->near[end], i, &t->touch[end]);
             t->touch[end].drop = 0;
+            live += t->touch[end].distance < i->radius;
         }
-        if (end > first + 1)
+        if (live > 1)
         {
             drop_doubles(s, w, first, end, i->radius, t->touch);
+            t->share[t->shared++] = (uint32_t)first;
         }
         first = end;
     }

@@ -28,11 +28,13 @@ struct dem_wall_touches
 {
     struct dem_wall_touch *touch;                         /* one a wall near */
     size_t room;
+    size_t shared, shared_room;                           /* particles that have several contacts, or had: the first near of each */
+    uint32_t *share;
 };
 
 void dem_wall_touches_free(struct dem_wall_touches *);
 
-/* Room for one touch per wall near; after every search. */
+/* Room for one touch per wall near; after every search, which leaves none of the touches before. */
 int dem_wall_touches_fit(struct dem_wall_touches *, const struct dem_wall_search *);
 
 /* Tell each touch its row; after every prune. */
