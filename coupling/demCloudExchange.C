@@ -196,8 +196,9 @@ void Foam::demCloud::plan
     const char* text = nullptr;
 
     struct dem_prospect ahead;
-    ahead.duration = time.endTime().value() - time.value();
-    ahead.window = time.deltaTValue();
+    ahead.window = interval_ > 0 ? interval_ : time.deltaTValue();
+    ahead.duration =
+        (time.endTime().value() - time.value())/time.deltaTValue()*ahead.window;
     ahead.why = why.c_str();
     ahead.cross_section = crossSection();
 

@@ -49,7 +49,8 @@ void Foam::demDriver::tellPlan()
         fluid_.pressureGradient()(),
         fluid_.density()(),
         fluid_.viscosity()(),
-        adjusts ? "the solver's adjustTimeStep" : "deltaT of controlDict"
+        steady_ ? "interval of coupling"
+      : adjusts ? "the solver's adjustTimeStep" : "deltaT of controlDict"
     );
 }
 
@@ -60,17 +61,18 @@ void Foam::demDriver::step()
     {
         return;
     }
-    if (moved_ < 0)
-    {
-        tellPlan();
-    }
-    moved_ = mesh_.time().timeIndex();
 
     // OpenFOAM tells function objects nothing of a mesh while they rest
     if (mesh_.changing() || mesh_.nCells() != cells_)
     {
         refuseMotion(mesh_.moving() ? "moves" : "changes");
     }
+
+    if (moved_ < 0)
+    {
+        tellPlan();
+    }
+    moved_ = mesh_.time().timeIndex();
 
     cloud_.evolve
     (
