@@ -267,6 +267,12 @@ int dem_tally(struct dem *d, struct dem_tally *t)
     return DEM_OK;
 }
 
+int dem_moving(struct dem *d, double energy, int64_t *n)
+{
+    *n = dem_measure_moving(&d->parts, energy);
+    return DEM_OK;
+}
+
 int dem_hash(struct dem *d, uint64_t *hash)
 {
     *hash = dem_measure_hash(&d->parts);

@@ -101,7 +101,8 @@ struct dem_tally                                          /* sums over all ranks
     double kinetic;                                       /* J  translation and rotation */
     double largest_overlap;                               /* 1  of the smaller partner's diameter, since the last call */
     double momentum[3];                                   /* kg m/s */
-    double volume;                                        /* m3 of all particles */
+    double volume, mass;                                  /* m3, kg of all particles */
+    double fall;                                          /* J  those that move, falling by the mean diameter; 0 without gravity */
 
     /* the books of effects that act past touching (bonds, films); 0 without them */
     int64_t bonds;                                        /* that hold */
@@ -109,6 +110,9 @@ struct dem_tally                                          /* sums over all ranks
     double stored, lost;                                  /* J  in bonds now; to bonds and films since the start */
 };
 int dem_tally(struct dem *, struct dem_tally *);          /* collective */
+
+/* How many particles have more kinetic energy than this [J], translation and rotation. Collective. */
+int dem_moving(struct dem *, double energy, int64_t *n);
 
 struct dem_loss                                           /* a particle that was taken out, or passed through a wall */
 {

@@ -23,7 +23,8 @@ static const char help[] =
     "Usage: dem run [-restart SNAPSHOT] [-set PATH VALUE] ... SCENE\n"
     "       mpirun -np N dem run SCENE\n\n"
     "Runs a scene in OpenFOAM's dictionary syntax. Of its entries these belong to the run:\n"
-    "    time  { end 1; step auto; }           s; auto takes the longest step that the effects stand\n"
+    "    time  { end 1; step auto;             s; auto takes the longest step that the effects stand\n"
+    "            untilQuiet { lasting 0.01; } }  ends sooner, when next to nothing has moved for so long\n"
     "    write { interval 0.01;                s of simulated time between outputs\n"
     "            folder \"NAME\";                default: the scene's name without its ending\n"
     "            vtk yes;                      particles_*.vtp and particles.pvd for ParaView\n"
@@ -50,23 +51,19 @@ static void report_books(const struct dem_tally *t)
     }
 }
 
-static int report(struct progress *p, struct dem *d, double end)
+static void report(struct progress *p, const struct dem_tally *t, double end)
 {
-    struct dem_tally t;
-
-    DEM_TRY(dem_tally(d, &t));
     if (p->rank == 0)
     {
-        const double spent = MPI_Wtime() - p->started, done = t.time - p->from;
+        const double spent = MPI_Wtime() - p->started, done = t->time - p->from;
 
-        printf("t %.6g s  %lld particles  %lld contacts  %.0f steps/s  kinetic %.4g J  overlap %.3g %%  ETA %.0f s\n", t.time,
-               (long long)t.particles, (long long)t.contacts, (double)(t.steps - p->steps)/spent, t.kinetic,
-               100.0*fmax(t.largest_overlap, p->overlap), done > 0.0 ? spent/done*(end - t.time) : 0.0);
-        report_books(&t);
-        p->overlap = 0.0;
+        printf("t %.6g s  %lld particles  %lld contacts  %.0f steps/s  kinetic %.4g J  overlap %.3g %%  ETA %.0f s\n", t->time,
+               (long long)t->particles, (long long)t->contacts, (double)(t->steps - p->steps)/spent, t->kinetic, 100.0*p->overlap,
+               done > 0.0 ? spent/done*(end - t->time) : 0.0);
+        report_books(t);
         fflush(stdout);
     }
-    return DEM_OK;
+    p->overlap = 0.0;
 }
 
 /* The run has failed: tell who was lost, write the state that was copied last, and say where it is. */
@@ -106,10 +103,14 @@ static int advance(const struct dem_program *prog, struct dem *d, const struct d
     return status == DEM_ERROR_NUMBER || status == DEM_ERROR_LOST ? rescue(prog, d, o, lost, status) : status;
 }
 
-/* Outputs lie at whole multiples of the interval, so that a restarted run has the same windows. */
+/* Outputs lie at whole multiples of the interval, so that a restarted run has the same windows; looks whether all is quiet
+   lie between them. */
 static int advance_to_end(struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
 {
     struct progress p = {.started = MPI_Wtime(), .rank = prog->rank};
+    struct dem_quiet quiet = s->quiet;
+    const int64_t looks = dem_quiet_looks(&quiet, s->interval);
+    const double look = s->interval/(double)looks;
     struct dem_lost_log lost;
     struct dem_wall_log walls;
     struct dem_tally t;
@@ -123,10 +124,9 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
         DEM_TRY(dem_output_write(&s->output, prog, d, 0, 0.0));
     }
     DEM_TRY(dem_wall_log_begin(&walls, prog, &s->output, d, t.time));
-    for (int64_t k = (int64_t)floor(t.time/s->interval + 1e-6) + 1; t.time < s->end*(1.0 - 1e-12); k++)
+    for (int64_t k = (int64_t)floor(t.time/look + 1e-6) + 1; t.time < s->end*(1.0 - 1e-12) && !quiet.reached; k++)
     {
-        const double next = fmin((double)k*s->interval, s->end);
-
+        const double next = fmin(k%looks ? (double)k*look : (double)(k/looks)*s->interval, s->end);
         double due = 0.0;
 
         while (due < next)
@@ -137,10 +137,15 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
             DEM_TRY(dem_tally(d, &t));
             p.overlap = fmax(p.overlap, t.largest_overlap);
         }
-        DEM_TRY(dem_output_write(&s->output, prog, d, k, next));
-        DEM_TRY(report(&p, d, s->end));
-        DEM_TRY(dem_lost_tell(&lost, prog, d));
+        DEM_TRY(dem_quiet_look(&quiet, d, &t));
+        if (k%looks == 0 || quiet.reached || next == s->end)
+        {
+            DEM_TRY(dem_output_write(&s->output, prog, d, (k + looks - 1)/looks, next));
+            report(&p, &t, s->end);
+            DEM_TRY(dem_lost_tell(&lost, prog, d));
+        }
     }
+    dem_quiet_tell(&quiet, prog, &t);
     return DEM_OK;
 }
 

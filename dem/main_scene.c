@@ -61,6 +61,7 @@ static int read_schedule(struct dem_schedule *s, const struct dem_dict *scene, c
 
     DEM_TRY(dem_dict_sub(scene, "time", &time));
     DEM_TRY(dem_dict_number(time, "end", "s", &s->end));
+    DEM_TRY(dem_quiet_read(&s->quiet, time));
     DEM_TRY(dem_dict_sub_if(scene, "write", &write));
     s->interval = s->end;
     if (write)
@@ -101,6 +102,7 @@ static int open_scene(const struct request *r, struct dem *d, struct dem_schedul
     DEM_TRY(dem_ready(d));
     DEM_TRY(read_schedule(s, dem_scene_dict(d), r->scene));
     DEM_TRY(dem_scene_check(d));
+    DEM_TRY(dem_quiet_check(&s->quiet, d));
     return need_no_solver(d);
 }
 

@@ -9,10 +9,12 @@
 #include "dem.h"
 #include "main.h"
 #include "main_output.h"
+#include "main_quiet.h"
 
 struct dem_schedule                                       /* time { ... } and write { ... } */
 {
     double end, interval;                                 /* s */
+    struct dem_quiet quiet;
     struct dem_output output;
 };
 

@@ -1,12 +1,15 @@
 /*
- * insert.c -- three ways to fill a box.
+ * insert.c -- three ways to fill a region.
  *
  *     bed { type lattice; material glass; diameter 1e-3; count 1000; min (0 0 0); max (0.01 0.01 0.05);
  *           spacing 1.1; jitter 0.5; seed 1; velocity (0 0 0); }
  *
- * lattice   simple cubic, spacing in diameters, filled from the bottom layer up; jitter is the share of the free gap
- * random    random sequential addition: a trial that overlaps is drawn anew; jams near a solid fraction of 0.38
+ * lattice   simple cubic in a box, spacing in diameters, filled from the bottom layer up; jitter is the share of the free gap
+ * random    random places in a box, cylinder or sphere, clear of the groups before (packing.h), sizes drawn (sizes.h)
  * list      positions ((x y z) ...), with one diameter or as many
+ *
+ * How many: count, mass [kg] or solidFraction of the region. With the last two particles are drawn until the sum is
+ * nearest to what is asked for: within half of the last one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -15,15 +18,17 @@
 #include "base/memory.h"
 #include "base/random.h"
 #include "base/unknown.h"
+#include "io/packing.h"
 #include "io/scene_parts.h"
+#include "io/sizes.h"
+#include "io/vessel.h"
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 enum
 {
-    USE_JITTER = 101, USE_PLACE = 201,                    /* streams of random numbers */
-    MOST_TRIALS = 2000                                    /* a particle that finds no place in so many is refused */
+    USE_JITTER = 101,                                     /* stream of random numbers */
+    MOST_PARTICLES = 1000000000                           /* of one group */
 };
 
 struct group
@@ -34,65 +39,6 @@ struct group
     int64_t count, seed;
     bool frozen;
 };
-
-void dem_crowd_free(struct dem_crowd *c)
-{
-    dem_memory_free(c->particle);
-    dem_memory_free(c->group);
-    memset(c, 0, sizeof *c);
-}
-
-void dem_crowd_disperse(struct dem_crowd *c)
-{
-    dem_memory_free(c->particle);
-    c->particle = NULL;
-    c->n = c->room = 0;
-}
-
-int dem_crowd_begin(struct dem_crowd *c, const char *group)
-{
-    DEM_TRY(DEM_GROW(c->group, c->group_room, c->groups + 1));
-    c->group[c->groups] = (struct dem_group){.least = INFINITY};
-    snprintf(c->group[c->groups++].name, sizeof c->group->name, "%s", group);
-    return DEM_OK;
-}
-
-static void count_in(struct dem_crowd *c, const struct dem_particle *p)
-{
-    struct dem_group *const g = &c->group[c->groups - 1];
-    const double diameter = 2.0*p->radius;
-
-    g->material = g->n == 0 || g->material == p->material ? p->material : -1;
-    g->n++;
-    g->least = fmin(g->least, diameter);
-    g->most = fmax(g->most, diameter);
-    g->sum += diameter;
-    g->volume += dem_particle_volume(p);
-    g->mass += p->mass;
-}
-
-int dem_crowd_add(struct dem_crowd *c, struct dem_particle p, const char *where)
-{
-    DEM_REQUIRE(p.radius > 0.0 && isfinite(p.radius), DEM_ERROR_INPUT, "%s: diameter %g m; give a number above 0", where,
-                2.0*p.radius);
-    for (int k = 0; k < 3; k++)
-    {
-        DEM_REQUIRE(isfinite(p.x[k] + p.v[k] + p.w[k]), DEM_ERROR_INPUT,
-                    "%s: a position, velocity or spin is not a number", where);
-        DEM_REQUIRE(!(p.flags & DEM_PARTICLE_FROZEN) || (p.v[k] == 0.0 && p.w[k] == 0.0), DEM_ERROR_INPUT,
-                    "%s: a frozen particle never moves, but has a velocity or spin of %g; leave it out, or frozen", where,
-                    p.v[k] != 0.0 ? p.v[k] : p.w[k]);
-    }
-    DEM_TRY(DEM_GROW(c->particle, c->room, c->n + 1));
-    p.id = p.id < 0 ? c->next_id : p.id;
-    c->next_id = p.id >= c->next_id ? p.id + 1 : c->next_id;
-    c->particle[c->n++] = p;
-    if (c->groups > 0)
-    {
-        count_in(c, &p);
-    }
-    return DEM_OK;
-}
 
 static int add(struct dem_crowd *c, const struct group *g, const struct dem_recipe *r, const double x[3], double diameter)
 {
@@ -108,20 +54,88 @@ static int add(struct dem_crowd *c, const struct group *g, const struct dem_reci
     return dem_crowd_add(c, p, dem_dict_where(g->dict));
 }
 
-static int read_box(struct group *g)
+/* ---- how many ------------------------------------------------------------------------------------------------ */
+
+struct amount
 {
-    DEM_TRY(dem_dict_vector(g->dict, "min", "m", g->min));
-    DEM_TRY(dem_dict_vector(g->dict, "max", "m", g->max));
-    DEM_TRY(dem_dict_int64(g->dict, "count", &g->count));
-    DEM_TRY(dem_dict_int64_or(g->dict, "seed", 1, &g->seed));
-    DEM_REQUIRE(g->count > 0, DEM_ERROR_INPUT, "%s: count %lld; give 1 or more", dem_dict_where(g->dict), (long long)g->count);
-    for (int k = 0; k < 3; k++)
+    int64_t count;                                        /* 0: until the volume is reached */
+    double volume;                                        /* m3 */
+};
+
+static int read_amount(struct amount *a, const struct group *g, const struct dem_recipe *r, const struct dem_vessel *v)
+{
+    const struct dem_dict *const d = g->dict;
+    const int ways = dem_dict_has(d, "count") + dem_dict_has(d, "mass") + dem_dict_has(d, "solidFraction");
+    double value;
+
+    DEM_REQUIRE(ways == 1, DEM_ERROR_INPUT, "%s: %s of count, mass, solidFraction; give one of them", dem_dict_where(d),
+                ways ? "more than one" : "none");
+    *a = (struct amount){.count = 0};
+    if (dem_dict_has(d, "count"))
     {
-        DEM_REQUIRE(g->max[k] - g->min[k] >= g->diameter, DEM_ERROR_INPUT,
-                    "%s: the box is %g m wide along axis %d, less than the diameter %g m; enlarge it",
-                    dem_dict_where(g->dict), g->max[k] - g->min[k], k, g->diameter);
+        DEM_TRY(dem_dict_int64(d, "count", &a->count));
+        DEM_REQUIRE(a->count > 0 && a->count <= MOST_PARTICLES, DEM_ERROR_INPUT, "%s: count %lld; give 1 to %d", dem_dict_where(d),
+                    (long long)a->count, MOST_PARTICLES);
+        return DEM_OK;
     }
+    if (dem_dict_has(d, "mass"))
+    {
+        DEM_TRY(dem_dict_number(d, "mass", "kg", &value));
+        DEM_REQUIRE(value > 0.0, DEM_ERROR_INPUT, "%s: mass %g kg; give a number above 0", dem_dict_where(d), value);
+        a->volume = value/r->material[g->material].density;
+        return DEM_OK;
+    }
+    DEM_TRY(dem_dict_number(d, "solidFraction", "1", &value));
+    DEM_REQUIRE(value > 0.0 && value < 0.74, DEM_ERROR_INPUT, "%s: solidFraction %g; give a number above 0 and below 0.74",
+                dem_dict_where(d), value);
+    a->volume = value*dem_vessel_volume(v);
     return DEM_OK;
+}
+
+/* Draw diameters until there are enough. */
+static int draw(const struct group *g, const struct amount *a, const struct dem_sizes *sizes, double **diameter, int64_t *n)
+{
+    double volume = 0.0, last = 0.0;
+    size_t room = 0;
+
+    *diameter = NULL;
+    for (*n = 0; a->count > 0 ? *n < a->count : volume < a->volume; (*n)++)
+    {
+        DEM_REQUIRE(*n < MOST_PARTICLES, DEM_ERROR_INPUT, "%s: more than %d particles; ask for fewer", dem_dict_where(g->dict), MOST_PARTICLES);
+        DEM_TRY(DEM_GROW(*diameter, room, *n + 1));
+        const double d = (*diameter)[*n] = dem_sizes_draw(sizes, (uint64_t)g->seed, (uint64_t)*n);
+
+        last = 3.14159265358979323846/6.0*d*d*d;
+        volume += last;
+    }
+    *n -= a->count == 0 && *n > 0 && volume - a->volume > 0.5*last;
+    DEM_REQUIRE(*n > 0, DEM_ERROR_INPUT, "%s: less than half a particle; ask for more", dem_dict_where(g->dict));
+    return DEM_OK;
+}
+
+/* ---- on a lattice -------------------------------------------------------------------------------------------- */
+
+static int read_box(struct group *g, const struct dem_recipe *r)
+{
+    struct dem_vessel v;
+    struct dem_sizes sizes;
+    struct amount amount;
+    double *diameter;
+
+    DEM_REQUIRE(!dem_dict_has(g->dict, "sizes") && !dem_dict_has(g->dict, "cylinder") && !dem_dict_has(g->dict, "sphere"), DEM_ERROR_INPUT,
+                "%s: a lattice has one diameter and fills a box; use type random, or diameter, min and max", dem_dict_where(g->dict));
+    DEM_TRY(dem_sizes_read(&sizes, g->dict));
+    DEM_TRY(dem_vessel_read(&v, g->dict));
+    DEM_TRY(read_amount(&amount, g, r, &v));
+    DEM_TRY(dem_dict_int64_or(g->dict, "seed", 1, &g->seed));
+    DEM_TRY(dem_vessel_holds(&v, 0.5*sizes.least, dem_dict_where(g->dict)));
+    g->diameter = sizes.least;
+    memcpy(g->min, v.min, sizeof g->min);
+    memcpy(g->max, v.max, sizeof g->max);
+    const int status = draw(g, &amount, &sizes, &diameter, &g->count);
+
+    dem_memory_free(diameter);
+    return status;
 }
 
 static int insert_lattice(struct dem_crowd *c, struct group *g, const struct dem_recipe *r)
@@ -129,7 +143,7 @@ static int insert_lattice(struct dem_crowd *c, struct group *g, const struct dem
     double spacing, jitter, cells = 1.0;
     int64_t n[3];
 
-    DEM_TRY(read_box(g));
+    DEM_TRY(read_box(g, r));
     DEM_TRY(dem_dict_number_or(g->dict, "spacing", "1", 1.1, &spacing));
     DEM_TRY(dem_dict_number_or(g->dict, "jitter", "1", 0.5, &jitter));
     DEM_REQUIRE(spacing >= 1.0 && jitter >= 0.0 && jitter <= 1.0, DEM_ERROR_INPUT,
@@ -166,104 +180,38 @@ static int insert_lattice(struct dem_crowd *c, struct group *g, const struct dem
 
 /* ---- at random ----------------------------------------------------------------------------------------------- */
 
-struct places                                             /* a grid of cells one diameter wide; at most one centre each 1/sqrt 3 */
+static int pack(struct dem_crowd *c, struct group *g, const struct dem_recipe *r, const struct dem_vessel *v, const double *diameter)
 {
-    double edge;
-    int64_t cells[3];
-    int32_t *first, *next;                                /* chains of particles by cell, -1 ends */
-};
+    struct dem_packing p = {.vessel = v, .where = dem_dict_where(g->dict), .seed = (uint64_t)g->seed, .n = (int32_t)g->count,
+                            .diameter = diameter};
 
-static size_t place_of(const struct places *s, const struct group *g, const double x[3], int64_t at[3])
-{
-    for (int k = 0; k < 3; k++)
+    DEM_TRY(DEM_NEW(p.x, p.n + 1));
+    int status = dem_packing_fill(&p, c);
+
+    for (int32_t m = 0; m < p.n && !status; m++)
     {
-        at[k] = (int64_t)((x[k] - g->min[k])/s->edge);
+        status = add(c, g, r, p.x[m], diameter[m]);
     }
-    return (size_t)((at[2]*s->cells[1] + at[1])*s->cells[0] + at[0]);
-}
-
-static int is_free(const struct places *s, const struct group *g, const struct dem_particle *placed, const double x[3])
-{
-    int64_t at[3], c[3];
-
-    (void)place_of(s, g, x, at);
-    for (int n = 0; n < 27; n++)
-    {
-        int inside = 1;
-
-        for (int k = 0; k < 3; k++)
-        {
-            c[k] = at[k] + (k == 0 ? n%3 : k == 1 ? n/3%3 : n/9) - 1;
-            inside &= c[k] >= 0 && c[k] < s->cells[k];
-        }
-        for (int32_t m = inside ? s->first[(c[2]*s->cells[1] + c[1])*s->cells[0] + c[0]] : -1; m >= 0; m = s->next[m])
-        {
-            const double dx = x[0] - placed[m].x[0], dy = x[1] - placed[m].x[1], dz = x[2] - placed[m].x[2];
-
-            if (dx*dx + dy*dy + dz*dz < g->diameter*g->diameter)
-            {
-                return 0;
-            }
-        }
-    }
-    return 1;
-}
-
-static int place_all(struct dem_crowd *c, struct group *g, const struct dem_recipe *r, struct places *s)
-{
-    const size_t first = c->n;
-    int64_t at[3];
-
-    for (int64_t m = 0; m < g->count; m++)
-    {
-        double x[3];
-        uint64_t trial = 0;
-
-        do
-        {
-            for (int k = 0; k < 3; k++)
-            {
-                x[k] = g->min[k] + 0.5*g->diameter + (g->max[k] - g->min[k] - g->diameter)
-                     *dem_random_unit((uint64_t)g->seed, (uint64_t)m, trial, USE_PLACE + (uint64_t)k);
-            }
-            trial++;
-        } while (trial < MOST_TRIALS && !is_free(s, g, c->particle + first, x));
-        DEM_REQUIRE(trial < MOST_TRIALS, DEM_ERROR_INPUT,
-                    "%s: only %lld of %lld particles found room at random (%d trials for the next one); enlarge the box, "
-                    "ask for fewer, or use type lattice", dem_dict_where(g->dict), (long long)m, (long long)g->count,
-                    MOST_TRIALS);
-        const size_t cell = place_of(s, g, x, at);
-
-        s->next[m] = s->first[cell];
-        s->first[cell] = (int32_t)m;
-        DEM_TRY(add(c, g, r, x, g->diameter));
-    }
-    return DEM_OK;
+    dem_memory_free(p.x);
+    return status;
 }
 
 static int insert_random(struct dem_crowd *c, struct group *g, const struct dem_recipe *r)
 {
-    struct places s = {.edge = g->diameter};
-    double cells = 1.0;
+    struct dem_vessel v;
+    struct dem_sizes sizes;
+    struct amount amount;
+    double *diameter = NULL;
 
-    DEM_TRY(read_box(g));
-    do
-    {
-        cells = 1.0;
-        for (int k = 0; k < 3; k++)
-        {
-            s.cells[k] = (int64_t)((g->max[k] - g->min[k])/s.edge) + 1;
-            cells *= (double)s.cells[k];
-        }
-        s.edge *= cells > 5e7 ? 1.26 : 1.0;
-    } while (cells > 5e7);
-    DEM_TRY(DEM_NEW(s.first, (size_t)cells + 1));
-    DEM_TRY(DEM_NEW(s.next, g->count + 1));
-    memset(s.first, -1, ((size_t)cells + 1)*sizeof *s.first);
-    const int status = place_all(c, g, r, &s);
+    DEM_TRY(dem_vessel_read(&v, g->dict));
+    DEM_TRY(read_amount(&amount, g, r, &v));
+    DEM_TRY(dem_dict_int64_or(g->dict, "seed", 1, &g->seed));
+    int status = dem_sizes_read(&sizes, g->dict);
 
-    dem_memory_free(s.first);
-    dem_memory_free(s.next);
+    status = status ? status : draw(g, &amount, &sizes, &diameter, &g->count);
+    status = status ? status : pack(c, g, r, &v, diameter);
+    dem_sizes_free(&sizes);
+    dem_memory_free(diameter);
     return status;
 }
 
@@ -275,6 +223,11 @@ static int insert_list(struct dem_crowd *c, struct group *g, const struct dem_re
     size_t n, velocities = 0, spins = 0, diameters = 0;
 
     DEM_TRY(dem_dict_vectors(g->dict, "positions", "m", &position, &n));
+    if (!dem_dict_has(g->dict, "diameters"))
+    {
+        DEM_TRY(dem_dict_number(g->dict, "diameter", "m", &g->diameter));
+        DEM_REQUIRE(g->diameter > 0.0, DEM_ERROR_INPUT, "%s: diameter %g m; give a number above 0", dem_dict_where(g->dict), g->diameter);
+    }
     if (dem_dict_has(g->dict, "velocities"))
     {
         DEM_TRY(dem_dict_vectors(g->dict, "velocities", "m/s", &velocity, &velocities));
@@ -319,11 +272,6 @@ static int read_group(struct dem_crowd *c, const struct dem_dict *dict, const st
     DEM_TRY(dem_dict_vector_or(dict, "velocity", "m/s", zero, g.velocity));
     DEM_TRY(dem_dict_vector_or(dict, "spin", "1/s", zero, g.spin));
     DEM_TRY(dem_dict_switch_or(dict, "frozen", false, &g.frozen));
-    if (!dem_dict_has(dict, "diameters"))
-    {
-        DEM_TRY(dem_dict_number(dict, "diameter", "m", &g.diameter));
-        DEM_REQUIRE(g.diameter > 0.0, DEM_ERROR_INPUT, "%s: diameter %g m; give a number above 0", dem_dict_where(dict), g.diameter);
-    }
     if (strcmp(type, known[0]) == 0)
     {
         return insert_lattice(c, &g, r);

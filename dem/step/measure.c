@@ -30,16 +30,44 @@ void dem_measure_most(const struct dem_parts *p, double *value, int count)
     }
 }
 
-static void add_particle(struct dem_sum sum[5], const struct dem_particle *r)
+enum
+{
+    SUMS = 8                                              /* of a tally */
+};
+
+static double kinetic(const struct dem_particle *r)
 {
     const double inertia = 0.4*r->mass*r->radius*r->radius;
 
-    dem_sum_add(&sum[0], 0.5*r->mass*dem_vec_dot(r->v, r->v) + 0.5*inertia*dem_vec_dot(r->w, r->w));
+    return 0.5*r->mass*dem_vec_dot(r->v, r->v) + 0.5*inertia*dem_vec_dot(r->w, r->w);
+}
+
+int64_t dem_measure_moving(const struct dem_parts *p, double energy)
+{
+    int64_t n = 0;
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        n += kinetic(&p->particles.record[i]) > energy;
+    }
+    if (p->pieces.ranks > 1)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, &n, 1, MPI_INT64_T, MPI_SUM, p->pieces.comm);
+    }
+    return n;
+}
+
+static void add_particle(struct dem_sum sum[SUMS], const struct dem_particle *r)
+{
+    dem_sum_add(&sum[0], kinetic(r));
     for (int k = 0; k < 3; k++)
     {
         dem_sum_add(&sum[1 + k], r->mass*r->v[k]);
     }
     dem_sum_add(&sum[4], dem_particle_volume(r));
+    dem_sum_add(&sum[5], r->mass);
+    dem_sum_add(&sum[6], r->flags & DEM_PARTICLE_FROZEN ? 0.0 : 2.0*r->radius);
+    dem_sum_add(&sum[7], r->flags & DEM_PARTICLE_FROZEN ? 0.0 : r->mass);
 }
 
 /* Rows in touch in the last sweep, each counted by the owner of its lower particle. */
@@ -88,11 +116,11 @@ static void tally_books(const struct dem_parts *p, struct dem_tally *t)
 
 void dem_measure_tally(struct dem_parts *p, struct dem_tally *t)
 {
-    struct dem_sum sum[5];
-    double value[5];
+    struct dem_sum sum[SUMS];
+    double value[SUMS], g[3];
     int64_t count[2] = {(int64_t)p->particles.n, touching_rows(p)};
 
-    for (int k = 0; k < 5; k++)
+    for (int k = 0; k < SUMS; k++)
     {
         dem_sum_clear(&sum[k]);
     }
@@ -100,7 +128,8 @@ void dem_measure_tally(struct dem_parts *p, struct dem_tally *t)
     {
         add_particle(sum, &p->particles.record[i]);
     }
-    dem_measure_sums(p, sum, 5, value);
+    dem_measure_sums(p, sum, SUMS, value);
+    dem_recipe_vector(&p->recipe, "gravity", "acceleration", g);
     if (p->pieces.ranks > 1)
     {
         MPI_Allreduce(MPI_IN_PLACE, count, 2, MPI_INT64_T, MPI_SUM, p->pieces.comm);
@@ -108,7 +137,8 @@ void dem_measure_tally(struct dem_parts *p, struct dem_tally *t)
     }
     *t = (struct dem_tally){.particles = count[0], .steps = p->steps, .contacts = count[1], .rebuilds = p->rebuilds,
                             .prunes = p->prunes, .time = p->time, .kinetic = value[0], .largest_overlap = p->watch.overlap,
-                            .momentum = {value[1], value[2], value[3]}, .volume = value[4]};
+                            .momentum = {value[1], value[2], value[3]}, .volume = value[4], .mass = value[5],
+                            .fall = count[0] > 0 ? dem_vec_norm(g)*value[7]*value[6]/(double)count[0] : 0.0};
     p->watch.overlap = 0.0;
     if (p->contacts.booked)
     {

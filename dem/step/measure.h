@@ -19,6 +19,9 @@ void dem_measure_most(const struct dem_parts *, double *value, int count);
 /* Collective. Particles, energy, momentum, touching contacts. Resets the watch's largest overlap. */
 void dem_measure_tally(struct dem_parts *, struct dem_tally *);
 
+/* Collective. Particles with more kinetic energy than this [J]. */
+int64_t dem_measure_moving(const struct dem_parts *, double energy);
+
 /* Collective. Force [N] and torque about the origin [N m] of the particles on a wall in the last step. */
 void dem_measure_wall(const struct dem_parts *, int wall, double force[3], double torque[3]);
 
