@@ -287,8 +287,13 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
     interval_(dict_.coupling().getOrDefault<scalar>("interval", 0)),
     before_(),
     window_(0),
+    offset_(0),
+    first_(makesRoom),
+    lastGood_(dict_.coupling().getOrDefault("lastGood", true)),
+    kept_(-1),
     record_(mesh.time(), dict_.coupling()),
-    fields_(mesh, dict_.coupling())
+    fields_(mesh, dict_.coupling()),
+    losses_(mesh)
 {
     build();
     look();

@@ -32,7 +32,14 @@ void Foam::demCloud::look()
         place_ = -1;
     }
 
-    transfer_.locate(view_, fluid_.place ? fluid_.place : place_.begin());
+    const demRoute::stray outside
+    (
+        transfer_.locate(view_, fluid_.place ? fluid_.place : place_.begin())
+    );
+    if (outside.count)
+    {
+        fail(outside);
+    }
     setDiameter();
     refresh();
 }
@@ -218,18 +225,28 @@ void Foam::demCloud::evolve
 {
     ledger_.charge(demLedger::FLUID);
     window_ = interval_ > 0 ? interval_ : mesh_.time().deltaTValue();
+    offset_ =
+        interval_ > 0
+      ? 0
+      : mesh_.time().value() - mesh_.time().deltaTValue() - before_.time;
+
+    keep();
 
     tellParticles(U, gradP, rho, mu);
     gradP_ = gradP;
     ledger_.charge(demLedger::EXCHANGE);
 
-    demCheck(dem_advance(dem_, window_));
+    if (dem_advance(dem_, window_))
+    {
+        fail(string(dem_error_text()));
+    }
     ledger_.charge(demLedger::PARTICLES);
 
     look();
     depositVolume();
     depositReaction();
     report();
+    losses_.tell(dem_, offset_);
     refresh();
     record_.add(dem_, view_, window_);
     fields_.update(dem_, transfer_, view_);

@@ -56,7 +56,8 @@ void Foam::demDict::checkCoupling() const
     const wordList known
     ({
         "twoWay", "rho", "nu", "walls", "diameter", "interval", "relaxation",
-        "kernel", "width", "base", "minVoidFraction", "record", "fields"
+        "kernel", "width", "base", "minVoidFraction", "record", "fields",
+        "lastGood"
     });
 
     forAllConstIters(coupling_, iter)

@@ -18,6 +18,12 @@ namespace Foam
         return point(x[0], x[1], x[2]);
     }
 
+    static vector velocityOf(const demView& view, const label i)
+    {
+        const double* v = dem_at(view.velocity, view.stride, size_t(i));
+        return vector(v[0], v[1], v[2]);
+    }
+
     static int64_t idOf(const demView& view, const label i)
     {
         const char* first = reinterpret_cast<const char*>(view.id);
@@ -110,7 +116,11 @@ void Foam::demRoute::search(const demView& view, double* place, const UList<labe
 }
 
 
-void Foam::demRoute::complain(const demView& view, const UList<label>& lost) const
+Foam::demRoute::stray Foam::demRoute::firstOf
+(
+    const demView& view,
+    const UList<label>& lost
+) const
 {
     // the lowest id of all ranks, so that all say the same
     scalar id = GREAT;
@@ -125,22 +135,19 @@ void Foam::demRoute::complain(const demView& view, const UList<label>& lost) con
         }
     }
     const scalar lowest = returnReduce(id, minOp<scalar>());
-    const point none(-GREAT, -GREAT, -GREAT);
-    const point where
-    (
-        returnReduce(mine >= 0 && id == lowest ? positionOf(view, mine) : none, maxOp<point>())
-    );
-    const label count = returnReduce(lost.size(), sumOp<label>());
+    const bool ours = mine >= 0 && id == lowest;
+    const vector none(-GREAT, -GREAT, -GREAT);
 
-    FatalErrorInFunction
-        << count << " particle(s) outside the mesh, whose bounds are " << whole_
-        << "; the first is particle " << int64_t(lowest) << " at " << where
-        << ". Start particles inside the mesh, and make walls of all patches"
-        << " that particles must not pass" << exit(FatalError);
+    stray s;
+    s.count = returnReduce(lost.size(), sumOp<label>());
+    s.id = int64_t(lowest);
+    s.position = returnReduce(ours ? positionOf(view, mine) : none, maxOp<vector>());
+    s.velocity = returnReduce(ours ? velocityOf(view, mine) : none, maxOp<vector>());
+    return s;
 }
 
 
-void Foam::demRoute::locate(const demView& view, double* place)
+Foam::demRoute::stray Foam::demRoute::locate(const demView& view, double* place)
 {
     nParticles_ = label(view.n);
     sure_.setSize(nParticles_);
@@ -171,7 +178,7 @@ void Foam::demRoute::locate(const demView& view, double* place)
         ask(view, place, who, lost);
         if (returnReduce(lost.size(), sumOp<label>()) > 0)
         {
-            complain(view, lost);
+            return firstOf(view, lost);
         }
     }
 
@@ -198,6 +205,8 @@ void Foam::demRoute::locate(const demView& view, double* place)
     (
         new mapDistributeBase(spots_.size(), std::move(particles), std::move(spots))
     );
+
+    return stray{0, -1, Zero, Zero};
 }
 
 

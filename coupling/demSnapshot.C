@@ -66,6 +66,12 @@ Foam::fileName Foam::demSnapshot::present(const Time& time)
 }
 
 
+bool Foam::demSnapshot::there(const Time& time)
+{
+    return onMaster(present(time));
+}
+
+
 Foam::fileName Foam::demSnapshot::start
 (
     const Time& time,

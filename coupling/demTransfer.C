@@ -106,17 +106,18 @@ void Foam::demTransfer::setDiameter(const scalar d)
 }
 
 
-void Foam::demTransfer::locate(const demView& view, double* place)
+Foam::demRoute::stray Foam::demTransfer::locate(const demView& view, double* place)
 {
     if (mesh_.changing())
     {
         build();
     }
-    route_().locate(view, place);
-    if (!linear_)
+    const demRoute::stray outside(route_().locate(view, place));
+    if (!linear_ && !outside.count)
     {
         route_().toCentres();
     }
+    return outside;
 }
 
 

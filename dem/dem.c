@@ -250,6 +250,7 @@ int dem_advance(struct dem *d, double duration)
     const int status = dem_step_window(&d->parts, duration/(double)(steps > 0 ? steps : 1), steps > 0 ? steps : 1);
 
     fesetenv(&caller);
+    d->broken = status != DEM_OK && status != DEM_ERROR_NUMBER && status != DEM_ERROR_LOST;
     return status;
 }
 
@@ -434,6 +435,11 @@ int dem_keep(struct dem *d, int64_t steps)
 
     fesetenv(&caller);
     return status;
+}
+
+int dem_ranks_agree(const struct dem *d)
+{
+    return !d->broken;
 }
 
 int dem_restore(struct dem *d, double *time)

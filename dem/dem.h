@@ -221,6 +221,10 @@ int dem_keep(struct dem *, int64_t steps);
    sampled. Collective. */
 int dem_restore(struct dem *, double *time);
 
+/* 1 unless the last dem_advance left the ranks apart. Failures of physics (a number that is none, too much overlap, a particle
+   lost) all ranks have together: dem_lost, dem_restore and what comes after it still work. */
+int dem_ranks_agree(const struct dem *);
+
 #ifdef __cplusplus
 }
 #endif

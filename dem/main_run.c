@@ -99,8 +99,7 @@ static int advance(const struct dem_program *prog, struct dem *d, const struct d
     }
     const int status = dem_advance(d, duration);
 
-    /* such failures all ranks have together, and then they can still talk */
-    return status == DEM_ERROR_NUMBER || status == DEM_ERROR_LOST ? rescue(prog, d, o, lost, status) : status;
+    return status && dem_ranks_agree(d) ? rescue(prog, d, o, lost, status) : status;
 }
 
 /* Outputs lie at whole multiples of the interval, so that a restarted run has the same windows; looks whether all is quiet
