@@ -18,11 +18,14 @@
 
 /* ---- bytes --------------------------------------------------------------------------------------------------- */
 
+/* Partners of a sphere in a settled bed that touch it. */
+static const double in_contact = 5.8;
+
 /* Partners of a sphere in a settled bed to within a gap of g diameters, walls among them. Counted in beds of 1000 to 9000
    equal spheres of friction 0.3 in a box 10 diameters deep: 6.3 to 6.4 at 0.04, 9.7 to 10.0 at 0.3. */
 static double partners(double gap)
 {
-    const double in_contact = 5.8, a_diameter = 14.0;
+    const double a_diameter = 14.0;
 
     return in_contact + a_diameter*gap;
 }
@@ -49,6 +52,11 @@ void dem_need_count(const struct dem_parts *p, const struct dem_survey *s, struc
     need->pair = (double)dem_contacts_each_pair(&p->contacts) + 1.0;
     need->row = (double)dem_contacts_each_row(&p->contacts);
     need->bed = n*(need->particle + (room - 1.0)*sizeof(struct dem_grid_entry) + room*(pairs*need->pair + rows*need->row));
+    need->copy = n*sizeof(double)*(double)dem_particles_packed_size(&p->particles);
+    if (p->contacts.memories > 0)
+    {
+        need->copy += n*room*0.5*in_contact*(double)(sizeof(struct dem_carried) + sizeof(double)*(size_t)p->contacts.memories);
+    }
 }
 
 /* ---- the block ----------------------------------------------------------------------------------------------- */

@@ -13,6 +13,7 @@ struct dem_need                                           /* bytes, between rebu
 {
     double particle, pair, row;                           /* of each: what the recipe needs */
     double bed;                                           /* of all particles as a dense bed on one rank */
+    double copy;                                          /* of that bed's state, kept for the case that the run fails */
 };
 
 /* How many lists a particle of a dense bed has at these skins. */

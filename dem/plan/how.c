@@ -186,7 +186,8 @@ static void tell_memory(struct dem_text *t, const struct dem_plan *p)
     {
         dem_text_add(t, ", at most %s a rank", dem_text_bytes(p->survey.most_bytes));
     }
-    dem_text_add(t, "; as a dense bed %s (%.1f pairs, %.1f near a particle)\n", dem_text_bytes(need.bed), pairs, rows);
+    dem_text_add(t, "; as a dense bed %s (%.1f pairs, %.1f near a particle)", dem_text_bytes(need.bed), pairs, rows);
+    dem_text_add(t, ", and %s for its copy (lastGood)\n", dem_text_bytes(need.copy));
 }
 
 /* Not a number where no normal law has an impact speed. */

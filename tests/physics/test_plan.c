@@ -182,7 +182,10 @@ static void test_cost(void)
     const double each = 1e6*spent/(3000.0*(double)(b.steps - a.steps)), settled = held() - before;
 
     text = plan(w, (struct dem_prospect){.duration = 1.0});
-    const double pace = told(text, "Time\n    "), settled_told = bytes_told(text, "now ");
+    const double pace = told(text, "Time\n    "), settled_told = bytes_told(text, "now "), copy_told = bytes_told(text, "a particle), and ");
+
+    WORLD_TRY(dem_keep(w, 0));
+    const double copy = held() - before - settled;
 
     /* 7 to 9 rows touch at rest: fast enough to differ from a gas, 2 is what the plan promises */
     TAP_OK(pace > 0.5*each && pace < 2.0*each, "time of a particle and step within a factor of 2: told %g us, was %g us", pace, each);
@@ -191,6 +194,8 @@ static void test_cost(void)
         /* the walls, the scene's text and what a rebuild leaves are not counted: a few per cent of 2 MB */
         TAP_NEAR(start_told, at_start, 0.1*at_start, "bytes at the start");
         TAP_NEAR(settled_told, settled, 0.1*settled, "bytes of the settled bed");
+        /* what is remembered grows by half as well */
+        TAP_NEAR(copy_told, copy, 0.15*copy, "bytes of its copy");
         /* lists grow by half, so their room is a guess; these counts always come out the same */
         TAP_NEAR(bed_told, settled, 0.1*settled, "bytes of the settled bed, told at the start");
     }
