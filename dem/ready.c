@@ -269,6 +269,8 @@ static int start_particles(struct dem *d)
         p->steps = s.steps;
         return DEM_OK;
     }
+    DEM_TRY(dem_insert_place(&d->scene.crowd, &d->scene.insertion, &p->recipe));
+    dem_insert_free(&d->scene.insertion);
     DEM_TRY(take_crowd(d));
     DEM_TRY(spread_crowd(d));
     dem_crowd_disperse(&d->scene.crowd);

@@ -1,7 +1,8 @@
 /*
  * insert.h -- particles from words: on a lattice with jitter, at random without overlap, or one by one.
  *
- * All of them are functions of the seed and the particle's number alone, so every rank makes the same list.
+ * First all groups are read and checked, then placed, which may take long. All of them are functions of the seed and the
+ * particle's number alone, so every rank makes the same list.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -12,7 +13,20 @@
 #include "io/dictionary.h"
 #include "state/recipe.h"
 
-/* Read every group of a scene's `insert { ... }`. */
-int dem_insert_read(struct dem_crowd *, const struct dem_dict *insert, const struct dem_recipe *);
+struct dem_insertion                                      /* all groups of a scene */
+{
+    size_t n, room;
+    struct dem_batch *batch;
+};
+
+/* Read and check every group of a scene's `insert { ... }`. The dictionary must outlive it. */
+int dem_insert_read(struct dem_insertion *, const struct dem_dict *insert, const struct dem_recipe *);
+void dem_insert_free(struct dem_insertion *);
+
+/* Least and most radius [m] that will come, by material; those of none stay. */
+void dem_insert_radii(const struct dem_insertion *, double *least, double *most);
+
+/* Make the particles of all groups. */
+int dem_insert_place(struct dem_crowd *, const struct dem_insertion *, const struct dem_recipe *);
 
 #endif

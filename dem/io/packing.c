@@ -402,20 +402,13 @@ static int list_spots(struct places *s, const struct dem_packing *p, const struc
     return DEM_OK;
 }
 
-static int may_fit(const struct dem_packing *p)
+int dem_packing_may_fit(const struct dem_vessel *v, double volume, double n, const char *where)
 {
-    double volume = 0.0;
-
-    for (int32_t i = 0; i < p->n; i++)
-    {
-        volume += 3.14159265358979323846/6.0*p->diameter[i]*p->diameter[i]*p->diameter[i];
-        DEM_TRY(dem_vessel_holds(p->vessel, 0.5*p->diameter[i], p->where));
-    }
-    const double fraction = volume/dem_vessel_volume(p->vessel);
+    const double fraction = volume/dem_vessel_volume(v);
 
     DEM_REQUIRE(fraction <= most_fraction, DEM_ERROR_INPUT,
-                "%s: %lld particles at random are a solid fraction of %.3g, and no more than %g finds room; enlarge the region, ask for fewer, "
-                "use type lattice, or let a looser packing settle", p->where, (long long)p->n, fraction, most_fraction);
+                "%s: %.10g particles at random are a solid fraction of %.3g, and no more than %g finds room; enlarge the region, ask for fewer, "
+                "use type lattice, or let a looser packing settle", where, n, fraction, most_fraction);
     return DEM_OK;
 }
 
@@ -424,7 +417,6 @@ int dem_packing_fill(struct dem_packing *p, const struct dem_crowd *c)
     struct places s;
     uint8_t *waits = NULL;
 
-    DEM_TRY(may_fit(p));
     memset(&s, 0, sizeof s);
     int status = list_spots(&s, p, c);
 

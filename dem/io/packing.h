@@ -26,7 +26,10 @@ struct dem_packing                                        /* what to pack */
     double (*x)[3];                                       /* m  out: centres */
 };
 
-/* Does not touch the crowd: its spheres stay where they are. */
+/* Refuse n spheres of this volume [m3] in all, if no packing at random is so dense. */
+int dem_packing_may_fit(const struct dem_vessel *, double volume, double n, const char *where);
+
+/* For spheres that may fit, each no wider than the vessel. Does not touch the crowd: its spheres stay where they are. */
 int dem_packing_fill(struct dem_packing *, const struct dem_crowd *);
 
 #endif

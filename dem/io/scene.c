@@ -202,11 +202,12 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene, struct dem
     }
     DEM_TRY(dem_dict_sub_if(scene, "insert", &insert));
     DEM_REQUIRE(!start || !insert, DEM_ERROR_INPUT, "%s: the scene has both start and insert; keep one", dem_dict_where(start));
-    return insert ? dem_insert_read(&s->crowd, insert, r) : DEM_OK;
+    return insert ? dem_insert_read(&s->insertion, insert, r) : DEM_OK;
 }
 
 void dem_scene_free(struct dem_scene *s)
 {
     dem_memory_free(s->average);
+    dem_insert_free(&s->insertion);
     dem_crowd_free(&s->crowd);
 }

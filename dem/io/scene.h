@@ -40,7 +40,8 @@ struct dem_scene
     double outer_skin, inner_skin;                        /* 1  of the largest diameter */
     const char *snapshot;                                 /* path to start from, or NULL */
     struct dem_uniform_fluid fluid;
-    struct dem_crowd crowd;
+    struct dem_insertion insertion;                       /* groups of the text, to be placed */
+    struct dem_crowd crowd;                               /* all particles of the start, when they have been */
     struct dem_average_plan *average;                     /* grids of means */
     int averages;
     const double *bond_ids;                               /* two a pair that the scene wants bonded; NULL: no list */

@@ -34,6 +34,9 @@ enum type
 };
 static const char *const types[TYPES] = {"uniform", "normal", "logNormal", "list", "table"};
 
+/* Neighbours are searched in cells as wide as the largest: a wider range is a slip of the pen. */
+static const double most_ratio = 1e6;
+
 struct density                                            /* of a smooth distribution, not normalised */
 {
     enum type type;
@@ -61,7 +64,15 @@ static double density_at(const struct density *f, double d)
     return per_diameter*d/(f->by_volume ? d*d*d : 1.0);
 }
 
-static int tabulate(struct dem_sizes *s, const struct density *f)
+static int refuse_range(const struct dem_sizes *s, const char *where)
+{
+    DEM_REQUIRE(s->most <= most_ratio*s->least, DEM_ERROR_INPUT,
+                "%s: diameters from %g to %g m, the largest more than %g times the smallest; take the range nearer together", where, s->least,
+                s->most, most_ratio);
+    return DEM_OK;
+}
+
+static int tabulate(struct dem_sizes *s, const struct density *f, const char *where)
 {
     const double step = dem_log(s->most/s->least)/(NODES - 1);
     double total = 0.0, before = 0.0;
@@ -79,6 +90,8 @@ static int tabulate(struct dem_sizes *s, const struct density *f)
         before = here;
         s->below[k] = total;
     }
+    DEM_REQUIRE(total > 0.0, DEM_ERROR_INPUT, "%s: next to no particle is from %g to %g m; look at min and max, the middle and the deviation",
+                where, s->least, s->most);
     for (int k = 0; k < NODES; k++)
     {
         s->below[k] /= total;
@@ -105,6 +118,7 @@ static int count_up(struct dem_sizes *s, const double *d, const double *weight, 
         s->most = fmax(s->most, d[k]);
     }
     DEM_REQUIRE(total > 0.0, DEM_ERROR_INPUT, "%s: all weights are 0; give one above 0", where);
+    DEM_TRY(refuse_range(s, where));
     for (int k = 0; k < s->n; k++)
     {
         s->below[k] /= total;
@@ -141,8 +155,10 @@ static int read_smooth(struct dem_sizes *s, const struct dem_dict *dict, struct 
         DEM_TRY(dem_dict_number_or(dict, "max", "m", high, &s->most));
     }
     DEM_REQUIRE(s->least > 0.0 && s->least < s->most && isfinite(s->most), DEM_ERROR_INPUT,
-                "%s: diameters from %g to %g m; give 0 < min < max", dem_dict_where(dict), s->least, s->most);
-    return tabulate(s, f);
+                "%s: diameters from %g to %g m; give 0 < min < max%s", dem_dict_where(dict), s->least, s->most,
+                f->type == UNIFORM ? "" : ", or a deviation that makes such limits");
+    DEM_TRY(refuse_range(s, dem_dict_where(dict)));
+    return tabulate(s, f, dem_dict_where(dict));
 }
 
 static int read_list(struct dem_sizes *s, const struct dem_dict *dict, int by_volume)
@@ -277,6 +293,20 @@ void dem_sizes_free(struct dem_sizes *s)
 }
 
 /* ---- drawing ------------------------------------------------------------------------------------------------- */
+
+double dem_sizes_mean_volume(const struct dem_sizes *s)
+{
+    double mean = s->n > 0 ? 0.0 : s->least*s->least*s->least;
+
+    for (int k = 0; k < s->n; k++)
+    {
+        const double share = k > 0 ? s->below[k] - s->below[k - 1] : s->below[0];
+        const double d = s->smooth && k > 0 ? 0.5*(s->diameter[k] + s->diameter[k - 1]) : s->diameter[k];
+
+        mean += share*d*d*d;
+    }
+    return 3.14159265358979323846/6.0*mean;
+}
 
 double dem_sizes_draw(const struct dem_sizes *s, uint64_t seed, uint64_t number)
 {

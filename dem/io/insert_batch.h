@@ -1,0 +1,37 @@
+/*
+ * insert_batch.h -- one group of `insert`, read and checked (insert.c), until its particles are placed (insert_place.c).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_IO_INSERT_BATCH_H
+#define DEM_IO_INSERT_BATCH_H
+
+#include "io/insert.h"
+#include "io/vessel.h"
+
+enum dem_batch_type
+{
+    DEM_BATCH_LATTICE, DEM_BATCH_RANDOM, DEM_BATCH_LIST, DEM_BATCH_TYPES
+};
+
+struct dem_batch
+{
+    const struct dem_dict *dict;                          /* lists point into it */
+    enum dem_batch_type type;
+    int material;
+    bool frozen;
+    int64_t count, seed;
+    double velocity[3], spin[3];                          /* m/s, 1/s */
+    double diameter;                                      /* m  of all, unless there are diameters */
+    const double *diameters;                              /* m  of each, or null */
+    double *drawn;                                        /* m  the same, where they are the batch's own */
+    struct dem_vessel vessel;                             /* of a lattice or at random */
+    double pitch, amplitude;                              /* m: between the sites of a lattice, and of the shake */
+    int64_t sites[3];
+    const double (*positions)[3], (*velocities)[3], (*spins)[3];   /* of a list; null: the same for all */
+};
+
+/* Place one batch behind the particles that are there. */
+int dem_batch_place(struct dem_crowd *, const struct dem_batch *, const struct dem_recipe *);
+
+#endif
