@@ -142,25 +142,41 @@ static int lies_on(const struct dem_wall_search *s, const struct dem_walls *w, c
     return nearest_of(s, w, near, x, on) < tolerance;
 }
 
-/* 1 when region a's nearest point belongs to region b as well and b is to keep it: b is nearer (then its own nearest point
-   is not on a), or both have the same nearest point and b comes first. */
-static int yields(const struct dem_wall_search *s, const struct dem_walls *w, size_t a, size_t b, double tolerance,
-                  const struct dem_wall_touch *touch)
+/* 1 when b goes before a: an order of all touches, so never two that give way to each other. */
+static int goes_before(size_t b, size_t a, const struct dem_wall_touch *touch)
 {
-    return touch[b].distance < touch[a].distance + tolerance && lies_on(s, w, &s->near[b], touch[a].point, tolerance)
-        && (b < a || !lies_on(s, w, &s->near[a], touch[b].point, tolerance));
+    return touch[b].distance < touch[a].distance || (touch[b].distance <= touch[a].distance && b < a);
 }
 
-/* 1 when the areas of contact of a and b, circles of radius sqrt(R d) about points nearer to each other than that, are one, and b is
-   the deeper one. */
-static int merges(size_t a, size_t b, double radius, const struct dem_wall_touch *touch)
+static double square_apart(size_t a, size_t b, const struct dem_wall_touch *touch)
 {
-    const double depth = radius - touch[b].distance;
     double apart[3];
 
     dem_vec_minus(touch[a].point, touch[b].point, apart);
-    return (touch[b].distance < touch[a].distance || (touch[b].distance <= touch[a].distance && b < a))
-        && dem_vec_dot(apart, apart) < radius*depth;
+    return dem_vec_dot(apart, apart);
+}
+
+/* 1 when a gives way to b, which goes before it: its nearest point belongs to region b as well, or the areas of contact of both,
+   circles of radius sqrt(R d) about points nearer to each other than that, are one. */
+static int yields(const struct dem_wall_search *s, const struct dem_walls *w, size_t a, size_t b, double radius,
+                  const struct dem_wall_touch *touch)
+{
+    return goes_before(b, a, touch)
+        && (square_apart(a, b, touch) < radius*(radius - touch[b].distance)
+            || lies_on(s, w, &s->near[b], touch[a].point, same_point*radius));
+}
+
+/* Of regions that touch in the same point the first is to have the contact: which of them goes before the others is round-off
+   there, and what the contact remembers stays in one place. */
+static size_t first_there(size_t of, size_t first, double tolerance, const struct dem_wall_touch *touch)
+{
+    size_t a = first;
+
+    while (a < of && square_apart(a, of, touch) >= tolerance*tolerance)
+    {
+        a++;
+    }
+    return a;
 }
 
 /* Marked first, dropped after: a region may yield to one that yields itself, down to the nearest of a curved surface. */
@@ -171,7 +187,15 @@ static void drop_doubles(const struct dem_wall_search *s, const struct dem_walls
     {
         for (size_t b = first; b < end && !touch[a].drop && touch[a].distance < radius; b++)
         {
-            touch[a].drop = b != a && (merges(a, b, radius, touch) || yields(s, w, a, b, same_point*radius, touch));
+            touch[a].drop = b != a && yields(s, w, a, b, radius, touch);
+        }
+    }
+    for (size_t a = first; a < end; a++)
+    {
+        if (!touch[a].drop && touch[a].distance < radius)
+        {
+            touch[a].drop = 1;
+            touch[first_there(a, first, same_point*radius, touch)].drop = 0;
         }
     }
     for (size_t a = first; a < end; a++)

@@ -2,8 +2,8 @@
  * Claims: a sphere that slides over a plane cut into random triangles, in any position in space, feels m g and no seam, and
  * does what it does on a plane, bit for bit where the coordinates allow; sliver, degenerate, repeated and turned triangles
  * and T-joints change nothing; in a corner of three walls the forces balance the weight, with planes and with triangles; a
- * concave edge is two contacts, a convex edge or tip one; two walls that meet in a plane are one floor; a sphere does not
- * fall through a wall of triangles from either side.
+ * concave edge is two contacts, a convex edge or tip one, however it lies in space; two walls that meet in a plane are one
+ * floor; a sphere does not fall through a wall of triangles from either side.
  *
  * Source: geometry and statics.
  *
@@ -11,6 +11,8 @@
  */
 #include "physics/mesh.h"
 #include "physics/world.h"
+
+#include "base/vec.h"
 
 static const double R = 1e-3, density = 2500.0, E = 1e7, g = 9.81;
 
@@ -337,6 +339,115 @@ static void edges(void)
     TAP_NEAR(f[0], push, 1e-9*push, "rim of a sheet: pushes in its plane");
 }
 
+/* A random tetrahedron, corners in an order that makes its faces look outward. */
+static void tetrahedron(uint64_t number, double corner[4][3])
+{
+    double side[3][3], normal[3];
+
+    for (int k = 0; k < 12; k++)
+    {
+        corner[k/3][k%3] = 0.05 + 8e-3*(mesh_random(number, 100 + (uint64_t)k) - 0.5);
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        dem_vec_minus(corner[k + 1], corner[0], side[k]);
+    }
+    dem_vec_cross(side[0], side[1], normal);
+    for (int k = 0; k < 3 && dem_vec_dot(normal, side[2]) > 0.0; k++)
+    {
+        const double swap = corner[1][k];
+
+        corner[1][k] = corner[2][k];
+        corner[2][k] = swap;
+    }
+}
+
+/* Corner number k of face f of a tetrahedron: all but corner 3 - f, turning to the right about the normal outward. */
+static int corner_of(int f, int k)
+{
+    static const int face[4][3] = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+
+    return face[f][k];
+}
+
+static void outward(double corner[4][3], int f, double normal[3])
+{
+    double a[3], b[3];
+
+    dem_vec_minus(corner[corner_of(f, 1)], corner[corner_of(f, 0)], a);
+    dem_vec_minus(corner[corner_of(f, 2)], corner[corner_of(f, 0)], b);
+    dem_vec_cross(a, b, normal);
+    const double length = dem_vec_norm(normal);
+
+    for (int k = 0; k < 3; k++)
+    {
+        normal[k] /= length;
+    }
+}
+
+/* The point of a convex body that is nearest to anything in direction u from it: a corner (any u), a point of the edge of faces
+   0 and 1 (u between their normals), a point of face 0 (its normal). */
+static void convex_place(uint64_t number, double corner[4][3], double at[3], double u[3])
+{
+    double n[2][3], s = mesh_random(number, 1), t = 0.1 + 0.8*mesh_random(number, 2);
+    const int kind = (int)(number%3);
+    int tip = 0;
+
+    outward(corner, 0, n[0]);
+    outward(corner, 1, n[1]);
+    for (int k = 0; k < 3; k++)
+    {
+        u[k] = kind == 0 ? mesh_random(number, 3 + (uint64_t)k) - 0.5 : kind == 1 ? s*n[0][k] + (1.0 - s)*n[1][k] : n[0][k];
+    }
+    const double length = dem_vec_norm(u);
+
+    for (int c = 1; c < 4; c++)
+    {
+        tip = dem_vec_dot(corner[c], u) > dem_vec_dot(corner[tip], u) ? c : tip;
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        u[k] /= length;
+        at[k] = kind == 0 ? corner[tip][k] : kind == 1 ? t*corner[0][k] + (1.0 - t)*corner[1][k]
+              : 0.5*t*corner[0][k] + 0.5*(1.0 - t)*corner[1][k] + 0.5*corner[2][k];
+    }
+}
+
+/* The nearest point of a convex body is one point: one contact, with the force of a plane, however its faces lie in space. */
+static void convex(void)
+{
+    const double d = 5e-6, push = 4.0/3.0*E/(1.0 - 0.09)*sqrt(R)*d*sqrt(d);
+    int wrong[3] = {0}, more[3] = {0};
+
+    for (uint64_t number = 0; number < 300; number++)
+    {
+        double corner[4][3], at[3], u[3], f[3], off = 0.0;
+        struct mesh m = {0};
+
+        tetrahedron(number, corner);
+        convex_place(number, corner, at, u);
+        for (int k = 0; k < 4; k++)
+        {
+            mesh_triangle(&m, corner[corner_of(k, 0)], corner[corner_of(k, 1)], corner[corner_of(k, 2)]);
+        }
+        const double x[3] = {at[0] + (R - d)*u[0], at[1] + (R - d)*u[1], at[2] + (R - d)*u[2]};
+
+        more[number%3] += set_down(&m, x, f) != 1;
+        for (int k = 0; k < 3; k++)
+        {
+            off = fmax(off, fabs(f[k] - push*u[k]));
+        }
+        wrong[number%3] += off > 1e-8*push;               /* coordinates of 0.05 m are known to 1e-17 m: 2e-12 of the overlap */
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        const char *const what = k == 0 ? "tips" : k == 1 ? "edges" : "faces";
+
+        TAP_OK(more[k] == 0, "%s of random tetrahedra: one contact (%d of 100 have another number)", what, more[k]);
+        TAP_OK(wrong[k] == 0, "%s of random tetrahedra: the force of a plane (%d of 100 differ)", what, wrong[k]);
+    }
+}
+
 /* Facets far smaller than the overlap's footprint, each a region of its own: still one contact, wherever it is. */
 static void facets(void)
 {
@@ -465,6 +576,7 @@ int main(void)
     corner(0);
     corner(1);
     edges();
+    convex();
     facets();
     over_the_edge();
     both_sides();
