@@ -255,12 +255,24 @@ static int keeps_books(const struct dem_recipe *r)
     return books;
 }
 
+static int opens_laws(const struct dem_recipe *r)
+{
+    int some = 0;
+
+    for (int k = 0; k < r->chosen; k++)
+    {
+        some |= r->effect[k]->open_bodies != NULL;
+    }
+    return some;
+}
+
 static int start_particles(struct dem *d)
 {
     struct dem_parts *const p = &d->parts;
     struct dem_snapshot s;
 
-    dem_particles_init(&p->particles, (d->with_fluid ? DEM_GROUP_FLUID : 0) | (keeps_books(&p->recipe) ? DEM_GROUP_BOOKS : 0));
+    dem_particles_init(&p->particles, (d->with_fluid ? DEM_GROUP_FLUID : 0) | (keeps_books(&p->recipe) ? DEM_GROUP_BOOKS : 0)
+                       | (opens_laws(&p->recipe) ? DEM_GROUP_SWARM : 0));
     DEM_TRY(dem_particles_grow(&p->particles, 1));
     if (d->load[0])
     {

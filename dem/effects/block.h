@@ -12,7 +12,8 @@
 
 enum
 {
-    DEM_BLOCK = 128                                       /* rows of a tray: a contact tray in use stays in the L1 cache */
+    DEM_BLOCK = 128,                                      /* rows of a tray: a contact tray in use stays in the L1 cache */
+    DEM_SWARM = 2                                         /* columns that a law of drag has for itself */
 };
 
 #ifndef DEM_REAL
@@ -101,6 +102,7 @@ struct dem_body_block
     _Alignas(64) dem_real void_fraction[DEM_BLOCK];       /* 1      of the fluid */
     _Alignas(64) dem_real density[DEM_BLOCK];             /* kg/m3  of the fluid */
     _Alignas(64) dem_real viscosity[DEM_BLOCK];           /* Pa s   of the fluid */
+    _Alignas(64) dem_real swarm[DEM_SWARM][DEM_BLOCK];    /* what the law of drag made of the fluid when the window opened */
 
     /* results, cleared by the house: force = f + bu - b v, integrated exactly in v */
     _Alignas(64) dem_real fx[DEM_BLOCK];                  /* N      explicit force */

@@ -50,10 +50,10 @@ static inline __attribute__((always_inline)) double dem_drag_single_sphere(doubl
     return dem_pick(re < 1000.0, 1.0 + 0.15*dem_pow(re, 0.687), 0.44/24.0*re);
 }
 
-/* Wen and Yu, Chem. Eng. Prog. Symp. Ser. 62 (1966) 100 */
-static inline __attribute__((always_inline)) double dem_drag_wen_yu(double e, double re)
+/* How much a swarm raises it: Wen and Yu, Chem. Eng. Prog. Symp. Ser. 62 (1966) 100 */
+static inline __attribute__((always_inline)) double dem_drag_swarm(double e)
 {
-    return dem_pow(e, -2.65)*dem_drag_single_sphere(re);
+    return dem_pow(e, -2.65);
 }
 
 /* Ergun, Chem. Eng. Prog. 48 (1952) 89 */

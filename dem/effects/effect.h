@@ -96,6 +96,10 @@ struct dem_effect
        it where partners do not touch (stages before BOND). */
     void (*act)(const void *settings, struct dem_block *restrict, dem_real *const *memory);
 
+    /* Laws of drag: fill the tray's `swarm` with what follows from radius, void fraction, density and viscosity alone. These stay
+       as they are in a window of the fluid; only then is it called, and act_on_bodies in each step. May be NULL. */
+    void (*open_bodies)(const void *settings, struct dem_body_block *restrict);
+
     /* Body effects: add to the tray of bodies. */
     void (*act_on_bodies)(const void *settings, struct dem_body_block *restrict);
 };

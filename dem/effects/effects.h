@@ -48,6 +48,16 @@ extern const struct dem_effect *const dem_effects[];
 /* The effect with this word, or NULL. */
 const struct dem_effect *dem_effects_find(const char *name);
 
+/* Open a tray of bodies and act on it, where it is used once only. */
+static inline void dem_effect_on_bodies(const struct dem_effect *effect, const void *settings, struct dem_body_block *b)
+{
+    if (effect->open_bodies)
+    {
+        effect->open_bodies(settings, b);
+    }
+    effect->act_on_bodies(settings, b);
+}
+
 /* DEM_ERROR_INPUT with a sentence that names the known words, nearest first; `where` is the place in the input. */
 int dem_effects_unknown(const char *where, const char *name);
 

@@ -56,8 +56,9 @@ static inline double arctangent(double x)
     return dem_pick(x < 0.0, -y, y);
 }
 
+/* e^-2.65 and phi */
 DEM_KERNEL
-static void act_on_bodies(const void *of, struct dem_body_block *restrict b)
+static void open_bodies(const void *of, struct dem_body_block *restrict b)
 {
     const int smooth = ((const struct gidaspow *)of)->blend == SMOOTH;
     const double pi = 3.14159265358979324;
@@ -65,13 +66,24 @@ static void act_on_bodies(const void *of, struct dem_body_block *restrict b)
     for (int c = 0; c < b->n; c++)
     {
         const double e = dem_drag_void(b->void_fraction[c]), s = 1.0 - e;
-        const double re = dem_drag_reynolds(b, c, e);
-
-        const double ergun = dem_drag_ergun(e, re);
         const double bridge = 0.5 + arctangent(150.0*1.75*(0.2 - s))/pi;
-        const double phi = dem_pick(smooth, bridge, dem_pick(e < 0.8, 0.0, 1.0));
 
-        dem_drag_add(b, c, (1.0 - phi)*ergun + phi*dem_drag_wen_yu(e, re));
+        b->swarm[0][c] = dem_drag_swarm(e);
+        b->swarm[1][c] = dem_pick(smooth, bridge, dem_pick(e < 0.8, 0.0, 1.0));
+    }
+}
+
+DEM_KERNEL
+static void act_on_bodies(const void *of, struct dem_body_block *restrict b)
+{
+    (void)of;
+    for (int c = 0; c < b->n; c++)
+    {
+        const double e = dem_drag_void(b->void_fraction[c]), phi = b->swarm[1][c];
+        const double re = dem_drag_reynolds(b, c, e);
+        const double wen_yu = b->swarm[0][c]*dem_drag_single_sphere(re);
+
+        dem_drag_add(b, c, (1.0 - phi)*dem_drag_ergun(e, re) + phi*wen_yu);
     }
 }
 
@@ -84,5 +96,6 @@ const struct dem_effect dem_gidaspow = {
     .needs = DEM_NEEDS_FLUID,
     .size = sizeof(struct gidaspow),
     .settings = settings,
+    .open_bodies = open_bodies,
     .act_on_bodies = act_on_bodies,
 };

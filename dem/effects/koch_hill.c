@@ -37,16 +37,30 @@ static inline __attribute__((always_inline)) double inertial(double e, double s)
     return 0.0673 + 0.212*s + 0.0232/(e*e*e*e*e);
 }
 
+/* F0, and half of F3 */
+DEM_KERNEL
+static void open_bodies(const void *of, struct dem_body_block *restrict b)
+{
+    (void)of;
+    for (int c = 0; c < b->n; c++)
+    {
+        const double e = dem_drag_void(b->void_fraction[c]), s = 1.0 - e;
+
+        b->swarm[0][c] = creeping(e, s);
+        b->swarm[1][c] = 0.5*inertial(e, s);
+    }
+}
+
 DEM_KERNEL
 static void act_on_bodies(const void *of, struct dem_body_block *restrict b)
 {
     (void)of;
     for (int c = 0; c < b->n; c++)
     {
-        const double e = dem_drag_void(b->void_fraction[c]), s = 1.0 - e;
+        const double e = dem_drag_void(b->void_fraction[c]);
         const double re = dem_drag_reynolds(b, c, e);
 
-        dem_drag_add(b, c, e*e*(creeping(e, s) + 0.5*inertial(e, s)*re));
+        dem_drag_add(b, c, e*e*(b->swarm[0][c] + b->swarm[1][c]*re));
     }
 }
 
@@ -57,5 +71,6 @@ const struct dem_effect dem_koch_hill = {
     .stage = DEM_STAGE_FLUID,
     .drag = 1,
     .needs = DEM_NEEDS_FLUID,
+    .open_bodies = open_bodies,
     .act_on_bodies = act_on_bodies,
 };

@@ -19,6 +19,16 @@
 #include "effects/drag.h"
 
 DEM_KERNEL
+static void open_bodies(const void *of, struct dem_body_block *restrict b)
+{
+    (void)of;
+    for (int c = 0; c < b->n; c++)
+    {
+        b->swarm[0][c] = dem_drag_swarm(dem_drag_void(b->void_fraction[c]));
+    }
+}
+
+DEM_KERNEL
 static void act_on_bodies(const void *of, struct dem_body_block *restrict b)
 {
     (void)of;
@@ -26,7 +36,7 @@ static void act_on_bodies(const void *of, struct dem_body_block *restrict b)
     {
         const double e = dem_drag_void(b->void_fraction[c]);
 
-        dem_drag_add(b, c, dem_drag_wen_yu(e, dem_drag_reynolds(b, c, e)));
+        dem_drag_add(b, c, b->swarm[0][c]*dem_drag_single_sphere(dem_drag_reynolds(b, c, e)));
     }
 }
 
@@ -37,5 +47,6 @@ const struct dem_effect dem_wen_yu = {
     .stage = DEM_STAGE_FLUID,
     .drag = 1,
     .needs = DEM_NEEDS_FLUID,
+    .open_bodies = open_bodies,
     .act_on_bodies = act_on_bodies,
 };

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "plan/fluidise.h"
+#include "effects/effects.h"
 #include <math.h>
 #include <string.h>
 
@@ -60,7 +61,7 @@ double dem_bed_drag(const struct dem_recipe *r, const struct dem_bed *b, double 
     {
         if (r->bodies.link[k].effect->drag)
         {
-            r->bodies.link[k].effect->act_on_bodies(r->bodies.link[k].settings, &tray);
+            dem_effect_on_bodies(r->bodies.link[k].effect, r->bodies.link[k].settings, &tray);
             coefficient = tray.b[0];
         }
     }

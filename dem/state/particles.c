@@ -26,6 +26,8 @@ static const struct dem_column columns[DEM_COLUMNS] =
     [DEM_COLUMN_RESPONSE] = {"response", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_PASSED] = {"passed", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_PENDING] = {"pending", 3, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_SWARM_FIRST] = {"swarmFirst", 1, DEM_GROUP_FLUID | DEM_GROUP_SWARM, NULL},
+    [DEM_COLUMN_SWARM_SECOND] = {"swarmSecond", 1, DEM_GROUP_FLUID | DEM_GROUP_SWARM, NULL},
     [DEM_COLUMN_LOST] = {"lostEnergy", 1, DEM_GROUP_BOOKS, NULL},
     [DEM_COLUMN_BROKEN] = {"brokenBonds", 1, DEM_GROUP_BOOKS, NULL},
 };

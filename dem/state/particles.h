@@ -33,7 +33,8 @@ enum dem_particle_flag
 enum dem_column_group                                     /* a column is there when the scene has all of its groups */
 {
     DEM_GROUP_FLUID = 1,                                  /* effects that need a fluid */
-    DEM_GROUP_BOOKS = 2                                   /* effects past touching, which keep books */
+    DEM_GROUP_BOOKS = 2,                                  /* effects past touching, which keep books */
+    DEM_GROUP_SWARM = 4                                   /* laws of drag with open_bodies */
 };
 
 enum dem_column_name
@@ -54,6 +55,8 @@ enum dem_column_name
     DEM_COLUMN_RESPONSE,                                  /* kg   R of this window         */
     DEM_COLUMN_PASSED,                                    /* 1    of a steady force, by drag to the fluid */
     DEM_COLUMN_PENDING,                                   /* N s  impulse for this window, from the last exchange */
+    DEM_COLUMN_SWARM_FIRST,                               /* 1    of the fluid alone, for this window: effects/block.h */
+    DEM_COLUMN_SWARM_SECOND,
     DEM_COLUMN_LOST,                                      /* J    lost so far to bonds and films: half of each pair's, all at a wall */
     DEM_COLUMN_BROKEN,                                    /* 1    bonds broken so far, halves as well */
     DEM_COLUMNS
@@ -102,9 +105,14 @@ struct dem_particle dem_particle_sphere(int64_t id, const double x[3], double di
 size_t dem_particles_bytes(const struct dem_particles *);
 size_t dem_particles_each(const struct dem_particles *);
 
+static inline double dem_sphere_volume(double radius)
+{
+    return 4.0/3.0*3.14159265358979323846*radius*radius*radius;
+}
+
 static inline double dem_particle_volume(const struct dem_particle *p)
 {
-    return 4.0/3.0*3.14159265358979323846*p->radius*p->radius*p->radius;
+    return dem_sphere_volume(p->radius);
 }
 
 static inline double *dem_column(const struct dem_particles *p, enum dem_column_name c)

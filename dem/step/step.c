@@ -278,7 +278,7 @@ int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
     p->window = window;
     p->dt = dt;
     dem_walls_move(&p->walls, start, 0.0);
-    dem_bodies_open(&p->particles);
+    dem_bodies_open(&p->particles, &p->recipe.bodies);
     if (p->recipe.needs & DEM_NEEDS_VISCOSITY && !p->stale)
     {
         DEM_TRY(dem_halo_refresh_viscosity(&p->halo, &p->particles));

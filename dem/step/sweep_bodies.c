@@ -33,97 +33,14 @@
  */
 #include "step/sweep_bodies.h"
 #include "base/math.h"
+#include "step/body_tray.h"
 #include <math.h>
 #include <string.h>
-
-struct tray
-{
-    struct dem_body_block block;
-    _Alignas(64) double over_m[DEM_BLOCK];                /* 1/kg  inverse inertial mass */
-    _Alignas(64) double jx[DEM_BLOCK], jy[DEM_BLOCK], jz[DEM_BLOCK];          /* N s   drag impulse of this kick */
-    _Alignas(64) double kept[DEM_BLOCK];                  /* 1     exp(-z) */
-    _Alignas(64) double drag[DEM_BLOCK];                  /* kg/s  b without counterflow */
-};
-
-/* ---- gathering ----------------------------------------------------------------------------------------------- */
-
-static void gather_records(struct tray *t, const struct dem_particle *record, const double *force, int rows)
-{
-    struct dem_body_block *const b = &t->block;
-
-    b->n = (rows + 7)/8*8;
-    for (int c = 0; c < b->n; c++)
-    {
-        const int k = c < rows ? c : rows - 1;
-        const struct dem_particle *const i = &record[k];
-
-        b->radius[c] = i->radius;
-        b->mass[c] = i->mass;
-        b->volume[c] = dem_particle_volume(i);
-        b->vx[c] = i->v[0];
-        b->vy[c] = i->v[1];
-        b->vz[c] = i->v[2];
-        b->wx[c] = i->w[0];
-        b->wy[c] = i->w[1];
-        b->wz[c] = i->w[2];
-        b->fx[c] = force[3*k];
-        b->fy[c] = force[3*k + 1];
-        b->fz[c] = force[3*k + 2];
-        b->b[c] = b->bux[c] = b->buy[c] = b->buz[c] = 0.0;
-        t->over_m[c] = i->inverse_mass;
-    }
-}
-
-static void gather_fluid(struct tray *t, const struct dem_particles *p, size_t first, int rows, double over_window)
-{
-    const double *const u = dem_column(p, DEM_COLUMN_FLUID_VELOCITY) + 3*first;
-    const double *const g = dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT) + 3*first;
-    const double *const pending = dem_column(p, DEM_COLUMN_PENDING) + 3*first;
-    struct dem_body_block *const b = &t->block;
-
-    for (int c = 0; c < b->n; c++)
-    {
-        const int k = c < rows ? c : rows - 1;
-
-        b->ux[c] = u[3*k];
-        b->uy[c] = u[3*k + 1];
-        b->uz[c] = u[3*k + 2];
-        b->gx[c] = g[3*k];
-        b->gy[c] = g[3*k + 1];
-        b->gz[c] = g[3*k + 2];
-        b->fx[c] += over_window*pending[3*k];
-        b->fy[c] += over_window*pending[3*k + 1];
-        b->fz[c] += over_window*pending[3*k + 2];
-        b->void_fraction[c] = dem_column(p, DEM_COLUMN_VOID_FRACTION)[first + (size_t)k];
-        b->density[c] = dem_column(p, DEM_COLUMN_FLUID_DENSITY)[first + (size_t)k];
-        b->viscosity[c] = dem_column(p, DEM_COLUMN_FLUID_VISCOSITY)[first + (size_t)k];
-    }
-}
-
-/* The fluid makes room for what particles have moved since the window's start. */
-static void add_counterflow(struct tray *t, const struct dem_particles *p, size_t first, int rows)
-{
-    const double *const counterflow = dem_column(p, DEM_COLUMN_COUNTERFLOW) + first;
-    const double *const start = dem_column(p, DEM_COLUMN_START_VELOCITY) + 3*first;
-    struct dem_body_block *const b = &t->block;
-
-    for (int c = 0; c < b->n; c++)
-    {
-        const int k = c < rows ? c : rows - 1;
-        const double more = (counterflow[k] - 1.0)*b->b[c];
-
-        t->drag[c] = b->b[c];
-        b->b[c] += more;
-        b->bux[c] += more*start[3*k];
-        b->buy[c] += more*start[3*k + 1];
-        b->buz[c] += more*start[3*k + 2];
-    }
-}
 
 /* ---- the kick ------------------------------------------------------------------------------------------------ */
 
 DEM_KERNEL
-static void kick_with_drag(struct tray *restrict t, double h)
+static void kick_with_drag(struct dem_body_tray *restrict t, double h)
 {
     struct dem_body_block *const b = &t->block;
 
@@ -143,7 +60,7 @@ static void kick_with_drag(struct tray *restrict t, double h)
 }
 
 DEM_KERNEL
-static void kick_without_drag(struct tray *restrict t, double h)
+static void kick_without_drag(struct dem_body_tray *restrict t, double h)
 {
     struct dem_body_block *const b = &t->block;
 
@@ -157,52 +74,26 @@ static void kick_without_drag(struct tray *restrict t, double h)
     }
 }
 
-static void scatter(const struct tray *t, struct dem_particle *record, const double *torque, double h, int rows)
+static int rows_from(const struct dem_particles *p, size_t first)
 {
-    for (int k = 0; k < rows; k++)
-    {
-        const double spin_up = h*record[k].inverse_inertia;
-
-        record[k].v[0] = t->block.vx[k];
-        record[k].v[1] = t->block.vy[k];
-        record[k].v[2] = t->block.vz[k];
-        record[k].w[0] += spin_up*torque[3*k];
-        record[k].w[1] += spin_up*torque[3*k + 1];
-        record[k].w[2] += spin_up*torque[3*k + 2];
-    }
-}
-
-static void book_drag(const struct tray *t, const struct dem_particles *p, size_t first, double h, int rows)
-{
-    double *const impulse = dem_column(p, DEM_COLUMN_DRAG_IMPULSE) + 3*first;
-    double *const kept = dem_column(p, DEM_COLUMN_KEPT) + first;
-    double *const time = dem_column(p, DEM_COLUMN_DRAG_TIME) + first;
-
-    for (int k = 0; k < rows; k++)
-    {
-        impulse[3*k] += t->jx[k];
-        impulse[3*k + 1] += t->jy[k];
-        impulse[3*k + 2] += t->jz[k];
-        kept[k] *= t->kept[k];
-        time[k] += t->drag[k]*h;
-    }
+    return p->n - first < DEM_BLOCK ? (int)(p->n - first) : DEM_BLOCK;
 }
 
 void dem_sweep_bodies(struct dem_particles *p, const struct dem_chain *bodies, double kick, double window)
 {
-    const int fluid = dem_column(p, DEM_COLUMN_FLUID_VELOCITY) != NULL;
-    struct tray t;
+    const int fluid = dem_column(p, DEM_COLUMN_FLUID_VELOCITY) != NULL, spin = (bodies->needs & DEM_NEEDS_SPIN) != 0;
+    struct dem_body_tray t;
 
     memset(&t, 0, sizeof t);
     t.block.dt = kick;
     for (size_t first = 0; first < p->n; first += DEM_BLOCK)
     {
-        const int rows = p->n - first < DEM_BLOCK ? (int)(p->n - first) : DEM_BLOCK;
+        const int rows = rows_from(p, first);
 
-        gather_records(&t, p->record + first, dem_column(p, DEM_COLUMN_FORCE) + 3*first, rows);
+        dem_body_tray_gather(&t, p, first, rows, spin);
         if (fluid)
         {
-            gather_fluid(&t, p, first, rows, window > 0.0 ? 1.0/window : 0.0);
+            dem_body_tray_fluid(&t, p, first, rows, window > 0.0 ? 1.0/window : 0.0);
         }
         for (int k = 0; k < bodies->links; k++)
         {
@@ -210,26 +101,50 @@ void dem_sweep_bodies(struct dem_particles *p, const struct dem_chain *bodies, d
         }
         if (fluid)
         {
-            add_counterflow(&t, p, first, rows);
+            dem_body_tray_counterflow(&t, p, first, rows);
             kick_with_drag(&t, kick);
-            book_drag(&t, p, first, kick, rows);
+            dem_body_tray_book(&t, p, first, rows, kick);
         }
         else
         {
             kick_without_drag(&t, kick);
         }
-        scatter(&t, p->record + first, dem_column(p, DEM_COLUMN_TORQUE) + 3*first, kick, rows);
+        dem_body_tray_scatter(&t, p, first, rows, kick);
     }
 }
 
 /* ---- windows ------------------------------------------------------------------------------------------------- */
 
-void dem_bodies_open(struct dem_particles *p)
+/* What laws of drag make of the fluid alone. */
+static void open_laws(struct dem_particles *p, const struct dem_chain *bodies)
+{
+    struct dem_body_tray t;
+
+    memset(&t, 0, sizeof t);
+    for (size_t first = 0; dem_column(p, DEM_COLUMN_SWARM_FIRST) && first < p->n; first += DEM_BLOCK)
+    {
+        const int rows = rows_from(p, first);
+
+        dem_body_tray_gather(&t, p, first, rows, 0);
+        dem_body_tray_fluid(&t, p, first, rows, 0.0);
+        for (int k = 0; k < bodies->links; k++)
+        {
+            if (bodies->link[k].effect->open_bodies)
+            {
+                bodies->link[k].effect->open_bodies(bodies->link[k].settings, &t.block);
+            }
+        }
+        dem_body_tray_keep_swarm(&t, p, first, rows);
+    }
+}
+
+void dem_bodies_open(struct dem_particles *p, const struct dem_chain *bodies)
 {
     if (!dem_column(p, DEM_COLUMN_FLUID_VELOCITY))
     {
         return;
     }
+    open_laws(p, bodies);
     memset(dem_column(p, DEM_COLUMN_DRAG_IMPULSE), 0, 3*p->n*sizeof(double));
     memset(dem_column(p, DEM_COLUMN_DRAG_TIME), 0, p->n*sizeof(double));
     for (size_t i = 0; i < p->n; i++)

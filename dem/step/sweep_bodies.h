@@ -14,8 +14,8 @@
    impulse of the last exchange is spread; 0 for none. */
 void dem_sweep_bodies(struct dem_particles *, const struct dem_chain *bodies, double kick, double window);
 
-/* Start a window of the fluid: clear what the particles will tell it. */
-void dem_bodies_open(struct dem_particles *);
+/* Start a window of the fluid: clear what the particles will tell it, work out what its steps have in common. */
+void dem_bodies_open(struct dem_particles *, const struct dem_chain *bodies);
 
 /* End it: the response R of each particle from its drag impulse (see the definition in sweep_bodies.c). */
 void dem_bodies_close(struct dem_particles *);

@@ -39,7 +39,7 @@ static inline double body_drag(const struct dem_effect *law, const void *setting
     memset(&b, 0, sizeof b);
     b.n = 1;
     body_fill(&b, 0, 1e-3, 1000.0, 1e-3, e, re);
-    law->act_on_bodies(settings, &b);
+    dem_effect_on_bodies(law, settings, &b);
     return b.b[0]/(3.0*3.14159265358979324*1e-3*1e-3);
 }
 

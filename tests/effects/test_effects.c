@@ -191,13 +191,13 @@ static void body_effect(const struct dem_effect *e)
     {
         random_body(&many, row, row);
     }
-    e->act_on_bodies(settings, &many);
+    dem_effect_on_bodies(e, settings, &many);
     for (int row = 0; row < ROWS; row++)
     {
         memset(&one, 0, sizeof one);
         one.n = 1;
         random_body(&one, 0, row);
-        e->act_on_bodies(settings, &one);
+        dem_effect_on_bodies(e, settings, &one);
         bad += differs(many.fx, many.buz, one.fx, row);
     }
     TAP_OK(bad == 0, "%s: a row has the same bits alone and among others (%d differ)", e->name, bad);
@@ -211,7 +211,7 @@ static void body_effect(const struct dem_effect *e)
 
     memset(&many, 0, sizeof many);
     many.n = DEM_BLOCK;
-    e->act_on_bodies(settings, &many);
+    dem_effect_on_bodies(e, settings, &many);
     TAP_OK(bad_columns(many.fx, many.buz) == 0 && many.fx[DEM_BLOCK - 1] == 0.0 && many.b[0] == 0.0,
            "%s: rows of zeros", e->name);
 }
@@ -233,6 +233,7 @@ static void tells(const struct dem_effect *e)
            "%s: acts as its stage wants", e->name);
     TAP_OK(!(e->reach || e->shield) || e->stage == DEM_STAGE_BOND || e->stage == DEM_STAGE_FILM,
            "%s: only bonds and films act past touching", e->name);
+    TAP_OK(!e->open_bodies || e->drag, "%s: only a law of drag opens a window", e->name);
     TAP_OK((e->exponent > 0.0) == (e->stage == DEM_STAGE_NORMAL),
            "%s: an exponent for the normal law only", e->name);
     TAP_OK(dem_effects_find(e->name) == e, "%s: found by its word", e->name);

@@ -1,0 +1,201 @@
+/*
+ * body_tray.c -- records by fours, columns by whole vectors.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "step/body_tray.h"
+#include "effects/effect.h"
+#include "step/quad.h"
+#include <string.h>
+
+static const enum dem_column_name swarm[DEM_SWARM] = {DEM_COLUMN_SWARM_FIRST, DEM_COLUMN_SWARM_SECOND};
+
+/* ---- in ------------------------------------------------------------------------------------------------------ */
+
+/* Four records into the lanes from c on. */
+__attribute__((always_inline)) static inline void take(struct dem_body_tray *t, const struct dem_particle *const four[4], int c)
+{
+    struct dem_body_block *const b = &t->block;
+    dem_quad v[4];
+
+    for (int k = 0; k < 4; k++)
+    {
+        v[k] = DEM_QUAD(four[k]->v);
+        b->radius[c + k] = four[k]->radius;
+        b->mass[c + k] = four[k]->mass;
+    }
+    dem_quad_turn(v);
+    DEM_QUAD_AT(b->vx + c) = v[0];
+    DEM_QUAD_AT(b->vy + c) = v[1];
+    DEM_QUAD_AT(b->vz + c) = v[2];
+    DEM_QUAD_AT(t->over_m + c) = v[3];
+}
+
+DEM_KERNEL
+static void take_records(struct dem_body_tray *restrict t, const struct dem_particle *record, int rows)
+{
+    struct dem_body_block *const b = &t->block;
+    const int whole = rows/4*4;
+
+    for (int c = 0; c < whole; c += 4)
+    {
+        take(t, (const struct dem_particle *const[4]){record + c, record + c + 1, record + c + 2, record + c + 3}, c);
+    }
+    if (whole < rows)
+    {
+        const struct dem_particle *const from = record + whole, *const last = record + rows - 1;
+
+        take(t, (const struct dem_particle *const[4]){from, from + 1 < last ? from + 1 : last, from + 2 < last ? from + 2 : last, last},
+             whole);
+    }
+    for (int c = 0; c < b->n; c++)
+    {
+        b->volume[c] = dem_sphere_volume(b->radius[c]);
+        b->b[c] = b->bux[c] = b->buy[c] = b->buz[c] = 0.0;
+    }
+}
+
+static void take_spins(struct dem_body_block *b, const struct dem_particle *record, int rows)
+{
+    for (int c = 0; c < rows; c++)
+    {
+        b->wx[c] = record[c].w[0];
+        b->wy[c] = record[c].w[1];
+        b->wz[c] = record[c].w[2];
+    }
+}
+
+/* A column of vectors as three of numbers. */
+DEM_KERNEL
+static void split(const double *restrict from, int rows, double *restrict x, double *restrict y, double *restrict z)
+{
+    for (int c = 0; c < rows; c++)
+    {
+        x[c] = from[3*c];
+        y[c] = from[3*c + 1];
+        z[c] = from[3*c + 2];
+    }
+}
+
+/* The same, `share` of it, added. */
+DEM_KERNEL
+static void split_add(const double *restrict from, int rows, double share, double *restrict x, double *restrict y, double *restrict z)
+{
+    for (int c = 0; c < rows; c++)
+    {
+        x[c] += share*from[3*c];
+        y[c] += share*from[3*c + 1];
+        z[c] += share*from[3*c + 2];
+    }
+}
+
+void dem_body_tray_gather(struct dem_body_tray *t, const struct dem_particles *p, size_t first, int rows, int spin)
+{
+    struct dem_body_block *const b = &t->block;
+
+    b->n = (rows + 7)/8*8;
+    take_records(t, p->record + first, rows);
+    if (spin)
+    {
+        take_spins(b, p->record + first, rows);
+    }
+    split(dem_column(p, DEM_COLUMN_FORCE) + 3*first, rows, b->fx, b->fy, b->fz);
+}
+
+void dem_body_tray_fluid(struct dem_body_tray *t, const struct dem_particles *p, size_t first, int rows, double over_window)
+{
+    struct dem_body_block *const b = &t->block;
+    const size_t size = (size_t)rows*sizeof(double);
+
+    split(dem_column(p, DEM_COLUMN_FLUID_VELOCITY) + 3*first, rows, b->ux, b->uy, b->uz);
+    split(dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT) + 3*first, rows, b->gx, b->gy, b->gz);
+    split_add(dem_column(p, DEM_COLUMN_PENDING) + 3*first, rows, over_window, b->fx, b->fy, b->fz);
+    memcpy(b->void_fraction, dem_column(p, DEM_COLUMN_VOID_FRACTION) + first, size);
+    memcpy(b->density, dem_column(p, DEM_COLUMN_FLUID_DENSITY) + first, size);
+    memcpy(b->viscosity, dem_column(p, DEM_COLUMN_FLUID_VISCOSITY) + first, size);
+    for (int k = 0; k < DEM_SWARM && dem_column(p, swarm[k]); k++)
+    {
+        memcpy(b->swarm[k], dem_column(p, swarm[k]) + first, size);
+    }
+}
+
+DEM_KERNEL
+static void resist(struct dem_body_tray *restrict t, const double *restrict counterflow, const double *restrict start, int rows)
+{
+    struct dem_body_block *const b = &t->block;
+
+    for (int c = 0; c < rows; c++)
+    {
+        const double more = (counterflow[c] - 1.0)*b->b[c];
+
+        t->drag[c] = b->b[c];
+        b->b[c] += more;
+        b->bux[c] += more*start[3*c];
+        b->buy[c] += more*start[3*c + 1];
+        b->buz[c] += more*start[3*c + 2];
+    }
+}
+
+void dem_body_tray_counterflow(struct dem_body_tray *t, const struct dem_particles *p, size_t first, int rows)
+{
+    resist(t, dem_column(p, DEM_COLUMN_COUNTERFLOW) + first, dem_column(p, DEM_COLUMN_START_VELOCITY) + 3*first, rows);
+}
+
+void dem_body_tray_keep_swarm(const struct dem_body_tray *t, struct dem_particles *p, size_t first, int rows)
+{
+    for (int k = 0; k < DEM_SWARM; k++)
+    {
+        memcpy(dem_column(p, swarm[k]) + first, t->block.swarm[k], (size_t)rows*sizeof(double));
+    }
+}
+
+/* ---- out ----------------------------------------------------------------------------------------------------- */
+
+DEM_KERNEL
+static void put_records(const struct dem_body_tray *restrict t, struct dem_particle *restrict record, const double *restrict torque,
+                        int rows, double h)
+{
+    for (int c = 0; c < rows; c += 4)
+    {
+        dem_quad v[4] = {DEM_QUAD(t->block.vx + c), DEM_QUAD(t->block.vy + c), DEM_QUAD(t->block.vz + c), DEM_QUAD(t->over_m + c)};
+
+        dem_quad_turn(v);
+        for (int k = 0; k < 4 && c + k < rows; k++)
+        {
+            struct dem_particle *const i = &record[c + k];
+            const double up = h*i->inverse_inertia, *const m = torque + 3*(c + k);
+            const dem_quad turn = {up*m[0], up*m[1], up*m[2], 0.0};
+
+            DEM_QUAD_AT(i->v) = v[k];
+            DEM_QUAD_AT(i->w) += turn;
+        }
+    }
+}
+
+void dem_body_tray_scatter(const struct dem_body_tray *t, struct dem_particles *p, size_t first, int rows, double h)
+{
+    put_records(t, p->record + first, dem_column(p, DEM_COLUMN_TORQUE) + 3*first, rows, h);
+}
+
+DEM_KERNEL
+static void book(const struct dem_body_tray *restrict t, int rows, double h, double *restrict impulse, double *restrict kept,
+                 double *restrict time)
+{
+    for (int c = 0; c < rows; c++)
+    {
+        impulse[3*c] += t->jx[c];
+        impulse[3*c + 1] += t->jy[c];
+        impulse[3*c + 2] += t->jz[c];
+    }
+    for (int c = 0; c < rows; c++)
+    {
+        kept[c] *= t->kept[c];
+        time[c] += t->drag[c]*h;
+    }
+}
+
+void dem_body_tray_book(const struct dem_body_tray *t, struct dem_particles *p, size_t first, int rows, double h)
+{
+    book(t, rows, h, dem_column(p, DEM_COLUMN_DRAG_IMPULSE) + 3*first, dem_column(p, DEM_COLUMN_KEPT) + first,
+         dem_column(p, DEM_COLUMN_DRAG_TIME) + first);
+}

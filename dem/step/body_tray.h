@@ -1,0 +1,42 @@
+/*
+ * body_tray.h -- one block of particles on its way through the sweep of bodies: in from records and columns, out again.
+ *
+ * A tray keeps its lanes from block to block: those past the last row of the last block hold numbers of the block before, or
+ * zeros, and go nowhere.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_STEP_BODY_TRAY_H
+#define DEM_STEP_BODY_TRAY_H
+
+#include "effects/block.h"
+#include "state/particles.h"
+
+struct dem_body_tray
+{
+    struct dem_body_block block;
+    _Alignas(64) double over_m[DEM_BLOCK];                /* 1/kg  inverse inertial mass */
+    _Alignas(64) double jx[DEM_BLOCK], jy[DEM_BLOCK], jz[DEM_BLOCK];          /* N s   drag impulse of this kick */
+    _Alignas(64) double kept[DEM_BLOCK];                  /* 1     exp(-z) */
+    _Alignas(64) double drag[DEM_BLOCK];                  /* kg/s  b without counterflow */
+};
+
+/* The rows [first, first + rows) of the particles with their contact forces; the columns of drag are cleared. With `spin` the spins. */
+void dem_body_tray_gather(struct dem_body_tray *, const struct dem_particles *, size_t first, int rows, int spin);
+
+/* What they see of the fluid; the pending impulse joins the force at so much of it per second. */
+void dem_body_tray_fluid(struct dem_body_tray *, const struct dem_particles *, size_t first, int rows, double over_window);
+
+/* What the law of drag has made of the fluid alone, for the steps of this window. */
+void dem_body_tray_keep_swarm(const struct dem_body_tray *, struct dem_particles *, size_t first, int rows);
+
+/* The fluid makes room for what particles have moved since the window's start: see sweep_bodies.c. */
+void dem_body_tray_counterflow(struct dem_body_tray *, const struct dem_particles *, size_t first, int rows);
+
+/* The new velocities go home; contact torques turn the spins over the kick h [s]. */
+void dem_body_tray_scatter(const struct dem_body_tray *, struct dem_particles *, size_t first, int rows, double h);
+
+/* What drag did in the kick h [s] joins the columns that the fluid is told. */
+void dem_body_tray_book(const struct dem_body_tray *, struct dem_particles *, size_t first, int rows, double h);
+
+#endif
