@@ -1,9 +1,11 @@
 /*
  * Claims: a sphere that falls on a linear spring with a dashpot rebounds at the time, with the speed and to the height of the
  * damped oscillator under its weight (0.1 %), with the dashpot given by restitution and by
- * coefficient; three spheres in a row of Newton's cradle on linear springs part with the speeds of the exact solution.
+ * coefficient; it hops on as the same formula says from hop to hop, and on a stiff spring to R + (h - R) e^(2 n) (1 %); two spheres
+ * squeezed in a gap swing as an integration has it (0.05 % of a diameter) and come to rest where statics says; three spheres in a row of Newton's cradle on linear springs part with the speeds of the exact solution.
  *
- * Set: DEM01 of the MFiX-DEM suite, Garg, Galvin, Li, Pannala, Powder Technol. 220 (2012) 122; bounce_spring.csv.
+ * Sets: DEM01 to DEM03 of the MFiX-DEM suite, Garg, Galvin, Li, Pannala, Powder Technol. 220 (2012) 122; bounce_spring.csv,
+ * squeezed_pair.csv.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -60,6 +62,156 @@ static void bounce(const double *t, int by_coefficient)
     dem_free(d);
 }
 
+/* ---- hop after hop ------------------------------------------------------------------------------------------------- */
+
+/* Speed with which a sphere that meets the spring at v leaves it, under its weight: the first root of the damped swing
+   exp(-z w s) (c cos + b sin) = c about the place of rest, c = g/w^2. */
+static double leaves(double v, double w, double z)
+{
+    const double f = w*sqrt(1.0 - z*z), c = g/(w*w), b = (z*w*c - v)/f;
+    double low = 0.3*world_pi/f, high = 2.0*world_pi/f;
+
+    for (double s = low; s < high; s += 1e-3/f)
+    {
+        const double y = exp(-z*w*s)*(c*cos(f*s) + b*sin(f*s)) - c;
+
+        high = y >= 0.0 ? s : high;
+        low = y >= 0.0 ? low : s;
+    }
+    for (int k = 0; k < 60; k++)
+    {
+        const double s = 0.5*(low + high), y = exp(-z*w*s)*(c*cos(f*s) + b*sin(f*s)) - c;
+
+        high = y >= 0.0 ? s : high;
+        low = y >= 0.0 ? low : s;
+    }
+    return exp(-z*w*high)*((f*b - z*w*c)*cos(f*high) - (f*c + z*w*b)*sin(f*high));
+}
+
+/* `steps` a contact time */
+static void hops(double k, double e, double steps)
+{
+    const double m = world_ball(R, density), L = -log(e), z = L/sqrt(world_pi*world_pi + L*L), step = world_pi*sqrt(m/k)/steps;
+    const struct dem_seed seed = {.position = {0.0, 0.0, height}, .diameter = 2.0*R, .material = "b"};
+    char *const scene = world_text("materials { b { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; } dry { restitution %g; }"
+                                   "gravity { acceleration (0 0 -%.17g); } } time { step %.17g; }"
+                                   "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }", density, k, e, g, step);
+    struct dem *const d = world(scene, 1, &seed);
+    double speed = sqrt(2.0*g*(height - R)), hard = height - R;
+
+    world_run(d, 0.95*sqrt(2.0*(height - R)/g));          /* on its way down */
+    for (int n = 1; n <= 4; n++)
+    {
+        double up = 0.0, before;
+
+        do
+        {
+            world_step(d);
+            before = up;
+            up = world_at(d, 0).v[2];
+        }
+        while (!(before > 0.0 && up <= 0.0 && world_at(d, 0).x[2] > R));
+        const double apex = world_at(d, 0).x[2];
+
+        speed = leaves(speed, sqrt(k/m), z);
+        hard *= e*e;
+        /* a step of a contact more or less in each speed, so twice that in the height */
+        TAP_NEAR(apex - R, speed*speed/(2.0*g), 2.0*n/steps*(apex - R), "k %g N/m, e %g: hop %d, to %.5f m", k, e, n, apex);
+        if (k > 1e6)
+        {
+            /* the weight on the spring takes some of the last, slowest hops */
+            TAP_NEAR(apex, R + hard, 1e-2*apex, "k %g N/m, e %g: hop %d, to R + (h - R) e^(2 n)", k, e, n);
+        }
+    }
+    dem_free(d);
+    free(scene);
+}
+
+/* ---- squeezed ------------------------------------------------------------------------------------------------------ */
+
+/* No scene may begin with overlaps of a tenth of a diameter. So they start side by side in one list, and the test puts them into
+   the gap and gives them the half kick of the springs that the start had no force for. */
+static struct dem *squeezed(double e, double share)
+{
+    const double m[2] = {world_ball(5e-4, 2e4), world_ball(5e-4, 1e4)}, step = world_pi*sqrt(m[0]/3.0/1e3)*share;
+    const double height[2] = {4.5e-4, 1.35e-3}, push[2] = {1e3*(5e-5 - 1e-4), 1e3*(1e-4 - 5e-5)};
+    const struct dem_seed seed[2] = {{.position = {0.0, 0.0, 9e-4}, .diameter = 1e-3, .id = 0, .material = "heavy"},
+                                     {.position = {1.05e-3, 0.0, 9e-4}, .diameter = 1e-3, .id = 1, .material = "light"}};
+    char *const scene = world_text("materials { heavy { density 2e4; youngsModulus 1e7; } light { density 1e4; youngsModulus 1e7; } }"
+                                   "effects { hooke { stiffness 1000; } dry { restitution %g; } gravity { acceleration (0 0 -%.17g); } }"
+                                   "time { step %.17g; } neighbours { outerSkin 2; innerSkin 2; }"
+                                   "walls { floor { type plane; material heavy; point (0 0 0); normal (0 0 1); }"
+                                   " lid { type plane; material heavy; point (0 0 1.8e-3); normal (0 0 -1); } }", e, g, step);
+    struct dem *const d = world(scene, 2, seed);
+    struct dem_view v;
+
+    dem_view(d, &v);
+    for (size_t k = 0; k < v.n; k++)
+    {
+        const size_t i = (size_t)world_id(&v, k);
+        double *const x = (double *)(uintptr_t)dem_at(v.position, v.stride, k);
+
+        x[0] = 0.0, x[2] = height[i];
+        ((double *)(uintptr_t)dem_at(v.velocity, v.stride, k))[2] = 0.5*step*push[i]/m[i];
+    }
+    free(scene);
+    return d;
+}
+
+/* rows of one restitution: restitution, time, heights of both */
+static void squeeze(const double *row, int rows, double share)
+{
+    struct dem *const d = squeezed(row[0], share);
+    struct world_particle before[2], now[2];
+    double time = 0.0, worst = 0.0;
+
+    world_all(d, now);
+    for (int k = 0; k < rows; k++)
+    {
+        const double *const t = row + 4*k;
+
+        memcpy(before, now, sizeof now);
+        while (time < t[1])
+        {
+            memcpy(before, now, sizeof now);
+            world_step(d);
+            world_all(d, now);
+            time += dem_step_limit(d).used;
+        }
+        const double part = (time - t[1])/dem_step_limit(d).used;
+
+        for (int i = 0; i < 2; i++)
+        {
+            worst = fmax(worst, fabs((1.0 - part)*now[i].x[2] + part*before[i].x[2] - t[2 + i])/1e-3);
+        }
+    }
+    /* second order in the step without a dashpot, t_c/50 then; first order with one, t_c/2000 */
+    TAP_NEAR(worst, 0.0, 5e-4, "squeezed pair, e %g: %d places of both", row[0], rows);
+    dem_free(d);
+}
+
+static void squeezes(void)
+{
+    double table[80*4];
+    const int rows = world_table("physics/squeezed_pair.csv", 4, 80, table);
+
+    TAP_OK(rows == 66, "%d rows in squeezed_pair.csv", rows);
+    for (int k = 0; k + 11 <= rows; k += 11)
+    {
+        squeeze(table + 4*k, 11, table[4*k] == 1.0 ? 0.02 : 5e-4);
+    }
+    struct dem *const d = squeezed(0.5, 0.02);
+
+    world_run(d, 0.05);
+    const double lower = world_at(d, 0).x[2], upper = world_at(d, 1).x[2];
+
+    /* three springs share 0.2 mm and two weights; digits printed */
+    TAP_NEAR(5e-4 - lower, 66.752e-6, 1e-9, "at rest: %.3f um at the floor", 1e6*(5e-4 - lower));
+    TAP_NEAR(1e-3 - upper + lower, 66.650e-6, 1e-9, "%.3f um between them", 1e6*(1e-3 - upper + lower));
+    TAP_NEAR(upper + 5e-4 - 1.8e-3, 66.598e-6, 1e-9, "%.3f um at the lid", 1e6*(upper + 5e-4 - 1.8e-3));
+    dem_free(d);
+}
+
 /* equal spheres that just touch, the first comes at 1 m/s: speeds of the linear chain, from its independent integration */
 static void cradle(void)
 {
@@ -99,6 +251,12 @@ int main(void)
         bounce(table + COLUMNS*k, 0);
     }
     bounce(table + COLUMNS*(rows - 1), 1);
+    for (int k = 6; k <= 9; k++)
+    {
+        hops(5e4, 0.1*k, 2000.0);
+        hops(5e6, 0.1*k, 400.0);
+    }
+    squeezes();
     cradle();
     TAP_DONE;
 }

@@ -152,6 +152,23 @@ static void damped(const struct impact *i, double e)
     TAP_NEAR(o.mean, e, 6e-4, "%s: restitution %g comes out as %.5f", i->name, e, o.mean);
 }
 
+/* e = 0 is critical damping of the last moments: a Hertzian contact creeps apart, ever slower, and never bounces */
+static void plastic(const struct impact *i)
+{
+    const double step = contact_time(i)/400.0;
+    struct dem *const d = start(i, step, "dry { restitution 0; }");
+    double fastest = 0.0;
+
+    world_run(d, 10.0*contact_time(i));
+    for (int k = 0; k < PHASES; k++)
+    {
+        fastest = fmax(fastest, fabs(world_at(d, k).v[2])/i->speed);
+    }
+    /* 1 % asked for */
+    TAP_NEAR(fastest, 0.0, 1e-2, "%s: restitution 0 leaves %.2g of the speed after ten contact times", i->name, fastest);
+    dem_free(d);
+}
+
 int main(void)
 {
     static const struct impact cases[] =
@@ -180,6 +197,7 @@ int main(void)
     }
     order(&cases[0]);
     order(&cases[2]);
+    plastic(&oxide);
     for (int k = 1; k <= 5; k++)
     {
         damped(&oxide, 0.2*k);

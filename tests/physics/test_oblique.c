@@ -4,6 +4,8 @@
  * pair gives the same as a plane; angular momentum is kept; two equal spheres of opposite spin do not notice it, two of
  * like spin exchange no more than mu times the normal impulse.
  *
+ * On linear springs the same; against the measurement, and against MFiX-DEM's answers to its DEM05, as near as its authors ask.
+ *
  * Sets: Kharaz, Gorham, Salman, Powder Technol. 120 (2001) 281 (5 mm aluminium oxide on glass, 3.9 m/s); tests 4 and 7 of
  * Chung and Ooi, Granul. Matter 13 (2011) 643.
  *
@@ -30,35 +32,46 @@ static double contact_time(double normal_speed)
 }
 
 /* One sphere an angle, all at once, from above onto z = 0, towards +x. */
-static struct dem *throw_all(const double *table, int rows, double step)
+static struct dem *throw_all(const char *laws, const double *table, int columns, int rows, double step)
 {
     struct dem_seed seed[MOST];
 
     memset(seed, 0, sizeof seed);
     for (int k = 0; k < rows; k++)
     {
-        const double angle = table[COLUMNS*k]*world_pi/180.0;
+        const double angle = table[columns*k]*world_pi/180.0;
         const double phase = (k*0.618033988749895 - floor(k*0.618033988749895))*step;
 
         seed[k] = (struct dem_seed){.position = {0.0, 4.0*radius*k, radius + speed*cos(angle)*phase}, .diameter = 2.0*radius,
                                     .velocity = {speed*sin(angle), 0.0, -speed*cos(angle)}, .id = k, .material = "oxide"};
     }
-    char *const scene = world_text("%s effects { hertz { impactSpeed 4; } mindlin { friction %g; } } time { step %.17g; }"
+    char *const scene = world_text("%s effects { %s } time { step %.17g; }"
                                    "walls { plate { type plane; material glass; point (0 0 0); normal (0 0 1); } }",
-                                   materials, friction, step);
+                                   materials, laws, step);
     struct dem *const d = world(scene, rows, seed);
 
     free(scene);
     return d;
 }
 
-static void kharaz(void)
+static const char mindlin[] = "hertz { impactSpeed 4; } mindlin { friction 0.092; }";
+static const char linear[] = "hooke { stiffness 1.72e7; } linear { friction 0.092; stiffness 1.48e7; }";
+
+/* mean of the overlap of an impact, weighted with the force: over its largest, 0.5 Gamma(1.4) Gamma(0.5)/Gamma(1.9) of Hertz,
+   pi/4 of a linear spring */
+static double pressed(const char *laws, double mass, double modulus, double normal)
+{
+    return laws == linear ? 0.25*world_pi*normal*sqrt(mass/1.72e7)
+                          : 0.8176*pow(15.0*mass*normal*normal/(16.0*modulus*sqrt(radius)), 0.4);
+}
+
+static void kharaz(const char *name, const char *laws)
 {
     double table[COLUMNS*MOST];
     const double modulus = 1.0/((1.0 - 0.23*0.23)/380e9 + (1.0 - 0.25*0.25)/70e9);
-    const int rows = world_table("physics/oblique_kharaz.csv", COLUMNS, MOST, table);
+    const int rows = world_table(name, COLUMNS, MOST, table);
     const double step = contact_time(speed)/400.0;
-    struct dem *const d = throw_all(table, rows, step);
+    struct dem *const d = throw_all(laws, table, COLUMNS, rows, step);
 
     /* the slowest strikes at 5 degrees from grazing: (1/cos 85)^(1/5) = 1.63 times as long */
     world_run(d, 2.0*contact_time(speed));
@@ -74,10 +87,8 @@ static void kharaz(void)
            between slip and stick: 2 %; near the normal the speed is a difference of small numbers, 2 % of e_t = 1. */
         const double share = t[0] >= 30.0 ? 3e-3 : 2e-2;
 
-        /* the contact point lies on the wall, so the lever is shorter than R by the overlap: on the mean of an impact,
-           weighted with the force, by 0.8176 of the largest overlap (0.5 Gamma(1.4) Gamma(0.5)/Gamma(1.9)) */
-        const double normal = speed*cos(angle), deepest = pow(15.0*p.mass*normal*normal/(16.0*modulus*sqrt(radius)), 0.4);
-        const double lever = t[0] >= 30.0 ? 1.0 - 0.8176*deepest/radius : 1.0;
+        /* the contact point lies on the wall, so the lever is shorter than R by the overlap */
+        const double normal = speed*cos(angle), lever = t[0] >= 30.0 ? 1.0 - pressed(laws, p.mass, modulus, normal)/radius : 1.0;
         /* sticking, the spin is what the swings of the spring leave: 2 % of that of rolling */
         const double spin = t[0] >= 30.0 ? share*t[2] : share*fmax(t[2], speed*sin(angle)/radius);
 
@@ -99,6 +110,70 @@ static void kharaz(void)
         TAP_NEAR(fabs(p.v[1]) + fabs(p.w[0]) + fabs(p.w[2]), 0.0, 1e-12*speed, "%g degrees: stays in its plane", t[0]);
     }
     dem_free(d);
+}
+
+/* Root mean square of the distance from the measured points, between 20 and 60 degrees. */
+static void measured(const char *name, const char *laws)
+{
+    double table[3*64], point[2*64] = {0}, square = 0.0;
+    const double step = contact_time(speed)/400.0;
+    const int rows = world_table("physics/kharaz_measured.csv", 3, 64, table);
+    int n = 0;
+
+    for (int k = 0; k < rows; k++)
+    {
+        if (table[3*k] == 1.0 && table[3*k + 1] > 20.0 && table[3*k + 1] < 60.5)
+        {
+            memcpy(point + 2*n++, table + 3*k + 1, 2*sizeof *point);
+        }
+    }
+    struct dem *const d = throw_all(laws, point, 2, n, step);
+
+    world_run(d, 2.0*contact_time(speed));
+    for (int k = 0; k < n; k++)
+    {
+        const struct world_particle p = world_at(d, k);
+        const double off = atan2(p.v[0], p.v[2])*180.0/world_pi - point[2*k + 1];
+
+        square += off*off/n;
+    }
+    /* the figures read to half a degree; e is 1 here and 0.98 there, half a degree at 45 */
+    TAP_OK(n == 5 && sqrt(square) < 1.5, "%s: rebounds %.2f degrees from the measured ones (root mean square of %d)", name, sqrt(square), n);
+    dem_free(d);
+}
+
+/* MFiX-DEM's own output: angle; e_t, spin, angle of rebound with Hertz's law; e_t with linear springs */
+static void mfix(void)
+{
+    static const double table[][5] = {
+        {5, 0.940, 20.3, 4.702, 0.798}, {10, 0.690, 208.4, 6.940, 0.656}, {20, 0.6150, 510.5, 12.618, 0.595},
+        {25, 0.6343, 599.5, 16.477, 0.622}, {30, 0.6813, 618.4, 21.472, 0.6813}, {45, 0.8160, 505.3, 39.214, 0.8160},
+        {60, 0.8938, 357.7, 57.139, 0.8938},
+    };
+    const double step = contact_time(speed)/400.0;
+
+    for (int law = 0; law < 2; law++)
+    {
+        struct dem *const d = throw_all(law ? linear : mindlin, table[0], 5, 7, step);
+
+        world_run(d, 2.0*contact_time(speed));
+        for (int k = 0; k < 7; k++)
+        {
+            const double *const t = table[k], angle = t[0]*world_pi/180.0;
+            const struct world_particle p = world_at(d, k);
+            const double et = p.v[0]/(speed*sin(angle));
+
+            /* theirs at fewer steps a contact; its suite asks for 5 %, the sticking part differs by 1 to 2 %; sliding is exact */
+            TAP_NEAR(et, t[law ? 4 : 1], (t[0] >= 30.0 ? 2e-3 : 2e-2)*et, "%g degrees, %s: e_t %.4f as with MFiX-DEM", t[0],
+                     law ? "linear" : "mindlin", et);
+            if (law == 0)
+            {
+                TAP_NEAR(p.w[1], t[2], 1e-2*599.5, "%g degrees: spin %.1f, MFiX-DEM %.1f", t[0], p.w[1], t[2]);
+                TAP_NEAR(atan2(p.v[0], p.v[2])*180.0/world_pi, t[3], 2e-2*t[3], "%g degrees: rebound as with MFiX-DEM", t[0]);
+            }
+        }
+        dem_free(d);
+    }
 }
 
 /* Two equal aluminium spheres, head-on at 0.2 m/s each, along x; spins about y. Returns the impulse of all pushes [N s],
@@ -163,7 +238,11 @@ static void pairs(void)
 int main(void)
 {
     TAP_TRAPS;
-    kharaz();
+    kharaz("physics/oblique_kharaz.csv", mindlin);
+    kharaz("physics/oblique_kharaz_linear.csv", linear);
+    measured("mindlin", mindlin);
+    measured("linear", linear);
+    mfix();
     pairs();
     TAP_DONE;
 }
