@@ -64,6 +64,34 @@ static double width(const struct dem_parts *p, int axis)
     return isfinite(high - low) && high > low ? high - low : 0.0;
 }
 
+/* 1 when a wall may narrow or slant the room along an axis: neither a plane nor a tube around it lies along it or across it. */
+static int bends(const struct dem_wall *w, int axis)
+{
+    const double along = fabs(w->normal[axis]);
+
+    return w->shape == DEM_SHAPE_PLANE ? along != 1.0 && along != 0.0
+         : w->shape == DEM_SHAPE_CYLINDER ? w->outside || along != 1.0 : 1;
+}
+
+/* m2 of a straight room along an axis: of the narrowest tube, or between planes, or of a periodic domain; 0 unknown. */
+static double straight(const struct dem_parts *p, int axis)
+{
+    const double flat = width(p, (axis + 1)%3)*width(p, (axis + 2)%3);
+    double least = flat > 0.0 ? flat : INFINITY;
+
+    for (int k = 0; k < p->walls.walls; k++)
+    {
+        const struct dem_wall *const w = &p->walls.wall[k];
+
+        if (bends(w, axis))
+        {
+            return 0.0;
+        }
+        least = w->shape == DEM_SHAPE_CYLINDER ? fmin(least, 3.14159265358979324*w->radius*w->radius) : least;
+    }
+    return isfinite(least) ? least : 0.0;
+}
+
 /* m2 that the bed stands on: given, or of a straight room along gravity; 0 unknown. */
 static double cross_section(const struct dem_plan *p, const double g[3])
 {
@@ -75,7 +103,7 @@ static double cross_section(const struct dem_plan *p, const double g[3])
     {
         if (g[axis] != 0.0 && g[(axis + 1)%3] == 0.0 && g[(axis + 2)%3] == 0.0)
         {
-            return width(p->parts, (axis + 1)%3)*width(p->parts, (axis + 2)%3);
+            return straight(p->parts, axis);
         }
     }
     return 0.0;

@@ -70,6 +70,35 @@ static void test_cup(void)
     dem_free(w);
 }
 
+/* A column needs a section that is the same all along: "weight ... N, ... Pa over A m2"; nothing is told where it is unknown. */
+static double section(const char *walls)
+{
+    char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; } }"
+                                   "effects { gravity { acceleration (0 0 -9.81); } hertz { } } walls { %s }"
+                                   "insert { grains { type lattice; count 10; diameter 1e-3; min (0 0 0); max (0.01 0.01 0.01); } }", walls);
+    struct dem *const w = world(scene, 0, NULL);
+    const char *const text = plan(w, (struct dem_prospect){.duration = 1.0});
+    const double area = told(text, " Pa over ");
+
+    free(scene);
+    dem_free(w);
+    return area;
+}
+
+static void test_columns(void)
+{
+    static const char tube[] = "t { type cylinder; point (0 0 0); axis (0 0 -2); radius 0.02; particles inside; }";
+    static const char hall[] = "h { type box; min (-1 -1 0); max (1 1 1); }";
+    const double disc = world_pi*4e-4;
+
+    TAP_NEAR(section(tube), disc, digits*disc, "a tube is a column");
+    TAP_NEAR(section(world_text("%s %s", tube, hall)), disc, digits*disc, "a tube in a box, too");
+    TAP_NEAR(section(hall), 4.0, digits*4.0, "a box is a column");
+    TAP_OK(isnan(section(world_text("%s r { type plane; point (-0.1 0 0); normal (1 0 1); }", hall))), "a ramp makes it none");
+    TAP_OK(isnan(section(world_text("%s f { type triangles; corners ((0.5 0 0) (1 0 1) (0.5 1 0)); }", hall))), "nor is it with triangles");
+    TAP_OK(isnan(section("t { type cylinder; point (0 0 0); axis (0 1 0); radius 0.03; particles inside; }")), "nor a tube that lies");
+}
+
 /* ---- fluidisation ---------------------------------------------------------------------------------------------- */
 
 /* Ergun: 3 pi mu d u (150 s + 1.75 e rho d u/mu)/(18 e) = e V (rho_p - rho) g, a quadratic in u; returns e u */
@@ -206,6 +235,7 @@ int main(void)
 {
     TAP_TRAPS;
     test_cup();
+    test_columns();
     test_bed_in_scene();
     test_bed_by_columns();
     test_cost();
