@@ -353,13 +353,9 @@ static int pair_near(const struct dem_pairs *s, const struct dem_particles *p, c
 
 static int wall_near(const struct dem_pairs *s, const struct dem_particles *p, const struct dem_walls *w, const struct dem_pair *q)
 {
-    const struct dem_wall_near *const near = &s->search.near[q->j];
-    const struct dem_region *const region = &w->region[near->region];
     const struct dem_particle *const i = &p->record[q->i];
-    double room[3], normal[3];
-    const double h = dem_region_height(region, dem_walls_own(w, region->wall, i->x, room), normal);
 
-    return !near->open || (region->shape == DEM_SHAPE_TRIANGLES ? fabs(h) : h) < i->radius + s->inner;
+    return dem_wall_search_distance(&s->search, w, &s->search.near[q->j], i->x) < i->radius + s->inner;
 }
 
 int dem_pairs_prune(struct dem_pairs *s, const struct dem_particles *p, const struct dem_walls *w, struct dem_contacts *c)

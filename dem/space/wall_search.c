@@ -7,8 +7,12 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/vec.h"
+#include <float.h>
 #include <math.h>
 #include <string.h>
+
+/* Far above round-off and what counts as flat, and little: a triangle further off than the plane of its region is not looked at. */
+static const double surely_out = 1.001;
 
 enum
 {
@@ -52,22 +56,15 @@ double dem_triangle_nearest(const struct dem_triangle *t, const double x[3], dou
     dem_vec_minus(t->corner[1], t->corner[0], ab);
     dem_vec_minus(t->corner[2], t->corner[0], ac);
     dem_vec_cross(ab, ac, n);
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 3 && inside; k++)
     {
-        const double *const a = t->corner[k], *const b = t->corner[(k + 1)%3];
-        double edge[3], to[3], out[3], on[3];
+        const double *const a = t->corner[k];
+        double edge[3], to[3], out[3];
 
-        dem_vec_minus(b, a, edge);
+        dem_vec_minus(t->corner[(k + 1)%3], a, edge);
         dem_vec_minus(x, a, to);
         dem_vec_cross(edge, n, out);
-        inside &= dem_vec_dot(to, out) <= 0.0;
-        const double square = nearest_on_edge(a, b, x, on);
-
-        if (square < best)
-        {
-            best = square;
-            memcpy(nearest, on, sizeof on);
-        }
+        inside = dem_vec_dot(to, out) <= 0.0;
     }
     if (inside)
     {
@@ -80,7 +77,52 @@ double dem_triangle_nearest(const struct dem_triangle *t, const double x[3], dou
         }
         return height*height*dem_vec_dot(n, n);
     }
+    for (int k = 0; k < 3; k++)
+    {
+        double on[3];
+        const double square = nearest_on_edge(t->corner[k], t->corner[(k + 1)%3], x, on);
+
+        if (square < best)
+        {
+            best = square;
+            memcpy(nearest, on, sizeof on);
+        }
+    }
     return best;
+}
+
+double dem_wall_search_nearest(const struct dem_wall_search *s, const struct dem_walls *w, const struct dem_wall_near *near,
+                               const double x[3], double point[3])
+{
+    double best = DBL_MAX, here[3];
+
+    for (uint32_t c = near->first; c < near->first + near->count; c++)
+    {
+        const double square = dem_triangle_nearest(&w->triangle[s->candidate[c]], x, here);
+
+        if (square < best)
+        {
+            best = square;
+            memcpy(point, here, sizeof here);
+        }
+    }
+    return sqrt(best);
+}
+
+double dem_wall_search_distance(const struct dem_wall_search *s, const struct dem_walls *w, const struct dem_wall_near *near,
+                                const double world[3])
+{
+    const struct dem_region *const r = &w->region[near->region];
+    double room[3], there[3];
+    const double *const x = dem_walls_own(w, r->wall, world, room);
+
+    if (!near->open)
+    {
+        return dem_wall_search_nearest(s, w, near, x, there);
+    }
+    const double h = dem_region_height(r, x, there);
+
+    return r->shape == DEM_SHAPE_TRIANGLES ? fabs(h) : h;
 }
 
 /* ---- the grid ------------------------------------------------------------------------------------------------ */
@@ -218,6 +260,13 @@ static int wholes_near(struct dem_wall_search *s, const struct dem_walls *w, con
     return DEM_OK;
 }
 
+static inline double plane_height(const struct dem_walls *w, uint32_t t, const double x[3])
+{
+    const struct dem_region *const r = &w->region[w->triangle[t].region];
+
+    return dem_vec_dot(r->normal, x) - r->offset;
+}
+
 /* The triangles in reach, each once, of the walls that move this way (-1: rest), in whose frame x is. */
 static int gather_triangles(struct dem_wall_search *s, const struct dem_walls *w, int moving, const double x[3], double reach)
 {
@@ -239,7 +288,7 @@ static int gather_triangles(struct dem_wall_search *s, const struct dem_walls *w
                 const uint32_t t = s->entry[e];
 
                 if (s->seen[t] != s->stamp && w->wall[w->triangle[t].wall].moving == moving
-                    && dem_triangle_nearest(&w->triangle[t], x, nearest) < reach*reach)
+                    && fabs(plane_height(w, t, x)) < surely_out*reach && dem_triangle_nearest(&w->triangle[t], x, nearest) < reach*reach)
                 {
                     DEM_TRY(DEM_GROW(s->candidate, s->candidate_room, s->candidates + 1));
                     s->candidate[s->candidates++] = t;

@@ -42,6 +42,14 @@ int dem_wall_search_prepare(struct dem_wall_search *, const struct dem_walls *, 
 /* All nears of the owned particles, within `skin` [m] past touching. */
 int dem_wall_search_find(struct dem_wall_search *, const struct dem_walls *, const struct dem_particles *, double skin);
 
+/* How far [m] a point of the world is from the region of a near, as contacts see it: negative behind what has one side. */
+double dem_wall_search_distance(const struct dem_wall_search *, const struct dem_walls *, const struct dem_wall_near *,
+                                const double x[3]);
+
+/* The nearest point of a near's triangles to x, which is in their wall's frame. Returns the distance [m]. */
+double dem_wall_search_nearest(const struct dem_wall_search *, const struct dem_walls *, const struct dem_wall_near *, const double x[3],
+                               double point[3]);
+
 /* The point of a triangle nearest to x (Voronoi regions of the triangle). Returns the squared distance [m2]. */
 double dem_triangle_nearest(const struct dem_triangle *, const double x[3], double nearest[3]);
 

@@ -54,7 +54,7 @@ static void say_side(const struct dem_domain *d, const struct dem_particle *i, c
     say(cause, "left through domain %s %c at %.3g m/s", high ? "max" : "min", 'x' + axis, dem_vec_norm(i->v));
 }
 
-/* The wall that it is deepest behind, or the nearest one in reach. Distances are those of the last sweep and one drift. */
+/* The wall that it is deepest behind, or the nearest one in reach. */
 static void say_wall(const struct dem_parts *p, size_t i, char cause[DEM_CAUSE_SIZE])
 {
     const struct dem_contacts *const c = &p->contacts;
@@ -65,10 +65,10 @@ static void say_wall(const struct dem_parts *p, size_t i, char cause[DEM_CAUSE_S
     {
         const struct dem_pair *const q = &c->pair[c->entry[e] >> 1];
 
-        if (q->wall && p->touches.touch[q->j].distance < DBL_MAX)
+        if (q->wall)
         {
-            const struct dem_wall_touch *const t = &p->touches.touch[q->j];
-            const double distance = t->distance + p->dt*dem_vec_dot(t->normal, p->particles.record[i].v);
+            const double distance = dem_wall_search_distance(&p->pairs.search, &p->walls, &p->pairs.search.near[q->j],
+                                                             p->particles.record[i].x);
 
             nearest = distance < least ? q : nearest;
             least = fmin(least, distance);

@@ -30,6 +30,18 @@ int dem_wall_books_open(struct dem_wall_books *b, int walls)
     return DEM_OK;
 }
 
+/* 0 where a row does nothing, as most rows near a wall: exact sums don't feel a zero. */
+static int pushes(const struct dem_contacts *c, uint32_t r)
+{
+    int some = 0;
+
+    for (uint32_t k = 0; k < 3; k++)
+    {
+        some |= c->push[r].f[k] != 0.0 || (c->moments && c->moment[3*r + k] != 0.0);
+    }
+    return some;
+}
+
 void dem_wall_books_sum(const struct dem_parts *p, int wall, double factor, struct dem_sum *sum)
 {
     const struct dem_contacts *const c = &p->contacts;
@@ -46,6 +58,10 @@ void dem_wall_books_sum(const struct dem_parts *p, int wall, double factor, stru
             struct dem_sum *const to = sum + (wall < 0 ? 6*here : 0);
             double moment[3];
 
+            if (!pushes(c, r))
+            {
+                continue;
+            }
             dem_vec_cross(p->touches.touch[q->j].point, f, moment);
             for (uint32_t k = 0; k < 3 && (wall < 0 || wall == here); k++)
             {

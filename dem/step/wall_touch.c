@@ -19,12 +19,14 @@ void dem_wall_touches_free(struct dem_wall_touches *t)
 {
     dem_memory_free(t->touch);
     dem_memory_free(t->share);
+    dem_memory_free(t->list);
     memset(t, 0, sizeof *t);
 }
 
 int dem_wall_touches_fit(struct dem_wall_touches *t, const struct dem_wall_search *s)
 {
-    t->shared = 0;
+    t->shared = t->listed = 0;
+    DEM_TRY(DEM_GROW(t->list, t->list_room, s->nears + 1));
     DEM_TRY(DEM_GROW(t->touch, t->room, s->nears + 1));
     return DEM_GROW(t->share, t->shared_room, s->nears + 1);
 }
@@ -43,6 +45,16 @@ void dem_wall_touches_rows(struct dem_wall_touches *t, const struct dem_wall_sea
         {
             t->touch[q->j].row = r;
         }
+    }
+    t->listed = 0;
+    for (size_t k = 0; k < s->nears; k++)
+    {
+        if (t->touch[k].row != DEM_ROW_NONE)
+        {
+            t->list[t->listed++] = (uint32_t)k;
+        }
+        t->touch[k].distance = DBL_MAX;
+        t->touch[k].drop = 0;
     }
 }
 
@@ -63,32 +75,13 @@ static inline void touch_whole(const struct dem_region *r, const double x[3], st
     }
 }
 
-/* The nearest point of a list of triangles of one region. */
-static double nearest_of(const struct dem_wall_search *s, const struct dem_walls *w, const struct dem_wall_near *near,
-                         const double x[3], double point[3])
-{
-    double best = DBL_MAX, here[3];
-
-    for (uint32_t c = near->first; c < near->first + near->count; c++)
-    {
-        const double square = dem_triangle_nearest(&w->triangle[s->candidate[c]], x, here);
-
-        if (square < best)
-        {
-            best = square;
-            memcpy(point, here, sizeof here);
-        }
-    }
-    return sqrt(best);
-}
-
 static void touch_triangles(const struct dem_wall_search *s, const struct dem_walls *w, const struct dem_wall_near *near,
                             const double x[3], double radius, struct dem_wall_touch *t)
 {
     struct dem_wall_touch face;
     double away[3];
 
-    t->distance = nearest_of(s, w, near, x, t->point);
+    t->distance = dem_wall_search_nearest(s, w, near, x, t->point);
     touch_whole(&w->region[near->region], x, &face);
     dem_vec_minus(face.point, t->point, away);
     if (dem_vec_norm(away) < same_point*radius || t->distance == 0.0)
@@ -139,7 +132,7 @@ static int lies_on(const struct dem_wall_search *s, const struct dem_walls *w, c
     {
         return fabs(dem_region_height(r, x, normal)) < tolerance;
     }
-    return nearest_of(s, w, near, x, on) < tolerance;
+    return dem_wall_search_nearest(s, w, near, x, on) < tolerance;
 }
 
 /* 1 when b goes before a: an order of all touches, so never two that give way to each other. */
@@ -172,7 +165,7 @@ static size_t first_there(size_t of, size_t first, double tolerance, const struc
 {
     size_t a = first;
 
-    while (a < of && square_apart(a, of, touch) >= tolerance*tolerance)
+    while (a < of && (touch[a].distance >= DBL_MAX || square_apart(a, of, touch) >= tolerance*tolerance))
     {
         a++;
     }
@@ -204,29 +197,31 @@ static void drop_doubles(const struct dem_wall_search *s, const struct dem_walls
     }
 }
 
+/* Who has no row is too far away to touch or to take a contact from another, until lists are pruned again. */
 void dem_wall_touches_update(struct dem_wall_touches *t, const struct dem_wall_search *s, const struct dem_walls *w,
                              const struct dem_particles *p)
 {
-    size_t first = 0;
+    size_t k = 0;
 
     t->shared = 0;
-    while (first < s->nears)
+    while (k < t->listed)
     {
-        const struct dem_particle *const i = &p->record[s->near[first].particle];
-        size_t end = first;
+        const uint32_t first = t->list[k], particle = s->near[first].particle;
+        const struct dem_particle *const i = &p->record[particle];
+        uint32_t last = first;
         int live = 0;
 
-        for (; end < s->nears && s->near[end].particle == s->near[first].particle; end++)
+        for (; k < t->listed && s->near[t->list[k]].particle == particle; k++)
         {
-            touch_region(s, w, &s->near[end], i, &t->touch[end]);
-            t->touch[end].drop = 0;
-            live += t->touch[end].distance < i->radius;
+            last = t->list[k];
+            touch_region(s, w, &s->near[last], i, &t->touch[last]);
+            t->touch[last].drop = 0;
+            live += t->touch[last].distance < i->radius;
         }
         if (live > 1)
         {
-            drop_doubles(s, w, first, end, i->radius, t->touch);
-            t->share[t->shared++] = (uint32_t)first;
+            drop_doubles(s, w, first, last + 1, i->radius, t->touch);
+            t->share[t->shared++] = first;
         }
-        first = end;
     }
 }

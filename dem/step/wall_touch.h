@@ -18,7 +18,7 @@
 
 struct dem_wall_touch
 {
-    double point[3], normal[3], distance;                 /* m, unit vector to the particle, m; huge when dropped */
+    double point[3], normal[3], distance;                 /* m, unit vector to the particle, m; huge when dropped or without a row */
     int drop;                                             /* 1: another region has this contact */
     uint32_t row;                                         /* its near row, or DEM_ROW_NONE */
     uint32_t surface;                                     /* scratch of wall_springs */
@@ -28,6 +28,8 @@ struct dem_wall_touches
 {
     struct dem_wall_touch *touch;                         /* one a wall near */
     size_t room;
+    size_t listed, list_room;                             /* nears that have a row: only these are looked at in a step */
+    uint32_t *list;
     size_t shared, shared_room;                           /* particles that have several contacts, or had: the first near of each */
     uint32_t *share;
 };
@@ -40,7 +42,7 @@ int dem_wall_touches_fit(struct dem_wall_touches *, const struct dem_wall_search
 /* Tell each touch its row; after every prune. */
 void dem_wall_touches_rows(struct dem_wall_touches *, const struct dem_wall_search *, const struct dem_contacts *);
 
-/* Fill all touches at the present positions. */
+/* Fill the touches that have rows, at the present positions. */
 void dem_wall_touches_update(struct dem_wall_touches *, const struct dem_wall_search *, const struct dem_walls *,
                              const struct dem_particles *);
 
