@@ -48,12 +48,12 @@ struct dem_block
     _Alignas(64) dem_real wy[DEM_BLOCK];
     _Alignas(64) dem_real wz[DEM_BLOCK];
     _Alignas(64) dem_real viscosity[DEM_BLOCK];           /* Pa s of the fluid at the contact (filled if DEM_NEEDS_VISCOSITY) */
+    _Alignas(64) dem_real swing[DEM_BLOCK];               /* 1/s  mean spin of both along n: what turns the frame of the pair (if DEM_NEEDS_SWING) */
 
     /* filled only for classes with an effect of the stages BOND or FILM; there slip counts the gap in the arms, too */
     _Alignas(64) dem_real distance[DEM_BLOCK];            /* m    |r|; height over a wall */
     _Alignas(64) dem_real gap[DEM_BLOCK];                 /* m    |r| - R_i - R_j, negative in contact; |r| - R_i at a wall */
     _Alignas(64) dem_real rate[DEM_BLOCK];                /* m/s  (v_i - v_j).h: how fast the distance grows, also while the pair turns */
-    _Alignas(64) dem_real swing[DEM_BLOCK];               /* 1/s  mean spin of both along n: what turns the frame of the pair */
     _Alignas(64) dem_real counts[DEM_BLOCK];              /* 1    0 where another region of the wall has this contact: nothing new here */
     _Alignas(64) dem_real chance[DEM_BLOCK];              /* 1    0 to 1, of the two ids only (filled if DEM_NEEDS_CHANCE) */
 

@@ -39,7 +39,8 @@ enum dem_needs                                            /* optional columns of
     DEM_NEEDS_SPIN = 1,                                   /* contact: wx wy wz */
     DEM_NEEDS_VISCOSITY = 2,                              /* contact: viscosity of the running fluid */
     DEM_NEEDS_FLUID = 4,                                  /* body: the fluid columns */
-    DEM_NEEDS_CHANCE = 8                                  /* contact: chance */
+    DEM_NEEDS_CHANCE = 8,                                 /* contact: chance */
+    DEM_NEEDS_SWING = 16                                  /* contact: swing, for what slider.h turns with the pair */
 };
 
 struct dem_material
@@ -75,6 +76,7 @@ struct dem_effect
     size_t size;                                          /* bytes of the settings struct; 0 for none */
     const struct dem_field *settings;                     /* its numbers, ended by a row of zeros; NULL for none */
     const char *const *memory;                            /* names of remembered columns, ended by NULL; NULL for none */
+    int forgets;                                          /* 1: act itself leaves +0 in them where overlap and touching are 0 */
 
     /* Derive constants and refuse nonsense. The class is NULL for body effects. May be NULL. */
     int (*prepare)(void *settings, const struct dem_pair_class *);

@@ -15,7 +15,7 @@
  * with the sign turned: nothing for k_t/k_n = 1/14, all of it for 2/7, where both springs swing alike; that is the default.
  *
  * Source: Cundall and Strack, Geotechnique 29 (1979) 47; friction: Coulomb. Changed: see mindlin.c, the same as there.
- * Not here: a stiffness of the materials (see mindlin); turning of the spring with a common spin about n; rolling.
+ * Not here: a stiffness of the materials (see mindlin); rolling.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -91,9 +91,11 @@ const struct dem_effect dem_linear = {
     .says = "friction: a linear spring in the contact plane that slips at mu F_n",
     .source = "Cundall and Strack 1979; Coulomb",
     .stage = DEM_STAGE_TANGENT,
+    .needs = DEM_NEEDS_SWING,
     .size = sizeof(struct linear),
     .settings = settings,
     .memory = memory,
+    .forgets = 1,
     .prepare = prepare,
     .time_limit = time_limit,
     .act = act,

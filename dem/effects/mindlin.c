@@ -31,7 +31,7 @@
  * The secant law gives back up to 0.06 % more tangential speed than it took (elastic impact within 3 degrees of
  * normal), because k_t shrinks with d while xi stays; spinning pairs on linear springs (hooke) gain up to 0.7 % of their
  * energy. Any damping takes more; mindlinIncremental gives none.
- * Not here: partial slip and its loading history; turning of the spring with a common spin about n; rolling.
+ * Not here: partial slip and its loading history; rolling.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -99,9 +99,11 @@ const struct dem_effect dem_mindlin = {
     .says = "friction: a spring of 8 G* sqrt(R* d) in the contact plane that slips at mu F_n",
     .source = "Mindlin 1949; Coulomb",
     .stage = DEM_STAGE_TANGENT,
+    .needs = DEM_NEEDS_SWING,
     .size = sizeof(struct mindlin),
     .settings = settings,
     .memory = memory,
+    .forgets = 1,
     .prepare = prepare,
     .act = act,
 };

@@ -21,7 +21,7 @@
  *
  * Source: Mindlin and Deresiewicz, J. Appl. Mech. 20 (1953) 327, without micro-slip; the correction while parting:
  * Thornton, Cummins, Cleary, Powder Technol. 233 (2013) 30. The rest as mindlin.c and slider.h.
- * Not here: micro-slip and its loading history; turning of the spring with a common spin about n; rolling.
+ * Not here: micro-slip and its loading history; rolling.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -92,9 +92,11 @@ const struct dem_effect dem_mindlin_incremental = {
     .says = "friction as mindlin, with a spring that is loaded step by step and gives back no more than it took",
     .source = "Mindlin and Deresiewicz 1953; Thornton, Cummins, Cleary 2013; Coulomb",
     .stage = DEM_STAGE_TANGENT,
+    .needs = DEM_NEEDS_SWING,
     .size = sizeof(struct incremental),
     .settings = settings,
     .memory = memory,
+    .forgets = 1,
     .prepare = prepare,
     .act = act,
 };

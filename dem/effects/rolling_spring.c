@@ -99,10 +99,11 @@ const struct dem_effect dem_rolling_spring = {
     .says = "resistance to rolling: a spring that slips at mu_r R* F_n, with a dashpot if wanted",
     .source = "Ai, Chen, Rotter, Ooi 2011, type C; Iwashita and Oda 1998",
     .stage = DEM_STAGE_MOMENT,
-    .needs = DEM_NEEDS_SPIN,
+    .needs = DEM_NEEDS_SPIN | DEM_NEEDS_SWING,
     .size = sizeof(struct rolling_spring),
     .settings = settings,
     .memory = memory,
+    .forgets = 1,
     .prepare = prepare,
     .act = act,
 };

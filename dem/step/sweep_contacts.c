@@ -171,9 +171,11 @@ static void act(struct dem_tray *t, const struct dem_chain *chain, const struct 
     {
         const struct dem_link *const link = &chain->link[k];
         const int memories = recall(c, link, row, memory);
+        /* a shield takes touch and leaves the overlap */
+        const int forgotten = link->effect->stage >= DEM_STAGE_BOND || (link->effect->forgets && !chain->past_touching);
 
         link->effect->act(link->settings, &t->block, memory);
-        for (int m = 0; m < memories && link->effect->stage < DEM_STAGE_BOND; m++)
+        for (int m = 0; m < memories && !forgotten; m++)
         {
             forget_apart(&t->block, memory[m]);
         }

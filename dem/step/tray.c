@@ -36,9 +36,10 @@ __attribute__((always_inline)) static inline void columns(const quad *row, doubl
     *(quad *)(void *)w = __builtin_shufflevector(b, d, 2, 3, 6, 7);
 }
 
-DEM_KERNEL
-static void gather_pairs(struct dem_tray *restrict t, const struct dem_pair *pair, const struct dem_particle *record,
-                         const double (*shift)[4], const uint32_t *restrict row_pair)
+/* `spin` and `film`: an effect needs the relative spin, the viscosity. A constant for the compiler. */
+__attribute__((always_inline)) static inline void
+gather_pairs_with(struct dem_tray *restrict t, const struct dem_pair *pair, const struct dem_particle *record,
+                  const double (*shift)[4], const uint32_t *restrict row_pair, const int spin, const int film)
 {
     const quad less = {-1.0, -1.0, -1.0, 1.0}, half = {0.5, 0.5, 0.5, 0.5};
     struct dem_gathered *const g = &t->g;
@@ -58,17 +59,40 @@ static void gather_pairs(struct dem_tray *restrict t, const struct dem_pair *pai
             v[k] = QUAD(i->v) + less*QUAD(j->v);                              /* v_i - v_j, 1/m_i + 1/m_j */
             a[k] = ri*wi + rj*wj;
             b[k] = half*(wi + wj);
-            w[k] = wi - wj;
             g->product[c + k] = i->radius*j->radius;
             t->block.least_radius[c + k] = dem_pick(i->radius < j->radius, i->radius, j->radius);
-            t->block.viscosity[c + k] = 0.5*(i->viscosity + j->viscosity);
+            if (spin)
+            {
+                w[k] = wi - wj;
+            }
+            if (film)
+            {
+                t->block.viscosity[c + k] = 0.5*(i->viscosity + j->viscosity);
+            }
         }
         columns(r, g->rx + c, g->ry + c, g->rz + c, g->radii + c);
         columns(v, g->vx + c, g->vy + c, g->vz + c, g->inverse_mass + c);
         columns(a, g->ax + c, g->ay + c, g->az + c, g->unused + c);
         columns(b, g->bx + c, g->by + c, g->bz + c, g->unused + c);
-        columns(w, t->block.wx + c, t->block.wy + c, t->block.wz + c, g->unused + c);
+        if (spin)
+        {
+            columns(w, t->block.wx + c, t->block.wy + c, t->block.wz + c, g->unused + c);
+        }
     }
+}
+
+DEM_KERNEL
+static void gather_pairs(struct dem_tray *restrict t, const struct dem_pair *pair, const struct dem_particle *record,
+                         const double (*shift)[4], const uint32_t *restrict row_pair)
+{
+    gather_pairs_with(t, pair, record, shift, row_pair, 0, 0);
+}
+
+DEM_KERNEL
+static void gather_pairs_and_more(struct dem_tray *restrict t, const struct dem_pair *pair, const struct dem_particle *record,
+                                  const double (*shift)[4], const uint32_t *restrict row_pair)
+{
+    gather_pairs_with(t, pair, record, shift, row_pair, 1, 1);
 }
 
 static void gather_walls(struct dem_tray *restrict t, const struct dem_parts *p, const uint32_t *restrict row_pair)
@@ -171,8 +195,9 @@ static void normals_of_walls(struct dem_block *b)
     memcpy(b->hz, b->nz, sizeof b->hz);
 }
 
-DEM_KERNEL
-static void relative_motion(struct dem_block *restrict b, const struct dem_gathered *restrict g)
+/* `share`: of what was gathered as spin; times this it is the mean of both partners. 0: nobody asks how the frame turns. */
+__attribute__((always_inline)) static inline void
+relative_motion_with(struct dem_block *restrict b, const struct dem_gathered *restrict g, const int swings, const double share)
 {
     for (int c = 0; c < b->n; c++)
     {
@@ -192,6 +217,34 @@ static void relative_motion(struct dem_block *restrict b, const struct dem_gathe
         b->kn[c] = b->kt[c] = b->eta[c] = 0.0;
         b->fn[c] = b->fx[c] = b->fy[c] = b->fz[c] = 0.0;
         b->mx[c] = b->my[c] = b->mz[c] = 0.0;
+        if (swings)
+        {
+            b->swing[c] = share*(g->bx[c]*b->nx[c] + g->by[c]*b->ny[c] + g->bz[c]*b->nz[c]);
+        }
+    }
+}
+
+DEM_KERNEL
+static void relative_motion(struct dem_block *restrict b, const struct dem_gathered *restrict g)
+{
+    relative_motion_with(b, g, 0, 0.0);
+}
+
+DEM_KERNEL
+static void relative_motion_and_swing(struct dem_block *restrict b, const struct dem_gathered *restrict g, double share)
+{
+    relative_motion_with(b, g, 1, share);
+}
+
+/* A wall that turns has a spin, too: what was gathered of the particle less what is left of it relative to the wall. */
+static void swing_of_walls(struct dem_tray *t)
+{
+    struct dem_block *const b = &t->block;
+    const struct dem_gathered *const g = &t->g;
+
+    for (int c = 0; c < b->n; c++)
+    {
+        b->swing[c] += 0.5*((g->bx[c] - b->wx[c])*b->nx[c] + (g->by[c] - b->wy[c])*b->ny[c] + (g->bz[c] - b->wz[c])*b->nz[c]);
     }
 }
 
@@ -241,9 +294,9 @@ static void gaps_of_pairs(struct dem_tray *t)
     }
 }
 
-/* Longer arms where there is a gap, and the mean spin along n: `share` of what was gathered. */
+/* Longer arms where there is a gap. */
 DEM_KERNEL
-static void motion_past_touching(struct dem_block *restrict b, const struct dem_gathered *restrict g, double share)
+static void motion_past_touching(struct dem_block *restrict b, const struct dem_gathered *restrict g)
 {
     for (int c = 0; c < b->n; c++)
     {
@@ -254,7 +307,6 @@ static void motion_past_touching(struct dem_block *restrict b, const struct dem_
         b->sy[c] -= gap*(bz*b->hx[c] - bx*b->hz[c]);
         b->sz[c] -= gap*(bx*b->hy[c] - by*b->hx[c]);
         b->rate[c] = g->vx[c]*b->hx[c] + g->vy[c]*b->hy[c] + g->vz[c]*b->hz[c];
-        b->swing[c] = share*(bx*b->nx[c] + by*b->ny[c] + bz*b->nz[c]);
         b->stored[c] = b->lost[c] = b->bonds[c] = b->broke[c] = 0.0;
     }
 }
@@ -271,18 +323,6 @@ static void chances(struct dem_tray *t, const struct dem_parts *p, const uint32_
     }
 }
 
-/* A wall that turns has a spin, too: what was gathered of the particle less what is left of it relative to the wall. */
-static void swing_of_walls(struct dem_tray *t)
-{
-    struct dem_block *const b = &t->block;
-    const struct dem_gathered *const g = &t->g;
-
-    for (int c = 0; c < b->n; c++)
-    {
-        b->swing[c] += 0.5*((g->bx[c] - b->wx[c])*b->nx[c] + (g->by[c] - b->wy[c])*b->ny[c] + (g->bz[c] - b->wz[c])*b->nz[c]);
-    }
-}
-
 static void fill_past_touching(struct dem_tray *t, const struct dem_parts *p, const struct dem_chain *chain, const uint32_t *padded)
 {
     if (chain->pair.with_wall)
@@ -293,14 +333,25 @@ static void fill_past_touching(struct dem_tray *t, const struct dem_parts *p, co
     {
         gaps_of_pairs(t);
     }
-    motion_past_touching(&t->block, &t->g, chain->pair.with_wall ? 0.5 : 1.0);
-    if (chain->pair.with_wall && !p->walls.plain)
-    {
-        swing_of_walls(t);
-    }
+    motion_past_touching(&t->block, &t->g);
     if (chain->needs & DEM_NEEDS_CHANCE)
     {
         chances(t, p, padded);
+    }
+}
+
+/* Of a wall the spin of the particle alone was gathered, of a pair the mean. */
+static void motion(struct dem_tray *t, const struct dem_chain *chain, int plain)
+{
+    if (!(chain->needs & DEM_NEEDS_SWING))
+    {
+        relative_motion(&t->block, &t->g);
+        return;
+    }
+    relative_motion_and_swing(&t->block, &t->g, chain->pair.with_wall ? 0.5 : 1.0);
+    if (chain->pair.with_wall && !plain)
+    {
+        swing_of_walls(t);
     }
 }
 
@@ -321,10 +372,11 @@ void dem_tray_fill(struct dem_tray *t, const struct dem_parts *p, const struct d
     }
     else
     {
-        gather_pairs(t, p->contacts.pair, p->particles.record, p->pairs.shift, padded);
+        (chain->needs & (DEM_NEEDS_SPIN | DEM_NEEDS_VISCOSITY) ? gather_pairs_and_more : gather_pairs)(
+            t, p->contacts.pair, p->particles.record, p->pairs.shift, padded);
         normals_of_pairs(&t->block, &t->g);
     }
-    relative_motion(&t->block, &t->g);
+    motion(t, chain, p->walls.plain);
     if (chain->past_touching)
     {
         fill_past_touching(t, p, chain, padded);

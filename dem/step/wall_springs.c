@@ -207,58 +207,16 @@ static void share_of_particle(struct dem_parts *p, const enum column *column, si
     }
 }
 
-/* ---- turning with the wall ----------------------------------------------------------------------------------- */
-
-static void twist(struct dem_parts *p, const enum column *column, const struct dem_wall_touch *t, const struct dem_stride *s)
-{
-    const double share = dem_vec_dot(s->axis, t->normal), sine = share*s->sine, versine = share*share*s->versine;
-    struct dem_contacts *const c = &p->contacts;
-
-    for (int m = 0; m < c->memories; m++)
-    {
-        if (column[m] == VECTOR)
-        {
-            const double v[3] = {c->memory[m][t->row], c->memory[m + 1][t->row], c->memory[m + 2][t->row]};
-            double once[3], twice[3];
-
-            dem_vec_cross(t->normal, v, once);
-            dem_vec_cross(t->normal, once, twice);
-            for (int k = 0; k < 3; k++)
-            {
-                c->memory[m + k][t->row] = v[k] + sine*once[k] + versine*twice[k];
-            }
-        }
-    }
-}
-
-static void twist_all(struct dem_parts *p, const enum column *column)
-{
-    for (size_t k = 0; k < p->pairs.search.nears; k++)
-    {
-        const struct dem_wall_touch *const t = &p->touches.touch[k];
-        const int moving = p->walls.wall[p->walls.region[p->pairs.wall_region[k]].wall].moving;
-
-        if (moving >= 0 && p->walls.moving[moving].motion.kind == DEM_MOTION_ROTATION && t->row != DEM_ROW_NONE)
-        {
-            twist(p, column, t, &p->walls.moving[moving].stride);
-        }
-    }
-}
-
 void dem_wall_springs(struct dem_parts *p)
 {
     const struct dem_wall_search *const s = &p->pairs.search;
     enum column column[DEM_MEMORY_COLUMNS];
 
-    if (p->contacts.memories == 0 || (p->touches.shared == 0 && p->walls.movings == 0))
+    if (p->contacts.memories == 0 || p->touches.shared == 0)
     {
         return;
     }
     tell_columns(&p->recipe, column);
-    if (p->walls.movings > 0)
-    {
-        twist_all(p, column);
-    }
     for (size_t k = 0; k < p->touches.shared; k++)
     {
         const size_t first = p->touches.share[k];

@@ -1,6 +1,6 @@
 /*
  * wall_springs.h -- what contacts with walls remember, where it is not theirs alone: handed on from region to region of a
- * surface that is nearly flat, and turned with walls that turn.
+ * surface that is nearly flat.
  *
  * A round wall made of facets is many regions. The contact of a sphere that rolls along it goes from one to the next, and
  * its friction spring must go with it, or friction begins anew at every facet. Regions are one surface to a sphere when their
@@ -16,8 +16,7 @@
  * A contact that another region has taken over in this step (see wall_touch) adds its spring once more, with the deepest
  * one's w; what it remembers besides springs goes to contacts that are new.
  *
- * On a wall that turns about the normal of the contact, vectors turn with it. (That the normal itself turns is the effects'
- * own matter, by the half-step normal.)
+ * That they turn with the pair, also on a wall that turns, is the effects' own matter, by the half-step normal and the swing.
  *
  * A vector is what an effect remembers under three names in a row of which the first ends in _x. What effects of the stages
  * BOND and FILM remember stays with the region where it was made.

@@ -43,9 +43,52 @@ static inline double tangential_size(const struct world *w)
     return sqrt(w->b.fx[0]*w->b.fx[0] + w->b.fy[0]*w->b.fy[0] + w->b.fz[0]*w->b.fz[0]);
 }
 
+/* A loaded spring of a pair that spins about n as one body turns with it and keeps its length; slip at a constant rate in
+   space while it turns goes round a circle, and is gone after each turn. */
+static inline void tangential_turns(struct world *w, const struct dem_effect *law)
+{
+    enum { TURN = 1000 };
+    const double angle = 2.0*tangential_pi/TURN, slip = 1e-3;
+    struct link *l = tangential_row(w, law, 0.5, 0.0);
+
+    w->b.sx[0] = slip;
+    tangential_act(w, l);
+    const double kt = w->b.kt[0], force = kt*slip*w->b.dt;
+
+    /* 2 atan(angle/2) a step falls short of the angle by angle^3/12; rounding of TURN/4 steps */
+    w->b.sx[0] = 0.0, w->b.swing[0] = angle/w->b.dt;
+    const double behind = TURN/4*angle*angle*angle/12.0;
+
+    for (int k = 0; k < TURN/4; k++)
+    {
+        tangential_act(w, l);
+    }
+    TAP_NEAR(w->b.fy[0], -force*cos(behind), 1e-12*force, "a quarter of a turn of the pair turns the force");
+    TAP_NEAR(w->b.fx[0], -force*sin(behind), 1e-3*force*behind, "as far, to the third order");
+    TAP_NEAR(tangential_size(w), force, 1e-12*force, "and keeps its size");
+
+    /* xi' = i swing xi + s, s constant: xi = s (e^(i swing t) - 1)/(i swing), across s after half a turn */
+    l = tangential_row(w, law, 0.5, 0.0);
+    w->b.sx[0] = slip, w->b.swing[0] = angle/w->b.dt;
+    for (int k = 0; k < TURN/2; k++)
+    {
+        tangential_act(w, l);
+    }
+    const double across = kt*slip*2.0*w->b.dt/angle;
+
+    TAP_NEAR(w->b.fy[0], -across, angle*angle*across, "half a turn of the pair lays steady slip across");    /* second order */
+    for (int k = 0; k < TURN/2; k++)
+    {
+        tangential_act(w, l);
+    }
+    TAP_NEAR(tangential_size(w), 0.0, 4.0*angle*angle*across, "a whole turn undoes it");      /* 2 pi angle^2/12 short of it */
+    w->b.swing[0] = 0.0;
+}
+
 /* sticking, sliding, pulling, apart; the spring is what k_t says it is */
 static inline void tangential_claims(struct world *w, const struct dem_effect *law)
 {
+    tangential_turns(w, law);
     struct link *l = tangential_row(w, law, 0.5, 0.0);
 
     /* a few rounded factors */

@@ -169,6 +169,28 @@ static void contact_effect(const struct dem_effect *e)
     }
     TAP_OK(bad == 0, "%s: nothing acts on rows apart", e->name);
 
+    bad = 0;
+    for (int row = 0; row < ROWS && e->forgets; row++)    /* fn, kn, overlap, touching: 0 in every third row */
+    {
+        random_contact(&many, memory, row, row);
+        for (int m = 0; m < MEMORY; m++)
+        {
+            memory[m][row] = uniform(row, 60 + m, -1e-6, 1e-6);
+        }
+    }
+    if (e->forgets)
+    {
+        e->act(settings, &many, all);
+    }
+    for (int row = 2; row < ROWS && e->forgets; row += 3)
+    {
+        for (int m = 0; e->memory[m]; m++)
+        {
+            bad += memory[m][row] != 0.0 || signbit(memory[m][row]);
+        }
+    }
+    TAP_OK(bad == 0, "%s: forgets rows apart where it says so", e->name);
+
     memset(&many, 0, sizeof many);
     memset(memory, 0, sizeof memory);
     many.n = DEM_BLOCK;
@@ -234,6 +256,7 @@ static void tells(const struct dem_effect *e)
     TAP_OK(!(e->reach || e->shield) || e->stage == DEM_STAGE_BOND || e->stage == DEM_STAGE_FILM,
            "%s: only bonds and films act past touching", e->name);
     TAP_OK(!e->open_bodies || e->drag, "%s: only a law of drag opens a window", e->name);
+    TAP_OK(!e->forgets || (e->memory && e->stage < DEM_STAGE_BOND), "%s: only laws of contact forget", e->name);
     TAP_OK((e->exponent > 0.0) == (e->stage == DEM_STAGE_NORMAL),
            "%s: an exponent for the normal law only", e->name);
     TAP_OK(dem_effects_find(e->name) == e, "%s: found by its word", e->name);

@@ -271,7 +271,7 @@ static void test_settled(void)
     int64_t moving;
     struct dem_tally t;
 
-    for (int k = 0; k < 30; k++)
+    for (int k = 0; k < 60; k++)
     {
         world_run(w, 0.005);
         WORLD_TRY(dem_tally(w, &t));
