@@ -217,6 +217,7 @@ static int prepare_physics(struct dem *d)
     DEM_TRY(dem_recipe_freeze(&p->recipe, wall_materials));
     DEM_TRY(dem_contacts_init(&p->contacts, &p->recipe));
     DEM_TRY(dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0));
+    DEM_TRY(dem_domain_check_walls(&p->domain, &p->walls, radius));
     dem_pairs_init(&p->pairs, &p->domain, skin, p->recipe.reach, radius);
     DEM_TRY(dem_wall_search_prepare(&p->pairs.search, &p->walls, radius > 0.0 ? radius : 1.0));
     return choose_step(d);

@@ -1,9 +1,10 @@
 /*
- * domain.c -- wrapping and counting images.
+ * domain.c -- wrapping and counting images; walls at periodic faces.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "space/domain.h"
+#include "base/error.h"
 #include <math.h>
 #include <string.h>
 
@@ -67,4 +68,94 @@ int dem_domain_holds(const struct dem_domain *d, const double x[3])
         inside &= can_wrap(d, k, x[k]) || (x[k] >= d->min[k] && x[k] <= d->max[k]);
     }
     return inside;
+}
+
+/* ---- walls at periodic faces --------------------------------------------------------------------------------- */
+
+/* Slope along a periodic axis below which a wall counts as straight: a sphere then misses half of its square, 1e-3 of a radius. */
+static const double straight = 0.05;
+
+/* Where a triangle begins and ends along an axis, as it stands in the world. */
+static void reach_of_triangle(const struct dem_walls *w, const struct dem_triangle *t, int axis, double reach[2])
+{
+    const int moving = w->wall[t->wall].moving;
+
+    reach[0] = INFINITY;
+    reach[1] = -INFINITY;
+    for (int k = 0; k < 3; k++)
+    {
+        double there[3];
+
+        memcpy(there, t->corner[k], sizeof there);
+        if (moving >= 0)
+        {
+            dem_pose_point(&w->moving[moving].pose, t->corner[k], there);
+        }
+        reach[0] = fmin(reach[0], there[axis]);
+        reach[1] = fmax(reach[1], there[axis]);
+    }
+}
+
+static double slope_of_triangle(const struct dem_walls *w, const struct dem_triangle *t, int axis)
+{
+    const int moving = w->wall[t->wall].moving;
+    double normal[3];
+
+    memcpy(normal, w->region[t->region].normal, sizeof normal);
+    if (moving >= 0)
+    {
+        dem_pose_direction(&w->moving[moving].pose, w->region[t->region].normal, normal);
+    }
+    return fabs(normal[axis]);
+}
+
+/* The same for a wall that is no triangles; a plane or slanted tube that crosses the axis reaches everywhere. */
+static void reach_of_whole(const struct dem_wall *w, int axis, double reach[2])
+{
+    const double along = fabs(w->normal[axis]);
+    const int straight_on = w->shape == DEM_SHAPE_PLANE ? along < 1e-6 : w->shape == DEM_SHAPE_CYLINDER && along > 1.0 - 1e-12;
+    const int bounded = w->shape == DEM_SHAPE_SPHERE || (w->shape == DEM_SHAPE_CYLINDER && along < 1e-6);
+
+    reach[0] = straight_on ? INFINITY : bounded ? w->point[axis] - w->radius : -INFINITY;
+    reach[1] = straight_on ? -INFINITY : bounded ? w->point[axis] + w->radius : INFINITY;
+}
+
+static int check_reach(const struct dem_domain *d, int axis, double radius, const double reach[2], const char *name)
+{
+    for (int side = 0; side < 2; side++)
+    {
+        const double face = side ? d->max[axis] : d->min[axis];
+
+        DEM_REQUIRE(reach[0] >= face + radius || reach[1] <= face - radius, DEM_ERROR_INPUT,
+                    "wall %s comes nearer than a radius (%g m) to the periodic face %s %c = %g m of domain and does not run straight through it:"
+                    " particles behind the face would not touch it and enter it when they come around; keep it off the face, or leave %c out of"
+                    " domain/periodic", name, radius, side ? "max" : "min", "xyz"[axis], face, "xyz"[axis]);
+    }
+    return DEM_OK;
+}
+
+int dem_domain_check_walls(const struct dem_domain *d, const struct dem_walls *w, double radius)
+{
+    double reach[2];
+
+    for (int axis = 0; axis < 3; axis++)
+    {
+        for (int k = 0; d->periodic[axis] && k < w->walls; k++)
+        {
+            if (w->wall[k].shape != DEM_SHAPE_TRIANGLES)
+            {
+                reach_of_whole(&w->wall[k], axis, reach);
+                DEM_TRY(check_reach(d, axis, radius, reach, w->wall[k].name));
+            }
+        }
+        for (size_t t = 0; d->periodic[axis] && t < w->triangles; t++)
+        {
+            if (slope_of_triangle(w, &w->triangle[t], axis) > straight)
+            {
+                reach_of_triangle(w, &w->triangle[t], axis, reach);
+                DEM_TRY(check_reach(d, axis, radius, reach, w->wall[w->triangle[t].wall].name));
+            }
+        }
+    }
+    return DEM_OK;
 }

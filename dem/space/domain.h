@@ -11,6 +11,7 @@
 
 #include "state/image.h"
 #include "state/particles.h"
+#include "state/walls.h"
 
 struct dem_domain
 {
@@ -27,6 +28,10 @@ void dem_domain_shifts(const struct dem_domain *, double shift[DEM_SHIFTS][4]);
 
 /* Bring a particle back into the box along periodic axes, counting its image. */
 void dem_domain_wrap(const struct dem_domain *, struct dem_particle *);
+
+/* Walls have no periodic images, so one that meets a periodic face must run straight through it; refuse any other, where a
+   particle of this radius would pass the face and find itself in a wall. Walls stand as they do now. */
+int dem_domain_check_walls(const struct dem_domain *, const struct dem_walls *, double radius);
 
 /* 1 when the position is inside, or the axis is open or periodic (and the position not a thousand boxes away). */
 int dem_domain_holds(const struct dem_domain *, const double x[3]);
