@@ -64,6 +64,7 @@ void dem_free(struct dem *d)
     dem_losses_free(&d->parts.losses);
     dem_kept_free(&d->parts.kept);
     dem_wall_books_free(&d->parts.books);
+    dem_ledger_free(&d->parts.ledger);
     dem_contacts_free(&d->parts.contacts);
     dem_particles_free(&d->parts.particles);
     dem_walls_free(&d->parts.walls);
@@ -265,6 +266,23 @@ struct dem_step_limit dem_step_limit(const struct dem *d)
 int dem_tally(struct dem *d, struct dem_tally *t)
 {
     dem_measure_tally(&d->parts, t);
+    return DEM_OK;
+}
+
+int dem_energy_watch(struct dem *d)
+{
+    DEM_TRY(not_ready(d, "dem_energy_watch"));
+    d->energy = 1;
+    return DEM_OK;
+}
+
+int dem_energy(struct dem *d, double *since, int *n, const struct dem_energy_item **item)
+{
+    DEM_REQUIRE(d->ready && d->energy, DEM_ERROR_STATE, "dem_energy comes after dem_ready, and dem_energy_watch before it");
+    dem_ledger_tell(&d->parts);
+    *since = d->parts.ledger.since;
+    *n = d->parts.ledger.items;
+    *item = d->parts.ledger.item;
     return DEM_OK;
 }
 

@@ -111,6 +111,17 @@ struct dem_tally                                          /* sums over all ranks
 };
 int dem_tally(struct dem *, struct dem_tally *);          /* collective */
 
+struct dem_energy_item
+{
+    char name[72];                                        /* kinetic_translation ... total, residual: README.md, section 4 */
+    double value;                                         /* J */
+};
+
+/* The ledger of energy. Asked for before dem_ready, it is kept from there on: kinetic and elastic energies of now, all others
+   summed since [s]. Terms of all ranks, in the same order at every call; they stay until the next. Collective. */
+int dem_energy_watch(struct dem *);
+int dem_energy(struct dem *, double *since, int *n, const struct dem_energy_item **item);
+
 /* How many particles have more kinetic energy than this [J], translation and rotation. Collective. */
 int dem_moving(struct dem *, double energy, int64_t *n);
 

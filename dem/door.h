@@ -31,6 +31,7 @@ struct dem
     char load[1024];
     int ready, with_fluid, coupled;
     int broken;                                           /* 1: the last dem_advance left the ranks apart */
+    int energy;                                           /* 1: the ledger was asked for */
     int feels_gradient;                                   /* 1: pressureGradient is among the effects */
     double step;                                          /* s, the limit in force */
     struct dem_text plan;                                 /* the last one */

@@ -15,7 +15,7 @@ struct dem_output
 {
     char folder[512];
     bool vtk;
-    double walls;                                         /* s between rows of forces on walls; 0: none */
+    double walls, energy;                                 /* s between rows of forces on walls, of energy; 0: none */
     int snapshots;                                        /* 0 no, 1 last, 2 all */
     bool last_good;                                       /* copies are kept in memory, and written when the run fails */
 };

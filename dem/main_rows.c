@@ -8,6 +8,7 @@
 #include "base/memory.h"
 #include "io/file.h"
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -58,4 +59,18 @@ int dem_rows_begin(const char *path, int column, double start)
     }
     DEM_REQUIRE(remove(path) == 0, DEM_ERROR_FILE, "can't remove %s of an earlier run: %s", path, strerror(errno));
     return DEM_OK;
+}
+
+double dem_rows_due(double interval, double now, double next)
+{
+    const double due = interval > 0.0 ? (floor(now/interval + 1e-6) + 1.0)*interval : next;
+
+    return due < next*(1.0 - 1e-12) ? due : next;
+}
+
+int dem_rows_are_due(double interval, double now)
+{
+    const double number = interval > 0.0 ? now/interval : 0.5;
+
+    return fabs(number - floor(number + 0.5)) <= 1e-6;
 }

@@ -10,4 +10,9 @@
    than its start [s]. Time stands in that column, 0 for the first. */
 int dem_rows_begin(const char *path, int column, double start);
 
+/* Rows lie at whole multiples of an interval [s], so that a run that goes on has the same; 0: never. The time of the next
+   row, or `next` if that is earlier; and whether one is due now. */
+double dem_rows_due(double interval, double now, double next);
+int dem_rows_are_due(double interval, double now);
+
 #endif

@@ -4,7 +4,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "main.h"
+#include "main_energy.h"
 #include "main_lost.h"
+#include "main_rows.h"
 #include "main_scene.h"
 #include "main_walls.h"
 #include "base/error.h"
@@ -28,6 +30,7 @@ static const char help[] =
     "    write { interval 0.01;                s of simulated time between outputs\n"
     "            folder \"NAME\";                default: the scene's name without its ending\n"
     "            vtk yes;                      particles_*.vtp and particles.pvd for ParaView\n"
+    "            energy 0.001;                 s between rows of energy.csv, the ledger of energy; none unless given\n"
     "            snapshot last;                last | all | no: snapshot.dem, or one per output\n"
     "            lastGood yes; }               copies in memory, written as lastGood.dem when the run fails\n"
     "-restart goes on from a snapshot, on any number of ranks, with the same bits as the run that wrote it.\n"
@@ -112,6 +115,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
     const double look = s->interval/(double)looks;
     struct dem_lost_log lost;
     struct dem_wall_log walls;
+    struct dem_energy_log energy;
     struct dem_tally t;
 
     DEM_TRY(dem_tally(d, &t));
@@ -123,6 +127,11 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
         DEM_TRY(dem_output_write(&s->output, prog, d, 0, 0.0));
     }
     DEM_TRY(dem_wall_log_begin(&walls, prog, &s->output, d, t.time));
+    DEM_TRY(dem_energy_log_begin(&energy, prog, &s->output, t.time));
+    if (t.time == 0.0)
+    {
+        DEM_TRY(dem_energy_log_tell(&energy, prog, d, 0.0));
+    }
     for (int64_t k = (int64_t)floor(t.time/look + 1e-6) + 1; t.time < s->end*(1.0 - 1e-12) && !quiet.reached; k++)
     {
         const double next = fmin(k%looks ? (double)k*look : (double)(k/looks)*s->interval, s->end);
@@ -130,9 +139,10 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
 
         while (due < next)
         {
-            due = dem_wall_log_due(&walls, t.time, next);
+            due = dem_rows_due(s->output.energy, t.time, dem_rows_due(s->output.walls, t.time, next));
             DEM_TRY(advance(prog, d, &s->output, &lost, due - t.time));
             DEM_TRY(dem_wall_log_tell(&walls, prog, d, due));
+            DEM_TRY(dem_energy_log_tell(&energy, prog, d, due));
             DEM_TRY(dem_tally(d, &t));
             p.overlap = fmax(p.overlap, t.largest_overlap);
         }
@@ -144,6 +154,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
             DEM_TRY(dem_lost_tell(&lost, prog, d));
         }
     }
+    dem_energy_log_end(&energy, prog);
     dem_quiet_tell(&quiet, prog, &t);
     return DEM_OK;
 }

@@ -55,6 +55,18 @@ static int read_arguments(struct request *r, const char *command, int argc, char
     return DEM_OK;
 }
 
+/* s between the rows of a table; 0 when it is not asked for */
+static int read_rows(const struct dem_dict *write, const char *entry, double *interval)
+{
+    *interval = 0.0;
+    if (dem_dict_has(write, entry))
+    {
+        DEM_TRY(dem_dict_number(write, entry, "s", interval));
+        DEM_REQUIRE(*interval > 0.0, DEM_ERROR_INPUT, "write/%s %g s; give a time above 0, or leave it out", entry, *interval);
+    }
+    return DEM_OK;
+}
+
 static int read_schedule(struct dem_schedule *s, const struct dem_dict *scene, const char *path)
 {
     const struct dem_dict *time, *write;
@@ -67,12 +79,8 @@ static int read_schedule(struct dem_schedule *s, const struct dem_dict *scene, c
     if (write)
     {
         DEM_TRY(dem_dict_number_or(write, "interval", "s", s->end, &s->interval));
-        s->output.walls = 0.0;
-        if (dem_dict_has(write, "walls"))
-        {
-            DEM_TRY(dem_dict_number(write, "walls", "s", &s->output.walls));
-            DEM_REQUIRE(s->output.walls > 0.0, DEM_ERROR_INPUT, "write/walls %g s; give a time above 0, or leave it out", s->output.walls);
-        }
+        DEM_TRY(read_rows(write, "walls", &s->output.walls));
+        DEM_TRY(read_rows(write, "energy", &s->output.energy));
     }
     DEM_REQUIRE(s->end > 0.0, DEM_ERROR_INPUT, "time/end %g s; give a time above 0", s->end);
     DEM_REQUIRE(s->interval > 0.0, DEM_ERROR_INPUT, "write/interval %g s; give a time above 0", s->interval);
@@ -88,6 +96,15 @@ static int need_no_solver(struct dem *d)
     return DEM_OK;
 }
 
+/* The ledger begins with the first forces, before the schedule is read. */
+static int watch_energy(struct dem *d)
+{
+    const struct dem_dict *write;
+
+    DEM_TRY(dem_dict_sub_if(dem_scene_dict(d), "write", &write));
+    return write && dem_dict_has(write, "energy") ? dem_energy_watch(d) : DEM_OK;
+}
+
 static int open_scene(const struct request *r, struct dem *d, struct dem_schedule *s)
 {
     DEM_TRY(dem_scene_file(d, r->scene));
@@ -99,6 +116,7 @@ static int open_scene(const struct request *r, struct dem *d, struct dem_schedul
     {
         DEM_TRY(dem_load(d, r->restart));
     }
+    DEM_TRY(watch_energy(d));
     DEM_TRY(dem_ready(d));
     DEM_TRY(read_schedule(s, dem_scene_dict(d), r->scene));
     DEM_TRY(dem_scene_check(d));

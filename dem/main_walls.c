@@ -9,7 +9,6 @@
 #include "io/file.h"
 #include "main_rows.h"
 #include <errno.h>
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -26,14 +25,6 @@ int dem_wall_log_begin(struct dem_wall_log *log, const struct dem_program *prog,
     }
     DEM_TRY(dem_wall_watch(d));
     return dem_program_together(prog, prog->rank == 0 ? dem_rows_begin(log->path, 0, start) : DEM_OK);
-}
-
-/* Times are whole multiples of the interval, so that a run that goes on has the same. */
-double dem_wall_log_due(const struct dem_wall_log *log, double now, double next)
-{
-    const double due = log->interval > 0.0 ? (floor(now/log->interval + 1e-6) + 1.0)*log->interval : next;
-
-    return due < next*(1.0 - 1e-12) ? due : next;
 }
 
 static int write_rows(const struct dem_wall_log *log, const struct dem *d, double now, double (*value)[12])
@@ -77,11 +68,10 @@ static int measure(const struct dem_wall_log *log, struct dem *d, double now, do
 
 int dem_wall_log_tell(struct dem_wall_log *log, const struct dem_program *prog, struct dem *d, double now)
 {
-    const double number = log->interval > 0.0 ? now/log->interval : 0.0;
     double (*value)[12];
     int status = DEM_OK;
 
-    if (log->interval <= 0.0 || fabs(number - floor(number + 0.5)) > 1e-6)
+    if (!dem_rows_are_due(log->interval, now))
     {
         return DEM_OK;
     }

@@ -23,9 +23,6 @@ struct dem_wall_log
 /* Collective. Rows of an earlier run in the same folder that are later than the start of this one [s] go. */
 int dem_wall_log_begin(struct dem_wall_log *, const struct dem_program *, const struct dem_output *, struct dem *, double start);
 
-/* The next time [s] at which rows are due, or `next` if that is earlier. */
-double dem_wall_log_due(const struct dem_wall_log *, double now, double next);
-
 /* Collective. Write rows if they are due. */
 int dem_wall_log_tell(struct dem_wall_log *, const struct dem_program *, struct dem *, double now);
 

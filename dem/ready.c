@@ -331,6 +331,48 @@ static int settle_in(struct dem *d)
     return DEM_OK;
 }
 
+/* All ranks fail when one does: the smallest of what they report. */
+static int together(const struct dem_parts *p, int status)
+{
+    int worst = status;
+
+    if (p->pieces.ranks > 1)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, p->pieces.comm);
+    }
+    return worst == DEM_OK || status != DEM_OK ? status : dem_error(worst, "another rank failed; its message tells why");
+}
+
+/* What contacts hold at the start: the first sweep has told. A snapshot's rows are looked at aside, with lists of their own,
+   and everything is put back: the run goes on with the same bits. */
+static int begin_ledger(struct dem *d)
+{
+    struct dem_parts *const p = &d->parts;
+    const int64_t rebuilds = p->rebuilds, prunes = p->prunes;
+    const size_t losses = p->losses.n;
+    struct dem_kept aside = {.held = 0};
+
+    if (!d->load[0])
+    {
+        dem_ledger_begin(p);
+        return DEM_OK;
+    }
+    int status = dem_kept_take(&aside, &p->particles, &p->contacts, p->pairs.wall_region);
+
+    status = status ? status : dem_step_renew(p);
+    status = status ? status : dem_sweep_contacts(p, 0.0, (const double[2]){p->time, p->time});
+    DEM_TRY(together(p, status));
+    dem_ledger_begin(p);
+    status = dem_kept_give(&aside, &p->particles, &p->contacts);
+    dem_kept_free(&aside);
+    p->stale = 2;
+    p->watch.overlap = 0.0;
+    p->losses.n = losses;
+    p->rebuilds = rebuilds;
+    p->prunes = prunes;
+    return status;
+}
+
 /* Words and particles; ranks may read different parts of a snapshot, so they may fail alone. */
 static int make_ready(struct dem *d)
 {
@@ -348,18 +390,6 @@ static int make_ready(struct dem *d)
     return start_particles(d);
 }
 
-/* All ranks fail when one does: the smallest of what they report. */
-static int together(const struct dem_parts *p, int status)
-{
-    int worst = status;
-
-    if (p->pieces.ranks > 1)
-    {
-        MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, p->pieces.comm);
-    }
-    return worst == DEM_OK || status != DEM_OK ? status : dem_error(worst, "another rank failed; its message tells why");
-}
-
 int dem_door_get_ready(struct dem *d)
 {
     DEM_TRY(together(&d->parts, make_ready(d)));
@@ -368,7 +398,15 @@ int dem_door_get_ready(struct dem *d)
     {
         fill_fluid(d);
     }
+    if (d->energy)
+    {
+        DEM_TRY(dem_ledger_open(&d->parts.ledger, &d->parts.recipe));
+    }
     DEM_TRY(together(&d->parts, settle_in(d)));
+    if (d->energy)
+    {
+        DEM_TRY(together(&d->parts, begin_ledger(d)));
+    }
     DEM_TRY(dem_averages_init(&d->parts.averages, d->scene.average, d->scene.averages, d->parts.time, d->parts.pieces.rank == 0));
     d->ready = 1;
     return DEM_OK;

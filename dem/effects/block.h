@@ -76,6 +76,23 @@ struct dem_block
     _Alignas(64) dem_real broke[DEM_BLOCK];               /* 1    bonds that broke in this step */
 };
 
+struct dem_energy                                         /* the ledger's tray: rows as in struct dem_block */
+{
+    /* filled by the house */
+    _Alignas(64) dem_real was[DEM_BLOCK];                 /* m    overlap before the last drift, never negative */
+    _Alignas(64) dem_real kn_was[DEM_BLOCK];              /* N/m  secant normal stiffness then; 0 in a new contact and a lost one */
+    _Alignas(64) dem_real push[DEM_BLOCK];                /* N    what this effect has added to fn, */
+    _Alignas(64) dem_real mx[DEM_BLOCK];                  /* N m  and to the moment */
+    _Alignas(64) dem_real my[DEM_BLOCK];
+    _Alignas(64) dem_real mz[DEM_BLOCK];
+
+    _Alignas(64) dem_real inertia[DEM_BLOCK];             /* kg m2  1/(1/I_i + 1/I_j); I_i at a wall; 0 without effects of stage MOMENT */
+
+    /* told by the effect; the house puts in what act has just added to the tray's books (stages BOND and FILM) */
+    _Alignas(64) dem_real stored[DEM_BLOCK];              /* J    elastic energy that the row holds now by this effect */
+    _Alignas(64) dem_real lost[DEM_BLOCK];                /* J    turned to heat in this step, below 0 where a law gives energy */
+};
+
 struct dem_body_block
 {
     int n;                                                /* rows in use, padded to whole vectors */

@@ -353,8 +353,12 @@ static void hand_over(const struct bond *bond, struct dem_block *b, dem_real *wo
         const dem_real able = b->kn[c]*b->overlap[c], asked = worn[c] > 0.0 ? worn[c] : 0.0, carried_on = asked < able ? asked : able;
         const dem_real share = able > 0.0 ? dem_pow(carried_on/able, bond->inverse_exponent) : 0.0;
 
+        const dem_real taken = bond->contact == REPLACED ? carried_on : 0.0;
+
         worn[c] = bond->contact == REPLACED ? b->overlap[c]*(1.0 - share) : 0.0;
-        b->fn[c] += bond->contact == REPLACED ? carried_on : 0.0;
+        b->fn[c] += taken;
+        /* what the contact holds from now on is not lost */
+        b->lost[c] -= taken*b->overlap[c]*share/(1.0 + 1.0/bond->inverse_exponent);
     }
 }
 
@@ -385,6 +389,29 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
     }
 }
 
+/* What act has booked, but for two steps in which the contact's own law knows nothing of the bond yet: it still tells what a
+   bond just made has declared lost, and tells nothing of what it takes over from one that has just broken. */
+static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+                   struct dem_energy *restrict e)
+{
+    const struct bond *bond = of;
+    const dem_real more = 1.0 + 1.0/bond->inverse_exponent;
+
+    for (int c = 0; bond->contact == REPLACED && c < b->n; c++)
+    {
+        const dem_real from = before[LENGTH][c], to = memory[LENGTH][c], d = b->overlap[c];
+
+        if (from <= 0.0 && to > 0.0)
+        {
+            e->stored[c] -= b->kn[c]*d*d/more;
+        }
+        else if (b->broke[c] > 0.0 && d > 0.0)
+        {
+            e->stored[c] += b->kn[c]*d*d*dem_pow(1.0 - memory[WORN][c]/d, more)/more;
+        }
+    }
+}
+
 const struct dem_effect dem_bond_linear = {
     .name = "bondLinear",
     .says = "an elastic bond in tension, shear, twist and bending, made and broken as asked",
@@ -399,4 +426,5 @@ const struct dem_effect dem_bond_linear = {
     .time_limit = time_limit,
     .shield = shield,
     .act = act,
+    .energy = energy,
 };

@@ -67,6 +67,13 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *m
     }
 }
 
+static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+                   struct dem_energy *restrict e)
+{
+    (void)of, (void)before, (void)memory;
+    dem_restitution_energy(b, e);
+}
+
 const struct dem_effect dem_dry = {
     .name = "dry",
     .says = "viscous damping that gives the same coefficient of restitution at any impact speed",
@@ -76,4 +83,5 @@ const struct dem_effect dem_dry = {
     .settings = settings,
     .prepare = prepare,
     .act = act,
+    .energy = energy,
 };

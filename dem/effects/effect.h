@@ -98,6 +98,12 @@ struct dem_effect
        it where partners do not touch (stages before BOND). */
     void (*act)(const void *settings, struct dem_block *restrict, dem_real *const *memory);
 
+    /* Contact effects: what rows hold and lose by this effect; called right after act, only in runs that keep a ledger of
+       energy. `before` are the remembered columns as act found them, `memory` as it left them. NULL: the ledger takes the
+       books of stages BOND and FILM, and otherwise measures the work that the effect has done. */
+    void (*energy)(const void *settings, const struct dem_block *, dem_real *const *before, dem_real *const *memory,
+                   struct dem_energy *restrict);
+
     /* Laws of drag: fill the tray's `swarm` with what follows from radius, void fraction, density and viscosity alone. These stay
        as they are in a window of the fluid; only then is it called, and act_on_bodies in each step. May be NULL. */
     void (*open_bodies)(const void *settings, struct dem_body_block *restrict);

@@ -108,6 +108,17 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *m
     }
 }
 
+/* 2/5 F_n d */
+static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+                   struct dem_energy *restrict e)
+{
+    (void)of, (void)before, (void)memory;
+    for (int c = 0; c < b->n; c++)
+    {
+        e->stored[c] = b->touching[c]*0.4*b->kn[c]*b->overlap[c]*b->overlap[c];
+    }
+}
+
 const struct dem_effect dem_hertz = {
     .name = "hertz",
     .says = "elastic repulsion of smooth spheres, F_n = 4/3 E* sqrt(R*) d^(3/2)",
@@ -120,4 +131,5 @@ const struct dem_effect dem_hertz = {
     .time_limit = time_limit,
     .contact_time = contact_time,
     .act = act,
+    .energy = energy,
 };

@@ -62,6 +62,17 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *m
     }
 }
 
+/* 1/2 F_n d; k is zero where bodies are apart */
+static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+                   struct dem_energy *restrict e)
+{
+    (void)of, (void)before, (void)memory;
+    for (int c = 0; c < b->n; c++)
+    {
+        e->stored[c] = 0.5*b->kn[c]*b->overlap[c]*b->overlap[c];
+    }
+}
+
 const struct dem_effect dem_hooke = {
     .name = "hooke",
     .says = "elastic repulsion by a linear spring, F_n = k d",
@@ -74,4 +85,5 @@ const struct dem_effect dem_hooke = {
     .time_limit = time_limit,
     .contact_time = contact_time,
     .act = act,
+    .energy = energy,
 };

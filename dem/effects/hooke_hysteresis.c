@@ -109,6 +109,53 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
     }
 }
 
+/* ---- the ledger ---------------------------------------------------------------------------------------------- */
+
+/* all in units of k of first loading: forces are lengths, energies squares of them */
+struct yielded
+{
+    dem_real slope, start;                                /* 1, m: k_2/k of the line of unloading, and where it is zero */
+    dem_real spent;                                       /* m2: plastic work of pressing to d_max */
+};
+
+/* First loading to d_max takes d_max^2/2, of which unloading gives back d_max^2/2 k/k_2; past d_lim nothing yields. */
+static struct yielded yielded(const struct hysteresis *h, dem_real most, dem_real d_lim)
+{
+    const dem_real reference = dem_pick(most < d_lim, most, d_lim);
+    const dem_real slope = 1.0 + h->stiffer*dem_pick(most < d_lim, most/dem_pick(d_lim > 0.0, d_lim, 1.0), 1.0);
+
+    return (struct yielded){.slope = slope, .start = reference - reference/slope, .spent = 0.5*reference*reference*(1.0 - 1.0/slope)};
+}
+
+/* k_2 (d - d_0)^2/2 on the line of unloading: what comes back, pressed or stretched */
+static dem_real held(struct yielded y, dem_real d)
+{
+    return 0.5*y.slope*(d - y.start)*(d - y.start);
+}
+
+/* Yielding spends as d_max grows. While sticking, from where the old line meets the one of k_c to here, the motion gives
+   k_c d^2/2, and the line holds less and less. */
+static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+                   struct dem_energy *restrict e)
+{
+    const struct hysteresis *h = of;
+
+    for (int c = 0; c < b->n; c++)
+    {
+        const dem_real k = b->kn[c], d = b->overlap[c], d_lim = h->limit*b->reduced_radius[c];
+        const dem_real old = dem_pick(before[0][c] > d, before[0][c], d), now = memory[0][c];
+        const struct yielded from = yielded(h, old, d_lim), to = yielded(h, dem_pick(now > d, now, d), d_lim);
+        const struct yielded first = yielded(h, before[0][c], d_lim);
+
+        /* memory fell: it sticks; the old line of unloading met that of sticking at `meets`, at once if it stuck before */
+        const dem_real meets = from.slope*from.start/(from.slope + h->adhesion);
+        const dem_real sticking = 0.5*h->adhesion*(meets*meets - d*d) + held(from, meets) - held(to, d);
+
+        e->stored[c] = k*held(to, d);
+        e->lost[c] = k*dem_pick(now < old, sticking, from.spent - first.spent);
+    }
+}
+
 const struct dem_effect dem_hooke_hysteresis = {
     .name = "hookeHysteresis",
     .says = "elastic, plastic, adhesive contact of linear springs: loading k, unloading k_2, sticking k_c",
@@ -122,4 +169,5 @@ const struct dem_effect dem_hooke_hysteresis = {
     .time_limit = time_limit,
     .contact_time = contact_time,
     .act = act,
+    .energy = energy,
 };

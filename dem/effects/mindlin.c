@@ -79,10 +79,12 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
     for (int c = 0; c < b->n; c++)
     {
         const dem_real kt = modulus*sqrt(b->reduced_radius[c]*b->overlap[c]);
-        const struct dem_slider s = dem_slider_step(b, c, (struct dem_slider){
-            .stiffness = kt, .damping = damped*b->eta[c], .limit = dem_pick(b->fn[c] > 0.0, friction*b->fn[c], 0.0),
-            .sx = b->sx[c], .sy = b->sy[c], .sz = b->sz[c],
-            .xi_x = xi_x[c], .xi_y = xi_y[c], .xi_z = xi_z[c]});
+        struct dem_slider s = dem_slider_friction(b, c, kt, friction, damped);
+
+        s.xi_x = xi_x[c];
+        s.xi_y = xi_y[c];
+        s.xi_z = xi_z[c];
+        s = dem_slider_step(b, c, s);
 
         xi_x[c] = s.xi_x;
         xi_y[c] = s.xi_y;
@@ -91,6 +93,25 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
         b->fx[c] += s.fx;
         b->fy[c] += s.fy;
         b->fz[c] += s.fz;
+    }
+}
+
+DEM_KERNEL
+static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+                   struct dem_energy *restrict e)
+{
+    const struct mindlin *mindlin = of;
+
+    (void)memory;
+    for (int c = 0; c < b->n; c++)
+    {
+        struct dem_slider s = dem_slider_friction(b, c, b->kt[c], mindlin->friction, mindlin->damping ? 1.0 : 0.0);
+
+        s.xi_x = before[0][c];
+        s.xi_y = before[1][c];
+        s.xi_z = before[2][c];
+        s.stiffness_was = mindlin->modulus*sqrt(b->reduced_radius[c]*e->was[c]);
+        dem_slider_energy(b, c, s, e);
     }
 }
 
@@ -106,4 +127,5 @@ const struct dem_effect dem_mindlin = {
     .forgets = 1,
     .prepare = prepare,
     .act = act,
+    .energy = energy,
 };

@@ -71,10 +71,12 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
     {
         const dem_real kt = modulus*sqrt(b->reduced_radius[c]*b->overlap[c]), before = stiffness[c];
         const dem_real keep = dem_pick(before < kt, before/dem_pick(kt > 0.0, kt, 1.0), 1.0);
-        const struct dem_slider s = dem_slider_step(b, c, (struct dem_slider){
-            .stiffness = kt, .damping = damped*b->eta[c], .limit = dem_pick(b->fn[c] > 0.0, friction*b->fn[c], 0.0),
-            .sx = b->sx[c], .sy = b->sy[c], .sz = b->sz[c],
-            .xi_x = keep*xi_x[c], .xi_y = keep*xi_y[c], .xi_z = keep*xi_z[c]});
+        struct dem_slider s = dem_slider_friction(b, c, kt, friction, damped);
+
+        s.xi_x = keep*xi_x[c];
+        s.xi_y = keep*xi_y[c];
+        s.xi_z = keep*xi_z[c];
+        s = dem_slider_step(b, c, s);
 
         xi_x[c] = s.xi_x;
         xi_y[c] = s.xi_y;
@@ -84,6 +86,30 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
         b->fx[c] += s.fx;
         b->fy[c] += s.fy;
         b->fz[c] += s.fz;
+    }
+}
+
+/* as mindlin's, but for a spring that has let go of what its old force no longer holds: k xi^2/2 (1 - k/k') of it */
+DEM_KERNEL
+static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+                   struct dem_energy *restrict e)
+{
+    const struct incremental *incremental = of;
+
+    (void)memory;
+    for (int c = 0; c < b->n; c++)
+    {
+        struct dem_slider s = dem_slider_friction(b, c, b->kt[c], incremental->friction, incremental->damping ? 1.0 : 0.0);
+        const dem_real was = before[3][c], more = b->touching[c]*dem_pick(was < b->kt[c], b->kt[c] - was, 0.0);
+        const dem_real keep = dem_pick(more > 0.0, was/dem_pick(b->kt[c] > 0.0, b->kt[c], 1.0), 1.0);
+        const dem_real square = before[0][c]*before[0][c] + before[1][c]*before[1][c] + before[2][c]*before[2][c];
+
+        s.xi_x = keep*before[0][c];
+        s.xi_y = keep*before[1][c];
+        s.xi_z = keep*before[2][c];
+        s.stiffness_was = was + more;
+        dem_slider_energy(b, c, s, e);
+        e->lost[c] += 0.5*was*square*(1.0 - keep);
     }
 }
 
@@ -99,4 +125,5 @@ const struct dem_effect dem_mindlin_incremental = {
     .forgets = 1,
     .prepare = prepare,
     .act = act,
+    .energy = energy,
 };

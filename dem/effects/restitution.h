@@ -22,6 +22,7 @@
 #define DEM_EFFECTS_RESTITUTION_H
 
 #include "base/math.h"
+#include "effects/block.h"
 
 #define DEM_RESTITUTION_PI2 9.86960440108935862           /* pi^2 */
 
@@ -58,6 +59,21 @@ static inline __attribute__((always_inline)) double dem_attraction(double spring
     const double sum = spring - dashpot;
 
     return dem_pick((spring < 0.0) | (sum >= least), sum, least);
+}
+
+/* ---- the ledger -------------------------------------------------------------------------------------------------- */
+
+/* J: the dashpot's force, clamped or not, times the speed in the middle of the kick that it is part of, as far as this contact
+   alone changes that: eta v_n (v_n + F_n dt/2 m*) dt. With v_n of before the kick in its place an impact that is damped to
+   e = 0.9 at 1/20 of its duration loses 0.5 % too much. */
+static inline void dem_restitution_energy(const struct dem_block *b, struct dem_energy *restrict e)
+{
+    for (int c = 0; c < b->n; c++)
+    {
+        const double gain = dem_pick(b->reduced_mass[c] > 0.0, 0.5*b->dt/dem_pick(b->reduced_mass[c] > 0.0, b->reduced_mass[c], 1.0), 0.0);
+
+        e->lost[c] = -b->touching[c]*e->push[c]*(b->vn[c] + gain*b->fn[c])*b->dt;
+    }
 }
 
 #endif

@@ -67,6 +67,20 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     return DEM_OK;
 }
 
+/* the slider of row c, its spring still to be put in */
+static inline __attribute__((always_inline)) struct dem_slider
+slider_at(const struct dem_block *b, int c, dem_real friction, dem_real ratio, dem_real twice_zeta)
+{
+    const dem_real hx = b->hx[c], hy = b->hy[c], hz = b->hz[c], R = b->reduced_radius[c];
+    const dem_real twist = b->wx[c]*hx + b->wy[c]*hy + b->wz[c]*hz;
+    const dem_real stiffness = ratio*b->kn[c]*R*R;
+    const dem_real damping = twice_zeta*R*sqrt(1.4*b->reduced_mass[c]*stiffness);
+
+    return (struct dem_slider){.stiffness = stiffness, .damping = damping,
+                               .limit = dem_pick(b->fn[c] > 0.0, friction*R*b->fn[c], 0.0),
+                               .sx = b->wx[c] - twist*hx, .sy = b->wy[c] - twist*hy, .sz = b->wz[c] - twist*hz};
+}
+
 DEM_KERNEL
 static void act(const void *of, struct dem_block *restrict b, dem_real *const *remembered)
 {
@@ -76,14 +90,12 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real hx = b->hx[c], hy = b->hy[c], hz = b->hz[c], R = b->reduced_radius[c];
-        const dem_real twist = b->wx[c]*hx + b->wy[c]*hy + b->wz[c]*hz;
-        const dem_real stiffness = ratio*b->kn[c]*R*R;
-        const dem_real damping = twice_zeta*R*sqrt(1.4*b->reduced_mass[c]*stiffness);
-        const struct dem_slider s = dem_slider_step(b, c, (struct dem_slider){
-            .stiffness = stiffness, .damping = damping, .limit = dem_pick(b->fn[c] > 0.0, friction*R*b->fn[c], 0.0),
-            .sx = b->wx[c] - twist*hx, .sy = b->wy[c] - twist*hy, .sz = b->wz[c] - twist*hz,
-            .xi_x = x[c], .xi_y = y[c], .xi_z = z[c]});
+        struct dem_slider s = slider_at(b, c, friction, ratio, twice_zeta);
+
+        s.xi_x = x[c];
+        s.xi_y = y[c];
+        s.xi_z = z[c];
+        s = dem_slider_step(b, c, s);
 
         x[c] = s.xi_x;
         y[c] = s.xi_y;
@@ -91,6 +103,26 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
         b->mx[c] += s.fx;
         b->my[c] += s.fy;
         b->mz[c] += s.fz;
+    }
+}
+
+DEM_KERNEL
+static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+                   struct dem_energy *restrict e)
+{
+    const struct rolling_spring *rolling = of;
+
+    (void)memory;
+    for (int c = 0; c < b->n; c++)
+    {
+        struct dem_slider s = slider_at(b, c, rolling->friction, rolling->ratio, 2.0*rolling->damping);
+
+        s.xi_x = before[0][c];
+        s.xi_y = before[1][c];
+        s.xi_z = before[2][c];
+        s.mass = e->inertia[c];
+        s.stiffness_was = rolling->ratio*e->kn_was[c]*b->reduced_radius[c]*b->reduced_radius[c];
+        dem_slider_energy(b, c, s, e);
     }
 }
 
@@ -106,4 +138,5 @@ const struct dem_effect dem_rolling_spring = {
     .forgets = 1,
     .prepare = prepare,
     .act = act,
+    .energy = energy,
 };

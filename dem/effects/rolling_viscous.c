@@ -64,6 +64,20 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *m
     }
 }
 
+/* the moment times the spin that it resists, in the middle of the kick as far as the moment alone changes it */
+static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+                   struct dem_energy *restrict e)
+{
+    (void)of, (void)before, (void)memory;
+    for (int c = 0; c < b->n; c++)
+    {
+        const dem_real power = -(e->mx[c]*b->wx[c] + e->my[c]*b->wy[c] + e->mz[c]*b->wz[c]);
+        const dem_real square = e->mx[c]*e->mx[c] + e->my[c]*e->my[c] + e->mz[c]*e->mz[c];
+
+        e->lost[c] = b->touching[c]*(power - 0.5*b->dt*square/e->inertia[c])*b->dt;
+    }
+}
+
 const struct dem_effect dem_rolling_viscous = {
     .name = "rollingViscous",
     .says = "resistance to rolling in proportion to its speed, A F_n R* w_r",
@@ -74,4 +88,5 @@ const struct dem_effect dem_rolling_viscous = {
     .settings = settings,
     .prepare = prepare,
     .act = act,
+    .energy = energy,
 };

@@ -39,6 +39,19 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *m
     }
 }
 
+/* what it takes to part them */
+static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+                   struct dem_energy *restrict e)
+{
+    const dem_real scale = 6.28318530717958648*((const struct sjkr *)of)->density;
+
+    (void)before, (void)memory;
+    for (int c = 0; c < b->n; c++)
+    {
+        e->stored[c] = -0.5*scale*b->reduced_radius[c]*b->overlap[c]*b->overlap[c];
+    }
+}
+
 const struct dem_effect dem_sjkr = {
     .name = "sjkr",
     .says = "cohesion in proportion to the area of contact, -w 2 pi R* d",
@@ -47,4 +60,5 @@ const struct dem_effect dem_sjkr = {
     .size = sizeof(struct sjkr),
     .settings = settings,
     .act = act,
+    .energy = energy,
 };

@@ -38,11 +38,12 @@ struct dem_slider
     dem_real sx, sy, sz;                                  /* rate, in the plane of half a step ago */
     dem_real xi_x, xi_y, xi_z;                            /* spring: the last step's before, this step's after */
     dem_real fx, fy, fz;                                  /* F, after */
+    dem_real stiffness_was, mass;                         /* for the ledger only: k a step ago; what F moves, 0: much */
 };
 
-/* the slider of row c one step on; with a limit of 0 no force and no spring is left */
+/* row c's spring of the step before in today's plane, loaded, and the rate there */
 static inline __attribute__((always_inline)) struct dem_slider
-dem_slider_step(const struct dem_block *b, int c, struct dem_slider s)
+dem_slider_load(const struct dem_block *b, int c, struct dem_slider s)
 {
     const dem_real nx = b->nx[c], ny = b->ny[c], nz = b->nz[c];
     const dem_real hx = b->hx[c], hy = b->hy[c], hz = b->hz[c], dt = b->dt;
@@ -58,7 +59,22 @@ dem_slider_step(const struct dem_block *b, int c, struct dem_slider s)
     const dem_real ax = ny*rz - nz*ry, ay = nz*rx - nx*rz, az = nx*ry - ny*rx;
     const dem_real bx = ay*nz - az*ny, by = az*nx - ax*nz, bz = ax*ny - ay*nx;
     const dem_real q = half*b->swing[c], over = 1.0/(1.0 + q*q), stays = (1.0 - q*q)*over, goes = (q + q)*over;
-    const dem_real ex = stays*bx + goes*ax + gx, ey = stays*by + goes*ay + gy, ez = stays*bz + goes*az + gz;
+
+    s.sx = sx;
+    s.sy = sy;
+    s.sz = sz;
+    s.xi_x = stays*bx + goes*ax + gx;
+    s.xi_y = stays*by + goes*ay + gy;
+    s.xi_z = stays*bz + goes*az + gz;
+    return s;
+}
+
+/* the slider of row c one step on; with a limit of 0 no force and no spring is left */
+static inline __attribute__((always_inline)) struct dem_slider
+dem_slider_step(const struct dem_block *b, int c, struct dem_slider s)
+{
+    s = dem_slider_load(b, c, s);
+    const dem_real sx = s.sx, sy = s.sy, sz = s.sz, ex = s.xi_x, ey = s.xi_y, ez = s.xi_z;
 
     /* holds or slips */
     const dem_real tx = -s.stiffness*ex - s.damping*sx;
@@ -75,6 +91,55 @@ dem_slider_step(const struct dem_block *b, int c, struct dem_slider s)
     s.fy = keep*ty;
     s.fz = keep*tz;
     return s;
+}
+
+/* the slider of friction in row c, its spring still to be put in: dashpot of the normal law, limit by what pushes; two
+   bodies slip as 2/7 m* does, for 1/m + R^2/I of both is 7/2 m* */
+static inline __attribute__((always_inline)) struct dem_slider
+dem_slider_friction(const struct dem_block *b, int c, dem_real stiffness, dem_real friction, dem_real damped)
+{
+    return (struct dem_slider){.stiffness = stiffness, .damping = damped*b->eta[c],
+                               .limit = dem_pick(b->fn[c] > 0.0, friction*b->fn[c], 0.0),
+                               .sx = b->sx[c], .sy = b->sy[c], .sz = b->sz[c], .mass = b->reduced_mass[c]*(2.0/7.0)};
+}
+
+/*
+ * What row c holds and has turned to heat in the step that dem_slider_step makes of s. With e the loaded spring, xi and xi'
+ * the spring before (in today's plane) and after, k and k' its stiffness then and now,
+ *
+ *   stored   k' xi'^2/2
+ *   slipped  (k xi + k' xi')/2 . (e - xi')       mean friction force times the distance slipped
+ *   damped   c s (s + dt F/2 m) dt               while it holds; the rate in the middle of the kick, as far as F alone changes it
+ *   rubbed   -F.(s + dt F/2 m) dt                where there is no spring
+ *   changed  -(k' - k) xi.xi'/2                  a spring that stiffens as it is holds more than was put in: below 0
+ *
+ * Where partners are apart, or a bond takes the contact's place, the spring is forgotten, and what it held is lost. A spring
+ * that is cut to spring and dashpot together as it begins to slip is longer than it was: slipped is below 0 then.
+ */
+static inline __attribute__((always_inline)) void
+dem_slider_energy(const struct dem_block *b, int c, struct dem_slider s, struct dem_energy *restrict e)
+{
+    struct dem_slider still = s;
+
+    still.sx = still.sy = still.sz = 0.0;
+    const struct dem_slider from = dem_slider_load(b, c, still), loaded = dem_slider_load(b, c, s), to = dem_slider_step(b, c, s);
+    const dem_real k = s.stiffness, was = s.stiffness_was, dt = b->dt, on = b->touching[c];
+    const dem_real gx = loaded.xi_x - to.xi_x, gy = loaded.xi_y - to.xi_y, gz = loaded.xi_z - to.xi_z;
+    const dem_real along = from.xi_x*gx + from.xi_y*gy + from.xi_z*gz, ahead = to.xi_x*gx + to.xi_y*gy + to.xi_z*gz;
+    const dem_real both = from.xi_x*to.xi_x + from.xi_y*to.xi_y + from.xi_z*to.xi_z;
+    const dem_real old = from.xi_x*from.xi_x + from.xi_y*from.xi_y + from.xi_z*from.xi_z;
+
+    /* where it holds, nothing is cut */
+    const dem_real holds = dem_pick((gx == 0.0) & (gy == 0.0) & (gz == 0.0), 1.0, 0.0);
+    const dem_real square = to.sx*to.sx + to.sy*to.sy + to.sz*to.sz;
+    const dem_real power = -(to.fx*to.sx + to.fy*to.sy + to.fz*to.sz);
+    const dem_real gain = dem_pick(s.mass > 0.0, 0.5*dt/dem_pick(s.mass > 0.0, s.mass, 1.0), 0.0);
+    const dem_real damped = holds*s.damping*(square - gain*power)*dt;
+    const dem_real rubbed = (power - gain*(to.fx*to.fx + to.fy*to.fy + to.fz*to.fz))*dt;
+    const dem_real lost = damped + 0.5*(was*along + k*ahead) - 0.5*(k - was)*both;
+
+    e->stored[c] = on*0.5*k*(to.xi_x*to.xi_x + to.xi_y*to.xi_y + to.xi_z*to.xi_z);
+    e->lost[c] = dem_pick(on > 0.0, dem_pick(k > 0.0, lost, rubbed), 0.5*was*old);
 }
 
 #endif

@@ -141,6 +141,13 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
     }
 }
 
+static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+                   struct dem_energy *restrict e)
+{
+    (void)of, (void)before, (void)memory;
+    dem_restitution_energy(b, e);
+}
+
 const struct dem_effect dem_stokes = {
     .name = "stokes",
     .says = "viscous damping in a fluid: restitution e_max exp(-beta/St) by the Stokes number of the impact",
@@ -152,4 +159,5 @@ const struct dem_effect dem_stokes = {
     .memory = memory,
     .prepare = prepare,
     .act = act,
+    .energy = energy,
 };

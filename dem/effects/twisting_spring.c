@@ -102,6 +102,27 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
     }
 }
 
+/* as slider.h has it, of an angle */
+static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+                   struct dem_energy *restrict e)
+{
+    const struct twisting_spring *twisting = of;
+    const dem_real *const from = before[0], *const to = memory[0];
+
+    for (int c = 0; c < b->n; c++)
+    {
+        const dem_real R = b->reduced_radius[c], stiffness = b->touching[c]*twisting->ratio*b->kn[c]*R*b->overlap[c];
+        const dem_real was = twisting->ratio*e->kn_was[c]*R*e->was[c];
+        const dem_real rate = b->wx[c]*b->hx[c] + b->wy[c]*b->hy[c] + b->wz[c]*b->hz[c], slipped = from[c] + b->dt*rate - to[c];
+        const dem_real damping = 2.0*twisting->damping*R*sqrt(0.4*b->reduced_mass[c]*stiffness);
+        const dem_real moment = -stiffness*to[c] - damping*rate;
+        const dem_real damped = dem_pick(slipped == 0.0, damping*rate*(rate + 0.5*b->dt*moment/e->inertia[c])*b->dt, 0.0);
+
+        e->stored[c] = 0.5*stiffness*to[c]*to[c];
+        e->lost[c] = damped + 0.5*(was*from[c] + stiffness*to[c])*slipped - 0.5*(stiffness - was)*from[c]*to[c];
+    }
+}
+
 const struct dem_effect dem_twisting_spring = {
     .name = "twistingSpring",
     .says = "resistance to twisting about the normal: the torsion of the contact, which slips",
@@ -113,4 +134,5 @@ const struct dem_effect dem_twisting_spring = {
     .memory = memory,
     .prepare = prepare,
     .act = act,
+    .energy = energy,
 };

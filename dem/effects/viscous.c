@@ -67,6 +67,13 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *m
     }
 }
 
+static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+                   struct dem_energy *restrict e)
+{
+    (void)of, (void)before, (void)memory;
+    dem_restitution_energy(b, e);
+}
+
 const struct dem_effect dem_viscous = {
     .name = "viscous",
     .says = "viscous damping with a given coefficient, -c v_n",
@@ -77,4 +84,5 @@ const struct dem_effect dem_viscous = {
     .prepare = prepare,
     .time_limit = time_limit,
     .act = act,
+    .energy = energy,
 };

@@ -17,6 +17,7 @@
 #include "state/walls.h"
 #include "step/averages.h"
 #include "step/kept.h"
+#include "step/ledger.h"
 #include "step/losses.h"
 #include "step/wall_books.h"
 #include "step/wall_touch.h"
@@ -45,6 +46,7 @@ struct dem_parts
     struct dem_losses losses;
     struct dem_kept kept;
     struct dem_wall_books books;
+    struct dem_ledger ledger;
     int stale;                                            /* 1: rebuild in the next step whatever has moved; 2: there are no
                                                              lists of these particles yet */
     int64_t steps, rebuilds, prunes;

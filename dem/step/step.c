@@ -67,6 +67,10 @@ static int send_off(struct dem_parts *p, size_t i)
                 "the position of particle %lld is not a number at step %lld; look at its input and at the fluid around it",
                 (long long)q->id, (long long)p->steps);
     dem_loss_cause_outside(p, i, cause);
+    if (p->ledger.open)
+    {
+        dem_ledger_leaves(p, q);
+    }
     DEM_REQUIRE(p->domain.remove, DEM_ERROR_LOST,
                 "particle %lld left the domain at (%g %g %g) m at time %g s: %s; enlarge the domain, close it with a wall, or set "
                 "domain/leaving remove", (long long)q->id, q->x[0], q->x[1], q->x[2], p->time, cause);
@@ -204,7 +208,7 @@ static int keep(struct dem_parts *p, int status, double half_kick)
     k->steps = p->steps;
     if (half_kick > 0.0)
     {
-        dem_sweep_bodies(&k->particles, &p->recipe.bodies, half_kick, p->window);
+        dem_sweep_bodies(&k->particles, &p->recipe.bodies, half_kick, p->window, NULL);
     }
     return DEM_OK;
 }
@@ -252,6 +256,11 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
 
     p->steps++;
     dem_walls_move(&p->walls, p->time, dt);
+    if (p->ledger.open)
+    {
+        dem_ledger_drift(p, dt);
+        p->ledger.tells = kick < dt;
+    }
     *status = *status ? *status : not_too_far(p, fastest[0], dt);
     DEM_TRY(agree(p, *status, fastest));
     DEM_REQUIRE(isfinite(fastest[0]), DEM_ERROR_NUMBER, "a particle's velocity is not a number at step %lld; look at the forces "
@@ -259,13 +268,17 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
     DEM_TRY(neighbourhood(p, fastest[0], dt));
     *status = dem_sweep_contacts(p, dt, (const double[2]){since, p->time});
     dem_sum_contacts(&p->particles, &p->contacts);
+    if (p->ledger.open)
+    {
+        dem_ledger_swept(p, dt);
+    }
     dem_wall_books_add(p, kick);
     dem_sum_books(&p->particles, &p->contacts);
     if (p->kept.every > 0 && p->steps >= p->kept.steps + p->kept.every && kick == dt)
     {
         *status = keep(p, *status, 0.5*dt);
     }
-    dem_sweep_bodies(&p->particles, &p->recipe.bodies, kick, p->window);
+    dem_sweep_bodies(&p->particles, &p->recipe.bodies, kick, p->window, p->ledger.open ? &p->ledger : NULL);
     return DEM_OK;
 }
 
@@ -284,7 +297,7 @@ int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
         DEM_TRY(dem_halo_refresh_viscosity(&p->halo, &p->particles));
     }
     dem_wall_books_add(p, 0.5*dt);
-    dem_sweep_bodies(&p->particles, &p->recipe.bodies, 0.5*dt, window);
+    dem_sweep_bodies(&p->particles, &p->recipe.bodies, 0.5*dt, window, p->ledger.open ? &p->ledger : NULL);
     for (int64_t k = 1; k <= steps; k++)
     {
         const double since = p->time;

@@ -79,7 +79,24 @@ static int rows_from(const struct dem_particles *p, size_t first)
     return p->n - first < DEM_BLOCK ? (int)(p->n - first) : DEM_BLOCK;
 }
 
-void dem_sweep_bodies(struct dem_particles *p, const struct dem_chain *bodies, double kick, double window)
+/* What acts on a block; the ledger, where there is one, looks on. */
+static void act(struct dem_body_tray *t, const struct dem_chain *bodies, struct dem_ledger *ledger)
+{
+    for (int k = 0; k < bodies->links; k++)
+    {
+        if (ledger)
+        {
+            dem_ledger_body_before(ledger, &t->block);
+        }
+        bodies->link[k].effect->act_on_bodies(bodies->link[k].settings, &t->block);
+        if (ledger)
+        {
+            dem_ledger_body_after(ledger, &t->block, k);
+        }
+    }
+}
+
+void dem_sweep_bodies(struct dem_particles *p, const struct dem_chain *bodies, double kick, double window, struct dem_ledger *ledger)
 {
     const int fluid = dem_column(p, DEM_COLUMN_FLUID_VELOCITY) != NULL, spin = (bodies->needs & DEM_NEEDS_SPIN) != 0;
     struct dem_body_tray t;
@@ -95,10 +112,7 @@ void dem_sweep_bodies(struct dem_particles *p, const struct dem_chain *bodies, d
         {
             dem_body_tray_fluid(&t, p, first, rows, window > 0.0 ? 1.0/window : 0.0);
         }
-        for (int k = 0; k < bodies->links; k++)
-        {
-            bodies->link[k].effect->act_on_bodies(bodies->link[k].settings, &t.block);
-        }
+        act(&t, bodies, ledger);
         if (fluid)
         {
             dem_body_tray_counterflow(&t, p, first, rows);
@@ -108,6 +122,13 @@ void dem_sweep_bodies(struct dem_particles *p, const struct dem_chain *bodies, d
         else
         {
             kick_without_drag(&t, kick);
+        }
+        if (ledger)
+        {
+            const struct dem_ledger_kick k = {.bodies = bodies, .block = &t.block, .j = {t.jx, t.jy, t.jz}, .first = first,
+                                              .rows = rows, .h = kick, .window = window};
+
+            dem_ledger_kicked(ledger, p, &k);
         }
         dem_body_tray_scatter(&t, p, first, rows, kick);
     }

@@ -8,11 +8,12 @@
 
 #include "state/particles.h"
 #include "state/recipe.h"
+#include "step/ledger.h"
 
 /* Evaluate the body effects at the present state and kick velocities and spins over `kick` [s]. The contact force and
    torque of the columns act as constants; drag is integrated exactly. `window` [s] is the time over which the pending
-   impulse of the last exchange is spread; 0 for none. */
-void dem_sweep_bodies(struct dem_particles *, const struct dem_chain *bodies, double kick, double window);
+   impulse of the last exchange is spread; 0 for none. The ledger, NULL for none, books the work. */
+void dem_sweep_bodies(struct dem_particles *, const struct dem_chain *bodies, double kick, double window, struct dem_ledger *);
 
 /* Start a window of the fluid: clear what the particles will tell it, work out what its steps have in common. */
 void dem_bodies_open(struct dem_particles *, const struct dem_chain *bodies);

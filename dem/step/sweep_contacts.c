@@ -163,22 +163,46 @@ static void shield(struct dem_tray *t, const struct dem_chain *chain, const stru
     }
 }
 
+static void act_one(struct dem_tray *t, const struct dem_chain *chain, int link, double **memory, int memories)
+{
+    const struct dem_effect *const effect = chain->link[link].effect;
+    /* a shield takes touch and leaves the overlap */
+    const int forgotten = effect->stage >= DEM_STAGE_BOND || (effect->forgets && !chain->past_touching);
+
+    effect->act(chain->link[link].settings, &t->block, memory);
+    for (int m = 0; m < memories && !forgotten; m++)
+    {
+        forget_apart(&t->block, memory[m]);
+    }
+}
+
 static void act(struct dem_tray *t, const struct dem_chain *chain, const struct dem_contacts *c, uint32_t row)
 {
     double *memory[DEM_MEMORY_COLUMNS];
 
     for (int k = 0; k < chain->links; k++)
     {
-        const struct dem_link *const link = &chain->link[k];
-        const int memories = recall(c, link, row, memory);
-        /* a shield takes touch and leaves the overlap */
-        const int forgotten = link->effect->stage >= DEM_STAGE_BOND || (link->effect->forgets && !chain->past_touching);
+        const int memories = recall(c, &chain->link[k], row, memory);
 
-        link->effect->act(link->settings, &t->block, memory);
-        for (int m = 0; m < memories && !forgotten; m++)
-        {
-            forget_apart(&t->block, memory[m]);
-        }
+        act_one(t, chain, k, memory, memories);
+    }
+}
+
+/* The same with the ledger looking on. */
+static void act_and_tell(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, uint32_t row, int rows)
+{
+    double *memory[DEM_MEMORY_COLUMNS];
+
+    dem_ledger_block(p, t, chain->pair.with_wall);
+    for (int k = 0; k < chain->links; k++)
+    {
+        const struct dem_ledger_rows r = {.chain = chain, .link = &chain->link[k], .memory = memory, .row = row, .rows = rows};
+
+        const int memories = recall(&p->contacts, r.link, row, memory);
+
+        dem_ledger_before(p, t, &r);
+        act_one(t, chain, k, memory, memories);
+        dem_ledger_after(p, t, &r);
     }
 }
 
@@ -212,7 +236,14 @@ static int sweep_block(struct dem_parts *p, struct dem_tray *t, const struct dem
     {
         shield(t, chain, &p->contacts, row);
     }
-    act(t, chain, &p->contacts, row);
+    if (p->ledger.open)
+    {
+        act_and_tell(p, t, chain, row, rows);
+    }
+    else
+    {
+        act(t, chain, &p->contacts, row);
+    }
     push_out(&t->block, rows, chain->pair.with_wall ? 1.0 : 0.5, chain->past_touching, p->contacts.push + row);
     if (chain->past_touching)
     {
@@ -270,6 +301,10 @@ int dem_sweep_contacts(struct dem_parts *p, double dt, const double time[2])
     t.block.time = time[1];
     dem_wall_touches_update(&p->touches, &p->pairs.search, &p->walls, &p->particles);
     dem_wall_springs(p);
+    if (p->ledger.open)
+    {
+        dem_ledger_sweep(&p->ledger);
+    }
     for (int s = 0; s < p->contacts.classes; s++)
     {
         const struct dem_segment *const seg = &p->contacts.segment[s];

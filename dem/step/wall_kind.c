@@ -84,16 +84,35 @@ static void normal_before(const struct dem_region *r, const struct dem_stride *s
     }
 }
 
+static const struct dem_stride rest;
+
+/* Forward from x the chord bends the other way. */
+void dem_wall_kind_motion(const struct dem_walls *w, int region, const struct dem_wall_touch *at, int ahead, struct dem_wall_kind *kind)
+{
+    const struct dem_wall *const of = &w->wall[w->region[region].wall];
+    struct dem_stride s = of->moving < 0 ? rest : w->moving[of->moving].stride;
+
+    s.versine_rate = ahead ? -s.versine_rate : s.versine_rate;
+    dem_stride_velocity(&s, at->point, kind->velocity);
+    for (int k = 0; k < 3; k++)
+    {
+        kind->spin[k] = s.sine_rate*s.axis[k];
+    }
+    if (of->driven)
+    {
+        add_drive(w, of, at, kind);
+    }
+}
+
 void dem_wall_kind_at(const struct dem_walls *w, int region, const struct dem_particle *i, const struct dem_wall_touch *at, double dt,
                       struct dem_wall_kind *kind)
 {
-    static const struct dem_stride rest;
     const struct dem_region *const r = &w->region[region];
     const struct dem_wall *const of = &w->wall[r->wall];
     const struct dem_stride *const s = of->moving < 0 ? &rest : &w->moving[of->moving].stride;
     double back[3], before[3], centre[3] = {0.0, 0.0, 0.0};
 
-    dem_stride_velocity(s, at->point, kind->velocity);
+    dem_wall_kind_motion(w, region, at, 0, kind);
     if (r->shape == DEM_SHAPE_CYLINDER || r->shape == DEM_SHAPE_SPHERE)
     {
         memcpy(centre, r->centre, sizeof centre);
@@ -105,7 +124,6 @@ void dem_wall_kind_at(const struct dem_walls *w, int region, const struct dem_pa
     }
     for (int k = 0; k < 3; k++)
     {
-        kind->spin[k] = s->sine_rate*s->axis[k];
         back[k] = dt*(i->v[k] - centre[k]);
     }
     normal_before(r, s, back, at, before);
@@ -120,8 +138,4 @@ void dem_wall_kind_at(const struct dem_walls *w, int region, const struct dem_pa
         kind->half[k] = size > 0.0 ? kind->half[k]/size : at->normal[k];
     }
     kind->reduced_radius = reduced_radius(r, i->radius);
-    if (of->driven)
-    {
-        add_drive(w, of, at, kind);
-    }
 }

@@ -24,6 +24,9 @@ struct dem_wall_kind
     double reduced_radius;                                /* m */
 };
 
+/* Velocity and spin alone, over the last motion of the walls; `ahead`: the touch lies where the wall was before it. */
+void dem_wall_kind_motion(const struct dem_walls *, int region, const struct dem_wall_touch *, int ahead, struct dem_wall_kind *);
+
 void dem_wall_kind_at(const struct dem_walls *, int region, const struct dem_particle *, const struct dem_wall_touch *, double dt,
                       struct dem_wall_kind *);
 

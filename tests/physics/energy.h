@@ -1,0 +1,46 @@
+/*
+ * energy.h -- a world that keeps the ledger of energy, and its terms by name.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ *     struct dem *d = energy_world(scene, n, seeds);             as world(), with dem_energy_watch
+ *     energy_term(d, "residual")                                 J
+ */
+#ifndef TESTS_PHYSICS_ENERGY_H
+#define TESTS_PHYSICS_ENERGY_H
+
+#include "physics/world.h"
+
+static inline struct dem *energy_world(const char *scene, int64_t n, const struct dem_seed *seed)
+{
+    struct dem *const d = world_begin(scene);
+
+    if (n > 0)
+    {
+        WORLD_TRY(dem_add_particles(d, n, seed));
+    }
+    WORLD_TRY(dem_energy_watch(d));
+    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_scene_check(d));
+    return d;
+}
+
+static inline double energy_term(struct dem *d, const char *name)
+{
+    const struct dem_energy_item *item;
+    double since;
+    int n;
+
+    WORLD_TRY(dem_energy(d, &since, &n, &item));
+    for (int k = 0; k < n; k++)
+    {
+        if (strcmp(item[k].name, name) == 0)
+        {
+            return item[k].value;
+        }
+    }
+    printf("Bail out! the ledger has no %s\n", name);
+    exit(1);
+}
+
+#endif

@@ -1,0 +1,356 @@
+/*
+ * Claims of the ledger of energy against closed forms: an elastic bounce closes to the second order of the step while it lasts; a
+ * damped one turns (1 - e^2) of its energy to heat, a plastic one the loop of its law; a sphere that slides till it rolls
+ * rubs away 1/7 of m v^2, one that rolls to rest all it has; friction loaded step by step never gives energy; a bond that
+ * breaks loses what it held; what a belt gives is motion and heat, half and half; a shaken bed turns to heat what the shaker
+ * gives; drag takes the kinetic energy, or a fluid gives twice what it leaves; who leaves the domain takes its energy along;
+ * a heap settles with a residual below 1e-3 of its fall that falls with the step; a run that loads a state goes on from its energies.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/energy.h"
+
+#include <unistd.h>
+
+static const double R = 1e-3, rho = 2500.0, E = 1e7, nu = 0.3;
+
+static const char glass[] = "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }";
+static const char floor_at_0[] = "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }";
+
+static struct dem_seed ball(double x, double z, double vx, double vz)
+{
+    return (struct dem_seed){.position = {x, 0.0, z}, .velocity = {vx, 0.0, vz}, .diameter = 2.0*R, .id = -1, .material = "glass"};
+}
+
+/* One sphere over the floor, or whatever `more` puts there. */
+static struct dem *one(const char *effects, const char *more, double step, struct dem_seed seed)
+{
+    char *const scene = world_text("%s effects { %s } %s time { step %.17g; force yes; }", glass, effects, more, step);
+    struct dem *const d = energy_world(scene, 1, &seed);
+
+    free(scene);
+    return d;
+}
+
+static double mass(void)
+{
+    return world_ball(R, rho);
+}
+
+/* s: an impact at 1 m/s on a wall of the same material */
+static double impact(void)
+{
+    return world_contact_time(mass(), R, 0.5*E/(1.0 - nu*nu), 1.0);
+}
+
+/* Overlap at which a sphere at rest is held, and so where it starts. */
+static double sinking(void)
+{
+    return pow(mass()*9.81/(4.0/3.0*0.5*E/(1.0 - nu*nu)*sqrt(R)), 2.0/3.0);
+}
+
+/* ---- impacts ------------------------------------------------------------------------------------------------- */
+
+/* Largest residual over an impact at 1 m/s, of 40 looks. */
+static double worst_of_bounce(const char *effects, double step, double *lost, const char *term)
+{
+    struct dem *const d = one(effects, floor_at_0, step, ball(0.0, 1.02*R, 0.0, -1.0));
+    double worst = 0.0;
+
+    for (int k = 0; k < 40; k++)
+    {
+        world_run(d, impact()/20.0);
+        worst = fmax(worst, fabs(energy_term(d, "residual")));
+    }
+    *lost = energy_term(d, term);
+    TAP_OK(world_at(d, 0).v[2] > 0.0 && world_at(d, 0).f[2] == 0.0, "it has bounced");
+    dem_free(d);
+    return worst/(0.5*mass());
+}
+
+static void bounces(void)
+{
+    const double kinetic = 0.5*mass(), tc = impact();
+    double coarse, fine, term;
+
+    coarse = worst_of_bounce("hertz {}", tc/80.0, &term, "elastic_hertz");
+    fine = worst_of_bounce("hertz {}", tc/160.0, &term, "elastic_hertz");
+    TAP_OK(coarse < 2e-3 && coarse > 3.5*fine && coarse < 4.5*fine, "elastic: residual %.3g, %.3g at half the step: second order", coarse, fine);
+    TAP_OK(term == 0.0, "nothing is held when it is over");
+
+    coarse = worst_of_bounce("hertz {} dry { restitution 0.8; }", tc/200.0, &term, "lost_dry");
+    fine = worst_of_bounce("hertz {} dry { restitution 0.8; }", tc/400.0, &term, "lost_dry");
+    TAP_OK(coarse > 1.7*fine && coarse < 2.3*fine, "e = 0.8: residual %.3g, %.3g at half the step: first order", coarse, fine);
+    TAP_NEAR(term/kinetic, 1.0 - 0.64, 1e-3, "e = 0.8: lost 1 - e^2");      /* e itself is 1e-4 off at t_c/400, README section 4 */
+
+    /* first loading by k takes all of it to d = v sqrt(m/k); k_2 gives back k/k_2 of it, k_2 = k + (k_m - k) d/d_lim */
+    const double k = 1000.0, d_max = sqrt(mass()/k), d_lim = 4.0/3.0*0.05*2.0*R, k_2 = k*(1.0 + 3.0*d_max/d_lim);
+
+    worst_of_bounce("hookeHysteresis { stiffness 1000; unloading 4; }", tc/400.0, &term, "lost_hookeHysteresis");
+    TAP_NEAR(term/kinetic, 1.0 - k/k_2, 1e-3, "plastic: lost the loop of loading and unloading");     /* d_max is seen within a step */
+}
+
+/* Oblique impacts at 2 to 60 degrees; an impact begins with slip, so the spring is loaded before pressure is. */
+static double least_lost(const char *effects, const char *term)
+{
+    double least = 1e300;
+
+    for (int angle = 2; angle <= 60; angle += 2)
+    {
+        const double a = angle*world_pi/180.0;
+        struct dem *const d = one(effects, floor_at_0, impact()/200.0, ball(0.0, 1.02*R, sin(a), -cos(a)));
+
+        world_run(d, 2.0*impact());
+        least = fmin(least, energy_term(d, term)/(0.5*mass()*sin(a)*sin(a)));
+        dem_free(d);
+    }
+    return least;
+}
+
+static void friction_gives_nothing(void)
+{
+    const double incremental = least_lost("hertz {} mindlinIncremental { friction 5; }", "lost_mindlinIncremental");
+    const double linear = least_lost("hooke { stiffness 1000; } linear { friction 5; stiffness 300; }", "lost_linear");
+    TAP_OK(incremental > 0.0, "mindlinIncremental takes at least %.3g of the tangential energy", incremental);
+    TAP_OK(linear > -1e-6, "linear takes at least %.3g of it", linear);
+}
+
+/* ---- sliding, rolling, belts --------------------------------------------------------------------------------- */
+
+static void slides_and_rolls(void)
+{
+    const double v = 0.5;
+    struct dem *d = one("gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.3; }",
+                        floor_at_0, impact()/40.0, ball(0.0, R - sinking(), v, 0.0));
+
+    world_run(d, 0.1);
+    TAP_NEAR(world_at(d, 0).v[0], 5.0/7.0*v, 1e-3*v, "it rolls at 5/7 v");
+    /* slip falls as v - 7/2 mu g t, over a way of v^2/(7 mu g): mu m g s = m v^2/7; the lever is shorter by the overlap of 4e-3 R */
+    TAP_NEAR(energy_term(d, "lost_mindlin")/(mass()*v*v/7.0), 1.0, 5e-3, "sliding: mu m g times the way");
+    TAP_OK(fabs(energy_term(d, "residual")) < 1e-4*mass()*v*v/7.0, "residual %.2g of it", energy_term(d, "residual")/(mass()*v*v/7.0));
+    dem_free(d);
+
+    /* 7/10 m v^2; mindlin holds it to rolling without slip */
+    struct dem_seed rolling = ball(0.0, R - sinking(), 0.05, 0.0);
+
+    rolling.spin[1] = 0.05/(R - sinking());
+    d = one("gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.5; } rollingConstant { friction 0.02; }",
+            floor_at_0, impact()/40.0, rolling);
+    const double kinetic = energy_term(d, "kinetic_translation") + energy_term(d, "kinetic_rotation");
+
+    world_run(d, 0.5);
+    TAP_OK(energy_term(d, "kinetic_translation") < 1e-6*kinetic, "it has come to rest");
+    TAP_NEAR(energy_term(d, "lost_rollingConstant")/kinetic, 1.0, 2e-3, "rolling to rest: all of its energy");   /* a little goes to the tangential dashpot */
+    TAP_OK(fabs(energy_term(d, "residual")) < 1e-4*kinetic, "residual %.2g of it", energy_term(d, "residual")/kinetic);
+    dem_free(d);
+}
+
+/* Put down on a belt that runs at V a sphere ends at 2/7 V with a spin of 5/7 V/R: m V^2/7 of motion and as much of heat. */
+static void belt(void)
+{
+    const double V = 0.5;
+    struct dem *const d = one("gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.3; }",
+                              "walls { belt { type plane; point (0 0 0); normal (0 0 1); surfaceVelocity (0.5 0 0); } }",
+                              impact()/40.0, ball(0.0, R - sinking(), 0.0, 0.0));
+    const double unit = mass()*V*V/7.0;
+
+    world_run(d, 0.1);
+    TAP_NEAR((energy_term(d, "kinetic_translation") + energy_term(d, "kinetic_rotation"))/unit, 1.0, 1e-2, "belt: motion");
+    TAP_NEAR(energy_term(d, "lost_mindlin")/unit, 1.0, 1e-2, "belt: heat");      /* the lever is shorter by 4e-3 */
+    TAP_NEAR(energy_term(d, "work_walls")/unit, 2.0, 2e-2, "belt: its work");
+    TAP_OK(fabs(energy_term(d, "residual")) < 1e-4*unit, "residual %.2g of it", energy_term(d, "residual")/unit);
+    dem_free(d);
+}
+
+/* ---- bonds, fluid, leaving ----------------------------------------------------------------------------------- */
+
+static void bond(void)
+{
+    /* A = pi r_b^2, stiffness k_n A; it breaks at a stress of sigma: (sigma A)^2/(2 k_n A) */
+    const double k_n = 1e9, sigma = 1e4, A = world_pi*R*R, held = sigma*sigma*A/(2.0*k_n);
+    struct dem_seed pair[2] = {ball(-R, 0.0, -0.2, 0.0), ball(R, 0.0, 0.2, 0.0)};
+    char *const scene = world_text("%s effects { hertz {} bondLinear { normalStiffness %g; shearStiffness %g; normalStrength %g; breakDistance 1.5; } } "
+                                   "time { step 1e-7; }", glass, k_n, k_n, sigma);
+    struct dem *const d = energy_world(scene, 2, pair);
+
+    world_run(d, 5e-4);
+    TAP_NEAR(energy_term(d, "broken")/held, 1.0, 2e-2, "a bond that breaks loses what it held");   /* a step too late: 0.04 um of 10 um */
+    TAP_OK(energy_term(d, "elastic_bondLinear") == 0.0, "and holds nothing");
+    TAP_OK(fabs(energy_term(d, "residual")) < 1e-2*held, "residual %.2g of it", energy_term(d, "residual")/held);
+    dem_free(d);
+    free(scene);
+}
+
+static void fluid(void)
+{
+    const char *const still = "fluid { density 1; viscosity 1e-3; }";
+    const double v = 0.01, relaxation = mass()/(6.0*world_pi*1e-3*R);
+    struct dem *d = one("stokesDrag {}", still, 1e-4, ball(0.0, 0.0, v, 0.0));
+
+    world_run(d, 20.0*relaxation);
+    TAP_NEAR(energy_term(d, "lost_stokesDrag")/(0.5*mass()*v*v), 1.0, 1e-9, "drag turns all motion to heat");   /* e^-40 of it is left */
+    TAP_OK(energy_term(d, "work_stokesDrag") == 0.0, "a fluid at rest does no work");
+    dem_free(d);
+
+    d = one("stokesDrag {}", "fluid { density 1; viscosity 1e-3; velocity (0.01 0 0); }", 1e-4, ball(0.0, 0.0, 0.0, 0.0));
+    world_run(d, 20.0*relaxation);
+    TAP_NEAR(energy_term(d, "work_stokesDrag")/(mass()*v*v), 1.0, 5e-9, "a stream gives m u^2");         /* e^-20 of the slip is left */
+    TAP_NEAR(energy_term(d, "lost_stokesDrag")/(0.5*mass()*v*v), 1.0, 1e-6, "half of it heat");   /* the mean of a kick's ends: (dt/relaxation)^2/12 */
+    dem_free(d);
+
+    /* settling: m g less rho V g over the way */
+    d = one("gravity { acceleration (0 0 -9.81); } stokesDrag {} pressureGradient {}", "fluid { density 1000; viscosity 0.1; }", 1e-5,
+            ball(0.0, 0.0, 0.0, 0.0));
+    world_run(d, 0.2);
+    const double fall = energy_term(d, "gravity");
+
+    TAP_NEAR(energy_term(d, "work_pressureGradient")/fall, 1000.0/rho, 1e-7, "buoyancy does its share of the work");   /* second order: kicks and drifts */
+    TAP_OK(fabs(energy_term(d, "residual")) < 1e-7*fabs(fall), "settling: residual %.2g", energy_term(d, "residual")/fall);
+    dem_free(d);
+}
+
+static void leaving(void)
+{
+    struct dem *const d = one("gravity { acceleration (0 0 -9.81); } hertz {}",
+                              "domain { min (-1 -1 -0.1); max (1 1 1); leaving remove; }", 1e-5, ball(0.0, 0.0, 0.3, 0.0));
+
+    world_run(d, 0.2);
+    TAP_OK(world_tally(d).particles == 0, "it has fallen out");
+    TAP_NEAR(energy_term(d, "left"), 0.5*mass()*0.09 - energy_term(d, "gravity"), 1e-9*energy_term(d, "left"), "and took along what it had");
+    TAP_OK(fabs(energy_term(d, "residual")) < 1e-9*energy_term(d, "left"), "residual %.2g of it",
+           energy_term(d, "residual")/energy_term(d, "left"));
+    dem_free(d);
+}
+
+/* ---- crowds --------------------------------------------------------------------------------------------------- */
+
+static struct dem *heap(double step, const char *floor_motion)
+{
+    char *const scene = world_text("%s effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.8; } "
+                                   "mindlin { friction 0.3; } rollingSpring { friction 0.05; } } "
+                                   "walls { cup { type box; min (0 0 0); max (0.012 0.012 0.1); %s } } "
+                                   "insert { bed { type lattice; count 200; diameter 2e-3; min (0 0 0.001); max (0.012 0.012 0.05); } } "
+                                   "time { step %.17g; }", glass, floor_motion, step);
+    struct dem *const d = energy_world(scene, 0, NULL);
+
+    free(scene);
+    return d;
+}
+
+static void settles(void)
+{
+    double residual[2], fall = 0.0;
+
+    for (int h = 0; h < 2; h++)
+    {
+        struct dem *const d = heap(8e-6/(1 + h), "");
+
+        world_run(d, 0.1);
+        fall = -energy_term(d, "gravity");
+        residual[h] = fabs(energy_term(d, "residual"))/fall;
+        TAP_OK(energy_term(d, "kinetic_translation") < 0.1*fall, "the heap has settled");
+        dem_free(d);
+    }
+    /* of first order by dashpots: half expected, and no two runs of a heap are alike */
+    TAP_OK(residual[0] < 1e-3 && residual[1] < residual[0]/1.3, "heap: residual %.2g of its fall, %.2g at half the step", residual[0], residual[1]);
+}
+
+static void shakes(const char *motion, const char *what)
+{
+    double residual[2];
+
+    for (int h = 0; h < 2; h++)
+    {
+        struct dem *const d = heap(8e-6/(1 + h), motion);
+
+        world_run(d, 0.1);
+        const double work = energy_term(d, "work_walls");
+        const double heat = energy_term(d, "lost_dry") + energy_term(d, "lost_mindlin") + energy_term(d, "lost_rollingSpring");
+
+        residual[h] = fabs(energy_term(d, "residual"))/work;
+        TAP_OK(work > 0.0 && heat > 0.5*work, "%s: the walls give %.3g J, heat is %.3g J", what, work, heat);
+        dem_free(d);
+    }
+    TAP_OK(residual[0] < 2e-3 && residual[1] < residual[0]/1.3, "%s: residual %.2g of the walls' work, %.2g at half the step", what,
+           residual[0], residual[1]);
+}
+
+/* What the state holds when it is loaded is where the ledger begins; the bits are those of the run without it. */
+static void goes_on(void)
+{
+    const char *const file = "energy_state.dem";
+    struct dem *d = heap(8e-6, "motion { type oscillation; amplitude (0 0 5e-4); frequency 40; }");
+
+    world_run(d, 0.05);
+    WORLD_TRY(dem_save(d, file));
+    const double elastic = energy_term(d, "elastic_hertz"), friction = energy_term(d, "elastic_mindlin");
+
+    world_run(d, 0.02);
+    const uint64_t hash = world_hash(d);
+
+    dem_free(d);
+    for (int watched = 0; watched < 2; watched++)
+    {
+        char *const scene = world_text("%s effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.8; } "
+                                       "mindlin { friction 0.3; } rollingSpring { friction 0.05; } } "
+                                       "walls { cup { type box; min (0 0 0); max (0.012 0.012 0.1); "
+                                       "motion { type oscillation; amplitude (0 0 5e-4); frequency 40; } } } time { step 8e-6; }", glass);
+
+        d = world_begin(scene);
+        free(scene);
+        WORLD_TRY(dem_load(d, file));
+        if (watched)
+        {
+            WORLD_TRY(dem_energy_watch(d));
+        }
+        WORLD_TRY(dem_ready(d));
+        if (watched)
+        {
+            TAP_NEAR(energy_term(d, "elastic_hertz"), elastic, 1e-12*elastic, "loaded: contacts hold what they held");
+            TAP_NEAR(energy_term(d, "elastic_mindlin"), friction, 2e-2*friction, "friction, too");
+            /* those at their limit are cut to it with the dashpot at the velocity of now, not of half a step ago */
+            TAP_OK(energy_term(d, "lost_dry") == 0.0 && energy_term(d, "residual") == 0.0, "and it begins anew");
+        }
+        world_run(d, 0.02);
+        TAP_OK(world_hash(d) == hash, "the same bits %s the ledger", watched ? "with" : "without");
+        if (watched)
+        {
+            TAP_OK(fabs(energy_term(d, "residual")) < 2e-3*energy_term(d, "work_walls"), "residual %.2g of the walls' work",
+                   energy_term(d, "residual")/energy_term(d, "work_walls"));
+        }
+        dem_free(d);
+    }
+    unlink(file);
+}
+
+static void order_of_calls(void)
+{
+    const struct dem_energy_item *item;
+    const struct dem_seed seed = ball(0.0, 1.0, 0.0, 0.0);
+    char *const scene = world_text("%s effects { hertz {} }", glass);
+    struct dem *const d = world(scene, 1, &seed);
+    double since;
+    int n;
+
+    TAP_OK(dem_energy_watch(d) != 0 && strstr(dem_error_text(), "before dem_ready"), "too late: %s", dem_error_text());
+    TAP_OK(dem_energy(d, &since, &n, &item) != 0 && strstr(dem_error_text(), "dem_energy_watch"), "not asked for: %s", dem_error_text());
+    dem_free(d);
+    free(scene);
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    bounces();
+    friction_gives_nothing();
+    slides_and_rolls();
+    belt();
+    bond();
+    fluid();
+    leaving();
+    settles();
+    shakes("motion { type oscillation; amplitude (0 0 5e-4); frequency 40; }", "shaken");
+    goes_on();
+    order_of_calls();
+    TAP_DONE;
+}
