@@ -3,7 +3,8 @@
  * does what it does on a plane, bit for bit where the coordinates allow; sliver, degenerate, repeated and turned triangles
  * and T-joints change nothing; in a corner of three walls the forces balance the weight, with planes and with triangles; a
  * concave edge is two contacts, a convex edge or tip one, however it lies in space; two walls that meet in a plane are one
- * floor; a sphere does not fall through a wall of triangles from either side.
+ * floor; the torque on a wall about the origin is the angular momentum that a sphere loses; a sphere does not fall through a
+ * wall of triangles from either side.
  *
  * Source: geometry and statics.
  *
@@ -522,6 +523,52 @@ static void over_the_edge(void)
     dem_free(d);
 }
 
+/* m x × v + I w about the origin */
+static void angular_momentum(const struct world_particle *p, double out[3])
+{
+    dem_vec_cross(p->x, p->v, out);
+    for (int k = 0; k < 3; k++)
+    {
+        out[k] = p->mass*(out[k] + 0.4*p->radius*p->radius*p->w[k]);
+    }
+}
+
+/* What a sphere that spins, slides, rolls and twists in a box far from the origin loses of angular momentum the box has got. */
+static void torque(void)
+{
+    static const double min[3] = {0.5, -0.2, 0.3}, max[3] = {0.506, -0.195, 0.305};
+    const struct dem_seed seed = {.position = {0.5025, -0.1976, 0.302}, .velocity = {0.7, -0.4, 0.5}, .spin = {300.0, 900.0, -500.0},
+                                  .diameter = 2.0*R, .material = "glass"};
+    struct mesh m = mesh_box(min, max);
+    struct dem *const d = world_begin("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } rigid { density 1; youngsModulus 1e30; } }"
+                                      "effects { hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } rollingSpring { friction 0.1; }"
+                                      "          twistingSpring { friction 0.3; } }");
+    double before[3], after[3], impulse[3], twist[3], size = 0.0;
+
+    mesh_hand_over(d, "box", "rigid", &m);
+    WORLD_TRY(dem_add_particles(d, 1, &seed));
+    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_wall_watch(d));
+    const struct world_particle p = world_at(d, 0);
+
+    world_run(d, 0.03);
+    const struct world_particle q = world_at(d, 0);
+
+    WORLD_TRY(dem_wall_impulse(d, 0, impulse, twist));
+    angular_momentum(&p, before);
+    angular_momentum(&q, after);
+    for (int k = 0; k < 3; k++)
+    {
+        size = fmax(size, fabs(after[k] - before[k]));
+    }
+    TAP_OK(fabs(q.w[0] - 300.0) > 30.0 && fabs(q.w[1] - 900.0) > 30.0, "torque: it has rubbed off some of its spin");
+    for (int k = 0; k < 3; k++)
+    {
+        TAP_NEAR(twist[k], before[k] - after[k], 1e-11*size, "torque: what the sphere has lost the wall has got, axis %d", k);    /* rounding of 4000 steps */
+    }
+    dem_free(d);
+}
+
 /* Against a sheet of triangles from both sides, as fast as the limit of the step allows. */
 static void both_sides(void)
 {
@@ -579,6 +626,7 @@ int main(void)
     convex();
     facets();
     over_the_edge();
+    torque();
     both_sides();
     TAP_DONE;
 }
