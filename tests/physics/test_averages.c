@@ -2,7 +2,7 @@
  * Claims: a sphere gives each cell of a grid the volume it has there (slabs exactly, all cells together its volume, also
  * across a periodic face); mass that streams through has its velocity and no temperature, two streams against each other
  * have the square of their speed over three, and carry the stress rho v v; a column of spheres at rest stresses its box by
- * the sum of its contact forces times branches.
+ * the sum of its contact forces times branches; friction at a wall is a shear stress of half of force times branch.
  *
  * Source: geometry of the spherical cap; statics; kinetic theory of two streams.
  *
@@ -213,6 +213,36 @@ static void column(void)
     free(scene);
 }
 
+/* A sphere slides on a wall across axis k, friction mu N at the lever R - d: shear stress in both planes that hold k. */
+static void rubs(int k)
+{
+    static const char *const shear[3] = {"stressXY", "stressYZ", "stressZX"};
+    const double R = 1e-3, g = 9.81, mu = 0.3, stiffness = 1000.0, m = 2500.0*4.0/3.0*world_pi*R*R*R, d = m*g/stiffness, volume = 8e-6;
+    const int next = (k + 1)%3, last = (k + 2)%3;
+    double up[3] = {0.0};
+    struct dem_seed seed = {.diameter = 2.0*R, .material = "glass"};
+
+    up[k] = 1.0;
+    seed.position[k] = R - d;
+    seed.velocity[next] = 0.8;
+    seed.velocity[last] = -0.6;
+    char *const scene = world_text("%s effects { gravity { acceleration (%g %g %g); } hooke { stiffness %g; } linear { friction %g; stiffness 1000; } }"
+        "walls { floor { type plane; point (0 0 0); normal (%g %g %g); } }"
+        "averages { box { min (-0.01 -0.01 -0.01); max (0.01 0.01 0.01); start 0.001; interval 0.0005; } }", material,
+        -g*up[0], -g*up[1], -g*up[2], stiffness, mu, up[0], up[1], up[2]);
+    struct dem *const w = world(scene, 1, &seed);
+    const double push = (R - d)*m*g/volume;               /* Pa: of the weight; friction lies against the velocity (0.8, -0.6) */
+
+    world_run(w, 0.005);
+    read_table(w, "box");
+    /* half of force times branch, for the tensor is made symmetric; 1e-4 for what spin does to the direction meanwhile */
+    TAP_NEAR(at(0, shear[k]), 0.5*push*mu*0.8, 1e-4*push, "friction on a wall across axis %d: %s", k, shear[k]);
+    TAP_NEAR(at(0, shear[last]), -0.5*push*mu*0.6, 1e-4*push, "and %s", shear[last]);
+    TAP_NEAR(at(0, shear[next]), 0.0, 1e-2*push, "none to speak of in the wall's plane");     /* velocities change by 0.01 m/s: m/V dv dv */
+    dem_free(w);
+    free(scene);
+}
+
 int main(void)
 {
     TAP_TRAPS;
@@ -225,6 +255,10 @@ int main(void)
     wraps();
     streams();
     column();
+    for (int k = 0; k < 3; k++)
+    {
+        rubs(k);
+    }
     rmdir(folder);
     TAP_DONE;
 }
