@@ -4,52 +4,63 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/sum_contacts.h"
-#include <string.h>
+#include "effects/effect.h"
+#include "step/quad.h"
 
-static void sum_moments(const struct dem_contacts *c, uint32_t first, uint32_t end, double t[3])
+/* What a row does to i, and to j. */
+static const double sides[2] = {1.0, -1.0};
+
+/* The fourth lanes hold arms and spares, which go nowhere. */
+DEM_KERNEL
+static void sum_pushes(const struct dem_contacts *c, const struct dem_particles *p, double *restrict force, double *restrict torque)
 {
-    for (uint32_t e = first; e < end; e++)
-    {
-        const double side = c->near_entry[e] & 1 ? -1.0 : 1.0;
-        const double *const m = c->moment + 3*(c->near_entry[e] >> 1);
+    const struct dem_push *const push = c->push;
+    const uint32_t *const start = c->near_start, *const entry = c->near_entry;
 
-        t[0] += side*m[0];
-        t[1] += side*m[1];
-        t[2] += side*m[2];
+    for (size_t i = 0; i < p->n; i++)
+    {
+        const double radius = p->record[i].radius;
+        dem_quad f = {0.0, 0.0, 0.0, 0.0}, t = {0.0, 0.0, 0.0, 0.0};
+
+        for (size_t e = start[i], end = start[i + 1]; e < end; e++)
+        {
+            const struct dem_push *const from = &push[entry[e] >> 1];
+
+            f += sides[entry[e] & 1]*DEM_QUAD(from->f);
+            t += (from->arm - radius)*DEM_QUAD(from->t);
+        }
+        for (size_t k = 0; k < 3; k++)
+        {
+            force[3*i + k] = f[k];
+            torque[3*i + k] = t[k];
+        }
+    }
+}
+
+static void add_moments(const struct dem_contacts *c, size_t n, double *restrict torque)
+{
+    for (size_t i = 0; i < n; i++)
+    {
+        for (uint32_t e = c->near_start[i]; e < c->near_start[i + 1]; e++)
+        {
+            const double side = sides[c->near_entry[e] & 1];
+            const double *const m = c->moment + 3*(c->near_entry[e] >> 1);
+
+            torque[3*i] += side*m[0];
+            torque[3*i + 1] += side*m[1];
+            torque[3*i + 2] += side*m[2];
+        }
     }
 }
 
 void dem_sum_contacts(struct dem_particles *p, const struct dem_contacts *c)
 {
     double *const force = dem_column(p, DEM_COLUMN_FORCE), *const torque = dem_column(p, DEM_COLUMN_TORQUE);
-    const uint32_t *const entry = c->near_entry;
 
-    for (size_t i = 0; i < p->n; i++)
+    sum_pushes(c, p, force, torque);
+    if (c->moment)
     {
-        const double radius = p->record[i].radius;
-        const uint32_t first = c->near_start[i], end = c->near_start[i + 1];
-        double fx = 0.0, fy = 0.0, fz = 0.0, t[3] = {0.0, 0.0, 0.0};
-
-        for (uint32_t e = first; e < end; e++)
-        {
-            const struct dem_push *const push = &c->push[entry[e] >> 1];
-            const double side = 1.0 - 2.0*(double)(entry[e] & 1), arm = push->arm - radius;
-
-            fx += side*push->f[0];
-            fy += side*push->f[1];
-            fz += side*push->f[2];
-            t[0] += arm*push->t[0];
-            t[1] += arm*push->t[1];
-            t[2] += arm*push->t[2];
-        }
-        if (c->moment)
-        {
-            sum_moments(c, first, end, t);
-        }
-        force[3*i] = fx;
-        force[3*i + 1] = fy;
-        force[3*i + 2] = fz;
-        memcpy(torque + 3*i, t, sizeof t);
+        add_moments(c, p->n, torque);
     }
 }
 
