@@ -56,6 +56,11 @@ struct dem_block
     _Alignas(64) dem_real rate[DEM_BLOCK];                /* m/s  (v_i - v_j).h: how fast the distance grows, also while the pair turns */
     _Alignas(64) dem_real counts[DEM_BLOCK];              /* 1    0 where another region of the wall has this contact: nothing new here */
     _Alignas(64) dem_real chance[DEM_BLOCK];              /* 1    0 to 1, of the two ids only (filled if DEM_NEEDS_CHANCE) */
+    _Alignas(64) dem_real sealed[DEM_BLOCK];              /* above 0 where a bond stands in place of the surfaces: nothing of them acts; 2: since now */
+
+    /* adhesion, set by its laws before friction; 0 without one */
+    _Alignas(64) dem_real note[DEM_BLOCK];                /*      what the law keeps for its act */
+    _Alignas(64) dem_real grip[DEM_BLOCK];                /* N    what friction holds by besides fn: its limit is mu max(fn + grip, 0) */
 
     /* results, cleared by the house, filled by the effects in the order of their stages */
     _Alignas(64) dem_real kn[DEM_BLOCK];                  /* N/m  secant normal stiffness, by NORMAL */

@@ -33,7 +33,8 @@
  * The contact of a bonded pair: `replaced`, the default, does without all laws of contact while the bond holds (its k_n
  * is the stiffness of what lies between the centres; both would count that twice). What contact was there when the bond
  * was made is lost. When it breaks, the contact takes over as much of the push as its overlap can carry, and none in
- * tension: the surfaces count as worn, so that no force jumps up, and they wear in as they part. `parallel`, as in
+ * tension: the surfaces count as worn, so that no force jumps up, and they wear in as they part. Adhesion (jkr, sjkr) is a matter
+ * of the surfaces: it ends where a bond is made and comes back after they have parted. `parallel`, as in
  * Potyondy and Cundall, adds the bond to the contact.
  *
  * Longest step: 0.2 of 2/w, w = the largest of 2 sqrt(k_n A/m), sqrt(k_t A L^2/I_p), 2 sqrt(k_t J/I_p), 2 sqrt(k_n I/I_p)
@@ -119,13 +120,17 @@ static const char *const memory[] = {"bond_length", "bond_worn", "bond_shear_x",
 
 enum                                                      /* their places */
 {
-    LENGTH,                                               /* m    l of a bond that holds; -1: broken and not yet apart; 0: none */
+    LENGTH,                                               /* m    l of a bond that holds; 0: none; or one of the two below */
     WORN,                                                 /* m    overlap that the laws of contact must not see */
     SHEAR,
     TWIST = SHEAR + 3,
     BEND,
     ASKED = BEND + 3                                      /* 1    1: the scene lists the pair */
 };
+
+/* lengths of one that broke: it has not yet been out of makeDistance; and the surfaces have not even parted */
+#define PARTED (-1.0)
+#define BROKEN (-2.0)
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
@@ -177,6 +182,9 @@ static void shield(const void *of, struct dem_block *restrict b, dem_real *const
         const dem_real hidden = dem_pick(length[c] > 0.0, hides, 0.0);
         const dem_real less = dem_pick(worn[c] < b->overlap[c], worn[c], b->overlap[c]), left = b->overlap[c] - less;
 
+        /* and surfaces that a bond left behind don't stick before they have parted */
+        length[c] = dem_pick((length[c] == BROKEN) & (b->overlap[c] == 0.0), PARTED, length[c]);
+        b->sealed[c] = dem_pick(length[c] == BROKEN, hides, hidden);
         worn[c] = less;
         b->overlap[c] = left;
         b->touching[c] = (1.0 - hidden)*dem_pick(left > 0.0, b->touching[c], 0.0);
@@ -207,6 +215,7 @@ static void make(const struct bond *bond, struct dem_block *b, dem_real *const *
         {
             length[c] = b->distance[c];
             remembered[WORN][c] = 0.0;
+            b->sealed[c] = bond->contact == REPLACED ? 2.0 : 0.0;
             /* the contact that the bond replaces keeps its energy for itself; F = k d ~ d^p holds F d/(p + 1) */
             b->lost[c] += bond->contact == REPLACED ? b->kn[c]*b->overlap[c]*b->overlap[c]/(1.0 + 1.0/bond->inverse_exponent) : 0.0;
         }
@@ -335,7 +344,7 @@ DEM_MATH void hold(const struct bond *bond, struct dem_block *b, dem_real *const
     r[BEND + 1][c] = stays*bend.y;
     r[BEND + 2][c] = stays*bend.z;
     /* a broken one lends the hand-over its push, which is below any length by then: see there */
-    r[LENGTH][c] = dem_pick(holds > on, -1.0, r[LENGTH][c] + on*(kept - 1.0)*squeezed);
+    r[LENGTH][c] = dem_pick(holds > on, BROKEN, r[LENGTH][c] + on*(kept - 1.0)*squeezed);
     r[WORN][c] = dem_pick(holds > on, size[0], r[WORN][c]);
 }
 

@@ -90,6 +90,9 @@ struct dem_effect
     /* BOND and FILM: called before the first stage, may take overlap and touch from the laws of contact. May be NULL. */
     void (*shield)(const void *settings, struct dem_block *restrict, dem_real *const *memory);
 
+    /* FILM: called between DAMP and TANGENT, sets grip of the tray, and its own note: what friction must know before act. May be NULL. */
+    void (*adhere)(const void *settings, struct dem_block *restrict, dem_real *const *memory);
+
     /* How long an elastic impact of the smallest bodies lasts [s], at the speed that bounds the step; for the plan's
        table of contacts. NORMAL only, may be NULL. */
     double (*contact_time)(const void *settings, const struct dem_pair_class *);

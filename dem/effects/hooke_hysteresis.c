@@ -28,7 +28,8 @@
  *   (2)         divides by zero for k_m = k, and (4) for phi = 0: see the guards. At a wall 2 R* = 2 R_i.
  *   (8)         is dry's; the Stokes number is stokes', with the speed of the impact.
  *   (10)        max(F_n, 0) of the whole force would undo the adhesion: dry's clamped attraction clamps the dashpot's pull only.
- * Not here: friction under adhesion (the limit counts repulsion alone); k_2 in the dashpot.
+ * Friction's limit is mu (F_n + k_c d), as in Luding: it falls to nothing where sticking is strongest (slider.h).
+ * Not here: k_2 in the dashpot.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -106,6 +107,7 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 
         largest[c] = dem_pick(sticks, 0.5*(d + sqrt(d*d + back*d_lim*d)), most);
         b->fn[c] += dem_pick(sticks, stick, upper);
+        b->grip[c] = -stick;
     }
 }
 

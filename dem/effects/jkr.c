@@ -18,8 +18,9 @@
  * jumps back from -5/6 pi w R; between them it pulls at most 3/2 pi w R. Both jumps lose energy, together 7.09 (w^5 R^4/
  * E^2)^(1/3) for every contact: slower than that, bodies stick. It is booked.
  *
- * Acts beside `hertz` and takes that law's place: what is added is the difference. Damping and friction see Hertz's part, so
- * friction also holds where pressure and adhesion cancel. Longest step: 1/20 of half a swing about equilibrium.
+ * Acts beside `hertz` and takes that law's place: what is added is the difference. Damping and rolling see Hertz's part; friction's
+ * limit is mu (F_n + 2 F_c), F_c = 3/2 pi w R* (Thornton 1991: slider.h). Where a bond stands in place of the surfaces (sealed)
+ * nothing acts; what they held when it was made is lost (Hertz's part the bond books itself), and after it broke they stick anew when they have parted. Longest step: 1/20 of half a swing about equilibrium.
  *
  * Source: Johnson, Kendall, Roberts, Proc. R. Soc. A 324 (1971) 301; loss: Thornton and Ning, Powder Technol. 99 (1998) 154.
  * Not here: long-range attraction of stiff small bodies (DMT), peeling in shear, liquid bridges.
@@ -79,12 +80,13 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
     return stiffness > 0.0 ? 0.05*pi*sqrt(pair->least_mass/stiffness) : DBL_MAX;
 }
 
+/* Who holds, and how: x, or 0. Friction sees it before the force is there. */
 DEM_KERNEL
-static void act(const void *of, struct dem_block *restrict b, dem_real *const *remembered)
+static void adhere(const void *of, struct dem_block *restrict b, dem_real *const *remembered)
 {
     const struct jkr *jkr = of;
-    const dem_real scale = jkr->scale, third = 1.0/3.0;
-    dem_real *restrict holds = remembered[0];
+    const dem_real scale = jkr->scale, third = 1.0/3.0, pull = jkr->work*pi;
+    const dem_real *restrict holds = remembered[0];
 
     for (int c = 0; c < b->n; c++)
     {
@@ -92,20 +94,40 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
         const dem_real raw = -b->gap[c]/dem_pick(unit > 0.0, unit, 1.0), D = dem_pick(raw > -3.0, raw, -3.0);
 
         /* begins at touching, goes on to the end of the tail */
-        const dem_real before = holds[c], held = dem_pick(raw > -3.0, before, 0.0);
-        const dem_real now = dem_pick(b->touching[c] > 0.0, 1.0, held)*dem_pick(unit > 0.0, 1.0, 0.0);
+        const dem_real held = dem_pick(raw > -3.0, holds[c], 0.0), bare = dem_pick(b->sealed[c] > 0.0, 0.0, 1.0);
+        const dem_real now = dem_pick(b->touching[c] > 0.0, 1.0, held)*dem_pick(unit > 0.0, bare, 0.0);
 
         const dem_real B = D*(4.0/3.0), rest = 64.0 + B*B*B, A = dem_pow(8.0 + sqrt(dem_pick(rest > 0.0, rest, 0.0)), third);
         const dem_real s = 16.0/(A*A + B + B*B/(A*A)), p = sqrt(s), under = 8.0/p - s;
-        const dem_real x = 0.5*(p + sqrt(dem_pick(under > 0.0, under, 0.0))), x3 = x*x*x, x4 = x3*x;
+        const dem_real x = 0.5*(p + sqrt(dem_pick(under > 0.0, under, 0.0))), x3 = x*x*x;
+
+        b->note[c] = now*x;
+        b->grip[c] = now*(pull*R*(x3/6.0*(x3 - 6.0) + 3.0) - b->kn[c]*b->overlap[c]);
+    }
+}
+
+DEM_KERNEL
+static void act(const void *of, struct dem_block *restrict b, dem_real *const *remembered)
+{
+    const struct jkr *jkr = of;
+    const dem_real scale = jkr->scale, third = 1.0/3.0, pull = jkr->work*pi;
+    dem_real *restrict holds = remembered[0];
+
+    for (int c = 0; c < b->n; c++)
+    {
+        /* a bond may have been made since */
+        const dem_real bare = dem_pick(b->sealed[c] > 0.0, 0.0, 1.0), before = holds[c], now = dem_pick(b->note[c] > 0.0, bare, 0.0);
+        const dem_real R = b->reduced_radius[c], a = dem_pow(scale*R*R, third), x = b->note[c], x3 = x*x*x, x4 = x3*x;
+        const dem_real hertz = b->kn[c]*b->overlap[c];
 
         /* the unit of energy, E a_t^5/R^2 with the reduced ones, is (pi w/8) a_t^2 */
-        const dem_real pull = jkr->work*pi, energy = pull/8.0*a*a*x4*(8.0 + x3*(x3*(8.0/15.0) - 16.0/3.0));
+        const dem_real energy = pull/8.0*a*a*x4*(8.0 + x3*(x3*(8.0/15.0) - 16.0/3.0));
         const dem_real torn = pull/8.0*a*a*3.2, joined = pull/8.0*a*a*30.4780;    /* x = 1; x^3 = 4: 4.8 x^4 */
+        const dem_real left = dem_pick(bare > 0.0, torn, energy - 0.4*hertz*b->overlap[c]);
 
-        b->fn[c] += now*(pull*R/6.0*x3*(x3 - 6.0) - b->kn[c]*b->overlap[c]);
+        b->fn[c] += now*(pull*R/6.0*x3*(x3 - 6.0) - hertz);
         b->stored[c] += now*energy;
-        b->lost[c] += dem_pick(now > before, joined, dem_pick(now < before, torn, 0.0));
+        b->lost[c] += dem_pick(now > before, joined, dem_pick(now < before, left, 0.0));
         holds[c] = now;
     }
 }
@@ -133,6 +155,7 @@ const struct dem_effect dem_jkr = {
     .prepare = prepare,
     .reach = reach,
     .time_limit = time_limit,
+    .adhere = adhere,
     .act = act,
     .energy = energy,
 };

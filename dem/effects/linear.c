@@ -26,7 +26,7 @@
 struct linear
 {
     double friction, stiffness, ratio;
-    int damping;
+    int damping, adhesion;
 };
 
 static const struct dem_field settings[] = {
@@ -35,6 +35,7 @@ static const struct dem_field settings[] = {
     DEM_FIELD(linear, ratio, "1", 2.0/7.0, 0.0, 2.0, "without stiffness: k_t over the normal law's k_n"),
     DEM_FIELD_SWITCH(linear, damping, "tangentialDamping", 1,
                      "damp slip with the coefficient of the normal law as long as the contact sticks"),
+    DEM_FIELD_SWITCH(linear, adhesion, "adhesion", 1, "adhesion presses, too: limit mu (F_n + 2 F_c) with jkr, mu (F_n + k_c d) with hookeHysteresis"),
     {0},
 };
 
@@ -64,14 +65,14 @@ DEM_KERNEL
 static void act(const void *of, struct dem_block *restrict b, dem_real *const *remembered)
 {
     const struct linear *linear = of;
-    const dem_real friction = linear->friction, given = linear->stiffness, ratio = linear->ratio;
-    const dem_real damped = linear->damping ? 1.0 : 0.0;
+    const dem_real given = linear->stiffness, ratio = linear->ratio;
+    const struct dem_rubbing rubs = {linear->friction, linear->damping ? 1.0 : 0.0, linear->adhesion ? 1.0 : 0.0};
     dem_real *restrict xi_x = remembered[0], *restrict xi_y = remembered[1], *restrict xi_z = remembered[2];
 
     for (int c = 0; c < b->n; c++)
     {
         const dem_real kt = given*b->touching[c] + ratio*b->kn[c];
-        struct dem_slider s = dem_slider_friction(b, c, kt, friction, damped);
+        struct dem_slider s = dem_slider_friction(b, c, kt, rubs);
 
         s.xi_x = xi_x[c];
         s.xi_y = xi_y[c];
@@ -93,11 +94,12 @@ static void energy(const void *of, const struct dem_block *b, dem_real *const *b
                    struct dem_energy *restrict e)
 {
     const struct linear *linear = of;
+    const struct dem_rubbing rubs = {linear->friction, linear->damping ? 1.0 : 0.0, linear->adhesion ? 1.0 : 0.0};
 
     (void)memory;
     for (int c = 0; c < b->n; c++)
     {
-        struct dem_slider s = dem_slider_friction(b, c, b->kt[c], linear->friction, linear->damping ? 1.0 : 0.0);
+        struct dem_slider s = dem_slider_friction(b, c, b->kt[c], rubs);
 
         s.xi_x = before[0][c];
         s.xi_y = before[1][c];

@@ -42,7 +42,7 @@
 struct mindlin
 {
     double friction;
-    int damping;
+    int damping, adhesion;
     double modulus;                                       /* Pa   8 G*, derived */
 };
 
@@ -50,6 +50,7 @@ static const struct dem_field settings[] = {
     DEM_FIELD(mindlin, friction, "1", DEM_FIELD_REQUIRED, 0.0, 100.0, "tangential force limit per normal force"),
     DEM_FIELD_SWITCH(mindlin, damping, "tangentialDamping", 1,
                      "damp slip with the coefficient of the normal law as long as the contact sticks"),
+    DEM_FIELD_SWITCH(mindlin, adhesion, "adhesion", 1, "adhesion presses, too: limit mu (F_n + 2 F_c) with jkr, mu (F_n + k_c d) with hookeHysteresis"),
     {0},
 };
 
@@ -72,14 +73,14 @@ DEM_KERNEL
 static void act(const void *of, struct dem_block *restrict b, dem_real *const *remembered)
 {
     const struct mindlin *mindlin = of;
-    const dem_real friction = mindlin->friction, modulus = mindlin->modulus;
-    const dem_real damped = mindlin->damping ? 1.0 : 0.0;
+    const dem_real modulus = mindlin->modulus;
+    const struct dem_rubbing rubs = {mindlin->friction, mindlin->damping ? 1.0 : 0.0, mindlin->adhesion ? 1.0 : 0.0};
     dem_real *restrict xi_x = remembered[0], *restrict xi_y = remembered[1], *restrict xi_z = remembered[2];
 
     for (int c = 0; c < b->n; c++)
     {
         const dem_real kt = modulus*sqrt(b->reduced_radius[c]*b->overlap[c]);
-        struct dem_slider s = dem_slider_friction(b, c, kt, friction, damped);
+        struct dem_slider s = dem_slider_friction(b, c, kt, rubs);
 
         s.xi_x = xi_x[c];
         s.xi_y = xi_y[c];
@@ -101,11 +102,12 @@ static void energy(const void *of, const struct dem_block *b, dem_real *const *b
                    struct dem_energy *restrict e)
 {
     const struct mindlin *mindlin = of;
+    const struct dem_rubbing rubs = {mindlin->friction, mindlin->damping ? 1.0 : 0.0, mindlin->adhesion ? 1.0 : 0.0};
 
     (void)memory;
     for (int c = 0; c < b->n; c++)
     {
-        struct dem_slider s = dem_slider_friction(b, c, b->kt[c], mindlin->friction, mindlin->damping ? 1.0 : 0.0);
+        struct dem_slider s = dem_slider_friction(b, c, b->kt[c], rubs);
 
         s.xi_x = before[0][c];
         s.xi_y = before[1][c];

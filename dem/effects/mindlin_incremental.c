@@ -32,7 +32,7 @@
 struct incremental
 {
     double friction;
-    int damping;
+    int damping, adhesion;
     double modulus;                                       /* Pa   8 G*, derived */
 };
 
@@ -40,6 +40,7 @@ static const struct dem_field settings[] = {
     DEM_FIELD(incremental, friction, "1", DEM_FIELD_REQUIRED, 0.0, 100.0, "tangential force limit per normal force"),
     DEM_FIELD_SWITCH(incremental, damping, "tangentialDamping", 1,
                      "damp slip with the coefficient of the normal law as long as the contact sticks"),
+    DEM_FIELD_SWITCH(incremental, adhesion, "adhesion", 1, "adhesion presses, too: limit mu (F_n + 2 F_c) with jkr, mu (F_n + k_c d) with hookeHysteresis"),
     {0},
 };
 
@@ -62,8 +63,8 @@ DEM_KERNEL
 static void act(const void *of, struct dem_block *restrict b, dem_real *const *remembered)
 {
     const struct incremental *incremental = of;
-    const dem_real friction = incremental->friction, modulus = incremental->modulus;
-    const dem_real damped = incremental->damping ? 1.0 : 0.0;
+    const dem_real modulus = incremental->modulus;
+    const struct dem_rubbing rubs = {incremental->friction, incremental->damping ? 1.0 : 0.0, incremental->adhesion ? 1.0 : 0.0};
     dem_real *restrict xi_x = remembered[0], *restrict xi_y = remembered[1], *restrict xi_z = remembered[2];
     dem_real *restrict stiffness = remembered[3];
 
@@ -71,7 +72,7 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
     {
         const dem_real kt = modulus*sqrt(b->reduced_radius[c]*b->overlap[c]), before = stiffness[c];
         const dem_real keep = dem_pick(before < kt, before/dem_pick(kt > 0.0, kt, 1.0), 1.0);
-        struct dem_slider s = dem_slider_friction(b, c, kt, friction, damped);
+        struct dem_slider s = dem_slider_friction(b, c, kt, rubs);
 
         s.xi_x = keep*xi_x[c];
         s.xi_y = keep*xi_y[c];
@@ -95,11 +96,12 @@ static void energy(const void *of, const struct dem_block *b, dem_real *const *b
                    struct dem_energy *restrict e)
 {
     const struct incremental *incremental = of;
+    const struct dem_rubbing rubs = {incremental->friction, incremental->damping ? 1.0 : 0.0, incremental->adhesion ? 1.0 : 0.0};
 
     (void)memory;
     for (int c = 0; c < b->n; c++)
     {
-        struct dem_slider s = dem_slider_friction(b, c, b->kt[c], incremental->friction, incremental->damping ? 1.0 : 0.0);
+        struct dem_slider s = dem_slider_friction(b, c, b->kt[c], rubs);
         const dem_real was = before[3][c], more = b->touching[c]*dem_pick(was < b->kt[c], b->kt[c] - was, 0.0);
         const dem_real keep = dem_pick(more > 0.0, was/dem_pick(b->kt[c] > 0.0, b->kt[c], 1.0), 1.0);
         const dem_real square = before[0][c]*before[0][c] + before[1][c]*before[1][c] + before[2][c]*before[2][c];

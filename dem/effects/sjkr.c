@@ -8,7 +8,8 @@
  *   R*   reduced radius, R_i R_j/(R_i + R_j); R_i at a wall        [m]
  *   d    overlap                                                   [m]
  *
- * It acts after friction and rolling, whose limits so count the repulsion of the normal law alone.
+ * It acts after friction and rolling, whose limits so count the repulsion alone: mu (F_n + w A), Derjaguin's law of friction under
+ * adhesion. It does nothing where a bond stands in place of the surfaces (sealed).
  *
  * Source: the simplified Johnson-Kendall-Roberts force of LIGGGHTS (sjkr), there with the exact circle.
  * Not here: attraction past touching, pull-off at a force that the surface energy gives.
@@ -16,6 +17,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "effects/effect.h"
+
+#include "base/math.h"
 
 struct sjkr
 {
@@ -35,11 +38,11 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *m
     (void)memory;
     for (int c = 0; c < b->n; c++)
     {
-        b->fn[c] -= scale*b->reduced_radius[c]*b->overlap[c];
+        b->fn[c] -= scale*b->reduced_radius[c]*dem_pick(b->sealed[c] > 0.0, 0.0, b->overlap[c]);
     }
 }
 
-/* what it takes to part them */
+/* what it takes to part them; a bond that seals the surfaces lets them keep it */
 static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
                    struct dem_energy *restrict e)
 {
@@ -48,7 +51,10 @@ static void energy(const void *of, const struct dem_block *b, dem_real *const *b
     (void)before, (void)memory;
     for (int c = 0; c < b->n; c++)
     {
-        e->stored[c] = -0.5*scale*b->reduced_radius[c]*b->overlap[c]*b->overlap[c];
+        const dem_real held = -0.5*scale*b->reduced_radius[c]*b->overlap[c]*b->overlap[c];
+
+        e->stored[c] = b->sealed[c] > 0.0 ? 0.0 : held;
+        e->lost[c] = b->sealed[c] > 1.0 ? held : 0.0;
     }
 }
 

@@ -24,6 +24,16 @@
  * The whole of F, dashpot included, is held at the limit, and the spring is cut to F: then the impulse of a contact that
  * slides all the way is the limit's, and F turns round no earlier than the spring does. At rest nothing is 0/0.
  *
+ * Friction under adhesion. The limit is mu (F + A), F the whole normal force with adhesion in it, A that by which the surfaces
+ * hold each other besides:
+ *
+ *   jkr               A = 2 F_c, F_c = 3/2 pi w R*     Thornton, J. Phys. D 24 (1991) 1942; Marshall, J. Comput. Phys. 228 (2009) 1541
+ *   hookeHysteresis   A = k_c d                        Luding, Granul. Matter 10 (2008) 235
+ *   sjkr              A = w 2 pi R* d, its attraction: mu times the repulsion alone   Derjaguin, Z. Phys. 88 (1934) 661
+ *
+ * With `adhesion no` the limit is mu max(F_n, 0) of the normal law and its damping alone: Hertz's part with jkr, the sum with
+ * hookeHysteresis.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_EFFECTS_SLIDER_H
@@ -93,13 +103,20 @@ dem_slider_step(const struct dem_block *b, int c, struct dem_slider s)
     return s;
 }
 
+struct dem_rubbing
+{
+    dem_real friction, damped, grips;                     /* mu; 1: with the dashpot, with what adhesion holds by besides fn */
+};
+
 /* the slider of friction in row c, its spring still to be put in: dashpot of the normal law, limit by what pushes; two
    bodies slip as 2/7 m* does, for 1/m + R^2/I of both is 7/2 m* */
 static inline __attribute__((always_inline)) struct dem_slider
-dem_slider_friction(const struct dem_block *b, int c, dem_real stiffness, dem_real friction, dem_real damped)
+dem_slider_friction(const struct dem_block *b, int c, dem_real stiffness, struct dem_rubbing rubs)
 {
-    return (struct dem_slider){.stiffness = stiffness, .damping = damped*b->eta[c],
-                               .limit = dem_pick(b->fn[c] > 0.0, friction*b->fn[c], 0.0),
+    const dem_real pressed = b->fn[c] + rubs.grips*b->grip[c];
+
+    return (struct dem_slider){.stiffness = stiffness, .damping = rubs.damped*b->eta[c],
+                               .limit = dem_pick(pressed > 0.0, rubs.friction*pressed, 0.0),
                                .sx = b->sx[c], .sy = b->sy[c], .sz = b->sz[c], .mass = b->reduced_mass[c]*(2.0/7.0)};
 }
 

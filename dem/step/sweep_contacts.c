@@ -163,6 +163,28 @@ static void shield(struct dem_tray *t, const struct dem_chain *chain, const stru
     }
 }
 
+/* What films tell friction, just before it acts. */
+static void adhere(struct dem_tray *t, const struct dem_chain *chain, const struct dem_contacts *c, uint32_t row)
+{
+    double *memory[DEM_MEMORY_COLUMNS];
+
+    for (int k = 0; k < chain->links; k++)
+    {
+        if (chain->link[k].effect->adhere)
+        {
+            recall(c, &chain->link[k], row, memory);
+            chain->link[k].effect->adhere(chain->link[k].settings, &t->block, memory);
+        }
+    }
+}
+
+/* 1 when this is the first link that acts after NORMAL and DAMP in a chain that may have a film */
+static int films_first(const struct dem_chain *chain, int link)
+{
+    return chain->past_touching && chain->link[link].effect->stage >= DEM_STAGE_TANGENT
+           && (link == 0 || chain->link[link - 1].effect->stage < DEM_STAGE_TANGENT);
+}
+
 static void act_one(struct dem_tray *t, const struct dem_chain *chain, int link, double **memory, int memories)
 {
     const struct dem_effect *const effect = chain->link[link].effect;
@@ -182,6 +204,10 @@ static void act(struct dem_tray *t, const struct dem_chain *chain, const struct 
 
     for (int k = 0; k < chain->links; k++)
     {
+        if (films_first(chain, k))
+        {
+            adhere(t, chain, c, row);
+        }
         const int memories = recall(c, &chain->link[k], row, memory);
 
         act_one(t, chain, k, memory, memories);
@@ -198,6 +224,10 @@ static void act_and_tell(struct dem_parts *p, struct dem_tray *t, const struct d
     {
         const struct dem_ledger_rows r = {.chain = chain, .link = &chain->link[k], .memory = memory, .row = row, .rows = rows};
 
+        if (films_first(chain, k))
+        {
+            adhere(t, chain, &p->contacts, row);
+        }
         const int memories = recall(&p->contacts, r.link, row, memory);
 
         dem_ledger_before(p, t, &r);

@@ -79,6 +79,8 @@ static void random_contact(struct dem_block *b, dem_real memory[MEMORY][DEM_BLOC
     b->kn[to] = apart*uniform(row, 14, 0.0, 1e6);
     b->kt[to] = apart*uniform(row, 15, 0.0, 1e6);
     b->eta[to] = apart*uniform(row, 16, 0.0, 10.0);
+    b->sealed[to] = uniform(row, 55, 0.0, 1.0) < 0.2 ? 1.0 : 0.0;
+    b->grip[to] = apart*uniform(row, 56, 0.0, 5.0);
     b->fn[to] = apart*uniform(row, 17, -1.0, 5.0);
     for (int m = 0; m < MEMORY; m++)
     {
@@ -128,6 +130,15 @@ static int differs(const dem_real *first, const dem_real *last, const dem_real *
     return bad;
 }
 
+static void act(const struct dem_effect *e, const double *settings, struct dem_block *b, dem_real *const *memory)
+{
+    if (e->adhere)
+    {
+        e->adhere(settings, b, memory);
+    }
+    e->act(settings, b, memory);
+}
+
 static void contact_effect(const struct dem_effect *e)
 {
     static struct dem_block many, one;
@@ -149,13 +160,13 @@ static void contact_effect(const struct dem_effect *e)
     {
         random_contact(&many, memory, row, row);
     }
-    e->act(settings, &many, all);
+    act(e, settings, &many, all);
     for (int row = 0; row < ROWS; row++)
     {
         memset(&one, 0, sizeof one);
         one.n = 1;
         random_contact(&one, memory_of_one, 0, row);
-        e->act(settings, &one, alone);
+        act(e, settings, &one, alone);
         bad += differs(many.kn, many.broke, one.kn, row) + differs(memory[0], memory[MEMORY - 1], memory_of_one[0], row);
     }
     TAP_OK(bad == 0, "%s: a row has the same bits alone and among others (%d differ)", e->name, bad);
@@ -180,7 +191,7 @@ static void contact_effect(const struct dem_effect *e)
     }
     if (e->forgets)
     {
-        e->act(settings, &many, all);
+        act(e, settings, &many, all);
     }
     for (int row = 2; row < ROWS && e->forgets; row += 3)
     {
@@ -195,7 +206,7 @@ static void contact_effect(const struct dem_effect *e)
     memset(memory, 0, sizeof memory);
     many.n = DEM_BLOCK;
     many.longest = 1e-6;
-    e->act(settings, &many, all);
+    act(e, settings, &many, all);
     TAP_OK(bad_columns(many.kn, many.broke) == 0 && many.fn[DEM_BLOCK - 1] == 0.0 && many.fx[0] == 0.0,
            "%s: rows of zeros", e->name);
 }
@@ -255,6 +266,7 @@ static void tells(const struct dem_effect *e)
            "%s: acts as its stage wants", e->name);
     TAP_OK(!(e->reach || e->shield) || e->stage == DEM_STAGE_BOND || e->stage == DEM_STAGE_FILM,
            "%s: only bonds and films act past touching", e->name);
+    TAP_OK(!e->adhere || e->stage == DEM_STAGE_FILM, "%s: only films tell friction beforehand", e->name);
     TAP_OK(!e->open_bodies || e->drag, "%s: only a law of drag opens a window", e->name);
     TAP_OK(!e->forgets || (e->memory && e->stage < DEM_STAGE_BOND), "%s: only laws of contact forget", e->name);
     TAP_OK((e->exponent > 0.0) == (e->stage == DEM_STAGE_NORMAL),

@@ -348,9 +348,32 @@ static void guards(void)
     TAP_OK(pull < 0.0, "which is one");
 }
 
+/* friction's limit is mu (F_n + k_c d): where nothing presses mu k_c d, where it sticks the most nothing; or mu max(F_n, 0) */
+static void friction(void)
+{
+    struct link *const l = pair_of(5.0, 1.0, 0.05), *const rubs = world_add(&w, &dem_linear, "friction", 0.4);
+    double d = 0.0, work = 0.0, limit = 0.0;
+    const double k_2 = 1.0 + 4.0*0.8, balance = (1.0 - 1.0/k_2)*0.8*d_lim;    /* k_2 (d - d_max) + k d_max = 0 */
+
+    leg(l, &d, 0.8*d_lim, &work);
+    for (int part = 0; part < 3; part++)
+    {
+        settle(&dem_linear, rubs->settings, &w.pair, "adhesion", part == 2 ? 0.0 : 1.0);
+        leg(l, &d, part == 1 ? 0.1*d_lim : balance, &work);
+        limit = part == 0 ? 0.4*k*balance : 0.0;
+        w.b.hz[0] = w.b.nz[0] = 1.0;
+        w.b.nx[0] = w.b.ny[0] = w.b.hx[0] = w.b.hy[0] = 0.0;
+        w.b.dt = 1.0, w.b.sx[0] = 1.0, w.b.sy[0] = w.b.sz[0] = w.b.fx[0] = w.b.fy[0] = w.b.fz[0] = 0.0;
+        dem_linear.act(rubs->settings, &w.b, rubs->memory);
+        TAP_NEAR(-w.b.fx[0], limit, 1e-6*k*d_lim, "friction at %g N: %g N", w.b.fn[0], limit);     /* of 1000 increments of a leg */
+        leg(l, &d, 0.8*d_lim, &work);
+    }
+}
+
 int main(void)
 {
     TAP_TRAPS;
+    friction();
     path();
     points();
     impacts();

@@ -191,17 +191,22 @@ static void triangle(void)
 /* ---- contact and bond ---------------------------------------------------------------------------------------- */
 
 /* A pair made with an overlap of 0.5 %, with Hertz's law beside the bond; led apart or together, and broken by a twist. */
-static struct dem *overlapping(const char *more)
+static struct dem *sticking(const char *adhesion, const char *more)
 {
     char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
-                                   "effects { hertz { } dry { restitution 0.9; } mindlin { friction 0.5; }"
-                                   " bondLinear { normalStiffness %g; shearStiffness %g; %s } } time { step 1e-7; }", kn, kt, more);
+                                   "effects { hertz { } dry { restitution 0.9; } mindlin { friction 0.5; } %s"
+                                   " bondLinear { normalStiffness %g; shearStiffness %g; %s } } time { step 1e-7; }", adhesion, kn, kt, more);
     const struct dem_seed seed[2] = {{.position = {0, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "rock", .frozen = 1},
                                      {.position = {0.995*L, 0, 0}, .diameter = 2.0*R, .id = 1, .material = "rock"}};
     struct dem *const d = world(scene, 2, seed);
 
     free(scene);
     return d;
+}
+
+static struct dem *overlapping(const char *more)
+{
+    return sticking("", more);
 }
 
 static void led(struct dem *d, double along, double twist, int steps)
@@ -261,6 +266,54 @@ static void hand_over(void)
 
     d = overlapping("contact parallel;");
     TAP_NEAR(world_at(d, 1).f[0], able, 1e-9*able, "in parallel the contact pushes as if there were no bond");
+    dem_free(d);
+}
+
+/* Surfaces that a bond holds apart from each other, or has left and that have not parted since, don't stick. */
+static void shielded(const char *adhesion, double pull)
+{
+    const double E = 1e9/(2.0*(1.0 - 0.0625)), able = 4.0/3.0*E*sqrt(0.5*R)*pow(0.005*L, 1.5), none[3] = {0.0, 0.0, 0.0};
+    struct dem *d = sticking(adhesion, "shearStrength 5e6;"), *const bare = overlapping("shearStrength 5e6;");
+
+    TAP_NEAR(world_at(d, 1).f[0], 0.0, 0.0, "%s: nothing pulls on a pair just bonded", adhesion);
+    led(d, -0.5*able/(kn*A)/50.0, 0.0, 50);
+    led(bare, -0.5*able/(kn*A)/50.0, 0.0, 50);
+    const double pressed = world_at(d, 1).f[0];
+
+    TAP_NEAR(pressed, world_at(bare, 1).f[0], 0.0, "%s: a bonded pair feels its bond alone", adhesion);
+    led(d, 0.0, 1e-4, 10000);
+    TAP_OK(world_tally(d).broken == 1.0, "%s: a twist breaks it", adhesion);
+    TAP_NEAR(world_at(d, 1).f[0], pressed, 1e-9*pressed, "%s: the contact carries on in that step", adhesion);
+    chain_set(d, 1, none, none);
+    chain_kick(d, 1, world_at(d, 1).f, world_at(d, 1).t, -0.5e-7);
+    world_step(d);
+    TAP_NEAR(world_at(d, 1).f[0], pressed, 1e-9*pressed, "%s: and in the next", adhesion);
+
+    /* out until they have parted; then in again, where they stick */
+    double least = 0.0;
+
+    for (int k = 0; k < 60; k++)
+    {
+        const double v[3] = {0.02*0.005*L/1e-7, 0.0, 0.0};
+
+        chain_set(d, 1, v, none);
+        world_step(d);
+    }
+    TAP_NEAR(world_at(d, 1).f[0], 0.0, 0.0, "%s: apart nothing pulls", adhesion);
+    const double in[3] = {-1e-3*0.005*L/1e-7, 0.0, 0.0};
+
+    for (int k = 0; k < 400; k++)
+    {
+        chain_set(d, 1, in, none);
+        world_step(d);
+        least = fmin(least, world_at(d, 1).f[0]);
+    }
+    TAP_OK(least < -0.5*pull, "%s: surfaces that meet anew stick: %g N", adhesion, least);
+    dem_free(d);
+    dem_free(bare);
+
+    d = sticking(adhesion, "contact parallel;");
+    TAP_OK(world_at(d, 1).f[0] < able - 0.5*pull, "%s: in parallel they stick beside the bond", adhesion);
     dem_free(d);
 }
 
@@ -342,6 +395,9 @@ int main(void)
     objective("a chain of 5 with a share", "dampingShare 0.2;", 5, 1e-3);
     objective("a chain of 12 that breaks", "normalStrength 4e3; shearStrength 4e3; internalFriction 0.5;", 12, 1e-3);
     hand_over();
+    /* 3/2 pi w R*; w 2 pi R* d at a tenth of the first overlap */
+    shielded("jkr { workOfAdhesion 10; }", 1.5*world_pi*10.0*0.5*R);
+    shielded("sjkr { energyDensity 1e8; }", 1e8*2.0*world_pi*0.5*R*0.1*0.005*L);
     hanging();
     removal();
 

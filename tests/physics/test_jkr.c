@@ -97,9 +97,43 @@ static void met(double times)
     dem_free(d);
 }
 
+/* A sphere sticks without any load to a plate, whose surface runs: it is dragged along by friction's limit. */
+static void dragged(const char *law, const char *more, double hertz)
+{
+    /* in balance at x^3 = 6: see jkr.c; at a wall R* = R */
+    const double a = pow(world_pi*w*R*R/(8.0*reduced()), 1.0/3.0), x = pow(6.0, 1.0/3.0), d0 = a*a/R*(x*x*x*x - 4.0*x);
+    const double m = world_ball(R, density), mu = 0.3, pulloff = 1.5*world_pi*w*R;
+    const double push = 4.0/3.0*reduced()*sqrt(R)*pow(d0, 1.5), limit = mu*(hertz*push + (1.0 - hertz)*2.0*pulloff);
+    const struct dem_seed seed = {.position = {0, 0, R - d0}, .diameter = 2.0*R, .id = 0, .material = "clay"};
+    char *const scene = world_text("materials { clay { density %g; youngsModulus %g; poissonsRatio 0.3; } }"
+                                   "effects { hertz { } jkr { workOfAdhesion %g; } %s { friction %g; tangentialDamping no; %s } }"
+                                   "walls { belt { type plane; point (0 0 0); normal (0 0 1); surfaceVelocity (10 0 0); } }"
+                                   "time { step 1e-7; }", density, E, w, law, mu, more);
+    struct dem *const d = world(scene, 1, &seed);
+
+    free(scene);
+    world_run(d, 1e-4);
+    const struct world_particle p = world_at(d, 0);
+
+    world_run(d, 1e-5);
+    const struct world_particle q = world_at(d, 0);
+
+    /* the balance is one to rounding of its height: 1e-16 R over d0 */
+    TAP_NEAR(q.f[2], 0.0, 1e-9*pulloff, "%s %s: nothing presses", law, more);
+    TAP_NEAR(q.f[0], limit, 1e-9*limit, "%s %s: friction slides at its limit", law, more);
+    TAP_NEAR((q.v[0] - p.v[0])/1e-5, limit/m, 1e-9*limit/m, "%s %s: and drags the sphere along", law, more);
+    TAP_NEAR(0.4*m*R*R*(q.w[1] - p.w[1])/1e-5, -limit*(R - d0), 1e-9*limit*R, "%s %s: and turns it", law, more);
+    dem_free(d);
+}
+
 int main(void)
 {
     TAP_TRAPS;
+    dragged("mindlin", "", 0.0);
+    dragged("mindlinIncremental", "", 0.0);
+    dragged("linear", "", 0.0);
+    dragged("mindlin", "adhesion no;", 1.0);
+    dragged("linear", "adhesion no;", 1.0);
     pulled();
     met(3.0);
     met(1.2);
