@@ -341,7 +341,26 @@ void dem_wall_facts(const struct dem *d, int wall, struct dem_wall_facts *f)
 {
     const struct dem_wall *const w = &d->parts.walls.wall[wall];
 
-    *f = (struct dem_wall_facts){.triangles = (int64_t)w->triangles, .flat = (int64_t)w->flat, .repeats = (int64_t)w->repeats};
+    *f = (struct dem_wall_facts){.triangles = (int64_t)w->triangles, .flat = (int64_t)w->flat, .repeats = (int64_t)w->repeats,
+                                 .moves = w->moving >= 0};
+}
+
+void dem_wall_corners(const struct dem *d, int wall, double *corners)
+{
+    const struct dem_walls *const w = &d->parts.walls;
+    const int moving = w->wall[wall].moving;
+
+    for (size_t t = 0; t < w->triangles; t++)
+    {
+        for (int k = 0; k < 3 && w->triangle[t].wall == wall; k++, corners += 3)
+        {
+            memcpy(corners, w->triangle[t].corner[k], 3*sizeof *corners);
+            if (moving >= 0)
+            {
+                dem_pose_point(&w->moving[moving].pose, w->triangle[t].corner[k], corners);
+            }
+        }
+    }
 }
 
 /* ---- looking ------------------------------------------------------------------------------------------------- */

@@ -158,8 +158,12 @@ int dem_wall_impulse(struct dem *, int wall, double impulse[3], double twist[3])
 struct dem_wall_facts                                     /* of a wall made of triangles; 0 at others */
 {
     int64_t triangles, flat, repeats;                     /* kept; left out: without area, given before */
+    int moves;                                            /* 1: it has a motion */
 };
 void dem_wall_facts(const struct dem *, int wall, struct dem_wall_facts *);
+
+/* The triangles of a wall where they stand now [m], 9 numbers each, in an order that stays; all of them on each rank. */
+void dem_wall_corners(const struct dem *, int wall, double *corners);
 
 /* ---- looking ------------------------------------------------------------------------------------------------- */
 

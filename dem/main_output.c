@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "main_output.h"
+#include "main_surfaces.h"
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/unknown.h"
@@ -146,8 +147,13 @@ static int write_pictures(const struct dem_output *o, const struct dem_program *
 
     snprintf(file, sizeof file, "particles_%06lld.vtp", (long long)number);
     DEM_TRY(write_picture(o, prog, d, file));
+    if (prog->rank > 0)
+    {
+        return DEM_OK;
+    }
     snprintf(path, sizeof path, "%s/particles.pvd", o->folder);
-    return prog->rank == 0 ? dem_vtk_collection_add(path, time, file) : DEM_OK;
+    DEM_TRY(dem_vtk_collection_add(path, time, file));
+    return dem_surfaces_write(o, d, number, time);
 }
 
 int dem_output_write(const struct dem_output *o, const struct dem_program *prog, struct dem *d, int64_t number, double time)

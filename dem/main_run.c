@@ -8,6 +8,7 @@
 #include "main_lost.h"
 #include "main_rows.h"
 #include "main_scene.h"
+#include "main_surfaces.h"
 #include "main_walls.h"
 #include "base/error.h"
 #include "io/snapshot.h"
@@ -122,6 +123,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
     p.from = t.time;
     p.steps = t.steps;
     DEM_TRY(dem_lost_begin(&lost, prog, &s->output, t.time));
+    DEM_TRY(dem_surfaces_begin(&s->output, prog, d));
     if (t.time == 0.0)
     {
         DEM_TRY(dem_output_write(&s->output, prog, d, 0, 0.0));

@@ -1,5 +1,5 @@
 /*
- * vtk.h -- particles as points in files that ParaView and VTK open: .vtp for a moment, .pvd for the whole run.
+ * vtk.h -- particles as points, and triangles, in files that ParaView and VTK open: .vtp for a moment, .pvd for the whole run.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
@@ -40,6 +40,9 @@ struct dem_vtk_column
 
 /* n particles; n = 0 gives a valid file without points, and data may then be null. */
 int dem_vtk_write(const char *path, int64_t n, const struct dem_vtk_column *columns, int count);
+
+/* n triangles, 9 numbers each [m], and the number of each one's wall. */
+int dem_vtk_write_triangles(const char *path, int64_t n, const double *corners, const int64_t *wall);
 
 /* Add the file of a time [s], named as seen from the collection's folder. Entries of that time and later, left by a
    run that was restarted from before them, are dropped. The collection is made if it does not exist. */

@@ -5,7 +5,7 @@
  * resting sphere off at the time and with the speed of the closed form; a sphere on a turntable rides with it and
  * the friction is its centripetal force; in a tube that turns, of facets or round, a sphere rolls on the spot; a wall that has
  * made a whole turn is where it was; motions start and end when told; round walls push as their curvature has it; friction
- * goes on over seams and facets.
+ * goes on over seams and facets; triangles are told where they stand.
  *
  * Source: statics and kinematics of rigid bodies; Hertz.
  *
@@ -267,6 +267,39 @@ static void timing(void)
     dem_free(e);
 }
 
+/* Where a wall's triangles are told to stand: one that turns by w t about an axis, one at rest, and a plane, which has none. */
+static void corners(void)
+{
+    static const double from[9] = {1.0, 0.0, 0.0, 2.0, 0.0, 0.0, 1.0, 0.0, 3.0};
+    const double omega = 4.0, t = 0.3, c = cos(omega*t), s = sin(omega*t), turned[9] = {c, s, 0.0, 2.0*c, 2.0*s, 0.0, c, s, 3.0};
+    struct dem *const d = world("materials { g { density 2500; youngsModulus 1e7; } } effects { hertz {} } walls {"
+                                " rest { type triangles; corners ((1 0 0) (2 0 0) (1 0 3)); }"
+                                " turn { type triangles; corners ((1 0 0) (2 0 0) (1 0 3)); motion { type rotation; origin (0 0 0); axis (0 0 1); omega 4; } }"
+                                " floor { type plane; point (0 0 -9); normal (0 0 1); } }"
+                                "insert { a { type list; diameter 0.01; positions ((9 9 9)); } }", 0, NULL);
+    struct dem_wall_facts facts[3];
+    double at[2][9], off[2] = {0.0, 0.0};
+
+    world_run(d, t);
+    for (int w = 0; w < 3; w++)
+    {
+        dem_wall_facts(d, w, &facts[w]);
+    }
+    TAP_OK(facts[0].triangles == 1 && facts[1].triangles == 1 && facts[2].triangles == 0, "corners: walls tell their triangles");
+    TAP_OK(!facts[0].moves && facts[1].moves && !facts[2].moves, "corners: and which move");
+    for (int w = 0; w < 2; w++)
+    {
+        dem_wall_corners(d, w, at[w]);
+        for (int k = 0; k < 9; k++)
+        {
+            off[w] = fmax(off[w], fabs(at[w][k] - (w ? turned[k] : from[k])));
+        }
+    }
+    TAP_NEAR(off[0], 0.0, 0.0, "corners: at rest as they were given");
+    TAP_NEAR(off[1], 0.0, 1e-14, "corners: turned by w t");                              /* rounding */
+    dem_free(d);
+}
+
 /* A sphere that rolls to and fro in a round tube at rest: a pendulum of 7/5 of the length, friction 2/7 of the weight's
    component along the wall at any time. */
 static void pendulum(void)
@@ -369,6 +402,7 @@ int main(void)
     bounce(floor_plane, "motion { type translation; velocity (0 0 -0.1); }", -0.1, "elastic, from a plane that gives way");
     bounce(floor_plane, "", 0.0, "elastic, wall at rest");
     shaker();
+    corners();
     turntable(floor_plane, "turntable, plane");
     turntable(floor_mesh, "turntable, triangles");
     drum("type cylinder; material rigid; point (0 0 0); axis (0 1 0); radius 0.02; particles inside;", "round tube", 1e-2);

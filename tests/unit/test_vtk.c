@@ -133,6 +133,27 @@ static void narrow_numbers(void)
     dem_memory_free(file);
 }
 
+static void triangles(void)
+{
+    double corner[18];
+    const int64_t wall[2] = {7, -1}, connectivity[6] = {0, 1, 2, 3, 4, 5}, offsets[2] = {3, 6};
+    char *file = NULL;
+    size_t size;
+
+    for (int k = 0; k < 18; k++)
+    {
+        corner[k] = dem_random_unit(2, (uint64_t)k, 0, 0);
+    }
+    TAP_OK(!dem_vtk_write_triangles(path, 2, corner, wall) && !dem_file_load(path, &file, &size), "two triangles are written");
+    const char *const x = find(file, size, "points", "Float64", 3, sizeof corner), *const w = find(file, size, "wall", "Int64", 1, 16);
+    const char *const c = find(file, size, "connectivity", "Int64", 1, 48), *const o = find(file, size, "offsets", "Int64", 1, 16);
+
+    TAP_OK(strstr(file, "<Piece NumberOfPoints=\"6\" NumberOfVerts=\"0\"") && strstr(file, "NumberOfPolys=\"2\">"), "the head tells numbers");
+    TAP_OK(x && w && c && o && memcmp(x, corner, sizeof corner) == 0 && memcmp(w, wall, 16) == 0
+           && memcmp(c, connectivity, 48) == 0 && memcmp(o, offsets, 16) == 0, "corners, walls and cells are where the head says");
+    dem_memory_free(file);
+}
+
 static void refused(int status, int expected, const char *words)
 {
     TAP_OK(status == expected && strstr(dem_error_text(), words), "refused: %s", dem_error_text());
@@ -228,6 +249,7 @@ int main(void)
     read_back(1);
     read_back(0);
     narrow_numbers();
+    triangles();
     refusals();
     collection();
     bad_collections();
