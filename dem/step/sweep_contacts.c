@@ -9,6 +9,7 @@
 #include "base/math.h"
 #include "base/memory.h"
 #include "step/loss_cause.h"
+#include "step/quad.h"
 #include "step/tray.h"
 #include "step/wall_springs.h"
 #include <math.h>
@@ -26,27 +27,29 @@ static void forget_apart(const struct dem_block *restrict b, double *restrict me
     }
 }
 
-/* The arm is the radius less `share` of the overlap, or less a share of the gap that is negative. */
+/* The arm is the radius less `share` of the overlap, or less a share of the gap that is negative. Lanes past the last row fall on
+   the padding of their class. */
 DEM_KERNEL
-static void push_out(const struct dem_block *restrict b, int rows, double share, int past_touching,
-                     struct dem_push *restrict push)
+static void push_out(const struct dem_block *restrict b, double share, int past_touching, struct dem_push *restrict push)
 {
     const double *const less = past_touching ? b->gap : b->overlap;
     const double part = past_touching ? -share : share;
 
-    for (int c = 0; c < rows; c++)
+    for (int c = 0; c < b->n; c += 4)
     {
-        const double on = past_touching ? 1.0 : b->touching[c];
-        const double nx = b->nx[c], ny = b->ny[c], nz = b->nz[c];
-        const double fx = on*b->fx[c], fy = on*b->fy[c], fz = on*b->fz[c], fn = on*b->fn[c];
+        const dem_quad one = {1.0, 1.0, 1.0, 1.0}, on = past_touching ? one : DEM_QUAD(b->touching + c);
+        const dem_quad nx = DEM_QUAD(b->nx + c), ny = DEM_QUAD(b->ny + c), nz = DEM_QUAD(b->nz + c), fn = on*DEM_QUAD(b->fn + c);
+        const dem_quad fx = on*DEM_QUAD(b->fx + c), fy = on*DEM_QUAD(b->fy + c), fz = on*DEM_QUAD(b->fz + c);
+        dem_quad f[4] = {fn*nx + fx, fn*ny + fy, fn*nz + fz, part*DEM_QUAD(less + c)};
+        dem_quad t[4] = {ny*fz - nz*fy, nz*fx - nx*fz, nx*fy - ny*fx, {0.0, 0.0, 0.0, 0.0}};
 
-        push[c].f[0] = fn*nx + fx;
-        push[c].f[1] = fn*ny + fy;
-        push[c].f[2] = fn*nz + fz;
-        push[c].arm = part*less[c];
-        push[c].t[0] = ny*fz - nz*fy;
-        push[c].t[1] = nz*fx - nx*fz;
-        push[c].t[2] = nx*fy - ny*fx;
+        dem_quad_turn(f);
+        dem_quad_turn(t);
+        for (int k = 0; k < 4; k++)
+        {
+            DEM_QUAD_AT(push[c + k].f) = f[k];
+            DEM_QUAD_AT(push[c + k].t) = t[k];
+        }
     }
 }
 
@@ -274,7 +277,7 @@ static int sweep_block(struct dem_parts *p, struct dem_tray *t, const struct dem
     {
         act(t, chain, &p->contacts, row);
     }
-    push_out(&t->block, rows, chain->pair.with_wall ? 1.0 : 0.5, chain->past_touching, p->contacts.push + row);
+    push_out(&t->block, chain->pair.with_wall ? 1.0 : 0.5, chain->past_touching, p->contacts.push + row);
     if (chain->past_touching)
     {
         keep_books(&p->contacts, &t->block, row, rows);

@@ -11,89 +11,13 @@
 #include "step/tray.h"
 #include "base/math.h"
 #include "base/random.h"
+#include "step/gather_pairs.h"
 #include "step/wall_kind.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
 /* ---- gathering ----------------------------------------------------------------------------------------------- */
-
-/* Four members of a record that lie side by side, e.g. {x, y, z, radius}. The rows of four pairs turn into columns in
-   registers: several times faster than number by number, and the same bits. */
-typedef double quad __attribute__((vector_size(32), aligned(16), may_alias));
-
-/* A quad in memory; not a function, because a vector returned has no fixed calling convention without AVX. */
-#define QUAD(from) (*(const quad *)(const void *)(from))
-
-__attribute__((always_inline)) static inline void columns(const quad *row, double *x, double *y, double *z, double *w)
-{
-    const quad a = __builtin_shufflevector(row[0], row[1], 0, 4, 2, 6), b = __builtin_shufflevector(row[0], row[1], 1, 5, 3, 7);
-    const quad c = __builtin_shufflevector(row[2], row[3], 0, 4, 2, 6), d = __builtin_shufflevector(row[2], row[3], 1, 5, 3, 7);
-
-    *(quad *)(void *)x = __builtin_shufflevector(a, c, 0, 1, 4, 5);
-    *(quad *)(void *)y = __builtin_shufflevector(b, d, 0, 1, 4, 5);
-    *(quad *)(void *)z = __builtin_shufflevector(a, c, 2, 3, 6, 7);
-    *(quad *)(void *)w = __builtin_shufflevector(b, d, 2, 3, 6, 7);
-}
-
-/* `spin` and `film`: an effect needs the relative spin, the viscosity. A constant for the compiler. */
-__attribute__((always_inline)) static inline void
-gather_pairs_with(struct dem_tray *restrict t, const struct dem_pair *pair, const struct dem_particle *record,
-                  const double (*shift)[4], const uint32_t *restrict row_pair, const int spin, const int film)
-{
-    const quad less = {-1.0, -1.0, -1.0, 1.0}, half = {0.5, 0.5, 0.5, 0.5};
-    struct dem_gathered *const g = &t->g;
-
-    for (int c = 0; c < t->block.n; c += 4)
-    {
-        quad r[4], v[4], a[4], b[4], w[4];
-
-        for (int k = 0; k < 4; k++)
-        {
-            const struct dem_pair *const q = &pair[row_pair[c + k]];
-            const struct dem_particle *const i = &record[q->i], *const j = &record[q->j];
-            const quad wi = QUAD(i->w), wj = QUAD(j->w);
-            const quad ri = {i->radius, i->radius, i->radius, i->radius}, rj = {j->radius, j->radius, j->radius, j->radius};
-
-            r[k] = QUAD(i->x) + less*QUAD(j->x) + QUAD(shift[q->shift]);      /* x_i - x_j + shift, R_i + R_j */
-            v[k] = QUAD(i->v) + less*QUAD(j->v);                              /* v_i - v_j, 1/m_i + 1/m_j */
-            a[k] = ri*wi + rj*wj;
-            b[k] = half*(wi + wj);
-            g->product[c + k] = i->radius*j->radius;
-            t->block.least_radius[c + k] = dem_pick(i->radius < j->radius, i->radius, j->radius);
-            if (spin)
-            {
-                w[k] = wi - wj;
-            }
-            if (film)
-            {
-                t->block.viscosity[c + k] = 0.5*(i->viscosity + j->viscosity);
-            }
-        }
-        columns(r, g->rx + c, g->ry + c, g->rz + c, g->radii + c);
-        columns(v, g->vx + c, g->vy + c, g->vz + c, g->inverse_mass + c);
-        columns(a, g->ax + c, g->ay + c, g->az + c, g->unused + c);
-        columns(b, g->bx + c, g->by + c, g->bz + c, g->unused + c);
-        if (spin)
-        {
-            columns(w, t->block.wx + c, t->block.wy + c, t->block.wz + c, g->unused + c);
-        }
-    }
-}
-
-DEM_KERNEL
-static void gather_pairs(struct dem_tray *restrict t, const struct dem_pair *pair, const struct dem_particle *record,
-                         const double (*shift)[4], const uint32_t *restrict row_pair)
-{
-    gather_pairs_with(t, pair, record, shift, row_pair, 0, 0);
-}
-
-DEM_KERNEL
-static void gather_pairs_and_more(struct dem_tray *restrict t, const struct dem_pair *pair, const struct dem_particle *record,
-                                  const double (*shift)[4], const uint32_t *restrict row_pair)
-{
-    gather_pairs_with(t, pair, record, shift, row_pair, 1, 1);
-}
 
 static void gather_walls(struct dem_tray *restrict t, const struct dem_parts *p, const uint32_t *restrict row_pair)
 {
@@ -372,8 +296,7 @@ void dem_tray_fill(struct dem_tray *t, const struct dem_parts *p, const struct d
     }
     else
     {
-        (chain->needs & (DEM_NEEDS_SPIN | DEM_NEEDS_VISCOSITY) ? gather_pairs_and_more : gather_pairs)(
-            t, p->contacts.pair, p->particles.record, p->pairs.shift, padded);
+        dem_gather_pairs(t, p, chain->needs, padded);
         normals_of_pairs(&t->block, &t->g);
     }
     motion(t, chain, p->walls.plain);

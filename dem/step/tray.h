@@ -22,7 +22,6 @@ struct dem_gathered                                       /* what the geometry o
     _Alignas(64) double radii[DEM_BLOCK];                                     /* m    R_i + R_j */
     _Alignas(64) double inverse_mass[DEM_BLOCK];                              /* 1/kg summed */
     _Alignas(64) double product[DEM_BLOCK];                                   /* m2   R_i R_j */
-    _Alignas(64) double unused[DEM_BLOCK];                                    /* fourth members nobody needs */
 };
 
 struct dem_tray
