@@ -400,7 +400,7 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 
 /* What act has booked, but for two steps in which the contact's own law knows nothing of the bond yet: it still tells what a
    bond just made has declared lost, and tells nothing of what it takes over from one that has just broken. */
-static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+static void energy(const void *of, const struct dem_block *restrict b, dem_real *const *before, dem_real *const *memory,
                    struct dem_energy *restrict e)
 {
     const struct bond *bond = of;

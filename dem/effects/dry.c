@@ -67,7 +67,7 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *m
     }
 }
 
-static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+static void energy(const void *of, const struct dem_block *restrict b, dem_real *const *before, dem_real *const *memory,
                    struct dem_energy *restrict e)
 {
     (void)of, (void)before, (void)memory;

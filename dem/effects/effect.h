@@ -104,7 +104,7 @@ struct dem_effect
     /* Contact effects: what rows hold and lose by this effect; called right after act, only in runs that keep a ledger of
        energy. `before` are the remembered columns as act found them, `memory` as it left them. NULL: the ledger takes the
        books of stages BOND and FILM, and otherwise measures the work that the effect has done. */
-    void (*energy)(const void *settings, const struct dem_block *, dem_real *const *before, dem_real *const *memory,
+    void (*energy)(const void *settings, const struct dem_block *restrict, dem_real *const *before, dem_real *const *memory,
                    struct dem_energy *restrict);
 
     /* Laws of drag: fill the tray's `swarm` with what follows from radius, void fraction, density and viscosity alone. These stay

@@ -137,7 +137,7 @@ static dem_real held(struct yielded y, dem_real d)
 
 /* Yielding spends as d_max grows. While sticking, from where the old line meets the one of k_c to here, the motion gives
    k_c d^2/2, and the line holds less and less. */
-static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+static void energy(const void *of, const struct dem_block *restrict b, dem_real *const *before, dem_real *const *memory,
                    struct dem_energy *restrict e)
 {
     const struct hysteresis *h = of;

@@ -133,7 +133,7 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 }
 
 /* what act has booked is the whole law's; 2/5 F_n d of it is told by hertz */
-static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+static void energy(const void *of, const struct dem_block *restrict b, dem_real *const *before, dem_real *const *memory,
                    struct dem_energy *restrict e)
 {
     (void)of, (void)before;

@@ -98,21 +98,23 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 }
 
 DEM_KERNEL
-static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+static void energy(const void *of, const struct dem_block *restrict b, dem_real *const *before, dem_real *const *memory,
                    struct dem_energy *restrict e)
 {
     const struct mindlin *mindlin = of;
     const struct dem_rubbing rubs = {mindlin->friction, mindlin->damping ? 1.0 : 0.0, mindlin->adhesion ? 1.0 : 0.0};
+    const dem_real modulus = mindlin->modulus;
+    const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
 
     (void)memory;
     for (int c = 0; c < b->n; c++)
     {
         struct dem_slider s = dem_slider_friction(b, c, b->kt[c], rubs);
 
-        s.xi_x = before[0][c];
-        s.xi_y = before[1][c];
-        s.xi_z = before[2][c];
-        s.stiffness_was = mindlin->modulus*sqrt(b->reduced_radius[c]*e->was[c]);
+        s.xi_x = x[c];
+        s.xi_y = y[c];
+        s.xi_z = z[c];
+        s.stiffness_was = modulus*sqrt(b->reduced_radius[c]*e->was[c]);
         dem_slider_energy(b, c, s, e);
     }
 }

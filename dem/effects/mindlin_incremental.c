@@ -92,23 +92,24 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 
 /* as mindlin's, but for a spring that has let go of what its old force no longer holds: k xi^2/2 (1 - k/k') of it */
 DEM_KERNEL
-static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+static void energy(const void *of, const struct dem_block *restrict b, dem_real *const *before, dem_real *const *memory,
                    struct dem_energy *restrict e)
 {
     const struct incremental *incremental = of;
     const struct dem_rubbing rubs = {incremental->friction, incremental->damping ? 1.0 : 0.0, incremental->adhesion ? 1.0 : 0.0};
+    const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2], *restrict stiffness = before[3];
 
     (void)memory;
     for (int c = 0; c < b->n; c++)
     {
         struct dem_slider s = dem_slider_friction(b, c, b->kt[c], rubs);
-        const dem_real was = before[3][c], more = b->touching[c]*dem_pick(was < b->kt[c], b->kt[c] - was, 0.0);
+        const dem_real was = stiffness[c], more = b->touching[c]*dem_pick(was < b->kt[c], b->kt[c] - was, 0.0);
         const dem_real keep = dem_pick(more > 0.0, was/dem_pick(b->kt[c] > 0.0, b->kt[c], 1.0), 1.0);
-        const dem_real square = before[0][c]*before[0][c] + before[1][c]*before[1][c] + before[2][c]*before[2][c];
+        const dem_real square = x[c]*x[c] + y[c]*y[c] + z[c]*z[c];
 
-        s.xi_x = keep*before[0][c];
-        s.xi_y = keep*before[1][c];
-        s.xi_z = keep*before[2][c];
+        s.xi_x = keep*x[c];
+        s.xi_y = keep*y[c];
+        s.xi_z = keep*z[c];
         s.stiffness_was = was + more;
         dem_slider_energy(b, c, s, e);
         e->lost[c] += 0.5*was*square*(1.0 - keep);

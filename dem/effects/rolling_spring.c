@@ -107,21 +107,23 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 }
 
 DEM_KERNEL
-static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+static void energy(const void *of, const struct dem_block *restrict b, dem_real *const *before, dem_real *const *memory,
                    struct dem_energy *restrict e)
 {
     const struct rolling_spring *rolling = of;
+    const dem_real friction = rolling->friction, ratio = rolling->ratio, twice_zeta = 2.0*rolling->damping;
+    const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
 
     (void)memory;
     for (int c = 0; c < b->n; c++)
     {
-        struct dem_slider s = slider_at(b, c, rolling->friction, rolling->ratio, 2.0*rolling->damping);
+        struct dem_slider s = slider_at(b, c, friction, ratio, twice_zeta);
 
-        s.xi_x = before[0][c];
-        s.xi_y = before[1][c];
-        s.xi_z = before[2][c];
+        s.xi_x = x[c];
+        s.xi_y = y[c];
+        s.xi_z = z[c];
         s.mass = e->inertia[c];
-        s.stiffness_was = rolling->ratio*e->kn_was[c]*b->reduced_radius[c]*b->reduced_radius[c];
+        s.stiffness_was = ratio*e->kn_was[c]*b->reduced_radius[c]*b->reduced_radius[c];
         dem_slider_energy(b, c, s, e);
     }
 }

@@ -43,7 +43,7 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *m
 }
 
 /* what it takes to part them; a bond that seals the surfaces lets them keep it */
-static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+static void energy(const void *of, const struct dem_block *restrict b, dem_real *const *before, dem_real *const *memory,
                    struct dem_energy *restrict e)
 {
     const dem_real scale = 6.28318530717958648*((const struct sjkr *)of)->density;

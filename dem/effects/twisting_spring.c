@@ -103,7 +103,7 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 }
 
 /* as slider.h has it, of an angle */
-static void energy(const void *of, const struct dem_block *b, dem_real *const *before, dem_real *const *memory,
+static void energy(const void *of, const struct dem_block *restrict b, dem_real *const *before, dem_real *const *memory,
                    struct dem_energy *restrict e)
 {
     const struct twisting_spring *twisting = of;
