@@ -298,7 +298,9 @@ static int add_link(struct dem_recipe *r, struct dem_chain *chain, int place, in
 
         if (status && contact)
         {
-            return dem_error_prefix(status, "contact %s-%s: ", chain->pair.a->name, chain->pair.b->name);
+            const char *const x = chain->pair.a->name, *const y = chain->pair.b->name;
+
+            return dem_error_prefix(status, "contact %s-%s, by effects or by pairs between (%s %s): ", x, y, x, y);
         }
         DEM_TRY(status);
     }

@@ -1,0 +1,256 @@
+/*
+ * Claims, for all effects of the list and all their settings: a value outside the range, a word where a number belongs, a
+ * number where a word belongs, and a setting without default left out are refused in `effects` and in `pairs`, by a sentence
+ * with the line, the effect, the setting, the value, the limits and what to give; the limits themselves are taken. Two laws
+ * of a kind, laws that do each other's work, and laws that need another are refused with both words.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/world.h"
+
+#include "effects/effects.h"
+
+/* what a scene says of one setting in place of the good value; NULL: leaves it out */
+struct slip
+{
+    const struct dem_field *field;
+    const char *value;
+};
+
+/* a value in the middle of the range; no two alike, for some must lie above others */
+static double good(const struct dem_field *f, int unlike)
+{
+    return (f->least > 0.5 ? 2.0*f->least : fmin(0.4*f->most, 0.4)) + 0.01*unlike;
+}
+
+/* WORD { settings } with the slip */
+static void write_effect(char *text, size_t room, const struct dem_effect *e, struct slip slip)
+{
+    size_t at = (size_t)snprintf(text, room, "%s { ", e->name);
+    int unlike = 0;
+
+    for (const struct dem_field *f = e->settings; f && f->name; f++)
+    {
+        const int required = isnan(f->def);
+        const char *const three = f->kind == DEM_FIELD_VECTOR ? "(0.1 0.2 0.3)" : NULL;
+
+        if (f == slip.field)
+        {
+            at += (size_t)(slip.value ? snprintf(text + at, room - at, "%s %s; ", f->name, slip.value) : 0);
+        }
+        else if (required && three)
+        {
+            at += (size_t)snprintf(text + at, room - at, "%s %s; ", f->name, three);
+        }
+        else if (required && f->kind == DEM_FIELD_NUMBER)
+        {
+            at += (size_t)snprintf(text + at, room - at, "%s %g; ", f->name, good(f, unlike++));
+        }
+        else if (required)
+        {
+            at += (size_t)snprintf(text + at, room - at, "%s %s; ", f->name, f->kind == DEM_FIELD_SWITCH ? "yes" : f->choices[0]);
+        }
+    }
+    snprintf(text + at, room - at, "} ");
+}
+
+/* what an effect needs beside it: a normal law, and of them hertz goes with all */
+static const char *beside(const struct dem_effect *e)
+{
+    return e->stage < DEM_STAGE_BODY && e->stage != DEM_STAGE_NORMAL ? "hertz { } " : "";
+}
+
+/* 0, or the status of a scene with these effects; line 3 holds them */
+static int scene(const char *effects, const char *pairs)
+{
+    char *const text = world_text("materials { glass { density 2500; youngsModulus 1e7; } }\nfluid { density 1000; viscosity 1e-3; }\n"
+                                  "effects { %s }\n pairs { %s }\n time { step 1e-9; }", effects, pairs);
+    const struct dem_seed seed = {.diameter = 1e-3, .material = "glass"};
+    struct dem *d;
+
+    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
+    int status = dem_scene_text(d, text, "scene");
+
+    status = status ? status : dem_add_particles(d, 1, &seed);
+    status = status ? status : dem_ready(d);
+    dem_free(d);
+    free(text);
+    return status;
+}
+
+/* refused, and the sentence holds all these words */
+static void refused(int status, const char *what, const char *where, const char *const words[5])
+{
+    int all = status != 0;
+
+    for (int k = 0; k < 5; k++)
+    {
+        all &= !words[k] || strstr(dem_error_text(), words[k]);
+    }
+    all &= strchr(dem_error_text(), '\n') == NULL;        /* one sentence */
+    if (!TAP_OK(all, "%s%s", what, where))
+    {
+        TAP_NOTE("status %d: %s", status, dem_error_text());
+    }
+}
+
+static void try_slip(const struct dem_effect *e, struct slip slip, const char *limit, const char *cure)
+{
+    char bad[1024], fine[1024], effects[2048], what[256];
+    const char *const words[5] = {e->name, slip.field->name, slip.value, limit, cure};
+
+    write_effect(bad, sizeof bad, e, slip);
+    write_effect(fine, sizeof fine, e, (struct slip){0});
+    snprintf(effects, sizeof effects, "%s%s", beside(e), bad);
+    snprintf(what, sizeof what, "%s %s %s", e->name, slip.field->name, slip.value ? slip.value : "left out");
+    refused(scene(effects, ""), what, "", words);
+    if (e->stage < DEM_STAGE_BODY && slip.value)
+    {
+        char pair[1024];
+
+        snprintf(effects, sizeof effects, "%s%s", beside(e), fine);
+        snprintf(pair, sizeof pair, "p { between (glass glass); %s { %s %s; } }", e->name, slip.field->name, slip.value);
+        refused(scene(effects, pair), what, " in a pair", words);
+    }
+}
+
+static const char *printed(char *text, size_t room, const struct dem_field *f, double value)
+{
+    snprintf(text, room, f->kind == DEM_FIELD_VECTOR ? "( 0 0 %.10g )" : "%.10g", value);
+    return text;
+}
+
+static void numbers(const struct dem_effect *e, const struct dem_field *f)
+{
+    char value[64], limit[64];
+
+    if (f->least > -DBL_MAX)
+    {
+        const int above = f->least == DEM_ABOVE_ZERO;
+        const double least = above ? 0.0 : f->least;
+
+        printed(limit, sizeof limit, f, least);
+        try_slip(e, (struct slip){f, printed(value, sizeof value, f, above ? 0.0 : least - 0.5)}, above ? "above 0" : limit, "give a value");
+        try_slip(e, (struct slip){f, printed(value, sizeof value, f, least - 1e3)}, above ? "above 0" : limit, "give a value");
+    }
+    if (f->most < DBL_MAX)
+    {
+        printed(limit, sizeof limit, f, f->most);
+        try_slip(e, (struct slip){f, printed(value, sizeof value, f, f->most*1.01)}, limit, "give a value");
+    }
+    if (f->flags & DEM_FIELD_WHOLE)
+    {
+        try_slip(e, (struct slip){f, "1.5"}, "whole", "give a value");
+    }
+    try_slip(e, (struct slip){f, f->kind == DEM_FIELD_VECTOR ? "( 0 0 nan )" : "nan"}, "wants", NULL);
+    try_slip(e, (struct slip){f, f->kind == DEM_FIELD_VECTOR ? "( 0 0 inf )" : "-inf"}, "wants", NULL);
+    try_slip(e, (struct slip){f, "plenty"}, "wants", NULL);
+    try_slip(e, (struct slip){f, f->kind == DEM_FIELD_VECTOR ? "3" : "( 1 2 )"}, "wants", NULL);
+}
+
+/* the ends of the range are inside of it: no sentence tells of that setting */
+static void ends(const struct dem_effect *e, const struct dem_field *f)
+{
+    const double end[2] = {f->least, f->most};
+
+    for (int k = 0; k < 2; k++)
+    {
+        char value[64], effect[1024], effects[2048], sentence[128];
+
+        if (f->kind != DEM_FIELD_NUMBER || !(fabs(end[k]) < DBL_MAX) || end[k] == DEM_ABOVE_ZERO)
+        {
+            continue;
+        }
+        write_effect(effect, sizeof effect, e, (struct slip){f, printed(value, sizeof value, f, end[k])});
+        snprintf(effects, sizeof effects, "%s%s", beside(e), effect);
+        snprintf(sentence, sizeof sentence, "%s %s is out of range", f->name, value);
+        TAP_OK(scene(effects, "") == 0 || !strstr(dem_error_text(), sentence), "%s %s %s is in range", e->name, f->name, value);
+    }
+}
+
+static void all_settings(const struct dem_effect *e)
+{
+    for (const struct dem_field *f = e->settings; f && f->name; f++)
+    {
+        if (f->kind == DEM_FIELD_NUMBER || f->kind == DEM_FIELD_VECTOR)
+        {
+            numbers(e, f);
+            ends(e, f);
+        }
+        else
+        {
+            try_slip(e, (struct slip){f, "perhaps"}, f->kind == DEM_FIELD_SWITCH ? "yes" : f->choices[0], "known");
+            try_slip(e, (struct slip){f, "12.5"}, NULL, NULL);
+        }
+        if (isnan(f->def))
+        {
+            try_slip(e, (struct slip){f, NULL}, "no value", "give");
+        }
+    }
+}
+
+/* ---- effects that contradict each other ---------------------------------------------------------------------------- */
+
+static int same_kind(const struct dem_effect *a, const struct dem_effect *b)
+{
+    return (a->stage == b->stage && a->stage <= DEM_STAGE_TANGENT) || (a->drag && b->drag);
+}
+
+static int twice(const struct dem_effect *a, const struct dem_effect *b)
+{
+    return (a->excludes && strcmp(a->excludes, b->name) == 0) || (b->excludes && strcmp(b->excludes, a->name) == 0);
+}
+
+static void together(const struct dem_effect *a, const struct dem_effect *b)
+{
+    char one[1024], other[1024], effects[4096];
+    const struct dem_effect *const first = a->stage <= b->stage ? a : b;
+    const char *const words[5] = {a->name, b->name, same_kind(a, b) ? "one of them" : NULL, NULL, NULL};
+    char what[128];
+
+    write_effect(one, sizeof one, a, (struct slip){0});
+    write_effect(other, sizeof other, b, (struct slip){0});
+    snprintf(effects, sizeof effects, "%s%s%s", first->stage == DEM_STAGE_NORMAL ? "" : beside(first), one, other);
+    snprintf(what, sizeof what, "%s with %s", a->name, b->name);
+    if (same_kind(a, b) || twice(a, b))
+    {
+        refused(scene(effects, ""), what, "", words);
+    }
+}
+
+/* laws that act on a contact's force, without one */
+static void alone(const struct dem_effect *e)
+{
+    char effect[1024], what[128];
+    const char *const words[5] = {e->name, "normal law", "add", NULL, NULL};
+
+    write_effect(effect, sizeof effect, e, (struct slip){0});
+    snprintf(what, sizeof what, "%s without a normal law", e->name);
+    refused(scene(effect, ""), what, "", words);
+}
+
+int main(void)
+{
+    int settings = 0, contradictions = 0;
+
+    TAP_TRAPS;
+    for (const struct dem_effect *const *e = dem_effects; *e; e++)
+    {
+        all_settings(*e);
+        for (const struct dem_field *f = (*e)->settings; f && f->name; f++)
+        {
+            settings++;
+        }
+        if ((*e)->stage == DEM_STAGE_DAMP || (*e)->stage == DEM_STAGE_TANGENT || (*e)->stage == DEM_STAGE_MOMENT)
+        {
+            alone(*e);
+        }
+        for (const struct dem_effect *const *o = dem_effects; *o != *e; o++)
+        {
+            together(*o, *e);
+            contradictions += same_kind(*o, *e) || twice(*o, *e);
+        }
+    }
+    TAP_OK(settings > 40 && contradictions > 40, "%d settings, %d contradictions", settings, contradictions);
+    TAP_DONE;
+}
