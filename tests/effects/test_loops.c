@@ -1,0 +1,240 @@
+/*
+ * Claims: whoever presses, pulls and parts two bodies along any path and ends where he began has put work in, or none, and got
+ * none out: with every normal law and every damping of the list, with adhesion, and, while they are rubbed to and fro as well,
+ * with linear springs and with Mindlin's loaded step by step. Without damping and yield it is none at all. (mindlin is the
+ * exception, and says so: test_mindlin_incremental.)
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "tray.h"
+
+#include "base/random.h"
+
+enum
+{
+    LEGS = 12, STEPS = 500
+};
+
+static const struct dem_material bead = {"bead", 2500.0, 1e7, 0.3};
+static const double dt = 1e-6, deepest = 5e-5;            /* s, m: a fortieth of the diameter */
+static struct world w;
+
+static double drawn(int row, int leg, int use)
+{
+    return dem_random_unit(21, (uint64_t)row, (uint64_t)leg, (uint64_t)use);
+}
+
+static void begin(void)
+{
+    world_spheres(&w, &bead, &bead, 1e-3, 1e-3);
+    w.b.n = DEM_BLOCK;
+    w.b.dt = w.b.longest = dt;
+    for (int c = 0; c < DEM_BLOCK; c++)
+    {
+        w.b.reduced_radius[c] = w.pair.least_radius;
+        w.b.reduced_mass[c] = w.pair.least_mass;
+        w.b.least_radius[c] = 1e-3;
+        w.b.nz[c] = w.b.hz[c] = w.b.counts[c] = 1.0;
+    }
+}
+
+/* an effect with what it needs to be felt at some 0.1 m/s */
+static void add(const struct dem_effect *e)
+{
+    static const struct
+    {
+        const char *word, *setting;
+        double value;
+    }
+    felt[] = {{"hertz", "impactSpeed", 1.0}, {"hooke", "stiffness", 1e3}, {"hookeHysteresis", "unloading", 4.0}, {"dry", "restitution", 0.7},
+              {"viscous", "coefficient", 0.01}, {"stokes", "restitution", 0.9}, {"sjkr", "energyDensity", 1e4},
+              {"jkr", "workOfAdhesion", 0.5}, {"linear", "friction", 0.4}, {"mindlinIncremental", "friction", 0.4}};
+
+    for (size_t k = 0; k < sizeof felt/sizeof *felt; k++)
+    {
+        if (strcmp(felt[k].word, e->name) == 0)
+        {
+            struct link *const l = world_add(&w, e, felt[k].setting, felt[k].value);
+
+            if (strcmp(e->name, "hookeHysteresis") == 0)
+            {
+                settle(e, l->settings, &w.pair, "stiffness", 1e3);
+                settle(e, l->settings, &w.pair, "adhesion", 0.5);
+                settle(e, l->settings, &w.pair, "plasticDepth", 0.01);
+            }
+            if (strcmp(e->name, "stokes") == 0)
+            {
+                settle(e, l->settings, &w.pair, "viscosity", 0.01);
+            }
+            if (e->stage == DEM_STAGE_TANGENT)
+            {
+                settle(e, l->settings, &w.pair, "tangentialDamping", 0.0);
+            }
+            return;
+        }
+    }
+    printf("Bail out! %s is not known here\n", e->name);
+    exit(1);
+}
+
+/* forces at this gap (negative: pressed) and rate of the gap, of row c; slip in the plane */
+static void put(int c, double gap, double rate, double slip_x, double slip_y)
+{
+    w.b.gap[c] = gap;
+    w.b.distance[c] = 2e-3 + gap;
+    w.b.overlap[c] = gap < 0.0 ? -gap : 0.0;
+    w.b.touching[c] = gap < 0.0 ? 1.0 : 0.0;
+    w.b.vn[c] = w.b.rate[c] = rate;
+    w.b.sx[c] = slip_x, w.b.sy[c] = slip_y;
+    w.b.kn[c] = w.b.kt[c] = w.b.eta[c] = w.b.fn[c] = w.b.fx[c] = w.b.fy[c] = w.b.fz[c] = w.b.stored[c] = w.b.lost[c] = 0.0;
+}
+
+static void act(void)
+{
+    for (int k = 0; k < w.links; k++)
+    {
+        struct link *const l = &w.link[k];
+
+        l->effect->act(l->settings, &w.b, l->memory);
+        for (int m = 0; l->effect->stage < DEM_STAGE_BOND && l->effect->memory && l->effect->memory[m]; m++)
+        {
+            for (int c = 0; c < DEM_BLOCK; c++)
+            {
+                l->column[m][c] *= w.b.touching[c];
+            }
+        }
+    }
+}
+
+/* Legs between random gaps, and slips if wanted, out of reach at the end; least and greatest work of all rows, over the
+   force's scale times its way. */
+static void wander(double slips, double apart, double *least, double *greatest)
+{
+    double gap[DEM_BLOCK], work[DEM_BLOCK] = {0}, force[DEM_BLOCK][3];
+    double scale = 0.0;
+
+    *least = 1e300, *greatest = -1e300;
+    for (int c = 0; c < DEM_BLOCK; c++)
+    {
+        gap[c] = apart;
+    }
+    for (int leg = 0; leg < LEGS; leg++)
+    {
+        for (int s = 0; s <= STEPS; s++)
+        {
+            for (int c = 0; c < DEM_BLOCK; c++)
+            {
+                const double to = leg == LEGS - 1 ? apart : apart - (apart + deepest)*drawn(c, leg, 0);
+                const double from = leg == 0 ? apart : apart - (apart + deepest)*drawn(c, leg - 1, 0), rate = (to - from)/(STEPS*dt);
+                const double angle = 6.28*drawn(c, leg, 1), slip = s ? slips*drawn(c, leg, 2)/(STEPS*dt) : 0.0;
+
+                gap[c] = from + (to - from)*s/STEPS;
+                put(c, gap[c], rate, slip*cos(angle), slip*sin(angle));
+            }
+            act();
+            for (int c = 0; c < DEM_BLOCK; c++)
+            {
+                /* the leg's first force is taken anew, with its own rate: what happens there costs no way */
+                work[c] -= s ? 0.5*dt*((force[c][0] + w.b.fn[c])*w.b.rate[c] + (force[c][1] + w.b.fx[c])*w.b.sx[c]
+                                       + (force[c][2] + w.b.fy[c])*w.b.sy[c]) : 0.0;
+                force[c][0] = w.b.fn[c], force[c][1] = w.b.fx[c], force[c][2] = w.b.fy[c];
+                scale = fmax(scale, fabs(w.b.fn[c])*deepest);
+            }
+        }
+    }
+    for (int c = 0; c < DEM_BLOCK; c++)
+    {
+        *least = fmin(*least, work[c]/scale);
+        *greatest = fmax(*greatest, work[c]/scale);
+    }
+}
+
+static const struct dem_effect *of_stage(enum dem_stage stage, int k)
+{
+    for (const struct dem_effect *const *e = dem_effects; *e; e++)
+    {
+        if ((*e)->stage == stage && k-- == 0)
+        {
+            return *e;
+        }
+    }
+    return NULL;
+}
+
+/* trapezoids miss what is left of a kink or a jump, 12 and some of 1/500 of a leg each */
+static const double kinks = 1e-3;
+
+static void pressed(void)
+{
+    const struct dem_effect *normal;
+    double least, greatest;
+
+    for (int n = 0; (normal = of_stage(DEM_STAGE_NORMAL, n)); n++)
+    {
+        begin();
+        add(normal);
+        wander(0.0, 5e-6, &least, &greatest);
+        if (normal->memory)
+        {
+            TAP_OK(least > 0.0, "%s: %d paths take work, %.2g or more of force times way", normal->name, DEM_BLOCK, least);
+        }
+        else
+        {
+            TAP_NEAR(fmax(-least, greatest), 0.0, kinks, "%s: %d paths take and give nothing", normal->name, DEM_BLOCK);
+        }
+        for (int k = 0; of_stage(DEM_STAGE_DAMP, k); k++)
+        {
+            begin();
+            add(normal);
+            add(of_stage(DEM_STAGE_DAMP, k));
+            wander(0.0, 5e-6, &least, &greatest);
+            TAP_OK(least > 0.0 && greatest > kinks, "%s, %s: all take work, %.2g or more", normal->name, of_stage(DEM_STAGE_DAMP, k)->name, least);
+        }
+    }
+}
+
+static void sticking(void)
+{
+    double least, greatest;
+
+    begin();
+    add(&dem_hertz);
+    add(&dem_sjkr);
+    wander(0.0, 5e-6, &least, &greatest);
+    TAP_NEAR(fmax(-least, greatest), 0.0, kinks, "hertz, sjkr: take and give nothing");
+    begin();
+    add(&dem_hertz);
+    add(&dem_jkr);
+    wander(0.0, 3e-5, &least, &greatest);
+    TAP_OK(least > -kinks && greatest > kinks, "hertz, jkr, torn apart: take work, %.2g or more", least);
+}
+
+static void rubbed(void)
+{
+    static const struct dem_effect *const pair[2][2] = {{&dem_hooke, &dem_linear}, {&dem_hertz, &dem_mindlin_incremental}};
+
+    for (int k = 0; k < 2; k++)
+    {
+        for (int fine = 0; fine < 2; fine++)
+        {
+            const double way = fine ? 2e-7 : 2e-5;        /* mostly sticks; mostly slips */
+            double least, greatest;
+
+            begin();
+            add(pair[k][0]);
+            add(pair[k][1]);
+            wander(way, 5e-6, &least, &greatest);
+            TAP_OK(least > -kinks*way/deepest && greatest > 0.0, "%s, %s, rubbed by up to %g m a leg: take work, %.2g or more", pair[k][0]->name,
+                   pair[k][1]->name, way, least);
+        }
+    }
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    pressed();
+    sticking();
+    rubbed();
+    TAP_DONE;
+}
