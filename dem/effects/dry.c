@@ -14,9 +14,10 @@
  * 0.33 for e = 0.2, 0.47 for 0.4, 0.55 for 0.5, 0.63 for 0.6, 0.81 for 0.8, 0.90 for 0.9.
  *
  * Source: Antypov and Elliott, EPL 94 (2011) 50004; the spring and dashpot: Tsuji, Tanaka, Ishida, Powder Technol. 71
- * (1992) 239. Eqs. (12) and (14) of Kasuga, Discrete element method (in Japanese, 2012), linear and Hertzian, and (8), (9) of Open
- * DEM Japan, Hooke/Hysteresis normal contact model (in Japanese, 2025) are this. Changed from the notes: e = 0, whose logarithm
- * is none, is critical damping; of the latter's (10), max(F_n, 0) is `attraction clamped`, which leaves what adhesion pulls.
+ * (1992) 239. Eqs. (12) and (14) of Kasuga, Discrete element method (in Japanese, 2012), linear and Hertzian, and (8),
+ * (9) of Open DEM Japan, Hooke/Hysteresis normal contact model (in Japanese, 2025) are this. Changed from the notes: e
+ * = 0, whose logarithm is none, is critical damping; of the latter's (10), max(F_n, 0) is `attraction clamped`, which
+ * leaves what adhesion pulls.
  * Not here: restitution that depends on speed through a liquid (see stokes), plasticity, adhesion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

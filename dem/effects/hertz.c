@@ -19,9 +19,10 @@
  *
  * A stiffness in place of 4/3 E* may be given; then there is no wave to resolve.
  *
- * Source: Hertz, J. reine angew. Math. 92 (1882) 156; duration: Johnson, Contact Mechanics (1985), section 11.4. At 1/20 an
- * elastic impact keeps its speed within 0.1 %. Eqs. (6), (7), (10), (11) of Kasuga, Discrete element method (in Japanese, 2012) are
- * this; changed: d is the positive overlap, for the note's delta of (7) is negative in contact and has no root in (10).
+ * Source: Hertz, J. reine angew. Math. 92 (1882) 156; duration: Johnson, Contact Mechanics (1985), section 11.4. At
+ * 1/20 an elastic impact keeps its speed within 0.1 %. Eqs. (6), (7), (10), (11) of Kasuga, Discrete element method (in
+ * Japanese, 2012) are this; changed: d is the positive overlap, for the note's delta of (7) is negative in contact and
+ * has no root in (10).
  * Not here: damping (see dry, stokes), friction (see mindlin), plastic contact, adhesion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

@@ -14,8 +14,8 @@
  * slider.h. Two spheres that stick all through an impact on linear springs return -cos(pi sqrt(7 k_t/2 k_n)) of their slip
  * with the sign turned: nothing for k_t/k_n = 1/14, all of it for 2/7, where both springs swing alike; that is the default.
  *
- * Source: Cundall and Strack, Geotechnique 29 (1979) 47; friction: Coulomb; eqs. (15) to (17) and (20) to (23) of Kasuga,
- * Discrete element method (in Japanese, 2012). Changed from the note: see mindlin.c, the same as there and why.
+ * Source: Cundall and Strack, Geotechnique 29 (1979) 47; friction: Coulomb; eqs. (15) to (17) and (20) to (23) of
+ * Kasuga, Discrete element method (in Japanese, 2012). Changed from the note: see mindlin.c, the same as there and why.
  * Not here: a stiffness of the materials (see mindlin); rolling.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

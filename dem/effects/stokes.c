@@ -30,10 +30,10 @@
  * The dashpot may pull when the contact opens; clamped, small e is far too large (0.15 instead of 0.001).
  *
  * Source: Legendre, Zenit, Daniel, Guiraud, Chem. Eng. Sci. 61 (2006) 3543; measured: Gondret, Lance, Petit, Phys.
- * Fluids 14 (2002) 643; Joseph, Zenit, Hunt, Rosenwinkel, J. Fluid Mech. 433 (2001) 329. Eq. (8) of Open DEM Japan, Hooke/Hysteresis
- * normal contact model (in Japanese, 2025) takes its ln e "by the Stokes number", without a formula. Changed from how that is read
- * elsewhere: ln e_max - beta/St with St above 0 (a plus and a velocity that is negative on approach return too much); the speed
- * is of the first touch, see above.
+ * Fluids 14 (2002) 643; Joseph, Zenit, Hunt, Rosenwinkel, J. Fluid Mech. 433 (2001) 329. Eq. (8) of Open DEM Japan,
+ * Hooke/Hysteresis normal contact model (in Japanese, 2025) takes its ln e "by the Stokes number", without a formula.
+ * Changed from how that is read elsewhere: ln e_max - beta/St with St above 0 (a plus and a velocity that is negative
+ * on approach return too much); the speed is of the first touch, see above.
  * Not here: lubrication before touching. Never use both: the film's loss is already in e.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
