@@ -87,6 +87,7 @@ static void put(int c, double gap, double rate, double slip_x, double slip_y)
     w.b.vn[c] = w.b.rate[c] = rate;
     w.b.sx[c] = slip_x, w.b.sy[c] = slip_y;
     w.b.kn[c] = w.b.kt[c] = w.b.eta[c] = w.b.fn[c] = w.b.fx[c] = w.b.fy[c] = w.b.fz[c] = w.b.stored[c] = w.b.lost[c] = 0.0;
+    w.b.grip[c] = w.b.note[c] = 0.0;
 }
 
 static void act(void)
@@ -95,6 +96,10 @@ static void act(void)
     {
         struct link *const l = &w.link[k];
 
+        if (l->effect->adhere)
+        {
+            l->effect->adhere(l->settings, &w.b, l->memory);
+        }
         l->effect->act(l->settings, &w.b, l->memory);
         for (int m = 0; l->effect->stage < DEM_STAGE_BOND && l->effect->memory && l->effect->memory[m]; m++)
         {

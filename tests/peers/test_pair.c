@@ -58,10 +58,10 @@ cases[] =
      0, "springs turn about the normal"},
     {"hysteresis-twisted", "hookeHysteresis { unloading 5; adhesion 0; } linear { friction 0.3; ratio 1; tangentialDamping no; }", twisted,
      5e-4, 0, "springs turn about the normal"},
-    /* a contact that pulls rubs there with mu |F_n|, and here not: the pull is up to a fifth of the push, and all of it comes as it
+    /* a contact that sticks rubs there with mu |F_n|, and here with mu (F_n + k_c d): they differ by up to a fifth of the push while it
        opens */
     {"hysteresis-twisted-sticky", "hookeHysteresis { unloading 5; adhesion 0.2; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
-     twisted, 0.1, 0, "friction while it pulls"},
+     twisted, 0.1, 0, "friction where it sticks"},
     /* there the dashpot of friction has sqrt(4 G* / E*), 0.91, of the coefficient it has here, and rubs while the contact pulls */
     {"hertz-twisted-damped", "hertz { } dry { restitution 0.8; } mindlin { friction 0.3; }", twisted, 0.03, 0,
      "coefficient of friction's dashpot"},
