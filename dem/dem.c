@@ -50,6 +50,7 @@ void dem_free(struct dem *d)
     for (size_t k = 0; k < d->mesh_walls; k++)
     {
         dem_memory_free(d->mesh_wall[k].triangles);
+        dem_memory_free(d->mesh_wall[k].now);
     }
     dem_memory_free(d->mesh_wall);
     dem_memory_free(d->crowd_material);
@@ -135,6 +136,32 @@ int dem_add_wall(struct dem *d, const char *name, const char *material, int64_t 
     DEM_TRY(DEM_NEW(w->triangles, 9*w->n + 1));
     memcpy(w->triangles, triangles, 9*w->n*sizeof *triangles);
     return DEM_OK;
+}
+
+/* Kept beside the triangles handed in: the next call writes over it. */
+static int take_corners(struct dem_mesh_wall *w, int64_t n, const double *triangles)
+{
+    DEM_REQUIRE(n >= 0 && (size_t)n == w->n, DEM_ERROR_INPUT, "wall %s is to move with %lld triangles, but was handed in with %zu; a mesh "
+                "may move, but not change", w->name, (long long)n, w->n);
+    if (!w->now)
+    {
+        DEM_TRY(DEM_NEW(w->now, 9*w->n + 1));
+    }
+    memcpy(w->now, triangles, 9*w->n*sizeof *triangles);
+    return DEM_OK;
+}
+
+int dem_wall_move(struct dem *d, const char *name, int64_t n, const double *triangles)
+{
+    size_t k = 0;
+
+    while (k < d->mesh_walls && strcmp(d->mesh_wall[k].name, name) != 0)
+    {
+        k++;
+    }
+    DEM_REQUIRE(k < d->mesh_walls, DEM_ERROR_INPUT, "dem_wall_move: there is no wall %s of dem_add_wall", name);
+    DEM_TRY(take_corners(&d->mesh_wall[k], n, triangles));
+    return d->ready ? dem_door_tell_wall(d, &d->mesh_wall[k], 0) : DEM_OK;
 }
 
 static int add_particles(struct dem *d, int64_t n, const struct dem_seed *seed)
@@ -485,6 +512,7 @@ int dem_restore(struct dem *d, double *time)
 
     DEM_REQUIRE(p->kept.held, DEM_ERROR_STATE, "there is no copy to go back to; dem_keep comes before dem_restore");
     DEM_TRY(dem_kept_give(&p->kept, &p->particles, &p->contacts));
+    dem_walls_go_back(&p->walls);
     p->steps = p->kept.steps;
     p->time = *time = p->kept.time;
     p->watch.overlap = 0.0;

@@ -54,6 +54,12 @@ int dem_set(struct dem *, const char *path, const char *value);
    the same triangle handed in by two ranks counts once. `name` must match no other wall. Collective. */
 int dem_add_wall(struct dem *, const char *name, const char *material, int64_t n, const double *triangles);
 
+/* Such a wall follows a mesh: its corners, as many triangles in the same order, from each rank those that it has handed in.
+   Before dem_ready: where they stand, when dem_add_wall has got them as they were when the mesh was new. Contacts are named
+   after that surface, so hand in the same at a restart. After dem_ready: where they will be at the end of the next
+   dem_advance; on the way they move linearly in time. A wall that is not told stays where it is. Collective. */
+int dem_wall_move(struct dem *, const char *name, int64_t n, const double *triangles);
+
 struct dem_seed                                           /* one particle to add */
 {
     double position[3], velocity[3], spin[3];             /* m, m/s, 1/s */

@@ -15,7 +15,7 @@ struct dem_mesh_wall                                          /* a wall handed i
 {
     char name[64], material[48];
     size_t n;
-    double *triangles;
+    double *triangles, *now;                                  /* now: where it stands, NULL: there */
 };
 
 struct dem
@@ -36,6 +36,9 @@ struct dem
     double step;                                          /* s, the limit in force */
     struct dem_text plan;                                 /* the last one */
 };
+
+/* Collective. Tell a wall where its triangles will be at the end of the next advance; `now`: where they are. */
+int dem_door_tell_wall(struct dem *, const struct dem_mesh_wall *, int now);
 
 /* Collective. Read the scene, make walls and particles, freeze the recipe, hand particles to ranks. */
 int dem_door_get_ready(struct dem *);

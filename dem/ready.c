@@ -21,16 +21,20 @@
 /* More initial overlap than this share of a diameter is a slip in the input, not a contact. */
 static const double most_initial_overlap = 0.05;
 
-/* Triangles of all ranks; walls.c sorts them, so who brought which does not matter. */
-static int gather_wall(struct dem_parts *p, int wall, const struct dem_mesh_wall *m)
+/* Corners from all ranks, in their order. */
+static int gather_corners(const struct dem_parts *p, size_t n, const double *mine, double **corners, size_t *triangles)
 {
-    const int count = (int)(9*m->n);
+    const int count = (int)(9*n);
     int *counts, *start, total = 0;
     double *all;
 
     if (p->pieces.ranks == 1)
     {
-        return dem_walls_add_triangles(&p->walls, wall, m->n, m->triangles);
+        DEM_TRY(DEM_NEW(all, 9*n + 1));
+        memcpy(all, mine, 9*n*sizeof *all);
+        *corners = all;
+        *triangles = n;
+        return DEM_OK;
     }
     DEM_TRY(DEM_NEW(counts, p->pieces.ranks));
     DEM_TRY(DEM_NEW(start, p->pieces.ranks));
@@ -41,13 +45,55 @@ static int gather_wall(struct dem_parts *p, int wall, const struct dem_mesh_wall
         total += counts[k];
     }
     DEM_TRY(DEM_NEW(all, total + 1));
-    MPI_Allgatherv(m->triangles, count, MPI_DOUBLE, all, counts, start, MPI_DOUBLE, p->pieces.comm);
-    const int status = dem_walls_add_triangles(&p->walls, wall, (size_t)total/9, all);
-
+    MPI_Allgatherv(mine, count, MPI_DOUBLE, all, counts, start, MPI_DOUBLE, p->pieces.comm);
     dem_memory_free(counts);
     dem_memory_free(start);
-    dem_memory_free(all);
+    *corners = all;
+    *triangles = (size_t)total/9;
+    return DEM_OK;
+}
+
+/* walls.c sorts them, so who brought which does not matter. */
+static int gather_wall(struct dem_parts *p, int wall, const struct dem_mesh_wall *m)
+{
+    double *corners;
+    size_t n;
+
+    DEM_TRY(gather_corners(p, m->n, m->triangles, &corners, &n));
+    const int status = dem_walls_add_triangles(&p->walls, wall, n, corners);
+
+    dem_memory_free(corners);
     return status;
+}
+
+int dem_door_tell_wall(struct dem *d, const struct dem_mesh_wall *m, int now)
+{
+    struct dem_walls *const w = &d->parts.walls;
+    double *corners;
+    int wall = 0;
+    size_t n;
+
+    while (wall < w->walls && strcmp(w->wall[wall].name, m->name) != 0)
+    {
+        wall++;
+    }
+    DEM_TRY(gather_corners(&d->parts, m->n, m->now, &corners, &n));
+    const int status = now ? dem_walls_place(w, wall, n, corners) : dem_walls_tell(w, wall, n, corners);
+
+    dem_memory_free(corners);
+    return status;
+}
+
+static int place_walls(struct dem *d)
+{
+    for (size_t k = 0; k < d->mesh_walls; k++)
+    {
+        if (d->mesh_wall[k].now)
+        {
+            DEM_TRY(dem_door_tell_wall(d, &d->mesh_wall[k], 1));
+        }
+    }
+    return DEM_OK;
 }
 
 static int take_walls(struct dem *d)
@@ -218,6 +264,7 @@ static int prepare_physics(struct dem *d)
     DEM_TRY(dem_contacts_init(&p->contacts, &p->recipe));
     DEM_TRY(dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0));
     DEM_TRY(dem_domain_check_walls(&p->domain, &p->walls, radius));
+    DEM_TRY(place_walls(d));
     dem_pairs_init(&p->pairs, &p->domain, skin, p->recipe.reach, radius);
     DEM_TRY(dem_wall_search_prepare(&p->pairs.search, &p->walls, radius > 0.0 ? radius : 1.0));
     return choose_step(d);

@@ -116,7 +116,7 @@ double dem_wall_search_distance(const struct dem_wall_search *s, const struct de
     double room[3], there[3];
     const double *const x = dem_walls_own(w, r->wall, world, room);
 
-    if (!near->open)
+    if (!dem_wall_near_open(w, near))
     {
         return dem_wall_search_nearest(s, w, near, x, there);
     }
@@ -213,6 +213,12 @@ int dem_wall_search_prepare(struct dem_wall_search *s, const struct dem_walls *w
     {
         return DEM_OK;
     }
+    dem_memory_free(s->start);
+    dem_memory_free(s->entry);
+    dem_memory_free(s->seen);
+    s->stamp = 0;
+    s->radius = radius;
+    s->journey = w->journey;
     size_grid(s, w, radius);
     const size_t cells = (size_t)s->cells[0]*(size_t)s->cells[1]*(size_t)s->cells[2];
 
@@ -366,6 +372,10 @@ static int regions_near(struct dem_wall_search *s, const struct dem_walls *w, co
 int dem_wall_search_find(struct dem_wall_search *s, const struct dem_walls *w, const struct dem_particles *q, double skin)
 {
     s->nears = s->candidates = 0;
+    if (w->journey > s->journey)
+    {
+        DEM_TRY(dem_wall_search_prepare(s, w, s->radius));
+    }
     for (size_t i = 0; i < q->n; i++)
     {
         DEM_TRY(wholes_near(s, w, &q->record[i], (uint32_t)i, skin));
@@ -375,4 +385,23 @@ int dem_wall_search_find(struct dem_wall_search *s, const struct dem_walls *w, c
         }
     }
     return DEM_OK;
+}
+
+uint32_t dem_wall_near_triangle(const struct dem_wall_search *s, const struct dem_walls *w, const struct dem_wall_near *near,
+                                const double x[3])
+{
+    uint32_t nearest = s->candidate[near->first];
+    double best = INFINITY, on[3];
+
+    for (uint32_t c = near->first; c < near->first + near->count; c++)
+    {
+        const double square = dem_triangle_nearest(&w->triangle[s->candidate[c]], x, on);
+
+        if (square < best)
+        {
+            best = square;
+            nearest = s->candidate[c];
+        }
+    }
+    return nearest;
 }

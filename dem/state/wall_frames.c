@@ -178,11 +178,12 @@ void dem_walls_remark(struct dem_walls *w, enum dem_list list)
     {
         place_mark(w, &w->mark[k], w->mark[k].then[list]);
     }
+    w->since[list] = 0.0;
 }
 
 double dem_walls_moved(const struct dem_walls *w, enum dem_list list)
 {
-    double most = 0.0, now[3];
+    double most = w->since[list], now[3];
 
     for (size_t k = 0; k < w->marks; k++)
     {

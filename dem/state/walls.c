@@ -21,6 +21,7 @@ void dem_walls_free(struct dem_walls *w)
     dem_memory_free(w->region);
     dem_memory_free(w->moving);
     dem_memory_free(w->mark);
+    dem_memory_free(w->course);
     memset(w, 0, sizeof *w);
 }
 
@@ -95,6 +96,7 @@ int dem_walls_add_triangles(struct dem_walls *w, int wall, size_t n, const doubl
 
         memcpy(new->corner, corners + 9*t, sizeof new->corner);
         new->wall = wall;
+        new->handed = (uint32_t)w->wall[wall].handed++;
         for (int k = 0; k < 9; k++)
         {
             DEM_REQUIRE(isfinite(corners[9*t + (size_t)k]), DEM_ERROR_INPUT,
@@ -381,6 +383,7 @@ static int choose_planes(struct dem_walls *w)
                 r->normal[k] = n[k]/size;
             }
             r->offset = dem_vec_dot(r->normal, w->triangle[t].corner[0]);
+            r->largest = (uint32_t)t;
         }
     }
     dem_memory_free(largest);
@@ -417,6 +420,7 @@ static int join_triangles(struct dem_walls *w, double scale)
 int dem_walls_finish(struct dem_walls *w, double scale)
 {
     w->plain = 1;
+    w->flatness = weld*scale;
     if (w->triangles > 0)
     {
         DEM_TRY(drop_useless(w, scale));

@@ -6,7 +6,8 @@
  * their numbers do not depend on the order in which triangles were handed in. Planes, cylinders and spheres are one
  * region each and have one side; triangles have two.
  *
- * A wall that moves keeps all of this in a frame of its own (wall_motion.h).
+ * A wall that moves keeps all of this in a frame of its own (wall_motion.h). One that follows a mesh has its triangles where they
+ * are, but its regions from where they were handed in (wall_course.c).
  *
  * Not here: which particles are near (space/wall_search), how near (step/wall_touch).
  *
@@ -39,6 +40,9 @@ struct dem_wall
     int driven;                                           /* 1: its surface runs in itself, at drive + spin x (x - origin) */
     double drive[3], drive_spin[3], drive_origin[3];      /* m/s, 1/s, m, all in the wall's frame */
     size_t triangles, flat, repeats;                      /* kept; dropped without area; dropped as exact repeats */
+    size_t handed;                                        /* handed in */
+    int follows, goes;                                    /* 1: it is told where to go; it goes somewhere in this advance */
+    double way;                                           /* m: of its fastest corner in this advance */
 };
 
 struct dem_triangle
@@ -46,6 +50,12 @@ struct dem_triangle
     double corner[3][3];                                  /* m */
     int wall, region;
     unsigned rim;                                         /* bit k: edge corner k -> k + 1 is on the rim of its region */
+    uint32_t handed;                                      /* its number among those handed in for its wall */
+};
+
+struct dem_course                                         /* of a triangle: its corners at the begin and the end of this advance */
+{
+    double from[3][3], to[3][3];                          /* m */
 };
 
 struct dem_region                                         /* in the wall's frame */
@@ -54,6 +64,8 @@ struct dem_region                                         /* in the wall's frame
     double centre[3], radius;                             /* m: of a cylinder (any point of its axis) or sphere */
     int wall, outside;
     enum dem_shape shape;
+    int bent;                                             /* 1: it follows a mesh and its triangles lie in no plane any more */
+    uint32_t largest;                                     /* triangle, of the undisturbed surface: its plane is the region's */
 };
 
 struct dem_moving                                         /* one motion, for all walls that share it */
@@ -102,6 +114,11 @@ struct dem_walls
     size_t marks, mark_room;
     struct dem_mark *mark;
     double stride;                                        /* m: the furthest that a wall has moved in the last step */
+    int following;                                        /* walls that follow a mesh; what comes next is theirs */
+    struct dem_course *course;                            /* one a triangle, or NULL */
+    double flatness;                                      /* m: corners nearer to a plane than this are in it */
+    double advance;                                       /* s: length of this advance */
+    double journey, since[DEM_LISTS];                     /* m: no corner has come further, ever; since lists were made */
     int plain;                                            /* 1: all walls are flat and at rest, and so are their surfaces */
 };
 
@@ -143,5 +160,20 @@ void dem_walls_remark(struct dem_walls *, enum dem_list);
 
 /* How far [m] the furthest wall has moved since. */
 double dem_walls_moved(const struct dem_walls *, enum dem_list);
+
+/* ---- following a mesh: nothing where no wall does ---------------------------------------------------------------- */
+
+/* Corners of a wall's triangles in the order in which they were handed in, after the walls are finished: where they are now, or
+   will be at the end of the next advance. A wall that is not told stays where it is. */
+int dem_walls_place(struct dem_walls *, int wall, size_t n, const double *corners);
+int dem_walls_tell(struct dem_walls *, int wall, size_t n, const double *corners);
+
+/* An advance of `duration` [s] begins; `step` of its `steps` equal steps are done; back to where it began. */
+void dem_walls_set_off(struct dem_walls *, double duration);
+void dem_walls_go(struct dem_walls *, int64_t step, int64_t steps);
+void dem_walls_go_back(struct dem_walls *);
+
+/* Velocity [m/s] of the point x of a triangle and angular velocity [1/s] of the surface there, in this advance. */
+void dem_walls_drift(const struct dem_walls *, uint32_t triangle, const double x[3], double velocity[3], double spin[3]);
 
 #endif

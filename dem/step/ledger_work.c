@@ -38,6 +38,10 @@ static void walls(struct dem_parts *p, double span, int ahead)
             const double *const f = c->push[r].f;
 
             dem_wall_kind_motion(&p->walls, p->pairs.wall_region[q->j], &p->touches.touch[q->j], ahead, &kind);
+            if (dem_wall_kind_drifts(p, q->j))
+            {
+                dem_wall_kind_add_drift(p, q->j, p->dt, &kind);
+            }
             const double power = dem_vec_dot(f, kind.velocity) + (c->moments ? dem_vec_dot(c->moment + 3*r, kind.spin) : 0.0);
 
             dem_ledger_add(&p->ledger.sum[DEM_LEDGER_WALLS], power*span);

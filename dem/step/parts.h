@@ -50,6 +50,7 @@ struct dem_parts
     int stale;                                            /* 1: rebuild in the next step whatever has moved; 2: there are no
                                                              lists of these particles yet */
     int64_t steps, rebuilds, prunes;
+    int64_t before, ahead;                                /* steps made before this window, and steps in it */
     double time, dt, window;                              /* s; of the positions; last step; length of the last window */
     double longest_step;                                  /* s; that any window takes */
 };

@@ -256,6 +256,7 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
 
     p->steps++;
     dem_walls_move(&p->walls, p->time, dt);
+    dem_walls_go(&p->walls, p->steps - p->before, p->ahead);
     if (p->ledger.open)
     {
         dem_ledger_drift(p, dt);
@@ -290,7 +291,10 @@ int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
 
     p->window = window;
     p->dt = dt;
+    p->before = p->steps;
+    p->ahead = steps;
     dem_walls_move(&p->walls, start, 0.0);
+    dem_walls_set_off(&p->walls, window);
     dem_bodies_open(&p->particles, &p->recipe.bodies);
     if (p->recipe.needs & DEM_NEEDS_VISCOSITY && !p->stale)
     {

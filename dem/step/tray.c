@@ -72,6 +72,10 @@ static void gather_special(struct dem_tray *restrict t, const struct dem_parts *
         struct dem_wall_kind kind;
 
         dem_wall_kind_at(&p->walls, p->pairs.wall_region[q->j], i, &p->touches.touch[q->j], b->dt, &kind);
+        if (dem_wall_kind_drifts(p, q->j))
+        {
+            dem_wall_kind_add_drift(p, q->j, b->dt, &kind);
+        }
         g->vx[c] -= kind.velocity[0];
         g->vy[c] -= kind.velocity[1];
         g->vz[c] -= kind.velocity[2];

@@ -5,6 +5,7 @@
  */
 #include "step/wall_kind.h"
 #include "base/vec.h"
+#include "step/parts.h"
 #include <math.h>
 #include <string.h>
 
@@ -138,4 +139,40 @@ void dem_wall_kind_at(const struct dem_walls *w, int region, const struct dem_pa
         kind->half[k] = size > 0.0 ? kind->half[k]/size : at->normal[k];
     }
     kind->reduced_radius = reduced_radius(r, i->radius);
+}
+
+/* ---- walls that follow a mesh -------------------------------------------------------------------------------- */
+
+int dem_wall_kind_drifts(const struct dem_parts *p, uint32_t near)
+{
+    return p->walls.following > 0 && p->walls.wall[p->walls.region[p->pairs.wall_region[near]].wall].goes;
+}
+
+void dem_wall_kind_drift(const struct dem_parts *p, uint32_t near, double velocity[3], double spin[3])
+{
+    const struct dem_wall_search *const s = &p->pairs.search;
+    const double *const x = p->particles.record[s->near[near].particle].x;
+
+    dem_walls_drift(&p->walls, dem_wall_near_triangle(s, &p->walls, &s->near[near], x), p->touches.touch[near].point, velocity, spin);
+}
+
+void dem_wall_kind_add_drift(const struct dem_parts *p, uint32_t near, double dt, struct dem_wall_kind *kind)
+{
+    const double *const n = p->touches.touch[near].normal;
+    double velocity[3], spin[3], back[3];
+
+    dem_wall_kind_drift(p, near, velocity, spin);
+    dem_vec_cross(spin, n, back);
+    for (int k = 0; k < 3; k++)
+    {
+        kind->velocity[k] += velocity[k];
+        kind->spin[k] += spin[k];
+        kind->half[k] = n[k] - 0.5*dt*back[k];
+    }
+    const double size = dem_vec_norm(kind->half);
+
+    for (int k = 0; k < 3; k++)
+    {
+        kind->half[k] /= size;
+    }
 }

@@ -27,6 +27,15 @@ struct dem_wall_kind
 /* Velocity and spin alone, over the last motion of the walls; `ahead`: the touch lies where the wall was before it. */
 void dem_wall_kind_motion(const struct dem_walls *, int region, const struct dem_wall_touch *, int ahead, struct dem_wall_kind *);
 
+struct dem_parts;
+
+/* The near's surface follows a mesh and is on its way in this advance. */
+int dem_wall_kind_drifts(const struct dem_parts *, uint32_t near);
+
+/* Velocity and spin of such a surface at the contact; and the same added to what else the wall does. */
+void dem_wall_kind_drift(const struct dem_parts *, uint32_t near, double velocity[3], double spin[3]);
+void dem_wall_kind_add_drift(const struct dem_parts *, uint32_t near, double dt, struct dem_wall_kind *);
+
 void dem_wall_kind_at(const struct dem_walls *, int region, const struct dem_particle *, const struct dem_wall_touch *, double dt,
                       struct dem_wall_kind *);
 

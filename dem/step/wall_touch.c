@@ -84,7 +84,7 @@ static void touch_triangles(const struct dem_wall_search *s, const struct dem_wa
     t->distance = dem_wall_search_nearest(s, w, near, x, t->point);
     touch_whole(&w->region[near->region], x, &face);
     dem_vec_minus(face.point, t->point, away);
-    if (dem_vec_norm(away) < same_point*radius || t->distance == 0.0)
+    if ((dem_vec_norm(away) < same_point*radius && !w->region[near->region].bent) || t->distance == 0.0)
     {
         touch_whole(&w->region[near->region], x, t);      /* on the flat: the plane's own normal, free of the seams' round-off */
         return;
@@ -104,7 +104,7 @@ static void touch_region(const struct dem_wall_search *s, const struct dem_walls
     double room[3];
     const double *const x = dem_walls_own(w, r->wall, i->x, room);
 
-    if (near->open)
+    if (dem_wall_near_open(w, near))
     {
         touch_whole(r, x, t);
     }
@@ -128,7 +128,7 @@ static int lies_on(const struct dem_wall_search *s, const struct dem_walls *w, c
     double on[3], room[3], normal[3];
     const double *const x = dem_walls_own(w, r->wall, point, room);
 
-    if (near->open)
+    if (dem_wall_near_open(w, near))
     {
         return fabs(dem_region_height(r, x, normal)) < tolerance;
     }
