@@ -197,7 +197,8 @@ int dem_add_particles(struct dem *d, int64_t n, const struct dem_seed *seed)
 int dem_load(struct dem *d, const char *path)
 {
     DEM_TRY(not_ready(d, "dem_load"));
-    DEM_REQUIRE(strlen(path) < sizeof d->load, DEM_ERROR_INPUT, "path %s is longer than %zu letters", path, sizeof d->load - 1);
+    DEM_REQUIRE(strlen(path) + strlen(DEM_MEANS) < sizeof d->load, DEM_ERROR_INPUT, "path %s is longer than %zu letters", path,
+                sizeof d->load - 1 - strlen(DEM_MEANS));
     snprintf(d->load, sizeof d->load, "%s", path);
     return DEM_OK;
 }
@@ -475,6 +476,21 @@ int dem_averages(struct dem *d, const char *folder)
 
 /* ---- keeping ------------------------------------------------------------------------------------------------- */
 
+/* The sums of `averages`, beside the snapshot. */
+static int save_means(const struct dem *d, const char *path)
+{
+    char beside[sizeof d->load];
+
+    if (d->parts.averages.grids == 0 || d->parts.pieces.rank > 0 || d->restored)
+    {
+        return DEM_OK;
+    }
+    DEM_REQUIRE(strlen(path) + strlen(DEM_MEANS) < sizeof beside, DEM_ERROR_INPUT, "path %s is longer than %zu letters", path,
+                sizeof beside - 1 - strlen(DEM_MEANS));
+    snprintf(beside, sizeof beside, "%s" DEM_MEANS, path);
+    return dem_averages_keep(&d->parts.averages, d->parts.time, beside);
+}
+
 int dem_save(struct dem *d, const char *path)
 {
     struct dem_parts *const p = &d->parts;
@@ -482,6 +498,7 @@ int dem_save(struct dem *d, const char *path)
 
     DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_save comes after dem_ready");
     DEM_TRY(dem_snapshot_write(path, &s, &p->pieces, &p->recipe, &p->particles, &p->contacts, p->pairs.wall_region));
+    DEM_TRY(dem_door_together(d, save_means(d, path)));
     /* who goes on from the file rebuilds first and wraps positions there: so does who wrote it */
     p->stale = 1;
     return DEM_OK;
@@ -513,6 +530,7 @@ int dem_restore(struct dem *d, double *time)
     DEM_REQUIRE(p->kept.held, DEM_ERROR_STATE, "there is no copy to go back to; dem_keep comes before dem_restore");
     DEM_TRY(dem_kept_give(&p->kept, &p->particles, &p->contacts));
     dem_walls_go_back(&p->walls);
+    d->restored = 1;
     p->steps = p->kept.steps;
     p->time = *time = p->kept.time;
     p->watch.overlap = 0.0;

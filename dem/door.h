@@ -11,6 +11,8 @@
 #include "plan/text.h"
 #include "step/parts.h"
 
+#define DEM_MEANS ".means"                                    /* behind a snapshot's name: the sums of `averages` */
+
 struct dem_mesh_wall                                          /* a wall handed in before the scene is read */
 {
     char name[64], material[48];
@@ -30,12 +32,17 @@ struct dem
     size_t mesh_walls, mesh_wall_room;
     char load[1024];
     int ready, with_fluid, coupled;
+    int new;                                              /* 1: the scene's `start` is where it begins */
+    int restored;                                         /* 1: gone back to a copy; means are those of later times */
     int broken;                                           /* 1: the last dem_advance left the ranks apart */
     int energy;                                           /* 1: the ledger was asked for */
     int feels_gradient;                                   /* 1: pressureGradient is among the effects */
     double step;                                          /* s, the limit in force */
     struct dem_text plan;                                 /* the last one */
 };
+
+/* Collective. All ranks fail when one does. */
+int dem_door_together(const struct dem *, int status);
 
 /* Collective. Tell a wall where its triangles will be at the end of the next advance; `now`: where they are. */
 int dem_door_tell_wall(struct dem *, const struct dem_mesh_wall *, int now);

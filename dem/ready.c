@@ -431,10 +431,29 @@ static int make_ready(struct dem *d)
     if (d->scene.snapshot && !d->load[0])
     {
         DEM_TRY(dem_load(d, d->scene.snapshot));
+        d->new = 1;
     }
     p->watch.limit = d->scene.most_overlap;
     DEM_TRY(decide_fluid(d));
     return start_particles(d);
+}
+
+int dem_door_together(const struct dem *d, int status)
+{
+    return together(&d->parts, status);
+}
+
+/* What had been sampled when the snapshot was written; particles that a scene starts with bring no means. */
+static int resume_means(struct dem *d)
+{
+    char beside[sizeof d->load + sizeof DEM_MEANS];
+
+    if (!d->load[0] || d->new || d->parts.averages.grids == 0 || d->parts.pieces.rank > 0)
+    {
+        return DEM_OK;
+    }
+    snprintf(beside, sizeof beside, "%s" DEM_MEANS, d->load);
+    return dem_averages_resume(&d->parts.averages, d->parts.time, beside);
 }
 
 int dem_door_get_ready(struct dem *d)
@@ -455,6 +474,7 @@ int dem_door_get_ready(struct dem *d)
         DEM_TRY(together(&d->parts, begin_ledger(d)));
     }
     DEM_TRY(dem_averages_init(&d->parts.averages, d->scene.average, d->scene.averages, d->parts.time, d->parts.pieces.rank == 0));
+    DEM_TRY(together(&d->parts, resume_means(d)));
     d->ready = 1;
     return DEM_OK;
 }

@@ -49,4 +49,8 @@ int dem_averages_sample(struct dem_averages *, const struct dem_parts *);
 /* The files of every grid that has samples, by the first rank. */
 int dem_averages_save(const struct dem_averages *, const struct dem_parts *, const char *folder);
 
+/* The first rank's sums into a file and back, for a run that goes on at this time [s]. No such file, or other grids: nothing. */
+int dem_averages_keep(const struct dem_averages *, double time, const char *path);
+int dem_averages_resume(struct dem_averages *, double time, const char *path);
+
 #endif
