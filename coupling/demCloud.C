@@ -193,6 +193,10 @@ void Foam::demCloud::build()
     {
         demCheck(dem_load(dem_, start.c_str()));
     }
+    if (diameter_ <= 0)
+    {
+        diameter_ = demSnapshot::diameter(mesh_.time());
+    }
 
     demCheck(dem_ready(dem_));
     demCheck(dem_scene_check(dem_));
@@ -348,6 +352,7 @@ void Foam::demCloud::write()
     reduce(made, andOp<bool>());
 
     demCheck(dem_save(dem_, file.c_str()));
+    demSnapshot::keepDiameter(mesh_.time(), diameter_);
     refresh();
     demWriter::write(mesh_, view_, fluid_.place ? fluid_.place : place_.cdata());
     voidFraction_.write();

@@ -115,10 +115,22 @@ void Foam::demLocator::addOtherSide()
     syncTools::swapBoundaryFaceList(mesh_, otherCell_);
 
     // what is at my face is at the other side's face there: the difference is
-    // round-off between ranks and the period at cyclic patches
+    // the period at cyclic patches, and between ranks round-off, which must not
+    // move a point
     const pointField mine(shift_);
     syncTools::swapBoundaryFaceList(mesh_, shift_);
     shift_ -= mine;
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        const label start = patch.start() - nInternal;
+        const bool seam = patch.type() == processorPolyPatch::typeName;
+
+        for (label i = 0; patch.coupled() && i < patch.size(); i++)
+        {
+            shift_[start + i] = seam ? point::zero : shift_[start];
+        }
+    }
 }
 
 

@@ -9,6 +9,7 @@
 #include "demRoute.H"
 #include "ListOps.H"
 #include "PstreamReduceOps.H"
+#include <algorithm>
 
 namespace Foam
 {
@@ -182,6 +183,15 @@ Foam::demRoute::stray Foam::demRoute::locate(const demView& view, double* place)
         }
     }
 
+    build();
+    sort(view);
+
+    return stray{0, -1, Zero, Zero};
+}
+
+
+void Foam::demRoute::build()
+{
     labelListList particles(Pstream::nProcs());
     labelListList spots(Pstream::nProcs());
     labelList count(Pstream::nProcs(), Zero);
@@ -205,8 +215,56 @@ Foam::demRoute::stray Foam::demRoute::locate(const demView& view, double* place)
     (
         new mapDistributeBase(spots_.size(), std::move(particles), std::move(spots))
     );
+}
 
-    return stray{0, -1, Zero, Zero};
+
+void Foam::demRoute::sort(const demView& view)
+{
+    // exact in a double, as ids are counted up
+    scalarList id(nParticles_);
+    forAll(id, i)
+    {
+        id[i] = scalar(idOf(view, i));
+    }
+    map_().distribute(id);
+
+    labelList order(identity(spots_.size()));
+    std::sort
+    (
+        order.begin(),
+        order.end(),
+        [&](const label a, const label b)
+        {
+            return
+                spots_[a].cell < spots_[b].cell
+             || (spots_[a].cell == spots_[b].cell && id[a] < id[b]);
+        }
+    );
+
+    const List<demSpot> spots(spots_);
+    const labelList asker(asker_);
+    labelList now(order.size());
+
+    forAll(order, k)
+    {
+        spots_[k] = spots[order[k]];
+        asker_[k] = asker[order[k]];
+        now[order[k]] = k;
+    }
+
+    labelListList to(map_().constructMap());
+    for (labelList& list : to)
+    {
+        for (label& k : list)
+        {
+            k = now[k];
+        }
+    }
+    labelListList from(map_().subMap());
+    map_.reset
+    (
+        new mapDistributeBase(spots_.size(), std::move(from), std::move(to))
+    );
 }
 
 

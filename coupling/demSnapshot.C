@@ -7,6 +7,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demSnapshot.H"
+#include "dictionary.H"
+#include "IFstream.H"
+#include "OFstream.H"
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 
@@ -69,6 +72,34 @@ Foam::fileName Foam::demSnapshot::present(const Time& time)
 bool Foam::demSnapshot::there(const Time& time)
 {
     return onMaster(present(time));
+}
+
+
+Foam::scalar Foam::demSnapshot::diameter(const Time& time)
+{
+    const fileName file(present(time).path()/"dem.kernel");
+    scalar d = 0;
+
+    if (Pstream::master() && isFile(file, false))
+    {
+        IFstream is(file);
+        d = dictionary(is).get<scalar>("diameter");
+    }
+    demBroadcast(d);
+    return d;
+}
+
+
+void Foam::demSnapshot::keepDiameter(const Time& time, const scalar d)
+{
+    const fileName file(present(time).path()/"dem.kernel");
+
+    if (Pstream::master())
+    {
+        OFstream os(file);
+        os.precision(17);
+        os  << "diameter " << d << ";" << nl;
+    }
 }
 
 

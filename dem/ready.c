@@ -353,6 +353,18 @@ static int refuse_overlap(struct dem_parts *p)
     return DEM_OK;
 }
 
+/* All ranks fail when one does: the smallest of what they report. */
+static int together(const struct dem_parts *p, int status)
+{
+    int worst = status;
+
+    if (p->pieces.ranks > 1)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, p->pieces.comm);
+    }
+    return worst == DEM_OK || status != DEM_OK ? status : dem_error(worst, "another rank failed; its message tells why");
+}
+
 /* Hand particles to their owners; a fresh start also gets its first lists, to look for overlaps, and the forces with
    which the first half kick begins (a snapshot brings them along). */
 static int settle_in(struct dem *d)
@@ -369,7 +381,7 @@ static int settle_in(struct dem *d)
     }
     DEM_TRY(dem_step_renew(p));
     p->stale = 1;
-    DEM_TRY(refuse_overlap(p));
+    DEM_TRY(together(p, refuse_overlap(p)));
     DEM_TRY(dem_bond_pairs_ask(p, d->scene.bond_ids, d->scene.bond_id_count));
     DEM_TRY(dem_sweep_contacts(p, 0.0, (const double[2]){-INFINITY, p->time}));
     dem_sum_contacts(&p->particles, &p->contacts);
