@@ -10,7 +10,6 @@
 #include "demCheck.H"
 #include "demFluid.H"
 #include "demSnapshot.H"
-#include "demWalls.H"
 #include "demWriter.H"
 #include "OSspecific.H"
 #include "Time.H"
@@ -186,7 +185,7 @@ void Foam::demCloud::build()
         dem_scene_text(dem_, dict_.text().c_str(), "constant/demProperties")
     );
 
-    const label walls = demWalls::add(dem_, mesh_, dict_);
+    const label walls = walls_.add(dem_);
 
     const fileName start(demSnapshot::start(mesh_.time(), dict_));
     if (!start.empty())
@@ -241,6 +240,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
     twoWay_(dict_.coupling().getOrDefault("twoWay", true)),
     makesRoom_(makesRoom && twoWay_),
     transfer_(mesh, dict_.coupling()),
+    walls_(mesh, dict_),
     dem_(nullptr),
     view_(),
     fluid_(),

@@ -112,7 +112,7 @@ void Foam::demCloud::tellParticles
 
 void Foam::demCloud::depositVolume()
 {
-    const scalarField old(voidFraction_.primitiveField());
+    scalarField old(voidFraction_.primitiveField());
 
     volScalarField::Internal solid
     (
@@ -127,7 +127,12 @@ void Foam::demCloud::depositVolume()
 
     if (twoWay_)
     {
-        // From the void fractions, so that it agrees with their ddt
+        // From the void fractions, so that it agrees with their ddt. Of a cell
+        // that grows: what it makes room for, per its volume now
+        if (mesh_.moving())
+        {
+            old *= mesh_.V0().field()/mesh_.V().field();
+        }
         dsdt_.primitiveFieldRef() =
             (old - voidFraction_.primitiveField())/mesh_.time().deltaTValue();
     }
@@ -188,6 +193,20 @@ Foam::scalar Foam::demCloud::crossSection() const
 }
 
 
+// Iterations take no time to move in
+void Foam::demCloud::checkMesh() const
+{
+    if (mesh_.moving() && interval_ > 0)
+    {
+        FatalErrorInFunction
+            << "The mesh moves, but this solver is steady (ddtSchemes) and its"
+            << " iterations take no time; take a transient solver, or"
+            << " dynamicFvMesh staticFvMesh in constant/dynamicMeshDict"
+            << exit(FatalError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demCloud::plan
@@ -230,10 +249,16 @@ void Foam::demCloud::evolve
       ? 0
       : mesh_.time().value() - mesh_.time().deltaTValue() - before_.time;
 
+    checkMesh();
     keep();
 
+    // By the weights of the mesh as it was when the particles were found
     tellParticles(U, gradP, rho, mu);
     gradP_ = gradP;
+    if (mesh_.moving())
+    {
+        walls_.move(dem_);
+    }
     ledger_.charge(demLedger::EXCHANGE);
 
     if (dem_advance(dem_, window_))

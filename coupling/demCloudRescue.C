@@ -4,8 +4,8 @@
 
     Where particles move before the fluid is solved (demPimpleFoam) the fields
     are still those of the step's beginning, and a whole time folder is written.
-    In other solvers some fields may be ahead already; there, and when the copy
-    is older, the particles go to a file of their own.
+    In other solvers some fields may be ahead already, as a mesh that moves is;
+    there, and when the copy is older, the particles go to a file of their own.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
@@ -61,7 +61,7 @@ Foam::string Foam::demCloud::rescue()
         return "; its last good state is the one that it started from";
     }
 
-    if (!first_ || kept_ != before_.steps)
+    if (!first_ || kept_ != before_.steps || mesh_.moving())
     {
         fileName file(time.globalPath()/"lastGood.dem");
         demBroadcast(file);

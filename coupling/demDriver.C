@@ -37,6 +37,21 @@ static IOobject meanField(const fvMesh& mesh, const word& name, const bool kept)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+// Walls that have moved on without the particles would pass through them
+void Foam::demDriver::refuseRest() const
+{
+    const Time& time = mesh_.time();
+
+    if (time.timeIndex() > time.startTimeIndex() + 1)
+    {
+        FatalErrorInFunction
+            << "The mesh moves, but the particles have stood still until now;"
+            << " let them move from the start, without timeStart"
+            << exit(FatalError);
+    }
+}
+
+
 void Foam::demDriver::tellPlan()
 {
     const Time& time = mesh_.time();
@@ -63,9 +78,13 @@ void Foam::demDriver::step()
     }
 
     // OpenFOAM tells function objects nothing of a mesh while they rest
-    if (mesh_.changing() || mesh_.nCells() != cells_)
+    if (mesh_.topoChanging() || mesh_.nCells() != cells_)
     {
-        refuseMotion(mesh_.moving() ? "moves" : "changes");
+        refuseChange();
+    }
+    if (moved_ < 0 && mesh_.moving())
+    {
+        refuseRest();
     }
 
     if (moved_ < 0)
@@ -147,13 +166,25 @@ Foam::demDriver::demDriver(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::demDriver::refuseMotion(const char* what) const
+void Foam::demDriver::refuseChange() const
 {
     FatalErrorInFunction
-        << "The mesh " << what << ", but the particles' cells and walls are"
-        << " those of a mesh that stands still; take dynamicFvMesh"
-        << " staticFvMesh in constant/dynamicMeshDict, or leave the particles"
-        << " out" << exit(FatalError);
+        << "The mesh changes, but the particles' cells and walls are those"
+        << " of a mesh that keeps its faces: it may move, but not be refined or"
+        << " cut anew; take another dynamicFvMesh in constant/dynamicMeshDict,"
+        << " or leave the particles out" << exit(FatalError);
+}
+
+
+void Foam::demDriver::meshMoves() const
+{
+    if (moved_ == mesh_.time().timeIndex())
+    {
+        FatalErrorInFunction
+            << "The mesh moves again in a step in which the particles have gone"
+            << " along already; take moveMeshOuterCorrectors out of PIMPLE in"
+            << " system/fvSolution" << exit(FatalError);
+    }
 }
 
 

@@ -198,7 +198,7 @@ void Foam::functionObjects::demFunctionObject::updateMesh
 {
     if (driver_ && &map.mesh() == &mesh_)
     {
-        driver_().refuseMotion("changes");
+        driver_().refuseChange();
     }
 }
 
@@ -207,7 +207,7 @@ void Foam::functionObjects::demFunctionObject::movePoints(const polyMesh& mesh)
 {
     if (driver_ && &mesh == &mesh_)
     {
-        driver_().refuseMotion("moves");
+        driver_().meshMoves();
     }
 }
 

@@ -85,7 +85,7 @@ Foam::demLosses::demLosses(const fvMesh& mesh)
 
 Foam::string Foam::demLosses::wayOut(const point& x, const vector& v)
 {
-    if (!wayOut_)
+    if (!wayOut_ || mesh_.moving())
     {
         wayOut_.reset(new demWayOut(mesh_));
     }
@@ -127,7 +127,7 @@ void Foam::demLosses::tell(::dem* d, const scalar offset)
             removed++;
         }
     }
-    if (!wayOut_)
+    if (!wayOut_ || mesh_.moving())
     {
         wayOut_.reset(new demWayOut(mesh_));
     }

@@ -10,6 +10,7 @@
 #include "demCheck.H"
 #include "DynamicList.H"
 #include "OSspecific.H"
+#include "pointIOField.H"
 #include "Time.H"
 #include "triSurface.H"
 
@@ -19,31 +20,26 @@ namespace Foam
 {
 
 // Nine numbers per triangle
-static List<double> triangles(const polyPatch& patch)
+static List<double> triangles
+(
+    const labelUList& corners,
+    const pointField& points
+)
 {
-    DynamicList<face> split(2*patch.size());
-
-    forAll(patch, i)
-    {
-        patch[i].triangles(patch.points(), split);
-    }
-
-    List<double> corners(9*split.size());
+    List<double> numbers(3*corners.size());
     label n = 0;
 
-    forAll(split, i)
+    for (const label pointi : corners)
     {
-        for (label corner = 0; corner < 3; corner++)
+        for (direction k = 0; k < 3; k++)
         {
-            const point& p = patch.points()[split[i][corner]];
-            corners[n++] = p.x();
-            corners[n++] = p.y();
-            corners[n++] = p.z();
+            numbers[n++] = points[pointi][k];
         }
     }
 
-    return corners;
+    return numbers;
 }
+
 
 // The first rank reads the file, the others have no triangles of it
 static List<double> triangles(const Time& time, const dictionary& wall)
@@ -116,33 +112,144 @@ static void hand
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::label Foam::demWalls::add
-(
-    ::dem* d,
-    const polyMesh& mesh,
-    const demDict& dict
-)
+// Where its points were when its faces were made
+Foam::tmp<Foam::pointField> Foam::demWalls::newPoints() const
 {
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    label walls = 0;
-
-    forAll(patches, patchi)
+    if (mesh_.pointsInstance() == mesh_.facesInstance())
     {
-        // Patches to other ranks come last, so all ranks meet here in step
-        const polyPatch& patch = patches[patchi];
-
-        if (patch.coupled() || !dict.isWall(patch))
-        {
-            continue;
-        }
-
-        hand(d, patch.name(), dict.material(patch), triangles(patch));
-        walls++;
+        return tmp<pointField>(mesh_.points());
     }
 
-    forAllConstIters(dict.surfaces(), iter)
+    return tmp<pointField>
+    (
+        new pointField
+        (
+            pointIOField
+            (
+                IOobject
+                (
+                    "points",
+                    mesh_.facesInstance(),
+                    polyMesh::meshSubDir,
+                    mesh_,
+                    IOobject::MUST_READ,
+                    IOobject::NO_WRITE,
+                    false
+                )
+            )
+        )
+    );
+}
+
+
+// Patches to other ranks come last, so all ranks meet at the others in step
+bool Foam::demWalls::isWall(const polyPatch& patch) const
+{
+    return !patch.coupled() && dict_.isWall(patch);
+}
+
+
+Foam::labelList Foam::demWalls::split
+(
+    const polyPatch& patch,
+    const pointField& points
+) const
+{
+    DynamicList<face> split(2*patch.size());
+
+    forAll(patch, i)
+    {
+        patch[i].triangles(points, split);
+    }
+
+    labelList corners(3*split.size());
+
+    forAll(corners, k)
+    {
+        corners[k] = split[k/3][k%3];
+    }
+    return corners;
+}
+
+
+void Foam::demWalls::move(::dem* d)
+{
+    if (corners_.empty())
+    {
+        const tmp<pointField> tpoints(newPoints());
+
+        corners_.setSize(mesh_.boundaryMesh().size());
+        for (const polyPatch& patch : mesh_.boundaryMesh())
+        {
+            if (isWall(patch))
+            {
+                corners_[patch.index()] = split(patch, tpoints());
+            }
+        }
+    }
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isWall(patch))
+        {
+            const List<double> corners
+            (
+                triangles(corners_[patch.index()], mesh_.points())
+            );
+            demCheck
+            (
+                dem_wall_move
+                (
+                    d,
+                    patch.name().c_str(),
+                    corners.size()/9,
+                    corners.cdata()
+                )
+            );
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demWalls::demWalls(const polyMesh& mesh, const demDict& dict)
+:
+    mesh_(mesh),
+    dict_(dict)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::demWalls::add(::dem* d)
+{
+    const tmp<pointField> tpoints(newPoints());
+    label walls = 0;
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isWall(patch))
+        {
+            hand
+            (
+                d,
+                patch.name(),
+                dict_.material(patch),
+                triangles(split(patch, tpoints()), tpoints())
+            );
+            walls++;
+        }
+    }
+
+    if (mesh_.pointsInstance() != mesh_.facesInstance())
+    {
+        move(d);
+    }
+
+    forAllConstIters(dict_.surfaces(), iter)
     {
         const dictionary& wall = iter().dict();
 
@@ -151,7 +258,7 @@ Foam::label Foam::demWalls::add
             d,
             iter().keyword(),
             wall.get<word>("material"),
-            triangles(mesh.time(), wall)
+            triangles(mesh_.time(), wall)
         );
         walls++;
     }

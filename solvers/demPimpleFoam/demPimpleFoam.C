@@ -39,12 +39,17 @@ Description
     one stencil, so a sharp bed surface makes no checkerboard and a thin first
     cell above a distributor carries the full flux.
 
-    Not here: heat, species, more than one fluid, a moving mesh. Turbulence
-    models see U and the interstitial flux; e enters the stress only.
+    The mesh may move (dynamicFvMesh), but not change: volumes of cells before
+    and after enter the time derivatives and ds/dt, fluxes are relative to the
+    faces, wall patches take the particles' walls along.
+
+    Not here: heat, species, more than one fluid, a mesh that is refined.
+    Turbulence models see U and the interstitial flux; e enters the stress only.
 
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "dynamicFvMesh.H"
 #include "singlePhaseTransportModel.H"
 #include "turbulentTransportModel.H"
 #include "pimpleControl.H"
@@ -53,6 +58,7 @@ Description
 #include "demCloud.H"
 #include "fixedFlux.H"
 #include "cellVector.H"
+#include "faceVector.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -71,7 +77,7 @@ int main(int argc, char *argv[])
 
     #include "setRootCaseLists.H"
     #include "createTime.H"
-    #include "createMesh.H"
+    #include "createDynamicFvMesh.H"
 
     pimpleControl pimple(mesh);
 
@@ -101,6 +107,8 @@ int main(int argc, char *argv[])
         ++runTime;
 
         Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        #include "moveMesh.H"
 
         // One exchange per step: what the particles did stays as it is while
         // the fluid iterates
