@@ -390,18 +390,6 @@ static int settle_in(struct dem *d)
     return DEM_OK;
 }
 
-/* All ranks fail when one does: the smallest of what they report. */
-static int together(const struct dem_parts *p, int status)
-{
-    int worst = status;
-
-    if (p->pieces.ranks > 1)
-    {
-        MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, p->pieces.comm);
-    }
-    return worst == DEM_OK || status != DEM_OK ? status : dem_error(worst, "another rank failed; its message tells why");
-}
-
 /* What contacts hold at the start: the first sweep has told. A snapshot's rows are looked at aside, with lists of their own,
    and everything is put back: the run goes on with the same bits. */
 static int begin_ledger(struct dem *d)
