@@ -178,7 +178,7 @@ static void announce_walls(const struct dem *d)
     }
 }
 
-static int announce(const struct dem_program *prog, struct dem *d)
+static int announce(const struct dem_program *prog, struct dem *d, double end)
 {
     const struct dem_step_limit step = dem_step_limit(d);
     struct dem_tally t;
@@ -189,6 +189,10 @@ static int announce(const struct dem_program *prog, struct dem *d)
         printf("Suna: %lld particles, %d walls, %d rank%s\nstep %.4g s, limit %.4g s: %s\n", (long long)t.particles, dem_wall_count(d),
                prog->ranks, prog->ranks > 1 ? "s" : "", step.used, step.limit, step.why);
         announce_walls(d);
+        if (t.time >= end*(1.0 - 1e-12))
+        {
+            printf("nothing to run: time goes on from the snapshot, and its %.6g s are time/end\n", t.time);
+        }
         fflush(stdout);
     }
     return DEM_OK;
@@ -198,7 +202,7 @@ static int run(struct dem_program *prog, struct dem *d, const struct dem_schedul
 {
     uint64_t hash;
 
-    DEM_TRY(announce(prog, d));
+    DEM_TRY(announce(prog, d, s->end));
     DEM_TRY(advance_to_end(prog, d, s));
     DEM_TRY(dem_hash(d, &hash));
     if (prog->rank == 0)

@@ -96,6 +96,17 @@ static int need_no_solver(struct dem *d)
     return DEM_OK;
 }
 
+/* Time goes on from a snapshot, so an end before it would leave nothing to run. */
+static int check_end(const struct dem_schedule *s, struct dem *d)
+{
+    struct dem_tally t;
+
+    DEM_TRY(dem_tally(d, &t));
+    DEM_REQUIRE(s->end >= t.time*(1.0 - 1e-12), DEM_ERROR_INPUT,
+                "time/end %.6g s is over: time goes on from the snapshot, which is of %.6g s; give a later end", s->end, t.time);
+    return DEM_OK;
+}
+
 /* The ledger begins with the first forces, before the schedule is read. */
 static int watch_energy(struct dem *d)
 {
@@ -121,6 +132,7 @@ static int open_scene(const struct request *r, struct dem *d, struct dem_schedul
     DEM_TRY(read_schedule(s, dem_scene_dict(d), r->scene));
     DEM_TRY(dem_scene_check(d));
     DEM_TRY(dem_quiet_check(&s->quiet, d));
+    DEM_TRY(check_end(s, d));
     return need_no_solver(d);
 }
 
