@@ -5,6 +5,7 @@
  *                                                    WIDTH [m], with a random velocity up to SPEED [m/s] along each axis added
  *   bed run SCENE STATE STEP STEPS [PATH VALUE ...]  runs STEPS steps of STEP [s] from such a text and prints
  *                                                    processor time [s], bytes, kinetic energy [J], contacts, rebuilds, prunes
+ *   bed spend PROGRAM ...                            runs another program; a last line of ours tells processor time [s] and bytes
  *
  * A line of the text: id, diameter, position, velocity, spin. Contacts start without memory, as in the codes compared with.
  * Time is that of dem_advance, which finds the first lists, too. Bytes are the most that the process held beyond what it held
@@ -12,14 +13,17 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#define _POSIX_C_SOURCE 200809L
+#define _DEFAULT_SOURCE
 
 #include "dem.h"
 #include "base/random.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <time.h>
+#include <unistd.h>
 
 static int fail(const char *what)
 {
@@ -183,6 +187,29 @@ static int run(int arguments, char **argument)
     return 0;
 }
 
+/* ---- spend --------------------------------------------------------------------------------------------------- */
+
+/* What is told of a process includes what its parent held before it began: so its parent is this one, which holds nothing. */
+static int spend(char **argument)
+{
+    struct rusage use;
+    int status = 1;
+    const pid_t child = fork();
+
+    if (child == 0)
+    {
+        execvp(argument[0], argument);
+        _exit(127);
+    }
+    if (child < 0 || waitpid(child, &status, 0) != child || status != 0 || getrusage(RUSAGE_CHILDREN, &use))
+    {
+        return fail(argument[0]);
+    }
+    printf("spent %.6f %.0f\n", (double)(use.ru_utime.tv_sec + use.ru_stime.tv_sec)
+           + 1e-6*(double)(use.ru_utime.tv_usec + use.ru_stime.tv_usec), 1024.0*(double)use.ru_maxrss);
+    return 0;
+}
+
 int main(int arguments, char **argument)
 {
     if (arguments == 7 && strcmp(argument[1], "state") == 0)
@@ -192,6 +219,10 @@ int main(int arguments, char **argument)
     if (arguments >= 6 && strcmp(argument[1], "run") == 0)
     {
         return run(arguments - 2, argument + 2);
+    }
+    if (arguments >= 3 && strcmp(argument[1], "spend") == 0)
+    {
+        return spend(argument + 2);
     }
     return fail("the first comment of bed.c tells what to give");
 }

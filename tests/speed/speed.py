@@ -38,15 +38,15 @@ SKINS = (0.02, 0.04, 0.08, 0.15, 0.25)                    # of the mean diameter
 PACKAGE = {"liggghts": ("liggghts", "liggghts"), "lammps": ("lmp", "lammps")}    # program, package of Debian
 
 
-def spent(command, folder, log):
+def spent(bed, command, folder, log):
     """Processor time [s] and most memory [bytes] of a command; ends the benchmark when it fails."""
-    with open(os.path.join(folder, log), "w") as out:
-        child = subprocess.Popen(command, cwd=folder, stdout=out, stderr=subprocess.STDOUT)
-        _, status, usage = os.wait4(child.pid, 0)
-        child.returncode = status
+    path = os.path.join(folder, log)
+    with open(path, "w") as out:
+        status = subprocess.run([bed, "spend"] + command, cwd=folder, stdout=out, stderr=subprocess.STDOUT).returncode
     if status:
-        sys.exit(f"speed: {' '.join(command)} failed; see {os.path.join(folder, log)}")
-    return usage.ru_utime + usage.ru_stime, 1024.0*usage.ru_maxrss
+        sys.exit(f"speed: {' '.join(command)} failed; see {path}")
+    with open(path) as text:
+        return [float(word) for word in text.read().splitlines()[-1].split()[1:]]
 
 
 def box(scene):
@@ -56,7 +56,7 @@ def box(scene):
 
 # ---- beds ------------------------------------------------------------------------------------------------------------
 
-def settled(dem, scene):
+def settled(dem, bed, scene):
     """The snapshot of a bed at rest, made when it is not there yet."""
     folder = os.path.join(BEDS, f"{scene['physics']}{scene.get('spheres', '')}")
     snapshot = os.path.join(folder, "settled", "snapshot.dem")
@@ -68,7 +68,7 @@ def settled(dem, scene):
             for entry, value in box(scene) + [("insert/bed/count", str(scene["spheres"])),
                                               ("insert/bed/max", f"({scene['width']!r} {scene['width']!r} {scene['height']!r})")]:
                 other += ["-set", entry, value]
-        spent([dem, "run"] + other + [os.path.join(HERE, f"settle{scene['bed']}.dem")], folder, "log.settle")
+        spent(bed, [dem, "run"] + other + [os.path.join(HERE, f"settle{scene['bed']}.dem")], folder, "log.settle")
         open(os.path.join(folder, "done"), "w").close()
     return snapshot
 
@@ -77,7 +77,7 @@ def state(dem, bed, name, scene):
     """The text of particles that a scene starts from, and the particles."""
     path = os.path.join(BEDS, name + ".txt")
     if not os.path.exists(path):
-        snapshot = settled(dem, scene)
+        snapshot = settled(dem, bed, scene)
         with open(path + ".part", "w") as out:
             subprocess.run([bed, "state", os.path.join(HERE, scene["physics"] + ".dem"), snapshot, str(scene["copies"]),
                             repr(scene["width"]), repr(scene["speed"])], stdout=out, check=True)
@@ -151,10 +151,10 @@ def write_input(peer, folder, scene, skin, steps):
         out.write("\n".join(lines) + "\n")
 
 
-def peer_run(peer, folder, scene, skin, steps):
+def peer_run(bed, peer, folder, scene, skin, steps):
     """Processor time and most memory of the whole process."""
     write_input(peer, folder, scene, skin, steps)
-    return spent([shutil.which(PACKAGE[peer][0]), "-in", "in.txt"], folder, "log.run")
+    return spent(bed, [shutil.which(PACKAGE[peer][0]), "-in", "in.txt"], folder, "log.run")
 
 
 def peer_energy(folder):
@@ -168,9 +168,9 @@ def peer_energy(folder):
     return energy
 
 
-def best_skin(peer, folder, scene, steps):
-    none = peer_run(peer, folder, scene, SKINS[0], 0)[0]
-    time = {skin: peer_run(peer, folder, scene, skin, steps)[0] - none for skin in SKINS}
+def best_skin(bed, peer, folder, scene, steps):
+    none = peer_run(bed, peer, folder, scene, SKINS[0], 0)[0]
+    time = {skin: peer_run(bed, peer, folder, scene, skin, steps)[0] - none for skin in SKINS}
     return min(time, key=time.get)
 
 
@@ -192,13 +192,13 @@ def measure(a, name):
     if other:
         os.makedirs(folder, exist_ok=True)
         write_data(os.path.join(folder, "data.txt"), particles, scene)
-        skin = best_skin(a.against, folder, scene, max(steps//3, 1))
+        skin = best_skin(a.bed, a.against, folder, scene, max(steps//3, 1))
     for _ in range(a.runs):
         told = suna(a.bed, scene, path, steps)
         ours.append(work/told[0])
         if other:
-            rest, _ = peer_run(a.against, folder, scene, skin, 0)
-            whole, most = peer_run(a.against, folder, scene, skin, steps)
+            rest, _ = peer_run(a.bed, a.against, folder, scene, skin, 0)
+            whole, most = peer_run(a.bed, a.against, folder, scene, skin, steps)
             theirs.append(work/(whole - rest))
             ratio.append(ours[-1]/theirs[-1])
             energy = peer_energy(folder)
@@ -206,7 +206,7 @@ def measure(a, name):
     if other:
         with open(os.path.join(folder, "in.txt"), "w") as out:
             out.write("units si\n")
-        _, empty = spent([shutil.which(PACKAGE[a.against][0]), "-in", "in.txt"], folder, "log.run")
+        _, empty = spent(a.bed, [shutil.which(PACKAGE[a.against][0]), "-in", "in.txt"], folder, "log.run")
         line += (f" {a.against} {middle(theirs):.2f} Mps/s (skin {skin:g} d) ratio {middle(ratio):.2f}"
                  f" (min {min(ratio):.2f} max {max(ratio):.2f}) bytes/particle {told[1]/n:.0f} {(most - empty)/n:.0f}"
                  f" kinetic {told[2]:.4g} {energy:.4g} J")
