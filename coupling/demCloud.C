@@ -197,6 +197,7 @@ void Foam::demCloud::build()
         diameter_ = demSnapshot::diameter(mesh_.time());
     }
 
+    record_.prepare(dem_);
     demCheck(dem_ready(dem_));
     demCheck(dem_scene_check(dem_));
     record_.watch(dem_);

@@ -68,11 +68,15 @@ void Foam::demRecord::open()
 
     particles_.open((folder/"particles.bin").c_str(), std::ios::binary);
     walls_.open((folder/"walls.csv").c_str());
+    if (energy_)
+    {
+        energies_.open((folder/"energy.csv").c_str());
+    }
 
-    if (!particles_ || !walls_)
+    if (!particles_ || !walls_ || !energies_)
     {
         FatalErrorInFunction
-            << "Can't write " << folder/"particles.bin" << " and walls.csv;"
+            << "Can't write " << folder/"particles.bin" << " and tables;"
             << " take out coupling/record, or make room" << exit(FatalError);
     }
 
@@ -145,6 +149,37 @@ void Foam::demRecord::writeWalls(::dem* d)
 }
 
 
+// The same table as the program dem writes
+void Foam::demRecord::writeEnergy(::dem* d)
+{
+    const ::dem_energy_item* item = nullptr;
+    double since = 0;
+    int n = 0;
+    demCheck(dem_energy(d, &since, &n, &item));
+
+    if (!Pstream::master())
+    {
+        return;
+    }
+    if (energies_.tellp() == std::streampos(0))
+    {
+        energies_.precision(12);
+        energies_ << "time[s],since[s]";
+        for (int k = 0; k < n; k++)
+        {
+            energies_ << ',' << item[k].name << "[J]";
+        }
+        energies_ << '\n';
+    }
+    energies_ << time_.value() << ',' << since;
+    for (int k = 0; k < n; k++)
+    {
+        energies_ << ',' << item[k].value;
+    }
+    energies_ << std::endl;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
@@ -152,12 +187,13 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
     time_(time),
     interval_(0),
     entries_(-GREAT),
-    moved_(0)
+    moved_(0),
+    energy_(false)
 {
     if (coupling.found("record"))
     {
         const dictionary& record = coupling.subDict("record");
-        const wordList known({"interval"});
+        const wordList known({"interval", "energy"});
 
         forAllConstIters(record, iter)
         {
@@ -169,6 +205,7 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
             }
         }
         interval_ = record.get<scalar>("interval");
+        energy_ = record.getOrDefault<Switch>("energy", false);
 
         if (interval_ < SMALL)
         {
@@ -181,6 +218,15 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demRecord::prepare(::dem* d)
+{
+    if (energy_)
+    {
+        demCheck(dem_energy_watch(d));
+    }
+}
+
 
 void Foam::demRecord::watch(::dem* d)
 {
@@ -211,6 +257,10 @@ void Foam::demRecord::add(::dem* d, const demView& view, const scalar moved)
         entries_ = passed;
         writeParticles(view);
         writeWalls(d);
+        if (energy_)
+        {
+            writeEnergy(d);
+        }
     }
 }
 
