@@ -63,6 +63,7 @@ void dem_free(struct dem *d)
     dem_pairs_free(&d->parts.pairs);
     dem_wall_touches_free(&d->parts.touches);
     dem_losses_free(&d->parts.losses);
+    dem_bonds_free(&d->parts.bonds);
     dem_kept_free(&d->parts.kept);
     dem_wall_books_free(&d->parts.books);
     dem_ledger_free(&d->parts.ledger);
@@ -348,6 +349,41 @@ int dem_lost(struct dem *d, int64_t *n, const struct dem_loss **loss)
     DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_lost comes after dem_ready");
     DEM_TRY(dem_losses_tell(&d->parts.losses, &d->parts.pieces, n));
     *loss = d->parts.losses.all;
+    return DEM_OK;
+}
+
+int dem_has_bonds(const struct dem *d)
+{
+    const struct dem_recipe *const r = &d->parts.recipe;
+
+    for (int k = 0; k < r->chosen; k++)
+    {
+        if (r->effect[k]->stage == DEM_STAGE_BOND)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+int dem_bonds(struct dem *d, int64_t *n, const struct dem_bond **bond)
+{
+    DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_bonds comes after dem_ready");
+    if (d->parts.stale == 2)                              /* a snapshot just read: no lists yet */
+    {
+        *n = 0;
+        return DEM_OK;
+    }
+    DEM_TRY(dem_bonds_list(&d->parts, n));
+    *bond = d->parts.bonds.hold;
+    return DEM_OK;
+}
+
+int dem_broken_bonds(struct dem *d, int64_t *n, const struct dem_break **broke)
+{
+    DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_broken_bonds comes after dem_ready");
+    DEM_TRY(dem_bonds_tell(&d->parts.bonds, &d->parts.pieces, n));
+    *broke = d->parts.bonds.all;
     return DEM_OK;
 }
 

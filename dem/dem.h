@@ -144,6 +144,28 @@ struct dem_loss                                           /* a particle that was
    until the next call. Collective. */
 int dem_lost(struct dem *, int64_t *n, const struct dem_loss **);
 
+struct dem_bond                                           /* that holds */
+{
+    int64_t id[2];                                        /* the lower and the higher; -1 - wall for a wall */
+    double position[3], branch[3];                        /* m  of the lower one; from the other to it, through periodic faces */
+    double force[3], moment[3];                           /* N, N m  on the lower one */
+    double stored;                                        /* J */
+};
+
+struct dem_break                                          /* of a bond */
+{
+    int64_t id[2];
+    double time, position[3];                             /* s, m  in the middle of the gap, or on the wall */
+    double energy;                                        /* J  lost in that step */
+    int cause;                                            /* 1 tension and bending, 2 shear and twist, 3 distance; the first of these */
+};
+
+/* 1 when an effect of the scene bonds. The bonds whose lower particle is this rank's, as of the last step; they hold until the
+   next call. The broken ones of all ranks since the last call, as with dem_lost. The last is collective. */
+int dem_has_bonds(const struct dem *);
+int dem_bonds(struct dem *, int64_t *n, const struct dem_bond **);
+int dem_broken_bonds(struct dem *, int64_t *n, const struct dem_break **);
+
 /* A 64-bit fingerprint of particles and contact memory, the same for any number of ranks. Collective. */
 int dem_hash(struct dem *, uint64_t *hash);
 

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "main_output.h"
+#include "main_bonds.h"
 #include "main_surfaces.h"
 #include "base/error.h"
 #include "base/memory.h"
@@ -167,6 +168,10 @@ int dem_output_write(const struct dem_output *o, const struct dem_program *prog,
     }
     status = status ? status : dem_averages(d, o->folder);
     DEM_TRY(dem_program_together(prog, status));
+    if (o->vtk)
+    {
+        DEM_TRY(dem_program_together(prog, dem_bond_picture(prog, d, o->folder, number, time)));
+    }
     if (o->snapshots == 2)
     {
         snprintf(path, sizeof path, "%s/snapshot_%06lld.dem", o->folder, (long long)number);

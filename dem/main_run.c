@@ -5,6 +5,7 @@
  */
 #include "main.h"
 #include "main_energy.h"
+#include "main_bonds.h"
 #include "main_lost.h"
 #include "main_rows.h"
 #include "main_scene.h"
@@ -80,6 +81,7 @@ static int rescue(const struct dem_program *prog, struct dem *d, const struct de
 
     snprintf(text, sizeof text, "%s", dem_error_text());
     status = dem_lost_tell(lost, prog, d);
+    status = status ? status : dem_bond_rows_tell(prog, d, o);
     if (!o->last_good && !status)
     {
         return dem_error(failure, "%s", text);
@@ -124,6 +126,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
     p.from = t.time;
     p.steps = t.steps;
     DEM_TRY(dem_lost_begin(&lost, prog, &s->output, t.time));
+    DEM_TRY(dem_bond_rows_begin(prog, d, s->output.folder, t.time));
     DEM_TRY(dem_surfaces_begin(&s->output, prog, d));
     if (t.time == 0.0)
     {
@@ -155,6 +158,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
             DEM_TRY(dem_output_write(&s->output, prog, d, (k + looks - 1)/looks, next));
             report(&p, &t, s->end);
             DEM_TRY(dem_lost_tell(&lost, prog, d));
+            DEM_TRY(dem_bond_rows_tell(prog, d, &s->output));
         }
     }
     dem_energy_log_end(&energy, prog);

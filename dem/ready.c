@@ -396,7 +396,7 @@ static int begin_ledger(struct dem *d)
 {
     struct dem_parts *const p = &d->parts;
     const int64_t rebuilds = p->rebuilds, prunes = p->prunes;
-    const size_t losses = p->losses.n;
+    const size_t losses = p->losses.n, broke = p->bonds.n;
     struct dem_kept aside = {.held = 0};
 
     if (!d->load[0])
@@ -415,6 +415,7 @@ static int begin_ledger(struct dem *d)
     p->stale = 2;
     p->watch.overlap = 0.0;
     p->losses.n = losses;
+    p->bonds.n = broke;
     p->rebuilds = rebuilds;
     p->prunes = prunes;
     return status;

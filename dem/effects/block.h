@@ -79,6 +79,7 @@ struct dem_block
     _Alignas(64) dem_real lost[DEM_BLOCK];                /* J    turned to heat in this step */
     _Alignas(64) dem_real bonds[DEM_BLOCK];               /* 1    bonds that hold now */
     _Alignas(64) dem_real broke[DEM_BLOCK];               /* 1    bonds that broke in this step */
+    _Alignas(64) dem_real cause[DEM_BLOCK];               /*      where one did: 1 tension, 2 shear, 3 distance */
 };
 
 struct dem_energy                                         /* the ledger's tray: rows as in struct dem_block */

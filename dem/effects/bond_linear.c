@@ -273,7 +273,7 @@ DEM_MATH dem_real damper(const struct bond *bond, dem_real stiffness, dem_real f
     return 2.0*bond->damping_ratio*sqrt(stiffness*mass) + bond->damping_share*force/dem_pick(speed > 0.0, speed, 1.0);
 }
 
-/* 1 when the bond breaks. Fn is positive in compression; the others are sizes. */
+/* 0 when the bond holds, 1 when sigma breaks it, 2 when tau does. Fn is positive in compression; the others are sizes. */
 DEM_MATH dem_real breaks(const struct bond *bond, dem_real rb, const dem_real force[4], dem_real stretched)
 {
     const dem_real A = 3.14159265358979324*rb*rb, over = dem_pick(A > 0.0, 1.0/dem_pick(A > 0.0, A, 1.0), 0.0);
@@ -284,8 +284,9 @@ DEM_MATH dem_real breaks(const struct bond *bond, dem_real rb, const dem_real fo
     const dem_real most_tau = bond->shear_strength + force[0]*over*bond->friction;
     const dem_real limit = dem_pick(most_tau > 0.0, most_tau, 0.0);
 
-    return dem_pick((bond->normal_strength > 0.0) & (sigma >= most_sigma), 1.0, 0.0)
-         + dem_pick((bond->shear_strength > 0.0) & (tau >= limit), 1.0, 0.0);
+    const dem_real sheared = dem_pick((bond->shear_strength > 0.0) & (tau >= limit), 2.0, 0.0);
+
+    return dem_pick((bond->normal_strength > 0.0) & (sigma >= most_sigma), 1.0, sheared);
 }
 
 /* One bond: load, relax, judge, push. Rows without one come through with zeros. */
@@ -310,7 +311,8 @@ DEM_MATH void hold(const struct bond *bond, struct dem_block *b, dem_real *const
     /* what is left of the springs, and whether they still hold */
     const dem_real size[4] = {kept*kn*squeezed, kept*kt*sqrt(inner(u, u)), kept*kw*fabs(twist), kept*kb*sqrt(inner(bend, bend))};
     const dem_real width = b->distance[c] - b->gap[c];
-    const dem_real gone = breaks(bond, rb, size, -squeezed) + dem_pick(b->distance[c] >= bond->break_distance*width, 1.0, 0.0);
+    const dem_real stressed = breaks(bond, rb, size, -squeezed), far = dem_pick(b->distance[c] >= bond->break_distance*width, 3.0, 0.0);
+    const dem_real gone = dem_pick(stressed > 0.0, stressed, far);
     const dem_real on = dem_pick(gone > 0.0, 0.0, holds), stays = on*kept;
 
     /* damping takes from the motion, relaxation and breaking from the springs */
@@ -335,6 +337,7 @@ DEM_MATH void hold(const struct bond *bond, struct dem_block *b, dem_real *const
     b->lost[c] += holds*energy - on*kept*kept*energy + taken;
     b->bonds[c] += on;
     b->broke[c] += holds - on;
+    b->cause[c] = gone;
 
     r[SHEAR][c] = stays*u.x;
     r[SHEAR + 1][c] = stays*u.y;

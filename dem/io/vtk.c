@@ -71,13 +71,13 @@ static int check_column(const struct dem_vtk_column *c, int64_t n, const char *p
     return DEM_OK;
 }
 
-static int check(const char *path, int64_t n, const struct dem_vtk_column *columns, int count)
+static int check(const char *path, int64_t n, const struct dem_vtk_column *columns, int count, int ends)
 {
     DEM_REQUIRE(n >= 0 && n < INT64_MAX/(8*COMPONENTS), DEM_ERROR_STATE, "%s: can't hold %lld particles", path,
                 (long long)n);
-    DEM_REQUIRE(count >= 1 && columns[0].components == 3
+    DEM_REQUIRE(count >= 1 && columns[0].components == 3*ends
                 && (columns[0].type == DEM_VTK_DOUBLE || columns[0].type == DEM_VTK_NARROW),
-                DEM_ERROR_STATE, "%s: the first column must be positions, three doubles each", path);
+                DEM_ERROR_STATE, "%s: the first column must be positions, %s doubles each", path, ends == 1 ? "three" : "six");
     for (int i = 0; i < count; i++)
     {
         DEM_TRY(check_column(&columns[i], n, path));
@@ -103,8 +103,10 @@ static uint64_t bytes_of(const struct dem_vtk_column *c, int64_t n)
     return (uint64_t)n*(uint64_t)c->components*types[c->type].size;
 }
 
-static void write_head(FILE *f, int64_t n, const struct dem_vtk_column *columns, int count)
+/* `ends` of a cell: 1 for points, 2 for lines, whose ends are the points and whose columns belong to the cells. */
+static void write_head(FILE *f, int64_t n, const struct dem_vtk_column *columns, int count, int ends)
 {
+    const char *const data = ends == 1 ? "PointData" : "CellData", *const cells = ends == 1 ? "Verts" : "Lines";
     const uint16_t one = 1;
     const bool little = *(const unsigned char *)&one == 1;
     uint64_t offset = 0;
@@ -112,19 +114,20 @@ static void write_head(FILE *f, int64_t n, const struct dem_vtk_column *columns,
     fprintf(f, "<?xml version=\"1.0\"?>\n"
             "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"%s\" header_type=\"UInt64\">\n",
             little ? "LittleEndian" : "BigEndian");
-    fprintf(f, "  <PolyData>\n    <Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"%lld\" NumberOfLines=\"0\" "
-            "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n", (long long)n, (long long)n);
+    fprintf(f, "  <PolyData>\n    <Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"%lld\" NumberOfLines=\"%lld\" "
+            "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n", (long long)n*ends, ends == 1 ? (long long)n : 0,
+            ends == 1 ? 0 : (long long)n);
     for (int i = 0; i < count; i++)
     {
-        fputs(i == 0 ? "      <Points>\n" : i == 1 ? "      <PointData>\n" : "", f);
-        head_array(f, columns[i].name, types[columns[i].type].name, columns[i].components, bytes_of(&columns[i], n),
+        i == 0 ? fputs("      <Points>\n", f) : i == 1 ? fprintf(f, "      <%s>\n", data) : 0;
+        head_array(f, columns[i].name, types[columns[i].type].name, i == 0 ? 3 : columns[i].components, bytes_of(&columns[i], n),
                    &offset);
-        fputs(i == 0 ? "      </Points>\n" : i == count - 1 ? "      </PointData>\n" : "", f);
+        i == 0 ? fputs("      </Points>\n", f) : i == count - 1 ? fprintf(f, "      </%s>\n", data) : 0;
     }
-    fputs("      <Verts>\n", f);
-    head_array(f, "connectivity", "Int64", 1, (uint64_t)n*sizeof(int64_t), &offset);
+    fprintf(f, "      <%s>\n", cells);
+    head_array(f, "connectivity", "Int64", 1, (uint64_t)n*(uint64_t)ends*sizeof(int64_t), &offset);
     head_array(f, "offsets", "Int64", 1, (uint64_t)n*sizeof(int64_t), &offset);
-    fputs("      </Verts>\n    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_", f);
+    fprintf(f, "      </%s>\n    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_", cells);
 }
 
 static void write_column(struct block *b, int64_t n, const struct dem_vtk_column *c)
@@ -154,37 +157,50 @@ static void write_column(struct block *b, int64_t n, const struct dem_vtk_column
     }
 }
 
-/* first, first + 1, ...: cell i holds point i (connectivity) and ends before i + 1 (offsets) */
-static void write_counts(struct block *b, int64_t n, int64_t first)
+/* first, first + step, ...: cells hold points one after the other (connectivity: 0, 1, ...) and end before the next one's
+   first (offsets: 1, 2, ... or 2, 4, ...) */
+static void write_counts(struct block *b, int64_t n, int64_t first, int64_t step)
 {
     const uint64_t bytes = (uint64_t)n*sizeof n;
 
     block_put(b, &bytes, sizeof bytes);
-    for (int64_t i = first; i < n + first; i++)
+    for (int64_t i = 0; i < n; i++)
     {
-        block_put(b, &i, sizeof i);
+        const int64_t value = first + i*step;
+
+        block_put(b, &value, sizeof value);
     }
 }
 
-int dem_vtk_write(const char *path, int64_t n, const struct dem_vtk_column *columns, int count)
+static int write_cells(const char *path, int64_t n, const struct dem_vtk_column *columns, int count, int ends)
 {
     struct dem_file f;
     struct block b = {.used = 0};
     fenv_t traps;
 
-    DEM_TRY(check(path, n, columns, count));
+    DEM_TRY(check(path, n, columns, count, ends));
     DEM_TRY(dem_file_begin(&f, path));
     feholdexcept(&traps);    /* a double past the range of Float32 is written as infinite, also under traps */
     b.file = f.stream;
-    write_head(f.stream, n, columns, count);
+    write_head(f.stream, n, columns, count, ends);
     for (int i = 0; i < count; i++)
     {
         write_column(&b, n, &columns[i]);
     }
-    write_counts(&b, n, 0);
-    write_counts(&b, n, 1);
+    write_counts(&b, n*ends, 0, 1);
+    write_counts(&b, n, ends, ends);
     block_flush(&b);
     fesetenv(&traps);
     fputs("\n  </AppendedData>\n</VTKFile>\n", f.stream);
     return dem_file_finish(&f, DEM_OK);
+}
+
+int dem_vtk_write(const char *path, int64_t n, const struct dem_vtk_column *columns, int count)
+{
+    return write_cells(path, n, columns, count, 1);
+}
+
+int dem_vtk_write_lines(const char *path, int64_t n, const struct dem_vtk_column *columns, int count)
+{
+    return write_cells(path, n, columns, count, 2);
 }

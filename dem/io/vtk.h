@@ -44,6 +44,9 @@ int dem_vtk_write(const char *path, int64_t n, const struct dem_vtk_column *colu
 /* n triangles, 9 numbers each [m], and the number of each one's wall. */
 int dem_vtk_write_triangles(const char *path, int64_t n, const double *corners, const int64_t *wall);
 
+/* n lines: the first column holds six numbers, both ends; the others belong to the lines. */
+int dem_vtk_write_lines(const char *path, int64_t n, const struct dem_vtk_column *columns, int count);
+
 /* Add the file of a time [s], named as seen from the collection's folder. Entries of that time and later, left by a
    run that was restarted from before them, are dropped. The collection is made if it does not exist. */
 int dem_vtk_collection_add(const char *path, double time, const char *file);

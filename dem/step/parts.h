@@ -18,6 +18,7 @@
 #include "step/averages.h"
 #include "step/kept.h"
 #include "step/ledger.h"
+#include "step/bonds.h"
 #include "step/losses.h"
 #include "step/wall_books.h"
 #include "step/wall_touch.h"
@@ -44,6 +45,7 @@ struct dem_parts
     struct dem_watch watch;
     struct dem_averages averages;
     struct dem_losses losses;
+    struct dem_bonds bonds;
     struct dem_kept kept;
     struct dem_wall_books books;
     struct dem_ledger ledger;

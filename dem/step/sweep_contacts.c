@@ -260,6 +260,18 @@ static void keep_books(struct dem_contacts *c, const struct dem_block *b, uint32
     }
 }
 
+DEM_KERNEL
+static double broken(const struct dem_block *restrict b)
+{
+    double count = 0.0;
+
+    for (int c = 0; c < b->n; c++)
+    {
+        count += b->broke[c];
+    }
+    return count;
+}
+
 static int sweep_block(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, uint32_t row, int rows)
 {
     uint32_t padded[DEM_BLOCK];
@@ -276,6 +288,10 @@ static int sweep_block(struct dem_parts *p, struct dem_tray *t, const struct dem
     else
     {
         act(t, chain, &p->contacts, row);
+    }
+    if (chain->past_touching && broken(&t->block) > 0.0)
+    {
+        DEM_TRY(dem_bonds_note(p, &t->block, row, rows));
     }
     push_out(&t->block, chain->pair.with_wall ? 1.0 : 0.5, chain->past_touching, p->contacts.push + row);
     if (chain->past_touching)

@@ -367,6 +367,50 @@ static void removal(void)
     free(scene);
 }
 
+/* A pair through a periodic face, pulled by its bond and broken: what the list of bonds and that of broken ones say. */
+static void told(double along, double across, int cause, const char *more)
+{
+    char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
+                                   "domain { min (0 0 0); max (%g 0.01 0.01); periodic (x); }"
+                                   "effects { bondLinear { normalStiffness %.17g; shearStiffness %.17g; %s } } time { step 1e-7; }", 5.0*L, kn, kt, more);
+    const struct dem_seed seed[2] = {{.position = {0.25*L, 0.005, 0.005}, .diameter = 2.0*R, .id = 4, .material = "rock", .frozen = 1},
+                                     {.position = {4.25*L, 0.005, 0.005}, .diameter = 2.0*R, .id = 7, .material = "rock"}};
+    struct dem *const d = world(scene, 2, seed);
+    const double v[3] = {-along/1e-7, across/1e-7, 0.0}, none[3] = {0.0, 0.0, 0.0};
+    const struct dem_bond *bond;
+    const struct dem_break *broke;
+    int64_t n;
+
+    chain_set(d, 7, v, none);
+    world_step(d);
+    WORLD_TRY(dem_bonds(d, &n, &bond));
+    TAP_OK(dem_has_bonds(d) && n == 1 && bond->id[0] == 4 && bond->id[1] == 7, "%s: one bond, of 4 and 7", more);
+    /* the neighbour through the face is at -0.75 L; moved by along away from it; shear is one of second order longer */
+    TAP_NEAR(bond->branch[0], L + along, 1e-12*L, "%s: drawn to the neighbour through the face", more);
+    TAP_NEAR(bond->force[0], -kn*A*along, 1e-3*kn*A*(along + across), "%s: the lower id is pulled", more);
+    TAP_NEAR(bond->force[1], kt*A*across, 1e-3*kn*A*(along + across), "%s: and sheared", more);
+    const double stored = bond->stored;
+
+    TAP_NEAR(stored, 0.5*kn*A*along*along + 0.5*kt*A*across*across, 1e-3*stored, "%s: its energy", more);
+    WORLD_TRY(dem_broken_bonds(d, &n, &broke));
+    TAP_OK(n == 0, "%s: none broken yet", more);
+    for (int k = 0; k < 10000 && world_tally(d).broken == 0.0; k++)
+    {
+        chain_set(d, 7, v, none);
+        world_step(d);
+    }
+    WORLD_TRY(dem_bonds(d, &n, &bond));
+    TAP_OK(n == 0, "%s: then none holds", more);
+    WORLD_TRY(dem_broken_bonds(d, &n, &broke));
+    TAP_OK(n == 1 && broke->id[0] == 4 && broke->id[1] == 7 && broke->cause == cause, "%s: broken by cause %d", more, cause);
+    TAP_NEAR(broke->energy, world_tally(d).lost, 0.0, "%s: with its energy", more);
+    TAP_NEAR(broke->time, world_tally(d).time, 1e-12, "%s: at its time", more);
+    WORLD_TRY(dem_broken_bonds(d, &n, &broke));
+    TAP_OK(n == 0, "%s: told once", more);
+    dem_free(d);
+    free(scene);
+}
+
 static int64_t lot(int seed, double probability)
 {
     char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
@@ -400,6 +444,9 @@ int main(void)
     shielded("sjkr { energyDensity 1e8; }", 1e8*2.0*world_pi*0.5*R*0.1*0.005*L);
     hanging();
     removal();
+    told(1e-5*L, 0.0, 1, "normalStrength 1e6;");
+    told(0.0, 1e-5*L, 2, "shearStrength 1e6;");
+    told(1e-4*L, 0.0, 3, "breakDistance 1.01;");
 
     const int64_t all = lot(1, 1.0), some = lot(1, 0.3);
 
