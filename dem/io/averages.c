@@ -16,6 +16,9 @@
 /* More cells than this are a slip of the pen: their sums alone would take 4 GB. */
 static const double most_cells = 1e6;
 
+/* No time step is so short; and samples are counted in whole numbers. */
+static const double least_interval = 1e-15, most_intervals = 1e15;
+
 /* ---- reading ------------------------------------------------------------------------------------------------- */
 
 static int read_cells(const struct dem_dict *d, int cells[3])
@@ -44,6 +47,8 @@ static int read_plan(struct dem_average_plan *p, const struct dem_dict *d)
     DEM_TRY(dem_dict_vector(d, "max", "m", p->max));
     for (int k = 0; k < 3; k++)
     {
+        DEM_REQUIRE(isfinite(p->max[k] - p->min[k]), DEM_ERROR_INPUT, "%s: %s: min %g m and max %g m are too far apart along %c", dem_dict_where(d),
+                    dem_dict_path(d), p->min[k], p->max[k], 'x' + k);
         DEM_REQUIRE(p->min[k] < p->max[k], DEM_ERROR_INPUT, "%s: min %g m is not below max %g m along axis %c", dem_dict_where(d),
                     p->min[k], p->max[k], 'x' + k);
     }
@@ -51,7 +56,10 @@ static int read_plan(struct dem_average_plan *p, const struct dem_dict *d)
     DEM_TRY(dem_dict_number_or(d, "start", "s", 0.0, &p->start));
     DEM_TRY(dem_dict_number_or(d, "end", "s", INFINITY, &p->end));
     DEM_TRY(dem_dict_number(d, "interval", "s", &p->interval));
-    DEM_REQUIRE(p->interval > 0.0, DEM_ERROR_INPUT, "%s: interval %g s; give a time above 0", dem_dict_where(d), p->interval);
+    DEM_REQUIRE(p->interval >= least_interval, DEM_ERROR_INPUT, "%s: %s: interval %g s; give a time above 0, at least %g s", dem_dict_where(d),
+                dem_dict_path(d), p->interval, least_interval);
+    DEM_REQUIRE(fabs(p->start) < most_intervals*p->interval, DEM_ERROR_INPUT, "%s: %s: start %g s is more than %g intervals away; "
+                "give another start, or a longer interval", dem_dict_where(d), dem_dict_path(d), p->start, most_intervals);
     DEM_REQUIRE(p->start < p->end, DEM_ERROR_INPUT, "%s: start %g s is not before end %g s", dem_dict_where(d), p->start, p->end);
     return DEM_OK;
 }

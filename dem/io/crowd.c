@@ -54,6 +54,9 @@ int dem_crowd_add(struct dem_crowd *c, struct dem_particle p, const char *where)
     {
         DEM_REQUIRE(isfinite(p.x[k] + p.v[k] + p.w[k]), DEM_ERROR_INPUT,
                     "%s: a position, velocity or spin is not a number", where);
+        DEM_REQUIRE(fabs(p.x[k]) <= dem_crowd_far*p.radius, DEM_ERROR_INPUT,
+                    "%s: particle %lld at (%g %g %g) m is more than %g radii of %g m from the origin, where a double tells no overlaps apart; move it",
+                    where, (long long)p.id, p.x[0], p.x[1], p.x[2], dem_crowd_far, p.radius);
         DEM_REQUIRE(!(p.flags & DEM_PARTICLE_FROZEN) || (p.v[k] == 0.0 && p.w[k] == 0.0), DEM_ERROR_INPUT,
                     "%s: a frozen particle never moves, but has a velocity or spin of %g; leave it out, or frozen", where,
                     p.v[k] != 0.0 ? p.v[k] : p.w[k]);

@@ -17,6 +17,8 @@ struct dem_group                                          /* what one group of t
     double volume, mass;                                  /* m3, kg */
 };
 
+static const double dem_crowd_far = 1e12;                 /* radii: places have 1e-4 of one there, as much as overlaps */
+
 struct dem_crowd
 {
     size_t n, room;

@@ -10,6 +10,9 @@
 #include <math.h>
 #include <string.h>
 
+/* 1/s and s: a double tells no angle apart beyond, and all angles stay finite. */
+static const double most_rate = 1e15, most_time = 1e15;
+
 /* An axis to turn about, and how fast. */
 static int read_turn(const struct dem_dict *dict, double origin[3], double axis[3], double *omega)
 {
@@ -18,6 +21,8 @@ static int read_turn(const struct dem_dict *dict, double origin[3], double axis[
     DEM_TRY(dem_dict_number(dict, "omega", "rad/s", omega));
     const double size = dem_vec_norm(axis);
 
+    DEM_REQUIRE(fabs(*omega) < most_rate, DEM_ERROR_INPUT, "%s: omega %g rad/s; give a number below %g", dem_dict_where(dict), *omega,
+                most_rate);
     DEM_REQUIRE(size > 0.0 && isfinite(size), DEM_ERROR_INPUT, "%s: axis (%g %g %g) has no direction; give a vector along it",
                 dem_dict_where(dict), axis[0], axis[1], axis[2]);
     for (int k = 0; k < 3; k++)
@@ -32,7 +37,10 @@ static int read_oscillation(const struct dem_dict *dict, struct dem_motion *m)
     DEM_TRY(dem_dict_vector(dict, "amplitude", "m", m->amplitude));
     DEM_TRY(dem_dict_number(dict, "frequency", "1/s", &m->frequency));
     DEM_TRY(dem_dict_number_or(dict, "phase", "rad", 0.0, &m->phase));
-    DEM_REQUIRE(m->frequency > 0.0, DEM_ERROR_INPUT, "%s: frequency %g 1/s; give a number above 0", dem_dict_where(dict), m->frequency);
+    DEM_REQUIRE(m->frequency > 0.0 && m->frequency < most_rate, DEM_ERROR_INPUT, "%s: frequency %g 1/s; give a number above 0 and below %g",
+                dem_dict_where(dict), m->frequency, most_rate);
+    DEM_REQUIRE(fabs(m->phase) < most_rate, DEM_ERROR_INPUT, "%s: phase %g rad; give a part of a turn, up to 6.28", dem_dict_where(dict),
+                m->phase);
     return DEM_OK;
 }
 
@@ -48,6 +56,8 @@ static int read_motion(const struct dem_dict *dict, struct dem_motion *m)
     {
         DEM_TRY(dem_dict_number(dict, "end", "s", &m->end));
     }
+    DEM_REQUIRE(fabs(m->start) < most_time, DEM_ERROR_INPUT, "%s: start %g s; give a time within %g s of 0", dem_dict_where(dict), m->start,
+                most_time);
     DEM_REQUIRE(m->end > m->start, DEM_ERROR_INPUT, "%s: end %g s is not after start %g s", dem_dict_where(dict), m->end, m->start);
     if (strcmp(type, known[0]) == 0)
     {

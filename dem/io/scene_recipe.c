@@ -123,7 +123,9 @@ static int read_pair(void *with, const struct dem_dict *dict)
                 dem_dict_where(dict), n);
     for (int k = 0; k < 2; k++)
     {
-        DEM_TRY(dem_recipe_material(r, names[k], dem_dict_where(dict), &pair[k]));
+        const int status = dem_recipe_material(r, names[k], "between", &pair[k]);
+
+        DEM_TRY(status ? dem_error_prefix(status, "%s: %s: ", dem_dict_where(dict), dem_dict_path(dict)) : DEM_OK);
     }
     for (int k = 0; k < r->chosen; k++)
     {

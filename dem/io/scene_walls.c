@@ -31,8 +31,8 @@ static int read_box(struct dem_walls *w, const struct dem_dict *dict, int materi
         double normal[3] = {0.0, 0.0, 0.0};
         char name[64];
 
-        DEM_REQUIRE(corner[0][k%3] < corner[1][k%3], DEM_ERROR_INPUT, "%s: min %g is not below max %g along axis %d",
-                    dem_dict_where(dict), corner[0][k%3], corner[1][k%3], k%3);
+        DEM_REQUIRE(corner[0][k%3] < corner[1][k%3], DEM_ERROR_INPUT, "%s: %s: min %g m is not below max %g m along %c",
+                    dem_dict_where(dict), dem_dict_path(dict), corner[0][k%3], corner[1][k%3], "xyz"[k%3]);
         normal[k%3] = k < 3 ? 1.0 : -1.0;
         snprintf(name, sizeof name, "%.50s%s", dem_dict_name(dict), side[k/3][k%3]);
         DEM_TRY(dem_walls_add_plane(w, name, material, corner[k/3], normal));
@@ -47,7 +47,8 @@ static int read_triangles(struct dem_walls *w, const struct dem_dict *dict, int 
     int wall;
 
     DEM_TRY(dem_dict_vectors(dict, "corners", "m", &corner, &n));
-    DEM_REQUIRE(n > 0 && n%3 == 0, DEM_ERROR_INPUT, "%s: %zu corners; give three for each triangle", dem_dict_where(dict), n);
+    DEM_REQUIRE(n > 0 && n%3 == 0, DEM_ERROR_INPUT, "%s: %s: %zu corners; give three for each triangle",
+                dem_dict_where(dict), dem_dict_path(dict), n);
     DEM_TRY(dem_walls_add(w, dem_dict_name(dict), material, &wall));
     return dem_walls_add_triangles(w, wall, n/3, &corner[0][0]);
 }

@@ -14,6 +14,7 @@
 #include "base/random.h"
 #include "base/unknown.h"
 #include "io/file.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -128,7 +129,7 @@ static int count_up(struct dem_sizes *s, const double *d, const double *weight, 
 
 /* ---- reading ------------------------------------------------------------------------------------------------- */
 
-static int read_smooth(struct dem_sizes *s, const struct dem_dict *dict, struct density *f)
+static int read_smooth(struct dem_sizes *s, const struct dem_dict *dict, struct density *f, const char *where)
 {
     const char *const middle = f->type == NORMAL ? "mean" : "median";
     double low = 0.0, high = 0.0;
@@ -138,7 +139,7 @@ static int read_smooth(struct dem_sizes *s, const struct dem_dict *dict, struct 
         DEM_TRY(dem_dict_number(dict, middle, "m", &f->middle));
         DEM_TRY(dem_dict_number(dict, "deviation", f->type == NORMAL ? "m" : "1", &f->deviation));
         DEM_REQUIRE(f->middle > 0.0 && f->deviation > 0.0, DEM_ERROR_INPUT, "%s: %s %g m, deviation %g; give numbers above 0",
-                    dem_dict_where(dict), middle, f->middle, f->deviation);
+                    where, middle, f->middle, f->deviation);
         const double spread = f->type == NORMAL ? 3.0*f->deviation : dem_exp(3.0*f->deviation);
 
         low = f->type == NORMAL ? f->middle - spread : f->middle/spread;
@@ -155,22 +156,22 @@ static int read_smooth(struct dem_sizes *s, const struct dem_dict *dict, struct 
         DEM_TRY(dem_dict_number_or(dict, "max", "m", high, &s->most));
     }
     DEM_REQUIRE(s->least > 0.0 && s->least < s->most && isfinite(s->most), DEM_ERROR_INPUT,
-                "%s: diameters from %g to %g m; give 0 < min < max%s", dem_dict_where(dict), s->least, s->most,
+                "%s: diameters from %g to %g m; give 0 < min < max%s", where, s->least, s->most,
                 f->type == UNIFORM ? "" : ", or a deviation that makes such limits");
-    DEM_TRY(refuse_range(s, dem_dict_where(dict)));
-    return tabulate(s, f, dem_dict_where(dict));
+    DEM_TRY(refuse_range(s, where));
+    return tabulate(s, f, where);
 }
 
-static int read_list(struct dem_sizes *s, const struct dem_dict *dict, int by_volume)
+static int read_list(struct dem_sizes *s, const struct dem_dict *dict, int by_volume, const char *where)
 {
     const double *diameter, *weight;
     size_t n, m;
 
     DEM_TRY(dem_dict_numbers(dict, "diameters", "m", &diameter, &n));
     DEM_TRY(dem_dict_numbers(dict, "weights", "1", &weight, &m));
-    DEM_REQUIRE(n > 0 && n == m, DEM_ERROR_INPUT, "%s: %zu diameters and %zu weights; give as many of each", dem_dict_where(dict), n, m);
+    DEM_REQUIRE(n > 0 && n == m, DEM_ERROR_INPUT, "%s: %zu diameters and %zu weights; give as many of each", where, n, m);
     DEM_TRY(make_room(s, (int)n));
-    return count_up(s, diameter, weight, dem_dict_where(dict), by_volume);
+    return count_up(s, diameter, weight, where, by_volume);
 }
 
 /* One row "diameter, weight"; a comma, a semicolon or blanks between. 0: an empty row or a comment, -1: none of these. */
@@ -243,13 +244,15 @@ static int read_sizes(struct dem_sizes *s, const struct dem_dict *dict)
     static const char *const ways[] = {"number", "volume"};
     const char *type, *by;
     struct density f = {.type = TYPES};
+    char where[256];
 
+    snprintf(where, sizeof where, "%s: %s", dem_dict_where(dict), dem_dict_path(dict));
     DEM_TRY(dem_dict_word(dict, "type", &type));
     DEM_TRY(dem_dict_word_or(dict, "by", ways[0], &by));
     f.by_volume = strcmp(by, ways[1]) == 0;
     if (!f.by_volume && strcmp(by, ways[0]) != 0)
     {
-        return dem_error_prefix(dem_unknown_word("way of counting", by, ways, 2), "%s: ", dem_dict_where(dict));
+        return dem_error_prefix(dem_unknown_word("way of counting", by, ways, 2), "%s/by: ", where);
     }
     for (int k = 0; k < TYPES; k++)
     {
@@ -258,13 +261,13 @@ static int read_sizes(struct dem_sizes *s, const struct dem_dict *dict)
     switch (f.type)
     {
     case LIST:
-        return read_list(s, dict, f.by_volume);
+        return read_list(s, dict, f.by_volume, where);
     case TABLE:
         return read_table(s, dict, f.by_volume);
     case TYPES:
-        return dem_error_prefix(dem_unknown_word("type of sizes", type, types, TYPES), "%s: ", dem_dict_where(dict));
+        return dem_error_prefix(dem_unknown_word("type of sizes", type, types, TYPES), "%s/type: ", where);
     default:
-        return read_smooth(s, dict, &f);
+        return read_smooth(s, dict, &f, where);
     }
 }
 

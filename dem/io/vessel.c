@@ -109,16 +109,21 @@ double dem_vessel_volume(const struct dem_vessel *v)
     }
 }
 
+const char *dem_vessel_name(const struct dem_vessel *v)
+{
+    return v->kind == DEM_VESSEL_CYLINDER ? "cylinder" : v->kind == DEM_VESSEL_SPHERE ? "sphere" : "box";
+}
+
 int dem_vessel_holds(const struct dem_vessel *v, double radius, const char *where)
 {
     for (int k = 0; k < 3 && v->kind == DEM_VESSEL_BOX; k++)
     {
         DEM_REQUIRE(v->max[k] - v->min[k] >= 2.0*radius, DEM_ERROR_INPUT,
-                    "%s: the box is %g m wide along axis %d, less than the diameter %g m; enlarge it", where, v->max[k] - v->min[k], k,
-                    2.0*radius);
+                    "%s: the box is %g m wide along %c, less than the diameter %g m; enlarge it", where, v->max[k] - v->min[k],
+                    "xyz"[k], 2.0*radius);
     }
     DEM_REQUIRE(v->kind == DEM_VESSEL_BOX || (v->radius >= radius && (v->kind == DEM_VESSEL_SPHERE || v->length >= 2.0*radius)),
-                DEM_ERROR_INPUT, "%s: the region is narrower than the diameter %g m; enlarge it", where, 2.0*radius);
+                DEM_ERROR_INPUT, "%s: the %s is narrower than the diameter %g m; enlarge it", where, dem_vessel_name(v), 2.0*radius);
     return DEM_OK;
 }
 

@@ -32,6 +32,8 @@ int dem_vessel_read(struct dem_vessel *, const struct dem_dict *group);
 
 double dem_vessel_volume(const struct dem_vessel *);      /* m3 */
 
+const char *dem_vessel_name(const struct dem_vessel *);   /* box, cylinder, sphere */
+
 /* Refuse a vessel that does not hold a sphere of this radius [m]. */
 int dem_vessel_holds(const struct dem_vessel *, double radius, const char *where);
 

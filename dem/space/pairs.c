@@ -69,9 +69,9 @@ static void size_grid(struct dem_pairs *s, const double min[3], const double max
 
 static int cell_axis(const struct dem_pairs *s, const double x[3], int k)
 {
-    const int c = (int)floor((x[k] - s->origin[k])/s->edge);
+    const double c = floor((x[k] - s->origin[k])/s->edge);
 
-    return c < 0 ? 0 : c >= s->cells[k] ? s->cells[k] - 1 : c;
+    return c < 0.0 ? 0 : c >= s->cells[k] ? s->cells[k] - 1 : (int)c;
 }
 
 static size_t cell_of(const struct dem_pairs *s, const double x[3])

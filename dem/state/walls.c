@@ -87,6 +87,9 @@ int dem_walls_add_round(struct dem_walls *w, const char *name, int material, con
     return DEM_OK;
 }
 
+/* m: areas and their squares stay finite. */
+static const double farthest = 1e50;
+
 int dem_walls_add_triangles(struct dem_walls *w, int wall, size_t n, const double *corners)
 {
     DEM_TRY(DEM_GROW(w->triangle, w->triangle_room, w->triangles + n));
@@ -99,8 +102,9 @@ int dem_walls_add_triangles(struct dem_walls *w, int wall, size_t n, const doubl
         new->handed = (uint32_t)w->wall[wall].handed++;
         for (int k = 0; k < 9; k++)
         {
-            DEM_REQUIRE(isfinite(corners[9*t + (size_t)k]), DEM_ERROR_INPUT,
-                        "wall %s: triangle %zu has a corner that is not a number; mend the surface", w->wall[wall].name, t);
+            DEM_REQUIRE(fabs(corners[9*t + (size_t)k]) < farthest, DEM_ERROR_INPUT,
+                        "wall %s: triangle %zu has corners at %g m, which is no number below %g; mend the surface", w->wall[wall].name, t,
+                        corners[9*t + (size_t)k], farthest);
         }
         w->triangles++;
     }
