@@ -199,7 +199,6 @@ void Foam::demCloud::build()
 
     record_.prepare(dem_);
     demCheck(dem_ready(dem_));
-    demCheck(dem_scene_check(dem_));
     record_.watch(dem_);
     demCheck(dem_tally(dem_, &before_));
 

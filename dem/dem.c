@@ -81,7 +81,8 @@ void dem_free(struct dem *d)
 
 static int not_ready(const struct dem *d, const char *call)
 {
-    DEM_REQUIRE(!d->ready, DEM_ERROR_STATE, "%s comes before dem_ready", call);
+    DEM_REQUIRE(d->checked >= 0, DEM_ERROR_STATE, "%s after a scene that was refused; dem_free, and begin anew", call);
+    DEM_REQUIRE(!d->checked, DEM_ERROR_STATE, "%s comes before dem_check and dem_ready", call);
     return DEM_OK;
 }
 
@@ -206,24 +207,31 @@ int dem_load(struct dem *d, const char *path)
 
 /* ---- getting ready ------------------------------------------------------------------------------------------- */
 
-int dem_ready(struct dem *d)
+/* A caller may trap floating-point errors (OpenFOAM does); the core looks at its numbers itself. */
+static int at_ease(struct dem *d, int (*call)(struct dem *))
 {
     fenv_t caller;
 
-    DEM_TRY(not_ready(d, "dem_ready"));
-    DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "dem_ready comes after the scene has been read");
-    /* a caller may trap floating-point errors (OpenFOAM does); the core looks at its numbers itself */
     feholdexcept(&caller);
-    const int status = dem_door_get_ready(d);
+    const int status = call(d);
 
     fesetenv(&caller);
     return status;
 }
 
-/* Entries that nobody asked for are slips of the pen; the program has read its own by now. */
-int dem_scene_check(struct dem *d)
+int dem_check(struct dem *d)
 {
-    return dem_dict_refuse_unread(d->dict);
+    DEM_TRY(not_ready(d, "dem_check"));
+    DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "dem_check comes after the scene has been read");
+    return at_ease(d, dem_door_read);
+}
+
+int dem_ready(struct dem *d)
+{
+    DEM_REQUIRE(d->checked >= 0, DEM_ERROR_STATE, "dem_ready after a scene that was refused; dem_free, and begin anew");
+    DEM_REQUIRE(!d->ready, DEM_ERROR_STATE, "dem_ready comes once");
+    DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "dem_ready comes after the scene has been read");
+    return at_ease(d, dem_door_get_ready);
 }
 
 const struct dem_dict *dem_scene_dict(const struct dem *d)
@@ -266,6 +274,8 @@ static void tell_viscosity(struct dem_particles *p)
     }
 }
 
+static const double most_steps = 0x1p53;                  /* whole numbers that a double tells apart */
+
 int dem_advance(struct dem *d, double duration)
 {
     fenv_t caller;
@@ -273,6 +283,8 @@ int dem_advance(struct dem *d, double duration)
     DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_advance comes after dem_ready");
     DEM_REQUIRE(isgreater(duration, 0.0) && isfinite(duration), DEM_ERROR_INPUT, "duration %g s; give a time above 0", duration);
     DEM_TRY(check_fluid(d));
+    DEM_REQUIRE(duration < most_steps*d->step, DEM_ERROR_INPUT, "%g s at steps of %g s are more than %g steps; give a longer step or a "
+                "shorter time", duration, d->step, most_steps);
     const int64_t steps = (int64_t)ceil(duration/d->step*(1.0 - 1e-12));
 
     tell_viscosity(&d->parts.particles);

@@ -2,7 +2,7 @@
  * dem.h -- the only public header of Suna's discrete element core.
  *
  * Order of use:   dem_create -> dem_scene_text | dem_scene_file, dem_set, dem_add_wall, dem_add_particles
- *                 -> dem_ready -> dem_advance ... -> dem_free
+ *                 -> (dem_check) -> dem_ready -> dem_advance ... -> dem_free
  *
  * Every function returns DEM_OK (0) or another status; dem_error_text() then holds one sentence with the thing, the
  * value, the limit and the cure. Functions marked collective are called by all ranks of the communicator together and
@@ -37,17 +37,15 @@ int dem_unknown_word(const char *what, const char *word, const char *const *know
 int dem_create(struct dem **, MPI_Comm);
 void dem_free(struct dem *);
 
-/* The scene's tree, for entries that belong to the caller (io/dictionary.h), and the refusal of entries that nobody
-   has asked for: call it after dem_ready, when the caller has read its own. */
+/* The scene's tree, for entries that belong to the caller (io/dictionary.h): read them before dem_check. */
 struct dem_dict;
 const struct dem_dict *dem_scene_dict(const struct dem *);
-int dem_scene_check(struct dem *);
 
 /* Read a scene in OpenFOAM's dictionary syntax; `name` stands in messages. May be called once. */
 int dem_scene_file(struct dem *, const char *path);
 int dem_scene_text(struct dem *, const char *text, const char *name);
 
-/* Override one entry of the scene before dem_ready, e.g. dem_set(d, "effects/dry/restitution", "0.9"). */
+/* Override one entry of the scene before dem_check and dem_ready, e.g. dem_set(d, "effects/dry/restitution", "0.9"). */
 int dem_set(struct dem *, const char *path, const char *value);
 
 /* One wall of n triangles, 9 numbers each (three corners), copied. Every rank hands in all triangles or its own ones;
@@ -70,7 +68,11 @@ struct dem_seed                                           /* one particle to add
 };
 int dem_add_particles(struct dem *, int64_t n, const struct dem_seed *);   /* every rank hands in the same list */
 
-/* Collective. Check everything, freeze the recipe, insert, load the start snapshot, hand particles to ranks. */
+/* Collective. Read the scene and check all that can be known before particles are placed, which may take long. Entries that
+   nobody has asked for are refused. */
+int dem_check(struct dem *);
+
+/* Collective. Check if that has not been done; insert or load the start snapshot, freeze the recipe, hand particles to ranks. */
 int dem_ready(struct dem *);
 
 struct dem_prospect                                       /* what the caller knows of the run ahead; 0 where nothing */
@@ -253,7 +255,7 @@ int dem_fluid_correct(struct dem *, const double *velocity, const double *pressu
 
 /* Collective. Written aside, checked and renamed; loads on any number of ranks, and then runs on with the same bits. */
 int dem_save(struct dem *, const char *path);
-int dem_load(struct dem *, const char *path);             /* after the scene, instead of its insertions, before dem_ready */
+int dem_load(struct dem *, const char *path);             /* after the scene, instead of its insertions, before dem_check */
 
 /* A copy in memory, for the case that the run fails: one now, and one in dem_advance whenever `steps` steps have passed
    since the last (0: none). A state with a number that is none is not copied; the copy of before stays. The run has the

@@ -1,5 +1,6 @@
 /*
- * door.h -- struct dem, shared by the two files of the door: dem.c (the calls) and ready.c (how a scene becomes a state).
+ * door.h -- struct dem, shared by the files of the door: dem.c (the calls), ready.c (how a scene becomes a state), check.c (what
+ * can be told of it before).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -31,6 +32,7 @@ struct dem
     struct dem_mesh_wall *mesh_wall;
     size_t mesh_walls, mesh_wall_room;
     char load[1024];
+    int checked;                                          /* 1: dem_check found nothing, -1: it found something */
     int ready, with_fluid, coupled;
     int new;                                              /* 1: the scene's `start` is where it begins */
     int restored;                                         /* 1: gone back to a copy; means are those of later times */
@@ -47,7 +49,17 @@ int dem_door_together(const struct dem *, int status);
 /* Collective. Tell a wall where its triangles will be at the end of the next advance; `now`: where they are. */
 int dem_door_tell_wall(struct dem *, const struct dem_mesh_wall *, int now);
 
-/* Collective. Read the scene, make walls and particles, freeze the recipe, hand particles to ranks. */
+/* What can be told before particles are placed: the scene has been read, walls are there. */
+int dem_door_examine(struct dem *);
+
+/* When all radii are known: freeze the recipe, choose the step, finish the walls. */
+int dem_door_settle_physics(struct dem *);
+double dem_door_most_radius(const struct dem *);          /* m */
+
+/* Collective. Read the scene and examine it, place no particles. */
+int dem_door_read(struct dem *);
+
+/* Collective. Make particles, hand them to ranks. */
 int dem_door_get_ready(struct dem *);
 
 #endif

@@ -14,6 +14,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 struct shown                                              /* one particle as it is written */
 {
@@ -46,10 +47,13 @@ int dem_output_read(struct dem_output *o, const struct dem_dict *write, const ch
     }
     if (folder[0])
     {
+        DEM_REQUIRE(strlen(folder) < sizeof o->folder, DEM_ERROR_INPUT, "write/folder has %zu letters; give a name of at most %zu",
+                    strlen(folder), sizeof o->folder - 1);
         snprintf(o->folder, sizeof o->folder, "%s", folder);
     }
     else
     {
+        DEM_REQUIRE(strlen(name) < sizeof o->folder - 4, DEM_ERROR_INPUT, "the scene's name has %zu letters; give write/folder", strlen(name));
         snprintf(o->folder, sizeof o->folder, "%.*s%s", (int)(dot && dot > name ? dot - name : (long)strlen(name)), name,
                  dot && dot > name ? "" : ".out");
     }
@@ -118,6 +122,38 @@ static int write_vtk(const struct dem_output *o, const struct shown *s, int64_t 
 
     snprintf(path, sizeof path, "%s/%s", o->folder, file);
     return dem_vtk_write(path, n, columns, (int)(sizeof columns/sizeof columns[0]));
+}
+
+static int check_folder(const struct dem_output *o)
+{
+    struct stat found;
+    char above[sizeof o->folder];
+
+    if (stat(o->folder, &found) == 0)
+    {
+        DEM_REQUIRE(S_ISDIR(found.st_mode), DEM_ERROR_FILE, "write/folder %s is a file; give another name, or move it away", o->folder);
+        DEM_REQUIRE(access(o->folder, W_OK | X_OK) == 0, DEM_ERROR_FILE, "can't write into the folder %s: %s; give another write/folder",
+                    o->folder, strerror(errno));
+        return DEM_OK;
+    }
+    snprintf(above, sizeof above, "%s", o->folder);
+    for (size_t n = strlen(above); n > 1 && above[n - 1] == '/'; n--)
+    {
+        above[n - 1] = '\0';
+    }
+    char *const slash = strrchr(above, '/');
+
+    snprintf(slash ? slash + 1 : above, 2, ".");
+    DEM_REQUIRE(access(above, W_OK | X_OK) == 0, DEM_ERROR_FILE, "can't make the folder %s: %s; make the folder above it, or give another "
+                "write/folder", o->folder, strerror(errno));
+    return DEM_OK;
+}
+
+int dem_output_check(const struct dem_output *o, const struct dem_program *prog)
+{
+    const int writes = o->vtk || o->snapshots || o->walls > 0.0 || o->energy > 0.0;
+
+    return dem_program_together(prog, prog->rank == 0 && writes ? check_folder(o) : DEM_OK);
 }
 
 int dem_output_folder(const struct dem_output *o)

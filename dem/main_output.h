@@ -23,6 +23,9 @@ struct dem_output
 /* `write` may be NULL. The folder's default is the scene's name without its ending. */
 int dem_output_read(struct dem_output *, const struct dem_dict *write, const char *scene);
 
+/* Collective. Can the folder be written, or made? Nothing is made. */
+int dem_output_check(const struct dem_output *, const struct dem_program *);
+
 /* Make the folder, if it is not there. */
 int dem_output_folder(const struct dem_output *);
 

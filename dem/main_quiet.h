@@ -29,9 +29,9 @@ struct dem_quiet
     int reached;
 };
 
-/* Reads time/untilQuiet, where there is one; `check` when the scene is ready. */
+/* Reads time/untilQuiet, where there is one; `check` when gravity is known [m/s2]. */
 int dem_quiet_read(struct dem_quiet *, const struct dem_dict *time);
-int dem_quiet_check(const struct dem_quiet *, struct dem *);
+int dem_quiet_check(const struct dem_quiet *, const double gravity[3]);
 
 /* How often to look between two outputs: five times or more in `lasting`. */
 int64_t dem_quiet_looks(const struct dem_quiet *, double interval);

@@ -182,7 +182,21 @@ static void announce_walls(const struct dem *d)
     }
 }
 
-static int announce(const struct dem_program *prog, struct dem *d, double end)
+static void announce_gravity(const struct dem_schedule *s)
+{
+    const double *const g = s->gravity;
+
+    if (g[0] != 0.0 || g[1] != 0.0 || g[2] != 0.0)
+    {
+        printf("gravity (%g %g %g) m/s2\n", g[0], g[1], g[2]);
+    }
+    else
+    {
+        printf("no gravity: effects/gravity is %s\n", s->with_gravity ? "zero" : "not there");
+    }
+}
+
+static int announce(const struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
 {
     const struct dem_step_limit step = dem_step_limit(d);
     struct dem_tally t;
@@ -192,8 +206,13 @@ static int announce(const struct dem_program *prog, struct dem *d, double end)
     {
         printf("Suna: %lld particles, %d walls, %d rank%s\nstep %.4g s, limit %.4g s: %s\n", (long long)t.particles, dem_wall_count(d),
                prog->ranks, prog->ranks > 1 ? "s" : "", step.used, step.limit, step.why);
+        announce_gravity(s);
+        if (s->coupling)
+        {
+            printf("coupling is not read: it is for runs in OpenFOAM\n");
+        }
         announce_walls(d);
-        if (t.time >= end*(1.0 - 1e-12))
+        if (t.time >= s->end*(1.0 - 1e-12))
         {
             printf("nothing to run: time goes on from the snapshot, and its %.6g s are time/end\n", t.time);
         }
@@ -206,7 +225,7 @@ static int run(struct dem_program *prog, struct dem *d, const struct dem_schedul
 {
     uint64_t hash;
 
-    DEM_TRY(announce(prog, d, s->end));
+    DEM_TRY(announce(prog, d, s));
     DEM_TRY(advance_to_end(prog, d, s));
     DEM_TRY(dem_hash(d, &hash));
     if (prog->rank == 0)

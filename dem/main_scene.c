@@ -55,14 +55,21 @@ static int read_arguments(struct request *r, const char *command, int argc, char
     return DEM_OK;
 }
 
+static const double
+    most_steps = 0x1p53,                                  /* whole numbers that a double tells apart */
+    most_outputs = 1e6,                                   /* files are numbered up to 999999 */
+    most_rows = 1e9;                                      /* more are a slip of the pen */
+
 /* s between the rows of a table; 0 when it is not asked for */
-static int read_rows(const struct dem_dict *write, const char *entry, double *interval)
+static int read_rows(const struct dem_dict *write, const char *entry, double end, double *interval)
 {
     *interval = 0.0;
     if (dem_dict_has(write, entry))
     {
         DEM_TRY(dem_dict_number(write, entry, "s", interval));
         DEM_REQUIRE(*interval > 0.0, DEM_ERROR_INPUT, "write/%s %g s; give a time above 0, or leave it out", entry, *interval);
+        DEM_REQUIRE(end <= most_rows**interval, DEM_ERROR_INPUT, "write/%s %g s makes more than %g rows up to time/end %g s; give %g s or more",
+                    entry, *interval, most_rows, end, end/most_rows);
     }
     return DEM_OK;
 }
@@ -73,18 +80,45 @@ static int read_schedule(struct dem_schedule *s, const struct dem_dict *scene, c
 
     DEM_TRY(dem_dict_sub(scene, "time", &time));
     DEM_TRY(dem_dict_number(time, "end", "s", &s->end));
+    DEM_REQUIRE(s->end > 0.0, DEM_ERROR_INPUT, "time/end %g s; give a time above 0", s->end);
     DEM_TRY(dem_quiet_read(&s->quiet, time));
     DEM_TRY(dem_dict_sub_if(scene, "write", &write));
     s->interval = s->end;
     if (write)
     {
         DEM_TRY(dem_dict_number_or(write, "interval", "s", s->end, &s->interval));
-        DEM_TRY(read_rows(write, "walls", &s->output.walls));
-        DEM_TRY(read_rows(write, "energy", &s->output.energy));
+        DEM_TRY(read_rows(write, "walls", s->end, &s->output.walls));
+        DEM_TRY(read_rows(write, "energy", s->end, &s->output.energy));
     }
-    DEM_REQUIRE(s->end > 0.0, DEM_ERROR_INPUT, "time/end %g s; give a time above 0", s->end);
     DEM_REQUIRE(s->interval > 0.0, DEM_ERROR_INPUT, "write/interval %g s; give a time above 0", s->interval);
+    DEM_REQUIRE(s->end <= most_outputs*s->interval, DEM_ERROR_INPUT, "write/interval %g s makes more than %g outputs up to time/end %g s; "
+                "give an interval of %g s or more", s->interval, most_outputs, s->end, s->end/most_outputs);
+    DEM_REQUIRE(!s->quiet.wanted || s->end <= most_rows*s->quiet.lasting, DEM_ERROR_INPUT, "time/untilQuiet/lasting %g s makes more than %g "
+                "looks up to time/end %g s; give %g s or more", s->quiet.lasting, most_rows, s->end, s->end/most_rows);
     return dem_output_read(&s->output, write, path);
+}
+
+/* The core has checked its words. */
+static int read_gravity(struct dem_schedule *s, const struct dem_dict *scene)
+{
+    const struct dem_dict *effects, *gravity = NULL;
+
+    DEM_TRY(dem_dict_sub_if(scene, "effects", &effects));
+    if (effects)
+    {
+        DEM_TRY(dem_dict_sub_if(effects, "gravity", &gravity));
+    }
+    s->with_gravity = gravity != NULL;
+    return gravity ? dem_dict_vector(gravity, "acceleration", "m/s2", s->gravity) : DEM_OK;
+}
+
+static int count_steps(const struct dem_schedule *s, const struct dem *d)
+{
+    const double step = dem_step_limit(d).used;
+
+    DEM_REQUIRE(s->end < most_steps*step, DEM_ERROR_INPUT, "time/end %g s at steps of %g s is more than %g steps; give a longer time/step or "
+                "an earlier end", s->end, step, most_steps);
+    return DEM_OK;
 }
 
 /* No fluid solver will ever come: say so before anything is written. */
@@ -107,16 +141,21 @@ static int check_end(const struct dem_schedule *s, struct dem *d)
     return DEM_OK;
 }
 
-/* The ledger begins with the first forces, before the schedule is read. */
-static int watch_energy(struct dem *d)
+/* A scene may serve both: what is OpenFOAM's alone is left unread, and told. */
+static int leave_to_openfoam(const struct dem_dict *scene, int *there)
 {
-    const struct dem_dict *write;
+    const struct dem_dict *coupling;
 
-    DEM_TRY(dem_dict_sub_if(dem_scene_dict(d), "write", &write));
-    return write && dem_dict_has(write, "energy") ? dem_energy_watch(d) : DEM_OK;
+    DEM_TRY(dem_dict_sub_if(scene, "coupling", &coupling));
+    *there = coupling != NULL;
+    if (coupling)
+    {
+        dem_dict_accept(coupling);
+    }
+    return DEM_OK;
 }
 
-static int open_scene(const struct request *r, struct dem *d, struct dem_schedule *s)
+static int open_scene(const struct dem_program *prog, const struct request *r, struct dem *d, struct dem_schedule *s)
 {
     DEM_TRY(dem_scene_file(d, r->scene));
     for (int k = 0; k < r->sets; k++)
@@ -127,13 +166,19 @@ static int open_scene(const struct request *r, struct dem *d, struct dem_schedul
     {
         DEM_TRY(dem_load(d, r->restart));
     }
-    DEM_TRY(watch_energy(d));
-    DEM_TRY(dem_ready(d));
     DEM_TRY(read_schedule(s, dem_scene_dict(d), r->scene));
-    DEM_TRY(dem_scene_check(d));
-    DEM_TRY(dem_quiet_check(&s->quiet, d));
+    DEM_TRY(dem_output_check(&s->output, prog));
+    DEM_TRY(leave_to_openfoam(dem_scene_dict(d), &s->coupling));
+    DEM_TRY(s->output.energy > 0.0 ? dem_energy_watch(d) : DEM_OK);
+    DEM_TRY(dem_check(d));
+    DEM_TRY(read_gravity(s, dem_scene_dict(d)));
+    DEM_TRY(dem_quiet_check(&s->quiet, s->gravity));
+    DEM_TRY(need_no_solver(d));
+    /* with a snapshot the step is known when that has been read */
+    DEM_TRY(dem_step_limit(d).used > 0.0 ? count_steps(s, d) : DEM_OK);
+    DEM_TRY(dem_ready(d));
     DEM_TRY(check_end(s, d));
-    return need_no_solver(d);
+    return count_steps(s, d);
 }
 
 int dem_scene_serve(struct dem_program *prog, const struct dem_command *c, int argc, char **argv)
@@ -152,7 +197,7 @@ int dem_scene_serve(struct dem_program *prog, const struct dem_command *c, int a
         return DEM_OK;
     }
     DEM_TRY(dem_create(&d, prog->comm));
-    int status = open_scene(&r, d, &s);
+    int status = open_scene(prog, &r, d, &s);
 
     status = status ? status : c->serve(prog, d, &s);
     dem_free(d);

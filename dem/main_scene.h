@@ -16,6 +16,9 @@ struct dem_schedule                                       /* time { ... } and wr
     double end, interval;                                 /* s */
     struct dem_quiet quiet;
     struct dem_output output;
+    int with_gravity;                                     /* 1: among the effects */
+    double gravity[3];                                    /* m/s2 */
+    int coupling;                                         /* 1: the scene has an entry of that name, which is not read here */
 };
 
 struct dem_command

@@ -1,5 +1,6 @@
 /*
- * ready.c -- how a scene becomes a running state: words, walls, particles, physics, owners, in this order.
+ * ready.c -- how a scene becomes a running state: words, walls, physics (check.c), particles, owners, in this order; particles of
+ * a snapshot come before physics.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -208,10 +209,10 @@ static int spread_crowd(struct dem *d)
     return DEM_OK;
 }
 
-/* Radii of all ranks: smallest and largest by material for the recipe. Returns the largest. */
-static double survey_radii(struct dem_parts *p)
+/* Radii of all ranks: smallest and largest by material for the recipe. */
+static void survey_radii(struct dem_parts *p)
 {
-    double least[2*DEM_MATERIALS], most = 0.0;            /* smallest radii, then the negative of the largest */
+    double least[2*DEM_MATERIALS];                        /* smallest radii, then the negative of the largest */
 
     for (int m = 0; m < DEM_MATERIALS; m++)
     {
@@ -233,41 +234,24 @@ static double survey_radii(struct dem_parts *p)
     {
         p->recipe.least_radius[m] = least[m] < DBL_MAX ? least[m] : 0.0;
         p->recipe.most_radius[m] = -least[DEM_MATERIALS + m];
-        most = fmax(most, p->recipe.most_radius[m]);
     }
-    return most;
-}
-
-static int choose_step(struct dem *d)
-{
-    const struct dem_recipe *const r = &d->parts.recipe;
-
-    d->step = d->parts.longest_step = d->scene.step > 0.0 ? d->scene.step : r->step_limit;
-    DEM_REQUIRE(d->scene.step <= r->step_limit || d->scene.force, DEM_ERROR_INPUT,
-                "time step %g s exceeds %.3g s (%s); use at most that, a softer material, or time/force yes", d->scene.step,
-                r->step_limit, r->why);
-    DEM_REQUIRE(d->step < DBL_MAX, DEM_ERROR_INPUT, "no effect bounds the time step; give time/step");
-    return DEM_OK;
 }
 
 static int prepare_physics(struct dem *d)
 {
     struct dem_parts *const p = &d->parts;
-    int wall_materials[DEM_MATERIALS] = {0};
-    const double radius = survey_radii(p), skin[2] = {2.0*radius*d->scene.outer_skin, 2.0*radius*d->scene.inner_skin};
 
-    for (int w = 0; w < p->walls.walls; w++)
+    if (d->load[0])
     {
-        wall_materials[p->walls.wall[w].material] = 1;
+        survey_radii(p);
+        DEM_TRY(dem_door_settle_physics(d));
     }
-    DEM_TRY(dem_recipe_freeze(&p->recipe, wall_materials));
+    const double radius = dem_door_most_radius(d), skin[2] = {2.0*radius*d->scene.outer_skin, 2.0*radius*d->scene.inner_skin};
+
     DEM_TRY(dem_contacts_init(&p->contacts, &p->recipe));
-    DEM_TRY(dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0));
-    DEM_TRY(dem_domain_check_walls(&p->domain, &p->walls, radius));
     DEM_TRY(place_walls(d));
     dem_pairs_init(&p->pairs, &p->domain, skin, p->recipe.reach, radius);
-    DEM_TRY(dem_wall_search_prepare(&p->pairs.search, &p->walls, radius > 0.0 ? radius : 1.0));
-    return choose_step(d);
+    return dem_wall_search_prepare(&p->pairs.search, &p->walls, radius > 0.0 ? radius : 1.0);
 }
 
 /* A uniform fluid fills the columns once; a coupled one marks every particle as not yet placed. */
@@ -421,8 +405,7 @@ static int begin_ledger(struct dem *d)
     return status;
 }
 
-/* Words and particles; ranks may read different parts of a snapshot, so they may fail alone. */
-static int make_ready(struct dem *d)
+static int read_scene(struct dem *d)
 {
     struct dem_parts *const p = &d->parts;
 
@@ -436,7 +419,7 @@ static int make_ready(struct dem *d)
     }
     p->watch.limit = d->scene.most_overlap;
     DEM_TRY(decide_fluid(d));
-    return start_particles(d);
+    return dem_door_examine(d);
 }
 
 int dem_door_together(const struct dem *d, int status)
@@ -457,9 +440,22 @@ static int resume_means(struct dem *d)
     return dem_averages_resume(&d->parts.averages, d->parts.time, beside);
 }
 
+int dem_door_read(struct dem *d)
+{
+    const int status = together(&d->parts, read_scene(d));
+
+    d->checked = status ? -1 : 1;
+    return status;
+}
+
+/* Ranks read different parts of a snapshot, so each may fail alone. */
 int dem_door_get_ready(struct dem *d)
 {
-    DEM_TRY(together(&d->parts, make_ready(d)));
+    if (!d->checked)
+    {
+        DEM_TRY(dem_door_read(d));
+    }
+    DEM_TRY(together(&d->parts, start_particles(d)));
     DEM_TRY(together(&d->parts, prepare_physics(d)));
     if (d->scene.fluid.given || !d->load[0])
     {

@@ -21,6 +21,7 @@
 #include "io/packing.h"
 #include "io/scene_parts.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static const double
@@ -38,10 +39,10 @@ static int read_region(struct dem_batch *b, const struct dem_sizes *sizes)
         const double wide = b->vessel.max[k] - b->vessel.min[k];
 
         DEM_REQUIRE(wide <= most_wide*sizes->most, DEM_ERROR_INPUT,
-                    "%s: %s: the region is %g m wide along %c, more than %g times the diameter %g m; make it smaller",
-                    dem_dict_where(b->dict), dem_dict_path(b->dict), wide, "xyz"[k], most_wide, sizes->most);
+                    "%s: the %s is %g m wide along %c, more than %g times the diameter %g m; make it smaller",
+                    b->where, dem_vessel_name(&b->vessel), wide, "xyz"[k], most_wide, sizes->most);
     }
-    return dem_vessel_holds(&b->vessel, 0.5*sizes->least, dem_dict_where(b->dict));
+    return dem_vessel_holds(&b->vessel, 0.5*sizes->least, b->where);
 }
 
 /* ---- on a lattice -------------------------------------------------------------------------------------------- */
@@ -51,8 +52,7 @@ static int read_lattice_box(struct dem_batch *b)
     struct dem_sizes sizes;
 
     DEM_REQUIRE(!dem_dict_has(b->dict, "sizes") && !dem_dict_has(b->dict, "cylinder") && !dem_dict_has(b->dict, "sphere"), DEM_ERROR_INPUT,
-                "%s: %s: a lattice has one diameter and fills a box; use type random, or diameter, min and max", dem_dict_where(b->dict),
-                dem_dict_path(b->dict));
+                "%s: a lattice has one diameter and fills a box; use type random, or diameter, min and max", b->where);
     DEM_TRY(dem_sizes_read(&sizes, b->dict));
     b->diameter = sizes.least;
     return read_region(b, &sizes);
@@ -65,8 +65,8 @@ static int read_pitch(struct dem_batch *b)
     DEM_TRY(dem_dict_number_or(b->dict, "spacing", "1", 1.1, &spacing));
     DEM_TRY(dem_dict_number_or(b->dict, "jitter", "1", 0.5, &jitter));
     DEM_REQUIRE(spacing >= 1.0 && jitter >= 0.0 && jitter <= 1.0, DEM_ERROR_INPUT,
-                "%s: %s: spacing %g, jitter %g; give a spacing of 1 diameter or more and a jitter in 0 .. 1",
-                dem_dict_where(b->dict), dem_dict_path(b->dict), spacing, jitter);
+                "%s: spacing %g, jitter %g; give a spacing of 1 diameter or more and a jitter in 0 .. 1",
+                b->where, spacing, jitter);
     b->pitch = spacing*b->diameter;
     b->amplitude = jitter*(b->pitch - b->diameter);
     return DEM_OK;
@@ -91,13 +91,12 @@ static int read_lattice(struct dem_batch *b, const struct dem_recipe *r)
     const bool fill = amount.count == 0 && amount.volume == 0.0;
     const double asked = fill ? sites : amount.count > 0 ? (double)amount.count : floor(amount.volume/one + 0.5);
 
-    DEM_REQUIRE(!fill || asked <= dem_amount_most, DEM_ERROR_INPUT, "%s: %s: without count the whole box is filled, and %.0f particles are more "
-                "than %.0f; give count, or a smaller box", dem_dict_where(b->dict), dem_dict_path(b->dict), asked, dem_amount_most);
-    DEM_REQUIRE(asked >= 1.0, DEM_ERROR_INPUT, "%s: %s: less than half a particle; ask for more", dem_dict_where(b->dict),
-                dem_dict_path(b->dict));
+    DEM_REQUIRE(!fill || asked <= dem_amount_most, DEM_ERROR_INPUT, "%s: without count the whole box is filled, and %.0f particles are more "
+                "than %.0f; give count, or a smaller box", b->where, asked, dem_amount_most);
+    DEM_REQUIRE(asked >= 1.0, DEM_ERROR_INPUT, "%s: less than half a particle; ask for more", b->where);
     DEM_REQUIRE(asked <= sites, DEM_ERROR_INPUT,
-                "%s: %s: count %.0f, but the box holds %.0f (%lld x %lld x %lld) at a spacing of %g diameters; enlarge the box "
-                "or ask for fewer", dem_dict_where(b->dict), dem_dict_path(b->dict), asked, sites, (long long)b->sites[0],
+                "%s: count %.0f, but the box holds %.0f (%lld x %lld x %lld) at a spacing of %g diameters; enlarge the box "
+                "or ask for fewer", b->where, asked, sites, (long long)b->sites[0],
                 (long long)b->sites[1], (long long)b->sites[2], b->pitch/b->diameter);
     b->count = (int64_t)asked;
     return DEM_OK;
@@ -117,7 +116,7 @@ static int read_drawn(struct dem_batch *b, const struct dem_recipe *r, const str
 
     if (expected > many*mean)
     {
-        DEM_TRY(dem_packing_may_fit(&b->vessel, expected, expected/mean, dem_dict_where(b->dict)));
+        DEM_TRY(dem_packing_may_fit(&b->vessel, expected, expected/mean, b->where));
     }
     DEM_TRY(dem_amount_draw(b, &amount, sizes));
     return DEM_OK;
@@ -135,9 +134,9 @@ static int read_random(struct dem_batch *b, const struct dem_recipe *r)
     for (int64_t k = 0; k < b->count; k++)
     {
         volume += pi/6.0*b->diameters[k]*b->diameters[k]*b->diameters[k];
-        DEM_TRY(dem_vessel_holds(&b->vessel, 0.5*b->diameters[k], dem_dict_where(b->dict)));
+        DEM_TRY(dem_vessel_holds(&b->vessel, 0.5*b->diameters[k], b->where));
     }
-    return dem_packing_may_fit(&b->vessel, volume, (double)b->count, dem_dict_where(b->dict));
+    return dem_packing_may_fit(&b->vessel, volume, (double)b->count, b->where);
 }
 
 /* ---- one by one ---------------------------------------------------------------------------------------------- */
@@ -149,17 +148,16 @@ static int read_diameters(struct dem_batch *b, size_t n)
     if (!dem_dict_has(b->dict, "diameters"))
     {
         DEM_TRY(dem_dict_number(b->dict, "diameter", "m", &b->diameter));
-        DEM_REQUIRE(b->diameter > 0.0, DEM_ERROR_INPUT, "%s: %s: diameter %g m; give a number above 0", dem_dict_where(b->dict),
-                    dem_dict_path(b->dict), b->diameter);
+        DEM_REQUIRE(b->diameter > 0.0, DEM_ERROR_INPUT, "%s: diameter %g m; give a number above 0", b->where, b->diameter);
         return DEM_OK;
     }
     DEM_TRY(dem_dict_numbers(b->dict, "diameters", "m", &b->diameters, &diameters));
-    DEM_REQUIRE(diameters == n, DEM_ERROR_INPUT, "%s: %s: %zu positions, but %zu diameters; give as many of each, or one diameter",
-                dem_dict_where(b->dict), dem_dict_path(b->dict), n, diameters);
+    DEM_REQUIRE(diameters == n, DEM_ERROR_INPUT, "%s: %zu positions, but %zu diameters; give as many of each, or one diameter",
+                b->where, n, diameters);
     for (size_t m = 0; m < n; m++)
     {
-        DEM_REQUIRE(b->diameters[m] > 0.0, DEM_ERROR_INPUT, "%s: %s: number %zu of diameters is %g m; give a number above 0",
-                    dem_dict_where(b->dict), dem_dict_path(b->dict), m + 1, b->diameters[m]);
+        DEM_REQUIRE(b->diameters[m] > 0.0, DEM_ERROR_INPUT, "%s: number %zu of diameters is %g m; give a number above 0",
+                    b->where, m + 1, b->diameters[m]);
     }
     return DEM_OK;
 }
@@ -179,8 +177,8 @@ static int read_list(struct dem_batch *b)
         DEM_TRY(dem_dict_vectors(b->dict, "spins", "1/s", &b->spins, &spins));
     }
     DEM_REQUIRE((!b->velocities || velocities == n) && (!b->spins || spins == n), DEM_ERROR_INPUT,
-                "%s: %s: %zu positions, but %zu velocities, %zu spins; give as many of each, or leave the list out",
-                dem_dict_where(b->dict), dem_dict_path(b->dict), n, velocities, spins);
+                "%s: %zu positions, but %zu velocities, %zu spins; give as many of each, or leave the list out",
+                b->where, n, velocities, spins);
     b->count = (int64_t)n;
     return DEM_OK;
 }
@@ -194,8 +192,22 @@ static int refuse_moving(const struct dem_batch *b)
         const double *const v = b->velocities ? b->velocities[m] : b->velocity, *const w = b->spins ? b->spins[m] : b->spin;
         const double speed = fmax(dem_vec_norm(v), dem_vec_norm(w));
 
-        DEM_REQUIRE(speed == 0.0, DEM_ERROR_INPUT, "%s: %s: a frozen particle never moves, but has a velocity or spin of %g; leave it out, or "
-                    "frozen", dem_dict_where(b->dict), dem_dict_path(b->dict), speed);
+        DEM_REQUIRE(speed == 0.0, DEM_ERROR_INPUT, "%s: a frozen particle never moves, but has a velocity or spin of %g; leave it out, or "
+                    "frozen", b->where, speed);
+    }
+    return DEM_OK;
+}
+
+/* Mass and inertia, and one over them, must be numbers. */
+static int check_masses(const struct dem_batch *b, const struct dem_recipe *r)
+{
+    for (int64_t m = 0; m < (b->diameters ? b->count : 1); m++)
+    {
+        const double d = b->diameters ? b->diameters[m] : b->diameter, mass = pi/6.0*d*d*d*r->material[b->material].density;
+
+        DEM_REQUIRE(isnormal(mass*d*d) && isnormal(1.0/(mass*d*d)), DEM_ERROR_INPUT,
+                    "%s: diameter %g m of %s, density %g kg/m3, makes a mass of %g kg; give real ones", b->where, d,
+                    r->material[b->material].name, r->material[b->material].density, mass);
     }
     return DEM_OK;
 }
@@ -219,7 +231,7 @@ static int read_type(struct dem_batch *b, const struct dem_recipe *r, const char
     case DEM_BATCH_LATTICE: return read_lattice(b, r);
     case DEM_BATCH_RANDOM: return read_random(b, r);
     case DEM_BATCH_LIST: return read_list(b);
-    default: return dem_error_prefix(dem_unknown_word("type of insertion", type, known, 3), "%s: ", dem_dict_where(b->dict));
+    default: return dem_error_prefix(dem_unknown_word("type of insertion", type, known, 3), "%s: ", b->where);
     }
 }
 
@@ -229,12 +241,14 @@ static int read_batch(const struct dem_dict *dict, const struct dem_recipe *r, s
     const char *type;
 
     *b = (struct dem_batch){.dict = dict};
+    snprintf(b->where, sizeof b->where, "%s: %s", dem_dict_where(dict), dem_dict_path(dict));
     DEM_TRY(dem_dict_word(dict, "type", &type));
     DEM_TRY(dem_scene_read_material_of(dict, r, &b->material));
     DEM_TRY(dem_dict_vector_or(dict, "velocity", "m/s", zero, b->velocity));
     DEM_TRY(dem_dict_vector_or(dict, "spin", "1/s", zero, b->spin));
     DEM_TRY(dem_dict_switch_or(dict, "frozen", false, &b->frozen));
     DEM_TRY(read_type(b, r, type));
+    DEM_TRY(check_masses(b, r));
     return b->frozen ? refuse_moving(b) : DEM_OK;
 }
 
@@ -262,22 +276,6 @@ void dem_insert_free(struct dem_insertion *i)
     memset(i, 0, sizeof *i);
 }
 
-void dem_insert_radii(const struct dem_insertion *i, double *least, double *most)
-{
-    for (size_t k = 0; k < i->n; k++)
-    {
-        const struct dem_batch *const b = &i->batch[k];
-
-        for (int64_t m = 0; m < (b->diameters ? b->count : b->count > 0); m++)
-        {
-            const double radius = 0.5*(b->diameters ? b->diameters[m] : b->diameter);
-
-            least[b->material] = least[b->material] > 0.0 ? fmin(least[b->material], radius) : radius;
-            most[b->material] = fmax(most[b->material], radius);
-        }
-    }
-}
-
 int dem_insert_place(struct dem_crowd *c, const struct dem_insertion *i, const struct dem_recipe *r)
 {
     for (size_t k = 0; k < i->n; k++)
@@ -288,7 +286,7 @@ int dem_insert_place(struct dem_crowd *c, const struct dem_insertion *i, const s
         /* all at once, so that too many fail now */
         const int status = DEM_GROW(c->particle, c->room, c->n + (size_t)b->count);
 
-        DEM_TRY(status ? dem_error_prefix(status, "%s: %s: %lld particles: ", dem_dict_where(b->dict), dem_dict_path(b->dict),
+        DEM_TRY(status ? dem_error_prefix(status, "%s: %lld particles: ", b->where,
                                           (long long)b->count) : DEM_OK);
         DEM_TRY(dem_batch_place(c, b, r));
     }

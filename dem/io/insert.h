@@ -11,6 +11,7 @@
 
 #include "io/crowd.h"
 #include "io/dictionary.h"
+#include "space/domain.h"
 #include "state/recipe.h"
 
 struct dem_insertion                                      /* all groups of a scene */
@@ -25,6 +26,11 @@ void dem_insert_free(struct dem_insertion *);
 
 /* Least and most radius [m] that will come, by material; those of none stay. */
 void dem_insert_radii(const struct dem_insertion *, double *least, double *most);
+
+int64_t dem_insert_count(const struct dem_insertion *);
+
+/* Refuse what would lie outside the domain. A lattice is looked at where it turns; a rest is refused when it is placed. */
+int dem_insert_inside(const struct dem_insertion *, const struct dem_domain *);
 
 /* Make the particles of all groups. */
 int dem_insert_place(struct dem_crowd *, const struct dem_insertion *, const struct dem_recipe *);

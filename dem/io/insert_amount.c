@@ -8,22 +8,24 @@
 #include "io/insert_amount.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include <stdio.h>
 
 static const double pi = 3.14159265358979323846;
 
-static int refuse_volume(const struct dem_batch *b, const struct dem_amount *a, double mean, const char *what)
+static int check_volume(const struct dem_batch *b, const struct dem_amount *a, double mean)
 {
+    DEM_REQUIRE(a->volume > 0.0, DEM_ERROR_INPUT, "%s: %s: less than half a particle; ask for more", b->where, a->what);
     DEM_REQUIRE(a->volume <= dem_amount_most*mean, DEM_ERROR_INPUT,
-                "%s: %s: %s makes %.3g particles of %.3g m3 in the mean, the limit is %.0f; ask for less, or make several groups",
-                dem_dict_where(b->dict), dem_dict_path(b->dict), what, a->volume/mean, mean, dem_amount_most);
+                "%s: %s: %.3g particles of %.3g m3 in the mean, the limit is %.0f; ask for less, or make several groups", b->where, a->what,
+                a->volume/mean, mean, dem_amount_most);
     return DEM_OK;
 }
 
 static int read_count(struct dem_amount *a, const struct dem_batch *b)
 {
     DEM_TRY(dem_dict_int64(b->dict, "count", &a->count));
-    DEM_REQUIRE(a->count > 0 && (double)a->count <= dem_amount_most, DEM_ERROR_INPUT, "%s: %s: count %lld; give 1 to %.0f",
-                dem_dict_where(b->dict), dem_dict_path(b->dict), (long long)a->count, dem_amount_most);
+    DEM_REQUIRE(a->count > 0 && (double)a->count <= dem_amount_most, DEM_ERROR_INPUT, "%s: count %lld; give 1 to %.0f",
+                b->where, (long long)a->count, dem_amount_most);
     return DEM_OK;
 }
 
@@ -31,11 +33,12 @@ int dem_amount_read(struct dem_amount *a, const struct dem_batch *b, const struc
 {
     const struct dem_dict *const d = b->dict;
     const int ways = dem_dict_has(d, "count") + dem_dict_has(d, "mass") + dem_dict_has(d, "solidFraction");
+    const struct dem_material *const m = &r->material[b->material];
     double value;
 
     *a = (struct dem_amount){.count = 0};
     DEM_REQUIRE(ways == 1 || (ways == 0 && b->type == DEM_BATCH_LATTICE), DEM_ERROR_INPUT,
-                "%s: %s: %s of count, mass, solidFraction; give one of them", dem_dict_where(d), dem_dict_path(d), ways ? "more than one" : "none");
+                "%s: %s of count, mass, solidFraction; give one of them", b->where, ways ? "more than one" : "none");
     if (dem_dict_has(d, "count"))
     {
         return read_count(a, b);
@@ -43,17 +46,19 @@ int dem_amount_read(struct dem_amount *a, const struct dem_batch *b, const struc
     if (dem_dict_has(d, "mass"))
     {
         DEM_TRY(dem_dict_number(d, "mass", "kg", &value));
-        DEM_REQUIRE(value > 0.0, DEM_ERROR_INPUT, "%s: %s: mass %g kg; give a number above 0", dem_dict_where(d), dem_dict_path(d), value);
-        a->volume = value/r->material[b->material].density;
-        return refuse_volume(b, a, mean, "mass");
+        DEM_REQUIRE(value > 0.0, DEM_ERROR_INPUT, "%s: mass %g kg; give a number above 0", b->where, value);
+        a->volume = value/m->density;
+        snprintf(a->what, sizeof a->what, "mass %g kg of %s, density %g kg/m3", value, m->name, m->density);
+        return check_volume(b, a, mean);
     }
     if (dem_dict_has(d, "solidFraction"))
     {
         DEM_TRY(dem_dict_number(d, "solidFraction", "1", &value));
-        DEM_REQUIRE(value > 0.0 && value < 0.74, DEM_ERROR_INPUT, "%s: %s: solidFraction %g; give a number above 0 and below 0.74",
-                    dem_dict_where(d), dem_dict_path(d), value);
+        DEM_REQUIRE(value > 0.0 && value < 0.74, DEM_ERROR_INPUT, "%s: solidFraction %g; give a number above 0 and below 0.74",
+                    b->where, value);
         a->volume = value*dem_vessel_volume(&b->vessel);
-        return refuse_volume(b, a, mean, "solidFraction");
+        snprintf(a->what, sizeof a->what, "solidFraction %g", value);
+        return check_volume(b, a, mean);
     }
     return DEM_OK;
 }
@@ -66,8 +71,8 @@ int dem_amount_draw(struct dem_batch *b, const struct dem_amount *a, const struc
     for (b->count = 0; a->count > 0 ? b->count < a->count : volume < a->volume; b->count++)
     {
         /* the mean is none of a few */
-        DEM_REQUIRE((double)b->count < 2.0*dem_amount_most, DEM_ERROR_INPUT, "%s: %s: more than %.0f particles; ask for fewer",
-                    dem_dict_where(b->dict), dem_dict_path(b->dict), dem_amount_most);
+        DEM_REQUIRE((double)b->count < 2.0*dem_amount_most, DEM_ERROR_INPUT, "%s: more than %.0f particles; ask for fewer",
+                    b->where, dem_amount_most);
         DEM_TRY(DEM_GROW(b->drawn, room, (size_t)b->count + 1));
         const double d = b->drawn[b->count] = dem_sizes_draw(sizes, (uint64_t)b->seed, (uint64_t)b->count);
 
@@ -76,7 +81,7 @@ int dem_amount_draw(struct dem_batch *b, const struct dem_amount *a, const struc
     }
     b->count -= a->count == 0 && b->count > 0 && volume - a->volume > 0.5*last;
     b->diameters = b->drawn;
-    DEM_REQUIRE(b->count > 0, DEM_ERROR_INPUT, "%s: %s: less than half a particle; ask for more", dem_dict_where(b->dict),
-                dem_dict_path(b->dict));
+    DEM_REQUIRE(b->count > 0, DEM_ERROR_INPUT, "%s: %s: less than half a particle, the first of which has %.3g m3; ask for more",
+                b->where, a->what, last);
     return DEM_OK;
 }

@@ -15,6 +15,7 @@ struct dem_amount
 {
     int64_t count;                                        /* 0: until the volume is reached; both 0: nothing is said */
     double volume;                                        /* m3 */
+    char what[160];                                       /* how that was asked for, for messages */
 };
 
 /* `mean` is the volume [m3] of a particle in the mean, which tells how many will be drawn before the first is. */

@@ -17,6 +17,7 @@ enum dem_batch_type
 struct dem_batch
 {
     const struct dem_dict *dict;                          /* lists point into it */
+    char where[256];                                      /* starts messages: line and path */
     enum dem_batch_type type;
     int material;
     bool frozen;
@@ -30,6 +31,9 @@ struct dem_batch
     int64_t sites[3];
     const double (*positions)[3], (*velocities)[3], (*spins)[3];   /* of a list; null: the same for all */
 };
+
+/* Centre [m] of the m-th particle of a lattice. */
+void dem_batch_site(const struct dem_batch *, int64_t m, double x[3]);
 
 /* Place one batch behind the particles that are there. */
 int dem_batch_place(struct dem_crowd *, const struct dem_batch *, const struct dem_recipe *);

@@ -31,7 +31,7 @@ static struct dem_particle sphere(const struct dem_batch *b, const struct dem_re
     return p;
 }
 
-static void site(const struct dem_batch *b, int64_t m, double x[3])
+void dem_batch_site(const struct dem_batch *b, int64_t m, double x[3])
 {
     const int64_t *const n = b->sites, at[3] = {m%n[0], m/n[0]%n[1], m/(n[0]*n[1])};
     const struct dem_vessel *const v = &b->vessel;
@@ -51,15 +51,15 @@ static int place_lattice(struct dem_crowd *c, const struct dem_batch *b, const s
     {
         double x[3];
 
-        site(b, m, x);
-        DEM_TRY(dem_crowd_add(c, sphere(b, r, x, m), dem_dict_where(b->dict)));
+        dem_batch_site(b, m, x);
+        DEM_TRY(dem_crowd_add(c, sphere(b, r, x, m), b->where));
     }
     return DEM_OK;
 }
 
 static int place_random(struct dem_crowd *c, const struct dem_batch *b, const struct dem_recipe *r)
 {
-    struct dem_packing p = {.vessel = &b->vessel, .where = dem_dict_where(b->dict), .seed = (uint64_t)b->seed, .n = (int32_t)b->count,
+    struct dem_packing p = {.vessel = &b->vessel, .where = b->where, .seed = (uint64_t)b->seed, .n = (int32_t)b->count,
                             .diameter = b->diameters};
 
     DEM_TRY(DEM_NEW(p.x, p.n + 1));
@@ -77,7 +77,7 @@ static int place_list(struct dem_crowd *c, const struct dem_batch *b, const stru
 {
     for (int64_t m = 0; m < b->count; m++)
     {
-        DEM_TRY(dem_crowd_add(c, sphere(b, r, b->positions[m], m), dem_dict_where(b->dict)));
+        DEM_TRY(dem_crowd_add(c, sphere(b, r, b->positions[m], m), b->where));
     }
     return DEM_OK;
 }

@@ -113,7 +113,7 @@ static int read_fluid(struct dem_uniform_fluid *f, const struct dem_dict *scene,
     DEM_TRY(dem_dict_number(dict, "viscosity", "Pa s", &f->viscosity));
     DEM_TRY(dem_dict_number_or(dict, "voidFraction", "1", 1.0, &f->void_fraction));
     DEM_REQUIRE(f->density > 0.0 && f->viscosity > 0.0 && f->void_fraction > 0.0 && f->void_fraction <= 1.0, DEM_ERROR_INPUT,
-                "%s: density %g kg/m3, viscosity %g Pa s, voidFraction %g; all must be above 0, the last at most 1",
+                "%s: fluid: density %g kg/m3, viscosity %g Pa s, voidFraction %g; all must be above 0, the last at most 1",
                 dem_dict_where(dict), f->density, f->viscosity, f->void_fraction);
     /* a fluid at rest under the scene's gravity carries its own weight */
     dem_recipe_vector(r, "gravity", "acceleration", hydrostatic);
@@ -136,6 +136,8 @@ static int read_time(struct dem_scene *s, const struct dem_dict *scene)
         return DEM_OK;
     }
     DEM_TRY(dem_dict_number_or(dict, "maxOverlap", "1", s->most_overlap, &s->most_overlap));
+    DEM_REQUIRE(s->most_overlap > 0.0, DEM_ERROR_INPUT, "%s: maxOverlap %g of a diameter; give a number above 0", dem_dict_where(dict),
+                s->most_overlap);
     DEM_TRY(dem_dict_switch_or(dict, "force", false, &s->force));
     DEM_TRY(dem_dict_word_or(dict, "step", "auto", &step));
     if (strcmp(step, "auto") != 0)
@@ -167,6 +169,19 @@ static int read_neighbours(struct dem_scene *s, const struct dem_dict *scene)
 
 /* ---- the whole ----------------------------------------------------------------------------------------------- */
 
+static int check_bonds(const double *id, size_t n, const char *where)
+{
+    DEM_REQUIRE(n%2 == 0, DEM_ERROR_INPUT, "%s: bonds/pairs: %zu ids; give two for each bond", where, n);
+    for (size_t k = 0; k < n; k += 2)
+    {
+        const double low = fmin(id[k], id[k + 1]), high = fmax(id[k], id[k + 1]);
+
+        DEM_REQUIRE(low >= 0.0 && high < 9e15 && floor(low) == low && floor(high) == high && low < high, DEM_ERROR_INPUT,
+                    "%s: bonds/pairs: %.17g and %.17g; give two different ids of particles, whole numbers from 0", where, id[k], id[k + 1]);
+    }
+    return DEM_OK;
+}
+
 /* Read only where an effect makes bonds, so that anywhere else it is an entry nobody reads. */
 static int read_bonds(struct dem_scene *s, const struct dem_dict *scene, const struct dem_recipe *r)
 {
@@ -179,7 +194,12 @@ static int read_bonds(struct dem_scene *s, const struct dem_dict *scene, const s
     }
     DEM_REQUIRE(listed <= 0 || bonds, DEM_ERROR_INPUT, "effects/bondLinear makes listed bonds, and the scene lists none; add bonds { pairs "
                 "(...); } with two ids for each");
-    return bonds ? dem_dict_numbers(bonds, "pairs", "1", &s->bond_ids, &s->bond_id_count) : DEM_OK;
+    if (!bonds)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_dict_numbers(bonds, "pairs", "1", &s->bond_ids, &s->bond_id_count));
+    return check_bonds(s->bond_ids, s->bond_id_count, dem_dict_where(bonds));
 }
 
 int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene, struct dem_recipe *r, struct dem_walls *w,

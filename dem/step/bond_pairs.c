@@ -23,18 +23,13 @@ static int compare(const void *a, const void *b)
     return low ? low : (s->high > t->high) - (s->high < t->high);
 }
 
-static int take_list(const double *ids, size_t pairs, struct asked *list)
+static void take_list(const double *ids, size_t pairs, struct asked *list)
 {
     for (size_t k = 0; k < pairs; k++)
     {
-        const double low = fmin(ids[2*k], ids[2*k + 1]), high = fmax(ids[2*k], ids[2*k + 1]);
-
-        DEM_REQUIRE(low >= 0.0 && high < 9e15 && floor(low) == low && floor(high) == high && low < high, DEM_ERROR_INPUT,
-                    "bonds/pairs: %.17g and %.17g; give two different ids of particles, whole numbers from 0", ids[2*k], ids[2*k + 1]);
-        list[k] = (struct asked){.low = (int64_t)low, .high = (int64_t)high};
+        list[k] = (struct asked){.low = (int64_t)fmin(ids[2*k], ids[2*k + 1]), .high = (int64_t)fmax(ids[2*k], ids[2*k + 1])};
     }
     qsort(list, pairs, sizeof *list, compare);
-    return DEM_OK;
 }
 
 static void mark(struct dem_parts *p, const struct asked *list, size_t pairs, double *column, uint8_t *found)
@@ -81,20 +76,19 @@ int dem_bond_pairs_ask(struct dem_parts *p, const double *ids, size_t count)
     const size_t pairs = count/2;
     struct asked *list;
     uint8_t *found;
-    int status;
 
-    DEM_REQUIRE(count%2 == 0, DEM_ERROR_INPUT, "bonds/pairs: %zu ids; give two for each bond", count);
     DEM_TRY(DEM_NEW(list, pairs + 1));
     DEM_TRY(DEM_NEW(found, pairs + 1));
-    status = take_list(ids, pairs, list);
-    for (int m = 0; m < p->recipe.memories && !status; m++)
+    take_list(ids, pairs, list);
+    for (int m = 0; m < p->recipe.memories; m++)
     {
         if (strcmp(p->recipe.memory[m], "bond_asked") == 0)
         {
             mark(p, list, pairs, p->contacts.memory[m], found);
         }
     }
-    status = status ? status : see(p, list, pairs, found);
+    const int status = see(p, list, pairs, found);
+
     dem_memory_free(list);
     dem_memory_free(found);
     return status;

@@ -8,8 +8,8 @@
 
 #include "step/parts.h"
 
-/* Collective, once the first near rows are there: mark the rows of the listed pairs, `count` ids, two a pair, for the
-   effects that remember "bond_asked". Fails on a pair that is no pair of near particles, and names it. */
+/* Collective, once the first near rows are there: mark the rows of the listed pairs, `count` ids, two different ones a pair,
+   for the effects that remember "bond_asked". Fails on a pair that is no pair of near particles, and names it. */
 int dem_bond_pairs_ask(struct dem_parts *, const double *ids, size_t count);
 
 #endif

@@ -1,7 +1,7 @@
 /*
- * Claims: the door of the core refuses calls in the wrong order and particles that can't be, in a sentence; particles of
- * the program and of the scene never share an id; a frozen particle stays where it is however it is pushed; lattices stay
- * in their box.
+ * Claims: the door of the core refuses calls in the wrong order and particles that can't be, in a sentence; a scene that was
+ * refused stays refused; particles of the program and of the scene never share an id; a frozen particle stays where it is
+ * however it is pushed; lattices stay in their box.
  *
  * Source: the contract in dem.h.
  *
@@ -28,11 +28,16 @@ static void order(void)
     WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
     refused(dem_set(d, "time/step", "1"), "scene", "dem_set before a scene");
     refused(dem_ready(d), "scene", "dem_ready before a scene");
+    refused(dem_check(d), "scene", "dem_check before a scene");
     refused(dem_advance(d, 1.0), "dem_ready", "dem_advance before dem_ready");
     refused(dem_save(d, "/nowhere/x"), "dem_ready", "dem_save before dem_ready");
     WORLD_TRY(dem_scene_text(d, materials, "scene"));
     refused(dem_scene_text(d, materials, "scene"), "already", "a second scene");
     WORLD_TRY(dem_add_particles(d, 1, &seed));
+    WORLD_TRY(dem_check(d));
+    TAP_OK(dem_step_limit(d).used > 0.0, "dem_check tells the step");
+    refused(dem_check(d), "dem_check", "dem_check twice");
+    refused(dem_set(d, "time/step", "1"), "dem_check", "dem_set after dem_check");
     WORLD_TRY(dem_ready(d));
     refused(dem_ready(d), "dem_ready", "dem_ready twice");
     refused(dem_add_particles(d, 1, &seed), "dem_ready", "particles after dem_ready");
@@ -45,7 +50,13 @@ static void order(void)
     double force[3], torque[3];
 
     refused(dem_wall_load(d, 0, force, torque), "wall", "the load on a wall that is not there");
+    refused(dem_advance(d, 1e300), "1e+300", "more steps than can be counted");
     TAP_OK(dem_advance(d, 1e-6) == 0, "and after all that it runs");
+    dem_free(d);
+    d = world_begin("materials { }");
+    refused(dem_check(d), "material", "a scene without materials");
+    refused(dem_ready(d), "anew", "dem_ready after a scene that was refused");
+    refused(dem_check(d), "anew", "dem_check after a scene that was refused");
     dem_free(d);
 }
 

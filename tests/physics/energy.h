@@ -21,7 +21,6 @@ static inline struct dem *energy_world(const char *scene, int64_t n, const struc
     }
     WORLD_TRY(dem_energy_watch(d));
     WORLD_TRY(dem_ready(d));
-    WORLD_TRY(dem_scene_check(d));
     return d;
 }
 

@@ -332,7 +332,7 @@ static void order_of_calls(void)
     double since;
     int n;
 
-    TAP_OK(dem_energy_watch(d) != 0 && strstr(dem_error_text(), "before dem_ready"), "too late: %s", dem_error_text());
+    TAP_OK(dem_energy_watch(d) != 0 && strstr(dem_error_text(), "before dem_check"), "too late: %s", dem_error_text());
     TAP_OK(dem_energy(d, &since, &n, &item) != 0 && strstr(dem_error_text(), "dem_energy_watch"), "not asked for: %s", dem_error_text());
     dem_free(d);
     free(scene);

@@ -71,7 +71,6 @@ static inline struct dem *world(const char *scene, int64_t n, const struct dem_s
         WORLD_TRY(dem_add_particles(d, n, seed));
     }
     WORLD_TRY(dem_ready(d));
-    WORLD_TRY(dem_scene_check(d));
     return d;
 }
 

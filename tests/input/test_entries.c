@@ -1,0 +1,464 @@
+/*
+ * Claims: every entry of a scene, one by one, left out where it has no default, misspelt, left empty, of the wrong kind, too
+ * short a list, not a number, past what a double or a whole number holds, in other letters, or without its semicolon, is
+ * refused before particles are placed, in one sentence that names it (and the line, where a ; is missing). With 0, numbers
+ * below it, 1e300 or 1e-300 in its place the scene is refused likewise or runs; nothing crashes, nothing takes for ever.
+ *
+ * The good scene is the table below; a case replaces one value of it. Then each setting of each effect, in a scene of that
+ * effect alone. What the program alone reads is in run. Build it with DEM_CFLAGS='-g -fsanitize=address,undefined', too.
+ *
+ * Source: the tables of dem/README.md, section 3.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/world.h"
+
+#include "effects/effects.h"
+#include <sys/resource.h>
+#include <unistd.h>
+
+enum kind
+{
+    NUMBER, VECTOR, COUNT, WORD, SWITCH, WORDS, NUMBERS, VECTORS, KINDS
+};
+
+static const struct row
+{
+    const char *path, *value;
+    enum kind kind;
+    int needed;
+} rows[] =
+{
+    {"materials/glass/density", "2500", NUMBER, 1},
+    {"materials/glass/youngsModulus", "1e7", NUMBER, 1},
+    {"materials/glass/poissonsRatio", "0.3", NUMBER, 0},
+    {"materials/steel/density", "7800", NUMBER, 1},
+    {"materials/steel/youngsModulus", "1e8", NUMBER, 1},
+    {"effects/hertz/impactSpeed", "1", NUMBER, 0},
+    {"effects/dry/restitution", "0.9", NUMBER, 1},
+    {"effects/dry/attraction", "clamped", WORD, 0},
+    {"effects/mindlin/friction", "0.3", NUMBER, 1},
+    {"effects/mindlin/tangentialDamping", "no", SWITCH, 0},
+    {"effects/gravity/acceleration", "(0 0 -9.81)", VECTOR, 0},
+    {"effects/gidaspow/blend", "switch", WORD, 0},
+    {"pairs/hard/between", "(glass steel)", WORDS, 1},
+    {"pairs/hard/dry/restitution", "0.8", NUMBER, 0},
+    {"walls/floor/type", "plane", WORD, 1},
+    {"walls/floor/material", "steel", WORD, 1},
+    {"walls/floor/point", "(0 0 0)", VECTOR, 1},
+    {"walls/floor/normal", "(0 0 1)", VECTOR, 1},
+    {"walls/cup/type", "box", WORD, 1},
+    {"walls/cup/material", "steel", WORD, 1},
+    {"walls/cup/min", "(-0.5 -0.5 -0.5)", VECTOR, 1},
+    {"walls/cup/max", "(0.5 0.5 0.5)", VECTOR, 1},
+    {"walls/ramp/type", "triangles", WORD, 1},
+    {"walls/ramp/material", "glass", WORD, 1},
+    {"walls/ramp/corners", "((0.2 0 0.1) (0.3 0 0.1) (0.2 0.1 0.1))", VECTORS, 1},
+    {"walls/ramp/surfaceVelocity", "(0 1 0)", VECTOR, 0},
+    {"walls/drum/type", "cylinder", WORD, 1},
+    {"walls/drum/material", "steel", WORD, 1},
+    {"walls/drum/point", "(0 0 0)", VECTOR, 1},
+    {"walls/drum/axis", "(0 0 1)", VECTOR, 1},
+    {"walls/drum/radius", "0.9", NUMBER, 1},
+    {"walls/drum/particles", "inside", WORD, 1},
+    {"walls/drum/motion/type", "rotation", WORD, 1},
+    {"walls/drum/motion/origin", "(0 0 0)", VECTOR, 1},
+    {"walls/drum/motion/axis", "(0 0 1)", VECTOR, 1},
+    {"walls/drum/motion/omega", "2", NUMBER, 1},
+    {"walls/drum/motion/start", "0", NUMBER, 0},
+    {"walls/drum/motion/end", "1", NUMBER, 0},
+    {"walls/ball/type", "sphere", WORD, 1},
+    {"walls/ball/material", "steel", WORD, 1},
+    {"walls/ball/centre", "(-0.3 0 0.2)", VECTOR, 1},
+    {"walls/ball/radius", "0.1", NUMBER, 1},
+    {"walls/ball/particles", "outside", WORD, 1},
+    {"walls/ball/motion/type", "oscillation", WORD, 1},
+    {"walls/ball/motion/amplitude", "(0 0 0.001)", VECTOR, 1},
+    {"walls/ball/motion/frequency", "5", NUMBER, 1},
+    {"walls/ball/motion/phase", "0.1", NUMBER, 0},
+    {"walls/belt/type", "triangles", WORD, 1},
+    {"walls/belt/material", "glass", WORD, 1},
+    {"walls/belt/corners", "((0.2 0.3 0.1) (0.3 0.3 0.1) (0.2 0.4 0.1))", VECTORS, 1},
+    {"walls/belt/surfaceRotation/origin", "(0 0 0)", VECTOR, 1},
+    {"walls/belt/surfaceRotation/axis", "(0 0 1)", VECTOR, 1},
+    {"walls/belt/surfaceRotation/omega", "1", NUMBER, 1},
+    {"domain/x", "(-1 1)", NUMBERS, 0},
+    {"domain/y", "(-1 1)", NUMBERS, 0},
+    {"domain/z", "(-1 1)", NUMBERS, 0},
+    {"domain/periodic", "()", WORDS, 0},
+    {"domain/leaving", "error", WORD, 0},
+    {"insert/few/type", "list", WORD, 1},
+    {"insert/few/material", "glass", WORD, 1},
+    {"insert/few/positions", "((0 0 0.01) (0.01 0 0.01))", VECTORS, 1},
+    {"insert/few/diameters", "(2e-3 1e-3)", NUMBERS, 0},
+    {"insert/few/velocities", "((0 0 0) (1 0 0))", VECTORS, 0},
+    {"insert/few/spins", "((0 0 0) (1 0 0))", VECTORS, 0},
+    {"insert/box/type", "lattice", WORD, 1},
+    {"insert/box/material", "glass", WORD, 1},
+    {"insert/box/diameter", "2e-3", NUMBER, 1},
+    {"insert/box/velocity", "(0 0 0)", VECTOR, 0},
+    {"insert/box/spin", "(0 0 0)", VECTOR, 0},
+    {"insert/box/frozen", "no", SWITCH, 0},
+    {"insert/box/min", "(0.1 0.1 0.1)", VECTOR, 1},
+    {"insert/box/max", "(0.15 0.15 0.15)", VECTOR, 1},
+    {"insert/box/count", "20", COUNT, 0},
+    {"insert/box/seed", "3", COUNT, 0},
+    {"insert/box/spacing", "1.2", NUMBER, 0},
+    {"insert/box/jitter", "0.1", NUMBER, 0},
+    {"insert/any/type", "random", WORD, 1},
+    {"insert/any/material", "glass", WORD, 1},
+    {"insert/any/diameter", "2e-3", NUMBER, 1},
+    {"insert/any/min", "(0.1 0.1 0.2)", VECTOR, 1},
+    {"insert/any/max", "(0.15 0.15 0.25)", VECTOR, 1},
+    {"insert/any/count", "20", COUNT, 1},
+    {"insert/any/seed", "3", COUNT, 0},
+    {"insert/drawn/type", "random", WORD, 1},
+    {"insert/drawn/material", "steel", WORD, 1},
+    {"insert/drawn/sizes/type", "logNormal", WORD, 1},
+    {"insert/drawn/sizes/by", "volume", WORD, 0},
+    {"insert/drawn/sizes/median", "1e-3", NUMBER, 1},
+    {"insert/drawn/sizes/deviation", "0.2", NUMBER, 1},
+    {"insert/drawn/sizes/min", "5e-4", NUMBER, 0},
+    {"insert/drawn/sizes/max", "2e-3", NUMBER, 0},
+    {"insert/drawn/cylinder/from", "(0.1 0 0.3)", VECTOR, 1},
+    {"insert/drawn/cylinder/to", "(0.2 0 0.3)", VECTOR, 1},
+    {"insert/drawn/cylinder/radius", "0.01", NUMBER, 1},
+    {"insert/drawn/mass", "1e-4", NUMBER, 1},
+    {"insert/sieved/type", "random", WORD, 1},
+    {"insert/sieved/material", "glass", WORD, 1},
+    {"insert/sieved/sizes/type", "list", WORD, 1},
+    {"insert/sieved/sizes/diameters", "(1e-3 2e-3)", NUMBERS, 1},
+    {"insert/sieved/sizes/weights", "(1 3)", NUMBERS, 1},
+    {"insert/sieved/sphere/centre", "(0.3 0.2 0.3)", VECTOR, 1},
+    {"insert/sieved/sphere/radius", "0.01", NUMBER, 1},
+    {"insert/sieved/solidFraction", "0.02", NUMBER, 1},
+    {"fluid/velocity", "(0 0 0)", VECTOR, 0},
+    {"fluid/density", "1", NUMBER, 1},
+    {"fluid/viscosity", "1e-5", NUMBER, 1},
+    {"fluid/voidFraction", "0.9", NUMBER, 0},
+    {"fluid/pressureGradient", "(0 0 -9.8)", VECTOR, 0},
+    {"neighbours/outerSkin", "0.3", NUMBER, 0},
+    {"neighbours/innerSkin", "0.04", NUMBER, 0},
+    {"averages/layer/min", "(0 0 0)", VECTOR, 1},
+    {"averages/layer/max", "(0.1 0.1 0.1)", VECTOR, 1},
+    {"averages/layer/cells", "(2 1 3)", VECTOR, 0},
+    {"averages/layer/interval", "1e-5", NUMBER, 1},
+    {"averages/layer/start", "0", NUMBER, 0},
+    {"averages/layer/end", "1", NUMBER, 0},
+    {"time/step", "auto", WORD, 0},
+    {"time/maxOverlap", "0.5", NUMBER, 0},
+    {"time/force", "no", SWITCH, 0},
+};
+
+enum
+{
+    ROWS = (int)(sizeof rows/sizeof rows[0]),
+    ALL = -1,                                             /* no row is replaced */
+    PATIENCE = 300                                        /* s until what hangs is ended */
+};
+
+/* What is wrong as a value of each kind. */
+static const char *const wrong[KINDS][16] =
+{
+    [NUMBER] = {"", "many", "1 2", "(1 2 3)", "nan", "inf", "-inf", "1e400", "-1e400", "1,5", "0x10", "1e", "\xc3\xa4", "\"\"", "(1)"},
+    [VECTOR] = {"", "many", "1", "(1 2)", "(1 2 3 4)", "(0 0 nan)", "(0 inf 0)", "(1e400 0 0)", "1 2 3", "((1 2 3))", "(0 0 \xc3\xa4)", "()", "{}"},
+    [COUNT] = {"", "many", "1.5", "nan", "inf", "1e400", "99999999999999999999", "(1)", "1 2", "1e-3", "1e-300", "\xc3\xa4"},
+    [WORD] = {"", "nosuch", "(a b)", "two words", "\"two words\"", "\xc3\xa4", "\"\"", "nan"},
+    [SWITCH] = {"", "maybe", "2", "nan", "(yes)", "yes no", "\xc3\xa4"},
+    [WORDS] = {"", "x", "(q)", "(x", "((x))", "(\xc3\xa4)", "2 (x)"},
+    [NUMBERS] = {"", "1", "(x)", "(1 nan)", "(1 inf)", "(1e400 1)", "((1 2))", "3 (1 2)", "(1 2", "(1)"},
+    [VECTORS] = {"", "1", "(1 2 3)", "((1 2))", "((1 2 nan))", "((1e400 0 0))", "(((1 2 3)))", "2 ((1 2 3))", "((1 2 3)"},
+};
+
+/* What may be right for one entry and not for another. */
+static const char *const extreme[KINDS][10] =
+{
+    [NUMBER] = {"0", "-1", "1e300", "-1e300", "1e-300", "1e-308", "1e308", "3e8", "1e15"},
+    [VECTOR] = {"(0 0 0)", "(1e300 0 0)", "(0 -1e300 1e300)", "(1e-300 0 0)", "(1e308 -1e308 1e308)", "(-1 -1 -1)", "(-1e308 -1e308 -1e308)"},
+    [COUNT] = {"0", "-1", "9223372036854775807", "-9223372036854775808", "1e15", "1e8", "2147483648"},
+    [WORD] = {"auto"},
+    [SWITCH] = {"yes", "off"},
+    [WORDS] = {"()", "(x x)", "(x y z)", "(glass glass)", "(steel steel)"},
+    [NUMBERS] = {"()", "(0 0)", "(0 -1)", "(1e300 1e300)", "(-1e308 1e308)", "(1e-300 2e-300)", "(1 -1)"},
+    [VECTORS] = {"()", "((0 0 0))", "((0 0 0) (0 0 0) (0 0 0))", "((1e300 0 0) (0 1e300 0) (0 0 1e300))", "((1e308 0 0) (-1e308 0 0))",
+                 "((0 0 1e300) (0 0 -1e300))", "((1e308 0 0) (-1e308 0 0) (0 1e308 0))"},
+};
+
+/* ---- the scene ----------------------------------------------------------------------------------------------- */
+
+struct slip
+{
+    int row;
+    const char *name, *value, *end;                       /* in place of the row's own; no value: left out */
+};
+
+static const char *last_word(const char *path)
+{
+    const char *const slash = strrchr(path, '/');
+
+    return slash ? slash + 1 : path;
+}
+
+/* The word before the last. */
+static void group_of(const char *path, char group[64])
+{
+    const char *const end = strrchr(path, '/');
+    const char *from = end;
+
+    while (from > path && from[-1] != '/')
+    {
+        from--;
+    }
+    snprintf(group, 64, "%.*s", (int)(end - from), from);
+}
+
+/* As a user writes it, each entry and each brace on a line of its own. Returns the line of the slip. */
+static int print_scene(FILE *to, const struct slip *slip)
+{
+    const char *last = "";
+    int line = 1, here = 0;
+
+    for (int i = 0; i < ROWS; i++)
+    {
+        const char *const path = rows[i].path, *const word = last_word(path);
+        const int slips = i == slip->row;
+        size_t same = 0;
+
+        for (size_t c = 0; path[c] && path[c] == last[c]; c++)
+        {
+            same = path[c] == '/' ? c + 1 : same;
+        }
+        for (const char *c = strchr(last + same, '/'); *last && c; c = strchr(c + 1, '/'))
+        {
+            line += fprintf(to, "}\n") > 0;
+        }
+        for (const char *c = path + same; c < word; c += strcspn(c, "/") + 1)
+        {
+            fwrite(c, 1, strcspn(c, "/"), to);
+            fputs("\n{\n", to);
+            line += 2;
+        }
+        if (!slips || slip->value)
+        {
+            fprintf(to, "%s %s%s\n", slips ? slip->name : word, slips ? slip->value : rows[i].value, slips ? slip->end : ";");
+        }
+        here = slips ? line : here;
+        line++;
+        last = path;
+    }
+    for (const char *c = strchr(last, '/'); c; c = strchr(c + 1, '/'))
+    {
+        fprintf(to, "}\n");
+    }
+    return here;
+}
+
+static int is_sentence(const char *text)
+{
+    return text[0] && strlen(text) < 1000 && !strchr(text, '\n');
+}
+
+static int cases;
+
+/* ---- one case ------------------------------------------------------------------------------------------------ */
+
+struct fate
+{
+    int refused, failed, line;                            /* before particles are placed; later */
+    char sentence[8192];
+};
+
+static void run_a_little(struct dem *d, struct fate *f)
+{
+    int status = dem_ready(d);
+
+    for (int k = 0; k < 3 && !status; k++)
+    {
+        status = dem_advance(d, dem_step_limit(d).used);
+    }
+    f->failed = status;
+}
+
+static struct fate try_scene(const struct slip *slip)
+{
+    static char text[32768];
+    struct fate f = {.refused = 0};
+    struct dem *d = NULL;
+    FILE *const to = fmemopen(text, sizeof text, "w");
+
+    cases++;
+    f.line = print_scene(to, slip);
+    fclose(to);
+    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
+    f.refused = dem_scene_text(d, text, "scene");
+    f.refused = f.refused ? f.refused : dem_check(d);
+    if (!f.refused)
+    {
+        run_a_little(d, &f);
+    }
+    snprintf(f.sentence, sizeof f.sentence, "%s", f.refused || f.failed ? dem_error_text() : "");
+    dem_free(d);
+    return f;
+}
+
+/* Must be refused early, and name its word. */
+static void refuse(const char *what, const struct slip *slip)
+{
+    const struct row *const r = &rows[slip->row];
+    const struct fate f = try_scene(slip);
+    const int good = f.refused && is_sentence(f.sentence) && strstr(f.sentence, last_word(r->path));
+
+    if (!good)
+    {
+        TAP_OK(0, "%s, %s", r->path, what);
+        TAP_NOTE("%s: %s", f.refused ? "refused" : f.failed ? "refused late" : "runs", f.sentence);
+    }
+}
+
+/* Refused early in the name of its word or its group, or taken; what fails on the way says so in a sentence. */
+static int survive(const char *value, const struct slip *slip)
+{
+    const struct row *const r = &rows[slip->row];
+    const struct fate f = try_scene(slip);
+    char group[64], word[64];
+
+    /* without the s of a list, of which one is named */
+    snprintf(word, sizeof word, "%.*s", (int)(strlen(last_word(r->path)) - (r->kind == NUMBERS || r->kind == VECTORS)), last_word(r->path));
+    group_of(r->path, group);
+    const int named = strcasestr(f.sentence, word) || strcasestr(f.sentence, group);
+    const int good = (!f.refused || named) && ((!f.refused && !f.failed) || is_sentence(f.sentence));
+
+    if (!good)
+    {
+        TAP_OK(0, "%s %s", r->path, value);
+        TAP_NOTE("%s: %s", f.refused ? "refused" : f.failed ? "refused late" : "runs", f.sentence);
+    }
+    return !f.refused;
+}
+
+static void leave_out_semicolon(int k)
+{
+    const struct slip slip = {.row = k, .name = last_word(rows[k].path), .value = rows[k].value, .end = ""};
+    const struct fate f = try_scene(&slip);
+    char asks[64], says[64];
+
+    snprintf(asks, sizeof asks, "is a ; missing at the end of line %d?", f.line);
+    snprintf(says, sizeof says, "; end line %d with ;", f.line);
+    if (!f.refused || !is_sentence(f.sentence) || (!strstr(f.sentence, asks) && !strstr(f.sentence, says)))
+    {
+        TAP_OK(0, "%s without its semicolon, line %d", rows[k].path, f.line);
+        TAP_NOTE("%s", f.sentence);
+    }
+}
+
+static void try_row(int k)
+{
+    const struct row *const r = &rows[k];
+    const char *const word = last_word(r->path);
+    char misspelt[80];
+    int before = tap_count.failed, taken = 0, extremes = 0;
+
+    leave_out_semicolon(k);
+    snprintf(misspelt, sizeof misspelt, "%sx", word);
+    refuse("misspelt", &(struct slip){k, misspelt, r->value, ";"});
+    if (r->needed)
+    {
+        refuse("left out", &(struct slip){k, word, NULL, ";"});
+    }
+    for (int j = 0; wrong[r->kind][j]; j++)
+    {
+        refuse(wrong[r->kind][j], &(struct slip){k, word, wrong[r->kind][j], ";"});
+    }
+    for (int j = 0; extreme[r->kind][j]; j++)
+    {
+        taken += survive(extreme[r->kind][j], &(struct slip){k, word, extreme[r->kind][j], ";"});
+        extremes++;
+    }
+    TAP_OK(tap_count.failed == before, "%s: slips are refused by name; of %d extremes %d run", r->path, extremes, taken);
+}
+
+/* ---- effects ------------------------------------------------------------------------------------------------- */
+
+/* Two grains and a wall, on which this effect acts, and hertz where it needs another. */
+static int check_setting(const struct dem_effect *effect, const char *name, const char *value)
+{
+    char text[1024];
+    struct dem *d = NULL;
+
+    cases++;
+    snprintf(text, sizeof text, "materials { glass { density 2500; youngsModulus 1e7; } } effects { %s %s { %s %s; } }"
+             "insert { two { type list; diameter 1e-3; positions ((0 0 1) (0.0011 0 1)); } } time { step 1e-9; }"
+             "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
+             effect->stage == DEM_STAGE_NORMAL ? "" : "hertz { }", effect->name, name, value);
+    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
+    int status = dem_scene_text(d, text, "scene");
+
+    status = status ? status : dem_check(d);
+    dem_free(d);
+    return status;
+}
+
+static void settings(const struct dem_effect *effect)
+{
+    for (const struct dem_field *f = effect->settings; f && f->name; f++)
+    {
+        const enum kind kind = f->kind == DEM_FIELD_NUMBER ? NUMBER : f->kind == DEM_FIELD_VECTOR ? VECTOR
+                             : f->kind == DEM_FIELD_SWITCH ? SWITCH : WORD;
+        const char *worst = NULL;
+        int taken = 0, extremes = 0;
+
+        for (int j = 0; wrong[kind][j]; j++)
+        {
+            const int good = check_setting(effect, f->name, wrong[kind][j]) && is_sentence(dem_error_text()) && strstr(dem_error_text(), f->name)
+                          && strstr(dem_error_text(), effect->name);
+
+            worst = good ? worst : wrong[kind][j];
+        }
+        for (int j = 0; extreme[kind][j]; j++, extremes++)
+        {
+            const int status = check_setting(effect, f->name, extreme[kind][j]);
+
+            worst = status && !is_sentence(dem_error_text()) ? extreme[kind][j] : worst;
+            taken += !status;
+        }
+        TAP_OK(!worst, "effects/%s/%s: slips are refused by name; of %d extremes %d are taken %s", effect->name, f->name, extremes, taken,
+               worst ? worst : "");
+    }
+}
+
+/* ---- all ----------------------------------------------------------------------------------------------------- */
+
+/* Twenty and a hundred times what they take on a machine of 2020: a case that takes for ever or all memory shows. */
+static void resources(void)
+{
+    struct rusage used;
+
+    getrusage(RUSAGE_SELF, &used);
+    const double seconds = (double)used.ru_utime.tv_sec + (double)used.ru_stime.tv_sec + 1e-6*(double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+    const double megabytes = 1e-3*(double)used.ru_maxrss;
+
+#ifdef __SANITIZE_ADDRESS__
+    TAP_NOTE("%d cases took %.2f s and %.0f MB", cases, seconds, megabytes);
+#else
+    TAP_OK(seconds < 10.0 && megabytes < 500.0, "%d cases took %.2f s and %.0f MB, less than 10 s and 500 MB", cases, seconds, megabytes);
+#endif
+}
+
+int main(void)
+{
+    const struct fate good = try_scene(&(struct slip){.row = ALL});
+
+    TAP_TRAPS;
+    alarm(PATIENCE);
+    TAP_OK(!good.refused && !good.failed, "the good scene runs %s", good.sentence);
+    for (int k = 0; k < ROWS; k++)
+    {
+        try_row(k);
+    }
+    for (const struct dem_effect *const *e = dem_effects; *e; e++)
+    {
+        settings(*e);
+    }
+    resources();
+    TAP_DONE;
+}
