@@ -310,6 +310,13 @@ int dem_tally(struct dem *d, struct dem_tally *t)
     return DEM_OK;
 }
 
+int dem_orientation_watch(struct dem *d)
+{
+    DEM_TRY(not_ready(d, "dem_orientation_watch"));
+    d->turned = 1;
+    return DEM_OK;
+}
+
 int dem_energy_watch(struct dem *d)
 {
     DEM_TRY(not_ready(d, "dem_energy_watch"));
@@ -448,7 +455,8 @@ void dem_view(const struct dem *d, struct dem_view *v)
 
     *v = (struct dem_view){.n = p->n, .stride = sizeof *r, .position = r->x, .velocity = r->v, .spin = r->w, .radius = &r->radius,
                            .mass = &r->mass, .id = &r->id, .material = &r->material, .flags = &r->flags,
-                           .force = dem_column(p, DEM_COLUMN_FORCE), .torque = dem_column(p, DEM_COLUMN_TORQUE)};
+                           .force = dem_column(p, DEM_COLUMN_FORCE), .torque = dem_column(p, DEM_COLUMN_TORQUE),
+                           .orientation = dem_column(p, DEM_COLUMN_ORIENTATION)};
 }
 
 int dem_virial(struct dem *d, double *virial)

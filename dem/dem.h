@@ -130,6 +130,10 @@ struct dem_energy_item
 int dem_energy_watch(struct dem *);
 int dem_energy(struct dem *, double *since, int *n, const struct dem_energy_item **item);
 
+/* Asked for before dem_ready, each particle's orientation is kept: a unit quaternion (cos(a/2), n sin(a/2)), its rotation by a
+   about n since the start of the run or of the first one that kept it (snapshots hold it). No law depends on it. */
+int dem_orientation_watch(struct dem *);
+
 /* How many particles have more kinetic energy than this [J], translation and rotation. Collective. */
 int dem_moving(struct dem *, double energy, int64_t *n);
 
@@ -208,6 +212,7 @@ struct dem_view
     const uint16_t *material;                             /* stride; index for dem_material_name */
     const uint16_t *flags;                                /* stride; bit 0: frozen */
     const double *force, *torque;                         /* contact force [N] and torque [N m], contiguous, 3 each */
+    const double *orientation;                            /* contiguous, 4 each; NULL unless asked for, dem_orientation_watch */
 };
 void dem_view(const struct dem *, struct dem_view *);
 /* What contacts contribute to the stress, xx yy zz xy yz zx of each particle of the view [J]: sum of force times branch

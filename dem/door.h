@@ -38,6 +38,7 @@ struct dem
     int restored;                                         /* 1: gone back to a copy; means are those of later times */
     int broken;                                           /* 1: the last dem_advance left the ranks apart */
     int energy;                                           /* 1: the ledger was asked for */
+    int turned;                                           /* 1: orientations were asked for */
     int feels_gradient;                                   /* 1: pressureGradient is among the effects */
     double step;                                          /* s, the limit in force */
     struct dem_text plan;                                 /* the last one */

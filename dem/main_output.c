@@ -18,7 +18,7 @@
 
 struct shown                                              /* one particle as it is written */
 {
-    double position[3], velocity[3], spin[3], force[3], diameter;
+    double position[3], velocity[3], spin[3], force[3], orientation[4], diameter;
     int64_t id, material;
 };
 
@@ -35,6 +35,7 @@ int dem_output_read(struct dem_output *o, const struct dem_dict *write, const ch
         DEM_TRY(dem_dict_switch_or(write, "vtk", true, &o->vtk));
         DEM_TRY(dem_dict_word_or(write, "snapshot", "last", &kind));
         DEM_TRY(dem_dict_switch_or(write, "lastGood", true, &o->last_good));
+        DEM_TRY(dem_dict_switch_or(write, "orientation", false, &o->orientation));
     }
     o->snapshots = -1;
     for (int k = 0; k < 3; k++)
@@ -76,6 +77,10 @@ static int gather(const struct dem_program *prog, const struct dem *d, struct sh
         memcpy(s->velocity, dem_at(v.velocity, v.stride, i), sizeof s->velocity);
         memcpy(s->spin, dem_at(v.spin, v.stride, i), sizeof s->spin);
         memcpy(s->force, v.force + 3*i, sizeof s->force);
+        if (v.orientation)
+        {
+            memcpy(s->orientation, v.orientation + 4*i, sizeof s->orientation);
+        }
         s->diameter = 2.0**dem_at(v.radius, v.stride, i);
         s->id = *(const int64_t *)(const void *)((const char *)v.id + v.stride*i);
         s->material = *(const uint16_t *)(const void *)((const char *)v.material + v.stride*i);
@@ -117,11 +122,12 @@ static int write_vtk(const struct dem_output *o, const struct shown *s, int64_t 
         {"velocity", s->velocity, stride, DEM_VTK_NARROW, 3},
         {"spin", s->spin, stride, DEM_VTK_NARROW, 3},
         {"force", s->force, stride, DEM_VTK_NARROW, 3},
+        {"orientation", s->orientation, stride, DEM_VTK_NARROW, 4},
     };
     char path[640];
 
     snprintf(path, sizeof path, "%s/%s", o->folder, file);
-    return dem_vtk_write(path, n, columns, (int)(sizeof columns/sizeof columns[0]));
+    return dem_vtk_write(path, n, columns, (int)(sizeof columns/sizeof columns[0]) - !o->orientation);
 }
 
 static int check_folder(const struct dem_output *o)

@@ -17,6 +17,7 @@ struct dem_output
     bool vtk;
     double walls, energy;                                 /* s between rows of forces on walls, of energy; 0: none */
     int snapshots;                                        /* 0 no, 1 last, 2 all */
+    bool orientation;                                     /* of each particle, in pictures and snapshots */
     bool last_good;                                       /* copies are kept in memory, and written when the run fails */
 };
 

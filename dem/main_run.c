@@ -34,6 +34,7 @@ static const char help[] =
     "            vtk yes;                      particles_*.vtp and particles.pvd for ParaView, walls of triangles too\n"
     "            walls 0.001;                  s between rows of walls.csv, force and torque on walls; none unless given\n"
     "            energy 0.001;                 s between rows of energy.csv, the ledger of energy; none unless given\n"
+    "            orientation no;               yes: how each particle has turned, as a quaternion\n"
     "            snapshot last;                last | all | no: snapshot.dem, or one per output\n"
     "            lastGood yes; }               copies in memory, written as lastGood.dem when the run fails\n"
     "-restart goes on from a snapshot, on any number of ranks, with the same bits as the run that wrote it.\n"

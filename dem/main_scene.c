@@ -170,6 +170,7 @@ static int open_scene(const struct dem_program *prog, const struct request *r, s
     DEM_TRY(dem_output_check(&s->output, prog));
     DEM_TRY(leave_to_openfoam(dem_scene_dict(d), &s->coupling));
     DEM_TRY(s->output.energy > 0.0 ? dem_energy_watch(d) : DEM_OK);
+    DEM_TRY(s->output.orientation ? dem_orientation_watch(d) : DEM_OK);
     DEM_TRY(dem_check(d));
     DEM_TRY(read_gravity(s, dem_scene_dict(d)));
     DEM_TRY(dem_quiet_check(&s->quiet, s->gravity));

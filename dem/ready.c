@@ -10,6 +10,7 @@
 #include "io/snapshot.h"
 #include "step/bond_pairs.h"
 #include "step/measure.h"
+#include "step/orientation.h"
 #include "step/step.h"
 #include "step/sum_contacts.h"
 #include "step/sweep_contacts.h"
@@ -304,7 +305,7 @@ static int start_particles(struct dem *d)
     struct dem_snapshot s;
 
     dem_particles_init(&p->particles, (d->with_fluid ? DEM_GROUP_FLUID : 0) | (keeps_books(&p->recipe) ? DEM_GROUP_BOOKS : 0)
-                       | (opens_laws(&p->recipe) ? DEM_GROUP_SWARM : 0));
+                       | (opens_laws(&p->recipe) ? DEM_GROUP_SWARM : 0) | (d->turned ? DEM_GROUP_TURNED : 0));
     DEM_TRY(dem_particles_grow(&p->particles, 1));
     if (d->load[0])
     {
@@ -456,6 +457,7 @@ int dem_door_get_ready(struct dem *d)
         DEM_TRY(dem_door_read(d));
     }
     DEM_TRY(together(&d->parts, start_particles(d)));
+    dem_orientation_begin(&d->parts.particles);
     DEM_TRY(together(&d->parts, prepare_physics(d)));
     if (d->scene.fluid.given || !d->load[0])
     {

@@ -30,12 +30,13 @@ static const struct dem_column columns[DEM_COLUMNS] =
     [DEM_COLUMN_SWARM_SECOND] = {"swarmSecond", 1, DEM_GROUP_FLUID | DEM_GROUP_SWARM, NULL},
     [DEM_COLUMN_LOST] = {"lostEnergy", 1, DEM_GROUP_BOOKS, NULL},
     [DEM_COLUMN_BROKEN] = {"brokenBonds", 1, DEM_GROUP_BOOKS, NULL},
+    [DEM_COLUMN_ORIENTATION] = {"orientation", 4, DEM_GROUP_TURNED, NULL},
 };
 
 enum
 {
     RECORD_DOUBLES = (int)(sizeof(struct dem_particle)/sizeof(double)),
-    WIDEST_COLUMN = 3
+    WIDEST_COLUMN = 4
 };
 
 static int used(const struct dem_particles *p, int c)

@@ -34,7 +34,8 @@ enum dem_column_group                                     /* a column is there w
 {
     DEM_GROUP_FLUID = 1,                                  /* effects that need a fluid */
     DEM_GROUP_BOOKS = 2,                                  /* effects past touching, which keep books */
-    DEM_GROUP_SWARM = 4                                   /* laws of drag with open_bodies */
+    DEM_GROUP_SWARM = 4,                                  /* laws of drag with open_bodies */
+    DEM_GROUP_TURNED = 8                                  /* runs that ask for orientations */
 };
 
 enum dem_column_name
@@ -59,6 +60,7 @@ enum dem_column_name
     DEM_COLUMN_SWARM_SECOND,
     DEM_COLUMN_LOST,                                      /* J    lost so far to bonds and films: half of each pair's, all at a wall */
     DEM_COLUMN_BROKEN,                                    /* 1    bonds broken so far, halves as well */
+    DEM_COLUMN_ORIENTATION,                               /* 1    unit quaternion, see step/orientation.h */
     DEM_COLUMNS
 };
 

@@ -10,6 +10,7 @@
 #include "base/memory.h"
 #include "step/loss_cause.h"
 #include "step/motion.h"
+#include "step/orientation.h"
 #include "step/sum_contacts.h"
 #include "step/sweep_bodies.h"
 #include "step/sweep_contacts.h"
@@ -254,6 +255,7 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
 {
     double fastest[2] = {dem_motion_drift(&p->particles, dt), 0.0};
 
+    dem_orientation_turn(&p->particles, dt);
     p->steps++;
     dem_walls_move(&p->walls, p->time, dt);
     dem_walls_go(&p->walls, p->steps - p->before, p->ahead);
