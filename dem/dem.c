@@ -555,8 +555,8 @@ int dem_save(struct dem *d, const char *path)
     DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_save comes after dem_ready");
     DEM_TRY(dem_snapshot_write(path, &s, &p->pieces, &p->recipe, &p->particles, &p->contacts, p->pairs.wall_region));
     DEM_TRY(dem_door_together(d, save_means(d, path)));
-    /* who goes on from the file rebuilds first and wraps positions there: so does who wrote it */
-    p->stale = 1;
+    /* who goes on from the file rebuilds first and wraps positions there: so does who wrote it; without lists it stays without */
+    p->stale = p->stale == 2 ? 2 : 1;
     return DEM_OK;
 }
 
