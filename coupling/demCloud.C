@@ -297,7 +297,8 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
     kept_(-1),
     record_(mesh.time(), dict_.coupling()),
     fields_(mesh, dict_.coupling()),
-    losses_(mesh)
+    losses_(mesh),
+    bonds_(mesh.time())
 {
     build();
     look();
@@ -356,6 +357,7 @@ void Foam::demCloud::write()
     refresh();
     demWriter::write(mesh_, view_, fluid_.place ? fluid_.place : place_.cdata());
     voidFraction_.write();
+    bonds_.draw(dem_);
     writeMeans();
 }
 

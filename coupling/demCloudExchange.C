@@ -272,6 +272,7 @@ void Foam::demCloud::evolve
     depositReaction();
     report();
     losses_.tell(dem_, offset_);
+    bonds_.tell(dem_, offset_);
     refresh();
     record_.add(dem_, view_, window_);
     fields_.update(dem_, transfer_, view_);

@@ -108,6 +108,7 @@ void Foam::demCloud::fail(const string& sentence)
     if (dem_ranks_agree(dem_))
     {
         losses_.tell(dem_, offset_);
+        bonds_.tell(dem_, offset_);
         if (lastGood_ && kept_ >= 0)
         {
             also = rescue();

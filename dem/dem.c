@@ -406,6 +406,19 @@ int dem_broken_bonds(struct dem *d, int64_t *n, const struct dem_break **broke)
     return DEM_OK;
 }
 
+const char *dem_break_cause(int cause)
+{
+    static const char *const causes[] = {"unknown", "tension", "shear", "distance"};
+
+    return causes[cause > 0 && cause < (int)(sizeof causes/sizeof causes[0]) ? cause : 0];
+}
+
+int dem_bonds_draw(struct dem *d, const char *folder, const char *file, double time)
+{
+    DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_bonds_draw comes after dem_ready");
+    return dem_door_together(d, dem_bonds_lines(&d->parts, folder, file, time));
+}
+
 int dem_wall_watch(struct dem *d)
 {
     DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_wall_watch comes after dem_ready");

@@ -171,6 +171,15 @@ struct dem_break                                          /* of a bond */
 int dem_has_bonds(const struct dem *);
 int dem_bonds(struct dem *, int64_t *n, const struct dem_bond **);
 int dem_broken_bonds(struct dem *, int64_t *n, const struct dem_break **);
+const char *dem_break_cause(int cause);                   /* in a word: tension, shear, distance */
+
+/* A picture of the bonds that hold, for ParaView: a line from partner to partner in this file of a folder that is there, and its
+   place at this time [s] in bonds.pvd beside it. None of a state just read or restored, before its first step. Collective. */
+int dem_bonds_draw(struct dem *, const char *folder, const char *file, double time);
+
+/* Losses and broken bonds are noted whether or not anybody asks, 288 and 64 bytes each, on the rank that saw them, and kept
+   until dem_lost and dem_broken_bonds tell them, also through dem_restore. A long run that never calls these grows by as much: call
+   them now and then, and throw away what you don't need. */
 
 /* A 64-bit fingerprint of particles and contact memory, the same for any number of ranks. Collective. */
 int dem_hash(struct dem *, uint64_t *hash);

@@ -17,6 +17,6 @@ int dem_bond_rows_begin(const struct dem_program *, const struct dem *, const ch
 int dem_bond_rows_tell(const struct dem_program *, struct dem *, const struct dem_output *);
 
 /* Collective. A picture of the bonds that hold. On the first rank `bonds_NNNNNN.vtp` and its place in bonds.pvd. */
-int dem_bond_picture(const struct dem_program *, struct dem *, const char *folder, int64_t number, double time);
+int dem_bond_picture(struct dem *, const char *folder, int64_t number, double time);
 
 #endif

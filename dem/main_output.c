@@ -212,7 +212,7 @@ int dem_output_write(const struct dem_output *o, const struct dem_program *prog,
     DEM_TRY(dem_program_together(prog, status));
     if (o->vtk)
     {
-        DEM_TRY(dem_program_together(prog, dem_bond_picture(prog, d, o->folder, number, time)));
+        DEM_TRY(dem_bond_picture(d, o->folder, number, time));
     }
     if (o->snapshots == 2)
     {

@@ -1,0 +1,131 @@
+/*
+ * bond_lines.c -- a line from partner to partner for each bond that holds.
+ *
+ * A line goes from the particle of the lower id to where its partner is from there: through a periodic face it leaves the box.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "step/bonds.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "io/vtk.h"
+#include "step/parts.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct line                                               /* as it is written */
+{
+    double ends[6], force[3], moment[3], tension, shear, stored;
+    int64_t id[2];
+};
+
+static struct line drawn(const struct dem_bond *b)
+{
+    struct line l = {.stored = b->stored, .id = {b->id[0], b->id[1]}};
+    double r = 0.0, along = 0.0, all = 0.0;
+
+    for (int k = 0; k < 3; k++)
+    {
+        l.ends[k] = b->position[k];
+        l.ends[3 + k] = b->position[k] - b->branch[k];
+        r += b->branch[k]*b->branch[k];
+        along += b->force[k]*b->branch[k];
+        all += b->force[k]*b->force[k];
+    }
+    memcpy(l.force, b->force, sizeof l.force);
+    memcpy(l.moment, b->moment, sizeof l.moment);
+    l.tension = r > 0.0 ? -along/sqrt(r) : 0.0;
+    l.shear = sqrt(fmax(all - l.tension*l.tension, 0.0));
+    return l;
+}
+
+static int by_ids(const void *a, const void *b)
+{
+    const struct line *const p = a, *const q = b;
+    const int first = (p->id[0] > q->id[0]) - (p->id[0] < q->id[0]), second = (p->id[1] > q->id[1]) - (p->id[1] < q->id[1]);
+    const int place = (p->ends[3] > q->ends[3]) - (p->ends[3] < q->ends[3]);
+
+    return first ? first : second ? second : place;
+}
+
+/* All on the first rank. */
+static int gather(const struct dem_pieces *q, struct line **all, int64_t *n)
+{
+    struct line *const mine = *all;
+    int *count, *start, total = 0;
+    const int here = (int)*n;
+    MPI_Datatype one;
+
+    DEM_TRY(DEM_NEW(count, q->ranks));
+    DEM_TRY(DEM_NEW(start, q->ranks));
+    MPI_Gather(&here, 1, MPI_INT, count, 1, MPI_INT, 0, q->comm);
+    for (int k = 0; k < q->ranks && q->rank == 0; k++)
+    {
+        start[k] = total;
+        total += count[k];
+    }
+    DEM_TRY(DEM_NEW(*all, total + 1));
+    MPI_Type_contiguous((int)sizeof *mine, MPI_BYTE, &one);
+    MPI_Type_commit(&one);
+    MPI_Gatherv(mine, here, one, *all, count, start, one, 0, q->comm);
+    MPI_Type_free(&one);
+    *n = total;
+    dem_memory_free(mine);
+    dem_memory_free(count);
+    dem_memory_free(start);
+    return DEM_OK;
+}
+
+static int write_lines(const char *folder, const char *file, double time, struct line *l, int64_t n)
+{
+    const size_t stride = sizeof *l;
+    const struct dem_vtk_column columns[] =
+    {
+        {"points", l->ends, stride, DEM_VTK_DOUBLE, 6},
+        {"id", l->id, stride, DEM_VTK_INT64, 2},
+        {"force", l->force, stride, DEM_VTK_NARROW, 3},
+        {"moment", l->moment, stride, DEM_VTK_NARROW, 3},
+        {"tension", &l->tension, stride, DEM_VTK_NARROW, 1},
+        {"shear", &l->shear, stride, DEM_VTK_NARROW, 1},
+        {"stored", &l->stored, stride, DEM_VTK_NARROW, 1},
+    };
+    char path[1200];
+
+    qsort(l, (size_t)n, sizeof *l, by_ids);
+    DEM_REQUIRE(strlen(folder) + strlen(file) + 16 < sizeof path, DEM_ERROR_INPUT, "path %s/%s is longer than %zu letters", folder, file,
+                sizeof path - 17);
+    snprintf(path, sizeof path, "%s/%s", folder, file);
+    DEM_TRY(dem_vtk_write_lines(path, n, columns, (int)(sizeof columns/sizeof columns[0])));
+    snprintf(path, sizeof path, "%s/bonds.pvd", folder);
+    return dem_vtk_collection_add(path, time, file);
+}
+
+int dem_bonds_lines(struct dem_parts *p, const char *folder, const char *file, double time)
+{
+    struct line *lines;
+    int64_t n = 0;
+
+    if (p->stale == 2 && p->steps > 0)
+    {
+        return DEM_OK;
+    }
+    if (p->stale < 2)
+    {
+        DEM_TRY(dem_bonds_list(p, &n));
+    }
+    DEM_TRY(DEM_NEW(lines, n + 1));
+    for (int64_t k = 0; k < n; k++)
+    {
+        lines[k] = drawn(&p->bonds.hold[k]);
+    }
+    if (p->pieces.ranks > 1)
+    {
+        DEM_TRY(gather(&p->pieces, &lines, &n));
+    }
+    const int status = p->pieces.rank == 0 ? write_lines(folder, file, time, lines, n) : DEM_OK;
+
+    dem_memory_free(lines);
+    return status;
+}
