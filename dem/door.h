@@ -1,6 +1,6 @@
 /*
- * door.h -- struct dem, shared by the files of the door: dem.c (the calls), ready.c (how a scene becomes a state), check.c (what
- * can be told of it before).
+ * door.h -- struct dem, shared by the files of the door: dem.c and look.c (the calls), ready.c (how a scene becomes a state),
+ * check.c (what can be told of it before).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -43,6 +43,9 @@ struct dem
     double step;                                          /* s, the limit in force */
     struct dem_text plan;                                 /* the last one */
 };
+
+/* An error when this call comes after dem_check or dem_ready. */
+int dem_door_early(const struct dem *, const char *call);
 
 /* Collective. All ranks fail when one does. */
 int dem_door_together(const struct dem *, int status);
