@@ -48,7 +48,7 @@ static int write_row(const struct dem_energy_log *log, const struct row *r)
     fprintf(f, "%.10g,%.10g", r->now, r->since);
     for (int k = 0; k < r->n; k++)
     {
-        fprintf(f, ",%.12g", r->item[k].value);
+        fprintf(f, ",%.12g", r->item[k].value + 0.0);            /* no minus zero */
     }
     fprintf(f, "\n");
     const int bad = ferror(f) != 0;
