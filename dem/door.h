@@ -1,6 +1,6 @@
 /*
- * door.h -- struct dem, shared by the files of the door: dem.c and look.c (the calls), ready.c (how a scene becomes a state),
- * check.c (what can be told of it before).
+ * door.h -- struct dem, shared by the files of the door: dem.c and look.c (the calls), ready.c (how a scene becomes a state, with
+ * ready_walls.c and ready_particles.c), check.c (what can be told of it before).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -52,6 +52,15 @@ int dem_door_together(const struct dem *, int status);
 
 /* Collective. Tell a wall where its triangles will be at the end of the next advance; `now`: where they are. */
 int dem_door_tell_wall(struct dem *, const struct dem_mesh_wall *, int now);
+
+/* Collective. Walls that were handed in join those of the scene; where those that follow a mesh are now. */
+int dem_door_take_walls(struct dem *);
+int dem_door_place_walls(struct dem *);
+
+/* Collective. A share of the particles for every rank; their radii for the recipe; the fluid around them. */
+int dem_door_start_particles(struct dem *);
+void dem_door_survey_radii(struct dem_parts *);
+void dem_door_fill_fluid(struct dem *);
 
 /* What can be told before particles are placed: the scene has been read, walls are there. */
 int dem_door_examine(struct dem *);
