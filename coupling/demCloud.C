@@ -311,7 +311,13 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
 
 Foam::demCloud::~demCloud()
 {
+    const char* text = nullptr;
+
     ledger_.close();
+    if (!dem_profile_text(dem_, &text))
+    {
+        Info<< text << endl;
+    }
     dem_free(dem_);
 }
 

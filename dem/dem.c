@@ -56,6 +56,7 @@ void dem_free(struct dem *d)
     dem_crowd_free(&d->crowd);
     dem_averages_free(&d->parts.averages);
     dem_text_free(&d->plan);
+    dem_text_free(&d->profile);
     dem_scene_free(&d->scene);
     dem_dict_free(d->dict);
     dem_halo_free(&d->parts.halo);

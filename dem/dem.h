@@ -119,6 +119,37 @@ struct dem_tally                                          /* sums over all ranks
 };
 int dem_tally(struct dem *, struct dem_tally *);          /* collective */
 
+enum
+{
+    DEM_PROFILE_PHASES = 11
+};
+
+struct dem_profile                                        /* what the run since dem_ready has cost */
+{
+    int ranks;
+    struct
+    {
+        const char *name;                                 /* dem/README.md, section 4 */
+        double mean, most;                                /* s  over ranks */
+    } phase[DEM_PROFILE_PHASES];                          /* their means add up to wall */
+    double wall, outside;                                 /* s  since dem_ready; of it not in dem_advance: means over ranks */
+    double processor;                                     /* s  all ranks, whatever this process did */
+    double busiest;                                       /* 1  largest over mean rank of the time at work: without waiting */
+    int64_t steps, rebuilds, prunes;
+    int64_t particles, contacts;                          /* now */
+    int64_t particle_steps, row_steps;                    /* owned particles, rows in the sweep (between two ranks: in both), summed */
+    double outer_skin, inner_skin, diameter;              /* m  as they are now; the largest particle's */
+    double bytes;                                         /* of particles and lists, all ranks */
+    int64_t messages, message_bytes;                      /* sent by all ranks to refresh copies */
+    int64_t letters, letter_bytes;                        /* sent by all ranks when lists were renewed */
+    int64_t agreements;                                   /* all-reduces of steps */
+};
+
+/* Collective, after dem_ready, not within a window of anybody's. Looking changes nothing. The text is the same on all ranks and stays
+   until the next call or dem_free. */
+int dem_profile(struct dem *, struct dem_profile *);
+int dem_profile_text(struct dem *, const char **text);
+
 struct dem_energy_item
 {
     char name[72];                                        /* kinetic_translation ... total, residual: README.md, section 4 */

@@ -41,7 +41,7 @@ struct dem
     int turned;                                           /* 1: orientations were asked for */
     int feels_gradient;                                   /* 1: pressureGradient is among the effects */
     double step;                                          /* s, the limit in force */
-    struct dem_text plan;                                 /* the last one */
+    struct dem_text plan, profile;                        /* the last ones */
 };
 
 /* An error when this call comes after dem_check or dem_ready. */

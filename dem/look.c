@@ -5,7 +5,9 @@
  */
 #include "door.h"
 #include "base/error.h"
+#include "plan/profile.h"
 #include "step/measure.h"
+#include "step/profile.h"
 #include "step/virial.h"
 #include <stdio.h>
 #include <string.h>
@@ -21,6 +23,24 @@ struct dem_step_limit dem_step_limit(const struct dem *d)
 int dem_tally(struct dem *d, struct dem_tally *t)
 {
     dem_measure_tally(&d->parts, t);
+    return DEM_OK;
+}
+
+int dem_profile(struct dem *d, struct dem_profile *profile)
+{
+    DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_profile comes after dem_ready");
+    dem_profile_take(&d->parts, profile);
+    return DEM_OK;
+}
+
+int dem_profile_text(struct dem *d, const char **text)
+{
+    struct dem_profile profile;
+
+    DEM_TRY(dem_profile(d, &profile));
+    dem_text_free(&d->profile);
+    DEM_TRY(dem_profile_write(&d->profile, &profile));
+    *text = d->profile.text;
     return DEM_OK;
 }
 

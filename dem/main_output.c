@@ -28,7 +28,7 @@ int dem_output_read(struct dem_output *o, const struct dem_dict *write, const ch
     const char *const slash = strrchr(scene, '/'), *const name = slash ? slash + 1 : scene, *const dot = strrchr(name, '.');
     const char *folder = "", *kind = "last";
 
-    o->vtk = o->last_good = true;
+    o->vtk = o->last_good = o->profile = true;
     if (write)
     {
         DEM_TRY(dem_dict_text_or(write, "folder", "", &folder));
@@ -36,6 +36,7 @@ int dem_output_read(struct dem_output *o, const struct dem_dict *write, const ch
         DEM_TRY(dem_dict_word_or(write, "snapshot", "last", &kind));
         DEM_TRY(dem_dict_switch_or(write, "lastGood", true, &o->last_good));
         DEM_TRY(dem_dict_switch_or(write, "orientation", false, &o->orientation));
+        DEM_TRY(dem_dict_switch_or(write, "profile", true, &o->profile));
     }
     o->snapshots = -1;
     for (int k = 0; k < 3; k++)

@@ -18,6 +18,7 @@ struct dem_output
     double walls, energy;                                 /* s between rows of forces on walls, of energy; 0: none */
     int snapshots;                                        /* 0 no, 1 last, 2 all */
     bool orientation;                                     /* of each particle, in pictures and snapshots */
+    bool profile;                                         /* where the time went is told at the end */
     bool last_good;                                       /* copies are kept in memory, and written when the run fails */
 };
 

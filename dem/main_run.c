@@ -35,6 +35,7 @@ static const char help[] =
     "            walls 0.001;                  s between rows of walls.csv, force and torque on walls; none unless given\n"
     "            energy 0.001;                 s between rows of energy.csv, the ledger of energy; none unless given\n"
     "            orientation no;               yes: how each particle has turned, as a quaternion\n"
+    "            profile yes;                  where the time went, told at the end\n"
     "            snapshot last;                last | all | no: snapshot.dem, or one per output\n"
     "            lastGood yes; }               copies in memory, written as lastGood.dem when the run fails\n"
     "-restart goes on from a snapshot, on any number of ranks, with the same bits as the run that wrote it.\n"
@@ -110,6 +111,21 @@ static int advance(const struct dem_program *prog, struct dem *d, const struct d
     return status && dem_ranks_agree(d) ? rescue(prog, d, o, lost, status) : status;
 }
 
+static int tell_profile(const struct dem_program *prog, struct dem *d, const struct dem_output *o)
+{
+    const char *text;
+
+    if (o->profile)
+    {
+        DEM_TRY(dem_profile_text(d, &text));
+        if (prog->rank == 0)
+        {
+            fputs(text, stdout);
+        }
+    }
+    return DEM_OK;
+}
+
 /* Outputs lie at whole multiples of the interval, so that a restarted run has the same windows; looks whether all is quiet
    lie between them. */
 static int advance_to_end(struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
@@ -162,6 +178,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
             DEM_TRY(dem_bond_rows_tell(prog, d, &s->output));
         }
     }
+    DEM_TRY(tell_profile(prog, d, &s->output));
     dem_energy_log_end(&energy, prog);
     dem_quiet_tell(&quiet, prog, &t);
     return DEM_OK;

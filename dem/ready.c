@@ -210,6 +210,8 @@ int dem_door_get_ready(struct dem *d)
     }
     DEM_TRY(dem_averages_init(&d->parts.averages, d->scene.average, d->scene.averages, d->parts.time, d->parts.pieces.rank == 0));
     DEM_TRY(together(&d->parts, resume_means(d)));
+    dem_phases_begin(&d->parts.phases, d->parts.rebuilds, d->parts.prunes);
+    d->parts.halo.refreshed = d->parts.halo.in.sent = (struct dem_traffic){0, 0};
     d->ready = 1;
     return DEM_OK;
 }

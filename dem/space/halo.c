@@ -170,6 +170,8 @@ static void send_and_receive(struct dem_halo *h, int width)
         MPI_Isend(h->send_buffer + h->send_start[k]*(size_t)width, (int)(h->send_start[k + 1] - h->send_start[k])*width,
                   MPI_DOUBLE, h->send_peer[k], TAG_REFRESH, h->pieces->comm, &h->request[open++]);
     }
+    h->refreshed.messages += h->sends;
+    h->refreshed.bytes += h->sends > 0 ? (int64_t)(h->send_start[h->sends]*(size_t)width*sizeof *h->send_buffer) : 0;
     MPI_Waitall(open, h->request, MPI_STATUSES_IGNORE);
 }
 

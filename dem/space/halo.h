@@ -24,6 +24,7 @@ struct dem_halo
     uint32_t *send_index;
     double *send_buffer, *receive_buffer;
     MPI_Request *request;
+    struct dem_traffic refreshed;                         /* letters are counted in `in` */
     size_t send_peer_room, receive_peer_room, send_start_room, receive_start_room, send_index_room, send_room, receive_room,
         request_room;
 };

@@ -84,7 +84,7 @@ static int read_one(MPI_Comm comm, struct dem_mail *in, int tag)
 /* Letters arrive in any order; what is built from them must not depend on it. */
 static int sort_by_peer(struct dem_mail *in)
 {
-    struct dem_mail sorted = {.rounds = in->rounds};
+    struct dem_mail sorted = {.rounds = in->rounds, .sent = in->sent};
 
     for (int done = 0; done < in->peers; done++)
     {
@@ -115,6 +115,8 @@ int dem_mail_exchange(MPI_Comm comm, const struct dem_mail *out, struct dem_mail
 
     DEM_TRY(DEM_NEW(request, out->peers + 1));
     dem_mail_clear(in);
+    in->sent.messages += out->peers;
+    in->sent.bytes += out->peers > 0 ? (int64_t)(out->start[out->peers]*sizeof *out->data) : 0;
     status = post(comm, out, tag, request);
     while (!all_read && !status)
     {

@@ -12,6 +12,12 @@
 
 #include <mpi.h>
 #include <stddef.h>
+#include <stdint.h>
+
+struct dem_traffic                                        /* sent so far by this rank */
+{
+    int64_t messages, bytes;
+};
 
 struct dem_mail                                           /* letters of doubles, one a peer */
 {
@@ -21,6 +27,7 @@ struct dem_mail                                           /* letters of doubles,
     double *data;
     size_t peer_room, start_room, data_room;
     int rounds;                                           /* exchanges so far; counts on every rank alike */
+    struct dem_traffic sent;                              /* in a received bag: what was sent for it */
 };
 
 void dem_mail_free(struct dem_mail *);

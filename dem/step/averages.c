@@ -247,14 +247,31 @@ static int sample(struct dem_average *g, const struct dem_parts *p)
     return DEM_OK;
 }
 
+static int is_due(const struct dem_average *g, double time)
+{
+    const double due = g->plan.start + ((double)g->next - same_time)*g->plan.interval;
+
+    return time >= due && due <= g->plan.end;
+}
+
+int dem_averages_due(const struct dem_averages *a, double time)
+{
+    int due = 0;
+
+    for (int k = 0; k < a->grids; k++)
+    {
+        due |= is_due(&a->grid[k], time);
+    }
+    return due;
+}
+
 int dem_averages_sample(struct dem_averages *a, const struct dem_parts *p)
 {
     for (int k = 0; k < a->grids; k++)
     {
         struct dem_average *const g = &a->grid[k];
-        const double due = g->plan.start + ((double)g->next - same_time)*g->plan.interval;
 
-        if (p->time >= due && due <= g->plan.end)
+        if (is_due(g, p->time))
         {
             DEM_TRY(sample(g, p));
             g->next = number_after(&g->plan, p->time);

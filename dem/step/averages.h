@@ -43,6 +43,9 @@ struct dem_averages
 int dem_averages_init(struct dem_averages *, const struct dem_average_plan *, int n, double time, int collects);
 void dem_averages_free(struct dem_averages *);
 
+/* 1 when a grid is due at this time. */
+int dem_averages_due(const struct dem_averages *, double time);
+
 /* Collective. Sample the grids that are due at the present time of the parts. After a sweep. */
 int dem_averages_sample(struct dem_averages *, const struct dem_parts *);
 

@@ -70,8 +70,7 @@ static void add_particle(struct dem_sum sum[SUMS], const struct dem_particle *r)
     dem_sum_add(&sum[7], r->flags & DEM_PARTICLE_FROZEN ? 0.0 : r->mass);
 }
 
-/* Rows in touch in the last sweep, each counted by the owner of its lower particle. */
-static int64_t touching_rows(const struct dem_parts *p)
+int64_t dem_measure_touching(const struct dem_parts *p)
 {
     const struct dem_contacts *const c = &p->contacts;
     int64_t count = 0;
@@ -118,7 +117,7 @@ void dem_measure_tally(struct dem_parts *p, struct dem_tally *t)
 {
     struct dem_sum sum[SUMS];
     double value[SUMS], g[3];
-    int64_t count[2] = {(int64_t)p->particles.n, touching_rows(p)};
+    int64_t count[2] = {(int64_t)p->particles.n, dem_measure_touching(p)};
 
     for (int k = 0; k < SUMS; k++)
     {

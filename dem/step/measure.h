@@ -19,6 +19,9 @@ void dem_measure_most(const struct dem_parts *, double *value, int count);
 /* Collective. Particles, energy, momentum, touching contacts. Resets the watch's largest overlap. */
 void dem_measure_tally(struct dem_parts *, struct dem_tally *);
 
+/* Rows of this rank in touch in the last sweep, each counted by the owner of its lower particle. */
+int64_t dem_measure_touching(const struct dem_parts *);
+
 /* Collective. Particles with more kinetic energy than this [J]. */
 int64_t dem_measure_moving(const struct dem_parts *, double energy);
 

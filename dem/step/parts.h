@@ -20,6 +20,7 @@
 #include "step/ledger.h"
 #include "step/bonds.h"
 #include "step/losses.h"
+#include "step/phases.h"
 #include "step/wall_books.h"
 #include "step/wall_touch.h"
 
@@ -49,6 +50,7 @@ struct dem_parts
     struct dem_kept kept;
     struct dem_wall_books books;
     struct dem_ledger ledger;
+    struct dem_phases phases;
     int stale;                                            /* 1: rebuild in the next step whatever has moved; 2: there are no
                                                              lists of these particles yet */
     int64_t steps, rebuilds, prunes;

@@ -42,7 +42,7 @@ static int fail_together(const struct dem_parts *p, int status)
 }
 
 /* The largest of two numbers over all ranks; fails on all ranks if one has failed. */
-static int agree(const struct dem_parts *p, int status, double value[2])
+static int agree(struct dem_parts *p, int status, double value[2])
 {
     double all[3] = {value[0], value[1], status ? 1.0 : 0.0};
 
@@ -50,6 +50,7 @@ static int agree(const struct dem_parts *p, int status, double value[2])
     {
         return status;
     }
+    p->phases.agreements++;
     MPI_Allreduce(MPI_IN_PLACE, all, 3, MPI_DOUBLE, MPI_MAX, p->pieces.comm);
     value[0] = all[0];
     value[1] = all[1];
@@ -163,14 +164,20 @@ static int neighbourhood(struct dem_parts *p, double fastest, double dt)
         s->moved_outer = moved[0];
         s->moved_inner = moved[1];
     }
+    dem_phases_end(&p->phases, DEM_PHASE_AGREE);
     if (p->stale || s->moved_outer > s->half_outer || dem_walls_moved(&p->walls, DEM_LIST_OUTER) > s->half_outer)
     {
-        return dem_step_renew(p);
+        dem_phases_rare(&p->phases, DEM_PHASE_AGREE);
+        DEM_TRY(dem_step_renew(p));
+        dem_phases_rare_end(&p->phases, DEM_PHASE_RENEW);
+        return DEM_OK;
     }
     DEM_TRY(dem_halo_refresh(&p->halo, &p->particles));
+    dem_phases_end(&p->phases, DEM_PHASE_REFRESH);
     if (s->moved_inner > s->half_inner || dem_walls_moved(&p->walls, DEM_LIST_INNER) > s->half_inner)
     {
-        return prune(p);
+        DEM_TRY(prune(p));
+        dem_phases_end(&p->phases, DEM_PHASE_PRUNE);
     }
     return DEM_OK;
 }
@@ -250,9 +257,19 @@ static int not_too_far(const struct dem_parts *p, double fastest, double dt)
     return DEM_OK;
 }
 
+static void count_work(struct dem_parts *p)
+{
+    p->phases.particle_steps += (int64_t)p->particles.n;
+    for (int c = 0; c < p->contacts.classes; c++)
+    {
+        p->phases.row_steps += p->contacts.segment[c].count;
+    }
+}
+
 /* The step that ends at p->time. The status of the sweep is kept for the next agreement, so that all ranks stop together. */
 static int step(struct dem_parts *p, double dt, double kick, double since, int *status)
 {
+    dem_phases_step(&p->phases);
     double fastest[2] = {dem_motion_drift(&p->particles, dt), 0.0};
 
     dem_orientation_turn(&p->particles, dt);
@@ -265,11 +282,14 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
         p->ledger.tells = kick < dt;
     }
     *status = *status ? *status : not_too_far(p, fastest[0], dt);
+    dem_phases_end(&p->phases, DEM_PHASE_DRIFT);
     DEM_TRY(agree(p, *status, fastest));
     DEM_REQUIRE(isfinite(fastest[0]), DEM_ERROR_NUMBER, "a particle's velocity is not a number at step %lld; look at the forces "
                 "on it, and at the fluid around it", (long long)p->steps);
     DEM_TRY(neighbourhood(p, fastest[0], dt));
+    count_work(p);
     *status = dem_sweep_contacts(p, dt, (const double[2]){since, p->time});
+    dem_phases_end(&p->phases, DEM_PHASE_CONTACTS);
     dem_sum_contacts(&p->particles, &p->contacts);
     if (p->ledger.open)
     {
@@ -277,11 +297,27 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
     }
     dem_wall_books_add(p, kick);
     dem_sum_books(&p->particles, &p->contacts);
+    dem_phases_end(&p->phases, DEM_PHASE_SUMS);
     if (p->kept.every > 0 && p->steps >= p->kept.steps + p->kept.every && kick == dt)
     {
+        dem_phases_rare(&p->phases, DEM_PHASE_SUMS);
         *status = keep(p, *status, 0.5*dt);
+        dem_phases_rare_end(&p->phases, DEM_PHASE_KEEP);
     }
     dem_sweep_bodies(&p->particles, &p->recipe.bodies, kick, p->window, p->ledger.open ? &p->ledger : NULL);
+    dem_phases_end(&p->phases, DEM_PHASE_BODIES);
+    return DEM_OK;
+}
+
+static int sample(struct dem_parts *p)
+{
+    if (!dem_averages_due(&p->averages, p->time))
+    {
+        return DEM_OK;
+    }
+    dem_phases_rare(&p->phases, DEM_PHASE_BODIES);
+    DEM_TRY(dem_averages_sample(&p->averages, p));
+    dem_phases_rare_end(&p->phases, DEM_PHASE_AVERAGES);
     return DEM_OK;
 }
 
@@ -295,6 +331,7 @@ int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
     p->dt = dt;
     p->before = p->steps;
     p->ahead = steps;
+    dem_phases_enter(&p->phases, p->particles.n);
     dem_walls_move(&p->walls, start, 0.0);
     dem_walls_set_off(&p->walls, window);
     dem_bodies_open(&p->particles, &p->recipe.bodies);
@@ -304,15 +341,17 @@ int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
     }
     dem_wall_books_add(p, 0.5*dt);
     dem_sweep_bodies(&p->particles, &p->recipe.bodies, 0.5*dt, window, p->ledger.open ? &p->ledger : NULL);
+    dem_phases_end(&p->phases, DEM_PHASE_BODIES);
     for (int64_t k = 1; k <= steps; k++)
     {
         const double since = p->time;
 
         p->time = start + (double)k*dt;
         DEM_TRY(step(p, dt, k < steps ? dt : 0.5*dt, since, &status));
-        DEM_TRY(dem_averages_sample(&p->averages, p));
+        DEM_TRY(sample(p));
     }
     DEM_TRY(agree(p, status, none));
     dem_bodies_close(&p->particles);
+    dem_phases_leave(&p->phases);
     return DEM_OK;
 }

@@ -1,0 +1,171 @@
+/*
+ * What a run tells of its cost is so: phases of one rank add up to the time that passed, by another reading of the clock, whether
+ * each step is looked at or one in many; what is counted agrees with what is known of the scene; looking changes nothing.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Judges: the clock read before and after, which encloses what the profile may say; a bed whose rows are known.
+ */
+#include "tap.h"
+
+#include "base/clock.h"
+#include "dem.h"
+#include "step/phases.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* n spheres in a row on a floor, none near another, at rest where the floor carries them: one row each. */
+static struct dem *make(int n)
+{
+    static const char scene[] =
+        "materials { glass { density 2500; youngsModulus 1e6; } }"
+        "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } }"
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
+        "neighbours { outerSkin 0.2; innerSkin 0.1; }";
+    struct dem_seed *const seed = calloc((size_t)n, sizeof *seed);
+    struct dem *d = NULL;
+    int status = dem_create(&d, MPI_COMM_NULL) || dem_scene_text(d, scene, "row");
+
+    for (int k = 0; k < n; k++)
+    {
+        seed[k] = (struct dem_seed){.position = {2e-3*(k%100), 2e-3*(k/100), 0.5e-3}, .diameter = 1e-3, .id = k, .material = "glass"};
+    }
+    status = status || dem_add_particles(d, n, seed) || dem_ready(d);
+    free(seed);
+    if (status)
+    {
+        printf("Bail out! %s\n", dem_error_text());
+        exit(1);
+    }
+    return d;
+}
+
+static void run(struct dem *d, int steps)
+{
+    if (dem_advance(d, steps*dem_step_limit(d).used))
+    {
+        printf("Bail out! %s\n", dem_error_text());
+        exit(1);
+    }
+}
+
+static void wait_for(double seconds)
+{
+    const double start = dem_clock_wall();
+
+    while (dem_clock_wall() - start < seconds)
+    {
+    }
+}
+
+static void times(int n, int steps)
+{
+    const double before = dem_clock_wall();
+    struct dem *const d = make(n);
+    const double ready = dem_clock_wall();
+    struct dem_profile f;
+    double sum = 0.0;
+
+    run(d, steps);
+    const double between = dem_clock_wall();
+
+    wait_for(0.02);
+    const double asked = dem_clock_wall();
+
+    TAP_OK(dem_profile(d, &f) == 0, "%d spheres: a profile", n);
+    const double told = dem_clock_wall();
+
+    for (int k = 0; k < DEM_PROFILE_PHASES; k++)
+    {
+        TAP_OK(f.phase[k].mean >= 0.0 && f.phase[k].mean == f.phase[k].most, "%d spheres: %s: %.3g s of the only rank", n,
+               f.phase[k].name, f.phase[k].mean);
+        sum += f.phase[k].mean;
+    }
+    TAP_NEAR(sum, f.wall, 1e-12*f.wall, "%d spheres: phases add up to the whole", n);          /* rounding */
+    TAP_OK(f.wall >= asked - ready && f.wall <= told - before, "%d spheres: %.4g s: between %.4g and %.4g s", n, f.wall, asked - ready,
+           told - before);
+    TAP_OK(f.outside >= 0.02, "%d spheres: 0.02 s of waiting are outside", n);
+    /* sums of many differences of one clock round: 1e-9 s is a thousand times that */
+    TAP_OK(f.wall - f.outside <= between - before + 1e-9 && f.wall - f.outside > 0.0, "%d spheres: the rest is the advance", n);
+    TAP_OK(f.processor > 0.0 && f.busiest == 1.0 && f.ranks == 1, "%d spheres: one rank, busy", n);
+    dem_free(d);
+}
+
+static void counts(int n, int steps)
+{
+    struct dem *const d = make(n);
+    struct dem_profile f;
+    struct dem_tally t;
+    const char *text;
+
+    run(d, steps);
+    dem_profile(d, &f);
+    dem_tally(d, &t);
+    TAP_OK(f.steps == t.steps && f.particles == n && f.contacts == t.contacts, "%lld steps, %lld particles, %lld contacts", (long long)f.steps,
+           (long long)f.particles, (long long)f.contacts);
+    TAP_OK(f.particle_steps == (int64_t)n*steps && f.row_steps == (int64_t)n*steps, "%lld particle-steps, as many rows",
+           (long long)f.particle_steps);
+    TAP_OK(f.rebuilds == 1 && f.prunes == 1, "lists are made once: the start is not the run");
+    TAP_NEAR(f.outer_skin/f.diameter, 0.2, 1e-12, "the outer skin");                            /* rounding */
+    TAP_NEAR(f.inner_skin/f.diameter, 0.1, 1e-12, "the inner skin");
+    TAP_OK(f.messages == 0 && f.letters == 0 && f.agreements == 0, "alone: no messages");
+    TAP_OK(f.bytes > 128.0*n, "a particle has 128 bytes and more, %g", f.bytes/n);
+    TAP_OK(dem_profile_text(d, &text) == 0 && strstr(text, "contacts") && strstr(text, "particle-steps/s") && strstr(text, "skins 0.2 and 0.1"),
+           "in words");
+    dem_free(d);
+}
+
+static void looking_changes_nothing(void)
+{
+    struct dem *const a = make(50), *const b = make(50);
+    struct dem_profile f;
+    uint64_t first, second;
+
+    for (int k = 0; k < 5; k++)
+    {
+        run(a, 20);
+        run(b, 20);
+        dem_profile(b, &f);
+    }
+    dem_hash(a, &first);
+    dem_hash(b, &second);
+    TAP_OK(first == second, "looking changes nothing");
+    dem_free(a);
+    dem_free(b);
+}
+
+/* What the clock takes of a step of 5000 particles that take 0.06 us each. The least of ten goes: others use the machine. */
+static void cost(void)
+{
+    enum { READINGS = 100000 };
+    struct dem_phases t;
+    double least = INFINITY;
+
+    for (int k = 0; k < 10; k++)
+    {
+        const double start = dem_clock_wall();
+
+        dem_phases_begin(&t, 0, 0);
+        dem_phases_enter(&t, 5000);
+        dem_phases_step(&t);
+        for (int r = 0; r < READINGS; r++)
+        {
+            dem_phases_end(&t, DEM_PHASE_DRIFT);
+        }
+        least = fmin(least, (dem_clock_wall() - start)/READINGS);
+    }
+    TAP_NOTE("a reading takes %.3g ns, nine %.2g %% of such a step", 1e9*least, 100.0*9.0*least/(5000*0.06e-6));
+    /* a clock that is a system call takes some 500 ns, and would be told here */
+    TAP_OK(9.0*least < 4e-3*5000*0.06e-6, "nine readings are next to nothing");
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    times(20, 2000);
+    times(6000, 20);
+    counts(300, 40);
+    looking_changes_nothing();
+    cost();
+    TAP_DONE;
+}
