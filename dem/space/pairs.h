@@ -30,20 +30,8 @@ struct dem_pairs
     double *at_outer, *at_inner;                          /* m: positions then, 3 an owned particle */
     size_t at_room;
 
-    size_t entries, entry_room, cell_room;                /* the grid; entries are particles and their periodic images */
-    struct dem_grid_entry *entry;
-    uint32_t *cell_start;
-    double origin[3], edge;
-    int cells[3];
-
     size_t near_room;
     uint8_t *near;
-};
-
-struct dem_grid_entry                                     /* what a distance test needs, packed */
-{
-    double x[3], radius;
-    uint32_t particle, shift;
 };
 
 /* `skin` [m]: outer, inner; `reach` [m]: past touching, of all effects. */
@@ -59,6 +47,9 @@ int dem_pairs_order(struct dem_pairs *, struct dem_particles *);
 /* Find all outer pairs of owned particles with owned ones, copies and walls, sorted by class. */
 int dem_pairs_find(struct dem_pairs *, const struct dem_domain *, const struct dem_particles *, const struct dem_walls *,
                    const struct dem_recipe *, struct dem_contacts *);
+
+/* Part of the above: where particles are now. */
+int dem_pairs_remember(struct dem_pairs *, const struct dem_particles *);
 
 /* Prune near rows from the outer pairs at the present positions. */
 int dem_pairs_prune(struct dem_pairs *, const struct dem_particles *, const struct dem_walls *, struct dem_contacts *);

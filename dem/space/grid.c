@@ -1,0 +1,356 @@
+/*
+ * grid.c -- entries made, counted by cell and put in place; the order of owned particles.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "space/grid.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/sort.h"
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+enum
+{
+    CELLS_AN_ENTRY = 8,                                   /* an emptier level gets wider cells */
+    FEW = 32,                                             /* ids that are sorted by insertion */
+    PADDING = 8                                           /* entries that may be read past the last */
+};
+
+struct box
+{
+    double min[3], max[3];                                /* m */
+};
+
+static const struct box nothing = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+static void enclose(struct box *b, const double x[3])
+{
+    for (int k = 0; k < 3; k++)
+    {
+        b->min[k] = x[k] < b->min[k] ? x[k] : b->min[k];
+        b->max[k] = x[k] > b->max[k] ? x[k] : b->max[k];
+    }
+}
+
+static struct box owned_box(const struct dem_particles *p)
+{
+    struct box b = nothing;
+
+    for (size_t i = 0; i < p->n; i++)
+    {
+        enclose(&b, p->record[i].x);
+    }
+    return b;
+}
+
+/* Cells over a box, wider when there would be many for `count` entries. Returns how many. */
+static size_t size_level(struct dem_grid_level *l, const struct box *b, size_t count)
+{
+    const double most = CELLS_AN_ENTRY*(double)count + 64.0;
+    double cells;
+
+    do
+    {
+        cells = 1.0;
+        for (int k = 0; k < 3; k++)
+        {
+            l->cells[k] = b->max[k] > b->min[k] ? (int)fmin(1e6, (b->max[k] - b->min[k])/l->edge) + 1 : 1;
+            cells *= l->cells[k];
+        }
+        l->edge *= cells > most ? 1.26 : 1.0;
+    } while (cells > most);
+    return (size_t)cells;
+}
+
+static size_t cell_of(const struct dem_grid *g, const struct dem_grid_level *l, const double x[3])
+{
+    const int c[3] = {dem_grid_cell(l, x[0] - g->origin[0], 0), dem_grid_cell(l, x[1] - g->origin[1], 1),
+                      dem_grid_cell(l, x[2] - g->origin[2], 2)};
+
+    return l->first + ((size_t)c[2]*(size_t)l->cells[1] + (size_t)c[1])*(size_t)l->cells[0] + (size_t)c[0];
+}
+
+/* ---- the order of owned particles ---------------------------------------------------------------------------- */
+
+/* Places of one cell by id; `room` for as many. */
+static void sort_cell(const struct dem_particles *p, uint32_t *order, uint32_t count, uint64_t *key, uint32_t *index)
+{
+    for (uint32_t k = 0; count > FEW && k < count; k++)
+    {
+        key[k] = (uint64_t)p->record[order[k]].id;
+    }
+    if (count > FEW)
+    {
+        dem_sort_keys(key, order, count, key + count, index);
+    }
+    for (uint32_t k = 1; count <= FEW && k < count; k++)
+    {
+        const uint32_t here = order[k];
+        uint32_t m = k;
+
+        for (; m > 0 && p->record[order[m - 1]].id > p->record[here].id; m--)
+        {
+            order[m] = order[m - 1];
+        }
+        order[m] = here;
+    }
+}
+
+static int sort_cells(const struct dem_particles *p, uint32_t *order, const uint32_t *end, size_t cells)
+{
+    uint64_t *key;
+    uint32_t *index, most = 0;
+
+    for (size_t c = 0; c < cells; c++)
+    {
+        const uint32_t count = end[c] - (c > 0 ? end[c - 1] : 0);
+
+        most = count > most ? count : most;
+    }
+    most = most > FEW ? most : 0;
+    DEM_TRY(DEM_NEW(key, 2*most));
+    DEM_TRY(DEM_NEW(index, most));
+    for (size_t c = 0; c < cells; c++)
+    {
+        const uint32_t first = c > 0 ? end[c - 1] : 0;
+
+        sort_cell(p, order + first, end[c] - first, key, index);
+    }
+    dem_memory_free(key);
+    dem_memory_free(index);
+    return DEM_OK;
+}
+
+/* Counts of cells c, at place c + 1, become places of their first entries. */
+static void counts_to_starts(uint32_t *start, size_t cells)
+{
+    for (size_t c = 1; c <= cells; c++)
+    {
+        start[c] += start[c - 1];
+    }
+}
+
+int dem_grid_order(struct dem_grid *g, const struct dem_particles *p, uint32_t *order)
+{
+    const struct box b = owned_box(p);
+    struct dem_grid_level l = g->level[0];
+    const size_t cells = size_level(&l, &b, p->n);
+    uint32_t *start, *cell;
+
+    l.first = 0;
+    memcpy(g->origin, b.min, sizeof g->origin);
+    DEM_TRY(DEM_NEW(start, cells + 1));
+    DEM_TRY(DEM_NEW(cell, p->n + 1));
+    for (size_t i = 0; i < p->n; i++)
+    {
+        cell[i] = (uint32_t)cell_of(g, &l, p->record[i].x);
+        start[cell[i] + 1]++;
+    }
+    counts_to_starts(start, cells);
+    for (size_t i = 0; i < p->n; i++)
+    {
+        order[start[cell[i]]++] = (uint32_t)i;            /* the starts move on and end as ends */
+    }
+    const int status = sort_cells(p, order, start, cells);
+
+    dem_memory_free(start);
+    dem_memory_free(cell);
+    return status;
+}
+
+/* ---- entries ------------------------------------------------------------------------------------------------- */
+
+struct list                                               /* of entries to be */
+{
+    size_t n, room;
+    struct entry
+    {
+        uint32_t particle, cell;
+        uint8_t shift, level;
+    } *entry;
+};
+
+static uint8_t level_of(const struct dem_grid *g, double radius)
+{
+    int l = 0;
+
+    while (l + 1 < g->levels && radius > g->level[l].radius)
+    {
+        l++;
+    }
+    return (uint8_t)l;
+}
+
+/* Shifts by -1, 0, 1 box along each axis that bring x within `reach` of the box, as bits 0, 1, 2. */
+static void shifts_inside(const struct dem_domain *d, const double x[3], double reach, const struct box *b, unsigned inside[3])
+{
+    for (int k = 0; k < 3; k++)
+    {
+        const double min = b->min[k] - reach, max = b->max[k] + reach;
+
+        inside[k] = (x[k] > min && x[k] < max) ? 2u : 0u;
+        if (d->periodic[k])
+        {
+            inside[k] |= (x[k] - d->length[k] > min && x[k] - d->length[k] < max) ? 1u : 0u;
+            inside[k] |= (x[k] + d->length[k] > min && x[k] + d->length[k] < max) ? 4u : 0u;
+        }
+    }
+}
+
+static void add_entry(const struct dem_grid *g, const struct dem_particle *r, const double shift[4], struct entry as, struct list *list,
+                      struct box *all)
+{
+    const double x[3] = {r->x[0] + shift[0], r->x[1] + shift[1], r->x[2] + shift[2]};
+
+    as.level = level_of(g, r->radius);
+    list->entry[list->n++] = as;
+    enclose(all, x);
+}
+
+/* Every record at every shift that brings it within reach of the owned particles' box; `all`: the box that they are in. */
+static int list_entries(struct dem_grid *g, const struct dem_domain *d, const struct dem_particles *p, double shift[DEM_SHIFTS][4],
+                        struct list *list, struct box *all)
+{
+    const double reach = g->gap + g->level[g->levels - 1].radius;
+    const struct box owned = owned_box(p);
+
+    *all = nothing;
+    DEM_TRY(DEM_GROW(list->entry, list->room, p->n + p->ghosts + p->n/4 + DEM_SHIFTS));
+    for (size_t i = 0; i < p->n + p->ghosts; i++)
+    {
+        const struct dem_particle *const r = &p->record[i];
+        struct entry e = {.particle = (uint32_t)i, .shift = DEM_SHIFT_NONE};
+        unsigned inside[3];
+
+        shifts_inside(d, r->x, reach + r->radius, &owned, inside);
+        if (inside[0] == 2u && inside[1] == 2u && inside[2] == 2u)    /* nearly all */
+        {
+            DEM_TRY(DEM_GROW(list->entry, list->room, list->n + 1));
+            add_entry(g, r, shift[DEM_SHIFT_NONE], e, list, all);
+            continue;
+        }
+        DEM_TRY(DEM_GROW(list->entry, list->room, list->n + DEM_SHIFTS));
+        for (e.shift = 0; e.shift < DEM_SHIFTS; e.shift++)
+        {
+            if (inside[0] >> e.shift%3 & inside[1] >> e.shift/3%3 & inside[2] >> e.shift/9 & 1u)
+            {
+                add_entry(g, r, shift[e.shift], e, list, all);
+            }
+        }
+    }
+    return DEM_OK;
+}
+
+static int size_levels(struct dem_grid *g, const struct list *list, const struct box *all)
+{
+    size_t count[DEM_GRID_LEVELS] = {0}, cells = 0;
+
+    for (size_t e = 0; e < list->n; e++)
+    {
+        count[list->entry[e].level]++;
+    }
+    for (int k = 0; k < g->levels; k++)
+    {
+        g->level[k].first = cells;
+        cells += size_level(&g->level[k], all, count[k]);
+    }
+    memcpy(g->origin, all->min, sizeof g->origin);
+    return DEM_NEW(g->start, cells + 2);
+}
+
+static int new_entries(struct dem_grid *g, const struct box *all, size_t n)
+{
+    double extent = 0.0;
+
+    for (int k = 0; k < 3; k++)
+    {
+        extent = fmax(extent, all->max[k] - all->min[k]);
+    }
+    /* both places rounded to half a unit in the last place, and their difference, sqrt 3 of it; 4 where 3 would do */
+    g->slack = (float)(4.0*FLT_EPSILON*(extent + g->level[g->levels - 1].edge));
+    g->entries = n;
+    DEM_TRY(DEM_NEW(g->x, n + PADDING));
+    DEM_TRY(DEM_NEW(g->y, n + PADDING));
+    DEM_TRY(DEM_NEW(g->z, n + PADDING));
+    DEM_TRY(DEM_NEW(g->radius, n + PADDING));
+    DEM_TRY(DEM_NEW(g->particle, n + 1));
+    return DEM_NEW(g->shift, n + 1);
+}
+
+/* Where an entry is [m]. */
+static void place_of(const struct dem_particles *p, double shift[DEM_SHIFTS][4], const struct entry *e, double x[3])
+{
+    for (int k = 0; k < 3; k++)
+    {
+        x[k] = p->record[e->particle].x[k] + shift[e->shift][k];
+    }
+}
+
+static void put_entries(struct dem_grid *g, const struct dem_particles *p, double shift[DEM_SHIFTS][4], const struct list *list)
+{
+    double x[3];
+
+    for (size_t k = 0; k < list->n; k++)
+    {
+        const struct entry *const from = &list->entry[k];
+        const uint32_t e = g->start[from->cell + 1]++;
+
+        place_of(p, shift, from, x);
+        g->x[e] = (float)(x[0] - g->origin[0]);
+        g->y[e] = (float)(x[1] - g->origin[1]);
+        g->z[e] = (float)(x[2] - g->origin[2]);
+        g->radius[e] = (float)p->record[from->particle].radius;
+        g->particle[e] = from->particle;
+        g->shift[e] = from->shift;
+    }
+}
+
+static int fill(struct dem_grid *g, const struct dem_domain *d, const struct dem_particles *p, double shift[DEM_SHIFTS][4],
+                struct list *list)
+{
+    const struct dem_grid_level *const last = &g->level[g->levels - 1];
+    struct box all;
+    double x[3];
+
+    DEM_TRY(list_entries(g, d, p, shift, list, &all));
+    DEM_TRY(size_levels(g, list, &all));
+    DEM_TRY(new_entries(g, &all, list->n));
+    for (size_t e = 0; e < list->n; e++)
+    {
+        struct entry *const to = &list->entry[e];
+
+        place_of(p, shift, to, x);
+        to->cell = (uint32_t)cell_of(g, &g->level[to->level], x);
+        g->start[to->cell + 2]++;
+    }
+    /* counts are two places on: while entries are put, start[c + 1] is where cell c goes on, afterwards where it ends */
+    counts_to_starts(g->start, last->first + (size_t)last->cells[0]*(size_t)last->cells[1]*(size_t)last->cells[2] + 1);
+    put_entries(g, p, shift, list);
+    return DEM_OK;
+}
+
+int dem_grid_fill(struct dem_grid *g, const struct dem_domain *d, const struct dem_particles *p, double shift[DEM_SHIFTS][4])
+{
+    struct list list = {0};
+    const int status = fill(g, d, p, shift, &list);
+
+    dem_memory_free(list.entry);
+    return status;
+}
+
+void dem_grid_empty(struct dem_grid *g)
+{
+    dem_memory_free(g->start);
+    dem_memory_free(g->x);
+    dem_memory_free(g->y);
+    dem_memory_free(g->z);
+    dem_memory_free(g->radius);
+    dem_memory_free(g->particle);
+    dem_memory_free(g->shift);
+    g->start = g->particle = NULL;
+    g->x = g->y = g->z = g->radius = NULL;
+    g->shift = NULL;
+    g->entries = 0;
+}

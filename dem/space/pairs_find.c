@@ -1,0 +1,351 @@
+/*
+ * pairs_find.c -- the outer pairs: each entry of the grid against those behind it, then walls; sorted by class.
+ *
+ * Within a level an entry looks at the rest of its own cell, the next cell along x, and the rows of three cells at (y + 1, z) and
+ * (y - 1 ... y + 1, z + 1): so two meet once. A large particle looks at all smaller levels' cells around it. A test in single
+ * precision by eights picks who may be near; true coordinates decide.
+ *
+ * Periodic images are entries of their own at shifted places, used for searching only; the pair keeps the shift. Two images never
+ * make a pair. Of an owned particle and an image of another owned one there is a mirrored pair elsewhere: that of the lower id counts.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "space/grid.h"
+#include "space/pairs.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "effects/effect.h"
+#include <math.h>
+#include <string.h>
+
+enum
+{
+    WIDE = 8,                                             /* numbers tested at a time */
+    RUNS = 64                                             /* of one call */
+};
+
+struct run
+{
+    uint32_t from, end;                                   /* entries */
+};
+
+struct finder
+{
+    struct dem_pairs *s;
+    const struct dem_particles *p;
+    const struct dem_recipe *r;
+    struct dem_contacts *c;
+    struct dem_grid *g;
+    uint32_t *hit;                                        /* entries that may be near */
+    size_t hit_room;
+};
+
+typedef float eight __attribute__((vector_size(32), aligned(4), may_alias));
+typedef int eight_whole __attribute__((vector_size(32)));
+
+/* ---- picking ------------------------------------------------------------------------------------------------- */
+
+/* Of the runs those entries nearer to `me` (x, y, z, radius with gap) than both radii; returns their number. Their places are written
+   one by one, each over the last one that was not near: `hit` has room for all and WIDE more. */
+DEM_KERNEL
+static size_t pick(const struct dem_grid *g, const struct run *run, int runs, const float me[4], uint32_t *restrict hit)
+{
+    const eight_whole lane = {0, 1, 2, 3, 4, 5, 6, 7};
+    size_t n = 0;
+
+    for (int k = 0; k < runs; k++)
+    {
+        for (uint32_t e = run[k].from; e < run[k].end; e += WIDE)
+        {
+            const eight dx = *(const eight *)(g->x + e) - me[0], dy = *(const eight *)(g->y + e) - me[1];
+            const eight dz = *(const eight *)(g->z + e) - me[2], reach = *(const eight *)(g->radius + e) + me[3];
+            const eight_whole near = (dx*dx + dy*dy + dz*dz < reach*reach) & (lane < (int)(run[k].end - e));
+
+            for (int l = 0; l < WIDE; l++)
+            {
+                hit[n] = e + (uint32_t)l;
+                n -= (size_t)(ptrdiff_t)near[l];          /* true is -1 */
+            }
+        }
+    }
+    return n;
+}
+
+/* ---- pairs --------------------------------------------------------------------------------------------------- */
+
+static inline int is_home(const struct finder *f, uint32_t e)
+{
+    return f->g->particle[e] < f->p->n && f->g->shift[e] == DEM_SHIFT_NONE;
+}
+
+/* Of two entries, `home` an owned particle where it is. There is room for the pair. */
+static inline int try_pair(struct finder *f, uint32_t home, uint32_t other)
+{
+    const struct dem_grid *const g = f->g;
+    const uint32_t a = g->particle[home], b = g->particle[other];
+    const struct dem_particle *const me = &f->p->record[a], *const it = &f->p->record[b];
+    const int code = g->shift[other];
+    const double *const shift = f->s->shift[code];
+    const double dx = me->x[0] - (it->x[0] + shift[0]), dy = me->x[1] - (it->x[1] + shift[1]), dz = me->x[2] - (it->x[2] + shift[2]);
+    const double reach = me->radius + it->radius + f->s->outer;
+
+    if (!(dx*dx + dy*dy + dz*dz < reach*reach))
+    {
+        return DEM_OK;
+    }
+    const int first = me->id < it->id, mirrored = b < f->p->n && code != DEM_SHIFT_NONE;
+
+    DEM_REQUIRE(me->id != it->id, DEM_ERROR_INPUT,
+                "particle %lld reaches its own periodic image; make the domain at least two diameters and a skin wide", (long long)me->id);
+    if ((mirrored && !first) || (me->flags & it->flags & DEM_PARTICLE_FROZEN))
+    {
+        return DEM_OK;
+    }
+    f->c->pair[f->c->pairs++] = (struct dem_pair){.i = first ? a : b, .j = first ? b : a, .row = DEM_ROW_NONE,
+                                                  .class = (uint16_t)f->r->class_of[0][me->material][it->material],
+                                                  .shift = (uint8_t)(first ? DEM_SHIFTS - 1 - code : code)};
+    return DEM_OK;
+}
+
+static int pairs_of(struct finder *f, uint32_t e, const struct run *run, int runs)
+{
+    const struct dem_grid *const g = f->g;
+    const float me[4] = {g->x[e], g->y[e], g->z[e], g->radius[e] + (float)f->s->outer + g->slack};
+    const int home = is_home(f, e);
+    size_t most = WIDE, hits;
+
+    for (int k = 0; k < runs; k++)
+    {
+        most += run[k].end - run[k].from;
+    }
+    DEM_TRY(DEM_GROW(f->hit, f->hit_room, most));
+    hits = pick(g, run, runs, me, f->hit);
+    DEM_TRY(DEM_GROW(f->c->pair, f->c->pair_room, f->c->pairs + hits));
+    for (size_t k = 0; k < hits; k++)
+    {
+        const uint32_t other = f->hit[k];
+
+        if (home)
+        {
+            DEM_TRY(try_pair(f, e, other));
+        }
+        else if (is_home(f, other))
+        {
+            DEM_TRY(try_pair(f, other, e));
+        }
+    }
+    return DEM_OK;
+}
+
+/* ---- within a level ------------------------------------------------------------------------------------------ */
+
+/* The entries of a row's cells beside x, if the row is there. */
+static int add_run(const struct dem_grid *g, const struct dem_grid_level *l, const int cell[3], struct run *run)
+{
+    const int last = l->cells[0] - 1;
+
+    if (cell[1] < 0 || cell[1] >= l->cells[1] || cell[2] >= l->cells[2])
+    {
+        return 0;
+    }
+    run->from = dem_grid_run(g, l, cell[0] > 0 ? cell[0] - 1 : 0, cell[1], cell[2]);
+    run->end = dem_grid_run(g, l, (cell[0] < last ? cell[0] + 1 : last) + 1, cell[1], cell[2]);
+    return run->from < run->end;
+}
+
+static int pairs_of_cell(struct finder *f, const struct dem_grid_level *l, const int cell[3])
+{
+    static const int behind[4][2] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
+    const struct dem_grid *const g = f->g;
+    const uint32_t from = dem_grid_run(g, l, cell[0], cell[1], cell[2]), end = dem_grid_run(g, l, cell[0] + 1, cell[1], cell[2]);
+    struct run run[5];
+    int runs = 1;
+
+    if (from == end)
+    {
+        return DEM_OK;
+    }
+    run[0].end = dem_grid_run(g, l, (cell[0] + 1 < l->cells[0] ? cell[0] + 1 : cell[0]) + 1, cell[1], cell[2]);
+    for (int k = 0; k < 4; k++)
+    {
+        const int beside[3] = {cell[0], cell[1] + behind[k][0], cell[2] + behind[k][1]};
+
+        runs += add_run(g, l, beside, &run[runs]);
+    }
+    for (uint32_t e = from; e < end; e++)
+    {
+        run[0].from = e + 1;
+        DEM_TRY(pairs_of(f, e, run, runs));
+    }
+    return DEM_OK;
+}
+
+static int pairs_of_level(struct finder *f, const struct dem_grid_level *l)
+{
+    int cell[3];
+
+    for (cell[2] = 0; cell[2] < l->cells[2]; cell[2]++)
+    {
+        for (cell[1] = 0; cell[1] < l->cells[1]; cell[1]++)
+        {
+            for (cell[0] = 0; cell[0] < l->cells[0]; cell[0]++)
+            {
+                DEM_TRY(pairs_of_cell(f, l, cell));
+            }
+        }
+    }
+    return DEM_OK;
+}
+
+/* ---- between levels ------------------------------------------------------------------------------------------ */
+
+/* How far a coordinate is from the cells c of an axis. */
+static double off(const struct dem_grid_level *l, double x, int c)
+{
+    const double low = c*l->edge - x, high = x - (c + 1)*l->edge;
+
+    return low > 0.0 ? low : high > 0.0 ? high : 0.0;
+}
+
+/* The smaller particles around a large one, row by row within the ball that they may be in. */
+static int pairs_with_smaller(struct finder *f, uint32_t e, const struct dem_grid_level *l)
+{
+    const struct dem_grid *const g = f->g;
+    const double x[3] = {g->x[e], g->y[e], g->z[e]}, reach = g->radius[e] + l->radius + f->s->outer + 2.0*g->slack;
+    struct run run[RUNS];
+    int runs = 0;
+
+    for (int z = dem_grid_cell(l, x[2] - reach, 2); z <= dem_grid_cell(l, x[2] + reach, 2); z++)
+    {
+        for (int y = dem_grid_cell(l, x[1] - reach, 1); y <= dem_grid_cell(l, x[1] + reach, 1); y++)
+        {
+            const double dy = off(l, x[1], y), dz = off(l, x[2], z), square = reach*reach - dy*dy - dz*dz;
+            const double half = square > 0.0 ? sqrt(square) : -1.0;
+
+            if (half < 0.0)
+            {
+                continue;
+            }
+            run[runs].from = dem_grid_run(g, l, dem_grid_cell(l, x[0] - half, 0), y, z);
+            run[runs].end = dem_grid_run(g, l, dem_grid_cell(l, x[0] + half, 0) + 1, y, z);
+            runs += run[runs].from < run[runs].end;
+            if (runs == RUNS)
+            {
+                DEM_TRY(pairs_of(f, e, run, runs));
+                runs = 0;
+            }
+        }
+    }
+    return pairs_of(f, e, run, runs);
+}
+
+static int pairs_between(struct finder *f, int large)
+{
+    const struct dem_grid *const g = f->g;
+    const struct dem_grid_level *const l = &g->level[large];
+    const size_t cells = (size_t)l->cells[0]*(size_t)l->cells[1]*(size_t)l->cells[2];
+
+    for (uint32_t e = g->start[l->first]; e < g->start[l->first + cells]; e++)
+    {
+        for (int small = 0; small < large; small++)
+        {
+            DEM_TRY(pairs_with_smaller(f, e, &g->level[small]));
+        }
+    }
+    return DEM_OK;
+}
+
+/* ---- walls and classes --------------------------------------------------------------------------------------- */
+
+static int add_pair(struct dem_contacts *c, struct dem_pair pair)
+{
+    DEM_TRY(DEM_GROW(c->pair, c->pair_room, c->pairs + 1));
+    pair.row = DEM_ROW_NONE;
+    c->pair[c->pairs++] = pair;
+    return DEM_OK;
+}
+
+static int wall_pairs(struct dem_pairs *s, const struct dem_particles *p, const struct dem_walls *w, const struct dem_recipe *r,
+                      struct dem_contacts *c)
+{
+    DEM_TRY(dem_wall_search_find(&s->search, w, p, s->outer));
+    DEM_TRY(DEM_GROW(s->wall_region, s->wall_region_room, s->search.nears));
+    for (size_t k = 0; k < s->search.nears; k++)
+    {
+        const struct dem_wall_near *const near = &s->search.near[k];
+        const struct dem_particle *const me = &p->record[near->particle];
+        const int material = w->wall[w->region[near->region].wall].material;
+
+        s->wall_region[k] = near->region;
+        if (!(me->flags & DEM_PARTICLE_FROZEN))
+        {
+            DEM_TRY(add_pair(c, (struct dem_pair){.i = near->particle, .j = (uint32_t)k, .shift = DEM_SHIFT_NONE, .wall = 1,
+                                                  .class = (uint16_t)r->class_of[1][me->material][material]}));
+        }
+    }
+    return DEM_OK;
+}
+
+/* Stable counting sort by class. */
+static int sort_by_class(struct dem_contacts *c)
+{
+    struct dem_pair *sorted;
+    size_t *start;
+
+    if (c->classes < 2)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(DEM_NEW(sorted, c->pair_room));
+    DEM_TRY(DEM_NEW(start, c->classes + 1));
+    for (size_t k = 0; k < c->pairs; k++)
+    {
+        start[c->pair[k].class + 1]++;
+    }
+    for (int s = 1; s <= c->classes; s++)
+    {
+        start[s] += start[s - 1];
+    }
+    for (size_t k = 0; k < c->pairs; k++)
+    {
+        sorted[start[c->pair[k].class]++] = c->pair[k];
+    }
+    dem_memory_free(c->pair);
+    dem_memory_free(start);
+    c->pair = sorted;
+    return DEM_OK;
+}
+
+/* ---- all together -------------------------------------------------------------------------------------------- */
+
+static int find(struct finder *f, const struct dem_domain *d)
+{
+    struct dem_grid *const g = f->g;
+
+    DEM_TRY(dem_grid_fill(g, d, f->p, f->s->shift));
+    for (int k = 0; k < g->levels; k++)
+    {
+        DEM_TRY(pairs_of_level(f, &g->level[k]));
+        DEM_TRY(pairs_between(f, k));
+    }
+    return DEM_OK;
+}
+
+int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct dem_particles *p, const struct dem_walls *w,
+                   const struct dem_recipe *r, struct dem_contacts *c)
+{
+    struct dem_grid g = {0};
+    struct finder f = {.s = s, .p = p, .r = r, .c = c, .g = &g};
+
+    c->pairs = 0;
+    dem_grid_divide(&g, p, s->most_radius, s->outer);
+    const int status = p->n > 0 ? find(&f, d) : DEM_OK;
+
+    dem_grid_empty(&g);
+    dem_memory_free(f.hit);
+    DEM_TRY(status);
+    DEM_TRY(wall_pairs(s, p, w, r, c));
+    DEM_TRY(sort_by_class(c));
+    DEM_TRY(dem_contacts_adjoin(c, p));
+    return dem_pairs_remember(s, p);
+}

@@ -1,0 +1,219 @@
+/*
+ * The list of pairs is that of a search of everybody against everybody: no pair too few, none too many, each once and with the right
+ * shift, for sizes alike and up to 1:30, in open and in periodic boxes, with copies of other ranks' particles and with frozen ones;
+ * however the particles lie. Sizes far apart are divided into levels, sizes alike are not.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "tap.h"
+
+#include "base/memory.h"
+#include "base/random.h"
+#include "space/grid.h"
+#include "space/pairs.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum
+{
+    N = 1500
+};
+
+static const double gap = 0.2;                            /* m: of the outer list */
+
+static struct dem_particles p;
+static struct dem_contacts c;
+static struct dem_recipe recipe;
+static struct dem_domain domain;
+static struct dem_pairs pairs;
+static struct dem_walls walls;
+
+static double chance(int what, size_t i)
+{
+    return dem_random_unit(5, (uint64_t)i, (uint64_t)what, 0);
+}
+
+struct packing
+{
+    const char *name;
+    double ratio, box;                                    /* largest to smallest radius; m: edge */
+    int periodic[3];
+    size_t ghosts;                                        /* of the N */
+    int small;                                            /* 1: no owned one is larger than a fifth of the largest copy */
+};
+
+/* Radii from 1/ratio to 1, equal numbers of spheres in equal steps of 1/d^2: many small ones. */
+static int scatter(const struct packing *k)
+{
+    memset(&p, 0, sizeof p);
+    dem_particles_init(&p, 0);
+    DEM_TRY(dem_particles_grow(&p, N));
+    for (size_t i = 0; i < N; i++)
+    {
+        const double any = 1.0/sqrt(1.0 + chance(0, i)*(k->ratio*k->ratio - 1.0));
+        const double r = k->small && i < N - k->ghosts ? fmin(any, 0.2) : any;
+        const double x[3] = {k->box*chance(1, i), k->box*chance(2, i), k->box*chance(3, i)};
+
+        p.record[i] = dem_particle_sphere((int64_t)((i*7919)%N), x, 2.0*r, 1.0, chance(4, i) < 0.5);
+        p.record[i].flags = chance(5, i) < 0.1 ? DEM_PARTICLE_FROZEN : 0;
+    }
+    p.n = N - k->ghosts;
+    p.ghosts = k->ghosts;
+    return DEM_OK;
+}
+
+static void set_domain(const struct packing *k)
+{
+    dem_domain_init(&domain);
+    for (int a = 0; a < 3; a++)
+    {
+        if (k->periodic[a])
+        {
+            domain.min[a] = 0.0;
+            domain.max[a] = domain.length[a] = k->box;
+            domain.periodic[a] = 1;
+        }
+    }
+}
+
+struct found                                              /* what a pair is, and how often it is there */
+{
+    int64_t low, high;
+    int shift, class;
+};
+
+static int by_name(const void *a, const void *b)
+{
+    return memcmp(a, b, sizeof(struct found));
+}
+
+/* Everybody against everybody at every shift: returns how many pairs. */
+static size_t search_all(struct found *all, size_t room)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < p.n; i++)
+    {
+        for (size_t j = 0; j < p.n + p.ghosts; j++)
+        {
+            for (int code = 0; code < DEM_SHIFTS; code++)
+            {
+                const struct dem_particle *const a = &p.record[i], *const b = &p.record[j];
+                const double *const s = pairs.shift[code];
+                const double x = a->x[0] - b->x[0] - s[0], y = a->x[1] - b->x[1] - s[1], z = a->x[2] - b->x[2] - s[2];
+                const double reach = a->radius + b->radius + gap;
+                const int first = a->id < b->id, possible = (domain.periodic[0] || code%3 == 1) && (domain.periodic[1] || code/3%3 == 1)
+                                                         && (domain.periodic[2] || code/9 == 1);
+
+                if (possible && i != j && (first || j >= p.n) && !(a->flags & b->flags & DEM_PARTICLE_FROZEN)
+                    && x*x + y*y + z*z < reach*reach && n < room)
+                {
+                    memset(&all[n], 0, sizeof all[n]);
+                    all[n].low = first ? a->id : b->id;
+                    all[n].high = first ? b->id : a->id;
+                    all[n].shift = first ? DEM_SHIFTS - 1 - code : code;
+                    all[n++].class = a->material + b->material;
+                }
+            }
+        }
+    }
+    return n;
+}
+
+static size_t list(struct found *found, size_t room)
+{
+    size_t n = 0;
+    int sorted = 1;
+
+    for (size_t k = 0; k < c.pairs && n < room; k++)
+    {
+        const struct dem_pair *const q = &c.pair[k];
+
+        memset(&found[n], 0, sizeof found[n]);
+        found[n].low = p.record[q->i].id;
+        found[n].high = p.record[q->j].id;
+        found[n].shift = q->shift;
+        found[n++].class = q->class;
+        sorted &= k == 0 || c.pair[k - 1].class <= q->class;
+    }
+    return sorted ? n : 0;
+}
+
+static void compare(const struct packing *k)
+{
+    enum { ROOM = 400000 };
+    struct found *const all = calloc(ROOM, sizeof *all), *const found = calloc(ROOM, sizeof *found);
+    const double skin[2] = {gap, 0.1*gap};
+
+    set_domain(k);
+    dem_pairs_init(&pairs, &domain, skin, 0.0, 1.0);
+    if (!all || !found || scatter(k) || dem_contacts_init(&c, &recipe) || dem_pairs_order(&pairs, &p))
+    {
+        TAP_OK(0, "%s: %s", k->name, dem_error_text());
+        exit(1);
+    }
+    p.ghosts = k->ghosts;                                 /* ordering drops them, but moves nothing behind the owned ones */
+    TAP_OK(dem_pairs_find(&pairs, &domain, &p, &walls, &recipe, &c) == DEM_OK, "%s: searched", k->name);
+    const size_t many = search_all(all, ROOM), n = list(found, ROOM);
+
+    qsort(all, many, sizeof *all, by_name);
+    qsort(found, n, sizeof *found, by_name);
+    TAP_OK(many > N/2 && many < ROOM && n == many && memcmp(all, found, n*sizeof *all) == 0,
+           "%s: the same %zu pairs as everybody against everybody, %zu", k->name, n, many);
+    dem_contacts_free(&c);
+    dem_pairs_free(&pairs);
+    dem_particles_free(&p);
+    free(all);
+    free(found);
+}
+
+/* So many levels for N spheres of this ratio, `large` of them of radius 1. */
+static int levels(double ratio, size_t large)
+{
+    const struct packing k = {.ratio = ratio, .box = 12.0};
+    struct dem_grid g = {0};
+
+    if (scatter(&k))
+    {
+        return 0;
+    }
+    for (size_t i = 0; i < N; i++)
+    {
+        p.record[i].radius = i < large ? 1.0 : fmin(p.record[i].radius, 0.999);
+    }
+    dem_grid_divide(&g, &p, 1.0, gap/ratio);
+    dem_particles_free(&p);
+    return g.levels;
+}
+
+int main(void)
+{
+    static const struct packing packings[] =
+    {
+        {.name = "1:1, open", .ratio = 1.0, .box = 12.0},
+        {.name = "1:1, periodic along x and y", .ratio = 1.0, .box = 14.0, .periodic = {1, 1, 0}},
+        {.name = "1:1, periodic all around, so small that images meet images", .ratio = 1.0, .box = 5.0, .periodic = {1, 1, 1}},
+        {.name = "1:5, open", .ratio = 5.0, .box = 6.0},
+        {.name = "1:5, periodic all around", .ratio = 5.0, .box = 6.0, .periodic = {1, 1, 1}},
+        {.name = "1:30, open", .ratio = 30.0, .box = 5.0},
+        {.name = "1:30, periodic along z", .ratio = 30.0, .box = 5.0, .periodic = {0, 0, 1}},
+        {.name = "1:30, periodic all around", .ratio = 30.0, .box = 5.0, .periodic = {1, 1, 1}},
+        {.name = "1:1, a third are copies", .ratio = 1.0, .box = 12.0, .ghosts = N/3, .periodic = {1, 0, 0}},
+        {.name = "1:30, a third are copies", .ratio = 30.0, .box = 5.0, .ghosts = N/3, .periodic = {1, 1, 1}},
+        {.name = "1:30, the large ones are copies", .ratio = 30.0, .box = 5.0, .ghosts = N/3, .periodic = {1, 1, 1}, .small = 1},
+    };
+
+    TAP_TRAPS;
+    recipe.classes = 3;
+    recipe.class_of[0][0][1] = recipe.class_of[0][1][0] = 1;
+    recipe.class_of[0][1][1] = 2;
+    for (size_t k = 0; k < sizeof packings/sizeof *packings; k++)
+    {
+        compare(&packings[k]);
+    }
+    TAP_OK(levels(1.0, 0) == 1, "spheres alike: one level");
+    TAP_OK(levels(30.0, 0) > 1, "1:30: %d levels", levels(30.0, 0));
+    TAP_OK(levels(30.0, 1) > 1, "one large one among them: %d levels", levels(30.0, 1));
+    TAP_DONE;
+}
