@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "space/halo.h"
+#include "space/halo_peers.h"
 #include "base/memory.h"
 #include <math.h>
 #include <string.h>
@@ -25,6 +25,7 @@ void dem_halo_free(struct dem_halo *h)
 {
     dem_mail_free(&h->out);
     dem_mail_free(&h->in);
+    dem_memory_free(h->peer);
     dem_memory_free(h->send_peer);
     dem_memory_free(h->receive_peer);
     dem_memory_free(h->send_start);
@@ -58,42 +59,21 @@ static int box_in_reach(const struct dem_domain *d, const double x[3], const dou
     return square < reach*reach;
 }
 
-/* 1 when two boxes come within `reach` along every axis, images included. */
-static int boxes_in_reach(const struct dem_domain *d, double a[2][3], double b[2][3], double reach)
-{
-    int near = 1;
-
-    for (int k = 0; k < 3; k++)
-    {
-        int axis = 0;
-
-        for (int s = -d->periodic[k]; s <= d->periodic[k]; s++)
-        {
-            axis |= a[0][k] + s*d->length[k] < b[1][k] + reach && a[1][k] + s*d->length[k] > b[0][k] - reach;
-        }
-        near &= axis;
-    }
-    return near;
-}
-
 static int choose_copies(struct dem_halo *h, const struct dem_particles *p, const struct dem_domain *d, double most_radius,
                          double reach)
 {
-    double mine[2][3], box[2][3], *where;
+    double box[2][3], *where;
     size_t count = 0;
 
     h->sends = 0;
     dem_mail_clear(&h->out);
-    dem_pieces_box(h->pieces, h->pieces->rank, mine[0], mine[1]);
-    for (int peer = 0; peer < h->pieces->ranks; peer++)
+    DEM_TRY(dem_halo_find_peers(h, d, 2.0*most_radius + reach));
+    for (int k = 0; k < h->peers; k++)
     {
+        const int peer = h->peer[k];
         const size_t first = count;
 
-        dem_pieces_box(h->pieces, peer, box[0], box[1]);
-        if (peer == h->pieces->rank || !boxes_in_reach(d, mine, box, 2.0*most_radius + reach))
-        {
-            continue;
-        }
+        dem_halo_box(h, d, peer, box);
         for (size_t i = 0; i < p->n; i++)
         {
             if (box_in_reach(d, p->record[i].x, box[0], box[1], p->record[i].radius + most_radius + reach))
@@ -111,9 +91,9 @@ static int choose_copies(struct dem_halo *h, const struct dem_particles *p, cons
             h->send_start[++h->sends] = count;
             DEM_TRY(dem_mail_letter(&h->out, peer));
             DEM_TRY(dem_mail_room(&h->out, (count - first)*RECORD, &where));
-            for (size_t k = first; k < count; k++, where += RECORD)
+            for (size_t i = first; i < count; i++, where += RECORD)
             {
-                memcpy(where, &p->record[h->send_index[k]], sizeof *p->record);
+                memcpy(where, &p->record[h->send_index[i]], sizeof *p->record);
             }
         }
     }

@@ -18,6 +18,7 @@ struct dem_halo
 {
     struct dem_pieces *pieces;
     struct dem_mail out, in;
+    int peers, *peer;                                     /* ranks whose pieces are near, ascending */
     int sends, receives;                                  /* peers of the refresh */
     int *send_peer, *receive_peer;
     size_t *send_start, *receive_start;                   /* particles, offsets */
@@ -25,7 +26,7 @@ struct dem_halo
     double *send_buffer, *receive_buffer;
     MPI_Request *request;
     struct dem_traffic refreshed;                         /* letters are counted in `in` */
-    size_t send_peer_room, receive_peer_room, send_start_room, receive_start_room, send_index_room, send_room, receive_room,
+    size_t peer_room, send_peer_room, receive_peer_room, send_start_room, receive_start_room, send_index_room, send_room, receive_room,
         request_room;
 };
 

@@ -1,0 +1,159 @@
+/*
+ * Copies on several ranks: exactly those particles are copied that come, themselves or by an image, within reach of a rank's piece;
+ * only neighbours talk; a step that renews no lists allocates nothing; what the profile counts of messages is so.
+ *
+ *     mpirun -np N test_halo         prints what is wrong, ends with 0 when nothing is
+ *
+ * Judges: all particles of all ranks against all pieces; every allocation of the core goes through aligned_alloc, which is counted
+ * here. A row of cubes 30 N long, periodic along itself: pieces are slices, so a rank has two neighbours.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "door.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static long allocations;
+
+void *aligned_alloc(size_t alignment, size_t size)
+{
+    void *p = NULL;
+
+    allocations++;
+    return posix_memalign(&p, alignment, size) ? NULL : p;
+}
+
+static int rank, ranks, failed;
+
+static void check(int holds, const char *what, double found, double expected)
+{
+    if (!holds)
+    {
+        printf("# rank %d of %d: %s: found %.10g, expected %.10g\n", rank, ranks, what, found, expected);
+        failed = 1;
+    }
+}
+
+static void try(int status)
+{
+    if (status)
+    {
+        printf("# rank %d: %s\n", rank, dem_error_text());
+        MPI_Abort(MPI_COMM_WORLD, 1);
+    }
+}
+
+static struct dem *make(void)
+{
+    static const char scene[] =
+        "materials { glass { density 2500; youngsModulus 1e6; } } effects { hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } }"
+        "domain { x (0 %g); periodic (x); } insert { row { type lattice; count %d; diameter 1e-3; spacing 1.5; jitter 0.5; min (0 0 0);"
+        " max (%g 0.0045 0.0045); velocity (0.01 0 0); seed 3; } }";
+    char text[1024];
+    struct dem *d;
+
+    snprintf(text, sizeof text, scene, 0.045*ranks, 270*ranks, 0.045*ranks);
+    try(dem_create(&d, MPI_COMM_WORLD));
+    try(dem_scene_text(d, text, "row"));
+    try(dem_ready(d));
+    return d;
+}
+
+/* Positions of all particles on all ranks, with their owners as the fourth number. */
+static double *gather(const struct dem *d, int *all)
+{
+    const struct dem_particles *const p = &d->parts.particles;
+    double *const mine = calloc(4*p->n + 1, sizeof *mine);
+    int count = 4*(int)p->n, *const counts = calloc((size_t)ranks, sizeof *counts), *const start = calloc((size_t)ranks + 1, sizeof *start);
+
+    for (size_t i = 0; i < p->n; i++)
+    {
+        memcpy(mine + 4*i, p->record[i].x, sizeof p->record[i].x);
+        mine[4*i + 3] = rank;
+    }
+    MPI_Allgather(&count, 1, MPI_INT, counts, 1, MPI_INT, MPI_COMM_WORLD);
+    for (int k = 0; k < ranks; k++)
+    {
+        start[k + 1] = start[k] + counts[k];
+    }
+    double *const x = calloc((size_t)start[ranks] + 1, sizeof *x);
+
+    MPI_Allgatherv(mine, count, MPI_DOUBLE, x, counts, start, MPI_DOUBLE, MPI_COMM_WORLD);
+    *all = start[ranks]/4;
+    free(mine);
+    free(counts);
+    free(start);
+    return x;
+}
+
+/* All have one radius, and the piece is a slice [min, max) of the period. */
+static void copies(const struct dem *d)
+{
+    const struct dem_parts *const p = &d->parts;
+    const double length = 0.045*ranks, reach = 1e-3 + p->pairs.outer;
+    double min[3], max[3];
+    int all, expected = 0;
+    double *const x = gather(d, &all);
+
+    dem_pieces_box(&p->pieces, rank, min, max);
+    min[0] = fmax(min[0], 0.0);
+    max[0] = fmin(max[0], length);
+    for (int i = 0; i < all; i++)
+    {
+        double gap = INFINITY;
+
+        for (int s = -1; s <= 1; s++)
+        {
+            gap = fmin(gap, fmax(0.0, fmax(min[0] - x[4*i] - s*length, x[4*i] + s*length - max[0])));
+        }
+        expected += gap < reach && (int)x[4*i + 3] != rank;
+    }
+    check(all == 270*ranks, "particles of all", all, 270*ranks);
+    check((int)p->particles.ghosts == expected, "copies", (double)p->particles.ghosts, expected);
+    check(ranks == 1 || expected > 0, "copies there should be", expected, 1);
+    free(x);
+}
+
+int main(int argc, char **argv)
+{
+    struct dem_profile before, after;
+
+    MPI_Init(&argc, &argv);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    struct dem *const d = make();
+    const double step = dem_step_limit(d).used;
+    const int neighbours = ranks < 3 ? ranks - 1 : 2;
+
+    long held = allocations;
+
+    try(dem_advance(d, step));                            /* renews, and leaves positions as they were then */
+    check(allocations > held, "allocations with new lists", (double)(allocations - held), 1);
+    copies(d);
+    check(d->parts.halo.sends == neighbours && d->parts.halo.receives == neighbours, "neighbours", d->parts.halo.sends, neighbours);
+    try(dem_profile(d, &before));
+    held = allocations;
+    try(dem_advance(d, 50.0*step));
+    held = allocations - held;
+    try(dem_profile(d, &after));
+    check(after.rebuilds == before.rebuilds && after.steps == before.steps + 50, "rebuilds in 50 steps",
+          (double)(after.rebuilds - before.rebuilds), 0);
+    check(held == 0, "allocations in 50 steps", (double)held, 0);
+    check(after.messages - before.messages == 50*(int64_t)neighbours*ranks, "messages of all in 50 steps",
+          (double)(after.messages - before.messages), 50.0*neighbours*ranks);
+
+    /* nine numbers of each copy */
+    int64_t ghosts = (int64_t)d->parts.particles.ghosts;
+
+    MPI_Allreduce(MPI_IN_PLACE, &ghosts, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+    check(after.message_bytes - before.message_bytes == 50*ghosts*72, "bytes", (double)(after.message_bytes - before.message_bytes),
+          (double)(50*ghosts*72));
+    /* one a step, one at the end of the advance */
+    check(ranks == 1 || after.agreements - before.agreements == 51, "all-reduces", (double)(after.agreements - before.agreements), 51);
+    dem_free(d);
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+    MPI_Finalize();
+    return failed;
+}
