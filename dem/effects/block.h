@@ -74,6 +74,8 @@ struct dem_block
     _Alignas(64) dem_real my[DEM_BLOCK];
     _Alignas(64) dem_real mz[DEM_BLOCK];
 
+    _Alignas(64) dem_real between[6][DEM_BLOCK];          /*      what a law keeps from one of its loops to the next */
+
     /* the books of stages BOND and FILM, cleared by the house for such classes */
     _Alignas(64) dem_real stored[DEM_BLOCK];              /* J    elastic energy of the row now */
     _Alignas(64) dem_real lost[DEM_BLOCK];                /* J    turned to heat in this step */

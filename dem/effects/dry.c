@@ -24,18 +24,11 @@
  */
 #include "effects/effect.h"
 
-#include "effects/restitution.h"
-
-struct dry
-{
-    double restitution;
-    int attraction;
-    double alpha;                                         /* 1    derived */
-};
+#include "effects/dry.h"
 
 static const struct dem_field settings[] = {
-    DEM_FIELD(dry, restitution, "1", DEM_FIELD_REQUIRED, 0.0, 1.0, "speed after a normal impact over speed before"),
-    DEM_FIELD_CHOICE(dry, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
+    DEM_FIELD(dem_dry, restitution, "1", DEM_FIELD_REQUIRED, 0.0, 1.0, "speed after a normal impact over speed before"),
+    DEM_FIELD_CHOICE(dem_dry, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
                      "whether the dashpot may pull when a contact opens; clamped never pulls but bounces too high: "
                      "0.33 comes out for 0.2, 0.55 for 0.5, 0.81 for 0.8, 0.90 for 0.9"),
     {0},
@@ -43,7 +36,7 @@ static const struct dem_field settings[] = {
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct dry *dry = of;
+    struct dem_dry *dry = of;
     const double loss = dem_restitution_loss(dry->restitution);
 
     DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
@@ -56,17 +49,18 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 DEM_KERNEL
 static void act(const void *of, struct dem_block *restrict b, dem_real *const *memory)
 {
-    const struct dry *dry = of;
+    const struct dem_dry *dry = of;
     const dem_real alpha = dry->alpha;
     const dem_real least = dem_attraction_least(dry->attraction);
 
     (void)memory;
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real eta = alpha*sqrt(b->reduced_mass[c]*b->kn[c]);
+        struct dem_row r = dem_row_at(b, c);
 
-        b->eta[c] = eta;
-        b->fn[c] = dem_attraction(b->fn[c], eta*b->vn[c], least);
+        dem_dry_row(alpha, least, &r);
+        b->eta[c] = r.eta;
+        b->fn[c] = r.fn;
     }
 }
 
@@ -82,7 +76,7 @@ const struct dem_effect dem_dry = {
     .says = "viscous damping that gives the same coefficient of restitution at any impact speed",
     .source = "Antypov and Elliott 2011; Tsuji, Tanaka, Ishida 1992",
     .stage = DEM_STAGE_DAMP,
-    .size = sizeof(struct dry),
+    .size = sizeof(struct dem_dry),
     .settings = settings,
     .prepare = prepare,
     .act = act,

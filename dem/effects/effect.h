@@ -14,9 +14,9 @@
 #include "effects/block.h"
 #include <stddef.h>
 
-/* A kernel is compiled once for any x86-64 and once for AVX2, chosen at load time; contraction is off, so both give the same bits. */
+/* A kernel is compiled for any x86-64, for AVX2 and for AVX-512, chosen at load time; contraction is off, so all give the same bits. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) && !defined(DEM_NO_CLONES)
-#define DEM_KERNEL __attribute__((target_clones("default", "arch=x86-64-v3")))
+#define DEM_KERNEL __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
 #else
 #define DEM_KERNEL
 #endif

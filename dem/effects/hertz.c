@@ -29,26 +29,20 @@
  */
 #include "effects/effect.h"
 
+#include "effects/hertz.h"
 #include "effects/impact.h"
 
-struct hertz
-{
-    double impact_speed;
-    double stiffness;
-    double modulus;                                       /* Pa   4/3 E* or the stiffness, derived */
-};
-
 static const struct dem_field settings[] = {
-    DEM_FIELD_AS(hertz, impact_speed, "impactSpeed", "m/s", 1.0, DEM_ABOVE_ZERO, INFINITY,
+    DEM_FIELD_AS(dem_hertz, impact_speed, "impactSpeed", "m/s", 1.0, DEM_ABOVE_ZERO, INFINITY,
                  "fastest impact to be resolved; bounds the time step, not the force"),
-    DEM_FIELD(hertz, stiffness, "Pa", 0.0, 0.0, INFINITY, 
+    DEM_FIELD(dem_hertz, stiffness, "Pa", 0.0, 0.0, INFINITY, 
               "in place of 4/3 E*: F_n = stiffness sqrt(R*) d^(3/2); 0: from the materials"),
     {0},
 };
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct hertz *const hertz = of;
+    struct dem_hertz *const hertz = of;
 
     hertz->modulus = hertz->stiffness;
     if (hertz->stiffness == 0.0)
@@ -60,14 +54,14 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 }
 
 /* Pa: E*, or what stands for it where a stiffness is given */
-static double modulus_of(const struct hertz *hertz, const struct dem_pair_class *pair)
+static double modulus_of(const struct dem_hertz *hertz, const struct dem_pair_class *pair)
 {
     return hertz->stiffness > 0.0 ? 0.75*hertz->stiffness : pair->reduced_modulus;
 }
 
 static double contact_time(const void *of, const struct dem_pair_class *pair)
 {
-    const struct hertz *const hertz = of;
+    const struct dem_hertz *const hertz = of;
     const double over = pair->least_mass/modulus_of(hertz, pair);
 
     return 2.8682657*dem_pow(over*over/(pair->least_radius*hertz->impact_speed), 0.2);
@@ -78,7 +72,7 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 {
     static _Thread_local char text[160];
 
-    const struct hertz *const hertz = of;
+    const struct dem_hertz *const hertz = of;
     const double contact = contact_time(of, pair);
 
     const char *whose;
@@ -98,15 +92,16 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 DEM_KERNEL
 static void act(const void *of, struct dem_block *restrict b, dem_real *const *memory)
 {
-    const dem_real modulus = ((const struct hertz *)of)->modulus;
+    const dem_real modulus = ((const struct dem_hertz *)of)->modulus;
 
     (void)memory;
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real kn = modulus*sqrt(b->reduced_radius[c]*b->overlap[c]);
+        struct dem_row r = dem_row_at(b, c);
 
-        b->kn[c] = kn;
-        b->fn[c] += kn*b->overlap[c];
+        dem_hertz_row(modulus, &r);
+        b->kn[c] = r.kn;
+        b->fn[c] = r.fn;
     }
 }
 
@@ -127,7 +122,7 @@ const struct dem_effect dem_hertz = {
     .source = "Hertz 1882",
     .stage = DEM_STAGE_NORMAL,
     .exponent = 1.5,
-    .size = sizeof(struct hertz),
+    .size = sizeof(struct dem_hertz),
     .settings = settings,
     .prepare = prepare,
     .time_limit = time_limit,

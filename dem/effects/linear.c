@@ -72,22 +72,22 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 
     for (int c = 0; c < b->n; c++)
     {
+        const struct dem_row r = dem_row_at(b, c);
         const dem_real kt = given*b->touching[c] + ratio*b->kn[c];
-        struct dem_slider s = dem_slider_friction(b, c, kt, rubs);
+        struct dem_slider s = dem_slider_friction(&r, kt, rubs);
 
         s.xi_x = xi_x[c];
         s.xi_y = xi_y[c];
         s.xi_z = xi_z[c];
-        s = dem_slider_step(b, c, s);
+        s = dem_slider_load(&r, s);
 
         xi_x[c] = s.xi_x;
         xi_y[c] = s.xi_y;
         xi_z[c] = s.xi_z;
         b->kt[c] = kt;
-        b->fx[c] += s.fx;
-        b->fy[c] += s.fy;
-        b->fz[c] += s.fz;
+        dem_slider_begin(b, c, &s);
     }
+    dem_slider_finish(b, (dem_real *const[3]){b->fx, b->fy, b->fz}, xi_x, xi_y, xi_z);
 }
 
 DEM_KERNEL
@@ -102,7 +102,8 @@ static void energy(const void *of, const struct dem_block *restrict b, dem_real 
     (void)memory;
     for (int c = 0; c < b->n; c++)
     {
-        struct dem_slider s = dem_slider_friction(b, c, b->kt[c], rubs);
+        const struct dem_row r = dem_row_at(b, c);
+        struct dem_slider s = dem_slider_friction(&r, b->kt[c], rubs);
 
         s.xi_x = x[c];
         s.xi_y = y[c];

@@ -37,20 +37,13 @@
  */
 #include "effects/effect.h"
 
-#include "effects/slider.h"
-
-struct mindlin
-{
-    double friction;
-    int damping, adhesion;
-    double modulus;                                       /* Pa   8 G*, derived */
-};
+#include "effects/mindlin.h"
 
 static const struct dem_field settings[] = {
-    DEM_FIELD(mindlin, friction, "1", DEM_FIELD_REQUIRED, 0.0, 100.0, "tangential force limit per normal force"),
-    DEM_FIELD_SWITCH(mindlin, damping, "tangentialDamping", 1,
+    DEM_FIELD(dem_mindlin, friction, "1", DEM_FIELD_REQUIRED, 0.0, 100.0, "tangential force limit per normal force"),
+    DEM_FIELD_SWITCH(dem_mindlin, damping, "tangentialDamping", 1,
                      "damp slip with the coefficient of the normal law as long as the contact sticks"),
-    DEM_FIELD_SWITCH(mindlin, adhesion, "adhesion", 1, "adhesion presses, too: limit mu (F_n + 2 F_c) with jkr, mu (F_n + k_c d) with hookeHysteresis"),
+    DEM_FIELD_SWITCH(dem_mindlin, adhesion, "adhesion", 1, "adhesion presses, too: limit mu (F_n + 2 F_c) with jkr, mu (F_n + k_c d) with hookeHysteresis"),
     {0},
 };
 
@@ -65,51 +58,48 @@ static int prepare(void *of, const struct dem_pair_class *pair)
                 "mindlin between %s and %s: the reduced shear modulus is %g Pa, but must be above 0 and finite; "
                 "check youngsModulus and poissonsRatio of both",
                 pair->a->name, pair->b->name, pair->reduced_shear);
-    ((struct mindlin *)of)->modulus = 8.0*pair->reduced_shear;
+    ((struct dem_mindlin *)of)->modulus = 8.0*pair->reduced_shear;
     return DEM_OK;
 }
 
 DEM_KERNEL
 static void act(const void *of, struct dem_block *restrict b, dem_real *const *remembered)
 {
-    const struct mindlin *mindlin = of;
+    const struct dem_mindlin *mindlin = of;
     const dem_real modulus = mindlin->modulus;
-    const struct dem_rubbing rubs = {mindlin->friction, mindlin->damping ? 1.0 : 0.0, mindlin->adhesion ? 1.0 : 0.0};
+    const struct dem_rubbing rubs = dem_mindlin_rubs(mindlin);
     dem_real *restrict xi_x = remembered[0], *restrict xi_y = remembered[1], *restrict xi_z = remembered[2];
 
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real kt = modulus*sqrt(b->reduced_radius[c]*b->overlap[c]);
-        struct dem_slider s = dem_slider_friction(b, c, kt, rubs);
+        struct dem_row r = dem_row_at(b, c);
 
-        s.xi_x = xi_x[c];
-        s.xi_y = xi_y[c];
-        s.xi_z = xi_z[c];
-        s = dem_slider_step(b, c, s);
+        r.kt = dem_mindlin_stiffness(modulus, &r);
+        const struct dem_slider s = dem_mindlin_row(rubs, &r, xi_x[c], xi_y[c], xi_z[c]);
 
+        b->kt[c] = r.kt;
         xi_x[c] = s.xi_x;
         xi_y[c] = s.xi_y;
         xi_z[c] = s.xi_z;
-        b->kt[c] = kt;
-        b->fx[c] += s.fx;
-        b->fy[c] += s.fy;
-        b->fz[c] += s.fz;
+        dem_slider_begin(b, c, &s);
     }
+    dem_slider_finish(b, (dem_real *const[3]){b->fx, b->fy, b->fz}, xi_x, xi_y, xi_z);
 }
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_block *restrict b, dem_real *const *before, dem_real *const *memory,
                    struct dem_energy *restrict e)
 {
-    const struct mindlin *mindlin = of;
-    const struct dem_rubbing rubs = {mindlin->friction, mindlin->damping ? 1.0 : 0.0, mindlin->adhesion ? 1.0 : 0.0};
+    const struct dem_mindlin *mindlin = of;
+    const struct dem_rubbing rubs = dem_mindlin_rubs(mindlin);
     const dem_real modulus = mindlin->modulus;
     const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
 
     (void)memory;
     for (int c = 0; c < b->n; c++)
     {
-        struct dem_slider s = dem_slider_friction(b, c, b->kt[c], rubs);
+        const struct dem_row r = dem_row_at(b, c);
+        struct dem_slider s = dem_slider_friction(&r, b->kt[c], rubs);
 
         s.xi_x = x[c];
         s.xi_y = y[c];
@@ -125,7 +115,7 @@ const struct dem_effect dem_mindlin = {
     .source = "Mindlin 1949; Coulomb",
     .stage = DEM_STAGE_TANGENT,
     .needs = DEM_NEEDS_SWING,
-    .size = sizeof(struct mindlin),
+    .size = sizeof(struct dem_mindlin),
     .settings = settings,
     .memory = memory,
     .forgets = 1,

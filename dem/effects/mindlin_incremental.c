@@ -70,24 +70,24 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 
     for (int c = 0; c < b->n; c++)
     {
+        const struct dem_row r = dem_row_at(b, c);
         const dem_real kt = modulus*sqrt(b->reduced_radius[c]*b->overlap[c]), before = stiffness[c];
         const dem_real keep = dem_pick(before < kt, before/dem_pick(kt > 0.0, kt, 1.0), 1.0);
-        struct dem_slider s = dem_slider_friction(b, c, kt, rubs);
+        struct dem_slider s = dem_slider_friction(&r, kt, rubs);
 
         s.xi_x = keep*xi_x[c];
         s.xi_y = keep*xi_y[c];
         s.xi_z = keep*xi_z[c];
-        s = dem_slider_step(b, c, s);
+        s = dem_slider_load(&r, s);
 
         xi_x[c] = s.xi_x;
         xi_y[c] = s.xi_y;
         xi_z[c] = s.xi_z;
         stiffness[c] = kt;
         b->kt[c] = kt;
-        b->fx[c] += s.fx;
-        b->fy[c] += s.fy;
-        b->fz[c] += s.fz;
+        dem_slider_begin(b, c, &s);
     }
+    dem_slider_finish(b, (dem_real *const[3]){b->fx, b->fy, b->fz}, xi_x, xi_y, xi_z);
 }
 
 /* as mindlin's, but for a spring that has let go of what its old force no longer holds: k xi^2/2 (1 - k/k') of it */
@@ -102,7 +102,8 @@ static void energy(const void *of, const struct dem_block *restrict b, dem_real 
     (void)memory;
     for (int c = 0; c < b->n; c++)
     {
-        struct dem_slider s = dem_slider_friction(b, c, b->kt[c], rubs);
+        const struct dem_row r = dem_row_at(b, c);
+        struct dem_slider s = dem_slider_friction(&r, b->kt[c], rubs);
         const dem_real was = stiffness[c], more = b->touching[c]*dem_pick(was < b->kt[c], b->kt[c] - was, 0.0);
         const dem_real keep = dem_pick(more > 0.0, was/dem_pick(b->kt[c] > 0.0, b->kt[c], 1.0), 1.0);
         const dem_real square = x[c]*x[c] + y[c]*y[c] + z[c]*z[c];

@@ -90,20 +90,20 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 
     for (int c = 0; c < b->n; c++)
     {
+        const struct dem_row r = dem_row_at(b, c);
         struct dem_slider s = slider_at(b, c, friction, ratio, twice_zeta);
 
         s.xi_x = x[c];
         s.xi_y = y[c];
         s.xi_z = z[c];
-        s = dem_slider_step(b, c, s);
+        s = dem_slider_load(&r, s);
 
         x[c] = s.xi_x;
         y[c] = s.xi_y;
         z[c] = s.xi_z;
-        b->mx[c] += s.fx;
-        b->my[c] += s.fy;
-        b->mz[c] += s.fz;
+        dem_slider_begin(b, c, &s);
     }
+    dem_slider_finish(b, (dem_real *const[3]){b->mx, b->my, b->mz}, x, y, z);
 }
 
 DEM_KERNEL

@@ -32,6 +32,7 @@ void dem_contacts_free(struct dem_contacts *c)
     }
     dem_memory_free(c->pair);
     dem_memory_free(c->row_pair);
+    dem_memory_free(c->near_row);
     dem_memory_free(c->segment);
     dem_memory_free(c->memory_scratch);
     dem_memory_free(c->push);
@@ -59,7 +60,7 @@ static size_t each_kept(const struct dem_contacts *c)
 
 static size_t each_row(const struct dem_contacts *c)
 {
-    return sizeof *c->row_pair + sizeof *c->push + (size_t)(c->memories + 1 + 3*c->moments)*sizeof *c->memory_scratch
+    return sizeof *c->row_pair + sizeof *c->near_row + sizeof *c->push + (size_t)(c->memories + 1 + 3*c->moments)*sizeof *c->memory_scratch
          + (c->booked ? sizeof *c->books : 0);
 }
 
@@ -164,6 +165,7 @@ static int grow_rows(struct dem_contacts *c, size_t rows)
     const size_t room = dem_memory_room(c->row_room, rows);
 
     DEM_TRY(DEM_RESIZE(c->row_pair, c->row_room, room));
+    DEM_TRY(DEM_RESIZE(c->near_row, c->row_room, room));
     DEM_TRY(DEM_RESIZE(c->push, c->row_room, room));
     DEM_TRY(DEM_RESIZE(c->memory_scratch, c->row_room, room));
     if (c->moments)
@@ -206,13 +208,17 @@ static void number_rows(struct dem_contacts *c, const uint8_t *near)
         {
             if (near[k])
             {
+                const struct dem_pair *const q = &c->pair[k];
+
+                c->near_row[row] = (struct dem_near){q->i, q->j | (uint32_t)q->shift << DEM_NEAR_SHIFT};
                 c->row_pair[row++] = (uint32_t)k;
             }
         }
         c->segment[s].count = row - c->segment[s].first;
-        while (row%LANES)
+        for (; row%LANES; row++)
         {
-            c->row_pair[row++] = DEM_ROW_NONE;
+            c->near_row[row] = c->near_row[row - 1];
+            c->row_pair[row] = DEM_ROW_NONE;
         }
     }
     c->rows = row;

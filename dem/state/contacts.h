@@ -32,6 +32,17 @@ struct dem_pair
     uint8_t wall;                                         /* 1: with a wall */
 };
 
+enum
+{
+    DEM_NEAR_SHIFT = 27,                                  /* bits of a record's number in struct dem_near */
+    DEM_NEAR_RECORDS = 1 << DEM_NEAR_SHIFT                /* so many records a rank may have */
+};
+
+struct dem_near                                           /* of a row, what the sweep reads: its pair in short */
+{
+    uint32_t i, j;                                        /* records, and above j's bits the shift */
+};
+
 struct dem_push                                           /* what a row does to its partners; one cache line */
 {
     double f[3], arm;                                     /* N on i, m: the lever is radius - arm on either side */
@@ -64,6 +75,7 @@ struct dem_contacts
     uint32_t rows;                                        /* with padding */
     size_t row_room;
     uint32_t *row_pair;                                   /* DEM_ROW_NONE on padding */
+    struct dem_near *near_row;                            /* padding repeats the last row of its class */
     struct dem_segment *segment;                          /* one a class */
     int classes;
     int memories;

@@ -7,12 +7,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/gather_pairs.h"
-#include "base/math.h"
 #include "step/quad.h"
 #include <stddef.h>
 
 enum
 {
+    JUST_J = DEM_NEAR_RECORDS - 1,
     AHEAD = 16                                            /* rows; 8 and 32 gained half as much with 20 000 and 100 000 spheres */
 };
 
@@ -29,33 +29,33 @@ __attribute__((always_inline)) static inline void columns(dem_quad row[4], doubl
 }
 
 /* `spin` and `film`: an effect needs the relative spin, the viscosity. Constants for the compiler. */
-__attribute__((always_inline)) static inline void gather(struct dem_tray *restrict t, const struct dem_pair *pair,
-                                                         const struct dem_particle *record, const double (*shift)[4],
-                                                         const uint32_t *restrict row_pair, const int spin, const int film)
+__attribute__((always_inline)) static inline void gather(struct dem_tray *restrict t, const struct dem_particle *record,
+                                                         const double (*shift)[4], const struct dem_near *restrict near,
+                                                         const int spin, const int film)
 {
     const dem_quad less = {-1.0, -1.0, -1.0, 1.0}, half = {0.5, 0.5, 0.5, 0.5};
     struct dem_gathered *const g = &t->g;
 
     for (int c = 0; c < t->block.n; c += 4)
     {
-        const uint32_t *const soon = row_pair + (c + AHEAD < t->block.n ? c + AHEAD : c);
+        const struct dem_near *const soon = near + (c + AHEAD < t->block.n ? c + AHEAD : c);
         dem_quad r[4], v[4], a[4], b[4], w[4];
 
         for (int k = 0; k < 4; k++)
         {
-            const struct dem_pair *const q = &pair[row_pair[c + k]];
-            const struct dem_particle *const i = &record[q->i], *const j = &record[q->j], *const next = &record[pair[soon[k]].j];
+            const struct dem_particle *const i = &record[near[c + k].i], *const j = &record[near[c + k].j & JUST_J];
+            const struct dem_particle *const next = &record[soon[k].j & JUST_J];
             const dem_quad wi = DEM_QUAD(i->w), wj = DEM_QUAD(j->w);
             const dem_quad ri = {i->radius, i->radius, i->radius, i->radius}, rj = {j->radius, j->radius, j->radius, j->radius};
 
             __builtin_prefetch(next->x);
             __builtin_prefetch(next->w);                                                  /* its second line */
-            r[k] = DEM_QUAD(i->x) + less*DEM_QUAD(j->x) + DEM_QUAD(shift[q->shift]);      /* x_i - x_j + shift, R_i + R_j */
+            r[k] = DEM_QUAD(i->x) + less*DEM_QUAD(j->x) + DEM_QUAD(shift[near[c + k].j >> DEM_NEAR_SHIFT]);      /* x_i - x_j + shift, R_i + R_j */
             v[k] = DEM_QUAD(i->v) + less*DEM_QUAD(j->v);                                  /* v_i - v_j, 1/m_i + 1/m_j */
             a[k] = ri*wi + rj*wj;
             b[k] = half*(wi + wj);
             g->product[c + k] = i->radius*j->radius;
-            t->block.least_radius[c + k] = dem_pick(i->radius < j->radius, i->radius, j->radius);
+            t->block.least_radius[c + k] = i->radius < j->radius ? i->radius : j->radius;
             if (spin)
             {
                 w[k] = wi - wj;
@@ -77,21 +77,19 @@ __attribute__((always_inline)) static inline void gather(struct dem_tray *restri
 }
 
 DEM_KERNEL
-static void plain(struct dem_tray *restrict t, const struct dem_pair *pair, const struct dem_particle *record, const double (*shift)[4],
-                  const uint32_t *restrict row_pair)
+static void plain(struct dem_tray *restrict t, const struct dem_particle *record, const double (*shift)[4], const struct dem_near *near)
 {
-    gather(t, pair, record, shift, row_pair, 0, 0);
+    gather(t, record, shift, near, 0, 0);
 }
 
 DEM_KERNEL
-static void with_spin_and_film(struct dem_tray *restrict t, const struct dem_pair *pair, const struct dem_particle *record,
-                               const double (*shift)[4], const uint32_t *restrict row_pair)
+static void with_spin_and_film(struct dem_tray *restrict t, const struct dem_particle *record, const double (*shift)[4],
+                               const struct dem_near *near)
 {
-    gather(t, pair, record, shift, row_pair, 1, 1);
+    gather(t, record, shift, near, 1, 1);
 }
 
-void dem_gather_pairs(struct dem_tray *t, const struct dem_parts *p, unsigned needs, const uint32_t *row_pair)
+void dem_gather_pairs(struct dem_tray *t, const struct dem_parts *p, unsigned needs, const struct dem_near *near)
 {
-    (needs & (DEM_NEEDS_SPIN | DEM_NEEDS_VISCOSITY) ? with_spin_and_film : plain)(t, p->contacts.pair, p->particles.record,
-                                                                                 p->pairs.shift, row_pair);
+    (needs & (DEM_NEEDS_SPIN | DEM_NEEDS_VISCOSITY) ? with_spin_and_film : plain)(t, p->particles.record, p->pairs.shift, near);
 }

@@ -8,8 +8,8 @@
 
 #include "step/tray.h"
 
-/* Fill t->g and what the block has of single partners, for all lanes of the block. `row_pair`: the pair of each lane;
-   `needs`: of the chain (enum dem_needs). */
-void dem_gather_pairs(struct dem_tray *, const struct dem_parts *, unsigned needs, const uint32_t *row_pair);
+/* Fill t->g and what the block has of single partners, for all lanes of the block. `near`: the row of the first lane, the others
+   follow; `needs`: of the chain (enum dem_needs). */
+void dem_gather_pairs(struct dem_tray *, const struct dem_parts *, unsigned needs, const struct dem_near *near);
 
 #endif

@@ -9,7 +9,8 @@
 #include "base/math.h"
 #include "base/memory.h"
 #include "step/loss_cause.h"
-#include "step/quad.h"
+#include "step/hot_chain.h"
+#include "step/push.h"
 #include "step/tray.h"
 #include "step/wall_springs.h"
 #include <math.h>
@@ -43,13 +44,7 @@ static void push_out(const struct dem_block *restrict b, double share, int past_
         dem_quad f[4] = {fn*nx + fx, fn*ny + fy, fn*nz + fz, part*DEM_QUAD(less + c)};
         dem_quad t[4] = {ny*fz - nz*fy, nz*fx - nx*fz, nx*fy - ny*fx, {0.0, 0.0, 0.0, 0.0}};
 
-        dem_quad_turn(f);
-        dem_quad_turn(t);
-        for (int k = 0; k < 4; k++)
-        {
-            DEM_QUAD_AT(push[c + k].f) = f[k];
-            DEM_QUAD_AT(push[c + k].t) = t[k];
-        }
+        dem_push_put(push + c, f, t);
     }
 }
 
@@ -78,7 +73,7 @@ static double worst_of(const struct dem_block *restrict b)
 }
 
 /* Remember the worst row so far, and who it is. */
-static void note_worst(struct dem_parts *p, const struct dem_tray *t, const uint32_t *row_pair)
+static void note_worst(struct dem_parts *p, const struct dem_tray *t, uint32_t row, int rows)
 {
     const double worst = worst_of(&t->block);
     int lane = 0;
@@ -93,7 +88,7 @@ static void note_worst(struct dem_parts *p, const struct dem_tray *t, const uint
 
         lane = force*0.0 != 0.0 || 0.5*t->block.overlap[c]/t->block.least_radius[c] == worst ? c : lane;
     }
-    const struct dem_pair *const q = &p->contacts.pair[row_pair[lane]];
+    const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[row + (uint32_t)(lane < rows ? lane : rows - 1)]];
     const struct dem_particle *const i = &p->particles.record[q->i];
 
     p->watch.overlap = worst;
@@ -272,11 +267,21 @@ static double broken(const struct dem_block *restrict b)
     return count;
 }
 
+static void sweep_hot_block(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, uint32_t row, int rows)
+{
+    double *memory[DEM_MEMORY_COLUMNS];
+
+    recall(&p->contacts, &chain->link[DEM_HOT_FRICTION], row, memory);
+    dem_tray_gather(t, p, chain, row, rows);
+    if (dem_hot_chain_act(chain, t, p->watch.overlap, memory, p->contacts.push + row))
+    {
+        note_worst(p, t, row, rows);
+    }
+}
+
 static int sweep_block(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, uint32_t row, int rows)
 {
-    uint32_t padded[DEM_BLOCK];
-
-    dem_tray_fill(t, p, chain, p->contacts.row_pair + row, rows, padded);
+    dem_tray_fill(t, p, chain, row, rows);
     if (chain->past_touching)
     {
         shield(t, chain, &p->contacts, row);
@@ -302,7 +307,7 @@ static int sweep_block(struct dem_parts *p, struct dem_tray *t, const struct dem
     {
         keep_moments(&p->contacts, &t->block, row, rows);
     }
-    note_worst(p, t, padded);
+    note_worst(p, t, row, rows);
     return chain->pair.with_wall && count_passes(&t->block) > 0.0 ? list_passes(p, t, row, rows) : DEM_OK;
 }
 
@@ -339,6 +344,26 @@ static int judge(const struct dem_parts *p)
                      (long long)p->steps, w->limit);
 }
 
+static int sweep_class(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, const struct dem_segment *seg)
+{
+    const int hot = dem_hot_chain_is(chain) && !p->ledger.open && !p->contacts.moment;
+
+    for (uint32_t done = 0; done < seg->count; done += DEM_BLOCK)
+    {
+        const int rows = seg->count - done < DEM_BLOCK ? (int)(seg->count - done) : DEM_BLOCK;
+
+        if (hot)
+        {
+            sweep_hot_block(p, t, chain, seg->first + done, rows);
+        }
+        else
+        {
+            DEM_TRY(sweep_block(p, t, chain, seg->first + done, rows));
+        }
+    }
+    return DEM_OK;
+}
+
 int dem_sweep_contacts(struct dem_parts *p, double dt, const double time[2])
 {
     struct dem_tray t;
@@ -356,14 +381,7 @@ int dem_sweep_contacts(struct dem_parts *p, double dt, const double time[2])
     }
     for (int s = 0; s < p->contacts.classes; s++)
     {
-        const struct dem_segment *const seg = &p->contacts.segment[s];
-
-        for (uint32_t done = 0; done < seg->count; done += DEM_BLOCK)
-        {
-            const uint32_t left = seg->count - done;
-
-            DEM_TRY(sweep_block(p, &t, &p->recipe.chain[s], seg->first + done, left < DEM_BLOCK ? (int)left : DEM_BLOCK));
-        }
+        DEM_TRY(sweep_class(p, &t, &p->recipe.chain[s], &p->contacts.segment[s]));
     }
     DEM_TRY(dem_loss_note_passes(p));
     return judge(p);

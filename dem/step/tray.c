@@ -1,10 +1,8 @@
 /*
  * tray.c -- partners gathered into columns, then normals, overlap and relative motion, all lanes of a block alike.
  *
- * With n from j to i, the contact point lies at x_i - a_i n and x_j + a_j n. The arms are R - overlap/2 at a pair (their
- * sum is the distance, which conserves angular momentum) and R - overlap at a wall (the contact point lies on the wall).
- * Past touching the same holds with the gap as a negative overlap: the two points meet in the middle of the gap, or on
- * the wall. Only classes with effects of the stages BOND and FILM are seen past touching.
+ * Past touching what geometry.h says holds with the gap as a negative overlap: the two points meet in the middle of the gap, or
+ * on the wall. Only classes with effects of the stages BOND and FILM are seen past touching.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -12,6 +10,7 @@
 #include "base/math.h"
 #include "base/random.h"
 #include "step/gather_pairs.h"
+#include "step/geometry.h"
 #include "step/wall_kind.h"
 #include <float.h>
 #include <math.h>
@@ -48,9 +47,9 @@ static void gather_walls(struct dem_tray *restrict t, const struct dem_parts *p,
         g->bx[c] = i->w[0];
         g->by[c] = i->w[1];
         g->bz[c] = i->w[2];
-        g->inverse_mass[c] = i->inverse_mass;
         b->least_radius[c] = i->radius;
         b->reduced_radius[c] = i->radius;
+        b->reduced_mass[c] = 1.0/i->inverse_mass;
         b->wx[c] = i->w[0];
         b->wy[c] = i->w[1];
         b->wz[c] = i->w[2];
@@ -92,26 +91,22 @@ static void gather_special(struct dem_tray *restrict t, const struct dem_parts *
 /* ---- geometry ------------------------------------------------------------------------------------------------ */
 
 DEM_KERNEL
-static void normals_of_pairs(struct dem_block *restrict b, const struct dem_gathered *restrict g)
+static void geometry_of_pairs(struct dem_block *restrict b, const struct dem_gathered *restrict g)
 {
-    const double half = 0.5*b->dt;
-
     for (int c = 0; c < b->n; c++)
     {
-        const double rx = g->rx[c], ry = g->ry[c], rz = g->rz[c];
-        const double hx = rx - half*g->vx[c], hy = ry - half*g->vy[c], hz = rz - half*g->vz[c];
-        const double r2 = rx*rx + ry*ry + rz*rz, h2 = hx*hx + hy*hy + hz*hz;
-        const double r = sqrt(r2), h = sqrt(h2), over = 1.0/dem_pick(r > 0.0, r, 1.0), over_half = 1.0/dem_pick(h > 0.0, h, 1.0);
+        struct dem_row r;
 
-        /* coincident centres: any fixed direction will do, as long as all ranks take the same */
-        b->nx[c] = dem_pick(r > 0.0, rx*over, 1.0);
-        b->ny[c] = ry*over;
-        b->nz[c] = rz*over;
-        b->hx[c] = dem_pick(h > 0.0, hx*over_half, 1.0);
-        b->hy[c] = hy*over_half;
-        b->hz[c] = hz*over_half;
-        b->overlap[c] = g->radii[c] - r;
-        b->reduced_radius[c] = g->product[c]/g->radii[c];
+        dem_geometry_pair(g, c, b->dt, &r);
+        b->nx[c] = r.nx;
+        b->ny[c] = r.ny;
+        b->nz[c] = r.nz;
+        b->hx[c] = r.hx;
+        b->hy[c] = r.hy;
+        b->hz[c] = r.hz;
+        b->overlap[c] = r.overlap;
+        b->reduced_radius[c] = r.reduced_radius;
+        b->reduced_mass[c] = r.reduced_mass;
     }
 }
 
@@ -123,45 +118,26 @@ static void normals_of_walls(struct dem_block *b)
     memcpy(b->hz, b->nz, sizeof b->hz);
 }
 
-/* `share`: of what was gathered as spin; times this it is the mean of both partners. 0: nobody asks how the frame turns. */
-__attribute__((always_inline)) static inline void
-relative_motion_with(struct dem_block *restrict b, const struct dem_gathered *restrict g, const int swings, const double share)
+DEM_KERNEL
+static void relative_motion(struct dem_block *restrict b, const struct dem_gathered *restrict g, double share)
 {
     for (int c = 0; c < b->n; c++)
     {
-        const double raw = b->overlap[c], touch = dem_pick(raw > 0.0, 1.0, 0.0), overlap = dem_pick(raw > 0.0, raw, 0.0);
-        const double hx = b->hx[c], hy = b->hy[c], hz = b->hz[c];
-        const double along = g->vx[c]*hx + g->vy[c]*hy + g->vz[c]*hz;
-        const double ax = g->ax[c] - overlap*g->bx[c], ay = g->ay[c] - overlap*g->by[c], az = g->az[c] - overlap*g->bz[c];
-        const double sum = g->inverse_mass[c];
+        struct dem_row r = {.nx = b->nx[c], .ny = b->ny[c], .nz = b->nz[c], .hx = b->hx[c], .hy = b->hy[c], .hz = b->hz[c],
+                            .overlap = b->overlap[c]};
 
-        b->overlap[c] = overlap;
-        b->touching[c] = touch;
-        b->reduced_mass[c] = 1.0/sum;
-        b->vn[c] = g->vx[c]*b->nx[c] + g->vy[c]*b->ny[c] + g->vz[c]*b->nz[c];
-        b->sx[c] = g->vx[c] - along*hx - (ay*hz - az*hy);
-        b->sy[c] = g->vy[c] - along*hy - (az*hx - ax*hz);
-        b->sz[c] = g->vz[c] - along*hz - (ax*hy - ay*hx);
+        dem_geometry_motion(g, c, share, &r);
+        b->overlap[c] = r.overlap;
+        b->touching[c] = r.touching;
+        b->vn[c] = r.vn;
+        b->sx[c] = r.sx;
+        b->sy[c] = r.sy;
+        b->sz[c] = r.sz;
+        b->swing[c] = r.swing;
         b->kn[c] = b->kt[c] = b->eta[c] = 0.0;
         b->fn[c] = b->fx[c] = b->fy[c] = b->fz[c] = 0.0;
         b->mx[c] = b->my[c] = b->mz[c] = 0.0;
-        if (swings)
-        {
-            b->swing[c] = share*(g->bx[c]*b->nx[c] + g->by[c]*b->ny[c] + g->bz[c]*b->nz[c]);
-        }
     }
-}
-
-DEM_KERNEL
-static void relative_motion(struct dem_block *restrict b, const struct dem_gathered *restrict g)
-{
-    relative_motion_with(b, g, 0, 0.0);
-}
-
-DEM_KERNEL
-static void relative_motion_and_swing(struct dem_block *restrict b, const struct dem_gathered *restrict g, double share)
-{
-    relative_motion_with(b, g, 1, share);
 }
 
 /* A wall that turns has a spin, too: what was gathered of the particle less what is left of it relative to the wall. */
@@ -177,9 +153,8 @@ static void swing_of_walls(struct dem_tray *t)
 }
 
 /* Lanes past the last row repeat it, so that every lane is as good as a real one. */
-static void pad(struct dem_tray *restrict t, const uint32_t *restrict row_pair, int rows, uint32_t *restrict padded)
+static void pad(const struct dem_tray *restrict t, const uint32_t *restrict row_pair, int rows, uint32_t *restrict padded)
 {
-    t->block.n = (rows + DEM_LANES - 1)/DEM_LANES*DEM_LANES;
     for (int c = 0; c < t->block.n; c++)
     {
         padded[c] = row_pair[c < rows ? c : rows - 1];
@@ -271,13 +246,8 @@ static void fill_past_touching(struct dem_tray *t, const struct dem_parts *p, co
 /* Of a wall the spin of the particle alone was gathered, of a pair the mean. */
 static void motion(struct dem_tray *t, const struct dem_chain *chain, int plain)
 {
-    if (!(chain->needs & DEM_NEEDS_SWING))
-    {
-        relative_motion(&t->block, &t->g);
-        return;
-    }
-    relative_motion_and_swing(&t->block, &t->g, chain->pair.with_wall ? 0.5 : 1.0);
-    if (chain->pair.with_wall && !plain)
+    relative_motion(&t->block, &t->g, chain->pair.with_wall ? 0.5 : 1.0);
+    if (chain->pair.with_wall && !plain && chain->needs & DEM_NEEDS_SWING)
     {
         swing_of_walls(t);
     }
@@ -285,10 +255,18 @@ static void motion(struct dem_tray *t, const struct dem_chain *chain, int plain)
 
 /* ---- the whole ----------------------------------------------------------------------------------------------- */
 
-void dem_tray_fill(struct dem_tray *t, const struct dem_parts *p, const struct dem_chain *chain, const uint32_t *row_pair, int rows,
-                   uint32_t *padded)
+void dem_tray_gather(struct dem_tray *t, const struct dem_parts *p, const struct dem_chain *chain, uint32_t row, int rows)
 {
-    pad(t, row_pair, rows, padded);
+    t->block.n = (rows + DEM_LANES - 1)/DEM_LANES*DEM_LANES;
+    dem_gather_pairs(t, p, chain->needs, p->contacts.near_row + row);
+}
+
+void dem_tray_fill(struct dem_tray *t, const struct dem_parts *p, const struct dem_chain *chain, uint32_t row, int rows)
+{
+    uint32_t padded[DEM_BLOCK];
+
+    t->block.n = (rows + DEM_LANES - 1)/DEM_LANES*DEM_LANES;
+    pad(t, p->contacts.row_pair + row, rows, padded);
     if (chain->pair.with_wall)
     {
         gather_walls(t, p, padded);
@@ -300,8 +278,8 @@ void dem_tray_fill(struct dem_tray *t, const struct dem_parts *p, const struct d
     }
     else
     {
-        dem_gather_pairs(t, p, chain->needs, padded);
-        normals_of_pairs(&t->block, &t->g);
+        dem_tray_gather(t, p, chain, row, rows);
+        geometry_of_pairs(&t->block, &t->g);
     }
     motion(t, chain, p->walls.plain);
     if (chain->past_touching)

@@ -30,9 +30,11 @@ struct dem_tray
     struct dem_gathered g;
 };
 
-/* Fill the tray with the geometry and the relative motion of `rows` rows of one class, from row_pair on, and clear its
-   results. `padded` (DEM_BLOCK places) is told the pair of every lane. */
-void dem_tray_fill(struct dem_tray *, const struct dem_parts *, const struct dem_chain *, const uint32_t *row_pair, int rows,
-                   uint32_t *padded);
+/* Fill the tray with the geometry and the relative motion of `rows` rows of one class, from `row` on, and clear its results. Lanes
+   past the last row repeat it. */
+void dem_tray_fill(struct dem_tray *, const struct dem_parts *, const struct dem_chain *, uint32_t row, int rows);
+
+/* Only gather, of rows of pairs, for who goes on alone: `g`, `n` and `least_radius` are filled. */
+void dem_tray_gather(struct dem_tray *, const struct dem_parts *, const struct dem_chain *, uint32_t row, int rows);
 
 #endif

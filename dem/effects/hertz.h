@@ -1,0 +1,27 @@
+/*
+ * hertz.h -- what hertz.c does to one row.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_EFFECTS_HERTZ_H
+#define DEM_EFFECTS_HERTZ_H
+
+#include "effects/row.h"
+#include <math.h>
+
+struct dem_hertz
+{
+    double impact_speed;
+    double stiffness;
+    double modulus;                                       /* Pa   4/3 E* or the stiffness, derived */
+};
+
+static inline __attribute__((always_inline)) void dem_hertz_row(dem_real modulus, struct dem_row *r)
+{
+    const dem_real kn = modulus*sqrt(r->reduced_radius*r->overlap);
+
+    r->kn = kn;
+    r->fn += kn*r->overlap;
+}
+
+#endif
