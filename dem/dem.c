@@ -71,6 +71,7 @@ void dem_free(struct dem *d)
     dem_particles_free(&d->parts.particles);
     dem_walls_free(&d->parts.walls);
     dem_recipe_free(&d->parts.recipe);
+    dem_balance_free(&d->parts.balance);
     dem_pieces_free(&d->parts.pieces);
     dem_memory_free(d);
     if (comm != MPI_COMM_NULL)

@@ -143,6 +143,7 @@ struct dem_profile                                        /* what the run since 
     int64_t messages, message_bytes;                      /* sent by all ranks to refresh copies */
     int64_t letters, letter_bytes;                        /* sent by all ranks when lists were renewed */
     int64_t agreements;                                   /* all-reduces of steps */
+    int cuts;                                             /* how often space was cut anew among ranks */
 };
 
 /* Collective, after dem_ready, not within a window of anybody's. Looking changes nothing. The text is the same on all ranks and stays

@@ -47,9 +47,9 @@ static void tell_ranks(struct dem_text *t, const struct dem_profile *f)
     const double each = ratio(1.0, (double)f->steps*f->ranks);
 
     dem_text_add(t, "    ranks: the busiest works %.3g of the mean; a step and rank: %.3g messages, %s, %.3g all-reduces; a rebuild and "
-                 "rank: %.3g letters, %s\n", f->busiest, (double)f->messages*each, dem_text_bytes((double)f->message_bytes*each),
+                 "rank: %.3g letters, %s; cut anew %d times\n", f->busiest, (double)f->messages*each, dem_text_bytes((double)f->message_bytes*each),
                  ratio((double)f->agreements, (double)f->steps), ratio((double)f->letters, (double)f->rebuilds*f->ranks),
-                 dem_text_bytes(ratio((double)f->letter_bytes, (double)f->rebuilds*f->ranks)));
+                 dem_text_bytes(ratio((double)f->letter_bytes, (double)f->rebuilds*f->ranks)), f->cuts);
 }
 
 int dem_profile_write(struct dem_text *t, const struct dem_profile *f)

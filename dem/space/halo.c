@@ -135,27 +135,34 @@ int dem_halo_renew(struct dem_halo *h, struct dem_particles *p, const struct dem
 
 /* ---- refreshing ---------------------------------------------------------------------------------------------- */
 
-static void send_and_receive(struct dem_halo *h, int width)
+static void post(struct dem_halo *h, int width)
 {
-    int open = 0;
-
+    h->open = 0;
     for (int k = 0; k < h->receives; k++)
     {
         MPI_Irecv(h->receive_buffer + h->receive_start[k]*(size_t)width,
                   (int)(h->receive_start[k + 1] - h->receive_start[k])*width, MPI_DOUBLE, h->receive_peer[k], TAG_REFRESH,
-                  h->pieces->comm, &h->request[open++]);
+                  h->pieces->comm, &h->request[h->open++]);
     }
     for (int k = 0; k < h->sends; k++)
     {
         MPI_Isend(h->send_buffer + h->send_start[k]*(size_t)width, (int)(h->send_start[k + 1] - h->send_start[k])*width,
-                  MPI_DOUBLE, h->send_peer[k], TAG_REFRESH, h->pieces->comm, &h->request[open++]);
+                  MPI_DOUBLE, h->send_peer[k], TAG_REFRESH, h->pieces->comm, &h->request[h->open++]);
     }
     h->refreshed.messages += h->sends;
     h->refreshed.bytes += h->sends > 0 ? (int64_t)(h->send_start[h->sends]*(size_t)width*sizeof *h->send_buffer) : 0;
-    MPI_Waitall(open, h->request, MPI_STATUSES_IGNORE);
 }
 
-int dem_halo_refresh(struct dem_halo *h, struct dem_particles *p)
+void dem_halo_wait(struct dem_halo *h)
+{
+    if (h->open > 0)
+    {
+        MPI_Waitall(h->open, h->request, MPI_STATUSES_IGNORE);
+        h->open = 0;
+    }
+}
+
+void dem_halo_send(struct dem_halo *h, const struct dem_particles *p)
 {
     const size_t sent = h->pieces->ranks > 1 && h->sends ? h->send_start[h->sends] : 0;
 
@@ -170,8 +177,13 @@ int dem_halo_refresh(struct dem_halo *h, struct dem_particles *p)
     }
     if (h->pieces->ranks > 1)
     {
-        send_and_receive(h, REFRESHED);
+        post(h, REFRESHED);
     }
+}
+
+void dem_halo_receive(struct dem_halo *h, struct dem_particles *p)
+{
+    dem_halo_wait(h);
     for (size_t k = 0; k < p->ghosts; k++)
     {
         struct dem_particle *const to = &p->record[p->n + k];
@@ -181,7 +193,6 @@ int dem_halo_refresh(struct dem_halo *h, struct dem_particles *p)
         memcpy(to->v, from + 3, sizeof to->v);
         memcpy(to->w, from + 6, sizeof to->w);
     }
-    return DEM_OK;
 }
 
 int dem_halo_refresh_viscosity(struct dem_halo *h, struct dem_particles *p)
@@ -194,7 +205,8 @@ int dem_halo_refresh_viscosity(struct dem_halo *h, struct dem_particles *p)
     }
     if (h->pieces->ranks > 1)
     {
-        send_and_receive(h, 1);
+        post(h, 1);
+        dem_halo_wait(h);
     }
     for (size_t k = 0; k < p->ghosts; k++)
     {

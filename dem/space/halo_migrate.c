@@ -8,6 +8,7 @@
  */
 #include "space/halo.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include <string.h>
 
 enum
@@ -90,42 +91,101 @@ static int destinations(struct dem_halo *h, const struct dem_particles *p, const
 
 /* ---- letters ------------------------------------------------------------------------------------------------- */
 
-static int write_letter(struct dem_halo *h, const struct dem_particles *p, const struct dem_contacts *c, int peer,
-                        const int *owner, const int *row_owner)
+struct leavers                                            /* sorted by where they go */
+{
+    size_t n;
+    uint64_t *to;
+    uint32_t *which;
+};
+
+static void free_leavers(struct leavers *l)
+{
+    dem_memory_free(l->to);
+    dem_memory_free(l->which);
+}
+
+static int sort_leavers(struct leavers *l, const int *owner, size_t n)
+{
+    uint64_t *keys;
+    uint32_t *places;
+
+    l->n = 0;
+    for (size_t i = 0; i < n; i++)
+    {
+        l->n += owner[i] >= 0;
+    }
+    DEM_TRY(DEM_NEW(l->to, l->n + 1));
+    DEM_TRY(DEM_NEW(l->which, l->n + 1));
+    DEM_TRY(DEM_NEW(keys, l->n + 1));
+    DEM_TRY(DEM_NEW(places, l->n + 1));
+    for (size_t i = 0, k = 0; i < n; i++)
+    {
+        if (owner[i] >= 0)
+        {
+            l->to[k] = (uint64_t)owner[i];
+            l->which[k++] = (uint32_t)i;
+        }
+    }
+    dem_sort_keys(l->to, l->which, l->n, keys, places);
+    dem_memory_free(keys);
+    dem_memory_free(places);
+    return DEM_OK;
+}
+
+/* How many from place `first` on go where that one goes. */
+static size_t run_of(const struct leavers *l, size_t first, uint64_t to)
+{
+    size_t n = 0;
+
+    while (first + n < l->n && l->to[first + n] == to)
+    {
+        n++;
+    }
+    return n;
+}
+
+/* All letters; a row goes only where a particle goes. */
+static int write_letters(struct dem_halo *h, const struct dem_particles *p, const struct dem_contacts *c, const struct leavers *who,
+                         const struct leavers *what)
 {
     const size_t size = dem_particles_packed_size(p), memories = (size_t)c->memories;
-    size_t particles = 0, rows = 0;
     double *where;
 
-    for (size_t i = 0; i < p->n; i++)
+    for (size_t i = 0, r = 0; i < who->n;)
     {
-        particles += owner[i] == peer;
-    }
-    for (size_t r = 0; r < 2*c->carried; r++)
-    {
-        rows += row_owner[r] == peer;
-    }
-    DEM_TRY(dem_mail_letter(&h->out, peer));
-    DEM_TRY(dem_mail_room(&h->out, 2 + particles*size + rows*(NAME + memories), &where));
-    *where++ = (double)particles;
-    *where++ = (double)rows;
-    for (size_t i = 0; i < p->n; i++)
-    {
-        if (owner[i] == peer)
+        const uint64_t peer = who->to[i];
+        const size_t particles = i + run_of(who, i, peer), rows = r + run_of(what, r, peer);
+
+        DEM_TRY(dem_mail_letter(&h->out, (int)peer));
+        DEM_TRY(dem_mail_room(&h->out, 2 + (particles - i)*size + (rows - r)*(NAME + memories), &where));
+        *where++ = (double)(particles - i);
+        *where++ = (double)(rows - r);
+        for (; i < particles; i++, where += size)
         {
-            dem_particles_pack(p, i, where);
-            where += size;
+            dem_particles_pack(p, who->which[i], where);
+        }
+        for (; r < rows; r++, where += NAME + memories)
+        {
+            const size_t row = what->which[r]/2;
+
+            memcpy(where, &c->carry[row], sizeof *c->carry);
+            memcpy(where + NAME, c->kept + row*memories, memories*sizeof *where);
         }
     }
-    for (size_t r = 0; r < 2*c->carried; r++)
-    {
-        if (row_owner[r] == peer)
-        {
-            memcpy(where, &c->carry[r/2], sizeof *c->carry);
-            memcpy(where + NAME, c->kept + r/2*memories, memories*sizeof *where);
-            where += NAME + memories;
-        }
-    }
+    return DEM_OK;
+}
+
+static int post_leavers(struct dem_halo *h, const struct dem_particles *p, const struct dem_contacts *c, const int *owner,
+                        const int *row_owner)
+{
+    struct leavers who = {.n = 0}, what = {.n = 0};
+
+    dem_mail_clear(&h->out);
+    DEM_TRY(sort_leavers(&who, owner, p->n));
+    DEM_TRY(sort_leavers(&what, row_owner, 2*c->carried));
+    DEM_TRY(write_letters(h, p, c, &who, &what));
+    free_leavers(&who);
+    free_leavers(&what);
     return DEM_OK;
 }
 
@@ -175,7 +235,6 @@ static int drop_leavers(struct dem_particles *p, const int *owner)
 int dem_halo_migrate(struct dem_halo *h, struct dem_particles *p, struct dem_contacts *c)
 {
     int *owner, *row_owner, leaving;
-    char *wanted;
 
     p->ghosts = 0;
     if (h->pieces->ranks == 1)
@@ -184,30 +243,14 @@ int dem_halo_migrate(struct dem_halo *h, struct dem_particles *p, struct dem_con
     }
     DEM_TRY(DEM_NEW(owner, p->n + 1));
     DEM_TRY(DEM_NEW(row_owner, 2*c->carried + 1));
-    DEM_TRY(DEM_NEW(wanted, h->pieces->ranks + 1));
     DEM_TRY(destinations(h, p, c, owner, row_owner, &leaving));
-    dem_mail_clear(&h->out);
-    for (size_t i = 0; i < p->n; i++)
-    {
-        if (owner[i] >= 0)
-        {
-            wanted[owner[i]] = 1;
-        }
-    }
-    for (int peer = 0; peer < h->pieces->ranks; peer++)
-    {
-        if (wanted[peer])
-        {
-            DEM_TRY(write_letter(h, p, c, peer, owner, row_owner));
-        }
-    }
+    DEM_TRY(post_leavers(h, p, c, owner, row_owner));
     if (leaving)
     {
         DEM_TRY(drop_leavers(p, owner));
     }
     dem_memory_free(owner);
     dem_memory_free(row_owner);
-    dem_memory_free(wanted);
     DEM_TRY(dem_mail_exchange(h->pieces->comm, &h->out, &h->in));
     return read_letters(h, p, c);
 }

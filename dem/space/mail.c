@@ -6,6 +6,7 @@
 #include "space/mail.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include <limits.h>
 #include <string.h>
 
@@ -85,23 +86,27 @@ static int read_one(MPI_Comm comm, struct dem_mail *in, int tag)
 static int sort_by_peer(struct dem_mail *in)
 {
     struct dem_mail sorted = {.rounds = in->rounds, .sent = in->sent};
+    const size_t n = (size_t)in->peers;
+    struct dem_sort_pair *letter, *scratch;
+    double *where;
 
-    for (int done = 0; done < in->peers; done++)
+    DEM_TRY(DEM_NEW(letter, n + 1));
+    DEM_TRY(DEM_NEW(scratch, n + 1));
+    for (size_t k = 0; k < n; k++)
     {
-        int next = -1;
-        double *where;
-
-        for (int k = 0; k < in->peers; k++)
-        {
-            next = in->peer[k] >= 0 && (next < 0 || in->peer[k] < in->peer[next]) ? k : next;
-        }
-        const size_t count = in->start[next + 1] - in->start[next];
-
-        DEM_TRY(dem_mail_letter(&sorted, in->peer[next]));
-        DEM_TRY(dem_mail_room(&sorted, count, &where));
-        memcpy(where, in->data + in->start[next], count*sizeof *where);
-        in->peer[next] = -1;
+        letter[k] = (struct dem_sort_pair){.lo = (uint64_t)in->peer[k], .index = (uint32_t)k};
     }
+    dem_sort_pairs(letter, n, scratch);
+    for (size_t k = 0; k < n; k++)
+    {
+        const size_t from = in->start[letter[k].index], count = in->start[letter[k].index + 1] - from;
+
+        DEM_TRY(dem_mail_letter(&sorted, (int)letter[k].lo));
+        DEM_TRY(dem_mail_room(&sorted, count, &where));
+        memcpy(where, in->data + from, count*sizeof *where);
+    }
+    dem_memory_free(letter);
+    dem_memory_free(scratch);
     dem_mail_free(in);
     *in = sorted;
     return DEM_OK;

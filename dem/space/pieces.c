@@ -1,7 +1,7 @@
 /*
- * pieces.c -- all planes of one level of the tree are found together by bisection on counts.
+ * pieces.c -- all planes of one level of the tree are found together by bisection on sums of weights.
  *
- * Our own hundred lines rather than Zoltan: Debian's Zoltan comes with all of Trilinos.
+ * Weights are whole numbers, so their sums are the same however ranks are added. Why not Zoltan: dem/README.md, section 7.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -16,13 +16,22 @@ enum
     BISECTIONS = 50                                       /* halvings of an extent: past the last bit that matters */
 };
 
+/* A plane is good enough when it gives away no more than this share of what one rank gets; down the tree it adds up to twice that. */
+static const double tolerance = 0.005;
+
 struct node                                               /* a group of ranks [lo, hi) and its particles' extent */
 {
     int lo, hi;
     double box[6];                                        /* m: min, then -max, so that one minimum finds both */
     double low, high;                                     /* m: where the plane is searched */
-    double count, below;
+    double weight;
+    int found;
 };
+
+static double weight_of(const uint32_t *weight, size_t i)
+{
+    return weight ? (double)weight[i] : 1.0;
+}
 
 int dem_pieces_init(struct dem_pieces *p, MPI_Comm comm, int rank, int ranks)
 {
@@ -38,31 +47,38 @@ void dem_pieces_free(struct dem_pieces *p)
     memset(p, 0, sizeof *p);
 }
 
-static void extents(const struct dem_pieces *p, const struct dem_particles *q, const int *of, struct node *node, int nodes,
-                    double *work)
+struct load                                               /* the particles of this rank, and the node that each is in */
+{
+    const struct dem_particles *particles;
+    const uint32_t *weight;
+    int *of;
+};
+
+static void extents(const struct dem_pieces *p, const struct load *q, struct node *node, int nodes, double *work)
 {
     for (int k = 0; k < 7*nodes; k++)
     {
         work[k] = k < 6*nodes ? INFINITY : 0.0;
     }
-    for (size_t i = 0; i < q->n; i++)
+    for (size_t i = 0; i < q->particles->n; i++)
     {
         for (int a = 0; a < 3; a++)
         {
-            const double x = q->record[i].x[a];
-            double *const box = work + 6*of[i];
+            const double x = q->particles->record[i].x[a];
+            double *const box = work + 6*q->of[i];
 
             box[a] = x < box[a] ? x : box[a];
             box[a + 3] = -x < box[a + 3] ? -x : box[a + 3];
         }
-        work[6*nodes + of[i]] += 1.0;
+        work[6*nodes + q->of[i]] += weight_of(q->weight, i);
     }
     MPI_Allreduce(MPI_IN_PLACE, work, 6*nodes, MPI_DOUBLE, MPI_MIN, p->comm);
     MPI_Allreduce(MPI_IN_PLACE, work + 6*nodes, nodes, MPI_DOUBLE, MPI_SUM, p->comm);
     for (int k = 0; k < nodes; k++)
     {
         memcpy(node[k].box, work + 6*k, sizeof node[k].box);
-        node[k].count = work[6*nodes + k];
+        node[k].weight = work[6*nodes + k];
+        node[k].found = node[k].hi - node[k].lo == 1;
     }
 }
 
@@ -82,43 +98,55 @@ static void choose_axes(struct dem_pieces *p, struct node *node, int nodes)
             longest = -node[k].box[a + 3] - node[k].box[a] > -node[k].box[longest + 3] - node[k].box[longest] ? a : longest;
         }
         p->axis[mid] = longest;
-        node[k].low = node[k].count > 0.0 ? node[k].box[longest] : 0.0;
-        node[k].high = node[k].count > 0.0 ? -node[k].box[longest + 3] : 0.0;
+        node[k].low = node[k].weight > 0.0 ? node[k].box[longest] : 0.0;
+        node[k].high = node[k].weight > 0.0 ? -node[k].box[longest + 3] : 0.0;
     }
 }
 
-static void search_planes(struct dem_pieces *p, const struct dem_particles *q, const int *of, struct node *node, int nodes,
-                          double *below)
+/* What lies below the plane tried now, of each node that still searches. */
+static void weigh(const struct dem_pieces *p, const struct load *q, const struct node *node, int nodes, double *below)
 {
-    for (int step = 0; step < BISECTIONS; step++)
+    memset(below, 0, (size_t)nodes*sizeof *below);
+    for (size_t i = 0; i < q->particles->n; i++)
     {
-        memset(below, 0, (size_t)nodes*sizeof *below);
-        for (size_t i = 0; i < q->n; i++)
-        {
-            const struct node *const k = &node[of[i]];
-            const int mid = (k->lo + k->hi)/2;
+        const struct node *const k = &node[q->of[i]];
+        const int mid = (k->lo + k->hi)/2;
 
-            below[of[i]] += k->hi - k->lo > 1 && q->record[i].x[p->axis[mid]] < 0.5*(k->low + k->high);
+        if (!k->found && q->particles->record[i].x[p->axis[mid]] < 0.5*(k->low + k->high))
+        {
+            below[q->of[i]] += weight_of(q->weight, i);
         }
-        MPI_Allreduce(MPI_IN_PLACE, below, nodes, MPI_DOUBLE, MPI_SUM, p->comm);
+    }
+    MPI_Allreduce(MPI_IN_PLACE, below, nodes, MPI_DOUBLE, MPI_SUM, p->comm);
+}
+
+static void search_planes(struct dem_pieces *p, const struct load *q, struct node *node, int nodes, double *below)
+{
+    int searching = 1;
+
+    for (int step = 0; step < BISECTIONS && searching; step++)
+    {
+        weigh(p, q, node, nodes, below);
+        searching = 0;
         for (int k = 0; k < nodes; k++)
         {
             const int mid = (node[k].lo + node[k].hi)/2;
-            const double plane = 0.5*(node[k].low + node[k].high);
-            const double wanted = node[k].count*(mid - node[k].lo)/(node[k].hi - node[k].lo);
+            const double plane = 0.5*(node[k].low + node[k].high), share = node[k].weight/(node[k].hi - node[k].lo);
+            const double excess = below[k] - share*(mid - node[k].lo);
 
-            if (node[k].hi - node[k].lo > 1)
+            if (!node[k].found)
             {
-                *(below[k] < wanted ? &node[k].low : &node[k].high) = plane;
+                *(excess < 0.0 ? &node[k].low : &node[k].high) = plane;
                 p->at[mid] = plane;
+                node[k].found = fabs(excess) <= tolerance*share;
+                searching |= !node[k].found;
             }
         }
     }
 }
 
 /* Children of the nodes that still hold several ranks; single ranks are done and keep their place. */
-static int descend(struct dem_pieces *p, const struct dem_particles *q, int *of, struct node *node, struct node *next, int nodes,
-                   int *child)
+static int descend(struct dem_pieces *p, const struct load *q, struct node *node, struct node *next, int nodes, int *child)
 {
     int count = 0;
 
@@ -133,21 +161,22 @@ static int descend(struct dem_pieces *p, const struct dem_particles *q, int *of,
             next[count++] = (struct node){.lo = mid, .hi = hi};
         }
     }
-    for (size_t i = 0; i < q->n; i++)
+    for (size_t i = 0; i < q->particles->n; i++)
     {
-        const struct node *const k = &node[of[i]];
+        const struct node *const k = &node[q->of[i]];
         const int mid = (k->lo + k->hi)/2;
 
-        of[i] = child[of[i]] + (k->hi - k->lo > 1 && q->record[i].x[p->axis[mid]] >= p->at[mid]);
+        q->of[i] = child[q->of[i]] + (k->hi - k->lo > 1 && q->particles->record[i].x[p->axis[mid]] >= p->at[mid]);
     }
     return count;
 }
 
-int dem_pieces_balance(struct dem_pieces *p, const struct dem_particles *q)
+int dem_pieces_balance(struct dem_pieces *p, const struct dem_particles *particles, const uint32_t *weight)
 {
+    struct load load = {.particles = particles, .weight = weight};
     struct node *node, *next;
     double *work;
-    int *of, *child, nodes = 1;
+    int *child, nodes = 1;
 
     if (p->ranks == 1)
     {
@@ -157,16 +186,16 @@ int dem_pieces_balance(struct dem_pieces *p, const struct dem_particles *q)
     DEM_TRY(DEM_NEW(next, 2*p->ranks));
     DEM_TRY(DEM_NEW(work, 14*p->ranks));
     DEM_TRY(DEM_NEW(child, 2*p->ranks));
-    DEM_TRY(DEM_NEW(of, q->n + 1));
+    DEM_TRY(DEM_NEW(load.of, particles->n + 1));
     node[0] = (struct node){.lo = 0, .hi = p->ranks};
     while (nodes < p->ranks)
     {
         struct node *const old = node;
 
-        extents(p, q, of, node, nodes, work);
+        extents(p, &load, node, nodes, work);
         choose_axes(p, node, nodes);
-        search_planes(p, q, of, node, nodes, work);
-        nodes = descend(p, q, of, node, next, nodes, child);
+        search_planes(p, &load, node, nodes, work);
+        nodes = descend(p, &load, node, next, nodes, child);
         node = next;
         next = old;
     }
@@ -174,7 +203,7 @@ int dem_pieces_balance(struct dem_pieces *p, const struct dem_particles *q)
     dem_memory_free(next);
     dem_memory_free(work);
     dem_memory_free(child);
-    dem_memory_free(of);
+    dem_memory_free(load.of);
     return DEM_OK;
 }
 
@@ -215,17 +244,4 @@ void dem_pieces_box(const struct dem_pieces *p, int rank, double min[3], double 
             lo = mid;
         }
     }
-}
-
-double dem_pieces_imbalance(const struct dem_pieces *p, size_t n)
-{
-    double count[2] = {(double)n, (double)n};
-
-    if (p->ranks == 1)
-    {
-        return 1.0;
-    }
-    MPI_Allreduce(MPI_IN_PLACE, &count[0], 1, MPI_DOUBLE, MPI_MAX, p->comm);
-    MPI_Allreduce(MPI_IN_PLACE, &count[1], 1, MPI_DOUBLE, MPI_SUM, p->comm);
-    return count[1] > 0.0 ? count[0]*p->ranks/count[1] : 1.0;
 }

@@ -1,5 +1,5 @@
 /*
- * pieces.h -- which rank owns which part of space: recursive coordinate bisection with equal particle counts.
+ * pieces.h -- which rank owns which part of space: recursive coordinate bisection into equal weights.
  *
  * The group of ranks [lo, hi) is split at mid = (lo + hi)/2 by a plane; the plane is kept at index mid, so the whole
  * tree is two arrays that every rank holds. Pieces reach to infinity at the outside. Who owns what never changes a
@@ -24,16 +24,13 @@ struct dem_pieces
 int dem_pieces_init(struct dem_pieces *, MPI_Comm comm, int rank, int ranks);
 void dem_pieces_free(struct dem_pieces *);
 
-/* Collective. Cut anew so that every rank gets its share of the owned particles. */
-int dem_pieces_balance(struct dem_pieces *, const struct dem_particles *);
+/* Collective. Cut anew so that every rank gets its share, to a hundredth, of the weights of the owned particles; NULL: one each. */
+int dem_pieces_balance(struct dem_pieces *, const struct dem_particles *, const uint32_t *weight);
 
 /* The rank that owns a position. */
 int dem_pieces_owner(const struct dem_pieces *, const double x[3]);
 
 /* The box of a rank, infinite at the outside. */
 void dem_pieces_box(const struct dem_pieces *, int rank, double min[3], double max[3]);
-
-/* Collective. Largest over mean number of owned particles. */
-double dem_pieces_imbalance(const struct dem_pieces *, size_t n);
 
 #endif

@@ -16,6 +16,7 @@
 #include "state/recipe.h"
 #include "state/walls.h"
 #include "step/averages.h"
+#include "step/balance.h"
 #include "step/kept.h"
 #include "step/ledger.h"
 #include "step/bonds.h"
@@ -51,6 +52,7 @@ struct dem_parts
     struct dem_wall_books books;
     struct dem_ledger ledger;
     struct dem_phases phases;
+    struct dem_balance balance;
     int stale;                                            /* 1: rebuild in the next step whatever has moved; 2: there are no
                                                              lists of these particles yet */
     int64_t steps, rebuilds, prunes;

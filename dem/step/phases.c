@@ -9,7 +9,7 @@
 
 enum
 {
-    ENOUGH = 5000                                         /* particles whose step takes 1000 times nine readings, 0.3 ms */
+    ENOUGH = 5000                                         /* particles whose step takes 1000 times ten readings, 0.3 ms */
 };
 
 static void read_clock(struct dem_phases *t, double *spent)

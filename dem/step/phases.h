@@ -1,7 +1,7 @@
 /*
  * phases.h -- where the time of a run goes: one reading of the clock ends a phase and begins the next.
  *
- * A reading takes 30 ns, a step has nine. So that the clock costs less than 0.1 % of steps that take 0.06 us a particle, each step is
+ * A reading takes 30 ns, a step has ten. So that the clock costs less than 0.1 % of steps that take 0.06 us a particle, each step is
  * looked at when a rank has 5000 particles or more, every second one when it has half of that, and so on. Time that was not
  * looked at is shared out among the phases of every step as those that were; renewed lists and copies of the state are rare and
  * always looked at. So all phases together are the time that passed. Nothing in the run depends on any of this.

@@ -74,7 +74,8 @@ void dem_profile_take(struct dem_parts *p, struct dem_profile *f)
                               .busiest = mean[WORK] > 0.0 ? most[WORK]/mean[WORK] : 1.0, .steps = p->phases.steps,
                               .rebuilds = p->rebuilds - p->phases.rebuilds, .prunes = p->prunes - p->phases.prunes,
                               .outer_skin = 2.0*p->pairs.half_outer, .inner_skin = 2.0*p->pairs.half_inner,
-                              .diameter = 2.0*p->pairs.most_radius, .bytes = survey.bytes, .agreements = p->phases.agreements};
+                              .diameter = 2.0*p->pairs.most_radius, .bytes = survey.bytes, .agreements = p->phases.agreements,
+                              .cuts = p->balance.cuts};
     for (int k = 0; k < DEM_PHASES; k++)
     {
         f->phase[k].name = dem_phase_name((enum dem_phase)k);

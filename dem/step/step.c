@@ -23,9 +23,6 @@ enum
     FULL_TEXT = DEM_ERROR_TEXT_SIZE
 };
 
-/* More than this share of particles above the mean on one rank, and the pieces are cut anew. */
-static const double most_imbalance = 1.1;
-
 /* ---- agreeing ------------------------------------------------------------------------------------------------ */
 
 /* The failing rank of lowest number tells all the others its sentence; all return its status. */
@@ -79,8 +76,8 @@ static int send_off(struct dem_parts *p, size_t i)
     return dem_losses_note(&p->losses, q, p->time, 1, cause);
 }
 
-/* Wrap along periodic axes; who is outside then goes. */
-static int bring_home(struct dem_parts *p)
+/* Wrap along periodic axes; who is outside then goes, with its weight if there are weights. */
+static int bring_home(struct dem_parts *p, int weighed)
 {
     struct dem_particle *const record = p->particles.record;
     const size_t n = p->particles.n;
@@ -104,16 +101,20 @@ static int bring_home(struct dem_parts *p)
     if (!status && kept < n)
     {
         dem_particles_reorder(&p->particles, order, kept);
+        if (weighed)
+        {
+            dem_balance_keep(&p->balance, order, kept);
+        }
     }
     dem_memory_free(order);
     return status;
 }
 
-static int hand_over(struct dem_parts *p)
+static int hand_over(struct dem_parts *p, int cut, int weighed)
 {
-    if (dem_pieces_imbalance(&p->pieces, p->particles.n) > most_imbalance)
+    if (cut)
     {
-        DEM_TRY(dem_pieces_balance(&p->pieces, &p->particles));
+        DEM_TRY(dem_pieces_balance(&p->pieces, &p->particles, weighed ? p->balance.weight : NULL));
     }
     return dem_halo_migrate(&p->halo, &p->particles, &p->contacts);
 }
@@ -129,12 +130,14 @@ static int prune(struct dem_parts *p)
 
 int dem_step_renew(struct dem_parts *p)
 {
+    const int cut = dem_balance_pays(&p->balance, &p->pieces), weighed = cut && p->stale < 2;
     double none[2] = {0.0, 0.0};
-    int status = dem_contacts_lift(&p->contacts, &p->particles, p->pairs.wall_region);
+    int status = weighed ? dem_balance_weigh(&p->balance, &p->particles, &p->contacts) : DEM_OK;
 
-    status = status ? status : bring_home(p);
+    status = status ? status : dem_contacts_lift(&p->contacts, &p->particles, p->pairs.wall_region);
+    status = status ? status : bring_home(p, weighed);
     DEM_TRY(agree(p, status, none));
-    DEM_TRY(hand_over(p));
+    DEM_TRY(hand_over(p, cut, weighed));
     DEM_TRY(dem_pairs_order(&p->pairs, &p->particles));
     DEM_TRY(dem_halo_renew(&p->halo, &p->particles, &p->domain, p->pairs.most_radius, p->pairs.outer));
     status = dem_pairs_find(&p->pairs, &p->domain, &p->particles, &p->walls, &p->recipe, &p->contacts);
@@ -168,11 +171,12 @@ static int neighbourhood(struct dem_parts *p, double fastest, double dt)
     if (p->stale || s->moved_outer > s->half_outer || dem_walls_moved(&p->walls, DEM_LIST_OUTER) > s->half_outer)
     {
         dem_phases_rare(&p->phases, DEM_PHASE_AGREE);
+        dem_halo_wait(&p->halo);
         DEM_TRY(dem_step_renew(p));
         dem_phases_rare_end(&p->phases, DEM_PHASE_RENEW);
         return DEM_OK;
     }
-    DEM_TRY(dem_halo_refresh(&p->halo, &p->particles));
+    dem_halo_receive(&p->halo, &p->particles);
     dem_phases_end(&p->phases, DEM_PHASE_REFRESH);
     if (s->moved_inner > s->half_inner || dem_walls_moved(&p->walls, DEM_LIST_INNER) > s->half_inner)
     {
@@ -257,6 +261,25 @@ static int not_too_far(const struct dem_parts *p, double fastest, double dt)
     return DEM_OK;
 }
 
+/* Copies travel while ranks agree; when lists have to be renewed they have travelled in vain. */
+static int send_and_agree(struct dem_parts *p, int status, double fastest[2])
+{
+    if (!p->stale)
+    {
+        dem_halo_send(&p->halo, &p->particles);
+        dem_phases_end(&p->phases, DEM_PHASE_REFRESH);
+    }
+    status = agree(p, status, fastest);
+    if (status || !isfinite(fastest[0]))
+    {
+        dem_halo_wait(&p->halo);
+    }
+    DEM_TRY(status);
+    DEM_REQUIRE(isfinite(fastest[0]), DEM_ERROR_NUMBER, "a particle's velocity is not a number at step %lld; look at the forces "
+                "on it, and at the fluid around it", (long long)p->steps);
+    return DEM_OK;
+}
+
 static void count_work(struct dem_parts *p)
 {
     p->phases.particle_steps += (int64_t)p->particles.n;
@@ -264,6 +287,7 @@ static void count_work(struct dem_parts *p)
     {
         p->phases.row_steps += p->contacts.segment[c].count;
     }
+    dem_balance_count(&p->balance, p->particles.n, &p->contacts);
 }
 
 /* The step that ends at p->time. The status of the sweep is kept for the next agreement, so that all ranks stop together. */
@@ -283,9 +307,7 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
     }
     *status = *status ? *status : not_too_far(p, fastest[0], dt);
     dem_phases_end(&p->phases, DEM_PHASE_DRIFT);
-    DEM_TRY(agree(p, *status, fastest));
-    DEM_REQUIRE(isfinite(fastest[0]), DEM_ERROR_NUMBER, "a particle's velocity is not a number at step %lld; look at the forces "
-                "on it, and at the fluid around it", (long long)p->steps);
+    DEM_TRY(send_and_agree(p, *status, fastest));
     DEM_TRY(neighbourhood(p, fastest[0], dt));
     count_work(p);
     *status = dem_sweep_contacts(p, dt, (const double[2]){since, p->time});
