@@ -13,32 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What the program handed in joins what the scene inserts. */
-static int take_crowd(struct dem *d)
-{
-    if (d->crowd.n > 0)
-    {
-        DEM_TRY(dem_crowd_begin(&d->scene.crowd, "dem_add_particles"));
-    }
-    for (size_t k = 0; k < d->crowd.n; k++)
-    {
-        struct dem_particle p = d->crowd.particle[k], whole;
-        int material;
-
-        DEM_TRY(dem_recipe_material(&d->parts.recipe, d->crowd_material[k], "dem_add_particles", &material));
-        whole = dem_particle_sphere(p.id, p.x, 2.0*p.radius, d->parts.recipe.material[material].density, material);
-        memcpy(whole.v, p.v, sizeof p.v);
-        memcpy(whole.w, p.w, sizeof p.w);
-        if (p.flags & DEM_PARTICLE_FROZEN)
-        {
-            whole.flags = DEM_PARTICLE_FROZEN;
-            whole.inverse_mass = whole.inverse_inertia = 0.0;
-        }
-        DEM_TRY(dem_crowd_add(&d->scene.crowd, whole, "dem_add_particles"));
-    }
-    return DEM_OK;
-}
-
 static int compare_ids(const void *a, const void *b)
 {
     const int64_t p = *(const int64_t *)a, q = *(const int64_t *)b;
@@ -46,45 +20,84 @@ static int compare_ids(const void *a, const void *b)
     return (p > q) - (p < q);
 }
 
-static int refuse_twins(const struct dem_crowd *c)
+/* The scene's own ids are those below `first`, none of them twice. */
+static int refuse_twins(int64_t *id, size_t n, int64_t first)
 {
-    int64_t *id, twin = -1;
+    int64_t twin = -1;
 
-    DEM_TRY(DEM_NEW(id, c->n + 1));
-    for (size_t k = 0; k < c->n; k++)
+    qsort(id, n, sizeof *id, compare_ids);
+    for (size_t k = 0; k < n; k++)
     {
-        id[k] = c->particle[k].id;
+        twin = id[k] < first || (k > 0 && id[k] == id[k - 1]) ? id[k] : twin;
     }
-    qsort(id, c->n, sizeof *id, compare_ids);
-    for (size_t k = 1; k < c->n; k++)
-    {
-        twin = id[k] == id[k - 1] ? id[k] : twin;
-    }
-    dem_memory_free(id);
     DEM_REQUIRE(twin < 0, DEM_ERROR_INPUT, "two particles have id %lld; give each its own, or -1 for the next free one",
                 (long long)twin);
     return DEM_OK;
 }
 
-/* Each rank takes every ranks-th particle of the common list; the first balance hands them over. */
-static int spread_crowd(struct dem *d)
+/* One that the program handed in, as the scene knows it. */
+static int resolve(const struct dem *d, size_t k, struct dem_particle *whole)
+{
+    const struct dem_particle *const p = &d->crowd.particle[k];
+    int material;
+
+    DEM_TRY(dem_recipe_material(&d->parts.recipe, d->crowd_material[k], "dem_add_particles", &material));
+    *whole = dem_particle_sphere(p->id, p->x, 2.0*p->radius, d->parts.recipe.material[material].density, material);
+    memcpy(whole->v, p->v, sizeof p->v);
+    memcpy(whole->w, p->w, sizeof p->w);
+    if (p->flags & DEM_PARTICLE_FROZEN)
+    {
+        whole->flags = DEM_PARTICLE_FROZEN;
+        whole->inverse_mass = whole->inverse_inertia = 0.0;
+    }
+    return DEM_OK;
+}
+
+/* What the program handed in joins what the scene inserts: all ranks have the whole list, each takes every ranks-th. */
+static int take_crowd(struct dem *d)
+{
+    struct dem_crowd *const c = &d->scene.crowd;
+    const int64_t first = c->next_id;
+    int64_t next = first, *id;
+
+    if (d->crowd.n == 0)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_crowd_begin(c, "dem_add_particles"));
+    DEM_TRY(DEM_NEW(id, d->crowd.n));
+    for (size_t k = 0; k < d->crowd.n; k++)
+    {
+        struct dem_particle whole;
+
+        DEM_TRY(resolve(d, k, &whole));
+        whole.id = id[k] = whole.id < 0 ? next : whole.id;
+        next = id[k] >= next ? id[k] + 1 : next;
+        dem_crowd_count(c, 1, 2.0*whole.radius, whole.mass, whole.material);
+        if (k%(size_t)d->parts.pieces.ranks == (size_t)d->parts.pieces.rank)
+        {
+            DEM_TRY(dem_crowd_add(c, whole, "dem_add_particles"));
+        }
+    }
+    const int status = refuse_twins(id, d->crowd.n, first);
+
+    dem_memory_free(id);
+    return status;
+}
+
+/* This rank's share becomes its own; the first balance hands them to the owners of their places. */
+static int settle_crowd(struct dem *d)
 {
     const struct dem_crowd *const c = &d->scene.crowd;
     struct dem_particles *const p = &d->parts.particles;
 
-    DEM_TRY(refuse_twins(c));
-    DEM_TRY(dem_particles_grow(p, c->n/(size_t)d->parts.pieces.ranks + 1));
+    DEM_TRY(dem_particles_grow(p, c->n + 1));
     for (size_t k = 0; k < c->n; k++)
     {
         DEM_REQUIRE(dem_domain_holds(&d->parts.domain, c->particle[k].x), DEM_ERROR_INPUT,
                     "particle %lld at (%g %g %g) m is outside the domain; move it, or enlarge the domain",
                     (long long)c->particle[k].id, c->particle[k].x[0], c->particle[k].x[1], c->particle[k].x[2]);
-        if (k%(size_t)d->parts.pieces.ranks == (size_t)d->parts.pieces.rank)
-        {
-            DEM_TRY(dem_particles_grow(p, p->n + 1));
-            memset(&p->record[p->n], 0, sizeof p->record[p->n]);
-            p->record[p->n++] = c->particle[k];
-        }
+        p->record[p->n++] = c->particle[k];
     }
     return DEM_OK;
 }
@@ -176,10 +189,10 @@ int dem_door_start_particles(struct dem *d)
         p->steps = s.steps;
         return DEM_OK;
     }
-    DEM_TRY(dem_insert_place(&d->scene.crowd, &d->scene.insertion, &p->recipe));
+    DEM_TRY(dem_insert_place(&d->scene.crowd, &d->scene.insertion, &p->recipe, &p->pieces));
     dem_insert_free(&d->scene.insertion);
     DEM_TRY(take_crowd(d));
-    DEM_TRY(spread_crowd(d));
+    DEM_TRY(settle_crowd(d));
     dem_crowd_disperse(&d->scene.crowd);
     dem_crowd_disperse(&d->crowd);
     return DEM_OK;

@@ -1,5 +1,5 @@
 /*
- * crowd.c -- adding one by one, with a tally of each group.
+ * crowd.c -- adding one by one; a tally of each group.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -32,18 +32,17 @@ int dem_crowd_begin(struct dem_crowd *c, const char *group)
     return DEM_OK;
 }
 
-static void count_in(struct dem_crowd *c, const struct dem_particle *p)
+void dem_crowd_count(struct dem_crowd *c, int64_t n, double diameter, double mass, int material)
 {
     struct dem_group *const g = &c->group[c->groups - 1];
-    const double diameter = 2.0*p->radius;
 
-    g->material = g->n == 0 || g->material == p->material ? p->material : -1;
-    g->n++;
+    g->material = g->n == 0 || g->material == material ? material : -1;
+    g->n += n;
     g->least = fmin(g->least, diameter);
     g->most = fmax(g->most, diameter);
-    g->sum += diameter;
-    g->volume += dem_particle_volume(p);
-    g->mass += p->mass;
+    g->sum += (double)n*diameter;
+    g->volume += (double)n*dem_sphere_volume(0.5*diameter);
+    g->mass += (double)n*mass;
 }
 
 int dem_crowd_add(struct dem_crowd *c, struct dem_particle p, const char *where)
@@ -61,13 +60,10 @@ int dem_crowd_add(struct dem_crowd *c, struct dem_particle p, const char *where)
                     "%s: a frozen particle never moves, but has a velocity or spin of %g; leave it out, or frozen", where,
                     p.v[k] != 0.0 ? p.v[k] : p.w[k]);
     }
+    DEM_REQUIRE(p.id < INT64_MAX, DEM_ERROR_INPUT, "%s: id %lld leaves no next one; give a smaller number", where, (long long)p.id);
     DEM_TRY(DEM_GROW(c->particle, c->room, c->n + 1));
     p.id = p.id < 0 ? c->next_id : p.id;
     c->next_id = p.id >= c->next_id ? p.id + 1 : c->next_id;
     c->particle[c->n++] = p;
-    if (c->groups > 0)
-    {
-        count_in(c, &p);
-    }
     return DEM_OK;
 }

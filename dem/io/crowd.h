@@ -1,5 +1,6 @@
 /*
- * crowd.h -- all particles of the start, before they are handed to ranks: every rank holds the same list.
+ * crowd.h -- particles of the start, before they are handed to the owners of their places: each rank has a share of them, and all
+ * know the groups.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -30,8 +31,9 @@ struct dem_crowd
 
 void dem_crowd_free(struct dem_crowd *);
 
-/* What is added from here on belongs to a group of this name. */
+/* A group of this name begins; count n equal spheres [m, kg] into it, those of all ranks on each. */
 int dem_crowd_begin(struct dem_crowd *, const char *group);
+void dem_crowd_count(struct dem_crowd *, int64_t n, double diameter, double mass, int material);
 
 /* Add one; id < 0 takes the next free number. Refuses what is not a sphere. `where` starts messages. */
 int dem_crowd_add(struct dem_crowd *, struct dem_particle, const char *where);

@@ -133,8 +133,10 @@ static int read_random(struct dem_batch *b, const struct dem_recipe *r)
     DEM_TRY(status);
     for (int64_t k = 0; k < b->count; k++)
     {
-        volume += pi/6.0*b->diameters[k]*b->diameters[k]*b->diameters[k];
-        DEM_TRY(dem_vessel_holds(&b->vessel, 0.5*b->diameters[k], b->where));
+        const double d = dem_batch_diameter(b, k);
+
+        volume += pi/6.0*d*d*d;
+        DEM_TRY(dem_vessel_holds(&b->vessel, 0.5*d, b->where));
     }
     return dem_packing_may_fit(&b->vessel, volume, (double)b->count, b->where);
 }
@@ -274,21 +276,4 @@ void dem_insert_free(struct dem_insertion *i)
     }
     dem_memory_free(i->batch);
     memset(i, 0, sizeof *i);
-}
-
-int dem_insert_place(struct dem_crowd *c, const struct dem_insertion *i, const struct dem_recipe *r)
-{
-    for (size_t k = 0; k < i->n; k++)
-    {
-        const struct dem_batch *const b = &i->batch[k];
-
-        DEM_TRY(dem_crowd_begin(c, dem_dict_name(b->dict)));
-        /* all at once, so that too many fail now */
-        const int status = DEM_GROW(c->particle, c->room, c->n + (size_t)b->count);
-
-        DEM_TRY(status ? dem_error_prefix(status, "%s: %lld particles: ", b->where,
-                                          (long long)b->count) : DEM_OK);
-        DEM_TRY(dem_batch_place(c, b, r));
-    }
-    return DEM_OK;
 }

@@ -1,8 +1,8 @@
 /*
  * insert.h -- particles from words: on a lattice with jitter, at random without overlap, or one by one.
  *
- * First all groups are read and checked, then placed, which may take long. All of them are functions of the seed and the
- * particle's number alone, so every rank makes the same list.
+ * First all groups are read and checked, by every rank, then placed, by each a share. Places are functions of the seed and the
+ * particle's number alone, so it does not matter who makes them; those at random also see each other (packing.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -12,6 +12,7 @@
 #include "io/crowd.h"
 #include "io/dictionary.h"
 #include "space/domain.h"
+#include "space/pieces.h"
 #include "state/recipe.h"
 
 struct dem_insertion                                      /* all groups of a scene */
@@ -32,7 +33,7 @@ int64_t dem_insert_count(const struct dem_insertion *);
 /* Refuse what would lie outside the domain. A lattice is looked at where it turns; a rest is refused when it is placed. */
 int dem_insert_inside(const struct dem_insertion *, const struct dem_domain *);
 
-/* Make the particles of all groups. */
-int dem_insert_place(struct dem_crowd *, const struct dem_insertion *, const struct dem_recipe *);
+/* Collective. Make the particles of all groups, each rank a share of them. Fails on all ranks when it does on one. */
+int dem_insert_place(struct dem_crowd *, const struct dem_insertion *, const struct dem_recipe *, const struct dem_pieces *);
 
 #endif

@@ -8,6 +8,7 @@
 #include "io/insert_amount.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include <math.h>
 #include <stdio.h>
 
 static const double pi = 3.14159265358979323846;
@@ -63,11 +64,26 @@ int dem_amount_read(struct dem_amount *a, const struct dem_batch *b, const struc
     return DEM_OK;
 }
 
+static int count_equal(struct dem_batch *b, const struct dem_amount *a, double diameter)
+{
+    const double each = pi/6.0*diameter*diameter*diameter, half = floor(a->volume/each + 0.5);
+
+    b->diameter = diameter;
+    b->count = a->count > 0 ? a->count : (int64_t)half;
+    DEM_REQUIRE(b->count > 0, DEM_ERROR_INPUT, "%s: %s: less than half a particle, the first of which has %.3g m3; ask for more",
+                b->where, a->what, each);
+    return DEM_OK;
+}
+
 int dem_amount_draw(struct dem_batch *b, const struct dem_amount *a, const struct dem_sizes *sizes)
 {
     double volume = 0.0, last = 0.0;
     size_t room = 0;
 
+    if (sizes->n == 0)
+    {
+        return count_equal(b, a, sizes->least);
+    }
     for (b->count = 0; a->count > 0 ? b->count < a->count : volume < a->volume; b->count++)
     {
         /* the mean is none of a few */

@@ -9,7 +9,7 @@
 #include "io/insert_batch.h"
 #include "io/sizes.h"
 
-static const double dem_amount_most = 1e8;                /* particles of one group: every rank lists all, 14 GB of these */
+static const double dem_amount_most = 1e8;                /* particles of one group: every rank knows the diameters of all */
 
 struct dem_amount
 {
@@ -21,7 +21,7 @@ struct dem_amount
 /* `mean` is the volume [m3] of a particle in the mean, which tells how many will be drawn before the first is. */
 int dem_amount_read(struct dem_amount *, const struct dem_batch *, const struct dem_recipe *, double mean);
 
-/* Draw diameters until there are enough. */
+/* Draw diameters until there are enough; where all are equal, count them. */
 int dem_amount_draw(struct dem_batch *, const struct dem_amount *, const struct dem_sizes *);
 
 #endif

@@ -24,7 +24,7 @@ struct dem_batch
     int64_t count, seed;
     double velocity[3], spin[3];                          /* m/s, 1/s */
     double diameter;                                      /* m  of all, unless there are diameters */
-    const double *diameters;                              /* m  of each, or null */
+    const double *diameters;                              /* m  of each, or null: all ranks know all */
     double *drawn;                                        /* m  the same, where they are the batch's own */
     struct dem_vessel vessel;                             /* of a lattice or at random */
     double pitch, amplitude;                              /* m: between the sites of a lattice, and of the shake */
@@ -35,7 +35,13 @@ struct dem_batch
 /* Centre [m] of the m-th particle of a lattice. */
 void dem_batch_site(const struct dem_batch *, int64_t m, double x[3]);
 
-/* Place one batch behind the particles that are there. */
-int dem_batch_place(struct dem_crowd *, const struct dem_batch *, const struct dem_recipe *);
+/* Diameter [m] of the m-th. */
+static inline double dem_batch_diameter(const struct dem_batch *b, int64_t m)
+{
+    return b->diameters ? b->diameters[m] : b->diameter;
+}
+
+/* Collective. Place this rank's share of one batch behind the particles that are there. */
+int dem_batch_place(struct dem_crowd *, const struct dem_batch *, const struct dem_recipe *, const struct dem_pieces *);
 
 #endif

@@ -15,7 +15,7 @@ void dem_insert_radii(const struct dem_insertion *i, double *least, double *most
 
         for (int64_t m = 0; m < (b->diameters ? b->count : b->count > 0); m++)
         {
-            const double radius = 0.5*(b->diameters ? b->diameters[m] : b->diameter);
+            const double radius = 0.5*dem_batch_diameter(b, m);
 
             least[b->material] = least[b->material] > 0.0 ? fmin(least[b->material], radius) : radius;
             most[b->material] = fmax(most[b->material], radius);
@@ -77,9 +77,9 @@ static int region_inside(const struct dem_batch *b, const struct dem_domain *d)
     const struct dem_vessel *const v = &b->vessel;
     double least = INFINITY;
 
-    for (int64_t m = 0; m < b->count; m++)
+    for (int64_t m = 0; m < (b->diameters ? b->count : 1); m++)
     {
-        least = fmin(least, 0.5*b->diameters[m]);
+        least = fmin(least, 0.5*dem_batch_diameter(b, m));
     }
     DEM_TRY(check_far(b, dem_vessel_name(v), v->min, least));
     DEM_TRY(check_far(b, dem_vessel_name(v), v->max, least));
@@ -96,7 +96,7 @@ static int list_inside(const struct dem_batch *b, const struct dem_domain *d, in
 {
     for (int64_t m = 0; m < b->count; m++)
     {
-        DEM_TRY(check_far(b, "a particle", b->positions[m], 0.5*(b->diameters ? b->diameters[m] : b->diameter)));
+        DEM_TRY(check_far(b, "a particle", b->positions[m], 0.5*dem_batch_diameter(b, m)));
         DEM_TRY(check_place(b, d, first + m, b->positions[m]));
     }
     return DEM_OK;

@@ -1,5 +1,5 @@
 /*
- * insert_place.c -- three ways to fill a region: on a lattice with jitter, at random (packing.h), one by one.
+ * insert_place.c -- three ways to fill a region: on a lattice with jitter, at random (packing.h), one by one; each rank a share.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -18,7 +18,7 @@ enum
 
 static struct dem_particle sphere(const struct dem_batch *b, const struct dem_recipe *r, const double x[3], int64_t number)
 {
-    const double diameter = b->diameters ? b->diameters[number] : b->diameter;
+    const double diameter = dem_batch_diameter(b, number);
     struct dem_particle p = dem_particle_sphere(-1, x, diameter, r->material[b->material].density, b->material);
 
     memcpy(p.v, b->velocities ? b->velocities[number] : b->velocity, sizeof p.v);
@@ -45,49 +45,95 @@ void dem_batch_site(const struct dem_batch *b, int64_t m, double x[3])
     }
 }
 
-static int place_lattice(struct dem_crowd *c, const struct dem_batch *b, const struct dem_recipe *r)
+/* Those of this rank's share of a list or a lattice. */
+static int place_share(struct dem_crowd *c, const struct dem_batch *b, const struct dem_recipe *r, const struct dem_pieces *q)
 {
-    for (int64_t m = 0; m < b->count; m++)
+    const int64_t first = c->next_id, from = b->count*q->rank/q->ranks, to = b->count*(q->rank + 1)/q->ranks;
+
+    for (int64_t m = from; m < to; m++)
     {
+        struct dem_particle p;
         double x[3];
 
-        dem_batch_site(b, m, x);
-        DEM_TRY(dem_crowd_add(c, sphere(b, r, x, m), b->where));
+        if (b->type == DEM_BATCH_LATTICE)
+        {
+            dem_batch_site(b, m, x);
+        }
+        p = sphere(b, r, b->type == DEM_BATCH_LATTICE ? x : b->positions[m], m);
+        p.id = first + m;
+        DEM_TRY(dem_crowd_add(c, p, b->where));
     }
     return DEM_OK;
 }
 
-static int place_random(struct dem_crowd *c, const struct dem_batch *b, const struct dem_recipe *r)
+static int place_random(struct dem_crowd *c, const struct dem_batch *b, const struct dem_recipe *r, const struct dem_pieces *q)
 {
-    struct dem_packing p = {.vessel = &b->vessel, .where = b->where, .seed = (uint64_t)b->seed, .n = (int32_t)b->count,
-                            .diameter = b->diameters};
+    const struct dem_packing p = {.vessel = &b->vessel, .where = b->where, .seed = (uint64_t)b->seed, .n = b->count,
+                                  .diameter = b->diameter, .diameters = b->diameters};
+    const int64_t first = c->next_id;
+    struct dem_spots s;
+    int status = dem_spots_init(&s, q);
 
-    DEM_TRY(DEM_NEW(p.x, p.n + 1));
-    int status = dem_packing_fill(&p, c);
-
-    for (int32_t m = 0; m < p.n && !status; m++)
+    status = status ? status : dem_packing_fill(&p, c, &s);
+    for (size_t k = 0; k < s.n && !status; k++)
     {
-        status = dem_crowd_add(c, sphere(b, r, p.x[m], m), p.where);
+        if (s.spot[k].name >= 0)
+        {
+            struct dem_particle new = sphere(b, r, s.spot[k].x, s.spot[k].name);
+
+            new.id = first + s.spot[k].name;
+            status = dem_crowd_add(c, new, p.where);
+        }
     }
-    dem_memory_free(p.x);
+    dem_spots_free(&s);
     return status;
 }
 
-static int place_list(struct dem_crowd *c, const struct dem_batch *b, const struct dem_recipe *r)
+int dem_batch_place(struct dem_crowd *c, const struct dem_batch *b, const struct dem_recipe *r, const struct dem_pieces *q)
 {
-    for (int64_t m = 0; m < b->count; m++)
+    return b->type == DEM_BATCH_RANDOM ? place_random(c, b, r, q) : place_share(c, b, r, q);
+}
+
+/* All that is known of a group is known to every rank. */
+static int count_batch(struct dem_crowd *c, const struct dem_batch *b, const struct dem_recipe *r)
+{
+    const double density = r->material[b->material].density;
+
+    DEM_TRY(dem_crowd_begin(c, dem_dict_name(b->dict)));
+    for (int64_t m = 0; m < (b->diameters ? b->count : 1); m++)
     {
-        DEM_TRY(dem_crowd_add(c, sphere(b, r, b->positions[m], m), b->where));
+        const double d = dem_batch_diameter(b, m);
+
+        dem_crowd_count(c, b->diameters ? 1 : b->count, d, density*dem_sphere_volume(0.5*d), b->material);
     }
     return DEM_OK;
 }
 
-int dem_batch_place(struct dem_crowd *c, const struct dem_batch *b, const struct dem_recipe *r)
+/* All ranks fail when one does: what comes next needs them all. */
+static int together(const struct dem_pieces *q, int status)
 {
-    switch (b->type)
+    int worst = status;
+
+    if (q->ranks > 1)
     {
-    case DEM_BATCH_LATTICE: return place_lattice(c, b, r);
-    case DEM_BATCH_RANDOM: return place_random(c, b, r);
-    default: return place_list(c, b, r);
+        MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, q->comm);
     }
+    return worst == DEM_OK || status != DEM_OK ? status : dem_error(worst, "another rank failed; its message tells why");
+}
+
+int dem_insert_place(struct dem_crowd *c, const struct dem_insertion *i, const struct dem_recipe *r, const struct dem_pieces *q)
+{
+    for (size_t k = 0; k < i->n; k++)
+    {
+        const struct dem_batch *const b = &i->batch[k];
+        const int64_t first = c->next_id;
+        /* all at once, so that too many fail now */
+        int status = count_batch(c, b, r);
+
+        status = status ? status : DEM_GROW(c->particle, c->room, c->n + (size_t)(b->count/q->ranks));
+        status = together(q, status ? dem_error_prefix(status, "%s: %lld particles: ", b->where, (long long)b->count) : DEM_OK);
+        DEM_TRY(status ? status : together(q, dem_batch_place(c, b, r, q)));
+        c->next_id = first + b->count;
+    }
+    return DEM_OK;
 }

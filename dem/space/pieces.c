@@ -47,12 +47,18 @@ void dem_pieces_free(struct dem_pieces *p)
     memset(p, 0, sizeof *p);
 }
 
-struct load                                               /* the particles of this rank, and the node that each is in */
+struct load                                               /* what this rank brings, and the node that each is in */
 {
-    const struct dem_particles *particles;
+    size_t n, stride;                                     /* doubles from place to place */
+    const double *x;                                      /* m */
     const uint32_t *weight;
     int *of;
 };
+
+static const double *place(const struct load *q, size_t i)
+{
+    return q->x + q->stride*i;
+}
 
 static void extents(const struct dem_pieces *p, const struct load *q, struct node *node, int nodes, double *work)
 {
@@ -60,11 +66,11 @@ static void extents(const struct dem_pieces *p, const struct load *q, struct nod
     {
         work[k] = k < 6*nodes ? INFINITY : 0.0;
     }
-    for (size_t i = 0; i < q->particles->n; i++)
+    for (size_t i = 0; i < q->n; i++)
     {
         for (int a = 0; a < 3; a++)
         {
-            const double x = q->particles->record[i].x[a];
+            const double x = place(q, i)[a];
             double *const box = work + 6*q->of[i];
 
             box[a] = x < box[a] ? x : box[a];
@@ -107,12 +113,12 @@ static void choose_axes(struct dem_pieces *p, struct node *node, int nodes)
 static void weigh(const struct dem_pieces *p, const struct load *q, const struct node *node, int nodes, double *below)
 {
     memset(below, 0, (size_t)nodes*sizeof *below);
-    for (size_t i = 0; i < q->particles->n; i++)
+    for (size_t i = 0; i < q->n; i++)
     {
         const struct node *const k = &node[q->of[i]];
         const int mid = (k->lo + k->hi)/2;
 
-        if (!k->found && q->particles->record[i].x[p->axis[mid]] < 0.5*(k->low + k->high))
+        if (!k->found && place(q, i)[p->axis[mid]] < 0.5*(k->low + k->high))
         {
             below[q->of[i]] += weight_of(q->weight, i);
         }
@@ -161,19 +167,18 @@ static int descend(struct dem_pieces *p, const struct load *q, struct node *node
             next[count++] = (struct node){.lo = mid, .hi = hi};
         }
     }
-    for (size_t i = 0; i < q->particles->n; i++)
+    for (size_t i = 0; i < q->n; i++)
     {
         const struct node *const k = &node[q->of[i]];
         const int mid = (k->lo + k->hi)/2;
 
-        q->of[i] = child[q->of[i]] + (k->hi - k->lo > 1 && q->particles->record[i].x[p->axis[mid]] >= p->at[mid]);
+        q->of[i] = child[q->of[i]] + (k->hi - k->lo > 1 && place(q, i)[p->axis[mid]] >= p->at[mid]);
     }
     return count;
 }
 
-int dem_pieces_balance(struct dem_pieces *p, const struct dem_particles *particles, const uint32_t *weight)
+static int cut(struct dem_pieces *p, struct load load)
 {
-    struct load load = {.particles = particles, .weight = weight};
     struct node *node, *next;
     double *work;
     int *child, nodes = 1;
@@ -186,7 +191,7 @@ int dem_pieces_balance(struct dem_pieces *p, const struct dem_particles *particl
     DEM_TRY(DEM_NEW(next, 2*p->ranks));
     DEM_TRY(DEM_NEW(work, 14*p->ranks));
     DEM_TRY(DEM_NEW(child, 2*p->ranks));
-    DEM_TRY(DEM_NEW(load.of, particles->n + 1));
+    DEM_TRY(DEM_NEW(load.of, load.n + 1));
     node[0] = (struct node){.lo = 0, .hi = p->ranks};
     while (nodes < p->ranks)
     {
@@ -205,6 +210,16 @@ int dem_pieces_balance(struct dem_pieces *p, const struct dem_particles *particl
     dem_memory_free(child);
     dem_memory_free(load.of);
     return DEM_OK;
+}
+
+int dem_pieces_balance(struct dem_pieces *p, const struct dem_particles *q, const uint32_t *weight)
+{
+    return cut(p, (struct load){.n = q->n, .stride = sizeof *q->record/sizeof(double), .x = q->n > 0 ? q->record->x : NULL, .weight = weight});
+}
+
+int dem_pieces_cut(struct dem_pieces *p, size_t n, const double *x, size_t stride)
+{
+    return cut(p, (struct load){.n = n, .stride = stride, .x = x});
 }
 
 int dem_pieces_owner(const struct dem_pieces *p, const double x[3])

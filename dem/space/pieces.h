@@ -27,6 +27,9 @@ void dem_pieces_free(struct dem_pieces *);
 /* Collective. Cut anew so that every rank gets its share, to a hundredth, of the weights of the owned particles; NULL: one each. */
 int dem_pieces_balance(struct dem_pieces *, const struct dem_particles *, const uint32_t *weight);
 
+/* The same for any n places [m] in hand here, one every `stride` doubles. */
+int dem_pieces_cut(struct dem_pieces *, size_t n, const double *x, size_t stride);
+
 /* The rank that owns a position. */
 int dem_pieces_owner(const struct dem_pieces *, const double x[3]);
 
