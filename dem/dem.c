@@ -362,7 +362,7 @@ static int save_means(const struct dem *d, const char *path)
 int dem_save(struct dem *d, const char *path)
 {
     struct dem_parts *const p = &d->parts;
-    const struct dem_snapshot s = {.steps = p->steps, .time = p->time};
+    const struct dem_snapshot s = {.steps = p->steps, .time = p->time, .domain = &p->domain};
 
     DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_save comes after dem_ready");
     DEM_TRY(dem_snapshot_write(path, &s, &p->pieces, &p->recipe, &p->particles, &p->contacts, p->pairs.wall_region));

@@ -174,6 +174,8 @@ static void shield(const void *of, struct dem_block *restrict b, dem_real *const
 {
     const struct bond *bond = of;
     const dem_real hides = bond->contact == REPLACED ? 1.0 : 0.0;
+    /* a pair that never bonds again has nothing to remember, or its memory would tell how long it stayed in the list */
+    const dem_real parted = bond->make == ALWAYS ? PARTED : 0.0;
     dem_real *restrict length = remembered[LENGTH], *restrict worn = remembered[WORN];
 
     for (int c = 0; c < b->n; c++)
@@ -183,7 +185,7 @@ static void shield(const void *of, struct dem_block *restrict b, dem_real *const
         const dem_real less = dem_pick(worn[c] < b->overlap[c], worn[c], b->overlap[c]), left = b->overlap[c] - less;
 
         /* and surfaces that a bond left behind don't stick before they have parted */
-        length[c] = dem_pick((length[c] == BROKEN) & (b->overlap[c] == 0.0), PARTED, length[c]);
+        length[c] = dem_pick((length[c] == BROKEN) & (b->overlap[c] == 0.0), parted, length[c]);
         b->sealed[c] = dem_pick(length[c] == BROKEN, hides, hidden);
         worn[c] = less;
         b->overlap[c] = left;

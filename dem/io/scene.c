@@ -70,8 +70,8 @@ static int read_periodic(struct dem_domain *d, const struct dem_dict *dict)
         DEM_REQUIRE(isfinite(d->max[a] - d->min[a]), DEM_ERROR_INPUT,
                     "%s: domain: axis %s is periodic but has no limits; give them, %s (min max)", dem_dict_where(dict), axis[k], axis[k]);
         d->periodic[a] = 1;
-        d->length[a] = d->max[a] - d->min[a];
     }
+    dem_domain_close(d);
     return DEM_OK;
 }
 

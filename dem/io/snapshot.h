@@ -10,6 +10,7 @@
 #ifndef DEM_IO_SNAPSHOT_H
 #define DEM_IO_SNAPSHOT_H
 
+#include "space/domain.h"
 #include "space/pieces.h"
 #include "state/contacts.h"
 #include "state/particles.h"
@@ -20,6 +21,7 @@ struct dem_snapshot                                       /* what stands beside 
     int64_t particles, rows, steps;
     double time;                                          /* s */
     uint64_t checksum;                                    /* of particles and rows, order-free */
+    const struct dem_domain *domain;                      /* for writing: particles are put back into its periodic box */
 };
 
 /* Collective. */

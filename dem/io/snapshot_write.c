@@ -85,14 +85,19 @@ static int pack_rows(const struct dem_particles *p, const struct dem_contacts *c
     return DEM_OK;
 }
 
-static int pack_particles(const struct dem_particles *p, double **out)
+/* The record comes first. Where a particle is told to be must not depend on when it was last brought back into the box. */
+static int pack_particles(const struct dem_particles *p, const struct dem_domain *d, double **out)
 {
     const size_t size = dem_particles_packed_size(p);
 
     DEM_TRY(DEM_NEW(*out, p->n*size + 1));
     for (size_t i = 0; i < p->n; i++)
     {
+        struct dem_particle home = p->record[i];
+
         dem_particles_pack(p, i, *out + i*size);
+        dem_domain_wrap(d, &home);
+        memcpy(*out + i*size, &home, sizeof home);
     }
     return DEM_OK;
 }
@@ -129,7 +134,7 @@ int dem_snapshot_write(const char *path, const struct dem_snapshot *s, const str
 
     memset(&h, 0, sizeof h);
     describe(&h, s, r, p);
-    DEM_TRY(pack_particles(p, &particles));
+    DEM_TRY(pack_particles(p, s->domain, &particles));
     DEM_TRY(pack_rows(p, c, wall_region, &row, &rows));
     const size_t size = dem_snapshot_particle_doubles(&h), row_size = dem_snapshot_row_doubles(&h);
 

@@ -126,9 +126,10 @@ static int build(struct dem_parts *q, const struct dem_parts *p, const struct de
     for (int k = 0; k < 3; k++)
     {
         q->domain.min[k] = 0.0;
-        q->domain.max[k] = q->domain.length[k] = a*edge;
+        q->domain.max[k] = a*edge;
         q->domain.periodic[k] = 1;
     }
+    dem_domain_close(&q->domain);
     DEM_TRY(dem_recipe_lend(&p->recipe, &q->recipe));
     q->watch.limit = 1.0;
     q->longest_step = p->longest_step;

@@ -18,6 +18,25 @@ void dem_domain_init(struct dem_domain *d)
     }
 }
 
+/* The unit is the spacing of doubles two boxes away from the domain. A double of 2^52 units has no digits after the point: to add
+   1.5 * 2^52 units and to take them away again rounds to whole ones. */
+void dem_domain_close(struct dem_domain *d)
+{
+    for (int k = 0; k < 3; k++)
+    {
+        if (d->periodic[k])
+        {
+            const double length = d->max[k] - d->min[k];
+            int binary;
+
+            frexp(fmax(fabs(d->min[k]), fabs(d->max[k])) + 2.0*length, &binary);
+            d->unit[k] = ldexp(1.0, binary - 53);
+            d->round[k] = ldexp(1.5, binary - 1);
+            d->length[k] = d->unit[k]*rint(length/d->unit[k]);
+        }
+    }
+}
+
 void dem_domain_shifts(const struct dem_domain *d, double shift[DEM_SHIFTS][4])
 {
     for (int code = 0; code < DEM_SHIFTS; code++)
@@ -46,6 +65,7 @@ void dem_domain_wrap(const struct dem_domain *d, struct dem_particle *p)
     {
         const int wraps = can_wrap(d, k, p->x[k]);
 
+        p->x[k] = wraps ? d->unit[k]*rint(p->x[k]/d->unit[k]) : p->x[k];
         while (wraps && p->x[k] < d->min[k])
         {
             p->x[k] += d->length[k];

@@ -4,6 +4,9 @@
  * Particles keep true coordinates; the shift of a periodic pair belongs to the pair, so that every rank computes
  * r = (x_i - x_j) + shift L with the same bits. An axis that is neither periodic nor bounded has infinite limits.
  *
+ * Along a periodic axis positions, steps and the length of the box are whole multiples of a small power of two, about 1e-16 of the
+ * largest coordinate: then all sums of them are exact, and nothing depends on when a particle is brought back into the box.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_SPACE_DOMAIN_H
@@ -12,21 +15,27 @@
 #include "state/image.h"
 #include "state/particles.h"
 #include "state/walls.h"
+#include <stdalign.h>
 
 struct dem_domain
 {
     double min[3], max[3];                                /* m; infinite where open */
     double length[3];                                     /* m; of periodic axes, else 0 */
+    double unit[3];                                       /* m: positions along periodic axes are multiples of it */
+    alignas(16) double round[4];                          /* m: (x + round) - round is the next multiple; 0 along other axes, and last */
     int periodic[3];
     int remove;                                           /* 1: a particle that leaves is removed, 0: it is an error */
 };
 
 void dem_domain_init(struct dem_domain *);                /* open everywhere */
 
+/* Along axes that are periodic, when limits are known: the length, and what positions are multiples of. */
+void dem_domain_close(struct dem_domain *);
+
 /* The vector [m] of each code, 27 x 4, the last is 0; zero along axes that are not periodic. */
 void dem_domain_shifts(const struct dem_domain *, double shift[DEM_SHIFTS][4]);
 
-/* Bring a particle back into the box along periodic axes, counting its image. */
+/* Bring a particle back into the box along periodic axes, counting its image, and to the next multiple there. */
 void dem_domain_wrap(const struct dem_domain *, struct dem_particle *);
 
 /* Walls have no periodic images, so one that meets a periodic face must run straight through it; refuse any other, where a

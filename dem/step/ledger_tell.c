@@ -164,7 +164,7 @@ static double tell_all(struct dem_parts *p)
 
 void dem_ledger_begin(struct dem_parts *p)
 {
-    p->ledger.start = tell_all(p);                        /* with those outside the domain, who leave in the first step again */
+    p->ledger.start = tell_all(p);                        /* with those outside the domain, who leave again later */
     dem_sum_clear(&p->ledger.sum[DEM_LEDGER_LEFT]);
     p->ledger.since = p->time;
     p->ledger.begun = 1;

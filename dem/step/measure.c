@@ -181,7 +181,10 @@ uint64_t dem_measure_hash(const struct dem_parts *p)
 
     for (size_t i = 0; i < p->particles.n; i++)
     {
-        total += dem_fingerprint_particle(&p->particles.record[i]);
+        struct dem_particle home = p->particles.record[i];
+
+        dem_domain_wrap(&p->domain, &home);               /* as a snapshot has it */
+        total += dem_fingerprint_particle(&home);
     }
     for (uint32_t r = 0; r < c->rows; r++)
     {

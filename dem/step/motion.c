@@ -1,5 +1,5 @@
 /*
- * motion.c -- x += dt v, by fours; and how fast the fastest is.
+ * motion.c -- x += dt v, by fours, in whole multiples along periodic axes; and how fast the fastest is.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -17,8 +17,9 @@ struct seen
 
 /* Four records at a time: their velocities turn into columns for the squares; radius and inverse mass stay as they are. */
 DEM_KERNEL
-static void drift_fours(struct dem_particle *restrict record, size_t n, double dt, struct seen *s)
+static void drift_fours(struct dem_particle *restrict record, size_t n, double dt, const double round[4], struct seen *s)
 {
+    const dem_quad whole = DEM_QUAD(round);
     const dem_quad step = {dt, dt, dt, 0.0};
 
     for (size_t i = 0; i + 4 <= n; i += 4)
@@ -28,7 +29,7 @@ static void drift_fours(struct dem_particle *restrict record, size_t n, double d
         for (size_t k = 0; k < 4; k++)
         {
             v[k] = DEM_QUAD(record[i + k].v);
-            DEM_QUAD_AT(record[i + k].x) += step*v[k];
+            DEM_QUAD_AT(record[i + k].x) += ((step*v[k] + whole) - whole);
         }
         dem_quad_turn(v);
         square = v[0]*v[0] + v[1]*v[1] + v[2]*v[2];
@@ -40,12 +41,12 @@ static void drift_fours(struct dem_particle *restrict record, size_t n, double d
     }
 }
 
-double dem_motion_drift(struct dem_particles *p, double dt)
+double dem_motion_drift(struct dem_particles *p, double dt, const double round[4])
 {
     struct seen s = {{0.0}, {0.0}};
     double most = 0.0, bad = 0.0;
 
-    drift_fours(p->record, p->n, dt, &s);
+    drift_fours(p->record, p->n, dt, round, &s);
     for (size_t k = 0; k < 4; k++)
     {
         most = s.most[k] > most ? s.most[k] : most;
@@ -56,9 +57,10 @@ double dem_motion_drift(struct dem_particles *p, double dt)
         struct dem_particle *const r = &p->record[i];
         const double square = r->v[0]*r->v[0] + r->v[1]*r->v[1] + r->v[2]*r->v[2];
 
-        r->x[0] += dt*r->v[0];
-        r->x[1] += dt*r->v[1];
-        r->x[2] += dt*r->v[2];
+        for (size_t k = 0; k < 3; k++)
+        {
+            r->x[k] += (dt*r->v[k] + round[k]) - round[k];
+        }
         most = square > most ? square : most;
         bad += square*0.0;
     }

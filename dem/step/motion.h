@@ -8,7 +8,7 @@
 
 #include "state/particles.h"
 
-/* x += dt v for owned particles. Returns the largest speed [m/s]; a not-a-number comes out as infinite. */
-double dem_motion_drift(struct dem_particles *, double dt);
+/* x += dt v for owned particles, in whole multiples by dem_domain.round. Returns the largest speed [m/s]; a not-a-number comes out as infinite. */
+double dem_motion_drift(struct dem_particles *, double dt, const double round[4]);
 
 #endif

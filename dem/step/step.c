@@ -23,6 +23,13 @@ enum
     FULL_TEXT = DEM_ERROR_TEXT_SIZE
 };
 
+/* Who has left the domain is removed at steps that are multiples of this, not when lists happen to be renewed: their cost must not
+   change results. */
+enum
+{
+    STEPS_OF_LEAVE = 32
+};
+
 /* ---- agreeing ------------------------------------------------------------------------------------------------ */
 
 /* The failing rank of lowest number tells all the others its sentence; all return its status. */
@@ -76,6 +83,30 @@ static int send_off(struct dem_parts *p, size_t i)
     return dem_losses_note(&p->losses, q, p->time, 1, cause);
 }
 
+static int leave_is_over(const struct dem_parts *p)
+{
+    return !p->domain.remove || p->steps%STEPS_OF_LEAVE == 0;
+}
+
+/* 1 on all ranks when somebody is to be removed now. */
+static int somebody_goes(struct dem_parts *p, int *goes)
+{
+    double outside[2] = {0.0, 0.0};
+
+    *goes = 0;
+    if (!p->domain.remove || !leave_is_over(p))
+    {
+        return DEM_OK;
+    }
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        outside[0] = dem_domain_holds(&p->domain, p->particles.record[i].x) ? outside[0] : 1.0;
+    }
+    DEM_TRY(agree(p, DEM_OK, outside));
+    *goes = outside[0] > 0.0;
+    return DEM_OK;
+}
+
 /* Wrap along periodic axes; who is outside then goes, with its weight if there are weights. */
 static int bring_home(struct dem_parts *p, int weighed)
 {
@@ -89,7 +120,7 @@ static int bring_home(struct dem_parts *p, int weighed)
     for (size_t i = 0; i < n && !status; i++)
     {
         dem_domain_wrap(&p->domain, &record[i]);
-        if (dem_domain_holds(&p->domain, record[i].x))
+        if (dem_domain_holds(&p->domain, record[i].x) || (!leave_is_over(p) && isfinite(record[i].x[0] + record[i].x[1] + record[i].x[2])))
         {
             order[kept++] = (uint32_t)i;
         }
@@ -157,7 +188,9 @@ static int neighbourhood(struct dem_parts *p, double fastest, double dt)
 {
     struct dem_pairs *const s = &p->pairs;
     double moved[2];
+    int goes;
 
+    DEM_TRY(somebody_goes(p, &goes));
     s->moved_outer += fastest*dt;
     s->moved_inner += fastest*dt;
     if (!p->stale && (s->moved_outer > s->half_outer || s->moved_inner > s->half_inner))
@@ -168,7 +201,7 @@ static int neighbourhood(struct dem_parts *p, double fastest, double dt)
         s->moved_inner = moved[1];
     }
     dem_phases_end(&p->phases, DEM_PHASE_AGREE);
-    if (p->stale || s->moved_outer > s->half_outer || dem_walls_moved(&p->walls, DEM_LIST_OUTER) > s->half_outer)
+    if (p->stale || goes || s->moved_outer > s->half_outer || dem_walls_moved(&p->walls, DEM_LIST_OUTER) > s->half_outer)
     {
         dem_phases_rare(&p->phases, DEM_PHASE_AGREE);
         dem_halo_wait(&p->halo);
@@ -294,7 +327,7 @@ static void count_work(struct dem_parts *p)
 static int step(struct dem_parts *p, double dt, double kick, double since, int *status)
 {
     dem_phases_step(&p->phases);
-    double fastest[2] = {dem_motion_drift(&p->particles, dt), 0.0};
+    double fastest[2] = {dem_motion_drift(&p->particles, dt, p->domain.round), 0.0};
 
     dem_orientation_turn(&p->particles, dt);
     p->steps++;

@@ -71,10 +71,11 @@ static void set_domain(const struct packing *k)
         if (k->periodic[a])
         {
             domain.min[a] = 0.0;
-            domain.max[a] = domain.length[a] = k->box;
+            domain.max[a] = k->box;
             domain.periodic[a] = 1;
         }
     }
+    dem_domain_close(&domain);
 }
 
 struct found                                              /* what a pair is, and how often it is there */
