@@ -62,11 +62,12 @@ int dem_output_read(struct dem_output *o, const struct dem_dict *write, const ch
     return DEM_OK;
 }
 
-static int gather(const struct dem_program *prog, const struct dem *d, struct shown **all, int64_t *count)
+static int gather(const struct dem_program *prog, const struct dem *d, struct shown **all, int64_t *particles)
 {
     struct dem_view v;
     struct shown *mine;
-    int *bytes = NULL, *start = NULL, total = 0;
+    int *count = NULL, *start = NULL, total = 0;
+    MPI_Datatype one;
 
     dem_view(d, &v);
     DEM_TRY(DEM_NEW(mine, v.n + 1));
@@ -86,27 +87,30 @@ static int gather(const struct dem_program *prog, const struct dem *d, struct sh
         s->id = *(const int64_t *)(const void *)((const char *)v.id + v.stride*i);
         s->material = *(const uint16_t *)(const void *)((const char *)v.material + v.stride*i);
     }
-    *count = (int64_t)v.n;
+    *particles = (int64_t)v.n;
     *all = mine;
     if (prog->comm == MPI_COMM_NULL)
     {
         return DEM_OK;
     }
-    const int here = (int)(v.n*sizeof *mine);
+    const int here = (int)v.n;
 
-    DEM_TRY(DEM_NEW(bytes, prog->ranks));
+    DEM_TRY(DEM_NEW(count, prog->ranks));
     DEM_TRY(DEM_NEW(start, prog->ranks));
-    MPI_Gather(&here, 1, MPI_INT, bytes, 1, MPI_INT, 0, prog->comm);
+    MPI_Gather(&here, 1, MPI_INT, count, 1, MPI_INT, 0, prog->comm);
     for (int k = 0; k < prog->ranks && prog->rank == 0; k++)
     {
         start[k] = total;
-        total += bytes[k];
+        total += count[k];
     }
-    DEM_TRY(dem_memory_new((void **)all, (size_t)total + 1, 1));
-    MPI_Gatherv(mine, here, MPI_BYTE, *all, bytes, start, MPI_BYTE, 0, prog->comm);
-    *count = total/(int)sizeof *mine;
+    DEM_TRY(DEM_NEW(*all, total + 1));
+    MPI_Type_contiguous((int)sizeof *mine, MPI_BYTE, &one);      /* counts of particles: of bytes an int holds 13 million */
+    MPI_Type_commit(&one);
+    MPI_Gatherv(mine, here, one, *all, count, start, one, 0, prog->comm);
+    MPI_Type_free(&one);
+    *particles = total;
     dem_memory_free(mine);
-    dem_memory_free(bytes);
+    dem_memory_free(count);
     dem_memory_free(start);
     return DEM_OK;
 }

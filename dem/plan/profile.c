@@ -62,8 +62,8 @@ int dem_profile_write(struct dem_text *t, const struct dem_profile *f)
         return t->status;
     }
     tell_phases(t, f);
-    dem_text_add(t, "    speed: %.3g million particle-steps/s", speed);
-    dem_text_add(t, f->ranks > 1 ? ", %.3g a core\n" : "\n", speed/f->ranks);
+    dem_text_add(t, "    speed: %.4g million particle-steps/s", speed);
+    dem_text_add(t, f->ranks > 1 ? ", %.4g a core\n" : "\n", speed/f->ranks);
     tell_every(t, "    lists: renewed", f->rebuilds, f->steps);
     tell_every(t, ", pruned", f->prunes, f->steps);
     dem_text_add(t, "; skins %.3g and %.3g diameters\n", ratio(f->outer_skin, f->diameter), ratio(f->inner_skin, f->diameter));
