@@ -3,8 +3,11 @@
  *
  *   bed state SCENE SNAPSHOT COPIES WIDTH SPEED      prints the particles of a snapshot, repeated COPIES times along x every
  *                                                    WIDTH [m], with a random velocity up to SPEED [m/s] along each axis added
- *   bed run SCENE STATE STEP STEPS [PATH VALUE ...]  runs STEPS steps of STEP [s] from such a text and prints
- *                                                    processor time [s], bytes, kinetic energy [J], contacts, rebuilds, prunes
+ *                                                    (WIDTH is also the period along x and y)
+ *   bed run SCENE STATE STEP STEPS END [PATH VALUE ...]
+ *                                                    runs STEPS steps of STEP [s] from such a text and prints processor time [s],
+ *                                                    bytes, kinetic energy [J], contacts, rebuilds, prunes, bonds; writes the last
+ *                                                    state as such a text to END, unless that is -
  *   bed spend PROGRAM ...                            runs another program; a last line of ours tells processor time [s] and bytes
  *
  * A line of the text: id, diameter, position, velocity, spin. Contacts start without memory, as in the codes compared with.
@@ -17,6 +20,7 @@
 
 #include "dem.h"
 #include "base/random.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -74,18 +78,50 @@ static double seconds(void)
 
 /* ---- state --------------------------------------------------------------------------------------------------- */
 
-static void print_particle(const struct dem_view *v, size_t i, int64_t id, double shift, double speed)
+/* Suna takes no start with overlaps of 5 % of a diameter, but a small grain between large ones may be pressed more: it is made as much
+   smaller as leaves 4 %. Diameters of all [m]; NULL when there is no memory. */
+static double *diameters(const struct dem_view *v, double width)
 {
-    const double *const x = dem_at(v->position, v->stride, i), *const u = dem_at(v->velocity, v->stride, i);
-    const double *const w = dem_at(v->spin, v->stride, i);
-    double kick[3];
+    const double most = 0.04;
+    double *const d = malloc(v->n*sizeof *d);
 
-    for (int k = 0; k < 3; k++)
+    for (size_t i = 0; d && i < v->n; i++)
     {
-        kick[k] = speed*(2.0*dem_random_unit(1, (uint64_t)id, (uint64_t)k, 0) - 1.0);
+        const double *const x = dem_at(v->position, v->stride, i), full = 2.0*dem_at(v->radius, v->stride, i)[0];
+
+        d[i] = full;
+        for (size_t j = 0; j < v->n; j++)
+        {
+            const double *const y = dem_at(v->position, v->stride, j), other = 2.0*dem_at(v->radius, v->stride, j)[0];
+            const double a = remainder(x[0] - y[0], width), b = remainder(x[1] - y[1], width), c = x[2] - y[2];
+            const double reach = 0.5*(full + other), near = a*a + b*b + c*c;
+
+            if (j != i && full <= other && near < reach*reach)
+            {
+                const double more = reach - sqrt(near) - most*full;
+
+                d[i] = fmin(d[i], full - fmax(more, 0.0)/(0.5 - most));
+            }
+        }
     }
-    printf("%lld %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n", (long long)id, 2.0*dem_at(v->radius, v->stride, i)[0],
-           x[0] + shift, x[1], x[2], u[0] + kick[0], u[1] + kick[1], u[2] + kick[2], w[0], w[1], w[2]);
+    return d;
+}
+
+static struct dem_seed seed_of(const struct dem_view *v, size_t i)
+{
+    const int64_t *const id = (const void *)((const char *)v->id + v->stride*i);
+    struct dem_seed s = {.id = *id, .diameter = 2.0*dem_at(v->radius, v->stride, i)[0]};
+
+    memcpy(s.position, dem_at(v->position, v->stride, i), sizeof s.position);
+    memcpy(s.velocity, dem_at(v->velocity, v->stride, i), sizeof s.velocity);
+    memcpy(s.spin, dem_at(v->spin, v->stride, i), sizeof s.spin);
+    return s;
+}
+
+static void print_seed(FILE *f, const struct dem_seed *s)
+{
+    fprintf(f, "%lld %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n", (long long)s->id, s->diameter,
+            s->position[0], s->position[1], s->position[2], s->velocity[0], s->velocity[1], s->velocity[2], s->spin[0], s->spin[1], s->spin[2]);
 }
 
 static int state(char **argument)
@@ -100,14 +136,27 @@ static int state(char **argument)
         return fail(dem_error_text());
     }
     dem_view(d, &v);
-    for (long c = 0; c < copies; c++)
+    double *const diameter = diameters(&v, width);
+
+    for (size_t k = 0; diameter && k < (size_t)copies*v.n; k++)
     {
-        for (size_t i = 0; i < v.n; i++)
+        struct dem_seed s = seed_of(&v, k % v.n);
+
+        s.id = (int64_t)k;
+        s.diameter = diameter[k % v.n];
+        s.position[0] += (double)(k/v.n)*width;
+        for (int c = 0; c < 3; c++)
         {
-            print_particle(&v, i, (int64_t)((size_t)c*v.n + i), (double)c*width, speed);
+            s.velocity[c] += speed*(2.0*dem_random_unit(1, k, (uint64_t)c, 0) - 1.0);
         }
+        print_seed(stdout, &s);
     }
     dem_free(d);
+    if (!diameter)
+    {
+        return fail("no memory");
+    }
+    free(diameter);
     return 0;
 }
 
@@ -146,6 +195,25 @@ static int add(struct dem *d, const char *path)
     return status ? fail(dem_error_text()) : 0;
 }
 
+static int print_end(const struct dem *d, const char *path)
+{
+    FILE *const f = fopen(path, "w");
+    struct dem_view v;
+
+    if (!f)
+    {
+        return fail(path);
+    }
+    dem_view(d, &v);
+    for (size_t i = 0; i < v.n; i++)
+    {
+        const struct dem_seed s = seed_of(&v, i);
+
+        print_seed(f, &s);
+    }
+    return fclose(f) ? fail(path) : 0;
+}
+
 static int run(int arguments, char **argument)
 {
     const double step = strtod(argument[2], NULL), steps = strtod(argument[3], NULL), before = held("VmRSS:");
@@ -156,7 +224,7 @@ static int run(int arguments, char **argument)
     {
         return fail(dem_error_text());
     }
-    for (int k = 4; k + 1 < arguments; k += 2)
+    for (int k = 5; k + 1 < arguments; k += 2)
     {
         if (dem_set(d, argument[k], argument[k + 1]))
         {
@@ -181,10 +249,12 @@ static int run(int arguments, char **argument)
     {
         return fail(dem_error_text());
     }
-    printf("%.6g %.6g %.6g %lld %lld %lld\n", end - start, held("VmHWM:") - before, t.kinetic, (long long)t.contacts,
-           (long long)t.rebuilds, (long long)t.prunes);
+    printf("%.6g %.6g %.6g %lld %lld %lld %lld\n", end - start, held("VmHWM:") - before, t.kinetic, (long long)t.contacts,
+           (long long)t.rebuilds, (long long)t.prunes, (long long)t.bonds);
+    const int status = strcmp(argument[4], "-") == 0 ? 0 : print_end(d, argument[4]);
+
     dem_free(d);
-    return 0;
+    return status;
 }
 
 /* ---- spend --------------------------------------------------------------------------------------------------- */
@@ -216,7 +286,7 @@ int main(int arguments, char **argument)
     {
         return state(argument + 2);
     }
-    if (arguments >= 6 && strcmp(argument[1], "run") == 0)
+    if (arguments >= 7 && strcmp(argument[1], "run") == 0)
     {
         return run(arguments - 2, argument + 2);
     }

@@ -1,233 +1,226 @@
 #!/usr/bin/env python3
 """speed.py -- million particle-steps per second of processor time, of Suna and of another code on the same bed.
 
-    speed.py SCENE ... --dem DEM --bed BED [--against liggghts|lammps|none] [--runs 3] [--steps N]
+    speed.py SCENE ... --dem DEM --bed BED [--against PEER] [--exe PATH] [--precision double|mixed] [--runs 3] [--steps N]
+    speed.py all ...                    every scene against every peer that has its law; the lines are added to stored/speed.txt, too
+    speed.py table                      what was stored last, as a table
+    speed.py SCENE ... --compare        no clock: kinetic energy, contacts, overlap in both codes after the steps of small beds
 
 DEM and BED are the program dem and the one made of bed.c. Both codes start from the same text of particles, take the same step and
 have the same laws (README.md tells what differs), on one core. They take turns; the medians are told, and the least and the largest
-ratio of a turn. The other code runs with the best of several skins, found first. Its time is that of the process less that of a run
-of no steps, which reads and lists; Suna's counts its first lists.
+ratio of a turn. The other code runs with the fastest of several settings of its search, found first. Its time is that of the process
+less that of a run of no steps, which reads and lists; Suna's counts its first lists.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import argparse
-import math
+import collections
+import datetime
 import os
 import shutil
 import statistics
 import subprocess
 import sys
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-BEDS = os.path.join(HERE, "beds")
+from peers import PEERS, Run
+from scenes import BEDS, FULL, HERE, SCENES, box, state, suna
 
-DENSITY, YOUNG, POISSON, RESTITUTION, FRICTION = 2500.0, 5e6, 0.25, 0.9, 0.3    # of equal.dem
-
-# scene: bed settled once, physics, width along x and y, copies along x, random speed added, step, steps, mean diameter;
-# where it is not that of the bed's file: number of spheres and height of the box that they fall from
-SCENES = {
-    "settled20k": dict(bed="Equal", physics="equal", width=0.025, copies=1, speed=0.0, step=2e-6, steps=2000, mean=1e-3),
-    "settled100k": dict(bed="Equal", physics="equal", width=0.025, copies=5, speed=0.0, step=2e-6, steps=400, mean=1e-3),
-    "settled300k": dict(bed="Equal", physics="equal", width=0.025, copies=15, speed=0.0, step=2e-6, steps=200, mean=1e-3),
-    "agitated20k": dict(bed="Equal", physics="equal", width=0.025, copies=1, speed=0.7, step=2e-6, steps=2000, mean=1e-3),
-    "sizes50k": dict(bed="Sizes", physics="sizes", width=0.06, copies=1, speed=0.0, step=2e-6, steps=600, mean=1.6e-3),
-    "small": dict(bed="Equal", physics="equal", width=0.01, copies=1, speed=0.5, step=2e-6, steps=500, mean=1e-3, spheres=500, height=0.006),
-    "hysteresis20k": dict(bed="Hysteresis", physics="hysteresis", width=0.025, copies=1, speed=0.0, step=2e-6, steps=2000, mean=1e-3),
-}
-SKINS = (0.02, 0.04, 0.08, 0.15, 0.25)                    # of the mean diameter
-PACKAGE = {"liggghts": ("liggghts", "liggghts"), "lammps": ("lmp", "lammps")}    # program, package of Debian
+STORED = os.path.join(HERE, "stored", "speed.txt")
 
 
-def spent(bed, command, folder, log):
-    """Processor time [s] and most memory [bytes] of a command; ends the benchmark when it fails."""
-    path = os.path.join(folder, log)
-    with open(path, "w") as out:
-        status = subprocess.run([bed, "spend"] + command, cwd=folder, stdout=out, stderr=subprocess.STDOUT).returncode
-    if status:
-        sys.exit(f"speed: {' '.join(command)} failed; see {path}")
-    with open(path) as text:
-        return [float(word) for word in text.read().splitlines()[-1].split()[1:]]
+# ---- what is asked for -----------------------------------------------------------------------------------------------
+
+def arguments():
+    p = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    p.add_argument("--against", choices=[*PEERS, "none"], default="")
+    p.add_argument("--exe", help="the peer's program, one of your own building")
+    p.add_argument("--precision", choices=["double", "mixed"], default="double", help="of Suna")
+    p.add_argument("--runs", type=int, default=3)
+    p.add_argument("--steps", type=int, default=0, help="0: those of the scene, a fifth of them with yade")
+    p.add_argument("--compare", action="store_true")
+    p.add_argument("--dem", required=True)
+    p.add_argument("--bed", required=True)
+    p.add_argument("scene", nargs="+", choices=sorted(SCENES) + ["all", "table"])
+    a = p.parse_args()
+    if a.exe and not a.against:
+        sys.exit("speed: --exe names a peer's program; say which peer with --against")
+    if a.exe and not os.access(a.exe, os.X_OK):
+        sys.exit(f"speed: --exe {a.exe} is no program")
+    if a.runs < 1 or a.steps < 0:
+        sys.exit(f"speed: --runs {a.runs} and --steps {a.steps} are at least 1 and 0")
+    return a
 
 
-def box(scene):
-    """Entries of the domain's sides."""
-    return [("domain/x", f"(0 {scene['copies']*scene['width']!r})"), ("domain/y", f"(0 {scene['width']!r})")]
+def program(a, name):
+    """Path of a peer's program; ends the benchmark when there is none."""
+    found = a.exe or shutil.which(PEERS[name].program)
+    if not found:
+        sys.exit(f"speed: there is no {PEERS[name].program}; install it (apt-get install {PEERS[name].package}), or say --against none")
+    return os.path.abspath(found)
 
 
-# ---- beds ------------------------------------------------------------------------------------------------------------
-
-def settled(dem, bed, scene):
-    """The snapshot of a bed at rest, made when it is not there yet."""
-    folder = os.path.join(BEDS, f"{scene['physics']}{scene.get('spheres', '')}")
-    snapshot = os.path.join(folder, "settled", "snapshot.dem")
-    if not os.path.exists(os.path.join(folder, "done")):
-        os.makedirs(folder, exist_ok=True)
-        print(f"# settling {scene['physics']} (once)", flush=True)
-        other = []
-        if "spheres" in scene:
-            for entry, value in box(scene) + [("insert/bed/count", str(scene["spheres"])),
-                                              ("insert/bed/max", f"({scene['width']!r} {scene['width']!r} {scene['height']!r})")]:
-                other += ["-set", entry, value]
-        spent(bed, [dem, "run"] + other + [os.path.join(HERE, f"settle{scene['bed']}.dem")], folder, "log.settle")
-        open(os.path.join(folder, "done"), "w").close()
-    return snapshot
+def default_peer(scene):
+    """The first peer that has the law."""
+    return next((name for name in PEERS if scene["law"] in PEERS[name].laws), "none")
 
 
-def state(dem, bed, name, scene):
-    """The text of particles that a scene starts from, and the particles."""
-    path = os.path.join(BEDS, name + ".txt")
-    if not os.path.exists(path):
-        snapshot = settled(dem, bed, scene)
-        with open(path + ".part", "w") as out:
-            subprocess.run([bed, "state", os.path.join(HERE, scene["physics"] + ".dem"), snapshot, str(scene["copies"]),
-                            repr(scene["width"]), repr(scene["speed"])], stdout=out, check=True)
-        os.rename(path + ".part", path)
-    with open(path) as text:
-        return path, [line.split() for line in text]
-
-
-# ---- Suna ------------------------------------------------------------------------------------------------------------
-
-def suna(bed, scene, path, steps):
-    """Processor time, bytes, kinetic energy, contacts, rebuilds, prunes."""
-    told = subprocess.run([bed, "run", os.path.join(HERE, scene["physics"] + ".dem"), path, repr(scene["step"]), str(steps)]
-                          + [word for entry in box(scene) for word in entry], capture_output=True, text=True)
-    if told.returncode:
-        sys.exit(told.stderr)
-    return [float(word) for word in told.stdout.split()]
-
-
-# ---- the others ------------------------------------------------------------------------------------------------------
-
-def write_data(path, particles, scene):
-    """The data file that LIGGGHTS and LAMMPS read."""
-    top = max(float(p[4]) + 2.0*float(p[1]) for p in particles) + 0.01
-    with open(path, "w") as out:
-        out.write(f"spheres\n\n{len(particles)} atoms\n1 atom types\n\n0 {scene['copies']*scene['width']!r} xlo xhi\n"
-                  f"0 {scene['width']!r} ylo yhi\n-0.001 {top} zlo zhi\n\nAtoms\n\n")
-        out.writelines(f"{int(p[0]) + 1} 1 {p[1]} {DENSITY} {p[2]} {p[3]} {p[4]}\n" for p in particles)
-        out.write("\nVelocities\n\n")
-        out.writelines(f"{int(p[0]) + 1} {' '.join(p[5:11])}\n" for p in particles)
-
-
-def liggghts_laws(scene):
-    model = "model hertz tangential history"
-    lines = [f"fix m1 all property/global youngsModulus peratomtype {YOUNG}",
-             f"fix m2 all property/global poissonsRatio peratomtype {POISSON}",
-             f"fix m3 all property/global coefficientRestitution peratomtypepair 1 {RESTITUTION}",
-             f"fix m4 all property/global coefficientFriction peratomtypepair 1 {FRICTION}"]
-    if scene["physics"] == "hysteresis":
-        model = "model hooke/hysteresis tangential history"
-        lines += ["fix m5 all property/global characteristicVelocity scalar 1",
-                  "fix m6 all property/global coefficientMaxElasticStiffness peratomtypepair 1 2",
-                  "fix m7 all property/global coefficientAdhesionStiffness peratomtypepair 1 0.5",
-                  "fix m8 all property/global coefficientPlasticityDepth peratomtypepair 1 0.05"]
-    return lines + [f"pair_style gran {model}", "pair_coeff * *", "fix pull all gravity 9.81 vector 0 0 -1",
-                    f"fix floor all wall/gran {model} primitive type 1 zplane 0.0"]
-
-
-def lammps_laws(_):
-    """gran/hertz/history: the same stiffnesses; its dashpot is another law, set to do what ours does at 1/600 of a diameter."""
-    modulus, shear = YOUNG/(2.0*(1.0 - POISSON**2)), YOUNG/(4.0*(2.0 - POISSON)*(1.0 + POISSON))
-    mass, radius = DENSITY*math.pi/6.0*1e-9/2.0, 0.25e-3
-    beta = -math.log(RESTITUTION)/math.hypot(math.log(RESTITUTION), math.pi)
-    area = math.sqrt(radius*1e-3/600.0)
-    damping = 2.0*math.sqrt(5.0/6.0)*beta*math.sqrt(2.0*modulus*area*mass)/(mass*area)
-    numbers = f"{4.0/3.0*modulus} {8.0*shear} {damping} {damping} {FRICTION} 1"
-    return [f"pair_style gran/hertz/history {numbers}", "pair_coeff * *", "fix pull all gravity 9.81 vector 0 0 -1",
-            f"fix floor all wall/gran hertz/history {numbers} zplane 0.0 NULL"]
-
-
-def write_input(peer, folder, scene, skin, steps):
-    granular = peer == "liggghts"
-    lines = ["units si", f"atom_style {'granular' if granular else 'sphere'}", "atom_modify map array", "boundary p p f",
-             "newton off", "communicate single vel yes" if granular else "comm_modify vel yes", "read_data data.txt",
-             f"neighbor {skin*scene['mean']} bin", "neigh_modify delay 0"]
-    lines += liggghts_laws(scene) if granular else lammps_laws(scene)
-    lines += [f"timestep {scene['step']}", "fix go all nve/sphere", "compute turn all erotate/sphere",
-              "thermo_style custom step ke c_turn" + ("" if granular else " nbuild"), f"thermo {max(steps, 1)}",
-              "thermo_modify norm no" + (" lost ignore" if granular else ""), f"run {steps}"]
-    with open(os.path.join(folder, "in.txt"), "w") as out:
-        out.write("\n".join(lines) + "\n")
-
-
-def peer_run(bed, peer, folder, scene, skin, steps):
-    """Processor time and most memory of the whole process."""
-    write_input(peer, folder, scene, skin, steps)
-    return spent(bed, [shutil.which(PACKAGE[peer][0]), "-in", "in.txt"], folder, "log.run")
-
-
-def peer_energy(folder):
-    """Kinetic energy [J] of its last line of numbers, translation and rotation."""
-    energy = math.nan
-    with open(os.path.join(folder, "log.run")) as log:
-        for line in log:
-            words = line.split()
-            if len(words) in (3, 4) and words[0].isdigit():
-                energy = float(words[1]) + float(words[2])
-    return energy
-
-
-def best_skin(bed, peer, folder, scene, steps):
-    none = peer_run(bed, peer, folder, scene, SKINS[0], 0)[0]
-    time = {skin: peer_run(bed, peer, folder, scene, skin, steps)[0] - none for skin in SKINS}
-    return min(time, key=time.get)
+def entries(a):
+    return [("time/precision", a.precision)] if a.precision != "double" else []
 
 
 # ---- a scene ---------------------------------------------------------------------------------------------------------
 
-def middle(values):
-    return statistics.median(values)
+def measure_peer(a, name, peer, turn):
+    """What a line tells of the peer, in turns with Suna: rates of both, memory, kinetic energy, the setting chosen."""
+    scene, p = SCENES[name], PEERS[peer]
+    path, particles = state(a.dem, a.bed, name, scene)
+    folder = os.path.join(BEDS, peer)
+    os.makedirs(folder, exist_ok=True)
+    p.set_up(folder, particles, scene)
+    steps = a.steps or (scene["steps"]//5 if peer == "yade" else scene["steps"])
+    run = Run(a.bed, program(a, peer), folder, scene, None, steps)
+    tries = p.tries(scene)
+    times = [p.run(run._replace(setting=t, steps=max(steps//3, 1)))[0] for t in tries]
+    run = run._replace(setting=tries[times.index(min(times))])
+    ours, theirs, most = [], [], 0
+    for _ in range(a.runs):
+        ours.append(turn(path, steps))
+        seconds, most = p.run(run)
+        theirs.append(1e-6*len(particles)*steps/seconds)
+    energy = p.energy(folder)
+    return ours, theirs, (most - p.empty(run))/len(particles), energy, run.setting
 
 
-def measure(a, name):
+def measure(a, name, peer):
+    """The line of a scene."""
     scene = SCENES[name]
     path, particles = state(a.dem, a.bed, name, scene)
-    n, steps = len(particles), a.steps or scene["steps"]
-    work = 1e-6*n*steps
-    ours, theirs, ratio, told, energy, skin = [], [], [], None, None, None
+    n, told = len(particles), []
+    own = "suna" if a.precision == "double" else "suna mixed"
 
-    folder = os.path.join(BEDS, a.against)
-    other = a.against != "none" and not (a.against == "lammps" and scene["physics"] == "hysteresis")
-    if other:
-        os.makedirs(folder, exist_ok=True)
-        write_data(os.path.join(folder, "data.txt"), particles, scene)
-        skin = best_skin(a.bed, a.against, folder, scene, max(steps//3, 1))
-    for _ in range(a.runs):
-        told = suna(a.bed, scene, path, steps)
-        ours.append(work/told[0])
-        if other:
-            rest, _ = peer_run(a.bed, a.against, folder, scene, skin, 0)
-            whole, most = peer_run(a.bed, a.against, folder, scene, skin, steps)
-            theirs.append(work/(whole - rest))
-            ratio.append(ours[-1]/theirs[-1])
-            energy = peer_energy(folder)
-    line = f"{name} N={n} steps={steps} suna {middle(ours):.2f} Mps/s"
-    if other:
-        with open(os.path.join(folder, "in.txt"), "w") as out:
-            out.write("units si\n")
-        _, empty = spent(a.bed, [shutil.which(PACKAGE[a.against][0]), "-in", "in.txt"], folder, "log.run")
-        line += (f" {a.against} {middle(theirs):.2f} Mps/s (skin {skin:g} d) ratio {middle(ratio):.2f}"
-                 f" (min {min(ratio):.2f} max {max(ratio):.2f}) bytes/particle {told[1]/n:.0f} {(most - empty)/n:.0f}"
-                 f" kinetic {told[2]:.4g} {energy:.4g} J")
+    def turn(path, steps):
+        told[:] = suna(a.bed, scene, path, steps, entries(a))
+        return 1e-6*n*steps/told[0]
+
+    steps = a.steps or (scene["steps"]//5 if peer == "yade" else scene["steps"])
+    line = f"{name} N={n} steps={steps} {own} "
+    if peer == "none":
+        ours = [turn(path, steps) for _ in range(a.runs)]
+        line += (f"{statistics.median(ours):.2f} Mps/s (min {min(ours):.2f} max {max(ours):.2f}) bytes/particle {told[1]/n:.0f}"
+                 f" kinetic {told[2]:.4g} J")
     else:
-        line += f" (min {min(ours):.2f} max {max(ours):.2f}) bytes/particle {told[1]/n:.0f} kinetic {told[2]:.4g} J"
-    print(f"{line} contacts {told[3]/n:.2f} a particle, rebuilds {told[4]:.0f} prunes {told[5]:.0f}", flush=True)
+        ours, theirs, most, energy, setting = measure_peer(a, name, peer, turn)
+        ratio = [u/v for u, v in zip(ours, theirs)]
+        label = os.path.basename(a.exe) if a.exe else peer
+        line += (f"{statistics.median(ours):.2f} Mps/s {label} {statistics.median(theirs):.2f} Mps/s (skin {setting[0]:g} d {setting[1]})"
+                 f" ratio {statistics.median(ratio):.2f} (min {min(ratio):.2f} max {max(ratio):.2f})"
+                 f" bytes/particle {told[1]/n:.0f} {most:.0f} kinetic {told[2]:.4g} {energy:.4g} J")
+    bonds = f", bonds {told[6]/n:.2f}" if told[6] else ""
+    return f"{line} contacts {told[3]/n:.2f}{bonds} a particle, rebuilds {told[4]:.0f} prunes {told[5]:.0f}"
+
+
+# ---- the same physics ------------------------------------------------------------------------------------------------
+
+def overlaps(rows, scene):
+    """Contacts between particles and with the floor, and their mean overlap [m]; rows: diameter, x, y, z."""
+    widths = (scene["copies"]*scene["width"], scene["width"])
+    found = [0.5*r[0] - r[3] for r in rows if r[3] < 0.5*r[0]]
+    cells, size = collections.defaultdict(list), max(r[0] for r in rows)
+    many = [max(int(w/size), 1) for w in widths]
+    for k, r in enumerate(rows):
+        cells[tuple(int(r[1 + i]/widths[i]*many[i]) % many[i] for i in (0, 1)) + (int(r[3]//size),)].append(k)
+    for (i, j, k), here in cells.items():
+        near = {((i + u) % many[0], (j + v) % many[1], k + w) for u in (-1, 0, 1) for v in (-1, 0, 1) for w in (-1, 0, 1)}
+        for other in [m for cell in near for m in cells.get(cell, ())]:
+            for m in here:
+                if m < other:
+                    apart = [rows[m][c] - rows[other][c] for c in (1, 2, 3)]
+                    apart[:2] = [d - w*round(d/w) for d, w in zip(apart, widths)]
+                    depth = 0.5*(rows[m][0] + rows[other][0]) - sum(d*d for d in apart)**0.5
+                    found += [depth] if depth > 0.0 else []
+    return len(found), sum(found)/max(len(found), 1)
+
+
+def compare(a, name, peer):
+    """Kinetic energy, contacts, mean overlap, bonds: each ours and theirs."""
+    scene, p = SCENES[name], PEERS[peer]
+    path, particles = state(a.dem, a.bed, name, scene)
+    folder = os.path.join(BEDS, peer)
+    os.makedirs(folder, exist_ok=True)
+    p.set_up(folder, particles, scene)
+    steps, last = a.steps or scene["steps"], os.path.join(folder, "suna.txt")
+    told = suna(a.bed, scene, path, steps, entries(a), last)
+    p.run(Run(a.bed, program(a, peer), folder, scene, p.tries(scene)[len(p.tries(scene))//2 - 1], steps))
+    with open(last) as text:
+        ours = overlaps([[float(word) for word in line.split()[1:5]] for line in text], scene)
+    theirs = overlaps(p.end(folder), scene)
+    return (f"{name} N={len(particles)} steps={steps} {peer} kinetic {told[2]:.5g} {p.energy(folder):.5g} J contacts {ours[0]} {theirs[0]}"
+            f" overlap {1e6*ours[1]:.4g} {1e6*theirs[1]:.4g} um bonds {told[6]:.0f} {p.bonds(folder)}")
+
+
+# ---- all of it -------------------------------------------------------------------------------------------------------
+
+def said(command):
+    out = subprocess.run(command, capture_output=True, text=True, cwd=HERE).stdout.splitlines()
+    return out[0].strip() if out else ""
+
+
+def heading():
+    """Date, commit, machine, programs of the lines that follow."""
+    model = "unknown processor"
+    with open("/proc/cpuinfo") as text:
+        for line in text:
+            if line.startswith("model name"):
+                model = line.split(":", 1)[1].strip()
+    commit = said(["git", "describe", "--always", "--dirty=+"]) or "no commit"
+    versions = [f"{p.package} {said(['dpkg-query', '-W', '-f', '${Version}', p.package])}" for p in (PEERS["liggghts"], PEERS["lammps"], PEERS["yade"])]
+    return (f"# {datetime.date.today()} commit {commit}; {os.cpu_count()} cores of {model}, load {os.getloadavg()[0]:.1f} before;"
+            f" {said(['cc', '--version'])}; {', '.join(versions)}")
+
+
+def store(line):
+    print(line, flush=True)
+    os.makedirs(os.path.dirname(STORED), exist_ok=True)
+    with open(STORED, "a") as out:
+        out.write(line + "\n")
+
+
+def everything(a):
+    store(heading())
+    for name in FULL:
+        for peer in [p for p in PEERS if a.against in ("", p)]:
+            if SCENES[name]["law"] in PEERS[peer].laws and (name not in ("settled300k",) or peer != "yade"):
+                store(measure(a, name, peer))
+
+
+def table():
+    """The lines of the last heading, as markdown."""
+    with open(STORED) as text:
+        last = text.read().split("# ")[-1].splitlines()
+    print(f"{last[0]}\n\n| scene | Suna | other | ratio (least, largest) | bytes a particle |\n|---|---|---|---|---|")
+    for line in last[1:]:
+        words = line.replace("suna mixed", "suna").split()
+        at = words.index("ratio")
+        search = " ".join(words[words.index("(skin") + 1:at]).rstrip(")")
+        memory = words.index("bytes/particle")
+        print(f"| `{words[0]}` | {words[4]} | {words[6]} {words[7]} ({search}) | {words[at + 1]} ({words[at + 3]}, {words[at + 5].rstrip(')')})"
+              f" | {words[memory + 1]}; {words[memory + 2]} |")
 
 
 def main():
-    p = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    p.add_argument("--against", choices=["liggghts", "lammps", "none"], default="liggghts")
-    p.add_argument("--runs", type=int, default=3)
-    p.add_argument("--steps", type=int, default=0, help="0: those of the scene")
-    p.add_argument("--dem", required=True)
-    p.add_argument("--bed", required=True)
-    p.add_argument("scene", nargs="+", choices=sorted(SCENES))
-    a = p.parse_args()
-    if a.against != "none" and not shutil.which(PACKAGE[a.against][0]):
-        sys.exit(f"speed: there is no {PACKAGE[a.against][0]}; install it (apt-get install {PACKAGE[a.against][1]}), or say --against none")
+    a = arguments()
+    if a.scene == ["table"]:
+        return table()
+    if a.scene == ["all"]:
+        return everything(a)
     for name in a.scene:
-        measure(a, name)
+        if name in ("all", "table"):
+            sys.exit(f"speed: {name} stands alone")
+        peer = a.against or default_peer(SCENES[name])
+        if peer != "none" and SCENES[name]["law"] not in PEERS[peer].laws:
+            sys.exit(f"speed: {peer} has no law like that of {name}; {default_peer(SCENES[name])} has")
+        print(compare(a, name, peer) if a.compare else measure(a, name, peer), flush=True)
+    return None
 
 
 if __name__ == "__main__":
