@@ -87,16 +87,15 @@ static int learn_radii(struct dem *d)
     return DEM_OK;
 }
 
-/* Without particles from elsewhere the ids are those of the text, from 0 on. */
+/* Without particles from elsewhere the ids are those of the text. */
 static int check_bonds(const struct dem *d)
 {
-    const double *const id = d->scene.bond_ids;
-    const double n = (double)dem_insert_count(&d->scene.insertion);
+    const int64_t *const id = d->scene.bond_ids, n = dem_insert_next_id(&d->scene.insertion);
 
     for (size_t k = 0; k + 1 < d->scene.bond_id_count && d->crowd.n == 0; k += 2)
     {
-        DEM_REQUIRE(id[k] < n && id[k + 1] < n, DEM_ERROR_INPUT, "bonds/pairs: %.17g and %.17g, but the scene has ids below %.17g only; "
-                    "correct the list", id[k], id[k + 1], n);
+        DEM_REQUIRE(id[k] < n && id[k + 1] < n, DEM_ERROR_INPUT, "bonds/pairs: %lld and %lld, but the scene has ids below %lld only; "
+                    "correct the list", (long long)id[k], (long long)id[k + 1], (long long)n);
     }
     return DEM_OK;
 }

@@ -10,30 +10,7 @@
 #include "io/snapshot.h"
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
-
-static int compare_ids(const void *a, const void *b)
-{
-    const int64_t p = *(const int64_t *)a, q = *(const int64_t *)b;
-
-    return (p > q) - (p < q);
-}
-
-/* The scene's own ids are those below `first`, none of them twice. */
-static int refuse_twins(int64_t *id, size_t n, int64_t first)
-{
-    int64_t twin = -1;
-
-    qsort(id, n, sizeof *id, compare_ids);
-    for (size_t k = 0; k < n; k++)
-    {
-        twin = id[k] < first || (k > 0 && id[k] == id[k - 1]) ? id[k] : twin;
-    }
-    DEM_REQUIRE(twin < 0, DEM_ERROR_INPUT, "two particles have id %lld; give each its own, or -1 for the next free one",
-                (long long)twin);
-    return DEM_OK;
-}
 
 /* One that the program handed in, as the scene knows it. */
 static int resolve(const struct dem *d, size_t k, struct dem_particle *whole)
@@ -57,8 +34,7 @@ static int resolve(const struct dem *d, size_t k, struct dem_particle *whole)
 static int take_crowd(struct dem *d)
 {
     struct dem_crowd *const c = &d->scene.crowd;
-    const int64_t first = c->next_id;
-    int64_t next = first, *id;
+    int64_t next = c->next_id, *id;
 
     if (d->crowd.n == 0)
     {
@@ -79,7 +55,7 @@ static int take_crowd(struct dem *d)
             DEM_TRY(dem_crowd_add(c, whole, "dem_add_particles"));
         }
     }
-    const int status = refuse_twins(id, d->crowd.n, first);
+    const int status = dem_insert_refuse_twins(&d->scene.insertion, d->crowd.n, id);
 
     dem_memory_free(id);
     return status;
@@ -190,8 +166,8 @@ int dem_door_start_particles(struct dem *d)
         return DEM_OK;
     }
     DEM_TRY(dem_insert_place(&d->scene.crowd, &d->scene.insertion, &p->recipe, &p->pieces));
-    dem_insert_free(&d->scene.insertion);
     DEM_TRY(take_crowd(d));
+    dem_insert_free(&d->scene.insertion);
     DEM_TRY(settle_crowd(d));
     dem_crowd_disperse(&d->scene.crowd);
     dem_crowd_disperse(&d->crowd);

@@ -215,26 +215,6 @@ int dem_dict_vector_or(const struct dem_dict *d, const char *name, const char *u
     return DEM_OK;
 }
 
-/* Digits are read exactly; 1e6 is a whole number too, as far as doubles hold all of them. */
-static bool whole(const char *text, int64_t *value)
-{
-    char *end;
-    double number;
-
-    errno = 0;
-    *value = strtoll(text, &end, 10);
-    if (*end == '\0' && end != text)
-    {
-        return errno == 0;
-    }
-    if (!dem_dict_is_number(text, &number) || fabs(number) > 0x1p53 || floor(number) != number)
-    {
-        return false;
-    }
-    *value = (int64_t)number;
-    return true;
-}
-
 int dem_dict_int64(const struct dem_dict *d, const char *name, int64_t *value)
 {
     const struct dem_entry *e;
@@ -242,7 +222,7 @@ int dem_dict_int64(const struct dem_dict *d, const char *name, int64_t *value)
 
     DEM_TRY(dem_dict_need(d, name, "", &e));
     c = value_of(e);
-    return c.end - c.at == 1 && c.at->kind == DEM_TOKEN_WORD && whole(c.at->text, value)
+    return c.end - c.at == 1 && c.at->kind == DEM_TOKEN_WORD && dem_dict_is_whole(c.at->text, value)
                ? DEM_OK
                : dem_dict_refuse_value(e, "one whole number", "");
 }

@@ -70,6 +70,7 @@ int dem_dict_text_or(const struct dem_dict *d, const char *name, const char *fal
 /* Lists; they live as long as the tree. A list may be empty; ask dem_dict_has first if the entry is optional. */
 int dem_dict_numbers(const struct dem_dict *d, const char *name, const char *unit, const double **values,
                      size_t *n);
+int dem_dict_int64s(const struct dem_dict *d, const char *name, const int64_t **values, size_t *n);
 int dem_dict_vectors(const struct dem_dict *d, const char *name, const char *unit, const double (**values)[3],
                      size_t *n);
 int dem_dict_words(const struct dem_dict *d, const char *name, const char *const **words, size_t *n);

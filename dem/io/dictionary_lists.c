@@ -40,6 +40,14 @@ static bool take_number(struct dem_cursor *c, void *items, size_t i)
     return dem_dict_take_number(c, (double *)items + i);
 }
 
+static bool take_whole(struct dem_cursor *c, void *items, size_t i)
+{
+    const bool there = c->at < c->end && c->at->kind == DEM_TOKEN_WORD && dem_dict_is_whole(c->at->text, (int64_t *)items + i);
+
+    c->at += there;
+    return there;
+}
+
 static bool take_vector(struct dem_cursor *c, void *items, size_t i)
 {
     return dem_dict_take_vector(c, ((double(*)[3])items)[i]);
@@ -62,7 +70,7 @@ static bool take_dict(struct dem_cursor *c, void *items, size_t i)
     return there;
 }
 
-/* What the four kinds of list differ in. */
+/* What the kinds of list differ in. */
 struct kind
 {
     const char *wants;
@@ -102,6 +110,18 @@ int dem_dict_numbers(const struct dem_dict *d, const char *name, const char *uni
 
     DEM_TRY(dem_dict_need(d, name, unit, &e));
     DEM_TRY(read_list(e, &numbers, unit, &items, n));
+    *values = items;
+    return DEM_OK;
+}
+
+int dem_dict_int64s(const struct dem_dict *d, const char *name, const int64_t **values, size_t *n)
+{
+    static const struct kind wholes = {"a list of whole numbers ( ... )", take_whole, sizeof(int64_t)};
+    const struct dem_entry *e;
+    void *items;
+
+    DEM_TRY(dem_dict_need(d, name, "", &e));
+    DEM_TRY(read_list(e, &wholes, "", &items, n));
     *values = items;
     return DEM_OK;
 }

@@ -5,6 +5,7 @@
  */
 #include "io/dictionary_tree.h"
 
+#include <errno.h>
 #include <fenv.h>
 #include <float.h>
 #include <math.h>
@@ -25,6 +26,26 @@ bool dem_dict_is_number(const char *text, double *value)
     *value = strtod(text, &end);
     fesetenv(&traps);
     return *end == '\0' && fabs(*value) <= DBL_MAX;
+}
+
+/* Digits are read exactly; 1e6 is a whole number too, as far as doubles hold all of them. */
+bool dem_dict_is_whole(const char *text, int64_t *value)
+{
+    char *end;
+    double number;
+
+    errno = 0;
+    *value = strtoll(text, &end, 10);
+    if (*end == '\0' && end != text)
+    {
+        return errno == 0;
+    }
+    if (!dem_dict_is_number(text, &number) || fabs(number) > 0x1p53 || floor(number) != number)
+    {
+        return false;
+    }
+    *value = (int64_t)number;
+    return true;
 }
 
 bool dem_dict_is_sign(const struct dem_token *t, char sign)

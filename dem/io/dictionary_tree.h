@@ -132,6 +132,7 @@ bool dem_dict_is_name(const struct dem_token *t);
 
 /* A finite decimal number and nothing else? Raises no floating-point exception. */
 bool dem_dict_is_number(const char *text, double *value);
+bool dem_dict_is_whole(const char *text, int64_t *value);
 
 /* The entry that "$name" means when written in here; an error when there is none. */
 int dem_dict_macro(const struct dem_dict *here, const char *file, const struct dem_token *token,

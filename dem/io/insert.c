@@ -6,7 +6,8 @@
  *
  * lattice   simple cubic in a box, spacing in diameters, filled from the bottom layer up; jitter is the share of the free gap
  * random    random places in a box, cylinder or sphere, clear of the groups before (packing.h), sizes drawn (sizes.h)
- * list      positions ((x y z) ...), with one diameter or as many
+ * list      positions ((x y z) ...), with one diameter or as many, velocities, spins, ids
+ * table     the same from the rows of a file (insert_table.c)
  *
  * How many is in insert_amount.c, placing in insert_place.c. A lattice to which no amount is given fills its box.
  *
@@ -164,9 +165,19 @@ static int read_diameters(struct dem_batch *b, size_t n)
     return DEM_OK;
 }
 
+static int check_ids(const struct dem_batch *b)
+{
+    for (int64_t m = 0; b->ids && m < b->count; m++)
+    {
+        DEM_REQUIRE(b->ids[m] >= 0 && b->ids[m] < INT64_MAX, DEM_ERROR_INPUT, "%s: number %lld of its ids is %lld; give whole numbers from 0 to %lld",
+                    b->where, (long long)m + 1, (long long)b->ids[m], (long long)INT64_MAX - 1);
+    }
+    return DEM_OK;
+}
+
 static int read_list(struct dem_batch *b)
 {
-    size_t n, velocities = 0, spins = 0;
+    size_t n, velocities = 0, spins = 0, ids = 0;
 
     DEM_TRY(dem_dict_vectors(b->dict, "positions", "m", &b->positions, &n));
     DEM_TRY(read_diameters(b, n));
@@ -178,11 +189,27 @@ static int read_list(struct dem_batch *b)
     {
         DEM_TRY(dem_dict_vectors(b->dict, "spins", "1/s", &b->spins, &spins));
     }
+    if (dem_dict_has(b->dict, "ids"))
+    {
+        DEM_TRY(dem_dict_int64s(b->dict, "ids", &b->ids, &ids));
+    }
+    DEM_REQUIRE(!b->ids || ids == n, DEM_ERROR_INPUT, "%s: %zu positions, but %zu ids; give as many of each, or leave the list out", b->where,
+                n, ids);
     DEM_REQUIRE((!b->velocities || velocities == n) && (!b->spins || spins == n), DEM_ERROR_INPUT,
                 "%s: %zu positions, but %zu velocities, %zu spins; give as many of each, or leave the list out",
                 b->where, n, velocities, spins);
     b->count = (int64_t)n;
-    return DEM_OK;
+    return check_ids(b);
+}
+
+static int read_table(struct dem_batch *b)
+{
+    DEM_TRY(dem_batch_read_table(b));
+    if (!b->diameters)
+    {
+        DEM_TRY(read_diameters(b, (size_t)b->count));
+    }
+    return check_ids(b);
 }
 
 /* ---- all ----------------------------------------------------------------------------------------------------- */
@@ -216,7 +243,7 @@ static int check_masses(const struct dem_batch *b, const struct dem_recipe *r)
 
 static int read_type(struct dem_batch *b, const struct dem_recipe *r, const char *type)
 {
-    static const char *const known[] = {"lattice", "random", "list"};
+    static const char *const known[] = {"lattice", "random", "list", "table"};
     int k = 0;
 
     while (k < DEM_BATCH_TYPES && strcmp(type, known[k]) != 0)
@@ -224,7 +251,7 @@ static int read_type(struct dem_batch *b, const struct dem_recipe *r, const char
         k++;
     }
     b->type = (enum dem_batch_type)k;
-    if (k != DEM_BATCH_LIST)
+    if (k == DEM_BATCH_LATTICE || k == DEM_BATCH_RANDOM)
     {
         DEM_TRY(dem_dict_int64_or(b->dict, "seed", 1, &b->seed));
     }
@@ -233,7 +260,8 @@ static int read_type(struct dem_batch *b, const struct dem_recipe *r, const char
     case DEM_BATCH_LATTICE: return read_lattice(b, r);
     case DEM_BATCH_RANDOM: return read_random(b, r);
     case DEM_BATCH_LIST: return read_list(b);
-    default: return dem_error_prefix(dem_unknown_word("type of insertion", type, known, 3), "%s: ", b->where);
+    case DEM_BATCH_TABLE: return read_table(b);
+    default: return dem_error_prefix(dem_unknown_word("type of insertion", type, known, DEM_BATCH_TYPES), "%s: ", b->where);
     }
 }
 
@@ -265,7 +293,7 @@ int dem_insert_read(struct dem_insertion *i, const struct dem_dict *insert, cons
         DEM_TRY(DEM_GROW(i->batch, i->room, i->n + 1));
         DEM_TRY(read_batch(dem_entry_dict(e), r, &i->batch[i->n++]));
     }
-    return DEM_OK;
+    return dem_insert_refuse_twins(i, 0, NULL);
 }
 
 void dem_insert_free(struct dem_insertion *i)
@@ -273,6 +301,10 @@ void dem_insert_free(struct dem_insertion *i)
     for (size_t k = 0; k < i->n; k++)
     {
         dem_memory_free(i->batch[k].drawn);
+        for (size_t t = 0; t < sizeof i->batch[k].table/sizeof *i->batch[k].table; t++)
+        {
+            dem_memory_free(i->batch[k].table[t]);
+        }
     }
     dem_memory_free(i->batch);
     memset(i, 0, sizeof *i);

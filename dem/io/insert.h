@@ -1,5 +1,5 @@
 /*
- * insert.h -- particles from words: on a lattice with jitter, at random without overlap, or one by one.
+ * insert.h -- particles from words: on a lattice with jitter, at random without overlap, one by one, or from a table.
  *
  * First all groups are read and checked, by every rank, then placed, by each a share. Places are functions of the seed and the
  * particle's number alone, so it does not matter who makes them; those at random also see each other (packing.h).
@@ -28,7 +28,9 @@ void dem_insert_free(struct dem_insertion *);
 /* Least and most radius [m] that will come, by material; those of none stay. */
 void dem_insert_radii(const struct dem_insertion *, double *least, double *most);
 
-int64_t dem_insert_count(const struct dem_insertion *);
+/* The first id that is free behind all groups. Refuse an id that comes twice, in groups or among these n others. */
+int64_t dem_insert_next_id(const struct dem_insertion *);
+int dem_insert_refuse_twins(const struct dem_insertion *, size_t n, const int64_t *id);
 
 /* Refuse what would lie outside the domain. A lattice is looked at where it turns; a rest is refused when it is placed. */
 int dem_insert_inside(const struct dem_insertion *, const struct dem_domain *);

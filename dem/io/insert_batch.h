@@ -11,7 +11,7 @@
 
 enum dem_batch_type
 {
-    DEM_BATCH_LATTICE, DEM_BATCH_RANDOM, DEM_BATCH_LIST, DEM_BATCH_TYPES
+    DEM_BATCH_LATTICE, DEM_BATCH_RANDOM, DEM_BATCH_LIST, DEM_BATCH_TABLE, DEM_BATCH_TYPES
 };
 
 struct dem_batch
@@ -29,8 +29,16 @@ struct dem_batch
     struct dem_vessel vessel;                             /* of a lattice or at random */
     double pitch, amplitude;                              /* m: between the sites of a lattice, and of the shake */
     int64_t sites[3];
-    const double (*positions)[3], (*velocities)[3], (*spins)[3];   /* of a list; null: the same for all */
+    const double (*positions)[3], (*velocities)[3], (*spins)[3];   /* of a list or table; null: the same for all */
+    const int64_t *ids;                                   /* the same; null: the next free ones */
+    void *table[5];                                       /* what the above point to, where it is the batch's own */
 };
+
+/* Read the rows of a table. */
+int dem_batch_read_table(struct dem_batch *);
+
+/* The first id that is free behind this group, when `first` is free before it. */
+int64_t dem_batch_next_id(const struct dem_batch *, int64_t first);
 
 /* Centre [m] of the m-th particle of a lattice. */
 void dem_batch_site(const struct dem_batch *, int64_t m, double x[3]);

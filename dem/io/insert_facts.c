@@ -5,7 +5,9 @@
  */
 #include "io/insert_batch.h"
 #include "base/error.h"
+#include "base/memory.h"
 #include <math.h>
+#include <stdlib.h>
 
 void dem_insert_radii(const struct dem_insertion *i, double *least, double *most)
 {
@@ -23,15 +25,92 @@ void dem_insert_radii(const struct dem_insertion *i, double *least, double *most
     }
 }
 
-int64_t dem_insert_count(const struct dem_insertion *i)
+/* ---- ids ------------------------------------------------------------------------------------------------------ */
+
+int64_t dem_batch_next_id(const struct dem_batch *b, int64_t first)
 {
-    int64_t n = 0;
+    int64_t next = first + (b->ids ? 0 : b->count);
+
+    for (int64_t m = 0; b->ids && m < b->count; m++)
+    {
+        next = b->ids[m] >= next ? b->ids[m] + 1 : next;
+    }
+    return next;
+}
+
+int64_t dem_insert_next_id(const struct dem_insertion *i)
+{
+    int64_t next = 0;
 
     for (size_t k = 0; k < i->n; k++)
     {
-        n += i->batch[k].count;
+        next = dem_batch_next_id(&i->batch[k], next);
     }
-    return n;
+    return next;
+}
+
+struct span                                               /* of ids, both included */
+{
+    int64_t from, to;
+};
+
+static int compare_spans(const void *a, const void *b)
+{
+    const struct span *const p = a, *const q = b;
+
+    return (p->from > q->from) - (p->from < q->from);
+}
+
+/* Groups without ids are a span each, all others one by one. Returns how many. */
+static size_t list_spans(const struct dem_insertion *i, size_t n, const int64_t *id, struct span *span)
+{
+    int64_t next = 0;
+    size_t count = 0;
+
+    for (size_t k = 0; k < i->n; k++)
+    {
+        const struct dem_batch *const b = &i->batch[k];
+
+        for (int64_t m = 0; b->ids && m < b->count; m++)
+        {
+            span[count++] = (struct span){b->ids[m], b->ids[m]};
+        }
+        if (!b->ids && b->count > 0)
+        {
+            span[count++] = (struct span){next, next + b->count - 1};
+        }
+        next = dem_batch_next_id(b, next);
+    }
+    for (size_t k = 0; k < n; k++)
+    {
+        span[count++] = (struct span){id[k], id[k]};
+    }
+    return count;
+}
+
+int dem_insert_refuse_twins(const struct dem_insertion *i, size_t n, const int64_t *id)
+{
+    struct span *span;
+    size_t most = n + i->n;
+    int64_t twin = -1, last = -1;
+
+    for (size_t k = 0; k < i->n; k++)
+    {
+        most += i->batch[k].ids ? (size_t)i->batch[k].count : 0;
+    }
+    DEM_TRY(DEM_NEW(span, most + 1));
+    const size_t count = list_spans(i, n, id, span);
+
+    qsort(span, count, sizeof *span, compare_spans);
+    for (size_t k = 0; k < count; k++)
+    {
+        twin = span[k].from <= last && twin < 0 ? span[k].from : twin;
+        last = span[k].to > last ? span[k].to : last;
+    }
+    dem_memory_free(span);
+    DEM_REQUIRE(twin < 0, DEM_ERROR_INPUT, "two particles have id %lld; give each its own, or none: then the next free one is taken",
+                (long long)twin);
+    return DEM_OK;
 }
 
 /* ---- where: in the domain, not too far --------------------------------------------------------------------------------------- */
@@ -92,12 +171,12 @@ static int region_inside(const struct dem_batch *b, const struct dem_domain *d)
     return DEM_OK;
 }
 
-static int list_inside(const struct dem_batch *b, const struct dem_domain *d, int64_t first)
+static int each_inside(const struct dem_batch *b, const struct dem_domain *d, int64_t first)
 {
     for (int64_t m = 0; m < b->count; m++)
     {
         DEM_TRY(check_far(b, "a particle", b->positions[m], 0.5*dem_batch_diameter(b, m)));
-        DEM_TRY(check_place(b, d, first + m, b->positions[m]));
+        DEM_TRY(check_place(b, d, b->ids ? b->ids[m] : first + m, b->positions[m]));
     }
     return DEM_OK;
 }
@@ -114,9 +193,9 @@ int dem_insert_inside(const struct dem_insertion *i, const struct dem_domain *d)
         {
         case DEM_BATCH_LATTICE: DEM_TRY(lattice_inside(b, d, first)); break;
         case DEM_BATCH_RANDOM: DEM_TRY(region_inside(b, d)); break;
-        default: DEM_TRY(list_inside(b, d, first)); break;
+        default: DEM_TRY(each_inside(b, d, first)); break;
         }
-        first += b->count;
+        first = dem_batch_next_id(b, first);
     }
     return DEM_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * insert_place.c -- three ways to fill a region: on a lattice with jitter, at random (packing.h), one by one; each rank a share.
+ * insert_place.c -- three ways to fill a region: on a lattice with jitter, at random (packing.h), one by one from a list or table; each rank a share.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -60,7 +60,7 @@ static int place_share(struct dem_crowd *c, const struct dem_batch *b, const str
             dem_batch_site(b, m, x);
         }
         p = sphere(b, r, b->type == DEM_BATCH_LATTICE ? x : b->positions[m], m);
-        p.id = first + m;
+        p.id = b->ids ? b->ids[m] : first + m;
         DEM_TRY(dem_crowd_add(c, p, b->where));
     }
     return DEM_OK;
@@ -133,7 +133,7 @@ int dem_insert_place(struct dem_crowd *c, const struct dem_insertion *i, const s
         status = status ? status : DEM_GROW(c->particle, c->room, c->n + (size_t)(b->count/q->ranks));
         status = together(q, status ? dem_error_prefix(status, "%s: %lld particles: ", b->where, (long long)b->count) : DEM_OK);
         DEM_TRY(status ? status : together(q, dem_batch_place(c, b, r, q)));
-        c->next_id = first + b->count;
+        c->next_id = dem_batch_next_id(b, first);
     }
     return DEM_OK;
 }

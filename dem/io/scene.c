@@ -169,15 +169,14 @@ static int read_neighbours(struct dem_scene *s, const struct dem_dict *scene)
 
 /* ---- the whole ----------------------------------------------------------------------------------------------- */
 
-static int check_bonds(const double *id, size_t n, const char *where)
+static int check_bonds(const int64_t *id, size_t n, const char *where)
 {
     DEM_REQUIRE(n%2 == 0, DEM_ERROR_INPUT, "%s: bonds/pairs: %zu ids; give two for each bond", where, n);
     for (size_t k = 0; k < n; k += 2)
     {
-        const double low = fmin(id[k], id[k + 1]), high = fmax(id[k], id[k + 1]);
-
-        DEM_REQUIRE(low >= 0.0 && high < 9e15 && floor(low) == low && floor(high) == high && low < high, DEM_ERROR_INPUT,
-                    "%s: bonds/pairs: %.17g and %.17g; give two different ids of particles, whole numbers from 0", where, id[k], id[k + 1]);
+        DEM_REQUIRE(id[k] >= 0 && id[k + 1] >= 0 && id[k] != id[k + 1], DEM_ERROR_INPUT,
+                    "%s: bonds/pairs: %lld and %lld; give two different ids of particles, whole numbers from 0", where, (long long)id[k],
+                    (long long)id[k + 1]);
     }
     return DEM_OK;
 }
@@ -198,7 +197,7 @@ static int read_bonds(struct dem_scene *s, const struct dem_dict *scene, const s
     {
         return DEM_OK;
     }
-    DEM_TRY(dem_dict_numbers(bonds, "pairs", "1", &s->bond_ids, &s->bond_id_count));
+    DEM_TRY(dem_dict_int64s(bonds, "pairs", &s->bond_ids, &s->bond_id_count));
     return check_bonds(s->bond_ids, s->bond_id_count, dem_dict_where(bonds));
 }
 

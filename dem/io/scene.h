@@ -44,7 +44,7 @@ struct dem_scene
     struct dem_crowd crowd;                               /* all particles of the start, when they have been */
     struct dem_average_plan *average;                     /* grids of means */
     int averages;
-    const double *bond_ids;                               /* two a pair that the scene wants bonded; NULL: no list */
+    const int64_t *bond_ids;                              /* two a pair that the scene wants bonded; NULL: no list */
     size_t bond_id_count;
 };
 

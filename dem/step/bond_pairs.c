@@ -6,7 +6,6 @@
 #include "step/bond_pairs.h"
 #include "base/error.h"
 #include "base/memory.h"
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,11 +22,13 @@ static int compare(const void *a, const void *b)
     return low ? low : (s->high > t->high) - (s->high < t->high);
 }
 
-static void take_list(const double *ids, size_t pairs, struct asked *list)
+static void take_list(const int64_t *ids, size_t pairs, struct asked *list)
 {
     for (size_t k = 0; k < pairs; k++)
     {
-        list[k] = (struct asked){.low = (int64_t)fmin(ids[2*k], ids[2*k + 1]), .high = (int64_t)fmax(ids[2*k], ids[2*k + 1])};
+        const int64_t a = ids[2*k], b = ids[2*k + 1];
+
+        list[k] = (struct asked){.low = a < b ? a : b, .high = a < b ? b : a};
     }
     qsort(list, pairs, sizeof *list, compare);
 }
@@ -71,9 +72,11 @@ static int see(const struct dem_parts *p, const struct asked *list, size_t pairs
     return DEM_OK;
 }
 
-int dem_bond_pairs_ask(struct dem_parts *p, const double *ids, size_t count)
+int dem_bond_pairs_ask(struct dem_parts *p, const int64_t *ids, size_t count)
 {
     const size_t pairs = count/2;
+
+    DEM_REQUIRE(pairs <= INT32_MAX, DEM_ERROR_INPUT, "bonds/pairs: %zu pairs; the limit is %d, make bonds by nearness or chance", pairs, INT32_MAX);
     struct asked *list;
     uint8_t *found;
 

@@ -10,6 +10,6 @@
 
 /* Collective, once the first near rows are there: mark the rows of the listed pairs, `count` ids, two different ones a pair,
    for the effects that remember "bond_asked". Fails on a pair that is no pair of near particles, and names it. */
-int dem_bond_pairs_ask(struct dem_parts *, const double *ids, size_t count);
+int dem_bond_pairs_ask(struct dem_parts *, const int64_t *ids, size_t count);
 
 #endif

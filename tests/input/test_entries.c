@@ -93,6 +93,7 @@ static const struct row
     {"insert/few/diameters", "(2e-3 1e-3)", NUMBERS, 0},
     {"insert/few/velocities", "((0 0 0) (1 0 0))", VECTORS, 0},
     {"insert/few/spins", "((0 0 0) (1 0 0))", VECTORS, 0},
+    {"insert/few/ids", "(7 9007199254740993)", NUMBERS, 0},
     {"insert/box/type", "lattice", WORD, 1},
     {"insert/box/material", "glass", WORD, 1},
     {"insert/box/diameter", "2e-3", NUMBER, 1},
