@@ -6,13 +6,16 @@
 #include "door.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include <limits.h>
+#include <stdint.h>
 #include <string.h>
 
 /* Corners from all ranks, in their order. */
 static int gather_corners(const struct dem_parts *p, size_t n, const double *mine, double **corners, size_t *triangles)
 {
-    const int count = (int)(9*n);
+    const int count = n <= INT_MAX/9 ? (int)(9*n) : -1;
     int *counts, *start, total = 0;
+    int64_t sum = 0;
     double *all;
 
     if (p->pieces.ranks == 1)
@@ -26,6 +29,12 @@ static int gather_corners(const struct dem_parts *p, size_t n, const double *min
     DEM_TRY(DEM_NEW(counts, p->pieces.ranks));
     DEM_TRY(DEM_NEW(start, p->pieces.ranks));
     MPI_Allgather(&count, 1, MPI_INT, counts, 1, MPI_INT, p->pieces.comm);
+    for (int k = 0; k < p->pieces.ranks; k++)
+    {
+        sum = counts[k] < 0 || sum > INT_MAX ? INT64_MAX/2 : sum + counts[k];
+    }
+    /* all ranks know all counts, and fail together */
+    DEM_REQUIRE(sum <= INT_MAX, DEM_ERROR_MPI, "a wall of more than %d triangles is too long for MPI; make it of several", INT_MAX/9);
     for (int k = 0; k < p->pieces.ranks; k++)
     {
         start[k] = total;

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "space/pairs.h"
+#include "base/error.h"
 #include "base/memory.h"
 #include "space/grid.h"
 #include <math.h>
@@ -52,6 +53,17 @@ int dem_pairs_order(struct dem_pairs *s, struct dem_particles *p)
     }
     dem_memory_free(order);
     return status;
+}
+
+/* Two entries a pair, and a bit of each for the side; images of particles are counted beside them. */
+static const size_t most_particles = (size_t)1 << 31, most_pairs = (size_t)1 << 30;
+
+int dem_pairs_countable(size_t particles, size_t pairs)
+{
+    DEM_REQUIRE(particles < most_particles && pairs < most_pairs, DEM_ERROR_INPUT,
+                "%zu particles and %zu pairs near each other on one rank, the limits are %zu and %zu; use more ranks", particles, pairs,
+                most_particles - 1, most_pairs - 1);
+    return DEM_OK;
 }
 
 int dem_pairs_remember(struct dem_pairs *s, const struct dem_particles *p)

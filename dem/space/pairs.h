@@ -48,7 +48,9 @@ int dem_pairs_order(struct dem_pairs *, struct dem_particles *);
 int dem_pairs_find(struct dem_pairs *, const struct dem_domain *, const struct dem_particles *, const struct dem_walls *,
                    const struct dem_recipe *, struct dem_contacts *);
 
-/* Part of the above: where particles are now. */
+/* Parts of the above: refuse more particles (with copies) or pairs on a rank than the 32 bits of an index tell apart; where
+   particles are now. */
+int dem_pairs_countable(size_t particles, size_t pairs);
 int dem_pairs_remember(struct dem_pairs *, const struct dem_particles *);
 
 /* Prune near rows from the outer pairs at the present positions. */

@@ -338,6 +338,7 @@ int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct
     struct finder f = {.s = s, .p = p, .r = r, .c = c, .g = &g};
 
     c->pairs = 0;
+    DEM_TRY(dem_pairs_countable(p->n + p->ghosts, 0));
     dem_grid_divide(&g, p, s->most_radius, s->outer);
     const int status = p->n > 0 ? find(&f, d) : DEM_OK;
 
@@ -345,6 +346,7 @@ int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct
     dem_memory_free(f.hit);
     DEM_TRY(status);
     DEM_TRY(wall_pairs(s, p, w, r, c));
+    DEM_TRY(dem_pairs_countable(p->n + p->ghosts, c->pairs));
     DEM_TRY(sort_by_class(c));
     DEM_TRY(dem_contacts_adjoin(c, p));
     return dem_pairs_remember(s, p);

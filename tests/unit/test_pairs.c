@@ -1,12 +1,14 @@
 /*
  * The list of pairs is that of a search of everybody against everybody: no pair too few, none too many, each once and with the right
  * shift, for sizes alike and up to 1:30, in open and in periodic boxes, with copies of other ranks' particles and with frozen ones;
- * however the particles lie. Sizes far apart are divided into levels, sizes alike are not.
+ * however the particles lie. Sizes far apart are divided into levels, sizes alike are not. More particles or pairs than an index of 32
+ * bits names are refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "tap.h"
 
+#include "base/error.h"
 #include "base/memory.h"
 #include "base/random.h"
 #include "space/grid.h"
@@ -213,6 +215,10 @@ int main(void)
     {
         compare(&packings[k]);
     }
+    TAP_OK(!dem_pairs_countable(((size_t)1 << 31) - 1, ((size_t)1 << 30) - 1), "as many as an index can name");
+    TAP_OK(dem_pairs_countable((size_t)1 << 31, 0) && strstr(dem_error_text(), "2147483648 particles") && strstr(dem_error_text(), "more ranks"),
+           "more particles are refused");
+    TAP_OK(dem_pairs_countable(5, (size_t)1 << 32) && strstr(dem_error_text(), "4294967296 pairs"), "more pairs are refused");
     TAP_OK(levels(1.0, 0) == 1, "spheres alike: one level");
     TAP_OK(levels(30.0, 0) > 1, "1:30: %d levels", levels(30.0, 0));
     TAP_OK(levels(30.0, 1) > 1, "one large one among them: %d levels", levels(30.0, 1));
