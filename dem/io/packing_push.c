@@ -18,6 +18,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "io/packing.h"
+#include "io/packing_pairs.h"
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/random.h"
@@ -49,206 +50,24 @@ struct push
     int64_t seen;
 };
 
-struct pair
-{
-    uint32_t a, b;
-};
-
 struct pushing
 {
     const struct dem_packing *p;
     struct dem_spots *s;
-    double unit, units, skin, further;                    /* m; 1/m: one over it; m; 1: (1 + g) */
+    struct dem_packing_pairs near;
+    double unit, units, further;                          /* m; 1/m: one over it; 1: (1 + g) */
     uint64_t sweep;
     int64_t overlaps;                                     /* pairs in this sweep, on this rank */
-    size_t pairs, pair_room, push_room, at_room, sent, sent_room, order_room;
-    struct pair *pair;
+    size_t push_room, at_room;
     struct push *push;                                    /* of own spots and copies */
     double (*at)[3];                                      /* m: own spots when pairs were listed */
-    struct dem_spot *order;
-    struct sent
-    {
-        int peer;
-        uint32_t spot;
-    } *send;                                              /* whose copies are where, in the order in which they went */
 };
-
-/* ---- lists --------------------------------------------------------------------------------------------------- */
-
-enum
-{
-    MOVES, COPIES
-};
-
-static int migrate(struct pushing *g)
-{
-    struct dem_spots *const s = g->s;
-    size_t kept = 0;
-    int gone;
-
-    for (size_t i = 0; i < s->own; i++)
-    {
-        DEM_TRY(dem_spots_send(s, &s->spot[i], MOVES, &gone));
-        if (!gone)
-        {
-            s->spot[kept++] = s->spot[i];
-        }
-    }
-    s->n = kept;
-    DEM_TRY(dem_spots_deliver(s));
-    for (size_t k = 0; k < s->posts; k++)
-    {
-        DEM_TRY(dem_spots_add(s, &s->post[k].spot));
-    }
-    s->own = s->n;
-    s->posts = 0;
-    return DEM_OK;
-}
-
-/* The last ones come first in a chain. */
-static int chain_all(struct dem_spots *s)
-{
-    memset(s->head, 0xff, (s->cells + 1)*sizeof *s->head);
-    for (size_t i = 0; i < s->n; i++)
-    {
-        DEM_TRY(dem_spots_enter(s, (uint32_t)i));
-    }
-    return DEM_OK;
-}
-
-/* Own spots cell by cell, so that neighbours lie near each other in memory. */
-static int sort(struct pushing *g)
-{
-    struct dem_spots *const s = g->s;
-    size_t count = 0;
-
-    DEM_TRY(dem_spots_grid(s, g->skin + (g->further - 1.0)*2.0*s->most, s->n));
-    DEM_TRY(chain_all(s));
-    DEM_TRY(DEM_GROW(g->order, g->order_room, s->n + 1));
-    for (size_t c = 0; c < s->cells; c++)
-    {
-        for (uint32_t m = s->head[c]; m != dem_spot_none; m = s->next[m])
-        {
-            g->order[count++] = s->spot[m];
-        }
-    }
-    memcpy(s->spot, g->order, count*sizeof *s->spot);
-    return DEM_OK;
-}
-
-static int send_copies(struct pushing *g)
-{
-    struct dem_spots *const s = g->s;
-
-    g->sent = 0;
-    for (size_t i = 0; i < s->own && s->pieces.ranks > 1; i++)
-    {
-        const size_t from = s->posts;
-
-        DEM_TRY(dem_spots_copy(s, &s->spot[i], COPIES, g->further*(s->spot[i].radius + s->most) + g->skin));
-        for (size_t k = from; k < s->posts; k++)
-        {
-            DEM_TRY(DEM_GROW(g->send, g->sent_room, g->sent + 1));
-            g->send[g->sent++] = (struct sent){s->post[k].peer, (uint32_t)i};
-        }
-    }
-    DEM_TRY(dem_spots_deliver(s));
-    for (size_t k = 0; k < s->posts; k++)
-    {
-        DEM_TRY(dem_spots_add(s, &s->post[k].spot));
-    }
-    s->posts = 0;
-    return DEM_OK;
-}
-
-/* Copies where their owners are now. */
-static int refresh(struct pushing *g)
-{
-    struct dem_spots *const s = g->s;
-
-    if (s->pieces.ranks == 1)
-    {
-        return DEM_OK;
-    }
-    DEM_TRY(DEM_GROW(s->post, s->post_room, g->sent + 1));
-    for (size_t k = 0; k < g->sent; k++)
-    {
-        s->post[k] = (struct dem_spot_post){g->send[k].peer, COPIES, s->spot[g->send[k].spot]};
-    }
-    s->posts = g->sent;
-    DEM_TRY(dem_spots_deliver(s));
-    for (size_t k = 0; k < s->posts; k++)
-    {
-        s->spot[s->own + k] = s->post[k].spot;
-    }
-    s->posts = 0;
-    return DEM_OK;
-}
-
-static int list_cell(struct pushing *g, uint32_t i, size_t cell, int same_level)
-{
-    struct dem_spots *const s = g->s;
-    const struct dem_spot *const p = &s->spot[i];
-
-    /* in its own level it takes those behind itself, the last first: then it has them all */
-    for (uint32_t j = s->head[cell]; j != dem_spot_none && !(same_level && j <= i); j = s->next[j])
-    {
-        const struct dem_spot *const q = &s->spot[j];
-        const double dx = p->x[0] - q->x[0], dy = p->x[1] - q->x[1], dz = p->x[2] - q->x[2];
-        const double reach = g->further*(p->radius + q->radius) + g->skin;
-
-        if (dx*dx + dy*dy + dz*dz < reach*reach && (i < s->own || j < s->own) && (p->name >= 0 || q->name >= 0))
-        {
-            DEM_TRY(g->pairs == g->pair_room ? DEM_GROW(g->pair, g->pair_room, g->pairs + 1) : DEM_OK);
-            g->pair[g->pairs++] = (struct pair){i, j};
-        }
-    }
-    return DEM_OK;
-}
-
-/* The smaller one looks, into the grids of those that are as large or larger. */
-static int list_of(struct pushing *g, uint32_t i)
-{
-    const struct dem_spots *const s = g->s;
-    const struct dem_spot *const p = &s->spot[i];
-    const int level = dem_spots_level(s, p->radius);
-
-    for (int k = 0; k <= level; k++)
-    {
-        const struct dem_spot_level *const l = &s->level[k];
-
-        if (l->most > 0.0)
-        {
-            const struct dem_spot_range r = dem_spots_range(s, l, p->x, g->further*(p->radius + l->most) + g->skin);
-
-            for (int64_t z = r.from[2]; z <= r.to[2]; z++)
-            {
-                for (int64_t y = r.from[1]; y <= r.to[1]; y++)
-                {
-                    for (int64_t x = r.from[0]; x <= r.to[0]; x++)
-                    {
-                        DEM_TRY(list_cell(g, i, l->first + (size_t)((z*l->cells[1] + y)*l->cells[0] + x), k == level));
-                    }
-                }
-            }
-        }
-    }
-    return DEM_OK;
-}
 
 static int list_pairs(struct pushing *g)
 {
-    struct dem_spots *const s = g->s;
+    const struct dem_spots *const s = g->s;
 
-    DEM_TRY(migrate(g));
-    DEM_TRY(sort(g));
-    DEM_TRY(send_copies(g));
-    DEM_TRY(chain_all(s));
-    g->pairs = 0;
-    for (size_t i = 0; i < s->n; i++)
-    {
-        DEM_TRY(list_of(g, (uint32_t)i));
-    }
+    DEM_TRY(dem_packing_pairs_list(&g->near));
     DEM_TRY(DEM_GROW(g->at, g->at_room, s->own + 1));
     for (size_t i = 0; i < s->own; i++)
     {
@@ -260,8 +79,9 @@ static int list_pairs(struct pushing *g)
 /* ---- one sweep ----------------------------------------------------------------------------------------------- */
 
 /* Where one lies in the other, any direction from b to a, the same on all ranks. Returns its size. */
-static double any_direction(const struct pushing *g, const struct dem_spot *a, const struct dem_spot *b, double r[3])
+static double any_direction(const struct pushing *g, const struct dem_packing_pair *pair, double r[3])
 {
+    const struct dem_spot *const a = &g->s->spot[pair->a], *const b = &g->s->spot[pair->b];
     const double sum = a->radius + b->radius, sign = a->name < b->name ? 1.0 : -1.0;
     const int64_t lower = a->name < b->name ? a->name : b->name;
 
@@ -272,15 +92,16 @@ static double any_direction(const struct pushing *g, const struct dem_spot *a, c
     return fmax(1e-6*sum, sqrt(r[0]*r[0] + r[1]*r[1] + r[2]*r[2]));
 }
 
-static void push_apart(struct pushing *g, const struct pair *pair)
+static void push_apart(struct pushing *g, const struct dem_packing_pair *pair)
 {
-    const struct dem_spot *const a = &g->s->spot[pair->a], *const b = &g->s->spot[pair->b];
+    const struct dem_place *const a = &g->near.place[pair->a], *const b = &g->near.place[pair->b];
+    const int a_stays = g->near.fixed[pair->a], b_stays = g->near.fixed[pair->b];
     struct push *const of_a = &g->push[pair->a], *const of_b = &g->push[pair->b];
     double r[3] = {a->x[0] - b->x[0], a->x[1] - b->x[1], a->x[2] - b->x[2]};
     const double sum = a->radius + b->radius, near = sqrt(r[0]*r[0] + r[1]*r[1] + r[2]*r[2]);
-    const double size = near < 1e-6*sum ? any_direction(g, a, b, r) : near, wanted = g->further*sum;
+    const double size = near < 1e-6*sum ? any_direction(g, pair, r) : near, wanted = g->further*sum;
     const double aa = a->radius*a->radius, bb = b->radius*b->radius, move = size < wanted ? (wanted/size - 1.0)*g->units/(aa + bb) : 0.0;
-    const double to_a = a->name < 0 ? 0.0 : move*(b->name < 0 ? aa + bb : bb), to_b = b->name < 0 ? 0.0 : move*(a->name < 0 ? aa + bb : aa);
+    const double to_a = a_stays ? 0.0 : move*(b_stays ? aa + bb : bb), to_b = b_stays ? 0.0 : move*(a_stays ? aa + bb : aa);
 
     for (int k = 0; k < 3; k++)
     {
@@ -289,8 +110,8 @@ static void push_apart(struct pushing *g, const struct pair *pair)
     }
     if (near < touching*sum)
     {
-        of_a->seen |= OVERLAPS | (b->name < 0 ? WEDGED : 0);
-        of_b->seen |= OVERLAPS | (a->name < 0 ? WEDGED : 0);
+        of_a->seen |= OVERLAPS | (b_stays ? WEDGED : 0);
+        of_b->seen |= OVERLAPS | (a_stays ? WEDGED : 0);
         g->overlaps++;
     }
 }
@@ -298,20 +119,20 @@ static void push_apart(struct pushing *g, const struct pair *pair)
 /* First who is near, without a branch to guess, then the few. */
 static void push_all(struct pushing *g)
 {
-    const struct dem_spot *const spot = g->s->spot;
+    const struct dem_place *const place = g->near.place;
     const double square = g->further*g->further;
     uint32_t near[BLOCK];
 
     memset(g->push, 0, g->s->n*sizeof *g->push);
     g->overlaps = 0;
-    for (size_t from = 0; from < g->pairs; from += BLOCK)
+    for (size_t from = 0; from < g->near.n; from += BLOCK)
     {
-        const size_t to = from + BLOCK < g->pairs ? from + BLOCK : g->pairs;
+        const size_t to = from + BLOCK < g->near.n ? from + BLOCK : g->near.n;
         size_t n = 0;
 
         for (size_t k = from; k < to; k++)
         {
-            const struct dem_spot *const a = &spot[g->pair[k].a], *const b = &spot[g->pair[k].b];
+            const struct dem_place *const a = &place[g->near.pair[k].a], *const b = &place[g->near.pair[k].b];
             const double x = a->x[0] - b->x[0], y = a->x[1] - b->x[1], z = a->x[2] - b->x[2], sum = a->radius + b->radius;
 
             near[n] = (uint32_t)(k - from);
@@ -319,7 +140,7 @@ static void push_all(struct pushing *g)
         }
         for (size_t k = 0; k < n; k++)
         {
-            push_apart(g, &g->pair[from + near[k]]);
+            push_apart(g, &g->near.pair[from + near[k]]);
         }
     }
 }
@@ -407,6 +228,7 @@ static double move_all(struct pushing *g)
         {
             square += (s->spot[i].x[k] - g->at[i][k])*(s->spot[i].x[k] - g->at[i][k]);
         }
+        memcpy(g->near.place[i].x, s->spot[i].x, sizeof g->near.place[i].x);
         furthest = square > furthest ? square : furthest;
     }
     if (s->pieces.ranks > 1)
@@ -432,16 +254,7 @@ static int sweep_all(struct pushing *g)
     for (double moved = INFINITY; left > 0; g->sweep++)
     {
         g->further = how_much_further(g->sweep);
-        if (moved > 0.5*g->skin)
-        {
-            g->further = 1.01;                            /* the list serves any */
-            DEM_TRY(list_pairs(g));
-            g->further = how_much_further(g->sweep);
-        }
-        else
-        {
-            DEM_TRY(refresh(g));
-        }
+        DEM_TRY(moved > 0.5*g->near.skin ? list_pairs(g) : dem_packing_pairs_refresh(&g->near));
         push_all(g);
         left = of_all(g, g->overlaps);
         if (left > 0 && g->sweep == SWEEPS)
@@ -457,15 +270,14 @@ static int sweep_all(struct pushing *g)
 
 int dem_packing_push(const struct dem_packing *p, struct dem_spots *s, double width)
 {
-    struct pushing g = {.p = p, .s = s, 
-                        .unit = 2.0*s->most*0x1p-40, .units = 1.0/(2.0*s->most*0x1p-40), .skin = skin_of*width};
+    const double unit = 2.0*s->most*0x1p-40;
+    struct pushing g = {.p = p, .s = s, .unit = unit, .units = 1.0/unit,
+                        .near = {.s = s, .skin = skin_of*width, .stretch = how_much_further(0)}};
     const int status = sweep_all(&g);
 
     s->n = s->own;
-    dem_memory_free(g.pair);
+    dem_packing_pairs_free(&g.near);
     dem_memory_free(g.push);
     dem_memory_free(g.at);
-    dem_memory_free(g.order);
-    dem_memory_free(g.send);
     return status;
 }
