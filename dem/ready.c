@@ -42,6 +42,26 @@ static int decide_fluid(struct dem *d)
     return DEM_OK;
 }
 
+/* Skins to begin with [m], thin as in a bed at rest: who moves fast makes them thicker at once. The most that they may become: a
+   diameter, and less where somebody would find his own image. */
+static void begin_skins(const struct dem_parts *p, double radius, double skin[2], double *most)
+{
+    double least = radius;
+
+    for (int m = 0; m < DEM_MATERIALS; m++)
+    {
+        least = p->recipe.least_radius[m] > 0.0 ? fmin(least, p->recipe.least_radius[m]) : least;
+    }
+    *most = 2.0*radius;
+    for (int k = 0; k < 3; k++)
+    {
+        *most = p->domain.periodic[k] ? fmin(*most, 0.99*(p->domain.length[k] - 2.0*radius - p->recipe.reach)) : *most;
+    }
+    least = fmax(least, 0.05*radius);
+    skin[0] = fmin(0.15*2.0*least, *most);
+    skin[1] = fmin(0.02*2.0*least, skin[0]);
+}
+
 static int prepare_physics(struct dem *d)
 {
     struct dem_parts *const p = &d->parts;
@@ -51,11 +71,21 @@ static int prepare_physics(struct dem *d)
         dem_door_survey_radii(p);
         DEM_TRY(dem_door_settle_physics(d));
     }
-    const double radius = dem_door_most_radius(d), skin[2] = {2.0*radius*d->scene.outer_skin, 2.0*radius*d->scene.inner_skin};
+    const double radius = dem_door_most_radius(d);
+    double skin[2] = {2.0*radius*d->scene.outer_skin, 2.0*radius*d->scene.inner_skin}, most = 2.0*radius;
+
+    if (d->scene.tuned_skins)
+    {
+        begin_skins(p, radius, skin, &most);
+    }
 
     DEM_TRY(dem_contacts_init(&p->contacts, &p->recipe));
     DEM_TRY(dem_door_place_walls(d));
     dem_pairs_init(&p->pairs, &p->domain, skin, p->recipe.reach, radius);
+    if (d->scene.tuned_skins && radius > 0.0)
+    {
+        dem_pairs_tune(&p->pairs, most);
+    }
     return dem_wall_search_prepare(&p->pairs.search, &p->walls, radius > 0.0 ? radius : 1.0);
 }
 

@@ -154,11 +154,13 @@ static int read_neighbours(struct dem_scene *s, const struct dem_dict *scene)
 
     s->outer_skin = 0.3;
     s->inner_skin = 0.04;
+    s->tuned_skins = 1;
     DEM_TRY(dem_dict_sub_if(scene, "neighbours", &dict));
     if (!dict)
     {
         return DEM_OK;
     }
+    s->tuned_skins = !dem_dict_has(dict, "outerSkin") && !dem_dict_has(dict, "innerSkin");
     DEM_TRY(dem_dict_number_or(dict, "outerSkin", "1", s->outer_skin, &s->outer_skin));
     DEM_TRY(dem_dict_number_or(dict, "innerSkin", "1", s->inner_skin, &s->inner_skin));
     DEM_REQUIRE(s->inner_skin > 0.0 && s->outer_skin >= s->inner_skin && s->outer_skin <= 2.0, DEM_ERROR_INPUT,

@@ -38,6 +38,7 @@ struct dem_scene
     bool force;                                           /* take a step over the limit all the same */
     double most_overlap;                                  /* 1  of a diameter */
     double outer_skin, inner_skin;                        /* 1  of the largest diameter */
+    int tuned_skins;                                      /* 1: the scene gives none */
     const char *snapshot;                                 /* path to start from, or NULL */
     struct dem_uniform_fluid fluid;
     struct dem_insertion insertion;                       /* groups of the text, to be placed */

@@ -1,5 +1,5 @@
 /*
- * pairs.c -- the order of particles, pruning, and how far particles have come. Finding pairs is in pairs_find.c.
+ * pairs.c -- the order of particles, and pruning. Finding pairs is in pairs_find.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -10,31 +10,52 @@
 #include <math.h>
 #include <string.h>
 
+static void use(struct dem_pairs *s, enum dem_list list)
+{
+    const double skin = s->skins.skin[list];
+
+    *(list == DEM_LIST_OUTER ? &s->outer : &s->inner) = s->reach + skin;
+    *(list == DEM_LIST_OUTER ? &s->half_outer : &s->half_inner) = 0.5*skin;
+}
+
 void dem_pairs_init(struct dem_pairs *s, const struct dem_domain *d, const double skin[2], double reach, double most_radius)
 {
     memset(s, 0, sizeof *s);
-    s->outer = reach + skin[0];
-    s->inner = reach + skin[1];
-    s->half_outer = 0.5*skin[0];
-    s->half_inner = 0.5*skin[1];
+    dem_skins_init(&s->skins, skin, 0, 0.0, 0.0);
+    s->reach = reach;
     s->most_radius = most_radius;
+    use(s, DEM_LIST_OUTER);
+    use(s, DEM_LIST_INNER);
     dem_domain_shifts(d, s->shift);
+}
+
+/* The least: what rounding of places would spoil is far below; thinner ones save next to nothing where a tenth of it counts. */
+void dem_pairs_tune(struct dem_pairs *s, double most)
+{
+    const double skin[2] = {s->skins.skin[0], s->skins.skin[1]};
+
+    dem_skins_init(&s->skins, skin, 1, fmin(1e-3*most, skin[1]), fmax(most, skin[0]));
+}
+
+void dem_pairs_thicken(struct dem_pairs *s)
+{
+    use(s, DEM_LIST_OUTER);
 }
 
 void dem_pairs_free(struct dem_pairs *s)
 {
     dem_wall_search_free(&s->search);
     dem_memory_free(s->wall_region);
-    dem_memory_free(s->at_outer);
-    dem_memory_free(s->at_inner);
+    dem_drift_free(&s->drift[DEM_LIST_OUTER]);
+    dem_drift_free(&s->drift[DEM_LIST_INNER]);
     dem_memory_free(s->near);
     memset(s, 0, sizeof *s);
 }
 
 size_t dem_pairs_bytes(const struct dem_pairs *s)
 {
-    return s->wall_region_room*sizeof *s->wall_region + s->at_room*(sizeof *s->at_outer + sizeof *s->at_inner)
-         + s->near_room*sizeof *s->near
+    return s->wall_region_room*sizeof *s->wall_region + dem_drift_bytes(&s->drift[DEM_LIST_OUTER])
+         + dem_drift_bytes(&s->drift[DEM_LIST_INNER]) + s->near_room*sizeof *s->near
          + s->search.near_room*sizeof *s->search.near + s->search.candidate_room*sizeof *s->search.candidate;
 }
 
@@ -66,21 +87,6 @@ int dem_pairs_countable(size_t particles, size_t pairs)
     return DEM_OK;
 }
 
-int dem_pairs_remember(struct dem_pairs *s, const struct dem_particles *p)
-{
-    const size_t room = dem_memory_room(s->at_room, 3*p->n + 3);
-
-    DEM_TRY(DEM_RESIZE(s->at_outer, s->at_room, room));
-    DEM_TRY(DEM_RESIZE(s->at_inner, s->at_room, room));
-    s->at_room = room;
-    for (size_t i = 0; i < p->n; i++)
-    {
-        memcpy(s->at_outer + 3*i, p->record[i].x, sizeof p->record[i].x);
-    }
-    s->moved_outer = 0.0;
-    return DEM_OK;
-}
-
 /* ---- pruning ------------------------------------------------------------------------------------------------- */
 
 static int pair_near(const struct dem_pairs *s, const struct dem_particles *p, const struct dem_pair *q)
@@ -102,35 +108,13 @@ static int wall_near(const struct dem_pairs *s, const struct dem_particles *p, c
 
 int dem_pairs_prune(struct dem_pairs *s, const struct dem_particles *p, const struct dem_walls *w, struct dem_contacts *c)
 {
+    use(s, DEM_LIST_INNER);
     DEM_TRY(DEM_GROW(s->near, s->near_room, c->pairs + 1));
     for (size_t k = 0; k < c->pairs; k++)
     {
         s->near[k] = (uint8_t)(c->pair[k].wall ? wall_near(s, p, w, &c->pair[k]) : pair_near(s, p, &c->pair[k]));
     }
-    for (size_t i = 0; i < p->n; i++)
-    {
-        memcpy(s->at_inner + 3*i, p->record[i].x, sizeof p->record[i].x);
-    }
-    s->moved_inner = 0.0;
+    DEM_TRY(dem_drift_begin(&s->drift[DEM_LIST_INNER], p, s->skins.skin[DEM_LIST_INNER]));
+    dem_skins_made(&s->skins, DEM_LIST_INNER);
     return dem_contacts_prune(c, p, s->near);
-}
-
-static double furthest(const double *at, const struct dem_particles *p)
-{
-    double most = 0.0;
-
-    for (size_t i = 0; i < p->n; i++)
-    {
-        const double *const x = p->record[i].x;
-        const double dx = x[0] - at[3*i], dy = x[1] - at[3*i + 1], dz = x[2] - at[3*i + 2], d = dx*dx + dy*dy + dz*dz;
-
-        most = d > most ? d : most;
-    }
-    return sqrt(most);
-}
-
-void dem_pairs_moved(const struct dem_pairs *s, const struct dem_particles *p, double *outer, double *inner)
-{
-    *outer = furthest(s->at_outer, p);
-    *inner = furthest(s->at_inner, p);
 }

@@ -349,5 +349,6 @@ int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct
     DEM_TRY(dem_pairs_countable(p->n + p->ghosts, c->pairs));
     DEM_TRY(sort_by_class(c));
     DEM_TRY(dem_contacts_adjoin(c, p));
-    return dem_pairs_remember(s, p);
+    dem_skins_made(&s->skins, DEM_LIST_OUTER);
+    return dem_drift_begin(&s->drift[DEM_LIST_OUTER], p, s->skins.skin[DEM_LIST_OUTER]);
 }

@@ -181,13 +181,28 @@ void dem_walls_remark(struct dem_walls *w, enum dem_list list)
     w->since[list] = 0.0;
 }
 
-double dem_walls_moved(const struct dem_walls *w, enum dem_list list)
+/* Of a wall at rest, or that follows a mesh. */
+static double passes(const struct dem_wall *w, const double drift[3])
 {
-    double most = w->since[list], now[3];
+    const double along = dem_vec_dot(drift, w->normal);
 
+    return w->shape == DEM_SHAPE_PLANE ? fabs(along)
+         : w->shape == DEM_SHAPE_CYLINDER ? sqrt(fmax(0.0, dem_vec_dot(drift, drift) - along*along)) : dem_vec_norm(drift);
+}
+
+double dem_walls_moved(const struct dem_walls *w, enum dem_list list, const double drift[3])
+{
+    double most = 0.0, now[3];
+
+    for (int k = 0; k < w->walls && dem_vec_dot(drift, drift) > 0.0; k++)
+    {
+        most = w->wall[k].moving < 0 ? fmax(most, passes(&w->wall[k], drift)) : most;
+    }
+    most += w->since[list];
     for (size_t k = 0; k < w->marks; k++)
     {
         place_mark(w, &w->mark[k], now);
+        dem_vec_minus(now, drift, now);
         most = fmax(most, displacement(&w->mark[k], w->mark[k].then[list], now));
     }
     return most;

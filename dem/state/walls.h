@@ -158,8 +158,8 @@ void dem_walls_move(struct dem_walls *, double time, double dt);
 /* A list of neighbours is being made now. */
 void dem_walls_remark(struct dem_walls *, enum dem_list);
 
-/* How far [m] the furthest wall has moved since. */
-double dem_walls_moved(const struct dem_walls *, enum dem_list);
+/* How far [m] the furthest wall has moved since, as seen by who has moved by `drift` [m]; a way that leaves a wall in itself does not count. */
+double dem_walls_moved(const struct dem_walls *, enum dem_list, const double drift[3]);
 
 /* ---- following a mesh: nothing where no wall does ---------------------------------------------------------------- */
 
