@@ -154,7 +154,9 @@ void dem_vessel_confine(const struct dem_vessel *v, double radius, double x[3])
     }
     for (int k = 0; k < 3 && v->kind == DEM_VESSEL_BOX; k++)
     {
-        x[k] = fmin(fmax(x[k], v->min[k] + radius), v->max[k] - radius);
+        const double low = v->min[k] + radius, high = v->max[k] - radius, at = x[k] > low ? x[k] : low;
+
+        x[k] = at < high ? at : high;                     /* no call of fmin: packing does this often */
     }
     if (v->kind == DEM_VESSEL_BOX)
     {
