@@ -86,6 +86,8 @@ def measure_peer(a, name, peer, turn):
     for _ in range(a.runs):
         ours.append(turn(path, steps))
         seconds, most = p.run(run)
+        if seconds <= 0.0:
+            sys.exit(f"speed: {steps} steps of {name} take {peer} no time that can be told from reading; give more --steps")
         theirs.append(1e-6*len(particles)*steps/seconds)
     energy = p.energy(folder)
     return ours, theirs, (most - p.empty(run))/len(particles), energy, run.setting
