@@ -74,7 +74,7 @@ def measure_peer(a, name, peer, turn):
     """What a line tells of the peer, in turns with Suna: rates of both, memory, kinetic energy, the setting chosen."""
     scene, p = SCENES[name], PEERS[peer]
     path, particles = state(a.dem, a.bed, name, scene)
-    folder = os.path.join(BEDS, peer)
+    folder = os.path.join(BEDS, f"{peer}-{name}")
     os.makedirs(folder, exist_ok=True)
     p.set_up(folder, particles, scene)
     steps = a.steps or (scene["steps"]//5 if peer == "yade" else scene["steps"])
@@ -147,7 +147,7 @@ def compare(a, name, peer):
     """Kinetic energy, contacts, mean overlap, bonds: each ours and theirs."""
     scene, p = SCENES[name], PEERS[peer]
     path, particles = state(a.dem, a.bed, name, scene)
-    folder = os.path.join(BEDS, peer)
+    folder = os.path.join(BEDS, f"{peer}-{name}")
     os.makedirs(folder, exist_ok=True)
     p.set_up(folder, particles, scene)
     steps, last = a.steps or scene["steps"], os.path.join(folder, "suna.txt")
