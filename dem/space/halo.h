@@ -14,6 +14,20 @@
 #include "space/pieces.h"
 #include "state/contacts.h"
 
+enum dem_halo_which                                       /* copies */
+{
+    DEM_HALO_ALL,
+    DEM_HALO_NEAR,                                        /* those that near rows touch: a step needs no others */
+    DEM_HALO_ROUTES
+};
+
+struct dem_route                                          /* to the peers of the refresh, or from them */
+{
+    size_t *start;                                        /* peers + 1 offsets into index */
+    uint32_t *index;                                      /* owned particle, or copy */
+    size_t start_room, room;
+};
+
 struct dem_halo
 {
     struct dem_pieces *pieces;
@@ -21,14 +35,14 @@ struct dem_halo
     int peers, *peer;                                     /* ranks whose pieces are near, ascending */
     int sends, receives;                                  /* peers of the refresh */
     int *send_peer, *receive_peer;
-    size_t *send_start, *receive_start;                   /* particles, offsets */
-    uint32_t *send_index;
+    struct dem_route send[DEM_HALO_ROUTES], receive[DEM_HALO_ROUTES];
+    uint8_t *wants, *wanted;                              /* 1: near rows touch this copy here; this one of mine there */
     double *send_buffer, *receive_buffer;
     MPI_Request *request;
     int open;                                             /* of them */
+    enum dem_halo_which sent;                             /* on the way, or last */
     struct dem_traffic refreshed;                         /* letters are counted in `in` */
-    size_t peer_room, send_peer_room, receive_peer_room, send_start_room, receive_start_room, send_index_room, send_room, receive_room,
-        request_room;
+    size_t peer_room, send_peer_room, receive_peer_room, wants_room, wanted_room, send_room, receive_room, request_room;
 };
 
 void dem_halo_init(struct dem_halo *, struct dem_pieces *);
@@ -40,9 +54,12 @@ int dem_halo_migrate(struct dem_halo *, struct dem_particles *, struct dem_conta
 /* Collective. Copies of all particles within `reach` [m] past touching of what other ranks own. */
 int dem_halo_renew(struct dem_halo *, struct dem_particles *, const struct dem_domain *, double most_radius, double reach);
 
+/* Collective, after near rows were pruned: who needs which copies in each step. */
+int dem_halo_choose_near(struct dem_halo *, const struct dem_particles *, const struct dem_contacts *);
+
 /* Positions, velocities and spins for the copies of others are on their way; never allocates. What is sent must have arrived, by one
    of the two below, before any other call here. */
-void dem_halo_send(struct dem_halo *, const struct dem_particles *);
+void dem_halo_send(struct dem_halo *, const struct dem_particles *, enum dem_halo_which);
 
 /* The copies here get what was sent for them; or it is waited for, and dropped. */
 void dem_halo_receive(struct dem_halo *, struct dem_particles *);

@@ -112,7 +112,7 @@ static int prune(struct dem_parts *p)
     dem_walls_remark(&p->walls, DEM_LIST_INNER);
     DEM_TRY(dem_pairs_prune(&p->pairs, &p->particles, &p->walls, &p->contacts));
     dem_wall_touches_rows(&p->touches, &p->pairs.search, &p->contacts);
-    return DEM_OK;
+    return dem_halo_choose_near(&p->halo, &p->particles, &p->contacts);
 }
 
 /* Particles, and pairs and near rows by who owns the lower id. */
@@ -258,6 +258,8 @@ int dem_neighbourhood(struct dem_parts *p, double fastest, int seen)
     dem_phases_end(&p->phases, DEM_PHASE_REFRESH);
     if (stale[DEM_LIST_INNER])
     {
+        dem_halo_send(&p->halo, &p->particles, DEM_HALO_ALL);
+        dem_halo_receive(&p->halo, &p->particles);
         DEM_TRY(prune(p));
         dem_phases_end(&p->phases, DEM_PHASE_PRUNE);
     }

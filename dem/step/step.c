@@ -99,7 +99,7 @@ static int send_and_agree(struct dem_parts *p, int status, double *fastest)
 {
     if (!p->stale)
     {
-        dem_halo_send(&p->halo, &p->particles);
+        dem_halo_send(&p->halo, &p->particles, DEM_HALO_NEAR);
         dem_phases_end(&p->phases, DEM_PHASE_REFRESH);
     }
     status = dem_agree_most(p, status, fastest, 1);

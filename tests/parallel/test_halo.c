@@ -1,6 +1,7 @@
 /*
  * Copies on several ranks: exactly those particles are copied that come, themselves or by an image, within reach of a rank's piece;
- * only neighbours talk; a step that renews no lists allocates nothing; what the profile counts of messages is so.
+ * only neighbours talk; a step refreshes the copies that near rows touch, and allocates nothing; what the profile counts of messages
+ * is so.
  *
  *     mpirun -np N test_halo         prints what is wrong, ends with 0 when nothing is
  *
@@ -25,6 +26,7 @@ void *aligned_alloc(size_t alignment, size_t size)
     return posix_memalign(&p, alignment, size) ? NULL : p;
 }
 
+static const double length = 0.03120001;                   /* m of the row for each rank: 30 layers of 1.04 mm */
 static int rank, ranks, failed;
 
 static void check(int holds, const char *what, double found, double expected)
@@ -49,12 +51,12 @@ static struct dem *make(void)
 {
     static const char scene[] =
         "materials { glass { density 2500; youngsModulus 1e6; } } effects { hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } }"
-        "domain { x (0 %g); periodic (x); } insert { row { type lattice; count %d; diameter 1e-3; spacing 1.5; jitter 0.5; min (0 0 0);"
-        " max (%g 0.0045 0.0045); velocity (0.01 0 0); seed 3; } }";
+        "domain { x (0 %.17g); periodic (x); } insert { row { type lattice; count %d; diameter 1e-3; spacing 1.04; jitter 0.5; min (0 0 0);"
+        " max (%.17g 0.00313 0.00313); velocity (0.01 0 0); seed 3; } }";
     char text[1024];
     struct dem *d;
 
-    snprintf(text, sizeof text, scene, 0.045*ranks, 270*ranks, 0.045*ranks);
+    snprintf(text, sizeof text, scene, length*ranks, 270*ranks, length*ranks);
     try(dem_create(&d, MPI_COMM_WORLD));
     try(dem_scene_text(d, text, "row"));
     try(dem_ready(d));
@@ -92,21 +94,21 @@ static double *gather(const struct dem *d, int *all)
 static void copies(const struct dem *d)
 {
     const struct dem_parts *const p = &d->parts;
-    const double length = 0.045*ranks, reach = 1e-3 + p->pairs.outer;
+    const double period = length*ranks, reach = 1e-3 + p->pairs.outer;
     double min[3], max[3];
     int all, expected = 0;
     double *const x = gather(d, &all);
 
     dem_pieces_box(&p->pieces, rank, min, max);
     min[0] = fmax(min[0], 0.0);
-    max[0] = fmin(max[0], length);
+    max[0] = fmin(max[0], period);
     for (int i = 0; i < all; i++)
     {
         double gap = INFINITY;
 
         for (int s = -1; s <= 1; s++)
         {
-            gap = fmin(gap, fmax(0.0, fmax(min[0] - x[4*i] - s*length, x[4*i] + s*length - max[0])));
+            gap = fmin(gap, fmax(0.0, fmax(min[0] - x[4*i] - s*period, x[4*i] + s*period - max[0])));
         }
         expected += gap < reach && (int)x[4*i + 3] != rank;
     }
@@ -114,6 +116,26 @@ static void copies(const struct dem *d)
     check((int)p->particles.ghosts == expected, "copies", (double)p->particles.ghosts, expected);
     check(ranks == 1 || expected > 0, "copies there should be", expected, 1);
     free(x);
+}
+
+/* Copies that some near row has for a partner, each once. */
+static int64_t near(const struct dem *d)
+{
+    const struct dem_contacts *const c = &d->parts.contacts;
+    const size_t n = d->parts.particles.n, ghosts = d->parts.particles.ghosts;
+    int64_t count = 0;
+
+    for (size_t g = n; g < n + ghosts; g++)
+    {
+        int found = 0;
+
+        for (uint32_t r = 0; r < c->rows && !found; r++)
+        {
+            found = c->row_pair[r] != DEM_ROW_NONE && (c->pair[c->row_pair[r]].i == g || c->pair[c->row_pair[r]].j == g);
+        }
+        count += found;
+    }
+    return count;
 }
 
 int main(int argc, char **argv)
@@ -138,15 +160,17 @@ int main(int argc, char **argv)
     try(dem_advance(d, 50.0*step));
     held = allocations - held;
     try(dem_profile(d, &after));
-    check(after.rebuilds == before.rebuilds && after.steps == before.steps + 50, "rebuilds in 50 steps",
-          (double)(after.rebuilds - before.rebuilds), 0);
+    check(after.rebuilds == before.rebuilds && after.prunes == before.prunes && after.steps == before.steps + 50, "prunes in 50 steps",
+          (double)(after.prunes - before.prunes), 0);
     check(held == 0, "allocations in 50 steps", (double)held, 0);
     check(after.messages - before.messages == 50*(int64_t)neighbours*ranks, "messages of all in 50 steps",
           (double)(after.messages - before.messages), 50.0*neighbours*ranks);
 
     /* nine numbers of each copy */
-    int64_t ghosts = (int64_t)d->parts.particles.ghosts;
+    int64_t ghosts = near(d);
 
+    check(ranks == 1 || (ghosts > 0 && ghosts < (int64_t)d->parts.particles.ghosts), "copies that rows touch", (double)ghosts,
+          (double)d->parts.particles.ghosts);
     MPI_Allreduce(MPI_IN_PLACE, &ghosts, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
     check(after.message_bytes - before.message_bytes == 50*ghosts*72, "bytes", (double)(after.message_bytes - before.message_bytes),
           (double)(50*ghosts*72));
