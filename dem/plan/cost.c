@@ -47,8 +47,8 @@ void dem_need_count(const struct dem_parts *p, const struct dem_survey *s, struc
     double pairs, rows;
 
     dem_need_lists(p, s, &pairs, &rows);
-    need->particle = (double)dem_particles_each(&p->particles) + 6.0*sizeof(double) + 2.0*sizeof(uint32_t);
-    need->pair = (double)dem_contacts_each_pair(&p->contacts) + 1.0;
+    need->particle = (double)dem_particles_each(&p->particles) + 8.0*sizeof(uint32_t);
+    need->pair = (double)dem_contacts_each_pair(&p->contacts);
     need->row = (double)dem_contacts_each_row(&p->contacts);
     need->bed = n*(need->particle + room*(pairs*need->pair + rows*need->row));
     need->copy = n*sizeof(double)*(double)dem_particles_packed_size(&p->particles);

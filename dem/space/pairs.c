@@ -48,14 +48,13 @@ void dem_pairs_free(struct dem_pairs *s)
     dem_memory_free(s->wall_region);
     dem_drift_free(&s->drift[DEM_LIST_OUTER]);
     dem_drift_free(&s->drift[DEM_LIST_INNER]);
-    dem_memory_free(s->near);
     memset(s, 0, sizeof *s);
 }
 
 size_t dem_pairs_bytes(const struct dem_pairs *s)
 {
     return s->wall_region_room*sizeof *s->wall_region + dem_drift_bytes(&s->drift[DEM_LIST_OUTER])
-         + dem_drift_bytes(&s->drift[DEM_LIST_INNER]) + s->near_room*sizeof *s->near
+         + dem_drift_bytes(&s->drift[DEM_LIST_INNER])
          + s->search.near_room*sizeof *s->search.near + s->search.candidate_room*sizeof *s->search.candidate;
 }
 
@@ -108,13 +107,18 @@ static int wall_near(const struct dem_pairs *s, const struct dem_particles *p, c
 
 int dem_pairs_prune(struct dem_pairs *s, const struct dem_particles *p, const struct dem_walls *w, struct dem_contacts *c)
 {
+    uint8_t *near;
+
     use(s, DEM_LIST_INNER);
-    DEM_TRY(DEM_GROW(s->near, s->near_room, c->pairs + 1));
+    DEM_TRY(DEM_NEW(near, c->pairs + 1));
     for (size_t k = 0; k < c->pairs; k++)
     {
-        s->near[k] = (uint8_t)(c->pair[k].wall ? wall_near(s, p, w, &c->pair[k]) : pair_near(s, p, &c->pair[k]));
+        near[k] = (uint8_t)(c->pair[k].wall ? wall_near(s, p, w, &c->pair[k]) : pair_near(s, p, &c->pair[k]));
     }
-    DEM_TRY(dem_drift_begin(&s->drift[DEM_LIST_INNER], p, s->skins.skin[DEM_LIST_INNER]));
+    const int status = dem_contacts_prune(c, p, near);
+
+    dem_memory_free(near);
+    DEM_TRY(status);
     dem_skins_made(&s->skins, DEM_LIST_INNER);
-    return dem_contacts_prune(c, p, s->near);
+    return dem_drift_begin(&s->drift[DEM_LIST_INNER], p, s->skins.skin[DEM_LIST_INNER]);
 }

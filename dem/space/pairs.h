@@ -30,9 +30,6 @@ struct dem_pairs
     struct dem_wall_search search;
     int *wall_region;                                     /* region of each wall near */
     size_t wall_region_room;
-
-    size_t near_room;
-    uint8_t *near;
 };
 
 /* `skin` [m]: outer, inner; `reach` [m]: past touching, of all effects. */

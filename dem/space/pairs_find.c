@@ -73,6 +73,19 @@ static size_t pick(const struct dem_grid *g, const struct run *run, int runs, co
 
 /* ---- pairs --------------------------------------------------------------------------------------------------- */
 
+/* By an eighth at a time: the list is a large part of all memory. */
+static inline int make_room(struct dem_contacts *c, size_t pairs)
+{
+    const size_t room = pairs + pairs/8 + WIDE;
+
+    if (pairs > c->pair_room)
+    {
+        DEM_TRY(DEM_RESIZE(c->pair, c->pairs, room));
+        c->pair_room = room;
+    }
+    return DEM_OK;
+}
+
 static inline int is_home(const struct finder *f, uint32_t e)
 {
     return f->g->particle[e] < f->p->n && f->g->shift[e] == DEM_SHIFT_NONE;
@@ -120,7 +133,7 @@ static int pairs_of(struct finder *f, uint32_t e, const struct run *run, int run
     }
     DEM_TRY(DEM_GROW(f->hit, f->hit_room, most));
     hits = pick(g, run, runs, me, f->hit);
-    DEM_TRY(DEM_GROW(f->c->pair, f->c->pair_room, f->c->pairs + hits));
+    DEM_TRY(make_room(f->c, f->c->pairs + hits));
     for (size_t k = 0; k < hits; k++)
     {
         const uint32_t other = f->hit[k];
@@ -259,7 +272,7 @@ static int pairs_between(struct finder *f, int large)
 
 static int add_pair(struct dem_contacts *c, struct dem_pair pair)
 {
-    DEM_TRY(DEM_GROW(c->pair, c->pair_room, c->pairs + 1));
+    DEM_TRY(make_room(c, c->pairs + 1));
     pair.row = DEM_ROW_NONE;
     c->pair[c->pairs++] = pair;
     return DEM_OK;
@@ -296,7 +309,7 @@ static int sort_by_class(struct dem_contacts *c)
     {
         return DEM_OK;
     }
-    DEM_TRY(DEM_NEW(sorted, c->pair_room));
+    DEM_TRY(DEM_NEW(sorted, c->pairs + WIDE));
     DEM_TRY(DEM_NEW(start, c->classes + 1));
     for (size_t k = 0; k < c->pairs; k++)
     {
@@ -313,6 +326,24 @@ static int sort_by_class(struct dem_contacts *c)
     dem_memory_free(c->pair);
     dem_memory_free(start);
     c->pair = sorted;
+    c->pair_room = c->pairs + WIDE;
+    return DEM_OK;
+}
+
+/* Of a list that has become much shorter. */
+static int give_back(struct dem_contacts *c)
+{
+    struct dem_pair *shorter;
+
+    if (c->pair_room <= c->pairs + c->pairs/4 + 1024)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(DEM_NEW(shorter, c->pairs + WIDE));
+    memcpy(shorter, c->pair, c->pairs*sizeof *shorter);
+    dem_memory_free(c->pair);
+    c->pair = shorter;
+    c->pair_room = c->pairs + WIDE;
     return DEM_OK;
 }
 
@@ -336,11 +367,12 @@ int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct
 {
     struct dem_grid g = {0};
     struct finder f = {.s = s, .p = p, .r = r, .c = c, .g = &g};
+    const size_t before = c->pairs, usual = 3*p->n;       /* a little less than in a bed at rest */
 
     c->pairs = 0;
     DEM_TRY(dem_pairs_countable(p->n + p->ghosts, 0));
     dem_grid_divide(&g, p, s->most_radius, s->outer);
-    const int status = p->n > 0 ? find(&f, d) : DEM_OK;
+    const int ready = make_room(c, before > usual ? before : usual), status = ready || p->n == 0 ? ready : find(&f, d);
 
     dem_grid_empty(&g);
     dem_memory_free(f.hit);
@@ -348,6 +380,7 @@ int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct
     DEM_TRY(wall_pairs(s, p, w, r, c));
     DEM_TRY(dem_pairs_countable(p->n + p->ghosts, c->pairs));
     DEM_TRY(sort_by_class(c));
+    DEM_TRY(give_back(c));
     DEM_TRY(dem_contacts_adjoin(c, p));
     dem_skins_made(&s->skins, DEM_LIST_OUTER);
     return dem_drift_begin(&s->drift[DEM_LIST_OUTER], p, s->skins.skin[DEM_LIST_OUTER]);

@@ -126,7 +126,7 @@ static void count_lists(struct dem_parts *p)
         const int mine = c->pair[k].i < p->particles.n;
 
         counted[1] += mine;
-        counted[2] += mine && p->pairs.near[k];
+        counted[2] += mine && c->pair[k].row != DEM_ROW_NONE;
     }
     if (p->pairs.skins.tuned && p->pieces.ranks > 1)
     {
