@@ -200,8 +200,7 @@ int dem_add_particles(struct dem *d, int64_t n, const struct dem_seed *seed)
 int dem_load(struct dem *d, const char *path)
 {
     DEM_TRY(dem_door_early(d, "dem_load"));
-    DEM_REQUIRE(strlen(path) + strlen(DEM_MEANS) < sizeof d->load, DEM_ERROR_INPUT, "path %s is longer than %zu letters", path,
-                sizeof d->load - 1 - strlen(DEM_MEANS));
+    DEM_REQUIRE(strlen(path) < sizeof d->load, DEM_ERROR_INPUT, "path %s is longer than %zu letters", path, sizeof d->load - 1);
     snprintf(d->load, sizeof d->load, "%s", path);
     return DEM_OK;
 }
@@ -277,6 +276,15 @@ static void tell_viscosity(struct dem_particles *p)
 
 static const double most_steps = 0x1p53;                  /* whole numbers that a double tells apart */
 
+/* 1 when the window that is open is the one that this advance wants the rest of: its end, and steps as they would be cut now. */
+static int goes_on(const struct dem *d, double duration)
+{
+    const struct dem_parts *const p = &d->parts;
+    const double rest = p->opened + p->window - p->time;
+
+    return p->open && fabs(duration - rest) <= 1e-3*p->dt && (int64_t)ceil(p->window/d->step*(1.0 - 1e-12)) == p->ahead;
+}
+
 int dem_advance(struct dem *d, double duration)
 {
     fenv_t caller;
@@ -290,11 +298,22 @@ int dem_advance(struct dem *d, double duration)
 
     tell_viscosity(&d->parts.particles);
     feholdexcept(&caller);
-    const int status = dem_step_window(&d->parts, duration/(double)(steps > 0 ? steps : 1), steps > 0 ? steps : 1);
+    const int status = goes_on(d, duration) ? dem_step_on(&d->parts)
+                                            : dem_step_window(&d->parts, duration/(double)(steps > 0 ? steps : 1), steps > 0 ? steps : 1);
 
     fesetenv(&caller);
     d->broken = status != DEM_OK && status != DEM_ERROR_NUMBER && status != DEM_ERROR_LOST;
     return status;
+}
+
+void dem_stop_when(struct dem *d, const volatile sig_atomic_t *asked)
+{
+    d->parts.asked = asked;
+}
+
+int dem_stopped(const struct dem *d)
+{
+    return d->parts.open ? d->parts.stopped : 0;
 }
 
 /* ---- the fluid ----------------------------------------------------------------------------------------------- */
@@ -344,29 +363,36 @@ int dem_fluid_correct(struct dem *d, const double *velocity, const double *press
 
 /* ---- keeping ------------------------------------------------------------------------------------------------- */
 
-/* The sums of `averages`, beside the snapshot. */
-static int save_means(const struct dem *d, const char *path)
+static int write_snapshot(struct dem *d, const char *path, struct dem_snapshot *s)
 {
-    char beside[sizeof d->load];
+    struct dem_parts *const p = &d->parts;
+    struct dem_average_record *record = NULL;
+    struct dem_span *span = NULL;
+    int status = DEM_OK;
 
-    if (d->parts.averages.grids == 0 || d->parts.pieces.rank > 0 || d->restored)
+    if (p->averages.grids > 0 && p->pieces.rank == 0 && !d->restored)     /* after going back, sums are those of later times */
     {
-        return DEM_OK;
+        status = dem_averages_spans(&p->averages, &record, &span, &s->besides);
     }
-    DEM_REQUIRE(strlen(path) + strlen(DEM_MEANS) < sizeof beside, DEM_ERROR_INPUT, "path %s is longer than %zu letters", path,
-                sizeof beside - 1 - strlen(DEM_MEANS));
-    snprintf(beside, sizeof beside, "%s" DEM_MEANS, path);
-    return dem_averages_keep(&d->parts.averages, d->parts.time, beside);
+    DEM_TRY(dem_door_together(d, status));
+    s->beside = span;
+    status = dem_snapshot_write(path, s, &p->pieces, &p->recipe, &p->particles, &p->contacts, p->pairs.wall_region);
+    dem_memory_free(record);
+    dem_memory_free(span);
+    return status;
 }
 
 int dem_save(struct dem *d, const char *path)
 {
     struct dem_parts *const p = &d->parts;
-    const struct dem_snapshot s = {.steps = p->steps, .time = p->time, .domain = &p->domain};
+    struct dem_snapshot s = {.steps = p->steps, .time = p->time, .domain = &p->domain};
 
     DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_save comes after dem_ready");
-    DEM_TRY(dem_snapshot_write(path, &s, &p->pieces, &p->recipe, &p->particles, &p->contacts, p->pairs.wall_region));
-    DEM_TRY(dem_door_together(d, save_means(d, path)));
+    if (p->open)
+    {
+        s.window = (struct dem_snapshot_window){.ahead = p->ahead, .done = p->steps - p->before, .opened = p->opened, .dt = p->dt};
+    }
+    DEM_TRY(write_snapshot(d, path, &s));
     /* who goes on from the file rebuilds first and wraps positions there: so does who wrote it; without lists it stays without */
     p->stale = p->stale == 2 ? 2 : 1;
     return DEM_OK;
@@ -403,5 +429,6 @@ int dem_restore(struct dem *d, double *time)
     p->time = *time = p->kept.time;
     p->watch.overlap = 0.0;
     p->stale = 2;
+    p->open = 0;
     return DEM_OK;
 }

@@ -15,6 +15,7 @@
 #define DEM_H
 
 #include <mpi.h>
+#include <signal.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -94,6 +95,13 @@ int dem_plan(struct dem *, const struct dem_prospect *, const char **text);
    synchronous before and after. After an error dem_error_text names the culprit, and the run can't go on: start again
    from the last snapshot. */
 int dem_advance(struct dem *, double duration);
+
+/* From here on dem_advance looks at *asked after each step, for whoever catches signals: not 0 on any rank, all return DEM_OK
+   together at the end of that step, which may be in the middle of the advance, with velocities half a step ahead of positions. In that
+   case, and only then, dem_stopped tells what *asked was (the largest of all ranks). Saved then and loaded, also on other ranks, or
+   just advanced on, a run that is asked for the rest of the advance has the bits of one that was not stopped. */
+void dem_stop_when(struct dem *, const volatile sig_atomic_t *asked);
+int dem_stopped(const struct dem *);
 
 struct dem_step_limit                                     /* s; what bounds the step, in words */
 {
@@ -299,7 +307,8 @@ int dem_fluid_correct(struct dem *, const double *velocity, const double *pressu
 
 /* ---- keeping ------------------------------------------------------------------------------------------------- */
 
-/* Collective. Written aside, checked and renamed; loads on any number of ranks, and then runs on with the same bits. */
+/* Collective. Written aside by all ranks, checked, brought to the disk and renamed: the file of before is there until the new one
+   is whole. Loads on any number of ranks, and then runs on with the same bits. */
 int dem_save(struct dem *, const char *path);
 int dem_load(struct dem *, const char *path);             /* after the scene, instead of its insertions, before dem_check */
 

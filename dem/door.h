@@ -12,8 +12,6 @@
 #include "plan/text.h"
 #include "step/parts.h"
 
-#define DEM_MEANS ".means"                                    /* behind a snapshot's name: the sums of `averages` */
-
 struct dem_mesh_wall                                          /* a wall handed in before the scene is read */
 {
     char name[64], material[48];

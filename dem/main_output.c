@@ -1,5 +1,5 @@
 /*
- * main_output.c -- gather the view on the first rank and hand its columns to the VTK writer.
+ * main_output.c -- hand columns of the view to the VTK writer; snapshots and their names.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -21,6 +21,18 @@ struct shown                                              /* one particle as it 
     double position[3], velocity[3], spin[3], force[3], orientation[4], diameter;
     int64_t id, material;
 };
+
+static int read_keep(struct dem_output *o, const struct dem_dict *write)
+{
+    if (write && dem_dict_has(write, "keep"))
+    {
+        DEM_TRY(dem_dict_int64(write, "keep", &o->keep));
+        DEM_REQUIRE(o->keep >= 1, DEM_ERROR_INPUT, "write/keep %lld snapshots; give 1 or more, or leave it out to keep all", (long long)o->keep);
+        DEM_REQUIRE(o->snapshots == 2, DEM_ERROR_INPUT, "write/keep %lld is for snapshot all; with snapshot %s there is %s one; say "
+                    "snapshot all, or leave keep out", (long long)o->keep, o->snapshots ? "last" : "no", o->snapshots ? "only" : "not even");
+    }
+    return DEM_OK;
+}
 
 int dem_output_read(struct dem_output *o, const struct dem_dict *write, const char *scene)
 {
@@ -47,6 +59,7 @@ int dem_output_read(struct dem_output *o, const struct dem_dict *write, const ch
     {
         return dem_error_prefix(dem_unknown_word("kind of snapshot", kind, kinds, 3), "write: ");
     }
+    DEM_TRY(read_keep(o, write));
     if (folder[0])
     {
         DEM_REQUIRE(strlen(folder) < sizeof o->folder, DEM_ERROR_INPUT, "write/folder has %zu letters; give a name of at most %zu",
@@ -62,18 +75,16 @@ int dem_output_read(struct dem_output *o, const struct dem_dict *write, const ch
     return DEM_OK;
 }
 
-static int gather(const struct dem_program *prog, const struct dem *d, struct shown **all, int64_t *particles)
+/* The particles of this rank. */
+static int show(const struct dem *d, struct shown **mine, int64_t *n)
 {
     struct dem_view v;
-    struct shown *mine;
-    int *count = NULL, *start = NULL, total = 0;
-    MPI_Datatype one;
 
     dem_view(d, &v);
-    DEM_TRY(DEM_NEW(mine, v.n + 1));
+    DEM_TRY(DEM_NEW(*mine, v.n + 1));
     for (size_t i = 0; i < v.n; i++)
     {
-        struct shown *const s = &mine[i];
+        struct shown *const s = &(*mine)[i];
 
         memcpy(s->position, dem_at(v.position, v.stride, i), sizeof s->position);
         memcpy(s->velocity, dem_at(v.velocity, v.stride, i), sizeof s->velocity);
@@ -87,36 +98,17 @@ static int gather(const struct dem_program *prog, const struct dem *d, struct sh
         s->id = *(const int64_t *)(const void *)((const char *)v.id + v.stride*i);
         s->material = *(const uint16_t *)(const void *)((const char *)v.material + v.stride*i);
     }
-    *particles = (int64_t)v.n;
-    *all = mine;
-    if (prog->comm == MPI_COMM_NULL)
-    {
-        return DEM_OK;
-    }
-    const int here = (int)v.n;
-
-    DEM_TRY(DEM_NEW(count, prog->ranks));
-    DEM_TRY(DEM_NEW(start, prog->ranks));
-    MPI_Gather(&here, 1, MPI_INT, count, 1, MPI_INT, 0, prog->comm);
-    for (int k = 0; k < prog->ranks && prog->rank == 0; k++)
-    {
-        start[k] = total;
-        total += count[k];
-    }
-    DEM_TRY(DEM_NEW(*all, total + 1));
-    MPI_Type_contiguous((int)sizeof *mine, MPI_BYTE, &one);      /* counts of particles: of bytes an int holds 13 million */
-    MPI_Type_commit(&one);
-    MPI_Gatherv(mine, here, one, *all, count, start, one, 0, prog->comm);
-    MPI_Type_free(&one);
-    *particles = total;
-    dem_memory_free(mine);
-    dem_memory_free(count);
-    dem_memory_free(start);
+    *n = (int64_t)v.n;
     return DEM_OK;
 }
 
-static int write_vtk(const struct dem_output *o, const struct shown *s, int64_t n, const char *file)
+/* Collective. */
+static int write_picture(const struct dem_output *o, const struct dem_program *prog, const struct dem *d, const char *file)
 {
+    struct shown *s;
+    int64_t n;
+
+    DEM_TRY(show(d, &s, &n));
     const size_t stride = sizeof *s;
     const struct dem_vtk_column columns[] =
     {
@@ -132,7 +124,11 @@ static int write_vtk(const struct dem_output *o, const struct shown *s, int64_t 
     char path[640];
 
     snprintf(path, sizeof path, "%s/%s", o->folder, file);
-    return dem_vtk_write(path, n, columns, (int)(sizeof columns/sizeof columns[0]) - !o->orientation);
+    const int status = dem_vtk_write(&(const struct dem_writers){prog->comm, prog->rank}, path, n, columns,
+                                     (int)(sizeof columns/sizeof columns[0]) - !o->orientation);
+
+    dem_memory_free(s);
+    return status;
 }
 
 static int check_folder(const struct dem_output *o)
@@ -175,71 +171,78 @@ int dem_output_folder(const struct dem_output *o)
     return DEM_OK;
 }
 
-static int write_picture(const struct dem_output *o, const struct dem_program *prog, const struct dem *d, const char *file)
+/* The place of a picture in the collection, and walls that move: by the first rank. */
+static int add_picture(const struct dem_output *o, const struct dem *d, int64_t number, double time, const char *file)
 {
-    struct shown *all;
-    int64_t n;
+    char path[640];
 
-    DEM_TRY(gather(prog, d, &all, &n));
-    const int status = prog->rank == 0 ? write_vtk(o, all, n, file) : DEM_OK;
-
-    dem_memory_free(all);
-    return status;
-}
-
-/* A picture with its place in the collection. */
-static int write_pictures(const struct dem_output *o, const struct dem_program *prog, const struct dem *d, int64_t number,
-                          double time)
-{
-    char file[64], path[640];
-
-    snprintf(file, sizeof file, "particles_%06lld.vtp", (long long)number);
-    DEM_TRY(write_picture(o, prog, d, file));
-    if (prog->rank > 0)
-    {
-        return DEM_OK;
-    }
     snprintf(path, sizeof path, "%s/particles.pvd", o->folder);
     DEM_TRY(dem_vtk_collection_add(path, time, file));
     return dem_surfaces_write(o, d, number, time);
 }
 
+static int write_pictures(const struct dem_output *o, const struct dem_program *prog, struct dem *d, int64_t number, double time)
+{
+    char file[64];
+
+    snprintf(file, sizeof file, "particles_%06lld.vtp", (long long)number);
+    DEM_TRY(write_picture(o, prog, d, file));
+    DEM_TRY(dem_program_together(prog, prog->rank == 0 ? add_picture(o, d, number, time, file) : DEM_OK));
+    return dem_bond_picture(d, o->folder, number, time);
+}
+
 int dem_output_write(const struct dem_output *o, const struct dem_program *prog, struct dem *d, int64_t number, double time)
 {
-    char path[640];
-    int status = prog->rank == 0 && (o->vtk || o->snapshots || dem_averages_count(d)) ? dem_output_folder(o) : DEM_OK;
+    const int folder = prog->rank == 0 && (o->vtk || o->snapshots || dem_averages_count(d));
 
-    if (o->vtk && !status)
-    {
-        status = write_pictures(o, prog, d, number, time);
-    }
-    status = status ? status : dem_averages(d, o->folder);
-    DEM_TRY(dem_program_together(prog, status));
+    DEM_TRY(dem_program_together(prog, folder ? dem_output_folder(o) : DEM_OK));
     if (o->vtk)
     {
-        DEM_TRY(dem_bond_picture(d, o->folder, number, time));
+        DEM_TRY(write_pictures(o, prog, d, number, time));
     }
+    return dem_program_together(prog, dem_averages(d, o->folder));
+}
+
+void dem_output_snapshot_name(const struct dem_output *o, int64_t number, char *path, size_t size)
+{
     if (o->snapshots == 2)
     {
-        snprintf(path, sizeof path, "%s/snapshot_%06lld.dem", o->folder, (long long)number);
+        snprintf(path, size, "%s/snapshot_%06lld.dem", o->folder, (long long)number);
     }
     else
     {
-        snprintf(path, sizeof path, "%s/snapshot.dem", o->folder);
+        snprintf(path, size, "%s/snapshot.dem", o->folder);
     }
-    return o->snapshots ? dem_save(d, path) : DEM_OK;
+}
+
+/* The new one is whole before an old one goes. */
+int dem_output_save(const struct dem_output *o, const struct dem_program *prog, struct dem *d, int64_t number)
+{
+    char path[640];
+
+    if (!o->snapshots)
+    {
+        return DEM_OK;
+    }
+    dem_output_snapshot_name(o, number, path, sizeof path);
+    DEM_TRY(dem_save(d, path));
+    if (prog->rank == 0 && o->keep > 0 && number >= o->keep)
+    {
+        dem_output_snapshot_name(o, number - o->keep, path, sizeof path);
+        (void)remove(path);                               /* it may never have been there */
+    }
+    return DEM_OK;
 }
 
 int dem_output_last_good(const struct dem_output *o, const struct dem_program *prog, struct dem *d)
 {
     char path[640];
-    int status = prog->rank == 0 ? dem_output_folder(o) : DEM_OK;
 
-    if (o->vtk && !status)
+    DEM_TRY(dem_program_together(prog, prog->rank == 0 ? dem_output_folder(o) : DEM_OK));
+    if (o->vtk)
     {
-        status = write_picture(o, prog, d, "lastGood.vtp");
+        DEM_TRY(write_picture(o, prog, d, "lastGood.vtp"));
     }
-    DEM_TRY(dem_program_together(prog, status));
     snprintf(path, sizeof path, "%s/lastGood.dem", o->folder);
     return dem_save(d, path);
 }

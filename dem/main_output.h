@@ -17,6 +17,7 @@ struct dem_output
     bool vtk;
     double walls, energy;                                 /* s between rows of forces on walls, of energy; 0: none */
     int snapshots;                                        /* 0 no, 1 last, 2 all */
+    int64_t keep;                                         /* of all only the last so many; 0: all */
     bool orientation;                                     /* of each particle, in pictures and snapshots */
     bool profile;                                         /* where the time went is told at the end */
     bool last_good;                                       /* copies are kept in memory, and written when the run fails */
@@ -31,8 +32,10 @@ int dem_output_check(const struct dem_output *, const struct dem_program *);
 /* Make the folder, if it is not there. */
 int dem_output_folder(const struct dem_output *);
 
-/* Collective. */
+/* Collective. Pictures and means of an output; then its snapshot, and the oldest one goes if so many are not to be kept. */
 int dem_output_write(const struct dem_output *, const struct dem_program *, struct dem *, int64_t number, double time);
+int dem_output_save(const struct dem_output *, const struct dem_program *, struct dem *, int64_t number);
+void dem_output_snapshot_name(const struct dem_output *, int64_t number, char *path, size_t size);
 
 /* Collective. The state as it is, after dem_restore, as lastGood.dem and, where pictures are written, lastGood.vtp. */
 int dem_output_last_good(const struct dem_output *, const struct dem_program *, struct dem *);

@@ -9,6 +9,7 @@
 #include "main_lost.h"
 #include "main_rows.h"
 #include "main_scene.h"
+#include "main_stop.h"
 #include "main_surfaces.h"
 #include "main_walls.h"
 #include "base/error.h"
@@ -37,8 +38,10 @@ static const char help[] =
     "            orientation no;               yes: how each particle has turned, as a quaternion\n"
     "            profile yes;                  where the time went, told at the end\n"
     "            snapshot last;                last | all | no: snapshot.dem, or one per output\n"
+    "            keep 3;                       of all snapshots only the last so many; all unless given\n"
     "            lastGood yes; }               copies in memory, written as lastGood.dem when the run fails\n"
     "-restart goes on from a snapshot, on any number of ranks, with the same bits as the run that wrote it.\n"
+    "SIGTERM, SIGUSR1 and SIGINT (Ctrl-C) end the run after the step at hand; the snapshot that is left goes on, with the same bits.\n"
     "-set overrides an entry: -set effects/dry/restitution 0.8\n"
     "dem effects lists what can act.\n";
 
@@ -98,17 +101,88 @@ static int rescue(const struct dem_program *prog, struct dem *d, const struct de
                      "-restart", text, time, o->folder);
 }
 
-/* One window, with copies of the state in it. */
-static int advance(const struct dem_program *prog, struct dem *d, const struct dem_output *o, struct dem_lost_log *lost,
-                   double duration)
+/* ---- going ------------------------------------------------------------------------------------------------------ */
+
+struct course                                             /* a run on its way */
 {
+    const struct dem_program *prog;
+    const struct dem_schedule *s;
+    struct dem *d;
+    struct progress p;
+    struct dem_quiet quiet;
+    struct dem_lost_log lost;
+    struct dem_wall_log walls;
+    struct dem_energy_log energy;
+    struct dem_tally t;
+};
+
+/* One window, with copies of the state in it. */
+static int advance(struct course *c, double duration)
+{
+    const struct dem_output *const o = &c->s->output;
+
     if (o->last_good)
     {
-        DEM_TRY(dem_keep(d, KEEP_STEPS));
+        DEM_TRY(dem_keep(c->d, KEEP_STEPS));
     }
-    const int status = dem_advance(d, duration);
+    const int status = dem_advance(c->d, duration);
 
-    return status && dem_ranks_agree(d) ? rescue(prog, d, o, lost, status) : status;
+    DEM_TRY(status && dem_ranks_agree(c->d) ? rescue(c->prog, c->d, o, &c->lost, status) : status);
+    DEM_TRY(dem_tally(c->d, &c->t));
+    c->p.overlap = fmax(c->p.overlap, c->t.largest_overlap);
+    return DEM_OK;
+}
+
+/* A line, tables, and the snapshot last of all: what it is gone on from has been told. */
+static int tell(struct course *c, int64_t number)
+{
+    const struct dem_output *const o = &c->s->output;
+
+    report(&c->p, &c->t, c->s->end);
+    DEM_TRY(dem_lost_tell(&c->lost, c->prog, c->d));
+    DEM_TRY(dem_bond_rows_tell(c->prog, c->d, o));
+    return dem_stopped(c->d) ? dem_stop_save(c->prog, o, c->d, number) : dem_output_save(o, c->prog, c->d, number);
+}
+
+static int begin(struct course *c)
+{
+    const struct dem_output *const o = &c->s->output;
+
+    DEM_TRY(dem_tally(c->d, &c->t));
+    const double start = c->t.time;
+
+    c->p.from = start;
+    c->p.steps = c->t.steps;
+    DEM_TRY(dem_lost_begin(&c->lost, c->prog, o, start));
+    DEM_TRY(dem_bond_rows_begin(c->prog, c->d, o->folder, start));
+    DEM_TRY(dem_surfaces_begin(o, c->prog, c->d));
+    if (start == 0.0)
+    {
+        DEM_TRY(dem_output_write(o, c->prog, c->d, 0, 0.0));
+        DEM_TRY(dem_output_save(o, c->prog, c->d, 0));
+    }
+    DEM_TRY(dem_wall_log_begin(&c->walls, c->prog, o, c->d, start));
+    DEM_TRY(dem_energy_log_begin(&c->energy, c->prog, o, start));
+    return start == 0.0 ? dem_energy_log_tell(&c->energy, c->prog, c->d, 0.0) : DEM_OK;
+}
+
+/* Up to the next look, from row to row; or until a signal stops it. */
+static int go(struct course *c, double next)
+{
+    const struct dem_output *const o = &c->s->output;
+
+    for (double due = 0.0; due < next;)
+    {
+        due = dem_rows_due(o->energy, c->t.time, dem_rows_due(o->walls, c->t.time, next));
+        DEM_TRY(advance(c, due - c->t.time));
+        if (dem_stopped(c->d))
+        {
+            return DEM_OK;
+        }
+        DEM_TRY(dem_wall_log_tell(&c->walls, c->prog, c->d, due));
+        DEM_TRY(dem_energy_log_tell(&c->energy, c->prog, c->d, due));
+    }
+    return DEM_OK;
 }
 
 static int tell_profile(const struct dem_program *prog, struct dem *d, const struct dem_output *o)
@@ -130,59 +204,36 @@ static int tell_profile(const struct dem_program *prog, struct dem *d, const str
    lie between them. */
 static int advance_to_end(struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
 {
-    struct progress p = {.started = MPI_Wtime(), .rank = prog->rank};
-    struct dem_quiet quiet = s->quiet;
-    const int64_t looks = dem_quiet_looks(&quiet, s->interval);
+    struct course c = {.prog = prog, .s = s, .d = d, .p = {.started = MPI_Wtime(), .rank = prog->rank}, .quiet = s->quiet};
+    const int64_t looks = dem_quiet_looks(&c.quiet, s->interval);
     const double look = s->interval/(double)looks;
-    struct dem_lost_log lost;
-    struct dem_wall_log walls;
-    struct dem_energy_log energy;
-    struct dem_tally t;
 
-    DEM_TRY(dem_tally(d, &t));
-    p.from = t.time;
-    p.steps = t.steps;
-    DEM_TRY(dem_lost_begin(&lost, prog, &s->output, t.time));
-    DEM_TRY(dem_bond_rows_begin(prog, d, s->output.folder, t.time));
-    DEM_TRY(dem_surfaces_begin(&s->output, prog, d));
-    if (t.time == 0.0)
-    {
-        DEM_TRY(dem_output_write(&s->output, prog, d, 0, 0.0));
-    }
-    DEM_TRY(dem_wall_log_begin(&walls, prog, &s->output, d, t.time));
-    DEM_TRY(dem_energy_log_begin(&energy, prog, &s->output, t.time));
-    if (t.time == 0.0)
-    {
-        DEM_TRY(dem_energy_log_tell(&energy, prog, d, 0.0));
-    }
-    for (int64_t k = (int64_t)floor(t.time/look + 1e-6) + 1; t.time < s->end*(1.0 - 1e-12) && !quiet.reached; k++)
+    DEM_TRY(begin(&c));
+    for (int64_t k = (int64_t)floor(c.t.time/look + 1e-6) + 1; c.t.time < s->end*(1.0 - 1e-12) && !c.quiet.reached; k++)
     {
         const double next = fmin(k%looks ? (double)k*look : (double)(k/looks)*s->interval, s->end);
-        double due = 0.0;
+        const int64_t number = (k + looks - 1)/looks;
 
-        while (due < next)
+        DEM_TRY(go(&c, next));
+        if (dem_stopped(d))
         {
-            due = dem_rows_due(s->output.energy, t.time, dem_rows_due(s->output.walls, t.time, next));
-            DEM_TRY(advance(prog, d, &s->output, &lost, due - t.time));
-            DEM_TRY(dem_wall_log_tell(&walls, prog, d, due));
-            DEM_TRY(dem_energy_log_tell(&energy, prog, d, due));
-            DEM_TRY(dem_tally(d, &t));
-            p.overlap = fmax(p.overlap, t.largest_overlap);
+            DEM_TRY(tell(&c, number));
+            return tell_profile(prog, d, &s->output);
         }
-        DEM_TRY(dem_quiet_look(&quiet, d, &t));
-        if (k%looks == 0 || quiet.reached || next == s->end)
+        DEM_TRY(dem_quiet_look(&c.quiet, d, &c.t));
+        if (k%looks == 0 || c.quiet.reached || next == s->end)
         {
-            DEM_TRY(dem_output_write(&s->output, prog, d, (k + looks - 1)/looks, next));
-            report(&p, &t, s->end);
-            DEM_TRY(dem_lost_tell(&lost, prog, d));
-            DEM_TRY(dem_bond_rows_tell(prog, d, &s->output));
+            DEM_TRY(dem_output_write(&s->output, prog, d, number, next));
+            DEM_TRY(tell(&c, number));
         }
     }
     DEM_TRY(tell_profile(prog, d, &s->output));
-    dem_energy_log_end(&energy, prog);
-    dem_quiet_tell(&quiet, prog, &t);
+    dem_energy_log_end(&c.energy, prog);
+    dem_quiet_tell(&c.quiet, prog, &c.t);
     return DEM_OK;
 }
+
+/* ---- saying ----------------------------------------------------------------------------------------------------- */
 
 /* What was left out of surfaces: the user may not know of it. */
 static void announce_walls(const struct dem *d)
@@ -243,6 +294,7 @@ static int run(struct dem_program *prog, struct dem *d, const struct dem_schedul
 {
     uint64_t hash;
 
+    dem_stop_when(d, dem_stop_listen());                  /* first: who reads what is announced may send a signal */
     DEM_TRY(announce(prog, d, s));
     DEM_TRY(advance_to_end(prog, d, s));
     DEM_TRY(dem_hash(d, &hash));

@@ -6,12 +6,14 @@
  */
 #include "door.h"
 #include "base/error.h"
+#include "base/memory.h"
 #include "io/snapshot.h"
 #include "step/bond_pairs.h"
 #include "step/measure.h"
 #include "step/orientation.h"
 #include "step/step.h"
 #include "step/sum_contacts.h"
+#include "step/sweep_bodies.h"
 #include "step/sweep_contacts.h"
 #include <math.h>
 #include <stdio.h>
@@ -128,7 +130,7 @@ static int settle_in(struct dem *d)
     dem_walls_move(&p->walls, p->time, 0.0);
     if (d->load[0])
     {
-        return dem_snapshot_read_rows(d->load, &p->recipe, &p->particles, &p->contacts);
+        return dem_snapshot_read_rows(d->load, &p->pieces, &p->recipe, &p->particles, &p->contacts);
     }
     DEM_TRY(dem_step_renew(p));
     p->stale = 1;
@@ -197,14 +199,17 @@ int dem_door_together(const struct dem *d, int status)
 /* What had been sampled when the snapshot was written; particles that a scene starts with bring no means. */
 static int resume_means(struct dem *d)
 {
-    char beside[sizeof d->load + sizeof DEM_MEANS];
+    void *bytes;
+    size_t size;
 
     if (!d->load[0] || d->new || d->parts.averages.grids == 0 || d->parts.pieces.rank > 0)
     {
         return DEM_OK;
     }
-    snprintf(beside, sizeof beside, "%s" DEM_MEANS, d->load);
-    return dem_averages_resume(&d->parts.averages, d->parts.time, beside);
+    DEM_TRY(dem_snapshot_read_beside(d->load, &bytes, &size));
+    dem_averages_resume(&d->parts.averages, bytes, size);
+    dem_memory_free(bytes);
+    return DEM_OK;
 }
 
 int dem_door_read(struct dem *d)
@@ -237,6 +242,10 @@ int dem_door_get_ready(struct dem *d)
     if (d->energy)
     {
         DEM_TRY(together(&d->parts, begin_ledger(d)));
+    }
+    if (d->parts.open)                                    /* laws of drag see the fluid of now */
+    {
+        dem_bodies_open_laws(&d->parts.particles, &d->parts.recipe.bodies);
     }
     DEM_TRY(dem_averages_init(&d->parts.averages, d->scene.average, d->scene.averages, d->parts.time, d->parts.pieces.rank == 0));
     DEM_TRY(together(&d->parts, resume_means(d)));

@@ -150,6 +150,17 @@ static int opens_laws(const struct dem_recipe *r)
     return some;
 }
 
+/* A snapshot from the middle of a window. */
+static void open_window(struct dem_parts *p, const struct dem_snapshot_window *w)
+{
+    p->open = w->ahead > 0;
+    p->ahead = w->ahead;
+    p->before = p->steps - w->done;
+    p->opened = w->opened;
+    p->dt = w->dt;
+    p->window = w->dt*(double)w->ahead;
+}
+
 int dem_door_start_particles(struct dem *d)
 {
     struct dem_parts *const p = &d->parts;
@@ -163,6 +174,7 @@ int dem_door_start_particles(struct dem *d)
         DEM_TRY(dem_snapshot_read_particles(d->load, &s, &p->pieces, &p->recipe, &p->particles));
         p->time = s.time;
         p->steps = s.steps;
+        open_window(p, &s.window);
         return DEM_OK;
     }
     DEM_TRY(dem_insert_place(&d->scene.crowd, &d->scene.insertion, &p->recipe, &p->pieces));

@@ -8,6 +8,8 @@
 #   skip "what" why          prints "ok ... # SKIP why"
 #   ranks N command ...      the command on N ranks, ended after SUNA_TEST_LIMIT seconds (default 120)
 #   printed_hash FILE        the fingerprint that a run printed
+#   picture FILE NAME:BYTES  the items of a .vtp file, one a line, in the order of their bytes: those columns (the first "points"), so
+#   ...                      many bytes an item each; pictures of other ranks have the same lines
 #   c_test SUITE/test_NAME   build and run a test in C; its own lines of TAP go by
 #   finish                   the plan, and the exit status
 #
@@ -95,6 +97,22 @@ ranks()
 printed_hash()
 {
     sed -n 's/^hash //p' "$1"
+}
+
+picture()
+{
+    local file=$1 cells columns=() column start at
+    shift
+    cells=$(LC_ALL=C sed -n 's/.*NumberOfVerts="\([0-9]*\)" NumberOfLines="\([0-9]*\)".*/\1 \2/p;/<AppendedData/q' "$file")
+    cells=$((${cells/ /+}))
+    at=$(LC_ALL=C grep -abo -m 1 'encoding="raw">' "$file" | head -n 1 | cut -d: -f1)
+    for column in "$@"
+    do
+        start=$(LC_ALL=C sed -n "s/.* Name=\"${column%:*}\" .* offset=\"\([0-9]*\)\".*/\1/p;/<AppendedData/q" "$file")
+        tail -c +$((at + 17 + start + 8 + 1)) "$file" | head -c $((cells*${column#*:})) | od -An -v -tx1 -w"${column#*:}" > "$work/column.${#columns[@]}"
+        columns+=("$work/column.${#columns[@]}")
+    done
+    paste "${columns[@]}" | sort
 }
 
 c_test()

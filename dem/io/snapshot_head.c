@@ -1,10 +1,12 @@
 /*
- * snapshot_head.c -- sizes, places and checksums that writing and reading share.
+ * snapshot_head.c -- sizes, places and checksums that writing and reading share, and the look at a file that is opened.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "io/snapshot_head.h"
+#include "base/error.h"
 #include "io/hash.h"
+#include <string.h>
 
 const char dem_snapshot_magic[8] = "SUNADEM";
 const uint64_t dem_snapshot_order = 0x0102030405060708u;
@@ -30,6 +32,17 @@ size_t dem_snapshot_rows_at(const struct dem_snapshot_head *h)
     return sizeof *h + (size_t)h->particles*dem_snapshot_particle_doubles(h)*sizeof(double);
 }
 
+size_t dem_snapshot_beside_at(const struct dem_snapshot_head *h)
+{
+    return dem_snapshot_rows_at(h) + (size_t)h->rows*dem_snapshot_row_doubles(h)*sizeof(double);
+}
+
+void dem_snapshot_share(const struct dem_pieces *q, int64_t n, int64_t *first, int64_t *count)
+{
+    *first = n*q->rank/q->ranks;
+    *count = n*(q->rank + 1)/q->ranks - *first;
+}
+
 uint64_t dem_snapshot_head_check(const struct dem_snapshot_head *h)
 {
     struct dem_snapshot_head plain = *h;
@@ -47,4 +60,49 @@ uint64_t dem_snapshot_check(const double *data, size_t count, size_t size)
         sum += dem_hash_record(data + k*size, size*sizeof *data, size);
     }
     return sum;
+}
+
+/* ---- opening --------------------------------------------------------------------------------------------------- */
+
+static int read_head(struct dem_store *s, struct dem_snapshot_head *h)
+{
+    memset(h->magic, 0, sizeof h->magic);
+    dem_store_read(s, 0, h->magic, sizeof h->magic);      /* alone: a file of another kind may be shorter than a head */
+    DEM_REQUIRE(memcmp(h->magic, dem_snapshot_magic, sizeof h->magic) == 0, DEM_ERROR_FILE, "%s is not a snapshot of Suna", s->path);
+    dem_store_read(s, 0, h, sizeof *h);
+    DEM_TRY(s->status);
+    DEM_REQUIRE(h->order == dem_snapshot_order, DEM_ERROR_FILE,
+                "%s was written on a machine of another byte order, or is damaged", s->path);
+    DEM_REQUIRE(h->version == DEM_SNAPSHOT_VERSION, DEM_ERROR_FILE,
+                "%s is of version %llu, this program reads version %d; write it anew", s->path, (unsigned long long)h->version,
+                DEM_SNAPSHOT_VERSION);
+    const uint64_t sum = dem_snapshot_head_check(h);
+
+    DEM_REQUIRE(sum == h->head_checksum, DEM_ERROR_FILE,
+                "%s is damaged: its head has checksum %016llx and should have %016llx; use another one", s->path,
+                (unsigned long long)sum, (unsigned long long)h->head_checksum);
+    const size_t size = dem_snapshot_beside_at(h) + (size_t)h->beside, found = dem_store_size(s);
+
+    DEM_REQUIRE(found == size, DEM_ERROR_FILE, "%s is damaged: it has %zu bytes and should have %zu; use another one", s->path, found,
+                size);
+    return DEM_OK;
+}
+
+int dem_snapshot_open(struct dem_store *s, const struct dem_writers *by, const char *path, struct dem_snapshot_head *h)
+{
+    DEM_TRY(dem_store_open(s, by, path));
+    int status = by->rank == 0 ? read_head(s, h) : DEM_OK;
+
+    if (by->comm != MPI_COMM_NULL)
+    {
+        MPI_Bcast(&status, 1, MPI_INT, 0, by->comm);
+        MPI_Bcast(h, (int)sizeof *h, MPI_BYTE, 0, by->comm);
+    }
+    if (status)
+    {
+        status = by->rank == 0 ? status : dem_error(status, "another rank failed; its message tells why");
+        s->status = status;                               /* the sentence that counts has been said */
+        (void)dem_store_close(s);
+    }
+    return status;
 }

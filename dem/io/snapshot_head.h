@@ -1,11 +1,14 @@
 /*
- * snapshot_head.h -- how a snapshot lies in its file: the head, then particles, then remembered contacts, in 8-byte words.
+ * snapshot_head.h -- how a snapshot lies in its file: the head, then particles, then remembered contacts, then bytes of
+ * the caller's own, in 8-byte words.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_IO_SNAPSHOT_HEAD_H
 #define DEM_IO_SNAPSHOT_HEAD_H
 
+#include "io/snapshot.h"
+#include "io/store.h"
 #include "state/contacts.h"
 #include "state/particles.h"
 #include "state/recipe.h"
@@ -14,7 +17,7 @@
 
 enum
 {
-    DEM_SNAPSHOT_VERSION = 2,
+    DEM_SNAPSHOT_VERSION = 3,
     DEM_SNAPSHOT_NAME = 48,
     DEM_SNAPSHOT_NAMES = 128,                             /* a fixed number, so that a new column moves nothing in the file */
     DEM_SNAPSHOT_RECORD = (int)(sizeof(struct dem_particle)/sizeof(double)),
@@ -25,9 +28,11 @@ _Static_assert(DEM_MATERIALS + DEM_COLUMNS + DEM_MEMORY_COLUMNS <= DEM_SNAPSHOT_
 struct dem_snapshot_head
 {
     char magic[8];
-    uint64_t order, version, checksum, head_checksum;     /* of particles and rows; of this head without itself */
-    int64_t particles, rows, steps;
+    uint64_t order, version;
+    uint64_t checksum, beside_checksum, head_checksum;    /* of particles and rows; of the caller's; of this head without itself */
+    int64_t particles, rows, steps, beside;               /* beside: bytes */
     double time;
+    struct dem_snapshot_window window;
     int64_t materials, columns, memories;
     struct
     {
@@ -40,10 +45,17 @@ struct dem_snapshot_head
 extern const char dem_snapshot_magic[8];
 extern const uint64_t dem_snapshot_order;
 
-/* Doubles of a particle and of a remembered row; the byte at which rows begin. */
+/* Doubles of a particle and of a remembered row; the bytes at which rows begin, and what is the caller's. */
 size_t dem_snapshot_particle_doubles(const struct dem_snapshot_head *);
 size_t dem_snapshot_row_doubles(const struct dem_snapshot_head *);
 size_t dem_snapshot_rows_at(const struct dem_snapshot_head *);
+size_t dem_snapshot_beside_at(const struct dem_snapshot_head *);
+
+/* Open a file, read its head and check that it is one of ours, undamaged and whole. Collective: the first rank looks, all hear. */
+int dem_snapshot_open(struct dem_store *, const struct dem_writers *, const char *path, struct dem_snapshot_head *);
+
+/* The n items of a file that are this rank's to read: first and how many. */
+void dem_snapshot_share(const struct dem_pieces *, int64_t n, int64_t *first, int64_t *count);
 
 /* Checksums: of the head without its own, and of `count` items of `size` doubles, whose sum forgets the order. */
 uint64_t dem_snapshot_head_check(const struct dem_snapshot_head *);

@@ -1,5 +1,6 @@
 /*
- * snapshot_read.c -- a file is checked whole before anything of it is taken; particles first, rows when their owners are known.
+ * snapshot_read.c -- a file is checked whole before anything of it is taken: particles, what is the caller's, the fingerprint.
+ * Rows are in snapshot_rows.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -7,55 +8,15 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "io/fingerprint.h"
+#include "io/hash.h"
 #include "io/snapshot_head.h"
-#include "io/store.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum
 {
     CHUNK = 4096                                          /* rows read at a time */
 };
-
-static int read_head(struct dem_store *s, const char *path, struct dem_snapshot_head *h)
-{
-    memset(h->magic, 0, sizeof h->magic);
-    dem_store_read(s, 0, h->magic, sizeof h->magic);      /* alone: a file of another kind may be shorter than a head */
-    DEM_REQUIRE(memcmp(h->magic, dem_snapshot_magic, sizeof h->magic) == 0, DEM_ERROR_FILE, "%s is not a snapshot of Suna", path);
-    dem_store_read(s, 0, h, sizeof *h);
-    DEM_TRY(s->status);
-    DEM_REQUIRE(h->order == dem_snapshot_order, DEM_ERROR_FILE,
-                "%s was written on a machine of another byte order, or is damaged", path);
-    DEM_REQUIRE(h->version == DEM_SNAPSHOT_VERSION, DEM_ERROR_FILE,
-                "%s is of version %llu, this program reads version %d; write it anew", path, (unsigned long long)h->version,
-                DEM_SNAPSHOT_VERSION);
-    const uint64_t sum = dem_snapshot_head_check(h);
-
-    DEM_REQUIRE(sum == h->head_checksum, DEM_ERROR_FILE,
-                "%s is damaged: its head has checksum %016llx and should have %016llx; use another one", path,
-                (unsigned long long)sum, (unsigned long long)h->head_checksum);
-    const size_t rows = (size_t)h->rows*dem_snapshot_row_doubles(h)*sizeof(double);
-    const size_t size = dem_snapshot_rows_at(h) + rows, found = dem_store_size(s);
-
-    DEM_REQUIRE(found == size, DEM_ERROR_FILE, "%s is damaged: it has %zu bytes and should have %zu; use another one", path, found,
-                size);
-    return DEM_OK;
-}
-
-/* Open and read the head; closed again when that fails. */
-static int open_file(struct dem_store *s, MPI_Comm comm, int rank, const char *path, struct dem_snapshot_head *h)
-{
-    DEM_TRY(dem_store_open(s, comm, rank, path));
-    const int status = read_head(s, path, h);
-
-    if (status)
-    {
-        s->status = status;                               /* the sentence that counts has been said */
-        (void)dem_store_close(s);
-    }
-    return status;
-}
 
 static int agrees(const char *path, const struct dem_snapshot_head *h, uint64_t sum)
 {
@@ -64,29 +25,66 @@ static int agrees(const char *path, const struct dem_snapshot_head *h, uint64_t 
     return DEM_OK;
 }
 
-/* One word of the file after the other: the checksum needs every rank's share. */
+/* ---- verifying ------------------------------------------------------------------------------------------------- */
+
+/* The sum over this rank's share of the rows. */
+static int sum_rows(struct dem_store *s, const struct dem_pieces *q, const struct dem_snapshot_head *h, uint64_t *sum)
+{
+    const size_t size = dem_snapshot_row_doubles(h);
+    int64_t first, rows;
+    double *row;
+
+    dem_snapshot_share(q, h->rows, &first, &rows);
+    DEM_TRY(DEM_NEW(row, CHUNK*size));
+    for (int64_t at = first; at < first + rows && !s->status; at += CHUNK)
+    {
+        const size_t count = (size_t)(first + rows - at < CHUNK ? first + rows - at : CHUNK);
+
+        dem_store_read(s, dem_snapshot_rows_at(h) + (size_t)at*size*sizeof *row, row, count*size*sizeof *row);
+        *sum += dem_snapshot_check(row, count, size);
+    }
+    dem_memory_free(row);
+    return DEM_OK;
+}
+
+/* What is the caller's has a sum of its own. */
+static int check_beside(struct dem_store *s, const struct dem_snapshot_head *h)
+{
+    struct dem_hash hash;
+    double word[CHUNK];
+
+    dem_hash_start(&hash, 'b');
+    for (size_t done = 0; done < (size_t)h->beside && !s->status; done += sizeof word)
+    {
+        const size_t rest = (size_t)h->beside - done, size = rest < sizeof word ? rest : sizeof word;
+
+        dem_store_read(s, dem_snapshot_beside_at(h) + done, word, size);
+        dem_hash_bytes(&hash, word, size);
+    }
+    DEM_TRY(s->status);
+    DEM_REQUIRE(dem_hash_value(&hash) == h->beside_checksum, DEM_ERROR_FILE, "%s is damaged: what stands behind its contacts has "
+                "checksum %016llx and should have %016llx; use another one", s->path, (unsigned long long)dem_hash_value(&hash),
+                (unsigned long long)h->beside_checksum);
+    return DEM_OK;
+}
+
+/* Collective. Every rank sums its share; `sum` is that of its particles. Closes the file. */
 static int verify(struct dem_store *s, const char *path, const struct dem_pieces *q, const struct dem_snapshot_head *h,
                   uint64_t sum)
 {
-    const size_t size = dem_snapshot_row_doubles(h);
-    double *row;
+    int status = sum_rows(s, q, h, &sum);
 
-    DEM_TRY(DEM_NEW(row, CHUNK*size));
-    for (int64_t at = q->rank*(int64_t)CHUNK; at < h->rows && !s->status; at += q->ranks*(int64_t)CHUNK)
-    {
-        const size_t count = (size_t)(h->rows - at < CHUNK ? h->rows - at : CHUNK);
-
-        dem_store_read(s, dem_snapshot_rows_at(h) + (size_t)at*size*sizeof *row, row, count*size*sizeof *row);
-        sum += dem_snapshot_check(row, count, size);
-    }
-    dem_memory_free(row);
+    status = status || q->rank > 0 ? status : check_beside(s, h);
     if (q->ranks > 1)
     {
         MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UINT64_T, MPI_SUM, q->comm);
     }
+    s->status = s->status ? s->status : status;
     DEM_TRY(dem_store_close(s));
     return agrees(path, h, sum);
 }
+
+/* ---- particles ------------------------------------------------------------------------------------------------- */
 
 static int map_materials(const char *path, const struct dem_snapshot_head *h, const struct dem_recipe *r, int *material)
 {
@@ -142,98 +140,73 @@ static int take_particle(struct dem_particles *p, const struct dem_snapshot_head
     return dem_particles_append(p, mine);
 }
 
+/* This rank's share into memory; all of the file is verified. */
+static int read_share(const char *path, const struct dem_pieces *q, struct dem_snapshot_head *h, double **packed, int64_t *count)
+{
+    struct dem_store store;
+    int64_t first;
+
+    *packed = NULL;
+    *count = 0;
+    DEM_TRY(dem_snapshot_open(&store, &(const struct dem_writers){q->ranks > 1 ? q->comm : MPI_COMM_NULL, q->rank}, path, h));
+    dem_snapshot_share(q, h->particles, &first, count);
+    const size_t size = dem_snapshot_particle_doubles(h), n = (size_t)*count;
+
+    store.status = DEM_NEW(*packed, n*size + 1);
+    dem_store_read(&store, sizeof *h + (size_t)first*size*sizeof **packed, *packed, n*size*sizeof **packed);
+    return verify(&store, path, q, h, store.status ? 0 : dem_snapshot_check(*packed, n, size));
+}
+
+static int take_particles(struct dem_particles *p, const struct dem_snapshot_head *h, const struct dem_recipe *r, const double *packed,
+                          int64_t count, const char *path)
+{
+    const size_t size = dem_snapshot_particle_doubles(h);
+    int material[DEM_MATERIALS], status = DEM_OK;
+    double *mine;
+
+    DEM_TRY(map_materials(path, h, r, material));
+    DEM_TRY(dem_particles_grow(p, (size_t)count + 1));
+    DEM_TRY(DEM_NEW(mine, dem_particles_packed_size(p)));
+    for (int64_t i = 0; i < count && !status; i++)
+    {
+        status = take_particle(p, h, r, material, packed + (size_t)i*size, mine, path);
+    }
+    dem_memory_free(mine);
+    return status;
+}
+
 int dem_snapshot_read_particles(const char *path, struct dem_snapshot *s, const struct dem_pieces *q, const struct dem_recipe *r,
                                 struct dem_particles *p)
 {
-    struct dem_store store;
     struct dem_snapshot_head h;
-    int material[DEM_MATERIALS];
-    double *packed, *mine;
+    double *packed;
+    int64_t count;
+    int status = read_share(path, q, &h, &packed, &count);
 
-    DEM_TRY(open_file(&store, q->ranks > 1 ? q->comm : MPI_COMM_NULL, q->rank, path, &h));
-    DEM_TRY(map_materials(path, &h, r, material));
-    const int64_t first = h.particles*q->rank/q->ranks, end = h.particles*(q->rank + 1)/q->ranks;
-    const size_t size = dem_snapshot_particle_doubles(&h), count = (size_t)(end - first);
-
-    DEM_TRY(dem_particles_grow(p, 1));
-    DEM_TRY(DEM_NEW(packed, count*size + 1));
-    DEM_TRY(DEM_NEW(mine, dem_particles_packed_size(p)));
-    dem_store_read(&store, sizeof h + (size_t)first*size*sizeof *packed, packed, count*size*sizeof *packed);
-    DEM_TRY(verify(&store, path, q, &h, dem_snapshot_check(packed, count, size)));
-    for (size_t i = 0; i < count; i++)
-    {
-        DEM_TRY(take_particle(p, &h, r, material, packed + i*size, mine, path));
-    }
+    status = status ? status : take_particles(p, &h, r, packed, count, path);
     dem_memory_free(packed);
-    dem_memory_free(mine);
-    *s = (struct dem_snapshot){.particles = h.particles, .rows = h.rows, .steps = h.steps, .time = h.time, .checksum = h.checksum};
-    return DEM_OK;
+    *s = (struct dem_snapshot){.particles = h.particles, .rows = h.rows, .steps = h.steps, .time = h.time, .window = h.window};
+    return status;
 }
 
-/* ---- rows ---------------------------------------------------------------------------------------------------- */
+/* ---- the rest -------------------------------------------------------------------------------------------------- */
 
-static int compare_ids(const void *a, const void *b)
-{
-    const int64_t p = *(const int64_t *)a, q = *(const int64_t *)b;
+static const struct dem_writers alone = {MPI_COMM_NULL, 0};
 
-    return (p > q) - (p < q);
-}
-
-static int owned(const int64_t *id, size_t n, int64_t wanted)
-{
-    return n > 0 && wanted >= 0 && bsearch(&wanted, id, n, sizeof *id, compare_ids) != NULL;
-}
-
-static int take_row(struct dem_contacts *c, const struct dem_snapshot_head *h, const struct dem_recipe *r, const double *row,
-                    const int64_t *id, size_t n)
-{
-    double memory[DEM_MEMORY_COLUMNS] = {0.0};
-    struct dem_carried name;
-
-    memcpy(&name, row, sizeof name);
-    name.counted = (uint32_t)owned(id, n, name.low);
-    for (int64_t k = 0; k < h->memories; k++)
-    {
-        const char *const column = h->list[h->materials + h->columns + k].name;
-
-        for (int m = 0; m < r->memories; m++)
-        {
-            memory[m] = strcmp(r->memory[m], column) == 0 ? row[DEM_SNAPSHOT_ROW + k] : memory[m];
-        }
-    }
-    return name.counted || owned(id, n, name.high) ? dem_contacts_carry(c, &name, memory) : DEM_OK;
-}
-
-/* Every rank looks at all rows and takes those of its own particles. */
-int dem_snapshot_read_rows(const char *path, const struct dem_recipe *r, const struct dem_particles *p, struct dem_contacts *c)
+int dem_snapshot_read_beside(const char *path, void **bytes, size_t *size)
 {
     struct dem_store store;
     struct dem_snapshot_head h;
-    int64_t *id;
-    double *row;
 
-    DEM_TRY(open_file(&store, MPI_COMM_NULL, 0, path, &h));
-    const size_t size = dem_snapshot_row_doubles(&h);
-
-    DEM_TRY(DEM_NEW(id, p->n + 1));
-    DEM_TRY(DEM_NEW(row, CHUNK*size));
-    for (size_t i = 0; i < p->n; i++)
+    *bytes = NULL;
+    *size = 0;
+    DEM_TRY(dem_snapshot_open(&store, &alone, path, &h));
+    if (h.beside > 0)
     {
-        id[i] = p->record[i].id;
+        store.status = dem_memory_new(bytes, (size_t)h.beside, 1);
+        dem_store_read(&store, dem_snapshot_beside_at(&h), *bytes, (size_t)h.beside);
+        *size = (size_t)h.beside;
     }
-    qsort(id, p->n, sizeof *id, compare_ids);
-    for (int64_t at = 0; at < h.rows && !store.status; at += CHUNK)
-    {
-        const size_t count = (size_t)(h.rows - at < CHUNK ? h.rows - at : CHUNK);
-
-        dem_store_read(&store, dem_snapshot_rows_at(&h) + (size_t)at*size*sizeof *row, row, count*size*sizeof *row);
-        for (size_t k = 0; k < count && !store.status; k++)
-        {
-            DEM_TRY(take_row(c, &h, r, row + k*size, id, p->n));
-        }
-    }
-    dem_memory_free(id);
-    dem_memory_free(row);
     return dem_store_close(&store);
 }
 
@@ -244,7 +217,7 @@ int dem_snapshot_fingerprint(const char *path, uint64_t *fingerprint)
     double *item;
     uint64_t sum = 0;
 
-    DEM_TRY(open_file(&store, MPI_COMM_NULL, 0, path, &h));
+    DEM_TRY(dem_snapshot_open(&store, &alone, path, &h));
     const size_t size = dem_snapshot_particle_doubles(&h), row = dem_snapshot_row_doubles(&h);
 
     DEM_TRY(DEM_NEW(item, size + row));
@@ -268,6 +241,9 @@ int dem_snapshot_fingerprint(const char *path, uint64_t *fingerprint)
         *fingerprint += dem_fingerprint_row(&name, item + DEM_SNAPSHOT_ROW, (int)h.memories);
     }
     dem_memory_free(item);
+    const int status = store.status ? DEM_OK : check_beside(&store, &h);
+
+    store.status = store.status ? store.status : status;
     DEM_TRY(dem_store_close(&store));
     return agrees(path, &h, sum);
 }

@@ -3,21 +3,24 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * All sizes are known before the first byte is written: an array is its length in bytes (UInt64), then its values.
+ * All sizes are known before the first byte is written: an array is its length in bytes (UInt64), then its values, those of the
+ * first rank first. Each rank makes the same head, and so knows all places; the first one writes it, the lengths and the tail.
  */
 #include "io/vtk.h"
 
 #include "base/error.h"
-#include "io/file.h"
+#include "base/memory.h"
 
 #include <fenv.h>
+#include <stdarg.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <string.h>
 
 enum
 {
     COMPONENTS = 9,       /* most in one column: a tensor                   */
-    BLOCK = 1 << 14       /* bytes collected before they go to the file     */
+    BLOCK = 1 << 24       /* bytes collected before they go to the file     */
 };
 
 static const struct
@@ -31,29 +34,6 @@ static const struct
     [DEM_VTK_INT64] = {"Int64", 8, 8},
     [DEM_VTK_INT32] = {"Int32", 4, 4},
 };
-
-struct block
-{
-    char bytes[BLOCK];
-    size_t used;
-    FILE *file;
-};
-
-static void block_flush(struct block *b)
-{
-    fwrite(b->bytes, 1, b->used, b->file);
-    b->used = 0;
-}
-
-static void block_put(struct block *b, const void *bytes, size_t size)
-{
-    if (b->used + size > BLOCK)
-    {
-        block_flush(b);
-    }
-    memcpy(b->bytes + b->used, bytes, size);
-    b->used += size;
-}
 
 static int check_column(const struct dem_vtk_column *c, int64_t n, const char *path)
 {
@@ -90,11 +70,37 @@ static int check(const char *path, int64_t n, const struct dem_vtk_column *colum
     return DEM_OK;
 }
 
-/* One <DataArray>; moves the offset past the array's length and values. */
-static void head_array(FILE *f, const char *name, const char *type, int components, uint64_t bytes, uint64_t *offset)
+/* ---- the head -------------------------------------------------------------------------------------------------- */
+
+struct text
 {
-    fprintf(f, "        <DataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%d\" ", type, name, components);
-    fprintf(f, "format=\"appended\" offset=\"%llu\"/>\n", (unsigned long long)*offset);
+    char *at;
+    size_t length, room;
+    int status;
+};
+
+static void say(struct text *t, const char *format, ...)
+{
+    va_list list;
+
+    va_start(list, format);
+    const int more = vsnprintf(NULL, 0, format, list);
+
+    va_end(list);
+    t->status = t->status ? t->status : DEM_GROW(t->at, t->room, t->length + (size_t)more + 1);
+    if (!t->status)
+    {
+        va_start(list, format);
+        t->length += (size_t)vsnprintf(t->at + t->length, (size_t)more + 1, format, list);
+        va_end(list);
+    }
+}
+
+/* One <DataArray>; moves the offset past the array's length and values. */
+static void head_array(struct text *t, const char *name, const char *type, int components, uint64_t bytes, uint64_t *offset)
+{
+    say(t, "        <DataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%d\" format=\"appended\" offset=\"%llu\"/>\n", type, name,
+        components, (unsigned long long)*offset);
     *offset += sizeof(uint64_t) + bytes;
 }
 
@@ -104,103 +110,189 @@ static uint64_t bytes_of(const struct dem_vtk_column *c, int64_t n)
 }
 
 /* `ends` of a cell: 1 for points, 2 for lines, whose ends are the points and whose columns belong to the cells. */
-static void write_head(FILE *f, int64_t n, const struct dem_vtk_column *columns, int count, int ends)
+static void write_head(struct text *t, int64_t n, const struct dem_vtk_column *columns, int count, int ends)
 {
     const char *const data = ends == 1 ? "PointData" : "CellData", *const cells = ends == 1 ? "Verts" : "Lines";
     const uint16_t one = 1;
     const bool little = *(const unsigned char *)&one == 1;
     uint64_t offset = 0;
 
-    fprintf(f, "<?xml version=\"1.0\"?>\n"
-            "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"%s\" header_type=\"UInt64\">\n",
-            little ? "LittleEndian" : "BigEndian");
-    fprintf(f, "  <PolyData>\n    <Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"%lld\" NumberOfLines=\"%lld\" "
-            "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n", (long long)n*ends, ends == 1 ? (long long)n : 0,
-            ends == 1 ? 0 : (long long)n);
+    say(t, "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"%s\" header_type=\"UInt64\">\n",
+        little ? "LittleEndian" : "BigEndian");
+    say(t, "  <PolyData>\n    <Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"%lld\" NumberOfLines=\"%lld\" "
+        "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n", (long long)n*ends, ends == 1 ? (long long)n : 0, ends == 1 ? 0 : (long long)n);
     for (int i = 0; i < count; i++)
     {
-        i == 0 ? fputs("      <Points>\n", f) : i == 1 ? fprintf(f, "      <%s>\n", data) : 0;
-        head_array(f, columns[i].name, types[columns[i].type].name, i == 0 ? 3 : columns[i].components, bytes_of(&columns[i], n),
+        say(t, i == 0 ? "      <Points>\n" : i == 1 ? "      <%s>\n" : "", data);
+        head_array(t, columns[i].name, types[columns[i].type].name, i == 0 ? 3 : columns[i].components, bytes_of(&columns[i], n),
                    &offset);
-        i == 0 ? fputs("      </Points>\n", f) : i == count - 1 ? fprintf(f, "      </%s>\n", data) : 0;
+        say(t, i == 0 ? "      </Points>\n" : i == count - 1 ? "      </%s>\n" : "", data);
     }
-    fprintf(f, "      <%s>\n", cells);
-    head_array(f, "connectivity", "Int64", 1, (uint64_t)n*(uint64_t)ends*sizeof(int64_t), &offset);
-    head_array(f, "offsets", "Int64", 1, (uint64_t)n*sizeof(int64_t), &offset);
-    fprintf(f, "      </%s>\n    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_", cells);
+    say(t, "      <%s>\n", cells);
+    head_array(t, "connectivity", "Int64", 1, (uint64_t)n*(uint64_t)ends*sizeof(int64_t), &offset);
+    head_array(t, "offsets", "Int64", 1, (uint64_t)n*sizeof(int64_t), &offset);
+    say(t, "      </%s>\n    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_", cells);
 }
 
-static void write_column(struct block *b, int64_t n, const struct dem_vtk_column *c)
-{
-    const uint64_t bytes = bytes_of(c, n);
-    const char *at = c->data;
+/* ---- the arrays ------------------------------------------------------------------------------------------------- */
 
-    block_put(b, &bytes, sizeof bytes);
-    for (int64_t i = 0; i < n; i++, at += c->stride)
+struct page                                               /* a file on its way; arrays one behind the other */
+{
+    struct dem_store store;
+    size_t at;                                            /* where the next array begins */
+    int64_t n, before, all;                               /* cells of this rank, of lower ranks, of all */
+    char *block;
+};
+
+static void narrow(const char *from, char *to, size_t components)
+{
+    double wide[COMPONENTS];
+    float small[COMPONENTS];
+
+    memcpy(wide, from, components*sizeof *wide);
+    for (size_t k = 0; k < components; k++)
+    {
+        small[k] = (float)wide[k];
+    }
+    memcpy(to, small, components*sizeof *small);
+}
+
+/* Items [first, first + count) as they lie in the file. */
+static void pack_column(const void *what, int64_t first, size_t count, char *out)
+{
+    const struct dem_vtk_column *const c = what;
+    const size_t components = (size_t)c->components, size = components*types[c->type].size;
+    const char *at = (const char *)c->data + (size_t)first*c->stride;
+
+    for (size_t i = 0; i < count; i++, at += c->stride, out += size)
     {
         if (c->type == DEM_VTK_NARROW)
         {
-            double from[COMPONENTS];
-            float to[COMPONENTS];
-
-            memcpy(from, at, sizeof *from*(size_t)c->components);
-            for (int k = 0; k < c->components; k++)
-            {
-                to[k] = (float)from[k];
-            }
-            block_put(b, to, sizeof *to*(size_t)c->components);
+            narrow(at, out, components);
         }
         else
         {
-            block_put(b, at, types[c->type].size*(size_t)c->components);
+            memcpy(out, at, size);
         }
     }
 }
 
-/* first, first + step, ...: cells hold points one after the other (connectivity: 0, 1, ...) and end before the next one's
-   first (offsets: 1, 2, ... or 2, 4, ...) */
-static void write_counts(struct block *b, int64_t n, int64_t first, int64_t step)
+/* from, from + step, ...: cells hold points one after the other (connectivity: 0, 1, ...) and end before the next one's first
+   (offsets: 1, 2, ... or 2, 4, ...) */
+struct counts
 {
-    const uint64_t bytes = (uint64_t)n*sizeof n;
+    int64_t from, step;
+};
 
-    block_put(b, &bytes, sizeof bytes);
-    for (int64_t i = 0; i < n; i++)
+static void pack_counts(const void *what, int64_t first, size_t count, char *out)
+{
+    const struct counts *const c = what;
+
+    for (size_t i = 0; i < count; i++)
     {
-        const int64_t value = first + i*step;
+        const int64_t value = c->from + (first + (int64_t)i)*c->step;
 
-        block_put(b, &value, sizeof value);
+        memcpy(out + i*sizeof value, &value, sizeof value);
     }
 }
 
-static int write_cells(const char *path, int64_t n, const struct dem_vtk_column *columns, int count, int ends)
-{
-    struct dem_file f;
-    struct block b = {.used = 0};
-    fenv_t traps;
+typedef void packer(const void *what, int64_t first, size_t count, char *out);
 
-    DEM_TRY(check(path, n, columns, count, ends));
-    DEM_TRY(dem_file_begin(&f, path));
-    feholdexcept(&traps);    /* a double past the range of Float32 is written as infinite, also under traps */
-    b.file = f.stream;
-    write_head(f.stream, n, columns, count, ends);
+/* Collective. One array of `each` items a cell, of `size` bytes each. */
+static void write_array(struct page *p, packer *pack, const void *what, int64_t each, size_t size)
+{
+    const int64_t n = p->n*each, block = (int64_t)(BLOCK/size);
+    const uint64_t bytes = (uint64_t)(p->all*each)*size;
+    int64_t rounds = (n + block - 1)/block;
+
+    if (p->store.by.rank == 0)
+    {
+        dem_store_write(&p->store, p->at, &bytes, sizeof bytes);
+    }
+    if (p->store.by.comm != MPI_COMM_NULL)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, &rounds, 1, MPI_INT64_T, MPI_MAX, p->store.by.comm);
+    }
+    for (int64_t k = 0; k < rounds; k++)
+    {
+        const int64_t first = k*block < n ? k*block : n, count = n - first < block ? n - first : block;
+
+        pack(what, first, (size_t)count, p->block);
+        dem_store_write_together(&p->store, p->at + sizeof bytes + (size_t)(p->before*each + first)*size, p->block, (size_t)count*size);
+    }
+    p->at += sizeof bytes + bytes;
+}
+
+static void write_tail(struct page *p)
+{
+    static const char tail[] = "\n  </AppendedData>\n</VTKFile>\n";
+
+    if (p->store.by.rank == 0)
+    {
+        dem_store_write(&p->store, p->at, tail, sizeof tail - 1);
+    }
+}
+
+static void write_body(struct page *p, const struct text *head, const struct dem_vtk_column *columns, int count, int ends)
+{
+    const struct counts points = {p->before*ends, 1}, cells = {(p->before + 1)*ends, ends};
+
+    p->at = head->length;
+    if (p->store.by.rank == 0)
+    {
+        dem_store_write(&p->store, 0, head->at, head->length);
+    }
     for (int i = 0; i < count; i++)
     {
-        write_column(&b, n, &columns[i]);
+        write_array(p, pack_column, &columns[i], 1, bytes_of(&columns[i], 1));
     }
-    write_counts(&b, n*ends, 0, 1);
-    write_counts(&b, n, ends, ends);
-    block_flush(&b);
+    write_array(p, pack_counts, &points, ends, sizeof(int64_t));
+    write_array(p, pack_counts, &cells, 1, sizeof(int64_t));
+    write_tail(p);
+}
+
+/* Cells of lower ranks and of all. */
+static void count_cells(struct page *p, const struct dem_writers *by, int64_t n)
+{
+    p->n = p->all = n;
+    p->before = 0;
+    if (by->comm != MPI_COMM_NULL)
+    {
+        MPI_Exscan(&n, &p->before, 1, MPI_INT64_T, MPI_SUM, by->comm);
+        MPI_Allreduce(&n, &p->all, 1, MPI_INT64_T, MPI_SUM, by->comm);
+        p->before = by->rank == 0 ? 0 : p->before;
+    }
+}
+
+static int write_cells(const struct dem_writers *by, const char *path, int64_t n, const struct dem_vtk_column *columns, int count,
+                       int ends)
+{
+    const struct dem_writers alone = {MPI_COMM_NULL, 0};
+    struct text head = {.at = NULL};
+    struct page p;
+    fenv_t traps;
+
+    by = by ? by : &alone;
+    DEM_TRY(check(path, n, columns, count, ends));
+    count_cells(&p, by, n);
+    write_head(&head, p.all, columns, count, ends);
+    DEM_TRY(head.status);
+    DEM_TRY(DEM_NEW(p.block, BLOCK));
+    DEM_TRY(dem_store_create(&p.store, by, path, 0));
+    feholdexcept(&traps);    /* a double past the range of Float32 is written as infinite, also under traps */
+    write_body(&p, &head, columns, count, ends);
     fesetenv(&traps);
-    fputs("\n  </AppendedData>\n</VTKFile>\n", f.stream);
-    return dem_file_finish(&f, DEM_OK);
+    dem_memory_free(head.at);
+    dem_memory_free(p.block);
+    return dem_store_close(&p.store);
 }
 
-int dem_vtk_write(const char *path, int64_t n, const struct dem_vtk_column *columns, int count)
+int dem_vtk_write(const struct dem_writers *by, const char *path, int64_t n, const struct dem_vtk_column *columns, int count)
 {
-    return write_cells(path, n, columns, count, 1);
+    return write_cells(by, path, n, columns, count, 1);
 }
 
-int dem_vtk_write_lines(const char *path, int64_t n, const struct dem_vtk_column *columns, int count)
+int dem_vtk_write_lines(const struct dem_writers *by, const char *path, int64_t n, const struct dem_vtk_column *columns, int count)
 {
-    return write_cells(path, n, columns, count, 2);
+    return write_cells(by, path, n, columns, count, 2);
 }

@@ -8,16 +8,19 @@
  *         {"id", &p->id, sizeof *p, DEM_VTK_INT64, 1},
  *         {"diameter", d, sizeof *d, DEM_VTK_NARROW, 1},
  *     };
- *     DEM_TRY(dem_vtk_write("VTK/particles_000012.vtp", n, columns, 3));
+ *     DEM_TRY(dem_vtk_write(NULL, "VTK/particles_000012.vtp", n, columns, 3));
  *     DEM_TRY(dem_vtk_collection_add("particles.pvd", time, "VTK/particles_000012.vtp"));
  *
  * VTK XML PolyData, data appended raw with 64-bit lengths, after "VTK File Formats" (Kitware), in the byte order
  * of the machine, which the file names. Each particle is a point and a vertex cell, so that it is seen without a
- * filter. Serial: on several ranks the caller gathers the columns on one. Files are written aside and renamed.
+ * filter. All ranks write their part of each array into one file, that of lower ranks first; nothing is gathered. Files are written
+ * aside and renamed. Raw and not compressed: positions and velocities of grains shrink by a tenth or two under zlib, which takes
+ * longer than the disk does, and a part of a compressed array has no place of its own before all parts are compressed.
  */
 #ifndef DEM_IO_VTK_H
 #define DEM_IO_VTK_H
 
+#include "io/store.h"
 #include <stddef.h>
 #include <stdint.h>
 
@@ -38,14 +41,14 @@ struct dem_vtk_column
     int components;            /* 1, 3 or up to 9, side by side in memory                      */
 };
 
-/* n particles; n = 0 gives a valid file without points, and data may then be null. */
-int dem_vtk_write(const char *path, int64_t n, const struct dem_vtk_column *columns, int count);
+/* Collective; NULL: alone. n particles of this rank; 0 of all give a valid file without points, and data may then be null. */
+int dem_vtk_write(const struct dem_writers *, const char *path, int64_t n, const struct dem_vtk_column *columns, int count);
 
-/* n triangles, 9 numbers each [m], and the number of each one's wall. */
+/* Not collective. n triangles, 9 numbers each [m], and the number of each one's wall. */
 int dem_vtk_write_triangles(const char *path, int64_t n, const double *corners, const int64_t *wall);
 
-/* n lines: the first column holds six numbers, both ends; the others belong to the lines. */
-int dem_vtk_write_lines(const char *path, int64_t n, const struct dem_vtk_column *columns, int count);
+/* The same for n lines: the first column holds six numbers, both ends; the others belong to the lines. */
+int dem_vtk_write_lines(const struct dem_writers *, const char *path, int64_t n, const struct dem_vtk_column *columns, int count);
 
 /* Add the file of a time [s], named as seen from the collection's folder. Entries of that time and later, left by a
    run that was restarted from before them, are dropped. The collection is made if it does not exist. */

@@ -19,6 +19,7 @@
 
 #include "base/blocks.h"
 #include "io/averages.h"
+#include "io/snapshot.h"
 
 struct dem_parts;
 
@@ -52,8 +53,10 @@ int dem_averages_sample(struct dem_averages *, const struct dem_parts *);
 /* The files of every grid that has samples, by the first rank. */
 int dem_averages_save(const struct dem_averages *, const struct dem_parts *, const char *folder);
 
-/* The first rank's sums into a file and back, for a run that goes on at this time [s]. No such file, or other grids: nothing. */
-int dem_averages_keep(const struct dem_averages *, double time, const char *path);
-int dem_averages_resume(struct dem_averages *, double time, const char *path);
+/* The first rank's sums, for a run that goes on: as spans of memory that stay until the next sample (the caller frees both), and
+   taken back from their bytes. A grid goes on when name, box, cells, start and interval are those of then. */
+struct dem_average_record;
+int dem_averages_spans(const struct dem_averages *, struct dem_average_record **, struct dem_span **, int *n);
+void dem_averages_resume(struct dem_averages *, const char *bytes, size_t size);
 
 #endif

@@ -50,35 +50,8 @@ static int by_ids(const void *a, const void *b)
     return first ? first : second ? second : place;
 }
 
-/* All on the first rank. */
-static int gather(const struct dem_pieces *q, struct line **all, int64_t *n)
-{
-    struct line *const mine = *all;
-    int *count, *start, total = 0;
-    const int here = (int)*n;
-    MPI_Datatype one;
-
-    DEM_TRY(DEM_NEW(count, q->ranks));
-    DEM_TRY(DEM_NEW(start, q->ranks));
-    MPI_Gather(&here, 1, MPI_INT, count, 1, MPI_INT, 0, q->comm);
-    for (int k = 0; k < q->ranks && q->rank == 0; k++)
-    {
-        start[k] = total;
-        total += count[k];
-    }
-    DEM_TRY(DEM_NEW(*all, total + 1));
-    MPI_Type_contiguous((int)sizeof *mine, MPI_BYTE, &one);
-    MPI_Type_commit(&one);
-    MPI_Gatherv(mine, here, one, *all, count, start, one, 0, q->comm);
-    MPI_Type_free(&one);
-    *n = total;
-    dem_memory_free(mine);
-    dem_memory_free(count);
-    dem_memory_free(start);
-    return DEM_OK;
-}
-
-static int write_lines(const char *folder, const char *file, double time, struct line *l, int64_t n)
+/* Collective: each rank its own, by ids. */
+static int write_lines(const struct dem_pieces *q, const char *folder, const char *file, struct line *l, int64_t n)
 {
     const size_t stride = sizeof *l;
     const struct dem_vtk_column columns[] =
@@ -97,14 +70,14 @@ static int write_lines(const char *folder, const char *file, double time, struct
     DEM_REQUIRE(strlen(folder) + strlen(file) + 16 < sizeof path, DEM_ERROR_INPUT, "path %s/%s is longer than %zu letters", folder, file,
                 sizeof path - 17);
     snprintf(path, sizeof path, "%s/%s", folder, file);
-    DEM_TRY(dem_vtk_write_lines(path, n, columns, (int)(sizeof columns/sizeof columns[0])));
-    snprintf(path, sizeof path, "%s/bonds.pvd", folder);
-    return dem_vtk_collection_add(path, time, file);
+    return dem_vtk_write_lines(&(const struct dem_writers){q->ranks > 1 ? q->comm : MPI_COMM_NULL, q->rank}, path, n, columns,
+                               (int)(sizeof columns/sizeof columns[0]));
 }
 
 int dem_bonds_lines(struct dem_parts *p, const char *folder, const char *file, double time)
 {
     struct line *lines;
+    char path[1200];
     int64_t n = 0;
 
     if (p->stale == 2 && p->steps > 0)
@@ -120,12 +93,13 @@ int dem_bonds_lines(struct dem_parts *p, const char *folder, const char *file, d
     {
         lines[k] = drawn(&p->bonds.hold[k]);
     }
-    if (p->pieces.ranks > 1)
-    {
-        DEM_TRY(gather(&p->pieces, &lines, &n));
-    }
-    const int status = p->pieces.rank == 0 ? write_lines(folder, file, time, lines, n) : DEM_OK;
+    const int status = write_lines(&p->pieces, folder, file, lines, n);
 
     dem_memory_free(lines);
-    return status;
+    if (status || p->pieces.rank > 0)
+    {
+        return status;
+    }
+    snprintf(path, sizeof path, "%s/bonds.pvd", folder);
+    return dem_vtk_collection_add(path, time, file);
 }

@@ -24,6 +24,7 @@
 #include "step/phases.h"
 #include "step/wall_books.h"
 #include "step/wall_touch.h"
+#include <signal.h>
 
 struct dem_watch                                          /* what the sweep saw; reset by who asks */
 {
@@ -58,6 +59,10 @@ struct dem_parts
     int64_t steps, rebuilds, prunes;
     int64_t before, ahead;                                /* steps made before this window, and steps in it */
     double time, dt, window;                              /* s; of the positions; last step; length of the last window */
+    double opened;                                        /* s; start of the last window */
+    int open;                                             /* 1: it stopped in the middle, velocities half a step ahead */
+    const volatile sig_atomic_t *asked;                   /* not 0: stop after this step; NULL: nobody asks */
+    int stopped;                                          /* what asked had then, the largest of all ranks */
     double longest_step;                                  /* s; that any window takes */
 };
 

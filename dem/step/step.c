@@ -1,8 +1,8 @@
 /*
  * step.c -- one step of the particles. Data moves down this page and never up. Only here are all stores in one hand.
  *
- * Leapfrog in kick-drift form. Ranks agree on one thing a step: how fast the fastest particle is and whether anyone
- * failed; all other decisions follow from that and from what all ranks know.
+ * Leapfrog in kick-drift form. Ranks agree on one thing a step: how fast the fastest particle is, whether anyone asks to stop and
+ * whether anyone failed; all other decisions follow from that and from what all ranks know.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -60,6 +60,11 @@ static int keep(struct dem_parts *p, int status, double half_kick)
 
 int dem_step_keep(struct dem_parts *p)
 {
+    if (p->open)
+    {
+        p->kept.steps = p->kept.held ? p->kept.steps : p->steps - p->kept.every;
+        return DEM_OK;
+    }
     return keep(p, DEM_OK, 0.0);
 }
 
@@ -95,20 +100,20 @@ static int not_too_far(const struct dem_parts *p, double fastest, double dt)
 }
 
 /* Copies travel while ranks agree; when lists have to be renewed they have travelled in vain. */
-static int send_and_agree(struct dem_parts *p, int status, double *fastest)
+static int send_and_agree(struct dem_parts *p, int status, double fastest[2])
 {
     if (!p->stale)
     {
         dem_halo_send(&p->halo, &p->particles, DEM_HALO_NEAR);
         dem_phases_end(&p->phases, DEM_PHASE_REFRESH);
     }
-    status = dem_agree_most(p, status, fastest, 1);
-    if (status || !isfinite(*fastest))
+    status = dem_agree_most(p, status, fastest, 2);
+    if (status || !isfinite(fastest[0]))
     {
         dem_halo_wait(&p->halo);
     }
     DEM_TRY(status);
-    DEM_REQUIRE(isfinite(*fastest), DEM_ERROR_NUMBER, "a particle's velocity is not a number at step %lld; look at the forces "
+    DEM_REQUIRE(isfinite(fastest[0]), DEM_ERROR_NUMBER, "a particle's velocity is not a number at step %lld; look at the forces "
                 "on it, and at the fluid around it", (long long)p->steps);
     return DEM_OK;
 }
@@ -127,7 +132,7 @@ static void count_work(struct dem_parts *p)
 static int step(struct dem_parts *p, double dt, double kick, double since, int *status)
 {
     dem_phases_step(&p->phases);
-    double fastest = dem_motion_drift(&p->particles, dt, p->domain.round);
+    double fastest[2] = {dem_motion_drift(&p->particles, dt, p->domain.round), p->asked ? (double)*p->asked : 0.0};
 
     dem_orientation_turn(&p->particles, dt);
     p->steps++;
@@ -138,10 +143,11 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
         dem_ledger_drift(p, dt);
         p->ledger.tells = kick < dt;
     }
-    *status = *status ? *status : not_too_far(p, fastest, dt);
+    *status = *status ? *status : not_too_far(p, fastest[0], dt);
     dem_phases_end(&p->phases, DEM_PHASE_DRIFT);
-    DEM_TRY(send_and_agree(p, *status, &fastest));
-    DEM_TRY(dem_neighbourhood(p, fastest*dt, kick < dt));
+    DEM_TRY(send_and_agree(p, *status, fastest));
+    p->stopped = (int)fastest[1];
+    DEM_TRY(dem_neighbourhood(p, fastest[0]*dt, kick < dt || p->stopped));
     count_work(p);
     *status = dem_sweep_contacts(p, dt, (const double[2]){since, p->time});
     dem_phases_end(&p->phases, DEM_PHASE_CONTACTS);
@@ -176,36 +182,64 @@ static int sample(struct dem_parts *p)
     return DEM_OK;
 }
 
-int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
+/* The first half kick, or what is left of it. */
+static void kick_off(struct dem_parts *p, double kick)
 {
-    const double start = p->time, window = dt*(double)steps;
+    if (kick > 0.0)
+    {
+        dem_wall_books_add(p, kick);
+        dem_sweep_bodies(&p->particles, &p->recipe.bodies, kick, p->window, p->ledger.open ? &p->ledger : NULL);
+    }
+    dem_phases_end(&p->phases, DEM_PHASE_BODIES);
+}
+
+/* The steps of the window that are still to be made, or those until somebody asks to stop. */
+static int make_steps(struct dem_parts *p)
+{
     int status = DEM_OK;
 
-    p->window = window;
+    p->stopped = p->open = 0;
+    for (int64_t k = p->steps - p->before + 1; k <= p->ahead && !p->stopped; k++)
+    {
+        const double since = p->time;
+
+        p->time = p->opened + (double)k*p->dt;
+        DEM_TRY(step(p, p->dt, k < p->ahead ? p->dt : 0.5*p->dt, since, &status));
+        DEM_TRY(sample(p));
+    }
+    DEM_TRY(dem_agree(p, status));
+    p->open = p->steps - p->before < p->ahead;
+    if (!p->open)
+    {
+        dem_bodies_close(&p->particles);
+    }
+    dem_phases_leave(&p->phases);
+    return DEM_OK;
+}
+
+int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
+{
+    const double had = p->open ? 0.5*p->dt : 0.0;         /* velocities that an open window left ahead have had theirs */
+
+    p->window = dt*(double)steps;
     p->dt = dt;
+    p->opened = p->time;
     p->before = p->steps;
     p->ahead = steps;
     dem_phases_enter(&p->phases, p->particles.n);
-    dem_walls_move(&p->walls, start, 0.0);
-    dem_walls_set_off(&p->walls, window);
+    dem_walls_move(&p->walls, p->time, 0.0);
+    dem_walls_set_off(&p->walls, p->window);
     dem_bodies_open(&p->particles, &p->recipe.bodies);
     if (p->recipe.needs & DEM_NEEDS_VISCOSITY && !p->stale)
     {
         DEM_TRY(dem_halo_refresh_viscosity(&p->halo, &p->particles));
     }
-    dem_wall_books_add(p, 0.5*dt);
-    dem_sweep_bodies(&p->particles, &p->recipe.bodies, 0.5*dt, window, p->ledger.open ? &p->ledger : NULL);
-    dem_phases_end(&p->phases, DEM_PHASE_BODIES);
-    for (int64_t k = 1; k <= steps; k++)
-    {
-        const double since = p->time;
+    kick_off(p, 0.5*dt - had);
+    return make_steps(p);
+}
 
-        p->time = start + (double)k*dt;
-        DEM_TRY(step(p, dt, k < steps ? dt : 0.5*dt, since, &status));
-        DEM_TRY(sample(p));
-    }
-    DEM_TRY(dem_agree(p, status));
-    dem_bodies_close(&p->particles);
-    dem_phases_leave(&p->phases);
-    return DEM_OK;
+int dem_step_on(struct dem_parts *p)
+{
+    dem_phases_enter(&p->phases, p->particles.n);
+    return make_steps(p);
 }

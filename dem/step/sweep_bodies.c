@@ -137,7 +137,7 @@ void dem_sweep_bodies(struct dem_particles *p, const struct dem_chain *bodies, d
 /* ---- windows ------------------------------------------------------------------------------------------------- */
 
 /* What laws of drag make of the fluid alone. */
-static void open_laws(struct dem_particles *p, const struct dem_chain *bodies)
+void dem_bodies_open_laws(struct dem_particles *p, const struct dem_chain *bodies)
 {
     struct dem_body_tray t;
 
@@ -165,7 +165,7 @@ void dem_bodies_open(struct dem_particles *p, const struct dem_chain *bodies)
     {
         return;
     }
-    open_laws(p, bodies);
+    dem_bodies_open_laws(p, bodies);
     memset(dem_column(p, DEM_COLUMN_DRAG_IMPULSE), 0, 3*p->n*sizeof(double));
     memset(dem_column(p, DEM_COLUMN_DRAG_TIME), 0, p->n*sizeof(double));
     for (size_t i = 0; i < p->n; i++)

@@ -18,6 +18,9 @@ void dem_sweep_bodies(struct dem_particles *, const struct dem_chain *bodies, do
 /* Start a window of the fluid: clear what the particles will tell it, work out what its steps have in common. */
 void dem_bodies_open(struct dem_particles *, const struct dem_chain *bodies);
 
+/* Only what laws of drag make of the fluid alone: for a window that is gone on with. */
+void dem_bodies_open_laws(struct dem_particles *, const struct dem_chain *bodies);
+
 /* End it: the response R of each particle from its drag impulse (see the definition in sweep_bodies.c). */
 void dem_bodies_close(struct dem_particles *);
 

@@ -49,7 +49,7 @@ static int write_grains(int64_t n, const struct grain *g)
         {"material", &g->material, sizeof *g, DEM_VTK_INT32, 1},
     };
 
-    return dem_vtk_write(path, n, columns, 5);
+    return dem_vtk_write(NULL, path, n, columns, 5);
 }
 
 /* The array of that name as a reader finds it: type and components by the head, bytes by the offset. Null if wrong. */
@@ -126,7 +126,7 @@ static void narrow_numbers(void)
     size_t size;
     float f[5] = {0};
 
-    TAP_OK(!dem_vtk_write(path, 1, columns, 2) && !dem_file_load(path, &file, &size)
+    TAP_OK(!dem_vtk_write(NULL, path, 1, columns, 2) && !dem_file_load(path, &file, &size)
            && (at = find(file, size, "d", "Float32", 5, 20)) && memcpy(f, at, 20), "five doubles as Float32");
     TAP_OK(f[0] == INFINITY && f[1] == -INFINITY && f[2] == 0 && f[3] == 0.1f && isnan(f[4]),
            "what does not fit is infinite and traps nowhere");
@@ -166,23 +166,23 @@ static void refusals(void)
     char *file = NULL, elsewhere[80];
     size_t size;
 
-    TAP_OK(!dem_vtk_write(path, 1, c, 1), "a good file");
-    refused(dem_vtk_write(path, 1, c, 2), DEM_ERROR_INPUT, "two columns");
+    TAP_OK(!dem_vtk_write(NULL, path, 1, c, 1), "a good file");
+    refused(dem_vtk_write(NULL, path, 1, c, 2), DEM_ERROR_INPUT, "two columns");
     c[1].name = "a<b";
-    refused(dem_vtk_write(path, 1, c, 2), DEM_ERROR_INPUT, "can't name");
+    refused(dem_vtk_write(NULL, path, 1, c, 2), DEM_ERROR_INPUT, "can't name");
     c[1] = (struct dem_vtk_column){"b", x, 16, DEM_VTK_DOUBLE, 3};
-    refused(dem_vtk_write(path, 1, c, 2), DEM_ERROR_STATE, "stride");
+    refused(dem_vtk_write(NULL, path, 1, c, 2), DEM_ERROR_STATE, "stride");
     c[1] = (struct dem_vtk_column){"b", x, 80, DEM_VTK_DOUBLE, 10};
-    refused(dem_vtk_write(path, 1, c, 2), DEM_ERROR_STATE, "10 components");
+    refused(dem_vtk_write(NULL, path, 1, c, 2), DEM_ERROR_STATE, "10 components");
     c[0].components = 1;
-    refused(dem_vtk_write(path, 1, c, 1), DEM_ERROR_STATE, "positions");
+    refused(dem_vtk_write(NULL, path, 1, c, 1), DEM_ERROR_STATE, "positions");
     TAP_OK(!dem_file_load(path, &file, &size) && find(file, size, "points", "Float64", 3, 24), "the good file is there");
     dem_memory_free(file);
 
     c[0].components = 3;
     snprintf(elsewhere, sizeof elsewhere, "%s/absent/a.vtp", folder);
-    refused(dem_vtk_write(elsewhere, 1, c, 1), DEM_ERROR_FILE, "folder");
-    refused(dem_vtk_write(folder, 1, c, 1), DEM_ERROR_FILE, "rename");
+    refused(dem_vtk_write(NULL, elsewhere, 1, c, 1), DEM_ERROR_FILE, "folder");
+    refused(dem_vtk_write(NULL, folder, 1, c, 1), DEM_ERROR_FILE, "rename");
     snprintf(elsewhere, sizeof elsewhere, "%s.part", folder);
     TAP_OK(!dem_file_exists(elsewhere), "what could not be finished is removed");
 }

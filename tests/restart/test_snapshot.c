@@ -1,0 +1,168 @@
+/*
+ * Claims: a snapshot is refused when any one bit of it is another, and when it is cut at any byte or longer by one; the sentence
+ * names the file. What was written over stays whole when the writing fails. Places past 4 GB are kept and found.
+ *
+ * Source: the contract of io/snapshot.h and io/store.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/world.h"
+
+#include "io/snapshot.h"
+#include "io/store.h"
+
+#include <unistd.h>
+
+static const char scene[] =
+    "materials { glass { density 2500; youngsModulus 1e6; } }"
+    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; } mindlin { friction 0.5; } }"
+    "walls { floor { type plane; point (0 0 0); normal (0.1 0 1); } }"
+    "insert { grains { type list; diameter 1e-3; positions ((0 0 4.9e-4) (0 0 1.45e-3)); } }"
+    "averages { box { min (-1 -1 -1); max (1 1 1); interval 1e-5; } }";
+
+static char folder[] = "/tmp/snapshot.XXXXXX", good[64], bad[64];
+
+static char *read_all(size_t *size)
+{
+    FILE *const f = fopen(good, "rb");
+    char *const bytes = calloc(1, 1 << 20);
+
+    if (!f || !bytes)
+    {
+        world_end(good);
+    }
+    *size = fread(bytes, 1, 1 << 20, f);
+    fclose(f);
+    return bytes;
+}
+
+static void write_all(const char *bytes, size_t size)
+{
+    FILE *const f = fopen(bad, "wb");
+
+    if (!f || fwrite(bytes, 1, size, f) != size || fclose(f))
+    {
+        world_end(bad);
+    }
+}
+
+/* In place: a file that is made anew 10000 times keeps the disk busy. */
+static void put_byte(size_t place, char byte)
+{
+    FILE *const f = fopen(bad, "r+b");
+
+    if (!f || fseek(f, (long)place, SEEK_SET) || fputc(byte, f) == EOF || fclose(f))
+    {
+        world_end(bad);
+    }
+}
+
+static void cut(size_t size)
+{
+    if (truncate(bad, (off_t)size))
+    {
+        world_end(bad);
+    }
+}
+
+/* Refused with the file's name when asked for its fingerprint, and when a run is to go on from it. */
+static int is_refused(int load)
+{
+    uint64_t hash;
+    int refused = dem_snapshot_fingerprint(bad, &hash) != 0 && strstr(dem_error_text(), bad) != NULL;
+
+    if (load)
+    {
+        struct dem *const d = world_begin(scene);
+
+        WORLD_TRY(dem_load(d, bad));
+        refused = refused && dem_ready(d) != 0 && strstr(dem_error_text(), bad);
+        dem_free(d);
+    }
+    return refused;
+}
+
+static void damage(void)
+{
+    size_t size, flips = 0, cuts = 0;
+    char *const bytes = read_all(&size);
+
+    write_all(bytes, size);
+    for (size_t k = 0; k < size; k++)
+    {
+        put_byte(k, (char)(bytes[k] ^ (1 << k%8)));
+        flips += (size_t)is_refused(k%101 == 0);
+        put_byte(k, bytes[k]);
+    }
+    TAP_OK(flips == size, "%zu of %zu bytes with one bit turned over are refused", flips, size);
+    for (size_t k = size; k > 0; k--)
+    {
+        cut(k - 1);
+        cuts += (size_t)is_refused(k%101 == 0);
+    }
+    TAP_OK(cuts == size, "%zu of %zu lengths that are too short", cuts, size);
+    write_all(bytes, size + 1);                            /* calloc left a zero behind it */
+    TAP_OK(is_refused(1), "one byte too long: %s", dem_error_text());
+    free(bytes);
+}
+
+/* Holes take no room on the disk. */
+static void far(void)
+{
+    const struct dem_writers alone = {MPI_COMM_NULL, 0};
+    const size_t place = ((size_t)5 << 30) + 3;
+    struct dem_store s;
+    char there[8] = "", here[8] = "";
+
+    WORLD_TRY(dem_store_create(&s, &alone, bad, 1));
+    dem_store_write_together(&s, place, "beyond", 7);
+    dem_store_write(&s, 0, "before", 7);
+    TAP_OK(dem_store_close(&s) == 0, "a file of 5 GB is written: %s", dem_error_text());
+    WORLD_TRY(dem_store_open(&s, &alone, bad));
+    dem_store_read(&s, place, there, 7);
+    dem_store_read(&s, 0, here, 7);
+    TAP_OK(dem_store_size(&s) == place + 7 && strcmp(there, "beyond") == 0 && strcmp(here, "before") == 0, "and is what was written");
+    dem_store_read(&s, place, there, 8);
+    TAP_OK(dem_store_close(&s) != 0 && strstr(dem_error_text(), "cut short"), "past its end: %s", dem_error_text());
+}
+
+static void failing(struct dem *d)
+{
+    uint64_t before, after;
+    char nowhere[96], *const block = world_text("mkdir %s.part", good), *const unblock = world_text("rmdir %s.part", good);
+
+    snprintf(nowhere, sizeof nowhere, "%s/nowhere/a.dem", folder);
+    TAP_OK(dem_save(d, nowhere) != 0 && strstr(dem_error_text(), "folder"), "no folder: %s", dem_error_text());
+    WORLD_TRY(dem_snapshot_fingerprint(good, &before));
+    world_run(d, 1e-3);
+    TAP_OK(system(block) == 0 && dem_save(d, good) != 0, "can't be written aside: %s", dem_error_text());
+    TAP_OK(system(unblock) == 0 && dem_snapshot_fingerprint(good, &after) == 0 && before == after, "the one of before is whole");
+    WORLD_TRY(dem_save(d, good));
+    TAP_OK(dem_snapshot_fingerprint(good, &after) == 0 && after == world_hash(d), "and is replaced when that goes again");
+    free(block);
+    free(unblock);
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    if (!mkdtemp(folder))
+    {
+        world_end("mkdtemp");
+    }
+    snprintf(good, sizeof good, "%s/good.dem", folder);
+    snprintf(bad, sizeof bad, "%s/bad.dem", folder);
+    struct dem *const d = world(scene, 0, NULL);
+
+    world_run(d, 1e-4);
+    WORLD_TRY(dem_save(d, good));
+    damage();
+    far();
+    failing(d);
+    dem_free(d);
+    char *const command = world_text("rm -r %s", folder);
+
+    TAP_OK(system(command) == 0, "tidied up");
+    free(command);
+    TAP_DONE;
+}

@@ -1,0 +1,185 @@
+/*
+ * Claims: a run that is told to stop stands still after the step at hand, in the middle of its window; saved and loaded there, or
+ * just advanced on, it has the bits of a run that was not stopped: positions, friction, drag, a wall that moves, particles that wrap
+ * and that leave, means. Gone on with other steps it is half a kick off at most: a sphere in free fall by g (dt - dt')/2.
+ *
+ * Source: the contract of dem_stop_when in dem.h; the leapfrog is exact under constant acceleration.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/world.h"
+
+static const char heap[] =
+    "materials { glass { density 2500; youngsModulus 5e5; } }"
+    "effects { gravity { acceleration (0.5 0 -9.81); } hertz {} dry { restitution 0.6; } mindlin { friction 0.5; } gidaspow {} }"
+    "fluid { density 1.2; viscosity 1.8e-5; velocity (3 0 0.5); voidFraction 0.6; }"
+    "walls { floor { type plane; point (0 0 0); normal (0 0 1); motion { type oscillation; amplitude (0 0 2e-4); frequency 100; } } }"
+    "domain { x (0 0.008); y (0 0.008); z (-1 0.011); periodic (x y); leaving remove; }"
+    "insert { grains { type lattice; count 60; diameter 1e-3; min (0 0 3e-4); max (0.008 0.008 0.01); velocity (2 0 0.45); } }"
+    "averages { box { min (0 0 0); max (0.008 0.008 0.01); cells (2 1 2); interval 1e-3; } }"
+    "time { step 1.52587890625e-05; }";
+
+static const double step = 1.0/65536.0, window = 700.0/65536.0;
+static char folder[] = "/tmp/stopping.XXXXXX", file[64];
+static volatile sig_atomic_t asked;
+
+static struct dem *load(const char *scene)
+{
+    struct dem *const d = world_begin(scene);
+
+    WORLD_TRY(dem_load(d, file));
+    WORLD_TRY(dem_ready(d));
+    return d;
+}
+
+/* The table of means as text, freed by the caller. */
+static char *means(struct dem *d)
+{
+    char path[80], *const text = calloc(1, 10000);
+
+    WORLD_TRY(dem_averages(d, folder));
+    snprintf(path, sizeof path, "%s/box.csv", folder);
+    FILE *const f = fopen(path, "r");
+
+    if (!f || !text || fread(text, 1, 9999, f) == 0 || fclose(f))
+    {
+        world_end(path);
+    }
+    return text;
+}
+
+/* Three windows; after every `every` steps a stop, and after every second one of these another process takes over. */
+static struct dem *halting(int every)
+{
+    struct dem *d = world(heap, 0, NULL);
+    int stops = 0, steps = 0;
+
+    while (world_tally(d).time < 3.0*window)
+    {
+        const double time = world_tally(d).time;
+
+        asked = SIGTERM;                                   /* each dem_advance makes one step */
+        dem_stop_when(d, &asked);
+        WORLD_TRY(dem_advance(d, (floor(time/window) + 1.0)*window - time));
+        if (dem_stopped(d) && ++steps%every == 0 && ++stops%2 == 0)
+        {
+            const uint64_t before = world_hash(d);
+
+            WORLD_TRY(dem_save(d, file));
+            dem_free(d);
+            d = load(heap);
+            if (world_hash(d) != before)
+            {
+                TAP_OK(0, "what was saved is what was loaded, at step %d", steps);
+            }
+        }
+    }
+    TAP_OK(stops > 10, "%d stops", stops);
+    return d;
+}
+
+static void same_bits(void)
+{
+    struct dem *const whole = world(heap, 0, NULL);
+
+    for (int k = 0; k < 3; k++)
+    {
+        world_run(whole, window);
+    }
+    const int64_t left = 60 - world_tally(whole).particles;
+    char *const expected = means(whole);
+
+    TAP_OK(left > 0 && left < 30, "%d particles leave", (int)left);
+    for (int every = 23; every < 90; every += 40)
+    {
+        struct dem *const d = halting(every);
+        char *const found = means(d);
+
+        TAP_OK(world_hash(d) == world_hash(whole), "a stop every %d steps: the same bits", every);
+        TAP_OK(world_tally(d).steps == world_tally(whole).steps, "and steps");
+        TAP_OK(strcmp(found, expected) == 0, "and means, to the last digit");
+        free(found);
+        dem_free(d);
+    }
+    free(expected);
+    dem_free(whole);
+}
+
+static void telling(void)
+{
+    struct dem *const d = world(heap, 0, NULL);
+
+    world_run(d, 5.0*step);
+    TAP_OK(dem_stopped(d) == 0, "nobody asks: not stopped");
+    asked = 0;
+    dem_stop_when(d, &asked);
+    world_run(d, 5.0*step);
+    TAP_OK(dem_stopped(d) == 0 && world_tally(d).steps == 10, "not asked: not stopped");
+    asked = SIGUSR1;
+    world_run(d, 5.0*step);
+    TAP_OK(dem_stopped(d) == SIGUSR1 && world_tally(d).steps == 11, "asked: stopped after one step, and tells by what");
+    asked = 0;
+    world_run(d, 4.0*step);
+    TAP_OK(dem_stopped(d) == 0 && world_tally(d).steps == 15, "the rest of the window");
+    asked = SIGTERM;
+    world_run(d, step);
+    TAP_OK(dem_stopped(d) == 0, "after the last step of a window: not in the middle");
+    dem_free(d);
+}
+
+/* Height and velocity of a sphere at 1 s that is stopped at step 301 of 1000 and goes on with other steps. */
+static struct world_particle fall(double other)
+{
+    static const char text[] = "materials { glass { density 2500; youngsModulus 1e6; } } effects { gravity { acceleration (0 0 -10); } }"
+                               "insert { one { type list; diameter 1e-3; positions ((0 0 0)); } } time { step %.17g; force yes; }";
+    char *const first = world_text(text, 1e-3), *const second = world_text(text, other);
+    struct dem *d = world(first, 0, NULL);
+
+    asked = SIGTERM;
+    dem_stop_when(d, &asked);
+    for (int k = 0; k < 301; k++)
+    {
+        WORLD_TRY(dem_advance(d, 1.0 - world_tally(d).time));
+    }
+    WORLD_TRY(dem_save(d, file));
+    dem_free(d);
+    d = load(second);
+    WORLD_TRY(dem_advance(d, 1.0 - world_tally(d).time));
+    const struct world_particle p = world_at(d, 0);
+
+    dem_free(d);
+    free(first);
+    free(second);
+    return p;
+}
+
+static void other_steps(void)
+{
+    /* 1e-12: 1000 sums of numbers of 10, round-off */
+    TAP_NEAR(fall(1e-3).x[2], -5.0, 1e-12, "the same steps: where it falls to");
+    TAP_NEAR(fall(2e-3).v[2], -10.0, 1e-12, "longer steps: its velocity");
+    TAP_NEAR(fall(2e-3).x[2], -5.0, 1e-12, "longer steps: where it falls to");
+    TAP_NEAR(fall(0.5e-3).v[2], -10.0, 10.0*0.25e-3 + 1e-12, "shorter steps: at most g (dt - dt')/2 too fast");
+    TAP_NEAR(fall(0.5e-3).x[2], -5.0, 0.7*10.0*0.25e-3 + 1e-12, "and that by the time that is left too low");
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    if (!mkdtemp(folder))
+    {
+        world_end("mkdtemp");
+    }
+    snprintf(file, sizeof file, "%s/stop.dem", folder);
+    same_bits();
+    telling();
+    other_steps();
+    if (system(NULL))
+    {
+        char *const command = world_text("rm -r %s", folder);
+
+        TAP_OK(system(command) == 0, "tidied up");
+        free(command);
+    }
+    TAP_DONE;
+}
