@@ -79,16 +79,16 @@ insert
     rain { type lattice; diameter 1e-3; count 300; min (0 0 0.006); max (0.02 0.02 0.02); velocity (-1 -0.7 1); }
 }
 averages { box { min (0 0 0); max (0.02 0.02 0.02); cells (2 2 4); interval 1e-4; } }
-time { end 0.1; }
-write { interval 0.1; vtk no; folder "out"; snapshot last; }
+time { end 0.04; }
+write { interval 0.04; vtk no; folder "out"; snapshot last; }
 END
 file=out/snapshot.dem
 whole=$(simulate wander.whole 2 "$work/wander.dem")
 claim "stops: a run without any, bonds break and grains leave" [ -n "$whole" -a -s "$work/wander.whole/out/bonds.csv" \
     -a -s "$work/wander.whole/out/lost.csv" ]
-claim "stopped by SIGUSR1 on 1 rank" stop wander 1 USR1 0.5 "$work/wander.dem"
+claim "stopped by SIGUSR1 on 1 rank" stop wander 1 USR1 0.3 "$work/wander.dem"
 go_from=(-restart "$file" "$work/wander.dem")
-claim "going on on 3 ranks, stopped again" stop wander 3 USR1 0.6 "${go_from[@]}"
+claim "going on on 3 ranks, stopped again" stop wander 3 USR1 0.3 "${go_from[@]}"
 claim "going on on 1 rank, stopped by SIGTERM" stop wander 1 TERM 0.1 "${go_from[@]}"
 claim "going on on 2 ranks, stopped again" stop wander 2 USR1 0.2 "${go_from[@]}"
 claim "and on 2 to its end: the same bits" ends_as "$whole" wander 2 "${go_from[@]}"
