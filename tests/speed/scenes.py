@@ -80,10 +80,11 @@ def state(dem, bed, name, scene):
     path = os.path.join(BEDS, name + ".txt")
     if not os.path.exists(path):
         snapshot = settled(dem, bed, scene)
-        with open(path + ".part", "w") as out:
+        part = f"{path}.{os.getpid()}"                    # of two that make it at a time the later one wins
+        with open(part, "w") as out:
             subprocess.run([bed, "state", file_of(scene.get("bed", scene["law"])), snapshot, str(scene["copies"]),
                             repr(scene["width"]), repr(scene["speed"])], stdout=out, check=True)
-        os.rename(path + ".part", path)
+        os.rename(part, path)
     with open(path) as text:
         return path, [line.split() for line in text]
 
