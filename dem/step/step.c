@@ -53,7 +53,7 @@ static int keep(struct dem_parts *p, int status, double half_kick)
     k->steps = p->steps;
     if (half_kick > 0.0)
     {
-        dem_sweep_bodies(&k->particles, &p->recipe.bodies, half_kick, p->window, NULL);
+        dem_sweep_bodies(&k->particles, &p->recipe.bodies, &(struct dem_body_sweep){.kick = half_kick, .window = p->window});
     }
     return DEM_OK;
 }
@@ -151,7 +151,14 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
     count_work(p);
     *status = dem_sweep_contacts(p, dt, (const double[2]){since, p->time});
     dem_phases_end(&p->phases, DEM_PHASE_CONTACTS);
-    dem_sum_contacts(&p->particles, &p->contacts);
+    const int keeps = p->kept.every > 0 && p->steps >= p->kept.steps + p->kept.every && kick == dt;
+    const struct dem_body_sweep bodies = {.kick = kick, .window = p->window, .ledger = p->ledger.open ? &p->ledger : NULL,
+                                          .contacts = keeps || p->ledger.open ? NULL : &p->contacts};
+
+    if (!bodies.contacts)
+    {
+        dem_sum_contacts(&p->particles, &p->contacts, 0, p->particles.n);
+    }
     if (p->ledger.open)
     {
         dem_ledger_swept(p, dt);
@@ -159,13 +166,13 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
     dem_wall_books_add(p, kick);
     dem_sum_books(&p->particles, &p->contacts);
     dem_phases_end(&p->phases, DEM_PHASE_SUMS);
-    if (p->kept.every > 0 && p->steps >= p->kept.steps + p->kept.every && kick == dt)
+    if (keeps)
     {
         dem_phases_rare(&p->phases, DEM_PHASE_SUMS);
         *status = keep(p, *status, 0.5*dt);
         dem_phases_rare_end(&p->phases, DEM_PHASE_KEEP);
     }
-    dem_sweep_bodies(&p->particles, &p->recipe.bodies, kick, p->window, p->ledger.open ? &p->ledger : NULL);
+    dem_sweep_bodies(&p->particles, &p->recipe.bodies, &bodies);
     dem_phases_end(&p->phases, DEM_PHASE_BODIES);
     return DEM_OK;
 }
@@ -188,7 +195,8 @@ static void kick_off(struct dem_parts *p, double kick)
     if (kick > 0.0)
     {
         dem_wall_books_add(p, kick);
-        dem_sweep_bodies(&p->particles, &p->recipe.bodies, kick, p->window, p->ledger.open ? &p->ledger : NULL);
+        dem_sweep_bodies(&p->particles, &p->recipe.bodies, &(struct dem_body_sweep){.kick = kick, .window = p->window,
+                         .ledger = p->ledger.open ? &p->ledger : NULL});
     }
     dem_phases_end(&p->phases, DEM_PHASE_BODIES);
 }

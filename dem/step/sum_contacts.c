@@ -12,17 +12,18 @@ static const double sides[2] = {1.0, -1.0};
 
 /* The fourth lanes hold arms and spares, which go nowhere. */
 DEM_KERNEL
-static void sum_pushes(const struct dem_contacts *c, const struct dem_particles *p, double *restrict force, double *restrict torque)
+static void sum_pushes(const struct dem_contacts *c, const struct dem_particle *record, const size_t part[2], double *restrict force,
+                       double *restrict torque)
 {
     const struct dem_push *const push = c->push;
     const uint32_t *const start = c->near_start, *const entry = c->near_entry;
 
-    for (size_t i = 0; i < p->n; i++)
+    for (size_t i = part[0]; i < part[1]; i++)
     {
-        const double radius = p->record[i].radius;
+        const double radius = record[i].radius;
         dem_quad f = {0.0, 0.0, 0.0, 0.0}, t = {0.0, 0.0, 0.0, 0.0};
 
-        for (size_t e = start[i], end = start[i + 1]; e < end; e++)
+        for (uint32_t e = start[i], end = start[i + 1]; e < end; e++)
         {
             const struct dem_push *const from = &push[entry[e] >> 1];
 
@@ -37,9 +38,9 @@ static void sum_pushes(const struct dem_contacts *c, const struct dem_particles 
     }
 }
 
-static void add_moments(const struct dem_contacts *c, size_t n, double *restrict torque)
+static void add_moments(const struct dem_contacts *c, const size_t part[2], double *restrict torque)
 {
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = part[0]; i < part[1]; i++)
     {
         for (uint32_t e = c->near_start[i]; e < c->near_start[i + 1]; e++)
         {
@@ -53,14 +54,19 @@ static void add_moments(const struct dem_contacts *c, size_t n, double *restrict
     }
 }
 
-void dem_sum_contacts(struct dem_particles *p, const struct dem_contacts *c)
+void dem_sum_contacts(struct dem_particles *p, const struct dem_contacts *c, size_t first, size_t end)
 {
     double *const force = dem_column(p, DEM_COLUMN_FORCE), *const torque = dem_column(p, DEM_COLUMN_TORQUE);
+    const size_t part[2] = {first, end};
 
-    sum_pushes(c, p, force, torque);
+    if (first == end)
+    {
+        return;
+    }
+    sum_pushes(c, p->record, part, force, torque);
     if (c->moment)
     {
-        add_moments(c, p->n, torque);
+        add_moments(c, part, torque);
     }
 }
 

@@ -9,8 +9,8 @@
 #include "state/contacts.h"
 #include "state/particles.h"
 
-/* Each particle sums its rows in fixed order into the columns force and torque. */
-void dem_sum_contacts(struct dem_particles *, const struct dem_contacts *);
+/* Each particle of [first, end) sums its rows in fixed order into the columns force and torque. */
+void dem_sum_contacts(struct dem_particles *, const struct dem_contacts *, size_t first, size_t end);
 
 /* What rows have booked in the last sweep joins the columns lost and broken. */
 void dem_sum_books(struct dem_particles *, const struct dem_contacts *);

@@ -34,6 +34,7 @@
 #include "step/sweep_bodies.h"
 #include "base/math.h"
 #include "step/body_tray.h"
+#include "step/sum_contacts.h"
 #include <math.h>
 #include <string.h>
 
@@ -96,41 +97,45 @@ static void act(struct dem_body_tray *t, const struct dem_chain *bodies, struct 
     }
 }
 
-void dem_sweep_bodies(struct dem_particles *p, const struct dem_chain *bodies, double kick, double window, struct dem_ledger *ledger)
+void dem_sweep_bodies(struct dem_particles *p, const struct dem_chain *bodies, const struct dem_body_sweep *s)
 {
     const int fluid = dem_column(p, DEM_COLUMN_FLUID_VELOCITY) != NULL, spin = (bodies->needs & DEM_NEEDS_SPIN) != 0;
     struct dem_body_tray t;
 
     memset(&t, 0, sizeof t);
-    t.block.dt = kick;
+    t.block.dt = s->kick;
     for (size_t first = 0; first < p->n; first += DEM_BLOCK)
     {
         const int rows = rows_from(p, first);
 
+        if (s->contacts)
+        {
+            dem_sum_contacts(p, s->contacts, first, first + (size_t)rows);
+        }
         dem_body_tray_gather(&t, p, first, rows, spin);
         if (fluid)
         {
-            dem_body_tray_fluid(&t, p, first, rows, window > 0.0 ? 1.0/window : 0.0);
+            dem_body_tray_fluid(&t, p, first, rows, s->window > 0.0 ? 1.0/s->window : 0.0);
         }
-        act(&t, bodies, ledger);
+        act(&t, bodies, s->ledger);
         if (fluid)
         {
             dem_body_tray_counterflow(&t, p, first, rows);
-            kick_with_drag(&t, kick);
-            dem_body_tray_book(&t, p, first, rows, kick);
+            kick_with_drag(&t, s->kick);
+            dem_body_tray_book(&t, p, first, rows, s->kick);
         }
         else
         {
-            kick_without_drag(&t, kick);
+            kick_without_drag(&t, s->kick);
         }
-        if (ledger)
+        if (s->ledger)
         {
             const struct dem_ledger_kick k = {.bodies = bodies, .block = &t.block, .j = {t.jx, t.jy, t.jz}, .first = first,
-                                              .rows = rows, .h = kick, .window = window};
+                                              .rows = rows, .h = s->kick, .window = s->window};
 
-            dem_ledger_kicked(ledger, p, &k);
+            dem_ledger_kicked(s->ledger, p, &k);
         }
-        dem_body_tray_scatter(&t, p, first, rows, kick);
+        dem_body_tray_scatter(&t, p, first, rows, s->kick);
     }
 }
 

@@ -6,14 +6,22 @@
 #ifndef DEM_STEP_SWEEP_BODIES_H
 #define DEM_STEP_SWEEP_BODIES_H
 
+#include "state/contacts.h"
 #include "state/particles.h"
 #include "state/recipe.h"
 #include "step/ledger.h"
 
-/* Evaluate the body effects at the present state and kick velocities and spins over `kick` [s]. The contact force and
-   torque of the columns act as constants; drag is integrated exactly. `window` [s] is the time over which the pending
-   impulse of the last exchange is spread; 0 for none. The ledger, NULL for none, books the work. */
-void dem_sweep_bodies(struct dem_particles *, const struct dem_chain *bodies, double kick, double window, struct dem_ledger *);
+struct dem_body_sweep
+{
+    double kick;                                          /* s  velocities and spins are kicked over this */
+    double window;                                        /* s  the pending impulse of the last exchange is spread over this; 0: none */
+    const struct dem_contacts *contacts;                  /* to be summed first, while what they push is at hand; NULL: they are */
+    struct dem_ledger *ledger;                            /* books the work; NULL: nobody does */
+};
+
+/* Evaluate the body effects at the present state and kick. The contact force and torque of the columns act as constants; drag is
+   integrated exactly. */
+void dem_sweep_bodies(struct dem_particles *, const struct dem_chain *bodies, const struct dem_body_sweep *);
 
 /* Start a window of the fluid: clear what the particles will tell it, work out what its steps have in common. */
 void dem_bodies_open(struct dem_particles *, const struct dem_chain *bodies);
