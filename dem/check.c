@@ -103,6 +103,8 @@ static int check_bonds(const struct dem *d)
 int dem_door_examine(struct dem *d)
 {
     DEM_TRY(dem_dict_refuse_unread(d->dict));
+    DEM_REQUIRE(!d->energy || !d->parts.recipe.mixed, DEM_ERROR_INPUT, "the ledger of energy counts what single precision loses as lost or "
+                "gained; use time/precision double, or no ledger (write/energy)");
     if (d->load[0])
     {
         return DEM_OK;

@@ -29,6 +29,7 @@ static const char help[] =
     "       mpirun -np N dem run SCENE\n\n"
     "Runs a scene in OpenFOAM's dictionary syntax. Of its entries these belong to the run:\n"
     "    time  { end 1; step auto;             s; auto takes the longest step that the effects stand\n"
+    "            precision double;             mixed: laws and forces in single, positions and motion in double\n"
     "            untilQuiet { lasting 0.01; } }  ends sooner, when next to nothing has moved for so long\n"
     "    write { interval 0.01;                s of simulated time between outputs\n"
     "            folder \"NAME\";                default: the scene's name without its ending\n"

@@ -64,13 +64,32 @@ DEM_MATH double dem_math_from_bits(uint64_t bits)
     return x;
 }
 
-/* yes ? a : b by masks: with ?: gcc moves the arms' arithmetic into a branch and the loop stays scalar */
-DEM_MATH double dem_pick(int yes, double a, double b)
+/* yes ? a : b by masks: with ?: gcc moves the arms' arithmetic into a branch and the loop stays scalar. In single precision where a
+   and b are single or whole numbers. */
+#define dem_pick(yes, a, b) _Generic((a) + (b), float: dem_pick_single, default: dem_pick_double)((yes), (a), (b))
+
+DEM_MATH double dem_pick_double(int yes, double a, double b)
 {
     const uint64_t mask = (uint64_t)0 - (uint64_t)yes;
 
     return dem_math_from_bits((dem_math_bits(a) & mask) | (dem_math_bits(b) & ~mask));
 }
+
+DEM_MATH float dem_pick_single(int yes, float a, float b)
+{
+    const uint32_t mask = (uint32_t)0 - (uint32_t)yes;
+    uint32_t first, second;
+    float x;
+
+    memcpy(&first, &a, sizeof first);
+    memcpy(&second, &b, sizeof second);
+    first = (first & mask) | (second & ~mask);
+    memcpy(&x, &first, sizeof x);
+    return x;
+}
+
+/* The root of a float is a float. */
+#define dem_root(x) _Generic((x), float: sqrtf, default: sqrt)(x)
 
 /* e^r - 1 - r for |r| <= ln 2 / 2; even and odd powers apart, for a shorter chain */
 DEM_MATH double dem_math_exp_tail(double r)

@@ -12,7 +12,7 @@
 
 enum
 {
-    DEM_BLOCK = 128,                                      /* rows of a tray: a contact tray in use stays in the L1 cache */
+    DEM_BLOCK = 64,                                      /* rows of a tray: a contact tray in use stays in the L1 cache */
     DEM_SWARM = 2                                         /* columns that a law of drag has for itself */
 };
 

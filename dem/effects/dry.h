@@ -20,7 +20,7 @@ struct dem_dry
 /* `least`: dem_attraction_least */
 static inline __attribute__((always_inline)) void dem_dry_row(dem_real alpha, dem_real least, struct dem_row *r)
 {
-    const dem_real eta = alpha*sqrt(r->reduced_mass*r->kn);
+    const dem_real eta = alpha*dem_root(r->reduced_mass*r->kn);
 
     r->eta = eta;
     r->fn = dem_attraction(r->fn, eta*r->vn, least);

@@ -6,6 +6,7 @@
 #ifndef DEM_EFFECTS_HERTZ_H
 #define DEM_EFFECTS_HERTZ_H
 
+#include "base/math.h"
 #include "effects/row.h"
 #include <math.h>
 
@@ -18,7 +19,7 @@ struct dem_hertz
 
 static inline __attribute__((always_inline)) void dem_hertz_row(dem_real modulus, struct dem_row *r)
 {
-    const dem_real kn = modulus*sqrt(r->reduced_radius*r->overlap);
+    const dem_real kn = modulus*dem_root(r->reduced_radius*r->overlap);
 
     r->kn = kn;
     r->fn += kn*r->overlap;

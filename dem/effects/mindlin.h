@@ -18,12 +18,12 @@ struct dem_mindlin
 
 static inline struct dem_rubbing dem_mindlin_rubs(const struct dem_mindlin *m)
 {
-    return (struct dem_rubbing){m->friction, m->damping ? 1.0 : 0.0, m->adhesion ? 1.0 : 0.0};
+    return (struct dem_rubbing){(dem_real)m->friction, m->damping ? 1 : 0, m->adhesion ? 1 : 0};
 }
 
 static inline __attribute__((always_inline)) dem_real dem_mindlin_stiffness(dem_real modulus, const struct dem_row *r)
 {
-    return modulus*sqrt(r->reduced_radius*r->overlap);
+    return modulus*dem_root(r->reduced_radius*r->overlap);
 }
 
 /* A row's slider of stiffness r->kt, its spring (`x`, `y`, `z` a step ago) loaded. */

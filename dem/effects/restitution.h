@@ -54,11 +54,11 @@ static inline double dem_attraction_least(int choice)
 }
 
 /* the force less the dashpot's; clamped, a spring that pushes is not turned into a pull, and one that pulls stays as it is */
-static inline __attribute__((always_inline)) double dem_attraction(double spring, double dashpot, double least)
+static inline __attribute__((always_inline)) dem_real dem_attraction(dem_real spring, dem_real dashpot, dem_real least)
 {
-    const double sum = spring - dashpot;
+    const dem_real sum = spring - dashpot;
 
-    return dem_pick((spring < 0.0) | (sum >= least), sum, least);
+    return dem_pick((spring < 0) | (sum >= least), sum, least);
 }
 
 /* ---- the ledger -------------------------------------------------------------------------------------------------- */
@@ -70,7 +70,7 @@ static inline void dem_restitution_energy(const struct dem_block *b, struct dem_
 {
     for (int c = 0; c < b->n; c++)
     {
-        const double gain = dem_pick(b->reduced_mass[c] > 0.0, 0.5*b->dt/dem_pick(b->reduced_mass[c] > 0.0, b->reduced_mass[c], 1.0), 0.0);
+        const dem_real mass = b->reduced_mass[c], gain = dem_pick(mass > 0, b->dt/2/dem_pick(mass > 0, mass, 1), 0);
 
         e->lost[c] = -b->touching[c]*e->push[c]*(b->vn[c] + gain*b->fn[c])*b->dt;
     }

@@ -18,7 +18,7 @@ struct dem_row
     /* geometry */
     dem_real nx, ny, nz, hx, hy, hz;                      /* 1    */
     dem_real overlap, touching;                           /* m, 1 */
-    dem_real reduced_radius, reduced_mass;                /* m, kg */
+    dem_real reduced_radius, reduced_mass, least_radius;  /* m, kg, m */
     dem_real vn, sx, sy, sz;                              /* m/s  */
     dem_real swing;                                       /* 1/s  */
     dem_real grip;                                        /* N    */

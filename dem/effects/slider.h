@@ -59,8 +59,8 @@ dem_slider_load(const struct dem_row *r, struct dem_slider s)
     const dem_real hx = r->hx, hy = r->hy, hz = r->hz;
 
     /* carry last step's spring into today's plane, half of the load on it; what is left along n goes, of spring and rate */
-    const dem_real twice = 2.0*(hx*s.xi_x + hy*s.xi_y + hz*s.xi_z);
-    const dem_real tilt = nx*s.sx + ny*s.sy + nz*s.sz, half = 0.5*r->dt;
+    const dem_real twice = 2*(hx*s.xi_x + hy*s.xi_y + hz*s.xi_z);
+    const dem_real tilt = nx*s.sx + ny*s.sy + nz*s.sz, half = r->dt/2;
     const dem_real sx = s.sx - tilt*nx, sy = s.sy - tilt*ny, sz = s.sz - tilt*nz;
     const dem_real gx = half*sx, gy = half*sy, gz = half*sz;
     const dem_real cx = s.xi_x - twice*hx + gx, cy = s.xi_y - twice*hy + gy, cz = s.xi_z - twice*hz + gz;
@@ -68,7 +68,7 @@ dem_slider_load(const struct dem_row *r, struct dem_slider s)
     /* n x c lies in the plane; (n x c) x n is c in the plane */
     const dem_real ax = ny*cz - nz*cy, ay = nz*cx - nx*cz, az = nx*cy - ny*cx;
     const dem_real bx = ay*nz - az*ny, by = az*nx - ax*nz, bz = ax*ny - ay*nx;
-    const dem_real q = half*r->swing, over = 1.0/(1.0 + q*q), stays = (1.0 - q*q)*over, goes = (q + q)*over;
+    const dem_real q = half*r->swing, over = 1/(1 + q*q), stays = (1 - q*q)*over, goes = (q + q)*over;
 
     s.sx = sx;
     s.sy = sy;
@@ -90,19 +90,19 @@ static inline __attribute__((always_inline)) void dem_slider_pull(const struct d
 /* the limit over that pull and the stiffness; below 0 where the limit is not reached */
 static inline __attribute__((always_inline)) dem_real dem_slider_cut(dem_real square, dem_real limit, dem_real stiffness)
 {
-    const dem_real size = sqrt(square), whole = dem_pick(size > 0.0, size, 1.0), k = dem_pick(stiffness > 0.0, stiffness, 1.0);
+    const dem_real size = dem_root(square), whole = dem_pick(size > 0, size, 1), k = dem_pick(stiffness > 0, stiffness, 1);
 
-    return dem_pick(size < limit, -1.0, limit/(whole*k));
+    return dem_pick(size < limit, -1, limit/(whole*k));
 }
 
 /* holds or slips */
 static inline __attribute__((always_inline)) struct dem_slider dem_slider_let(struct dem_slider s, const dem_real t[3], dem_real cut)
 {
-    const dem_real keep = dem_pick(cut < 0.0, 1.0, cut*dem_pick(s.stiffness > 0.0, s.stiffness, 1.0));
+    const dem_real keep = dem_pick(cut < 0, 1, cut*dem_pick(s.stiffness > 0, s.stiffness, 1));
 
-    s.xi_x = dem_pick(cut < 0.0, s.xi_x, 0.0 - cut*t[0]);
-    s.xi_y = dem_pick(cut < 0.0, s.xi_y, 0.0 - cut*t[1]);
-    s.xi_z = dem_pick(cut < 0.0, s.xi_z, 0.0 - cut*t[2]);
+    s.xi_x = dem_pick(cut < 0, s.xi_x, 0 - cut*t[0]);
+    s.xi_y = dem_pick(cut < 0, s.xi_y, 0 - cut*t[1]);
+    s.xi_z = dem_pick(cut < 0, s.xi_z, 0 - cut*t[2]);
     s.fx = keep*t[0];
     s.fy = keep*t[1];
     s.fz = keep*t[2];
@@ -203,8 +203,8 @@ dem_slider_friction(const struct dem_row *r, dem_real stiffness, struct dem_rubb
     const dem_real pressed = r->fn + rubs.grips*r->grip;
 
     return (struct dem_slider){.stiffness = stiffness, .damping = rubs.damped*r->eta,
-                               .limit = dem_pick(pressed > 0.0, rubs.friction*pressed, 0.0),
-                               .sx = r->sx, .sy = r->sy, .sz = r->sz, .mass = r->reduced_mass*(2.0/7.0)};
+                               .limit = dem_pick(pressed > 0, rubs.friction*pressed, 0),
+                               .sx = r->sx, .sy = r->sy, .sz = r->sz, .mass = r->reduced_mass*(dem_real)(2.0/7.0)};
 }
 
 /*
@@ -226,7 +226,7 @@ dem_slider_energy(const struct dem_block *b, int c, struct dem_slider s, struct 
     const struct dem_row r = dem_row_at(b, c);
     struct dem_slider still = s;
 
-    still.sx = still.sy = still.sz = 0.0;
+    still.sx = still.sy = still.sz = 0;
     const struct dem_slider from = dem_slider_load(&r, still), loaded = dem_slider_load(&r, s), to = dem_slider_step(&r, s);
     const dem_real k = s.stiffness, was = s.stiffness_was, dt = b->dt, on = b->touching[c];
     const dem_real gx = loaded.xi_x - to.xi_x, gy = loaded.xi_y - to.xi_y, gz = loaded.xi_z - to.xi_z;
@@ -235,16 +235,16 @@ dem_slider_energy(const struct dem_block *b, int c, struct dem_slider s, struct 
     const dem_real old = from.xi_x*from.xi_x + from.xi_y*from.xi_y + from.xi_z*from.xi_z;
 
     /* where it holds, nothing is cut */
-    const dem_real holds = dem_pick((gx == 0.0) & (gy == 0.0) & (gz == 0.0), 1.0, 0.0);
+    const dem_real holds = dem_pick((gx == 0) & (gy == 0) & (gz == 0), (dem_real)1, 0);
     const dem_real square = to.sx*to.sx + to.sy*to.sy + to.sz*to.sz;
     const dem_real power = -(to.fx*to.sx + to.fy*to.sy + to.fz*to.sz);
-    const dem_real gain = dem_pick(s.mass > 0.0, 0.5*dt/dem_pick(s.mass > 0.0, s.mass, 1.0), 0.0);
+    const dem_real gain = dem_pick(s.mass > 0, dt/2/dem_pick(s.mass > 0, s.mass, 1), 0);
     const dem_real damped = holds*s.damping*(square - gain*power)*dt;
     const dem_real rubbed = (power - gain*(to.fx*to.fx + to.fy*to.fy + to.fz*to.fz))*dt;
-    const dem_real lost = damped + 0.5*(was*along + k*ahead) - 0.5*(k - was)*both;
+    const dem_real lost = damped + (was*along + k*ahead)/2 - (k - was)/2*both;
 
-    e->stored[c] = on*0.5*k*(to.xi_x*to.xi_x + to.xi_y*to.xi_y + to.xi_z*to.xi_z);
-    e->lost[c] = dem_pick(on > 0.0, dem_pick(k > 0.0, lost, rubbed), 0.5*was*old);
+    e->stored[c] = on/2*k*(to.xi_x*to.xi_x + to.xi_y*to.xi_y + to.xi_z*to.xi_z);
+    e->lost[c] = dem_pick(on > 0, dem_pick(k > 0, lost, rubbed), was/2*old);
 }
 
 #endif

@@ -9,7 +9,7 @@
  *     insert    { NAME { type lattice|random|list; ... } }
  *     start     { snapshot "FILE"; }                             instead of insert
  *     fluid     { velocity; density; viscosity; voidFraction; pressureGradient; }   uniform, when none is coupled
- *     time      { end; step auto|NUMBER; maxOverlap; force; }
+ *     time      { end; step auto|NUMBER; maxOverlap; force; precision; }
  *     neighbours{ outerSkin; innerSkin; }
  *     averages  { NAME { min; max; cells; start; end; interval; } }
  *     write     { ... }                                          read by the program

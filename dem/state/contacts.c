@@ -21,6 +21,7 @@ int dem_contacts_init(struct dem_contacts *c, const struct dem_recipe *r)
     c->memories = r->memories;
     c->moments = r->moments;
     c->booked = r->past_touching;
+    c->single = r->mixed;
     return DEM_NEW(c->segment, r->classes + 1);
 }
 
@@ -36,6 +37,7 @@ void dem_contacts_free(struct dem_contacts *c)
     dem_memory_free(c->segment);
     dem_memory_free(c->memory_scratch);
     dem_memory_free(c->push);
+    dem_memory_free(c->push_single);
     dem_memory_free(c->moment);
     dem_memory_free(c->books);
     dem_memory_free(c->start);
@@ -60,7 +62,7 @@ static size_t each_kept(const struct dem_contacts *c)
 
 static size_t each_row(const struct dem_contacts *c)
 {
-    return sizeof *c->row_pair + sizeof *c->near_row + sizeof *c->push + (size_t)(c->memories + 1 + 3*c->moments)*sizeof *c->memory_scratch
+    return sizeof *c->row_pair + sizeof *c->near_row + (c->single ? sizeof *c->push_single : sizeof *c->push) + (size_t)(c->memories + 1 + 3*c->moments)*sizeof *c->memory_scratch
          + (c->booked ? sizeof *c->books : 0);
 }
 
@@ -72,7 +74,7 @@ size_t dem_contacts_each_row(const struct dem_contacts *c)
 
 size_t dem_contacts_bytes(const struct dem_contacts *c)
 {
-    return c->pair_room*sizeof *c->pair + c->entry_room*(sizeof *c->entry + sizeof *c->near_entry)
+    return c->pair_room*sizeof *c->pair + c->entry_room*sizeof *c->entry + c->near_room*sizeof *c->near_entry
          + c->start_room*(sizeof *c->start + sizeof *c->near_start) + c->row_room*each_row(c)
          + c->carried_room*sizeof *c->carry + c->kept_room*sizeof *c->kept;
 }
@@ -136,8 +138,8 @@ int dem_contacts_adjoin(struct dem_contacts *c, const struct dem_particles *p)
     const size_t entries = c->start[n + 1], entry_room = dem_memory_room(c->entry_room, entries);
 
     DEM_TRY(DEM_RESIZE(c->entry, c->entry_room, entry_room));
-    DEM_TRY(DEM_RESIZE(c->near_entry, c->entry_room, entry_room));
     c->entry_room = entry_room;
+    DEM_TRY(DEM_GROW(c->near_entry, c->near_room, entries + n));
     for (size_t k = 0; k < c->pairs; k++)
     {
         const struct dem_pair *const q = &c->pair[k];
@@ -166,8 +168,15 @@ static int grow_rows(struct dem_contacts *c, size_t rows)
 
     DEM_TRY(DEM_RESIZE(c->row_pair, c->row_room, room));
     DEM_TRY(DEM_RESIZE(c->near_row, c->row_room, room));
-    DEM_TRY(DEM_RESIZE(c->push, c->row_room, room));
     DEM_TRY(DEM_RESIZE(c->memory_scratch, c->row_room, room));
+    if (c->single)
+    {
+        DEM_TRY(DEM_RESIZE(c->push_single, c->row_room, room));
+    }
+    else
+    {
+        DEM_TRY(DEM_RESIZE(c->push, c->row_room, room));
+    }
     if (c->moments)
     {
         DEM_TRY(DEM_RESIZE(c->moment, 3*c->row_room, 3*room));
@@ -192,7 +201,7 @@ static size_t count_rows(const struct dem_contacts *c, const uint8_t *near)
     {
         rows += near[k];
     }
-    return rows + (size_t)(LANES*c->classes);
+    return rows + (size_t)(LANES*(c->classes + 1));
 }
 
 /* Pairs are sorted by class, so the rows of a class follow each other. */
@@ -222,6 +231,11 @@ static void number_rows(struct dem_contacts *c, const uint8_t *near)
         }
     }
     c->rows = row;
+    for (int k = 0; k < LANES; k++)
+    {
+        c->near_row[row] = (struct dem_near){0, 0};
+        c->row_pair[row++] = DEM_ROW_NONE;
+    }
 }
 
 static void move_memory(struct dem_contacts *c)
@@ -257,6 +271,10 @@ static void adjoin_near(struct dem_contacts *c, size_t n)
                 c->near_entry[at++] = 2*row + (c->entry[e] & 1);
             }
         }
+        if (at%2)
+        {
+            c->near_entry[at++] = 2*c->rows;
+        }
     }
     c->near_start[n] = at;
 }
@@ -277,10 +295,21 @@ int dem_contacts_prune(struct dem_contacts *c, const struct dem_particles *p, co
             c->pair[c->row_pair[r]].row = r;
         }
     }
-    memset(c->push, 0, c->rows*sizeof *c->push);
+    if (c->single)
+    {
+        memset(c->push_single, 0, (c->rows + LANES)*sizeof *c->push_single);
+    }
+    else
+    {
+        memset(c->push, 0, (c->rows + LANES)*sizeof *c->push);
+    }
     if (c->booked)
     {
-        memset(c->books, 0, c->rows*sizeof *c->books);
+        memset(c->books, 0, (c->rows + LANES)*sizeof *c->books);
+    }
+    if (c->moments)
+    {
+        memset(c->moment, 0, 3*(c->rows + LANES)*sizeof *c->moment);
     }
     adjoin_near(c, p->n);
     return DEM_OK;

@@ -49,6 +49,12 @@ struct dem_push                                           /* what a row does to 
     double t[3], spare;                                   /* N: n x F; the torque is -(radius - arm) t on either side */
 };
 
+struct dem_push_single                                    /* the same in single precision, of runs of mixed precision */
+{
+    float f[3], arm;
+    float t[3], spare;
+};
+
 struct dem_books                                          /* energies of a row: see effects/block.h */
 {
     double stored, lost;                                  /* J, J in the last step */
@@ -81,15 +87,18 @@ struct dem_contacts
     int memories;
     double *memory[DEM_MEMORY_COLUMNS];
     double *memory_scratch;
-    struct dem_push *push;
+    struct dem_push *push;                                /* of these two one is there, the other NULL */
+    struct dem_push_single *push_single;
+    int single;
     double *moment;                                       /* 3 a row; NULL when no effect makes moments */
     int moments;
     struct dem_books *books;                              /* one a row; NULL when no effect acts past touching */
     int booked;
 
-    size_t start_room, entry_room;                        /* adjacency: pairs of each owned particle, then its near rows */
+    size_t start_room, entry_room, near_room;                        /* adjacency: pairs of each owned particle, then its near rows */
     uint32_t *start, *entry;                              /* 2 pair + side, in the order of sums */
-    uint32_t *near_start, *near_entry;                    /* 2 row + side */
+    uint32_t *near_start, *near_entry;                    /* 2 row + side; an even number, made so by the row past all, which does
+                                                             nothing to nobody */
 
     size_t carried, carried_room, kept_room;
     struct dem_carried *carry;
@@ -98,6 +107,14 @@ struct dem_contacts
 
 int dem_contacts_init(struct dem_contacts *, const struct dem_recipe *);
 void dem_contacts_free(struct dem_contacts *);
+
+/* What a row does to its partners. */
+static inline struct dem_push dem_contacts_push(const struct dem_contacts *c, uint32_t row)
+{
+    const struct dem_push_single *const s = c->push_single + (c->single ? row : 0);
+
+    return c->single ? (struct dem_push){.f = {s->f[0], s->f[1], s->f[2]}, .arm = s->arm, .t = {s->t[0], s->t[1], s->t[2]}} : c->push[row];
+}
 
 /* Bytes held, and bytes that one outer pair and one near row take. */
 size_t dem_contacts_bytes(const struct dem_contacts *);

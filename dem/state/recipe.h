@@ -48,6 +48,7 @@ struct dem_recipe
     int chosen;                                           /* effects, in the order of stages after freeze */
     const struct dem_effect *effect[DEM_CHAIN];
     void *settings[DEM_CHAIN];                            /* as set for all pairs */
+    int mixed;                                            /* 1: laws and forces in single precision where they can be */
     int overrides;
     struct dem_override *override;
 

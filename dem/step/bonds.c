@@ -176,7 +176,9 @@ int dem_bonds_list(struct dem_parts *p, int64_t *n)
         ids(p, q, new->id);
         branch(p, q, new->branch);
         memcpy(new->position, p->particles.record[q->i].x, sizeof new->position);
-        memcpy(new->force, c->push[row].f, sizeof new->force);
+        const struct dem_push push = dem_contacts_push(c, row);
+
+        memcpy(new->force, push.f, sizeof new->force);
         memcpy(new->moment, c->moment + 3*row, sizeof new->moment);
     }
     return DEM_OK;

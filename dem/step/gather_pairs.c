@@ -33,7 +33,7 @@ __attribute__((always_inline)) static inline void gather(struct dem_tray *restri
                                                          const double (*shift)[4], const struct dem_near *restrict near,
                                                          const int spin, const int film)
 {
-    const dem_quad less = {-1.0, -1.0, -1.0, 1.0}, half = {0.5, 0.5, 0.5, 0.5};
+    const dem_quad less = {-1.0, -1.0, -1.0, 1.0};
     struct dem_gathered *const g = &t->g;
 
     for (int c = 0; c < t->block.n; c += 4)
@@ -53,9 +53,8 @@ __attribute__((always_inline)) static inline void gather(struct dem_tray *restri
             r[k] = DEM_QUAD(i->x) + less*DEM_QUAD(j->x) + DEM_QUAD(shift[near[c + k].j >> DEM_NEAR_SHIFT]);      /* x_i - x_j + shift, R_i + R_j */
             v[k] = DEM_QUAD(i->v) + less*DEM_QUAD(j->v);                                  /* v_i - v_j, 1/m_i + 1/m_j */
             a[k] = ri*wi + rj*wj;
-            b[k] = half*(wi + wj);
-            g->product[c + k] = i->radius*j->radius;
-            t->block.least_radius[c + k] = i->radius < j->radius ? i->radius : j->radius;
+            b[k] = wi + wj;
+            g->radius[c + k] = i->radius;
             if (spin)
             {
                 w[k] = wi - wj;

@@ -35,7 +35,8 @@ static void walls(struct dem_parts *p, double span, int ahead)
         for (uint32_t r = first; r < end; r++)
         {
             const struct dem_pair *const q = &c->pair[c->row_pair[r]];
-            const double *const f = c->push[r].f;
+            const struct dem_push push = dem_contacts_push(c, r);
+            const double *const f = push.f;
 
             dem_wall_kind_motion(&p->walls, p->pairs.wall_region[q->j], &p->touches.touch[q->j], ahead, &kind);
             if (dem_wall_kind_drifts(p, q->j))

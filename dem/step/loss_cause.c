@@ -96,10 +96,15 @@ static uint32_t worst_row(const struct dem_parts *p, size_t i, uint32_t row, dou
     for (uint32_t e = c->near_start[i]; e < c->near_start[i + 1]; e++)
     {
         const uint32_t r = c->near_entry[e] >> 1;
+
+        if (r >= c->rows)
+        {
+            continue;
+        }
         const struct dem_pair *const q = &c->pair[c->row_pair[r]];
         const double radius = p->particles.record[q->i].radius;
         const double least = q->wall ? radius : fmin(radius, p->particles.record[q->j].radius);
-        const double share = (q->wall ? 0.5 : 1.0)*c->push[r].arm/least;                      /* arm: overlap, or half of it */
+        const double share = (q->wall ? 0.5 : 1.0)*dem_contacts_push(c, r).arm/least;                      /* arm: overlap, or half of it */
 
         if (r != row && share > *overlap)
         {

@@ -77,7 +77,7 @@ int64_t dem_measure_touching(const struct dem_parts *p)
 
     for (uint32_t r = 0; r < c->rows; r++)
     {
-        count += c->push[r].arm > 0.0 && c->row_pair[r] != DEM_ROW_NONE && c->pair[c->row_pair[r]].i < p->particles.n;
+        count += dem_contacts_push(c, r).arm > 0.0 && c->row_pair[r] != DEM_ROW_NONE && c->pair[c->row_pair[r]].i < p->particles.n;
     }
     return count;
 }

@@ -31,7 +31,7 @@ static void forget_apart(const struct dem_block *restrict b, double *restrict me
 /* The arm is the radius less `share` of the overlap, or less a share of the gap that is negative. Lanes past the last row fall on
    the padding of their class. */
 DEM_KERNEL
-static void push_out(const struct dem_block *restrict b, double share, int past_touching, struct dem_push *restrict push)
+static void push_out(const struct dem_block *restrict b, double share, int past_touching, const struct dem_contacts *to, uint32_t row)
 {
     const double *const less = past_touching ? b->gap : b->overlap;
     const double part = past_touching ? -share : share;
@@ -44,7 +44,14 @@ static void push_out(const struct dem_block *restrict b, double share, int past_
         dem_quad f[4] = {fn*nx + fx, fn*ny + fy, fn*nz + fz, part*DEM_QUAD(less + c)};
         dem_quad t[4] = {ny*fz - nz*fy, nz*fx - nx*fz, nx*fy - ny*fx, {0.0, 0.0, 0.0, 0.0}};
 
-        dem_push_put(push + c, f, t);
+        if (to->single)
+        {
+            dem_push_put_single(to->push_single + row + c, f, t);
+        }
+        else
+        {
+            dem_push_put(to->push + row + c, f, t);
+        }
     }
 }
 
@@ -271,9 +278,17 @@ static void sweep_hot_block(struct dem_parts *p, struct dem_tray *t, const struc
 {
     double *memory[DEM_MEMORY_COLUMNS];
 
+    struct dem_block *const b = &t->block;
+    const struct dem_hot_laws laws = dem_hot_chain_laws(chain, p->watch.overlap);
+
     recall(&p->contacts, &chain->link[DEM_HOT_FRICTION], row, memory);
     dem_tray_gather(t, p, chain, row, rows);
-    if (dem_hot_chain_act(chain, t, p->watch.overlap, memory, p->contacts.push + row))
+
+    const struct dem_hot_rows single = {.n = b->n, .dt = b->dt, .least_radius = b->least_radius, .overlap = b->overlap,
+                                        .fn = b->fn, .fx = b->fx, .fy = b->fy, .fz = b->fz};
+
+    if (p->contacts.single ? dem_hot_chain_act_single(&laws, &single, &t->g, memory, p->contacts.push_single + row)
+                           : dem_hot_chain_act(&laws, b, &t->g, memory, p->contacts.push + row))
     {
         note_worst(p, t, row, rows);
     }
@@ -298,7 +313,7 @@ static int sweep_block(struct dem_parts *p, struct dem_tray *t, const struct dem
     {
         DEM_TRY(dem_bonds_note(p, &t->block, row, rows));
     }
-    push_out(&t->block, chain->pair.with_wall ? 1.0 : 0.5, chain->past_touching, p->contacts.push + row);
+    push_out(&t->block, chain->pair.with_wall ? 1.0 : 0.5, chain->past_touching, &p->contacts, row);
     if (chain->past_touching)
     {
         keep_books(&p->contacts, &t->block, row, rows);

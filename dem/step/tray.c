@@ -44,9 +44,9 @@ static void gather_walls(struct dem_tray *restrict t, const struct dem_parts *p,
         g->ax[c] = i->radius*i->w[0];
         g->ay[c] = i->radius*i->w[1];
         g->az[c] = i->radius*i->w[2];
-        g->bx[c] = i->w[0];
-        g->by[c] = i->w[1];
-        g->bz[c] = i->w[2];
+        g->bx[c] = 2.0*i->w[0];
+        g->by[c] = 2.0*i->w[1];
+        g->bz[c] = 2.0*i->w[2];
         b->least_radius[c] = i->radius;
         b->reduced_radius[c] = i->radius;
         b->reduced_mass[c] = 1.0/i->inverse_mass;
@@ -107,6 +107,7 @@ static void geometry_of_pairs(struct dem_block *restrict b, const struct dem_gat
         b->overlap[c] = r.overlap;
         b->reduced_radius[c] = r.reduced_radius;
         b->reduced_mass[c] = r.reduced_mass;
+        b->least_radius[c] = r.least_radius;
     }
 }
 
@@ -148,7 +149,7 @@ static void swing_of_walls(struct dem_tray *t)
 
     for (int c = 0; c < b->n; c++)
     {
-        b->swing[c] += 0.5*((g->bx[c] - b->wx[c])*b->nx[c] + (g->by[c] - b->wy[c])*b->ny[c] + (g->bz[c] - b->wz[c])*b->nz[c]);
+        b->swing[c] += 0.5*((0.5*g->bx[c] - b->wx[c])*b->nx[c] + (0.5*g->by[c] - b->wy[c])*b->ny[c] + (0.5*g->bz[c] - b->wz[c])*b->nz[c]);
     }
 }
 
@@ -204,7 +205,7 @@ static void motion_past_touching(struct dem_block *restrict b, const struct dem_
     for (int c = 0; c < b->n; c++)
     {
         const double gap = dem_pick(b->gap[c] > 0.0, b->gap[c], 0.0);
-        const double bx = g->bx[c], by = g->by[c], bz = g->bz[c];
+        const double bx = 0.5*g->bx[c], by = 0.5*g->by[c], bz = 0.5*g->bz[c];
 
         b->sx[c] -= gap*(by*b->hz[c] - bz*b->hy[c]);
         b->sy[c] -= gap*(bz*b->hx[c] - bx*b->hz[c]);

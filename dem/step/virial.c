@@ -34,8 +34,8 @@ static void direction(const struct dem_parts *p, const struct dem_pair *q, doubl
 /* On i the force f acts at -lever n, on j the force -f at +lever n: both give -lever f n. */
 static void add_row(const struct dem_parts *p, uint32_t row, double radius, double w[6])
 {
-    const struct dem_push *const push = &p->contacts.push[row];
-    const double lever = radius - push->arm, *const f = push->f;
+    const struct dem_push push = dem_contacts_push(&p->contacts, row);
+    const double lever = radius - push.arm, *const f = push.f;
     double n[3];
 
     if (f[0] == 0.0 && f[1] == 0.0 && f[2] == 0.0)

@@ -33,11 +33,12 @@ int dem_wall_books_open(struct dem_wall_books *b, int walls)
 /* 0 where a row does nothing, as most rows near a wall: exact sums don't feel a zero. */
 static int pushes(const struct dem_contacts *c, uint32_t r)
 {
+    const struct dem_push push = dem_contacts_push(c, r);
     int some = 0;
 
     for (uint32_t k = 0; k < 3; k++)
     {
-        some |= c->push[r].f[k] != 0.0 || (c->moments && c->moment[3*r + k] != 0.0);
+        some |= push.f[k] != 0.0 || (c->moments && c->moment[3*r + k] != 0.0);
     }
     return some;
 }
@@ -54,7 +55,8 @@ void dem_wall_books_sum(const struct dem_parts *p, int wall, double factor, stru
         {
             const struct dem_pair *const q = &c->pair[c->row_pair[r]];
             const int here = p->walls.region[p->pairs.wall_region[q->j]].wall;
-            const double f[3] = {-factor*c->push[r].f[0], -factor*c->push[r].f[1], -factor*c->push[r].f[2]};
+            const struct dem_push push = dem_contacts_push(c, r);
+            const double f[3] = {-factor*push.f[0], -factor*push.f[1], -factor*push.f[2]};
             struct dem_sum *const to = sum + (wall < 0 ? 6*here : 0);
             double moment[3];
 

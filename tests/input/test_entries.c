@@ -149,6 +149,7 @@ static const struct row
     {"time/step", "auto", WORD, 0},
     {"time/maxOverlap", "0.5", NUMBER, 0},
     {"time/force", "no", SWITCH, 0},
+    {"time/precision", "double", WORD, 0},
 };
 
 enum
