@@ -30,12 +30,18 @@ static double partners(double gap)
     return in_contact + a_diameter*gap;
 }
 
+/* Skins in mean diameters where skins tune themselves: those of a bed on its way to rest, for whose lists the room is kept. */
+static const double tuned_skin[2] = {0.3, 0.04};
+
 void dem_need_lists(const struct dem_parts *p, const struct dem_survey *s, double *pairs, double *rows)
 {
     const double mean = s->all.n > 0 ? s->all.diameters/(double)s->all.n : 1.0;
 
-    *pairs = 0.5*partners(p->pairs.outer/mean);
-    *rows = 0.5*partners(p->pairs.inner/mean);
+    const double reach = p->pairs.reach/mean;
+    const int tuned = p->pairs.skins.tuned;
+
+    *pairs = 0.5*partners(tuned ? reach + tuned_skin[0] : p->pairs.outer/mean);
+    *rows = 0.5*partners(tuned ? reach + tuned_skin[1] : p->pairs.inner/mean);
 }
 
 /* Lists grow by half when they are full: on the mean their room is 0.5/ln 1.5 times what is in them. */

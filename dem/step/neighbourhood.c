@@ -239,7 +239,7 @@ int dem_neighbourhood(struct dem_parts *p, double fastest, int seen)
     s->drift[DEM_LIST_INNER].spread += fastest;
     if (!p->stale)
     {
-        const int both = dem_skins_step(&s->skins);
+        const int both = dem_skins_step(&s->skins, fastest);
 
         DEM_TRY(look_at_lists(p, both, stale));
         stale[DEM_LIST_OUTER] |= strays(p, seen) || (both && dem_skins_pays(&s->skins, DEM_LIST_OUTER));

@@ -63,8 +63,9 @@ static void fly(void)
              (long long)flight.rebuilds, (long long)flight.prunes, (long long)flight.steps);
     TAP_OK(rest.contacts >= 2*512, "at rest: %lld contacts of 512 spheres", (long long)rest.contacts);
     TAP_OK(flight.contacts == rest.contacts, "in flight as many contacts as at rest, %lld", (long long)flight.contacts);
-    /* one at the start, one on half of the way around the box, one at the end: so that positions are told within the box */
-    TAP_OK(flight.rebuilds <= rest.rebuilds + 4, "lists renewed %lld times in 10 diameters", (long long)flight.rebuilds);
+    /* where somebody has strayed by half a box (3.96 of 10 mm: two or three times), and at the end, so that positions are told within the
+       box; one or two more by other skins. A look at ways from where they began would renew every quarter of a diameter at best */
+    TAP_OK(flight.rebuilds <= rest.rebuilds + 5, "lists renewed %lld times in 10 diameters", (long long)flight.rebuilds);
     TAP_OK(flight.prunes <= rest.prunes + 6, "and pruned %lld times", (long long)flight.prunes);
 }
 
