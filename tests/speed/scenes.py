@@ -6,6 +6,7 @@ same text of it: id, diameter, position, velocity, spin a line.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import os
+import shutil
 import subprocess
 import sys
 
@@ -75,15 +76,25 @@ def settled(dem, bed, scene):
     return snapshot
 
 
+def print_state(dem, bed, scene, path):
+    """Write the text of a scene's bed."""
+    command = [bed, "state", file_of(scene.get("bed", scene["law"])), settled(dem, bed, scene), str(scene["copies"]), repr(scene["width"]),
+               repr(scene["speed"])]
+    with open(path, "w") as out:
+        return subprocess.run(command, stdout=out, stderr=subprocess.PIPE, text=True)
+
+
 def state(dem, bed, name, scene):
     """The text of particles that a scene starts from, and the particles."""
     path = os.path.join(BEDS, name + ".txt")
     if not os.path.exists(path):
-        snapshot = settled(dem, bed, scene)
         part = f"{path}.{os.getpid()}"                    # of two that make it at a time the later one wins
-        with open(part, "w") as out:
-            subprocess.run([bed, "state", file_of(scene.get("bed", scene["law"])), snapshot, str(scene["copies"]),
-                            repr(scene["width"]), repr(scene["speed"])], stdout=out, check=True)
+        told = print_state(dem, bed, scene, part)
+        if told.returncode and "version" in told.stderr:  # a snapshot of an older Suna: settle anew
+            shutil.rmtree(os.path.dirname(os.path.dirname(settled(dem, bed, scene))))
+            told = print_state(dem, bed, scene, part)
+        if told.returncode:
+            sys.exit(told.stderr.rstrip())
         os.rename(part, path)
     with open(path) as text:
         return path, [line.split() for line in text]
