@@ -388,6 +388,7 @@ int dem_save(struct dem *d, const char *path)
     struct dem_snapshot s = {.steps = p->steps, .time = p->time, .domain = &p->domain};
 
     DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_save comes after dem_ready");
+    memcpy(s.learnt, &p->pairs.skins, sizeof p->pairs.skins);
     if (p->open)
     {
         s.window = (struct dem_snapshot_window){.ahead = p->ahead, .done = p->steps - p->before, .opened = p->opened, .dt = p->dt};

@@ -38,6 +38,7 @@ struct dem
     int energy;                                           /* 1: the ledger was asked for */
     int turned;                                           /* 1: orientations were asked for */
     int feels_gradient;                                   /* 1: pressureGradient is among the effects */
+    struct dem_skins learnt;                              /* what the snapshot knows of the lists */
     double step;                                          /* s, the limit in force */
     struct dem_text plan, profile;                        /* the last ones */
 };

@@ -64,6 +64,18 @@ static void begin_skins(const struct dem_parts *p, double radius, double skin[2]
     skin[1] = fmin(0.02*2.0*least, skin[0]);
 }
 
+/* A run that goes on has the skins that it had: they decide when particles are put in order anew, and in that order a fluid hears of
+   them. Other particles, or a scene that fixes them, begin anew. */
+static void resume_skins(struct dem_skins *s, const struct dem_skins *learnt)
+{
+    _Static_assert(sizeof *s <= DEM_SNAPSHOT_LEARNT*sizeof(int64_t), "a snapshot has room for what lists have learnt");
+
+    if (learnt->tuned == 1 && learnt->least == s->least && learnt->most == s->most)
+    {
+        *s = *learnt;
+    }
+}
+
 static int prepare_physics(struct dem *d)
 {
     struct dem_parts *const p = &d->parts;
@@ -87,6 +99,7 @@ static int prepare_physics(struct dem *d)
     if (d->scene.tuned_skins && radius > 0.0)
     {
         dem_pairs_tune(&p->pairs, most);
+        resume_skins(&p->pairs.skins, &d->learnt);
     }
     return dem_wall_search_prepare(&p->pairs.search, &p->walls, radius > 0.0 ? radius : 1.0);
 }

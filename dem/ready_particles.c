@@ -175,6 +175,7 @@ int dem_door_start_particles(struct dem *d)
         p->time = s.time;
         p->steps = s.steps;
         open_window(p, &s.window);
+        memcpy(&d->learnt, s.learnt, sizeof d->learnt);
         return DEM_OK;
     }
     DEM_TRY(dem_insert_place(&d->scene.crowd, &d->scene.insertion, &p->recipe, &p->pieces));
@@ -183,5 +184,8 @@ int dem_door_start_particles(struct dem *d)
     DEM_TRY(settle_crowd(d));
     dem_crowd_disperse(&d->scene.crowd);
     dem_crowd_disperse(&d->crowd);
+    dem_memory_free(d->crowd_material);
+    d->crowd_material = NULL;
+    d->crowd_room = 0;
     return DEM_OK;
 }

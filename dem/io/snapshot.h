@@ -32,11 +32,17 @@ struct dem_span
     size_t size;                                          /* bytes, a multiple of 8 */
 };
 
+enum
+{
+    DEM_SNAPSHOT_LEARNT = 24                              /* words */
+};
+
 struct dem_snapshot                                       /* what stands beside particles and contacts */
 {
     int64_t particles, rows, steps;
     double time;                                          /* s */
     struct dem_snapshot_window window;
+    int64_t learnt[DEM_SNAPSHOT_LEARNT];                  /* of how thick lists should be, as it lies in memory: who goes on keeps particles in the same order */
     const struct dem_domain *domain;                      /* for writing: particles are put back into its periodic box */
     const struct dem_span *beside;                        /* the caller's own, for writing: of the first rank */
     int besides;

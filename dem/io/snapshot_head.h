@@ -17,7 +17,7 @@
 
 enum
 {
-    DEM_SNAPSHOT_VERSION = 3,
+    DEM_SNAPSHOT_VERSION = 4,
     DEM_SNAPSHOT_NAME = 48,
     DEM_SNAPSHOT_NAMES = 128,                             /* a fixed number, so that a new column moves nothing in the file */
     DEM_SNAPSHOT_RECORD = (int)(sizeof(struct dem_particle)/sizeof(double)),
@@ -33,6 +33,7 @@ struct dem_snapshot_head
     int64_t particles, rows, steps, beside;               /* beside: bytes */
     double time;
     struct dem_snapshot_window window;
+    int64_t learnt[DEM_SNAPSHOT_LEARNT];
     int64_t materials, columns, memories;
     struct
     {

@@ -186,6 +186,7 @@ int dem_snapshot_read_particles(const char *path, struct dem_snapshot *s, const 
     status = status ? status : take_particles(p, &h, r, packed, count, path);
     dem_memory_free(packed);
     *s = (struct dem_snapshot){.particles = h.particles, .rows = h.rows, .steps = h.steps, .time = h.time, .window = h.window};
+    memcpy(s->learnt, h.learnt, sizeof s->learnt);
     return status;
 }
 

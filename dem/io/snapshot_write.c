@@ -33,6 +33,7 @@ static void describe(struct dem_snapshot_head *h, const struct dem_snapshot *s, 
     h->steps = s->steps;
     h->time = s->time;
     h->window = s->window;
+    memcpy(h->learnt, s->learnt, sizeof h->learnt);
     for (int k = 0; k < r->materials; k++)
     {
         list_name(h, h->materials++, r->material[k].name, 0);

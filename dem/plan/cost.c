@@ -44,8 +44,8 @@ void dem_need_lists(const struct dem_parts *p, const struct dem_survey *s, doubl
     *rows = 0.5*partners(tuned ? reach + tuned_skin[1] : p->pairs.inner/mean);
 }
 
-/* Lists grow by half when they are full: on the mean their room is 0.5/ln 1.5 times what is in them. */
-static const double room = 1.233;
+/* Lists grow by an eighth or less when they are full: on the mean their room is (1/8)/ln(9/8) times what is in them. */
+static const double room = 1.061;
 
 void dem_need_count(const struct dem_parts *p, const struct dem_survey *s, struct dem_need *need)
 {
@@ -60,7 +60,7 @@ void dem_need_count(const struct dem_parts *p, const struct dem_survey *s, struc
     need->copy = n*sizeof(double)*(double)dem_particles_packed_size(&p->particles);
     if (p->contacts.memories > 0)
     {
-        need->copy += n*room*0.5*in_contact*(double)(sizeof(struct dem_carried) + sizeof(double)*(size_t)p->contacts.memories);
+        need->copy += n*0.5*in_contact*(double)(sizeof(struct dem_carried) + sizeof(double)*(size_t)p->contacts.memories);
     }
 }
 

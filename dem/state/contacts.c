@@ -55,28 +55,23 @@ size_t dem_contacts_each_pair(const struct dem_contacts *c)
     return sizeof *c->pair + 2*(sizeof *c->entry + sizeof *c->near_entry);
 }
 
-static size_t each_kept(const struct dem_contacts *c)
-{
-    return c->memories > 0 ? sizeof *c->carry + (size_t)c->memories*sizeof *c->kept : 0;
-}
-
 static size_t each_row(const struct dem_contacts *c)
 {
-    return sizeof *c->row_pair + sizeof *c->near_row + (c->single ? sizeof *c->push_single : sizeof *c->push) + (size_t)(c->memories + 1 + 3*c->moments)*sizeof *c->memory_scratch
+    return sizeof *c->row_pair + sizeof *c->near_row + (size_t)(c->memories + 1 + 3*c->moments)*sizeof *c->memory_scratch
          + (c->booked ? sizeof *c->books : 0);
 }
 
-/* what a row remembers is carried through a rebuild in arrays of its own */
+/* what rows remember is carried through a rebuild in the room of what they push with */
 size_t dem_contacts_each_row(const struct dem_contacts *c)
 {
-    return each_row(c) + each_kept(c);
+    return each_row(c) + (c->single ? sizeof *c->push_single : sizeof *c->push);
 }
 
 size_t dem_contacts_bytes(const struct dem_contacts *c)
 {
     return c->pair_room*sizeof *c->pair + c->entry_room*sizeof *c->entry + c->near_room*sizeof *c->near_entry
          + c->start_room*(sizeof *c->start + sizeof *c->near_start) + c->row_room*each_row(c)
-         + c->carried_room*sizeof *c->carry + c->kept_room*sizeof *c->kept;
+         + c->push_room*(c->single ? sizeof *c->push_single : sizeof *c->push) + c->carried_room*sizeof *c->carry + c->kept_room*sizeof *c->kept;
 }
 
 /* ---- who sums what ------------------------------------------------------------------------------------------- */
@@ -164,19 +159,11 @@ int dem_contacts_adjoin(struct dem_contacts *c, const struct dem_particles *p)
 
 static int grow_rows(struct dem_contacts *c, size_t rows)
 {
-    const size_t room = dem_memory_room(c->row_room, rows);
+    const size_t room = rows <= c->row_room ? c->row_room : rows + rows/16;    /* rows are most of all memory */
 
     DEM_TRY(DEM_RESIZE(c->row_pair, c->row_room, room));
     DEM_TRY(DEM_RESIZE(c->near_row, c->row_room, room));
     DEM_TRY(DEM_RESIZE(c->memory_scratch, c->row_room, room));
-    if (c->single)
-    {
-        DEM_TRY(DEM_RESIZE(c->push_single, c->row_room, room));
-    }
-    else
-    {
-        DEM_TRY(DEM_RESIZE(c->push, c->row_room, room));
-    }
     if (c->moments)
     {
         DEM_TRY(DEM_RESIZE(c->moment, 3*c->row_room, 3*room));
@@ -279,6 +266,58 @@ static void adjoin_near(struct dem_contacts *c, size_t n)
     c->near_start[n] = at;
 }
 
+static void drop_pushes(struct dem_contacts *c)
+{
+    dem_memory_free(c->push);
+    dem_memory_free(c->push_single);
+    c->push = NULL;
+    c->push_single = NULL;
+    c->push_room = 0;
+}
+
+/* Room for what rows do to their partners, which is nothing yet. */
+static int make_pushes(struct dem_contacts *c)
+{
+    const size_t rows = c->rows + LANES;
+
+    if (rows > c->push_room)
+    {
+        drop_pushes(c);
+        DEM_TRY(c->single ? DEM_NEW(c->push_single, c->row_room) : DEM_NEW(c->push, c->row_room));
+        c->push_room = c->row_room;
+    }
+    else if (c->single)
+    {
+        memset(c->push_single, 0, rows*sizeof *c->push_single);
+    }
+    else
+    {
+        memset(c->push, 0, rows*sizeof *c->push);
+    }
+    return DEM_OK;
+}
+
+/* What was in them is carried. */
+static void drop_rows(struct dem_contacts *c)
+{
+    dem_memory_free(c->row_pair);
+    dem_memory_free(c->near_row);
+    dem_memory_free(c->memory_scratch);
+    dem_memory_free(c->moment);
+    dem_memory_free(c->books);
+    for (int m = 0; m < c->memories; m++)
+    {
+        dem_memory_free(c->memory[m]);
+        c->memory[m] = NULL;
+    }
+    c->row_pair = NULL;
+    c->near_row = NULL;
+    c->memory_scratch = c->moment = NULL;
+    c->books = NULL;
+    c->rows = 0;
+    c->row_room = 0;
+}
+
 int dem_contacts_prune(struct dem_contacts *c, const struct dem_particles *p, const uint8_t *near)
 {
     DEM_TRY(grow_rows(c, count_rows(c, near)));
@@ -295,14 +334,6 @@ int dem_contacts_prune(struct dem_contacts *c, const struct dem_particles *p, co
             c->pair[c->row_pair[r]].row = r;
         }
     }
-    if (c->single)
-    {
-        memset(c->push_single, 0, (c->rows + LANES)*sizeof *c->push_single);
-    }
-    else
-    {
-        memset(c->push, 0, (c->rows + LANES)*sizeof *c->push);
-    }
     if (c->booked)
     {
         memset(c->books, 0, (c->rows + LANES)*sizeof *c->books);
@@ -312,7 +343,7 @@ int dem_contacts_prune(struct dem_contacts *c, const struct dem_particles *p, co
         memset(c->moment, 0, 3*(c->rows + LANES)*sizeof *c->moment);
     }
     adjoin_near(c, p->n);
-    return DEM_OK;
+    return c->carried > 0 ? DEM_OK : make_pushes(c);
 }
 
 /* ---- carrying ------------------------------------------------------------------------------------------------ */
@@ -365,7 +396,14 @@ int dem_contacts_carry(struct dem_contacts *c, const struct dem_carried *name, c
 static int carry_rows(struct dem_contacts *c, const struct dem_contacts *from, const struct dem_particles *p, const int *wall_region)
 {
     double memory[DEM_MEMORY_COLUMNS];
+    size_t more = 0;
 
+    for (uint32_t r = 0; r < from->rows; r++)
+    {
+        more += from->row_pair[r] != DEM_ROW_NONE && dem_contacts_remembers(from, r);
+    }
+    DEM_TRY(DEM_GROW(c->carry, c->carried_room, c->carried + more));
+    DEM_TRY(DEM_GROW(c->kept, c->kept_room, (c->carried + more)*(size_t)c->memories));
     for (uint32_t r = 0; r < from->rows; r++)
     {
         if (from->row_pair[r] != DEM_ROW_NONE && dem_contacts_remembers(from, r))
@@ -382,8 +420,9 @@ static int carry_rows(struct dem_contacts *c, const struct dem_contacts *from, c
 
 int dem_contacts_lift(struct dem_contacts *c, const struct dem_particles *p, const int *wall_region)
 {
+    drop_pushes(c);
     DEM_TRY(carry_rows(c, c, p, wall_region));
-    c->rows = 0;
+    drop_rows(c);
     return DEM_OK;
 }
 
@@ -450,6 +489,10 @@ int dem_contacts_settle(struct dem_contacts *c, const struct dem_particles *p, c
         }
     }
     dem_memory_free(table);
-    c->carried = 0;
-    return DEM_OK;
+    dem_memory_free(c->carry);
+    dem_memory_free(c->kept);
+    c->carry = NULL;
+    c->kept = NULL;
+    c->carried = c->carried_room = c->kept_room = 0;
+    return make_pushes(c);
 }

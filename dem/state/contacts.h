@@ -90,6 +90,7 @@ struct dem_contacts
     struct dem_push *push;                                /* of these two one is there, the other NULL */
     struct dem_push_single *push_single;
     int single;
+    size_t push_room;
     double *moment;                                       /* 3 a row; NULL when no effect makes moments */
     int moments;
     struct dem_books *books;                              /* one a row; NULL when no effect acts past touching */
@@ -123,6 +124,8 @@ size_t dem_contacts_each_row(const struct dem_contacts *);
 
 /* New list of pairs (already in place, sorted by class): lay out who sums what. `partner` orders sums, see pairs.c. */
 int dem_contacts_adjoin(struct dem_contacts *, const struct dem_particles *);
+
+/* Between lift and settle there are no pushes: what is carried has their room. */
 
 /* Keep as near rows the pairs marked in `near` (one byte a pair); memory of rows that stay is kept. */
 int dem_contacts_prune(struct dem_contacts *, const struct dem_particles *, const uint8_t *near);

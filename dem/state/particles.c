@@ -39,6 +39,12 @@ enum
     WIDEST_COLUMN = 4
 };
 
+struct spare                                              /* room for one particle, aside */
+{
+    struct dem_particle record;
+    double column[WIDEST_COLUMN*DEM_COLUMNS];
+};
+
 static int used(const struct dem_particles *p, int c)
 {
     return (columns[c].group & ~p->groups) == 0;
@@ -58,8 +64,6 @@ void dem_particles_free(struct dem_particles *p)
         dem_memory_free(p->column[c].data);
     }
     dem_memory_free(p->record);
-    dem_memory_free(p->record_scratch);
-    dem_memory_free(p->column_scratch);
     memset(p, 0, sizeof *p);
 }
 
@@ -72,8 +76,6 @@ int dem_particles_grow(struct dem_particles *p, size_t count)
         return DEM_OK;
     }
     DEM_TRY(DEM_RESIZE(p->record, p->room, room));
-    DEM_TRY(DEM_RESIZE(p->record_scratch, p->room, room));
-    DEM_TRY(DEM_RESIZE(p->column_scratch, p->room*WIDEST_COLUMN, room*WIDEST_COLUMN));
     for (int c = 0; c < DEM_COLUMNS; c++)
     {
         const size_t width = (size_t)p->column[c].width;
@@ -114,29 +116,77 @@ int dem_particles_copy(struct dem_particles *p, const struct dem_particles *from
     return DEM_OK;
 }
 
-void dem_particles_reorder(struct dem_particles *p, const uint32_t *order, size_t count)
+/* One particle, record and columns: from `from` to `to`, each the place of a particle or -1 for the spare one. */
+static void move(struct dem_particles *p, struct spare *spare, ptrdiff_t from, ptrdiff_t to)
 {
-    struct dem_particle *const record = p->record;
+    const double *at = spare->column;
 
-    for (size_t k = 0; k < count; k++)
-    {
-        p->record_scratch[k] = record[order[k]];
-    }
-    p->record = p->record_scratch;
-    p->record_scratch = record;
+    *(to < 0 ? &spare->record : &p->record[to]) = from < 0 ? spare->record : p->record[from];
     for (int c = 0; c < DEM_COLUMNS; c++)
     {
         const size_t width = (size_t)p->column[c].width;
         double *const data = p->column[c].data;
 
-        for (size_t k = 0; data && k < count; k++)
-        {
-            memcpy(p->column_scratch + k*width, data + order[k]*width, width*sizeof *data);
-        }
         if (data)
         {
-            memcpy(data, p->column_scratch, count*width*sizeof *data);
+            double *const held = spare->column + (at - spare->column);
+
+            memcpy(to < 0 ? held : data + (size_t)to*width, from < 0 ? held : data + (size_t)from*width, width*sizeof *data);
+            at += width;
         }
+    }
+}
+
+/* Those that stay close up; none overtakes another. */
+static void close_up(struct dem_particles *p, const uint32_t *order, size_t count)
+{
+    struct spare spare;
+
+    for (size_t k = 0; k < count; k++)
+    {
+        if (order[k] != k)
+        {
+            move(p, &spare, (ptrdiff_t)order[k], (ptrdiff_t)k);
+        }
+    }
+}
+
+/* Cycle by cycle, each with one particle aside; done ones are marked as being where they belong. */
+static void permute(struct dem_particles *p, uint32_t *order, size_t count)
+{
+    struct spare spare;
+
+    for (size_t k = 0; k < count; k++)
+    {
+        size_t to = k;
+
+        if (order[k] == k)
+        {
+            continue;
+        }
+        move(p, &spare, (ptrdiff_t)k, -1);
+        while (order[to] != k)
+        {
+            const size_t from = order[to];
+
+            move(p, &spare, (ptrdiff_t)from, (ptrdiff_t)to);
+            order[to] = (uint32_t)to;
+            to = from;
+        }
+        move(p, &spare, -1, (ptrdiff_t)to);
+        order[to] = (uint32_t)to;
+    }
+}
+
+void dem_particles_reorder(struct dem_particles *p, uint32_t *order, size_t count)
+{
+    if (count < p->n)
+    {
+        close_up(p, order, count);
+    }
+    else
+    {
+        permute(p, order, count);
     }
     p->n = count;
     p->ghosts = 0;
@@ -144,7 +194,7 @@ void dem_particles_reorder(struct dem_particles *p, const uint32_t *order, size_
 
 size_t dem_particles_each(const struct dem_particles *p)
 {
-    size_t each = 2*sizeof *p->record + WIDEST_COLUMN*sizeof *p->column_scratch;
+    size_t each = sizeof *p->record;
 
     for (int c = 0; c < DEM_COLUMNS; c++)
     {

@@ -78,8 +78,6 @@ struct dem_particles
     unsigned groups;                                      /* whose columns are in use */
     struct dem_particle *record;
     struct dem_column column[DEM_COLUMNS];
-    struct dem_particle *record_scratch;                  /* for reordering */
-    double *column_scratch;
 };
 
 void dem_particles_init(struct dem_particles *, unsigned groups);
@@ -92,8 +90,9 @@ int dem_particles_grow(struct dem_particles *, size_t count);
    (all zero before the first) gets no room to reorder. */
 int dem_particles_copy(struct dem_particles *, const struct dem_particles *from);
 
-/* Put owned particle order[k] at place k, for k in [0, count); what is not named is dropped. Ghosts are dropped. */
-void dem_particles_reorder(struct dem_particles *, const uint32_t *order, size_t count);
+/* Put owned particle order[k] at place k, for k in [0, count), where it lies: no second store. Either all n are named, in any order,
+   or fewer, in rising order, and the others are dropped. Ghosts are dropped, and what `order` held. */
+void dem_particles_reorder(struct dem_particles *, uint32_t *order, size_t count);
 
 /* One particle with all columns in use, as `dem_particles_packed_size` doubles. */
 size_t dem_particles_packed_size(const struct dem_particles *);

@@ -55,6 +55,7 @@ __attribute__((always_inline)) static inline void gather(struct dem_tray *restri
             a[k] = ri*wi + rj*wj;
             b[k] = wi + wj;
             g->radius[c + k] = i->radius;
+            g->other[c + k] = j->radius;
             if (spin)
             {
                 w[k] = wi - wj;

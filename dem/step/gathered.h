@@ -21,7 +21,7 @@ struct dem_gathered                                       /* what the geometry o
     _Alignas(64) double bx[DEM_BLOCK], by[DEM_BLOCK], bz[DEM_BLOCK];          /* 1/s  w_i + w_j; 2 w_i at a wall */
     _Alignas(64) double radii[DEM_BLOCK];                                     /* m    R_i + R_j */
     _Alignas(64) double inverse_mass[DEM_BLOCK];                              /* 1/kg summed */
-    _Alignas(64) double radius[DEM_BLOCK];                                    /* m    R_i */
+    _Alignas(64) double radius[DEM_BLOCK], other[DEM_BLOCK];                  /* m    R_i, R_j */
 };
 
 #endif

@@ -25,7 +25,7 @@ static inline __attribute__((always_inline)) void dem_geometry_pair(const struct
     const dem_real hx = rx - half*(dem_real)g->vx[c], hy = ry - half*(dem_real)g->vy[c], hz = rz - half*(dem_real)g->vz[c];
     const dem_real h = dem_root(hx*hx + hy*hy + hz*hz), some_d = dem_pick(d > 0, d, 1), some_h = dem_pick(h > 0, h, 1);
     const dem_real radii = (dem_real)g->radii[c], over_mass = (dem_real)g->inverse_mass[c];
-    const dem_real radius = (dem_real)g->radius[c], other = (dem_real)(g->radii[c] - g->radius[c]);
+    const dem_real radius = (dem_real)g->radius[c], other = (dem_real)g->other[c];
     const dem_real both = some_d*some_h, sums = radii*over_mass, over = 1/(both*sums);
     const dem_real over_both = over*sums, over_sums = over*both, over_d = over_both*some_h, over_h = over_both*some_d;
 

@@ -211,9 +211,8 @@ static int strays(const struct dem_parts *p, int seen)
 /* Look at the lists whose bound has run out, or at both; `stale` by list. */
 static int look_at_lists(struct dem_parts *p, int both, int stale[DEM_LISTS])
 {
-    for (int k = 0; k < DEM_LISTS; k++)
+    for (int l = 0; l < DEM_LISTS; l++)
     {
-        const enum dem_list l = (enum dem_list)k;
         const double skin = p->pairs.drift[l].skin;
 
         stale[l] = used(p, l) > skin;

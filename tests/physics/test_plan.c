@@ -223,9 +223,9 @@ static void test_cost(void)
         /* the walls, the scene's text and what a rebuild leaves are not counted: a few per cent of 2 MB */
         TAP_NEAR(start_told, at_start, 0.1*at_start, "bytes at the start");
         TAP_NEAR(settled_told, settled, 0.1*settled, "bytes of the settled bed");
-        /* what is remembered grows by half as well */
+        /* who touches how many is a guess */
         TAP_NEAR(copy_told, copy, 0.15*copy, "bytes of its copy");
-        /* lists grow by half, so their room is a guess; these counts always come out the same */
+        /* the room in lists is a guess */
         TAP_NEAR(bed_told, settled, 0.1*settled, "bytes of the settled bed, told at the start");
     }
     dem_free(w);
