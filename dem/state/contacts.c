@@ -44,6 +44,7 @@ void dem_contacts_free(struct dem_contacts *c)
     dem_memory_free(c->entry);
     dem_memory_free(c->near_start);
     dem_memory_free(c->near_entry);
+    dem_memory_free(c->ready);
     dem_memory_free(c->carry);
     dem_memory_free(c->kept);
     memset(c, 0, sizeof *c);
@@ -134,7 +135,6 @@ int dem_contacts_adjoin(struct dem_contacts *c, const struct dem_particles *p)
 
     DEM_TRY(DEM_RESIZE(c->entry, c->entry_room, entry_room));
     c->entry_room = entry_room;
-    DEM_TRY(DEM_GROW(c->near_entry, c->near_room, entries + n));
     for (size_t k = 0; k < c->pairs; k++)
     {
         const struct dem_pair *const q = &c->pair[k];
@@ -242,28 +242,40 @@ static void move_memory(struct dem_contacts *c)
     }
 }
 
-static void adjoin_near(struct dem_contacts *c, size_t n)
+static int adjoin_near(struct dem_contacts *c, size_t n)
 {
-    uint32_t at = 0;
+    const size_t most = 2*(size_t)c->rows + n;
+    uint32_t at = 0, ready = 0;
 
+    if (c->near_room < most)
+    {
+        dem_memory_free(c->near_entry);
+        c->near_entry = NULL;
+        c->near_room = 0;
+        DEM_TRY(DEM_GROW(c->near_entry, c->near_room, most));
+    }
+    DEM_TRY(DEM_GROW(c->ready, c->ready_room, n/DEM_BLOCK + 1));
     for (size_t i = 0; i < n; i++)
     {
         c->near_start[i] = at;
         for (uint32_t e = c->start[i]; e < c->start[i + 1]; e++)
         {
-            const uint32_t row = c->pair[c->entry[e] >> 1].row;
+            const struct dem_pair *const q = &c->pair[c->entry[e] >> 1];
 
-            if (row != DEM_ROW_NONE)
+            if (q->row != DEM_ROW_NONE)
             {
-                c->near_entry[at++] = 2*row + (c->entry[e] & 1);
+                c->near_entry[at++] = 2*q->row + (c->entry[e] & 1);
+                ready = !q->wall && q->row >= ready ? q->row + 1 : ready;
             }
         }
+        c->ready[i/DEM_BLOCK] = ready;
         if (at%2)
         {
             c->near_entry[at++] = 2*c->rows;
         }
     }
     c->near_start[n] = at;
+    return DEM_OK;
 }
 
 static void drop_pushes(struct dem_contacts *c)
@@ -342,7 +354,7 @@ int dem_contacts_prune(struct dem_contacts *c, const struct dem_particles *p, co
     {
         memset(c->moment, 0, 3*(c->rows + LANES)*sizeof *c->moment);
     }
-    adjoin_near(c, p->n);
+    DEM_TRY(adjoin_near(c, p->n));
     return c->carried > 0 ? DEM_OK : make_pushes(c);
 }
 

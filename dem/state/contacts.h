@@ -101,6 +101,10 @@ struct dem_contacts
     uint32_t *near_start, *near_entry;                    /* 2 row + side; an even number, made so by the row past all, which does
                                                              nothing to nobody */
 
+    size_t ready_room;
+    uint32_t *ready;                                      /* a block of owned particles: so many rows of pairs, with those of all walls, and
+                                                             they and all before them have all they sum */
+
     size_t carried, carried_room, kept_room;
     struct dem_carried *carry;
     double *kept;                                         /* memories numbers a carried row */

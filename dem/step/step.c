@@ -149,12 +149,14 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
     p->stopped = (int)fastest[1];
     DEM_TRY(dem_neighbourhood(p, fastest[0]*dt, kick < dt || p->stopped));
     count_work(p);
-    *status = dem_sweep_contacts(p, dt, (const double[2]){since, p->time});
-    dem_phases_end(&p->phases, DEM_PHASE_CONTACTS);
     const int keeps = p->kept.every > 0 && p->steps >= p->kept.steps + p->kept.every && kick == dt;
     const struct dem_body_sweep bodies = {.kick = kick, .window = p->window, .ledger = p->ledger.open ? &p->ledger : NULL,
                                           .contacts = keeps || p->ledger.open ? NULL : &p->contacts};
+    struct dem_body_pass pass;
 
+    dem_bodies_begin(&pass, &p->particles, &p->recipe.bodies, &bodies);
+    *status = dem_sweep_contacts_and(p, dt, (const double[2]){since, p->time}, bodies.contacts ? &pass : NULL);
+    dem_phases_end(&p->phases, DEM_PHASE_CONTACTS);
     if (!bodies.contacts)
     {
         dem_sum_contacts(&p->particles, &p->contacts, 0, p->particles.n);
@@ -172,7 +174,7 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
         *status = keep(p, *status, 0.5*dt);
         dem_phases_rare_end(&p->phases, DEM_PHASE_KEEP);
     }
-    dem_sweep_bodies(&p->particles, &p->recipe.bodies, &bodies);
+    dem_bodies_until(&pass, p->particles.n);
     dem_phases_end(&p->phases, DEM_PHASE_BODIES);
     return DEM_OK;
 }

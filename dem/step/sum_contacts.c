@@ -34,6 +34,16 @@ take(const void *restrict push, size_t row, const int single, dem_quad *f, dem_q
 }
 
 __attribute__((always_inline)) static inline void
+add(const void *restrict push, uint32_t entry, const int single, double radius, dem_quad *f, dem_quad *t)
+{
+    dem_quad row_f, row_t;
+
+    take(push, entry >> 1, single, &row_f, &row_t);
+    *f += sides[entry & 1]*row_f;
+    *t += (__builtin_shufflevector(row_f, row_f, 3, 3, 3, 3) - radius)*row_t;
+}
+
+__attribute__((always_inline)) static inline void
 sum(const struct dem_contacts *c, const struct dem_particle *restrict record, const size_t part[2], double *const column[2], const int single)
 {
     const void *restrict const push = single ? (const void *)c->push_single : (const void *)c->push;
@@ -47,16 +57,10 @@ sum(const struct dem_contacts *c, const struct dem_particle *restrict record, co
         dem_quad f = {0.0, 0.0, 0.0, 0.0}, t = {0.0, 0.0, 0.0, 0.0};
 
         /* by twos: half as many ends of a loop to guess */
-        for (size_t e = start[i], end = start[i + 1]; e < end; e += 2)
+        for (size_t k = start[i], end = start[i + 1]; k < end; k += 2)
         {
-            for (size_t k = e; k < e + 2; k++)
-            {
-                dem_quad row_f, row_t;
-
-                take(push, entry[k] >> 1, single, &row_f, &row_t);
-                f += sides[entry[k] & 1]*row_f;
-                t += (__builtin_shufflevector(row_f, row_f, 3, 3, 3, 3) - radius)*row_t;
-            }
+            add(push, entry[k], single, radius, &f, &t);
+            add(push, entry[k + 1], single, radius, &f, &t);
         }
         for (size_t k = 0; k < 3; k++)
         {

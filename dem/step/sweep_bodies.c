@@ -97,46 +97,67 @@ static void act(struct dem_body_tray *t, const struct dem_chain *bodies, struct 
     }
 }
 
+static void sweep_block(struct dem_body_pass *pass, size_t first, int rows)
+{
+    struct dem_particles *const p = pass->particles;
+    struct dem_body_tray *const t = &pass->tray;
+    const struct dem_body_sweep *const s = pass->sweep;
+    const int fluid = dem_column(p, DEM_COLUMN_FLUID_VELOCITY) != NULL;
+
+    if (s->contacts)
+    {
+        dem_sum_contacts(p, s->contacts, first, first + (size_t)rows);
+    }
+    dem_body_tray_gather(t, p, first, rows, (pass->bodies->needs & DEM_NEEDS_SPIN) != 0);
+    if (fluid)
+    {
+        dem_body_tray_fluid(t, p, first, rows, s->window > 0.0 ? 1.0/s->window : 0.0);
+    }
+    act(t, pass->bodies, s->ledger);
+    if (fluid)
+    {
+        dem_body_tray_counterflow(t, p, first, rows);
+        kick_with_drag(t, s->kick);
+        dem_body_tray_book(t, p, first, rows, s->kick);
+    }
+    else
+    {
+        kick_without_drag(t, s->kick);
+    }
+    if (s->ledger)
+    {
+        const struct dem_ledger_kick k = {.bodies = pass->bodies, .block = &t->block, .j = {t->jx, t->jy, t->jz}, .first = first,
+                                          .rows = rows, .h = s->kick, .window = s->window};
+
+        dem_ledger_kicked(s->ledger, p, &k);
+    }
+    dem_body_tray_scatter(t, p, first, rows, s->kick);
+}
+
+void dem_bodies_begin(struct dem_body_pass *pass, struct dem_particles *p, const struct dem_chain *bodies, const struct dem_body_sweep *s)
+{
+    pass->particles = p;
+    pass->bodies = bodies;
+    pass->sweep = s;
+    pass->next = 0;
+    memset(&pass->tray, 0, sizeof pass->tray);
+    pass->tray.block.dt = s->kick;
+}
+
+void dem_bodies_until(struct dem_body_pass *pass, size_t end)
+{
+    for (; pass->next < end; pass->next += DEM_BLOCK)
+    {
+        sweep_block(pass, pass->next, rows_from(pass->particles, pass->next));
+    }
+}
+
 void dem_sweep_bodies(struct dem_particles *p, const struct dem_chain *bodies, const struct dem_body_sweep *s)
 {
-    const int fluid = dem_column(p, DEM_COLUMN_FLUID_VELOCITY) != NULL, spin = (bodies->needs & DEM_NEEDS_SPIN) != 0;
-    struct dem_body_tray t;
+    struct dem_body_pass pass;
 
-    memset(&t, 0, sizeof t);
-    t.block.dt = s->kick;
-    for (size_t first = 0; first < p->n; first += DEM_BLOCK)
-    {
-        const int rows = rows_from(p, first);
-
-        if (s->contacts)
-        {
-            dem_sum_contacts(p, s->contacts, first, first + (size_t)rows);
-        }
-        dem_body_tray_gather(&t, p, first, rows, spin);
-        if (fluid)
-        {
-            dem_body_tray_fluid(&t, p, first, rows, s->window > 0.0 ? 1.0/s->window : 0.0);
-        }
-        act(&t, bodies, s->ledger);
-        if (fluid)
-        {
-            dem_body_tray_counterflow(&t, p, first, rows);
-            kick_with_drag(&t, s->kick);
-            dem_body_tray_book(&t, p, first, rows, s->kick);
-        }
-        else
-        {
-            kick_without_drag(&t, s->kick);
-        }
-        if (s->ledger)
-        {
-            const struct dem_ledger_kick k = {.bodies = bodies, .block = &t.block, .j = {t.jx, t.jy, t.jz}, .first = first,
-                                              .rows = rows, .h = s->kick, .window = s->window};
-
-            dem_ledger_kicked(s->ledger, p, &k);
-        }
-        dem_body_tray_scatter(&t, p, first, rows, s->kick);
-    }
+    dem_bodies_begin(&pass, p, bodies, s);
+    dem_bodies_until(&pass, p->n);
 }
 
 /* ---- windows ------------------------------------------------------------------------------------------------- */

@@ -9,6 +9,7 @@
 #include "state/contacts.h"
 #include "state/particles.h"
 #include "state/recipe.h"
+#include "step/body_tray.h"
 #include "step/ledger.h"
 
 struct dem_body_sweep
@@ -22,6 +23,20 @@ struct dem_body_sweep
 /* Evaluate the body effects at the present state and kick. The contact force and torque of the columns act as constants; drag is
    integrated exactly. */
 void dem_sweep_bodies(struct dem_particles *, const struct dem_chain *bodies, const struct dem_body_sweep *);
+
+struct dem_body_pass                                      /* the same bit by bit, as far as contacts are known */
+{
+    struct dem_particles *particles;
+    const struct dem_chain *bodies;
+    const struct dem_body_sweep *sweep;
+    size_t next;                                          /* the first who has not been kicked */
+    struct dem_body_tray tray;
+};
+
+void dem_bodies_begin(struct dem_body_pass *, struct dem_particles *, const struct dem_chain *bodies, const struct dem_body_sweep *);
+
+/* Blocks of DEM_BLOCK, up to the one that `end` is in or ends. */
+void dem_bodies_until(struct dem_body_pass *, size_t end);
 
 /* Start a window of the fluid: clear what the particles will tell it, work out what its steps have in common. */
 void dem_bodies_open(struct dem_particles *, const struct dem_chain *bodies);

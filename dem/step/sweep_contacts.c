@@ -359,8 +359,19 @@ static int judge(const struct dem_parts *p)
                      (long long)p->steps, w->limit);
 }
 
-static int sweep_class(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, const struct dem_segment *seg)
+/* Those who wait for no row from `rows` on. */
+static void kick_ready(struct dem_body_pass *bodies, const struct dem_contacts *c, uint32_t rows)
 {
+    while (bodies->next < bodies->particles->n && c->ready[bodies->next/DEM_BLOCK] <= rows)
+    {
+        dem_bodies_until(bodies, bodies->next + 1);
+    }
+}
+
+static int sweep_class(struct dem_parts *p, struct dem_tray *t, int class, struct dem_body_pass *bodies)
+{
+    const struct dem_chain *const chain = &p->recipe.chain[class];
+    const struct dem_segment *const seg = &p->contacts.segment[class];
     const int hot = dem_hot_chain_is(chain) && !p->ledger.open && !p->contacts.moment;
 
     for (uint32_t done = 0; done < seg->count; done += DEM_BLOCK)
@@ -375,11 +386,15 @@ static int sweep_class(struct dem_parts *p, struct dem_tray *t, const struct dem
         {
             DEM_TRY(sweep_block(p, t, chain, seg->first + done, rows));
         }
+        if (bodies && !chain->pair.with_wall)
+        {
+            kick_ready(bodies, &p->contacts, seg->first + done + (uint32_t)rows);
+        }
     }
     return DEM_OK;
 }
 
-int dem_sweep_contacts(struct dem_parts *p, double dt, const double time[2])
+int dem_sweep_contacts_and(struct dem_parts *p, double dt, const double time[2], struct dem_body_pass *bodies)
 {
     struct dem_tray t;
 
@@ -394,10 +409,21 @@ int dem_sweep_contacts(struct dem_parts *p, double dt, const double time[2])
     {
         dem_ledger_sweep(&p->ledger);
     }
-    for (int s = 0; s < p->contacts.classes; s++)
+    for (int walls = 1; walls >= 0; walls--)
     {
-        DEM_TRY(sweep_class(p, &t, &p->recipe.chain[s], &p->contacts.segment[s]));
+        for (int s = 0; s < p->contacts.classes; s++)
+        {
+            if (p->recipe.chain[s].pair.with_wall == walls)
+            {
+                DEM_TRY(sweep_class(p, &t, s, bodies));
+            }
+        }
     }
     DEM_TRY(dem_loss_note_passes(p));
     return judge(p);
+}
+
+int dem_sweep_contacts(struct dem_parts *p, double dt, const double time[2])
+{
+    return dem_sweep_contacts_and(p, dt, time, NULL);
 }
