@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/unknown.h"
 #include <mpi.h>
+#include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -66,11 +67,20 @@ int dem_program_together(const struct dem_program *p, int status)
     return worst && !status ? dem_error(worst, "another rank failed; its message tells why") : status;
 }
 
+/* Lists come and go: let glibc give the room of large ones back to the system, where it would keep it once it has seen some. */
+static void give_back(void)
+{
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
+}
+
 int main(int argc, char **argv)
 {
     struct dem_program p = {.comm = MPI_COMM_NULL};
     int status, loud;
 
+    give_back();
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &p.rank);
     MPI_Comm_size(MPI_COMM_WORLD, &p.ranks);

@@ -21,6 +21,7 @@
 #include "dem.h"
 #include "base/random.h"
 #include <math.h>
+#include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -282,6 +283,7 @@ static int spend(char **argument)
 
 int main(int arguments, char **argument)
 {
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);                   /* as the program dem does */
     if (arguments == 7 && strcmp(argument[1], "state") == 0)
     {
         return state(argument + 2);
