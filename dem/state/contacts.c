@@ -159,7 +159,7 @@ int dem_contacts_adjoin(struct dem_contacts *c, const struct dem_particles *p)
 
 static int grow_rows(struct dem_contacts *c, size_t rows)
 {
-    const size_t room = rows <= c->row_room ? c->row_room : rows + rows/16;    /* rows are most of all memory */
+    const size_t room = rows <= c->row_room ? c->row_room : rows + rows/64;    /* rows are most of all memory */
 
     DEM_TRY(DEM_RESIZE(c->row_pair, c->row_room, room));
     DEM_TRY(DEM_RESIZE(c->near_row, c->row_room, room));
