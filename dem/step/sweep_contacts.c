@@ -418,6 +418,8 @@ int dem_sweep_contacts_and(struct dem_parts *p, double dt, const double time[2],
                 DEM_TRY(sweep_class(p, &t, s, bodies));
             }
         }
+        /* who passed a wall is told with his speed of now: then nobody is kicked before all rows are done */
+        bodies = p->losses.passes > 0 ? NULL : bodies;
     }
     DEM_TRY(dem_loss_note_passes(p));
     return judge(p);
