@@ -211,7 +211,7 @@ static int strays(const struct dem_parts *p, int seen)
 /* Look at the lists whose bound has run out, or at both; `stale` by list. */
 static int look_at_lists(struct dem_parts *p, int both, int stale[DEM_LISTS])
 {
-    for (int l = 0; l < DEM_LISTS; l++)
+    for (enum dem_list l = 0; l < DEM_LISTS; l++)
     {
         const double skin = p->pairs.drift[l].skin;
 
