@@ -122,7 +122,7 @@ dem_slider_step(const struct dem_row *r, struct dem_slider s)
 
 /*
  * The same for a block in three loops, for a root and a division that wait for each other are waited for one after the other in
- * a long loop and all together in a short one: 17 cycles a row become 10. The first loop is the effect's own and ends with
+ * a long loop and all together in a short one: with what the hot chain does besides, 17 cycles a row become 15. The first loop is the effect's own and ends with
  * dem_slider_begin, the others are dem_slider_finish. The bits are those of dem_slider_step.
  */
 enum

@@ -42,6 +42,27 @@ static inline __attribute__((always_inline)) void dem_geometry_pair(const struct
     r->least_radius = dem_pick(radius < other, radius, other);
 }
 
+/* The same of all rows of a block. */
+static inline __attribute__((always_inline)) void dem_geometry_pairs(struct dem_block *restrict b, const struct dem_gathered *restrict g, double dt)
+{
+    for (int c = 0; c < b->n; c++)
+    {
+        struct dem_row r;
+
+        dem_geometry_pair(g, c, dt, &r);
+        b->nx[c] = r.nx;
+        b->ny[c] = r.ny;
+        b->nz[c] = r.nz;
+        b->hx[c] = r.hx;
+        b->hy[c] = r.hy;
+        b->hz[c] = r.hz;
+        b->overlap[c] = r.overlap;
+        b->reduced_radius[c] = r.reduced_radius;
+        b->reduced_mass[c] = r.reduced_mass;
+        b->least_radius[c] = r.least_radius;
+    }
+}
+
 /* The rest, the raw overlap given, with results cleared. `share`: of half of what was gathered as spin; times this it is the mean of
    both partners. */
 static inline __attribute__((always_inline)) void

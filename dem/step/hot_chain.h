@@ -1,8 +1,8 @@
 /*
  * hot_chain.h -- the commonest chain, hertz, dry and mindlin between particles, in four loops.
  *
- * The operations are those of the effects' own loops, on a row, in the same order: in double precision the bits are the same. The
- * numbers stay in registers that would go through some twenty columns of the tray between the loops of five.
+ * The operations are those of the effects' own loops, on a row, in the same order: in double precision the bits are the same. Relative
+ * motion, hertz and dry share a loop, and so do the last of mindlin and the push: their numbers need no columns, nor are any cleared.
  *
  * A run of mixed precision has its laws and forces in single precision here: only what positions say and what contacts remember
  * stays in double. Half of the bytes and twice the lanes.

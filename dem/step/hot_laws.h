@@ -11,27 +11,11 @@
 #include "effects/mindlin.h"
 #include "step/geometry.h"
 #include "step/hot_chain.h"
-#include <string.h>
 
 DEM_KERNEL
 static void pairs(struct dem_block *restrict b, const struct dem_gathered *restrict g, double dt)
 {
-    for (int c = 0; c < b->n; c++)
-    {
-        struct dem_row r;
-
-        dem_geometry_pair(g, c, dt, &r);
-        b->nx[c] = r.nx;
-        b->ny[c] = r.ny;
-        b->nz[c] = r.nz;
-        b->hx[c] = r.hx;
-        b->hy[c] = r.hy;
-        b->hz[c] = r.hz;
-        b->overlap[c] = r.overlap;
-        b->reduced_radius[c] = r.reduced_radius;
-        b->reduced_mass[c] = r.reduced_mass;
-        b->least_radius[c] = r.least_radius;
-    }
+    dem_geometry_pairs(b, g, dt);
 }
 
 DEM_KERNEL

@@ -93,22 +93,7 @@ static void gather_special(struct dem_tray *restrict t, const struct dem_parts *
 DEM_KERNEL
 static void geometry_of_pairs(struct dem_block *restrict b, const struct dem_gathered *restrict g)
 {
-    for (int c = 0; c < b->n; c++)
-    {
-        struct dem_row r;
-
-        dem_geometry_pair(g, c, b->dt, &r);
-        b->nx[c] = r.nx;
-        b->ny[c] = r.ny;
-        b->nz[c] = r.nz;
-        b->hx[c] = r.hx;
-        b->hy[c] = r.hy;
-        b->hz[c] = r.hz;
-        b->overlap[c] = r.overlap;
-        b->reduced_radius[c] = r.reduced_radius;
-        b->reduced_mass[c] = r.reduced_mass;
-        b->least_radius[c] = r.least_radius;
-    }
+    dem_geometry_pairs(b, g, b->dt);
 }
 
 /* The foot of the particle moves along a flat wall with it: the normal of half a step ago is today's. */

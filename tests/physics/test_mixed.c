@@ -138,6 +138,7 @@ int main(void)
 {
     double one[2], two[2], momentum[3], here[CLOUD][3], there[CLOUD][3], other[CLOUD][3];
 
+    /* some 200 steps of contact, each known to 6e-8 and rounded this way and that: 14 times as much at most is 8e-7 */
     impact(0, one);
     impact(1, two);
     TAP_NEAR(two[0]/one[0], 1.0, 1e-6, "speed after an oblique impact");
