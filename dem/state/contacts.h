@@ -129,7 +129,11 @@ size_t dem_contacts_each_row(const struct dem_contacts *);
 /* New list of pairs (already in place, sorted by class): lay out who sums what. `partner` orders sums, see pairs.c. */
 int dem_contacts_adjoin(struct dem_contacts *, const struct dem_particles *);
 
-/* Between lift and settle there are no pushes: what is carried has their room. */
+/* Between lift and settle there are neither rows nor pushes: what is carried has their room. For contacts_carry.c: pushes that do
+   nothing yet for all rows, no pushes, no rows. */
+int dem_contacts_make_pushes(struct dem_contacts *);
+void dem_contacts_drop_pushes(struct dem_contacts *);
+void dem_contacts_drop_rows(struct dem_contacts *);
 
 /* Keep as near rows the pairs marked in `near` (one byte a pair); memory of rows that stay is kept. */
 int dem_contacts_prune(struct dem_contacts *, const struct dem_particles *, const uint8_t *near);
