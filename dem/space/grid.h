@@ -5,7 +5,8 @@
  * same cell or in one beside it. How many levels there are, and where radii are divided, follows from what the search would cost
  * (grid_levels.c): one where sizes are alike, two or three at 1:20.
  *
- * Entries are particles, copies, and periodic images of both at shifted places: within a level sorted by cell, along x first, so
+ * Entries are particles, copies, and periodic images of both at shifted places: within a level sorted by cell, along x first (which is
+ * the grid's x, the shortest side of the particles' box: planes across its longest side are small enough for a cache), so
  * that three cells side by side are one run of numbers. Their places are single precision from the corner of the grid, for a test
  * that lets no pair slip (by `slack`) but lets through a few too many; the true coordinates decide.
  *
@@ -26,7 +27,7 @@ struct dem_grid_level
 {
     double radius;                                        /* m: none of its particles is larger */
     double edge;                                          /* m: of a cell */
-    int cells[3];
+    int cells[3];                                         /* along the grid's axes */
     size_t first;                                         /* its first cell in dem_grid.start */
 };
 
@@ -34,11 +35,13 @@ struct dem_grid
 {
     double gap;                                           /* m: pairs nearer than this are looked for */
     double origin[3];                                     /* m: corner of all levels */
+    int axis[3];                                          /* cells follow each other along axis[0] of space first, axis[2] last: the
+                                                             longest side of the particles' box */
     int levels;
     struct dem_grid_level level[DEM_GRID_LEVELS];         /* from the smallest particles up */
     uint32_t *start;                                      /* of each cell's entries, those of the finest level first */
     size_t entries;
-    float *x, *y, *z, *radius;                            /* m: from the corner */
+    float *x, *y, *z, *radius;                            /* m: from the corner, along the grid's axes */
     float slack;                                          /* m: what single precision may hide of a distance */
     uint32_t *particle;
     uint8_t *shift;                                       /* code */

@@ -48,7 +48,7 @@ size_t dem_pairs_bytes(const struct dem_pairs *);
 /* Sort owned particles by (cell, id): the one global order. Drops ghosts. */
 int dem_pairs_order(struct dem_pairs *, struct dem_particles *);
 
-/* Find all outer pairs of owned particles with owned ones, copies and walls, sorted by class. */
+/* Find all outer pairs of owned particles with owned ones, copies and walls, sorted by class and within one by who comes first in memory. */
 int dem_pairs_find(struct dem_pairs *, const struct dem_domain *, const struct dem_particles *, const struct dem_walls *,
                    const struct dem_recipe *, struct dem_contacts *);
 

@@ -1,12 +1,13 @@
 /*
- * pairs_find.c -- the outer pairs: each entry of the grid against those behind it, then walls; sorted by class.
+ * pairs_find.c -- the outer pairs: each entry of the grid against those behind it, then walls; sorted by class and particle.
  *
  * Within a level an entry looks at the rest of its own cell, the next cell along x, and the rows of three cells at (y + 1, z) and
  * (y - 1 ... y + 1, z + 1): so two meet once. A large particle looks at all smaller levels' cells around it. A test in single
  * precision by eights picks who may be near; true coordinates decide.
  *
  * Periodic images are entries of their own at shifted places, used for searching only; the pair keeps the shift. Two images never
- * make a pair. Of an owned particle and an image of another owned one there is a mirrored pair elsewhere: that of the lower id counts.
+ * make a pair. Of an owned particle and an image of another owned one there is a mirrored pair elsewhere: the one beside the particle that
+ * comes first in memory counts, so that no row of an early particle comes late.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -110,7 +111,7 @@ static inline int try_pair(struct finder *f, uint32_t home, uint32_t other)
 
     DEM_REQUIRE(me->id != it->id, DEM_ERROR_INPUT,
                 "particle %lld reaches its own periodic image; make the domain at least two diameters and a skin wide", (long long)me->id);
-    if ((mirrored && !first) || (me->flags & it->flags & DEM_PARTICLE_FROZEN))
+    if ((mirrored && a > b) || (me->flags & it->flags & DEM_PARTICLE_FROZEN))
     {
         return DEM_OK;
     }
@@ -299,29 +300,40 @@ static int wall_pairs(struct dem_pairs *s, const struct dem_particles *p, const 
     return DEM_OK;
 }
 
-/* Stable counting sort by class. */
-static int sort_by_class(struct dem_contacts *c)
+static size_t class_of(const struct dem_pair *q)
+{
+    return q->class;
+}
+
+/* Who of a pair comes first in memory: an owned particle. */
+static size_t first_of(const struct dem_pair *q)
+{
+    return !q->wall && q->j < q->i ? q->j : q->i;
+}
+
+/* Stable counting sort. */
+static int sort_by(struct dem_contacts *c, size_t (*bin)(const struct dem_pair *), size_t bins)
 {
     struct dem_pair *sorted;
-    size_t *start;
+    uint32_t *start;
 
-    if (c->classes < 2)
+    if (bins < 2)
     {
         return DEM_OK;
     }
     DEM_TRY(DEM_NEW(sorted, c->pairs + WIDE));
-    DEM_TRY(DEM_NEW(start, c->classes + 1));
+    DEM_TRY(DEM_NEW(start, bins + 1));
     for (size_t k = 0; k < c->pairs; k++)
     {
-        start[c->pair[k].class + 1]++;
+        start[bin(&c->pair[k]) + 1]++;
     }
-    for (int s = 1; s <= c->classes; s++)
+    for (size_t s = 1; s <= bins; s++)
     {
         start[s] += start[s - 1];
     }
     for (size_t k = 0; k < c->pairs; k++)
     {
-        sorted[start[c->pair[k].class]++] = c->pair[k];
+        sorted[start[bin(&c->pair[k])]++] = c->pair[k];
     }
     dem_memory_free(c->pair);
     dem_memory_free(start);
@@ -379,7 +391,9 @@ int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct
     DEM_TRY(status);
     DEM_TRY(wall_pairs(s, p, w, r, c));
     DEM_TRY(dem_pairs_countable(p->n + p->ghosts, c->pairs));
-    DEM_TRY(sort_by_class(c));
+    /* the rows of a particle together, and in its turn: a search by levels, or past periodic faces, finds some of them late */
+    DEM_TRY(sort_by(c, first_of, p->n));
+    DEM_TRY(sort_by(c, class_of, (size_t)c->classes));
     DEM_TRY(give_back(c));
     DEM_TRY(dem_contacts_adjoin(c, p));
     dem_skins_made(&s->skins, DEM_LIST_OUTER);

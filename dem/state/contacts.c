@@ -186,7 +186,7 @@ static size_t count_rows(const struct dem_contacts *c, const uint8_t *near)
     {
         rows += near[k];
     }
-    return rows + (size_t)(LANES*(c->classes + 1));
+    return rows + (size_t)(LANES*(c->classes + 1) + DEM_NEAR_AHEAD);
 }
 
 /* Pairs are sorted by class, so the rows of a class follow each other. */
@@ -218,9 +218,9 @@ static void number_rows(struct dem_contacts *c, const uint8_t *near)
     c->rows = row;
     for (int k = 0; k < LANES; k++)
     {
-        c->near_row[row] = (struct dem_near){0, 0};
-        c->row_pair[row++] = DEM_ROW_NONE;
+        c->row_pair[row + (uint32_t)k] = DEM_ROW_NONE;
     }
+    memset(c->near_row + row, 0, DEM_NEAR_AHEAD*sizeof *c->near_row);
 }
 
 static void move_memory(struct dem_contacts *c)

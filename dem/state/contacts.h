@@ -35,7 +35,8 @@ struct dem_pair
 enum
 {
     DEM_NEAR_SHIFT = 27,                                  /* bits of a record's number in struct dem_near */
-    DEM_NEAR_RECORDS = 1 << DEM_NEAR_SHIFT                /* so many records a rank may have */
+    DEM_NEAR_RECORDS = 1 << DEM_NEAR_SHIFT,               /* so many records a rank may have */
+    DEM_NEAR_AHEAD = 32                                   /* rows that the sweep looks ahead, also past the last: 16 and 64 gained a little less */
 };
 
 struct dem_near                                           /* of a row, what the sweep reads: its pair in short */
@@ -81,7 +82,7 @@ struct dem_contacts
     uint32_t rows;                                        /* with padding */
     size_t row_room;
     uint32_t *row_pair;                                   /* DEM_ROW_NONE on padding */
-    struct dem_near *near_row;                            /* padding repeats the last row of its class */
+    struct dem_near *near_row;                            /* padding repeats the last row of its class; DEM_NEAR_AHEAD zeros past the end */
     struct dem_segment *segment;                          /* one a class */
     int classes;
     int memories;
@@ -126,7 +127,7 @@ size_t dem_contacts_bytes(const struct dem_contacts *);
 size_t dem_contacts_each_pair(const struct dem_contacts *);
 size_t dem_contacts_each_row(const struct dem_contacts *);
 
-/* New list of pairs (already in place, sorted by class): lay out who sums what. `partner` orders sums, see pairs.c. */
+/* New list of pairs (already in place, sorted by class and particle): lay out who sums what. `partner` orders sums, see pairs.c. */
 int dem_contacts_adjoin(struct dem_contacts *, const struct dem_particles *);
 
 /* Between lift and settle there are neither rows nor pushes: what is carried has their room. For contacts_carry.c: pushes that do

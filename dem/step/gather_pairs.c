@@ -2,7 +2,8 @@
  * gather_pairs.c -- records in, columns out, four pairs at a time.
  *
  * The i of the rows follow each other in memory and the j do not: where particles are more than a cache holds most time
- * goes into waiting for them, so they are asked for some rows before they are needed.
+ * goes into waiting for them, so they are asked for some rows before they are needed, those of the next block while this one
+ * is worked on.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -12,8 +13,7 @@
 
 enum
 {
-    JUST_J = DEM_NEAR_RECORDS - 1,
-    AHEAD = 16                                            /* rows; 8 and 32 gained half as much with 20 000 and 100 000 spheres */
+    JUST_J = DEM_NEAR_RECORDS - 1
 };
 
 __attribute__((always_inline)) static inline void columns(dem_quad row[4], double *x, double *y, double *z, double *w)
@@ -38,7 +38,7 @@ __attribute__((always_inline)) static inline void gather(struct dem_tray *restri
 
     for (int c = 0; c < t->block.n; c += 4)
     {
-        const struct dem_near *const soon = near + (c + AHEAD < t->block.n ? c + AHEAD : c);
+        const struct dem_near *const soon = near + c + DEM_NEAR_AHEAD;
         dem_quad r[4], v[4], a[4], b[4], w[4];
 
         for (int k = 0; k < 4; k++)
