@@ -334,6 +334,11 @@ int dem_fluid(struct dem *d, struct dem_fluid *f)
                             .pressure_gradient = dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT),
                             .void_fraction = dem_column(p, DEM_COLUMN_VOID_FRACTION), .density = dem_column(p, DEM_COLUMN_FLUID_DENSITY),
                             .viscosity = dem_column(p, DEM_COLUMN_FLUID_VISCOSITY),
+                            .acceleration = dem_column(p, DEM_COLUMN_FLUID_ACCELERATION),
+                            .vorticity = dem_column(p, DEM_COLUMN_VORTICITY), .stress = dem_column(p, DEM_COLUMN_STRESS),
+                            .mean_diameter = dem_column(p, DEM_COLUMN_MEAN_DIAMETER),
+                            .other_impulse = dem_column(p, DEM_COLUMN_OTHER_IMPULSE),
+                            .turn_impulse = dem_column(p, DEM_COLUMN_TURN_IMPULSE),
                             .counterflow = dem_column(p, DEM_COLUMN_COUNTERFLOW), .place = dem_column(p, DEM_COLUMN_PLACE),
                             .drag_impulse = dem_column(p, DEM_COLUMN_DRAG_IMPULSE), .response = dem_column(p, DEM_COLUMN_RESPONSE),
                             .passed = dem_column(p, DEM_COLUMN_PASSED), .pending = dem_column(p, DEM_COLUMN_PENDING)};

@@ -289,11 +289,18 @@ struct dem_fluid
     double *void_fraction;                                /* in   1     */
     double *density;                                      /* in   kg/m3 */
     double *viscosity;                                    /* in   Pa s  */
+    double *acceleration;                                 /* in   m/s2  3, Du/Dt; like the next three NULL unless an effect asks for it */
+    double *vorticity;                                    /* in   1/s   3, curl u */
+    double *stress;                                       /* in   N/m3  3, div tau, viscous and turbulent */
+    double *mean_diameter;                                /* in   m     Sauter mean of the particles around */
     double *counterflow;                                  /* in   1     how much faster than in a fluid of given velocity a
                                                              particle's motion changes its slip; 1 unless set, 1/e^2
                                                              where the fluid must make room (step/sweep_bodies.c) */
     double *place;                                        /* in/out  the coupling's own: 2 numbers per particle, carried along */
     const double *drag_impulse;                           /* out  N s   3, J: on the particle during the last advance */
+    const double *other_impulse;                          /* out  N s   3, of lift and added mass; NULL without them. The fluid gets the
+                                                             opposite of this and of J */
+    const double *turn_impulse;                           /* out  N m s 3, of rotational drag; NULL without. The fluid gets nothing of it */
     const double *response;                               /* out  kg    R: d(drag impulse)/d(fluid velocity), clamped for held particles */
     const double *passed;                                 /* out  1     share of a steady force that drag passed to the fluid */
     const double *pending;                                /* out  N s   3, what dem_fluid_correct left for the next window */

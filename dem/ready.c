@@ -41,6 +41,10 @@ static int decide_fluid(struct dem *d)
     DEM_REQUIRE(!(has_own && (d->with_fluid || d->scene.fluid.given)), DEM_ERROR_INPUT,
                 "effects/%s gives viscosity %g Pa s, but the fluid of the run has one too; remove viscosity from %s", has_own->name,
                 viscosity, has_own->name);
+    const double counted = dem_recipe_number(&d->parts.recipe, "stokes", "addedMass");
+
+    DEM_REQUIRE(!(counted > 0.0 && dem_recipe_acts(&d->parts.recipe, "virtualMass")), DEM_ERROR_INPUT,
+                "effects/stokes counts addedMass %g, and virtualMass adds it to the inertia, which stokes sees; leave addedMass out", counted);
     return DEM_OK;
 }
 

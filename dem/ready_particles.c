@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "io/snapshot.h"
+#include "step/measure.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -106,18 +107,31 @@ void dem_door_survey_radii(struct dem_parts *p)
     }
 }
 
+static void fill_vector(struct dem_particles *p, enum dem_column_name column, size_t i, const double value[3])
+{
+    if (dem_column(p, column))
+    {
+        memcpy(dem_column(p, column) + 3*i, value, 3*sizeof *value);
+    }
+}
+
 /* A uniform fluid fills the columns once; a coupled one marks every particle as not yet placed. */
 void dem_door_fill_fluid(struct dem *d)
 {
     struct dem_particles *const p = &d->parts.particles;
     const struct dem_uniform_fluid *const f = &d->scene.fluid;
+    const double mean = dem_column(p, DEM_COLUMN_MEAN_DIAMETER) ? dem_measure_sauter(&d->parts) : 0.0;
 
     for (size_t i = 0; d->with_fluid && i < p->n; i++)
     {
-        for (size_t k = 0; k < 3; k++)
+        fill_vector(p, DEM_COLUMN_FLUID_ACCELERATION, i, f->acceleration);
+        fill_vector(p, DEM_COLUMN_VORTICITY, i, f->vorticity);
+        fill_vector(p, DEM_COLUMN_STRESS, i, f->stress);
+        fill_vector(p, DEM_COLUMN_FLUID_VELOCITY, i, f->velocity);
+        fill_vector(p, DEM_COLUMN_PRESSURE_GRADIENT, i, f->pressure_gradient);
+        if (dem_column(p, DEM_COLUMN_MEAN_DIAMETER))
         {
-            dem_column(p, DEM_COLUMN_FLUID_VELOCITY)[3*i + k] = f->velocity[k];
-            dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT)[3*i + k] = f->pressure_gradient[k];
+            dem_column(p, DEM_COLUMN_MEAN_DIAMETER)[i] = mean;
         }
         dem_column(p, DEM_COLUMN_VOID_FRACTION)[i] = f->given ? f->void_fraction : 1.0;
         dem_column(p, DEM_COLUMN_FLUID_DENSITY)[i] = f->given ? f->density : 1.0;
@@ -139,15 +153,43 @@ static int keeps_books(const struct dem_recipe *r)
     return books;
 }
 
-static int opens_laws(const struct dem_recipe *r)
+/* Columns that are there because an effect asks for them, or writes them. */
+static unsigned groups(const struct dem *d)
 {
-    int some = 0;
+    static const struct
+    {
+        unsigned needs, group;
+    } asked[] = {
+        {DEM_NEEDS_ACCELERATION, DEM_GROUP_ACCELERATION},
+        {DEM_NEEDS_VORTICITY, DEM_GROUP_VORTICITY},
+        {DEM_NEEDS_STRESS, DEM_GROUP_STRESS},
+        {DEM_NEEDS_MEAN_DIAMETER, DEM_GROUP_MEAN_DIAMETER},
+    };
+    const struct dem_recipe *const r = &d->parts.recipe;
+    const unsigned needs = dem_recipe_asks(r);
+    unsigned some = (d->with_fluid ? DEM_GROUP_FLUID : 0) | (keeps_books(r) ? DEM_GROUP_BOOKS : 0) | (d->turned ? DEM_GROUP_TURNED : 0);
 
+    for (size_t k = 0; k < sizeof asked/sizeof asked[0]; k++)
+    {
+        some |= needs & asked[k].needs ? asked[k].group : 0;
+    }
     for (int k = 0; k < r->chosen; k++)
     {
-        some |= r->effect[k]->open_bodies != NULL;
+        const struct dem_effect *const e = r->effect[k];
+
+        some |= (e->drag && e->open_bodies ? DEM_GROUP_SWARM : 0) | (e->reacts ? DEM_GROUP_REACTS : 0)
+              | (e->inertia ? DEM_GROUP_ADDED : 0) | (e->turns ? DEM_GROUP_TURNS : 0);
     }
     return some;
+}
+
+/* A file may come from a run with added mass; a window of this one adds its own. */
+static void take_off_added_mass(struct dem_particles *p)
+{
+    for (size_t i = 0; i < p->n; i++)
+    {
+        p->record[i].inverse_mass = p->record[i].inverse_mass > 0.0 ? 1.0/p->record[i].mass : 0.0;
+    }
 }
 
 /* A snapshot from the middle of a window. */
@@ -166,8 +208,7 @@ int dem_door_start_particles(struct dem *d)
     struct dem_parts *const p = &d->parts;
     struct dem_snapshot s;
 
-    dem_particles_init(&p->particles, (d->with_fluid ? DEM_GROUP_FLUID : 0) | (keeps_books(&p->recipe) ? DEM_GROUP_BOOKS : 0)
-                       | (opens_laws(&p->recipe) ? DEM_GROUP_SWARM : 0) | (d->turned ? DEM_GROUP_TURNED : 0));
+    dem_particles_init(&p->particles, groups(d));
     DEM_TRY(dem_particles_grow(&p->particles, 1));
     if (d->load[0])
     {
@@ -175,6 +216,7 @@ int dem_door_start_particles(struct dem *d)
         p->time = s.time;
         p->steps = s.steps;
         open_window(p, &s.window);
+        take_off_added_mass(&p->particles);
         memcpy(&d->learnt, s.learnt, sizeof d->learnt);
         return DEM_OK;
     }

@@ -8,7 +8,8 @@
  *   e    void fraction; s = 1 - e                                  [1]
  *   Re   superficial Reynolds number of the mean sphere, e rho <d> |u - v|/mu                      [1]
  *   d    diameter of the particle                                  [m]
- *   <d>  Sauter mean diameter of the mixture, sum d^3/sum d^2, a setting; without it <d> = d       [m]
+ *   <d>  Sauter mean diameter of the mixture, sum d^3/sum d^2: a setting, or that of the particles
+ *        around each (mean around; of all where the fluid is uniform); without either <d> = d        [m]
  *
  * F is the paper's, on 3 pi mu d U with the superficial slip U = e (u - v): hence the e. Its last term is written with
  * both its fractions multiplied by powers of Re, so that nothing is 0/0 at rest. G -> 1 for e -> 1, Re -> 0; for a
@@ -18,8 +19,7 @@
  * acts by itself here, so y is left, and b goes with d^2.
  *
  * Source: Beetstra, van der Hoef, Kuipers, AIChE J. 53 (2007) 489.
- * Not here: the mean diameter of the place (a row of the tray knows its own particle only, so <d> is one number for the
- * scene); the mean slip of the place in Re (the particle's own is taken); 0.064 e y^3, a correction for wide mixtures,
+ * Not here: the mean slip of the place in Re (the particle's own is taken); 0.064 e y^3, a correction for wide mixtures,
  * because it would not vanish for equal spheres.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -31,11 +31,21 @@
 struct beetstra
 {
     double mean_diameter;
+    int mean;
 };
+
+enum
+{
+    GIVEN,
+    AROUND
+};
+static const char *const means[] = {"given", "around", NULL};
 
 static const struct dem_field settings[] = {
     DEM_FIELD_AS(beetstra, mean_diameter, "meanDiameter", "m", 0.0, 0.0, INFINITY,
                  "Sauter mean of the mixture, sum d^3/sum d^2; 0: each particle as if among its equals"),
+    DEM_FIELD_CHOICE(beetstra, mean, "mean", GIVEN, means,
+                     "meanDiameter, or the Sauter mean of the particles around each, by the coupling's kernel"),
     {0},
 };
 
@@ -53,16 +63,33 @@ static inline __attribute__((always_inline)) double paper(double e, double re)
 DEM_KERNEL
 static void act_on_bodies(const void *of, struct dem_body_block *restrict b)
 {
-    const double mean = ((const struct beetstra *)of)->mean_diameter;
+    const struct beetstra *const own = of;
+    const int around = own->mean == AROUND;
 
     for (int c = 0; c < b->n; c++)
     {
+        const double mean = dem_pick(around, b->mean_diameter[c], own->mean_diameter);
         const double e = dem_drag_void(b->void_fraction[c]), d = 2.0*b->radius[c];
         const double y = dem_pick(mean > 0.0, d/dem_pick(mean > 0.0, mean, 1.0), 1.0);
         const double re = dem_drag_reynolds(b, c, e)/dem_pick(y > 0.0, y, 1.0);
 
         dem_drag_add(b, c, y*e*paper(e, re));
     }
+}
+
+static unsigned asks(const void *of)
+{
+    return ((const struct beetstra *)of)->mean == AROUND ? DEM_NEEDS_MEAN_DIAMETER : 0;
+}
+
+static int prepare(void *of, const struct dem_pair_class *pair)
+{
+    const struct beetstra *const own = of;
+
+    (void)pair;
+    DEM_REQUIRE(own->mean == GIVEN || own->mean_diameter == 0.0, DEM_ERROR_INPUT,
+                "beetstra: meanDiameter %g m and mean around are two means; leave one of them out", own->mean_diameter);
+    return DEM_OK;
 }
 
 const struct dem_effect dem_beetstra = {
@@ -74,5 +101,7 @@ const struct dem_effect dem_beetstra = {
     .needs = DEM_NEEDS_FLUID,
     .size = sizeof(struct beetstra),
     .settings = settings,
+    .asks = asks,
+    .prepare = prepare,
     .act_on_bodies = act_on_bodies,
 };

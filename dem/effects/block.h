@@ -127,9 +127,20 @@ struct dem_body_block
     _Alignas(64) dem_real void_fraction[DEM_BLOCK];       /* 1      of the fluid */
     _Alignas(64) dem_real density[DEM_BLOCK];             /* kg/m3  of the fluid */
     _Alignas(64) dem_real viscosity[DEM_BLOCK];           /* Pa s   of the fluid */
+    _Alignas(64) dem_real ax[DEM_BLOCK];                  /* m/s2   Du/Dt (if DEM_NEEDS_ACCELERATION) */
+    _Alignas(64) dem_real ay[DEM_BLOCK];
+    _Alignas(64) dem_real az[DEM_BLOCK];
+    _Alignas(64) dem_real ox[DEM_BLOCK];                  /* 1/s    vorticity, curl u (if DEM_NEEDS_VORTICITY) */
+    _Alignas(64) dem_real oy[DEM_BLOCK];
+    _Alignas(64) dem_real oz[DEM_BLOCK];
+    _Alignas(64) dem_real sx[DEM_BLOCK];                  /* N/m3   div tau, of viscous and turbulent stress (if DEM_NEEDS_STRESS) */
+    _Alignas(64) dem_real sy[DEM_BLOCK];
+    _Alignas(64) dem_real sz[DEM_BLOCK];
+    _Alignas(64) dem_real mean_diameter[DEM_BLOCK];       /* m      Sauter mean of the particles around (if DEM_NEEDS_MEAN_DIAMETER) */
     _Alignas(64) dem_real swarm[DEM_SWARM][DEM_BLOCK];    /* what the law of drag made of the fluid when the window opened */
+    _Alignas(64) dem_real added[DEM_BLOCK];               /* kg     added mass, told when the window opened by effects of inertia */
 
-    /* results, cleared by the house: force = f + bu - b v, integrated exactly in v */
+    /* results, cleared by the house: force = f + r + bu - b v, integrated exactly in v */
     _Alignas(64) dem_real fx[DEM_BLOCK];                  /* N      explicit force */
     _Alignas(64) dem_real fy[DEM_BLOCK];
     _Alignas(64) dem_real fz[DEM_BLOCK];
@@ -137,6 +148,13 @@ struct dem_body_block
     _Alignas(64) dem_real bux[DEM_BLOCK];                 /* N      drag coefficient times its target velocity */
     _Alignas(64) dem_real buy[DEM_BLOCK];
     _Alignas(64) dem_real buz[DEM_BLOCK];
+    _Alignas(64) dem_real rx[DEM_BLOCK];                  /* N      explicit force whose opposite the fluid gets (effects that react) */
+    _Alignas(64) dem_real ry[DEM_BLOCK];
+    _Alignas(64) dem_real rz[DEM_BLOCK];
+    _Alignas(64) dem_real t[DEM_BLOCK];                   /* N m s  rotational drag, >= 0, integrated exactly in the spin (effects that turn) */
+    _Alignas(64) dem_real tx[DEM_BLOCK];                  /* N m    rotational drag times its target spin */
+    _Alignas(64) dem_real ty[DEM_BLOCK];
+    _Alignas(64) dem_real tz[DEM_BLOCK];
 };
 
 #endif

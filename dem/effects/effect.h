@@ -36,11 +36,15 @@ enum dem_stage                                            /* the order in which 
 
 enum dem_needs                                            /* optional columns of a tray */
 {
-    DEM_NEEDS_SPIN = 1,                                   /* contact: wx wy wz */
+    DEM_NEEDS_SPIN = 1,                                   /* wx wy wz */
     DEM_NEEDS_VISCOSITY = 2,                              /* contact: viscosity of the running fluid */
     DEM_NEEDS_FLUID = 4,                                  /* body: the fluid columns */
     DEM_NEEDS_CHANCE = 8,                                 /* contact: chance */
-    DEM_NEEDS_SWING = 16                                  /* contact: swing, for what slider.h turns with the pair */
+    DEM_NEEDS_SWING = 16,                                 /* contact: swing, for what slider.h turns with the pair */
+    DEM_NEEDS_ACCELERATION = 32,                          /* body: ax ay az of the fluid */
+    DEM_NEEDS_VORTICITY = 64,                             /* body: ox oy oz */
+    DEM_NEEDS_STRESS = 128,                               /* body: sx sy sz */
+    DEM_NEEDS_MEAN_DIAMETER = 256                         /* body: mean_diameter */
 };
 
 struct dem_material
@@ -72,11 +76,17 @@ struct dem_effect
     unsigned needs;                                       /* enum dem_needs, or-ed */
     double exponent;                                      /* NORMAL only: of the force in the overlap */
     int drag;                                             /* FLUID only: 1 for a law of drag, of which a scene takes one */
+    int reacts;                                           /* FLUID only: 1: the fluid gets the opposite of its explicit force, in r of the tray */
+    int inertia;                                          /* FLUID only: 1: open_bodies tells an added mass */
+    int turns;                                            /* FLUID only: 1: it has a rotational drag, t of the tray */
     const char *excludes;                                 /* word of an effect whose work it would do again; NULL: none */
     size_t size;                                          /* bytes of the settings struct; 0 for none */
     const struct dem_field *settings;                     /* its numbers, ended by a row of zeros; NULL for none */
     const char *const *memory;                            /* names of remembered columns, ended by NULL; NULL for none */
     int forgets;                                          /* 1: act itself leaves +0 in them where overlap and touching are 0 */
+
+    /* What it needs besides, with these settings: enum dem_needs, or-ed. May be NULL. */
+    unsigned (*asks)(const void *settings);
 
     /* Derive constants and refuse nonsense. The class is NULL for body effects. May be NULL. */
     int (*prepare)(void *settings, const struct dem_pair_class *);
@@ -107,8 +117,9 @@ struct dem_effect
     void (*energy)(const void *settings, const struct dem_block *restrict, dem_real *const *before, dem_real *const *memory,
                    struct dem_energy *restrict);
 
-    /* Laws of drag: fill the tray's `swarm` with what follows from radius, void fraction, density and viscosity alone. These stay
-       as they are in a window of the fluid; only then is it called, and act_on_bodies in each step. May be NULL. */
+    /* What follows from radius, mass, void fraction, density and viscosity alone: laws of drag fill the tray's `swarm`, effects of
+       inertia add to `added`. These stay as they are in a window of the fluid; only then is it called, and act_on_bodies in each
+       step. May be NULL. */
     void (*open_bodies)(const void *settings, struct dem_body_block *restrict);
 
     /* Body effects: add to the tray of bodies. */

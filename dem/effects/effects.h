@@ -36,7 +36,13 @@
     ROW(di_felice)                                                                                                    \
     ROW(rong)                                                                                                         \
     ROW(koch_hill)                                                                                                    \
-    ROW(beetstra)
+    ROW(beetstra)                                                                                                     \
+    ROW(tenneti)                                                                                                      \
+    ROW(viscous_stress)                                                                                               \
+    ROW(virtual_mass)                                                                                                 \
+    ROW(saffman_mei)                                                                                                  \
+    ROW(magnus)                                                                                                       \
+    ROW(viscous_torque)
 
 #define DEM_EFFECT_DECLARE(name) extern const struct dem_effect dem_##name;
 DEM_EFFECT_ROWS(DEM_EFFECT_DECLARE)

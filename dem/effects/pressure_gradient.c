@@ -10,7 +10,7 @@
  * In a moving one it also holds what accelerates the displaced fluid.
  *
  * Source: Zhou, Kuang, Chu, Yu, J. Fluid Mech. 661 (2010) 482, sets I and II.
- * Not here: the viscous part V div tau.
+ * Not here: the viscous part V div tau (see viscousStress).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

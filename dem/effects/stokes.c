@@ -67,7 +67,7 @@ static const struct dem_field settings[] = {
     DEM_FIELD(stokes, beta, "1", 35.0, 0.0, 1e6, "ln e = ln e_max - beta/St"),
     DEM_FIELD(stokes, viscosity, "Pa s", 0.0, 0.0, INFINITY, "of the fluid in the gap; 0: that of the running fluid"),
     DEM_FIELD_AS(stokes, added_mass, "addedMass", "1", 0.0, 0.0, 10.0,
-                 "C_M in St: each particle counts m + C_M rho_f V (0.5 for a sphere far from others); 0: none"),
+                 "C_M in St: each particle counts m + C_M rho_f V (0.5 for a sphere far from others); 0: none, or what virtualMass adds"),
     DEM_FIELD_AS(stokes, fluid_density, "fluidDensity", "kg/m3", 0.0, 0.0, INFINITY, "rho_f for addedMass"),
     DEM_FIELD_CHOICE(stokes, speed, "speed", IMPACT, speeds,
                      "in St: that of the impact, or for comparison that of the moment as in LIGGGHTS, which at St = 50 "

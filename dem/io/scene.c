@@ -96,6 +96,16 @@ static int read_domain(struct dem_domain *d, const struct dem_dict *scene)
     return read_periodic(d, dict);
 }
 
+/* What only some effects ask for; where none does, the entry is one that nobody reads. */
+static int read_fluid_besides(struct dem_uniform_fluid *f, const struct dem_dict *dict, unsigned asked)
+{
+    static const double zero[3] = {0.0, 0.0, 0.0};
+
+    DEM_TRY(asked & DEM_NEEDS_ACCELERATION ? dem_dict_vector_or(dict, "acceleration", "m/s2", zero, f->acceleration) : DEM_OK);
+    DEM_TRY(asked & DEM_NEEDS_VORTICITY ? dem_dict_vector_or(dict, "vorticity", "1/s", zero, f->vorticity) : DEM_OK);
+    return asked & DEM_NEEDS_STRESS ? dem_dict_vector_or(dict, "viscousStress", "N/m3", zero, f->stress) : DEM_OK;
+}
+
 static int read_fluid(struct dem_uniform_fluid *f, const struct dem_dict *scene, const struct dem_recipe *r)
 {
     static const double zero[3] = {0.0, 0.0, 0.0};
@@ -115,6 +125,7 @@ static int read_fluid(struct dem_uniform_fluid *f, const struct dem_dict *scene,
     DEM_REQUIRE(f->density > 0.0 && f->viscosity > 0.0 && f->void_fraction > 0.0 && f->void_fraction <= 1.0, DEM_ERROR_INPUT,
                 "%s: fluid: density %g kg/m3, viscosity %g Pa s, voidFraction %g; all must be above 0, the last at most 1",
                 dem_dict_where(dict), f->density, f->viscosity, f->void_fraction);
+    DEM_TRY(read_fluid_besides(f, dict, dem_recipe_asks(r)));
     /* a fluid at rest under the scene's gravity carries its own weight */
     dem_recipe_vector(r, "gravity", "acceleration", hydrostatic);
     for (int k = 0; k < 3; k++)

@@ -30,6 +30,7 @@ struct dem_uniform_fluid
 {
     int given;
     double velocity[3], density, viscosity, void_fraction, pressure_gradient[3];   /* m/s, kg/m3, Pa s, 1, Pa/m */
+    double acceleration[3], vorticity[3], stress[3];      /* m/s2, 1/s, N/m3: Du/Dt, curl u, div tau */
 };
 
 struct dem_scene

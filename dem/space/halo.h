@@ -65,7 +65,7 @@ void dem_halo_send(struct dem_halo *, const struct dem_particles *, enum dem_hal
 void dem_halo_receive(struct dem_halo *, struct dem_particles *);
 void dem_halo_wait(struct dem_halo *);
 
-/* Collective. The fluid's viscosity at the copies. */
-int dem_halo_refresh_viscosity(struct dem_halo *, struct dem_particles *);
+/* Collective. The fluid's viscosity at the copies, and their inertial mass, which it adds to. */
+int dem_halo_refresh_fluid(struct dem_halo *, struct dem_particles *);
 
 #endif

@@ -171,8 +171,9 @@ void dem_halo_receive(struct dem_halo *h, struct dem_particles *p)
     }
 }
 
-int dem_halo_refresh_viscosity(struct dem_halo *h, struct dem_particles *p)
+int dem_halo_refresh_fluid(struct dem_halo *h, struct dem_particles *p)
 {
+    enum { WIDTH = 2 };
     const struct dem_route *const to = &h->send[DEM_HALO_ALL];
 
     if (h->pieces->ranks == 1)
@@ -181,13 +182,15 @@ int dem_halo_refresh_viscosity(struct dem_halo *h, struct dem_particles *p)
     }
     for (size_t k = 0; k < count_of(to, h->sends); k++)
     {
-        h->send_buffer[k] = p->record[to->index[k]].viscosity;
+        h->send_buffer[WIDTH*k] = p->record[to->index[k]].viscosity;
+        h->send_buffer[WIDTH*k + 1] = p->record[to->index[k]].inverse_mass;
     }
-    post(h, DEM_HALO_ALL, 1);
+    post(h, DEM_HALO_ALL, WIDTH);
     dem_halo_wait(h);
     for (size_t k = 0; k < p->ghosts; k++)
     {
-        p->record[p->n + k].viscosity = h->receive_buffer[k];
+        p->record[p->n + k].viscosity = h->receive_buffer[WIDTH*k];
+        p->record[p->n + k].inverse_mass = h->receive_buffer[WIDTH*k + 1];
     }
     return DEM_OK;
 }

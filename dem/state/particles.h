@@ -35,7 +35,14 @@ enum dem_column_group                                     /* a column is there w
     DEM_GROUP_FLUID = 1,                                  /* effects that need a fluid */
     DEM_GROUP_BOOKS = 2,                                  /* effects past touching, which keep books */
     DEM_GROUP_SWARM = 4,                                  /* laws of drag with open_bodies */
-    DEM_GROUP_TURNED = 8                                  /* runs that ask for orientations */
+    DEM_GROUP_TURNED = 8,                                 /* runs that ask for orientations */
+    DEM_GROUP_ACCELERATION = 16,                          /* effects that need the fluid's acceleration, */
+    DEM_GROUP_VORTICITY = 32,                             /* its vorticity, */
+    DEM_GROUP_STRESS = 64,                                /* its stress, */
+    DEM_GROUP_MEAN_DIAMETER = 128,                        /* the mean diameter around */
+    DEM_GROUP_REACTS = 256,                               /* effects that the fluid feels besides drag */
+    DEM_GROUP_ADDED = 512,                                /* effects of inertia */
+    DEM_GROUP_TURNS = 1024                                /* effects with a rotational drag */
 };
 
 enum dem_column_name
@@ -47,6 +54,10 @@ enum dem_column_name
     DEM_COLUMN_VOID_FRACTION,
     DEM_COLUMN_FLUID_DENSITY,
     DEM_COLUMN_FLUID_VISCOSITY,
+    DEM_COLUMN_FLUID_ACCELERATION,
+    DEM_COLUMN_VORTICITY,
+    DEM_COLUMN_STRESS,
+    DEM_COLUMN_MEAN_DIAMETER,
     DEM_COLUMN_COUNTERFLOW,                               /* 1    see step/sweep_bodies.c   */
     DEM_COLUMN_PLACE,                                     /* the coupling's own            */
     DEM_COLUMN_DRAG_IMPULSE,                              /* N s  J of this window         */
@@ -58,6 +69,9 @@ enum dem_column_name
     DEM_COLUMN_PENDING,                                   /* N s  impulse for this window, from the last exchange */
     DEM_COLUMN_SWARM_FIRST,                               /* 1    of the fluid alone, for this window: effects/block.h */
     DEM_COLUMN_SWARM_SECOND,
+    DEM_COLUMN_ADDED_MASS,                                /* kg   of this window            */
+    DEM_COLUMN_OTHER_IMPULSE,                             /* N s  of this window, of forces that react */
+    DEM_COLUMN_TURN_IMPULSE,                              /* N m s  of this window, of rotational drag */
     DEM_COLUMN_LOST,                                      /* J    lost so far to bonds and films: half of each pair's, all at a wall */
     DEM_COLUMN_BROKEN,                                    /* 1    bonds broken so far, halves as well */
     DEM_COLUMN_ORIENTATION,                               /* 1    unit quaternion, see step/orientation.h */

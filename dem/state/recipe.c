@@ -143,6 +143,17 @@ int dem_recipe_acts(const struct dem_recipe *r, const char *effect)
     return place_of(r, effect) >= 0;
 }
 
+unsigned dem_recipe_asks(const struct dem_recipe *r)
+{
+    unsigned needs = 0;
+
+    for (int k = 0; k < r->chosen; k++)
+    {
+        needs |= r->effect[k]->needs | (r->effect[k]->asks ? r->effect[k]->asks(r->settings[k]) : 0);
+    }
+    return needs;
+}
+
 static const double *number_of(const struct dem_recipe *r, const char *effect, const char *entry)
 {
     const int place = place_of(r, effect);

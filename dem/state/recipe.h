@@ -89,6 +89,9 @@ int dem_recipe_word(const struct dem_recipe *, const char *effect, const char *e
 
 void dem_recipe_vector(const struct dem_recipe *, const char *effect, const char *entry, double value[3]);
 
+/* What all chosen effects need with their settings: enum dem_needs, or-ed. */
+unsigned dem_recipe_asks(const struct dem_recipe *);
+
 /* 1 when that effect was chosen. */
 int dem_recipe_acts(const struct dem_recipe *, const char *effect);
 

@@ -4,11 +4,41 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/body_tray.h"
+#include "base/math.h"
 #include "effects/effect.h"
 #include "step/quad.h"
+#include <stddef.h>
 #include <string.h>
 
 static const enum dem_column_name swarm[DEM_SWARM] = {DEM_COLUMN_SWARM_FIRST, DEM_COLUMN_SWARM_SECOND};
+
+/* What is seen of the fluid: a column and where it goes in the tray, three rows of a vector behind each other. */
+static const struct
+{
+    enum dem_column_name column;
+    size_t place;
+} vectors[] =
+{
+    {DEM_COLUMN_FLUID_VELOCITY, offsetof(struct dem_body_block, ux)},
+    {DEM_COLUMN_PRESSURE_GRADIENT, offsetof(struct dem_body_block, gx)},
+    {DEM_COLUMN_FLUID_ACCELERATION, offsetof(struct dem_body_block, ax)},
+    {DEM_COLUMN_VORTICITY, offsetof(struct dem_body_block, ox)},
+    {DEM_COLUMN_STRESS, offsetof(struct dem_body_block, sx)},
+}, numbers[] =
+{
+    {DEM_COLUMN_VOID_FRACTION, offsetof(struct dem_body_block, void_fraction)},
+    {DEM_COLUMN_FLUID_DENSITY, offsetof(struct dem_body_block, density)},
+    {DEM_COLUMN_FLUID_VISCOSITY, offsetof(struct dem_body_block, viscosity)},
+    {DEM_COLUMN_MEAN_DIAMETER, offsetof(struct dem_body_block, mean_diameter)},
+    {DEM_COLUMN_ADDED_MASS, offsetof(struct dem_body_block, added)},
+};
+_Static_assert(offsetof(struct dem_body_block, uz) == offsetof(struct dem_body_block, ux) + 2*DEM_BLOCK*sizeof(double),
+               "the rows of a vector lie behind each other");
+
+static double *row_at(struct dem_body_block *b, size_t place)
+{
+    return (double *)(void *)((char *)b + place);
+}
 
 /* ---- in ------------------------------------------------------------------------------------------------------ */
 
@@ -100,6 +130,14 @@ void dem_body_tray_gather(struct dem_body_tray *t, const struct dem_particles *p
         take_spins(b, p->record + first, rows);
     }
     split(dem_column(p, DEM_COLUMN_FORCE) + 3*first, rows, b->fx, b->fy, b->fz);
+    if (dem_column(p, DEM_COLUMN_OTHER_IMPULSE))
+    {
+        memset(b->rx, 0, 3*sizeof b->rx);
+    }
+    if (dem_column(p, DEM_COLUMN_TURN_IMPULSE))
+    {
+        memset(b->t, 0, 4*sizeof b->t);
+    }
 }
 
 void dem_body_tray_fluid(struct dem_body_tray *t, const struct dem_particles *p, size_t first, int rows, double over_window)
@@ -107,12 +145,26 @@ void dem_body_tray_fluid(struct dem_body_tray *t, const struct dem_particles *p,
     struct dem_body_block *const b = &t->block;
     const size_t size = (size_t)rows*sizeof(double);
 
-    split(dem_column(p, DEM_COLUMN_FLUID_VELOCITY) + 3*first, rows, b->ux, b->uy, b->uz);
-    split(dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT) + 3*first, rows, b->gx, b->gy, b->gz);
+    for (size_t k = 0; k < sizeof vectors/sizeof vectors[0]; k++)
+    {
+        const double *const from = dem_column(p, vectors[k].column);
+        double *const to = row_at(b, vectors[k].place);
+
+        if (from)
+        {
+            split(from + 3*first, rows, to, to + DEM_BLOCK, to + 2*DEM_BLOCK);
+        }
+    }
+    for (size_t k = 0; k < sizeof numbers/sizeof numbers[0]; k++)
+    {
+        const double *const from = dem_column(p, numbers[k].column);
+
+        if (from)
+        {
+            memcpy(row_at(b, numbers[k].place), from + first, size);
+        }
+    }
     split_add(dem_column(p, DEM_COLUMN_PENDING) + 3*first, rows, over_window, b->fx, b->fy, b->fz);
-    memcpy(b->void_fraction, dem_column(p, DEM_COLUMN_VOID_FRACTION) + first, size);
-    memcpy(b->density, dem_column(p, DEM_COLUMN_FLUID_DENSITY) + first, size);
-    memcpy(b->viscosity, dem_column(p, DEM_COLUMN_FLUID_VISCOSITY) + first, size);
     for (int k = 0; k < DEM_SWARM && dem_column(p, swarm[k]); k++)
     {
         memcpy(b->swarm[k], dem_column(p, swarm[k]) + first, size);
@@ -146,6 +198,90 @@ void dem_body_tray_keep_swarm(const struct dem_body_tray *t, struct dem_particle
     for (int k = 0; k < DEM_SWARM; k++)
     {
         memcpy(dem_column(p, swarm[k]) + first, t->block.swarm[k], (size_t)rows*sizeof(double));
+    }
+}
+
+void dem_body_tray_inertia(const struct dem_body_tray *t, struct dem_particles *p, size_t first, int rows)
+{
+    double *const added = dem_column(p, DEM_COLUMN_ADDED_MASS) + first;
+
+    for (int c = 0; c < rows; c++)
+    {
+        struct dem_particle *const r = &p->record[first + (size_t)c];
+
+        added[c] = t->block.added[c];
+        r->inverse_mass = r->inverse_mass > 0.0 ? 1.0/(r->mass + added[c]) : 0.0;
+    }
+}
+
+/* ---- besides drag ---------------------------------------------------------------------------------------------- */
+
+DEM_KERNEL
+static void join(struct dem_body_block *restrict b)
+{
+    for (int c = 0; c < b->n; c++)
+    {
+        b->fx[c] += b->rx[c];
+        b->fy[c] += b->ry[c];
+        b->fz[c] += b->rz[c];
+    }
+}
+
+void dem_body_tray_join(struct dem_body_tray *t)
+{
+    join(&t->block);
+}
+
+/* The added mass takes its share of whatever changes the velocity. */
+void dem_body_tray_react(const struct dem_body_tray *t, struct dem_particles *p, size_t first, int rows, double h)
+{
+    const struct dem_body_block *const b = &t->block;
+    double *const impulse = dem_column(p, DEM_COLUMN_OTHER_IMPULSE) + 3*first;
+
+    for (int c = 0; c < rows; c++)
+    {
+        const double *const before = p->record[first + (size_t)c].v;
+
+        impulse[3*c] += h*b->rx[c] - b->added[c]*(b->vx[c] - before[0]);
+        impulse[3*c + 1] += h*b->ry[c] - b->added[c]*(b->vy[c] - before[1]);
+        impulse[3*c + 2] += h*b->rz[c] - b->added[c]*(b->vz[c] - before[2]);
+    }
+}
+
+/* Like the kick with drag: I dw/dt = M + t o - t w with M of the contacts and t constant over h. */
+void dem_body_tray_turn(struct dem_body_tray *t, const struct dem_particles *p, size_t first, int rows, double h)
+{
+    struct dem_body_block *const b = &t->block;
+    const double *const moment = dem_column(p, DEM_COLUMN_TORQUE) + 3*first;
+    double *const spin[3] = {b->wx, b->wy, b->wz}, *const target[3] = {b->tx, b->ty, b->tz};
+
+    for (int c = 0; c < rows; c++)
+    {
+        const double over = p->record[first + (size_t)c].inverse_inertia;
+        const double z = b->t[c]*h*over, phi = dem_phi(z), step = phi*h*over;
+
+        for (int k = 0; k < 3; k++)
+        {
+            const double M = moment[3*c + k], pull = target[k][c] - b->t[c]*spin[k][c];
+
+            t->turn[k][c] = h*(phi*pull - (1.0 - phi)*M);
+            spin[k][c] += step*(M + pull);
+        }
+    }
+}
+
+void dem_body_tray_turned(const struct dem_body_tray *t, struct dem_particles *p, size_t first, int rows)
+{
+    const double *const spin[3] = {t->block.wx, t->block.wy, t->block.wz};
+    double *const impulse = dem_column(p, DEM_COLUMN_TURN_IMPULSE) + 3*first;
+
+    for (int c = 0; c < rows; c++)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            p->record[first + (size_t)c].w[k] = spin[k][c];
+            impulse[3*c + k] += t->turn[k][c];
+        }
     }
 }
 

@@ -19,6 +19,7 @@ struct dem_body_tray
     _Alignas(64) double jx[DEM_BLOCK], jy[DEM_BLOCK], jz[DEM_BLOCK];          /* N s   drag impulse of this kick */
     _Alignas(64) double kept[DEM_BLOCK];                  /* 1     exp(-z) */
     _Alignas(64) double drag[DEM_BLOCK];                  /* kg/s  b without counterflow */
+    _Alignas(64) double turn[3][DEM_BLOCK];               /* N m s impulse of rotational drag in this kick */
 };
 
 /* The rows [first, first + rows) of the particles with their contact forces; the columns of drag are cleared. With `spin` the spins. */
@@ -32,6 +33,18 @@ void dem_body_tray_keep_swarm(const struct dem_body_tray *, struct dem_particles
 
 /* The fluid makes room for what particles have moved since the window's start: see sweep_bodies.c. */
 void dem_body_tray_counterflow(struct dem_body_tray *, const struct dem_particles *, size_t first, int rows);
+
+/* What effects of inertia have told becomes the added mass of this window, and part of the inertial mass of who is free to move. */
+void dem_body_tray_inertia(const struct dem_body_tray *, struct dem_particles *, size_t first, int rows);
+
+/* Forces that react join the others, before the kick; after it, with velocities still to go home, what the fluid gets of them and of
+   the added mass is booked. */
+void dem_body_tray_join(struct dem_body_tray *);
+void dem_body_tray_react(const struct dem_body_tray *, struct dem_particles *, size_t first, int rows, double h);
+
+/* Spins under contact torques and rotational drag over the kick h [s], to be taken home after the velocities, which turn them without. */
+void dem_body_tray_turn(struct dem_body_tray *, const struct dem_particles *, size_t first, int rows, double h);
+void dem_body_tray_turned(const struct dem_body_tray *, struct dem_particles *, size_t first, int rows);
 
 /* The new velocities go home; contact torques turn the spins over the kick h [s]. */
 void dem_body_tray_scatter(const struct dem_body_tray *, struct dem_particles *, size_t first, int rows, double h);

@@ -121,6 +121,7 @@ struct dem_ledger_kick                                    /* a block of bodies, 
     const struct dem_chain *bodies;
     const struct dem_body_block *block;                   /* velocities after */
     const double *j[3];                                   /* N s  of drag */
+    const double *turn[3];                                /* N m s  of rotational drag; the block then has the spins after */
     size_t first;
     int rows;
     double h, window;                                     /* s */

@@ -78,9 +78,12 @@ void dem_ledger_leaves(struct dem_parts *p, const struct dem_particle *r)
 
 void dem_ledger_body_before(struct dem_ledger *l, const struct dem_body_block *b)
 {
-    memcpy(l->scratch->force[0], b->fx, sizeof b->fx);
-    memcpy(l->scratch->force[1], b->fy, sizeof b->fy);
-    memcpy(l->scratch->force[2], b->fz, sizeof b->fz);
+    for (int c = 0; c < b->n; c++)
+    {
+        l->scratch->force[0][c] = b->fx[c] + b->rx[c];
+        l->scratch->force[1][c] = b->fy[c] + b->ry[c];
+        l->scratch->force[2][c] = b->fz[c] + b->rz[c];
+    }
 }
 
 void dem_ledger_body_after(struct dem_ledger *l, const struct dem_body_block *b, int link)
@@ -89,9 +92,9 @@ void dem_ledger_body_after(struct dem_ledger *l, const struct dem_body_block *b,
 
     for (int c = 0; c < b->n; c++)
     {
-        own[0][c] = b->fx[c] - l->scratch->force[0][c];
-        own[1][c] = b->fy[c] - l->scratch->force[1][c];
-        own[2][c] = b->fz[c] - l->scratch->force[2][c];
+        own[0][c] = b->fx[c] + b->rx[c] - l->scratch->force[0][c];
+        own[1][c] = b->fy[c] + b->ry[c] - l->scratch->force[1][c];
+        own[2][c] = b->fz[c] + b->rz[c] - l->scratch->force[2][c];
     }
 }
 
@@ -105,6 +108,24 @@ static void drag(struct dem_sum *sum, const struct dem_particles *p, const struc
 
     dem_ledger_add(&sum[DEM_LEDGER_WORK], given + late);
     dem_ledger_add(&sum[DEM_LEDGER_LOST], given - dem_vec_dot(j, v));
+}
+
+/* What the added mass takes: -a dv on the mean velocity. */
+static double taken_along(const struct dem_particle *r, const struct dem_body_block *b, int c, const double v[3])
+{
+    const double gain[3] = {b->vx[c] - r->v[0], b->vy[c] - r->v[1], b->vz[c] - r->v[2]};
+
+    return -b->added[c]*dem_vec_dot(gain, v);
+}
+
+/* Torque impulse on the mean spin. */
+static double turned(const struct dem_particle *r, const struct dem_ledger_kick *k, int c)
+{
+    const struct dem_body_block *const b = k->block;
+    const double w[3] = {0.5*(r->w[0] + b->wx[c]), 0.5*(r->w[1] + b->wy[c]), 0.5*(r->w[2] + b->wz[c])};
+    const double turn[3] = {k->turn[0][c], k->turn[1][c], k->turn[2][c]};
+
+    return dem_vec_dot(turn, w);
 }
 
 void dem_ledger_kicked(struct dem_ledger *l, const struct dem_particles *p, const struct dem_ledger_kick *k)
@@ -125,6 +146,14 @@ void dem_ledger_kicked(struct dem_ledger *l, const struct dem_particles *p, cons
             if (effect->drag && r->inverse_mass > 0.0)
             {
                 drag(sum, p, k, c, v);
+            }
+            if (effect->inertia)
+            {
+                dem_ledger_add(&sum[DEM_LEDGER_WORK], taken_along(r, k->block, c, v));
+            }
+            if (effect->turns)
+            {
+                dem_ledger_add(&sum[DEM_LEDGER_WORK], turned(r, k, c));
             }
             dem_ledger_add(&sum[DEM_LEDGER_WORK], dem_vec_dot(f, v)*k->h);
         }

@@ -244,3 +244,21 @@ double dem_measure_overlap(struct dem_parts *p, int64_t *i, int64_t *j, double x
     }
     return worst;
 }
+
+double dem_measure_sauter(const struct dem_parts *p)
+{
+    struct dem_sum sum[2];
+    double value[2];
+
+    dem_sum_clear(&sum[0]);
+    dem_sum_clear(&sum[1]);
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const double d = 2.0*p->particles.record[i].radius;
+
+        dem_sum_add(&sum[0], d*d*d);
+        dem_sum_add(&sum[1], d*d);
+    }
+    dem_measure_sums(p, sum, 2, value);
+    return value[1] > 0.0 ? value[0]/value[1] : 0.0;
+}

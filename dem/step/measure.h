@@ -37,4 +37,7 @@ uint64_t dem_measure_hash(const struct dem_parts *);
 /* The near row with the largest overlap at the present positions: its share of the smaller diameter. For input checks. */
 double dem_measure_overlap(struct dem_parts *, int64_t *i, int64_t *j, double x[3]);
 
+/* Collective. Sauter mean diameter of all particles, sum d^3/sum d^2 [m]; 0 without particles. */
+double dem_measure_sauter(const struct dem_parts *);
+
 #endif

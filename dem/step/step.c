@@ -240,9 +240,9 @@ int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
     dem_walls_move(&p->walls, p->time, 0.0);
     dem_walls_set_off(&p->walls, p->window);
     dem_bodies_open(&p->particles, &p->recipe.bodies);
-    if (p->recipe.needs & DEM_NEEDS_VISCOSITY && !p->stale)
+    if ((p->recipe.needs & DEM_NEEDS_VISCOSITY || dem_column(&p->particles, DEM_COLUMN_ADDED_MASS)) && !p->stale)
     {
-        DEM_TRY(dem_halo_refresh_viscosity(&p->halo, &p->particles));
+        DEM_TRY(dem_halo_refresh_fluid(&p->halo, &p->particles));
     }
     kick_off(p, 0.5*dt - had);
     return make_steps(p);

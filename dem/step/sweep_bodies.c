@@ -10,6 +10,14 @@
  * share of the impulse is J = m (v' - v) - F h = h [phi (b u - b v) - (1 - phi) F]; written like this it also holds for
  * a frozen particle (1/m = 0, phi = 1), which passes on h b (u - v).
  *
+ * Added mass a (column addedMass) is part of the inertia m in these formulas; the particle's weight and momentum are without it. Forces
+ * that react (lift, and a Du/Dt) are in F. What the fluid gets of the two is the opposite of
+ *
+ *     J_other = r h - a (v' - v)
+ *
+ * so that J + J_other is what the fluid has changed the particle's momentum by, to the last digit, whatever a becomes in the next
+ * window. Rotational drag is integrated like b, on the spin.
+ *
  * What the fluid must know of the answer to a change of its velocity over a whole window T is R = dJ/du. A free particle
  * has R = m E, E = 1 - product of exp(-b h/m). One held by its neighbours answers more stiffly, up to b T when it can't
  * move at all; with R = m E alone the exchange diverges there. The impulse itself tells which: R = |J|/|u - v(start)|,
@@ -75,6 +83,28 @@ static void kick_without_drag(struct dem_body_tray *restrict t, double h)
     }
 }
 
+/* The kick, and what the fluid is told of it. */
+static void kick_in_fluid(struct dem_body_tray *t, struct dem_particles *p, size_t first, int rows, double h)
+{
+    const int reacts = dem_column(p, DEM_COLUMN_OTHER_IMPULSE) != NULL;
+
+    if (reacts)
+    {
+        dem_body_tray_join(t);
+    }
+    dem_body_tray_counterflow(t, p, first, rows);
+    kick_with_drag(t, h);
+    dem_body_tray_book(t, p, first, rows, h);
+    if (reacts)
+    {
+        dem_body_tray_react(t, p, first, rows, h);
+    }
+    if (dem_column(p, DEM_COLUMN_TURN_IMPULSE))
+    {
+        dem_body_tray_turn(t, p, first, rows, h);
+    }
+}
+
 static int rows_from(const struct dem_particles *p, size_t first)
 {
     return p->n - first < DEM_BLOCK ? (int)(p->n - first) : DEM_BLOCK;
@@ -116,9 +146,7 @@ static void sweep_block(struct dem_body_pass *pass, size_t first, int rows)
     act(t, pass->bodies, s->ledger);
     if (fluid)
     {
-        dem_body_tray_counterflow(t, p, first, rows);
-        kick_with_drag(t, s->kick);
-        dem_body_tray_book(t, p, first, rows, s->kick);
+        kick_in_fluid(t, p, first, rows, s->kick);
     }
     else
     {
@@ -127,11 +155,15 @@ static void sweep_block(struct dem_body_pass *pass, size_t first, int rows)
     if (s->ledger)
     {
         const struct dem_ledger_kick k = {.bodies = pass->bodies, .block = &t->block, .j = {t->jx, t->jy, t->jz}, .first = first,
-                                          .rows = rows, .h = s->kick, .window = s->window};
+                                          .turn = {t->turn[0], t->turn[1], t->turn[2]}, .rows = rows, .h = s->kick, .window = s->window};
 
         dem_ledger_kicked(s->ledger, p, &k);
     }
     dem_body_tray_scatter(t, p, first, rows, s->kick);
+    if (dem_column(p, DEM_COLUMN_TURN_IMPULSE))
+    {
+        dem_body_tray_turned(t, p, first, rows);
+    }
 }
 
 void dem_bodies_begin(struct dem_body_pass *pass, struct dem_particles *p, const struct dem_chain *bodies, const struct dem_body_sweep *s)
@@ -162,18 +194,20 @@ void dem_sweep_bodies(struct dem_particles *p, const struct dem_chain *bodies, c
 
 /* ---- windows ------------------------------------------------------------------------------------------------- */
 
-/* What laws of drag make of the fluid alone. */
+/* What laws of drag make of the fluid alone, and the added mass. */
 void dem_bodies_open_laws(struct dem_particles *p, const struct dem_chain *bodies)
 {
+    const int swarm = dem_column(p, DEM_COLUMN_SWARM_FIRST) != NULL, added = dem_column(p, DEM_COLUMN_ADDED_MASS) != NULL;
     struct dem_body_tray t;
 
     memset(&t, 0, sizeof t);
-    for (size_t first = 0; dem_column(p, DEM_COLUMN_SWARM_FIRST) && first < p->n; first += DEM_BLOCK)
+    for (size_t first = 0; (swarm || added) && first < p->n; first += DEM_BLOCK)
     {
         const int rows = rows_from(p, first);
 
         dem_body_tray_gather(&t, p, first, rows, 0);
         dem_body_tray_fluid(&t, p, first, rows, 0.0);
+        memset(t.block.added, 0, sizeof t.block.added);
         for (int k = 0; k < bodies->links; k++)
         {
             if (bodies->link[k].effect->open_bodies)
@@ -181,7 +215,23 @@ void dem_bodies_open_laws(struct dem_particles *p, const struct dem_chain *bodie
                 bodies->link[k].effect->open_bodies(bodies->link[k].settings, &t.block);
             }
         }
-        dem_body_tray_keep_swarm(&t, p, first, rows);
+        if (swarm)
+        {
+            dem_body_tray_keep_swarm(&t, p, first, rows);
+        }
+        if (added)
+        {
+            dem_body_tray_inertia(&t, p, first, rows);
+        }
+    }
+}
+
+/* What the fluid will be told begins at nothing. */
+static void clear(struct dem_particles *p, enum dem_column_name column)
+{
+    if (dem_column(p, column))
+    {
+        memset(dem_column(p, column), 0, (size_t)p->column[column].width*p->n*sizeof(double));
     }
 }
 
@@ -192,8 +242,10 @@ void dem_bodies_open(struct dem_particles *p, const struct dem_chain *bodies)
         return;
     }
     dem_bodies_open_laws(p, bodies);
-    memset(dem_column(p, DEM_COLUMN_DRAG_IMPULSE), 0, 3*p->n*sizeof(double));
-    memset(dem_column(p, DEM_COLUMN_DRAG_TIME), 0, p->n*sizeof(double));
+    clear(p, DEM_COLUMN_DRAG_IMPULSE);
+    clear(p, DEM_COLUMN_OTHER_IMPULSE);
+    clear(p, DEM_COLUMN_TURN_IMPULSE);
+    clear(p, DEM_COLUMN_DRAG_TIME);
     for (size_t i = 0; i < p->n; i++)
     {
         dem_column(p, DEM_COLUMN_KEPT)[i] = 1.0;

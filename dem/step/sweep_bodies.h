@@ -41,7 +41,7 @@ void dem_bodies_until(struct dem_body_pass *, size_t end);
 /* Start a window of the fluid: clear what the particles will tell it, work out what its steps have in common. */
 void dem_bodies_open(struct dem_particles *, const struct dem_chain *bodies);
 
-/* Only what laws of drag make of the fluid alone: for a window that is gone on with. */
+/* Only what laws of drag make of the fluid alone, and the added mass: for a window that is gone on with. */
 void dem_bodies_open_laws(struct dem_particles *, const struct dem_chain *bodies);
 
 /* End it: the response R of each particle from its drag impulse (see the definition in sweep_bodies.c). */

@@ -7,11 +7,11 @@
  */
 #include "drag_table.h"
 
-static double mean_diameter;                              /* the settings; 0: each its own */
+static struct { double mean_diameter; int around; } own;  /* the settings; 0: each its own */
 
 static double G(double e, double re)
 {
-    return body_drag(&dem_beetstra, &mean_diameter, e, re);
+    return body_drag(&dem_beetstra, &own, e, re);
 }
 
 /* the paper's F, with its negative powers of Re */
@@ -34,36 +34,36 @@ static void mixture(double e, double slip)
     {
         over += solids[k]/d[k];
     }
-    mean_diameter = 1.0/over;
+    own.mean_diameter = 1.0/over;
     memset(&b, 0, sizeof b);
     b.n = 4;
     for (int k = 0; k < 4; k++)
     {
-        body_fill(&b, k, k < 3 ? d[k] : mean_diameter, 1000.0, 1e-3, e, 0.0);
+        body_fill(&b, k, k < 3 ? d[k] : own.mean_diameter, 1000.0, 1e-3, e, 0.0);
         b.ux[k] = slip;
     }
-    dem_beetstra.act_on_bodies(&mean_diameter, &b);
+    dem_beetstra.act_on_bodies(&own, &b);
     for (int k = 0; k < 3; k++)
     {
         sum += solids[k]*(1.0 - e)/sphere_volume(d[k])*b.b[k];
     }
     /* rounding */
-    TAP_NEAR(sum/((1.0 - e)/sphere_volume(mean_diameter)*b.b[3]), 1.0, 1e-13, "e = %g: as spheres of the Sauter mean", e);
+    TAP_NEAR(sum/((1.0 - e)/sphere_volume(own.mean_diameter)*b.b[3]), 1.0, 1e-13, "e = %g: as spheres of the Sauter mean", e);
     TAP_NEAR(b.b[2]/b.b[0], 16.0, 1e-12, "e = %g: four times the size, sixteen times the drag", e);
     const double alone = b.b[3];
 
-    mean_diameter = 0.0;
+    own.mean_diameter = 0.0;
     body_fill(&b, 3, 1.0/over, 1000.0, 1e-3, e, 0.0);
     b.ux[3] = slip;
-    dem_beetstra.act_on_bodies(&mean_diameter, &b);
+    dem_beetstra.act_on_bodies(&own, &b);
     TAP_NEAR(b.b[3]/alone, 1.0, 1e-15, "e = %g: the mean itself is as among its equals", e);    /* rounding of y = 1 */
 }
 
 int main(void)
 {
     TAP_TRAPS;
-    mean_diameter = 0.0;
-    drag_in_table(&dem_beetstra, &mean_diameter, DRAG_BEETSTRA);
+    own.mean_diameter = 0.0;
+    drag_in_table(&dem_beetstra, &own, DRAG_BEETSTRA);
     TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a lone creeping sphere: Stokes' 3 pi mu d");
     TAP_NEAR(G(1.0, 1e-6), 1.0, 1e-5, "and nearly so at Re = 1e-6");                     /* 0.145 Re^1.157 */
     TAP_NEAR(G(0.4, 0.0), 0.4*(10.0*0.6/0.16 + 0.16*(1.0 + 1.5*sqrt(0.6))), 1e-13, "a creeping packing");    /* rounding */
@@ -81,15 +81,39 @@ int main(void)
     mixture(0.45, 0.1);
     mixture(0.8, 0.01);
     mixture(0.99, 0.5);
-    mean_diameter = 0.0;
-    drag_limits(&dem_beetstra, &mean_diameter);
-    drag_form(&dem_beetstra, &mean_diameter);
+    own.mean_diameter = 0.0;
+    drag_limits(&dem_beetstra, &own);
+    drag_form(&dem_beetstra, &own);
 
-    double settings = -1.0, bad = -1e-3;
+    /* the mean around, of each place */
+    static struct dem_body_block b;
 
-    dem_field_defaults(dem_beetstra.settings, &settings);
-    TAP_OK(settings == 0.0, "of one size unless told otherwise");
-    TAP_OK(dem_field_set_number(dem_beetstra.settings, &settings, "beetstra", "meanDiameter", &bad, 1) == DEM_ERROR_INPUT,
+    own.around = 1;
+    memset(&b, 0, sizeof b);
+    b.n = 3;
+    for (int c = 0; c < 3; c++)
+    {
+        body_fill(&b, c, 1e-3, 1000.0, 1e-3, 0.5, 20.0);
+    }
+    b.mean_diameter[0] = 1e-3, b.mean_diameter[1] = 2e-3;
+    dem_beetstra.act_on_bodies(&own, &b);
+    const double around = b.b[1];
+
+    TAP_NEAR(b.b[0]/b.b[2], 1.0, 1e-15, "the mean around is its own: as alone; so is none, 0");
+    own.around = 0, own.mean_diameter = 2e-3;
+    body_fill(&b, 1, 1e-3, 1000.0, 1e-3, 0.5, 20.0);
+    dem_beetstra.act_on_bodies(&own, &b);
+    TAP_OK(b.b[1] == around, "the mean around, or the same given");
+    own.around = 1;
+    TAP_OK(dem_beetstra.asks(&own) == DEM_NEEDS_MEAN_DIAMETER && dem_beetstra.prepare(&own, NULL) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    own.around = 0;
+    TAP_OK(dem_beetstra.asks(&own) == 0 && dem_beetstra.prepare(&own, NULL) == DEM_OK, "asks for it only then");
+
+    double bad = -1e-3;
+
+    dem_field_defaults(dem_beetstra.settings, &own);
+    TAP_OK(own.mean_diameter == 0.0 && own.around == 0, "of one size unless told otherwise");
+    TAP_OK(dem_field_set_number(dem_beetstra.settings, &own, "beetstra", "meanDiameter", &bad, 1) == DEM_ERROR_INPUT,
            "%s", dem_error_text());
     TAP_DONE;
 }

@@ -94,6 +94,11 @@ static void random_body(struct dem_body_block *b, int to, int row)
               uniform(row, 3, 0.1, 1.1), uniform(row, 4, 0.0, 2000.0));
     b->vx[to] = uniform(row, 5, -1.0, 1.0), b->vy[to] = uniform(row, 6, -1.0, 1.0), b->vz[to] = uniform(row, 7, -1.0, 1.0);
     b->gx[to] = uniform(row, 8, -1e4, 1e4), b->gy[to] = uniform(row, 9, -1e4, 1e4), b->gz[to] = uniform(row, 10, -1e4, 1e4);
+    b->ax[to] = uniform(row, 11, -20.0, 20.0), b->ay[to] = uniform(row, 12, -20.0, 20.0), b->az[to] = uniform(row, 13, -20.0, 20.0);
+    b->ox[to] = uniform(row, 14, -99.0, 99.0), b->oy[to] = uniform(row, 15, -99.0, 99.0), b->oz[to] = uniform(row, 16, -99.0, 99.0);
+    b->sx[to] = uniform(row, 17, -99.0, 99.0), b->sy[to] = uniform(row, 18, -99.0, 99.0), b->sz[to] = uniform(row, 19, -99.0, 99.0);
+    b->wx[to] = uniform(row, 20, -99.0, 99.0), b->wy[to] = uniform(row, 21, -99.0, 99.0), b->wz[to] = uniform(row, 22, -99.0, 99.0);
+    b->mean_diameter[to] = uniform(row, 23, 1e-4, 1e-2);
 }
 
 static int all_finite(const dem_real *values)
@@ -231,22 +236,49 @@ static void body_effect(const struct dem_effect *e)
         one.n = 1;
         random_body(&one, 0, row);
         dem_effect_on_bodies(e, settings, &one);
-        bad += differs(many.fx, many.buz, one.fx, row);
+        bad += differs(many.added, many.tz, one.added, row);
     }
     TAP_OK(bad == 0, "%s: a row has the same bits alone and among others (%d differ)", e->name, bad);
-    TAP_OK(bad_columns(many.fx, many.buz) == 0, "%s: all finite", e->name);
+    TAP_OK(bad_columns(many.added, many.tz) == 0, "%s: all finite", e->name);
     bad = 0;
     for (int row = 0; row < ROWS; row++)
     {
-        bad += many.b[row] < 0.0;
+        bad += many.b[row] < 0.0 || many.t[row] < 0.0 || many.added[row] < 0.0;
     }
-    TAP_OK(bad == 0, "%s: no drag pushes", e->name);
+    TAP_OK(bad == 0, "%s: no drag pushes, none turns along, nobody takes less than no fluid along", e->name);
 
     memset(&many, 0, sizeof many);
     many.n = DEM_BLOCK;
     dem_effect_on_bodies(e, settings, &many);
-    TAP_OK(bad_columns(many.fx, many.buz) == 0 && many.fx[DEM_BLOCK - 1] == 0.0 && many.b[0] == 0.0,
+    TAP_OK(bad_columns(many.added, many.tz) == 0 && many.fx[DEM_BLOCK - 1] == 0.0 && many.b[0] == 0.0,
            "%s: rows of zeros", e->name);
+    TAP_OK(many.rx[0] == 0.0 && many.t[DEM_BLOCK - 1] == 0.0 && many.added[0] == 0.0, "%s: nor turn, nor take along", e->name);
+}
+
+/* what an effect says that it does, it does, and nothing else */
+static void books(const struct dem_effect *e)
+{
+    static struct dem_body_block b;
+    double settings[32] = {0};
+    int reacts = 0, pushes = 0, turns = 0, added = 0;
+
+    settings_of(e, settings);
+    memset(&b, 0, sizeof b);
+    b.n = ROWS;
+    for (int row = 0; row < ROWS; row++)
+    {
+        random_body(&b, row, row);
+    }
+    dem_effect_on_bodies(e, settings, &b);
+    for (int row = 0; row < ROWS; row++)
+    {
+        reacts |= b.rx[row] != 0.0 || b.ry[row] != 0.0 || b.rz[row] != 0.0;
+        pushes |= b.fx[row] != 0.0 || b.fy[row] != 0.0 || b.fz[row] != 0.0;
+        turns |= b.t[row] != 0.0;
+        added |= b.added[row] != 0.0;
+    }
+    TAP_OK(reacts == e->reacts && added == e->inertia && turns == e->turns && (pushes == 0 || !reacts),
+           "%s: its books are those that it tells of", e->name);
 }
 
 static void tells(const struct dem_effect *e)
@@ -267,7 +299,8 @@ static void tells(const struct dem_effect *e)
     TAP_OK(!(e->reach || e->shield) || e->stage == DEM_STAGE_BOND || e->stage == DEM_STAGE_FILM,
            "%s: only bonds and films act past touching", e->name);
     TAP_OK(!e->adhere || e->stage == DEM_STAGE_FILM, "%s: only films tell friction beforehand", e->name);
-    TAP_OK(!e->open_bodies || e->drag, "%s: only a law of drag opens a window", e->name);
+    TAP_OK(!e->open_bodies || e->drag || e->inertia, "%s: only drag and added mass open a window", e->name);
+    TAP_OK(!(e->drag || e->reacts || e->inertia || e->turns) || e->stage == DEM_STAGE_FLUID, "%s: only in a fluid", e->name);
     TAP_OK(!e->forgets || (e->memory && e->stage < DEM_STAGE_BOND), "%s: only laws of contact forget", e->name);
     TAP_OK((e->exponent > 0.0) == (e->stage == DEM_STAGE_NORMAL),
            "%s: an exponent for the normal law only", e->name);
@@ -290,6 +323,7 @@ int main(void)
         else
         {
             body_effect(*e);
+            books(*e);
         }
     }
     TAP_OK(count > 0, "%d effects", count);

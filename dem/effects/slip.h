@@ -1,0 +1,44 @@
+/*
+ * slip.h -- the slip of a row of the body tray, for lift.
+ *
+ *   w = u - v,   Re_p = rho d |w|/mu
+ *
+ *   u, v   fluid and particle velocity                             [m/s]
+ *
+ * Re_p is on the slip between the grains: the laws of lift are those of a lone sphere.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_EFFECTS_SLIP_H
+#define DEM_EFFECTS_SLIP_H
+
+#include "base/math.h"
+#include "effects/block.h"
+
+struct dem_slip
+{
+    double x, y, z, size;                                 /* m/s */
+    double re, nu;                                        /* 1, m2/s; 0 where there is no fluid */
+};
+
+static inline __attribute__((always_inline)) struct dem_slip dem_slip_of(const struct dem_body_block *b, int c)
+{
+    struct dem_slip s = {.x = b->ux[c] - b->vx[c], .y = b->uy[c] - b->vy[c], .z = b->uz[c] - b->vz[c]};
+    const double rho = b->density[c], mu = b->viscosity[c], there = dem_pick(rho*mu > 0.0, 1.0, 0.0);
+
+    s.size = sqrt(s.x*s.x + s.y*s.y + s.z*s.z);
+    s.nu = there*mu/dem_pick(there > 0.0, rho, 1.0);
+    s.re = there*(2.0*b->radius[c])*s.size/dem_pick(there > 0.0, s.nu, 1.0);
+    return s;
+}
+
+/* k w x a to the force whose opposite the fluid gets */
+static inline __attribute__((always_inline)) void dem_slip_lift(struct dem_body_block *b, int c, const struct dem_slip *w, double k,
+                                                                const double a[3])
+{
+    b->rx[c] += k*(w->y*a[2] - w->z*a[1]);
+    b->ry[c] += k*(w->z*a[0] - w->x*a[2]);
+    b->rz[c] += k*(w->x*a[1] - w->y*a[0]);
+}
+
+#endif
