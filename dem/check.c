@@ -76,6 +76,7 @@ static int learn_radii(struct dem *d)
     int m;
 
     dem_insert_radii(&d->scene.insertion, r->least_radius, r->most_radius);
+    dem_streams_radii(&d->scene.streams, r->least_radius, r->most_radius);
     for (size_t k = 0; k < d->crowd.n; k++)
     {
         const double radius = d->crowd.particle[k].radius;
@@ -105,6 +106,7 @@ int dem_door_examine(struct dem *d)
     DEM_TRY(dem_dict_refuse_unread(d->dict));
     DEM_REQUIRE(!d->energy || !d->parts.recipe.mixed, DEM_ERROR_INPUT, "the ledger of energy counts what single precision loses as lost or "
                 "gained; use time/precision double, or no ledger (write/energy)");
+    DEM_TRY(dem_streams_inside(&d->scene.streams, &d->parts.domain));
     if (d->load[0])
     {
         return DEM_OK;

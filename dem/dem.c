@@ -63,6 +63,7 @@ void dem_free(struct dem *d)
     dem_pairs_free(&d->parts.pairs);
     dem_wall_touches_free(&d->parts.touches);
     dem_losses_free(&d->parts.losses);
+    dem_flows_free(&d->parts.flows);
     dem_bonds_free(&d->parts.bonds);
     dem_kept_free(&d->parts.kept);
     dem_wall_books_free(&d->parts.books);
@@ -394,6 +395,9 @@ int dem_save(struct dem *d, const char *path)
 
     DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_save comes after dem_ready");
     memcpy(s.learnt, &p->pairs.skins, sizeof p->pairs.skins);
+    s.flows = p->flows.n;
+    s.next_id = p->flows.next_id;
+    memcpy(s.flow, p->flows.flow, (size_t)p->flows.n*sizeof *s.flow);
     if (p->open)
     {
         s.window = (struct dem_snapshot_window){.ahead = p->ahead, .done = p->steps - p->before, .opened = p->opened, .dt = p->dt};
@@ -429,6 +433,7 @@ int dem_restore(struct dem *d, double *time)
 
     DEM_REQUIRE(p->kept.held, DEM_ERROR_STATE, "there is no copy to go back to; dem_keep comes before dem_restore");
     DEM_TRY(dem_kept_give(&p->kept, &p->particles, &p->contacts));
+    dem_flows_go_back(&p->flows);
     dem_walls_go_back(&p->walls);
     d->restored = 1;
     p->steps = p->kept.steps;

@@ -118,6 +118,7 @@ struct dem_tally                                          /* sums over all ranks
     double largest_overlap;                               /* 1  of the smaller partner's diameter, since the last call */
     double momentum[3];                                   /* kg m/s */
     double volume, mass;                                  /* m3, kg of all particles */
+    int64_t inserted, removed;                            /* by streams and outlets since the start, who left the domain with the latter */
     double fall;                                          /* J  those that move, falling by the mean diameter; 0 without gravity */
 
     /* the books of effects that act past touching (bonds, films); 0 without them */
@@ -189,6 +190,19 @@ struct dem_loss                                           /* a particle that was
 /* Losses of all ranks since the last call, by time and id: the same list on every rank, on any number of ranks. It holds
    until the next call. Collective. */
 int dem_lost(struct dem *, int64_t *n, const struct dem_loss **);
+
+struct dem_flow                                           /* a stream of `insert`, or an outlet: what has passed since the start */
+{
+    const char *name;
+    int enters;                                           /* 1: a stream; 0: an outlet, or `domain`, by leaving it */
+    int64_t particles;
+    double mass, momentum[3], energy;                     /* kg, kg m/s, J of motion, each particle's when it passed */
+    int64_t waiting;                                      /* particles that are owed, and found no room at the last look */
+};
+
+/* Streams, outlets, and the domain if particles may leave it, in this order; none in a scene that has neither streams nor outlets. The same
+   on all ranks; they hold until the next call. */
+int dem_flows(struct dem *, int *n, const struct dem_flow **);
 
 struct dem_bond                                           /* that holds */
 {

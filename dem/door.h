@@ -9,6 +9,7 @@
 
 #include "dem.h"
 #include "io/scene.h"
+#include "io/snapshot.h"
 #include "plan/text.h"
 #include "step/parts.h"
 
@@ -39,6 +40,8 @@ struct dem
     int turned;                                           /* 1: orientations were asked for */
     int feels_gradient;                                   /* 1: pressureGradient is among the effects */
     struct dem_skins learnt;                              /* what the snapshot knows of the lists */
+    struct dem_snapshot flowed;                           /* and of streams and outlets */
+    struct dem_flow flow[DEM_SNAPSHOT_FLOWS];             /* as told last */
     double step;                                          /* s, the limit in force */
     struct dem_text plan, profile;                        /* the last ones */
 };
@@ -60,6 +63,7 @@ int dem_door_place_walls(struct dem *);
 int dem_door_start_particles(struct dem *);
 void dem_door_survey_radii(struct dem_parts *);
 void dem_door_fill_fluid(struct dem *);
+int dem_door_begin_flows(struct dem *);                   /* collective */
 
 /* What can be told before particles are placed: the scene has been read, walls are there. */
 int dem_door_examine(struct dem *);

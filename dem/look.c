@@ -9,6 +9,7 @@
 #include "step/measure.h"
 #include "step/profile.h"
 #include "step/virial.h"
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -102,6 +103,33 @@ int dem_lost(struct dem *d, int64_t *n, const struct dem_loss **loss)
     DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_lost comes after dem_ready");
     DEM_TRY(dem_losses_tell(&d->parts.losses, &d->parts.pieces, n));
     *loss = d->parts.losses.all;
+    return DEM_OK;
+}
+
+/* Kilograms that wait are so many particles of mean mass. */
+static int64_t waiting(const struct dem *d, int k)
+{
+    const struct dem_stream *const s = &d->scene.streams.stream[k];
+    const double owed = d->parts.flows.waiting[k];
+
+    return (int64_t)floor((s->by_mass ? owed/dem_stream_mean_mass(s, &d->parts.recipe) : owed) + 1e-9);
+}
+
+int dem_flows(struct dem *d, int *n, const struct dem_flow **flow)
+{
+    const struct dem_flows *const f = &d->parts.flows;
+
+    DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_flows comes after dem_ready");
+    *n = f->n > 0 && !d->parts.domain.remove ? f->n - 1 : f->n;
+    for (int k = 0; k < *n; k++)
+    {
+        const struct dem_snapshot_flow *const row = &f->flow[k];
+
+        d->flow[k] = (struct dem_flow){.name = row->name, .enters = row->kind == DEM_FLOW_STREAM, .particles = row->count, .mass = row->mass,
+                                       .momentum = {row->momentum[0], row->momentum[1], row->momentum[2]}, .energy = row->energy};
+        d->flow[k].waiting = d->flow[k].enters ? waiting(d, k) : 0;
+    }
+    *flow = d->flow;
     return DEM_OK;
 }
 

@@ -6,6 +6,7 @@
 #include "main.h"
 #include "main_energy.h"
 #include "main_bonds.h"
+#include "main_flows.h"
 #include "main_lost.h"
 #include "main_rows.h"
 #include "main_scene.h"
@@ -114,6 +115,7 @@ struct course                                             /* a run on its way */
     struct dem_lost_log lost;
     struct dem_wall_log walls;
     struct dem_energy_log energy;
+    struct dem_flow_log flows;
     struct dem_tally t;
 };
 
@@ -140,6 +142,7 @@ static int tell(struct course *c, int64_t number)
     const struct dem_output *const o = &c->s->output;
 
     report(&c->p, &c->t, c->s->end);
+    DEM_TRY(dem_flow_log_tell(&c->flows, c->prog, c->d, c->t.time));
     DEM_TRY(dem_lost_tell(&c->lost, c->prog, c->d));
     DEM_TRY(dem_bond_rows_tell(c->prog, c->d, o));
     return dem_stopped(c->d) ? dem_stop_save(c->prog, o, c->d, number) : dem_output_save(o, c->prog, c->d, number);
@@ -155,6 +158,7 @@ static int begin(struct course *c)
     c->p.from = start;
     c->p.steps = c->t.steps;
     DEM_TRY(dem_lost_begin(&c->lost, c->prog, o, start));
+    DEM_TRY(dem_flow_log_begin(&c->flows, c->prog, o, c->d, start));
     DEM_TRY(dem_bond_rows_begin(c->prog, c->d, o->folder, start));
     DEM_TRY(dem_surfaces_begin(o, c->prog, c->d));
     if (start == 0.0)
@@ -229,6 +233,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
         }
     }
     DEM_TRY(tell_profile(prog, d, &s->output));
+    dem_flow_log_end(prog, d);
     dem_energy_log_end(&c.energy, prog);
     dem_quiet_tell(&c.quiet, prog, &c.t);
     return DEM_OK;

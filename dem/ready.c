@@ -87,6 +87,7 @@ static int prepare_physics(struct dem *d)
     if (d->load[0])
     {
         dem_door_survey_radii(p);
+        dem_streams_radii(&d->scene.streams, p->recipe.least_radius, p->recipe.most_radius);
         DEM_TRY(dem_door_settle_physics(d));
     }
     const double radius = dem_door_most_radius(d);
@@ -169,6 +170,8 @@ static int begin_ledger(struct dem *d)
     const size_t losses = p->losses.n, broke = p->bonds.n;
     struct dem_kept aside = {.held = 0};
 
+    dem_flows_keep(&p->flows);
+
     if (!d->load[0])
     {
         dem_ledger_begin(p);
@@ -184,6 +187,7 @@ static int begin_ledger(struct dem *d)
     dem_kept_free(&aside);
     p->stale = 2;
     p->watch.overlap = 0.0;
+    dem_flows_go_back(&p->flows);
     p->losses.n = losses;
     p->bonds.n = broke;
     p->rebuilds = rebuilds;
@@ -255,6 +259,7 @@ int dem_door_get_ready(struct dem *d)
     {
         DEM_TRY(dem_ledger_open(&d->parts.ledger, &d->parts.recipe));
     }
+    DEM_TRY(together(&d->parts, dem_door_begin_flows(d)));
     DEM_TRY(together(&d->parts, settle_in(d)));
     if (d->energy)
     {

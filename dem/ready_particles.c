@@ -203,6 +203,20 @@ static void open_window(struct dem_parts *p, const struct dem_snapshot_window *w
     p->window = w->dt*(double)w->ahead;
 }
 
+/* A scene that starts from a file has streams of its own; ids of the file's go on. */
+int dem_door_begin_flows(struct dem *d)
+{
+    const struct dem_uniform_fluid *const u = &d->scene.fluid;
+    struct dem_flows *const f = &d->parts.flows;
+
+    f->with_fluid = u->given;
+    memcpy(f->fluid, (const double[]){u->viscosity, u->density, u->void_fraction}, sizeof f->fluid);
+    memcpy(f->fluid_velocity, u->velocity, sizeof f->fluid_velocity);
+    memcpy(f->fluid_gradient, u->pressure_gradient, sizeof f->fluid_gradient);
+    d->flowed.flows = d->new ? 0 : d->flowed.flows;
+    return dem_flows_begin(&d->parts, &d->scene.streams, d->load[0] ? &d->flowed : NULL);
+}
+
 int dem_door_start_particles(struct dem *d)
 {
     struct dem_parts *const p = &d->parts;
@@ -218,6 +232,7 @@ int dem_door_start_particles(struct dem *d)
         open_window(p, &s.window);
         take_off_added_mass(&p->particles);
         memcpy(&d->learnt, s.learnt, sizeof d->learnt);
+        d->flowed = s;
         return DEM_OK;
     }
     DEM_TRY(dem_insert_place(&d->scene.crowd, &d->scene.insertion, &p->recipe, &p->pieces));

@@ -243,7 +243,7 @@ static int check_masses(const struct dem_batch *b, const struct dem_recipe *r)
 
 static int read_type(struct dem_batch *b, const struct dem_recipe *r, const char *type)
 {
-    static const char *const known[] = {"lattice", "random", "list", "table"};
+    static const char *const known[] = {"lattice", "random", "list", "table", "stream"};
     int k = 0;
 
     while (k < DEM_BATCH_TYPES && strcmp(type, known[k]) != 0)
@@ -261,7 +261,7 @@ static int read_type(struct dem_batch *b, const struct dem_recipe *r, const char
     case DEM_BATCH_RANDOM: return read_random(b, r);
     case DEM_BATCH_LIST: return read_list(b);
     case DEM_BATCH_TABLE: return read_table(b);
-    default: return dem_error_prefix(dem_unknown_word("type of insertion", type, known, DEM_BATCH_TYPES), "%s: ", b->where);
+    default: return dem_error_prefix(dem_unknown_word("type of insertion", type, known, DEM_BATCH_TYPES + 1), "%s: ", b->where);
     }
 }
 
@@ -290,6 +290,10 @@ int dem_insert_read(struct dem_insertion *i, const struct dem_dict *insert, cons
 
         DEM_REQUIRE(dem_entry_is_dict(e), DEM_ERROR_INPUT, "%s: insert holds groups like %s { type lattice; ... }",
                     dem_entry_where(e), dem_entry_name(e));
+        if (dem_stream_is(dem_entry_dict(e)))             /* io/stream.h */
+        {
+            continue;
+        }
         DEM_TRY(DEM_GROW(i->batch, i->room, i->n + 1));
         DEM_TRY(read_batch(dem_entry_dict(e), r, &i->batch[i->n++]));
     }

@@ -221,7 +221,7 @@ static int read_bonds(struct dem_scene *s, const struct dem_dict *scene, const s
 int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene, struct dem_recipe *r, struct dem_walls *w,
                    struct dem_domain *d)
 {
-    const struct dem_dict *insert, *start;
+    const struct dem_dict *insert, *outlets, *start;
 
     DEM_TRY(dem_scene_read_recipe(scene, r));
     DEM_TRY(dem_scene_read_walls(scene, r, w));
@@ -237,13 +237,18 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene, struct dem
         DEM_TRY(dem_dict_text(start, "snapshot", &s->snapshot));
     }
     DEM_TRY(dem_dict_sub_if(scene, "insert", &insert));
-    DEM_REQUIRE(!start || !insert, DEM_ERROR_INPUT, "%s: the scene has both start and insert; keep one", dem_dict_where(start));
-    return insert ? dem_insert_read(&s->insertion, insert, r) : DEM_OK;
+    DEM_TRY(dem_dict_sub_if(scene, "outlets", &outlets));
+    DEM_TRY(dem_streams_read(&s->streams, insert, outlets, r));
+    DEM_TRY(insert ? dem_insert_read(&s->insertion, insert, r) : DEM_OK);
+    DEM_REQUIRE(!start || s->insertion.n == 0, DEM_ERROR_INPUT, "%s: the scene has both start and insert; keep one, or of insert only what "
+                "is of type stream", dem_dict_where(start));
+    return DEM_OK;
 }
 
 void dem_scene_free(struct dem_scene *s)
 {
     dem_memory_free(s->average);
     dem_insert_free(&s->insertion);
+    dem_streams_free(&s->streams);
     dem_crowd_free(&s->crowd);
 }

@@ -6,7 +6,8 @@
  *     pairs     { NAME { between (A B); WORD { SETTING VALUE; } } }   other numbers for two materials
  *     walls     { NAME { type plane|box|cylinder|sphere|triangles|stl|patch|surface; material; motion { ... } ... } }
  *     domain    { min; max; | x; y; z; periodic (x y z); leaving error|remove; }
- *     insert    { NAME { type lattice|random|list; ... } }
+ *     insert    { NAME { type lattice|random|list|table|stream; ... } }
+ *     outlets   { NAME { min; max; | cylinder; | sphere; | point; normal; | patch; } }
  *     start     { snapshot "FILE"; }                             instead of insert
  *     fluid     { velocity; density; viscosity; voidFraction; pressureGradient; }   uniform, when none is coupled
  *     time      { end; step auto|NUMBER; maxOverlap; force; precision; }
@@ -22,6 +23,7 @@
 #include "io/averages.h"
 #include "io/dictionary.h"
 #include "io/insert.h"
+#include "io/stream.h"
 #include "space/domain.h"
 #include "state/recipe.h"
 #include "state/walls.h"
@@ -43,6 +45,7 @@ struct dem_scene
     const char *snapshot;                                 /* path to start from, or NULL */
     struct dem_uniform_fluid fluid;
     struct dem_insertion insertion;                       /* groups of the text, to be placed */
+    struct dem_streams streams;                           /* what comes in and goes out on the way */
     struct dem_crowd crowd;                               /* all particles of the start, when they have been */
     struct dem_average_plan *average;                     /* grids of means */
     int averages;

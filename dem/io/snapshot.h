@@ -2,8 +2,8 @@
  * snapshot.h -- the whole state in one file: written aside by all ranks, checked and renamed; read on any number of ranks.
  *
  * Layout, all in 8-byte words of the machine's own order (checked): magic, byte order, version, checksums, counts, time,
- * the window at hand, names (materials, columns, memory), then particles (record and columns), then remembered contacts (name and
- * memory), then bytes of the caller's own. Columns and memory are matched by name when loading, materials too; what the file has
+ * the window at hand, books of streams and outlets, names (materials, columns, memory), then particles (record and columns), then
+ * remembered contacts (name and memory), then bytes of the caller's own. Columns and memory are matched by name when loading, materials too; what the file has
  * and the scene lacks is left. No rank ever holds more than its share: blocks are packed, summed and written one after the other.
  *
  * A state in the middle of a window (a run that was told to stop) has velocities half a step ahead of positions; what the
@@ -34,7 +34,17 @@ struct dem_span
 
 enum
 {
-    DEM_SNAPSHOT_LEARNT = 24                              /* words */
+    DEM_SNAPSHOT_LEARNT = 24,                             /* words */
+    DEM_SNAPSHOT_FLOWS = 24
+};
+
+struct dem_snapshot_flow                                  /* what has come in by a stream or gone out by an outlet: step/flows.h */
+{
+    char name[48];
+    int64_t kind, count;                                  /* 1 a stream, 2 an outlet */
+    double mass, momentum[3], energy;                     /* kg, kg m/s, J */
+    double rate, start, end;                              /* of a stream: in force */
+    double owed, since, last;                             /* of a stream: particles or kg at `since` [s]; s of the last look */
 };
 
 struct dem_snapshot                                       /* what stands beside particles and contacts */
@@ -43,6 +53,8 @@ struct dem_snapshot                                       /* what stands beside 
     double time;                                          /* s */
     struct dem_snapshot_window window;
     int64_t learnt[DEM_SNAPSHOT_LEARNT];                  /* of how thick lists should be, as it lies in memory: who goes on keeps particles in the same order */
+    int64_t flows, next_id;                               /* next_id: free for who comes in next; 0 where nobody does */
+    struct dem_snapshot_flow flow[DEM_SNAPSHOT_FLOWS];
     const struct dem_domain *domain;                      /* for writing: particles are put back into its periodic box */
     const struct dem_span *beside;                        /* the caller's own, for writing: of the first rank */
     int besides;

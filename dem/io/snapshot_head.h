@@ -17,7 +17,7 @@
 
 enum
 {
-    DEM_SNAPSHOT_VERSION = 4,
+    DEM_SNAPSHOT_VERSION = 5,
     DEM_SNAPSHOT_NAME = 48,
     DEM_SNAPSHOT_NAMES = 128,                             /* a fixed number, so that a new column moves nothing in the file */
     DEM_SNAPSHOT_RECORD = (int)(sizeof(struct dem_particle)/sizeof(double)),
@@ -34,6 +34,8 @@ struct dem_snapshot_head
     double time;
     struct dem_snapshot_window window;
     int64_t learnt[DEM_SNAPSHOT_LEARNT];
+    int64_t flows, next_id;
+    struct dem_snapshot_flow flow[DEM_SNAPSHOT_FLOWS];
     int64_t materials, columns, memories;
     struct
     {

@@ -187,6 +187,9 @@ int dem_snapshot_read_particles(const char *path, struct dem_snapshot *s, const 
     dem_memory_free(packed);
     *s = (struct dem_snapshot){.particles = h.particles, .rows = h.rows, .steps = h.steps, .time = h.time, .window = h.window};
     memcpy(s->learnt, h.learnt, sizeof s->learnt);
+    s->flows = h.flows;
+    s->next_id = h.next_id;
+    memcpy(s->flow, h.flow, sizeof s->flow);
     return status;
 }
 

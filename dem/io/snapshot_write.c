@@ -34,6 +34,9 @@ static void describe(struct dem_snapshot_head *h, const struct dem_snapshot *s, 
     h->time = s->time;
     h->window = s->window;
     memcpy(h->learnt, s->learnt, sizeof h->learnt);
+    h->flows = s->flows;
+    h->next_id = s->next_id;
+    memcpy(h->flow, s->flow, (size_t)s->flows*sizeof *h->flow);
     for (int k = 0; k < r->materials; k++)
     {
         list_name(h, h->materials++, r->material[k].name, 0);

@@ -20,8 +20,7 @@ static int read_box(struct dem_vessel *v, const struct dem_dict *group)
     return dem_dict_vector(group, "max", "m", v->max);
 }
 
-/* Two unit vectors across the axis. */
-static void find_sides(struct dem_vessel *v)
+void dem_vessel_sides(struct dem_vessel *v)
 {
     double along[3] = {0.0, 0.0, 0.0};
     int least = 0;
@@ -64,7 +63,7 @@ static int read_cylinder(struct dem_vessel *v, const struct dem_dict *dict)
         v->min[k] = fmin(v->from[k], to[k]) - across;
         v->max[k] = fmax(v->from[k], to[k]) + across;
     }
-    find_sides(v);
+    dem_vessel_sides(v);
     return DEM_OK;
 }
 
@@ -140,6 +139,24 @@ int dem_vessel_place(const struct dem_vessel *v, double radius, const double u[3
                                               : v->from[k] + (k == 0 ? a : k == 1 ? b : c);
     }
     return v->kind == DEM_VESSEL_BOX || a*a + b*b + (v->kind == DEM_VESSEL_SPHERE ? c*c : 0.0) <= free*free;
+}
+
+int dem_vessel_contains(const struct dem_vessel *v, const double x[3])
+{
+    double r[3], h = 0.0;
+    int inside = 1;
+
+    for (int k = 0; k < 3; k++)
+    {
+        inside &= x[k] >= v->min[k] && x[k] <= v->max[k];
+        r[k] = x[k] - v->from[k];
+        h += r[k]*v->axis[k];                             /* the axis of a sphere is 0 */
+    }
+    if (v->kind == DEM_VESSEL_BOX || !inside)
+    {
+        return inside;
+    }
+    return dem_vec_dot(r, r) - h*h <= v->radius*v->radius && (v->kind == DEM_VESSEL_SPHERE || (h >= 0.0 && h <= v->length));
 }
 
 void dem_vessel_confine(const struct dem_vessel *v, double radius, double x[3])

@@ -40,6 +40,12 @@ int dem_vessel_holds(const struct dem_vessel *, double radius, const char *where
 /* A place for the centre of a sphere of this radius, even in the vessel when u is even in [0, 1)^3; 0: draw another u. */
 int dem_vessel_place(const struct dem_vessel *, double radius, const double u[3], double x[3]);
 
+/* 1 when a point is inside. */
+int dem_vessel_contains(const struct dem_vessel *, const double x[3]);
+
+/* Two unit vectors across the axis. */
+void dem_vessel_sides(struct dem_vessel *);
+
 /* Bring a centre back to where its sphere lies in the vessel. */
 void dem_vessel_confine(const struct dem_vessel *, double radius, double x[3]);
 

@@ -36,6 +36,7 @@ int dem_plan_write(struct dem_text *t, struct dem_plan *p)
     dem_plan_contacts(t, p);
     dem_plan_walls(t, p);
     dem_plan_particles(t, p);
+    dem_plan_flows(t, p);
     dem_plan_bed(t, p);
     dem_plan_fluid(t, p);
     dem_plan_step(t, p);

@@ -34,6 +34,7 @@ void dem_plan_effects(struct dem_text *, const struct dem_plan *);     /* what.c
 void dem_plan_contacts(struct dem_text *, const struct dem_plan *);
 void dem_plan_walls(struct dem_text *, const struct dem_plan *);
 void dem_plan_particles(struct dem_text *, const struct dem_plan *);
+void dem_plan_flows(struct dem_text *, const struct dem_plan *);       /* through.c */
 void dem_plan_step(struct dem_text *, const struct dem_plan *);        /* how.c */
 void dem_plan_fluid(struct dem_text *, const struct dem_plan *);
 void dem_plan_bed(struct dem_text *, const struct dem_plan *);

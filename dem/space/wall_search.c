@@ -387,6 +387,25 @@ int dem_wall_search_find(struct dem_wall_search *s, const struct dem_walls *w, c
     return DEM_OK;
 }
 
+int dem_wall_search_is_clear(struct dem_wall_search *s, const struct dem_walls *w, const struct dem_particle *q, int *clear)
+{
+    const size_t nears = s->nears, candidates = s->candidates;
+
+    if (w->journey > s->journey)
+    {
+        DEM_TRY(dem_wall_search_prepare(s, w, s->radius));
+    }
+    DEM_TRY(wholes_near(s, w, q, 0, 0.0));
+    if (w->triangles > 0)
+    {
+        DEM_TRY(regions_near(s, w, q, 0, 0.0));
+    }
+    *clear = s->nears == nears;
+    s->nears = nears;
+    s->candidates = candidates;
+    return DEM_OK;
+}
+
 uint32_t dem_wall_near_triangle(const struct dem_wall_search *s, const struct dem_walls *w, const struct dem_wall_near *near,
                                 const double x[3])
 {

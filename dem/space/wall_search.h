@@ -44,6 +44,9 @@ int dem_wall_search_prepare(struct dem_wall_search *, const struct dem_walls *, 
 /* All nears of the owned particles, within `skin` [m] past touching. */
 int dem_wall_search_find(struct dem_wall_search *, const struct dem_walls *, const struct dem_particles *, double skin);
 
+/* Does a sphere touch no wall, and lie on the side of each where particles live? The nears that were found stay. */
+int dem_wall_search_is_clear(struct dem_wall_search *, const struct dem_walls *, const struct dem_particle *, int *clear);
+
 /* How far [m] a point of the world is from the region of a near, as contacts see it: negative behind what has one side. */
 double dem_wall_search_distance(const struct dem_wall_search *, const struct dem_walls *, const struct dem_wall_near *,
                                 const double x[3]);

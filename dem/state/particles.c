@@ -264,6 +264,26 @@ int dem_particles_append(struct dem_particles *p, const double *packed)
     return DEM_OK;
 }
 
+int dem_particles_add(struct dem_particles *p, const struct dem_particle *record)
+{
+    const size_t place = p->n;
+
+    DEM_TRY(dem_particles_grow(p, place + 1));
+    p->record[place] = *record;
+    for (int c = 0; c < DEM_COLUMNS; c++)
+    {
+        const size_t width = (size_t)p->column[c].width;
+
+        if (p->column[c].data)
+        {
+            memset(p->column[c].data + place*width, 0, width*sizeof(double));
+        }
+    }
+    p->n = place + 1;
+    p->ghosts = 0;
+    return DEM_OK;
+}
+
 struct dem_particle dem_particle_sphere(int64_t id, const double x[3], double diameter, double density, int material)
 {
     struct dem_particle p = {.radius = 0.5*diameter, .id = id, .material = (uint16_t)material};

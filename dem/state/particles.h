@@ -113,6 +113,9 @@ size_t dem_particles_packed_size(const struct dem_particles *);
 void dem_particles_pack(const struct dem_particles *, size_t particle, double *out);
 int dem_particles_append(struct dem_particles *, const double *packed);
 
+/* A new one behind the owned ones, whose columns are all 0. */
+int dem_particles_add(struct dem_particles *, const struct dem_particle *);
+
 /* A record of given diameter [m] and density [kg/m3] at rest. */
 struct dem_particle dem_particle_sphere(int64_t id, const double x[3], double diameter, double density, int material);
 

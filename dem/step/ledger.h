@@ -1,7 +1,7 @@
 /*
  * ledger.h -- where the energy of the particles comes from and where it goes.
  *
- *   total = kinetic + gravity + elastic + lost + broken - work of walls - work of other body forces + carried out
+ *   total = kinetic + gravity + elastic + lost + broken - work of walls - work of other body forces + carried out - carried in
  *
  * stays what it was, but for the error of the integrator: that is the residual. Each term is told by its own formula, none
  * is what is left of the others.
@@ -44,12 +44,13 @@ enum dem_ledger_sum                                       /* of each effect, */
     DEM_LEDGER_BROKEN,                                    /* J  lost by bonds that broke */
     DEM_LEDGER_WALLS,                                     /* J  work of walls on particles */
     DEM_LEDGER_LEFT,                                      /* J  carried out by particles that left */
+    DEM_LEDGER_CAME,                                      /* J  carried in by particles that came */
     DEM_LEDGER_SUMS
 };
 
 enum
 {
-    DEM_LEDGER_ITEMS = 8 + DEM_LEDGER_EACH*DEM_CHAIN
+    DEM_LEDGER_ITEMS = 9 + DEM_LEDGER_EACH*DEM_CHAIN
 };
 
 struct dem_ledger_scratch                                 /* of the block at hand */
@@ -113,8 +114,9 @@ void dem_ledger_after(struct dem_parts *, const struct dem_tray *, const struct 
 void dem_ledger_drift(struct dem_parts *, double dt);
 void dem_ledger_swept(struct dem_parts *, double dt);
 
-/* A particle is about to be taken out. */
-void dem_ledger_leaves(struct dem_parts *, const struct dem_particle *);
+/* A particle is about to be taken out, its velocity behind its position by `late` [s]; or comes in with the velocity of now. */
+void dem_ledger_leaves(struct dem_parts *, const struct dem_particle *, double late);
+void dem_ledger_comes(struct dem_parts *, const struct dem_particle *);
 
 struct dem_ledger_kick                                    /* a block of bodies, kicked */
 {

@@ -135,6 +135,7 @@ static double tell_all(struct dem_parts *p)
     struct dem_ledger *const l = &p->ledger;
     const double fell = value_of(p, &l->sum[DEM_LEDGER_FALL]), broken = value_of(p, &l->sum[DEM_LEDGER_BROKEN]);
     const double walls = value_of(p, &l->sum[DEM_LEDGER_WALLS]), left = value_of(p, &l->sum[DEM_LEDGER_LEFT]);
+    const double came = value_of(p, &l->sum[DEM_LEDGER_CAME]);
     double moving[2], total;
 
     l->items = 0;
@@ -155,11 +156,15 @@ static double tell_all(struct dem_parts *p)
         add(l, "work_walls", "", walls);
     }
     total += broken - walls + tell_bodies(p);
-    if (p->domain.remove)
+    if (p->domain.remove || p->flows.n > 0)
     {
         add(l, "left", "", left);
     }
-    return total + left;
+    if (p->flows.n > 0)
+    {
+        add(l, "came", "", came);
+    }
+    return total + left - came;
 }
 
 void dem_ledger_begin(struct dem_parts *p)

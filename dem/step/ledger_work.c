@@ -61,17 +61,24 @@ void dem_ledger_swept(struct dem_parts *p, double dt)
     walls(p, 0.5*dt, 0);
 }
 
-/* Its velocity is half a kick behind its position; outside it mostly flies. */
-void dem_ledger_leaves(struct dem_parts *p, const struct dem_particle *r)
+/* Outside it mostly flies. */
+void dem_ledger_leaves(struct dem_parts *p, const struct dem_particle *r, double late)
 {
     const double inertia = 0.4*r->mass*r->radius*r->radius;
     double v[3];
 
     for (int k = 0; k < 3; k++)
     {
-        v[k] = r->v[k] + 0.5*p->dt*p->ledger.gravity[k];
+        v[k] = r->v[k] + late*p->ledger.gravity[k];
     }
     dem_ledger_add(&p->ledger.sum[DEM_LEDGER_LEFT], 0.5*r->mass*dem_vec_dot(v, v) + 0.5*inertia*dem_vec_dot(r->w, r->w));
+}
+
+void dem_ledger_comes(struct dem_parts *p, const struct dem_particle *r)
+{
+    const double inertia = 0.4*r->mass*r->radius*r->radius;
+
+    dem_ledger_add(&p->ledger.sum[DEM_LEDGER_CAME], 0.5*r->mass*dem_vec_dot(r->v, r->v) + 0.5*inertia*dem_vec_dot(r->w, r->w));
 }
 
 /* ---- bodies -------------------------------------------------------------------------------------------------- */

@@ -138,6 +138,10 @@ void dem_measure_tally(struct dem_parts *p, struct dem_tally *t)
                             .prunes = p->prunes, .time = p->time, .kinetic = value[0], .largest_overlap = p->watch.overlap,
                             .momentum = {value[1], value[2], value[3]}, .volume = value[4], .mass = value[5],
                             .fall = count[0] > 0 ? dem_vec_norm(g)*value[7]*value[6]/(double)count[0] : 0.0};
+    for (int k = 0; k < p->flows.n; k++)
+    {
+        *(p->flows.flow[k].kind == DEM_FLOW_STREAM ? &t->inserted : &t->removed) += p->flows.flow[k].count;
+    }
     p->watch.overlap = 0.0;
     if (p->contacts.booked)
     {

@@ -14,7 +14,7 @@
    change results. */
 enum
 {
-    STEPS_OF_LEAVE = 32
+    STEPS_OF_LEAVE = DEM_FLOW_STEPS
 };
 
 /* ---- renewing ------------------------------------------------------------------------------------------------ */
@@ -31,12 +31,26 @@ static int send_off(struct dem_parts *p, size_t i)
     dem_loss_cause_outside(p, i, cause);
     if (p->ledger.open)
     {
-        dem_ledger_leaves(p, q);
+        dem_ledger_leaves(p, q, 0.5*p->dt);
     }
     DEM_REQUIRE(p->domain.remove, DEM_ERROR_LOST,
                 "particle %lld left the domain at (%g %g %g) m at time %g s: %s; enlarge the domain, close it with a wall, or set "
                 "domain/leaving remove", (long long)q->id, q->x[0], q->x[1], q->x[2], p->time, cause);
+    if (p->flows.n > 0)
+    {
+        DEM_TRY(dem_flows_note(p, DEM_FLOW_DOMAIN, q, 0.5*p->dt));
+    }
     return dem_losses_note(&p->losses, q, p->time, 1, cause);
+}
+
+/* Who is where an outlet takes particles out goes in steps in which outlets are looked at, and only then. */
+static int drain(struct dem_parts *p, size_t i, int outlet)
+{
+    if (p->ledger.open)
+    {
+        dem_ledger_leaves(p, &p->particles.record[i], 0.5*p->dt);
+    }
+    return dem_flows_note(p, outlet, &p->particles.record[i], 0.5*p->dt);
 }
 
 static int leave_is_over(const struct dem_parts *p)
@@ -44,19 +58,36 @@ static int leave_is_over(const struct dem_parts *p)
     return !p->domain.remove || p->steps%STEPS_OF_LEAVE == 0;
 }
 
+/* Where a particle is told to be. */
+static int outlet_of(const struct dem_parts *p, const struct dem_particle *q)
+{
+    struct dem_particle home = *q;
+
+    if (p->flows.n == 0)
+    {
+        return DEM_FLOW_NONE;
+    }
+    dem_domain_wrap(&p->domain, &home);
+    return dem_flows_outlet(&p->flows, home.x);
+}
+
 /* 1 on all ranks when somebody is to be removed now. */
 static int somebody_goes(struct dem_parts *p, int *goes)
 {
+    const int drains = dem_flows_step(p) && p->flows.plan->outlets > 0;
     double outside = 0.0;
 
     *goes = 0;
-    if (!p->domain.remove || !leave_is_over(p))
+    if (!drains && (!p->domain.remove || !leave_is_over(p)))
     {
         return DEM_OK;
     }
     for (size_t i = 0; i < p->particles.n; i++)
     {
-        outside = dem_domain_holds(&p->domain, p->particles.record[i].x) ? outside : 1.0;
+        const struct dem_particle *const q = &p->particles.record[i];
+
+        outside = p->domain.remove && !dem_domain_holds(&p->domain, q->x) ? 1.0 : outside;
+        outside = drains && outlet_of(p, q) != DEM_FLOW_NONE ? 1.0 : outside;
     }
     DEM_TRY(dem_agree_most(p, DEM_OK, &outside, 1));
     *goes = outside > 0.0;
@@ -76,7 +107,13 @@ static int bring_home(struct dem_parts *p, int weighed)
     for (size_t i = 0; i < n && !status; i++)
     {
         dem_domain_wrap(&p->domain, &record[i]);
-        if (dem_domain_holds(&p->domain, record[i].x) || (!leave_is_over(p) && isfinite(record[i].x[0] + record[i].x[1] + record[i].x[2])))
+        const int outlet = dem_flows_outlet(&p->flows, record[i].x);
+
+        if (outlet != DEM_FLOW_NONE && p->flows.now)
+        {
+            status = drain(p, i, outlet);
+        }
+        else if (outlet != DEM_FLOW_NONE || dem_domain_holds(&p->domain, record[i].x) || (!leave_is_over(p) && isfinite(record[i].x[0] + record[i].x[1] + record[i].x[2])))
         {
             order[kept++] = (uint32_t)i;
         }
@@ -102,6 +139,10 @@ static int hand_over(struct dem_parts *p, int cut, int weighed)
     if (cut)
     {
         DEM_TRY(dem_pieces_balance(&p->pieces, &p->particles, weighed ? p->balance.weight : NULL));
+    }
+    if (p->flows.arrivals > 0)
+    {
+        DEM_TRY(dem_flows_let_in(p, 0.5*p->dt));
     }
     return dem_halo_migrate(&p->halo, &p->particles, &p->contacts);
 }
@@ -143,6 +184,10 @@ int dem_step_renew(struct dem_parts *p)
     status = status ? status : dem_contacts_lift(&p->contacts, &p->particles, p->pairs.wall_region);
     status = status ? status : bring_home(p, weighed);
     DEM_TRY(dem_agree(p, status));
+    if (p->flows.n > 0 && p->steps%STEPS_OF_LEAVE == 0)
+    {
+        DEM_TRY(dem_flows_book(p));
+    }
     DEM_TRY(hand_over(p, cut, weighed));
     dem_pairs_thicken(&p->pairs);
     DEM_TRY(dem_pairs_order(&p->pairs, &p->particles));
@@ -235,6 +280,12 @@ int dem_neighbourhood(struct dem_parts *p, double fastest, int seen)
     int goes, stale[DEM_LISTS] = {0, 0};
 
     DEM_TRY(somebody_goes(p, &goes));
+    p->flows.now = dem_flows_step(p);
+    if (p->flows.now && p->flows.plan->streams > 0)
+    {
+        DEM_TRY(dem_agree(p, dem_flows_call(p, p->steps)));
+        goes |= p->flows.arrivals > 0;
+    }
     s->drift[DEM_LIST_OUTER].spread += fastest;
     s->drift[DEM_LIST_INNER].spread += fastest;
     if (!p->stale)
@@ -251,6 +302,7 @@ int dem_neighbourhood(struct dem_parts *p, double fastest, int seen)
         dem_phases_rare(&p->phases, DEM_PHASE_AGREE);
         dem_halo_wait(&p->halo);
         DEM_TRY(dem_step_renew(p));
+        p->flows.now = 0;
         dem_phases_rare_end(&p->phases, DEM_PHASE_RENEW);
         return DEM_OK;
     }

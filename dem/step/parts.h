@@ -20,6 +20,7 @@
 #include "step/kept.h"
 #include "step/ledger.h"
 #include "step/bonds.h"
+#include "step/flows.h"
 #include "step/losses.h"
 #include "step/phases.h"
 #include "step/wall_books.h"
@@ -48,6 +49,7 @@ struct dem_parts
     struct dem_watch watch;
     struct dem_averages averages;
     struct dem_losses losses;
+    struct dem_flows flows;
     struct dem_bonds bonds;
     struct dem_kept kept;
     struct dem_wall_books books;

@@ -49,6 +49,7 @@ static int keep(struct dem_parts *p, int status, double half_kick)
         return DEM_OK;
     }
     DEM_TRY(dem_kept_take(k, &p->particles, &p->contacts, p->pairs.wall_region));
+    dem_flows_keep(&p->flows);
     k->time = p->time;
     k->steps = p->steps;
     if (half_kick > 0.0)

@@ -1,0 +1,120 @@
+/*
+ * main_flows.c -- rows of flows.csv.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "main_flows.h"
+#include "base/error.h"
+#include "io/file.h"
+#include "main_rows.h"
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char head[] = "time[s],name,way,particles,mass[kg],px[Ns],py[Ns],pz[Ns],energy[J],waiting,rate[1/s],massRate[kg/s]";
+
+static const char *way_of(const struct dem_flow *f)
+{
+    return f->enters ? "in" : "out";
+}
+
+static int write_rows(const struct dem_flow_log *log, int n, const struct dem_flow *flow, double now)
+{
+    const int new = !dem_file_exists(log->path);
+    FILE *const f = fopen(log->path, "a");
+    const double over = now > log->since ? 1.0/(now - log->since) : 0.0;
+
+    DEM_REQUIRE(f, DEM_ERROR_FILE, "can't write %s: %s", log->path, strerror(errno));
+    if (new)
+    {
+        fprintf(f, "%s\n", head);
+    }
+    for (int k = 0; k < n; k++)
+    {
+        const struct dem_flow *const w = &flow[k];
+
+        fprintf(f, "%.10g,%s,%s,%lld,%.9g,%.9g,%.9g,%.9g,%.9g,%lld,%.9g,%.9g\n", now, w->name, way_of(w), (long long)w->particles, w->mass,
+                w->momentum[0], w->momentum[1], w->momentum[2], w->energy, (long long)w->waiting,
+                over*((double)w->particles - log->particles[k]), over*(w->mass - log->mass[k]));
+    }
+    const int bad = ferror(f) != 0;
+
+    DEM_REQUIRE(fclose(f) == 0 && !bad, DEM_ERROR_FILE, "can't write all of %s: %s", log->path, strerror(errno));
+    return DEM_OK;
+}
+
+static void print(int n, const struct dem_flow *flow)
+{
+    int64_t in = 0, out = 0, waiting = 0;
+
+    for (int k = 0; k < n; k++)
+    {
+        *(flow[k].enters ? &in : &out) += flow[k].particles;
+        waiting += flow[k].waiting;
+    }
+    printf("        %lld came in, %lld went out, %lld wait for room\n", (long long)in, (long long)out, (long long)waiting);
+    fflush(stdout);
+}
+
+static void remember(struct dem_flow_log *log, int n, const struct dem_flow *flow, double now)
+{
+    log->since = now;
+    for (int k = 0; k < n; k++)
+    {
+        log->particles[k] = (double)flow[k].particles;
+        log->mass[k] = flow[k].mass;
+    }
+}
+
+int dem_flow_log_begin(struct dem_flow_log *log, const struct dem_program *prog, const struct dem_output *o, struct dem *d, double start)
+{
+    const struct dem_flow *flow;
+    int n;
+
+    *log = (struct dem_flow_log){.output = o};
+    snprintf(log->path, sizeof log->path, "%s/flows.csv", o->folder);
+    DEM_TRY(dem_flows(d, &n, &flow));
+    remember(log, n, flow, start);
+    return dem_program_together(prog, prog->rank == 0 ? dem_rows_begin(log->path, 0, start) : DEM_OK);
+}
+
+int dem_flow_log_tell(struct dem_flow_log *log, const struct dem_program *prog, struct dem *d, double now)
+{
+    const struct dem_flow *flow;
+    int n, status = DEM_OK;
+
+    DEM_TRY(dem_flows(d, &n, &flow));
+    if (n == 0)
+    {
+        return DEM_OK;
+    }
+    if (prog->rank == 0)
+    {
+        print(n, flow);
+        status = dem_output_folder(log->output);
+        status = status ? status : write_rows(log, n, flow, now);
+    }
+    remember(log, n, flow, now);
+    return dem_program_together(prog, status);
+}
+
+void dem_flow_log_end(const struct dem_program *prog, struct dem *d)
+{
+    const struct dem_flow *flow;
+    int n;
+
+    if (prog->rank > 0 || dem_flows(d, &n, &flow))
+    {
+        return;
+    }
+    for (int k = 0; k < n; k++)
+    {
+        printf("flow: %s %s %lld particles, %.6g kg, momentum (%.4g %.4g %.4g) kg m/s", flow[k].name, way_of(&flow[k]),
+               (long long)flow[k].particles, flow[k].mass, flow[k].momentum[0], flow[k].momentum[1], flow[k].momentum[2]);
+        if (flow[k].waiting > 0)
+        {
+            printf("; %lld wait for room", (long long)flow[k].waiting);
+        }
+        printf("\n");
+    }
+}

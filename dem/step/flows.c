@@ -1,0 +1,283 @@
+/*
+ * flows.c -- when streams and outlets are looked at, who is let in, and the books of what has come and gone.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "step/flows.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/vec.h"
+#include "step/orientation.h"
+#include "step/parts.h"
+#include "step/sweep_bodies.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void dem_flows_free(struct dem_flows *f)
+{
+    dem_memory_free(f->arrival);
+    dem_memory_free(f->departure);
+    memset(f, 0, sizeof *f);
+}
+
+int dem_flows_step(const struct dem_parts *p)
+{
+    return p->flows.n > 0 && !p->flows.asked && p->steps%DEM_FLOW_STEPS == 0;
+}
+
+/* ---- beginning ----------------------------------------------------------------------------------------------- */
+
+/* What a snapshot knew of a row. A stream whose rate or times were changed owes what it owed, and goes on with the new ones. */
+static void resume(struct dem_snapshot_flow *row, const struct dem_stream *s, const struct dem_snapshot *from, double time)
+{
+    for (int64_t k = 0; from && k < from->flows; k++)
+    {
+        const struct dem_snapshot_flow *const old = &from->flow[k];
+
+        if (strcmp(old->name, row->name) == 0 && old->kind == row->kind)
+        {
+            const struct dem_snapshot_flow new = *row;
+
+            *row = *old;
+            if (s && (old->rate != new.rate || old->start != new.start || old->end != new.end))
+            {
+                const struct dem_stream before = {.rate = old->rate, .start = old->start, .end = old->end};
+
+                row->owed = old->owed + dem_stream_owes(&before, old->since, time);
+                row->since = time;
+                row->rate = new.rate;
+                row->start = new.start;
+                row->end = new.end;
+            }
+        }
+    }
+}
+
+static void add_row(struct dem_flows *f, const char *name, int kind)
+{
+    struct dem_snapshot_flow *const row = &f->flow[f->n++];
+
+    memset(row, 0, sizeof *row);
+    snprintf(row->name, sizeof row->name, "%s", name);
+    row->kind = kind;
+}
+
+static int64_t free_id(const struct dem_parts *p)
+{
+    int64_t next = 0;
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        next = p->particles.record[i].id >= next ? p->particles.record[i].id + 1 : next;
+    }
+    if (p->pieces.ranks > 1)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, &next, 1, MPI_INT64_T, MPI_MAX, p->pieces.comm);
+    }
+    return next;
+}
+
+int dem_flows_begin(struct dem_parts *p, const struct dem_streams *plan, const struct dem_snapshot *from)
+{
+    struct dem_flows *const f = &p->flows;
+
+    f->plan = plan;
+    f->n = 0;
+    for (int k = 0; k < plan->streams; k++)
+    {
+        const struct dem_stream *const s = &plan->stream[k];
+
+        add_row(f, s->name, DEM_FLOW_STREAM);
+        f->flow[k].rate = s->rate;
+        f->flow[k].start = s->start;
+        f->flow[k].end = s->end;
+        f->flow[k].since = f->flow[k].last = p->time;
+        resume(&f->flow[k], s, from, p->time);
+    }
+    for (int k = 0; k < plan->outlets; k++)
+    {
+        add_row(f, plan->outlet[k].name, DEM_FLOW_OUTLET);
+        resume(&f->flow[f->n - 1], NULL, from, p->time);
+    }
+    if (f->n == 0)
+    {
+        return DEM_OK;
+    }
+    add_row(f, "domain", DEM_FLOW_OUTLET);
+    resume(&f->flow[f->n - 1], NULL, from, p->time);
+    f->next_id = free_id(p);
+    f->next_id = from && from->next_id > f->next_id ? from->next_id : f->next_id;
+    return DEM_OK;
+}
+
+/* ---- in ------------------------------------------------------------------------------------------------------ */
+
+/* A uniform fluid is around everybody; one that is coupled comes to look. */
+static void fill_columns(struct dem_parts *p, size_t i)
+{
+    struct dem_particles *const q = &p->particles;
+    const struct dem_flows *const f = &p->flows;
+
+    if (!dem_column(q, DEM_COLUMN_FLUID_VELOCITY))
+    {
+        return;
+    }
+    for (size_t k = 0; k < 3; k++)
+    {
+        dem_column(q, DEM_COLUMN_FLUID_VELOCITY)[3*i + k] = f->with_fluid ? f->fluid_velocity[k] : 0.0;
+        dem_column(q, DEM_COLUMN_PRESSURE_GRADIENT)[3*i + k] = f->with_fluid ? f->fluid_gradient[k] : 0.0;
+        dem_column(q, DEM_COLUMN_START_VELOCITY)[3*i + k] = q->record[i].v[k];
+    }
+    dem_column(q, DEM_COLUMN_FLUID_VISCOSITY)[i] = f->with_fluid ? f->fluid[0] : 1.0;
+    dem_column(q, DEM_COLUMN_FLUID_DENSITY)[i] = f->with_fluid ? f->fluid[1] : 1.0;
+    dem_column(q, DEM_COLUMN_VOID_FRACTION)[i] = f->with_fluid ? f->fluid[2] : 1.0;
+    dem_column(q, DEM_COLUMN_COUNTERFLOW)[i] = dem_column(q, DEM_COLUMN_KEPT)[i] = 1.0;
+    dem_column(q, DEM_COLUMN_PLACE)[2*i] = dem_column(q, DEM_COLUMN_PLACE)[2*i + 1] = -1.0;
+    q->record[i].viscosity = dem_column(q, DEM_COLUMN_FLUID_VISCOSITY)[i];
+}
+
+static void kick_back(struct dem_parts *p, size_t first, double half)
+{
+    const struct dem_body_sweep back = {.kick = -half, .ledger = p->ledger.open ? &p->ledger : NULL};
+    struct dem_body_pass pass;
+
+    dem_bodies_begin(&pass, &p->particles, &p->recipe.bodies, &back);
+    pass.next = first;
+    dem_bodies_until(&pass, p->particles.n);
+}
+
+int dem_flows_let_in(struct dem_parts *p, double half)
+{
+    struct dem_flows *const f = &p->flows;
+    const size_t first = p->particles.n;
+
+    for (size_t k = 0; k < f->arrivals; k++)
+    {
+        const struct dem_particle *const q = &f->arrival[k].particle;
+
+        if (p->pieces.ranks == 1 || dem_pieces_owner(&p->pieces, q->x) == p->pieces.rank)
+        {
+            DEM_TRY(dem_particles_add(&p->particles, q));
+            fill_columns(p, p->particles.n - 1);
+            if (p->ledger.open)
+            {
+                dem_ledger_comes(p, q);
+            }
+        }
+    }
+    f->arrivals = 0;
+    dem_orientation_begin(&p->particles);
+    if (half > 0.0 && p->particles.n > first)
+    {
+        dem_bodies_open_laws(&p->particles, &p->recipe.bodies);
+        kick_back(p, first, half);
+    }
+    return DEM_OK;
+}
+
+/* ---- out ----------------------------------------------------------------------------------------------------- */
+
+int dem_flows_outlet(const struct dem_flows *f, const double x[3])
+{
+    for (int k = 0; f->n > 0 && k < f->plan->outlets; k++)
+    {
+        if (dem_outlet_holds(&f->plan->outlet[k], x))
+        {
+            return f->plan->streams + k;
+        }
+    }
+    return DEM_FLOW_NONE;
+}
+
+int dem_flows_note(struct dem_parts *p, int flow, const struct dem_particle *q, double late)
+{
+    struct dem_flows *const f = &p->flows;
+    double gravity[3], v[3];
+
+    DEM_TRY(DEM_GROW(f->departure, f->departure_room, f->departures + 1));
+    struct dem_departure *const new = &f->departure[f->departures++];
+
+    dem_recipe_vector(&p->recipe, "gravity", "acceleration", gravity);
+    *new = (struct dem_departure){.id = q->id, .flow = flow == DEM_FLOW_DOMAIN ? f->n - 1 : flow, .mass = q->mass};
+    for (int k = 0; k < 3; k++)
+    {
+        v[k] = q->v[k] + (q->inverse_mass > 0.0 ? late*gravity[k] : 0.0);
+        new->momentum[k] = q->mass*v[k];
+    }
+    new->energy = 0.5*q->mass*dem_vec_dot(v, v) + 0.2*q->mass*q->radius*q->radius*dem_vec_dot(q->w, q->w);
+    return DEM_OK;
+}
+
+static int by_id(const void *a, const void *b)
+{
+    const struct dem_departure *const p = a, *const q = b;
+
+    return (p->id > q->id) - (p->id < q->id);
+}
+
+static int gather(struct dem_flows *f, const struct dem_pieces *q, struct dem_departure **all, size_t *n)
+{
+    const int mine = (int)(f->departures*sizeof *f->departure);
+    int *count, *start, total = 0;
+
+    DEM_TRY(DEM_NEW(count, q->ranks));
+    DEM_TRY(DEM_NEW(start, q->ranks));
+    MPI_Allgather(&mine, 1, MPI_INT, count, 1, MPI_INT, q->comm);
+    for (int k = 0; k < q->ranks; k++)
+    {
+        start[k] = total;
+        total += count[k];
+    }
+    *n = (size_t)total/sizeof **all;
+    DEM_TRY(DEM_NEW(*all, *n + 1));
+    MPI_Allgatherv(f->departure, mine, MPI_BYTE, *all, count, start, MPI_BYTE, q->comm);
+    dem_memory_free(count);
+    dem_memory_free(start);
+    return DEM_OK;
+}
+
+int dem_flows_book(struct dem_parts *p)
+{
+    struct dem_flows *const f = &p->flows;
+    struct dem_departure *all = f->departure;
+    size_t n = f->departures;
+
+    if (p->pieces.ranks > 1)
+    {
+        DEM_TRY(gather(f, &p->pieces, &all, &n));
+    }
+    qsort(all, n, sizeof *all, by_id);
+    for (size_t k = 0; k < n; k++)
+    {
+        struct dem_snapshot_flow *const row = &f->flow[all[k].flow];
+
+        row->count++;
+        row->mass += all[k].mass;
+        row->energy += all[k].energy;
+        for (int a = 0; a < 3; a++)
+        {
+            row->momentum[a] += all[k].momentum[a];
+        }
+    }
+    f->departures = 0;
+    if (p->pieces.ranks > 1)
+    {
+        dem_memory_free(all);
+    }
+    return DEM_OK;
+}
+
+/* ---- copies -------------------------------------------------------------------------------------------------- */
+
+void dem_flows_keep(struct dem_flows *f)
+{
+    memcpy(f->kept, f->flow, sizeof f->kept);
+    f->kept_id = f->next_id;
+}
+
+void dem_flows_go_back(struct dem_flows *f)
+{
+    memcpy(f->flow, f->kept, sizeof f->flow);
+    f->next_id = f->kept_id;
+}

@@ -1,0 +1,384 @@
+/*
+ * Claims: a stream lets in what its rate owes, exact to one particle, by number or by mass, from its start to its end or limit; number k has
+ * the diameter that number k of a group of that seed has, whether or not it had to wait; who is let in overlaps nobody, no wall, no image through
+ * a periodic face, and lies in the region or has come through the face at its speed; what finds no room waits, is counted, and comes when there is
+ * room; position and velocity belong to the same time: a body that comes in falls as a thrown one; an outlet takes out who is in its
+ * region, and nobody else; particles, mass and momentum: what is there is what came less what went, and momentum what gravity gave besides; ids come once.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/world.h"
+
+#define BEADS "materials { glass { density 2500; youngsModulus 1e5; } } effects { hertz { } dry { restitution 0.9; } %s } " \
+              "time { step 1e-5; } "
+#define FALL "gravity { acceleration (0 0 -9.81); }"
+
+static const double window = 32e-5;                       /* s: streams are looked at in the last of its 32 steps */
+
+static struct dem_flow flow(struct dem *d, int k)
+{
+    const struct dem_flow *all;
+    int n;
+
+    WORLD_TRY(dem_flows(d, &n, &all));
+    if (k >= n)
+    {
+        printf("Bail out! there are %d flows\n", n);
+        exit(1);
+    }
+    return all[k];
+}
+
+/* windows of 32 steps */
+static void run_windows(struct dem *d, int n)
+{
+    for (int k = 0; k < n; k++)
+    {
+        world_run(d, window);
+    }
+}
+
+static struct dem *stream(const char *effects, const char *groups)
+{
+    char *const text = world_text(BEADS "%s", effects, groups);
+    struct dem *const d = world(text, 0, NULL);
+
+    free(text);
+    return d;
+}
+
+/* the smallest gap of any two [m], across periodic faces of these lengths (0: none) */
+static double least_gap(const struct dem *d, const double length[3])
+{
+    struct dem_view v;
+    double least = INFINITY;
+
+    dem_view(d, &v);
+    for (size_t i = 0; i < v.n; i++)
+    {
+        for (size_t j = 0; j < i; j++)
+        {
+            double square = 0.0;
+
+            for (int k = 0; k < 3; k++)
+            {
+                double apart = dem_at(v.position, v.stride, i)[k] - dem_at(v.position, v.stride, j)[k];
+
+                apart -= length[k] > 0.0 ? length[k]*rint(apart/length[k]) : 0.0;
+                square += apart*apart;
+            }
+            least = fmin(least, sqrt(square) - *dem_at(v.radius, v.stride, i) - *dem_at(v.radius, v.stride, j));
+        }
+    }
+    return least;
+}
+
+/* ---- how many ------------------------------------------------------------------------------------------------ */
+
+static void test_rate(void)
+{
+    struct dem *const d = stream("", "insert { feed { type stream; rate 3000; start 0.01; end 0.05; diameter 1e-3; min (0 0 0); max (0.1 0.1 0.1); } } ");
+    int exact = 1;
+
+    for (int k = 1; k <= 250; k++)
+    {
+        run_windows(d, 1);
+        const double owed = 3000.0*(fmin(world_tally(d).time, 0.05) - 0.01);
+
+        exact &= flow(d, 0).particles == (int64_t)floor(fmax(0.0, owed) + 1e-9);      /* round-off of time */
+    }
+    TAP_OK(exact, "by number: as many as are owed whole, at each of 250 looks");
+    TAP_OK(flow(d, 0).particles == 120, "3000 a second in 0.04 s are 120, found %lld", (long long)flow(d, 0).particles);
+    TAP_OK(world_tally(d).particles == 120 && world_tally(d).inserted == 120, "all of them are there");
+    dem_free(d);
+}
+
+static void test_mass_rate(void)
+{
+    struct dem *const d = stream("", "insert { feed { type stream; massRate 5e-3; sizes { type uniform; min 1e-3; max 2e-3; } min (0 0 0); "
+                                     "max (0.2 0.2 0.2); } } ");
+    const double largest = 2500.0*world_pi/6.0*8e-9;
+    int exact = 1;
+
+    for (int k = 0; k < 100; k++)
+    {
+        run_windows(d, 1);
+        const double behind = 5e-3*world_tally(d).time - flow(d, 0).mass;
+
+        exact &= behind > -1e-6*largest && behind < largest;
+    }
+    TAP_OK(exact, "by mass: never ahead, and behind by less than one particle");
+    TAP_NEAR(world_tally(d).mass, flow(d, 0).mass, 1e-14, "the mass that is there is the mass that came");   /* round-off of 1e-4 kg */
+    TAP_OK(flow(d, 0).particles > 20, "and they were %lld", (long long)flow(d, 0).particles);
+    dem_free(d);
+}
+
+static void test_limits(void)
+{
+    struct dem *d = stream("", "insert { few { type stream; rate 1e4; count 17; diameter 1e-3; min (0 0 0); max (0.1 0.1 0.1); } "
+                               "heap { type stream; massRate 1; mass 1e-4; diameter 1e-3; min (0 0 0.2); max (0.1 0.1 0.3); } } ");
+
+    run_windows(d, 40);
+    TAP_OK(flow(d, 0).particles == 17 && flow(d, 0).waiting == 0, "a limit of 17 lets in 17, and nobody waits");
+    TAP_NEAR(flow(d, 1).mass, 1e-4, 0.5*2500.0*world_pi/6.0*1e-9, "a limit of mass is met to half a particle");
+    dem_free(d);
+}
+
+/* ---- which, and where ---------------------------------------------------------------------------------------- */
+
+static void test_sizes(void)
+{
+    static const char sizes[] = "sizes { type logNormal; median 1e-3; deviation 0.3; by volume; } seed 5; min (0 0 0); max (0.007 0.007 0.007);";
+    enum {MOST = 400};
+    static double expected[MOST];
+    char text[1024];
+    struct dem_view v;
+    int same = 1;
+
+    snprintf(text, sizeof text, "insert { all { type random; count %d; %s } }", (int)MOST, sizes);
+    struct dem *d = stream("", text);
+
+    dem_view(d, &v);
+    for (size_t i = 0; i < v.n; i++)
+    {
+        expected[world_id(&v, i)] = *dem_at(v.radius, v.stride, i);
+    }
+    dem_free(d);
+    /* far more than there is room for: most wait, large ones longest */
+    snprintf(text, sizeof text, "insert { feed { type stream; rate 1e8; count %d; %s velocity (3 0 0); } }", (int)MOST, sizes);
+    d = stream("", text);
+    run_windows(d, 1);
+    TAP_OK(flow(d, 0).waiting > 0 && flow(d, 0).waiting + flow(d, 0).particles == MOST, "%lld wait for room", (long long)flow(d, 0).waiting);
+    run_windows(d, 40);
+    dem_view(d, &v);
+    for (size_t i = 0; i < v.n; i++)
+    {
+        same &= *dem_at(v.radius, v.stride, i) == expected[world_id(&v, i)];
+    }
+    TAP_OK(v.n == MOST && same, "%zu came at last, and number k has the diameter of number k of a group", v.n);
+    dem_free(d);
+}
+
+static void test_room(void)
+{
+    static const double open[3] = {0.0, 0.0, 0.0}, round[3] = {0.01, 0.01, 0.0};
+    struct dem *d = stream("", "insert { still { type lattice; count 300; diameter 1e-3; min (0 0 0); max (0.01 0.01 0.01); } "
+                               "feed { type stream; rate 1e6; diameter 0.7e-3; min (0 0 0); max (0.01 0.01 0.01); } } ");
+
+    run_windows(d, 3);
+    TAP_OK(flow(d, 0).particles > 50 && flow(d, 0).waiting > 0, "into a bed go %lld, then it is full and %lld wait", (long long)flow(d, 0).particles,
+           (long long)flow(d, 0).waiting);
+    TAP_OK(least_gap(d, open) >= 0.0, "nobody overlaps");
+    TAP_OK((double)(flow(d, 0).particles + flow(d, 0).waiting) == floor(1e6*world_tally(d).time + 1e-9), "those who came and those who wait are those owed");
+    dem_free(d);
+
+    d = stream("", "domain { min (0 0 0); max (0.01 0.01 1); periodic (x y); } insert { "
+                   "feed { type stream; rate 1e6; diameter 1e-3; min (-0.004 -0.001 0); max (0.006 0.009 0.01); } } ");
+    run_windows(d, 2);
+    TAP_OK(world_tally(d).particles > 300 && least_gap(d, round) >= 0.0, "nor any image, of %lld through periodic faces",
+           (long long)world_tally(d).particles);
+    dem_free(d);
+}
+
+/* the smallest distance of a surface from the ball and the plane below */
+static double least_clearance(const struct dem *d)
+{
+    struct dem_view v;
+    double least = INFINITY;
+
+    dem_view(d, &v);
+    for (size_t i = 0; i < v.n; i++)
+    {
+        const double *const x = dem_at(v.position, v.stride, i), radius = *dem_at(v.radius, v.stride, i);
+        const double away = sqrt(pow(x[0] - 0.005, 2.0) + pow(x[1] - 0.005, 2.0) + pow(x[2] - 0.005, 2.0)) - 0.003;
+
+        least = fmin(least, fmin(away, x[2] - 0.002) - radius);
+        least = fmin(least, fabs(x[0] - 0.008) - radius);
+    }
+    return least;
+}
+
+static void test_walls(void)
+{
+    struct dem *const d = stream("", "walls { floor { type plane; point (0 0 0.002); normal (0 0 1); } "
+                                     "ball { type sphere; centre (0.005 0.005 0.005); radius 0.003; particles outside; } "
+                                     "sheet { type triangles; corners ((0.008 -1 -1) (0.008 2 -1) (0.008 0 3)); } } "
+                                     "insert { feed { type stream; rate 1e6; diameter 1e-3; min (0 0 0); max (0.01 0.01 0.01); } } ");
+
+    run_windows(d, 2);
+    TAP_OK(world_tally(d).particles > 100, "%lld between a plane, a ball and a sheet", (long long)world_tally(d).particles);
+    TAP_OK(least_clearance(d) >= 0.0, "touch none of them, nor are they behind");
+    dem_free(d);
+}
+
+/* A disc: all centres within its radius, and as far past it as they fly in the time since they may have come. */
+static void test_face(void)
+{
+    struct dem *const d = stream("", "insert { feed { type stream; rate 2e4; diameter 1e-3; disc { centre (0 0 0.1); normal (0 0 1); radius 0.02; } "
+                                     "velocity (0 0 -2); } } ");
+    struct dem_view v;
+    double lowest = INFINITY, highest = -INFINITY, widest = 0.0, late = 0.0;
+
+    run_windows(d, 25);
+    dem_view(d, &v);
+    for (size_t i = 0; i < v.n; i++)
+    {
+        const double *const x = dem_at(v.position, v.stride, i);
+
+        lowest = fmin(lowest, x[2]);
+        highest = fmax(highest, x[2]);
+        widest = fmax(widest, hypot(x[0], x[1]));
+        late += (0.1 - x[2])/2.0;
+    }
+    const double time = world_tally(d).time;
+
+    TAP_OK(widest <= 0.02 && widest > 0.019, "all within the disc, %g m", widest);
+    TAP_OK(highest <= 0.1 && lowest >= 0.1 - 2.0*time, "from the disc on down");
+    /* uniform in [0, time]: mean time/2, within 4 standard errors */
+    TAP_NEAR(late/(double)v.n, 0.5*time, 4.0*time/sqrt(12.0*(double)v.n), "evenly behind each other, without layers");
+    dem_free(d);
+}
+
+/* ---- how fast ------------------------------------------------------------------------------------------------ */
+
+/* One only, at a known place and time, then a parabola: the leapfrog is exact under constant acceleration, in whatever windows. */
+static void test_thrown(void)
+{
+    static const char one[] = "insert { one { type stream; rate 1000; count 1; diameter 1e-3; min (-5e-4 -5e-4 -5e-4); max (5e-4 5e-4 5e-4); "
+                              "velocity (1 0 2); spin (0 30 0); } } ";
+
+    for (int windows = 1; windows <= 7; windows += 6)
+    {
+        struct dem *const d = stream(FALL, one);
+
+        world_run(d, windows*64e-5);
+        world_run(d, 0.05);
+        const double t = world_tally(d).time - 128e-5;    /* the first step of 32 at which 1000 t is 1 */
+        const struct world_particle p = world_at(d, 0);
+
+        TAP_NEAR(p.x[0], t, 1e-14, "sideways, %s", windows == 1 ? "a window begins after it" : "it comes within a window");   /* round-off of 0.05 */
+        TAP_NEAR(p.x[2], 2.0*t - 0.5*9.81*t*t, 1e-14, "and up and down");
+        TAP_NEAR(p.v[2], 2.0 - 9.81*t, 1e-13, "with the velocity of that time");   /* of thousands of kicks */
+        TAP_OK(p.w[1] == 30.0, "and its spin");
+        dem_free(d);
+    }
+}
+
+/* Drag relaxes the velocity, v = u + (v0 - u) exp(-t/tau): kicked back and on again, nothing is lost of second order. */
+static void test_drag(void)
+{
+    const double tau = 2500.0*1e-6/(18.0*1e-3);
+    double error[2];
+
+    for (int fine = 0; fine < 2; fine++)
+    {
+        char *const text = world_text("materials { glass { density 2500; youngsModulus 1e5; } } effects { hertz { } stokesDrag { } } "
+                                      "fluid { density 1; viscosity 1e-3; velocity (0 0 1); pressureGradient (0 0 0); } time { step %g; } "
+                                      "insert { one { type stream; rate 1000; count 1; diameter 1e-3; min (-5e-4 -5e-4 -5e-4); max (5e-4 5e-4 5e-4); "
+                                      "velocity (2 0 0); } }", fine ? 0.5e-5 : 1e-5);
+        struct dem *const d = world(text, 0, NULL);
+
+        world_run(d, 0.05);
+        const double t = world_tally(d).time - (fine ? 112e-5 : 128e-5);
+
+        error[fine] = fabs(world_at(d, 0).x[0] - 2.0*tau*(1.0 - exp(-t/tau))) + fabs(world_at(d, 0).v[0] - 2.0*exp(-t/tau));
+        dem_free(d);
+        free(text);
+    }
+    TAP_OK(error[0] < 1e-8, "relaxes to the fluid, off by %g", error[0]);                       /* (h/tau)^2/24 of 2 m/s is 4e-10 */
+    TAP_OK(error[1] < 0.3*error[0] || error[0] < 1e-12, "by a quarter of it at half the step, %g", error[1]);
+}
+
+/* ---- out, and the books -------------------------------------------------------------------------------------- */
+
+static void test_books(void)
+{
+    struct dem *const d = stream(FALL, "insert { feed { type stream; rate 4e4; diameter 1e-3; disc { centre (0 0 0.05); normal (0 0 1); radius 0.02; } "
+                                       "velocity (0.2 0 -1); spread (0.3 0.3 0.2); } } "
+                                       "outlets { below { point (0 0 0); normal (0 0 -1); } aside { min (0.01 -1 0.01); max (1 1 0.03); } } ");
+    double weight[3] = {0.0, 0.0, 0.0}, worst = 0.0, seen = -1.0;
+    int64_t twice = 0;
+    int kept = 1;
+
+    for (int k = 0; k < 300; k++)
+    {
+        const struct dem_tally before = world_tally(d);
+
+        run_windows(d, 1);
+        const struct dem_tally t = world_tally(d);
+        const struct dem_flow in = flow(d, 0), below = flow(d, 1), aside = flow(d, 2);
+        struct dem_view v;
+
+        weight[2] -= 9.81*before.mass*(t.time - before.time);   /* who is there changes at the ends of these windows */
+        for (int a = 0; a < 3; a++)
+        {
+            const double found = t.momentum[a] - (in.momentum[a] - below.momentum[a] - aside.momentum[a] + weight[a]);
+
+            worst = fmax(worst, fabs(found));
+        }
+        kept &= t.particles == in.particles - below.particles - aside.particles && t.inserted == in.particles
+                && t.removed == below.particles + aside.particles;
+        kept &= fabs(t.mass - (in.mass - below.mass - aside.mass)) < 1e-15;
+        dem_view(d, &v);
+        for (size_t i = 0; i < v.n; i++)
+        {
+            const double *const x = dem_at(v.position, v.stride, i);
+
+            kept &= x[2] >= 0.0 && !(x[0] >= 0.01 && x[2] >= 0.01 && x[2] <= 0.03);
+            seen = fmax(seen, (double)world_id(&v, i));
+            twice += i > 0 && world_id(&v, i) == world_id(&v, i - 1);
+        }
+    }
+    const struct dem_tally t = world_tally(d);
+
+    TAP_OK(kept, "who is there came and has not gone, and is where no outlet is, at 300 looks");
+    TAP_OK(flow(d, 1).particles > 100 && flow(d, 2).particles > 100, "%lld went out below, %lld aside", (long long)flow(d, 1).particles,
+           (long long)flow(d, 2).particles);
+    TAP_OK(twice == 0 && seen == (double)(flow(d, 0).particles - 1), "ids count up, none comes twice");
+    /* round-off of 300 windows of 32 kicks each, 2e-16 of 1e-3 kg m/s a kick at most */
+    TAP_OK(worst < 1e4*2e-16*t.mass, "momentum is what came less what went and what gravity gave, off by %.2g of %.2g kg m/s", worst, t.mass);
+    dem_free(d);
+}
+
+static void test_momentum(void)
+{
+    char *const text = world_text("materials { glass { density 2500; youngsModulus 1e5; } } effects { " FALL " } time { step 1e-5; maxOverlap 1e9; } "
+                                  "insert { feed { type stream; rate 2e4; diameter 1e-3; disc { centre (0 0 0.05); normal (0 0 1); radius 0.02; } "
+                                  "velocity (0.2 0 -1); spread (0.3 0.3 0.2); } } outlets { below { point (0 0 0); normal (0 0 -1); } } ");
+    struct dem *const d = world(text, 0, NULL);
+    double weight = 0.0, worst = 0.0;
+
+    for (int k = 0; k < 300; k++)
+    {
+        const struct dem_tally before = world_tally(d);
+
+        run_windows(d, 1);
+        const struct dem_tally t = world_tally(d);
+
+        weight -= 9.81*before.mass*(t.time - before.time);
+        worst = fmax(worst, fabs(t.momentum[2] - (flow(d, 0).momentum[2] - flow(d, 1).momentum[2] + weight)));
+        worst = fmax(worst, fabs(t.momentum[0] - (flow(d, 0).momentum[0] - flow(d, 1).momentum[0])));
+    }
+    /* the same round-off */
+    TAP_OK(flow(d, 1).particles > 500 && worst < 1e4*2e-16*world_tally(d).mass, "without collisions too: %lld went, off by %.2g kg m/s",
+           (long long)flow(d, 1).particles, worst);
+    dem_free(d);
+    free(text);
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    test_rate();
+    test_mass_rate();
+    test_limits();
+    test_sizes();
+    test_room();
+    test_walls();
+    test_face();
+    test_thrown();
+    test_drag();
+    test_books();
+    test_momentum();
+    TAP_DONE;
+}
