@@ -106,13 +106,15 @@ int dem_lost(struct dem *d, int64_t *n, const struct dem_loss **loss)
     return DEM_OK;
 }
 
-/* Kilograms that wait are so many particles of mean mass. */
+/* Kilograms that wait are so many particles of mean mass; no more wait than may still come. */
 static int64_t waiting(const struct dem *d, int k)
 {
     const struct dem_stream *const s = &d->scene.streams.stream[k];
-    const double owed = d->parts.flows.waiting[k];
+    const struct dem_snapshot_flow *const row = &d->parts.flows.flow[k];
+    const double owed = d->parts.flows.waiting[k], each = dem_stream_mean_mass(s, &d->parts.recipe);
+    const double most = fmin((double)(s->count - row->count), (s->mass - row->mass)/each + 0.5);
 
-    return (int64_t)floor((s->by_mass ? owed/dem_stream_mean_mass(s, &d->parts.recipe) : owed) + 1e-9);
+    return (int64_t)floor(fmax(0.0, fmin(s->by_mass ? owed/each : owed, most)) + 1e-9);
 }
 
 int dem_flows(struct dem *d, int *n, const struct dem_flow **flow)

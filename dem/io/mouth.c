@@ -106,7 +106,7 @@ static int read_disc(struct dem_mouth *m, const struct dem_dict *disc)
     DEM_TRY(dem_dict_number(disc, "radius", "m", &v->radius));
     const double size = dem_vec_norm(v->axis);
 
-    DEM_REQUIRE(size > 0.0 && v->radius > 0.0, DEM_ERROR_INPUT, "%s: normal of length %g, radius %g m; give numbers above 0",
+    DEM_REQUIRE(size > 0.0 && v->radius > 0.0, DEM_ERROR_INPUT, "%s: disc with a normal of length %g and a radius of %g m; give numbers above 0",
                 dem_dict_where(disc), size, v->radius);
     for (int k = 0; k < 3; k++)
     {

@@ -243,6 +243,11 @@ int dem_streams_inside(const struct dem_streams *s, const struct dem_domain *d)
     {
         DEM_TRY(mouth_inside(&s->stream[k], d));
     }
+    for (int k = 0; k < s->outlets; k++)
+    {
+        DEM_REQUIRE(!s->outlet[k].patch || s->meshed, DEM_ERROR_INPUT, "outlets/%s: patch %s, but there is no mesh; run it in OpenFOAM, or give a "
+                    "region", s->outlet[k].name, s->outlet[k].patch);
+    }
     return DEM_OK;
 }
 

@@ -53,6 +53,7 @@ struct dem_streams
     size_t stream_room, outlet_room;
     struct dem_stream *stream;
     struct dem_outlet *outlet;
+    int meshed;                                           /* 1: a program with a mesh looks at patches */
 };
 
 /* 1 when a group of `insert` is a stream. */
