@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "io/snapshot.h"
+#include "step/uniform.h"
 #include "step/measure.h"
 #include <float.h>
 #include <math.h>
@@ -107,37 +108,15 @@ void dem_door_survey_radii(struct dem_parts *p)
     }
 }
 
-static void fill_vector(struct dem_particles *p, enum dem_column_name column, size_t i, const double value[3])
-{
-    if (dem_column(p, column))
-    {
-        memcpy(dem_column(p, column) + 3*i, value, 3*sizeof *value);
-    }
-}
-
 /* A uniform fluid fills the columns once; a coupled one marks every particle as not yet placed. */
 void dem_door_fill_fluid(struct dem *d)
 {
     struct dem_particles *const p = &d->parts.particles;
-    const struct dem_uniform_fluid *const f = &d->scene.fluid;
     const double mean = dem_column(p, DEM_COLUMN_MEAN_DIAMETER) ? dem_measure_sauter(&d->parts) : 0.0;
 
     for (size_t i = 0; d->with_fluid && i < p->n; i++)
     {
-        fill_vector(p, DEM_COLUMN_FLUID_ACCELERATION, i, f->acceleration);
-        fill_vector(p, DEM_COLUMN_VORTICITY, i, f->vorticity);
-        fill_vector(p, DEM_COLUMN_STRESS, i, f->stress);
-        fill_vector(p, DEM_COLUMN_FLUID_VELOCITY, i, f->velocity);
-        fill_vector(p, DEM_COLUMN_PRESSURE_GRADIENT, i, f->pressure_gradient);
-        if (dem_column(p, DEM_COLUMN_MEAN_DIAMETER))
-        {
-            dem_column(p, DEM_COLUMN_MEAN_DIAMETER)[i] = mean;
-        }
-        dem_column(p, DEM_COLUMN_VOID_FRACTION)[i] = f->given ? f->void_fraction : 1.0;
-        dem_column(p, DEM_COLUMN_FLUID_DENSITY)[i] = f->given ? f->density : 1.0;
-        dem_column(p, DEM_COLUMN_FLUID_VISCOSITY)[i] = f->given ? f->viscosity : 1.0;
-        dem_column(p, DEM_COLUMN_COUNTERFLOW)[i] = 1.0;
-        dem_column(p, DEM_COLUMN_PLACE)[2*i] = dem_column(p, DEM_COLUMN_PLACE)[2*i + 1] = -1.0;
+        dem_uniform_fill(p, i, &d->scene.fluid, mean);
     }
 }
 
@@ -206,13 +185,7 @@ static void open_window(struct dem_parts *p, const struct dem_snapshot_window *w
 /* A scene that starts from a file has streams of its own; ids of the file's go on. */
 int dem_door_begin_flows(struct dem *d)
 {
-    const struct dem_uniform_fluid *const u = &d->scene.fluid;
-    struct dem_flows *const f = &d->parts.flows;
-
-    f->with_fluid = u->given;
-    memcpy(f->fluid, (const double[]){u->viscosity, u->density, u->void_fraction}, sizeof f->fluid);
-    memcpy(f->fluid_velocity, u->velocity, sizeof f->fluid_velocity);
-    memcpy(f->fluid_gradient, u->pressure_gradient, sizeof f->fluid_gradient);
+    d->parts.flows.fluid = &d->scene.fluid;
     d->flowed.flows = d->new ? 0 : d->flowed.flows;
     return dem_flows_begin(&d->parts, &d->scene.streams, d->load[0] ? &d->flowed : NULL);
 }

@@ -10,6 +10,7 @@
 #include "step/orientation.h"
 #include "step/parts.h"
 #include "step/sweep_bodies.h"
+#include "step/uniform.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -113,28 +114,24 @@ int dem_flows_begin(struct dem_parts *p, const struct dem_streams *plan, const s
 
 /* ---- in ------------------------------------------------------------------------------------------------------ */
 
-/* A uniform fluid is around everybody; one that is coupled comes to look. */
-static void fill_columns(struct dem_parts *p, size_t i)
+static int let_in(struct dem_parts *p, const struct dem_particle *q)
 {
-    struct dem_particles *const q = &p->particles;
-    const struct dem_flows *const f = &p->flows;
+    struct dem_particles *const all = &p->particles;
+    const size_t i = all->n;
 
-    if (!dem_column(q, DEM_COLUMN_FLUID_VELOCITY))
+    DEM_TRY(dem_particles_add(all, q));
+    if (dem_column(all, DEM_COLUMN_FLUID_VELOCITY))
     {
-        return;
+        dem_uniform_fill(all, i, p->flows.fluid, 0.0);
+        memcpy(dem_column(all, DEM_COLUMN_START_VELOCITY) + 3*i, q->v, sizeof q->v);
+        dem_column(all, DEM_COLUMN_KEPT)[i] = 1.0;
+        all->record[i].viscosity = dem_column(all, DEM_COLUMN_FLUID_VISCOSITY)[i];
     }
-    for (size_t k = 0; k < 3; k++)
+    if (p->ledger.open)
     {
-        dem_column(q, DEM_COLUMN_FLUID_VELOCITY)[3*i + k] = f->with_fluid ? f->fluid_velocity[k] : 0.0;
-        dem_column(q, DEM_COLUMN_PRESSURE_GRADIENT)[3*i + k] = f->with_fluid ? f->fluid_gradient[k] : 0.0;
-        dem_column(q, DEM_COLUMN_START_VELOCITY)[3*i + k] = q->record[i].v[k];
+        dem_ledger_comes(p, q);
     }
-    dem_column(q, DEM_COLUMN_FLUID_VISCOSITY)[i] = f->with_fluid ? f->fluid[0] : 1.0;
-    dem_column(q, DEM_COLUMN_FLUID_DENSITY)[i] = f->with_fluid ? f->fluid[1] : 1.0;
-    dem_column(q, DEM_COLUMN_VOID_FRACTION)[i] = f->with_fluid ? f->fluid[2] : 1.0;
-    dem_column(q, DEM_COLUMN_COUNTERFLOW)[i] = dem_column(q, DEM_COLUMN_KEPT)[i] = 1.0;
-    dem_column(q, DEM_COLUMN_PLACE)[2*i] = dem_column(q, DEM_COLUMN_PLACE)[2*i + 1] = -1.0;
-    q->record[i].viscosity = dem_column(q, DEM_COLUMN_FLUID_VISCOSITY)[i];
+    return DEM_OK;
 }
 
 static void kick_back(struct dem_parts *p, size_t first, double half)
@@ -158,19 +155,14 @@ int dem_flows_let_in(struct dem_parts *p, double half)
 
         if (p->pieces.ranks == 1 || dem_pieces_owner(&p->pieces, q->x) == p->pieces.rank)
         {
-            DEM_TRY(dem_particles_add(&p->particles, q));
-            fill_columns(p, p->particles.n - 1);
-            if (p->ledger.open)
-            {
-                dem_ledger_comes(p, q);
-            }
+            DEM_TRY(let_in(p, q));
         }
     }
     f->arrivals = 0;
     dem_orientation_begin(&p->particles);
-    if (half > 0.0 && p->particles.n > first)
+    if (half > 0.0)
     {
-        dem_bodies_open_laws(&p->particles, &p->recipe.bodies);
+        dem_uniform_renew(p, f->fluid);
         kick_back(p, first, half);
     }
     return DEM_OK;

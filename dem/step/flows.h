@@ -27,6 +27,7 @@
 #include "state/particles.h"
 
 struct dem_parts;
+struct dem_uniform_fluid;
 
 enum
 {
@@ -54,7 +55,7 @@ struct dem_flows
 {
     const struct dem_streams *plan;
     int n;                                                /* rows: streams, outlets, and the domain if who leaves it is removed; 0: none */
-    int now;                                              /* 1: outlets take out who is there */
+    int now, left;                                        /* 1: outlets take out who is there; somebody goes, on any rank */
     int asked;                                            /* 1: only when the program says so */
     int64_t next_id;
     struct dem_snapshot_flow flow[DEM_SNAPSHOT_FLOWS], kept[DEM_SNAPSHOT_FLOWS];
@@ -63,9 +64,7 @@ struct dem_flows
     size_t arrivals, arrival_room, departures, departure_room;
     struct dem_arrival *arrival;                          /* the same on all ranks, until they are let in */
     struct dem_departure *departure;                      /* of this rank, until they are booked */
-    double fluid[3];                                      /* Pa s, kg/m3, 1 of a uniform fluid, for who comes in; */
-    double fluid_velocity[3], fluid_gradient[3];
-    int with_fluid;                                       /* 1: there is one */
+    const struct dem_uniform_fluid *fluid;                /* the scene's, for who comes in */
 };
 
 void dem_flows_free(struct dem_flows *);

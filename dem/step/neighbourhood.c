@@ -8,6 +8,7 @@
 #include "step/agree.h"
 #include "step/loss_cause.h"
 #include "step/step.h"
+#include "step/uniform.h"
 #include <math.h>
 
 /* Who has left the domain is removed at steps that are multiples of this, not when lists happen to be renewed: their cost must not
@@ -143,6 +144,10 @@ static int hand_over(struct dem_parts *p, int cut, int weighed)
     if (p->flows.arrivals > 0)
     {
         DEM_TRY(dem_flows_let_in(p, 0.5*p->dt));
+    }
+    else if (p->flows.left)
+    {
+        dem_uniform_renew(p, p->flows.fluid);
     }
     return dem_halo_migrate(&p->halo, &p->particles, &p->contacts);
 }
@@ -280,6 +285,7 @@ int dem_neighbourhood(struct dem_parts *p, double fastest, int seen)
     int goes, stale[DEM_LISTS] = {0, 0};
 
     DEM_TRY(somebody_goes(p, &goes));
+    p->flows.left = goes;
     p->flows.now = dem_flows_step(p);
     if (p->flows.now && p->flows.plan->streams > 0)
     {
@@ -302,7 +308,7 @@ int dem_neighbourhood(struct dem_parts *p, double fastest, int seen)
         dem_phases_rare(&p->phases, DEM_PHASE_AGREE);
         dem_halo_wait(&p->halo);
         DEM_TRY(dem_step_renew(p));
-        p->flows.now = 0;
+        p->flows.now = p->flows.left = 0;
         dem_phases_rare_end(&p->phases, DEM_PHASE_RENEW);
         return DEM_OK;
     }
