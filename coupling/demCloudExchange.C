@@ -24,6 +24,7 @@ void Foam::demCloud::refresh()
 // particles or handed them to other ranks.
 void Foam::demCloud::look()
 {
+    setDiameter();
     refresh();
 
     if (!fluid_.place)
@@ -40,7 +41,6 @@ void Foam::demCloud::look()
     {
         fail(outside);
     }
-    setDiameter();
     refresh();
 }
 
@@ -120,7 +120,7 @@ void Foam::demCloud::depositVolume()
         mesh_,
         dimensionedScalar(dimless, Zero)
     );
-    transfer_.deposit(volumes(view_), solid);
+    transfer_.depositVolume(volumes(view_), solid);
 
     voidFraction_.primitiveFieldRef() = 1 - solid.field();
     voidFraction_.correctBoundaryConditions();

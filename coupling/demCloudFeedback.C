@@ -59,7 +59,7 @@ void Foam::demCloud::report()
     demCheck(dem_tally(dem_, &now));
 
     const scalarField& e = voidFraction_;
-    const label crowded = transfer_.crowded(e);
+    const demRelief& relief = transfer_.relief();
     const scalar solid = gSum(mesh_.V().field()*(1 - e));
 
     Info<< "Suna: " << now.particles << " particles, "
@@ -68,10 +68,11 @@ void Foam::demCloud::report()
         << ", volume error " << mag(solid - now.volume)/(now.volume + VSMALL)
         << endl;
 
-    if (crowded)
+    if (relief.crowded())
     {
         Info<< "Suna: void fraction below " << transfer_.minVoidFraction()
-            << " in " << crowded << " cells: particles are too soft, or cells"
+            << " in " << relief.crowded() << " cells, smoothed further in "
+            << relief.passes() << " passes: particles are too soft, or cells"
             << " too small for the kernel's width" << endl;
     }
 

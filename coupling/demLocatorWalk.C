@@ -188,6 +188,16 @@ void Foam::demLocator::cross(const label facei, traveller& t) const
 }
 
 
+Foam::point Foam::demLocator::position(const demSpot& spot) const
+{
+    return
+        spot.wCell*mesh_.cellCentres()[spot.cell]
+      + spot.wFace*middle_[spot.face]
+      + spot.wp*mesh_.points()[spot.p]
+      + spot.wq*mesh_.points()[spot.q];
+}
+
+
 Foam::label Foam::demLocator::wayAround(const label cell, const vector& d) const
 {
     label way = -1;

@@ -67,26 +67,26 @@ Foam::demRoute::demRoute(const fvMesh& mesh, const demLocator& locator)
 }
 
 
-void Foam::demRoute::post()
+void Foam::demRoute::post(mail& out, mail& in)
 {
     const label self = Pstream::myProcNo();
 
-    for (DynamicList<scalar>& letter : in_)
+    for (DynamicList<scalar>& letter : in)
     {
         letter.clear();
     }
-    in_[self].swap(out_[self]);
+    in[self].swap(out[self]);
 
     if (Pstream::parRun())
     {
         PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-        forAll(out_, rank)
+        forAll(out, rank)
         {
-            if (out_[rank].size())
+            if (out[rank].size())
             {
                 UOPstream to(rank, buffers);
-                to << static_cast<const List<scalar>&>(out_[rank]);
-                out_[rank].clear();
+                to << static_cast<const List<scalar>&>(out[rank]);
+                out[rank].clear();
             }
         }
 
@@ -98,7 +98,7 @@ void Foam::demRoute::post()
             {
                 UIPstream from(rank, buffers);
                 List<scalar> letter(from);
-                in_[rank].transfer(letter);
+                in[rank].transfer(letter);
             }
         }
     }

@@ -8,42 +8,70 @@
 
 #include "demTransfer.H"
 #include "demCheck.H"
+#include "demBall.H"
+#include "demBell.H"
+
+namespace Foam
+{
+    // Mean widening of a point by the linear weights, over the square of the
+    // distance between cells, that a value's being the mean of its cell does not
+    // explain: the corners, edges and faces of a box lie a half off in the square,
+    // its centre 0, and a point inside has a quarter of the centre on the mean:
+    // 3/8, less 1/12 for where in the cell it is and 1/12 for the cell's own size
+    static const scalar linearWidens = 5.0/24.0;
+}
+
+
+void Foam::demTransfer::check
+(
+    const dictionary& coupling,
+    const char* name,
+    const bool used
+) const
+{
+    if (!used && coupling.found(name))
+    {
+        FatalIOErrorInFunction(coupling)
+            << "coupling/" << name << " is of the smoothing, but kernel "
+            << coupling.get<word>("kernel") << " does not need it; take it out,"
+            << " or use kernel diffusion" << exit(FatalIOError);
+    }
+}
 
 
 void Foam::demTransfer::read(const dictionary& coupling)
 {
-    const wordList kernels({"diffusion", "linear", "particleCentre"});
-    const wordList bases({"linear", "particleCentre"});
+    // in the order of the enumeration
+    const wordList bases({"linear", "particleCentre", "divided", "gaussian"});
+    const wordList kernels({"diffusion", bases[0], bases[1], bases[2], bases[3]});
     const word kernel(coupling.getOrDefault<word>("kernel", "diffusion"));
     const word base(coupling.getOrDefault<word>("base", "linear"));
-    const bool diffusion = kernel == "diffusion";
-
-    width_ = coupling.getOrDefault<scalar>("width", 3);
-    minVoidFraction_ = coupling.getOrDefault<scalar>("minVoidFraction", 0.2);
 
     if (!kernels.found(kernel))
     {
         demUnknown(coupling, "coupling", "kernel", kernel, kernels);
     }
-    if (!bases.found(base))
+    if (!bases.found(base) || base == "gaussian")
     {
-        demUnknown(coupling, "coupling", "base", base, bases);
+        demUnknown(coupling, "coupling", "base", base, SubList<word>(bases, 3));
     }
-    for (const char* name : {"width", "base", "diameter"})
-    {
-        if (!diffusion && coupling.found(name))
-        {
-            FatalIOErrorInFunction(coupling)
-                << "coupling/" << name << " is of the smoothing, but kernel "
-                << kernel << " does not smooth; take it out, or use kernel"
-                << " diffusion" << exit(FatalIOError);
-        }
-    }
-    if (width_ < 0)
+
+    smooths_ = kernel == "diffusion";
+    base_ = static_cast<enum base>(bases.find(smooths_ ? base : kernel));
+    width_ = coupling.getOrDefault<scalar>("width", 3);
+    minVoidFraction_ = coupling.getOrDefault<scalar>("minVoidFraction", 0.2);
+
+    check(coupling, "base", smooths_);
+    check(coupling, "width", smooths_ || base_ == GAUSSIAN);
+    check(coupling, "diameter", smooths_ || base_ == GAUSSIAN);
+
+    if (width_ < 0 || (width_ == 0 && base_ == GAUSSIAN))
     {
         FatalIOErrorInFunction(coupling)
-            << "coupling/width " << width_ << " is negative; give the smoothing"
-            << " length in particle diameters, 0 for none" << exit(FatalIOError);
+            << "coupling/width " << width_
+            << (width_ < 0 ? " is negative; give the" : " gives a Gaussian no size; give its")
+            << " length in particle diameters, 3 for example"
+            << (width_ < 0 ? ", 0 for no smoothing" : "") << exit(FatalIOError);
     }
     if (coupling.getOrDefault<scalar>("diameter", 1) <= 0)
     {
@@ -57,29 +85,65 @@ void Foam::demTransfer::read(const dictionary& coupling)
             << "coupling/minVoidFraction " << minVoidFraction_ << " is out of"
             << " range; give a number from 0 to 1" << exit(FatalIOError);
     }
-
-    linear_ = diffusion ? base == "linear" : kernel == "linear";
-    width_ = diffusion ? width_ : 0;
+    if (!smooths_ && base_ != GAUSSIAN)
+    {
+        width_ = 0;
+    }
 }
 
 
 void Foam::demTransfer::build()
 {
     route_.clear();
+    footprint_.clear();
     locator_.reset(new demLocator(mesh_));
     route_.reset(new demRoute(mesh_, locator_()));
-    weights_.reset(new demWeights(mesh_));
+    weights_.clear();
+    if (base_ == LINEAR || base_ == CENTRE)
+    {
+        weights_.reset(new demWeights(mesh_));
+    }
     smoother_.reset(new demSmoother(mesh_));
-    smoother_().setWidth(width_*diameter_);
+    relief_.reset(new demRelief(mesh_));
+    size();
+}
+
+
+void Foam::demTransfer::size()
+{
+    if (smooths_)
+    {
+        smoother_().setWidth
+        (
+            width_*diameter_,
+            base_ == LINEAR ? linearWidens : 0,
+            base_ == DIVIDED ? demBall::variance*sqr(0.5*diameter_) : 0
+        );
+    }
+    footprint_.clear();
+    shape_.clear();
+    if (base_ == DIVIDED)
+    {
+        shape_.reset(new demBall(mesh_));
+    }
+    else if (base_ == GAUSSIAN && diameter_ > 0)
+    {
+        shape_.reset(new demBell(mesh_, width_*diameter_));
+    }
+    if (shape_.valid())
+    {
+        footprint_.reset(new demFootprint(mesh_, locator_(), shape_()));
+    }
 }
 
 
 Foam::demTransfer::demTransfer(const fvMesh& mesh, const dictionary& coupling)
 :
     mesh_(mesh),
+    base_(LINEAR),
     width_(0),
+    smooths_(false),
     minVoidFraction_(0),
-    linear_(true),
     diameter_(0)
 {
     read(coupling);
@@ -101,7 +165,7 @@ void Foam::demTransfer::setDiameter(const scalar d)
     if (d != diameter_)
     {
         diameter_ = d;
-        smoother_().setWidth(width_*d);
+        size();
     }
 }
 
@@ -112,10 +176,26 @@ Foam::demRoute::stray Foam::demTransfer::locate(const demView& view, double* pla
     {
         build();
     }
+    relief_().clear();
+
     const demRoute::stray outside(route_().locate(view, place));
-    if (!linear_ && !outside.count)
+    if (outside.count)
+    {
+        return outside;
+    }
+    if (base_ == CENTRE)
     {
         route_().toCentres();
+    }
+    if (footprint_.valid())
+    {
+        scalarList radius(route_().nParticles());
+        forAll(radius, i)
+        {
+            radius[i] = *dem_at(view.radius, view.stride, i);
+        }
+        route_().toSpots(radius);
+        footprint_().update(route_().spots(), radius);
     }
     return outside;
 }
@@ -125,17 +205,25 @@ template<class Type>
 Foam::tmp<Foam::Field<Type>> Foam::demTransfer::sample(const UList<Type>& cells) const
 {
     Field<Type> smooth(cells);
+    relief_().collect(smooth);
     smoother_().smooth(smooth);
 
     tmp<Field<Type>> tvalues(new Field<Type>(route_().spots().size()));
-    weights_().collect(route_().spots(), smooth, tvalues.ref());
+    if (footprint_.valid())
+    {
+        footprint_().collect(smooth, tvalues.ref());
+    }
+    else if (weights_.valid())
+    {
+        weights_().collect(route_().spots(), smooth, tvalues.ref());
+    }
     route_().toParticles(tvalues.ref());
     return tvalues;
 }
 
 
 template<class Type>
-void Foam::demTransfer::deposit
+void Foam::demTransfer::put
 (
     const UList<Type>& perParticle,
     Field<Type>& density
@@ -146,9 +234,39 @@ void Foam::demTransfer::deposit
 
     density.setSize(mesh_.nCells());
     density = Zero;
-    weights_().spread(route_().spots(), values, density);
+    if (footprint_.valid())
+    {
+        footprint_().spread(values, density);
+    }
+    else if (weights_.valid())
+    {
+        weights_().spread(route_().spots(), values, density);
+    }
     density /= mesh_.V().field();
     smoother_().smooth(density);
+}
+
+
+template<class Type>
+void Foam::demTransfer::deposit
+(
+    const UList<Type>& perParticle,
+    Field<Type>& density
+) const
+{
+    put(perParticle, density);
+    relief_().spread(density);
+}
+
+
+void Foam::demTransfer::depositVolume
+(
+    const UList<scalar>& volumes,
+    volScalarField::Internal& solid
+)
+{
+    put(volumes, solid.field());
+    relief_().relieve(solid.field(), 1 - minVoidFraction_);
 }
 
 
@@ -183,17 +301,6 @@ INSTANTIATE(scalar, volScalarField)
 INSTANTIATE(vector, volVectorField)
 
 #undef INSTANTIATE
-
-
-Foam::label Foam::demTransfer::crowded(const UList<scalar>& voidFraction) const
-{
-    label count = 0;
-    for (const scalar e : voidFraction)
-    {
-        count += e < minVoidFraction_;
-    }
-    return returnReduce(count, sumOp<label>());
-}
 
 
 // ************************************************************************* //
