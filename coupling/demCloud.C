@@ -14,8 +14,6 @@
 #include "OSspecific.H"
 #include "Time.H"
 #include "wallFvPatch.H"
-#include "emptyFvPatch.H"
-#include "cyclicFvPatch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -98,38 +96,6 @@ static IOobject fieldAt
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-// The flow across an empty patch is not solved for; through a cyclic patch the
-// core must know its way, too
-void Foam::demCloud::checkPatches() const
-{
-    forAll(mesh_.boundary(), patchi)
-    {
-        const fvPatch& patch = mesh_.boundary()[patchi];
-
-        if (twoWay_ && isA<emptyFvPatch>(patch))
-        {
-            FatalErrorInFunction
-                << "Patch " << patch.name() << " is of type empty, but"
-                << " particles move in three dimensions and the fluid would not"
-                << " get the momentum that they give it across that patch; use"
-                << " walls with slip or cyclic patches, or set twoWay no; in"
-                << " coupling of constant/" << demDict::name()
-                << exit(FatalError);
-        }
-
-        if (isA<cyclicFvPatch>(patch) && !dict_.periodic())
-        {
-            FatalErrorInFunction
-                << "Patch " << patch.name() << " is cyclic, but the particles"
-                << " do not know: those on one side would not feel those on the"
-                << " other. Add domain { x (min max); periodic (x); } with"
-                << " the mesh's limits to constant/" << demDict::name()
-                << exit(FatalError);
-        }
-    }
-}
-
-
 // Iterations of a steady solver are no time; steps of others are
 void Foam::demCloud::checkInterval() const
 {
@@ -176,7 +142,6 @@ void Foam::demCloud::checkInterval() const
 
 void Foam::demCloud::build()
 {
-    checkPatches();
     checkInterval();
 
     demCheck(dem_create(&dem_, communicator()));

@@ -8,6 +8,8 @@
 
 #include "demDict.H"
 #include "demCheck.H"
+#include "demDomain.H"
+#include "emptyPolyPatch.H"
 #include "uniformDimensionedFields.H"
 #include "OStringStream.H"
 #include "DynamicList.H"
@@ -144,6 +146,19 @@ void Foam::demDict::settleGravity()
 }
 
 
+bool Foam::demDict::emptyWalls() const
+{
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isA<emptyPolyPatch>(patch) && isWall(patch))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 void Foam::demDict::sayGravity(const char* source) const
 {
     if (mag(gravity_) > 0)
@@ -207,6 +222,7 @@ Foam::demDict::demDict(const polyMesh& mesh)
     coupling_.readIfPresent("walls", alsoWalls_);
     checkPatchNames();
     keepBackPatches();
+    demDomain(mesh_).complete(dict_, emptyWalls());
     settleGravity();
 }
 
@@ -228,12 +244,6 @@ void Foam::demDict::onlyThere(const word& name, const char* where) const
             << " coupling in constant/" << demDict::name()
             << exit(FatalIOError);
     }
-}
-
-
-bool Foam::demDict::periodic() const
-{
-    return dict_.subOrEmptyDict("domain").found("periodic");
 }
 
 

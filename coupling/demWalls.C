@@ -8,9 +8,9 @@
 
 #include "demWalls.H"
 #include "demCheck.H"
+#include "demDomain.H"
 #include "DynamicList.H"
 #include "OSspecific.H"
-#include "pointIOField.H"
 #include "Time.H"
 #include "triSurface.H"
 
@@ -114,36 +114,6 @@ static void hand
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-// Where its points were when its faces were made
-Foam::tmp<Foam::pointField> Foam::demWalls::newPoints() const
-{
-    if (mesh_.pointsInstance() == mesh_.facesInstance())
-    {
-        return tmp<pointField>(mesh_.points());
-    }
-
-    return tmp<pointField>
-    (
-        new pointField
-        (
-            pointIOField
-            (
-                IOobject
-                (
-                    "points",
-                    mesh_.facesInstance(),
-                    polyMesh::meshSubDir,
-                    mesh_,
-                    IOobject::MUST_READ,
-                    IOobject::NO_WRITE,
-                    false
-                )
-            )
-        )
-    );
-}
-
-
 // Patches to other ranks come last, so all ranks meet at the others in step
 bool Foam::demWalls::isWall(const polyPatch& patch) const
 {
@@ -178,7 +148,7 @@ void Foam::demWalls::move(::dem* d)
 {
     if (corners_.empty())
     {
-        const tmp<pointField> tpoints(newPoints());
+        const tmp<pointField> tpoints(demDomain::firstPoints(mesh_));
 
         corners_.setSize(mesh_.boundaryMesh().size());
         for (const polyPatch& patch : mesh_.boundaryMesh())
@@ -226,7 +196,7 @@ Foam::demWalls::demWalls(const polyMesh& mesh, const demDict& dict)
 
 Foam::label Foam::demWalls::add(::dem* d)
 {
-    const tmp<pointField> tpoints(newPoints());
+    const tmp<pointField> tpoints(demDomain::firstPoints(mesh_));
     label walls = 0;
 
     for (const polyPatch& patch : mesh_.boundaryMesh())

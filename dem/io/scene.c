@@ -9,6 +9,7 @@
 #include "base/unknown.h"
 #include "io/scene_parts.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* `min (x y z); max (x y z);`, or only the axes that are limited, each by itself: `x (0 0.1);`. The others stay open. */
@@ -48,16 +49,17 @@ static int read_limits(struct dem_domain *d, const struct dem_dict *dict)
     return DEM_OK;
 }
 
-static int read_periodic(struct dem_domain *d, const struct dem_dict *dict)
+/* The axes of a list, which need limits. */
+static int read_axes(const struct dem_domain *d, const struct dem_dict *dict, const char *list, int found[3])
 {
     const char *const *axis;
     size_t n;
 
-    if (!dem_dict_has(dict, "periodic"))
+    if (!dem_dict_has(dict, list))
     {
         return DEM_OK;
     }
-    DEM_TRY(dem_dict_words(dict, "periodic", &axis, &n));
+    DEM_TRY(dem_dict_words(dict, list, &axis, &n));
     for (size_t k = 0; k < n; k++)
     {
         static const char *const known[] = {"x", "y", "z"};
@@ -65,12 +67,30 @@ static int read_periodic(struct dem_domain *d, const struct dem_dict *dict)
 
         if (a < 0 || a > 2 || axis[k][1])
         {
-            return dem_error_prefix(dem_unknown_word("periodic axis", axis[k], known, 3), "%s: ", dem_dict_where(dict));
+            char what[32];
+
+            snprintf(what, sizeof what, "%s axis", list);
+            return dem_error_prefix(dem_unknown_word(what, axis[k], known, 3), "%s: ", dem_dict_where(dict));
         }
         DEM_REQUIRE(isfinite(d->max[a] - d->min[a]), DEM_ERROR_INPUT,
-                    "%s: domain: axis %s is periodic but has no limits; give them, %s (min max)", dem_dict_where(dict), axis[k], axis[k]);
-        d->periodic[a] = 1;
+                    "%s: domain: axis %s is %s but has no limits; give them, %s (min max)", dem_dict_where(dict), axis[k], list, axis[k]);
+        found[a] = 1;
     }
+    return DEM_OK;
+}
+
+static int read_kinds(struct dem_domain *d, const struct dem_dict *dict)
+{
+    DEM_TRY(read_axes(d, dict, "periodic", d->periodic));
+    DEM_TRY(read_axes(d, dict, "flat", d->flat));
+    for (int k = 0; k < 3; k++)
+    {
+        DEM_REQUIRE(!d->periodic[k] || !d->flat[k], DEM_ERROR_INPUT,
+                    "%s: domain: axis %c is periodic and flat, but who stays in a plane goes round nothing; keep one", dem_dict_where(dict),
+                    "xyz"[k]);
+    }
+    DEM_REQUIRE(d->flat[0] + d->flat[1] + d->flat[2] < 3, DEM_ERROR_INPUT, "%s: domain: all axes are flat, so that nothing moves; keep two at most",
+                dem_dict_where(dict));
     dem_domain_close(d);
     return DEM_OK;
 }
@@ -93,7 +113,7 @@ static int read_domain(struct dem_domain *d, const struct dem_dict *scene)
     {
         return dem_error_prefix(dem_unknown_word("way of leaving", leaving, known, 2), "%s: ", dem_dict_where(dict));
     }
-    return read_periodic(d, dict);
+    return read_kinds(d, dict);
 }
 
 /* What only some effects ask for; where none does, the entry is one that nobody reads. */

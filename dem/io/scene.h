@@ -5,7 +5,7 @@
  *     effects   { WORD { SETTING VALUE; } }                      what acts, with the numbers for all contacts
  *     pairs     { NAME { between (A B); WORD { SETTING VALUE; } } }   other numbers for two materials
  *     walls     { NAME { type plane|box|cylinder|sphere|triangles|stl|patch|surface; material; motion { ... } ... } }
- *     domain    { min; max; | x; y; z; periodic (x y z); leaving error|remove; }
+ *     domain    { min; max; | x; y; z; periodic (x y z); flat (x y z); leaving error|remove; }
  *     insert    { NAME { type lattice|random|list|table|stream; ... } }
  *     outlets   { NAME { min; max; | cylinder; | sphere; | point; normal; | patch; } }
  *     start     { snapshot "FILE"; }                             instead of insert

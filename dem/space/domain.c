@@ -1,5 +1,5 @@
 /*
- * domain.c -- wrapping and counting images; walls at periodic faces.
+ * domain.c -- wrapping and counting images; the planes of flat axes; walls at periodic faces.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -33,6 +33,11 @@ void dem_domain_close(struct dem_domain *d)
             d->unit[k] = ldexp(1.0, binary - 53);
             d->round[k] = ldexp(1.5, binary - 1);
             d->length[k] = d->unit[k]*rint(length/d->unit[k]);
+        }
+        if (d->flat[k])
+        {
+            d->plane[k] = 0.5*(d->min[k] + d->max[k]);
+            d->round[k] = 1e300;
         }
     }
 }
@@ -88,6 +93,43 @@ int dem_domain_holds(const struct dem_domain *d, const double x[3])
         inside &= can_wrap(d, k, x[k]) || (x[k] >= d->min[k] && x[k] <= d->max[k]);
     }
     return inside;
+}
+
+/* ---- flat axes ----------------------------------------------------------------------------------------------- */
+
+int dem_domain_lay(const struct dem_domain *d, struct dem_particles *p)
+{
+    for (size_t i = 0; i < p->n; i++)
+    {
+        struct dem_particle *const q = &p->record[i];
+
+        for (int k = 0; k < 3; k++)
+        {
+            DEM_REQUIRE(!d->flat[k] || fabs(q->x[k] - d->plane[k]) <= q->radius, DEM_ERROR_INPUT,
+                        "particle %lld is at %c = %g m, but the domain is flat there and holds all centres at %g m; start it within a radius "
+                        "of that, for example in a region of one diameter (%g m) about it", (long long)q->id, "xyz"[k], q->x[k],
+                        d->plane[k], 2.0*q->radius);
+            DEM_REQUIRE(!d->flat[k] || q->v[k] == 0.0, DEM_ERROR_INPUT,
+                        "particle %lld moves by %g m/s along %c, where the domain is flat; start it without", (long long)q->id, q->v[k],
+                        "xyz"[k]);
+            q->x[k] = d->flat[k] ? d->plane[k] : q->x[k];
+        }
+    }
+    dem_domain_hold(d, p);
+    return DEM_OK;
+}
+
+void dem_domain_hold(const struct dem_domain *d, struct dem_particles *p)
+{
+    for (int k = 0; k < 3; k++)
+    {
+        for (size_t i = 0; d->flat[k] && i < p->n; i++)
+        {
+            p->record[i].v[k] = 0.0;
+            p->record[i].w[(k + 1)%3] = 0.0;
+            p->record[i].w[(k + 2)%3] = 0.0;
+        }
+    }
 }
 
 /* ---- walls at periodic faces --------------------------------------------------------------------------------- */

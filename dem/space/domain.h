@@ -7,6 +7,9 @@
  * Along a periodic axis positions, steps and the length of the box are whole multiples of a small power of two, about 1e-16 of the
  * largest coordinate: then all sums of them are exact, and nothing depends on when a particle is brought back into the box.
  *
+ * A flat axis leaves two dimensions: centres stay in the middle plane of its limits, without velocity across it and without spin out
+ * of it. Spheres are spheres nevertheless. The drift across it rounds to whole multiples of 1e284 m, which is none.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_SPACE_DOMAIN_H
@@ -24,12 +27,14 @@ struct dem_domain
     double unit[3];                                       /* m: positions along periodic axes are multiples of it */
     alignas(16) double round[4];                          /* m: (x + round) - round is the next multiple; 0 along other axes, and last */
     int periodic[3];
+    int flat[3];
+    double plane[3];                                      /* m; of flat axes: where centres are */
     int remove;                                           /* 1: a particle that leaves is removed, 0: it is an error */
 };
 
 void dem_domain_init(struct dem_domain *);                /* open everywhere */
 
-/* Along axes that are periodic, when limits are known: the length, and what positions are multiples of. */
+/* When limits are known. Of periodic axes: the length, and what positions are multiples of; of flat ones: the plane. */
 void dem_domain_close(struct dem_domain *);
 
 /* The vector [m] of each code, 27 x 4, the last is 0; zero along axes that are not periodic. */
@@ -37,6 +42,12 @@ void dem_domain_shifts(const struct dem_domain *, double shift[DEM_SHIFTS][4]);
 
 /* Bring a particle back into the box along periodic axes, counting its image, and to the next multiple there. */
 void dem_domain_wrap(const struct dem_domain *, struct dem_particle *);
+
+/* Put centres into the planes of flat axes; refuse who is further off than its radius, or moves. */
+int dem_domain_lay(const struct dem_domain *, struct dem_particles *);
+
+/* Take what particles have of velocity across flat axes and of spin out of the plane. */
+void dem_domain_hold(const struct dem_domain *, struct dem_particles *);
 
 /* Walls have no periodic images, so one that meets a periodic face must run straight through it; refuse any other, where a
    particle of this radius would pass the face and find itself in a wall. Walls stand as they do now. */

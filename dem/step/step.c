@@ -55,6 +55,7 @@ static int keep(struct dem_parts *p, int status, double half_kick)
     if (half_kick > 0.0)
     {
         dem_sweep_bodies(&k->particles, &p->recipe.bodies, &(struct dem_body_sweep){.kick = half_kick, .window = p->window});
+        dem_domain_hold(&p->domain, &k->particles);
     }
     return DEM_OK;
 }
@@ -176,6 +177,7 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
         dem_phases_rare_end(&p->phases, DEM_PHASE_KEEP);
     }
     dem_bodies_until(&pass, p->particles.n);
+    dem_domain_hold(&p->domain, &p->particles);
     dem_phases_end(&p->phases, DEM_PHASE_BODIES);
     return DEM_OK;
 }
@@ -201,6 +203,7 @@ static void kick_off(struct dem_parts *p, double kick)
         dem_sweep_bodies(&p->particles, &p->recipe.bodies, &(struct dem_body_sweep){.kick = kick, .window = p->window,
                          .ledger = p->ledger.open ? &p->ledger : NULL});
     }
+    dem_domain_hold(&p->domain, &p->particles);
     dem_phases_end(&p->phases, DEM_PHASE_BODIES);
 }
 
