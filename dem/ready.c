@@ -142,7 +142,7 @@ static int settle_in(struct dem *d)
 {
     struct dem_parts *const p = &d->parts;
 
-    DEM_TRY(together(p, dem_domain_lay(&p->domain, &p->particles)));
+    DEM_TRY(together(p, dem_domain_lay_all(&p->domain, &p->particles)));
     DEM_TRY(dem_pieces_balance(&p->pieces, &p->particles, NULL));
     DEM_TRY(dem_halo_migrate(&p->halo, &p->particles, &p->contacts));
     p->stale = 2;

@@ -97,7 +97,25 @@ int dem_domain_holds(const struct dem_domain *d, const double x[3])
 
 /* ---- flat axes ----------------------------------------------------------------------------------------------- */
 
-int dem_domain_lay(const struct dem_domain *d, struct dem_particles *p)
+int dem_domain_lay(const struct dem_domain *d, struct dem_particle *p)
+{
+    for (int k = 0; k < 3; k++)
+    {
+        if (d->flat[k] && fabs(p->x[k] - d->plane[k]) > p->radius)
+        {
+            return 0;
+        }
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        p->x[k] = d->flat[k] ? d->plane[k] : p->x[k];
+        p->v[k] = d->flat[k] ? 0.0 : p->v[k];
+        p->w[k] = d->flat[(k + 1)%3] || d->flat[(k + 2)%3] ? 0.0 : p->w[k];
+    }
+    return 1;
+}
+
+int dem_domain_lay_all(const struct dem_domain *d, struct dem_particles *p)
 {
     for (size_t i = 0; i < p->n; i++)
     {
@@ -112,10 +130,9 @@ int dem_domain_lay(const struct dem_domain *d, struct dem_particles *p)
             DEM_REQUIRE(!d->flat[k] || q->v[k] == 0.0, DEM_ERROR_INPUT,
                         "particle %lld moves by %g m/s along %c, where the domain is flat; start it without", (long long)q->id, q->v[k],
                         "xyz"[k]);
-            q->x[k] = d->flat[k] ? d->plane[k] : q->x[k];
         }
+        dem_domain_lay(d, q);
     }
-    dem_domain_hold(d, p);
     return DEM_OK;
 }
 

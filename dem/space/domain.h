@@ -43,8 +43,11 @@ void dem_domain_shifts(const struct dem_domain *, double shift[DEM_SHIFTS][4]);
 /* Bring a particle back into the box along periodic axes, counting its image, and to the next multiple there. */
 void dem_domain_wrap(const struct dem_domain *, struct dem_particle *);
 
-/* Put centres into the planes of flat axes; refuse who is further off than its radius, or moves. */
-int dem_domain_lay(const struct dem_domain *, struct dem_particles *);
+/* Put a centre into the planes of flat axes, without velocity across them; 0 when it is further off than the radius. */
+int dem_domain_lay(const struct dem_domain *, struct dem_particle *);
+
+/* All of them; refuse who is further off, or moves across. */
+int dem_domain_lay_all(const struct dem_domain *, struct dem_particles *);
 
 /* Take what particles have of velocity across flat axes and of spin out of the plane. */
 void dem_domain_hold(const struct dem_domain *, struct dem_particles *);

@@ -164,6 +164,7 @@ int dem_flows_let_in(struct dem_parts *p, double half)
     {
         dem_uniform_renew(p, f->fluid);
         kick_back(p, first, half);
+        dem_domain_hold(&p->domain, &p->particles);
     }
     return DEM_OK;
 }

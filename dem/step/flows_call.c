@@ -252,7 +252,7 @@ static int find_place(struct dem_parts *p, const struct dem_stream_trial *first,
     *found = 0;
     for (t.trial = 0; t.trial < TRIALS && !*found; t.trial++)
     {
-        if (!dem_stream_place(r->stream, &t, q->x, q->v) || !is_near(r, q->x, 0.0) || !is_clear(r, q->x, q->radius))
+        if (!dem_stream_place(r->stream, &t, q->x, q->v) || !dem_domain_lay(&p->domain, q) || !is_near(r, q->x, 0.0) || !is_clear(r, q->x, q->radius))
         {
             continue;
         }
