@@ -165,6 +165,11 @@ void Foam::demCloud::build()
     record_.prepare(dem_);
     demCheck(dem_ready(dem_));
     record_.watch(dem_);
+    if (makesRoom_ && dem_needs_fluid(dem_))
+    {
+        form_.checkEffects();
+        dem_fluid_whole_drag(dem_, form_.wholeDrag());
+    }
     demCheck(dem_tally(dem_, &before_));
 
     const struct dem_step_limit step = dem_step_limit(dem_);
@@ -204,6 +209,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
     dict_(mesh),
     twoWay_(dict_.coupling().getOrDefault("twoWay", true)),
     makesRoom_(makesRoom && twoWay_),
+    form_(dict_, makesRoom),
     transfer_(mesh, dict_.coupling()),
     walls_(mesh, dict_),
     dem_(nullptr),

@@ -97,16 +97,36 @@ void Foam::demCloud::tellParticles
     }
 
     toColumn(transfer_.sample(U)(), fluid_.velocity);
-    toColumn(transfer_.sample(gradP)(), fluid_.pressure_gradient);
+    if (form_.wholeDrag())
+    {
+        const vectorField hydrostatic(values(rho)()*gravity());
+        toColumn(hydrostatic, fluid_.pressure_gradient);
+    }
+    else
+    {
+        toColumn(transfer_.sample(gradP)(), fluid_.pressure_gradient);
+    }
     toColumn(transfer_.sample(voidFraction_)(), fluid_.void_fraction);
     toColumn(values(rho)(), fluid_.density);
     toColumn(values(mu)(), fluid_.viscosity);
 
     for (size_t i = 0; i < fluid_.n; i++)
     {
-        const scalar e = max(fluid_.void_fraction[i], 0.1);
-        fluid_.counterflow[i] = makesRoom_ ? 1/(e*e) : 1;
+        fluid_.counterflow[i] = counterflow(max(fluid_.void_fraction[i], 0.1));
     }
+}
+
+
+// How much faster particles lose their slip where the fluid makes room: 1/e by
+// the fluid's motion, and as much again by the pressure gradient that comes
+// with it; that part is in the drag where drag is over e
+Foam::scalar Foam::demCloud::counterflow(const scalar e) const
+{
+    if (!makesRoom_ || !form_.returns())
+    {
+        return 1;
+    }
+    return form_.wholeDrag() ? 1/e : 1/(e*e);
 }
 
 
@@ -146,15 +166,29 @@ void Foam::demCloud::depositReaction()
         return;
     }
 
-    scalarField response(view_.n);
+    scalarField response(view_.n, Zero);
     vectorField reaction(view_.n);
 
     forAll(response, i)
     {
-        response[i] = fluid_.response[i]/window_;
-        reaction[i] =
-            response[i]*three(fluid_.velocity, i)
-          - three(fluid_.drag_impulse, i)/window_;
+        const vector given(three(fluid_.drag_impulse, i)/window_);
+
+        switch (form_.how())
+        {
+            case demForm::DEFERRED:
+                response[i] = fluid_.response[i]/window_;
+                reaction[i] = response[i]*three(fluid_.velocity, i) - given;
+                break;
+
+            case demForm::SEMI_IMPLICIT:
+                response[i] = fluid_.drag_time[i]/window_;
+                reaction[i] = response[i]*velocity(view_, i);
+                break;
+
+            case demForm::EXPLICIT:
+                reaction[i] = -given;
+                break;
+        }
     }
 
     transfer_.deposit(response, drag_.ref());
@@ -162,7 +196,7 @@ void Foam::demCloud::depositReaction()
     drag_.correctBoundaryConditions();
     force_.correctBoundaryConditions();
 
-    if (makesRoom_ && dict_.acts("pressureGradient"))
+    if (makesRoom_ && form_.returns() && !form_.wholeDrag())
     {
         scalarField yields(volumes(view_));
         forAll(yields, i)

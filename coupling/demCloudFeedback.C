@@ -20,8 +20,25 @@ void Foam::demCloud::settle
     const volVectorField& change
 )
 {
-    const vectorField velocity(transfer_.sample(U));
-    vectorField gradient(transfer_.sample(change));
+    vectorField velocity(view_.n);
+    vectorField gradient(view_.n, Zero);
+
+    if (form_.returns())
+    {
+        velocity = transfer_.sample(U);
+        if (!form_.wholeDrag())
+        {
+            gradient = transfer_.sample(change);
+        }
+    }
+    else
+    {
+        // as it was: nothing is owed
+        forAll(velocity, i)
+        {
+            velocity[i] = three(fluid_.velocity, i);
+        }
+    }
 
     Info<< "Suna: exchange error "
         << ledger_.exchange
@@ -111,10 +128,10 @@ void Foam::demCloud::correct
         ledger_.charge(demLedger::FLUID);
         settle(U, (gradP - gradP_)());
 
-        // The pressure gradient has moved the fluid in this step and will move
-        // the particles in the next: their share of it is owed to them, too
+        // In set II the pressure gradient has moved the fluid in this step and
+        // will move the particles in the next: their share is owed to them, too
         vector owed(Zero);
-        if (dict_.acts("pressureGradient"))
+        if (form_.set() == demForm::II)
         {
             const vectorField dynamic
             (

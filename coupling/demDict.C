@@ -59,7 +59,7 @@ void Foam::demDict::checkCoupling() const
     ({
         "twoWay", "rho", "nu", "walls", "diameter", "interval", "relaxation",
         "kernel", "width", "base", "minVoidFraction", "record", "fields",
-        "lastGood"
+        "lastGood", "equations", "exchange"
     });
 
     forAllConstIters(coupling_, iter)

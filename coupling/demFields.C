@@ -15,13 +15,6 @@
 namespace Foam
 {
 
-static vector velocity(const demView& view, const label i)
-{
-    const double* v = dem_at(view.velocity, view.stride, i);
-    return vector(v[0], v[1], v[2]);
-}
-
-
 static scalar mass(const demView& view, const label i)
 {
     return *dem_at(view.mass, view.stride, i);

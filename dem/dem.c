@@ -341,9 +341,15 @@ int dem_fluid(struct dem *d, struct dem_fluid *f)
                             .other_impulse = dem_column(p, DEM_COLUMN_OTHER_IMPULSE),
                             .turn_impulse = dem_column(p, DEM_COLUMN_TURN_IMPULSE),
                             .counterflow = dem_column(p, DEM_COLUMN_COUNTERFLOW), .place = dem_column(p, DEM_COLUMN_PLACE),
+                            .drag_time = dem_column(p, DEM_COLUMN_DRAG_TIME),
                             .drag_impulse = dem_column(p, DEM_COLUMN_DRAG_IMPULSE), .response = dem_column(p, DEM_COLUMN_RESPONSE),
                             .passed = dem_column(p, DEM_COLUMN_PASSED), .pending = dem_column(p, DEM_COLUMN_PENDING)};
     return DEM_OK;
+}
+
+void dem_fluid_whole_drag(struct dem *d, int yes)
+{
+    d->parts.recipe.bodies.whole_drag = yes;
 }
 
 int dem_fluid_correct(struct dem *d, const double *velocity, const double *pressure_gradient)

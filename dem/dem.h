@@ -315,11 +315,17 @@ struct dem_fluid
     const double *other_impulse;                          /* out  N s   3, of lift and added mass; NULL without them. The fluid gets the
                                                              opposite of this and of J */
     const double *turn_impulse;                           /* out  N m s 3, of rotational drag; NULL without. The fluid gets nothing of it */
+    const double *drag_time;                              /* out  kg    sum of b h over the last advance, b without counterflow */
     const double *response;                               /* out  kg    R: d(drag impulse)/d(fluid velocity), clamped for held particles */
     const double *passed;                                 /* out  1     share of a steady force that drag passed to the fluid */
     const double *pending;                                /* out  N s   3, what dem_fluid_correct left for the next window */
 };
 int dem_fluid(struct dem *, struct dem_fluid *);
+
+/* yes: drag is the law's b over the void fraction, the whole force of a steady and uniform flow, which holds that of its
+   pressure gradient (set III of Zhou, Kuang, Chu, Yu, J. Fluid Mech. 661 (2010) 482, "simplified model B"); the pressure
+   gradient handed over must then be the hydrostatic one. no: the law's own b. Kept until it is called again; not in the snapshot. */
+void dem_fluid_whole_drag(struct dem *, int yes);
 
 /* After the fluid is solved: with its new velocity and full pressure gradient at the particles (3 numbers each, same
    order as the columns), leave for the next window what the drag of this one would have changed by: the impulse

@@ -35,6 +35,7 @@ struct dem_chain                                          /* what acts on one pa
     struct dem_pair_class pair;
     unsigned needs;
     int moments, past_touching;                           /* 1: has MOMENT or BOND links; has BOND or FILM links */
+    int whole_drag;                                       /* bodies: 1: drag over the void fraction, see dem_fluid_whole_drag */
 };
 
 struct dem_override;                                      /* a setting for one pair of materials only */

@@ -5,6 +5,7 @@
  */
 #include "step/body_tray.h"
 #include "base/math.h"
+#include "effects/drag.h"
 #include "effects/effect.h"
 #include "step/quad.h"
 #include <stddef.h>
@@ -169,6 +170,26 @@ void dem_body_tray_fluid(struct dem_body_tray *t, const struct dem_particles *p,
     {
         memcpy(b->swarm[k], dem_column(p, swarm[k]) + first, size);
     }
+}
+
+/* b/e, with the law's own least void fraction */
+DEM_KERNEL
+static void raise(struct dem_body_block *restrict b)
+{
+    for (int c = 0; c < b->n; c++)
+    {
+        const double over = 1.0/dem_drag_void(b->void_fraction[c]);
+
+        b->b[c] *= over;
+        b->bux[c] *= over;
+        b->buy[c] *= over;
+        b->buz[c] *= over;
+    }
+}
+
+void dem_body_tray_whole_drag(struct dem_body_tray *t)
+{
+    raise(&t->block);
 }
 
 DEM_KERNEL

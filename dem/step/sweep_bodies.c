@@ -144,6 +144,10 @@ static void sweep_block(struct dem_body_pass *pass, size_t first, int rows)
         dem_body_tray_fluid(t, p, first, rows, s->window > 0.0 ? 1.0/s->window : 0.0);
     }
     act(t, pass->bodies, s->ledger);
+    if (fluid && pass->bodies->whole_drag)
+    {
+        dem_body_tray_whole_drag(t);
+    }
     if (fluid)
     {
         kick_in_fluid(t, p, first, rows, s->kick);

@@ -34,6 +34,10 @@ Description
     at rest is exact. The particles are given the full pressure gradient,
     rho (grad p + g), and so feel Archimedes' force.
 
+    Sets I and III of the same paper are there for comparison (coupling/
+    equations, demForm): all of grad p moves the fluid, and the reaction is that
+    of the whole force, or of the drag over e.
+
     The momentum equation is interpolated to the faces as it stands, with the
     drag in it (see pEqn.H). There the pressure meets the particles' force on
     one stencil, so a sharp bed surface makes no checkerboard and a thin first
