@@ -156,7 +156,7 @@ static int settle_in(struct dem *d)
     DEM_TRY(together(p, refuse_overlap(p)));
     DEM_TRY(dem_bond_pairs_ask(p, d->scene.bond_ids, d->scene.bond_id_count));
     DEM_TRY(dem_sweep_contacts(p, 0.0, (const double[2]){-INFINITY, p->time}));
-    dem_sum_contacts(&p->particles, &p->contacts, 0, p->particles.n);
+    dem_sum_contacts(&p->particles, &p->contacts);
     dem_sum_books(&p->particles, &p->contacts);
     p->watch.overlap = 0.0;
     return DEM_OK;

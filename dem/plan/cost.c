@@ -57,6 +57,7 @@ void dem_need_count(const struct dem_parts *p, const struct dem_survey *s, struc
     need->pair = (double)dem_contacts_each_pair(&p->contacts);
     need->row = (double)dem_contacts_each_row(&p->contacts);
     need->bed = n*(need->particle + room*(pairs*need->pair + rows*need->row));
+    need->bed += n*rows > DEM_RING ? (double)dem_contacts_ring(&p->contacts) : 0.0;
     need->copy = n*sizeof(double)*(double)dem_particles_packed_size(&p->particles);
     if (p->contacts.memories > 0)
     {

@@ -36,6 +36,9 @@ void dem_contacts_free(struct dem_contacts *c)
     dem_memory_free(c->memory_scratch);
     dem_memory_free(c->push);
     dem_memory_free(c->push_single);
+    dem_memory_free(c->ring);
+    dem_memory_free(c->ring_single);
+    dem_memory_free(c->far);
     dem_memory_free(c->moment);
     dem_memory_free(c->books);
     dem_memory_free(c->start);
@@ -66,11 +69,17 @@ size_t dem_contacts_each_row(const struct dem_contacts *c)
     return each_row(c) + (c->single ? sizeof *c->push_single : sizeof *c->push);
 }
 
+size_t dem_contacts_ring(const struct dem_contacts *c)
+{
+    return DEM_RING*(c->single ? sizeof *c->ring_single : sizeof *c->ring);
+}
+
 size_t dem_contacts_bytes(const struct dem_contacts *c)
 {
     return c->pair_room*sizeof *c->pair + c->entry_room*sizeof *c->entry + c->near_room*sizeof *c->near_entry
          + c->start_room*(sizeof *c->start + sizeof *c->near_start) + c->row_room*each_row(c)
-         + c->push_room*(c->single ? sizeof *c->push_single : sizeof *c->push) + c->carried_room*sizeof *c->carry + c->kept_room*sizeof *c->kept;
+         + c->push_room*(c->single ? sizeof *c->push_single : sizeof *c->push) + (dem_contacts_go_round(c) ? dem_contacts_ring(c) : 0)
+         + c->far_room*sizeof *c->far + c->carried_room*sizeof *c->carry + c->kept_room*sizeof *c->kept;
 }
 
 /* ---- who sums what ------------------------------------------------------------------------------------------- */
@@ -186,7 +195,7 @@ static size_t count_rows(const struct dem_contacts *c, const uint8_t *near)
     {
         rows += near[k];
     }
-    return rows + (size_t)(LANES*(c->classes + 1) + DEM_NEAR_AHEAD);
+    return rows + (size_t)(DEM_BLOCK*c->classes + LANES + DEM_NEAR_AHEAD);
 }
 
 /* Pairs are sorted by class, so the rows of a class follow each other. */
@@ -209,7 +218,7 @@ static void number_rows(struct dem_contacts *c, const uint8_t *near)
             }
         }
         c->segment[s].count = row - c->segment[s].first;
-        for (; row%LANES; row++)
+        for (; row%DEM_BLOCK; row++)                      /* so that a block never runs over the end of the ring */
         {
             c->near_row[row] = c->near_row[row - 1];
             c->row_pair[row] = DEM_ROW_NONE;
@@ -262,19 +271,88 @@ static int adjoin_near(struct dem_contacts *c, size_t n)
 
             if (q->row != DEM_ROW_NONE)
             {
-                c->near_entry[at++] = 2*q->row + (c->entry[e] & 1);
+                c->near_entry[at++] = q->row << DEM_ENTRY_ROW | (c->entry[e] & DEM_ENTRY_SIDE);
                 ready = !q->wall && q->row >= ready ? q->row + 1 : ready;
             }
         }
         c->ready[i/DEM_BLOCK] = ready;
         if (at%2)
         {
-            c->near_entry[at++] = 2*c->rows;
+            c->near_entry[at++] = c->rows << DEM_ENTRY_ROW;
         }
     }
     c->near_start[n] = at;
     return DEM_OK;
 }
+
+/* ---- the ring ------------------------------------------------------------------------------------------------ */
+
+/* A block of particles sums as soon as its last row is swept, at the end of that row's block: is this row still in the ring then? */
+static int is_soon(const struct dem_contacts *c, uint32_t row, size_t particle)
+{
+    return c->ready[particle/DEM_BLOCK] + 2*DEM_BLOCK <= row + DEM_RING;
+}
+
+static void mark_soon(struct dem_contacts *c, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+    {
+        for (uint32_t e = c->near_start[i]; e < c->near_start[i + 1]; e++)
+        {
+            const uint32_t row = c->near_entry[e] >> DEM_ENTRY_ROW;
+
+            if (row < c->rows && !c->pair[c->row_pair[row]].wall && is_soon(c, row, i))
+            {
+                c->near_entry[e] |= DEM_ENTRY_SOON;
+            }
+        }
+    }
+}
+
+static int list_far(struct dem_contacts *c, size_t n)
+{
+    c->fars = 0;
+    for (uint32_t row = 0; row < c->rows; row++)
+    {
+        const struct dem_pair *const q = c->row_pair[row] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[row]];
+
+        if (q && !q->wall && ((q->i < n && !is_soon(c, row, q->i)) || (q->j < n && !is_soon(c, row, q->j))))
+        {
+            DEM_TRY(DEM_GROW(c->far, c->far_room, c->fars + 1));
+            c->far[c->fars++] = row;
+        }
+    }
+    return DEM_OK;
+}
+
+/* Rows that are far are written twice. */
+static int make_ring(struct dem_contacts *c, size_t n)
+{
+    enum { WORTH = 8 };                                   /* far rows: at most one of so many */
+
+    DEM_TRY(list_far(c, n));
+
+    const int pays = c->rows > DEM_RING && WORTH*c->fars <= c->rows;
+
+    if (pays && !dem_contacts_go_round(c))
+    {
+        DEM_TRY(c->single ? DEM_NEW(c->ring_single, DEM_RING) : DEM_NEW(c->ring, DEM_RING));
+    }
+    else if (!pays)
+    {
+        dem_memory_free(c->ring);
+        dem_memory_free(c->ring_single);
+        c->ring = NULL;
+        c->ring_single = NULL;
+    }
+    if (pays)
+    {
+        mark_soon(c, n);
+    }
+    return DEM_OK;
+}
+
+/* ---- pushes -------------------------------------------------------------------------------------------------- */
 
 void dem_contacts_drop_pushes(struct dem_contacts *c)
 {
@@ -351,5 +429,6 @@ int dem_contacts_prune(struct dem_contacts *c, const struct dem_particles *p, co
         memset(c->moment, 0, 3*(c->rows + LANES)*sizeof *c->moment);
     }
     DEM_TRY(adjoin_near(c, p->n));
+    DEM_TRY(make_ring(c, p->n));
     return c->carried > 0 ? DEM_OK : dem_contacts_make_pushes(c);
 }

@@ -8,7 +8,10 @@
  * A row is seen from the lower id (i) to the higher id or the wall (j). Memory survives a prune by pair, and a rebuild
  * or a change of rank as a "carried" row named by (lower id, higher id or region, image).
  *
- * A particle sums its rows by partner id, walls last by region: `near_entry` lists them in that order as 2 row + side.
+ * A particle sums its rows by partner id, walls last by region: `near_entry` lists them in that order as 4 row + 2 soon + side.
+ *
+ * Most rows are summed soon after they are swept. While nobody wants to look at them (a quiet step) their pushes go round in a ring
+ * that stays in the second cache, instead of through memory; those that are summed later, or at a wall, are kept at their own places.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -20,7 +23,15 @@
 
 enum
 {
-    DEM_ROW_NONE = 0x7fffffff
+    DEM_ROW_NONE = 0x7fffffff,
+    DEM_RING = 4096                                       /* pushes that the ring holds, 256 kB: two layers of a bed of 40 by 40 */
+};
+
+enum                                                      /* bits of near_entry, below the row */
+{
+    DEM_ENTRY_SIDE = 1,                                   /* 1: of j */
+    DEM_ENTRY_SOON = 2,                                   /* still in the ring when it is summed */
+    DEM_ENTRY_ROW = 2                                     /* bits */
 };
 
 struct dem_pair
@@ -92,6 +103,10 @@ struct dem_contacts
     struct dem_push_single *push_single;
     int single;
     size_t push_room;
+    struct dem_push *ring;                                /* DEM_RING of them, where it pays, else NULL; again one of two */
+    struct dem_push_single *ring_single;
+    size_t fars, far_room;
+    uint32_t *far;                                        /* rows of pairs that are summed after the ring has come round, rising */
     double *moment;                                       /* 3 a row; NULL when no effect makes moments */
     int moments;
     struct dem_books *books;                              /* one a row; NULL when no effect acts past touching */
@@ -99,7 +114,7 @@ struct dem_contacts
 
     size_t start_room, entry_room, near_room;                        /* adjacency: pairs of each owned particle, then its near rows */
     uint32_t *start, *entry;                              /* 2 pair + side, in the order of sums */
-    uint32_t *near_start, *near_entry;                    /* 2 row + side; an even number, made so by the row past all, which does
+    uint32_t *near_start, *near_entry;                    /* see above; an even number, made so by the row past all, which does
                                                              nothing to nobody */
 
     size_t ready_room;
@@ -114,7 +129,13 @@ struct dem_contacts
 int dem_contacts_init(struct dem_contacts *, const struct dem_recipe *);
 void dem_contacts_free(struct dem_contacts *);
 
-/* What a row does to its partners. */
+/* 1 when quiet steps have a ring. */
+static inline int dem_contacts_go_round(const struct dem_contacts *c)
+{
+    return c->ring || c->ring_single;
+}
+
+/* What a row does to its partners. Not after a quiet step, but for walls. */
 static inline struct dem_push dem_contacts_push(const struct dem_contacts *c, uint32_t row)
 {
     const struct dem_push_single *const s = c->push_single + (c->single ? row : 0);
@@ -122,8 +143,9 @@ static inline struct dem_push dem_contacts_push(const struct dem_contacts *c, ui
     return c->single ? (struct dem_push){.f = {s->f[0], s->f[1], s->f[2]}, .arm = s->arm, .t = {s->t[0], s->t[1], s->t[2]}} : c->push[row];
 }
 
-/* Bytes held, and bytes that one outer pair and one near row take. */
+/* Bytes held, and bytes that the ring, one outer pair and one near row take. */
 size_t dem_contacts_bytes(const struct dem_contacts *);
+size_t dem_contacts_ring(const struct dem_contacts *);
 size_t dem_contacts_each_pair(const struct dem_contacts *);
 size_t dem_contacts_each_row(const struct dem_contacts *);
 

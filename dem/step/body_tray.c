@@ -120,6 +120,12 @@ static void split_add(const double *restrict from, int rows, double share, doubl
     }
 }
 
+void dem_body_tray_forces(struct dem_body_tray *t, const struct dem_particles *p, size_t first, int own)
+{
+    t->force = own ? t->own[0] : dem_column(p, DEM_COLUMN_FORCE) + 3*first;
+    t->torque = own ? t->own[1] : dem_column(p, DEM_COLUMN_TORQUE) + 3*first;
+}
+
 void dem_body_tray_gather(struct dem_body_tray *t, const struct dem_particles *p, size_t first, int rows, int spin)
 {
     struct dem_body_block *const b = &t->block;
@@ -130,7 +136,6 @@ void dem_body_tray_gather(struct dem_body_tray *t, const struct dem_particles *p
     {
         take_spins(b, p->record + first, rows);
     }
-    split(dem_column(p, DEM_COLUMN_FORCE) + 3*first, rows, b->fx, b->fy, b->fz);
     if (dem_column(p, DEM_COLUMN_OTHER_IMPULSE))
     {
         memset(b->rx, 0, 3*sizeof b->rx);
@@ -139,6 +144,7 @@ void dem_body_tray_gather(struct dem_body_tray *t, const struct dem_particles *p
     {
         memset(b->t, 0, 4*sizeof b->t);
     }
+    split(t->force, rows, b->fx, b->fy, b->fz);
 }
 
 void dem_body_tray_fluid(struct dem_body_tray *t, const struct dem_particles *p, size_t first, int rows, double over_window)
@@ -273,7 +279,7 @@ void dem_body_tray_react(const struct dem_body_tray *t, struct dem_particles *p,
 void dem_body_tray_turn(struct dem_body_tray *t, const struct dem_particles *p, size_t first, int rows, double h)
 {
     struct dem_body_block *const b = &t->block;
-    const double *const moment = dem_column(p, DEM_COLUMN_TORQUE) + 3*first;
+    const double *const moment = t->torque;
     double *const spin[3] = {b->wx, b->wy, b->wz}, *const target[3] = {b->tx, b->ty, b->tz};
 
     for (int c = 0; c < rows; c++)
@@ -331,7 +337,7 @@ static void put_records(const struct dem_body_tray *restrict t, struct dem_parti
 
 void dem_body_tray_scatter(const struct dem_body_tray *t, struct dem_particles *p, size_t first, int rows, double h)
 {
-    put_records(t, p->record + first, dem_column(p, DEM_COLUMN_TORQUE) + 3*first, rows, h);
+    put_records(t, p->record + first, t->torque, rows, h);
 }
 
 DEM_KERNEL

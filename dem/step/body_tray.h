@@ -20,7 +20,12 @@ struct dem_body_tray
     _Alignas(64) double kept[DEM_BLOCK];                  /* 1     exp(-z) */
     _Alignas(64) double drag[DEM_BLOCK];                  /* kg/s  b without counterflow */
     _Alignas(64) double turn[3][DEM_BLOCK];               /* N m s impulse of rotational drag in this kick */
+    double *force, *torque;                               /* N, N m: of contacts, 3 a row; the particles' columns, or */
+    double own[2][3*DEM_BLOCK];                           /* the tray's own, where nobody wants to see them later */
 };
+
+/* Where contact forces of the rows from `first` on are, or go: in the particles' columns, or with `own` in the tray. First of all. */
+void dem_body_tray_forces(struct dem_body_tray *, const struct dem_particles *, size_t first, int own);
 
 /* The rows [first, first + rows) of the particles with their contact forces; the columns of drag are cleared. With `spin` the spins. */
 void dem_body_tray_gather(struct dem_body_tray *, const struct dem_particles *, size_t first, int rows, int spin);

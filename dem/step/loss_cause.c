@@ -86,7 +86,26 @@ static void say_wall(const struct dem_parts *p, size_t i, char cause[DEM_CAUSE_S
 
 /* ---- why ----------------------------------------------------------------------------------------------------- */
 
-/* The row of particle i with the largest overlap in the last sweep, other than `row`; DEM_ROW_NONE when none is worth it. */
+/* Of a row's partners [m]: with a wall as in the last sweep, else as they lie now. */
+static double overlap_of(const struct dem_parts *p, uint32_t r)
+{
+    const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[r]];
+
+    if (q->wall)
+    {
+        return dem_contacts_push(&p->contacts, r).arm;
+    }
+    const struct dem_particle *const i = &p->particles.record[q->i], *const j = &p->particles.record[q->j];
+    double apart[3];
+
+    for (int k = 0; k < 3; k++)
+    {
+        apart[k] = i->x[k] - j->x[k] + p->pairs.shift[q->shift][k];
+    }
+    return i->radius + j->radius - dem_vec_norm(apart);
+}
+
+/* The row of particle i with the largest overlap, other than `row`; DEM_ROW_NONE when none is worth it. */
 static uint32_t worst_row(const struct dem_parts *p, size_t i, uint32_t row, double *overlap)
 {
     const struct dem_contacts *const c = &p->contacts;
@@ -95,7 +114,7 @@ static uint32_t worst_row(const struct dem_parts *p, size_t i, uint32_t row, dou
     *overlap = worth_telling;
     for (uint32_t e = c->near_start[i]; e < c->near_start[i + 1]; e++)
     {
-        const uint32_t r = c->near_entry[e] >> 1;
+        const uint32_t r = c->near_entry[e] >> DEM_ENTRY_ROW;
 
         if (r >= c->rows)
         {
@@ -104,7 +123,7 @@ static uint32_t worst_row(const struct dem_parts *p, size_t i, uint32_t row, dou
         const struct dem_pair *const q = &c->pair[c->row_pair[r]];
         const double radius = p->particles.record[q->i].radius;
         const double least = q->wall ? radius : fmin(radius, p->particles.record[q->j].radius);
-        const double share = (q->wall ? 0.5 : 1.0)*dem_contacts_push(c, r).arm/least;                      /* arm: overlap, or half of it */
+        const double share = 0.5*overlap_of(p, r)/least;
 
         if (r != row && share > *overlap)
         {

@@ -152,8 +152,9 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
     DEM_TRY(dem_neighbourhood(p, fastest[0]*dt, kick < dt || p->stopped));
     count_work(p);
     const int keeps = p->kept.every > 0 && p->steps >= p->kept.steps + p->kept.every && kick == dt;
+    const int fused = !keeps && !p->ledger.open, looked = kick < dt || p->stopped || dem_averages_due(&p->averages, p->time);
     const struct dem_body_sweep bodies = {.kick = kick, .window = p->window, .ledger = p->ledger.open ? &p->ledger : NULL,
-                                          .contacts = keeps || p->ledger.open ? NULL : &p->contacts};
+                                          .contacts = fused ? &p->contacts : NULL, .quiet = fused && !looked};
     struct dem_body_pass pass;
 
     dem_bodies_begin(&pass, &p->particles, &p->recipe.bodies, &bodies);
@@ -161,7 +162,7 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
     dem_phases_end(&p->phases, DEM_PHASE_CONTACTS);
     if (!bodies.contacts)
     {
-        dem_sum_contacts(&p->particles, &p->contacts, 0, p->particles.n);
+        dem_sum_contacts(&p->particles, &p->contacts);
     }
     if (p->ledger.open)
     {

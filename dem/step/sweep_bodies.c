@@ -134,9 +134,13 @@ static void sweep_block(struct dem_body_pass *pass, size_t first, int rows)
     const struct dem_body_sweep *const s = pass->sweep;
     const int fluid = dem_column(p, DEM_COLUMN_FLUID_VELOCITY) != NULL;
 
+    dem_body_tray_forces(t, p, first, pass->quiet);
     if (s->contacts)
     {
-        dem_sum_contacts(p, s->contacts, first, first + (size_t)rows);
+        const struct dem_sum_part part = {.first = first, .end = first + (size_t)rows, .force = t->force, .torque = t->torque,
+                                          .quiet = pass->quiet};
+
+        dem_sum_part(p, s->contacts, &part);
     }
     dem_body_tray_gather(t, p, first, rows, (pass->bodies->needs & DEM_NEEDS_SPIN) != 0);
     if (fluid)
@@ -176,6 +180,7 @@ void dem_bodies_begin(struct dem_body_pass *pass, struct dem_particles *p, const
     pass->bodies = bodies;
     pass->sweep = s;
     pass->next = 0;
+    pass->quiet = s->quiet;
     memset(&pass->tray, 0, sizeof pass->tray);
     pass->tray.block.dt = s->kick;
 }
@@ -209,6 +214,7 @@ void dem_bodies_open_laws(struct dem_particles *p, const struct dem_chain *bodie
     {
         const int rows = rows_from(p, first);
 
+        dem_body_tray_forces(&t, p, first, 0);
         dem_body_tray_gather(&t, p, first, rows, 0);
         dem_body_tray_fluid(&t, p, first, rows, 0.0);
         memset(t.block.added, 0, sizeof t.block.added);

@@ -17,6 +17,7 @@ struct dem_body_sweep
     double kick;                                          /* s  velocities and spins are kicked over this */
     double window;                                        /* s  the pending impulse of the last exchange is spread over this; 0: none */
     const struct dem_contacts *contacts;                  /* to be summed first, while what they push is at hand; NULL: they are */
+    int quiet;                                            /* 1: nobody looks at forces between this step and the next */
     struct dem_ledger *ledger;                            /* books the work; NULL: nobody does */
 };
 
@@ -30,6 +31,7 @@ struct dem_body_pass                                      /* the same bit by bit
     const struct dem_chain *bodies;
     const struct dem_body_sweep *sweep;
     size_t next;                                          /* the first who has not been kicked */
+    int quiet;                                            /* as asked, unless something has happened that is to be told */
     struct dem_body_tray tray;
 };
 

@@ -27,10 +27,44 @@ static void forget_apart(const struct dem_block *restrict b, double *restrict me
     }
 }
 
+struct place                                              /* of a block's pushes: one of the two is there */
+{
+    struct dem_push *push;
+    struct dem_push_single *single;
+};
+
+/* At their own rows, or in the ring. */
+static struct place place_of(const struct dem_contacts *c, uint32_t row, int ring)
+{
+    const uint32_t slot = row & (DEM_RING - 1);
+
+    return c->single ? (struct place){.single = ring ? c->ring_single + slot : c->push_single + row}
+                     : (struct place){.push = ring ? c->ring + slot : c->push + row};
+}
+
+/* Of the rows before `end`, those that are summed when the ring has come round: at their own places, too. */
+static size_t keep_far(struct dem_contacts *c, size_t far, uint32_t end)
+{
+    for (; far < c->fars && c->far[far] < end; far++)
+    {
+        const uint32_t row = c->far[far], slot = row & (DEM_RING - 1);
+
+        if (c->single)
+        {
+            c->push_single[row] = c->ring_single[slot];
+        }
+        else
+        {
+            c->push[row] = c->ring[slot];
+        }
+    }
+    return far;
+}
+
 /* The arm is the radius less `share` of the overlap, or less a share of the gap that is negative. Lanes past the last row fall on
    the padding of their class. */
 DEM_KERNEL
-static void push_out(const struct dem_block *restrict b, double share, int past_touching, const struct dem_contacts *to, uint32_t row)
+static void push_out(const struct dem_block *restrict b, double share, int past_touching, const struct place *to)
 {
     const double *const less = past_touching ? b->gap : b->overlap;
     const double part = past_touching ? -share : share;
@@ -45,11 +79,11 @@ static void push_out(const struct dem_block *restrict b, double share, int past_
 
         if (to->single)
         {
-            dem_push_put_single(to->push_single + row + c, f, t);
+            dem_push_put_single(to->single + c, f, t);
         }
         else
         {
-            dem_push_put(to->push + row + c, f, t);
+            dem_push_put(to->push + c, f, t);
         }
     }
 }
@@ -224,28 +258,38 @@ static double broken(const struct dem_block *restrict b)
     return count;
 }
 
-static void sweep_hot_block(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, uint32_t row, int rows)
+struct rows                                               /* of a block: the first, how many, and where their pushes go */
+{
+    uint32_t row;
+    int rows;
+    struct place to;
+};
+
+static void sweep_hot_block(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, const struct rows *at)
 {
     double *memory[DEM_MEMORY_COLUMNS];
 
     struct dem_block *const b = &t->block;
     const struct dem_hot_laws laws = dem_hot_chain_laws(chain, p->watch.overlap);
 
-    recall(&p->contacts, &chain->link[DEM_HOT_FRICTION], row, memory);
-    dem_tray_gather(t, p, chain, row, rows);
+    recall(&p->contacts, &chain->link[DEM_HOT_FRICTION], at->row, memory);
+    dem_tray_gather(t, p, chain, at->row, at->rows);
 
     const struct dem_hot_rows single = {.n = b->n, .dt = b->dt, .least_radius = b->least_radius, .overlap = b->overlap,
                                         .fn = b->fn, .fx = b->fx, .fy = b->fy, .fz = b->fz};
 
-    if (p->contacts.single ? dem_hot_chain_act_single(&laws, &single, &t->g, memory, p->contacts.push_single + row)
-                           : dem_hot_chain_act(&laws, b, &t->g, memory, p->contacts.push + row))
+    if (at->to.single ? dem_hot_chain_act_single(&laws, &single, &t->g, memory, at->to.single)
+                      : dem_hot_chain_act(&laws, b, &t->g, memory, at->to.push))
     {
-        dem_watch_note(p, t, row, rows);
+        dem_watch_note(p, t, at->row, at->rows);
     }
 }
 
-static int sweep_block(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, uint32_t row, int rows)
+static int sweep_block(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, const struct rows *at)
 {
+    const uint32_t row = at->row;
+    const int rows = at->rows;
+
     dem_tray_fill(t, p, chain, row, rows);
     if (chain->past_touching)
     {
@@ -263,7 +307,7 @@ static int sweep_block(struct dem_parts *p, struct dem_tray *t, const struct dem
     {
         DEM_TRY(dem_bonds_note(p, &t->block, row, rows));
     }
-    push_out(&t->block, chain->pair.with_wall ? 1.0 : 0.5, chain->past_touching, &p->contacts, row);
+    push_out(&t->block, chain->pair.with_wall ? 1.0 : 0.5, chain->past_touching, &at->to);
     if (chain->past_touching)
     {
         keep_books(&p->contacts, &t->block, row, rows);
@@ -290,19 +334,25 @@ static int sweep_class(struct dem_parts *p, struct dem_tray *t, int class, struc
     const struct dem_chain *const chain = &p->recipe.chain[class];
     const struct dem_segment *const seg = &p->contacts.segment[class];
     const int hot = dem_hot_chain_is(chain) && !p->ledger.open && !p->contacts.moment;
+    const int ring = bodies && bodies->quiet && !chain->pair.with_wall && dem_contacts_go_round(&p->contacts);
+    size_t far = 0;
+
+    for (; ring && far < p->contacts.fars && p->contacts.far[far] < seg->first; far++) {}
 
     for (uint32_t done = 0; done < seg->count; done += DEM_BLOCK)
     {
         const int rows = seg->count - done < DEM_BLOCK ? (int)(seg->count - done) : DEM_BLOCK;
+        const struct rows at = {.row = seg->first + done, .rows = rows, .to = place_of(&p->contacts, seg->first + done, ring)};
 
         if (hot)
         {
-            sweep_hot_block(p, t, chain, seg->first + done, rows);
+            sweep_hot_block(p, t, chain, &at);
         }
         else
         {
-            DEM_TRY(sweep_block(p, t, chain, seg->first + done, rows));
+            DEM_TRY(sweep_block(p, t, chain, &at));
         }
+        far = ring ? keep_far(&p->contacts, far, at.row + (uint32_t)rows) : 0;
         if (bodies && !chain->pair.with_wall)
         {
             kick_ready(bodies, &p->contacts, seg->first + done + (uint32_t)rows);
@@ -336,7 +386,11 @@ int dem_sweep_contacts_and(struct dem_parts *p, double dt, const double time[2],
             }
         }
         /* who passed a wall is told with his speed of now: then nobody is kicked before all rows are done */
-        bodies = p->losses.passes > 0 ? NULL : bodies;
+        if (bodies && p->losses.passes > 0)
+        {
+            bodies->quiet = 0;
+            bodies = NULL;
+        }
     }
     DEM_TRY(dem_loss_note_passes(p));
     return dem_watch_judge(p);

@@ -63,7 +63,7 @@ void dem_virial_sum(const struct dem_parts *p, double *virial)
         memset(w, 0, 6*sizeof *w);
         for (uint32_t e = c->near_start[i]; e < c->near_start[i + 1]; e++)
         {
-            add_row(p, c->near_entry[e] >> 1, p->particles.record[i].radius, w);
+            add_row(p, c->near_entry[e] >> DEM_ENTRY_ROW, p->particles.record[i].radius, w);
         }
     }
 }
