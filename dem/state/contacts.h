@@ -152,6 +152,9 @@ size_t dem_contacts_each_row(const struct dem_contacts *);
 /* New list of pairs (already in place, sorted by class and particle): lay out who sums what. `partner` orders sums, see pairs.c. */
 int dem_contacts_adjoin(struct dem_contacts *, const struct dem_particles *);
 
+/* Who sums which row soon, for contacts.c, after rows and sums are laid out; n owned particles. */
+int dem_contacts_make_ring(struct dem_contacts *, size_t n);
+
 /* Between lift and settle there are neither rows nor pushes: what is carried has their room. For contacts_carry.c: pushes that do
    nothing yet for all rows, no pushes, no rows. */
 int dem_contacts_make_pushes(struct dem_contacts *);

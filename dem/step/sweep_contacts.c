@@ -1,8 +1,6 @@
 /*
  * sweep_contacts.c -- fill the tray -> each effect of the class in the order of stages -> one push per row.
  *
- * With T = n x F the torque is -a T on both sides, a the arm of that side (see tray.c).
- *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/sweep_contacts.h"
@@ -10,7 +8,7 @@
 #include "base/memory.h"
 #include "step/hot_chain.h"
 #include "step/loss_cause.h"
-#include "step/push.h"
+#include "step/push_place.h"
 #include "step/tray.h"
 #include "step/wall_springs.h"
 #include "step/watch.h"
@@ -24,67 +22,6 @@ static void forget_apart(const struct dem_block *restrict b, double *restrict me
     for (int c = 0; c < b->n; c++)
     {
         memory[c] = dem_pick(b->touching[c] > 0.0, memory[c], 0.0);
-    }
-}
-
-struct place                                              /* of a block's pushes: one of the two is there */
-{
-    struct dem_push *push;
-    struct dem_push_single *single;
-};
-
-/* At their own rows, or in the ring. */
-static struct place place_of(const struct dem_contacts *c, uint32_t row, int ring)
-{
-    const uint32_t slot = row & (DEM_RING - 1);
-
-    return c->single ? (struct place){.single = ring ? c->ring_single + slot : c->push_single + row}
-                     : (struct place){.push = ring ? c->ring + slot : c->push + row};
-}
-
-/* Of the rows before `end`, those that are summed when the ring has come round: at their own places, too. */
-static size_t keep_far(struct dem_contacts *c, size_t far, uint32_t end)
-{
-    for (; far < c->fars && c->far[far] < end; far++)
-    {
-        const uint32_t row = c->far[far], slot = row & (DEM_RING - 1);
-
-        if (c->single)
-        {
-            c->push_single[row] = c->ring_single[slot];
-        }
-        else
-        {
-            c->push[row] = c->ring[slot];
-        }
-    }
-    return far;
-}
-
-/* The arm is the radius less `share` of the overlap, or less a share of the gap that is negative. Lanes past the last row fall on
-   the padding of their class. */
-DEM_KERNEL
-static void push_out(const struct dem_block *restrict b, double share, int past_touching, const struct place *to)
-{
-    const double *const less = past_touching ? b->gap : b->overlap;
-    const double part = past_touching ? -share : share;
-
-    for (int c = 0; c < b->n; c += 4)
-    {
-        const dem_quad one = {1.0, 1.0, 1.0, 1.0}, on = past_touching ? one : DEM_QUAD(b->touching + c);
-        const dem_quad nx = DEM_QUAD(b->nx + c), ny = DEM_QUAD(b->ny + c), nz = DEM_QUAD(b->nz + c), fn = on*DEM_QUAD(b->fn + c);
-        const dem_quad fx = on*DEM_QUAD(b->fx + c), fy = on*DEM_QUAD(b->fy + c), fz = on*DEM_QUAD(b->fz + c);
-        dem_quad f[4] = {fn*nx + fx, fn*ny + fy, fn*nz + fz, part*DEM_QUAD(less + c)};
-        dem_quad t[4] = {ny*fz - nz*fy, nz*fx - nx*fz, nx*fy - ny*fx, {0.0, 0.0, 0.0, 0.0}};
-
-        if (to->single)
-        {
-            dem_push_put_single(to->single + c, f, t);
-        }
-        else
-        {
-            dem_push_put(to->push + c, f, t);
-        }
     }
 }
 
@@ -262,7 +199,7 @@ struct rows                                               /* of a block: the fir
 {
     uint32_t row;
     int rows;
-    struct place to;
+    struct dem_push_place to;
 };
 
 static void sweep_hot_block(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, const struct rows *at)
@@ -307,7 +244,7 @@ static int sweep_block(struct dem_parts *p, struct dem_tray *t, const struct dem
     {
         DEM_TRY(dem_bonds_note(p, &t->block, row, rows));
     }
-    push_out(&t->block, chain->pair.with_wall ? 1.0 : 0.5, chain->past_touching, &at->to);
+    dem_push_out(&t->block, chain->pair.with_wall ? 1.0 : 0.5, chain->past_touching, &at->to);
     if (chain->past_touching)
     {
         keep_books(&p->contacts, &t->block, row, rows);
@@ -342,7 +279,7 @@ static int sweep_class(struct dem_parts *p, struct dem_tray *t, int class, struc
     for (uint32_t done = 0; done < seg->count; done += DEM_BLOCK)
     {
         const int rows = seg->count - done < DEM_BLOCK ? (int)(seg->count - done) : DEM_BLOCK;
-        const struct rows at = {.row = seg->first + done, .rows = rows, .to = place_of(&p->contacts, seg->first + done, ring)};
+        const struct rows at = {.row = seg->first + done, .rows = rows, .to = dem_push_place(&p->contacts, seg->first + done, ring)};
 
         if (hot)
         {
@@ -352,7 +289,7 @@ static int sweep_class(struct dem_parts *p, struct dem_tray *t, int class, struc
         {
             DEM_TRY(sweep_block(p, t, chain, &at));
         }
-        far = ring ? keep_far(&p->contacts, far, at.row + (uint32_t)rows) : 0;
+        far = ring ? dem_push_keep_far(&p->contacts, far, at.row + (uint32_t)rows) : 0;
         if (bodies && !chain->pair.with_wall)
         {
             kick_ready(bodies, &p->contacts, seg->first + done + (uint32_t)rows);
