@@ -1,0 +1,100 @@
+/*
+ * Looking changes nothing. Between two looks pushes go round in a ring and contact forces are not kept (state/contacts.h): a layer of
+ * touching spheres ends with the same bits, its forces too, whether its means are sampled in every step, now and then, or never.
+ * Cut through by periodic faces it has rows that must wait past the ring; a scene of few rows needs none.
+ *
+ * Judge: the plain way, every push at its own place, which a step takes that somebody looks at.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/world.h"
+
+#include "door.h"
+
+#include <math.h>
+
+enum
+{
+    LONG = 50, WIDE = 12, LAYER = LONG*WIDE,
+    STEPS = 50
+};
+
+/* `high` layers of a cubic lattice, pressed together by a thousandth and thrown through each other; `more`: other entries. */
+static struct dem *block(int high, const char *more)
+{
+    char *const scene = world_text(
+        "materials { glass { density 2500; youngsModulus 5e6; poissonsRatio 0.3; } }"
+        "effects { hertz { } dry { restitution 0.8; } mindlin { friction 0.4; } gravity { acceleration (1 2 -9.81); } }"
+        "domain { x (0 0.04995); y (0 0.01199); periodic (x y); }"
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
+        "time { step 5e-6; } %s", more);
+    struct dem_seed *const seed = calloc((size_t)(LAYER*high), sizeof *seed);
+
+    for (int k = 0; k < LAYER*high; k++)
+    {
+        seed[k] = (struct dem_seed){.position = {0.999e-3*(k%LONG), 0.999e-3*(k/LONG%WIDE), 0.4995e-3 + 0.999e-3*(k/LAYER)},
+                                    .velocity = {0.05*sin(1.3*k), 0.05*sin(2.1*k), 0.05*sin(0.7*k)},
+                                    .diameter = 1e-3, .id = k*7919%(LAYER*high), .material = "glass"};
+    }
+    struct dem *const d = world(scene, LAYER*high, seed);
+
+    free(seed);
+    free(scene);
+    return d;
+}
+
+static uint64_t mixed_up(uint64_t hash, const void *what, size_t bytes)
+{
+    for (size_t k = 0; k < bytes; k++)
+    {
+        hash = (hash ^ ((const unsigned char *)what)[k])*UINT64_C(1099511628211);
+    }
+    return hash;
+}
+
+/* Bits of everything that can be seen, forces and torques included. */
+static uint64_t bits(struct dem *d, int count)
+{
+    struct world_particle *const p = calloc((size_t)count, sizeof *p);
+    uint64_t hash = world_hash(d);
+
+    world_all(d, p);
+    hash = mixed_up(hash, p, (size_t)count*sizeof *p);
+    free(p);
+    return hash;
+}
+
+static const char often[] = "averages { all { min (0 0 0); max (0.05 0.012 0.008); interval 5e-6; } }";
+static const char seldom[] = "averages { all { min (0 0 0); max (0.05 0.012 0.008); interval 5e-5; } }";
+
+static void looks(int high, int round)
+{
+    const int count = LAYER*high;
+    struct dem *const never = block(high, ""), *const always = block(high, often), *const sometimes = block(high, seldom);
+
+    for (int k = 0; k < 4; k++)
+    {
+        world_run(never, STEPS*5e-6);
+        world_run(always, STEPS*5e-6);
+        world_run(sometimes, STEPS*5e-6);
+    }
+    TAP_OK(world_tally(never).contacts > count, "%d spheres touch: %lld contacts", count, (long long)world_tally(never).contacts);
+    TAP_OK(dem_contacts_go_round(&never->parts.contacts) == round, "%d spheres: there is %s ring", count, round ? "a" : "no");
+    if (round)
+    {
+        TAP_OK(never->parts.contacts.fars > 0, "and %zu rows that wait past it", never->parts.contacts.fars);
+    }
+    TAP_OK(bits(always, count) == bits(never, count), "%d spheres: the same bits looked at in every step and never", count);
+    TAP_OK(bits(sometimes, count) == bits(never, count), "%d spheres: and looked at now and then", count);
+    dem_free(never);
+    dem_free(always);
+    dem_free(sometimes);
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    looks(1, 0);
+    looks(5, 1);
+    return tap_done();
+}
