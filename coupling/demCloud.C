@@ -176,6 +176,11 @@ void Foam::demCloud::build()
     Info<< "Suna: " << before_.particles << " particles, " << walls
         << " wall patches; DEM steps of at most " << step.limit << " s: "
         << step.why << endl;
+
+    if (dem_needs_fluid(dem_))
+    {
+        Info<< "Suna: of the fluid: " << dem_acting_fluid(dem_) << endl;
+    }
 }
 
 
@@ -258,6 +263,17 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
         mesh,
         dimensionedScalar("clear", dimless, 1)
     ),
+    acceleration_
+    (
+        dict_.acts("virtualMass")
+      ? new volVectorField
+        (
+            fieldAt(mesh, "fluidAcceleration", IOobject::READ_IF_PRESENT),
+            mesh,
+            dimensionedVector(dimAcceleration, Zero)
+        )
+      : nullptr
+    ),
     diameter_(dict_.coupling().getOrDefault<scalar>("diameter", 0)),
     interval_(dict_.coupling().getOrDefault<scalar>("interval", 0)),
     before_(),
@@ -272,6 +288,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
     bonds_(mesh.time())
 {
     build();
+    voidFraction_.note() = string("effects: ") + dem_acting(dem_);
     look();
     depositVolume();
     dsdt_ = dimensionedScalar(dsdt_.dimensions(), Zero);
@@ -334,6 +351,10 @@ void Foam::demCloud::write()
     refresh();
     demWriter::write(mesh_, view_, fluid_.place ? fluid_.place : place_.cdata());
     voidFraction_.write();
+    if (acceleration_)
+    {
+        acceleration_().write();
+    }
     bonds_.draw(dem_);
     writeMeans();
 }

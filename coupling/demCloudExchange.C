@@ -109,6 +109,7 @@ void Foam::demCloud::tellParticles
     toColumn(transfer_.sample(voidFraction_)(), fluid_.void_fraction);
     toColumn(values(rho)(), fluid_.density);
     toColumn(values(mu)(), fluid_.viscosity);
+    tellFlow(U, mu);
 
     for (size_t i = 0; i < fluid_.n; i++)
     {
@@ -171,7 +172,7 @@ void Foam::demCloud::depositReaction()
 
     forAll(response, i)
     {
-        const vector given(three(fluid_.drag_impulse, i)/window_);
+        const vector given(impulse(fluid_, i)/window_);
 
         switch (form_.how())
         {
@@ -182,7 +183,9 @@ void Foam::demCloud::depositReaction()
 
             case demForm::SEMI_IMPLICIT:
                 response[i] = fluid_.drag_time[i]/window_;
-                reaction[i] = response[i]*velocity(view_, i);
+                reaction[i] =
+                    response[i]*velocity(view_, i)
+                  + three(fluid_.drag_impulse, i)/window_ - given;
                 break;
 
             case demForm::EXPLICIT:
@@ -285,6 +288,11 @@ void Foam::demCloud::evolve
 
     checkMesh();
     keep();
+
+    if (!first_ && (!twoWay_ || interval_ > 0))     // else in correct()
+    {
+        accelerate(U);
+    }
 
     // By the weights of the mesh as it was when the particles were found
     tellParticles(U, gradP, rho, mu);

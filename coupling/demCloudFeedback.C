@@ -123,6 +123,8 @@ void Foam::demCloud::correct
     const volVectorField& gradP
 )
 {
+    accelerate(U);
+
     if (reacts())
     {
         ledger_.charge(demLedger::FLUID);
@@ -153,6 +155,8 @@ void Foam::demCloud::correct
     const volScalarField& rho
 )
 {
+    accelerate(U);
+
     if (reacts())
     {
         ledger_.charge(demLedger::FLUID);

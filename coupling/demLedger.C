@@ -7,20 +7,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demLedger.H"
+#include "demColumns.H"
 #include "PstreamReduceOps.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-static inline vector three(const double* column, const size_t i)
-{
-    return vector(column[3*i], column[3*i + 1], column[3*i + 2]);
-}
-
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
@@ -67,7 +55,7 @@ Foam::scalar Foam::demLedger::exchange
 
     forAll(velocity, i)
     {
-        const vector J(three(fluid.drag_impulse, i));
+        const vector J(impulse(fluid, i));
         const vector more
         (
             fluid.response[i]*(velocity[i] - three(fluid.velocity, i))

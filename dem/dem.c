@@ -255,6 +255,16 @@ int dem_plan(struct dem *d, const struct dem_prospect *prospect, const char **te
     return status;
 }
 
+const char *dem_acting(const struct dem *d)
+{
+    return d->acting;
+}
+
+const char *dem_acting_fluid(const struct dem *d)
+{
+    return d->in_fluid;
+}
+
 /* ---- running ------------------------------------------------------------------------------------------------- */
 
 static int check_fluid(const struct dem *d)

@@ -89,6 +89,11 @@ struct dem_prospect                                       /* what the caller kno
    or dem_free. Takes a tenth of a second for measuring; nothing moves, and views stay valid. */
 int dem_plan(struct dem *, const struct dem_prospect *, const char **text);
 
+/* After dem_check: the words of all effects that act, in the order of their stages, with blanks between; of those of the fluid alone.
+   For heads of results: laws of drag differ by a factor of two. */
+const char *dem_acting(const struct dem *);
+const char *dem_acting_fluid(const struct dem *);
+
 /* ---- running ------------------------------------------------------------------------------------------------- */
 
 /* Collective. Advance by `duration` [s] in equal steps no longer than the step limit. Position and velocity are

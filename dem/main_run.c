@@ -282,6 +282,10 @@ static int announce(const struct dem_program *prog, struct dem *d, const struct 
         printf("Suna: %lld particles, %d walls, %d rank%s\nstep %.4g s, limit %.4g s: %s\n", (long long)t.particles, dem_wall_count(d),
                prog->ranks, prog->ranks > 1 ? "s" : "", step.used, step.limit, step.why);
         announce_gravity(s);
+        if (dem_acting_fluid(d)[0])
+        {
+            printf("of the fluid: %s\n", dem_acting_fluid(d));
+        }
         if (s->coupling)
         {
             printf("coupling is not read: it is for runs in OpenFOAM\n");

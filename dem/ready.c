@@ -196,6 +196,28 @@ static int begin_ledger(struct dem *d)
     return status;
 }
 
+static void name(char *list, size_t room, const char *word)
+{
+    const size_t length = strlen(list);
+
+    snprintf(list + length, room - length, "%s%s", length > 0 ? " " : "", word);
+}
+
+static void name_effects(struct dem *d)
+{
+    const struct dem_recipe *const r = &d->parts.recipe;
+
+    d->acting[0] = d->in_fluid[0] = '\0';
+    for (int k = 0; k < r->chosen; k++)
+    {
+        name(d->acting, sizeof d->acting, r->effect[k]->name);
+        if (r->effect[k]->stage == DEM_STAGE_FLUID)
+        {
+            name(d->in_fluid, sizeof d->in_fluid, r->effect[k]->name);
+        }
+    }
+}
+
 static int read_scene(struct dem *d)
 {
     struct dem_parts *const p = &d->parts;
@@ -210,6 +232,7 @@ static int read_scene(struct dem *d)
     }
     p->watch.limit = d->scene.most_overlap;
     DEM_TRY(decide_fluid(d));
+    name_effects(d);
     return dem_door_examine(d);
 }
 

@@ -148,7 +148,7 @@ static int read_share(const char *path, const struct dem_pieces *q, struct dem_s
 
     *packed = NULL;
     *count = 0;
-    DEM_TRY(dem_snapshot_open(&store, &(const struct dem_writers){q->ranks > 1 ? q->comm : MPI_COMM_NULL, q->rank}, path, h));
+    DEM_TRY(dem_snapshot_open(&store, &(const struct dem_writers){.comm = q->ranks > 1 ? q->comm : MPI_COMM_NULL, .rank = q->rank}, path, h));
     dem_snapshot_share(q, h->particles, &first, count);
     const size_t size = dem_snapshot_particle_doubles(h), n = (size_t)*count;
 
@@ -195,7 +195,7 @@ int dem_snapshot_read_particles(const char *path, struct dem_snapshot *s, const 
 
 /* ---- the rest -------------------------------------------------------------------------------------------------- */
 
-static const struct dem_writers alone = {MPI_COMM_NULL, 0};
+static const struct dem_writers alone = {.comm = MPI_COMM_NULL};
 
 int dem_snapshot_read_beside(const char *path, void **bytes, size_t *size)
 {

@@ -285,7 +285,7 @@ int dem_snapshot_read_rows(const char *path, const struct dem_pieces *q, const s
     struct dem_store store;
     struct dem_snapshot_head h;
 
-    DEM_TRY(dem_snapshot_open(&store, &(const struct dem_writers){q->ranks > 1 ? q->comm : MPI_COMM_NULL, q->rank}, path, &h));
+    DEM_TRY(dem_snapshot_open(&store, &(const struct dem_writers){.comm = q->ranks > 1 ? q->comm : MPI_COMM_NULL, .rank = q->rank}, path, &h));
     struct bundle b = {.size = dem_snapshot_row_doubles(&h)};
 
     read_share(&store, q, &h, &b);

@@ -217,7 +217,7 @@ int dem_snapshot_write(const char *path, const struct dem_snapshot *s, const str
     const struct cargo rows = {.n = n[1], .size = row, .pack = pack_row, .particles = p, .contacts = c, .wall_region = wall_region,
                                .row = list};
 
-    DEM_TRY(dem_store_create(&store, &(const struct dem_writers){q->ranks > 1 ? q->comm : MPI_COMM_NULL, q->rank}, path, 1));
+    DEM_TRY(dem_store_create(&store, &(const struct dem_writers){.comm = q->ranks > 1 ? q->comm : MPI_COMM_NULL, .rank = q->rank}, path, 1));
     DEM_TRY(write_cargo(&store, &particles, sizeof h + (size_t)before[0]*size*sizeof(double), &h.checksum));
     DEM_TRY(write_cargo(&store, &rows, dem_snapshot_rows_at(&h) + (size_t)before[1]*row*sizeof(double), &h.checksum));
     write_head(&store, s, q, &h);

@@ -18,6 +18,7 @@ struct dem_writers                                        /* who has a file in h
 {
     MPI_Comm comm;                                        /* MPI_COMM_NULL: alone, and no call of MPI is made */
     int rank;
+    const char *says;                                     /* a comment in the head of a picture; NULL: none */
 };
 
 struct dem_store

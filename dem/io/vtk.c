@@ -110,14 +110,19 @@ static uint64_t bytes_of(const struct dem_vtk_column *c, int64_t n)
 }
 
 /* `ends` of a cell: 1 for points, 2 for lines, whose ends are the points and whose columns belong to the cells. */
-static void write_head(struct text *t, int64_t n, const struct dem_vtk_column *columns, int count, int ends)
+static void write_head(struct text *t, const char *says, int64_t n, const struct dem_vtk_column *columns, int count, int ends)
 {
     const char *const data = ends == 1 ? "PointData" : "CellData", *const cells = ends == 1 ? "Verts" : "Lines";
     const uint16_t one = 1;
     const bool little = *(const unsigned char *)&one == 1;
     uint64_t offset = 0;
 
-    say(t, "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"%s\" header_type=\"UInt64\">\n",
+    say(t, "<?xml version=\"1.0\"?>\n");
+    if (says)
+    {
+        say(t, "<!-- %s -->\n", says);
+    }
+    say(t, "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"%s\" header_type=\"UInt64\">\n",
         little ? "LittleEndian" : "BigEndian");
     say(t, "  <PolyData>\n    <Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"%lld\" NumberOfLines=\"%lld\" "
         "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n", (long long)n*ends, ends == 1 ? (long long)n : 0, ends == 1 ? 0 : (long long)n);
@@ -267,7 +272,7 @@ static void count_cells(struct page *p, const struct dem_writers *by, int64_t n)
 static int write_cells(const struct dem_writers *by, const char *path, int64_t n, const struct dem_vtk_column *columns, int count,
                        int ends)
 {
-    const struct dem_writers alone = {MPI_COMM_NULL, 0};
+    const struct dem_writers alone = {.comm = MPI_COMM_NULL};
     struct text head = {.at = NULL};
     struct page p;
     fenv_t traps;
@@ -275,7 +280,7 @@ static int write_cells(const struct dem_writers *by, const char *path, int64_t n
     by = by ? by : &alone;
     DEM_TRY(check(path, n, columns, count, ends));
     count_cells(&p, by, n);
-    write_head(&head, p.all, columns, count, ends);
+    write_head(&head, by->says, p.all, columns, count, ends);
     DEM_TRY(head.status);
     DEM_TRY(DEM_NEW(p.block, BLOCK));
     DEM_TRY(dem_store_create(&p.store, by, path, 0));

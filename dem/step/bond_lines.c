@@ -70,7 +70,7 @@ static int write_lines(const struct dem_pieces *q, const char *folder, const cha
     DEM_REQUIRE(strlen(folder) + strlen(file) + 16 < sizeof path, DEM_ERROR_INPUT, "path %s/%s is longer than %zu letters", folder, file,
                 sizeof path - 17);
     snprintf(path, sizeof path, "%s/%s", folder, file);
-    return dem_vtk_write_lines(&(const struct dem_writers){q->ranks > 1 ? q->comm : MPI_COMM_NULL, q->rank}, path, n, columns,
+    return dem_vtk_write_lines(&(const struct dem_writers){.comm = q->ranks > 1 ? q->comm : MPI_COMM_NULL, .rank = q->rank}, path, n, columns,
                                (int)(sizeof columns/sizeof columns[0]));
 }
 

@@ -29,6 +29,9 @@ Description
     ds/dt   change of the solid's fraction over the step, from the
             particles' positions                                     [1/s]
 
+    Where the particles feel the stress (effect viscousStress) F holds their
+    share of it, - s div tau, and div(tau) stands in place of div(e tau).
+
     With p free of the hydrostatic part gravity drops out of the equation:
     -e grad(p + g.x) + e g = -e grad p; a bed of any shape at rest in a fluid
     at rest is exact. The particles are given the full pressure gradient,

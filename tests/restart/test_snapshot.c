@@ -109,7 +109,7 @@ static void damage(void)
 /* Holes take no room on the disk. */
 static void far(void)
 {
-    const struct dem_writers alone = {MPI_COMM_NULL, 0};
+    const struct dem_writers alone = {.comm = MPI_COMM_NULL};
     const size_t place = ((size_t)5 << 30) + 3;
     struct dem_store s;
     char there[8] = "", here[8] = "";

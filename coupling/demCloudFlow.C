@@ -1,0 +1,151 @@
+/*---------------------------------------------------------------------------*\
+    demCloudFlow.C -- what only some effects ask of the fluid.
+
+    Each has a column of the core that is there when an effect asks for it, and
+    costs nothing otherwise:
+
+        acceleration   Du/Dt = du/dt + u.grad u                        [m/s2]
+        vorticity      curl u                                           [1/s]
+        stress         div tau, viscous and turbulent                  [N/m3]
+        meanDiameter   sum V_i w_ic / sum (V_i/d_i) w_ic, Sauter's        [m]
+
+    The acceleration is that of the step before, from the velocities at its
+    ends: the fluid is frozen while particles move. It is a field of its own,
+    written for a restart.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demCloud.H"
+#include "demColumns.H"
+#include "turbulenceModel.H"
+#include "fvcGrad.H"
+#include "fvcMeshPhi.H"
+#include "fvcReconstruct.H"
+#include "fvcSnGrad.H"
+#include "fvcSurfaceIntegrate.H"
+#include "linear.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// By the faces, so that no scheme needs a name in fvSchemes that the solver
+// does not know
+static tmp<volVectorField> divStress
+(
+    const volVectorField& U,
+    const volScalarField& mu
+)
+{
+    const fvMesh& mesh = U.mesh();
+    const volTensorField gradU(fvc::grad(U));
+
+    return fvc::surfaceIntegrate
+    (
+        linearInterpolate(mu)*mesh.magSf()*fvc::snGrad(U)
+      + (mesh.Sf() & linearInterpolate(mu*dev2(T(gradU))))
+    );
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+// At the end of a step, while the velocity before it is still there
+void Foam::demCloud::accelerate(const volVectorField& U)
+{
+    if (!acceleration_)
+    {
+        return;
+    }
+
+    volVectorField& a = acceleration_();
+    const volTensorField gradU(fvc::grad(U));
+
+    // On a mesh that moves cells see what they move through
+    if (mesh_.moving())
+    {
+        a = (U - fvc::reconstruct(fvc::meshPhi(U))) & gradU;
+    }
+    else
+    {
+        a = U & gradU;
+    }
+
+    if (interval_ <= 0)
+    {
+        a += (U - U.oldTime())/mesh_.time().deltaT();
+    }
+}
+
+
+void Foam::demCloud::tellFlow
+(
+    const volVectorField& U,
+    const volScalarField& mu
+)
+{
+    if (fluid_.acceleration)
+    {
+        toColumn(transfer_.sample(acceleration_())(), fluid_.acceleration);
+    }
+
+    if (fluid_.vorticity)
+    {
+        const volVectorField curl(2*(*skew(fvc::grad(U)())));
+        toColumn(transfer_.sample(curl)(), fluid_.vorticity);
+    }
+
+    if (fluid_.stress)
+    {
+        const turbulenceModel* model =
+            mesh_.findObject<turbulenceModel>(turbulenceModel::propertiesName);
+
+        const volScalarField all
+        (
+            model ? mu*model->nuEff()/model->nu() : tmp<volScalarField>(mu)
+        );
+        toColumn(transfer_.sample(divStress(U, all)())(), fluid_.stress);
+    }
+
+    if (fluid_.mean_diameter)
+    {
+        tellMeanDiameter();
+    }
+}
+
+
+void Foam::demCloud::tellMeanDiameter()
+{
+    scalarField V(volumes(view_));
+    volScalarField::Internal over
+    (
+        IOobject("overDiameter", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimless/dimLength, Zero)
+    );
+
+    forAll(V, i)
+    {
+        V[i] /= 2*(*dem_at(view_.radius, view_.stride, i));
+    }
+    transfer_.deposit(V, over);
+
+    const scalarField n(transfer_.sample(over.field()));
+    const scalarField s(1 - transfer_.sample(voidFraction_)());
+    scalarField d(V.size(), Zero);
+
+    // Where a particle is, both are above 0
+    forAll(d, i)
+    {
+        d[i] = n[i] > 0 ? max(s[i]/n[i], scalar(0)) : 0;
+    }
+    toColumn(d, fluid_.mean_diameter);
+}
+
+// ************************************************************************* //
