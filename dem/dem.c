@@ -367,7 +367,8 @@ int dem_fluid_correct(struct dem *d, const double *velocity, const double *press
     struct dem_particles *const p = &d->parts.particles;
     const double *const u = dem_column(p, DEM_COLUMN_FLUID_VELOCITY), *const g = dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT);
     const double *const R = dem_column(p, DEM_COLUMN_RESPONSE), *const passed = dem_column(p, DEM_COLUMN_PASSED);
-    double *const pending = dem_column(p, DEM_COLUMN_PENDING);
+    const double *const foreseen = dem_column(p, DEM_COLUMN_FORESEEN);
+    double *const pending = dem_column(p, DEM_COLUMN_PENDING), *const change = dem_column(p, DEM_COLUMN_FLUID_CHANGE);
 
     DEM_REQUIRE(d->with_fluid, DEM_ERROR_STATE, "dem_fluid_correct without fluid effects");
     for (size_t i = 0; i < p->n; i++)
@@ -377,7 +378,11 @@ int dem_fluid_correct(struct dem *d, const double *velocity, const double *press
 
         for (size_t k = 3*i; k < 3*i + 3; k++)
         {
-            pending[k] = R[i]*(velocity[k] - u[k]) + Q*(pressure_gradient[k] - g[k]);
+            pending[k] = R[i]*(velocity[k] - u[k]) + Q*(pressure_gradient[k] - g[k]) - (foreseen ? foreseen[k] : 0.0);
+            if (change)
+            {
+                change[k] = (velocity[k] - u[k])/d->parts.window;
+            }
         }
     }
     return DEM_OK;

@@ -317,8 +317,8 @@ struct dem_fluid
                                                              where the fluid must make room (step/sweep_bodies.c) */
     double *place;                                        /* in/out  the coupling's own: 2 numbers per particle, carried along */
     const double *drag_impulse;                           /* out  N s   3, J: on the particle during the last advance */
-    const double *other_impulse;                          /* out  N s   3, of lift and added mass; NULL without them. The fluid gets the
-                                                             opposite of this and of J */
+    const double *other_impulse;                          /* out  N s   3, of lift and added mass, less what pending will take back; NULL without
+                                                             them. The fluid gets the opposite of this and of J */
     const double *turn_impulse;                           /* out  N m s 3, of rotational drag; NULL without. The fluid gets nothing of it */
     const double *drag_time;                              /* out  kg    sum of b h over the last advance, b without counterflow */
     const double *response;                               /* out  kg    R: d(drag impulse)/d(fluid velocity), clamped for held particles */

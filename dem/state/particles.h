@@ -70,6 +70,8 @@ enum dem_column_name
     DEM_COLUMN_SWARM_FIRST,                               /* 1    of the fluid alone, for this window: effects/block.h */
     DEM_COLUMN_SWARM_SECOND,
     DEM_COLUMN_ADDED_MASS,                                /* kg   of this window            */
+    DEM_COLUMN_FLUID_CHANGE,                              /* m/s2 of the fluid's velocity here, over the last window */
+    DEM_COLUMN_FORESEEN,                                  /* N s  of the added mass's answer to it, see step/sweep_bodies.c */
     DEM_COLUMN_OTHER_IMPULSE,                             /* N s  of this window, of forces that react */
     DEM_COLUMN_TURN_IMPULSE,                              /* N m s  of this window, of rotational drag */
     DEM_COLUMN_LOST,                                      /* J    lost so far to bonds and films: half of each pair's, all at a wall */

@@ -47,6 +47,6 @@ void dem_bodies_open(struct dem_particles *, const struct dem_chain *bodies);
 void dem_bodies_open_laws(struct dem_particles *, const struct dem_chain *bodies);
 
 /* End it: the response R of each particle from its drag impulse (see the definition in sweep_bodies.c). */
-void dem_bodies_close(struct dem_particles *);
+void dem_bodies_close(struct dem_particles *, double window);
 
 #endif
