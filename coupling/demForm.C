@@ -95,6 +95,19 @@ void Foam::demForm::checkEffects() const
                )
             << ", and without it momentum is lost" << exit(FatalError);
     }
+
+    for (const char* effect : {"virtualMass", "viscousStress"})
+    {
+        if (set_ == III && dict_.acts(effect))
+        {
+            FatalErrorInFunction
+                << "Equations III are those of a steady, uniform flow, without"
+                << " acceleration and stress, and " << effect << " is of one"
+                << " that is neither: take equations I or II in coupling of"
+                << " constant/" << demDict::name() << ", or leave " << effect
+                << " out" << exit(FatalError);
+        }
+    }
 }
 
 // ************************************************************************* //

@@ -178,7 +178,7 @@ void dem_body_tray_fluid(struct dem_body_tray *t, const struct dem_particles *p,
     }
 }
 
-/* b/e, with the law's own least void fraction */
+/* b/e, with the law's own least void fraction; lift likewise */
 DEM_KERNEL
 static void raise(struct dem_body_block *restrict b)
 {
@@ -190,6 +190,9 @@ static void raise(struct dem_body_block *restrict b)
         b->bux[c] *= over;
         b->buy[c] *= over;
         b->buz[c] *= over;
+        b->rx[c] *= over;
+        b->ry[c] *= over;
+        b->rz[c] *= over;
     }
 }
 

@@ -36,7 +36,7 @@ void dem_body_tray_fluid(struct dem_body_tray *, const struct dem_particles *, s
 /* What the law of drag has made of the fluid alone, for the steps of this window. */
 void dem_body_tray_keep_swarm(const struct dem_body_tray *, struct dem_particles *, size_t first, int rows);
 
-/* Drag becomes the whole force of a steady, uniform flow, that of its pressure gradient included: b/e. */
+/* Drag becomes the whole force of a steady, uniform flow, that of its pressure gradient included: b/e; and so does lift. */
 void dem_body_tray_whole_drag(struct dem_body_tray *);
 
 /* The fluid makes room for what particles have moved since the window's start: see sweep_bodies.c. */
