@@ -9,15 +9,10 @@
 #include "step/quad.h"
 #include <math.h>
 
-/* What is seen of a speed: its largest square, and 0 or not a number. */
-struct seen
-{
-    double most[4], bad[4];
-};
-
 /* Four records at a time: their velocities turn into columns for the squares; radius and inverse mass stay as they are. */
 DEM_KERNEL
-static void drift_fours(struct dem_particle *restrict record, size_t n, double dt, const double round[4], struct seen *s)
+static void drift_fours(struct dem_particle *restrict record, size_t n, double dt, const double round[4],
+                        struct dem_motion_seen *s)
 {
     const dem_quad whole = DEM_QUAD(round);
     const dem_quad step = {dt, dt, dt, 0.0};
@@ -41,28 +36,31 @@ static void drift_fours(struct dem_particle *restrict record, size_t n, double d
     }
 }
 
-double dem_motion_drift(struct dem_particles *p, double dt, const double round[4])
+void dem_motion_drift(struct dem_particle *record, size_t n, double dt, const double round[4], struct dem_motion_seen *s)
 {
-    struct seen s = {{0.0}, {0.0}};
-    double most = 0.0, bad = 0.0;
-
-    drift_fours(p->record, p->n, dt, round, &s);
-    for (size_t k = 0; k < 4; k++)
+    drift_fours(record, n, dt, round, s);
+    for (size_t i = n/4*4; i < n; i++)
     {
-        most = s.most[k] > most ? s.most[k] : most;
-        bad += s.bad[k];
-    }
-    for (size_t i = p->n/4*4; i < p->n; i++)
-    {
-        struct dem_particle *const r = &p->record[i];
+        struct dem_particle *const r = &record[i];
         const double square = r->v[0]*r->v[0] + r->v[1]*r->v[1] + r->v[2]*r->v[2];
 
         for (size_t k = 0; k < 3; k++)
         {
             r->x[k] += (dt*r->v[k] + round[k]) - round[k];
         }
-        most = square > most ? square : most;
-        bad += square*0.0;
+        s->most[0] = square > s->most[0] ? square : s->most[0];
+        s->bad[0] += square*0.0;
+    }
+}
+
+double dem_motion_fastest(const struct dem_motion_seen *s)
+{
+    double most = 0.0, bad = 0.0;
+
+    for (size_t k = 0; k < 4; k++)
+    {
+        most = s->most[k] > most ? s->most[k] : most;
+        bad += s->bad[k];
     }
     return bad == 0.0 ? sqrt(most) : INFINITY;
 }

@@ -8,7 +8,15 @@
 
 #include "state/particles.h"
 
-/* x += dt v for owned particles, in whole multiples by dem_domain.round. Returns the largest speed [m/s]; a not-a-number comes out as infinite. */
-double dem_motion_drift(struct dem_particles *, double dt, const double round[4]);
+struct dem_motion_seen                                    /* of speeds; all zero before the first */
+{
+    double most[4], bad[4];                               /* m2/s2: largest squares; 0 or not a number */
+};
+
+/* x += dt v of n particles, in whole multiples by dem_domain.round. */
+void dem_motion_drift(struct dem_particle *, size_t n, double dt, const double round[4], struct dem_motion_seen *);
+
+/* The largest speed seen [m/s]; a not-a-number comes out as infinite. */
+double dem_motion_fastest(const struct dem_motion_seen *);
 
 #endif

@@ -62,6 +62,8 @@ struct dem_parts
     int64_t before, ahead;                                /* steps made before this window, and steps in it */
     double time, dt, window;                              /* s; of the positions; last step; length of the last window */
     double opened;                                        /* s; start of the last window */
+    int drifted;                                          /* 1: the last step has made the next one's drift, too: nobody looked */
+    double fastest;                                       /* m/s in it */
     int open;                                             /* 1: it stopped in the middle, velocities half a step ahead */
     const volatile sig_atomic_t *asked;                   /* not 0: stop after this step; NULL: nobody asks */
     int stopped;                                          /* what asked had then, the largest of all ranks */

@@ -130,11 +130,25 @@ static void count_work(struct dem_parts *p)
     dem_balance_count(&p->balance, p->particles.n, &p->contacts);
 }
 
+/* To where particles are in this step, unless the last one has brought them there. Returns the fastest [m/s]. */
+static double drift(struct dem_parts *p, double dt)
+{
+    struct dem_motion_seen seen = {{0.0}, {0.0}};
+
+    if (p->drifted)
+    {
+        p->drifted = 0;
+        return p->fastest;
+    }
+    dem_motion_drift(p->particles.record, p->particles.n, dt, p->domain.round, &seen);
+    return dem_motion_fastest(&seen);
+}
+
 /* The step that ends at p->time. The status of the sweep is kept for the next agreement, so that all ranks stop together. */
 static int step(struct dem_parts *p, double dt, double kick, double since, int *status)
 {
     dem_phases_step(&p->phases);
-    double fastest[2] = {dem_motion_drift(&p->particles, dt, p->domain.round), p->asked ? (double)*p->asked : 0.0};
+    double fastest[2] = {drift(p, dt), p->asked ? (double)*p->asked : 0.0};
 
     dem_orientation_turn(&p->particles, dt);
     p->steps++;
@@ -153,8 +167,10 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
     count_work(p);
     const int keeps = p->kept.every > 0 && p->steps >= p->kept.steps + p->kept.every && kick == dt;
     const int fused = !keeps && !p->ledger.open, looked = kick < dt || p->stopped || dem_averages_due(&p->averages, p->time);
+    const int held = p->domain.flat[0] || p->domain.flat[1] || p->domain.flat[2];
     const struct dem_body_sweep bodies = {.kick = kick, .window = p->window, .ledger = p->ledger.open ? &p->ledger : NULL,
-                                          .contacts = fused ? &p->contacts : NULL, .quiet = fused && !looked};
+                                          .contacts = fused ? &p->contacts : NULL, .quiet = fused && !looked,
+                                          .round = held ? NULL : p->domain.round};
     struct dem_body_pass pass;
 
     dem_bodies_begin(&pass, &p->particles, &p->recipe.bodies, &bodies);
@@ -179,6 +195,8 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
     }
     dem_bodies_until(&pass, p->particles.n);
     dem_domain_hold(&p->domain, &p->particles);
+    p->drifted = pass.quiet && bodies.round;
+    p->fastest = dem_motion_fastest(&pass.seen);
     dem_phases_end(&p->phases, DEM_PHASE_BODIES);
     return DEM_OK;
 }
@@ -213,7 +231,7 @@ static int make_steps(struct dem_parts *p)
 {
     int status = DEM_OK;
 
-    p->stopped = p->open = 0;
+    p->stopped = p->open = p->drifted = 0;
     for (int64_t k = p->steps - p->before + 1; k <= p->ahead && !p->stopped; k++)
     {
         const double since = p->time;

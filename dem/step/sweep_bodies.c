@@ -179,6 +179,10 @@ static void sweep_block(struct dem_body_pass *pass, size_t first, int rows)
     {
         dem_body_tray_turned(t, p, first, rows);
     }
+    if (pass->quiet && s->round)
+    {
+        dem_motion_drift(p->record + first, (size_t)rows, s->kick, s->round, &pass->seen);
+    }
 }
 
 void dem_bodies_begin(struct dem_body_pass *pass, struct dem_particles *p, const struct dem_chain *bodies, const struct dem_body_sweep *s)
@@ -188,6 +192,7 @@ void dem_bodies_begin(struct dem_body_pass *pass, struct dem_particles *p, const
     pass->sweep = s;
     pass->next = 0;
     pass->quiet = s->quiet;
+    memset(&pass->seen, 0, sizeof pass->seen);
     memset(&pass->tray, 0, sizeof pass->tray);
     pass->tray.block.dt = s->kick;
 }

@@ -11,13 +11,16 @@
 #include "state/recipe.h"
 #include "step/body_tray.h"
 #include "step/ledger.h"
+#include "step/motion.h"
 
 struct dem_body_sweep
 {
     double kick;                                          /* s  velocities and spins are kicked over this */
     double window;                                        /* s  the pending impulse of the last exchange is spread over this; 0: none */
     const struct dem_contacts *contacts;                  /* to be summed first, while what they push is at hand; NULL: they are */
-    int quiet;                                            /* 1: nobody looks at forces between this step and the next */
+    int quiet;                                            /* 1: nobody looks between this step and the next: forces are not kept, */
+    const double *round;                                  /* and who is kicked drifts on at once, over the kick, by dem_domain.round;
+                                                             NULL: something else is to be done before */
     struct dem_ledger *ledger;                            /* books the work; NULL: nobody does */
 };
 
@@ -32,6 +35,7 @@ struct dem_body_pass                                      /* the same bit by bit
     const struct dem_body_sweep *sweep;
     size_t next;                                          /* the first who has not been kicked */
     int quiet;                                            /* as asked, unless something has happened that is to be told */
+    struct dem_motion_seen seen;                          /* of who has drifted */
     struct dem_body_tray tray;
 };
 
