@@ -159,8 +159,10 @@ void Foam::demCloud::build()
     }
     if (diameter_ <= 0)
     {
-        diameter_ = demSnapshot::diameter(mesh_.time());
+        diameter_ = demSnapshot::kept(mesh_.time(), "diameter");
     }
+    changeRate_ = demSnapshot::kept(mesh_.time(), "changeRate");
+    relaxationRate_ = demSnapshot::kept(mesh_.time(), "relaxationRate");
 
     record_.prepare(dem_);
     demCheck(dem_ready(dem_));
@@ -278,6 +280,8 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
     interval_(dict_.coupling().getOrDefault<scalar>("interval", 0)),
     before_(),
     window_(0),
+    changeRate_(0),
+    relaxationRate_(0),
     offset_(0),
     first_(makesRoom),
     lastGood_(dict_.coupling().getOrDefault("lastGood", true)),
@@ -328,9 +332,9 @@ Foam::scalar Foam::demCloud::courant()
         fastest = max(fastest, mag(vector(v[0], v[1], v[2])));
     }
 
-    // The smallest cell speaks for all: no cell is asked for per particle
-    const scalar width = std::cbrt(gMin(mesh_.V().field()));
-    return returnReduce(fastest, maxOp<scalar>())*mesh_.time().deltaTValue()/width;
+    return
+        returnReduce(fastest, maxOp<scalar>())*mesh_.time().deltaTValue()
+       /transfer_.length();
 }
 
 
@@ -346,8 +350,13 @@ void Foam::demCloud::write()
     bool made = true;
     reduce(made, andOp<bool>());
 
+    dictionary numbers;
+    numbers.add("diameter", diameter_);
+    numbers.add("changeRate", changeRate_);
+    numbers.add("relaxationRate", relaxationRate_);
+
     demCheck(dem_save(dem_, file.c_str()));
-    demSnapshot::keepDiameter(mesh_.time(), diameter_);
+    demSnapshot::keep(mesh_.time(), numbers);
     refresh();
     demWriter::write(mesh_, view_, fluid_.place ? fluid_.place : place_.cdata());
     voidFraction_.write();

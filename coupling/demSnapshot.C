@@ -75,22 +75,22 @@ bool Foam::demSnapshot::there(const Time& time)
 }
 
 
-Foam::scalar Foam::demSnapshot::diameter(const Time& time)
+Foam::scalar Foam::demSnapshot::kept(const Time& time, const word& name)
 {
     const fileName file(present(time).path()/"dem.kernel");
-    scalar d = 0;
+    scalar number = 0;
 
     if (Pstream::master() && isFile(file, false))
     {
         IFstream is(file);
-        d = dictionary(is).get<scalar>("diameter");
+        number = dictionary(is).getOrDefault<scalar>(name, 0);
     }
-    demBroadcast(d);
-    return d;
+    demBroadcast(number);
+    return number;
 }
 
 
-void Foam::demSnapshot::keepDiameter(const Time& time, const scalar d)
+void Foam::demSnapshot::keep(const Time& time, const dictionary& numbers)
 {
     const fileName file(present(time).path()/"dem.kernel");
 
@@ -98,7 +98,10 @@ void Foam::demSnapshot::keepDiameter(const Time& time, const scalar d)
     {
         OFstream os(file);
         os.precision(17);
-        os  << "diameter " << d << ";" << nl;
+        for (const entry& e : numbers)
+        {
+            os  << e.keyword() << ' ' << numbers.get<scalar>(e.keyword()) << ";" << nl;
+        }
     }
 }
 

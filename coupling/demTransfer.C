@@ -170,6 +170,13 @@ void Foam::demTransfer::setDiameter(const scalar d)
 }
 
 
+// The smallest cell speaks for all: no cell is asked for per particle
+Foam::scalar Foam::demTransfer::length() const
+{
+    return max(std::cbrt(gMin(mesh_.V().field())), 0.5*width_*diameter_);
+}
+
+
 Foam::demRoute::stray Foam::demTransfer::locate(const demView& view, double* place)
 {
     if (mesh_.changing())

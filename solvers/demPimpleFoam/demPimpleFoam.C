@@ -63,6 +63,7 @@ Description
 #include "fvOptions.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "demCloud.H"
+#include "demPace.H"
 #include "fixedFlux.H"
 #include "cellVector.H"
 #include "faceVector.H"
@@ -93,6 +94,7 @@ int main(int argc, char *argv[])
 
     Info<< "\nStarting time loop\n" << endl;
 
+    demPace pace(runTime, cloud);
     bool planned = false;
 
     while (runTime.run())
