@@ -193,8 +193,9 @@ static size_t count_rows(const struct dem_contacts *c, const uint8_t *near)
     return rows + (size_t)(DEM_BLOCK*c->classes + LANES + DEM_NEAR_AHEAD);
 }
 
-/* Pairs are sorted by class, so the rows of a class follow each other. */
-static void number_rows(struct dem_contacts *c, const uint8_t *near)
+/* Pairs are sorted by class, so the rows of a class follow each other. `from`: which row each was. Every pair is written where the next
+   near one goes and kept if it is near: there is no telling beforehand, and a guess costs more. */
+static void number_rows(struct dem_contacts *c, const uint8_t *near, uint32_t *from)
 {
     uint32_t row = 0;
     size_t k = 0;
@@ -204,19 +205,19 @@ static void number_rows(struct dem_contacts *c, const uint8_t *near)
         c->segment[s].first = row;
         for (; k < c->pairs && c->pair[k].class == s; k++)
         {
-            if (near[k])
-            {
-                const struct dem_pair *const q = &c->pair[k];
+            struct dem_pair *const q = &c->pair[k];
 
-                c->near_row[row] = (struct dem_near){q->i, q->j | (uint32_t)q->shift << DEM_NEAR_SHIFT};
-                c->row_pair[row++] = (uint32_t)k;
-            }
+            c->near_row[row] = (struct dem_near){q->i, q->j | (uint32_t)q->shift << DEM_NEAR_SHIFT};
+            c->row_pair[row] = (uint32_t)k;
+            from[row] = q->row;
+            q->row = near[k] ? row : DEM_ROW_NONE;
+            row += near[k];
         }
         c->segment[s].count = row - c->segment[s].first;
         for (; row%DEM_BLOCK; row++)                      /* so that a block never runs over the end of the ring */
         {
             c->near_row[row] = c->near_row[row - 1];
-            c->row_pair[row] = DEM_ROW_NONE;
+            c->row_pair[row] = from[row] = DEM_ROW_NONE;
         }
     }
     c->rows = row;
@@ -227,7 +228,7 @@ static void number_rows(struct dem_contacts *c, const uint8_t *near)
     memset(c->near_row + row, 0, DEM_NEAR_AHEAD*sizeof *c->near_row);
 }
 
-static void move_memory(struct dem_contacts *c)
+static void move_memory(struct dem_contacts *c, const uint32_t *from)
 {
     for (int m = 0; m < c->memories; m++)
     {
@@ -235,20 +236,15 @@ static void move_memory(struct dem_contacts *c)
 
         for (uint32_t r = 0; r < c->rows; r++)
         {
-            const uint32_t from = c->row_pair[r] == DEM_ROW_NONE ? DEM_ROW_NONE : c->pair[c->row_pair[r]].row;
-
-            new[r] = from == DEM_ROW_NONE ? 0.0 : old[from];
+            new[r] = from[r] == DEM_ROW_NONE ? 0.0 : old[from[r]];
         }
         c->memory[m] = new;
         c->memory_scratch = old;
     }
 }
 
-static int adjoin_near(struct dem_contacts *c, size_t n)
+static int grow_entries(struct dem_contacts *c, size_t most)
 {
-    const size_t most = 2*(size_t)c->rows + n;
-    uint32_t at = 0, ready = 0;
-
     if (c->near_room < most)
     {
         dem_memory_free(c->near_entry);
@@ -256,6 +252,14 @@ static int adjoin_near(struct dem_contacts *c, size_t n)
         c->near_room = 0;
         DEM_TRY(DEM_GROW(c->near_entry, c->near_room, most));
     }
+    return DEM_OK;
+}
+
+/* As with rows, each entry is written and kept if its row is near. */
+static int adjoin_near(struct dem_contacts *c, size_t n)
+{
+    uint32_t at = 0, ready = 0;
+
     DEM_TRY(DEM_GROW(c->ready, c->ready_room, n/DEM_BLOCK + 1));
     for (size_t i = 0; i < n; i++)
     {
@@ -263,18 +267,15 @@ static int adjoin_near(struct dem_contacts *c, size_t n)
         for (uint32_t e = c->start[i]; e < c->start[i + 1]; e++)
         {
             const struct dem_pair *const q = &c->pair[c->entry[e] >> 1];
+            const uint32_t near = q->row != DEM_ROW_NONE, needs = near & !q->wall ? q->row + 1 : 0;
 
-            if (q->row != DEM_ROW_NONE)
-            {
-                c->near_entry[at++] = q->row << DEM_ENTRY_ROW | (c->entry[e] & DEM_ENTRY_SIDE);
-                ready = !q->wall && q->row >= ready ? q->row + 1 : ready;
-            }
+            c->near_entry[at] = q->row << DEM_ENTRY_ROW | (c->entry[e] & DEM_ENTRY_SIDE);
+            at += near;
+            ready = needs > ready ? needs : ready;
         }
         c->ready[i/DEM_BLOCK] = ready;
-        if (at%2)
-        {
-            c->near_entry[at++] = c->rows << DEM_ENTRY_ROW;
-        }
+        c->near_entry[at] = c->rows << DEM_ENTRY_ROW;
+        at += at%2;
     }
     c->near_start[n] = at;
     return DEM_OK;
@@ -303,11 +304,11 @@ int dem_contacts_make_pushes(struct dem_contacts *c)
     }
     else if (c->single)
     {
-        memset(c->push_single, 0, rows*sizeof *c->push_single);
+        memset(c->push_single + c->rows, 0, LANES*sizeof *c->push_single);
     }
     else
     {
-        memset(c->push, 0, rows*sizeof *c->push);
+        memset(c->push + c->rows, 0, LANES*sizeof *c->push);
     }
     return DEM_OK;
 }
@@ -334,20 +335,12 @@ void dem_contacts_drop_rows(struct dem_contacts *c)
 
 int dem_contacts_prune(struct dem_contacts *c, const struct dem_particles *p, const uint8_t *near)
 {
-    DEM_TRY(grow_rows(c, count_rows(c, near)));
-    number_rows(c, near);
-    move_memory(c);
-    for (size_t k = 0; k < c->pairs; k++)
-    {
-        c->pair[k].row = DEM_ROW_NONE;
-    }
-    for (uint32_t r = 0; r < c->rows; r++)
-    {
-        if (c->row_pair[r] != DEM_ROW_NONE)
-        {
-            c->pair[c->row_pair[r]].row = r;
-        }
-    }
+    const size_t most = count_rows(c, near);
+
+    DEM_TRY(grow_rows(c, most));
+    DEM_TRY(grow_entries(c, 2*most + p->n + 1));
+    number_rows(c, near, c->near_entry);                  /* which is made anew below */
+    move_memory(c, c->near_entry);
     if (c->booked)
     {
         memset(c->books, 0, (c->rows + LANES)*sizeof *c->books);

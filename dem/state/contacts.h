@@ -155,8 +155,8 @@ int dem_contacts_adjoin(struct dem_contacts *, const struct dem_particles *);
 /* Who sums which row soon, for contacts.c, after rows and sums are laid out; n owned particles. */
 int dem_contacts_make_ring(struct dem_contacts *, size_t n);
 
-/* Between lift and settle there are neither rows nor pushes: what is carried has their room. For contacts_carry.c: pushes that do
-   nothing yet for all rows, no pushes, no rows. */
+/* Between lift and settle there are neither rows nor pushes: what is carried has their room. For contacts_carry.c: pushes for all
+   rows, to be written by a sweep (new ones do nothing until then; the row past all never does), no pushes, no rows. */
 int dem_contacts_make_pushes(struct dem_contacts *);
 void dem_contacts_drop_pushes(struct dem_contacts *);
 void dem_contacts_drop_rows(struct dem_contacts *);
