@@ -151,6 +151,7 @@ void Foam::demCloud::build()
     );
 
     const label walls = walls_.add(dem_);
+    flows_.add(dem_);
 
     const fileName start(demSnapshot::start(mesh_.time(), dict_));
     if (!start.empty())
@@ -219,6 +220,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
     form_(dict_, makesRoom),
     transfer_(mesh, dict_.coupling()),
     walls_(mesh, dict_),
+    flows_(mesh, dict_),
     dem_(nullptr),
     view_(),
     fluid_(),
@@ -276,6 +278,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
         )
       : nullptr
     ),
+    deposited_(0),
     diameter_(dict_.coupling().getOrDefault<scalar>("diameter", 0)),
     interval_(dict_.coupling().getOrDefault<scalar>("interval", 0)),
     before_(),
@@ -365,6 +368,7 @@ void Foam::demCloud::write()
         acceleration_().write();
     }
     bonds_.draw(dem_);
+    flows_.tell(dem_, true);
     writeMeans();
 }
 

@@ -35,7 +35,12 @@ void Foam::demCloud::look()
 
     const demRoute::stray outside
     (
-        transfer_.locate(view_, fluid_.place ? fluid_.place : place_.begin())
+        transfer_.locate
+        (
+            view_,
+            fluid_.place ? fluid_.place : place_.begin(),
+            &flows_
+        )
     );
     if (outside.count)
     {
@@ -141,7 +146,13 @@ void Foam::demCloud::depositVolume()
         mesh_,
         dimensionedScalar(dimless, Zero)
     );
-    transfer_.depositVolume(volumes(view_), solid);
+    scalarField V(volumes(view_));
+    if (flows_.active())
+    {
+        flows_.share(view_, V);
+    }
+    deposited_ = gSum(V);
+    transfer_.depositVolume(V, solid);
 
     voidFraction_.primitiveFieldRef() = 1 - solid.field();
     voidFraction_.correctBoundaryConditions();
@@ -156,6 +167,16 @@ void Foam::demCloud::depositVolume()
         }
         dsdt_.primitiveFieldRef() =
             (old - voidFraction_.primitiveField())/mesh_.time().deltaTValue();
+    }
+}
+
+
+// Before the particles move: who is in the step is in all of it
+void Foam::demCloud::letThrough(const volVectorField& U)
+{
+    if (flows_.pass(dem_, U))
+    {
+        look();
     }
 }
 
@@ -312,6 +333,7 @@ void Foam::demCloud::evolve
 
     checkMesh();
     keep();
+    letThrough(U);
 
     if (!first_ && (!twoWay_ || interval_ > 0))     // else in correct()
     {
@@ -338,6 +360,7 @@ void Foam::demCloud::evolve
     depositReaction();
     rates();
     report();
+    flows_.tell(dem_, false);
     losses_.tell(dem_, offset_);
     bonds_.tell(dem_, offset_);
     refresh();

@@ -82,7 +82,7 @@ void Foam::demCloud::report()
     Info<< "Suna: " << now.particles << " particles, "
         << now.steps - before_.steps << " DEM steps, void fraction at least "
         << gMin(e) << ", overlap at most " << now.largest_overlap
-        << ", volume error " << mag(solid - now.volume)/(now.volume + VSMALL)
+        << ", volume error " << mag(solid - deposited_)/(deposited_ + VSMALL)
         << endl;
 
     if (relief.crowded())

@@ -130,7 +130,7 @@ void Foam::demCloud::fail(const demRoute::stray& outside)
         << losses_.wayOut(outside.position, outside.velocity).c_str()
         << ". Start particles inside the mesh, make walls of all patches that"
         << " particles must not pass, and let them leave through others by"
-        << " domain { leaving remove; } with limits inside the mesh";
+        << " outlets { NAME { patch ...; } }";
 
     fail(string(os.str()));
 }

@@ -148,7 +148,12 @@ Foam::demRoute::stray Foam::demRoute::firstOf
 }
 
 
-Foam::demRoute::stray Foam::demRoute::locate(const demView& view, double* place)
+Foam::demRoute::stray Foam::demRoute::locate
+(
+    const demView& view,
+    double* place,
+    exits* out
+)
 {
     nParticles_ = label(view.n);
     sure_.setSize(nParticles_);
@@ -177,6 +182,16 @@ Foam::demRoute::stray Foam::demRoute::locate(const demView& view, double* place)
             sure_[i] *= 2;
         }
         ask(view, place, who, lost);
+        if (out && returnReduce(lost.size(), sumOp<label>()) > 0)
+        {
+            who.transfer(lost);
+            const boolList leaves(out->leave(view, who));
+            forAll(who, k)
+            {
+                sure_[who[k]] = leaves[k] ? 2 : 0;
+            }
+            ask(view, place, who, lost);
+        }
         if (returnReduce(lost.size(), sumOp<label>()) > 0)
         {
             return firstOf(view, lost);

@@ -177,7 +177,12 @@ Foam::scalar Foam::demTransfer::length() const
 }
 
 
-Foam::demRoute::stray Foam::demTransfer::locate(const demView& view, double* place)
+Foam::demRoute::stray Foam::demTransfer::locate
+(
+    const demView& view,
+    double* place,
+    demRoute::exits* out
+)
 {
     if (mesh_.changing())
     {
@@ -185,7 +190,7 @@ Foam::demRoute::stray Foam::demTransfer::locate(const demView& view, double* pla
     }
     relief_().clear();
 
-    const demRoute::stray outside(route_().locate(view, place));
+    const demRoute::stray outside(route_().locate(view, place, out));
     if (outside.count)
     {
         return outside;

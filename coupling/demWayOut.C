@@ -35,6 +35,54 @@ Foam::scalar Foam::demWayOut::first
 }
 
 
+Foam::labelList Foam::demWayOut::nearest
+(
+    const UList<point>& points,
+    const UList<vector>& velocities,
+    scalarList& distance
+) const
+{
+    // Twice the diagonal crosses the mesh from wherever it starts
+    const scalar far = 2*mesh_.bounds().mag();
+
+    // 2 patch + (1: behind); patches that are no seam between ranks have the
+    // same number on all of them
+    distance.setSize(points.size());
+    distance = GREAT;
+    labelList code(points.size(), -1);
+
+    forAll(points, k)
+    {
+        const scalar speed = mag(velocities[k]);
+        const vector way(far*velocities[k]/(speed + VSMALL));
+
+        for (label behind = 0; speed > 0 && behind < 2; behind++)
+        {
+            label patch = -1;
+            const scalar here =
+                first(points[k], points[k] + (behind ? -way : way), patch);
+
+            if (here < distance[k])
+            {
+                distance[k] = here;
+                code[k] = 2*patch + behind;
+            }
+        }
+    }
+
+    const scalarList mine(distance);
+    Pstream::listCombineGather(distance, minEqOp<scalar>());
+    demBroadcast(distance);
+    forAll(code, k)
+    {
+        code[k] = mine[k] <= distance[k] ? code[k] : -1;
+    }
+    Pstream::listCombineGather(code, maxEqOp<label>());
+    demBroadcast(code);
+    return code;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demWayOut::demWayOut(const fvMesh& mesh)
@@ -87,42 +135,8 @@ Foam::List<Foam::string> Foam::demWayOut::say
     const UList<vector>& velocities
 ) const
 {
-    // Twice the diagonal crosses the mesh from wherever it starts
-    const scalar far = 2*mesh_.bounds().mag();
-
-    // 2 patch + (1: behind); patches that are no seam between ranks have the
-    // same number on all of them
-    scalarList nearest(points.size(), GREAT);
-    labelList code(points.size(), -1);
-
-    forAll(points, k)
-    {
-        const scalar speed = mag(velocities[k]);
-        const vector way(far*velocities[k]/(speed + VSMALL));
-
-        for (label behind = 0; speed > 0 && behind < 2; behind++)
-        {
-            label patch = -1;
-            const scalar distance =
-                first(points[k], points[k] + (behind ? -way : way), patch);
-
-            if (distance < nearest[k])
-            {
-                nearest[k] = distance;
-                code[k] = 2*patch + behind;
-            }
-        }
-    }
-
-    const scalarList mine(nearest);
-    Pstream::listCombineGather(nearest, minEqOp<scalar>());
-    demBroadcast(nearest);
-    forAll(code, k)
-    {
-        code[k] = mine[k] <= nearest[k] ? code[k] : -1;
-    }
-    Pstream::listCombineGather(code, maxEqOp<label>());
-    demBroadcast(code);
+    scalarList distance;
+    const labelList code(nearest(points, velocities, distance));
 
     List<string> texts(points.size());
     forAll(texts, k)
@@ -131,12 +145,29 @@ Foam::List<Foam::string> Foam::demWayOut::say
         {
             OStringStream os;
             os  << "; out through patch " << mesh_.boundary()[code[k]/2].name()
-                << ", " << nearest[k] << " m "
+                << ", " << distance[k] << " m "
                 << (code[k] % 2 ? "behind" : "ahead");
             texts[k] = os.str();
         }
     }
     return texts;
+}
+
+
+Foam::labelList Foam::demWayOut::patches
+(
+    const UList<point>& points,
+    const UList<vector>& velocities
+) const
+{
+    scalarList distance;
+    labelList patch(nearest(points, velocities, distance));
+
+    for (label& p : patch)
+    {
+        p = p < 0 ? -1 : p/2;
+    }
+    return patch;
 }
 
 // ************************************************************************* //

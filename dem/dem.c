@@ -52,6 +52,12 @@ void dem_free(struct dem *d)
         dem_memory_free(d->mesh_wall[k].now);
     }
     dem_memory_free(d->mesh_wall);
+    for (size_t k = 0; k < d->patches; k++)
+    {
+        dem_memory_free(d->patch[k].triangles);
+    }
+    dem_memory_free(d->patch);
+    dem_memory_free(d->goer);
     dem_memory_free(d->crowd_material);
     dem_crowd_free(&d->crowd);
     dem_averages_free(&d->parts.averages);

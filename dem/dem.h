@@ -209,6 +209,22 @@ struct dem_flow                                           /* a stream of `insert
    on all ranks; they hold until the next call. */
 int dem_flows(struct dem *, int *n, const struct dem_flow **);
 
+/* For a program that must know of everybody before it advances (a fluid is coupled): from here on streams and outlets act in
+   dem_let_through only, between two advances. Before dem_check; patches of a mesh may then be named in the scene. */
+int dem_flow_between(struct dem *);
+
+/* Collective. A patch through which streams come in: triangles of each rank, 9 numbers each [m], corners counterclockwise as seen from
+   outside the mesh, and the velocity of the fluid there, 3 each [m/s], or NULL. Before dem_check for each patch of the scene's `insert`, and
+   again whenever one of these changes. */
+int dem_patch(struct dem *, const char *name, int64_t n, const double *triangles, const double *velocity);
+
+/* Particles of this rank that have passed the patch of an outlet: they go in the next dem_let_through. */
+int dem_take_out(struct dem *, const char *patch, int64_t n, const int64_t *id);
+
+/* Collective. Let out who was named and who is in an outlet of the scene, and in who is owed now. *changed: somebody came or went, on any
+   rank; then views and columns are new, and those of who came hold a place of -1. */
+int dem_let_through(struct dem *, int *changed);
+
 struct dem_bond                                           /* that holds */
 {
     int64_t id[2];                                        /* the lower and the higher; -1 - wall for a wall */

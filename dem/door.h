@@ -20,6 +20,13 @@ struct dem_mesh_wall                                          /* a wall handed i
     double *triangles, *now;                                  /* now: where it stands, NULL: there */
 };
 
+struct dem_patch                                              /* of a mesh, from all ranks: n times 9 corners and 3 velocities */
+{
+    char name[64];
+    size_t n;
+    double *triangles;
+};
+
 struct dem
 {
     struct dem_parts parts;
@@ -30,6 +37,11 @@ struct dem
     size_t crowd_room;
     struct dem_mesh_wall *mesh_wall;
     size_t mesh_walls, mesh_wall_room;
+    struct dem_patch *patch;
+    size_t patches, patch_room;
+    struct dem_goer *goer;                                /* whom the program takes out next */
+    size_t goers, goer_room;
+    int between;                                          /* 1: streams and outlets act between advances */
     char load[1024];
     int checked;                                          /* 1: dem_check found nothing, -1: it found something */
     int ready, with_fluid, coupled;
@@ -52,6 +64,12 @@ int dem_door_early(const struct dem *, const char *call);
 
 /* Collective. All ranks fail when one does. */
 int dem_door_together(const struct dem *, int status);
+
+/* Collective. n items of `size` numbers from each rank, in the order of the ranks. */
+int dem_door_gather(const struct dem_parts *, size_t size, size_t n, const double *mine, double **items, size_t *number);
+
+/* Hand the patches that are known to the streams that come through them. */
+int dem_door_take_patches(struct dem *);
 
 /* Collective. Tell a wall where its triangles will be at the end of the next advance; `now`: where they are. */
 int dem_door_tell_wall(struct dem *, const struct dem_mesh_wall *, int now);

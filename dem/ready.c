@@ -225,6 +225,7 @@ static int read_scene(struct dem *d)
     DEM_TRY(dem_scene_read_materials(d->dict, &p->recipe));
     DEM_TRY(dem_door_take_walls(d));
     DEM_TRY(dem_scene_read(&d->scene, d->dict, &p->recipe, &p->walls, &p->domain));
+    DEM_TRY(dem_door_take_patches(d));
     if (d->scene.snapshot && !d->load[0])
     {
         DEM_TRY(dem_load(d, d->scene.snapshot));

@@ -186,6 +186,7 @@ static void open_window(struct dem_parts *p, const struct dem_snapshot_window *w
 int dem_door_begin_flows(struct dem *d)
 {
     d->parts.flows.fluid = &d->scene.fluid;
+    d->parts.flows.asked = d->between;
     d->flowed.flows = d->new ? 0 : d->flowed.flows;
     return dem_flows_begin(&d->parts, &d->scene.streams, d->load[0] ? &d->flowed : NULL);
 }

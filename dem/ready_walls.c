@@ -10,20 +10,19 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Corners from all ranks, in their order. */
-static int gather_corners(const struct dem_parts *p, size_t n, const double *mine, double **corners, size_t *triangles)
+int dem_door_gather(const struct dem_parts *p, size_t size, size_t n, const double *mine, double **items, size_t *number)
 {
-    const int count = n <= INT_MAX/9 ? (int)(9*n) : -1;
+    const int count = n <= INT_MAX/size ? (int)(size*n) : -1;
     int *counts, *start, total = 0;
     int64_t sum = 0;
     double *all;
 
     if (p->pieces.ranks == 1)
     {
-        DEM_TRY(DEM_NEW(all, 9*n + 1));
-        memcpy(all, mine, 9*n*sizeof *all);
-        *corners = all;
-        *triangles = n;
+        DEM_TRY(DEM_NEW(all, size*n + 1));
+        memcpy(all, mine, size*n*sizeof *all);
+        *items = all;
+        *number = n;
         return DEM_OK;
     }
     DEM_TRY(DEM_NEW(counts, p->pieces.ranks));
@@ -34,7 +33,8 @@ static int gather_corners(const struct dem_parts *p, size_t n, const double *min
         sum = counts[k] < 0 || sum > INT_MAX ? INT64_MAX/2 : sum + counts[k];
     }
     /* all ranks know all counts, and fail together */
-    DEM_REQUIRE(sum <= INT_MAX, DEM_ERROR_MPI, "a wall of more than %d triangles is too long for MPI; make it of several", INT_MAX/9);
+    DEM_REQUIRE(sum <= INT_MAX, DEM_ERROR_MPI, "a wall or patch of more than %zu triangles is too long for MPI; make it of several",
+                INT_MAX/size);
     for (int k = 0; k < p->pieces.ranks; k++)
     {
         start[k] = total;
@@ -44,8 +44,8 @@ static int gather_corners(const struct dem_parts *p, size_t n, const double *min
     MPI_Allgatherv(mine, count, MPI_DOUBLE, all, counts, start, MPI_DOUBLE, p->pieces.comm);
     dem_memory_free(counts);
     dem_memory_free(start);
-    *corners = all;
-    *triangles = (size_t)total/9;
+    *items = all;
+    *number = (size_t)total/size;
     return DEM_OK;
 }
 
@@ -55,7 +55,7 @@ static int gather_wall(struct dem_parts *p, int wall, const struct dem_mesh_wall
     double *corners;
     size_t n;
 
-    DEM_TRY(gather_corners(p, m->n, m->triangles, &corners, &n));
+    DEM_TRY(dem_door_gather(p, 9, m->n, m->triangles, &corners, &n));
     const int status = dem_walls_add_triangles(&p->walls, wall, n, corners);
 
     dem_memory_free(corners);
@@ -73,7 +73,7 @@ int dem_door_tell_wall(struct dem *d, const struct dem_mesh_wall *m, int now)
     {
         wall++;
     }
-    DEM_TRY(gather_corners(&d->parts, m->n, m->now, &corners, &n));
+    DEM_TRY(dem_door_gather(&d->parts, 9, m->n, m->now, &corners, &n));
     const int status = now ? dem_walls_place(w, wall, n, corners) : dem_walls_tell(w, wall, n, corners);
 
     dem_memory_free(corners);

@@ -190,6 +190,25 @@ void dem_mouth_box(const struct dem_mouth *m, double min[3], double max[3])
     }
 }
 
+void dem_mouth_inward(const struct dem_mouth *m, size_t triangle, double inward[3])
+{
+    double ab[3], ac[3];
+
+    inward[0] = inward[1] = inward[2] = 0.0;
+    if (m->patch && triangle < m->n)
+    {
+        dem_vec_minus(m->corner[triangle][1], m->corner[triangle][0], ab);
+        dem_vec_minus(m->corner[triangle][2], m->corner[triangle][0], ac);
+        dem_vec_cross(ac, ab, inward);
+        const double size = dem_vec_norm(inward);
+
+        for (int k = 0; k < 3; k++)
+        {
+            inward[k] = size > 0.0 ? inward[k]/size : 0.0;
+        }
+    }
+}
+
 static int place_on_disc(const struct dem_vessel *v, const double u[3], double x[3])
 {
     const double a = (2.0*u[0] - 1.0)*v->radius, b = (2.0*u[1] - 1.0)*v->radius;

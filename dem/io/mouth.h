@@ -51,6 +51,9 @@ void dem_mouth_box(const struct dem_mouth *, double min[3], double max[3]);
 /* A place for a centre when u is even in [0, 1)^3; `triangle`: of faces, the one that it is on. 0: draw another u. */
 int dem_mouth_place(const struct dem_mouth *, double radius, const double u[3], double x[3], size_t *triangle);
 
+/* The unit vector into the mesh at a triangle of a patch, whose corners go counterclockwise as seen from outside; else zero. */
+void dem_mouth_inward(const struct dem_mouth *, size_t triangle, double inward[3]);
+
 double dem_mouth_area(const struct dem_mouth *);          /* m2  of a face; 0 of a region */
 
 #endif

@@ -21,6 +21,9 @@ enum
     USE_PLACE = 1001                                      /* and from here on three a trial */
 };
 
+/* A centre on a mesh's face belongs to no cell, and a face of four corners is not flat: this share of a radius further in. */
+static const double behind_face = 1e-3;
+
 /* ---- reading ------------------------------------------------------------------------------------------------- */
 
 int dem_stream_is(const struct dem_dict *group)
@@ -281,7 +284,7 @@ int dem_stream_place(const struct dem_stream *s, const struct dem_stream_trial *
 {
     const uint64_t seed = (uint64_t)s->seed, number = (uint64_t)t->number, step = (uint64_t)t->step, use = USE_PLACE + 4*(uint64_t)t->trial;
     size_t triangle;
-    double u[3];
+    double u[3], inward[3];
 
     for (unsigned k = 0; k < 3; k++)
     {
@@ -293,13 +296,18 @@ int dem_stream_place(const struct dem_stream *s, const struct dem_stream_trial *
     }
     const double way = s->mouth.kind == DEM_MOUTH_REGION ? 0.0 : t->ago*dem_random_unit(seed, number, step, use + 3);
 
+    dem_mouth_inward(&s->mouth, triangle, inward);
     for (unsigned k = 0; k < 3; k++)
     {
         v[k] = (s->with_fluid ? s->mouth.flow[triangle][k] : s->velocity[k])
                + s->spread[k]*(2.0*dem_random_unit(seed, number, 0, USE_SPREAD + k) - 1.0);
         x[k] += way*v[k];
     }
-    return 1;
+    for (int k = 0; k < 3; k++)
+    {
+        x[k] += s->mouth.patch ? behind_face*t->radius*inward[k] : 0.0;
+    }
+    return !s->mouth.patch || dem_vec_dot(v, inward) > 0.0;
 }
 
 int dem_outlet_holds(const struct dem_outlet *o, const double x[3])

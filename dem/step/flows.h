@@ -82,6 +82,16 @@ int dem_flows_call(struct dem_parts *, int64_t step);
    by so much. */
 int dem_flows_let_in(struct dem_parts *, double half);
 
+struct dem_goer                                           /* whom the program takes out */
+{
+    int64_t id;
+    int flow;
+};
+
+/* Collective. Between two windows: let out who is in an outlet and those named, of this rank's, and in who is owed; `changed` on all ranks when
+   particles have come or gone. Sorts `goer`. */
+int dem_flows_between(struct dem_parts *, size_t n, struct dem_goer *goer, int *changed);
+
 /* The outlet that takes a particle out at x, or DEM_FLOW_NONE. */
 int dem_flows_outlet(const struct dem_flows *, const double x[3]);
 

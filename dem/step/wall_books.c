@@ -13,6 +13,7 @@
 void dem_wall_books_free(struct dem_wall_books *b)
 {
     dem_memory_free(b->sum);
+    dem_memory_free(b->held);
     memset(b, 0, sizeof *b);
 }
 
@@ -75,9 +76,40 @@ void dem_wall_books_sum(const struct dem_parts *p, int wall, double factor, stru
     }
 }
 
+int dem_wall_books_hold(struct dem_parts *p)
+{
+    struct dem_wall_books *const b = &p->books;
+
+    if (b->sum && !b->held)
+    {
+        DEM_TRY(DEM_NEW(b->held, 6*b->walls + 1));
+        for (int k = 0; k < 6*b->walls; k++)
+        {
+            dem_sum_clear(&b->held[k]);
+        }
+        dem_wall_books_sum(p, -1, 1.0, b->held);
+    }
+    return DEM_OK;
+}
+
+/* Each rank's share is rounded once: the fluid that asks for this has rounded before. */
+static void add_held(struct dem_wall_books *b, double kick)
+{
+    for (int k = 0; k < 6*b->walls; k++)
+    {
+        dem_sum_add(&b->sum[k], kick*dem_sum_value(&b->held[k]));
+    }
+    dem_memory_free(b->held);
+    b->held = NULL;
+}
+
 void dem_wall_books_add(struct dem_parts *p, double kick)
 {
-    if (p->books.sum)
+    if (p->books.held)
+    {
+        add_held(&p->books, kick);
+    }
+    else if (p->books.sum)
     {
         dem_wall_books_sum(p, -1, kick, p->books.sum);
     }

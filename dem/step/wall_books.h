@@ -18,6 +18,7 @@ struct dem_wall_books
 {
     struct dem_sum *sum;                                  /* 6 a wall: N s, N m s about the origin; NULL: nobody asks */
     int walls;
+    struct dem_sum *held;                                 /* N, N m: force of the last sweep whose rows are gone; NULL: they are there */
 };
 
 /* Begin anew, from nothing. */
@@ -26,6 +27,9 @@ void dem_wall_books_free(struct dem_wall_books *);
 
 /* The forces of the last sweep act for `kick` [s]. */
 void dem_wall_books_add(struct dem_parts *, double kick);
+
+/* Rows are about to go without a sweep to follow before the next kick: sum what they do. */
+int dem_wall_books_hold(struct dem_parts *);
 
 /* The force of the last sweep on one wall (-1: on all of them, one after the other), times `factor`, added to 6 sums a wall. */
 void dem_wall_books_sum(const struct dem_parts *, int wall, double factor, struct dem_sum *);

@@ -1,0 +1,429 @@
+/*---------------------------------------------------------------------------*\
+    demFlows.C -- feeding patches, outlets, and what the fluid feels of them.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demFlows.H"
+#include "demCheck.H"
+#include "demColumns.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "triPointRef.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Three points a triangle, corners as the faces have them
+static pointField trianglesOf(const polyPatch& patch, labelList& face)
+{
+    DynamicList<::Foam::face> split(2*patch.size());
+    DynamicList<label> of(2*patch.size());
+
+    forAll(patch, i)
+    {
+        patch[i].triangles(patch.points(), split);
+        while (of.size() < split.size())
+        {
+            of.append(i);
+        }
+    }
+
+    pointField points(3*split.size());
+    forAll(points, k)
+    {
+        points[k] = patch.points()[split[k/3][k%3]];
+    }
+    face.transfer(of);
+    return points;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::labelList Foam::demFlows::patches
+(
+    const dictionary& groups,
+    const demDict& dict
+) const
+{
+    DynamicList<label> found;
+
+    forAllConstIters(groups, iter)
+    {
+        word name;
+        if (!iter().isDict() || !iter().dict().readIfPresent("patch", name))
+        {
+            continue;
+        }
+
+        const dictionary& group = iter().dict();
+        const label patchi = mesh_.boundaryMesh().findPatchID(name);
+        if (patchi < 0)
+        {
+            demUnknown
+            (
+                group,
+                groups.dictName() + "/" + iter().keyword(),
+                "patch",
+                name,
+                mesh_.boundaryMesh().names()
+            );
+        }
+
+        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+        if (patch.coupled() || dict.isWall(patch))
+        {
+            const std::string what
+            (
+                patch.coupled() ? "of type " + patch.type()
+                                : "a wall of the particles"
+            );
+
+            FatalIOErrorInFunction(group)
+                << groups.dictName() << "/" << iter().keyword() << ": patch "
+                << name << " is " << what.c_str()
+                << ", through which nobody comes or goes; name a patch of type"
+                << " patch, or take it out of the walls" << exit(FatalIOError);
+        }
+        if (!found.found(patchi))
+        {
+            found.append(patchi);
+        }
+    }
+    return labelList(found);
+}
+
+
+// Patches are small; each rank knows them whole
+void Foam::demFlows::gather()
+{
+    labelList all(feeds_);
+    for (const label patchi : outlets_)
+    {
+        if (!all.found(patchi))
+        {
+            all.append(patchi);
+        }
+    }
+
+    open_.setSize(all.size());
+    box_.setSize(all.size());
+    forAll(all, k)
+    {
+        labelList face;
+        List<pointField> parts(Pstream::nProcs());
+        parts[Pstream::myProcNo()] =
+            trianglesOf(mesh_.boundaryMesh()[all[k]], face);
+        Pstream::gatherList(parts);
+        Pstream::scatterList(parts);
+
+        open_[k].clear();
+        for (const pointField& part : parts)
+        {
+            open_[k].append(part);
+        }
+        box_[k] = treeBoundBox(open_[k]);
+    }
+}
+
+
+void Foam::demFlows::hand(::dem* d, const volVectorField* U) const
+{
+    for (const label patchi : feeds_)
+    {
+        labelList face;
+        const pointField points
+        (
+            trianglesOf(mesh_.boundaryMesh()[patchi], face)
+        );
+        List<double> velocity(3*face.size(), Zero);
+
+        for (label k = 0; U && k < face.size(); k++)
+        {
+            const vector& u = U->boundaryField()[patchi][face[k]];
+            for (direction c = 0; c < 3; c++)
+            {
+                velocity[3*k + c] = u[c];
+            }
+        }
+
+        demCheck
+        (
+            dem_patch
+            (
+                d,
+                mesh_.boundaryMesh()[patchi].name().c_str(),
+                face.size(),
+                reinterpret_cast<const double*>(points.cdata()),
+                velocity.cdata()
+            )
+        );
+    }
+}
+
+
+void Foam::demFlows::open()
+{
+    if (rows_.is_open())
+    {
+        return;
+    }
+
+    mkDir(file_.path());
+    rows_.open(file_.c_str());
+    if (!rows_)
+    {
+        FatalErrorInFunction
+            << "Can't write " << file_ << "; make room, or mend its folder's"
+            << " rights" << exit(FatalError);
+    }
+    rows_.precision(9);
+    rows_
+        << "time[s],name,way,particles,mass[kg],px[Ns],py[Ns],pz[Ns],energy[J],"
+        << "waiting,rate[1/s],massRate[kg/s]" << std::endl;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demFlows::demFlows(const fvMesh& mesh, const demDict& dict)
+:
+    mesh_(mesh),
+    feeds_(patches(dict.scene().subOrEmptyDict("insert"), dict)),
+    outlets_(patches(dict.scene().subOrEmptyDict("outlets"), dict)),
+    file_
+    (
+        mesh.time().globalPath()/"postProcessing"/"dem"/mesh.time().timeName()
+       /"flows.csv"
+    ),
+    begun_(false),
+    since_(mesh.time().value())
+{
+    gather();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demFlows::add(::dem* d)
+{
+    demCheck(dem_flow_between(d));
+    hand(d, nullptr);
+}
+
+
+bool Foam::demFlows::pass(::dem* d, const volVectorField& U)
+{
+    int changed = 0;
+
+    if (mesh_.moving() && active())
+    {
+        gather();
+        wayOut_.clear();
+    }
+    hand(d, &U);
+
+    forAll(gone_, k)
+    {
+        const word& name = mesh_.boundaryMesh()[through_[k]].name();
+        demCheck(dem_take_out(d, name.c_str(), 1, &gone_[k]));
+    }
+    gone_.clear();
+    through_.clear();
+
+    demCheck(dem_let_through(d, &changed));
+    return changed;
+}
+
+
+Foam::boolList Foam::demFlows::leave
+(
+    const demView& view,
+    const UList<label>& who
+)
+{
+    boolList leaves(who.size(), false);
+
+    gone_.clear();
+    through_.clear();
+    if (outlets_.empty())
+    {
+        return leaves;
+    }
+
+    // Any rank may have the patch
+    const label me = Pstream::myProcNo();
+    List<pointField> points(Pstream::nProcs());
+    List<vectorField> velocities(Pstream::nProcs());
+    points[me].setSize(who.size());
+    velocities[me].setSize(who.size());
+    forAll(who, k)
+    {
+        const size_t i = size_t(who[k]);
+        points[me][k] = three(dem_at(view.position, view.stride, i), 0);
+        velocities[me][k] = three(dem_at(view.velocity, view.stride, i), 0);
+    }
+    Pstream::gatherList(points);
+    Pstream::scatterList(points);
+    Pstream::gatherList(velocities);
+    Pstream::scatterList(velocities);
+
+    pointField allPoints;
+    vectorField allVelocities;
+    label first = 0;
+    forAll(points, rank)
+    {
+        first = rank == me ? allPoints.size() : first;
+        allPoints.append(points[rank]);
+        allVelocities.append(velocities[rank]);
+    }
+
+    if (!wayOut_)
+    {
+        wayOut_.reset(new demWayOut(mesh_));
+    }
+    const labelList patch(wayOut_().patches(allPoints, allVelocities));
+
+    forAll(who, k)
+    {
+        leaves[k] = outlets_.found(patch[first + k]);
+        if (leaves[k])
+        {
+            const char* ids = reinterpret_cast<const char*>(view.id);
+            gone_.append
+            (
+                *reinterpret_cast<const int64_t*>
+                (
+                    ids + view.stride*size_t(who[k])
+                )
+            );
+            through_.append(patch[first + k]);
+        }
+    }
+    return leaves;
+}
+
+
+void Foam::demFlows::share(const demView& view, scalarField& volume) const
+{
+    scalarField least(volume.size(), GREAT);
+
+    forAll(open_, k)
+    {
+        forAll(volume, i)
+        {
+            const scalar d = 2*(*dem_at(view.radius, view.stride, size_t(i)));
+            const point x(three(dem_at(view.position, view.stride, size_t(i)), 0));
+
+            if
+            (
+                magSqr(max(min(x, box_[k].max()), box_[k].min()) - x) >= sqr(d)
+            )
+            {
+                continue;
+            }
+            for (label t = 0; t < open_[k].size(); t += 3)
+            {
+                const pointField& p = open_[k];
+                const scalar h =
+                    triPointRef(p[t], p[t + 1], p[t + 2]).nearestPoint(x)
+                   .distance()/d;
+
+                least[i] = min(least[i], h);
+            }
+        }
+    }
+
+    // Who has passed an outlet is through, however far
+    forAll(gone_, k)
+    {
+        forAll(volume, i)
+        {
+            const char* ids = reinterpret_cast<const char*>(view.id);
+            if
+            (
+                *reinterpret_cast<const int64_t*>(ids + view.stride*size_t(i))
+             == gone_[k]
+            )
+            {
+                least[i] = 0;
+            }
+        }
+    }
+
+    forAll(volume, i)
+    {
+        const scalar t = min(least[i], scalar(1));
+        volume[i] *= t*t*(3 - 2*t);
+    }
+}
+
+
+void Foam::demFlows::tell(::dem* d, const bool rows)
+{
+    const struct ::dem_flow* flow = nullptr;
+    int n = 0;
+    demCheck(dem_flows(d, &n, &flow));
+
+    if (!n)
+    {
+        return;
+    }
+    if (!begun_)
+    {
+        begun_ = true;
+        particles_.setSize(n, 0);
+        mass_.setSize(n, 0);
+        if (Pstream::master() && isFile(file_, false))
+        {
+            rm(file_);
+        }
+    }
+
+    int64_t in = 0;
+    int64_t out = 0;
+    int64_t waiting = 0;
+    for (int k = 0; k < n; k++)
+    {
+        (flow[k].enters ? in : out) += flow[k].particles;
+        waiting += flow[k].waiting;
+    }
+    if (!rows)
+    {
+        Info<< "Suna: " << in << " came in, " << out << " went out, " << waiting
+            << " wait for room" << endl;
+        return;
+    }
+
+    const scalar now = mesh_.time().value();
+    const scalar over = now > since_ ? 1/(now - since_) : 0;
+
+    for (int k = 0; k < n; k++)
+    {
+        const struct ::dem_flow& f = flow[k];
+
+        if (Pstream::master())
+        {
+            open();
+            rows_
+                << now << ',' << f.name << ',' << (f.enters ? "in" : "out")
+                << ',' << f.particles << ',' << f.mass << ',' << f.momentum[0]
+                << ',' << f.momentum[1] << ',' << f.momentum[2] << ','
+                << f.energy << ',' << f.waiting << ','
+                << over*(f.particles - particles_[k]) << ','
+                << over*(f.mass - mass_[k]) << std::endl;
+        }
+        particles_[k] = scalar(f.particles);
+        mass_[k] = f.mass;
+    }
+    since_ = now;
+}
+
+// ************************************************************************* //
