@@ -251,6 +251,7 @@ int dem_flows_book(struct dem_parts *p)
         for (int a = 0; a < 3; a++)
         {
             row->momentum[a] += all[k].momentum[a];
+            f->push[all[k].flow][a] += all[k].push[a];
         }
     }
     f->departures = 0;
@@ -259,6 +260,18 @@ int dem_flows_book(struct dem_parts *p)
         dem_memory_free(all);
     }
     return DEM_OK;
+}
+
+void dem_flows_kick(struct dem_flows *f, double kick)
+{
+    for (int k = 0; k < f->n; k++)
+    {
+        for (int a = 0; a < 3; a++)
+        {
+            f->flow[k].momentum[a] += kick*f->push[k][a];
+            f->push[k][a] = 0.0;
+        }
+    }
 }
 
 /* ---- copies -------------------------------------------------------------------------------------------------- */

@@ -49,6 +49,7 @@ struct dem_departure
     int64_t id;
     int flow;                                             /* its row in `flow` */
     double mass, momentum[3], energy;                     /* kg, kg m/s, J */
+    double push[3];                                       /* N  of contacts, which partners are still to get over half a step */
 };
 
 struct dem_flows
@@ -60,6 +61,7 @@ struct dem_flows
     int64_t next_id;
     struct dem_snapshot_flow flow[DEM_SNAPSHOT_FLOWS], kept[DEM_SNAPSHOT_FLOWS];
     int64_t kept_id;
+    double push[DEM_SNAPSHOT_FLOWS][3];                   /* N  of those who went out between two windows */
     double waiting[DEM_SNAPSHOT_FLOWS];                   /* particles or kg: owed, and without a place at the last look */
     size_t arrivals, arrival_room, departures, departure_room;
     struct dem_arrival *arrival;                          /* the same on all ranks, until they are let in */
@@ -91,6 +93,10 @@ struct dem_goer                                           /* whom the program ta
 /* Collective. Between two windows: let out who is in an outlet and those named, of this rank's, and in who is owed; `changed` on all ranks when
    particles have come or gone. Sorts `goer`. */
 int dem_flows_between(struct dem_parts *, size_t n, struct dem_goer *goer, int *changed);
+
+/* The first half kick of a window, over `kick` [s], gives their partners what contacts did to those who have gone since: they take the
+   same with them. */
+void dem_flows_kick(struct dem_flows *, double kick);
 
 /* The outlet that takes a particle out at x, or DEM_FLOW_NONE. */
 int dem_flows_outlet(const struct dem_flows *, const double x[3]);

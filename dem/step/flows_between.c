@@ -32,16 +32,19 @@ static int flow_of(const struct dem_parts *p, const struct dem_particle *q, cons
     return found ? found->flow : dem_flows_outlet(&p->flows, home.x);
 }
 
-/* What drag owes who goes is part of what he carries. */
+/* What drag owes who goes is part of what he carries, and so is what his contacts have still to give their partners. */
 static int send_off(struct dem_parts *p, size_t i, int flow)
 {
-    const double *const pending = dem_column(&p->particles, DEM_COLUMN_PENDING);
+    const double *const pending = dem_column(&p->particles, DEM_COLUMN_PENDING), *const force = dem_column(&p->particles, DEM_COLUMN_FORCE);
     struct dem_flows *const f = &p->flows;
 
     DEM_TRY(dem_flows_note(p, flow, &p->particles.record[i], 0.0));
-    for (size_t k = 0; pending && k < 3; k++)
+    struct dem_departure *const new = &f->departure[f->departures - 1];
+
+    for (size_t k = 0; k < 3; k++)
     {
-        f->departure[f->departures - 1].momentum[k] += pending[3*i + k];
+        new->momentum[k] += pending ? pending[3*i + k] : 0.0;
+        new->push[k] = force[3*i + k];
     }
     if (p->ledger.open)
     {

@@ -267,6 +267,7 @@ int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
     {
         DEM_TRY(dem_halo_refresh_fluid(&p->halo, &p->particles));
     }
+    dem_flows_kick(&p->flows, 0.5*dt - had);
     kick_off(p, 0.5*dt - had);
     return make_steps(p);
 }
