@@ -83,15 +83,19 @@ static size_t size_level(const struct dem_grid *g, struct dem_grid_level *l, con
     return (size_t)cells;
 }
 
-static size_t cell_of(const struct dem_grid *g, const struct dem_grid_level *l, const double x[3])
+static void cells_of(const struct dem_grid *g, const struct dem_grid_level *l, const double x[3], int c[3])
 {
-    int c[3];
-
     for (int k = 0; k < 3; k++)
     {
         c[k] = dem_grid_cell(l, x[g->axis[k]] - g->origin[g->axis[k]], k);
     }
+}
 
+static size_t cell_of(const struct dem_grid *g, const struct dem_grid_level *l, const double x[3])
+{
+    int c[3];
+
+    cells_of(g, l, x, c);
     return l->first + ((size_t)c[2]*(size_t)l->cells[1] + (size_t)c[1])*(size_t)l->cells[0] + (size_t)c[0];
 }
 
@@ -155,6 +159,41 @@ static void counts_to_starts(uint32_t *start, size_t cells)
     }
 }
 
+/* A layer across the longest side may hold more than a cache: then it is cut into columns of cells about as wide as this, that follow
+   each other. Two layers of a bed fit the ring of state/contacts.h. */
+enum
+{
+    COLUMN = 28
+};
+
+struct columns                                            /* along the first two axes: how many, and cells across each */
+{
+    int n[2], wide[2];
+};
+
+static struct columns columns_of(const struct dem_grid_level *l)
+{
+    struct columns c;
+
+    for (int k = 0; k < 2; k++)
+    {
+        const int few = (l->cells[k] + COLUMN/2)/COLUMN;
+
+        c.wide[k] = few > 1 ? (l->cells[k] + few - 1)/few : l->cells[k];
+        c.n[k] = (l->cells[k] + c.wide[k] - 1)/c.wide[k];
+    }
+    return c;
+}
+
+/* Column by column, in each layer by layer along the longest side. */
+static uint32_t place_in_columns(const struct columns *s, int layers, const int c[3])
+{
+    const size_t column = (size_t)(c[1]/s->wide[1])*(size_t)s->n[0] + (size_t)(c[0]/s->wide[0]);
+    const size_t layer = column*(size_t)layers + (size_t)c[2];
+
+    return (uint32_t)((layer*(size_t)s->wide[1] + (size_t)(c[1]%s->wide[1]))*(size_t)s->wide[0] + (size_t)(c[0]%s->wide[0]));
+}
+
 int dem_grid_order(struct dem_grid *g, const struct dem_particles *p, uint32_t *order)
 {
     const struct box b = owned_box(p);
@@ -163,15 +202,19 @@ int dem_grid_order(struct dem_grid *g, const struct dem_particles *p, uint32_t *
 
     turn_axes(g, &b);
 
-    const size_t cells = size_level(g, &l, &b, p->n);
+    size_level(g, &l, &b, p->n);
 
-    l.first = 0;
+    const struct columns s = columns_of(&l);
+    const size_t cells = (size_t)s.n[0]*(size_t)s.wide[0]*(size_t)s.n[1]*(size_t)s.wide[1]*(size_t)l.cells[2];
+    int c[3];
+
     memcpy(g->origin, b.min, sizeof g->origin);
     DEM_TRY(DEM_NEW(start, cells + 1));
     DEM_TRY(DEM_NEW(cell, p->n + 1));
     for (size_t i = 0; i < p->n; i++)
     {
-        cell[i] = (uint32_t)cell_of(g, &l, p->record[i].x);
+        cells_of(g, &l, p->record[i].x, c);
+        cell[i] = place_in_columns(&s, l.cells[2], c);
         start[cell[i] + 1]++;
     }
     counts_to_starts(start, cells);

@@ -50,7 +50,8 @@ struct dem_grid
 /* Divide the radii [m] of the owned particles into levels; `most_radius`: of all ranks. */
 void dem_grid_divide(struct dem_grid *, const struct dem_particles *, double most_radius, double gap);
 
-/* Owned particles by cell of the finest level, and by id within a cell: the order in which memory is read best. */
+/* Owned particles by cell of the finest level, and by id within a cell: layer by layer along the longest side, in columns where layers are
+   wide, so that partners are near each other in memory. */
 int dem_grid_order(struct dem_grid *, const struct dem_particles *, uint32_t *order);
 
 /* Sort all that may be near an owned particle into the cells of the levels that are divided. */
