@@ -294,6 +294,10 @@ int dem_door_get_ready(struct dem *d)
     {
         dem_bodies_open_laws(&d->parts.particles, &d->parts.recipe.bodies);
     }
+    for (int k = 0; k < d->scene.averages; k++)
+    {
+        d->scene.average[k].says = d->acting;
+    }
     DEM_TRY(dem_averages_init(&d->parts.averages, d->scene.average, d->scene.averages, d->parts.time, d->parts.pieces.rank == 0));
     DEM_TRY(together(&d->parts, resume_means(d)));
     dem_phases_begin(&d->parts.phases, d->parts.rebuilds, d->parts.prunes);

@@ -157,7 +157,12 @@ static void write_image(FILE *f, const struct dem_average_plan *p, const struct 
     {
         d[k] = (p->max[k] - p->min[k])/(double)n[k];
     }
-    fprintf(f, "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+    fprintf(f, "<?xml version=\"1.0\"?>\n");
+    if (p->says)
+    {
+        fprintf(f, "<!-- effects: %s -->\n", p->says);
+    }
+    fprintf(f, "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
             "  <ImageData WholeExtent=\"0 %d 0 %d 0 %d\" Origin=\"%.17g %.17g %.17g\" Spacing=\"%.17g %.17g %.17g\">\n"
             "    <Piece Extent=\"0 %d 0 %d 0 %d\">\n      <CellData>\n",
             n[0], n[1], n[2], p->min[0], p->min[1], p->min[2], d[0], d[1], d[2], n[0], n[1], n[2]);
