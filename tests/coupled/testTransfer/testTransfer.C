@@ -140,6 +140,14 @@ int main(int argc, char *argv[])
         if (!is.corner)
         {
             testWalk(mesh, is.planar);
+            if (is.planar)
+            {
+                testBruteForce(mesh);
+            }
+            if (!is.periodic)
+            {
+                testBorders(mesh);
+            }
         }
         timing(mesh, is);
     }
