@@ -1,8 +1,9 @@
 /*
  * Claims: spheres of 2 mm in water, from a bubble to steel, rise or settle with added mass and without to the speeds of an independent
  * integration; a bubble of no weight that is let go begins to rise with 2 g; impacts in liquid return what is asked, with the mass that the
- * fluid adds, also between a bubble and a bead; what a coupled fluid is told and what particles are owed is what they have got; in a fluid that speeds up everybody is taken along as the balance has it; a spin
- * fades exponentially towards half the vorticity, in one step or a thousand; lift bends a path as its law has it.
+ * fluid adds, also between a bubble and a bead; what a coupled fluid is told and what particles are owed is what they have got; in a
+ * fluid that speeds up everybody is taken along as the balance has it; a spin fades exponentially towards half the vorticity, in
+ * one step or a thousand; lift bends a path as its law has it.
  *
  * Set: settling_ratio.csv, Schiller and Naumann with Cd 0.44 above Re 1000, integrated by another program.
  *

@@ -80,6 +80,27 @@ static double falling(int whole, double gradient)
     return v;
 }
 
+/* Impulse of lift on a frozen sphere in a shear. */
+static double lift(int whole)
+{
+    static const char scene[] = "materials { glass { density 2500; youngsModulus 1e6; } } effects { hertz {} saffmanMei {} }"
+                                "insert { one { type list; diameter 1e-4; positions ((0 0 0)); frozen yes; } } time { step 1e-5; }";
+    struct dem *const w = world_begin(scene);
+    struct dem_fluid f;
+
+    WORLD_TRY(dem_ready(w));
+    dem_fluid_whole_drag(w, whole);
+    give_fluid(w, 0.01, 0.0);
+    WORLD_TRY(dem_fluid(w, &f));
+    f.vorticity[0] = 0.0, f.vorticity[1] = 30.0, f.vorticity[2] = 0.0;
+    world_run(w, 1e-3);
+    WORLD_TRY(dem_fluid(w, &f));
+    const double impulse = f.other_impulse[0];
+
+    dem_free(w);
+    return impulse;
+}
+
 int main(void)
 {
     TAP_TRAPS;
@@ -91,6 +112,8 @@ int main(void)
     TAP_NEAR(less, b*0.01*1e-3, 1e-12*less, "the law's own drag on a frozen sphere");
     TAP_NEAR(more, less/e, 1e-14*more, "over the void fraction");
     TAP_NEAR(whole, own/e, 1e-14*whole, "and so the coefficient that goes with it");
+    TAP_OK(lift(0) < 0.0, "lift of slip along z in a vorticity along y is along -x");
+    TAP_NEAR(lift(1)/lift(0), 1.0/e, 1e-13, "lift over the void fraction likewise");
 
     /* the pressure gradient of a suspension whose drag carries it: e dp/dz = e rho g (downwards) less n f_d, n V = 1 - e */
     const double fall = -e*weight/b, dynamic = (1.0 - e)/e*b*fall/volume();
