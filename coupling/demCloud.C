@@ -290,6 +290,9 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
     lastGood_(dict_.coupling().getOrDefault("lastGood", true)),
     kept_(-1),
     record_(mesh.time(), dict_.coupling()),
+    budget_(mesh.time(), dict_.coupling()),
+    toFluid_(Zero),
+    onWalls_(Zero),
     fields_(mesh, dict_.coupling()),
     losses_(mesh),
     bonds_(mesh.time())

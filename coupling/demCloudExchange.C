@@ -364,7 +364,12 @@ void Foam::demCloud::evolve
     losses_.tell(dem_, offset_);
     bonds_.tell(dem_, offset_);
     refresh();
+    bookParticles();
     record_.add(dem_, view_, window_);
+    if (budget_.on())
+    {
+        onWalls_ = wallImpulse();       // the record may have begun anew
+    }
     fields_.update(dem_, transfer_, view_);
     ledger_.charge(demLedger::EXCHANGE);
 }

@@ -40,11 +40,14 @@ void Foam::demCloud::settle
         }
     }
 
+    const volVectorField onFluid(force_ - drag_*U - yielding_*change);
+    bookExchange(U, onFluid);
+
     Info<< "Suna: exchange error "
         << ledger_.exchange
            (
                window_,
-               force_ - drag_*U - yielding_*change,
+               onFluid,
                fluid_,
                velocity,
                makesRoom_ ? volumes(view_)*gradient : 0*gradient
@@ -97,6 +100,121 @@ void Foam::demCloud::report()
 }
 
 
+// Of the particles on all walls since the record looked last
+Foam::vector Foam::demCloud::wallImpulse()
+{
+    vector sum(Zero);
+
+    for (int wall = 0; wall < dem_wall_count(dem_); wall++)
+    {
+        double impulse[3], twist[3];
+        demCheck(dem_wall_impulse(dem_, wall, impulse, twist));
+        sum += vector(impulse[0], impulse[1], impulse[2]);
+    }
+    return sum;
+}
+
+
+// What this step did to the particles from outside; called while the columns
+// still hold what acted
+void Foam::demCloud::bookParticles()
+{
+    if (!budget_.on())
+    {
+        return;
+    }
+
+    struct dem_tally now;
+    demCheck(dem_tally(dem_, &now));
+    refresh();
+
+    const scalarField V(volumes(view_));
+    vector weight(Zero);
+    vector held(Zero);
+    scalar height = 0;
+
+    forAll(V, i)
+    {
+        const scalar m = *dem_at(view_.mass, view_.stride, i);
+        const double* x = dem_at(view_.position, view_.stride, i);
+        const uint16_t flags =
+            *reinterpret_cast<const uint16_t*>
+            (
+                reinterpret_cast<const char*>(view_.flags) + view_.stride*i
+            );
+        const vector displaced
+        (
+            reacts() ? fluid_.density[i]*V[i]*gravity() : vector::zero
+        );
+
+        if (flags & 1)
+        {
+            if (reacts())
+            {
+                held +=
+                    three(fluid_.drag_impulse, i) + three(fluid_.pending, i)
+                  - window_*(V[i]*three(fluid_.pressure_gradient, i) - displaced);
+            }
+        }
+        else
+        {
+            const vector w(m*gravity() - displaced);
+            weight += window_*w;
+            height -= w & vector(x[0], x[1], x[2]);
+        }
+    }
+
+    reduce(weight, sumOp<vector>());
+    reduce(held, sumOp<vector>());
+    reduce(height, sumOp<scalar>());
+
+    budget_.gain("weight", weight);
+    budget_.gain("held", -held);
+    budget_.gain("walls", onWalls_ - wallImpulse());
+    budget_.state(demBudget::MASS, "particles", now.mass);
+    budget_.state(demBudget::ENERGY, "particles", now.kinetic);
+    budget_.state(demBudget::ENERGY, "height", height);
+}
+
+
+// The impulse on the fluid, and the power that drag takes from both
+void Foam::demCloud::bookExchange
+(
+    const volVectorField& U,
+    const volVectorField& onFluid
+)
+{
+    if (!budget_.on())
+    {
+        return;
+    }
+
+    const scalarField& V = mesh_.V();
+    const vectorField& f = onFluid;
+    const vectorField& u = U;
+    scalar work = 0;
+
+    for (size_t i = 0; i < view_.n; i++)
+    {
+        work += three(fluid_.drag_impulse, i) & velocity(view_, i);
+    }
+
+    toFluid_ = window_*gSum((V*f)());
+    budget_.gain
+    (
+        demBudget::ENERGY,
+        "drag",
+        window_*gSum((V*(f & u))()) + returnReduce(work, sumOp<scalar>())
+    );
+
+    if (form_.set() == demForm::I)
+    {
+        const vectorField p(pressureReaction());
+        toFluid_ += window_*gSum((V*p)());
+    }
+}
+
+
 void Foam::demCloud::reportMomentum
 (
     const vector& fluid,
@@ -112,6 +230,13 @@ void Foam::demCloud::reportMomentum
 
     Info<< "Suna: momentum fluid " << fluid << " particles " << particles
         << " owed " << owed << " sum " << fluid + particles + owed << endl;
+
+    if (budget_.on())
+    {
+        budget_.state("fluid", fluid);
+        budget_.state("particles", particles);
+        budget_.state("owed", owed);
+    }
 }
 
 
@@ -140,6 +265,7 @@ void Foam::demCloud::correct
                 transfer_.sample(gradP)() - density()*gravity()
             );
             owed -= window_*gSum((volumes(view_)*dynamic)());
+            toFluid_ -= owed;
         }
 
         const vectorField& u = U;

@@ -193,7 +193,7 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
     if (coupling.found("record"))
     {
         const dictionary& record = coupling.subDict("record");
-        const wordList known({"interval", "energy"});
+        const wordList known({"interval", "energy", "budget"});
 
         forAllConstIters(record, iter)
         {

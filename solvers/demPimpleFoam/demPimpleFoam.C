@@ -62,10 +62,12 @@ Description
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
+#include "emptyFvPatch.H"
 #include "demCloud.H"
 #include "demPace.H"
 #include "fixedFlux.H"
 #include "cellVector.H"
+#include "faceShare.H"
 #include "faceVector.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -143,6 +145,7 @@ int main(int argc, char *argv[])
 
         #include "continuity.H"
         cloud.correct(U, gradP);
+        #include "budget.H"
 
         runTime.write();
         if (runTime.writeTime())
