@@ -152,7 +152,7 @@ void Foam::demCloud::bookParticles()
             if (reacts())
             {
                 held +=
-                    three(fluid_.drag_impulse, i) + three(fluid_.pending, i)
+                    impulse(fluid_, i) + three(fluid_.pending, i)
                   - window_*(V[i]*three(fluid_.pressure_gradient, i) - displaced);
             }
         }
@@ -196,7 +196,7 @@ void Foam::demCloud::bookExchange
 
     for (size_t i = 0; i < view_.n; i++)
     {
-        work += three(fluid_.drag_impulse, i) & velocity(view_, i);
+        work += impulse(fluid_, i) & velocity(view_, i);
     }
 
     toFluid_ = window_*gSum((V*f)());
