@@ -168,6 +168,14 @@ void Foam::demCloud::build()
     record_.prepare(dem_);
     demCheck(dem_ready(dem_));
     record_.watch(dem_);
+    if (budget_.on() && !(makesRoom_ && dem_needs_fluid(dem_)))
+    {
+        FatalIOErrorInFunction(dict_.coupling())
+            << "coupling/record/budget is the budget of a fluid and particles"
+            << " that exchange momentum in demPimpleFoam; take it out, or let"
+            << " them: twoWay yes, and a law of drag in effects"
+            << exit(FatalIOError);
+    }
     if (makesRoom_ && dem_needs_fluid(dem_))
     {
         form_.checkEffects();
