@@ -239,7 +239,7 @@ void Foam::demCloud::depositReaction()
 // one that others hold
 void Foam::demCloud::rates()
 {
-    changeRate_ = gMax(mag(dsdt_.primitiveField())());
+    changeRate_ = max(gMax(dsdt_.primitiveField()), -gMin(dsdt_.primitiveField()));
 
     scalar most = 0;
     for (size_t i = 0; fluid_.response && i < view_.n; i++)
