@@ -267,7 +267,7 @@ static int adjoin_near(struct dem_contacts *c, size_t n)
         for (uint32_t e = c->start[i]; e < c->start[i + 1]; e++)
         {
             const struct dem_pair *const q = &c->pair[c->entry[e] >> 1];
-            const uint32_t near = q->row != DEM_ROW_NONE, needs = near & !q->wall ? q->row + 1 : 0;
+            const uint32_t near = q->row != DEM_ROW_NONE, needs = (near & !q->wall) ? q->row + 1 : 0;
 
             c->near_entry[at] = q->row << DEM_ENTRY_ROW | (c->entry[e] & DEM_ENTRY_SIDE);
             at += near;
