@@ -54,6 +54,10 @@ void dem_grid_divide(struct dem_grid *, const struct dem_particles *, double mos
    wide, so that partners are near each other in memory. */
 int dem_grid_order(struct dem_grid *, const struct dem_particles *, uint32_t *order);
 
+/* Turn the axes by the box of the owned particles, put the origin in its corner and cells of a level over it, wider ones where most would
+   be empty. Returns how many. */
+size_t dem_grid_lay(struct dem_grid *, struct dem_grid_level *, const struct dem_particles *);
+
 /* Sort all that may be near an owned particle into the cells of the levels that are divided. */
 int dem_grid_fill(struct dem_grid *, const struct dem_domain *, const struct dem_particles *, double shift[DEM_SHIFTS][4]);
 
@@ -66,6 +70,24 @@ static inline int dem_grid_cell(const struct dem_grid_level *l, double x, int ax
     const double c = x/l->edge;
 
     return c >= l->cells[axis] ? l->cells[axis] - 1 : c > 0.0 ? (int)c : 0;
+}
+
+/* The same along the three of them, of a place in space [m]. */
+static inline void dem_grid_cells(const struct dem_grid *g, const struct dem_grid_level *l, const double x[3], int c[3])
+{
+    for (int k = 0; k < 3; k++)
+    {
+        c[k] = dem_grid_cell(l, x[g->axis[k]] - g->origin[g->axis[k]], k);
+    }
+}
+
+/* Counts of cells c, at place c + 1, become places of their first entries. */
+static inline void dem_grid_starts(uint32_t *start, size_t cells)
+{
+    for (size_t c = 1; c <= cells; c++)
+    {
+        start[c] += start[c - 1];
+    }
 }
 
 /* The entries of the cells from x = a to b of the row (y, z) are those from dem_grid_run(.., a) up to dem_grid_run(.., b + 1). */
