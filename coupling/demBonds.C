@@ -16,37 +16,15 @@ void Foam::demBonds::begin()
 {
     if (!begun_ && Pstream::master())
     {
-        for (const char* name : {"bonds.csv", "bonds.pvd"})
+        const fileName pictures(folder_/"bonds.pvd");
+
+        table_.begin();
+        if (isFile(pictures, false))
         {
-            if (isFile(folder_/name, false))
-            {
-                rm(folder_/name);
-            }
+            rm(pictures);
         }
     }
     begun_ = true;
-}
-
-
-void Foam::demBonds::open()
-{
-    if (rows_.is_open())
-    {
-        return;
-    }
-
-    mkDir(folder_);
-    rows_.open((folder_/"bonds.csv").c_str());
-
-    if (!rows_)
-    {
-        FatalErrorInFunction
-            << "Can't write " << folder_/"bonds.csv" << "; make room, or mend"
-            << " its folder's rights" << exit(FatalError);
-    }
-
-    rows_.precision(9);
-    rows_ << "time,id1,id2,x,y,z,cause,energy" << std::endl;
 }
 
 
@@ -55,7 +33,8 @@ void Foam::demBonds::open()
 Foam::demBonds::demBonds(const Time& time)
 :
     time_(time),
-    folder_(time.globalPath()/"postProcessing"/"dem"/time.timeName()),
+    folder_(demTable::folder(time)),
+    table_(time, "bonds.csv", "time,id1,id2,x,y,z,cause,energy"),
     begun_(false),
     broke_(0)
 {}
@@ -83,28 +62,21 @@ void Foam::demBonds::tell(::dem* d, const scalar offset)
     broke_ += n;
     Info<< "Suna: " << n << (n == 1 ? " bond" : " bonds") << " broke, "
         << broke_ << " in this run; where and why is in "
-        << time_.relativePath(folder_/"bonds.csv").c_str() << endl;
+        << table_.name().c_str() << endl;
 
     if (Pstream::master())
     {
-        open();
         for (int64_t k = 0; k < n; k++)
         {
             const double* x = broke[k].position;
 
-            rows_ << broke[k].time + offset << ',' << broke[k].id[0] << ','
+            table_.rows()
+                << broke[k].time + offset << ',' << broke[k].id[0] << ','
                 << broke[k].id[1] << ',' << x[0] << ',' << x[1] << ',' << x[2]
                 << ',' << dem_break_cause(broke[k].cause) << ','
                 << broke[k].energy << '\n';
         }
-        rows_.flush();
-
-        if (!rows_)
-        {
-            FatalErrorInFunction
-                << "Can't write all of " << folder_/"bonds.csv" << "; make room"
-                << exit(FatalError);
-        }
+        table_.end();
     }
 }
 

@@ -169,28 +169,6 @@ void Foam::demFlows::hand(::dem* d, const volVectorField* U) const
 }
 
 
-void Foam::demFlows::open()
-{
-    if (rows_.is_open())
-    {
-        return;
-    }
-
-    mkDir(file_.path());
-    rows_.open(file_.c_str());
-    if (!rows_)
-    {
-        FatalErrorInFunction
-            << "Can't write " << file_ << "; make room, or mend its folder's"
-            << " rights" << exit(FatalError);
-    }
-    rows_.precision(9);
-    rows_
-        << "time[s],name,way,particles,mass[kg],px[Ns],py[Ns],pz[Ns],energy[J],"
-        << "waiting,rate[1/s],massRate[kg/s]" << std::endl;
-}
-
-
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demFlows::demFlows(const fvMesh& mesh, const demDict& dict)
@@ -198,12 +176,13 @@ Foam::demFlows::demFlows(const fvMesh& mesh, const demDict& dict)
     mesh_(mesh),
     feeds_(patches(dict.scene().subOrEmptyDict("insert"), dict)),
     outlets_(patches(dict.scene().subOrEmptyDict("outlets"), dict)),
-    file_
+    table_
     (
-        mesh.time().globalPath()/"postProcessing"/"dem"/mesh.time().timeName()
-       /"flows.csv"
+        mesh.time(),
+        "flows.csv",
+        "time[s],name,way,particles,mass[kg],px[Ns],py[Ns],pz[Ns],energy[J],"
+        "waiting,rate[1/s],massRate[kg/s]"
     ),
-    begun_(false),
     since_(mesh.time().value())
 {
     gather();
@@ -376,15 +355,11 @@ void Foam::demFlows::tell(::dem* d, const bool rows)
     {
         return;
     }
-    if (!begun_)
+    particles_.setSize(n, 0);
+    mass_.setSize(n, 0);
+    if (Pstream::master())
     {
-        begun_ = true;
-        particles_.setSize(n, 0);
-        mass_.setSize(n, 0);
-        if (Pstream::master() && isFile(file_, false))
-        {
-            rm(file_);
-        }
+        table_.begin();
     }
 
     int64_t in = 0;
@@ -411,14 +386,14 @@ void Foam::demFlows::tell(::dem* d, const bool rows)
 
         if (Pstream::master())
         {
-            open();
-            rows_
+            table_.rows()
                 << now << ',' << f.name << ',' << (f.enters ? "in" : "out")
                 << ',' << f.particles << ',' << f.mass << ',' << f.momentum[0]
                 << ',' << f.momentum[1] << ',' << f.momentum[2] << ','
                 << f.energy << ',' << f.waiting << ','
                 << over*(f.particles - particles_[k]) << ','
-                << over*(f.mass - mass_[k]) << std::endl;
+                << over*(f.mass - mass_[k]) << '\n';
+            table_.end();
         }
         particles_[k] = scalar(f.particles);
         mass_[k] = f.mass;

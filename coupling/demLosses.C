@@ -42,41 +42,12 @@ static void sayIds
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::demLosses::open()
-{
-    if (rows_.is_open())
-    {
-        return;
-    }
-
-    mkDir(file_.path());
-    rows_.open(file_.c_str());
-
-    if (!rows_)
-    {
-        FatalErrorInFunction
-            << "Can't write " << file_ << "; make room, or mend its folder's"
-            << " rights" << exit(FatalError);
-    }
-
-    rows_.precision(9);
-    rows_ << "id,time,x,y,z,vx,vy,vz,diameter,cause" << std::endl;
-}
-
-
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demLosses::demLosses(const fvMesh& mesh)
 :
     mesh_(mesh),
-    file_
-    (
-        mesh.time().globalPath()/"postProcessing"/"dem"/mesh.time().timeName()
-       /"lost.csv"
-    ),
-    begun_(false),
+    table_(mesh.time(), "lost.csv", "id,time,x,y,z,vx,vy,vz,diameter,cause"),
     removed_(0)
 {}
 
@@ -95,13 +66,9 @@ Foam::string Foam::demLosses::wayOut(const point& x, const vector& v)
 
 void Foam::demLosses::tell(::dem* d, const scalar offset)
 {
-    if (!begun_)
+    if (Pstream::master())
     {
-        begun_ = true;
-        if (Pstream::master() && isFile(file_, false))
-        {
-            rm(file_);
-        }
+        table_.begin();
     }
 
     const struct ::dem_loss* loss = nullptr;
@@ -139,29 +106,30 @@ void Foam::demLosses::tell(::dem* d, const scalar offset)
         Info<< "Suna: lost " << removed << " particles, " << removed_
             << " in this run:";
         sayIds(loss, n, 1);
-        Info<< "; where and why is in " << mesh_.time().relativePath(file_).c_str()
+        Info<< "; where and why is in " << table_.name().c_str()
             << endl;
     }
     if (removed < n)
     {
         Info<< "Suna: " << n - removed << " passages of particles through walls:";
         sayIds(loss, n, 0);
-        Info<< "; where and why is in " << mesh_.time().relativePath(file_).c_str()
+        Info<< "; where and why is in " << table_.name().c_str()
             << endl;
     }
 
     if (Pstream::master())
     {
-        open();
         for (label k = 0; k < n; k++)
         {
             const double* v = loss[k].velocity;
 
-            rows_ << loss[k].id << ',' << loss[k].time + offset << ',' << points[k].x()
+            table_.rows()
+                << loss[k].id << ',' << loss[k].time + offset << ',' << points[k].x()
                 << ',' << points[k].y() << ',' << points[k].z() << ',' << v[0]
                 << ',' << v[1] << ',' << v[2] << ',' << loss[k].diameter
-                << ",\"" << loss[k].cause << patch[k].c_str() << '"' << std::endl;
+                << ",\"" << loss[k].cause << patch[k].c_str() << '"' << '\n';
         }
+        table_.end();
     }
 }
 

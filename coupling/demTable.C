@@ -1,0 +1,78 @@
+/*---------------------------------------------------------------------------*\
+    demTable.C -- a table of a run, made with its first row.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demTable.H"
+#include "OSspecific.H"
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demTable::demTable
+(
+    const Time& time,
+    const word& name,
+    const string& head
+)
+:
+    time_(time),
+    file_(folder(time)/name),
+    head_(head),
+    begun_(false)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::fileName Foam::demTable::folder(const Time& time)
+{
+    return time.globalPath()/"postProcessing"/"dem"/time.timeName();
+}
+
+
+Foam::string Foam::demTable::name() const
+{
+    return time_.relativePath(file_);
+}
+
+
+void Foam::demTable::begin()
+{
+    if (!begun_ && isFile(file_, false))
+    {
+        rm(file_);
+    }
+    begun_ = true;
+}
+
+
+std::ostream& Foam::demTable::rows()
+{
+    if (!rows_.is_open())
+    {
+        begin();
+        mkDir(file_.path());
+        rows_.open(file_.c_str());
+        rows_.precision(9);
+        rows_ << head_ << '\n';
+        end();
+    }
+    return rows_;
+}
+
+
+void Foam::demTable::end()
+{
+    rows_.flush();
+    if (!rows_)
+    {
+        FatalErrorInFunction
+            << "Can't write all of " << file_ << "; make room, or mend its"
+            << " folder's rights" << exit(FatalError);
+    }
+}
+
+// ************************************************************************* //
