@@ -461,6 +461,7 @@ int dem_restore(struct dem *d, double *time)
     DEM_REQUIRE(p->kept.held, DEM_ERROR_STATE, "there is no copy to go back to; dem_keep comes before dem_restore");
     DEM_TRY(dem_kept_give(&p->kept, &p->particles, &p->contacts));
     dem_flows_go_back(&p->flows);
+    dem_wall_books_drop(&p->books);
     dem_walls_go_back(&p->walls);
     d->restored = 1;
     p->steps = p->kept.steps;

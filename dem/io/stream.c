@@ -18,7 +18,7 @@
 enum
 {
     USE_SPREAD = 201,                                     /* streams of random numbers: three each */
-    USE_PLACE = 1001                                      /* and from here on three a trial */
+    USE_PLACE = 1001                                      /* and from here on four a trial */
 };
 
 /* A centre on a mesh's face belongs to no cell, and a face of four corners is not flat: this share of a radius further in. */
@@ -269,15 +269,16 @@ double dem_stream_mean_mass(const struct dem_stream *s, const struct dem_recipe 
     return r->material[s->material].density*dem_sizes_mean_volume(&s->sizes);
 }
 
-double dem_stream_way(const struct dem_stream *s, double ago)
+double dem_stream_way(const struct dem_stream *s, double ago, double radius)
 {
+    const double behind = s->mouth.patch ? 2.0*behind_face*radius : 0.0;    /* past any round-off */
     double fastest = 0.0;
 
     for (size_t t = 0; s->with_fluid && t < s->mouth.n; t++)
     {
         fastest = fmax(fastest, dem_vec_norm(s->mouth.flow[t]));
     }
-    return s->mouth.kind == DEM_MOUTH_REGION ? 0.0 : ago*(fastest + dem_vec_norm(s->velocity) + dem_vec_norm(s->spread));
+    return s->mouth.kind == DEM_MOUTH_REGION ? 0.0 : behind + ago*(fastest + dem_vec_norm(s->velocity) + dem_vec_norm(s->spread));
 }
 
 int dem_stream_place(const struct dem_stream *s, const struct dem_stream_trial *t, double x[3], double v[3])

@@ -85,8 +85,8 @@ struct dem_stream_trial
 };
 int dem_stream_place(const struct dem_stream *, const struct dem_stream_trial *, double x[3], double v[3]);
 
-/* How far [m] beyond its mouth a particle may be after `ago` seconds. */
-double dem_stream_way(const struct dem_stream *, double ago);
+/* How far [m] beyond its mouth a particle of this radius may be after `ago` seconds, at most. */
+double dem_stream_way(const struct dem_stream *, double ago, double radius);
 
 /* 1 when a point is where the outlet takes particles out. */
 int dem_outlet_holds(const struct dem_outlet *, const double x[3]);

@@ -279,11 +279,15 @@ void dem_flows_kick(struct dem_flows *f, double kick)
 void dem_flows_keep(struct dem_flows *f)
 {
     memcpy(f->kept, f->flow, sizeof f->kept);
+    memcpy(f->kept_push, f->push, sizeof f->kept_push);
     f->kept_id = f->next_id;
 }
 
 void dem_flows_go_back(struct dem_flows *f)
 {
     memcpy(f->flow, f->kept, sizeof f->flow);
+    memcpy(f->push, f->kept_push, sizeof f->push);
     f->next_id = f->kept_id;
+    f->arrivals = f->departures = 0;
+    f->now = f->left = 0;
 }

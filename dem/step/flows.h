@@ -61,7 +61,7 @@ struct dem_flows
     int64_t next_id;
     struct dem_snapshot_flow flow[DEM_SNAPSHOT_FLOWS], kept[DEM_SNAPSHOT_FLOWS];
     int64_t kept_id;
-    double push[DEM_SNAPSHOT_FLOWS][3];                   /* N  of those who went out between two windows */
+    double push[DEM_SNAPSHOT_FLOWS][3], kept_push[DEM_SNAPSHOT_FLOWS][3]; /* N  of those who went out between two windows */
     double waiting[DEM_SNAPSHOT_FLOWS];                   /* particles or kg: owed, and without a place at the last look */
     size_t arrivals, arrival_room, departures, departure_room;
     struct dem_arrival *arrival;                          /* the same on all ranks, until they are let in */
@@ -105,7 +105,7 @@ int dem_flows_outlet(const struct dem_flows *, const double x[3]);
 int dem_flows_note(struct dem_parts *, int flow, const struct dem_particle *, double late);
 int dem_flows_book(struct dem_parts *);
 
-/* Books of a state that is copied, and back to them. */
+/* Books of a state that is copied, and back to them: who had a place since, or was on his way out, has none and is not. */
 void dem_flows_keep(struct dem_flows *);
 void dem_flows_go_back(struct dem_flows *);
 

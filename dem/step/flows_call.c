@@ -335,7 +335,7 @@ static int call_stream(struct dem_parts *p, int k, int64_t step)
     const double mass = p->recipe.material[s->material].density*dem_sphere_volume(0.5*dem_stream_diameter(s, row->count));
     struct dem_stream_trial t = {.step = step, .ago = p->time - fmax(row->last, fmin(s->start, p->time))};
     struct room r = {.domain = &p->domain, .stream = s, .most = 0.5*s->sizes.most};
-    const double way = dem_stream_way(s, t.ago);
+    const double way = dem_stream_way(s, t.ago, 0.5*s->sizes.most);
 
     row->last = p->time;
     f->waiting[k] = 0.0;

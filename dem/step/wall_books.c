@@ -92,6 +92,12 @@ int dem_wall_books_hold(struct dem_parts *p)
     return DEM_OK;
 }
 
+void dem_wall_books_drop(struct dem_wall_books *b)
+{
+    dem_memory_free(b->held);
+    b->held = NULL;
+}
+
 /* Each rank's share is rounded once: the fluid that asks for this has rounded before. */
 static void add_held(struct dem_wall_books *b, double kick)
 {
@@ -99,8 +105,7 @@ static void add_held(struct dem_wall_books *b, double kick)
     {
         dem_sum_add(&b->sum[k], kick*dem_sum_value(&b->held[k]));
     }
-    dem_memory_free(b->held);
-    b->held = NULL;
+    dem_wall_books_drop(b);
 }
 
 void dem_wall_books_add(struct dem_parts *p, double kick)

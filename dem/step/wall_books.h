@@ -31,6 +31,9 @@ void dem_wall_books_add(struct dem_parts *, double kick);
 /* Rows are about to go without a sweep to follow before the next kick: sum what they do. */
 int dem_wall_books_hold(struct dem_parts *);
 
+/* The state has gone back to a copy: those rows were others'. */
+void dem_wall_books_drop(struct dem_wall_books *);
+
 /* The force of the last sweep on one wall (-1: on all of them, one after the other), times `factor`, added to 6 sums a wall. */
 void dem_wall_books_sum(const struct dem_parts *, int wall, double factor, struct dem_sum *);
 

@@ -3,7 +3,8 @@
  * the diameter that number k of a group of that seed has, whether or not it had to wait; who is let in overlaps nobody, no wall, no image through
  * a periodic face, and lies in the region or has come through the face at its speed; what finds no room waits, is counted, and comes when there is
  * room; position and velocity belong to the same time: a body that comes in falls as a thrown one; an outlet takes out who is in its
- * region, and nobody else; particles, mass and momentum: what is there is what came less what went, and momentum what gravity gave besides; ids come once.
+ * region, and nobody else; particles, mass and momentum: what is there is what came less what went, and momentum what gravity gave besides; ids come once,
+ * also after going back to a copy from the middle of a look; a patch square to an axis lets in who is owed however slow he comes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -366,6 +367,68 @@ static void test_momentum(void)
     free(text);
 }
 
+/* ---- copies, patches ------------------------------------------------------------------------------------------ */
+
+/* Somebody leaves the domain, for good, in the step in which 32 have found a place. The copy knows of none of them. */
+static void test_back(void)
+{
+    char *const text = world_text(BEADS "domain { min (0 0 0); max (1 1 1); } outlets { o { min (0.25 0.25 0.25); max (0.35 0.35 0.35); } } insert { "
+                                  "shot { type list; diameter 1e-3; positions ((0.5 0.5 0.9972)); velocity (0 0 10); } "
+                                  "goer { type list; diameter 1e-3; positions ((0.3 0.3 0.3)); } "
+                                  "feed { type stream; rate 1e5; start 0.0003; diameter 1e-3; min (0.1 0.1 0.1); max (0.4 0.4 0.2); } } ", "");
+    struct dem *const d = world(text, 0, NULL);
+    struct dem_view v;
+    double time;
+    int64_t twice = 0;
+
+    WORLD_TRY(dem_keep(d, 0));
+    TAP_OK(dem_advance(d, 1e-3) != 0, "one leaves while others come: %s", dem_error_text());
+    WORLD_TRY(dem_restore(d, &time));
+    dem_view(d, &v);
+    for (size_t i = 0; i < v.n; i++)
+    {
+        ((double *)dem_at(v.velocity, v.stride, i))[2] = 0.0;
+    }
+    world_run(d, 1e-3);
+    dem_view(d, &v);
+    for (size_t i = 0; i < v.n; i++)
+    {
+        for (size_t j = 0; j < i; j++)
+        {
+            twice += world_id(&v, i) == world_id(&v, j);
+        }
+    }
+    TAP_OK(flow(d, 0).particles == 66 && v.n == 67 && flow(d, 1).particles == 1, "from the copy on come %lld, one goes, %zu are there",
+           (long long)flow(d, 0).particles, v.n);
+    TAP_OK(twice == 0, "no id twice, found %lld", (long long)twice);
+    dem_free(d);
+    free(text);
+}
+
+/* In 0.5 ms who has 1 mm/s flies half of the thousandth of a radius that he begins behind the patch. */
+static void test_patch(void)
+{
+    static const double corners[18] = {0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.1, 0.0, 0.0, 0.1, 0.1, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0};
+    struct dem *d;
+    int changed;
+
+    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
+    WORLD_TRY(dem_flow_between(d));
+    WORLD_TRY(dem_scene_text(d, "materials { glass { density 2500; youngsModulus 1e5; } } effects { hertz { } dry { restitution 0.9; } } "
+                             "time { step 1e-5; } domain { min (0 0 0); max (0.1 0.1 0.1); } insert { feed { type stream; rate 1e4; "
+                             "diameter 2e-3; patch inlet; velocity (0 0 1e-3); } }", "slow"));
+    WORLD_TRY(dem_patch(d, "inlet", 2, corners, NULL));
+    WORLD_TRY(dem_ready(d));
+    for (int k = 0; k < 50; k++)
+    {
+        WORLD_TRY(dem_let_through(d, &changed));
+        WORLD_TRY(dem_advance(d, 5e-4));
+    }
+    TAP_OK(flow(d, 0).particles + flow(d, 0).waiting == 245 && flow(d, 0).waiting == 0, "slow through a patch: 49 times 5 came, found %lld",
+           (long long)flow(d, 0).particles);
+    dem_free(d);
+}
+
 int main(void)
 {
     TAP_TRAPS;
@@ -380,5 +443,7 @@ int main(void)
     test_drag();
     test_books();
     test_momentum();
+    test_back();
+    test_patch();
     TAP_DONE;
 }
