@@ -278,6 +278,9 @@ static int check_fluid(const struct dem *d)
     DEM_REQUIRE(!d->with_fluid || d->scene.fluid.given || d->coupled, DEM_ERROR_INPUT,
                 "an effect of the scene needs a fluid, and there is none; add fluid { density; viscosity; velocity; } or run it "
                 "in OpenFOAM");
+    DEM_REQUIRE(!d->with_fluid || d->scene.fluid.given || d->between || d->parts.flows.plan->streams == 0, DEM_ERROR_STATE,
+                "insert/%s lets particles in while the fluid is the program's, which knows nothing of them before the next hand-over; call "
+                "dem_flow_between before dem_check, and dem_let_through between two advances", d->parts.flows.plan->stream[0].name);
     return DEM_OK;
 }
 

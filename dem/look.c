@@ -127,7 +127,7 @@ int dem_flows(struct dem *d, int *n, const struct dem_flow **flow)
     {
         const struct dem_snapshot_flow *const row = &f->flow[k];
 
-        d->flow[k] = (struct dem_flow){.name = row->name, .enters = row->kind == DEM_FLOW_STREAM, .particles = row->count, .mass = row->mass,
+        d->flow[k] = (struct dem_flow){.name = row->name, .enters = row->kind != DEM_FLOW_OUTLET, .particles = row->count, .mass = row->mass,
                                        .momentum = {row->momentum[0], row->momentum[1], row->momentum[2]}, .energy = row->energy};
         d->flow[k].waiting = d->flow[k].enters ? waiting(d, k) : 0;
     }

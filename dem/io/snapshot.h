@@ -41,7 +41,7 @@ enum
 struct dem_snapshot_flow                                  /* what has come in by a stream or gone out by an outlet: step/flows.h */
 {
     char name[48];
-    int64_t kind, count;                                  /* 1 a stream, 2 an outlet */
+    int64_t kind, count;                                  /* 1 a stream of numbers, 3 of kilograms, 2 an outlet */
     double mass, momentum[3], energy;                     /* kg, kg m/s, J */
     double rate, start, end;                              /* of a stream: in force */
     double owed, since, last;                             /* of a stream: particles or kg at `since` [s]; s of the last look */

@@ -223,6 +223,27 @@ void dem_body_tray_counterflow(struct dem_body_tray *t, const struct dem_particl
     resist(t, dem_column(p, DEM_COLUMN_COUNTERFLOW) + first, dem_column(p, DEM_COLUMN_START_VELOCITY) + 3*first, rows);
 }
 
+void dem_body_tray_spare(struct dem_body_tray *t, const struct dem_particles *p, size_t first, int rows, double h)
+{
+    struct dem_body_block *const b = &t->block;
+
+    for (int c = 0; c < rows; c++)
+    {
+        const double moves = b->b[c]*h*t->over_m[c] < -1.0 ? 0.0 : 1.0;
+        const double turns = b->t[c]*h*p->record[first + (size_t)c].inverse_inertia < -1.0 ? 0.0 : 1.0;
+
+        t->drag[c] *= moves;
+        b->b[c] *= moves;
+        b->bux[c] *= moves;
+        b->buy[c] *= moves;
+        b->buz[c] *= moves;
+        b->t[c] *= turns;
+        b->tx[c] *= turns;
+        b->ty[c] *= turns;
+        b->tz[c] *= turns;
+    }
+}
+
 void dem_body_tray_keep_swarm(const struct dem_body_tray *t, struct dem_particles *p, size_t first, int rows)
 {
     for (int k = 0; k < DEM_SWARM; k++)

@@ -42,6 +42,9 @@ void dem_body_tray_whole_drag(struct dem_body_tray *);
 /* The fluid makes room for what particles have moved since the window's start: see sweep_bodies.c. */
 void dem_body_tray_counterflow(struct dem_body_tray *, const struct dem_particles *, size_t first, int rows);
 
+/* A kick backwards, h < 0 [s], is spared drag that would make more than e times of the slip, or of the spin. After counterflow. */
+void dem_body_tray_spare(struct dem_body_tray *, const struct dem_particles *, size_t first, int rows, double h);
+
 /* What effects of inertia have told becomes the added mass of this window, and part of the inertial mass of who is free to move. */
 void dem_body_tray_inertia(const struct dem_body_tray *, struct dem_particles *, size_t first, int rows);
 

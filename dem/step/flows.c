@@ -29,23 +29,31 @@ int dem_flows_step(const struct dem_parts *p)
 
 /* ---- beginning ----------------------------------------------------------------------------------------------- */
 
-/* What a snapshot knew of a row. A stream whose rate or times were changed owes what it owed, and goes on with the new ones. */
+/* In what it is owed now, all that has come was owed: nothing is. */
+static double nothing_owed(const struct dem_snapshot_flow *row)
+{
+    return row->kind == DEM_FLOW_MASSES ? row->mass : (double)row->count;
+}
+
+/* What a snapshot knew of a row. A stream whose rate or times were changed owes what it owed, and goes on with the new ones; one that
+   was owed in numbers and now is in kilograms, or the other way round, begins with no debt. */
 static void resume(struct dem_snapshot_flow *row, const struct dem_stream *s, const struct dem_snapshot *from, double time)
 {
     for (int64_t k = 0; from && k < from->flows; k++)
     {
         const struct dem_snapshot_flow *const old = &from->flow[k];
 
-        if (strcmp(old->name, row->name) == 0 && old->kind == row->kind)
+        if (strcmp(old->name, row->name) == 0 && (old->kind == DEM_FLOW_OUTLET) == (row->kind == DEM_FLOW_OUTLET))
         {
             const struct dem_snapshot_flow new = *row;
 
             *row = *old;
-            if (s && (old->rate != new.rate || old->start != new.start || old->end != new.end))
+            if (s && (old->kind != new.kind || old->rate != new.rate || old->start != new.start || old->end != new.end))
             {
                 const struct dem_stream before = {.rate = old->rate, .start = old->start, .end = old->end};
 
-                row->owed = old->owed + dem_stream_owes(&before, old->since, time);
+                row->kind = new.kind;
+                row->owed = old->kind != new.kind ? nothing_owed(row) : old->owed + dem_stream_owes(&before, old->since, time);
                 row->since = time;
                 row->rate = new.rate;
                 row->start = new.start;
@@ -89,7 +97,7 @@ int dem_flows_begin(struct dem_parts *p, const struct dem_streams *plan, const s
     {
         const struct dem_stream *const s = &plan->stream[k];
 
-        add_row(f, s->name, DEM_FLOW_STREAM);
+        add_row(f, s->name, s->by_mass ? DEM_FLOW_MASSES : DEM_FLOW_STREAM);
         f->flow[k].rate = s->rate;
         f->flow[k].start = s->start;
         f->flow[k].end = s->end;

@@ -6,11 +6,11 @@
  * between two windows (dem.h, dem_flow).
  *
  * Where. All ranks gather who is in the way of a mouth, and then each makes the same trials and knows the same places: nothing
- * depends on how space is cut. A place is taken when it is clear of spheres, of walls and of the domain's faces; number k waits until it
+ * depends on how space is cut. A place is taken when it is clear of spheres and of walls and its centre is in the domain; number k waits until it
  * has one, and those after it wait with it.
  *
  * How fast. Velocities are half a step behind positions there, so who comes in with v is given the kick of half a step backwards: after the
- * step he has v + h/2 a like anybody who had v at that time.
+ * step he has v + h/2 a like anybody who had v at that time. A drag that would more than e-fold his slip backwards is left out of it.
  *
  * Books. Sums of what came in are made by all ranks alike, those of what went out from a list sorted by id. A particle counts with its
  * momentum at the time of the positions: in a step that is what the last kick made, half a step of gravity later.
@@ -34,6 +34,7 @@ enum
     DEM_FLOW_STEPS = 32,
     DEM_FLOW_STREAM = 1,                                  /* kinds, as snapshots have them */
     DEM_FLOW_OUTLET = 2,
+    DEM_FLOW_MASSES = 3,                                  /* a stream that owes kilograms */
     DEM_FLOW_NONE = -1,
     DEM_FLOW_DOMAIN = -2                                  /* out by leaving the domain */
 };

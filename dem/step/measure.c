@@ -140,7 +140,7 @@ void dem_measure_tally(struct dem_parts *p, struct dem_tally *t)
                             .fall = count[0] > 0 ? dem_vec_norm(g)*value[7]*value[6]/(double)count[0] : 0.0};
     for (int k = 0; k < p->flows.n; k++)
     {
-        *(p->flows.flow[k].kind == DEM_FLOW_STREAM ? &t->inserted : &t->removed) += p->flows.flow[k].count;
+        *(p->flows.flow[k].kind != DEM_FLOW_OUTLET ? &t->inserted : &t->removed) += p->flows.flow[k].count;
     }
     p->watch.overlap = 0.0;
     if (p->contacts.booked)

@@ -8,7 +8,8 @@
  *
  * which needs no case for b = 0 and stays bounded for any h: a heavy drag brings v to u, never past it. The drag's own
  * share of the impulse is J = m (v' - v) - F h = h [phi (b u - b v) - (1 - phi) F]; written like this it also holds for
- * a frozen particle (1/m = 0, phi = 1), which passes on h b (u - v).
+ * a frozen particle (1/m = 0, phi = 1), which passes on h b (u - v). Backwards (who comes in by a stream) drag grows as exp(-z): where
+ * that is more than e, drag is left out of such a kick, and the one that follows brings v to u.
  *
  * Added mass a (column addedMass) is part of the inertia m in these formulas; the particle's weight and momentum are without it. Forces
  * that react (lift, and a Du/Dt) are in F. What the fluid gets of the two is the opposite of
@@ -100,6 +101,10 @@ static void kick_in_fluid(struct dem_body_tray *t, struct dem_particles *p, size
         dem_body_tray_join(t);
     }
     dem_body_tray_counterflow(t, p, first, rows);
+    if (h < 0.0)
+    {
+        dem_body_tray_spare(t, p, first, rows, h);
+    }
     kick_with_drag(t, h);
     dem_body_tray_book(t, p, first, rows, h);
     if (reacts)

@@ -4,7 +4,9 @@
  * a periodic face, and lies in the region or has come through the face at its speed; what finds no room waits, is counted, and comes when there is
  * room; position and velocity belong to the same time: a body that comes in falls as a thrown one; an outlet takes out who is in its
  * region, and nobody else; particles, mass and momentum: what is there is what came less what went, and momentum what gravity gave besides; ids come once,
- * also after going back to a copy from the middle of a look; a patch square to an axis lets in who is owed however slow he comes.
+ * also after going back to a copy from the middle of a look; a patch square to an axis lets in who is owed however slow he comes;
+ drag that stops a newcomer in less than a step gives him no other velocity than the fluid's; a stream whose rate is told in kilograms after a restart
+ owes nothing of before; nobody comes into a fluid that a program gives, unless it has said that it hands it over first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -429,6 +431,80 @@ static void test_patch(void)
     dem_free(d);
 }
 
+/* ---- heavy drag, other units, a fluid of one's own --------------------------------------------------------------- */
+
+/* b h/m of 90: exp(45) backwards would leave nothing of the digits. */
+static void test_heavy(void)
+{
+    char *const text = world_text("materials { glass { density 2500; youngsModulus 1e5; } } effects { hertz { } dry { restitution 0.9; } stokesDrag { } } "
+                                  "time { step 5e-7; } fluid { density 1000; viscosity 10; velocity (0 0 1); voidFraction 1; } insert { "
+                                  "feed { type stream; rate 1e6; diameter 2e-5; min (0 0 0); max (0.01 0.01 0.01); velocity (2 0 0); } } ");
+    struct dem *const d = world(text, 0, NULL);
+    struct dem_view v;
+    double worst = 0.0;
+
+    run_windows(d, 1);
+    dem_view(d, &v);
+    for (size_t i = 0; i < v.n; i++)
+    {
+        const double *const u = dem_at(v.velocity, v.stride, i);
+
+        worst = fmax(worst, fmax(fabs(u[0]), fmax(fabs(u[1]), fabs(u[2] - 1.0))));
+    }
+    /* round-off of 2 m/s; exp(-45) is far below it */
+    TAP_OK(v.n > 200 && worst < 1e-14, "%zu in a liquid that stops them at once have its velocity, off by %g m/s", v.n, worst);
+    dem_free(d);
+    free(text);
+}
+
+static void test_units(void)
+{
+    static const char rest[] = "diameter 1e-3; min (0 0 0); max (0.2 0.2 0.2); } } ", file[] = "test_streams.snapshot";
+    const double one = 2500.0*world_pi/6.0*1e-9;
+
+    for (int to_mass = 0; to_mass < 2; to_mass++)
+    {
+        const char *const first = to_mass ? "rate 1e4;" : "massRate 1e-2;", *const second = to_mass ? "massRate 5e-3;" : "rate 5e3;";
+        char *text = world_text(BEADS "insert { feed { type stream; %s %s", "", first, rest);
+        struct dem *d = world(text, 0, NULL);
+
+        run_windows(d, 20);
+        const struct dem_flow before = flow(d, 0);
+
+        WORLD_TRY(dem_save(d, file));
+        dem_free(d);
+        free(text);
+        text = world_text(BEADS "insert { feed { type stream; %s %s", "", second, rest);
+        WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
+        WORLD_TRY(dem_scene_text(d, text, "again"));
+        WORLD_TRY(dem_load(d, file));
+        WORLD_TRY(dem_ready(d));
+        free(text);
+        run_windows(d, 20);
+        const double owed = 20.0*window*(to_mass ? 5e-3/one : 5e3);
+
+        TAP_OK(before.particles > 40 && fabs((double)(flow(d, 0).particles - before.particles) - owed) <= 1.0,
+               "%s then %s: %lld, and %g are owed since: %lld", first, second, (long long)before.particles, owed, (long long)flow(d, 0).particles);
+        dem_free(d);
+    }
+    remove(file);
+}
+
+static void test_own_fluid(void)
+{
+    struct dem *d;
+    struct dem_fluid f;
+
+    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
+    WORLD_TRY(dem_scene_text(d, "materials { glass { density 2500; youngsModulus 1e5; } } effects { hertz { } dry { restitution 0.9; } schillerNaumann { } } "
+                             "time { step 1e-5; } insert { one { type list; diameter 1e-3; positions ((1 1 1)); } feed { type stream; rate 1e5; "
+                             "diameter 1e-3; min (0.1 0.1 0.1); max (0.4 0.4 0.2); } }", "own"));
+    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_fluid(d, &f));
+    TAP_OK(dem_advance(d, window) != 0 && strstr(dem_error_text(), "dem_flow_between"), "a program's fluid and a stream: %s", dem_error_text());
+    dem_free(d);
+}
+
 int main(void)
 {
     TAP_TRAPS;
@@ -445,5 +521,8 @@ int main(void)
     test_momentum();
     test_back();
     test_patch();
+    test_heavy();
+    test_units();
+    test_own_fluid();
     TAP_DONE;
 }
