@@ -176,10 +176,14 @@ double dem_mouth_area(const struct dem_mouth *m)
 
 void dem_mouth_box(const struct dem_mouth *m, double min[3], double max[3])
 {
+    const struct dem_vessel *const v = &m->vessel;
+
     for (int k = 0; k < 3; k++)
     {
-        min[k] = m->kind == DEM_MOUTH_REGION ? m->vessel.min[k] : m->vessel.from[k] - m->vessel.radius;
-        max[k] = m->kind == DEM_MOUTH_REGION ? m->vessel.max[k] : m->vessel.from[k] + m->vessel.radius;
+        const double half = m->kind == DEM_MOUTH_DISC ? v->radius*sqrt(fmax(0.0, 1.0 - v->axis[k]*v->axis[k])) : 0.0;
+
+        min[k] = m->kind == DEM_MOUTH_REGION ? v->min[k] : v->from[k] - half;
+        max[k] = m->kind == DEM_MOUTH_REGION ? v->max[k] : v->from[k] + half;
         for (size_t t = 0; t < 3*m->n; t++)
         {
             const double x = m->corner[t/3][t%3][k];

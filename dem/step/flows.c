@@ -203,7 +203,7 @@ int dem_flows_note(struct dem_parts *p, int flow, const struct dem_particle *q, 
     *new = (struct dem_departure){.id = q->id, .flow = flow == DEM_FLOW_DOMAIN ? f->n - 1 : flow, .mass = q->mass};
     for (int k = 0; k < 3; k++)
     {
-        v[k] = q->v[k] + (q->inverse_mass > 0.0 ? late*gravity[k] : 0.0);
+        v[k] = q->v[k] + late*q->mass*q->inverse_mass*gravity[k];         /* with added mass it falls slower */
         new->momentum[k] = q->mass*v[k];
     }
     new->energy = 0.5*q->mass*dem_vec_dot(v, v) + 0.2*q->mass*q->radius*q->radius*dem_vec_dot(q->w, q->w);

@@ -69,7 +69,7 @@ void dem_ledger_leaves(struct dem_parts *p, const struct dem_particle *r, double
 
     for (int k = 0; k < 3; k++)
     {
-        v[k] = r->v[k] + late*p->ledger.gravity[k];
+        v[k] = r->v[k] + late*r->mass*r->inverse_mass*p->ledger.gravity[k];
     }
     dem_ledger_add(&p->ledger.sum[DEM_LEDGER_LEFT], 0.5*r->mass*dem_vec_dot(v, v) + 0.5*inertia*dem_vec_dot(r->w, r->w));
 }

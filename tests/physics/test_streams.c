@@ -242,6 +242,18 @@ static void test_face(void)
     dem_free(d);
 }
 
+/* A disc that lies closer to the domain's top than its radius is inside: it has no height. */
+static void test_near_top(void)
+{
+    struct dem *const d = stream("", "domain { min (-0.05 -0.05 0); max (0.05 0.05 0.1); } insert { feed { type stream; rate 1e4; diameter 1e-3; "
+                                     "disc { centre (0 0 0.099); normal (0 0 1); radius 0.02; } velocity (0 0 -1); } } ");
+
+    run_windows(d, 20);
+    TAP_OK(flow(d, 0).particles + flow(d, 0).waiting == 64 && flow(d, 0).particles > 50, "under the domain's top too: %lld",
+           (long long)flow(d, 0).particles);
+    dem_free(d);
+}
+
 /* ---- how fast ------------------------------------------------------------------------------------------------ */
 
 /* One only, at a known place and time, then a parabola: the leapfrog is exact under constant acceleration, in whatever windows. */
@@ -515,6 +527,7 @@ int main(void)
     test_room();
     test_walls();
     test_face();
+    test_near_top();
     test_thrown();
     test_drag();
     test_books();
