@@ -234,27 +234,24 @@ void Foam::demCloud::depositReaction()
 }
 
 
-// What bounds the next step. Of a free particle the response tells the time of
-// relaxation, R/m = 1 - exp(-T/tau); what is nearly 1 may be T/tau itself, of
-// one that others hold
+// What bounds the next step: the void fraction's change, and the particles' drag
+// over their mass, 1/tau, on the mean over this one
 void Foam::demCloud::rates()
 {
     changeRate_ = max(gMax(dsdt_.primitiveField()), -gMin(dsdt_.primitiveField()));
 
     scalar most = 0;
-    for (size_t i = 0; fluid_.response && i < view_.n; i++)
+    for (size_t i = 0; fluid_.drag_time && i < view_.n; i++)
     {
         const char* first = reinterpret_cast<const char*>(view_.flags);
         const bool frozen =
             *reinterpret_cast<const uint16_t*>(first + view_.stride*i) & 1;
         if (!frozen)
         {
-            most = max(most, fluid_.response[i]/(*dem_at(view_.mass, view_.stride, i)));
+            most = max(most, fluid_.drag_time[i]/(*dem_at(view_.mass, view_.stride, i)));
         }
     }
-    reduce(most, maxOp<scalar>());
-    relaxationRate_ =
-        (most < 0.9 ? -std::log1p(-most) : max(most, -std::log(0.1)))/window_;
+    relaxationRate_ = returnReduce(most, maxOp<scalar>())/window_;
 }
 
 

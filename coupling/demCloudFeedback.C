@@ -92,7 +92,8 @@ void Foam::demCloud::report()
     {
         Info<< "Suna: void fraction below " << transfer_.minVoidFraction()
             << " in " << relief.crowded() << " cells, smoothed further in "
-            << relief.passes() << " passes: particles are too soft, or cells"
+            << relief.passes() << " passes to " << gMin(e)
+            << " at least: particles are too soft, or cells"
             << " too small for the kernel's width" << endl;
     }
 

@@ -123,21 +123,18 @@ void Foam::demCloud::tellFlow
 void Foam::demCloud::tellMeanDiameter()
 {
     scalarField V(volumes(view_));
-    volScalarField::Internal over
-    (
-        IOobject("overDiameter", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar(dimless/dimLength, Zero)
-    );
+    scalarField volume, over;
 
+    // Of whole spheres, as below, also where the void fraction counts a share
+    transfer_.deposit(V, volume);
     forAll(V, i)
     {
         V[i] /= 2*(*dem_at(view_.radius, view_.stride, i));
     }
     transfer_.deposit(V, over);
 
-    const scalarField n(transfer_.sample(over.field()));
-    const scalarField s(1 - transfer_.sample(voidFraction_)());
+    const scalarField n(transfer_.sample(over));
+    const scalarField s(transfer_.sample(volume));
     scalarField d(V.size(), Zero);
 
     // Where a particle is, both are above 0

@@ -127,15 +127,13 @@ Foam::label Foam::demSmoother::join(const scalar most)
 void Foam::demSmoother::lump(const scalar most)
 {
     // Most meshes have nothing to lump
-    const vectorField d(lines());
+    const scalarField k(conductance(mesh_.faceAreas(), lines()));
     bool any = false;
     for (label facei = 0; facei < mesh_.nInternalFaces(); ++facei)
     {
-        const vector& S = mesh_.faceAreas()[facei];
-        const scalar k = max(S & d[facei], 0.05*mag(S)*mag(d[facei]))/max(magSqr(d[facei]), VSMALL);
         any =
             any
-         || k*(1/volume_[mesh_.faceOwner()[facei]] + 1/volume_[mesh_.faceNeighbour()[facei]])
+         || k[facei]*(1/volume_[mesh_.faceOwner()[facei]] + 1/volume_[mesh_.faceNeighbour()[facei]])
           > most;
     }
     if (any)

@@ -79,11 +79,11 @@ void Foam::demTransfer::read(const dictionary& coupling)
             << "coupling/diameter is " << coupling.get<scalar>("diameter")
             << " m; it must be positive" << exit(FatalIOError);
     }
-    if (minVoidFraction_ < 0 || minVoidFraction_ > 1)
+    if (minVoidFraction_ <= 0 || minVoidFraction_ >= 1)
     {
         FatalIOErrorInFunction(coupling)
             << "coupling/minVoidFraction " << minVoidFraction_ << " is out of"
-            << " range; give a number from 0 to 1" << exit(FatalIOError);
+            << " range; give a number above 0 and below 1, 0.2 for example" << exit(FatalIOError);
     }
     if (!smooths_ && base_ != GAUSSIAN)
     {

@@ -62,6 +62,7 @@ int main(int argc, char *argv[])
     argList::addBoolOption("corner", "nothing beyond the middle in x and y");
     argList::addBoolOption("widths", "only: the widths of kernels");
     argList::addBoolOption("hard", "only: totals, on cells of extreme size");
+    argList::addBoolOption("stack", "with hard: a stack of thin cells, too long for what is too much to pass through");
     argList::addBoolOption("outside", "only: put a particle outside the mesh");
     const argList args(argc, argv);
     Time runTime(Time::controlDictName, args);
@@ -103,7 +104,7 @@ int main(int argc, char *argv[])
     }
     if (args.found("hard"))
     {
-        testHard(mesh);
+        testHard(mesh, args.found("stack"));
         Info<< "End of claims" << endl;
         return 0;
     }
