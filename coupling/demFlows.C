@@ -169,6 +169,20 @@ void Foam::demFlows::hand(::dem* d, const volVectorField* U) const
 }
 
 
+void Foam::demFlows::begin(::dem* d)
+{
+    const struct ::dem_flow* flow = nullptr;
+    int n = 0;
+    demCheck(dem_flows(d, &n, &flow));
+
+    for (label k = particles_.size(); k < n; k++)
+    {
+        particles_.append(scalar(flow[k].particles));
+        mass_.append(flow[k].mass);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demFlows::demFlows(const fvMesh& mesh, const demDict& dict)
@@ -202,6 +216,7 @@ bool Foam::demFlows::pass(::dem* d, const volVectorField& U)
 {
     int changed = 0;
 
+    begin(d);
     if (mesh_.moving() && active())
     {
         gather();
@@ -293,6 +308,7 @@ Foam::boolList Foam::demFlows::leave
 void Foam::demFlows::share(const demView& view, scalarField& volume) const
 {
     scalarField least(volume.size(), GREAT);
+    boolList beyond(volume.size(), false);
 
     forAll(open_, k)
     {
@@ -313,9 +329,15 @@ void Foam::demFlows::share(const demView& view, scalarField& volume) const
                 const pointField& p = open_[k];
                 const scalar h =
                     triPointRef(p[t], p[t + 1], p[t + 2]).nearestPoint(x)
-                   .distance()/d;
+                   .distance();
 
-                least[i] = min(least[i], h);
+                if (h < least[i]*d)
+                {
+                    // Straight out from the nearest, not past its edge
+                    const vector n((p[t + 1] - p[t]) ^ (p[t + 2] - p[t]));
+                    beyond[i] = (n & (x - p[t])) > 0.9*h*mag(n);
+                    least[i] = h/d;
+                }
             }
         }
     }
@@ -339,7 +361,7 @@ void Foam::demFlows::share(const demView& view, scalarField& volume) const
 
     forAll(volume, i)
     {
-        const scalar t = min(least[i], scalar(1));
+        const scalar t = beyond[i] ? 0 : min(least[i], scalar(1));
         volume[i] *= t*t*(3 - 2*t);
     }
 }
@@ -355,8 +377,7 @@ void Foam::demFlows::tell(::dem* d, const bool rows)
     {
         return;
     }
-    particles_.setSize(n, 0);
-    mass_.setSize(n, 0);
+    begin(d);
     if (Pstream::master())
     {
         table_.begin();
