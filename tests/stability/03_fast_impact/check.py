@@ -1,0 +1,19 @@
+"""Restitution is 1 at any phase of the touch; a step 20 times too long is refused, and stopped where forced. SPDX-License-Identifier: GPL-3.0-or-later"""
+HARD = "500 m/s, and a step 20 times too long"
+M, V = 7850.0*4.18879020478639e-9, 500.0
+CONTACT = 2.8683*(M*M/(1e-3*(208e9/(2.0*0.91))**2*V))**0.2                        # s, Hertz: 2.87 (m^2/(R E*^2 v))^(1/5)
+
+
+def check(c):
+    dt, out = CONTACT/50.0, []
+    for phase in range(16):
+        run = c.run("scene.dem", {"time/step": dt, "time/end": 250*dt, "write/interval": 250*dt,
+                                  "insert/ball/positions": "((0 0 %.17g))" % (1.05e-3 + V*dt*phase/16.0)}, name="phase%d" % phase)
+        if not c.runs_to_end(run):
+            return
+        out.append(run.snapshots()[-1][0].v[2]/V)
+    c.near("restitution, lowest of 16 phases", min(out), 1.0, 0.01)
+    c.near("restitution, highest", max(out), 1.0, 0.01)
+    long = {"time/step": 20.0*dt, "time/end": 600*dt, "write/interval": 600*dt}
+    run = c.run("scene.dem", long, name="long")
+    c.holds("a step 20 times too long is refused by name", run.status != 0 and "exceeds" in run.err and "contact time" in run.err, run.err)
