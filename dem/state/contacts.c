@@ -5,6 +5,7 @@
  */
 #include "state/contacts.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include <string.h>
 
 enum
@@ -93,7 +94,7 @@ static int later(const struct dem_contacts *c, const struct dem_particles *p, ui
     return is > it || (is == it && s->shift > t->shift);
 }
 
-static void sort_entries(const struct dem_contacts *c, const struct dem_particles *p, uint32_t *entry, uint32_t count)
+static void sort_few(const struct dem_contacts *c, const struct dem_particles *p, uint32_t *entry, uint32_t count)
 {
     for (uint32_t k = 1; k < count; k++)
     {
@@ -106,6 +107,53 @@ static void sort_entries(const struct dem_contacts *c, const struct dem_particle
         }
         entry[m] = here;
     }
+}
+
+/* The same in linear time: a large particle may have thousands of small ones around. `pair`: room for twice as many. */
+static void sort_many(const struct dem_contacts *c, const struct dem_particles *p, uint32_t *entry, uint32_t count, struct dem_sort_pair *pair)
+{
+    for (uint32_t k = 0; k < count; k++)
+    {
+        const struct dem_pair *const q = &c->pair[entry[k] >> 1];
+        const uint64_t other = q->wall ? (uint64_t)1 << 63 | q->j : (uint64_t)p->record[entry[k] & 1 ? q->i : q->j].id;
+
+        pair[k] = (struct dem_sort_pair){.hi = other, .lo = q->wall ? 0 : q->shift, .index = entry[k]};
+    }
+    dem_sort_pairs(pair, count, pair + count);
+    for (uint32_t k = 0; k < count; k++)
+    {
+        entry[k] = pair[k].index;
+    }
+}
+
+static int sort_entries(struct dem_contacts *c, const struct dem_particles *p)
+{
+    enum { FEW = 32 };                                    /* up to so many by insertion: a bed of equal spheres has some fifteen */
+
+    struct dem_sort_pair *pair = NULL;
+    size_t room = 0;
+
+    for (size_t i = 0; i < p->n; i++)
+    {
+        uint32_t *const entry = c->entry + c->start[i];
+        const uint32_t count = c->start[i + 1] - c->start[i];
+
+        if (count <= FEW)
+        {
+            sort_few(c, p, entry, count);
+            continue;
+        }
+        const int grown = DEM_GROW(pair, room, 2*(size_t)count);
+
+        if (grown)
+        {
+            dem_memory_free(pair);
+            return grown;
+        }
+        sort_many(c, p, entry, count, pair);
+    }
+    dem_memory_free(pair);
+    return DEM_OK;
 }
 
 int dem_contacts_adjoin(struct dem_contacts *c, const struct dem_particles *p)
@@ -150,11 +198,7 @@ int dem_contacts_adjoin(struct dem_contacts *c, const struct dem_particles *p)
             c->entry[c->start[q->j + 1]++] = (uint32_t)(2*k + 1);
         }
     }
-    for (size_t i = 0; i < n; i++)
-    {
-        sort_entries(c, p, c->entry + c->start[i], c->start[i + 1] - c->start[i]);
-    }
-    return DEM_OK;
+    return sort_entries(c, p);
 }
 
 /* ---- near rows ----------------------------------------------------------------------------------------------- */

@@ -27,6 +27,7 @@ SCENES = {
     "agitated20k": dict(EQUAL, speed=0.7),
     "sizes50k": SIZES,
     "ratio100k": RATIO,
+    "agitatedRatio100k": dict(RATIO, speed=0.7, steps=1000),
     "bonded20k": dict(EQUAL, law="bonded", bed="equal", speed=0.02),
     "hysteresis20k": dict(EQUAL, law="hysteresis"),
     "small": SMALL,
