@@ -15,6 +15,7 @@ import concurrent.futures
 import importlib.util
 import math
 import os
+import shutil
 import sys
 import time
 import traceback
@@ -45,7 +46,8 @@ class Case:
         self.number, self.name = int(folder[:2]), folder[3:].replace("_", " ")
         self.work = os.path.join(options.work, folder)
         self.rows, self.runs, self.hard = [], 0, ""
-        os.makedirs(self.work, exist_ok=True)
+        shutil.rmtree(self.work, ignore_errors=True)
+        os.makedirs(self.work)
 
     # ---- runs --------------------------------------------------------------------------------------------------------
 

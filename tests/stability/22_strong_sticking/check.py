@@ -1,0 +1,24 @@
+"""What sticks stays bounded, gains no energy and keeps its momentum. SPDX-License-Identifier: GPL-3.0-or-later"""
+import os
+HARD = "a slope of -100 k: the contact pulls harder the more it is pressed"
+
+
+def check(c):
+    pair = [(-1.001e-3, 0, 0, 0.15, 0.05, -0.02), (1.001e-3, 2e-4, 0, 0.05, 0.05, -0.02)]
+    block = [(2e-3*i, 2e-3*j, 2e-3*k, 0.1 - 10.0*2e-3*(i - 2), 0.05 - 10.0*2e-3*(j - 2), -0.02 - 10.0*2e-3*(k - 1.5))
+             for i in range(5) for j in range(5) for k in range(4)]
+    for what, places, seconds in (("pair", pair, 0.1), ("100", block, 0.1 if c.long else 0.02)):
+        os.makedirs(c.place(what))
+        with open(os.path.join(c.place(what), "places"), "w") as file:
+            file.write("x y z vx vy vz\n" + "".join("%.17g %.17g %.17g %.17g %.17g %.17g\n" % p for p in places))
+        run = c.run("scene.dem", {"time/end": seconds, "write/interval": seconds/10, "write/energy": seconds/100}, name=what)
+        if not c.runs_to_end(run):
+            continue
+        first, last = run.snapshots()[0], run.snapshots()[-1]
+        rows = run.table("energy.csv")
+        inner = [sum(v for k, v in r.items() if k.startswith(("kinetic", "elastic"))) for r in rows]
+        c.above(what + ": steps", last.steps, 1e6*seconds - 1)
+        c.below(what + ": largest growth of kinetic and elastic energy, of the first", max(b - a for a, b in zip(inner, inner[1:]))/inner[0], 1e-3)
+        start = first.momentum()
+        c.below(what + ": change of momentum, relative", max(abs(a - b) for a, b in zip(start, last.momentum()))/max(map(abs, start)), 1e-10)
+        c.holds(what + ": they still stick", max(abs(a - b) for p in last.particles.values() for a, b in zip(p.x, last[0].x)) < 0.03, "apart")

@@ -1,0 +1,28 @@
+"""A whip gets the work of its base, no more and no less, and damped it calms down. SPDX-License-Identifier: GPL-3.0-or-later"""
+import os
+HARD = "large turns of many bonds in a row"
+BONDS = 50
+
+
+def whip(c, name, entries):
+    os.makedirs(c.place(name))
+    with open(os.path.join(c.place(name), "places"), "w") as file:
+        file.write("x y z\n" + "".join("%.17g 0 0\n" % (1e-3 + 2e-3*k) for k in range(BONDS)))
+    return c.run("scene.dem", entries, name=name, limit=1500)
+
+
+def check(c):
+    # long: the reference chain, a hundred times as stiff, for 2 s
+    stiff = {"effects/bondLinear/normalStiffness": 5e11, "effects/bondLinear/shearStiffness": 2e11, "time/end": 2.0} if c.long else {}
+    run = whip(c, "free", stiff)
+    if c.runs_to_end(run):
+        rows = run.table("energy.csv")
+        put = [abs(r["work_walls"]) for r in rows]
+        c.above("largest turn of the end's bond, m across", max(abs(f[BONDS - 1].x[2] - f[0].x[2]) for f in run.snapshots()), 0.02)
+        c.below("error of the energy over the largest work put in",
+                max(abs(sum(v for k, v in r.items() if k.startswith(("kinetic", "elastic", "broken", "lost"))) - r["work_walls"]) for r in rows)/max(put), 1e-3)
+    end = stiff.get("time/end", 0.4)
+    run = whip(c, "damped", dict(stiff, **{"effects/bondLinear/dampingRatio": 0.05, "walls/base/motion/end": end/2}))
+    if c.runs_to_end(run):
+        inner = [sum(v for k, v in r.items() if k.startswith(("kinetic", "elastic"))) for r in run.table("energy.csv") if r["time"] > end/2 + 1e-9]
+        c.below("damped, the base at rest: largest growth of the energy, of all", max(b - a for a, b in zip(inner, inner[1:]))/max(inner), 1e-6)

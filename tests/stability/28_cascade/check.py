@@ -1,0 +1,29 @@
+"""What bonds held is lost when they break, to the last part, and no force is above the strength. SPDX-License-Identifier: GPL-3.0-or-later"""
+import math
+import os
+HARD = "a thousand bonds break in one step"
+AREA = math.pi*1e-6
+
+
+def check(c):
+    os.makedirs(c.place("pairs"))
+    with open(os.path.join(c.place("pairs"), "places"), "w") as file:
+        file.write("x y z vx vy vz\n")
+        for k in range(1000):
+            x, y, z = 0.00625*(k % 10), 0.00625*(k//10 % 10), 0.00625*(k//100)
+            for s in (-1, 1):
+                # multiples of 2^-40 m: sums of places are exact, so all pairs are alike to the last bit
+                file.write("%.17g %.17g %.17g %g 0 0\n" % (round((x + 0.001*s)*2**40)/2**40, y, z, 0.6*s))
+    run = c.run("scene.dem", name="pairs")
+    if not c.runs_to_end(run):
+        return
+    broken = run.table("bonds.csv")
+    c.equal("bonds that broke", len(broken), 1000)
+    c.equal("steps in which they did", len({row["time"] for row in broken}), 1)
+    rows = run.table("energy.csv")
+    all_of = [sum(v for k, v in r.items() if k.startswith(("kinetic", "elastic", "lost", "broken"))) for r in rows]
+    held = max(r["elastic_bondLinear"] for r in rows)
+    c.below("change of kinetic, elastic and lost energy, of what bonds held", max(abs(e - all_of[0]) for e in all_of)/held, 1e-3)
+    force = max(abs(f) for s in run.snapshots() for p in s.particles.values() for f in p.columns["force"])
+    c.below("largest force over strength times area", force/(1e6*AREA), 1.0)
+    c.near("lost in a bond over (sigma A)^2/(2 k_n A)", sum(row["energy"] for row in broken)/1000/((1e6*AREA)**2/(2.0*5e11*AREA)), 1.0, 0.1)
