@@ -22,6 +22,7 @@ static const struct command
 {
     {"run", "run a scene (alone or under mpirun)", dem_main_run},
     {"plan", "check a scene and tell what would run and what it would take, without running it", dem_main_plan},
+    {"cost", "what accuracy costs in time: errors and processor time over time step, stiffness and precision", dem_main_cost},
     {"effects", "list the effects with their settings, units, defaults, ranges and sources", dem_main_effects},
     {"hash", "print the fingerprint of a snapshot", dem_main_hash},
 };

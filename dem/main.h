@@ -20,6 +20,7 @@ int dem_program_together(const struct dem_program *, int status);
 /* Arguments after the command's name. Return a status of the core. */
 int dem_main_run(struct dem_program *, int argc, char **argv);
 int dem_main_plan(struct dem_program *, int argc, char **argv);
+int dem_main_cost(struct dem_program *, int argc, char **argv);
 int dem_main_effects(struct dem_program *, int argc, char **argv);
 int dem_main_hash(struct dem_program *, int argc, char **argv);
 

@@ -1,5 +1,5 @@
 /*
- * main_scene.c -- the command line of `dem run` and `dem plan`, and the scene that it names.
+ * main_scene.c -- the command line of the commands that take a scene, and the scene that it names.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -10,40 +10,60 @@
 #include <stdio.h>
 #include <string.h>
 
-struct request                                            /* the command line */
+static struct dem_option *find_option(const struct dem_request *r, const char *word)
 {
-    const char *scene, *restart;
-    const char *set[64][2];
-    int sets, help;
-};
+    for (int k = 0; k < r->options; k++)
+    {
+        if (strcmp(r->option[k].name, word) == 0)
+        {
+            return &r->option[k];
+        }
+    }
+    return NULL;
+}
 
-static int read_arguments(struct request *r, const char *command, int argc, char **argv)
+static int refuse_option(const struct dem_request *r, const char *command, const char *word)
 {
-    static const char *const known[] = {"-restart", "-set", "-help"};
+    const char *known[DEM_MOST_OPTIONS + 3] = {"-restart", "-set", "-help"};
 
+    for (int k = 0; k < r->options; k++)
+    {
+        known[3 + k] = r->option[k].name;
+    }
+    for (int k = 0; k < 3 + r->options; k++)
+    {
+        DEM_REQUIRE(strcmp(word, known[k]) != 0, DEM_ERROR_INPUT, "%s lacks its value%s; dem %s -help tells how", word,
+                    strcmp(word, "-set") == 0 ? "s" : "", command);
+    }
+    return dem_unknown_word("option", word, known, 3 + r->options);
+}
+
+int dem_request_read(struct dem_request *r, const char *command, int argc, char **argv)
+{
     for (int k = 0; k < argc; k++)
     {
+        struct dem_option *const own = find_option(r, argv[k]);
+
         if (strcmp(argv[k], "-help") == 0)
         {
             r->help = 1;
+        }
+        else if (own && (own->flag || k + 1 < argc))
+        {
+            own->given = own->flag ? "" : argv[++k];
         }
         else if (strcmp(argv[k], "-restart") == 0 && k + 1 < argc)
         {
             r->restart = argv[++k];
         }
-        else if (strcmp(argv[k], "-set") == 0 && k + 2 < argc && r->sets < 64)
+        else if (strcmp(argv[k], "-set") == 0 && k + 2 < argc && r->sets < DEM_MOST_SETS)
         {
             r->set[r->sets][0] = argv[++k];
             r->set[r->sets++][1] = argv[++k];
         }
-        else if (strcmp(argv[k], "-restart") == 0 || strcmp(argv[k], "-set") == 0)
-        {
-            return dem_error(DEM_ERROR_INPUT, "%s lacks its value%s; dem %s -help tells how", argv[k], argv[k][1] == 's' ? "s" : "",
-                             command);
-        }
         else if (argv[k][0] == '-')
         {
-            return dem_unknown_word("option", argv[k], known, 3);
+            return refuse_option(r, command, argv[k]);
         }
         else
         {
@@ -155,7 +175,7 @@ static int leave_to_openfoam(const struct dem_dict *scene, int *there)
     return DEM_OK;
 }
 
-static int open_scene(const struct dem_program *prog, const struct request *r, struct dem *d, struct dem_schedule *s)
+static int make_ready(const struct dem_program *prog, const struct dem_request *r, struct dem *d, struct dem_schedule *s)
 {
     DEM_TRY(dem_scene_file(d, r->scene));
     for (int k = 0; k < r->sets; k++)
@@ -167,9 +187,9 @@ static int open_scene(const struct dem_program *prog, const struct request *r, s
         DEM_TRY(dem_load(d, r->restart));
     }
     DEM_TRY(read_schedule(s, dem_scene_dict(d), r->scene));
-    DEM_TRY(dem_output_check(&s->output, prog));
+    DEM_TRY(r->bare ? DEM_OK : dem_output_check(&s->output, prog));
     DEM_TRY(leave_to_openfoam(dem_scene_dict(d), &s->coupling));
-    DEM_TRY(s->output.energy > 0.0 ? dem_energy_watch(d) : DEM_OK);
+    DEM_TRY(s->output.energy > 0.0 && !r->bare ? dem_energy_watch(d) : DEM_OK);
     DEM_TRY(s->output.orientation ? dem_orientation_watch(d) : DEM_OK);
     DEM_TRY(dem_check(d));
     DEM_TRY(read_gravity(s, dem_scene_dict(d)));
@@ -182,13 +202,31 @@ static int open_scene(const struct dem_program *prog, const struct request *r, s
     return count_steps(s, d);
 }
 
-int dem_scene_serve(struct dem_program *prog, const struct dem_command *c, int argc, char **argv)
+int dem_scene_open(const struct dem_program *prog, const struct dem_request *r, struct dem **made, struct dem_schedule *s)
 {
-    struct request r = {.scene = NULL};
-    struct dem_schedule s = {.end = 0.0};
     struct dem *d;
 
-    DEM_TRY(read_arguments(&r, c->name, argc, argv));
+    *made = NULL;
+    *s = (struct dem_schedule){.end = 0.0};
+    DEM_TRY(dem_create(&d, prog->comm));
+    const int status = make_ready(prog, r, d, s);
+
+    if (status)
+    {
+        dem_free(d);
+        return status;
+    }
+    *made = d;
+    return DEM_OK;
+}
+
+int dem_scene_serve(struct dem_program *prog, const struct dem_command *c, int argc, char **argv)
+{
+    struct dem_request r = {.scene = NULL};
+    struct dem_schedule s;
+    struct dem *d;
+
+    DEM_TRY(dem_request_read(&r, c->name, argc, argv));
     if (r.help)
     {
         if (prog->rank == 0)
@@ -197,10 +235,9 @@ int dem_scene_serve(struct dem_program *prog, const struct dem_command *c, int a
         }
         return DEM_OK;
     }
-    DEM_TRY(dem_create(&d, prog->comm));
-    int status = open_scene(prog, &r, d, &s);
+    DEM_TRY(dem_scene_open(prog, &r, &d, &s));
+    const int status = c->serve(prog, d, &s);
 
-    status = status ? status : c->serve(prog, d, &s);
     dem_free(d);
     return status;
 }

@@ -55,13 +55,13 @@ void dem_blocks_add(struct dem_blocks *b, const double *sample)
     b->full = (int)(b->samples/b->length);
 }
 
-/* Two-sided 95 % point of Student's distribution with n degrees of freedom, n = 3 .. 31; tables of any book. */
-static double student(int n)
+/* Tables of any book. */
+double dem_blocks_student(int n)
 {
-    static const double t[] = {3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131, 2.120, 2.110,
-                               2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042, 2.040};
+    static const double t[] = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131, 2.120,
+                               2.110, 2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042, 2.040};
 
-    return t[n - 3];
+    return t[n - 1];
 }
 
 /* Means of a range of columns over all full blocks but `without`; -1: over all samples. */
@@ -105,6 +105,6 @@ void dem_blocks_derive(const struct dem_blocks *b, size_t first, size_t count, d
         {
             square += (part[k][r] - middle)*(part[k][r] - middle);
         }
-        ci[r] = n >= DEM_BLOCKS_LEAST ? student(n - 1)*sqrt(square*(double)(n - 1)/(double)n) : NAN;
+        ci[r] = n >= DEM_BLOCKS_LEAST ? dem_blocks_student(n - 1)*sqrt(square*(double)(n - 1)/(double)n) : NAN;
     }
 }

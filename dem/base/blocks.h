@@ -53,4 +53,7 @@ typedef void dem_blocks_of(const double *mean, double *result);
 void dem_blocks_derive(const struct dem_blocks *, size_t first, size_t count, dem_blocks_of *f, int results, double *value,
                        double *ci);
 
+/* Two-sided 95 % point of Student's distribution with n degrees of freedom, n = 1 .. 31. */
+double dem_blocks_student(int n);
+
 #endif

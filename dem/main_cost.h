@@ -1,0 +1,137 @@
+/*
+ * main_cost.h -- `dem cost`: what accuracy costs in time. A window of the scene is run over ladders of its knobs.
+ *
+ *   main_cost.c          the command: options, the window, the ladders
+ *   main_cost_run.c      one run of the window: its quantities and its processor time
+ *   main_cost_closed.c   what a head-on impact must give
+ *   main_cost_judge.c    errors of all rungs (plan/ladder.h), and which are worth their time
+ *   main_cost_tell.c     the tables, cost.csv, the picture
+ *   main_cost_buy.c      the best buy, in a sentence
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_MAIN_COST_H
+#define DEM_MAIN_COST_H
+
+#include "main_scene.h"
+#include "base/error.h"
+#include "plan/ladder.h"
+
+enum dem_cost_quantity
+{
+    DEM_COST_KINETIC,                                     /* J   translation and rotation, mean of the looks */
+    DEM_COST_ROTATION,                                    /* J   of it rotation */
+    DEM_COST_HEIGHT,                                      /* m   of the centre of mass against gravity, mean of the looks */
+    DEM_COST_OVERLAP,                                     /* 1   largest between two looks, mean of those; of the smaller diameter */
+    DEM_COST_FORCE,                                       /* N   on the wall that bears most: mean between two looks, the largest */
+    DEM_COST_CONTACTS,                                    /* 1   touching partners a particle (a contact counts for each of two), mean of the looks */
+    DEM_COST_RESTITUTION,                                 /* 1   of a head-on impact: speed of parting over that of meeting */
+    DEM_COST_QUANTITIES
+};
+
+enum
+{
+    DEM_COST_LADDERS = 3,
+    DEM_COST_LOOKS = 32,                                  /* at most */
+    DEM_COST_MODULI = 36
+};
+
+struct dem_cost_pair                                      /* two bodies that meet head on, and nothing else acts */
+{
+    int bodies;                                           /* 2: two particles; 1: a particle and a plane; 0: no such scene */
+    double normal[3];                                     /* from the second to the first, or the plane's */
+    double speed;                                         /* m/s   at which they meet */
+    double mass[2], radius[2];                            /* kg, m */
+};
+
+struct dem_cost_run
+{
+    double value[DEM_COST_QUANTITIES];                    /* not a number where it has none */
+    double most_kinetic;                                  /* J   of all looks */
+    double seconds;                                       /* of processor, all ranks, in steps alone */
+    int64_t steps;
+};
+
+struct dem_cost_rung
+{
+    char name[40];                                        /* "1/2" */
+    double size;                                          /* 1   what its error goes to zero with, 1 in the scene as it is */
+    double step;                                          /* s */
+    int runs;
+    struct dem_cost_run run[DEM_LADDER_RUNS];
+    char failed[DEM_ERROR_TEXT_SIZE];                     /* why it has no runs */
+
+    double seconds, spread;                               /* derived: the least and the largest over it, at the rung's own step */
+    double error[DEM_COST_QUANTITIES], unsure[DEM_COST_QUANTITIES];     /* 1   of the quantity's scale; not a number: none */
+    int worst;                                            /* the quantity with the largest; -1: none */
+    int front;                                            /* 1: no other rung of these is both better and cheaper */
+};
+
+struct dem_cost_ladder
+{
+    const char *knob, *says;                              /* "step" */
+    int exact;                                            /* 1: closed forms hold where the error is gone */
+    int paired;                                           /* 1: rungs are compared run by run with the last */
+    int rungs;
+    struct dem_cost_rung rung[DEM_LADDER_RUNGS];          /* from coarse to fine */
+    int base;                                             /* the scene as it is; -1: not among them */
+    int told[DEM_COST_QUANTITIES];                        /* 1: its errors are told */
+    struct dem_ladder judged[DEM_COST_QUANTITIES];
+};
+
+struct dem_cost
+{
+    const struct dem_program *prog;
+    struct dem_request request;
+    char folder[512];
+    double start, end, step, limit;                       /* s; of the scene as it is */
+    double window;                                        /* s */
+    int looks, runs;                                      /* of a run; of a rung */
+    double budget, target;                                /* s of processor; 1 */
+    double fall, diameter, mass;                          /* J, m, kg: dem_tally's fall, mean diameter, all particles */
+    double up[3];                                         /* against gravity; zero without */
+    int64_t particles;
+    struct dem_cost_pair pair;
+    int wanted[DEM_COST_QUANTITIES], closed[DEM_COST_QUANTITIES];
+    double form[DEM_COST_QUANTITIES];                     /* the closed forms */
+    double scale[DEM_COST_QUANTITIES];                    /* what errors are shares of, in the quantity's unit */
+    struct
+    {
+        char path[128];
+        double value;
+    } modulus[DEM_COST_MODULI];                           /* all that makes contacts stiff, as the scene has it */
+    int moduli;
+    struct dem_cost_ladder ladder[DEM_COST_LADDERS];
+    int ladders;
+};
+
+const char *dem_cost_name(int quantity);
+const char *dem_cost_unit(int quantity);
+
+/* main_cost_run.c, collective. One run of the window in looks*steps equal steps, with further overrides on top of the request. */
+struct dem_cost_knobs
+{
+    int64_t steps;                                        /* between two looks */
+    const char *precision;                                /* NULL: the scene's */
+    double stiffer;                                       /* all Young's moduli, and stiffnesses that are given, times this */
+};
+int dem_cost_run(const struct dem_cost *, const struct dem_cost_knobs *, struct dem_cost_run *);
+int dem_cost_moduli(struct dem_cost *, const struct dem_dict *scene);
+
+/* The longest step [s] that the scene stands with so much stiffer contacts. */
+int dem_cost_limit(const struct dem_cost *, double stiffer, double *limit);
+
+/* main_cost_closed.c. Are there two bodies that meet head on? And what comes of it, where that is known. */
+void dem_cost_meet(struct dem_cost *, const struct dem *);
+double dem_cost_parting(const struct dem_cost_pair *, const struct dem *);      /* m/s along the normal */
+void dem_cost_closed(struct dem_cost *, struct dem *);
+
+/* main_cost_judge.c */
+void dem_cost_judge(struct dem_cost *);
+
+/* main_cost_tell.c, main_cost_buy.c: by the first rank. */
+void dem_cost_tell(const struct dem_cost *);
+int dem_cost_write(const struct dem_cost *);
+void dem_cost_buy(const struct dem_cost *, char *sentence, size_t size);
+
+#endif

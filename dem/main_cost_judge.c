@@ -1,0 +1,229 @@
+/*
+ * main_cost_judge.c -- from the runs of all ladders: errors of all quantities as shares of their scales, time, the front.
+ *
+ * Scales: the reference itself; of kinetic energy at least a millionth of what falling by a diameter would give (what untilQuiet calls
+ * at rest), of its rotation at least the target's share of the whole, so that noise at rest and a trace of spin are no errors; of heights
+ * the mean diameter; of contacts at least one a particle; of restitution 1. Mixed precision is compared run by run with double, the same steps in both; where the two have gone other ways (they
+ * differ by a quarter of what runs scatter by), mean with mean.
+ *
+ * Processor time of a rung is that of its quickest run, by the step: other work on the machine only adds.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "main_cost.h"
+#include "base/blocks.h"
+#include <math.h>
+#include <string.h>
+
+static const double at_rest = 1e-6;
+
+static const struct
+{
+    const char *name, *unit;
+} quantities[DEM_COST_QUANTITIES] =
+{
+    {"kinetic", "J"}, {"rotation", "J"}, {"height", "m"}, {"overlap", "1"}, {"force", "N"}, {"contacts", "1"}, {"restitution", "1"},
+};
+
+const char *dem_cost_name(int quantity)
+{
+    return quantities[quantity].name;
+}
+
+const char *dem_cost_unit(int quantity)
+{
+    return quantities[quantity].unit;
+}
+
+static void time_rung(const struct dem_cost *c, struct dem_cost_rung *r)
+{
+    double least = INFINITY, most = 0.0;
+
+    for (int k = 0; k < r->runs; k++)
+    {
+        const double each = r->run[k].seconds/(double)r->run[k].steps;
+
+        least = fmin(least, each);
+        most = fmax(most, each);
+    }
+    r->seconds = r->runs > 0 ? least*c->window/r->step : NAN;
+    r->spread = r->runs > 0 ? most/least : NAN;
+}
+
+/* The rungs that have this quantity, as plan/ladder.h wants them; place[k]: where rung k of those stands among all. */
+static int collect(const struct dem_cost_ladder *l, int quantity, struct dem_ladder *j, int place[DEM_LADDER_RUNGS])
+{
+    j->rungs = 0;
+    for (int k = 0; k < l->rungs; k++)
+    {
+        const struct dem_cost_rung *const r = &l->rung[k];
+        struct dem_ladder_rung *const to = &j->rung[j->rungs];
+        int good = r->runs > 0;
+
+        *to = (struct dem_ladder_rung){.size = r->size, .runs = r->runs};
+        for (int n = 0; n < r->runs; n++)
+        {
+            to->value[n] = r->run[n].value[quantity];
+            good = good && isfinite(to->value[n]);
+        }
+        place[j->rungs] = k;
+        j->rungs += good;
+    }
+    return j->rungs;
+}
+
+/* Nothing of it ever shows: no rotation without friction, say. */
+static int is_nought(const struct dem_ladder *j)
+{
+    for (int k = 0; k < j->rungs; k++)
+    {
+        for (int n = 0; n < j->rung[k].runs; n++)
+        {
+            if (j->rung[k].value[n] != 0.0)
+            {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+static double own_scale(const struct dem_cost *c, int quantity, double reference)
+{
+    switch (quantity)
+    {
+    case DEM_COST_KINETIC:
+        return fmax(fabs(reference), at_rest*c->fall);
+    case DEM_COST_ROTATION:
+        return fmax(fabs(reference), c->target*c->scale[DEM_COST_KINETIC]);
+    case DEM_COST_HEIGHT:
+        return c->diameter;
+    case DEM_COST_RESTITUTION:
+        return 1.0;
+    case DEM_COST_CONTACTS:
+        return fmax(fabs(reference), 1.0);
+    default:
+        return fabs(reference);
+    }
+}
+
+static void judge_quantity(struct dem_cost *c, struct dem_cost_ladder *l, int quantity)
+{
+    struct dem_ladder *const j = &l->judged[quantity];
+    int place[DEM_LADDER_RUNGS];
+
+    j->closed = l->exact && c->closed[quantity];
+    j->reference = c->form[quantity];
+    if (collect(l, quantity, j, place) == 0 || is_nought(j))
+    {
+        l->told[quantity] = 0;
+        return;
+    }
+    dem_ladder_judge(j);
+    c->scale[quantity] = c->scale[quantity] > 0.0 ? c->scale[quantity] : own_scale(c, quantity, j->reference);
+    for (int k = 0; k < j->rungs; k++)
+    {
+        struct dem_cost_rung *const r = &l->rung[place[k]];
+
+        r->error[quantity] = c->scale[quantity] > 0.0 ? j->rung[k].error/c->scale[quantity] : NAN;
+        r->unsure[quantity] = c->scale[quantity] > 0.0 ? j->rung[k].unsure/c->scale[quantity] : NAN;
+    }
+    l->told[quantity] = c->scale[quantity] > 0.0;
+}
+
+/* Rung 0 is mixed, rung 1 double. */
+static void compare(struct dem_cost *c, struct dem_cost_ladder *l, int quantity)
+{
+    struct dem_ladder *const j = &l->judged[quantity];
+    struct dem_cost_rung *const r = l->rung;
+    double apart[DEM_LADDER_RUNS], mean, scatter, squares = 0.0;
+    int place[DEM_LADDER_RUNGS];
+
+    if (collect(l, quantity, j, place) < 2 || is_nought(j))
+    {
+        l->told[quantity] = 0;
+        return;
+    }
+    for (int k = 0; k < r->runs; k++)
+    {
+        apart[k] = j->rung[0].value[k] - j->rung[1].value[k];
+        squares += apart[k]*apart[k];
+    }
+    dem_ladder_moments(j->rung[1].value, r->runs, &j->reference, &scatter);
+    j->rung[1].mean = j->reference;
+    j->rung[1].scatter = scatter;
+    c->scale[quantity] = c->scale[quantity] > 0.0 ? c->scale[quantity] : own_scale(c, quantity, j->reference);
+    l->told[quantity] = c->scale[quantity] > 0.0;
+    dem_ladder_moments(apart, r->runs, &mean, &j->rung[0].scatter);
+    j->rung[0].mean = j->reference + mean;
+    j->rung[1].error = j->rung[1].unsure = 0.0;
+    j->rung[0].error = sqrt(squares/r->runs);
+    j->rung[0].unsure = 0.0;
+    j->order = j->order_unsure = NAN;
+    j->kind = 4.0*j->rung[0].error > scatter && scatter > 0.0 ? DEM_LADDER_STATISTICS : DEM_LADDER_EXTRAPOLATED;
+    if (j->kind == DEM_LADDER_STATISTICS)
+    {
+        j->rung[0].error = fabs(mean);
+        j->rung[0].unsure = dem_blocks_student(r->runs - 1)*j->rung[0].scatter/sqrt(r->runs);
+    }
+    for (int k = 0; k < 2 && l->told[quantity]; k++)
+    {
+        r[k].error[quantity] = j->rung[k].error/c->scale[quantity];
+        r[k].unsure[quantity] = j->rung[k].unsure/c->scale[quantity];
+    }
+}
+
+static void find_worst(const struct dem_cost_ladder *l, struct dem_cost_rung *r)
+{
+    r->worst = -1;
+    for (int q = 0; q < DEM_COST_QUANTITIES; q++)
+    {
+        if (l->told[q] && isfinite(r->error[q]) && (r->worst < 0 || r->error[q] > r->error[r->worst]))
+        {
+            r->worst = q;
+        }
+    }
+}
+
+static void find_front(struct dem_cost_ladder *l)
+{
+    for (int k = 0; k < l->rungs; k++)
+    {
+        l->rung[k].front = l->rung[k].worst >= 0;
+        for (int n = 0; n < l->rungs && l->rung[k].front; n++)
+        {
+            const struct dem_cost_rung *const a = &l->rung[k], *const b = &l->rung[n];
+
+            l->rung[k].front = !(n != k && b->worst >= 0 && b->seconds <= a->seconds && b->error[b->worst] <= a->error[a->worst]);
+        }
+    }
+}
+
+void dem_cost_judge(struct dem_cost *c)
+{
+    for (int n = 0; n < c->ladders; n++)
+    {
+        struct dem_cost_ladder *const l = &c->ladder[n];
+
+        for (int k = 0; k < l->rungs; k++)
+        {
+            time_rung(c, &l->rung[k]);
+            for (int q = 0; q < DEM_COST_QUANTITIES; q++)
+            {
+                l->rung[k].error[q] = l->rung[k].unsure[q] = NAN;
+            }
+        }
+        for (int q = 0; q < DEM_COST_QUANTITIES; q++)
+        {
+            if (c->wanted[q] && l->told[q])
+            {
+                (l->paired ? compare : judge_quantity)(c, l, q);
+            }
+        }
+        for (int k = 0; k < l->rungs; k++)
+        {
+            find_worst(l, &l->rung[k]);
+        }
+        find_front(l);
+    }
+}

@@ -1,0 +1,198 @@
+/*
+ * main_cost_run.c -- one run of the window, from a fresh start of the scene: what it gives, and its processor time.
+ *
+ * Nothing is written, no ledger is kept. Processor time is that of the steps, lists and copies in them included; reading the scene
+ * and looking are not counted. Books of the walls' impulses are kept where forces on walls are told.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "main_cost.h"
+#include "base/clock.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* ---- the scene with other knobs -------------------------------------------------------------------------------- */
+
+static int set_entry(struct dem_request *r, const char *path, const char *value)
+{
+    DEM_REQUIRE(r->sets < 2*DEM_MOST_SETS, DEM_ERROR_INPUT, "more than %d overrides; give fewer -set", 2*DEM_MOST_SETS);
+    r->set[r->sets][0] = path;
+    r->set[r->sets++][1] = value;
+    return DEM_OK;
+}
+
+/* All moduli, and the stiffness of the normal law where the scene gives one. */
+int dem_cost_moduli(struct dem_cost *c, const struct dem_dict *scene)
+{
+    static const char *const normal[] = {"hertz", "hooke", "hookeHysteresis"};
+    const struct dem_dict *all, *one;
+
+    c->moduli = 0;
+    DEM_TRY(dem_dict_sub(scene, "materials", &all));
+    for (size_t k = 0; k < dem_dict_count(all) && c->moduli < DEM_COST_MODULI; k++)
+    {
+        const char *const name = dem_entry_name(dem_dict_entry(all, k));
+
+        DEM_TRY(dem_dict_sub(all, name, &one));
+        snprintf(c->modulus[c->moduli].path, sizeof c->modulus[0].path, "materials/%s/youngsModulus", name);
+        DEM_TRY(dem_dict_number(one, "youngsModulus", "Pa", &c->modulus[c->moduli++].value));
+    }
+    DEM_TRY(dem_dict_sub_if(scene, "effects", &all));
+    for (int k = 0; k < 3 && all && c->moduli < DEM_COST_MODULI; k++)
+    {
+        DEM_TRY(dem_dict_sub_if(all, normal[k], &one));
+        if (one && dem_dict_has(one, "stiffness"))
+        {
+            snprintf(c->modulus[c->moduli].path, sizeof c->modulus[0].path, "effects/%s/stiffness", normal[k]);
+            DEM_TRY(dem_dict_number(one, "stiffness", "N/m", &c->modulus[c->moduli++].value));
+        }
+    }
+    return DEM_OK;
+}
+
+static int open_with(const struct dem_cost *c, const struct dem_cost_knobs *k, struct dem **d, struct dem_schedule *s)
+{
+    char step[32], modulus[DEM_COST_MODULI][32];
+    struct dem_request r = c->request;
+
+    /* a step a little longer than wanted, of which dem_advance makes as many equal ones as are wanted */
+    if (k->steps > 0)
+    {
+        snprintf(step, sizeof step, "%.17g", c->window/c->looks/(double)k->steps*(1.0 + 1e-10));
+        DEM_TRY(set_entry(&r, "time/step", step));
+        DEM_TRY(set_entry(&r, "time/force", "yes"));
+    }
+    else
+    {
+        DEM_TRY(set_entry(&r, "time/step", "auto"));
+    }
+    DEM_TRY(k->precision ? set_entry(&r, "time/precision", k->precision) : DEM_OK);
+    for (int m = 0; m < c->moduli && k->stiffer != 1.0; m++)
+    {
+        snprintf(modulus[m], sizeof modulus[m], "%.17g", k->stiffer*c->modulus[m].value);
+        DEM_TRY(set_entry(&r, c->modulus[m].path, modulus[m]));
+    }
+    return dem_scene_open(c->prog, &r, d, s);
+}
+
+int dem_cost_limit(const struct dem_cost *c, double stiffer, double *limit)
+{
+    const struct dem_cost_knobs k = {.stiffer = stiffer};
+    struct dem_schedule s;
+    struct dem *d;
+
+    DEM_TRY(open_with(c, &k, &d, &s));
+    *limit = dem_step_limit(d).limit;
+    dem_free(d);
+    return DEM_OK;
+}
+
+/* ---- looking --------------------------------------------------------------------------------------------------- */
+
+static void add_up(const struct dem_program *prog, double *value, int n)
+{
+    if (prog->comm != MPI_COMM_NULL)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, value, n, MPI_DOUBLE, MPI_SUM, prog->comm);
+    }
+}
+
+struct sums
+{
+    double kinetic, rotation, height, overlap, force, contacts, most_kinetic;
+};
+
+/* kg m of what moves along the way up, its kg, J of rotation */
+static void sum_particles(const struct dem_cost *c, const struct dem *d, double sum[3])
+{
+    struct dem_view v;
+
+    dem_view(d, &v);
+    sum[0] = sum[1] = sum[2] = 0.0;
+    for (size_t i = 0; i < v.n; i++)
+    {
+        const double *const x = dem_at(v.position, v.stride, i), *const w = dem_at(v.spin, v.stride, i);
+        const double m = *dem_at(v.mass, v.stride, i), r = *dem_at(v.radius, v.stride, i);
+        const uint16_t flags = *(const uint16_t *)(const void *)((const char *)v.flags + v.stride*i);
+
+        if (!(flags & 1))
+        {
+            sum[0] += m*(x[0]*c->up[0] + x[1]*c->up[1] + x[2]*c->up[2]);
+            sum[1] += m;
+        }
+        sum[2] += 0.2*m*r*r*(w[0]*w[0] + w[1]*w[1] + w[2]*w[2]);
+    }
+    add_up(c->prog, sum, 3);
+}
+
+static int look_at_walls(const struct dem_cost *c, struct dem *d, double *most)
+{
+    double impulse[3], twist[3];
+
+    for (int w = 0; w < dem_wall_count(d) && c->wanted[DEM_COST_FORCE]; w++)
+    {
+        DEM_TRY(dem_wall_impulse(d, w, impulse, twist));
+        *most = fmax(*most, sqrt(impulse[0]*impulse[0] + impulse[1]*impulse[1] + impulse[2]*impulse[2])/(c->window/c->looks));
+    }
+    return c->wanted[DEM_COST_FORCE] ? dem_wall_watch(d) : DEM_OK;
+}
+
+static int look(const struct dem_cost *c, struct dem *d, struct sums *s, struct dem_tally *t)
+{
+    double sum[3];
+
+    DEM_TRY(dem_tally(d, t));
+    sum_particles(c, d, sum);
+    s->kinetic += t->kinetic;
+    s->most_kinetic = fmax(s->most_kinetic, t->kinetic);
+    s->rotation += sum[2];
+    s->height += sum[1] > 0.0 ? sum[0]/sum[1] : 0.0;
+    s->overlap += t->largest_overlap;
+    s->contacts += t->particles > 0 ? 2.0*(double)t->contacts/(double)t->particles : 0.0;
+    return look_at_walls(c, d, &s->force);
+}
+
+/* ---- the run --------------------------------------------------------------------------------------------------- */
+
+static int advance(const struct dem_cost *c, struct dem *d, struct sums *s, struct dem_tally *t, double *seconds)
+{
+    DEM_TRY(dem_tally(d, t));                             /* overlaps before the window do not count */
+    DEM_TRY(c->wanted[DEM_COST_FORCE] ? dem_wall_watch(d) : DEM_OK);
+    for (int k = 0; k < c->looks; k++)
+    {
+        const double before = dem_clock_processor();
+
+        DEM_TRY(dem_advance(d, c->window/c->looks));
+        *seconds += dem_clock_processor() - before;
+        DEM_TRY(look(c, d, s, t));
+    }
+    return DEM_OK;
+}
+
+int dem_cost_run(const struct dem_cost *c, const struct dem_cost_knobs *k, struct dem_cost_run *run)
+{
+    const double n = c->looks;
+    struct sums s = {.kinetic = 0.0};
+    struct dem_schedule schedule;
+    struct dem_tally t = {.steps = 0};
+    struct dem *d;
+
+    *run = (struct dem_cost_run){.steps = k->steps*c->looks};
+    DEM_TRY(open_with(c, k, &d, &schedule));
+    const int status = advance(c, d, &s, &t, &run->seconds);
+    const double parting = !status && c->pair.bodies > 0 && t.contacts == 0 ? dem_cost_parting(&c->pair, d) : 0.0;
+
+    dem_free(d);
+    DEM_TRY(status);
+    add_up(c->prog, &run->seconds, 1);
+    run->most_kinetic = s.most_kinetic;
+    run->value[DEM_COST_KINETIC] = s.kinetic/n;
+    run->value[DEM_COST_ROTATION] = s.rotation/n;
+    run->value[DEM_COST_HEIGHT] = s.height/n;
+    run->value[DEM_COST_OVERLAP] = s.overlap/n;
+    run->value[DEM_COST_FORCE] = s.force;
+    run->value[DEM_COST_CONTACTS] = s.contacts/n;
+    run->value[DEM_COST_RESTITUTION] = parting > 0.0 ? parting/c->pair.speed : NAN;
+    return DEM_OK;
+}

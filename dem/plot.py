@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""plot.py -- cost.csv of `dem cost` as a picture: error over processor time, with the Pareto front and the observed order.
+
+    python3 plot.py FOLDER/cost.csv        writes FOLDER/cost.png and FOLDER/cost.svg
+
+It lies beside the program as dem-plot. SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import csv
+import math
+import pathlib
+import sys
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+COLOURS = {"kinetic": "#c8401f", "rotation": "#e09f3e", "height": "#1d3557", "overlap": "#457b9d", "force": "#2a7f62",
+           "contacts": "#7b5ea7", "restitution": "#111111"}
+TITLES = {"step": "time step", "stiffness": "stiffness, against hard spheres", "precision": "precision, against double"}
+
+plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.alpha": 0.25,
+                     "savefig.dpi": 160, "savefig.bbox": "tight", "svg.hashsalt": "suna"})
+
+
+def number(row, name):
+    return float(row[name])
+
+
+def draw_quantity(axes, rows):
+    """One quantity of one ladder: its errors, from coarse to fine, with what they may be off by."""
+    rows = [r for r in rows if number(r, "error") > 0]
+    if not rows:
+        return
+    name, order = rows[0]["quantity"], number(rows[0], "order")
+    label = name + (f", order {order:.2g}" if math.isfinite(order) else "") + f" ({rows[0]['kind']})"
+    time, error = [number(r, "processor[s]") for r in rows], [100*number(r, "error") for r in rows]
+    unsure = [100*number(r, "error_unsure") for r in rows]
+    low = [min(u, 0.9*e) for e, u in zip(error, unsure)]
+    axes.errorbar(time, error, yerr=[low, unsure], color=COLOURS[name], lw=1.2, elinewidth=0.7, capsize=2, marker="o", ms=4, label=label)
+    for r, t, e in zip(rows, time, error):
+        if r["base"] == "1":
+            axes.plot(t, e, "o", ms=9, mfc="none", color=COLOURS[name])
+
+
+def draw_front(axes, rows):
+    """The worst quantity of the rungs that no other beats in both."""
+    points = sorted((number(r, "processor[s]"), 100*number(r, "error")) for r in rows if r["front"] == "1" and r["worst"] == "1"
+                    and number(r, "error") > 0)
+    if points:
+        axes.step(*zip(*points), where="post", color="0.6", lw=5, alpha=0.35, zorder=0, label="Pareto front of the worst")
+
+
+def main():
+    path = pathlib.Path(sys.argv[1])
+    with path.open() as file:
+        rows = list(csv.DictReader(file))
+    ladders = list(dict.fromkeys(r["ladder"] for r in rows))
+    figure, panels = plt.subplots(1, len(ladders), figsize=(5.2*len(ladders), 4.4), squeeze=False)
+    for axes, ladder in zip(panels[0], ladders):
+        own = [r for r in rows if r["ladder"] == ladder]
+        draw_front(axes, own)
+        for quantity in dict.fromkeys(r["quantity"] for r in own):
+            draw_quantity(axes, [r for r in own if r["quantity"] == quantity])
+        drawn = any(number(r, "error") > 0 for r in own)
+        axes.set(xscale="log", yscale="log" if drawn else "linear", xlabel="processor time of a run [s]", ylabel="error [%]")
+        axes.set_title(TITLES.get(ladder, ladder), loc="left", fontsize=9.5)
+        if drawn:
+            axes.legend(fontsize=7, frameon=False, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=2)
+    panels[0, -1].set_title("rings: the scene as it is", loc="right", fontsize=8, color="0.35")
+    for ending in ("png", "svg"):
+        figure.savefig(path.with_suffix("." + ending), metadata={"Date": None} if ending == "svg" else None)
+
+
+if __name__ == "__main__":
+    main()
