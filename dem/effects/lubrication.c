@@ -12,8 +12,13 @@
  *
  * The leading term of the squeeze film, good for h << R*; less its value at h_c, so that the force begins at zero. A
  * sphere that comes from h_c with the speed v meets the asperities with v - v_c, v_c = (c_0/m*) (ln(h_c/h_r) - 1 + h_r/h_c),
- * c_0 = 6 pi mu R*^2, and with a dry restitution e it comes back to h_c with e (v - v_c) - v_c: no rebound below
- * v = v_c (1 + 1/e).
+ * c_0 = 6 pi mu R*^2, and the surface with v - v_t, v_t = (c_0/m*) ln(h_c/h_r). With a dry restitution e it comes back to h_c
+ * with e (v - v_t) - v_t, so not below v = v_t (1 + 1/e), when the film rests while surfaces touch (contact rests): what is
+ * pressed flat has no liquid left to squeeze, and most who resolve the flow have it so. By default it acts on, at the
+ * thickness of the asperities, and takes more the longer the contact lasts: exp(-c_0 t_c/(2 h_r m*)) of the speed, which in
+ * a contact that was made softer than real may be all of it. Of 6 mm steel at St = 27, h_r = 1e-4 R, h_c = 0.1 R, 0.46 comes
+ * back with the film at rest in contact (0.48 was measured), 0.09 when it acts on for as long as steel touches, and nothing
+ * with a modulus of 1e9 Pa (tutorials/rebound).
  *
  * The damper of a thin film is stiff. It acts as min(c, m* / (4 dt)), so that a particle with films all around it (12
  * neighbours) never overshoots, whatever the viscosity of a running fluid is. With a viscosity of its own the longest step
@@ -22,6 +27,7 @@
  * Source: Brenner, Chem. Eng. Sci. 16 (1961) 242 (leading term); the subtraction: Nguyen and Ladd, Phys. Rev. E 66 (2002)
  * 046708; roughness: Davis, Serayssol, Hinch, J. Fluid Mech. 163 (1986) 479, and Smart and Leighton, Phys. Fluids A 1
  * (1989) 52.
+ * At rest in contact: Kempe, Froehlich, J. Fluid Mech. 709 (2012) 445; Biegert, Vowinckel, Meiburg, J. Comput. Phys. 340 (2017) 105.
  * Not here: shearing and rolling films (ln(1/h) terms), elastohydrodynamic deformation. Never beside stokes: that one's
  * restitution has the film's loss in it.
  *
@@ -36,7 +42,15 @@ struct lubrication
     double viscosity;
     double roughness;
     double cut_off;
+    int contact;
 };
+
+enum
+{
+    ACTS,
+    RESTS
+};
+static const char *const contacts[] = {"acts", "rests", NULL};
 
 static const struct dem_field settings[] = {
     DEM_FIELD(lubrication, viscosity, "Pa s", 0.0, 0.0, INFINITY, "of the fluid in the gap; 0: that of the running fluid"),
@@ -44,6 +58,9 @@ static const struct dem_field settings[] = {
               "height of the asperities: the film gets no thinner than this"),
     DEM_FIELD_AS(lubrication, cut_off, "cutOff", "m", DEM_FIELD_REQUIRED, DEM_ABOVE_ZERO, INFINITY,
                  "gap beyond which nothing acts; far below the radius (the law holds there), and far above roughness"),
+    DEM_FIELD_CHOICE(lubrication, contact, "contact", ACTS, contacts,
+                     "what the film does while surfaces touch; acting it takes more the softer, that is longer, the contact: rests "
+                     "where bodies are softer than real"),
     {0},
 };
 
@@ -79,12 +96,13 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *m
 {
     const struct lubrication *film = of;
     const dem_real own = film->viscosity, least = film->roughness, most = film->cut_off, dt = b->dt, step = b->longest;
+    const dem_real nearest = film->contact == RESTS ? 0.0 : -INFINITY;      /* m    gap at which it ends */
 
     (void)memory;
     for (int c = 0; c < b->n; c++)
     {
         const dem_real R = b->reduced_radius[c], m = b->reduced_mass[c], vn = b->vn[c];
-        const dem_real mu = dem_pick(own > 0.0, own, b->viscosity[c]);
+        const dem_real mu = dem_pick(b->gap[c] > nearest, dem_pick(own > 0.0, own, b->viscosity[c]), 0.0);
         const dem_real h = dem_pick(b->gap[c] > least, b->gap[c], least);
         const dem_real thin = dem_pick(h < most, 1.0/h - 1.0/most, 0.0);
         const dem_real film_c = b->counts[c]*(six_pi*mu*R*R*thin);

@@ -1,7 +1,8 @@
 /*
  * Claims: through the whole core the film between a sphere and a wall, and between two unequal spheres, takes the speed
  * (c_0/m*) (ln(h_c/h_r) - 1 + h_r/h_c) on the way from the cut-off to the roughness, and all the energy it takes is
- * booked; momentum stays; a sphere that sinks through its film falls as the closed form has it; films act whatever the
+ * booked; momentum stays; a sphere that sinks through its film falls as the closed form has it; with the film at rest in
+ * contact e (v - v_t) - v_t comes back, v_t = (c_0/m*) ln(h_c/h_r), whatever the stiffness; films act whatever the
  * skins are, and a viscosity without measure stops particles instead of throwing them about.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -110,6 +111,43 @@ static void sinking(void)
     free(scene);
 }
 
+/* A sphere through the film to the wall and back to where it began, with the film at rest in contact or not: v_back/v. */
+static double rebound(const char *contact, double modulus, double v)
+{
+    const double radius = 1e-3, start = 1.01*cut_off;
+    const struct dem_seed seed = {.position = {0.0, 0.0, radius + start}, .velocity = {0.0, 0.0, -v}, .diameter = 2.0*radius, .id = 0,
+                                  .material = "ball"};
+    char *const scene = world_text("materials { ball { density 2500; youngsModulus %g; } rigid { density 1; youngsModulus 1e30; } }"
+                                   "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }"
+                                   "effects { hertz {} dry { restitution 0.9; } lubrication { viscosity %.17g; roughness %.17g; cutOff %.17g;"
+                                   "contact %s; } } time { step 2e-8; }", modulus, mu, roughness, cut_off, contact);
+    struct dem *const d = world(scene, 1, &seed);
+
+    do
+    {
+        world_run(d, 1e-5);
+    } while (world_at(d, 0).x[2] - radius < start && world_tally(d).time < 5e-3);
+    const double back = world_at(d, 0).v[2];
+
+    dem_free(d);
+    free(scene);
+    return back/v;
+}
+
+/* Of a film at rest in contact e (v - v_t) - v_t comes back, whatever the stiffness; one that acts on takes more of a softer contact. */
+static void touching(void)
+{
+    const double v = 0.5, taken = six_pi*mu*1e-6/world_ball(1e-3, 2500.0)*log(cut_off/roughness)/v, expected = 0.9*(1.0 - taken) - taken;
+    const double soft = rebound("rests", 1e8, v), stiff = rebound("rests", 1e10, v);
+
+    /* the film's force lags by half a step, 1e-8 m of its 2e-6: 0.25 %; restitution in steps of t_c/400 and less: 0.1 % */
+    TAP_NEAR(soft, expected, 5e-3*expected, "at rest in a soft contact: %.4f of the speed comes back", soft);
+    TAP_NEAR(stiff, expected, 5e-3*expected, "at rest in a stiff contact: %.4f", stiff);
+    const double longer = rebound("acts", 1e8, v), shorter = rebound("acts", 1e10, v);
+
+    TAP_OK(longer < shorter && shorter < stiff, "acting on it leaves %.4f of a soft contact, %.4f of a stiff one", longer, shorter);
+}
+
 /* A cloud in which everyone passes through others' films at many times the skin. */
 static uint64_t cloud(const char *neighbours, double viscosity, double *kinetic, double *most)
 {
@@ -149,6 +187,7 @@ int main(void)
     squeezed(1);
     squeezed(0);
     sinking();
+    touching();
 
     const uint64_t usual = cloud("", 0.01, &kinetic, &most);
 

@@ -1,0 +1,134 @@
+"""dem_case.py -- what the cases of the program dem have in common: its files, intervals, result.csv, the table in README.md.
+
+Interval        95 %, Student's t: of independent runs (seeds), or of blocks of time of one run. Each case says which.
+result.csv      a row a quantity: quantity, where, reference, value, ci95, unit; what has no reference leaves it empty
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import csv
+import re
+import shutil
+import sys
+from pathlib import Path
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy
+
+OURS, REFERENCE, OTHER = "#c8401f", "#1d3557", "#6a8d73"
+
+plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
+                     "grid.alpha": 0.25, "savefig.dpi": 130, "savefig.bbox": "tight", "legend.frameon": False,
+                     "legend.fontsize": 8})
+
+KINDS = {"Float64": "<f8", "Float32": "<f4", "Int64": "<i8"}
+
+
+# ---- what dem writes ---------------------------------------------------------------------------------------------------
+
+def read_vtp(path):
+    """The columns of a picture of particles by name; "points" are the positions."""
+    raw = Path(path).read_bytes()
+    split = raw.index(b"<AppendedData")
+    start = raw.index(b"_", split) + 1
+    columns = {}
+    for kind, name, width, offset in re.findall(r'type="(\w+)" Name="(\w+)"(?: NumberOfComponents="(\d+)")? format="appended" '
+                                                r'offset="(\d+)"', raw[:split].decode()):
+        at = start + int(offset)
+        size = int.from_bytes(raw[at:at + 8], "little")
+        values = numpy.frombuffer(raw[at + 8:at + 8 + size], KINDS[kind]).astype(float if "Float" in kind else int)
+        columns[name] = values.reshape(-1, int(width)) if width and int(width) > 1 else values
+    return columns
+
+
+def pictures(folder):
+    """Times [s] and files of all pictures of a run."""
+    text = (Path(folder)/"particles.pvd").read_text()
+    return [(float(time), Path(folder)/name) for time, name in re.findall(r'timestep="([^"]+)".*?file="([^"]+)"', text)]
+
+
+def read_table(path):
+    """A table with a head: columns of numbers by name without the unit; what is no number stays text."""
+    with open(path, newline="") as file:
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    columns = {}
+    for name, *values in zip(*rows):
+        try:
+            columns[name.split("[")[0]] = numpy.array(values, float)
+        except ValueError:
+            columns[name.split("[")[0]] = numpy.array(values)
+    return columns
+
+
+# ---- how sure ----------------------------------------------------------------------------------------------------------
+
+def student(freedom):
+    """97.5 % point of Student's t; exact for 1 and 2 degrees of freedom, then Abramowitz and Stegun 26.7.5, within 0.5 %."""
+    if freedom < 3:
+        return (12.7062, 4.3027)[freedom - 1]
+    z, n = 1.959964, float(freedom)
+    return (z + (z**3 + z)/(4*n) + (5*z**5 + 16*z**3 + 3*z)/(96*n**2)
+            + (3*z**7 + 19*z**5 + 17*z**3 - 15*z)/(384*n**3)
+            + (79*z**9 + 776*z**7 + 1482*z**5 - 1920*z**3 - 945*z)/(92160*n**4))
+
+
+def interval(values):
+    """Mean and half the width of its 95 % interval of independent values; one value alone has none."""
+    values = numpy.asarray(values, float)
+    n = len(values)
+    return values.mean(), (student(n - 1)*values.std(ddof=1)/numpy.sqrt(n) if n > 1 else numpy.nan)
+
+
+def blocks(values, number):
+    """The same from means over blocks of a series in time."""
+    return interval([block.mean() for block in numpy.array_split(numpy.asarray(values, float), number)])
+
+
+# ---- what is told ------------------------------------------------------------------------------------------------------
+
+class Result:
+    """Rows of result.csv, which are also those of the table in README.md."""
+
+    def __init__(self):
+        self.rows = []
+
+    def add(self, quantity, where, reference, value, ci95, unit):
+        self.rows.append((quantity, where, reference, value, ci95, unit))
+
+    def write(self, path="result.csv"):
+        def text(x):
+            return x if isinstance(x, str) else "" if x is None or numpy.isnan(x) else f"{x:.5g}"
+        with open(path, "w", newline="") as file:
+            out = csv.writer(file, lineterminator="\n")
+            out.writerow(["quantity", "where", "reference", "value", "ci95", "unit"])
+            out.writerows([text(x) for x in row] for row in self.rows)
+        width = max(len(str(row[0])) + len(str(row[1])) for row in self.rows) + 1
+        for quantity, where, *numbers, unit in self.rows:
+            reference, value, ci95 = map(text, numbers)
+            print(f"{quantity + ' ' + where:{width}s} {value:>9s}{' +- ' + ci95 if ci95 else '':12s}  "
+                  f"{'reference ' + reference if reference else '':24s} {unit}")
+
+
+def table(path):
+    """result.csv as a table of README.md."""
+    lines = ["| | | reference | Suna | 95 % | |", "|---|---|---|---|---|---|"]
+    with open(path, newline="") as file:
+        for row in csv.DictReader(file):
+            ci95 = f"± {row['ci95']}" if row["ci95"] else ""
+            unit = "" if row["unit"] == "1" else row["unit"]
+            lines.append(f"| {row['quantity']} | {row['where']} | {row['reference']} | **{row['value']}** | {ci95} | {unit} |")
+    return "\n".join(lines)
+
+
+def store(text, *files):
+    """Keep files of this run in stored/ and put its table into README.md, under a line that says what ran where."""
+    Path("stored").mkdir(exist_ok=True)
+    for file in ("result.csv", *files):
+        shutil.copy(file, "stored")
+    readme = Path("README.md")
+    before, found, rest = readme.read_text().partition("<!-- table -->\n")
+    if not found:
+        sys.exit("store: README.md has no line <!-- table -->")
+    after = rest.partition("<!-- end -->")[2]
+    readme.write_text(f"{before}{found}{text}:\n\n{table('result.csv')}\n<!-- end -->{after}")
