@@ -221,6 +221,7 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
 
 void Foam::demRecord::prepare(::dem* d)
 {
+    demCheck(dem_contacts_watch(d));        // for the profile at the end
     if (energy_)
     {
         demCheck(dem_energy_watch(d));

@@ -74,6 +74,7 @@ void dem_free(struct dem *d)
     dem_kept_free(&d->parts.kept);
     dem_wall_books_free(&d->parts.books);
     dem_ledger_free(&d->parts.ledger);
+    dem_durations_free(&d->parts.durations);
     dem_contacts_free(&d->parts.contacts);
     dem_particles_free(&d->parts.particles);
     dem_walls_free(&d->parts.walls);

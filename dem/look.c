@@ -45,6 +45,13 @@ int dem_profile_text(struct dem *d, const char **text)
     return DEM_OK;
 }
 
+int dem_contacts_watch(struct dem *d)
+{
+    DEM_TRY(dem_door_early(d, "dem_contacts_watch"));
+    d->parts.durations.asked = 1;
+    return DEM_OK;
+}
+
 int dem_orientation_watch(struct dem *d)
 {
     DEM_TRY(dem_door_early(d, "dem_orientation_watch"));

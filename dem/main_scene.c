@@ -190,6 +190,7 @@ static int make_ready(const struct dem_program *prog, const struct dem_request *
     DEM_TRY(r->bare ? DEM_OK : dem_output_check(&s->output, prog));
     DEM_TRY(leave_to_openfoam(dem_scene_dict(d), &s->coupling));
     DEM_TRY(s->output.energy > 0.0 && !r->bare ? dem_energy_watch(d) : DEM_OK);
+    DEM_TRY(s->output.profile && !r->bare ? dem_contacts_watch(d) : DEM_OK);
     DEM_TRY(s->output.orientation ? dem_orientation_watch(d) : DEM_OK);
     DEM_TRY(dem_check(d));
     DEM_TRY(read_gravity(s, dem_scene_dict(d)));

@@ -52,6 +52,23 @@ static void tell_ranks(struct dem_text *t, const struct dem_profile *f)
                  dem_text_bytes(ratio((double)f->letter_bytes, (double)f->rebuilds*f->ranks)), f->cuts);
 }
 
+/* What the step was good for. */
+static void tell_accuracy(struct dem_text *t, const struct dem_profile *f)
+{
+    static const char *const more[] = {"", "more than "};
+    const int most = 128;                                 /* longer ones are not told apart */
+
+    dem_text_add(t, "    accuracy: largest overlap %.3g %% of a diameter", 100.0*f->largest_overlap);
+    if (f->watched > 0)
+    {
+        const int a = f->least_steps > most, b = f->median_steps > most;
+
+        dem_text_add(t, "; the shortest of %lld contacts watched from their beginning lasted %s%d steps, the median %s%d", (long long)f->watched,
+                     more[a], a ? most : f->least_steps, more[b], b ? most : f->median_steps);
+    }
+    dem_text_add(t, "\n");
+}
+
 int dem_profile_write(struct dem_text *t, const struct dem_profile *f)
 {
     const double seconds = f->wall - f->outside, speed = 1e-6*ratio((double)f->particle_steps, seconds);
@@ -69,6 +86,7 @@ int dem_profile_write(struct dem_text *t, const struct dem_profile *f)
     dem_text_add(t, "; skins %.3g and %.3g diameters\n", ratio(f->outer_skin, f->diameter), ratio(f->inner_skin, f->diameter));
     dem_text_add(t, "    a particle: %.3g contacts, %.3g near rows, %.4g bytes\n", ratio((double)f->contacts, (double)f->particles),
                  ratio((double)f->row_steps, (double)f->particle_steps), ratio(f->bytes, (double)f->particles));
+    tell_accuracy(t, f);
     if (f->ranks > 1)
     {
         tell_ranks(t, f);

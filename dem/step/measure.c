@@ -142,6 +142,7 @@ void dem_measure_tally(struct dem_parts *p, struct dem_tally *t)
     {
         *(p->flows.flow[k].kind != DEM_FLOW_OUTLET ? &t->inserted : &t->removed) += p->flows.flow[k].count;
     }
+    p->watch.most = fmax(p->watch.most, p->watch.overlap);
     p->watch.overlap = 0.0;
     if (p->contacts.booked)
     {

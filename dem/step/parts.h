@@ -17,6 +17,7 @@
 #include "state/walls.h"
 #include "step/averages.h"
 #include "step/balance.h"
+#include "step/durations.h"
 #include "step/kept.h"
 #include "step/ledger.h"
 #include "step/bonds.h"
@@ -30,6 +31,7 @@
 struct dem_watch                                          /* what the sweep saw; reset by who asks */
 {
     double overlap;                                       /* 1  largest, of the smaller partner's diameter */
+    double most;                                          /* 1  the same, of all times that somebody has asked */
     double limit;                                         /* 1  more than this ends the run */
     int64_t i, j;                                         /* culprits; j is -1 - region at a wall */
     double x[3];                                          /* m  where */
@@ -55,6 +57,7 @@ struct dem_parts
     struct dem_wall_books books;
     struct dem_ledger ledger;
     struct dem_phases phases;
+    struct dem_durations durations;
     struct dem_balance balance;
     int stale;                                            /* 1: rebuild in the next step whatever has moved; 2: there are no
                                                              lists of these particles yet */

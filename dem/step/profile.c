@@ -7,6 +7,7 @@
 #include "base/clock.h"
 #include "step/measure.h"
 #include "step/survey.h"
+#include <math.h>
 
 enum
 {
@@ -84,4 +85,7 @@ void dem_profile_take(struct dem_parts *p, struct dem_profile *f)
         f->wall += mean[k];
     }
     gather_counts(p, f);
+    f->largest_overlap = fmax(p->watch.most, p->watch.overlap);
+    dem_measure_most(p, &f->largest_overlap, 1);
+    dem_durations_tell(p, &f->watched, &f->longer, &f->least_steps, &f->median_steps);
 }

@@ -166,7 +166,8 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
     DEM_TRY(dem_neighbourhood(p, fastest[0]*dt, kick < dt || p->stopped));
     count_work(p);
     const int keeps = p->kept.every > 0 && p->steps >= p->kept.steps + p->kept.every && kick == dt;
-    const int fused = !keeps && !p->ledger.open, looked = kick < dt || p->stopped || dem_averages_due(&p->averages, p->time);
+    const int watched = dem_durations_due(&p->durations, p->steps);
+    const int fused = !keeps && !p->ledger.open, looked = kick < dt || p->stopped || watched || dem_averages_due(&p->averages, p->time);
     const int held = p->domain.flat[0] || p->domain.flat[1] || p->domain.flat[2];
     const struct dem_body_sweep bodies = {.kick = kick, .window = p->window, .ledger = p->ledger.open ? &p->ledger : NULL,
                                           .contacts = fused ? &p->contacts : NULL, .quiet = fused && !looked,
@@ -198,6 +199,7 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
     p->drifted = pass.quiet && bodies.round;
     p->fastest = dem_motion_fastest(&pass.seen);
     dem_phases_end(&p->phases, DEM_PHASE_BODIES);
+    *status = *status || !watched ? *status : dem_durations_note(&p->durations, p);
     return DEM_OK;
 }
 

@@ -1,6 +1,7 @@
 /*
  * What a run tells of its cost is so: phases of one rank add up to the time that passed, by another reading of the clock, whether
- * each step is looked at or one in many; what is counted agrees with what is known of the scene; looking changes nothing.
+ * each step is looked at or one in many; what is counted agrees with what is known of the scene; looking changes nothing. Contacts last
+ * as many steps as Hertz has it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
@@ -11,6 +12,7 @@
 #include "base/clock.h"
 #include "dem.h"
 #include "step/phases.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -159,6 +161,52 @@ static void cost(void)
     TAP_OK(10.0*least < 4e-3*5000*0.06e-6, "ten readings are next to nothing");
 }
 
+/* 40 pairs that meet head on at the speed v, at even fractions of a step after the second: a contact lasts 2.9432 d_max/v
+   (Hertz; Johnson, Contact Mechanics, 11.4), as many steps or one more or less. */
+static void durations(double steps, double v)
+{
+    enum { PAIRS = 40 };
+    const double pi = 3.14159265358979324, R = 0.5e-3, rho = 2500.0, E = 1e7/(2.0*(1.0 - 0.09)), m = 2.0/3.0*pi*R*R*R*rho;
+    const double contact = 2.9432*pow(15.0*m*v*v/(16.0*E*sqrt(0.5*R)), 0.4)/v, dt = contact/steps;
+    struct dem_seed seed[2*PAIRS];
+    struct dem_profile f;
+    struct dem *d = NULL;
+    char step[32];
+
+    memset(seed, 0, sizeof seed);
+    for (int k = 0; k < 2*PAIRS; k++)
+    {
+        const double gap = v*dt*(2.0 + (k/2 + 0.5)/PAIRS), sign = k%2 ? 1.0 : -1.0;
+
+        seed[k] = (struct dem_seed){.position = {sign*(R + 0.5*gap), 4.0*R*(k/2), 0.0}, .velocity = {-0.5*sign*v, 0.0, 0.0}, .diameter = 2.0*R,
+                                    .id = k, .material = "ball"};
+    }
+    snprintf(step, sizeof step, "%.17g", dt);
+    int status = dem_create(&d, MPI_COMM_NULL)
+              || dem_scene_text(d, "materials { ball { density 2500; youngsModulus 1e7; } } effects { hertz {} }", "pairs")
+              || dem_set(d, "time/step", step) || dem_set(d, "time/force", "yes") || dem_contacts_watch(d)
+              || dem_add_particles(d, 2*PAIRS, seed) || dem_ready(d);
+
+    status = status || dem_advance(d, fmin(250.0, 3.0*steps)*dt) || dem_profile(d, &f);
+    TAP_OK(status == 0, "pairs: %s", dem_error_text());
+    TAP_OK(f.watched == PAIRS, "all %d contacts are watched from beginning to end, %lld", PAIRS, (long long)f.watched);
+    if (steps > 129.0)
+    {
+        TAP_OK(f.longer == PAIRS && f.least_steps == 129 && f.median_steps == 129, "all are longer ones");
+    }
+    else
+    {
+        TAP_OK(f.longer == 0, "none is a longer one");
+        TAP_NEAR(f.least_steps, steps, 1.0, "the shortest of %g steps", steps);
+        TAP_NEAR(f.median_steps, steps, 1.0, "and their median");
+    }
+    const double peak = 0.5*pow(15.0*m*v*v/(16.0*E*sqrt(0.5*R)), 0.4)/R;
+
+    /* at steps: below the top by (pi/2 of half a step in steps)^2/2, at most; 1e-3 is the leapfrog's at t_c/20 */
+    TAP_NEAR(f.largest_overlap/peak, 1.0, 0.5*pow(0.5*pi/steps, 2.0) + 1e-3, "the largest overlap");
+    dem_free(d);
+}
+
 int main(void)
 {
     TAP_TRAPS;
@@ -166,6 +214,10 @@ int main(void)
     times(6000, 20);
     counts(300, 40);
     looking_changes_nothing();
+    durations(10.0, 1.0);
+    durations(20.0, 0.5);
+    durations(90.0, 0.5);
+    durations(200.0, 0.5);
     cost();
     TAP_DONE;
 }
