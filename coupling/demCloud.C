@@ -372,7 +372,13 @@ void Foam::demCloud::write()
     demCheck(dem_save(dem_, file.c_str()));
     demSnapshot::keep(mesh_.time(), numbers);
     refresh();
-    demWriter::write(mesh_, view_, fluid_.place ? fluid_.place : place_.cdata());
+    demWriter::write
+    (
+        mesh_,
+        view_,
+        transfer_.seen(view_),
+        fluid_.place ? fluid_.place : place_.cdata()
+    );
     voidFraction_.write();
     if (acceleration_)
     {

@@ -149,9 +149,9 @@ void Foam::demCloud::depositVolume()
     scalarField V(volumes(view_));
     if (flows_.active())
     {
-        flows_.share(view_, V);
+        flows_.share(transfer_.seen(view_), V);
     }
-    deposited_ = gSum(V);
+    deposited_ = transfer_.share()*gSum(V);
     transfer_.depositVolume(V, solid);
 
     voidFraction_.primitiveFieldRef() = 1 - solid.field();
@@ -268,7 +268,7 @@ Foam::scalar Foam::demCloud::crossSection() const
     const scalar height =
         g > 0 ? mag(mesh_.bounds().span() & gravity())/g : 0;
 
-    return height > 0 ? gSum(mesh_.V().field())/height : 0;
+    return height > 0 ? gSum(mesh_.V().field())/height/transfer_.share() : 0;
 }
 
 

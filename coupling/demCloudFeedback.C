@@ -50,7 +50,9 @@ void Foam::demCloud::settle
                onFluid,
                fluid_,
                velocity,
-               makesRoom_ ? volumes(view_)*gradient : 0*gradient
+               makesRoom_ ? volumes(view_)*gradient : 0*gradient,
+               transfer_.share(),
+               transfer_.whole()
            )
         << endl;
 
@@ -218,7 +220,7 @@ void Foam::demCloud::bookExchange
 
 void Foam::demCloud::reportMomentum
 (
-    const vector& fluid,
+    const vector& ofMesh,
     const vector& alsoOwed
 )
 {
@@ -226,6 +228,7 @@ void Foam::demCloud::reportMomentum
     demCheck(dem_tally(dem_, &now));
     refresh();
 
+    const vector fluid(transfer_.whole() & ofMesh);
     const vector particles(now.momentum[0], now.momentum[1], now.momentum[2]);
     const vector owed(demLedger::owed(fluid_) + alsoOwed);
 

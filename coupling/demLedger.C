@@ -40,7 +40,9 @@ Foam::scalar Foam::demLedger::exchange
     const volVectorField& force,
     const struct ::dem_fluid& fluid,
     const UList<vector>& velocity,
-    const UList<vector>& push
+    const UList<vector>& push,
+    const scalar share,
+    const tensor& whole
 )
 {
     const scalarField& V = force.mesh().V();
@@ -70,7 +72,8 @@ Foam::scalar Foam::demLedger::exchange
     reduce(toParticles, sumOp<vector>());
     reduce(moved, sumOp<scalar>());
 
-    const scalar error = mag(toFluid + toParticles)/(moved + VSMALL);
+    const scalar error =
+        mag(whole & (toFluid + share*toParticles))/(moved + VSMALL);
     worst_ = max(worst_, error);
     return error;
 }

@@ -10,7 +10,6 @@
 #include "syncTools.H"
 #include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
-#include "wedgePolyPatch.H"
 
 
 void Foam::demLocator::addPlanes()
@@ -72,13 +71,6 @@ void Foam::demLocator::addOtherSide()
         const label start = patch.start() - nInternal;
         const bool between = isA<processorPolyPatch>(patch);
 
-        if (isA<wedgePolyPatch>(patch))
-        {
-            FatalErrorInFunction
-                << "patch " << patch.name() << " is of type " << patch.type()
-                << ", but particles do not turn with it; use the whole domain,"
-                << " or a box" << exit(FatalError);
-        }
         if (!patch.coupled())
         {
             continue;

@@ -33,9 +33,10 @@ Foam::tmp<Foam::scalarField> Foam::demSmoother::conductance
 }
 
 
-Foam::demSmoother::demSmoother(const fvMesh& mesh)
+Foam::demSmoother::demSmoother(const fvMesh& mesh, const demWedge* wedge)
 :
     mesh_(mesh),
+    wedge_(wedge),
     border_(mesh.nBoundaryFaces(), Zero),
     coupled_(false),
     steps_(0)
@@ -133,6 +134,52 @@ void Foam::demSmoother::setLinks(const scalarField& share, const scalar most)
 }
 
 
+void Foam::demSmoother::setTurning()
+{
+    turning_.clear();
+    if (!wedge_)
+    {
+        return;
+    }
+
+    scalarField r(volume_.size());
+    forAll(r, l)
+    {
+        r[l] = wedge_->radius(centre_[l]);
+    }
+
+    turning_.setSize(r.size(), Zero);
+    forAll(inside_, l)
+    {
+        const scalar flow = inside_[l]*(r[to_[l]] - r[from_[l]]);
+        turning_[from_[l]] += flow;
+        turning_[to_[l]] -= flow;
+    }
+    if (coupled_)
+    {
+        scalarField cells(mesh_.nCells());
+        List<scalar> across;
+        scatter(r, cells);
+        syncTools::swapBoundaryCellList(mesh_, cells, across);
+        forAll(across, i)
+        {
+            const label o = lumpOf(mesh_.faceOwner()[mesh_.nInternalFaces() + i]);
+            turning_[o] += border_[i]*(across[i] - r[o]);
+        }
+    }
+    turning_ = max(turning_, scalar(0))/r;
+}
+
+
+void Foam::demSmoother::turn(const Field<vector>& lumps, Field<vector>& gain) const
+{
+    forAll(turning_, l)
+    {
+        gain[l] -= turning_[l]*wedge_->across(lumps[l]);
+    }
+}
+
+
 void Foam::demSmoother::setWidth(const scalar width, const scalar c, const scalar a)
 {
     const scalar area = sqr(width)/4;
@@ -154,6 +201,7 @@ void Foam::demSmoother::setWidth(const scalar width, const scalar c, const scala
 
     lump(most);
     setLinks(share, most);
+    setTurning();
 
     scalarField sum(volume_.size(), Zero);
     forAll(inside_, l)
@@ -164,6 +212,11 @@ void Foam::demSmoother::setWidth(const scalar width, const scalar c, const scala
     forAll(border_, i)
     {
         sum[lumpOf(mesh_.faceOwner()[mesh_.nInternalFaces() + i])] += border_[i];
+    }
+
+    forAll(turning_, l)
+    {
+        sum[l] += turning_[l];
     }
 
     const scalar stiffest = returnReduce(max(scalarField(sum/volume_)), maxOp<scalar>());
@@ -255,6 +308,7 @@ void Foam::demSmoother::smooth(UList<Type>& cells) const
                 gain[o] += border_[i]*(across[i] - lumps[o]);
             }
         }
+        turn(lumps, gain);
         forAll(lumps, l)
         {
             lumps[l] += rate_[l]*gain[l];

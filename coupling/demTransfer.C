@@ -103,7 +103,7 @@ void Foam::demTransfer::build()
     {
         weights_.reset(new demWeights(mesh_));
     }
-    smoother_.reset(new demSmoother(mesh_));
+    smoother_.reset(new demSmoother(mesh_, wedge_.get()));
     relief_.reset(new demRelief(mesh_));
     size();
 }
@@ -130,6 +130,10 @@ void Foam::demTransfer::size()
     {
         shape_.reset(new demBell(mesh_, width_*diameter_));
     }
+    if (shape_.valid() && wedge_.valid())
+    {
+        shape_.reset(new demRing(wedge_(), shape_.ptr()));
+    }
     if (shape_.valid())
     {
         footprint_.reset(new demFootprint(mesh_, locator_(), shape_()));
@@ -147,6 +151,10 @@ Foam::demTransfer::demTransfer(const fvMesh& mesh, const dictionary& coupling)
     diameter_(0)
 {
     read(coupling);
+    if (demWedge::is(mesh))
+    {
+        wedge_.reset(new demWedge(mesh));
+    }
     build();
 }
 
@@ -186,11 +194,23 @@ Foam::demRoute::stray Foam::demTransfer::locate
 {
     if (mesh_.changing())
     {
+        if (wedge_.valid())
+        {
+            FatalErrorInFunction
+                << "The mesh is a wedge and moves, but walls all around do not"
+                << " move with it; mesh the whole circle, or take dynamicFvMesh"
+                << " staticFvMesh in constant/dynamicMeshDict"
+                << exit(FatalError);
+        }
         build();
     }
     relief_().clear();
+    if (wedge_.valid())
+    {
+        wedge_().fold(view);
+    }
 
-    const demRoute::stray outside(route_().locate(view, place, out));
+    const demRoute::stray outside(route_().locate(seen(view), place, out));
     if (outside.count)
     {
         return outside;
@@ -199,6 +219,14 @@ Foam::demRoute::stray Foam::demTransfer::locate
     {
         route_().toCentres();
     }
+    cover(view);
+    fade();
+    return outside;
+}
+
+
+void Foam::demTransfer::cover(const demView& view)
+{
     if (footprint_.valid())
     {
         scalarList radius(route_().nParticles());
@@ -209,7 +237,37 @@ Foam::demRoute::stray Foam::demTransfer::locate
         route_().toSpots(radius);
         footprint_().update(route_().spots(), radius);
     }
-    return outside;
+}
+
+
+void Foam::demTransfer::fade()
+{
+    if (wedge_.valid())
+    {
+        scalarField r(mesh_.nCells());
+        forAll(r, celli)
+        {
+            r[celli] = wedge_().radius(mesh_.cellCentres()[celli]);
+        }
+        wedge_().setFade(gather<scalar>(r)());
+    }
+}
+
+
+template<class Type>
+Foam::tmp<Foam::Field<Type>> Foam::demTransfer::gather(const UList<Type>& cells) const
+{
+    tmp<Field<Type>> tvalues(new Field<Type>(route_().spots().size()));
+    if (footprint_.valid())
+    {
+        footprint_().collect(cells, tvalues.ref());
+    }
+    else if (weights_.valid())
+    {
+        weights_().collect(route_().spots(), cells, tvalues.ref());
+    }
+    route_().toParticles(tvalues.ref());
+    return tvalues;
 }
 
 
@@ -220,16 +278,11 @@ Foam::tmp<Foam::Field<Type>> Foam::demTransfer::sample(const UList<Type>& cells)
     relief_().collect(smooth);
     smoother_().smooth(smooth);
 
-    tmp<Field<Type>> tvalues(new Field<Type>(route_().spots().size()));
-    if (footprint_.valid())
+    tmp<Field<Type>> tvalues(gather<Type>(smooth));
+    if (wedge_.valid())
     {
-        footprint_().collect(smooth, tvalues.ref());
+        wedge_().turn(tvalues.ref());
     }
-    else if (weights_.valid())
-    {
-        weights_().collect(route_().spots(), smooth, tvalues.ref());
-    }
-    route_().toParticles(tvalues.ref());
     return tvalues;
 }
 
@@ -242,6 +295,10 @@ void Foam::demTransfer::put
 ) const
 {
     List<Type> values(perParticle);
+    if (wedge_.valid())
+    {
+        wedge_().back(values);
+    }
     route_().toSpots(values);
 
     density.setSize(mesh_.nCells());

@@ -9,6 +9,7 @@
 #include "demWalls.H"
 #include "demCheck.H"
 #include "demDomain.H"
+#include "demWedge.H"
 #include "DynamicList.H"
 #include "OSspecific.H"
 #include "Time.H"
@@ -18,6 +19,19 @@
 
 namespace Foam
 {
+
+static List<double> triangles(const pointField& corners)
+{
+    return List<double>
+    (
+        UList<double>
+        (
+            const_cast<double*>(reinterpret_cast<const double*>(corners.cdata())),
+            3*corners.size()
+        )
+    );
+}
+
 
 // Nine numbers per triangle
 static List<double> triangles
@@ -197,7 +211,14 @@ Foam::demWalls::demWalls(const polyMesh& mesh, const demDict& dict)
 Foam::label Foam::demWalls::add(::dem* d)
 {
     const tmp<pointField> tpoints(demDomain::firstPoints(mesh_));
+    autoPtr<demWedge> wedge;
     label walls = 0;
+
+    if (demWedge::is(mesh_))
+    {
+        wedge.reset(new demWedge(mesh_));
+        wedge().check(dict_);
+    }
 
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
@@ -208,7 +229,9 @@ Foam::label Foam::demWalls::add(::dem* d)
                 d,
                 patch.name(),
                 dict_.material(patch),
-                triangles(split(patch, tpoints()), tpoints())
+                wedge.valid()
+              ? triangles(wedge().sweep(patch, tpoints())())
+              : triangles(split(patch, tpoints()), tpoints())
             );
             walls++;
         }

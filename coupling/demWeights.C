@@ -8,6 +8,7 @@
 
 #include "demWeights.H"
 #include "syncTools.H"
+#include "wedgePolyPatch.H"
 
 namespace Foam
 {
@@ -104,9 +105,17 @@ Foam::tmp<Foam::symmTensorField> Foam::demWeights::walls() const
     {
         if (!patch.coupled())
         {
+            // particles are in the middle plane of a wedge
+            const bool wedge = isA<wedgePolyPatch>(patch);
+
             forAll(patch, i)
             {
-                const vector n(normalised(patch.faceAreas()[i]));
+                const vector n
+                (
+                    wedge
+                  ? refCast<const wedgePolyPatch>(patch).centreNormal()
+                  : vector(normalised(patch.faceAreas()[i]))
+                );
                 for (const label pointi : patch[i])
                 {
                     dyads[pointi] += sqr(n);

@@ -23,18 +23,20 @@ static const fileName cloudFolder("lagrangian/particles");
 
 // One particle on its way to the rank that writes it, as plain numbers:
 // 0 cell, 1 position, 4 velocity, 7 spin, 10 contact force, 13 diameter,
-// 14 mass, 15 id, 16 material, 17 flags
-enum { NUMBERS = 18 };
+// 14 mass, 15 id, 16 material, 17 flags, 18 place
+enum { NUMBERS = 21 };
 
 static void pack
 (
     const struct ::dem_view& v,
+    const struct ::dem_view& seen,
     const double* place,
     const size_t i,
     DynamicList<scalar>& to
 )
 {
-    const double* x = dem_at(v.position, v.stride, i);
+    const double* x = dem_at(seen.position, seen.stride, i);
+    const double* here = dem_at(v.position, v.stride, i);
     const double* u = dem_at(v.velocity, v.stride, i);
     const double* w = dem_at(v.spin, v.stride, i);
 
@@ -53,17 +55,24 @@ static void pack
     to.append(*reinterpret_cast<const uint16_t*>(at));
     at = reinterpret_cast<const char*>(v.flags) + v.stride*i;
     to.append(*reinterpret_cast<const uint16_t*>(at));
+
+    for (int k = 0; k < 3; k++) to.append(here[k]);
 }
 
 
 // Everyone's particles to the ranks of their cells
-static List<scalar> deal(const struct ::dem_view& v, const double* place)
+static List<scalar> deal
+(
+    const struct ::dem_view& v,
+    const struct ::dem_view& seen,
+    const double* place
+)
 {
     List<DynamicList<scalar>> out(Pstream::nProcs());
 
     for (size_t i = 0; i < v.n; i++)
     {
-        pack(v, place, i, out[label(place[2*i])]);
+        pack(v, seen, place, i, out[label(place[2*i])]);
     }
 
     if (!Pstream::parRun())
@@ -184,10 +193,11 @@ void Foam::demWriter::write
 (
     const fvMesh& mesh,
     const struct ::dem_view& view,
+    const struct ::dem_view& seen,
     const double* place
 )
 {
-    const List<scalar> all(deal(view, place));
+    const List<scalar> all(deal(view, seen, place));
 
     const auto one = [](const UList<scalar>& n, const label at)
     {
@@ -208,6 +218,10 @@ void Foam::demWriter::write
     writeField<label>(mesh, "id", all, 15, whole);
     writeField<label>(mesh, "material", all, 16, whole);
     writeField<label>(mesh, "flags", all, 17, whole);
+    if (seen.position != view.position)
+    {
+        writeField<vector>(mesh, "place", all, 18, three);
+    }
 }
 
 // ************************************************************************* //
