@@ -1,0 +1,37 @@
+"""With added mass light spheres speed up to their rise and no further; a swarm of bubbles stays bounded. SPDX-License-Identifier: GPL-3.0-or-later"""
+import os
+import shutil
+import sys
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+import fluid                                                 # noqa: E402
+HARD = "added mass 400 times the particle's own"
+RISE = ((1.2, 0.20823), (500.0, 0.13555), (990.0, 0.010018), (1010.0, -0.010018))
+
+
+def check(c):
+    for density, speed in RISE:
+        run = c.run("scene.dem", {"materials/bubble/density": density}, name="%g" % density)
+        if c.runs_to_end(run):
+            v = [f[0].v[2] for f in run.snapshots()]
+            c.near("density ratio %g: speed upwards at last, m/s" % (density/1000), v[-1], speed, 0.05*abs(speed))
+            c.below("... largest on the way, over it", max(x/speed for x in v), 1.05)
+    if not fluid.there():
+        return c.skip("swarm of bubbles", "no demPimpleFoam")
+    # the swarm of tests/coupled/forces, three tenths of the volume
+    place = os.path.join(fluid.SHARED, "..", "forces", "swarm")
+    case = object.__new__(fluid.Case)
+    case.folder = c.place("swarm")
+    shutil.copytree(fluid.SHARED, case.folder)
+    shutil.copytree(place, case.folder, dirs_exist_ok=True)
+    shutil.copytree(os.path.join(place, "0.orig"), os.path.join(case.folder, "0"))
+    end = "5" if c.long else "0.1"
+    path = os.path.join(case.folder, "system", "controlDict")
+    with open(path) as file:
+        lines = ["endTime %s;\n" % end if line.startswith("endTime") else line for line in file]
+    with open(path, "w") as file:
+        file.writelines(lines)
+    if not case.run():
+        return c.holds("swarm: runs", False, case.log)
+    # one alone would rise with 0.19 m/s; an exchange that diverges doubles in each step
+    c.below("swarm at 0.3: largest speed of a bubble, m/s", max(max(map(abs, v)) for _, v in case.particles(end).values()), 0.2)
+    c.below("swarm: exchange error", case.worst("exchange error"), 1e-12)

@@ -1,0 +1,134 @@
+"""
+fluid.py -- small cases of OpenFOAM for the checks: a box of cells, written file by file, so that a user can replay what lies in the folder
+(blockMesh, then the solver).
+
+    case = fluid.Case(c, "name", cells=(4, 4, 4), size=(0.04, 0.04, 0.04), patches={...}, scene="materials ...", step=1e-3, end=0.1)
+    case.run()                     blockMesh and demPimpleFoam, or what `solver` says
+    case.particles(time)           id -> (x, v)
+    case.worst("exchange error")   the largest number behind these words in the log
+
+Patches: name -> (faces, type, U, p); faces of the box are x0 x1 y0 y1 z0 z1. Faces that no patch names are periodic in pairs.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import os
+import re
+import shutil
+import subprocess
+
+FACES = {"x0": "(0 4 7 3)", "x1": "(1 2 6 5)", "y0": "(0 1 5 4)", "y1": "(3 7 6 2)", "z0": "(0 3 2 1)", "z1": "(4 5 6 7)"}
+HEAD = "// SPDX-License-Identifier: GPL-3.0-or-later\nFoamFile { version 2.0; format ascii; class %s; object %s; }\n"
+SHARED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "coupled", "shared")
+WALL = ("wall", "noSlip;", "fixedFluxPressure;")
+
+
+def there():
+    """The solver can be run."""
+    return shutil.which("demPimpleFoam") and shutil.which("blockMesh")
+
+
+class Case:
+    def __init__(self, c, name, **k):
+        self.folder = c.place(name)
+        shutil.copytree(SHARED, self.folder, ignore=shutil.ignore_patterns("tetrahedra"))
+        os.makedirs(os.path.join(self.folder, "0"))
+        self.size, self.cells, self.patches = k["size"], k["cells"], k.get("patches", {})
+        self.mesh(k.get("grading", "(1 1 1)"))
+        self.file("dictionary", "constant/demProperties", k["scene"])
+        self.file("dictionary", "constant/transportProperties", "transportModel Newtonian; nu %.9g;" % k.get("nu", 1e-5))
+        if "g" in k:
+            self.file("uniformDimensionedVectorField", "constant/g", "dimensions [0 1 -2 0 0 0 0]; value (%g %g %g);" % k["g"])
+        self.control(k["step"], k["end"], k.get("write"), k.get("control", ""))
+        self.file("volVectorField", "0/U", "dimensions [0 1 -1 0 0 0 0]; internalField %s; boundaryField { %s }" % (
+            k.get("U", "uniform (0 0 0)"), self.fields(2)))
+        self.file("volScalarField", "0/p", "dimensions [0 2 -2 0 0 0 0]; internalField uniform 0; boundaryField { %s }" % self.fields(3))
+        for old, new in k.get("solution", {}).items():
+            self.edit("system/fvSolution", old, new)
+
+    def file(self, kind, path, text):
+        with open(os.path.join(self.folder, path), "w") as file:
+            file.write(HEAD % (kind, os.path.basename(path)) + text + "\n")
+
+    def edit(self, path, old, new):
+        path = os.path.join(self.folder, path)
+        with open(path) as file:
+            text = file.read()
+        if old not in text:
+            raise ValueError("%s has no %s" % (path, old))
+        with open(path, "w") as file:
+            file.write(text.replace(old, new))
+
+    def pairs(self):
+        named = [f for faces, _, _, _ in self.patches.values() for f in faces]
+        return [a for a in "xyz" if a + "0" not in named]
+
+    def fields(self, which):
+        parts = ["%s { type %s }" % (name, patch[which]) for name, patch in self.patches.items()]
+        return " ".join(parts + ["%s%d { type cyclic; }" % (a, k) for a in self.pairs() for k in (0, 1)])
+
+    def mesh(self, grading):
+        x, y, z = self.size
+        corners = [(0, 0, 0), (x, 0, 0), (x, y, 0), (0, y, 0), (0, 0, z), (x, 0, z), (x, y, z), (0, y, z)]
+        parts = ["%s { type %s; faces ( %s ); }" % (n, kind, " ".join(FACES[f] for f in faces)) for n, (faces, kind, _, _) in self.patches.items()]
+        parts += ["%s%d { type cyclic; neighbourPatch %s%d; faces ( %s ); }" % (a, k, a, 1 - k, FACES[a + str(k)]) for a in self.pairs() for k in (0, 1)]
+        self.file("dictionary", "system/blockMeshDict", "scale 1; vertices ( %s ); blocks ( hex (0 1 2 3 4 5 6 7) (%d %d %d) simpleGrading %s ); edges (); boundary ( %s );" % (
+            " ".join("(%.9g %.9g %.9g)" % v for v in corners), *self.cells, grading, "\n".join(parts)))
+
+    def control(self, step, end, write, more):
+        self.file("dictionary", "system/controlDict", "application demPimpleFoam; startFrom startTime; startTime 0; stopAt endTime; endTime %.9g; deltaT %.9g;\n"
+                  "writeControl adjustable; writeInterval %.9g; writePrecision 16; timeFormat general; timePrecision 9; runTimeModifiable no;\n%s" % (
+                      end, step, write or end, more))
+
+    def command(self, *words, limit=1500):
+        try:
+            done = subprocess.run(words, cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=limit)
+        except subprocess.TimeoutExpired:
+            self.log = "did not end within %g s" % limit
+            return False
+        self.log = done.stdout + done.stderr
+        with open(os.path.join(self.folder, "log." + words[0]), "w") as log:
+            log.write(self.log)
+        return done.returncode == 0
+
+    def run(self, solver="demPimpleFoam", ranks=1, split=None):
+        """1 where it ends well. On several ranks the box is cut into `split` pieces."""
+        good = self.command("blockMesh")
+        if good and ranks > 1:
+            self.file("dictionary", "system/decomposeParDict", "numberOfSubdomains %d; method hierarchical; coeffs { n (%d %d %d); delta 0.001; order xyz; }" % (ranks, *split))
+            good = self.command("decomposePar") and self.command("mpirun", "-np", str(ranks), solver, "-parallel") and re.search(r"^End|^\[0\] End", self.log, re.M)
+            log = self.log
+            good = good and self.command("reconstructPar")
+            self.log = log
+        elif good:
+            good = self.command(solver) and "\nEnd" in self.log
+        return bool(good)
+
+    def numbers(self, words):
+        return [float(x) for x in re.findall(re.escape(words) + r" (-?[0-9.]+(?:e[-+]?\d+)?)", self.log)]
+
+    def worst(self, words):
+        found = self.numbers(words)
+        return max(map(abs, found)) if found else float("nan")
+
+    def field(self, time, name):
+        """Rows of numbers of a field's list; one row where all are equal."""
+        with open(os.path.join(self.folder, time, name)) as file:
+            text = file.read()
+        number = r"-?[0-9.]+(?:e[-+]?\d+)?"
+        same = re.search(r"internalField\s+uniform\s+\(?([^;)]*)\)?;", text)
+        if same:
+            return [[float(x) for x in same.group(1).split()]]
+        alike = re.search(r"^(\d+)\s*\{\(?([^})]*)\)?\}", text, re.M)
+        if alike:
+            return [[float(x) for x in re.findall(number, alike.group(2))]]*int(alike.group(1))
+        inner = re.search(r"^(\d+)\s*\n?\(\n?(.*?)\n?\)\s*$", text[text.index("}"):].split("boundaryField")[0], re.S | re.M)
+        if not inner:
+            return []
+        rows = re.findall(r"\(([^()]*)\)", inner.group(2)) or re.split(r"\s+", inner.group(2).strip())
+        return [[float(x) for x in re.findall(number, row)] for row in rows]
+
+    def particles(self, time):
+        place = os.path.join(time, "lagrangian", "particles")
+        ids = [int(r[0]) for r in self.field(place, "id")]
+        where, fast = self.field(place, "positions"), self.field(place, "U")
+        return {n: (x[:3], v) for n, x, v in zip(ids, where, fast)}
