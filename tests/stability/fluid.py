@@ -11,15 +11,30 @@ Patches: name -> (faces, type, U, p); faces of the box are x0 x1 y0 y1 z0 z1. Fa
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import csv
 import os
 import re
 import shutil
 import subprocess
+import results
 
 FACES = {"x0": "(0 4 7 3)", "x1": "(1 2 6 5)", "y0": "(0 1 5 4)", "y1": "(3 7 6 2)", "z0": "(0 3 2 1)", "z1": "(4 5 6 7)"}
 HEAD = "// SPDX-License-Identifier: GPL-3.0-or-later\nFoamFile { version 2.0; format ascii; class %s; object %s; }\n"
 SHARED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "coupled", "shared")
 WALL = ("wall", "noSlip;", "fixedFluxPressure;")
+
+
+def from_folder(c, name, *places):
+    """A case that lies in tests/coupled, copied: its files, and those that all cases there share."""
+    case = object.__new__(Case)
+    case.folder = c.place(name)
+    shutil.copytree(SHARED, case.folder)
+    for place in places:
+        shutil.copytree(os.path.join(SHARED, "..", place), case.folder, dirs_exist_ok=True)
+    start = os.path.join(case.folder, "0.orig")
+    if os.path.isdir(start):
+        shutil.copytree(start, os.path.join(case.folder, "0"))
+    return case
 
 
 def there():
@@ -29,7 +44,7 @@ def there():
 
 class Case:
     def __init__(self, c, name, **k):
-        self.folder = c.place(name)
+        self.folder = c.place(name.replace(" ", "_"))
         shutil.copytree(SHARED, self.folder, ignore=shutil.ignore_patterns("tetrahedra"))
         os.makedirs(os.path.join(self.folder, "0"))
         self.size, self.cells, self.patches = k["size"], k["cells"], k.get("patches", {})
@@ -58,6 +73,20 @@ class Case:
         with open(path, "w") as file:
             file.write(text.replace(old, new))
 
+    def set(self, path, name, value):
+        """Another value for an entry that has a line of its own."""
+        path = os.path.join(self.folder, path)
+        with open(path) as file:
+            text = file.read()
+        new = re.sub(r"^%s\s.*;" % name, lambda m: "%s %s;" % (name, value), text, flags=re.M)
+        with open(path, "w") as file:
+            file.write(new)
+
+    def table(self, name):
+        """A .csv of postProcessing/dem/0: a list of dicts, units cut off."""
+        with open(os.path.join(self.folder, "postProcessing", "dem", "0", name)) as file:
+            return [{re.sub(r"\[.*", "", k): results.value(v) for k, v in row.items()} for row in csv.DictReader(file)]
+
     def pairs(self):
         named = [f for faces, _, _, _ in self.patches.values() for f in faces]
         return [a for a in "xyz" if a + "0" not in named]
@@ -81,7 +110,7 @@ class Case:
 
     def command(self, *words, limit=1500):
         try:
-            done = subprocess.run(words, cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=limit)
+            done = subprocess.run(words, cwd=self.folder, env=dict(os.environ, PWD=self.folder), stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=limit)
         except subprocess.TimeoutExpired:
             self.log = "did not end within %g s" % limit
             return False
@@ -118,14 +147,17 @@ class Case:
         same = re.search(r"internalField\s+uniform\s+\(?([^;)]*)\)?;", text)
         if same:
             return [[float(x) for x in same.group(1).split()]]
-        alike = re.search(r"^(\d+)\s*\{\(?([^})]*)\)?\}", text, re.M)
+        alike = re.search(r"(?:>\s*|^)(\d+)\s*\{\(?([^})]*)\)?\}", text, re.M)
         if alike:
             return [[float(x) for x in re.findall(number, alike.group(2))]]*int(alike.group(1))
-        inner = re.search(r"^(\d+)\s*\n?\(\n?(.*?)\n?\)\s*$", text[text.index("}"):].split("boundaryField")[0], re.S | re.M)
-        if not inner:
+        body = text[text.index("}") + 1:].split("boundaryField")[0]
+        found = re.search(r"(?:>\s*|^)\d+\s*\n?\(", body, re.M)
+        if not found:
             return []
-        rows = re.findall(r"\(([^()]*)\)", inner.group(2)) or re.split(r"\s+", inner.group(2).strip())
-        return [[float(x) for x in re.findall(number, row)] for row in rows]
+        inner = body[found.end():]
+        if inner.lstrip().startswith("("):
+            return [[float(x) for x in row.split()] for row in re.findall(r"\(([^()]*)\)", inner)]
+        return [[float(x)] for x in inner[:inner.index(")")].split()]
 
     def particles(self, time):
         place = os.path.join(time, "lagrangian", "particles")

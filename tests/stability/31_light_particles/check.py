@@ -1,6 +1,5 @@
 """With added mass light spheres speed up to their rise and no further; a swarm of bubbles stays bounded. SPDX-License-Identifier: GPL-3.0-or-later"""
 import os
-import shutil
 import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 import fluid                                                 # noqa: E402
@@ -18,18 +17,9 @@ def check(c):
     if not fluid.there():
         return c.skip("swarm of bubbles", "no demPimpleFoam")
     # the swarm of tests/coupled/forces, three tenths of the volume
-    place = os.path.join(fluid.SHARED, "..", "forces", "swarm")
-    case = object.__new__(fluid.Case)
-    case.folder = c.place("swarm")
-    shutil.copytree(fluid.SHARED, case.folder)
-    shutil.copytree(place, case.folder, dirs_exist_ok=True)
-    shutil.copytree(os.path.join(place, "0.orig"), os.path.join(case.folder, "0"))
+    case = fluid.from_folder(c, "swarm", "forces/swarm")
     end = "5" if c.long else "0.1"
-    path = os.path.join(case.folder, "system", "controlDict")
-    with open(path) as file:
-        lines = ["endTime %s;\n" % end if line.startswith("endTime") else line for line in file]
-    with open(path, "w") as file:
-        file.writelines(lines)
+    case.set("system/controlDict", "endTime", end)
     if not case.run():
         return c.holds("swarm: runs", False, case.log)
     # one alone would rise with 0.19 m/s; an exchange that diverges doubles in each step
