@@ -132,6 +132,15 @@ int dem_set(struct dem *d, const char *path, const char *value)
     return dem_dict_read_more(d->dict, text, path);
 }
 
+int dem_leave_out(struct dem *d, const char *effect)
+{
+    DEM_TRY(dem_door_early(d, "dem_leave_out"));
+    DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "dem_leave_out comes after the scene has been read");
+    DEM_REQUIRE(dem_dict_remove(d->dict, "effects", false, effect), DEM_ERROR_INPUT, "the scene has no effect %s to leave out", effect);
+    (void)dem_dict_remove(d->dict, "pairs", true, effect);
+    return DEM_OK;
+}
+
 int dem_add_wall(struct dem *d, const char *name, const char *material, int64_t n, const double *triangles)
 {
     struct dem_mesh_wall *w;

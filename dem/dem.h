@@ -49,6 +49,9 @@ int dem_scene_text(struct dem *, const char *text, const char *name);
 /* Override one entry of the scene before dem_check and dem_ready, e.g. dem_set(d, "effects/dry/restitution", "0.9"). */
 int dem_set(struct dem *, const char *path, const char *value);
 
+/* Leave an effect out of the scene, in `effects` and in `pairs`, before dem_check and dem_ready. */
+int dem_leave_out(struct dem *, const char *effect);
+
 /* One wall of n triangles, 9 numbers each (three corners), copied. Every rank hands in all triangles or its own ones;
    the same triangle handed in by two ranks counts once. `name` must match no other wall. Collective. */
 int dem_add_wall(struct dem *, const char *name, const char *material, int64_t n, const double *triangles);

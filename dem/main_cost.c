@@ -5,19 +5,15 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#define _POSIX_C_SOURCE 200809L                           /* strtok_r, isatty */
+#define _POSIX_C_SOURCE 200809L                           /* mkdir */
 #include "main_cost.h"
-#include "base/clock.h"
 #include "base/memory.h"
-#include "base/unknown.h"
 #include <errno.h>
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 static const char help[] =
     "Usage: dem cost [OPTION VALUE] ... [-restart SNAPSHOT] [-set PATH VALUE] ... SCENE\n\n"
@@ -30,144 +26,18 @@ static const char help[] =
     "    -runs N            of a rung, with steps that differ by some per cent; default 5, 3 to 32\n"
     "    -target E          the error to be bought; default 0.01\n"
     "    -of LIST           quantities, with commas: kinetic, rotation, height, overlap, force, contacts, restitution; default all it has\n"
-    "    -ladders LIST      step, stiffness, precision; default all\n"
+    "    -ladders LIST      step, stiffness, precision, friction (its three laws); default all\n"
+    "    -effects           instead: the scene with each effect left out, what that changes and what it saves\n"
     "    -steps LIST        rungs, as shares of the scene's step; default 2,1,0.5,0.25,0.125\n"
     "    -stiffnesses LIST  rungs, as multiples of all Young's moduli; default 0.0625,0.25,1,4,16\n"
     "    -folder NAME       default: the scene's name without its ending, and .cost\n";
-
-enum
-{
-    WINDOW, BUDGET, RUNS, TARGET, OF, LADDERS, STEPS, STIFFNESSES, FOLDER, OPTIONS
-};
-
-static const char *const ladders[] = {"step", "stiffness", "precision"};
-
-struct plan                                               /* what the options say */
-{
-    double steps[DEM_LADDER_RUNGS], stiffnesses[DEM_LADDER_RUNGS];
-    int step_rungs, stiffness_rungs;
-    int ladder[DEM_COST_LADDERS];
-};
-
-/* ---- options --------------------------------------------------------------------------------------------------- */
-
-static int read_number(const struct dem_option *o, double least, double most, double fallback, double *value)
-{
-    char *end;
-
-    *value = fallback;
-    if (!o->given)
-    {
-        return DEM_OK;
-    }
-    *value = strtod(o->given, &end);
-    DEM_REQUIRE(end != o->given && !*end && *value >= least && *value <= most, DEM_ERROR_INPUT, "%s %s; give a number from %g to %g", o->name,
-                o->given, least, most);
-    return DEM_OK;
-}
-
-static int descending(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-
-    return (x < y) - (x > y);
-}
-
-/* Numbers with commas, and 1 among them; the first is the coarsest. */
-static int read_rungs(const struct dem_option *o, const char *fallback, double *value, int *n)
-{
-    const char *at = o->given ? o->given : fallback;
-    char *end;
-    int one = 0;
-
-    for (*n = 0; *at; at = *end ? end + 1 : end)
-    {
-        DEM_REQUIRE(*n < DEM_LADDER_RUNGS, DEM_ERROR_INPUT, "%s %s; give at most %d numbers", o->name, o->given, DEM_LADDER_RUNGS);
-        value[*n] = strtod(at, &end);
-        DEM_REQUIRE(end != at && (!*end || *end == ',') && value[*n] >= 1e-6 && value[*n] <= 1e6, DEM_ERROR_INPUT,
-                    "%s %s; give numbers from 1e-6 to 1e6 with commas between, as in %s", o->name, o->given, fallback);
-        one |= value[(*n)++] == 1.0;
-    }
-    qsort(value, (size_t)*n, sizeof *value, descending);
-    for (int k = 1; k < *n; k++)
-    {
-        DEM_REQUIRE(value[k] < value[k - 1], DEM_ERROR_INPUT, "%s %s has %g twice; give each rung once", o->name, o->given, value[k]);
-    }
-    DEM_REQUIRE(*n >= 3 && one, DEM_ERROR_INPUT, "%s %s; give three rungs or more, 1 (the scene as it is) among them", o->name, o->given);
-    return DEM_OK;
-}
-
-/* Words with commas: chosen[k] is 1 for those that are there. Without the option it is left as it is. */
-static int read_words(const struct dem_option *o, const char *what, const char *const *known, int n, int *chosen)
-{
-    char text[256], *word, *rest;
-
-    if (!o->given)
-    {
-        return DEM_OK;
-    }
-    DEM_REQUIRE(o->given[0] && strlen(o->given) < sizeof text, DEM_ERROR_INPUT, "%s \"%s\"; give words with commas between", o->name, o->given);
-    snprintf(text, sizeof text, "%s", o->given);
-    memset(chosen, 0, (size_t)n*sizeof *chosen);
-    for (word = strtok_r(text, ",", &rest); word; word = strtok_r(NULL, ",", &rest))
-    {
-        int found = 0;
-
-        for (int k = 0; k < n; k++)
-        {
-            found |= strcmp(word, known[k]) == 0;
-            chosen[k] |= strcmp(word, known[k]) == 0;
-        }
-        if (!found)
-        {
-            return dem_unknown_word(what, word, known, n);
-        }
-    }
-    return DEM_OK;
-}
-
-static int name_folder(struct dem_cost *c, const char *given)
-{
-    const char *const slash = strrchr(c->request.scene, '/'), *const name = slash ? slash + 1 : c->request.scene;
-    const char *const dot = strrchr(name, '.');
-    const int length = given ? (int)strlen(given) : (int)(dot && dot > name ? dot - name : (long)strlen(name));
-
-    DEM_REQUIRE(length > 0 && (size_t)length + 6 < sizeof c->folder, DEM_ERROR_INPUT, "a folder's name of %d letters; give another -folder", length);
-    snprintf(c->folder, sizeof c->folder, "%.*s%s", length, given ? given : name, given ? "" : ".cost");
-    return DEM_OK;
-}
-
-static int read_options(struct dem_cost *c, struct plan *p)
-{
-    static const char *const quantities[] = {"kinetic", "rotation", "height", "overlap", "force", "contacts", "restitution"};
-    const struct dem_option *const o = c->request.option;
-    double runs;
-
-    DEM_TRY(read_number(&o[WINDOW], 0.0, DBL_MAX, 0.0, &c->window));
-    DEM_REQUIRE(!o[WINDOW].given || c->window > 0.0, DEM_ERROR_INPUT, "-window %s; give a number of seconds above 0", o[WINDOW].given);
-    DEM_TRY(read_number(&o[BUDGET], 0.1, 1e9, 60.0, &c->budget));
-    DEM_TRY(read_number(&o[RUNS], 3.0, DEM_LADDER_RUNS, 5.0, &runs));
-    DEM_REQUIRE(runs == floor(runs), DEM_ERROR_INPUT, "-runs %g; give a whole number", runs);
-    c->runs = (int)runs;
-    DEM_TRY(read_number(&o[TARGET], 1e-12, 1.0, 0.01, &c->target));
-    for (int k = 0; k < DEM_COST_QUANTITIES; k++)
-    {
-        c->wanted[k] = 1;
-    }
-    DEM_TRY(read_words(&o[OF], "quantity", quantities, DEM_COST_QUANTITIES, c->wanted));
-    p->ladder[0] = p->ladder[1] = p->ladder[2] = 1;
-    DEM_TRY(read_words(&o[LADDERS], "ladder", ladders, DEM_COST_LADDERS, p->ladder));
-    DEM_TRY(read_rungs(&o[STEPS], "2,1,0.5,0.25,0.125", p->steps, &p->step_rungs));
-    DEM_TRY(read_rungs(&o[STIFFNESSES], "0.0625,0.25,1,4,16", p->stiffnesses, &p->stiffness_rungs));
-    return name_folder(c, o[FOLDER].given);
-}
 
 /* ---- the scene as it is ---------------------------------------------------------------------------------------- */
 
 /* A quantity that the scene does not have: left out, or refused when it was asked for by name. */
 static int drop(struct dem_cost *c, int quantity, int has, const char *why)
 {
-    DEM_REQUIRE(has || !c->wanted[quantity] || !c->request.option[OF].given, DEM_ERROR_INPUT, "-of %s: %s; leave it out", dem_cost_name(quantity),
+    DEM_REQUIRE(has || !c->wanted[quantity] || !c->request.option[DEM_ASK_OF].given, DEM_ERROR_INPUT, "-of %s: %s; leave it out", dem_cost_name(quantity),
                 why);
     c->wanted[quantity] = c->wanted[quantity] && has;
     return DEM_OK;
@@ -206,28 +76,14 @@ static int take_scene(struct dem_cost *c, struct dem *d, const struct dem_schedu
     dem_cost_meet(c, d);
     DEM_TRY(choose_quantities(c, d));
     dem_cost_closed(c, d);
+    snprintf(c->acting, sizeof c->acting, "%s", dem_acting(d));
+    DEM_TRY(dem_cost_find_friction(c, dem_scene_dict(d)));
     return dem_cost_moduli(c, dem_scene_dict(d));
 }
 
 /* ---- the window ------------------------------------------------------------------------------------------------ */
 
 static const double few_steps = 10.0, look_steps = 40.0;  /* of the coarsest rung: in a window, between looks */
-
-/* As many runs of the window as all ladders make together, in runs of the scene as it is. */
-static double weight(const struct dem_cost *c, const struct plan *p)
-{
-    double sum = 0.0;
-
-    for (int k = 0; k < p->step_rungs && p->ladder[0]; k++)
-    {
-        sum += 1.0/p->steps[k];
-    }
-    for (int k = 0; k < p->stiffness_rungs && p->ladder[1]; k++)
-    {
-        sum += pow(p->stiffnesses[k], 0.4);               /* as contact times go */
-    }
-    return c->runs*(sum + (p->ladder[2] ? 2.0 : 0.0));
-}
 
 /* How long a step takes in the first `steps` of them; the same on all ranks. */
 static int pilot(struct dem_cost *c, double steps, double *second)
@@ -247,14 +103,14 @@ static int pilot(struct dem_cost *c, double steps, double *second)
 }
 
 /* Steps that the budget allows. What is to come may cost more than the beginning (a bed forms), so try again with what was found. */
-static int afford(struct dem_cost *c, const struct plan *p, double span, double *window)
+static int afford(struct dem_cost *c, double span, double *window)
 {
     double steps = fmin(200.0, span/c->step), second;
 
     for (int k = 0; k < 3; k++)
     {
         DEM_TRY(pilot(c, steps, &second));
-        const double may = fmin(span/c->step, c->budget/weight(c, p)/second);
+        const double may = fmin(span/c->step, c->budget/dem_cost_weight(c)/second);
 
         if (k > 0 && may >= 0.8*steps)
         {
@@ -266,131 +122,18 @@ static int afford(struct dem_cost *c, const struct plan *p, double span, double 
     return DEM_OK;
 }
 
-static int choose_window(struct dem_cost *c, const struct plan *p)
+static int choose_window(struct dem_cost *c)
 {
-    const double span = c->end - c->start, coarsest = fmax(1.0, p->ladder[0] ? p->steps[0] : 1.0);
+    const double span = c->end - c->start, coarsest = fmax(1.0, c->wish.ladder[0] ? c->wish.steps[0] : 1.0);
     double window = c->window;
 
-    DEM_TRY(window > 0.0 ? DEM_OK : afford(c, p, span, &window));
+    DEM_TRY(window > 0.0 ? DEM_OK : afford(c, span, &window));
     const double steps = window/c->step/coarsest;
 
     c->window = window;
     DEM_REQUIRE(steps >= few_steps, DEM_ERROR_INPUT, "a window of %.3g s has only %.3g steps of the coarsest rung; give a longer -window, a larger "
                 "-budget, or finer rungs", window, steps);
     c->looks = c->pair.bodies > 0 ? 1 : (int)fmax(1.0, fmin(DEM_COST_LOOKS, floor(steps/look_steps)));
-    return DEM_OK;
-}
-
-/* ---- ladders --------------------------------------------------------------------------------------------------- */
-
-/* For whoever waits at a terminal. */
-static void show_life(const struct dem_cost *c, const char *text)
-{
-    if (c->prog->rank == 0 && isatty(STDERR_FILENO))
-    {
-        fputs(text, stderr);
-        fflush(stderr);
-    }
-}
-
-/* Runs of some per cent more and less steps. One that fails ends its rung, and is told. */
-static int climb(const struct dem_cost *c, struct dem_cost_rung *r, struct dem_cost_knobs k)
-{
-    const double steps = fmax(1.0, round(c->window/c->looks/r->step)), apart = fmax(1.0, round(0.02*steps));
-
-    for (r->runs = 0; r->runs < c->runs; r->runs++)
-    {
-        k.steps = (int64_t)fmax(1.0, steps + apart*(r->runs - (c->runs - 1)/2));
-        if (dem_cost_run(c, &k, &r->run[r->runs]))
-        {
-            snprintf(r->failed, sizeof r->failed, "%s", dem_error_text());
-            r->runs = 0;
-            return DEM_OK;
-        }
-    }
-    show_life(c, ".");
-    return DEM_OK;
-}
-
-static struct dem_cost_ladder *new_ladder(struct dem_cost *c, const char *knob, const char *says)
-{
-    struct dem_cost_ladder *const l = &c->ladder[c->ladders++];
-
-    l->knob = knob;
-    l->says = says;
-    l->base = -1;
-    memcpy(l->told, c->wanted, sizeof l->told);
-    return l;
-}
-
-static int climb_steps(struct dem_cost *c, const struct plan *p)
-{
-    struct dem_cost_ladder *const l = new_ladder(c, "step", "time step, in steps of the scene as it is");
-
-    l->exact = 1;
-    for (int k = 0; k < p->step_rungs; k++)
-    {
-        struct dem_cost_rung *const r = &l->rung[l->rungs++];
-
-        l->base = p->steps[k] == 1.0 ? k : l->base;
-        snprintf(r->name, sizeof r->name, "%.4g", p->steps[k]);
-        r->size = p->steps[k];
-        r->step = c->step*p->steps[k];
-        DEM_TRY(climb(c, r, (struct dem_cost_knobs){.stiffer = 1.0}));
-    }
-    return DEM_OK;
-}
-
-/* The step is as long beside its limit in all rungs: what it errs by is much the same in all. Soft first. */
-static int climb_stiffnesses(struct dem_cost *c, const struct plan *p)
-{
-    struct dem_cost_ladder *const l = new_ladder(c, "stiffness", "stiffness, in that of the scene; errors against hard spheres");
-
-    l->told[DEM_COST_OVERLAP] = 0;                        /* there are none */
-    for (int k = p->stiffness_rungs - 1; k >= 0; k--)
-    {
-        struct dem_cost_rung *const r = &l->rung[l->rungs];
-        double limit;
-
-        l->base = p->stiffnesses[k] == 1.0 ? l->rungs : l->base;
-        l->rungs++;
-        snprintf(r->name, sizeof r->name, "%.4g", p->stiffnesses[k]);
-        DEM_TRY(dem_cost_limit(c, p->stiffnesses[k], &limit));
-        r->size = limit/c->limit;
-        r->step = c->step*r->size;
-        DEM_TRY(climb(c, r, (struct dem_cost_knobs){.stiffer = p->stiffnesses[k]}));
-    }
-    return DEM_OK;
-}
-
-static int climb_precisions(struct dem_cost *c)
-{
-    struct dem_cost_ladder *const l = new_ladder(c, "precision", "precision; errors against double");
-
-    for (int k = 0; k < 2; k++)
-    {
-        struct dem_cost_rung *const r = &l->rung[l->rungs++];
-
-        snprintf(r->name, sizeof r->name, "%s", k ? "double" : "mixed");
-        r->size = k ? 0.5 : 1.0;
-        r->step = c->step;
-        DEM_TRY(climb(c, r, (struct dem_cost_knobs){.stiffer = 1.0, .precision = r->name}));
-    }
-    l->base = 1;
-    l->paired = 1;
-    return DEM_OK;
-}
-
-static int climb_all(struct dem_cost *c, const struct plan *p)
-{
-    DEM_TRY(p->ladder[0] ? climb_steps(c, p) : DEM_OK);
-    /* else nothing is stiff in it; and what comes of a head-on impact owes nothing to stiffness */
-    if (p->ladder[1] && c->limit < DBL_MAX && (c->pair.bodies == 0 || c->request.option[LADDERS].given))
-    {
-        DEM_TRY(climb_stiffnesses(c, p));
-    }
-    DEM_TRY(p->ladder[2] ? climb_precisions(c) : DEM_OK);
-    show_life(c, "\n");
     return DEM_OK;
 }
 
@@ -404,7 +147,7 @@ static int make_folder(const struct dem_cost *c)
     return DEM_OK;
 }
 
-static int ask(struct dem_cost *c, const struct plan *p)
+static int ask(struct dem_cost *c)
 {
     struct dem_schedule s;
     struct dem *d;
@@ -414,9 +157,9 @@ static int ask(struct dem_cost *c, const struct plan *p)
 
     dem_free(d);
     DEM_TRY(status);
-    DEM_TRY(choose_window(c, p));
+    DEM_TRY(choose_window(c));
     DEM_TRY(dem_program_together(c->prog, make_folder(c)));
-    DEM_TRY(climb_all(c, p));
+    DEM_TRY(dem_cost_climb(c));
     dem_cost_judge(c);
     if (c->prog->rank == 0)
     {
@@ -427,14 +170,13 @@ static int ask(struct dem_cost *c, const struct plan *p)
 
 int dem_main_cost(struct dem_program *prog, int argc, char **argv)
 {
-    struct dem_option option[OPTIONS] = {{.name = "-window"}, {.name = "-budget"}, {.name = "-runs"}, {.name = "-target"}, {.name = "-of"},
-                                         {.name = "-ladders"}, {.name = "-steps"}, {.name = "-stiffnesses"}, {.name = "-folder"}};
-    struct plan p = {.step_rungs = 0};
+    struct dem_option option[DEM_ASK_OPTIONS];
     struct dem_cost *c;
 
     DEM_TRY(DEM_NEW(c, 1));
+    dem_cost_options(option);
     c->prog = prog;
-    c->request = (struct dem_request){.option = option, .options = OPTIONS, .bare = 1};
+    c->request = (struct dem_request){.option = option, .options = DEM_ASK_OPTIONS, .bare = 1};
     int status = dem_request_read(&c->request, "cost", argc, argv);
 
     if (!status && c->request.help)
@@ -443,8 +185,8 @@ int dem_main_cost(struct dem_program *prog, int argc, char **argv)
     }
     else if (!status)
     {
-        status = read_options(c, &p);
-        status = status ? status : ask(c, &p);
+        status = dem_cost_read_options(c);
+        status = status ? status : ask(c);
     }
     dem_memory_free(c);
     return status;

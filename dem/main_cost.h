@@ -1,7 +1,9 @@
 /*
  * main_cost.h -- `dem cost`: what accuracy costs in time. A window of the scene is run over ladders of its knobs.
  *
- *   main_cost.c          the command: options, the window, the ladders
+ *   main_cost.c          the command: the scene as it is, the window
+ *   main_cost_options.c  what may be asked
+ *   main_cost_ladders.c  the ladders: steps, stiffnesses, precisions, laws of friction; each effect left out
  *   main_cost_run.c      one run of the window: its quantities and its processor time
  *   main_cost_closed.c   what a head-on impact must give
  *   main_cost_judge.c    errors of all rungs (plan/ladder.h), and which are worth their time
@@ -29,9 +31,15 @@ enum dem_cost_quantity
     DEM_COST_QUANTITIES
 };
 
+enum                                                      /* options */
+{
+    DEM_ASK_WINDOW, DEM_ASK_BUDGET, DEM_ASK_RUNS, DEM_ASK_TARGET, DEM_ASK_OF, DEM_ASK_WHICH, DEM_ASK_STEPS, DEM_ASK_STIFFNESSES,
+    DEM_ASK_FOLDER, DEM_ASK_EFFECTS, DEM_ASK_OPTIONS
+};
+
 enum
 {
-    DEM_COST_LADDERS = 3,
+    DEM_COST_LADDERS = 4,                                 /* that may be named; the one of effects stands alone */
     DEM_COST_LOOKS = 32,                                  /* at most */
     DEM_COST_MODULI = 36
 };
@@ -71,12 +79,26 @@ struct dem_cost_ladder
 {
     const char *knob, *says;                              /* "step" */
     int exact;                                            /* 1: closed forms hold where the error is gone */
-    int paired;                                           /* 1: rungs are compared run by run with the last */
+    int paired;                                           /* 1: rungs are compared run by run with the last, the base */
     int rungs;
     struct dem_cost_rung rung[DEM_LADDER_RUNGS];          /* from coarse to fine */
     int base;                                             /* the scene as it is; -1: not among them */
     int told[DEM_COST_QUANTITIES];                        /* 1: its errors are told */
     struct dem_ladder judged[DEM_COST_QUANTITIES];
+};
+
+struct dem_cost_wish                                      /* what the options say of ladders */
+{
+    double steps[DEM_LADDER_RUNGS], stiffnesses[DEM_LADDER_RUNGS];
+    int step_rungs, stiffness_rungs;
+    int ladder[DEM_COST_LADDERS];                         /* 1: step, stiffness, precision, friction */
+};
+
+struct dem_cost_friction                                  /* the scene's law, whose settings all three know */
+{
+    const char *law;                                      /* NULL: none, or not the same for all pairs */
+    int settings;
+    char setting[3][2][64];                               /* name, value */
 };
 
 struct dem_cost
@@ -101,6 +123,9 @@ struct dem_cost
         double value;
     } modulus[DEM_COST_MODULI];                           /* all that makes contacts stiff, as the scene has it */
     int moduli;
+    struct dem_cost_wish wish;
+    struct dem_cost_friction friction;
+    char acting[800];                                     /* all effects, with blanks between */
     struct dem_cost_ladder ladder[DEM_COST_LADDERS];
     int ladders;
 };
@@ -108,11 +133,22 @@ struct dem_cost
 const char *dem_cost_name(int quantity);
 const char *dem_cost_unit(int quantity);
 
+/* main_cost_options.c. The command's own options; what they say, checked. */
+void dem_cost_options(struct dem_option option[DEM_ASK_OPTIONS]);
+int dem_cost_read_options(struct dem_cost *);
+
+/* main_cost_ladders.c. How many runs of the window as the scene is all ladders are worth; run them, collective. */
+double dem_cost_weight(const struct dem_cost *);
+int dem_cost_climb(struct dem_cost *);
+int dem_cost_find_friction(struct dem_cost *, const struct dem_dict *scene);
+
 /* main_cost_run.c, collective. One run of the window in looks*steps equal steps, with further overrides on top of the request. */
 struct dem_cost_knobs
 {
     int64_t steps;                                        /* between two looks */
     const char *precision;                                /* NULL: the scene's */
+    const char *without;                                  /* an effect that is left out; NULL: none */
+    const char *friction;                                 /* the law in place of the scene's; NULL: the scene's */
     double stiffer;                                       /* all Young's moduli, and stiffnesses that are given, times this */
 };
 int dem_cost_run(const struct dem_cost *, const struct dem_cost_knobs *, struct dem_cost_run *);

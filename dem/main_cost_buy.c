@@ -181,7 +181,7 @@ static void say_precision(struct sentence *s, const struct dem_cost *c)
         const struct dem_cost_ladder *const l = &c->ladder[n];
         int of;
 
-        if (l->paired && bound(l, &l->rung[0], &of) <= 0.1*c->target && times(l, &l->rung[0]) < 0.95)
+        if (l->base == 1 && strcmp(l->rung[0].name, "mixed") == 0 && bound(l, &l->rung[0], &of) <= 0.1*c->target && times(l, &l->rung[0]) < 0.95)
         {
             say(s, "; time/precision mixed adds %.1g %% and takes %.2g of the time", 100.0*bound(l, &l->rung[0], &of), times(l, &l->rung[0]));
         }
@@ -210,12 +210,42 @@ static void say_softness(struct sentence *s, const struct dem_cost *c)
     }
 }
 
+/* Which effects do nothing here that shows, and what all of those take. */
+static void say_effects(struct sentence *s, const struct dem_cost *c, const struct dem_cost_ladder *l)
+{
+    double saved = 0.0;
+    int idle = 0, of;
+
+    for (int k = 0; k < l->base; k++)
+    {
+        const struct dem_cost_rung *const r = &l->rung[k];
+
+        if (r->runs > 0 && r->worst >= 0 && bound(l, r, &of) <= c->target)
+        {
+            say(s, "%s%s", idle++ > 0 ? ", " : "without ", r->name);
+            saved += 1.0 - times(l, r);
+        }
+    }
+    if (idle == 0)
+    {
+        say(s, "each effect changes something by more than %.3g %%, or chaos hides that it does not", 100.0*c->target);
+        return;
+    }
+    say(s, " nothing changes by more than %.3g %% in this window, each alone; together they take %.2g %% of the processor time", 100.0*c->target,
+        100.0*fmax(0.0, saved));
+}
+
 void dem_cost_buy(const struct dem_cost *c, char *text, size_t size)
 {
     struct sentence s = {.text = text, .size = size};
     const struct dem_cost_ladder *const l = &c->ladder[0];
 
     text[0] = '\0';
+    if (c->ladders > 0 && strcmp(l->knob, "effects") == 0)
+    {
+        say_effects(&s, c, l);
+        return;
+    }
     if (c->ladders == 0 || !l->exact)
     {
         say(&s, "ask for the ladder of steps (-ladders step) to have one");

@@ -131,45 +131,58 @@ static void judge_quantity(struct dem_cost *c, struct dem_cost_ladder *l, int qu
     l->told[quantity] = c->scale[quantity] > 0.0;
 }
 
-/* Rung 0 is mixed, rung 1 double. */
-static void compare(struct dem_cost *c, struct dem_cost_ladder *l, int quantity)
+/* One rung with the base, run by run: rungs 0 and 1 of j. */
+static void compare(const struct dem_cost *c, struct dem_ladder *j, struct dem_cost_rung *r, int quantity)
 {
-    struct dem_ladder *const j = &l->judged[quantity];
-    struct dem_cost_rung *const r = l->rung;
+    struct dem_ladder_rung *const own = &j->rung[0];
     double apart[DEM_LADDER_RUNS], mean, scatter, squares = 0.0;
-    int place[DEM_LADDER_RUNGS];
 
-    if (collect(l, quantity, j, place) < 2 || is_nought(j))
+    for (int k = 0; k < own->runs; k++)
     {
-        l->told[quantity] = 0;
-        return;
-    }
-    for (int k = 0; k < r->runs; k++)
-    {
-        apart[k] = j->rung[0].value[k] - j->rung[1].value[k];
+        apart[k] = own->value[k] - j->rung[1].value[k];
         squares += apart[k]*apart[k];
     }
-    dem_ladder_moments(j->rung[1].value, r->runs, &j->reference, &scatter);
-    j->rung[1].mean = j->reference;
-    j->rung[1].scatter = scatter;
+    dem_ladder_moments(j->rung[1].value, own->runs, &j->reference, &scatter);
+    dem_ladder_moments(apart, own->runs, &mean, &own->scatter);
+    own->mean = j->reference + mean;
+    own->error = sqrt(squares/own->runs);
+    own->unsure = 0.0;
+    if (4.0*own->error > scatter && scatter > 0.0)        /* they have gone other ways */
+    {
+        own->error = fabs(mean);
+        own->unsure = dem_blocks_student(own->runs - 1)*own->scatter/sqrt(own->runs);
+    }
+    r->error[quantity] = own->error/c->scale[quantity];
+    r->unsure[quantity] = own->unsure/c->scale[quantity];
+}
+
+/* The base is the last rung. */
+static void compare_all(struct dem_cost *c, struct dem_cost_ladder *l, int quantity)
+{
+    struct dem_ladder *const j = &l->judged[quantity];
+    int place[DEM_LADDER_RUNGS];
+    const int n = collect(l, quantity, j, place);
+
+    l->told[quantity] = n > 1 && place[n - 1] == l->base && !is_nought(j);
+    if (!l->told[quantity])
+    {
+        return;
+    }
+    for (int k = 0; k < n; k++)
+    {
+        dem_ladder_moments(j->rung[k].value, j->rung[k].runs, &j->rung[k].mean, &j->rung[k].scatter);
+    }
+    j->kind = DEM_LADDER_STATISTICS;                      /* where an interval is told */
+    j->order = j->order_unsure = NAN;
+    j->reference = j->rung[n - 1].mean;
+    j->unsure = 0.0;
     c->scale[quantity] = c->scale[quantity] > 0.0 ? c->scale[quantity] : own_scale(c, quantity, j->reference);
     l->told[quantity] = c->scale[quantity] > 0.0;
-    dem_ladder_moments(apart, r->runs, &mean, &j->rung[0].scatter);
-    j->rung[0].mean = j->reference + mean;
-    j->rung[1].error = j->rung[1].unsure = 0.0;
-    j->rung[0].error = sqrt(squares/r->runs);
-    j->rung[0].unsure = 0.0;
-    j->order = j->order_unsure = NAN;
-    j->kind = 4.0*j->rung[0].error > scatter && scatter > 0.0 ? DEM_LADDER_STATISTICS : DEM_LADDER_EXTRAPOLATED;
-    if (j->kind == DEM_LADDER_STATISTICS)
+    for (int k = 0; k < n && l->told[quantity]; k++)
     {
-        j->rung[0].error = fabs(mean);
-        j->rung[0].unsure = dem_blocks_student(r->runs - 1)*j->rung[0].scatter/sqrt(r->runs);
-    }
-    for (int k = 0; k < 2 && l->told[quantity]; k++)
-    {
-        r[k].error[quantity] = j->rung[k].error/c->scale[quantity];
-        r[k].unsure[quantity] = j->rung[k].unsure/c->scale[quantity];
+        struct dem_ladder both = {.rungs = 2, .rung = {j->rung[k], j->rung[n - 1]}};
+
+        compare(c, &both, &l->rung[place[k]], quantity);
     }
 }
 
@@ -189,7 +202,7 @@ static void find_front(struct dem_cost_ladder *l)
 {
     for (int k = 0; k < l->rungs; k++)
     {
-        l->rung[k].front = l->rung[k].worst >= 0;
+        l->rung[k].front = l->rung[k].worst >= 0 && !l->paired;
         for (int n = 0; n < l->rungs && l->rung[k].front; n++)
         {
             const struct dem_cost_rung *const a = &l->rung[k], *const b = &l->rung[n];
@@ -217,7 +230,7 @@ void dem_cost_judge(struct dem_cost *c)
         {
             if (c->wanted[q] && l->told[q])
             {
-                (l->paired ? compare : judge_quantity)(c, l, q);
+                (l->paired ? compare_all : judge_quantity)(c, l, q);
             }
         }
         for (int k = 0; k < l->rungs; k++)

@@ -53,7 +53,7 @@ int dem_cost_moduli(struct dem_cost *c, const struct dem_dict *scene)
 
 static int open_with(const struct dem_cost *c, const struct dem_cost_knobs *k, struct dem **d, struct dem_schedule *s)
 {
-    char step[32], modulus[DEM_COST_MODULI][32];
+    char step[32], modulus[DEM_COST_MODULI][32], friction[3][160];
     struct dem_request r = c->request;
 
     /* a step a little longer than wanted, of which dem_advance makes as many equal ones as are wanted */
@@ -67,6 +67,16 @@ static int open_with(const struct dem_cost *c, const struct dem_cost_knobs *k, s
     {
         DEM_TRY(set_entry(&r, "time/step", "auto"));
     }
+    if (k->friction)
+    {
+        r.without = c->friction.law;
+        for (int n = 0; n < c->friction.settings; n++)
+        {
+            snprintf(friction[n], sizeof friction[n], "effects/%s/%s", k->friction, c->friction.setting[n][0]);
+            DEM_TRY(set_entry(&r, friction[n], c->friction.setting[n][1]));
+        }
+    }
+    r.without = k->without ? k->without : r.without;
     DEM_TRY(k->precision ? set_entry(&r, "time/precision", k->precision) : DEM_OK);
     for (int m = 0; m < c->moduli && k->stiffer != 1.0; m++)
     {

@@ -45,9 +45,21 @@ static void tell_error(const struct dem_cost_ladder *l, const struct dem_cost_ru
     printf(" %*s", CELL, text);
 }
 
+/* Letters of the names of rungs. */
+static int wide(const struct dem_cost_ladder *l)
+{
+    int most = 7;
+
+    for (int k = 0; k < l->rungs; k++)
+    {
+        most = (int)strlen(l->rung[k].name) > most ? (int)strlen(l->rung[k].name) : most;
+    }
+    return most;
+}
+
 static void tell_head(const struct dem_cost_ladder *l)
 {
-    printf("%s: %s\n    %-10s %-12s %-11s %6s", l->knob, l->says, "rung", "step", "processor", "times");
+    printf("%s: %s\n    %-*s    %-12s %-11s %6s", l->knob, l->says, wide(l), l->paired && l->base > 1 ? "" : "rung", "step", "processor", "times");
     for (int q = 0; q < DEM_COST_QUANTITIES; q++)
     {
         if (l->told[q])
@@ -67,7 +79,7 @@ static void tell_rungs(const struct dem_cost_ladder *l)
         char text[24];
 
         snprintf(text, sizeof text, "%.3g", times);
-        printf("    %-7s%s %s %.4g s%*s %-11s %6s", r->name, k == l->base ? "*" : " ", r->front ? "o" : " ", r->step,
+        printf("    %-*s%s %s %.4g s%*s %-11s %6s", wide(l), r->name, k == l->base ? "*" : " ", r->front ? "o" : " ", r->step,
                (int)(10 - snprintf(NULL, 0, "%.4g", r->step)), "", r->runs > 0 ? dem_text_time(r->seconds) : "-", isfinite(times) ? text : "-");
         for (int q = 0; q < DEM_COST_QUANTITIES; q++)
         {
@@ -157,7 +169,7 @@ static void write_row(FILE *f, const struct dem_cost *c, const struct dem_cost_l
     }
     fprintf(f, "%s,%s,%d,%.9g,%.9g,%.6g,%.4g,%d,%s,%s,%.12g,%.6g,%.12g,%.6g,%s,%.9g,%.6g,%.6g,%.4g,%.4g,%d,%d\n", l->knob, r->name, k == l->base,
             r->size, r->step, r->seconds, r->spread, r->runs, dem_cost_name(q), dem_cost_unit(q), own->mean, own->scatter, j->reference,
-            j->unsure, l->paired ? "double" : dem_ladder_kind_name(j->kind), c->scale[q], r->error[q], r->unsure[q], j->order, j->order_unsure,
+            j->unsure, l->paired ? "compared" : dem_ladder_kind_name(j->kind), c->scale[q], r->error[q], r->unsure[q], j->order, j->order_unsure,
             r->worst == q, r->front);
 }
 

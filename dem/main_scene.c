@@ -182,6 +182,7 @@ static int make_ready(const struct dem_program *prog, const struct dem_request *
     {
         DEM_TRY(dem_set(d, r->set[k][0], r->set[k][1]));
     }
+    DEM_TRY(r->without ? dem_leave_out(d, r->without) : DEM_OK);
     if (r->restart)
     {
         DEM_TRY(dem_load(d, r->restart));

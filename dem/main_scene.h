@@ -39,6 +39,7 @@ struct dem_request                                        /* a command line */
     const char *scene, *restart;
     const char *set[2*DEM_MOST_SETS][2];                  /* room for what a command sets besides */
     int sets, help;
+    const char *without;                                  /* an effect that is left out of the scene; NULL: none */
     int bare;                                             /* 1: nothing will be written, and no ledger kept */
     struct dem_option *option;
     int options;

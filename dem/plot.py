@@ -16,7 +16,7 @@ import matplotlib.pyplot as plt
 
 COLOURS = {"kinetic": "#c8401f", "rotation": "#e09f3e", "height": "#1d3557", "overlap": "#457b9d", "force": "#2a7f62",
            "contacts": "#7b5ea7", "restitution": "#111111"}
-TITLES = {"step": "time step", "stiffness": "stiffness, against hard spheres", "precision": "precision, against double"}
+TITLES = {"friction": "law of friction, against the scene's", "effects": "without each effect, against the whole scene", "step": "time step", "stiffness": "stiffness, against hard spheres", "precision": "precision, against double"}
 
 plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.alpha": 0.25,
                      "savefig.dpi": 160, "savefig.bbox": "tight", "svg.hashsalt": "suna"})
@@ -36,8 +36,11 @@ def draw_quantity(axes, rows):
     time, error = [number(r, "processor[s]") for r in rows], [100*number(r, "error") for r in rows]
     unsure = [100*number(r, "error_unsure") for r in rows]
     low = [min(u, 0.9*e) for e, u in zip(error, unsure)]
-    axes.errorbar(time, error, yerr=[low, unsure], color=COLOURS[name], lw=1.2, elinewidth=0.7, capsize=2, marker="o", ms=4, label=label)
+    compared = rows[0]["kind"] == "compared"
+    axes.errorbar(time, error, yerr=[low, unsure], color=COLOURS[name], ls="" if compared else "-", lw=1.2, elinewidth=0.7, capsize=2, marker="o", ms=4, label=label)
     for r, t, e in zip(rows, time, error):
+        if compared:
+            axes.annotate(r["rung"], (t, e), xytext=(5, 3), textcoords="offset points", fontsize=6.5, color=COLOURS[name])
         if r["base"] == "1":
             axes.plot(t, e, "o", ms=9, mfc="none", color=COLOURS[name])
 

@@ -44,6 +44,9 @@ int dem_dict_read_text(struct dem_dict **d, const char *text, const char *name);
 int dem_dict_read_more(struct dem_dict *d, const char *text, const char *name);
 void dem_dict_free(struct dem_dict *d);    /* the top only; null is fine */
 
+/* Take out the entry of this name from the dictionary d/within, and with `deep` from each dictionary in that. False when there was none. */
+bool dem_dict_remove(struct dem_dict *d, const char *within, bool deep, const char *name);
+
 /* Is there such an entry? Does not count as reading it. */
 bool dem_dict_has(const struct dem_dict *d, const char *name);
 

@@ -146,6 +146,36 @@ const char *dem_dict_path(const struct dem_dict *d)
     return text;
 }
 
+static bool take_out(struct dem_dict *d, const char *name)
+{
+    for (size_t i = 0; i < d->count; i++)
+    {
+        if (strcmp(d->entries[i]->name, name) == 0)
+        {
+            memmove(d->entries + i, d->entries + i + 1, (d->count - i - 1)*sizeof *d->entries);
+            d->count--;
+            return true;
+        }
+    }
+    return false;
+}
+
+bool dem_dict_remove(struct dem_dict *d, const char *within, bool deep, const char *name)
+{
+    const struct dem_entry *const e = dem_dict_find(d, within, strlen(within));
+    bool found = false;
+
+    if (!e || !e->dict)
+    {
+        return false;
+    }
+    for (size_t i = 0; i < e->dict->count && deep; i++)
+    {
+        found = (e->dict->entries[i]->dict && take_out(e->dict->entries[i]->dict, name)) || found;
+    }
+    return deep ? found : take_out(e->dict, name);
+}
+
 static const char *place(struct dem_pool *pool, const char *file, int line)
 {
     const size_t size = strlen(file) + sizeof ", line -2147483648";

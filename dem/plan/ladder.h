@@ -30,7 +30,7 @@
 
 enum
 {
-    DEM_LADDER_RUNGS = 12,
+    DEM_LADDER_RUNGS = 18,
     DEM_LADDER_RUNS = 32                                  /* of a rung, at most */
 };
 

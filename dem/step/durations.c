@@ -6,7 +6,9 @@
 #include "step/durations.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/random.h"
 #include "step/parts.h"
+#include <stdlib.h>
 #include <string.h>
 
 /* It has touched for `age` steps up to the watched step `last`, and is apart, or older than what is counted. */
@@ -35,26 +37,11 @@ static uint32_t watched_pair(const struct dem_parts *p, uint32_t row)
     return wall >= 0 && p->walls.wall[wall].shape == DEM_SHAPE_TRIANGLES ? DEM_ROW_NONE : k;
 }
 
-/* Who touches now is left out. */
-static int begin(struct dem_durations *d, const struct dem_parts *p)
+static uint64_t name_of(const struct dem_parts *p, const struct dem_pair *q)
 {
-    const struct dem_contacts *const c = &p->contacts;
+    const int64_t other = q->wall ? -1 - p->pairs.wall_region[q->j] : p->particles.record[q->j].id;
 
-    DEM_TRY(DEM_GROW(d->pair, d->room, c->pairs));
-    if (c->pairs > 0)
-    {
-        memset(d->pair, 0, c->pairs*sizeof *d->pair);
-    }
-    d->pairs = c->pairs;
-    d->rebuilds = p->rebuilds;
-    for (uint32_t r = 0; r < c->rows; r++)
-    {
-        if (c->row_pair[r] != DEM_ROW_NONE && dem_contacts_push(c, r).arm > 0.0)
-        {
-            d->pair[c->row_pair[r]].age = -1;
-        }
-    }
-    return DEM_OK;
+    return dem_random_bits(0, (uint64_t)p->particles.record[q->i].id, (uint64_t)other, 0);
 }
 
 /* One that went out of the lists while apart shows when it comes again: it was not seen in the step before. */
@@ -74,6 +61,101 @@ static void note_pair(struct dem_durations *d, struct dem_duration *p, int touch
     }
 }
 
+/* ---- lists come and go ------------------------------------------------------------------------------------------- */
+
+static int by_name(const void *a, const void *b)
+{
+    const struct dem_duration *const x = a, *const y = b;
+
+    return (x->name > y->name) - (x->name < y->name);
+}
+
+/* Collective: all ranks renew lists together, and a pair may have gone to another one. */
+static int gather(struct dem_durations *d, const struct dem_pieces *pieces)
+{
+    int mine = (int)(d->carries*sizeof *d->carried), *bytes, *start, all = 0;
+    struct dem_duration *own = d->carried;
+
+    if (pieces->ranks == 1)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(DEM_NEW(bytes, (size_t)(2*pieces->ranks)));
+    start = bytes + pieces->ranks;
+    MPI_Allgather(&mine, 1, MPI_INT, bytes, 1, MPI_INT, pieces->comm);
+    for (int k = 0; k < pieces->ranks; k++)
+    {
+        start[k] = all;
+        all += bytes[k];
+    }
+    d->carried = NULL;
+    d->carries = (size_t)all/sizeof *own;
+    d->carry_room = 0;
+    const int status = DEM_GROW(d->carried, d->carry_room, d->carries + 1);
+
+    if (!status)
+    {
+        MPI_Allgatherv(own, mine, MPI_BYTE, d->carried, bytes, start, MPI_BYTE, pieces->comm);
+    }
+    dem_memory_free(own);
+    dem_memory_free(bytes);
+    return status;
+}
+
+/* From old lists those that touched in the last step; who parted out of the lists is recorded. */
+static int carry(struct dem_durations *d, const struct dem_pieces *pieces, int32_t now)
+{
+    d->carries = 0;
+    for (size_t k = 0; k < d->pairs; k++)
+    {
+        const struct dem_duration *const p = &d->pair[k];
+
+        if (p->age > 0 && p->seen < now - 1)
+        {
+            record(d, p->age, p->seen);
+        }
+        else if (p->age > 0 && !DEM_GROW(d->carried, d->carry_room, d->carries + 1))     /* without room it is left out */
+        {
+            d->carried[d->carries++] = *p;
+        }
+    }
+    DEM_TRY(gather(d, pieces));
+    if (d->carries > 0)
+    {
+        qsort(d->carried, d->carries, sizeof *d->carried, by_name);
+    }
+    return DEM_OK;
+}
+
+/* New lists: who is carried goes on, who else touches now is left out. */
+static int begin(struct dem_durations *d, const struct dem_parts *p, int32_t now)
+{
+    DEM_TRY(DEM_GROW(d->pair, d->room, p->contacts.pairs));
+    if (p->contacts.pairs > 0)
+    {
+        memset(d->pair, 0, p->contacts.pairs*sizeof *d->pair);
+    }
+    d->pairs = p->contacts.pairs;
+    d->rebuilds = p->rebuilds;
+    for (uint32_t r = 0; r < p->contacts.rows; r++)
+    {
+        const uint32_t k = watched_pair(p, r);
+
+        if (k == DEM_ROW_NONE)
+        {
+            continue;
+        }
+        const int touches = dem_contacts_push(&p->contacts, r).arm > 0.0;
+        const struct dem_duration own = {.name = name_of(p, &p->contacts.pair[k]), .age = touches ? -1 : 0};
+        const struct dem_duration *const old = d->carries > 0 ? bsearch(&own, d->carried, d->carries, sizeof own, by_name) : NULL;
+
+        d->pair[k] = old ? *old : own;
+        note_pair(d, &d->pair[k], touches, now);
+    }
+    d->carries = 0;
+    return DEM_OK;
+}
+
 /* What has parted out of the lists and did not come again. */
 static void finish(struct dem_durations *d, int32_t now)
 {
@@ -90,12 +172,13 @@ static void finish(struct dem_durations *d, int32_t now)
 int dem_durations_note(struct dem_durations *d, const struct dem_parts *p)
 {
     const int32_t now = (int32_t)((p->steps - 1)%DEM_DURATIONS_EVERY);
-    const int goes_on = p->steps == d->last + 1 && p->rebuilds == d->rebuilds && p->contacts.pairs == d->pairs && now > 0;
+    const int goes_on = p->steps == d->last + 1 && now > 0, same = p->rebuilds == d->rebuilds;
 
     d->last = p->steps;
-    if (!goes_on)
+    if (!goes_on || !same)
     {
-        return begin(d, p);
+        DEM_TRY(goes_on ? carry(d, &p->pieces, now) : DEM_OK);
+        return begin(d, p, now);
     }
     for (uint32_t r = 0; r < p->contacts.rows; r++)
     {
@@ -103,6 +186,7 @@ int dem_durations_note(struct dem_durations *d, const struct dem_parts *p)
 
         if (k != DEM_ROW_NONE)
         {
+            d->pair[k].name = d->pair[k].age == 0 ? name_of(p, &p->contacts.pair[k]) : d->pair[k].name;
             note_pair(d, &d->pair[k], dem_contacts_push(&p->contacts, r).arm > 0.0, now);
         }
     }
@@ -116,6 +200,7 @@ int dem_durations_note(struct dem_durations *d, const struct dem_parts *p)
 void dem_durations_free(struct dem_durations *d)
 {
     dem_memory_free(d->pair);
+    dem_memory_free(d->carried);
     *d = (struct dem_durations){.asked = 0};
 }
 

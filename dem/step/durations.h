@@ -3,11 +3,11 @@
  *
  * Of 4096 steps the first 256 are watched. Contacts that begin in the first half of these are counted by the steps in which they touch;
  * those that have not ended after 128 steps count as longer ones, so that what is told is no better for short ones than for long. Who
- * touches when watching begins, or when lists are renewed meanwhile, is not known from its beginning and is left out.
+ * touches when watching begins is not known from its beginning and is left out, and so is who begins in a step that renews lists.
  *
  * Walls of triangles are left out, too: there a contact goes from face to face.
  *
- * A step that is watched is one that somebody looks at (step.c); it changes no bit. Memory: 8 bytes a listed pair, in runs that ask.
+ * A step that is watched is one that somebody looks at (step.c); it changes no bit. Memory: 16 bytes a listed pair, in runs that ask.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -30,6 +30,7 @@ struct dem_duration                                       /* of an outer pair */
 {
     int32_t age;                                          /* steps that it has touched; 0 apart; -1 since before anybody watched */
     int32_t seen;                                         /* the watched step in which it touched last */
+    uint64_t name;                                        /* of its two bodies: what finds it in new lists */
 };
 
 struct dem_durations
@@ -37,6 +38,8 @@ struct dem_durations
     int asked;                                            /* 1: watch */
     struct dem_duration *pair;
     size_t pairs, room;
+    struct dem_duration *carried;                         /* of all ranks, by name, while lists are new */
+    size_t carries, carry_room;
     int64_t rebuilds, last;                               /* of lists when these pairs were new; the step noted last */
     int64_t count[DEM_DURATIONS_MOST + 2];                /* contacts that lasted so many steps; the last: longer */
 };
