@@ -57,6 +57,69 @@ static int write_row(const struct dem_energy_log *log, const struct row *r)
     return DEM_OK;
 }
 
+struct fastest
+{
+    double speed, x[3];                                   /* m/s, m */
+    int64_t id;
+};
+
+/* Who is the fastest of all ranks; of equally fast ones, of the lowest rank. */
+static struct fastest find_fastest(const struct dem_program *prog, const struct dem *d)
+{
+    struct fastest f = {.speed = -1.0, .id = -1};
+    struct
+    {
+        double speed;
+        int rank;
+    } mine, all;                                          /* MPI_DOUBLE_INT */
+    struct dem_view v;
+
+    dem_view(d, &v);
+    for (size_t k = 0; k < v.n; k++)
+    {
+        const double *const u = dem_at(v.velocity, v.stride, k), *const x = dem_at(v.position, v.stride, k);
+        const double speed = sqrt(u[0]*u[0] + u[1]*u[1] + u[2]*u[2]);
+
+        if (speed > f.speed)
+        {
+            const int64_t *const id = (const int64_t *)(const void *)((const char *)v.id + k*v.stride);
+
+            f = (struct fastest){speed, {x[0], x[1], x[2]}, *id};
+        }
+    }
+    mine.speed = f.speed;
+    mine.rank = prog->rank;
+    MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE_INT, MPI_MAXLOC, MPI_COMM_WORLD);
+    MPI_Bcast(&f, (int)sizeof f, MPI_BYTE, all.rank, MPI_COMM_WORLD);
+    return f;
+}
+
+/* More in the books than came in: tell how much, when, who is the fastest, and what is the probable cause. */
+static int judge(struct dem_energy_log *log, const struct dem_program *prog, struct dem *d, const struct row *r)
+{
+    const double residual = r->item[r->n - 1].value, created = residual - log->before, since = log->then;
+    double largest = 0.0;
+
+    for (int k = 0; k < r->n - 2; k++)
+    {
+        largest = fmax(largest, fabs(r->item[k].value));
+    }
+    log->before = residual;
+    log->then = r->now;
+    if (log->output->most_created <= 0.0 || created <= log->output->most_created*largest)
+    {
+        return DEM_OK;
+    }
+    const struct dem_step_limit step = dem_step_limit(d);
+    const struct fastest f = find_fastest(prog, d);
+
+    return dem_error(DEM_ERROR_NUMBER, "%.3g J came from nowhere between %.6g and %.6g s, %.3g of the largest term of the ledger; the "
+                     "limit time/maxCreated is %g; the fastest is particle %lld at (%g %g %g) m with %g m/s; the step is %.3g s, of %.3g s "
+                     "that laws stand (%s): %s", created, since, r->now, created/largest, log->output->most_created, (long long)f.id,
+                     f.x[0], f.x[1], f.x[2], f.speed, step.used, step.limit, step.why,
+                     step.used > step.limit*(1.0 + 1e-9) ? "take that" : "use a shorter time/step, or look at what laws have lost below zero");
+}
+
 /* The last two terms are the total and the residual. */
 static void note(struct dem_energy_log *log, const struct row *r)
 {
@@ -89,7 +152,8 @@ int dem_energy_log_tell(struct dem_energy_log *log, const struct dem_program *pr
         status = dem_output_folder(log->output);
         status = status ? status : write_row(log, &r);
     }
-    return dem_program_together(prog, status);
+    DEM_TRY(dem_program_together(prog, status));
+    return judge(log, prog, d, &r);
 }
 
 void dem_energy_log_end(const struct dem_energy_log *log, const struct dem_program *prog)

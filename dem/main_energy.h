@@ -19,12 +19,14 @@ struct dem_energy_log
     char path[640];
     double interval;                                      /* s; 0: nothing is told */
     double residual, when, largest;                       /* J, s, J: the largest residual of all rows, largest of all terms */
+    double before, then;                                  /* J, s: the residual of the last row */
 };
 
 /* Collective. Rows of an earlier run in the same folder that are later than the start of this one [s] go. */
 int dem_energy_log_begin(struct dem_energy_log *, const struct dem_program *, const struct dem_output *, double start);
 
-/* Collective. Write a row if one is due. */
+/* Collective. Write a row if one is due. DEM_ERROR_NUMBER where since the last one more energy has come from nowhere than time/maxCreated,
+   a share of the largest term. */
 int dem_energy_log_tell(struct dem_energy_log *, const struct dem_program *, struct dem *, double now);
 
 /* The last word. */

@@ -16,6 +16,7 @@ struct dem_output
     char folder[512];
     bool vtk;
     double walls, energy;                                 /* s between rows of forces on walls, of energy; 0: none */
+    double most_created;                                  /* 1  energy from nowhere between two rows, of the largest term; 0: any */
     int snapshots;                                        /* 0 no, 1 last, 2 all */
     int64_t keep;                                         /* of all only the last so many; 0: all */
     bool orientation;                                     /* of each particle, in pictures and snapshots */

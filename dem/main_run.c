@@ -31,6 +31,7 @@ static const char help[] =
     "Runs a scene in OpenFOAM's dictionary syntax. Of its entries these belong to the run:\n"
     "    time  { end 1; step auto;             s; auto takes the longest step that the effects stand\n"
     "            precision double;             mixed: laws and forces in single, positions and motion in double\n"
+    "            maxOverlap 0.5; maxSpeed 100; maxCreated 0.05;  stop the run: of a diameter, m/s, of the energy between two rows\n"
     "            untilQuiet { lasting 0.01; } }  ends sooner, when next to nothing has moved for so long\n"
     "    write { interval 0.01;                s of simulated time between outputs\n"
     "            folder \"NAME\";                default: the scene's name without its ending\n"
@@ -185,7 +186,9 @@ static int go(struct course *c, double next)
             return DEM_OK;
         }
         DEM_TRY(dem_wall_log_tell(&c->walls, c->prog, c->d, due));
-        DEM_TRY(dem_energy_log_tell(&c->energy, c->prog, c->d, due));
+        const int status = dem_energy_log_tell(&c->energy, c->prog, c->d, due);
+
+        DEM_TRY(status == DEM_ERROR_NUMBER ? rescue(c->prog, c->d, o, &c->lost, status) : status);
     }
     return DEM_OK;
 }

@@ -94,6 +94,19 @@ static int read_rows(const struct dem_dict *write, const char *entry, double end
     return DEM_OK;
 }
 
+/* Energy from nowhere is seen in the ledger's rows. */
+static int read_most_created(const struct dem_dict *time, struct dem_output *o)
+{
+    if (dem_dict_has(time, "maxCreated"))
+    {
+        DEM_TRY(dem_dict_number(time, "maxCreated", "1", &o->most_created));
+        DEM_REQUIRE(o->most_created > 0.0, DEM_ERROR_INPUT, "time/maxCreated %g; give a share above 0, or leave it out", o->most_created);
+        DEM_REQUIRE(o->energy > 0.0, DEM_ERROR_INPUT, "time/maxCreated %g is looked at in each row of the ledger of energy, and there are "
+                    "none; add write/energy, a time between rows", o->most_created);
+    }
+    return DEM_OK;
+}
+
 static int read_schedule(struct dem_schedule *s, const struct dem_dict *scene, const char *path)
 {
     const struct dem_dict *time, *write;
@@ -110,6 +123,7 @@ static int read_schedule(struct dem_schedule *s, const struct dem_dict *scene, c
         DEM_TRY(read_rows(write, "walls", s->end, &s->output.walls));
         DEM_TRY(read_rows(write, "energy", s->end, &s->output.energy));
     }
+    DEM_TRY(read_most_created(time, &s->output));
     DEM_REQUIRE(s->interval > 0.0, DEM_ERROR_INPUT, "write/interval %g s; give a time above 0", s->interval);
     DEM_REQUIRE(s->end <= most_outputs*s->interval, DEM_ERROR_INPUT, "write/interval %g s makes more than %g outputs up to time/end %g s; "
                 "give an interval of %g s or more", s->interval, most_outputs, s->end, s->end/most_outputs);

@@ -232,6 +232,7 @@ static int read_scene(struct dem *d)
         d->new = 1;
     }
     p->watch.limit = d->scene.most_overlap;
+    p->watch.most_speed = d->scene.most_speed;
     DEM_TRY(decide_fluid(d));
     name_effects(d);
     return dem_door_examine(d);

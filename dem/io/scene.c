@@ -169,6 +169,9 @@ static int read_time(struct dem_scene *s, const struct dem_dict *scene, struct d
     DEM_TRY(dem_dict_number_or(dict, "maxOverlap", "1", s->most_overlap, &s->most_overlap));
     DEM_REQUIRE(s->most_overlap > 0.0, DEM_ERROR_INPUT, "%s: maxOverlap %g of a diameter; give a number above 0", dem_dict_where(dict),
                 s->most_overlap);
+    DEM_TRY(dem_dict_number_or(dict, "maxSpeed", "m/s", 0.0, &s->most_speed));
+    DEM_REQUIRE(s->most_speed > 0.0 || !dem_dict_has(dict, "maxSpeed"), DEM_ERROR_INPUT,
+                "%s: maxSpeed %g m/s; give a number above 0, or leave it out", dem_dict_where(dict), s->most_speed);
     DEM_TRY(dem_dict_switch_or(dict, "force", false, &s->force));
     DEM_TRY(dem_dict_word_or(dict, "precision", "double", &precision));
     r->mixed = strcmp(precision, "mixed") == 0;

@@ -10,7 +10,7 @@
  *     outlets   { NAME { min; max; | cylinder; | sphere; | point; normal; | patch; } }
  *     start     { snapshot "FILE"; }                             instead of insert
  *     fluid     { velocity; density; viscosity; voidFraction; pressureGradient; }   uniform, when none is coupled
- *     time      { end; step auto|NUMBER; maxOverlap; force; precision; }
+ *     time      { end; step auto|NUMBER; maxOverlap; maxSpeed; force; precision; }
  *     neighbours{ outerSkin; innerSkin; }
  *     averages  { NAME { min; max; cells; start; end; interval; } }
  *     write     { ... }                                          read by the program
@@ -40,6 +40,7 @@ struct dem_scene
     double step;                                          /* s; 0: automatic */
     bool force;                                           /* take a step over the limit all the same */
     double most_overlap;                                  /* 1  of a diameter */
+    double most_speed;                                    /* m/s  0: any */
     double outer_skin, inner_skin;                        /* 1  of the largest diameter */
     int tuned_skins;                                      /* 1: the scene gives none */
     const char *snapshot;                                 /* path to start from, or NULL */

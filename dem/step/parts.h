@@ -33,6 +33,7 @@ struct dem_watch                                          /* what the sweep saw;
     double overlap;                                       /* 1  largest, of the smaller partner's diameter */
     double most;                                          /* 1  the same, of all times that somebody has asked */
     double limit;                                         /* 1  more than this ends the run */
+    double most_speed;                                    /* m/s  a faster particle ends the run; 0: none does */
     int64_t i, j;                                         /* culprits; j is -1 - region at a wall */
     double x[3];                                          /* m  where */
 };

@@ -75,6 +75,7 @@ int dem_step_keep(struct dem_parts *p)
 /* Who moves by more than its radius in one step may pass through another unseen. Without contact effects anyone may. */
 static int not_too_far(const struct dem_parts *p, double fastest, double dt)
 {
+    const double most = p->watch.most_speed > 0.0 ? p->watch.most_speed : INFINITY;
     double least = INFINITY;
 
     for (int c = 0; c < p->recipe.classes; c++)
@@ -86,13 +87,17 @@ static int not_too_far(const struct dem_parts *p, double fastest, double dt)
     DEM_REQUIRE(p->walls.stride <= least, DEM_ERROR_NUMBER,
                 "a wall moves by %.3g m in step %lld at time %g s; the limit is %g m, the radius of the smallest particle, or it may miss a "
                 "contact; use a smaller time/step, or a slower motion", p->walls.stride, (long long)p->steps, p->time, least);
-    for (size_t i = 0; fastest*dt > least && i < p->particles.n; i++)
+    for (size_t i = 0; (fastest*dt > least || fastest > most) && i < p->particles.n; i++)
     {
         const struct dem_particle *const q = &p->particles.record[i];
         const double speed = sqrt(q->v[0]*q->v[0] + q->v[1]*q->v[1] + q->v[2]*q->v[2]);
 
         DEM_REQUIRE(!isnan(speed), DEM_ERROR_NUMBER, "the velocity of particle %lld is not a number at step %lld; look at the "
                     "forces on it, and at the fluid around it", (long long)q->id, (long long)p->steps);
+        DEM_REQUIRE(speed <= most, DEM_ERROR_NUMBER,
+                    "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit time/maxSpeed is %g m/s; look at what pushes it (%s), "
+                    "or raise the limit", (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps, most,
+                    p->recipe.step_limit < dt*(1.0 - 1e-9) ? "the step is forced above what its laws stand" : "an impact, a wall, the fluid");
         DEM_REQUIRE(speed*dt <= q->radius, DEM_ERROR_NUMBER,
                     "particle %lld at (%g %g %g) m moves by %.3g m in step %lld, at %g m/s; its radius is %g m, which is the limit, "
                     "or it may miss a contact; use a smaller time/step, or look at the forces on it", (long long)q->id, q->x[0],

@@ -17,3 +17,18 @@ def check(c):
     long = {"time/step": 20.0*dt, "time/end": 600*dt, "write/interval": 600*dt}
     run = c.run("scene.dem", long, name="long")
     c.holds("a step 20 times too long is refused by name", run.status != 0 and "exceeds" in run.err and "contact time" in run.err, run.err)
+    # forced: what the watch lets through returns no more than it got
+    forced = dict(long, **{"time/force": "yes"})
+    for watches, extra in (("maxCreated 0.05", {"time/maxCreated": 0.05, "write/energy": 30*dt}), ("maxSpeed 505", {"time/maxSpeed": 505.0})):
+        best, stopped, said = 0.0, 0, ""
+        for phase in range(8):
+            run = c.run("scene.dem", dict(forced, **extra, **{"insert/ball/positions": "((0 0 %.17g))" % (1.05e-3 + V*20*dt*phase/8.0)}),
+                        name="%s_%d" % (watches.split()[0], phase))
+            if run.status == 0:
+                best = max(best, run.snapshots()[-1][0].v[2]/V)
+            else:
+                stopped, said = stopped + 1, run.err
+        # energy of 0.05, speed of its root; 505 m/s
+        c.below("forced, %s: highest restitution of those that end" % watches, best, 1.05**0.5 if "Created" in watches else 1.01)
+        c.holds("... %d of 8 stopped, particle, place and limit named, last good state written" % stopped,
+                stopped > 0 and "particle 0" in said and "(0 0 " in said and watches.split()[0] in said and "lastGood.dem" in said, said)
