@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""analyse.py -- slope of the heaps that stay on the plate, over friction and resistance to rolling, against Zhou et al. (2002).
+
+    analyse.py [-store "text"]       result.csv, repose.png; with -store also stored/ and the table of README.md
+
+Height          volume of the spheres in slices of one diameter over slice and a solid fraction of 0.57 (what it is shifts the slope's tangent
+                by as much: 1 % of 0.57 is 0.3 degrees at 25 degrees)
+Slope           straight line through each flank, from two diameters off the plate's edge to where the heap is four fifths of its top
+Interval        95 %, both flanks of each run (seed)
+Zhou et al.     angle = 68.61 f^0.27 f_w^0.22 r^0.06 r_w^0.12 d^-0.2 degrees, r and r_w the lever of the rolling resistance between spheres and at
+                the plate in mm, d in mm: Zhou, Xu, Yu, Zulli, Powder Technol. 125 (2002) 45. r = 0.25 d times our coefficient, r_w = 0.5 d.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+import numpy
+from dem_case import OURS, REFERENCE, Result, interval, pictures, plt, read_vtp, store
+
+D, EDGE, PACKING = 5e-3, 0.1, 0.57
+
+
+def zhou(friction, rolling, d=5.0):
+    return 68.61*friction**0.49*(0.25*d*rolling)**0.06*(0.5*d*rolling)**0.12*d**-0.2
+
+
+def flanks(folder):
+    """Slopes of both flanks [degrees], and the profile."""
+    columns = read_vtp(pictures(folder)[-1][1])
+    at = columns["points"][(columns["points"][:, 2] > 0) & (abs(columns["points"][:, 0]) < EDGE)]
+    depth = 0.0125 if len(at) and at[:, 1].max() < 0.0126 else 0.02
+    edges = numpy.linspace(-EDGE, EDGE, 41)
+    x = 0.5*(edges[1:] + edges[:-1])
+    height = numpy.histogram(at[:, 0], edges)[0]*numpy.pi/6*D**3/(D*depth*PACKING)
+    smooth = numpy.convolve(height, [0.25, 0.5, 0.25], "same")
+    top = smooth.max()
+    peak = x[smooth > 0.8*top]
+    slopes = []
+    for side, inner in ((-1, peak.min()), (1, peak.max())):
+        on = (side*x < EDGE - 2*D) & (side*x > side*inner)
+        slopes.append(numpy.degrees(numpy.arctan(-side*numpy.polyfit(x[on], height[on], 1)[0])))
+    return slopes, (x, height)
+
+
+def main():
+    found = {}
+    for folder in sorted(Path("runs").glob("*-*.?")):
+        if folder.is_dir() and not folder.name.startswith("fill"):
+            point, seed = folder.name.rsplit(".", 1)
+            friction, rolling = map(float, point.split("-"))
+            found.setdefault((friction, rolling), []).append(flanks(folder))
+    result = Result()
+    rows = []
+    for (friction, rolling), runs in sorted(found.items()):
+        angle = interval(numpy.concatenate([slopes for slopes, _ in runs]))
+        rows.append((friction, rolling, *angle))
+        result.add("slope of the heap", f"friction {friction:g} rolling {rolling:g}", zhou(friction, rolling), *angle, "degrees")
+    rows = numpy.array(rows)
+    for name, vary, fixed, at, reference in (("friction", 0, 1, 0.04, 0.49), ("resistance to rolling", 1, 0, 0.4, 0.18)):
+        chosen = rows[rows[:, fixed] == at]
+        if len(chosen) > 1:
+            exponent = numpy.polyfit(numpy.log(chosen[:, vary]), numpy.log(chosen[:, 2]), 1)[0]
+            # of the two ends, which carry the line
+            low, high = chosen[0], chosen[-1]
+            ci95 = numpy.hypot(low[3]/low[2], high[3]/high[2])/numpy.log(high[vary]/low[vary])
+            result.add("exponent of the slope over " + name, "all points", reference, exponent, ci95, "1")
+    result.write()
+
+    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13, 3.4), width_ratios=(1, 1, 1.4))
+    for axes, name, vary, fixed, at in ((left, "friction", 0, 1, 0.04), (middle, "resistance to rolling", 1, 0, 0.4)):
+        chosen = rows[rows[:, fixed] == at]
+        if len(chosen):
+            c = numpy.geomspace(0.8*chosen[:, vary].min(), 1.2*chosen[:, vary].max(), 50)
+            axes.plot(c, zhou(c, at) if vary == 0 else zhou(at, c), color=REFERENCE, label="Zhou et al. 2002")
+            axes.errorbar(chosen[:, vary], chosen[:, 2], chosen[:, 3], fmt="s", ms=4, capsize=3, color=OURS, label="Suna")
+            axes.set(xlabel=name, ylabel="slope [degrees]", ylim=(0, None), xscale="log" if vary else "linear")
+            axes.legend()
+    for (friction, rolling), runs in sorted(found.items()):
+        x, height = runs[0][1]
+        right.plot(1e3*x, 1e3*height, label=f"friction {friction:g}, rolling {rolling:g}")
+    right.set(xlabel="x [mm]", ylabel="height [mm]")
+    right.legend()
+    figure.tight_layout()
+    figure.savefig("repose.png")
+    if sys.argv[1:2] == ["-store"]:
+        store(sys.argv[2], "repose.png")
+
+
+if __name__ == "__main__":
+    main()
