@@ -62,6 +62,10 @@ static int take_scene(struct dem_cost *c, struct dem *d, const struct dem_schedu
     {
         c->up[k] = g > 0.0 ? -s->gravity[k]/g : 0.0;
     }
+    c->from_snapshot = c->request.restart || dem_dict_has(dem_scene_dict(d), "start");
+    DEM_REQUIRE(!c->from_snapshot || !c->request.option[DEM_ASK_WHICH].given || !c->wish.ladder[1], DEM_ERROR_INPUT, "-ladders stiffness from a "
+                "snapshot, whose overlaps are those of its own stiffness: others would let it burst or sink; leave it out, or begin at the "
+                "scene's start");
     c->start = t.time;
     c->end = s->end;
     c->step = dem_step_limit(d).used;

@@ -106,6 +106,7 @@ struct dem_cost
     const struct dem_program *prog;
     struct dem_request request;
     char folder[512];
+    int from_snapshot;                                    /* 1: the window begins there */
     double start, end, step, limit;                       /* s; of the scene as it is */
     double window;                                        /* s */
     int looks, runs;                                      /* of a run; of a rung */

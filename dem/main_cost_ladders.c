@@ -189,6 +189,10 @@ static int climb_effects(struct dem_cost *c)
 
 static int wants_stiffness(const struct dem_cost *c)
 {
+    if (c->from_snapshot)                                 /* whose overlaps are those of its own stiffness */
+    {
+        return 0;
+    }
     /* without a limit nothing is stiff in it; and what comes of a head-on impact owes nothing to stiffness */
     return c->wish.ladder[1] && c->limit < DBL_MAX && (c->pair.bodies == 0 || c->request.option[DEM_ASK_WHICH].given);
 }

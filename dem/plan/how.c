@@ -64,6 +64,11 @@ static double width(const struct dem_parts *p, int axis)
     return isfinite(high - low) && high > low ? high - low : 0.0;
 }
 
+double dem_plan_width(const struct dem_plan *p, int axis)
+{
+    return width(p->parts, axis);
+}
+
 /* 1 when a wall may narrow or slant the room along an axis: neither a plane nor a tube around it lies along it or across it. */
 static int bends(const struct dem_wall *w, int axis)
 {

@@ -37,8 +37,12 @@ void dem_plan_particles(struct dem_text *, const struct dem_plan *);
 void dem_plan_flows(struct dem_text *, const struct dem_plan *);       /* through.c */
 void dem_plan_step(struct dem_text *, const struct dem_plan *);        /* how.c */
 void dem_plan_fluid(struct dem_text *, const struct dem_plan *);
+void dem_plan_regime(struct dem_text *, const struct dem_plan *);      /* regime.c */
 void dem_plan_bed(struct dem_text *, const struct dem_plan *);
 void dem_plan_cost(struct dem_text *, const struct dem_plan *);
+
+/* m: of the room along an axis, 0 to 2, between planes or of a periodic domain; 0 unknown. */
+double dem_plan_width(const struct dem_plan *, int axis);
 
 /* The fluid that particles feel, and the spheres as one kind; 0 when the scene has no fluid or no particles. */
 int dem_plan_kind(const struct dem_plan *, struct dem_bed *);
