@@ -93,8 +93,8 @@ void Foam::demCloud::report()
     if (relief.crowded())
     {
         Info<< "Suna: void fraction below " << transfer_.minVoidFraction()
-            << " in " << relief.crowded() << " cells, smoothed further in "
-            << relief.passes() << " passes to " << gMin(e)
+            << " in " << relief.crowded() << " cells, smoothed further into "
+            << relief.full() << ", to " << gMin(e)
             << " at least: particles are too soft, or cells"
             << " too small for the kernel's width" << endl;
     }

@@ -9,179 +9,379 @@
 #include "demRelief.H"
 #include "volFields.H"
 #include "syncTools.H"
+#include <algorithm>
 
 namespace Foam
 {
-    // Share of its excess that a cell may give away in one pass
-    static const scalar mostGiven = 2.0/3.0;
+    // Excess that is left [1]: far above round-off, and far below what matters
+    static const scalar little = 1e-10;
 
-    // Excess that is left [1], and passes after which the rest stays: an
-    // excess spreads by about a cell in a pass, so nearly the whole mesh is full
-    static const scalar little = 1e-3;
-    static const label mostPasses = 300;
+    // Round-off of a flow, over what its sum of magnitudes may be: it is all that
+    // can be seen of the excess of a sliver
+    static const scalar roundOff = 1e-14;
+
+    // Room that is made where the mesh has none [1], so that there is an end
+    static const scalar room = 1e-6;
+
+    // Rounds: each fills at least one layer of cells more. Beyond these, and
+    // beyond steps of the conjugate gradients, the rest stays, and is told
+    static const label mostRounds = 1000;
+    static const label mostSteps = 5000;
 }
 
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demRelief::demRelief(const fvMesh& mesh)
 :
     mesh_(mesh),
     inside_(mesh.nInternalFaces(), Zero),
     border_(mesh.nBoundaryFaces(), Zero),
+    sum_(mesh.nCells(), Zero),
     coupled_(false),
-    crowded_(0)
+    crossings_(0),
+    crowded_(0),
+    full_(0)
 {
     const label nInternal = mesh_.nInternalFaces();
     const labelUList& owner = mesh_.faceOwner();
-    const scalarField area(mag(mesh_.faceAreas()));
-    scalarField skin(mesh_.nCells(), Zero);
-    labelList open(mesh_.nFaces(), label(1));
+    const vectorField& S = mesh_.faceAreas();
+    const pointField& C = mesh_.cellCentres();
 
+    // d is never taken to lie flatter on the face than this, as in OpenFOAM
+    const auto k = [](const vector& area, const vector& d)
+    {
+        return max(area & d, 0.05*mag(area)*mag(d))/max(magSqr(d), VSMALL);
+    };
+
+    forAll(inside_, facei)
+    {
+        const label n = mesh_.faceNeighbour()[facei];
+        inside_[facei] = k(S[facei], C[n] - C[owner[facei]]);
+        sum_[owner[facei]] += inside_[facei];
+        sum_[n] += inside_[facei];
+    }
+
+    // Over coupled faces from what each side sees of its own cell
+    vectorField arm(mesh_.nBoundaryFaces());
+    forAll(arm, i)
+    {
+        arm[i] = mesh_.faceCentres()[nInternal + i] - C[owner[nInternal + i]];
+    }
+    vectorField other(arm);
+    syncTools::swapBoundaryFaceList(mesh_, other);
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
         coupled_ = coupled_ || patch.coupled();
-        for (label i = 0; i < patch.size(); ++i)
+        for (label j = 0; patch.coupled() && j < patch.size(); ++j)
         {
-            open[patch.start() + i] = patch.coupled();
+            const label i = patch.start() - nInternal + j;
+            border_[i] = k(S[nInternal + i], arm[i] - other[i]);
+            sum_[owner[nInternal + i]] += border_[i];
         }
     }
     reduce(coupled_, orOp<bool>());
-
-    forAll(area, facei)
-    {
-        if (open[facei])
-        {
-            skin[owner[facei]] += area[facei];
-            if (facei < nInternal)
-            {
-                skin[mesh_.faceNeighbour()[facei]] += area[facei];
-            }
-        }
-    }
-
-    const scalarField deep(mostGiven*mesh_.V().field()/max(skin, VSMALL));
-    forAll(inside_, facei)
-    {
-        inside_[facei] =
-            area[facei]*min(deep[owner[facei]], deep[mesh_.faceNeighbour()[facei]]);
-    }
-
-    scalarField other(mesh_.nBoundaryFaces());
-    forAll(other, i)
-    {
-        other[i] = deep[owner[nInternal + i]];
-    }
-    syncTools::swapBoundaryFaceList(mesh_, other);
-    forAll(border_, i)
-    {
-        if (open[nInternal + i])
-        {
-            border_[i] = area[nInternal + i]*min(deep[owner[nInternal + i]], other[i]);
-        }
-    }
 }
 
 
 void Foam::demRelief::clear()
 {
-    full_.clear();
-    given_.clear();
-    crowded_ = 0;
+    from_.clear();
+    to_.clear();
+    part_.clear();
+    stays_.clear();
+    crowded_ = full_ = 0;
 }
 
 
-template<class Type>
-Foam::tmp<Foam::Field<Type>> Foam::demRelief::balance(const UList<Type>& cells) const
+// * * * * * * * * * * * * * * * * solving * * * * * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::scalarField> Foam::demRelief::excess(const scalarField& f) const
 {
     const labelUList& owner = mesh_.faceOwner();
     const labelUList& neighbour = mesh_.faceNeighbour();
-    tmp<Field<Type>> tgain(new Field<Type>(cells.size(), Zero));
-    Field<Type>& gain = tgain.ref();
+    tmp<scalarField> tgives(new scalarField(f.size(), Zero));
+    scalarField& gives = tgives.ref();
 
     forAll(inside_, facei)
     {
         const label o = owner[facei];
         const label n = neighbour[facei];
-        const Type flow(inside_[facei]*(cells[n] - cells[o]));
-        gain[o] += flow;
-        gain[n] -= flow;
+        const scalar flow = inside_[facei]*(f[o] - f[n]);
+        gives[o] += flow;
+        gives[n] -= flow;
     }
     if (coupled_)
     {
-        List<Type> across;
-        syncTools::swapBoundaryCellList(mesh_, cells, across);
+        List<scalar> across;
+        syncTools::swapBoundaryCellList(mesh_, f, across);
         forAll(across, i)
         {
             const label o = owner[inside_.size() + i];
-            gain[o] += border_[i]*(across[i] - cells[o]);
+            gives[o] += border_[i]*(f[o] - across[i]);
         }
     }
-    return tgain;
+    return tgives;
+}
+
+
+// Conjugate gradients, with the diagonal as preconditioner
+void Foam::demRelief::level
+(
+    const boolList& these,
+    const scalarField& asked,
+    scalarField& u
+) const
+{
+    const scalarField& V = mesh_.V();
+    scalarField r(asked - excess(u));
+    scalarField p(u.size(), Zero);
+    scalar last = 0;
+
+    for (label step = 0; step < mostSteps; ++step)
+    {
+        const scalar seen = roundOff*gMax(u);
+        bool more = false;
+        scalar rz = 0;
+        forAll(r, c)
+        {
+            if (these[c])
+            {
+                more = more || mag(r[c]) > 0.5*little*V[c] + seen*sum_[c];
+                rz += sqr(r[c])/sum_[c];
+            }
+        }
+        if (!returnReduce(more, orOp<bool>()))
+        {
+            return;
+        }
+        reduce(rz, sumOp<scalar>());
+
+        forAll(p, c)
+        {
+            p[c] = these[c] ? r[c]/sum_[c] + (step ? rz/last : 0)*p[c] : 0;
+        }
+        last = rz;
+
+        const scalarField q(excess(p));
+        const scalar pq = gSumProd(p, q);
+        if (pq <= 0)
+        {
+            return;                         // nowhere to go
+        }
+        u += (rz/pq)*p;
+        r -= (rz/pq)*q;
+    }
 }
 
 
 void Foam::demRelief::relieve(UList<scalar>& solid, const scalar most)
 {
     clear();
-    const scalarField& V = mesh_.V();
-    DynamicList<labelList> full;
-    DynamicList<scalarField> given;
 
-    for (label pass = 0; pass <= mostPasses; ++pass)
+    const scalarField& V = mesh_.V();
+    const scalarField s(solid);
+    boolList these(s.size());
+    label count = 0;
+    forAll(s, c)
     {
-        scalar worst = 0;
-        scalarField excess(solid.size(), Zero);
-        DynamicList<label> cells;
-        DynamicList<scalar> share;
-        forAll(solid, celli)
+        these[c] = s[c] > most;
+        count += these[c];
+    }
+    crowded_ = returnReduce(count, sumOp<label>());
+    if (!crowded_)
+    {
+        return;
+    }
+
+    const scalar mean = gSumProd(V, s)/gSum(V);
+    const scalarField asked(V*(s - max(most, mean*(1 + room))));
+    scalarField u(s.size(), Zero);
+
+    for (label round = 0, more = 1; more && round < mostRounds; ++round)
+    {
+        level(these, asked, u);
+
+        const scalarField left(asked - excess(u));
+        const scalar seen = 2*roundOff*gMax(u);
+        more = 0;
+        forAll(left, c)
         {
-            if (solid[celli] > most)
+            if (!these[c] && left[c] > little*V[c] + seen*sum_[c])
             {
-                excess[celli] = solid[celli] - most;
-                worst = max(worst, excess[celli]);
-                cells.append(celli);
-                share.append(excess[celli]/solid[celli]);
+                these[c] = true;
+                ++more;
             }
         }
-        if (pass == 0)
-        {
-            crowded_ = returnReduce(cells.size(), sumOp<label>());
-        }
-        if (pass == mostPasses || returnReduce(worst, maxOp<scalar>()) <= little)
-        {
-            break;
-        }
-        const scalarField gain(balance(excess));
-        forAll(solid, celli)
-        {
-            solid[celli] += gain[celli]/V[celli];
-        }
-        full.append(labelList());
-        full.last().transfer(cells);
-        given.append(scalarField());
-        given.last().transfer(share);
+        reduce(more, sumOp<label>());
     }
-    full_.transfer(full);
-    given_.transfer(given);
+
+    count = 0;
+    for (const bool c : these)
+    {
+        count += c;
+    }
+    full_ = returnReduce(count, sumOp<label>());
+
+    const scalarField given(excess(u));
+    forAll(solid, c)
+    {
+        solid[c] -= given[c]/V[c];
+    }
+    route(u, s, solid);
+}
+
+
+// * * * * * * * * * * * * * * * *  use  * * * * * * * * * * * * * * * * * * //
+
+void Foam::demRelief::route
+(
+    const scalarField& u,
+    const UList<scalar>& before,
+    const UList<scalar>& after
+)
+{
+    const labelUList& owner = mesh_.faceOwner();
+    const label nInternal = inside_.size();
+    scalarField through(mesh_.V().field()*before);
+    scalarField flow(nInternal);
+    DynamicList<label> order;
+
+    forAll(flow, facei)
+    {
+        const label o = owner[facei];
+        const label n = mesh_.faceNeighbour()[facei];
+        flow[facei] = inside_[facei]*(u[o] - u[n]);
+        if (flow[facei] != 0)
+        {
+            order.append(facei);
+            through[flow[facei] > 0 ? n : o] += mag(flow[facei]);
+        }
+    }
+
+    out_.setSize(border_.size());
+    out_ = 0;
+    if (coupled_)
+    {
+        List<scalar> across;
+        syncTools::swapBoundaryCellList(mesh_, u, across);
+        forAll(across, i)
+        {
+            const label o = owner[nInternal + i];
+            const scalar away = border_[i]*(u[o] - across[i]);
+            out_[i] = max(away, scalar(0));
+            through[o] += max(-away, scalar(0));
+        }
+    }
+
+    const auto up = [&](const label facei)
+    {
+        return flow[facei] > 0 ? owner[facei] : mesh_.faceNeighbour()[facei];
+    };
+    std::stable_sort
+    (
+        order.begin(),
+        order.end(),
+        [&](const label a, const label b)
+        {
+            return u[up(a)] > u[up(b)];
+        }
+    );
+
+    from_.setSize(order.size());
+    to_.setSize(order.size());
+    part_.setSize(order.size());
+    forAll(order, k)
+    {
+        const label facei = order[k];
+        from_[k] = up(facei);
+        to_[k] = flow[facei] > 0 ? mesh_.faceNeighbour()[facei] : owner[facei];
+        part_[k] = mag(flow[facei])/through[from_[k]];
+    }
+    forAll(out_, i)
+    {
+        if (out_[i] > 0)
+        {
+            out_[i] /= through[owner[nInternal + i]];
+        }
+    }
+
+    stays_.setSize(through.size());
+    forAll(stays_, c)
+    {
+        stays_[c] = through[c] > 0 ? mesh_.V()[c]*after[c]/through[c] : 1;
+    }
+
+    // As often as borders are crossed: until what comes over them stays as it is
+    scalarField all(mesh_.V().field()*before);
+    crossings_ = 0;
+    crossings_ = pass(all, mesh_.globalData().nTotalCells());
+}
+
+
+template<class Type>
+Foam::label Foam::demRelief::pass(Field<Type>& cells, const label most) const
+{
+    const labelUList& owner = mesh_.faceOwner();
+    const label nInternal = inside_.size();
+    const Field<Type> own(cells);
+    Field<Type> come(border_.size(), Zero);
+
+    for (label crossing = 0;; ++crossing)
+    {
+        cells = own;
+        forAll(come, i)
+        {
+            cells[owner[nInternal + i]] += come[i];
+        }
+        forAll(from_, k)
+        {
+            cells[to_[k]] += part_[k]*cells[from_[k]];
+        }
+        if (!coupled_ || crossing >= most)
+        {
+            return crossing;
+        }
+
+        Field<Type> go(come.size());
+        forAll(go, i)
+        {
+            go[i] = out_[i]*cells[owner[nInternal + i]];
+        }
+        syncTools::swapBoundaryFaceList(mesh_, go);
+
+        bool changed = false;
+        for (const polyPatch& patch : mesh_.boundaryMesh())
+        {
+            for (label j = 0; patch.coupled() && j < patch.size(); ++j)
+            {
+                const label i = patch.start() - nInternal + j;
+                changed = changed || go[i] != come[i];
+                come[i] = go[i];
+            }
+        }
+        if (!returnReduce(changed, orOp<bool>()))
+        {
+            return crossing;
+        }
+    }
 }
 
 
 template<class Type>
 void Foam::demRelief::spread(UList<Type>& cells) const
 {
-    const scalarField& V = mesh_.V();
-    forAll(full_, pass)
+    if (stays_.empty() && !crowded_)
     {
-        Field<Type> goes(cells.size(), Zero);
-        forAll(full_[pass], k)
-        {
-            const label celli = full_[pass][k];
-            goes[celli] = given_[pass][k]*cells[celli];
-        }
-        const Field<Type> gain(balance(goes));
-        forAll(cells, celli)
-        {
-            cells[celli] += gain[celli]/V[celli];
-        }
+        return;
+    }
+
+    const scalarField& V = mesh_.V();
+    Field<Type> amounts(V*Field<Type>(cells));
+    pass(amounts, crossings_);
+    forAll(cells, c)
+    {
+        cells[c] = (stays_[c]/V[c])*amounts[c];
     }
 }
 
@@ -189,14 +389,41 @@ void Foam::demRelief::spread(UList<Type>& cells) const
 template<class Type>
 void Foam::demRelief::collect(UList<Type>& cells) const
 {
-    const scalarField& V = mesh_.V();
-    forAllReverse(full_, pass)
+    if (stays_.empty() && !crowded_)
     {
-        const Field<Type> gain(balance(cells));
-        forAll(full_[pass], k)
+        return;
+    }
+
+    const labelUList& owner = mesh_.faceOwner();
+    const label nInternal = inside_.size();
+    const Field<Type> own(stays_*Field<Type>(cells));
+    Field<Type> come(border_.size(), Zero);
+
+    for (label crossing = 0;; ++crossing)
+    {
+        Field<Type> sum(own);
+        forAll(come, i)
         {
-            const label celli = full_[pass][k];
-            cells[celli] += (given_[pass][k]/V[celli])*gain[celli];
+            sum[owner[nInternal + i]] += out_[i]*come[i];
+        }
+        forAllReverse(from_, k)
+        {
+            sum[from_[k]] += part_[k]*sum[to_[k]];
+        }
+        if (!coupled_ || crossing >= crossings_)
+        {
+            forAll(cells, c)
+            {
+                cells[c] = sum[c];
+            }
+            return;
+        }
+
+        List<Type> across;
+        syncTools::swapBoundaryCellList(mesh_, sum, across);
+        forAll(come, i)
+        {
+            come[i] = out_[i] > 0 ? across[i] : Type(Zero);
         }
     }
 }

@@ -18,6 +18,7 @@
 #include "testWeights.H"
 #include "testPlaces.H"
 #include "testShapes.H"
+#include "testWedge.H"
 #include <ctime>
 
 using namespace Foam;
@@ -62,7 +63,7 @@ int main(int argc, char *argv[])
     argList::addBoolOption("corner", "nothing beyond the middle in x and y");
     argList::addBoolOption("widths", "only: the widths of kernels");
     argList::addBoolOption("hard", "only: totals, on cells of extreme size");
-    argList::addBoolOption("stack", "with hard: a stack of thin cells, too long for what is too much to pass through");
+    argList::addBoolOption("wedge", "only: a wedge about z");
     argList::addBoolOption("outside", "only: put a particle outside the mesh");
     const argList args(argc, argv);
     Time runTime(Time::controlDictName, args);
@@ -102,9 +103,16 @@ int main(int argc, char *argv[])
         Info<< "End of claims" << endl;
         return 0;
     }
+    if (args.found("wedge"))
+    {
+        testWedge(mesh);
+        Info<< "End of claims" << endl;
+        return 0;
+    }
     if (args.found("hard"))
     {
-        testHard(mesh, args.found("stack"));
+        testHard(mesh);
+        testLumps(mesh, args.globalPath()/"serial");
         Info<< "End of claims" << endl;
         return 0;
     }
