@@ -50,3 +50,4 @@ def check(c):
     inside, g = "((0.0001 0.00099999 0.00099999))", 6.93671752
     c.equal("edge inward: contacts", edge(c, "inward", EDGE, inside, (0, -g, -g)), 2)
     c.equal("edge outward: contacts", edge(c, "outward", EDGE, "((0.0001 %.17g %.17g))" % (-0.70710678*0.99999e-3, -0.70710678*0.99999e-3), (0, g, g)), 1)
+    c.equal("on a face, a tenth of a radius from an edge outward: contacts", edge(c, "beside", EDGE, "((0.0001 0.0001 -0.00099999))", (0, 0, 9.81)), 1)
