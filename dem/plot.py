@@ -18,6 +18,8 @@ COLOURS = {"kinetic": "#c8401f", "rotation": "#e09f3e", "height": "#1d3557", "ov
            "contacts": "#7b5ea7", "restitution": "#111111"}
 TITLES = {"friction": "law of friction, against the scene's", "effects": "without each effect, against the whole scene", "step": "time step", "stiffness": "stiffness, against hard spheres", "precision": "precision, against double"}
 
+ROUND_OFF = 1e-12                                   # smaller changes are none
+
 plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.alpha": 0.25,
                      "savefig.dpi": 160, "savefig.bbox": "tight", "svg.hashsalt": "suna"})
 
@@ -28,7 +30,7 @@ def number(row, name):
 
 def draw_quantity(axes, rows):
     """One quantity of one ladder: its errors, from coarse to fine, with what they may be off by."""
-    rows = [r for r in rows if number(r, "error") > 0]
+    rows = [r for r in rows if number(r, "error") > ROUND_OFF]
     if not rows:
         return
     name, order = rows[0]["quantity"], number(rows[0], "order")
@@ -64,12 +66,16 @@ def main():
         draw_front(axes, own)
         for quantity in dict.fromkeys(r["quantity"] for r in own):
             draw_quantity(axes, [r for r in own if r["quantity"] == quantity])
-        drawn = any(number(r, "error") > 0 for r in own)
-        axes.set(xscale="log", yscale="log" if drawn else "linear", xlabel="processor time of a run [s]", ylabel="error [%]")
+        drawn, compared = any(number(r, "error") > ROUND_OFF for r in own), own[0]["kind"] == "compared"
+        axes.set(xscale="linear" if compared else "log", yscale="log" if drawn else "linear", ylabel="change [%]" if compared else "error [%]",
+                 xlabel="processor time of a run [s]" + ("" if compared else "; rings: the scene as it is"))
+        if compared:
+            axes.set_xlim(0, 1.2*max(number(r, "processor[s]") for r in own))
+            axes.ticklabel_format(axis="x", scilimits=(-2, 3))
         axes.set_title(TITLES.get(ladder, ladder), loc="left", fontsize=9.5)
         if drawn:
             axes.legend(fontsize=7, frameon=False, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=2)
-    panels[0, -1].set_title("rings: the scene as it is", loc="right", fontsize=8, color="0.35")
+    figure.tight_layout()
     for ending in ("png", "svg"):
         figure.savefig(path.with_suffix("." + ending), metadata={"Date": None} if ending == "svg" else None)
 
