@@ -75,7 +75,8 @@ def read_blocks(folder):
 def torques(folder, spans):
     """Mean torque of the beads on the drum in spans of time."""
     rows = read_table(f"{folder}/walls.csv")
-    return numpy.array([rows["ty"][(rows["time"] > low + 1e-9) & (rows["time"] < high + 1e-9)].mean() for low, high in spans])
+    walls = len(numpy.unique(rows["wall"]))                     # the shell and its ribs
+    return numpy.array([walls*rows["ty"][(rows["time"] > low + 1e-9) & (rows["time"] < high + 1e-9)].mean() for low, high in spans])
 
 
 def share_of_lever(folder, found, spans, beads):
@@ -85,7 +86,7 @@ def share_of_lever(folder, found, spans, beads):
 
 
 def large(result):
-    radius, omega, spans = 0.12, 1.214749, [(1.3 + 0.4*k, 1.7 + 0.4*k) for k in range(4)]
+    radius, omega, spans = 0.12, 1.214749, [(1.3 + 0.2*k, 1.5 + 0.2*k) for k in range(4)]
     found = read_blocks("runs/large")
     angles = numpy.array([block.surface(radius)[0] for block in found])
     y, measured = numpy.loadtxt("measured/alizadeh2013.csv", delimiter=",", skiprows=2).T[::-1]
