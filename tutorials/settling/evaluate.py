@@ -3,8 +3,8 @@
 References
   law       the law's own terminal velocity, from its equation solved here (Stokes; Schiller and Naumann 1933, 0.44 above
             Re 1000; Dallavalle's in Di Felice 1994)
-  measured  Brown and Lawler, J. Environ. Eng. 129 (2003) 222: C = 24/Re (1 + 0.150 Re^0.681) + 0.407/(1 + 8710/Re), fitted to
-            480 measurements of lone spheres, corrected for walls, Re < 2e5
+  measured  Brown and Lawler, J. Environ. Eng. 129 (2003) 222: C = 24/Re (1 + 0.150 Re^0.681) + 0.407/(1 + 8710/Re), said to be
+            fitted to 480 measurements of lone spheres, corrected for walls, Re < 2e5; the formula was written from memory, without its text at hand
   tank      ten Cate et al., Phys. Fluids 14 (2002) 4012
   equation  (m + C m_f) dv/dt = (m - m_f) g - drag, C 0.5 with added mass, integrated here with steps of 10 us
 
@@ -83,7 +83,7 @@ def terminal_alone(table, curves):
             table.add(f"alone, {law}", f"terminal Re, law's own, farthest of {len(ran)}", own[k], curves[law][k], allowed=1e-4, source="law")
         if law == "schillerNaumann":
             for k, Re in enumerate(REYNOLDS):
-                # the measurements scatter by some 5 % about their fit
+                # 5 %: chosen for this case, of the order of what correlations differ by; not a scatter that the source gives
                 table.add("alone, schillerNaumann", f"terminal Re, measured ({Re:g})", against[k], curves[law][k], allowed=0.05, source="measured")
         else:
             k = numpy.argmax(abs(share))
@@ -94,7 +94,7 @@ def terminal_alone(table, curves):
 def own_wake(width, across):
     """Share by which a creeping sphere settles too fast in the velocity it gives itself through a Gaussian kernel of variance b^2/2
     (Maxey and Patel, Int. J. Multiph. Flow 27 (2001) 1603), less what its images in a box of this size hold back
-    (Hasimoto, J. Fluid Mech. 5 (1959) 317, for periodic ones; the slip walls and ends of a box twice as high are near to them)."""
+    (Hasimoto, J. Fluid Mech. 5 (1959) 317, for periodic ones; the slip walls and ends of a box half as high again as wide are taken to be near to them)."""
     blob = width*math.sqrt(0.5*math.pi)             # radius of the sphere that has the blob's mobility, in diameters
     return 0.5/blob*(1 - 2.837*blob/across)
 
@@ -115,14 +115,15 @@ def terminal_fall(table, curves):
         part = f"two-way, cells of {cell:g} d, kernel of {width:g} d"
         table.add(part, f"terminal Re, law's ({Re:g})", own, mean, interval, allowed=allowed, source="law")
         if Re < 0.1:
-            table.add(part, f"the same, with its own wake ({Re:g})", own*(1 + own_wake(width, across)), mean, interval, allowed=0.02,
-                      source="own wake")
+            # the excess alone, else the speed hides it. No bound: the theory is of first order, and of another box
+            table.add(part, f"excess of its speed, own wake's ({Re:g})", own_wake(width, across), mean/own - 1, interval/own, source="own wake")
         jump = max(jump, (last.max() - last.min())/mean)
         curves.setdefault("two-way", []).append((Re, cell, width, mean))
     # a bound on jumps at faces; what a sphere still gains on its last 12 diameters is in it
     table.add("two-way, all", "largest less least speed over mean, largest", 0, jump, allowed=0.2, source="no jump above 20 %")
 
 
+# 15 % is asked for, of every row
 TANK = {"E1": 0.038, "E2": 0.060, "E3": 0.091, "E4": 0.128}      # m/s, ten Cate's u_inf
 
 
@@ -139,7 +140,7 @@ def tank(table):
         across = 0.1/int(cells.split("x")[0])/d
         how = "one-way" if way == "no" else f"two-way, cells of {across:.2g} d, kernel of {width} d"
         table.add(f"tank {name}", f"largest speed {how}, u_inf", TANK[name], largest, unit="m/s",
-                  allowed=0.15 if width == "3" else None, source="tank")
+                  allowed=0.15, source="tank")
 
 
 def integrate(density, added, times, d=2e-3, step=1e-5):
