@@ -23,6 +23,7 @@
 #include "effects/effect.h"
 
 #include "base/math.h"
+#include "effects/rolling.h"
 
 struct rolling_viscous
 {
@@ -69,13 +70,7 @@ static void energy(const void *of, const struct dem_block *restrict b, dem_real 
                    struct dem_energy *restrict e)
 {
     (void)of, (void)before, (void)memory;
-    for (int c = 0; c < b->n; c++)
-    {
-        const dem_real power = -(e->mx[c]*b->wx[c] + e->my[c]*b->wy[c] + e->mz[c]*b->wz[c]);
-        const dem_real square = e->mx[c]*e->mx[c] + e->my[c]*e->my[c] + e->mz[c]*e->mz[c];
-
-        e->lost[c] = b->touching[c]*(power - 0.5*b->dt*square/e->inertia[c])*b->dt;
-    }
+    dem_rolling_energy(b, e);
 }
 
 const struct dem_effect dem_rolling_viscous = {
