@@ -12,13 +12,13 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::demBonds::begin()
+void Foam::demBonds::begin(const ::dem* d)
 {
     if (!begun_ && Pstream::master())
     {
         const fileName pictures(folder_/"bonds.pvd");
 
-        table_.begin();
+        table_.begin(d, "time,id1,id2,x,y,z,cause,energy");
         if (isFile(pictures, false))
         {
             rm(pictures);
@@ -34,7 +34,7 @@ Foam::demBonds::demBonds(const Time& time)
 :
     time_(time),
     folder_(demTable::folder(time)),
-    table_(time, "bonds.csv", "time,id1,id2,x,y,z,cause,energy"),
+    table_(time, "bonds.csv"),
     begun_(false),
     broke_(0)
 {}
@@ -44,7 +44,7 @@ Foam::demBonds::demBonds(const Time& time)
 
 void Foam::demBonds::tell(::dem* d, const scalar offset)
 {
-    begin();
+    begin(d);
     if (!dem_has_bonds(d))
     {
         return;
@@ -83,7 +83,7 @@ void Foam::demBonds::tell(::dem* d, const scalar offset)
 
 void Foam::demBonds::draw(::dem* d)
 {
-    begin();
+    begin(d);
     if (!dem_has_bonds(d))
     {
         return;

@@ -7,7 +7,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demBudget.H"
-#include "OSspecific.H"
 #include "Switch.H"
 #include "error.H"
 
@@ -31,39 +30,41 @@ static const char* const unit_[] =
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::demBudget::open()
+Foam::string Foam::demBudget::columns() const
 {
-    const fileName folder
-    (
-        time_.globalPath()/"postProcessing"/"dem"
-       /Time::timeName(time_.value() - time_.deltaTValue())
-    );
-    mkDir(folder);
-    file_.open((folder/"budget.csv").c_str());
+    string names("time[s],since[s]");
 
-    if (!file_)
+    for (label which = 0; which < ACCOUNTS; which++)
     {
-        FatalErrorInFunction
-            << "Can't write " << folder/"budget.csv" << "; take out"
-            << " coupling/record/budget, or make room" << exit(FatalError);
+        const string of(string(account_[which]) + unit_[which]);
+
+        for (const item& i : items_[which])
+        {
+            names += "," + i.name + of;
+        }
+        names += ",rest" + of;
     }
-    file_.precision(16);
+    return names;
 }
 
 
-void Foam::demBudget::writeHead()
+// With the end of the first step, which sets the states to begin with
+void Foam::demBudget::begin()
 {
-    file_ << "time[s],since[s]";
-    for (label which = 0; which < ACCOUNTS; which++)
+    since_ = time_.value();
+    interval_.begin(since_);
+    for (DynamicList<item>& items : items_)
     {
-        forAll(items_[which], i)
+        for (item& i : items)
         {
-            file_ << ',' << items_[which][i].name << account_[which]
-                << unit_[which];
+            i.begin = i.value;
+            i.value = i.state ? i.value : 0;
         }
-        file_ << ",rest" << account_[which] << unit_[which];
     }
-    file_ << std::endl;
+    if (Pstream::master())
+    {
+        table_.begin(dem_, columns());
+    }
 }
 
 
@@ -94,15 +95,16 @@ Foam::demBudget::item& Foam::demBudget::find
 Foam::demBudget::demBudget(const Time& time, const dictionary& coupling)
 :
     time_(time),
+    dem_(nullptr),
     interval_(0),
-    entries_(0),
-    since_(-GREAT)
+    since_(0),
+    table_(time, "budget.csv", 16)
 {
     const dictionary record(coupling.subOrEmptyDict("record"));
 
     if (record.getOrDefault<Switch>("budget", false))
     {
-        interval_ = record.get<scalar>("interval");
+        interval_ = demInterval(record.get<scalar>("interval"));
     }
 }
 
@@ -151,49 +153,30 @@ void Foam::demBudget::gain(const std::string& name, const vector& impulse)
 
 void Foam::demBudget::close()
 {
-    if (since_ == -GREAT)
+    if (!interval_.begun())
     {
-        since_ = time_.value();
-        entries_ = std::floor(since_/interval_ + 1e-6);
-        for (DynamicList<item>& items : items_)
-        {
-            for (item& i : items)
-            {
-                i.begin = i.value;
-                i.value = i.state ? i.value : 0;
-            }
-        }
-        if (Pstream::master())
-        {
-            open();
-            writeHead();
-        }
+        begin();
+        return;
+    }
+    if (!interval_.pass(time_.value()) || !Pstream::master())
+    {
         return;
     }
 
-    const scalar passed = std::floor(time_.value()/interval_ + 1e-6);
-    if (passed <= entries_)
-    {
-        return;
-    }
-    entries_ = passed;
-
-    if (!Pstream::master())
-    {
-        return;
-    }
-    file_ << time_.value() << ',' << since_;
+    std::ostream& row = table_.rows();
+    row << time_.value() << ',' << since_;
     for (const DynamicList<item>& items : items_)
     {
         scalar rest = 0;
         for (const item& i : items)
         {
-            file_ << ',' << i.value;
+            row << ',' << i.value;
             rest += i.state ? i.value - i.begin : -i.value;
         }
-        file_ << ',' << rest;
+        row << ',' << rest;
     }
-    file_ << std::endl;
+    row << '\n';
+    table_.end();
 }
 
 // ************************************************************************* //

@@ -168,6 +168,7 @@ void Foam::demCloud::build()
     record_.prepare(dem_);
     demCheck(dem_ready(dem_));
     record_.watch(dem_);
+    budget_.watch(dem_);
     if (budget_.on() && !(makesRoom_ && dem_needs_fluid(dem_)))
     {
         FatalIOErrorInFunction(dict_.coupling())
@@ -195,6 +196,18 @@ void Foam::demCloud::build()
 }
 
 
+// In the head of each field that is written
+void Foam::demCloud::nameEffects()
+{
+    voidFraction_.note() = heading();
+    fields_.note(heading());
+    if (acceleration_)
+    {
+        acceleration_().note() = heading();
+    }
+}
+
+
 void Foam::demCloud::writeMeans()
 {
     if (!dem_averages_count(dem_))
@@ -202,12 +215,7 @@ void Foam::demCloud::writeMeans()
         return;
     }
 
-    const Time& time = mesh_.time();
-    const fileName folder
-    (
-        time.globalPath()/"postProcessing"/"dem"
-       /Time::timeName(time.startTime().value())
-    );
+    const fileName folder(demTable::folder(mesh_.time()));
 
     if (Pstream::master())
     {
@@ -302,11 +310,13 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
     toFluid_(Zero),
     onWalls_(Zero),
     fields_(mesh, dict_.coupling()),
+    passed_(mesh.time()),
     losses_(mesh),
     bonds_(mesh.time())
 {
     build();
-    voidFraction_.note() = string("effects: ") + dem_acting(dem_);
+    passed_.begin(dem_);
+    nameEffects();
     look();
     depositVolume();
     dsdt_ = dimensionedScalar(dsdt_.dimensions(), Zero);
@@ -377,7 +387,8 @@ void Foam::demCloud::write()
         mesh_,
         view_,
         transfer_.seen(view_),
-        fluid_.place ? fluid_.place : place_.cdata()
+        fluid_.place ? fluid_.place : place_.cdata(),
+        heading()
     );
     voidFraction_.write();
     if (acceleration_)
@@ -385,7 +396,7 @@ void Foam::demCloud::write()
         acceleration_().write();
     }
     bonds_.draw(dem_);
-    flows_.tell(dem_, true);
+    passed_.tell(dem_, true);
     writeMeans();
 }
 

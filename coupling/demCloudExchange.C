@@ -116,23 +116,15 @@ void Foam::demCloud::tellParticles
     toColumn(values(mu)(), fluid_.viscosity);
     tellFlow(U, mu);
 
+    // Particles lose their slip faster where the fluid makes room
+    const bool counterflow = makesRoom_ && form_.returns();
     for (size_t i = 0; i < fluid_.n; i++)
     {
-        fluid_.counterflow[i] = counterflow(max(fluid_.void_fraction[i], 0.1));
+        fluid_.counterflow[i] =
+            counterflow
+          ? dem_fluid_counterflow(dem_, fluid_.void_fraction[i])
+          : 1;
     }
-}
-
-
-// How much faster particles lose their slip where the fluid makes room: 1/e by
-// the fluid's motion, and as much again by the pressure gradient that comes
-// with it; that part is in the drag where drag is over e
-Foam::scalar Foam::demCloud::counterflow(const scalar e) const
-{
-    if (!makesRoom_ || !form_.returns())
-    {
-        return 1;
-    }
-    return form_.wholeDrag() ? 1/e : 1/(e*e);
 }
 
 
@@ -188,32 +180,20 @@ void Foam::demCloud::depositReaction()
         return;
     }
 
-    scalarField response(view_.n, Zero);
+    scalarField response(view_.n);
     vectorField reaction(view_.n);
 
-    forAll(response, i)
-    {
-        const vector given(impulse(fluid_, i)/window_);
-
-        switch (form_.how())
-        {
-            case demForm::DEFERRED:
-                response[i] = fluid_.response[i]/window_;
-                reaction[i] = response[i]*three(fluid_.velocity, i) - given;
-                break;
-
-            case demForm::SEMI_IMPLICIT:
-                response[i] = fluid_.drag_time[i]/window_;
-                reaction[i] =
-                    response[i]*velocity(view_, i)
-                  + three(fluid_.drag_impulse, i)/window_ - given;
-                break;
-
-            case demForm::EXPLICIT:
-                reaction[i] = -given;
-                break;
-        }
-    }
+    demCheck
+    (
+        dem_fluid_reaction
+        (
+            dem_,
+            form_.how(),
+            window_,
+            response.begin(),
+            reinterpret_cast<scalar*>(reaction.begin())
+        )
+    );
 
     transfer_.deposit(response, drag_.ref());
     transfer_.deposit(reaction, force_.ref());
@@ -234,24 +214,14 @@ void Foam::demCloud::depositReaction()
 }
 
 
-// What bounds the next step: the void fraction's change, and the particles' drag
-// over their mass, 1/tau, on the mean over this one
+// What bounds the next step: the void fraction's change, and the rate at which
+// drag takes up slip, 1/tau, on the mean over this one
 void Foam::demCloud::rates()
 {
     changeRate_ = max(gMax(dsdt_.primitiveField()), -gMin(dsdt_.primitiveField()));
 
-    scalar most = 0;
-    for (size_t i = 0; fluid_.drag_time && i < view_.n; i++)
-    {
-        const char* first = reinterpret_cast<const char*>(view_.flags);
-        const bool frozen =
-            *reinterpret_cast<const uint16_t*>(first + view_.stride*i) & 1;
-        if (!frozen)
-        {
-            most = max(most, fluid_.drag_time[i]/(*dem_at(view_.mass, view_.stride, i)));
-        }
-    }
-    relaxationRate_ = returnReduce(most, maxOp<scalar>())/window_;
+    relaxationRate_ =
+        returnReduce(dem_fluid_relaxation(dem_), maxOp<scalar>());
 }
 
 
@@ -357,7 +327,7 @@ void Foam::demCloud::evolve
     depositReaction();
     rates();
     report();
-    flows_.tell(dem_, false);
+    passed_.tell(dem_, false);
     losses_.tell(dem_, offset_);
     bonds_.tell(dem_, offset_);
     refresh();

@@ -135,14 +135,11 @@ void Foam::demCloud::tellMeanDiameter()
 
     const scalarField n(transfer_.sample(over));
     const scalarField s(transfer_.sample(volume));
-    scalarField d(V.size(), Zero);
 
-    // Where a particle is, both are above 0
-    forAll(d, i)
+    forAll(V, i)
     {
-        d[i] = n[i] > 0 ? max(s[i]/n[i], scalar(0)) : 0;
+        fluid_.mean_diameter[i] = dem_sauter(s[i], n[i]);
     }
-    toColumn(d, fluid_.mean_diameter);
 }
 
 // ************************************************************************* //

@@ -161,6 +161,7 @@ Foam::demDriver::demDriver(const fvMesh& mesh)
             << "relaxation is " << relaxation_ << "; it must be above 0 and at"
             << " most 1" << exit(FatalIOError);
     }
+    force_.note() = drag_.note() = cloud_.heading();
 }
 
 

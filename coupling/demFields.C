@@ -138,6 +138,27 @@ Foam::demFields::demFields(const fvMesh& mesh, const dictionary& coupling)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::demFields::note(const string& heading)
+{
+    if (alpha_)
+    {
+        alpha_().note() = heading;
+    }
+    if (U_)
+    {
+        U_().note() = heading;
+    }
+    if (Theta_)
+    {
+        Theta_().note() = heading;
+    }
+    if (stress_)
+    {
+        stress_().note() = heading;
+    }
+}
+
+
 void Foam::demFields::update
 (
     ::dem* d,

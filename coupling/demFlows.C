@@ -169,35 +169,13 @@ void Foam::demFlows::hand(::dem* d, const volVectorField* U) const
 }
 
 
-void Foam::demFlows::begin(::dem* d)
-{
-    const struct ::dem_flow* flow = nullptr;
-    int n = 0;
-    demCheck(dem_flows(d, &n, &flow));
-
-    for (label k = particles_.size(); k < n; k++)
-    {
-        particles_.append(scalar(flow[k].particles));
-        mass_.append(flow[k].mass);
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demFlows::demFlows(const fvMesh& mesh, const demDict& dict)
 :
     mesh_(mesh),
     feeds_(patches(dict.scene().subOrEmptyDict("insert"), dict)),
-    outlets_(patches(dict.scene().subOrEmptyDict("outlets"), dict)),
-    table_
-    (
-        mesh.time(),
-        "flows.csv",
-        "time[s],name,way,particles,mass[kg],px[Ns],py[Ns],pz[Ns],energy[J],"
-        "waiting,rate[1/s],massRate[kg/s]"
-    ),
-    since_(mesh.time().value())
+    outlets_(patches(dict.scene().subOrEmptyDict("outlets"), dict))
 {
     gather();
 }
@@ -216,7 +194,6 @@ bool Foam::demFlows::pass(::dem* d, const volVectorField& U)
 {
     int changed = 0;
 
-    begin(d);
     if (mesh_.moving() && active())
     {
         gather();
@@ -364,62 +341,6 @@ void Foam::demFlows::share(const demView& view, scalarField& volume) const
         const scalar t = beyond[i] ? 0 : min(least[i], scalar(1));
         volume[i] *= t*t*(3 - 2*t);
     }
-}
-
-
-void Foam::demFlows::tell(::dem* d, const bool rows)
-{
-    const struct ::dem_flow* flow = nullptr;
-    int n = 0;
-    demCheck(dem_flows(d, &n, &flow));
-
-    if (!n)
-    {
-        return;
-    }
-    begin(d);
-    if (Pstream::master())
-    {
-        table_.begin();
-    }
-
-    int64_t in = 0;
-    int64_t out = 0;
-    int64_t waiting = 0;
-    for (int k = 0; k < n; k++)
-    {
-        (flow[k].enters ? in : out) += flow[k].particles;
-        waiting += flow[k].waiting;
-    }
-    if (!rows)
-    {
-        Info<< "Suna: " << in << " came in, " << out << " went out, " << waiting
-            << " wait for room" << endl;
-        return;
-    }
-
-    const scalar now = mesh_.time().value();
-    const scalar over = now > since_ ? 1/(now - since_) : 0;
-
-    for (int k = 0; k < n; k++)
-    {
-        const struct ::dem_flow& f = flow[k];
-
-        if (Pstream::master())
-        {
-            table_.rows()
-                << now << ',' << f.name << ',' << (f.enters ? "in" : "out")
-                << ',' << f.particles << ',' << f.mass << ',' << f.momentum[0]
-                << ',' << f.momentum[1] << ',' << f.momentum[2] << ','
-                << f.energy << ',' << f.waiting << ','
-                << over*(f.particles - particles_[k]) << ','
-                << over*(f.mass - mass_[k]) << '\n';
-            table_.end();
-        }
-        particles_[k] = scalar(f.particles);
-        mass_[k] = f.mass;
-    }
-    since_ = now;
 }
 
 // ************************************************************************* //

@@ -15,6 +15,8 @@ namespace Foam
 {
 
 static const wordList sets({"I", "II", "III"});
+
+// In the order of the core's dem_exchange
 static const wordList exchanges({"deferred", "semiImplicit", "explicit"});
 
 // The place of the chosen word among those that are known
@@ -71,7 +73,10 @@ Foam::demForm::demForm(const demDict& dict, const bool makesRoom)
     set_(equations(choice(dict.coupling(), "equations", sets, "II"))),
     exchange_
     (
-        exchange(choice(dict.coupling(), "exchange", exchanges, "deferred"))
+        ::dem_exchange
+        (
+            choice(dict.coupling(), "exchange", exchanges, "deferred")
+        )
     )
 {
     checkGiven("equations", makesRoom);

@@ -47,7 +47,7 @@ static void sayIds
 Foam::demLosses::demLosses(const fvMesh& mesh)
 :
     mesh_(mesh),
-    table_(mesh.time(), "lost.csv", "id,time,x,y,z,vx,vy,vz,diameter,cause"),
+    table_(mesh.time(), "lost.csv"),
     removed_(0)
 {}
 
@@ -68,7 +68,7 @@ void Foam::demLosses::tell(::dem* d, const scalar offset)
 {
     if (Pstream::master())
     {
-        table_.begin();
+        table_.begin(d, "id,time,x,y,z,vx,vy,vz,diameter,cause");
     }
 
     const struct ::dem_loss* loss = nullptr;

@@ -50,39 +50,31 @@ static void put(std::ofstream& os, const Type value)
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // At the first step, so that a run that only looks leaves no empty files
-void Foam::demRecord::open()
+void Foam::demRecord::begin(const ::dem* d)
 {
-    const scalar start = time_.value() - time_.deltaTValue();
-    entries_ = std::floor(start/interval_ + 1e-6);
+    interval_.begin(time_.value() - time_.deltaTValue());
 
     if (!Pstream::master())
     {
         return;
     }
 
-    const fileName folder
-    (
-        time_.globalPath()/"postProcessing"/"dem"/Time::timeName(start)
-    );
+    const fileName folder(demTable::folder(time_));
     mkDir(folder);
-
     particles_.open((folder/"particles.bin").c_str(), std::ios::binary);
-    walls_.open((folder/"walls.csv").c_str());
-    if (energy_)
-    {
-        energies_.open((folder/"energy.csv").c_str());
-    }
-
-    if (!particles_ || !walls_ || !energies_)
+    if (!particles_)
     {
         FatalErrorInFunction
-            << "Can't write " << folder/"particles.bin" << " and tables;"
-            << " take out coupling/record, or make room" << exit(FatalError);
+            << "Can't write " << folder/"particles.bin" << "; take out"
+            << " coupling/record, or make room" << exit(FatalError);
     }
 
-    walls_.precision(9);
-    walls_ << "time[s],wall,fx[N],fy[N],fz[N],tx[Nm],ty[Nm],tz[Nm],fx_now[N],"
-        "fy_now[N],fz_now[N],tx_now[Nm],ty_now[Nm],tz_now[Nm]" << std::endl;
+    walls_.begin
+    (
+        d,
+        "time[s],wall,fx[N],fy[N],fz[N],tx[Nm],ty[Nm],tz[Nm],fx_now[N],"
+        "fy_now[N],fz_now[N],tx_now[Nm],ty_now[Nm],tz_now[Nm]"
+    );
 }
 
 
@@ -136,15 +128,18 @@ void Foam::demRecord::writeWalls(::dem* d)
 
         if (Pstream::master())
         {
-            walls_ << time_.value() << ',' << dem_wall_name(d, wall);
+            walls_.rows() << time_.value() << ',' << dem_wall_name(d, wall);
             for (label k = 0; k < 12; k++)
             {
-                walls_ << ',' << (k < 6 ? value[k]/moved_ : value[k]);
+                walls_.rows() << ',' << (k < 6 ? value[k]/moved_ : value[k]);
             }
-            walls_ << '\n';
+            walls_.rows() << '\n';
         }
     }
-    walls_.flush();
+    if (Pstream::master())
+    {
+        walls_.end();
+    }
     watch(d);
 }
 
@@ -161,22 +156,20 @@ void Foam::demRecord::writeEnergy(::dem* d)
     {
         return;
     }
-    if (energies_.tellp() == std::streampos(0))
-    {
-        energies_.precision(12);
-        energies_ << "time[s],since[s]";
-        for (int k = 0; k < n; k++)
-        {
-            energies_ << ',' << item[k].name << "[J]";
-        }
-        energies_ << '\n';
-    }
-    energies_ << time_.value() << ',' << since;
+    string columns("time[s],since[s]");
     for (int k = 0; k < n; k++)
     {
-        energies_ << ',' << item[k].value;
+        columns += string(",") + item[k].name + "[J]";
     }
-    energies_ << std::endl;
+    energies_.begin(d, columns);
+
+    energies_.rows() << time_.value() << ',' << since;
+    for (int k = 0; k < n; k++)
+    {
+        energies_.rows() << ',' << item[k].value;
+    }
+    energies_.rows() << '\n';
+    energies_.end();
 }
 
 
@@ -186,9 +179,10 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
 :
     time_(time),
     interval_(0),
-    entries_(-GREAT),
     moved_(0),
-    energy_(false)
+    walls_(time, "walls.csv"),
+    energy_(false),
+    energies_(time, "energy.csv", 12)
 {
     if (coupling.found("record"))
     {
@@ -204,15 +198,16 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
                 demUnknown(record, "coupling/record", "entry", key, known);
             }
         }
-        interval_ = record.get<scalar>("interval");
+        const scalar interval = record.get<scalar>("interval");
         energy_ = record.getOrDefault<Switch>("energy", false);
 
-        if (interval_ < SMALL)
+        if (interval < SMALL)
         {
             FatalIOErrorInFunction(record)
-                << "coupling/record/interval " << interval_ << " s; give a time above 0, or"
+                << "coupling/record/interval " << interval << " s; give a time above 0, or"
                 << " take out record" << exit(FatalIOError);
         }
+        interval_ = demInterval(interval);
     }
 }
 
@@ -231,7 +226,7 @@ void Foam::demRecord::prepare(::dem* d)
 
 void Foam::demRecord::watch(::dem* d)
 {
-    if (interval_ > 0)
+    if (interval_.on())
     {
         demCheck(dem_wall_watch(d));
         moved_ = 0;
@@ -241,21 +236,19 @@ void Foam::demRecord::watch(::dem* d)
 
 void Foam::demRecord::add(::dem* d, const demView& view, const scalar moved)
 {
-    if (interval_ <= 0)
+    if (!interval_.on())
     {
         return;
     }
-    if (entries_ == -GREAT)
+    if (!interval_.begun())
     {
-        open();
+        begin(d);
     }
 
     moved_ += moved;
 
-    const scalar passed = std::floor(time_.value()/interval_ + 1e-6);
-    if (passed > entries_)
+    if (interval_.pass(time_.value()))
     {
-        entries_ = passed;
         writeParticles(view);
         writeWalls(d);
         if (energy_)

@@ -15,13 +15,12 @@ Foam::demTable::demTable
 (
     const Time& time,
     const word& name,
-    const string& head
+    const label digits
 )
 :
     time_(time),
     file_(folder(time)/name),
-    head_(head),
-    begun_(false)
+    digits_(digits)
 {}
 
 
@@ -29,7 +28,9 @@ Foam::demTable::demTable
 
 Foam::fileName Foam::demTable::folder(const Time& time)
 {
-    return time.globalPath()/"postProcessing"/"dem"/time.timeName();
+    return
+        time.globalPath()/"postProcessing"/"dem"
+       /Time::timeName(time.startTime().value());
 }
 
 
@@ -39,13 +40,17 @@ Foam::string Foam::demTable::name() const
 }
 
 
-void Foam::demTable::begin()
+void Foam::demTable::begin(const ::dem* d, const string& columns)
 {
-    if (!begun_ && isFile(file_, false))
+    if (!head_.empty())
+    {
+        return;
+    }
+    if (isFile(file_, false))
     {
         rm(file_);
     }
-    begun_ = true;
+    head_ = string("# ") + dem_heading(d) + "\n" + columns;
 }
 
 
@@ -53,10 +58,9 @@ std::ostream& Foam::demTable::rows()
 {
     if (!rows_.is_open())
     {
-        begin();
         mkDir(file_.path());
         rows_.open(file_.c_str());
-        rows_.precision(9);
+        rows_.precision(int(digits_));
         rows_ << head_ << '\n';
         end();
     }

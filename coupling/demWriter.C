@@ -112,14 +112,16 @@ static inline vector three(const UList<scalar>& numbers, const label at)
 }
 
 
-static IOobject place
+// Every file of the cloud says which effects act, as the fields do
+static IOobject fileOf
 (
     const fvMesh& mesh,
     const word& name,
-    const fileName& folder
+    const string& heading,
+    const fileName& folder = cloudFolder
 )
 {
-    return IOobject
+    IOobject io
     (
         name,
         mesh.time().timeName(),
@@ -129,12 +131,19 @@ static IOobject place
         IOobject::NO_WRITE,
         false
     );
+    io.note() = heading;
+    return io;
 }
 
 
-static void writePositions(const fvMesh& mesh, const UList<scalar>& all)
+static void writePositions
+(
+    const fvMesh& mesh,
+    const string& heading,
+    const UList<scalar>& all
+)
 {
-    const IOobject io(place(mesh, "positions", cloudFolder));
+    const IOobject io(fileOf(mesh, "positions", heading));
     mkDir(io.path());
 
     OFstream os(io.objectPath());
@@ -151,11 +160,11 @@ static void writePositions(const fvMesh& mesh, const UList<scalar>& all)
 
 
 // Without this file the readers look for barycentric coordinates
-static void writeProperties(const fvMesh& mesh)
+static void writeProperties(const fvMesh& mesh, const string& heading)
 {
     const IOobject io
     (
-        place(mesh, "cloudProperties", fileName("uniform")/cloudFolder)
+        fileOf(mesh, "cloudProperties", heading, fileName("uniform")/cloudFolder)
     );
     mkDir(io.path());
 
@@ -168,14 +177,13 @@ static void writeProperties(const fvMesh& mesh)
 template<class Type, class From>
 static void writeField
 (
-    const fvMesh& mesh,
-    const word& name,
+    const IOobject& io,
     const UList<scalar>& all,
     const label first,
     const From& from
 )
 {
-    IOField<Type> field(place(mesh, name, cloudFolder), all.size()/NUMBERS);
+    IOField<Type> field(io, all.size()/NUMBERS);
 
     forAll(field, i)
     {
@@ -194,7 +202,8 @@ void Foam::demWriter::write
     const fvMesh& mesh,
     const struct ::dem_view& view,
     const struct ::dem_view& seen,
-    const double* place
+    const double* place,
+    const string& heading
 )
 {
     const List<scalar> all(deal(view, seen, place));
@@ -208,19 +217,24 @@ void Foam::demWriter::write
         return label(n[at]);
     };
 
-    writePositions(mesh, all);
-    writeProperties(mesh);
-    writeField<vector>(mesh, "U", all, 4, three);
-    writeField<vector>(mesh, "omega", all, 7, three);
-    writeField<vector>(mesh, "contactForce", all, 10, three);
-    writeField<scalar>(mesh, "d", all, 13, one);
-    writeField<scalar>(mesh, "mass", all, 14, one);
-    writeField<label>(mesh, "id", all, 15, whole);
-    writeField<label>(mesh, "material", all, 16, whole);
-    writeField<label>(mesh, "flags", all, 17, whole);
+    const auto io = [&](const word& name)
+    {
+        return fileOf(mesh, name, heading);
+    };
+
+    writePositions(mesh, heading, all);
+    writeProperties(mesh, heading);
+    writeField<vector>(io("U"), all, 4, three);
+    writeField<vector>(io("omega"), all, 7, three);
+    writeField<vector>(io("contactForce"), all, 10, three);
+    writeField<scalar>(io("d"), all, 13, one);
+    writeField<scalar>(io("mass"), all, 14, one);
+    writeField<label>(io("id"), all, 15, whole);
+    writeField<label>(io("material"), all, 16, whole);
+    writeField<label>(io("flags"), all, 17, whole);
     if (seen.position != view.position)
     {
-        writeField<vector>(mesh, "place", all, 18, three);
+        writeField<vector>(io("place"), all, 18, three);
     }
 }
 

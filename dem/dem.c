@@ -1,6 +1,6 @@
 /*
- * dem.c -- the door: making a run, driving it, its fluid, keeping it. Looking at it is in look.c; how a scene becomes a running
- * state in ready.c.
+ * dem.c -- the door: making a run, driving it, keeping it. Looking at it is in look.c, its fluid in fluid.c; how a scene becomes a
+ * running state in ready.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -271,9 +271,9 @@ int dem_plan(struct dem *d, const struct dem_prospect *prospect, const char **te
     return status;
 }
 
-const char *dem_acting(const struct dem *d)
+const char *dem_heading(const struct dem *d)
 {
-    return d->acting;
+    return d->heading;
 }
 
 const char *dem_acting_fluid(const struct dem *d)
@@ -344,67 +344,6 @@ void dem_stop_when(struct dem *d, const volatile sig_atomic_t *asked)
 int dem_stopped(const struct dem *d)
 {
     return d->parts.open ? d->parts.stopped : 0;
-}
-
-/* ---- the fluid ----------------------------------------------------------------------------------------------- */
-
-int dem_needs_fluid(const struct dem *d)
-{
-    return d->with_fluid;
-}
-
-int dem_fluid(struct dem *d, struct dem_fluid *f)
-{
-    const struct dem_particles *const p = &d->parts.particles;
-
-    DEM_REQUIRE(!d->scene.fluid.given, DEM_ERROR_INPUT, "the scene gives a uniform fluid, but it is coupled to a running one; remove "
-                "the entry fluid");
-    d->coupled = 1;
-    *f = (struct dem_fluid){.n = p->n, .velocity = dem_column(p, DEM_COLUMN_FLUID_VELOCITY),
-                            .pressure_gradient = dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT),
-                            .void_fraction = dem_column(p, DEM_COLUMN_VOID_FRACTION), .density = dem_column(p, DEM_COLUMN_FLUID_DENSITY),
-                            .viscosity = dem_column(p, DEM_COLUMN_FLUID_VISCOSITY),
-                            .acceleration = dem_column(p, DEM_COLUMN_FLUID_ACCELERATION),
-                            .vorticity = dem_column(p, DEM_COLUMN_VORTICITY), .stress = dem_column(p, DEM_COLUMN_STRESS),
-                            .mean_diameter = dem_column(p, DEM_COLUMN_MEAN_DIAMETER),
-                            .other_impulse = dem_column(p, DEM_COLUMN_OTHER_IMPULSE),
-                            .turn_impulse = dem_column(p, DEM_COLUMN_TURN_IMPULSE),
-                            .counterflow = dem_column(p, DEM_COLUMN_COUNTERFLOW), .place = dem_column(p, DEM_COLUMN_PLACE),
-                            .drag_time = dem_column(p, DEM_COLUMN_DRAG_TIME),
-                            .drag_impulse = dem_column(p, DEM_COLUMN_DRAG_IMPULSE), .response = dem_column(p, DEM_COLUMN_RESPONSE),
-                            .passed = dem_column(p, DEM_COLUMN_PASSED), .pending = dem_column(p, DEM_COLUMN_PENDING)};
-    return DEM_OK;
-}
-
-void dem_fluid_whole_drag(struct dem *d, int yes)
-{
-    d->parts.recipe.bodies.whole_drag = yes;
-}
-
-int dem_fluid_correct(struct dem *d, const double *velocity, const double *pressure_gradient)
-{
-    struct dem_particles *const p = &d->parts.particles;
-    const double *const u = dem_column(p, DEM_COLUMN_FLUID_VELOCITY), *const g = dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT);
-    const double *const R = dem_column(p, DEM_COLUMN_RESPONSE), *const passed = dem_column(p, DEM_COLUMN_PASSED);
-    const double *const foreseen = dem_column(p, DEM_COLUMN_FORESEEN);
-    double *const pending = dem_column(p, DEM_COLUMN_PENDING), *const change = dem_column(p, DEM_COLUMN_FLUID_CHANGE);
-
-    DEM_REQUIRE(d->with_fluid, DEM_ERROR_STATE, "dem_fluid_correct without fluid effects");
-    for (size_t i = 0; i < p->n; i++)
-    {
-        const double volume = d->feels_gradient ? dem_particle_volume(&p->record[i]) : 0.0;
-        const double Q = passed[i]*volume*d->parts.window;
-
-        for (size_t k = 3*i; k < 3*i + 3; k++)
-        {
-            pending[k] = R[i]*(velocity[k] - u[k]) + Q*(pressure_gradient[k] - g[k]) - (foreseen ? foreseen[k] : 0.0);
-            if (change)
-            {
-                change[k] = (velocity[k] - u[k])/d->parts.window;
-            }
-        }
-    }
-    return DEM_OK;
 }
 
 /* ---- keeping ------------------------------------------------------------------------------------------------- */

@@ -92,9 +92,9 @@ struct dem_prospect                                       /* what the caller kno
    or dem_free. Takes a tenth of a second for measuring; nothing moves, and views stay valid. */
 int dem_plan(struct dem *, const struct dem_prospect *, const char **text);
 
-/* After dem_check: the words of all effects that act, in the order of their stages, with blanks between; of those of the fluid alone.
-   For heads of results: laws of drag differ by a factor of two. */
-const char *dem_acting(const struct dem *);
+/* After dem_check: the line that stands in the head of each result, "effects: " and the words of all that act, in the order of their
+   stages, with blanks between: laws of drag differ by a factor of two. And the words of those of the fluid alone. */
+const char *dem_heading(const struct dem *);
 const char *dem_acting_fluid(const struct dem *);
 
 /* ---- running ------------------------------------------------------------------------------------------------- */
@@ -358,6 +358,28 @@ int dem_fluid(struct dem *, struct dem_fluid *);
    pressure gradient (set III of Zhou, Kuang, Chu, Yu, J. Fluid Mech. 661 (2010) 482, "simplified model B"); the pressure
    gradient handed over must then be the hydrostatic one. no: the law's own b. Kept until it is called again; not in the snapshot. */
 void dem_fluid_whole_drag(struct dem *, int yes);
+
+/* For the column counterflow, where the solver's continuity makes room for particles and they get what its new velocity adds:
+   1/e^2, or 1/e with whole drag; e as at least 0.1 (effects/exchange.h). */
+double dem_fluid_counterflow(const struct dem *, double void_fraction);
+
+/* For the column mean_diameter: from sum V and sum V/d of the particles around [m3], [m2]; 0 where there are none. */
+double dem_sauter(double volume, double per_diameter);
+
+enum dem_exchange                                         /* how the fluid gets what it has given: effects/exchange.h */
+{
+    DEM_EXCHANGE_DEFERRED,                                /* to its new velocity; particles get the same in the next window */
+    DEM_EXCHANGE_SEMI_IMPLICIT,                           /* drag at the particles' velocity of now */
+    DEM_EXCHANGE_EXPLICIT                                 /* as it was */
+};
+
+/* The force of each particle on the fluid after an advance by `window` [s]: F - K u, with K [kg/s] and F [N] (3 each), u the fluid's
+   velocity to come. */
+int dem_fluid_reaction(const struct dem *, enum dem_exchange, double window, double *coefficient, double *force);
+
+/* The fastest rate at which drag takes up the slip of a particle of this rank [1/s]: b/(m + a), b the mean over the last advance in a fluid
+   of given velocity, a the added mass. Frozen ones have none. */
+double dem_fluid_relaxation(const struct dem *);
 
 /* After the fluid is solved: with its new velocity and full pressure gradient at the particles (3 numbers each, same
    order as the columns), leave for the next window what the drag of this one would have changed by: the impulse

@@ -56,7 +56,7 @@ struct dem
     struct dem_flow flow[DEM_SNAPSHOT_FLOWS];             /* as told last */
     double step;                                          /* s, the limit in force */
     struct dem_text plan, profile;                        /* the last ones */
-    char acting[800], in_fluid[400];                      /* words of all effects, and of those of the fluid */
+    char heading[800], in_fluid[400];                     /* of results, with words of all effects; those of the fluid */
 };
 
 /* An error when this call comes after dem_check or dem_ready. */

@@ -187,7 +187,7 @@ const char *dem_break_cause(int cause)
 int dem_bonds_draw(struct dem *d, const char *folder, const char *file, double time)
 {
     DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_bonds_draw comes after dem_ready");
-    return dem_door_together(d, dem_bonds_lines(&d->parts, folder, file, time));
+    return dem_door_together(d, dem_bonds_lines(&d->parts, d->heading, folder, file, time));
 }
 
 int dem_wall_watch(struct dem *d)

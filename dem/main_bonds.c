@@ -5,11 +5,8 @@
  */
 #include "main_bonds.h"
 #include "base/error.h"
-#include "io/file.h"
 #include "main_rows.h"
-#include <errno.h>
 #include <stdio.h>
-#include <string.h>
 
 /* ---- those that broke ---------------------------------------------------------------------------------------- */
 
@@ -18,19 +15,14 @@ int dem_bond_rows_begin(const struct dem_program *prog, const struct dem *d, con
     char path[640];
 
     snprintf(path, sizeof path, "%s/bonds.csv", folder);
-    return dem_program_together(prog, prog->rank == 0 && dem_has_bonds(d) ? dem_rows_begin(path, 0, start) : DEM_OK);
+    return dem_program_together(prog, prog->rank == 0 && dem_has_bonds(d) ? dem_rows_begin(path, 0, start, d) : DEM_OK);
 }
 
-static int append(const char *path, int64_t n, const struct dem_break *b)
+static int append(const char *path, const struct dem *d, int64_t n, const struct dem_break *b)
 {
-    const int new = !dem_file_exists(path);
-    FILE *const f = fopen(path, "a");
+    FILE *f;
 
-    DEM_REQUIRE(f, DEM_ERROR_FILE, "can't write %s: %s", path, strerror(errno));
-    if (new)
-    {
-        fprintf(f, "time,id1,id2,x,y,z,cause,energy\n");
-    }
+    DEM_TRY(dem_rows_open(&f, path, d, "time,id1,id2,x,y,z,cause,energy"));
     for (int64_t k = 0; k < n; k++)
     {
         const double *const x = b[k].position;
@@ -38,10 +30,7 @@ static int append(const char *path, int64_t n, const struct dem_break *b)
         fprintf(f, "%.10g,%lld,%lld,%.9g,%.9g,%.9g,%s,%.9g\n", b[k].time, (long long)b[k].id[0], (long long)b[k].id[1], x[0], x[1], x[2],
                 dem_break_cause(b[k].cause), b[k].energy);
     }
-    const int bad = ferror(f) != 0;
-
-    DEM_REQUIRE(fclose(f) == 0 && !bad, DEM_ERROR_FILE, "can't write all of %s: %s", path, strerror(errno));
-    return DEM_OK;
+    return dem_rows_close(f, path);
 }
 
 int dem_bond_rows_tell(const struct dem_program *prog, struct dem *d, const struct dem_output *o)
@@ -63,7 +52,7 @@ int dem_bond_rows_tell(const struct dem_program *prog, struct dem *d, const stru
     {
         snprintf(path, sizeof path, "%s/bonds.csv", o->folder);
         status = dem_output_folder(o);
-        status = status ? status : append(path, n, broke);
+        status = status ? status : append(path, d, n, broke);
     }
     return dem_program_together(prog, status);
 }

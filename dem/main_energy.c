@@ -5,14 +5,13 @@
  */
 #include "main_energy.h"
 #include "base/error.h"
-#include "io/file.h"
 #include "main_rows.h"
-#include <errno.h>
+#include "plan/text.h"
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
-int dem_energy_log_begin(struct dem_energy_log *log, const struct dem_program *prog, const struct dem_output *o, double start)
+int dem_energy_log_begin(struct dem_energy_log *log, const struct dem_program *prog, const struct dem_output *o, const struct dem *d,
+                         double start)
 {
     *log = (struct dem_energy_log){.output = o, .interval = o->energy, .when = start};
     snprintf(log->path, sizeof log->path, "%s/energy.csv", o->folder);
@@ -20,7 +19,7 @@ int dem_energy_log_begin(struct dem_energy_log *log, const struct dem_program *p
     {
         return DEM_OK;
     }
-    return dem_program_together(prog, prog->rank == 0 ? dem_rows_begin(log->path, 0, start) : DEM_OK);
+    return dem_program_together(prog, prog->rank == 0 ? dem_rows_begin(log->path, 0, start, d) : DEM_OK);
 }
 
 struct row
@@ -30,31 +29,33 @@ struct row
     const struct dem_energy_item *item;
 };
 
-static int write_row(const struct dem_energy_log *log, const struct row *r)
+static int open_table(FILE **f, const struct dem_energy_log *log, const struct dem *d, const struct row *r)
 {
-    const int new = !dem_file_exists(log->path);
-    FILE *const f = fopen(log->path, "a");
+    struct dem_text columns = {0};
 
-    DEM_REQUIRE(f, DEM_ERROR_FILE, "can't write %s: %s", log->path, strerror(errno));
-    if (new)
+    dem_text_add(&columns, "time[s],since[s]");
+    for (int k = 0; k < r->n; k++)
     {
-        fprintf(f, "time[s],since[s]");
-        for (int k = 0; k < r->n; k++)
-        {
-            fprintf(f, ",%s[J]", r->item[k].name);
-        }
-        fprintf(f, "\n");
+        dem_text_add(&columns, ",%s[J]", r->item[k].name);
     }
+    const int status = columns.status ? columns.status : dem_rows_open(f, log->path, d, columns.text);
+
+    dem_text_free(&columns);
+    return status;
+}
+
+static int write_row(const struct dem_energy_log *log, const struct dem *d, const struct row *r)
+{
+    FILE *f;
+
+    DEM_TRY(open_table(&f, log, d, r));
     fprintf(f, "%.10g,%.10g", r->now, r->since);
     for (int k = 0; k < r->n; k++)
     {
         fprintf(f, ",%.12g", r->item[k].value + 0.0);            /* no minus zero */
     }
     fprintf(f, "\n");
-    const int bad = ferror(f) != 0;
-
-    DEM_REQUIRE(fclose(f) == 0 && !bad, DEM_ERROR_FILE, "can't write all of %s: %s", log->path, strerror(errno));
-    return DEM_OK;
+    return dem_rows_close(f, log->path);
 }
 
 struct fastest
@@ -150,7 +151,7 @@ int dem_energy_log_tell(struct dem_energy_log *log, const struct dem_program *pr
     if (prog->rank == 0)
     {
         status = dem_output_folder(log->output);
-        status = status ? status : write_row(log, &r);
+        status = status ? status : write_row(log, d, &r);
     }
     DEM_TRY(dem_program_together(prog, status));
     return judge(log, prog, d, &r);

@@ -23,7 +23,7 @@ struct dem_energy_log
 };
 
 /* Collective. Rows of an earlier run in the same folder that are later than the start of this one [s] go. */
-int dem_energy_log_begin(struct dem_energy_log *, const struct dem_program *, const struct dem_output *, double start);
+int dem_energy_log_begin(struct dem_energy_log *, const struct dem_program *, const struct dem_output *, const struct dem *, double start);
 
 /* Collective. Write a row if one is due. DEM_ERROR_NUMBER where since the last one more energy has come from nowhere than time/maxCreated,
    a share of the largest term. */

@@ -5,11 +5,8 @@
  */
 #include "main_flows.h"
 #include "base/error.h"
-#include "io/file.h"
 #include "main_rows.h"
-#include <errno.h>
 #include <stdio.h>
-#include <string.h>
 
 static const char head[] = "time[s],name,way,particles,mass[kg],px[Ns],py[Ns],pz[Ns],energy[J],waiting,rate[1/s],massRate[kg/s]";
 
@@ -18,17 +15,12 @@ static const char *way_of(const struct dem_flow *f)
     return f->enters ? "in" : "out";
 }
 
-static int write_rows(const struct dem_flow_log *log, int n, const struct dem_flow *flow, double now)
+static int write_rows(const struct dem_flow_log *log, const struct dem *d, int n, const struct dem_flow *flow, double now)
 {
-    const int new = !dem_file_exists(log->path);
-    FILE *const f = fopen(log->path, "a");
     const double over = now > log->since ? 1.0/(now - log->since) : 0.0;
+    FILE *f;
 
-    DEM_REQUIRE(f, DEM_ERROR_FILE, "can't write %s: %s", log->path, strerror(errno));
-    if (new)
-    {
-        fprintf(f, "%s\n", head);
-    }
+    DEM_TRY(dem_rows_open(&f, log->path, d, head));
     for (int k = 0; k < n; k++)
     {
         const struct dem_flow *const w = &flow[k];
@@ -37,10 +29,7 @@ static int write_rows(const struct dem_flow_log *log, int n, const struct dem_fl
                 w->momentum[0], w->momentum[1], w->momentum[2], w->energy, (long long)w->waiting,
                 over*((double)w->particles - log->particles[k]), over*(w->mass - log->mass[k]));
     }
-    const int bad = ferror(f) != 0;
-
-    DEM_REQUIRE(fclose(f) == 0 && !bad, DEM_ERROR_FILE, "can't write all of %s: %s", log->path, strerror(errno));
-    return DEM_OK;
+    return dem_rows_close(f, log->path);
 }
 
 static void print(int n, const struct dem_flow *flow)
@@ -75,7 +64,7 @@ int dem_flow_log_begin(struct dem_flow_log *log, const struct dem_program *prog,
     snprintf(log->path, sizeof log->path, "%s/flows.csv", o->folder);
     DEM_TRY(dem_flows(d, &n, &flow));
     remember(log, n, flow, start);
-    return dem_program_together(prog, prog->rank == 0 ? dem_rows_begin(log->path, 0, start) : DEM_OK);
+    return dem_program_together(prog, prog->rank == 0 ? dem_rows_begin(log->path, 0, start, d) : DEM_OK);
 }
 
 int dem_flow_log_tell(struct dem_flow_log *log, const struct dem_program *prog, struct dem *d, double now)
@@ -92,7 +81,7 @@ int dem_flow_log_tell(struct dem_flow_log *log, const struct dem_program *prog, 
     {
         print(n, flow);
         status = dem_output_folder(log->output);
-        status = status ? status : write_rows(log, n, flow, now);
+        status = status ? status : write_rows(log, d, n, flow, now);
     }
     remember(log, n, flow, now);
     return dem_program_together(prog, status);

@@ -5,11 +5,8 @@
  */
 #include "main_lost.h"
 #include "base/error.h"
-#include "io/file.h"
 #include "main_rows.h"
-#include <errno.h>
 #include <stdio.h>
-#include <string.h>
 
 enum
 {
@@ -18,16 +15,11 @@ enum
 
 /* ---- the file ------------------------------------------------------------------------------------------------ */
 
-static int append(const struct dem_lost_log *log, int64_t n, const struct dem_loss *loss)
+static int append(const struct dem_lost_log *log, const struct dem *d, int64_t n, const struct dem_loss *loss)
 {
-    const int new = !dem_file_exists(log->path);
-    FILE *const f = fopen(log->path, "a");
+    FILE *f;
 
-    DEM_REQUIRE(f, DEM_ERROR_FILE, "can't write %s: %s", log->path, strerror(errno));
-    if (new)
-    {
-        fprintf(f, "id,time,x,y,z,vx,vy,vz,diameter,cause\n");
-    }
+    DEM_TRY(dem_rows_open(&f, log->path, d, "id,time,x,y,z,vx,vy,vz,diameter,cause"));
     for (int64_t k = 0; k < n; k++)
     {
         const double *const x = loss[k].position, *const v = loss[k].velocity;
@@ -35,10 +27,7 @@ static int append(const struct dem_lost_log *log, int64_t n, const struct dem_lo
         fprintf(f, "%lld,%.10g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,\"%s\"\n", (long long)loss[k].id, loss[k].time, x[0], x[1], x[2],
                 v[0], v[1], v[2], loss[k].diameter, loss[k].cause);
     }
-    const int bad = ferror(f) != 0;
-
-    DEM_REQUIRE(fclose(f) == 0 && !bad, DEM_ERROR_FILE, "can't write all of %s: %s", log->path, strerror(errno));
-    return DEM_OK;
+    return dem_rows_close(f, log->path);
 }
 
 /* ---- the line ------------------------------------------------------------------------------------------------ */
@@ -85,11 +74,11 @@ static void print(struct dem_lost_log *log, int64_t n, const struct dem_loss *lo
 
 /* ---- what others call ---------------------------------------------------------------------------------------- */
 
-int dem_lost_begin(struct dem_lost_log *log, const struct dem_program *prog, const struct dem_output *o, double start)
+int dem_lost_begin(struct dem_lost_log *log, const struct dem_program *prog, const struct dem_output *o, const struct dem *d, double start)
 {
     *log = (struct dem_lost_log){.output = o};
     snprintf(log->path, sizeof log->path, "%s/lost.csv", o->folder);
-    return dem_program_together(prog, prog->rank == 0 ? dem_rows_begin(log->path, 1, start) : DEM_OK);
+    return dem_program_together(prog, prog->rank == 0 ? dem_rows_begin(log->path, 1, start, d) : DEM_OK);
 }
 
 int dem_lost_tell(struct dem_lost_log *log, const struct dem_program *prog, struct dem *d)
@@ -106,7 +95,7 @@ int dem_lost_tell(struct dem_lost_log *log, const struct dem_program *prog, stru
     if (prog->rank == 0)
     {
         status = dem_output_folder(log->output);
-        status = status ? status : append(log, n, loss);
+        status = status ? status : append(log, d, n, loss);
         print(log, n, loss);
     }
     return dem_program_together(prog, status);

@@ -18,7 +18,7 @@ struct dem_lost_log
 };
 
 /* Rows of an earlier run in the same folder that are later than the start of this one [s] go. */
-int dem_lost_begin(struct dem_lost_log *, const struct dem_program *, const struct dem_output *, double start);
+int dem_lost_begin(struct dem_lost_log *, const struct dem_program *, const struct dem_output *, const struct dem *, double start);
 
 /* Collective. Print and write who was lost since the last call. */
 int dem_lost_tell(struct dem_lost_log *, const struct dem_program *, struct dem *);

@@ -121,11 +121,10 @@ static int write_picture(const struct dem_output *o, const struct dem_program *p
         {"force", s->force, stride, DEM_VTK_NARROW, 3},
         {"orientation", s->orientation, stride, DEM_VTK_NARROW, 4},
     };
-    char path[640], says[1024];
+    char path[640];
 
     snprintf(path, sizeof path, "%s/%s", o->folder, file);
-    snprintf(says, sizeof says, "effects: %s", dem_acting(d));
-    const int status = dem_vtk_write(&(const struct dem_writers){prog->comm, prog->rank, says}, path, n, columns,
+    const int status = dem_vtk_write(&(const struct dem_writers){prog->comm, prog->rank, dem_heading(d)}, path, n, columns,
                                      (int)(sizeof columns/sizeof columns[0]) - !o->orientation);
 
     dem_memory_free(s);

@@ -1,5 +1,5 @@
 /*
- * main_rows.c -- the head and the rows up to the start are written anew.
+ * main_rows.c -- heads, and the rows up to the start written anew.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -24,23 +24,31 @@ static double number(const char *line, int column)
     return line ? strtod(line, NULL) : 1e300;
 }
 
-static int keep(const char *path, char *text, int column, double until)
+static int keep(const char *path, char *text, int column, double until, const char *heading)
 {
+    const char *said = "# ";
     struct dem_file f;
+    int head = 1;
 
     DEM_TRY(dem_file_begin(&f, path));
     for (char *line = text, *end; (end = strchr(line, '\n')); line = end + 1)
     {
         *end = 0;
-        if (line == text || number(line, column) <= until)
+        said = line[0] == '#' ? line : said;
+        if (head || line[0] == '#' || number(line, column) <= until)
         {
             fprintf(f.stream, "%s\n", line);
         }
+        head = head && line[0] == '#';
+    }
+    if (strcmp(said + 2, heading) != 0)
+    {
+        fprintf(f.stream, "# %s\n", heading);
     }
     return dem_file_finish(&f, DEM_OK);
 }
 
-int dem_rows_begin(const char *path, int column, double start)
+int dem_rows_begin(const char *path, int column, double start, const struct dem *d)
 {
     char *text;
     size_t n;
@@ -52,12 +60,33 @@ int dem_rows_begin(const char *path, int column, double start)
     if (start > 0.0)
     {
         DEM_TRY(dem_file_load(path, &text, &n));
-        const int status = keep(path, text, column, start*(1.0 + 1e-9));   /* times are written with 10 digits */
+        const int status = keep(path, text, column, start*(1.0 + 1e-9), dem_heading(d));   /* times are written with 10 digits */
 
         dem_memory_free(text);
         return status;
     }
     DEM_REQUIRE(remove(path) == 0, DEM_ERROR_FILE, "can't remove %s of an earlier run: %s", path, strerror(errno));
+    return DEM_OK;
+}
+
+int dem_rows_open(FILE **f, const char *path, const struct dem *d, const char *columns)
+{
+    const int new = !dem_file_exists(path);
+
+    *f = fopen(path, "a");
+    DEM_REQUIRE(*f, DEM_ERROR_FILE, "can't write %s: %s", path, strerror(errno));
+    if (new)
+    {
+        fprintf(*f, "# %s\n%s\n", dem_heading(d), columns);
+    }
+    return DEM_OK;
+}
+
+int dem_rows_close(FILE *f, const char *path)
+{
+    const int bad = ferror(f) != 0;
+
+    DEM_REQUIRE(fclose(f) == 0 && !bad, DEM_ERROR_FILE, "can't write all of %s: %s", path, strerror(errno));
     return DEM_OK;
 }
 

@@ -158,7 +158,7 @@ static int begin(struct course *c)
 
     c->p.from = start;
     c->p.steps = c->t.steps;
-    DEM_TRY(dem_lost_begin(&c->lost, c->prog, o, start));
+    DEM_TRY(dem_lost_begin(&c->lost, c->prog, o, c->d, start));
     DEM_TRY(dem_flow_log_begin(&c->flows, c->prog, o, c->d, start));
     DEM_TRY(dem_bond_rows_begin(c->prog, c->d, o->folder, start));
     DEM_TRY(dem_surfaces_begin(o, c->prog, c->d));
@@ -168,7 +168,7 @@ static int begin(struct course *c)
         DEM_TRY(dem_output_save(o, c->prog, c->d, 0));
     }
     DEM_TRY(dem_wall_log_begin(&c->walls, c->prog, o, c->d, start));
-    DEM_TRY(dem_energy_log_begin(&c->energy, c->prog, o, start));
+    DEM_TRY(dem_energy_log_begin(&c->energy, c->prog, o, c->d, start));
     return start == 0.0 ? dem_energy_log_tell(&c->energy, c->prog, c->d, 0.0) : DEM_OK;
 }
 

@@ -6,11 +6,8 @@
 #include "main_walls.h"
 #include "base/error.h"
 #include "base/memory.h"
-#include "io/file.h"
 #include "main_rows.h"
-#include <errno.h>
 #include <stdio.h>
-#include <string.h>
 
 static const char head[] = "time[s],wall,fx[N],fy[N],fz[N],tx[Nm],ty[Nm],tz[Nm],fx_now[N],fy_now[N],fz_now[N],tx_now[Nm],ty_now[Nm],"
                            "tz_now[Nm]";
@@ -24,19 +21,14 @@ int dem_wall_log_begin(struct dem_wall_log *log, const struct dem_program *prog,
         return DEM_OK;
     }
     DEM_TRY(dem_wall_watch(d));
-    return dem_program_together(prog, prog->rank == 0 ? dem_rows_begin(log->path, 0, start) : DEM_OK);
+    return dem_program_together(prog, prog->rank == 0 ? dem_rows_begin(log->path, 0, start, d) : DEM_OK);
 }
 
 static int write_rows(const struct dem_wall_log *log, const struct dem *d, double now, double (*value)[12])
 {
-    const int new = !dem_file_exists(log->path);
-    FILE *const f = fopen(log->path, "a");
+    FILE *f;
 
-    DEM_REQUIRE(f, DEM_ERROR_FILE, "can't write %s: %s", log->path, strerror(errno));
-    if (new)
-    {
-        fprintf(f, "%s\n", head);
-    }
+    DEM_TRY(dem_rows_open(&f, log->path, d, head));
     for (int w = 0; w < dem_wall_count(d); w++)
     {
         fprintf(f, "%.10g,%s", now, dem_wall_name(d, w));
@@ -46,10 +38,7 @@ static int write_rows(const struct dem_wall_log *log, const struct dem *d, doubl
         }
         fprintf(f, "\n");
     }
-    const int bad = ferror(f) != 0;
-
-    DEM_REQUIRE(fclose(f) == 0 && !bad, DEM_ERROR_FILE, "can't write all of %s: %s", log->path, strerror(errno));
-    return DEM_OK;
+    return dem_rows_close(f, log->path);
 }
 
 static int measure(const struct dem_wall_log *log, struct dem *d, double now, double (*value)[12])

@@ -207,10 +207,11 @@ static void name_effects(struct dem *d)
 {
     const struct dem_recipe *const r = &d->parts.recipe;
 
-    d->acting[0] = d->in_fluid[0] = '\0';
+    snprintf(d->heading, sizeof d->heading, "effects:");
+    d->in_fluid[0] = '\0';
     for (int k = 0; k < r->chosen; k++)
     {
-        name(d->acting, sizeof d->acting, r->effect[k]->name);
+        name(d->heading, sizeof d->heading, r->effect[k]->name);
         if (r->effect[k]->stage == DEM_STAGE_FLUID)
         {
             name(d->in_fluid, sizeof d->in_fluid, r->effect[k]->name);
@@ -297,7 +298,7 @@ int dem_door_get_ready(struct dem *d)
     }
     for (int k = 0; k < d->scene.averages; k++)
     {
-        d->scene.average[k].says = d->acting;
+        d->scene.average[k].says = d->heading;
     }
     DEM_TRY(dem_averages_init(&d->parts.averages, d->scene.average, d->scene.averages, d->parts.time, d->parts.pieces.rank == 0));
     DEM_TRY(together(&d->parts, resume_means(d)));

@@ -160,7 +160,7 @@ static void write_image(FILE *f, const struct dem_average_plan *p, const struct 
     fprintf(f, "<?xml version=\"1.0\"?>\n");
     if (p->says)
     {
-        fprintf(f, "<!-- effects: %s -->\n", p->says);
+        fprintf(f, "<!-- %s -->\n", p->says);
     }
     fprintf(f, "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
             "  <ImageData WholeExtent=\"0 %d 0 %d 0 %d\" Origin=\"%.17g %.17g %.17g\" Spacing=\"%.17g %.17g %.17g\">\n"
@@ -183,6 +183,10 @@ int dem_averages_write(const char *folder, const struct dem_average_plan *p, con
 
     snprintf(path, sizeof path, "%s/%s.csv", folder, p->name);
     DEM_TRY(dem_file_begin(&f, path));
+    if (p->says)
+    {
+        fprintf(f.stream, "# %s\n", p->says);
+    }
     write_head(f.stream, field, fields);
     for (size_t cell = 0; cell < cells; cell++)
     {

@@ -13,7 +13,7 @@
 struct dem_average_plan
 {
     const char *name;
-    const char *says;                                         /* words of the effects, for the head of the image; NULL: none */
+    const char *says;                                         /* a line for the heads of both files; NULL: none */
     double min[3], max[3];                                    /* m   */
     int cells[3];                                             /* along x, y, z */
     double start, end, interval;                              /* s   between samples; the first at start */

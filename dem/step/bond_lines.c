@@ -51,7 +51,7 @@ static int by_ids(const void *a, const void *b)
 }
 
 /* Collective: each rank its own, by ids. */
-static int write_lines(const struct dem_pieces *q, const char *folder, const char *file, struct line *l, int64_t n)
+static int write_lines(const struct dem_writers *by, const char *folder, const char *file, struct line *l, int64_t n)
 {
     const size_t stride = sizeof *l;
     const struct dem_vtk_column columns[] =
@@ -70,12 +70,13 @@ static int write_lines(const struct dem_pieces *q, const char *folder, const cha
     DEM_REQUIRE(strlen(folder) + strlen(file) + 16 < sizeof path, DEM_ERROR_INPUT, "path %s/%s is longer than %zu letters", folder, file,
                 sizeof path - 17);
     snprintf(path, sizeof path, "%s/%s", folder, file);
-    return dem_vtk_write_lines(&(const struct dem_writers){.comm = q->ranks > 1 ? q->comm : MPI_COMM_NULL, .rank = q->rank}, path, n, columns,
-                               (int)(sizeof columns/sizeof columns[0]));
+    return dem_vtk_write_lines(by, path, n, columns, (int)(sizeof columns/sizeof columns[0]));
 }
 
-int dem_bonds_lines(struct dem_parts *p, const char *folder, const char *file, double time)
+int dem_bonds_lines(struct dem_parts *p, const char *says, const char *folder, const char *file, double time)
 {
+    const struct dem_pieces *const q = &p->pieces;
+    const struct dem_writers by = {.comm = q->ranks > 1 ? q->comm : MPI_COMM_NULL, .rank = q->rank, .says = says};
     struct line *lines;
     char path[1200];
     int64_t n = 0;
@@ -93,10 +94,10 @@ int dem_bonds_lines(struct dem_parts *p, const char *folder, const char *file, d
     {
         lines[k] = drawn(&p->bonds.hold[k]);
     }
-    const int status = write_lines(&p->pieces, folder, file, lines, n);
+    const int status = write_lines(&by, folder, file, lines, n);
 
     dem_memory_free(lines);
-    if (status || p->pieces.rank > 0)
+    if (status || q->rank > 0)
     {
         return status;
     }

@@ -30,7 +30,7 @@ int dem_bonds_list(struct dem_parts *, int64_t *n);
 
 /* Collective, the status is the first rank's own. A picture of the bonds that hold in `file` of the folder, with its place in bonds.pvd
    there. Of a state just read or given back nothing is known: no picture. */
-int dem_bonds_lines(struct dem_parts *, const char *folder, const char *file, double time);
+int dem_bonds_lines(struct dem_parts *, const char *says, const char *folder, const char *file, double time);
 
 /* Collective. What all ranks have noted since the last call, by time and ids, in `all` of every rank. */
 int dem_bonds_tell(struct dem_bonds *, const struct dem_pieces *, int64_t *n);

@@ -3,7 +3,7 @@
  * integration; a bubble of no weight that is let go begins to rise with 2 g; impacts in liquid return what is asked, with the mass that the
  * fluid adds, also between a bubble and a bead; what a coupled fluid is told and what particles are owed is what they have got; in a
  * fluid that speeds up everybody is taken along as the balance has it; a spin fades exponentially towards half the vorticity, in
- * one step or a thousand; lift bends a path as its law has it.
+ * one step or a thousand; lift bends a path as its law has it; the rate at which drag takes up slip is told with the added mass.
  *
  * Set: settling_ratio.csv, Schiller and Naumann with Cd 0.44 above Re 1000, integrated by another program.
  *
@@ -219,9 +219,46 @@ static void exchanges(double density)
     dem_free(d);
 }
 
+/* In a fluid at rest with Stokes' drag slip fades as exp(-t/tau), tau = (rho_p + rho/2) d^2/(18 mu): of a bubble 400 times as long with added
+   mass as without. What a program is told of it is that rate, whatever the void fraction and the counterflow; a frozen one has none. */
+static void relaxes(double density, const char *added, double extra)
+{
+    const double window = 1e-6, d = 1e-3, mu = 1e-3, rate = 18.0*mu/((density + extra)*d*d);
+    char *const scene = world_text("materials { a { density %g; youngsModulus 1e7; } } effects { stokesDrag {} %s } time { step 1e-7; }"
+                                   "insert { one { type list; diameter 1e-3; positions ((0 0 0)); velocity (0.3 0 0); }"
+                                   "two { type list; diameter 1e-4; positions ((1 0 0)); frozen yes; } }", density, added);
+    struct dem *const run = world_begin(scene);
+    struct dem_fluid f;
+
+    WORLD_TRY(dem_ready(run));
+    TAP_OK(dem_fluid_relaxation(run) == 0.0, "%g kg/m3 %s: nothing is known before the first window", density, added);
+    WORLD_TRY(dem_fluid(run, &f));
+    for (size_t i = 0; i < 2; i++)
+    {
+        f.void_fraction[i] = 1.0, f.density[i] = 1000.0, f.viscosity[i] = mu, f.counterflow[i] = 1.0;
+        for (size_t k = 3*i; k < 3*i + 3; k++)
+        {
+            f.velocity[k] = f.pressure_gradient[k] = 0.0;
+            if (f.acceleration)
+            {
+                f.acceleration[k] = 0.0;
+            }
+        }
+    }
+    world_run(run, window);
+    /* round-off of the sum of ten steps; and of 1e-5 that the slip loses */
+    TAP_NEAR(dem_fluid_relaxation(run)/rate, 1.0, 1e-12, "%g kg/m3 %s: relaxes at 18 mu/((rho_p + a/V) d^2) = %.6g /s", density, added, rate);
+    TAP_NEAR(-log(world_at(run, 0).v[0]/0.3)/(rate*window), 1.0, 1e-9, "and does");
+    free(scene);
+    dem_free(run);
+}
+
 int main(void)
 {
     TAP_TRAPS;
+    relaxes(1.2, "virtualMass {}", 500.0);
+    relaxes(1.2, "", 0.0);
+    relaxes(2500.0, "virtualMass { coefficient 0.8; }", 800.0);
     exchanges(1.2);
     exchanges(2500.0);
     settles();

@@ -60,7 +60,8 @@ def read_table(case, name, file):
     rows = []
     for path, end in starts(case, name, file):
         with open(path, newline="") as text:
-            rows += [row for row in csv.DictReader(text) if float(row["time[s]"]) <= end]
+            lines = (line for line in text if not line.startswith("#"))         # the effects that act
+            rows += [row for row in csv.DictReader(lines) if float(row["time[s]"]) <= end]
     return rows
 
 
