@@ -46,7 +46,8 @@ class Run:
     def table(self, name):
         """A .csv file: a list of rows, each a dict by the column's name without its unit."""
         with open(self.path(name)) as file:
-            return [{re.sub(r"\[.*", "", k): value(v) for k, v in row.items()} for row in csv.DictReader(file)]
+            lines = (line for line in file if not line.startswith("#"))      # the effects that act
+            return [{re.sub(r"\[.*", "", k): value(v) for k, v in row.items()} for row in csv.DictReader(lines)]
 
     def wall(self, name):
         return [row for row in self.table("walls.csv") if row["wall"] == name]
