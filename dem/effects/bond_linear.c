@@ -59,6 +59,7 @@
 
 #include "base/math.h"
 #include "base/random.h"
+#include "effects/carry.h"
 
 enum
 {
@@ -226,46 +227,6 @@ static void make(const struct bond *bond, struct dem_block *b, dem_real *const *
 
 /* ---- holding ------------------------------------------------------------------------------------------------- */
 
-struct vector
-{
-    dem_real x, y, z;
-};
-
-DEM_MATH dem_real inner(struct vector a, struct vector b)
-{
-    return a.x*b.x + a.y*b.y + a.z*b.z;
-}
-
-/* a + f b */
-DEM_MATH struct vector plus(struct vector a, dem_real f, struct vector b)
-{
-    return (struct vector){a.x + f*b.x, a.y + f*b.y, a.z + f*b.z};
-}
-
-/* a, normal to n, turned about n by 2 atan(q) */
-DEM_MATH struct vector turned(struct vector a, struct vector n, dem_real q)
-{
-    const struct vector aside = {n.y*a.z - n.z*a.y, n.z*a.x - n.x*a.z, n.x*a.y - n.y*a.x};
-    const dem_real over = 1.0/(1.0 + q*q), less = (1.0 - q*q)*over;
-
-    return plus((struct vector){less*a.x, less*a.y, less*a.z}, 2.0*q*over, aside);
-}
-
-/* What was normal to the old n a step ago, and gains `more` in its middle: both brought into today's frame, half of the
-   swing before and half after. Anything less even feeds energy to a turning pair. */
-DEM_MATH struct vector carried(struct vector a, struct vector more, struct vector h, struct vector n, dem_real q)
-{
-    const struct vector mirrored = plus(a, -2.0*inner(h, a), h), flat = plus(mirrored, -inner(n, mirrored), n);
-
-    return turned(plus(turned(flat, n, q), 1.0, more), n, q);
-}
-
-/* a, normal to h, by the smallest rotation in the plane normal to n */
-DEM_MATH struct vector tilted(struct vector a, struct vector h, struct vector n)
-{
-    return plus(a, -inner(n, a)/(1.0 + inner(h, n)), plus(h, 1.0, n));
-}
-
 /* What a spring of force size F takes per rate v: viscous, and its share. `mass` is what it moves. */
 DEM_MATH dem_real damper(const struct bond *bond, dem_real stiffness, dem_real force, dem_real rate, dem_real mass, dem_real dt)
 {
@@ -298,20 +259,20 @@ DEM_MATH void hold(const struct bond *bond, struct dem_block *b, dem_real *const
     const dem_real rb = holds*bond->radius*b->least_radius[c], A = 3.14159265358979324*rb*rb, J = 0.5*A*rb*rb;
     const dem_real kn = bond->normal_stiffness*A, kt = bond->shear_stiffness*A;
     const dem_real kw = bond->shear_stiffness*J, kb = 0.5*bond->normal_stiffness*J;
-    const struct vector n = {b->nx[c], b->ny[c], b->nz[c]}, h = {b->hx[c], b->hy[c], b->hz[c]};
-    const struct vector s = {b->sx[c], b->sy[c], b->sz[c]}, w = {b->wx[c], b->wy[c], b->wz[c]};
-    const struct vector slip = tilted(s, h, n), turn = tilted(plus(w, -inner(h, w), h), h, n);
-    const dem_real spin = inner(h, w), vn = b->rate[c];
+    const struct dem_carried n = {b->nx[c], b->ny[c], b->nz[c]}, h = {b->hx[c], b->hy[c], b->hz[c]};
+    const struct dem_carried s = {b->sx[c], b->sy[c], b->sz[c]}, w = {b->wx[c], b->wy[c], b->wz[c]};
+    const struct dem_carried slip = dem_carry_tilted(s, h, n), turn = dem_carry_tilted(dem_carry_plus(w, -dem_carry_inner(h, w), h), h, n);
+    const dem_real spin = dem_carry_inner(h, w), vn = b->rate[c];
 
     /* load in today's frame */
-    const struct vector slid = {dt*slip.x, dt*slip.y, dt*slip.z}, bent = {dt*turn.x, dt*turn.y, dt*turn.z};
-    const struct vector u = carried((struct vector){r[SHEAR][c], r[SHEAR + 1][c], r[SHEAR + 2][c]}, slid, h, n, q);
-    const struct vector bend = carried((struct vector){r[BEND][c], r[BEND + 1][c], r[BEND + 2][c]}, bent, h, n, q);
+    const struct dem_carried slid = {dt*slip.x, dt*slip.y, dt*slip.z}, bent = {dt*turn.x, dt*turn.y, dt*turn.z};
+    const struct dem_carried u = dem_carry_on((struct dem_carried){r[SHEAR][c], r[SHEAR + 1][c], r[SHEAR + 2][c]}, slid, h, n, q);
+    const struct dem_carried bend = dem_carry_on((struct dem_carried){r[BEND][c], r[BEND + 1][c], r[BEND + 2][c]}, bent, h, n, q);
     const dem_real twist = r[TWIST][c] + dt*spin, squeezed = r[LENGTH][c] - b->distance[c];
-    const dem_real energy = 0.5*(kn*squeezed*squeezed + kt*inner(u, u) + kw*twist*twist + kb*inner(bend, bend));
+    const dem_real energy = 0.5*(kn*squeezed*squeezed + kt*dem_carry_inner(u, u) + kw*twist*twist + kb*dem_carry_inner(bend, bend));
 
     /* what is left of the springs, and whether they still hold */
-    const dem_real size[4] = {kept*kn*squeezed, kept*kt*sqrt(inner(u, u)), kept*kw*fabs(twist), kept*kb*sqrt(inner(bend, bend))};
+    const dem_real size[4] = {kept*kn*squeezed, kept*kt*sqrt(dem_carry_inner(u, u)), kept*kw*fabs(twist), kept*kb*sqrt(dem_carry_inner(bend, bend))};
     const dem_real width = b->distance[c] - b->gap[c];
     const dem_real stressed = breaks(bond, rb, size, -squeezed), far = dem_pick(b->distance[c] >= bond->break_distance*width, 3.0, 0.0);
     const dem_real gone = dem_pick(stressed > 0.0, stressed, far);
@@ -320,10 +281,10 @@ DEM_MATH void hold(const struct bond *bond, struct dem_block *b, dem_real *const
     /* damping takes from the motion, relaxation and breaking from the springs */
     const dem_real m = b->reduced_mass[c], I = bond->inertia*m*b->reduced_radius[c]*b->reduced_radius[c];
     const dem_real cn = on*damper(bond, kn, fabs(size[0]), fabs(vn), m, dt);
-    const dem_real ct = on*damper(bond, kt, size[1], sqrt(inner(slip, slip)), m*(2.0/7.0), dt);
+    const dem_real ct = on*damper(bond, kt, size[1], sqrt(dem_carry_inner(slip, slip)), m*(2.0/7.0), dt);
     const dem_real cw = on*damper(bond, kw, size[2], fabs(spin), I, dt);
-    const dem_real cb = on*damper(bond, kb, size[3], sqrt(inner(turn, turn)), I, dt);
-    const dem_real taken = dt*(cn*vn*vn + ct*inner(slip, slip) + cw*spin*spin + cb*inner(turn, turn));
+    const dem_real cb = on*damper(bond, kb, size[3], sqrt(dem_carry_inner(turn, turn)), I, dt);
+    const dem_real taken = dt*(cn*vn*vn + ct*dem_carry_inner(slip, slip) + cw*spin*spin + cb*dem_carry_inner(turn, turn));
     const dem_real other = dem_pick(holds > 0.0, bond->contact == REPLACED ? 0.0 : 1.0, 1.0);
 
     b->fn[c] = other*b->fn[c] + on*size[0] - cn*vn;
