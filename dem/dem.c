@@ -276,6 +276,11 @@ const char *dem_heading(const struct dem *d)
     return d->heading;
 }
 
+const char *dem_acting(const struct dem *d)
+{
+    return d->heading + DEM_HEADING;
+}
+
 const char *dem_acting_fluid(const struct dem *d)
 {
     return d->in_fluid;

@@ -93,8 +93,9 @@ struct dem_prospect                                       /* what the caller kno
 int dem_plan(struct dem *, const struct dem_prospect *, const char **text);
 
 /* After dem_check: the line that stands in the head of each result, "effects: " and the words of all that act, in the order of their
-   stages, with blanks between: laws of drag differ by a factor of two. And the words of those of the fluid alone. */
+   stages, with blanks between: laws of drag differ by a factor of two. The words alone; those of effects of the fluid. */
 const char *dem_heading(const struct dem *);
+const char *dem_acting(const struct dem *);
 const char *dem_acting_fluid(const struct dem *);
 
 /* ---- running ------------------------------------------------------------------------------------------------- */

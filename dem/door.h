@@ -13,6 +13,11 @@
 #include "plan/text.h"
 #include "step/parts.h"
 
+enum
+{
+    DEM_HEADING = 9                                       /* letters of "effects: ", which words of effects follow */
+};
+
 struct dem_mesh_wall                                          /* a wall handed in before the scene is read */
 {
     char name[64], material[48];
@@ -56,7 +61,7 @@ struct dem
     struct dem_flow flow[DEM_SNAPSHOT_FLOWS];             /* as told last */
     double step;                                          /* s, the limit in force */
     struct dem_text plan, profile;                        /* the last ones */
-    char heading[800], in_fluid[400];                     /* of results, with words of all effects; those of the fluid */
+    char heading[DEM_HEADING + 800], in_fluid[400];                     /* of results, with words of all effects; those of the fluid */
 };
 
 /* An error when this call comes after dem_check or dem_ready. */

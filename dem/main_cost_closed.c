@@ -99,7 +99,7 @@ static int only_contacts(const struct dem *d)
                                         "linear", "rollingConstant", "rollingSpring", "rollingViscous", "twistingSpring", "jkr", "sjkr"};
     char acting[800], *word, *rest;
 
-    snprintf(acting, sizeof acting, "%s", strchr(dem_heading(d), ':') + 1);
+    snprintf(acting, sizeof acting, "%s", dem_acting(d));
     for (word = strtok_r(acting, " ", &rest); word; word = strtok_r(NULL, " ", &rest))
     {
         int found = 0;

@@ -207,11 +207,11 @@ static void name_effects(struct dem *d)
 {
     const struct dem_recipe *const r = &d->parts.recipe;
 
-    snprintf(d->heading, sizeof d->heading, "effects:");
+    memcpy(d->heading, "effects: ", DEM_HEADING + 1);
     d->in_fluid[0] = '\0';
     for (int k = 0; k < r->chosen; k++)
     {
-        name(d->heading, sizeof d->heading, r->effect[k]->name);
+        name(d->heading + DEM_HEADING, sizeof d->heading - DEM_HEADING, r->effect[k]->name);
         if (r->effect[k]->stage == DEM_STAGE_FLUID)
         {
             name(d->in_fluid, sizeof d->in_fluid, r->effect[k]->name);

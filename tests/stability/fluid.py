@@ -85,7 +85,8 @@ class Case:
     def table(self, name):
         """A .csv of postProcessing/dem/0: a list of dicts, units cut off."""
         with open(os.path.join(self.folder, "postProcessing", "dem", "0", name)) as file:
-            return [{re.sub(r"\[.*", "", k): results.value(v) for k, v in row.items()} for row in csv.DictReader(file)]
+            lines = (line for line in file if not line.startswith("#"))      # the effects that act
+            return [{re.sub(r"\[.*", "", k): results.value(v) for k, v in row.items()} for row in csv.DictReader(lines)]
 
     def pairs(self):
         named = [f for faces, _, _, _ in self.patches.values() for f in faces]
