@@ -1,4 +1,4 @@
-"""A heap at rest stays at rest: no creep, no jitter, no energy. SPDX-License-Identifier: GPL-3.0-or-later"""
+"""Spheres that fill a cup and rest stay at rest: no creep, no jitter, no energy. SPDX-License-Identifier: GPL-3.0-or-later"""
 HARD = "thousands of sticking contacts for a long time"
 R, G = 1e-3, 9.81
 SETTLE, STEPS = 0.6, {False: 30000, True: 1000000}
