@@ -23,7 +23,7 @@ static const char help[] =
     "    -window T          s of simulated time; default: time/end, or what the budget allows\n"
     "    -restart SNAPSHOT  the window begins there, and not at the scene's start: settle a bed first, then ask\n"
     "    -budget S          s of processor time for all runs together; default 60\n"
-    "    -runs N            of a rung, with steps that differ by some per cent; default 5, 3 to 32\n"
+    "    -runs N            of a rung, with steps up to 4 % longer and shorter; default 5, 3 to 32\n"
     "    -target E          the error to be bought; default 0.01\n"
     "    -of LIST           quantities, with commas: kinetic, rotation, height, overlap, force, contacts, restitution; default all it has\n"
     "    -ladders LIST      step, stiffness, precision, friction (its three laws); default all\n"

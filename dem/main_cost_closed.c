@@ -1,7 +1,7 @@
 /*
  * main_cost_closed.c -- two bodies that meet head on: what must come of it.
  *
- *   e = 1 without damping, `restitution` of dry (attraction allowed), exp(-...) of no other law
+ *   e = 1 without damping, `restitution` of dry (attraction allowed); with other laws of damping none is known here
  *   kinetic energy after    K - (1 - e^2) m* v^2/2
  *   largest overlap without damping    hertz  (15 m* v^2/(16 E* sqrt(R*)))^(2/5),   hooke  v sqrt(m* /k)
  *

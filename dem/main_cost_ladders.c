@@ -23,10 +23,10 @@ static void show_life(const struct dem_cost *c, const char *text)
     }
 }
 
-/* Runs of some per cent more and less steps. One that fails ends its rung, and is told. */
+/* Runs of up to 4 % more and less steps, however many they are, and one apart at least. One that fails ends its rung, and is told. */
 static int climb(const struct dem_cost *c, struct dem_cost_rung *r, struct dem_cost_knobs k)
 {
-    const double steps = fmax(1.0, round(c->window/c->looks/r->step)), apart = fmax(1.0, round(0.02*steps));
+    const double steps = fmax(1.0, round(c->window/c->looks/r->step)), apart = fmax(1.0, round(0.08*steps/fmax(1.0, c->runs - 1.0)));
 
     for (r->runs = 0; r->runs < c->runs; r->runs++)
     {

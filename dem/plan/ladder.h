@@ -2,7 +2,7 @@
  * ladder.h -- what a ladder of runs tells of one quantity: its value where the knob's error is gone, how sure that is, and
  * how far each rung is from it.
  *
- * A rung is some runs that differ in nothing but a few per cent of the step, so that contacts begin at other fractions of a
+ * A rung is some runs that differ in nothing but up to 4 % of the step, so that contacts begin at other fractions of a
  * step and, where motion is chaotic, go other ways. Its mean is m, its standard deviation s, the number of its runs n; its size h is
  * what the error goes to zero with (the step; the contact time), rungs go from coarse to fine.
  *
@@ -13,7 +13,8 @@
  *                 u is the distance to what the next three say (without a fourth: to m1), and what scatter makes of q (95 %).
  *                 Where the means do not close in on a value with 1/2 < p < 4, q = m1 and u the largest of the last two differences.
  *   statistics    where scatter does not fall with the step like any error of the step would, and is not small beside what the rungs
- *                 differ by: then it is the scene's own (chaos), q = m1 and u the 95 % interval of that mean
+ *                 differ by: then it is the scene's own (chaos), q = m1 and u the 95 % interval of that mean;
+ *                 all runs have the scene's one start, so it holds for that start, not for others like it
  *
  * The error of a rung: sqrt(mean of (value - q)^2), what one run is off by; with statistics |m - q|, for the scatter is not
  * the knob's, with the 95 % interval of that difference (Welch's, with the fewer degrees of freedom of the two).
