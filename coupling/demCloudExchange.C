@@ -160,82 +160,15 @@ void Foam::demCloud::depositVolume()
         dsdt_.primitiveFieldRef() =
             (old - voidFraction_.primitiveField())/mesh_.time().deltaTValue();
     }
-    if (makesRoom_)
-    {
-        depositFlux(V);
-    }
-}
-
-
-// `share` of each particle's volume that the fluid sees
-void Foam::demCloud::depositFlux(const UList<scalar>& share)
-{
-    vectorField carried(view_.n);
-
-    forAll(carried, i)
-    {
-        carried[i] = share[i]*velocity(view_, i);
-    }
-    transfer_.deposit(carried, solidFlux_.ref());
-    solidFlux_.correctBoundaryConditions();
-
-    // Near patches the share grows on the way
-    if (flows_.active())
-    {
-        scalarField whole;
-        transfer_.deposit(volumes(view_), whole);
-        markUnlike(whole, 1 - voidFraction_.primitiveField());
-    }
-}
-
-
-void Foam::demCloud::markUnlike
-(
-    const UList<scalar>& a,
-    const UList<scalar>& b
-)
-{
-    unlike_.setSize(mesh_.nCells(), false);
-
-    forAll(unlike_, celli)
-    {
-        if (mag(a[celli] - b[celli]) > 1e-9)
-        {
-            unlike_[celli] = true;
-        }
-    }
-}
-
-
-void Foam::demCloud::clearUnlike(UList<scalar>& cells) const
-{
-    forAll(unlike_, celli)
-    {
-        if (unlike_[celli])
-        {
-            cells[celli] = 0;
-        }
-    }
 }
 
 
 // Before the particles move: who is in the step is in all of it
 void Foam::demCloud::letThrough(const volVectorField& U)
 {
-    unlike_.clear();
-
     if (flows_.pass(dem_, U))
     {
         look();
-
-        if (makesRoom_)
-        {
-            scalarField V(volumes(view_));
-            scalarField now;
-            flows_.share(transfer_.seen(view_), V);
-            transfer_.deposit(V, now);
-            markUnlike(now, 1 - voidFraction_.primitiveField());
-        }
     }
 }
 
