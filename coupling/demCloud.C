@@ -253,6 +253,13 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
         mesh,
         dimensionedScalar(dimless/dimTime, Zero)
     ),
+    solidFlux_
+    (
+        fieldAt(mesh, "dem:solidFlux"),
+        mesh,
+        dimensionedVector(dimVelocity, Zero),
+        wordList(mesh.boundary().size(), "zeroGradient")
+    ),
     force_
     (
         fieldAt(mesh, "dem:force"),

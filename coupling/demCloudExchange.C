@@ -9,6 +9,7 @@
 #include "demCloud.H"
 #include "demCheck.H"
 #include "demColumns.H"
+#include "gaussGrad.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -160,15 +161,30 @@ void Foam::demCloud::depositVolume()
         dsdt_.primitiveFieldRef() =
             (old - voidFraction_.primitiveField())/mesh_.time().deltaTValue();
     }
+    if (makesRoom_ && window_ > 0)
+    {
+        depositFlux(V);
+    }
 }
 
 
 // Before the particles move: who is in the step is in all of it
 void Foam::demCloud::letThrough(const volVectorField& U)
 {
+    unlike_.clear();
+
     if (flows_.pass(dem_, U))
     {
         look();
+
+        if (makesRoom_)
+        {
+            scalarField V(volumes(view_));
+            scalarField now;
+            flows_.share(transfer_.seen(view_), V);
+            transfer_.deposit(V, now);
+            markUnlike(now, 1 - voidFraction_.primitiveField());
+        }
     }
 }
 
@@ -276,6 +292,14 @@ void Foam::demCloud::plan
         (time.endTime().value() - time.value())/time.deltaTValue()*ahead.window;
     ahead.why = why.c_str();
     ahead.cross_section = crossSection();
+    ahead.volume = gSum(mesh_.V().field())/transfer_.share();
+    ahead.cell = cbrt(gMin(mesh_.V().field()));
+    ahead.speed = gMax(mag(U.primitiveField()));
+
+    // By a scheme of its own: a case may name none for the gradient of U
+    const volTensorField gradU(fv::gaussGrad<vector>(mesh_).calcGrad(U, "dem:gradU"));
+    ahead.vorticity = 2*gMax(mag(skew(gradU.primitiveField()))()/sqrt(scalar(2)));
+    ahead.one_way = !twoWay_;
 
     tellParticles(U, gradP, rho, mu);
     demCheck(dem_plan(dem_, &ahead, &text));

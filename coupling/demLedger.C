@@ -15,7 +15,8 @@
 Foam::demLedger::demLedger()
 :
     since_(clock::now()),
-    worst_(0)
+    worst_(0),
+    most_(0)
 {
     for (scalar& s : spent_)
     {
@@ -72,8 +73,12 @@ Foam::scalar Foam::demLedger::exchange
     reduce(toParticles, sumOp<vector>());
     reduce(moved, sumOp<scalar>());
 
+    // Fluid and particles that go together exchange nothing but round-off of
+    // what the fluid's two parts, F and K u, differ in
+    most_ = max(most_, moved);
     const scalar error =
-        mag(whole & (toFluid + share*toParticles))/(moved + VSMALL);
+        mag(whole & (toFluid + share*toParticles))
+       /(max(moved, 1e-3*most_) + VSMALL);
     worst_ = max(worst_, error);
     return error;
 }

@@ -268,7 +268,14 @@ int dem_plan(struct dem *d, const struct dem_prospect *prospect, const char **te
 
     fesetenv(&caller);
     *text = d->plan.text;
+    d->verdicts = plan.verdicts;
     return status;
+}
+
+int dem_verdicts(const struct dem *d, const struct dem_verdict **verdict)
+{
+    *verdict = d->verdicts.verdict;
+    return d->verdicts.n;
 }
 
 const char *dem_heading(const struct dem *d)

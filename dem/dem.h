@@ -85,12 +85,38 @@ struct dem_prospect                                       /* what the caller kno
     double window;                                        /* s  the fluid's step, when one is coupled */
     const char *why;                                      /* what sets the window, in a few words */
     double cross_section;                                 /* m2 that the bed stands on; 0: look at the walls */
+
+    /* of a mesh and its fluid */
+    double volume, cell;                                  /* m3 all cells; m  cube root of the smallest */
+    double speed, vorticity;                              /* m/s, 1/s  largest */
+    int one_way;                                          /* 1: the fluid does not feel the particles */
 };
 
 /* Collective, after dem_ready; in coupled runs after the fluid's columns were filled. What acts, walls, particles, step,
    bed, fluid, memory and time of the run ahead, as lines of text, the same on all ranks; it stays until the next call
    or dem_free. Takes a tenth of a second for measuring; nothing moves, and views stay valid. */
 int dem_plan(struct dem *, const struct dem_prospect *, const char **text);
+
+enum dem_verdict_word
+{
+    DEM_NEEDED,                                           /* on and needed */
+    DEM_NEGLIGIBLE,                                       /* on but negligible */
+    DEM_CALLED_FOR                                        /* off though the scene calls for it */
+};
+
+struct dem_verdict                                        /* of the plan, on one effect */
+{
+    const char *effect;                                   /* its word */
+    enum dem_verdict_word word;
+    double share;                                         /* 1  of what the words of `why` tell */
+    double cost;                                          /* 1  of the run's processor time, of negligible ones; not a number: not measured */
+    char why[200];                                        /* ends in the threshold's source */
+    const char *instead_of;                               /* the effect whose place one that is called for takes; NULL: none */
+    const char *lacks;                                    /* what nobody can guess and it must be given; NULL: nothing */
+};
+
+/* Those of the last dem_plan: how many. They stay until the next. */
+int dem_verdicts(const struct dem *, const struct dem_verdict **);
 
 /* After dem_check: the line that stands in the head of each result, "effects: " and the words of all that act, in the order of their
    stages, with blanks between: laws of drag differ by a factor of two. The words alone; those of effects of the fluid. */
@@ -350,6 +376,7 @@ struct dem_fluid
     const double *turn_impulse;                           /* out  N m s 3, of rotational drag; NULL without. The fluid gets nothing of it */
     const double *drag_time;                              /* out  kg    sum of b h over the last advance, b without counterflow */
     const double *response;                               /* out  kg    R: d(drag impulse)/d(fluid velocity), clamped for held particles */
+    const double *way;                                    /* out  m     3, what they moved by in the last advance */
     const double *passed;                                 /* out  1     share of a steady force that drag passed to the fluid */
     const double *pending;                                /* out  N s   3, what dem_fluid_correct left for the next window */
 };

@@ -10,7 +10,7 @@
 #include "dem.h"
 #include "io/scene.h"
 #include "io/snapshot.h"
-#include "plan/text.h"
+#include "plan/plan.h"
 #include "step/parts.h"
 
 enum
@@ -61,6 +61,7 @@ struct dem
     struct dem_flow flow[DEM_SNAPSHOT_FLOWS];             /* as told last */
     double step;                                          /* s, the limit in force */
     struct dem_text plan, profile;                        /* the last ones */
+    struct dem_verdicts verdicts;                         /* of that plan */
     char heading[DEM_HEADING + 800], in_fluid[400];                     /* of results, with words of all effects; those of the fluid */
 };
 

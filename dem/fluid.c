@@ -31,7 +31,7 @@ int dem_fluid(struct dem *d, struct dem_fluid *f)
                             .counterflow = dem_column(p, DEM_COLUMN_COUNTERFLOW), .place = dem_column(p, DEM_COLUMN_PLACE),
                             .drag_time = dem_column(p, DEM_COLUMN_DRAG_TIME),
                             .drag_impulse = dem_column(p, DEM_COLUMN_DRAG_IMPULSE), .response = dem_column(p, DEM_COLUMN_RESPONSE),
-                            .passed = dem_column(p, DEM_COLUMN_PASSED), .pending = dem_column(p, DEM_COLUMN_PENDING)};
+                            .way = dem_column(p, DEM_COLUMN_WAY), .passed = dem_column(p, DEM_COLUMN_PASSED), .pending = dem_column(p, DEM_COLUMN_PENDING)};
     return DEM_OK;
 }
 

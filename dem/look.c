@@ -5,6 +5,7 @@
  */
 #include "door.h"
 #include "base/error.h"
+#include "plan/marginal.h"
 #include "plan/profile.h"
 #include "step/measure.h"
 #include "step/profile.h"
@@ -265,4 +266,15 @@ int dem_averages_count(const struct dem *d)
 int dem_averages(struct dem *d, const char *folder)
 {
     return dem_averages_save(&d->parts.averages, &d->parts, folder);
+}
+
+/* ---- what an effect takes -------------------------------------------------------------------------------------- */
+
+int dem_marginal(struct dem *d, const char *effect, double seconds, struct dem_marginal *m)
+{
+    struct dem_survey survey;
+
+    DEM_REQUIRE(d->ready, DEM_ERROR_STATE, "dem_marginal comes after dem_ready");
+    dem_survey_take(&d->parts, &survey);
+    return dem_marginal_take(&d->parts, &survey, d->step, effect, seconds, m);
 }

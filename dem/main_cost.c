@@ -30,14 +30,17 @@ static const char help[] =
     "    -effects           instead: the scene with each effect left out, what that changes and what it saves\n"
     "    -steps LIST        rungs, as shares of the scene's step; default 2,1,0.5,0.25,0.125\n"
     "    -stiffnesses LIST  rungs, as multiples of all Young's moduli; default 0.0625,0.25,1,4,16\n"
-    "    -folder NAME       default: the scene's name without its ending, and .cost\n";
+    "    -folder NAME       default: the scene's name without its ending, and .cost\n\n"
+    "Of an OpenFOAM case: demCost -help. It makes the runs and asks here:\n"
+    "    dem cost -judge TABLE FOLDER      errors, times and the best buy of a table of runs (main_cost_table.c says what is in it)\n"
+    "    dem cost -record FILE GX GY GZ    height, level and kinetic energy of a record of particles, gravity given\n";
 
 /* ---- the scene as it is ---------------------------------------------------------------------------------------- */
 
 /* A quantity that the scene does not have: left out, or refused when it was asked for by name. */
 static int drop(struct dem_cost *c, int quantity, int has, const char *why)
 {
-    DEM_REQUIRE(has || !c->wanted[quantity] || !c->request.option[DEM_ASK_OF].given, DEM_ERROR_INPUT, "-of %s: %s; leave it out", dem_cost_name(quantity),
+    DEM_REQUIRE(has || !c->wanted[quantity] || !c->request.option[DEM_ASK_OF].given, DEM_ERROR_INPUT, "-of %s: %s; leave it out", c->quantity[quantity].name,
                 why);
     c->wanted[quantity] = c->wanted[quantity] && has;
     return DEM_OK;
@@ -172,26 +175,40 @@ static int ask(struct dem_cost *c)
     return dem_program_together(c->prog, c->prog->rank == 0 ? dem_cost_write(c) : DEM_OK);
 }
 
-int dem_main_cost(struct dem_program *prog, int argc, char **argv)
+/* Scenes have their own runs; for a table the first rank does it all. */
+static int cost_of(struct dem_cost *c, int argc, char **argv)
 {
     struct dem_option option[DEM_ASK_OPTIONS];
+
+    if (argc > 0 && strcmp(argv[0], "-judge") == 0)
+    {
+        return c->prog->rank == 0 ? dem_cost_judge_table(c, argc, argv) : DEM_OK;
+    }
+    if (argc > 0 && strcmp(argv[0], "-record") == 0)
+    {
+        return c->prog->rank == 0 ? dem_cost_tell_record(argc, argv) : DEM_OK;
+    }
+    dem_cost_options(option);
+    dem_cost_name_own(c);
+    c->request = (struct dem_request){.option = option, .options = DEM_ASK_OPTIONS, .bare = 1};
+    DEM_TRY(dem_request_read(&c->request, "cost", argc, argv));
+    if (c->request.help)
+    {
+        fputs(c->prog->rank == 0 ? help : "", stdout);
+        return DEM_OK;
+    }
+    DEM_TRY(dem_cost_read_options(c));
+    return ask(c);
+}
+
+int dem_main_cost(struct dem_program *prog, int argc, char **argv)
+{
     struct dem_cost *c;
 
     DEM_TRY(DEM_NEW(c, 1));
-    dem_cost_options(option);
     c->prog = prog;
-    c->request = (struct dem_request){.option = option, .options = DEM_ASK_OPTIONS, .bare = 1};
-    int status = dem_request_read(&c->request, "cost", argc, argv);
+    const int status = cost_of(c, argc, argv);
 
-    if (!status && c->request.help)
-    {
-        fputs(prog->rank == 0 ? help : "", stdout);
-    }
-    else if (!status)
-    {
-        status = dem_cost_read_options(c);
-        status = status ? status : ask(c);
-    }
     dem_memory_free(c);
     return status;
 }

@@ -9,6 +9,8 @@
  *   main_cost_judge.c    errors of all rungs (plan/ladder.h), and which are worth their time
  *   main_cost_tell.c     the tables, cost.csv, the picture
  *   main_cost_buy.c      the best buy, in a sentence
+ *   main_cost_table.c    the same of runs that another program made: a table of them, as demCost writes it
+ *   main_cost_record.c   what a record of particles says, for demCost
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -28,7 +30,8 @@ enum dem_cost_quantity
     DEM_COST_FORCE,                                       /* N   on the wall that bears most: mean between two looks, the largest */
     DEM_COST_CONTACTS,                                    /* 1   touching partners a particle (a contact counts for each of two), mean of the looks */
     DEM_COST_RESTITUTION,                                 /* 1   of a head-on impact: speed of parting over that of meeting */
-    DEM_COST_QUANTITIES
+    DEM_COST_OWN,                                         /* of a scene; a table has its own names */
+    DEM_COST_QUANTITIES = 12
 };
 
 enum                                                      /* options */
@@ -40,6 +43,7 @@ enum                                                      /* options */
 enum
 {
     DEM_COST_LADDERS = 4,                                 /* that may be named; the one of effects stands alone */
+    DEM_COST_MOST_LADDERS = 8,                            /* of a table */
     DEM_COST_LOOKS = 32,                                  /* at most */
     DEM_COST_MODULI = 36
 };
@@ -77,7 +81,8 @@ struct dem_cost_rung
 
 struct dem_cost_ladder
 {
-    const char *knob, *says;                              /* "step" */
+    char knob[40], says[160];                             /* "step" */
+    char entry[40];                                       /* what a user writes for it: "time/step" */
     int exact;                                            /* 1: closed forms hold where the error is gone */
     int paired;                                           /* 1: rungs are compared run by run with the last, the base */
     int rungs;
@@ -85,6 +90,11 @@ struct dem_cost_ladder
     int base;                                             /* the scene as it is; -1: not among them */
     int told[DEM_COST_QUANTITIES];                        /* 1: its errors are told */
     struct dem_ladder judged[DEM_COST_QUANTITIES];
+};
+
+struct dem_cost_named
+{
+    char name[24], unit[12];
 };
 
 struct dem_cost_wish                                      /* what the options say of ladders */
@@ -110,6 +120,10 @@ struct dem_cost
     double start, end, step, limit;                       /* s; of the scene as it is */
     double window;                                        /* s */
     int looks, runs;                                      /* of a run; of a rung */
+    const char *noun;                                     /* "scene"; "case" of a table, whose limit is not known */
+    char title[400];                                      /* of a table */
+    struct dem_cost_named quantity[DEM_COST_QUANTITIES];
+    int quantities;
     double budget, target;                                /* s of processor; 1 */
     double fall, diameter, mass;                          /* J, m, kg: dem_tally's fall, mean diameter, all particles */
     double up[3];                                         /* against gravity; zero without */
@@ -127,12 +141,12 @@ struct dem_cost
     struct dem_cost_wish wish;
     struct dem_cost_friction friction;
     char acting[800];                                     /* all effects, with blanks between */
-    struct dem_cost_ladder ladder[DEM_COST_LADDERS];
+    struct dem_cost_ladder ladder[DEM_COST_MOST_LADDERS];
     int ladders;
 };
 
-const char *dem_cost_name(int quantity);
-const char *dem_cost_unit(int quantity);
+/* main_cost_judge.c. The quantities of scenes. */
+void dem_cost_name_own(struct dem_cost *);
 
 /* main_cost_options.c. The command's own options; what they say, checked. */
 void dem_cost_options(struct dem_option option[DEM_ASK_OPTIONS]);
@@ -170,5 +184,9 @@ void dem_cost_judge(struct dem_cost *);
 void dem_cost_tell(const struct dem_cost *);
 int dem_cost_write(const struct dem_cost *);
 void dem_cost_buy(const struct dem_cost *, char *sentence, size_t size);
+
+/* main_cost_table.c, main_cost_record.c: `dem cost -judge TABLE FOLDER` and `dem cost -record FILE GX GY GZ`. */
+int dem_cost_judge_table(struct dem_cost *, int argc, char **argv);
+int dem_cost_tell_record(int argc, char **argv);
 
 #endif

@@ -33,12 +33,12 @@ static void say(struct sentence *s, const char *format, ...)
 }
 
 /* The most that any quantity of a rung may be off by; infinite when it has none. *of: which one. */
-static double bound(const struct dem_cost_ladder *l, const struct dem_cost_rung *r, int *of)
+static double bound(const struct dem_cost *c, const struct dem_cost_ladder *l, const struct dem_cost_rung *r, int *of)
 {
     double most = r->runs > 0 && r->worst >= 0 ? 0.0 : INFINITY;
 
     *of = r->worst;
-    for (int q = 0; q < DEM_COST_QUANTITIES && r->runs > 0; q++)
+    for (int q = 0; q < c->quantities && r->runs > 0; q++)
     {
         const double may = l->told[q] && isfinite(r->error[q]) ? r->error[q] + r->unsure[q] : 0.0;
 
@@ -54,7 +54,7 @@ static int cheapest(const struct dem_cost *c, const struct dem_cost_ladder *l)
 
     for (int k = 0; k < l->rungs; k++)
     {
-        if (bound(l, &l->rung[k], &of) <= c->target && (best < 0 || l->rung[k].seconds < l->rung[best].seconds))
+        if (bound(c, l, &l->rung[k], &of) <= c->target && (best < 0 || l->rung[k].seconds < l->rung[best].seconds))
         {
             best = k;
         }
@@ -67,14 +67,14 @@ static double times(const struct dem_cost_ladder *l, const struct dem_cost_rung 
     return r->seconds/l->rung[l->base].seconds;
 }
 
-static void say_base(struct sentence *s, const struct dem_cost_ladder *l)
+static void say_base(struct sentence *s, const struct dem_cost *c, const struct dem_cost_ladder *l)
 {
     const struct dem_cost_rung *const r = &l->rung[l->base];
     int of;
 
     if (r->runs > 0 && r->worst >= 0)
     {
-        say(s, "; the scene as it is has %.2g %%", 100.0*bound(l, r, &of));
+        say(s, "; the %s as it is has %.2g %%", c->noun, 100.0*bound(c, l, r, &of));
     }
 }
 
@@ -92,19 +92,19 @@ static void say_chosen(struct sentence *s, const struct dem_cost *c, const struc
 {
     const struct dem_cost_rung *const r = &l->rung[k];
     int of;
-    const double off = bound(l, r, &of);
+    const double off = bound(c, l, r, &of);
 
     if (k == l->base)
     {
-        say(s, "the scene as it is, step %.4g s: %s, the worst, is within %.2g %%, target %.3g %%", r->step, dem_cost_name(of), 100.0*off,
+        say(s, "the %s as it is, step %.4g s: %s, the worst, is within %.2g %%, target %.3g %%", c->noun, r->step, c->quantity[of].name, 100.0*off,
             100.0*c->target);
     }
     else
     {
-        say(s, "time/step %.4g s (%s of the scene's%s): %s, the worst, is within %.2g %%, target %.3g %%, for %.3g times the processor time",
-            r->step, r->name, r->step > c->limit*(1.0 + 1e-9) ? ", above the limit: with time/force yes" : "", dem_cost_name(of), 100.0*off,
+        say(s, "%s %.4g s (%s of the %s's%s): %s, the worst, is within %.2g %%, target %.3g %%, for %.3g times the processor time",
+            l->entry, r->step, r->name, c->noun, r->step > c->limit*(1.0 + 1e-9) ? ", above the limit: with time/force yes" : "", c->quantity[of].name, 100.0*off,
             100.0*c->target, times(l, r));
-        say_base(s, l);
+        say_base(s, c, l);
     }
     say_price(s, l, of);
 }
@@ -112,7 +112,7 @@ static void say_chosen(struct sentence *s, const struct dem_cost *c, const struc
 /* 1: what is not surely within the target is hidden by chaos, and only so. */
 static int is_hidden(const struct dem_cost *c, const struct dem_cost_ladder *l, const struct dem_cost_rung *r)
 {
-    for (int q = 0; q < DEM_COST_QUANTITIES; q++)
+    for (int q = 0; q < c->quantities; q++)
     {
         const int told = l->told[q] && isfinite(r->error[q]), chaos = l->judged[q].kind == DEM_LADDER_STATISTICS;
 
@@ -142,11 +142,12 @@ static void say_hidden(struct sentence *s, const struct dem_cost *c, const struc
 {
     const struct dem_cost_rung *const r = &l->rung[k];
     int of;
-    const double off = bound(l, r, &of);
+    const double off = bound(c, l, r, &of);
 
-    say(s, "time/step %.4g s (%s of the scene's%s), for %.3g times the processor time, can't be told from the finest rung: within %.2g %% (%s, "
-        "the worst), which chaos hides in %d runs of this window; to tell %.3g %% ask for a longer -window or more -runs", r->step, r->name,
-        r->step > c->limit*(1.0 + 1e-9) ? ", above the limit: with time/force yes" : "", times(l, r), 100.0*off, dem_cost_name(of), c->runs,
+    say(s, "%s %.4g s (%s of the %s's%s), for %.3g times the processor time, can't be told from the finest rung: within %.2g %% (%s, "
+        "the worst), which chaos hides in %d runs of this window; to tell %.3g %% ask for a longer -window or more -runs", l->entry, r->step,
+        r->name, c->noun,
+        r->step > c->limit*(1.0 + 1e-9) ? ", above the limit: with time/force yes" : "", times(l, r), 100.0*off, c->quantity[of].name, c->runs,
         100.0*c->target);
 }
 
@@ -159,18 +160,18 @@ static void say_none(struct sentence *s, const struct dem_cost *c, const struct 
         last--;
     }
     const struct dem_cost_rung *const r = &l->rung[last];
-    const double off = bound(l, r, &of), p = of >= 0 ? l->judged[of].order : NAN;
+    const double off = bound(c, l, r, &of), p = of >= 0 ? l->judged[of].order : NAN;
 
-    say(s, "no rung is within %.3g %%: %s has %.2g %% at the finest, step %.4g s", 100.0*c->target, of >= 0 ? dem_cost_name(of) : "nothing",
+    say(s, "no rung is within %.3g %%: %s has %.2g %% at the finest, step %.4g s", 100.0*c->target, of >= 0 ? c->quantity[of].name : "nothing",
         100.0*off, r->step);
     if (isgreater(p, 0.2))
     {
         const double shorter = pow(off/c->target, 1.0/p);
 
-        say(s, "; by its order of %.2g a step of %.3g s would be, for %.3g times the processor time of the scene as it is", p, r->step/shorter,
-            times(l, r)*shorter);
+        say(s, "; by its order of %.2g a step of %.3g s would be, for %.3g times the processor time of the %s as it is", p, r->step/shorter,
+            times(l, r)*shorter, c->noun);
     }
-    say_base(s, l);
+    say_base(s, c, l);
 }
 
 /* Mixed precision, where it adds next to nothing and saves more than clocks are off by. */
@@ -181,15 +182,15 @@ static void say_precision(struct sentence *s, const struct dem_cost *c)
         const struct dem_cost_ladder *const l = &c->ladder[n];
         int of;
 
-        if (l->base == 1 && strcmp(l->rung[0].name, "mixed") == 0 && bound(l, &l->rung[0], &of) <= 0.1*c->target && times(l, &l->rung[0]) < 0.95)
+        if (l->base == 1 && strcmp(l->rung[0].name, "mixed") == 0 && bound(c, l, &l->rung[0], &of) <= 0.1*c->target && times(l, &l->rung[0]) < 0.95)
         {
-            say(s, "; time/precision mixed adds %.1g %% and takes %.2g of the time", 100.0*bound(l, &l->rung[0], &of), times(l, &l->rung[0]));
+            say(s, "; time/precision mixed adds %.1g %% and takes %.2g of the time", 100.0*bound(c, l, &l->rung[0], &of), times(l, &l->rung[0]));
         }
     }
 }
 
 /* What the step can't mend. */
-static void say_softness(struct sentence *s, const struct dem_cost *c)
+static void say_unmended(struct sentence *s, const struct dem_cost *c)
 {
     for (int n = 0; n < c->ladders; n++)
     {
@@ -197,15 +198,19 @@ static void say_softness(struct sentence *s, const struct dem_cost *c)
         const struct dem_cost_rung *const r = l->base >= 0 ? &l->rung[l->base] : NULL;
         int of = -1;
 
-        for (int q = 0; q < DEM_COST_QUANTITIES && r && !l->exact && !l->paired && r->runs > 0; q++)
+        for (int q = 0; q < c->quantities && r && !l->exact && !l->paired && r->runs > 0; q++)
         {
             const int shows = l->told[q] && r->error[q] > r->unsure[q] && r->error[q] > c->target;
 
             of = shows && (of < 0 || r->error[q] > r->error[of]) ? q : of;
         }
-        if (of >= 0)
+        if (of >= 0 && strcmp(l->knob, "stiffness") == 0)
         {
-            say(s, "; no step mends softness: %s is %.2g %% off hard spheres", dem_cost_name(of), 100.0*r->error[of]);
+            say(s, "; no step mends softness: %s is %.2g %% off hard spheres", c->quantity[of].name, 100.0*r->error[of]);
+        }
+        else if (of >= 0)
+        {
+            say(s, "; no step mends %s: %s is %.2g %% off", l->knob, c->quantity[of].name, 100.0*r->error[of]);
         }
     }
 }
@@ -220,7 +225,7 @@ static void say_effects(struct sentence *s, const struct dem_cost *c, const stru
     {
         const struct dem_cost_rung *const r = &l->rung[k];
 
-        if (r->runs > 0 && r->worst >= 0 && bound(l, r, &of) <= c->target)
+        if (r->runs > 0 && r->worst >= 0 && bound(c, l, r, &of) <= c->target)
         {
             say(s, "%s%s", idle++ > 0 ? ", " : "without ", r->name);
             saved += 1.0 - times(l, r);
@@ -248,7 +253,7 @@ void dem_cost_buy(const struct dem_cost *c, char *text, size_t size)
     }
     if (c->ladders == 0 || !l->exact)
     {
-        say(&s, "ask for the ladder of steps (-ladders step) to have one");
+        say(&s, "ask for the ladder of %s to have one", c->request.scene ? "steps (-ladders step)" : "intervals (-ladders interval)");
         return;
     }
     const int k = cheapest(c, l), hidden = cheapest_hidden(c, l);
@@ -265,6 +270,6 @@ void dem_cost_buy(const struct dem_cost *c, char *text, size_t size)
     {
         say_none(&s, c, l);
     }
-    say_softness(&s, c);
+    say_unmended(&s, c);
     say_precision(&s, c);
 }

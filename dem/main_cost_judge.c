@@ -17,22 +17,16 @@
 
 static const double at_rest = 1e-6;
 
-static const struct
+void dem_cost_name_own(struct dem_cost *c)
 {
-    const char *name, *unit;
-} quantities[DEM_COST_QUANTITIES] =
-{
-    {"kinetic", "J"}, {"rotation", "J"}, {"height", "m"}, {"overlap", "1"}, {"force", "N"}, {"contacts", "1"}, {"restitution", "1"},
-};
+    static const struct dem_cost_named own[DEM_COST_OWN] =
+    {
+        {"kinetic", "J"}, {"rotation", "J"}, {"height", "m"}, {"overlap", "1"}, {"force", "N"}, {"contacts", "1"}, {"restitution", "1"},
+    };
 
-const char *dem_cost_name(int quantity)
-{
-    return quantities[quantity].name;
-}
-
-const char *dem_cost_unit(int quantity)
-{
-    return quantities[quantity].unit;
+    memcpy(c->quantity, own, sizeof own);
+    c->quantities = DEM_COST_OWN;
+    c->noun = "scene";
 }
 
 static void time_rung(const struct dem_cost *c, struct dem_cost_rung *r)
@@ -90,7 +84,7 @@ static int is_nought(const struct dem_ladder *j)
 
 static double own_scale(const struct dem_cost *c, int quantity, double reference)
 {
-    switch (quantity)
+    switch (c->request.scene ? quantity : DEM_COST_OWN)
     {
     case DEM_COST_KINETIC:
         return fmax(fabs(reference), at_rest*c->fall);
@@ -112,7 +106,8 @@ static void judge_quantity(struct dem_cost *c, struct dem_cost_ladder *l, int qu
     struct dem_ladder *const j = &l->judged[quantity];
     int place[DEM_LADDER_RUNGS];
 
-    j->closed = l->exact && c->closed[quantity];
+    /* softness moves what comes of a scene away from its closed form; of a table the form is what must come out */
+    j->closed = (l->exact || !c->request.scene) && c->closed[quantity];
     j->reference = c->form[quantity];
     if (collect(l, quantity, j, place) == 0 || is_nought(j))
     {
@@ -186,10 +181,10 @@ static void compare_all(struct dem_cost *c, struct dem_cost_ladder *l, int quant
     }
 }
 
-static void find_worst(const struct dem_cost_ladder *l, struct dem_cost_rung *r)
+static void find_worst(const struct dem_cost *c, const struct dem_cost_ladder *l, struct dem_cost_rung *r)
 {
     r->worst = -1;
-    for (int q = 0; q < DEM_COST_QUANTITIES; q++)
+    for (int q = 0; q < c->quantities; q++)
     {
         if (l->told[q] && isfinite(r->error[q]) && (r->worst < 0 || r->error[q] > r->error[r->worst]))
         {
@@ -221,12 +216,12 @@ void dem_cost_judge(struct dem_cost *c)
         for (int k = 0; k < l->rungs; k++)
         {
             time_rung(c, &l->rung[k]);
-            for (int q = 0; q < DEM_COST_QUANTITIES; q++)
+            for (int q = 0; q < c->quantities; q++)
             {
                 l->rung[k].error[q] = l->rung[k].unsure[q] = NAN;
             }
         }
-        for (int q = 0; q < DEM_COST_QUANTITIES; q++)
+        for (int q = 0; q < c->quantities; q++)
         {
             if (c->wanted[q] && l->told[q])
             {
@@ -235,7 +230,7 @@ void dem_cost_judge(struct dem_cost *c)
         }
         for (int k = 0; k < l->rungs; k++)
         {
-            find_worst(l, &l->rung[k]);
+            find_worst(c, l, &l->rung[k]);
         }
         find_front(l);
     }

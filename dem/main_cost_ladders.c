@@ -46,8 +46,9 @@ static struct dem_cost_ladder *new_ladder(struct dem_cost *c, const char *knob, 
 {
     struct dem_cost_ladder *const l = &c->ladder[c->ladders++];
 
-    l->knob = knob;
-    l->says = says;
+    snprintf(l->knob, sizeof l->knob, "%s", knob);
+    snprintf(l->says, sizeof l->says, "%s", says);
+    snprintf(l->entry, sizeof l->entry, "time/step");
     l->base = -1;
     memcpy(l->told, c->wanted, sizeof l->told);
     return l;

@@ -124,11 +124,11 @@ int dem_cost_read_options(struct dem_cost *c)
     DEM_REQUIRE(runs == floor(runs), DEM_ERROR_INPUT, "-runs %g; give a whole number", runs);
     c->runs = (int)runs;
     DEM_TRY(read_number(&o[DEM_ASK_TARGET], 1e-12, 1.0, 0.01, &c->target));
-    for (int k = 0; k < DEM_COST_QUANTITIES; k++)
+    for (int k = 0; k < DEM_COST_OWN; k++)
     {
         c->wanted[k] = 1;
     }
-    DEM_TRY(read_words(&o[DEM_ASK_OF], "quantity", quantities, DEM_COST_QUANTITIES, c->wanted));
+    DEM_TRY(read_words(&o[DEM_ASK_OF], "quantity", quantities, DEM_COST_OWN, c->wanted));
     for (int k = 0; k < DEM_COST_LADDERS; k++)
     {
         c->wish.ladder[k] = !o[DEM_ASK_EFFECTS].given;

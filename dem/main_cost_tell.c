@@ -52,25 +52,27 @@ static int wide(const struct dem_cost_ladder *l)
 
     for (int k = 0; k < l->rungs; k++)
     {
-        most = (int)strlen(l->rung[k].name) > most ? (int)strlen(l->rung[k].name) : most;
+        const int own = (int)strlen(l->rung[k].name) + (k == l->base ? 1 : 0);
+
+        most = own > most ? own : most;
     }
     return most;
 }
 
-static void tell_head(const struct dem_cost_ladder *l)
+static void tell_head(const struct dem_cost *c, const struct dem_cost_ladder *l)
 {
     printf("%s: %s\n    %-*s    %-12s %-11s %6s", l->knob, l->says, wide(l), l->paired && l->base > 1 ? "" : "rung", "step", "processor", "times");
-    for (int q = 0; q < DEM_COST_QUANTITIES; q++)
+    for (int q = 0; q < c->quantities; q++)
     {
         if (l->told[q])
         {
-            printf(" %*s", CELL, dem_cost_name(q));
+            printf(" %*s", CELL, c->quantity[q].name);
         }
     }
     printf("\n");
 }
 
-static void tell_rungs(const struct dem_cost_ladder *l)
+static void tell_rungs(const struct dem_cost *c, const struct dem_cost_ladder *l)
 {
     for (int k = 0; k < l->rungs; k++)
     {
@@ -81,7 +83,7 @@ static void tell_rungs(const struct dem_cost_ladder *l)
         snprintf(text, sizeof text, "%.3g", times);
         printf("    %-*s%s %s %.4g s%*s %-11s %6s", wide(l), r->name, k == l->base ? "*" : " ", r->front ? "o" : " ", r->step,
                (int)(10 - snprintf(NULL, 0, "%.4g", r->step)), "", r->runs > 0 ? dem_text_time(r->seconds) : "-", isfinite(times) ? text : "-");
-        for (int q = 0; q < DEM_COST_QUANTITIES; q++)
+        for (int q = 0; q < c->quantities; q++)
         {
             if (l->told[q])
             {
@@ -99,7 +101,7 @@ static void tell_rungs(const struct dem_cost_ladder *l)
 /* Where the errors are counted from. */
 static void tell_references(const struct dem_cost *c, const struct dem_cost_ladder *l)
 {
-    for (int q = 0; q < DEM_COST_QUANTITIES && !l->paired; q++)
+    for (int q = 0; q < c->quantities && !l->paired; q++)
     {
         const struct dem_ladder *const j = &l->judged[q];
 
@@ -107,8 +109,10 @@ static void tell_references(const struct dem_cost *c, const struct dem_cost_ladd
         {
             continue;
         }
-        printf("    %-12s %.6g%s%s, %s", dem_cost_name(q), j->reference, strcmp(dem_cost_unit(q), "1") ? " " : "",
-               strcmp(dem_cost_unit(q), "1") ? dem_cost_unit(q) : "", dem_ladder_kind_name(j->kind));
+        const char *const unit = c->quantity[q].unit;
+
+        printf("    %-12s %.6g%s%s, %s", c->quantity[q].name, j->reference, strcmp(unit, "1") ? " " : "", strcmp(unit, "1") ? unit : "",
+               dem_ladder_kind_name(j->kind));
         if (j->kind != DEM_LADDER_CLOSED)
         {
             printf(", unsure by %.2g %%", 100.0*j->unsure/c->scale[q]);
@@ -121,17 +125,27 @@ static void tell_references(const struct dem_cost *c, const struct dem_cost_ladd
     }
 }
 
+static void tell_what(const struct dem_cost *c)
+{
+    if (!c->request.scene)
+    {
+        printf("%s\n", c->title);
+        return;
+    }
+    printf("cost of %s: a window of %.4g s from %.4g s on, of %.4g s to time/end; %.0f steps of %.4g s; %d runs a rung, %d look%s\n",
+           c->request.scene, c->window, c->start, c->end - c->start, c->window/c->step, c->step, c->runs, c->looks, c->looks > 1 ? "s" : "");
+}
+
 void dem_cost_tell(const struct dem_cost *c)
 {
     char buy[1024];
 
-    printf("cost of %s: a window of %.4g s from %.4g s on, of %.4g s to time/end; %.0f steps of %.4g s; %d runs a rung, %d look%s\n",
-           c->request.scene, c->window, c->start, c->end - c->start, c->window/c->step, c->step, c->runs, c->looks, c->looks > 1 ? "s" : "");
-    printf("* the scene as it is; o no other rung is both cheaper and better; times: of processor time of *; heights in mean diameters\n");
+    tell_what(c);
+    printf("* the %s as it is; o no other rung is both cheaper and better; times: of processor time of *; heights in mean diameters\n", c->noun);
     for (int n = 0; n < c->ladders; n++)
     {
-        tell_head(&c->ladder[n]);
-        tell_rungs(&c->ladder[n]);
+        tell_head(c, &c->ladder[n]);
+        tell_rungs(c, &c->ladder[n]);
         tell_references(c, &c->ladder[n]);
     }
     dem_cost_buy(c, buy, sizeof buy);
@@ -168,7 +182,7 @@ static void write_row(FILE *f, const struct dem_cost *c, const struct dem_cost_l
         return;
     }
     fprintf(f, "%s,%s,%d,%.9g,%.9g,%.6g,%.4g,%d,%s,%s,%.12g,%.6g,%.12g,%.6g,%s,%.9g,%.6g,%.6g,%.4g,%.4g,%d,%d\n", l->knob, r->name, k == l->base,
-            r->size, r->step, r->seconds, r->spread, r->runs, dem_cost_name(q), dem_cost_unit(q), own->mean, own->scatter, j->reference,
+            r->size, r->step, r->seconds, r->spread, r->runs, c->quantity[q].name, c->quantity[q].unit, own->mean, own->scatter, j->reference,
             j->unsure, l->paired ? "compared" : dem_ladder_kind_name(j->kind), c->scale[q], r->error[q], r->unsure[q], j->order, j->order_unsure,
             r->worst == q, r->front);
 }
@@ -186,7 +200,7 @@ static int write_table(const struct dem_cost *c)
     {
         for (int k = 0; k < c->ladder[n].rungs; k++)
         {
-            for (int q = 0; q < DEM_COST_QUANTITIES; q++)
+            for (int q = 0; q < c->quantities; q++)
             {
                 if (c->ladder[n].told[q] && c->ladder[n].rung[k].runs > 0)
                 {

@@ -15,8 +15,9 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 COLOURS = {"kinetic": "#c8401f", "rotation": "#e09f3e", "height": "#1d3557", "overlap": "#457b9d", "force": "#2a7f62",
-           "contacts": "#7b5ea7", "restitution": "#111111"}
-TITLES = {"friction": "law of friction, against the scene's", "effects": "without each effect, against the whole scene", "step": "time step", "stiffness": "stiffness, against hard spheres", "precision": "precision, against double"}
+           "contacts": "#7b5ea7", "restitution": "#111111", "level": "#6a994e", "void": "#8d6e63", "drop": "#b5179e"}
+TITLES = {"friction": "law of friction, against the scene's", "effects": "without each effect, against the whole scene", "step": "time step", "stiffness": "stiffness, against hard spheres", "precision": "precision, against double",
+          "interval": "interval of exchange", "width": "width of the kernel, against none", "kernel": "kernels, against the case's", "mesh": "cells"}
 
 ROUND_OFF = 1e-12                                   # smaller changes are none
 
@@ -39,12 +40,12 @@ def draw_quantity(axes, rows):
     unsure = [100*number(r, "error_unsure") for r in rows]
     low = [min(u, 0.9*e) for e, u in zip(error, unsure)]
     compared = rows[0]["kind"] == "compared"
-    axes.errorbar(time, error, yerr=[low, unsure], color=COLOURS[name], ls="" if compared else "-", lw=1.2, elinewidth=0.7, capsize=2, marker="o", ms=4, label=label)
+    axes.errorbar(time, error, yerr=[low, unsure], color=COLOURS.get(name, "#777777"), ls="" if compared else "-", lw=1.2, elinewidth=0.7, capsize=2, marker="o", ms=4, label=label)
     for r, t, e in zip(rows, time, error):
         if compared:
-            axes.annotate(r["rung"], (t, e), xytext=(5, 3), textcoords="offset points", fontsize=6.5, color=COLOURS[name])
+            axes.annotate(r["rung"], (t, e), xytext=(5, 3), textcoords="offset points", fontsize=6.5, color=COLOURS.get(name, "#777777"))
         if r["base"] == "1":
-            axes.plot(t, e, "o", ms=9, mfc="none", color=COLOURS[name])
+            axes.plot(t, e, "o", ms=9, mfc="none", color=COLOURS.get(name, "#777777"))
 
 
 def draw_front(axes, rows):
@@ -68,7 +69,7 @@ def main():
             draw_quantity(axes, [r for r in own if r["quantity"] == quantity])
         drawn, compared = any(number(r, "error") > ROUND_OFF for r in own), own[0]["kind"] == "compared"
         axes.set(xscale="linear" if compared else "log", yscale="log" if drawn else "linear", ylabel="change [%]" if compared else "error [%]",
-                 xlabel="processor time of a run [s]" + ("" if compared else "; rings: the scene as it is"))
+                 xlabel="processor time of a run [s]" + ("" if compared else "; rings: as it is"))
         if compared:
             axes.set_xlim(0, 1.2*max(number(r, "processor[s]") for r in own))
             axes.ticklabel_format(axis="x", scilimits=(-2, 3))

@@ -255,9 +255,10 @@ static int resume_means(struct dem *d)
         return DEM_OK;
     }
     DEM_TRY(dem_snapshot_read_beside(d->load, &bytes, &size));
-    dem_averages_resume(&d->parts.averages, bytes, size);
+    const int status = dem_averages_resume(&d->parts.averages, d->load, bytes, size);
+
     dem_memory_free(bytes);
-    return DEM_OK;
+    return status;
 }
 
 int dem_door_read(struct dem *d)

@@ -11,6 +11,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 
 /* A two-word key, hi before lo (a cell key and a particle id, say), and the place it came from. */
 struct dem_sort_pair
@@ -18,6 +19,15 @@ struct dem_sort_pair
     uint64_t hi, lo;
     uint32_t index;
 };
+
+/* qsort, but that there need be no list where nothing is in it. */
+static inline void dem_sort_by(void *list, size_t n, size_t size, int (*compare)(const void *, const void *))
+{
+    if (n > 1)
+    {
+        qsort(list, n, size, compare);
+    }
+}
 
 /* Sort key upwards, carrying index along; equal keys keep their order. */
 void dem_sort_keys(uint64_t *key, uint32_t *index, size_t n, uint64_t *key_scratch, uint32_t *index_scratch);

@@ -53,6 +53,7 @@ struct dem_material
     double density;                                       /* kg/m3 */
     double youngs_modulus;                                /* Pa    */
     double poissons_ratio;                                /* 1     */
+    double yield_strength;                                /* Pa    0: not told. No law takes it, the plan does */
 };
 
 struct dem_pair_class                                     /* what all contacts of two materials share */

@@ -10,7 +10,7 @@
  *   mu     coefficient of friction                                 [1]
  *   F_n    total normal force, repulsion positive                  [N]
  *
- * The spring turns with the pair, is cut where it slips, and slips in the direction of spring and dashpot together: see
+ * The spring turns with the pair, gives way where it slips, and slips in the direction of spring and dashpot together: see
  * slider.h. Two spheres that stick all through an impact on linear springs return -cos(pi sqrt(7 k_t/2 k_n)) of their slip
  * with the sign turned: nothing for k_t/k_n = 1/14, all of it for 2/7, where both springs swing alike; that is the default.
  *
@@ -67,7 +67,8 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 {
     const struct linear *linear = of;
     const dem_real given = linear->stiffness, ratio = linear->ratio;
-    const struct dem_rubbing rubs = {linear->friction, linear->damping ? 1.0 : 0.0, linear->adhesion ? 1.0 : 0.0};
+    const struct dem_rubbing rubs = {linear->friction, linear->damping ? 1.0 : 0.0, linear->adhesion ? 1.0 : 0.0,
+                                     dem_slider_often(b)};
     dem_real *restrict xi_x = remembered[0], *restrict xi_y = remembered[1], *restrict xi_z = remembered[2];
 
     for (int c = 0; c < b->n; c++)
@@ -95,7 +96,8 @@ static void energy(const void *of, const struct dem_block *restrict b, dem_real 
                    struct dem_energy *restrict e)
 {
     const struct linear *linear = of;
-    const struct dem_rubbing rubs = {linear->friction, linear->damping ? 1.0 : 0.0, linear->adhesion ? 1.0 : 0.0};
+    const struct dem_rubbing rubs = {linear->friction, linear->damping ? 1.0 : 0.0, linear->adhesion ? 1.0 : 0.0,
+                                     dem_slider_often(b)};
     const dem_real given = linear->stiffness, ratio = linear->ratio;
     const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
 

@@ -13,12 +13,10 @@
  *   F_n    total normal force, repulsion positive                  [N]
  *   n, h   unit normal from j to i now and half a step ago         [1]
  *
- * Sliding: F_t keeps the direction of spring and dashpot together and gets the length mu max(F_n, 0); the spring is
- * cut to xi = -F_t/k_t, so that it holds the friction and nothing else. (Cut to -(F_t + eta_t s)/k_t, as often seen,
- * it loses 3 to 11 % of the friction impulse of a sliding impact; with mu |F_n| the pulling end of a damped impact
- * adds 7 %.)
- *
- * How the spring is carried into the new contact plane: see slider.h.
+ * Sliding: F_t keeps the direction of spring and dashpot together and gets the length mu max(F_n, 0); by how much the
+ * spring gives way to that, and how it is carried into the new contact plane: see slider.h. (Cut to -(F_t + eta_t s)/k_t,
+ * as often seen, it loses 3 to 11 % of the friction impulse of a sliding impact; cut to -F_t/k_t, it holds more than was
+ * put in; with mu |F_n| the pulling end of a damped impact adds 7 %.)
  *
  * Source: Mindlin, J. Appl. Mech. 16 (1949) 259 (stiffness without micro-slip), in the secant form of Kasuga, Discrete
  * element method (in Japanese, 2012), eqs. (15) to (23); friction: Coulomb. Changed from Kasuga's note:
@@ -27,7 +25,7 @@
  *              every velocity, only the spin comes out reversed.
  *   (18)       d is the positive overlap; the note's delta is negative in contact and has no root.
  *   (20), (21) the direction of friction is that of the trial force, not of the slip (which reverses before the force
- *              does, and is 0/0 at rest); the limit counts no pulling; the spring is cut.
+ *              does, and is 0/0 at rest); the limit counts no pulling; the spring gives way.
  * The secant law gives back up to 0.06 % more tangential speed than it took (elastic impact within 3 degrees of
  * normal), because k_t shrinks with d while xi stays; spinning pairs on linear springs (hooke) gain up to 0.7 % of their
  * energy. Any damping takes more; mindlinIncremental gives none.
@@ -67,7 +65,7 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 {
     const struct dem_mindlin *mindlin = of;
     const dem_real modulus = mindlin->modulus;
-    const struct dem_rubbing rubs = dem_mindlin_rubs(mindlin);
+    const struct dem_rubbing rubs = dem_mindlin_rubs(mindlin, b);
     dem_real *restrict xi_x = remembered[0], *restrict xi_y = remembered[1], *restrict xi_z = remembered[2];
 
     for (int c = 0; c < b->n; c++)
@@ -91,7 +89,7 @@ static void energy(const void *of, const struct dem_block *restrict b, dem_real 
                    struct dem_energy *restrict e)
 {
     const struct dem_mindlin *mindlin = of;
-    const struct dem_rubbing rubs = dem_mindlin_rubs(mindlin);
+    const struct dem_rubbing rubs = dem_mindlin_rubs(mindlin, b);
     const dem_real modulus = mindlin->modulus;
     const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
 

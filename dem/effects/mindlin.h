@@ -16,9 +16,9 @@ struct dem_mindlin
     double modulus;                                       /* Pa   8 G*, derived */
 };
 
-static inline struct dem_rubbing dem_mindlin_rubs(const struct dem_mindlin *m)
+static inline struct dem_rubbing dem_mindlin_rubs(const struct dem_mindlin *m, const struct dem_block *b)
 {
-    return (struct dem_rubbing){(dem_real)m->friction, m->damping ? 1 : 0, m->adhesion ? 1 : 0};
+    return (struct dem_rubbing){(dem_real)m->friction, m->damping ? 1 : 0, m->adhesion ? 1 : 0, dem_slider_often(b)};
 }
 
 static inline __attribute__((always_inline)) dem_real dem_mindlin_stiffness(dem_real modulus, const struct dem_row *r)

@@ -64,7 +64,8 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 {
     const struct incremental *incremental = of;
     const dem_real modulus = incremental->modulus;
-    const struct dem_rubbing rubs = {incremental->friction, incremental->damping ? 1.0 : 0.0, incremental->adhesion ? 1.0 : 0.0};
+    const struct dem_rubbing rubs = {incremental->friction, incremental->damping ? 1.0 : 0.0, incremental->adhesion ? 1.0 : 0.0,
+                                     dem_slider_often(b)};
     dem_real *restrict xi_x = remembered[0], *restrict xi_y = remembered[1], *restrict xi_z = remembered[2];
     dem_real *restrict stiffness = remembered[3];
 
@@ -96,7 +97,8 @@ static void energy(const void *of, const struct dem_block *restrict b, dem_real 
                    struct dem_energy *restrict e)
 {
     const struct incremental *incremental = of;
-    const struct dem_rubbing rubs = {incremental->friction, incremental->damping ? 1.0 : 0.0, incremental->adhesion ? 1.0 : 0.0};
+    const struct dem_rubbing rubs = {incremental->friction, incremental->damping ? 1.0 : 0.0, incremental->adhesion ? 1.0 : 0.0,
+                                     dem_slider_often(b)};
     const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2], *restrict stiffness = before[3];
 
     (void)memory;

@@ -69,7 +69,7 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 
 /* the slider of row c, its spring still to be put in */
 static inline __attribute__((always_inline)) struct dem_slider
-slider_at(const struct dem_block *b, int c, dem_real friction, dem_real ratio, dem_real twice_zeta)
+slider_at(const struct dem_block *b, int c, dem_real friction, dem_real ratio, dem_real twice_zeta, dem_real often)
 {
     const dem_real hx = b->hx[c], hy = b->hy[c], hz = b->hz[c], R = b->reduced_radius[c];
     const dem_real twist = b->wx[c]*hx + b->wy[c]*hy + b->wz[c]*hz;
@@ -77,7 +77,7 @@ slider_at(const struct dem_block *b, int c, dem_real friction, dem_real ratio, d
     const dem_real damping = twice_zeta*R*sqrt(1.4*b->reduced_mass[c]*stiffness);
 
     return (struct dem_slider){.stiffness = stiffness, .damping = damping,
-                               .limit = dem_pick(b->fn[c] > 0.0, friction*R*b->fn[c], 0.0),
+                               .limit = dem_pick(b->fn[c] > 0.0, friction*R*b->fn[c], 0.0), .often = often,
                                .sx = b->wx[c] - twist*hx, .sy = b->wy[c] - twist*hy, .sz = b->wz[c] - twist*hz};
 }
 
@@ -85,13 +85,13 @@ DEM_KERNEL
 static void act(const void *of, struct dem_block *restrict b, dem_real *const *remembered)
 {
     const struct rolling_spring *rolling = of;
-    const dem_real friction = rolling->friction, ratio = rolling->ratio, twice_zeta = 2.0*rolling->damping;
+    const dem_real friction = rolling->friction, ratio = rolling->ratio, twice_zeta = 2.0*rolling->damping, often = dem_slider_often(b);
     dem_real *restrict x = remembered[0], *restrict y = remembered[1], *restrict z = remembered[2];
 
     for (int c = 0; c < b->n; c++)
     {
         const struct dem_row r = dem_row_at(b, c);
-        struct dem_slider s = slider_at(b, c, friction, ratio, twice_zeta);
+        struct dem_slider s = slider_at(b, c, friction, ratio, twice_zeta, often);
 
         s.xi_x = x[c];
         s.xi_y = y[c];
@@ -111,13 +111,13 @@ static void energy(const void *of, const struct dem_block *restrict b, dem_real 
                    struct dem_energy *restrict e)
 {
     const struct rolling_spring *rolling = of;
-    const dem_real friction = rolling->friction, ratio = rolling->ratio, twice_zeta = 2.0*rolling->damping;
+    const dem_real friction = rolling->friction, ratio = rolling->ratio, twice_zeta = 2.0*rolling->damping, often = dem_slider_often(b);
     const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
 
     (void)memory;
     for (int c = 0; c < b->n; c++)
     {
-        struct dem_slider s = slider_at(b, c, friction, ratio, twice_zeta);
+        struct dem_slider s = slider_at(b, c, friction, ratio, twice_zeta, often);
 
         s.xi_x = x[c];
         s.xi_y = y[c];

@@ -1,10 +1,11 @@
 /*
  * slider.h -- a spring in the contact plane that turns with the pair and slips: of friction, and of rolling.
  *
- *   F = -k xi - c s,   |F| <= limit,   d xi = s dt as long as it holds, else xi = -F/k
+ *   F = -k xi - c d(xi)/dt,   d(xi)/dt = s - p,   |F| <= limit,   p = 0 as long as it holds, else along -F
  *
  *   xi   elongation of the spring, in the contact plane            [m] or [rad]        remembered
- *   s    its rate: slip of the contact point, or rolling           [m/s] or [1/s]
+ *   s    rate of both partners: slip of the contact point, or rolling                  [m/s] or [1/s]
+ *   p    what of it the slider lets by                             [m/s] or [1/s]
  *   k, c spring and dashpot                                        [N/m], [kg/s] or [N m], [N m s]
  *
  * Carrying the spring into the new contact plane: positions move with the half-step velocity, r_new = r_old + dt v,
@@ -21,8 +22,16 @@
  * which keeps its length, is the same backwards, and loads it in the middle of the turn. Without it a pair that spins
  * as a whole would pull ever elsewhere; with half of the symmetry it would feed energy to it.
  *
- * The whole of F, dashpot included, is held at the limit, and the spring is cut to F: then the impulse of a contact that
- * slides all the way is the limit's, and F turns round no earlier than the spring does. At rest nothing is 0/0.
+ * Spring and dashpot lie side by side, and the slider in line with both. The whole of F, dashpot included, is held at the limit: the
+ * impulse of a contact that slides all the way is the limit's. With e = xi + s dt and T = -k e - c s, what they would be and pull with if
+ * they held, where |T| > limit the step (implicit in xi) has F along T and a spring that gives way by what slips,
+ *
+ *   F = limit T/|T|,    xi' = e + T/|T| p dt,    p dt = (|T| - limit)/(k + c/dt)
+ *
+ * so that none of the three ever gives: limit |p| dt, c |xi' - xi|^2/dt and the step's own k |xi' - xi|^2/2 are all above 0, and
+ * -F.s dt = change of k xi^2/2 + these. In a steady slide xi comes to limit/k within some c/k, so F turns round no earlier than the spring
+ * does. A spring that is cut to F at once, as is common, is longer than what slip has put in by the dashpot's share: energy
+ * from nowhere, again each time that the limit falls and rises. Where the limit is 0 the spring is let go. At rest nothing is 0/0.
  *
  * Friction under adhesion. The limit is mu (F + A), F the whole normal force with adhesion in it, A that by which the surfaces
  * hold each other besides:
@@ -45,6 +54,7 @@
 struct dem_slider
 {
     dem_real stiffness, damping, limit;                   /* k, c; largest |F| */
+    dem_real often;                                       /* 1/dt: dem_slider_often */
     dem_real sx, sy, sz;                                  /* rate, in the plane of half a step ago */
     dem_real xi_x, xi_y, xi_z;                            /* spring: the last step's before, this step's after */
     dem_real fx, fy, fz;                                  /* F, after */
@@ -87,25 +97,41 @@ static inline __attribute__((always_inline)) void dem_slider_pull(const struct d
     t[2] = -s->stiffness*s->xi_z - s->damping*s->sz;
 }
 
-/* the limit over that pull and the stiffness; below 0 where the limit is not reached */
-static inline __attribute__((always_inline)) dem_real dem_slider_cut(dem_real square, dem_real limit, dem_real stiffness)
+/* what a pull beyond the limit loses for each way that the slider lets by: k + c/dt */
+static inline __attribute__((always_inline)) dem_real dem_slider_gives(const struct dem_slider *s)
 {
-    const dem_real size = dem_root(square), whole = dem_pick(size > 0, size, 1), k = dem_pick(stiffness > 0, stiffness, 1);
+    return s->stiffness + s->damping*s->often;
+}
 
-    return dem_pick(size < limit, -1, limit/(whole*k));
+/* 1/dt; the first sweep has no step, so there no dashpot gives way */
+static inline dem_real dem_slider_often(const struct dem_block *b)
+{
+    return b->dt > 0 ? 1/b->dt : (dem_real)1e15;
+}
+
+struct dem_slips                                          /* of a pull T, by what it is multiplied with */
+{
+    dem_real keep, back;                                  /* F = keep T, 1 where it holds; xi' = e + back T, 0 where it holds */
+};
+
+static inline __attribute__((always_inline)) struct dem_slips dem_slider_slips(dem_real square, dem_real limit, dem_real gives)
+{
+    const dem_real size = dem_root(square), whole = dem_pick(size > 0, size, 1), h = dem_pick(gives > 0, gives, 1);
+    const dem_real over = 1/(whole*h);
+
+    return (struct dem_slips){.keep = dem_pick(size < limit, 1, limit*h*over), .back = dem_pick(size < limit, 0, (size - limit)*over)};
 }
 
 /* holds or slips */
-static inline __attribute__((always_inline)) struct dem_slider dem_slider_let(struct dem_slider s, const dem_real t[3], dem_real cut)
+static inline __attribute__((always_inline)) struct dem_slider
+dem_slider_let(struct dem_slider s, const dem_real t[3], struct dem_slips slips)
 {
-    const dem_real keep = dem_pick(cut < 0, 1, cut*dem_pick(s.stiffness > 0, s.stiffness, 1));
-
-    s.xi_x = dem_pick(cut < 0, s.xi_x, 0 - cut*t[0]);
-    s.xi_y = dem_pick(cut < 0, s.xi_y, 0 - cut*t[1]);
-    s.xi_z = dem_pick(cut < 0, s.xi_z, 0 - cut*t[2]);
-    s.fx = keep*t[0];
-    s.fy = keep*t[1];
-    s.fz = keep*t[2];
+    s.xi_x = dem_pick(slips.keep > 0, s.xi_x + slips.back*t[0], 0);
+    s.xi_y = dem_pick(slips.keep > 0, s.xi_y + slips.back*t[1], 0);
+    s.xi_z = dem_pick(slips.keep > 0, s.xi_z + slips.back*t[2], 0);
+    s.fx = slips.keep*t[0];
+    s.fy = slips.keep*t[1];
+    s.fz = slips.keep*t[2];
     return s;
 }
 
@@ -117,7 +143,7 @@ dem_slider_step(const struct dem_row *r, struct dem_slider s)
 
     s = dem_slider_load(r, s);
     dem_slider_pull(&s, t);
-    return dem_slider_let(s, t, dem_slider_cut(t[0]*t[0] + t[1]*t[1] + t[2]*t[2], s.limit, s.stiffness));
+    return dem_slider_let(s, t, dem_slider_slips(t[0]*t[0] + t[1]*t[1] + t[2]*t[2], s.limit, dem_slider_gives(&s)));
 }
 
 /*
@@ -130,9 +156,8 @@ enum
     DEM_SLIDER_X,
     DEM_SLIDER_Y,
     DEM_SLIDER_Z,
-    DEM_SLIDER_LIMIT,
-    DEM_SLIDER_STIFFNESS,
-    DEM_SLIDER_CUT
+    DEM_SLIDER_LIMIT,                                     /* then keep */
+    DEM_SLIDER_GIVES                                      /* then back */
 };
 
 /* s: its spring loaded; that goes to xi by the caller */
@@ -145,7 +170,7 @@ static inline __attribute__((always_inline)) void dem_slider_begin(struct dem_bl
     b->between[DEM_SLIDER_Y][c] = t[1];
     b->between[DEM_SLIDER_Z][c] = t[2];
     b->between[DEM_SLIDER_LIMIT][c] = s->limit;
-    b->between[DEM_SLIDER_STIFFNESS][c] = s->stiffness;
+    b->between[DEM_SLIDER_GIVES][c] = dem_slider_gives(s);
 }
 
 static inline __attribute__((always_inline)) void dem_slider_cuts(struct dem_block *b)
@@ -155,8 +180,10 @@ static inline __attribute__((always_inline)) void dem_slider_cuts(struct dem_blo
     for (int c = 0; c < b->n; c++)
     {
         const dem_real x = at[DEM_SLIDER_X][c], y = at[DEM_SLIDER_Y][c], z = at[DEM_SLIDER_Z][c];
+        const struct dem_slips slips = dem_slider_slips(x*x + y*y + z*z, at[DEM_SLIDER_LIMIT][c], at[DEM_SLIDER_GIVES][c]);
 
-        at[DEM_SLIDER_CUT][c] = dem_slider_cut(x*x + y*y + z*z, at[DEM_SLIDER_LIMIT][c], at[DEM_SLIDER_STIFFNESS][c]);
+        at[DEM_SLIDER_LIMIT][c] = slips.keep;
+        at[DEM_SLIDER_GIVES][c] = slips.back;
     }
 }
 
@@ -164,10 +191,11 @@ static inline __attribute__((always_inline)) void dem_slider_cuts(struct dem_blo
 static inline __attribute__((always_inline)) struct dem_slider
 dem_slider_end(const struct dem_block *b, int c, dem_real x, dem_real y, dem_real z)
 {
-    const struct dem_slider s = {.stiffness = b->between[DEM_SLIDER_STIFFNESS][c], .xi_x = x, .xi_y = y, .xi_z = z};
+    const struct dem_slider s = {.xi_x = x, .xi_y = y, .xi_z = z};
+    const struct dem_slips slips = {.keep = b->between[DEM_SLIDER_LIMIT][c], .back = b->between[DEM_SLIDER_GIVES][c]};
     const dem_real t[3] = {b->between[DEM_SLIDER_X][c], b->between[DEM_SLIDER_Y][c], b->between[DEM_SLIDER_Z][c]};
 
-    return dem_slider_let(s, t, b->between[DEM_SLIDER_CUT][c]);
+    return dem_slider_let(s, t, slips);
 }
 
 /* fx, fy, fz: the tray's columns to add F to; x, y, z: the springs, loaded before and as they are after */
@@ -193,6 +221,7 @@ dem_slider_finish(struct dem_block *restrict b, dem_real *const f[3], dem_real *
 struct dem_rubbing
 {
     dem_real friction, damped, grips;                     /* mu; 1: with the dashpot, with what adhesion holds by besides fn */
+    dem_real often;                                       /* 1/dt: dem_slider_often */
 };
 
 /* the slider of friction in a row, its spring still to be put in: dashpot of the normal law, limit by what pushes; two
@@ -203,7 +232,7 @@ dem_slider_friction(const struct dem_row *r, dem_real stiffness, struct dem_rubb
     const dem_real pressed = r->fn + rubs.grips*r->grip;
 
     return (struct dem_slider){.stiffness = stiffness, .damping = rubs.damped*r->eta,
-                               .limit = dem_pick(pressed > 0, rubs.friction*pressed, 0),
+                               .limit = dem_pick(pressed > 0, rubs.friction*pressed, 0), .often = rubs.often,
                                .sx = r->sx, .sy = r->sy, .sz = r->sz, .mass = r->reduced_mass*(dem_real)(2.0/7.0)};
 }
 
@@ -212,13 +241,13 @@ dem_slider_friction(const struct dem_row *r, dem_real stiffness, struct dem_rubb
  * the spring before (in today's plane) and after, k and k' its stiffness then and now,
  *
  *   stored   k' xi'^2/2
- *   slipped  (k xi + k' xi')/2 . (e - xi')       mean friction force times the distance slipped
- *   damped   c s (s + dt F/2 m) dt               while it holds; the rate in the middle of the kick, as far as F alone changes it
+ *   slipped  (k xi + k' xi')/2 . (e - xi')       mean force of the spring times the distance slipped
+ *   damped   -(F + k' xi').(s + dt F/2 m) dt     force of the dashpot; the rate in the middle of the kick, as far as F alone changes it
  *   rubbed   -F.(s + dt F/2 m) dt                where there is no spring
  *   changed  -(k' - k) xi.xi'/2                  a spring that stiffens as it is holds more than was put in: below 0
  *
- * Where partners are apart, or a bond takes the contact's place, the spring is forgotten, and what it held is lost. A spring
- * that is cut to spring and dashpot together as it begins to slip is longer than it was: slipped is below 0 then.
+ * Where partners are apart, or a bond takes the contact's place, the spring is forgotten, and what it held is lost. Of
+ * a spring whose stiffness goes with the overlap that is not known once they have parted: what it held to the end stays in the residual.
  */
 static inline __attribute__((always_inline)) void
 dem_slider_energy(const struct dem_block *b, int c, struct dem_slider s, struct dem_energy *restrict e)
@@ -232,15 +261,12 @@ dem_slider_energy(const struct dem_block *b, int c, struct dem_slider s, struct 
     const dem_real gx = loaded.xi_x - to.xi_x, gy = loaded.xi_y - to.xi_y, gz = loaded.xi_z - to.xi_z;
     const dem_real along = from.xi_x*gx + from.xi_y*gy + from.xi_z*gz, ahead = to.xi_x*gx + to.xi_y*gy + to.xi_z*gz;
     const dem_real both = from.xi_x*to.xi_x + from.xi_y*to.xi_y + from.xi_z*to.xi_z;
-    const dem_real old = from.xi_x*from.xi_x + from.xi_y*from.xi_y + from.xi_z*from.xi_z;
 
-    /* where it holds, nothing is cut */
-    const dem_real holds = dem_pick((gx == 0) & (gy == 0) & (gz == 0), (dem_real)1, 0);
-    const dem_real square = to.sx*to.sx + to.sy*to.sy + to.sz*to.sz;
-    const dem_real power = -(to.fx*to.sx + to.fy*to.sy + to.fz*to.sz);
+    const dem_real old = from.xi_x*from.xi_x + from.xi_y*from.xi_y + from.xi_z*from.xi_z;
     const dem_real gain = dem_pick(s.mass > 0, dt/2/dem_pick(s.mass > 0, s.mass, 1), 0);
-    const dem_real damped = holds*s.damping*(square - gain*power)*dt;
-    const dem_real rubbed = (power - gain*(to.fx*to.fx + to.fy*to.fy + to.fz*to.fz))*dt;
+    const dem_real ux = to.sx + gain*to.fx, uy = to.sy + gain*to.fy, uz = to.sz + gain*to.fz;
+    const dem_real damped = -((to.fx + k*to.xi_x)*ux + (to.fy + k*to.xi_y)*uy + (to.fz + k*to.xi_z)*uz)*dt;
+    const dem_real rubbed = -(to.fx*ux + to.fy*uy + to.fz*uz)*dt;
     const dem_real lost = damped + (was*along + k*ahead)/2 - (k - was)/2*both;
 
     e->stored[c] = on/2*k*(to.xi_x*to.xi_x + to.xi_y*to.xi_y + to.xi_z*to.xi_z);

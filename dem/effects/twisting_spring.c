@@ -31,6 +31,7 @@
 #include "effects/effect.h"
 
 #include "base/math.h"
+#include "effects/slider.h"
 
 struct twisting_spring
 {
@@ -77,6 +78,7 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 {
     const struct twisting_spring *twisting = of;
     const dem_real friction = twisting->friction, ratio = twisting->ratio, twice_zeta = 2.0*twisting->damping, dt = b->dt;
+    const dem_real often = dem_slider_often(b);
     const dem_real by_contact = twisting->lever == CONTACT ? 0.58904862254808623 : 0.0;    /* 3 pi/16 */
     const dem_real by_radius = twisting->lever == REDUCED ? 1.0 : 0.0;
     dem_real *restrict twist = remembered[0];
@@ -94,8 +96,9 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
         const dem_real trial = -stiffness*angle - damping*rate, size = fabs(trial);
         const dem_real limit = dem_pick(b->fn[c] > 0.0, friction*lever*b->fn[c], 0.0);
         const dem_real moment = dem_pick(size < limit, 1.0, limit/dem_pick(size > 0.0, size, 1.0))*trial;
+        const dem_real gives = stiffness + damping*often, slipped = (moment - trial)/dem_pick(gives > 0.0, gives, 1.0);
 
-        twist[c] = dem_pick(size < limit, angle, -moment/dem_pick(stiffness > 0.0, stiffness, 1.0));
+        twist[c] = dem_pick(limit > 0.0, dem_pick(size < limit, angle, angle - slipped), 0.0);
         b->mx[c] += moment*b->nx[c];
         b->my[c] += moment*b->ny[c];
         b->mz[c] += moment*b->nz[c];
@@ -107,7 +110,7 @@ static void energy(const void *of, const struct dem_block *restrict b, dem_real 
                    struct dem_energy *restrict e)
 {
     const struct twisting_spring *twisting = of;
-    const dem_real *const from = before[0], *const to = memory[0];
+    const dem_real *const from = before[0], *const to = memory[0], often = dem_slider_often(b);
 
     for (int c = 0; c < b->n; c++)
     {
@@ -115,8 +118,8 @@ static void energy(const void *of, const struct dem_block *restrict b, dem_real 
         const dem_real was = twisting->ratio*e->kn_was[c]*R*e->was[c];
         const dem_real rate = b->wx[c]*b->hx[c] + b->wy[c]*b->hy[c] + b->wz[c]*b->hz[c], slipped = from[c] + b->dt*rate - to[c];
         const dem_real damping = 2.0*twisting->damping*R*sqrt(0.4*b->reduced_mass[c]*stiffness);
-        const dem_real moment = -stiffness*to[c] - damping*rate;
-        const dem_real damped = dem_pick(slipped == 0.0, damping*rate*(rate + 0.5*b->dt*moment/e->inertia[c])*b->dt, 0.0);
+        const dem_real dashpot = dem_pick(b->fn[c] > 0.0, damping*often*(to[c] - from[c]), 0.0);
+        const dem_real damped = dashpot*(rate - 0.5*b->dt*(stiffness*to[c] + dashpot)/e->inertia[c])*b->dt;
 
         e->stored[c] = 0.5*stiffness*to[c]*to[c];
         e->lost[c] = damped + 0.5*(was*from[c] + stiffness*to[c])*slipped - 0.5*(stiffness - was)*from[c]*to[c];

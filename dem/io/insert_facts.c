@@ -6,6 +6,7 @@
 #include "io/insert_batch.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -101,7 +102,7 @@ int dem_insert_refuse_twins(const struct dem_insertion *i, size_t n, const int64
     DEM_TRY(DEM_NEW(span, most + 1));
     const size_t count = list_spans(i, n, id, span);
 
-    qsort(span, count, sizeof *span, compare_spans);
+    dem_sort_by(span, count, sizeof *span, compare_spans);
     for (size_t k = 0; k < count; k++)
     {
         twin = span[k].from <= last && twin < 0 ? span[k].from : twin;

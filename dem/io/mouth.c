@@ -8,6 +8,7 @@
 #include "io/mouth.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include "io/stl.h"
 #include <math.h>
@@ -80,7 +81,7 @@ int dem_mouth_take(struct dem_mouth *m, size_t n, const double *corners, const d
             row[t].flow[k] = flow ? flow[3*t + k] : 0.0;
         }
     }
-    qsort(row, n, sizeof *row, by_corners);
+    dem_sort_by(row, n, sizeof *row, by_corners);
     fill(m, row);
     dem_memory_free(row);
     return DEM_OK;

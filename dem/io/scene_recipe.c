@@ -18,6 +18,7 @@ static const struct dem_field material_fields[] =
     DEM_FIELD_AS(dem_material, youngs_modulus, "youngsModulus", "Pa", DEM_FIELD_REQUIRED, DEM_ABOVE_ZERO, INFINITY,
                  "Young's modulus; softer than real is common and faster"),
     DEM_FIELD_AS(dem_material, poissons_ratio, "poissonsRatio", "1", 0.3, 0.0, 0.49999, "Poisson's ratio"),
+    DEM_FIELD_AS(dem_material, yield_strength, "yieldStrength", "Pa", 0.0, 0.0, INFINITY, "for the plan's word on yielding; 0: not told"),
     {0},
 };
 

@@ -9,6 +9,7 @@
  */
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include "io/snapshot_head.h"
 #include "space/mail.h"
 #include <stdlib.h>
@@ -54,7 +55,7 @@ static int list_own(const struct dem_pieces *q, const struct dem_particles *p, s
     {
         (*list)[i] = (struct entry){p->record[i].id, q->rank};
     }
-    qsort(*list, p->n, sizeof **list, compare);
+    dem_sort_by(*list, p->n, sizeof **list, compare);
     return DEM_OK;
 }
 
@@ -258,7 +259,7 @@ static int open_register(const struct dem_pieces *q, const struct dem_particles 
         memcpy(&(*list)[k].id, b.item + k, sizeof(int64_t));
         (*list)[k].owner = b.to[k];
     }
-    qsort(*list, *n, sizeof **list, compare);
+    dem_sort_by(*list, *n, sizeof **list, compare);
     empty(&b);
     return DEM_OK;
 }

@@ -1,19 +1,16 @@
 /*
  * cost.c -- counting bytes, and timing a block of spheres.
  *
- * The block: spheres of the mean diameter and of the commonest material on a body-centred lattice that just touches, in
- * a periodic box, with the scene's own recipe and skins. Each has 8 partners that touch and 6 more within a usual outer
- * skin, so 4 rows and 7 pairs, a little more than a settled bed. It runs for a tenth of
- * a second of processor time. Its walls, its size in the caches and the talk between ranks are not the scene's: the
+ * The block (sample.h) runs for a tenth of a second of processor time. Its walls, its size in the caches and the talk between ranks are not the scene's: the
  * figure is good for a factor of 2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "plan/cost.h"
+#include "plan/sample.h"
 #include "step/measure.h"
 #include "step/step.h"
 #include <math.h>
-#include <string.h>
 #include <time.h>
 
 /* ---- bytes --------------------------------------------------------------------------------------------------- */
@@ -69,7 +66,6 @@ void dem_need_count(const struct dem_parts *p, const struct dem_survey *s, struc
 
 enum
 {
-    MOST_EDGE = 16,                                       /* lattice cells, two spheres each: 8192 spheres */
     STEPS = 10                                            /* of a window */
 };
 
@@ -78,89 +74,6 @@ static const double long_enough = 0.1;                    /* s of processor time
 static double now(void)
 {
     return (double)clock()/CLOCKS_PER_SEC;
-}
-
-static int commonest(const struct dem_parts *p, const struct dem_survey *s)
-{
-    int best = 0;
-
-    for (int m = 1; m < p->recipe.materials; m++)
-    {
-        best = s->material[m].n > s->material[best].n ? m : best;
-    }
-    return best;
-}
-
-static int fill(struct dem_parts *q, const struct dem_parts *p, const struct dem_survey *s, int edge, double a)
-{
-    const int material = commonest(p, s);
-    const double d = s->all.diameters/(double)s->all.n;
-
-    DEM_TRY(dem_particles_grow(&q->particles, (size_t)(2*edge*edge*edge)));
-    for (int k = 0; k < 2*edge*edge*edge; k++)
-    {
-        const int cell = k/2;
-        const double shift = 0.25 + 0.5*(k%2);
-        const double x[3] = {a*(cell%edge + shift), a*(cell/edge%edge + shift), a*(cell/edge/edge + shift)};
-
-        q->particles.record[k] = dem_particle_sphere(k, x, d, p->recipe.material[material].density, material);
-        q->particles.record[k].viscosity = s->fluid_viscosity;
-        if (dem_column(&q->particles, DEM_COLUMN_FLUID_DENSITY))
-        {
-            dem_column(&q->particles, DEM_COLUMN_FLUID_DENSITY)[k] = s->fluid_density;
-            dem_column(&q->particles, DEM_COLUMN_FLUID_VISCOSITY)[k] = s->fluid_viscosity;
-            dem_column(&q->particles, DEM_COLUMN_VOID_FRACTION)[k] = 0.4;
-            dem_column(&q->particles, DEM_COLUMN_COUNTERFLOW)[k] = 1.0;
-        }
-    }
-    q->particles.n = (size_t)(2*edge*edge*edge);
-    return DEM_OK;
-}
-
-static int build(struct dem_parts *q, const struct dem_parts *p, const struct dem_survey *s)
-{
-    const double d = s->all.diameters/(double)s->all.n, a = 0.999*d*2.0/sqrt(3.0);    /* touching, and a little more */
-    const double skin[2] = {2.0*p->pairs.half_outer, 2.0*p->pairs.half_inner};
-    const int least = (int)ceil((2.0*d + p->pairs.outer)/a) + 1;
-    int edge = 1;
-
-    while (edge < MOST_EDGE && 2*edge*edge*edge < s->all.n)
-    {
-        edge++;
-    }
-    edge = edge < least ? least : edge;
-    dem_domain_init(&q->domain);
-    for (int k = 0; k < 3; k++)
-    {
-        q->domain.min[k] = 0.0;
-        q->domain.max[k] = a*edge;
-        q->domain.periodic[k] = 1;
-    }
-    dem_domain_close(&q->domain);
-    DEM_TRY(dem_recipe_lend(&p->recipe, &q->recipe));
-    q->watch.limit = 1.0;
-    q->longest_step = p->longest_step;
-    q->stale = 2;                                         /* no lists yet */
-    DEM_TRY(dem_pieces_init(&q->pieces, MPI_COMM_NULL, 0, 1));
-    dem_halo_init(&q->halo, &q->pieces);
-    dem_particles_init(&q->particles, p->particles.groups);
-    DEM_TRY(fill(q, p, s, edge, a));
-    DEM_TRY(dem_contacts_init(&q->contacts, &q->recipe));
-    dem_pairs_init(&q->pairs, &q->domain, skin, p->recipe.reach, 0.5*d);
-    return dem_wall_search_prepare(&q->pairs.search, &q->walls, 0.5*d);
-}
-
-static void take_down(struct dem_parts *q)
-{
-    dem_halo_free(&q->halo);
-    dem_pairs_free(&q->pairs);
-    dem_wall_touches_free(&q->touches);
-    dem_contacts_free(&q->contacts);
-    dem_particles_free(&q->particles);
-    dem_walls_free(&q->walls);
-    dem_recipe_give_back(&q->recipe);
-    dem_pieces_free(&q->pieces);
-    dem_losses_free(&q->losses);
 }
 
 /* Windows until they took long enough, the first left out: it fills caches and memory. */
@@ -202,15 +115,12 @@ int dem_pace_take(const struct dem_parts *p, const struct dem_survey *s, double 
     struct dem_parts q;
     double slowest[3];
 
-    memset(&q, 0, sizeof q);
-    int status = build(&q, p, s);
+    int status = dem_sample_make(&q, p, s, NULL);
 
-    status = status ? status : dem_step_renew(&q);
-    q.stale = 0;
     status = status ? status : time_steps(&q, dt, &pace->step);
     status = status ? status : time_lists(&q, &pace->renew, &pace->prune);
     pace->particles = (int64_t)q.particles.n;
-    take_down(&q);
+    dem_sample_free(&q);
     slowest[0] = status ? INFINITY : pace->step;
     slowest[1] = pace->renew;
     slowest[2] = pace->prune;

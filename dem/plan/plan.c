@@ -39,7 +39,7 @@ int dem_plan_write(struct dem_text *t, struct dem_plan *p)
     dem_plan_flows(t, p);
     dem_plan_bed(t, p);
     dem_plan_fluid(t, p);
-    dem_plan_regime(t, p);
+    DEM_TRY(dem_plan_regime(t, p));
     dem_plan_step(t, p);
     dem_plan_cost(t, p);
     return t->status;

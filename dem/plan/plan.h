@@ -16,6 +16,17 @@
 #include "step/parts.h"
 #include "step/survey.h"
 
+enum
+{
+    DEM_MOST_VERDICTS = 24
+};
+
+struct dem_verdicts
+{
+    struct dem_verdict verdict[DEM_MOST_VERDICTS];
+    int n;
+};
+
 struct dem_plan                                           /* all that the paragraphs are made from */
 {
     const struct dem_parts *parts;
@@ -24,6 +35,7 @@ struct dem_plan                                           /* all that the paragr
     double step;                                          /* s, the limit in force */
     struct dem_survey survey;
     struct dem_pace pace;
+    struct dem_verdicts verdicts;                         /* derived by dem_plan_regime */
 };
 
 /* Collective. Fill in survey and pace, write everything. */
@@ -37,7 +49,7 @@ void dem_plan_particles(struct dem_text *, const struct dem_plan *);
 void dem_plan_flows(struct dem_text *, const struct dem_plan *);       /* through.c */
 void dem_plan_step(struct dem_text *, const struct dem_plan *);        /* how.c */
 void dem_plan_fluid(struct dem_text *, const struct dem_plan *);
-void dem_plan_regime(struct dem_text *, const struct dem_plan *);      /* regime.c */
+int dem_plan_regime(struct dem_text *, struct dem_plan *);             /* regime.c; collective */
 void dem_plan_bed(struct dem_text *, const struct dem_plan *);
 void dem_plan_cost(struct dem_text *, const struct dem_plan *);
 

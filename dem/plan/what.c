@@ -134,8 +134,9 @@ void dem_plan_contacts(struct dem_text *t, const struct dem_plan *p)
     {
         const struct dem_material *const m = &r->material[k];
 
-        dem_text_add(t, "    %-18s density %g kg/m3, youngsModulus %g Pa, poissonsRatio %g\n", m->name, m->density,
+        dem_text_add(t, "    %-18s density %g kg/m3, youngsModulus %g Pa, poissonsRatio %g", m->name, m->density,
                      m->youngs_modulus, m->poissons_ratio);
+        dem_text_add(t, m->yield_strength > 0.0 ? ", yieldStrength %g Pa\n" : "\n", m->yield_strength);
     }
     dem_text_add(t, "Contacts%s\n", r->classes > 0 ? " (times: the smallest partners at impactSpeed)" : "");
     for (int c = 0; c < r->classes; c++)

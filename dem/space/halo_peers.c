@@ -9,6 +9,7 @@
  */
 #include "space/halo_peers.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -55,7 +56,7 @@ static void sort_out(struct dem_halo *h)
 {
     int kept = 0;
 
-    qsort(h->peer, (size_t)h->peers, sizeof *h->peer, ascending);
+    dem_sort_by(h->peer, (size_t)h->peers, sizeof *h->peer, ascending);
     for (int k = 0; k < h->peers; k++)
     {
         if (kept == 0 || h->peer[k] != h->peer[kept - 1])

@@ -353,7 +353,10 @@ static int regions_near(struct dem_wall_search *s, const struct dem_walls *w, co
             DEM_TRY(gather_triangles(s, w, k, room, reach));
         }
     }
-    sort_by_region(w, s->candidate + first, s->candidates - first);
+    if (s->candidates > first)                            /* no list may be there yet */
+    {
+        sort_by_region(w, s->candidate + first, s->candidates - first);
+    }
     for (size_t c = first; c < s->candidates; c++)
     {
         const struct dem_triangle *const t = &w->triangle[s->candidate[c]];

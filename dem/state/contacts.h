@@ -138,9 +138,13 @@ static inline int dem_contacts_go_round(const struct dem_contacts *c)
 /* What a row does to its partners. Not after a quiet step, but for walls. */
 static inline struct dem_push dem_contacts_push(const struct dem_contacts *c, uint32_t row)
 {
-    const struct dem_push_single *const s = c->push_single + (c->single ? row : 0);
+    if (c->single)
+    {
+        const struct dem_push_single *const s = &c->push_single[row];
 
-    return c->single ? (struct dem_push){.f = {s->f[0], s->f[1], s->f[2]}, .arm = s->arm, .t = {s->t[0], s->t[1], s->t[2]}} : c->push[row];
+        return (struct dem_push){.f = {s->f[0], s->f[1], s->f[2]}, .arm = s->arm, .t = {s->t[0], s->t[1], s->t[2]}};
+    }
+    return c->push[row];
 }
 
 /* Bytes held, and bytes that the ring, one outer pair and one near row take. */

@@ -27,6 +27,7 @@ static const struct dem_column columns[DEM_COLUMNS] =
     [DEM_COLUMN_KEPT] = {"kept", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_DRAG_TIME] = {"dragTime", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_START_VELOCITY] = {"startVelocity", 3, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_WAY] = {"way", 3, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_RESPONSE] = {"response", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_PASSED] = {"passed", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_PENDING] = {"pending", 3, DEM_GROUP_FLUID, NULL},

@@ -64,6 +64,7 @@ enum dem_column_name
     DEM_COLUMN_KEPT,                                      /* 1    product of exp(-b dt/m)  */
     DEM_COLUMN_DRAG_TIME,                                 /* kg   sum of b dt              */
     DEM_COLUMN_START_VELOCITY,                            /* m/s  at the window's start    */
+    DEM_COLUMN_WAY,                                       /* m    position at the window's start; once it is closed the way since then */
     DEM_COLUMN_RESPONSE,                                  /* kg   R of this window         */
     DEM_COLUMN_PASSED,                                    /* 1    of a steady force, by drag to the fluid */
     DEM_COLUMN_PENDING,                                   /* N s  impulse for this window, from the last exchange */

@@ -103,6 +103,9 @@ int dem_recipe_freeze(struct dem_recipe *, const int wall_materials[DEM_MATERIAL
 int dem_recipe_lend(const struct dem_recipe *, struct dem_recipe *to);
 void dem_recipe_give_back(struct dem_recipe *);
 
+/* Take an effect out of all chains of a second hand. Columns that it remembered stay. */
+void dem_recipe_leave(struct dem_recipe *lent, const char *effect);
+
 /* Columns an effect remembers. */
 int dem_effect_memories(const struct dem_effect *);
 

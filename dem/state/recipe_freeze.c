@@ -206,3 +206,40 @@ void dem_recipe_give_back(struct dem_recipe *r)
     dem_memory_free(r->chain);
     memset(r, 0, sizeof *r);
 }
+
+static void leave(struct dem_recipe *r, struct dem_chain *chain, const char *effect)
+{
+    const int links = chain->links;
+
+    chain->links = 0;
+    chain->needs = 0;
+    chain->moments = chain->past_touching = 0;
+    for (int k = 0; k < links; k++)
+    {
+        const struct dem_link link = chain->link[k];
+
+        if (strcmp(link.effect->name, effect) != 0)
+        {
+            chain->link[chain->links++] = link;
+            chain->needs |= link.effect->needs;
+            chain->moments |= link.effect->stage == DEM_STAGE_MOMENT || link.effect->stage == DEM_STAGE_BOND;
+            chain->past_touching |= link.effect->stage == DEM_STAGE_BOND || link.effect->stage == DEM_STAGE_FILM;
+            r->reach = link.effect->reach ? fmax(r->reach, link.effect->reach(link.settings, &chain->pair)) : r->reach;
+        }
+    }
+    r->needs |= chain->needs;
+    r->moments |= chain->moments;
+    r->past_touching |= chain->past_touching;
+}
+
+void dem_recipe_leave(struct dem_recipe *r, const char *effect)
+{
+    r->needs = 0;
+    r->moments = r->past_touching = 0;
+    r->reach = 0.0;
+    for (int c = 0; c < r->classes; c++)
+    {
+        leave(r, &r->chain[c], effect);
+    }
+    leave(r, &r->bodies, effect);
+}

@@ -6,6 +6,7 @@
 #include "state/walls.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include <math.h>
 #include <stdlib.h>
@@ -34,7 +35,7 @@ static int compare_corners(const void *a, const void *b)
 static void canonical(const struct dem_triangle *t, double key[3][3])
 {
     memcpy(key, t->corner, sizeof t->corner);
-    qsort(key, 3, sizeof key[0], compare_corners);
+    dem_sort_by(key, 3, sizeof key[0], compare_corners);
 }
 
 static int compare_triangles(const void *a, const void *b)
@@ -88,7 +89,7 @@ static int drop_useless(struct dem_walls *w, double scale)
 {
     size_t kept = 0;
 
-    qsort(w->triangle, w->triangles, sizeof *w->triangle, compare_triangles);
+    dem_sort_by(w->triangle, w->triangles, sizeof *w->triangle, compare_triangles);
     for (size_t t = 0; t < w->triangles; t++)
     {
         struct dem_wall *const wall = &w->wall[w->triangle[t].wall];
@@ -141,7 +142,7 @@ static int weld_corners(const struct dem_walls *w, double tolerance, size_t *nam
         memcpy(c[k].x, w->triangle[k/3].corner[k%3], sizeof c[k].x);
         c[k].at = k;
     }
-    qsort(c, 3*w->triangles, sizeof *c, compare_corner_places);
+    dem_sort_by(c, 3*w->triangles, sizeof *c, compare_corner_places);
     for (size_t k = 0; k < 3*w->triangles; k++)
     {
         name[c[k].at] = c[k].at;
@@ -314,7 +315,7 @@ static int join_triangles(struct dem_walls *w, double scale)
         w->triangle[t].rim = 7;
         parent[t] = t;
     }
-    qsort(edge, 3*w->triangles, sizeof *edge, compare_edges);
+    dem_sort_by(edge, 3*w->triangles, sizeof *edge, compare_edges);
     join(w, edge, 3*w->triangles, parent, weld*scale);
     const int status = number_regions(w, parent);
 

@@ -57,6 +57,6 @@ int dem_averages_save(const struct dem_averages *, const struct dem_parts *, con
    taken back from their bytes. A grid goes on when name, box, cells, start and interval are those of then. */
 struct dem_average_record;
 int dem_averages_spans(const struct dem_averages *, struct dem_average_record **, struct dem_span **, int *n);
-void dem_averages_resume(struct dem_averages *, const char *bytes, size_t size);
+int dem_averages_resume(struct dem_averages *, const char *path, const char *bytes, size_t size);
 
 #endif

@@ -91,13 +91,24 @@ static void go_on(struct dem_averages *a, const struct dem_average_record *g, co
     }
 }
 
-void dem_averages_resume(struct dem_averages *a, const char *bytes, size_t size)
+/* 1 when the numbers that it tells of are there, in `left` bytes behind it. */
+static int holds(const struct dem_average_record *g, size_t left)
+{
+    return g->length > 0 && g->samples >= 0 && g->full == g->samples/g->length && g->full <= DEM_BLOCKS && g->columns > 0
+        && (uint64_t)g->columns <= left/(used_of(g) + 1)/sizeof(double);
+}
+
+int dem_averages_resume(struct dem_averages *a, const char *path, const char *bytes, size_t size)
 {
     struct dem_average_record g;
 
     for (size_t at = 0; at < size; at += sizeof g + (used_of(&g) + 1)*(size_t)g.columns*sizeof(double))
     {
+        DEM_REQUIRE(size - at >= sizeof g, DEM_ERROR_FILE, "%s is damaged: its means end in the middle; use another one", path);
         memcpy(&g, bytes + at, sizeof g);
+        DEM_REQUIRE(holds(&g, size - at - sizeof g), DEM_ERROR_FILE, "%s is damaged: its means tell of %lld columns and %lld blocks in %zu "
+                    "bytes; use another one", path, (long long)g.columns, (long long)g.full, size - at - sizeof g);
         go_on(a, &g, bytes + at + sizeof g);
     }
+    return DEM_OK;
 }

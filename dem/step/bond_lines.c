@@ -8,6 +8,7 @@
 #include "step/bonds.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include "io/vtk.h"
 #include "step/parts.h"
 #include <math.h>
@@ -66,7 +67,7 @@ static int write_lines(const struct dem_writers *by, const char *folder, const c
     };
     char path[1200];
 
-    qsort(l, (size_t)n, sizeof *l, by_ids);
+    dem_sort_by(l, (size_t)n, sizeof *l, by_ids);
     DEM_REQUIRE(strlen(folder) + strlen(file) + 16 < sizeof path, DEM_ERROR_INPUT, "path %s/%s is longer than %zu letters", folder, file,
                 sizeof path - 17);
     snprintf(path, sizeof path, "%s/%s", folder, file);

@@ -6,6 +6,7 @@
 #include "step/bond_pairs.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,7 +31,7 @@ static void take_list(const int64_t *ids, size_t pairs, struct asked *list)
 
         list[k] = (struct asked){.low = a < b ? a : b, .high = a < b ? b : a};
     }
-    qsort(list, pairs, sizeof *list, compare);
+    dem_sort_by(list, pairs, sizeof *list, compare);
 }
 
 static void mark(struct dem_parts *p, const struct asked *list, size_t pairs, double *column, uint8_t *found)

@@ -6,6 +6,7 @@
 #include "step/bonds.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include "step/parts.h"
 #include <float.h>
@@ -124,7 +125,7 @@ int dem_bonds_tell(struct dem_bonds *b, const struct dem_pieces *q, int64_t *n)
         memcpy(b->all, b->broke, b->n*sizeof *b->all);
     }
     b->n = 0;
-    qsort(b->all, (size_t)*n, sizeof *b->all, by_time_and_ids);
+    dem_sort_by(b->all, (size_t)*n, sizeof *b->all, by_time_and_ids);
     return DEM_OK;
 }
 

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/random.h"
+#include "base/sort.h"
 #include "step/parts.h"
 #include <stdlib.h>
 #include <string.h>
@@ -122,7 +123,7 @@ static int carry(struct dem_durations *d, const struct dem_pieces *pieces, int32
     DEM_TRY(gather(d, pieces));
     if (d->carries > 0)
     {
-        qsort(d->carried, d->carries, sizeof *d->carried, by_name);
+        dem_sort_by(d->carried, d->carries, sizeof *d->carried, by_name);
     }
     return DEM_OK;
 }

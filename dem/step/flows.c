@@ -6,6 +6,7 @@
 #include "step/flows.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include "step/orientation.h"
 #include "step/parts.h"
@@ -132,6 +133,7 @@ static int let_in(struct dem_parts *p, const struct dem_particle *q)
     {
         dem_uniform_fill(all, i, p->flows.fluid, 0.0);
         memcpy(dem_column(all, DEM_COLUMN_START_VELOCITY) + 3*i, q->v, sizeof q->v);
+        memcpy(dem_column(all, DEM_COLUMN_WAY) + 3*i, q->x, sizeof q->x);
         dem_column(all, DEM_COLUMN_KEPT)[i] = 1.0;
         all->record[i].viscosity = dem_column(all, DEM_COLUMN_FLUID_VISCOSITY)[i];
     }
@@ -248,7 +250,7 @@ int dem_flows_book(struct dem_parts *p)
     {
         DEM_TRY(gather(f, &p->pieces, &all, &n));
     }
-    qsort(all, n, sizeof *all, by_id);
+    dem_sort_by(all, n, sizeof *all, by_id);
     for (size_t k = 0; k < n; k++)
     {
         struct dem_snapshot_flow *const row = &f->flow[all[k].flow];

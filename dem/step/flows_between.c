@@ -10,6 +10,7 @@
 #include "step/flows.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include "step/agree.h"
 #include "step/parts.h"
 #include <stdlib.h>
@@ -102,7 +103,7 @@ int dem_flows_between(struct dem_parts *p, size_t n, struct dem_goer *goer, int 
     {
         return DEM_OK;
     }
-    qsort(goer, n, sizeof *goer, by_id);
+    dem_sort_by(goer, n, sizeof *goer, by_id);
     DEM_TRY(DEM_NEW(order, p->particles.n + 1));
     int status = dem_agree(p, part(p, goer, n, order, &stay));
 

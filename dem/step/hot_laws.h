@@ -45,7 +45,7 @@ static void presses(const struct dem_hot_laws *l, struct dem_block *restrict b, 
 DEM_KERNEL
 static void slides(const struct dem_hot_laws *l, struct dem_block *restrict b, double *restrict x, double *restrict y, double *restrict z)
 {
-    const struct dem_rubbing rubs = dem_mindlin_rubs(l->mindlin);
+    const struct dem_rubbing rubs = dem_mindlin_rubs(l->mindlin, b);
 
     for (int c = 0; c < b->n; c++)
     {

@@ -6,6 +6,7 @@
 #include "step/losses.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/sort.h"
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -83,6 +84,6 @@ int dem_losses_tell(struct dem_losses *l, const struct dem_pieces *q, int64_t *n
         memcpy(l->all, l->loss, l->n*sizeof *l->all);
     }
     l->n = 0;
-    qsort(l->all, (size_t)*n, sizeof *l->all, by_time_and_id);
+    dem_sort_by(l->all, (size_t)*n, sizeof *l->all, by_time_and_id);
     return DEM_OK;
 }

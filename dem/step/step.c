@@ -251,7 +251,7 @@ static int make_steps(struct dem_parts *p)
     p->open = p->steps - p->before < p->ahead;
     if (!p->open)
     {
-        dem_bodies_close(&p->particles, p->window);
+        dem_bodies_close(&p->particles, &p->domain, p->window);
     }
     dem_phases_leave(&p->phases);
     return DEM_OK;

@@ -277,6 +277,20 @@ void dem_bodies_open(struct dem_particles *p, const struct dem_chain *bodies)
     {
         dem_column(p, DEM_COLUMN_KEPT)[i] = 1.0;
         memcpy(dem_column(p, DEM_COLUMN_START_VELOCITY) + 3*i, p->record[i].v, sizeof p->record[i].v);
+        memcpy(dem_column(p, DEM_COLUMN_WAY) + 3*i, p->record[i].x, sizeof p->record[i].x);
+    }
+}
+
+/* From where they were to where they are; who was wrapped has gone less than half a box. */
+static void ways(struct dem_particles *p, const struct dem_domain *domain)
+{
+    double *const way = dem_column(p, DEM_COLUMN_WAY);
+
+    for (size_t i = 0; i < 3*p->n; i++)
+    {
+        const double length = domain->length[i%3], gone = p->record[i/3].x[i%3] - way[i];
+
+        way[i] = gone - (length > 0.0 ? length*nearbyint(gone/length) : 0.0);
     }
 }
 
@@ -299,7 +313,7 @@ static void answer_of_added_mass(struct dem_particles *p, double window)
     }
 }
 
-void dem_bodies_close(struct dem_particles *p, double window)
+void dem_bodies_close(struct dem_particles *p, const struct dem_domain *domain, double window)
 {
     const double *const u = dem_column(p, DEM_COLUMN_FLUID_VELOCITY), *const start = dem_column(p, DEM_COLUMN_START_VELOCITY);
     const double *const J = dem_column(p, DEM_COLUMN_DRAG_IMPULSE);
@@ -325,4 +339,8 @@ void dem_bodies_close(struct dem_particles *p, double window)
         dem_column(p, DEM_COLUMN_PASSED)[i] = free > 0.0 ? 1.0 - free/(counterflow*held) : 0.0;
     }
     answer_of_added_mass(p, window);
+    if (u)
+    {
+        ways(p, domain);
+    }
 }

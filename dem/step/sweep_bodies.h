@@ -6,6 +6,7 @@
 #ifndef DEM_STEP_SWEEP_BODIES_H
 #define DEM_STEP_SWEEP_BODIES_H
 
+#include "space/domain.h"
 #include "state/contacts.h"
 #include "state/particles.h"
 #include "state/recipe.h"
@@ -51,6 +52,6 @@ void dem_bodies_open(struct dem_particles *, const struct dem_chain *bodies);
 void dem_bodies_open_laws(struct dem_particles *, const struct dem_chain *bodies);
 
 /* End it: the response R of each particle from its drag impulse (see the definition in sweep_bodies.c). */
-void dem_bodies_close(struct dem_particles *, double window);
+void dem_bodies_close(struct dem_particles *, const struct dem_domain *, double window);
 
 #endif

@@ -125,6 +125,7 @@ int main(int argc, char *argv[])
         // the fluid iterates
         cloud.evolve(U, gradP, rho, mu());
         voidFractionf = fvc::interpolate(voidFraction);
+        #include "room.H"
         #include "particleForces.H"
 
         while (pimple.loop())

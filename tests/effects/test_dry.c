@@ -7,8 +7,8 @@
  */
 #include "tray.h"
 
-static const struct dem_material oxide = {"aluminium oxide", 4000.0, 380e9, 0.23};
-static const struct dem_material rigid = {"rigid", 1.0, INFINITY, 0.3};
+static const struct dem_material oxide = {"aluminium oxide", 4000.0, 380e9, 0.23, 0.0};
+static const struct dem_material rigid = {"rigid", 1.0, INFINITY, 0.3, 0.0};
 static struct world w;
 
 static const double linear_stiffness = 1e6;

@@ -17,7 +17,7 @@ enum
     MEMORY = 16
 };
 
-static const struct dem_material glass = {"glass", 2500.0, 60e9, 0.22};
+static const struct dem_material glass = {"glass", 2500.0, 60e9, 0.22, 0.0};
 static const struct dem_pair_class pair = {.a = &glass, .b = &glass, .reduced_modulus = 31e9, .reduced_shear = 7e9,
                                            .exponent = 1.5, .least_radius = 1e-3, .least_mass = 1e-5};
 

@@ -7,6 +7,7 @@
 #include "unit/tap.h"
 
 #include "main_effects.c"                                 /* of the program, which is not in the library */
+#include "main_effects_cost.c"
 
 #include <stdlib.h>
 #include <unistd.h>

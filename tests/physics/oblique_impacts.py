@@ -6,8 +6,9 @@ where it is, so the motion has one normal and one tangential direction and is in
 20000 steps in the time of an elastic impact):
 
     F_n = k_n d - eta u                 k_n = 4/3 E sqrt(R d) or given        u: rate of the gap, d: overlap
-    F_t = -k_t xi - eta s               k_t = 8 G sqrt(R d), or 2/7 k_n; where |F_t| would pass mu max(F_n, 0) it is that,
-                                        and xi = -F_t/k_t
+    F_t = -k_t xi - eta dxi/dt          k_t = 8 G sqrt(R d), or 2/7 k_n; dxi/dt = s where that holds. Where |F_t| would pass
+                                        mu max(F_n, 0) it is that, and xi is left to dxi/dt = (-F_t - k_t xi)/eta, each
+                                        step by its exponential; what is left of s slips. Without eta xi = -F_t/k_t
     s   = v - (R - d) w                 the point of contact lies on the plane
     eta = alpha sqrt(m k_n)             sqrt(5) or 2 times -ln e/sqrt(pi^2 + ln^2 e), Hertz or linear
 
@@ -38,7 +39,7 @@ def impact(law, R, rho, E, nu, mu, e, vn, vt, w, speed):
 
     d, u, xi, before = 0.0, -vn, 0.0, 0.0
 
-    def force(d, u, xi, s):
+    def force(d, u, xi, s, dt):
         if law == 3:
             kn, kt = k, 2/7*k
         else:
@@ -48,14 +49,16 @@ def impact(law, R, rho, E, nu, mu, e, vn, vt, w, speed):
         fn = kn*d - eta*u
         if law == 2 and before < kt:
             xi *= before/kt
-        ft = -kt*xi - eta*s
+        ft = -kt*(xi + dt*s) - eta*s
         most = mu*max(fn, 0.0)
-        if abs(ft) > most:
-            ft = math.copysign(most, ft)
-            xi = -ft/kt if kt > 0 else 0.0
-        return fn, ft, xi, kt
+        if abs(ft) <= most:
+            return fn, ft, xi + dt*s, kt
+        ft = math.copysign(most, ft)
+        rest = -ft/kt if kt > 0 else 0.0
+        fades = math.exp(-kt*dt/eta) if eta > 0 and most > 0 else 0.0
+        return fn, ft, rest + (xi - rest)*fades, kt
 
-    fn, ft, _, _ = force(0.0, u, 0.0, vt - R*w)
+    fn, ft, _, _ = force(0.0, u, 0.0, vt - R*w, 0.0)
     while True:
         u += 0.5*dt*fn/m
         vt += 0.5*dt*ft/m
@@ -64,8 +67,7 @@ def impact(law, R, rho, E, nu, mu, e, vn, vt, w, speed):
         if d <= 0.0:
             return u, vt, w
         s = vt - (R - d)*w
-        xi += dt*s
-        fn, ft, xi, before = force(d, u, xi, s)
+        fn, ft, xi, before = force(d, u, xi, s, dt)
         u += 0.5*dt*fn/m
         vt += 0.5*dt*ft/m
         w -= 0.5*dt*ft*(R - d)/inertia

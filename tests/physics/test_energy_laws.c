@@ -66,7 +66,8 @@ static const struct crowd crowds[] = {
     {"hertz {} dry { restitution 0.8; } linear { friction 0.3; ratio 0; }", 0.5, "lost_linear", 2e-3, 2.5},
     {"hertz {} rollingConstant { friction 0.2; }", 0.5, "lost_rollingConstant", 2e-3, 2.5},
     {"hertz {} rollingViscous { time 1e-3; }", 0.5, "lost_rollingViscous", 2e-3, 2.5},
-    {"hertz {} rollingSpring { friction 0.2; damping 0.3; }", 0.5, "lost_rollingSpring", 5e-4, 2.5},
+    /* the dashpot holds the spring up to the end of a contact, and what it holds then is not booked: slider.h */
+    {"hertz {} rollingSpring { friction 0.2; damping 0.3; }", 0.5, "lost_rollingSpring", 4e-3, 1.8},
     {"hertz {} twistingSpring { friction 0.3; damping 0.3; }", 0.5, "lost_twistingSpring", 5e-4, 2.5},
     {"hertz {} twistingSpring { friction 0.3; lever reduced; }", 0.5, "lost_twistingSpring", 5e-3, 2.5},
     {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; breakDistance 1.5; }", 0.1,

@@ -21,11 +21,11 @@ static double told(const char *text, const char *words)
     return at ? strtod(at + strlen(words), NULL) : NAN;
 }
 
-static const char *plan(struct dem *d, struct dem_prospect ahead)
+static const char *plan(struct dem *d, const struct dem_prospect *ahead)
 {
     const char *text;
 
-    WORLD_TRY(dem_plan(d, &ahead, &text));
+    WORLD_TRY(dem_plan(d, ahead, &text));
     return text;
 }
 
@@ -51,7 +51,7 @@ static void test_cup(void)
     uint64_t before, after;
 
     WORLD_TRY(dem_hash(w, &before));
-    const char *const text = plan(w, (struct dem_prospect){.duration = 1.0});
+    const char *const text = plan(w, &(struct dem_prospect){.duration = 1.0});
 
     TAP_NEAR(told(text, "glass and glass: reduced modulus "), reduced, digits*reduced, "reduced modulus");
     TAP_NEAR(told(text, "contact time "), pair, digits*pair, "contact time of two");
@@ -77,7 +77,7 @@ static double section(const char *walls)
                                    "effects { gravity { acceleration (0 0 -9.81); } hertz { } } walls { %s }"
                                    "insert { grains { type lattice; count 10; diameter 1e-3; min (0 0 0); max (0.01 0.01 0.01); } }", walls);
     struct dem *const w = world(scene, 0, NULL);
-    const char *const text = plan(w, (struct dem_prospect){.duration = 1.0});
+    const char *const text = plan(w, &(struct dem_prospect){.duration = 1.0});
     const double area = told(text, " Pa over ");
 
     free(scene);
@@ -120,7 +120,7 @@ static void test_bed_in_scene(void)
                                 "domain { min (0 0 0); max (0.15 1 0.015); periodic (x z); }"
                                 "insert { bed { type lattice; count 24750; spacing 1; jitter 0; diameter 2.5e-3;"
                                 "               min (0 0 0); max (0.15 0.5 0.015); } }", 0, NULL);
-    const char *const text = plan(w, (struct dem_prospect){.duration = 1.0});
+    const char *const text = plan(w, &(struct dem_prospect){.duration = 1.0});
     const double balance = ergun(2.5e-3, 2526.0, 1.2, 1.2e-5), response = 2526.0*2.5e-3*2.5e-3/(18.0*1.2e-5);
 
     TAP_NEAR(told(text, "minimum fluidisation at "), 1.322415, digits*1.322415, "Wen and Yu");
@@ -149,7 +149,7 @@ static void test_bed_by_columns(void)
         f.density[i] = 1.2;
         f.viscosity[i] = 1.8e-5;
     }
-    const char *const text = plan(w, (struct dem_prospect){.duration = 2.0, .window = 1e-4, .why = "deltaT", .cross_section = 4.4e-4});
+    const char *const text = plan(w, &(struct dem_prospect){.duration = 2.0, .window = 1e-4, .why = "deltaT", .cross_section = 4.4e-4});
     const double weight = 9240*1000.0*sphere(1.2e-3)*9.81/4.4e-4, response = 1000.0*1.44e-6/(18.0*1.8e-5);
     const double limit = dem_step_limit(w).used;
 
@@ -196,7 +196,7 @@ static void test_cost(void)
                                 "walls { cup { type box; min (0 0 0); max (0.01 0.03 0.05); } }"
                                 "insert { grains { type lattice; count 3000; diameter 1e-3; min (0 0 0); max (0.01 0.03 0.05); } }", 0, NULL);
     const double at_start = held() - before;
-    const char *text = plan(w, (struct dem_prospect){.duration = 1.0});
+    const char *text = plan(w, &(struct dem_prospect){.duration = 1.0});
     const double start_told = bytes_told(text, "now "), bed_told = bytes_told(text, "dense bed ");
     struct dem_tally a, b;
 
@@ -210,7 +210,7 @@ static void test_cost(void)
     WORLD_TRY(dem_tally(w, &b));
     const double each = 1e6*spent/(3000.0*(double)(b.steps - a.steps)), settled = held() - before;
 
-    text = plan(w, (struct dem_prospect){.duration = 1.0});
+    text = plan(w, &(struct dem_prospect){.duration = 1.0});
     const double pace = told(text, "Time\n    "), settled_told = bytes_told(text, "now "), copy_told = bytes_told(text, "a particle), and ");
 
     WORLD_TRY(dem_keep(w, 0));
