@@ -55,7 +55,7 @@ class Case:
         """A file or folder in the case's own place, for what a check makes itself."""
         return os.path.join(self.work, name)
 
-    def run(self, scene, entries=None, ranks=1, restart=None, name=None, limit=300):
+    def run(self, scene, entries=None, ranks=1, restart=None, name=None, limit=None):
         """Run a scene of this folder with some entries changed, beside what it says in files written there."""
         self.runs += 1
         folder = self.place(name or "run%d" % self.runs)
@@ -65,7 +65,7 @@ class Case:
         for path, value in (entries or {}).items():
             command += ["-set", path, number(value)]
         command.append(os.path.join(self.folder, scene))
-        return Run(folder, command, limit)
+        return Run(folder, command, limit or (3000 if self.long else 300))
 
     def command(self, words, limit=3000):
         """Any other program, in the case's own place."""

@@ -109,7 +109,7 @@ class Case:
                   "writeControl adjustable; writeInterval %.9g; writePrecision 16; timeFormat general; timePrecision 9; runTimeModifiable no;\n%s" % (
                       end, step, write or end, more))
 
-    def command(self, *words, limit=1500):
+    def command(self, *words, limit=3000):
         try:
             done = subprocess.run(words, cwd=self.folder, env=dict(os.environ, PWD=self.folder), stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=limit)
         except subprocess.TimeoutExpired:

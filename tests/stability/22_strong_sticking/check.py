@@ -4,8 +4,9 @@ HARD = "a slope of -100 k: the contact pulls harder the more it is pressed"
 
 
 def check(c):
-    pair = [(-1.001e-3, 0, 0, 0.15, 0.05, -0.02), (1.001e-3, 2e-4, 0, 0.05, 0.05, -0.02)]
-    block = [(2e-3*i, 2e-3*j, 2e-3*k, 0.1 - 10.0*2e-3*(i - 2), 0.05 - 10.0*2e-3*(j - 2), -0.02 - 10.0*2e-3*(k - 1.5))
+    # fast enough to stick: what comes together with 0.1 m/s parts again, as little is pressed flat
+    pair = [(-1.001e-3, 0, 0, 0.4, 0.05, -0.02), (1.001e-3, 2e-4, 0, -0.2, 0.05, -0.02)]
+    block = [(2e-3*i, 2e-3*j, 2e-3*k, 0.1 - 150.0*2e-3*(i - 2), 0.05 - 150.0*2e-3*(j - 2), -0.02 - 150.0*2e-3*(k - 1.5))
              for i in range(5) for j in range(5) for k in range(4)]
     for what, places, seconds in (("pair", pair, 0.1), ("100", block, 0.1 if c.long else 0.02)):
         os.makedirs(c.place(what))
@@ -21,4 +22,6 @@ def check(c):
         c.below(what + ": largest growth of kinetic and elastic energy, of the first", max(b - a for a, b in zip(inner, inner[1:]))/inner[0], 1e-3)
         start = first.momentum()
         c.below(what + ": change of momentum, relative", max(abs(a - b) for a, b in zip(start, last.momentum()))/max(map(abs, start)), 1e-10)
-        c.holds(what + ": they still stick", max(abs(a - b) for p in last.particles.values() for a, b in zip(p.x, last[0].x)) < 0.03, "apart")
+        at = [p.x for p in last.particles.values()]
+        touching = sum(1 for i, x in enumerate(at) for y in at[:i] if sum((a - b)**2 for a, b in zip(x, y)) < 2e-3**2)
+        c.above(what + ": contacts at the end, they still stick", touching, len(places) - 1.5)

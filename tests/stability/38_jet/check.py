@@ -9,7 +9,7 @@ HARD = "a jet into a bed"
 def check(c):
     if not fluid.there():
         return c.skip("a jet", "no demPimpleFoam")
-    end = 5.0 if c.long else 0.05
+    end = 1.0 if c.long else 0.05
     n = 8
     jet = "fixedValue; value nonuniform List<vector> %d ( %s );" % (n*n, " ".join("(0 0 %d)" % (50 if i in (3, 4) and j in (3, 4) else 0) for j in range(n) for i in range(n)))
     case = fluid.Case(c, "jet", cells=(n, n, 20), size=(0.04, 0.04, 0.1), step=2e-5, end=end, write=end, g=(0, 0, -9.81), nu=1.5e-5,
