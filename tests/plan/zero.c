@@ -1,0 +1,56 @@
+/*
+ * zero.c -- a scene's steps under an instruction counter: prints the run's fingerprint, its steps, and the bytes that the core holds and, when
+ * asked, needs.
+ *
+ *     valgrind --tool=callgrind --toggle-collect=dem_advance zero SCENE STEPS
+ *     zero SCENE STEPS needs
+ *
+ * Without MPI, so that what is counted is the core alone. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "dem.h"
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int failed(void)
+{
+    fprintf(stderr, "%s\n", dem_error_text());
+    return EXIT_FAILURE;
+}
+
+int main(int argc, char **argv)
+{
+    struct dem_profile profile;
+    struct dem_tally tally;
+    const char *plan;
+    uint64_t hash;
+    struct dem *d;
+
+    if (argc < 3)
+    {
+        return EXIT_FAILURE;
+    }
+    if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argv[1]) || dem_ready(d) || dem_advance(d, atof(argv[2])*dem_step_limit(d).used))
+    {
+        return failed();
+    }
+    if (dem_profile(d, &profile) || dem_tally(d, &tally) || dem_hash(d, &hash))
+    {
+        return failed();
+    }
+    printf("hash %016" PRIx64 " steps %" PRId64 " particles %" PRId64 " contacts %" PRId64 " held %.0f\n", hash, profile.steps, tally.particles,
+           tally.contacts, profile.bytes);
+    if (argc > 3)
+    {
+        if (dem_plan(d, &(struct dem_prospect){.duration = 0.0}, &plan))
+        {
+            return failed();
+        }
+        const char *const memory = strstr(plan, "Memory\n    ");
+
+        printf("needs %.*s\n", (int)strcspn(memory + 11, "\n"), memory + 11);
+    }
+    dem_free(d);
+    return EXIT_SUCCESS;
+}
