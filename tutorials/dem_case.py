@@ -121,14 +121,16 @@ def table(path):
     return "\n".join(lines)
 
 
-def store(text, *files):
-    """Keep files of this run in stored/ and put its table into README.md, under a line that says what ran where."""
+def store(text, *files, name="table", result="result.csv"):
+    """Keep files of this run in stored/, its result.csv under the name `result`, and put its table into README.md where <!-- name --> is, under a
+    line that says what ran where."""
     Path("stored").mkdir(exist_ok=True)
-    for file in ("result.csv", *files):
+    shutil.copy("result.csv", Path("stored", result))
+    for file in files:
         shutil.copy(file, "stored")
     readme = Path("README.md")
-    before, found, rest = readme.read_text().partition("<!-- table -->\n")
+    before, found, rest = readme.read_text().partition(f"<!-- {name} -->\n")
     if not found:
-        sys.exit("store: README.md has no line <!-- table -->")
+        sys.exit(f"store: README.md has no line <!-- {name} -->")
     after = rest.partition("<!-- end -->")[2]
     readme.write_text(f"{before}{found}{text}:\n\n{table('result.csv')}\n<!-- end -->{after}")

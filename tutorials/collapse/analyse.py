@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """analyse.py -- run-out and height of collapsed columns over their aspect ratio, against measured scalings.
 
-    analyse.py [-store "text"]       result.csv, collapse.png; with -store also stored/ and the table of README.md
+    analyse.py [-store "text"]       result.csv, collapse.png (rolling.png of -rolling); with -store also stored/ and its table in README.md
 
 Height of the deposit h(x): volume of the beads in slices of one diameter over slice and solid fraction of the column at rest.
 Run-out: where h, seen from the back wall, falls below one diameter for good; beads that roll on alone do not count.
@@ -95,17 +95,19 @@ def main():
             right.errorbar(p[:, 0], p[:, 3], p[:, 4], fmt="o", ms=4, capsize=3, color=colour, label=label)
     left.set(xlabel="a", ylabel="run-out (L_end - L)/L")
     right.set(xlabel="a", ylabel="height H_end/L")
+    shown = min(points, default="free")
     for (kind, a), runs in sorted(found.items()):
-        if kind == "free":
+        if kind == shown:
             x, h = runs[0][3]
             deposit.plot(x/LENGTH, h/LENGTH, label=f"a = {runs[0][0]:.2f}")
     deposit.set(xlabel="x/L", ylabel="h/L")
     for axes in (left, right, deposit):
         axes.legend()
     figure.tight_layout()
-    figure.savefig("collapse.png")
+    picture = "rolling.png" if list(points) == ["rolling"] else "collapse.png"
+    figure.savefig(picture)
     if sys.argv[1:2] == ["-store"]:
-        store(sys.argv[2], "collapse.png")
+        store(sys.argv[2], picture, **({"name": "rolling", "result": "rolling.csv"} if picture == "rolling.png" else {}))
 
 
 if __name__ == "__main__":

@@ -86,7 +86,7 @@ def share_of_lever(folder, found, spans, beads):
 
 
 def large(result):
-    radius, omega, spans = 0.12, 1.214749, [(1.3 + 0.2*k, 1.5 + 0.2*k) for k in range(4)]
+    radius, omega, spans = 0.12, 1.214749, [(1.1 + 0.5*k, 1.6 + 0.5*k) for k in range(4)]
     found = read_blocks("runs/large")
     angles = numpy.array([block.surface(radius)[0] for block in found])
     y, measured = numpy.loadtxt("measured/alizadeh2013.csv", delimiter=",", skiprows=2).T[::-1]
@@ -145,6 +145,7 @@ def main():
         left.plot(-omega*depths, -1e3*depths, color="0.6", lw=0.8, ls="--", label="with the drum")
         left.set(xlabel="velocity down along the slope [m/s]", ylabel="place on the normal [mm]")
         left.legend()
+        middle.grid(False)
         solid = numpy.mean([block.solid for block in found], axis=0)
         middle.pcolormesh(1e3*found[0].x, 1e3*found[0].z, solid.T, cmap="Greys", vmin=0, vmax=0.7)
         middle.plot(*[120*f(numpy.linspace(0, 2*numpy.pi, 200)) for f in (numpy.cos, numpy.sin)], color="0.4", lw=1)

@@ -22,6 +22,7 @@ import numpy
 
 import averages
 import frames
+import series
 
 HERE = Path(__file__).resolve().parent
 WIDTH, DEPTH = 0.044, 0.010                         # m, of the bed
@@ -145,6 +146,8 @@ class Balance:
         _, top, *_ = frames.read_columns(case, "topPressure", "surfaceFieldValue.dat")
         self.drop = air*(plate - top)
         self.mean, self.interval = mean_of(self.time, self.drop, start)
+        chosen = self.time > start*(1 + 1e-9)
+        self.course = series.course(self.time[chosen], self.drop[chosen])
 
         rows = frames.read_table(case, "dem", "walls.csv")
         force = {name: numpy.array([(row["time[s]"], row["fz[N]"]) for row in rows if row["wall"] == name], float).T
@@ -168,6 +171,7 @@ def read_log(case):
     number = r"([-+0-9.eE]+)"
     return {
         "wall": last(rf"ClockTime = {number} s"),
+        "processor": last(rf"ExecutionTime = {number} s"),
         "fluid": last(rf"time spent on fluid {number} s"),
         "particles": last(rf"time spent on fluid .* particles {number} s"),
         "exchange": last(rf"time spent on fluid .* exchange {number} s"),
@@ -179,7 +183,7 @@ def read_log(case):
 
 # ---- telling -----------------------------------------------------------------------------------------------------
 
-def write_result(case, profiles, balance, log):
+def write_result(case, profiles, balance, log, seconds):
     with open(case/"result.csv", "w", newline="") as file:
         out = csv.writer(file)
         out.writerow(["quantity", "height_mm", "rms", "spread", "ci95", "unit"])
@@ -187,7 +191,14 @@ def write_result(case, profiles, balance, log):
             out.writerow([p.quantity, p.height, f"{p.rms:.4f}", f"{p.spread:.4f}", f"{p.rms_interval:.4f}", p.unit])
         # no profile: rms is the value itself, spread what it is held against
         out.writerow(["pressureDrop", 0, f"{balance.mean:.2f}", f"{balance.weight:.2f}", f"{balance.interval:.2f}", "Pa"])
+        course = balance.course
+        out.writerow(["pressureDeviation", 0, f"{course.deviation:.2f}", 0, f"{course.deviation_interval:.2f}", "Pa"])
+        if course.periods > 1:                  # one period has no scatter
+            out.writerow(["pressureCrossings", 0, f"{course.rate:.3f}", 0, f"{course.rate_interval:.3f}", "Hz"])
+            out.writerow(["pressureDominant", 0, f"{course.dominant:.3f}", 0, f"{course.dominant_interval:.3f}", "Hz"])
+        out.writerow(["averagedTime", 0, f"{seconds:.2f}", 0, 0, "s"])
         out.writerow(["wallTime", 0, f"{log['wall']:.0f}", 0, 0, "s"])
+        out.writerow(["processorTime", 0, f"{log['processor']:.0f}", 0, 0, "s"])
     with open(case/"profiles.csv", "w", newline="") as file:
         out = csv.writer(file)
         out.writerow(["quantity", "height_mm", "x_mm", "value", "ci95", "time_mean", "unit"])
@@ -213,6 +224,10 @@ def tell(profiles, against, times, blocks, balance, log):
     walls = ", ".join(f"{name} {mean:.1f} +- {interval:.1f}" for name, (mean, interval) in balance.walls.items())
     print(f"pressure drop {balance.mean:.1f} +- {balance.interval:.1f} Pa, walls carry {walls} Pa, together {carried:.1f} Pa; "
           f"weight of the beads {balance.weight:.1f} Pa")
+    course = balance.course
+    print(f"pressure drop: standard deviation {course.deviation:.1f} +- {course.deviation_interval:.1f} Pa, upward crossings of "
+          f"its mean {course.rate:.2f} +- {course.rate_interval:.2f} Hz ({course.periods} periods), dominant frequency "
+          f"{course.dominant:.2f} +- {course.dominant_interval:.2f} Hz ({course.blocks} blocks)")
     print(f"exchange of momentum: largest relative error {log['ledger']:.1e}; largest overlap {100*log['overlap']:.2f} % of d, "
           f"least void fraction in a cell {log['void']:.3f}")
     print(f"wall time {log['wall']:.0f} s: fluid {log['fluid']:.0f} s, particles {log['particles']:.0f} s, "
@@ -233,7 +248,7 @@ def main():
     profiles, times, blocks, count = read_profiles(words.case, words.start, 1e-3*words.slab)
     balance = Balance(words.case, min(words.start, 0.5*times[-1]), count)
     log = read_log(words.case)
-    write_result(words.case, profiles, balance, log)
+    write_result(words.case, profiles, balance, log, times[-1] - min(words.start, 0.5*times[-1]))
     tell(profiles, experiment(words.case), times, blocks, balance, log)
     try:
         import plots

@@ -59,36 +59,36 @@ def draw_pressure(case, balance):
     plt.close(figure)
 
 
-def edges_of(camera):
-    """The column's twelve edges on the camera's plane."""
-    corner = numpy.array([(x, y, z) for x in (0, 0.044) for y in (0, 0.010) for z in (0, HEIGHT)])
+def edges_of(camera, size):
+    """A column's twelve edges on the camera's plane, and whether they lie behind."""
+    corner = numpy.array([(x, y, z) for x in (0, size[0]) for y in (0, size[1]) for z in (0, size[2])])
     at = corner @ camera.T
-    return [(at[a, :2], at[b, :2], (corner[a, 1] + corner[b, 1]) > 0.015)
+    return [(at[a, :2], at[b, :2], corner[a, 1] + corner[b, 1] > 1.5*size[1])
             for a in range(8) for b in range(a) if numpy.sum(corner[a] != corner[b]) == 1]
 
 
-def draw_bed(case, instants):
-    """The bed at some instants, beads coloured by their vertical velocity, in a column of glass."""
+def draw_bed(case, instants, size=(0.044, 0.010, HEIGHT), radius=RADIUS, speed=SPEED, scale=SCALE, width=2.7):
+    """The bed at some instants, beads coloured by their vertical velocity, in a column of glass of this size [m]; `width`
+    of a panel in inches."""
     towards = (0.22, 1, -0.2)
     camera = picture.axes(towards, (0, 0, 1))
-    edges = edges_of(camera)
+    edges = edges_of(camera, size)
     ends = numpy.array([end for edge in edges for end in edge[:2]])
     window = (*(ends.min(axis=0) - 1.5e-3), *(ends.max(axis=0) + 1.5e-3))
     colours = plt.get_cmap("RdYlBu_r")
-    size = 2.7
-    figure, panels = plt.subplots(1, len(instants), figsize=(size*len(instants) + 0.5,
-                                                              size*(window[3] - window[1])/(window[2] - window[0])))
+    figure, panels = plt.subplots(1, len(instants), figsize=(width*len(instants) + 0.5,
+                                                              width*(window[3] - window[1])/(window[2] - window[0])))
     for axes, (time, *place) in zip(numpy.atleast_1d(panels), instants):
         position, velocity = frames.read_frame(*place)
-        colour = colours(0.5 + 0.5*numpy.clip(velocity[:, 2]/SPEED, -1, 1))[:, :3]
-        image = picture.draw(position, RADIUS, colour, window, SCALE, towards)
+        colour = colours(0.5 + 0.5*numpy.clip(velocity[:, 2]/speed, -1, 1))[:, :3]
+        image = picture.draw(position, radius, colour, window, scale, towards)
         for a, b, behind in edges:
             axes.plot([a[0], b[0]], [a[1], b[1]], color="0.55", lw=0.8, zorder=0 if behind else 3)
         axes.imshow(image, extent=(window[0], window[2], window[1], window[3]), zorder=1, interpolation="antialiased")
         axes.set(xlim=(window[0], window[2]), ylim=(window[1], window[3]))
         axes.set_title(f"{time:.2f} s", fontsize=9, y=0.97)
         axes.axis("off")
-    bar = figure.colorbar(plt.cm.ScalarMappable(plt.Normalize(-SPEED, SPEED), colours), ax=panels, shrink=0.5, pad=0.01,
+    bar = figure.colorbar(plt.cm.ScalarMappable(plt.Normalize(-speed, speed), colours), ax=panels, shrink=0.5, pad=0.01,
                           aspect=25, extend="both")
     bar.set_label("vertical velocity of the beads [m/s]", fontsize=8)
     bar.ax.tick_params(labelsize=8)

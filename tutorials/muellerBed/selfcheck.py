@@ -10,6 +10,7 @@ import numpy
 import averages
 import compare
 import frames
+import series
 
 RADIUS = 0.5*compare.DIAMETER
 
@@ -89,8 +90,27 @@ def check_reading():
     return 0 if good else 1, 0.5
 
 
+def check_course():
+    """A noisy wave of 2.2 Hz, 8 high: its rate within its interval, its spectrum's peak and its deviation, 8/sqrt 2."""
+    time = numpy.arange(0, 10, 4e-4)
+    noise = numpy.random.default_rng(3).normal(size=len(time))
+    found = series.course(time, 50 + 8*numpy.sin(2*numpy.pi*2.2*time + 1) + 0.5*noise)
+    inside = abs(found.rate - 2.2) < found.rate_interval < 0.1
+    return (abs(found.rate/2.2 - 1) + abs(found.dominant/2.2 - 1) + abs(found.deviation*2**0.5/8 - 1)
+            + (0 if inside and found.periods == 21 else 1)), 0.03
+
+
+def check_periods():
+    """Periods of 0.4 and 0.6 s in turn, evenly many: 2 a second, and the interval is that of their mean."""
+    crossing = numpy.cumsum([0.0] + [0.4, 0.6]*8)
+    periods = numpy.diff(crossing)
+    rate, interval = series.rate_of(crossing)
+    half = averages.student(15)*periods.std(ddof=1)/4
+    return abs(rate - 2) + abs(interval/(4*half) - 1), 1e-9
+
+
 def run():
-    checks = [check_cap, check_lattice, check_means, check_distance, check_interval, check_reading]
+    checks = [check_cap, check_lattice, check_means, check_distance, check_interval, check_reading, check_course, check_periods]
     bad = 0
     for number, check in enumerate(checks, 1):
         error, limit = check()

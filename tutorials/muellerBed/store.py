@@ -6,6 +6,11 @@
 CASE is a folder in which compare.py has written; the text says what ran where. Without NAME it is the run of the table
 at the top; with NAME (fine, stiff, slow) it goes to stored/NAME and into the table of that name.
 
+    store.py -beside "WHAT RAN WHERE" NAME LABEL=CASE ...
+
+Runs side by side, a row each, in the table of that name; their result.csv and profiles.csv go to stored/NAME/LABEL.
+The first is what the others are held against. A CASE may be a folder in stored/, of another day.
+
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import csv
@@ -13,6 +18,8 @@ import re
 import shutil
 import sys
 from pathlib import Path
+
+import beside
 
 from compare import HERE, experiment
 
@@ -35,12 +42,23 @@ def table(rows, text, against):
         elif key[0] == "pressureDrop":
             last.append(f"Pressure drop {float(row['rms']):.1f} ± {float(row['ci95']):.1f} Pa; the beads weigh "
                         f"{float(row['spread']):.1f} Pa.")
-        elif key[0] == "wallTime":
-            last.append(f"Wall time {float(row['rms']):.0f} s.")
+        elif key[0] == "pressureDeviation":
+            last.append(f"Its standard deviation is {float(row['rms']):.1f} ± {float(row['ci95']):.1f} Pa;")
+        elif key[0] == "pressureCrossings":
+            last.append(f"it crosses its mean upwards {float(row['rms']):.2f} ± {float(row['ci95']):.2f} times a second,")
+        elif key[0] == "pressureDominant":
+            last.append(f"its spectrum is largest at {float(row['rms']):.2f} ± {float(row['ci95']):.2f} Hz.")
+        elif key[0] == "processorTime":
+            last.append(f"{float(row['rms']):.0f} s of processor.")
     return "\n".join(lines + ["", " ".join(last)])
 
 
 def main():
+    if len(sys.argv) > 4 and sys.argv[1] == "-beside":
+        text, name, *runs = sys.argv[2:]
+        put(name, beside.table([beside.Run(label, keep(Path(case), HERE/"stored"/name/label))
+                                for label, case in (run.split("=", 1) for run in runs)], text))
+        return
     if len(sys.argv) not in (3, 4):
         sys.exit(__doc__)
     case, name = Path(sys.argv[1]), "".join(sys.argv[3:])
@@ -48,7 +66,21 @@ def main():
     for file in SHORT if name else FILES:
         shutil.copy(case/file, HERE/"stored"/name/file)
     with open(case/"result.csv", newline="") as file:
-        new = table(csv.DictReader(file), sys.argv[2], experiment(case))
+        put(name, table(csv.DictReader(file), sys.argv[2], experiment(case)))
+
+
+def keep(case, folder):
+    """Copies of a run's tables, unless they are stored already; where they lie."""
+    if HERE/"stored" in (case.resolve(), *case.resolve().parents):
+        return case
+    folder.mkdir(parents=True, exist_ok=True)
+    for file in ("result.csv", "profiles.csv"):
+        shutil.copy(case/file, folder/file)
+    return folder
+
+
+def put(name, new):
+    """Put a table into README.md, where its name stands."""
     readme = HERE/"README.md"
     head = f"<!-- table {name}".rstrip() + " -->\n"
     text = readme.read_text()
