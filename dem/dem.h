@@ -274,7 +274,7 @@ struct dem_bond                                           /* that holds */
 struct dem_break                                          /* of a bond */
 {
     int64_t id[2];
-    double time, position[3];                             /* s, m  in the middle of the gap, or on the wall */
+    double time, position[3];                             /* s, m  in the middle of the gap, or on the wall; inside periodic limits */
     double energy;                                        /* J  lost in that step */
     int cause;                                            /* 1 tension and bending, 2 shear and twist, 3 distance; the first of these */
 };

@@ -40,6 +40,20 @@ static const struct dem_pair *own(const struct dem_parts *p, uint32_t row)
 
 /* ---- those that broke ---------------------------------------------------------------------------------------- */
 
+/* Where a particle is must not depend on when it was last brought back into the box, nor may the place beside it. */
+static void place(const struct dem_parts *p, const struct dem_pair *q, const double n[3], double gap, double at[3])
+{
+    struct dem_particle home = p->particles.record[q->i];
+
+    dem_domain_wrap(&p->domain, &home);
+    for (int k = 0; k < 3; k++)
+    {
+        home.x[k] -= (home.radius + (q->wall ? gap : 0.5*gap))*n[k];
+    }
+    dem_domain_wrap(&p->domain, &home);
+    memcpy(at, home.x, sizeof home.x);
+}
+
 int dem_bonds_note(struct dem_parts *p, const struct dem_block *b, uint32_t row, int rows)
 {
     struct dem_bonds *const all = &p->bonds;
@@ -54,15 +68,10 @@ int dem_bonds_note(struct dem_parts *p, const struct dem_block *b, uint32_t row,
         }
         DEM_TRY(DEM_GROW(all->broke, all->room, all->n + 1));
         struct dem_break *const new = &all->broke[all->n++];
-        const double *const x = p->particles.record[q->i].x, n[3] = {b->nx[c], b->ny[c], b->nz[c]};
-        const double arm = p->particles.record[q->i].radius + (q->wall ? b->gap[c] : 0.5*b->gap[c]);
 
         *new = (struct dem_break){.time = p->time, .energy = b->lost[c], .cause = (int)b->cause[c]};
         ids(p, q, new->id);
-        for (int k = 0; k < 3; k++)
-        {
-            new->position[k] = x[k] - arm*n[k];
-        }
+        place(p, q, (double[]){b->nx[c], b->ny[c], b->nz[c]}, b->gap[c], new->position);
     }
     return DEM_OK;
 }
