@@ -22,6 +22,9 @@ namespace Foam
     // A box has no share when its nearest point is farther than this, in b':
     // exp(-r^2) < exp(-far^2)/pi^(3/2), with room for cells that are no boxes
     static const scalar farthest = 3;
+
+    // The Gaussian where it is cut off, in 1/b'^3
+    static const scalar least = std::exp(-sqr(far))/std::pow(constant::mathematical::pi, 1.5);
 }
 
 
@@ -107,7 +110,7 @@ Foam::scalar Foam::demBell::share(const label celli, const point& x, const scala
     const vector h(half_[celli]/b_);
 
     scalar all = 1;
-    scalar cut = std::exp(-sqr(far))/std::pow(constant::mathematical::pi, 1.5);
+    scalar cut = least;
     for (direction k = 0; k < 3; ++k)
     {
         all *= 0.5*(std::erf(mag(d[k]) + h[k]) - std::erf(mag(d[k]) - h[k]));

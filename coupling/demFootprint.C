@@ -33,6 +33,26 @@ Foam::demFootprint::demFootprint
 
 // * * * * * * * * * * * * * * *  covering * * * * * * * * * * * * * * * * * //
 
+void Foam::demFootprint::boxFaces()
+{
+    const pointField& points = mesh_.points();
+    const faceList& faces = mesh_.faces();
+
+    low_.setSize(faces.size());
+    high_.setSize(faces.size());
+    forAll(faces, facei)
+    {
+        low_[facei] = point::uniform(GREAT);
+        high_[facei] = -low_[facei];
+        for (const label pointi : faces[facei])
+        {
+            low_[facei] = min(low_[facei], points[pointi]);
+            high_[facei] = max(high_[facei], points[pointi]);
+        }
+    }
+}
+
+
 bool Foam::demFootprint::touches
 (
     const label facei,
@@ -40,13 +60,7 @@ bool Foam::demFootprint::touches
     const scalar reach
 ) const
 {
-    point low(GREAT, GREAT, GREAT), high(-low);
-    for (const label pointi : mesh_.faces()[facei])
-    {
-        low = min(low, mesh_.points()[pointi]);
-        high = max(high, mesh_.points()[pointi]);
-    }
-    return magSqr(max(max(low - x, x - high), vector::zero)) < sqr(reach);
+    return magSqr(max(max(low_[facei] - x, x - high_[facei]), vector::zero)) < sqr(reach);
 }
 
 
@@ -170,6 +184,10 @@ void Foam::demFootprint::sort(const UList<demSpot>& spots)
 
 void Foam::demFootprint::update(const UList<demSpot>& spots, const UList<scalar>& radius)
 {
+    if (low_.empty() || mesh_.moving())
+    {
+        boxFaces();
+    }
     floodAll(spots, radius);
     sort(spots);
 }
