@@ -147,6 +147,14 @@ def tell(case, count):
     return count
 
 
+def mutations(options):
+    """Each row of mutations.list still finds the line that it means to make wrong; nothing is built."""
+    case = Case("mutations", options)
+    case.hard, seen = "a suite that would not notice", case.command([os.path.join(HERE, "mutations"), "-look"])
+    case.holds("rows of mutations.list find their lines", seen.status == 0, seen.out)
+    return case
+
+
 def tightest(case):
     """The row that fails, or else the one with the least margin."""
     return min(case.rows, key=lambda r: (r.good, math.inf if math.isnan(r.margin) else r.margin))
@@ -175,6 +183,9 @@ def main():
         for case in pool.map(lambda f: do(f, options), chosen(options.case)):
             count = tell(case, count)
             cases.append(case)
+    if not options.case:
+        cases.append(mutations(options))
+        count = tell(cases[-1], count)
     failed = sum(not r.good for c in cases for r in c.rows)
     table(cases)
     used = os.times()

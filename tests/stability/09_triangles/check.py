@@ -50,4 +50,7 @@ def check(c):
     inside, g = "((0.0001 0.00099999 0.00099999))", 6.93671752
     c.equal("edge inward: contacts", edge(c, "inward", EDGE, inside, (0, -g, -g)), 2)
     c.equal("edge outward: contacts", edge(c, "outward", EDGE, "((0.0001 %.17g %.17g))" % (-0.70710678*0.99999e-3, -0.70710678*0.99999e-3), (0, g, g)), 1)
-    c.equal("on a face, a tenth of a radius from an edge outward: contacts", edge(c, "beside", EDGE, "((0.0001 0.0001 -0.00099999))", (0, 0, 9.81)), 1)
+    # pressed by a hundredth of a radius, so that both faces are nearer than a radius: the lower one's edge lies on the upper one
+    pressed = 0.01e-3
+    c.equal("on a face, a twentieth of a radius from an edge outward: contacts", edge(c, "beside", EDGE, "((0.0001 0.00005 %.17g))" % (pressed - 1e-3),
+            (0, 0, G*(pressed/REST)**1.5)), 1)

@@ -1,4 +1,5 @@
 """A whip gets the work of its base, no more and no less, and damped it calms down. SPDX-License-Identifier: GPL-3.0-or-later"""
+import math
 import os
 HARD = "large turns of many bonds in a row"
 BONDS = 50
@@ -9,6 +10,26 @@ def whip(c, name, entries):
     with open(os.path.join(c.place(name), "places"), "w") as file:
         file.write("x y z\n" + "".join("%.17g 0 0\n" % (1e-3 + 2e-3*k) for k in range(BONDS)))
     return c.run("scene.dem", entries, name=name)
+
+
+def shaft(c, name, omega):
+    os.makedirs(c.place(name))
+    with open(os.path.join(c.place(name), "places"), "w") as file:
+        file.write("x y z wx wy wz\n" + "".join("%.17g 0 0 %.17g 0 0\n" % (1e-3 + 2e-3*k, omega) for k in range(20)))
+    return c.run("shaft.dem", {"walls/base/motion/omega": omega}, name=name)
+
+
+def shafts(c):
+    """A round shaft bends alike in all directions: one that turns about its length at 20 a second swings as one that doesn't. What spins its
+    spheres have, 2/5 R^2 of inertia, turns the swing's plane a little; were bends left where they are while the shaft turns, the plate's torque would wind it up."""
+    still, turns = shaft(c, "still", 0.0), shaft(c, "turns", 2.0*math.pi*20.0)
+    if c.runs_to_end(still) and c.runs_to_end(turns):
+        ends = [(a[19].x, b[19].x) for a, b in zip(still.snapshots(), turns.snapshots())]
+        sag = max(abs(a[2]) for a, _ in ends)
+        c.above("a shaft's end swings by, m", sag, 0.015)
+        c.below("turning, it is off the way of one that doesn't turn, over that", max(math.dist(a, b) for a, b in ends)/sag, 0.02)
+        rows = turns.table("energy.csv")
+        c.below("energy that comes from nowhere, over the largest in its bonds", max(abs(r["residual"]) for r in rows)/max(r["elastic_bondLinear"] for r in rows), 1e-3)
 
 
 def check(c):
@@ -27,3 +48,4 @@ def check(c):
     if c.runs_to_end(run):
         inner = [sum(v for k, v in r.items() if k.startswith(("kinetic", "elastic"))) for r in run.table("energy.csv") if r["time"] > end/2 + 1e-9]
         c.below("damped, the base at rest: largest growth of the energy, of all", max(b - a for a, b in zip(inner, inner[1:]))/max(inner), 1e-6)
+    shafts(c)
