@@ -227,10 +227,15 @@ void Foam::demCloud::writeMeans()
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-Foam::demCloud::demCloud(const fvMesh& mesh, const bool makesRoom)
+Foam::demCloud::demCloud
+(
+    const fvMesh& mesh,
+    const bool makesRoom,
+    const word& file
+)
 :
     mesh_(mesh),
-    dict_(mesh),
+    dict_(mesh, file),
     twoWay_(dict_.coupling().getOrDefault("twoWay", true)),
     makesRoom_(makesRoom && twoWay_),
     form_(dict_, makesRoom),

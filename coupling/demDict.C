@@ -176,14 +176,14 @@ void Foam::demDict::sayGravity(const char* source) const
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-Foam::demDict::demDict(const polyMesh& mesh)
+Foam::demDict::demDict(const polyMesh& mesh, const word& file)
 :
     mesh_(mesh),
     dict_
     (
         IOobject
         (
-            name(),
+            file,
             mesh.time().constant(),
             mesh.time(),
             IOobject::MUST_READ,

@@ -118,6 +118,21 @@ struct dem_verdict                                        /* of the plan, on one
 /* Those of the last dem_plan: how many. They stay until the next. */
 int dem_verdicts(const struct dem *, const struct dem_verdict **);
 
+struct dem_rewriter                                       /* who has the plan's choice of effects put into the text of a scene */
+{
+    const char *scene;                                    /* the file; SCENE.part is there while it is worked on, and gone then */
+    /* Open the scene whose text is in this file: NULL, or a sentence why it is none. Where `verdict` is not NULL plan it as well, and hand over
+       what dem_verdicts says, which stays until the next call that asks for verdicts. */
+    const char *(*judge)(void *self, const char *file, const struct dem_verdict **verdict, int *n);
+    void (*tell)(void *self, const char *lines);          /* once, at the end: what was changed, and what is left to the user */
+    void *self;
+};
+
+/* What is called for is added to `effects` or takes another law's place, what is negligible is commented out, each with its reason; the text
+   of before stays as SCENE.before, which must not be there yet. Each edit is judged, and plans are asked for until they have no more to say.
+   Of one rank. After an error the scene is as it was. */
+int dem_rewrite(const struct dem_rewriter *);
+
 /* After dem_check: the line that stands in the head of each result, "effects: " and the words of all that act, in the order of their
    stages, with blanks between: laws of drag differ by a factor of two. The words alone; those of effects of the fluid. */
 const char *dem_heading(const struct dem *);

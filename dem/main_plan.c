@@ -14,7 +14,7 @@ static const char help[] =
     "       dem plan -write [-restart SNAPSHOT] SCENE\n\n"
     "Reads and checks a scene like dem run, and tells what would run: effects and their settings, contacts, walls,\n"
     "particles, the bed's weight, fluidisation, which effects the scene needs, the time step and what bounds it, memory and time.\n"
-    "Nothing is simulated or written. For a coupled case: demPimpleFoam -plan.\n\n"
+    "Nothing is simulated or written. For a coupled case: demPimpleFoam -plan, or -plan -write.\n\n"
     "    -write   puts the effects that the scene calls for into it, comments out those that are negligible, each with its reason,\n"
     "             and keeps the text of before as SCENE.before; what must be given a number that nobody can guess is told instead\n";
 

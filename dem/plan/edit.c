@@ -1,12 +1,12 @@
 /*
- * main_plan_edit.c -- edits of a scene's text: dictionaries are found by their braces, comments and strings stepped over.
+ * edit.c -- edits of a scene's text: dictionaries are found by their braces, comments and strings stepped over.
  *
  * An effect stands in `effects { WORD { } }` and with other settings in `pairs { NAME { WORD { } } }`: both are edited. What else is in the
  * text stays as it is, byte by byte.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "main_plan.h"
+#include "plan/rewrite.h"
 #include <string.h>
 
 enum

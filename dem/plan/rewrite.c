@@ -1,15 +1,15 @@
 /*
- * main_plan_write.c -- `dem plan -write`: what the verdicts say goes into the scene.
+ * rewrite.c -- what the verdicts of a plan say goes into the scene.
  *
  * The edited text lies beside the scene while it is tried (SCENE.part, so that #include and files are found). Each edit must leave a scene
  * that can be opened, else it is taken back and told. After all edits of a plan there is another plan, until one asks for no more. The text
- * of before stays as SCENE.before.
+ * of before stays as SCENE.before. Who opens and plans is the caller (dem_rewriter): the program, or a solver with its mesh and fluid.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "main_plan.h"
+#include "plan/rewrite.h"
+#include "dem.h"
 #include "base/error.h"
-#include "base/memory.h"
 #include "effects/effects.h"
 #include <errno.h>
 #include <stdio.h>
@@ -22,8 +22,7 @@ enum
 
 struct rewrite
 {
-    struct dem_program *prog;
-    const struct dem_request *request;
+    const struct dem_rewriter *by;
     char part[PATH], before[PATH];
     struct dem_text text;                                 /* of the scene, as edited so far */
     struct dem_text changed, left;                        /* what was done, and what a user must do; for the end */
@@ -77,14 +76,10 @@ static int must_not_be(const char *path)
 
 /* ---- one edit -------------------------------------------------------------------------------------------------- */
 
-static int open_part(const struct rewrite *w, const char *text, struct dem **d, struct dem_schedule *s)
+/* NULL, or why this text is no scene; with `verdict` what a plan says of it. */
+static const char *judge(const struct rewrite *w, const char *text, const struct dem_verdict **verdict, int *n)
 {
-    struct dem_request r = *w->request;
-
-    r.scene = w->part;
-    r.bare = 1;
-    DEM_TRY(write_text(w->part, text));
-    return dem_scene_open(w->prog, &r, d, s);
+    return write_text(w->part, text) ? dem_error_text() : w->by->judge(w->by->self, w->part, verdict, n);
 }
 
 /* What comments and lines say; until the next call. */
@@ -99,20 +94,18 @@ static const char *reason(const struct dem_verdict *v)
 /* The edited text in place of the one of before, when it is a scene. */
 static int settle(struct rewrite *w, struct dem_text *edited, int places, const struct dem_verdict *v, const char *done)
 {
-    struct dem_schedule s;
-    struct dem *d = NULL;
-
     if (places == 0)
     {
-        dem_text_add(&w->left, "    %s: it is not in the text of %s itself; change it where it is: %s\n", v->effect, w->request->scene, reason(v));
+        dem_text_add(&w->left, "    %s: it is not in the text of %s itself; change it where it is: %s\n", v->effect, w->by->scene, reason(v));
         return DEM_OK;
     }
-    if (edited->status || open_part(w, edited->text, &d, &s))
+    const char *const wrong = edited->status ? dem_error_text() : judge(w, edited->text, NULL, NULL);
+
+    if (wrong)
     {
-        dem_text_add(&w->left, "    %s: %s; but then: %s\n", v->effect, reason(v), dem_error_text());
+        dem_text_add(&w->left, "    %s: %s; but then: %s\n", v->effect, reason(v), wrong);
         return edited->status;
     }
-    dem_free(d);
     dem_text_free(&w->text);
     w->text = *edited;
     *edited = (struct dem_text){.n = 0};
@@ -180,16 +173,18 @@ static int touched(const struct rewrite *w, const char *effect)
 /* *more: there was something to edit. */
 static int pass(struct rewrite *w, int *more)
 {
-    const struct dem_verdict *verdict;
-    struct dem_schedule s;
-    const char *text;
-    struct dem *d;
+    struct dem_verdict verdict[MOST_EDITS];               /* those that are looked at go when an edit is tried */
+    const struct dem_verdict *said;
+    int n = 0, status = DEM_OK;
+    const char *const wrong = judge(w, w->text.text, &said, &n);
 
     *more = 0;
-    DEM_TRY(open_part(w, w->text.text, &d, &s));
-    int status = dem_plan(d, &(struct dem_prospect){.duration = s.end}, &text);
-    const int n = status ? 0 : dem_verdicts(d, &verdict);
-
+    DEM_REQUIRE(!wrong, DEM_ERROR_INPUT, "%s", wrong);
+    n = n < MOST_EDITS ? n : MOST_EDITS;
+    for (int k = 0; k < n; k++)
+    {
+        verdict[k] = said[k];
+    }
     for (int k = 0; k < n && !status; k++)
     {
         if (verdict[k].word != DEM_NEEDED && !touched(w, verdict[k].effect))
@@ -199,42 +194,55 @@ static int pass(struct rewrite *w, int *more)
             status = edit(w, &verdict[k]);
         }
     }
-    dem_free(d);
     return status;
 }
 
 static int put_in_place(const struct rewrite *w)
 {
-    const char *const scene = w->request->scene;
+    const char *const scene = w->by->scene;
 
     DEM_TRY(write_text(w->part, w->text.text));
     DEM_REQUIRE(rename(scene, w->before) == 0, DEM_ERROR_FILE, "can't rename %s to %s: %s", scene, w->before, strerror(errno));
-    DEM_REQUIRE(rename(w->part, scene) == 0, DEM_ERROR_FILE, "can't rename %s to %s: %s; the scene of before is %s", w->part, scene, strerror(errno),
-                w->before);
+    if (rename(w->part, scene) != 0)
+    {
+        const int why = errno, back = rename(w->before, scene) == 0;
+
+        return dem_error(DEM_ERROR_FILE, "can't rename %s to %s: %s; the scene of before is %s", w->part, scene, strerror(why), back ? scene : w->before);
+    }
     return DEM_OK;
 }
 
-static void tell(const struct rewrite *w)
+static int tell(const struct rewrite *w)
 {
+    struct dem_text lines = {.n = 0};
+
     if (w->changed.n > 0)
     {
-        printf("%s has the plan's choice, %s what was before:\n%s", w->request->scene, w->before, w->changed.text);
+        dem_text_add(&lines, "%s has the plan's choice, %s what was before:\n%s", w->by->scene, w->before, w->changed.text);
     }
     else
     {
-        printf("%s stays as it is\n", w->request->scene);
+        dem_text_add(&lines, "%s stays as it is\n", w->by->scene);
     }
     if (w->left.n > 0)
     {
-        printf("left to you:\n%s", w->left.text);
+        dem_text_add(&lines, "left to you:\n%s", w->left.text);
     }
+    const int status = lines.status;
+
+    if (!status)
+    {
+        w->by->tell(w->by->self, lines.text);
+    }
+    dem_text_free(&lines);
+    return status;
 }
 
 static int rewrite(struct rewrite *w)
 {
     int more = 1;
 
-    DEM_TRY(read_text(w->request->scene, &w->text));
+    DEM_TRY(read_text(w->by->scene, &w->text));
     for (int k = 0; k < MOST_PASSES && more; k++)
     {
         DEM_TRY(pass(w, &more));
@@ -242,23 +250,21 @@ static int rewrite(struct rewrite *w)
     return w->changed.n > 0 ? put_in_place(w) : DEM_OK;
 }
 
-int dem_plan_rewrite(struct dem_program *prog, const struct dem_request *r)
+int dem_rewrite(const struct dem_rewriter *by)
 {
-    struct rewrite w = {.prog = prog, .request = r};
+    struct rewrite w = {.by = by};
 
-    DEM_REQUIRE(prog->ranks == 1, DEM_ERROR_INPUT, "-write on %d ranks; one writes the scene: leave mpirun out", prog->ranks);
-    DEM_REQUIRE(r->sets == 0, DEM_ERROR_INPUT, "-write with -set %s, which is not in the scene; write it there first", r->set[0][0]);
-    DEM_REQUIRE(strlen(r->scene) + 8 < PATH, DEM_ERROR_INPUT, "the scene's name is longer than %d letters", PATH - 9);
-    snprintf(w.part, sizeof w.part, "%s.part", r->scene);
-    snprintf(w.before, sizeof w.before, "%s.before", r->scene);
+    DEM_REQUIRE(strlen(by->scene) + 8 < PATH, DEM_ERROR_INPUT, "the scene's name is longer than %d letters", PATH - 9);
+    snprintf(w.part, sizeof w.part, "%s.part", by->scene);
+    snprintf(w.before, sizeof w.before, "%s.before", by->scene);
     DEM_TRY(must_not_be(w.before));
     DEM_TRY(must_not_be(w.part));
-    const int status = rewrite(&w);
+    int status = rewrite(&w);
 
     remove(w.part);
     if (!status)
     {
-        tell(&w);
+        status = tell(&w);
     }
     dem_text_free(&w.text);
     dem_text_free(&w.changed);

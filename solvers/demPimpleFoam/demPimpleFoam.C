@@ -65,6 +65,7 @@ Description
 #include "emptyFvPatch.H"
 #include "demCloud.H"
 #include "demPace.H"
+#include "demRewrite.H"
 #include "fixedFlux.H"
 #include "cellVector.H"
 #include "faceShare.H"
@@ -84,10 +85,23 @@ int main(int argc, char *argv[])
         "plan",
         "Tell what would run and what it would take, then stop"
     );
+    argList::addBoolOption
+    (
+        "write",
+        "With -plan: put the effects that the case calls for into"
+        " constant/demProperties, comment out those that are negligible"
+    );
 
     #include "setRootCaseLists.H"
     #include "createTime.H"
     #include "createDynamicFvMesh.H"
+
+    if (args.found("write") && !args.found("plan"))
+    {
+        FatalErrorInFunction
+            << "-write goes with -plan, whose choice of effects it writes: give"
+            << " both, or neither" << exit(FatalError);
+    }
 
     pimpleControl pimple(mesh);
 
@@ -109,6 +123,11 @@ int main(int argc, char *argv[])
         {
             cloud.plan(U, gradP, rho, mu(), binds);
             planned = true;
+        }
+        if (args.found("write"))
+        {
+            const volScalarField muFluid(mu());
+            demRewrite(mesh, true, U, gradP, rho, muFluid).write();
         }
         if (args.found("plan"))
         {
