@@ -27,24 +27,15 @@ Foam::demFootprint::demFootprint
     stamps_(0),
     out_(Pstream::nProcs()),
     in_(Pstream::nProcs()),
-    period_(mesh.bounds().mag())
-{}
-
-
-// * * * * * * * * * * * * * * *  covering * * * * * * * * * * * * * * * * * //
-
-void Foam::demFootprint::boxFaces()
+    period_(mesh.bounds().mag()),
+    low_(mesh.nFaces(), point::uniform(GREAT)),
+    high_(mesh.nFaces(), point::uniform(-GREAT))
 {
-    const pointField& points = mesh_.points();
-    const faceList& faces = mesh_.faces();
+    const pointField& points = mesh.points();
 
-    low_.setSize(faces.size());
-    high_.setSize(faces.size());
-    forAll(faces, facei)
+    forAll(low_, facei)
     {
-        low_[facei] = point::uniform(GREAT);
-        high_[facei] = -low_[facei];
-        for (const label pointi : faces[facei])
+        for (const label pointi : mesh.faces()[facei])
         {
             low_[facei] = min(low_[facei], points[pointi]);
             high_[facei] = max(high_[facei], points[pointi]);
@@ -52,6 +43,8 @@ void Foam::demFootprint::boxFaces()
     }
 }
 
+
+// * * * * * * * * * * * * * * *  covering * * * * * * * * * * * * * * * * * //
 
 bool Foam::demFootprint::touches
 (
@@ -184,10 +177,6 @@ void Foam::demFootprint::sort(const UList<demSpot>& spots)
 
 void Foam::demFootprint::update(const UList<demSpot>& spots, const UList<scalar>& radius)
 {
-    if (low_.empty() || mesh_.moving())
-    {
-        boxFaces();
-    }
     floodAll(spots, radius);
     sort(spots);
 }
