@@ -7,24 +7,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demDomain.H"
-#include "demDict.H"
-#include "DynamicList.H"
 #include "emptyPolyPatch.H"
-#include "FixedList.H"
 #include "pointIOField.H"
 #include "processorCyclicPolyPatch.H"
 #include "SubField.H"
 #include "Time.H"
-#include "Vector2D.H"
 
-namespace Foam
-{
-    // blockMesh writes points with 10 digits or more; two planes are one, and
-    // a way is along an axis, when they differ by no more than this share
-    static const scalar same = 1e-6;
-
-    static const char* const axisName[] = {"x", "y", "z"};
-}
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -150,7 +138,7 @@ void Foam::demDomain::add(const cyclicPolyPatch& half)
     {
         FatalErrorInFunction
             << "Cyclic patches " << patch_[k] << " and " << half.name()
-            << " go round along " << axisName[k] << " in other planes, ("
+            << " go round along " << vector::componentNames[k] << " in other planes, ("
             << low_[k] << ' ' << high_[k] << ") m and (" << low.min()[k] << ' '
             << high.min()[k] << ") m, but particles have one domain; let them"
             << " meet in one plane, or use walls" << exit(FatalError);
@@ -194,7 +182,7 @@ void Foam::demDomain::addEmpty(const direction k)
     {
         FatalErrorInFunction
             << "The empty patches do not lie in two planes across "
-            << axisName[k] << ", but particles move in a slab of one thickness;"
+            << vector::componentNames[k] << ", but particles move in a slab of one thickness;"
             << " make it one cell thick, with the same thickness everywhere"
             << exit(FatalError);
     }
@@ -202,121 +190,6 @@ void Foam::demDomain::addEmpty(const direction k)
     kind_[k] = EMPTY;
     low_[k] = all.min()[k];
     high_[k] = all.max()[k];
-}
-
-
-// Does the list of axes hold this one?
-bool Foam::demDomain::says
-(
-    const dictionary& domain,
-    const word& list,
-    const direction k
-) const
-{
-    const entry* e = domain.findEntry(list, keyType::LITERAL);
-
-    if (!e || !e->isStream())
-    {
-        return false;                       // the core complains of a dictionary
-    }
-    for (const token& t : e->stream())
-    {
-        if (t.isWord() && t.wordToken() == axisName[k])
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
-// Limits of an axis, if the scene has some, are the mesh's
-void Foam::demDomain::checkLimits
-(
-    const dictionary& domain,
-    const direction k
-) const
-{
-    scalar low = low_[k], high = high_[k];
-    vector corner;
-
-    if (domain.readIfPresent("min", corner))
-    {
-        low = corner[k];
-    }
-    if (domain.readIfPresent("max", corner))
-    {
-        high = corner[k];
-    }
-    if (domain.found(axisName[k]))
-    {
-        const List<scalar> both(domain.get<List<scalar>>(axisName[k]));
-        low = both.size() > 0 ? both[0] : low;
-        high = both.size() > 1 ? both[1] : high;
-    }
-
-    // Those that lean may begin anywhere
-    const scalar off =
-        plane_[k]
-      ? max(mag(low - low_[k]), mag(high - high_[k]))
-      : mag(high - low - (high_[k] - low_[k]));
-
-    if (off > same*(high_[k] - low_[k]))
-    {
-        FatalIOErrorInFunction(domain)
-            << "domain ends at " << low << " and " << high << " m along "
-            << axisName[k] << ", but the mesh, between its "
-            << (kind_[k] == CYCLIC ? "cyclic" : "empty") << " patches ("
-            << patch_[k] << "), at " << low_[k] << " and " << high_[k]
-            << " m; take " << axisName[k] << " out of domain, the mesh tells"
-            << exit(FatalIOError);
-    }
-}
-
-
-// Where the scene lists periodic axes they are those of the mesh
-void Foam::demDomain::checkPeriodic(const dictionary& domain) const
-{
-    for (direction k = 0; k < 3; k++)
-    {
-        const bool periodic = says(domain, "periodic", k);
-
-        if (kind_[k] == CYCLIC && !periodic)
-        {
-            FatalIOErrorInFunction(domain)
-                << "domain/periodic is without " << axisName[k] << ", but patch "
-                << patch_[k] << " is cyclic along it; take periodic out of"
-                << " domain, the mesh tells" << exit(FatalIOError);
-        }
-        if (kind_[k] != CYCLIC && periodic)
-        {
-            FatalIOErrorInFunction(domain)
-                << "domain/periodic has " << axisName[k] << ", but the mesh has"
-                << " no cyclic patches along it; make its ends cyclic, or take "
-                << axisName[k] << " out of periodic" << exit(FatalIOError);
-        }
-    }
-}
-
-
-// The list, with these axes; lists of a fixed size are written without it
-void Foam::demDomain::addWords
-(
-    dictionary& domain,
-    const word& list,
-    const UList<word>& axes
-) const
-{
-    typedef FixedList<word, 1> one;
-    typedef FixedList<word, 2> two;
-    typedef FixedList<word, 3> three;
-
-    switch (axes.size())
-    {
-        case 1: domain.set(list, one(axes)); break;
-        case 2: domain.set(list, two(axes)); break;
-        case 3: domain.set(list, three(axes)); break;
-    }
 }
 
 
@@ -380,57 +253,6 @@ Foam::tmp<Foam::pointField> Foam::demDomain::firstPoints(const polyMesh& mesh)
             )
         )
     );
-}
-
-
-void Foam::demDomain::complete(dictionary& scene, const bool walls) const
-{
-    if (scene.found("domain") && !scene.isDict("domain"))
-    {
-        return;                             // the core complains
-    }
-
-    dictionary domain(scene.subOrEmptyDict("domain"));
-    const bool corners = domain.found("min") || domain.found("max");
-    DynamicList<word> round, flat;
-
-    if (domain.found("periodic"))
-    {
-        checkPeriodic(domain);
-    }
-    for (direction k = 0; k < 3; k++)
-    {
-        const bool plane = kind_[k] == EMPTY && !walls && !domain.found("flat");
-
-        if (kind_[k] != CYCLIC && !plane)
-        {
-            continue;
-        }
-        checkLimits(domain, k);
-        if (!corners && !domain.found(axisName[k]))
-        {
-            domain.set(axisName[k], Vector2D<scalar>(low_[k], high_[k]));
-        }
-        if (kind_[k] == CYCLIC)
-        {
-            round.append(axisName[k]);
-        }
-        if (plane)
-        {
-            flat.append(axisName[k]);
-        }
-    }
-
-    if (!domain.found("periodic"))
-    {
-        addWords(domain, "periodic", round);
-    }
-    addWords(domain, "flat", flat);
-
-    if (round.size() || flat.size())
-    {
-        scene.set("domain", domain);
-    }
 }
 
 // ************************************************************************* //
