@@ -88,13 +88,14 @@ struct dem_energy                                         /* the ledger's tray: 
 {
     /* filled by the house */
     _Alignas(64) dem_real was[DEM_BLOCK];                 /* m    overlap before the last drift, never negative */
-    _Alignas(64) dem_real kn_was[DEM_BLOCK];              /* N/m  secant normal stiffness then; 0 in a new contact and a lost one */
+    _Alignas(64) dem_real kn_was[DEM_BLOCK];              /* N/m  secant normal stiffness then; 0 in a new contact */
     _Alignas(64) dem_real push[DEM_BLOCK];                /* N    what this effect has added to fn, */
     _Alignas(64) dem_real mx[DEM_BLOCK];                  /* N m  and to the moment */
     _Alignas(64) dem_real my[DEM_BLOCK];
     _Alignas(64) dem_real mz[DEM_BLOCK];
 
-    _Alignas(64) dem_real inertia[DEM_BLOCK];             /* kg m2  1/(1/I_i + 1/I_j); I_i at a wall; 0 without effects of stage MOMENT */
+    _Alignas(64) dem_real inertia[DEM_BLOCK];             /* kg m2  1/(1/I_i + 1/I_j); I_i at a wall */
+    _Alignas(64) dem_real slip_mass[DEM_BLOCK];           /* kg   what a force in the contact plane moves: 1/(1/m_i + 1/m_j + a_i^2/I_i + a_j^2/I_j) */
 
     /* told by the effect; the house puts in what act has just added to the tray's books (stages BOND and FILM) */
     _Alignas(64) dem_real stored[DEM_BLOCK];              /* J    elastic energy that the row holds now by this effect */

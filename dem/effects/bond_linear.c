@@ -59,7 +59,7 @@
 
 #include "base/math.h"
 #include "base/random.h"
-#include "effects/carry.h"
+#include "effects/bond_springs.h"
 
 enum
 {
@@ -118,16 +118,6 @@ static const struct dem_field settings[] = {
 
 static const char *const memory[] = {"bond_length", "bond_worn", "bond_shear_x", "bond_shear_y", "bond_shear_z", "bond_twist",
                                      "bond_bend_x", "bond_bend_y", "bond_bend_z", "bond_asked", NULL};
-
-enum                                                      /* their places */
-{
-    LENGTH,                                               /* m    l of a bond that holds; 0: none; or one of the two below */
-    WORN,                                                 /* m    overlap that the laws of contact must not see */
-    SHEAR,
-    TWIST = SHEAR + 3,
-    BEND,
-    ASKED = BEND + 3                                      /* 1    1: the scene lists the pair */
-};
 
 /* lengths of one that broke: it has not yet been out of makeDistance; and the surfaces have not even parted */
 #define PARTED (-1.0)
@@ -255,20 +245,13 @@ DEM_MATH dem_real breaks(const struct bond *bond, dem_real rb, const dem_real fo
 /* One bond: load, relax, judge, push. Rows without one come through with zeros. */
 DEM_MATH void hold(const struct bond *bond, struct dem_block *b, dem_real *const *r, int c, dem_real kept)
 {
-    const dem_real dt = b->dt, holds = dem_pick(r[LENGTH][c] > 0.0, 1.0, 0.0), q = 0.25*dt*b->swing[c];
+    const dem_real dt = b->dt, holds = dem_pick(r[LENGTH][c] > 0.0, 1.0, 0.0);
     const dem_real rb = holds*bond->radius*b->least_radius[c], A = 3.14159265358979324*rb*rb, J = 0.5*A*rb*rb;
     const dem_real kn = bond->normal_stiffness*A, kt = bond->shear_stiffness*A;
     const dem_real kw = bond->shear_stiffness*J, kb = 0.5*bond->normal_stiffness*J;
-    const struct dem_carried n = {b->nx[c], b->ny[c], b->nz[c]}, h = {b->hx[c], b->hy[c], b->hz[c]};
-    const struct dem_carried s = {b->sx[c], b->sy[c], b->sz[c]}, w = {b->wx[c], b->wy[c], b->wz[c]};
-    const struct dem_carried slip = dem_carry_tilted(s, h, n), turn = dem_carry_tilted(dem_carry_plus(w, -dem_carry_inner(h, w), h), h, n);
-    const dem_real spin = dem_carry_inner(h, w), vn = b->rate[c];
-
-    /* load in today's frame */
-    const struct dem_carried slid = {dt*slip.x, dt*slip.y, dt*slip.z}, bent = {dt*turn.x, dt*turn.y, dt*turn.z};
-    const struct dem_carried u = dem_carry_on((struct dem_carried){r[SHEAR][c], r[SHEAR + 1][c], r[SHEAR + 2][c]}, slid, h, n, q);
-    const struct dem_carried bend = dem_carry_on((struct dem_carried){r[BEND][c], r[BEND + 1][c], r[BEND + 2][c]}, bent, h, n, q);
-    const dem_real twist = r[TWIST][c] + dt*spin, squeezed = r[LENGTH][c] - b->distance[c];
+    const struct dem_bond_springs l = dem_bond_springs(b, r, c);
+    const struct dem_carried n = l.n, slip = l.slip, turn = l.turn, u = l.u, bend = l.bend;
+    const dem_real spin = l.spin, twist = l.twist, squeezed = l.squeezed, vn = b->rate[c];
     const dem_real energy = 0.5*(kn*squeezed*squeezed + kt*dem_carry_inner(u, u) + kw*twist*twist + kb*dem_carry_inner(bend, bend));
 
     /* what is left of the springs, and whether they still hold */
@@ -364,26 +347,37 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
     }
 }
 
+/* ---- the ledger ---------------------------------------------------------------------------------------------- */
+
+/* What the books have of a bond that broke in this step and its springs never got: k x'^2/2 is lost, though the last drift, x to x',
+   ended with no force or with F of the contact that takes over, so what was put in is (k x + F) (x' - x)/2. */
+static dem_real spared(const struct bond *bond, const struct dem_block *b, dem_real *const *before, int c, dem_real carried_on)
+{
+    const dem_real rb = bond->radius*b->least_radius[c], A = 3.14159265358979324*rb*rb, J = 0.5*A*rb*rb;
+    const struct dem_bond_springs l = dem_bond_springs(b, before, c);
+    const dem_real slid = dem_carry_inner(l.u, dem_carry_turned(l.slip, l.n, l.q)), bent = dem_carry_inner(l.bend, dem_carry_turned(l.turn, l.n, l.q));
+
+    return 0.5*b->dt*(bond->shear_stiffness*(A*slid + J*l.twist*l.spin) + 0.5*bond->normal_stiffness*J*bent
+                      - (bond->normal_stiffness*A*l.squeezed - carried_on)*b->rate[c]);
+}
+
 /* What act has booked, but for two steps in which the contact's own law knows nothing of the bond yet: it still tells what a
    bond just made has declared lost, and tells nothing of what it takes over from one that has just broken. */
 static void energy(const void *of, const struct dem_block *restrict b, dem_real *const *before, dem_real *const *memory,
                    struct dem_energy *restrict e)
 {
     const struct bond *bond = of;
-    const dem_real more = 1.0 + 1.0/bond->inverse_exponent;
+    const dem_real exponent = 1.0/bond->inverse_exponent, more = 1.0 + exponent;
 
-    for (int c = 0; bond->contact == REPLACED && c < b->n; c++)
+    for (int c = 0; c < b->n; c++)
     {
         const dem_real from = before[LENGTH][c], to = memory[LENGTH][c], d = b->overlap[c];
+        const int replaced = bond->contact == REPLACED;
+        const dem_real share = replaced && b->broke[c] > 0.0 && d > 0.0 ? 1.0 - memory[WORN][c]/d : 0.0;
 
-        if (from <= 0.0 && to > 0.0)
-        {
-            e->stored[c] -= b->kn[c]*d*d/more;
-        }
-        else if (b->broke[c] > 0.0 && d > 0.0)
-        {
-            e->stored[c] += b->kn[c]*d*d*dem_pow(1.0 - memory[WORN][c]/d, more)/more;
-        }
+        e->stored[c] += share > 0.0 ? b->kn[c]*d*d*dem_pow(share, more)/more : 0.0;
+        e->stored[c] -= replaced && from <= 0.0 && to > 0.0 ? b->kn[c]*d*d/more : 0.0;
+        e->lost[c] -= b->broke[c] > 0.0 ? spared(bond, b, before, c, share > 0.0 ? b->kn[c]*d*dem_pow(share, exponent) : 0.0) : 0.0;
     }
 }
 

@@ -110,6 +110,7 @@ static void energy(const void *of, const struct dem_block *restrict b, dem_real 
         s.xi_x = x[c];
         s.xi_y = y[c];
         s.xi_z = z[c];
+        s.mass = e->slip_mass[c];
         s.stiffness_was = dem_pick(e->was[c] > 0.0, given, 0.0) + ratio*e->kn_was[c];
         dem_slider_energy(b, c, s, e);
     }

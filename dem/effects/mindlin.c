@@ -102,6 +102,7 @@ static void energy(const void *of, const struct dem_block *restrict b, dem_real 
         s.xi_x = x[c];
         s.xi_y = y[c];
         s.xi_z = z[c];
+        s.mass = e->slip_mass[c];
         s.stiffness_was = modulus*sqrt(b->reduced_radius[c]*e->was[c]);
         dem_slider_energy(b, c, s, e);
     }

@@ -113,6 +113,7 @@ static void energy(const void *of, const struct dem_block *restrict b, dem_real 
         s.xi_x = keep*x[c];
         s.xi_y = keep*y[c];
         s.xi_z = keep*z[c];
+        s.mass = e->slip_mass[c];
         s.stiffness_was = was + more;
         dem_slider_energy(b, c, s, e);
         e->lost[c] += 0.5*was*square*(1.0 - keep);

@@ -58,7 +58,7 @@ struct dem_slider
     dem_real sx, sy, sz;                                  /* rate, in the plane of half a step ago */
     dem_real xi_x, xi_y, xi_z;                            /* spring: the last step's before, this step's after */
     dem_real fx, fy, fz;                                  /* F, after */
-    dem_real stiffness_was, mass;                         /* for the ledger only: k a step ago; what F moves, 0: much */
+    dem_real stiffness_was, mass;                         /* for the ledger only: k a step ago; what F moves */
 };
 
 /* a row's spring of the step before in today's plane, loaded, and the rate there */
@@ -224,8 +224,7 @@ struct dem_rubbing
     dem_real often;                                       /* 1/dt: dem_slider_often */
 };
 
-/* the slider of friction in a row, its spring still to be put in: dashpot of the normal law, limit by what pushes; two
-   bodies slip as 2/7 m* does, for 1/m + R^2/I of both is 7/2 m* */
+/* the slider of friction in a row, its spring still to be put in: dashpot of the normal law, limit by what pushes */
 static inline __attribute__((always_inline)) struct dem_slider
 dem_slider_friction(const struct dem_row *r, dem_real stiffness, struct dem_rubbing rubs)
 {
@@ -233,12 +232,12 @@ dem_slider_friction(const struct dem_row *r, dem_real stiffness, struct dem_rubb
 
     return (struct dem_slider){.stiffness = stiffness, .damping = rubs.damped*r->eta,
                                .limit = dem_pick(pressed > 0, rubs.friction*pressed, 0), .often = rubs.often,
-                               .sx = r->sx, .sy = r->sy, .sz = r->sz, .mass = r->reduced_mass*(dem_real)(2.0/7.0)};
+                               .sx = r->sx, .sy = r->sy, .sz = r->sz};
 }
 
 /*
  * What row c holds and has turned to heat in the step that dem_slider_step makes of s. With e the loaded spring, xi and xi'
- * the spring before (in today's plane) and after, k and k' its stiffness then and now,
+ * the spring before (in today's plane) and after, k and k' its stiffness then and now, and m what F moves,
  *
  *   stored   k' xi'^2/2
  *   slipped  (k xi + k' xi')/2 . (e - xi')       mean force of the spring times the distance slipped
@@ -246,8 +245,8 @@ dem_slider_friction(const struct dem_row *r, dem_real stiffness, struct dem_rubb
  *   rubbed   -F.(s + dt F/2 m) dt                where there is no spring
  *   changed  -(k' - k) xi.xi'/2                  a spring that stiffens as it is holds more than was put in: below 0
  *
- * Where partners are apart, or a bond takes the contact's place, the spring is forgotten, and what it held is lost. Of
- * a spring whose stiffness goes with the overlap that is not known once they have parted: what it held to the end stays in the residual.
+ * Where partners are apart, or a bond takes the contact's place, the spring is forgotten: k', xi' and F are 0, and of what was
+ * held a step ago, k xi^2/2, that is lost which the last drift has not had: it ended with no force, so half of k xi.s dt.
  */
 static inline __attribute__((always_inline)) void
 dem_slider_energy(const struct dem_block *b, int c, struct dem_slider s, struct dem_energy *restrict e)
@@ -257,20 +256,19 @@ dem_slider_energy(const struct dem_block *b, int c, struct dem_slider s, struct 
 
     still.sx = still.sy = still.sz = 0;
     const struct dem_slider from = dem_slider_load(&r, still), loaded = dem_slider_load(&r, s), to = dem_slider_step(&r, s);
-    const dem_real k = s.stiffness, was = s.stiffness_was, dt = b->dt, on = b->touching[c];
-    const dem_real gx = loaded.xi_x - to.xi_x, gy = loaded.xi_y - to.xi_y, gz = loaded.xi_z - to.xi_z;
-    const dem_real along = from.xi_x*gx + from.xi_y*gy + from.xi_z*gz, ahead = to.xi_x*gx + to.xi_y*gy + to.xi_z*gz;
-    const dem_real both = from.xi_x*to.xi_x + from.xi_y*to.xi_y + from.xi_z*to.xi_z;
+    const dem_real on = b->touching[c], k = on*s.stiffness, was = s.stiffness_was, dt = b->dt;
+    const dem_real xi_x = on*to.xi_x, xi_y = on*to.xi_y, xi_z = on*to.xi_z, fx = on*to.fx, fy = on*to.fy, fz = on*to.fz;
+    const dem_real gx = loaded.xi_x - xi_x, gy = loaded.xi_y - xi_y, gz = loaded.xi_z - xi_z;
+    const dem_real along = from.xi_x*gx + from.xi_y*gy + from.xi_z*gz, ahead = xi_x*gx + xi_y*gy + xi_z*gz;
+    const dem_real both = from.xi_x*xi_x + from.xi_y*xi_y + from.xi_z*xi_z;
 
-    const dem_real old = from.xi_x*from.xi_x + from.xi_y*from.xi_y + from.xi_z*from.xi_z;
-    const dem_real gain = dem_pick(s.mass > 0, dt/2/dem_pick(s.mass > 0, s.mass, 1), 0);
-    const dem_real ux = to.sx + gain*to.fx, uy = to.sy + gain*to.fy, uz = to.sz + gain*to.fz;
-    const dem_real damped = -((to.fx + k*to.xi_x)*ux + (to.fy + k*to.xi_y)*uy + (to.fz + k*to.xi_z)*uz)*dt;
-    const dem_real rubbed = -(to.fx*ux + to.fy*uy + to.fz*uz)*dt;
+    const dem_real gain = dt/(2*s.mass), ux = to.sx + gain*fx, uy = to.sy + gain*fy, uz = to.sz + gain*fz;
+    const dem_real damped = -((fx + k*xi_x)*ux + (fy + k*xi_y)*uy + (fz + k*xi_z)*uz)*dt;
+    const dem_real rubbed = -(fx*ux + fy*uy + fz*uz)*dt;
     const dem_real lost = damped + (was*along + k*ahead)/2 - (k - was)/2*both;
 
-    e->stored[c] = on/2*k*(to.xi_x*to.xi_x + to.xi_y*to.xi_y + to.xi_z*to.xi_z);
-    e->lost[c] = dem_pick(on > 0, dem_pick(k > 0, lost, rubbed), was/2*old);
+    e->stored[c] = k/2*(xi_x*xi_x + xi_y*xi_y + xi_z*xi_z);
+    e->lost[c] = dem_pick((on > 0) & !(k > 0), rubbed, lost);
 }
 
 #endif

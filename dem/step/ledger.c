@@ -62,8 +62,26 @@ void dem_ledger_sweep(struct dem_ledger *l)
     }
 }
 
+/* What a moment turns and what a force at the point of contact moves; arms as in geometry.h. Rows of padding are like the last. */
+static void inertias(struct dem_parts *p, const struct dem_block *b, const struct dem_ledger_rows *r)
+{
+    struct dem_energy *const e = &p->ledger.scratch->tray;
+
+    for (int c = 0; c < DEM_BLOCK; c++)
+    {
+        const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[r->row + (uint32_t)(c < r->rows ? c : r->rows - 1)]];
+        const struct dem_particle *const i = &p->particles.record[q->i], *const j = q->wall ? NULL : &p->particles.record[q->j];
+        const double less = (j ? 0.5 : 1.0)*b->overlap[c], a = i->radius - less, other = j ? j->radius - less : 0.0;
+        const double turn = i->inverse_inertia + (j ? j->inverse_inertia : 0.0), move = i->inverse_mass + (j ? j->inverse_mass : 0.0);
+        const double slip = move + a*a*i->inverse_inertia + (j ? other*other*j->inverse_inertia : 0.0);
+
+        e->inertia[c] = turn > 0.0 ? 1.0/turn : HUGE_VAL;
+        e->slip_mass[c] = slip > 0.0 ? 1.0/slip : HUGE_VAL;
+    }
+}
+
 /* The overlap before the drift: the distance has grown by dt v.h. Rows apart have none in the tray, but may have had one. */
-void dem_ledger_block(struct dem_parts *p, const struct dem_tray *t, int with_wall)
+void dem_ledger_block(struct dem_parts *p, const struct dem_tray *t, const struct dem_ledger_rows *r)
 {
     struct dem_ledger_scratch *const s = p->ledger.scratch;
     const struct dem_block *const b = &t->block;
@@ -72,25 +90,14 @@ void dem_ledger_block(struct dem_parts *p, const struct dem_tray *t, int with_wa
     for (int c = 0; c < b->n; c++)
     {
         const double distance = sqrt(g->rx[c]*g->rx[c] + g->ry[c]*g->ry[c] + g->rz[c]*g->rz[c]);
-        const double raw = (with_wall ? b->least_radius[c] : g->radii[c]) - distance;
+        const double raw = (r->chain->pair.with_wall ? b->least_radius[c] : g->radii[c]) - distance;
         const double now = b->overlap[c] > 0.0 ? b->overlap[c] : raw;
 
         s->rate[c] = g->vx[c]*b->hx[c] + g->vy[c]*b->hy[c] + g->vz[c]*b->hz[c];
         s->tray.was[c] = fmax(now + b->dt*s->rate[c], 0.0);
         s->tray.kn_was[c] = 0.0;
     }
-}
-
-/* Rows of padding are like the last. */
-static void inertias(struct dem_parts *p, uint32_t row, int rows)
-{
-    for (int c = 0; c < DEM_BLOCK; c++)
-    {
-        const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[row + (uint32_t)(c < rows ? c : rows - 1)]];
-        const double one = p->particles.record[q->i].inverse_inertia, two = q->wall ? 0.0 : p->particles.record[q->j].inverse_inertia;
-
-        p->ledger.scratch->tray.inertia[c] = one + two > 0.0 ? 1.0/(one + two) : HUGE_VAL;
-    }
+    inertias(p, b, r);
 }
 
 void dem_ledger_before(struct dem_parts *p, const struct dem_tray *t, const struct dem_ledger_rows *r)
@@ -111,10 +118,6 @@ void dem_ledger_before(struct dem_parts *p, const struct dem_tray *t, const stru
         s->then.lost[c] = b->lost[c];
         s->then.broke[c] = b->broke[c];
     }
-    if (r->link->effect->stage == DEM_STAGE_MOMENT)
-    {
-        inertias(p, r->row, r->rows);
-    }
     for (int m = 0; m < dem_effect_memories(r->link->effect); m++)
     {
         memcpy(s->column[m], r->memory[m], (size_t)t->block.n*sizeof *s->column[m]);
@@ -123,15 +126,20 @@ void dem_ledger_before(struct dem_parts *p, const struct dem_tray *t, const stru
 
 /* ---- after it ------------------------------------------------------------------------------------------------ */
 
-/* F = k_n d ~ d^p, so k_n ~ d^(p - 1). */
-static void stiffness_was(struct dem_ledger_scratch *s, const struct dem_block *b, double exponent)
+/* The normal law once more, with the overlap of before the drift; also where partners have parted since. It spoils the columns of before. */
+static void stiffness_was(struct dem_ledger_scratch *s, const struct dem_block *b, const struct dem_link *link)
 {
+    struct dem_block *const was = &s->was;
+
+    *was = *b;
     for (int c = 0; c < b->n; c++)
     {
-        const double ratio = b->overlap[c] > 0.0 ? s->tray.was[c]/b->overlap[c] : 0.0;
-
-        s->tray.kn_was[c] = ratio > 0.0 ? b->kn[c]*(exponent == 1.0 ? 1.0 : dem_pow(ratio, exponent - 1.0)) : 0.0;
+        was->overlap[c] = s->tray.was[c];
+        was->touching[c] = s->tray.was[c] > 0.0 ? 1.0 : 0.0;
+        was->kn[c] = was->fn[c] = 0.0;
     }
+    link->effect->act(link->settings, was, s->before);
+    memcpy(s->tray.kn_was, was->kn, sizeof s->tray.kn_was);
 }
 
 /* What the effect has added to the tray; what its books say before it is asked. */
@@ -175,10 +183,6 @@ void dem_ledger_after(struct dem_parts *p, const struct dem_tray *t, const struc
     struct dem_sum *const sum = dem_ledger_of(l, effect);
 
     fill(s, b);
-    if (effect->stage == DEM_STAGE_NORMAL)
-    {
-        stiffness_was(s, b, r->chain->pair.exponent);
-    }
     if (effect->energy)
     {
         effect->energy(r->link->settings, b, s->before, r->memory, &s->tray);
@@ -186,6 +190,10 @@ void dem_ledger_after(struct dem_parts *p, const struct dem_tray *t, const struc
     else if (effect->stage < DEM_STAGE_BOND)
     {
         measure(s, b);
+    }
+    if (effect->stage == DEM_STAGE_NORMAL)
+    {
+        stiffness_was(s, b, r->link);
     }
     for (int c = 0; c < r->rows; c++)
     {

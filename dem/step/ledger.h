@@ -17,7 +17,8 @@
  * All sums are exact (base/sum), each row is counted by the owner of its lower particle: the same digits on any number of
  * ranks. It begins in dem_ready and again at every restart. A run without it has no column, no sum and no copy.
  *
- * Order of error: second in the step for what is elastic; first with dashpots, rolling resistance and jumps of a force.
+ * Order of error: second in the step for what is elastic, yields, slips or breaks; first with dashpots, rolling resistance and jumps of a
+ * force. Springs of ended contacts and of broken bonds held what they did a step ago, and got what the drift gave with that force alone.
  * Not here: the energy that contacts of a particle hold which leaves the domain; what the force on a moving wall did in the
  * first half step after a restart (no snapshot knows which wall had it).
  *
@@ -57,6 +58,7 @@ struct dem_ledger_scratch                                 /* of the block at han
 {
     const struct dem_effect *effect[DEM_CHAIN];           /* in the order of their sums */
     struct dem_energy tray;
+    struct dem_block was;                                 /* as of a step ago, for the normal law */
     double rate[DEM_BLOCK];                               /* m/s  how fast the distance has grown */
     double *before[DEM_MEMORY_COLUMNS];
     _Alignas(64) double column[DEM_MEMORY_COLUMNS][DEM_BLOCK];
@@ -104,7 +106,7 @@ struct dem_ledger_rows                                    /* one effect at work 
 };
 
 void dem_ledger_sweep(struct dem_ledger *);                                             /* before the first block */
-void dem_ledger_block(struct dem_parts *, const struct dem_tray *, int with_wall);      /* before the first effect */
+void dem_ledger_block(struct dem_parts *, const struct dem_tray *, const struct dem_ledger_rows *);     /* before the first effect; of no link */
 void dem_ledger_before(struct dem_parts *, const struct dem_tray *, const struct dem_ledger_rows *);
 void dem_ledger_after(struct dem_parts *, const struct dem_tray *, const struct dem_ledger_rows *);
 

@@ -145,15 +145,16 @@ static void act_and_tell(struct dem_parts *p, struct dem_tray *t, const struct d
 {
     double *memory[DEM_MEMORY_COLUMNS];
 
-    dem_ledger_block(p, t, chain->pair.with_wall);
+    struct dem_ledger_rows r = {.chain = chain, .memory = memory, .row = row, .rows = rows};
+
+    dem_ledger_block(p, t, &r);
     for (int k = 0; k < chain->links; k++)
     {
-        const struct dem_ledger_rows r = {.chain = chain, .link = &chain->link[k], .memory = memory, .row = row, .rows = rows};
-
         if (films_first(chain, k))
         {
             adhere(t, chain, &p->contacts, row);
         }
+        r.link = &chain->link[k];
         const int memories = recall(&p->contacts, r.link, row, memory);
 
         dem_ledger_before(p, t, &r);

@@ -112,7 +112,11 @@ static void friction_gives_nothing(void)
     const double incremental = least_lost("hertz {} mindlinIncremental { friction 5; }", "lost_mindlinIncremental");
     const double linear = least_lost("hooke { stiffness 1000; } linear { friction 5; stiffness 300; }", "lost_linear");
     TAP_OK(incremental > 0.0, "mindlinIncremental takes at least %.3g of the tangential energy", incremental);
-    TAP_OK(linear > -1e-6, "linear takes at least %.3g of it", linear);
+    /* where the spring has just turned back when the contact ends, it has given up to k (s dt)^2/8 more than it held: the step's error.
+       Slip is as fast as at first, but for the lever, which is shorter by 0.1 R when pressed most. */
+    const double dt = impact()/200.0, overshoot = 300.0*dt*dt/(4.0*mass())/(0.9*0.9);
+
+    TAP_OK(linear > -overshoot, "linear takes at least %.3g of it", linear);
 }
 
 /* ---- sliding, rolling, belts --------------------------------------------------------------------------------- */

@@ -1,7 +1,7 @@
 /*
  * Claims: an effect that tells no energies has the work of its force measured, normal, tangential and of its moment; one that
- * does is told the overlap and the stiffness of a step ago, its own push and moment and the inertia of the pair; heat counts
- * only after the beginning, elastic energies only in sweeps that tell, and rows of other ranks never; of a bond that breaks
+ * does is told the overlap and the stiffness of a step ago, also of partners that have parted since, its own push and moment and what
+ * moments and forces in the contact plane move, added mass included; heat counts only after the beginning, elastic energies only in sweeps that tell, and rows of other ranks never; of a bond that breaks
  * in a row, that row's heat alone is told as broken.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -40,7 +40,7 @@ static void spring(const void *of, struct dem_block *restrict b, dem_real *const
     (void)of, (void)memory;
     for (int c = 0; c < b->n; c++)
     {
-        b->kn[c] = 100.0;
+        b->kn[c] = 1000.0*sqrt(b->overlap[c]);
     }
 }
 
@@ -92,14 +92,14 @@ static void sweep(void)
     static struct dem_chain chain = {.links = 4, .link = {{.effect = &normal}, {.effect = &mute}, {.effect = &speaks}, {.effect = &bond}},
                                      .pair = {.exponent = 1.5}};
     double *memory[] = {column};
+    struct dem_ledger_rows r = {.chain = &chain, .memory = memory, .row = 0, .rows = 8};
 
     memset(t.block.fn, 0, sizeof t.block.fn);
     dem_ledger_sweep(&p.ledger);
-    dem_ledger_block(&p, &t, 0);
+    dem_ledger_block(&p, &t, &r);
     for (int k = 0; k < chain.links; k++)
     {
-        const struct dem_ledger_rows r = {.chain = &chain, .link = &chain.link[k], .memory = memory, .row = 0, .rows = 8};
-
+        r.link = &chain.link[k];
         dem_ledger_before(&p, &t, &r);
         chain.link[k].effect->act(NULL, &t.block, memory);
         dem_ledger_after(&p, &t, &r);
@@ -115,8 +115,8 @@ static void set_up(void)
     p.particles.record = record;
     p.contacts.pair = pair;
     p.contacts.row_pair = row_pair;
-    record[0].inverse_inertia = 2.0;
-    record[1].inverse_inertia = 6.0;
+    record[0] = (struct dem_particle){.radius = 1.02, .inverse_mass = 0.5, .inverse_inertia = 2.0};     /* some of the mass does not turn */
+    record[1] = (struct dem_particle){.radius = 2.02, .inverse_mass = 4.0, .inverse_inertia = 6.0};
     b->n = 8;
     b->dt = 0.01;
     for (int c = 0; c < 8; c++)
@@ -131,6 +131,10 @@ static void set_up(void)
         b->sx[c] = 0.2, b->sy[c] = 0.4, b->sz[c] = 0.8;
         b->wx[c] = 1.0, b->wy[c] = 2.0, b->wz[c] = 3.0;
     }
+    /* a row of another rank, so that no sum feels it: apart by 0.02, before by an overlap of 0.01 */
+    b->overlap[7] = b->touching[7] = 0.0;
+    t.g.rx[7] = 2.02;
+    t.g.vx[7] = 3.0;
     if (dem_ledger_open(&p.ledger, &recipe))
     {
         printf("Bail out! no memory\n");
@@ -155,10 +159,14 @@ int main(void)
     TAP_NEAR(sum_of(&speaks, DEM_LEDGER_LOST), 6.0*0.25, 1e-15, "who tells is asked, with its memory of before and after");
     TAP_NEAR(sum_of(&speaks, DEM_LEDGER_STORED), 6.0*7.0, 1e-15, "elastic energies stay those of the last sweep that told");
     TAP_NEAR(seen.was[3], 0.01, 1e-14, "the overlap of before the drift");
-    TAP_NEAR(seen.kn_was[3], 100.0*0.5, 1e-12, "the stiffness of then, as the root of the overlap");
+    TAP_NEAR(seen.kn_was[3], 1000.0*0.1, 1e-12, "the stiffness of then, by the normal law");
+    TAP_NEAR(seen.was[7], 0.01, 1e-14, "and where they have parted since");
+    TAP_NEAR(seen.kn_was[7], 1000.0*0.1, 1e-12, "the stiffness, too");
+    TAP_OK(t.block.kn[7] == 0.0, "which is not that of now");
     TAP_NEAR(seen.push[3], push, 1e-15, "its own push");
     TAP_NEAR(seen.mz[3], moment[2], 1e-15, "its own moment");
     TAP_NEAR(seen.inertia[3], 1.0/8.0, 1e-15, "the inertia of both");
+    TAP_NEAR(seen.slip_mass[3], 1.0/(0.5 + 4.0 + 2.0*1.0 + 6.0*4.0), 1e-16, "and what slips at a force between them, by the arms to their contact");
     TAP_NEAR(sum_of(&bond, DEM_LEDGER_LOST), 1.0 + 2.0 + 4.0 + 5.0 + 6.0, 1e-15, "books of bonds are taken");
     TAP_NEAR(dem_sum_value(&p.ledger.sum[DEM_LEDGER_BROKEN]), 3.0, 1e-15, "and told as broken where one broke");
 

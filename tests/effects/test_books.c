@@ -1,0 +1,188 @@
+/*
+ * Claims: of every law with a spring that slips (friction, rolling, twisting) the books close in each step, to round-off: what the
+ * motion puts in, the mean of the forces at both ends of a step times its way, is what the spring holds more and what is lost; while
+ * it sticks, slips, stiffens and softens, and in the step in which the contact ends. A contact pulled apart in one step loses k xi^2/2
+ * of its spring, and where it slips by s on the way, half of k xi s more, for the step ends with no force.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "tray.h"
+
+#include "base/random.h"
+
+enum
+{
+    LEGS = 8, STEPS = 40
+};
+
+static const struct dem_material bead = {"bead", 2500.0, 1e7, 0.3, 0.0};
+static const double dt = 1e-6, deepest = 5e-5, apart = 5e-6;        /* s, m, m */
+static struct world w;
+static struct dem_energy e;
+static struct link *normal, *law;
+static _Alignas(64) dem_real column[WORLD_MEMORY][DEM_BLOCK];
+
+static const struct known
+{
+    const struct dem_effect *effect;
+    const char *setting;
+    double value, way;                                    /* m or rad: largest of a leg, which slips now and then */
+}
+laws[] = {{&dem_mindlin, "friction", 0.4, 2e-5}, {&dem_mindlin_incremental, "friction", 0.4, 2e-5}, {&dem_linear, "friction", 0.4, 2e-5},
+          {&dem_linear, "stiffness", 500.0, 2e-5}, {&dem_rolling_spring, "friction", 0.2, 2e-2}, {&dem_twisting_spring, "friction", 0.4, 2e-2}};
+
+static double drawn(int row, int leg, int use)
+{
+    return dem_random_unit(33, (uint64_t)row, (uint64_t)leg, (uint64_t)use);
+}
+
+static void begin(const struct dem_effect *pushes, const struct known *k)
+{
+    world_spheres(&w, &bead, &bead, 1e-3, 1e-3);
+    w.b.n = DEM_BLOCK;
+    w.b.dt = dt;
+    for (int c = 0; c < DEM_BLOCK; c++)
+    {
+        w.b.reduced_radius[c] = w.pair.least_radius;
+        w.b.reduced_mass[c] = w.pair.least_mass;
+        w.b.least_radius[c] = 1e-3;
+        w.b.nz[c] = w.b.hz[c] = 1.0;
+        w.b.overlap[c] = w.b.kn[c] = 0.0;
+        e.slip_mass[c] = e.inertia[c] = HUGE_VAL;         /* moved from outside: no force changes the motion */
+    }
+    normal = world_add(&w, pushes, pushes == &dem_hooke ? "stiffness" : "impactSpeed", pushes == &dem_hooke ? 1e3 : 1.0);
+    law = world_add(&w, k->effect, "friction", k->effect == &dem_rolling_spring ? 0.2 : 0.4);
+    if (strcmp(k->setting, "friction") != 0)
+    {
+        settle(k->effect, law->settings, &w.pair, k->setting, k->value);
+    }
+}
+
+/* row c a step on, moved along x and y and, of moments, about them and z */
+static void put(int c, double overlap, double x, double y, double z)
+{
+    e.was[c] = w.b.overlap[c];
+    e.kn_was[c] = w.b.kn[c];
+    w.b.overlap[c] = overlap > 0.0 ? overlap : 0.0;
+    w.b.touching[c] = overlap > 0.0 ? 1.0 : 0.0;
+    w.b.sx[c] = w.b.wx[c] = x/dt, w.b.sy[c] = w.b.wy[c] = y/dt, w.b.wz[c] = z/dt;
+    w.b.kn[c] = w.b.fn[c] = w.b.fx[c] = w.b.fy[c] = w.b.fz[c] = w.b.mx[c] = w.b.my[c] = w.b.mz[c] = 0.0;
+}
+
+/* as the house does */
+static void act(void)
+{
+    dem_real *before[WORLD_MEMORY];
+
+    memcpy(column, law->column, sizeof column);
+    normal->effect->act(normal->settings, &w.b, normal->memory);
+    law->effect->act(law->settings, &w.b, law->memory);
+    for (int m = 0; m < WORLD_MEMORY; m++)
+    {
+        before[m] = column[m];
+        for (int c = 0; c < DEM_BLOCK; c++)
+        {
+            law->column[m][c] *= w.b.touching[c];
+        }
+    }
+    law->effect->energy(law->settings, &w.b, before, law->memory, &e);
+}
+
+/* Work of this step's force on its way, and of the last one's. */
+static double power(int c, const double f[6])
+{
+    return -(f[0]*w.b.sx[c] + f[1]*w.b.sy[c] + f[3]*w.b.wx[c] + f[4]*w.b.wy[c] + f[5]*w.b.wz[c])*dt;
+}
+
+static void force(int c, double f[6])
+{
+    const double now[6] = {w.b.fx[c], w.b.fy[c], w.b.fz[c], w.b.mx[c], w.b.my[c], w.b.mz[c]};
+
+    memcpy(f, now, sizeof now);
+}
+
+static void closes(const struct dem_effect *pushes, const struct known *k)
+{
+    static double f[DEM_BLOCK][6], held[DEM_BLOCK];
+    double worst = 0.0, scale = 0.0, last = 0.0;
+
+    begin(pushes, k);
+    memset(f, 0, sizeof f);
+    memset(held, 0, sizeof held);
+    for (int leg = 0; leg < LEGS; leg++)
+    {
+        for (int s = 1; s <= STEPS; s++)
+        {
+            for (int c = 0; c < DEM_BLOCK; c++)
+            {
+                const double to = leg%4 == 3 ? -apart : deepest*drawn(c, leg, 0) - apart;
+                const double from = leg == 0 || leg%4 == 0 ? -apart : deepest*drawn(c, leg - 1, 0) - apart;
+                const double angle = 6.28*drawn(c, leg, 1), way = k->way*drawn(c, leg, 2)/STEPS;
+
+                put(c, from + (to - from)*s/STEPS, way*cos(angle), way*sin(angle), way*cos(2.0*angle));
+            }
+            act();
+            for (int c = 0; c < DEM_BLOCK; c++)
+            {
+                double now[6];
+
+                force(c, now);
+                const double gain = 0.5*(power(c, f[c]) + power(c, now)) - (e.stored[c] - held[c]) - e.lost[c];
+
+                last += w.b.touching[c] == 0.0 ? e.lost[c] : 0.0;
+                worst = fmax(worst, fabs(gain));
+                scale = fmax(scale, e.stored[c]);
+                held[c] = e.stored[c];
+                memcpy(f[c], now, sizeof now);
+            }
+        }
+    }
+    /* a hundred roundings of what is held at most */
+    TAP_OK(worst < 1e-14*scale, "%s, %s (%s): in no step more than %.2g of what is held does not close", pushes->name, k->effect->name, k->setting,
+           worst/scale);
+    TAP_OK(last > 0.0, "and contacts have ended with loaded springs");
+}
+
+/* `slip`: over the way before */
+static void pulled_apart(const struct known *k, double slip)
+{
+    const double way = 1e-3*k->way, twists = k->effect == &dem_twisting_spring ? 1.0 : 0.0, along = 1.0 - twists;
+
+    begin(&dem_hertz, k);
+    for (int s = 0; s < 10; s++)
+    {
+        for (int c = 0; c < DEM_BLOCK; c++)
+        {
+            put(c, 1e-5, along*0.6*way, along*0.8*way, twists*way);
+        }
+        act();
+    }
+    const double held = e.stored[0], stiffness = 2.0*held/(100.0*way*way);
+    double f[6];
+
+    force(0, f);
+    const double size = sqrt(f[0]*f[0] + f[1]*f[1] + f[2]*f[2] + f[3]*f[3] + f[4]*f[4] + f[5]*f[5]);
+
+    TAP_NEAR(size, stiffness*10.0*way, 1e-13*size, "%s (%s): sticks, and holds k xi^2/2", k->effect->name, k->setting);
+    for (int c = 0; c < DEM_BLOCK; c++)
+    {
+        put(c, -apart, along*0.6*slip*way, along*0.8*slip*way, twists*slip*way);
+    }
+    act();
+    TAP_OK(e.stored[0] == 0.0, "apart it holds nothing");
+    TAP_NEAR(e.lost[0], held*(1.0 + 0.1*slip), 1e-13*held, "that is lost, and half a step's work by %g of a step's slip", slip);
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    for (size_t k = 0; k < sizeof laws/sizeof *laws; k++)
+    {
+        closes(&dem_hooke, &laws[k]);
+        closes(&dem_hertz, &laws[k]);
+        pulled_apart(&laws[k], 0.0);
+        pulled_apart(&laws[k], -3.0);
+        pulled_apart(&laws[k], 2.0);
+    }
+    TAP_DONE;
+}
