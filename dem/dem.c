@@ -324,7 +324,7 @@ static int goes_on(const struct dem *d, double duration)
     const struct dem_parts *const p = &d->parts;
     const double rest = p->opened + p->window - p->time;
 
-    return p->open && fabs(duration - rest) <= 1e-3*p->dt && (int64_t)ceil(p->window/d->step*(1.0 - 1e-12)) == p->ahead;
+    return p->open && fabs(duration - rest) <= 1e-3*p->dt && ceil(p->window/d->step*(1.0 - 1e-12)) == (double)p->ahead;
 }
 
 int dem_advance(struct dem *d, double duration)

@@ -10,6 +10,7 @@
 #include "step/measure.h"
 #include "step/profile.h"
 #include "step/virial.h"
+#include <fenv.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -122,7 +123,7 @@ static int64_t waiting(const struct dem *d, int k)
     const double owed = d->parts.flows.waiting[k], each = dem_stream_mean_mass(s, &d->parts.recipe);
     const double most = fmin((double)(s->count - row->count), (s->mass - row->mass)/each + 0.5);
 
-    return (int64_t)floor(fmax(0.0, fmin(s->by_mass ? owed/each : owed, most)) + 1e-9);
+    return (int64_t)floor(fmax(0.0, fmin(s->by_mass ? owed/each : owed, fmin(most, 0x1p62))) + 1e-9);
 }
 
 int dem_flows(struct dem *d, int *n, const struct dem_flow **flow)
@@ -265,7 +266,13 @@ int dem_averages_count(const struct dem *d)
 
 int dem_averages(struct dem *d, const char *folder)
 {
-    return dem_averages_save(&d->parts.averages, &d->parts, folder);
+    fenv_t caller;
+
+    feholdexcept(&caller);                                /* squares of what the caller's particles did may be past the largest number */
+    const int status = dem_averages_save(&d->parts.averages, &d->parts, folder);
+
+    fesetenv(&caller);
+    return status;
 }
 
 /* ---- what an effect takes -------------------------------------------------------------------------------------- */

@@ -74,7 +74,7 @@ static void resume_skins(struct dem_skins *s, const struct dem_skins *learnt)
 {
     _Static_assert(sizeof *s <= DEM_SNAPSHOT_LEARNT*sizeof(int64_t), "a snapshot has room for what lists have learnt");
 
-    if (learnt->tuned == 1 && learnt->least == s->least && learnt->most == s->most)
+    if (learnt->tuned == 1 && learnt->least == s->least && learnt->most == s->most && dem_skins_are_sound(learnt))
     {
         *s = *learnt;
     }

@@ -99,6 +99,26 @@ int dem_file_load(const char *path, char **bytes, size_t *n)
     return status;
 }
 
+int dem_file_load_text(const char *path, char **text)
+{
+    size_t n, line = 1;
+
+    DEM_TRY(dem_file_load(path, text, &n));
+    const size_t length = strlen(*text);
+
+    if (length == n)
+    {
+        return DEM_OK;
+    }
+    for (size_t k = 0; k < length; k++)
+    {
+        line += (*text)[k] == '\n';
+    }
+    dem_memory_free(*text);
+    *text = NULL;
+    return dem_error(DEM_ERROR_FILE, "%s, line %zu: found a zero byte, and plain text has none; is this the right file? else write it anew in UTF-8", path, line);
+}
+
 bool dem_file_exists(const char *path)
 {
     FILE *stream = fopen(path, "rb");

@@ -29,6 +29,9 @@ int dem_file_finish(struct dem_file *f, int status);
 /* All bytes of a file and a zero behind them; the caller gives them back with dem_memory_free. */
 int dem_file_load(const char *path, char **bytes, size_t *n);
 
+/* The same of a text, which holds no zero: DEM_ERROR_FILE with the line where one is. */
+int dem_file_load_text(const char *path, char **text);
+
 /* False only when there is no such file; one that can't be read is there. */
 bool dem_file_exists(const char *path);
 

@@ -154,11 +154,10 @@ int dem_batch_read_table(struct dem_batch *b)
 {
     struct table t = {.line = 0};
     char *text;
-    size_t n;
     fenv_t traps;
 
     DEM_TRY(dem_dict_text(b->dict, "file", &t.file));
-    DEM_TRY(dem_error_prefix(dem_file_load(t.file, &text, &n), "%s: ", b->where));
+    DEM_TRY(dem_error_prefix(dem_file_load_text(t.file, &text), "%s: ", b->where));
     feholdexcept(&traps);                                 /* numbers past the largest are refused with a sentence */
     const int status = dem_error_prefix(read_lines(&t, text), "%s: ", b->where);
 

@@ -229,10 +229,9 @@ static int read_table(struct dem_sizes *s, const struct dem_dict *dict, int by_v
 {
     const char *file;
     char *text;
-    size_t n;
 
     DEM_TRY(dem_dict_text(dict, "file", &file));
-    DEM_TRY(dem_file_load(file, &text, &n));
+    DEM_TRY(dem_file_load_text(file, &text));
     const int status = read_rows(s, text, file, by_volume);
 
     dem_memory_free(text);

@@ -6,13 +6,12 @@
 #include "io/snapshot_head.h"
 #include "base/error.h"
 #include "io/hash.h"
-#include <math.h>
+#include "io/snapshot_judge.h"
 #include <string.h>
 
 const char dem_snapshot_magic[8] = "SUNADEM";
 const uint64_t dem_snapshot_order = 0x0102030405060708u;
 
-static const double most_time = 1e12;                     /* s */
 static const int64_t most_width = 16;                     /* of a column: the widest has 4 numbers */
 
 size_t dem_snapshot_particle_doubles(const struct dem_snapshot_head *h)
@@ -66,6 +65,17 @@ uint64_t dem_snapshot_check(const double *data, size_t count, size_t size)
     return sum;
 }
 
+int dem_snapshot_is_name(const char *name, size_t room)
+{
+    size_t k = 0;
+
+    while (k < room && (unsigned char)name[k] >= ' ' && name[k] != 127)
+    {
+        k++;
+    }
+    return k < room && name[k] == '\0';
+}
+
 /* ---- opening --------------------------------------------------------------------------------------------------- */
 
 /* Are the counts such that the file's places can be told from them, and names are names? A checksum guards against damage only. */
@@ -76,20 +86,14 @@ static int counts_well(const struct dem_snapshot_head *h, size_t found)
 
     for (int64_t k = 0; well && k < h->materials + h->columns + h->memories; k++)
     {
-        well = h->list[k].width >= 0 && h->list[k].width <= most_width && memchr(h->list[k].name, '\0', sizeof h->list[k].name);
+        well = h->list[k].width >= 0 && h->list[k].width <= most_width && dem_snapshot_is_name(h->list[k].name, sizeof h->list[k].name);
     }
     for (int64_t k = 0; well && k < h->flows; k++)
     {
-        well = memchr(h->flow[k].name, '\0', sizeof h->flow[k].name) != NULL;
+        well = dem_snapshot_is_name(h->flow[k].name, sizeof h->flow[k].name);
     }
     return well && h->particles >= 0 && (size_t)h->particles <= found/(dem_snapshot_particle_doubles(h)*sizeof(double))
         && h->rows >= 0 && (size_t)h->rows <= found/(dem_snapshot_row_doubles(h)*sizeof(double)) && h->beside >= 0;
-}
-
-static int times_well(const struct dem_snapshot_head *h)
-{
-    return h->steps >= 0 && isless(fabs(h->time), most_time) && isless(fabs(h->window.opened), most_time)
-        && isless(fabs(h->window.dt), most_time);         /* not-a-number is no less, and traps nothing here */
 }
 
 static int read_head(struct dem_store *s, struct dem_snapshot_head *h)
@@ -112,10 +116,9 @@ static int read_head(struct dem_store *s, struct dem_snapshot_head *h)
     const size_t found = dem_store_size(s);
 
     DEM_REQUIRE(counts_well(h, found), DEM_ERROR_FILE, "%s is damaged: its head tells of %lld particles, %lld rows, %lld materials, %lld columns and "
-                "%lld numbers remembered, which its %zu bytes can't hold, or of names without an end; use another one", s->path,
+                "%lld numbers remembered, which its %zu bytes can't hold, or of names that are none; use another one", s->path,
                 (long long)h->particles, (long long)h->rows, (long long)h->materials, (long long)h->columns, (long long)h->memories, found);
-    DEM_REQUIRE(times_well(h), DEM_ERROR_FILE, "%s is damaged: its head tells of %lld steps, the time %g s and a window from %g s on in steps of "
-                "%g s; use another one", s->path, (long long)h->steps, h->time, h->window.opened, h->window.dt);
+    DEM_TRY(dem_snapshot_judge_head(s->path, h));
     const size_t size = dem_snapshot_beside_at(h) + (size_t)h->beside;
 
     DEM_REQUIRE(found == size, DEM_ERROR_FILE, "%s is damaged: it has %zu bytes and should have %zu; use another one", s->path, found,

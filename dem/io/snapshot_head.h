@@ -54,6 +54,9 @@ size_t dem_snapshot_row_doubles(const struct dem_snapshot_head *);
 size_t dem_snapshot_rows_at(const struct dem_snapshot_head *);
 size_t dem_snapshot_beside_at(const struct dem_snapshot_head *);
 
+/* 1 when these bytes hold a name that a sentence can tell: with an end, and no control characters. */
+int dem_snapshot_is_name(const char *name, size_t room);
+
 /* Open a file, read its head and check that it is one of ours, undamaged and whole. Collective: the first rank looks, all hear. */
 int dem_snapshot_open(struct dem_store *, const struct dem_writers *, const char *path, struct dem_snapshot_head *);
 

@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/sort.h"
-#include "io/snapshot_head.h"
+#include "io/snapshot_judge.h"
 #include "space/mail.h"
 #include <stdlib.h>
 #include <string.h>
@@ -56,6 +56,23 @@ static int list_own(const struct dem_pieces *q, const struct dem_particles *p, s
         (*list)[i] = (struct entry){p->record[i].id, q->rank};
     }
     dem_sort_by(*list, p->n, sizeof **list, compare);
+    return DEM_OK;
+}
+
+/* Collective. No two particles of all ranks have one id: each id is in the list of one rank only, which is in order. */
+static int refuse_twins(const char *path, const struct dem_pieces *q, const struct entry *list, size_t n)
+{
+    int64_t twin = -1;
+
+    for (size_t k = 1; k < n; k++)
+    {
+        twin = list[k].id == list[k - 1].id && list[k].id > twin ? list[k].id : twin;
+    }
+    if (q->ranks > 1)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, &twin, 1, MPI_INT64_T, MPI_MAX, q->comm);
+    }
+    DEM_REQUIRE(twin < 0, DEM_ERROR_FILE, "%s is damaged: two of its particles have id %lld; use another one", path, (long long)twin);
     return DEM_OK;
 }
 
@@ -166,7 +183,8 @@ static void read_share(struct dem_store *s, const struct dem_pieces *q, const st
         dem_store_read(s, dem_snapshot_rows_at(h) + (size_t)at*b->size*sizeof *row, row, n*b->size*sizeof *row);
         for (size_t k = 0; k < n && !s->status; k++)
         {
-            s->status = address(q, b, row + k*b->size);
+            s->status = dem_snapshot_judge_row(s->path, h, row + k*b->size);
+            s->status = s->status ? s->status : address(q, b, row + k*b->size);
         }
     }
     dem_memory_free(row);
@@ -218,12 +236,13 @@ static int take_row(struct dem_contacts *c, const struct dem_snapshot_head *h, c
     return dem_contacts_carry(c, &name, memory);
 }
 
-static int take_rows(struct dem_contacts *c, const struct dem_snapshot_head *h, const struct dem_recipe *r, const struct dem_pieces *q,
-                     const struct dem_particles *p, const struct bundle *b)
+static int take_rows(const char *path, struct dem_contacts *c, const struct dem_snapshot_head *h, const struct dem_recipe *r,
+                     const struct dem_pieces *q, const struct dem_particles *p, const struct bundle *b)
 {
     struct entry *own;
     int status = list_own(q, p, &own);
 
+    status = status || q->ranks > 1 ? status : refuse_twins(path, q, own, p->n);     /* of many ranks the registers have told */
     for (size_t k = 0; k < b->n && !status; k++)
     {
         const double *const row = b->item + k*b->size;
@@ -265,19 +284,20 @@ static int open_register(const struct dem_pieces *q, const struct dem_particles 
 }
 
 /* Collective: who can't read takes part with what it has, and fails with the others. */
-static int pass_on(const struct dem_pieces *q, const struct dem_particles *p, struct bundle *b)
+static int pass_on(const char *path, const struct dem_pieces *q, const struct dem_particles *p, struct bundle *b)
 {
     struct dem_mail in = {.peers = 0};
-    struct entry *list;
+    struct entry *list = NULL;
     size_t n;
+    int status = open_register(q, p, &in, &list, &n);
 
-    DEM_TRY(open_register(q, p, &in, &list, &n));
-    DEM_TRY(exchange(q, b, &in));
-    DEM_TRY(forward(q, list, n, b));
-    DEM_TRY(exchange(q, b, &in));
+    status = status ? status : refuse_twins(path, q, list, n);
+    status = status ? status : exchange(q, b, &in);
+    status = status ? status : forward(q, list, n, b);
+    status = status ? status : exchange(q, b, &in);
     dem_mail_free(&in);
     dem_memory_free(list);
-    return DEM_OK;
+    return status;
 }
 
 int dem_snapshot_read_rows(const char *path, const struct dem_pieces *q, const struct dem_recipe *r, const struct dem_particles *p,
@@ -290,10 +310,10 @@ int dem_snapshot_read_rows(const char *path, const struct dem_pieces *q, const s
     struct bundle b = {.size = dem_snapshot_row_doubles(&h)};
 
     read_share(&store, q, &h, &b);
-    DEM_TRY(dem_store_close(&store));                     /* all ranks meet here: letters of other exchanges have been read */
-    DEM_TRY(q->ranks > 1 ? pass_on(q, p, &b) : DEM_OK);
-    const int status = take_rows(c, &h, r, q, p, &b);
+    int status = dem_store_close(&store);                 /* all ranks meet here: letters of other exchanges have been read */
 
+    status = status || q->ranks == 1 ? status : pass_on(path, q, p, &b);
+    status = status ? status : take_rows(path, c, &h, r, q, p, &b);
     empty(&b);
     return status;
 }

@@ -227,10 +227,14 @@ int dem_store_close(struct dem_store *s)
     errno = 0;
     bad |= !settle(s);
     bad |= is_alone(s) ? fclose(s->alone) != 0 : MPI_File_close(&s->file) != MPI_SUCCESS;
-    bad = anywhere(s, bad);
     if (bad && !s->status)
     {
         fail(s, s->writing ? "writing" : "reading");
+    }
+    bad = anywhere(s, bad);
+    if (bad && !s->status)
+    {
+        s->status = dem_error(DEM_ERROR_FILE, "another rank failed; its message tells why");
     }
     if (s->writing && s->by.rank == 0)
     {

@@ -36,6 +36,23 @@ void dem_skins_init(struct dem_skins *s, const double skin[DEM_LISTS], int tuned
     }
 }
 
+int dem_skins_are_sound(const struct dem_skins *s)
+{
+    const double most = 0x1p53;                           /* whole numbers that a double tells apart */
+    int sound = s->look > 0 && (double)s->look < most && s->pace >= 0.0 && isfinite(s->pace);
+
+    for (int l = 0; l < DEM_LISTS; l++)
+    {
+        sound = sound && s->skin[l] >= 0.0 && s->skin[l] <= s->most && s->in_use[l] >= 0.0 && s->in_use[l] <= s->most && s->wide[l] >= 0.0
+             && s->wide[l] <= s->most && isfinite(s->rate[l]) && s->rate[l] != 0.0 && s->steps[l] >= 0 && (double)s->steps[l] < most;
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        sound = sound && s->counted[k] >= 0 && (double)s->counted[k] < most;
+    }
+    return sound;
+}
+
 void dem_skins_made(struct dem_skins *s, enum dem_list list)
 {
     s->steps[list] = 0;

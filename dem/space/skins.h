@@ -34,6 +34,9 @@ struct dem_skins
 /* Fixed at skin[0], skin[1] [m], or tuned between `least` and `most`, beginning with them. */
 void dem_skins_init(struct dem_skins *, const double skin[DEM_LISTS], int tuned, double least, double most);
 
+/* 1 when all of it is what a run may have come to: skins between 0 and the most, numbers finite, counts that have room to grow. */
+int dem_skins_are_sound(const struct dem_skins *);
+
 /* A list has been made with its next skin; both have, with so many particles, pairs and rows. */
 void dem_skins_made(struct dem_skins *, enum dem_list);
 void dem_skins_count(struct dem_skins *, const int64_t counted[3]);

@@ -25,6 +25,8 @@ struct dem_particle                                       /* 128 bytes, two cach
 };
 _Static_assert(sizeof(struct dem_particle) == 128, "a particle record is two cache lines");
 
+static const double dem_particle_most_speed = 299792458.0;    /* m/s: of light; nothing is faster */
+
 enum dem_particle_flag
 {
     DEM_PARTICLE_FROZEN = 1

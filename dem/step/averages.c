@@ -1,13 +1,15 @@
 /*
  * averages.c -- particles into cells as whole numbers, samples into blocks, blocks into tables.
  *
- * Sums over particles must not depend on who adds first, so numbers become integers in units that all ranks know: the
- * largest contribution of one particle anywhere, over 2^b, with b as many bits as leave room for all particles in one
- * cell. A million particles leave 42 bits, 2e-13 of the largest.
+ * Sums over particles must not depend on who adds first, so numbers become integers in units that all ranks know: the largest contribution of one
+ * particle anywhere, over 2^b, with b as many bits as leave room for all particles in one cell. A million particles leave 42 bits, 2e-13 of the
+ * largest. A cell wider than a periodic box sees a particle up to three times along that axis: two bits more. So no sum overflows, whatever the
+ * particles do; what is not finite, or beyond what products of means can hold, ends the run.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/averages.h"
+#include "base/error.h"
 #include "base/memory.h"
 #include "base/vec.h"
 #include "step/parts.h"
@@ -33,6 +35,12 @@ enum
 
 static const int kind_of[COLUMNS] = {0, 1, 2, 2, 2, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4};
 
+static const char *const kind_name[KINDS] = {"volume", "mass", "momentum", "m v v", "virial of its contacts"};
+static const char *const kind_unit[KINDS] = {"m3", "kg", "kg m/s", "J", "J"};
+
+static const double most_part = 1e60;                         /* of one particle, SI: squares of sums of squares of so many stay finite */
+static const double most_number = 0x1p53;                     /* of a sample: whole numbers that a double tells apart */
+
 /* Times that differ by less than this share of an interval are the same: they are sums of steps, and round. */
 static const double same_time = 1e-6;
 
@@ -46,7 +54,7 @@ static size_t cells_of(const struct dem_average *g)
 /* Number of the first sample after a time: the same after a restart as without. */
 static int64_t number_after(const struct dem_average_plan *p, double time)
 {
-    return (int64_t)floor((time - p->start)/p->interval + same_time) + 1;
+    return (int64_t)fmin(floor((time - p->start)/p->interval + same_time), most_number) + 1;
 }
 
 int dem_averages_init(struct dem_averages *a, const struct dem_average_plan *plan, int n, double time, int collects)
@@ -126,19 +134,51 @@ static void contribution(const struct dem_particle *q, const double *virial, dou
     memcpy(out + VIRIAL, virial, 6*sizeof *out);
 }
 
-/* Bits to shift each kind of number by. The largest are maxima and the count a whole number: all ranks agree. */
-static void scales(const struct dem_average *g, const struct dem_parts *p, int scale[KINDS])
+/* Who has what can't be summed: this rank's first, in words. */
+static int refuse_part(const struct dem_average *g, const struct dem_parts *p)
+{
+    double out[COLUMNS];
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const struct dem_particle *const q = &p->particles.record[i];
+
+        contribution(q, g->virial + 6*i, out);
+        for (int c = 0; c < COLUMNS; c++)
+        {
+            DEM_REQUIRE(isless(fabs(out[c]), most_part), DEM_ERROR_NUMBER, "averages/%s: particle %lld at (%g %g %g) m with (%g %g %g) m/s has %s %g %s "
+                        "in step %lld, the limit is %g; look at the forces on it, or use a smaller time/step", g->plan.name, (long long)q->id, q->x[0],
+                        q->x[1], q->x[2], q->v[0], q->v[1], q->v[2], kind_name[kind_of[c]], out[c], kind_unit[kind_of[c]], (long long)p->steps, most_part);
+        }
+    }
+    return DEM_OK;
+}
+
+/* Bits that images of one particle in one cell take. */
+static int bits_of_images(const struct dem_average_plan *a, const struct dem_domain *d)
+{
+    int bits = 0;
+
+    for (int k = 0; k < 3; k++)
+    {
+        bits += d->periodic[k] && (a->max[k] - a->min[k])/(double)a->cells[k] > d->length[k]*(1.0 + 1e-9) ? 2 : 0;
+    }
+    return bits;
+}
+
+/* Bits to shift each kind of number by. The largest are maxima and the count a whole number: all ranks agree. 0: one is too large. */
+static int scales(const struct dem_average *g, const struct dem_parts *p, int scale[KINDS])
 {
     double most[KINDS] = {0.0}, out[COLUMNS];
     int64_t count = (int64_t)p->particles.n;
-    int bits = 0;
+    int bits = 0, good = 1;
 
     for (size_t i = 0; i < p->particles.n; i++)
     {
         contribution(&p->particles.record[i], g->virial + 6*i, out);
         for (int c = 0; c < COLUMNS; c++)
         {
-            most[kind_of[c]] = fmax(most[kind_of[c]], fabs(out[c]));
+            most[kind_of[c]] = islessequal(fabs(out[c]), most[kind_of[c]]) ? most[kind_of[c]] : isnan(out[c]) ? INFINITY : fabs(out[c]);
         }
     }
     if (p->pieces.ranks > 1)
@@ -154,9 +194,11 @@ static void scales(const struct dem_average *g, const struct dem_parts *p, int s
     {
         int exponent;
 
-        frexp(most[k], &exponent);
-        scale[k] = MOST_BITS - bits - exponent;
+        good = good && most[k] < most_part;
+        frexp(good ? most[k] : 0.0, &exponent);
+        scale[k] = MOST_BITS - bits - bits_of_images(&g->plan, &p->domain) - exponent;
     }
+    return good;
 }
 
 /* The cells of one sphere at one place. */
@@ -222,14 +264,17 @@ static void deposit_all(struct dem_average *g, const struct dem_parts *p, const 
     }
 }
 
-static int sample(struct dem_average *g, const struct dem_parts *p)
+static int sample(struct dem_average *g, const struct dem_parts *p, int status)
 {
     const size_t cells = cells_of(g), numbers = COLUMNS*cells;
     int scale[KINDS];
 
     DEM_TRY(DEM_GROW(g->virial, g->virial_room, 6*(p->particles.n + 1)));
     dem_virial_sum(p, g->virial);
-    scales(g, p, scale);
+    if (!scales(g, p, scale))                                 /* on all ranks alike */
+    {
+        return status ? status : refuse_part(g, p);
+    }
     memset(g->sum, 0, numbers*sizeof *g->sum);
     deposit_all(g, p, scale);
     if (p->pieces.ranks > 1)
@@ -244,7 +289,7 @@ static int sample(struct dem_average *g, const struct dem_parts *p)
     {
         dem_blocks_add(&g->blocks, g->sample);
     }
-    return DEM_OK;
+    return status;
 }
 
 static int is_due(const struct dem_average *g, double time)
@@ -265,7 +310,7 @@ int dem_averages_due(const struct dem_averages *a, double time)
     return due;
 }
 
-int dem_averages_sample(struct dem_averages *a, const struct dem_parts *p)
+int dem_averages_sample(struct dem_averages *a, const struct dem_parts *p, int status)
 {
     for (int k = 0; k < a->grids; k++)
     {
@@ -273,11 +318,11 @@ int dem_averages_sample(struct dem_averages *a, const struct dem_parts *p)
 
         if (is_due(g, p->time))
         {
-            DEM_TRY(sample(g, p));
+            status = sample(g, p, status);
             g->next = number_after(&g->plan, p->time);
         }
     }
-    return DEM_OK;
+    return status;
 }
 
 /* ---- results ------------------------------------------------------------------------------------------------- */

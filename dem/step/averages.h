@@ -47,8 +47,10 @@ void dem_averages_free(struct dem_averages *);
 /* 1 when a grid is due at this time. */
 int dem_averages_due(const struct dem_averages *, double time);
 
-/* Collective. Sample the grids that are due at the present time of the parts. After a sweep. */
-int dem_averages_sample(struct dem_averages *, const struct dem_parts *);
+/* Collective. Sample the grids that are due at the present time of the parts. After a sweep. The status that the step has so far comes
+   back; where that is success DEM_ERROR_NUMBER with a sentence, on the rank of a particle whose numbers can't be summed: all ranks leave such a
+   sample out, and hear of it when they next agree. */
+int dem_averages_sample(struct dem_averages *, const struct dem_parts *, int status);
 
 /* The files of every grid that has samples, by the first rank. */
 int dem_averages_save(const struct dem_averages *, const struct dem_parts *, const char *folder);

@@ -9,7 +9,9 @@
  */
 #include "base/error.h"
 #include "base/memory.h"
+#include "io/snapshot_head.h"
 #include "step/averages.h"
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -17,6 +19,9 @@ enum
 {
     SPANS = 3                                                 /* of a grid: what it is, sums of blocks, of all samples */
 };
+
+static const int64_t most_samples = (int64_t)1 << 53;
+static const double most_sum = 1e80;                          /* SI: so many samples of the largest that one takes, see averages.c */
 
 struct dem_average_record
 {
@@ -94,8 +99,24 @@ static void go_on(struct dem_averages *a, const struct dem_average_record *g, co
 /* 1 when the numbers that it tells of are there, in `left` bytes behind it. */
 static int holds(const struct dem_average_record *g, size_t left)
 {
-    return g->length > 0 && g->samples >= 0 && g->full == g->samples/g->length && g->full <= DEM_BLOCKS && g->columns > 0
+    return dem_snapshot_is_name(g->name, sizeof g->name) && g->length > 0 && g->samples >= 0 && g->samples <= most_samples && g->full == g->samples/g->length && g->full <= DEM_BLOCKS && g->columns > 0
         && (uint64_t)g->columns <= left/(used_of(g) + 1)/sizeof(double);
+}
+
+/* Sums over blocks, then over all samples. */
+static int judge_sums(const char *path, const struct dem_average_record *g, const char *numbers)
+{
+    const size_t n = (used_of(g) + 1)*(size_t)g->columns;
+
+    for (size_t k = 0; k < n; k++)
+    {
+        double sum;
+
+        memcpy(&sum, numbers + k*sizeof sum, sizeof sum);
+        DEM_REQUIRE(isless(fabs(sum), most_sum), DEM_ERROR_FILE, "%s is damaged: sum %zu of %zu of its means %s is %g, the limit is %g; use another one",
+                    path, k + 1, n, g->name, sum, most_sum);
+    }
+    return DEM_OK;
 }
 
 int dem_averages_resume(struct dem_averages *a, const char *path, const char *bytes, size_t size)
@@ -106,8 +127,10 @@ int dem_averages_resume(struct dem_averages *a, const char *path, const char *by
     {
         DEM_REQUIRE(size - at >= sizeof g, DEM_ERROR_FILE, "%s is damaged: its means end in the middle; use another one", path);
         memcpy(&g, bytes + at, sizeof g);
-        DEM_REQUIRE(holds(&g, size - at - sizeof g), DEM_ERROR_FILE, "%s is damaged: its means tell of %lld columns and %lld blocks in %zu "
-                    "bytes; use another one", path, (long long)g.columns, (long long)g.full, size - at - sizeof g);
+        DEM_REQUIRE(holds(&g, size - at - sizeof g), DEM_ERROR_FILE, "%s is damaged: its means tell of %lld samples of %lld columns, in %lld "
+                    "full blocks of %lld, in %zu bytes, or have a name that is none; use another one", path, (long long)g.samples, (long long)g.columns, (long long)g.full,
+                    (long long)g.length, size - at - sizeof g);
+        DEM_TRY(judge_sums(path, &g, bytes + at + sizeof g));
         go_on(a, &g, bytes + at + sizeof g);
     }
     return DEM_OK;

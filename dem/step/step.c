@@ -75,7 +75,7 @@ int dem_step_keep(struct dem_parts *p)
 /* Who moves by more than its radius in one step may pass through another unseen. Without contact effects anyone may. */
 static int not_too_far(const struct dem_parts *p, double fastest, double dt)
 {
-    const double most = p->watch.most_speed > 0.0 ? p->watch.most_speed : INFINITY;
+    const double light = dem_particle_most_speed, most = p->watch.most_speed > 0.0 ? p->watch.most_speed : INFINITY;
     double least = INFINITY;
 
     for (int c = 0; c < p->recipe.classes; c++)
@@ -87,7 +87,7 @@ static int not_too_far(const struct dem_parts *p, double fastest, double dt)
     DEM_REQUIRE(p->walls.stride <= least, DEM_ERROR_NUMBER,
                 "a wall moves by %.3g m in step %lld at time %g s; the limit is %g m, the radius of the smallest particle, or it may miss a "
                 "contact; use a smaller time/step, or a slower motion", p->walls.stride, (long long)p->steps, p->time, least);
-    for (size_t i = 0; (fastest*dt > least || fastest > most) && i < p->particles.n; i++)
+    for (size_t i = 0; (fastest*dt > least || fastest > most || fastest > light) && i < p->particles.n; i++)
     {
         const struct dem_particle *const q = &p->particles.record[i];
         const double speed = sqrt(q->v[0]*q->v[0] + q->v[1]*q->v[1] + q->v[2]*q->v[2]);
@@ -98,6 +98,9 @@ static int not_too_far(const struct dem_parts *p, double fastest, double dt)
                     "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit time/maxSpeed is %g m/s; look at what pushes it (%s), "
                     "or raise the limit", (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps, most,
                     p->recipe.step_limit < dt*(1.0 - 1e-9) ? "the step is forced above what its laws stand" : "an impact, a wall, the fluid");
+        DEM_REQUIRE(speed <= light, DEM_ERROR_NUMBER, "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit is %g m/s, the speed of light; "
+                    "use a smaller time/step, or look at the forces on it", (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps,
+                    light);
         DEM_REQUIRE(speed*dt <= q->radius, DEM_ERROR_NUMBER,
                     "particle %lld at (%g %g %g) m moves by %.3g m in step %lld, at %g m/s; its radius is %g m, which is the limit, "
                     "or it may miss a contact; use a smaller time/step, or look at the forces on it", (long long)q->id, q->x[0],
@@ -208,16 +211,16 @@ static int step(struct dem_parts *p, double dt, double kick, double since, int *
     return DEM_OK;
 }
 
-static int sample(struct dem_parts *p)
+static int sample(struct dem_parts *p, int status)
 {
     if (!dem_averages_due(&p->averages, p->time))
     {
-        return DEM_OK;
+        return status;
     }
     dem_phases_rare(&p->phases, DEM_PHASE_BODIES);
-    DEM_TRY(dem_averages_sample(&p->averages, p));
+    status = dem_averages_sample(&p->averages, p, status);
     dem_phases_rare_end(&p->phases, DEM_PHASE_AVERAGES);
-    return DEM_OK;
+    return status;
 }
 
 /* The first half kick, or what is left of it. */
@@ -245,7 +248,7 @@ static int make_steps(struct dem_parts *p)
 
         p->time = p->opened + (double)k*p->dt;
         DEM_TRY(step(p, p->dt, k < p->ahead ? p->dt : 0.5*p->dt, since, &status));
-        DEM_TRY(sample(p));
+        status = sample(p, status);
     }
     DEM_TRY(dem_agree(p, status));
     p->open = p->steps - p->before < p->ahead;

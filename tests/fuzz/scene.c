@@ -1,13 +1,39 @@
 /*
  * scene.c -- any bytes as the text of a scene: read and checked as dem plan does, up to the placing of particles.
  *
- * A zero ends the text, as in a string. Files that it names are looked for in the folder that the harness runs in.
+ * A zero ends the text, as in a string. Files that it names are looked for in the folder that the harness runs in. What the program and the
+ * coupling read (time/end and the like, write, coupling) is asked for here, or every scene of a run would be refused for it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "fuzz.h"
+#include "io/dictionary.h"
 #include <stdlib.h>
 #include <string.h>
+
+static void ask_for_the_rest(const struct dem_dict *scene)
+{
+    static const char *const whole[] = {"write", "coupling"};
+    const struct dem_dict *sub;
+    double number;
+
+    for (int k = 0; k < 2; k++)
+    {
+        if (!dem_dict_sub_if(scene, whole[k], &sub) && sub)
+        {
+            dem_dict_accept(sub);
+        }
+    }
+    if (!dem_dict_sub_if(scene, "time", &sub) && sub)
+    {
+        (void)dem_dict_number(sub, "end", "s", &number);
+        (void)dem_dict_number_or(sub, "maxCreated", "1", 0.0, &number);
+        if (!dem_dict_sub_if(sub, "untilQuiet", &sub) && sub)
+        {
+            dem_dict_accept(sub);
+        }
+    }
+}
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
@@ -22,6 +48,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (!status)
     {
         status = dem_scene_text(d, text, "scene");
+        if (!status)
+        {
+            ask_for_the_rest(dem_scene_dict(d));
+        }
         status = status ? status : dem_check(d);
         fuzz_judge(status);
         dem_free(d);

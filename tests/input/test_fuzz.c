@@ -1,5 +1,5 @@
 /*
- * Claims: the harnesses of tests/fuzz for snapshots, tables and surfaces, each with what it begins from and with that spoilt in 200 ways, end with success or one sentence,
+ * Claims: the harnesses of tests/fuzz for scenes, snapshots, tables and surfaces, each with what it begins from and with that spoilt in 200 ways, end with success or one sentence,
  * floating-point traps on; a snapshot whose head tells of what no file holds, its checksums put right, is refused as damaged.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -14,6 +14,9 @@
 #undef LLVMFuzzerTestOneInput
 #define LLVMFuzzerTestOneInput dem_fuzz_stl
 #include "fuzz/stl.c"
+#undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput dem_fuzz_scene
+#include "fuzz/scene.c"
 #undef LLVMFuzzerTestOneInput
 #include "fuzz/fuzz.c"
 
@@ -104,6 +107,9 @@ int main(void)
     }
     refuse_head(dem_snapshot_beside_at(&head) + MEANS_LENGTH, 0, n, "samples in a block of means");
     unlink(path);
+    spoil(dem_fuzz_scene, "input/base.dem");
+    spoil(dem_fuzz_scene, "parallel/streams.dem");
+    spoil(dem_fuzz_scene, "parallel/all.dem");
     spoil(dem_fuzz_table, "fuzz/seeds/table/ids.csv");
     spoil(dem_fuzz_table, "fuzz/seeds/table/marks.csv");
     spoil(dem_fuzz_stl, "fuzz/seeds/stl/two.stl");

@@ -1,6 +1,6 @@
 /*
  * Claims: particles from a table are where their rows say, with what columns say, whatever the order of the columns and what stands
- * between them; a row, a column or a number that is none is refused with file, line and text; ids past 2^31 and 2^53 are kept to
+ * between them; a row, a column or a number that is none is refused with file, line and text, a zero byte with file and line; ids past 2^31 and 2^53 are kept to
  * the last digit: from a table, a list and the program, in lists of bonds, in the view and through a snapshot; no id comes twice.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -92,6 +92,36 @@ static void test_slips(void)
     refused("id,x,y,z\n9007199254740993,0,0,0\n9007199254740993,0,0,1\n", one, "two particles", "9007199254740993");
 }
 
+/* A zero byte ends a string: what comes behind it must not be left out without a word. */
+static void test_zero(void)
+{
+    static const char rows[] = "x,y,z\n0,0,0\n0,0,1\0\n0,0,2\n", sizes[] = "1e-3 1\n2e-3\0 1\n";
+    const char *const scene = START "} insert { t { type %s; %s } }";
+
+    for (int k = 0; k < 2; k++)
+    {
+        FILE *const f = fopen(path, "wb");
+        char *const file = world_text("file \"%s\"; diameter 1e-3;", path);
+        char *const table = world_text("count 2; min (0 0 0); max (1 1 1); sizes { type table; file \"%s\"; }", path);
+        char *const text = world_text(scene, k ? "random" : "table", k ? table : file);
+
+        if (f)
+        {
+            fwrite(k ? sizes : rows, 1, k ? sizeof sizes - 1 : sizeof rows - 1, f);
+            fclose(f);
+        }
+        struct dem *const d = world_begin(text);
+        const int status = dem_check(d);
+
+        TAP_OK(status && strstr(dem_error_text(), path) && strstr(dem_error_text(), k ? "line 2: found a zero byte" : "line 3: found a zero byte"),
+               "%s: %s", k ? "sizes" : "rows", status ? dem_error_text() : "taken");
+        dem_free(d);
+        free(file);
+        free(table);
+        free(text);
+    }
+}
+
 /* 2^32 + 5, 2^53 + 1, which no double is, and the last there is */
 #define FIRST "4294967301"
 #define SECOND "9007199254740993"
@@ -170,6 +200,7 @@ int main(void)
     }
     test_rows();
     test_slips();
+    test_zero();
     test_ids();
     test_twins();
     remove(path);

@@ -1,6 +1,6 @@
 /*
  * Claims: a sphere gives each cell of a grid the volume it has there (slabs exactly, all cells together its volume, also
- * across a periodic face); mass that streams through has its velocity and no temperature, two streams against each other
+ * across a periodic face; a cell wider than a periodic box that of all images); mass that streams through has its velocity and no temperature, two streams against each other
  * have the square of their speed over three, and carry the stress rho v v; a column of spheres at rest stresses its box by
  * the sum of its contact forces times branches; friction at a wall is a shear stress of half of force times branch.
  *
@@ -134,6 +134,24 @@ static void wraps(void)
     free(scene);
 }
 
+/* One sphere and its images, all in one cell: so many of the largest number there is fill a sum most. */
+static void images(void)
+{
+    const double R = 1e-3, V = 4.0/3.0*world_pi*R*R*R;
+    const struct dem_seed seed[] = {{.position = {0.005, 0.005, 0.005}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
+    char *const scene = world_text("%s effects { hertz {} } time { step 1e-6; }"
+        "domain { min (0 0 0); max (0.01 0.01 0.01); periodic (x y z); }"
+        "averages { all { min (-0.01 -0.01 -0.01); max (0.02 0.02 0.02); interval 1e-6; } }", material);
+    struct dem *const d = world(scene, 1, seed);
+
+    world_run(d, 1e-6);
+    read_table(d, "all");
+    TAP_NEAR(sum("solidFraction")*2.7e-5, 27.0*V, 27.0*V*digits, "a sphere and 26 images in one cell: their volume");
+    TAP_NEAR(sum("bulkDensity")*2.7e-5, 27.0*V*2500.0, 27.0*V*2500.0*digits, "and mass");
+    dem_free(d);
+    free(scene);
+}
+
 /* two layers that slide past each other, apart */
 static void streams(void)
 {
@@ -254,6 +272,7 @@ int main(void)
     }
     shares();
     wraps();
+    images();
     streams();
     column();
     for (int k = 0; k < 3; k++)

@@ -1,0 +1,296 @@
+/*
+ * Claims: a snapshot whose checksums are right is refused all the same when it holds what no run has written: positions, velocities, spins, forces,
+ * remembered numbers, sums of means and books that are not finite, a speed above that of light, a place where doubles tell no overlaps apart, inertia
+ * that does not go with the mass, ids that are none or come twice, steps past counting, names of two lines. The sentence names the file, the thing, who has it and the value;
+ * `dem hash` says so, too, of all but ids that come twice and means. Put back, each is taken.
+ *
+ *     test_absurd                           the claims, alone
+ *     test_absurd -spoil FILE OUT SLIP      writes OUT, with a slip (speed, force, memory, twin) of the last particles or row: for many ranks
+ *
+ * Source: the contract of io/snapshot_judge.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/world.h"
+
+#include "io/hash.h"
+#include "io/snapshot_head.h"
+
+#include <unistd.h>
+
+static const char scene[] =
+    "materials { glass { density 2500; youngsModulus 1e6; } }"
+    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; } mindlin { friction 0.5; } }"
+    "domain { min (-1 -1 -1); max (1 1 1); leaving remove; }"
+    "walls { floor { type plane; point (0 0 0); normal (0.1 0 1); } }"
+    "insert { grains { type list; diameter 1e-3; positions ((0 0 4.9e-4) (0 0 1.45e-3)); }"
+    "         rain { type stream; material glass; rate 1e4; diameter 1e-3; min (0.1 0.1 0.1); max (0.11 0.11 0.11); } }"
+    "averages { box { min (-1 -1 -1); max (1 1 1); interval 1e-5; } }";
+
+enum
+{
+    MOST = 1 << 20,
+    MEANS = 248                                           /* bytes that stand before the sums, as averages_record.c has them */
+};
+
+static char folder[] = "/tmp/absurd.XXXXXX", good_path[64], bad_path[64];
+static char good[MOST], bad[MOST];
+static size_t size;
+
+static size_t load(const char *path, char *to)
+{
+    FILE *const f = fopen(path, "rb");
+    const size_t n = f ? fread(to, 1, MOST, f) : 0;
+
+    if (!f || fclose(f) || n < sizeof(struct dem_snapshot_head) || n == MOST)
+    {
+        world_end(path);
+    }
+    return n;
+}
+
+/* The bad one, with sums that are right. */
+static void store(const char *path)
+{
+    struct dem_snapshot_head h;
+    struct dem_hash beside;
+    FILE *const f = fopen(path, "wb");
+
+    memcpy(&h, bad, sizeof h);
+    dem_hash_start(&beside, 'b');
+    dem_hash_bytes(&beside, bad + dem_snapshot_beside_at(&h), (size_t)h.beside);
+    h.beside_checksum = dem_hash_value(&beside);
+    h.checksum = dem_snapshot_check((const double *)(bad + sizeof h), (size_t)h.particles, dem_snapshot_particle_doubles(&h))
+        + dem_snapshot_check((const double *)(bad + dem_snapshot_rows_at(&h)), (size_t)h.rows, dem_snapshot_row_doubles(&h));
+    h.head_checksum = dem_snapshot_head_check(&h);
+    memcpy(bad, &h, sizeof h);
+    if (!f || fwrite(bad, 1, size, f) != size || fclose(f))
+    {
+        world_end(path);
+    }
+}
+
+static struct dem_snapshot_head head(void)
+{
+    struct dem_snapshot_head h;
+
+    memcpy(&h, good, sizeof h);
+    return h;
+}
+
+/* Byte of a particle's record or column, of a row, of the first sum of means. */
+static size_t of_particle(int64_t k, size_t offset)
+{
+    const struct dem_snapshot_head h = head();
+
+    return sizeof h + (size_t)k*dem_snapshot_particle_doubles(&h)*sizeof(double) + offset;
+}
+
+static size_t of_row(int64_t k, size_t offset)
+{
+    const struct dem_snapshot_head h = head();
+
+    return dem_snapshot_rows_at(&h) + (size_t)k*dem_snapshot_row_doubles(&h)*sizeof(double) + offset;
+}
+
+static size_t of_means(void)
+{
+    const struct dem_snapshot_head h = head();
+
+    return dem_snapshot_beside_at(&h) + MEANS;
+}
+
+/* ---- refused ----------------------------------------------------------------------------------------------------- */
+
+static int starts(void)
+{
+    struct dem *const d = world_begin(scene);
+
+    WORLD_TRY(dem_load(d, bad_path));
+    const int status = dem_ready(d);
+
+    dem_free(d);
+    return status;
+}
+
+static void expect(int status, const char *what, const char *words)
+{
+    const char *const text = dem_error_text();
+
+    TAP_OK(status == DEM_ERROR_FILE && strstr(text, bad_path) && strstr(text, "is damaged") && strstr(text, "use another one") && strstr(text, words),
+           "%s: %s", what, status ? text : "taken");
+}
+
+/* Eight bytes of the file become others. */
+static void spoil(const char *what, size_t at, const void *word, int hashes, const char *words)
+{
+    uint64_t hash;
+
+    memcpy(bad, good, size);
+    memcpy(bad + at, word, 8);
+    store(bad_path);
+    expect(starts(), what, words);
+    if (hashes)
+    {
+        expect(dem_snapshot_fingerprint(bad_path, &hash), "asked for its fingerprint", words);
+    }
+}
+
+static void number(const char *what, size_t at, double value, const char *words)
+{
+    spoil(what, at, &value, 1, words);
+}
+
+static void whole(const char *what, size_t at, int64_t value, const char *words)
+{
+    spoil(what, at, &value, 1, words);
+}
+
+static void particles(void)
+{
+    const size_t x = offsetof(struct dem_particle, x), v = offsetof(struct dem_particle, v), w = offsetof(struct dem_particle, w);
+    const size_t force = sizeof(struct dem_particle);     /* the first column */
+
+    number("a place that is not a number", of_particle(1, x + 8), NAN, "the position of particle 1 is nan m in its number 2 of 3");
+    number("an infinite place", of_particle(0, x), -INFINITY, "the position of particle 0 is -inf m");
+    number("a place beyond all overlaps", of_particle(1, x), 1e30, "particle 1 at (1e+30 0 ");
+    number("a velocity that is not a number", of_particle(0, v), NAN, "the velocity of particle 0 is nan m/s");
+    number("an infinite velocity", of_particle(0, v + 16), INFINITY, "the velocity of particle 0 is inf m/s in its number 3");
+    number("1e30 m/s", of_particle(1, v), 1e30, "particle 1 has velocity (1e+30 ");
+    number("1e200 m/s, whose square is infinite", of_particle(1, v), 1e200, "the limit is 2.99792e+08 m/s");
+    number("a spin that is not a number", of_particle(1, w), NAN, "the spin of particle 1 is nan 1/s");
+    number("a surface faster than light", of_particle(1, w), 1e12, "particle 1 of radius 0.0005 m has spin (1e+12 ");
+    number("a radius that is not a number", of_particle(0, offsetof(struct dem_particle, radius)), NAN, "the radius of particle 0 is nan m");
+    number("a mass that is not a number", of_particle(0, offsetof(struct dem_particle, mass)), NAN, "the mass of particle 0 is nan kg");
+    number("an infinite inverse of the mass", of_particle(0, offsetof(struct dem_particle, inverse_mass)), INFINITY, "the inverse of the mass of particle 0");
+    number("no inverse of the mass of what is free", of_particle(0, offsetof(struct dem_particle, inverse_mass)), 0.0, "particle 0, which is free");
+    number("an inverse below zero", of_particle(0, offsetof(struct dem_particle, inverse_mass)), -1.0, "particle 0, which is free");
+    number("another moment of inertia", of_particle(1, offsetof(struct dem_particle, inverse_inertia)), 1.0, "particle 1, which is free");
+    number("a viscosity that is not a number", of_particle(1, offsetof(struct dem_particle, viscosity)), NAN, "viscosity at the place of particle 1 is nan");
+    number("a force that is not a number", of_particle(1, force), NAN, "force of particle 1 is nan");
+    number("an infinite torque", of_particle(1, force + 3*8), INFINITY, "torque of particle 1 is inf");
+    whole("an id below 0", of_particle(0, offsetof(struct dem_particle, id)), -1, "id -1, and ids go from 0 to 9223372036854775806");
+    whole("an id that leaves no next", of_particle(0, offsetof(struct dem_particle, id)), INT64_MAX, "id 9223372036854775807");
+    int64_t flags;
+
+    memcpy(&flags, good + of_particle(0, offsetof(struct dem_particle, material)), sizeof flags);
+    whole("flags that are none", of_particle(0, offsetof(struct dem_particle, material)), flags | 2 << 16, "particle 0 has flags 0x2");
+    whole("frozen, with inertia", of_particle(0, offsetof(struct dem_particle, material)), flags | 1 << 16, "particle 0, which is frozen");
+    const int64_t twin = 1;
+
+    spoil("an id that comes twice", of_particle(0, offsetof(struct dem_particle, id)), &twin, 0, "two of its particles have id 1");
+}
+
+static void the_rest(void)
+{
+    const struct dem_snapshot_head h = head();
+    const size_t window = offsetof(struct dem_snapshot_head, window), flow = offsetof(struct dem_snapshot_head, flow);
+    int64_t name;
+
+    TAP_OK(h.rows >= 2 && h.memories >= 3 && h.flows >= 1 && h.beside > MEANS, "it has rows that remember, books and means");
+    number("a remembered number that is none", of_row(0, sizeof(struct dem_carried)), NAN, "it remembers shear_x nan");
+    number("an infinite one", of_row(1, sizeof(struct dem_carried) + 8), -INFINITY, "it remembers shear_y -inf");
+    whole("steps past counting", offsetof(struct dem_snapshot_head, steps), INT64_MAX, "9223372036854775807 steps");
+    whole("a window with more done than it has", window + offsetof(struct dem_snapshot_window, done), 5, "of which 5 are done");
+    whole("a window of minus steps", window + offsetof(struct dem_snapshot_window, ahead), INT64_MIN, "a window of -9223372036854775808 steps");
+    number("a mass let in that is not a number", flow + offsetof(struct dem_snapshot_flow, mass), NAN, "the books of rain is nan");
+    number("an infinite debt", flow + offsetof(struct dem_snapshot_flow, owed), INFINITY, "the books of rain is inf");
+    memcpy(&name, "two\nway", sizeof name);
+    whole("a name of two lines", flow, name, "or of names that are none");
+    whole("a count below 0", flow + offsetof(struct dem_snapshot_flow, count), -1, "the books of rain tell of -1 particles");
+    for (int k = 0; k < 2; k++)
+    {
+        const double value = k ? 1e300 : NAN;
+
+        spoil("a sum of means", of_means(), &value, 0, k ? "of its means box is 1e+300" : "of its means box is nan");
+    }
+    const int64_t samples = INT64_MAX;
+
+    spoil("samples past counting", of_means() - 24, &samples, 0, "its means tell of 9223372036854775807 samples");
+    memcpy(bad, good, size);
+    store(bad_path);
+    TAP_OK(starts() == 0, "as it was it is taken");
+}
+
+/* What lists have learnt is no state: nonsense there is left aside, and the run has the bits of one without. */
+static void learnt(void)
+{
+    uint64_t hash[2] = {0};
+
+    for (int k = 0; k < 2; k++)
+    {
+        const double nothing = NAN;
+        struct dem *const d = world_begin(scene);
+
+        memcpy(bad, good, size);
+        for (int at = 3; k && at < 7; at++)
+        {
+            memcpy(bad + offsetof(struct dem_snapshot_head, learnt) + 8*(size_t)at, &nothing, sizeof nothing);
+        }
+        store(bad_path);
+        WORLD_TRY(dem_load(d, bad_path));
+        WORLD_TRY(dem_ready(d));
+        world_run(d, 1e-4);
+        hash[k] = world_hash(d);
+        dem_free(d);
+    }
+    TAP_OK(hash[0] == hash[1], "what lists have learnt is not a number: the same bits without it");
+}
+
+/* ---- for many ranks ---------------------------------------------------------------------------------------------- */
+
+static int write_slip(const char *path, const char *slip)
+{
+    const struct dem_snapshot_head h = head();
+    const int64_t last = h.particles - 1;
+    const double fast = 1e30, none = NAN;
+
+    memcpy(bad, good, size);
+    if (strcmp(slip, "speed") == 0)
+    {
+        memcpy(bad + of_particle(last, offsetof(struct dem_particle, v)), &fast, 8);
+    }
+    else if (strcmp(slip, "force") == 0)
+    {
+        memcpy(bad + of_particle(last, sizeof(struct dem_particle)), &none, 8);
+    }
+    else if (strcmp(slip, "memory") == 0)
+    {
+        memcpy(bad + of_row(h.rows - 1, sizeof(struct dem_carried)), &none, 8);
+    }
+    else
+    {
+        memcpy(bad + of_particle(last, offsetof(struct dem_particle, id)), good + of_particle(0, offsetof(struct dem_particle, id)), 8);
+    }
+    store(path);
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc == 5 && strcmp(argv[1], "-spoil") == 0)
+    {
+        size = load(argv[2], good);
+        return write_slip(argv[3], argv[4]);
+    }
+    TAP_TRAPS;
+    if (!mkdtemp(folder))
+    {
+        world_end("mkdtemp");
+    }
+    snprintf(good_path, sizeof good_path, "%s/good.dem", folder);
+    snprintf(bad_path, sizeof bad_path, "%s/bad.dem", folder);
+    struct dem *const d = world(scene, 0, NULL);
+
+    world_run(d, 1e-4);
+    WORLD_TRY(dem_save(d, good_path));
+    dem_free(d);
+    size = load(good_path, good);
+    particles();
+    the_rest();
+    learnt();
+    unlink(good_path);
+    unlink(bad_path);
+    TAP_OK(rmdir(folder) == 0, "tidied up");
+    TAP_DONE;
+}
