@@ -350,7 +350,8 @@ static void act(const void *of, struct dem_block *restrict b, dem_real *const *r
 /* ---- the ledger ---------------------------------------------------------------------------------------------- */
 
 /* What the books have of a bond that broke in this step and its springs never got: k x'^2/2 is lost, though the last drift, x to x',
-   ended with no force or with F of the contact that takes over, so what was put in is (k x + F) (x' - x)/2. */
+   ended with no force or with F of the contact that takes over, so what was put in is (k x + F) (x' - x)/2. One made in this very step
+   had no length a step ago, and is neither squeezed nor drawn. */
 static dem_real spared(const struct bond *bond, const struct dem_block *b, dem_real *const *before, int c, dem_real carried_on)
 {
     const dem_real rb = bond->radius*b->least_radius[c], A = 3.14159265358979324*rb*rb, J = 0.5*A*rb*rb;
@@ -358,7 +359,7 @@ static dem_real spared(const struct bond *bond, const struct dem_block *b, dem_r
     const dem_real slid = dem_carry_inner(l.u, dem_carry_turned(l.slip, l.n, l.q)), bent = dem_carry_inner(l.bend, dem_carry_turned(l.turn, l.n, l.q));
 
     return 0.5*b->dt*(bond->shear_stiffness*(A*slid + J*l.twist*l.spin) + 0.5*bond->normal_stiffness*J*bent
-                      - (bond->normal_stiffness*A*l.squeezed - carried_on)*b->rate[c]);
+                      - (bond->normal_stiffness*A*(before[LENGTH][c] > 0.0 ? l.squeezed : 0.0) - carried_on)*b->rate[c]);
 }
 
 /* What act has booked, but for two steps in which the contact's own law knows nothing of the bond yet: it still tells what a
