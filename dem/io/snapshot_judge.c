@@ -75,6 +75,8 @@ static int judge_motion(const char *path, const struct dem_particle *p)
 {
     const double most = dem_particle_most_speed*dem_particle_most_speed;
 
+    DEM_REQUIRE(p->radius > 0.0, DEM_ERROR_FILE, "%s is damaged: particle %lld has a radius of %g m, which must be above 0; use another one", path,
+                (long long)p->id, p->radius);
     DEM_REQUIRE(fmax(fabs(p->x[0]), fmax(fabs(p->x[1]), fabs(p->x[2]))) <= dem_crowd_far*p->radius, DEM_ERROR_FILE,
                 "%s is damaged: particle %lld at (%g %g %g) m is more than %g radii of %g m from the origin, where a double tells no overlaps apart; "
                 "use another one", path, (long long)p->id, p->x[0], p->x[1], p->x[2], dem_crowd_far, p->radius);
@@ -92,6 +94,8 @@ static int judge_inertia(const char *path, const struct dem_particle *p)
     const double turns = 0.4*p->mass*p->radius*p->radius*p->inverse_inertia;
     const int frozen = p->flags & DEM_PARTICLE_FROZEN, stays = p->inverse_mass == 0.0 && p->inverse_inertia == 0.0;
 
+    DEM_REQUIRE(p->mass > 0.0, DEM_ERROR_FILE, "%s is damaged: particle %lld has a mass of %g kg, which must be above 0; use another one", path,
+                (long long)p->id, p->mass);
     DEM_REQUIRE((p->flags & ~DEM_PARTICLE_FROZEN) == 0, DEM_ERROR_FILE, "%s is damaged: particle %lld has flags %#x, and the only one is %#x; use "
                 "another one", path, (long long)p->id, p->flags, DEM_PARTICLE_FROZEN);
     DEM_REQUIRE(frozen ? stays : p->inverse_mass > 0.0 && p->inverse_mass*p->mass < 1.0 + 1e-9 && fabs(turns - 1.0) < 1e-9, DEM_ERROR_FILE,

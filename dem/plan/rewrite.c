@@ -10,7 +10,9 @@
 #include "plan/rewrite.h"
 #include "dem.h"
 #include "base/error.h"
+#include "base/memory.h"
 #include "effects/effects.h"
+#include "io/file.h"
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -34,21 +36,11 @@ struct rewrite
 
 static int read_text(const char *path, struct dem_text *t)
 {
-    FILE *const f = fopen(path, "rb");
-    char piece[4097];
-    size_t n, whole = 0;
+    char *text;
 
-    DEM_REQUIRE(f, DEM_ERROR_FILE, "can't read %s: %s", path, strerror(errno));
-    do
-    {
-        n = fread(piece, 1, sizeof piece - 1, f);
-        piece[n] = '\0';
-        whole += n;
-        dem_text_add(t, "%s", piece);
-    }
-    while (n > 0);
-    fclose(f);
-    DEM_REQUIRE(t->status || t->n == whole, DEM_ERROR_INPUT, "%s has a zero byte; a scene is plain text", path);
+    DEM_TRY(dem_file_load_text(path, &text));
+    dem_text_add(t, "%s", text);
+    dem_memory_free(text);
     return t->status;
 }
 
@@ -64,13 +56,7 @@ static int write_text(const char *path, const char *text)
 
 static int must_not_be(const char *path)
 {
-    FILE *const f = fopen(path, "rb");
-
-    if (f)
-    {
-        fclose(f);
-    }
-    DEM_REQUIRE(!f, DEM_ERROR_FILE, "%s is there, and -write would write over it; move it away", path);
+    DEM_REQUIRE(!dem_file_exists(path), DEM_ERROR_FILE, "%s is there, and -write would write over it; move it away", path);
     return DEM_OK;
 }
 
@@ -254,7 +240,8 @@ int dem_rewrite(const struct dem_rewriter *by)
 {
     struct rewrite w = {.by = by};
 
-    DEM_REQUIRE(strlen(by->scene) + 8 < PATH, DEM_ERROR_INPUT, "the scene's name is longer than %d letters", PATH - 9);
+    DEM_REQUIRE(strlen(by->scene) + 8 < PATH, DEM_ERROR_INPUT, "the scene's name, %s, is longer than %d letters; go to its folder and give the name alone",
+                by->scene, PATH - 9);
     snprintf(w.part, sizeof w.part, "%s.part", by->scene);
     snprintf(w.before, sizeof w.before, "%s.before", by->scene);
     DEM_TRY(must_not_be(w.before));

@@ -175,6 +175,15 @@ int main(int argc, char *argv[])
         runTime.printExecutionTime(Info);
     }
 
+    if (args.found("plan") && !planned)
+    {
+        FatalErrorInFunction
+            << "There is nothing to plan: the run begins at "
+            << runTime.timeName() << " s and ends at "
+            << runTime.endTime().value() << " s; raise endTime, or begin"
+            << " earlier (startFrom in system/controlDict)"
+            << exit(FatalError);
+    }
     Info<< "End\n" << endl;
 
     return 0;
