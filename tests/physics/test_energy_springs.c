@@ -155,7 +155,8 @@ int main(void)
     oblique("a bubble in water", &bubble, 0.0);
     oblique("rolling and twisting", &moments, 0.0);
 
-    /* at a quarter of the automatic step: the contact that takes over begins a step later than it would, with an overlap that it never sees */
+    /* At a quarter of the automatic step, where 0.0014 was found; at that step itself up to 0.016 do not close. Why is not proved: the
+       contact that takes over begins with an overlap that it never sees. Of a bond taken for stretched by all its length it would be 1.4. */
     double broken[2], lost;
     const double m = world_ball(R, brittle.density);
 
