@@ -4,28 +4,30 @@
 #   $work                    a folder of this run's own, removed at the end (kept with SUNA_KEEP=1)
 #   claim "what" command ... prints "ok" when the command succeeds
 #   later "what" command ... a claim that runs aside, at most $at_once together (most of a short run is the start of MPI,
-#                            which waits); collect waits and tells them all
+#                            which waits); collect waits and prints them all
 #   skip "what" why          prints "ok ... # SKIP why"
 #   ranks N command ...      the command on N ranks, ended after SUNA_TEST_LIMIT seconds (default 120)
 #   printed_hash FILE        the fingerprint that a run printed
 #   picture FILE NAME:BYTES  the items of a .vtp file, one a line, in the order of their bytes: those columns (the first "points"), so
 #   ...                      many bytes an item each; pictures of other ranks have the same lines
 #   c_test SUITE/test_NAME   build and run a test in C; its own lines of TAP go by
+#   differs, agrees, equals, lacks, thorough, brief    see claims.sh
 #   finish                   the plan, and the exit status
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 here=$PWD
+. "${BASH_SOURCE[0]%/*}/claims.sh"
 dem=${DEM:-$here/../../dem/build/dem}
 if [ -z "${DEM-}" ] && ! built=$(make --no-print-directory -C ../../dem -j "$(nproc)" library program 2>&1)
 then
-    echo "Bail out! the program dem can't be built"
+    echo "Bail out! the program dem cannot be built"
     echo "$built" | tail -n 20
     exit 1
 fi
 work=$(mktemp -d) || exit 1
 [ -n "${SUNA_KEEP-}" ] || trap 'rm -rf "$work"' EXIT
-claims=0 failures=0 most=${SUNA_TEST_LIMIT:-120}
+claims=0 failures=0 run_limit=${SUNA_TEST_LIMIT:-120}
 
 # more ranks than cores: let those that wait give way, else every exchange costs a slice of the scheduler
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
@@ -88,9 +90,9 @@ ranks()
     shift
     if [ "$n" -eq 1 ]
     then
-        timeout -k 5 "$most" "$@"
+        timeout -k 5 "$run_limit" "$@"
     else
-        timeout -k 5 "$most" mpirun -np "$n" "$@"
+        timeout -k 5 "$run_limit" mpirun -np "$n" "$@"
     fi
 }
 

@@ -1,50 +1,68 @@
 /*
- * effect.h -- the contract between the house and one effect. An effect file includes this header only.
+ * effect.h -- the descriptor of an effect (physical model); each effect includes this header.
  *
- * An effect is one file and one row: it describes itself once (word, sentence, source, numbers with units, remembered
- * columns) and the house derives input, errors, tables, restart, search distance and time step from that.
+ * An effect is one file and one row in effects.h. Its descriptor declares the name, one sentence,
+ * the source, settings with units and ranges, and history columns. Input, error messages, the
+ * manual, restart, search distance and the limit of the time step are derived from it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_EFFECTS_EFFECT_H
 #define DEM_EFFECTS_EFFECT_H
 
-#include "base/error.h"
-#include "base/field.h"
-#include "effects/block.h"
+#include "core/error.h"
+#include "core/settings_table.h"
+#include "effects/batch.h"
+#include "effects/relevance.h"
 #include <stddef.h>
 
-/* A kernel is compiled for any x86-64, for AVX2 and for AVX-512, chosen at load time; contraction is off, so all give the same bits. */
+/* A kernel is compiled for any x86-64, for AVX2 and for AVX-512; one of them is chosen at load
+   time. Contraction to FMA is off, so all give the same bits. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) && !defined(DEM_NO_CLONES)
 #define DEM_KERNEL __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
 #else
 #define DEM_KERNEL
 #endif
 
-enum dem_stage                                            /* the order in which effects act; one NORMAL and one DAMP per pair */
+/* order in which effects are applied; one NORMAL and one DAMP for each pair class */
+enum dem_stage
 {
     DEM_STAGE_NORMAL,
     DEM_STAGE_DAMP,
     DEM_STAGE_TANGENT,
     DEM_STAGE_MOMENT,
-    DEM_STAGE_BOND,                                       /* from here on a contact effect may act past touching */
+    /* from here on contact effects may act across a gap */
+    DEM_STAGE_BOND,
     DEM_STAGE_FILM,
-    DEM_STAGE_BODY,                                       /* from here on an effect acts on bodies */
+    /* from here on effects act on single particles */
+    DEM_STAGE_BODY,
     DEM_STAGE_FLUID,
     DEM_STAGES
 };
 
-enum dem_needs                                            /* optional columns of a tray */
+enum dem_needs                                            /* optional columns of a batch */
 {
     DEM_NEEDS_SPIN = 1,                                   /* wx wy wz */
-    DEM_NEEDS_VISCOSITY = 2,                              /* contact: viscosity of the running fluid */
+    /* contact: viscosity of the coupled fluid */
+    DEM_NEEDS_VISCOSITY = 2,
     DEM_NEEDS_FLUID = 4,                                  /* body: the fluid columns */
-    DEM_NEEDS_CHANCE = 8,                                 /* contact: chance */
-    DEM_NEEDS_SWING = 16,                                 /* contact: swing, for what slider.h turns with the pair */
+    DEM_NEEDS_RANDOM = 8,                                 /* contact: pair_random */
+    /* contact: swing, by which slider.h rotates history vectors */
+    DEM_NEEDS_NORMAL_SPIN = 16,
     DEM_NEEDS_ACCELERATION = 32,                          /* body: ax ay az of the fluid */
     DEM_NEEDS_VORTICITY = 64,                             /* body: ox oy oz */
     DEM_NEEDS_STRESS = 128,                               /* body: sx sy sz */
     DEM_NEEDS_MEAN_DIAMETER = 256                         /* body: mean_diameter */
+};
+
+enum dem_drag                                             /* range of validity of a drag law */
+{
+    DEM_DRAG_NONE,                                        /* not a drag law */
+    DEM_DRAG_CREEPING,                                    /* single sphere, Re well below 1 */
+    DEM_DRAG_SINGLE,                                      /* single sphere */
+    DEM_DRAG_SUSPENSION,                                  /* single sphere to suspension */
+    DEM_DRAG_PACKED,                                      /* packed bed */
+    DEM_DRAG_BED                                          /* single sphere to packed bed */
 };
 
 struct dem_material
@@ -53,78 +71,142 @@ struct dem_material
     double density;                                       /* kg/m3 */
     double youngs_modulus;                                /* Pa    */
     double poissons_ratio;                                /* 1     */
-    double yield_strength;                                /* Pa    0: not told. No law takes it, the plan does */
+    /* Pa  0: not given. Used by `dem plan` only, by no law */
+    double yield_strength;
 };
 
-struct dem_pair_class                                     /* what all contacts of two materials share */
+/* constants of all contacts between two materials */
+struct dem_pair_class
 {
-    const struct dem_material *a, *b;                     /* b is the wall's where with_wall */
+    /* b is the material of the wall where with_wall */
+    const struct dem_material *a, *b;
     int with_wall;
-    double reduced_modulus;                               /* Pa   E*, 1/E* = sum (1 - nu^2)/E */
-    double reduced_shear;                                 /* Pa   G*, 1/G* = sum 2 (2 - nu)(1 + nu)/E */
-    double exponent;                                      /* 1    of the normal law in the overlap: 1 linear, 3/2 Hertz */
-    double least_radius;                                  /* m    smallest reduced radius present */
-    double least_mass;                                    /* kg   smallest reduced mass present */
-    double widest;                                        /* m    largest R_i + R_j present; R_i at a wall */
+    double reduced_modulus;  /* Pa   E*, 1/E* = sum (1 - nu^2)/E */
+    double reduced_shear;    /* Pa   G*, 1/G* = sum 2 (2 - nu)(1 + nu)/E */
+    /* 1  p of the normal law F ~ d^p: 1 linear, 3/2 Hertz */
+    double exponent;
+    double min_radius;       /* m    smallest reduced radius present */
+    double min_mass;         /* kg   smallest reduced mass present */
+    double max_radius_sum;   /* m    largest R_i + R_j present; R_i at a wall */
 };
 
 struct dem_effect
 {
-    const char *name;                                     /* the user's word */
-    const char *says;                                     /* one sentence */
-    const char *source;                                   /* the paper */
+    /* keyword in the scene */
+    const char *name;
+    /* words of other DEM codes for it, separated by blanks, for "did you mean"; or NULL */
+    const char *aliases;
+    /* one sentence */
+    const char *summary;
+    /* the paper */
+    const char *source;
     enum dem_stage stage;
-    unsigned needs;                                       /* enum dem_needs, or-ed */
-    double exponent;                                      /* NORMAL only: of the force in the overlap */
-    int drag;                                             /* FLUID only: 1 for a law of drag, of which a scene takes one */
-    int reacts;                                           /* FLUID only: 1: the fluid gets the opposite of its explicit force, in r of the tray */
-    int inertia;                                          /* FLUID only: 1: open_bodies tells an added mass */
-    int turns;                                            /* FLUID only: 1: it has a rotational drag, t of the tray */
-    const char *excludes;                                 /* word of an effect whose work it would do again; NULL: none */
-    size_t size;                                          /* bytes of the settings struct; 0 for none */
-    const struct dem_field *settings;                     /* its numbers, ended by a row of zeros; NULL for none */
-    const char *const *memory;                            /* names of remembered columns, ended by NULL; NULL for none */
-    int forgets;                                          /* 1: act itself leaves +0 in them where overlap and touching are 0 */
+    /* enum dem_needs, or-ed */
+    unsigned needs;
+    /* NORMAL only: p of F ~ d^p */
+    double exponent;
+    /* FLUID only: a drag law, and what it is valid for; a scene has at most one */
+    enum dem_drag drag;
+    /* FLUID only: 1: the opposite of its explicit force (rx ry rz) acts on the fluid */
+    int has_reaction;
+    /* FLUID only: 1: prepare_bodies sets an added mass */
+    int has_added_mass;
+    /* FLUID only: 1: it sets a rotational drag (t, tx ty tz) */
+    int has_rotational_drag;
+    /* FLUID only: 1: the force of the full pressure gradient, which contains buoyancy */
+    int has_pressure_gradient;
+    /* name of an effect that models the same thing and cannot be combined with this one; NULL:
+       none */
+    const char *excludes;
+    /* values for its required settings, as text of a scene, with which it can be tried out (`dem
+       effects -cost`); NULL: none are required */
+    const char *example;
+    /* bytes of the settings struct; 0 for none */
+    size_t size;
+    /* descriptors of the settings, ended by a row of zeros; or NULL */
+    const struct dem_setting *settings;
+    /* names of the history columns, ended by NULL; or NULL */
+    const char *const *history;
+    /* BOND only: the history column that is 1 for pairs listed in the scene's entry `bonds`; or
+       NULL */
+    const char *listed_column;
+    /* 1: `apply` itself sets them to +0 where overlap and touching are 0, so the caller need not
+       clear them */
+    int clears_history;
 
-    /* What it needs besides, with these settings: enum dem_needs, or-ed. May be NULL. */
-    unsigned (*asks)(const void *settings);
+    /* Further columns that it needs with these settings: enum dem_needs, or-ed. May be NULL. */
+    unsigned (*extra_needs)(const void *settings);
 
-    /* Derive constants and refuse nonsense. The class is NULL for body effects. May be NULL. */
+    /* Derive constants, check settings against each other and against the pair class.
+       Returns DEM_OK or an error. The class is NULL for body effects. May be NULL. */
     int (*prepare)(void *settings, const struct dem_pair_class *);
 
-    /* BOND and FILM: the largest gap at which it acts [m]. NULL: acts in contact only. */
+    /* BOND and FILM: the largest gap across which it acts [m]. NULL: acts in contact only. */
     double (*reach)(const void *settings, const struct dem_pair_class *);
 
-    /* The longest time step it stands [s], and why in a few words. NULL: any. */
+    /* The largest stable time step [s]; *why: its name in a few words, not to be freed.
+       NULL: no limit. */
     double (*time_limit)(const void *settings, const struct dem_pair_class *, const char **why);
 
-    /* BOND and FILM: called before the first stage, may take overlap and touch from the laws of contact. May be NULL. */
-    void (*shield)(const void *settings, struct dem_block *restrict, dem_real *const *memory);
+    /* BOND and FILM: called before the first stage; may clear overlap and touching, so that the
+       contact laws do not act. May be NULL. */
+    void (*replace_contact)(const void *settings, struct dem_contact_batch *restrict, dem_real *const *history);
 
-    /* FILM: called between DAMP and TANGENT, sets grip of the tray, and its own note: what friction must know before act. May be NULL. */
-    void (*adhere)(const void *settings, struct dem_block *restrict, dem_real *const *memory);
+    /* FILM: called between DAMP and TANGENT; sets the adhesive force (adhesive_force), which the friction
+       limit needs before `apply`, and its own column (scratch). May be NULL. */
+    void (*set_adhesion)(const void *settings, struct dem_contact_batch *restrict, dem_real *const *history);
 
-    /* How long an elastic impact of the smallest bodies lasts [s], at the speed that bounds the step; for the plan's
-       table of contacts. NORMAL only, may be NULL. */
+    /* Duration of an elastic impact of the smallest bodies [s] at the speed that bounds the time
+       step; for the contact table of `dem plan`. NORMAL only, may be NULL. */
     double (*contact_time)(const void *settings, const struct dem_pair_class *);
 
-    /* Contact effects: add to the tray. memory[k] is the k-th remembered column at the tray's rows; the house clears
-       it where partners do not touch (stages before BOND). */
-    void (*act)(const void *settings, struct dem_block *restrict, dem_real *const *memory);
+    /* Contact effects: add to the results of the batch. history[k] is the k-th history column at
+       the rows of the batch; the caller clears it where partners do not touch (stages before
+       BOND). */
+    void (*apply)(const void *settings, struct dem_contact_batch *restrict, dem_real *const *history);
 
-    /* Contact effects: what rows hold and lose by this effect; called right after act, only in runs that keep a ledger of
-       energy. `before` are the remembered columns as act found them, `memory` as it left them. NULL: the ledger takes the
-       books of stages BOND and FILM, and otherwise measures the work that the effect has done. */
-    void (*energy)(const void *settings, const struct dem_block *restrict, dem_real *const *before, dem_real *const *memory,
+    /* Contact effects: energy stored and dissipated by this effect, for each row. Called right
+       after `apply`, only in runs with an energy balance. `before` are the history columns before
+       `apply`, `history` after it. NULL: the energy balance takes stored and lost of the batch
+       (stages BOND and FILM), or else measures the work done by the effect. */
+    void (*energy)(const void *settings, const struct dem_contact_batch *restrict, dem_real *const *before, dem_real *const *history,
                    struct dem_energy *restrict);
 
-    /* What follows from radius, mass, void fraction, density and viscosity alone: laws of drag fill the tray's `swarm`, effects of
-       inertia add to `added`. These stay as they are in a window of the fluid; only then is it called, and act_on_bodies in each
-       step. May be NULL. */
-    void (*open_bodies)(const void *settings, struct dem_body_block *restrict);
+    /* What depends on radius, mass, void fraction, density and viscosity only: drag laws fill the
+       voidage factors (`voidage_factor`), effects of inertia add to `added_mass`. Called once for each coupling
+       window, in which these are constant; apply_to_bodies is called in each step. May be NULL. */
+    void (*prepare_bodies)(const void *settings, struct dem_body_batch *restrict);
 
-    /* Body effects: add to the tray of bodies. */
-    void (*act_on_bodies)(const void *settings, struct dem_body_block *restrict);
+    /* Body effects: add to the results of the body batch. */
+    void (*apply_to_bodies)(const void *settings, struct dem_body_batch *restrict);
+
+    /* Whether a scene needs the effect, for `dem plan`: fills in the relevance and returns 1, or
+       returns 0 if the numbers do not tell. settings NULL: the effect is not in use. `mechanism`
+       sets the order. Drag laws have none: the advisor judges them by their range. May be NULL:
+       nothing is said, for example of friction, which depends on surfaces. */
+    int (*relevance)(const void *settings, const struct dem_regime *, struct dem_relevance *);
+    enum dem_mechanism mechanism;
+
+    /* A line on the scene in dimensionless numbers of this effect, which is in use, for `dem plan`.
+       Returns 0 for none. May be NULL. */
+    int (*describe)(const void *settings, const struct dem_regime *, char *line, size_t size);
+
+    /* Contact effects: 1 if with these settings it holds particles together: adhesion, cohesion,
+       bonds. NULL: never. */
+    int (*adhesive)(const void *settings);
+
+    /* BOND only: 1 if these settings make bonds of the pairs that the scene lists in its entry
+       `bonds`, else 0. NULL: the effect does not read the list. */
+    int (*makes_listed)(const void *settings);
+
+    /* DAMP only: the added mass coefficient that the law itself counts with these settings [1]; 0:
+       none. Cannot be combined with an effect that has_added_mass. May be NULL. */
+    double (*own_added_mass)(const void *settings);
+
+    /* BODY only: sets g to the acceleration [m/s2] that it gives to all particles alike: gravity.
+       The energy balance counts its work as potential energy, beds and hydrostatic pressure are
+       related to it. NULL: none. See dem_interaction_table_gravity. */
+    void (*uniform_acceleration)(const void *settings, double g[3]);
 };
 
 #endif

@@ -1,11 +1,12 @@
 /*
- * effects.c -- the list of all effects and the search in it.
+ * effects.c -- the list of all effects and the look-up by name.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "effects/effects.h"
 
-#include "base/unknown.h"
+#include "core/aliases.h"
+#include "core/did_you_mean.h"
 
 #include <string.h>
 
@@ -30,13 +31,43 @@ const struct dem_effect *dem_effects_find(const char *name)
     return NULL;
 }
 
+const struct dem_effect *dem_effects_first(enum dem_stage stage)
+{
+    for (int k = 0; k < EFFECTS; k++)
+    {
+        if (dem_effects[k]->stage == stage)
+        {
+            return dem_effects[k];
+        }
+    }
+    return NULL;
+}
+
+const struct dem_effect *dem_effects_drag_law(enum dem_drag range)
+{
+    for (int k = 0; k < EFFECTS; k++)
+    {
+        if (dem_effects[k]->drag == range)
+        {
+            return dem_effects[k];
+        }
+    }
+    return NULL;
+}
+
+int dem_effect_is_alias(const struct dem_effect *effect, const char *word)
+{
+    return effect->aliases && dem_alias_is_among(effect->aliases, word);
+}
+
 int dem_effects_unknown(const char *where, const char *name)
 {
-    const char *known[EFFECTS];
+    const char *known[EFFECTS], *aliases[EFFECTS];
 
     for (int k = 0; k < EFFECTS; k++)
     {
         known[k] = dem_effects[k]->name;
+        aliases[k] = dem_effects[k]->aliases;
     }
-    return dem_error_prefix(dem_unknown_word("effect", name, known, EFFECTS), "%s: ", where);
+    return dem_error_prefix(dem_did_you_mean_alias_error("effect", name, known, aliases, EFFECTS), "%s: ", where);
 }

@@ -1,5 +1,5 @@
 /*
- * effects.h -- the list of all effects. To add one: write effects/<name>.c and add its row here.
+ * effects.h -- the list of all effects. To add one: write <folder>/<name>.c and add a row here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -51,20 +51,31 @@ DEM_EFFECT_ROWS(DEM_EFFECT_DECLARE)
 /* All effects, in the order of the list, ended by NULL. */
 extern const struct dem_effect *const dem_effects[];
 
-/* The effect with this word, or NULL. */
+/* The effect with this name, or NULL. */
 const struct dem_effect *dem_effects_find(const char *name);
 
-/* Open a tray of bodies and act on it, where it is used once only. */
-static inline void dem_effect_on_bodies(const struct dem_effect *effect, const void *settings, struct dem_body_block *b)
+/* The first effect of the list in that stage. */
+const struct dem_effect *dem_effects_first(enum dem_stage);
+
+/* The first drag law of the list with that range of validity. */
+const struct dem_effect *dem_effects_drag_law(enum dem_drag);
+
+/* Evaluate a body effect on a batch that is used once only: both prepare_bodies and apply_to_bodies. */
+static inline void dem_effect_apply_to_bodies(const struct dem_effect *effect, const void *settings,
+                                              struct dem_body_batch *b)
 {
-    if (effect->open_bodies)
+    if (effect->prepare_bodies)
     {
-        effect->open_bodies(settings, b);
+        effect->prepare_bodies(settings, b);
     }
-    effect->act_on_bodies(settings, b);
+    effect->apply_to_bodies(settings, b);
 }
 
-/* DEM_ERROR_INPUT with a sentence that names the known words, nearest first; `where` is the place in the input. */
+/* 1 if `word` is another code's word for the effect. */
+int dem_effect_is_alias(const struct dem_effect *, const char *word);
+
+/* Returns DEM_ERROR_INPUT with a message that lists the known names, most similar first.
+   `where`: position in the input. */
 int dem_effects_unknown(const char *where, const char *name);
 
 #endif

@@ -1,17 +1,33 @@
 /*
- * step.c -- one step of the particles. Data moves down this page and never up. Only here are all stores in one hand.
+ * step.c -- one time step of the particles: leapfrog in kick-drift form, and the coupling window of
+ * steps around it. The function step() below is the table of phases:
  *
- * Leapfrog in kick-drift form. Ranks agree on one thing a step: how fast the fastest particle is, whether anyone asks to stop and
- * whether anyone failed; all other decisions follow from that and from what all ranks know.
+ * 1. Drift positions, rotate orientations, move walls.
+ * 2. All ranks agree on the largest speed, on a request to stop and on errors (one all-reduce).
+ * 3. Update the neighbor lists: refresh ghosts, prune, or rebuild (neighbor_update.c).
+ * 4. Contact forces, batch by batch (sweep_contacts.c).
+ * 5. Sum the contact forces of each particle (sum_contacts.c), add body and fluid forces, kick
+ *    velocities and spins (sweep_bodies.c). In most steps this happens during phase 4, for the
+ *    particles whose contact forces are all known.
+ * 6. Contact durations and averages when due. Backup, energy balance and wall statistics need the
+ *    state within phase 5 and are made there.
+ *
+ * All other decisions follow from what all ranks know after the all-reduce.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/step.h"
-#include "step/agree.h"
-#include "step/neighbourhood.h"
-#include "base/memory.h"
-#include "step/motion.h"
-#include "step/orientation.h"
+#include "core/memory.h"
+#include "diagnostics/contact_durations.h"
+#include "diagnostics/energy_balance.h"
+#include "diagnostics/timers.h"
+#include "diagnostics/wall_statistics.h"
+#include "inflow/flows.h"
+#include "model/orientation.h"
+#include "output/grid_averages.h"
+#include "simulation/agree.h"
+#include "step/drift.h"
+#include "step/neighbor_update.h"
 #include "step/sum_contacts.h"
 #include "step/sweep_bodies.h"
 #include "step/sweep_contacts.h"
@@ -19,10 +35,10 @@
 #include <stdio.h>
 #include <string.h>
 
-/* ---- keeping ------------------------------------------------------------------------------------------------- */
+/* ---- backup ---------------------------------------------------------------------------------- */
 
 /* 1 when a position, a velocity, a spin, a force or a torque is not a number. */
-static int is_spoilt(const struct dem_particles *p)
+static int has_invalid_number(const struct dem_particles *p)
 {
     const double *const force = dem_column(p, DEM_COLUMN_FORCE), *const torque = dem_column(p, DEM_COLUMN_TORQUE);
     double sum = 0.0;
@@ -37,253 +53,324 @@ static int is_spoilt(const struct dem_particles *p)
     return isnan(sum);
 }
 
-/* Within a window velocities are half a kick behind: the copy gets it, the run does not feel that it was copied. */
-static int keep(struct dem_parts *p, int status, double half_kick)
+/* Within a window velocities are half a kick behind. The copy gets this half kick [s]; the run
+   itself is not changed by the backup. */
+static int make_backup(struct dem_state *p, int status, double half_kick)
 {
-    struct dem_kept *const k = &p->kept;
-    double spoilt = is_spoilt(&p->particles);
+    struct dem_backup *const backup = &p->backup;
+    double invalid = has_invalid_number(&p->particles);
 
-    DEM_TRY(dem_agree_most(p, status, &spoilt, 1));
-    if (spoilt > 0.0)
+    DEM_TRY(dem_agree_max(p, status, &invalid, 1));
+    if (invalid > 0.0)
     {
         return DEM_OK;
     }
-    DEM_TRY(dem_kept_take(k, &p->particles, &p->contacts, p->pairs.wall_region));
-    dem_flows_keep(&p->flows);
-    k->time = p->time;
-    k->steps = p->steps;
+    DEM_TRY(dem_backup_save(backup, &p->particles, &p->contacts, p->pairs.wall_facet));
+    dem_flows_backup(p->flows);
+    backup->time = p->time;
+    backup->steps = p->steps;
     if (half_kick > 0.0)
     {
-        dem_sweep_bodies(&k->particles, &p->recipe.bodies, &(struct dem_body_sweep){.kick = half_kick, .window = p->window});
-        dem_domain_hold(&p->domain, &k->particles);
+        dem_sweep_bodies(&backup->particles, &p->interaction_table.bodies,
+                         &(struct dem_body_sweep){.kick = half_kick, .window = p->window});
+        dem_domain_constrain(&p->domain, &backup->particles);
     }
     return DEM_OK;
 }
 
-int dem_step_keep(struct dem_parts *p)
+int dem_step_backup(struct dem_state *p)
 {
-    if (p->open)
+    if (p->half_step_ahead)
     {
-        p->kept.steps = p->kept.held ? p->kept.steps : p->steps - p->kept.every;
+        p->backup.steps = p->backup.valid ? p->backup.steps : p->steps - p->backup.every;
         return DEM_OK;
     }
-    return keep(p, DEM_OK, 0.0);
+    return make_backup(p, DEM_OK, 0.0);
 }
 
-/* ---- the step ------------------------------------------------------------------------------------------------ */
+/* ---- phases of the step ---------------------------------------------------------------------- */
 
-/* Who moves by more than its radius in one step may pass through another unseen. Without contact effects anyone may. */
-static int not_too_far(const struct dem_parts *p, double fastest, double dt)
+/* A particle that moves by more than its radius in one step may pass another unseen; the limit is
+   the smallest radius of the materials with contact effects. Speeds above time/maxSpeed and above
+   the speed of light are errors, too. */
+static int check_displacements(const struct dem_state *p, double max_speed, double dt)
 {
-    const double light = dem_particle_most_speed, most = p->watch.most_speed > 0.0 ? p->watch.most_speed : INFINITY;
-    double least = INFINITY;
+    const double light = dem_particle_max_speed;
+    const double limit = p->limits.max_speed > 0.0 ? p->limits.max_speed : INFINITY;
+    double min_radius = INFINITY;
 
-    for (int c = 0; c < p->recipe.classes; c++)
+    for (int c = 0; c < p->interaction_table.classes; c++)
     {
-        const int material = (int)(p->recipe.chain[c].pair.a - p->recipe.material);
+        const int material = (int)(p->interaction_table.list[c].pair.a - p->interaction_table.material);
 
-        least = p->recipe.chain[c].links > 0 ? fmin(least, p->recipe.least_radius[material]) : least;
+        min_radius = p->interaction_table.list[c].entries > 0 ? fmin(min_radius, p->interaction_table.min_radius[material]) : min_radius;
     }
-    DEM_REQUIRE(p->walls.stride <= least, DEM_ERROR_NUMBER,
+    DEM_REQUIRE(p->walls.displacement <= min_radius, DEM_ERROR_NUMBER,
                 "a wall moves by %.3g m in step %lld at time %g s; the limit is %g m, the radius of the smallest particle, or it may miss a "
-                "contact; use a smaller time/step, or a slower motion", p->walls.stride, (long long)p->steps, p->time, least);
-    for (size_t i = 0; (fastest*dt > least || fastest > most || fastest > light) && i < p->particles.n; i++)
+                "contact; use a smaller time/step, or a slower motion", p->walls.displacement, (long long)p->steps, p->time, min_radius);
+    for (size_t i = 0; (max_speed*dt > min_radius || max_speed > limit || max_speed > light) && i < p->particles.n; i++)
     {
         const struct dem_particle *const q = &p->particles.record[i];
         const double speed = sqrt(q->v[0]*q->v[0] + q->v[1]*q->v[1] + q->v[2]*q->v[2]);
 
-        DEM_REQUIRE(!isnan(speed), DEM_ERROR_NUMBER, "the velocity of particle %lld is not a number at step %lld; look at the "
-                    "forces on it, and at the fluid around it", (long long)q->id, (long long)p->steps);
-        DEM_REQUIRE(speed <= most, DEM_ERROR_NUMBER,
-                    "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit time/maxSpeed is %g m/s; look at what pushes it (%s), "
-                    "or raise the limit", (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps, most,
-                    p->recipe.step_limit < dt*(1.0 - 1e-9) ? "the step is forced above what its laws stand" : "an impact, a wall, the fluid");
+        DEM_REQUIRE(!isnan(speed), DEM_ERROR_NUMBER, "the velocity of particle %lld is not a number at step %lld; check the "
+                    "forces on it, and the fluid around it", (long long)q->id, (long long)p->steps);
+        DEM_REQUIRE(speed <= limit, DEM_ERROR_NUMBER,
+                    "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit time/maxSpeed is %g m/s; check what accelerates it (%s), "
+                    "or raise the limit", (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps, limit,
+                    p->interaction_table.step_limit < dt*(1.0 - 1e-9) ? "the time step is forced above the limit of its laws" : "an impact, a wall, the fluid");
         DEM_REQUIRE(speed <= light, DEM_ERROR_NUMBER, "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit is %g m/s, the speed of light; "
-                    "use a smaller time/step, or look at the forces on it", (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps,
+                    "use a smaller time/step, or check the forces on it", (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps,
                     light);
         DEM_REQUIRE(speed*dt <= q->radius, DEM_ERROR_NUMBER,
                     "particle %lld at (%g %g %g) m moves by %.3g m in step %lld, at %g m/s; its radius is %g m, which is the limit, "
-                    "or it may miss a contact; use a smaller time/step, or look at the forces on it", (long long)q->id, q->x[0],
+                    "or it may miss a contact; use a smaller time/step, or check the forces on it", (long long)q->id, q->x[0],
                     q->x[1], q->x[2], speed*dt, (long long)p->steps, speed, q->radius);
     }
     return DEM_OK;
 }
 
-/* Copies travel while ranks agree; when lists have to be renewed they have travelled in vain. */
-static int send_and_agree(struct dem_parts *p, int status, double fastest[2])
+/* The drift itself, unless the last step has done so already. Returns the largest speed of this
+   rank [m/s]. */
+static double drift_particles(struct dem_state *p)
 {
+    struct dem_drift_speeds speeds = {{0.0}, {0.0}};
+
+    if (p->next_drift_done)
+    {
+        p->next_drift_done = 0;
+        return p->fastest;
+    }
+    dem_drift_particles(p->particles.record, p->particles.n, p->dt, p->domain.round, &speeds);
+    return dem_drift_max_speed(&speeds);
+}
+
+/* 1. From here on p->time and p->steps are those of the end of the step. Returns the largest speed
+   of this rank [m/s]. */
+static double drift(struct dem_state *p, double kick)
+{
+    const double max_speed = drift_particles(p);
+
+    dem_orientation_turn(&p->particles, p->dt);
+    p->steps++;
+    dem_walls_move(&p->walls, p->time, p->dt);
+    dem_walls_advance(&p->walls, p->steps - p->steps_before, p->steps_ahead);
+    if (p->energy_balance->open)
+    {
+        dem_energy_balance_after_drift(p, p->dt);
+        p->energy_balance->sums_elastic = kick < p->dt;
+    }
+    return max_speed;
+}
+
+/* 2. *max_speed becomes that of all ranks. Ghost data is sent while ranks agree, to hide its
+   latency; when lists are rebuilt it was not needed. */
+static int agree(struct dem_state *p, int status, double *max_speed)
+{
+    double max[2] = {*max_speed, p->stop_request ? (double)*p->stop_request : 0.0};
+
     if (!p->stale)
     {
-        dem_halo_send(&p->halo, &p->particles, DEM_HALO_NEAR);
-        dem_phases_end(&p->phases, DEM_PHASE_REFRESH);
+        dem_halo_send(&p->halo, &p->particles, DEM_HALO_CANDIDATES);
+        dem_timers_end_phase(p->timers, DEM_PHASE_REFRESH);
     }
-    status = dem_agree_most(p, status, fastest, 2);
-    if (status || !isfinite(fastest[0]))
+    status = dem_agree_max(p, status, max, 2);
+    if (status || !isfinite(max[0]))
     {
         dem_halo_wait(&p->halo);
     }
     DEM_TRY(status);
-    DEM_REQUIRE(isfinite(fastest[0]), DEM_ERROR_NUMBER, "a particle's velocity is not a number at step %lld; look at the forces "
-                "on it, and at the fluid around it", (long long)p->steps);
+    DEM_REQUIRE(isfinite(max[0]), DEM_ERROR_NUMBER, "a particle's velocity is not a number at step %lld; check the forces "
+                "on it, and the fluid around it", (long long)p->steps);
+    *max_speed = max[0];
+    p->stopped = (int)max[1];
     return DEM_OK;
 }
 
-static void count_work(struct dem_parts *p)
+static void count_work(struct dem_state *p)
 {
-    p->phases.particle_steps += (int64_t)p->particles.n;
+    p->timers->particle_steps += (int64_t)p->particles.n;
     for (int c = 0; c < p->contacts.classes; c++)
     {
-        p->phases.row_steps += p->contacts.segment[c].count;
+        p->timers->row_steps += p->contacts.segment[c].count;
     }
-    dem_balance_count(&p->balance, p->particles.n, &p->contacts);
+    dem_load_balance_count(&p->load_balance, p->particles.n, &p->contacts);
 }
 
-/* To where particles are in this step, unless the last one has brought them there. Returns the fastest [m/s]. */
-static double drift(struct dem_parts *p, double dt)
+struct due    /* what is due in this step, and what follows from it for the sweeps */
 {
-    struct dem_motion_seen seen = {{0.0}, {0.0}};
+    int backup, durations;
+    int fused;              /* particles are summed and kicked during the sweep of contacts */
+    int observed;           /* forces or positions are read after this step */
+};
 
-    if (p->drifted)
-    {
-        p->drifted = 0;
-        return p->fastest;
-    }
-    dem_motion_drift(p->particles.record, p->particles.n, dt, p->domain.round, &seen);
-    return dem_motion_fastest(&seen);
+static struct due what_is_due(const struct dem_state *p, double kick)
+{
+    const int last = kick < p->dt || p->stopped;
+    struct due due = {.durations = dem_contact_durations_due(p->durations, p->steps)};
+
+    due.backup = p->backup.every > 0 && p->steps >= p->backup.steps + p->backup.every && kick == p->dt;
+    due.fused = !due.backup && !p->energy_balance->open;
+    due.observed = last || due.durations || dem_grid_averages_due(p->averages, p->time);
+    return due;
 }
 
-/* The step that ends at p->time. The status of the sweep is kept for the next agreement, so that all ranks stop together. */
-static int step(struct dem_parts *p, double dt, double kick, double since, int *status)
+static struct dem_body_sweep options(const struct dem_state *p, const struct due *due, double kick)
 {
-    dem_phases_step(&p->phases);
-    double fastest[2] = {drift(p, dt), p->asked ? (double)*p->asked : 0.0};
+    const int flat = p->domain.flat[0] || p->domain.flat[1] || p->domain.flat[2];
 
-    dem_orientation_turn(&p->particles, dt);
-    p->steps++;
-    dem_walls_move(&p->walls, p->time, dt);
-    dem_walls_go(&p->walls, p->steps - p->before, p->ahead);
-    if (p->ledger.open)
-    {
-        dem_ledger_drift(p, dt);
-        p->ledger.tells = kick < dt;
-    }
-    *status = *status ? *status : not_too_far(p, fastest[0], dt);
-    dem_phases_end(&p->phases, DEM_PHASE_DRIFT);
-    DEM_TRY(send_and_agree(p, *status, fastest));
-    p->stopped = (int)fastest[1];
-    DEM_TRY(dem_neighbourhood(p, fastest[0]*dt, kick < dt || p->stopped));
-    count_work(p);
-    const int keeps = p->kept.every > 0 && p->steps >= p->kept.steps + p->kept.every && kick == dt;
-    const int watched = dem_durations_due(&p->durations, p->steps);
-    const int fused = !keeps && !p->ledger.open, looked = kick < dt || p->stopped || watched || dem_averages_due(&p->averages, p->time);
-    const int held = p->domain.flat[0] || p->domain.flat[1] || p->domain.flat[2];
-    const struct dem_body_sweep bodies = {.kick = kick, .window = p->window, .ledger = p->ledger.open ? &p->ledger : NULL,
-                                          .contacts = fused ? &p->contacts : NULL, .quiet = fused && !looked,
-                                          .round = held ? NULL : p->domain.round};
-    struct dem_body_pass pass;
+    return (struct dem_body_sweep){.kick = kick, .window = p->window, .contacts = due->fused ? &p->contacts : NULL,
+                                   .unobserved = due->fused && !due->observed, .round = flat ? NULL : p->domain.round,
+                                   .energy_balance = p->energy_balance->open ? p->energy_balance : NULL};
+}
 
-    dem_bodies_begin(&pass, &p->particles, &p->recipe.bodies, &bodies);
-    *status = dem_sweep_contacts_and(p, dt, (const double[2]){since, p->time}, bodies.contacts ? &pass : NULL);
-    dem_phases_end(&p->phases, DEM_PHASE_CONTACTS);
-    if (!bodies.contacts)
+/* 5. In a fused step most particles are summed and kicked already; the pass knows which. */
+static int sum_and_kick(struct dem_state *p, const struct due *due, struct dem_body_pass *pass,
+                        int status)
+{
+    if (!due->fused)
     {
         dem_sum_contacts(&p->particles, &p->contacts);
     }
-    if (p->ledger.open)
+    if (p->energy_balance->open)
     {
-        dem_ledger_swept(p, dt);
+        dem_energy_balance_after_sweep(p, p->dt);
     }
-    dem_wall_books_add(p, kick);
-    dem_sum_books(&p->particles, &p->contacts);
-    dem_phases_end(&p->phases, DEM_PHASE_SUMS);
-    if (keeps)
+    dem_wall_statistics_add_kick(p, pass->sweep->kick);
+    dem_sum_bond_energies(&p->particles, &p->contacts);
+    dem_timers_end_phase(p->timers, DEM_PHASE_SUMS);
+    if (due->backup)
     {
-        dem_phases_rare(&p->phases, DEM_PHASE_SUMS);
-        *status = keep(p, *status, 0.5*dt);
-        dem_phases_rare_end(&p->phases, DEM_PHASE_KEEP);
+        dem_timers_begin_rare_phase(p->timers, DEM_PHASE_SUMS);
+        status = make_backup(p, status, 0.5*p->dt);
+        dem_timers_end_rare_phase(p->timers, DEM_PHASE_BACKUP);
     }
-    dem_bodies_until(&pass, p->particles.n);
-    dem_domain_hold(&p->domain, &p->particles);
-    p->drifted = pass.quiet && bodies.round;
-    p->fastest = dem_motion_fastest(&pass.seen);
-    dem_phases_end(&p->phases, DEM_PHASE_BODIES);
-    *status = *status || !watched ? *status : dem_durations_note(&p->durations, p);
-    return DEM_OK;
-}
-
-static int sample(struct dem_parts *p, int status)
-{
-    if (!dem_averages_due(&p->averages, p->time))
-    {
-        return status;
-    }
-    dem_phases_rare(&p->phases, DEM_PHASE_BODIES);
-    status = dem_averages_sample(&p->averages, p, status);
-    dem_phases_rare_end(&p->phases, DEM_PHASE_AVERAGES);
+    dem_bodies_kick_until(pass, p->particles.n);
+    dem_domain_constrain(&p->domain, &p->particles);
+    p->next_drift_done = pass->unobserved && pass->sweep->round;
+    p->fastest = dem_drift_max_speed(&pass->speeds);
+    dem_timers_end_phase(p->timers, DEM_PHASE_BODIES);
     return status;
 }
 
-/* The first half kick, or what is left of it. */
-static void kick_off(struct dem_parts *p, double kick)
+/* 6. */
+static int sample_diagnostics(struct dem_state *p, const struct due *due, int status)
 {
-    if (kick > 0.0)
+    if (due->durations && !status)
     {
-        dem_wall_books_add(p, kick);
-        dem_sweep_bodies(&p->particles, &p->recipe.bodies, &(struct dem_body_sweep){.kick = kick, .window = p->window,
-                         .ledger = p->ledger.open ? &p->ledger : NULL});
+        status = dem_contact_durations_record(p->durations, p);
     }
-    dem_domain_hold(&p->domain, &p->particles);
-    dem_phases_end(&p->phases, DEM_PHASE_BODIES);
+    if (dem_grid_averages_due(p->averages, p->time))
+    {
+        dem_timers_begin_rare_phase(p->timers, DEM_PHASE_BODIES);
+        status = dem_grid_averages_sample(p->averages, p, status);
+        dem_timers_end_rare_phase(p->timers, DEM_PHASE_AVERAGES);
+    }
+    return status;
 }
 
-/* The steps of the window that are still to be made, or those until somebody asks to stop. */
-static int make_steps(struct dem_parts *p)
+/* ---- the step -------------------------------------------------------------------------------- */
+
+/* The step from `since` to p->time, with a kick [s] of dt, or of dt/2 at the end of a window. An
+   error of this rank after the agreement is left in `status` for the next one, so that all ranks
+   stop together. */
+static int step(struct dem_state *p, double since, double kick, int *status)
 {
-    int status = DEM_OK;
+    struct dem_body_pass pass;
 
-    p->stopped = p->open = p->drifted = 0;
-    for (int64_t k = p->steps - p->before + 1; k <= p->ahead && !p->stopped; k++)
-    {
-        const double since = p->time;
+    /* 1. drift */
+    dem_timers_begin_step(p->timers);
+    double max_speed = drift(p, kick);
 
-        p->time = p->opened + (double)k*p->dt;
-        DEM_TRY(step(p, p->dt, k < p->ahead ? p->dt : 0.5*p->dt, since, &status));
-        status = sample(p, status);
-    }
-    DEM_TRY(dem_agree(p, status));
-    p->open = p->steps - p->before < p->ahead;
-    if (!p->open)
-    {
-        dem_bodies_close(&p->particles, &p->domain, p->window);
-    }
-    dem_phases_leave(&p->phases);
+    *status = *status ? *status : check_displacements(p, max_speed, p->dt);
+    dem_timers_end_phase(p->timers, DEM_PHASE_DRIFT);
+
+    /* 2. agree */
+    DEM_TRY(agree(p, *status, &max_speed));
+
+    /* 3. refresh ghosts, prune or rebuild */
+    DEM_TRY(dem_neighbor_update(p, max_speed*p->dt, kick < p->dt || p->stopped));
+    count_work(p);
+
+    const struct due due = what_is_due(p, kick);
+    const struct dem_body_sweep sweep = options(p, &due, kick);
+
+    /* 4. contacts */
+    dem_bodies_begin_pass(&pass, &p->particles, &p->interaction_table.bodies, &sweep);
+    *status = dem_sweep_contacts_and_bodies(p, p->dt, (const double[2]){since, p->time}, due.fused ? &pass : NULL);
+    dem_timers_end_phase(p->timers, DEM_PHASE_CONTACTS);
+
+    /* 5. sums, body and fluid forces, kick */
+    *status = sum_and_kick(p, &due, &pass, *status);
+
+    /* 6. diagnostics */
+    *status = sample_diagnostics(p, &due, *status);
     return DEM_OK;
 }
 
-int dem_step_window(struct dem_parts *p, double dt, int64_t steps)
+/* ---- the window ------------------------------------------------------------------------------ */
+
+/* The first half kick of a window, or the rest of it. */
+static void first_kick(struct dem_state *p, double kick)
 {
-    const double had = p->open ? 0.5*p->dt : 0.0;         /* velocities that an open window left ahead have had theirs */
+    if (kick > 0.0)
+    {
+        dem_wall_statistics_add_kick(p, kick);
+        dem_sweep_bodies(&p->particles, &p->interaction_table.bodies, &(struct dem_body_sweep){.kick = kick, .window = p->window,
+                         .energy_balance = p->energy_balance->open ? p->energy_balance : NULL});
+    }
+    dem_domain_constrain(&p->domain, &p->particles);
+    dem_timers_end_phase(p->timers, DEM_PHASE_BODIES);
+}
+
+/* The remaining steps of the window, or those until a stop is requested. */
+static int make_steps(struct dem_state *p)
+{
+    int status = DEM_OK;
+
+    p->stopped = p->half_step_ahead = p->next_drift_done = 0;
+    for (int64_t k = p->steps - p->steps_before + 1; k <= p->steps_ahead && !p->stopped; k++)
+    {
+        const double since = p->time;
+
+        p->time = p->window_start + (double)k*p->dt;
+        DEM_TRY(step(p, since, k < p->steps_ahead ? p->dt : 0.5*p->dt, &status));
+    }
+    DEM_TRY(dem_agree(p, status));
+    p->half_step_ahead = p->steps - p->steps_before < p->steps_ahead;
+    if (!p->half_step_ahead)
+    {
+        dem_bodies_end_window(&p->particles, &p->domain, p->window);
+    }
+    dem_timers_end_advance(p->timers);
+    return DEM_OK;
+}
+
+int dem_step_window(struct dem_state *p, double dt, int64_t steps)
+{
+    /* s  an open window has left velocities ahead by this */
+    const double done = p->half_step_ahead ? 0.5*p->dt : 0.0;
 
     p->window = dt*(double)steps;
     p->dt = dt;
-    p->opened = p->time;
-    p->before = p->steps;
-    p->ahead = steps;
-    dem_phases_enter(&p->phases, p->particles.n);
+    p->window_start = p->time;
+    p->steps_before = p->steps;
+    p->steps_ahead = steps;
+    dem_timers_begin_advance(p->timers, p->particles.n);
     dem_walls_move(&p->walls, p->time, 0.0);
-    dem_walls_set_off(&p->walls, p->window);
-    dem_bodies_open(&p->particles, &p->recipe.bodies);
-    if ((p->recipe.needs & DEM_NEEDS_VISCOSITY || dem_column(&p->particles, DEM_COLUMN_ADDED_MASS)) && !p->stale)
+    dem_walls_begin_advance(&p->walls, p->window);
+    dem_bodies_begin_window(&p->particles, &p->interaction_table.bodies);
+    if ((p->interaction_table.needs & DEM_NEEDS_VISCOSITY || dem_column(&p->particles, DEM_COLUMN_ADDED_MASS)) && !p->stale)
     {
         DEM_TRY(dem_halo_refresh_fluid(&p->halo, &p->particles));
     }
-    dem_flows_kick(&p->flows, 0.5*dt - had);
-    kick_off(p, 0.5*dt - had);
+    dem_flows_complete_departures(p->flows, 0.5*dt - done);
+    first_kick(p, 0.5*dt - done);
     return make_steps(p);
 }
 
-int dem_step_on(struct dem_parts *p)
+int dem_step_continue(struct dem_state *p)
 {
-    dem_phases_enter(&p->phases, p->particles.n);
+    dem_timers_begin_advance(p->timers, p->particles.n);
     return make_steps(p);
 }

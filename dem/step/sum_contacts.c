@@ -1,76 +1,82 @@
 /*
- * sum_contacts.c -- who sums which row, in the order of partner ids, is laid out by state/contacts.
+ * sum_contacts.c -- sum contact forces over the rows of each particle, in the order of partner ids
+ * that model/contacts.h lays out.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/sum_contacts.h"
 #include "effects/effect.h"
-#include "step/quad.h"
+#include "step/vec4.h"
 
-/* What a row does to i, and to j. */
+/* Sign of a row's force on i, and on j. */
 static const double sides[2] = {1.0, -1.0};
 
 typedef float eight __attribute__((vector_size(32), aligned(32), may_alias));
 
-/* Force and torque of a push: the fourth lanes hold arms and spares, which go nowhere. Eight at once, which gcc widens twice as fast as
-   two times four. `single`: a constant for the compiler. */
+/* Load f and t of a contact force; the fourth lanes hold the arm and a spare number. Single
+   precision is converted eight numbers at once, for which gcc generates twice as fast code as for
+   two times four. `single` is a compile-time constant at every call. */
 __attribute__((always_inline)) static inline void
-take(const void *restrict push, size_t row, const int single, dem_quad *f, dem_quad *t)
+load(const void *restrict force, size_t row, const int single, dem_vec4 *f, dem_vec4 *t)
 {
     if (single)
     {
         typedef double wide __attribute__((vector_size(64)));
 
-        const wide both = __builtin_convertvector(*(const eight *)(const void *)((const struct dem_push_single *)push + row), wide);
+        const wide both = __builtin_convertvector(*(const eight *)(const void *)((const struct dem_contact_force_single *)force + row), wide);
 
         *f = __builtin_shufflevector(both, both, 0, 1, 2, 3);
         *t = __builtin_shufflevector(both, both, 4, 5, 6, 7);
     }
     else
     {
-        *f = DEM_QUAD(((const struct dem_push *)push)[row].f);
-        *t = DEM_QUAD(((const struct dem_push *)push)[row].t);
+        *f = DEM_VEC4(((const struct dem_contact_force *)force)[row].f);
+        *t = DEM_VEC4(((const struct dem_contact_force *)force)[row].t);
     }
 }
 
-struct places                                             /* where pushes are: at their rows; those that are summed soon perhaps in the ring */
+struct storage    /* where contact forces are: [0] deferred rows, [1] buffered rows */
 {
-    const void *base[2];
-    uint32_t mask[2];
+    const void *base[2];  /* records of the rows, or the ring buffer */
+    uint32_t mask[2];     /* of the row number */
 };
 
-static struct places places_of(const struct dem_contacts *c, int quiet)
+static struct storage storage_of(const struct dem_contacts *c, int unobserved)
 {
-    const void *const push = c->single ? (const void *)c->push_single : (const void *)c->push;
-    const void *const ring = c->single ? (const void *)c->ring_single : (const void *)c->ring;
+    const void *const rows = c->single ? (const void *)c->force_single : (const void *)c->force;
+    const void *const buffer = c->single ? (const void *)c->force_buffer_single : (const void *)c->force_buffer;
 
-    return quiet && ring ? (struct places){{push, ring}, {UINT32_MAX, DEM_RING - 1}} : (struct places){{push, push}, {UINT32_MAX, UINT32_MAX}};
+    return unobserved && buffer ? (struct storage){{rows, buffer}, {UINT32_MAX, DEM_FORCE_BUFFER_ROWS - 1}}
+                         : (struct storage){{rows, rows}, {UINT32_MAX, UINT32_MAX}};
 }
 
 __attribute__((always_inline)) static inline void
-add(const struct places *at, uint32_t entry, const int single, double radius, dem_quad *f, dem_quad *t)
+add(const struct storage *at, uint32_t entry, const int single, double radius, dem_vec4 *f,
+    dem_vec4 *t)
 {
-    const uint32_t soon = (entry & DEM_ENTRY_SOON)/DEM_ENTRY_SOON;
-    dem_quad row_f, row_t;
+    const uint32_t buffered = (entry & DEM_ENTRY_BUFFERED)/DEM_ENTRY_BUFFERED;
+    dem_vec4 row_f, row_t;
 
-    take(at->base[soon], entry >> DEM_ENTRY_ROW & at->mask[soon], single, &row_f, &row_t);
+    load(at->base[buffered], entry >> DEM_ENTRY_ROW_SHIFT & at->mask[buffered], single, &row_f, &row_t);
     *f += sides[entry & DEM_ENTRY_SIDE]*row_f;
     *t += (__builtin_shufflevector(row_f, row_f, 3, 3, 3, 3) - radius)*row_t;
 }
 
 __attribute__((always_inline)) static inline void
-sum(const struct dem_contacts *c, const struct dem_particle *restrict record, const struct dem_sum_part *part, const int single)
+sum(const struct dem_contacts *c, const struct dem_particle *restrict record,
+    const struct dem_sum_slice *part, const int single)
 {
-    const struct places at = places_of(c, part->quiet);
-    const uint32_t *restrict const start = c->near_start, *restrict const entry = c->near_entry;
+    const struct storage at = storage_of(c, part->unobserved);
+    const uint32_t *restrict const start = c->row_start, *restrict const entry = c->row_entry;
     double *restrict force = part->force, *restrict torque = part->torque;
 
     for (size_t i = part->first; i < part->end; i++)
     {
         const double radius = record[i].radius;
-        dem_quad f = {0.0, 0.0, 0.0, 0.0}, t = {0.0, 0.0, 0.0, 0.0};
+        dem_vec4 f = {0.0, 0.0, 0.0, 0.0}, t = {0.0, 0.0, 0.0, 0.0};
 
-        /* by twos: half as many ends of a loop to guess */
+        /* two at a time, to halve the number of mispredicted loop ends; lists have an even
+           length */
         for (size_t k = start[i], end = start[i + 1]; k < end; k += 2)
         {
             add(&at, entry[k], single, radius, &f, &t);
@@ -85,27 +91,29 @@ sum(const struct dem_contacts *c, const struct dem_particle *restrict record, co
 }
 
 DEM_KERNEL
-static void sum_pushes(const struct dem_contacts *c, const struct dem_particle *record, const struct dem_sum_part *part)
+static void sum_full(const struct dem_contacts *c, const struct dem_particle *record,
+                     const struct dem_sum_slice *part)
 {
     sum(c, record, part, 0);
 }
 
 DEM_KERNEL
-static void sum_single_pushes(const struct dem_contacts *c, const struct dem_particle *record, const struct dem_sum_part *part)
+static void sum_single(const struct dem_contacts *c, const struct dem_particle *record,
+                       const struct dem_sum_slice *part)
 {
     sum(c, record, part, 1);
 }
 
-static void add_moments(const struct dem_contacts *c, const struct dem_sum_part *part)
+static void add_moments(const struct dem_contacts *c, const struct dem_sum_slice *part)
 {
     for (size_t i = part->first; i < part->end; i++)
     {
         double *const torque = part->torque + 3*(i - part->first);
 
-        for (uint32_t e = c->near_start[i]; e < c->near_start[i + 1]; e++)
+        for (uint32_t e = c->row_start[i]; e < c->row_start[i + 1]; e++)
         {
-            const double side = sides[c->near_entry[e] & DEM_ENTRY_SIDE];
-            const double *const m = c->moment + 3*(c->near_entry[e] >> DEM_ENTRY_ROW);
+            const double side = sides[c->row_entry[e] & DEM_ENTRY_SIDE];
+            const double *const m = c->moment + 3*(c->row_entry[e] >> DEM_ENTRY_ROW_SHIFT);
 
             torque[0] += side*m[0];
             torque[1] += side*m[1];
@@ -114,13 +122,14 @@ static void add_moments(const struct dem_contacts *c, const struct dem_sum_part 
     }
 }
 
-void dem_sum_part(const struct dem_particles *p, const struct dem_contacts *c, const struct dem_sum_part *part)
+void dem_sum_slice(const struct dem_particles *p, const struct dem_contacts *c,
+                   const struct dem_sum_slice *part)
 {
     if (part->first == part->end)
     {
         return;
     }
-    (c->single ? sum_single_pushes : sum_pushes)(c, p->record, part);
+    (c->single ? sum_single : sum_full)(c, p->record, part);
     if (c->moment)
     {
         add_moments(c, part);
@@ -129,23 +138,23 @@ void dem_sum_part(const struct dem_particles *p, const struct dem_contacts *c, c
 
 void dem_sum_contacts(struct dem_particles *p, const struct dem_contacts *c)
 {
-    dem_sum_part(p, c, &(struct dem_sum_part){.end = p->n, .force = dem_column(p, DEM_COLUMN_FORCE), .torque = dem_column(p, DEM_COLUMN_TORQUE)});
+    dem_sum_slice(p, c, &(struct dem_sum_slice){.end = p->n, .force = dem_column(p, DEM_COLUMN_FORCE), .torque = dem_column(p, DEM_COLUMN_TORQUE)});
 }
 
-/* Half of what a pair books belongs to each partner; a wall keeps no books. */
-void dem_sum_books(struct dem_particles *p, const struct dem_contacts *c)
+/* Each partner of a pair gets half of its energies; at a wall the particle gets all. */
+void dem_sum_bond_energies(struct dem_particles *p, const struct dem_contacts *c)
 {
-    double *const lost = dem_column(p, DEM_COLUMN_LOST), *const broken = dem_column(p, DEM_COLUMN_BROKEN);
+    double *const lost = dem_column(p, DEM_COLUMN_LOST_ENERGY), *const broken = dem_column(p, DEM_COLUMN_BROKEN_BONDS);
 
-    for (size_t i = 0; c->booked && i < p->n; i++)
+    for (size_t i = 0; c->has_energy && i < p->n; i++)
     {
-        for (uint32_t e = c->near_start[i]; e < c->near_start[i + 1]; e++)
+        for (uint32_t e = c->row_start[i]; e < c->row_start[i + 1]; e++)
         {
-            const uint32_t row = c->near_entry[e] >> DEM_ENTRY_ROW;
-            const double share = row < c->rows && c->pair[c->row_pair[row]].wall ? 1.0 : 0.5;
+            const uint32_t row = c->row_entry[e] >> DEM_ENTRY_ROW_SHIFT;
+            const double fraction = row < c->rows && c->pair[c->row_pair[row]].wall ? 1.0 : 0.5;
 
-            lost[i] += share*c->books[row].lost;
-            broken[i] += share*c->books[row].broke;
+            lost[i] += fraction*c->energy[row].lost;
+            broken[i] += fraction*c->energy[row].broke;
         }
     }
 }

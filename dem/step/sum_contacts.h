@@ -1,28 +1,31 @@
 /*
- * sum_contacts.h -- from one push per row to one force and torque per particle.
+ * sum_contacts.h -- sum the contact forces of the rows to one force and one torque per particle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_STEP_SUM_CONTACTS_H
 #define DEM_STEP_SUM_CONTACTS_H
 
-#include "state/contacts.h"
-#include "state/particles.h"
+#include "model/contacts.h"
+#include "model/particles.h"
 
-struct dem_sum_part
+struct dem_sum_slice                                       /* a contiguous slice of particles */
 {
-    size_t first, end;                                    /* particles */
-    double *force, *torque;                               /* theirs, 3 numbers each [N], [N m] */
-    int quiet;                                            /* 1: pushes went round in the ring, if there is one */
+    size_t first, end;       /* particles */
+    double *force, *torque;  /* results, 3 numbers a particle [N], [N m] */
+    int unobserved;               /* 1: in this step contact forces were written
+                                to the ring buffer, if there is one */
 };
 
-/* Each particle of the part sums its rows in fixed order. */
-void dem_sum_part(const struct dem_particles *, const struct dem_contacts *, const struct dem_sum_part *);
+/* Each particle of the slice sums its rows in the order of partner ids. */
+void dem_sum_slice(const struct dem_particles *, const struct dem_contacts *,
+                   const struct dem_sum_slice *);
 
-/* All of them, into the columns force and torque. */
+/* All particles, into the columns force and torque. */
 void dem_sum_contacts(struct dem_particles *, const struct dem_contacts *);
 
-/* What rows have booked in the last sweep joins the columns lost and broken. */
-void dem_sum_books(struct dem_particles *, const struct dem_contacts *);
+/* Add the energies lost [J] and the bonds broken in the last sweep to the columns lost and broken
+   of the particles. */
+void dem_sum_bond_energies(struct dem_particles *, const struct dem_contacts *);
 
 #endif

@@ -1,57 +1,73 @@
 /*
- * sweep_bodies.h -- forces on single particles (gravity, fluid) and the kick that integrates everything.
+ * sweep_bodies.h -- forces on single particles (gravity, fluid) and the kick that integrates
+ * velocities and spins.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_STEP_SWEEP_BODIES_H
 #define DEM_STEP_SWEEP_BODIES_H
 
-#include "space/domain.h"
-#include "state/contacts.h"
-#include "state/particles.h"
-#include "state/recipe.h"
-#include "step/body_tray.h"
-#include "step/ledger.h"
-#include "step/motion.h"
+#include "model/domain.h"
+#include "model/contacts.h"
+#include "model/particles.h"
+#include "model/interaction_table.h"
+#include "step/body_batch.h"
+#include "diagnostics/energy_balance.h"
+#include "step/drift.h"
 
-struct dem_body_sweep
+struct dem_body_sweep    /* options of one sweep over all particles */
 {
-    double kick;                                          /* s  velocities and spins are kicked over this */
-    double window;                                        /* s  the pending impulse of the last exchange is spread over this; 0: none */
-    const struct dem_contacts *contacts;                  /* to be summed first, while what they push is at hand; NULL: they are */
-    int quiet;                                            /* 1: nobody looks between this step and the next: forces are not kept, */
-    const double *round;                                  /* and who is kicked drifts on at once, over the kick, by dem_domain.round;
-                                                             NULL: something else is to be done before */
-    struct dem_ledger *ledger;                            /* books the work; NULL: nobody does */
+    double kick;                                /* s  velocities and spins are
+                                                   kicked over this time */
+    double window;                              /* s  the impulse carried over from the last
+                                                   exchange is spread over this; 0: none */
+    const struct dem_contacts *contacts;        /* contact forces to be summed first, while
+                                                   they are in cache; NULL: summed already */
+    int unobserved;                                  /* 1: nothing reads forces or positions before
+                                                   the next step: forces are not stored, */
+    const double *round;                        /* and kicked particles drift at once,
+                                                   over the kick, with the rounding of
+                                                   dem_domain.round; NULL: something
+                                                   has to be done before the drift */
+    struct dem_energy_balance *energy_balance;  /* energy balance that sums the work; NULL: none */
 };
 
-/* Evaluate the body effects at the present state and kick. The contact force and torque of the columns act as constants; drag is
-   integrated exactly. */
-void dem_sweep_bodies(struct dem_particles *, const struct dem_chain *bodies, const struct dem_body_sweep *);
+/* Evaluate the body effects at the present state and kick all particles. Contact force and torque
+   are constant over the kick; drag is integrated exactly. */
+void dem_sweep_bodies(struct dem_particles *, const struct dem_effect_list *bodies,
+                      const struct dem_body_sweep *);
 
-struct dem_body_pass                                      /* the same bit by bit, as far as contacts are known */
+struct dem_body_pass    /* the same sweep in parts, as far as contact forces are known */
 {
     struct dem_particles *particles;
-    const struct dem_chain *bodies;
+    const struct dem_effect_list *bodies;  /* effect list of the body effects */
     const struct dem_body_sweep *sweep;
-    size_t next;                                          /* the first who has not been kicked */
-    int quiet;                                            /* as asked, unless something has happened that is to be told */
-    struct dem_motion_seen seen;                          /* of who has drifted */
-    struct dem_body_tray tray;
+    size_t next;                           /* first particle that has not been kicked */
+    int unobserved;                             /* as in the options, or 0 after
+                                              an event that reads speeds */
+    struct dem_drift_speeds speeds;        /* speeds of the particles that have drifted */
+    struct dem_body_workspace workspace;
 };
 
-void dem_bodies_begin(struct dem_body_pass *, struct dem_particles *, const struct dem_chain *bodies, const struct dem_body_sweep *);
+/* Begin a pass over the particles; kicks none. The particles, effects and options are only
+   referenced: they have to outlive the pass. */
+void dem_bodies_begin_pass(struct dem_body_pass *, struct dem_particles *,
+                      const struct dem_effect_list *bodies, const struct dem_body_sweep *);
 
-/* Blocks of DEM_BLOCK, up to the one that `end` is in or ends. */
-void dem_bodies_until(struct dem_body_pass *, size_t end);
+/* The particles up to `end`, in whole batches of DEM_BATCH_ROWS: sum their contact forces if the
+   options say so, evaluate the body effects, kick. */
+void dem_bodies_kick_until(struct dem_body_pass *, size_t end);
 
-/* Start a window of the fluid: clear what the particles will tell it, work out what its steps have in common. */
-void dem_bodies_open(struct dem_particles *, const struct dem_chain *bodies);
+/* Begin a coupling window: clear the columns that are passed to the fluid, and compute what is
+   constant over its steps. */
+void dem_bodies_begin_window(struct dem_particles *, const struct dem_effect_list *bodies);
 
-/* Only what laws of drag make of the fluid alone, and the added mass: for a window that is gone on with. */
-void dem_bodies_open_laws(struct dem_particles *, const struct dem_chain *bodies);
+/* Only the constants of the window, voidage factors of drag laws and added mass: for a window that
+   is continued. */
+void dem_bodies_window_constants(struct dem_particles *, const struct dem_effect_list *bodies);
 
-/* End it: the response R of each particle from its drag impulse (see the definition in sweep_bodies.c). */
-void dem_bodies_close(struct dem_particles *, const struct dem_domain *, double window);
+/* End a coupling window of length `window` [s]: compute the response R of each particle from its
+   drag impulse (see sweep_bodies.c). */
+void dem_bodies_end_window(struct dem_particles *, const struct dem_domain *, double window);
 
 #endif

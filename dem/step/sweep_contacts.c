@@ -1,169 +1,186 @@
 /*
- * sweep_contacts.c -- fill the tray -> each effect of the class in the order of stages -> one push per row.
+ * sweep_contacts.c -- for each batch of contact rows: gather the partners, apply the effects of the
+ * class in the order of their stages, store one contact force a row.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/sweep_contacts.h"
-#include "base/math.h"
-#include "base/memory.h"
-#include "step/hot_chain.h"
-#include "step/loss_cause.h"
-#include "step/push_place.h"
-#include "step/tray.h"
+#include "core/math.h"
+#include "core/memory.h"
+#include "step/fused_kernel.h"
+#include "diagnostics/lost_cause.h"
+#include "step/force_buffer.h"
+#include "step/fill_batch.h"
 #include "step/wall_springs.h"
-#include "step/watch.h"
+#include "diagnostics/limits.h"
+#include "diagnostics/energy_balance.h"
+#include "diagnostics/lost_particles.h"
+#include "diagnostics/bonds.h"
 #include <string.h>
 
-/* ---- results ------------------------------------------------------------------------------------------------- */
+/* ---- history --------------------------------------------------------------------------------- */
 
 DEM_KERNEL
-static void forget_apart(const struct dem_block *restrict b, double *restrict memory)
+static void clear_apart(const struct dem_contact_batch *restrict b, double *restrict history)
 {
     for (int c = 0; c < b->n; c++)
     {
-        memory[c] = dem_pick(b->touching[c] > 0.0, memory[c], 0.0);
+        history[c] = dem_select(b->touching[c] > 0.0, history[c], 0.0);
     }
 }
 
-/* ---- passing through ----------------------------------------------------------------------------------------- */
+/* ---- crossing a wall ------------------------------------------------------------------------- */
 
-/* 1 when a particle's centre was on the other side of its wall a step ago: it moves away faster than that takes. */
-static inline double passed(const struct dem_block *restrict b, int c)
+/* 1 when the particle's centre was on the other side of its wall a step ago: it moves away from the
+   wall by more than its distance. */
+static inline double crossed(const struct dem_contact_batch *restrict b, int c)
 {
-    return dem_pick(b->vn[c]*b->dt > b->least_radius[c] - b->overlap[c], b->touching[c], 0.0);
+    return dem_select(b->vn[c]*b->dt > b->min_radius[c] - b->overlap[c], b->touching[c], 0.0);
 }
 
 DEM_KERNEL
-static double count_passes(const struct dem_block *restrict b)
+static double count_crossings(const struct dem_contact_batch *restrict b)
 {
     double count = 0.0;
 
     for (int c = 0; c < b->n; c++)
     {
-        count += passed(b, c);
+        count += crossed(b, c);
     }
     return count;
 }
 
-/* Only triangles have two sides: elsewhere there is no behind. */
-static int list_passes(struct dem_parts *p, const struct dem_tray *t, uint32_t row, int rows)
+/* Only walls of triangles have two sides. */
+static int list_crossings(struct dem_state *p, const struct dem_contact_workspace *t, uint32_t row,
+                          int rows)
 {
     for (int c = 0; c < rows; c++)
     {
         const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[row + (uint32_t)c]];
 
-        if (passed(&t->block, c) > 0.0 && p->walls.region[p->pairs.wall_region[q->j]].shape == DEM_SHAPE_TRIANGLES)
+        if (crossed(&t->batch, c) > 0.0
+            && p->walls.facet[p->pairs.wall_facet[q->j]].shape == DEM_SHAPE_TRIANGLES)
         {
-            DEM_TRY(DEM_GROW(p->losses.pass, p->losses.pass_room, p->losses.passes + 1));
-            p->losses.pass[p->losses.passes++] = row + (uint32_t)c;
+            DEM_TRY(DEM_GROW(p->lost_particles->crossed, p->lost_particles->crossed_capacity, p->lost_particles->crossings + 1));
+            p->lost_particles->crossed[p->lost_particles->crossings++] = row + (uint32_t)c;
         }
     }
     return DEM_OK;
 }
 
-/* ---- the sweep ----------------------------------------------------------------------------------------------- */
+/* ---- the sweep ------------------------------------------------------------------------------- */
 
-/* The columns that an effect remembers, at the tray's rows; returns how many. */
-static int recall(const struct dem_contacts *c, const struct dem_link *link, uint32_t row, double **memory)
+/* The history columns of an effect at the rows of the batch. Returns their number. */
+static int find_history(const struct dem_contacts *c, const struct dem_effect_entry *entry,
+                        uint32_t row, double **history)
 {
-    const int memories = dem_effect_memories(link->effect);
+    const int columns = dem_effect_history_columns(entry->effect);
 
-    for (int m = 0; m < memories; m++)
+    for (int m = 0; m < columns; m++)
     {
-        memory[m] = c->memory[link->memory + m] + row;
+        history[m] = c->history[entry->first_column + m] + row;
     }
-    return memories;
+    return columns;
 }
 
-static void shield(struct dem_tray *t, const struct dem_chain *chain, const struct dem_contacts *c, uint32_t row)
+/* Effects that replace the contact of the surfaces, for example bonds: they clear the touching mask
+   before the contact laws act. */
+static void replace_contacts(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
+                          const struct dem_contacts *c, uint32_t row)
 {
-    double *memory[DEM_MEMORY_COLUMNS];
+    double *history[DEM_HISTORY_COLUMNS];
 
-    for (int k = 0; k < chain->links; k++)
+    for (int k = 0; k < effects->entries; k++)
     {
-        if (chain->link[k].effect->shield)
+        if (effects->entry[k].effect->replace_contact)
         {
-            recall(c, &chain->link[k], row, memory);
-            chain->link[k].effect->shield(chain->link[k].settings, &t->block, memory);
+            find_history(c, &effects->entry[k], row, history);
+            effects->entry[k].effect->replace_contact(effects->entry[k].settings, &t->batch, history);
         }
     }
 }
 
-/* What films tell friction, just before it acts. */
-static void adhere(struct dem_tray *t, const struct dem_chain *chain, const struct dem_contacts *c, uint32_t row)
+/* Adhesive forces of films, which friction needs, just before it acts. */
+static void apply_adhesion(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
+                           const struct dem_contacts *c, uint32_t row)
 {
-    double *memory[DEM_MEMORY_COLUMNS];
+    double *history[DEM_HISTORY_COLUMNS];
 
-    for (int k = 0; k < chain->links; k++)
+    for (int k = 0; k < effects->entries; k++)
     {
-        if (chain->link[k].effect->adhere)
+        if (effects->entry[k].effect->set_adhesion)
         {
-            recall(c, &chain->link[k], row, memory);
-            chain->link[k].effect->adhere(chain->link[k].settings, &t->block, memory);
+            find_history(c, &effects->entry[k], row, history);
+            effects->entry[k].effect->set_adhesion(effects->entry[k].settings, &t->batch, history);
         }
     }
 }
 
-/* 1 when this is the first link that acts after NORMAL and DAMP in a chain that may have a film */
-static int films_first(const struct dem_chain *chain, int link)
+/* 1 when this entry is the first after the stages NORMAL and DAMP, in an effect list that acts past
+   touching. */
+static int is_first_after_damping(const struct dem_effect_list *effects, int k)
 {
-    return chain->past_touching && chain->link[link].effect->stage >= DEM_STAGE_TANGENT
-           && (link == 0 || chain->link[link - 1].effect->stage < DEM_STAGE_TANGENT);
+    return effects->past_touching && effects->entry[k].effect->stage >= DEM_STAGE_TANGENT
+           && (k == 0 || effects->entry[k - 1].effect->stage < DEM_STAGE_TANGENT);
 }
 
-static void act_one(struct dem_tray *t, const struct dem_chain *chain, int link, double **memory, int memories)
+static void apply_effect(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
+                         int k, double **history, int columns)
 {
-    const struct dem_effect *const effect = chain->link[link].effect;
-    /* a shield takes touch and leaves the overlap */
-    const int forgotten = effect->stage >= DEM_STAGE_BOND || (effect->forgets && !chain->past_touching);
+    const struct dem_effect *const effect = effects->entry[k].effect;
+    /* An effect that replaces contacts clears the touching mask but not the overlap, so beside it the
+       own clearing of an effect (`clears_history`) is not enough. */
+    const int cleared_already = effect->stage >= DEM_STAGE_BOND || (effect->clears_history && !effects->past_touching);
 
-    effect->act(chain->link[link].settings, &t->block, memory);
-    for (int m = 0; m < memories && !forgotten; m++)
+    effect->apply(effects->entry[k].settings, &t->batch, history);
+    for (int m = 0; m < columns && !cleared_already; m++)
     {
-        forget_apart(&t->block, memory[m]);
+        clear_apart(&t->batch, history[m]);
     }
 }
 
-static void act(struct dem_tray *t, const struct dem_chain *chain, const struct dem_contacts *c, uint32_t row)
+static void apply_effects(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
+                          const struct dem_contacts *c, uint32_t row)
 {
-    double *memory[DEM_MEMORY_COLUMNS];
+    double *history[DEM_HISTORY_COLUMNS];
 
-    for (int k = 0; k < chain->links; k++)
+    for (int k = 0; k < effects->entries; k++)
     {
-        if (films_first(chain, k))
+        if (is_first_after_damping(effects, k))
         {
-            adhere(t, chain, c, row);
+            apply_adhesion(t, effects, c, row);
         }
-        const int memories = recall(c, &chain->link[k], row, memory);
+        const int columns = find_history(c, &effects->entry[k], row, history);
 
-        act_one(t, chain, k, memory, memories);
+        apply_effect(t, effects, k, history, columns);
     }
 }
 
-/* The same with the ledger looking on. */
-static void act_and_tell(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, uint32_t row, int rows)
+/* The same, with the energy balance. */
+static void apply_effects_with_energy(struct dem_state *p, struct dem_contact_workspace *t,
+                                      const struct dem_effect_list *effects, uint32_t row, int rows)
 {
-    double *memory[DEM_MEMORY_COLUMNS];
+    double *history[DEM_HISTORY_COLUMNS];
+    struct dem_energy_balance_rows r = {.list = effects, .memory = history, .row = row, .rows = rows};
 
-    struct dem_ledger_rows r = {.chain = chain, .memory = memory, .row = row, .rows = rows};
-
-    dem_ledger_block(p, t, &r);
-    for (int k = 0; k < chain->links; k++)
+    dem_energy_balance_begin_batch(p, t, &r);
+    for (int k = 0; k < effects->entries; k++)
     {
-        if (films_first(chain, k))
+        if (is_first_after_damping(effects, k))
         {
-            adhere(t, chain, &p->contacts, row);
+            apply_adhesion(t, effects, &p->contacts, row);
         }
-        r.link = &chain->link[k];
-        const int memories = recall(&p->contacts, r.link, row, memory);
+        r.entry = &effects->entry[k];
+        const int columns = find_history(&p->contacts, r.entry, row, history);
 
-        dem_ledger_before(p, t, &r);
-        act_one(t, chain, k, memory, memories);
-        dem_ledger_after(p, t, &r);
+        dem_energy_balance_before_effect(p, t, &r);
+        apply_effect(t, effects, k, history, columns);
+        dem_energy_balance_after_effect(p, t, &r);
     }
 }
 
-static void keep_moments(struct dem_contacts *c, const struct dem_block *b, uint32_t row, int rows)
+static void store_moments(struct dem_contacts *c, const struct dem_contact_batch *b, uint32_t row,
+                          int rows)
 {
     for (int k = 0; k < rows; k++)
     {
@@ -175,17 +192,18 @@ static void keep_moments(struct dem_contacts *c, const struct dem_block *b, uint
     }
 }
 
-static void keep_books(struct dem_contacts *c, const struct dem_block *b, uint32_t row, int rows)
+static void store_energies(struct dem_contacts *c, const struct dem_contact_batch *b, uint32_t row,
+                           int rows)
 {
     for (int k = 0; k < rows; k++)
     {
-        c->books[row + (uint32_t)k] = (struct dem_books){.stored = b->stored[k], .lost = b->lost[k], .bonds = b->bonds[k],
+        c->energy[row + (uint32_t)k] = (struct dem_contact_energy){.stored = b->stored[k], .lost = b->lost[k], .bonds = b->bonds[k],
                                                          .broke = b->broke[k]};
     }
 }
 
 DEM_KERNEL
-static double broken(const struct dem_block *restrict b)
+static double count_broken(const struct dem_contact_batch *restrict b)
 {
     double count = 0.0;
 
@@ -196,102 +214,107 @@ static double broken(const struct dem_block *restrict b)
     return count;
 }
 
-struct rows                                               /* of a block: the first, how many, and where their pushes go */
+struct rows    /* of a batch: the first, their number, where their forces are stored */
 {
     uint32_t row;
     int rows;
-    struct dem_push_place to;
+    struct dem_force_buffer_slot to;
 };
 
-static void sweep_hot_block(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, const struct rows *at)
+/* A batch of a class with the usual laws between particles. */
+static void sweep_fused(struct dem_state *p, struct dem_contact_workspace *t,
+                        const struct dem_effect_list *effects, const struct rows *at)
 {
-    double *memory[DEM_MEMORY_COLUMNS];
+    double *history[DEM_HISTORY_COLUMNS];
+    struct dem_contact_batch *const b = &t->batch;
+    const struct dem_fused_constants constants = dem_fused_kernel_constants(effects, p->limits.overlap);
 
-    struct dem_block *const b = &t->block;
-    const struct dem_hot_laws laws = dem_hot_chain_laws(chain, p->watch.overlap);
+    find_history(&p->contacts, &effects->entry[DEM_FUSED_FRICTION], at->row, history);
+    dem_contact_batch_gather(t, p, effects, at->row, at->rows);
 
-    recall(&p->contacts, &chain->link[DEM_HOT_FRICTION], at->row, memory);
-    dem_tray_gather(t, p, chain, at->row, at->rows);
-
-    const struct dem_hot_rows single = {.n = b->n, .dt = b->dt, .least_radius = b->least_radius, .overlap = b->overlap,
+    const struct dem_fused_columns single = {.n = b->n, .dt = b->dt, .min_radius = b->min_radius, .overlap = b->overlap,
                                         .fn = b->fn, .fx = b->fx, .fy = b->fy, .fz = b->fz};
 
-    if (at->to.single ? dem_hot_chain_act_single(&laws, &single, &t->g, memory, at->to.single)
-                      : dem_hot_chain_act(&laws, b, &t->g, memory, at->to.push))
+    if (at->to.single ? dem_fused_kernel_run_single(&constants, &single, &t->gathered, history, at->to.single)
+                      : dem_fused_kernel_run(&constants, b, &t->gathered, history, at->to.full))
     {
-        dem_watch_note(p, t, at->row, at->rows);
+        dem_limits_check_record(p, t, at->row, at->rows);
     }
 }
 
-static int sweep_block(struct dem_parts *p, struct dem_tray *t, const struct dem_chain *chain, const struct rows *at)
+/* A batch of any class: gather, apply the effects one after the other, store the forces. */
+static int sweep_batch(struct dem_state *p, struct dem_contact_workspace *t,
+                       const struct dem_effect_list *effects, const struct rows *at)
 {
     const uint32_t row = at->row;
     const int rows = at->rows;
 
-    dem_tray_fill(t, p, chain, row, rows);
-    if (chain->past_touching)
+    dem_contact_batch_fill(t, p, effects, row, rows);
+    if (effects->past_touching)
     {
-        shield(t, chain, &p->contacts, row);
+        replace_contacts(t, effects, &p->contacts, row);
     }
-    if (p->ledger.open)
+    if (p->energy_balance->open)
     {
-        act_and_tell(p, t, chain, row, rows);
+        apply_effects_with_energy(p, t, effects, row, rows);
     }
     else
     {
-        act(t, chain, &p->contacts, row);
+        apply_effects(t, effects, &p->contacts, row);
     }
-    if (chain->past_touching && broken(&t->block) > 0.0)
+    if (effects->past_touching && count_broken(&t->batch) > 0.0)
     {
-        DEM_TRY(dem_bonds_note(p, &t->block, row, rows));
+        DEM_TRY(dem_bonds_record(p, &t->batch, row, rows));
     }
-    dem_push_out(&t->block, chain->pair.with_wall ? 1.0 : 0.5, chain->past_touching, &at->to);
-    if (chain->past_touching)
+    dem_force_buffer_store(&t->batch, effects->pair.with_wall ? 1.0 : 0.5, effects->past_touching, &at->to);
+    if (effects->past_touching)
     {
-        keep_books(&p->contacts, &t->block, row, rows);
+        store_energies(&p->contacts, &t->batch, row, rows);
     }
     if (p->contacts.moment)
     {
-        keep_moments(&p->contacts, &t->block, row, rows);
+        store_moments(&p->contacts, &t->batch, row, rows);
     }
-    dem_watch_note(p, t, row, rows);
-    return chain->pair.with_wall && count_passes(&t->block) > 0.0 ? list_passes(p, t, row, rows) : DEM_OK;
+    dem_limits_check_record(p, t, row, rows);
+    return effects->pair.with_wall && count_crossings(&t->batch) > 0.0 ? list_crossings(p, t, row, rows) : DEM_OK;
 }
 
-/* Those who wait for no row from `rows` on. */
+/* Kick the particles that no contact row from `rows` on acts on. */
 static void kick_ready(struct dem_body_pass *bodies, const struct dem_contacts *c, uint32_t rows)
 {
-    while (bodies->next < bodies->particles->n && c->ready[bodies->next/DEM_BLOCK] <= rows)
+    while (bodies->next < bodies->particles->n && c->rows_needed[bodies->next/DEM_BATCH_ROWS] <= rows)
     {
-        dem_bodies_until(bodies, bodies->next + 1);
+        dem_bodies_kick_until(bodies, bodies->next + 1);
     }
 }
 
-static int sweep_class(struct dem_parts *p, struct dem_tray *t, int class, struct dem_body_pass *bodies)
+/* All batches of a pair class; with `bodies`, particles are kicked as soon as they can be. */
+static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int class,
+                       struct dem_body_pass *bodies)
 {
-    const struct dem_chain *const chain = &p->recipe.chain[class];
+    const struct dem_effect_list *const effects = &p->interaction_table.list[class];
     const struct dem_segment *const seg = &p->contacts.segment[class];
-    const int hot = dem_hot_chain_is(chain) && !p->ledger.open && !p->contacts.moment;
-    const int ring = bodies && bodies->quiet && !chain->pair.with_wall && dem_contacts_go_round(&p->contacts);
-    size_t far = 0;
+    const int fused = dem_fused_kernel_applies(effects) && !p->energy_balance->open && !p->contacts.moment;
+    const int buffered = bodies && bodies->unobserved && !effects->pair.with_wall && dem_contacts_use_force_buffer(&p->contacts);
+    size_t deferred = 0;    /* deferred rows that are before this class or copied */
 
-    for (; ring && far < p->contacts.fars && p->contacts.far[far] < seg->first; far++) {}
+    for (; buffered && deferred < p->contacts.deferred_rows && p->contacts.deferred_row[deferred] < seg->first; deferred++) {}
 
-    for (uint32_t done = 0; done < seg->count; done += DEM_BLOCK)
+    for (uint32_t done = 0; done < seg->count; done += DEM_BATCH_ROWS)
     {
-        const int rows = seg->count - done < DEM_BLOCK ? (int)(seg->count - done) : DEM_BLOCK;
-        const struct rows at = {.row = seg->first + done, .rows = rows, .to = dem_push_place(&p->contacts, seg->first + done, ring)};
+        const int rows = seg->count - done < DEM_BATCH_ROWS ? (int)(seg->count - done) : DEM_BATCH_ROWS;
+        const struct rows at = {.row = seg->first + done, .rows = rows, .to = dem_force_buffer_slot(&p->contacts, seg->first + done, buffered)};
 
-        if (hot)
+        if (fused)
         {
-            sweep_hot_block(p, t, chain, &at);
+            sweep_fused(p, t, effects, &at);
         }
         else
         {
-            DEM_TRY(sweep_block(p, t, chain, &at));
+            DEM_TRY(sweep_batch(p, t, effects, &at));
         }
-        far = ring ? dem_push_keep_far(&p->contacts, far, at.row + (uint32_t)rows) : 0;
-        if (bodies && !chain->pair.with_wall)
+        deferred = buffered ? dem_force_buffer_copy_deferred(&p->contacts, deferred, at.row + (uint32_t)rows) : 0;
+        if (bodies && !effects->pair.with_wall)
         {
             kick_ready(bodies, &p->contacts, seg->first + done + (uint32_t)rows);
         }
@@ -299,42 +322,44 @@ static int sweep_class(struct dem_parts *p, struct dem_tray *t, int class, struc
     return DEM_OK;
 }
 
-int dem_sweep_contacts_and(struct dem_parts *p, double dt, const double time[2], struct dem_body_pass *bodies)
+int dem_sweep_contacts_and_bodies(struct dem_state *p, double dt, const double time[2],
+                                  struct dem_body_pass *bodies)
 {
-    struct dem_tray t;
+    struct dem_contact_workspace t;
 
     memset(&t, 0, sizeof t);
-    t.block.dt = dt;
-    t.block.longest = p->longest_step;
-    t.block.since = time[0];
-    t.block.time = time[1];
-    dem_wall_touches_update(&p->touches, &p->pairs.search, &p->walls, &p->particles);
-    dem_wall_springs(p);
-    if (p->ledger.open)
+    t.batch.dt = dt;
+    t.batch.max_dt = p->max_dt;
+    t.batch.previous_time = time[0];
+    t.batch.time = time[1];
+    dem_wall_touches_update(&p->touches, &p->pairs.wall_search, &p->walls, &p->particles);
+    dem_wall_springs_redistribute(p);
+    if (p->energy_balance->open)
     {
-        dem_ledger_sweep(&p->ledger);
+        dem_energy_balance_begin_sweep(p->energy_balance);
     }
     for (int walls = 1; walls >= 0; walls--)
     {
         for (int s = 0; s < p->contacts.classes; s++)
         {
-            if (p->recipe.chain[s].pair.with_wall == walls)
+            if (p->interaction_table.list[s].pair.with_wall == walls)
             {
                 DEM_TRY(sweep_class(p, &t, s, bodies));
             }
         }
-        /* who passed a wall is told with his speed of now: then nobody is kicked before all rows are done */
-        if (bodies && p->losses.passes > 0)
+        /* particles that crossed a wall are reported with their present speed: none is kicked
+           before the report is made */
+        if (bodies && p->lost_particles->crossings > 0)
         {
-            bodies->quiet = 0;
+            bodies->unobserved = 0;
             bodies = NULL;
         }
     }
-    DEM_TRY(dem_loss_note_passes(p));
-    return dem_watch_judge(p);
+    DEM_TRY(dem_lost_cause_record_crossings(p));
+    return dem_limits_check_status(p);
 }
 
-int dem_sweep_contacts(struct dem_parts *p, double dt, const double time[2])
+int dem_sweep_contacts(struct dem_state *p, double dt, const double time[2])
 {
-    return dem_sweep_contacts_and(p, dt, time, NULL);
+    return dem_sweep_contacts_and_bodies(p, dt, time, NULL);
 }

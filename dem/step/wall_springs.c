@@ -1,48 +1,49 @@
 /*
- * wall_springs.c -- one pass over the touches, particle by particle.
+ * wall_springs.c -- one pass over the particles with several wall contacts: group these by surface,
+ * divide their friction springs, transfer other history.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/wall_springs.h"
-#include "base/vec.h"
+#include "core/vec.h"
 #include <math.h>
 #include <string.h>
 
-/* Cosine of the angle between the normals of two regions of one surface. A choice: facets of a round wall of 12 sides and
-   more are one surface, the sides of a groove are two. */
+/* Cosine of the largest angle between the normals of two facets of one surface. A choice: facets of
+   a round wall of 12 sides and more are one surface, the sides of a groove are two. */
 static const double nearly_flat = 0.86602540378443865;    /* 30 degrees */
 
 enum
 {
-    NOBODY = DEM_ROW_NONE
+    NONE = DEM_ROW_NONE
 };
 
-enum column                                               /* what a remembered column is */
+enum column                                               /* kind of a history column */
 {
-    OWN,                                                  /* of a bond or a film: stays where it was made */
+    OWN,     /* of a bond or a film: stays with its facet */
     NUMBER,
-    VECTOR,                                               /* and the next two columns */
+    VECTOR,  /* and the next two columns */
     REST_OF_VECTOR
 };
 
-struct surface                                            /* contacts of one particle, of which some are on one surface */
+struct surface    /* wall contacts of one particle, some of them on one surface */
 {
     size_t first, end;
     const enum column *column;
-    uint32_t leader;                                      /* the deepest of them */
+    uint32_t leader;                                      /* the deepest contact of the surface */
     double radius;                                        /* m */
 };
 
-static int is_vector(const struct dem_recipe *r, int m)
+static int is_vector(const struct dem_interaction_table *r, int m)
 {
-    const size_t length = strlen(r->memory[m]);
+    const size_t length = strlen(r->history_name[m]);
 
-    return m + 2 < r->memories && length > 2 && strcmp(r->memory[m] + length - 2, "_x") == 0;
+    return m + 2 < r->history_columns && length > 2 && strcmp(r->history_name[m] + length - 2, "_x") == 0;
 }
 
-static void tell_columns(const struct dem_recipe *r, enum column *column)
+static void classify_columns(const struct dem_interaction_table *r, enum column *column)
 {
-    for (int m = 0; m < r->memories; m++)
+    for (int m = 0; m < r->history_columns; m++)
     {
         column[m] = is_vector(r, m) ? VECTOR : NUMBER;
         column[m] = m > 0 && column[m - 1] == VECTOR ? REST_OF_VECTOR : column[m];
@@ -50,29 +51,30 @@ static void tell_columns(const struct dem_recipe *r, enum column *column)
     }
     for (int s = 0; s < r->classes; s++)
     {
-        for (int k = 0; k < r->chain[s].links; k++)
+        for (int k = 0; k < r->list[s].entries; k++)
         {
-            const struct dem_link *const link = &r->chain[s].link[k];
+            const struct dem_effect_entry *const entry = &r->list[s].entry[k];
 
-            for (int m = 0; m < dem_effect_memories(link->effect) && link->effect->stage >= DEM_STAGE_BOND; m++)
+            for (int m = 0; m < dem_effect_history_columns(entry->effect) && entry->effect->stage >= DEM_STAGE_BOND; m++)
             {
-                column[link->memory + m] = OWN;
+                column[entry->first_column + m] = OWN;
             }
         }
     }
 }
 
-/* ---- handing on ---------------------------------------------------------------------------------------------- */
+/* ---- transfer -------------------------------------------------------------------------------- */
 
-/* The smallest rotation that takes unit vector a to b: v - (a + b) (a + b).v/(1 + a.b) + 2 b (a.v). */
-static void turn(const double a[3], const double b[3], double v[3])
+/* The smallest rotation that takes unit vector a to b: v - (a + b) (a + b).v/(1 + a.b) + 2 b
+   (a.v). */
+static void rotate(const double a[3], const double b[3], double v[3])
 {
     const double c[3] = {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-    const double share = dem_vec_dot(c, v)/(1.0 + dem_vec_dot(a, b)), twice = 2.0*dem_vec_dot(a, v);
+    const double factor = dem_vec_dot(c, v)/(1.0 + dem_vec_dot(a, b)), twice = 2.0*dem_vec_dot(a, v);
 
     for (int k = 0; k < 3; k++)
     {
-        v[k] += twice*b[k] - share*c[k];
+        v[k] += twice*b[k] - factor*c[k];
     }
 }
 
@@ -81,28 +83,30 @@ static double overlap(const struct dem_wall_touch *t, double radius)
     return t->distance < radius ? radius - t->distance : 0.0;
 }
 
-/* Tangential stiffness of a contact over that of another of the same materials. */
-static double weight(const struct dem_parts *p, const struct dem_wall_touch *t, double radius)
+/* Tangential stiffness of a contact, up to a factor common to contacts of the same materials. */
+static double weight(const struct dem_state *p, const struct dem_wall_touch *t, double radius)
 {
     const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[t->row]];
-    const double exponent = p->recipe.chain[q->class].pair.exponent, d = overlap(t, radius);
+    const double exponent = p->interaction_table.list[q->class].pair.exponent, d = overlap(t, radius);
 
     return exponent > 1.25 ? sqrt(d) : 1.0;
 }
 
-static void divide(struct dem_parts *p, const struct surface *s, int m)
+/* Divide the sum of the springs of a surface among its contacts, by overlap; m: first history
+   column of the spring. */
+static void divide_springs(struct dem_state *p, const struct surface *s, int m)
 {
     const struct dem_wall_touch *const touch = p->touches.touch;
-    double *const *const memory = p->contacts.memory, total[3] = {0.0, 0.0, 0.0}, sum = 0.0;
+    double *const *const history = p->contacts.history, total[3] = {0.0, 0.0, 0.0}, sum = 0.0;
 
     for (size_t k = s->first; k < s->end; k++)
     {
         if (touch[k].surface == s->leader)
         {
             const double d = overlap(&touch[k], s->radius), w = weight(p, &touch[d > 0.0 ? k : s->leader], s->radius);
-            double v[3] = {memory[m][touch[k].row], memory[m + 1][touch[k].row], memory[m + 2][touch[k].row]};
+            double v[3] = {history[m][touch[k].row], history[m + 1][touch[k].row], history[m + 2][touch[k].row]};
 
-            turn(touch[k].normal, touch[s->leader].normal, v);
+            rotate(touch[k].normal, touch[s->leader].normal, v);
             for (int a = 0; a < 3; a++)
             {
                 total[a] += w*v[a];
@@ -114,20 +118,20 @@ static void divide(struct dem_parts *p, const struct surface *s, int m)
     {
         if (touch[k].surface == s->leader && overlap(&touch[k], s->radius) > 0.0)
         {
-            const double share = overlap(&touch[k], s->radius)/sum;
-            double v[3] = {share*total[0], share*total[1], share*total[2]};
+            const double fraction = overlap(&touch[k], s->radius)/sum;
+            double v[3] = {fraction*total[0], fraction*total[1], fraction*total[2]};
 
-            turn(touch[s->leader].normal, touch[k].normal, v);
+            rotate(touch[s->leader].normal, touch[k].normal, v);
             for (int a = 0; a < 3; a++)
             {
-                memory[m + a][touch[k].row] = v[a];
+                history[m + a][touch[k].row] = v[a];
             }
         }
     }
 }
 
-/* Numbers that are no vector go from contacts that have ended to those that are new. */
-static void pass_numbers(struct dem_parts *p, const struct surface *s)
+/* Scalar history goes from a contact that has ended to those that are new. */
+static void transfer_numbers(struct dem_state *p, const struct surface *s)
 {
     const struct dem_wall_touch *const touch = p->touches.touch;
     struct dem_contacts *const c = &p->contacts;
@@ -139,27 +143,28 @@ static void pass_numbers(struct dem_parts *p, const struct surface *s)
     }
     for (size_t k = s->first; k < s->end && ended < s->end; k++)
     {
-        if (touch[k].surface == s->leader && !touch[k].drop && !dem_contacts_remembers(c, touch[k].row))
+        if (touch[k].surface == s->leader && !touch[k].drop && !dem_contacts_has_history(c, touch[k].row))
         {
-            for (int m = 0; m < c->memories; m++)
+            for (int m = 0; m < c->history_columns; m++)
             {
-                c->memory[m][touch[k].row] = s->column[m] == NUMBER ? c->memory[m][touch[ended].row] : c->memory[m][touch[k].row];
+                c->history[m][touch[k].row] = s->column[m] == NUMBER ? c->history[m][touch[ended].row] : c->history[m][touch[k].row];
             }
         }
     }
 }
 
-/* Mark as the leader's all contacts on its surface: that touch, or that another region has taken over just now. */
-static int gather_surface(struct dem_parts *p, const struct surface *s)
+/* Mark all contacts on the surface of the leader: those that touch, or that another facet has just
+   taken over. Returns their number. */
+static int gather_surface(struct dem_state *p, const struct surface *s)
 {
     struct dem_wall_touch *const touch = p->touches.touch;
     int count = 0;
 
     for (size_t k = s->first; k < s->end; k++)
     {
-        const int ended = touch[k].drop && touch[k].row != DEM_ROW_NONE && dem_contacts_remembers(&p->contacts, touch[k].row);
+        const int ended = touch[k].drop && touch[k].row != DEM_ROW_NONE && dem_contacts_has_history(&p->contacts, touch[k].row);
 
-        if (touch[k].surface == NOBODY && touch[k].row != DEM_ROW_NONE && (ended || overlap(&touch[k], s->radius) > 0.0)
+        if (touch[k].surface == NONE && touch[k].row != DEM_ROW_NONE && (ended || overlap(&touch[k], s->radius) > 0.0)
             && dem_vec_dot(touch[k].normal, touch[s->leader].normal) > nearly_flat)
         {
             touch[k].surface = s->leader;
@@ -169,63 +174,64 @@ static int gather_surface(struct dem_parts *p, const struct surface *s)
     return count;
 }
 
-static void share_of_particle(struct dem_parts *p, const enum column *column, size_t first, size_t end, double radius)
+static void redistribute(struct dem_state *p, const enum column *column, size_t first, size_t end,
+                         double radius)
 {
     struct dem_wall_touch *const touch = p->touches.touch;
     struct surface s = {.first = first, .end = end, .column = column, .radius = radius};
 
     for (size_t k = first; k < end; k++)
     {
-        touch[k].surface = NOBODY;
+        touch[k].surface = NONE;
     }
     for (;;)
     {
-        s.leader = NOBODY;
+        s.leader = NONE;
         for (size_t k = first; k < end; k++)
         {
-            if (touch[k].surface == NOBODY && touch[k].row != DEM_ROW_NONE && touch[k].distance < radius
-                && (s.leader == NOBODY || touch[k].distance < touch[s.leader].distance))
+            if (touch[k].surface == NONE && touch[k].row != DEM_ROW_NONE && touch[k].distance < radius
+                && (s.leader == NONE || touch[k].distance < touch[s.leader].distance))
             {
                 s.leader = (uint32_t)k;
             }
         }
-        if (s.leader == NOBODY)
+        if (s.leader == NONE)
         {
             return;
         }
         if (gather_surface(p, &s) > 1)
         {
-            pass_numbers(p, &s);
-            for (int m = 0; m < p->contacts.memories; m++)
+            transfer_numbers(p, &s);
+            for (int m = 0; m < p->contacts.history_columns; m++)
             {
                 if (column[m] == VECTOR)
                 {
-                    divide(p, &s, m);
+                    divide_springs(p, &s, m);
                 }
             }
         }
     }
 }
 
-void dem_wall_springs(struct dem_parts *p)
+void dem_wall_springs_redistribute(struct dem_state *p)
 {
-    const struct dem_wall_search *const s = &p->pairs.search;
-    enum column column[DEM_MEMORY_COLUMNS];
+    const struct dem_wall_search *const s = &p->pairs.wall_search;
+    enum column column[DEM_HISTORY_COLUMNS];
 
-    if (p->contacts.memories == 0 || p->touches.shared == 0)
+    if (p->contacts.history_columns == 0 || p->touches.shared == 0)
     {
         return;
     }
-    tell_columns(&p->recipe, column);
+    classify_columns(&p->interaction_table, column);
     for (size_t k = 0; k < p->touches.shared; k++)
     {
-        const size_t first = p->touches.share[k];
+        const size_t first = p->touches.shared_first[k];
         size_t end = first + 1;
 
-        while (end < s->nears && s->near[end].particle == s->near[first].particle)
+        while (end < s->neighbors && s->neighbor[end].particle == s->neighbor[first].particle)
         {
             end++;
         }
-        share_of_particle(p, column, first, end, p->particles.record[s->near[first].particle].radius);
+        redistribute(p, column, first, end, p->particles.record[s->neighbor[first].particle].radius);
     }
 }

@@ -1,5 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demPimpleFoam -- incompressible flow through moving particles.
+    demPimpleFoam.C -- transient, incompressible flow coupled with particles.
 
     Part of Suna, CFD-DEM for OpenFOAM.
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -26,32 +26,34 @@ Description
     tau     viscous and turbulent stress over density              [m2/s2]
     F       explicit part of the particles' reaction                [N/m3]
     K       coefficient of its implicit part                     [kg/m3/s]
-    ds/dt   change of the solid's fraction over the step, from the
+    ds/dt   change of the solid fraction over the step, from the
             particles' positions                                     [1/s]
 
-    Where the particles feel the stress (effect viscousStress) F holds their
-    share of it, - s div tau, and div(tau) stands in place of div(e tau).
+    F and K are defined in demCloudExchange.C, with the pressure response that
+    adds to -e grad p while the pressure changes. Where the particles feel the
+    stress (effect viscousStress) F contains their fraction of it, - s div tau,
+    and div(tau) replaces div(e tau).
 
     With p free of the hydrostatic part gravity drops out of the equation:
     -e grad(p + g.x) + e g = -e grad p; a bed of any shape at rest in a fluid
-    at rest is exact. The particles are given the full pressure gradient,
-    rho (grad p + g), and so feel Archimedes' force.
+    at rest is exact. The particles receive the full pressure gradient,
+    rho (grad p + g), which includes buoyancy.
 
-    Sets I and III of the same paper are there for comparison (coupling/
-    equations, demForm): all of grad p moves the fluid, and the reaction is that
-    of the whole force, or of the drag over e.
+    Sets I and III of the same paper are there for comparison (entry equations,
+    demCouplingScheme): grad p acts on the fluid in full, and the reaction is
+    that to the whole force, or to drag over e.
 
-    The momentum equation is interpolated to the faces as it stands, with the
-    drag in it (see pEqn.H). There the pressure meets the particles' force on
-    one stencil, so a sharp bed surface makes no checkerboard and a thin first
-    cell above a distributor carries the full flux.
+    The momentum equation is interpolated to the faces as it stands, with drag
+    in it (pEqn.H). There the pressure gradient balances the particles' force on
+    one stencil, so a sharp bed surface causes no checkerboard pressure, and a
+    thin first cell above a distributor carries the full flux.
 
-    The mesh may move (dynamicFvMesh), but not change: volumes of cells before
-    and after enter the time derivatives and ds/dt, fluxes are relative to the
-    faces, wall patches take the particles' walls along.
+    The mesh may move (dynamicFvMesh) without changes of topology: cell volumes
+    before and after the step enter the time derivatives and ds/dt, fluxes are
+    relative to the faces, and wall patches move the walls of the particles.
 
-    Not here: heat, species, more than one fluid, a mesh that is refined.
-    Turbulence models see U and the interstitial flux; e enters the stress only.
+    Not included: heat, species, more than one fluid, mesh refinement.
+    Turbulence models use U and the interstitial flux; e enters the stress only.
 
 \*---------------------------------------------------------------------------*/
 
@@ -64,11 +66,11 @@ Description
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "emptyFvPatch.H"
 #include "demCloud.H"
-#include "demPace.H"
+#include "demTimeStepControl.H"
 #include "demRewrite.H"
 #include "fixedFlux.H"
 #include "cellVector.H"
-#include "faceShare.H"
+#include "halfCellMean.H"
 #include "faceVector.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -77,18 +79,18 @@ int main(int argc, char *argv[])
 {
     argList::addNote
     (
-        "Transient incompressible flow through moving particles (CFD-DEM)"
+        "Transient incompressible flow coupled with particles (CFD-DEM)"
     );
 
     argList::addBoolOption
     (
         "plan",
-        "Tell what would run and what it would take, then stop"
+        "Print the plan of the run (effects, time steps, cost), then stop"
     );
     argList::addBoolOption
     (
         "write",
-        "With -plan: put the effects that the case calls for into"
+        "With -plan: write the effects that the case needs into"
         " constant/demProperties, comment out those that are negligible"
     );
 
@@ -99,8 +101,8 @@ int main(int argc, char *argv[])
     if (args.found("write") && !args.found("plan"))
     {
         FatalErrorInFunction
-            << "-write goes with -plan, whose choice of effects it writes: give"
-            << " both, or neither" << exit(FatalError);
+            << "-write goes with -plan, whose choice of effects it writes; give"
+            << " both or neither" << exit(FatalError);
     }
 
     pimpleControl pimple(mesh);
@@ -110,7 +112,7 @@ int main(int argc, char *argv[])
 
     Info<< "\nStarting time loop\n" << endl;
 
-    demPace pace(runTime, cloud);
+    demTimeStepControl stepControl(runTime, cloud);
     bool planned = false;
 
     while (runTime.run())
@@ -121,7 +123,7 @@ int main(int argc, char *argv[])
 
         if (!planned)
         {
-            cloud.plan(U, gradP, rho, mu(), binds);
+            cloud.plan(U, gradP, rho, mu(), stepLimit);
             planned = true;
         }
         if (args.found("write"))
@@ -140,11 +142,11 @@ int main(int argc, char *argv[])
 
         #include "moveMesh.H"
 
-        // One exchange per step: what the particles did stays as it is while
-        // the fluid iterates
+        // One exchange per step: the forces of the particles stay constant during
+        // the iterations of the fluid
         cloud.evolve(U, gradP, rho, mu());
         voidFractionf = fvc::interpolate(voidFraction);
-        #include "room.H"
+        #include "voidageFlux.H"
         #include "particleForces.H"
 
         while (pimple.loop())

@@ -17,7 +17,7 @@ static inline double sphere_volume(double diameter)
 }
 
 /* row c: a sphere at rest in a fluid that moves along x so that the superficial Reynolds number is re */
-static inline void body_fill(struct dem_body_block *b, int c, double diameter, double rho, double mu, double e, double re)
+static inline void body_fill(struct dem_body_batch *b, int c, double diameter, double rho, double mu, double e, double re)
 {
     b->radius[c] = 0.5*diameter;
     b->volume[c] = sphere_volume(diameter);
@@ -34,12 +34,12 @@ static inline void body_fill(struct dem_body_block *b, int c, double diameter, d
 /* G of a drag law: b over 3 pi mu d, for a sphere of 1 mm in water-like fluid */
 static inline double body_drag(const struct dem_effect *law, const void *settings, double e, double re)
 {
-    static struct dem_body_block b;
+    static struct dem_body_batch b;
 
     memset(&b, 0, sizeof b);
     b.n = 1;
     body_fill(&b, 0, 1e-3, 1000.0, 1e-3, e, re);
-    dem_effect_on_bodies(law, settings, &b);
+    dem_effect_apply_to_bodies(law, settings, &b);
     return b.b[0]/(3.0*3.14159265358979324*1e-3*1e-3);
 }
 

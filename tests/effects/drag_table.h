@@ -74,7 +74,7 @@ static inline void drag_limits(const struct dem_effect *law, const void *setting
 /* only the slip counts, alike in all directions; target and coefficient go together; nothing else is touched */
 static inline void drag_form(const struct dem_effect *law, const void *settings)
 {
-    static struct dem_body_block b;
+    static struct dem_body_batch b;
     const double stokes = 3.0*3.14159265358979324*1e-6;
 
     memset(&b, 0, sizeof b);
@@ -88,7 +88,7 @@ static inline void drag_form(const struct dem_effect *law, const void *settings)
     }
     body_fill(&b, 4, 1e-3, 1000.0, 0.0, 0.6, 0.0);
     b.ux[4] = 5.0;
-    dem_effect_on_bodies(law, settings, &b);
+    dem_effect_apply_to_bodies(law, settings, &b);
     /* a few rounded factors; 0.04 comes out of 3.04 - 3 and loses 1e-14 of itself */
     TAP_NEAR(b.b[0]/stokes/body_drag(law, settings, 0.6, 0.0), 1.0, 1e-13, "moving with the fluid is as at rest in it");
     for (int c = 1; c < 4; c++)
@@ -101,9 +101,9 @@ static inline void drag_form(const struct dem_effect *law, const void *settings)
     TAP_OK(b.fx[1] == 0.0 && b.fy[2] == 0.0 && b.fz[3] == 0.0, "no explicit force");
     const double once = b.b[1];
 
-    dem_effect_on_bodies(law, settings, &b);
+    dem_effect_apply_to_bodies(law, settings, &b);
     TAP_OK(b.b[1] == 2.0*once, "adds to what was there");
-    TAP_OK(law->drag == 1 && law->needs == DEM_NEEDS_FLUID, "a law of drag that needs the fluid");
+    TAP_OK(law->drag != DEM_DRAG_NONE && law->needs == DEM_NEEDS_FLUID, "a law of drag that needs the fluid");
 }
 
 #endif

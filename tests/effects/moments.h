@@ -33,7 +33,7 @@ static inline struct link *moments_row(struct world *w, const struct dem_effect 
 static inline void moments_act(struct world *w, struct link *l)
 {
     w->b.mx[0] = w->b.my[0] = w->b.mz[0] = 0.0;
-    l->effect->act(l->settings, &w->b, l->memory);
+    l->effect->apply(l->settings, &w->b, l->memory);
 }
 
 static inline double moments_size(const struct world *w)
@@ -64,7 +64,7 @@ static inline void moments_axes(struct world *w, const struct dem_effect *effect
         w->b.nx[0] = a[0][0], w->b.ny[0] = a[0][1], w->b.nz[0] = a[0][2];
         w->b.hx[0] = a[1][0], w->b.hy[0] = a[1][1], w->b.hz[0] = a[1][2];
         w->b.wx[0] = a[3][0], w->b.wy[0] = a[3][1], w->b.wz[0] = a[3][2];
-        for (int m = 0; effect->memory && effect->memory[1] && m < 3; m++)
+        for (int m = 0; effect->history && effect->history[1] && m < 3; m++)
         {
             l->column[m][0] = a[2][m];
         }
@@ -91,7 +91,7 @@ static inline void moments_none(struct world *w, const struct dem_effect *effect
     w->b.fn[0] = -10.0;
     moments_act(w, l);
     TAP_OK(moments_size(w) == 0.0, "pulling: no moment");
-    for (int m = 0; effect->memory && effect->memory[m]; m++)
+    for (int m = 0; effect->history && effect->history[m]; m++)
     {
         TAP_OK(l->column[m][0] == 0.0, "and nothing is remembered");
     }

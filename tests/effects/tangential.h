@@ -35,7 +35,7 @@ static inline struct link *tangential_row(struct world *w, const struct dem_effe
 static inline void tangential_act(struct world *w, struct link *l)
 {
     w->b.fx[0] = w->b.fy[0] = w->b.fz[0] = 0.0;
-    l->effect->act(l->settings, &w->b, l->memory);
+    l->effect->apply(l->settings, &w->b, l->memory);
 }
 
 static inline double tangential_size(const struct world *w)
@@ -56,7 +56,7 @@ static inline void tangential_turns(struct world *w, const struct dem_effect *la
     const double kt = w->b.kt[0], force = kt*slip*w->b.dt;
 
     /* 2 atan(angle/2) a step falls short of the angle by angle^3/12; rounding of TURN/4 steps */
-    w->b.sx[0] = 0.0, w->b.swing[0] = angle/w->b.dt;
+    w->b.sx[0] = 0.0, w->b.normal_spin[0] = angle/w->b.dt;
     const double behind = TURN/4*angle*angle*angle/12.0;
 
     for (int k = 0; k < TURN/4; k++)
@@ -69,7 +69,7 @@ static inline void tangential_turns(struct world *w, const struct dem_effect *la
 
     /* xi' = i swing xi + s, s constant: xi = s (e^(i swing t) - 1)/(i swing), across s after half a turn */
     l = tangential_row(w, law, 0.5, 0.0);
-    w->b.sx[0] = slip, w->b.swing[0] = angle/w->b.dt;
+    w->b.sx[0] = slip, w->b.normal_spin[0] = angle/w->b.dt;
     for (int k = 0; k < TURN/2; k++)
     {
         tangential_act(w, l);
@@ -82,7 +82,7 @@ static inline void tangential_turns(struct world *w, const struct dem_effect *la
         tangential_act(w, l);
     }
     TAP_NEAR(tangential_size(w), 0.0, 4.0*angle*angle*across, "a whole turn undoes it");      /* 2 pi angle^2/12 short of it */
-    w->b.swing[0] = 0.0;
+    w->b.normal_spin[0] = 0.0;
 }
 
 /* Slip to and fro in the plane, pressed and let go: in no step does what a row holds grow by more than is put in, damped little or much. */

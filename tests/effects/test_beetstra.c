@@ -27,7 +27,7 @@ static double paper(double e, double re)
 static void mixture(double e, double slip)
 {
     static const double d[3] = {0.5e-3, 1e-3, 2e-3}, solids[3] = {0.2, 0.5, 0.3};    /* shares of the solid volume */
-    static struct dem_body_block b;
+    static struct dem_body_batch b;
     double over = 0.0, sum = 0.0;
 
     for (int k = 0; k < 3; k++)
@@ -42,7 +42,7 @@ static void mixture(double e, double slip)
         body_fill(&b, k, k < 3 ? d[k] : own.mean_diameter, 1000.0, 1e-3, e, 0.0);
         b.ux[k] = slip;
     }
-    dem_beetstra.act_on_bodies(&own, &b);
+    dem_beetstra.apply_to_bodies(&own, &b);
     for (int k = 0; k < 3; k++)
     {
         sum += solids[k]*(1.0 - e)/sphere_volume(d[k])*b.b[k];
@@ -55,7 +55,7 @@ static void mixture(double e, double slip)
     own.mean_diameter = 0.0;
     body_fill(&b, 3, 1.0/over, 1000.0, 1e-3, e, 0.0);
     b.ux[3] = slip;
-    dem_beetstra.act_on_bodies(&own, &b);
+    dem_beetstra.apply_to_bodies(&own, &b);
     TAP_NEAR(b.b[3]/alone, 1.0, 1e-15, "e = %g: the mean itself is as among its equals", e);    /* rounding of y = 1 */
 }
 
@@ -86,7 +86,7 @@ int main(void)
     drag_form(&dem_beetstra, &own);
 
     /* the mean around, of each place */
-    static struct dem_body_block b;
+    static struct dem_body_batch b;
 
     own.around = 1;
     memset(&b, 0, sizeof b);
@@ -96,24 +96,24 @@ int main(void)
         body_fill(&b, c, 1e-3, 1000.0, 1e-3, 0.5, 20.0);
     }
     b.mean_diameter[0] = 1e-3, b.mean_diameter[1] = 2e-3;
-    dem_beetstra.act_on_bodies(&own, &b);
+    dem_beetstra.apply_to_bodies(&own, &b);
     const double around = b.b[1];
 
     TAP_NEAR(b.b[0]/b.b[2], 1.0, 1e-15, "the mean around is its own: as alone; so is none, 0");
     own.around = 0, own.mean_diameter = 2e-3;
     body_fill(&b, 1, 1e-3, 1000.0, 1e-3, 0.5, 20.0);
-    dem_beetstra.act_on_bodies(&own, &b);
+    dem_beetstra.apply_to_bodies(&own, &b);
     TAP_OK(b.b[1] == around, "the mean around, or the same given");
     own.around = 1;
-    TAP_OK(dem_beetstra.asks(&own) == DEM_NEEDS_MEAN_DIAMETER && dem_beetstra.prepare(&own, NULL) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(dem_beetstra.extra_needs(&own) == DEM_NEEDS_MEAN_DIAMETER && dem_beetstra.prepare(&own, NULL) == DEM_ERROR_INPUT, "%s", dem_error_text());
     own.around = 0;
-    TAP_OK(dem_beetstra.asks(&own) == 0 && dem_beetstra.prepare(&own, NULL) == DEM_OK, "asks for it only then");
+    TAP_OK(dem_beetstra.extra_needs(&own) == 0 && dem_beetstra.prepare(&own, NULL) == DEM_OK, "asks for it only then");
 
     double bad = -1e-3;
 
-    dem_field_defaults(dem_beetstra.settings, &own);
-    TAP_OK(own.mean_diameter == 0.0 && own.around == 0, "of one size unless told otherwise");
-    TAP_OK(dem_field_set_number(dem_beetstra.settings, &own, "beetstra", "meanDiameter", &bad, 1) == DEM_ERROR_INPUT,
+    dem_settings_set_defaults(dem_beetstra.settings, &own);
+    TAP_OK(own.mean_diameter == 0.0 && own.around == 0, "of one size by default");
+    TAP_OK(dem_settings_set_number(dem_beetstra.settings, &own, "beetstra", "meanDiameter", &bad, 1) == DEM_ERROR_INPUT,
            "%s", dem_error_text());
     TAP_DONE;
 }

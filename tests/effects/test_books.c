@@ -1,14 +1,15 @@
 /*
- * Claims: of every law with a spring that slips (friction, rolling, twisting) the books close in each step, to round-off: what the
- * motion puts in, the mean of the forces at both ends of a step times its way, is what the spring holds more and what is lost; while
- * it sticks, slips, stiffens and softens, and in the step in which the contact ends. A contact pulled apart in one step loses k xi^2/2
- * of its spring, and where it slips by s on the way, half of k xi s more, for the step ends with no force.
+ * Claims: for every law with a slipping spring (friction, rolling, twisting) the energy balance closes in each step to round-off:
+ * the work of the motion (mean of the forces at both ends of the step times the displacement) is the change of elastic energy plus
+ * the loss, while the spring sticks, slips, stiffens and softens, and in the step in which the contact ends.
+ * A contact that ends within one step loses the energy k xi^2/2 of its spring; if it also slips by s, half of k xi s more, because
+ * the step ends without a force.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "tray.h"
 
-#include "base/random.h"
+#include "core/random.h"
 
 enum
 {
@@ -20,7 +21,7 @@ static const double dt = 1e-6, deepest = 5e-5, apart = 5e-6;        /* s, m, m *
 static struct world w;
 static struct dem_energy e;
 static struct link *normal, *law;
-static _Alignas(64) dem_real column[WORLD_MEMORY][DEM_BLOCK];
+static _Alignas(64) dem_real column[WORLD_MEMORY][DEM_BATCH_ROWS];
 
 static const struct known
 {
@@ -39,13 +40,13 @@ static double drawn(int row, int leg, int use)
 static void begin(const struct dem_effect *pushes, const struct known *k)
 {
     world_spheres(&w, &bead, &bead, 1e-3, 1e-3);
-    w.b.n = DEM_BLOCK;
+    w.b.n = DEM_BATCH_ROWS;
     w.b.dt = dt;
-    for (int c = 0; c < DEM_BLOCK; c++)
+    for (int c = 0; c < DEM_BATCH_ROWS; c++)
     {
-        w.b.reduced_radius[c] = w.pair.least_radius;
-        w.b.reduced_mass[c] = w.pair.least_mass;
-        w.b.least_radius[c] = 1e-3;
+        w.b.reduced_radius[c] = w.pair.min_radius;
+        w.b.reduced_mass[c] = w.pair.min_mass;
+        w.b.min_radius[c] = 1e-3;
         w.b.nz[c] = w.b.hz[c] = 1.0;
         w.b.overlap[c] = w.b.kn[c] = 0.0;
         e.slip_mass[c] = e.inertia[c] = HUGE_VAL;         /* moved from outside: no force changes the motion */
@@ -61,8 +62,8 @@ static void begin(const struct dem_effect *pushes, const struct known *k)
 /* row c a step on, moved along x and y and, of moments, about them and z */
 static void put(int c, double overlap, double x, double y, double z)
 {
-    e.was[c] = w.b.overlap[c];
-    e.kn_was[c] = w.b.kn[c];
+    e.previous_overlap[c] = w.b.overlap[c];
+    e.previous_kn[c] = w.b.kn[c];
     w.b.overlap[c] = overlap > 0.0 ? overlap : 0.0;
     w.b.touching[c] = overlap > 0.0 ? 1.0 : 0.0;
     w.b.sx[c] = w.b.wx[c] = x/dt, w.b.sy[c] = w.b.wy[c] = y/dt, w.b.wz[c] = z/dt;
@@ -75,12 +76,12 @@ static void act(void)
     dem_real *before[WORLD_MEMORY];
 
     memcpy(column, law->column, sizeof column);
-    normal->effect->act(normal->settings, &w.b, normal->memory);
-    law->effect->act(law->settings, &w.b, law->memory);
+    normal->effect->apply(normal->settings, &w.b, normal->memory);
+    law->effect->apply(law->settings, &w.b, law->memory);
     for (int m = 0; m < WORLD_MEMORY; m++)
     {
         before[m] = column[m];
-        for (int c = 0; c < DEM_BLOCK; c++)
+        for (int c = 0; c < DEM_BATCH_ROWS; c++)
         {
             law->column[m][c] *= w.b.touching[c];
         }
@@ -103,7 +104,7 @@ static void force(int c, double f[6])
 
 static void closes(const struct dem_effect *pushes, const struct known *k)
 {
-    static double f[DEM_BLOCK][6], held[DEM_BLOCK];
+    static double f[DEM_BATCH_ROWS][6], held[DEM_BATCH_ROWS];
     double worst = 0.0, scale = 0.0, last = 0.0;
 
     begin(pushes, k);
@@ -113,7 +114,7 @@ static void closes(const struct dem_effect *pushes, const struct known *k)
     {
         for (int s = 1; s <= STEPS; s++)
         {
-            for (int c = 0; c < DEM_BLOCK; c++)
+            for (int c = 0; c < DEM_BATCH_ROWS; c++)
             {
                 const double to = leg%4 == 3 ? -apart : deepest*drawn(c, leg, 0) - apart;
                 const double from = leg == 0 || leg%4 == 0 ? -apart : deepest*drawn(c, leg - 1, 0) - apart;
@@ -122,7 +123,7 @@ static void closes(const struct dem_effect *pushes, const struct known *k)
                 put(c, from + (to - from)*s/STEPS, way*cos(angle), way*sin(angle), way*cos(2.0*angle));
             }
             act();
-            for (int c = 0; c < DEM_BLOCK; c++)
+            for (int c = 0; c < DEM_BATCH_ROWS; c++)
             {
                 double now[6];
 
@@ -151,7 +152,7 @@ static void pulled_apart(const struct known *k, double slip)
     begin(&dem_hertz, k);
     for (int s = 0; s < 10; s++)
     {
-        for (int c = 0; c < DEM_BLOCK; c++)
+        for (int c = 0; c < DEM_BATCH_ROWS; c++)
         {
             put(c, 1e-5, along*0.6*way, along*0.8*way, twists*way);
         }
@@ -164,7 +165,7 @@ static void pulled_apart(const struct known *k, double slip)
     const double size = sqrt(f[0]*f[0] + f[1]*f[1] + f[2]*f[2] + f[3]*f[3] + f[4]*f[4] + f[5]*f[5]);
 
     TAP_NEAR(size, stiffness*10.0*way, 1e-13*size, "%s (%s): sticks, and holds k xi^2/2", k->effect->name, k->setting);
-    for (int c = 0; c < DEM_BLOCK; c++)
+    for (int c = 0; c < DEM_BATCH_ROWS; c++)
     {
         put(c, -apart, along*0.6*slip*way, along*0.8*slip*way, twists*slip*way);
     }

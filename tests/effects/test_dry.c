@@ -1,7 +1,7 @@
 /*
- * Claims: with a Hertzian and with a linear spring the restitution that comes out is the one put in, at any speed
- * (Chung and Ooi, Granular Matter 13 (2011) 643, test 3); e = 1 damps nothing, e = 0 critically, both finite; the
- * clamped variant never pulls and has the bias its help tells; rows apart are zero and trap nothing.
+ * Claims: with a Hertzian and with a linear spring the coefficient of restitution is the one set, at any speed
+ * (Chung and Ooi, Granular Matter 13 (2011) 643, test 3). e = 1 gives no damping, e = 0 critical damping, both finite. The clamped
+ * variant never attracts and has the bias stated in its help. Rows without contact give zero and raise no floating-point trap.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -87,7 +87,7 @@ static void row(double e, int attraction, double exponent, double vn, double *fn
     w.b.fn[0] = 7.0;
     w.b.vn[0] = w.b.vn[1] = vn;
     w.b.fn[1] = 0.0;
-    dem_dry.act(dry->settings, &w.b, dry->memory);
+    dem_dry.apply(dry->settings, &w.b, dry->memory);
     *fn = w.b.fn[0];
     *eta = w.b.eta[0];
 }
@@ -107,7 +107,7 @@ static void closed_forms(void)
     TAP_OK(fn == 0.0, "clamped, it does not");
     w.b.fn[0] = -7.0;
     w.b.vn[0] = 0.5;
-    dem_dry.act(w.link[1].settings, &w.b, w.link[1].memory);
+    dem_dry.apply(w.link[1].settings, &w.b, w.link[1].memory);
     TAP_OK(w.b.fn[0] < -7.0, "but what pulls by itself, adhesion, is left as it is");
     row(0.3, 0, 1.5, -0.5, &fn, &eta);
     TAP_NEAR(eta, sqrt(5.0)*beta0*100.0, 1e-12, "hertz: sqrt(5) beta sqrt(m k)");
@@ -127,8 +127,8 @@ static void refusals(void)
     double settings[32] = {0};
     struct dem_pair_class pair = {.a = &oxide, .b = &rigid, .exponent = 1.5};
 
-    dem_field_defaults(dem_dry.settings, settings);
-    TAP_OK(dem_field_missing(dem_dry.settings, settings, "dry") == DEM_ERROR_INPUT, "restitution has no default");
+    dem_settings_set_defaults(dem_dry.settings, settings);
+    TAP_OK(dem_settings_check_complete(dem_dry.settings, settings, "dry") == DEM_ERROR_INPUT, "restitution has no default");
     TAP_OK(settle(&dem_dry, settings, &pair, "restitution", 1.1) == DEM_ERROR_INPUT,
            "e = 1.1: %s", dem_error_text());
     TAP_OK(settle(&dem_dry, settings, &pair, "restitution", -0.1) == DEM_ERROR_INPUT,

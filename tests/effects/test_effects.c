@@ -1,13 +1,13 @@
 /*
- * Claims about all effects of the list at once: each tells what the manual needs; each is found by its word, and a word
- * nobody knows gets an answer; a row's result has the same bits wherever it lies in the tray and however many rows there
- * are (whole vectors or the rest); rows of zeros, as the house pads with, and rows apart give zeros and trap nothing.
+ * Claims about all effects of the list at once: each declares what the manual needs; each is found by its name, and an unknown name
+ * is refused with a suggestion. The result of a row has the same bits wherever it lies in the batch and however many rows there are
+ * (whole vectors or the remainder). Rows of zeros (padding) and rows without contact give zeros and raise no floating-point trap.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "bodies.h"
 
-#include "base/random.h"
+#include "core/random.h"
 
 #include <stdlib.h>
 
@@ -19,7 +19,7 @@ enum
 
 static const struct dem_material glass = {"glass", 2500.0, 60e9, 0.22, 0.0};
 static const struct dem_pair_class pair = {.a = &glass, .b = &glass, .reduced_modulus = 31e9, .reduced_shear = 7e9,
-                                           .exponent = 1.5, .least_radius = 1e-3, .least_mass = 1e-5};
+                                           .exponent = 1.5, .min_radius = 1e-3, .min_mass = 1e-5};
 
 /* settings in the middle of their range, or their defaults; prepared */
 static void settings_of(const struct dem_effect *e, void *settings)
@@ -28,14 +28,14 @@ static void settings_of(const struct dem_effect *e, void *settings)
 
     if (e->settings)
     {
-        dem_field_defaults(e->settings, settings);
-        for (const struct dem_field *f = e->settings; f->name; f++)
+        dem_settings_set_defaults(e->settings, settings);
+        for (const struct dem_setting *f = e->settings; f->name; f++)
         {
-            if (isnan(f->def))
+            if (isnan(f->default_value))
             {
-                const double value = (f->least > 0.5 ? 2.0*f->least : 0.5) + unlike, values[3] = {value, 0.5, 0.5};
+                const double value = (f->min > 0.5 ? 2.0*f->min : 0.5) + unlike, values[3] = {value, 0.5, 0.5};
 
-                dem_field_set_number(e->settings, settings, e->name, f->name, values, f->kind == DEM_FIELD_VECTOR ? 3 : 1);
+                dem_settings_set_number(e->settings, settings, e->name, f->name, values, f->kind == DEM_SETTING_VECTOR ? 3 : 1);
                 unlike += 0.01;
             }
         }
@@ -53,12 +53,12 @@ static double uniform(int row, int use, double least, double most)
 }
 
 /* every third row is apart */
-static void random_contact(struct dem_block *b, dem_real memory[MEMORY][DEM_BLOCK], int to, int row)
+static void random_contact(struct dem_contact_batch *b, dem_real memory[MEMORY][DEM_BATCH_ROWS], int to, int row)
 {
     const double a = uniform(row, 0, 0.0, 6.28), z = uniform(row, 1, -1.0, 1.0), tilt = uniform(row, 2, -0.01, 0.01);
     const double apart = row % 3 == 2 ? 0.0 : 1.0;
 
-    b->dt = b->longest = 1e-6;
+    b->dt = b->max_dt = 1e-6;
     b->nx[to] = sqrt(1.0 - z*z)*cos(a), b->ny[to] = sqrt(1.0 - z*z)*sin(a), b->nz[to] = z;
     b->hx[to] = sqrt(1.0 - z*z)*cos(a + tilt), b->hy[to] = sqrt(1.0 - z*z)*sin(a + tilt), b->hz[to] = z;
     b->overlap[to] = apart*uniform(row, 3, 0.0, 1e-5);
@@ -69,18 +69,18 @@ static void random_contact(struct dem_block *b, dem_real memory[MEMORY][DEM_BLOC
     b->sx[to] = uniform(row, 7, -1.0, 1.0), b->sy[to] = uniform(row, 8, -1.0, 1.0), b->sz[to] = uniform(row, 9, -1.0, 1.0);
     b->wx[to] = uniform(row, 10, -9.0, 9.0), b->wy[to] = uniform(row, 11, -9.0, 9.0), b->wz[to] = uniform(row, 12, -9.0, 9.0);
     b->viscosity[to] = uniform(row, 13, 0.0, 0.01);
-    b->least_radius[to] = uniform(row, 50, 1e-3, 2e-3);
+    b->min_radius[to] = uniform(row, 50, 1e-3, 2e-3);
     b->gap[to] = apart > 0.0 ? -b->overlap[to] : uniform(row, 51, 0.0, 1.0);
-    b->distance[to] = 2.0*b->least_radius[to] + b->gap[to];
-    b->rate[to] = b->vn[to];
-    b->swing[to] = uniform(row, 52, -9.0, 9.0);
-    b->counts[to] = uniform(row, 53, 0.0, 1.0) < 0.8 ? 1.0 : 0.0;
-    b->chance[to] = uniform(row, 54, 0.0, 1.0);
+    b->distance[to] = 2.0*b->min_radius[to] + b->gap[to];
+    b->distance_rate[to] = b->vn[to];
+    b->normal_spin[to] = uniform(row, 52, -9.0, 9.0);
+    b->is_primary[to] = uniform(row, 53, 0.0, 1.0) < 0.8 ? 1.0 : 0.0;
+    b->pair_random[to] = uniform(row, 54, 0.0, 1.0);
     b->kn[to] = apart*uniform(row, 14, 0.0, 1e6);
     b->kt[to] = apart*uniform(row, 15, 0.0, 1e6);
     b->eta[to] = apart*uniform(row, 16, 0.0, 10.0);
-    b->sealed[to] = uniform(row, 55, 0.0, 1.0) < 0.2 ? 1.0 : 0.0;
-    b->grip[to] = apart*uniform(row, 56, 0.0, 5.0);
+    b->bond_replaces[to] = uniform(row, 55, 0.0, 1.0) < 0.2 ? 1.0 : 0.0;
+    b->adhesive_force[to] = apart*uniform(row, 56, 0.0, 5.0);
     b->fn[to] = apart*uniform(row, 17, -1.0, 5.0);
     for (int m = 0; m < MEMORY; m++)
     {
@@ -88,7 +88,7 @@ static void random_contact(struct dem_block *b, dem_real memory[MEMORY][DEM_BLOC
     }
 }
 
-static void random_body(struct dem_body_block *b, int to, int row)
+static void random_body(struct dem_body_batch *b, int to, int row)
 {
     body_fill(b, to, uniform(row, 0, 1e-4, 1e-2), uniform(row, 1, 1.0, 1000.0), uniform(row, 2, 1e-5, 1e-2),
               uniform(row, 3, 0.1, 1.1), uniform(row, 4, 0.0, 2000.0));
@@ -105,7 +105,7 @@ static int all_finite(const dem_real *values)
 {
     int all = 1;
 
-    for (int c = 0; c < DEM_BLOCK; c++)
+    for (int c = 0; c < DEM_BATCH_ROWS; c++)
     {
         all &= isfinite(values[c]) ? 1 : 0;
     }
@@ -117,7 +117,7 @@ static int bad_columns(const dem_real *first, const dem_real *last)
 {
     int bad = 0;
 
-    for (const dem_real *column = first; column <= last; column += DEM_BLOCK)
+    for (const dem_real *column = first; column <= last; column += DEM_BATCH_ROWS)
     {
         bad += !all_finite(column);
     }
@@ -128,26 +128,26 @@ static int differs(const dem_real *first, const dem_real *last, const dem_real *
 {
     int bad = 0;
 
-    for (const dem_real *a = first, *b = other_first; a <= last; a += DEM_BLOCK, b += DEM_BLOCK)
+    for (const dem_real *a = first, *b = other_first; a <= last; a += DEM_BATCH_ROWS, b += DEM_BATCH_ROWS)
     {
         bad += memcmp(a + row, b, sizeof *a) != 0;        /* bits, so that -0 is not 0 */
     }
     return bad;
 }
 
-static void act(const struct dem_effect *e, const double *settings, struct dem_block *b, dem_real *const *memory)
+static void act(const struct dem_effect *e, const double *settings, struct dem_contact_batch *b, dem_real *const *memory)
 {
-    if (e->adhere)
+    if (e->set_adhesion)
     {
-        e->adhere(settings, b, memory);
+        e->set_adhesion(settings, b, memory);
     }
-    e->act(settings, b, memory);
+    e->apply(settings, b, memory);
 }
 
 static void contact_effect(const struct dem_effect *e)
 {
-    static struct dem_block many, one;
-    static _Alignas(64) dem_real memory[MEMORY][DEM_BLOCK], memory_of_one[MEMORY][DEM_BLOCK];
+    static struct dem_contact_batch many, one;
+    static _Alignas(64) dem_real memory[MEMORY][DEM_BATCH_ROWS], memory_of_one[MEMORY][DEM_BATCH_ROWS];
     dem_real *all[MEMORY], *alone[MEMORY];
     double settings[32] = {0};
     int bad = 0;
@@ -186,7 +186,7 @@ static void contact_effect(const struct dem_effect *e)
     TAP_OK(bad == 0, "%s: nothing acts on rows apart", e->name);
 
     bad = 0;
-    for (int row = 0; row < ROWS && e->forgets; row++)    /* fn, kn, overlap, touching: 0 in every third row */
+    for (int row = 0; row < ROWS && e->clears_history; row++)    /* fn, kn, overlap, touching: 0 in every third row */
     {
         random_contact(&many, memory, row, row);
         for (int m = 0; m < MEMORY; m++)
@@ -194,13 +194,13 @@ static void contact_effect(const struct dem_effect *e)
             memory[m][row] = uniform(row, 60 + m, -1e-6, 1e-6);
         }
     }
-    if (e->forgets)
+    if (e->clears_history)
     {
         act(e, settings, &many, all);
     }
-    for (int row = 2; row < ROWS && e->forgets; row += 3)
+    for (int row = 2; row < ROWS && e->clears_history; row += 3)
     {
-        for (int m = 0; e->memory[m]; m++)
+        for (int m = 0; e->history[m]; m++)
         {
             bad += memory[m][row] != 0.0 || signbit(memory[m][row]);
         }
@@ -209,16 +209,16 @@ static void contact_effect(const struct dem_effect *e)
 
     memset(&many, 0, sizeof many);
     memset(memory, 0, sizeof memory);
-    many.n = DEM_BLOCK;
-    many.longest = 1e-6;
+    many.n = DEM_BATCH_ROWS;
+    many.max_dt = 1e-6;
     act(e, settings, &many, all);
-    TAP_OK(bad_columns(many.kn, many.broke) == 0 && many.fn[DEM_BLOCK - 1] == 0.0 && many.fx[0] == 0.0,
+    TAP_OK(bad_columns(many.kn, many.broke) == 0 && many.fn[DEM_BATCH_ROWS - 1] == 0.0 && many.fx[0] == 0.0,
            "%s: rows of zeros", e->name);
 }
 
 static void body_effect(const struct dem_effect *e)
 {
-    static struct dem_body_block many, one;
+    static struct dem_body_batch many, one;
     double settings[32] = {0};
     int bad = 0;
 
@@ -229,38 +229,38 @@ static void body_effect(const struct dem_effect *e)
     {
         random_body(&many, row, row);
     }
-    dem_effect_on_bodies(e, settings, &many);
+    dem_effect_apply_to_bodies(e, settings, &many);
     for (int row = 0; row < ROWS; row++)
     {
         memset(&one, 0, sizeof one);
         one.n = 1;
         random_body(&one, 0, row);
-        dem_effect_on_bodies(e, settings, &one);
-        bad += differs(many.added, many.tz, one.added, row);
+        dem_effect_apply_to_bodies(e, settings, &one);
+        bad += differs(many.added_mass, many.tz, one.added_mass, row);
     }
     TAP_OK(bad == 0, "%s: a row has the same bits alone and among others (%d differ)", e->name, bad);
-    TAP_OK(bad_columns(many.added, many.tz) == 0, "%s: all finite", e->name);
+    TAP_OK(bad_columns(many.added_mass, many.tz) == 0, "%s: all finite", e->name);
     bad = 0;
     for (int row = 0; row < ROWS; row++)
     {
-        bad += many.b[row] < 0.0 || many.t[row] < 0.0 || many.added[row] < 0.0;
+        bad += many.b[row] < 0.0 || many.t[row] < 0.0 || many.added_mass[row] < 0.0;
     }
-    TAP_OK(bad == 0, "%s: no drag pushes, none turns along, nobody takes less than no fluid along", e->name);
+    TAP_OK(bad == 0, "%s: no coefficient of drag or rotational drag and no added mass is negative", e->name);
 
     memset(&many, 0, sizeof many);
-    many.n = DEM_BLOCK;
-    dem_effect_on_bodies(e, settings, &many);
-    TAP_OK(bad_columns(many.added, many.tz) == 0 && many.fx[DEM_BLOCK - 1] == 0.0 && many.b[0] == 0.0,
+    many.n = DEM_BATCH_ROWS;
+    dem_effect_apply_to_bodies(e, settings, &many);
+    TAP_OK(bad_columns(many.added_mass, many.tz) == 0 && many.fx[DEM_BATCH_ROWS - 1] == 0.0 && many.b[0] == 0.0,
            "%s: rows of zeros", e->name);
-    TAP_OK(many.rx[0] == 0.0 && many.t[DEM_BLOCK - 1] == 0.0 && many.added[0] == 0.0, "%s: nor turn, nor take along", e->name);
+    TAP_OK(many.rx[0] == 0.0 && many.t[DEM_BATCH_ROWS - 1] == 0.0 && many.added_mass[0] == 0.0, "%s: rows of zeros have no reaction, rotational drag or added mass", e->name);
 }
 
-/* what an effect says that it does, it does, and nothing else */
-static void books(const struct dem_effect *e)
+/* an effect writes the columns that it declares, and no others */
+static void declarations(const struct dem_effect *e)
 {
-    static struct dem_body_block b;
+    static struct dem_body_batch b;
     double settings[32] = {0};
-    int reacts = 0, pushes = 0, turns = 0, added = 0;
+    int has_reaction = 0, pushes = 0, turns = 0, added = 0;
 
     settings_of(e, settings);
     memset(&b, 0, sizeof b);
@@ -269,16 +269,45 @@ static void books(const struct dem_effect *e)
     {
         random_body(&b, row, row);
     }
-    dem_effect_on_bodies(e, settings, &b);
+    dem_effect_apply_to_bodies(e, settings, &b);
     for (int row = 0; row < ROWS; row++)
     {
-        reacts |= b.rx[row] != 0.0 || b.ry[row] != 0.0 || b.rz[row] != 0.0;
+        has_reaction |= b.rx[row] != 0.0 || b.ry[row] != 0.0 || b.rz[row] != 0.0;
         pushes |= b.fx[row] != 0.0 || b.fy[row] != 0.0 || b.fz[row] != 0.0;
         turns |= b.t[row] != 0.0;
-        added |= b.added[row] != 0.0;
+        added |= b.added_mass[row] != 0.0;
     }
-    TAP_OK(reacts == e->reacts && added == e->inertia && turns == e->turns && (pushes == 0 || !reacts),
-           "%s: its books are those that it tells of", e->name);
+    TAP_OK(has_reaction == e->has_reaction && added == e->has_added_mass && turns == e->has_rotational_drag && (pushes == 0 || !has_reaction),
+           "%s: reaction, added mass and rotational drag are those that it declares", e->name);
+}
+
+/* 1: each required setting stands in the example, and each word there is a setting. */
+static int example_is_complete(const struct dem_effect *e)
+{
+    char text[200], *rest;
+    int required = 0, given = 0;
+
+    for (const struct dem_setting *f = e->settings; f && f->name; f++)
+    {
+        required += isnan(f->default_value);
+    }
+    snprintf(text, sizeof text, "%s", e->example ? e->example : "");
+    for (char *entry = strtok_r(text, ";", &rest); entry; entry = strtok_r(NULL, ";", &rest))
+    {
+        char name[64];
+
+        if (sscanf(entry, " %63s", name) == 1)
+        {
+            const struct dem_setting *const f = e->settings ? dem_settings_find(e->settings, name) : NULL;
+
+            if (!f)
+            {
+                return 0;
+            }
+            given += isnan(f->default_value);
+        }
+    }
+    return given == required;
 }
 
 static void tells(const struct dem_effect *e)
@@ -286,24 +315,28 @@ static void tells(const struct dem_effect *e)
     const int body = e->stage >= DEM_STAGE_BODY;
     int fields = 0, bad = 0;
 
-    for (const struct dem_field *f = e->settings; f && f->name; f++)
+    for (const struct dem_setting *f = e->settings; f && f->name; f++)
     {
         fields++;
         bad += f->help == NULL || f->help[0] == '\0' || f->unit == NULL || f->offset >= e->size;
     }
-    TAP_OK(e->says && e->source && e->name[0] && e->says[0] && e->source[0],
+    TAP_OK(e->summary && e->source && e->name[0] && e->summary[0] && e->source[0],
            "%s: word, sentence, source", e->name);
     TAP_OK(bad == 0 && (fields > 0) == (e->size > 0), "%s: %d settings, each with unit and help", e->name, fields);
-    TAP_OK(body ? e->act_on_bodies && !e->act && !e->memory : e->act && !e->act_on_bodies,
+    TAP_OK(body ? e->apply_to_bodies && !e->apply && !e->history : e->apply && !e->apply_to_bodies,
            "%s: acts as its stage wants", e->name);
-    TAP_OK(!(e->reach || e->shield) || e->stage == DEM_STAGE_BOND || e->stage == DEM_STAGE_FILM,
+    TAP_OK(!(e->reach || e->replace_contact) || e->stage == DEM_STAGE_BOND || e->stage == DEM_STAGE_FILM,
            "%s: only bonds and films act past touching", e->name);
-    TAP_OK(!e->adhere || e->stage == DEM_STAGE_FILM, "%s: only films tell friction beforehand", e->name);
-    TAP_OK(!e->open_bodies || e->drag || e->inertia, "%s: only drag and added mass open a window", e->name);
-    TAP_OK(!(e->drag || e->reacts || e->inertia || e->turns) || e->stage == DEM_STAGE_FLUID, "%s: only in a fluid", e->name);
-    TAP_OK(!e->forgets || (e->memory && e->stage < DEM_STAGE_BOND), "%s: only laws of contact forget", e->name);
+    TAP_OK(!e->set_adhesion || e->stage == DEM_STAGE_FILM, "%s: only films give a friction force before contact", e->name);
+    TAP_OK(!e->prepare_bodies || e->drag || e->has_added_mass, "%s: only drag and added mass open a window", e->name);
+    TAP_OK(!(e->drag || e->has_reaction || e->has_added_mass || e->has_rotational_drag) || e->stage == DEM_STAGE_FLUID, "%s: only in a fluid", e->name);
+    TAP_OK(!e->clears_history || (e->history && e->stage < DEM_STAGE_BOND), "%s: only laws of contact forget", e->name);
     TAP_OK((e->exponent > 0.0) == (e->stage == DEM_STAGE_NORMAL),
            "%s: an exponent for the normal law only", e->name);
+    TAP_OK(!e->uniform_acceleration || e->stage == DEM_STAGE_BODY, "%s: only a body force is gravity", e->name);
+    TAP_OK(!e->has_pressure_gradient || e->stage == DEM_STAGE_FLUID, "%s: only a fluid has a pressure gradient", e->name);
+    TAP_OK((e->listed_column != NULL) == (e->makes_listed != NULL), "%s: a list of pairs has its column", e->name);
+    TAP_OK(example_is_complete(e), "%s: the example gives each required setting, and settings only: %s", e->name, e->example ? e->example : "none");
     TAP_OK(dem_effects_find(e->name) == e, "%s: found by its word", e->name);
 }
 
@@ -323,13 +356,13 @@ int main(void)
         else
         {
             body_effect(*e);
-            books(*e);
+            declarations(*e);
         }
     }
     TAP_OK(count > 0, "%d effects", count);
     TAP_OK(dem_effects_find("hertzz") == NULL && dem_effects_find("") == NULL, "an unknown word is not found");
     TAP_OK(dem_effects_unknown("scene.dem, line 3", "hertzz") == DEM_ERROR_INPUT, "%s", dem_error_text());
-    TAP_OK(strncmp(dem_error_text(), "scene.dem, line 3: ", 19) == 0, "the message begins with the place");
+    TAP_OK(strncmp(dem_error_text(), "scene.dem, line 3: ", 19) == 0, "the message begins with file and line");
     TAP_OK(strstr(dem_error_text(), "did you mean hertz") != NULL, "and offers the nearest word");
     TAP_OK(strstr(dem_error_text(), "gidaspow") != NULL, "and lists the others");
     TAP_DONE;

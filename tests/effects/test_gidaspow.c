@@ -93,9 +93,9 @@ int main(void)
     switched();
     smooth();
     edges();
-    dem_field_defaults(dem_gidaspow.settings, &settings);
-    TAP_OK(settings == 0, "smooth unless told otherwise");
-    TAP_OK(dem_field_set_word(dem_gidaspow.settings, &settings, "gidaspow", "blend",
+    dem_settings_set_defaults(dem_gidaspow.settings, &settings);
+    TAP_OK(settings == 0, "smooth by default");
+    TAP_OK(dem_settings_set_word(dem_gidaspow.settings, &settings, "gidaspow", "blend",
            "switch") == DEM_OK && settings == 1, "switch");
     TAP_DONE;
 }

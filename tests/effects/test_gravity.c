@@ -7,15 +7,15 @@
 
 int main(void)
 {
-    static struct dem_body_block b;
+    static struct dem_body_batch b;
     static const double down[3] = {0.3, -0.2, -9.81};
     double settings[4] = {0};
 
     TAP_TRAPS;
-    dem_field_defaults(dem_gravity.settings, settings);
-    TAP_OK(dem_field_missing(dem_gravity.settings, settings, "gravity") == DEM_ERROR_INPUT,
-           "which way is down has to be told");
-    TAP_OK(dem_field_set_number(dem_gravity.settings, settings, "gravity", "acceleration", down, 3) == DEM_OK,
+    dem_settings_set_defaults(dem_gravity.settings, settings);
+    TAP_OK(dem_settings_check_complete(dem_gravity.settings, settings, "gravity") == DEM_ERROR_INPUT,
+           "acceleration is a required setting");
+    TAP_OK(dem_settings_set_number(dem_gravity.settings, settings, "gravity", "acceleration", down, 3) == DEM_OK,
            "it can be");
 
     b.n = 3;
@@ -24,7 +24,7 @@ int main(void)
         b.mass[c] = c;
         b.fx[c] = 1.0, b.fz[c] = 2.0;
     }
-    dem_gravity.act_on_bodies(settings, &b);
+    dem_gravity.apply_to_bodies(settings, &b);
     TAP_OK(b.fx[0] == 1.0 && b.fy[0] == 0.0 && b.fz[0] == 2.0, "no mass, no weight; what was there stays");
     TAP_OK(b.fx[1] == 1.0 + 0.3 && b.fy[1] == -0.2 && b.fz[1] == 2.0 - 9.81, "1 kg");
     TAP_OK(b.fx[2] == 1.0 + 2.0*0.3 && b.fy[2] == -2.0*0.2 && b.fz[2] == 2.0 - 2.0*9.81, "2 kg");

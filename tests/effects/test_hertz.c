@@ -46,7 +46,7 @@ static void law(void)
         w.b.overlap[c] = 1e-5*c;
         w.b.fn[c] = 3.0;
     }
-    dem_hertz.act(w.link[0].settings, &w.b, w.link[0].memory);
+    dem_hertz.apply(w.link[0].settings, &w.b, w.link[0].memory);
     double worst = 0.0, worst_stiffness = 0.0;
     for (int c = 0; c < 8; c++)
     {
@@ -127,7 +127,7 @@ static void limits(void)
              "a given stiffness: %s", why);                                               /* digits of 2.8682657 */
     w.b.n = 1;
     w.b.overlap[0] = 1e-5, w.b.reduced_radius[0] = 0.005, w.b.fn[0] = 0.0;
-    dem_hertz.act(w.link[0].settings, &w.b, w.link[0].memory);
+    dem_hertz.apply(w.link[0].settings, &w.b, w.link[0].memory);
     TAP_NEAR(w.b.fn[0], 4.0/3.0*25e9*sqrt(0.005)*pow(1e-5, 1.5), 1e-13*75.0, "and the force of those materials");    /* rounding */
 
     w.pair.reduced_modulus = 0.0;

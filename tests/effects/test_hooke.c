@@ -15,7 +15,7 @@ static struct world w;
 static double impact(double k, double v, double e, int attraction, int steps)
 {
     world_spheres(&w, &glass, &glass, 1e-3, 1e-3);
-    const double dt = pi*sqrt(w.pair.least_mass/k)/steps;
+    const double dt = pi*sqrt(w.pair.min_mass/k)/steps;
 
     world_add(&w, &dem_hooke, "stiffness", k);
     if (attraction >= 0)
@@ -48,7 +48,7 @@ static void law(void)
     {
         w.b.reduced_radius[c] = 0.75e-3, w.b.reduced_mass[c] = 1e-5;
     }
-    dem_hooke.act(l->settings, &w.b, l->memory);
+    dem_hooke.apply(l->settings, &w.b, l->memory);
     TAP_NEAR(w.b.fn[0], 3.0 + 1000.0*1e-5, 1e-15, "adds k d to the force");                     /* rounding */
     TAP_OK(w.b.kn[0] == 1000.0 && w.b.kn[1] == 0.0 && w.b.fn[1] == 3.0, "a row apart gets nothing");
 
@@ -61,7 +61,7 @@ static void law(void)
         const double hertz = pow(15.0*m*v*v/(16.0*E*sqrt(R)), 0.4);
 
         settle(&dem_hooke, l->settings, &w.pair, "impactSpeed", v);
-        dem_hooke.act(l->settings, &w.b, l->memory);
+        dem_hooke.apply(l->settings, &w.b, l->memory);
         TAP_NEAR(w.b.kn[0]/note, 1.0, 1e-14, "k for %g m/s: %g N/m", v, note);
         TAP_NEAR(v*sqrt(m/w.b.kn[0])/hertz, 1.0, 1e-14, "overlaps as far as Hertz's, %g m", hertz);
         TAP_OK(w.b.kn[1] == 0.0, "a row apart: no stiffness");
@@ -72,8 +72,8 @@ static void law(void)
 
     w.b.n = 1;
     w.b.touching[0] = 1.0;
-    w.b.reduced_radius[0] = w.pair.least_radius, w.b.reduced_mass[0] = w.pair.least_mass;
-    dem_hooke.act(reference->settings, &w.b, reference->memory);
+    w.b.reduced_radius[0] = w.pair.min_radius, w.b.reduced_mass[0] = w.pair.min_mass;
+    dem_hooke.apply(reference->settings, &w.b, reference->memory);
     TAP_NEAR(w.b.kn[0], 1090.8212625, 1e-7, "the reference pair: 1090.8212625 N/m");
 }
 
@@ -98,7 +98,7 @@ static void limits(void)
 
     world_spheres(&w, &glass, &glass, 1e-3, 1e-3);
     struct link *const l = world_add(&w, &dem_hooke, "stiffness", 1000.0);
-    const double contact = 0.05*pi*sqrt(w.pair.least_mass/1000.0);
+    const double contact = 0.05*pi*sqrt(w.pair.min_mass/1000.0);
 
     /* rounding, of dem_pow too */
     TAP_NEAR(dem_hooke.time_limit(l->settings, &w.pair, &why), contact, 1e-15*contact, "1/20 of the contact time");

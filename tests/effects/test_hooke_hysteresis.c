@@ -8,7 +8,7 @@
  */
 #include "tray.h"
 
-#include "base/random.h"
+#include "core/random.h"
 
 static const struct dem_material bead = {"bead", 2500.0, 1e7, 0.3, 0.0};
 static const double pi = 3.14159265358979324;
@@ -26,10 +26,10 @@ static struct link *pair_of(double unloading, double adhesion, double depth)
     settle(&dem_hooke_hysteresis, l->settings, &w.pair, "plasticDepth", depth);
     w.b.n = 1;
     w.b.dt = 1e-6;
-    for (int c = 0; c < DEM_BLOCK; c++)
+    for (int c = 0; c < DEM_BATCH_ROWS; c++)
     {
-        w.b.reduced_radius[c] = w.pair.least_radius;
-        w.b.reduced_mass[c] = w.pair.least_mass;
+        w.b.reduced_radius[c] = w.pair.min_radius;
+        w.b.reduced_mass[c] = w.pair.min_mass;
     }
     return l;
 }
@@ -40,7 +40,7 @@ static double at(struct link *l, double overlap)
     w.b.overlap[0] = overlap > 0.0 ? overlap : 0.0;
     w.b.touching[0] = overlap > 0.0 ? 1.0 : 0.0;
     w.b.fn[0] = 0.0;
-    l->effect->act(l->settings, &w.b, l->memory);
+    l->effect->apply(l->settings, &w.b, l->memory);
     l->column[0][0] *= w.b.touching[0];
     return w.b.fn[0];
 }
@@ -128,7 +128,7 @@ static void points(void)
         TAP_NEAR(leg(l, &d, most, &work), t[5], 1e-8*peak, "pressed to %g d_lim: %g N", t[0], t[5]);
         TAP_NEAR((at(l, most) - at(l, 0.99*most))/(0.01*most), t[1], 1e-6*t[1], "unloads on %g N/m", t[1]);
         TAP_NEAR(at(l, t[2]), 0.0, 1e-8*peak, "no force at %g m", t[2]);
-        TAP_NEAR(at(l, t[3]), t[4], 1e-8*peak, "pulls most, %g N, at %g m", t[4], t[3]);
+        TAP_NEAR(at(l, t[3]), t[4], 1e-8*peak, "largest attraction, %g N, at %g m", t[4], t[3]);
         TAP_NEAR(at(l, 0.5*t[3]), 0.5*t[4], 1e-8*peak, "and half of it at half of that: on -k_c d");
     }
 }
@@ -161,7 +161,7 @@ static void impacts(void)
         for (int s = 0; s < (int)(sizeof speed/sizeof speed[0]); s++)
         {
             pair_of(5.0, adhesion[a], 0.05);
-            const double m = w.pair.least_mass, v = speed[s]*d_lim*sqrt(k/m), dt = pi*sqrt(m/(5.0*k))/50.0;
+            const double m = w.pair.min_mass, v = speed[s]*d_lim*sqrt(k/m), dt = pi*sqrt(m/(5.0*k))/50.0;
             const double expected = returned(adhesion[a], speed[s]);
 
             if (fabs(expected) < 0.01)
@@ -187,7 +187,7 @@ static void impacts(void)
 static void sticking(void)
 {
     struct link *const l = pair_of(5.0, 1.0, 0.05);
-    const double m = w.pair.least_mass, v = 0.8*d_lim*sqrt(k/m), dt = pi*sqrt(m/(5.0*k))/20.0;
+    const double m = w.pair.min_mass, v = 0.8*d_lim*sqrt(k/m), dt = pi*sqrt(m/(5.0*k))/20.0;
     double before = 0.0, worst = 0.0, widest = 0.0;
 
     world_aim(&w, 16, dt, v);
@@ -219,7 +219,7 @@ static void sticking(void)
             TAP_OK(0, "row %d has come loose", c);
         }
     }
-    TAP_OK(l->column[0][0] > 0.0, "nobody has come loose");
+    TAP_OK(l->column[0][0] > 0.0, "no pair has separated");
 }
 
 /* ---- closed loops -------------------------------------------------------------------------------------------------- */
@@ -232,27 +232,27 @@ static void loops(void)
     for (int a = 0; a < 3; a++)
     {
         struct link *const l = pair_of(5.0, adhesion[a], 0.05);
-        double d[DEM_BLOCK] = {0}, force[DEM_BLOCK] = {0}, work[DEM_BLOCK] = {0};
-        double target[DEM_BLOCK] = {0}, from[DEM_BLOCK] = {0}, least = 1e300;
+        double d[DEM_BATCH_ROWS] = {0}, force[DEM_BATCH_ROWS] = {0}, work[DEM_BATCH_ROWS] = {0};
+        double target[DEM_BATCH_ROWS] = {0}, from[DEM_BATCH_ROWS] = {0}, least = 1e300;
 
-        w.b.n = DEM_BLOCK;
+        w.b.n = DEM_BATCH_ROWS;
         for (int turn = 0; turn < 12; turn++)
         {
-            for (int c = 0; c < DEM_BLOCK; c++)
+            for (int c = 0; c < DEM_BATCH_ROWS; c++)
             {
                 from[c] = d[c];
                 target[c] = turn == 11 ? 0.0 : 1.6*d_lim*dem_random_unit(3, (uint64_t)c, (uint64_t)turn, (uint64_t)a);
             }
             for (int s = 1; s <= 500; s++)
             {
-                for (int c = 0; c < DEM_BLOCK; c++)
+                for (int c = 0; c < DEM_BATCH_ROWS; c++)
                 {
                     w.b.overlap[c] = from[c] + (target[c] - from[c])*s/500.0;
                     w.b.touching[c] = w.b.overlap[c] > 0.0 ? 1.0 : 0.0;
                     w.b.fn[c] = 0.0;
                 }
-                l->effect->act(l->settings, &w.b, l->memory);
-                for (int c = 0; c < DEM_BLOCK; c++)
+                l->effect->apply(l->settings, &w.b, l->memory);
+                for (int c = 0; c < DEM_BATCH_ROWS; c++)
                 {
                     work[c] += 0.5*(force[c] + w.b.fn[c])*(w.b.overlap[c] - d[c]);
                     force[c] = w.b.fn[c];
@@ -261,7 +261,7 @@ static void loops(void)
                 }
             }
         }
-        for (int c = 0; c < DEM_BLOCK; c++)
+        for (int c = 0; c < DEM_BATCH_ROWS; c++)
         {
             least = fmin(least, work[c]/(k*d_lim*d_lim));
         }
@@ -323,7 +323,7 @@ static void guards(void)
 
     l = pair_of(5.0, 1.0, 0.05);
     const char *why = "";
-    const double limit = 0.05*pi*sqrt(w.pair.least_mass/(5.0*k));
+    const double limit = 0.05*pi*sqrt(w.pair.min_mass/(5.0*k));
 
     TAP_NEAR(dem_hooke_hysteresis.time_limit(l->settings, &w.pair, &why), limit, 1e-9*limit, "%s", why);    /* digits of k */
     TAP_OK(settle(&dem_hooke_hysteresis, l->settings, &w.pair, "unloading", 0.5) == DEM_ERROR_INPUT, "%s", dem_error_text());
@@ -340,9 +340,9 @@ static void guards(void)
     leg(l, &d, 0.8*d_lim, &work);
     leg(l, &d, 0.2*d_lim, &work);
     w.b.vn[0] = 0.01;
-    const double loss = log(2.0), eta = 2.0*loss/sqrt(pi*pi + loss*loss)*sqrt(k*w.pair.least_mass), pull = w.b.fn[0];
+    const double loss = log(2.0), eta = 2.0*loss/sqrt(pi*pi + loss*loss)*sqrt(k*w.pair.min_mass), pull = w.b.fn[0];
 
-    dem_dry.act(dry->settings, &w.b, dry->memory);
+    dem_dry.apply(dry->settings, &w.b, dry->memory);
     TAP_NEAR(w.b.eta[0], eta, 1e-9*eta, "dry: the dashpot refers to k");                  /* digits of k */
     TAP_NEAR(w.b.fn[0], pull - 0.01*eta, 1e-12*k*d_lim, "and clamped it leaves the pull of %g N", pull);
     TAP_OK(pull < 0.0, "which is one");
@@ -364,7 +364,7 @@ static void friction(void)
         w.b.hz[0] = w.b.nz[0] = 1.0;
         w.b.nx[0] = w.b.ny[0] = w.b.hx[0] = w.b.hy[0] = 0.0;
         w.b.dt = 1.0, w.b.sx[0] = 1.0, w.b.sy[0] = w.b.sz[0] = w.b.fx[0] = w.b.fy[0] = w.b.fz[0] = 0.0;
-        dem_linear.act(rubs->settings, &w.b, rubs->memory);
+        dem_linear.apply(rubs->settings, &w.b, rubs->memory);
         TAP_NEAR(-w.b.fx[0], limit, 1e-6*k*d_lim, "friction at %g N: %g N", w.b.fn[0], limit);     /* of 1000 increments of a leg */
         leg(l, &d, 0.8*d_lim, &work);
     }

@@ -15,7 +15,7 @@ static void stiffness(void)
 
     w.b.sx[0] = 1e-3;
     tangential_act(&w, l);
-    TAP_NEAR(w.b.kt[0], 2e6/7.0, 1e-9, "2/7 of k_n unless told otherwise");             /* rounding */
+    TAP_NEAR(w.b.kt[0], 2e6/7.0, 1e-9, "2/7 of k_n by default");             /* rounding */
     settle(&dem_linear, l->settings, &w.pair, "ratio", 0.5);
     tangential_act(&w, l);
     TAP_OK(w.b.kt[0] == 5e5, "or the ratio given");

@@ -1,14 +1,13 @@
 /*
- * Claims: whoever presses, pulls and parts two bodies along any path and ends where he began has put work in, or none, and got
- * none out: with every normal law and every damping of the list, with adhesion, and, while they are rubbed to and fro as well,
- * with linear springs and with Mindlin's loaded step by step. Without damping and yield it is none at all. (mindlin is the
- * exception, and says so: test_mindlin_incremental.)
+ * Claims: two bodies pressed, pulled and separated along any closed path take work or none, and give none: with every normal law and
+ * every damping of the list, with adhesion, and, sheared to and fro at the same time, with linear springs and with incremental Mindlin.
+ * Without damping and yield the work is zero. (mindlin is the exception and says so: test_mindlin_incremental.)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "tray.h"
 
-#include "base/random.h"
+#include "core/random.h"
 
 enum
 {
@@ -27,14 +26,14 @@ static double drawn(int row, int leg, int use)
 static void begin(void)
 {
     world_spheres(&w, &bead, &bead, 1e-3, 1e-3);
-    w.b.n = DEM_BLOCK;
-    w.b.dt = w.b.longest = dt;
-    for (int c = 0; c < DEM_BLOCK; c++)
+    w.b.n = DEM_BATCH_ROWS;
+    w.b.dt = w.b.max_dt = dt;
+    for (int c = 0; c < DEM_BATCH_ROWS; c++)
     {
-        w.b.reduced_radius[c] = w.pair.least_radius;
-        w.b.reduced_mass[c] = w.pair.least_mass;
-        w.b.least_radius[c] = 1e-3;
-        w.b.nz[c] = w.b.hz[c] = w.b.counts[c] = 1.0;
+        w.b.reduced_radius[c] = w.pair.min_radius;
+        w.b.reduced_mass[c] = w.pair.min_mass;
+        w.b.min_radius[c] = 1e-3;
+        w.b.nz[c] = w.b.hz[c] = w.b.is_primary[c] = 1.0;
     }
 }
 
@@ -84,10 +83,10 @@ static void put(int c, double gap, double rate, double slip_x, double slip_y)
     w.b.distance[c] = 2e-3 + gap;
     w.b.overlap[c] = gap < 0.0 ? -gap : 0.0;
     w.b.touching[c] = gap < 0.0 ? 1.0 : 0.0;
-    w.b.vn[c] = w.b.rate[c] = rate;
+    w.b.vn[c] = w.b.distance_rate[c] = rate;
     w.b.sx[c] = slip_x, w.b.sy[c] = slip_y;
     w.b.kn[c] = w.b.kt[c] = w.b.eta[c] = w.b.fn[c] = w.b.fx[c] = w.b.fy[c] = w.b.fz[c] = w.b.stored[c] = w.b.lost[c] = 0.0;
-    w.b.grip[c] = w.b.note[c] = 0.0;
+    w.b.adhesive_force[c] = w.b.scratch[c] = 0.0;
 }
 
 static void act(void)
@@ -96,14 +95,14 @@ static void act(void)
     {
         struct link *const l = &w.link[k];
 
-        if (l->effect->adhere)
+        if (l->effect->set_adhesion)
         {
-            l->effect->adhere(l->settings, &w.b, l->memory);
+            l->effect->set_adhesion(l->settings, &w.b, l->memory);
         }
-        l->effect->act(l->settings, &w.b, l->memory);
-        for (int m = 0; l->effect->stage < DEM_STAGE_BOND && l->effect->memory && l->effect->memory[m]; m++)
+        l->effect->apply(l->settings, &w.b, l->memory);
+        for (int m = 0; l->effect->stage < DEM_STAGE_BOND && l->effect->history && l->effect->history[m]; m++)
         {
-            for (int c = 0; c < DEM_BLOCK; c++)
+            for (int c = 0; c < DEM_BATCH_ROWS; c++)
             {
                 l->column[m][c] *= w.b.touching[c];
             }
@@ -115,11 +114,11 @@ static void act(void)
    force's scale times its way. */
 static void wander(double slips, double apart, double *least, double *greatest)
 {
-    double gap[DEM_BLOCK], work[DEM_BLOCK] = {0}, force[DEM_BLOCK][3];
+    double gap[DEM_BATCH_ROWS], work[DEM_BATCH_ROWS] = {0}, force[DEM_BATCH_ROWS][3];
     double scale = 0.0;
 
     *least = 1e300, *greatest = -1e300;
-    for (int c = 0; c < DEM_BLOCK; c++)
+    for (int c = 0; c < DEM_BATCH_ROWS; c++)
     {
         gap[c] = apart;
     }
@@ -127,7 +126,7 @@ static void wander(double slips, double apart, double *least, double *greatest)
     {
         for (int s = 0; s <= STEPS; s++)
         {
-            for (int c = 0; c < DEM_BLOCK; c++)
+            for (int c = 0; c < DEM_BATCH_ROWS; c++)
             {
                 const double to = leg == LEGS - 1 ? apart : apart - (apart + deepest)*drawn(c, leg, 0);
                 const double from = leg == 0 ? apart : apart - (apart + deepest)*drawn(c, leg - 1, 0), rate = (to - from)/(STEPS*dt);
@@ -137,17 +136,17 @@ static void wander(double slips, double apart, double *least, double *greatest)
                 put(c, gap[c], rate, slip*cos(angle), slip*sin(angle));
             }
             act();
-            for (int c = 0; c < DEM_BLOCK; c++)
+            for (int c = 0; c < DEM_BATCH_ROWS; c++)
             {
                 /* the leg's first force is taken anew, with its own rate: what happens there costs no way */
-                work[c] -= s ? 0.5*dt*((force[c][0] + w.b.fn[c])*w.b.rate[c] + (force[c][1] + w.b.fx[c])*w.b.sx[c]
+                work[c] -= s ? 0.5*dt*((force[c][0] + w.b.fn[c])*w.b.distance_rate[c] + (force[c][1] + w.b.fx[c])*w.b.sx[c]
                                        + (force[c][2] + w.b.fy[c])*w.b.sy[c]) : 0.0;
                 force[c][0] = w.b.fn[c], force[c][1] = w.b.fx[c], force[c][2] = w.b.fy[c];
                 scale = fmax(scale, fabs(w.b.fn[c])*deepest);
             }
         }
     }
-    for (int c = 0; c < DEM_BLOCK; c++)
+    for (int c = 0; c < DEM_BATCH_ROWS; c++)
     {
         *least = fmin(*least, work[c]/scale);
         *greatest = fmax(*greatest, work[c]/scale);
@@ -179,13 +178,13 @@ static void pressed(void)
         begin();
         add(normal);
         wander(0.0, 5e-6, &least, &greatest);
-        if (normal->memory)
+        if (normal->history)
         {
-            TAP_OK(least > 0.0, "%s: %d paths take work, %.2g or more of force times way", normal->name, DEM_BLOCK, least);
+            TAP_OK(least > 0.0, "%s: %d paths take work, %.2g or more of force times way", normal->name, DEM_BATCH_ROWS, least);
         }
         else
         {
-            TAP_NEAR(fmax(-least, greatest), 0.0, kinks, "%s: %d paths take and give nothing", normal->name, DEM_BLOCK);
+            TAP_NEAR(fmax(-least, greatest), 0.0, kinks, "%s: %d paths take and give nothing", normal->name, DEM_BATCH_ROWS);
         }
         for (int k = 0; of_stage(DEM_STAGE_DAMP, k); k++)
         {

@@ -1,13 +1,13 @@
 /*
- * Claims: the table on the page of effects (dem/effects/README.md) is what the program prints; `dem effects WORD` prints one
- * of its entries, and a word nobody knows is refused; the effect and the test that dem/README.md shows are the files.
+ * Claims: the table on the page of effects (docs/effects.md) is what the program prints; `dem effects WORD` prints one of its
+ * entries, and an unknown word is refused; the effect and the test that docs/adding-an-effect.md shows are the files.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "unit/tap.h"
 
-#include "main_effects.c"                                 /* of the program, which is not in the library */
-#include "main_effects_cost.c"
+#include "app/effects.c"                                 /* of the program, which is not in the library */
+#include "app/effects_cost.c"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -25,7 +25,7 @@ static void in(FILE *from, char *text)
 
     if (read == 0 || read == ROOM - 1)
     {
-        printf("Bail out! nothing read, or more than there is room for\n");
+        printf("Bail out! nothing read, or more than the buffer holds\n");
         exit(1);
     }
     text[read] = '\0';
@@ -65,36 +65,39 @@ static int parting(const char *a, const char *b)
     return *a == *b ? 0 : line;
 }
 
-/* a whole file stands on dem/README.md */
+/* docs/adding-an-effect.md contains the whole file */
 static void shown(const char *name)
 {
-    FILE *const file = fopen(name, "r"), *const manual = fopen("../dem/README.md", "r");
+    FILE *const file = fopen(name, "r"), *const manual = fopen("../docs/adding-an-effect.md", "r");
 
     in(file, printed);
     in(manual, page);
     fclose(file);
     fclose(manual);
-    TAP_OK(strstr(page, printed) != NULL, "dem/README.md shows %s as it is", name);
+    TAP_OK(strstr(page, printed) != NULL, "docs/adding-an-effect.md shows %s as it is%s", name,
+           strstr(page, printed) ? "" : "; make -C dem manual brings it up to date");
 }
 
 int main(void)
 {
     char *known[] = {"dry"}, *unknown[] = {"herz"};
-    FILE *const file = fopen("../dem/effects/README.md", "r");
+    FILE *const file = fopen("../docs/effects.md", "r");
 
     in(file, page);
     fclose(file);
     TAP_OK(print(0, NULL) == DEM_OK, "dem effects");
 
-    /* the first block of the page; the blank line after the last effect is not on it */
-    char *const block = strstr(page, "\n```\n"), *const end = block ? strstr(block + 5, "```\n") : NULL;
+    /* the fenced block after a comment that names it; the blank line after the last effect is not in it */
+    const char *const mark = "<!-- dem effects -->\n```\n";
+    char *const found = strstr(page, mark), *const block = found ? found + strlen(mark) : NULL;
+    char *const end = block ? strstr(block, "```\n") : NULL;
 
     TAP_OK(block && end, "the page has a block");
     if (block && end)
     {
         *end = '\0';
         printed[strlen(printed) - 1] = '\0';
-        const int line = parting(block + 5, printed);
+        const int line = parting(block, printed);
 
         TAP_OK(line == 0, "the block is what dem effects prints%s", line ? "; make -C dem manual brings it up to date" : "");
         if (line)
@@ -104,7 +107,7 @@ int main(void)
     }
     TAP_OK(print(1, known) == DEM_OK && strncmp(printed, "dry ", 4) == 0 && strstr(page, "\ndry "), "dem effects dry");
     TAP_OK(print(1, unknown) == DEM_ERROR_INPUT && strstr(dem_error_text(), "hertz"), "%s", dem_error_text());
-    shown("../dem/effects/sjkr.c");
+    shown("../dem/effects/contact/sjkr.c");
     shown("effects/test_sjkr.c");
     TAP_DONE;
 }

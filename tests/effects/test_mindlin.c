@@ -36,7 +36,7 @@ static struct link *row(double friction, double damping)
 static void act(struct link *l)
 {
     w.b.fx[0] = w.b.fy[0] = w.b.fz[0] = 0.0;
-    dem_mindlin.act(l->settings, &w.b, l->memory);
+    dem_mindlin.apply(l->settings, &w.b, l->memory);
 }
 
 static double friction_now(void)

@@ -8,7 +8,7 @@
 
 int main(void)
 {
-    static struct dem_body_block b;
+    static struct dem_body_batch b;
     static const double g[3] = {0.0, 0.0, -9.81};
     double gravity[3] = {g[0], g[1], g[2]};
 
@@ -17,7 +17,7 @@ int main(void)
     b.volume[0] = 2e-9;
     b.gx[0] = 1e4, b.gy[0] = -2e4, b.gz[0] = 3e4;
     b.fx[0] = 1.0;
-    dem_pressure_gradient.act_on_bodies(NULL, &b);
+    dem_pressure_gradient.apply_to_bodies(NULL, &b);
     TAP_OK(b.fx[0] == 1.0 - 2e-9*1e4 && b.fy[0] == 2e-9*2e4 && b.fz[0] == -2e-9*3e4, "adds -V grad p");
     TAP_OK(b.fx[1] == 0.0 && b.fy[1] == 0.0 && b.fz[1] == 0.0, "an empty row gets nothing");
     TAP_OK(dem_pressure_gradient.needs & DEM_NEEDS_FLUID, "asks for the fluid");
@@ -27,8 +27,8 @@ int main(void)
     b.volume[0] = sphere_volume(1e-3);
     b.mass[0] = 1000.0*b.volume[0];
     b.gz[0] = 1000.0*g[2];
-    dem_pressure_gradient.act_on_bodies(NULL, &b);
-    dem_gravity.act_on_bodies(gravity, &b);
+    dem_pressure_gradient.apply_to_bodies(NULL, &b);
+    dem_gravity.apply_to_bodies(gravity, &b);
     /* two products rounded in a different order: two units in the last place of 5 uN */
     TAP_NEAR(b.fz[0], 0.0, 4.0*5.2e-6*0x1p-53, "a sphere as dense as the fluid floats");
     TAP_DONE;

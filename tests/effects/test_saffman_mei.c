@@ -1,13 +1,13 @@
 /*
- * Claims: a sphere that lags in a shear is pushed to where the fluid is faster, one that leads to where it is slower; slow, it is Saffman's
- * 1.615 mu d w sqrt(Re_shear), in the range of Mei's fit his, at Re_p = 100 his second branch; at rest, without shear and along the
- * vorticity there is none; the force stands across slip and vorticity.
+ * Claims: in a shear flow a lagging sphere is pushed to the faster fluid, a leading one to the slower. For small Re_p the force is
+ * Saffman's 1.615 mu d w sqrt(Re_shear); in the range of Mei's fit it is his, and his second branch at Re_p = 100. Without slip, without
+ * shear and for slip along the vorticity there is none. The force is normal to slip and vorticity.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "bodies.h"
 
-static struct dem_body_block b;
+static struct dem_body_batch b;
 
 /* a sphere of diameter d at rest, the fluid with velocity w along x and shear du/dy = G: vorticity -G along z */
 static void in_shear(double d, double rho, double mu, double w, double G)
@@ -16,7 +16,7 @@ static void in_shear(double d, double rho, double mu, double w, double G)
     b.n = 1;
     body_fill(&b, 0, d, rho, mu, 1.0, 0.0);
     b.ux[0] = w, b.oz[0] = -G;
-    dem_saffman_mei.act_on_bodies(NULL, &b);
+    dem_saffman_mei.apply_to_bodies(NULL, &b);
 }
 
 int main(void)
@@ -27,9 +27,9 @@ int main(void)
     /* Re_p = 1e-4, Re_shear = 1e-2: k = 50, exp(-Re_p/10) = 1 - 1e-5, and 0.3314 sqrt k of that */
     in_shear(d, rho, mu, 1e-6, 1.0);
     TAP_NEAR(b.ry[0]/(1.615*mu*d*1e-6*sqrt(d*d/nu)), 1.0, 5e-5, "slow: Saffman's");
-    TAP_OK(b.ry[0] > 0.0 && b.rx[0] == 0.0 && b.rz[0] == 0.0, "who lags goes where the fluid is faster");
+    TAP_OK(b.ry[0] > 0.0 && b.rx[0] == 0.0 && b.rz[0] == 0.0, "a lagging sphere is pushed to the faster fluid");
     in_shear(d, rho, mu, -1e-6, 1.0);
-    TAP_OK(b.ry[0] < 0.0, "who leads goes where it is slower");
+    TAP_OK(b.ry[0] < 0.0, "a leading one to the slower");
     in_shear(d, rho, mu, 1e-6, -1.0);
     TAP_OK(b.ry[0] < 0.0, "and the other way round in the opposite shear");
 
@@ -68,7 +68,7 @@ int main(void)
         b.ox[c] = 30.0, b.oy[c] = -20.0, b.oz[c] = 10.0;
     }
     b.ox[1] = 20.0*7.0, b.oy[1] = -15.0*7.0, b.oz[1] = 30.0*7.0;
-    dem_saffman_mei.act_on_bodies(NULL, &b);
+    dem_saffman_mei.apply_to_bodies(NULL, &b);
     const double size = fabs(b.rx[0]) + fabs(b.ry[0]) + fabs(b.rz[0]);
 
     /* rounding of three products */

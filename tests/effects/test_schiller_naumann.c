@@ -40,13 +40,13 @@ int main(void)
     }
     drag_limits(&dem_schiller_naumann, NULL);
 
-    static struct dem_body_block b;
+    static struct dem_body_batch b;
 
     b.n = 3;
     body_fill(&b, 0, 1e-3, 1000.0, 1e-3, 0.6, 20.0);
     body_fill(&b, 1, 1e-3, 1000.0, 1e-3, 0.6, 20.0);
     b.vx[1] = -b.ux[1];
-    dem_schiller_naumann.act_on_bodies(NULL, &b);
+    dem_schiller_naumann.apply_to_bodies(NULL, &b);
     TAP_NEAR(b.b[1]/(3.0*3.14159265358979324*1e-6), G(0.6, 40.0), 1e-13, "only the slip counts");    /* rounding */
     TAP_OK(b.bux[0] == b.b[0]*b.ux[0] && b.b[2] == 0.0, "target with the coefficient; an empty row: nothing");
     drag_form(&dem_schiller_naumann, NULL);

@@ -13,14 +13,14 @@
 /* what a scene says of one setting in place of the good value; NULL: leaves it out */
 struct slip
 {
-    const struct dem_field *field;
+    const struct dem_setting *field;
     const char *value;
 };
 
 /* a value in the middle of the range; no two alike, for some must lie above others */
-static double good(const struct dem_field *f, int unlike)
+static double good(const struct dem_setting *f, int unlike)
 {
-    return (f->least > 0.5 ? 2.0*f->least : fmin(0.4*f->most, 0.4)) + 0.01*unlike;
+    return (f->min > 0.5 ? 2.0*f->min : fmin(0.4*f->max, 0.4)) + 0.01*unlike;
 }
 
 /* WORD { settings } with the slip */
@@ -29,10 +29,10 @@ static void write_effect(char *text, size_t room, const struct dem_effect *e, st
     size_t at = (size_t)snprintf(text, room, "%s { ", e->name);
     int unlike = 0;
 
-    for (const struct dem_field *f = e->settings; f && f->name; f++)
+    for (const struct dem_setting *f = e->settings; f && f->name; f++)
     {
-        const int required = isnan(f->def);
-        const char *const three = f->kind == DEM_FIELD_VECTOR ? "(0.1 0.2 0.3)" : NULL;
+        const int required = isnan(f->default_value);
+        const char *const three = f->kind == DEM_SETTING_VECTOR ? "(0.1 0.2 0.3)" : NULL;
 
         if (f == slip.field)
         {
@@ -42,13 +42,13 @@ static void write_effect(char *text, size_t room, const struct dem_effect *e, st
         {
             at += (size_t)snprintf(text + at, room - at, "%s %s; ", f->name, three);
         }
-        else if (required && f->kind == DEM_FIELD_NUMBER)
+        else if (required && f->kind == DEM_SETTING_NUMBER)
         {
             at += (size_t)snprintf(text + at, room - at, "%s %g; ", f->name, good(f, unlike++));
         }
         else if (required)
         {
-            at += (size_t)snprintf(text + at, room - at, "%s %s; ", f->name, f->kind == DEM_FIELD_SWITCH ? "yes" : f->choices[0]);
+            at += (size_t)snprintf(text + at, room - at, "%s %s; ", f->name, f->kind == DEM_SETTING_SWITCH ? "yes" : f->choices[0]);
         }
     }
     snprintf(text + at, room - at, "} ");
@@ -65,14 +65,14 @@ static int scene(const char *effects, const char *pairs)
 {
     char *const text = world_text("materials { glass { density 2500; youngsModulus 1e7; } }\nfluid { density 1000; viscosity 1e-3; }\n"
                                   "effects { %s }\n pairs { %s }\n time { step 1e-9; }", effects, pairs);
-    const struct dem_seed seed = {.diameter = 1e-3, .material = "glass"};
+    const struct dem_new_particle seed = {.diameter = 1e-3, .material = "glass"};
     struct dem *d;
 
     WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
     int status = dem_scene_text(d, text, "scene");
 
     status = status ? status : dem_add_particles(d, 1, &seed);
-    status = status ? status : dem_ready(d);
+    status = status ? status : dem_setup(d);
     dem_free(d);
     free(text);
     return status;
@@ -114,50 +114,50 @@ static void try_slip(const struct dem_effect *e, struct slip slip, const char *l
     }
 }
 
-static const char *printed(char *text, size_t room, const struct dem_field *f, double value)
+static const char *printed(char *text, size_t room, const struct dem_setting *f, double value)
 {
-    snprintf(text, room, f->kind == DEM_FIELD_VECTOR ? "( 0 0 %.10g )" : "%.10g", value);
+    snprintf(text, room, f->kind == DEM_SETTING_VECTOR ? "( 0 0 %.10g )" : "%.10g", value);
     return text;
 }
 
-static void numbers(const struct dem_effect *e, const struct dem_field *f)
+static void numbers(const struct dem_effect *e, const struct dem_setting *f)
 {
     char value[64], limit[64];
 
-    if (f->least > -DBL_MAX)
+    if (f->min > -DBL_MAX)
     {
-        const int above = f->least == DEM_ABOVE_ZERO;
-        const double least = above ? 0.0 : f->least;
+        const int above = f->min == DEM_ABOVE_ZERO;
+        const double least = above ? 0.0 : f->min;
 
         printed(limit, sizeof limit, f, least);
         try_slip(e, (struct slip){f, printed(value, sizeof value, f, above ? 0.0 : least - 0.5)}, above ? "above 0" : limit, "give a value");
         try_slip(e, (struct slip){f, printed(value, sizeof value, f, least - 1e3)}, above ? "above 0" : limit, "give a value");
     }
-    if (f->most < DBL_MAX)
+    if (f->max < DBL_MAX)
     {
-        printed(limit, sizeof limit, f, f->most);
-        try_slip(e, (struct slip){f, printed(value, sizeof value, f, f->most*1.01)}, limit, "give a value");
+        printed(limit, sizeof limit, f, f->max);
+        try_slip(e, (struct slip){f, printed(value, sizeof value, f, f->max*1.01)}, limit, "give a value");
     }
-    if (f->flags & DEM_FIELD_WHOLE)
+    if (f->flags & DEM_SETTING_WHOLE)
     {
         try_slip(e, (struct slip){f, "1.5"}, "whole", "give a value");
     }
-    try_slip(e, (struct slip){f, f->kind == DEM_FIELD_VECTOR ? "( 0 0 nan )" : "nan"}, "wants", NULL);
-    try_slip(e, (struct slip){f, f->kind == DEM_FIELD_VECTOR ? "( 0 0 inf )" : "-inf"}, "wants", NULL);
-    try_slip(e, (struct slip){f, "plenty"}, "wants", NULL);
-    try_slip(e, (struct slip){f, f->kind == DEM_FIELD_VECTOR ? "3" : "( 1 2 )"}, "wants", NULL);
+    try_slip(e, (struct slip){f, f->kind == DEM_SETTING_VECTOR ? "( 0 0 nan )" : "nan"}, "takes", NULL);
+    try_slip(e, (struct slip){f, f->kind == DEM_SETTING_VECTOR ? "( 0 0 inf )" : "-inf"}, "takes", NULL);
+    try_slip(e, (struct slip){f, "plenty"}, "takes", NULL);
+    try_slip(e, (struct slip){f, f->kind == DEM_SETTING_VECTOR ? "3" : "( 1 2 )"}, "takes", NULL);
 }
 
 /* the ends of the range are inside of it: no sentence tells of that setting */
-static void ends(const struct dem_effect *e, const struct dem_field *f)
+static void ends(const struct dem_effect *e, const struct dem_setting *f)
 {
-    const double end[2] = {f->least, f->most};
+    const double end[2] = {f->min, f->max};
 
     for (int k = 0; k < 2; k++)
     {
         char value[64], effect[1024], effects[2048], sentence[128];
 
-        if (f->kind != DEM_FIELD_NUMBER || !(fabs(end[k]) < DBL_MAX) || end[k] == DEM_ABOVE_ZERO)
+        if (f->kind != DEM_SETTING_NUMBER || !(fabs(end[k]) < DBL_MAX) || end[k] == DEM_ABOVE_ZERO)
         {
             continue;
         }
@@ -170,19 +170,19 @@ static void ends(const struct dem_effect *e, const struct dem_field *f)
 
 static void all_settings(const struct dem_effect *e)
 {
-    for (const struct dem_field *f = e->settings; f && f->name; f++)
+    for (const struct dem_setting *f = e->settings; f && f->name; f++)
     {
-        if (f->kind == DEM_FIELD_NUMBER || f->kind == DEM_FIELD_VECTOR)
+        if (f->kind == DEM_SETTING_NUMBER || f->kind == DEM_SETTING_VECTOR)
         {
             numbers(e, f);
             ends(e, f);
         }
         else
         {
-            try_slip(e, (struct slip){f, "perhaps"}, f->kind == DEM_FIELD_SWITCH ? "yes" : f->choices[0], "known");
+            try_slip(e, (struct slip){f, "perhaps"}, f->kind == DEM_SETTING_SWITCH ? "yes" : f->choices[0], "known");
             try_slip(e, (struct slip){f, "12.5"}, NULL, NULL);
         }
-        if (isnan(f->def))
+        if (isnan(f->default_value))
         {
             try_slip(e, (struct slip){f, NULL}, "no value", "give");
         }
@@ -237,7 +237,7 @@ int main(void)
     for (const struct dem_effect *const *e = dem_effects; *e; e++)
     {
         all_settings(*e);
-        for (const struct dem_field *f = (*e)->settings; f && f->name; f++)
+        for (const struct dem_setting *f = (*e)->settings; f && f->name; f++)
         {
             settings++;
         }

@@ -24,16 +24,16 @@ int main(void)
     w.b.n = 1;
     w.b.overlap[0] = 2.0*h, w.b.reduced_radius[0] = R;
     w.b.fn[0] = 0.0;
-    dem_sjkr.act(l->settings, &w.b, l->memory);
+    dem_sjkr.apply(l->settings, &w.b, l->memory);
     TAP_NEAR(w.b.fn[0], -density*area, 1e-3*density*area, "w times the circle");       /* first order in d/R = 2e-3 */
 
     /* an impact on what is left of the spring */
-    const double soft = k - 2.0*pi*density*R, dt = pi*sqrt(w.pair.least_mass/soft)/400.0;
+    const double soft = k - 2.0*pi*density*R, dt = pi*sqrt(w.pair.min_mass/soft)/400.0;
 
     world_aim(&w, 16, dt, v);
     TAP_OK(world_impact(&w, dt, 1000) > 0, "touches and parts");
     TAP_NEAR(world_parting(&w), v, 1e-4*v, "no speed lost");                            /* second order in the step */
-    TAP_NEAR(mean(w.peak_overlap, 16)/(v*sqrt(w.pair.least_mass/soft)), 1.0, 1e-4, "a spring softer by 2 pi w R*");
+    TAP_NEAR(mean(w.peak_overlap, 16)/(v*sqrt(w.pair.min_mass/soft)), 1.0, 1e-4, "a spring softer by 2 pi w R*");
 
     /* 4/3 E* sqrt(R*) d^(3/2) = 2 pi w R* d */
     world_spheres(&w, &glass, &glass, 1e-3, 1e-3);
@@ -43,10 +43,10 @@ int main(void)
 
     w.b.n = 1;
     w.b.touching[0] = 1.0, w.b.overlap[0] = root*root, w.b.reduced_radius[0] = R;
-    dem_hertz.act(w.link[0].settings, &w.b, w.link[0].memory);
+    dem_hertz.apply(w.link[0].settings, &w.b, w.link[0].memory);
     const double push = w.b.fn[0];
 
-    dem_sjkr.act(w.link[1].settings, &w.b, w.link[1].memory);
+    dem_sjkr.apply(w.link[1].settings, &w.b, w.link[1].memory);
     TAP_NEAR(w.b.fn[0], 0.0, 1e-14*push, "with hertz at rest where the forces balance");    /* rounding */
     TAP_DONE;
 }

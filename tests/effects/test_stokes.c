@@ -25,7 +25,7 @@ static double bounce(double St, double e_max, int wall, int steps)
     {
         world_spheres(&w, &steel, &steel, 0.003, 0.003);
     }
-    const double R = w.pair.least_radius, mu = w.pair.least_mass*speed/(6.0*pi*R*R*St);
+    const double R = w.pair.min_radius, mu = w.pair.min_mass*speed/(6.0*pi*R*R*St);
     const double dt = world_contact_time(&w, speed)/steps;
 
     world_add(&w, &dem_hertz, "impactSpeed", speed);
@@ -68,7 +68,7 @@ static double alpha(const struct link *l, double vn, double fluid, double *speed
     w.b.fn[0] = 0.0;
     dem_real *memory[1] = {speed};
 
-    dem_stokes.act(l->settings, &w.b, memory);
+    dem_stokes.apply(l->settings, &w.b, memory);
     return w.b.eta[0]/sqrt(2e-3*1e6);
 }
 
@@ -98,14 +98,14 @@ static void by_hand(void)
     w.b.touching[0] = 0.0;
     w.b.kn[0] = 0.0;
     dem_real *memory[1] = {&speed};
-    dem_stokes.act(l->settings, &w.b, memory);
+    dem_stokes.apply(l->settings, &w.b, memory);
     TAP_OK(speed == 0.0 && w.b.eta[0] == 0.0, "apart it is forgotten and nothing acts");
     alpha(l, -0.2, mu, &speed);
     TAP_OK(speed == 0.2, "the next contact latches its own");
 
     TAP_NEAR((speed = 0.0, alpha(l, 0.0, mu, &speed)), critical, 1e-13, "touched at rest: critical damping");
     TAP_OK(speed > 0.0 && speed < 1e-20, "and that too is latched");
-    TAP_NEAR(alpha(l, -3.0, mu, &speed), critical, 1e-13, "so a later push finds it critical");
+    TAP_NEAR(alpha(l, -3.0, mu, &speed), critical, 1e-13, "so a later compression is critically damped");
     TAP_NEAR((speed = 0.0, alpha(l, -0.5, 0.0, &speed)), alpha_of(0.97), 1e-13, "no viscosity: e_max");
     TAP_NEAR((speed = 0.0, alpha(l, 0.0, 0.0, &speed)), alpha_of(0.97), 1e-13, "no viscosity at rest: e_max");
     TAP_NEAR((speed = 0.0, alpha(l, -1e-12, mu, &speed)), critical, 1e-9, "creeping: critical damping");
@@ -147,19 +147,19 @@ static void added(const char *what, const struct dem_material *a, const struct d
     settle(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5);
 
     const double ma = ball(Ra, a->density + more), mb = wall ? 0.0 : ball(Rb, b->density + more);
-    const double m = wall ? ma : ma*mb/(ma + mb), R = w.pair.least_radius;
+    const double m = wall ? ma : ma*mb/(ma + mb), R = w.pair.min_radius;
     const double St = m*v/(6.0*pi*mu*R*R);
 
     w.b.n = 1;
-    w.b.reduced_mass[0] = w.pair.least_mass;
+    w.b.reduced_mass[0] = w.pair.min_mass;
     w.b.reduced_radius[0] = R;
     w.b.kn[0] = 1e6;
     w.b.touching[0] = 1.0;
     w.b.vn[0] = -v;
     w.b.viscosity[0] = mu;
     dem_real *memory[1] = {&speed};
-    dem_stokes.act(l->settings, &w.b, memory);
-    TAP_NEAR(w.b.eta[0]/sqrt(w.pair.least_mass*1e6), alpha_of(0.97*exp(-35.0/St)), 1e-13, "added mass: %s", what);
+    dem_stokes.apply(l->settings, &w.b, memory);
+    TAP_NEAR(w.b.eta[0]/sqrt(w.pair.min_mass*1e6), alpha_of(0.97*exp(-35.0/St)), 1e-13, "added mass: %s", what);
 }
 
 /*

@@ -1,6 +1,6 @@
 /*
- * Claims: the added mass is half the displaced fluid of a lone sphere, Zuber's and Felderhof's in a swarm, never negative; the force
- * that it tells is added mass times the fluid's acceleration, and the fluid gets the opposite of it.
+ * Claims: the added mass is half the displaced fluid for a single sphere, Zuber's and Felderhof's in a suspension, and never
+ * negative. The reported force is the added mass times the fluid's acceleration, and the fluid gets the opposite.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -11,27 +11,27 @@ static double settings[4];
 /* C of a sphere of this density ratio in a swarm of this void fraction */
 static double C(const char *swarm, double e, double ratio)
 {
-    static struct dem_body_block b;
+    static struct dem_body_batch b;
 
-    dem_field_defaults(dem_virtual_mass.settings, settings);
-    dem_field_set_word(dem_virtual_mass.settings, settings, "virtualMass", "swarm", swarm);
+    dem_settings_set_defaults(dem_virtual_mass.settings, settings);
+    dem_settings_set_word(dem_virtual_mass.settings, settings, "virtualMass", "swarm", swarm);
     memset(&b, 0, sizeof b);
     b.n = 1;
     body_fill(&b, 0, 2e-3, 800.0, 1e-3, e, 5.0);
     b.mass[0] = ratio*800.0*b.volume[0];
-    dem_virtual_mass.open_bodies(settings, &b);
-    return b.added[0]/(800.0*b.volume[0]);
+    dem_virtual_mass.prepare_bodies(settings, &b);
+    return b.added_mass[0]/(800.0*b.volume[0]);
 }
 
 int main(void)
 {
-    static struct dem_body_block b;
+    static struct dem_body_batch b;
     int negative = 0;
 
     TAP_TRAPS;
     /* rounding in all of these */
     TAP_NEAR(C("none", 1.0, 2.5), 0.5, 1e-15, "half the displaced fluid");
-    TAP_NEAR(C("none", 0.5, 2.5), 0.5, 1e-15, "whatever the swarm, unless asked");
+    TAP_NEAR(C("none", 0.5, 2.5), 0.5, 1e-15, "independent of the void fraction by default");
     TAP_NEAR(C("zuber", 1.0, 2.5), 0.5, 1e-15, "Zuber: a lone sphere");
     TAP_NEAR(C("zuber", 0.7, 2.5), 0.5*1.6/0.7, 1e-14, "Zuber: 0.3 of solid");
     TAP_NEAR(C("zuber", 0.99, 2.5), 0.5 + 1.5*0.01, 2e-4, "Zuber: to first order 1/2 + 3/2 s");      /* the next is 3/2 s^2 */
@@ -49,17 +49,17 @@ int main(void)
     }
     TAP_OK(negative == 0, "never negative");
 
-    dem_field_defaults(dem_virtual_mass.settings, settings);
+    dem_settings_set_defaults(dem_virtual_mass.settings, settings);
     memset(&b, 0, sizeof b);
     b.n = 2;
     body_fill(&b, 0, 2e-3, 800.0, 1e-3, 0.9, 5.0);
     b.ax[0] = 3.0, b.ay[0] = -2.0, b.az[0] = 9.81;
-    dem_effect_on_bodies(&dem_virtual_mass, settings, &b);
+    dem_effect_apply_to_bodies(&dem_virtual_mass, settings, &b);
     const double a = 0.5*800.0*b.volume[0];
 
-    TAP_OK(b.added[0] == a && b.rx[0] == a*3.0 && b.ry[0] == -a*2.0 && b.rz[0] == a*9.81, "a Du/Dt, in the book that the fluid gets");
+    TAP_OK(b.added_mass[0] == a && b.rx[0] == a*3.0 && b.ry[0] == -a*2.0 && b.rz[0] == a*9.81, "a Du/Dt, in the book that the fluid gets");
     TAP_OK(b.fx[0] == 0.0 && b.b[0] == 0.0, "and in no other");
-    TAP_OK(b.added[1] == 0.0 && b.rx[1] == 0.0, "an empty row: nothing");
-    TAP_OK(dem_virtual_mass.inertia && dem_virtual_mass.reacts && dem_virtual_mass.needs & DEM_NEEDS_ACCELERATION, "asks for the acceleration");
+    TAP_OK(b.added_mass[1] == 0.0 && b.rx[1] == 0.0, "an empty row: nothing");
+    TAP_OK(dem_virtual_mass.has_added_mass && dem_virtual_mass.has_reaction && dem_virtual_mass.needs & DEM_NEEDS_ACCELERATION, "asks for the acceleration");
     TAP_DONE;
 }

@@ -33,7 +33,7 @@ static double row(double spring, double vn, int attraction, double *eta)
     w.b.touching[0] = 1.0;
     w.b.fn[0] = spring;
     w.b.vn[0] = w.b.vn[1] = vn;
-    dem_viscous.act(l->settings, &w.b, l->memory);
+    dem_viscous.apply(l->settings, &w.b, l->memory);
     *eta = w.b.eta[0];
     TAP_OK(w.b.eta[1] == 0.0 && w.b.fn[1] == 0.0, "a row apart gets nothing");
     return w.b.fn[0];

@@ -1,12 +1,12 @@
 /*
- * Claims: creeping, the torque is pi mu d^3 times half the vorticity less the spin; faster it is the fit of Dennis and others, without a
- * step between; target and coefficient go together, and who turns with the fluid feels nothing.
+ * Claims: for small Re the torque is pi mu d^3 times half the vorticity less the spin; for larger Re it is the fit of Dennis and
+ * others, continuous in between. Target spin and coefficient belong together: a sphere that rotates with the fluid has no torque.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "bodies.h"
 
-static struct dem_body_block b;
+static struct dem_body_batch b;
 static int correction = 1;
 
 /* T over Stokes' at this Reynolds number of the spin */
@@ -18,7 +18,7 @@ static double factor(double re)
     b.n = 1;
     body_fill(&b, 0, d, rho, mu, 1.0, 0.0);
     b.wz[0] = re*mu/(rho*d*d);
-    dem_viscous_torque.act_on_bodies(&correction, &b);
+    dem_viscous_torque.apply_to_bodies(&correction, &b);
     return b.t[0]/(3.14159265358979324*mu*d*d*d);
 }
 
@@ -45,9 +45,9 @@ int main(void)
         b.ox[c] = 4.0, b.oy[c] = -6.0, b.oz[c] = 2.0;
     }
     b.wx[1] = 2.0, b.wy[1] = -3.0, b.wz[1] = 1.0;
-    dem_viscous_torque.act_on_bodies(&correction, &b);
+    dem_viscous_torque.apply_to_bodies(&correction, &b);
     TAP_OK(b.tx[0] == 2.0*b.t[0] && b.ty[0] == -3.0*b.t[0] && b.tz[0] == b.t[0], "towards half the vorticity");
-    TAP_OK(b.tx[1] - b.t[1]*b.wx[1] == 0.0 && b.tz[1] - b.t[1]*b.wz[1] == 0.0, "nothing for who turns with the fluid");
+    TAP_OK(b.tx[1] - b.t[1]*b.wx[1] == 0.0 && b.tz[1] - b.t[1]*b.wz[1] == 0.0, "no torque on a sphere that rotates with the fluid");
     TAP_OK(b.t[2] == 0.0 && b.tx[2] == 0.0, "an empty row: nothing");
     TAP_OK(b.fx[0] == 0.0 && b.rx[0] == 0.0 && b.b[0] == 0.0, "no force");
     TAP_DONE;

@@ -13,7 +13,7 @@ static double G(double e, double re)
 
 int main(void)
 {
-    static struct dem_body_block b;
+    static struct dem_body_batch b;
     static const double table[][3] = {                    /* e, Re, G: rounded to two places */
         {0.42, 1.0, 11.46}, {0.42, 200.0, 66.89}, {0.60, 20.0, 8.42}, {0.70, 200.0, 17.28},
         {0.80, 20.0, 3.93}, {0.90, 20.0, 2.88}, {0.99, 20.0, 2.23},
@@ -43,7 +43,7 @@ int main(void)
         b.ux[c] = b.vx[c] + (c == 1 ? 0.04 : 0.0), b.uy[c] = b.vy[c] + (c == 2 ? 0.04 : 0.0);
         b.uz[c] = b.vz[c] + (c == 3 ? 0.04 : 0.0);
     }
-    dem_effect_on_bodies(&dem_wen_yu, NULL, &b);
+    dem_effect_apply_to_bodies(&dem_wen_yu, NULL, &b);
     TAP_NEAR(b.b[0]/(3.0*3.14159265358979324*1e-6), G(0.6, 0.0), 1e-13,
              "moving with the fluid is as at rest in it");
     for (int c = 1; c < 4; c++)
@@ -61,13 +61,13 @@ int main(void)
     b.vx[1] = -b.ux[1];
     body_fill(&b, 2, 1e-3, 1000.0, 0.0, 0.6, 0.0);
     b.ux[2] = 5.0;
-    dem_effect_on_bodies(&dem_wen_yu, NULL, &b);
+    dem_effect_apply_to_bodies(&dem_wen_yu, NULL, &b);
     TAP_OK(b.bux[0] == b.b[0]*b.ux[0] && b.buy[0] == b.b[0]*3.0 && b.buz[0] == -b.b[0],
            "target: b times the fluid velocity");
     TAP_NEAR(b.b[1]/(3.0*3.14159265358979324*1e-6), G(0.6, 40.0), 1e-13, "only the slip counts");
     TAP_OK(b.b[2] == 0.0 && b.bux[2] == 0.0, "no viscosity, no drag");
     TAP_OK(b.b[3] == 0.0 && b.bux[3] == 0.0, "an empty row: nothing");
-    dem_effect_on_bodies(&dem_wen_yu, NULL, &b);
+    dem_effect_apply_to_bodies(&dem_wen_yu, NULL, &b);
     TAP_OK(b.buy[0] == 2.0*(b.b[0]/2.0)*3.0, "adds to what was there");
     TAP_OK(b.fx[0] == 0.0, "and leaves the explicit force alone");
 
@@ -80,9 +80,9 @@ int main(void)
     body_fill(&b, 0, d, 1000.0, 1e-3, 1.0, 0.0);
     b.vz[0] = -speed;
     b.gz[0] = -9.81*1000.0;
-    dem_gravity.act_on_bodies(down, &b);
-    dem_pressure_gradient.act_on_bodies(NULL, &b);
-    dem_effect_on_bodies(&dem_wen_yu, NULL, &b);
+    dem_gravity.apply_to_bodies(down, &b);
+    dem_pressure_gradient.apply_to_bodies(NULL, &b);
+    dem_effect_apply_to_bodies(&dem_wen_yu, NULL, &b);
     /* Re = 8e-7: the law is 1.0e-5 above Stokes' */
     TAP_NEAR((b.fz[0] - b.b[0]*b.vz[0])/(excess*9.81*b.volume[0]), 0.0, 1.1e-5, "settles at Stokes' speed");
     TAP_DONE;

@@ -33,7 +33,7 @@ struct link
 {
     const struct dem_effect *effect;
     double settings[32];                                  /* room for any settings struct, aligned */
-    _Alignas(64) dem_real column[WORLD_MEMORY][DEM_BLOCK];
+    _Alignas(64) dem_real column[WORLD_MEMORY][DEM_BATCH_ROWS];
     dem_real *memory[WORLD_MEMORY];
 };
 
@@ -44,14 +44,14 @@ struct world
     double weight;                                        /* m/s2 that pulls body i to -z; set it for a contact at rest */
     int links;
     struct link link[WORLD_EFFECTS];
-    struct dem_block b;
+    struct dem_contact_batch b;
 
-    double x[2][3][DEM_BLOCK], v[2][3][DEM_BLOCK], w[2][3][DEM_BLOCK];    /* v, w: half a step behind x */
-    double touched[DEM_BLOCK], peak_force[DEM_BLOCK], peak_overlap[DEM_BLOCK];
-    double push_impulse[DEM_BLOCK], friction_impulse[DEM_BLOCK];         /* N s, of max(fn, 0) and of |ft| */
+    double x[2][3][DEM_BATCH_ROWS], v[2][3][DEM_BATCH_ROWS], w[2][3][DEM_BATCH_ROWS];    /* v, w: half a step behind x */
+    double touched[DEM_BATCH_ROWS], peak_force[DEM_BATCH_ROWS], peak_overlap[DEM_BATCH_ROWS];
+    double push_impulse[DEM_BATCH_ROWS], friction_impulse[DEM_BATCH_ROWS];         /* N s, of max(fn, 0) and of |ft| */
     double friction;                                      /* set it to have the next line watched */
     double worst_friction;                                /* N, largest |ft| - friction*max(fn, 0) of all rows and steps */
-    int steps_touching[DEM_BLOCK];
+    int steps_touching[DEM_BATCH_ROWS];
 };
 
 static inline struct dem_material material(const char *name, double E, double nu, double rho)
@@ -93,8 +93,8 @@ static inline void world_spheres(struct world *w, const struct dem_material *a, 
     w->radius[1] = radius_b;
     w->mass[0] = ball(radius_a, a->density);
     w->mass[1] = ball(radius_b, b->density);
-    w->pair.least_radius = radius_a*radius_b/(radius_a + radius_b);
-    w->pair.least_mass = w->mass[0]*w->mass[1]/(w->mass[0] + w->mass[1]);
+    w->pair.min_radius = radius_a*radius_b/(radius_a + radius_b);
+    w->pair.min_mass = w->mass[0]*w->mass[1]/(w->mass[0] + w->mass[1]);
 }
 
 static inline void world_wall(struct world *w, const struct dem_material *a, const struct dem_material *b, double radius)
@@ -103,20 +103,20 @@ static inline void world_wall(struct world *w, const struct dem_material *a, con
     world_class(w, a, b, 1);
     w->radius[0] = radius;
     w->mass[0] = ball(radius, a->density);
-    w->pair.least_radius = radius;
-    w->pair.least_mass = w->mass[0];
+    w->pair.min_radius = radius;
+    w->pair.min_mass = w->mass[0];
 }
 
 /* 4/3 E* sqrt(R*): F = this d^1.5 */
 static inline double world_hertz(const struct world *w)
 {
-    return 4.0/3.0*w->pair.reduced_modulus*sqrt(w->pair.least_radius);
+    return 4.0/3.0*w->pair.reduced_modulus*sqrt(w->pair.min_radius);
 }
 
 /* duration of an elastic Hertzian impact */
 static inline double world_contact_time(const struct world *w, double speed)
 {
-    const double E = w->pair.reduced_modulus, m = w->pair.least_mass, R = w->pair.least_radius;
+    const double E = w->pair.reduced_modulus, m = w->pair.min_mass, R = w->pair.min_radius;
 
     return 2.8682656992*pow(m*m/(R*E*E*speed), 0.2);
 }
@@ -125,9 +125,9 @@ static inline double world_contact_time(const struct world *w, double speed)
 static inline int settle(const struct dem_effect *effect, void *settings, const struct dem_pair_class *pair,
                          const char *name, double value)
 {
-    const struct dem_field *const f = dem_field_find(effect->settings, name);
+    const struct dem_setting *const f = dem_settings_find(effect->settings, name);
 
-    if (f && (f->kind == DEM_FIELD_CHOICE || f->kind == DEM_FIELD_SWITCH))
+    if (f && (f->kind == DEM_SETTING_CHOICE || f->kind == DEM_SETTING_SWITCH))
     {
         const int choice = (int)value;
 
@@ -135,9 +135,9 @@ static inline int settle(const struct dem_effect *effect, void *settings, const 
     }
     else
     {
-        DEM_TRY(dem_field_set_number(effect->settings, settings, effect->name, name, &value, 1));
+        DEM_TRY(dem_settings_set_number(effect->settings, settings, effect->name, name, &value, 1));
     }
-    DEM_TRY(dem_field_missing(effect->settings, settings, effect->name));
+    DEM_TRY(dem_settings_check_complete(effect->settings, settings, effect->name));
     return effect->prepare ? effect->prepare(settings, pair) : DEM_OK;
 }
 
@@ -160,7 +160,7 @@ static inline struct link *world_add(struct world *w, const struct dem_effect *e
         printf("Bail out! settings of %s are too large for the test's room\n", effect->name);
         exit(1);
     }
-    dem_field_defaults(effect->settings, l->settings);
+    dem_settings_set_defaults(effect->settings, l->settings);
     if (settle(effect, l->settings, &w->pair, name, value))
     {
         printf("Bail out! %s\n", dem_error_text());
@@ -205,7 +205,7 @@ static inline void cross(const double a[3], const double b[3], double out[3])
 /* the geometry of row c, as the core's sweep would fill it */
 static inline void world_gather(struct world *w, int c, double dt)
 {
-    struct dem_block *const b = &w->b;
+    struct dem_contact_batch *const b = &w->b;
     const int wall = w->pair.with_wall;
     double r[3], h[3], v[3], spin[3], turn[3];
 
@@ -229,8 +229,8 @@ static inline void world_gather(struct world *w, int c, double dt)
     b->hx[c] = h[0], b->hy[c] = h[1], b->hz[c] = h[2];
     b->overlap[c] = overlap > 0.0 ? overlap : 0.0;
     b->touching[c] = overlap > 0.0 ? 1.0 : 0.0;
-    b->reduced_radius[c] = w->pair.least_radius;
-    b->reduced_mass[c] = w->pair.least_mass;
+    b->reduced_radius[c] = w->pair.min_radius;
+    b->reduced_mass[c] = w->pair.min_mass;
     b->vn[c] = dot(v, r);
     cross(spin, h, turn);
     b->sx[c] = v[0] - dot(v, h)*h[0] - turn[0];
@@ -245,7 +245,7 @@ static inline void world_gather(struct world *w, int c, double dt)
 
 static inline void world_kick(struct world *w, int c, double dt)
 {
-    const struct dem_block *const b = &w->b;
+    const struct dem_contact_batch *const b = &w->b;
     const double n[3] = {b->nx[c], b->ny[c], b->nz[c]}, ft[3] = {b->fx[c], b->fy[c], b->fz[c]};
     const double moment[3] = {b->mx[c], b->my[c], b->mz[c]};
     double turn[3];
@@ -287,7 +287,7 @@ static inline void world_step(struct world *w, double dt)
     }
     for (int k = 0; k < w->links; k++)
     {
-        w->link[k].effect->act(w->link[k].settings, &w->b, w->link[k].memory);
+        w->link[k].effect->apply(w->link[k].settings, &w->b, w->link[k].memory);
     }
     for (int c = 0; c < w->b.n; c++)
     {
@@ -295,7 +295,7 @@ static inline void world_step(struct world *w, double dt)
 
         for (int k = 0; k < w->links; k++)
         {
-            for (int m = 0; w->link[k].effect->memory && w->link[k].effect->memory[m]; m++)
+            for (int m = 0; w->link[k].effect->history && w->link[k].effect->history[m]; m++)
             {
                 w->link[k].column[m][c] = touching > 0.0 ? w->link[k].column[m][c] : 0.0;
             }

@@ -7,7 +7,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "fuzz.h"
-#include "io/dictionary.h"
+#include "input/dictionary.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,7 +21,7 @@ static void ask_for_the_rest(const struct dem_dict *scene)
     {
         if (!dem_dict_sub_if(scene, whole[k], &sub) && sub)
         {
-            dem_dict_accept(sub);
+            dem_dict_mark_read(sub);
         }
     }
     if (!dem_dict_sub_if(scene, "time", &sub) && sub)
@@ -30,7 +30,7 @@ static void ask_for_the_rest(const struct dem_dict *scene)
         (void)dem_dict_number_or(sub, "maxCreated", "1", 0.0, &number);
         if (!dem_dict_sub_if(sub, "untilQuiet", &sub) && sub)
         {
-            dem_dict_accept(sub);
+            dem_dict_mark_read(sub);
         }
     }
 }

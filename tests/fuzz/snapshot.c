@@ -9,8 +9,8 @@
  */
 #include "fuzz.h"
 #include "snapshot.h"
-#include "io/hash.h"
-#include "io/snapshot_head.h"
+#include "core/hash.h"
+#include "checkpoint/snapshot_header.h"
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -46,17 +46,17 @@ static struct dem *begin(const char *insert)
 int fuzz_snapshot(const char *path, int steps)
 {
     struct dem *const d = begin(grains);
-    const int status = !d || dem_ready(d) || (steps > 0 && dem_advance(d, 1e-6*steps)) || dem_save(d, path);
+    const int status = !d || dem_setup(d) || (steps > 0 && dem_advance(d, 1e-6*steps)) || dem_save(d, path);
 
     dem_free(d);
     return status;
 }
 
 /* Bytes that the head tells of; 0 when it is none that the rest can be fitted to. */
-static size_t told(const struct dem_snapshot_head *h)
+static size_t told(const struct dem_snapshot_header *h)
 {
     const int64_t most = 1 << 12;
-    int good = h->particles >= 0 && h->particles < most && h->rows >= 0 && h->rows < most && h->beside >= 0 && h->beside < most*16
+    int good = h->particles >= 0 && h->particles < most && h->rows >= 0 && h->rows < most && h->caller_data >= 0 && h->caller_data < most*16
         && h->materials >= 0 && h->columns >= 0 && h->memories >= 0 && h->materials < 64 && h->columns < 64 && h->memories < 64
         && h->materials + h->columns + h->memories <= DEM_SNAPSHOT_NAMES;
 
@@ -64,7 +64,7 @@ static size_t told(const struct dem_snapshot_head *h)
     {
         good = h->list[h->materials + c].width >= 0 && h->list[h->materials + c].width < 64;
     }
-    const size_t size = good ? dem_snapshot_beside_at(h) + (size_t)h->beside : 0;
+    const size_t size = good ? dem_snapshot_caller_data_offset(h) + (size_t)h->caller_data : 0;
 
     return size < 1 << 20 ? size : 0;
 }
@@ -72,7 +72,7 @@ static size_t told(const struct dem_snapshot_head *h)
 /* The file with its marks and sums put right; *n becomes its length. The caller frees it. */
 static uint8_t *put_right(const uint8_t *data, size_t *n)
 {
-    struct dem_snapshot_head h;
+    struct dem_snapshot_header h;
 
     memset(&h, 0, sizeof h);
     memcpy(&h, data, *n < sizeof h ? *n : sizeof h);
@@ -85,16 +85,16 @@ static uint8_t *put_right(const uint8_t *data, size_t *n)
     h.version = DEM_SNAPSHOT_VERSION;
     if (fit)
     {
-        const double *const particle = (const double *)(file + sizeof h), *const row = (const double *)(file + dem_snapshot_rows_at(&h));
+        const double *const particle = (const double *)(file + sizeof h), *const row = (const double *)(file + dem_snapshot_contacts_offset(&h));
         struct dem_hash beside;
 
         dem_hash_start(&beside, 'b');
-        dem_hash_bytes(&beside, file + dem_snapshot_beside_at(&h), (size_t)h.beside);
-        h.beside_checksum = dem_hash_value(&beside);
-        h.checksum = dem_snapshot_check(particle, (size_t)h.particles, dem_snapshot_particle_doubles(&h))
-            + dem_snapshot_check(row, (size_t)h.rows, dem_snapshot_row_doubles(&h));
+        dem_hash_bytes(&beside, file + dem_snapshot_caller_data_offset(&h), (size_t)h.caller_data);
+        h.caller_data_checksum = dem_hash_value(&beside);
+        h.checksum = dem_snapshot_checksum(particle, (size_t)h.particles, dem_snapshot_particle_doubles(&h))
+            + dem_snapshot_checksum(row, (size_t)h.rows, dem_snapshot_contact_doubles(&h));
     }
-    h.head_checksum = dem_snapshot_head_check(&h);
+    h.head_checksum = dem_snapshot_header_checksum(&h);
     memcpy(file, &h, sizeof h);
     *n = size;
     return file;
@@ -114,7 +114,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     {
         int status = dem_load(d, path);
 
-        status = status ? status : dem_ready(d);
+        status = status ? status : dem_setup(d);
         status = status ? status : dem_advance(d, 1e-6);
         fuzz_judge(status);
         dem_free(d);
@@ -160,9 +160,9 @@ static uint64_t hurts(uint64_t *state, uint64_t old)
 
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned seed)
 {
-    struct dem_snapshot_head h;
+    struct dem_snapshot_header h;
     uint64_t state = seed, word;
-    const size_t flows = offsetof(struct dem_snapshot_head, flow)/8, names = offsetof(struct dem_snapshot_head, materials)/8;
+    const size_t flows = offsetof(struct dem_snapshot_header, flow)/8, names = offsetof(struct dem_snapshot_header, materials)/8;
 
     if (size < sizeof h || draw(&state)%4 == 0)
     {

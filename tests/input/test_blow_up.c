@@ -1,15 +1,15 @@
 /*
- * Claims: a run whose particles go beyond any physics ends with one sentence that names the particle, its number, the limit and the cure, whatever is
- * looked at meanwhile: a start at 1e30 and 1e200 m/s with and without contacts (the speed of light), and a push within a step so hard that means can't sum
- * what it gives (momentum, m v v). What can be summed is: 1e8 m/s is taken.
+ * Claims: a run with unphysical velocities ends with one sentence that names the particle, the value, the limit and the cure, with any
+ * output: starts at 1e30 and 1e200 m/s with and without contacts (the speed of light), and a force so large that the sums of the means
+ * (momentum, m v v) cannot be represented. Values that can be summed are accepted: 1e8 m/s.
  *
- * Source: the contract of step/averages.h; the speed of light.
+ * Source: the contract of output/grid_averages.h; the speed of light.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "physics/world.h"
 
-#include "base/error.h"
+#include "core/error.h"
 
 #define MEANS "averages { box { min (-1 -1 -1); max (1 1 1); cells (2 2 2); interval 1e-9; } } "
 
@@ -21,7 +21,7 @@ static void blows(const char *what, const char *effects, const char *velocity, c
     struct dem *const d = world_begin(scene);
     const char *const text = dem_error_text();
 
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     const int status = dem_advance(d, 1e-6);
 
     TAP_OK(first ? status == DEM_ERROR_NUMBER && strstr(text, first) && strstr(text, second) : status == 0, "%s: %s", what, status ? text : "taken");
@@ -39,9 +39,9 @@ int main(void)
     blows("1e30 m/s, contacts", contacts, "(1e30 0 0)", "particle 0 at (1e+24 0 ", "has 1e+30 m/s in step 1; the limit is 2.99792e+08 m/s");
     blows("1e200 m/s, no contacts", gravity, "(-1e200 0 0)", "particle 0 at (-1e+194 0 ", "has inf m/s in step 1");
     blows("1e8 m/s, no contacts", gravity, "(0 1e8 0)", NULL, NULL);
-    blows("a push of 1e293 N", "hooke { stiffness 1e300; }", "(1 0 0)", "averages/box: particle 0 at (1e-06 0 0) m with (-1.90986e+293 0 0) m/s has momentum",
+    blows("a force of 1e293 N", "hooke { stiffness 1e300; }", "(1 0 0)", "averages/box: particle 0 at (1e-06 0 0) m with (-1.90986e+293 0 0) m/s has momentum",
           "the limit is 1e+60; look at the forces on it");
-    blows("a push of 1e60 N", "hooke { stiffness 1e67; }", "(1 0 0)", "averages/box: particle 0", "the limit is 1e+60");
-    blows("a push of 1e303 N", "hooke { stiffness 1e308; } dry { restitution 0.5; }", "(100 0 0)", "averages/box: particle 0", "in step 1");
+    blows("a force of 1e60 N", "hooke { stiffness 1e67; }", "(1 0 0)", "averages/box: particle 0", "the limit is 1e+60");
+    blows("a force of 1e303 N", "hooke { stiffness 1e308; } dry { restitution 0.5; }", "(100 0 0)", "averages/box: particle 0", "in step 1");
     TAP_DONE;
 }

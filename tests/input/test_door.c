@@ -1,7 +1,7 @@
 /*
- * Claims: the door of the core refuses calls in the wrong order and particles that can't be, in a sentence; a scene that was
- * refused stays refused; particles of the program and of the scene never share an id; a frozen particle stays where it is
- * however it is pushed; lattices stay in their box.
+ * Claims: the public interface refuses calls in the wrong order and impossible particles with one sentence; a scene that was refused
+ * stays refused; particles of the program and of the scene never share an id; a frozen particle stays where it is under any force;
+ * lattices stay in their box.
  *
  * Source: the contract in dem.h.
  *
@@ -22,27 +22,27 @@ static void refused(int status, const char *word, const char *what)
 
 static void order(void)
 {
-    const struct dem_seed seed = {.diameter = 1e-3, .material = "glass"};
+    const struct dem_new_particle seed = {.diameter = 1e-3, .material = "glass"};
     struct dem *d;
 
     WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
     refused(dem_set(d, "time/step", "1"), "scene", "dem_set before a scene");
-    refused(dem_ready(d), "scene", "dem_ready before a scene");
+    refused(dem_setup(d), "scene", "dem_setup before a scene");
     refused(dem_check(d), "scene", "dem_check before a scene");
-    refused(dem_advance(d, 1.0), "dem_ready", "dem_advance before dem_ready");
-    refused(dem_save(d, "/nowhere/x"), "dem_ready", "dem_save before dem_ready");
+    refused(dem_advance(d, 1.0), "dem_setup", "dem_advance before dem_setup");
+    refused(dem_save(d, "/nowhere/x"), "dem_setup", "dem_save before dem_setup");
     WORLD_TRY(dem_scene_text(d, materials, "scene"));
     refused(dem_scene_text(d, materials, "scene"), "already", "a second scene");
     WORLD_TRY(dem_add_particles(d, 1, &seed));
     WORLD_TRY(dem_check(d));
-    TAP_OK(dem_step_limit(d).used > 0.0, "dem_check tells the step");
+    TAP_OK(dem_step_limit(d).used > 0.0, "dem_check returns the step");
     refused(dem_check(d), "dem_check", "dem_check twice");
     refused(dem_set(d, "time/step", "1"), "dem_check", "dem_set after dem_check");
-    WORLD_TRY(dem_ready(d));
-    refused(dem_ready(d), "dem_ready", "dem_ready twice");
-    refused(dem_add_particles(d, 1, &seed), "dem_ready", "particles after dem_ready");
-    refused(dem_set(d, "time/step", "1"), "dem_ready", "dem_set after dem_ready");
-    refused(dem_load(d, "x"), "dem_ready", "dem_load after dem_ready");
+    WORLD_TRY(dem_setup(d));
+    refused(dem_setup(d), "dem_setup", "dem_setup twice");
+    refused(dem_add_particles(d, 1, &seed), "dem_setup", "particles after dem_setup");
+    refused(dem_set(d, "time/step", "1"), "dem_setup", "dem_set after dem_setup");
+    refused(dem_load(d, "x"), "dem_setup", "dem_load after dem_setup");
     refused(dem_advance(d, 0.0), "above 0", "no duration");
     refused(dem_advance(d, -1.0), "above 0", "a duration below 0");
     refused(dem_advance(d, (double)NAN), "above 0", "a duration that is no number");
@@ -55,26 +55,26 @@ static void order(void)
     dem_free(d);
     d = world_begin("materials { }");
     refused(dem_check(d), "material", "a scene without materials");
-    refused(dem_ready(d), "anew", "dem_ready after a scene that was refused");
-    refused(dem_check(d), "anew", "dem_check after a scene that was refused");
+    refused(dem_setup(d), "start again", "dem_setup after a scene that was refused");
+    refused(dem_check(d), "start again", "dem_check after a scene that was refused");
     dem_free(d);
 }
 
-/* dem_ready with these particles */
-static int try_particles(const char *scene, int n, const struct dem_seed *seed)
+/* dem_setup with these particles */
+static int try_particles(const char *scene, int n, const struct dem_new_particle *seed)
 {
     struct dem *d = world_begin(scene);
     int status = dem_add_particles(d, n, seed);
 
-    status = status ? status : dem_ready(d);
+    status = status ? status : dem_setup(d);
     dem_free(d);
     return status;
 }
 
 static void particles(void)
 {
-    const struct dem_seed good = {.diameter = 1e-3, .material = "glass"};
-    struct dem_seed seed[2] = {good, good};
+    const struct dem_new_particle good = {.diameter = 1e-3, .material = "glass"};
+    struct dem_new_particle seed[2] = {good, good};
 
     seed[1].position[0] = 1.0;
     refused(try_particles(materials, 2, seed), "id 0", "one id for two");
@@ -93,7 +93,7 @@ static void particles(void)
     refused(try_particles(materials, 2, seed), "not a number", "an infinite velocity");
     seed[1] = good;
     seed[1].id = 1;
-    refused(try_particles(materials, 2, seed), "overlap", "two in one place");
+    refused(try_particles(materials, 2, seed), "overlap", "two at one position");
     seed[1].position[0] = 1.0;
     seed[1].frozen = 1;
     seed[1].velocity[0] = 1.0;
@@ -102,14 +102,14 @@ static void particles(void)
     seed[1].position[0] = 1e300;
     char *const periodic = world_text("%s domain { min (0 0 0); max (1 1 1); periodic (x y z); }", materials);
 
-    refused(try_particles(periodic, 2, seed), "particle 1", "a place countless periodic boxes away");
+    refused(try_particles(periodic, 2, seed), "particle 1", "a position very many periodic boxes away");
     free(periodic);
 }
 
 /* Numbers are given after those of the scene, whoever came first. */
 static void ids(void)
 {
-    const struct dem_seed seed[2] = {{.position = {1, 0, 0}, .diameter = 1e-3, .id = -1, .material = "glass"},
+    const struct dem_new_particle seed[2] = {{.position = {1, 0, 0}, .diameter = 1e-3, .id = -1, .material = "glass"},
                                      {.position = {2, 0, 0}, .diameter = 1e-3, .id = -1, .material = "glass"}};
     char *const scene = world_text("%s insert { a { type list; diameter 1e-3; positions ((0 0 0) (0 1 0) (0 2 0)); }"
                                    "b { type list; diameter 1e-3; positions ((0 0 1)); } }", materials);
@@ -132,7 +132,7 @@ static void ids(void)
 /* Hit by another, under gravity. */
 static void frozen(void)
 {
-    const struct dem_seed seed[2] = {{.position = {0, 0, 0}, .diameter = 2e-3, .id = 0, .material = "glass", .frozen = 1},
+    const struct dem_new_particle seed[2] = {{.position = {0, 0, 0}, .diameter = 2e-3, .id = 0, .material = "glass", .frozen = 1},
                                      {.position = {0, 0, 3e-3}, .velocity = {0, 0, -1}, .diameter = 2e-3, .id = 1, .material = "glass"}};
     char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
                                    "effects { hertz {} gravity { acceleration (0 0 -9.81); } mindlin { friction 0.3; } }");

@@ -7,7 +7,7 @@
  * The good scene is the table below; a case replaces one value of it. Then each setting of each effect, in a scene of that
  * effect alone. What the program alone reads is in run. Build it with DEM_CFLAGS='-g -fsanitize=address,undefined', too.
  *
- * Source: the tables of dem/README.md, section 3.
+ * Source: the tables of docs/scene-reference.md.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -276,7 +276,7 @@ struct fate
 
 static void run_a_little(struct dem *d, struct fate *f)
 {
-    int status = dem_ready(d);
+    int status = dem_setup(d);
 
     for (int k = 0; k < 3 && !status; k++)
     {
@@ -406,10 +406,10 @@ static int check_setting(const struct dem_effect *effect, const char *name, cons
 
 static void settings(const struct dem_effect *effect)
 {
-    for (const struct dem_field *f = effect->settings; f && f->name; f++)
+    for (const struct dem_setting *f = effect->settings; f && f->name; f++)
     {
-        const enum kind kind = f->kind == DEM_FIELD_NUMBER ? NUMBER : f->kind == DEM_FIELD_VECTOR ? VECTOR
-                             : f->kind == DEM_FIELD_SWITCH ? SWITCH : WORD;
+        const enum kind kind = f->kind == DEM_SETTING_NUMBER ? NUMBER : f->kind == DEM_SETTING_VECTOR ? VECTOR
+                             : f->kind == DEM_SETTING_SWITCH ? SWITCH : WORD;
         const char *worst = NULL;
         int taken = 0, extremes = 0;
 

@@ -1,6 +1,7 @@
 /*
- * Claims: the harnesses of tests/fuzz for scenes, snapshots, tables and surfaces, each with what it begins from and with that spoilt in 200 ways, end with success or one sentence,
- * floating-point traps on; a snapshot whose head tells of what no file holds, its checksums put right, is refused as damaged.
+ * Claims: the harnesses of tests/fuzz for scenes, snapshots, tables and surfaces end with success or one sentence, with floating-point
+ * traps on, for each seed file and for 200 mutations of it. A snapshot whose header describes more than the file has, with corrected
+ * checksums, is refused as damaged.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -82,30 +83,30 @@ int main(void)
     {
         const int64_t value = (const int64_t[]){-1, 1 << 20, INT64_MAX/8}[k];
 
-        refuse_head(offsetof(struct dem_snapshot_head, particles), value, n, "particles");
-        refuse_head(offsetof(struct dem_snapshot_head, rows), value, n, "rows");
-        refuse_head(offsetof(struct dem_snapshot_head, materials), value, n, "materials");
-        refuse_head(offsetof(struct dem_snapshot_head, columns), value, n, "columns");
-        refuse_head(offsetof(struct dem_snapshot_head, memories), value, n, "memories");
-        refuse_head(offsetof(struct dem_snapshot_head, flows), value, n, "flows");
+        refuse_head(offsetof(struct dem_snapshot_header, particles), value, n, "particles");
+        refuse_head(offsetof(struct dem_snapshot_header, rows), value, n, "rows");
+        refuse_head(offsetof(struct dem_snapshot_header, materials), value, n, "materials");
+        refuse_head(offsetof(struct dem_snapshot_header, columns), value, n, "columns");
+        refuse_head(offsetof(struct dem_snapshot_header, memories), value, n, "memories");
+        refuse_head(offsetof(struct dem_snapshot_header, flows), value, n, "flows");
     }
     const double nowhen = NAN;
     int64_t bits;
 
     memcpy(&bits, &nowhen, sizeof bits);
-    refuse_head(offsetof(struct dem_snapshot_head, time), bits, n, "a time of bits");
-    struct dem_snapshot_head head;
+    refuse_head(offsetof(struct dem_snapshot_header, time), bits, n, "a time of bits");
+    struct dem_snapshot_header head;
 
     memcpy(&head, good, sizeof head);
-    TAP_OK(head.beside > MEANS_LENGTH + 8, "it has means");
+    TAP_OK(head.caller_data > MEANS_LENGTH + 8, "it has means");
     for (int k = 0; k < 3; k++)                           /* as averages_record.c has them */
     {
         const int64_t value = (const int64_t[]){-1, 1 << 20, INT64_MAX/8}[k];
 
-        refuse_head(dem_snapshot_beside_at(&head) + MEANS_COLUMNS, value, n, "columns of means");
-        refuse_head(dem_snapshot_beside_at(&head) + MEANS_FULL, value, n, "blocks of means");
+        refuse_head(dem_snapshot_caller_data_offset(&head) + MEANS_COLUMNS, value, n, "columns of means");
+        refuse_head(dem_snapshot_caller_data_offset(&head) + MEANS_FULL, value, n, "blocks of means");
     }
-    refuse_head(dem_snapshot_beside_at(&head) + MEANS_LENGTH, 0, n, "samples in a block of means");
+    refuse_head(dem_snapshot_caller_data_offset(&head) + MEANS_LENGTH, 0, n, "samples in a block of means");
     unlink(path);
     spoil(dem_fuzz_scene, "input/base.dem");
     spoil(dem_fuzz_scene, "parallel/streams.dem");

@@ -1,7 +1,7 @@
 /*
- * Claims: particles from a table are where their rows say, with what columns say, whatever the order of the columns and what stands
- * between them; a row, a column or a number that is none is refused with file, line and text, a zero byte with file and line; ids past 2^31 and 2^53 are kept to
- * the last digit: from a table, a list and the program, in lists of bonds, in the view and through a snapshot; no id comes twice.
+ * Claims: particles from a table have the positions and the other columns of their rows, in any order of columns and with any
+ * separators. A missing row, column or number is refused with file, line and text, a zero byte with file and line. Ids beyond 2^31 and
+ * 2^53 are exact: from a table, a list and the program, in lists of bonds, in the view and through a snapshot; ids are unique.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -53,7 +53,7 @@ static void test_rows(void)
 {
     struct dem *d = from_table("# made by hand\n\n z; y;x ,diameter  wx,wy,wz\tvx vy vz\r\n0.3;0.2 0.1,2e-3,1,2,3,4,5,6\n\n#\n  3,2,1  1e-3;0;0;0;0;0;-1e0\n", "");
 
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     const struct world_particle a = world_at(d, 0), b = world_at(d, 1);
 
     TAP_OK(a.x[0] == 0.1 && a.x[1] == 0.2 && a.x[2] == 0.3 && a.radius == 1e-3, "columns in any order, any mark between");
@@ -61,7 +61,7 @@ static void test_rows(void)
     TAP_OK(b.x[0] == 1.0 && b.x[2] == 3.0 && b.v[2] == -1.0 && b.radius == 5e-4, "the last row, too");
     dem_free(d);
     d = from_table("x[m],y[m],z[m]\n0,0,0\n0,0,1", "diameter 1e-3; velocity (0 0 7); frozen no;");
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     TAP_OK(world_at(d, 1).x[2] == 1.0 && world_at(d, 1).v[2] == 7.0 && world_at(d, 1).radius == 5e-4, "what has no column stands in the scene");
     dem_free(d);
 }
@@ -135,7 +135,7 @@ static void are_there(struct dem *d, const char *where)
 
 static void test_ids(void)
 {
-    const struct dem_seed seed = {.position = {0.0, 0.0, 0.2}, .diameter = 1e-3, .id = -1, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, 0.2}, .diameter = 1e-3, .id = -1, .material = "glass"};
     const char *const scene = START "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make listed; makeDistance 1.1; breakDistance 1.2; } }"
                               "insert { l { type list; diameter 1e-3; ids (" FIRST " " SECOND "); positions ((0 0 0.1) (0 0 0.101)); } }"
                               "bonds { pairs (" SECOND " " FIRST "); }";
@@ -144,7 +144,7 @@ static void test_ids(void)
     int64_t bonds;
 
     WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     are_there(d, "a list and the program");
     WORLD_TRY(dem_bonds(d, &bonds, &bond));
     TAP_OK(bonds == 1 && bond[0].id[0] == 4294967301 && bond[0].id[1] == 9007199254740993, "a bond between them");
@@ -154,12 +154,12 @@ static void test_ids(void)
     dem_free(d);
     d = world_begin(START "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make once; makeDistance 1.1; breakDistance 1.2; } }");
     WORLD_TRY(dem_load(d, path));
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     are_there(d, "a snapshot");
     TAP_OK(world_hash(d) == hash, "a snapshot: the same bits");
     dem_free(d);
     d = from_table("id,x,y,z\n" SECOND ",0,0,0.101\n" FIRST ",0,0,0.1\n9007199254740994,0,0,0.2\n" LAST ",0,0,0.3\n", "diameter 1e-3;");
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     are_there(d, "a table");
     TAP_OK(world_at(d, INT64_MAX - 1).x[2] == 0.3, "a table: the last id there is");
     dem_free(d);
@@ -170,7 +170,7 @@ static void test_twins(void)
 {
     const char *const scene = START "} insert { a { type list; diameter 1e-3; ids (7 5); positions ((0 0 0) (0 0 1)); }"
                               "b { type list; diameter 1e-3; positions ((0 1 0) (0 1 1)); } }";
-    struct dem_seed seed = {.position = {0.0, 0.0, 0.5}, .diameter = 1e-3, .material = "glass"};
+    struct dem_new_particle seed = {.position = {0.0, 0.0, 0.5}, .diameter = 1e-3, .material = "glass"};
 
     for (int64_t id = 4; id <= 10; id++)
     {
@@ -179,7 +179,7 @@ static void test_twins(void)
 
         seed.id = id;
         WORLD_TRY(dem_add_particles(d, 1, &seed));
-        TAP_OK((dem_ready(d) != 0) == taken && (!taken || strstr(dem_error_text(), "two particles")), "id %d is %s", (int)id, taken ? "taken" : "free");
+        TAP_OK((dem_setup(d) != 0) == taken && (!taken || strstr(dem_error_text(), "two particles")), "id %d is %s", (int)id, taken ? "taken" : "free");
         dem_free(d);
     }
     struct dem *const d = world_begin(START "} insert { b { type list; diameter 1e-3; positions ((0 1 0) (0 1 1)); }"

@@ -1,16 +1,17 @@
 /*
- * Space is cut into equal work, and cut anew when that pays: each rank gets its share of weights to a hundredth; a loss that a cut
- * can't mend brings no further one; a loss that grows brings one when it has cost the price of a cut, on all ranks together.
+ * Claims: subdomains have equal work, and space is cut anew when that pays: each rank has its fraction of the weights to 1 %; an
+ * imbalance that a cut cannot reduce causes no further one; a growing imbalance causes one when its accumulated loss has reached the
+ * price of a cut, on all ranks together.
  *
  *     mpirun -np N test_balance      prints what is wrong, ends with 0 when nothing is
  *
- * Judges: sums of weights by owner; the price told in step/balance.c, 10 steps of mean work.
+ * Reference: sums of weights by rank; the price in parallel/load_balance.c, 10 steps of mean work.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "base/random.h"
-#include "space/pieces.h"
-#include "step/balance.h"
+#include "core/random.h"
+#include "parallel/decomposition.h"
+#include "parallel/load_balance.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,7 +33,7 @@ static void check(int holds, const char *what, double found, double expected)
 }
 
 /* Particles of all ranks lie anywhere in a box of 3 x 1 x 2, those beyond x = 1 weigh ten times as much. */
-static void shares(struct dem_pieces *pieces)
+static void shares(struct dem_decomposition *pieces)
 {
     struct dem_particles p = {.n = EACH};
     uint32_t *const weight = calloc(EACH, sizeof *weight);
@@ -47,13 +48,13 @@ static void shares(struct dem_pieces *pieces)
         }
         weight[i] = p.record[i].x[0] > 1.0 ? 20 : 2;
     }
-    check(dem_pieces_balance(pieces, &p, weight) == 0, "balance", 0, 0);
+    check(dem_decomposition_balance(pieces, &p, weight) == 0, "balance", 0, 0);
     for (size_t i = 0; i < EACH; i++)
     {
-        const int owner = dem_pieces_owner(pieces, p.record[i].x);
+        const int owner = dem_decomposition_owner(pieces, p.record[i].x);
         double min[3], max[3];
 
-        dem_pieces_box(pieces, owner, min, max);
+        dem_decomposition_box(pieces, owner, min, max);
         for (int k = 0; k < 3; k++)
         {
             check(p.record[i].x[k] >= min[k] && p.record[i].x[k] < max[k], "the owner's box holds the particle", p.record[i].x[k], min[k]);
@@ -76,7 +77,7 @@ static void shares(struct dem_pieces *pieces)
 }
 
 /* Intervals of ten steps until a cut pays, at most `most`; rank 0 has 1 + excess of the mean work. */
-static int until(struct dem_balance *b, const struct dem_pieces *pieces, double excess, int most)
+static int until(struct dem_load_balance *b, const struct dem_decomposition *pieces, double excess, int most)
 {
     const struct dem_contacts none = {.classes = 0};
     const double others = 1.0 - excess/(ranks - 1);
@@ -86,9 +87,9 @@ static int until(struct dem_balance *b, const struct dem_pieces *pieces, double 
     {
         for (int step = 0; step < 10; step++)
         {
-            dem_balance_count(b, particles, &none);
+            dem_load_balance_count(b, particles, &none);
         }
-        int pays = dem_balance_pays(b, pieces), all = pays;
+        int pays = dem_load_balance_pays(b, pieces), all = pays;
 
         MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
         check(all == pays*ranks, "ranks that find it pays", all, pays*ranks);
@@ -100,9 +101,9 @@ static int until(struct dem_balance *b, const struct dem_pieces *pieces, double 
     return 0;
 }
 
-static void prices(const struct dem_pieces *pieces)
+static void prices(const struct dem_decomposition *pieces)
 {
-    struct dem_balance b = {.cuts = 0};
+    struct dem_load_balance b = {.cuts = 0};
     int k = until(&b, pieces, 0.26, 100);
 
     /* 2.6 steps are lost in an interval of ten */
@@ -112,21 +113,21 @@ static void prices(const struct dem_pieces *pieces)
     k = until(&b, pieces, 0.33, 100);
     check(k == 8, "intervals until a growing loss has cost a cut", k, 8);
     check(b.cuts == 2, "cuts", b.cuts, 2);
-    dem_balance_free(&b);
+    dem_load_balance_free(&b);
 }
 
 int main(int argc, char **argv)
 {
-    struct dem_pieces pieces;
+    struct dem_decomposition pieces;
 
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
     check(ranks > 1, "ranks; run it on two or more", ranks, 2);
-    check(dem_pieces_init(&pieces, MPI_COMM_WORLD, rank, ranks) == 0, "pieces", 0, 0);
+    check(dem_decomposition_init(&pieces, MPI_COMM_WORLD, rank, ranks) == 0, "pieces", 0, 0);
     shares(&pieces);
     prices(&pieces);
-    dem_pieces_free(&pieces);
+    dem_decomposition_free(&pieces);
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
     MPI_Finalize();
     return failed;

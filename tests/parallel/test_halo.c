@@ -1,16 +1,16 @@
 /*
- * Copies on several ranks: exactly those particles are copied that come, themselves or by an image, within reach of a rank's piece;
- * only neighbours talk; a step refreshes the copies that near rows touch, and allocates nothing; what the profile counts of messages
- * is so.
+ * Claims: ghosts are exactly the particles that lie, themselves or as a periodic image, within reach of a rank's subdomain. Only
+ * neighbor ranks exchange messages. A step refreshes the ghosts that contact rows use, and allocates nothing. The messages counted by
+ * the profile are those sent.
  *
  *     mpirun -np N test_halo         prints what is wrong, ends with 0 when nothing is
  *
- * Judges: all particles of all ranks against all pieces; every allocation of the core goes through aligned_alloc, which is counted
- * here. A row of cubes 30 N long, periodic along itself: pieces are slices, so a rank has two neighbours.
+ * Reference: all particles of all ranks against all subdomains; every allocation of the core goes through aligned_alloc, which is
+ * counted here. A row of cubes of length 30 N, periodic along x: subdomains are slices, so a rank has two neighbors.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "door.h"
+#include "api/internal.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -60,14 +60,14 @@ static struct dem *make(void)
     snprintf(text, sizeof text, scene, length*ranks, 270*ranks, length*ranks);
     try(dem_create(&d, MPI_COMM_WORLD));
     try(dem_scene_text(d, text, "row"));
-    try(dem_ready(d));
+    try(dem_setup(d));
     return d;
 }
 
 /* Positions of all particles on all ranks, with their owners as the fourth number. */
 static double *gather(const struct dem *d, int *all)
 {
-    const struct dem_particles *const p = &d->parts.particles;
+    const struct dem_particles *const p = &d->state.particles;
     double *const mine = calloc(4*p->n + 1, sizeof *mine);
     int count = 4*(int)p->n, *const counts = calloc((size_t)ranks, sizeof *counts), *const start = calloc((size_t)ranks + 1, sizeof *start);
 
@@ -94,13 +94,13 @@ static double *gather(const struct dem *d, int *all)
 /* All have one radius, and the piece is a slice [min, max) of the period. */
 static void copies(const struct dem *d)
 {
-    const struct dem_parts *const p = &d->parts;
+    const struct dem_state *const p = &d->state;
     const double period = length*ranks, reach = 1e-3 + p->pairs.outer;
     double min[3], max[3];
     int all, expected = 0;
     double *const x = gather(d, &all);
 
-    dem_pieces_box(&p->pieces, rank, min, max);
+    dem_decomposition_box(&p->decomposition, rank, min, max);
     min[0] = fmax(min[0], 0.0);
     max[0] = fmin(max[0], period);
     for (int i = 0; i < all; i++)
@@ -122,8 +122,8 @@ static void copies(const struct dem *d)
 /* Copies that some near row has for a partner, each once. */
 static int64_t near(const struct dem *d)
 {
-    const struct dem_contacts *const c = &d->parts.contacts;
-    const size_t n = d->parts.particles.n, ghosts = d->parts.particles.ghosts;
+    const struct dem_contacts *const c = &d->state.contacts;
+    const size_t n = d->state.particles.n, ghosts = d->state.particles.ghosts;
     int64_t count = 0;
 
     for (size_t g = n; g < n + ghosts; g++)
@@ -155,7 +155,7 @@ int main(int argc, char **argv)
     try(dem_advance(d, step));                            /* renews, and leaves positions as they were then */
     check(allocations > held, "allocations with new lists", (double)(allocations - held), 1);
     copies(d);
-    check(d->parts.halo.sends == neighbours && d->parts.halo.receives == neighbours, "neighbours", d->parts.halo.sends, neighbours);
+    check(d->state.halo.send_ranks == neighbours && d->state.halo.receive_ranks == neighbours, "neighbours", d->state.halo.send_ranks, neighbours);
     try(dem_profile(d, &before));
     held = allocations;
     try(dem_advance(d, 50.0*step));
@@ -170,8 +170,8 @@ int main(int argc, char **argv)
     /* nine numbers of each copy */
     int64_t ghosts = near(d);
 
-    check(ranks == 1 || (ghosts > 0 && ghosts < (int64_t)d->parts.particles.ghosts), "copies that rows touch", (double)ghosts,
-          (double)d->parts.particles.ghosts);
+    check(ranks == 1 || (ghosts > 0 && ghosts < (int64_t)d->state.particles.ghosts), "copies that rows touch", (double)ghosts,
+          (double)d->state.particles.ghosts);
     MPI_Allreduce(MPI_IN_PLACE, &ghosts, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
     check(after.message_bytes - before.message_bytes == 50*ghosts*72, "bytes", (double)(after.message_bytes - before.message_bytes),
           (double)(50*ghosts*72));

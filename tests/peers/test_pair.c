@@ -1,6 +1,7 @@
 /*
- * Claims: two spheres that meet head-on and obliquely, spinning, have the trajectory of another code, LIGGGHTS, step by step:
- * with hertz, hooke and hookeHysteresis and their friction; what is left is the order within a step and halves with it; where definitions differ, it is bounded and told.
+ * Claims: two spheres that collide head-on and obliquely, with spin, have the trajectory of LIGGGHTS step by step, with hertz, hooke and
+ * hookeHysteresis and their friction. The remaining difference is of the order within a step and halves with it; where definitions
+ * differ, the difference is bounded and printed.
  *
  * Reads the dumps that ./run made in the folder of the first argument: one a case, NAME.dump.
  *
@@ -8,18 +9,18 @@
  */
 #include "physics/world.h"
 
-static const struct dem_seed head_on[2] =
+static const struct dem_new_particle head_on[2] =
 {
     {.position = {0, 0, 1.0e-3}, .velocity = {0, 0, -0.4}, .diameter = 2e-3, .id = 1, .material = "glass"},
     {.position = {0, 0, -0.705e-3}, .velocity = {0, 0, 0.6}, .diameter = 1.4e-3, .id = 2, .material = "glass"},
 };
 /* in a plane: nobody spins about the normal */
-static const struct dem_seed oblique[2] =
+static const struct dem_new_particle oblique[2] =
 {
     {.position = {0.2e-3, 0, 1.02e-3}, .velocity = {0.2, 0, -0.4}, .spin = {0, -50, 0}, .diameter = 2e-3, .id = 1, .material = "glass"},
     {.position = {-0.1e-3, 0, -0.66e-3}, .velocity = {-0.1, 0, 0.5}, .spin = {0, 200, 0}, .diameter = 1.4e-3, .id = 2, .material = "glass"},
 };
-static const struct dem_seed twisted[2] =
+static const struct dem_new_particle twisted[2] =
 {
     {.position = {0.2e-3, -0.1e-3, 1.0e-3}, .velocity = {0.2, 0.1, -0.4}, .spin = {100, -50, 30}, .diameter = 2e-3, .id = 1, .material = "glass"},
     {.position = {-0.1e-3, 0.2e-3, -0.66e-3}, .velocity = {-0.1, 0.05, 0.5}, .spin = {-80, 200, -40}, .diameter = 1.4e-3, .id = 2,
@@ -29,7 +30,7 @@ static const struct dem_seed twisted[2] =
 static const struct
 {
     const char *name, *laws;
-    const struct dem_seed *seed;
+    const struct dem_new_particle *seed;
     double within;                                        /* m/s, of velocities, and of spins times the smaller radius */
     int first_order;                                      /* half the step halves it */
     const char *why;

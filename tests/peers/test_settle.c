@@ -11,7 +11,7 @@
  */
 #include "physics/world.h"
 
-#include "base/random.h"
+#include "core/random.h"
 
 enum
 {
@@ -98,7 +98,7 @@ static struct frame measure(double x[N][3], double v[N][3], double w[N][3])
 
 static void here(size_t c, double shift, struct run *r)
 {
-    static struct dem_seed seed[N];
+    static struct dem_new_particle seed[N];
     static struct world_particle p[N];
     static double x[N][3], v[N][3], w[N][3];
     char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
@@ -110,7 +110,7 @@ static void here(size_t c, double shift, struct run *r)
     memset(seed, 0, sizeof seed);
     for (int k = 0; k < N; k++)
     {
-        seed[k] = (struct dem_seed){.position = {x[k][0], x[k][1], x[k][2]}, .diameter = D, .id = k, .material = "glass"};
+        seed[k] = (struct dem_new_particle){.position = {x[k][0], x[k][1], x[k][2]}, .diameter = D, .id = k, .material = "glass"};
     }
     struct dem *const d = world(scene, N, seed);
 
@@ -237,7 +237,7 @@ static void compare(const char *folder, size_t c)
     /* free fall and the first touches are the same to rounding; then every collision adds the 1e-6 of test_pair and multiplies it */
     TAP_OK(parted(&suna, &other, 1e-9*D) >= 5, "%s: the same fall", what);
     TAP_OK(parted(&suna, &other, 1e-3*D) >= 8, "%s: the same first collisions", what);
-    TAP_OK(parted(&suna, &other, D) > 40, "%s: nobody is a diameter from where it is in the other before 40 ms", what);
+    TAP_OK(parted(&suna, &other, D) > 40, "%s: no particle is a diameter from its position in the other before 40 ms", what);
 
     /* later they are two histories of one bed, as those of Suna 1 nm apart: these differ by 0.005 to 0.04 D, 0.002 to 0.006, up to
        0.11 D and 0.01 to 0.14, over the three laws of contact and two versions of friction; some three times the largest */

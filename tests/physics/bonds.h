@@ -31,18 +31,18 @@ static inline double vector_dot(const double a[3], const double b[3])
 }
 
 /* n spheres along x, the first one frozen if wanted */
-static inline void chain_seeds(struct dem_seed *seed, int n, int clamped)
+static inline void chain_seeds(struct dem_new_particle *seed, int n, int clamped)
 {
     memset(seed, 0, (size_t)n*sizeof *seed);
     for (int k = 0; k < n; k++)
     {
-        seed[k] = (struct dem_seed){.position = {L*k, 0.0, 0.0}, .diameter = 2.0*R, .id = k, .material = "rock",
+        seed[k] = (struct dem_new_particle){.position = {L*k, 0.0, 0.0}, .diameter = 2.0*R, .id = k, .material = "rock",
                                     .frozen = clamped && k == 0};
     }
 }
 
 /* stiffness times `soft`; a step of 0 is the automatic one; `more` goes into bondLinear */
-static inline struct dem *bonded(double soft, double step, const char *more, int n, const struct dem_seed *seed)
+static inline struct dem *bonded(double soft, double step, const char *more, int n, const struct dem_new_particle *seed)
 {
     char own[64] = "";
 

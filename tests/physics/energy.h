@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- *     struct dem *d = energy_world(scene, n, seeds);             as world(), with dem_energy_watch
+ *     struct dem *d = energy_world(scene, n, seeds);             as world(), with dem_energy_enable
  *     energy_term(d, "residual")                                 J
  */
 #ifndef TESTS_PHYSICS_ENERGY_H
@@ -11,7 +11,7 @@
 
 #include "physics/world.h"
 
-static inline struct dem *energy_world(const char *scene, int64_t n, const struct dem_seed *seed)
+static inline struct dem *energy_world(const char *scene, int64_t n, const struct dem_new_particle *seed)
 {
     struct dem *const d = world_begin(scene);
 
@@ -19,8 +19,8 @@ static inline struct dem *energy_world(const char *scene, int64_t n, const struc
     {
         WORLD_TRY(dem_add_particles(d, n, seed));
     }
-    WORLD_TRY(dem_energy_watch(d));
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_energy_enable(d));
+    WORLD_TRY(dem_setup(d));
     return d;
 }
 

@@ -8,7 +8,7 @@
 
 #include "physics/world.h"
 
-#include "base/random.h"
+#include "core/random.h"
 
 struct mesh
 {

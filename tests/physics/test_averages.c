@@ -89,7 +89,7 @@ static const double digits = 2e-9;
 static void shares(void)
 {
     const double R = 1e-3, V = 4.0/3.0*world_pi*R*R*R, z = 0.0013;
-    const struct dem_seed seed[] = {{.position = {0.0, 0.0, z}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
+    const struct dem_new_particle seed[] = {{.position = {0.0, 0.0, z}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
     char *const scene = world_text("%s effects { hertz {} } time { step 1e-6; }"
         "averages { slabs { min (-0.005 -0.005 -0.001); max (0.005 0.005 0.004); cells (1 1 10); interval 1e-6; }"
         "           all { min (-0.0027 -0.0031 -0.001); max (0.0053 0.0049 0.004); cells (10 10 10); interval 1e-6; } }", material);
@@ -119,7 +119,7 @@ static void shares(void)
 static void wraps(void)
 {
     const double R = 1e-3, V = 4.0/3.0*world_pi*R*R*R;
-    const struct dem_seed seed[] = {{.position = {0.0002, 0.0098, 0.005}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
+    const struct dem_new_particle seed[] = {{.position = {0.0002, 0.0098, 0.005}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
     char *const scene = world_text("%s effects { hertz {} } time { step 1e-6; }"
         "domain { min (0 0 0); max (0.01 0.01 0.01); periodic (x y); }"
         "averages { all { min (0 0 0); max (0.01 0.01 0.01); cells (5 5 1); interval 1e-6; } }", material);
@@ -138,7 +138,7 @@ static void wraps(void)
 static void images(void)
 {
     const double R = 1e-3, V = 4.0/3.0*world_pi*R*R*R;
-    const struct dem_seed seed[] = {{.position = {0.005, 0.005, 0.005}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
+    const struct dem_new_particle seed[] = {{.position = {0.005, 0.005, 0.005}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
     char *const scene = world_text("%s effects { hertz {} } time { step 1e-6; }"
         "domain { min (0 0 0); max (0.01 0.01 0.01); periodic (x y z); }"
         "averages { all { min (-0.01 -0.01 -0.01); max (0.02 0.02 0.02); interval 1e-6; } }", material);
@@ -155,7 +155,7 @@ static void images(void)
 /* two layers that slide past each other, apart */
 static void streams(void)
 {
-    struct dem_seed seed[50];
+    struct dem_new_particle seed[50];
     const double v[3] = {0.3, -0.2, 0.1}, R = 1e-3;
     char *const scene = world_text("%s effects { hertz {} } time { step 1e-5; }"
         "domain { min (0 0 0); max (0.02 0.02 0.02); periodic (x y z); }"
@@ -165,7 +165,7 @@ static void streams(void)
     {
         const double side = k < 25 ? 1.0 : -1.0;
 
-        seed[k] = (struct dem_seed){.position = {0.002 + 0.004*(k%5), 0.002 + 0.004*(k/5%5), k < 25 ? 0.006 : 0.014}, .diameter = 2.0*R,
+        seed[k] = (struct dem_new_particle){.position = {0.002 + 0.004*(k%5), 0.002 + 0.004*(k/5%5), k < 25 ? 0.006 : 0.014}, .diameter = 2.0*R,
                                     .velocity = {side*v[0], side*v[1], 0.0}, .id = k, .material = "glass"};
     }
     struct dem *d = world(scene, 50, seed);
@@ -199,7 +199,7 @@ static void streams(void)
 static void column(void)
 {
     enum { HIGH = 5 };
-    struct dem_seed seed[HIGH];
+    struct dem_new_particle seed[HIGH];
     const double R = 1e-3, g = 9.81, m = 2500.0*4.0/3.0*world_pi*R*R*R, volume = 0.004*0.004*0.012;
     char *const scene = world_text("%s effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.1; } }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
@@ -209,7 +209,7 @@ static void column(void)
 
     for (int k = 0; k < HIGH; k++)
     {
-        seed[k] = (struct dem_seed){.position = {0.0, 0.0, R*(2*k + 1)}, .diameter = 2.0*R, .id = k, .material = "glass"};
+        seed[k] = (struct dem_new_particle){.position = {0.0, 0.0, R*(2*k + 1)}, .diameter = 2.0*R, .id = k, .material = "glass"};
     }
     struct dem *const d = world(scene, HIGH, seed);
 
@@ -239,7 +239,7 @@ static void rubs(int k)
     const double R = 1e-3, g = 9.81, mu = 0.3, stiffness = 1000.0, m = 2500.0*4.0/3.0*world_pi*R*R*R, d = m*g/stiffness, volume = 8e-6;
     const int next = (k + 1)%3, last = (k + 2)%3;
     double up[3] = {0.0};
-    struct dem_seed seed = {.diameter = 2.0*R, .material = "glass"};
+    struct dem_new_particle seed = {.diameter = 2.0*R, .material = "glass"};
 
     up[k] = 1.0;
     seed.position[k] = R - d;

@@ -88,7 +88,7 @@ static void chain(const struct line *t, enum load load)
     const double moment[3] = {load == TORSION ? 1e-4 : 0.0, 0.0, 0.0};
     const double expected = load == AXIAL ? t->longer : load == TORSION ? t->twist : t->bend;
     const double f = load == AXIAL ? t->f_axial : load == TORSION ? t->f_torsion : t->f_bending;
-    struct dem_seed seed[MOST];
+    struct dem_new_particle seed[MOST];
 
     chain_seeds(seed, t->bonds + 1, 1);
     struct dem *const d = bonded(1.0, 0.0, "", t->bonds + 1, seed);
@@ -105,7 +105,7 @@ static void polygon(void)
 {
     const int bonds = 12;
     const double turn = 2.0*world_pi/bonds, rest[3] = {0.0, 0.0, 0.0};
-    struct dem_seed seed[MOST];
+    struct dem_new_particle seed[MOST];
 
     chain_seeds(seed, bonds + 1, 1);
     /* the moment grows slowly from nothing, over some 20 periods of the slowest swing; bonds are damped, and soft for long steps */

@@ -9,7 +9,7 @@
  */
 #include "physics/bonds.h"
 
-#include "base/random.h"
+#include "core/random.h"
 
 static double drawn(int k, int use)
 {
@@ -44,7 +44,7 @@ static void keeps(const char *what, struct dem *d, int n, double time, double en
     chain_totals(d, n, momentum[0], angular[0], &kinetic[0]);
     world_run(d, time);
     chain_totals(d, n, momentum[1], angular[1], &kinetic[1]);
-    const struct dem_tally t = world_tally(d);
+    const struct dem_totals t = world_tally(d);
 
     TAP_NEAR(apart(momentum[1], momentum[0]), 0.0, 1e-12*scale[0], "%s: momentum", what);
     TAP_NEAR(apart(angular[1], angular[0]), 0.0, 1e-12*scale[1], "%s: angular momentum", what);
@@ -64,7 +64,7 @@ static double shear_of(const struct dem *d)
 
 static struct dem *turning(const double omega[3], double soft, const char *more)
 {
-    struct dem_seed seed[2];
+    struct dem_new_particle seed[2];
 
     chain_seeds(seed, 2, 0);
     for (int k = 0; k < 2; k++)
@@ -92,7 +92,7 @@ static void turning_pair(void)
     const double before = world_tally(d).kinetic;
 
     world_run(d, 2.0*world_pi);
-    const struct dem_tally t = world_tally(d);
+    const struct dem_totals t = world_tally(d);
 
     TAP_NEAR(shear_of(d), 0.0, 1e-9*soft*kt*A*L, "turning about an axis normal to it, it is not sheared once it is calm");
     TAP_NEAR(t.kinetic + t.stored + t.lost, before, 1e-8*before, "what swinging in from rest took is booked");
@@ -102,7 +102,7 @@ static void turning_pair(void)
 /* n spheres of different sizes in a row with a bend, with random velocities and spins; steps of 1/100 of the limit */
 static struct dem *wriggling(int n, const char *more, double fraction, double turn[3][3], int swapped)
 {
-    struct dem_seed seed[MOST];
+    struct dem_new_particle seed[MOST];
     double x = 0.0, before = 0.0;
 
     memset(seed, 0, sizeof seed);
@@ -113,7 +113,7 @@ static struct dem *wriggling(int n, const char *more, double fraction, double tu
         const double w[3] = {30.0*drawn(k, 4), 30.0*drawn(k, 5), 30.0*drawn(k, 6)};
 
         before = radius;
-        seed[k] = (struct dem_seed){.diameter = 2.0*radius, .id = swapped ? n - 1 - k : k, .material = "rock"};
+        seed[k] = (struct dem_new_particle){.diameter = 2.0*radius, .id = swapped ? n - 1 - k : k, .material = "rock"};
         for (int i = 0; i < 3; i++)
         {
             seed[k].position[i] = vector_dot(turn[i], place);
@@ -172,14 +172,14 @@ static void objective(const char *what, const char *more, int n, double time)
 
 static void triangle(void)
 {
-    struct dem_seed seed[3];
+    struct dem_new_particle seed[3];
 
     memset(seed, 0, sizeof seed);
     for (int k = 0; k < 3; k++)
     {
         const double angle = 2.0*world_pi*k/3.0, r = L/sqrt(3.0);
 
-        seed[k] = (struct dem_seed){.position = {r*cos(angle), r*sin(angle), 0.0}, .velocity = {0.02*drawn(k, 7), 0.02*drawn(k, 8), 0.02*drawn(k, 9)},
+        seed[k] = (struct dem_new_particle){.position = {r*cos(angle), r*sin(angle), 0.0}, .velocity = {0.02*drawn(k, 7), 0.02*drawn(k, 8), 0.02*drawn(k, 9)},
                                     .spin = {9.0*drawn(k, 1), 9.0*drawn(k, 2), 9.0*drawn(k, 3)}, .diameter = 2.0*R, .id = k, .material = "rock"};
     }
     struct dem *const d = bonded(1e-2, 2e-8, "", 3, seed);
@@ -196,7 +196,7 @@ static struct dem *sticking(const char *adhesion, const char *more)
     char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
                                    "effects { hertz { } dry { restitution 0.9; } mindlin { friction 0.5; } %s"
                                    " bondLinear { normalStiffness %g; shearStiffness %g; %s } } time { step 1e-7; }", adhesion, kn, kt, more);
-    const struct dem_seed seed[2] = {{.position = {0, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "rock", .frozen = 1},
+    const struct dem_new_particle seed[2] = {{.position = {0, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "rock", .frozen = 1},
                                      {.position = {0.995*L, 0, 0}, .diameter = 2.0*R, .id = 1, .material = "rock"}};
     struct dem *const d = world(scene, 2, seed);
 
@@ -229,7 +229,7 @@ static void hand_over(void)
     struct dem *d = overlapping("shearStrength 5e6;");
     const double none[3] = {0.0, 0.0, 0.0};
 
-    TAP_NEAR(world_at(d, 1).f[0], 0.0, 0.0, "the contact of a bonded pair does not push");
+    TAP_NEAR(world_at(d, 1).f[0], 0.0, 0.0, "the contact of a bonded pair has no force");
     TAP_NEAR(world_tally(d).lost, 0.4*able*0.005*L, 1e-9*able*L, "what it held is lost");
     led(d, 0.0, 0.0, 3);
     TAP_NEAR(world_at(d, 1).f[0], 0.0, 1e-12*able, "nor later");
@@ -256,7 +256,7 @@ static void hand_over(void)
     led(d, 0.0, 1e-4, 10000);
     chain_set(d, 1, none, none);
     world_step(d);
-    TAP_NEAR(world_at(d, 1).f[0], 0.0, 1e-9*able, "broken in tension, nothing pushes");
+    TAP_NEAR(world_at(d, 1).f[0], 0.0, 1e-9*able, "broken in tension, there is no force");
     const double in[3] = {-0.1, 0.0, 0.0};
 
     chain_set(d, 1, in, none);
@@ -265,7 +265,7 @@ static void hand_over(void)
     dem_free(d);
 
     d = overlapping("contact parallel;");
-    TAP_NEAR(world_at(d, 1).f[0], able, 1e-9*able, "in parallel the contact pushes as if there were no bond");
+    TAP_NEAR(world_at(d, 1).f[0], able, 1e-9*able, "in parallel the contact force is that without a bond");
     dem_free(d);
 }
 
@@ -326,7 +326,7 @@ static void hanging(void)
                                    " bondLinear { normalStiffness %g; shearStiffness %g; walls yes; dampingRatio 0.3; } }"
                                    "walls { lid { type plane; point (0 0 %.17g); normal (0 0 -1); } side { type triangles; corners"
                                    " ((0.05 -1 -1) (0.05 1 -1) (0.05 1 1)); } }", kn*1e-4, kt*1e-4, R);
-    const struct dem_seed seed[2] = {{.position = {0, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "rock"},
+    const struct dem_new_particle seed[2] = {{.position = {0, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "rock"},
                                      {.position = {0.05 - R, -0.5, -0.8}, .diameter = 2.0*R, .id = 1, .material = "rock"}};
     struct dem *const d = world(scene, 2, seed);
     const double weight = 9.81*world_ball(R, 2500.0), ktA = kt*1e-4*A, arm = R*R*ktA/(kn*1e-4*I);
@@ -348,7 +348,7 @@ static void removal(void)
     char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
                                    "domain { min (-1 -1 -1); max (1 1 1); leaving remove; }"
                                    "effects { bondLinear { normalStiffness %g; shearStiffness %g; } }", kn, kt);
-    struct dem_seed seed[5];
+    struct dem_new_particle seed[5];
 
     chain_seeds(seed, 5, 0);
     for (int k = 0; k < 5; k++)
@@ -359,7 +359,7 @@ static void removal(void)
     struct dem *const d = world(scene, 5, seed);
 
     world_run(d, 0.05);
-    const struct dem_tally t = world_tally(d);
+    const struct dem_totals t = world_tally(d);
 
     TAP_OK(t.particles < 5 && t.particles > 1 && t.bonds == t.particles - 1 && t.broken == 0.0,
            "%d of a chain are left, with %d bonds", (int)t.particles, (int)t.bonds);
@@ -373,12 +373,12 @@ static void told(double along, double across, int cause, const char *more)
     char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
                                    "domain { min (0 0 0); max (%g 0.01 0.01); periodic (x); }"
                                    "effects { bondLinear { normalStiffness %.17g; shearStiffness %.17g; %s } } time { step 1e-7; }", 5.0*L, kn, kt, more);
-    const struct dem_seed seed[2] = {{.position = {0.25*L, 0.005, 0.005}, .diameter = 2.0*R, .id = 4, .material = "rock", .frozen = 1},
+    const struct dem_new_particle seed[2] = {{.position = {0.25*L, 0.005, 0.005}, .diameter = 2.0*R, .id = 4, .material = "rock", .frozen = 1},
                                      {.position = {4.25*L, 0.005, 0.005}, .diameter = 2.0*R, .id = 7, .material = "rock"}};
     struct dem *const d = world(scene, 2, seed);
     const double v[3] = {-along/1e-7, across/1e-7, 0.0}, none[3] = {0.0, 0.0, 0.0};
     const struct dem_bond *bond;
-    const struct dem_break *broke;
+    const struct dem_broken_bond *broke;
     int64_t n;
 
     chain_set(d, 7, v, none);
@@ -406,7 +406,7 @@ static void told(double along, double across, int cause, const char *more)
     TAP_NEAR(broke->energy, world_tally(d).lost, 0.0, "%s: with its energy", more);
     TAP_NEAR(broke->time, world_tally(d).time, 1e-12, "%s: at its time", more);
     WORLD_TRY(dem_broken_bonds(d, &n, &broke));
-    TAP_OK(n == 0, "%s: told once", more);
+    TAP_OK(n == 0, "%s: reported once", more);
     dem_free(d);
     free(scene);
 }

@@ -44,7 +44,7 @@ static double lead(struct dem *d, struct motion m, int steps, struct world_parti
 
 static struct dem *pair(const char *more, double time_step)
 {
-    struct dem_seed seed[2];
+    struct dem_new_particle seed[2];
 
     chain_seeds(seed, 2, 1);
     return bonded(1.0, time_step, more, 2, seed);
@@ -56,7 +56,7 @@ static void limit(const char *what, const char *more, struct motion m, int steps
     struct world_particle last;
     const double broke = lead(d, m, steps, &last);
     const double found = m.along != 0.0 ? fabs(last.f[0]) : m.across != 0.0 ? fabs(last.f[1]) : m.twist != 0.0 ? fabs(last.t[0]) : fabs(last.t[2]);
-    const struct dem_tally t = world_tally(d);
+    const struct dem_totals t = world_tally(d);
 
     TAP_OK(broke > 0.0 && t.bonds == 0 && t.stored == 0.0, "%s: breaks", what);
     /* one increment of 1/2000 of the limit before */
@@ -115,7 +115,7 @@ static void no_shear_left(void)
 static void root_of_a_chain(void)
 {
     const int bonds = 10;
-    struct dem_seed seed[MOST];
+    struct dem_new_particle seed[MOST];
 
     for (int over = 0; over < 2; over++)
     {
@@ -162,7 +162,7 @@ static void relaxation(void)
 
         if (time > times[next] - 0.5*dt)
         {
-            const struct dem_tally t = world_tally(d);
+            const struct dem_totals t = world_tally(d);
 
             TAP_NEAR(fabs(p.f[0]), forces[next], 1e-6*forces[next], "force after %g s", times[next]);        /* eight digits, and the */
             TAP_NEAR(t.stored, stored[next], 1e-6*stored[next], "stored");                                   /* moves of half kicks   */

@@ -23,7 +23,7 @@ static void bounce(const double *t, int by_coefficient)
 {
     const double m = world_ball(R, density), k = t[0], L = -log(t[1]), z = L/sqrt(world_pi*world_pi + L*L);
     const double step = world_pi*sqrt(m/k)/2000.0;
-    const struct dem_seed seed = {.position = {0.0, 0.0, height}, .diameter = 2.0*R, .material = "b"};
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, height}, .diameter = 2.0*R, .material = "b"};
     char damping[80];
 
     snprintf(damping, sizeof damping, by_coefficient ? "viscous { coefficient %.17g; }" : "dry { restitution %.17g; }",
@@ -92,7 +92,7 @@ static double leaves(double v, double w, double z)
 static void hops(double k, double e, double steps)
 {
     const double m = world_ball(R, density), L = -log(e), z = L/sqrt(world_pi*world_pi + L*L), step = world_pi*sqrt(m/k)/steps;
-    const struct dem_seed seed = {.position = {0.0, 0.0, height}, .diameter = 2.0*R, .material = "b"};
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, height}, .diameter = 2.0*R, .material = "b"};
     char *const scene = world_text("materials { b { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; } dry { restitution %g; }"
                                    "gravity { acceleration (0 0 -%.17g); } } time { step %.17g; }"
                                    "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }", density, k, e, g, step);
@@ -135,7 +135,7 @@ static struct dem *squeezed(double e, double share)
 {
     const double m[2] = {world_ball(5e-4, 2e4), world_ball(5e-4, 1e4)}, step = world_pi*sqrt(m[0]/3.0/1e3)*share;
     const double height[2] = {4.5e-4, 1.35e-3}, push[2] = {1e3*(5e-5 - 1e-4), 1e3*(1e-4 - 5e-5)};
-    const struct dem_seed seed[2] = {{.position = {0.0, 0.0, 9e-4}, .diameter = 1e-3, .id = 0, .material = "heavy"},
+    const struct dem_new_particle seed[2] = {{.position = {0.0, 0.0, 9e-4}, .diameter = 1e-3, .id = 0, .material = "heavy"},
                                      {.position = {1.05e-3, 0.0, 9e-4}, .diameter = 1e-3, .id = 1, .material = "light"}};
     char *const scene = world_text("materials { heavy { density 2e4; youngsModulus 1e7; } light { density 1e4; youngsModulus 1e7; } }"
                                    "effects { hooke { stiffness 1000; } dry { restitution %g; } gravity { acceleration (0 0 -%.17g); } }"
@@ -186,7 +186,7 @@ static void squeeze(const double *row, int rows, double share)
         }
     }
     /* second order in the step without a dashpot, t_c/50 then; first order with one, t_c/2000 */
-    TAP_NEAR(worst, 0.0, 5e-4, "squeezed pair, e %g: %d places of both", row[0], rows);
+    TAP_NEAR(worst, 0.0, 5e-4, "squeezed pair, e %g: %d positions of both", row[0], rows);
     dem_free(d);
 }
 
@@ -216,7 +216,7 @@ static void squeezes(void)
 static void cradle(void)
 {
     static const double parted[3] = {-0.130263, 0.150218, 0.980045};
-    struct dem_seed seed[3];
+    struct dem_new_particle seed[3];
     const double m = world_ball(1e-3, 2500.0), k = 1e4, v = 0.1, step = world_pi*sqrt(0.5*m/k)/400.0;
     char *const scene = world_text("materials { b { density 2500; youngsModulus 1e7; } } effects { hooke { stiffness %g; } }"
                                    "time { step %.17g; }", k, step);
@@ -224,7 +224,7 @@ static void cradle(void)
     memset(seed, 0, sizeof seed);
     for (int i = 0; i < 3; i++)
     {
-        seed[i] = (struct dem_seed){.position = {2e-3*i, 0.0, 0.0}, .diameter = 2e-3, .id = i, .material = "b",
+        seed[i] = (struct dem_new_particle){.position = {2e-3*i, 0.0, 0.0}, .diameter = 2e-3, .id = i, .material = "b",
                                     .velocity = {i ? 0.0 : v, 0.0, 0.0}};
     }
     struct dem *const d = world(scene, 3, seed);

@@ -47,7 +47,7 @@ static double contact_time(const struct set *s, int material)
 /* n spheres over z = 0, a quarter of a step and more above it; motion in x and z, spin about y */
 static struct dem *throw_all(const struct set *s, int material, int law, const char *damping, int n, const double *row, double step)
 {
-    struct dem_seed seed[MOST];
+    struct dem_new_particle seed[MOST];
     char normal[64] = "hertz { impactSpeed 1; }";
 
     memset(seed, 0, sizeof seed);
@@ -55,7 +55,7 @@ static struct dem *throw_all(const struct set *s, int material, int law, const c
     {
         const double *const r = row + COLUMNS*k, phase = (k*0.618033988749895 - floor(k*0.618033988749895))*step;
 
-        seed[k] = (struct dem_seed){.position = {0.0, 4.0*s->radius*k, s->radius + r[3]*phase}, .diameter = 2.0*s->radius,
+        seed[k] = (struct dem_new_particle){.position = {0.0, 4.0*s->radius*k, s->radius + r[3]*phase}, .diameter = 2.0*s->radius,
                                     .velocity = {r[4], 0.0, -r[3]}, .spin = {0.0, r[5], 0.0}, .id = k, .material = "ball"};
     }
     if (law == 2)
@@ -201,7 +201,7 @@ static void published_6(const double *t, int law)
     const double beta = -(s->radius*p.w[1] - p.v[0])/slip, rigid = 3.5*s->mu*pushed/m/slip - 1.0;
 
     /* the lever is shorter than R by 0.03 %; a step or two of sticking at the first touch */
-    TAP_NEAR(beta, rigid, 1e-3, "test 6, %s, x = %g: beta %.4f is 7/2 mu of all pushes over the slip, less 1", friction[law], t[1], beta);
+    TAP_NEAR(beta, rigid, 1e-3, "test 6, %s, x = %g: beta %.4f is 7/2 mu of the normal impulse over the slip, less 1", friction[law], t[1], beta);
     /* that more, and 0.01 of reading */
     TAP_NEAR(beta, t[2], 0.067*t[1] + 0.01, "test 6, %s, x = %g: published %.3f", friction[law], t[1], t[2]);
 }
@@ -255,7 +255,7 @@ static void impulses(void)
                 const struct world_particle p = one(s, 0, law, damping[c], s->speed, 0.0, slip/s->radius, &pushed);
 
                 /* a step or two of sticking at the first touch */
-                TAP_NEAR(m*p.v[0]/(s->mu*pushed), 1.0, 1e-3, "%s, %s, x = %g: friction gives mu times the pushes", damping[c][0] ? damping[c] :
+                TAP_NEAR(m*p.v[0]/(s->mu*pushed), 1.0, 1e-3, "%s, %s, x = %g: the friction impulse is mu times the normal impulse", damping[c][0] ? damping[c] :
                          "no damping", friction[law], x);
             }
         }
@@ -268,15 +268,15 @@ static void impulses(void)
 static void meet(const char *law, const double material[3], double larger, double heavier, double v0, double v1, double w0, double w1,
                  struct world_particle p[2])
 {
-    struct dem_seed seed[2];
+    struct dem_new_particle seed[2];
     const double E = material[1]/(1.0 - material[2]*material[2]), m = world_ball(0.1, material[0]);
     /* no softer than a pair of the first */
     const double step = world_contact_time(0.5*m, 0.05, 0.5*E, v0 - v1)/1000.0;
 
     memset(seed, 0, sizeof seed);
-    seed[0] = (struct dem_seed){.position = {-0.1 - 0.3*step*(v0 - v1), 0, 0}, .velocity = {v0, 0, 0}, .spin = {0, w0, 0},
+    seed[0] = (struct dem_new_particle){.position = {-0.1 - 0.3*step*(v0 - v1), 0, 0}, .velocity = {v0, 0, 0}, .spin = {0, w0, 0},
                                 .diameter = 0.2, .material = "a"};
-    seed[1] = (struct dem_seed){.position = {larger, 0, 0}, .velocity = {v1, 0, 0}, .spin = {0, w1, 0}, .diameter = 2.0*larger, .id = 1,
+    seed[1] = (struct dem_new_particle){.position = {larger, 0, 0}, .velocity = {v1, 0, 0}, .spin = {0, w1, 0}, .diameter = 2.0*larger, .id = 1,
                                 .material = "b"};
     char *const scene = world_text("materials { a { density %g; youngsModulus %g; poissonsRatio %g; } b { density %g; youngsModulus %g;"
                                    "poissonsRatio %g; } } effects { %s dry { restitution 0.5; } } time { step %.17g; }",

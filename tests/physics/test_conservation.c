@@ -10,7 +10,7 @@
  */
 #include "physics/world.h"
 
-#include "base/random.h"
+#include "core/random.h"
 
 enum
 {
@@ -22,13 +22,13 @@ static const double R = 1e-3, E = 1e7, nu = 0.3, speed = 0.5;
 static const char material[] = "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }";
 
 /* A cubic lattice of this pitch, with random velocities and spins, and a pull to the middle [1/s]. */
-static void swarm(struct dem_seed *seed, double pitch, double inward)
+static void swarm(struct dem_new_particle *seed, double pitch, double inward)
 {
     for (int k = 0; k < N; k++)
     {
         const int at[3] = {k%SIDE, k/SIDE%SIDE, k/(SIDE*SIDE)};
 
-        seed[k] = (struct dem_seed){.diameter = 2.0*R, .id = k, .material = "glass"};
+        seed[k] = (struct dem_new_particle){.diameter = 2.0*R, .id = k, .material = "glass"};
         for (int a = 0; a < 3; a++)
         {
             seed[k].position[a] = pitch*(at[a] + 0.5);
@@ -41,7 +41,7 @@ static void swarm(struct dem_seed *seed, double pitch, double inward)
 
 static struct dem *start(const char *effects, const char *domain, double pitch, double inward)
 {
-    static struct dem_seed seed[N];
+    static struct dem_new_particle seed[N];
     char *const scene = world_text("%s effects { hertz {} %s } %s", material, effects, domain);
 
     swarm(seed, pitch, inward);
@@ -115,14 +115,14 @@ static void periodic_momentum(void)
 
     world_run(d, 0.01);
     const struct ledger after = take(d);
-    const struct dem_tally t = world_tally(d);
+    const struct dem_totals t = world_tally(d);
 
     TAP_OK(t.contacts > 50 && t.rebuilds > 3, "periodic: %lld contacts, %lld rebuilds", (long long)t.contacts, (long long)t.rebuilds);
     TAP_OK(after.kinetic < 0.9*before.kinetic, "periodic: they collide, %.0f %% of the energy is left", 100*after.kinetic/before.kinetic);
     /* 1000 spheres, some 1000 kicks of round-off 1e-16 each of a share of the sum: a random walk */
     TAP_NEAR(largest(after.p, before.p), 0.0, 1e-13*before.p_scale, "periodic: momentum is kept");
     /* the exact sum of the tally against that of this page */
-    TAP_NEAR(largest(t.momentum, after.p), 0.0, 1e-14*before.p_scale, "periodic: the tally tells it too");
+    TAP_NEAR(largest(t.momentum, after.p), 0.0, 1e-14*before.p_scale, "periodic: the tally has it too");
     dem_free(d);
 }
 
@@ -212,7 +212,7 @@ static void endless(void)
 static void wrapping(void)
 {
     const double v[3] = {3.1, 1.7, 2.3};
-    const struct dem_seed seed[3] =
+    const struct dem_new_particle seed[3] =
     {
         {.position = {1e-3, 1e-3, 1e-3}, .velocity = {3.1, 1.7, 2.3}, .diameter = 2e-3, .id = 0, .material = "glass"},
         {.position = {6e-3, 6e-3, 6e-3}, .velocity = {3.1, 1.7, 2.3}, .diameter = 2e-3, .id = 1, .material = "glass"},
@@ -225,7 +225,7 @@ static void wrapping(void)
 
     world_run(d, 1.0);                                    /* 250 boxes along x */
     const struct world_particle a = world_at(d, 0), b = world_at(d, 1), c = world_at(d, 2);
-    const struct dem_tally t = world_tally(d);
+    const struct dem_totals t = world_tally(d);
 
     /* no force at all: bit for bit */
     TAP_OK(memcmp(a.v, v, sizeof v) == 0, "wrapping: a free sphere keeps its velocity to the last bit");

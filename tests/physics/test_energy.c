@@ -1,10 +1,10 @@
 /*
- * Claims of the ledger of energy against closed forms: an elastic bounce closes to the second order of the step while it lasts; a
- * damped one turns (1 - e^2) of its energy to heat, a plastic one the loop of its law; a sphere that slides till it rolls
- * rubs away 1/7 of m v^2, one that rolls to rest all it has; friction loaded step by step never gives energy; a bond that
- * breaks loses what it held; what a belt gives is motion and heat, half and half; a shaken bed turns to heat what the shaker
- * gives; drag takes the kinetic energy, or a fluid gives twice what it leaves; who leaves the domain takes its energy along;
- * a heap settles with a residual below 1e-3 of its fall that falls with the step; a run that loads a state goes on from its energies.
+ * Claims of the energy balance against closed forms: an elastic bounce closes to second order in the time step; a damped one
+ * dissipates (1 - e^2) of its energy, a plastic one the loop of its law; a sphere that slides until it rolls dissipates 1/7 of m v^2,
+ * one that rolls to rest all of its energy; incremental friction never gives energy; a breaking bond loses its elastic energy; the
+ * work of a belt is half motion and half dissipation; a shaken bed dissipates the work of the shaker; drag takes the kinetic energy,
+ * or the fluid does twice the work that remains; particles that leave the domain take their energy along; a settling heap closes to
+ * 1e-3 of the work of gravity, less with smaller steps; a restarted run continues from its energies.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -17,13 +17,13 @@ static const double R = 1e-3, rho = 2500.0, E = 1e7, nu = 0.3;
 static const char glass[] = "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }";
 static const char floor_at_0[] = "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }";
 
-static struct dem_seed ball(double x, double z, double vx, double vz)
+static struct dem_new_particle ball(double x, double z, double vx, double vz)
 {
-    return (struct dem_seed){.position = {x, 0.0, z}, .velocity = {vx, 0.0, vz}, .diameter = 2.0*R, .id = -1, .material = "glass"};
+    return (struct dem_new_particle){.position = {x, 0.0, z}, .velocity = {vx, 0.0, vz}, .diameter = 2.0*R, .id = -1, .material = "glass"};
 }
 
 /* One sphere over the floor, or whatever `more` puts there. */
-static struct dem *one(const char *effects, const char *more, double step, struct dem_seed seed)
+static struct dem *one(const char *effects, const char *more, double step, struct dem_new_particle seed)
 {
     char *const scene = world_text("%s effects { %s } %s time { step %.17g; force yes; }", glass, effects, more, step);
     struct dem *const d = energy_world(scene, 1, &seed);
@@ -81,7 +81,7 @@ static void bounces(void)
     coarse = worst_of_bounce("hertz {} dry { restitution 0.8; }", tc/200.0, &term, "lost_dry");
     fine = worst_of_bounce("hertz {} dry { restitution 0.8; }", tc/400.0, &term, "lost_dry");
     TAP_OK(coarse > 1.7*fine && coarse < 2.3*fine, "e = 0.8: residual %.3g, %.3g at half the step: first order", coarse, fine);
-    TAP_NEAR(term/kinetic, 1.0 - 0.64, 1e-3, "e = 0.8: lost 1 - e^2");      /* e itself is 1e-4 off at t_c/400, README section 4 */
+    TAP_NEAR(term/kinetic, 1.0 - 0.64, 1e-3, "e = 0.8: lost 1 - e^2");      /* e itself is 1e-4 off at t_c/400, docs/theory-contact.md */
 
     /* first loading by k takes all of it to d = v sqrt(m/k); k_2 gives back k/k_2 of it, k_2 = k + (k_m - k) d/d_lim */
     const double k = 1000.0, d_max = sqrt(mass()/k), d_lim = 4.0/3.0*0.05*2.0*R, k_2 = k*(1.0 + 3.0*d_max/d_lim);
@@ -136,7 +136,7 @@ static void slides_and_rolls(void)
     dem_free(d);
 
     /* 7/10 m v^2; mindlin holds it to rolling without slip */
-    struct dem_seed rolling = ball(0.0, R - sinking(), 0.05, 0.0);
+    struct dem_new_particle rolling = ball(0.0, R - sinking(), 0.05, 0.0);
 
     rolling.spin[1] = 0.05/(R - sinking());
     d = one("gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.5; } rollingConstant { friction 0.02; }",
@@ -173,7 +173,7 @@ static void bond(void)
 {
     /* A = pi r_b^2, stiffness k_n A; it breaks at a stress of sigma: (sigma A)^2/(2 k_n A) */
     const double k_n = 1e9, sigma = 1e4, A = world_pi*R*R, held = sigma*sigma*A/(2.0*k_n);
-    struct dem_seed pair[2] = {ball(-R, 0.0, -0.2, 0.0), ball(R, 0.0, 0.2, 0.0)};
+    struct dem_new_particle pair[2] = {ball(-R, 0.0, -0.2, 0.0), ball(R, 0.0, 0.2, 0.0)};
     char *const scene = world_text("%s effects { hertz {} bondLinear { normalStiffness %g; shearStiffness %g; normalStrength %g; breakDistance 1.5; } } "
                                    "time { step 1e-7; }", glass, k_n, k_n, sigma);
     struct dem *const d = energy_world(scene, 2, pair);
@@ -306,9 +306,9 @@ static void goes_on(void)
         WORLD_TRY(dem_load(d, file));
         if (watched)
         {
-            WORLD_TRY(dem_energy_watch(d));
+            WORLD_TRY(dem_energy_enable(d));
         }
-        WORLD_TRY(dem_ready(d));
+        WORLD_TRY(dem_setup(d));
         if (watched)
         {
             TAP_NEAR(energy_term(d, "elastic_hertz"), elastic, 1e-12*elastic, "loaded: contacts hold what they held");
@@ -317,7 +317,7 @@ static void goes_on(void)
             TAP_OK(energy_term(d, "lost_dry") == 0.0 && energy_term(d, "residual") == 0.0, "and it begins anew");
         }
         world_run(d, 0.02);
-        TAP_OK(world_hash(d) == hash, "the same bits %s the ledger", watched ? "with" : "without");
+        TAP_OK(world_hash(d) == hash, "the same bits %s the energy balance", watched ? "with" : "without");
         if (watched)
         {
             TAP_OK(fabs(energy_term(d, "residual")) < 2e-3*energy_term(d, "work_walls"), "residual %.2g of the walls' work",
@@ -331,14 +331,14 @@ static void goes_on(void)
 static void order_of_calls(void)
 {
     const struct dem_energy_item *item;
-    const struct dem_seed seed = ball(0.0, 1.0, 0.0, 0.0);
+    const struct dem_new_particle seed = ball(0.0, 1.0, 0.0, 0.0);
     char *const scene = world_text("%s effects { hertz {} }", glass);
     struct dem *const d = world(scene, 1, &seed);
     double since;
     int n;
 
-    TAP_OK(dem_energy_watch(d) != 0 && strstr(dem_error_text(), "before dem_check"), "too late: %s", dem_error_text());
-    TAP_OK(dem_energy(d, &since, &n, &item) != 0 && strstr(dem_error_text(), "dem_energy_watch"), "not asked for: %s", dem_error_text());
+    TAP_OK(dem_energy_enable(d) != 0 && strstr(dem_error_text(), "before dem_check"), "too late: %s", dem_error_text());
+    TAP_OK(dem_energy(d, &since, &n, &item) != 0 && strstr(dem_error_text(), "dem_energy_enable"), "not asked for: %s", dem_error_text());
     dem_free(d);
     free(scene);
 }

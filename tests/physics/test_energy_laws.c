@@ -1,26 +1,25 @@
 /*
- * Claims: the ledger closes for every law of contact in a crowd that collides: what the motion loses is what the laws say
- * they hold and turn to heat; what is left over is small, and falls with the step, twice for dashpots and jumps and four
- * times where all is elastic.
+ * Claims: the energy balance closes for every contact law among many colliding spheres: the loss of kinetic energy is what the laws
+ * report as stored and dissipated. The residual is small and falls with the step: by 2 for dashpots and jumps, by 4 where all is elastic.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "physics/energy.h"
 
-#include "base/random.h"
+#include "core/random.h"
 
 enum
 {
     SIDE = 5, N = SIDE*SIDE*SIDE
 };
 
-static void swarm(struct dem_seed *seed, double pitch, double speed)
+static void swarm(struct dem_new_particle *seed, double pitch, double speed)
 {
     for (int k = 0; k < N; k++)
     {
         const int at[3] = {k%SIDE, k/SIDE%SIDE, k/(SIDE*SIDE)};
 
-        seed[k] = (struct dem_seed){.diameter = 2e-3*(1.0 - 0.2*dem_random_unit(3, (uint64_t)k, 2, 0)), .id = k, .material = "glass"};
+        seed[k] = (struct dem_new_particle){.diameter = 2e-3*(1.0 - 0.2*dem_random_unit(3, (uint64_t)k, 2, 0)), .id = k, .material = "glass"};
         for (int a = 0; a < 3; a++)
         {
             seed[k].position[a] = pitch*(at[a] + 0.5);
@@ -80,7 +79,7 @@ static const struct crowd crowds[] = {
 /* Share of the kinetic energy at the start: the largest residual of 20 looks, and what is watched. */
 static double run(const struct crowd *w, double step, double *watched)
 {
-    static struct dem_seed seed[N];
+    static struct dem_new_particle seed[N];
     char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { %s } "
                                    "domain { min (0 0 0); max (0.0105 0.0105 0.0105); periodic (x y z); } time { step %.17g; }",
                                    w->effects, step);

@@ -1,9 +1,9 @@
 /*
- * Claims: where contacts end with springs that still hold something, and where dashpots brake what turns more lightly than it moves, the
- * ledger of energy closes: a sphere that sticks all through an impact while friction's spring, or that of rolling, goes a quarter of a
- * swing loses all that it had of slip or spin; oblique impacts with damping and friction, of a pair of two sizes, and of a bubble whose added
- * mass does not turn, lose in motion what is booked, to an error that falls with the step; so do impacts with resistance to rolling and
- * twisting, bonds that break in the step that makes them, and a sphere that rolls to rest on a damped spring.
+ * Claims: the energy balance closes where contacts end with loaded springs, and where dashpots act on a rotation of small inertia. A
+ * sphere that sticks during an impact of a quarter period of the friction or rolling spring loses all energy of slip or spin. Oblique
+ * impacts with damping and friction, of two sizes and of a bubble whose added mass does not rotate, lose in motion what the balance
+ * reports, to an error that falls with the step; so do impacts with resistance to rolling and twisting, bonds that break in the step
+ * in which they are made, and a sphere that rolls to rest on a damped spring.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -17,7 +17,7 @@ struct scene
     double density;                                       /* kg/m3 */
 };
 
-static struct dem *start(const struct scene *s, double step, int n, const struct dem_seed *seed)
+static struct dem *start(const struct scene *s, double step, int n, const struct dem_new_particle *seed)
 {
     char *const text = world_text("materials { glass { density %g; youngsModulus 1e7; poissonsRatio 0.3; } } effects { %s } %s "
                                   "time { step %.17g; force yes; }", s->density, s->effects, s->more, step);
@@ -50,7 +50,7 @@ static void quarter(const char *law, const char *term, int spins)
         residual[h] = lost[h] = 0.0;
         for (int phase = 0; phase < 8; phase++)
         {
-            const struct dem_seed seed = {.position = {0.0, 0.0, R + V*step*(phase + 0.5)/8.0}, .velocity = {spins ? 0.0 : U, 0.0, -V},
+            const struct dem_new_particle seed = {.position = {0.0, 0.0, R + V*step*(phase + 0.5)/8.0}, .velocity = {spins ? 0.0 : U, 0.0, -V},
                                           .spin = {0.0, spins ? U/R : 0.0, 0.0}, .diameter = 2.0*R, .id = -1, .material = "glass"};
             struct dem *const d = start(&s, step, 1, &seed);
 
@@ -82,7 +82,7 @@ static void impacts(const struct scene *s, double step, double other, double res
     for (int angle = 5; angle <= 65; angle += 5)
     {
         const double a = angle*world_pi/180.0, phase = (n*0.618034 - floor(n*0.618034))*step;
-        const struct dem_seed seed[2] = {{.position = {0.0, 0.0, R + phase}, .velocity = {sin(a), 0.0, -cos(a)}, .spin = {200.0, -100.0, 300.0},
+        const struct dem_new_particle seed[2] = {{.position = {0.0, 0.0, R + phase}, .velocity = {sin(a), 0.0, -cos(a)}, .spin = {200.0, -100.0, 300.0},
                                           .diameter = 2.0*R, .id = -1, .material = "glass"},
                                          {.position = {0.0, 0.0, -other}, .diameter = 2.0*other, .id = -1, .material = "glass"}};
         struct dem *const d = start(s, step, other > 0.0 ? 2 : 1, seed);
@@ -119,7 +119,7 @@ static double rolls(double step, double *lost)
     const struct scene s = {"gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.5; } "
                             "rollingSpring { friction 0.05; damping 0.3; }", "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }", 2500.0};
     const double m = world_ball(R, s.density), sinks = pow(m*9.81/(4.0/3.0*0.5*E/(1.0 - nu*nu)*sqrt(R)), 2.0/3.0), v = 0.05;
-    const struct dem_seed seed = {.position = {0.0, 0.0, R - sinks}, .velocity = {v, 0.0, 0.0}, .spin = {0.0, v/(R - sinks), 0.0},
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, R - sinks}, .velocity = {v, 0.0, 0.0}, .spin = {0.0, v/(R - sinks), 0.0},
                                   .diameter = 2.0*R, .id = -1, .material = "glass"};
     struct dem *const d = start(&s, step, 1, &seed);
     const double before = moves(d);

@@ -1,14 +1,13 @@
 /*
- * Claims: on a flat axis all centres stay in the middle plane with every bit, without velocity across it or spin out of it, in a vessel
- * of crooked triangles and under gravity across the plane, too; in the plane they move as spheres that nothing drives out of it: the
- * same bits as in three dimensions between planes. A run that goes on from a snapshot has the bits of the straight one, and the ledger
- * of energy closes as it does in three dimensions.
+ * Claims: on a flat axis all centres stay exactly in the middle plane, without velocity across it or spin out of it, also in a
+ * container of irregular triangles and under gravity across the plane. In the plane they have the same bits as in three dimensions
+ * between planes. A restarted run has the bits of the straight one, and the energy balance closes as in three dimensions.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "physics/energy.h"
 
-#include "base/random.h"
+#include "core/random.h"
 
 enum
 {
@@ -20,16 +19,16 @@ static const char *const physics =
     "effects { gravity { acceleration (0 -9.81 %g); } hertz {} dry { restitution 0.8; } mindlin { friction 0.4; } }"
     "time { step 5e-6; }";
 
-static struct dem_seed seed[N];
+static struct dem_new_particle seed[N];
 
 /* rows in a disc of 12 mm, thrown about, in the plane z = 0.3 mm */
 static void fill(void)
 {
     for (int i = 0; i < N; i++)
     {
-        struct dem_seed *const s = &seed[i];
+        struct dem_new_particle *const s = &seed[i];
 
-        *s = (struct dem_seed){.position = {-4.2e-3 + 1.2e-3*(i%8), -4.2e-3 + 1.2e-3*(i/8), 3e-4}, .diameter = 1e-3, .id = i, .material = "glass"};
+        *s = (struct dem_new_particle){.position = {-4.2e-3 + 1.2e-3*(i%8), -4.2e-3 + 1.2e-3*(i/8), 3e-4}, .diameter = 1e-3, .id = i, .material = "glass"};
         for (int k = 0; k < 2; k++)
         {
             s->velocity[k] = 0.4*(dem_random_unit(1, (uint64_t)i, 0, (uint64_t)k) - 0.5);
@@ -63,9 +62,9 @@ static struct dem *tube(const char *domain, double across)
     struct dem *const d = world_begin(text);
 
     add_tube(d);
-    WORLD_TRY(dem_energy_watch(d));
+    WORLD_TRY(dem_energy_enable(d));
     WORLD_TRY(dem_add_particles(d, N, seed));
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     return d;
 }
 
@@ -110,7 +109,7 @@ int main(void)
     world_run(flat, 0.1);
     TAP_OK(off_plane(flat, 0.5*(-1e-4 + 7e-4)) == 0.0, "in a crooked tube, pulled across, all stay in the plane with every bit");
     TAP_OK(world_at(flat, 0).x[1] < -3.5e-3, "they have fallen");
-    TAP_OK(fabs(energy_term(flat, "residual")) <= 1e-3*fabs(energy_term(flat, "gravity")), "the ledger of energy closes");      /* 1.8e-4, as in three dimensions */
+    TAP_OK(fabs(energy_term(flat, "residual")) <= 1e-3*fabs(energy_term(flat, "gravity")), "the energy balance closes");      /* 1.8e-4, as in three dimensions */
 
     WORLD_TRY(dem_save(flat, "flat.dem"));
     world_run(flat, 0.02);
@@ -118,10 +117,10 @@ int main(void)
 
     add_tube(again);
     WORLD_TRY(dem_load(again, "flat.dem"));
-    WORLD_TRY(dem_ready(again));
+    WORLD_TRY(dem_setup(again));
     world_run(again, 0.02);
     remove("flat.dem");
-    TAP_OK(apart(flat, again) == 0.0, "goes on from a snapshot with the same bits");
+    TAP_OK(apart(flat, again) == 0.0, "continues from a snapshot with the same bits");
 
     /* planes turn nothing out of the plane: what is flat is what three dimensions do */
     const char *const box = "walls { box { type box; min (-6e-3 -6e-3 -1); max (6e-3 6e-3 1); } }";

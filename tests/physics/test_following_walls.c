@@ -50,7 +50,7 @@ static double rest_height(void)
 }
 
 /* begun at `time`, where the floor may have moved already; from a snapshot or with a sphere */
-static struct dem *begin(struct floor *f, const char *more, const struct dem_seed *seed, double time, const char *snapshot)
+static struct dem *begin(struct floor *f, const char *more, const struct dem_new_particle *seed, double time, const char *snapshot)
 {
     char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } rigid { density 1;"
                                    " youngsModulus 1e30; } } effects { hertz {} dry { restitution 0.3; } mindlin { friction 0.2; }"
@@ -71,7 +71,7 @@ static struct dem *begin(struct floor *f, const char *more, const struct dem_see
     {
         WORLD_TRY(dem_add_particles(d, 1, seed));
     }
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     free(scene);
     return d;
 }
@@ -138,7 +138,7 @@ static void creeps(double t, const double new[3], double now[3])
 
 static void ride(void (*how)(double, const double *, double *), double x, double y, const char *what)
 {
-    const struct dem_seed seed = {.position = {x, y, rest_height()}, .diameter = 2.0*R, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {x, y, rest_height()}, .diameter = 2.0*R, .material = "glass"};
     struct floor f = make_floor(0.018, 3e-3, how);
     struct dem *const d = begin(&f, "", &seed, 0.0, NULL);
     double force[3];
@@ -150,7 +150,7 @@ static void ride(void (*how)(double, const double *, double *), double x, double
     world_wall(d, "floor", force);
     /* the knock at the start has rung down: bounces at 0.05 m/s with restitution 0.3 last 5 ms */
     TAP_NEAR(p.v[2], 0.05, 1e-6*0.05, "%s: it has the floor's velocity", what);
-    TAP_NEAR(p.x[2], 0.002 + rest_height(), 1e-10, "%s: and its place", what);
+    TAP_NEAR(p.x[2], 0.002 + rest_height(), 1e-10, "%s: and its position", what);
     TAP_NEAR(force[2], -m*g, 1e-6*m*g, "%s: and presses with its weight", what);
     TAP_OK(world_tally(d).contacts == 1, "%s: in one contact", what);
     dem_free(d);
@@ -162,7 +162,7 @@ static void belt(void)
 {
     static const double V = 0.1, mu = 0.2;
     const double slides = window*floor(V/(3.5*mu*g)/window);
-    const struct dem_seed seed = {.position = {0.0, 0.0, rest_height()}, .diameter = 2.0*R, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, rest_height()}, .diameter = 2.0*R, .material = "glass"};
     struct floor f = make_floor(0.03, 5e-3, runs);
     struct dem *const d = begin(&f, "", &seed, 0.0, NULL);
 
@@ -177,7 +177,7 @@ static void belt(void)
 static void turntable(void)
 {
     static const double omega = 8.0, far = 0.01;
-    const struct dem_seed seed = {.position = {far, 0.0, rest_height()}, .velocity = {0.0, omega*far, 0.0}, .spin = {0.0, 0.0, omega},
+    const struct dem_new_particle seed = {.position = {far, 0.0, rest_height()}, .velocity = {0.0, omega*far, 0.0}, .spin = {0.0, 0.0, omega},
                                   .diameter = 2.0*R, .material = "glass"};
     struct floor f = make_floor(0.08, 2e-2, turns);
     struct dem *const d = begin(&f, "", &seed, 0.0, NULL);
@@ -198,7 +198,7 @@ static void turntable(void)
 /* friction on a sphere at 4 mm, while its spring holds */
 static double pulled(void (*how)(double, const double *, double *))
 {
-    const struct dem_seed seed = {.position = {4e-3, 0.0, rest_height()}, .diameter = 2.0*R, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {4e-3, 0.0, rest_height()}, .diameter = 2.0*R, .material = "glass"};
     struct floor f = make_floor(0.02, 0.05, how);
     struct dem *const d = begin(&f, "", &seed, 0.0, NULL);
 
@@ -232,7 +232,7 @@ static void wanders(double t, const double new[3], double now[3])
 
 static uint64_t wander(const char *more, double stop)
 {
-    const struct dem_seed seed = {.position = {3e-3, 1e-3, rest_height()}, .velocity = {0.02, 0.05, 0.0}, .diameter = 2.0*R, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {3e-3, 1e-3, rest_height()}, .velocity = {0.02, 0.05, 0.0}, .diameter = 2.0*R, .material = "glass"};
     const char *const file = "/tmp/test_following_walls.dem";
     struct floor f = make_floor(0.018, 3e-3, wanders);
     struct dem *d = begin(&f, more, &seed, 0.0, NULL);
@@ -260,12 +260,12 @@ static uint64_t wander(const char *more, double stop)
 
 static void refusals(void)
 {
-    const struct dem_seed seed = {.position = {0.0, 0.0, 2.0*R}, .diameter = 2.0*R, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, 2.0*R}, .diameter = 2.0*R, .material = "glass"};
     struct floor f = make_floor(0.02, 5e-3, rises);
     struct dem *const d = begin(&f, "", &seed, 0.0, NULL);
 
     place(&f, 0.01);
-    TAP_OK(dem_wall_move(d, "floor", (int64_t)f.now.n - 1, f.now.corner) && strstr(dem_error_text(), "may move, but not change"),
+    TAP_OK(dem_wall_move(d, "floor", (int64_t)f.now.n - 1, f.now.corner) && strstr(dem_error_text(), "its faces must stay the same"),
            "another number of triangles is refused: %s", dem_error_text());
     TAP_OK(dem_wall_move(d, "flor", (int64_t)f.now.n, f.now.corner) && strstr(dem_error_text(), "no wall flor"), "and a wall that is none");
     f.now.corner[7] = NAN;
@@ -282,7 +282,7 @@ int main(void)
 {
     TAP_TRAPS;
     ride(rises, 0.0, 0.0, "on a floor that rises");
-    ride(rises, 1.7e-3, -3.1e-3, "on another place of it");
+    ride(rises, 1.7e-3, -3.1e-3, "at another point of it");
     ride(bulges, 0.5e-3, 1e-3, "on a part that rises");
     belt();
     turntable();

@@ -99,7 +99,7 @@ static void stokes_counts_once(void)
                                 "insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }";
     struct dem *const d = world_begin(scene);
 
-    TAP_OK(dem_ready(d) && strstr(dem_error_text(), "addedMass"), "counted twice is refused: %s", dem_error_text());
+    TAP_OK(dem_setup(d) && strstr(dem_error_text(), "addedMass"), "counted twice is refused: %s", dem_error_text());
     dem_free(d);
 }
 
@@ -175,7 +175,7 @@ static void give(struct dem *d, int k, struct dem_fluid *f)
         f->void_fraction[i] = 0.9 - 0.08*k;
         f->density[i] = 1000.0 + 20.0*k;
         f->viscosity[i] = 1e-3;
-        f->counterflow[i] = 1.0/(f->void_fraction[i]*f->void_fraction[i]);
+        f->slip_factor[i] = 1.0/(f->void_fraction[i]*f->void_fraction[i]);
     }
 }
 
@@ -188,7 +188,7 @@ static void exchanges(double density)
     struct dem *const d = world_begin(scene);
     double got[3] = {0.0, 0.0, 0.0}, owed[3] = {0.0, 0.0, 0.0}, size = 0.0, worst = 0.0;
 
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     for (int k = 0; k < 7; k++)
     {
         struct dem_fluid f;
@@ -205,7 +205,7 @@ static void exchanges(double density)
         }
         WORLD_TRY(dem_fluid_correct(d, velocity, gradient));
         WORLD_TRY(dem_fluid(d, &f));
-        owed[0] = f.pending[0] + f.pending[3], owed[1] = f.pending[1] + f.pending[4], owed[2] = f.pending[2] + f.pending[5];
+        owed[0] = f.carried_over_impulse[0] + f.carried_over_impulse[3], owed[1] = f.carried_over_impulse[1] + f.carried_over_impulse[4], owed[2] = f.carried_over_impulse[2] + f.carried_over_impulse[5];
         for (int i = 0; i < 3; i++)
         {
             const double has = world_at(d, 0).mass*world_at(d, 0).v[i] + world_at(d, 1).mass*world_at(d, 1).v[i];
@@ -214,13 +214,13 @@ static void exchanges(double density)
         }
     }
     /* rounding of 140 kicks of 1e-4 of the sum */
-    TAP_NEAR(worst/size, 0.0, 1e-14, "%g kg/m3: the fluid gets what particles have and are owed, while added mass changes", density);
+    TAP_NEAR(worst/size, 0.0, 1e-14, "%g kg/m3: the fluid gets the momentum of the particles and the carried-over impulse, while added mass changes", density);
     free(scene);
     dem_free(d);
 }
 
 /* In a fluid at rest with Stokes' drag slip fades as exp(-t/tau), tau = (rho_p + rho/2) d^2/(18 mu): of a bubble 400 times as long with added
-   mass as without. What a program is told of it is that rate, whatever the void fraction and the counterflow; a frozen one has none. */
+   mass as without. What a program is told of it is that rate, whatever the void fraction and the slip factor; a frozen one has none. */
 static void relaxes(double density, const char *added, double extra)
 {
     const double window = 1e-6, d = 1e-3, mu = 1e-3, rate = 18.0*mu/((density + extra)*d*d);
@@ -230,12 +230,12 @@ static void relaxes(double density, const char *added, double extra)
     struct dem *const run = world_begin(scene);
     struct dem_fluid f;
 
-    WORLD_TRY(dem_ready(run));
+    WORLD_TRY(dem_setup(run));
     TAP_OK(dem_fluid_relaxation(run) == 0.0, "%g kg/m3 %s: nothing is known before the first window", density, added);
     WORLD_TRY(dem_fluid(run, &f));
     for (size_t i = 0; i < 2; i++)
     {
-        f.void_fraction[i] = 1.0, f.density[i] = 1000.0, f.viscosity[i] = mu, f.counterflow[i] = 1.0;
+        f.void_fraction[i] = 1.0, f.density[i] = 1000.0, f.viscosity[i] = mu, f.slip_factor[i] = 1.0;
         for (size_t k = 3*i; k < 3*i + 3; k++)
         {
             f.velocity[k] = f.pressure_gradient[k] = 0.0;

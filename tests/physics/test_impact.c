@@ -39,7 +39,7 @@ static double contact_time(const struct impact *i)
 static struct dem *start(const struct impact *i, double step, const char *damping)
 {
     const double approach = i->wall ? i->speed : 2.0*i->speed;
-    struct dem_seed seed[2*PHASES];
+    struct dem_new_particle seed[2*PHASES];
     int n = 0;
 
     memset(seed, 0, sizeof seed);
@@ -49,7 +49,7 @@ static struct dem *start(const struct impact *i, double step, const char *dampin
 
         for (int s = 0; s < (i->wall ? 1 : 2); s++, n++)
         {
-            seed[n] = (struct dem_seed){.position = {0.0, y, s ? -i->radius - gap : i->radius}, .diameter = 2.0*i->radius,
+            seed[n] = (struct dem_new_particle){.position = {0.0, y, s ? -i->radius - gap : i->radius}, .diameter = 2.0*i->radius,
                                         .id = n, .material = "ball"};
             seed[n].velocity[2] = s ? i->speed : -i->speed;
             seed[n].position[2] += i->wall ? gap : 0.0;
@@ -82,7 +82,7 @@ static struct outcome run(const struct impact *i, double step, const char *dampi
     for (int k = 0; k < 100000; k++)
     {
         world_step(d);
-        const struct dem_tally t = world_tally(d);
+        const struct dem_totals t = world_tally(d);
         const struct world_particle p = world_at(d, 0);
         const double overlap = i->wall ? p.radius - p.x[2] : 2.0*p.radius - p.x[2] + world_at(d, 1).x[2];
 

@@ -340,13 +340,13 @@ static void test_settled(void)
                                 "insert { bed { type random; solidFraction 0.4; diameter 1e-3; min (0 0 0); max (0.008 0.008 0.0164); } }", 0, NULL);
     double solid = 0.0, top = 0.0;
     int64_t moving;
-    struct dem_tally t;
+    struct dem_totals t;
 
     for (int k = 0; k < 60; k++)
     {
         world_run(w, 0.005);
-        WORLD_TRY(dem_tally(w, &t));
-        WORLD_TRY(dem_moving(w, 1e-5*t.fall/(double)t.particles, &moving));
+        WORLD_TRY(dem_totals(w, &t));
+        WORLD_TRY(dem_count_moving(w, 1e-5*t.fall_energy/(double)t.particles, &moving));
         if (moving < t.particles/100)
         {
             break;

@@ -21,7 +21,7 @@ static double loss(void)
 
 static struct dem *pair(double gap, double speed, double step)
 {
-    const struct dem_seed seed[2] = {{.position = {0, 0, 0}, .velocity = {0.5*speed, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "clay"},
+    const struct dem_new_particle seed[2] = {{.position = {0, 0, 0}, .velocity = {0.5*speed, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "clay"},
                                      {.position = {2.0*R + gap, 0, 0}, .velocity = {-0.5*speed, 0, 0}, .diameter = 2.0*R, .id = 1, .material = "clay"}};
     char *const scene = world_text("materials { clay { density %g; youngsModulus %g; poissonsRatio 0.3; } }"
                                    "effects { hertz { } jkr { workOfAdhesion %g; } } time { step %g; }", density, E, w, step);
@@ -76,7 +76,7 @@ static void met(double times)
     const double before = world_tally(d).kinetic;
 
     world_run(d, 4e-3);
-    const struct dem_tally t = world_tally(d);
+    const struct dem_totals t = world_tally(d);
     const double left = t.kinetic/before;
 
     if (times > 1.0)
@@ -104,7 +104,7 @@ static void dragged(const char *law, const char *more, double hertz)
     const double a = pow(world_pi*w*R*R/(8.0*reduced()), 1.0/3.0), x = pow(6.0, 1.0/3.0), d0 = a*a/R*(x*x*x*x - 4.0*x);
     const double m = world_ball(R, density), mu = 0.3, pulloff = 1.5*world_pi*w*R;
     const double push = 4.0/3.0*reduced()*sqrt(R)*pow(d0, 1.5), limit = mu*(hertz*push + (1.0 - hertz)*2.0*pulloff);
-    const struct dem_seed seed = {.position = {0, 0, R - d0}, .diameter = 2.0*R, .id = 0, .material = "clay"};
+    const struct dem_new_particle seed = {.position = {0, 0, R - d0}, .diameter = 2.0*R, .id = 0, .material = "clay"};
     char *const scene = world_text("materials { clay { density %g; youngsModulus %g; poissonsRatio 0.3; } }"
                                    "effects { hertz { } jkr { workOfAdhesion %g; } %s { friction %g; tangentialDamping no; %s } }"
                                    "walls { belt { type plane; point (0 0 0); normal (0 0 1); surfaceVelocity (10 0 0); } }"

@@ -12,7 +12,7 @@
 static const double mu = 0.02, roughness = 2e-6, cut_off = 1e-4;
 static const double six_pi = 18.8495559215387594;
 
-static struct dem *film(double step, const char *more, int n, const struct dem_seed *seed)
+static struct dem *film(double step, const char *more, int n, const struct dem_new_particle *seed)
 {
     char *const scene = world_text("materials { ball { density 2500; youngsModulus 1e8; } rigid { density 1; youngsModulus 1e30; } }"
                                    "effects { lubrication { viscosity %.17g; roughness %.17g; cutOff %.17g; } }"
@@ -33,12 +33,12 @@ static double stopped_speed(double R, double m)
 static double approach(double step, int wall)
 {
     const double radius = 1e-3, other = 0.6e-3;
-    struct dem_seed seed[2] = {{.position = {0.0, 0.0, radius + 1.01*cut_off}, .velocity = {0.0, 0.0, -0.2},
+    struct dem_new_particle seed[2] = {{.position = {0.0, 0.0, radius + 1.01*cut_off}, .velocity = {0.0, 0.0, -0.2},
                                 .diameter = 2.0*radius, .id = 0, .material = "ball"},
                                {.position = {0.0, 0.0, -other}, .diameter = 2.0*other, .id = 1, .material = "ball"}};
     struct dem *const d = film(step, wall ? "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }" : "",
                                wall ? 1 : 2, seed);
-    const struct dem_tally before = world_tally(d);
+    const struct dem_totals before = world_tally(d);
     double gap, v[2];
 
     do
@@ -50,7 +50,7 @@ static double approach(double step, int wall)
         v[0] = a.v[2];
         v[1] = wall ? 0.0 : b.v[2];
     } while (gap > roughness && v[0] < v[1]);
-    const struct dem_tally after = world_tally(d);
+    const struct dem_totals after = world_tally(d);
     double kinetic = 0.0;
 
     for (int k = 0; k < (wall ? 1 : 2); k++)              /* the books are ahead by the half kick that is still to come */
@@ -86,7 +86,7 @@ static void squeezed(int wall)
 static void sinking(void)
 {
     const double radius = 1e-3, g = 9.81, thick = 0.2, m = world_ball(radius, 2500.0), start = 5e-5;
-    const struct dem_seed seed = {.position = {0.0, 0.0, radius + start}, .diameter = 2.0*radius, .id = 0, .material = "ball"};
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, radius + start}, .diameter = 2.0*radius, .id = 0, .material = "ball"};
     char *const scene = world_text("materials { ball { density 2500; youngsModulus 1e8; } }"
                                    "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
                                    "effects { gravity { acceleration (0 0 %g); } lubrication { viscosity %g; roughness 9e-6; cutOff %g; } }"
@@ -99,7 +99,7 @@ static void sinking(void)
         world_run(d, 1e-4);
         p = world_at(d, 0);
     } while (p.x[2] - radius > 1e-5);
-    const struct dem_tally t = world_tally(d);
+    const struct dem_totals t = world_tally(d);
     const double h = p.x[2] - radius, film_impulse = six_pi*thick*radius*radius*(log(start/h) - (start - h)/cut_off);
 
     TAP_OK(t.time > 0.02, "sinks from %g to %.3g um in %.3g s", start*1e6, h*1e6, t.time);
@@ -115,7 +115,7 @@ static void sinking(void)
 static double rebound(const char *contact, double modulus, double v)
 {
     const double radius = 1e-3, start = 1.01*cut_off;
-    const struct dem_seed seed = {.position = {0.0, 0.0, radius + start}, .velocity = {0.0, 0.0, -v}, .diameter = 2.0*radius, .id = 0,
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, radius + start}, .velocity = {0.0, 0.0, -v}, .diameter = 2.0*radius, .id = 0,
                                   .material = "ball"};
     char *const scene = world_text("materials { ball { density 2500; youngsModulus %g; } rigid { density 1; youngsModulus 1e30; } }"
                                    "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }"
@@ -195,6 +195,6 @@ int main(void)
     TAP_OK(cloud("innerSkin 0.005; outerSkin 0.1;", 0.01, &kinetic, &most) == usual, "narrow skins: the same bits");
     TAP_OK(cloud("innerSkin 0.3; outerSkin 0.3;", 0.01, &kinetic, &most) == usual, "wide skins: the same bits");
     cloud("", 1e6, &thick, &most);
-    TAP_OK(thick < kinetic && most < 1.16, "in pitch at a step far too long: %.3g J, nobody is faster than at the start", thick);
+    TAP_OK(thick < kinetic && most < 1.16, "in pitch at a step far too long: %.3g J, no particle is faster than at the start", thick);
     TAP_DONE;
 }

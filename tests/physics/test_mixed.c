@@ -21,7 +21,7 @@ enum
 };
 
 /* a cube of spheres that nearly touch, thrown into disorder, its corner at `at` along all axes */
-static void throw(struct dem_seed *seed, double at)
+static void throw(struct dem_new_particle *seed, double at)
 {
     unsigned long long state = 7;
 
@@ -29,7 +29,7 @@ static void throw(struct dem_seed *seed, double at)
     {
         const double x[3] = {k%SIDE, k/SIDE%SIDE, k/SIDE/SIDE};
 
-        seed[k] = (struct dem_seed){.diameter = 1e-3, .material = "glass", .id = k};
+        seed[k] = (struct dem_new_particle){.diameter = 1e-3, .material = "glass", .id = k};
         for (int m = 0; m < 3; m++)
         {
             state = state*6364136223846793005ULL + 1442695040888963407ULL;
@@ -44,7 +44,7 @@ static void throw(struct dem_seed *seed, double at)
 static void impact(int mixed, double out[2])
 {
     char *const text = world_text(laws, "", "", precisions[mixed]);
-    const struct dem_seed seed[2] = {{.diameter = 1e-3, .material = "glass", .id = 0, .position = {0.0, 0.0, 0.0}},
+    const struct dem_new_particle seed[2] = {{.diameter = 1e-3, .material = "glass", .id = 0, .position = {0.0, 0.0, 0.0}},
                                      {.diameter = 1e-3, .material = "glass", .id = 1, .position = {0.0, 0.0, 1.01e-3}, .velocity = {0.5, 0.0, -0.8660254}}};
     struct dem *const d = world(text, 2, seed);
 
@@ -59,7 +59,7 @@ static void impact(int mixed, double out[2])
 static void cloud(int mixed, double at, double duration, double momentum[3], double (*x)[3])
 {
     char *const text = world_text(laws, "", "", precisions[mixed]);
-    struct dem_seed seed[CLOUD];
+    struct dem_new_particle seed[CLOUD];
 
     throw(seed, at);
     struct dem *const d = world(text, CLOUD, seed);
@@ -110,12 +110,12 @@ static void column(void)
     char *const text = world_text("materials { glass { density 2500; youngsModulus 5e6; poissonsRatio 0.25; } } "
                                   "effects { hertz {} dry { restitution 0.1; } mindlin { friction 0.3; } gravity { acceleration (0 0 -9.81); } } "
                                   "walls { floor { type plane; point (0 0 0); normal (0 0 1); } } time { step 5e-6; precision mixed; }");
-    struct dem_seed seed[10];
+    struct dem_new_particle seed[10];
     double worst = 0.0;
 
     for (int k = 0; k < 10; k++)
     {
-        seed[k] = (struct dem_seed){.diameter = 1e-3, .material = "glass", .id = k, .position = {0.0, 0.0, 0.5e-3 + 1e-3*k}};
+        seed[k] = (struct dem_new_particle){.diameter = 1e-3, .material = "glass", .id = k, .position = {0.0, 0.0, 0.5e-3 + 1e-3*k}};
     }
     struct dem *const d = world(text, 10, seed);
 

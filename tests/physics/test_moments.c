@@ -46,7 +46,7 @@ static void collide(const double A[3][3], const char *law, struct world_particle
 {
     const double x[2][3] = {{0.0, 0.0, 0.0}, {1.2e-3, 0.4e-3, -0.85e-3}}, v[2][3] = {{0.3, 0.1, -0.2}, {-0.4, -0.15, 0.3}};
     const double w[2][3] = {{100.0, -300.0, 200.0}, {-150.0, 50.0, 400.0}};
-    struct dem_seed seed[2];
+    struct dem_new_particle seed[2];
 
     memset(seed, 0, sizeof seed);
     for (int i = 0; i < 2; i++)
@@ -120,7 +120,7 @@ static double rest_overlap(double pull)
 /* a sphere that rolls with `speed` along x on z = 0 for `time`; gravity leans by `angle` */
 static struct world_particle roll(const char *law, double speed, double angle, double time, int triangles)
 {
-    const struct dem_seed seed = {.position = {0.0, 0.0, R - rest_overlap(g*cos(angle))}, .diameter = 2.0*R, .material = "b",
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, R - rest_overlap(g*cos(angle))}, .diameter = 2.0*R, .material = "b",
                                   .velocity = {speed, 0.0, 0.0}, .spin = {0.0, speed/R, 0.0}};
     char *const scene = world_text("materials { b { density %g; youngsModulus %g; poissonsRatio 0.3; }"
                                    "rigid { density 1; youngsModulus 1e30; } } effects { hertz { impactSpeed 0.1; }"
@@ -134,7 +134,7 @@ static struct world_particle roll(const char *law, double speed, double angle, d
         mesh_add_floor(d, "floor", "rigid", -4.0*R, 40.0*R, 3.0*R);
     }
     WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     world_run(d, time);
     const struct world_particle p = world_at(d, 0);
 

@@ -1,13 +1,13 @@
 /*
- * A bed that moves as a whole costs no renewal of lists, and no contact is missed, whoever moves: a packing that flies ten diameters through
- * a periodic box has the contacts of one at rest and its lists are renewed as rarely; a bed that slides over a plane, over a floor of
- * triangles, under a wall that moves, or past a frozen row has the same bits with skins that tune themselves, with thin and with thick
- * ones. What is tuned depends on counts only: two runs have the same numbers of renewals and prunes.
+ * Claims: a bed that moves as a whole needs no extra rebuilds, and no contact is missed. A packing that flies ten diameters through
+ * a periodic box has the contacts of one at rest and as few rebuilds. A bed that slides over a plane, over triangles, under a moving
+ * wall or past a frozen row has the same bits with tuned, thin and thick skins. Skins are tuned by counts only, so two runs have the
+ * same number of rebuilds and prunes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "world.h"
-#include "base/random.h"
+#include "core/random.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -27,14 +27,14 @@ static const double BOX = 0.00792;                        /* m */
 /* 512 spheres of 1 mm at the corners of a lattice that overlaps by 1 %, in a periodic box of 8 of them; random shifts rattle them. */
 static struct dem *packing(double speed)
 {
-    static struct dem_seed seed[SIDE*SIDE*SIDE];
+    static struct dem_new_particle seed[SIDE*SIDE*SIDE];
     char *const scene = world_text(LAWS "domain { min (0 0 0); max (%g %g %g); periodic (x y z); }", "", BOX, BOX, BOX);
 
     for (int k = 0; k < SIDE*SIDE*SIDE; k++)
     {
         const int cell[3] = {k%SIDE, k/SIDE%SIDE, k/(SIDE*SIDE)};
 
-        seed[k] = (struct dem_seed){.diameter = 1e-3, .id = k, .material = "glass", .velocity = {speed, 0.7*speed, -0.4*speed}};
+        seed[k] = (struct dem_new_particle){.diameter = 1e-3, .id = k, .material = "glass", .velocity = {speed, 0.7*speed, -0.4*speed}};
         for (int a = 0; a < 3; a++)
         {
             seed[k].position[a] = BOX/SIDE*(cell[a] + 0.5) + 1e-5*(2.0*dem_random_unit(5, (uint64_t)k, 0, (uint64_t)a) - 1.0);
@@ -48,7 +48,7 @@ static struct dem *packing(double speed)
 
 static void fly(void)
 {
-    struct dem_tally rest, flight;
+    struct dem_totals rest, flight;
     struct dem *d = packing(0.0);
     const double duration = 0.01;                         /* 10 diameters at 1 m/s */
 
@@ -92,7 +92,7 @@ static void pass(const struct slide *s)
     static const char *const skins[] = {"neighbours { outerSkin 2; innerSkin 2; }", "neighbours { outerSkin 0.3; innerSkin 0.04; }",
                                         "neighbours { outerSkin 0.02; innerSkin 0.005; }", ""};
     enum { CASES = sizeof skins/sizeof *skins };
-    struct dem_tally t[CASES], again;
+    struct dem_totals t[CASES], again;
     uint64_t hash[CASES];
 
     for (int k = 0; k <= CASES; k++)

@@ -35,7 +35,7 @@ static double rest_height(void)
 
 static struct dem *one(const char *walls, const char *effects, const double x[3], const double v[3])
 {
-    struct dem_seed seed = {.diameter = 2.0*R, .material = "glass"};
+    struct dem_new_particle seed = {.diameter = 2.0*R, .material = "glass"};
     char *const scene = world_text("%s effects { hertz {} %s } walls { %s } time { step 4e-6; }", materials, effects, walls);
 
     memcpy(seed.position, x, sizeof seed.position);
@@ -70,7 +70,7 @@ static void belt(const char *shape, const char *moves, const char *what)
     TAP_NEAR(p.v[0] - p.w[1]*R, V, 5e-3*V, "%s: without slip", what);
     world_run(d, 0.05);
     p = world_at(d, 0);
-    TAP_NEAR(p.v[0], 2.0/7.0*V, 2e-3*V, "%s: and goes on so", what);
+    TAP_NEAR(p.v[0], 2.0/7.0*V, 2e-3*V, "%s: and stays so", what);
     TAP_NEAR(p.x[2], rest_height(), 1e-9, "%s: never lifted", what);
     free(walls);
     dem_free(d);
@@ -105,14 +105,14 @@ static void bounce(const char *shape, const char *moves, double V, const char *w
     struct dem *const d = one(walls, "", x, v);
     double force[3], twist[3];
 
-    WORLD_TRY(dem_wall_watch(d));
+    WORLD_TRY(dem_wall_impulse_reset(d));
     world_run(d, 0.008);
     const struct world_particle p = world_at(d, 0);
     const double m = world_ball(R, density);
 
     WORLD_TRY(dem_wall_impulse(d, 0, force, twist));
     TAP_OK(world_tally(d).contacts == 0, "%s: met and parted", what);
-    TAP_NEAR(p.v[2], 2.0*V - v0, 1e-3*fabs(v0), "%s: returns with 2 V - v", what);   /* t_c/20 and less: see README, accuracy */
+    TAP_NEAR(p.v[2], 2.0*V - v0, 1e-3*fabs(v0), "%s: returns with 2 V - v", what);   /* t_c/20 and less: see docs/theory-contact.md, accuracy */
     TAP_NEAR(force[2], -m*(p.v[2] - v0), 1e-12*m, "%s: the impulse on the wall is what the sphere has lost", what);
     TAP_NEAR(twist[0], 1e-3*force[2], 1e-9*m, "%s: and its moment", what);
     free(walls);
@@ -150,7 +150,7 @@ static void turntable(const char *shape, const char *what)
 {
     static const double omega = 8.0, far = 0.01;
     const double x[3] = {far, 0.0, rest_height()}, v[3] = {0.0, omega*far, 0.0}, turns = 3.0*2.0*world_pi/omega;
-    struct dem_seed seed = {.position = {x[0], x[1], x[2]}, .velocity = {v[0], v[1], v[2]}, .spin = {0.0, 0.0, omega}, .diameter = 2.0*R,
+    struct dem_new_particle seed = {.position = {x[0], x[1], x[2]}, .velocity = {v[0], v[1], v[2]}, .spin = {0.0, 0.0, omega}, .diameter = 2.0*R,
                             .material = "glass"};
     char *const scene = world_text("%s effects { hertz {} dry { restitution 0.5; } mindlin { friction 0.5; }"
                                    " gravity { acceleration (0 0 -9.81); } }"
@@ -202,7 +202,7 @@ static void drum(const char *shape, const char *what, double tolerance)
     static const double D = 0.02, omega = 3.0;
     const double r = D*R/(D - R), x[3] = {0.0, 0.0, -D + R - overlap_of(world_ball(R, density)*g, sqrt(r*R))};
     const double spin = omega*D/R;
-    struct dem_seed seed = {.position = {x[0], x[1], x[2]}, .spin = {0.0, spin, 0.0}, .diameter = 2.0*R, .material = "glass"};
+    struct dem_new_particle seed = {.position = {x[0], x[1], x[2]}, .spin = {0.0, spin, 0.0}, .diameter = 2.0*R, .material = "glass"};
     char *const scene = world_text("%s effects { hertz {} dry { restitution 0.5; } mindlin { friction 0.5; }"
                                    " gravity { acceleration (0 0 -9.81); } }"
                                    "walls { drum { %s motion { type rotation; origin (0 0 0); axis (0 1 0); omega %g; } } }"
@@ -217,7 +217,7 @@ static void drum(const char *shape, const char *what, double tolerance)
     }
     const struct world_particle p = world_at(d, 0);
 
-    TAP_NEAR(most, 0.0, tolerance*R, "%s: one turn, and it has rolled on the spot, at most %.1e m off", what, most);
+    TAP_NEAR(most, 0.0, tolerance*R, "%s: one turn, and it has rolled in place, at most %.1e m off", what, most);
     TAP_NEAR(p.w[1], spin, 1e-2*spin, "%s: with the spin of the wall's speed", what);
     free(scene);
     dem_free(d);
@@ -232,8 +232,8 @@ static void curvature(const char *shape, double distance, double reduced, const 
     const struct world_particle p = world_at(w, 0);
     const double away = strstr(shape, "outside") ? s : -s;
 
-    TAP_NEAR(p.f[0], away*push, 1e-9*push, "%s: pushes as its curvature has it, x", what);
-    TAP_NEAR(p.f[2], -away*push, 1e-9*push, "%s: pushes as its curvature has it, z", what);
+    TAP_NEAR(p.f[0], away*push, 1e-9*push, "%s: force by its curvature, x", what);
+    TAP_NEAR(p.f[2], -away*push, 1e-9*push, "%s: force by its curvature, z", what);
     TAP_OK(world_tally(w).contacts == 1, "%s: one contact", what);
     free(walls);
     dem_free(w);
@@ -277,15 +277,15 @@ static void corners(void)
                                 " turn { type triangles; corners ((1 0 0) (2 0 0) (1 0 3)); motion { type rotation; origin (0 0 0); axis (0 0 1); omega 4; } }"
                                 " floor { type plane; point (0 0 -9); normal (0 0 1); } }"
                                 "insert { a { type list; diameter 0.01; positions ((9 9 9)); } }", 0, NULL);
-    struct dem_wall_facts facts[3];
+    struct dem_wall_info facts[3];
     double at[2][9], off[2] = {0.0, 0.0};
 
     world_run(d, t);
     for (int w = 0; w < 3; w++)
     {
-        dem_wall_facts(d, w, &facts[w]);
+        dem_wall_info(d, w, &facts[w]);
     }
-    TAP_OK(facts[0].triangles == 1 && facts[1].triangles == 1 && facts[2].triangles == 0, "corners: walls tell their triangles");
+    TAP_OK(facts[0].triangles == 1 && facts[1].triangles == 1 && facts[2].triangles == 0, "corners: the walls report their triangles");
     TAP_OK(!facts[0].moves && facts[1].moves && !facts[2].moves, "corners: and which move");
     for (int w = 0; w < 2; w++)
     {

@@ -34,7 +34,7 @@ static double contact_time(double normal_speed)
 /* One sphere an angle, all at once, from above onto z = 0, towards +x. */
 static struct dem *throw_all(const char *laws, const double *table, int columns, int rows, double step)
 {
-    struct dem_seed seed[MOST];
+    struct dem_new_particle seed[MOST];
 
     memset(seed, 0, sizeof seed);
     for (int k = 0; k < rows; k++)
@@ -42,7 +42,7 @@ static struct dem *throw_all(const char *laws, const double *table, int columns,
         const double angle = table[columns*k]*world_pi/180.0;
         const double phase = (k*0.618033988749895 - floor(k*0.618033988749895))*step;
 
-        seed[k] = (struct dem_seed){.position = {0.0, 4.0*radius*k, radius + speed*cos(angle)*phase}, .diameter = 2.0*radius,
+        seed[k] = (struct dem_new_particle){.position = {0.0, 4.0*radius*k, radius + speed*cos(angle)*phase}, .diameter = 2.0*radius,
                                     .velocity = {speed*sin(angle), 0.0, -speed*cos(angle)}, .id = k, .material = "oxide"};
     }
     char *const scene = world_text("%s effects { %s } time { step %.17g; }"
@@ -182,7 +182,7 @@ static double spinning_pair(double w0, double w1, struct world_particle p[2])
 {
     const double R = 0.1, v = 0.2, m = world_ball(R, 2700.0), modulus = 0.5*70e9/(1.0 - 0.33*0.33);
     const double time = world_contact_time(0.5*m, 0.5*R, modulus, 2.0*v);
-    struct dem_seed seed[2] = {{.position = {-R - 1e-7, 0, 0}, .velocity = {v, 0, 0}, .spin = {0, w0, 0}, .material = "al"},
+    struct dem_new_particle seed[2] = {{.position = {-R - 1e-7, 0, 0}, .velocity = {v, 0, 0}, .spin = {0, w0, 0}, .material = "al"},
                                {.position = {R, 0, 0}, .velocity = {-v, 0, 0}, .spin = {0, w1, 0}, .id = 1, .material = "al"}};
 
     seed[0].diameter = seed[1].diameter = 2.0*R;
@@ -229,7 +229,7 @@ static void pairs(void)
         const double before = 2.0*0.4*p[0].mass*0.01*w;
 
         /* the lever is shorter than R by half the overlap, 60 um of 100 mm; the centres slip past each other by as much */
-        TAP_NEAR(change, rigid, 2e-3*rigid, "like spins %g: mu times the impulse of the pushes turns by %.4f", w, change);
+        TAP_NEAR(change, rigid, 2e-3*rigid, "like spins %g: mu times the normal impulse changes the spin by %.4f", w, change);
         TAP_NEAR(p[0].v[2], 0.4*0.1*change, 2e-3*p[0].v[2], "and pushes aside as much as it turns");
         TAP_NEAR(angular(&p[0]) + angular(&p[1]), before, 1e-12*before, "angular momentum is kept");
     }

@@ -16,13 +16,13 @@ static const char rolling_scene[] =
     "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.5; } }"
     "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }";
 
-static struct dem *watched(const char *scene, const struct dem_seed *seed)
+static struct dem *watched(const char *scene, const struct dem_new_particle *seed)
 {
     struct dem *const d = world_begin(scene);
 
-    WORLD_TRY(dem_orientation_watch(d));
+    WORLD_TRY(dem_orientation_enable(d));
     WORLD_TRY(dem_add_particles(d, 1, seed));
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     return d;
 }
 
@@ -56,7 +56,7 @@ static double length(const double q[4])
 int main(void)
 {
     const double n[3] = {2.0/7.0, -3.0/7.0, 6.0/7.0}, w = 20000.0, T = 1.0;
-    struct dem_seed seed = {.position = {0.0, 0.0, 1.0}, .diameter = 1e-3, .id = -1, .material = "glass",
+    struct dem_new_particle seed = {.position = {0.0, 0.0, 1.0}, .diameter = 1e-3, .id = -1, .material = "glass",
                             .spin = {w*n[0], w*n[1], w*n[2]}};
 
     TAP_TRAPS;
@@ -75,14 +75,14 @@ int main(void)
 
     world_run(first, 0.5*T);
     WORLD_TRY(dem_save(first, file));
-    WORLD_TRY(dem_orientation_watch(second));
+    WORLD_TRY(dem_orientation_enable(second));
     WORLD_TRY(dem_load(second, file));
-    WORLD_TRY(dem_ready(second));
+    WORLD_TRY(dem_setup(second));
     remove(file);
     TAP_OK(memcmp(orientation(first), orientation(second), 4*sizeof(double)) == 0, "a snapshot holds it");
     world_run(first, 0.5*T);
     world_run(second, 0.5*T);
-    TAP_OK(memcmp(orientation(first), orientation(second), 4*sizeof(double)) == 0, "and the run goes on with the same bits");
+    TAP_OK(memcmp(orientation(first), orientation(second), 4*sizeof(double)) == 0, "and the run continues with the same bits");
     dem_free(first);
     dem_free(second);
     dem_free(d);
@@ -91,7 +91,7 @@ int main(void)
     const double R = 0.005, v = 0.1;
     const double y[3] = {0.0, 1.0, 0.0};
 
-    seed = (struct dem_seed){.position = {0.0, 0.0, R}, .velocity = {v, 0.0, 0.0}, .spin = {0.0, v/R, 0.0}, .diameter = 2.0*R, .id = -1,
+    seed = (struct dem_new_particle){.position = {0.0, 0.0, R}, .velocity = {v, 0.0, 0.0}, .spin = {0.0, v/R, 0.0}, .diameter = 2.0*R, .id = -1,
                              .material = "glass"};
     d = watched(rolling_scene, &seed);
     world_run(d, 0.3);
@@ -99,7 +99,7 @@ int main(void)
     dem_free(d);
 
     d = world(free_scene, 1, &seed);
-    TAP_OK(orientation(d) == NULL, "none where nobody asked");
+    TAP_OK(orientation(d) == NULL, "none where it is not requested");
     dem_free(d);
     TAP_DONE;
 }

@@ -11,7 +11,7 @@
  */
 #include "physics/world.h"
 
-#include "base/random.h"
+#include "core/random.h"
 
 enum
 {
@@ -31,7 +31,7 @@ static double overlap_at(int k)
 
 static void column(void)
 {
-    static struct dem_seed seed[COLUMN];
+    static struct dem_new_particle seed[COLUMN];
     double force[3], top = 0.0;
     /* a thick but weightless fluid brings it to rest: the slowest swing of the column takes 0.1 s */
     char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; }"
@@ -42,7 +42,7 @@ static void column(void)
 
     for (int k = 0; k < COLUMN; k++)
     {
-        seed[k] = (struct dem_seed){.position = {0.0, 0.0, R*(2*k + 1)}, .diameter = 2.0*R, .id = k, .material = "glass"};
+        seed[k] = (struct dem_new_particle){.position = {0.0, 0.0, R*(2*k + 1)}, .diameter = 2.0*R, .id = k, .material = "glass"};
         top += overlap_at(k);
     }
     struct dem *const d = world(scene, COLUMN, seed);
@@ -65,7 +65,7 @@ static void column(void)
 
 static void cradle(int n, const double *expected)
 {
-    struct dem_seed seed[5];
+    struct dem_new_particle seed[5];
     const double mass = world_ball(R, density), time = world_contact_time(0.5*mass, 0.5*R, 0.5*E/(1.0 - 0.09), 1.0);
     char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
                                    "effects { hertz {} } time { step %.17g; }", time/400.0);
@@ -73,7 +73,7 @@ static void cradle(int n, const double *expected)
     memset(seed, 0, sizeof seed);
     for (int k = 0; k < n; k++)
     {
-        seed[k] = (struct dem_seed){.position = {2.0*R*k - (k ? 0.0 : 1e-6), 0.0, 0.0}, .velocity = {k ? 0.0 : 1.0, 0.0, 0.0},
+        seed[k] = (struct dem_new_particle){.position = {2.0*R*k - (k ? 0.0 : 1e-6), 0.0, 0.0}, .velocity = {k ? 0.0 : 1.0, 0.0, 0.0},
                                     .diameter = 2.0*R, .id = k, .material = "glass"};
     }
     struct dem *const d = world(scene, n, seed);
@@ -92,7 +92,7 @@ static void cradle(int n, const double *expected)
 /* One sphere a hundred times as fast as the others crosses a box of a thousand, again and again. */
 static struct dem *gas(double outer, double inner)
 {
-    static struct dem_seed seed[GAS];
+    static struct dem_new_particle seed[GAS];
     char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e8; poissonsRatio 0.3; } }"
                                    "effects { hertz { impactSpeed 20; } dry { restitution 0.95; } mindlin { friction 0.3; } }"
                                    "walls { b { type box; min (0 0 0); max (0.03 0.03 0.03); } }"
@@ -102,7 +102,7 @@ static struct dem *gas(double outer, double inner)
     {
         const int at[3] = {k%SIDE, k/SIDE%SIDE, k/(SIDE*SIDE)};
 
-        seed[k] = (struct dem_seed){.diameter = 2.0*R, .id = k, .material = "glass"};
+        seed[k] = (struct dem_new_particle){.diameter = 2.0*R, .id = k, .material = "glass"};
         for (int a = 0; a < 3; a++)
         {
             seed[k].position[a] = 0.003*(at[a] + 0.5) + 4e-4*(dem_random_unit(5, (uint64_t)k, 1, (uint64_t)a) - 0.5);
@@ -121,7 +121,7 @@ static void escape(void)
     static const double skins[][2] = {{2.0, 2.0}, {0.3, 0.04}, {0.05, 0.05}, {0.02, 0.005}};
     enum { CASES = sizeof skins/sizeof skins[0] };
     uint64_t hash[CASES];
-    struct dem_tally t[CASES];
+    struct dem_totals t[CASES];
 
     for (int k = 0; k < CASES; k++)
     {

@@ -1,8 +1,8 @@
 /*
- * Claims: the plan of a scene tells the numbers that one finds by hand: contact time, step, weight, pressure drop, number
- * and velocities of fluidisation, response time, steps; a fluid that comes through the columns gives the same as one in
- * the scene; bytes are what the allocator has given out, before and after settling; the time a dense bed takes is what
- * it takes. Planning moves nothing.
+ * Claims: the plan of a scene reports the numbers found by hand: contact time, step, weight, pressure drop, number and velocities of
+ * fluidisation, response time, steps. A fluid given through the fluid columns gives the same as one in the scene. Bytes are those of
+ * the allocator, before and after settling. The estimated time of a dense bed is the measured one within the stated factor. Planning
+ * changes no particle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -21,7 +21,7 @@ static double told(const char *text, const char *words)
     return at ? strtod(at + strlen(words), NULL) : NAN;
 }
 
-static const char *plan(struct dem *d, const struct dem_prospect *ahead)
+static const char *plan(struct dem *d, const struct dem_run_info *ahead)
 {
     const char *text;
 
@@ -51,7 +51,7 @@ static void test_cup(void)
     uint64_t before, after;
 
     WORLD_TRY(dem_hash(w, &before));
-    const char *const text = plan(w, &(struct dem_prospect){.duration = 1.0});
+    const char *const text = plan(w, &(struct dem_run_info){.duration = 1.0});
 
     TAP_NEAR(told(text, "glass and glass: reduced modulus "), reduced, digits*reduced, "reduced modulus");
     TAP_NEAR(told(text, "contact time "), pair, digits*pair, "contact time of two");
@@ -60,7 +60,7 @@ static void test_cup(void)
     TAP_NEAR(told(strstr(text, "Contacts"), "friction "), 0.25, 0.0, "friction");
     TAP_NEAR(told(text, "the limit is "), pair/20.0, digits*pair/20.0, "the step's limit");
     TAP_NEAR(told(text, "next would be "), wall/20.0, digits*wall/20.0, "what comes next");
-    TAP_OK(strstr(text, "attraction allowed, default") && !strstr(text, "restitution 0.85, default"), "what is a default is told");
+    TAP_OK(strstr(text, "attraction allowed, default") && !strstr(text, "restitution 0.85, default"), "defaults are reported");
     TAP_OK(strstr(text, "cupMaxZ            plane, glass"), "walls are listed");
     TAP_NEAR(told(text, "weight "), 1000.0*m*9.81, digits*1000.0*m*9.81, "weight");
     TAP_NEAR(told(strstr(text, "weight "), ", "), 1000.0*m*9.81/2e-4, digits*1000.0*m*9.81/2e-4, "weight per area");
@@ -77,7 +77,7 @@ static double section(const char *walls)
                                    "effects { gravity { acceleration (0 0 -9.81); } hertz { } } walls { %s }"
                                    "insert { grains { type lattice; count 10; diameter 1e-3; min (0 0 0); max (0.01 0.01 0.01); } }", walls);
     struct dem *const w = world(scene, 0, NULL);
-    const char *const text = plan(w, &(struct dem_prospect){.duration = 1.0});
+    const char *const text = plan(w, &(struct dem_run_info){.duration = 1.0});
     const double area = told(text, " Pa over ");
 
     free(scene);
@@ -120,7 +120,7 @@ static void test_bed_in_scene(void)
                                 "domain { min (0 0 0); max (0.15 1 0.015); periodic (x z); }"
                                 "insert { bed { type lattice; count 24750; spacing 1; jitter 0; diameter 2.5e-3;"
                                 "               min (0 0 0); max (0.15 0.5 0.015); } }", 0, NULL);
-    const char *const text = plan(w, &(struct dem_prospect){.duration = 1.0});
+    const char *const text = plan(w, &(struct dem_run_info){.duration = 1.0});
     const double balance = ergun(2.5e-3, 2526.0, 1.2, 1.2e-5), response = 2526.0*2.5e-3*2.5e-3/(18.0*1.2e-5);
 
     TAP_NEAR(told(text, "minimum fluidisation at "), 1.322415, digits*1.322415, "Wen and Yu");
@@ -130,7 +130,7 @@ static void test_bed_in_scene(void)
     TAP_NEAR(told(text, "together           24750, diameter 0.0025 m, "), 0.51147828, digits*0.511, "mass");
     TAP_NEAR(told(strstr(text, "less buoyancy"), " N, "), 2228.9859, digits*2229.0, "pressure drop");
     /* Newton's Cd = 0.44 above Re = 1000 (here 2.6e3): v^2 = 4 d g (rho_p - rho)/(3 Cd rho) */
-    TAP_NEAR(told(text, "sinks at "), sqrt(4.0*2.5e-3*9.81*2524.8/(3.0*0.44*1.2)), 0.01, "terminal velocity");
+    TAP_NEAR(told(text, "terminal velocity of a single particle "), sqrt(4.0*2.5e-3*9.81*2524.8/(3.0*0.44*1.2)), 0.01, "terminal velocity");
     dem_free(w);
 }
 
@@ -149,18 +149,18 @@ static void test_bed_by_columns(void)
         f.density[i] = 1.2;
         f.viscosity[i] = 1.8e-5;
     }
-    const char *const text = plan(w, &(struct dem_prospect){.duration = 2.0, .window = 1e-4, .why = "deltaT", .cross_section = 4.4e-4});
+    const char *const text = plan(w, &(struct dem_run_info){.duration = 2.0, .window = 1e-4, .why = "deltaT", .cross_section = 4.4e-4});
     const double weight = 9240*1000.0*sphere(1.2e-3)*9.81/4.4e-4, response = 1000.0*1.44e-6/(18.0*1.8e-5);
     const double limit = dem_step_limit(w).used;
 
     TAP_NEAR(told(text, "minimum fluidisation at "), 0.33849948, digits*0.338, "Wen and Yu");
     TAP_NEAR(told(strstr(text, "weight "), ", "), weight, digits*weight, "weight over the section that was given");
     TAP_NEAR(told(strstr(text, "less buoyancy"), " N, "), 186.16978, digits*186.2, "pressure drop");
-    TAP_OK(strstr(text, "set by deltaT: "), "what sets the fluid's step is told");
+    TAP_OK(strstr(text, "set by deltaT: "), "what sets the fluid's time step is reported");
     TAP_NEAR(told(text, "set by deltaT: "), ceil(1e-4/limit), 0.0, "DEM steps of a fluid step");
     TAP_NEAR(told(text, "over response time "), 1e-4/response, 6e-3*1e-4/response, "fluid step over response time, three digits");
     TAP_NEAR(told(text, "2 s ahead: "), 2e4*ceil(1e-4/limit), 2e4*ceil(1e-4/limit)*digits, "steps of the run");
-    TAP_OK(strstr(text, "without pressureGradient"), "what carries the weight is told");
+    TAP_OK(strstr(text, "without pressureGradient"), "what carries the weight is reported");
     dem_free(w);
 }
 
@@ -196,28 +196,28 @@ static void test_cost(void)
                                 "walls { cup { type box; min (0 0 0); max (0.01 0.03 0.05); } }"
                                 "insert { grains { type lattice; count 3000; diameter 1e-3; min (0 0 0); max (0.01 0.03 0.05); } }", 0, NULL);
     const double at_start = held() - before;
-    const char *text = plan(w, &(struct dem_prospect){.duration = 1.0});
+    const char *text = plan(w, &(struct dem_run_info){.duration = 1.0});
     const double start_told = bytes_told(text, "now "), bed_told = bytes_told(text, "dense bed ");
-    struct dem_tally a, b;
+    struct dem_totals a, b;
 
     world_run(w, 0.08);
-    WORLD_TRY(dem_tally(w, &a));
+    WORLD_TRY(dem_totals(w, &a));
     const clock_t begin = clock();
 
     world_run(w, 0.01);
     const double spent = (double)(clock() - begin)/CLOCKS_PER_SEC;
 
-    WORLD_TRY(dem_tally(w, &b));
+    WORLD_TRY(dem_totals(w, &b));
     const double each = 1e6*spent/(3000.0*(double)(b.steps - a.steps)), settled = held() - before;
 
-    text = plan(w, &(struct dem_prospect){.duration = 1.0});
+    text = plan(w, &(struct dem_run_info){.duration = 1.0});
     const double pace = told(text, "Time\n    "), settled_told = bytes_told(text, "now "), copy_told = bytes_told(text, "a particle), and ");
 
-    WORLD_TRY(dem_keep(w, 0));
+    WORLD_TRY(dem_backup_every(w, 0));
     const double copy = held() - before - settled;
 
     /* 7 to 9 rows touch at rest: fast enough to differ from a gas, 2 is what the plan promises */
-    TAP_OK(pace > 0.5*each && pace < 2.0*each, "time of a particle and step within a factor of 2: told %g us, was %g us", pace, each);
+    TAP_OK(pace > 0.5*each && pace < 2.0*each, "time of a particle and step within a factor of 2: estimated %g us, measured %g us", pace, each);
     if (at_start > 0.0)
     {
         /* the walls, the scene's text and what a rebuild leaves are not counted: a few per cent of 2 MB */
@@ -226,7 +226,7 @@ static void test_cost(void)
         /* who touches how many is a guess */
         TAP_NEAR(copy_told, copy, 0.15*copy, "bytes of its copy");
         /* the room in lists is a guess */
-        TAP_NEAR(bed_told, settled, 0.1*settled, "bytes of the settled bed, told at the start");
+        TAP_NEAR(bed_told, settled, 0.1*settled, "bytes of the settled bed, estimated at the start");
     }
     dem_free(w);
 }

@@ -1,15 +1,15 @@
 /*
- * Looking changes nothing. Between two looks pushes go round in a ring and contact forces are not kept (state/contacts.h): a layer of
- * touching spheres ends with the same bits, its forces too, whether its means are sampled in every step, now and then, or never.
- * Cut through by periodic faces it has rows that must wait past the ring; a scene of few rows needs none.
+ * Claims: output does not change the run. Between two outputs contact forces go through a ring buffer and are not stored
+ * (model/contacts.h): a layer of touching spheres ends with the same bits, forces included, whether its means are sampled in every step,
+ * now and then, or never. With periodic faces through it, some rows exceed the ring and are deferred; a scene of few rows has none.
  *
- * Judge: the plain way, every push at its own place, which a step takes that somebody looks at.
+ * Reference: a step with output, which stores every contact force at its own index.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "physics/world.h"
 
-#include "door.h"
+#include "api/internal.h"
 
 #include <math.h>
 
@@ -28,11 +28,11 @@ static struct dem *block(int high, const char *more)
         "domain { x (0 0.04995); y (0 0.01199); periodic (x y); }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
         "time { step 5e-6; } %s", more);
-    struct dem_seed *const seed = calloc((size_t)(LAYER*high), sizeof *seed);
+    struct dem_new_particle *const seed = calloc((size_t)(LAYER*high), sizeof *seed);
 
     for (int k = 0; k < LAYER*high; k++)
     {
-        seed[k] = (struct dem_seed){.position = {0.999e-3*(k%LONG), 0.999e-3*(k/LONG%WIDE), 0.4995e-3 + 0.999e-3*(k/LAYER)},
+        seed[k] = (struct dem_new_particle){.position = {0.999e-3*(k%LONG), 0.999e-3*(k/LONG%WIDE), 0.4995e-3 + 0.999e-3*(k/LAYER)},
                                     .velocity = {0.05*sin(1.3*k), 0.05*sin(2.1*k), 0.05*sin(0.7*k)},
                                     .diameter = 1e-3, .id = k*7919%(LAYER*high), .material = "glass"};
     }
@@ -79,10 +79,10 @@ static void looks(int high, int round)
         world_run(sometimes, STEPS*5e-6);
     }
     TAP_OK(world_tally(never).contacts > count, "%d spheres touch: %lld contacts", count, (long long)world_tally(never).contacts);
-    TAP_OK(dem_contacts_go_round(&never->parts.contacts) == round, "%d spheres: there is %s ring", count, round ? "a" : "no");
+    TAP_OK(dem_contacts_use_force_buffer(&never->state.contacts) == round, "%d spheres: there is %s ring", count, round ? "a" : "no");
     if (round)
     {
-        TAP_OK(never->parts.contacts.fars > 0, "and %zu rows that wait past it", never->parts.contacts.fars);
+        TAP_OK(never->state.contacts.deferred_rows > 0, "and %zu rows that wait past it", never->state.contacts.deferred_rows);
     }
     TAP_OK(bits(always, count) == bits(never, count), "%d spheres: the same bits looked at in every step and never", count);
     TAP_OK(bits(sometimes, count) == bits(never, count), "%d spheres: and looked at now and then", count);

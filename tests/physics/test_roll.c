@@ -41,14 +41,14 @@ static void list_materials(const double *table, char *materials, char *pairs, si
 static struct dem *start(const double *table, const char *wall, const char *tangential)
 {
     static const char *const names[CASES] = {"b0", "b1", "b2", "b3", "b4", "b5", "b6", "b7", "b8"};
-    struct dem_seed seed[CASES];
+    struct dem_new_particle seed[CASES];
     char materials[2048], pairs[2048];
 
     memset(seed, 0, sizeof seed);
     list_materials(table, materials, pairs, sizeof pairs);
     for (int k = 0; k < CASES; k++)
     {
-        seed[k] = (struct dem_seed){.position = {0.0, 4.0*R*k, R - rest_overlap(g)}, .velocity = {u0, 0.0, 0.0}, .diameter = 2.0*R,
+        seed[k] = (struct dem_new_particle){.position = {0.0, 4.0*R*k, R - rest_overlap(g)}, .velocity = {u0, 0.0, 0.0}, .diameter = 2.0*R,
                                     .id = k, .material = names[k]};
     }
     char *const scene = world_text("materials { %s rigid { density 1; youngsModulus 1e30; } } effects { hertz { impactSpeed 0.1; }"
@@ -61,7 +61,7 @@ static struct dem *start(const double *table, const char *wall, const char *tang
         mesh_add_floor(d, "floor", "rigid", -4.0*R, 40.0*R, 3.0*R);
     }
     WORLD_TRY(dem_add_particles(d, CASES, seed));
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     free(scene);
     return d;
 }
@@ -116,7 +116,7 @@ static void slip_to_roll(const double *table, const char *wall, const char *what
 static void slope(double friction, double acceleration, const char *what)
 {
     const double angle = 20.0*world_pi/180.0, time = 0.05;
-    const struct dem_seed seed = {.position = {0.0, 0.0, R - rest_overlap(g*cos(angle))}, .diameter = 2.0*R, .material = "b"};
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, R - rest_overlap(g*cos(angle))}, .diameter = 2.0*R, .material = "b"};
     char *const scene = world_text("materials { b { density %g; youngsModulus %g; poissonsRatio 0.3; }"
                                    "rigid { density 1; youngsModulus 1e30; } } effects { hertz { impactSpeed 0.1; }"
                                    "dry { restitution 0.9; } mindlin { friction %g; }"

@@ -35,7 +35,7 @@ static double speed_of(double stokes, int pair)
 static struct dem *start(double stokes, int pair, double step, double outer_skin)
 {
     const double v = speed_of(stokes, pair);
-    struct dem_seed seed[2*PHASES];
+    struct dem_new_particle seed[2*PHASES];
     int n = 0;
 
     memset(seed, 0, sizeof seed);
@@ -43,12 +43,12 @@ static struct dem *start(double stokes, int pair, double step, double outer_skin
     {
         const double gap = v*step*(1.0 + (k + 0.5)/PHASES);
 
-        seed[n] = (struct dem_seed){.position = {4.0*R*k, 0.0, R + gap}, .velocity = {0.0, 0.0, pair ? -0.5*v : -v},
+        seed[n] = (struct dem_new_particle){.position = {4.0*R*k, 0.0, R + gap}, .velocity = {0.0, 0.0, pair ? -0.5*v : -v},
                                     .diameter = 2.0*R, .id = n, .material = "steel"};
         n++;
         if (pair)
         {
-            seed[n] = (struct dem_seed){.position = {4.0*R*k, 0.0, -R}, .velocity = {0.0, 0.0, 0.5*v}, .diameter = 2.0*R, .id = n,
+            seed[n] = (struct dem_new_particle){.position = {4.0*R*k, 0.0, -R}, .velocity = {0.0, 0.0, 0.5*v}, .diameter = 2.0*R, .id = n,
                                         .material = "steel"};
             n++;
         }
@@ -125,7 +125,7 @@ static void latched_through_rebuilds(void)
 
     world_run(thick, 3.0*time);
     world_run(thin, 3.0*time);
-    const struct dem_tally a = world_tally(thick), b = world_tally(thin);
+    const struct dem_totals a = world_tally(thick), b = world_tally(thin);
 
     TAP_OK(b.rebuilds > a.rebuilds + 3, "%lld rebuilds with thin skins, %lld with thick ones", (long long)b.rebuilds,
            (long long)a.rebuilds);
@@ -154,7 +154,7 @@ static void latched_through_a_snapshot(void)
     world_run(whole, 2.5*time);
     second = world_begin(scene);
     WORLD_TRY(dem_load(second, path));
-    WORLD_TRY(dem_ready(second));
+    WORLD_TRY(dem_setup(second));
     world_run(second, 2.5*time);
     TAP_OK(world_hash(whole) == world_hash(second), "saved, loaded and run on: the same bits");
     unlink(path);
@@ -175,14 +175,14 @@ static void in_liquids(void)
     {
         const double *const t = set[k/2], a = 0.5*t[0], v = t[3]*t[2]/(t[1]*t[0]), St = t[4 + k%2], target = best*exp(-35.0/St);
         const double time = world_contact_time(world_ball(a, density), a, modulus(), v), step = time/1000.0;
-        struct dem_seed seed[PHASES];
+        struct dem_new_particle seed[PHASES];
         double mean = 0.0;
         char added[64] = "";
 
         memset(seed, 0, sizeof seed);
         for (int i = 0; i < PHASES; i++)
         {
-            seed[i] = (struct dem_seed){.position = {4.0*a*i, 0.0, a + v*step*(1.0 + (i + 0.5)/PHASES)}, .velocity = {0.0, 0.0, -v},
+            seed[i] = (struct dem_new_particle){.position = {4.0*a*i, 0.0, a + v*step*(1.0 + (i + 0.5)/PHASES)}, .velocity = {0.0, 0.0, -v},
                                         .diameter = t[0], .id = i, .material = "steel"};
         }
         if (k%2)

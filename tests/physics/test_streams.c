@@ -1,12 +1,14 @@
 /*
- * Claims: a stream lets in what its rate owes, exact to one particle, by number or by mass, from its start to its end or limit; number k has
- * the diameter that number k of a group of that seed has, whether or not it had to wait; who is let in overlaps nobody, no wall, no image through
- * a periodic face, and lies in the region or has come through the face at its speed; what finds no room waits, is counted, and comes when there is
- * room; position and velocity belong to the same time: a body that comes in falls as a thrown one; an outlet takes out who is in its
- * region, and nobody else; particles, mass and momentum: what is there is what came less what went, and momentum what gravity gave besides; ids come once,
- * also after going back to a copy from the middle of a look; a patch square to an axis lets in who is owed however slow he comes;
- drag that stops a newcomer in less than a step gives him no other velocity than the fluid's; a stream whose rate is told in kilograms after a restart
- owes nothing of before; nobody comes into a fluid that a program gives, unless it has said that it hands it over first.
+ * Claims about streams: the number inserted is that of the rate, by number or by mass, to one particle, from start to end or limit;
+ * particle k has the diameter of particle k of a group with that seed, whether or not it had to wait. Inserted particles overlap no
+ * particle, wall or periodic image, and lie in the region or have passed the face at its speed. Those that do not fit wait, are
+ * counted, and are inserted later. Position and velocity belong to the same time: an inserted body falls as a thrown one. A patch
+ * normal to an axis inserts the number due at any speed. Drag that stops a particle in less than a step gives it the velocity of
+ * the fluid. A stream whose rate is changed to kg/s at a restart has no deficit from before. No particle is inserted into a fluid that
+ * the caller provides before the caller has announced it.
+ *
+ * Claims about outlets: they remove the particles in their region and no others. Number, mass and momentum present are those
+ * inserted less those removed, plus the impulse of gravity. Ids are unique, also after going back to a backup between two checks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -90,7 +92,7 @@ static void test_rate(void)
 
         exact &= flow(d, 0).particles == (int64_t)floor(fmax(0.0, owed) + 1e-9);      /* round-off of time */
     }
-    TAP_OK(exact, "by number: as many as are owed whole, at each of 250 looks");
+    TAP_OK(exact, "by number: the whole number due, at each of 250 checks");
     TAP_OK(flow(d, 0).particles == 120, "3000 a second in 0.04 s are 120, found %lld", (long long)flow(d, 0).particles);
     TAP_OK(world_tally(d).particles == 120 && world_tally(d).inserted == 120, "all of them are there");
     dem_free(d);
@@ -122,7 +124,7 @@ static void test_limits(void)
                                "heap { type stream; massRate 1; mass 1e-4; diameter 1e-3; min (0 0 0.2); max (0.1 0.1 0.3); } } ");
 
     run_windows(d, 40);
-    TAP_OK(flow(d, 0).particles == 17 && flow(d, 0).waiting == 0, "a limit of 17 lets in 17, and nobody waits");
+    TAP_OK(flow(d, 0).particles == 17 && flow(d, 0).waiting == 0, "a limit of 17 inserts 17, and none waits");
     TAP_NEAR(flow(d, 1).mass, 1e-4, 0.5*2500.0*world_pi/6.0*1e-9, "a limit of mass is met to half a particle");
     dem_free(d);
 }
@@ -171,8 +173,8 @@ static void test_room(void)
     run_windows(d, 3);
     TAP_OK(flow(d, 0).particles > 50 && flow(d, 0).waiting > 0, "into a bed go %lld, then it is full and %lld wait", (long long)flow(d, 0).particles,
            (long long)flow(d, 0).waiting);
-    TAP_OK(least_gap(d, open) >= 0.0, "nobody overlaps");
-    TAP_OK((double)(flow(d, 0).particles + flow(d, 0).waiting) == floor(1e6*world_tally(d).time + 1e-9), "those who came and those who wait are those owed");
+    TAP_OK(least_gap(d, open) >= 0.0, "no overlap");
+    TAP_OK((double)(flow(d, 0).particles + flow(d, 0).waiting) == floor(1e6*world_tally(d).time + 1e-9), "those inserted and those waiting are those due");
     dem_free(d);
 
     d = stream("", "domain { min (0 0 0); max (0.01 0.01 1); periodic (x y); } insert { "
@@ -317,10 +319,10 @@ static void test_books(void)
 
     for (int k = 0; k < 300; k++)
     {
-        const struct dem_tally before = world_tally(d);
+        const struct dem_totals before = world_tally(d);
 
         run_windows(d, 1);
-        const struct dem_tally t = world_tally(d);
+        const struct dem_totals t = world_tally(d);
         const struct dem_flow in = flow(d, 0), below = flow(d, 1), aside = flow(d, 2);
         struct dem_view v;
 
@@ -344,9 +346,9 @@ static void test_books(void)
             twice += i > 0 && world_id(&v, i) == world_id(&v, i - 1);
         }
     }
-    const struct dem_tally t = world_tally(d);
+    const struct dem_totals t = world_tally(d);
 
-    TAP_OK(kept, "who is there came and has not gone, and is where no outlet is, at 300 looks");
+    TAP_OK(kept, "particles present are those inserted less those removed, none in an outlet, at 300 checks");
     TAP_OK(flow(d, 1).particles > 100 && flow(d, 2).particles > 100, "%lld went out below, %lld aside", (long long)flow(d, 1).particles,
            (long long)flow(d, 2).particles);
     TAP_OK(twice == 0 && seen == (double)(flow(d, 0).particles - 1), "ids count up, none comes twice");
@@ -365,10 +367,10 @@ static void test_momentum(void)
 
     for (int k = 0; k < 300; k++)
     {
-        const struct dem_tally before = world_tally(d);
+        const struct dem_totals before = world_tally(d);
 
         run_windows(d, 1);
-        const struct dem_tally t = world_tally(d);
+        const struct dem_totals t = world_tally(d);
 
         weight -= 9.81*before.mass*(t.time - before.time);
         worst = fmax(worst, fabs(t.momentum[2] - (flow(d, 0).momentum[2] - flow(d, 1).momentum[2] + weight)));
@@ -395,7 +397,7 @@ static void test_back(void)
     double time;
     int64_t twice = 0;
 
-    WORLD_TRY(dem_keep(d, 0));
+    WORLD_TRY(dem_backup_every(d, 0));
     TAP_OK(dem_advance(d, 1e-3) != 0, "one leaves while others come: %s", dem_error_text());
     WORLD_TRY(dem_restore(d, &time));
     dem_view(d, &v);
@@ -427,15 +429,15 @@ static void test_patch(void)
     int changed;
 
     WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
-    WORLD_TRY(dem_flow_between(d));
+    WORLD_TRY(dem_flow_on_request(d));
     WORLD_TRY(dem_scene_text(d, "materials { glass { density 2500; youngsModulus 1e5; } } effects { hertz { } dry { restitution 0.9; } } "
                              "time { step 1e-5; } domain { min (0 0 0); max (0.1 0.1 0.1); } insert { feed { type stream; rate 1e4; "
                              "diameter 2e-3; patch inlet; velocity (0 0 1e-3); } }", "slow"));
-    WORLD_TRY(dem_patch(d, "inlet", 2, corners, NULL));
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_flow_patch(d, "inlet", 2, corners, NULL));
+    WORLD_TRY(dem_setup(d));
     for (int k = 0; k < 50; k++)
     {
-        WORLD_TRY(dem_let_through(d, &changed));
+        WORLD_TRY(dem_flow_apply(d, &changed));
         WORLD_TRY(dem_advance(d, 5e-4));
     }
     TAP_OK(flow(d, 0).particles + flow(d, 0).waiting == 245 && flow(d, 0).waiting == 0, "slow through a patch: 49 times 5 came, found %lld",
@@ -490,13 +492,13 @@ static void test_units(void)
         WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
         WORLD_TRY(dem_scene_text(d, text, "again"));
         WORLD_TRY(dem_load(d, file));
-        WORLD_TRY(dem_ready(d));
+        WORLD_TRY(dem_setup(d));
         free(text);
         run_windows(d, 20);
         const double owed = 20.0*window*(to_mass ? 5e-3/one : 5e3);
 
         TAP_OK(before.particles > 40 && fabs((double)(flow(d, 0).particles - before.particles) - owed) <= 1.0,
-               "%s then %s: %lld, and %g are owed since: %lld", first, second, (long long)before.particles, owed, (long long)flow(d, 0).particles);
+               "%s then %s: %lld, and %g are due since: %lld", first, second, (long long)before.particles, owed, (long long)flow(d, 0).particles);
         dem_free(d);
     }
     remove(file);
@@ -511,9 +513,9 @@ static void test_own_fluid(void)
     WORLD_TRY(dem_scene_text(d, "materials { glass { density 2500; youngsModulus 1e5; } } effects { hertz { } dry { restitution 0.9; } schillerNaumann { } } "
                              "time { step 1e-5; } insert { one { type list; diameter 1e-3; positions ((1 1 1)); } feed { type stream; rate 1e5; "
                              "diameter 1e-3; min (0.1 0.1 0.1); max (0.4 0.4 0.2); } }", "own"));
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     WORLD_TRY(dem_fluid(d, &f));
-    TAP_OK(dem_advance(d, window) != 0 && strstr(dem_error_text(), "dem_flow_between"), "a program's fluid and a stream: %s", dem_error_text());
+    TAP_OK(dem_advance(d, window) != 0 && strstr(dem_error_text(), "dem_flow_on_request"), "a program's fluid and a stream: %s", dem_error_text());
     dem_free(d);
 }
 

@@ -11,7 +11,7 @@
  */
 #include "physics/world.h"
 
-#include "base/random.h"
+#include "core/random.h"
 #include "effects/effects.h"
 
 enum
@@ -114,7 +114,7 @@ static double drawn(int k, int use)
 }
 
 /* particles 2 p and 2 p + 1 fly at each other, pairs 1 cm apart; on a wall all fly down, from above z = 0 */
-static void place(struct dem_seed seed[N], int wall)
+static void place(struct dem_new_particle seed[N], int wall)
 {
     memset(seed, 0, N*sizeof *seed);
     for (int i = 0; i < N; i++)
@@ -124,7 +124,7 @@ static void place(struct dem_seed seed[N], int wall)
         const double radius[2] = {1e-3*(0.8 + 0.2*drawn(2*p, 3)), 1e-3*(0.8 + 0.2*drawn(2*p + 1, 3))};
         const double sign = i % 2 ? 1.0 : -1.0, apart = 0.5*(radius[0] + radius[1]) + 1e-6*(5.0 + drawn(p, 12));
 
-        seed[i] = (struct dem_seed){.diameter = 2.0*radius[i%2], .id = i, .material = i%2 ? "clay" : "glass"};
+        seed[i] = (struct dem_new_particle){.diameter = 2.0*radius[i%2], .id = i, .material = i%2 ? "clay" : "glass"};
         for (int k = 0; k < 3; k++)
         {
             const double along = drawn(p, k)/size;
@@ -146,7 +146,7 @@ static struct dem *start(const char *laws, int wall, const struct frame *f, stru
 {
     const double up[3] = {0.0, 0.0, 1.0};
     double normal[3];
-    struct dem_seed seed[N], given[N];
+    struct dem_new_particle seed[N], given[N];
     char floor[256] = "";
 
     place(seed, wall);
@@ -158,7 +158,7 @@ static struct dem *start(const char *laws, int wall, const struct frame *f, stru
     }
     for (int i = 0; i < N; i++)
     {
-        struct dem_seed *const s = &given[f->swapped ? N - 1 - i : i];
+        struct dem_new_particle *const s = &given[f->swapped ? N - 1 - i : i];
 
         *s = seed[i];
         s->id = f->swapped ? N - 1 - i : i;

@@ -39,7 +39,7 @@ static struct dem *pair(double *arm)
 {
     const double E = 1e7/(2.0*0.91), w = 0.05, Rs = 0.5*R, a = pow(world_pi*w*Rs*Rs/(8.0*E), 1.0/3.0), x = pow(6.0, 1.0/3.0);
     const double overlap = a*a/Rs*(x*x*x*x - 4.0*x);
-    const struct dem_seed seed[2] = {{.position = {0, 0, 0}, .spin = {u, 0, W}, .diameter = 2.0*R, .id = 0, .material = "clay"},
+    const struct dem_new_particle seed[2] = {{.position = {0, 0, 0}, .spin = {u, 0, W}, .diameter = 2.0*R, .id = 0, .material = "clay"},
                                      {.position = {0, 0, 2.0*R - overlap}, .spin = {u, 0, W}, .diameter = 2.0*R, .id = 1, .material = "clay"}};
     *arm = 2.0*R - overlap;
     char *const scene = world_text("materials { clay { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
@@ -56,7 +56,7 @@ static struct dem *pair(double *arm)
 static struct dem *plate(double spin, double omega)
 {
     const double m = world_ball(R, 2500.0), stiffness = 100.0;
-    const struct dem_seed seed = {.position = {0, 0, R - m*9.81/stiffness}, .spin = {u, 0, spin}, .diameter = 2.0*R, .id = 1, .material = "clay"};
+    const struct dem_new_particle seed = {.position = {0, 0, R - m*9.81/stiffness}, .spin = {u, 0, spin}, .diameter = 2.0*R, .id = 1, .material = "clay"};
     char *const scene = world_text("materials { clay { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
                                    "effects { gravity { acceleration (0 0 -9.81); } hooke { stiffness %g; } linear { stiffness %g; friction 10; } }"
                                    "walls { table { type triangles; corners ((-0.01 -0.01 0) (0.02 -0.01 0) (-0.01 0.02 0));"

@@ -13,7 +13,7 @@
 #include "physics/mesh.h"
 #include "physics/world.h"
 
-#include "base/vec.h"
+#include "core/vec.h"
 
 static const double R = 1e-3, density = 2500.0, E = 1e7, g = 9.81;
 
@@ -57,7 +57,7 @@ static void turn_mesh(struct mesh *m)
 static struct dem *slide(struct mesh *m, int turned, const char *effects, double speed)
 {
     double x[3] = {0.0013, 0.0007, R - overlap_of(weight())}, v[3] = {speed, 0.37*speed, 0.0}, down[3] = {0.0, 0.0, -g};
-    struct dem_seed seed = {.diameter = 2.0*R, .material = "glass"};
+    struct dem_new_particle seed = {.diameter = 2.0*R, .material = "glass"};
 
     if (turned)
     {
@@ -75,7 +75,7 @@ static struct dem *slide(struct mesh *m, int turned, const char *effects, double
         mesh_hand_over(d, "floor", "rigid", m);
     }
     WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     free(scene);
     return d;
 }
@@ -179,7 +179,7 @@ static void ugly(void)
 /* A floor of two walls that meet under the path: one contact all along. */
 static void seam(void)
 {
-    const struct dem_seed seed = {.position = {-0.004, 0.0, R - overlap_of(weight())}, .velocity = {0.4, 0.0, 0.0}, .diameter = 2.0*R,
+    const struct dem_new_particle seed = {.position = {-0.004, 0.0, R - overlap_of(weight())}, .velocity = {0.4, 0.0, 0.0}, .diameter = 2.0*R,
                                   .material = "glass"};
     char *const scene = world_text("%s effects { hertz {} dry { restitution 0.9; } gravity { acceleration (0 0 -9.81); } }"
                                    "walls {"
@@ -213,7 +213,7 @@ static void seam(void)
 static void corner(int triangles)
 {
     static const double min[3] = {0.0, 0.0, 0.0}, max[3] = {0.02, 0.02, 0.02};
-    const struct dem_seed seed = {.position = {0.006, 0.005, R}, .velocity = {-1.0, -0.8, 0.0}, .diameter = 2.0*R, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {0.006, 0.005, R}, .velocity = {-1.0, -0.8, 0.0}, .diameter = 2.0*R, .material = "glass"};
     const char *const what = triangles ? "corner of triangles" : "corner of planes";
     char *const scene = world_text("%s effects { hertz {} dry { restitution 0.3; } mindlin { friction 0.2; }"
                                    "gravity { acceleration (-2 -3 -9.81); } } %s", materials,
@@ -228,7 +228,7 @@ static void corner(int triangles)
         mesh_hand_over(d, "b", "rigid", &m);
     }
     WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     world_run(d, 1.0);
     for (int w = 0; w < dem_wall_count(d); w++)
     {
@@ -257,14 +257,14 @@ static void corner(int triangles)
 /* Where a sphere is set down on surfaces; counts contacts and adds up the force on it. */
 static int64_t set_down(struct mesh *m, const double x[3], double force[3])
 {
-    struct dem_seed seed = {.diameter = 2.0*R, .material = "glass"};
+    struct dem_new_particle seed = {.diameter = 2.0*R, .material = "glass"};
     char *const scene = world_text("%s effects { hertz {} } time { step 1e-9; }", materials);
     struct dem *const d = world_begin(scene);
 
     memcpy(seed.position, x, sizeof seed.position);
     mesh_hand_over(d, "surface", "rigid", m);
     WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     world_step(d);
     const int64_t contacts = world_tally(d).contacts;
 
@@ -297,14 +297,14 @@ static void edges(void)
     int64_t n = set_down(&ridge, on_ridge, f);
 
     TAP_OK(n == 1, "convex edge: one contact (%lld)", (long long)n);
-    TAP_NEAR(f[2], push, 1e-9*push, "convex edge: pushes straight up, once");
+    TAP_NEAR(f[2], push, 1e-9*push, "convex edge: one force, straight up");
 
     struct mesh valley = roof(0.01, 0.01);
     const double in_valley[3] = {0.0, 0.0, (R - d)*sqrt(2.0)};
 
     n = set_down(&valley, in_valley, f);
     TAP_OK(n == 2, "concave edge: two contacts (%lld)", (long long)n);
-    TAP_NEAR(f[2], 2.0*push/sqrt(2.0), 1e-9*push, "concave edge: both push");
+    TAP_NEAR(f[2], 2.0*push/sqrt(2.0), 1e-9*push, "concave edge: two forces");
 
     /* beside the ridge, on the left slope: that slope alone */
     struct mesh again = roof(-0.01, -0.01);
@@ -327,7 +327,7 @@ static void edges(void)
 
     n = set_down(&box, tip, f);
     TAP_OK(n == 1, "tip of three faces: one contact (%lld)", (long long)n);
-    TAP_NEAR(f[0] + f[1] + f[2], push*sqrt(3.0), 1e-9*push, "tip of three faces: pushes along the diagonal");
+    TAP_NEAR(f[0] + f[1] + f[2], push*sqrt(3.0), 1e-9*push, "tip of three faces: force along the diagonal");
 
     /* the rim of a sheet in the air */
     struct mesh sheet = {0};
@@ -337,7 +337,7 @@ static void edges(void)
     mesh_quad(&sheet, a, b, c, e);
     n = set_down(&sheet, rim, f);
     TAP_OK(n == 1, "rim of a sheet: one contact (%lld)", (long long)n);
-    TAP_NEAR(f[0], push, 1e-9*push, "rim of a sheet: pushes in its plane");
+    TAP_NEAR(f[0], push, 1e-9*push, "rim of a sheet: force in its plane");
 }
 
 /* A random tetrahedron, corners in an order that makes its faces look outward. */
@@ -489,7 +489,7 @@ static void facets(void)
 static void over_the_edge(void)
 {
     struct mesh m = roof(-0.01, 0.0);                     /* flat on the right, 45 degrees down on the left */
-    const struct dem_seed seed = {.position = {0.003, 0.0, R}, .velocity = {-0.05, 0.0, 0.0}, .diameter = 2.0*R, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {0.003, 0.0, R}, .velocity = {-0.05, 0.0, 0.0}, .diameter = 2.0*R, .material = "glass"};
     char *const scene = world_text("%s effects { hertz {} gravity { acceleration (0 0 -9.81); } } time { step 5e-6; }", materials);
     struct dem *const d = world_begin(scene);
     const double mass = world_ball(R, density);
@@ -498,7 +498,7 @@ static void over_the_edge(void)
 
     mesh_hand_over(d, "roof", "rigid", &m);
     WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     for (int k = 0; k < 24000; k++)
     {
         world_step(d);
@@ -537,7 +537,7 @@ static void angular_momentum(const struct world_particle *p, double out[3])
 static void torque(void)
 {
     static const double min[3] = {0.5, -0.2, 0.3}, max[3] = {0.506, -0.195, 0.305};
-    const struct dem_seed seed = {.position = {0.5025, -0.1976, 0.302}, .velocity = {0.7, -0.4, 0.5}, .spin = {300.0, 900.0, -500.0},
+    const struct dem_new_particle seed = {.position = {0.5025, -0.1976, 0.302}, .velocity = {0.7, -0.4, 0.5}, .spin = {300.0, 900.0, -500.0},
                                   .diameter = 2.0*R, .material = "glass"};
     struct mesh m = mesh_box(min, max);
     struct dem *const d = world_begin("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } rigid { density 1; youngsModulus 1e30; } }"
@@ -547,8 +547,8 @@ static void torque(void)
 
     mesh_hand_over(d, "box", "rigid", &m);
     WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_ready(d));
-    WORLD_TRY(dem_wall_watch(d));
+    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_wall_impulse_reset(d));
     const struct world_particle p = world_at(d, 0);
 
     world_run(d, 0.03);
@@ -573,7 +573,7 @@ static void torque(void)
 static void both_sides(void)
 {
     struct mesh m = mesh_floor(-0.05, 0.05, 5e-3);
-    struct dem_seed seed[40];
+    struct dem_new_particle seed[40];
     char *const scene = world_text("%s effects { hertz { impactSpeed 5; } }", materials);
     struct dem *const d = world_begin(scene);
     int wrong = 0;
@@ -583,13 +583,13 @@ static void both_sides(void)
     {
         const double side = k%2 ? 1.0 : -1.0;
 
-        seed[k] = (struct dem_seed){.position = {-0.045 + 0.0023*k, 0.002*(k%7), side*3e-3}, .velocity = {0.5, 0.1, -5.0*side},
+        seed[k] = (struct dem_new_particle){.position = {-0.045 + 0.0023*k, 0.002*(k%7), side*3e-3}, .velocity = {0.5, 0.1, -5.0*side},
                                     .diameter = 2.0*R, .id = k, .material = "glass"};
         seed[k].position[1] += 0.02*(k%3) - 0.03;
     }
     mesh_hand_over(d, "sheet", "rigid", &m);
     WORLD_TRY(dem_add_particles(d, 40, seed));
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     world_run(d, 2e-3);
     for (int k = 0; k < 40; k++)
     {

@@ -44,7 +44,7 @@ static struct dem *sphere(const char *more)
     struct dem *const w = world_begin(scene);
     struct dem_fluid f;
 
-    WORLD_TRY(dem_ready(w));
+    WORLD_TRY(dem_setup(w));
     WORLD_TRY(dem_fluid(w, &f));
     free(scene);
     return w;
@@ -88,7 +88,7 @@ static double lift(int whole)
     struct dem *const w = world_begin(scene);
     struct dem_fluid f;
 
-    WORLD_TRY(dem_ready(w));
+    WORLD_TRY(dem_setup(w));
     dem_fluid_whole_drag(w, whole);
     give_fluid(w, 0.01, 0.0);
     WORLD_TRY(dem_fluid(w, &f));

@@ -68,7 +68,7 @@ static inline struct dem *world_begin(const char *scene)
     return d;
 }
 
-static inline struct dem *world(const char *scene, int64_t n, const struct dem_seed *seed)
+static inline struct dem *world(const char *scene, int64_t n, const struct dem_new_particle *seed)
 {
     struct dem *const d = world_begin(scene);
 
@@ -76,7 +76,7 @@ static inline struct dem *world(const char *scene, int64_t n, const struct dem_s
     {
         WORLD_TRY(dem_add_particles(d, n, seed));
     }
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     return d;
 }
 
@@ -90,11 +90,11 @@ static inline void world_step(struct dem *d)
     WORLD_TRY(dem_advance(d, dem_step_limit(d).used));
 }
 
-static inline struct dem_tally world_tally(struct dem *d)
+static inline struct dem_totals world_tally(struct dem *d)
 {
-    struct dem_tally t;
+    struct dem_totals t;
 
-    WORLD_TRY(dem_tally(d, &t));
+    WORLD_TRY(dem_totals(d, &t));
     return t;
 }
 

@@ -22,7 +22,7 @@ static int failed(void)
 int main(int argc, char **argv)
 {
     struct dem_profile profile;
-    struct dem_tally tally;
+    struct dem_totals tally;
     const char *plan;
     uint64_t hash;
     struct dem *d;
@@ -31,11 +31,11 @@ int main(int argc, char **argv)
     {
         return EXIT_FAILURE;
     }
-    if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argv[1]) || dem_ready(d) || dem_advance(d, atof(argv[2])*dem_step_limit(d).used))
+    if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argv[1]) || dem_setup(d) || dem_advance(d, atof(argv[2])*dem_step_limit(d).used))
     {
         return failed();
     }
-    if (dem_profile(d, &profile) || dem_tally(d, &tally) || dem_hash(d, &hash))
+    if (dem_profile(d, &profile) || dem_totals(d, &tally) || dem_hash(d, &hash))
     {
         return failed();
     }
@@ -43,7 +43,7 @@ int main(int argc, char **argv)
            tally.contacts, profile.bytes);
     if (argc > 3)
     {
-        if (dem_plan(d, &(struct dem_prospect){.duration = 0.0}, &plan))
+        if (dem_plan(d, &(struct dem_run_info){.duration = 0.0}, &plan))
         {
             return failed();
         }

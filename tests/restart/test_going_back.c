@@ -1,7 +1,7 @@
 /*
- * Claims: a run goes back to the copy that it kept, and from there has the bits that it had before, friction included;
- * copies within a window disturb nothing and are synchronous; after a failure the state of before comes back whole, and
- * what is spoilt is never kept.
+ * Claims: a run goes back to its backup and from there has the same bits as before, friction included. Backups within a window change
+ * nothing and are made by all ranks at the same step. After a failure the last good state is restored whole; a failed state is never
+ * backed up.
  *
  * Source: the contract in dem.h.
  *
@@ -31,12 +31,12 @@ static void twice(void)
     struct dem *const d = world(heap, 0, NULL);
     double time = 0.0;
 
-    TAP_OK(dem_restore(d, &time) != 0 && strstr(dem_error_text(), "dem_keep"), "nothing kept: refused, names dem_keep");
-    TAP_OK(dem_keep(d, -1) != 0 && strstr(dem_error_text(), "-1"), "copies -1 steps apart: refused");
+    TAP_OK(dem_restore(d, &time) != 0 && strstr(dem_error_text(), "dem_backup_every"), "nothing kept: refused, names dem_backup_every");
+    TAP_OK(dem_backup_every(d, -1) != 0 && strstr(dem_error_text(), "-1"), "copies -1 steps apart: refused");
     world_run(d, 4096*step);
     const uint64_t before = hash_of(d);
 
-    WORLD_TRY(dem_keep(d, 0));
+    WORLD_TRY(dem_backup_every(d, 0));
     world_run(d, 1000*step);
     const uint64_t after = hash_of(d);
 
@@ -56,7 +56,7 @@ static void within(void)
     struct dem *const plain = world(heap, 0, NULL), *const keeps = world(heap, 0, NULL), *const ends = world(heap, 0, NULL);
     double time = 0.0;
 
-    WORLD_TRY(dem_keep(keeps, 300));
+    WORLD_TRY(dem_backup_every(keeps, 300));
     world_run(plain, 1000*step);
     world_run(keeps, 1000*step);
     TAP_OK(hash_of(plain) == hash_of(keeps), "the same bits with copies and without");
@@ -92,14 +92,14 @@ static void failure(void)
     double time = 0.0;
 
     give_fluid(d, 0.5);
-    WORLD_TRY(dem_keep(d, 100));
+    WORLD_TRY(dem_backup_every(d, 100));
     world_run(d, 1050*step);
     const uint64_t before = hash_of(d);
 
-    WORLD_TRY(dem_keep(d, 100));
+    WORLD_TRY(dem_backup_every(d, 100));
     give_fluid(d, (double)NAN);
     TAP_OK(dem_advance(d, 500*step) != 0, "a velocity that is no number ends the run: %s", dem_error_text());
-    TAP_OK(dem_keep(d, 0) == 0, "a spoilt state is passed over");
+    TAP_OK(dem_backup_every(d, 0) == 0, "a spoilt state is passed over");
     WORLD_TRY(dem_restore(d, &time));
     TAP_OK(time == 1050*step && hash_of(d) == before, "the state of before comes back whole");
     give_fluid(d, 0.5);

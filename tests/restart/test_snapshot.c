@@ -1,15 +1,15 @@
 /*
- * Claims: a snapshot is refused when any one bit of it is another, and when it is cut at any byte or longer by one; the sentence
- * names the file. What was written over stays whole when the writing fails. Places past 4 GB are kept and found.
+ * Claims: a snapshot is refused when any bit is flipped, when it is cut at any byte, or when it is longer by one; the sentence names the
+ * file. A failed write leaves the old file whole. Offsets beyond 4 GB are written and read.
  *
- * Source: the contract of io/snapshot.h and io/store.h.
+ * Source: the contract of checkpoint/snapshot.h and parallel/parallel_file.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "physics/world.h"
 
-#include "io/snapshot.h"
-#include "io/store.h"
+#include "checkpoint/snapshot.h"
+#include "parallel/parallel_file.h"
 
 #include <unistd.h>
 
@@ -76,7 +76,7 @@ static int is_refused(int load)
         struct dem *const d = world_begin(scene);
 
         WORLD_TRY(dem_load(d, bad));
-        refused = refused && dem_ready(d) != 0 && strstr(dem_error_text(), bad);
+        refused = refused && dem_setup(d) != 0 && strstr(dem_error_text(), bad);
         dem_free(d);
     }
     return refused;
@@ -109,21 +109,21 @@ static void damage(void)
 /* Holes take no room on the disk. */
 static void far(void)
 {
-    const struct dem_writers alone = {.comm = MPI_COMM_NULL};
+    const struct dem_file_ranks alone = {.comm = MPI_COMM_NULL};
     const size_t place = ((size_t)5 << 30) + 3;
-    struct dem_store s;
+    struct dem_parallel_file s;
     char there[8] = "", here[8] = "";
 
-    WORLD_TRY(dem_store_create(&s, &alone, bad, 1));
-    dem_store_write_together(&s, place, "beyond", 7);
-    dem_store_write(&s, 0, "before", 7);
-    TAP_OK(dem_store_close(&s) == 0, "a file of 5 GB is written: %s", dem_error_text());
-    WORLD_TRY(dem_store_open(&s, &alone, bad));
-    dem_store_read(&s, place, there, 7);
-    dem_store_read(&s, 0, here, 7);
-    TAP_OK(dem_store_size(&s) == place + 7 && strcmp(there, "beyond") == 0 && strcmp(here, "before") == 0, "and is what was written");
-    dem_store_read(&s, place, there, 8);
-    TAP_OK(dem_store_close(&s) != 0 && strstr(dem_error_text(), "cut short"), "past its end: %s", dem_error_text());
+    WORLD_TRY(dem_parallel_file_create(&s, &alone, bad, 1));
+    dem_parallel_file_write_all(&s, place, "beyond", 7);
+    dem_parallel_file_write(&s, 0, "before", 7);
+    TAP_OK(dem_parallel_file_close(&s) == 0, "a file of 5 GB is written: %s", dem_error_text());
+    WORLD_TRY(dem_parallel_file_open(&s, &alone, bad));
+    dem_parallel_file_read(&s, place, there, 7);
+    dem_parallel_file_read(&s, 0, here, 7);
+    TAP_OK(dem_parallel_file_size(&s) == place + 7 && strcmp(there, "beyond") == 0 && strcmp(here, "before") == 0, "and is what was written");
+    dem_parallel_file_read(&s, place, there, 8);
+    TAP_OK(dem_parallel_file_close(&s) != 0 && strstr(dem_error_text(), "cut short"), "past its end: %s", dem_error_text());
 }
 
 static void failing(struct dem *d)

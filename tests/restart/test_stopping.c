@@ -1,9 +1,9 @@
 /*
- * Claims: a run that is told to stop stands still after the step at hand, in the middle of its window; saved and loaded there, or
- * just advanced on, it has the bits of a run that was not stopped: positions, friction, drag, a wall that moves, particles that wrap
- * and that leave, means. Gone on with other steps it is half a kick off at most: a sphere in free fall by g (dt - dt')/2.
+ * Claims: a run asked to stop ends after the current step, within its window. Saved and loaded there, or just advanced further, it has
+ * the bits of a run that was not stopped: positions, friction, drag, a moving wall, particles that wrap and that leave, means.
+ * Continued with another step dt' it differs by half a kick at most: a sphere in free fall by g (dt - dt')/2.
  *
- * Source: the contract of dem_stop_when in dem.h; the leapfrog is exact under constant acceleration.
+ * Source: the contract of dem_set_stop_flag in dem.h; the leapfrog is exact under constant acceleration.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -28,7 +28,7 @@ static struct dem *load(const char *scene)
     struct dem *const d = world_begin(scene);
 
     WORLD_TRY(dem_load(d, file));
-    WORLD_TRY(dem_ready(d));
+    WORLD_TRY(dem_setup(d));
     return d;
 }
 
@@ -59,7 +59,7 @@ static struct dem *halting(int every)
         const double time = world_tally(d).time;
 
         asked = SIGTERM;                                   /* each dem_advance makes one step */
-        dem_stop_when(d, &asked);
+        dem_set_stop_flag(d, &asked);
         WORLD_TRY(dem_advance(d, (floor(time/window) + 1.0)*window - time));
         if (dem_stopped(d) && ++steps%every == 0 && ++stops%2 == 0)
         {
@@ -110,14 +110,14 @@ static void telling(void)
     struct dem *const d = world(heap, 0, NULL);
 
     world_run(d, 5.0*step);
-    TAP_OK(dem_stopped(d) == 0, "nobody asks: not stopped");
+    TAP_OK(dem_stopped(d) == 0, "without a request: not stopped");
     asked = 0;
-    dem_stop_when(d, &asked);
+    dem_set_stop_flag(d, &asked);
     world_run(d, 5.0*step);
     TAP_OK(dem_stopped(d) == 0 && world_tally(d).steps == 10, "not asked: not stopped");
     asked = SIGUSR1;
     world_run(d, 5.0*step);
-    TAP_OK(dem_stopped(d) == SIGUSR1 && world_tally(d).steps == 11, "asked: stopped after one step, and tells by what");
+    TAP_OK(dem_stopped(d) == SIGUSR1 && world_tally(d).steps == 11, "requested: stopped after one step, with the signal");
     asked = 0;
     world_run(d, 4.0*step);
     TAP_OK(dem_stopped(d) == 0 && world_tally(d).steps == 15, "the rest of the window");
@@ -136,7 +136,7 @@ static struct world_particle fall(double other)
     struct dem *d = world(first, 0, NULL);
 
     asked = SIGTERM;
-    dem_stop_when(d, &asked);
+    dem_set_stop_flag(d, &asked);
     for (int k = 0; k < 301; k++)
     {
         WORLD_TRY(dem_advance(d, 1.0 - world_tally(d).time));

@@ -19,7 +19,7 @@
 #define _DEFAULT_SOURCE
 
 #include "dem.h"
-#include "base/random.h"
+#include "core/random.h"
 #include <math.h>
 #include <malloc.h>
 #include <stdio.h>
@@ -108,10 +108,10 @@ static double *diameters(const struct dem_view *v, double width)
     return d;
 }
 
-static struct dem_seed seed_of(const struct dem_view *v, size_t i)
+static struct dem_new_particle seed_of(const struct dem_view *v, size_t i)
 {
     const int64_t *const id = (const void *)((const char *)v->id + v->stride*i);
-    struct dem_seed s = {.id = *id, .diameter = 2.0*dem_at(v->radius, v->stride, i)[0]};
+    struct dem_new_particle s = {.id = *id, .diameter = 2.0*dem_at(v->radius, v->stride, i)[0]};
 
     memcpy(s.position, dem_at(v->position, v->stride, i), sizeof s.position);
     memcpy(s.velocity, dem_at(v->velocity, v->stride, i), sizeof s.velocity);
@@ -119,7 +119,7 @@ static struct dem_seed seed_of(const struct dem_view *v, size_t i)
     return s;
 }
 
-static void print_seed(FILE *f, const struct dem_seed *s)
+static void print_seed(FILE *f, const struct dem_new_particle *s)
 {
     fprintf(f, "%lld %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n", (long long)s->id, s->diameter,
             s->position[0], s->position[1], s->position[2], s->velocity[0], s->velocity[1], s->velocity[2], s->spin[0], s->spin[1], s->spin[2]);
@@ -132,7 +132,7 @@ static int state(char **argument)
     struct dem_view v;
     struct dem *d;
 
-    if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argument[0]) || dem_load(d, argument[1]) || dem_ready(d))
+    if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argument[0]) || dem_load(d, argument[1]) || dem_setup(d))
     {
         return fail(dem_error_text());
     }
@@ -141,7 +141,7 @@ static int state(char **argument)
 
     for (size_t k = 0; diameter && k < (size_t)copies*v.n; k++)
     {
-        struct dem_seed s = seed_of(&v, k % v.n);
+        struct dem_new_particle s = seed_of(&v, k % v.n);
 
         s.id = (int64_t)k;
         s.diameter = diameter[k % v.n];
@@ -166,7 +166,7 @@ static int state(char **argument)
 static int add(struct dem *d, const char *path)
 {
     FILE *const f = fopen(path, "r");
-    struct dem_seed *seed = NULL, s = {.material = "glass"};
+    struct dem_new_particle *seed = NULL, s = {.material = "glass"};
     size_t n = 0, room = 0;
     long long id;
 
@@ -190,7 +190,7 @@ static int add(struct dem *d, const char *path)
         seed[n++] = s;
     }
     fclose(f);
-    const int status = dem_add_particles(d, (int64_t)n, seed) || dem_ready(d);
+    const int status = dem_add_particles(d, (int64_t)n, seed) || dem_setup(d);
 
     free(seed);
     return status ? fail(dem_error_text()) : 0;
@@ -208,7 +208,7 @@ static int print_end(const struct dem *d, const char *path)
     dem_view(d, &v);
     for (size_t i = 0; i < v.n; i++)
     {
-        const struct dem_seed s = seed_of(&v, i);
+        const struct dem_new_particle s = seed_of(&v, i);
 
         print_seed(f, &s);
     }
@@ -218,7 +218,7 @@ static int print_end(const struct dem *d, const char *path)
 static int run(int arguments, char **argument)
 {
     const double step = strtod(argument[2], NULL), steps = strtod(argument[3], NULL), before = held("VmRSS:");
-    struct dem_tally t;
+    struct dem_totals t;
     struct dem *d;
 
     if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argument[0]) || dem_set(d, "time/step", argument[2]))
@@ -250,7 +250,7 @@ static int run(int arguments, char **argument)
     }
     const double spent = steps > 1.0 ? (seconds() - start)*steps/(steps - 1.0) : NAN;
 
-    if (dem_tally(d, &t))
+    if (dem_totals(d, &t))
     {
         return fail(dem_error_text());
     }

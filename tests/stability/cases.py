@@ -43,6 +43,7 @@ def fits(tolerance, off):
 class Case:
     def __init__(self, folder, options):
         self.folder, self.dem, self.long, self.ranks_limit = os.path.join(HERE, folder), options.dem, options.long, 120
+        self.thorough = self.long or bool(os.environ.get("SUNA_LONG"))       # ./Alltest -long: more ranks, not the long forms
         self.number, self.name = folder[:2] if folder[:2].isdigit() else "--", folder.lstrip("0123456789_").replace("_", " ")
         self.work = os.path.join(options.work, folder)
         self.rows, self.runs, self.hard = [], 0, ""
@@ -85,7 +86,8 @@ class Case:
         self.rows.append(Row(what, ">= %.3g" % limit, "%.4g" % measured, fits(measured, limit), measured >= limit))
 
     def equal(self, what, measured, wanted):
-        self.rows.append(Row(what, "%s" % (wanted,), "%s" % (measured,), math.inf if measured == wanted else 0.0, measured == wanted))
+        good = measured is not None and measured == wanted   # None: neither run gave a fingerprint
+        self.rows.append(Row(what, "%s" % (wanted,), "%s" % (measured,), math.inf if good else 0.0, good))
 
     def holds(self, what, good, seen=""):
         self.rows.append(Row(what, "yes", "yes" if good else "no: " + seen.strip()[-300:].replace("\n", " / "), math.nan, bool(good)))
@@ -136,7 +138,7 @@ def chosen(words):
     return picked
 
 
-def tell(case, count):
+def report(case, count):
     for row in case.rows:
         count += 1
         if "# SKIP" in row.what:
@@ -145,14 +147,6 @@ def tell(case, count):
         print("%s %d - %s %s: %s | %s | %s | %s" % ("ok" if row.good else "not ok", count, case.number, case.name, row.what, row.wanted,
                                                     row.measured.replace("#", ""), times(row.margin)), flush=True)
     return count
-
-
-def mutations(options):
-    """Each row of mutations.list still finds the line that it means to make wrong; nothing is built."""
-    case = Case("mutations", options)
-    case.hard, seen = "a suite that would not notice", case.command([os.path.join(HERE, "mutations"), "-look"])
-    case.holds("rows of mutations.list find their lines", seen.status == 0, seen.out)
-    return case
 
 
 def tightest(case):
@@ -181,11 +175,8 @@ def main():
     count, cases, began = 0, [], time.time()
     with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
         for case in pool.map(lambda f: do(f, options), chosen(options.case)):
-            count = tell(case, count)
+            count = report(case, count)
             cases.append(case)
-    if not options.case:
-        cases.append(mutations(options))
-        count = tell(cases[-1], count)
     failed = sum(not r.good for c in cases for r in c.rows)
     table(cases)
     used = os.times()

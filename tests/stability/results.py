@@ -1,6 +1,6 @@
 """
 results.py -- a run of the program and what its output files hold, read with nothing but the standard library: tables, pictures
-(dem/io/vtk.h) and snapshots (dem/io/snapshot_head.h).
+(dem/output/vtk.h) and snapshots (dem/checkpoint/snapshot_head.h).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -1,17 +1,16 @@
 /*
- * Scenes drawn at random keep what no scene may lose: numbers stay finite; momentum and angular momentum stay where nothing outside acts;
- * energy is never created beyond the integrator's error; ranks give the bits of one; a run that goes on from a snapshot has the bits of one
- * that ran through.
+ * Claims for scenes drawn at random: numbers stay finite; momentum and angular momentum are conserved without external forces; energy
+ * is not created beyond the error of the integrator; several ranks have the bits of one; a restarted run has the bits of a straight one.
  *
  *     mpirun -np 3 test_random FIRST COUNT FOLDER     scenes of seeds FIRST ...; snapshots go into the folder; prints the worst of all
  *     test_random -print SEED                         that scene, for `dem run`
  *
  * Drawn are: materials and pairs, laws of contact, resistance, adhesion and bonds, sizes, groups with velocity and spin, gravity, domain,
- * walls at rest and moving, a uniform fluid with a law of drag and what goes with it. Not here: streams, coupled runs.
+ * walls at rest and moving, a uniform fluid with a drag law and related effects. Not included: streams, coupled runs.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "base/random.h"
+#include "core/random.h"
 #include "dem.h"
 #include <math.h>
 #include <stdarg.h>
@@ -225,9 +224,9 @@ static int make(struct dem **d, const struct scene *s, MPI_Comm comm, const char
     int status = dem_create(d, comm);
 
     status = status ? status : dem_scene_text(*d, s->text, "scene");
-    status = status ? status : comm == MPI_COMM_NULL && !from ? dem_energy_watch(*d) : 0;
+    status = status ? status : comm == MPI_COMM_NULL && !from ? dem_energy_enable(*d) : 0;
     status = status ? status : from ? dem_load(*d, from) : 0;
-    return status ? status : dem_ready(*d);
+    return status ? status : dem_setup(*d);
 }
 
 struct sums                                               /* of everybody: kg m/s, kg m2/s; and of their sizes */
@@ -285,7 +284,7 @@ static int begins(const char *name, const char *word)
     return strncmp(name, word, strlen(word)) == 0;
 }
 
-/* Springs of friction may be cut to hold more than slip has put in (the dashpot's share, dem/README.md, section 4): they give it to heat,
+/* Springs of friction may be cut to hold more than slip has put in (the dashpot's share, docs/energy-balance.md): they give it to heat,
    and here what they hold counts for nothing. */
 static int counts(const char *name)
 {
@@ -320,10 +319,10 @@ static int judge_energy(struct dem *d, double start, struct result *r)
 static int run_alone(const struct scene *s, const char *file, struct result *r)
 {
     struct dem *d = NULL, *e = NULL;
-    struct dem_tally t;
+    struct dem_totals t;
     int status = make(&d, s, MPI_COMM_NULL, NULL);
 
-    status = status ? status : dem_tally(d, &t);
+    status = status ? status : dem_totals(d, &t);
     const struct sums then = status ? (struct sums){.finite = 1} : sums_of(d);
     const double start = status ? 0.0 : t.kinetic, half = status ? 0.0 : HALF*dem_step_limit(d).limit;
 

@@ -1,13 +1,13 @@
 /*
- * A scene's text becomes the values OpenFOAM would read from it, and whatever is wrong in it is told with its line.
+ * Claims: the text of a scene gives the values that OpenFOAM would read from it; every error is reported with its line.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "tap.h"
 
-#include "base/error.h"
-#include "base/random.h"
-#include "io/dictionary.h"
+#include "core/error.h"
+#include "core/random.h"
+#include "input/dictionary.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -153,7 +153,7 @@ static void walking(void)
     TAP_OK(strcmp(dem_dict_where(d), "scene.dem") == 0 && *dem_dict_path(d) == '\0', "the top's place");
     TAP_OK(dem_dict_refuse_unread(d) == DEM_ERROR_INPUT && strstr(dem_error_text(), "unknown entry \"z\" in a"),
            "walking reads what is taken, the rest is refused: %s", dem_error_text());
-    dem_dict_accept(d);
+    dem_dict_mark_read(d);
     TAP_OK(dem_dict_refuse_unread(d) == DEM_OK, "unless all is accepted");
     dem_dict_free(d);
 }
@@ -179,12 +179,12 @@ struct spring
 };
 
 static const char *const laws[] = {"tsuji", "none", NULL};
-static const struct dem_field spring_fields[] = {
-    DEM_FIELD(spring, restitution, "1", DEM_FIELD_REQUIRED, 0.0, 1.0, "speed after over speed before"),
-    DEM_FIELD_VECTOR(spring, direction, "m", 0.0, -1.0, 1.0, "where to"),
-    DEM_FIELD_COUNT(spring, count, "count", 3.0, 0.0, 9.0, "how many"),
-    DEM_FIELD_CHOICE(spring, law, "law", 0, laws, "damping law"),
-    DEM_FIELD_SWITCH(spring, on, "on", 1, "acts at all"),
+static const struct dem_setting spring_fields[] = {
+    DEM_SETTING(spring, restitution, "1", DEM_SETTING_REQUIRED, 0.0, 1.0, "speed after over speed before"),
+    DEM_SETTING_VECTOR(spring, direction, "m", 0.0, -1.0, 1.0, "where to"),
+    DEM_SETTING_COUNT(spring, count, "count", 3.0, 0.0, 9.0, "how many"),
+    DEM_SETTING_CHOICE(spring, law, "law", 0, laws, "damping law"),
+    DEM_SETTING_SWITCH(spring, on, "on", 1, "acts at all"),
     {0},
 };
 
@@ -195,7 +195,7 @@ static void fields(void)
     struct spring s;
 
     TAP_OK(!dem_dict_sub(d, "effects", &effects) && !dem_dict_sub(effects, "dry", &dry)
-           && !dem_dict_fields(dry, spring_fields, &s), "a struct from its table of fields");
+           && !dem_dict_settings(dry, spring_fields, &s), "a struct from its table of fields");
     TAP_OK(s.restitution == 0.8 && s.direction[1] == 1 && s.count == 3 && s.law == 1 && s.on == 0, "with its values");
     TAP_OK(dem_dict_refuse_unread(d) == DEM_OK, "all of it was read");
     dem_dict_free(d);
@@ -223,7 +223,7 @@ static int ask(const struct dem_dict *d)
     if (effects)
     {
         DEM_TRY(dem_dict_sub(effects, "dry", &dry));
-        DEM_TRY(dem_dict_fields(dry, spring_fields, &s));
+        DEM_TRY(dem_dict_settings(dry, spring_fields, &s));
     }
     DEM_TRY(dem_dict_vector_or(d, "g", "m/s2", (const double[]){0, 0, 0}, v));
     DEM_TRY(dem_dict_int64_or(d, "n", 0, &n));
@@ -248,7 +248,7 @@ static const struct
     {"n 3", "scene.dem, line 1: found end of file, expected ; after \"n 3\"; end line 1 with ;"},
     {"n", "scene.dem, line 1: found end of file, expected ; after \"n\"; end line 1 with ;"},
     {"n 3;\n}\n", "scene.dem, line 2: found } that no { opened; remove it"},
-    {"solid materials { }", "scene.dem, line 1: { can't follow \"solid materials\"; a dictionary has one name: name { ... }"},
+    {"solid materials { }", "scene.dem, line 1: { cannot follow \"solid materials\"; a dictionary has one name: name { ... }"},
     {"g (0 0\n -9.81;\nn 3;", "scene.dem, line 2: found ;, expected ) to close what line 1 opened in g"},
     {"g (0 0 -9.81]; ", "scene.dem, line 1: found ], expected ) to close what line 1 opened"},
     {"g 0 0 -9.81);", "scene.dem, line 1: found ) that nothing opened; remove it"},
@@ -256,7 +256,7 @@ static const struct
     {"n 1; /* two\nlines", "scene.dem, line 1: the comment /* that begins here is never closed; add */"},
     {"n 1;\nshape \"sphere;\nn 2;", "scene.dem, line 2: the string that begins here is not closed on its line; add \""},
     {"n ${a;", "scene.dem, line 1: expected } to close ${a"},
-    {"shape #ff0000;", "scene.dem, line 1: #ff0000 can't stand inside the value of shape; put it on a line of its own, "
+    {"shape #ff0000;", "scene.dem, line 1: #ff0000 cannot stand inside the value of shape; put it on a line of its own, "
      "between entries, or in quotes if it is a text"},
     /* macros and directives */
     {"radius 1;\nn $radios;", "scene.dem, line 2: nothing above this line defines $radios; did you mean $radius?"},
@@ -264,52 +264,52 @@ static const struct
     {"n $ a;", "scene.dem, line 1: $ stands alone; write $name directly, without a space"},
     {"a 1;\n$a;", "scene.dem, line 2: $a is a value; only a dictionary can be inserted here. Write name $a;"},
     {"a { b { $a; } }", "scene.dem, line 1: $a; would insert the dictionary into itself"},
-    {"a { x 1; }\nn 1 $a;", "scene.dem, line 2: $a is a dictionary, and n wants a value; write n { $a; } to insert it"},
+    {"a { x 1; }\nn 1 $a;", "scene.dem, line 2: $a is a dictionary, and n takes a value; write n { $a; } to insert it"},
     {"a { x 1; }\nb { $a }", "scene.dem, line 2: found }, expected ; after $a; end line 2 with ;"},
     {"#calc \"1+1\";", "scene.dem, line 1: #calc is not known here; of OpenFOAM's directives this reader has #include only"},
-    {"#include \"x\"", "scene.dem, line 1: a text that was handed over can't #include; expand it first"},
+    {"#include \"x\"", "scene.dem, line 1: a text passed in memory cannot #include; expand it first"},
     {"#line 40 \"demProperties\"\nn 1\n;m", "demProperties, line 41: found end of file, expected ; after \"m\"; end line 41 with ;"},
     {"#line x", "scene.dem, line 1: write #line <number> \"file\""},
     /* values */
     {"\nmaterials\n{\n glass { young 1; }\n}", "scene.dem, line 4: materials/glass needs density (kg/m3)"},
     {"materials { }", "scene.dem, line 1: materials needs glass (a dictionary)"},
-    {"materials 3;", "scene.dem, line 1: materials wants a dictionary { ... }, found \"3\""},
+    {"materials 3;", "scene.dem, line 1: materials takes a dictionary { ... }, found \"3\""},
     {"materials { glass { density 2500\n young 1e7; } }",
-     "scene.dem, line 1: materials/glass/density wants one number (kg/m3), found \"2500 young 1e7\"; "
+     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2500 young 1e7\"; "
      "is a ; missing at the end of line 1?"},
     {"materials { glass { density 2500 young 1e7; } }",
-     "scene.dem, line 1: materials/glass/density wants one number (kg/m3), found \"2500 young 1e7\"; "
+     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2500 young 1e7\"; "
      "is a ; missing at the end of line 1?"},
     {"materials { glass { density 2500 kg; } }",
-     "scene.dem, line 1: materials/glass/density wants one number (kg/m3), found \"2500 kg\""},
+     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2500 kg\""},
     {"materials { glass { young 1e7\n density 2500; } }",
-     "scene.dem, line 1: materials/glass needs density (kg/m3); it stands in the value of young: "
+     "scene.dem, line 1: materials/glass needs density (kg/m3); it is part of the value of young: "
      "is a ; missing at the end of line 1?"},
     {"materials { glass { density 2,5; } }",
-     "scene.dem, line 1: materials/glass/density wants one number (kg/m3), found \"2,5\""},
+     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2,5\""},
     {"materials { glass { density 1e999; } }",
-     "scene.dem, line 1: materials/glass/density wants one number (kg/m3), found \"1e999\""},
+     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"1e999\""},
     {"materials { glass { density nan; } }",
-     "scene.dem, line 1: materials/glass/density wants one number (kg/m3), found \"nan\""},
+     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"nan\""},
     {"materials { glass { density; } }",
-     "scene.dem, line 1: materials/glass/density wants one number (kg/m3), found nothing"},
+     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found nothing"},
     {"materials { glass { density { } } }",
-     "scene.dem, line 1: materials/glass/density wants one number (kg/m3), found a dictionary"},
+     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found a dictionary"},
     {"materials { glass { densitty 3; } }",
      "scene.dem, line 1: materials/glass needs density (kg/m3); is \"densitty\" in line 1 meant to be it?"},
     {"materials { glass { rho 3; } }",
      "scene.dem, line 1: materials/glass needs density (kg/m3); is \"rho\" in line 1 meant to be it?"},
-    {"g (0 -9.81);", "scene.dem, line 1: g wants a vector (x y z) (m/s2), found \"( 0 -9.81 )\""},
-    {"n 2.5;", "scene.dem, line 1: n wants one whole number, found \"2.5\""},
-    {"n 1e300;", "scene.dem, line 1: n wants one whole number, found \"1e300\""},
-    {"n 9223372036854775808;", "scene.dem, line 1: n wants one whole number, found \"9223372036854775808\""},
-    {"on maybe;", "scene.dem, line 1: on wants yes or no (on, off, true, false), found \"maybe\""},
-    {"shape a b;", "scene.dem, line 1: shape wants one word, found \"a b\""},
-    {"radii 3 (1 2);", "scene.dem, line 1: the list radii is announced with length 3 and has 2 items; "
+    {"g (0 -9.81);", "scene.dem, line 1: g takes a vector (x y z) (m/s2), found \"( 0 -9.81 )\""},
+    {"n 2.5;", "scene.dem, line 1: n takes one whole number, found \"2.5\""},
+    {"n 1e300;", "scene.dem, line 1: n takes one whole number, found \"1e300\""},
+    {"n 9223372036854775808;", "scene.dem, line 1: n takes one whole number, found \"9223372036854775808\""},
+    {"on maybe;", "scene.dem, line 1: on takes yes or no (on, off, true, false), found \"maybe\""},
+    {"shape a b;", "scene.dem, line 1: shape takes one word, found \"a b\""},
+    {"radii 3 (1 2);", "scene.dem, line 1: the list radii is declared with length 3 and has 2 items; "
      "correct the length or leave it out"},
-    {"radii (1 x);", "scene.dem, line 1: radii wants a list of numbers ( ... ) (m), found \"( 1 x )\""},
+    {"radii (1 x);", "scene.dem, line 1: radii takes a list of numbers ( ... ) (m), found \"( 1 x )\""},
     {"walls ( { } x );",
-     "scene.dem, line 1: walls wants a list of dictionaries ( { ... } name { ... } ), found \"( {} x )\""},
+     "scene.dem, line 1: walls takes a list of dictionaries ( { ... } name { ... } ), found \"( {} x )\""},
     /* fields */
     {"effects { dry {\nrestitution 1.5; } }", "scene.dem, line 2: effects/dry: restitution 1.5 is out of range; "
      "give a value from 0 to 1 (speed after over speed before)"},
@@ -373,10 +373,10 @@ static void files(void)
     TAP_OK(dem_dict_read_file(&d, top) == DEM_ERROR_INPUT && strstr(dem_error_text(), "include itself"),
            "a file that includes itself: %s", dem_error_text());
     remove(inner);
-    TAP_OK(dem_dict_read_file(&d, top) == DEM_ERROR_FILE && strstr(dem_error_text(), "line 2: can't open"),
+    TAP_OK(dem_dict_read_file(&d, top) == DEM_ERROR_FILE && strstr(dem_error_text(), "line 2: cannot open"),
            "an absent file: %s", dem_error_text());
     remove(top);
-    TAP_OK(dem_dict_read_file(&d, folder) == DEM_ERROR_FILE && strstr(dem_error_text(), "can't read"),
+    TAP_OK(dem_dict_read_file(&d, folder) == DEM_ERROR_FILE && strstr(dem_error_text(), "cannot read"),
            "a folder: %s", dem_error_text());
     remove(folder);
 }

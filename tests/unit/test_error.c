@@ -5,7 +5,7 @@
  */
 #include "tap.h"
 
-#include "base/error.h"
+#include "core/error.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -37,7 +37,7 @@ static void try_and_require(void)
 {
     int reached = 0;
 
-    TAP_OK(passes_on(2, &reached) == DEM_OK && reached, "a call that succeeds lets the caller go on");
+    TAP_OK(passes_on(2, &reached) == DEM_OK && reached, "a call that succeeds returns to the caller");
     reached = 0;
     TAP_OK(passes_on(3, &reached) == DEM_ERROR_INPUT && !reached,
            "a call that fails makes the caller return its status");

@@ -5,8 +5,8 @@
  */
 #include "tap.h"
 
-#include "base/random.h"
-#include "io/hash.h"
+#include "core/random.h"
+#include "core/hash.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -137,8 +137,8 @@ static void sums(void)
         together += parts[i];
     }
     TAP_OK(forward == backward, "the sum does not depend on the order");
-    TAP_OK(forward == together, "nor on who adds which records");
-    TAP_OK(forward != swapped, "two particles that changed places are seen");
+    TAP_OK(forward == together, "nor on the partial sums");
+    TAP_OK(forward != swapped, "two particles swapped are noticed");
     TAP_OK(hash("ab", 2, 0) != hash("ba", 2, 0) && hash("a", 1, 0) != hash("a\0", 2, 0), "order and length within a record count");
     TAP_OK(hash(r, 16, 1) != hash(r, 16, 2), "the salt counts");
 }

@@ -9,8 +9,8 @@
  */
 #include "tap.h"
 
-#include "base/math.h"
-#include "base/random.h"
+#include "core/math.h"
+#include "core/random.h"
 
 enum
 {

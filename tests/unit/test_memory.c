@@ -5,8 +5,8 @@
  */
 #include "tap.h"
 
-#include "base/error.h"
-#include "base/memory.h"
+#include "core/error.h"
+#include "core/memory.h"
 
 #include <stdint.h>
 #include <string.h>
@@ -49,7 +49,7 @@ static void growing(void)
     TAP_OK(!failed && room >= 20000, "an array grows to 20000 elements");
     TAP_OK(kept, "what was written is kept at every move");
     TAP_OK(zeroed, "what is new is zero");
-    TAP_OK(lined_up, "every place is aligned to %d bytes", DEM_MEMORY_LINE);
+    TAP_OK(lined_up, "every array is aligned to %d bytes", DEM_MEMORY_LINE);
     /* 1.5^k >= 20000 from k = 25 on; the first few moves gain less than half because rooms are whole */
     TAP_OK(moves <= 28, "by halves more each time: %zu moves", moves);
 
@@ -70,12 +70,12 @@ static void columns(void)
         char byte[3];
     } *a = NULL;
     int *b = NULL;
-    size_t room = dem_memory_room(0, 10);
+    size_t room = dem_memory_capacity(0, 10);
 
-    TAP_OK(room == 10 && dem_memory_room(10, 11) == 15 && dem_memory_room(10, 40) == 40
-           && dem_memory_room(10, 9) == 10,
+    TAP_OK(room == 10 && dem_memory_capacity(10, 11) == 15 && dem_memory_capacity(10, 40) == 40
+           && dem_memory_capacity(10, 9) == 10,
            "the room to ask for is what is needed, half more, or what there is");
-    TAP_OK(dem_memory_room(SIZE_MAX - 1, SIZE_MAX) == SIZE_MAX, "it does not wrap round");
+    TAP_OK(dem_memory_capacity(SIZE_MAX - 1, SIZE_MAX) == SIZE_MAX, "it does not wrap round");
     TAP_OK(DEM_RESIZE(a, 0, room) == DEM_OK && DEM_RESIZE(b, 0, room) == DEM_OK,
            "two columns share one room");
     memset(a, 7, 10*sizeof *a);

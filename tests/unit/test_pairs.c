@@ -1,18 +1,17 @@
 /*
- * The list of pairs is that of a search of everybody against everybody: no pair too few, none too many, each once and with the right
- * shift, for sizes alike and up to 1:30, in open and in periodic boxes, with copies of other ranks' particles and with frozen ones;
- * however the particles lie. Sizes far apart are divided into levels, sizes alike are not. More particles or pairs than an index of 32
- * bits names are refused.
+ * Claims: the pair list is that of a search over all pairs: none missing, none twice, each with the right periodic shift; for equal
+ * sizes and up to 1:30, in open and periodic boxes, with ghosts and with frozen particles, in any order of storage. Sizes far apart
+ * are divided into levels, similar sizes are not. More particles or pairs than a 32-bit index can number are refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "tap.h"
 
-#include "base/error.h"
-#include "base/memory.h"
-#include "base/random.h"
-#include "space/grid.h"
-#include "space/pairs.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/random.h"
+#include "neighbor/grid.h"
+#include "neighbor/pairs.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +25,7 @@ static const double gap = 0.2;                            /* m: of the outer lis
 
 static struct dem_particles p;
 static struct dem_contacts c;
-static struct dem_recipe recipe;
+static struct dem_interaction_table recipe;
 static struct dem_domain domain;
 static struct dem_pairs pairs;
 static struct dem_walls walls;
@@ -77,7 +76,7 @@ static void set_domain(const struct packing *k)
             domain.periodic[a] = 1;
         }
     }
-    dem_domain_close(&domain);
+    dem_domain_finish(&domain);
 }
 
 struct found                                              /* what a pair is, and how often it is there */
@@ -185,7 +184,7 @@ static int levels(double ratio, size_t large)
     {
         p.record[i].radius = i < large ? 1.0 : fmin(p.record[i].radius, 0.999);
     }
-    dem_grid_divide(&g, &p, 1.0, gap/ratio);
+    dem_grid_choose_levels(&g, &p, 1.0, gap/ratio);
     dem_particles_free(&p);
     return g.levels;
 }
@@ -215,10 +214,10 @@ int main(void)
     {
         compare(&packings[k]);
     }
-    TAP_OK(!dem_pairs_countable(((size_t)1 << 31) - 1, ((size_t)1 << 30) - 1), "as many as an index can name");
-    TAP_OK(dem_pairs_countable((size_t)1 << 31, 0) && strstr(dem_error_text(), "2147483648 particles") && strstr(dem_error_text(), "more ranks"),
+    TAP_OK(!dem_pairs_check_counts(((size_t)1 << 31) - 1, ((size_t)1 << 30) - 1), "as many as an index can name");
+    TAP_OK(dem_pairs_check_counts((size_t)1 << 31, 0) && strstr(dem_error_text(), "2147483648 particles") && strstr(dem_error_text(), "more ranks"),
            "more particles are refused");
-    TAP_OK(dem_pairs_countable(5, (size_t)1 << 32) && strstr(dem_error_text(), "4294967296 pairs"), "more pairs are refused");
+    TAP_OK(dem_pairs_check_counts(5, (size_t)1 << 32) && strstr(dem_error_text(), "4294967296 pairs"), "more pairs are refused");
     TAP_OK(levels(1.0, 0) == 1, "spheres alike: one level");
     TAP_OK(levels(30.0, 0) > 1, "1:30: %d levels", levels(30.0, 0));
     TAP_OK(levels(30.0, 1) > 1, "one large one among them: %d levels", levels(30.0, 1));

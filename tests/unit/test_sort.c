@@ -5,8 +5,8 @@
  */
 #include "tap.h"
 
-#include "base/random.h"
-#include "base/sort.h"
+#include "core/random.h"
+#include "core/sort.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -7,9 +7,9 @@
  */
 #include "unit/tap.h"
 
-#include "base/error.h"
-#include "base/memory.h"
-#include "io/stl.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "input/stl.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -136,7 +136,7 @@ int main(void)
         all &= dem_stl_read(path, 1.0, &corner, &count) != DEM_OK;
     }
     TAP_OK(all, "text cut short anywhere in the first solid: is refused");
-    refused("text cut short in a triangle", text, 90, "cut short");
+    refused("text cut short in a triangle", text, 90, "truncated");
     for (size_t n = 1; n < binary(bytes, "some program"); n++)
     {
         double *corner;
@@ -146,7 +146,7 @@ int main(void)
         all &= dem_stl_read(path, 1.0, &corner, &count) != DEM_OK;
     }
     TAP_OK(all, "binary cut short anywhere: is refused");
-    refused("binary cut short", bytes, 150, "cut short");
+    refused("binary cut short", bytes, 150, "truncated");
     refused("binary, a byte too many", bytes, 185, "184");
     memcpy(bytes + 84 + 50 + 12, &none, sizeof none);
     refused("binary with a corner that is no number", bytes, 184, "triangle 2");

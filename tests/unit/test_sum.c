@@ -8,8 +8,8 @@
  */
 #include "tap.h"
 
-#include "base/random.h"
-#include "base/sum.h"
+#include "core/random.h"
+#include "core/sum.h"
 
 #include <float.h>
 #include <stdint.h>

@@ -5,11 +5,11 @@
  */
 #include "tap.h"
 
-#include "base/error.h"
-#include "base/memory.h"
-#include "base/random.h"
-#include "io/file.h"
-#include "io/vtk.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/random.h"
+#include "core/file.h"
+#include "output/vtk.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -45,7 +45,7 @@ static int write_grains(int64_t n, const struct grain *g)
 {
     const struct dem_vtk_column columns[] = {
         {"points", g->x, sizeof *g, DEM_VTK_DOUBLE, 3},    {"id", &g->id, sizeof *g, DEM_VTK_INT64, 1},
-        {"diameter", &g->diameter, sizeof *g, DEM_VTK_NARROW, 1}, {"stress", g->stress, sizeof *g, DEM_VTK_DOUBLE, 9},
+        {"diameter", &g->diameter, sizeof *g, DEM_VTK_FLOAT32, 1}, {"stress", g->stress, sizeof *g, DEM_VTK_DOUBLE, 9},
         {"material", &g->material, sizeof *g, DEM_VTK_INT32, 1},
     };
 
@@ -89,7 +89,7 @@ static void read_back(int64_t n)
            dem_error_text());
     snprintf(piece, sizeof piece, "<Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"%lld\" ", (long long)n, (long long)n);
     TAP_OK(strstr(file, piece) && strstr(file, "byte_order=\"LittleEndian\" header_type=\"UInt64\""),
-           "the head tells numbers and byte order");
+           "the header has numbers and byte order");
     x = find(file, size, "points", "Float64", 3, 24*N);
     id = find(file, size, "id", "Int64", 1, 8*N);
     d = find(file, size, "diameter", "Float32", 1, 4*N);
@@ -120,7 +120,7 @@ static void read_back(int64_t n)
 static void narrow_numbers(void)
 {
     const double d[5] = {1e300, -1e300, 1e-300, 0.1, (double)NAN}, x[3] = {0, 0, 0};
-    const struct dem_vtk_column columns[] = {{"points", x, 24, DEM_VTK_NARROW, 3}, {"d", d, 40, DEM_VTK_NARROW, 5}};
+    const struct dem_vtk_column columns[] = {{"points", x, 24, DEM_VTK_FLOAT32, 3}, {"d", d, 40, DEM_VTK_FLOAT32, 5}};
     const char *at;
     char *file = NULL;
     size_t size;
@@ -148,7 +148,7 @@ static void triangles(void)
     const char *const x = find(file, size, "points", "Float64", 3, sizeof corner), *const w = find(file, size, "wall", "Int64", 1, 16);
     const char *const c = find(file, size, "connectivity", "Int64", 1, 48), *const o = find(file, size, "offsets", "Int64", 1, 16);
 
-    TAP_OK(strstr(file, "<Piece NumberOfPoints=\"6\" NumberOfVerts=\"0\"") && strstr(file, "NumberOfPolys=\"2\">"), "the head tells numbers");
+    TAP_OK(strstr(file, "<Piece NumberOfPoints=\"6\" NumberOfVerts=\"0\"") && strstr(file, "NumberOfPolys=\"2\">"), "the header has the numbers");
     TAP_OK(x && w && c && o && memcmp(x, corner, sizeof corner) == 0 && memcmp(w, wall, 16) == 0
            && memcmp(c, connectivity, 48) == 0 && memcmp(o, offsets, 16) == 0, "corners, walls and cells are where the head says");
     dem_memory_free(file);
@@ -169,7 +169,7 @@ static void refusals(void)
     TAP_OK(!dem_vtk_write(NULL, path, 1, c, 1), "a good file");
     refused(dem_vtk_write(NULL, path, 1, c, 2), DEM_ERROR_INPUT, "two columns");
     c[1].name = "a<b";
-    refused(dem_vtk_write(NULL, path, 1, c, 2), DEM_ERROR_INPUT, "can't name");
+    refused(dem_vtk_write(NULL, path, 1, c, 2), DEM_ERROR_INPUT, "cannot name");
     c[1] = (struct dem_vtk_column){"b", x, 16, DEM_VTK_DOUBLE, 3};
     refused(dem_vtk_write(NULL, path, 1, c, 2), DEM_ERROR_STATE, "stride");
     c[1] = (struct dem_vtk_column){"b", x, 80, DEM_VTK_DOUBLE, 10};

@@ -82,12 +82,13 @@ int main(int argc, char *argv[])
         demTransfer transfer(mesh, dictionary());
         pointField all(anywhere(mesh.bounds(), 100, 0));
         all[37] = mesh.bounds().max() + 0.1*mesh.bounds().span();
-        grains g(all);
-        const demRoute::stray s(transfer.locate(g.view, g.place.data()));
+        const int64_t first = int64_t(1) << 53;     // first + 37 is no double
+        grains g(all, 0.5e-3, first);
+        const demParticleRouting::lostParticles s(transfer.locate(g.view, g.place.data()));
         const scalar away = returnReduce(mag(s.position - all[37]), maxOp<scalar>());
         claim
         (
-            returnReduce(s.count == 1 && s.id == 37 && s.velocity == vector(37, 1, 0), andOp<bool>()) && away < 1e-12,
+            returnReduce(s.count == 1 && s.id == first + 37 && s.velocity == vector(37, 1, 0), andOp<bool>()) && away < 1e-12,
             "a particle outside the mesh is named on all ranks, its place differs by", away
         );
         Info<< "End of claims" << endl;
@@ -153,6 +154,7 @@ int main(int argc, char *argv[])
         testSmoother(mesh);
     }
     testPlaces(mesh, is);
+    testLargeIds(mesh, is);
     testSerial(mesh, is, args.globalPath()/"serial");
     if (!Pstream::parRun())
     {

@@ -1,4 +1,4 @@
-"""Spheres half a radius inside each other are refused by name; the most that is taken throws nobody. SPDX-License-Identifier: GPL-3.0-or-later"""
+"""Spheres half a radius inside each other are refused by name; with the largest overlap accepted no particle is thrown. SPDX-License-Identifier: GPL-3.0-or-later"""
 import os
 import random
 HARD = "spheres inside each other at the start"
@@ -16,7 +16,7 @@ def calm(c, what, run):
     frames = run.snapshots()
     c.below(what + ": largest speed, m/s", max(max(map(abs, p.v)) for f in frames for p in f.particles.values()), 10.0)
     energy = [sum(v for k, v in row.items() if k.startswith(("kinetic", "elastic"))) for row in run.table("energy.csv")]
-    # at steps of t_c/20 the leapfrog's energy swings by 3e-4 in an impact (dem/README.md, section 4)
+    # at steps of t_c/20 the leapfrog's energy swings by 3e-4 in an impact (docs/energy-balance.md)
     c.below(what + ": largest growth of kinetic and elastic energy over its start", max(b - a for a, b in zip(energy, energy[1:]))/max(energy[0], 1e-30), 1e-3)
     c.equal(what + ": spheres in the box", sum(all(0.0 < x < 0.03 for x in p.x) for p in frames[-1].particles.values()),
             len(frames[0].particles))

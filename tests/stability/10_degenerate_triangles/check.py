@@ -1,4 +1,4 @@
-"""Faults of a surface are told and never count twice. SPDX-License-Identifier: GPL-3.0-or-later"""
+"""Degenerate and repeated triangles are reported and never count twice. SPDX-License-Identifier: GPL-3.0-or-later"""
 import os
 import re
 import sys
@@ -18,7 +18,7 @@ FAULTS = [("a triangle without area on the spot", FLOOR + [(A, M, C), (M, M, M),
 
 
 def check(c):
-    for what, triangles, told in FAULTS:
+    for what, triangles, reported in FAULTS:
         name = what.split(",")[0].replace(" ", "_")
         os.makedirs(c.place(name), exist_ok=True)
         surfaces.write(os.path.join(c.place(name), "floor.stl"), triangles)
@@ -26,5 +26,5 @@ def check(c):
             run = c.run("scene.dem", {"insert/ball/positions": "((%g %g %.17g))" % (x, y, 1e-3 - REST)}, name=name)
             if c.runs_to_end(run):
                 c.below(what + spot + ": force less m g, over it", max(abs(-row["fz"]/(MASS*G) - 1.0) for row in run.wall("floor")), 1e-6)
-        if told:
-            c.holds(what + ": told at the start", re.search(r"left out ([1-9]\d* without area|0 without area, [1-9]\d* given before)", run.out + run.err), run.out)
+        if reported:
+            c.holds(what + ": reported at the start", re.search(r"left out ([1-9]\d* without area|0 without area, [1-9]\d* given before)", run.out + run.err), run.out)

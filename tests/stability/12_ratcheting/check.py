@@ -1,6 +1,6 @@
 """A contact whose normal force goes up and down does not creep. When it is squeezed least there is just as much friction as the weight needs,
 so what the ball's own inertia adds, in proportion to the square of the frequency, slips: the motion is slow, and a faster one shows that. SPDX-License-Identifier: GPL-3.0-or-later"""
-HARD = "springs of friction whose limit and stiffness go up and down"
+HARD = "friction springs whose limit and stiffness oscillate"
 MASS, MU = 2500.0*4.18879020478639e-9, 0.3
 MODULUS, SHEAR = 1e7/(2.0*0.91), 1e7/(4.0*1.7*1.3)                               # E*, G* of glass on glass
 DEPTH, SWING = 1e-5, 5e-6

@@ -1,4 +1,4 @@
-"""The slope is steady, nobody goes through the wall, and the drum's work is what friction and impacts take. SPDX-License-Identifier: GPL-3.0-or-later"""
+"""The slope is steady, no particle passes the wall, and the drum's work is what friction and impacts take. SPDX-License-Identifier: GPL-3.0-or-later"""
 import math
 HARD = "rolling, sliding and impacts at once on a wall that moves"
 

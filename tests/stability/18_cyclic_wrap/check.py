@@ -13,7 +13,9 @@ def check(c):
         c.below("change of a velocity, relative", max(abs(a - b)/abs(a) for k in range(3) for a, b in zip(first[k].v, last[k].v)), 1e-12)
         way = [b - a - w*round((b - a)/w) for a, b, w in zip(last[1].x, last[2].x, BOX)]
         c.near("length of the bond, m", math.hypot(*way), 2e-3, 1e-12*2e-3 + 2e-16)            # places are multiples of a unit of the box
-        c.equal("on 4 ranks, fingerprint", c.run("scene.dem", ranks=4).hash, run.hash)
+        # 130000 steps of three particles: on 4 ranks nearly all of it is messages, so by default a tenth of them
+        end = {} if c.thorough else {"time/end": 0.13}
+        c.equal("on 4 ranks, fingerprint", c.run("scene.dem", end, ranks=4).hash, c.run("scene.dem", end).hash)
     side = 0.00594/3
     run = lattice(c, "even", side)
     if c.runs_to_end(run):

@@ -28,7 +28,7 @@ def check(c):
         return
     c.above("steps", run.snapshots()[-1].steps, 1e4)
     c.equal("all pairs within two diameters in each step, fingerprint", c.run("scene.dem", {"neighbours/outerSkin": 2, "neighbours/innerSkin": 2}, name="all").hash, run.hash)
-    told = [int(n) for n in re.findall(r"(\d+) contacts", run.out)]
-    found = [touching(f) for f in run.snapshots()][-len(told):]
-    c.equal("contacts at %d looks, counted pair by pair" % len(found), told, found)
+    reported = [int(n) for n in re.findall(r"(\d+) contacts", run.out)]
+    found = [touching(f) for f in run.snapshots()][-len(reported):]
+    c.equal("contacts at %d outputs, counted pair by pair" % len(found), reported, found)
     c.above("contacts looked at", sum(found), 50)

@@ -17,8 +17,8 @@ def pairs(c, name, entries=None):
     return c.run("scene.dem", entries, name=name)
 
 
-def told(run):
-    """What the pairs have and have lost, by the rows of the ledger."""
+def sums(run):
+    """Energy that the pairs have and have lost, from the rows of energy.csv."""
     return [sum(v for k, v in r.items() if k.startswith(("kinetic", "elastic", "lost", "broken"))) for r in run.table("energy.csv")]
 
 
@@ -30,7 +30,7 @@ def check(c):
     c.equal("bonds that broke", len(broken), 1000)
     c.equal("steps in which they did", len({row["time"] for row in broken}), 1)
     rows = run.table("energy.csv")
-    all_of = told(run)
+    all_of = sums(run)
     held = max(r["elastic_bondLinear"] for r in rows)
     c.below("change of kinetic, elastic and lost energy, of what bonds held", max(abs(e - all_of[0]) for e in all_of)/held, 1e-3)
     force = max(abs(f) for s in run.snapshots() for p in s.particles.values() for f in p.columns["force"])
@@ -40,5 +40,5 @@ def check(c):
     run = pairs(c, "long_step", {"time/step": 5e-7, "time/end": 7e-6, "write/interval": 3.5e-6, "write/energy": 3.5e-6})
     if c.runs_to_end(run):
         c.equal("bonds that broke at the automatic step", len(run.table("bonds.csv")), 1000)
-        rows, all_of = run.table("energy.csv"), told(run)
+        rows, all_of = run.table("energy.csv"), sums(run)
         c.below("change of kinetic, elastic and lost energy there, of what bonds lost", max(abs(e - all_of[0]) for e in all_of)/rows[-1]["broken"], 1e-9)

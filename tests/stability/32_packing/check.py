@@ -1,4 +1,4 @@
-"""A cell with more solid in it than it holds: volume exact, void fraction and pressure bounded, told. SPDX-License-Identifier: GPL-3.0-or-later"""
+"""A cell with more solid in it than it holds: volume exact, void fraction and pressure bounded, and reported. SPDX-License-Identifier: GPL-3.0-or-later"""
 import os
 import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
@@ -25,4 +25,4 @@ def check(c):
         c.above(kernel + ": least void fraction (minVoidFraction is 0.2)", min(e), 0.2 - 1e-3)
         c.below(kernel + ": largest pressure, m2/s2", max(abs(r[0]) for r in case.field("0.005", "p")), 100.0)      # Ergun's at 0.2: 60
         if kernel == "particleCentre":
-            c.holds(kernel + ": told, with the number of cells", "below 0.2 in" in case.log, case.log[-300:])
+            c.holds(kernel + ": reported with the number of cells", "below 0.2 in" in case.log, case.log[-300:])

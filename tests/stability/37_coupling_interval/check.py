@@ -26,10 +26,10 @@ def check(c):
     one, _ = settle(c, 1) if c.long else (None, "")
     ten, _ = settle(c, 10)
     hundred, quiet = settle(c, 100)
-    thousand, told = settle(c, 1000)
+    thousand, log = settle(c, 1000)
     base = one or ten
     if base and hundred and thousand:
         c.below("settling speed, every 100 steps against every %d" % (1 if one else 10), abs(hundred/base - 1.0), 0.01)
-        c.holds("every 1000 steps, three times the response: told", "maxRelaxation" in told, told[-300:])
-        c.holds("every 100: not told", "(maxRelaxation)" not in quiet, "told")
+        c.holds("every 1000 steps, three times the response time: reported", "maxRelaxation" in log, log[-300:])
+        c.holds("every 100: not reported", "(maxRelaxation)" not in quiet, "reported")
         c.below("every 1000: speed against that", abs(thousand/base - 1.0), 0.1)

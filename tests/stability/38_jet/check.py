@@ -1,4 +1,4 @@
-"""A jet of 50 m/s on a settled bed: nobody is lost, gas that comes in goes out, momentum closes. SPDX-License-Identifier: GPL-3.0-or-later"""
+"""A jet of 50 m/s on a settled bed: no particle is lost, gas that comes in goes out, momentum closes. SPDX-License-Identifier: GPL-3.0-or-later"""
 import os
 import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
@@ -23,7 +23,7 @@ def check(c):
     if not case.run():
         return c.holds("runs", False, case.log)
     c.equal("particles at last", len(case.particles("%g" % end)), 2000)
-    c.holds("nobody lost", not os.path.exists(os.path.join(case.folder, "postProcessing/dem/0/lost.csv")))
+    c.holds("no particle lost", not os.path.exists(os.path.join(case.folder, "postProcessing/dem/0/lost.csv")))
     last = case.table("budget.csv")[-1]
     flow_in, flow_out = last["flow:floor.volume"], last["flow:top.volume"]
     c.below("gas that came in less what went out, of what came in", abs(flow_in + flow_out)/flow_in, 1e-6)

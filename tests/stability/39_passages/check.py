@@ -16,14 +16,14 @@ def check(c):
     there = case.particles("0.2")
     way, number = list(rows[0])[2:4]                         # in or out; particles
     count = sum((1 if r[way] == "in" else -1)*r[number] for r in rows)
-    c.equal("who is there came and has not gone", len(there), int(count))
+    c.equal("particles present are those inserted less those removed", len(there), int(count))
     c.below("exchange error, with what came and went", case.worst("exchange error"), 1e-12)
     straight = there
     hash_of = c.command([c.dem, "hash", os.path.join(case.folder, "0.2/uniform/dem.snapshot")]).out.strip()
     os.rename(os.path.join(case.folder, "0.2"), os.path.join(case.folder, "straight"))
     case.set("system/controlDict", "startFrom", "latestTime")
     if not case.command("demPimpleFoam"):
-        return c.holds("goes on from the middle", False, case.log)
+        return c.holds("continues from halfway", False, case.log)
     again = case.particles("0.2")
     c.below("from the middle: largest difference of places and velocities",
             max(max(abs(a - b) for p, q in zip(straight[k], again[k]) for a, b in zip(p, q)) for k in straight) if set(again) == set(straight) else float("nan"), 1e-12)

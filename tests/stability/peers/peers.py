@@ -1,5 +1,5 @@
 """
-peers.py -- cases of tests/stability in other codes, by the same criteria. ./run calls it; README.md has what came out.
+peers.py -- cases of tests/stability in other codes, by the same criteria. ./run calls it; docs/results-hard-cases.md has the results.
 
     peers.py [CASE|PEER ...] [-keep FOLDER]       a case by number or a part of its name
 

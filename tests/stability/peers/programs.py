@@ -1,5 +1,5 @@
 """
-programs.py -- a scene (scene.py) in the language of each code: its deck, its run, its frames. README.md tells what was taken for what.
+programs.py -- a scene (scene.py) in the language of each code: its deck, its run, its frames. docs/results-hard-cases.md has the translation.
 
     PEERS[name].there() -> why it can't run, or None
     PEERS[name].run(scene, folder) -> Run

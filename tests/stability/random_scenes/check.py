@@ -2,7 +2,7 @@
 import os
 import re
 import subprocess
-HARD = "what nobody has thought of"
+HARD = "combinations drawn at random"
 TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..")
 
 
@@ -18,7 +18,7 @@ def check(c):
     run = c.command(["mpirun", "-np", "3", program, str(first), str(count), "."])
     seen = re.search(r"scenes (\d+) bad (\d+) ranks (\d+)", run.out)
     for seed in re.findall(r"^# (seed .*)", run.out, re.M)[:10]:
-        c.holds(seed + "; test_random -print SEED tells the scene", False)
+        c.holds(seed + "; test_random -print SEED prints the scene", False)
     c.equal("%d scenes from seed %d on, finite, restart and 3 ranks with the same bits: bad ones" % (count, first), int(seen.group(2)) if seen else run.err, 0)
     for what, worst, limit in re.findall(r"^worst (.*): (\S+) limit (\S+)", run.out, re.M):
         c.below("worst " + what + ", relative", float(worst), float(limit))

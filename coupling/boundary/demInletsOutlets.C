@@ -1,0 +1,335 @@
+/*---------------------------------------------------------------------------*\
+    demInletsOutlets.C -- inlet and outlet patches of particles, and the void fraction near
+    them.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demInletsOutlets.H"
+#include "demCheck.H"
+#include "demColumns.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "triPointRef.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Triangles of the faces of a patch, three points each; face: face of each triangle
+static pointField trianglesOf(const polyPatch& patch, labelList& face)
+{
+    DynamicList<::Foam::face> split(2*patch.size());
+    DynamicList<label> of(2*patch.size());
+
+    forAll(patch, i)
+    {
+        patch[i].triangles(patch.points(), split);
+        while (of.size() < split.size())
+        {
+            of.append(i);
+        }
+    }
+
+    pointField points(3*split.size());
+    forAll(points, k)
+    {
+        points[k] = patch.points()[split[k/3][k%3]];
+    }
+    face.transfer(of);
+    return points;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::labelList Foam::demInletsOutlets::patches
+(
+    const dictionary& groups,
+    const demDict& dict
+) const
+{
+    DynamicList<label> found;
+
+    forAllConstIters(groups, iter)
+    {
+        word name;
+        if (!iter().isDict() || !iter().dict().readIfPresent("patch", name))
+        {
+            continue;
+        }
+
+        const dictionary& group = iter().dict();
+        const label patchi = mesh_.boundaryMesh().findPatchID(name);
+        if (patchi < 0)
+        {
+            demUnknown
+            (
+                group,
+                groups.dictName() + "/" + iter().keyword(),
+                "patch",
+                name,
+                mesh_.boundaryMesh().names()
+            );
+        }
+
+        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+        if (patch.coupled() || dict.isWall(patch))
+        {
+            const std::string what
+            (
+                patch.coupled() ? "of type " + patch.type()
+                                : "a wall of the particles"
+            );
+
+            FatalIOErrorInFunction(group)
+                << groups.dictName() << "/" << iter().keyword() << ": patch "
+                << name << " is " << what.c_str()
+                << ", which particles cannot pass; name a patch of type"
+                << " patch, or take it out of the walls" << exit(FatalIOError);
+        }
+        if (!found.found(patchi))
+        {
+            found.append(patchi);
+        }
+    }
+    return labelList(found);
+}
+
+
+// Patches are small, so each rank holds all triangles
+void Foam::demInletsOutlets::gather()
+{
+    labelList all(inlets_);
+    for (const label patchi : outlets_)
+    {
+        if (!all.found(patchi))
+        {
+            all.append(patchi);
+        }
+    }
+
+    triangles_.setSize(all.size());
+    bounds_.setSize(all.size());
+    forAll(all, k)
+    {
+        labelList face;
+        List<pointField> perRank(Pstream::nProcs());
+        perRank[Pstream::myProcNo()] =
+            trianglesOf(mesh_.boundaryMesh()[all[k]], face);
+        Pstream::gatherList(perRank);
+        Pstream::scatterList(perRank);
+
+        triangles_[k].clear();
+        for (const pointField& points : perRank)
+        {
+            triangles_[k].append(points);
+        }
+        bounds_[k] = treeBoundBox(triangles_[k]);
+    }
+}
+
+
+void Foam::demInletsOutlets::setPatches(::dem* d, const volVectorField* U) const
+{
+    for (const label patchi : inlets_)
+    {
+        labelList face;
+        const pointField points
+        (
+            trianglesOf(mesh_.boundaryMesh()[patchi], face)
+        );
+        List<double> velocity(3*face.size(), Zero);
+
+        for (label k = 0; U && k < face.size(); k++)
+        {
+            const vector& u = U->boundaryField()[patchi][face[k]];
+            for (direction c = 0; c < 3; c++)
+            {
+                velocity[3*k + c] = u[c];
+            }
+        }
+
+        demCheck
+        (
+            dem_flow_patch
+            (
+                d,
+                mesh_.boundaryMesh()[patchi].name().c_str(),
+                face.size(),
+                reinterpret_cast<const double*>(points.cdata()),
+                velocity.cdata()
+            )
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demInletsOutlets::demInletsOutlets(const fvMesh& mesh, const demDict& dict)
+:
+    mesh_(mesh),
+    inlets_(patches(dict.scene().subOrEmptyDict("insert"), dict)),
+    outlets_(patches(dict.scene().subOrEmptyDict("outlets"), dict))
+{
+    gather();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demInletsOutlets::add(::dem* d)
+{
+    demCheck(dem_flow_on_request(d));
+    setPatches(d, nullptr);
+}
+
+
+bool Foam::demInletsOutlets::pass(::dem* d, const volVectorField& U)
+{
+    int changed = 0;
+
+    if (mesh_.moving() && active())
+    {
+        gather();
+        outletPatch_.clear();
+    }
+    setPatches(d, &U);
+
+    forAll(outgoingId_, k)
+    {
+        const word& name = mesh_.boundaryMesh()[outgoingPatch_[k]].name();
+        demCheck(dem_flow_remove(d, name.c_str(), 1, &outgoingId_[k]));
+    }
+    outgoingId_.clear();
+    outgoingPatch_.clear();
+
+    demCheck(dem_flow_apply(d, &changed));
+    return changed;
+}
+
+
+Foam::boolList Foam::demInletsOutlets::leftThroughOutlet
+(
+    const demView& view,
+    const UList<label>& particles
+)
+{
+    boolList left(particles.size(), false);
+
+    outgoingId_.clear();
+    outgoingPatch_.clear();
+    if (outlets_.empty())
+    {
+        return left;
+    }
+
+    // Any rank may own the faces of the patch
+    const label self = Pstream::myProcNo();
+    List<pointField> points(Pstream::nProcs());
+    List<vectorField> velocities(Pstream::nProcs());
+    points[self].setSize(particles.size());
+    velocities[self].setSize(particles.size());
+    forAll(particles, k)
+    {
+        points[self][k] = position(view, particles[k]);
+        velocities[self][k] = velocity(view, particles[k]);
+    }
+    Pstream::gatherList(points);
+    Pstream::scatterList(points);
+    Pstream::gatherList(velocities);
+    Pstream::scatterList(velocities);
+
+    pointField allPoints;
+    vectorField allVelocities;
+    label first = 0;
+    forAll(points, rank)
+    {
+        first = rank == self ? allPoints.size() : first;
+        allPoints.append(points[rank]);
+        allVelocities.append(velocities[rank]);
+    }
+
+    if (!outletPatch_)
+    {
+        outletPatch_.reset(new demOutletPatch(mesh_));
+    }
+    const labelList patch(outletPatch_().patches(allPoints, allVelocities));
+
+    forAll(particles, k)
+    {
+        left[k] = outlets_.found(patch[first + k]);
+        if (left[k])
+        {
+            outgoingId_.append(idOf(view, particles[k]));
+            outgoingPatch_.append(patch[first + k]);
+        }
+    }
+    return left;
+}
+
+
+void Foam::demInletsOutlets::reduceVolumes(const demView& view, scalarField& volume) const
+{
+    scalarField distance(volume.size(), GREAT);
+    boolList beyond(volume.size(), false);
+
+    forAll(triangles_, k)
+    {
+        forAll(volume, i)
+        {
+            const scalar d = 2*(*dem_at(view.radius, view.stride, size_t(i)));
+            const point x(position(view, i));
+
+            if
+            (
+                magSqr(max(min(x, bounds_[k].max()), bounds_[k].min()) - x) >= sqr(d)
+            )
+            {
+                continue;
+            }
+            for (label t = 0; t < triangles_[k].size(); t += 3)
+            {
+                const pointField& p = triangles_[k];
+                const scalar h =
+                    triPointRef(p[t], p[t + 1], p[t + 2]).nearestPoint(x)
+                   .distance();
+
+                if (h < distance[i]*d)
+                {
+                    // Outside: along the normal of the nearest triangle, and not
+                    // beside its edge
+                    const vector n((p[t + 1] - p[t]) ^ (p[t + 2] - p[t]));
+                    beyond[i] = (n & (x - p[t])) > 0.9*h*mag(n);
+                    distance[i] = h/d;
+                }
+            }
+        }
+    }
+
+    // A particle that has passed an outlet counts with no volume, at any distance
+    forAll(outgoingId_, k)
+    {
+        forAll(volume, i)
+        {
+            if (idOf(view, i) == outgoingId_[k])
+            {
+                distance[i] = 0;
+            }
+        }
+    }
+
+    forAll(volume, i)
+    {
+        const scalar t = beyond[i] ? 0 : min(distance[i], scalar(1));
+        volume[i] *= t*t*(3 - 2*t);
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,174 @@
+/*---------------------------------------------------------------------------*\
+    demOutletPatch.C -- nearest boundary patch on the line along a particle's
+    velocity, over all ranks.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demOutletPatch.H"
+#include "DynamicList.H"
+#include "StringStream.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::demOutletPatch::distanceTo
+(
+    const point& from,
+    const point& to,
+    label& patch
+) const
+{
+    if (!tree_)
+    {
+        return GREAT;
+    }
+
+    const pointIndexHit hit(tree_().findLine(from, to));
+    if (!hit.hit())
+    {
+        return GREAT;
+    }
+
+    patch = mesh_.boundaryMesh().whichPatch(faces_[hit.index()]);
+    return mag(hit.hitPoint() - from);
+}
+
+
+Foam::labelList Foam::demOutletPatch::nearest
+(
+    const UList<point>& points,
+    const UList<vector>& velocities,
+    scalarList& distance
+) const
+{
+    // Twice the diagonal: long enough to cross the mesh from any start
+    const scalar length = 2*mesh_.bounds().mag();
+
+    // 2 patch + (1: behind); patches other than processor patches have the same
+    // number on all ranks
+    distance.setSize(points.size());
+    distance = GREAT;
+    labelList code(points.size(), -1);
+
+    forAll(points, k)
+    {
+        const scalar speed = mag(velocities[k]);
+        const vector line(length*velocities[k]/(speed + VSMALL));
+
+        for (label behind = 0; speed > 0 && behind < 2; behind++)
+        {
+            label patch = -1;
+            const scalar d =
+                distanceTo(points[k], points[k] + (behind ? -line : line), patch);
+
+            if (d < distance[k])
+            {
+                distance[k] = d;
+                code[k] = 2*patch + behind;
+            }
+        }
+    }
+
+    const scalarList own(distance);
+    Pstream::listCombineGather(distance, minEqOp<scalar>());
+    demBroadcast(distance);
+    forAll(code, k)
+    {
+        code[k] = own[k] <= distance[k] ? code[k] : -1;
+    }
+    Pstream::listCombineGather(code, maxEqOp<label>());
+    demBroadcast(code);
+    return code;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demOutletPatch::demOutletPatch(const fvMesh& mesh)
+:
+    mesh_(mesh)
+{
+    DynamicList<label> faces;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        forAll(patch, k)
+        {
+            if (!patch.coupled())
+            {
+                faces.append(patch.start() + k);
+            }
+        }
+    }
+    faces_.transfer(faces);
+
+    if (faces_.size())
+    {
+        // The octree needs a margin around the faces
+        const vector margin(1e-4*mesh.bounds().mag()*vector::one);
+        const treeBoundBox box
+        (
+            mesh.bounds().min() - margin,
+            mesh.bounds().max() + margin
+        );
+
+        tree_.reset
+        (
+            new indexedOctree<treeDataFace>
+            (
+                treeDataFace(false, mesh, faces_),
+                box,
+                8,      // maximum number of levels
+                10,     // faces in a leaf
+                3.0     // maximum of the mean number of leaves of a face
+            )
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::List<Foam::string> Foam::demOutletPatch::describe
+(
+    const UList<point>& points,
+    const UList<vector>& velocities
+) const
+{
+    scalarList distance;
+    const labelList code(nearest(points, velocities, distance));
+
+    List<string> texts(points.size());
+    forAll(texts, k)
+    {
+        if (code[k] >= 0)
+        {
+            OStringStream os;
+            os  << "; out through patch " << mesh_.boundary()[code[k]/2].name()
+                << ", " << distance[k] << " m "
+                << (code[k] % 2 ? "behind" : "ahead");
+            texts[k] = os.str();
+        }
+    }
+    return texts;
+}
+
+
+Foam::labelList Foam::demOutletPatch::patches
+(
+    const UList<point>& points,
+    const UList<vector>& velocities
+) const
+{
+    scalarList distance;
+    labelList patch(nearest(points, velocities, distance));
+
+    for (label& p : patch)
+    {
+        p = p < 0 ? -1 : p/2;
+    }
+    return patch;
+}
+
+// ************************************************************************* //

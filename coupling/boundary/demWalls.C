@@ -1,0 +1,263 @@
+/*---------------------------------------------------------------------------*\
+    demWalls.C -- pass wall patches and surface files to the core as triangles.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demWalls.H"
+#include "demCheck.H"
+#include "demDomain.H"
+#include "demWedge.H"
+#include "DynamicList.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "triSurface.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static List<double> triangles(const pointField& corners)
+{
+    return List<double>
+    (
+        UList<double>
+        (
+            const_cast<double*>(reinterpret_cast<const double*>(corners.cdata())),
+            3*corners.size()
+        )
+    );
+}
+
+
+// Coordinates of triangles, nine numbers each
+static List<double> triangles
+(
+    const labelUList& corners,
+    const pointField& points
+)
+{
+    List<double> numbers(3*corners.size());
+    label n = 0;
+
+    for (const label pointi : corners)
+    {
+        for (direction k = 0; k < 3; k++)
+        {
+            numbers[n++] = points[pointi][k];
+        }
+    }
+
+    return numbers;
+}
+
+
+// Triangles of a surface file: the master reads all, the other ranks have none
+static List<double> triangles(const Time& time, const dictionary& wall)
+{
+    List<double> corners;
+
+    if (!Pstream::master())
+    {
+        return corners;
+    }
+
+    const fileName file
+    (
+        time.globalPath()/"constant"/"triSurface"/wall.get<fileName>("file")
+    );
+
+    if (!isFile(file))
+    {
+        FatalIOErrorInFunction(wall)
+            << "There is no file " << file << exit(FatalIOError);
+    }
+
+    const triSurface surface(file);
+    const scalar scale = wall.getOrDefault<scalar>("scale", 1);
+    label n = 0;
+
+    corners.setSize(9*surface.size());
+    for (const labelledTri& triangle : surface)
+    {
+        for (const label pointi : triangle)
+        {
+            for (direction k = 0; k < 3; k++)
+            {
+                corners[n++] = scale*surface.points()[pointi][k];
+            }
+        }
+    }
+
+    if (surface.empty())
+    {
+        FatalIOErrorInFunction(wall)
+            << "The surface " << file << " holds no triangle"
+            << exit(FatalIOError);
+    }
+    return corners;
+}
+
+
+static void addWall
+(
+    ::dem* d,
+    const word& name,
+    const word& material,
+    const List<double>& corners
+)
+{
+    demCheck
+    (
+        dem_add_wall
+        (
+            d,
+            name.c_str(),
+            material.c_str(),
+            corners.size()/9,
+            corners.cdata()
+        )
+    );
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+// Processor patches come last, so all ranks reach the collective calls for the other
+// patches in the same order
+bool Foam::demWalls::isWall(const polyPatch& patch) const
+{
+    return !patch.coupled() && dict_.isWall(patch);
+}
+
+
+Foam::labelList Foam::demWalls::triangulate
+(
+    const polyPatch& patch,
+    const pointField& points
+) const
+{
+    DynamicList<face> split(2*patch.size());
+
+    forAll(patch, i)
+    {
+        patch[i].triangles(points, split);
+    }
+
+    labelList corners(3*split.size());
+
+    forAll(corners, k)
+    {
+        corners[k] = split[k/3][k%3];
+    }
+    return corners;
+}
+
+
+void Foam::demWalls::move(::dem* d)
+{
+    if (corners_.empty())
+    {
+        const tmp<pointField> tpoints(demDomain::firstPoints(mesh_));
+
+        corners_.setSize(mesh_.boundaryMesh().size());
+        for (const polyPatch& patch : mesh_.boundaryMesh())
+        {
+            if (isWall(patch))
+            {
+                corners_[patch.index()] = triangulate(patch, tpoints());
+            }
+        }
+    }
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isWall(patch))
+        {
+            const List<double> corners
+            (
+                triangles(corners_[patch.index()], mesh_.points())
+            );
+            demCheck
+            (
+                dem_wall_move
+                (
+                    d,
+                    patch.name().c_str(),
+                    corners.size()/9,
+                    corners.cdata()
+                )
+            );
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demWalls::demWalls(const polyMesh& mesh, const demDict& dict)
+:
+    mesh_(mesh),
+    dict_(dict)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::demWalls::add(::dem* d)
+{
+    const tmp<pointField> tpoints(demDomain::firstPoints(mesh_));
+    autoPtr<demWedge> wedge;
+    label walls = 0;
+
+    if (demWedge::is(mesh_))
+    {
+        wedge.reset(new demWedge(mesh_));
+        wedge().check(dict_);
+    }
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isWall(patch))
+        {
+            addWall
+            (
+                d,
+                patch.name(),
+                dict_.material(patch),
+                wedge.valid()
+              ? triangles(wedge().sweep(patch, tpoints())())
+              : triangles(triangulate(patch, tpoints()), tpoints())
+            );
+            walls++;
+        }
+    }
+
+    if (mesh_.pointsInstance() != mesh_.facesInstance())
+    {
+        move(d);
+    }
+
+    forAllConstIters(dict_.surfaces(), iter)
+    {
+        const dictionary& wall = iter().dict();
+
+        addWall
+        (
+            d,
+            iter().keyword(),
+            wall.get<word>("material"),
+            triangles(mesh_.time(), wall)
+        );
+        walls++;
+    }
+
+    return walls;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,428 @@
+/*---------------------------------------------------------------------------*\
+    demCloud.C -- construction of the coupled particles, and their output at write times.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demCloud.H"
+#include "demCheck.H"
+#include "demColumns.H"
+#include "demFluid.H"
+#include "demInteger.H"
+#include "demSnapshot.H"
+#include "demWriter.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "wallFvPatch.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// The ranks of this run. A serial OpenFOAM has not initialised MPI: the core
+// then runs without it. `made`: the communicator is new and must be freed.
+static MPI_Comm communicator(bool& made)
+{
+    made = false;
+
+    if (!Pstream::parRun())
+    {
+        return MPI_COMM_NULL;
+    }
+
+    int size = 0;
+    MPI_Comm_size(MPI_COMM_WORLD, &size);
+    if (size == Pstream::nProcs())
+    {
+        return MPI_COMM_WORLD;
+    }
+
+    // Several worlds share MPI_COMM_WORLD: procID lists the ranks of this one
+    List<int> ranks(Pstream::nProcs());
+    forAll(ranks, i)
+    {
+        ranks[i] = Pstream::procID(Pstream::worldComm)[i];
+    }
+
+    MPI_Group world, ours;
+    MPI_Comm comm;
+    MPI_Comm_group(MPI_COMM_WORLD, &world);
+    MPI_Group_incl(world, ranks.size(), ranks.cdata(), &ours);
+    MPI_Comm_create_group(MPI_COMM_WORLD, ours, 0, &comm);
+    MPI_Group_free(&ours);
+    MPI_Group_free(&world);
+    made = true;
+    return comm;
+}
+
+
+// Void fraction 1 where the velocity is given: there the user gives the
+// superficial velocity. Elsewhere the particles continue behind the patch.
+static wordList patchTypes(const fvMesh& mesh)
+{
+    wordList types(mesh.boundary().size(), "zeroGradient");
+    const volVectorField* U = mesh.findObject<volVectorField>("U");
+
+    forAll(types, patchi)
+    {
+        const fvPatch& patch = mesh.boundary()[patchi];
+
+        if
+        (
+            U
+         && !patch.coupled()
+         && !isA<wallFvPatch>(patch)
+         && U->boundaryField()[patchi].fixesValue()
+         && !U->boundaryField()[patchi].assignable()     // not an outlet
+        )
+        {
+            types[patchi] = "fixedValue";
+        }
+    }
+
+    return types;
+}
+
+
+static IOobject fieldAt
+(
+    const fvMesh& mesh,
+    const word& name,
+    const IOobject::readOption read = IOobject::NO_READ
+)
+{
+    return IOobject(name, mesh.time().timeName(), mesh, read);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+// A steady solver needs coupling/interval, a transient one must not have it
+void Foam::demCloud::checkInterval() const
+{
+    const dictionary& own = dict_.coupling();
+    const bool steady = demFluid::steady(mesh_);
+
+    if (steady && volumeAveraged_)
+    {
+        FatalErrorInFunction
+            << "ddtSchemes in system/fvSchemes is steady, but this solver"
+            << " follows moving particles in time; take Euler"
+            << exit(FatalError);
+    }
+
+    if (steady && !own.found("interval"))
+    {
+        FatalIOErrorInFunction(own)
+            << "This solver is steady (ddtSchemes): its iterations have no"
+            << " time step, but particles move in time. Add interval <s> to"
+            << " coupling in constant/" << demDict::name() << ", the time that"
+            << " particles move in each iteration, or take a transient solver"
+            << exit(FatalIOError);
+    }
+
+    for (const char* name : {"interval", "relaxation"})
+    {
+        if (!steady && own.found(name))
+        {
+            FatalIOErrorInFunction(own)
+                << name << " is for steady solvers; here particles move by the"
+                << " solver's time step. Take it out of coupling in constant/"
+                << demDict::name() << exit(FatalIOError);
+        }
+    }
+
+    if (steady && interval_ <= 0)
+    {
+        FatalIOErrorInFunction(own)
+            << "interval is " << interval_ << " s; it must be positive"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::demCloud::build()
+{
+    checkInterval();
+
+    bool made = false;
+    MPI_Comm comm = communicator(made);
+    const int status = dem_create(&dem_, comm);     // has its own duplicate
+    if (made)
+    {
+        MPI_Comm_free(&comm);
+    }
+    demCheck(status);
+    demCheck
+    (
+        dem_scene_text(dem_, dict_.text().c_str(), "constant/demProperties")
+    );
+
+    const label walls = walls_.add(dem_);
+    inletsOutlets_.add(dem_);
+
+    const fileName start(demSnapshot::start(mesh_.time(), dict_));
+    if (!start.empty())
+    {
+        demCheck(dem_load(dem_, start.c_str()));
+    }
+    if (diameter_ <= 0)
+    {
+        diameter_ = demSnapshot::readNumber(mesh_.time(), "diameter");
+    }
+    changeRate_ = demSnapshot::readNumber(mesh_.time(), "changeRate");
+    relaxationRate_ = demSnapshot::readNumber(mesh_.time(), "relaxationRate");
+
+    record_.prepare(dem_);
+    demCheck(dem_setup(dem_));
+    record_.watch(dem_);
+    budget_.watch(dem_);
+    if (budget_.on() && !(volumeAveraged_ && dem_needs_fluid(dem_)))
+    {
+        FatalIOErrorInFunction(dict_.coupling())
+            << "coupling/record/budget needs a fluid and particles that"
+            << " exchange momentum in demPimpleFoam; take it out, or give"
+            << " twoWay yes and a drag law in effects"
+            << exit(FatalIOError);
+    }
+    if (volumeAveraged_ && dem_needs_fluid(dem_))
+    {
+        scheme_.checkEffects();
+        dem_fluid_whole_drag(dem_, scheme_.wholeDrag());
+    }
+    demCheck(dem_totals(dem_, &lastTotals_));
+
+    const struct dem_step_limit step = dem_step_limit(dem_);
+    Info<< "Suna: " << demInteger(lastTotals_.particles).c_str() << " particles, " << walls
+        << " walls; time step of the particles at most " << step.limit << " s: "
+        << step.why << endl;
+
+    if (dem_needs_fluid(dem_))
+    {
+        Info<< "Suna: fluid effects: " << dem_fluid_effect_names(dem_) << endl;
+    }
+}
+
+
+// The header of each written field names the active effects
+void Foam::demCloud::noteEffects()
+{
+    voidFraction_.note() = heading();
+    fields_.note(heading());
+    if (acceleration_)
+    {
+        acceleration_().note() = heading();
+    }
+}
+
+
+void Foam::demCloud::writeMeans()
+{
+    if (!dem_averages_count(dem_))
+    {
+        return;
+    }
+
+    const fileName folder(demTable::folder(mesh_.time()));
+
+    if (Pstream::master())
+    {
+        mkDir(folder);
+    }
+    demCheck(dem_averages(dem_, folder.c_str()));
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demCloud::demCloud
+(
+    const fvMesh& mesh,
+    const bool volumeAveraged,
+    const word& file
+)
+:
+    mesh_(mesh),
+    dict_(mesh, file),
+    twoWay_(dict_.coupling().getOrDefault("twoWay", true)),
+    volumeAveraged_(volumeAveraged && twoWay_),
+    scheme_(dict_, volumeAveraged),
+    transfer_(mesh, dict_.coupling()),
+    walls_(mesh, dict_),
+    inletsOutlets_(mesh, dict_),
+    dem_(nullptr),
+    view_(),
+    fluid_(),
+    voidFraction_
+    (
+        fieldAt(mesh, "voidFraction", IOobject::READ_IF_PRESENT),
+        mesh,
+        dimensionedScalar("clear", dimless, 1),
+        patchTypes(mesh)
+    ),
+    dsdt_
+    (
+        fieldAt(mesh, "dem:dsdt"),
+        mesh,
+        dimensionedScalar(dimless/dimTime, Zero)
+    ),
+    solidFlux_
+    (
+        fieldAt(mesh, "dem:solidFlux"),
+        mesh,
+        dimensionedVector(dimVelocity, Zero),
+        wordList(mesh.boundary().size(), "zeroGradient")
+    ),
+    force_
+    (
+        fieldAt(mesh, "dem:force"),
+        mesh,
+        dimensionedVector(dimForce/dimVolume, Zero)
+    ),
+    drag_
+    (
+        fieldAt(mesh, "dem:drag"),
+        mesh,
+        dimensionedScalar(dimDensity/dimTime, Zero)
+    ),
+    pressureResponse_
+    (
+        fieldAt(mesh, "dem:pressureResponse"),
+        mesh,
+        dimensionedScalar(dimless, Zero)
+    ),
+    gradP_
+    (
+        fieldAt(mesh, "dem:gradP"),
+        mesh,
+        dimensionedVector(dimPressure/dimLength, Zero)
+    ),
+    clear_
+    (
+        fieldAt(mesh, "dem:clear"),
+        mesh,
+        dimensionedScalar("clear", dimless, 1)
+    ),
+    acceleration_
+    (
+        dict_.hasEffect("virtualMass")
+      ? new volVectorField
+        (
+            fieldAt(mesh, "fluidAcceleration", IOobject::READ_IF_PRESENT),
+            mesh,
+            dimensionedVector(dimAcceleration, Zero)
+        )
+      : nullptr
+    ),
+    deposited_(0),
+    diameter_(dict_.coupling().getOrDefault<scalar>("diameter", 0)),
+    interval_(dict_.coupling().getOrDefault<scalar>("interval", 0)),
+    lastTotals_(),
+    window_(0),
+    changeRate_(0),
+    relaxationRate_(0),
+    offset_(0),
+    particlesFirst_(volumeAveraged),
+    lastGood_(dict_.coupling().getOrDefault("lastGood", true)),
+    backupSteps_(-1),
+    record_(mesh.time(), dict_.coupling()),
+    budget_(mesh.time(), dict_.coupling()),
+    toFluid_(Zero),
+    onWalls_(Zero),
+    fields_(mesh, dict_.coupling()),
+    flowTable_(mesh.time()),
+    losses_(mesh),
+    bonds_(mesh.time())
+{
+    build();
+    flowTable_.begin(dem_);
+    noteEffects();
+    locate();
+    checkIds();
+    depositVolume();
+    dsdt_ = dimensionedScalar(dsdt_.dimensions(), Zero);
+    fields_.update(dem_, transfer_, view_);
+    balance_.addTime(demMomentumBalance::EXCHANGE);
+}
+
+
+Foam::demCloud::~demCloud()
+{
+    const char* text = nullptr;
+
+    balance_.reportTotals();
+    if (!dem_profile_text(dem_, &text))
+    {
+        Info<< text << endl;
+    }
+    dem_free(dem_);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::demCloud::density() const
+{
+    return demFluid::uniformDensity(mesh_, dict_.coupling());
+}
+
+
+Foam::scalar Foam::demCloud::courant()
+{
+    refresh();
+    scalar fastest = 0;
+    for (size_t i = 0; i < view_.n; i++)
+    {
+        fastest = max(fastest, mag(velocity(view_, i)));
+    }
+
+    return
+        returnReduce(fastest, maxOp<scalar>())*mesh_.time().deltaTValue()
+       /transfer_.length();
+}
+
+
+void Foam::demCloud::write()
+{
+    const fileName file(demSnapshot::present(mesh_.time()));
+    if (Pstream::master())
+    {
+        mkDir(file.path());
+    }
+
+    // No rank may open a file before the master has made the folder
+    bool made = true;
+    reduce(made, andOp<bool>());
+
+    dictionary numbers;
+    numbers.add("diameter", diameter_);
+    numbers.add("changeRate", changeRate_);
+    numbers.add("relaxationRate", relaxationRate_);
+
+    demCheck(dem_save(dem_, file.c_str()));
+    demSnapshot::writeNumbers(mesh_.time(), numbers);
+    refresh();
+    demWriter::write
+    (
+        mesh_,
+        view_,
+        transfer_.inMeshFrame(view_),
+        fluid_.location ? fluid_.location : address_.cdata(),
+        heading()
+    );
+    voidFraction_.write();
+    if (acceleration_)
+    {
+        acceleration_().write();
+    }
+    bonds_.writeVtk(dem_);
+    flowTable_.report(dem_, true);
+    writeMeans();
+}
+
+// ************************************************************************* //

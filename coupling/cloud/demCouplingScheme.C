@@ -1,0 +1,119 @@
+/*---------------------------------------------------------------------------*\
+    demCouplingScheme.C -- reads and checks the set of equations and the scheme.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demCouplingScheme.H"
+#include "demCheck.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static const wordList sets({"I", "II", "III"});
+
+// In the order of dem_exchange of dem.h
+static const wordList exchanges({"deferred", "semiImplicit", "explicit"});
+
+// Index of the chosen word among the known ones
+static label choice
+(
+    const dictionary& coupling,
+    const word& name,
+    const wordList& known,
+    const word& defaultWord
+)
+{
+    const word chosen(coupling.getOrDefault<word>(name, defaultWord));
+    const label index = known.find(chosen);
+
+    if (index < 0)
+    {
+        demUnknown(coupling, "coupling", name.c_str(), chosen, known);
+    }
+    return index;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::demCouplingScheme::checkGiven(const word& name, const bool volumeAveraged) const
+{
+    const dictionary& own = dict_.coupling();
+
+    if (own.found(name) && !own.getOrDefault("twoWay", true))
+    {
+        FatalIOErrorInFunction(own)
+            << name << " says how the fluid feels the particles, but with"
+            << " twoWay no it does not; take one of them out of coupling in"
+            << " constant/" << demDict::name() << exit(FatalIOError);
+    }
+
+    if (own.found(name) && !volumeAveraged)
+    {
+        FatalIOErrorInFunction(own)
+            << name << " is for demPimpleFoam; the equations of this solver have"
+            << " no void fraction. Take it out of coupling in constant/"
+            << demDict::name() << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demCouplingScheme::demCouplingScheme(const demDict& dict, const bool volumeAveraged)
+:
+    dict_(dict),
+    set_(equations(choice(dict.coupling(), "equations", sets, "II"))),
+    exchange_
+    (
+        ::dem_exchange
+        (
+            choice(dict.coupling(), "exchange", exchanges, "deferred")
+        )
+    )
+{
+    checkGiven("equations", volumeAveraged);
+    checkGiven("exchange", true);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demCouplingScheme::checkEffects() const
+{
+    if (!dict_.hasEffect("pressureGradient"))
+    {
+        FatalErrorInFunction
+            << "Equations " << sets[set_] << " need pressureGradient {} in"
+            << " effects of constant/" << demDict::name() << ": "
+            << (
+                   set_ == III
+                 ? "it contains the particles' buoyancy"
+                 : "their fraction of the pressure gradient is taken from the"
+                   " fluid to be applied to them"
+               )
+            << ", and without it momentum is lost" << exit(FatalError);
+    }
+
+    for (const char* effect : {"virtualMass", "viscousStress"})
+    {
+        if (set_ == III && dict_.hasEffect(effect))
+        {
+            FatalErrorInFunction
+                << "Equations III are those of a steady, uniform flow, without"
+                << " acceleration and stress, which " << effect << " is based"
+                << " on: take equations I or II in coupling of"
+                << " constant/" << demDict::name() << ", or leave " << effect
+                << " out" << exit(FatalError);
+        }
+    }
+}
+
+// ************************************************************************* //

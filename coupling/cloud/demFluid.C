@@ -1,0 +1,267 @@
+/*---------------------------------------------------------------------------*\
+    demFluid.C -- looks up the fluid's fields and properties in any solver.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demFluid.H"
+#include "demCloud.H"
+#include "fvcGrad.H"
+#include "fvcSnGrad.H"
+#include "fvcReconstruct.H"
+#include "surfaceFields.H"
+#include "uniformDimensionedFields.H"
+#include "HashSet.H"
+#include "turbulenceModel.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+template<class Type>
+static const Type& lookup(const fvMesh& mesh, const word& name)
+{
+    const Type* field = mesh.findObject<Type>(name);
+
+    if (!field)
+    {
+        FatalErrorInFunction
+            << "The solver has no " << Type::typeName << ' ' << name
+            << ", which the particles need. Fields of this type: "
+            << flatOutput(mesh.sortedNames<Type>()) << exit(FatalError);
+    }
+    return *field;
+}
+
+
+static tmp<volScalarField> uniform
+(
+    const fvMesh& mesh,
+    const dimensionedScalar& value
+)
+{
+    return tmp<volScalarField>
+    (
+        new volScalarField
+        (
+            IOobject
+            (
+                "dem:" + value.name(),
+                mesh.time().timeName(),
+                mesh,
+                IOobject::NO_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            mesh,
+            value
+        )
+    );
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+// p = p_rgh + rho gh, so grad p - rho g = grad p_rgh + gh grad rho. On faces, as
+// the solver balances it, this is zero in a fluid at rest. The gradient of p in
+// cells is not, where the density jumps.
+Foam::tmp<Foam::volVectorField> Foam::demFluid::dynamicGradient
+(
+    const volScalarField& p_rgh
+) const
+{
+    const volScalarField& rho = lookup<volScalarField>(mesh_, "rho");
+    const surfaceScalarField& ghf = lookup<surfaceScalarField>(mesh_, "ghf");
+
+    return fvc::reconstruct
+    (
+        (fvc::snGrad(p_rgh) + ghf*fvc::snGrad(rho))*mesh_.magSf()
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demFluid::demFluid(const fvMesh& mesh, const demCloud& cloud)
+:
+    mesh_(mesh),
+    cloud_(cloud)
+{
+    // Fields that are missing are an error now, not in the first step
+    velocity();
+    pressureGradient();
+    viscosity();
+
+    if (!mesh.foundObject<volScalarField>("p"))
+    {
+        Info<< "Suna: the solver has no field p; particles feel the hydrostatic"
+            << " pressure gradient only" << endl;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::demFluid::uniformDensity
+(
+    const fvMesh& mesh,
+    const dictionary& own
+)
+{
+    const dictionary* transport =
+        mesh.findObject<dictionary>("transportProperties");
+
+    const bool inCoupling = own.found("rho");
+    const bool inTransport = transport && transport->found("rho");
+
+    if (!inCoupling && !inTransport)
+    {
+        FatalIOErrorInFunction(own)
+            << "The density of the fluid is missing: add rho <kg/m3> to"
+            << " coupling in constant/" << demDict::name()
+            << exit(FatalIOError);
+    }
+
+    const scalar rho =
+        dimensionedScalar("rho", dimDensity, inCoupling ? own : *transport).value();
+
+    if (inCoupling && inTransport)
+    {
+        const scalar other =
+            dimensionedScalar("rho", dimDensity, *transport).value();
+
+        if (mag(rho - other) > 1e-9*mag(rho))
+        {
+            FatalIOErrorInFunction(own)
+                << "The density of the fluid is " << rho << " kg/m3 here and "
+                << other << " kg/m3 in constant/transportProperties; write it"
+                << " in one place only" << exit(FatalIOError);
+        }
+    }
+
+    if (rho <= 0)
+    {
+        FatalIOErrorInFunction(own)
+            << "The density of the fluid is " << rho << " kg/m3; it must be"
+            << " positive" << exit(FatalIOError);
+    }
+
+    return rho;
+}
+
+
+const Foam::volVectorField& Foam::demFluid::velocity() const
+{
+    return lookup<volVectorField>(mesh_, "U");
+}
+
+
+bool Foam::demFluid::steady(const fvMesh& mesh)
+{
+    const wordHashSet steadySchemes
+    ({
+        "steadyState", "localEuler", "SLTS", "CoEuler"
+    });
+    const dictionary schemes(mesh.schemesDict().subOrEmptyDict("ddtSchemes"));
+
+    for (const char* term : {"ddt(U)", "ddt(rho,U)", "default"})
+    {
+        if (schemes.found(term))
+        {
+            return steadySchemes.found(word(schemes.lookup(term)));
+        }
+    }
+    return false;
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::demFluid::pressureGradient() const
+{
+    const dimensionedVector g("g", dimAcceleration, cloud_.gravity());
+    const volScalarField* p = mesh_.findObject<volScalarField>("p");
+    const volScalarField* p_rgh = mesh_.findObject<volScalarField>("p_rgh");
+    const tmp<volScalarField> trho(density());
+
+    if (p_rgh && p_rgh->dimensions() == dimPressure)
+    {
+        return dynamicGradient(*p_rgh) + trho*g;
+    }
+    if (!p)
+    {
+        return trho*g;
+    }
+    if (p_rgh)                  // over density: the Boussinesq solvers
+    {
+        return trho*fvc::grad(*p);
+    }
+    if (p->dimensions() == dimPressure)
+    {
+        return fvc::grad(*p) + trho*g;
+    }
+    return trho*(fvc::grad(*p) + g);
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::demFluid::density() const
+{
+    const volScalarField* rho = mesh_.findObject<volScalarField>("rho");
+
+    if (rho && rho->dimensions() == dimDensity)
+    {
+        cloud_.dict().refuseDuplicate("rho", "the solver");
+        return tmp<volScalarField>(*rho);
+    }
+    return uniform
+    (
+        mesh_,
+        dimensionedScalar("rho", dimDensity, cloud_.density())
+    );
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::demFluid::viscosity() const
+{
+    const turbulenceModel* model =
+        mesh_.findObject<turbulenceModel>(turbulenceModel::propertiesName);
+
+    if (model)
+    {
+        cloud_.dict().refuseDuplicate("nu", "the solver");
+        return density()*model->nu();
+    }
+
+    const dictionary* transport =
+        mesh_.findObject<dictionary>("transportProperties");
+    const dictionary& own = cloud_.dict().coupling();
+
+    if (transport && transport->found("nu"))
+    {
+        cloud_.dict().refuseDuplicate("nu", "constant/transportProperties");
+        return
+            density()*dimensionedScalar("nu", dimViscosity, *transport);
+    }
+    if (!own.found("nu"))
+    {
+        FatalIOErrorInFunction(own)
+            << "The viscosity of the fluid is missing: add nu <m2/s> to"
+            << " coupling in constant/" << demDict::name()
+            << exit(FatalIOError);
+    }
+
+    const dimensionedScalar nu("nu", dimViscosity, own);
+
+    if (nu.value() <= 0)
+    {
+        FatalIOErrorInFunction(own)
+            << "coupling/nu is " << nu.value() << " m2/s; it must be positive"
+            << exit(FatalIOError);
+    }
+    return density()*nu;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,109 @@
+/*---------------------------------------------------------------------------*\
+    demMomentumBalance.C -- momentum balance of the exchange, and timers.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demMomentumBalance.H"
+#include "demColumns.H"
+#include "PstreamReduceOps.H"
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demMomentumBalance::demMomentumBalance()
+:
+    since_(clock::now()),
+    maxError_(0),
+    maxMoved_(0)
+{
+    for (scalar& s : spent_)
+    {
+        s = 0;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demMomentumBalance::addTime(const timer part)
+{
+    const clock::time_point now = clock::now();
+    spent_[part] += std::chrono::duration<double>(now - since_).count();
+    since_ = now;
+}
+
+
+Foam::scalar Foam::demMomentumBalance::exchange
+(
+    const scalar window,
+    const volVectorField& force,
+    const struct ::dem_fluid& fluid,
+    const UList<vector>& velocity,
+    const UList<vector>& pressureForce,
+    const scalar fraction,
+    const tensor& whole
+)
+{
+    const scalarField& V = force.mesh().V();
+    vector toFluid(Zero);
+    vector toParticles(Zero);
+    scalar moved = 0;
+
+    forAll(V, celli)
+    {
+        toFluid += window*V[celli]*force[celli];
+    }
+
+    forAll(velocity, i)
+    {
+        const vector J(impulse(fluid, i));
+        const vector correction
+        (
+            fluid.response[i]*(velocity[i] - vectorAt(fluid.velocity, i))
+          + fluid.transmitted_fraction[i]*window*pressureForce[i]
+        );
+
+        toParticles += J + correction;
+        moved += mag(J) + mag(correction);
+    }
+
+    reduce(toFluid, sumOp<vector>());
+    reduce(toParticles, sumOp<vector>());
+    reduce(moved, sumOp<scalar>());
+
+    // Where fluid and particles move together nothing is exchanged but the
+    // round-off of F - K u: then relative to the largest exchange so far
+    maxMoved_ = max(maxMoved_, moved);
+    const scalar error =
+        mag(whole & (toFluid + fraction*toParticles))
+       /(max(moved, 1e-3*maxMoved_) + VSMALL);
+    maxError_ = max(maxError_, error);
+    return error;
+}
+
+
+Foam::vector Foam::demMomentumBalance::owed(const struct ::dem_fluid& fluid)
+{
+    vector sum(Zero);
+
+    for (size_t i = 0; i < fluid.n; i++)
+    {
+        sum += vectorAt(fluid.carried_over_impulse, i);
+    }
+
+    reduce(sum, sumOp<vector>());
+    return sum;
+}
+
+
+void Foam::demMomentumBalance::reportTotals() const
+{
+    Info<< "Suna: time spent on fluid " << spent_[FLUID]
+        << " s, particles " << spent_[PARTICLES]
+        << " s, exchange " << spent_[EXCHANGE]
+        << " s; largest exchange error " << maxError_ << nl << endl;
+}
+
+// ************************************************************************* //

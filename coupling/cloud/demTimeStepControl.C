@@ -1,0 +1,117 @@
+/*---------------------------------------------------------------------------*\
+    demTimeStepControl.C -- criteria of the time step, and which one limits it.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demTimeStepControl.H"
+#include "Time.H"
+
+namespace Foam
+{
+    // Step over the relaxation time of particles, above which it is reported
+    static const scalar relaxationWarning = 1;
+}
+
+
+Foam::demTimeStepControl::demTimeStepControl(const Time& time, demCloud& cloud)
+:
+    time_(time),
+    cloud_(cloud),
+    names_({"maxCo", "maxParticleCo", "maxVoidFractionChange", "maxRelaxation"}),
+    value_(nCriteria, Zero),
+    limit_(nCriteria, Zero),
+    reported_(nCriteria, Zero)
+{}
+
+
+void Foam::demTimeStepControl::read(const scalar maxCo)
+{
+    const scalar defaultLimit[nCriteria] = {maxCo, 0.5, 0.1, 0};
+
+    limit_[FLUID] = maxCo;
+    for (label k = PARTICLES; k < nCriteria; ++k)
+    {
+        const dictionary& control = time_.controlDict();
+        limit_[k] = control.getOrDefault<scalar>(names_[k], defaultLimit[k]);
+        if (limit_[k] < 0 || (control.found(names_[k]) && limit_[k] == 0))
+        {
+            FatalIOErrorInFunction(control)
+                << names_[k] << " is " << limit_[k] << "; it must be positive."
+                << " Leave it out for "
+                << (defaultLimit[k] > 0 ? "its default" : "no such limit")
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::demTimeStepControl::evaluate(const bool adjust, const scalar Co, const scalar maxCo)
+{
+    read(maxCo);
+    value_[FLUID] = Co;
+    value_[PARTICLES] = cloud_.courant();
+    value_[VOLUME] = cloud_.changeRate()*time_.deltaTValue();
+    value_[RELAXATION] = cloud_.relaxationRate()*time_.deltaTValue();
+
+    Info<< "Particle Courant Number max: " << value_[PARTICLES]
+        << ", change of void fraction " << value_[VOLUME];
+    if (value_[RELAXATION] > 0)
+    {
+        Info<< ", step over relaxation time " << value_[RELAXATION];
+    }
+    Info<< endl;
+
+    if (!adjust)
+    {
+        report();
+    }
+}
+
+
+void Foam::demTimeStepControl::report()
+{
+    static const char* what[nCriteria] =
+    {
+        "Courant number of the fluid", "Courant number of particles",
+        "change of the void fraction of a cell", "step over the relaxation time of a particle"
+    };
+    for (label k = 0; k < nCriteria; ++k)
+    {
+        const scalar limit = limit_[k] > 0 ? limit_[k] : relaxationWarning;
+        if (!reported_[k] && value_[k] > limit)
+        {
+            reported_[k] = 1;
+            Info<< "Suna: deltaT " << time_.deltaTValue() << " s is long: " << what[k]
+                << " " << value_[k] << ", above " << limit << " (" << names_[k]
+                << "); take " << time_.deltaTValue()*limit/value_[k]
+                << " s, or adjustTimeStep yes" << endl;
+        }
+    }
+}
+
+
+Foam::label Foam::demTimeStepControl::limiting() const
+{
+    label tightest = FLUID;
+    for (label k = 0; k < nCriteria; ++k)
+    {
+        if (limit_[k] > 0 && value_[k]*limit_[tightest] > value_[tightest]*limit_[k])
+        {
+            tightest = k;
+        }
+    }
+    return tightest;
+}
+
+
+Foam::scalar Foam::demTimeStepControl::limitRatio() const
+{
+    const label tightest = limiting();
+    return value_[tightest]/limit_[tightest];
+}
+
+
+// ************************************************************************* //

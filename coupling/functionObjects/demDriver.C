@@ -1,0 +1,247 @@
+/*---------------------------------------------------------------------------*\
+    demDriver.C -- runs a demCloud in a solver that has no equations for particles.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demDriver.H"
+#include "Time.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(demDriver, 0);
+}
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// A relaxed field is written, so that a restart continues with it
+static IOobject relaxedField(const fvMesh& mesh, const word& name, const bool written)
+{
+    return IOobject
+    (
+        name,
+        mesh.time().timeName(),
+        mesh,
+        written ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
+        written ? IOobject::AUTO_WRITE : IOobject::NO_WRITE
+    );
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+// Walls that moved while the particles stood still would pass through them
+void Foam::demDriver::refuseLateStart() const
+{
+    const Time& time = mesh_.time();
+
+    if (time.timeIndex() > time.startTimeIndex() + 1)
+    {
+        FatalErrorInFunction
+            << "The mesh moves, but the particles have stood still until now;"
+            << " let them move from the start, without timeStart"
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::demDriver::reportPlan()
+{
+    const Time& time = mesh_.time();
+    const bool adjusts =
+        time.controlDict().lookupOrDefault<Switch>("adjustTimeStep", false);
+
+    cloud_.plan
+    (
+        fluid_.velocity(),
+        fluid_.pressureGradient()(),
+        fluid_.density()(),
+        fluid_.viscosity()(),
+        steady_ ? "interval of coupling"
+      : adjusts ? "the solver's adjustTimeStep" : "deltaT of controlDict"
+    );
+}
+
+
+void Foam::demDriver::step()
+{
+    if (lastStep_ == mesh_.time().timeIndex())
+    {
+        return;
+    }
+
+    // OpenFOAM does not notify function objects of mesh changes before timeStart
+    if (mesh_.topoChanging() || mesh_.nCells() != cells_)
+    {
+        refuseTopologyChange();
+    }
+    if (lastStep_ < 0 && mesh_.moving())
+    {
+        refuseLateStart();
+    }
+
+    if (lastStep_ < 0)
+    {
+        reportPlan();
+    }
+    lastStep_ = mesh_.time().timeIndex();
+
+    cloud_.evolve
+    (
+        fluid_.velocity(),
+        fluid_.pressureGradient()(),
+        fluid_.density()(),
+        fluid_.viscosity()()
+    );
+
+    if (!steady_)
+    {
+        force_ = cloud_.force() + cloud_.pressureReaction();
+        return;
+    }
+
+    const volVectorField now(cloud_.force() + cloud_.pressureReaction());
+    exerted_ = total(now, cloud_.drag());
+    force_ += relaxation_*(now - force_);
+    drag_ += relaxation_*(cloud_.drag() - drag_);
+}
+
+
+Foam::vector Foam::demDriver::total
+(
+    const volVectorField& F,
+    const volScalarField& K
+) const
+{
+    const vectorField& f = F;
+    const scalarField& k = K;
+    const vectorField& u = fluid_.velocity();
+    return gSum((mesh_.V().field()*(f - k*u))());
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demDriver::demDriver(const fvMesh& mesh)
+:
+    regIOobject
+    (
+        IOobject
+        (
+            typeName,
+            mesh.time().constant(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    mesh_(mesh),
+    cloud_(mesh, false),
+    fluid_(mesh, cloud_),
+    steady_(demFluid::steady(mesh)),
+    cells_(mesh.nCells()),
+    lastStep_(-1),
+    from_(-VGREAT),
+    until_(VGREAT),
+    relaxation_(cloud_.dict().coupling().getOrDefault<scalar>("relaxation", 0.1)),
+    force_(relaxedField(mesh, "particleForce", steady_), cloud_.force()),
+    drag_(relaxedField(mesh, "particleDrag", steady_), cloud_.drag()),
+    exerted_(Zero)
+{
+    if (relaxation_ <= 0 || relaxation_ > 1)
+    {
+        FatalIOErrorInFunction(cloud_.dict().coupling())
+            << "relaxation is " << relaxation_ << "; it must be above 0 and at"
+            << " most 1" << exit(FatalIOError);
+    }
+    force_.note() = drag_.note() = cloud_.heading();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demDriver::refuseTopologyChange() const
+{
+    FatalErrorInFunction
+        << "The mesh changes its topology, but cells and walls of the particles"
+        << " are those of the mesh at the start: it may move, but not be refined"
+        << " or cut anew; take another dynamicFvMesh in"
+        << " constant/dynamicMeshDict, or leave the particles out" << exit(FatalError);
+}
+
+
+void Foam::demDriver::meshMoves() const
+{
+    if (lastStep_ == mesh_.time().timeIndex())
+    {
+        FatalErrorInFunction
+            << "The mesh moves again in a step in which the particles have moved"
+            << " already; take moveMeshOuterCorrectors out of PIMPLE in"
+            << " system/fvSolution" << exit(FatalError);
+    }
+}
+
+
+bool Foam::demDriver::active() const
+{
+    const Time& time = mesh_.time();
+    const scalar half = 0.5*time.deltaTValue();
+
+    // Same tolerance as functionObjects::timeControl
+    return time.value() >= from_ - half && time.value() <= until_ + half;
+}
+
+
+const Foam::volVectorField& Foam::demDriver::force()
+{
+    step();
+    return force_;
+}
+
+
+const Foam::volScalarField& Foam::demDriver::drag()
+{
+    step();
+    return steady_ ? drag_ : cloud_.drag();
+}
+
+
+void Foam::demDriver::endStep()
+{
+    if (cloud_.twoWay())
+    {
+        if (lastStep_ != mesh_.time().timeIndex())
+        {
+            FatalErrorInFunction
+                << "The solver has not asked for the particles' force in this"
+                << " time step: it does not call fvOptions for U (icoFoam, for"
+                << " one, does not), or demMomentumSource is switched off."
+                << " Take a solver that does, pimpleFoam for example, or set"
+                << " twoWay no; in coupling of constant/" << demDict::name()
+                << exit(FatalError);
+        }
+
+        if (steady_)
+        {
+            Info<< "Suna: force of the particles " << exerted_ << " N, on the fluid "
+                << total(force_, drag_) << " N" << endl;
+        }
+        else
+        {
+            cloud_.correct(fluid_.velocity(), fluid_.density()());
+        }
+    }
+    else
+    {
+        step();
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,214 @@
+/*---------------------------------------------------------------------------*\
+    demFunctionObject.C -- particles in any solver as a function object.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demFunctionObject.H"
+#include "demMomentumSource.H"
+#include "fvOptions.H"
+#include "mapPolyMesh.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(demFunctionObject, 0);
+    addToRunTimeSelectionTable(functionObject, demFunctionObject, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Does the case have a file fvOptions? OpenFOAM reads such a list again when the
+// file changes, and fails at a source that is not in the file.
+static bool hasFile(const fvMesh& mesh)
+{
+    for (const word& folder : {mesh.time().constant(), mesh.time().system()})
+    {
+        IOobject io
+        (
+            "fvOptions",
+            folder,
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        );
+
+        if (io.typeHeaderOk<IOdictionary>(true))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+// The particles must move in each time step
+static void checkControl(const dictionary& dict)
+{
+    const bool each =
+        dict.getOrDefault<word>("executeControl", "timeStep") == "timeStep"
+     && dict.getOrDefault<scalar>("executeInterval", 1) == 1;
+
+    if (!each || dict.found("triggerStart"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "functions/" << dict.dictName() << " in system/controlDict skips"
+            << " time steps, but particles must move in each one. Take out"
+            << " executeControl, executeInterval and triggerStart; timeStart and"
+            << " timeEnd may stay"
+            << exit(FatalIOError);
+    }
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::functionObjects::demFunctionObject::addSource()
+{
+    fv::optionList& sources = fv::options::New(mesh_);
+
+    forAll(sources, i)
+    {
+        if (isA<fv::demMomentumSource>(sources[i]))
+        {
+            return;
+        }
+    }
+
+    if (hasFile(mesh_))
+    {
+        FatalErrorInFunction
+            << "The coupling is two-way, and this case has its own file"
+            << " fvOptions; add to it" << nl
+            << "    particles { type demMomentumSource;"
+            << " libs (\"libdemCoupling.so\"); }" << exit(FatalError);
+    }
+
+    dictionary dict;
+    dict.add("type", fv::demMomentumSource::typeName);
+
+    const label n = sources.size();
+    sources.setSize(n + 1);
+    sources.set(n, fv::option::New(name(), dict, mesh_).ptr());
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::functionObjects::demFunctionObject::demFunctionObject
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    ownTimes_
+    (
+        dict.found("writeControl")
+     || dict.found("outputControl")
+     || dict.found("writeInterval")
+    )
+{
+    // Post-processing reads results and must not advance them
+    if (postProcess)
+    {
+        Info<< "Suna: post-processing, the particles stay as they are" << endl;
+        return;
+    }
+
+    // OpenFOAM turns an exception in this constructor into a warning and runs on
+    // without particles, or hangs if only one rank fails. Here errors end the run.
+    const bool throwing = FatalError.throwExceptions(false);
+    const bool throwingIO = FatalIOError.throwExceptions(false);
+
+    if (mesh_.foundObject<volScalarField>("dem:drag"))
+    {
+        FatalErrorInFunction
+            << "This solver or another function object has particles already;"
+            << " take out " << name << exit(FatalError);
+    }
+
+    driver_.reset(new demDriver(mesh_));
+    read(dict);
+
+    if (driver_().cloud().twoWay())
+    {
+        addSource();
+    }
+
+    FatalIOError.throwExceptions(throwingIO);
+    FatalError.throwExceptions(throwing);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::demFunctionObject::read(const dictionary& dict)
+{
+    if (driver_)
+    {
+        checkControl(dict);
+        driver_().setActivePeriod
+        (
+            time_.userTimeToTime(dict.getOrDefault<scalar>("timeStart", -VGREAT)),
+            time_.userTimeToTime(dict.getOrDefault<scalar>("timeEnd", VGREAT))
+        );
+    }
+    return fvMeshFunctionObject::read(dict);
+}
+
+
+bool Foam::functionObjects::demFunctionObject::execute()
+{
+    if (driver_)
+    {
+        driver_().endStep();
+    }
+    return true;
+}
+
+
+bool Foam::functionObjects::demFunctionObject::write()
+{
+    // Without a writeControl OpenFOAM calls this in every step
+    if (driver_ && (ownTimes_ || time_.writeTime()))
+    {
+        driver_().cloud().write();
+    }
+    return true;
+}
+
+
+void Foam::functionObjects::demFunctionObject::updateMesh
+(
+    const mapPolyMesh& map
+)
+{
+    if (driver_ && &map.mesh() == &mesh_)
+    {
+        driver_().refuseTopologyChange();
+    }
+}
+
+
+void Foam::functionObjects::demFunctionObject::movePoints(const polyMesh& mesh)
+{
+    if (driver_ && &mesh == &mesh_)
+    {
+        driver_().meshMoves();
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,110 @@
+/*---------------------------------------------------------------------------*\
+    demMomentumSource.C -- the particles' force on the fluid as an fvOption.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demMomentumSource.H"
+#include "fvMatrices.H"
+#include "fvmSup.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace fv
+{
+    defineTypeNameAndDebug(demMomentumSource, 0);
+    addToRunTimeSelectionTable(option, demMomentumSource, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::demDriver& Foam::fv::demMomentumSource::driver() const
+{
+    const demDriver* found = mesh_.findObject<demDriver>(demDriver::typeName);
+
+    if (!found)
+    {
+        FatalErrorInFunction
+            << "There are no particles for source " << name_ << ": add to"
+            << " functions in system/controlDict" << nl
+            << "    particles { type demCloud; libs (\"libdemCoupling.so\"); }"
+            << nl << "(demPimpleFoam has its own and needs neither.)"
+            << exit(FatalError);
+    }
+    return const_cast<demDriver&>(*found);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::fv::demMomentumSource::demMomentumSource
+(
+    const word& name,
+    const word& modelType,
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+:
+    option(name, modelType, dict, mesh)
+{
+    read(dict);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::fv::demMomentumSource::read(const dictionary& dict)
+{
+    if (!option::read(dict))
+    {
+        return false;
+    }
+
+    fieldNames_ = wordList(1, "U");
+    applied_.setSize(1, false);
+    return true;
+}
+
+
+void Foam::fv::demMomentumSource::addSup
+(
+    fvMatrix<vector>& eqn,
+    const label
+)
+{
+    if (!driver().active())
+    {
+        return;
+    }
+
+    const dimensionedScalar rho
+    (
+        "rho",
+        dimDensity,
+        driver().cloud().density()
+    );
+
+    eqn += driver().force()/rho - fvm::Sp(driver().drag()/rho, eqn.psi());
+}
+
+
+void Foam::fv::demMomentumSource::addSup
+(
+    const volScalarField&,
+    fvMatrix<vector>& eqn,
+    const label
+)
+{
+    if (!driver().active())
+    {
+        return;
+    }
+
+    eqn += driver().force() - fvm::Sp(driver().drag(), eqn.psi());
+}
+
+// ************************************************************************* //

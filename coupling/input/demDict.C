@@ -1,0 +1,259 @@
+/*---------------------------------------------------------------------------*\
+    demDict.C -- reads constant/demProperties, separates the settings of the coupling
+    from the scene of the core.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demDict.H"
+#include "demCheck.H"
+#include "demDomain.H"
+#include "emptyPolyPatch.H"
+#include "uniformDimensionedFields.H"
+#include "OStringStream.H"
+#include "DynamicList.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Each entry is preceded by its line, so that messages of the core can name it
+static void writeEntries(const dictionary& dict, OStringStream& os)
+{
+    forAllConstIters(dict, iter)
+    {
+        const entry& e = *iter;
+
+        // Entries that were added by this class have no line
+        if (e.startLineNumber() > 0)
+        {
+            os  << nl << "#line " << e.startLineNumber() << " \"constant/"
+                << demDict::name().c_str() << "\"" << nl;
+        }
+
+        if (e.isDict())
+        {
+            os.writeKeyword(e.keyword());
+            os  << nl << "{" << nl;
+            writeEntries(e.dict(), os);
+            os  << nl << "}" << nl;
+        }
+        else
+        {
+            e.write(os);
+        }
+    }
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::demDict::checkCoupling() const
+{
+    const wordList known
+    ({
+        "twoWay", "rho", "nu", "walls", "diameter", "interval", "relaxation",
+        "kernel", "width", "base", "minVoidFraction", "record", "fields",
+        "lastGood", "equations", "exchange"
+    });
+
+    forAllConstIters(coupling_, iter)
+    {
+        const keyType& key = iter().keyword();
+
+        if (!known.found(key))
+        {
+            demUnknown(coupling_, "coupling", "entry", key, known);
+        }
+    }
+}
+
+
+// End and output of a run are controlled by system/controlDict
+void Foam::demDict::dropControlDictEntries()
+{
+    DynamicList<word> dropped;
+
+    if (dict_.remove("write"))
+    {
+        dropped.append("write");
+    }
+    if (dict_.isDict("time") && dict_.subDict("time").remove("end"))
+    {
+        dropped.append("time/end");
+    }
+
+    if (dropped.size())
+    {
+        Info<< "Suna: not read from constant/" << name() << ": "
+            << flatOutput(dropped) << "; here system/controlDict decides"
+            << endl;
+    }
+}
+
+
+void Foam::demDict::resolveGravity()
+{
+    IOobject io
+    (
+        "g",
+        mesh_.time().constant(),
+        mesh_.time(),
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+
+    const dictionary& effects = dict_.subOrEmptyDict("effects");
+    const dictionary& own = effects.subOrEmptyDict("gravity");
+    const bool inScene = own.readIfPresent("acceleration", gravity_);
+
+    if (!io.typeHeaderOk<uniformDimensionedVectorField>(true))
+    {
+        reportGravity(inScene ? "effects/gravity/acceleration" : "");
+        return;
+    }
+
+    const vector g = uniformDimensionedVectorField(io).value();
+
+    if (inScene && mag(g - gravity_) > 1e-9*mag(g))
+    {
+        FatalIOErrorInFunction(own)
+            << "Gravity is " << gravity_ << " in effects/gravity/acceleration"
+            << " and " << g << " in constant/g; write it in one place only"
+            << exit(FatalIOError);
+    }
+
+    gravity_ = g;
+
+    if (!inScene && mag(g) > 0)
+    {
+        dictionary gravity;
+        dictionary added;
+        gravity.add("acceleration", g);
+        added.add("gravity", gravity);
+
+        dictionary all;
+        all.add("effects", added);
+        dict_.merge(all);
+    }
+    reportGravity("constant/g");
+}
+
+
+bool Foam::demDict::emptyWalls() const
+{
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isA<emptyPolyPatch>(patch) && isWall(patch))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void Foam::demDict::reportGravity(const char* source) const
+{
+    if (mag(gravity_) > 0)
+    {
+        Info<< "Suna: gravity " << gravity_ << " m/s2 from " << source << endl;
+    }
+    else
+    {
+        Info<< "Suna: no gravity: "
+            << (*source ? source : "neither constant/g nor effects/gravity")
+            << (*source ? " is zero" : " is there") << endl;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demDict::demDict(const polyMesh& mesh, const word& file)
+:
+    mesh_(mesh),
+    dict_
+    (
+        IOobject
+        (
+            file,
+            mesh.time().constant(),
+            mesh.time(),
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    ),
+    coupling_(dict_.subOrEmptyDict("coupling")),
+    gravity_(Zero)
+{
+    dict_.remove("coupling");
+    dict_.remove("FoamFile");
+
+    dropControlDictEntries();
+
+    if (dict_.found("fluid"))
+    {
+        FatalIOErrorInFunction(dict_.subDict("fluid"))
+            << "The scene has a uniform fluid, but in this run the fluid is the"
+            << " solver's; take out fluid { ... }" << exit(FatalIOError);
+    }
+
+    if (dict_.found("start"))
+    {
+        dict_.subDict("start").readEntry("snapshot", snapshot_);
+        dict_.remove("start");
+        snapshot_.expand();
+
+        if (!snapshot_.isAbsolute())
+        {
+            snapshot_ = mesh.time().globalPath()/snapshot_;
+        }
+    }
+
+    checkCoupling();
+    coupling_.readIfPresent("walls", extraWalls_);
+    checkPatchNames();
+    separatePatchWalls();
+    demDomain(mesh_).complete(dict_, emptyWalls());
+    resolveGravity();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::demDict::hasEffect(const word& effect) const
+{
+    return dict_.subOrEmptyDict("effects").found(effect);
+}
+
+
+void Foam::demDict::refuseDuplicate(const word& name, const char* where) const
+{
+    if (coupling_.found(name))
+    {
+        FatalIOErrorInFunction(coupling_)
+            << name << " comes from " << where << " here; take it out of"
+            << " coupling in constant/" << demDict::name()
+            << exit(FatalIOError);
+    }
+}
+
+
+std::string Foam::demDict::text() const
+{
+    OStringStream os;
+    os.precision(17);           // doubles arrive with the same bits
+    writeEntries(dict_, os);
+    return os.str();
+}
+
+// ************************************************************************* //

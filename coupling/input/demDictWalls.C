@@ -1,0 +1,339 @@
+/*---------------------------------------------------------------------------*\
+    demDictWalls.C -- the walls of the scene that are patches or surface files, and their materials.
+
+    Part of demDict: entries of walls that name a patch, or are of type surface, are
+    checked and removed from the scene; demWalls passes their triangles to the core.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demDict.H"
+#include "demCheck.H"
+#include "DynamicList.H"
+#include "processorPolyPatch.H"
+#include "wallPolyPatch.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Names of the patches of the case, the same on all ranks
+static wordList patchNames(const polyMesh& mesh)
+{
+    DynamicList<word> names;
+
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (!isA<processorPolyPatch>(patch))
+        {
+            names.append(patch.name());
+        }
+    }
+    return wordList(names);
+}
+
+
+// Refuse a word or an "expression" that matches no patch
+static void refuseUnmatched
+(
+    const dictionary& dict,
+    const std::string& where,
+    const wordRe& pattern,
+    const UList<word>& patches
+)
+{
+    if (!pattern.isPattern())
+    {
+        demUnknown(dict, where, "patch", pattern, patches);
+    }
+    FatalIOErrorInFunction(dict)
+        << where.c_str() << ": \"" << pattern.c_str() << "\" matches no patch;"
+        << " there are " << flatOutput(patches) << exit(FatalIOError);
+}
+
+
+static bool matches(const wordRe& pattern, const UList<word>& names)
+{
+    for (const word& name : names)
+    {
+        if (pattern.match(name))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::demDict::checkPatchNames() const
+{
+    const wordList patches(patchNames(mesh_));
+
+    for (const wordRe& pattern : extraWalls_)
+    {
+        if (!matches(pattern, patches))
+        {
+            refuseUnmatched(coupling_, "coupling/walls", pattern, patches);
+        }
+    }
+}
+
+
+// A walls entry that names no patch must be a wall of the core, with a type
+void Foam::demDict::checkOwnWall(const entry& e) const
+{
+    const dictionary& walls = dict_.subDict("walls");
+    const word type
+    (
+        e.isDict() ? e.dict().getOrDefault<word>("type", "patch") : "patch"
+    );
+
+    if (e.keyword().isPattern() || type == "patch")
+    {
+        refuseUnmatched
+        (
+            walls,
+            "walls/" + e.keyword() + " has no other type (plane, box,"
+            " cylinder, sphere, triangles, stl, surface), so it must be a"
+            " patch",
+            wordRe(e.keyword()),
+            patchNames(mesh_)
+        );
+    }
+}
+
+
+void Foam::demDict::checkMaterial
+(
+    const dictionary& wall,
+    const std::string& where
+) const
+{
+    const wordList known(materials());
+    word name;
+
+    if (wall.readIfPresent("material", name))
+    {
+        if (!known.found(name))
+        {
+            demUnknown(wall, where, "material", name, known);
+        }
+    }
+    else if (known.size() != 1)
+    {
+        FatalIOErrorInFunction(wall)
+            << where.c_str() << " misses its material, as the scene has "
+            << known.size() << "; add material, one of "
+            << flatOutput(known) << exit(FatalIOError);
+    }
+}
+
+
+// The position of a patch is that of the mesh; its surface may have a tangential
+// velocity
+void Foam::demDict::checkPatchWall(const entry& e) const
+{
+    const std::string where("walls/" + e.keyword());
+
+    if (!e.isDict())
+    {
+        FatalIOErrorInFunction(dict_.subDict("walls"))
+            << where.c_str() << " is not a dictionary; write " << e.keyword()
+            << " { material " << flatOutput(materials()) << "; } with one of"
+            << " these" << exit(FatalIOError);
+    }
+
+    const dictionary& wall = e.dict();
+    const wordHashSet known
+    (
+        {"type", "material", "surfaceVelocity", "surfaceRotation"}
+    );
+
+    forAllConstIters(wall, iter)
+    {
+        const keyType& key = iter().keyword();
+
+        if
+        (
+            !known.found(key)
+         || (key == "type" && wall.get<word>("type") != "patch")
+        )
+        {
+            FatalIOErrorInFunction(wall)
+                << where.c_str() << " is made from a patch; such a wall has the"
+                << " position of the mesh, a material, surfaceVelocity and"
+                << " surfaceRotation, nothing else. Take"
+                << " out " << key << exit(FatalIOError);
+        }
+    }
+
+    checkMaterial(wall, where);
+}
+
+
+// Give the core the settings of patch walls other than their triangles and material
+void Foam::demDict::addPatchMotion(const entry& e)
+{
+    dictionary plain(e.dict());
+    plain.remove("type");
+    plain.remove("material");
+
+    if (plain.empty())
+    {
+        return;
+    }
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (wordRe(e.keyword()).match(patch.name()) && isWall(patch))
+        {
+            dictionary wall(plain);
+            wall.add("type", "patch");
+            wall.add("material", material(patch));
+            dict_.subDict("walls").add(patch.name(), wall);
+        }
+    }
+}
+
+
+// Walls of type surface: the file is read by demWalls, the core gets the triangles
+void Foam::demDict::separateSurfaceWall(const word& name)
+{
+    dictionary& wall = dict_.subDict("walls").subDict(name);
+
+    checkMaterial(wall, "walls/" + name);
+    if (!wall.found("material"))
+    {
+        wall.add("material", materials()[0]);
+    }
+    if (!wall.found("file"))
+    {
+        FatalIOErrorInFunction(wall)
+            << "walls/" << name << " is a surface without a file; add file,"
+            << " the name of one in constant/triSurface" << exit(FatalIOError);
+    }
+    if (wall.getOrDefault<scalar>("scale", 1) <= 0)
+    {
+        FatalIOErrorInFunction(wall)
+            << "walls/" << name << "/scale " << wall.get<scalar>("scale")
+            << "; give a number above 0, metres per unit of the file"
+            << exit(FatalIOError);
+    }
+
+    surfaces_.add(name, wall);
+    wall.remove("file");
+    wall.remove("scale");
+}
+
+
+void Foam::demDict::separatePatchWalls()
+{
+    if (!dict_.isDict("walls"))
+    {
+        return;                     // none, or the core reports the error
+    }
+
+    dictionary& walls = dict_.subDict("walls");
+    const wordList patches(patchNames(mesh_));
+
+    // A copy of the names: entries are removed in the loop
+    DynamicList<keyType> names;
+    forAllConstIters(walls, iter)
+    {
+        names.append(iter().keyword());
+    }
+
+    forAll(names, i)
+    {
+        const entry& e = *walls.findEntry(names[i], keyType::LITERAL);
+
+        if (!matches(wordRe(names[i]), patches))
+        {
+            checkOwnWall(e);
+            if (e.isDict() && e.dict().getOrDefault<word>("type", "") == "surface")
+            {
+                separateSurfaceWall(names[i]);
+            }
+            continue;
+        }
+
+        checkPatchWall(e);
+
+        const label patchi = mesh_.boundaryMesh().findPatchID(names[i]);
+        if (patchi >= 0 && mesh_.boundaryMesh()[patchi].coupled())
+        {
+            FatalIOErrorInFunction(walls)
+                << "walls/" << names[i] << " is a patch of type "
+                << mesh_.boundaryMesh()[patchi].type() << ", which particles"
+                << " pass; take the entry out, or make the patch a wall"
+                << exit(FatalIOError);
+        }
+
+        patches_.add(e);
+        walls.remove(names[i]);
+    }
+
+    // Only now all patch walls are known
+    forAllConstIters(patches_, iter)
+    {
+        addPatchMotion(*iter);
+    }
+
+    if (walls.empty())
+    {
+        dict_.remove("walls");
+    }
+}
+
+
+Foam::wordList Foam::demDict::materials() const
+{
+    const wordList names(dict_.subOrEmptyDict("materials").toc());
+
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "The scene has no materials; add"
+            << " materials { glass { density 2500; youngsModulus 1e7; } }"
+            << exit(FatalIOError);
+    }
+    return names;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::demDict::isWall(const polyPatch& patch) const
+{
+    return
+        isA<wallPolyPatch>(patch)
+     || extraWalls_.match(patch.name())
+     || patches_.found(patch.name());
+}
+
+
+Foam::word Foam::demDict::material(const polyPatch& patch) const
+{
+    const dictionary* wall = patches_.findDict(patch.name());
+    const wordList known(materials());
+    word name(known[0]);
+
+    if (!(wall && wall->readIfPresent("material", name)) && known.size() != 1)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "What is wall " << patch.name() << " made of? Add"
+            << " walls { " << patch.name() << " { material name; } } with one"
+            << " of the materials " << flatOutput(known)
+            << exit(FatalIOError);
+    }
+    return name;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,167 @@
+/*---------------------------------------------------------------------------*\
+    demLostParticles.C -- report and table of lost particles.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demLostParticles.H"
+#include "demCheck.H"
+#include "demColumns.H"
+#include "demInteger.H"
+#include "OSspecific.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Largest number of ids on a line of the log; the file has all
+enum { MAX_IDS = 10 };
+
+// Losses whose patch is searched for at once
+enum { BLOCK = 100000 };
+
+static void reportIds
+(
+    const struct ::dem_loss* loss,
+    const int64_t n,
+    const int removed
+)
+{
+    label reported = 0;
+
+    for (int64_t k = 0; k < n && reported <= MAX_IDS; k++)
+    {
+        if (loss[k].removed == removed && reported++ < MAX_IDS)
+        {
+            Info<< ' ' << demInteger(loss[k].id).c_str();
+        }
+    }
+    Info<< (reported > MAX_IDS ? " ..." : "");
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::List<Foam::string> Foam::demLostParticles::describePatch
+(
+    const UList<point>& points,
+    const UList<vector>& velocities
+)
+{
+    if (!exitPatch_ || mesh_.moving())
+    {
+        exitPatch_.reset(new demOutletPatch(mesh_));
+    }
+    return exitPatch_().describe(points, velocities);
+}
+
+
+void Foam::demLostParticles::writeRows
+(
+    const struct ::dem_loss* loss,
+    const label n,
+    const scalar offset
+)
+{
+    // The cause of a removed particle is completed by a patch; that of one which
+    // passed through a wall names the wall already
+    pointField points(n);
+    vectorField velocities(n, Zero);
+    for (label k = 0; k < n; k++)
+    {
+        points[k] = vectorAt(loss[k].position, 0);
+        if (loss[k].removed)
+        {
+            velocities[k] = vectorAt(loss[k].velocity, 0);
+        }
+    }
+    const List<string> patch(describePatch(points, velocities));
+
+    for (label k = 0; Pstream::master() && k < n; k++)
+    {
+        const double* v = loss[k].velocity;
+
+        table_.rows()
+            << loss[k].id << ',' << loss[k].time + offset << ',' << points[k].x()
+            << ',' << points[k].y() << ',' << points[k].z() << ',' << v[0]
+            << ',' << v[1] << ',' << v[2] << ',' << loss[k].diameter
+            << ",\"" << loss[k].cause << patch[k].c_str() << '"' << '\n';
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demLostParticles::demLostParticles(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    table_(mesh.time(), "lost.csv"),
+    removed_(0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::demLostParticles::exitPatch(const point& x, const vector& v)
+{
+    return describePatch(pointField(1, x), vectorField(1, v))[0];
+}
+
+
+void Foam::demLostParticles::report(::dem* d, const scalar offset)
+{
+    if (Pstream::master())
+    {
+        table_.begin(d, "id,time,x,y,z,vx,vy,vz,diameter,cause");
+    }
+
+    const struct ::dem_loss* loss = nullptr;
+    int64_t n = 0;
+    demCheck(dem_lost(d, &n, &loss));
+
+    if (n == 0)
+    {
+        return;
+    }
+
+    int64_t removed = 0;
+    for (int64_t k = 0; k < n; k++)
+    {
+        removed += loss[k].removed ? 1 : 0;
+    }
+    removed_ += removed;
+
+    if (removed)
+    {
+        Info<< "Suna: lost " << demInteger(removed).c_str() << " particles, "
+            << demInteger(removed_).c_str() << " in this run:";
+        reportIds(loss, n, 1);
+        Info<< "; where and why is in " << table_.name().c_str()
+            << endl;
+    }
+    if (removed < n)
+    {
+        Info<< "Suna: " << demInteger(n - removed).c_str()
+            << " passages of particles through walls:";
+        reportIds(loss, n, 0);
+        Info<< "; where and why is in " << table_.name().c_str()
+            << endl;
+    }
+
+    for (int64_t first = 0; first < n; first += BLOCK)
+    {
+        writeRows(loss + first, label(min(n - first, int64_t(BLOCK))), offset);
+    }
+    if (Pstream::master())
+    {
+        table_.end();
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,275 @@
+/*---------------------------------------------------------------------------*\
+    demRecord.C -- record of particles, walls and energy at short intervals.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demRecord.H"
+#include "demCheck.H"
+#include "demColumns.H"
+#include "demInteger.H"
+#include "OSspecific.H"
+#include <cstdint>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Numbers per particle: 0 id, 1 position, 4 velocity, 7 diameter
+enum { RECORD_NUMBERS = 8 };
+
+// The file holds ids in 32 bits
+static scalarList pack(const demView& v)
+{
+    scalarList all(RECORD_NUMBERS*label(v.n));
+    label to = 0;
+
+    for (size_t i = 0; i < v.n; i++)
+    {
+        const double* x = dem_at(v.position, v.stride, i);
+        const double* u = dem_at(v.velocity, v.stride, i);
+
+        all[to++] = scalar(idOf(v, label(i)));
+        for (int k = 0; k < 3; k++) all[to++] = x[k];
+        for (int k = 0; k < 3; k++) all[to++] = u[k];
+        all[to++] = 2*(*dem_at(v.radius, v.stride, i));
+    }
+    return all;
+}
+
+
+template<class Type>
+static void put(std::ofstream& os, const Type value)
+{
+    os.write(reinterpret_cast<const char*>(&value), sizeof(value));
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+// At the first step, so that a run without steps leaves no empty files
+void Foam::demRecord::begin(const ::dem* d)
+{
+    interval_.begin(time_.value() - time_.deltaTValue());
+
+    if (!Pstream::master())
+    {
+        return;
+    }
+
+    const fileName folder(demTable::folder(time_));
+    mkDir(folder);
+    particles_.open((folder/"particles.bin").c_str(), std::ios::binary);
+    if (!particles_)
+    {
+        FatalErrorInFunction
+            << "Cannot write " << folder/"particles.bin" << "; take out"
+            << " coupling/record, or free disk space" << exit(FatalError);
+    }
+
+    walls_.begin
+    (
+        d,
+        "time[s],wall,fx[N],fy[N],fz[N],tx[Nm],ty[Nm],tz[Nm],fx_now[N],"
+        "fy_now[N],fz_now[N],tx_now[Nm],ty_now[Nm],tz_now[Nm]"
+    );
+}
+
+
+void Foam::demRecord::writeParticles(const demView& view)
+{
+    const int64_t largest = largestId(view);
+    if (largest > INT32_MAX)
+    {
+        FatalErrorInFunction
+            << "Particle id " << demInteger(largest).c_str()
+            << " does not fit into particles.bin, which"
+            << " holds ids up to " << INT32_MAX << "; give smaller ids in"
+            << " insert of constant/demProperties, or take out coupling/record"
+            << exit(FatalError);
+    }
+
+    List<scalarList> parts(Pstream::nProcs());
+    parts[Pstream::myProcNo()] = pack(view);
+    Pstream::gatherList(parts);
+
+    if (!Pstream::master())
+    {
+        return;
+    }
+
+    int64_t n = 0;
+    forAll(parts, rank)
+    {
+        n += parts[rank].size()/RECORD_NUMBERS;
+    }
+    put<double>(particles_, time_.value());
+    put<int64_t>(particles_, n);
+
+    forAll(parts, rank)
+    {
+        const scalarList& part = parts[rank];
+
+        forAll(part, i)
+        {
+            if (i % RECORD_NUMBERS == 0)
+            {
+                put<int32_t>(particles_, int32_t(part[i]));
+            }
+            else
+            {
+                put<float>(particles_, float(part[i]));
+            }
+        }
+    }
+    particles_.flush();
+}
+
+
+// The same table as the program dem writes
+void Foam::demRecord::writeWalls(::dem* d)
+{
+    for (int wall = 0; wall < dem_wall_count(d); wall++)
+    {
+        double value[12];
+        demCheck(dem_wall_impulse(d, wall, value, value + 3));
+        demCheck(dem_wall_load(d, wall, value + 6, value + 9));
+
+        if (Pstream::master())
+        {
+            walls_.rows() << time_.value() << ',' << dem_wall_name(d, wall);
+            for (label k = 0; k < 12; k++)
+            {
+                walls_.rows() << ',' << (k < 6 ? value[k]/elapsed_ : value[k]);
+            }
+            walls_.rows() << '\n';
+        }
+    }
+    if (Pstream::master())
+    {
+        walls_.end();
+    }
+    watch(d);
+}
+
+
+// The same table as the program dem writes
+void Foam::demRecord::writeEnergy(::dem* d)
+{
+    const ::dem_energy_item* item = nullptr;
+    double since = 0;
+    int n = 0;
+    demCheck(dem_energy(d, &since, &n, &item));
+
+    if (!Pstream::master())
+    {
+        return;
+    }
+    string columns("time[s],since[s]");
+    for (int k = 0; k < n; k++)
+    {
+        columns += string(",") + item[k].name + "[J]";
+    }
+    energies_.begin(d, columns);
+
+    energies_.rows() << time_.value() << ',' << since;
+    for (int k = 0; k < n; k++)
+    {
+        energies_.rows() << ',' << item[k].value;
+    }
+    energies_.rows() << '\n';
+    energies_.end();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
+:
+    time_(time),
+    interval_(0),
+    elapsed_(0),
+    walls_(time, "walls.csv"),
+    energy_(false),
+    energies_(time, "energy.csv", 12)
+{
+    if (coupling.found("record"))
+    {
+        const dictionary& record = coupling.subDict("record");
+        const wordList known({"interval", "energy", "budget"});
+
+        forAllConstIters(record, iter)
+        {
+            const keyType& key = iter().keyword();
+
+            if (!known.found(key))
+            {
+                demUnknown(record, "coupling/record", "entry", key, known);
+            }
+        }
+        const scalar interval = record.get<scalar>("interval");
+        energy_ = record.getOrDefault<Switch>("energy", false);
+
+        if (interval < SMALL)
+        {
+            FatalIOErrorInFunction(record)
+                << "coupling/record/interval " << interval << " s; give a time above 0, or"
+                << " take out record" << exit(FatalIOError);
+        }
+        interval_ = demInterval(interval);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demRecord::prepare(::dem* d)
+{
+    demCheck(dem_contact_durations_enable(d));        // for the timing report at the end
+    if (energy_)
+    {
+        demCheck(dem_energy_enable(d));
+    }
+}
+
+
+void Foam::demRecord::watch(::dem* d)
+{
+    if (interval_.on())
+    {
+        demCheck(dem_wall_impulse_reset(d));
+        elapsed_ = 0;
+    }
+}
+
+
+void Foam::demRecord::add(::dem* d, const demView& view, const scalar elapsed)
+{
+    if (!interval_.on())
+    {
+        return;
+    }
+    if (!interval_.begun())
+    {
+        begin(d);
+    }
+
+    elapsed_ += elapsed;
+
+    if (interval_.pass(time_.value()))
+    {
+        writeParticles(view);
+        writeWalls(d);
+        if (energy_)
+        {
+            writeEnergy(d);
+        }
+    }
+}
+
+// ************************************************************************* //

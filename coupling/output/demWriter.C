@@ -1,0 +1,247 @@
+/*---------------------------------------------------------------------------*\
+    demWriter.C -- writes particles as a lagrangian cloud.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demWriter.H"
+#include "demColumns.H"
+#include "IOField.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "PstreamBuffers.H"
+#include "Time.H"
+#include "DynamicList.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static const fileName cloudFolder("lagrangian/particles");
+
+// One particle as numbers, sent to the rank that writes it:
+// 0 cell, 1 position, 4 velocity, 7 spin, 10 contact force, 13 diameter,
+// 14 mass, 15 id, 16 material, 17 flags, 18 true position
+enum { N_NUMBERS = 21 };
+
+static void pack
+(
+    const struct ::dem_view& v,
+    const struct ::dem_view& folded,
+    const double* address,
+    const size_t i,
+    DynamicList<scalar>& to
+)
+{
+    const double* x = dem_at(folded.position, folded.stride, i);
+    const double* truePosition = dem_at(v.position, v.stride, i);
+    const double* u = dem_at(v.velocity, v.stride, i);
+    const double* w = dem_at(v.spin, v.stride, i);
+
+    to.append(address[2*i + 1]);
+    for (int k = 0; k < 3; k++) to.append(x[k]);
+    for (int k = 0; k < 3; k++) to.append(u[k]);
+    for (int k = 0; k < 3; k++) to.append(w[k]);
+    for (int k = 0; k < 3; k++) to.append(v.force[3*i + k]);
+    to.append(2*(*dem_at(v.radius, v.stride, i)));
+    to.append(*dem_at(v.mass, v.stride, i));
+
+    to.append(scalar(idOf(v, label(i))));       // exact, see maxId
+    const char* at = reinterpret_cast<const char*>(v.material) + v.stride*i;
+    to.append(*reinterpret_cast<const uint16_t*>(at));
+    at = reinterpret_cast<const char*>(v.flags) + v.stride*i;
+    to.append(*reinterpret_cast<const uint16_t*>(at));
+
+    for (int k = 0; k < 3; k++) to.append(truePosition[k]);
+}
+
+
+// Send each particle to the rank of its cell
+static List<scalar> distribute
+(
+    const struct ::dem_view& v,
+    const struct ::dem_view& folded,
+    const double* address
+)
+{
+    List<DynamicList<scalar>> out(Pstream::nProcs());
+
+    for (size_t i = 0; i < v.n; i++)
+    {
+        pack(v, folded, address, i, out[label(address[2*i])]);
+    }
+
+    if (!Pstream::parRun())
+    {
+        return List<scalar>(out[0]);
+    }
+
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+    forAll(out, rank)
+    {
+        if (out[rank].size())
+        {
+            UOPstream os(rank, buffers);
+            os << List<scalar>(out[rank]);
+        }
+    }
+
+    labelList sizes(Pstream::nProcs());
+    buffers.finishedSends(sizes);
+
+    DynamicList<scalar> in;
+    forAll(sizes, rank)
+    {
+        if (sizes[rank])
+        {
+            UIPstream is(rank, buffers);
+            in.append(List<scalar>(is));
+        }
+    }
+    return List<scalar>(in);
+}
+
+
+static inline vector three(const UList<scalar>& numbers, const label at)
+{
+    return vector(numbers[at], numbers[at + 1], numbers[at + 2]);
+}
+
+
+// The note of every file names the active effects, as that of the fields does
+static IOobject fileOf
+(
+    const fvMesh& mesh,
+    const word& name,
+    const string& heading,
+    const fileName& folder = cloudFolder
+)
+{
+    IOobject io
+    (
+        name,
+        mesh.time().timeName(),
+        folder,
+        mesh,
+        IOobject::NO_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+    io.note() = heading;
+    return io;
+}
+
+
+static void writePositions
+(
+    const fvMesh& mesh,
+    const string& heading,
+    const UList<scalar>& all
+)
+{
+    const IOobject io(fileOf(mesh, "positions", heading));
+    mkDir(io.path());
+
+    OFstream os(io.objectPath());
+    os.precision(15);
+    io.writeHeader(os, "Cloud<passiveParticle>");
+    os  << all.size()/N_NUMBERS << nl << "(" << nl;
+
+    for (label at = 0; at < all.size(); at += N_NUMBERS)
+    {
+        os  << three(all, at + 1) << ' ' << label(all[at]) << nl;
+    }
+    os  << ")" << nl;
+}
+
+
+// Without this file readers expect barycentric coordinates
+static void writeProperties(const fvMesh& mesh, const string& heading)
+{
+    const IOobject io
+    (
+        fileOf(mesh, "cloudProperties", heading, fileName("uniform")/cloudFolder)
+    );
+    mkDir(io.path());
+
+    OFstream os(io.objectPath());
+    io.writeHeader(os, "dictionary");
+    os  << "geometry        positions;" << nl;
+}
+
+
+template<class Type, class From>
+static void writeField
+(
+    const IOobject& io,
+    const UList<scalar>& all,
+    const label first,
+    const From& from
+)
+{
+    IOField<Type> field(io, all.size()/N_NUMBERS);
+
+    forAll(field, i)
+    {
+        field[i] = from(all, N_NUMBERS*i + first);
+    }
+    field.write();
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+// A label of OpenFOAM, passed between ranks as a double
+int64_t Foam::demWriter::maxId()
+{
+    return min(int64_t(labelMax), int64_t(1) << 53);
+}
+
+
+void Foam::demWriter::write
+(
+    const fvMesh& mesh,
+    const struct ::dem_view& view,
+    const struct ::dem_view& folded,
+    const double* address,
+    const string& heading
+)
+{
+    const List<scalar> all(distribute(view, folded, address));
+
+    const auto one = [](const UList<scalar>& n, const label at)
+    {
+        return n[at];
+    };
+    const auto whole = [](const UList<scalar>& n, const label at)
+    {
+        return label(n[at]);
+    };
+
+    const auto io = [&](const word& name)
+    {
+        return fileOf(mesh, name, heading);
+    };
+
+    writePositions(mesh, heading, all);
+    writeProperties(mesh, heading);
+    writeField<vector>(io("U"), all, 4, three);
+    writeField<vector>(io("omega"), all, 7, three);
+    writeField<vector>(io("contactForce"), all, 10, three);
+    writeField<scalar>(io("d"), all, 13, one);
+    writeField<scalar>(io("mass"), all, 14, one);
+    writeField<label>(io("id"), all, 15, whole);
+    writeField<label>(io("material"), all, 16, whole);
+    writeField<label>(io("flags"), all, 17, whole);
+    if (folded.position != view.position)
+    {
+        writeField<vector>(io("place"), all, 18, three);
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,220 @@
+/*---------------------------------------------------------------------------*\
+    demParticleRouting.C -- mesh side of the particle-to-cell routing: answer queries by a
+    walk over all ranks.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demParticleRouting.H"
+#include "PstreamBuffers.H"
+#include "PstreamReduceOps.H"
+
+
+void Foam::demParticleRouting::append(DynamicList<scalar>& message, const point& x)
+{
+    message.append(x.x());
+    message.append(x.y());
+    message.append(x.z());
+}
+
+
+bool Foam::demParticleRouting::hasCells(const boundBox& box)
+{
+    return box.min().x() <= box.max().x();
+}
+
+
+Foam::demParticleRouting::demParticleRouting(const fvMesh& mesh, const demLocator& locator)
+:
+    locator_(locator),
+    bounds_(Pstream::nProcs()),
+    found_(Pstream::nProcs()),
+    nParticles_(0),
+    out_(Pstream::nProcs()),
+    in_(Pstream::nProcs())
+{
+    const boundBox own(mesh.points(), false);
+
+    for (DynamicList<scalar>& message : out_)
+    {
+        if (mesh.nPoints())
+        {
+            append(message, own.min());
+            append(message, own.max());
+        }
+    }
+    exchange();
+    forAll(in_, rank)
+    {
+        if (in_[rank].size())
+        {
+            const scalar* b = in_[rank].begin();
+            bounds_[rank] = boundBox(point(b[0], b[1], b[2]), point(b[3], b[4], b[5]));
+            whole_.add(bounds_[rank]);
+        }
+    }
+    // margin for points on the bounds
+    for (boundBox& box : bounds_)
+    {
+        if (hasCells(box))
+        {
+            const vector margin(1e-6*whole_.span());
+            box.min() -= margin;
+            box.max() += margin;
+        }
+    }
+}
+
+
+void Foam::demParticleRouting::exchange(rankBuffers& out, rankBuffers& in)
+{
+    const label self = Pstream::myProcNo();
+
+    for (DynamicList<scalar>& message : in)
+    {
+        message.clear();
+    }
+    in[self].swap(out[self]);
+
+    if (Pstream::parRun())
+    {
+        PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+        forAll(out, rank)
+        {
+            if (out[rank].size())
+            {
+                UOPstream to(rank, buffers);
+                to << static_cast<const List<scalar>&>(out[rank]);
+                out[rank].clear();
+            }
+        }
+
+        labelList sizes;
+        buffers.finishedSends(sizes);
+        forAll(sizes, rank)
+        {
+            if (rank != self && sizes[rank])
+            {
+                UIPstream from(rank, buffers);
+                List<scalar> message(from);
+                in[rank].transfer(message);
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * mesh side  * * * * * * * * * * * * * * * * //
+
+void Foam::demParticleRouting::walkOne
+(
+    const scalar* query,
+    rankBuffers& replies,
+    rankBuffers* forward
+)
+{
+    const demLocator::walkState start
+    {
+        point(query[0], query[1], query[2]),
+        label(query[3]),
+        Pstream::myProcNo()
+    };
+    const label certainty = label(query[4]);
+    const label owner = label(query[5]);
+
+    demLocator::walkState t(start);
+    demCellLocation location;
+    const demLocator::result end = locator_.walk(t, location);
+    bool found = end == demLocator::INSIDE;
+
+    if (end == demLocator::OTHER_RANK && forward && certainty < 2)
+    {
+        DynamicList<scalar>& message = (*forward)[t.rank];
+        append(message, t.position);
+        message.append(t.cell);
+        message.append(0);
+        message.append(owner);
+        message.append(query[6]);
+        return;
+    }
+    if (!found && certainty)
+    {
+        t = start;
+        locator_.clampToCell(t, location);
+        found = true;
+    }
+    if (found)
+    {
+        locations_.append(location);
+        owner_.append(owner);
+    }
+    replies[owner].append(query[6]);
+    replies[owner].append(found ? scalar(t.cell) : scalar(-1));
+}
+
+
+void Foam::demParticleRouting::walkAll()
+{
+    // more rounds than this are a walk in circles around a distorted cell
+    const label maxRounds = 20 + 2*Pstream::nProcs();
+
+    rankBuffers replies(Pstream::nProcs());
+    label underWay = 1;
+
+    for (label round = 0; underWay > 0; ++round)
+    {
+        exchange();
+        underWay = 0;
+        for (const DynamicList<scalar>& message : in_)
+        {
+            for (label k = 0; k < message.size(); k += querySize)
+            {
+                walkOne(&message[k], replies, round < maxRounds ? &out_ : nullptr);
+            }
+        }
+        for (const DynamicList<scalar>& message : out_)
+        {
+            underWay += message.size();
+        }
+        reduce(underWay, sumOp<label>());
+    }
+
+    out_.swap(replies);
+    exchange();
+}
+
+
+void Foam::demParticleRouting::searchAll()
+{
+    exchange();
+    forAll(in_, rank)
+    {
+        const DynamicList<scalar>& message = in_[rank];
+        for (label k = 0; k < message.size(); k += searchSize)
+        {
+            const point x(message[k], message[k + 1], message[k + 2]);
+            scalar distance;
+            const label celli = locator_.search(x, distance);
+
+            out_[rank].append(message[k + 3]);
+            out_[rank].append(celli);
+            out_[rank].append(distance);
+        }
+    }
+    exchange();
+}
+
+
+void Foam::demParticleRouting::toCentres()
+{
+    for (demCellLocation& location : locations_)
+    {
+        location.wCell = 1;
+        location.wFace = location.wp = location.wq = 0;
+    }
+}
+
+
+// ************************************************************************* //

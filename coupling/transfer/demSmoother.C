@@ -1,0 +1,326 @@
+/*---------------------------------------------------------------------------*\
+    demSmoother.C -- smooth cell values by explicit diffusion; conserves totals,
+    makes no new extremes.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demSmoother.H"
+#include "surfaceFields.H"
+#include "volFields.H"
+#include "syncTools.H"
+
+namespace Foam
+{
+    // Fraction of its value that a lump may give away in one sub-step, at most
+    static const scalar maxGiven = 2.0/3.0;
+
+    // Smoothing width over the thickness of the thinnest cells that are not lumped:
+    // a quarter of a diameter with the default width of 3 diameters
+    static const scalar maxRatio = 12;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::demSmoother::conductance
+(
+    const vectorField& S,
+    const vectorField& d
+)
+{
+    // lower limit of the cosine between d and the face normal, as in OpenFOAM
+    return max(S & d, 0.05*mag(S)*mag(d))/max(magSqr(d), VSMALL);
+}
+
+
+Foam::demSmoother::demSmoother(const fvMesh& mesh, const demWedge* wedge)
+:
+    mesh_(mesh),
+    wedge_(wedge),
+    boundaryK_(mesh.nBoundaryFaces(), Zero),
+    coupled_(false),
+    steps_(0)
+{
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        coupled_ = coupled_ || patch.coupled();
+    }
+    reduce(coupled_, orOp<bool>());
+}
+
+
+// * * * * * * * * * * * * * * * set-up  * * * * * * * * * * * * * * * * * * //
+
+// Over coupled faces: from the distance of each side's own cell or lump to its face,
+// as the two sides may be a period apart
+Foam::tmp<Foam::vectorField> Foam::demSmoother::centreLines() const
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& owner = mesh_.faceOwner();
+    tmp<vectorField> tlines(new vectorField(mesh_.nFaces(), Zero));
+    vectorField& d = tlines.ref();
+
+    for (label facei = 0; facei < nInternal; ++facei)
+    {
+        d[facei] =
+            centre_[lumpOf(mesh_.faceNeighbour()[facei])]
+          - centre_[lumpOf(owner[facei])];
+    }
+
+    vectorField arm(mesh_.nBoundaryFaces());
+    forAll(arm, i)
+    {
+        const label facei = nInternal + i;
+        arm[i] = mesh_.faceCentres()[facei] - centre_[lumpOf(owner[facei])];
+    }
+    vectorField other(arm);
+    syncTools::swapBoundaryFaceList(mesh_, other);
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        for (label i = 0; patch.coupled() && i < patch.size(); ++i)
+        {
+            const label k = patch.start() - nInternal + i;
+            d[nInternal + k] = arm[k] - other[k];
+        }
+    }
+    return tlines;
+}
+
+
+void Foam::demSmoother::setLinks(const scalarField& factor, const scalar limit)
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& owner = mesh_.faceOwner();
+    const scalarField k
+    (
+        factor*conductance(mesh_.faceAreas(), centreLines())
+    );
+
+    DynamicList<label> from, to;
+    DynamicList<scalar> inside;
+    for (label facei = 0; facei < nInternal; ++facei)
+    {
+        const label a = lumpOf(owner[facei]);
+        const label b = lumpOf(mesh_.faceNeighbour()[facei]);
+        if (a != b && k[facei] > 0)
+        {
+            from.append(a);
+            to.append(b);
+            inside.append(k[facei]);
+        }
+    }
+    from_.transfer(from);
+    to_.transfer(to);
+    linkK_.transfer(inside);
+
+    // Nothing is lumped over coupled faces. The conductance is limited there: a larger
+    // one would not change the result, only the number of sub-steps.
+    scalarField own(mesh_.nBoundaryFaces());
+    forAll(own, i)
+    {
+        own[i] = volume_[lumpOf(owner[nInternal + i])];
+    }
+    scalarField other(own);
+    syncTools::swapBoundaryFaceList(mesh_, other);
+    boundaryK_ = 0;
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        for (label i = 0; patch.coupled() && i < patch.size(); ++i)
+        {
+            const label b = patch.start() - nInternal + i;
+            boundaryK_[b] = min(k[nInternal + b], limit*own[b]*other[b]/(own[b] + other[b]));
+        }
+    }
+}
+
+
+void Foam::demSmoother::setAzimuthalLoss()
+{
+    azimuthalLoss_.clear();
+    if (!wedge_)
+    {
+        return;
+    }
+
+    scalarField r(volume_.size());
+    forAll(r, l)
+    {
+        r[l] = wedge_->radius(centre_[l]);
+    }
+
+    azimuthalLoss_.setSize(r.size(), Zero);
+    forAll(linkK_, l)
+    {
+        const scalar flow = linkK_[l]*(r[to_[l]] - r[from_[l]]);
+        azimuthalLoss_[from_[l]] += flow;
+        azimuthalLoss_[to_[l]] -= flow;
+    }
+    if (coupled_)
+    {
+        scalarField cells(mesh_.nCells());
+        List<scalar> across;
+        scatter(r, cells);
+        syncTools::swapBoundaryCellList(mesh_, cells, across);
+        forAll(across, i)
+        {
+            const label o = lumpOf(mesh_.faceOwner()[mesh_.nInternalFaces() + i]);
+            azimuthalLoss_[o] += boundaryK_[i]*(across[i] - r[o]);
+        }
+    }
+    azimuthalLoss_ = max(azimuthalLoss_, scalar(0))/r;
+}
+
+
+void Foam::demSmoother::subtractAzimuthalLoss(const Field<vector>& lumps, Field<vector>& gain) const
+{
+    forAll(azimuthalLoss_, l)
+    {
+        gain[l] -= azimuthalLoss_[l]*wedge_->across(lumps[l]);
+    }
+}
+
+
+void Foam::demSmoother::setWidth(const scalar width, const scalar c, const scalar a)
+{
+    const scalar area = sqr(width)/4;
+
+    lump_.clear();
+    volume_ = mesh_.V().field();
+    centre_ = mesh_.cellCentres();
+    steps_ = 0;
+    if (area <= 0)
+    {
+        return;
+    }
+
+    const scalarField factor
+    (
+        max(scalar(0), 1 - (c*magSqr(centreLines()) + a)/(2*area))
+    );
+    const scalar limit = 2*sqr(maxRatio/width);
+
+    lumpCells(limit);
+    setLinks(factor, limit);
+    setAzimuthalLoss();
+
+    scalarField sum(volume_.size(), Zero);
+    forAll(linkK_, l)
+    {
+        sum[from_[l]] += linkK_[l];
+        sum[to_[l]] += linkK_[l];
+    }
+    forAll(boundaryK_, i)
+    {
+        sum[lumpOf(mesh_.faceOwner()[mesh_.nInternalFaces() + i])] += boundaryK_[i];
+    }
+
+    forAll(azimuthalLoss_, l)
+    {
+        sum[l] += azimuthalLoss_[l];
+    }
+
+    const scalar maxRate = returnReduce(max(scalarField(sum/volume_)), maxOp<scalar>());
+
+    steps_ = label(std::ceil(area*max(maxRate, scalar(0))/maxGiven));
+    rate_ = (area/max(steps_, 1))/volume_;
+}
+
+
+Foam::label Foam::demSmoother::nLumped() const
+{
+    label count = 0;
+    if (lump_.size())
+    {
+        labelList cells(volume_.size(), Zero);
+        for (const label l : lump_)
+        {
+            count += ++cells[l] == 2;
+        }
+    }
+    return returnReduce(count, sumOp<label>());
+}
+
+
+// * * * * * * * * * * * * * * * use  * * * * * * * * * * * * * * * * * * * * //
+
+template<class Type>
+void Foam::demSmoother::gather(const UList<Type>& cells, Field<Type>& lumps) const
+{
+    if (!lump_.size())
+    {
+        lumps = cells;
+        return;
+    }
+    const scalarField& V = mesh_.V();
+    lumps.setSize(volume_.size());
+    lumps = Zero;
+    forAll(lump_, celli)
+    {
+        lumps[lump_[celli]] += V[celli]*cells[celli];
+    }
+    lumps /= volume_;
+}
+
+
+template<class Type>
+void Foam::demSmoother::scatter(const UList<Type>& lumps, UList<Type>& cells) const
+{
+    forAll(cells, celli)
+    {
+        cells[celli] = lumps[lumpOf(celli)];
+    }
+}
+
+
+template<class Type>
+void Foam::demSmoother::smooth(UList<Type>& cells) const
+{
+    if (!steps_)
+    {
+        return;
+    }
+    const labelUList& owner = mesh_.faceOwner();
+    const label nInternal = mesh_.nInternalFaces();
+
+    Field<Type> lumps;
+    gather(cells, lumps);
+    Field<Type> gain(lumps.size());
+    List<Type> across;
+
+    for (label step = 0; step < steps_; ++step)
+    {
+        gain = Zero;
+        forAll(linkK_, l)
+        {
+            const label o = from_[l];
+            const label n = to_[l];
+            const Type flow(linkK_[l]*(lumps[n] - lumps[o]));
+            gain[o] += flow;
+            gain[n] -= flow;
+        }
+        if (coupled_)
+        {
+            scatter(lumps, cells);
+            syncTools::swapBoundaryCellList(mesh_, cells, across);
+            forAll(across, i)
+            {
+                const label o = lumpOf(owner[nInternal + i]);
+                gain[o] += boundaryK_[i]*(across[i] - lumps[o]);
+            }
+        }
+        subtractAzimuthalLoss(lumps, gain);
+        forAll(lumps, l)
+        {
+            lumps[l] += rate_[l]*gain[l];
+        }
+    }
+    scatter(lumps, cells);
+}
+
+
+template void Foam::demSmoother::smooth(UList<Foam::scalar>&) const;
+template void Foam::demSmoother::smooth(UList<Foam::vector>&) const;
+
+
+// ************************************************************************* //

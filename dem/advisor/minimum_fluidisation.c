@@ -1,0 +1,115 @@
+/*
+ * minimum_fluidisation.c -- minimum fluidisation velocity, terminal velocity and response time.
+ *
+ * The drag law of the scene is evaluated through a body batch, so no drag formula is repeated here.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "advisor/minimum_fluidisation.h"
+#include "effects/effects.h"
+#include <math.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979323846;
+
+enum
+{
+    /* a batch is padded to whole SIMD vectors */
+    ROWS = 8
+};
+
+static double volume(const struct dem_suspension *b)
+{
+    return pi/6.0*b->diameter*b->diameter*b->diameter;
+}
+
+double dem_suspension_archimedes(const struct dem_suspension *b)
+{
+    const double d = b->diameter;
+
+    return b->fluid_density*(b->density - b->fluid_density)*b->gravity*d*d*d/(b->viscosity*b->viscosity);
+}
+
+double dem_suspension_wen_yu_velocity(const struct dem_suspension *b)
+{
+    const double ar = dem_suspension_archimedes(b);
+    const double reynolds = ar > 0.0 ? sqrt(33.7*33.7 + 0.0408*ar) - 33.7 : 0.0;
+
+    return reynolds*b->viscosity/(b->fluid_density*b->diameter);
+}
+
+double dem_suspension_response_time(const struct dem_suspension *b)
+{
+    return b->density*b->diameter*b->diameter/(18.0*b->viscosity);
+}
+
+double dem_suspension_drag(const struct dem_interaction_table *r, const struct dem_suspension *b,
+                           double void_fraction, double u)
+{
+    struct dem_body_batch batch;
+    double coefficient = 0.0;
+
+    memset(&batch, 0, sizeof batch);
+    batch.n = ROWS;
+    for (int c = 0; c < ROWS; c++)
+    {
+        batch.radius[c] = 0.5*b->diameter;
+        batch.volume[c] = volume(b);
+        batch.mass[c] = b->density*volume(b);
+        batch.ux[c] = u;
+        batch.void_fraction[c] = void_fraction;
+        batch.density[c] = b->fluid_density;
+        batch.viscosity[c] = b->viscosity;
+    }
+    for (int k = 0; k < r->bodies.entries; k++)
+    {
+        if (r->bodies.entry[k].effect->drag)
+        {
+            dem_effect_apply_to_bodies(r->bodies.entry[k].effect, r->bodies.entry[k].settings, &batch);
+            coefficient = batch.b[0];
+        }
+    }
+    return coefficient;
+}
+
+/* m/s: the slip at which the drag is `force` [N], by bisection: b u increases with u. */
+static double slip_at(const struct dem_interaction_table *r, const struct dem_suspension *b,
+                      double void_fraction, double force)
+{
+    /* Stokes drag is the smallest */
+    double low = 0.0, high = force/(3.0*pi*b->viscosity*b->diameter);
+
+    if (force <= 0.0 || dem_suspension_drag(r, b, void_fraction, high) <= 0.0)
+    {
+        return 0.0;
+    }
+    for (int k = 0; k < 60 && dem_suspension_drag(r, b, void_fraction, high)*high < force; k++)
+    {
+        high *= 2.0;
+    }
+    for (int k = 0; k < 100; k++)
+    {
+        const double u = 0.5*(low + high);
+        const int less = dem_suspension_drag(r, b, void_fraction, u)*u < force;
+
+        low = less ? u : low;
+        high = less ? high : u;
+    }
+    return 0.5*(low + high);
+}
+
+double dem_suspension_fluidisation_velocity(const struct dem_interaction_table *r,
+                                            const struct dem_suspension *b, double void_fraction)
+{
+    const double supported = b->feels_gradient ? void_fraction*(b->density - b->fluid_density) : b->density;
+
+    return void_fraction*slip_at(r, b, void_fraction, supported*volume(b)*b->gravity);
+}
+
+double dem_suspension_terminal_velocity(const struct dem_interaction_table *r,
+                                        const struct dem_suspension *b)
+{
+    const double submerged = b->feels_gradient ? b->density - b->fluid_density : b->density;
+
+    return slip_at(r, b, 1.0, submerged*volume(b)*b->gravity);
+}

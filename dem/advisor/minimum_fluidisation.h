@@ -1,0 +1,55 @@
+/*
+ * minimum_fluidisation.h -- dimensionless numbers and velocities of fluidisation for `dem plan`.
+ *
+ *   Ar   = rho_f (rho_p - rho_f) |g| d^3/mu^2                     Archimedes number [1]
+ *   U_mf = Re mu/(rho_f d),  Re = sqrt(33.7^2 + 0.0408 Ar) - 33.7  superficial velocity at minimum
+ *                                                                 fluidisation [m/s]
+ *   tau  = rho_p d^2/(18 mu)                                      Stokes response time [s]
+ *
+ * With the drag law of the scene the bed is fluidised where the drag b u on a sphere balances
+ *
+ *   e (rho_p - rho_f) V |g|     if the pressure gradient acts on particles: the fraction 1 - e of
+ *                               the weight less buoyancy is supported by the pressure gradient that
+ *                               the drag itself causes (set II, "model A")
+ *   rho_p V |g|                 if it does not
+ *
+ * and U_mf = e u. The void fraction is that of Wen and Yu for spheres, 1/e^3 = 14.
+ *
+ *   d    diameter; of a mixture the Sauter mean, sum d^3/sum d^2   [m]
+ *   rho_p, rho_f, mu   densities of particle and fluid, viscosity  [kg/m3], [Pa s]
+ *   u    interstitial velocity; e void fraction; V volume          [m/s], [1], [m3]
+ *
+ * Source: Wen and Yu, AIChE J. 12 (1966) 610; the balance: Gidaspow, Multiphase Flow and
+ * Fluidization (1994), section 2.5.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_ADVISOR_MINIMUM_FLUIDISATION_H
+#define DEM_ADVISOR_MINIMUM_FLUIDISATION_H
+
+#include "effects/relevance.h"
+#include "model/interaction_table.h"
+
+/* void fraction at minimum fluidisation, 14^(-1/3) */
+#define DEM_SUSPENSION_VOID_FRACTION 0.41491326668312173
+
+double dem_suspension_archimedes(const struct dem_suspension *);
+/* m/s  U_mf; 0 if the particles do not sink */
+double dem_suspension_wen_yu_velocity(const struct dem_suspension *);
+double dem_suspension_response_time(const struct dem_suspension *);          /* s    tau */
+
+/* Drag coefficient b [kg/s] of one sphere with the drag law of the scene, 0 without one; u: slip
+   [m/s]. */
+double dem_suspension_drag(const struct dem_interaction_table *, const struct dem_suspension *,
+                           double void_fraction, double u);
+
+/* m/s: superficial U_mf with the drag law of the scene; 0 without one, or if the particles do
+   not sink. */
+double dem_suspension_fluidisation_velocity(const struct dem_interaction_table *,
+                                            const struct dem_suspension *, double void_fraction);
+
+/* m/s: terminal velocity of one sphere with the drag law of the scene; 0 without one. */
+double dem_suspension_terminal_velocity(const struct dem_interaction_table *,
+                                        const struct dem_suspension *);
+
+#endif

@@ -1,0 +1,261 @@
+/*
+ * plan_physics.c -- paragraphs of a plan: effects, materials, contacts, walls, particles.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "advisor/plan.h"
+#include "core/error.h"
+#include <math.h>
+#include <string.h>
+
+/* ---- effects ------------------------------------------------------------------------------------------------- */
+
+static const double *numbers(const struct dem_setting *f, const void *settings)
+{
+    return (const double *)(const void *)((const char *)settings + f->offset);
+}
+
+static int choice(const struct dem_setting *f, const void *settings)
+{
+    return *(const int *)(const void *)((const char *)settings + f->offset);
+}
+
+static int is_default(const struct dem_setting *f, const void *settings)
+{
+    int same = 1;
+
+    if (isnan(f->default_value))
+    {
+        return 0;
+    }
+    if (f->kind == DEM_SETTING_CHOICE || f->kind == DEM_SETTING_SWITCH)
+    {
+        return choice(f, settings) == (int)f->default_value;
+    }
+    for (int k = 0; k < (f->kind == DEM_SETTING_VECTOR ? 3 : 1); k++)
+    {
+        same &= numbers(f, settings)[k] == f->default_value;
+    }
+    return same;
+}
+
+static void write_value(struct dem_text *t, const struct dem_setting *f, const void *settings)
+{
+    const double *const v = numbers(f, settings);
+    const char *const unit = strcmp(f->unit, "1") == 0 ? "" : f->unit, *const gap = unit[0] ? " " : "";
+
+    switch (f->kind)
+    {
+    case DEM_SETTING_NUMBER:
+        if (isnan(v[0]))
+        {
+            dem_text_add(t, "%s given in pairs", f->name);
+            break;
+        }
+        dem_text_add(t, "%s %g%s%s", f->name, v[0], gap, unit);
+        break;
+    case DEM_SETTING_VECTOR:
+        dem_text_add(t, "%s (%g %g %g)%s%s", f->name, v[0], v[1], v[2], gap, unit);
+        break;
+    case DEM_SETTING_CHOICE:
+        dem_text_add(t, "%s %s", f->name, f->choices[choice(f, settings)]);
+        break;
+    default:
+        dem_text_add(t, "%s %s", f->name, choice(f, settings) ? "yes" : "no");
+    }
+}
+
+void dem_plan_effects(struct dem_text *t, const struct dem_plan *p)
+{
+    const struct dem_interaction_table *const r = &p->state->interaction_table;
+
+    dem_text_add(t, "Effects\n");
+    for (int k = 0; k < r->chosen; k++)
+    {
+        dem_text_add(t, "    %-18s %s\n", r->effect[k]->name, r->effect[k]->summary);
+        for (const struct dem_setting *f = r->effect[k]->settings; f && f->name; f++)
+        {
+            dem_text_add(t, "%-23s", "");
+            write_value(t, f, r->settings[k]);
+            dem_text_add(t, "%s\n", is_default(f, r->settings[k]) ? ", default" : "");
+        }
+    }
+    if (r->chosen == 0)
+    {
+        dem_text_add(t, "    none\n");
+    }
+}
+
+/* ---- materials and contacts ---------------------------------------------------------------------------------- */
+
+/* Settings that may differ between pairs: required numbers such as restitution and friction. */
+static void write_required(struct dem_text *t, const struct dem_effect_entry *link)
+{
+    for (const struct dem_setting *f = link->effect->settings; f && f->name; f++)
+    {
+        if (f->kind == DEM_SETTING_NUMBER && isnan(f->default_value))
+        {
+            dem_text_add(t, ", ");
+            write_value(t, f, link->settings);
+        }
+    }
+}
+
+static void write_contact(struct dem_text *t, const struct dem_effect_list *chain)
+{
+    const struct dem_pair_class *const pair = &chain->pair;
+
+    dem_text_add(t, "    %s and %s%s: ", pair->a->name, pair->with_wall ? "walls of " : "", pair->b->name);
+    if (chain->entries == 0)
+    {
+        dem_text_add(t, "nothing acts between them\n");
+        return;
+    }
+    dem_text_add(t, "reduced modulus %.4g Pa", pair->reduced_modulus);
+    for (int k = 0; k < chain->entries; k++)
+    {
+        const struct dem_effect_entry *const link = &chain->entry[k];
+
+        if (link->effect->contact_time)
+        {
+            dem_text_add(t, ", contact time %.4g s", link->effect->contact_time(link->settings, pair));
+        }
+        write_required(t, link);
+    }
+    dem_text_add(t, "\n");
+}
+
+void dem_plan_contacts(struct dem_text *t, const struct dem_plan *p)
+{
+    const struct dem_interaction_table *const r = &p->state->interaction_table;
+
+    dem_text_add(t, "Materials\n");
+    for (int k = 0; k < r->materials; k++)
+    {
+        const struct dem_material *const m = &r->material[k];
+
+        dem_text_add(t, "    %-18s density %g kg/m3, youngsModulus %g Pa, poissonsRatio %g", m->name, m->density,
+                     m->youngs_modulus, m->poissons_ratio);
+        dem_text_add(t, m->yield_strength > 0.0 ? ", yieldStrength %g Pa\n" : "\n", m->yield_strength);
+    }
+    dem_text_add(t, "Contacts%s\n", r->classes > 0 ? " (times: the smallest partners at impactSpeed)" : "");
+    for (int c = 0; c < r->classes; c++)
+    {
+        write_contact(t, &r->list[c]);
+    }
+    if (r->classes == 0)
+    {
+        dem_text_add(t, "    none: no particles\n");
+    }
+}
+
+/* ---- walls --------------------------------------------------------------------------------------------------- */
+
+static void write_triangles(struct dem_text *t, const struct dem_walls *w, int wall)
+{
+    const struct dem_wall *const of = &w->wall[wall];
+    int regions = 0;
+
+    for (int i = 0; i < w->facets; i++)
+    {
+        regions += w->facet[i].wall == wall;
+    }
+    dem_text_add(t, "    %-18s %zu triangles in %d flat facet%s", of->name, of->triangles, regions, regions == 1 ? "" : "s");
+    if (of->flat + of->repeats > 0)
+    {
+        dem_text_add(t, " (ignored: %zu without area, %zu duplicates)", of->flat, of->repeats);
+    }
+}
+
+void dem_plan_walls(struct dem_text *t, const struct dem_plan *p)
+{
+    static const char *const shape[] = {"", "plane", "cylinder", "sphere"};
+    static const char *const moves[] = {"", ", translates", ", turns", ", oscillates"};
+    const struct dem_walls *const w = &p->state->walls;
+
+    dem_text_add(t, "Walls\n");
+    for (int k = 0; k < w->walls; k++)
+    {
+        const struct dem_wall *const of = &w->wall[k];
+
+        if (of->shape == DEM_SHAPE_TRIANGLES)
+        {
+            write_triangles(t, w, k);
+        }
+        else
+        {
+            dem_text_add(t, "    %-18s %s", of->name, shape[of->shape]);
+        }
+        dem_text_add(t, ", %s%s%s\n", p->state->interaction_table.material[of->material].name,
+                     of->frame < 0 ? "" : moves[w->frame[of->frame].motion.kind], of->driven ? ", with a surface velocity" : "");
+    }
+    if (w->walls == 0)
+    {
+        dem_text_add(t, "    none\n");
+    }
+}
+
+/* ---- particles ----------------------------------------------------------------------------------------------- */
+
+static void write_inventory(struct dem_text *t, const char *name, int64_t n, const char *of,
+                            const double d[3], double mass, double volume)
+{
+    dem_text_add(t, "    %-18s %lld%s%s, diameter ", name, (long long)n, of[0] ? " of " : "", of);
+    if (d[0] == d[2])
+    {
+        dem_text_add(t, "%g m", d[0]);
+    }
+    else
+    {
+        dem_text_add(t, "%g to %g m, mean %.4g m", d[0], d[2], d[1]);
+    }
+    dem_text_add(t, ", %.4g kg, %.4g m3\n", mass, volume);
+}
+
+static void write_groups(struct dem_text *t, const struct dem_plan *p)
+{
+    const struct dem_initial_particles *const c = &p->scene->initial;
+    const struct dem_interaction_table *const r = &p->state->interaction_table;
+
+    for (size_t k = 0; k < c->groups; k++)
+    {
+        const struct dem_group_summary *const g = &c->group[k];
+        const double d[3] = {g->min_diameter, g->sum/(double)(g->n > 0 ? g->n : 1), g->max_diameter};
+
+        if (g->n > 0)
+        {
+            write_inventory(t, g->name, g->n, g->material < 0 ? "several materials" : r->material[g->material].name, d, g->mass, g->volume);
+        }
+    }
+}
+
+void dem_plan_particles(struct dem_text *t, const struct dem_plan *p)
+{
+    const struct dem_interaction_table *const r = &p->state->interaction_table;
+    const struct dem_inventory *const s = &p->inventory;
+
+    dem_text_add(t, "Particles\n");
+    if (s->all.n == 0)
+    {
+        dem_text_add(t, "    none\n");
+        return;
+    }
+    write_groups(t, p);
+    for (int m = 0; m < r->materials && p->scene->initial.groups == 0; m++)
+    {
+        const struct dem_material_inventory *const k = &s->material[m];
+        const double d[3] = {k->min_diameter, k->diameters/(double)(k->n > 0 ? k->n : 1), k->max_diameter};
+
+        if (k->n > 0)
+        {
+            write_inventory(t, "from the snapshot", k->n, r->material[m].name, d, k->mass, k->volume);
+        }
+    }
+    const double d[3] = {s->all.min_diameter, s->all.diameters/(double)s->all.n, s->all.max_diameter};
+
+    write_inventory(t, "together", s->all.n, "", d, s->all.mass, s->all.volume);
+    if (s->all.frozen > 0)
+    {
+        dem_text_add(t, "    %-18s %lld of them\n", "frozen", (long long)s->all.frozen);
+    }
+}

@@ -1,0 +1,141 @@
+/*
+ * time_estimate.c -- estimate memory by counting, processor time by timing a sample.
+ *
+ * The block (sample_block.h) runs for 0.1 s of processor time. Its walls, its size relative to the
+ * caches and the communication between ranks are not those of the scene: the estimate is good to a
+ * factor of 2.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "advisor/time_estimate.h"
+#include "advisor/sample_block.h"
+#include "diagnostics/totals.h"
+#include "step/neighbor_update.h"
+#include "step/step.h"
+#include <math.h>
+#include <time.h>
+
+/* ---- bytes --------------------------------------------------------------------------------------------------- */
+
+/* Mean coordination number of a settled bed. */
+static const double in_contact = 5.8;
+
+/* Neighbors (walls included) of a sphere in a settled bed within a gap, in diameters. Counted in
+   beds of 1000 to 9000 equal spheres of friction 0.3 in a box 10 diameters deep: 6.3 to 6.4 at
+   0.04, 9.7 to 10.0 at 0.3. */
+static double neighbors(double gap)
+{
+    const double per_diameter = 14.0;
+
+    return in_contact + per_diameter*gap;
+}
+
+/* Skins in mean diameters if they are tuned: those of a bed that comes to rest, for which memory
+   is kept. */
+static const double tuned_skin[2] = {0.3, 0.04};
+
+void dem_memory_need_lists(const struct dem_state *p, const struct dem_inventory *s, double *pairs,
+                           double *rows)
+{
+    const double mean = s->all.n > 0 ? s->all.diameters/(double)s->all.n : 1.0;
+
+    const double reach = p->pairs.reach/mean;
+    const int tuned = p->pairs.skins.tuned;
+
+    *pairs = 0.5*neighbors(tuned ? reach + tuned_skin[0] : p->pairs.outer/mean);
+    *rows = 0.5*neighbors(tuned ? reach + tuned_skin[1] : p->pairs.inner/mean);
+}
+
+/* Lists grow by at most 1/8 when they are full: on average their capacity is (1/8)/ln(9/8) times
+   their length. */
+static const double capacity = 1.061;
+
+void dem_memory_need_count(const struct dem_state *p, const struct dem_inventory *s,
+                           struct dem_memory_need *need)
+{
+    const double n = (double)s->all.n;
+    double pairs, rows;
+
+    dem_memory_need_lists(p, s, &pairs, &rows);
+    need->particle = (double)dem_particles_bytes_per_particle(&p->particles) + 8.0*sizeof(uint32_t);
+    need->pair = (double)dem_contacts_bytes_per_pair(&p->contacts);
+    need->row = (double)dem_contacts_bytes_per_row(&p->contacts);
+    need->bed = n*(need->particle + capacity*(pairs*need->pair + rows*need->row));
+    need->bed += n*rows > DEM_FORCE_BUFFER_ROWS ? (double)dem_contacts_force_buffer_bytes(&p->contacts) : 0.0;
+    need->copy = n*sizeof(double)*(double)dem_particles_packed_size(&p->particles);
+    if (p->contacts.history_columns > 0)
+    {
+        need->copy += n*0.5*in_contact*(double)(sizeof(struct dem_contact_key) + sizeof(double)*(size_t)p->contacts.history_columns);
+    }
+}
+
+/* ---- the block ----------------------------------------------------------------------------------------------- */
+
+enum
+{
+    STEPS = 10                                            /* of a window */
+};
+
+static const double long_enough = 0.1;                    /* s of processor time */
+
+static double now(void)
+{
+    return (double)clock()/CLOCKS_PER_SEC;
+}
+
+/* Times windows until they took long enough, without the first one, which fills caches and
+   memory. */
+static int time_steps(struct dem_state *q, double dt, double *each)
+{
+    double start = 0.0;
+    int windows = 0;
+
+    for (; windows < 2 || now() - start < long_enough; windows++)
+    {
+        start = windows == 1 ? now() : start;
+        DEM_TRY(dem_step_window(q, dt, STEPS));
+    }
+    *each = (now() - start)/(STEPS*(windows - 1)*(double)q->particles.n);
+    return DEM_OK;
+}
+
+static int time_lists(struct dem_state *q, double *renew, double *prune)
+{
+    const double start = now();
+    double middle;
+
+    for (int k = 0; k < 3; k++)
+    {
+        DEM_TRY(dem_neighbor_rebuild(q));
+    }
+    middle = now();
+    for (int k = 0; k < 10; k++)
+    {
+        DEM_TRY(dem_pairs_prune(&q->pairs, &q->particles, &q->walls, &q->contacts));
+    }
+    *renew = (middle - start)/(3.0*(double)q->particles.n);
+    *prune = (now() - middle)/(10.0*(double)q->particles.n);
+    return DEM_OK;
+}
+
+int dem_step_cost_measure(const struct dem_state *p, const struct dem_inventory *s, double dt,
+                          struct dem_step_cost *pace)
+{
+    struct dem_sample q;
+    double slowest[3];
+
+    int status = dem_sample_block_make(&q, p, s, NULL);
+
+    status = status ? status : time_steps(&q.state, dt, &pace->step);
+    status = status ? status : time_lists(&q.state, &pace->rebuild, &pace->prune);
+    pace->particles = (int64_t)q.state.particles.n;
+    dem_sample_block_free(&q);
+    slowest[0] = status ? INFINITY : pace->step;
+    slowest[1] = pace->rebuild;
+    slowest[2] = pace->prune;
+    dem_totals_reduce_max(p, slowest, 3);
+    pace->step = slowest[0];
+    pace->rebuild = slowest[1];
+    pace->prune = slowest[2];
+    return isfinite(slowest[0]) || status ? status : dem_error(DEM_ERROR_STATE, "another rank failed; see the message of that rank");
+}

@@ -1,0 +1,130 @@
+/*
+ * setup_check.c -- checks of a scene that need no particles, before these are placed, which may
+ * take long.
+ *
+ * Unknown entries, effects that lack a setting, walls without an area, a time step that is too
+ * long, groups outside the domain. The radii follow from the scene; with them the interaction table
+ * is frozen and the walls are finished. A snapshot brings its own radii: then both wait until it
+ * has been read (setup.c).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "api/internal.h"
+#include "core/error.h"
+#include <float.h>
+#include <math.h>
+
+static int choose_step(struct dem *d)
+{
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
+
+    d->step = d->state.max_dt = d->scene.step > 0.0 ? d->scene.step : r->step_limit;
+    DEM_REQUIRE(d->scene.step <= r->step_limit || d->scene.force, DEM_ERROR_INPUT,
+                "time step %g s exceeds %.3g s (%s); use at most that, a softer material, or "
+                "time/force yes",
+                d->scene.step, r->step_limit, r->why);
+    DEM_REQUIRE(d->step > DBL_MIN, DEM_ERROR_INPUT, "the time step is %g s (%s); check the "
+                "materials, diameters and settings: one of them is unrealistic", d->step,
+                d->scene.step > 0.0 ? "time/step" : r->why);
+    DEM_REQUIRE(d->step < DBL_MAX, DEM_ERROR_INPUT,
+                "no effect bounds the time step; give time/step");
+    return DEM_OK;
+}
+
+/* In a periodic domain that is too narrow a particle touches its own image (neighbor/pairs.c
+   refuses it in a snapshot). */
+static int check_periodic_widths(const struct dem *d, double radius)
+{
+    const struct dem_domain *const box = &d->state.domain;
+    const double min = 2.0*radius*(1.0 + d->scene.outer_skin) + d->state.interaction_table.reach;
+
+    for (int k = 0; k < 3; k++)
+    {
+        DEM_REQUIRE(!box->periodic[k] || box->length[k] >= min, DEM_ERROR_INPUT,
+                    "domain: periodic along %c and %g m wide, so that a particle of %g m reaches "
+                    "its own periodic image; make the domain at least two diameters and a skin "
+                    "wide",
+                    "xyz"[k], box->length[k], 2.0*radius);
+    }
+    return DEM_OK;
+}
+
+int dem_api_finish_physics(struct dem *d)
+{
+    struct dem_state *const p = &d->state;
+    int wall_materials[DEM_MATERIALS] = {0};
+    const double radius = dem_api_max_radius(d);
+
+    for (int w = 0; w < p->walls.walls; w++)
+    {
+        wall_materials[p->walls.wall[w].material] = 1;
+    }
+    DEM_TRY(dem_interaction_table_freeze(&p->interaction_table, wall_materials));
+    DEM_TRY(choose_step(d));
+    DEM_TRY(check_periodic_widths(d, radius));
+    DEM_TRY(dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0));
+    return dem_domain_check_walls(&p->domain, &p->walls, radius);
+}
+
+double dem_api_max_radius(const struct dem *d)
+{
+    double max = 0.0;
+
+    for (int m = 0; m < DEM_MATERIALS; m++)
+    {
+        max = fmax(max, d->state.interaction_table.max_radius[m]);
+    }
+    return max;
+}
+
+/* Radii by material, of particles that the scene inserts and of those that the program added. */
+static int find_radii(struct dem *d)
+{
+    struct dem_interaction_table *const r = &d->state.interaction_table;
+    int m;
+
+    dem_insert_radii(&d->scene.insertion, r->min_radius, r->max_radius);
+    dem_streams_radii(&d->scene.streams, r->min_radius, r->max_radius);
+    for (size_t k = 0; k < d->initial.n; k++)
+    {
+        const double radius = d->initial.particle[k].radius;
+
+        DEM_TRY(dem_interaction_table_find_material(r, d->initial_material[k], "dem_add_particles",
+                                                    &m));
+        r->min_radius[m] = r->min_radius[m] > 0.0 ? fmin(r->min_radius[m], radius) : radius;
+        r->max_radius[m] = fmax(r->max_radius[m], radius);
+    }
+    return DEM_OK;
+}
+
+/* Without particles of the program all ids are known from the scene. */
+static int check_bonds(const struct dem *d)
+{
+    const int64_t *const id = d->scene.bond_ids, n = dem_insert_next_id(&d->scene.insertion);
+
+    for (size_t k = 0; k + 1 < d->scene.bond_id_count && d->initial.n == 0; k += 2)
+    {
+        DEM_REQUIRE(id[k] < n && id[k + 1] < n, DEM_ERROR_INPUT,
+                    "bonds/pairs: %lld and %lld, but the scene has ids below %lld only; correct "
+                    "the list",
+                    (long long)id[k], (long long)id[k + 1], (long long)n);
+    }
+    return DEM_OK;
+}
+
+int dem_api_check_scene(struct dem *d)
+{
+    DEM_TRY(dem_dict_refuse_unread(d->dict));
+    DEM_REQUIRE(!d->energy || !d->state.interaction_table.mixed, DEM_ERROR_INPUT,
+                "the energy balance would count the rounding of single precision as energy lost or "
+                "gained; use time/precision double, or no energy balance (leave out write/energy)");
+    DEM_TRY(dem_streams_check(&d->scene.streams, &d->state.domain));
+    if (d->load_path[0])
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(check_bonds(d));
+    DEM_TRY(dem_insert_check_domain(&d->scene.insertion, &d->state.domain));
+    DEM_TRY(find_radii(d));
+    return dem_api_finish_physics(d);
+}

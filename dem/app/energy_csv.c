@@ -1,0 +1,184 @@
+/*
+ * energy_csv.c -- write the rows of energy.csv, stop the run when energy is created, and print the
+ * largest residual.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "app/energy_csv.h"
+#include "core/error.h"
+#include "app/csv_rows.h"
+#include "core/text.h"
+#include <math.h>
+#include <stdio.h>
+
+int dem_energy_log_begin(struct dem_energy_log *log, const struct dem_program *prog,
+                         const struct dem_output *o, const struct dem *d, double start)
+{
+    *log = (struct dem_energy_log){.output = o, .interval = o->energy, .when = start};
+    snprintf(log->path, sizeof log->path, "%s/energy.csv", o->folder);
+    if (log->interval <= 0.0)
+    {
+        return DEM_OK;
+    }
+    return dem_program_agree(prog,
+                             prog->rank == 0 ? dem_csv_begin(log->path, 0, start, d) : DEM_OK);
+}
+
+struct row
+{
+    double now, since;
+    int n;
+    const struct dem_energy_item *item;
+};
+
+static int open_table(FILE **f, const struct dem_energy_log *log, const struct dem *d,
+                      const struct row *r)
+{
+    struct dem_text columns = {0};
+
+    dem_text_add(&columns, "time[s],since[s]");
+    for (int k = 0; k < r->n; k++)
+    {
+        dem_text_add(&columns, ",%s[J]", r->item[k].name);
+    }
+    const int status =
+        columns.status ? columns.status : dem_csv_open(f, log->path, d, columns.text);
+
+    dem_text_free(&columns);
+    return status;
+}
+
+static int write_row(const struct dem_energy_log *log, const struct dem *d, const struct row *r)
+{
+    FILE *f;
+
+    DEM_TRY(open_table(&f, log, d, r));
+    fprintf(f, "%.10g,%.10g", r->now, r->since);
+    for (int k = 0; k < r->n; k++)
+    {
+        fprintf(f, ",%.12g", r->item[k].value + 0.0);    /* no minus zero */
+    }
+    fprintf(f, "\n");
+    return dem_csv_close(f, log->path);
+}
+
+struct fastest
+{
+    double speed, x[3];  /* m/s, m */
+    int64_t id;
+};
+
+/* The fastest particle of all ranks; of equally fast ones, that of the lowest rank. */
+static struct fastest find_fastest(const struct dem_program *prog, const struct dem *d)
+{
+    struct fastest f = {.speed = -1.0, .id = -1};
+    struct
+    {
+        double speed;
+        int rank;
+    } mine, all;    /* MPI_DOUBLE_INT */
+    struct dem_view v;
+
+    dem_view(d, &v);
+    for (size_t k = 0; k < v.n; k++)
+    {
+        const double *const u = dem_at(v.velocity, v.stride, k);
+        const double *const x = dem_at(v.position, v.stride, k);
+        const double speed = sqrt(u[0]*u[0] + u[1]*u[1] + u[2]*u[2]);
+
+        if (speed > f.speed)
+        {
+            const int64_t *const id =
+                (const int64_t *)(const void *)((const char *)v.id + k*v.stride);
+
+            f = (struct fastest){speed, {x[0], x[1], x[2]}, *id};
+        }
+    }
+    mine.speed = f.speed;
+    mine.rank = prog->rank;
+    MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE_INT, MPI_MAXLOC, MPI_COMM_WORLD);
+    MPI_Bcast(&f, (int)sizeof f, MPI_BYTE, all.rank, MPI_COMM_WORLD);
+    return f;
+}
+
+/* The residual of the balance has grown by more than the limit: an error with the amount, the
+   interval, the fastest particle and the probable cause. */
+static int check_created(struct dem_energy_log *log, const struct dem_program *prog, struct dem *d,
+                         const struct row *r)
+{
+    const double residual = r->item[r->n - 1].value, created = residual - log->before;
+    const double since = log->then;
+    double largest = 0.0;
+
+    for (int k = 0; k < r->n - 2; k++)
+    {
+        largest = fmax(largest, fabs(r->item[k].value));
+    }
+    log->before = residual;
+    log->then = r->now;
+    if (log->output->max_created <= 0.0 || created <= log->output->max_created*largest)
+    {
+        return DEM_OK;
+    }
+    const struct dem_step_limit step = dem_step_limit(d);
+    const struct fastest f = find_fastest(prog, d);
+
+    return dem_error(DEM_ERROR_NUMBER,
+                     "%.3g J were created between %.6g and %.6g s, %.3g of the largest term of the "
+                     "energy balance; the limit time/maxCreated is %g; the fastest is particle "
+                     "%lld at (%g %g %g) m with %g m/s; the step is %.3g s, its limit %.3g s (%s): "
+                     "%s",
+                     created, since, r->now, created/largest, log->output->max_created,
+                     (long long)f.id, f.x[0], f.x[1], f.x[2], f.speed, step.used, step.limit,
+                     step.why,
+                     step.used > step.limit*(1.0 + 1e-9) ? "use at most the limit"
+                                                           : "use a shorter time/step, or check "
+                                                             "which effect's loss is negative");
+}
+
+/* The last two terms are the total and the residual. */
+static void update_extremes(struct dem_energy_log *log, const struct row *r)
+{
+    const double residual = r->item[r->n - 1].value;
+
+    for (int k = 0; k < r->n - 2; k++)
+    {
+        log->largest = fmax(log->largest, fabs(r->item[k].value));
+    }
+    if (fabs(residual) > fabs(log->residual))
+    {
+        log->residual = residual;
+        log->when = r->now;
+    }
+}
+
+int dem_energy_log_append(struct dem_energy_log *log, const struct dem_program *prog, struct dem *d,
+                          double now)
+{
+    struct row r = {.now = now};
+    int status = DEM_OK;
+
+    if (!dem_csv_is_due(log->interval, now))
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_energy(d, &r.since, &r.n, &r.item));
+    update_extremes(log, &r);
+    if (prog->rank == 0)
+    {
+        status = dem_output_folder(log->output);
+        status = status ? status : write_row(log, d, &r);
+    }
+    DEM_TRY(dem_program_agree(prog, status));
+    return check_created(log, prog, d, &r);
+}
+
+void dem_energy_log_print(const struct dem_energy_log *log, const struct dem_program *prog)
+{
+    if (log->interval > 0.0 && prog->rank == 0)
+    {
+        printf("energy: largest residual %.3g J at t %.6g s, %.2g %% of the largest term, %.4g J\n",
+               log->residual, log->when,
+               log->largest > 0.0 ? 100.0*fabs(log->residual)/log->largest : 0.0, log->largest);
+    }
+}

@@ -1,0 +1,122 @@
+/*
+ * main.c -- the program `dem`: run a scene, plan one, measure its cost, list the effects, print the
+ * hash of a snapshot.
+ *
+ * Only the files of app/ print. Each command is in a file of its own (run.c, plan.c, cost.c,
+ * effects.c) with its -help.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "app/main.h"
+#include "core/error.h"
+#include "core/did_you_mean.h"
+#include <mpi.h>
+#include <malloc.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* the commands, in the order of -help */
+static const struct command
+{
+    const char *name, *summary;
+    int (*run)(struct dem_program *, int argc, char **argv);
+} commands[] =
+{
+    {"run", "run a scene (alone or under mpirun)", dem_main_run},
+    {"plan",
+     "check a scene and report its effects, time step, memory and run time, without running it",
+     dem_main_plan},
+    {"cost", "accuracy against processor time, over time step, stiffness and precision",
+     dem_main_cost},
+    {"effects", "list the effects with their settings, units, defaults, ranges and sources",
+     dem_main_effects},
+    {"hash", "print the hash of a snapshot", dem_main_hash},
+};
+
+enum
+{
+    COMMANDS = (int)(sizeof commands/sizeof commands[0])
+};
+
+static void usage(FILE *to)
+{
+    fprintf(to, "dem: Suna's discrete element method, without a fluid solver\n\nUsage: dem COMMAND "
+                "[...]\n\n");
+    for (int k = 0; k < COMMANDS; k++)
+    {
+        fprintf(to, "  %-10s %s\n", commands[k].name, commands[k].summary);
+    }
+    fprintf(to, "\ndem COMMAND -help describes a command. The exit status is 0 only on success.\n");
+}
+
+static int dispatch(struct dem_program *p, int argc, char **argv)
+{
+    const char *known[COMMANDS];
+
+    for (int k = 0; k < COMMANDS; k++)
+    {
+        known[k] = commands[k].name;
+        if (strcmp(argv[1], known[k]) == 0)
+        {
+            return commands[k].run(p, argc - 2, argv + 2);
+        }
+    }
+    return dem_did_you_mean_error("command", argv[1], known, COMMANDS);
+}
+
+int dem_program_agree(const struct dem_program *p, int status)
+{
+    int worst = status;
+
+    if (p->comm != MPI_COMM_NULL)
+    {
+        MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, p->comm);
+    }
+    return worst && !status ? dem_error(worst, "another rank failed; see its message") : status;
+}
+
+/* Large lists are allocated and freed during a run: have glibc return their memory to the
+   system. By default it raises the threshold after the first of them and keeps the memory. */
+static void return_large_blocks(void)
+{
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
+}
+
+int main(int argc, char **argv)
+{
+    struct dem_program p = {.comm = MPI_COMM_NULL};
+    int status, printer;
+
+    return_large_blocks();
+    MPI_Init(&argc, &argv);
+    MPI_Comm_rank(MPI_COMM_WORLD, &p.rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &p.ranks);
+    p.comm = p.ranks > 1 ? MPI_COMM_WORLD : MPI_COMM_NULL;
+    if (argc < 2 || strcmp(argv[1], "-help") == 0 || strcmp(argv[1], "--help") == 0)
+    {
+        if (p.rank == 0)
+        {
+            usage(argc < 2 ? stderr : stdout);
+        }
+        MPI_Finalize();
+        return argc < 2 ? EXIT_FAILURE : EXIT_SUCCESS;
+    }
+    status = dispatch(&p, argc, argv);
+    /* print the message once, on the first rank that has it */
+    printer = p.ranks;
+    if (status != DEM_OK && strncmp(dem_error_text(), "another rank failed", 19) != 0)
+    {
+        printer = p.rank;
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &printer, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+    if (status != DEM_OK && printer == p.rank)
+    {
+        fflush(stdout);
+        fprintf(stderr, "dem: %s\n", dem_error_text());
+    }
+    MPI_Finalize();
+    return status == DEM_OK ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,268 @@
+/*
+ * output_files.c -- write particles as VTK files, averages, and snapshots with their names.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "app/output_files.h"
+#include "app/bonds_csv.h"
+#include "app/walls_vtk.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/did_you_mean.h"
+#include "output/vtk.h"
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* a particle as it is written */
+struct output_particle
+{
+    double position[3], velocity[3], spin[3], force[3], orientation[4], diameter;
+    int64_t id, material;
+};
+
+static int read_keep(struct dem_output *o, const struct dem_dict *write)
+{
+    if (write && dem_dict_has(write, "keep"))
+    {
+        DEM_TRY(dem_dict_int64(write, "keep", &o->keep));
+        DEM_REQUIRE(o->keep >= 1, DEM_ERROR_INPUT,
+                    "write/keep %lld snapshots; give 1 or more, or leave it out to keep all",
+                    (long long)o->keep);
+        DEM_REQUIRE(o->snapshots == 2, DEM_ERROR_INPUT, "write/keep %lld needs snapshot all, but "
+                    "snapshot is %s; give snapshot all, or leave keep out", (long long)o->keep,
+                    o->snapshots ? "last" : "no");
+    }
+    return DEM_OK;
+}
+
+int dem_output_read(struct dem_output *o, const struct dem_dict *write, const char *scene)
+{
+    static const char *const kinds[] = {"no", "last", "all"};
+    const char *const slash = strrchr(scene, '/'), *const name = slash ? slash + 1 : scene;
+    const char *const dot = strrchr(name, '.');
+    const char *folder = "", *kind = "last";
+
+    o->vtk = o->last_good = o->profile = true;
+    if (write)
+    {
+        DEM_TRY(dem_dict_text_or(write, "folder", "", &folder));
+        DEM_TRY(dem_dict_switch_or(write, "vtk", true, &o->vtk));
+        DEM_TRY(dem_dict_word_or(write, "snapshot", "last", &kind));
+        DEM_TRY(dem_dict_switch_or(write, "lastGood", true, &o->last_good));
+        DEM_TRY(dem_dict_switch_or(write, "orientation", false, &o->orientation));
+        DEM_TRY(dem_dict_switch_or(write, "profile", true, &o->profile));
+    }
+    o->snapshots = -1;
+    for (int k = 0; k < 3; k++)
+    {
+        o->snapshots = strcmp(kind, kinds[k]) == 0 ? k : o->snapshots;
+    }
+    if (o->snapshots < 0)
+    {
+        return dem_error_prefix(dem_did_you_mean_error("kind of snapshot", kind, kinds, 3), "write:"
+                                                                                            " ");
+    }
+    DEM_TRY(read_keep(o, write));
+    if (folder[0])
+    {
+        DEM_REQUIRE(strlen(folder) < sizeof o->folder, DEM_ERROR_INPUT,
+                    "write/folder has %zu characters; give a name of at most %zu", strlen(folder),
+                    sizeof o->folder - 1);
+        snprintf(o->folder, sizeof o->folder, "%s", folder);
+    }
+    else
+    {
+        DEM_REQUIRE(strlen(name) < sizeof o->folder - 4, DEM_ERROR_INPUT,
+                    "the scene's name has %zu characters; give write/folder", strlen(name));
+        snprintf(o->folder, sizeof o->folder, "%.*s%s",
+                 (int)(dot && dot > name ? dot - name : (long)strlen(name)), name,
+                 dot && dot > name ? "" : ".out");
+    }
+    return DEM_OK;
+}
+
+/* Copy the particles of this rank; *mine is freed by the caller. */
+static int copy_particles(const struct dem *d, struct output_particle **mine, int64_t *n)
+{
+    struct dem_view v;
+
+    dem_view(d, &v);
+    DEM_TRY(DEM_NEW(*mine, v.n + 1));
+    for (size_t i = 0; i < v.n; i++)
+    {
+        struct output_particle *const s = &(*mine)[i];
+
+        memcpy(s->position, dem_at(v.position, v.stride, i), sizeof s->position);
+        memcpy(s->velocity, dem_at(v.velocity, v.stride, i), sizeof s->velocity);
+        memcpy(s->spin, dem_at(v.spin, v.stride, i), sizeof s->spin);
+        memcpy(s->force, v.force + 3*i, sizeof s->force);
+        if (v.orientation)
+        {
+            memcpy(s->orientation, v.orientation + 4*i, sizeof s->orientation);
+        }
+        s->diameter = 2.0**dem_at(v.radius, v.stride, i);
+        s->id = *(const int64_t *)(const void *)((const char *)v.id + v.stride*i);
+        s->material = *(const uint16_t *)(const void *)((const char *)v.material + v.stride*i);
+    }
+    *n = (int64_t)v.n;
+    return DEM_OK;
+}
+
+/* Collective. */
+static int write_particles(const struct dem_output *o, const struct dem_program *prog,
+                           const struct dem *d, const char *file)
+{
+    struct output_particle *s;
+    int64_t n;
+
+    DEM_TRY(copy_particles(d, &s, &n));
+    const size_t stride = sizeof *s;
+    const struct dem_vtk_column columns[] =
+    {
+        {"points", s->position, stride, DEM_VTK_DOUBLE, 3},
+        {"id", &s->id, stride, DEM_VTK_INT64, 1},
+        {"material", &s->material, stride, DEM_VTK_INT64, 1},
+        {"diameter", &s->diameter, stride, DEM_VTK_FLOAT32, 1},
+        {"velocity", s->velocity, stride, DEM_VTK_FLOAT32, 3},
+        {"spin", s->spin, stride, DEM_VTK_FLOAT32, 3},
+        {"force", s->force, stride, DEM_VTK_FLOAT32, 3},
+        {"orientation", s->orientation, stride, DEM_VTK_FLOAT32, 4},
+    };
+    char path[640];
+
+    snprintf(path, sizeof path, "%s/%s", o->folder, file);
+    const int status =
+        dem_vtk_write(&(const struct dem_file_ranks){prog->comm, prog->rank, dem_heading(d)}, path,
+                      n, columns, (int)(sizeof columns/sizeof columns[0]) - !o->orientation);
+
+    dem_memory_free(s);
+    return status;
+}
+
+static int check_folder(const struct dem_output *o)
+{
+    struct stat found;
+    char parent[sizeof o->folder];
+
+    if (stat(o->folder, &found) == 0)
+    {
+        DEM_REQUIRE(S_ISDIR(found.st_mode), DEM_ERROR_FILE,
+                    "write/folder %s is a file; give another name, or move it away", o->folder);
+        DEM_REQUIRE(access(o->folder, W_OK | X_OK) == 0, DEM_ERROR_FILE, "cannot write into the "
+                    "folder %s: %s; give another write/folder",
+                    o->folder, strerror(errno));
+        return DEM_OK;
+    }
+    snprintf(parent, sizeof parent, "%s", o->folder);
+    for (size_t n = strlen(parent); n > 1 && parent[n - 1] == '/'; n--)
+    {
+        parent[n - 1] = '\0';
+    }
+    char *const slash = strrchr(parent, '/');
+
+    snprintf(slash ? slash + 1 : parent, 2, ".");
+    DEM_REQUIRE(access(parent, W_OK | X_OK) == 0, DEM_ERROR_FILE, "cannot create the folder %s: "
+                "%s; create its parent folder, or give another write/folder", o->folder,
+                strerror(errno));
+    return DEM_OK;
+}
+
+int dem_output_check(const struct dem_output *o, const struct dem_program *prog)
+{
+    const int writes = o->vtk || o->snapshots || o->walls > 0.0 || o->energy > 0.0;
+
+    return dem_program_agree(prog, prog->rank == 0 && writes ? check_folder(o) : DEM_OK);
+}
+
+int dem_output_folder(const struct dem_output *o)
+{
+    errno = 0;
+    DEM_REQUIRE(mkdir(o->folder, 0777) == 0 || errno == EEXIST, DEM_ERROR_FILE, "cannot create the "
+                "folder %s: %s", o->folder,
+                strerror(errno));
+    return DEM_OK;
+}
+
+/* On the first rank: the file's entry in particles.pvd, and the walls when they move. */
+static int add_to_collection(const struct dem_output *o, const struct dem *d, int64_t number,
+                             double time, const char *file)
+{
+    char path[640];
+
+    snprintf(path, sizeof path, "%s/particles.pvd", o->folder);
+    DEM_TRY(dem_vtk_collection_add(path, time, file));
+    return dem_walls_vtk_write(o, d, number, time);
+}
+
+static int write_vtk(const struct dem_output *o, const struct dem_program *prog, struct dem *d,
+                     int64_t number, double time)
+{
+    char file[64];
+
+    snprintf(file, sizeof file, "particles_%06lld.vtp", (long long)number);
+    DEM_TRY(write_particles(o, prog, d, file));
+    DEM_TRY(dem_program_agree(prog, prog->rank == 0 ? add_to_collection(o, d, number, time, file)
+                                                    : DEM_OK));
+    return dem_bonds_write_vtk(d, o->folder, number, time);
+}
+
+int dem_output_write(const struct dem_output *o, const struct dem_program *prog, struct dem *d,
+                     int64_t number, double time)
+{
+    const int folder = prog->rank == 0 && (o->vtk || o->snapshots || dem_averages_count(d));
+
+    DEM_TRY(dem_program_agree(prog, folder ? dem_output_folder(o) : DEM_OK));
+    if (o->vtk)
+    {
+        DEM_TRY(write_vtk(o, prog, d, number, time));
+    }
+    return dem_program_agree(prog, dem_averages(d, o->folder));
+}
+
+void dem_output_snapshot_name(const struct dem_output *o, int64_t number, char *path, size_t size)
+{
+    if (o->snapshots == 2)
+    {
+        snprintf(path, size, "%s/snapshot_%06lld.dem", o->folder, (long long)number);
+    }
+    else
+    {
+        snprintf(path, size, "%s/snapshot.dem", o->folder);
+    }
+}
+
+/* An old snapshot is removed only after the new one is complete. */
+int dem_output_save(const struct dem_output *o, const struct dem_program *prog, struct dem *d,
+                    int64_t number)
+{
+    char path[640];
+
+    if (!o->snapshots)
+    {
+        return DEM_OK;
+    }
+    dem_output_snapshot_name(o, number, path, sizeof path);
+    DEM_TRY(dem_save(d, path));
+    if (prog->rank == 0 && o->keep > 0 && number >= o->keep)
+    {
+        dem_output_snapshot_name(o, number - o->keep, path, sizeof path);
+        (void)remove(path);    /* it may not exist */
+    }
+    return DEM_OK;
+}
+
+int dem_output_last_good(const struct dem_output *o, const struct dem_program *prog, struct dem *d)
+{
+    char path[640];
+
+    DEM_TRY(dem_program_agree(prog, prog->rank == 0 ? dem_output_folder(o) : DEM_OK));
+    if (o->vtk)
+    {
+        DEM_TRY(write_particles(o, prog, d, "lastGood.vtp"));
+    }
+    snprintf(path, sizeof path, "%s/lastGood.dem", o->folder);
+    return dem_save(d, path);
+}

@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""plot.py -- plot cost.csv of `dem cost`: error over processor time, Pareto front, observed order.
+
+    python3 plot.py FOLDER/cost.csv        writes FOLDER/cost.png and FOLDER/cost.svg
+
+Installed as dem-plot in the folder of the program. SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import csv
+import math
+import pathlib
+import sys
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+COLOURS = {"kinetic": "#c8401f", "rotation": "#e09f3e", "height": "#1d3557", "overlap": "#457b9d", "force": "#2a7f62",
+           "contacts": "#7b5ea7", "restitution": "#111111", "level": "#6a994e", "void": "#8d6e63", "drop": "#b5179e"}
+TITLES = {"friction": "law of friction, against the scene's",
+          "effects": "without each effect, against the whole scene", "step": "time step",
+          "stiffness": "stiffness, against hard spheres", "precision": "precision, against double",
+          "interval": "interval of exchange", "width": "width of the kernel, against none",
+          "kernel": "kernels, against the case's", "mesh": "cells"}
+
+ROUND_OFF = 1e-12                                   # smaller changes are not plotted
+
+plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.alpha": 0.25,
+                     "savefig.dpi": 160, "savefig.bbox": "tight", "svg.hashsalt": "suna"})
+
+
+def number(row, name):
+    return float(row[name])
+
+
+def draw_quantity(axes, rows):
+    """Plot the errors of one quantity of a series, from coarse to fine, with uncertainty."""
+    rows = [r for r in rows if number(r, "error") > ROUND_OFF]
+    if not rows:
+        return
+    name, order = rows[0]["quantity"], number(rows[0], "order")
+    label = name + (f", order {order:.2g}" if math.isfinite(order) else "") + f" ({rows[0]['kind']})"
+    time, error = [number(r, "processor[s]") for r in rows], [100*number(r, "error") for r in rows]
+    uncertainty = [100*number(r, "error_unsure") for r in rows]
+    low = [min(u, 0.9*e) for e, u in zip(error, uncertainty)]
+    compared = rows[0]["kind"] == "compared"
+    axes.errorbar(time, error, yerr=[low, uncertainty], color=COLOURS.get(name, "#777777"),
+                  ls="" if compared else "-", lw=1.2, elinewidth=0.7, capsize=2, marker="o",
+                  ms=4, label=label)
+    for r, t, e in zip(rows, time, error):
+        if compared:
+            axes.annotate(r["rung"], (t, e), xytext=(5, 3), textcoords="offset points",
+                          fontsize=6.5,
+                          color=COLOURS.get(name, "#777777"))
+        if r["base"] == "1":
+            axes.plot(t, e, "o", ms=9, mfc="none", color=COLOURS.get(name, "#777777"))
+
+
+def draw_front(axes, rows):
+    """Plot the Pareto front: errors of the worst quantity of the levels that are not dominated."""
+    points = sorted((number(r, "processor[s]"), 100*number(r, "error")) for r in rows if r["front"] == "1" and r["worst"] == "1"
+                    and number(r, "error") > 0)
+    if points:
+        axes.step(*zip(*points), where="post", color="0.6", lw=5, alpha=0.35, zorder=0, label="Pareto front of the worst")
+
+
+def main():
+    path = pathlib.Path(sys.argv[1])
+    with path.open() as file:
+        rows = list(csv.DictReader(file))
+    names = list(dict.fromkeys(r["ladder"] for r in rows))
+    figure, panels = plt.subplots(1, len(names), figsize=(5.2*len(names), 4.4), squeeze=False)
+    for axes, series in zip(panels[0], names):
+        own = [r for r in rows if r["ladder"] == series]
+        draw_front(axes, own)
+        for quantity in dict.fromkeys(r["quantity"] for r in own):
+            draw_quantity(axes, [r for r in own if r["quantity"] == quantity])
+        drawn, compared = any(number(r, "error") > ROUND_OFF for r in own), own[0]["kind"] == "compared"
+        axes.set(xscale="linear" if compared else "log", yscale="log" if drawn else "linear", ylabel="change [%]" if compared else "error [%]",
+                 xlabel="processor time of a run [s]" + ("" if compared else "; circle: the scene as it is"))
+        if compared:
+            axes.set_xlim(0, 1.2*max(number(r, "processor[s]") for r in own))
+            axes.ticklabel_format(axis="x", scilimits=(-2, 3))
+        axes.set_title(TITLES.get(series, series), loc="left", fontsize=9.5)
+        if drawn:
+            axes.legend(fontsize=7, frameon=False, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=2)
+    figure.tight_layout()
+    for ending in ("png", "svg"):
+        figure.savefig(path.with_suffix("." + ending), metadata={"Date": None} if ending == "svg" else None)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,380 @@
+/*
+ * run.c -- `dem run SCENE`: advance from output to output, print the progress, write VTK files,
+ * tables and snapshots.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "app/main.h"
+#include "app/energy_csv.h"
+#include "app/bonds_csv.h"
+#include "app/flows_csv.h"
+#include "app/lost_csv.h"
+#include "app/csv_rows.h"
+#include "app/scene_options.h"
+#include "app/signals.h"
+#include "app/walls_vtk.h"
+#include "app/walls_csv.h"
+#include "core/error.h"
+#include "checkpoint/snapshot.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum
+{
+    BACKUP_STEPS = 1000  /* between backups in memory; one costs less than a step */
+};
+
+static const char help[] =
+    "Usage: dem run [-restart SNAPSHOT] [-set PATH VALUE] ... SCENE\n"
+    "       mpirun -np N dem run SCENE\n\n"
+    "Runs a scene in OpenFOAM's dictionary syntax. Of its entries these belong to the run:\n"
+    "    time  { end 1; step auto;        s; auto: the longest stable step\n"
+    "            precision double;        mixed: laws and forces in single precision, positions\n"
+    "                                     and motion in double\n"
+    "            maxOverlap 0.5;          these three stop the run: overlap over the diameter,\n"
+    "            maxSpeed 100;            m/s,\n"
+    "            maxCreated 0.05;         energy created between two rows of energy.csv, of its\n"
+    "                                     largest term\n"
+    "            untilQuiet { lasting 0.01; } }  end earlier, after so long (s) at rest\n"
+    "    write { interval 0.01;           s of simulated time between outputs\n"
+    "            folder \"NAME\";           default: the scene's name without its extension\n"
+    "            vtk yes;                 particles_*.vtp and particles.pvd for ParaView, walls\n"
+    "                                     of triangles too\n"
+    "            walls 0.001;             s between rows of walls.csv, force and torque on\n"
+    "                                     walls; none unless given\n"
+    "            energy 0.001;            s between rows of energy.csv, the energy balance; none\n"
+    "                                     unless given\n"
+    "            orientation no;          yes: orientation of each particle, as a quaternion\n"
+    "            profile yes;             time of each phase of the step, printed at the end\n"
+    "            snapshot last;           last | all | no: snapshot.dem, or one per output\n"
+    "            keep 3;                  of all snapshots only the last so many; default: all\n"
+    "            lastGood yes; }          backups in memory; the last is written as lastGood.dem\n"
+    "                                     when the run fails\n"
+    "-restart continues from a snapshot, on any number of ranks, with the same bits as the run\n"
+    "that wrote it. SIGTERM, SIGUSR1 and SIGINT (Ctrl-C) end the run after the present step with\n"
+    "a snapshot, from which -restart continues with the same bits.\n"
+    "-set overrides an entry: -set effects/dry/restitution 0.8\n"
+    "dem effects lists the effects.\n";
+
+struct progress
+{
+    double started, from;  /* s  wall clock and simulated time at the start */
+    double overlap;        /* 1  largest since the last line; dem_totals resets its own */
+    int64_t steps;
+    int rank;
+};
+
+static void report_bonds(const struct dem_totals *t)
+{
+    if (t->bonds > 0 || t->broken > 0.0 || t->lost != 0.0)
+    {
+        printf("        %lld bonds  %.0f broken  stored %.4g J  lost %.4g J\n", (long long)t->bonds,
+               t->broken, t->stored, t->lost);
+    }
+}
+
+static void report(struct progress *p, const struct dem_totals *t, double end)
+{
+    if (p->rank == 0)
+    {
+        const double spent = MPI_Wtime() - p->started, done = t->time - p->from;
+
+        printf("t %.6g s  %lld particles  %lld contacts  %.0f steps/s  kinetic %.4g J  overlap "
+               "%.3g %%  ETA %.0f s\n",
+               t->time, (long long)t->particles, (long long)t->contacts,
+               (double)(t->steps - p->steps)/spent, t->kinetic, 100.0*p->overlap,
+               done > 0.0 ? spent/done*(end - t->time) : 0.0);
+        report_bonds(t);
+        fflush(stdout);
+    }
+    p->overlap = 0.0;
+}
+
+/* The run has failed: report lost particles and broken bonds, write the last backup, and add its
+   path to the message. */
+static int write_last_good(const struct dem_program *prog, struct dem *d,
+                           const struct dem_output *o, struct dem_lost_log *lost, int failure)
+{
+    char text[DEM_ERROR_TEXT_SIZE];
+    double time = 0.0;
+    int status;
+
+    snprintf(text, sizeof text, "%s", dem_error_text());
+    status = dem_lost_log_append(lost, prog, d);
+    status = status ? status : dem_bond_rows_append(prog, d, o);
+    if (!o->last_good && !status)
+    {
+        return dem_error(failure, "%s", text);
+    }
+    status = status ? status : dem_restore(d, &time);
+    status = status ? status : dem_output_last_good(o, prog, d);
+    if (status)
+    {
+        return dem_error(failure, "%s; the last good state cannot be written: %s", text,
+                         dem_error_text());
+    }
+    return dem_error(failure,
+                     "%s; the last good state, of time %g s, is in %s/lastGood.dem: look at it, or "
+                     "continue from it with -restart",
+                     text, time, o->folder);
+}
+
+/* ---- the loop -------------------------------------------------------------------------------- */
+
+struct run_state
+{
+    const struct dem_program *prog;
+    const struct dem_schedule *s;
+    struct dem *d;
+    struct progress p;
+    struct dem_quiet quiet;
+    struct dem_lost_log lost;
+    struct dem_wall_log walls;
+    struct dem_energy_log energy;
+    struct dem_flow_log flows;
+    struct dem_totals t;
+};
+
+static int advance(struct run_state *c, double duration)
+{
+    const struct dem_output *const o = &c->s->output;
+
+    if (o->last_good)
+    {
+        DEM_TRY(dem_backup_every(c->d, BACKUP_STEPS));
+    }
+    const int status = dem_advance(c->d, duration);
+
+    DEM_TRY(status && dem_ranks_agree(c->d) ? write_last_good(c->prog, c->d, o, &c->lost, status)
+                                            : status);
+    DEM_TRY(dem_totals(c->d, &c->t));
+    c->p.overlap = fmax(c->p.overlap, c->t.largest_overlap);
+    return DEM_OK;
+}
+
+/* A line and rows of tables; then the snapshot, so that a run restarted from it need not repeat
+   them. */
+static int write_output(struct run_state *c, int64_t number)
+{
+    const struct dem_output *const o = &c->s->output;
+
+    report(&c->p, &c->t, c->s->end);
+    DEM_TRY(dem_flow_log_append(&c->flows, c->prog, c->d, c->t.time));
+    DEM_TRY(dem_lost_log_append(&c->lost, c->prog, c->d));
+    DEM_TRY(dem_bond_rows_append(c->prog, c->d, o));
+    return dem_stopped(c->d) ? dem_signals_save(c->prog, o, c->d, number)
+                             : dem_output_save(o, c->prog, c->d, number);
+}
+
+static int begin(struct run_state *c)
+{
+    const struct dem_output *const o = &c->s->output;
+
+    DEM_TRY(dem_totals(c->d, &c->t));
+    const double start = c->t.time;
+
+    c->p.from = start;
+    c->p.steps = c->t.steps;
+    DEM_TRY(dem_lost_log_begin(&c->lost, c->prog, o, c->d, start));
+    DEM_TRY(dem_flow_log_begin(&c->flows, c->prog, o, c->d, start));
+    DEM_TRY(dem_bond_rows_begin(c->prog, c->d, o->folder, start));
+    DEM_TRY(dem_walls_vtk_begin(o, c->prog, c->d));
+    if (start == 0.0)
+    {
+        DEM_TRY(dem_output_write(o, c->prog, c->d, 0, 0.0));
+        DEM_TRY(dem_output_save(o, c->prog, c->d, 0));
+    }
+    DEM_TRY(dem_wall_log_begin(&c->walls, c->prog, o, c->d, start));
+    DEM_TRY(dem_energy_log_begin(&c->energy, c->prog, o, c->d, start));
+    return start == 0.0 ? dem_energy_log_append(&c->energy, c->prog, c->d, 0.0) : DEM_OK;
+}
+
+/* Advance to this time, and write the rows due on the way; a signal ends it earlier. */
+static int advance_to(struct run_state *c, double next)
+{
+    const struct dem_output *const o = &c->s->output;
+
+    for (double due = 0.0; due < next;)
+    {
+        due = dem_csv_next_due(o->energy, c->t.time, dem_csv_next_due(o->walls, c->t.time, next));
+        DEM_TRY(advance(c, due - c->t.time));
+        if (dem_stopped(c->d))
+        {
+            return DEM_OK;
+        }
+        DEM_TRY(dem_wall_log_append(&c->walls, c->prog, c->d, due));
+        const int status = dem_energy_log_append(&c->energy, c->prog, c->d, due);
+
+        DEM_TRY(status == DEM_ERROR_NUMBER ? write_last_good(c->prog, c->d, o, &c->lost, status)
+                                           : status);
+    }
+    return DEM_OK;
+}
+
+static int print_profile(const struct dem_program *prog, struct dem *d, const struct dem_output *o)
+{
+    const char *text;
+
+    if (o->profile)
+    {
+        DEM_TRY(dem_profile_text(d, &text));
+        if (prog->rank == 0)
+        {
+            fputs(text, stdout);
+        }
+    }
+    return DEM_OK;
+}
+
+/* Outputs are at integer multiples of the interval, so that a restarted run has the same
+   windows. Each interval is divided into `checks` parts, after which untilQuiet is tested. */
+static int advance_to_end(struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
+{
+    struct run_state c = {.prog = prog,
+                          .s = s,
+                          .d = d,
+                          .p = {.started = MPI_Wtime(), .rank = prog->rank},
+                          .quiet = s->quiet};
+    const int64_t checks = dem_quiet_tests(&c.quiet, s->interval);
+    const double part = s->interval/(double)checks;
+
+    DEM_TRY(begin(&c));
+    for (int64_t k = (int64_t)floor(c.t.time/part + 1e-6) + 1;
+         c.t.time < s->end*(1.0 - 1e-12) && !c.quiet.reached; k++)
+    {
+        const double next =
+            fmin(k%checks ? (double)k*part : (double)(k/checks)*s->interval, s->end);
+        const int64_t number = (k + checks - 1)/checks;
+
+        DEM_TRY(advance_to(&c, next));
+        if (dem_stopped(d))
+        {
+            DEM_TRY(write_output(&c, number));
+            return print_profile(prog, d, &s->output);
+        }
+        DEM_TRY(dem_quiet_test(&c.quiet, d, &c.t));
+        if (k%checks == 0 || c.quiet.reached || next == s->end)
+        {
+            DEM_TRY(dem_output_write(&s->output, prog, d, number, next));
+            DEM_TRY(write_output(&c, number));
+        }
+    }
+    DEM_TRY(print_profile(prog, d, &s->output));
+    dem_flow_log_print(prog, d);
+    dem_energy_log_print(&c.energy, prog);
+    dem_quiet_print(&c.quiet, prog, &c.t);
+    return DEM_OK;
+}
+
+/* ---- log before the first step --------------------------------------------------------------- */
+
+/* Triangles that were left out of walls, which the user may not know of. */
+static void announce_walls(const struct dem *d)
+{
+    for (int w = 0; w < dem_wall_count(d); w++)
+    {
+        struct dem_wall_info f;
+
+        dem_wall_info(d, w, &f);
+        if (f.flat + f.repeats > 0)
+        {
+            printf("wall %s: %lld triangles; left out %lld without area, %lld given before\n",
+                   dem_wall_name(d, w), (long long)f.triangles, (long long)f.flat,
+                   (long long)f.repeats);
+        }
+    }
+}
+
+static void announce_gravity(const struct dem_schedule *s)
+{
+    const double *const g = s->gravity;
+
+    if (g[0] != 0.0 || g[1] != 0.0 || g[2] != 0.0)
+    {
+        printf("gravity (%g %g %g) m/s2\n", g[0], g[1], g[2]);
+    }
+    else
+    {
+        printf("no gravity: effects/gravity is %s\n", s->with_gravity ? "zero" : "not there");
+    }
+}
+
+static int announce(const struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
+{
+    const struct dem_step_limit step = dem_step_limit(d);
+    struct dem_totals t;
+
+    DEM_TRY(dem_totals(d, &t));
+    if (prog->rank == 0)
+    {
+        printf("Suna: %lld particles, %d walls, %d rank%s\nstep %.4g s, limit %.4g s: %s\n",
+               (long long)t.particles, dem_wall_count(d), prog->ranks, prog->ranks > 1 ? "s" : "",
+               step.used, step.limit, step.why);
+        announce_gravity(s);
+        if (dem_fluid_effect_names(d)[0])
+        {
+            printf("of the fluid: %s\n", dem_fluid_effect_names(d));
+        }
+        if (s->coupling)
+        {
+            printf("coupling is not read: that entry is for coupled runs in OpenFOAM\n");
+        }
+        announce_walls(d);
+        if (t.time >= s->end*(1.0 - 1e-12))
+        {
+            printf("nothing to run: time continues from the snapshot, and its %.6g s are "
+                   "time/end\n",
+                   t.time);
+        }
+        fflush(stdout);
+    }
+    return DEM_OK;
+}
+
+static int run(struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
+{
+    uint64_t hash;
+
+    /* before the first line is printed, to which a script may answer with a signal */
+    dem_set_stop_flag(d, dem_signals_catch());
+    DEM_TRY(announce(prog, d, s));
+    DEM_TRY(advance_to_end(prog, d, s));
+    DEM_TRY(dem_hash(d, &hash));
+    if (prog->rank == 0)
+    {
+        printf("hash %016llx\n", (unsigned long long)hash);
+    }
+    return DEM_OK;
+}
+
+int dem_main_run(struct dem_program *prog, int argc, char **argv)
+{
+    const struct dem_command command = {.name = "run", .help = help, .run = run};
+
+    return dem_command_run(prog, &command, argc, argv);
+}
+
+int dem_main_hash(struct dem_program *prog, int argc, char **argv)
+{
+    uint64_t hash;
+
+    if (argc != 1 || strcmp(argv[0], "-help") == 0)
+    {
+        if (prog->rank == 0)
+        {
+            printf("Usage: dem hash SNAPSHOT\n\nThe hash of particles and contact history, as dem "
+                   "run prints it at its end;\n"
+                   "it does not depend on the number of ranks.\n");
+        }
+        DEM_REQUIRE(argc == 1, DEM_ERROR_INPUT, "dem hash: %d arguments; give one snapshot", argc);
+        return DEM_OK;
+    }
+    DEM_TRY(dem_snapshot_fingerprint(argv[0], &hash));
+    if (prog->rank == 0)
+    {
+        printf("%016llx\n", (unsigned long long)hash);
+    }
+    return DEM_OK;
+}

@@ -1,0 +1,263 @@
+/*
+ * scene_options.c -- read the command line of a command that takes a scene, and set up that scene.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "app/scene_options.h"
+#include "core/error.h"
+#include "core/did_you_mean.h"
+#include "input/dictionary.h"
+#include <stdio.h>
+#include <string.h>
+
+/* The option of the command with this name or alias; NULL: none. */
+static struct dem_option *find_option(const struct dem_request *r, const char *word)
+{
+    for (int k = 0; k < r->options; k++)
+    {
+        const struct dem_option *const o = &r->option[k];
+
+        if (strcmp(o->name, word) == 0 || (o->alias && strcmp(o->alias, word) == 0))
+        {
+            return &r->option[k];
+        }
+    }
+    return NULL;
+}
+
+/* A word that begins with - and was not read: its value is missing, or it is unknown. */
+static int refuse_option(const struct dem_request *r, const char *command, const char *word)
+{
+    const char *known[DEM_MAX_OPTIONS + 3] = {"-restart", "-set", "-help"};
+
+    for (int k = 0; k < r->options; k++)
+    {
+        known[3 + k] = r->option[k].name;
+    }
+    DEM_REQUIRE(strcmp(word, "-restart") != 0 && strcmp(word, "-set") != 0 && !find_option(r, word),
+                DEM_ERROR_INPUT, "%s lacks its value%s; see dem %s -help", word,
+                strcmp(word, "-set") == 0 ? "s" : "", command);
+    return dem_did_you_mean_error("option", word, known, 3 + r->options);
+}
+
+int dem_request_read(struct dem_request *r, const char *command, int argc, char **argv)
+{
+    for (int k = 0; k < argc; k++)
+    {
+        struct dem_option *const own = find_option(r, argv[k]);
+
+        if (strcmp(argv[k], "-help") == 0)
+        {
+            r->help = 1;
+        }
+        else if (own && (own->flag || k + 1 < argc))
+        {
+            own->given = own->flag ? "" : argv[++k];
+        }
+        else if (strcmp(argv[k], "-restart") == 0 && k + 1 < argc)
+        {
+            r->restart = argv[++k];
+        }
+        else if (strcmp(argv[k], "-set") == 0 && k + 2 < argc && r->sets < DEM_MAX_SETS)
+        {
+            r->set[r->sets][0] = argv[++k];
+            r->set[r->sets++][1] = argv[++k];
+        }
+        else if (argv[k][0] == '-')
+        {
+            return refuse_option(r, command, argv[k]);
+        }
+        else
+        {
+            DEM_REQUIRE(!r->scene, DEM_ERROR_INPUT, "two scenes, %s and %s; %s one", r->scene,
+                        argv[k], command);
+            r->scene = argv[k];
+        }
+    }
+    DEM_REQUIRE(r->scene || r->help, DEM_ERROR_INPUT, "no scene; see dem %s -help", command);
+    return DEM_OK;
+}
+
+static const double
+    max_steps = 0x1p53,  /* larger whole numbers are not exact in a double */
+    max_outputs = 1e6,   /* files are numbered up to 999999 */
+    max_rows = 1e9;      /* more are an error of input */
+
+/* The time between the rows of a table [s]; 0 when the entry is missing. */
+static int read_rows(const struct dem_dict *write, const char *entry, double end, double *interval)
+{
+    *interval = 0.0;
+    if (dem_dict_has(write, entry))
+    {
+        DEM_TRY(dem_dict_number(write, entry, "s", interval));
+        DEM_REQUIRE(*interval > 0.0, DEM_ERROR_INPUT,
+                    "write/%s %g s; give a time above 0, or leave it out", entry, *interval);
+        DEM_REQUIRE(end <= max_rows**interval, DEM_ERROR_INPUT, "write/%s %g s makes more than %g "
+                    "rows up to time/end %g s; give %g s or more",
+                    entry, *interval, max_rows, end, end/max_rows);
+    }
+    return DEM_OK;
+}
+
+/* Created energy is found in the rows of the energy balance. */
+static int read_max_created(const struct dem_dict *time, struct dem_output *o)
+{
+    if (dem_dict_has(time, "maxCreated"))
+    {
+        DEM_TRY(dem_dict_number(time, "maxCreated", "1", &o->max_created));
+        DEM_REQUIRE(o->max_created > 0.0, DEM_ERROR_INPUT, "time/maxCreated %g; give a fraction "
+                    "above 0, or leave it out", o->max_created);
+        DEM_REQUIRE(o->energy > 0.0, DEM_ERROR_INPUT, "time/maxCreated %g is checked in each row "
+                    "of the energy balance, and there are none; add write/energy, the time between "
+                    "rows", o->max_created);
+    }
+    return DEM_OK;
+}
+
+static int read_schedule(struct dem_schedule *s, const struct dem_dict *scene, const char *path)
+{
+    const struct dem_dict *time, *write;
+
+    DEM_TRY(dem_dict_sub(scene, "time", &time));
+    DEM_TRY(dem_dict_number(time, "end", "s", &s->end));
+    DEM_REQUIRE(s->end > 0.0, DEM_ERROR_INPUT, "time/end %g s; give a time above 0", s->end);
+    DEM_TRY(dem_quiet_read(&s->quiet, time));
+    DEM_TRY(dem_dict_sub_if(scene, "write", &write));
+    s->interval = s->end;
+    if (write)
+    {
+        DEM_TRY(dem_dict_number_or(write, "interval", "s", s->end, &s->interval));
+        DEM_TRY(read_rows(write, "walls", s->end, &s->output.walls));
+        DEM_TRY(read_rows(write, "energy", s->end, &s->output.energy));
+    }
+    DEM_TRY(read_max_created(time, &s->output));
+    DEM_REQUIRE(s->interval > 0.0, DEM_ERROR_INPUT, "write/interval %g s; give a time above 0",
+                s->interval);
+    DEM_REQUIRE(s->end <= max_outputs*s->interval, DEM_ERROR_INPUT, "write/interval %g s makes "
+                "more than %g outputs up to time/end %g s; give an interval of %g s or more",
+                s->interval, max_outputs, s->end,
+                s->end/max_outputs);
+    DEM_REQUIRE(!s->quiet.wanted || s->end <= max_rows*s->quiet.lasting, DEM_ERROR_INPUT,
+                "time/untilQuiet/lasting %g s makes more than %g checks up to time/end %g s; give "
+                "%g s or more", s->quiet.lasting, max_rows,
+                s->end, s->end/max_rows);
+    return dem_output_read(&s->output, write, path);
+}
+
+static int count_steps(const struct dem_schedule *s, const struct dem *d)
+{
+    const double step = dem_step_limit(d).used;
+
+    DEM_REQUIRE(s->end < max_steps*step, DEM_ERROR_INPUT,
+                "time/end %g s at steps of %g s is more than %g steps; give a longer time/step or "
+                "an earlier end",
+                s->end, step, max_steps);
+    return DEM_OK;
+}
+
+/* The program couples no fluid: an error before anything is written. */
+static int refuse_coupled_fluid(struct dem *d)
+{
+    DEM_REQUIRE(!dem_needs_fluid(d) || dem_dict_has(dem_scene_dict(d), "fluid"), DEM_ERROR_INPUT,
+                "an effect of the scene needs a fluid, and there is none; add fluid { density; "
+                "viscosity; velocity; } or run it in OpenFOAM");
+    return DEM_OK;
+}
+
+/* Time continues from a snapshot: an end before that time leaves nothing to run. */
+static int check_end(const struct dem_schedule *s, struct dem *d)
+{
+    struct dem_totals t;
+
+    DEM_TRY(dem_totals(d, &t));
+    DEM_REQUIRE(s->end >= t.time*(1.0 - 1e-12), DEM_ERROR_INPUT,
+                "time/end %.6g s is before the time of the snapshot, %.6g s, from which the run "
+                "continues; give a later end", s->end, t.time);
+    return DEM_OK;
+}
+
+/* A scene may also be that of a coupled run: its entry `coupling` is accepted unread, and
+   reported. */
+static int accept_coupling(const struct dem_dict *scene, int *present)
+{
+    const struct dem_dict *coupling;
+
+    DEM_TRY(dem_dict_sub_if(scene, "coupling", &coupling));
+    *present = coupling != NULL;
+    if (coupling)
+    {
+        dem_dict_mark_read(coupling);
+    }
+    return DEM_OK;
+}
+
+static int set_up(const struct dem_program *prog, const struct dem_request *r, struct dem *d,
+                  struct dem_schedule *s)
+{
+    DEM_TRY(dem_scene_file(d, r->scene));
+    for (int k = 0; k < r->sets; k++)
+    {
+        DEM_TRY(dem_set(d, r->set[k][0], r->set[k][1]));
+    }
+    DEM_TRY(r->without ? dem_remove_effect(d, r->without) : DEM_OK);
+    if (r->restart)
+    {
+        DEM_TRY(dem_load(d, r->restart));
+    }
+    DEM_TRY(read_schedule(s, dem_scene_dict(d), r->scene));
+    DEM_TRY(r->no_output ? DEM_OK : dem_output_check(&s->output, prog));
+    DEM_TRY(accept_coupling(dem_scene_dict(d), &s->coupling));
+    DEM_TRY(s->output.energy > 0.0 && !r->no_output ? dem_energy_enable(d) : DEM_OK);
+    DEM_TRY(s->output.profile && !r->no_output ? dem_contact_durations_enable(d) : DEM_OK);
+    DEM_TRY(s->output.orientation ? dem_orientation_enable(d) : DEM_OK);
+    DEM_TRY(dem_check(d));
+    s->with_gravity = dem_gravity_acceleration(d, s->gravity);
+    DEM_TRY(dem_quiet_check(&s->quiet, s->gravity));
+    DEM_TRY(refuse_coupled_fluid(d));
+    /* with a snapshot the step is known only after dem_setup */
+    DEM_TRY(dem_step_limit(d).used > 0.0 ? count_steps(s, d) : DEM_OK);
+    DEM_TRY(dem_setup(d));
+    DEM_TRY(check_end(s, d));
+    return count_steps(s, d);
+}
+
+int dem_scene_open(const struct dem_program *prog, const struct dem_request *r, struct dem **made,
+                   struct dem_schedule *s)
+{
+    struct dem *d;
+
+    *made = NULL;
+    *s = (struct dem_schedule){.end = 0.0};
+    DEM_TRY(dem_create(&d, prog->comm));
+    const int status = set_up(prog, r, d, s);
+
+    if (status)
+    {
+        dem_free(d);
+        return status;
+    }
+    *made = d;
+    return DEM_OK;
+}
+
+int dem_command_run(struct dem_program *prog, const struct dem_command *c, int argc, char **argv)
+{
+    struct dem_request r = {.scene = NULL};
+    struct dem_schedule s;
+    struct dem *d;
+
+    DEM_TRY(dem_request_read(&r, c->name, argc, argv));
+    if (r.help)
+    {
+        if (prog->rank == 0)
+        {
+            fputs(c->help, stdout);
+        }
+        return DEM_OK;
+    }
+    DEM_TRY(dem_scene_open(prog, &r, &d, &s));
+    const int status = c->run(prog, d, &s);
+
+    dem_free(d);
+    return status;
+}

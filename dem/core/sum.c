@@ -1,0 +1,181 @@
+/*
+ * sum.c -- exact sum of doubles as one wide integer, rounded once when its value is read.
+ *
+ * A finite double is m 2^p in units of 2^-1074, with m an integer of 53 bits and 0 <= p <= 2045. It
+ * is added to the three limbs from p/32 on, less than 2^32 on each; so an int64 limb holds 2^31
+ * additions, and carries are propagated after 2^30. All operations are on integers: nothing rounds
+ * or raises a floating-point exception.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "core/sum.h"
+
+#include <string.h>
+
+#define DIGIT 0xffffffffu
+
+enum
+{
+    MAX_ADDED = 1 << 30,  /* additions between two propagations of carries */
+    MANTISSA = 53         /* bits of the mantissa of a double */
+};
+
+void dem_sum_clear(struct dem_sum *s)
+{
+    memset(s, 0, sizeof *s);
+}
+
+void dem_sum_normalise(struct dem_sum *s)
+{
+    int64_t carry = 0;
+
+    for (int i = 0; i < DEM_SUM_LIMBS - 1; i++)
+    {
+        const int64_t whole = s->part[i] + carry;
+        const int64_t digit = whole & DIGIT;
+
+        carry = (whole - digit)/(DIGIT + INT64_C(1));
+        s->part[i] = digit;
+    }
+    s->part[DEM_SUM_LIMBS - 1] += carry;
+    s->part[DEM_SUM_ADDED] = 0;
+}
+
+void dem_sum_add(struct dem_sum *s, double value)
+{
+    uint64_t bits;
+
+    memcpy(&bits, &value, sizeof bits);
+
+    const int negative = (int)(bits >> 63);
+    const int exponent = (int)(bits >> 52 & 0x7ff);
+    const uint64_t fraction = bits & 0xfffffffffffffu;
+
+    if (exponent == 0x7ff)
+    {
+        s->part[fraction ? DEM_SUM_NAN : negative ? DEM_SUM_MINUS : DEM_SUM_PLUS]++;
+        return;
+    }
+
+    const uint64_t m = exponent ? fraction | UINT64_C(1) << 52 : fraction;
+    const int p = exponent ? exponent - 1 : 0;
+    const int shift = p%32;
+    const uint64_t low = (m & DIGIT) << shift, high = (m >> 32) << shift;
+    const uint64_t middle = (low >> 32) + (high & DIGIT);    /* no carry: they share no bit */
+    const int64_t sign = negative ? -1 : 1;
+    int64_t *limb = s->part + p/32;
+
+    limb[0] += sign*(int64_t)(low & DIGIT);
+    limb[1] += sign*(int64_t)middle;
+    limb[2] += sign*(int64_t)(high >> 32);
+    if (++s->part[DEM_SUM_ADDED] >= MAX_ADDED)
+    {
+        dem_sum_normalise(s);
+    }
+}
+
+void dem_sum_merge(struct dem_sum *s, const struct dem_sum *other)
+{
+    struct dem_sum o = *other;
+
+    dem_sum_normalise(&o);
+    dem_sum_normalise(s);
+    for (int i = 0; i < DEM_SUM_PARTS; i++)
+    {
+        s->part[i] += o.part[i];
+    }
+    s->part[DEM_SUM_ADDED] = 1;
+}
+
+static double from_bits(uint64_t bits)
+{
+    double value;
+
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* Bit b of the wide integer and the 63 bits below it, with b as the highest bit of a word. */
+static uint64_t window(const int64_t *limb, int b)
+{
+    uint64_t word = 0;
+
+    for (int i = 0; i < 64; i++)
+    {
+        const int at = b - i;
+
+        word = word << 1 | (at >= 0 ? (uint64_t)limb[at/32] >> at%32 & 1u : 0u);
+    }
+    return word;
+}
+
+/* Is any bit below bit b set? */
+static int any_below(const int64_t *limb, int b)
+{
+    for (int i = 0; i < b/32; i++)
+    {
+        if (limb[i])
+        {
+            return 1;
+        }
+    }
+    return b > 0 && ((uint64_t)limb[b/32] & ((UINT64_C(1) << b%32) - 1)) != 0;
+}
+
+/* The bits of the double nearest to a normalised wide integer >= 0 whose highest bit is `top`; ties
+   to even. */
+static uint64_t nearest(const int64_t *limb, int top)
+{
+    if (top < MANTISSA)
+    {
+        /* exact: the bits of the double are those of the integer */
+        return window(limb, MANTISSA - 1) >> 11;
+    }
+
+    const uint64_t word = window(limb, top);
+    const uint64_t m = word >> 11, rest = word & 0x7ff, half = 0x400;
+    const int up = rest > half || (rest == half && (any_below(limb, top - 63) || (m & 1)));
+
+    if (top - MANTISSA + 2 >= 0x7ff)
+    {
+        return UINT64_C(0x7ff) << 52;
+    }
+    /* m contains the hidden bit, which adds one to the exponent; so does a carry out of m */
+    return ((uint64_t)(top - MANTISSA + 1) << 52) + m + (uint64_t)up;
+}
+
+double dem_sum_value(const struct dem_sum *of)
+{
+    const uint64_t infinite = UINT64_C(0x7ff) << 52, minus = UINT64_C(1) << 63;
+    struct dem_sum s = *of;
+
+    if (s.part[DEM_SUM_NAN] || (s.part[DEM_SUM_PLUS] && s.part[DEM_SUM_MINUS]))
+    {
+        return from_bits(infinite | UINT64_C(1) << 51);
+    }
+    if (s.part[DEM_SUM_PLUS] || s.part[DEM_SUM_MINUS])
+    {
+        return from_bits(s.part[DEM_SUM_PLUS] ? infinite : infinite | minus);
+    }
+
+    dem_sum_normalise(&s);
+
+    const int negative = s.part[DEM_SUM_LIMBS - 1] < 0;
+
+    if (negative)
+    {
+        for (int i = 0; i < DEM_SUM_LIMBS; i++)
+        {
+            s.part[i] = -s.part[i];
+        }
+        dem_sum_normalise(&s);
+    }
+
+    int top = 32*DEM_SUM_LIMBS - 1;
+
+    while (top >= 0 && !((uint64_t)s.part[top/32] >> top%32 & 1u))
+    {
+        top--;
+    }
+    return top < 0 ? 0.0 : from_bits(nearest(s.part, top) | (negative ? minus : 0));
+}

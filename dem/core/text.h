@@ -1,0 +1,33 @@
+/*
+ * text.h -- a text that grows line by line; the first error is stored in its status.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_CORE_TEXT_H
+#define DEM_CORE_TEXT_H
+
+#include <stddef.h>
+
+/* a growing text; all zero is an empty one */
+struct dem_text
+{
+    char *text;  /* ends in a zero byte */
+    size_t n, capacity;
+    int status;  /* DEM_OK, or DEM_ERROR_MEMORY */
+};
+
+/* Append a formatted text. After a failure nothing more is added and status is not DEM_OK. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+void dem_text_add(struct dem_text *, const char *format, ...);
+
+/* A number of bytes or a time in a readable unit: "3.4 MB", "0.51 min". The returned text is valid
+   until the eighth further call in this thread. */
+const char *dem_text_bytes(double bytes);
+const char *dem_text_time(double seconds);
+
+/* Free the text; the struct is empty then. */
+void dem_text_free(struct dem_text *);
+
+#endif

@@ -1,0 +1,54 @@
+/*
+ * totals.h -- totals over all particles and contact rows, with the same bits on any number of
+ * ranks.
+ *
+ * Errors of MPI are recorded in the decomposition (parallel/collect.h).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_DIAGNOSTICS_TOTALS_H
+#define DEM_DIAGNOSTICS_TOTALS_H
+
+#include "dem_types.h"
+#include "core/sum.h"
+#include "simulation/dem_state.h"
+
+/* Collective. Reduce `count` exact sums over all ranks and round each of them once to `value`. */
+void dem_totals_reduce_sums(const struct dem_state *, struct dem_sum *sum, int count,
+                            double *value);
+
+/* Collective. The maximum of each of `count` numbers over all ranks. */
+void dem_totals_reduce_max(const struct dem_state *, double *value, int count);
+
+/* Collective. Particles, energy, momentum, touching contacts. Resets the largest overlap of the
+   limits check. */
+void dem_totals_tally(struct dem_state *, struct dem_totals *);
+
+/* Contact rows of this rank that touched in the last sweep, each counted by the owner of its lower
+   id. */
+int64_t dem_totals_touching(const struct dem_state *);
+
+/* Collective. Number of particles with more kinetic energy than `energy` [J]. */
+int64_t dem_totals_moving(const struct dem_state *, double energy);
+
+/* Collective. Force [N] and torque about the origin [N m] of the particles on a wall in the last
+   step. */
+void dem_totals_wall_force(const struct dem_state *, int wall, double force[3], double torque[3]);
+
+/* Collective. Impulse [N s] on a wall and its moment about the origin [N m s] since the wall
+   statistics were started. */
+void dem_totals_wall_impulse(const struct dem_state *, int wall, double impulse[3],
+                             double twist[3]);
+
+/* Collective. Hash of ids, positions, velocities, spins and of the whole contact history. */
+uint64_t dem_totals_fingerprint(const struct dem_state *);
+
+/* The largest overlap of this rank at the present positions, as a fraction of the smaller diameter,
+   with the ids of the partners (j is -1 - region at a wall) and the position of i [m]. For checks
+   of the input. */
+double dem_totals_max_overlap(struct dem_state *, int64_t *i, int64_t *j, double x[3]);
+
+/* Collective. Sauter mean diameter of all particles, sum d^3/sum d^2 [m]; 0 without particles. */
+double dem_totals_sauter_diameter(const struct dem_state *);
+
+#endif

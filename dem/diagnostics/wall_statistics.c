@@ -1,0 +1,124 @@
+/*
+ * wall_statistics.c -- sum forces and torques on walls over the contact rows of the wall classes.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "diagnostics/wall_statistics.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/vec.h"
+#include "simulation/dem_state.h"
+#include <string.h>
+
+void dem_wall_statistics_free(struct dem_wall_statistics *b)
+{
+    dem_memory_free(b->sum);
+    dem_memory_free(b->saved);
+    memset(b, 0, sizeof *b);
+}
+
+int dem_wall_statistics_begin(struct dem_wall_statistics *b, int walls)
+{
+    if (!b->sum)
+    {
+        DEM_TRY(DEM_NEW(b->sum, 6*walls + 1));
+        b->walls = walls;
+    }
+    for (int k = 0; k < 6*walls; k++)
+    {
+        dem_sum_clear(&b->sum[k]);
+    }
+    return DEM_OK;
+}
+
+/* 0 for a row without force or moment, as most rows near a wall: zeros do not change an exact
+   sum. */
+static int has_force(const struct dem_contacts *c, uint32_t r)
+{
+    const struct dem_contact_force contact = dem_contacts_force(c, r);
+    int any = 0;
+
+    for (uint32_t k = 0; k < 3; k++)
+    {
+        any |= contact.f[k] != 0.0 || (c->moments && c->moment[3*r + k] != 0.0);
+    }
+    return any;
+}
+
+void dem_wall_statistics_sum_forces(const struct dem_state *p, int wall, double factor,
+                                    struct dem_sum *sum)
+{
+    const struct dem_contacts *const c = &p->contacts;
+
+    for (int s = 0; s < c->classes && c->rows > 0; s++)
+    {
+        const uint32_t end = c->segment[s].first + (p->interaction_table.list[s].pair.with_wall ? c->segment[s].count : 0);
+
+        for (uint32_t r = c->segment[s].first; r < end; r++)
+        {
+            const struct dem_pair *const q = &c->pair[c->row_pair[r]];
+            const int own_wall = p->walls.facet[p->pairs.wall_facet[q->j]].wall;
+            const struct dem_contact_force contact = dem_contacts_force(c, r);
+            const double f[3] = {-factor*contact.f[0], -factor*contact.f[1], -factor*contact.f[2]};
+            struct dem_sum *const to = sum + (wall < 0 ? 6*own_wall : 0);
+            double moment[3];
+
+            if (!has_force(c, r))
+            {
+                continue;
+            }
+            dem_vec_cross(p->touches.touch[q->j].point, f, moment);
+            for (uint32_t k = 0; k < 3 && (wall < 0 || wall == own_wall); k++)
+            {
+                dem_sum_add(&to[k], f[k]);
+                dem_sum_add(&to[3 + k], moment[k]);
+                dem_sum_add(&to[3 + k], c->moments ? -factor*c->moment[3*r + k] : 0.0);
+            }
+        }
+    }
+}
+
+int dem_wall_statistics_save_forces(struct dem_state *p)
+{
+    struct dem_wall_statistics *const b = p->wall_statistics;
+
+    if (b->sum && !b->saved)
+    {
+        DEM_TRY(DEM_NEW(b->saved, 6*b->walls + 1));
+        for (int k = 0; k < 6*b->walls; k++)
+        {
+            dem_sum_clear(&b->saved[k]);
+        }
+        dem_wall_statistics_sum_forces(p, -1, 1.0, b->saved);
+    }
+    return DEM_OK;
+}
+
+void dem_wall_statistics_drop_forces(struct dem_wall_statistics *b)
+{
+    dem_memory_free(b->saved);
+    b->saved = NULL;
+}
+
+/* The sum of each rank is rounded once here. This happens only in coupled runs, where the fluid is
+   subject to round-off anyway. */
+static void add_held(struct dem_wall_statistics *b, double kick)
+{
+    for (int k = 0; k < 6*b->walls; k++)
+    {
+        dem_sum_add(&b->sum[k], kick*dem_sum_value(&b->saved[k]));
+    }
+    dem_wall_statistics_drop_forces(b);
+}
+
+void dem_wall_statistics_add_kick(struct dem_state *p, double kick)
+{
+    if (p->wall_statistics->saved)
+    {
+        add_held(p->wall_statistics, kick);
+    }
+    else if (p->wall_statistics->sum)
+    {
+        dem_wall_statistics_sum_forces(p, -1, kick, p->wall_statistics->sum);
+    }
+}

@@ -1,0 +1,27 @@
+/*
+ * film_loss.h -- rebound speed that a fluid film takes, for the relevance of stokes and lubrication.
+ *
+ *   1 - exp(-35/St),   St = m* v/(6 pi mu R*^2)
+ *
+ *   St   Stokes number of an impact at the impactSpeed of the normal law      [1]
+ *
+ * Source: Legendre, Zenit, Daniel, Guiraud, Chem. Eng. Sci. 61 (2006) 3543.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_EFFECTS_FILM_LOSS_H
+#define DEM_EFFECTS_FILM_LOSS_H
+
+#include "effects/relevance.h"
+
+#include <math.h>
+
+/* Returns 0 without a Stokes number. */
+static inline int dem_film_loss(const struct dem_regime *g, struct dem_relevance *v)
+{
+    v->fraction = g->stokes > 0.0 ? 1.0 - exp(-35.0/g->stokes) : 0.0;
+    v->quantity = "of the rebound speed is lost in the fluid film (Legendre et al. 2006)";
+    return g->stokes > 0.0;
+}
+
+#endif

@@ -1,0 +1,94 @@
+/*
+ * hooke.c -- normal elastic force of a linear spring.
+ *
+ *   F_n = k d
+ *
+ *   d    overlap                                                   [m]
+ *   k    stiffness: given, or such that an impact at the speed v has the largest overlap of Hertz's
+ *        law (impact_speed.h)                                      [N/m]
+ *   v    impactSpeed                                               [m/s]
+ *
+ * Derived from v, k depends on E*, R* and m* of each contact. Largest time step: t_c/20,
+ * t_c = pi sqrt(m/k), and where k is not given also 1/5 of the Rayleigh time (impact_speed.h).
+ *
+ * Source: Cundall and Strack, Geotechnique 29 (1979) 47; k: eq. (1) of Open DEM Japan,
+ * Hooke/Hysteresis normal contact model (in Japanese, 2025); with a wall R* = R_i, m* = m_i and E*
+ * of both, which that note leaves open.
+ * Not here: damping (see dry, viscous, stokes), friction (see linear, mindlin), plastic contact
+ * (see hookeHysteresis).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "effects/effect.h"
+
+#include "effects/contact/impact_speed.h"
+
+struct hooke
+{
+    double stiffness, impact_speed;
+    struct dem_impact_spring spring;                      /* derived */
+};
+
+static const struct dem_setting settings[] = {
+    DEM_SETTING(hooke, stiffness, "N/m", 0.0, 0.0, INFINITY, "force per overlap; 0: from the materials and impactSpeed"),
+    DEM_SETTING_AS(hooke, impact_speed, "impactSpeed", "m/s", 1.0, DEM_ABOVE_ZERO, INFINITY,
+                 "without stiffness: k such that an impact at this speed has the largest overlap "
+                 "of hertz"),
+    {0},
+};
+
+static int prepare(void *of, const struct dem_pair_class *pair)
+{
+    struct hooke *hooke = of;
+
+    hooke->spring = (struct dem_impact_spring){.stiffness = hooke->stiffness, .speed = hooke->impact_speed};
+    return dem_impact_prepare(&hooke->spring, "hooke", pair);
+}
+
+static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
+{
+    return dem_impact_time_limit(&((const struct hooke *)of)->spring, 1.0, pair, why);
+}
+
+static double contact_time(const void *of, const struct dem_pair_class *pair)
+{
+    return dem_impact_contact_time(&((const struct hooke *)of)->spring, 1.0, pair);
+}
+
+DEM_KERNEL
+static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+{
+    (void)history;
+    dem_impact_stiffness(&((const struct hooke *)of)->spring, b);
+    for (int c = 0; c < b->n; c++)
+    {
+        b->fn[c] += b->kn[c]*b->overlap[c];
+    }
+}
+
+/* elastic energy, 1/2 F_n d; k is zero where the bodies are apart */
+static void energy(const void *of, const struct dem_contact_batch *restrict b,
+                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+{
+    (void)of, (void)before, (void)history;
+    for (int c = 0; c < b->n; c++)
+    {
+        e->stored[c] = 0.5*b->kn[c]*b->overlap[c]*b->overlap[c];
+    }
+}
+
+const struct dem_effect dem_hooke = {
+    .name = "hooke",
+    .aliases = "lsd LSD linearSpringDashpot springDashpot",
+    .summary = "elastic repulsion by a linear spring, F_n = k d",
+    .source = "Cundall and Strack 1979",
+    .stage = DEM_STAGE_NORMAL,
+    .exponent = 1.0,
+    .size = sizeof(struct hooke),
+    .settings = settings,
+    .prepare = prepare,
+    .time_limit = time_limit,
+    .contact_time = contact_time,
+    .apply = apply,
+    .energy = energy,
+};

@@ -1,0 +1,145 @@
+/*
+ * linear.c -- friction: a linear tangential spring that slips at mu F_n.
+ *
+ *   F_t = -k_t xi - eta_t s,    |F_t| <= mu max(F_n, 0)
+ *
+ *   xi     elongation of the spring, in the contact plane (history) [m]
+ *   s      slip velocity of i over j at the contact point           [m/s]
+ *   k_t    tangential stiffness: given, or a fraction of the secant stiffness k_n of the normal law
+ *                                                                   [N/m]
+ *   eta_t  the damping coefficient of the normal law, or 0          [kg/s]
+ *   mu     coefficient of friction                                  [1]
+ *   F_n    total normal force, repulsion positive                   [N]
+ *
+ * Rotation of the spring with the pair and the slip rule (along spring and dashpot together) are in
+ * slider.h. Two spheres that stick during a whole impact on linear springs return
+ * -cos(pi sqrt(7 k_t/2 k_n)) of their tangential velocity: zero for k_t/k_n = 1/14, all of it
+ * (reversed) for 2/7, where both springs have the same period; 2/7 is the default.
+ *
+ * Source: Cundall and Strack, Geotechnique 29 (1979) 47; friction: Coulomb; eqs. (15) to (17) and
+ * (20) to (23) of Kasuga, Discrete element method (in Japanese, 2012). Changed from the note: as in
+ * mindlin.c, for the reasons given there.
+ * Not here: a stiffness derived from materials (see mindlin); rolling.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "effects/effect.h"
+
+#include "effects/contact/slider.h"
+
+struct linear
+{
+    double friction, stiffness, ratio;
+    int damping, adhesion;
+};
+
+static const struct dem_setting settings[] = {
+    DEM_SETTING(linear, friction, "1", DEM_SETTING_REQUIRED, 0.0, 100.0,
+              "mu: limit of the tangential over the normal force"),
+    DEM_SETTING(linear, stiffness, "N/m", 0.0, 0.0, INFINITY,
+              "k_t; 0: ratio times k_n of the normal law"),
+    DEM_SETTING(linear, ratio, "1", 2.0/7.0, 0.0, 2.0,
+              "without stiffness: k_t over k_n of the normal law"),
+    DEM_SETTING_SWITCH(linear, damping, "tangentialDamping", 1,
+                     "damp slip with the damping coefficient of the normal law while the contact "
+                     "sticks"),
+    DEM_SETTING_SWITCH(linear, adhesion, "adhesion", 1,
+                     "count adhesion in the friction limit: mu (F_n + 2 F_c) with jkr, mu (F_n + "
+                     "k_c d) with hookeHysteresis"),
+    {0},
+};
+
+static const char *const history_names[] = {"slip_x", "slip_y", "slip_z", NULL};
+
+static int prepare(void *of, const struct dem_pair_class *pair)
+{
+    struct linear *linear = of;
+
+    DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
+                "linear between %s and %s: there is no normal law; add one to the effects, hooke "
+                "for example",
+                pair->a->name, pair->b->name);
+    linear->ratio = linear->stiffness > 0.0 ? 0.0 : linear->ratio;
+    return DEM_OK;
+}
+
+/* the tangential oscillation of a sphere in contact has the frequency sqrt(7/2 k_t/m) */
+static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
+{
+    const double stiffness = ((const struct linear *)of)->stiffness;
+
+    *why = "1/20 of half a period of the tangential spring (linear)";
+    return stiffness > 0.0 ? 0.05*3.14159265358979324*sqrt(pair->min_mass/(3.5*stiffness)) : DBL_MAX;
+}
+
+DEM_KERNEL
+static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+{
+    const struct linear *linear = of;
+    const dem_real given = linear->stiffness, ratio = linear->ratio;
+    const struct dem_friction rubs = {linear->friction, linear->damping ? 1.0 : 0.0, linear->adhesion ? 1.0 : 0.0,
+                                     dem_slider_inverse_dt(b)};
+    dem_real *restrict xi_x = history[0], *restrict xi_y = history[1], *restrict xi_z = history[2];
+
+    for (int c = 0; c < b->n; c++)
+    {
+        const struct dem_contact_row r = dem_contact_row_load(b, c);
+        const dem_real kt = given*b->touching[c] + ratio*b->kn[c];
+        struct dem_slider s = dem_slider_friction(&r, kt, rubs);
+
+        s.xi_x = xi_x[c];
+        s.xi_y = xi_y[c];
+        s.xi_z = xi_z[c];
+        s = dem_slider_load(&r, s);
+
+        xi_x[c] = s.xi_x;
+        xi_y[c] = s.xi_y;
+        xi_z[c] = s.xi_z;
+        b->kt[c] = kt;
+        dem_slider_begin(b, c, &s);
+    }
+    dem_slider_finish(b, (dem_real *const[3]){b->fx, b->fy, b->fz}, xi_x, xi_y, xi_z);
+}
+
+DEM_KERNEL
+static void energy(const void *of, const struct dem_contact_batch *restrict b,
+                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+{
+    const struct linear *linear = of;
+    const struct dem_friction rubs = {linear->friction, linear->damping ? 1.0 : 0.0, linear->adhesion ? 1.0 : 0.0,
+                                     dem_slider_inverse_dt(b)};
+    const dem_real given = linear->stiffness, ratio = linear->ratio;
+    const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
+
+    (void)history;
+    for (int c = 0; c < b->n; c++)
+    {
+        const struct dem_contact_row r = dem_contact_row_load(b, c);
+        struct dem_slider s = dem_slider_friction(&r, b->kt[c], rubs);
+
+        s.xi_x = x[c];
+        s.xi_y = y[c];
+        s.xi_z = z[c];
+        s.mass = e->slip_mass[c];
+        s.previous_stiffness = dem_select(e->previous_overlap[c] > 0.0, given, 0.0) + ratio*e->previous_kn[c];
+        dem_slider_energy(b, c, s, e);
+    }
+}
+
+const struct dem_effect dem_linear = {
+    .name = "linear",
+    .aliases = "linear_history linearHistory",
+    .summary = "friction: a linear spring in the contact plane that slips at mu F_n",
+    .source = "Cundall and Strack 1979; Coulomb",
+    .stage = DEM_STAGE_TANGENT,
+    .needs = DEM_NEEDS_NORMAL_SPIN,
+    .example = "friction 0.1;",
+    .size = sizeof(struct linear),
+    .settings = settings,
+    .history = history_names,
+    .clears_history = 1,
+    .prepare = prepare,
+    .time_limit = time_limit,
+    .apply = apply,
+    .energy = energy,
+};

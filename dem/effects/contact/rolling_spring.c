@@ -1,0 +1,160 @@
+/*
+ * rolling_spring.c -- rolling resistance: a rotational spring (and dashpot) that slips.
+ *
+ *   M = -k_r theta - c_r w_r,   |M| <= mu_r R* max(F_n, 0),   k_r = K k_n R*^2
+ *   c_r = 2 zeta sqrt(k_r I),   I = 7/5 m* R*^2
+ *
+ *   M      moment on i, the opposite on j                          [N m]
+ *   theta  rolling angle, normal to n (history)                    [rad]
+ *   w_r    relative spin w_i - w_j without its component along n   [1/s]
+ *   R*     reduced radius, R_i R_j/(R_i + R_j); R_i at a wall      [m]
+ *   F_n    total normal force, repulsion positive                  [N]
+ *   k_n    secant stiffness, set by the normal law                 [N/m]
+ *   K      stiffness, a setting; 0: 6 G* / E*, which makes k_r = k_t R*^2 with
+ *          k_t = 8 G* sqrt(R* d) of mindlin                        [1]
+ *   m*     reduced mass                                            [kg]
+ *   mu_r   coefficient of rolling friction, a setting              [1]
+ *   zeta   damping ratio, a setting                                [1]
+ *
+ * It holds a sphere on a slope up to tan(slope) = mu_r; on a steeper one the sphere rolls with
+ * 5/7 g (sin - mu_r cos). Without a dashpot a sphere that came to rest oscillates, with the
+ * frequency sqrt(k_r/I) on a plane that it does not slip on.
+ *
+ * I is the inertia of a sphere that rolls on a plane, for which zeta = 1 is critical; two equal
+ * spheres rolling on each other have 8/5 m* R*^2 and are damped by 0.94 zeta. The dashpot is part
+ * of the limited moment, as with friction: see slider.h, also for the rotation of theta with the
+ * pair.
+ *
+ * Source: type C of Ai, Chen, Rotter, Ooi, Powder Technol. 206 (2011) 269; stiffness: Iwashita and
+ * Oda, J. Eng. Mech. 124 (1998) 285. Changed from Ai et al.:
+ *   k_r        theirs, 2.25 k_n mu_r^2 R*^2, is the setting 2.25 mu_r^2; the default is that of
+ *              Iwashita and Oda.
+ *   the angle  is the history variable, not the moment: a moment kept while k_n decreases returns
+ *              more energy than it took.
+ *   3D         theirs is a plane model; here theta is a vector that rotates with the contact.
+ *   the limit  holds for spring and dashpot together; attraction (F_n < 0) does not count.
+ *   I          theirs, 1/(1/(I_i + m_i R_i^2) + 1/(I_j + m_j R_j^2)), is 4 times as large for equal
+ *              spheres, and the same at a wall.
+ * Not here: twisting about the normal (see twistingSpring); rolling under adhesive attraction.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "effects/effect.h"
+
+#include "effects/contact/rolling.h"
+#include "effects/contact/slider.h"
+
+struct rolling_spring
+{
+    double friction;
+    double stiffness;
+    double damping;
+    double ratio;                                         /* 1    K, derived */
+};
+
+static const struct dem_setting settings[] = {
+    DEM_SETTING(rolling_spring, friction, "1", DEM_SETTING_REQUIRED, 0.0, 10.0,
+              "mu_r: largest moment over R* F_n; tangent of the largest slope at which a sphere "
+              "rests"),
+    DEM_SETTING(rolling_spring, stiffness, "1", 0.0, 0.0, 3.0,
+              "K: k_r over k_n R*^2; 0: such that k_r = k_t R*^2 with k_t of mindlin. Ai et al.: "
+              "2.25 friction^2"),
+    DEM_SETTING(rolling_spring, damping, "1", 0.0, 0.0, 1.0,
+              "zeta: damping ratio of rolling oscillations on a plane, 1 is critical"),
+    {0},
+};
+
+static const char *const history_names[] = {"rolling_x", "rolling_y", "rolling_z", NULL};
+
+static int prepare(void *of, const struct dem_pair_class *pair)
+{
+    struct rolling_spring *rolling = of;
+
+    DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
+                "rollingSpring between %s and %s: there is no normal law; add one to the effects, "
+                "hertz for "
+                "example", pair->a->name, pair->b->name);
+    rolling->ratio = rolling->stiffness > 0.0 ? rolling->stiffness : 6.0*pair->reduced_shear/pair->reduced_modulus;
+    return DEM_OK;
+}
+
+/* the slider of row c, without its spring */
+static inline __attribute__((always_inline)) struct dem_slider
+slider_at(const struct dem_contact_batch *b, int c, dem_real friction, dem_real ratio,
+          dem_real twice_zeta, dem_real inverse_dt)
+{
+    const dem_real hx = b->hx[c], hy = b->hy[c], hz = b->hz[c], R = b->reduced_radius[c];
+    const dem_real twist = b->wx[c]*hx + b->wy[c]*hy + b->wz[c]*hz;
+    const dem_real stiffness = ratio*b->kn[c]*R*R;
+    const dem_real damping = twice_zeta*R*sqrt(1.4*b->reduced_mass[c]*stiffness);
+
+    return (struct dem_slider){.stiffness = stiffness, .damping = damping,
+                               .limit = dem_select(b->fn[c] > 0.0, friction*R*b->fn[c], 0.0), .inverse_dt = inverse_dt,
+                               .sx = b->wx[c] - twist*hx, .sy = b->wy[c] - twist*hy, .sz = b->wz[c] - twist*hz};
+}
+
+DEM_KERNEL
+static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+{
+    const struct rolling_spring *rolling = of;
+    const dem_real friction = rolling->friction, ratio = rolling->ratio, twice_zeta = 2.0*rolling->damping, inverse_dt = dem_slider_inverse_dt(b);
+    dem_real *restrict x = history[0], *restrict y = history[1], *restrict z = history[2];
+
+    for (int c = 0; c < b->n; c++)
+    {
+        const struct dem_contact_row r = dem_contact_row_load(b, c);
+        struct dem_slider s = slider_at(b, c, friction, ratio, twice_zeta, inverse_dt);
+
+        s.xi_x = x[c];
+        s.xi_y = y[c];
+        s.xi_z = z[c];
+        s = dem_slider_load(&r, s);
+
+        x[c] = s.xi_x;
+        y[c] = s.xi_y;
+        z[c] = s.xi_z;
+        dem_slider_begin(b, c, &s);
+    }
+    dem_slider_finish(b, (dem_real *const[3]){b->mx, b->my, b->mz}, x, y, z);
+}
+
+DEM_KERNEL
+static void energy(const void *of, const struct dem_contact_batch *restrict b,
+                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+{
+    const struct rolling_spring *rolling = of;
+    const dem_real friction = rolling->friction, ratio = rolling->ratio, twice_zeta = 2.0*rolling->damping, inverse_dt = dem_slider_inverse_dt(b);
+    const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
+
+    (void)history;
+    for (int c = 0; c < b->n; c++)
+    {
+        struct dem_slider s = slider_at(b, c, friction, ratio, twice_zeta, inverse_dt);
+
+        s.xi_x = x[c];
+        s.xi_y = y[c];
+        s.xi_z = z[c];
+        s.mass = e->inertia[c];
+        s.previous_stiffness = ratio*e->previous_kn[c]*b->reduced_radius[c]*b->reduced_radius[c];
+        dem_slider_energy(b, c, s, e);
+    }
+}
+
+const struct dem_effect dem_rolling_spring = {
+    .name = "rollingSpring",
+    .aliases = "rollingFriction epsd epsd2",
+    .summary = "rolling resistance: a rotational spring that slips at mu_r R* F_n, with an optional dashpot",
+    .source = "Ai, Chen, Rotter, Ooi 2011, type C; Iwashita and Oda 1998",
+    .stage = DEM_STAGE_MOMENT,
+    .needs = DEM_NEEDS_SPIN | DEM_NEEDS_NORMAL_SPIN,
+    .example = "friction 0.1;",
+    .size = sizeof(struct rolling_spring),
+    .settings = settings,
+    .history = history_names,
+    .clears_history = 1,
+    .prepare = prepare,
+    .apply = apply,
+    .energy = energy,
+    .relevance = dem_rolling_relevance,
+    .mechanism = DEM_MECHANISM_ROLLING,
+};

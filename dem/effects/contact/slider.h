@@ -1,0 +1,304 @@
+/*
+ * slider.h -- tangential spring, dashpot and slider, for friction and rolling resistance.
+ *
+ *   F = -k xi - c d(xi)/dt,   d(xi)/dt = s - p,   |F| <= limit
+ *   p = 0 while sticking, along -F while slipping
+ *
+ *   xi   elongation of the spring, in the contact plane (history)  [m] or [rad]
+ *   s    relative velocity: slip at the contact point, or rolling  [m/s] or [1/s]
+ *   p    slip velocity of the slider                               [m/s] or [1/s]
+ *   k, c spring stiffness, damping coefficient                     [N/m], [kg/s] or [N m], [N m s]
+ *
+ * Rotation into the new contact plane. Positions move with the half-step velocity,
+ * r_new = r_old + dt v, so h = unit(r_new - dt v/2) points along r_old + r_new and halves the angle
+ * between n_old and n if |r| is constant. The reflection at the plane normal to h, xi - 2 (h.xi) h,
+ * maps n_old to -n, hence the plane normal to n_old to the plane normal to n; within these planes
+ * it is the smallest rotation from n_old to n, and it keeps every length, for slip as for rolling.
+ * Then dt s is added, and the component along n is removed (second order in dt: s is normal to h,
+ * and |r| changes a little). Where h = n (flat walls), reflection and removal together are a plain
+ * projection.
+ *
+ * Rotation about n. The pair also spins about n, by the mean of both spins: the spring is turned
+ * about n by 2 atan(q), q = dt swing/2,
+ *
+ *   xi' = R (xi + dt s/2) + dt s/2,    R a = ((1 - q^2) a + 2 q n x a)/(1 + q^2)
+ *
+ * which keeps its length, is time-reversible, and adds the increment in the middle of the rotation.
+ * Without it the force of a pair that spins as a whole would point in a wrong direction; with an
+ * unsymmetric form the pair would gain energy.
+ *
+ * Slip. Spring and dashpot are in parallel, and the slider in series with both. The whole of F,
+ * dashpot included, is limited: the impulse of a contact that slides throughout is that of the
+ * limit. With the trial elongation e = xi + s dt and the trial force T = -k e - c s (sticking), a
+ * step with |T| > limit, implicit in xi, has F along T, and the spring is shortened by the slip:
+ *
+ *   F = limit T/|T|,    xi' = e + T/|T| p dt,    p dt = (|T| - limit)/(k + c/dt)
+ *
+ * so that none of the three produces energy: limit |p| dt, c |xi' - xi|^2/dt and the numerical
+ * dissipation k |xi' - xi|^2/2 of the step are all > 0, and -F.s dt = change of k xi^2/2 + these.
+ * In steady sliding xi reaches limit/k within a few c/k, so F reverses no earlier than the spring
+ * does. A spring that is cut to F at once, as is common, is longer than the slip has put in by the
+ * part of the dashpot: energy is created each time the limit decreases and increases. Where the
+ * limit is 0 the spring is reset. At rest nothing is 0/0.
+ *
+ * Friction with adhesion. The limit is mu (F + A), F the total normal force, adhesion included, and
+ * A the adhesive force of the law:
+ *
+ *   jkr               A = 2 F_c, F_c = 3/2 pi w R*     Thornton, J. Phys. D 24 (1991) 1942;
+ *                                                      Marshall, J. Comput. Phys. 228 (2009) 1541
+ *   hookeHysteresis   A = k_c d                        Luding, Granul. Matter 10 (2008) 235
+ *   sjkr              A = w 2 pi R* d, its attraction: mu times the repulsion alone
+ *                                                      Derjaguin, Z. Phys. 88 (1934) 661
+ *
+ * With `adhesion no` the limit is mu max(F_n, 0) of the normal law and its damping alone: the Hertz
+ * part with jkr, the sum with hookeHysteresis.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_EFFECTS_SLIDER_H
+#define DEM_EFFECTS_SLIDER_H
+
+#include "core/math.h"
+#include "effects/row.h"
+
+struct dem_slider
+{
+    dem_real stiffness, damping, limit;                   /* k, c; limit of |F| */
+    dem_real inverse_dt;                                       /* 1/dt: dem_slider_inverse_dt */
+    /* s, in the contact plane of half a step ago */
+    dem_real sx, sy, sz;
+    /* xi: in, of the last step; out, of this step */
+    dem_real xi_x, xi_y, xi_z;
+    dem_real fx, fy, fz;                                  /* F, out */
+    /* for dem_slider_energy only: k of the last step; effective mass */
+    dem_real previous_stiffness, mass;
+};
+
+/* Rotates the spring of the last step into the new contact plane and adds the increment: trial
+   elongation e, and s in that plane. */
+static inline __attribute__((always_inline)) struct dem_slider
+dem_slider_load(const struct dem_contact_row *r, struct dem_slider s)
+{
+    const dem_real nx = r->nx, ny = r->ny, nz = r->nz;
+    const dem_real hx = r->hx, hy = r->hy, hz = r->hz;
+
+    /* reflect the spring into the new plane, add half of the increment; drop the components
+       along n */
+    const dem_real twice = 2*(hx*s.xi_x + hy*s.xi_y + hz*s.xi_z);
+    const dem_real tilt = nx*s.sx + ny*s.sy + nz*s.sz, half = r->dt/2;
+    const dem_real sx = s.sx - tilt*nx, sy = s.sy - tilt*ny, sz = s.sz - tilt*nz;
+    const dem_real gx = half*sx, gy = half*sy, gz = half*sz;
+    const dem_real cx = s.xi_x - twice*hx + gx, cy = s.xi_y - twice*hy + gy, cz = s.xi_z - twice*hz + gz;
+
+    /* n x c lies in the plane; (n x c) x n is c in the plane */
+    const dem_real ax = ny*cz - nz*cy, ay = nz*cx - nx*cz, az = nx*cy - ny*cx;
+    const dem_real bx = ay*nz - az*ny, by = az*nx - ax*nz, bz = ax*ny - ay*nx;
+    const dem_real q = half*r->normal_spin, over = 1/(1 + q*q), cosine = (1 - q*q)*over, sine = (q + q)*over;
+
+    s.sx = sx;
+    s.sy = sy;
+    s.sz = sz;
+    s.xi_x = cosine*bx + sine*ax + gx;
+    s.xi_y = cosine*by + sine*ay + gy;
+    s.xi_z = cosine*bz + sine*az + gz;
+    return s;
+}
+
+/* Trial force T of spring and dashpot (sticking). */
+static inline __attribute__((always_inline)) void dem_slider_trial_force(const struct dem_slider *s,
+                            dem_real t[3])
+{
+    t[0] = -s->stiffness*s->xi_x - s->damping*s->sx;
+    t[1] = -s->stiffness*s->xi_y - s->damping*s->sy;
+    t[2] = -s->stiffness*s->xi_z - s->damping*s->sz;
+}
+
+/* Effective stiffness k + c/dt: decrease of |T| per slip distance. */
+static inline __attribute__((always_inline)) dem_real dem_slider_effective_stiffness(const struct dem_slider *s)
+{
+    return s->stiffness + s->damping*s->inverse_dt;
+}
+
+/* 1/dt; in the first evaluation dt is 0, and a large number keeps the dashpot from slipping */
+static inline dem_real dem_slider_inverse_dt(const struct dem_contact_batch *b)
+{
+    return b->dt > 0 ? 1/b->dt : (dem_real)1e15;
+}
+
+struct dem_slider_limited    /* result of limiting a trial force T */
+{
+    /* F = force_factor T, xi' = e + spring_factor T; 1 and 0 while sticking */
+    dem_real force_factor, spring_factor;
+};
+
+static inline __attribute__((always_inline)) struct dem_slider_limited dem_slider_limit_force(dem_real square,
+                            dem_real limit, dem_real gives)
+{
+    const dem_real size = dem_sqrt(square), size_or_1 = dem_select(size > 0, size, 1), h = dem_select(gives > 0, gives, 1);
+    const dem_real over = 1/(size_or_1*h);
+
+    return (struct dem_slider_limited){.force_factor = dem_select(size < limit, 1, limit*h*over), .spring_factor = dem_select(size < limit, 0, (size - limit)*over)};
+}
+
+/* Applies the limit: F and the new elongation. */
+static inline __attribute__((always_inline)) struct dem_slider
+dem_slider_apply_limit(struct dem_slider s, const dem_real t[3], struct dem_slider_limited slips)
+{
+    s.xi_x = dem_select(slips.force_factor > 0, s.xi_x + slips.spring_factor*t[0], 0);
+    s.xi_y = dem_select(slips.force_factor > 0, s.xi_y + slips.spring_factor*t[1], 0);
+    s.xi_z = dem_select(slips.force_factor > 0, s.xi_z + slips.spring_factor*t[2], 0);
+    s.fx = slips.force_factor*t[0];
+    s.fy = slips.force_factor*t[1];
+    s.fz = slips.force_factor*t[2];
+    return s;
+}
+
+/* One step of the slider of a row; with a limit of 0 force and spring become 0. */
+static inline __attribute__((always_inline)) struct dem_slider
+dem_slider_step(const struct dem_contact_row *r, struct dem_slider s)
+{
+    dem_real t[3];
+
+    s = dem_slider_load(r, s);
+    dem_slider_trial_force(&s, t);
+    return dem_slider_apply_limit(s, t, dem_slider_limit_force(t[0]*t[0] + t[1]*t[1] + t[2]*t[2], s.limit, dem_slider_effective_stiffness(&s)));
+}
+
+/*
+ * The same for a batch, in three loops: in one long loop the latencies of square root and division
+ * add up, in a short loop they overlap (together with the fused kernel 15 instead of 17 cycles a
+ * row). The first loop is that of the effect and ends with dem_slider_begin; dem_slider_finish
+ * contains the other two. The results are bitwise those of dem_slider_step.
+ */
+enum
+{
+    DEM_SLIDER_X,
+    DEM_SLIDER_Y,
+    DEM_SLIDER_Z,
+    DEM_SLIDER_LIMIT,     /* after dem_slider_limit_forces: force_factor */
+    DEM_SLIDER_STIFFNESS  /* after dem_slider_limit_forces: spring_factor */
+};
+
+/* s: after dem_slider_load; the caller stores its elongation */
+static inline __attribute__((always_inline)) void dem_slider_begin(struct dem_contact_batch *b,
+                            int c, const struct dem_slider *s)
+{
+    dem_real t[3];
+
+    dem_slider_trial_force(s, t);
+    b->loop_scratch[DEM_SLIDER_X][c] = t[0];
+    b->loop_scratch[DEM_SLIDER_Y][c] = t[1];
+    b->loop_scratch[DEM_SLIDER_Z][c] = t[2];
+    b->loop_scratch[DEM_SLIDER_LIMIT][c] = s->limit;
+    b->loop_scratch[DEM_SLIDER_STIFFNESS][c] = dem_slider_effective_stiffness(s);
+}
+
+static inline __attribute__((always_inline)) void dem_slider_limit_forces(struct dem_contact_batch *b)
+{
+    dem_real (*const at)[DEM_BATCH_ROWS] = b->loop_scratch;
+
+    for (int c = 0; c < b->n; c++)
+    {
+        const dem_real x = at[DEM_SLIDER_X][c], y = at[DEM_SLIDER_Y][c], z = at[DEM_SLIDER_Z][c];
+        const struct dem_slider_limited slips = dem_slider_limit_force(x*x + y*y + z*z, at[DEM_SLIDER_LIMIT][c], at[DEM_SLIDER_STIFFNESS][c]);
+
+        at[DEM_SLIDER_LIMIT][c] = slips.force_factor;
+        at[DEM_SLIDER_STIFFNESS][c] = slips.spring_factor;
+    }
+}
+
+/* row c after dem_slider_limit_forces; x, y, z: its trial elongation */
+static inline __attribute__((always_inline)) struct dem_slider
+dem_slider_end(const struct dem_contact_batch *b, int c, dem_real x, dem_real y, dem_real z)
+{
+    const struct dem_slider s = {.xi_x = x, .xi_y = y, .xi_z = z};
+    const struct dem_slider_limited slips = {.force_factor = b->loop_scratch[DEM_SLIDER_LIMIT][c], .spring_factor = b->loop_scratch[DEM_SLIDER_STIFFNESS][c]};
+    const dem_real t[3] = {b->loop_scratch[DEM_SLIDER_X][c], b->loop_scratch[DEM_SLIDER_Y][c], b->loop_scratch[DEM_SLIDER_Z][c]};
+
+    return dem_slider_apply_limit(s, t, slips);
+}
+
+/* f: the columns of the batch to which F is added; x, y, z: in, trial elongations; out, new
+   elongations */
+static inline __attribute__((always_inline)) void
+dem_slider_finish(struct dem_contact_batch *restrict b, dem_real *const f[3], dem_real *restrict x,
+                  dem_real *restrict y, dem_real *restrict z)
+{
+    dem_real *const fx = f[0], *const fy = f[1], *const fz = f[2];
+
+    dem_slider_limit_forces(b);
+    for (int c = 0; c < b->n; c++)
+    {
+        const struct dem_slider s = dem_slider_end(b, c, x[c], y[c], z[c]);
+
+        x[c] = s.xi_x;
+        y[c] = s.xi_y;
+        z[c] = s.xi_z;
+        fx[c] += s.fx;
+        fy[c] += s.fy;
+        fz[c] += s.fz;
+    }
+}
+
+struct dem_friction
+{
+    /* mu; 1 or 0: dashpot acts; adhesive force counts in the limit */
+    dem_real friction, with_dashpot, with_adhesion;
+    dem_real inverse_dt;                                       /* 1/dt: dem_slider_inverse_dt */
+};
+
+/* The slider of friction of a row, without its spring: dashpot of the normal law, limit from the
+   normal force. */
+static inline __attribute__((always_inline)) struct dem_slider
+dem_slider_friction(const struct dem_contact_row *r, dem_real stiffness, struct dem_friction rubs)
+{
+    const dem_real normal = r->fn + rubs.with_adhesion*r->adhesive_force;
+
+    return (struct dem_slider){.stiffness = stiffness, .damping = rubs.with_dashpot*r->eta,
+                               .limit = dem_select(normal > 0, rubs.friction*normal, 0), .inverse_dt = rubs.inverse_dt,
+                               .sx = r->sx, .sy = r->sy, .sz = r->sz};
+}
+
+/*
+ * Energy stored and dissipated by row c in the step that dem_slider_step makes of s. With e the
+ * trial elongation, xi and xi' the elongation before (in the new plane) and after, k and k' the
+ * stiffness before and after, and m the effective mass,
+ *
+ *   stored   k' xi'^2/2
+ *   slipped  (k xi + k' xi')/2 . (e - xi')      mean spring force times the slip distance
+ *   damped   -(F + k' xi').(s + dt F/2 m) dt    work of the dashpot, with the velocity in the
+ *                                               middle of the kick as far as F alone changes it
+ *   rubbed   -F.(s + dt F/2 m) dt               friction where there is no spring
+ *   changed  -(k' - k) xi.xi'/2                 a spring that becomes stiffer at constant
+ *                                               elongation gains energy that nothing has put in:
+ *                                               < 0
+ *
+ * Where the partners are apart, or a bond replaces the contact, the spring is reset: k', xi' and F
+ * are 0. Of the energy k xi^2/2 of the last step the part is dissipated that has not become work of
+ * the last drift, which ended with no force: half of k xi.s dt.
+ */
+static inline __attribute__((always_inline)) void
+dem_slider_energy(const struct dem_contact_batch *b, int c, struct dem_slider s,
+                  struct dem_energy *restrict e)
+{
+    const struct dem_contact_row r = dem_contact_row_load(b, c);
+    struct dem_slider at_rest = s;
+
+    at_rest.sx = at_rest.sy = at_rest.sz = 0;
+    const struct dem_slider from = dem_slider_load(&r, at_rest), loaded = dem_slider_load(&r, s), to = dem_slider_step(&r, s);
+    const dem_real on = b->touching[c], k = on*s.stiffness, was = s.previous_stiffness, dt = b->dt;
+    const dem_real xi_x = on*to.xi_x, xi_y = on*to.xi_y, xi_z = on*to.xi_z, fx = on*to.fx, fy = on*to.fy, fz = on*to.fz;
+    const dem_real gx = loaded.xi_x - xi_x, gy = loaded.xi_y - xi_y, gz = loaded.xi_z - xi_z;
+    const dem_real along = from.xi_x*gx + from.xi_y*gy + from.xi_z*gz, ahead = xi_x*gx + xi_y*gy + xi_z*gz;
+    const dem_real both = from.xi_x*xi_x + from.xi_y*xi_y + from.xi_z*xi_z;
+
+    const dem_real gain = dt/(2*s.mass), ux = to.sx + gain*fx, uy = to.sy + gain*fy, uz = to.sz + gain*fz;
+    const dem_real damped = -((fx + k*xi_x)*ux + (fy + k*xi_y)*uy + (fz + k*xi_z)*uz)*dt;
+    const dem_real rubbed = -(fx*ux + fy*uy + fz*uz)*dt;
+    const dem_real lost = damped + (was*along + k*ahead)/2 - (k - was)/2*both;
+
+    e->stored[c] = k/2*(xi_x*xi_x + xi_y*xi_y + xi_z*xi_z);
+    e->lost[c] = dem_select((on > 0) & !(k > 0), rubbed, lost);
+}
+
+#endif

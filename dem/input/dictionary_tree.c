@@ -1,0 +1,304 @@
+/*
+ * dictionary_tree.c -- the tree of a dictionary and the memory pool that holds all of it.
+ *
+ * Entries keep the order of the text; a name is found by linear search (scenes have tens of
+ * entries; only lists are long). Copies made for macros are counted: `b $a $a; c $b $b; ...`
+ * doubles with every line, and must end in an error message before memory is full.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/dictionary_tree.h"
+
+#include "core/error.h"
+#include "core/memory.h"
+
+#include <stdalign.h>
+#include <string.h>
+
+enum
+{
+    CHUNK = 1 << 14,      /* smallest allocation [byte] */
+    MAX_COPIES = 4000000  /* entries and words that macros may copy: 100 MB */
+};
+
+/* A chunk begins with the pointer to the previous one. */
+struct dem_dict_pool
+{
+    char *chunk;
+    size_t used, capacity;  /* of the chunk [byte] */
+    size_t copies;          /* made by macros so far */
+};
+
+enum
+{
+    LINK_SIZE =
+        (sizeof(char *) + alignof(max_align_t) - 1)/alignof(max_align_t)*alignof(max_align_t)
+};
+
+static int new_chunk(struct dem_dict_pool *pool, size_t size)
+{
+    const size_t bytes = LINK_SIZE + (size > CHUNK ? size : CHUNK);
+    char *chunk = NULL;
+
+    DEM_TRY(DEM_NEW(chunk, bytes));
+    memcpy(chunk, &pool->chunk, sizeof pool->chunk);
+    pool->chunk = chunk;
+    pool->capacity = bytes;
+    pool->used = LINK_SIZE;
+    return DEM_OK;
+}
+
+int dem_dict_pool_alloc(struct dem_dict_pool *pool, size_t size, void **p)
+{
+    const size_t step = alignof(max_align_t);
+
+    DEM_REQUIRE(size < SIZE_MAX/4, DEM_ERROR_MEMORY,
+                "a dictionary asks for %zu bytes at once; shorten its lists", size);
+    size = (size + step - 1)/step*step;
+    if (!pool->chunk || pool->capacity - pool->used < size)
+    {
+        DEM_TRY(new_chunk(pool, size));
+    }
+    *p = pool->chunk + pool->used;
+    pool->used += size;
+    return DEM_OK;
+}
+
+int dem_dict_pool_copy(struct dem_dict_pool *pool, const char *text, size_t length,
+                       const char **copy)
+{
+    void *p;
+
+    DEM_TRY(dem_dict_pool_alloc(pool, length + 1, &p));
+    if (length > 0)
+    {
+        memcpy(p, text, length);
+    }
+    *copy = p;
+    return DEM_OK;
+}
+
+int dem_dict_pool_grow(struct dem_dict_pool *pool, void **array, size_t *capacity, size_t count,
+                       size_t size)
+{
+    const size_t larger = 2**capacity > count ? 2**capacity : (count > 4 ? count : 4);
+    void *p;
+
+    if (count <= *capacity)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_dict_pool_alloc(pool, larger*size, &p));
+    if (*capacity > 0)
+    {
+        memcpy(p, *array, *capacity*size);
+    }
+    *array = p;
+    *capacity = larger;
+    return DEM_OK;
+}
+
+static int count_copy(struct dem_dict_pool *pool)
+{
+    DEM_REQUIRE(++pool->copies <= MAX_COPIES, DEM_ERROR_INPUT,
+                "macros copy more than %d words; write the long list once, or read it from a file "
+                "of its own",
+                MAX_COPIES);
+    return DEM_OK;
+}
+
+int dem_dict_new_top(struct dem_dict **d, const char *file)
+{
+    struct dem_dict_pool *pool = NULL;
+    void *p;
+    int status;
+
+    *d = NULL;
+    DEM_TRY(DEM_NEW(pool, 1));
+    status = dem_dict_pool_alloc(pool, sizeof **d, &p);
+    if (status != DEM_OK)
+    {
+        dem_memory_free(pool);
+        return status;
+    }
+    *d = p;
+    (*d)->pool = pool;
+    (*d)->name = "";
+    status = dem_dict_pool_copy(pool, file, strlen(file), &(*d)->file);
+    if (status == DEM_OK)
+    {
+        status = dem_dict_pool_alloc(pool, sizeof *(*d)->known_names, &p);
+        (*d)->known_names = p;
+    }
+    if (status != DEM_OK)
+    {
+        dem_dict_free(*d);
+        *d = NULL;
+    }
+    return status;
+}
+
+void dem_dict_free(struct dem_dict *d)
+{
+    struct dem_dict_pool *pool = d ? d->pool : NULL;
+
+    while (pool && pool->chunk)
+    {
+        char *previous;
+
+        memcpy(&previous, pool->chunk, sizeof previous);
+        dem_memory_free(pool->chunk);
+        pool->chunk = previous;
+    }
+    dem_memory_free(pool);
+}
+
+int dem_dict_new(struct dem_dict *parent, const char *name, const char *file, int line,
+                 struct dem_dict **d)
+{
+    void *p;
+
+    DEM_TRY(dem_dict_pool_alloc(parent->pool, sizeof **d, &p));
+    *d = p;
+    (*d)->pool = parent->pool;
+    (*d)->parent = parent;
+    (*d)->name = name;
+    (*d)->file = file;
+    (*d)->line = line;
+    DEM_TRY(dem_dict_pool_alloc(parent->pool, sizeof *(*d)->known_names, &p));
+    (*d)->known_names = p;
+    return DEM_OK;
+}
+
+struct dem_entry *dem_dict_find(const struct dem_dict *d, const char *name, size_t length)
+{
+    for (size_t i = 0; i < d->count; i++)
+    {
+        if (strncmp(d->entries[i]->name, name, length) == 0 && d->entries[i]->name[length] == '\0')
+        {
+            return d->entries[i];
+        }
+    }
+    return NULL;
+}
+
+int dem_dict_new_entry(struct dem_dict *parent, const char *name, const char *file, int line,
+                       struct dem_entry **e)
+{
+    void *p;
+
+    DEM_TRY(dem_dict_pool_alloc(parent->pool, sizeof **e, &p));
+    *e = p;
+    (*e)->name = name;
+    (*e)->file = file;
+    (*e)->line = line;
+    (*e)->parent = parent;
+    (*e)->tokens = (void *)(*e + 1);    /* no token yet, but a valid pointer for adding zero */
+    return DEM_OK;
+}
+
+int dem_dict_put(struct dem_entry *e)
+{
+    struct dem_dict *d = e->parent;
+    void *entries = d->entries;
+
+    for (size_t i = 0; i < d->count; i++)
+    {
+        if (strcmp(d->entries[i]->name, e->name) == 0)
+        {
+            d->entries[i] = e;
+            return DEM_OK;
+        }
+    }
+    DEM_TRY(dem_dict_pool_grow(d->pool, &entries, &d->capacity, d->count + 1, sizeof *d->entries));
+    d->entries = entries;
+    d->entries[d->count++] = e;
+    return DEM_OK;
+}
+
+int dem_dict_put_dict(struct dem_dict *d, const char *name, const char *file, int line,
+                      struct dem_dict **sub)
+{
+    struct dem_entry *e = dem_dict_find(d, name, strlen(name));
+
+    if (!e || !e->dict)
+    {
+        DEM_TRY(dem_dict_new_entry(d, name, file, line, &e));
+        DEM_TRY(dem_dict_new(d, name, file, line, &e->dict));
+        DEM_TRY(dem_dict_put(e));
+    }
+    *sub = e->dict;
+    return DEM_OK;
+}
+
+int dem_dict_append(struct dem_entry *e, struct dem_token token)
+{
+    void *tokens = e->tokens;
+
+    DEM_TRY(dem_dict_pool_grow(e->parent->pool, &tokens, &e->capacity, e->count + 1, sizeof token));
+    e->tokens = tokens;
+    e->tokens[e->count++] = token;
+    return DEM_OK;
+}
+
+int dem_dict_new_item(struct dem_entry *list, const char *name, const char *file, int line,
+                      struct dem_dict **item)
+{
+    DEM_TRY(dem_dict_new(list->parent, name, file, line, item));
+    (*item)->list = list->name;
+    (*item)->item = list->items++;
+    return dem_dict_append(list, (struct dem_token){.text = "{}",
+                                                    .dict = *item,
+                                                    .line = line,
+                                                    .kind = DEM_TOKEN_DICT});
+}
+
+int dem_dict_append_copies(struct dem_entry *e, const struct dem_entry *from, int line)
+{
+    for (size_t i = 0; i < from->count; i++)
+    {
+        struct dem_token token = from->tokens[i];
+
+        DEM_TRY(count_copy(e->parent->pool));
+        if (token.dict)
+        {
+            struct dem_dict *item;
+
+            DEM_TRY(
+                dem_dict_new_item(e, token.dict->name, token.dict->file, token.dict->line, &item));
+            DEM_TRY(dem_dict_merge(item, token.dict));
+        }
+        else
+        {
+            token.line = line;
+            DEM_TRY(dem_dict_append(e, token));
+        }
+    }
+    return DEM_OK;
+}
+
+int dem_dict_merge(struct dem_dict *into, const struct dem_dict *from)
+{
+    for (size_t i = 0; i < from->count; i++)
+    {
+        const struct dem_entry *e = from->entries[i];
+
+        DEM_TRY(count_copy(into->pool));
+        if (e->dict)
+        {
+            struct dem_dict *sub;
+
+            DEM_TRY(dem_dict_put_dict(into, e->name, e->file, e->line, &sub));
+            DEM_TRY(dem_dict_merge(sub, e->dict));
+        }
+        else
+        {
+            struct dem_entry *copy;
+
+            DEM_TRY(dem_dict_new_entry(into, e->name, e->file, e->line, &copy));
+            DEM_TRY(dem_dict_append_copies(copy, e, e->line));
+            DEM_TRY(dem_dict_put(copy));
+        }
+    }
+    return DEM_OK;
+}

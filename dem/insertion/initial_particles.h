@@ -1,0 +1,53 @@
+/*
+ * initial_particles.h -- particles of the start, before they are sent to the ranks that own their
+ * positions.
+ *
+ * Each rank has a part of them; the summaries of the groups are of all ranks and known to all.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_INSERTION_INITIAL_PARTICLES_H
+#define DEM_INSERTION_INITIAL_PARTICLES_H
+
+#include "model/particles.h"
+
+/* summary of one group of the scene, for the plan */
+struct dem_group_summary
+{
+    char name[48];
+    int material;                            /* -1: several */
+    int64_t n;
+    double min_diameter, max_diameter, sum;  /* m  smallest, largest and sum of diameters */
+    double volume, mass;                     /* m3, kg */
+};
+
+/* radii; the largest distance from the origin: positions are rounded to 1e-4 radii there, the
+   size of a typical overlap */
+static const double dem_max_distance = 1e12;
+
+struct dem_initial_particles
+{
+    size_t n, capacity;
+    struct dem_particle *particle;
+    int64_t next_id;
+    size_t groups, group_capacity;
+    struct dem_group_summary *group;
+};
+
+void dem_initial_particles_free(struct dem_initial_particles *);
+
+/* Begin the summary of a group; add n equal spheres (diameter [m], mass of each [kg]) to it.
+   Called on each rank for the particles of all ranks. */
+int dem_initial_particles_begin_group(struct dem_initial_particles *, const char *group);
+void dem_initial_particles_count(struct dem_initial_particles *, int64_t n, double diameter,
+                                 double mass, int material);
+
+/* Add a particle; id < 0 takes the next free id. An error for numbers that are not finite or out
+   of range; `where` starts the message. */
+int dem_initial_particles_add(struct dem_initial_particles *, struct dem_particle,
+                              const char *where);
+
+/* Free the particles, once they have been copied into the particle arrays; the summaries stay. */
+void dem_initial_particles_release(struct dem_initial_particles *);
+
+#endif

@@ -1,0 +1,359 @@
+/*
+ * insert.c -- read and check the groups of `insert` before any particle is placed.
+ *
+ *     bed { type lattice; material glass; diameter 1e-3; count 1000; min (0 0 0);
+ *           max (0.01 0.01 0.05); spacing 1.1; jitter 0.5; seed 1; velocity (0 0 0); }
+ *
+ *   lattice   simple cubic in a box, from the bottom layer up; spacing in diameters,
+ *             jitter as a fraction of the gap between neighbors
+ *   random    random positions in a box, cylinder or sphere, without overlap with earlier groups
+ *             (packing.h), sizes from a distribution (size_distribution.h)
+ *   list      positions ((x y z) ...), with one diameter or as many, velocities, spins, ids
+ *   table     the same from the rows of a file (insert_table.c)
+ *
+ * The number of particles is read in insert_amount.c; they are placed in insert_place.c. A lattice
+ * without count, mass or solidFraction fills its box.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "insertion/insert.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/did_you_mean.h"
+#include "core/vec.h"
+#include "insertion/insert_amount.h"
+#include "insertion/packing.h"
+#include "model/material_entry.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double
+    pi = 3.14159265358979323846,
+    max_width = 1e9,  /* diameters along an edge: positions have 1e-7 diameters of rounding there */
+    many = 1e6;       /* particles: the sum of drawn volumes is close to the multiple of the mean */
+
+/* ---- region ---------------------------------------------------------------------------------- */
+
+static int read_region(struct dem_insert_group *b, const struct dem_size_distribution *sizes)
+{
+    DEM_TRY(dem_insertion_shape_read(&b->shape, b->dict));
+    for (int k = 0; k < 3; k++)
+    {
+        const double wide = b->shape.max[k] - b->shape.min[k];
+
+        DEM_REQUIRE(wide <= max_width*sizes->max, DEM_ERROR_INPUT,
+                    "%s: the %s is %g m wide along %c, more than %g times the diameter %g m; make "
+                    "it smaller",
+                    b->where, dem_insertion_shape_name(&b->shape), wide, "xyz"[k], max_width,
+                    sizes->max);
+    }
+    return dem_insertion_shape_check_fits(&b->shape, 0.5*sizes->min, b->where);
+}
+
+/* ---- lattice --------------------------------------------------------------------------------- */
+
+static int read_lattice_box(struct dem_insert_group *b)
+{
+    struct dem_size_distribution sizes;
+
+    DEM_REQUIRE(!dem_dict_has(b->dict, "sizes") && !dem_dict_has(b->dict, "cylinder")
+                    && !dem_dict_has(b->dict, "sphere"),
+                DEM_ERROR_INPUT,
+                "%s: a lattice has one diameter and fills a box; use type random, or diameter, min "
+                "and max",
+                b->where);
+    DEM_TRY(dem_size_distribution_read(&sizes, b->dict));
+    b->diameter = sizes.min;
+    return read_region(b, &sizes);
+}
+
+static int read_pitch(struct dem_insert_group *b)
+{
+    double spacing, jitter;
+
+    DEM_TRY(dem_dict_number_or(b->dict, "spacing", "1", 1.1, &spacing));
+    DEM_TRY(dem_dict_number_or(b->dict, "jitter", "1", 0.5, &jitter));
+    DEM_REQUIRE(spacing >= 1.0 && jitter >= 0.0 && jitter <= 1.0, DEM_ERROR_INPUT,
+                "%s: spacing %g, jitter %g; give a spacing of 1 diameter or more and a jitter in 0 "
+                ".. 1",
+                b->where, spacing, jitter);
+    b->pitch = spacing*b->diameter;
+    b->amplitude = jitter*(b->pitch - b->diameter);
+    return DEM_OK;
+}
+
+static int read_lattice(struct dem_insert_group *b, const struct dem_interaction_table *r)
+{
+    struct dem_amount amount;
+    double sites = 1.0;
+
+    DEM_TRY(read_lattice_box(b));
+    DEM_TRY(read_pitch(b));
+    const double one = pi/6.0*b->diameter*b->diameter*b->diameter;
+
+    DEM_TRY(dem_amount_read(&amount, b, r, one));
+    for (int k = 0; k < 3; k++)
+    {
+        b->sites[k] = (int64_t)((b->shape.max[k] - b->shape.min[k])/b->pitch*(1.0 + 1e-12));
+        b->sites[k] = b->sites[k] < 1 ? 1 : b->sites[k];
+        sites *= (double)b->sites[k];
+    }
+    const bool fill = amount.count == 0 && amount.volume == 0.0;
+    const double asked = fill ? sites
+                       : amount.count > 0 ? (double)amount.count
+                                          : floor(amount.volume/one + 0.5);
+
+    DEM_REQUIRE(!fill || asked <= dem_amount_max, DEM_ERROR_INPUT,
+                "%s: without count the whole box is filled, and %.0f particles are more than %.0f; "
+                "give count, or a smaller box",
+                b->where, asked, dem_amount_max);
+    DEM_REQUIRE(asked >= 1.0, DEM_ERROR_INPUT, "%s: less than half a particle; ask for more",
+                b->where);
+    DEM_REQUIRE(asked <= sites, DEM_ERROR_INPUT,
+                "%s: count %.0f, but the box holds %.0f (%lld x %lld x %lld) at a spacing of %g "
+                "diameters; enlarge the box or ask for fewer",
+                b->where, asked, sites, (long long)b->sites[0], (long long)b->sites[1],
+                (long long)b->sites[2], b->pitch/b->diameter);
+    b->count = (int64_t)asked;
+    return DEM_OK;
+}
+
+/* ---- random ---------------------------------------------------------------------------------- */
+
+/* A large group that cannot fit is refused by its mean volume before diameters are drawn, a
+   small one by the drawn volume. */
+static int read_drawn(struct dem_insert_group *b, const struct dem_interaction_table *r,
+                      const struct dem_size_distribution *sizes)
+{
+    const double mean = dem_size_distribution_mean_volume(sizes);
+    struct dem_amount amount;
+
+    DEM_TRY(read_region(b, sizes));
+    DEM_TRY(dem_amount_read(&amount, b, r, mean));
+    const double expected = amount.count > 0 ? (double)amount.count*mean : amount.volume;
+
+    if (expected > many*mean)
+    {
+        DEM_TRY(dem_packing_check_fraction(&b->shape, expected, expected/mean, b->where));
+    }
+    DEM_TRY(dem_amount_draw(b, &amount, sizes));
+    return DEM_OK;
+}
+
+static int read_random(struct dem_insert_group *b, const struct dem_interaction_table *r)
+{
+    struct dem_size_distribution sizes;
+    double volume = 0.0;
+    int status = dem_size_distribution_read(&sizes, b->dict);
+
+    status = status ? status : read_drawn(b, r, &sizes);
+    dem_size_distribution_free(&sizes);
+    DEM_TRY(status);
+    for (int64_t k = 0; k < b->count; k++)
+    {
+        const double d = dem_insert_group_diameter(b, k);
+
+        volume += pi/6.0*d*d*d;
+        DEM_TRY(dem_insertion_shape_check_fits(&b->shape, 0.5*d, b->where));
+    }
+    return dem_packing_check_fraction(&b->shape, volume, (double)b->count, b->where);
+}
+
+/* ---- list and table -------------------------------------------------------------------------- */
+
+static int read_diameters(struct dem_insert_group *b, size_t n)
+{
+    size_t diameters;
+
+    if (!dem_dict_has(b->dict, "diameters"))
+    {
+        DEM_TRY(dem_dict_number(b->dict, "diameter", "m", &b->diameter));
+        DEM_REQUIRE(b->diameter > 0.0, DEM_ERROR_INPUT, "%s: diameter %g m; give a number above 0",
+                    b->where, b->diameter);
+        return DEM_OK;
+    }
+    DEM_TRY(dem_dict_numbers(b->dict, "diameters", "m", &b->diameters, &diameters));
+    DEM_REQUIRE(diameters == n, DEM_ERROR_INPUT,
+                "%s: %zu positions, but %zu diameters; give as many of each, or one diameter",
+                b->where, n, diameters);
+    for (size_t m = 0; m < n; m++)
+    {
+        DEM_REQUIRE(b->diameters[m] > 0.0, DEM_ERROR_INPUT,
+                    "%s: number %zu of diameters is %g m; give a number above 0", b->where, m + 1,
+                    b->diameters[m]);
+    }
+    return DEM_OK;
+}
+
+static int check_ids(const struct dem_insert_group *b)
+{
+    for (int64_t m = 0; b->ids && m < b->count; m++)
+    {
+        DEM_REQUIRE(b->ids[m] >= 0 && b->ids[m] < INT64_MAX, DEM_ERROR_INPUT,
+                    "%s: number %lld of its ids is %lld; give whole numbers from 0 to %lld",
+                    b->where, (long long)m + 1, (long long)b->ids[m], (long long)INT64_MAX - 1);
+    }
+    return DEM_OK;
+}
+
+static int read_list(struct dem_insert_group *b)
+{
+    size_t n, velocities = 0, spins = 0, ids = 0;
+
+    DEM_TRY(dem_dict_vectors(b->dict, "positions", "m", &b->positions, &n));
+    DEM_TRY(read_diameters(b, n));
+    if (dem_dict_has(b->dict, "velocities"))
+    {
+        DEM_TRY(dem_dict_vectors(b->dict, "velocities", "m/s", &b->velocities, &velocities));
+    }
+    if (dem_dict_has(b->dict, "spins"))
+    {
+        DEM_TRY(dem_dict_vectors(b->dict, "spins", "1/s", &b->spins, &spins));
+    }
+    if (dem_dict_has(b->dict, "ids"))
+    {
+        DEM_TRY(dem_dict_int64s(b->dict, "ids", &b->ids, &ids));
+    }
+    DEM_REQUIRE(!b->ids || ids == n, DEM_ERROR_INPUT,
+                "%s: %zu positions, but %zu ids; give as many of each, or leave the list out",
+                b->where, n, ids);
+    DEM_REQUIRE((!b->velocities || velocities == n) && (!b->spins || spins == n), DEM_ERROR_INPUT,
+                "%s: %zu positions, but %zu velocities, %zu spins; give as many of each, or leave "
+                "the list out",
+                b->where, n, velocities, spins);
+    b->count = (int64_t)n;
+    return check_ids(b);
+}
+
+static int read_table(struct dem_insert_group *b)
+{
+    DEM_TRY(dem_insert_group_read_table(b));
+    if (!b->diameters)
+    {
+        DEM_TRY(read_diameters(b, (size_t)b->count));
+    }
+    return check_ids(b);
+}
+
+/* ---- all ------------------------------------------------------------------------------------- */
+
+static int refuse_moving(const struct dem_insert_group *b)
+{
+    for (int64_t m = 0; m < (b->velocities || b->spins ? b->count : 1); m++)
+    {
+        const double *const v = b->velocities ? b->velocities[m] : b->velocity;
+        const double *const w = b->spins ? b->spins[m] : b->spin;
+        const double speed = fmax(dem_vec_norm(v), dem_vec_norm(w));
+
+        DEM_REQUIRE(speed == 0.0, DEM_ERROR_INPUT,
+                    "%s: a frozen particle never moves, but has a velocity or spin of %g; leave it "
+                    "out, or frozen",
+                    b->where, speed);
+    }
+    return DEM_OK;
+}
+
+/* Mass, moment of inertia and their inverses must be normal numbers. */
+static int check_masses(const struct dem_insert_group *b, const struct dem_interaction_table *r)
+{
+    for (int64_t m = 0; m < (b->diameters ? b->count : 1); m++)
+    {
+        const double d = b->diameters ? b->diameters[m] : b->diameter;
+        const double mass = pi/6.0*d*d*d*r->material[b->material].density;
+
+        DEM_REQUIRE(isnormal(mass*d*d) && isnormal(1.0/(mass*d*d)), DEM_ERROR_INPUT,
+                    "%s: diameter %g m of %s, density %g kg/m3, gives a mass of %g kg; correct the "
+                    "diameter or the density", b->where, d,
+                    r->material[b->material].name, r->material[b->material].density, mass);
+    }
+    return DEM_OK;
+}
+
+static int read_type(struct dem_insert_group *b, const struct dem_interaction_table *r,
+                     const char *type)
+{
+    static const char *const known[] = {"lattice", "random", "list", "table", "stream"};
+    int k = 0;
+
+    while (k < DEM_INSERT_TYPES && strcmp(type, known[k]) != 0)
+    {
+        k++;
+    }
+    b->type = (enum dem_insert_type)k;
+    if (k == DEM_INSERT_LATTICE || k == DEM_INSERT_RANDOM)
+    {
+        DEM_TRY(dem_dict_int64_or(b->dict, "seed", 1, &b->seed));
+    }
+    switch (k)
+    {
+    case DEM_INSERT_LATTICE: return read_lattice(b, r);
+    case DEM_INSERT_RANDOM: return read_random(b, r);
+    case DEM_INSERT_LIST: return read_list(b);
+    case DEM_INSERT_TABLE: return read_table(b);
+    default:
+        return dem_error_prefix(dem_did_you_mean_error("type of insertion", type, known,
+                                                       DEM_INSERT_TYPES + 1),
+                                "%s: ", b->where);
+    }
+}
+
+static int read_group(const struct dem_dict *dict, const struct dem_interaction_table *r,
+                      struct dem_insert_group *b)
+{
+    static const double zero[3] = {0.0, 0.0, 0.0};
+    const char *type;
+
+    *b = (struct dem_insert_group){.dict = dict};
+    snprintf(b->where, sizeof b->where, "%s: %s", dem_dict_where(dict), dem_dict_path(dict));
+    DEM_TRY(dem_dict_word(dict, "type", &type));
+    DEM_TRY(dem_material_entry_read(dict, r, &b->material));
+    DEM_TRY(dem_dict_vector_or(dict, "velocity", "m/s", zero, b->velocity));
+    DEM_TRY(dem_dict_vector_or(dict, "spin", "1/s", zero, b->spin));
+    DEM_TRY(dem_dict_switch_or(dict, "frozen", false, &b->frozen));
+    DEM_TRY(read_type(b, r, type));
+    DEM_TRY(check_masses(b, r));
+    return b->frozen ? refuse_moving(b) : DEM_OK;
+}
+
+int dem_insert_is_stream(const struct dem_dict *group)
+{
+    const char *type = "";
+
+    return dem_dict_has(group, "type") && dem_dict_word(group, "type", &type) == DEM_OK
+        && strcmp(type, "stream") == 0;
+}
+
+int dem_insert_read(struct dem_insertion *i, const struct dem_dict *insert,
+                    const struct dem_interaction_table *r)
+{
+    for (size_t k = 0; k < dem_dict_count(insert); k++)
+    {
+        const struct dem_entry *const e = dem_dict_entry(insert, k);
+
+        DEM_REQUIRE(dem_entry_is_dict(e), DEM_ERROR_INPUT,
+                    "%s: insert holds groups like %s { type lattice; ... }", dem_entry_where(e),
+                    dem_entry_name(e));
+        if (dem_insert_is_stream(dem_entry_dict(e)))
+        {
+            continue;
+        }
+        DEM_TRY(DEM_GROW(i->group, i->capacity, i->n + 1));
+        DEM_TRY(read_group(dem_entry_dict(e), r, &i->group[i->n++]));
+    }
+    return dem_insert_refuse_duplicates(i, 0, NULL);
+}
+
+void dem_insert_free(struct dem_insertion *i)
+{
+    for (size_t k = 0; k < i->n; k++)
+    {
+        dem_memory_free(i->group[k].drawn);
+        for (size_t t = 0; t < sizeof i->group[k].table/sizeof *i->group[k].table; t++)
+        {
+            dem_memory_free(i->group[k].table[t]);
+        }
+    }
+    dem_memory_free(i->group);
+    memset(i, 0, sizeof *i);
+}

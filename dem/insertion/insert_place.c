@@ -1,0 +1,150 @@
+/*
+ * insert_place.c -- create the particles of a group: on a lattice with jitter, at random
+ * (packing.h), or from a list or table.
+ *
+ * A lattice, list or table is cut into equal runs of particle numbers, one a rank.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "insertion/insert_group.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/random.h"
+#include "insertion/packing.h"
+#include "parallel/collect.h"
+#include <math.h>
+#include <string.h>
+
+enum
+{
+    USE_JITTER = 101  /* stream of random numbers */
+};
+
+static struct dem_particle make_particle(const struct dem_insert_group *b,
+                                         const struct dem_interaction_table *r, const double x[3],
+                                         int64_t number)
+{
+    const double diameter = dem_insert_group_diameter(b, number);
+    struct dem_particle p =
+        dem_particle_sphere(-1, x, diameter, r->material[b->material].density, b->material);
+
+    memcpy(p.v, b->velocities ? b->velocities[number] : b->velocity, sizeof p.v);
+    memcpy(p.w, b->spins ? b->spins[number] : b->spin, sizeof p.w);
+    if (b->frozen)
+    {
+        p.flags |= DEM_PARTICLE_FROZEN;
+        p.inverse_mass = p.inverse_inertia = 0.0;
+    }
+    return p;
+}
+
+void dem_insert_group_site(const struct dem_insert_group *b, int64_t m, double x[3])
+{
+    const int64_t *const n = b->sites, at[3] = {m%n[0], m/n[0]%n[1], m/(n[0]*n[1])};
+    const struct dem_insertion_shape *const v = &b->shape;
+
+    for (int k = 0; k < 3; k++)
+    {
+        const double wide = (v->max[k] - v->min[k])/(double)n[k];
+        const double pitch = k == 2 && wide > b->pitch ? b->pitch : wide;
+        const double jitter =
+            dem_random_unit((uint64_t)b->seed, (uint64_t)m, 0, USE_JITTER + (uint64_t)k) - 0.5;
+
+        x[k] = v->min[k] + ((double)at[k] + 0.5)*pitch
+             + fmin(b->amplitude, wide - b->diameter)*jitter;
+    }
+}
+
+/* This rank's run of a lattice, list or table. */
+static int place_run(struct dem_initial_particles *c, const struct dem_insert_group *b,
+                     const struct dem_interaction_table *r, const struct dem_decomposition *q)
+{
+    const int64_t first = c->next_id, from = b->count*q->rank/q->ranks;
+    const int64_t to = b->count*(q->rank + 1)/q->ranks;
+
+    for (int64_t m = from; m < to; m++)
+    {
+        struct dem_particle p;
+        double x[3];
+
+        if (b->type == DEM_INSERT_LATTICE)
+        {
+            dem_insert_group_site(b, m, x);
+        }
+        p = make_particle(b, r, b->type == DEM_INSERT_LATTICE ? x : b->positions[m], m);
+        p.id = b->ids ? b->ids[m] : first + m;
+        DEM_TRY(dem_initial_particles_add(c, p, b->where));
+    }
+    return DEM_OK;
+}
+
+static int place_random(struct dem_initial_particles *c, const struct dem_insert_group *b,
+                        const struct dem_interaction_table *r, const struct dem_decomposition *q)
+{
+    const struct dem_packing p = {.shape = &b->shape,
+                                  .where = b->where,
+                                  .seed = (uint64_t)b->seed,
+                                  .n = b->count,
+                                  .diameter = b->diameter,
+                                  .diameters = b->diameters};
+    const int64_t first = c->next_id;
+    struct dem_placed_spheres s;
+    int status = dem_placed_spheres_init(&s, q);
+
+    status = status ? status : dem_packing_fill(&p, c, &s);
+    for (size_t k = 0; k < s.n && !status; k++)
+    {
+        if (s.sphere[k].number >= 0)    /* not of an earlier group */
+        {
+            struct dem_particle new = make_particle(b, r, s.sphere[k].x, s.sphere[k].number);
+
+            new.id = first + s.sphere[k].number;
+            status = dem_initial_particles_add(c, new, p.where);
+        }
+    }
+    dem_placed_spheres_free(&s);
+    return status;
+}
+
+int dem_insert_group_place(struct dem_initial_particles *c, const struct dem_insert_group *b,
+                           const struct dem_interaction_table *r, const struct dem_decomposition *q)
+{
+    return b->type == DEM_INSERT_RANDOM ? place_random(c, b, r, q) : place_run(c, b, r, q);
+}
+
+/* The summary of a group, of the particles of all ranks. */
+static int summarize(struct dem_initial_particles *c, const struct dem_insert_group *b,
+                     const struct dem_interaction_table *r)
+{
+    const double density = r->material[b->material].density;
+
+    DEM_TRY(dem_initial_particles_begin_group(c, dem_dict_name(b->dict)));
+    for (int64_t m = 0; m < (b->diameters ? b->count : 1); m++)
+    {
+        const double d = dem_insert_group_diameter(b, m);
+
+        dem_initial_particles_count(c, b->diameters ? 1 : b->count, d,
+                                    density*dem_sphere_volume(0.5*d), b->material);
+    }
+    return DEM_OK;
+}
+
+int dem_insert_place(struct dem_initial_particles *c, const struct dem_insertion *i,
+                     const struct dem_interaction_table *r, const struct dem_decomposition *q)
+{
+    for (size_t k = 0; k < i->n; k++)
+    {
+        const struct dem_insert_group *const b = &i->group[k];
+        const int64_t first = c->next_id;
+        int status = summarize(c, b, r);
+
+        /* memory for all of them at once, so that too many fail before any is placed */
+        status = status ? status
+                        : DEM_GROW(c->particle, c->capacity, c->n + (size_t)(b->count/q->ranks));
+        status = dem_collect_agree(q, status ? dem_error_prefix(status, "%s: %lld particles: ", b->where,
+            (long long)b->count) : DEM_OK);
+        DEM_TRY(status ? status : dem_collect_agree(q, dem_insert_group_place(c, b, r, q)));
+        c->next_id = dem_insert_group_next_id(b, first);
+    }
+    return DEM_OK;
+}

@@ -1,0 +1,221 @@
+/*
+ * insertion_shape.c -- read a box, cylinder or sphere; volume, point inside, uniform random points,
+ * projection into it.
+ *
+ * Random points of a circle or a ball are points of the square or cube around it, drawn again when
+ * they lie outside: no sine or cosine, whose last bits depend on the library.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "insertion/insertion_shape.h"
+#include "core/error.h"
+#include "core/vec.h"
+#include <math.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979323846;
+
+/* ---- reading --------------------------------------------------------------------------------- */
+
+static int read_box(struct dem_insertion_shape *v, const struct dem_dict *group)
+{
+    v->kind = DEM_INSERTION_SHAPE_BOX;
+    DEM_TRY(dem_dict_vector(group, "min", "m", v->min));
+    return dem_dict_vector(group, "max", "m", v->max);
+}
+
+void dem_insertion_shape_sides(struct dem_insertion_shape *v)
+{
+    double along[3] = {0.0, 0.0, 0.0};
+    int smallest = 0;
+
+    for (int k = 1; k < 3; k++)
+    {
+        smallest = fabs(v->axis[k]) < fabs(v->axis[smallest]) ? k : smallest;
+    }
+    along[smallest] = 1.0;
+    dem_vec_cross(v->axis, along, v->side[0]);
+    const double size = dem_vec_norm(v->side[0]);
+
+    for (int k = 0; k < 3; k++)
+    {
+        v->side[0][k] /= size;
+    }
+    dem_vec_cross(v->axis, v->side[0], v->side[1]);
+}
+
+static int read_cylinder(struct dem_insertion_shape *v, const struct dem_dict *dict)
+{
+    double to[3];
+
+    v->kind = DEM_INSERTION_SHAPE_CYLINDER;
+    DEM_TRY(dem_dict_vector(dict, "from", "m", v->from));
+    DEM_TRY(dem_dict_vector(dict, "to", "m", to));
+    DEM_TRY(dem_dict_number(dict, "radius", "m", &v->radius));
+    for (int k = 0; k < 3; k++)
+    {
+        v->axis[k] = to[k] - v->from[k];
+    }
+    v->length = dem_vec_norm(v->axis);
+    DEM_REQUIRE(v->length > 0.0 && v->radius > 0.0, DEM_ERROR_INPUT,
+                "%s: length %g m, radius %g m; give from and to apart and a radius above 0",
+                dem_dict_where(dict), v->length, v->radius);
+    for (int k = 0; k < 3; k++)
+    {
+        v->axis[k] /= v->length;
+        const double across = v->radius*sqrt(fmax(0.0, 1.0 - v->axis[k]*v->axis[k]));
+
+        v->min[k] = fmin(v->from[k], to[k]) - across;
+        v->max[k] = fmax(v->from[k], to[k]) + across;
+    }
+    dem_insertion_shape_sides(v);
+    return DEM_OK;
+}
+
+static int read_sphere(struct dem_insertion_shape *v, const struct dem_dict *dict)
+{
+    v->kind = DEM_INSERTION_SHAPE_SPHERE;
+    DEM_TRY(dem_dict_vector(dict, "centre", "m", v->from));
+    DEM_TRY(dem_dict_number(dict, "radius", "m", &v->radius));
+    DEM_REQUIRE(v->radius > 0.0, DEM_ERROR_INPUT, "%s: radius %g m; give a number above 0",
+                dem_dict_where(dict), v->radius);
+    for (int k = 0; k < 3; k++)
+    {
+        v->min[k] = v->from[k] - v->radius;
+        v->max[k] = v->from[k] + v->radius;
+    }
+    return DEM_OK;
+}
+
+int dem_insertion_shape_read(struct dem_insertion_shape *v, const struct dem_dict *group)
+{
+    const struct dem_dict *cylinder, *sphere;
+
+    memset(v, 0, sizeof *v);
+    DEM_TRY(dem_dict_sub_if(group, "cylinder", &cylinder));
+    DEM_TRY(dem_dict_sub_if(group, "sphere", &sphere));
+    DEM_REQUIRE((cylinder != NULL) + (sphere != NULL)
+                        + (dem_dict_has(group, "min") || dem_dict_has(group, "max"))
+                    <= 1,
+                DEM_ERROR_INPUT,
+                "%s: more than one of min and max, cylinder, sphere; keep one region",
+                dem_dict_where(group));
+    return cylinder ? read_cylinder(v, cylinder)
+         : sphere ? read_sphere(v, sphere)
+                    : read_box(v, group);
+}
+
+/* ---- queries --------------------------------------------------------------------------------- */
+
+double dem_insertion_shape_volume(const struct dem_insertion_shape *v)
+{
+    switch (v->kind)
+    {
+    case DEM_INSERTION_SHAPE_CYLINDER:
+        return pi*v->radius*v->radius*v->length;
+    case DEM_INSERTION_SHAPE_SPHERE:
+        return 4.0/3.0*pi*v->radius*v->radius*v->radius;
+    default:
+        return (v->max[0] - v->min[0])*(v->max[1] - v->min[1])*(v->max[2] - v->min[2]);
+    }
+}
+
+const char *dem_insertion_shape_name(const struct dem_insertion_shape *v)
+{
+    return v->kind == DEM_INSERTION_SHAPE_CYLINDER ? "cylinder"
+         : v->kind == DEM_INSERTION_SHAPE_SPHERE ? "sphere"
+                                                   : "box";
+}
+
+int dem_insertion_shape_check_fits(const struct dem_insertion_shape *v, double radius,
+                                   const char *where)
+{
+    for (int k = 0; k < 3 && v->kind == DEM_INSERTION_SHAPE_BOX; k++)
+    {
+        DEM_REQUIRE(v->max[k] - v->min[k] >= 2.0*radius, DEM_ERROR_INPUT,
+                    "%s: the box is %g m wide along %c, less than the diameter %g m; enlarge it",
+                    where, v->max[k] - v->min[k], "xyz"[k], 2.0*radius);
+    }
+    DEM_REQUIRE(v->kind == DEM_INSERTION_SHAPE_BOX
+                    || (v->radius >= radius
+                        && (v->kind == DEM_INSERTION_SHAPE_SPHERE || v->length >= 2.0*radius)),
+                DEM_ERROR_INPUT, "%s: the %s is narrower than the diameter %g m; enlarge it", where,
+                dem_insertion_shape_name(v), 2.0*radius);
+    return DEM_OK;
+}
+
+int dem_insertion_shape_draw(const struct dem_insertion_shape *v, double radius, const double u[3],
+                             double x[3])
+{
+    const double d = 2.0*radius, free = v->radius - radius;
+    const double a = (2.0*u[0] - 1.0)*free, b = (2.0*u[1] - 1.0)*free, c = (2.0*u[2] - 1.0)*free;
+    const double h = radius + (v->length - d)*u[2];
+
+    for (int k = 0; k < 3; k++)
+    {
+        x[k] = v->kind == DEM_INSERTION_SHAPE_BOX
+                 ? v->min[k] + 0.5*d + (v->max[k] - v->min[k] - d)*u[k]
+             : v->kind == DEM_INSERTION_SHAPE_CYLINDER
+                 ? v->from[k] + h*v->axis[k] + a*v->side[0][k] + b*v->side[1][k]
+                 : v->from[k]
+                       + (k == 0 ? a
+                          : k == 1 ? b
+                                   : c);
+    }
+    return v->kind == DEM_INSERTION_SHAPE_BOX
+        || a*a + b*b + (v->kind == DEM_INSERTION_SHAPE_SPHERE ? c*c : 0.0) <= free*free;
+}
+
+int dem_insertion_shape_contains(const struct dem_insertion_shape *v, const double x[3])
+{
+    double r[3], h = 0.0;
+    int inside = 1;
+
+    for (int k = 0; k < 3; k++)
+    {
+        inside &= x[k] >= v->min[k] && x[k] <= v->max[k];
+        r[k] = x[k] - v->from[k];
+        h += r[k]*v->axis[k];    /* the axis of a sphere is 0 */
+    }
+    if (v->kind == DEM_INSERTION_SHAPE_BOX || !inside)
+    {
+        return inside;
+    }
+    return dem_vec_dot(r, r) - h*h <= v->radius*v->radius
+        && (v->kind == DEM_INSERTION_SHAPE_SPHERE || (h >= 0.0 && h <= v->length));
+}
+
+void dem_insertion_shape_confine(const struct dem_insertion_shape *v, double radius, double x[3])
+{
+    const double free = v->radius - radius;
+    double r[3], h = 0.0;
+
+    for (int k = 0; k < 3; k++)
+    {
+        r[k] = x[k] - v->from[k];
+        h += r[k]*v->axis[k];    /* the axis of a sphere is 0 */
+    }
+    for (int k = 0; k < 3 && v->kind == DEM_INSERTION_SHAPE_BOX; k++)
+    {
+        const double low = v->min[k] + radius, high = v->max[k] - radius;
+        const double at = x[k] > low ? x[k] : low;
+
+        x[k] = at < high ? at : high;    /* no call of fmin: packing calls this often */
+    }
+    if (v->kind == DEM_INSERTION_SHAPE_BOX)
+    {
+        return;
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        r[k] -= h*v->axis[k];
+    }
+    const double size = dem_vec_norm(r), keep = size > free ? free/size : 1.0;
+
+    h = fmin(fmax(h, radius), v->length - radius);
+    for (int k = 0; k < 3; k++)
+    {
+        x[k] = v->from[k] + keep*r[k]
+             + (v->kind == DEM_INSERTION_SHAPE_CYLINDER ? h*v->axis[k] : 0.0);
+    }
+}

@@ -1,0 +1,58 @@
+/*
+ * insertion_shape.h -- the region into which particles are inserted: a box, a cylinder or a sphere.
+ *
+ *     min (0 0 0); max (0.1 0.1 0.2);
+ *     cylinder { from (0 0 0); to (0 0 0.2); radius 0.05; }
+ *     sphere   { centre (0 0 0); radius 0.05; }
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_INSERTION_INSERTION_SHAPE_H
+#define DEM_INSERTION_INSERTION_SHAPE_H
+
+#include "input/dictionary.h"
+
+enum dem_insertion_shape_kind
+{
+    DEM_INSERTION_SHAPE_BOX,
+    DEM_INSERTION_SHAPE_CYLINDER,
+    DEM_INSERTION_SHAPE_SPHERE
+};
+
+struct dem_insertion_shape
+{
+    enum dem_insertion_shape_kind kind;
+    double min[3], max[3];                /* m  the box, or the bounding box */
+    double from[3], axis[3], side[2][3];  /* m, 1, 1  of a cylinder: base, unit vectors; of a
+                                             sphere: centre */
+    double length, radius;                /* m */
+};
+
+/* Read the shape of a group. An error unless exactly one of the three is given. */
+int dem_insertion_shape_read(struct dem_insertion_shape *, const struct dem_dict *group);
+
+double dem_insertion_shape_volume(const struct dem_insertion_shape *);    /* m3 */
+
+/* "box", "cylinder" or "sphere" */
+const char *dem_insertion_shape_name(const struct dem_insertion_shape *);
+
+/* An error when a sphere of this radius [m] does not fit into the shape. `where` starts the
+   message. */
+int dem_insertion_shape_check_fits(const struct dem_insertion_shape *, double radius,
+                                   const char *where);
+
+/* A centre x [m] for a sphere of this radius inside the shape, uniformly distributed when u is
+   so in [0, 1)^3. Returns 0 when another u has to be drawn. */
+int dem_insertion_shape_draw(const struct dem_insertion_shape *, double radius, const double u[3],
+                             double x[3]);
+
+/* 1 when a point is inside. */
+int dem_insertion_shape_contains(const struct dem_insertion_shape *, const double x[3]);
+
+/* Set `side`: two unit vectors normal to the axis and to each other. */
+void dem_insertion_shape_sides(struct dem_insertion_shape *);
+
+/* Move a centre to the nearest position at which a sphere of this radius lies inside the shape. */
+void dem_insertion_shape_confine(const struct dem_insertion_shape *, double radius, double x[3]);
+
+#endif

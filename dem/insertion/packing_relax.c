@@ -1,0 +1,316 @@
+/*
+ * packing_relax.c -- remove overlaps of a packing by pairwise relaxation: overlapping spheres move
+ * apart, all at once, repeated until no overlap is left.
+ *
+ *   q_i = sum_j  w_ij ((1 + g)(R_i + R_j)/r - 1) r_ij     over those nearer than (1 + g)(R_i + R_j)
+ *   d_i = b d_i' + q_i/2,     x_i = x_i' + d_i               b = 0 where d_i'.q_i < 0
+ *
+ *   q_i   displacement of sphere i by its overlaps                                             [m]
+ *   d_i   its displacement in this sweep, d_i' in the last one; x_i position                   [m]
+ *   r_ij  vector from j to i, r its length                                                     [m]
+ *   R     radius                                                                               [m]
+ *   w_ij  R_j^2/(R_i^2 + R_j^2), so that the smaller one moves more; 1 where j is fixed        [1]
+ *   g     gap to which pairs are moved apart, 0.01: saves most of the slow convergence         [1]
+ *   b     momentum, 0.8: takes a fifth of the sweeps                                           [1]
+ *
+ * Displacements are halved: a sphere may have twelve neighbours, and full ones would overshoot.
+ * Jodrey and Tory, Phys. Rev. A 32 (1985) 2347, move one pair after the other, with shrinking
+ * radii; the momentum is Polyak's, USSR Comput. Math. 4 (1964) 1.
+ *
+ * Displacements are summed as integers, in units of 2^-40 of the largest diameter: the sum does not
+ * depend on the order, hence not on the number of ranks.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "insertion/packing.h"
+#include "insertion/packing_pairs.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/random.h"
+#include "parallel/mpi_error.h"
+#include <math.h>
+#include <string.h>
+
+enum
+{
+    USE_DIRECTION = 211,  /* stream of random numbers */
+    SWEEPS = 2000,
+    CHUNK = 512,          /* pairs tested before those that are near are moved */
+    RETRY_SWEEPS = 200,   /* sweeps before a sphere between fixed ones gets a new position */
+    FIRST_TRIAL = 64      /* of new positions: packing_addition.c uses the trials before */
+};
+
+static const double
+    momentum = 0.8, half = 0.5,
+    skin_fraction = 0.2,     /* of the mean diameter: skin of the pair list */
+    touching = 1.0 - 1e-12;  /* of the sum of radii: nearer is an overlap; leaves its rounding
+                                out */
+
+enum
+{
+    OVERLAPS = 1, WEDGED = 2  /* state of a sphere in a sweep: overlaps; overlaps a fixed one */
+};
+
+/* sum of displacements of a sphere in a sweep */
+struct move
+{
+    int64_t x[3];  /* units of relaxation->unit */
+    int64_t seen;  /* OVERLAPS | WEDGED */
+};
+
+struct relaxation
+{
+    const struct dem_packing *p;
+    struct dem_placed_spheres *s;
+    struct dem_packing_pairs pairs;
+    double unit, inverse_unit, stretch;  /* m; 1/m; 1  (1 + g) */
+    uint64_t sweep;
+    int64_t overlaps;                    /* pairs in this sweep, on this rank */
+    size_t move_capacity, listed_capacity;
+    struct move *move;                   /* of owned spheres and ghosts */
+    double (*listed)[3];                 /* m  owned positions when the pairs were listed */
+};
+
+static int list_pairs(struct relaxation *g)
+{
+    const struct dem_placed_spheres *const s = g->s;
+
+    DEM_TRY(dem_packing_pairs_list(&g->pairs));
+    DEM_TRY(DEM_GROW(g->listed, g->listed_capacity, s->owned + 1));
+    for (size_t i = 0; i < s->owned; i++)
+    {
+        memcpy(g->listed[i], s->sphere[i].x, sizeof g->listed[i]);
+    }
+    return DEM_GROW(g->move, g->move_capacity, s->n + 1);
+}
+
+/* ---- one sweep ------------------------------------------------------------------------------- */
+
+/* For two spheres with the same centre: a random vector from b to a, the same on all ranks.
+   Returns its length. */
+static double random_direction(const struct relaxation *g, const struct dem_packing_pair *pair,
+                               double r[3])
+{
+    const struct dem_placed_sphere *const a = &g->s->sphere[pair->a];
+    const struct dem_placed_sphere *const b = &g->s->sphere[pair->b];
+    const double sum = a->radius + b->radius, sign = a->number < b->number ? 1.0 : -1.0;
+    const int64_t lower = a->number < b->number ? a->number : b->number;
+
+    for (int k = 0; k < 3; k++)
+    {
+        r[k] = sign*sum
+             *(dem_random_unit(g->p->seed, (uint64_t)lower, g->sweep, USE_DIRECTION + (uint64_t)k)
+                - 0.5);
+    }
+    return fmax(1e-6*sum, sqrt(r[0]*r[0] + r[1]*r[1] + r[2]*r[2]));
+}
+
+static void move_apart(struct relaxation *g, const struct dem_packing_pair *pair)
+{
+    const struct dem_packed_sphere *const a = &g->pairs.packed[pair->a];
+    const struct dem_packed_sphere *const b = &g->pairs.packed[pair->b];
+    const int a_stays = g->pairs.fixed[pair->a], b_stays = g->pairs.fixed[pair->b];
+    struct move *const of_a = &g->move[pair->a], *const of_b = &g->move[pair->b];
+    double r[3] = {a->x[0] - b->x[0], a->x[1] - b->x[1], a->x[2] - b->x[2]};
+    const double sum = a->radius + b->radius, near = sqrt(r[0]*r[0] + r[1]*r[1] + r[2]*r[2]);
+    const double size = near < 1e-6*sum ? random_direction(g, pair, r) : near;
+    const double wanted = g->stretch*sum;
+    const double aa = a->radius*a->radius, bb = b->radius*b->radius;
+    const double move = size < wanted ? (wanted/size - 1.0)*g->inverse_unit/(aa + bb) : 0.0;
+    const double to_a = a_stays ? 0.0 : move*(b_stays ? aa + bb : bb);
+    const double to_b = b_stays ? 0.0 : move*(a_stays ? aa + bb : aa);
+
+    for (int k = 0; k < 3; k++)
+    {
+        of_a->x[k] += llrint(to_a*r[k]);
+        of_b->x[k] -= llrint(to_b*r[k]);
+    }
+    if (near < touching*sum)
+    {
+        of_a->seen |= OVERLAPS | (b_stays ? WEDGED : 0);
+        of_b->seen |= OVERLAPS | (a_stays ? WEDGED : 0);
+        g->overlaps++;
+    }
+}
+
+/* Select the near pairs without an unpredictable branch, then move these few. */
+static void move_pairs(struct relaxation *g)
+{
+    const struct dem_packed_sphere *const packed = g->pairs.packed;
+    const double square = g->stretch*g->stretch;
+    uint32_t near[CHUNK];
+
+    memset(g->move, 0, g->s->n*sizeof *g->move);
+    g->overlaps = 0;
+    for (size_t from = 0; from < g->pairs.n; from += CHUNK)
+    {
+        const size_t to = from + CHUNK < g->pairs.n ? from + CHUNK : g->pairs.n;
+        size_t n = 0;
+
+        for (size_t k = from; k < to; k++)
+        {
+            const struct dem_packed_sphere *const a = &packed[g->pairs.pair[k].a];
+            const struct dem_packed_sphere *const b = &packed[g->pairs.pair[k].b];
+            const double x = a->x[0] - b->x[0], y = a->x[1] - b->x[1], z = a->x[2] - b->x[2];
+            const double sum = a->radius + b->radius;
+
+            near[n] = (uint32_t)(k - from);
+            n += x*x + y*y + z*z < square*(sum*sum);
+        }
+        for (size_t k = 0; k < n; k++)
+        {
+            move_apart(g, &g->pairs.pair[from + near[k]]);
+        }
+    }
+}
+
+static int sum_over_ranks(const struct relaxation *g, int64_t *count)
+{
+    if (g->s->decomposition.ranks > 1)
+    {
+        DEM_TRY_MPI(
+            MPI_Allreduce(MPI_IN_PLACE, count, 1, MPI_INT64_T, MPI_SUM, g->s->decomposition.comm));
+    }
+    return DEM_OK;
+}
+
+/* The number of new spheres that overlap, on all ranks. */
+static int count_overlaps(const struct relaxation *g, int64_t *count)
+{
+    *count = 0;
+    for (size_t i = 0; i < g->s->owned; i++)
+    {
+        *count += g->s->sphere[i].number >= 0 && (g->move[i].seen & OVERLAPS) != 0;
+    }
+    return sum_over_ranks(g, count);
+}
+
+/* 1 when a sphere has no overlap and its momentum is negligible, which is then set to 0. */
+static int rests(struct dem_placed_sphere *s, const struct move *move)
+{
+    const double *const v = s->v;
+
+    if ((move->x[0] | move->x[1] | move->x[2]) != 0
+        || v[0]*v[0] + v[1]*v[1] + v[2]*v[2] > 1e-12*s->radius*s->radius)
+    {
+        return 0;
+    }
+    memset(s->v, 0, sizeof s->v);
+    return 1;
+}
+
+static void move_one(const struct relaxation *g, struct dem_placed_sphere *s,
+                     const struct move *move)
+{
+    double q[3], from[3], along = 0.0;
+
+    for (int k = 0; k < 3; k++)
+    {
+        q[k] = g->unit*(double)move->x[k];
+        along += q[k]*s->v[k];
+        from[k] = s->x[k];
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        s->x[k] += (along < 0.0 ? 0.0 : momentum*s->v[k]) + half*q[k];
+    }
+    dem_insertion_shape_confine(g->p->shape, s->radius, s->x);
+    for (int k = 0; k < 3; k++)
+    {
+        s->v[k] = s->x[k] - from[k];
+    }
+}
+
+/* Move all spheres; one that overlaps fixed spheres for long gets a new random position. *moved
+   is the largest displacement since the pairs were listed, of all ranks [m]. */
+static int move_all(struct relaxation *g, double *moved)
+{
+    const int again = g->sweep%RETRY_SWEEPS == RETRY_SWEEPS - 1;
+    struct dem_placed_spheres *const s = g->s;
+    double furthest = 0.0;
+
+    for (size_t i = 0; i < s->owned; i++)
+    {
+        double square = 0.0;
+
+        if (s->sphere[i].number < 0 || rests(&s->sphere[i], &g->move[i]))
+        {
+            continue;
+        }
+        if (again && (g->move[i].seen & WEDGED) != 0)
+        {
+            dem_packing_draw(g->p, &s->sphere[i], FIRST_TRIAL + g->sweep);
+            memset(s->sphere[i].v, 0, sizeof s->sphere[i].v);
+        }
+        else
+        {
+            move_one(g, &s->sphere[i], &g->move[i]);
+        }
+        for (int k = 0; k < 3; k++)
+        {
+            square += (s->sphere[i].x[k] - g->listed[i][k])*(s->sphere[i].x[k] - g->listed[i][k]);
+        }
+        memcpy(g->pairs.packed[i].x, s->sphere[i].x, sizeof g->pairs.packed[i].x);
+        furthest = square > furthest ? square : furthest;
+    }
+    if (s->decomposition.ranks > 1)
+    {
+        DEM_TRY_MPI(
+            MPI_Allreduce(MPI_IN_PLACE, &furthest, 1, MPI_DOUBLE, MPI_MAX, s->decomposition.comm));
+    }
+    *moved = sqrt(furthest);
+    return DEM_OK;
+}
+
+/* ---- sweeps ---------------------------------------------------------------------------------- */
+
+/* 1 + g: a packing too dense for a wide gap gets a narrower one. */
+static double stretch_of(uint64_t sweep)
+{
+    return sweep < SWEEPS/4 ? 1.01 : sweep < SWEEPS/2 ? 1.003 : 1.0005;
+}
+
+static int sweep_all(struct relaxation *g)
+{
+    const struct dem_packing *const p = g->p;
+    int64_t left = 1;
+
+    for (double moved = INFINITY; left > 0; g->sweep++)
+    {
+        g->stretch = stretch_of(g->sweep);
+        DEM_TRY(moved > 0.5*g->pairs.skin ? list_pairs(g) : dem_packing_pairs_refresh(&g->pairs));
+        move_pairs(g);
+        left = g->overlaps;
+        DEM_TRY(sum_over_ranks(g, &left));
+        if (left > 0 && g->sweep == SWEEPS)
+        {
+            DEM_TRY(count_overlaps(g, &left));
+            return dem_error(DEM_ERROR_INPUT, "%s: %lld of %lld particles still overlap after %d "
+                             "sweeps of relaxation; enlarge the region, ask for fewer, use type "
+                             "lattice, or let them settle", p->where, (long long)left,
+                             (long long)p->n, SWEEPS);
+        }
+        DEM_TRY(left > 0 ? move_all(g, &moved) : DEM_OK);
+    }
+    return DEM_OK;
+}
+
+int dem_packing_relax(const struct dem_packing *p, struct dem_placed_spheres *s,
+                      double mean_diameter)
+{
+    const double unit = 2.0*s->max_radius*0x1p-40;
+    struct relaxation g = {.p = p,
+                           .s = s,
+                           .unit = unit,
+                           .inverse_unit = 1.0/unit,
+                           .pairs = {.s = s,
+                                     .skin = skin_fraction*mean_diameter,
+                                     .stretch = stretch_of(0)}};
+    const int status = sweep_all(&g);
+
+    s->n = s->owned;
+    dem_packing_pairs_free(&g.pairs);
+    dem_memory_free(g.move);
+    dem_memory_free(g.listed);
+    return status;
+}

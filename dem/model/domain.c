@@ -1,0 +1,246 @@
+/*
+ * domain.c -- wrapping and image counters, projection onto flat axes, check of walls at periodic
+ * faces.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "model/domain.h"
+#include "core/error.h"
+#include <math.h>
+#include <string.h>
+
+void dem_domain_init(struct dem_domain *d)
+{
+    memset(d, 0, sizeof *d);
+    for (int k = 0; k < 3; k++)
+    {
+        d->min[k] = -INFINITY;
+        d->max[k] = INFINITY;
+    }
+}
+
+/* The unit is the spacing of doubles two boxes away from the domain. A double of 2^52 units has no
+   fractional bits: adding 1.5 * 2^52 units and subtracting them again rounds to whole units. */
+void dem_domain_finish(struct dem_domain *d)
+{
+    for (int k = 0; k < 3; k++)
+    {
+        if (d->periodic[k])
+        {
+            const double length = d->max[k] - d->min[k];
+            int binary;
+
+            frexp(fmax(fabs(d->min[k]), fabs(d->max[k])) + 2.0*length, &binary);
+            d->unit[k] = ldexp(1.0, binary - 53);
+            d->round[k] = ldexp(1.5, binary - 1);
+            d->length[k] = d->unit[k]*rint(length/d->unit[k]);
+        }
+        if (d->flat[k])
+        {
+            d->plane[k] = 0.5*(d->min[k] + d->max[k]);
+            d->round[k] = 1e300;
+        }
+    }
+}
+
+void dem_domain_shifts(const struct dem_domain *d, double shift[DEM_SHIFTS][4])
+{
+    for (int code = 0; code < DEM_SHIFTS; code++)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            shift[code][k] = dem_shift_axis(code, k)*d->length[k];
+        }
+        shift[code][3] = 0.0;
+    }
+}
+
+enum
+{
+    MAX_BOXES = 1024              /* a particle further from a periodic box is lost */
+};
+
+static int can_wrap(const struct dem_domain *d, int k, double x)
+{
+    return d->periodic[k] && fabs(x - d->min[k]) < MAX_BOXES*d->length[k];
+}
+
+void dem_domain_wrap(const struct dem_domain *d, struct dem_particle *p)
+{
+    for (int k = 0; k < 3; k++)
+    {
+        const int wraps = can_wrap(d, k, p->x[k]);
+
+        p->x[k] = wraps ? d->unit[k]*rint(p->x[k]/d->unit[k]) : p->x[k];
+        while (wraps && p->x[k] < d->min[k])
+        {
+            p->x[k] += d->length[k];
+            p->image = dem_image_add(p->image, k, -1);
+        }
+        while (wraps && p->x[k] >= d->max[k])
+        {
+            p->x[k] -= d->length[k];
+            p->image = dem_image_add(p->image, k, 1);
+        }
+    }
+}
+
+int dem_domain_contains(const struct dem_domain *d, const double x[3])
+{
+    int inside = 1;
+
+    for (int k = 0; k < 3; k++)
+    {
+        inside &= can_wrap(d, k, x[k]) || (x[k] >= d->min[k] && x[k] <= d->max[k]);
+    }
+    return inside;
+}
+
+/* ---- flat axes ------------------------------------------------------------------------------- */
+
+int dem_domain_project(const struct dem_domain *d, struct dem_particle *p)
+{
+    for (int k = 0; k < 3; k++)
+    {
+        if (d->flat[k] && fabs(p->x[k] - d->plane[k]) > p->radius)
+        {
+            return 0;
+        }
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        p->x[k] = d->flat[k] ? d->plane[k] : p->x[k];
+        p->v[k] = d->flat[k] ? 0.0 : p->v[k];
+        p->w[k] = d->flat[(k + 1)%3] || d->flat[(k + 2)%3] ? 0.0 : p->w[k];
+    }
+    return 1;
+}
+
+int dem_domain_project_all(const struct dem_domain *d, struct dem_particles *p)
+{
+    for (size_t i = 0; i < p->n; i++)
+    {
+        struct dem_particle *const q = &p->record[i];
+
+        for (int k = 0; k < 3; k++)
+        {
+            DEM_REQUIRE(!d->flat[k] || fabs(q->x[k] - d->plane[k]) <= q->radius, DEM_ERROR_INPUT,
+                        "particle %lld is at %c = %g m, but the domain is flat there and holds all centres at %g m; start it "
+                        "within one radius of that plane, for example in a region one diameter (%g m) thick around it",
+                        (long long)q->id, "xyz"[k], q->x[k], d->plane[k], 2.0*q->radius);
+            DEM_REQUIRE(!d->flat[k] || q->v[k] == 0.0, DEM_ERROR_INPUT,
+                        "particle %lld moves by %g m/s along %c, where the domain is flat; set this component of its "
+                        "velocity to 0", (long long)q->id, q->v[k], "xyz"[k]);
+        }
+        dem_domain_project(d, q);
+    }
+    return DEM_OK;
+}
+
+void dem_domain_constrain(const struct dem_domain *d, struct dem_particles *p)
+{
+    for (int k = 0; k < 3; k++)
+    {
+        for (size_t i = 0; d->flat[k] && i < p->n; i++)
+        {
+            p->record[i].v[k] = 0.0;
+            p->record[i].w[(k + 1)%3] = 0.0;
+            p->record[i].w[(k + 2)%3] = 0.0;
+        }
+    }
+}
+
+/* ---- walls at periodic faces ----------------------------------------------------------------- */
+
+/* Slope along a periodic axis below which a wall counts as straight: the error of the gap is then
+   half of the squared slope, 1e-3 of a radius. */
+static const double max_slope = 0.05;
+
+/* Extent of a triangle along an axis, in the global frame at its present position. */
+static void triangle_extent(const struct dem_walls *w, const struct dem_triangle *t, int axis,
+                            double extent[2])
+{
+    const int moving = w->wall[t->wall].frame;
+
+    extent[0] = INFINITY;
+    extent[1] = -INFINITY;
+    for (int k = 0; k < 3; k++)
+    {
+        double world[3];
+
+        memcpy(world, t->corner[k], sizeof world);
+        if (moving >= 0)
+        {
+            dem_pose_point(&w->frame[moving].pose, t->corner[k], world);
+        }
+        extent[0] = fmin(extent[0], world[axis]);
+        extent[1] = fmax(extent[1], world[axis]);
+    }
+}
+
+static double triangle_slope(const struct dem_walls *w, const struct dem_triangle *t, int axis)
+{
+    const int moving = w->wall[t->wall].frame;
+    double normal[3];
+
+    memcpy(normal, w->facet[t->facet].normal, sizeof normal);
+    if (moving >= 0)
+    {
+        dem_pose_direction(&w->frame[moving].pose, w->facet[t->facet].normal, normal);
+    }
+    return fabs(normal[axis]);
+}
+
+/* The same for a wall without triangles. A plane or an inclined cylinder that crosses the axis
+   extends to infinity; a wall parallel to the axis has an empty extent. */
+static void primitive_extent(const struct dem_wall *w, int axis, double extent[2])
+{
+    const double along = fabs(w->normal[axis]);
+    const int parallel = w->shape == DEM_SHAPE_PLANE ? along < 1e-6 : w->shape == DEM_SHAPE_CYLINDER && along > 1.0 - 1e-12;
+    const int bounded = w->shape == DEM_SHAPE_SPHERE || (w->shape == DEM_SHAPE_CYLINDER && along < 1e-6);
+
+    extent[0] = parallel ? INFINITY : bounded ? w->point[axis] - w->radius : -INFINITY;
+    extent[1] = parallel ? -INFINITY : bounded ? w->point[axis] + w->radius : INFINITY;
+}
+
+static int check_extent(const struct dem_domain *d, int axis, double radius, const double extent[2],
+                        const char *name)
+{
+    for (int side = 0; side < 2; side++)
+    {
+        const double face = side ? d->max[axis] : d->min[axis];
+
+        DEM_REQUIRE(extent[0] >= face + radius || extent[1] <= face - radius, DEM_ERROR_INPUT,
+                    "wall %s comes nearer than a radius (%g m) to the periodic face %s %c = %g m of domain and does not run "
+                    "straight through it: particles beyond the face would not touch the wall and would overlap it when they "
+                    "are wrapped; move the wall away from the face, or remove %c from domain/periodic", name, radius,
+                    side ? "max" : "min", "xyz"[axis], face, "xyz"[axis]);
+    }
+    return DEM_OK;
+}
+
+int dem_domain_check_walls(const struct dem_domain *d, const struct dem_walls *w, double radius)
+{
+    double extent[2];
+
+    for (int axis = 0; axis < 3; axis++)
+    {
+        for (int k = 0; d->periodic[axis] && k < w->walls; k++)
+        {
+            if (w->wall[k].shape != DEM_SHAPE_TRIANGLES)
+            {
+                primitive_extent(&w->wall[k], axis, extent);
+                DEM_TRY(check_extent(d, axis, radius, extent, w->wall[k].name));
+            }
+        }
+        for (size_t t = 0; d->periodic[axis] && t < w->triangles; t++)
+        {
+            if (triangle_slope(w, &w->triangle[t], axis) > max_slope)
+            {
+                triangle_extent(w, &w->triangle[t], axis, extent);
+                DEM_TRY(check_extent(d, axis, radius, extent, w->wall[w->triangle[t].wall].name));
+            }
+        }
+    }
+    return DEM_OK;
+}

@@ -1,0 +1,144 @@
+/*
+ * interaction_table.h -- the interaction table: which effects act on which pair of materials, in
+ * which order, with which settings.
+ *
+ * Order of use: add materials, choose effects, set numbers and words (for all contacts or for one
+ * pair of materials), freeze. After that the table is read only: class_of gives the pair class of a
+ * contact, list[class] the list of effects that act on it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_MODEL_INTERACTION_TABLE_H
+#define DEM_MODEL_INTERACTION_TABLE_H
+
+#include "effects/effect.h"
+#include <stddef.h>
+
+enum
+{
+    DEM_MATERIALS = 32,          /* limit of a scene */
+    DEM_EFFECT_LIST_LIMIT = 16,  /* limit of the effects of one pair class */
+    DEM_HISTORY_COLUMNS = 32,    /* limit of the history columns of all effects */
+    DEM_OVERRIDES = 256          /* limit of the settings for one pair of materials */
+};
+
+struct dem_effect_entry           /* entry of an effect list */
+{
+    const struct dem_effect *effect;
+    void *settings;               /* prepared, owned by the interaction table */
+    int first_column;             /* first of its history columns */
+};
+
+/* effects of one pair class, in the order of stages */
+struct dem_effect_list
+{
+    int entries;
+    struct dem_effect_entry entry[DEM_EFFECT_LIST_LIMIT];
+    struct dem_pair_class pair;
+    unsigned needs;               /* enum dem_needs, or-ed */
+    int moments, past_touching;   /* 1: has effects of MOMENT or BOND; of BOND or FILM */
+    int whole_drag;               /* bodies; 1: drag is divided by the void fraction, see
+                                     dem_fluid_whole_drag */
+};
+
+/* a setting for one pair of materials only */
+struct dem_override;
+
+struct dem_interaction_table
+{
+    int materials;
+    struct dem_material material[DEM_MATERIALS];
+    double min_radius[DEM_MATERIALS];               /* m, of the particles of a
+                                                       material; 0: none present */
+    double max_radius[DEM_MATERIALS];               /* m */
+    int chosen;                                     /* number of effects, in the order of stages */
+    const struct dem_effect *effect[DEM_EFFECT_LIST_LIMIT];
+    void *settings[DEM_EFFECT_LIST_LIMIT];          /* as set for all pairs */
+    int mixed;                                      /* 1: single precision in
+                                                       the laws that allow it */
+    int overrides;
+    struct dem_override *override;
+
+    /* after freeze */
+    int classes;                                    /* pair classes first, wall classes last */
+    struct dem_effect_list *list;
+    struct dem_effect_list bodies;
+    int class_of[2][DEM_MATERIALS][DEM_MATERIALS];  /* [with wall][particle material][other
+                                                       material], -1: none */
+    int history_columns;
+    const char *history_name[DEM_HISTORY_COLUMNS];  /* names of the history columns */
+    unsigned needs;                                 /* of all effect lists, or-ed */
+    int moments, past_touching;                     /* 1: some effect list has it */
+    double reach;                                   /* m past touching, the
+                                                       largest of all effects */
+    double step_limit;                              /* s: limit of the time step */
+    char why[160];                                  /* the criterion that gives it */
+    double next_limit;                              /* s: second smallest limit */
+    char next_why[160];                             /* the criterion that gives it */
+};
+
+void dem_interaction_table_init(struct dem_interaction_table *);
+void dem_interaction_table_free(struct dem_interaction_table *);
+
+/* `where`: location in the input, the beginning of error messages. `material`: the index found. */
+int dem_interaction_table_add_material(struct dem_interaction_table *, const struct dem_material *,
+                                       const char *where);
+int dem_interaction_table_find_material(const struct dem_interaction_table *, const char *name,
+                                        const char *where, int *material);
+int dem_interaction_table_add_effect(struct dem_interaction_table *, const char *effect,
+                                     const char *where);
+
+/* Set an entry of a chosen effect. pair: NULL for all contacts, else the indices of two
+   materials. */
+int dem_interaction_table_set_number(struct dem_interaction_table *, const int pair[2],
+                                     const char *effect, const char *entry, const double *values,
+                                     int count, const char *where);
+int dem_interaction_table_set_word(struct dem_interaction_table *, const int pair[2],
+                                   const char *effect, const char *entry, const char *word,
+                                   const char *where);
+
+/* A number of a chosen effect as set for all pairs; not-a-number when the effect was not chosen. */
+double dem_interaction_table_get_number(const struct dem_interaction_table *, const char *effect,
+                                        const char *entry);
+
+/* 1 when an entry of a chosen effect is set to that word for all pairs, 0 when it is set to another
+   one, -1 when the effect was not chosen. */
+int dem_interaction_table_is_word(const struct dem_interaction_table *, const char *effect,
+                                  const char *entry, const char *word);
+
+/* Sets g to the sum of the uniform accelerations of the chosen effects [m/s2], zero without one.
+   Returns the first such effect, or NULL. */
+const struct dem_effect *dem_interaction_table_gravity(const struct dem_interaction_table *,
+                                                       double g[3]);
+
+/* 1 when a chosen effect models the same thing, so that this one cannot be added (`excludes` of
+   either). */
+int dem_interaction_table_excludes(const struct dem_interaction_table *, const struct dem_effect *);
+
+/* 1 when an effect of the full pressure gradient was chosen, which contains buoyancy. */
+int dem_interaction_table_has_pressure_gradient(const struct dem_interaction_table *);
+
+/* What the chosen effects need with their present settings: enum dem_needs, or-ed. */
+unsigned dem_interaction_table_needs(const struct dem_interaction_table *);
+
+/* 1 when that effect was chosen. */
+int dem_interaction_table_has_effect(const struct dem_interaction_table *, const char *effect);
+
+/* Build and prepare all effect lists. Reads the smallest and largest radii; wall_materials[m] is 1
+   when a wall is made of material m. DEM_ERROR_INPUT when a setting is missing. */
+int dem_interaction_table_freeze(struct dem_interaction_table *,
+                                 const int wall_materials[DEM_MATERIALS]);
+
+/* A shallow copy of a frozen table, for a second state: effect lists of its own, settings shared
+   with the original, which must outlive the copy. The copy is freed with the second function. */
+int dem_interaction_table_share(const struct dem_interaction_table *,
+                                struct dem_interaction_table *to);
+void dem_interaction_table_unshare(struct dem_interaction_table *);
+
+/* Remove an effect from all effect lists of a shallow copy. Its history columns stay. */
+void dem_interaction_table_remove_effect(struct dem_interaction_table *copy, const char *effect);
+
+/* Number of history columns of an effect. */
+int dem_effect_history_columns(const struct dem_effect *);
+
+#endif

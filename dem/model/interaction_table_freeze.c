@@ -1,0 +1,257 @@
+/*
+ * interaction_table_freeze.c -- builds the effect list of each pair class from the chosen effects.
+ *
+ * 1. Give each effect its history columns; they are the same in all classes, so a contact row has
+ *    one layout.
+ * 2. For each pair of materials present, and each material with a wall: copy the settings, apply
+ *    those of the pair, let each effect prepare itself.
+ * 3. Collect the limit of the time step and the largest reach past touching.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "model/interaction_table_internal.h"
+#include "core/memory.h"
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+int dem_effect_history_columns(const struct dem_effect *effect)
+{
+    int n = 0;
+
+    while (effect->history && effect->history[n])
+    {
+        n++;
+    }
+    return n;
+}
+
+static double sphere_mass(const struct dem_material *m, double radius)
+{
+    return m->density*4.0/3.0*3.14159265358979323846*radius*radius*radius;
+}
+
+static struct dem_pair_class pair_class(const struct dem_interaction_table *r, int with_wall, int a,
+                                        int b)
+{
+    const struct dem_material *const m = &r->material[a], *const o = &r->material[b];
+    const double nm = m->poissons_ratio, no = o->poissons_ratio, Em = m->youngs_modulus, Eo = o->youngs_modulus;
+    const double Ra = r->min_radius[a], Rb = r->min_radius[b];
+    struct dem_pair_class c = {.a = m, .b = o, .with_wall = with_wall};
+
+    c.reduced_modulus = 1.0/((1.0 - nm*nm)/Em + (1.0 - no*no)/Eo);
+    c.reduced_shear = 1.0/(2.0*(2.0 - nm)*(1.0 + nm)/Em + 2.0*(2.0 - no)*(1.0 + no)/Eo);
+    c.min_radius = with_wall ? Ra : Ra*Rb/(Ra + Rb);
+    c.max_radius_sum = r->max_radius[a] + (with_wall ? 0.0 : r->max_radius[b]);
+    c.min_mass = with_wall ? sphere_mass(m, Ra) : 1.0/(1.0/sphere_mass(m, Ra) + 1.0/sphere_mass(o, Rb));
+    return c;
+}
+
+static int append_effect(struct dem_interaction_table *r, struct dem_effect_list *list, int index,
+                         int first_column, int a, int b)
+{
+    const struct dem_effect *const effect = r->effect[index];
+    struct dem_effect_entry *const entry = &list->entry[list->entries];
+    const int contact = effect->stage < DEM_STAGE_BODY;
+
+    DEM_TRY(dem_memory_new(&entry->settings, 1, effect->size + 1));
+    entry->effect = effect;
+    entry->first_column = first_column;
+    list->entries++;
+    memcpy(entry->settings, r->settings[index], effect->size);
+    for (int k = 0; contact && k < r->overrides; k++)
+    {
+        const struct dem_override *const o = &r->override[k];
+        const int applies = (o->pair[0] == a && o->pair[1] == b) || (o->pair[0] == b && o->pair[1] == a);
+
+        if (o->effect == effect && applies)
+        {
+            DEM_TRY(dem_override_apply(o, entry->settings));
+        }
+    }
+    if (effect->settings)
+    {
+        const int status = dem_settings_check_complete(effect->settings, entry->settings, effect->name);
+
+        if (status && contact)
+        {
+            const char *const x = list->pair.a->name, *const y = list->pair.b->name;
+
+            return dem_error_prefix(status, "contact %s-%s, by effects or by pairs between (%s %s): ", x, y, x, y);
+        }
+        DEM_TRY(status);
+    }
+    list->pair.exponent = effect->stage == DEM_STAGE_NORMAL ? effect->exponent : list->pair.exponent;
+    list->needs |= effect->needs;
+    list->moments |= effect->stage == DEM_STAGE_MOMENT || effect->stage == DEM_STAGE_BOND;
+    list->past_touching |= effect->stage == DEM_STAGE_BOND || effect->stage == DEM_STAGE_FILM;
+    return effect->prepare ? effect->prepare(entry->settings, contact ? &list->pair : NULL) : DEM_OK;
+}
+
+/* Limit of the time step and reach of one entry. */
+static void collect_limits(struct dem_interaction_table *r, const struct dem_effect_list *list,
+                           const struct dem_effect_entry *entry)
+{
+    const char *why = entry->effect->name, *const suffix = list->pair.with_wall ? ", at a wall" : "";
+    const double reach = entry->effect->reach ? entry->effect->reach(entry->settings, &list->pair) : 0.0;
+    const double limit = entry->effect->time_limit ? entry->effect->time_limit(entry->settings, &list->pair, &why)
+                                                  : DBL_MAX;
+
+    r->reach = reach > r->reach ? reach : r->reach;
+    if (limit < r->step_limit)
+    {
+        r->next_limit = r->step_limit;
+        memcpy(r->next_why, r->why, sizeof r->why);
+        r->step_limit = limit;
+        snprintf(r->why, sizeof r->why, "%s%s", why, suffix);
+    }
+    else if (limit < r->next_limit)
+    {
+        r->next_limit = limit;
+        snprintf(r->next_why, sizeof r->next_why, "%s%s", why, suffix);
+    }
+}
+
+static int build_list(struct dem_interaction_table *r, struct dem_effect_list *list, int a, int b,
+                      const int *first_column)
+{
+    const int bodies = list == &r->bodies;
+
+    for (int k = 0; k < r->chosen; k++)
+    {
+        if (bodies == (r->effect[k]->stage >= DEM_STAGE_BODY))
+        {
+            DEM_TRY(append_effect(r, list, k, first_column[k], a, b));
+            collect_limits(r, list, &list->entry[list->entries - 1]);
+        }
+    }
+    r->needs |= list->needs;
+    r->moments |= list->moments;
+    r->past_touching |= list->past_touching;
+    return DEM_OK;
+}
+
+static int add_class(struct dem_interaction_table *r, int with_wall, int a, int b,
+                     const int *first_column)
+{
+    struct dem_effect_list *const list = &r->list[r->classes];
+
+    list->pair = pair_class(r, with_wall, a, b);
+    r->class_of[with_wall][a][b] = r->classes;
+    if (!with_wall)
+    {
+        r->class_of[0][b][a] = r->classes;
+    }
+    r->classes++;
+    return build_list(r, list, a, b, first_column);
+}
+
+static int assign_history_columns(struct dem_interaction_table *r, int *first_column)
+{
+    for (int k = 0; k < r->chosen; k++)
+    {
+        const int n = dem_effect_history_columns(r->effect[k]);
+
+        DEM_REQUIRE(r->history_columns + n <= DEM_HISTORY_COLUMNS, DEM_ERROR_INPUT,
+                    "the chosen effects need more than %d history columns per contact; choose fewer effects", DEM_HISTORY_COLUMNS);
+        first_column[k] = r->history_columns;
+        for (int m = 0; m < n; m++)
+        {
+            r->history_name[r->history_columns++] = r->effect[k]->history[m];
+        }
+    }
+    return DEM_OK;
+}
+
+int dem_interaction_table_freeze(struct dem_interaction_table *r,
+                                 const int wall_materials[DEM_MATERIALS])
+{
+    int first_column[DEM_EFFECT_LIST_LIMIT];
+
+    DEM_TRY(assign_history_columns(r, first_column));
+    DEM_TRY(DEM_NEW(r->list, 2*r->materials*r->materials + 1));
+    memset(r->class_of, -1, sizeof r->class_of);
+    r->step_limit = r->next_limit = DBL_MAX;
+    snprintf(r->why, sizeof r->why, "no effect bounds it");
+    for (int a = 0; a < r->materials; a++)
+    {
+        for (int b = a; b < r->materials; b++)
+        {
+            if (r->min_radius[a] > 0.0 && r->min_radius[b] > 0.0)
+            {
+                DEM_TRY(add_class(r, 0, a, b, first_column));
+            }
+        }
+    }
+    for (int a = 0; a < r->materials; a++)
+    {
+        for (int b = 0; b < r->materials; b++)
+        {
+            if (r->min_radius[a] > 0.0 && wall_materials[b])
+            {
+                DEM_TRY(add_class(r, 1, a, b, first_column));
+            }
+        }
+    }
+    return build_list(r, &r->bodies, -1, -1, first_column);
+}
+
+int dem_interaction_table_share(const struct dem_interaction_table *r,
+                                struct dem_interaction_table *to)
+{
+    *to = *r;
+    to->list = NULL;
+    DEM_TRY(DEM_NEW(to->list, r->classes + 1));
+    memcpy(to->list, r->list, (size_t)r->classes*sizeof *to->list);
+    for (int c = 0; c < r->classes; c++)
+    {
+        to->list[c].pair.a = to->material + (r->list[c].pair.a - r->material);
+        to->list[c].pair.b = to->material + (r->list[c].pair.b - r->material);
+    }
+    return DEM_OK;
+}
+
+void dem_interaction_table_unshare(struct dem_interaction_table *r)
+{
+    dem_memory_free(r->list);
+    memset(r, 0, sizeof *r);
+}
+
+static void remove_effect(struct dem_interaction_table *r, struct dem_effect_list *list,
+                          const char *effect)
+{
+    const int entries = list->entries;
+
+    list->entries = 0;
+    list->needs = 0;
+    list->moments = list->past_touching = 0;
+    for (int k = 0; k < entries; k++)
+    {
+        const struct dem_effect_entry entry = list->entry[k];
+
+        if (strcmp(entry.effect->name, effect) != 0)
+        {
+            list->entry[list->entries++] = entry;
+            list->needs |= entry.effect->needs;
+            list->moments |= entry.effect->stage == DEM_STAGE_MOMENT || entry.effect->stage == DEM_STAGE_BOND;
+            list->past_touching |= entry.effect->stage == DEM_STAGE_BOND || entry.effect->stage == DEM_STAGE_FILM;
+            r->reach = entry.effect->reach ? fmax(r->reach, entry.effect->reach(entry.settings, &list->pair)) : r->reach;
+        }
+    }
+    r->needs |= list->needs;
+    r->moments |= list->moments;
+    r->past_touching |= list->past_touching;
+}
+
+void dem_interaction_table_remove_effect(struct dem_interaction_table *r, const char *effect)
+{
+    r->needs = 0;
+    r->moments = r->past_touching = 0;
+    r->reach = 0.0;
+    for (int c = 0; c < r->classes; c++)
+    {
+        remove_effect(r, &r->list[c], effect);
+    }
+    remove_effect(r, &r->bodies, effect);
+}

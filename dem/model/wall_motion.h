@@ -1,0 +1,78 @@
+/*
+ * wall_motion.h -- prescribed rigid motion of walls as a function of time.
+ *
+ * The motion is a closed formula of time, so a restart needs no stored pose. The corners and planes
+ * of a wall are stored, searched and numbered in its own reference frame X, where the wall is when
+ * nothing moves. The motion gives the pose of this frame:
+ *
+ *   x = Q X + s,   translation   s = v T
+ *                  oscillation   s = a sin(2 pi f T + phase)
+ *                  rotation      Q: by the angle omega T about the axis through the origin o,
+ *                                s = o - Q o
+ *
+ *   T   time since the start, limited to [0, end - start]; outside the wall rests             [s]
+ *
+ * The velocity of a point of the wall is that of the chord of the last step, (x(t) - x(t - dt))/dt,
+ * the same definition as for particles: what moves with the wall has exactly no slip.
+ *
+ * Which wall has which motion, and the bound of its displacement for the lists: walls.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_MODEL_WALL_MOTION_H
+#define DEM_MODEL_WALL_MOTION_H
+
+enum dem_motion_kind
+{
+    DEM_MOTION_REST,
+    DEM_MOTION_TRANSLATION,
+    DEM_MOTION_ROTATION,
+    DEM_MOTION_OSCILLATION
+};
+
+struct dem_motion
+{
+    enum dem_motion_kind kind;
+    double start, end;                      /* s */
+    double velocity[3];                     /* m/s  translation */
+    double amplitude[3], frequency, phase;  /* m, 1/s, rad: oscillation */
+    double origin[3], axis[3], omega;       /* m, unit, rad/s: rotation */
+};
+
+struct dem_pose                                           /* of a reference frame: Q and s */
+{
+    double rotation[3][3], shift[3];  /* 1, m */
+};
+
+/* displacement by a motion over the last step */
+struct dem_wall_displacement
+{
+    double velocity[3];              /* m/s: of translation */
+    double origin[3], axis[3];       /* m, unit: of rotation */
+    double sine, versine;            /* of the angle of rotation: sin, 1 - cos */
+    double sine_rate, versine_rate;  /* 1/s: the same over dt; omega and 0 when dt is 0 */
+};
+
+/* Pose of the reference frame at a time [s]. */
+void dem_motion_pose(const struct dem_motion *, double time, struct dem_pose *);
+
+/* Displacement over the step of length dt [s] that ends at `time` [s]; dt = 0 gives the velocity
+   then. */
+void dem_motion_displacement(const struct dem_motion *, double time, double dt,
+                             struct dem_wall_displacement *);
+
+/* Velocity [m/s] of the material point of the wall that is at x [m] now. */
+void dem_wall_displacement_velocity(const struct dem_wall_displacement *, const double x[3],
+                                    double v[3]);
+
+/* The direction one step ago of what is now the direction n of the wall. */
+void dem_wall_displacement_rotate_back(const struct dem_wall_displacement *, const double n[3],
+                                       double before[3]);
+
+/* From the wall's frame to the global frame: a point, a direction. Back: a point. `in` and `out`
+   must be different arrays. */
+void dem_pose_point(const struct dem_pose *, const double in[3], double out[3]);
+void dem_pose_direction(const struct dem_pose *, const double in[3], double out[3]);
+void dem_pose_to_frame(const struct dem_pose *, const double in[3], double out[3]);
+
+#endif

@@ -1,0 +1,210 @@
+/*
+ * walls.h -- walls: infinite planes, cylinders, spheres and triangulated surfaces, divided into
+ * facets.
+ *
+ * A contact with a wall is a contact with a facet. Coplanar triangles that are connected form one
+ * facet, so a sphere that slides over their common edges keeps one contact with one history. Facets
+ * are numbered from the sorted triangles, so their numbers do not depend on the order in which
+ * triangles were given. Planes, cylinders and spheres are one facet each and have one side;
+ * triangles have two.
+ *
+ * A moving wall is stored in its own reference frame (wall_motion.h). A wall that follows a mesh
+ * has its triangles at their present positions, but keeps the facets of the surface that was given
+ * (wall_trajectory.c).
+ *
+ * Search for particles near walls: neighbor/wall_search.h; contact points: neighbor/wall_touch.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_MODEL_WALLS_H
+#define DEM_MODEL_WALLS_H
+
+#include "model/wall_motion.h"
+#include <stddef.h>
+#include <stdint.h>
+
+enum dem_shape
+{
+    DEM_SHAPE_TRIANGLES,
+    DEM_SHAPE_PLANE,
+    DEM_SHAPE_CYLINDER,           /* without ends */
+    DEM_SHAPE_SPHERE
+};
+
+struct dem_wall
+{
+    char name[64];
+    int material;
+    enum dem_shape shape;
+    int outside;                                      /* cylinder, sphere: 1 when
+                                                         particles are outside */
+    double normal[3];                                 /* unit: of a plane, towards the
+                                                         particles; axis of a cylinder */
+    double point[3], radius;                          /* m: on the plane, on the axis, the centre */
+    int frame;                                        /* index of its reference frame in
+                                                         dem_walls, or -1: at rest */
+    int driven;                                       /* 1: the surface slides in itself (conveyor),
+                                                         with drive + spin x (x - origin) */
+    double drive[3], drive_spin[3], drive_origin[3];  /* m/s, 1/s, m, all in the wall's frame */
+    size_t triangles, flat, repeats;                  /* kept; dropped without area;
+                                                         dropped duplicates */
+    size_t given;                                     /* triangles given, before any are dropped */
+    int follows_mesh, moves;                          /* 1: it follows a mesh; it
+                                                         moves in this advance */
+    double displacement;                              /* m: largest displacement of
+                                                         a corner, this advance */
+};
+
+struct dem_triangle
+{
+    double corner[3][3];          /* m */
+    int wall, facet;
+    unsigned rim;                 /* bit k: edge k -> k + 1 is on the rim of its facet */
+    uint32_t given_index;         /* its index among the triangles given for its wall */
+};
+
+/* corners of a triangle at begin and end of an advance */
+struct dem_corner_trajectory
+{
+    double from[3][3], to[3][3];  /* m */
+};
+
+struct dem_facet                  /* in the wall's frame */
+{
+    double normal[3], offset;     /* unit, m: n.x = offset on the plane; n of a cylinder: its
+                                     axis */
+    double centre[3], radius;     /* m: of a cylinder (any point of its axis) or sphere */
+    int wall, outside;
+    enum dem_shape shape;
+    int bent;                     /* 1: it follows a mesh and is no longer plane */
+    uint32_t largest;             /* largest triangle of the surface given: its plane is that of the
+                                     facet */
+};
+
+/* reference frame of all walls with the same motion */
+struct dem_wall_frame
+{
+    struct dem_motion motion;
+    struct dem_pose pose;         /* present */
+    struct dem_wall_displacement displacement;  /* over the last step */
+    int triangles;                /* 1: has a wall of triangles */
+};
+
+enum dem_list                                             /* neighbor lists, see neighbor/pairs.h */
+{
+    DEM_LIST_OUTER,
+    DEM_LIST_INNER,
+    DEM_LISTS
+};
+
+enum dem_mark_counts                                      /* of the displacement of a mark */
+{
+    DEM_MARK_ALL,
+    DEM_MARK_ALONG,               /* only the component normal to a plane */
+    DEM_MARK_ACROSS               /* only the component across the axis of a cylinder */
+};
+
+/* The displacement of any point of a wall is at most the largest displacement of its marks. */
+struct dem_mark
+{
+    int frame;                               /* index of the reference frame */
+    enum dem_mark_counts counts;
+    double at[3], normal[3];                  /* m, unit, in the wall's frame */
+    double reference[DEM_LISTS][3], last[3];  /* m, global: when lists were made, a step ago */
+};
+
+struct dem_walls
+{
+    int walls;
+    struct dem_wall *wall;
+    size_t wall_capacity;
+    size_t triangles, triangle_capacity;
+    struct dem_triangle *triangle;
+    int facets;
+    struct dem_facet *facet;
+    size_t facet_capacity;
+    int frames;
+    struct dem_wall_frame *frame;
+    size_t frame_capacity;
+    size_t marks, mark_capacity;
+    struct dem_mark *mark;
+    double displacement;                       /* m: largest displacement of
+                                                  a wall in the last step */
+    int following;                             /* number of walls that follow a mesh; for these: */
+    struct dem_corner_trajectory *trajectory;  /* one per triangle, or NULL */
+    double flatness;                           /* m: tolerance for corners to be in a plane */
+    double advance;                            /* s: length of this advance */
+    double path_length, since[DEM_LISTS];      /* m: bounds of the path of corners: in
+                                                  the whole run, since lists were made */
+    int all_flat_static;                       /* 1: all walls are flat and
+                                                  at rest, none is driven */
+};
+
+void dem_walls_free(struct dem_walls *);
+
+/* Add a wall of triangles, or a plane. Names must be unique (DEM_ERROR_INPUT). `wall`: index of the
+   wall. */
+int dem_walls_add(struct dem_walls *, const char *name, int material, int *wall);
+int dem_walls_add_plane(struct dem_walls *, const char *name, int material, const double point[3],
+                        const double normal[3]);
+
+/* Add a cylinder without ends, or a sphere (`axis` NULL). outside: 1 when the particles are
+   outside. */
+int dem_walls_add_round(struct dem_walls *, const char *name, int material, const double point[3],
+                        const double *axis, double radius, int outside);
+
+/* Add n triangles to a wall, 9 numbers [m] each; dem_walls_finish drops degenerate ones and
+   duplicates. */
+int dem_walls_add_triangles(struct dem_walls *, int wall, size_t n, const double *corners);
+
+/* Give a wall a motion. DEM_ERROR_INPUT when its shape cannot follow (an infinite plane can rotate
+   about its normal only). */
+int dem_walls_set_motion(struct dem_walls *, int wall, const struct dem_motion *);
+
+/* Join triangles to facets. `scale` [m]: the largest particle radius, from which the tolerances of
+   welding and flatness follow. */
+int dem_walls_finish(struct dem_walls *, double scale);
+
+/* Part of the above: choose the points whose displacements bound those of the walls. */
+int dem_walls_make_marks(struct dem_walls *);
+
+/* Height [m] of x, in the wall's frame, over the unbounded surface of a facet, negative behind it,
+   and the unit normal there. */
+double dem_facet_height(const struct dem_facet *, const double x[3], double normal[3]);
+
+/* ---- motion: no effect when no wall moves ---------------------------------------------------- */
+
+/* x in the frame of a wall: x itself, or written to `own`. */
+const double *dem_walls_to_frame(const struct dem_walls *, int wall, const double x[3],
+                                 double own[3]);
+
+/* Move all walls to their poses at `time` [s]; dt [s]: length of the last step, or 0. */
+void dem_walls_move(struct dem_walls *, double time, double dt);
+
+/* Store the present positions as the reference of a neighbor list that is being made. */
+void dem_walls_reset_marks(struct dem_walls *, enum dem_list);
+
+/* Largest displacement [m] of a wall since the list was made, relative to the displacement `drift`
+   [m]; displacements of a wall within its own surface do not count. */
+double dem_walls_max_displacement(const struct dem_walls *, enum dem_list, const double drift[3]);
+
+/* ---- following a mesh: no effect when no wall does ------------------------------------------- */
+
+/* Set the corners [m] of a wall's triangles, in the order in which they were given, after the walls
+   are finished: their present positions (first function), or those at the end of the next advance
+   (second). A wall whose corners are not set stays where it is. */
+int dem_walls_set_corners(struct dem_walls *, int wall, size_t n, const double *corners);
+int dem_walls_set_target(struct dem_walls *, int wall, size_t n, const double *corners);
+
+/* Begin an advance of `duration` [s]; move to the end of step `step` of `steps` equal ones; return
+   to its begin. */
+void dem_walls_begin_advance(struct dem_walls *, double duration);
+void dem_walls_advance(struct dem_walls *, int64_t step, int64_t steps);
+void dem_walls_rewind(struct dem_walls *);
+
+/* Velocity [m/s] of the point x of a triangle and angular velocity [1/s] of the surface there in
+   this advance. */
+void dem_walls_surface_motion(const struct dem_walls *, uint32_t triangle, const double x[3],
+                              double velocity[3], double spin[3]);
+
+#endif

@@ -1,0 +1,451 @@
+/*
+ * wall_search.c -- grid of triangles; for each particle the facets within reach; nearest points of
+ * triangles.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "neighbor/wall_search.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/vec.h"
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* A triangle is skipped when the plane of its facet is out of reach. The factor is far above
+   round-off and the tolerance of flatness. */
+static const double reach_margin = 1.001;
+
+enum
+{
+    MAX_CELLS = 1 << 21
+};
+
+void dem_wall_search_free(struct dem_wall_search *s)
+{
+    dem_memory_free(s->start);
+    dem_memory_free(s->entry);
+    dem_memory_free(s->neighbor);
+    dem_memory_free(s->candidate);
+    dem_memory_free(s->seen);
+    memset(s, 0, sizeof *s);
+}
+
+/* ---- nearest point --------------------------------------------------------------------------- */
+
+static double nearest_on_edge(const double a[3], const double b[3], const double x[3],
+                              double nearest[3])
+{
+    double ab[3], ax[3], d[3];
+
+    dem_vec_minus(b, a, ab);
+    dem_vec_minus(x, a, ax);
+    const double along = dem_vec_dot(ax, ab)/dem_vec_dot(ab, ab);
+    const double t = along < 0.0 ? 0.0 : along > 1.0 ? 1.0 : along;
+
+    for (int k = 0; k < 3; k++)
+    {
+        nearest[k] = a[k] + t*ab[k];
+        d[k] = x[k] - nearest[k];
+    }
+    return dem_vec_dot(d, d);
+}
+
+double dem_triangle_nearest(const struct dem_triangle *t, const double x[3], double nearest[3])
+{
+    double ab[3], ac[3], n[3], d[3], best = INFINITY;
+    int inside = 1;
+
+    dem_vec_minus(t->corner[1], t->corner[0], ab);
+    dem_vec_minus(t->corner[2], t->corner[0], ac);
+    dem_vec_cross(ab, ac, n);
+    for (int k = 0; k < 3 && inside; k++)
+    {
+        const double *const a = t->corner[k];
+        double edge[3], to[3], out[3];
+
+        dem_vec_minus(t->corner[(k + 1)%3], a, edge);
+        dem_vec_minus(x, a, to);
+        dem_vec_cross(edge, n, out);
+        inside = dem_vec_dot(to, out) <= 0.0;
+    }
+    if (inside)
+    {
+        dem_vec_minus(x, t->corner[0], d);
+        const double height = dem_vec_dot(d, n)/dem_vec_dot(n, n);
+
+        for (int k = 0; k < 3; k++)
+        {
+            nearest[k] = x[k] - height*n[k];
+        }
+        return height*height*dem_vec_dot(n, n);
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        double on[3];
+        const double square = nearest_on_edge(t->corner[k], t->corner[(k + 1)%3], x, on);
+
+        if (square < best)
+        {
+            best = square;
+            memcpy(nearest, on, sizeof on);
+        }
+    }
+    return best;
+}
+
+double dem_wall_search_nearest(const struct dem_wall_search *s, const struct dem_walls *w,
+                               const struct dem_wall_neighbor *near, const double x[3],
+                               double point[3])
+{
+    double best = DBL_MAX, here[3];
+
+    for (uint32_t c = near->first; c < near->first + near->count; c++)
+    {
+        const double square = dem_triangle_nearest(&w->triangle[s->candidate[c]], x, here);
+
+        if (square < best)
+        {
+            best = square;
+            memcpy(point, here, sizeof here);
+        }
+    }
+    return sqrt(best);
+}
+
+double dem_wall_search_distance(const struct dem_wall_search *s, const struct dem_walls *w,
+                                const struct dem_wall_neighbor *near, const double global[3])
+{
+    const struct dem_facet *const r = &w->facet[near->facet];
+    double local_x[3], there[3];
+    const double *const x = dem_walls_to_frame(w, r->wall, global, local_x);
+
+    if (!dem_wall_neighbor_open(w, near))
+    {
+        return dem_wall_search_nearest(s, w, near, x, there);
+    }
+    const double h = dem_facet_height(r, x, there);
+
+    return r->shape == DEM_SHAPE_TRIANGLES ? fabs(h) : h;
+}
+
+/* ---- the grid -------------------------------------------------------------------------------- */
+
+static void triangle_box(const struct dem_triangle *t, double box[2][3])
+{
+    for (int k = 0; k < 3; k++)
+    {
+        box[0][k] = fmin(t->corner[0][k], fmin(t->corner[1][k], t->corner[2][k]));
+        box[1][k] = fmax(t->corner[0][k], fmax(t->corner[1][k], t->corner[2][k]));
+    }
+}
+
+static void cell_range(const struct dem_wall_search *s, double box[2][3], double margin,
+                       int from[3], int to[3])
+{
+    for (int k = 0; k < 3; k++)
+    {
+        const double a = floor((box[0][k] - margin - s->origin[k])/s->edge);
+        const double b = floor((box[1][k] + margin - s->origin[k])/s->edge);
+
+        from[k] = a < 0.0 ? 0 : a > s->cells[k] ? s->cells[k] : (int)a;
+        to[k] = b < -1.0 ? -1 : b > s->cells[k] - 1 ? s->cells[k] - 1 : (int)b;
+    }
+}
+
+/* For each cell that the box of a triangle meets: count it (entry NULL), or store the triangle in
+   it. */
+static void count_or_store(struct dem_wall_search *s, const struct dem_walls *w, size_t *next,
+                           uint32_t *entry)
+{
+    for (size_t t = 0; t < w->triangles; t++)
+    {
+        double box[2][3];
+        int from[3], to[3];
+
+        triangle_box(&w->triangle[t], box);
+        cell_range(s, box, 1e-9*s->edge, from, to);
+        for (int z = from[2]; z <= to[2]; z++)
+        {
+            for (int y = from[1]; y <= to[1]; y++)
+            {
+                for (int x = from[0]; x <= to[0]; x++)
+                {
+                    const size_t cell = ((size_t)z*(size_t)s->cells[1] + (size_t)y)*(size_t)s->cells[0] + (size_t)x;
+
+                    if (entry)
+                    {
+                        entry[next[cell]] = (uint32_t)t;
+                    }
+                    next[cell]++;
+                }
+            }
+        }
+    }
+}
+
+static void size_grid(struct dem_wall_search *s, const struct dem_walls *w, double radius)
+{
+    double all[2][3] = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}, cells = 1.0;
+
+    for (size_t t = 0; t < w->triangles; t++)
+    {
+        double box[2][3];
+
+        triangle_box(&w->triangle[t], box);
+        for (int k = 0; k < 3; k++)
+        {
+            all[0][k] = fmin(all[0][k], box[0][k]);
+            all[1][k] = fmax(all[1][k], box[1][k]);
+        }
+    }
+    s->edge = 3.0*radius;
+    do
+    {
+        cells = 1.0;
+        for (int k = 0; k < 3; k++)
+        {
+            s->origin[k] = all[0][k];
+            cells *= s->cells[k] = (int)fmin(2.0*MAX_CELLS, (all[1][k] - all[0][k])/s->edge) + 1;
+        }
+        s->edge *= cells > MAX_CELLS ? 1.26 : 1.0;
+    } while (cells > MAX_CELLS);
+}
+
+/* next: one number a cell, zero. */
+static int fill_grid(struct dem_wall_search *s, const struct dem_walls *w, size_t cells, size_t *next)
+{
+    count_or_store(s, w, next, NULL);
+    for (size_t c = 0; c < cells; c++)
+    {
+        s->start[c + 1] = s->start[c] + next[c];
+        next[c] = s->start[c];
+    }
+    DEM_TRY(DEM_NEW(s->entry, s->start[cells] + 1));
+    count_or_store(s, w, next, s->entry);
+    return DEM_OK;
+}
+
+int dem_wall_search_prepare(struct dem_wall_search *s, const struct dem_walls *w, double radius)
+{
+    size_t *next = NULL;
+
+    if (w->triangles == 0)
+    {
+        return DEM_OK;
+    }
+    dem_memory_free(s->start);
+    dem_memory_free(s->entry);
+    dem_memory_free(s->seen);
+    s->start = NULL;                                      /* an allocation that fails leaves them so */
+    s->entry = s->seen = NULL;
+    s->stamp = 0;
+    s->radius = radius;
+    s->path_length = w->path_length;
+    size_grid(s, w, radius);
+    const size_t cells = (size_t)s->cells[0]*(size_t)s->cells[1]*(size_t)s->cells[2];
+
+    DEM_TRY(DEM_NEW(s->start, cells + 1));
+    DEM_TRY(DEM_NEW(s->seen, w->triangles));
+    DEM_TRY(DEM_NEW(next, cells + 1));
+    const int status = fill_grid(s, w, cells, next);
+
+    dem_memory_free(next);
+    return status;
+}
+
+/* ---- search ---------------------------------------------------------------------------------- */
+
+static int add_neighbor(struct dem_wall_search *s, uint32_t particle, int facet, int open,
+                        struct dem_wall_neighbor **near)
+{
+    DEM_TRY(DEM_GROW(s->neighbor, s->neighbor_capacity, s->neighbors + 1));
+    *near = &s->neighbor[s->neighbors++];
+    **near = (struct dem_wall_neighbor){.particle = particle, .facet = facet, .open = open, .first = (uint32_t)s->candidates};
+    return DEM_OK;
+}
+
+/* Facets without triangles: these have the lowest numbers. */
+static int find_primitives(struct dem_wall_search *s, const struct dem_walls *w,
+                           const struct dem_particle *p, uint32_t particle, double skin)
+{
+    struct dem_wall_neighbor *near;
+    double local_x[3], normal[3];
+
+    for (int r = 0; r < w->facets && w->facet[r].shape != DEM_SHAPE_TRIANGLES; r++)
+    {
+        const double *const x = dem_walls_to_frame(w, w->facet[r].wall, p->x, local_x);
+
+        if (dem_facet_height(&w->facet[r], x, normal) < p->radius + skin)
+        {
+            DEM_TRY(add_neighbor(s, particle, r, 1, &near));
+        }
+    }
+    return DEM_OK;
+}
+
+static inline double plane_height(const struct dem_walls *w, uint32_t t, const double x[3])
+{
+    const struct dem_facet *const r = &w->facet[w->triangle[t].facet];
+
+    return dem_vec_dot(r->normal, x) - r->offset;
+}
+
+/* Collect the triangles in reach, each once, of the walls with this reference frame (-1: at rest).
+   x is in that frame. */
+static int gather_triangles(struct dem_wall_search *s, const struct dem_walls *w, int frame,
+                            const double x[3], double reach)
+{
+    double box[2][3], nearest[3];
+    int from[3], to[3];
+
+    memcpy(box[0], x, sizeof box[0]);
+    memcpy(box[1], x, sizeof box[1]);
+    cell_range(s, box, reach, from, to);
+    s->stamp++;
+    for (int z = from[2]; z <= to[2]; z++)
+    {
+        for (int y = from[1]; y <= to[1]; y++)
+        {
+            const size_t row = ((size_t)z*(size_t)s->cells[1] + (size_t)y)*(size_t)s->cells[0];
+
+            for (size_t e = s->start[row + (size_t)from[0]]; from[0] <= to[0] && e < s->start[row + (size_t)to[0] + 1]; e++)
+            {
+                const uint32_t t = s->entry[e];
+
+                if (s->seen[t] != s->stamp && w->wall[w->triangle[t].wall].frame == frame
+                    && fabs(plane_height(w, t, x)) < reach_margin*reach && dem_triangle_nearest(&w->triangle[t], x, nearest) < reach*reach)
+                {
+                    DEM_TRY(DEM_GROW(s->candidate, s->candidate_capacity, s->candidates + 1));
+                    s->candidate[s->candidates++] = t;
+                }
+                s->seen[t] = s->stamp;
+            }
+        }
+    }
+    return DEM_OK;
+}
+
+static void sort_by_facet(const struct dem_walls *w, uint32_t *t, size_t n)
+{
+    for (size_t k = 1; k < n; k++)
+    {
+        const uint32_t here = t[k];
+        size_t m = k;
+
+        for (; m > 0 && (w->triangle[t[m - 1]].facet > w->triangle[here].facet
+                         || (w->triangle[t[m - 1]].facet == w->triangle[here].facet && t[m - 1] > here)); m--)
+        {
+            t[m] = t[m - 1];
+        }
+        t[m] = here;
+    }
+}
+
+static int rim_in_reach(const struct dem_triangle *t, const double x[3], double reach)
+{
+    double on[3];
+
+    for (int k = 0; k < 3; k++)
+    {
+        if ((t->rim >> k & 1u) && nearest_on_edge(t->corner[k], t->corner[(k + 1)%3], x, on) < reach*reach)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int find_triangulated(struct dem_wall_search *s, const struct dem_walls *w,
+                             const struct dem_particle *p, uint32_t particle, double skin)
+{
+    const size_t first = s->candidates;
+    const double reach = p->radius + skin;
+    struct dem_wall_neighbor *near = NULL;
+    double local_x[3];
+
+    DEM_TRY(gather_triangles(s, w, -1, p->x, reach));
+    for (int k = 0; k < w->frames; k++)
+    {
+        if (w->frame[k].triangles)
+        {
+            dem_pose_to_frame(&w->frame[k].pose, p->x, local_x);
+            DEM_TRY(gather_triangles(s, w, k, local_x, reach));
+        }
+    }
+    if (s->candidates > first)                            /* s->candidate may be NULL otherwise */
+    {
+        sort_by_facet(w, s->candidate + first, s->candidates - first);
+    }
+    for (size_t c = first; c < s->candidates; c++)
+    {
+        const struct dem_triangle *const t = &w->triangle[s->candidate[c]];
+
+        if (!near || near->facet != t->facet)
+        {
+            DEM_TRY(add_neighbor(s, particle, t->facet, 1, &near));
+            near->first = (uint32_t)c;
+        }
+        near->count++;
+        near->open &= !rim_in_reach(t, dem_walls_to_frame(w, t->wall, p->x, local_x), reach);
+    }
+    return DEM_OK;
+}
+
+int dem_wall_search_find(struct dem_wall_search *s, const struct dem_walls *w,
+                         const struct dem_particles *q, double skin)
+{
+    s->neighbors = s->candidates = 0;
+    if (w->path_length > s->path_length)
+    {
+        DEM_TRY(dem_wall_search_prepare(s, w, s->radius));
+    }
+    for (size_t i = 0; i < q->n; i++)
+    {
+        DEM_TRY(find_primitives(s, w, &q->record[i], (uint32_t)i, skin));
+        if (w->triangles > 0)
+        {
+            DEM_TRY(find_triangulated(s, w, &q->record[i], (uint32_t)i, skin));
+        }
+    }
+    return DEM_OK;
+}
+
+int dem_wall_search_is_clear(struct dem_wall_search *s, const struct dem_walls *w,
+                             const struct dem_particle *q, int *clear)
+{
+    const size_t neighbors = s->neighbors, candidates = s->candidates;
+
+    if (w->path_length > s->path_length)
+    {
+        DEM_TRY(dem_wall_search_prepare(s, w, s->radius));
+    }
+    DEM_TRY(find_primitives(s, w, q, 0, 0.0));
+    if (w->triangles > 0)
+    {
+        DEM_TRY(find_triangulated(s, w, q, 0, 0.0));
+    }
+    *clear = s->neighbors == neighbors;
+    s->neighbors = neighbors;
+    s->candidates = candidates;
+    return DEM_OK;
+}
+
+uint32_t dem_wall_neighbor_triangle(const struct dem_wall_search *s, const struct dem_walls *w,
+                                    const struct dem_wall_neighbor *near, const double x[3])
+{
+    uint32_t nearest = s->candidate[near->first];
+    double best = INFINITY, on[3];
+
+    for (uint32_t c = near->first; c < near->first + near->count; c++)
+    {
+        const double square = dem_triangle_nearest(&w->triangle[s->candidate[c]], x, on);
+
+        if (square < best)
+        {
+            best = square;
+            nearest = s->candidate[c];
+        }
+    }
+    return nearest;
+}

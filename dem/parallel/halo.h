@@ -1,0 +1,98 @@
+/*
+ * halo.h -- migration of particles to the ranks that own them, and ghosts: copies of particles of
+ * other ranks.
+ *
+ * Particles migrate with their columns and their contact history. Ghosts keep the true coordinates
+ * of their originals. Ghosts are built after each rebuild and refreshed (send, receive) in each
+ * step. With one rank these functions do nothing.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_PARALLEL_HALO_H
+#define DEM_PARALLEL_HALO_H
+
+#include "model/domain.h"
+#include "parallel/sparse_exchange.h"
+#include "parallel/decomposition.h"
+#include "model/contacts.h"
+
+enum
+{
+    DEM_HALO_WIDTH = 9                  /* doubles sent per ghost in each step: position,
+                                           velocity, spin */
+};
+
+enum dem_halo_set                                       /* sets of ghosts */
+{
+    DEM_HALO_ALL,
+    DEM_HALO_CANDIDATES,                /* ghosts with contact rows: sufficient for a step */
+    DEM_HALO_SETS
+};
+
+/* what is sent to, or received from, each rank */
+struct dem_halo_route
+{
+    size_t *start;                /* ranks + 1 offsets into index */
+    uint32_t *index;              /* owned particle, or ghost */
+    size_t start_capacity, capacity;
+};
+
+struct dem_halo
+{
+    struct dem_decomposition *decomposition;
+    struct dem_messages out, in;
+    int neighbors, *neighbor;             /* neighbor ranks, ascending */
+    int send_ranks, receive_ranks;        /* number of ranks to send to, to receive from */
+    int *send_rank, *receive_rank;        /* these ranks */
+    struct dem_halo_route send[DEM_HALO_SETS], receive[DEM_HALO_SETS];
+    uint8_t *needed_here, *needed_there;  /* 1: this ghost has rows here; this particle
+                                             has rows on the rank it is sent to */
+    double *send_buffer, *receive_buffer;
+    MPI_Request *request;
+    int open_requests;                    /* number of open requests */
+    enum dem_halo_set sent;               /* set that is being sent, or was sent last */
+    struct dem_traffic refresh_traffic;   /* refreshes only; other messages count in `in` */
+    size_t neighbor_capacity, send_rank_capacity, receive_rank_capacity, needed_here_capacity;
+    size_t needed_there_capacity, send_capacity, receive_capacity, request_capacity;
+};
+
+void dem_halo_init(struct dem_halo *, struct dem_decomposition *);
+void dem_halo_free(struct dem_halo *);
+
+/* The box [m] of a rank: outer limits are infinite, or the faces of the domain along periodic
+   axes. */
+void dem_halo_box(const struct dem_halo *, const struct dem_domain *, int rank, double box[2][3]);
+
+/* Find the neighbor ranks, in ascending order: those whose boxes, or periodic images of them, come
+   within `reach` [m] of the box of this rank along every axis. */
+int dem_halo_find_neighbors(struct dem_halo *, const struct dem_domain *, double reach);
+
+/* Collective. Send every particle to the rank that owns its position, with the saved history of its
+   contacts. Removes all ghosts. `status`, here and in the next function: of this rank; one that has
+   failed takes part, and all ranks return an error. */
+int dem_halo_migrate(struct dem_halo *, int status, struct dem_particles *, struct dem_contacts *);
+
+/* Collective. Build the ghosts: copies of all particles that may come within `reach` [m] past
+   touching of particles of other ranks. */
+int dem_halo_build(struct dem_halo *, int status, struct dem_particles *, const struct dem_domain *,
+                   double max_radius, double reach);
+
+/* Collective, after a prune: select the ghosts that have contact rows and are needed in each
+   step. */
+int dem_halo_select_candidates(struct dem_halo *, const struct dem_particles *,
+                               const struct dem_contacts *);
+
+/* Begin to send positions, velocities and spins for the ghosts on other ranks; does not allocate.
+   One of the two functions below must complete it before any other call of this file. An error of
+   MPI is recorded (collect.h) and returned by the next agreement. */
+void dem_halo_send(struct dem_halo *, const struct dem_particles *, enum dem_halo_set);
+
+/* Wait for the data; copy them to the ghosts (receive) or discard them (wait). */
+void dem_halo_receive(struct dem_halo *, struct dem_particles *);
+void dem_halo_wait(struct dem_halo *);
+
+/* Collective. Send the fluid viscosity and the inverse inertial mass (with added mass) to the
+   ghosts. */
+int dem_halo_refresh_fluid(struct dem_halo *, struct dem_particles *);
+
+#endif

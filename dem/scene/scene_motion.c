@@ -1,0 +1,124 @@
+/*
+ * scene_motion.c -- read the motion of a wall and the velocity of its surface.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "scene/scene_internal.h"
+#include "core/error.h"
+#include "core/did_you_mean.h"
+#include "core/vec.h"
+#include <math.h>
+#include <string.h>
+
+/* Limits [1/s], [s]: beyond them double precision cannot resolve an angle; below them all
+   angles are finite. */
+static const double max_rate = 1e15, max_time = 1e15;
+
+/* A rotation: origin, unit axis and angular velocity. */
+static int read_turn(const struct dem_dict *dict, double origin[3], double axis[3], double *omega)
+{
+    DEM_TRY(dem_dict_vector(dict, "origin", "m", origin));
+    DEM_TRY(dem_dict_vector(dict, "axis", "1", axis));
+    DEM_TRY(dem_dict_number(dict, "omega", "rad/s", omega));
+    const double size = dem_vec_norm(axis);
+
+    DEM_REQUIRE(fabs(*omega) < max_rate, DEM_ERROR_INPUT,
+                "%s: omega %g rad/s; give a number below %g", dem_dict_where(dict), *omega,
+                max_rate);
+    DEM_REQUIRE(size > 0.0 && isfinite(size), DEM_ERROR_INPUT,
+                "%s: axis (%g %g %g) has no direction; give a vector along it",
+                dem_dict_where(dict), axis[0], axis[1], axis[2]);
+    for (int k = 0; k < 3; k++)
+    {
+        axis[k] /= size;
+    }
+    return DEM_OK;
+}
+
+static int read_oscillation(const struct dem_dict *dict, struct dem_motion *m)
+{
+    DEM_TRY(dem_dict_vector(dict, "amplitude", "m", m->amplitude));
+    DEM_TRY(dem_dict_number(dict, "frequency", "1/s", &m->frequency));
+    DEM_TRY(dem_dict_number_or(dict, "phase", "rad", 0.0, &m->phase));
+    DEM_REQUIRE(m->frequency > 0.0 && m->frequency < max_rate, DEM_ERROR_INPUT,
+                "%s: frequency %g 1/s; give a number above 0 and below %g", dem_dict_where(dict),
+                m->frequency, max_rate);
+    DEM_REQUIRE(fabs(m->phase) < max_rate, DEM_ERROR_INPUT,
+                "%s: phase %g rad; give an angle from 0 to 6.28", dem_dict_where(dict), m->phase);
+    return DEM_OK;
+}
+
+static int read_motion(const struct dem_dict *dict, struct dem_motion *m)
+{
+    static const char *const known[] = {"translation", "rotation", "oscillation"};
+    const char *type;
+
+    DEM_TRY(dem_dict_word(dict, "type", &type));
+    DEM_TRY(dem_dict_number_or(dict, "start", "s", 0.0, &m->start));
+    m->end = INFINITY;
+    if (dem_dict_has(dict, "end"))
+    {
+        DEM_TRY(dem_dict_number(dict, "end", "s", &m->end));
+    }
+    DEM_REQUIRE(fabs(m->start) < max_time, DEM_ERROR_INPUT,
+                "%s: start %g s; give a time within %g s of 0", dem_dict_where(dict), m->start,
+                max_time);
+    DEM_REQUIRE(m->end > m->start, DEM_ERROR_INPUT, "%s: end %g s is not after start %g s",
+                dem_dict_where(dict), m->end, m->start);
+    if (strcmp(type, known[0]) == 0)
+    {
+        m->kind = DEM_MOTION_TRANSLATION;
+        return dem_dict_vector(dict, "velocity", "m/s", m->velocity);
+    }
+    if (strcmp(type, known[1]) == 0)
+    {
+        m->kind = DEM_MOTION_ROTATION;
+        return read_turn(dict, m->origin, m->axis, &m->omega);
+    }
+    if (strcmp(type, known[2]) == 0)
+    {
+        m->kind = DEM_MOTION_OSCILLATION;
+        return read_oscillation(dict, m);
+    }
+    return dem_error_prefix(dem_did_you_mean_error("type of motion", type, known, 3),
+                            "%s: ", dem_dict_where(dict));
+}
+
+/* Velocity of the surface relative to the wall, as of a conveyor belt. */
+static int read_surface_velocity(const struct dem_dict *dict, struct dem_wall *wall)
+{
+    static const double zero[3] = {0.0, 0.0, 0.0};
+    const struct dem_dict *turn;
+    double omega;
+
+    DEM_TRY(dem_dict_vector_or(dict, "surfaceVelocity", "m/s", zero, wall->drive));
+    DEM_TRY(dem_dict_sub_if(dict, "surfaceRotation", &turn));
+    wall->driven = turn || dem_dict_has(dict, "surfaceVelocity");
+    if (turn)
+    {
+        DEM_TRY(read_turn(turn, wall->drive_origin, wall->drive_spin, &omega));
+        for (int k = 0; k < 3; k++)
+        {
+            wall->drive_spin[k] *= omega;
+        }
+    }
+    return DEM_OK;
+}
+
+int dem_scene_read_motion(struct dem_walls *w, int wall, const struct dem_dict *dict)
+{
+    struct dem_motion motion;
+    const struct dem_dict *sub;
+
+    DEM_TRY(read_surface_velocity(dict, &w->wall[wall]));
+    DEM_TRY(dem_dict_sub_if(dict, "motion", &sub));
+    if (!sub)
+    {
+        return DEM_OK;
+    }
+    memset(&motion, 0, sizeof motion);
+    DEM_TRY(read_motion(sub, &motion));
+    const int status = dem_walls_set_motion(w, wall, &motion);
+
+    return status ? dem_error_prefix(status, "%s: ", dem_dict_where(sub)) : DEM_OK;
+}

@@ -1,0 +1,24 @@
+/*
+ * agree.h -- agreement of all ranks: the maximum of numbers, and failure of all when one has
+ * failed.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_SIMULATION_AGREE_H
+#define DEM_SIMULATION_AGREE_H
+
+#include "simulation/dem_state.h"
+
+enum
+{
+    DEM_AGREE_LIMIT = 8           /* limit of n */
+};
+
+/* Collective. Each of n numbers becomes the maximum of all ranks. When a rank has failed (status
+   not DEM_OK), or has recorded an error of MPI (parallel/collect.h), all return its status and have its error text. */
+int dem_agree_max(struct dem_state *, int status, double *value, int n);
+
+/* Collective. The same without numbers. */
+int dem_agree(struct dem_state *, int status);
+
+#endif

@@ -1,0 +1,84 @@
+/*
+ * dem_state.h -- the state of a simulation on one rank: all data of the model, lists and
+ * diagnostics.
+ *
+ * The time step and the API pass the whole state; functions of lower layers take only the parts
+ * that they need.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_SIMULATION_DEM_STATE_H
+#define DEM_SIMULATION_DEM_STATE_H
+
+#include "model/domain.h"
+#include "parallel/halo.h"
+#include "neighbor/pairs.h"
+#include "parallel/decomposition.h"
+#include "model/contacts.h"
+#include "model/particles.h"
+#include "model/interaction_table.h"
+#include "model/walls.h"
+#include "parallel/load_balance.h"
+#include "model/backup.h"
+#include "neighbor/wall_touch.h"
+#include <signal.h>
+
+struct dem_limits                                          /* limits check; reset by each query */
+{
+    double overlap;      /* 1  largest, relative to the smaller diameter */
+    double max_overlap;  /* 1  the same, maximum of all queries */
+    double limit;        /* 1  a larger overlap ends the run */
+    double max_speed;    /* m/s  a higher speed ends the run; 0: no limit */
+    int64_t i, j;        /* ids of the contact; j is -1 - facet at a wall */
+    double x[3];         /* m  its position */
+};
+
+struct dem_state
+{
+    struct dem_domain domain;
+    struct dem_interaction_table interaction_table;
+    struct dem_particles particles;
+    struct dem_contacts contacts;
+    struct dem_walls walls;
+    struct dem_wall_touches touches;
+    struct dem_pairs pairs;
+    struct dem_decomposition decomposition;
+    struct dem_halo halo;
+    struct dem_limits limits;
+    struct dem_backup backup;
+    struct dem_load_balance load_balance;
+
+    /* Stores of upper layers, which the step fills for reports; owned by struct
+       dem_attached_stores. */
+    struct dem_grid_averages *averages;           /* output/grid_averages.h */
+    struct dem_flows *flows;                      /* inflow/flows.h */
+    struct dem_lost_particles *lost_particles;    /* diagnostics/lost_particles.h */
+    struct dem_bonds *bonds;                      /* diagnostics/bonds.h */
+    struct dem_wall_statistics *wall_statistics;  /* diagnostics/wall_statistics.h */
+    struct dem_energy_balance *energy_balance;    /* diagnostics/energy_balance.h */
+    struct dem_timers *timers;                    /* diagnostics/timers.h */
+    struct dem_contact_durations *durations;      /* diagnostics/contact_durations.h */
+
+    int stale;                                    /* 1: rebuild in the next step; 2: there
+                                                     are no lists of these particles yet */
+    int64_t steps, rebuilds, prunes;
+    int64_t agreements;                           /* all-reduces of dem_agree */
+    int64_t steps_before, steps_ahead;            /* steps before this window,
+                                                     steps of this window */
+    double time, dt, window;                      /* s; of positions; last step;
+                                                     length of last window */
+    double window_start;                          /* s; start of the last window */
+    int next_drift_done;                          /* 1: the last step included the drift
+                                                     of the next one, because the state
+                                                     between them was not needed */
+    double fastest;                               /* m/s; largest speed in that drift */
+    int half_step_ahead;                          /* 1: stopped within a window;
+                                                     velocities are half a step ahead */
+    const volatile sig_atomic_t *stop_request;    /* not 0: stop after this step;
+                                                     NULL: no such request */
+    int stopped;                                  /* value of the request at the
+                                                     stop, maximum of ranks */
+    double max_dt;                                /* s; limit of the time step of any window */
+};
+
+#endif

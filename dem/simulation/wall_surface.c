@@ -1,0 +1,186 @@
+/*
+ * wall_surface.c -- velocity, normal half a step ago and reduced radius of a wall at a contact.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "simulation/wall_surface.h"
+#include "core/vec.h"
+#include "simulation/dem_state.h"
+#include <math.h>
+#include <string.h>
+
+/* Lower limit of 1 - R/A: a hollow wall too narrow for a particle is treated as wider than the
+   particle by this fraction. */
+static const double min_clearance = 1e-3;
+
+static double reduced_radius(const struct dem_facet *r, double radius)
+{
+    const double ratio = radius/r->radius, bend = r->outside ? 1.0 + ratio : fmax(1.0 - ratio, min_clearance);
+
+    switch (r->shape)
+    {
+    case DEM_SHAPE_SPHERE: return radius/bend;
+    case DEM_SHAPE_CYLINDER: return radius/sqrt(bend);
+    default: return radius;
+    }
+}
+
+/* A surface with a tangential velocity of its own, like a conveyor belt; the normal component of
+   the given velocity is ignored. */
+static void add_surface_velocity(const struct dem_walls *w, const struct dem_wall *of,
+                                 const struct dem_wall_touch *at, struct dem_wall_surface *surface)
+{
+    double scratch[3], d[3], own[3], run[3], spin[3];
+    const double *const x = of->frame < 0 ? at->point : (dem_pose_to_frame(&w->frame[of->frame].pose, at->point, scratch), scratch);
+
+    dem_vec_minus(x, of->drive_origin, d);
+    dem_vec_cross(of->drive_spin, d, own);
+    for (int k = 0; k < 3; k++)
+    {
+        own[k] += of->drive[k];
+    }
+    memcpy(run, own, sizeof run);
+    memcpy(spin, of->drive_spin, sizeof spin);
+    if (of->frame >= 0)
+    {
+        dem_pose_direction(&w->frame[of->frame].pose, own, run);
+        dem_pose_direction(&w->frame[of->frame].pose, of->drive_spin, spin);
+    }
+    const double along = dem_vec_dot(run, at->normal);
+
+    for (int k = 0; k < 3; k++)
+    {
+        surface->velocity[k] += run[k] - along*at->normal[k];
+        surface->spin[k] += spin[k];
+    }
+}
+
+/* The normal a step ago: of a plane or facet in its orientation then, of a curved wall at the
+   particle's position then. */
+static void normal_before(const struct dem_facet *r, const struct dem_wall_displacement *s,
+                          const double back[3], const struct dem_wall_touch *at, double before[3])
+{
+    double d[3];
+
+    if (r->shape == DEM_SHAPE_PLANE || r->shape == DEM_SHAPE_TRIANGLES)
+    {
+        dem_wall_displacement_rotate_back(s, at->normal, before);
+        return;
+    }
+    /* the particle's distance from the axis or the centre */
+    const double reach = r->outside ? r->radius + at->distance : r->radius - at->distance;
+    double along = 0.0;
+
+    for (int k = 0; k < 3; k++)
+    {
+        d[k] = (r->outside ? reach : -reach)*at->normal[k] - back[k];
+    }
+    for (int k = 0; k < 3 && r->shape == DEM_SHAPE_CYLINDER; k++)
+    {
+        along += d[k]*r->normal[k];
+    }
+    const double size = sqrt(fmax(dem_vec_dot(d, d) - along*along, 0.0));
+
+    for (int k = 0; k < 3; k++)
+    {
+        const double flat = d[k] - (r->shape == DEM_SHAPE_CYLINDER ? along*r->normal[k] : 0.0);
+
+        before[k] = size > 0.0 ? (r->outside ? flat : -flat)/size : at->normal[k];
+    }
+}
+
+static const struct dem_wall_displacement rest;
+
+/* From the position before the motion, the chord of the rotation deviates from the tangent to the
+   other side. */
+void dem_wall_surface_motion(const struct dem_walls *w, int facet, const struct dem_wall_touch *at,
+                             int ahead, struct dem_wall_surface *surface)
+{
+    const struct dem_wall *const of = &w->wall[w->facet[facet].wall];
+    struct dem_wall_displacement s = of->frame < 0 ? rest : w->frame[of->frame].displacement;
+
+    s.versine_rate = ahead ? -s.versine_rate : s.versine_rate;
+    dem_wall_displacement_velocity(&s, at->point, surface->velocity);
+    for (int k = 0; k < 3; k++)
+    {
+        surface->spin[k] = s.sine_rate*s.axis[k];
+    }
+    if (of->driven)
+    {
+        add_surface_velocity(w, of, at, surface);
+    }
+}
+
+void dem_wall_surface_at(const struct dem_walls *w, int facet, const struct dem_particle *i,
+                         const struct dem_wall_touch *at, double dt, struct dem_wall_surface *surface)
+{
+    const struct dem_facet *const r = &w->facet[facet];
+    const struct dem_wall *const of = &w->wall[r->wall];
+    const struct dem_wall_displacement *const s = of->frame < 0 ? &rest : &w->frame[of->frame].displacement;
+    double back[3], before[3], centre[3] = {0.0, 0.0, 0.0};
+
+    dem_wall_surface_motion(w, facet, at, 0, surface);
+    if (r->shape == DEM_SHAPE_CYLINDER || r->shape == DEM_SHAPE_SPHERE)
+    {
+        memcpy(centre, r->centre, sizeof centre);
+        if (of->frame >= 0)
+        {
+            dem_pose_point(&w->frame[of->frame].pose, r->centre, centre);
+        }
+        dem_wall_displacement_velocity(s, centre, centre);
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        back[k] = dt*(i->v[k] - centre[k]);
+    }
+    normal_before(r, s, back, at, before);
+    for (int k = 0; k < 3; k++)
+    {
+        surface->half_step_normal[k] = at->normal[k] + before[k];
+    }
+    const double size = dem_vec_norm(surface->half_step_normal);
+
+    for (int k = 0; k < 3; k++)
+    {
+        surface->half_step_normal[k] = size > 0.0 ? surface->half_step_normal[k]/size : at->normal[k];
+    }
+    surface->reduced_radius = reduced_radius(r, i->radius);
+}
+
+/* ---- walls that follow a mesh ---------------------------------------------------------------- */
+
+int dem_wall_surface_follows_mesh(const struct dem_state *p, uint32_t wall_neighbor)
+{
+    return p->walls.following > 0 && p->walls.wall[p->walls.facet[p->pairs.wall_facet[wall_neighbor]].wall].moves;
+}
+
+void dem_wall_surface_mesh_motion(const struct dem_state *p, uint32_t wall_neighbor, double velocity[3],
+                                  double spin[3])
+{
+    const struct dem_wall_search *const s = &p->pairs.wall_search;
+    const double *const x = p->particles.record[s->neighbor[wall_neighbor].particle].x;
+
+    dem_walls_surface_motion(&p->walls, dem_wall_neighbor_triangle(s, &p->walls, &s->neighbor[wall_neighbor], x), p->touches.touch[wall_neighbor].point, velocity, spin);
+}
+
+void dem_wall_surface_add_mesh_motion(const struct dem_state *p, uint32_t wall_neighbor, double dt,
+                                      struct dem_wall_surface *surface)
+{
+    const double *const n = p->touches.touch[wall_neighbor].normal;
+    double velocity[3], spin[3], back[3];
+
+    dem_wall_surface_mesh_motion(p, wall_neighbor, velocity, spin);
+    dem_vec_cross(spin, n, back);
+    for (int k = 0; k < 3; k++)
+    {
+        surface->velocity[k] += velocity[k];
+        surface->spin[k] += spin[k];
+        surface->half_step_normal[k] = n[k] - 0.5*dt*back[k];
+    }
+    const double size = dem_vec_norm(surface->half_step_normal);
+
+    for (int k = 0; k < 3; k++)
+    {
+        surface->half_step_normal[k] /= size;
+    }
+}

@@ -1,0 +1,416 @@
+/*
+ * body_batch.c -- gather a batch of particles, apply drag modifications and rotational drag, and
+ * write the batch back.
+ *
+ * Records are transposed four at a time in registers; columns are copied as whole vectors.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "step/body_batch.h"
+#include "core/math.h"
+#include "effects/fluid/drag.h"
+#include "effects/effect.h"
+#include "step/vec4.h"
+#include <stddef.h>
+#include <string.h>
+
+static const enum dem_column_name voidage_columns[DEM_VOIDAGE_FACTORS] = {DEM_COLUMN_VOIDAGE_FACTOR_FIRST, DEM_COLUMN_VOIDAGE_FACTOR_SECOND};
+
+/* Fluid quantities at the particles: a column, and its offset in the batch. The three components of
+   a vector are stored one after the other. */
+static const struct
+{
+    enum dem_column_name column;
+    size_t offset;
+} vectors[] =
+{
+    {DEM_COLUMN_FLUID_VELOCITY, offsetof(struct dem_body_batch, ux)},
+    {DEM_COLUMN_PRESSURE_GRADIENT, offsetof(struct dem_body_batch, gx)},
+    {DEM_COLUMN_FLUID_ACCELERATION, offsetof(struct dem_body_batch, ax)},
+    {DEM_COLUMN_VORTICITY, offsetof(struct dem_body_batch, ox)},
+    {DEM_COLUMN_STRESS, offsetof(struct dem_body_batch, sx)},
+}, scalars[] =
+{
+    {DEM_COLUMN_VOID_FRACTION, offsetof(struct dem_body_batch, void_fraction)},
+    {DEM_COLUMN_FLUID_DENSITY, offsetof(struct dem_body_batch, density)},
+    {DEM_COLUMN_FLUID_VISCOSITY, offsetof(struct dem_body_batch, viscosity)},
+    {DEM_COLUMN_MEAN_DIAMETER, offsetof(struct dem_body_batch, mean_diameter)},
+    {DEM_COLUMN_ADDED_MASS, offsetof(struct dem_body_batch, added_mass)},
+};
+_Static_assert(offsetof(struct dem_body_batch, uz) == offsetof(struct dem_body_batch, ux) + 2*DEM_BATCH_ROWS*sizeof(double),
+               "the components of a vector are stored one after the other");
+
+static double *column_at(struct dem_body_batch *b, size_t offset)
+{
+    return (double *)(void *)((char *)b + offset);
+}
+
+/* ---- gather ---------------------------------------------------------------------------------- */
+
+/* Four records into the lanes from c on. */
+__attribute__((always_inline)) static inline void
+gather_four(struct dem_body_workspace *t, const struct dem_particle *const four[4], int c)
+{
+    struct dem_body_batch *const b = &t->batch;
+    dem_vec4 v[4];
+
+    for (int k = 0; k < 4; k++)
+    {
+        v[k] = DEM_VEC4(four[k]->v);
+        b->radius[c + k] = four[k]->radius;
+        b->mass[c + k] = four[k]->mass;
+    }
+    dem_transpose4(v);
+    DEM_VEC4_AT(b->vx + c) = v[0];
+    DEM_VEC4_AT(b->vy + c) = v[1];
+    DEM_VEC4_AT(b->vz + c) = v[2];
+    DEM_VEC4_AT(t->inverse_mass + c) = v[3];
+}
+
+DEM_KERNEL
+static void gather_records(struct dem_body_workspace *restrict t, const struct dem_particle *record,
+                           int rows)
+{
+    struct dem_body_batch *const b = &t->batch;
+    const int whole = rows/4*4;
+
+    for (int c = 0; c < whole; c += 4)
+    {
+        gather_four(t, (const struct dem_particle *const[4]){record + c, record + c + 1, record + c + 2,
+                                                             record + c + 3}, c);
+    }
+    if (whole < rows)
+    {
+        const struct dem_particle *const from = record + whole, *const last = record + rows - 1;
+
+        gather_four(t, (const struct dem_particle *const[4]){from, from + 1 < last ? from + 1 : last,
+                                                             from + 2 < last ? from + 2 : last, last}, whole);
+    }
+    for (int c = 0; c < b->n; c++)
+    {
+        b->volume[c] = dem_sphere_volume(b->radius[c]);
+        b->b[c] = b->bux[c] = b->buy[c] = b->buz[c] = 0.0;
+    }
+}
+
+static void gather_spins(struct dem_body_batch *b, const struct dem_particle *record, int rows)
+{
+    for (int c = 0; c < rows; c++)
+    {
+        b->wx[c] = record[c].w[0];
+        b->wy[c] = record[c].w[1];
+        b->wz[c] = record[c].w[2];
+    }
+}
+
+/* Split a column of vectors into three columns of components. */
+DEM_KERNEL
+static void split(const double *restrict from, int rows, double *restrict x, double *restrict y,
+                  double *restrict z)
+{
+    for (int c = 0; c < rows; c++)
+    {
+        x[c] = from[3*c];
+        y[c] = from[3*c + 1];
+        z[c] = from[3*c + 2];
+    }
+}
+
+/* The same, multiplied by `factor` and added. */
+DEM_KERNEL
+static void split_add(const double *restrict from, int rows, double factor, double *restrict x,
+                      double *restrict y, double *restrict z)
+{
+    for (int c = 0; c < rows; c++)
+    {
+        x[c] += factor*from[3*c];
+        y[c] += factor*from[3*c + 1];
+        z[c] += factor*from[3*c + 2];
+    }
+}
+
+void dem_body_batch_select_forces(struct dem_body_workspace *t, const struct dem_particles *p,
+                                  size_t first, int own)
+{
+    t->force = own ? t->own_forces[0] : dem_column(p, DEM_COLUMN_FORCE) + 3*first;
+    t->torque = own ? t->own_forces[1] : dem_column(p, DEM_COLUMN_TORQUE) + 3*first;
+}
+
+void dem_body_batch_gather(struct dem_body_workspace *t, const struct dem_particles *p,
+                           size_t first, int rows, int spin)
+{
+    struct dem_body_batch *const b = &t->batch;
+
+    b->n = (rows + 7)/8*8;
+    gather_records(t, p->record + first, rows);
+    if (spin)
+    {
+        gather_spins(b, p->record + first, rows);
+    }
+    if (dem_column(p, DEM_COLUMN_OTHER_IMPULSE))
+    {
+        memset(b->rx, 0, 3*sizeof b->rx);
+    }
+    if (dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE))
+    {
+        memset(b->t, 0, 4*sizeof b->t);
+    }
+    split(t->force, rows, b->fx, b->fy, b->fz);
+}
+
+void dem_body_batch_gather_fluid(struct dem_body_workspace *t, const struct dem_particles *p,
+                                 size_t first, int rows, double over_window)
+{
+    struct dem_body_batch *const b = &t->batch;
+    const size_t size = (size_t)rows*sizeof(double);
+
+    for (size_t k = 0; k < sizeof vectors/sizeof vectors[0]; k++)
+    {
+        const double *const from = dem_column(p, vectors[k].column);
+        double *const to = column_at(b, vectors[k].offset);
+
+        if (from)
+        {
+            split(from + 3*first, rows, to, to + DEM_BATCH_ROWS, to + 2*DEM_BATCH_ROWS);
+        }
+    }
+    for (size_t k = 0; k < sizeof scalars/sizeof scalars[0]; k++)
+    {
+        const double *const from = dem_column(p, scalars[k].column);
+
+        if (from)
+        {
+            memcpy(column_at(b, scalars[k].offset), from + first, size);
+        }
+    }
+    split_add(dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE) + 3*first, rows, over_window, b->fx, b->fy, b->fz);
+    for (int k = 0; k < DEM_VOIDAGE_FACTORS && dem_column(p, voidage_columns[k]); k++)
+    {
+        memcpy(b->voidage_factor[k], dem_column(p, voidage_columns[k]) + first, size);
+    }
+}
+
+/* b/e, with the lower limit of the void fraction that the drag laws use; lift likewise. */
+DEM_KERNEL
+static void divide_by_void_fraction(struct dem_body_batch *restrict b)
+{
+    for (int c = 0; c < b->n; c++)
+    {
+        const double over = 1.0/dem_drag_void_fraction(b->void_fraction[c]);
+
+        b->b[c] *= over;
+        b->bux[c] *= over;
+        b->buy[c] *= over;
+        b->buz[c] *= over;
+        b->rx[c] *= over;
+        b->ry[c] *= over;
+        b->rz[c] *= over;
+    }
+}
+
+void dem_body_batch_divide_by_void_fraction(struct dem_body_workspace *t)
+{
+    divide_by_void_fraction(&t->batch);
+}
+
+/* Slip u - v(start) - c (v - v(start)) with the slip factor c: the coefficient becomes c b, and b u
+   becomes b u + (c - 1) b v(start). */
+DEM_KERNEL
+static void apply_slip_factor(struct dem_body_workspace *restrict t,
+                              const double *restrict slip_factor, const double *restrict start,
+                              int rows)
+{
+    struct dem_body_batch *const b = &t->batch;
+
+    for (int c = 0; c < rows; c++)
+    {
+        const double extra = (slip_factor[c] - 1.0)*b->b[c];
+
+        t->drag[c] = b->b[c];
+        b->b[c] += extra;
+        b->bux[c] += extra*start[3*c];
+        b->buy[c] += extra*start[3*c + 1];
+        b->buz[c] += extra*start[3*c + 2];
+    }
+}
+
+void dem_body_batch_apply_slip_factor(struct dem_body_workspace *t, const struct dem_particles *p,
+                                      size_t first, int rows)
+{
+    apply_slip_factor(t, dem_column(p, DEM_COLUMN_SLIP_FACTOR) + first,
+                      dem_column(p, DEM_COLUMN_START_VELOCITY) + 3*first, rows);
+}
+
+void dem_body_batch_limit_backward_drag(struct dem_body_workspace *t, const struct dem_particles *p,
+                                        size_t first, int rows, double h)
+{
+    struct dem_body_batch *const b = &t->batch;
+
+    for (int c = 0; c < rows; c++)
+    {
+        const double moves = b->b[c]*h*t->inverse_mass[c] < -1.0 ? 0.0 : 1.0;
+        const double turns = b->t[c]*h*p->record[first + (size_t)c].inverse_inertia < -1.0 ? 0.0 : 1.0;
+
+        t->drag[c] *= moves;
+        b->b[c] *= moves;
+        b->bux[c] *= moves;
+        b->buy[c] *= moves;
+        b->buz[c] *= moves;
+        b->t[c] *= turns;
+        b->tx[c] *= turns;
+        b->ty[c] *= turns;
+        b->tz[c] *= turns;
+    }
+}
+
+void dem_body_batch_store_voidage_factors(const struct dem_body_workspace *t,
+                                          struct dem_particles *p, size_t first, int rows)
+{
+    for (int k = 0; k < DEM_VOIDAGE_FACTORS; k++)
+    {
+        memcpy(dem_column(p, voidage_columns[k]) + first, t->batch.voidage_factor[k], (size_t)rows*sizeof(double));
+    }
+}
+
+void dem_body_batch_store_added_mass(const struct dem_body_workspace *t, struct dem_particles *p,
+                                     size_t first, int rows)
+{
+    double *const added = dem_column(p, DEM_COLUMN_ADDED_MASS) + first;
+
+    for (int c = 0; c < rows; c++)
+    {
+        struct dem_particle *const r = &p->record[first + (size_t)c];
+
+        added[c] = t->batch.added_mass[c];
+        r->inverse_mass = r->inverse_mass > 0.0 ? 1.0/(r->mass + added[c]) : 0.0;
+    }
+}
+
+/* ---- reacting forces, added mass, rotational drag -------------------------------------------- */
+
+DEM_KERNEL
+static void add_reacting(struct dem_body_batch *restrict b)
+{
+    for (int c = 0; c < b->n; c++)
+    {
+        b->fx[c] += b->rx[c];
+        b->fy[c] += b->ry[c];
+        b->fz[c] += b->rz[c];
+    }
+}
+
+void dem_body_batch_add_reacting_forces(struct dem_body_workspace *t)
+{
+    add_reacting(&t->batch);
+}
+
+/* Of every change of velocity dv the added mass a takes the impulse a dv. */
+void dem_body_batch_sum_reactions(const struct dem_body_workspace *t, struct dem_particles *p,
+                                  size_t first, int rows, double h)
+{
+    const struct dem_body_batch *const b = &t->batch;
+    double *const impulse = dem_column(p, DEM_COLUMN_OTHER_IMPULSE) + 3*first;
+
+    for (int c = 0; c < rows; c++)
+    {
+        const double *const before = p->record[first + (size_t)c].v;
+
+        impulse[3*c] += h*b->rx[c] - b->added_mass[c]*(b->vx[c] - before[0]);
+        impulse[3*c + 1] += h*b->ry[c] - b->added_mass[c]*(b->vy[c] - before[1]);
+        impulse[3*c + 2] += h*b->rz[c] - b->added_mass[c]*(b->vz[c] - before[2]);
+    }
+}
+
+/* Like the kick with drag: I dw/dt = M + t o - t w with the contact torque M and the coefficient t
+   constant over h. */
+void dem_body_batch_kick_spins(struct dem_body_workspace *t, const struct dem_particles *p,
+                               size_t first, int rows, double h)
+{
+    struct dem_body_batch *const b = &t->batch;
+    const double *const moment = t->torque;
+    double *const spin[3] = {b->wx, b->wy, b->wz}, *const target[3] = {b->tx, b->ty, b->tz};
+
+    for (int c = 0; c < rows; c++)
+    {
+        const double over = p->record[first + (size_t)c].inverse_inertia;
+        const double z = b->t[c]*h*over, phi = dem_phi(z), step = phi*h*over;
+
+        for (int k = 0; k < 3; k++)
+        {
+            const double M = moment[3*c + k], drag = target[k][c] - b->t[c]*spin[k][c];
+
+            t->spin_impulse[k][c] = h*(phi*drag - (1.0 - phi)*M);
+            spin[k][c] += step*(M + drag);
+        }
+    }
+}
+
+void dem_body_batch_scatter_spins(const struct dem_body_workspace *t, struct dem_particles *p,
+                                  size_t first, int rows)
+{
+    const double *const spin[3] = {t->batch.wx, t->batch.wy, t->batch.wz};
+    double *const impulse = dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE) + 3*first;
+
+    for (int c = 0; c < rows; c++)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            p->record[first + (size_t)c].w[k] = spin[k][c];
+            impulse[3*c + k] += t->spin_impulse[k][c];
+        }
+    }
+}
+
+/* ---- scatter --------------------------------------------------------------------------------- */
+
+DEM_KERNEL
+static void scatter_records(const struct dem_body_workspace *restrict t,
+                            struct dem_particle *restrict record, const double *restrict torque,
+                            int rows, double h)
+{
+    for (int c = 0; c < rows; c += 4)
+    {
+        dem_vec4 v[4] = {DEM_VEC4(t->batch.vx + c), DEM_VEC4(t->batch.vy + c), DEM_VEC4(t->batch.vz + c), DEM_VEC4(t->inverse_mass + c)};
+
+        dem_transpose4(v);
+        for (int k = 0; k < 4 && c + k < rows; k++)
+        {
+            struct dem_particle *const i = &record[c + k];
+            const double factor = h*i->inverse_inertia, *const m = torque + 3*(c + k);
+            const dem_vec4 change = {factor*m[0], factor*m[1], factor*m[2], 0.0};
+
+            DEM_VEC4_AT(i->v) = v[k];
+            DEM_VEC4_AT(i->w) += change;
+        }
+    }
+}
+
+void dem_body_batch_scatter(const struct dem_body_workspace *t, struct dem_particles *p,
+                            size_t first, int rows, double h)
+{
+    scatter_records(t, p->record + first, t->torque, rows, h);
+}
+
+DEM_KERNEL
+static void sum_drag(const struct dem_body_workspace *restrict t, int rows, double h,
+                     double *restrict impulse, double *restrict decay, double *restrict time)
+{
+    for (int c = 0; c < rows; c++)
+    {
+        impulse[3*c] += t->jx[c];
+        impulse[3*c + 1] += t->jy[c];
+        impulse[3*c + 2] += t->jz[c];
+    }
+    for (int c = 0; c < rows; c++)
+    {
+        decay[c] *= t->decay_factor[c];
+        time[c] += t->drag[c]*h;
+    }
+}
+
+void dem_body_batch_sum_drag(const struct dem_body_workspace *t, struct dem_particles *p,
+                             size_t first, int rows, double h)
+{
+    sum_drag(t, rows, h, dem_column(p, DEM_COLUMN_DRAG_IMPULSE) + 3*first, dem_column(p, DEM_COLUMN_DECAY_FACTOR) + first,
+             dem_column(p, DEM_COLUMN_DRAG_TIME) + first);
+}

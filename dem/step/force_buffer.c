@@ -1,0 +1,69 @@
+/*
+ * force_buffer.c -- store the forces and lever arms of a contact batch in the records of its rows.
+ *
+ * With T = n x F the torque is -a T on both sides, a the lever arm of that side (see geometry.h).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "step/force_buffer.h"
+#include "effects/effect.h"
+#include "step/contact_force.h"
+
+struct dem_force_buffer_slot dem_force_buffer_slot(const struct dem_contacts *c, uint32_t row,
+                                                   int buffered)
+{
+    const uint32_t slot = row & (DEM_FORCE_BUFFER_ROWS - 1);
+
+    return c->single ? (struct dem_force_buffer_slot){.single = buffered ? c->force_buffer_single + slot : c->force_single + row}
+                     : (struct dem_force_buffer_slot){.full = buffered ? c->force_buffer + slot : c->force + row};
+}
+
+size_t dem_force_buffer_copy_deferred(struct dem_contacts *c, size_t copied, uint32_t end)
+{
+    for (; copied < c->deferred_rows && c->deferred_row[copied] < end; copied++)
+    {
+        const uint32_t row = c->deferred_row[copied], slot = row & (DEM_FORCE_BUFFER_ROWS - 1);
+
+        if (c->single)
+        {
+            c->force_single[row] = c->force_buffer_single[slot];
+        }
+        else
+        {
+            c->force[row] = c->force_buffer[slot];
+        }
+    }
+    return copied;
+}
+
+DEM_KERNEL
+static void store(const struct dem_contact_batch *restrict b, double factor, int past_touching,
+                  const struct dem_force_buffer_slot *to)
+{
+    const double *const depth = past_touching ? b->gap : b->overlap;
+    const double signed_factor = past_touching ? -factor : factor;
+
+    for (int c = 0; c < b->n; c += 4)
+    {
+        const dem_vec4 one = {1.0, 1.0, 1.0, 1.0}, mask = past_touching ? one : DEM_VEC4(b->touching + c);
+        const dem_vec4 nx = DEM_VEC4(b->nx + c), ny = DEM_VEC4(b->ny + c), nz = DEM_VEC4(b->nz + c), fn = mask*DEM_VEC4(b->fn + c);
+        const dem_vec4 fx = mask*DEM_VEC4(b->fx + c), fy = mask*DEM_VEC4(b->fy + c), fz = mask*DEM_VEC4(b->fz + c);
+        dem_vec4 f[4] = {fn*nx + fx, fn*ny + fy, fn*nz + fz, signed_factor*DEM_VEC4(depth + c)};
+        dem_vec4 t[4] = {ny*fz - nz*fy, nz*fx - nx*fz, nx*fy - ny*fx, {0.0, 0.0, 0.0, 0.0}};
+
+        if (to->single)
+        {
+            dem_contact_force_store_single(to->single + c, f, t);
+        }
+        else
+        {
+            dem_contact_force_store(to->full + c, f, t);
+        }
+    }
+}
+
+void dem_force_buffer_store(const struct dem_contact_batch *b, double factor, int past_touching,
+                            const struct dem_force_buffer_slot *to)
+{
+    store(b, factor, past_touching, to);
+}

@@ -1,0 +1,22 @@
+/*
+ * neighbor_update.h -- after a drift: keep, prune or rebuild the neighbor lists, decided from
+ * bounds on the displacements.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_STEP_NEIGHBOR_UPDATE_H
+#define DEM_STEP_NEIGHBOR_UPDATE_H
+
+#include "simulation/dem_state.h"
+
+/* Collective, after the drift and the sending of ghost data. `moved` [m]: upper bound of the
+   displacement of any particle in this step. `observed`: 1 when positions are read after the step,
+   so that they have to be inside a periodic box up to half a skin. Ghosts are up to date
+   afterwards. */
+int dem_neighbor_update(struct dem_state *, double moved, int observed);
+
+/* Collective. Rebuild at the present positions: order of particles, ghosts, pairs, contact rows and
+   their history. */
+int dem_neighbor_rebuild(struct dem_state *);
+
+#endif

@@ -1,0 +1,36 @@
+# claims.sh -- conditions for claims, shared by tap.sh and coupled/tap. A file that is not there fulfils none of them.
+#
+#   differs A B         both files are there, not empty, and not the same
+#   agrees A B          both files are there, not empty, and the same byte for byte
+#   equals A B          both texts are not empty and the same
+#   lacks FILE PATTERN  the file is there, not empty, and no line of it matches
+#   thorough            status 0 in a long run (./Alltest -long): all ranks, compilers and cases
+#   brief               status 0 in a quick run (./Alltest quick)
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+differs()
+{
+    [ -s "$1" ] && [ -s "$2" ] || { echo "#   $1 or $2 is empty or not there"; return 1; }
+    ! cmp -s "$1" "$2" || { echo "#   $1 and $2 are the same"; return 1; }
+}
+
+agrees()
+{
+    [ -s "$1" ] && [ -s "$2" ] || { echo "#   $1 or $2 is empty or not there"; return 1; }
+    cmp "$1" "$2"
+}
+
+equals()
+{
+    [ -n "$1" ] && [ "$1" = "$2" ] || { echo "#   '$1' is not '$2', or both are empty"; return 1; }
+}
+
+lacks()
+{
+    [ -s "$1" ] || { echo "#   $1 is empty or not there"; return 1; }
+    ! grep -e "$2" "$1" | sed "s|^|#   $1: |" | grep .
+}
+
+thorough() { [ -n "${SUNA_LONG-}" ]; }
+brief() { [ -n "${SUNA_QUICK-}" ]; }

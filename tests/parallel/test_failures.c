@@ -1,0 +1,417 @@
+/*
+ * Errors on several ranks: an error of MPI on the library's communicator is returned as DEM_ERROR_MPI with MPI's text and does not
+ * abort; when one rank runs out of memory before a collective call, all ranks return an error and none waits.
+ *
+ *     mpirun -np N test_failures         N >= 2; prints what is wrong, ends with 0 when nothing is
+ *
+ * How: MPI calls of the library pass through functions of this file (the profiling interface of MPI). A call that is to fail makes a
+ * broadcast from a rank that does not exist on the same communicator instead, so its error handler is asked. Every allocation of the
+ * core goes through aligned_alloc, which fails once on the second rank.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "api/internal.h"
+#include "core/memory.h"
+#include "parallel/collect.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int rank, ranks, failed;
+
+static void check(int holds, const char *what, const char *of, double found, double expected)
+{
+    if (!holds)
+    {
+        printf("# rank %d of %d: %s, %s: found %g, expected %g: %s\n", rank, ranks, of, what, found, expected, dem_error_text());
+        failed = 1;
+    }
+}
+
+static void try(int status)
+{
+    if (status)
+    {
+        printf("# rank %d: %s\n", rank, dem_error_text());
+        MPI_Abort(MPI_COMM_WORLD, 1);
+    }
+}
+
+/* ---- faults ---------------------------------------------------------------------------------- */
+
+static const char *broken = "";           /* names of the MPI calls that fail */
+static long last_allocation = -1;         /* that many allocations succeed, then one fails; -1: all succeed */
+
+void *aligned_alloc(size_t alignment, size_t size)
+{
+    void *p = NULL;
+
+    if (last_allocation >= 0 && last_allocation-- == 0)
+    {
+        return NULL;
+    }
+    return posix_memalign(&p, alignment, size) ? NULL : p;
+}
+
+static int fails(const char *call)
+{
+    const char *const at = strstr(broken, call);
+
+    return at && strchr(" ", at[strlen(call)]);
+}
+
+static int wrong_root(MPI_Comm comm)
+{
+    int value = 0;
+
+    return PMPI_Bcast(&value, 1, MPI_INT, ranks + 7, comm);
+}
+
+int MPI_Allreduce(const void *in, void *out, int n, MPI_Datatype type, MPI_Op op, MPI_Comm comm)
+{
+    return fails("MPI_Allreduce") ? wrong_root(comm) : PMPI_Allreduce(in, out, n, type, op, comm);
+}
+
+int MPI_Reduce(const void *in, void *out, int n, MPI_Datatype type, MPI_Op op, int root, MPI_Comm comm)
+{
+    return fails("MPI_Reduce") ? wrong_root(comm) : PMPI_Reduce(in, out, n, type, op, root, comm);
+}
+
+int MPI_Exscan(const void *in, void *out, int n, MPI_Datatype type, MPI_Op op, MPI_Comm comm)
+{
+    return fails("MPI_Exscan") ? wrong_root(comm) : PMPI_Exscan(in, out, n, type, op, comm);
+}
+
+int MPI_Allgather(const void *in, int n, MPI_Datatype type, void *out, int count, MPI_Datatype out_type, MPI_Comm comm)
+{
+    return fails("MPI_Allgather") ? wrong_root(comm) : PMPI_Allgather(in, n, type, out, count, out_type, comm);
+}
+
+int MPI_Bcast(void *data, int n, MPI_Datatype type, int root, MPI_Comm comm)
+{
+    return fails("MPI_Bcast") ? wrong_root(comm) : PMPI_Bcast(data, n, type, root, comm);
+}
+
+static MPI_Comm library_comm = MPI_COMM_NULL;
+
+/* The data have arrived, but the call says that they have not. */
+int MPI_Waitall(int n, MPI_Request *request, MPI_Status *status)
+{
+    const int code = PMPI_Waitall(n, request, status);
+
+    return fails("MPI_Waitall") ? wrong_root(library_comm) : code;
+}
+
+int MPI_Irecv(void *data, int n, MPI_Datatype type, int source, int tag, MPI_Comm comm, MPI_Request *request)
+{
+    return fails("MPI_Irecv") ? wrong_root(comm) : PMPI_Irecv(data, n, type, source, tag, comm, request);
+}
+
+int MPI_Isend(const void *data, int n, MPI_Datatype type, int target, int tag, MPI_Comm comm, MPI_Request *request)
+{
+    return fails("MPI_Isend") ? wrong_root(comm) : PMPI_Isend(data, n, type, target, tag, comm, request);
+}
+
+/* ---- calls of the library -------------------------------------------------------------------- */
+
+static char folder[] = "/tmp/test_failures_XXXXXX", snapshot[64];
+
+static struct dem *create(int energy)
+{
+    static const char scene[] =
+        "materials { glass { density 2500; youngsModulus 1e6; } } effects { hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } }"
+        "domain { x (0 %.17g); periodic (x); } insert { row { type lattice; count %d; diameter 1e-3; spacing 1.04; jitter 0.5; min (0 0 0);"
+        " max (%.17g 0.00313 0.00313); velocity (0.3 0 0); seed 3; } }"
+        "averages { all { min (0 0 0); max (0.01 0.003 0.003); interval 1e-7; } }";
+    const double length = 0.03120001*ranks;
+    char text[1024];
+    struct dem *d;
+
+    snprintf(text, sizeof text, scene, length, 270*ranks, length);
+    try(dem_create(&d, MPI_COMM_WORLD));
+    try(dem_scene_text(d, text, "row"));
+    try(energy ? dem_energy_enable(d) : DEM_OK);
+    library_comm = d->state.decomposition.comm;
+    return d;
+}
+
+static int call_totals(struct dem *d)
+{
+    struct dem_totals t;
+
+    return dem_totals(d, &t);
+}
+
+static int call_hash(struct dem *d)
+{
+    uint64_t hash;
+
+    return dem_hash(d, &hash);
+}
+
+static int call_profile(struct dem *d)
+{
+    struct dem_profile profile;
+
+    return dem_profile(d, &profile);
+}
+
+static int call_energy(struct dem *d)
+{
+    const struct dem_energy_item *item;
+    double since;
+    int n;
+
+    return dem_energy(d, &since, &n, &item);
+}
+
+static int call_moving(struct dem *d)
+{
+    int64_t n;
+
+    return dem_count_moving(d, 0.0, &n);
+}
+
+static int call_lost(struct dem *d)
+{
+    const struct dem_loss *loss;
+    int64_t n;
+
+    return dem_lost(d, &n, &loss);
+}
+
+static int call_broken_bonds(struct dem *d)
+{
+    const struct dem_broken_bond *bond;
+    int64_t n;
+
+    return dem_broken_bonds(d, &n, &bond);
+}
+
+static int call_bonds_draw(struct dem *d)
+{
+    return dem_bonds_draw(d, folder, "bonds.vtp", 0.0);
+}
+
+static int call_advance(struct dem *d)
+{
+    return dem_advance(d, 20.0*d->step);
+}
+
+static int call_save(struct dem *d)
+{
+    return dem_save(d, snapshot);
+}
+
+static int call_setup(struct dem *d)
+{
+    return dem_setup(d);
+}
+
+static int call_load(struct dem *d)
+{
+    try(dem_load(d, snapshot));
+    return dem_setup(d);
+}
+
+typedef int call(struct dem *);
+
+struct trial
+{
+    const char *broken, *name;
+    call *call;
+    int before_setup;
+};
+
+/* ---- MPI ------------------------------------------------------------------------------------- */
+
+static void mpi_errors(void)
+{
+    static const struct trial trials[] =
+    {
+        {"MPI_Allreduce", "dem_totals", call_totals, 0},
+        {"MPI_Allreduce", "dem_hash", call_hash, 0},
+        {"MPI_Allreduce", "dem_profile", call_profile, 0},
+        {"MPI_Allreduce", "dem_energy", call_energy, 0},
+        {"MPI_Allreduce", "dem_count_moving", call_moving, 0},
+        {"MPI_Allreduce", "dem_advance", call_advance, 0},
+        {"MPI_Allreduce", "dem_save", call_save, 0},
+        {"MPI_Allreduce", "dem_setup", call_setup, 1},
+        {"MPI_Allgather", "dem_lost", call_lost, 0},
+        {"MPI_Allgather", "dem_broken_bonds", call_broken_bonds, 0},
+        {"MPI_Exscan", "dem_save", call_save, 0},
+        {"MPI_Exscan", "dem_bonds_draw", call_bonds_draw, 0},
+        {"MPI_Reduce", "dem_advance", call_advance, 0},
+        {"MPI_Waitall", "dem_advance", call_advance, 0},
+        {"MPI_Irecv MPI_Isend", "dem_advance", call_advance, 0},
+        {"MPI_Bcast", "dem_load", call_load, 1},
+    };
+    struct dem *d = create(0);
+
+    try(dem_setup(d));
+    try(dem_save(d, snapshot));                           /* for dem_load */
+    dem_free(d);
+    for (size_t k = 0; k < sizeof trials/sizeof *trials; k++)
+    {
+        const struct trial *const t = &trials[k];
+        char call_name[32], name[96];
+
+        d = create(!t->before_setup);
+        try(t->before_setup ? DEM_OK : dem_setup(d));
+        broken = t->broken;
+        const int status = t->call(d);
+
+        broken = "";
+        snprintf(name, sizeof name, "%s fails in %s", t->broken, t->name);
+        snprintf(call_name, sizeof call_name, "%.*s failed", (int)strcspn(t->broken, " "), t->broken);
+        check(status == DEM_ERROR_MPI, "status", name, status, DEM_ERROR_MPI);
+        check(strstr(dem_error_text(), call_name) != NULL, "the message names the call", name, 0, 1);
+        check(strstr(dem_error_text(), "root") != NULL, "the message has the text of MPI", name, 0, 1);
+        dem_free(d);
+    }
+}
+
+/* ---- memory ---------------------------------------------------------------------------------- */
+
+/* The second rank has no memory for the k-th allocation of a call, for all k: all ranks fail, or none when there are fewer. */
+static void memory(const struct trial *t)
+{
+    int done = 0;
+
+    for (long k = 0; !done && !failed; k++)
+    {
+        struct dem *const d = create(!t->before_setup);
+        int all[2];
+
+        try(t->before_setup ? DEM_OK : dem_setup(d));
+        last_allocation = rank == 1 ? k : -1;
+        const int status = t->call(d);
+
+        all[0] = status != DEM_OK;
+        all[1] = status == DEM_OK;
+        done = rank == 1 && last_allocation >= 0;
+        last_allocation = -1;
+        PMPI_Allreduce(MPI_IN_PLACE, all, 2, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+        PMPI_Bcast(&done, 1, MPI_INT, 1, MPI_COMM_WORLD);
+        check(all[0] + all[1] == 1, "ranks that fail, and others that do not, without memory", t->name, (double)k, 0);
+        check(done == (all[0] == 0), "fails without memory", t->name, all[0], !done);
+        dem_free(d);
+        PMPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+    }
+}
+
+static void no_memory(void)
+{
+    static const struct trial trials[] =
+    {
+        {"", "dem_save", call_save, 0},
+        {"", "dem_bonds_draw", call_bonds_draw, 0},
+        {"", "dem_load", call_load, 1},
+    };
+
+    for (size_t k = 0; k < sizeof trials/sizeof *trials; k++)
+    {
+        memory(&trials[k]);
+    }
+}
+
+/* ---- reductions and gathers ------------------------------------------------------------------ */
+
+static void reductions(const struct dem_decomposition *p)
+{
+    const int64_t own = rank + 1;
+    int64_t sum = own, before = -1, max = own;
+    double min = rank;
+
+    dem_collect_sum_int64(p, &sum, 1);
+    dem_collect_max_int64(p, &max, 1);
+    dem_collect_min_double(p, &min, 1);
+    dem_collect_sum_before(p, &own, &before, 1);
+    check(sum == ranks*(ranks + 1)/2, "sum", "collect", (double)sum, ranks*(ranks + 1)/2);
+    check(max == ranks, "maximum", "collect", (double)max, ranks);
+    check(min == 0.0, "minimum", "collect", min, 0);
+    check(before == rank*(rank + 1)/2, "sum of lower ranks", "collect", (double)before, rank*(rank + 1)/2);
+    check(dem_collect_agree(p, DEM_OK) == DEM_OK, "agreement", "collect", 1, 0);
+    check(dem_collect_agree(p, rank == 1 ? dem_error(DEM_ERROR_INPUT, "one") : DEM_OK) == DEM_ERROR_INPUT, "agreement on an error", "collect", 0, 1);
+}
+
+/* Rank k gives k items of 24 bytes, so the first one gives none. */
+static void gathers(const struct dem_decomposition *p)
+{
+    double item[3*64];
+    struct dem_collect_items own = {"items", item, (size_t)rank, 3*sizeof *item};
+    double *x;
+    size_t n;
+    void *all;
+
+    for (int k = 0; k < 3*rank; k++)
+    {
+        item[k] = rank;
+    }
+    try(dem_collect_gather(p, DEM_OK, &own, &all, &n));
+    check(n == (size_t)(ranks*(ranks - 1)/2), "items", "gather", (double)n, ranks*(ranks - 1)/2);
+    x = all;
+    for (int k = 0, at = 0; k < ranks; k++)
+    {
+        for (int m = 0; m < 3*k; m++, at++)
+        {
+            check(x[at] == k, "item", "gather", x[at], k);
+        }
+    }
+    dem_memory_free(all);
+    check(dem_collect_gather(p, rank == 1 ? dem_error(DEM_ERROR_INPUT, "one") : DEM_OK, &own, &all, &n) == DEM_ERROR_INPUT,
+          "a rank has failed before", "gather", 0, 1);
+    last_allocation = rank == 1 ? 0 : -1;
+    check(dem_collect_gather(p, DEM_OK, &own, &all, &n) == DEM_ERROR_MEMORY && !all, "a rank has no memory", "gather", 0, 1);
+    last_allocation = -1;
+    own.n = 0;
+    check(dem_collect_gather(p, DEM_OK, &own, &all, &n) == DEM_OK && n == 0 && !all, "nothing", "gather", 0, 1);
+}
+
+static void clean_up(void)
+{
+    static const char *const files[] = {"bonds.vtp", "bonds.pvd"};
+    char path[96];
+
+    PMPI_Barrier(MPI_COMM_WORLD);
+    if (rank == 0)
+    {
+        remove(snapshot);
+    }
+    for (size_t k = 0; rank == 0 && k < sizeof files/sizeof *files; k++)
+    {
+        snprintf(path, sizeof path, "%s/%s", folder, files[k]);
+        remove(path);
+    }
+    if (rank == 0 && remove(folder) != 0)
+    {
+        printf("# files are left in %s\n", folder);
+        failed = 1;
+    }
+}
+
+int main(int argc, char **argv)
+{
+    struct dem_decomposition p;
+
+    MPI_Init(&argc, &argv);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    check(ranks > 1 && ranks <= 64, "ranks; run it on 2 to 64", "", ranks, 2);
+    if (rank == 0 && !mkdtemp(folder))
+    {
+        MPI_Abort(MPI_COMM_WORLD, 1);
+    }
+    PMPI_Bcast(folder, sizeof folder, MPI_CHAR, 0, MPI_COMM_WORLD);
+    snprintf(snapshot, sizeof snapshot, "%s/snapshot.dem", folder);
+    try(dem_decomposition_init(&p, MPI_COMM_WORLD, rank, ranks));
+    reductions(&p);
+    gathers(&p);
+    dem_decomposition_free(&p);
+    mpi_errors();
+    no_memory();
+    clean_up();
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+    MPI_Finalize();
+    return failed;
+}
