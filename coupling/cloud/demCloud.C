@@ -310,14 +310,14 @@ Foam::demCloud::demCloud
     ),
     acceleration_
     (
-        dict_.hasEffect("virtualMass")
-      ? new volVectorField
+        dict_.effectWith(DEM_TRAIT_FLUID_ACCELERATION).empty()
+      ? nullptr
+      : new volVectorField
         (
             fieldAt(mesh, "fluidAcceleration", IOobject::READ_IF_PRESENT),
             mesh,
             dimensionedVector(dimAcceleration, Zero)
         )
-      : nullptr
     ),
     deposited_(0),
     diameter_(dict_.coupling().getOrDefault<scalar>("diameter", 0)),

@@ -308,7 +308,10 @@ Foam::tmp<Foam::volVectorField> Foam::demCloud::pressureReaction() const
         new volVectorField("dem:pressureReaction", 0*force_)
     );
 
-    if (reacts() && dict_.hasEffect("pressureGradient"))
+    const bool felt =
+        !dict_.effectWith(DEM_TRAIT_PRESSURE_GRADIENT).empty();
+
+    if (reacts() && felt)
     {
         const scalarField V(volumes(view_));
         vectorField force(view_.n);

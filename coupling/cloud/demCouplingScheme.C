@@ -88,7 +88,7 @@ Foam::demCouplingScheme::demCouplingScheme(const demDict& dict, const bool volum
 
 void Foam::demCouplingScheme::checkEffects() const
 {
-    if (!dict_.hasEffect("pressureGradient"))
+    if (dict_.effectWith(DEM_TRAIT_PRESSURE_GRADIENT).empty())
     {
         FatalErrorInFunction
             << "Equations " << sets[set_] << " need pressureGradient {} in"
@@ -102,17 +102,19 @@ void Foam::demCouplingScheme::checkEffects() const
             << ", and without it momentum is lost" << exit(FatalError);
     }
 
-    for (const char* effect : {"virtualMass", "viscousStress"})
+    const word unsteady
+    (
+        dict_.effectWith(DEM_TRAIT_FLUID_ACCELERATION | DEM_TRAIT_FLUID_STRESS)
+    );
+
+    if (set_ == III && !unsteady.empty())
     {
-        if (set_ == III && dict_.hasEffect(effect))
-        {
-            FatalErrorInFunction
-                << "Equations III are those of a steady, uniform flow, without"
-                << " acceleration and stress, which " << effect << " is based"
-                << " on: take equations I or II in coupling of"
-                << " constant/" << demDict::name() << ", or leave " << effect
-                << " out" << exit(FatalError);
-        }
+        FatalErrorInFunction
+            << "Equations III are those of a steady, uniform flow, without"
+            << " acceleration and stress, which " << unsteady << " is based"
+            << " on: take equations I or II in coupling of"
+            << " constant/" << demDict::name() << ", or leave " << unsteady
+            << " out" << exit(FatalError);
     }
 }
 

@@ -230,9 +230,17 @@ Foam::demDict::demDict(const polyMesh& mesh, const word& file)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::demDict::hasEffect(const word& effect) const
+Foam::word Foam::demDict::effectWith(const unsigned traits) const
 {
-    return dict_.subOrEmptyDict("effects").found(effect);
+    for (const entry& effect : dict_.subOrEmptyDict("effects"))
+    {
+        if (dem_effect_traits(effect.keyword().c_str()) & traits)
+        {
+            return effect.keyword();
+        }
+    }
+
+    return word::null;
 }
 
 

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "checkpoint/snapshot.h"
+#include "effects/effects.h"
 #include "advisor/plan.h"
 #include "parallel/collect.h"
 #include "parallel/mpi_error.h"
@@ -336,6 +337,19 @@ const char *dem_effect_names(const struct dem *d)
 const char *dem_fluid_effect_names(const struct dem *d)
 {
     return d->fluid_effects;
+}
+
+unsigned dem_effect_traits(const char *name)
+{
+    const struct dem_effect *const effect = dem_effects_find(name);
+
+    if (!effect)
+    {
+        return 0;
+    }
+    return (effect->has_pressure_gradient ? DEM_TRAIT_PRESSURE_GRADIENT : 0U) |
+           (effect->needs & DEM_NEEDS_ACCELERATION ? DEM_TRAIT_FLUID_ACCELERATION : 0U) |
+           (effect->needs & DEM_NEEDS_STRESS ? DEM_TRAIT_FLUID_STRESS : 0U);
 }
 
 int dem_gravity_acceleration(const struct dem *d, double g[3])

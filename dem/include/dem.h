@@ -140,6 +140,10 @@ const char *dem_heading(const struct dem *);
 const char *dem_effect_names(const struct dem *);
 const char *dem_fluid_effect_names(const struct dem *);
 
+/* The traits of the effect with this name (enum dem_effect_trait, or-ed); 0 without any, and for a
+   name that no effect has. Needs no simulation. */
+unsigned dem_effect_traits(const char *effect);
+
 /* After dem_check. Sets g to the uniform acceleration of all particles [m/s2], zero without one.
    Returns 1 if an effect of the scene gives it, else 0. */
 int dem_gravity_acceleration(const struct dem *, double g[3]);

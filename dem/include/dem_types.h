@@ -61,6 +61,14 @@ struct dem_run_info
     int one_way;              /* 1: particles do not act on the fluid */
 };
 
+/* what an effect takes from the fluid or gives to the particles, or-ed: dem_effect_traits */
+enum dem_effect_trait
+{
+    DEM_TRAIT_PRESSURE_GRADIENT = 1,   /* the force of the full pressure gradient */
+    DEM_TRAIT_FLUID_ACCELERATION = 2,  /* reads Du/Dt of the fluid: added mass */
+    DEM_TRAIT_FLUID_STRESS = 4         /* reads div tau of the fluid */
+};
+
 enum dem_verdict_word
 {
     DEM_NEEDED,      /* on, and needed */
