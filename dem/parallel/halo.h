@@ -77,10 +77,13 @@ int dem_halo_migrate(struct dem_halo *, int status, struct dem_particles *, stru
 int dem_halo_build(struct dem_halo *, int status, struct dem_particles *, const struct dem_domain *,
                    double max_radius, double reach);
 
-/* Collective, after a prune: select the ghosts that have contact rows and are needed in each
-   step. */
-int dem_halo_select_candidates(struct dem_halo *, const struct dem_particles *,
-                               const struct dem_contacts *);
+/* After dem_halo_build: the memory of the next function. */
+int dem_halo_reserve_candidates(struct dem_halo *, const struct dem_particles *);
+
+/* Collective, after a prune: select the ghosts that have contact rows and are needed in each step.
+   Does not allocate. An error of MPI is recorded (collect.h) and returned by the next agreement. */
+void dem_halo_select_candidates(struct dem_halo *, const struct dem_particles *,
+                                const struct dem_contacts *);
 
 /* Begin to send positions, velocities and spins for the ghosts on other ranks; does not allocate.
    One of the two functions below must complete it before any other call of this file. An error of

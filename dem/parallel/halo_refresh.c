@@ -10,7 +10,6 @@
 #include "core/memory.h"
 #include "parallel/collect.h"
 #include "parallel/halo.h"
-#include "core/memory.h"
 #include <string.h>
 
 enum
@@ -26,11 +25,29 @@ static size_t count_of(const struct dem_halo_route *r, int ranks)
 
 /* ---- selection ------------------------------------------------------------------------------- */
 
-static int mark_needed(struct dem_halo *h, const struct dem_particles *p,
-                       const struct dem_contacts *c)
+static int reserve_route(struct dem_halo_route *near, const struct dem_halo_route *all, int ranks)
 {
+    DEM_TRY(DEM_GROW(near->start, near->start_capacity, ranks + 2));
+    return DEM_GROW(near->index, near->capacity, count_of(all, ranks) + 1);
+}
+
+int dem_halo_reserve_candidates(struct dem_halo *h, const struct dem_particles *p)
+{
+    const struct dem_halo_route *const send = &h->send[DEM_HALO_ALL], *const receive = &h->receive[DEM_HALO_ALL];
+
+    if (h->decomposition->ranks == 1)
+    {
+        return DEM_OK;
+    }
     DEM_TRY(DEM_GROW(h->needed_here, h->needed_here_capacity, p->ghosts + 1));
-    DEM_TRY(DEM_GROW(h->needed_there, h->needed_there_capacity, count_of(&h->send[DEM_HALO_ALL], h->send_ranks) + 1));
+    DEM_TRY(DEM_GROW(h->needed_there, h->needed_there_capacity, count_of(send, h->send_ranks) + 1));
+    DEM_TRY(reserve_route(&h->send[DEM_HALO_CANDIDATES], send, h->send_ranks));
+    return reserve_route(&h->receive[DEM_HALO_CANDIDATES], receive, h->receive_ranks);
+}
+
+static void mark_needed(struct dem_halo *h, const struct dem_particles *p,
+                        const struct dem_contacts *c)
+{
     memset(h->needed_here, 0, p->ghosts);
     for (uint32_t r = 0; r < c->rows; r++)
     {
@@ -45,7 +62,6 @@ static int mark_needed(struct dem_halo *h, const struct dem_particles *p,
             h->needed_here[q->j - p->n] = 1;
         }
     }
-    return DEM_OK;
 }
 
 /* Count a request that a call has opened; record the error of a call that has not. */
@@ -79,13 +95,11 @@ static void exchange_marks(struct dem_halo *h)
 }
 
 /* Copy the marked entries of a route. */
-static int select_marked(struct dem_halo_route *near, const struct dem_halo_route *all, int ranks,
-                         const uint8_t *mark)
+static void select_marked(struct dem_halo_route *near, const struct dem_halo_route *all, int ranks,
+                          const uint8_t *mark)
 {
     size_t kept = 0;
 
-    DEM_TRY(DEM_GROW(near->start, near->start_capacity, ranks + 2));
-    DEM_TRY(DEM_GROW(near->index, near->capacity, count_of(all, ranks) + 1));
     for (int k = 0; k < ranks; k++)
     {
         near->start[k] = kept;
@@ -96,20 +110,19 @@ static int select_marked(struct dem_halo_route *near, const struct dem_halo_rout
         }
         near->start[k + 1] = kept;
     }
-    return DEM_OK;
 }
 
-int dem_halo_select_candidates(struct dem_halo *h, const struct dem_particles *p,
-                               const struct dem_contacts *c)
+void dem_halo_select_candidates(struct dem_halo *h, const struct dem_particles *p,
+                                const struct dem_contacts *c)
 {
     if (h->decomposition->ranks == 1)
     {
-        return DEM_OK;
+        return;
     }
-    DEM_TRY(mark_needed(h, p, c));
+    mark_needed(h, p, c);
     exchange_marks(h);
-    DEM_TRY(select_marked(&h->send[DEM_HALO_CANDIDATES], &h->send[DEM_HALO_ALL], h->send_ranks, h->needed_there));
-    return select_marked(&h->receive[DEM_HALO_CANDIDATES], &h->receive[DEM_HALO_ALL], h->receive_ranks, h->needed_here);
+    select_marked(&h->send[DEM_HALO_CANDIDATES], &h->send[DEM_HALO_ALL], h->send_ranks, h->needed_there);
+    select_marked(&h->receive[DEM_HALO_CANDIDATES], &h->receive[DEM_HALO_ALL], h->receive_ranks, h->needed_here);
 }
 
 /* ---- refreshing ------------------------------------------------------------------------------ */

@@ -210,14 +210,23 @@ static int migrate(struct dem_state *p, int rebalance, int weighted)
     return dem_halo_migrate(&p->halo, status, &p->particles, &p->contacts);
 }
 
-/* Collective. Contact rows from the pairs of the outer list that are within the inner skin. */
-static int prune(struct dem_state *p)
+/* Collective. Contact rows from the pairs of the outer list that are within the inner skin;
+   `rebuilt`: with the history saved before a rebuild. */
+static int prune(struct dem_state *p, int rebuilt)
 {
+    int status;
+
     p->prunes++;
     dem_walls_reset_marks(&p->walls, DEM_LIST_INNER);
-    DEM_TRY(dem_pairs_prune(&p->pairs, &p->particles, &p->walls, &p->contacts));
+    status = dem_pairs_prune(&p->pairs, &p->particles, &p->walls, &p->contacts);
+    if (!status && rebuilt)
+    {
+        status = dem_contacts_restore_history(&p->contacts, &p->particles, p->pairs.wall_facet);
+    }
+    DEM_TRY(dem_agree(p, status));
     dem_wall_touches_set_rows(&p->touches, &p->pairs.wall_search, &p->contacts);
-    return dem_halo_select_candidates(&p->halo, &p->particles, &p->contacts);
+    dem_halo_select_candidates(&p->halo, &p->particles, &p->contacts);
+    return DEM_OK;
 }
 
 /* Count particles, pairs and contact rows; a pair belongs to the owner of its lower id. */
@@ -240,7 +249,7 @@ static void count_lists(struct dem_state *p)
     dem_skins_count(&p->pairs.skins, counted);
 }
 
-/* Collective. The outer list of pairs, and from it the contact rows; `status` is that of the
+/* Collective. The outer list of pairs, and from it the contact rows with their history; `status` is that of the
    migration, on which the ranks agree here. */
 static int build_lists(struct dem_state *p, int status)
 {
@@ -248,10 +257,11 @@ static int build_lists(struct dem_state *p, int status)
     status = status ? status : dem_pairs_order(&p->pairs, &p->particles);
     status = dem_halo_build(&p->halo, status, &p->particles, &p->domain, p->pairs.max_radius, p->pairs.outer);
     status = status ? status : dem_pairs_find(&p->pairs, &p->domain, &p->particles, &p->walls, &p->interaction_table, &p->contacts);
+    status = status ? status : dem_halo_reserve_candidates(&p->halo, &p->particles);
     status = status ? status : dem_wall_touches_reserve(&p->touches, &p->pairs.wall_search);
     DEM_TRY(dem_agree(p, status));
     dem_walls_reset_marks(&p->walls, DEM_LIST_OUTER);
-    DEM_TRY(prune(p));
+    DEM_TRY(prune(p, 1));
     count_lists(p);
     return DEM_OK;
 }
@@ -269,7 +279,6 @@ int dem_neighbor_rebuild(struct dem_state *p)
         DEM_TRY(dem_flows_sum_departures(p));
     }
     DEM_TRY(build_lists(p, migrate(p, rebalance, weighted)));
-    DEM_TRY(dem_contacts_restore_history(&p->contacts, &p->particles, p->pairs.wall_facet));
     p->stale = 0;
     p->rebuilds++;
     return DEM_OK;
@@ -389,7 +398,7 @@ int dem_neighbor_update(struct dem_state *p, double moved, int observed)
     {
         dem_halo_send(&p->halo, &p->particles, DEM_HALO_ALL);
         dem_halo_receive(&p->halo, &p->particles);
-        DEM_TRY(prune(p));
+        DEM_TRY(prune(p, 0));
         dem_timers_end_phase(p->timers, DEM_PHASE_PRUNE);
     }
     return DEM_OK;

@@ -307,6 +307,8 @@ static void no_memory(void)
         {"", "dem_save", call_save, 0},
         {"", "dem_bonds_draw", call_bonds_draw, 0},
         {"", "dem_load", call_load, 1},
+        {"", "dem_setup", call_setup, 1},
+        {"", "dem_advance", call_advance, 0},
     };
 
     for (size_t k = 0; k < sizeof trials/sizeof *trials; k++)
