@@ -176,8 +176,13 @@ Foam::demInletsOutlets::demInletsOutlets(const fvMesh& mesh, const demDict& dict
 :
     mesh_(mesh),
     inlets_(patches(dict.scene().subOrEmptyDict("insert"), dict)),
-    outlets_(patches(dict.scene().subOrEmptyDict("outlets"), dict))
+    outlets_(patches(dict.scene().subOrEmptyDict("outlets"), dict)),
+    isWall_(mesh.boundaryMesh().size())
 {
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        isWall_[patch.index()] = dict.isWall(patch);
+    }
     gather();
 }
 
@@ -198,7 +203,6 @@ bool Foam::demInletsOutlets::pass(::dem* d, const volVectorField& U)
     if (mesh_.moving() && active())
     {
         gather();
-        outletPatch_.clear();
     }
     setPatches(d, &U);
 
@@ -215,63 +219,79 @@ bool Foam::demInletsOutlets::pass(::dem* d, const volVectorField& U)
 }
 
 
-Foam::boolList Foam::demInletsOutlets::leftThroughOutlet
+Foam::List<Foam::demParticleRouting::verdict> Foam::demInletsOutlets::judge
 (
     const demView& view,
-    const UList<label>& particles
+    const UList<label>& particles,
+    const UList<point>& from,
+    const UList<demParticleRouting::verdict>& nearest
 )
 {
-    boolList left(particles.size(), false);
-
-    outgoingId_.clear();
-    outgoingPatch_.clear();
-    if (outlets_.empty())
-    {
-        return left;
-    }
-
-    // Any rank may own the faces of the patch
+    // Any rank may own the faces
     const label self = Pstream::myProcNo();
-    List<pointField> points(Pstream::nProcs());
-    List<vectorField> velocities(Pstream::nProcs());
-    points[self].setSize(particles.size());
-    velocities[self].setSize(particles.size());
+    List<pointField> lines(Pstream::nProcs());
+    lines[self].setSize(2*particles.size());
     forAll(particles, k)
     {
-        points[self][k] = position(view, particles[k]);
-        velocities[self][k] = velocity(view, particles[k]);
+        lines[self][2*k] = from[k];
+        lines[self][2*k + 1] = position(view, particles[k]);
     }
-    Pstream::gatherList(points);
-    Pstream::scatterList(points);
-    Pstream::gatherList(velocities);
-    Pstream::scatterList(velocities);
+    Pstream::gatherList(lines);
+    demBroadcast(lines);
 
-    pointField allPoints;
-    vectorField allVelocities;
-    label first = 0;
-    forAll(points, rank)
+    label first = 0, n = 0;
+    forAll(lines, rank)
     {
-        first = rank == self ? allPoints.size() : first;
-        allPoints.append(points[rank]);
-        allVelocities.append(velocities[rank]);
+        first = rank == self ? n : first;
+        n += lines[rank].size()/2;
+    }
+    pointField start(n), end(n);
+    label i = 0;
+    for (const pointField& points : lines)
+    {
+        for (label k = 0; k < points.size(); k += 2, i++)
+        {
+            start[i] = points[k];
+            end[i] = points[k + 1];
+        }
     }
 
-    if (!outletPatch_)
+    if (!outletPatch_ || mesh_.moving())
     {
         outletPatch_.reset(new demOutletPatch(mesh_));
     }
-    const labelList patch(outletPatch_().patches(allPoints, allVelocities));
+    const List<demOutletPatch::boundaryPoint> points(outletPatch_().relate(start, end));
 
+    outgoingId_.clear();
+    outgoingPatch_.clear();
+
+    List<demParticleRouting::verdict> verdicts(nearest);
     forAll(particles, k)
     {
-        left[k] = outlets_.found(patch[first + k]);
-        if (left[k])
+        const demOutletPatch::boundaryPoint& at = points[first + k];
+        const scalar radius = *dem_at(view.radius, view.stride, size_t(particles[k]));
+        const bool atWall =
+            at.patch >= 0 && isWall_[at.patch] && at.distance <= radius + at.warp;
+        const label outlet =
+            outlets_.found(at.exit) ? at.exit
+          : !atWall && outlets_.found(at.patch) ? at.patch
+          : -1;
+
+        if (outlet >= 0)
         {
             outgoingId_.append(idOf(view, particles[k]));
-            outgoingPatch_.append(patch[first + k]);
+            outgoingPatch_.append(outlet);
+        }
+        if (outlet >= 0 || atWall)
+        {
+            verdicts[k] = demParticleRouting::verdict{false, at.rank, at.cell};
+        }
+        else if (at.exit >= 0)
+        {
+            verdicts[k].lost = true;
         }
     }
-    return left;
+    return verdicts;
 }
 
 

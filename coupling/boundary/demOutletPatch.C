@@ -1,6 +1,6 @@
 /*---------------------------------------------------------------------------*\
-    demOutletPatch.C -- nearest boundary patch on the line along a particle's
-    velocity, over all ranks.
+    demOutletPatch.C -- nearest boundary patch on a line and the boundary face nearest
+    to a point, over all ranks.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
@@ -155,20 +155,85 @@ Foam::List<Foam::string> Foam::demOutletPatch::describe
 }
 
 
-Foam::labelList Foam::demOutletPatch::patches
+Foam::scalar Foam::demOutletPatch::warp(const label facei) const
+{
+    const vector n(mesh_.faceAreas()[facei]/(mag(mesh_.faceAreas()[facei]) + VSMALL));
+    scalar largest = 0;
+
+    for (const label pointi : mesh_.faces()[facei])
+    {
+        const vector arm(mesh_.points()[pointi] - mesh_.faceCentres()[facei]);
+        largest = max(largest, mag(arm & n));
+    }
+    return largest;
+}
+
+
+Foam::List<Foam::demOutletPatch::boundaryPoint> Foam::demOutletPatch::relate
 (
-    const UList<point>& points,
-    const UList<vector>& velocities
+    const UList<point>& from,
+    const UList<point>& to
 ) const
 {
-    scalarList distance;
-    labelList patch(nearest(points, velocities, distance));
+    const label n = to.size();
+    const label self = Pstream::myProcNo();
 
-    for (label& p : patch)
+    // per point: along the line, to the nearest face
+    scalarList distance(2*n, GREAT);
+    labelList patch(2*n, -1), face(n, -1);
+
+    for (label k = 0; tree_ && k < n; k++)
     {
-        p = p < 0 ? -1 : p/2;
+        distance[2*k] = distanceTo(from[k], to[k], patch[2*k]);
+
+        const pointIndexHit hit(tree_().findNearest(to[k], sqr(GREAT)));
+        if (hit.hit())
+        {
+            face[k] = faces_[hit.index()];
+            distance[2*k + 1] = mag(hit.hitPoint() - to[k]);
+            patch[2*k + 1] = mesh_.boundaryMesh().whichPatch(face[k]);
+        }
     }
-    return patch;
+
+    // the smallest distance of all ranks, of equal ones the lowest rank
+    scalarList smallest(distance);
+    Pstream::listCombineGather(smallest, minEqOp<scalar>());
+    demBroadcast(smallest);
+    labelList rank(2*n);
+    forAll(rank, k)
+    {
+        rank[k] = patch[k] >= 0 && distance[k] <= smallest[k] ? self : labelMax;
+    }
+    Pstream::listCombineGather(rank, minEqOp<label>());
+    demBroadcast(rank);
+
+    labelList cell(n, -1);
+    scalarList warped(n, Zero);
+    forAll(patch, k)
+    {
+        patch[k] = rank[k] == self ? patch[k] : -1;
+        if (rank[k] == self && k % 2)
+        {
+            cell[k/2] = mesh_.faceOwner()[face[k/2]];
+            warped[k/2] = warp(face[k/2]);
+        }
+    }
+    Pstream::listCombineGather(patch, maxEqOp<label>());
+    demBroadcast(patch);
+    Pstream::listCombineGather(cell, maxEqOp<label>());
+    demBroadcast(cell);
+    Pstream::listCombineGather(warped, maxEqOp<scalar>());
+    demBroadcast(warped);
+
+    List<boundaryPoint> points(n);
+    forAll(points, k)
+    {
+        points[k] = boundaryPoint
+        {
+            patch[2*k], patch[2*k + 1], rank[2*k + 1], cell[k], smallest[2*k + 1], warped[k]
+        };
+    }
+    return points;
 }
 
 // ************************************************************************* //

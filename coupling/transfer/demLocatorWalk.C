@@ -193,6 +193,12 @@ void Foam::demLocator::cross(const label facei, walkState& t) const
 }
 
 
+Foam::point Foam::demLocator::centre(const label cell) const
+{
+    return cell >= 0 && cell < mesh_.nCells() ? mesh_.cellCentres()[cell] : point::zero;
+}
+
+
 Foam::point Foam::demLocator::position(const demCellLocation& location) const
 {
     return

@@ -10,9 +10,40 @@
 #include "demParticleRouting.H"
 #include "demColumns.H"
 #include "ListOps.H"
+#include "Map.H"
 #include "PstreamReduceOps.H"
 #include <algorithm>
 #include <cstdint>
+
+
+namespace Foam
+{
+
+// Rank and cell of some of those particles that the pairs belong to
+static List<scalar> pick
+(
+    const UList<scalar>& pairs,
+    const UList<label>& of,
+    const UList<label>& particles
+)
+{
+    Map<label> at(2*of.size());
+    forAll(of, k)
+    {
+        at.insert(of[k], k);
+    }
+
+    List<scalar> picked(2*particles.size());
+    forAll(particles, k)
+    {
+        const label from = at[particles[k]];
+        picked[2*k] = pairs[2*from];
+        picked[2*k + 1] = pairs[2*from + 1];
+    }
+    return picked;
+}
+
+} // End namespace Foam
 
 
 void Foam::demParticleRouting::query
@@ -136,11 +167,92 @@ Foam::demParticleRouting::lostParticles Foam::demParticleRouting::summarise
 }
 
 
+Foam::pointField Foam::demParticleRouting::centres
+(
+    const double* rankCell,
+    const UList<label>& particles,
+    const UList<scalar>& previous
+)
+{
+    forAll(particles, k)
+    {
+        const bool known = previous[2*k] >= 0 && previous[2*k] < Pstream::nProcs();
+        const label i = particles[k];
+        const label rank = label(known ? previous[2*k] : rankCell[2*i]);
+
+        if (rank >= 0)
+        {
+            out_[rank].append(known ? previous[2*k + 1] : rankCell[2*i + 1]);
+            out_[rank].append(k);
+        }
+    }
+    exchange();
+    forAll(in_, rank)
+    {
+        const DynamicList<scalar>& message = in_[rank];
+        for (label k = 0; k < message.size(); k += centreSize)
+        {
+            append(out_[rank], locator_.centre(label(message[k])));
+            out_[rank].append(message[k + 1]);
+        }
+    }
+    exchange();
+
+    pointField found(particles.size(), Zero);
+    for (const DynamicList<scalar>& message : in_)
+    {
+        for (label k = 0; k < message.size(); k += centreReplySize)
+        {
+            found[label(message[k + 3])] =
+                point(message[k], message[k + 1], message[k + 2]);
+        }
+    }
+    return found;
+}
+
+
+void Foam::demParticleRouting::judge
+(
+    const demView& view,
+    double* rankCell,
+    const UList<scalar>& previous,
+    boundaryCheck& boundary,
+    DynamicList<label>& lost
+)
+{
+    DynamicList<label> particles;
+    particles.transfer(lost);
+
+    List<verdict> nearest(particles.size());
+    forAll(particles, k)
+    {
+        const double* at = rankCell + 2*particles[k];
+        nearest[k] = verdict{at[0] < 0, label(at[0]), label(at[1])};
+    }
+    const List<verdict> verdicts
+    (
+        boundary.judge(view, particles, centres(rankCell, particles, previous), nearest)
+    );
+
+    forAll(particles, k)
+    {
+        const label i = particles[k];
+        certainty_[i] = verdicts[k].lost ? 0 : 2;
+        if (!verdicts[k].lost)
+        {
+            rankCell[2*i] = verdicts[k].rank;
+            rankCell[2*i + 1] = verdicts[k].cell;
+        }
+    }
+    query(view, rankCell, particles, lost);
+}
+
+
 Foam::demParticleRouting::lostParticles Foam::demParticleRouting::locate
 (
     const demView& view,
     double* rankCell,
-    outletCheck* outlets
+    boundaryCheck* boundary
 )
 {
     nParticles_ = label(view.n);
@@ -160,6 +272,14 @@ Foam::demParticleRouting::lostParticles Foam::demParticleRouting::locate
     if (returnReduce(lost.size(), sumOp<label>()) > 0)
     {
         particles.transfer(lost);
+        List<scalar> previous(2*particles.size());
+        forAll(particles, k)
+        {
+            previous[2*k] = rankCell[2*particles[k]];
+            previous[2*k + 1] = rankCell[2*particles[k] + 1];
+        }
+        const labelList first(particles);
+
         search(view, rankCell, particles);
         query(view, rankCell, particles, lost);
 
@@ -170,15 +290,9 @@ Foam::demParticleRouting::lostParticles Foam::demParticleRouting::locate
             certainty_[i] *= 2;
         }
         query(view, rankCell, particles, lost);
-        if (outlets && returnReduce(lost.size(), sumOp<label>()) > 0)
+        if (boundary && returnReduce(lost.size(), sumOp<label>()) > 0)
         {
-            particles.transfer(lost);
-            const boolList left(outlets->leftThroughOutlet(view, particles));
-            forAll(particles, k)
-            {
-                certainty_[particles[k]] = left[k] ? 2 : 0;
-            }
-            query(view, rankCell, particles, lost);
+            judge(view, rankCell, pick(previous, first, lost), *boundary, lost);
         }
         if (returnReduce(lost.size(), sumOp<label>()) > 0)
         {

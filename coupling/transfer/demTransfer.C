@@ -191,7 +191,7 @@ Foam::demParticleRouting::lostParticles Foam::demTransfer::locate
 (
     const demView& view,
     double* rankCell,
-    demParticleRouting::outletCheck* outlets
+    demParticleRouting::boundaryCheck* boundary
 )
 {
     if (mesh_.changing())
@@ -214,7 +214,7 @@ Foam::demParticleRouting::lostParticles Foam::demTransfer::locate
 
     const demParticleRouting::lostParticles outside
     (
-        routing_().locate(inMeshFrame(view), rankCell, outlets)
+        routing_().locate(inMeshFrame(view), rankCell, boundary)
     );
     if (outside.count)
     {
