@@ -123,7 +123,7 @@ void Foam::demInletsOutlets::gather()
         perRank[Pstream::myProcNo()] =
             trianglesOf(mesh_.boundaryMesh()[all[k]], face);
         Pstream::gatherList(perRank);
-        Pstream::scatterList(perRank);
+        demBroadcast(perRank);
 
         triangles_[k].clear();
         for (const pointField& points : perRank)
@@ -242,9 +242,9 @@ Foam::boolList Foam::demInletsOutlets::leftThroughOutlet
         velocities[self][k] = velocity(view, particles[k]);
     }
     Pstream::gatherList(points);
-    Pstream::scatterList(points);
+    demBroadcast(points);
     Pstream::gatherList(velocities);
-    Pstream::scatterList(velocities);
+    demBroadcast(velocities);
 
     pointField allPoints;
     vectorField allVelocities;
