@@ -123,7 +123,7 @@ void Foam::demInletsOutlets::gather()
         perRank[Pstream::myProcNo()] =
             trianglesOf(mesh_.boundaryMesh()[all[k]], face);
         Pstream::gatherList(perRank);
-        Pstream::scatterList(perRank);
+        demBroadcast(perRank);
 
         triangles_[k].clear();
         for (const pointField& points : perRank)

@@ -340,7 +340,7 @@ Foam::demCloud::demCloud
     bonds_(mesh.time())
 {
     build();
-    flowTable_.begin(dem_);
+    flowTable_.begin(dem_, particleTime());
     noteEffects();
     locate();
     checkIds();
@@ -421,7 +421,7 @@ void Foam::demCloud::write()
         acceleration_().write();
     }
     bonds_.writeVtk(dem_);
-    flowTable_.report(dem_, true);
+    flowTable_.report(dem_, true, particleTime());
     writeMeans();
 }
 

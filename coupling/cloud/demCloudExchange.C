@@ -368,7 +368,7 @@ void Foam::demCloud::evolve
     depositReaction();
     updateRates();
     report();
-    flowTable_.report(dem_, false);
+    flowTable_.report(dem_, false, particleTime());
     losses_.report(dem_, offset_);
     bonds_.report(dem_, offset_);
     refresh();

@@ -143,6 +143,13 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
     driver_.reset(new demDriver(mesh_));
     read(dict);
 
+    if (dict.getOrDefault("plan", false))
+    {
+        driver_().reportPlan();
+        Info<< "End\n" << endl;
+        UPstream::exit(0);
+    }
+
     if (driver_().cloud().twoWay())
     {
         addSource();

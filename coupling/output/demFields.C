@@ -46,8 +46,8 @@ static tmp<symmTensorField> depositTensor
 }
 
 
-template<class Field>
-static void set(Field& field, const typename Field::Internal::FieldType& values)
+template<class GeoField>
+static void set(GeoField& field, const Field<typename GeoField::value_type>& values)
 {
     field.primitiveFieldRef() = values;
     field.correctBoundaryConditions();

@@ -14,15 +14,14 @@
 
 Foam::demFlowTable::demFlowTable(const Time& time)
 :
-    time_(time),
     table_(time, "flows.csv"),
-    since_(time.value())
+    since_(0)
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::demFlowTable::begin(::dem* d)
+void Foam::demFlowTable::begin(::dem* d, const scalar now)
 {
     const struct ::dem_flow* flow = nullptr;
     int n = 0;
@@ -35,10 +34,11 @@ void Foam::demFlowTable::begin(::dem* d)
         particles_[k] = scalar(flow[k].particles);
         mass_[k] = flow[k].mass;
     }
+    since_ = now;
 }
 
 
-void Foam::demFlowTable::report(::dem* d, const bool rows)
+void Foam::demFlowTable::report(::dem* d, const bool rows, const scalar now)
 {
     const struct ::dem_flow* flow = nullptr;
     int n = 0;
@@ -74,7 +74,6 @@ void Foam::demFlowTable::report(::dem* d, const bool rows)
         return;
     }
 
-    const scalar now = time_.value();
     const scalar perTime = now > since_ ? 1/(now - since_) : 0;
 
     for (int k = 0; k < n; k++)

@@ -181,6 +181,16 @@ void Foam::demTransfer::setDiameter(const scalar d)
 
 
 // From the smallest cell of the mesh; no search for the cell of each particle
+Foam::scalar Foam::demTransfer::surfaceLayer() const
+{
+    return
+        width_ > 0 ? width_*diameter_
+      : base_ == LINEAR ? 0.5*std::cbrt(gAverage(mesh_.V().field()))
+      : base_ == DIVIDED ? 0.5*diameter_
+      : 0;
+}
+
+
 Foam::scalar Foam::demTransfer::length() const
 {
     return max(std::cbrt(gMin(mesh_.V().field())), 0.5*width_*diameter_);

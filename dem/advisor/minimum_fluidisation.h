@@ -13,7 +13,8 @@
  *                               the drag itself causes (set II, "model A")
  *   rho_p V |g|                 if it does not
  *
- * and U_mf = e u. The void fraction is that of Wen and Yu for spheres, 1/e^3 = 14.
+ * and U_mf = e u. The void fraction is that of the bed where it is known (dem_run_info), else that
+ * of Wen and Yu for spheres, 1/e^3 = 14.
  *
  *   d    diameter; of a mixture the Sauter mean, sum d^3/sum d^2   [m]
  *   rho_p, rho_f, mu   densities of particle and fluid, viscosity  [kg/m3], [Pa s]
@@ -30,7 +31,7 @@
 #include "effects/relevance.h"
 #include "model/interaction_table.h"
 
-/* void fraction at minimum fluidisation, 14^(-1/3) */
+/* void fraction of a bed that is not known, 14^(-1/3) */
 #define DEM_SUSPENSION_VOID_FRACTION 0.41491326668312173
 
 double dem_suspension_archimedes(const struct dem_suspension *);

@@ -167,14 +167,15 @@ static void write_fluidisation(struct dem_text *t, const struct dem_plan *p,
 {
     const struct dem_interaction_table *const r = &p->state->interaction_table;
     const char *const law = drag_law(r);
-    const double e = DEM_SUSPENSION_VOID_FRACTION;
+    const int own = p->run.void_fraction > 0.0 && p->run.void_fraction <= DEM_BED_VOID_FRACTION;
+    const double e = own ? p->run.void_fraction : DEM_SUSPENSION_VOID_FRACTION;
 
     dem_text_add(t, "    minimum fluidisation at %.4g m/s (superficial; Wen and Yu 1966)\n", dem_suspension_wen_yu_velocity(b));
     if (law)
     {
         const double u = dem_suspension_fluidisation_velocity(r, b, e)/e, drag = dem_suspension_drag(r, b, e, u);
 
-        dem_text_add(t, "    and at %.4g m/s with %s for a bed of void fraction %.4g%s\n", e*u, law, e,
+        dem_text_add(t, "    and at %.4g m/s with %s for a bed of void fraction %.4g%s%s\n", e*u, law, e, own ? ", as this one" : "",
                      b->feels_gradient ? "" : " (without pressureGradient: no buoyancy)");
         dem_text_add(t, "    response time %.4g s there\n", drag > 0.0 ? b->density/drag*3.14159265358979323846/6.0*b->diameter
                                                                         *b->diameter*b->diameter : INFINITY);

@@ -55,7 +55,7 @@ static const char help[] =
     "-restart continues from a snapshot, on any number of ranks, with the same bits as the run\n"
     "that wrote it. SIGTERM, SIGUSR1 and SIGINT (Ctrl-C) end the run after the present step with\n"
     "a snapshot, from which -restart continues with the same bits.\n"
-    "-set overrides an entry: -set effects/dry/restitution 0.8\n"
+    "-set overrides an entry: -set effects/dry/restitution 0.8, or -set time/end=1\n"
     "dem effects lists the effects.\n";
 
 struct progress

@@ -58,6 +58,15 @@ int dem_request_read(struct dem_request *r, const char *command, int argc, char 
         {
             r->restart = argv[++k];
         }
+        else if (strcmp(argv[k], "-set") == 0 && k + 1 < argc && strchr(argv[k + 1], '=')
+                 && r->sets < DEM_MAX_SETS)
+        {
+            char *const equals = strchr(argv[++k], '=');
+
+            *equals = 0;  /* paths have no = */
+            r->set[r->sets][0] = argv[k];
+            r->set[r->sets++][1] = equals + 1;
+        }
         else if (strcmp(argv[k], "-set") == 0 && k + 2 < argc && r->sets < DEM_MAX_SETS)
         {
             r->set[r->sets][0] = argv[++k];

@@ -56,8 +56,8 @@ struct dem_command
     int (*run)(struct dem_program *, struct dem *, const struct dem_schedule *);
 };
 
-/* Read the arguments [-restart SNAPSHOT] [-set PATH VALUE] ... SCENE, and the command's own
-   options. Strings point into argv. */
+/* Read the arguments [-restart SNAPSHOT] [-set PATH VALUE | -set PATH=VALUE] ... SCENE, and the
+   command's own options. Strings point into argv, where the `=` becomes the end of the path. */
 int dem_request_read(struct dem_request *, const char *command, int argc, char **argv);
 
 /* Collective. Read, check and set up the scene of a command line. The caller frees the

@@ -48,6 +48,10 @@ struct dem_new_particle
 /* ---- plan ------------------------------------------------------------------------------------ */
 
 /* what the program knows of the run ahead, for dem_plan; 0 where unknown */
+/* 1  largest void fraction of a bed: particles that touch. Random loose packings of spheres have
+   0.44 (Onoda and Liniger, Phys. Rev. Lett. 64 (1990) 2727), of cohesive ones up to this. */
+#define DEM_BED_VOID_FRACTION 0.6
+
 struct dem_run_info
 {
     double duration;       /* s  from now on */
@@ -59,6 +63,10 @@ struct dem_run_info
     double volume, cell;      /* m3 of all cells; m  cube root of the smallest cell */
     double speed, vorticity;  /* m/s, 1/s  largest */
     int one_way;              /* 1: particles do not act on the fluid */
+
+    /* 1  void fraction around the particles; up to DEM_BED_VOID_FRACTION they are a bed, and it is
+       that of minimum fluidisation. 0: unknown */
+    double void_fraction;
 };
 
 /* what an effect takes from the fluid or gives to the particles, or-ed: dem_effect_traits */

@@ -96,6 +96,12 @@ int main(int argc, char *argv[])
 
     #include "setRootCaseLists.H"
     #include "createTime.H"
+    // A plan leaves no files, neither those of function objects
+    if (args.found("plan"))
+    {
+        runTime.functionObjects().off();
+    }
+
     #include "createDynamicFvMesh.H"
 
     if (args.found("write") && !args.found("plan"))
@@ -133,6 +139,7 @@ int main(int argc, char *argv[])
         }
         if (args.found("plan"))
         {
+            #include "checkSchemes.H"
             break;
         }
 
