@@ -38,7 +38,7 @@ void Foam::demCloud::plan
     const Time& time = mesh_.time();
     const char* text = nullptr;
 
-    struct dem_run_info ahead;
+    struct dem_run_info ahead = {};
     ahead.window = interval_ > 0 ? interval_ : time.deltaTValue();
     ahead.duration =
         (time.endTime().value() - time.value())/time.deltaTValue()*ahead.window;
@@ -56,6 +56,7 @@ void Foam::demCloud::plan
     setFluid(U, gradP, rho, mu);
     demCheck(dem_plan(dem_, &ahead, &text));
     Info<< nl << text << endl;
+    warn(U, ahead);
 }
 
 // ************************************************************************* //

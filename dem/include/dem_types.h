@@ -59,6 +59,9 @@ struct dem_run_info
     double volume, cell;      /* m3 of all cells; m  cube root of the smallest cell */
     double speed, vorticity;  /* m/s, 1/s  largest */
     int one_way;              /* 1: particles do not act on the fluid */
+    double inflow;            /* m/s  largest speed of the fluid on a patch */
+    double resolution;        /* m  length that a particle should not cross in half a window: the
+                                 smallest cell, or half the kernel's width */
 };
 
 /* what an effect takes from the fluid or gives to the particles, or-ed: dem_effect_traits */
