@@ -170,6 +170,19 @@ void Foam::demInletsOutlets::setPatches(::dem* d, const volVectorField* U) const
 }
 
 
+// Does a wall absorb particles?
+bool Foam::demInletsOutlets::absorbs(const dictionary& walls)
+{
+    bool any = false;
+
+    forAllConstIters(walls, iter)
+    {
+        any = any || (iter().isDict() && iter().dict().getOrDefault<Switch>("absorb", false));
+    }
+    return any;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demInletsOutlets::demInletsOutlets(const fvMesh& mesh, const demDict& dict)
@@ -177,7 +190,8 @@ Foam::demInletsOutlets::demInletsOutlets(const fvMesh& mesh, const demDict& dict
     mesh_(mesh),
     inlets_(patches(dict.scene().subOrEmptyDict("insert"), dict)),
     outlets_(patches(dict.scene().subOrEmptyDict("outlets"), dict)),
-    isWall_(mesh.boundaryMesh().size())
+    isWall_(mesh.boundaryMesh().size()),
+    absorbs_(absorbs(dict.scene().subOrEmptyDict("walls")))
 {
     for (const polyPatch& patch : mesh.boundaryMesh())
     {

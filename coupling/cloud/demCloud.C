@@ -15,7 +15,6 @@
 #include "demWriter.H"
 #include "OSspecific.H"
 #include "Time.H"
-#include "wallFvPatch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -56,34 +55,6 @@ static MPI_Comm communicator(bool& made)
     MPI_Group_free(&world);
     made = true;
     return comm;
-}
-
-
-// Void fraction 1 where the velocity is given: there the user gives the
-// superficial velocity. Elsewhere the particles continue behind the patch.
-static wordList patchTypes(const fvMesh& mesh)
-{
-    wordList types(mesh.boundary().size(), "zeroGradient");
-    const volVectorField* U = mesh.findObject<volVectorField>("U");
-
-    forAll(types, patchi)
-    {
-        const fvPatch& patch = mesh.boundary()[patchi];
-
-        if
-        (
-            U
-         && !patch.coupled()
-         && !isA<wallFvPatch>(patch)
-         && U->boundaryField()[patchi].fixesValue()
-         && !U->boundaryField()[patchi].assignable()     // not an outlet
-        )
-        {
-            types[patchi] = "fixedValue";
-        }
-    }
-
-    return types;
 }
 
 
@@ -339,6 +310,7 @@ Foam::demCloud::demCloud
     losses_(mesh),
     bonds_(mesh.time())
 {
+    findClosedWalls();
     build();
     flowTable_.begin(dem_, particleTime());
     noteEffects();

@@ -340,6 +340,7 @@ void Foam::demCloud::evolve
       : mesh_.time().value() - mesh_.time().deltaTValue() - lastTotals_.time;
 
     checkMesh();
+    checkClosedWalls(U);
     backup();
     passInletsOutlets(U);
 

@@ -102,6 +102,7 @@ void Foam::demCloud::report()
     }
 
     lastTotals_ = now;
+    warnOfImpacts(now.largest_overlap);
 }
 
 

@@ -145,14 +145,24 @@ void Foam::demCloud::fail(const demParticleRouting::lostParticles& outside)
 {
     OStringStream os;
 
+    const string longer(window_ > 0 ? longStep(outside.velocity) : string::null);
+
     os  << demInteger(outside.count).c_str() << " particle(s) outside the mesh, whose bounds are "
         << boundBox(mesh_.points(), true) << "; the first is particle "
         << demInteger(outside.id).c_str() << " at " << outside.position << " m, with "
         << mag(outside.velocity) << " m/s"
-        << losses_.exitPatch(outside.position, outside.velocity).c_str()
-        << ". Start particles inside the mesh, make walls of all patches that"
-        << " particles must not pass, and let them leave through others by"
-        << " outlets { NAME { patch ...; } }";
+        << losses_.exitPatch(outside.position, outside.velocity).c_str();
+
+    if (longer.empty())
+    {
+        os  << ". Start particles inside the mesh, make walls of all patches that"
+            << " particles must not pass, and let them leave through others by"
+            << " outlets { NAME { patch ...; } }";
+    }
+    else
+    {
+        os  << longer.c_str();
+    }
 
     fail(string(os.str()));
 }

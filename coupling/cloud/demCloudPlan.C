@@ -90,7 +90,7 @@ void Foam::demCloud::plan
     const Time& time = mesh_.time();
     const char* text = nullptr;
 
-    struct dem_run_info ahead;
+    struct dem_run_info ahead = {};
     ahead.window = interval_ > 0 ? interval_ : time.deltaTValue();
     ahead.duration =
         (time.endTime().value() - time.value())/time.deltaTValue()*ahead.window;
@@ -110,6 +110,7 @@ void Foam::demCloud::plan
     demCheck(dem_plan(dem_, &ahead, &text));
     Info<< nl << text << endl;
     planKernel(ahead.void_fraction);
+    warn(U, ahead);
 }
 
 // ************************************************************************* //

@@ -27,9 +27,15 @@ Foam::demTimeStepControl::demTimeStepControl(const Time& time, demCloud& cloud)
 {}
 
 
+Foam::scalar Foam::demTimeStepControl::particleLimit(const Time& time)
+{
+    return time.controlDict().getOrDefault<scalar>("maxParticleCo", 0.5);
+}
+
+
 void Foam::demTimeStepControl::read(const scalar maxCo)
 {
-    const scalar defaultLimit[nCriteria] = {maxCo, 0.5, 0.1, 0};
+    const scalar defaultLimit[nCriteria] = {maxCo, particleLimit(time_), 0.1, 0};
 
     limit_[FLUID] = maxCo;
     for (label k = PARTICLES; k < nCriteria; ++k)
@@ -68,6 +74,19 @@ void Foam::demTimeStepControl::evaluate(const bool adjust, const scalar Co, cons
     {
         report();
     }
+}
+
+
+Foam::scalar Foam::demTimeStepControl::particleRatio(const scalar deltaT, word& name)
+{
+    read(1);
+    const scalar scale = deltaT/time_.deltaTValue();
+    value_[FLUID] = 0;
+    value_[PARTICLES] = cloud_.courant()*scale;
+    value_[VOLUME] = cloud_.changeRate()*deltaT;
+    value_[RELAXATION] = cloud_.relaxationRate()*deltaT;
+    name = this->name();
+    return limitRatio();
 }
 
 

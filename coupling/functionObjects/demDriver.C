@@ -7,6 +7,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demDriver.H"
+#include "fvcSurfaceIntegrate.H"
+#include "surfaceFields.H"
 #include "Time.H"
 
 namespace Foam
@@ -70,6 +72,43 @@ void Foam::demDriver::reportPlan()
 }
 
 
+// Largest Courant number of the fluid, 0 in a solver without a flux
+Foam::scalar Foam::demDriver::courant() const
+{
+    const surfaceScalarField* phi = mesh_.findObject<surfaceScalarField>("phi");
+
+    if (!phi)
+    {
+        return 0;
+    }
+
+    scalarField sum(fvc::surfaceSum(mag(*phi))().primitiveField());
+    if (phi->dimensions() == dimMass/dimTime)
+    {
+        sum /= fluid_.density()().primitiveField();
+    }
+    return 0.5*gMax((sum/mesh_.V().field())())*mesh_.time().deltaTValue();
+}
+
+
+// The solver has chosen its step; one that is too long for the particles is reported.
+// In a steady solver particles move by coupling/interval
+void Foam::demDriver::checkStep()
+{
+    const dictionary& control = mesh_.time().controlDict();
+
+    if (!steady_)
+    {
+        stepControl_.evaluate
+        (
+            control.lookupOrDefault<Switch>("adjustTimeStep", false),
+            courant(),
+            control.lookupOrDefault<scalar>("maxCo", 1)
+        );
+    }
+}
+
+
 void Foam::demDriver::step()
 {
     if (lastStep_ == mesh_.time().timeIndex())
@@ -92,6 +131,7 @@ void Foam::demDriver::step()
         reportPlan();
     }
     lastStep_ = mesh_.time().timeIndex();
+    checkStep();
 
     cloud_.evolve
     (
@@ -145,6 +185,7 @@ Foam::demDriver::demDriver(const fvMesh& mesh)
     mesh_(mesh),
     cloud_(mesh, false),
     fluid_(mesh, cloud_),
+    stepControl_(mesh.time(), cloud_),
     steady_(demFluid::steady(mesh)),
     cells_(mesh.nCells()),
     lastStep_(-1),
@@ -196,6 +237,21 @@ bool Foam::demDriver::active() const
 
     // Same tolerance as functionObjects::timeControl
     return time.value() >= from_ - half && time.value() <= until_ + half;
+}
+
+
+void Foam::demDriver::adjustStep()
+{
+    const Time& time = mesh_.time();
+    word name;
+    const scalar deltaT = time.deltaTValue();
+    const scalar ratio = steady_ || !active() ? 0 : stepControl_.particleRatio(deltaT, name);
+
+    if (ratio > 1)
+    {
+        const_cast<Time&>(time).setDeltaT(deltaT/ratio, false);
+        Info<< "Suna: time step limited by " << name << " to " << deltaT/ratio << " s" << endl;
+    }
 }
 
 

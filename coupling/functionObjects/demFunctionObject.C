@@ -198,6 +198,16 @@ bool Foam::functionObjects::demFunctionObject::write()
 }
 
 
+bool Foam::functionObjects::demFunctionObject::adjustTimeStep()
+{
+    if (driver_)
+    {
+        driver_().adjustStep();
+    }
+    return true;
+}
+
+
 void Foam::functionObjects::demFunctionObject::updateMesh
 (
     const mapPolyMesh& map

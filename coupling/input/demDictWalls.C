@@ -153,7 +153,7 @@ void Foam::demDict::checkPatchWall(const entry& e) const
     const dictionary& wall = e.dict();
     const wordHashSet known
     (
-        {"type", "material", "surfaceVelocity", "surfaceRotation"}
+        {"type", "material", "surfaceVelocity", "surfaceRotation", "absorb"}
     );
 
     forAllConstIters(wall, iter)
@@ -168,8 +168,8 @@ void Foam::demDict::checkPatchWall(const entry& e) const
         {
             FatalIOErrorInFunction(wall)
                 << where.c_str() << " is made from a patch; such a wall has the"
-                << " position of the mesh, a material, surfaceVelocity and"
-                << " surfaceRotation, nothing else. Take"
+                << " position of the mesh, a material, surfaceVelocity,"
+                << " surfaceRotation and absorb, nothing else. Take"
                 << " out " << key << exit(FatalIOError);
         }
     }

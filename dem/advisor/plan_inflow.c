@@ -84,7 +84,7 @@ void dem_plan_inflow(struct dem_text *t, const struct dem_plan *p)
     {
         const struct dem_outlet *const o = &s->outlet[k];
 
-        dem_text_add(t, "    %-18s out: %s%s\n", o->name, o->patch ? "through patch " : o->plane ? "beyond a plane" : "in a ",
-                     o->patch ? o->patch : o->plane ? "" : dem_insertion_shape_name(&o->shape));
+        dem_text_add(t, "    %-18s out: %s%s\n", o->name, o->patch ? "through patch " : o->wall ? "absorbed by this wall" : o->plane ? "beyond a plane" : "in a ",
+                     o->patch ? o->patch : o->plane || o->wall ? "" : dem_insertion_shape_name(&o->shape));
     }
 }

@@ -14,6 +14,9 @@
 #include "checkpoint/snapshot.h"
 #include "effects/effects.h"
 #include "advisor/plan.h"
+#include "advisor/warnings.h"
+#include "diagnostics/fall_check.h"
+#include "diagnostics/totals.h"
 #include "parallel/collect.h"
 #include "parallel/mpi_error.h"
 #include "step/step.h"
@@ -93,6 +96,8 @@ void dem_free(struct dem *d)
     dem_memory_free(d->initial_material);
     dem_initial_particles_free(&d->initial);
     dem_text_free(&d->plan);
+    dem_text_free(&d->warnings);
+    dem_text_free(&d->impact);
     dem_text_free(&d->profile);
     dem_scene_free(&d->scene);
     dem_dict_free(d->dict);
@@ -318,6 +323,48 @@ int dem_plan(struct dem *d, const struct dem_run_info *run, const char **text)
     return status;
 }
 
+int dem_warnings(struct dem *d, const struct dem_run_info *run, int n, const char *const *own,
+                 const char **text)
+{
+    struct dem_plan plan = {.state = &d->state, .scene = &d->scene, .run = *run, .step = d->step};
+    fenv_t caller;
+
+    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_warnings comes after dem_setup");
+    dem_text_free(&d->warnings);
+    feholdexcept(&caller);
+    int status = dem_warnings_write(&d->warnings, &plan, d->coupled, n, own);
+
+    status = status ? status : dem_collect_status(&d->state.decomposition);
+    fesetenv(&caller);
+    *text = d->warnings.text ? d->warnings.text : "";
+    return status;
+}
+
+int dem_impact_warning(struct dem *d, double overlap, const char **text)
+{
+    struct dem_impact impact;
+    fenv_t caller;
+
+    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_impact_warning comes after dem_setup");
+    dem_text_free(&d->impact);
+    feholdexcept(&caller);
+    const double speed = dem_totals_max_speed(&d->state);
+
+    dem_impact_at(&d->state.interaction_table, speed, &impact);
+    if (overlap > DEM_IMPACT_OVERLAP && overlap > 1.5*d->said_overlap)
+    {
+        d->said_overlap = overlap;
+        dem_impact_describe_overlap(&impact, overlap, speed, &d->impact);
+    }
+    else if (speed > 1.5*d->said_speed && dem_impact_describe(&impact, speed, &d->impact))
+    {
+        d->said_speed = speed;
+    }
+    fesetenv(&caller);
+    *text = d->impact.text ? d->impact.text : "";
+    return d->impact.status ? d->impact.status : dem_collect_status(&d->state.decomposition);
+}
+
 int dem_verdicts(const struct dem *d, const struct dem_verdict **verdict)
 {
     *verdict = d->verdicts.verdict;
@@ -414,11 +461,12 @@ int dem_advance(struct dem *d, double duration)
 
     copy_viscosity(&d->state.particles);
     feholdexcept(&caller);
-    const int status = continues_window(d, duration)
-                         ? dem_step_continue(&d->state)
-                         : dem_step_window(&d->state, duration/(double)(steps > 0 ? steps : 1),
-                                           steps > 0 ? steps : 1);
+    int status = continues_window(d, duration)
+                   ? dem_step_continue(&d->state)
+                   : dem_step_window(&d->state, duration/(double)(steps > 0 ? steps : 1),
+                                     steps > 0 ? steps : 1);
 
+    status = status ? status : dem_fall_check(&d->state);
     fesetenv(&caller);
     d->ranks_apart = status != DEM_OK && status != DEM_ERROR_NUMBER && status != DEM_ERROR_LOST;
     return status;

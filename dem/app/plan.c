@@ -34,6 +34,11 @@ static int report(struct dem_program *prog, struct dem *d, const struct dem_sche
     {
         fputs(text, stdout);
     }
+    DEM_TRY(dem_warnings(d, &ahead, 0, NULL, &text));
+    if (prog->rank == 0)
+    {
+        fputs(text, stdout);
+    }
     return DEM_OK;
 }
 

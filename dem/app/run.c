@@ -159,8 +159,15 @@ static int advance(struct run_state *c, double duration)
 static int write_output(struct run_state *c, int64_t number)
 {
     const struct dem_output *const o = &c->s->output;
+    const char *warning;
 
+    DEM_TRY(dem_impact_warning(c->d, c->p.overlap, &warning));
     report(&c->p, &c->t, c->s->end);
+    if (c->prog->rank == 0 && warning[0])
+    {
+        printf("warning: %s\n", warning);
+        fflush(stdout);
+    }
     DEM_TRY(dem_flow_log_append(&c->flows, c->prog, c->d, c->t.time));
     DEM_TRY(dem_lost_log_append(&c->lost, c->prog, c->d));
     DEM_TRY(dem_bond_rows_append(c->prog, c->d, o));
@@ -301,6 +308,25 @@ static void announce_gravity(const struct dem_schedule *s)
     }
 }
 
+/* What is likely to be a mistake, as a list; nothing to run, nothing to warn of. */
+static int warn(const struct dem_program *prog, struct dem *d, double duration)
+{
+    const struct dem_run_info ahead = {.duration = duration};
+    const char *text;
+
+    if (duration <= 0.0)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_warnings(d, &ahead, 0, NULL, &text));
+    if (prog->rank == 0)
+    {
+        fputs(text, stdout);
+        fflush(stdout);
+    }
+    return DEM_OK;
+}
+
 static int announce(const struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
 {
     const struct dem_step_limit step = dem_step_limit(d);
@@ -330,7 +356,7 @@ static int announce(const struct dem_program *prog, struct dem *d, const struct 
         }
         fflush(stdout);
     }
-    return DEM_OK;
+    return warn(prog, d, fmax(0.0, s->end - t.time));
 }
 
 static int run(struct dem_program *prog, struct dem *d, const struct dem_schedule *s)

@@ -105,8 +105,8 @@ static int check_inertia(const char *path, const struct dem_particle *p)
 
     DEM_REQUIRE(p->mass > 0.0, DEM_ERROR_FILE, "%s is damaged: particle %lld has a mass of %g kg, which must be above 0; use another one", path,
                 (long long)p->id, p->mass);
-    DEM_REQUIRE((p->flags & ~DEM_PARTICLE_FROZEN) == 0, DEM_ERROR_FILE, "%s is damaged: particle %lld has flags %#x, and the only valid one is %#x; use "
-                "another one", path, (long long)p->id, p->flags, DEM_PARTICLE_FROZEN);
+    DEM_REQUIRE((p->flags & ~(DEM_PARTICLE_FROZEN | DEM_PARTICLE_ABSORBED)) == 0, DEM_ERROR_FILE, "%s is damaged: particle %lld has flags %#x, and the only valid ones are %#x; use "
+                "another one", path, (long long)p->id, p->flags, DEM_PARTICLE_FROZEN | DEM_PARTICLE_ABSORBED);
     DEM_REQUIRE(frozen ? immobile : p->inverse_mass > 0.0 && p->inverse_mass*p->mass < 1.0 + 1e-9 && fabs(inertia_ratio - 1.0) < 1e-9, DEM_ERROR_FILE,
                 "%s is damaged: particle %lld, which is %s, of %g kg and radius %g m, has inverses %g 1/kg of its mass and %g 1/(kg m2) of its moment of "
                 "inertia; use another one", path, (long long)p->id, frozen ? "frozen" : "free", p->mass, p->radius, p->inverse_mass,

@@ -56,6 +56,7 @@ void dem_limits_check_record(struct dem_state *p, const struct dem_contact_works
     const struct dem_particle *const i = &p->particles.record[q->i];
 
     p->limits.overlap = worst;
+    p->limits.lawless = !dem_effect_list_has_law(&p->interaction_table.list[q->class]);
     p->limits.i = i->id;
     p->limits.j = q->wall ? -1 - p->pairs.wall_facet[q->j] : p->particles.record[q->j].id;
     memcpy(p->limits.x, i->x, sizeof i->x);
@@ -89,6 +90,9 @@ int dem_limits_check_status(const struct dem_state *p)
     DEM_REQUIRE(w->overlap < 1e29, DEM_ERROR_NUMBER,
                 "the force between %s near (%g %g %g) m is not a number at step %lld; check their input, or the fluid "
                 "around them", names, w->x[0], w->x[1], w->x[2], (long long)p->steps);
+    DEM_REQUIRE(!w->lawless, DEM_ERROR_NUMBER,
+                "%s near (%g %g %g) m pass through each other at time %g s: no contact law acts between them; add a normal law to "
+                "effects, hertz {} for example", names, w->x[0], w->x[1], w->x[2], p->time);
     return dem_error(DEM_ERROR_NUMBER, "%s near (%g %g %g) m overlap by %.3g of a diameter at step %lld, the limit is %g; use a "
                      "smaller step or a stiffer material, or raise time/maxOverlap", names, w->x[0], w->x[1], w->x[2], w->overlap,
                      (long long)p->steps, w->limit);

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "diagnostics/lost_cause.h"
+#include "core/error.h"
 #include "core/vec.h"
 #include "diagnostics/lost_particles.h"
 #include <float.h>
@@ -189,6 +190,7 @@ void dem_lost_cause_outside(const struct dem_state *p, size_t i, char cause[DEM_
 
 int dem_lost_cause_record_crossings(struct dem_state *p)
 {
+    const struct dem_pair *lawless = NULL;
     int status = DEM_OK;
 
     for (size_t k = 0; k < p->lost_particles->crossings && !status; k++)
@@ -199,12 +201,21 @@ int dem_lost_cause_record_crossings(struct dem_state *p)
         char cause[DEM_LOST_CAUSE_SIZE] = "";
 
         append(cause, "passed wall %s at %.3g m/s", wall_name(p, q), dem_vec_norm(i->v));
-        if (!append_reason(p, q->i, row, cause))
+        if (!dem_effect_list_has_law(&p->interaction_table.list[q->class]))
+        {
+            append(cause, ": no contact law acts between them");
+            lawless = q;
+        }
+        else if (!append_reason(p, q->i, row, cause))
         {
             append(cause, ": too fast or too heavy for the stiffness of their contact; use a stiffer material");
         }
         status = dem_lost_particles_add(p->lost_particles, i, p->time, 0, cause);
     }
+    p->lost_particles->passages += (int64_t)p->lost_particles->crossings;
     p->lost_particles->crossings = 0;
+    DEM_REQUIRE(status || !lawless, DEM_ERROR_LOST,
+                "particle %lld has passed wall %s at time %g s: no contact law acts between them; add a normal law to effects, hertz {} "
+                "for example", (long long)p->particles.record[lawless->i].id, wall_name(p, lawless), p->time);
     return status;
 }

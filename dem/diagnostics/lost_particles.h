@@ -18,6 +18,7 @@ struct dem_lost_particles
     size_t n, capacity, crossed_capacity;
     struct dem_loss *loss;  /* of this rank, not yet collected */
     struct dem_loss *all;   /* of all ranks, as collected last */
+    int64_t passages;          /* through walls, of this rank, in this run */
     size_t crossings;
     uint32_t *crossed;         /* contact rows whose particle crossed its wall in this sweep */
 };

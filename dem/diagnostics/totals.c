@@ -40,6 +40,20 @@ static double kinetic(const struct dem_particle *r)
     return 0.5*r->mass*dem_vec_dot(r->v, r->v) + 0.5*inertia*dem_vec_dot(r->w, r->w);
 }
 
+double dem_totals_max_speed(const struct dem_state *p)
+{
+    double squared = 0.0;
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const double *const v = p->particles.record[i].v;
+
+        squared = fmax(squared, dem_vec_dot(v, v));
+    }
+    dem_totals_reduce_max(p, &squared, 1);
+    return sqrt(squared);
+}
+
 int64_t dem_totals_moving(const struct dem_state *p, double energy)
 {
     int64_t n = 0;

@@ -31,6 +31,9 @@ int64_t dem_totals_touching(const struct dem_state *);
 /* Collective. Number of particles with more kinetic energy than `energy` [J]. */
 int64_t dem_totals_moving(const struct dem_state *, double energy);
 
+/* Collective. Largest speed of a particle [m/s]. */
+double dem_totals_max_speed(const struct dem_state *);
+
 /* Collective. Force [N] and torque about the origin [N m] of the particles on a wall in the last
    step. */
 void dem_totals_wall_force(const struct dem_state *, int wall, double force[3], double torque[3]);

@@ -124,6 +124,18 @@ int dem_setup(struct dem *);
    Measures for a tenth of a second. No particle moves; views stay valid. */
 int dem_plan(struct dem *, const struct dem_run_info *, const char **text);
 
+/* Collective, as dem_plan. What of the scene is likely to be a mistake or cannot work, as a numbered
+   list under the line WARNINGS, each item with the entry to change; *text is "" when there is
+   nothing. `own`: n sentences of the program, which come first. Valid until the next call. */
+int dem_warnings(struct dem *, const struct dem_run_info *, int n, const char *const *own,
+                 const char **text);
+
+/* Collective, between two advances, with the largest overlap that dem_totals has returned since the
+   last call. *text: a sentence when contacts overlap by more than 10 %, or when a particle is faster
+   than impactSpeed so that its impacts will overlap by more than 5 %, with the settings to take;
+   "" otherwise, and when it was said before, unless it has grown by half. */
+int dem_impact_warning(struct dem *, double overlap, const char **text);
+
 /* Returns the number of verdicts of the last dem_plan. They are valid until the next one. */
 int dem_verdicts(const struct dem *, const struct dem_verdict **);
 

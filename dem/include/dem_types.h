@@ -67,6 +67,9 @@ struct dem_run_info
     /* 1  void fraction around the particles; up to DEM_BED_VOID_FRACTION they are a bed, and it is
        that of minimum fluidisation. 0: unknown */
     double void_fraction;
+    double inflow;            /* m/s  largest speed of the fluid on a patch */
+    double resolution;        /* m  length that a particle should not cross in half a window: the
+                                 smallest cell, or half the kernel's width */
 };
 
 /* what an effect takes from the fluid or gives to the particles, or-ed: dem_effect_traits */

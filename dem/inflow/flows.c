@@ -178,6 +178,13 @@ int dem_flows_outlet(const struct dem_flows *f, const double x[3])
     return DEM_FLOW_NONE;
 }
 
+int dem_flows_absorbed(const struct dem_flows *f, const struct dem_particle *q)
+{
+    const int mark = (q->flags & DEM_PARTICLE_ABSORBED) >> DEM_PARTICLE_ABSORBED_SHIFT;
+
+    return mark > 0 && mark <= f->plan->outlets ? f->plan->streams + mark - 1 : DEM_FLOW_NONE;
+}
+
 int dem_flows_record_departure(struct dem_state *p, int flow, const struct dem_particle *q,
                                double late)
 {

@@ -119,6 +119,9 @@ void dem_flows_complete_departures(struct dem_flows *, double kick);
 /* Index of the outlet that contains x [m], or DEM_FLOW_NONE. */
 int dem_flows_outlet(const struct dem_flows *, const double x[3]);
 
+/* Index of the outlet of the wall that has absorbed the particle, or DEM_FLOW_NONE. */
+int dem_flows_absorbed(const struct dem_flows *, const struct dem_particle *);
+
 /* Record a particle that is removed; `late` [s]: by how much its velocity is behind its position.
    Collective: add all recorded ones to the totals. */
 int dem_flows_record_departure(struct dem_state *, int flow, const struct dem_particle *,

@@ -36,7 +36,9 @@ static int flow_of(const struct dem_state *p, const struct dem_particle *q,
     struct dem_particle home = *q;
 
     dem_domain_wrap(&p->domain, &home);
-    return found ? found->flow : dem_flows_outlet(p->flows, home.x);
+    const int absorbed = dem_flows_absorbed(p->flows, q);
+
+    return found ? found->flow : absorbed != DEM_FLOW_NONE ? absorbed : dem_flows_outlet(p->flows, home.x);
 }
 
 /* The momentum removed includes the impulse carried over from the last exchange, and later the

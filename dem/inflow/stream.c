@@ -193,6 +193,29 @@ int dem_streams_read(struct dem_streams *s, const struct dem_dict *insert,
     return check_names(s);
 }
 
+int dem_streams_add_wall(struct dem_streams *s, const char *name, int *outlet)
+{
+    for (int k = 0; k < s->outlets; k++)
+    {
+        const int same = strcmp(s->outlet[k].name, name) == 0;
+
+        DEM_REQUIRE(!same || s->outlet[k].wall, DEM_ERROR_INPUT,
+                    "walls/%s absorbs particles and is counted by its name, which an outlet has too; rename one of them", name);
+        if (same)
+        {
+            *outlet = k;
+            return DEM_OK;
+        }
+    }
+    DEM_REQUIRE(strlen(name) < DEM_FLOW_NAME, DEM_ERROR_INPUT, "walls/%s absorbs particles and is counted by its name, which has %zu "
+                "characters; the limit is %zu", name, strlen(name), (size_t)DEM_FLOW_NAME - 1);
+    DEM_TRY(DEM_GROW(s->outlet, s->outlet_capacity, s->outlets + 1));
+    *outlet = s->outlets;
+    s->outlet[s->outlets] = (struct dem_outlet){.wall = 1};
+    snprintf(s->outlet[s->outlets++].name, DEM_FLOW_NAME, "%s", name);
+    return check_names(s);
+}
+
 void dem_streams_free(struct dem_streams *s)
 {
     for (int k = 0; k < s->streams; k++)
@@ -320,5 +343,5 @@ int dem_outlet_holds(const struct dem_outlet *o, const double x[3])
         return (x[0] - o->shape.from[0])*o->shape.axis[0] + (x[1] - o->shape.from[1])*o->shape.axis[1]
                + (x[2] - o->shape.from[2])*o->shape.axis[2] > 0.0;
     }
-    return !o->patch && dem_insertion_shape_contains(&o->shape, x);
+    return !o->patch && !o->wall && dem_insertion_shape_contains(&o->shape, x);
 }

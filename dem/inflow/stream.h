@@ -51,6 +51,7 @@ struct dem_outlet
     struct dem_insertion_shape shape;  /* region; of a plane its point and
                                            normal in `from` and `axis` */
     const char *patch;                  /* name of the patch; NULL: not a patch */
+    int wall;                           /* 1: counts what walls with `absorb yes` take */
 };
 
 struct dem_streams
@@ -66,6 +67,9 @@ struct dem_streams
    dictionaries must outlive the result. */
 int dem_streams_read(struct dem_streams *, const struct dem_dict *insert,
                      const struct dem_dict *outlets, const struct dem_interaction_table *);
+/* Add the outlet that counts what walls of this entry of the scene absorb, unless it is there;
+   *outlet: its index. */
+int dem_streams_add_wall(struct dem_streams *, const char *name, int *outlet);
 void dem_streams_free(struct dem_streams *);
 
 /* Extend the smallest and the largest radius [m], by material, to those of the streams; 0 means

@@ -152,6 +152,30 @@ int dem_interaction_table_has_effect(const struct dem_interaction_table *r, cons
     return index_of(r, effect) >= 0;
 }
 
+int dem_effect_list_has_law(const struct dem_effect_list *list)
+{
+    int normal = 0;
+
+    for (int k = 0; k < list->entries; k++)
+    {
+        normal |= list->entry[k].effect->stage == DEM_STAGE_NORMAL;
+    }
+    return normal;
+}
+
+int dem_interaction_table_wall_has_law(const struct dem_interaction_table *r, int wall_material)
+{
+    int all = 1;
+
+    for (int m = 0; m < r->materials; m++)
+    {
+        const int c = r->class_of[1][m][wall_material];
+
+        all &= c < 0 || r->max_radius[m] <= 0.0 || dem_effect_list_has_law(&r->list[c]);
+    }
+    return all;
+}
+
 int dem_interaction_table_has_pressure_gradient(const struct dem_interaction_table *r)
 {
     int has = 0;

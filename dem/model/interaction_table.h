@@ -115,6 +115,12 @@ const struct dem_effect *dem_interaction_table_gravity(const struct dem_interact
    either). */
 int dem_interaction_table_excludes(const struct dem_interaction_table *, const struct dem_effect *);
 
+/* 1 when a normal law acts. */
+int dem_effect_list_has_law(const struct dem_effect_list *);
+
+/* After freeze. 0 when particles of some material have no normal law at walls of this material. */
+int dem_interaction_table_wall_has_law(const struct dem_interaction_table *, int wall_material);
+
 /* 1 when an effect of the full pressure gradient was chosen, which contains buoyancy. */
 int dem_interaction_table_has_pressure_gradient(const struct dem_interaction_table *);
 

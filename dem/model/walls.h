@@ -46,6 +46,10 @@ struct dem_wall
     int driven;                                       /* 1: the surface slides in itself (conveyor),
                                                          with drive + spin x (x - origin) */
     double drive[3], drive_spin[3], drive_origin[3];  /* m/s, 1/s, m, all in the wall's frame */
+    const char *absorbs;                              /* name of the entry of the scene that
+                                                         makes it absorb particles, or NULL */
+    int outlet;                                       /* its index among the outlets, which
+                                                         counts them */
     size_t triangles, flat, repeats;                  /* kept; dropped without area;
                                                          dropped duplicates */
     size_t given;                                     /* triangles given, before any are dropped */
@@ -136,6 +140,7 @@ struct dem_walls
     double advance;                            /* s: length of this advance */
     double path_length, since[DEM_LISTS];      /* m: bounds of the path of corners: in
                                                   the whole run, since lists were made */
+    int absorbing;                             /* number of walls that absorb particles */
     int all_flat_static;                       /* 1: all walls are flat and
                                                   at rest, none is driven */
 };

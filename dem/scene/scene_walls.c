@@ -168,8 +168,13 @@ static int read_wall(void *context, const struct dem_dict *dict)
                       ? first + 1
                       : w->walls;
 
+    bool absorb;
+
+    DEM_TRY(dem_dict_switch_or(dict, "absorb", false, &absorb));
     for (int k = first; k < end; k++)
     {
+        w->wall[k].absorbs = absorb ? dem_dict_name(dict) : NULL;
+        w->absorbing += absorb;
         DEM_TRY(dem_scene_read_motion(w, k, dict));
     }
     return DEM_OK;

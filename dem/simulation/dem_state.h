@@ -31,6 +31,7 @@ struct dem_limits                                          /* limits check; rese
     double max_speed;    /* m/s  a higher speed ends the run; 0: no limit */
     int64_t i, j;        /* ids of the contact; j is -1 - facet at a wall */
     double x[3];         /* m  its position */
+    int lawless;         /* 1: no normal law acts in it */
 };
 
 struct dem_state

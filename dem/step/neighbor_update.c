@@ -120,8 +120,13 @@ static int wrap_and_remove(struct dem_state *p, int weighted)
     {
         dem_domain_wrap(&p->domain, &record[i]);
         const int outlet = dem_flows_outlet(p->flows, record[i].x);
+        const int absorbed = p->walls.absorbing && !p->flows->asked ? dem_flows_absorbed(p->flows, &record[i]) : DEM_FLOW_NONE;
 
-        if (outlet != DEM_FLOW_NONE && p->flows->now)
+        if (absorbed != DEM_FLOW_NONE)
+        {
+            status = remove_at_outlet(p, i, absorbed);
+        }
+        else if (outlet != DEM_FLOW_NONE && p->flows->now)
         {
             status = remove_at_outlet(p, i, outlet);
         }
@@ -274,7 +279,7 @@ int dem_neighbor_rebuild(struct dem_state *p)
     status = status ? status : dem_contacts_save_history(&p->contacts, &p->particles, p->pairs.wall_facet);
     status = status ? status : wrap_and_remove(p, weighted);
     DEM_TRY(dem_agree(p, status));
-    if (p->flows->n > 0 && p->steps%REMOVAL_STEPS == 0)
+    if (p->flows->n > 0 && (p->steps%REMOVAL_STEPS == 0 || p->flows->left))
     {
         DEM_TRY(dem_flows_sum_departures(p));
     }
@@ -359,7 +364,7 @@ static int check_lists(struct dem_state *p, int both, int stale[DEM_LISTS])
     return DEM_OK;
 }
 
-int dem_neighbor_update(struct dem_state *p, double moved, int observed)
+static int update_lists(struct dem_state *p, double moved, int observed)
 {
     struct dem_pairs *const s = &p->pairs;
     int changes, stale[DEM_LISTS] = {0, 0};
@@ -402,4 +407,55 @@ int dem_neighbor_update(struct dem_state *p, double moved, int observed)
         dem_timers_end_phase(p->timers, DEM_PHASE_PRUNE);
     }
     return DEM_OK;
+}
+
+/* ---- absorbing walls ------------------------------------------------------------------------- */
+
+/* Mark the particles that touch a wall with `absorb yes`. Returns 1 when this rank has marked any. */
+static int mark_absorbed(struct dem_state *p)
+{
+    const struct dem_wall_search *const s = &p->pairs.wall_search;
+    int marked = 0;
+
+    for (size_t k = 0; k < s->neighbors; k++)
+    {
+        const struct dem_wall_neighbor *const near = &s->neighbor[k];
+        const struct dem_wall *const wall = &p->walls.wall[p->walls.facet[near->facet].wall];
+        struct dem_particle *const q = &p->particles.record[near->particle];
+
+        if (wall->absorbs && !(q->flags & (DEM_PARTICLE_FROZEN | DEM_PARTICLE_ABSORBED))
+            && dem_wall_search_distance(s, &p->walls, near, q->x) <= q->radius)
+        {
+            q->flags = (uint16_t)(q->flags | (wall->outlet + 1) << DEM_PARTICLE_ABSORBED_SHIFT);
+            marked = 1;
+        }
+    }
+    return marked;
+}
+
+/* Collective. Remove in this step what touches an absorbing wall, before contacts are computed; in
+   coupled runs dem_flows_between_windows does it, and until then the particle rebounds. Lists of
+   this step are the same on any number of ranks. */
+static int absorb(struct dem_state *p)
+{
+    double marked = mark_absorbed(p);
+
+    if (p->flows->asked)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_agree_max(p, DEM_OK, &marked, 1));
+    if (marked > 0.0)
+    {
+        p->flows->left = 1;
+        DEM_TRY(dem_neighbor_rebuild(p));
+        p->flows->left = 0;
+    }
+    return DEM_OK;
+}
+
+int dem_neighbor_update(struct dem_state *p, double moved, int observed)
+{
+    DEM_TRY(update_lists(p, moved, observed));
+    return p->walls.absorbing ? absorb(p) : DEM_OK;
 }

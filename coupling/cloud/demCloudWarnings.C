@@ -1,0 +1,137 @@
+/*---------------------------------------------------------------------------*\
+    demCloudWarnings.C -- what is likely to be a mistake or cannot work, told before
+    the first step and, for overlaps and long steps, during the run.
+
+    The list is the core's (dem_warnings); here are the items that need the fields
+    of the fluid.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demCloud.H"
+#include "demCheck.H"
+#include "demTimeStepControl.H"
+#include "wallFvPatch.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static bool isCalledInlet(const word& name)
+{
+    return name.find("inlet") != string::npos || name.find("Inlet") != string::npos;
+}
+
+
+// Largest speed of the fluid on the patches where it is given. Collective.
+static scalar inflowSpeed(const volVectorField& U)
+{
+    scalar fastest = 0;
+    for (const fvPatchVectorField& Up : U.boundaryField())
+    {
+        if (!Up.coupled() && Up.fixesValue() && Up.size())
+        {
+            fastest = max(fastest, max(mag(Up)()));
+        }
+    }
+    return returnReduce(fastest, maxOp<scalar>());
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+// Patches through which fluid should enter, and where nothing says how much
+Foam::List<Foam::string> Foam::demCloud::inletWarnings(const volVectorField& U) const
+{
+    const volScalarField* p = mesh_.findObject<volScalarField>("p_rgh");
+    p = p ? p : mesh_.findObject<volScalarField>("p");
+    DynamicList<string> warnings;
+
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& Up = U.boundaryField()[patchi];
+        const word& name = Up.patch().name();
+
+        if
+        (
+            Up.type() == "zeroGradient"
+         && !isA<wallFvPatch>(Up.patch())
+         && (isCalledInlet(name) || (p && p->boundaryField()[patchi].type() == "zeroGradient"))
+        )
+        {
+            warnings.append
+            (
+                string("U on patch ") + name + " is zeroGradient: nothing drives the fluid in"
+                " there; give fixedValue in 0/U, or a pressure on the patch and"
+                " pressureInletOutletVelocity"
+            );
+        }
+    }
+
+    List<string> all;
+    all.transfer(warnings);
+    return all;
+}
+
+
+void Foam::demCloud::warn(const volVectorField& U, struct ::dem_run_info& ahead)
+{
+    const List<string> own(inletWarnings(U));
+    List<const char*> sentences(own.size());
+    const char* text = nullptr;
+
+    forAll(own, k)
+    {
+        sentences[k] = own[k].c_str();
+    }
+    ahead.inflow = inflowSpeed(U);
+    ahead.resolution = transfer_.length();
+
+    demCheck(dem_warnings(dem_, &ahead, int(own.size()), sentences.cdata(), &text));
+    if (text[0])
+    {
+        Info<< text << endl;
+    }
+}
+
+
+// Contacts that are too soft for the speeds and weights of this run
+void Foam::demCloud::warnOfImpacts(const scalar overlap)
+{
+    const char* text = nullptr;
+
+    demCheck(dem_impact_warning(dem_, overlap, &text));
+    if (text[0])
+    {
+        Info<< "Suna: " << text << endl;
+    }
+}
+
+
+// The end of a sentence on a particle of this velocity that is outside: empty where
+// the step is short enough
+Foam::string Foam::demCloud::longStep(const vector& velocity)
+{
+    const scalar limit = demTimeStepControl::particleLimit(mesh_.time());
+    const scalar Co = mag(velocity)*window_/transfer_.length();
+
+    if (Co <= limit)
+    {
+        return string::null;
+    }
+
+    OStringStream os;
+    os  << ". " << (interval_ > 0 ? "coupling/interval " : "deltaT ") << window_
+        << " s is long: Courant number of particles " << Co << ", above " << limit
+        << " (maxParticleCo); take " << window_*limit/Co << " s"
+        << (interval_ > 0 ? "" : ", or adjustTimeStep yes");
+    return os.str();
+}
+
+
+// ************************************************************************* //
