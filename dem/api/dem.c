@@ -266,6 +266,13 @@ int dem_load(struct dem *d, const char *path)
     return DEM_OK;
 }
 
+int dem_start(struct dem *d, const char *path)
+{
+    DEM_TRY(dem_load(d, path));
+    d->start_checked = 1;
+    return DEM_OK;
+}
+
 /* ---- check, set-up, plan --------------------------------------------------------------------- */
 
 /* The library checks for numbers that are not finite itself. */

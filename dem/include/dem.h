@@ -200,6 +200,16 @@ int dem_orientation_enable(struct dem *);
    and rotation. */
 int dem_count_moving(struct dem *, double energy, int64_t *n);
 
+/* Rest, as time/untilQuiet defines it. dem_quiet_read, before dem_check: read that entry; without
+   one the defaults, with `wanted` 0. dem_quiet_check, after dem_check: an error when the scene has
+   no gravity to compare with. dem_quiet_tests: the number of tests in an interval [s].
+   dem_quiet_test, collective, does nothing unless `wanted`: test with the present totals, set
+   `reached`. */
+int dem_quiet_read(const struct dem *, struct dem_quiet *);
+int dem_quiet_check(const struct dem *, const struct dem_quiet *);
+int64_t dem_quiet_tests(const struct dem *, const struct dem_quiet *, double interval);
+int dem_quiet_test(struct dem *, struct dem_quiet *, const struct dem_totals *);
+
 /* Collective. A 64-bit hash of particles and contact history, the same on any number of ranks. */
 int dem_hash(struct dem *, uint64_t *hash);
 
@@ -349,6 +359,13 @@ int dem_save(struct dem *, const char *path);
 /* Start from a snapshot instead of the scene's insertions: after the scene, before dem_check.
    The file is read in dem_setup. */
 int dem_load(struct dem *, const char *path);
+
+/* The same for a state that another run has made, as the scene's entry `start` does: dem_setup
+   refuses an overlap with a wall of more than 0.05 of a diameter that is also larger than the
+   largest between particles. dem_start_overlap: what it found, after dem_setup; zeros without a
+   check. */
+int dem_start(struct dem *, const char *path);
+void dem_start_overlap(const struct dem *, struct dem_start_overlap *);
 
 /* Collective. Backups in memory, for the case that the run fails: one now, and one in
    dem_advance whenever `steps` steps have passed since the last (0: none). A state with a number
