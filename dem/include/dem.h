@@ -101,6 +101,12 @@ int dem_add_wall(struct dem *, const char *name, const char *material, int64_t n
    time until then. A wall for which it is not called stays at rest. */
 int dem_wall_move(struct dem *, const char *name, int64_t n, const double *triangles);
 
+/* Collective, before dem_check. The closed surface of a mesh (zone 0), or of one of its zones of
+   cells, of this name: n triangles of this rank, 9 numbers each [m], corners counterclockwise as
+   seen from outside. Groups of `insert` name it by `inside mesh` or `zone NAME`. */
+int dem_insert_region(struct dem *, const char *name, int zone, int64_t n,
+                      const double *triangles);
+
 /* Add particles to those of the scene. Every rank gives the same list. */
 int dem_add_particles(struct dem *, int64_t n, const struct dem_new_particle *);
 

@@ -66,7 +66,9 @@ enum dem_effect_trait
 {
     DEM_TRAIT_PRESSURE_GRADIENT = 1,   /* the force of the full pressure gradient */
     DEM_TRAIT_FLUID_ACCELERATION = 2,  /* reads Du/Dt of the fluid: added mass */
-    DEM_TRAIT_FLUID_STRESS = 4         /* reads div tau of the fluid */
+    DEM_TRAIT_FLUID_STRESS = 4,        /* reads div tau of the fluid */
+    DEM_TRAIT_FLUID = 8,               /* acts in a fluid only */
+    DEM_TRAIT_VISCOSITY = 16           /* reads the viscosity, unless it has a setting of its own */
 };
 
 enum dem_verdict_word

@@ -298,7 +298,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
     DEM_TRY(dem_dict_sub_if(scene, "insert", &insert));
     DEM_TRY(dem_dict_sub_if(scene, "outlets", &outlets));
     DEM_TRY(dem_streams_read(&s->streams, insert, outlets, r));
-    DEM_TRY(insert ? dem_insert_read(&s->insertion, insert, r) : DEM_OK);
+    DEM_TRY(insert ? dem_insert_read(&s->insertion, insert, r, w) : DEM_OK);
     DEM_REQUIRE(!start || s->insertion.n == 0, DEM_ERROR_INPUT,
                 "%s: the scene has both start and insert; keep one, or keep in insert only entries "
                 "of type stream",
