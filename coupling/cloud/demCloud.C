@@ -9,8 +9,10 @@
 #include "demCloud.H"
 #include "demCheck.H"
 #include "demColumns.H"
+#include "demCommunicator.H"
 #include "demFluid.H"
 #include "demInteger.H"
+#include "demRegions.H"
 #include "demSnapshot.H"
 #include "demWriter.H"
 #include "OSspecific.H"
@@ -21,41 +23,8 @@
 namespace Foam
 {
 
-// The ranks of this run. A serial OpenFOAM has not initialised MPI: the core
-// then runs without it. `made`: the communicator is new and must be freed.
-static MPI_Comm communicator(bool& made)
-{
-    made = false;
-
-    if (!Pstream::parRun())
-    {
-        return MPI_COMM_NULL;
-    }
-
-    int size = 0;
-    MPI_Comm_size(MPI_COMM_WORLD, &size);
-    if (size == Pstream::nProcs())
-    {
-        return MPI_COMM_WORLD;
-    }
-
-    // Several worlds share MPI_COMM_WORLD: procID lists the ranks of this one
-    List<int> ranks(Pstream::nProcs());
-    forAll(ranks, i)
-    {
-        ranks[i] = Pstream::procID(Pstream::worldComm)[i];
-    }
-
-    MPI_Group world, ours;
-    MPI_Comm comm;
-    MPI_Comm_group(MPI_COMM_WORLD, &world);
-    MPI_Group_incl(world, ranks.size(), ranks.cdata(), &ours);
-    MPI_Comm_create_group(MPI_COMM_WORLD, ours, 0, &comm);
-    MPI_Group_free(&ours);
-    MPI_Group_free(&world);
-    made = true;
-    return comm;
-}
+// Of a diameter; less is nothing to warn of
+static const scalar slightOverlap = 1e-3;
 
 
 static IOobject fieldAt
@@ -121,14 +90,7 @@ void Foam::demCloud::build()
 {
     checkInterval();
 
-    bool made = false;
-    MPI_Comm comm = communicator(made);
-    const int status = dem_create(&dem_, comm);     // has its own duplicate
-    if (made)
-    {
-        MPI_Comm_free(&comm);
-    }
-    demCheck(status);
+    demCreate(dem_);
     demCheck
     (
         dem_scene_text(dem_, dict_.text().c_str(), "constant/demProperties")
@@ -136,11 +98,17 @@ void Foam::demCloud::build()
 
     const label walls = walls_.add(dem_);
     inletsOutlets_.add(dem_);
+    demRegions(mesh_, dict_).add(dem_);
 
     const fileName start(demSnapshot::start(mesh_.time(), dict_));
     if (!start.empty())
     {
-        demCheck(dem_load(dem_, start.c_str()));
+        demCheck
+        (
+            demSnapshot::exists(mesh_.time())
+          ? dem_load(dem_, start.c_str())
+          : dem_start(dem_, start.c_str())
+        );
     }
     if (diameter_ <= 0)
     {
@@ -151,6 +119,7 @@ void Foam::demCloud::build()
 
     record_.prepare(dem_);
     demCheck(dem_setup(dem_));
+    reportStart();
     record_.watch(dem_);
     budget_.watch(dem_);
     if (budget_.on() && !(volumeAveraged_ && dem_needs_fluid(dem_)))
@@ -176,6 +145,34 @@ void Foam::demCloud::build()
     if (dem_needs_fluid(dem_))
     {
         Info<< "Suna: fluid effects: " << dem_fluid_effect_names(dem_) << endl;
+    }
+}
+
+
+// A snapshot made in other walls overlaps those of the mesh
+void Foam::demCloud::reportStart() const
+{
+    struct dem_start_overlap start;
+
+    dem_start_overlap(dem_, &start);
+    if (start.wall <= 0)
+    {
+        return;
+    }
+
+    Info<< "Suna: at the start overlap of at most " << start.wall
+        << " diameters with a wall (" << start.name << ", particle "
+        << demInteger(start.id).c_str() << " at ("
+        << start.position[0] << ' ' << start.position[1] << ' '
+        << start.position[2] << ") m) and " << start.particles
+        << " between particles" << endl;
+
+    if (start.wall > 2*start.particles && start.wall > slightOverlap)
+    {
+        WarningInFunction
+            << "The particles overlap a wall more than each other: they were"
+            << " settled in other walls, and the wall will throw them; settle"
+            << " them in the walls of the mesh by demPimpleFoam -settle" << endl;
     }
 }
 

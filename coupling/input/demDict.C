@@ -76,7 +76,7 @@ void Foam::demDict::checkCoupling() const
 
 
 // End and output of a run are controlled by system/controlDict
-void Foam::demDict::dropControlDictEntries()
+void Foam::demDict::dropControlDictEntries(const bool settle)
 {
     DynamicList<word> dropped;
 
@@ -84,16 +84,84 @@ void Foam::demDict::dropControlDictEntries()
     {
         dropped.append("write");
     }
-    if (dict_.isDict("time") && dict_.subDict("time").remove("end"))
+    if (dict_.isDict("time"))
     {
-        dropped.append("time/end");
+        dictionary& time = dict_.subDict("time");
+
+        time.readIfPresent("end", settlingEnd_);
+        if (time.remove("end") && !settle)
+        {
+            dropped.append("time/end");
+        }
+        if (!settle)
+        {
+            time.remove("untilQuiet");
+        }
     }
 
-    if (dropped.size())
+    if (dropped.size() && !settle)
     {
         Info<< "Suna: not read from constant/" << name() << ": "
             << flatOutput(dropped) << "; here system/controlDict decides"
             << endl;
+    }
+}
+
+
+void Foam::demDict::dropFlowEntries()
+{
+    dict_.remove("outlets");
+    dict_.remove("averages");
+    dropGroups(true);
+}
+
+
+// Of insert: streams, or all other groups
+void Foam::demDict::dropGroups(const bool streams)
+{
+    DynamicList<word> dropped;
+    const dictionary groups(dict_.subOrEmptyDict("insert"));
+
+    for (const entry& group : groups)
+    {
+        const bool stream =
+            group.isDict()
+         && group.dict().getOrDefault<word>("type", word::null) == "stream";
+
+        if (stream == streams)
+        {
+            dict_.subDict("insert").remove(group.keyword());
+            dropped.append(group.keyword());
+        }
+    }
+
+    if (dropped.size() && !streams)
+    {
+        Info<< "Suna: not read from insert, as the particles are those of"
+            << " start/snapshot: " << flatOutput(dropped)
+            << "; demPimpleFoam -settle inserts them" << endl;
+    }
+}
+
+
+void Foam::demDict::readStart(const bool settle)
+{
+    if (!dict_.found("start"))
+    {
+        return;
+    }
+
+    dict_.subDict("start").readEntry("snapshot", snapshot_);
+    dict_.remove("start");
+    snapshot_.expand();
+
+    if (!snapshot_.isAbsolute())
+    {
+        snapshot_ = mesh_.time().globalPath()/snapshot_;
+    }
+    if (!settle)
+    {
+        dropGroups(false);
     }
 }
 
@@ -177,7 +245,12 @@ void Foam::demDict::reportGravity(const char* source) const
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-Foam::demDict::demDict(const polyMesh& mesh, const word& file)
+Foam::demDict::demDict
+(
+    const polyMesh& mesh,
+    const word& file,
+    const bool settle
+)
 :
     mesh_(mesh),
     dict_
@@ -193,12 +266,13 @@ Foam::demDict::demDict(const polyMesh& mesh, const word& file)
         )
     ),
     coupling_(dict_.subOrEmptyDict("coupling")),
+    settlingEnd_(0),
     gravity_(Zero)
 {
     dict_.remove("coupling");
     dict_.remove("FoamFile");
 
-    dropControlDictEntries();
+    dropControlDictEntries(settle);
 
     if (dict_.found("fluid"))
     {
@@ -207,16 +281,10 @@ Foam::demDict::demDict(const polyMesh& mesh, const word& file)
             << " solver's; take out fluid { ... }" << exit(FatalIOError);
     }
 
-    if (dict_.found("start"))
+    readStart(settle);
+    if (settle)
     {
-        dict_.subDict("start").readEntry("snapshot", snapshot_);
-        dict_.remove("start");
-        snapshot_.expand();
-
-        if (!snapshot_.isAbsolute())
-        {
-            snapshot_ = mesh.time().globalPath()/snapshot_;
-        }
+        dropFlowEntries();
     }
 
     checkCoupling();

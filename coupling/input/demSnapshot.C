@@ -136,6 +136,14 @@ Foam::fileName Foam::demSnapshot::start
     {
         Info<< "Suna: new particles, as insert of constant/demProperties says" << endl;
     }
+    else if (!onMaster(dict.snapshot()))
+    {
+        FatalErrorInFunction
+            << "There is no file " << dict.snapshot() << ", which start/snapshot"
+            << " of constant/" << demDict::name() << " names; make it by"
+            << " demPimpleFoam -settle, which settles the groups of insert in"
+            << " the walls of the mesh, or correct the name" << exit(FatalError);
+    }
     else
     {
         Info<< "Suna: particles from " << dict.snapshot() << endl;

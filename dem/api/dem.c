@@ -271,6 +271,13 @@ int dem_load(struct dem *d, const char *path)
     return DEM_OK;
 }
 
+int dem_start(struct dem *d, const char *path)
+{
+    DEM_TRY(dem_load(d, path));
+    d->start_checked = 1;
+    return DEM_OK;
+}
+
 /* ---- check, set-up, plan --------------------------------------------------------------------- */
 
 /* The library checks for numbers that are not finite itself. */
@@ -396,7 +403,9 @@ unsigned dem_effect_traits(const char *name)
     }
     return (effect->has_pressure_gradient ? DEM_TRAIT_PRESSURE_GRADIENT : 0U) |
            (effect->needs & DEM_NEEDS_ACCELERATION ? DEM_TRAIT_FLUID_ACCELERATION : 0U) |
-           (effect->needs & DEM_NEEDS_STRESS ? DEM_TRAIT_FLUID_STRESS : 0U);
+           (effect->needs & DEM_NEEDS_STRESS ? DEM_TRAIT_FLUID_STRESS : 0U) |
+           (effect->needs & DEM_NEEDS_FLUID ? DEM_TRAIT_FLUID : 0U) |
+           (effect->needs & DEM_NEEDS_VISCOSITY ? DEM_TRAIT_VISCOSITY : 0U);
 }
 
 int dem_gravity_acceleration(const struct dem *d, double g[3])

@@ -7,6 +7,7 @@
  *   setup.c                     from the scene to the first step, with setup_walls.c and
  *                               setup_particles.c
  *   setup_check.c               checks that need no particles
+ *   until_quiet.c               time/untilQuiet
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -15,6 +16,7 @@
 
 #include "dem.h"
 #include "scene/scene.h"
+#include "diagnostics/totals.h"
 #include "checkpoint/snapshot.h"
 #include "advisor/plan.h"
 #include "output/attached_stores.h"
@@ -66,6 +68,8 @@ struct dem
     int is_set_up, with_fluid, coupled;
     int scene_start;                                      /* 1: load_path is the scene's entry
                                                              `start`: time begins at 0 */
+    int start_checked;                                    /* 1: its overlap with the walls is
+                                                             checked (dem_start) */
     int restored;                                         /* 1: dem_restore was called; averages
                                                              hold later samples */
     int ranks_apart;                                      /* 1: the last dem_advance did not fail on
@@ -74,6 +78,8 @@ struct dem
     int orientation;                                      /* 1: orientations were asked for */
     int pressure_gradient;                                /* 1: pressureGradient is among the
                                                              effects */
+    struct dem_overlap start_pair, start_wall;            /* largest ones at a start that is
+                                                             checked */
     struct dem_skins snapshot_skins;                      /* skins of the neighbor lists in the
                                                              loaded snapshot */
     struct dem_snapshot snapshot_flows;                   /* its streams and outlets */

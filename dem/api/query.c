@@ -39,6 +39,21 @@ int dem_totals(struct dem *d, struct dem_totals *t)
     return dem_collect_status(&d->state.decomposition);
 }
 
+void dem_start_overlap(const struct dem *d, struct dem_start_overlap *s)
+{
+    const struct dem_overlap *const wall = &d->start_wall;
+
+    *s = (struct dem_start_overlap){.particles = d->start_pair.fraction,
+                                    .wall = wall->fraction,
+                                    .id = wall->id,
+                                    .name = ""};
+    if (wall->fraction > 0.0)
+    {
+        memcpy(s->position, wall->x, sizeof s->position);
+        s->name = dem_wall_name(d, (int)wall->partner);
+    }
+}
+
 int dem_profile(struct dem *d, struct dem_profile *profile)
 {
     DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_profile comes after dem_setup");

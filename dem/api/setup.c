@@ -153,19 +153,38 @@ static int prepare_physics(struct dem *d)
 
 static int refuse_overlap(struct dem_state *p)
 {
-    int64_t i = 0, j = 0;
-    double x[3] = {0.0, 0.0, 0.0};
-    const double worst = dem_totals_max_overlap(p, &i, &j, x);
+    struct dem_overlap pair, wall;
 
-    DEM_REQUIRE(worst <= max_initial_overlap || j >= 0, DEM_ERROR_INPUT,
+    dem_totals_max_overlap(p, &pair, &wall);
+    DEM_REQUIRE(wall.fraction <= max_initial_overlap || wall.fraction <= pair.fraction,
+                DEM_ERROR_INPUT,
                 "particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the "
                 "start, the limit is %g; move it",
-                (long long)i, x[0], x[1], x[2], p->walls.wall[p->walls.facet[-1 - j].wall].name,
-                worst, max_initial_overlap);
-    DEM_REQUIRE(worst <= max_initial_overlap, DEM_ERROR_INPUT,
+                (long long)wall.id, wall.x[0], wall.x[1], wall.x[2],
+                p->walls.wall[wall.partner].name, wall.fraction, max_initial_overlap);
+    DEM_REQUIRE(pair.fraction <= max_initial_overlap, DEM_ERROR_INPUT,
                 "particles %lld and %lld at (%g %g %g) m overlap by %.3g of a diameter at the "
                 "start, the limit is %g; move them apart",
-                (long long)i, (long long)j, x[0], x[1], x[2], worst, max_initial_overlap);
+                (long long)pair.id, (long long)pair.partner, pair.x[0], pair.x[1], pair.x[2],
+                pair.fraction, max_initial_overlap);
+    return DEM_OK;
+}
+
+/* A state of a snapshot that was made in other walls may overlap those of this run. A soft bed that
+   has settled in the same walls overlaps them too, but not more than its particles overlap each
+   other. */
+static int refuse_other_walls(struct dem *d)
+{
+    const struct dem_overlap *const wall = &d->start_wall, *const pair = &d->start_pair;
+    const double limit = fmax(max_initial_overlap, pair->fraction);
+
+    DEM_REQUIRE(wall->fraction <= limit, DEM_ERROR_INPUT,
+                "%s: particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the "
+                "start, the limit is %.3g; the snapshot was made in other walls: settle the "
+                "particles in the walls of this run (in an OpenFOAM case: demPimpleFoam -settle) "
+                "and start from that snapshot",
+                d->load_path, (long long)wall->id, wall->x[0], wall->x[1], wall->x[2],
+                d->state.walls.wall[wall->partner].name, wall->fraction, limit);
     return DEM_OK;
 }
 
@@ -196,10 +215,27 @@ static int distribute(struct dem *d)
     return DEM_OK;
 }
 
-/* The energy that contacts hold at the start. Without a snapshot the first sweep has measured
-   it. With one, lists are built and the contacts swept once on a backup, and everything is put
-   back, so that the run goes on with the same bits. */
-static int begin_energy_balance(struct dem *d)
+static int begin_energy(struct dem *d)
+{
+    struct dem_state *const p = &d->state;
+    int status = dem_sweep_contacts(p, 0.0, (const double[2]){p->time, p->time});
+
+    status = dem_collect_agree(&p->decomposition, status);
+    if (!status)
+    {
+        dem_energy_balance_begin(p);
+    }
+    return status;
+}
+
+static int measure_overlap(struct dem *d)
+{
+    return dem_totals_max_overlap_over_ranks(&d->state, &d->start_pair, &d->start_wall);
+}
+
+/* Call `look` with the lists built from the state of a snapshot, on a backup; then everything is
+   put back, so that the run goes on with the same bits. */
+static int with_lists(struct dem *d, int (*look)(struct dem *))
 {
     struct dem_state *const p = &d->state;
     const int64_t rebuilds = p->rebuilds, prunes = p->prunes;
@@ -207,23 +243,16 @@ static int begin_energy_balance(struct dem *d)
     struct dem_backup backup = {.valid = 0};
 
     dem_flows_backup(p->flows);
-
-    if (!d->load_path[0])
-    {
-        dem_energy_balance_begin(p);
-        return DEM_OK;
-    }
     int status = dem_api_agree(d, dem_backup_save(&backup, &p->particles, &p->contacts, p->pairs.wall_facet));
 
     status = status ? status : dem_neighbor_rebuild(p);
-    status = status ? status : dem_sweep_contacts(p, 0.0, (const double[2]){p->time, p->time});
+    status = status ? status : look(d);
     status = dem_collect_agree(&p->decomposition, status);
     if (status)
     {
         dem_backup_free(&backup);
         return status;
     }
-    dem_energy_balance_begin(p);
     status = dem_backup_restore(&backup, &p->particles, &p->contacts);
     dem_backup_free(&backup);
     p->stale = 2;
@@ -234,6 +263,30 @@ static int begin_energy_balance(struct dem *d)
     p->rebuilds = rebuilds;
     p->prunes = prunes;
     return status;
+}
+
+/* The energy that contacts hold at the start. Without a snapshot the first sweep has measured
+   it. With one, the contacts are swept once on a backup. */
+static int begin_energy_balance(struct dem *d)
+{
+    if (!d->load_path[0])
+    {
+        dem_flows_backup(d->state.flows);
+        dem_energy_balance_begin(&d->state);
+        return DEM_OK;
+    }
+    return with_lists(d, begin_energy);
+}
+
+/* Particles of the scene's entry `start`, or of dem_start. */
+static int check_start(struct dem *d)
+{
+    if (!d->start_checked || d->state.walls.walls == 0)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(with_lists(d, measure_overlap));
+    return refuse_other_walls(d);
 }
 
 static void append_word(char *list, size_t capacity, const char *word)
@@ -269,7 +322,7 @@ static int read_scene(struct dem *d)
     DEM_TRY(dem_api_assign_patches(d));
     if (d->scene.snapshot && !d->load_path[0])
     {
-        DEM_TRY(dem_load(d, d->scene.snapshot));
+        DEM_TRY(dem_start(d, d->scene.snapshot));
         d->scene_start = 1;
     }
     p->limits.limit = d->scene.max_overlap;
@@ -331,6 +384,7 @@ int dem_api_setup(struct dem *d)
     }
     DEM_TRY(dem_api_agree(d, dem_api_begin_flows(d)));
     DEM_TRY(dem_api_agree(d, distribute(d)));
+    DEM_TRY(dem_api_agree(d, check_start(d)));
     if (d->energy)
     {
         DEM_TRY(dem_api_agree(d, begin_energy_balance(d)));

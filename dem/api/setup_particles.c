@@ -237,7 +237,7 @@ int dem_api_create_particles(struct dem *d)
         return DEM_OK;
     }
     DEM_TRY(dem_insert_place(&d->scene.initial, &d->scene.insertion, &p->interaction_table,
-                             &p->decomposition));
+                             &p->walls, &p->decomposition));
     DEM_TRY(join_initial(d));
     dem_insert_free(&d->scene.insertion);
     DEM_TRY(store_initial(d));

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "parallel/collect.h"
+#include <stdio.h>
 #include <string.h>
 
 int dem_api_gather(const struct dem_state *p, size_t size, size_t n, const double *mine,
@@ -78,4 +79,24 @@ int dem_api_add_mesh_walls(struct dem *d)
         DEM_TRY(gather_wall(&d->state, wall, m));
     }
     return DEM_OK;
+}
+
+int dem_insert_region(struct dem *d, const char *name, int zone, int64_t n,
+                      const double *triangles)
+{
+    struct dem_insertion_regions *const g = &d->scene.insertion.regions;
+    double *corners;
+    size_t total;
+
+    DEM_TRY(dem_api_require_unchecked(d, "dem_insert_region"));
+    DEM_REQUIRE(strlen(name) < sizeof g->surface->name, DEM_ERROR_INPUT,
+                "zone %s: a name longer than %zu characters; shorten it", name,
+                sizeof g->surface->name - 1);
+    DEM_TRY(DEM_GROW(g->surface, g->capacity, g->n + 1));
+    DEM_TRY(dem_api_gather(&d->state, 9, (size_t)n, triangles, &corners, &total));
+    struct dem_closed_surface *const s = &g->surface[g->n++];
+
+    *s = (struct dem_closed_surface){.what = zone ? "zone" : "mesh", .zone = zone};
+    snprintf(s->name, sizeof s->name, "%s", name);
+    return dem_api_agree(d, dem_closed_surface_init(s, total, corners));
 }

@@ -37,7 +37,7 @@ static const char help[] =
     "            maxSpeed 100;            m/s,\n"
     "            maxCreated 0.05;         energy created between two rows of energy.csv, of its\n"
     "                                     largest term\n"
-    "            untilQuiet { lasting 0.01; } }  end earlier, after so long (s) at rest\n"
+    "            untilQuiet {} }          end earlier, when the particles rest\n"
     "    write { interval 0.01;           s of simulated time between outputs\n"
     "            folder \"NAME\";           default: the scene's name without its extension\n"
     "            vtk yes;                 particles_*.vtp and particles.pvd for ParaView, walls\n"
@@ -220,6 +220,16 @@ static int advance_to(struct run_state *c, double next)
     return DEM_OK;
 }
 
+static void print_quiet(const struct dem_quiet *q, const struct dem_program *prog,
+                        const struct dem_totals *t)
+{
+    if (q->wanted && prog->rank == 0)
+    {
+        printf("%s at t %.6g s: %lld of %lld particles move\n", q->reached ? "quiet" : "not quiet",
+               t->time, (long long)q->move, (long long)t->particles);
+    }
+}
+
 static int print_profile(const struct dem_program *prog, struct dem *d, const struct dem_output *o)
 {
     const char *text;
@@ -244,7 +254,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
                           .d = d,
                           .p = {.started = MPI_Wtime(), .rank = prog->rank},
                           .quiet = s->quiet};
-    const int64_t checks = dem_quiet_tests(&c.quiet, s->interval);
+    const int64_t checks = dem_quiet_tests(d, &c.quiet, s->interval);
     const double part = s->interval/(double)checks;
 
     DEM_TRY(begin(&c));
@@ -261,7 +271,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
             DEM_TRY(write_output(&c, number));
             return print_profile(prog, d, &s->output);
         }
-        DEM_TRY(dem_quiet_test(&c.quiet, d, &c.t));
+        DEM_TRY(dem_quiet_test(d, &c.quiet, &c.t));
         if (k%checks == 0 || c.quiet.reached || next == s->end)
         {
             DEM_TRY(dem_output_write(&s->output, prog, d, number, next));
@@ -271,7 +281,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
     DEM_TRY(print_profile(prog, d, &s->output));
     dem_flow_log_print(prog, d);
     dem_energy_log_print(&c.energy, prog);
-    dem_quiet_print(&c.quiet, prog, &c.t);
+    print_quiet(&c.quiet, prog, &c.t);
     return DEM_OK;
 }
 

@@ -123,14 +123,14 @@ static int read_max_created(const struct dem_dict *time, struct dem_output *o)
     return DEM_OK;
 }
 
-static int read_schedule(struct dem_schedule *s, const struct dem_dict *scene, const char *path)
+static int read_schedule(struct dem_schedule *s, const struct dem *d, const char *path)
 {
-    const struct dem_dict *time, *write;
+    const struct dem_dict *const scene = dem_scene_dict(d), *time, *write;
 
     DEM_TRY(dem_dict_sub(scene, "time", &time));
     DEM_TRY(dem_dict_number(time, "end", "s", &s->end));
     DEM_REQUIRE(s->end > 0.0, DEM_ERROR_INPUT, "time/end %g s; give a time above 0", s->end);
-    DEM_TRY(dem_quiet_read(&s->quiet, time));
+    DEM_TRY(dem_quiet_read(d, &s->quiet));
     DEM_TRY(dem_dict_sub_if(scene, "write", &write));
     s->interval = s->end;
     if (write)
@@ -146,7 +146,7 @@ static int read_schedule(struct dem_schedule *s, const struct dem_dict *scene, c
                 "more than %g outputs up to time/end %g s; give an interval of %g s or more",
                 s->interval, max_outputs, s->end,
                 s->end/max_outputs);
-    DEM_REQUIRE(!s->quiet.wanted || s->end <= max_rows*s->quiet.lasting, DEM_ERROR_INPUT,
+    DEM_REQUIRE(!s->quiet.wanted || s->quiet.lasting == 0.0 || s->end <= max_rows*s->quiet.lasting, DEM_ERROR_INPUT,
                 "time/untilQuiet/lasting %g s makes more than %g checks up to time/end %g s; give "
                 "%g s or more", s->quiet.lasting, max_rows,
                 s->end, s->end/max_rows);
@@ -213,7 +213,7 @@ static int set_up(const struct dem_program *prog, const struct dem_request *r, s
     {
         DEM_TRY(dem_load(d, r->restart));
     }
-    DEM_TRY(read_schedule(s, dem_scene_dict(d), r->scene));
+    DEM_TRY(read_schedule(s, d, r->scene));
     DEM_TRY(r->no_output ? DEM_OK : dem_output_check(&s->output, prog));
     DEM_TRY(accept_coupling(dem_scene_dict(d), &s->coupling));
     DEM_TRY(s->output.energy > 0.0 && !r->no_output ? dem_energy_enable(d) : DEM_OK);
@@ -221,7 +221,7 @@ static int set_up(const struct dem_program *prog, const struct dem_request *r, s
     DEM_TRY(s->output.orientation ? dem_orientation_enable(d) : DEM_OK);
     DEM_TRY(dem_check(d));
     s->with_gravity = dem_gravity_acceleration(d, s->gravity);
-    DEM_TRY(dem_quiet_check(&s->quiet, s->gravity));
+    DEM_TRY(dem_quiet_check(d, &s->quiet));
     DEM_TRY(refuse_coupled_fluid(d));
     /* with a snapshot the step is known only after dem_setup */
     DEM_TRY(dem_step_limit(d).used > 0.0 ? count_steps(s, d) : DEM_OK);

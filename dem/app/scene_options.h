@@ -10,7 +10,6 @@
 #include "dem.h"
 #include "app/main.h"
 #include "app/output_files.h"
-#include "app/until_quiet.h"
 
 /* time { ... } and write { ... } */
 struct dem_schedule

@@ -5,6 +5,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "diagnostics/totals.h"
+#include "core/error.h"
+#include "core/memory.h"
 #include "core/vec.h"
 #include "diagnostics/fingerprint.h"
 #include "diagnostics/wall_statistics.h"
@@ -144,13 +146,34 @@ void dem_totals_tally(struct dem_state *p, struct dem_totals *t)
     *t = (struct dem_totals){.particles = count[0], .steps = p->steps, .contacts = count[1], .rebuilds = p->rebuilds,
                             .prunes = p->prunes, .time = p->time, .kinetic = value[0], .largest_overlap = p->limits.overlap,
                             .momentum = {value[1], value[2], value[3]}, .volume = value[4], .mass = value[5],
-                            .fall_energy = count[0] > 0 ? dem_vec_norm(g)*value[7]*value[6]/(double)count[0] : 0.0};
+                            .fall_energy = count[0] > 0 ? dem_vec_norm(g)*value[7]*value[6]/(double)count[0] : 0.0,
+                            .weight = dem_vec_norm(g)*value[7]};
     p->limits.max_overlap = fmax(p->limits.max_overlap, p->limits.overlap);
     p->limits.overlap = 0.0;
     if (p->contacts.has_energy)
     {
         tally_bonds(p, t);
     }
+}
+
+double dem_totals_extent(const struct dem_state *p, const double along[3])
+{
+    const double size = dem_vec_norm(along);
+    double limit[2] = {-INFINITY, -INFINITY};    /* the largest, and of the negative */
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const struct dem_particle *const r = &p->particles.record[i];
+        const double at = dem_vec_dot(r->x, along)/size;
+
+        if (!(r->flags & DEM_PARTICLE_FROZEN))
+        {
+            limit[0] = fmax(limit[0], at);
+            limit[1] = fmax(limit[1], -at);
+        }
+    }
+    dem_collect_max_double(&p->decomposition, limit, 2);
+    return isfinite(limit[0]) ? limit[0] + limit[1] : 0.0;
 }
 
 void dem_totals_wall_force(const struct dem_state *p, int wall, double force[3], double torque[3])
@@ -215,15 +238,15 @@ uint64_t dem_totals_fingerprint(const struct dem_state *p)
     return total;
 }
 
-double dem_totals_max_overlap(struct dem_state *p, int64_t *i, int64_t *j, double x[3])
+void dem_totals_max_overlap(struct dem_state *p, struct dem_overlap *pair, struct dem_overlap *wall)
 {
-    double worst = 0.0;
-
+    *pair = *wall = (struct dem_overlap){.fraction = 0.0};
     dem_wall_touches_update(&p->touches, &p->pairs.wall_search, &p->walls, &p->particles);
     for (uint32_t r = 0; r < p->contacts.rows; r++)
     {
         const struct dem_pair *const q = p->contacts.row_pair[r] == DEM_ROW_NONE ? NULL : &p->contacts.pair[p->contacts.row_pair[r]];
         const struct dem_particle *const a = q ? &p->particles.record[q->i] : NULL;
+        struct dem_overlap *const worst = q && q->wall ? wall : pair;
         double overlap = 0.0, radius = 1.0;
 
         if (q && q->wall)
@@ -240,15 +263,44 @@ double dem_totals_max_overlap(struct dem_state *p, int64_t *i, int64_t *j, doubl
             overlap = a->radius + b->radius - dem_vec_norm(d);
             radius = fmin(a->radius, b->radius);
         }
-        if (q && 0.5*overlap/radius > worst)
+        if (q && 0.5*overlap/radius > worst->fraction)
         {
-            worst = 0.5*overlap/radius;
-            *i = a->id;
-            *j = q->wall ? -1 - p->pairs.wall_facet[q->j] : p->particles.record[q->j].id;
-            memcpy(x, a->x, sizeof a->x);
+            worst->fraction = 0.5*overlap/radius;
+            worst->id = a->id;
+            worst->partner = q->wall ? p->walls.facet[p->pairs.wall_facet[q->j]].wall : p->particles.record[q->j].id;
+            memcpy(worst->x, a->x, sizeof a->x);
         }
     }
-    return worst;
+}
+
+/* Each rank gives its own; the largest is that of all, the lowest id among equal ones. */
+static int max_over_ranks(const struct dem_decomposition *q, struct dem_overlap *worst)
+{
+    const struct dem_collect_items own = {"overlaps", worst, 1, sizeof *worst};
+    struct dem_overlap *each;
+    void *all;
+    size_t n;
+
+    DEM_TRY(dem_collect_gather(q, DEM_OK, &own, &all, &n));
+    each = all;
+    for (size_t k = 0; k < n; k++)
+    {
+        if (each[k].fraction > worst->fraction
+            || (each[k].fraction >= worst->fraction && each[k].id < worst->id))
+        {
+            *worst = each[k];
+        }
+    }
+    dem_memory_free(all);
+    return DEM_OK;
+}
+
+int dem_totals_max_overlap_over_ranks(struct dem_state *p, struct dem_overlap *pair,
+                                      struct dem_overlap *wall)
+{
+    dem_totals_max_overlap(p, pair, wall);
+    DEM_TRY(max_over_ranks(&p->decomposition, pair));
+    return max_over_ranks(&p->decomposition, wall);
 }
 
 double dem_totals_sauter_diameter(const struct dem_state *p)

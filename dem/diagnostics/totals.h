@@ -34,6 +34,10 @@ int64_t dem_totals_moving(const struct dem_state *, double energy);
 /* Collective. Largest speed of a particle [m/s]. */
 double dem_totals_max_speed(const struct dem_state *);
 
+/* Collective. Extent [m] of the centres of all particles that are not frozen along a vector; 0
+   without any. */
+double dem_totals_extent(const struct dem_state *, const double along[3]);
+
 /* Collective. Force [N] and torque about the origin [N m] of the particles on a wall in the last
    step. */
 void dem_totals_wall_force(const struct dem_state *, int wall, double force[3], double torque[3]);
@@ -46,10 +50,18 @@ void dem_totals_wall_impulse(const struct dem_state *, int wall, double impulse[
 /* Collective. Hash of ids, positions, velocities, spins and of the whole contact history. */
 uint64_t dem_totals_fingerprint(const struct dem_state *);
 
-/* The largest overlap of this rank at the present positions, as a fraction of the smaller diameter,
-   with the ids of the partners (j is -1 - region at a wall) and the position of i [m]. For checks
-   of the input. */
-double dem_totals_max_overlap(struct dem_state *, int64_t *i, int64_t *j, double x[3]);
+/* The largest overlaps between particles and with walls at the present positions. For checks of the
+   input, after the lists have been built. Of this rank; collective, of all ranks. */
+struct dem_overlap
+{
+    double fraction;      /* 1  of the smaller diameter; 0: none */
+    int64_t id, partner;  /* of the particle; of the other one, or the number of the wall */
+    double x[3];          /* m  of the particle */
+};
+
+void dem_totals_max_overlap(struct dem_state *, struct dem_overlap *pair, struct dem_overlap *wall);
+int dem_totals_max_overlap_over_ranks(struct dem_state *, struct dem_overlap *pair,
+                                      struct dem_overlap *wall);
 
 /* Collective. Sauter mean diameter of all particles, sum d^3/sum d^2 [m]; 0 without particles. */
 double dem_totals_sauter_diameter(const struct dem_state *);

@@ -101,6 +101,12 @@ int dem_add_wall(struct dem *, const char *name, const char *material, int64_t n
    time until then. A wall for which it is not called stays at rest. */
 int dem_wall_move(struct dem *, const char *name, int64_t n, const double *triangles);
 
+/* Collective, before dem_check. The closed surface of a mesh (zone 0), or of one of its zones of
+   cells, of this name: n triangles of this rank, 9 numbers each [m], corners counterclockwise as
+   seen from outside. Groups of `insert` name it by `inside mesh` or `zone NAME`. */
+int dem_insert_region(struct dem *, const char *name, int zone, int64_t n,
+                      const double *triangles);
+
 /* Add particles to those of the scene. Every rank gives the same list. */
 int dem_add_particles(struct dem *, int64_t n, const struct dem_new_particle *);
 
@@ -211,6 +217,16 @@ int dem_orientation_enable(struct dem *);
 /* Collective. The number of particles with more kinetic energy than `energy` [J], translation
    and rotation. */
 int dem_count_moving(struct dem *, double energy, int64_t *n);
+
+/* Rest, as time/untilQuiet defines it. dem_quiet_read, before dem_check: read that entry; without
+   one the defaults, with `wanted` 0. dem_quiet_check, after dem_check: an error when the scene has
+   no gravity to compare with. dem_quiet_tests: the number of tests in an interval [s].
+   dem_quiet_test, collective, does nothing unless `wanted`: test with the present totals, set
+   `reached`. */
+int dem_quiet_read(const struct dem *, struct dem_quiet *);
+int dem_quiet_check(const struct dem *, const struct dem_quiet *);
+int64_t dem_quiet_tests(const struct dem *, const struct dem_quiet *, double interval);
+int dem_quiet_test(struct dem *, struct dem_quiet *, const struct dem_totals *);
 
 /* Collective. A 64-bit hash of particles and contact history, the same on any number of ranks. */
 int dem_hash(struct dem *, uint64_t *hash);
@@ -361,6 +377,13 @@ int dem_save(struct dem *, const char *path);
 /* Start from a snapshot instead of the scene's insertions: after the scene, before dem_check.
    The file is read in dem_setup. */
 int dem_load(struct dem *, const char *path);
+
+/* The same for a state that another run has made, as the scene's entry `start` does: dem_setup
+   refuses an overlap with a wall of more than 0.05 of a diameter that is also larger than the
+   largest between particles. dem_start_overlap: what it found, after dem_setup; zeros without a
+   check. */
+int dem_start(struct dem *, const char *path);
+void dem_start_overlap(const struct dem *, struct dem_start_overlap *);
 
 /* Collective. Backups in memory, for the case that the run fails: one now, and one in
    dem_advance whenever `steps` steps have passed since the last (0: none). A state with a number

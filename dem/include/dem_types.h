@@ -77,7 +77,9 @@ enum dem_effect_trait
 {
     DEM_TRAIT_PRESSURE_GRADIENT = 1,   /* the force of the full pressure gradient */
     DEM_TRAIT_FLUID_ACCELERATION = 2,  /* reads Du/Dt of the fluid: added mass */
-    DEM_TRAIT_FLUID_STRESS = 4         /* reads div tau of the fluid */
+    DEM_TRAIT_FLUID_STRESS = 4,        /* reads div tau of the fluid */
+    DEM_TRAIT_FLUID = 8,               /* acts in a fluid only */
+    DEM_TRAIT_VISCOSITY = 16           /* reads the viscosity, unless it has a setting of its own */
 };
 
 enum dem_verdict_word
@@ -149,6 +151,35 @@ struct dem_totals
     double broken;              /* bonds broken since the start */
     double stored, lost;        /* J  elastic energy of bonds; dissipated by bonds and films since
                                    the start */
+    double weight;              /* N  of the moving particles; 0 without gravity */
+};
+
+/* time/untilQuiet: settings, and what the tests have found; docs/scene-reference.md explains them */
+struct dem_quiet
+{
+    int wanted;          /* 1: the scene has the entry */
+    double kinetic;      /* 1  limit, of the energy of falling by a diameter */
+    double speed;        /* m/s  limit instead of kinetic; 0: kinetic counts */
+    double moving;       /* 1  fraction of the particles that may still move */
+    double imbalance;    /* 1  net force on all particles, of their weight */
+    double lasting;      /* s  0: from the height of the bed */
+
+    double wait;         /* s  lasting, or the one from the height at the last test */
+    double since;        /* s  at rest since; infinite: not at rest */
+    double tested;       /* s  time of the last test, with the momentum [kg m/s] then */
+    double momentum[3];
+    int64_t move;        /* particles that moved at the last test */
+    int reached;         /* 1: at rest for long enough */
+};
+
+/* largest overlaps of a state from which a run has started, of the smaller diameter */
+struct dem_start_overlap
+{
+    double particles;   /* 1  between particles */
+    double wall;        /* 1  with a wall; 0: none */
+    int64_t id;         /* of that particle */
+    double position[3]; /* m */
+    const char *name;   /* of that wall */
 };
 
 enum

@@ -35,9 +35,34 @@ static const double
 
 /* ---- region ---------------------------------------------------------------------------------- */
 
+/* A mesh or zone is its own region, unless a shape is given within it. */
+static int read_shape(struct dem_insert_group *b)
+{
+    const struct dem_closed_surface *const s = b->limits ? b->limits->surface : NULL;
+    const bool whole = s && !dem_dict_has(b->dict, "min") && !dem_dict_has(b->dict, "max")
+                    && !dem_dict_has(b->dict, "cylinder") && !dem_dict_has(b->dict, "sphere");
+
+    if (whole)
+    {
+        b->shape = (struct dem_insertion_shape){.kind = DEM_INSERTION_SHAPE_BOX,
+                                                .region = s->volume};
+        memcpy(b->shape.min, s->min, sizeof s->min);
+        memcpy(b->shape.max, s->max, sizeof s->max);
+    }
+    else
+    {
+        DEM_TRY(dem_insertion_shape_read(&b->shape, b->dict));
+    }
+    b->shape.limits = b->limits;
+    DEM_REQUIRE(!s || whole || !dem_dict_has(b->dict, "solidFraction"), DEM_ERROR_INPUT,
+                "%s: solidFraction of a part of the mesh, whose volume is not known; give count or "
+                "mass, or a zone without a box, cylinder or sphere", b->where);
+    return DEM_OK;
+}
+
 static int read_region(struct dem_insert_group *b, const struct dem_size_distribution *sizes)
 {
-    DEM_TRY(dem_insertion_shape_read(&b->shape, b->dict));
+    DEM_TRY(read_shape(b));
     for (int k = 0; k < 3; k++)
     {
         const double wide = b->shape.max[k] - b->shape.min[k];
@@ -116,6 +141,7 @@ static int read_lattice(struct dem_insert_group *b, const struct dem_interaction
                 b->where, asked, sites, (long long)b->sites[0], (long long)b->sites[1],
                 (long long)b->sites[2], b->pitch/b->diameter);
     b->count = (int64_t)asked;
+    b->fill = fill;
     return DEM_OK;
 }
 
@@ -271,7 +297,7 @@ static int check_masses(const struct dem_insert_group *b, const struct dem_inter
 }
 
 static int read_type(struct dem_insert_group *b, const struct dem_interaction_table *r,
-                     const char *type)
+                     const struct dem_insertion *i, const struct dem_walls *w, const char *type)
 {
     static const char *const known[] = {"lattice", "random", "list", "table", "stream"};
     int k = 0;
@@ -283,6 +309,7 @@ static int read_type(struct dem_insert_group *b, const struct dem_interaction_ta
     b->type = (enum dem_insert_type)k;
     if (k == DEM_INSERT_LATTICE || k == DEM_INSERT_RANDOM)
     {
+        DEM_TRY(dem_insertion_limits_read(&b->limits, b->dict, &i->regions, w));
         DEM_TRY(dem_dict_int64_or(b->dict, "seed", 1, &b->seed));
     }
     switch (k)
@@ -299,6 +326,7 @@ static int read_type(struct dem_insert_group *b, const struct dem_interaction_ta
 }
 
 static int read_group(const struct dem_dict *dict, const struct dem_interaction_table *r,
+                      const struct dem_insertion *i, const struct dem_walls *w,
                       struct dem_insert_group *b)
 {
     static const double zero[3] = {0.0, 0.0, 0.0};
@@ -311,7 +339,7 @@ static int read_group(const struct dem_dict *dict, const struct dem_interaction_
     DEM_TRY(dem_dict_vector_or(dict, "velocity", "m/s", zero, b->velocity));
     DEM_TRY(dem_dict_vector_or(dict, "spin", "1/s", zero, b->spin));
     DEM_TRY(dem_dict_switch_or(dict, "frozen", false, &b->frozen));
-    DEM_TRY(read_type(b, r, type));
+    DEM_TRY(read_type(b, r, i, w, type));
     DEM_TRY(check_masses(b, r));
     return b->frozen ? refuse_moving(b) : DEM_OK;
 }
@@ -325,7 +353,7 @@ int dem_insert_is_stream(const struct dem_dict *group)
 }
 
 int dem_insert_read(struct dem_insertion *i, const struct dem_dict *insert,
-                    const struct dem_interaction_table *r)
+                    const struct dem_interaction_table *r, const struct dem_walls *w)
 {
     for (size_t k = 0; k < dem_dict_count(insert); k++)
     {
@@ -339,7 +367,7 @@ int dem_insert_read(struct dem_insertion *i, const struct dem_dict *insert,
             continue;
         }
         DEM_TRY(DEM_GROW(i->group, i->capacity, i->n + 1));
-        DEM_TRY(read_group(dem_entry_dict(e), r, &i->group[i->n++]));
+        DEM_TRY(read_group(dem_entry_dict(e), r, i, w, &i->group[i->n++]));
     }
     return dem_insert_refuse_duplicates(i, 0, NULL);
 }
@@ -349,11 +377,14 @@ void dem_insert_free(struct dem_insertion *i)
     for (size_t k = 0; k < i->n; k++)
     {
         dem_memory_free(i->group[k].drawn);
+        dem_memory_free(i->group[k].site);
+        dem_insertion_limits_free(i->group[k].limits);
         for (size_t t = 0; t < sizeof i->group[k].table/sizeof *i->group[k].table; t++)
         {
             dem_memory_free(i->group[k].table[t]);
         }
     }
     dem_memory_free(i->group);
+    dem_insertion_regions_free(&i->regions);
     memset(i, 0, sizeof *i);
 }

@@ -14,6 +14,7 @@
 #define DEM_INSERTION_INSERT_H
 
 #include "insertion/initial_particles.h"
+#include "insertion/insertion_limits.h"
 #include "input/dictionary.h"
 #include "model/domain.h"
 #include "parallel/decomposition.h"
@@ -24,6 +25,7 @@ struct dem_insertion
 {
     size_t n, capacity;
     struct dem_insert_group *group;
+    struct dem_insertion_regions regions;  /* to which groups point; before they are read */
 };
 
 /* 1 when a group of `insert` comes in during the run (inflow/stream.h). */
@@ -32,7 +34,7 @@ int dem_insert_is_stream(const struct dem_dict *group);
 /* Read and check every group of a scene's `insert { ... }`. The dictionary must outlive the
    groups, which point into it. Streams (inflow/) are skipped. */
 int dem_insert_read(struct dem_insertion *, const struct dem_dict *insert,
-                    const struct dem_interaction_table *);
+                    const struct dem_interaction_table *, const struct dem_walls *);
 void dem_insert_free(struct dem_insertion *);
 
 /* Extend the ranges of radii [m], one a material, by those of the groups; 0 means none yet. */
@@ -48,8 +50,9 @@ int dem_insert_refuse_duplicates(const struct dem_insertion *, size_t n, const i
 int dem_insert_check_domain(const struct dem_insertion *, const struct dem_domain *);
 
 /* Collective. Create the particles of all groups, each rank a part of them. Fails on all ranks
-   when it does on one. */
-int dem_insert_place(struct dem_initial_particles *, const struct dem_insertion *,
-                     const struct dem_interaction_table *, const struct dem_decomposition *);
+   when it does on one. The number of a lattice with limits becomes that of the sites taken. */
+int dem_insert_place(struct dem_initial_particles *, struct dem_insertion *,
+                     const struct dem_interaction_table *, const struct dem_walls *,
+                     const struct dem_decomposition *);
 
 #endif

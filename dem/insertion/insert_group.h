@@ -8,6 +8,7 @@
 #define DEM_INSERTION_INSERT_GROUP_H
 
 #include "insertion/insert.h"
+#include "insertion/insertion_limits.h"
 #include "insertion/insertion_shape.h"
 
 enum dem_insert_type
@@ -30,6 +31,11 @@ struct dem_insert_group
     struct dem_insertion_shape shape;  /* of a lattice or a random group */
     double pitch, amplitude;           /* m  between lattice sites; range of the jitter */
     int64_t sites[3];                  /* of the lattice along x, y, z */
+    bool fill;                         /* 1: a lattice without count */
+    struct dem_insertion_limits *limits;  /* of a lattice or a random group, or NULL; owned */
+    int64_t *site;                     /* a lattice with limits: the sites of this rank's run that
+                                          are taken, once these are known; owned */
+    int64_t site_first, site_count;    /* number of the first one in the group, and of them */
     /* m, m/s, 1/s  of a list or table; NULL: one for all */
     const double (*positions)[3], (*velocities)[3], (*spins)[3];
     const int64_t *ids;                /* of a list or table; NULL: the next free ones */

@@ -55,6 +55,89 @@ void dem_insert_group_site(const struct dem_insert_group *b, int64_t m, double x
     }
 }
 
+/* ---- lattice with limits --------------------------------------------------------------------- */
+
+/* The sites of this rank's run where a sphere may lie. */
+static int find_sites(struct dem_insert_group *b, const struct dem_decomposition *q)
+{
+    const int64_t sites = b->sites[0]*b->sites[1]*b->sites[2];
+    const int64_t from = sites*q->rank/q->ranks, to = sites*(q->rank + 1)/q->ranks;
+    size_t capacity = 0;
+
+    for (int64_t m = from; m < to; m++)
+    {
+        double x[3];
+
+        dem_insert_group_site(b, m, x);
+        if (dem_insertion_limits_allow(b->limits, 0.5*b->diameter, x))
+        {
+            DEM_TRY(DEM_GROW(b->site, capacity, (size_t)b->site_count + 1));
+            b->site[b->site_count++] = m;
+        }
+        DEM_TRY(b->limits->status);
+    }
+    return DEM_OK;
+}
+
+/* Take the first `count` sites that are free, or all of them. */
+static int take_sites(struct dem_insert_group *b, const struct dem_decomposition *q)
+{
+    int64_t total;
+
+    DEM_TRY(dem_collect_agree(q, find_sites(b, q)));
+    total = b->site_count;
+    dem_collect_sum_int64(q, &total, 1);
+    dem_collect_sum_before(q, &b->site_count, &b->site_first, 1);
+    DEM_TRY(dem_collect_status(q));
+    DEM_REQUIRE(total > 0 && (b->fill || total >= b->count), DEM_ERROR_INPUT,
+                "%s: count %lld, but %lld positions of the lattice lie inside, off the walls; "
+                "enlarge the region or ask for fewer", b->where, (long long)(b->fill ? 1 : b->count),
+                (long long)total);
+    b->count = b->fill ? total : b->count;
+    const int64_t left = b->count - b->site_first;
+
+    b->site_count = left < 0 ? 0 : left < b->site_count ? left : b->site_count;
+    return DEM_OK;
+}
+
+static int place_sites(struct dem_initial_particles *c, const struct dem_insert_group *b,
+                       const struct dem_interaction_table *r)
+{
+    const int64_t first = c->next_id + b->site_first;
+
+    for (int64_t k = 0; k < b->site_count; k++)
+    {
+        struct dem_particle p;
+        double x[3];
+
+        dem_insert_group_site(b, b->site[k], x);
+        p = make_particle(b, r, x, b->site_first + k);
+        p.id = first + k;
+        DEM_TRY(dem_initial_particles_add(c, p, b->where));
+    }
+    return DEM_OK;
+}
+
+/* Collective. With limits: the search for walls, and the sites of a lattice. */
+static int prepare_limits(struct dem_insert_group *b, const struct dem_walls *w,
+                          const struct dem_decomposition *q)
+{
+    double radius = 0.0;
+
+    if (!b->limits)
+    {
+        return DEM_OK;
+    }
+    for (int64_t m = 0; m < (b->diameters ? b->count : 1); m++)
+    {
+        radius = fmax(radius, 0.5*dem_insert_group_diameter(b, m));
+    }
+    DEM_TRY(dem_collect_agree(q, dem_insertion_limits_prepare(b->limits, w, radius)));
+    return b->type == DEM_INSERT_LATTICE ? take_sites(b, q) : DEM_OK;
+}
+
+/* ---- all types ------------------------------------------------------------------------------- */
+
 /* This rank's run of a lattice, list or table. */
 static int place_run(struct dem_initial_particles *c, const struct dem_insert_group *b,
                      const struct dem_interaction_table *r, const struct dem_decomposition *q)
@@ -109,7 +192,9 @@ static int place_random(struct dem_initial_particles *c, const struct dem_insert
 int dem_insert_group_place(struct dem_initial_particles *c, const struct dem_insert_group *b,
                            const struct dem_interaction_table *r, const struct dem_decomposition *q)
 {
-    return b->type == DEM_INSERT_RANDOM ? place_random(c, b, r, q) : place_run(c, b, r, q);
+    return b->type == DEM_INSERT_RANDOM ? place_random(c, b, r, q)
+         : b->limits ? place_sites(c, b, r)
+                                           : place_run(c, b, r, q);
 }
 
 /* The summary of a group, of the particles of all ranks. */
@@ -129,13 +214,16 @@ static int summarize(struct dem_initial_particles *c, const struct dem_insert_gr
     return DEM_OK;
 }
 
-int dem_insert_place(struct dem_initial_particles *c, const struct dem_insertion *i,
-                     const struct dem_interaction_table *r, const struct dem_decomposition *q)
+int dem_insert_place(struct dem_initial_particles *c, struct dem_insertion *i,
+                     const struct dem_interaction_table *r, const struct dem_walls *w,
+                     const struct dem_decomposition *q)
 {
     for (size_t k = 0; k < i->n; k++)
     {
-        const struct dem_insert_group *const b = &i->group[k];
+        struct dem_insert_group *const b = &i->group[k];
         const int64_t first = c->next_id;
+
+        DEM_TRY(prepare_limits(b, w, q));
         int status = summarize(c, b, r);
 
         /* memory for all of them at once, so that too many fail before any is placed */

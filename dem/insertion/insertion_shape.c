@@ -109,6 +109,10 @@ int dem_insertion_shape_read(struct dem_insertion_shape *v, const struct dem_dic
 
 double dem_insertion_shape_volume(const struct dem_insertion_shape *v)
 {
+    if (v->region > 0.0)
+    {
+        return v->region;
+    }
     switch (v->kind)
     {
     case DEM_INSERTION_SHAPE_CYLINDER:

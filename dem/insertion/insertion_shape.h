@@ -12,6 +12,8 @@
 
 #include "input/dictionary.h"
 
+struct dem_insertion_limits;
+
 enum dem_insertion_shape_kind
 {
     DEM_INSERTION_SHAPE_BOX,
@@ -26,6 +28,9 @@ struct dem_insertion_shape
     double from[3], axis[3], side[2][3];  /* m, 1, 1  of a cylinder: base, unit vectors; of a
                                              sphere: centre */
     double length, radius;                /* m */
+    struct dem_insertion_limits *limits;  /* further limits, which belong to the group, or NULL */
+    double region;                        /* m3  of the whole mesh or zone, when that is the shape;
+                                             0: that of the box, cylinder or sphere */
 };
 
 /* Read the shape of a group. An error unless exactly one of the three is given. */

@@ -10,6 +10,7 @@
 #include "insertion/packing.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "parallel/collect.h"
 #include "parallel/mpi_error.h"
 #include <math.h>
 #include <string.h>
@@ -145,13 +146,20 @@ static int decompose(const struct dem_packing *p, struct dem_placed_spheres *s)
     for (int64_t m = from; m < to; m++)
     {
         first[m - from] = (struct dem_placed_sphere){.radius = 0.5*diameter_of(p, m), .number = m};
-        dem_packing_draw(p, &first[m - from], 0);
+        (void)dem_packing_draw(p, &first[m - from], 0);
     }
     const int status =
         dem_placed_spheres_decompose(s, (size_t)(to - from), first, p->shape->min, p->shape->max);
 
     dem_memory_free(first);
     return status;
+}
+
+/* Failures within the limits are noted on the way, so that the ranks stay in step. */
+static int limits_status(const struct dem_packing *p, const struct dem_placed_spheres *s)
+{
+    return p->shape->limits ? dem_collect_agree(&s->decomposition, p->shape->limits->status)
+                            : DEM_OK;
 }
 
 int dem_packing_fill(const struct dem_packing *p, const struct dem_initial_particles *c,
@@ -164,5 +172,7 @@ int dem_packing_fill(const struct dem_packing *p, const struct dem_initial_parti
     DEM_TRY(decompose(p, s));
     DEM_TRY(collect_fixed(p, c, s));
     DEM_TRY(dem_packing_place(p, s, &left));
-    return left > 0 ? dem_packing_relax(p, s, mean_diameter) : DEM_OK;
+    DEM_TRY(limits_status(p, s));
+    DEM_TRY(left > 0 ? dem_packing_relax(p, s, mean_diameter) : DEM_OK);
+    return limits_status(p, s);
 }

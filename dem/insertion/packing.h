@@ -17,6 +17,7 @@
 
 #include "insertion/initial_particles.h"
 #include "insertion/placed_sphere.h"
+#include "insertion/insertion_limits.h"
 #include "insertion/insertion_shape.h"
 
 /* the spheres to pack, and where */
@@ -43,8 +44,9 @@ int dem_packing_fill(const struct dem_packing *, const struct dem_initial_partic
 
 /* ---- steps of dem_packing_fill --------------------------------------------------------------- */
 
-/* Set the position of a sphere to that of its `trial`-th trial. */
-void dem_packing_draw(const struct dem_packing *, struct dem_placed_sphere *, uint64_t trial);
+/* Set the position of a sphere to that of its `trial`-th trial. Returns 0 when the limits of the
+   shape leave none. */
+int dem_packing_draw(const struct dem_packing *, struct dem_placed_sphere *, uint64_t trial);
 
 /* Collective. Place all new spheres at random; *left is the number of those that overlap. */
 int dem_packing_place(const struct dem_packing *, struct dem_placed_spheres *, int64_t *left);

@@ -24,6 +24,7 @@ enum
 {
     USE_PLACE = 201,  /* stream of random numbers */
     DRAWS = 1000,     /* points for one trial; each lies inside with a probability above 0.5 */
+    LIMITED_DRAWS = 100000,  /* the same where walls or a mesh leave an unknown part of the shape */
     ROUNDS = 64,
     SCARCE = 16       /* the last round places fewer than one in so many */
 };
@@ -45,19 +46,34 @@ struct trials
     int level;
 };
 
-void dem_packing_draw(const struct dem_packing *p, struct dem_placed_sphere *s, uint64_t trial)
+int dem_packing_draw(const struct dem_packing *p, struct dem_placed_sphere *s, uint64_t trial)
 {
+    struct dem_insertion_limits *const limits = p->shape->limits;
+    const uint64_t draws = limits ? LIMITED_DRAWS : DRAWS;
     double u[3];
     int inside = 0;
 
-    for (uint64_t draw = trial*DRAWS; draw < (trial + 1)*DRAWS && !inside; draw++)
+    for (uint64_t draw = trial*draws; draw < (trial + 1)*draws && !inside; draw++)
     {
         for (int k = 0; k < 3; k++)
         {
             u[k] = dem_random_unit(p->seed, (uint64_t)s->number, draw, USE_PLACE + (uint64_t)k);
         }
-        inside = dem_insertion_shape_draw(p->shape, s->radius, u, s->x);
+        inside = dem_insertion_shape_draw(p->shape, s->radius, u, s->x)
+              && (!limits || dem_insertion_limits_allow(limits, s->radius, s->x));
     }
+    return inside;
+}
+
+/* A sphere of this rank found no place off the walls and inside the mesh. */
+static int no_place(const struct dem_packing *p, const struct dem_placed_sphere *s)
+{
+    return dem_error(DEM_ERROR_INPUT,
+                     "%s: a sphere of %g m finds no place off the walls inside its region, the box "
+                     "from (%g %g %g) to (%g %g %g) m, in %d trials; enlarge the region, or ask for "
+                     "smaller ones",
+                     p->where, 2.0*s->radius, p->shape->min[0], p->shape->min[1], p->shape->min[2],
+                     p->shape->max[0], p->shape->max[1], p->shape->max[2], LIMITED_DRAWS);
 }
 
 static int add_trial(struct trials *t, const struct dem_placed_sphere *sphere, int own)
@@ -104,7 +120,10 @@ static int draw_all(struct trials *t, const struct dem_packing *p, struct dem_pl
         struct dem_placed_sphere sphere = t->sphere[k];
         int sent;
 
-        dem_packing_draw(p, &sphere, round);
+        if (!dem_packing_draw(p, &sphere, round) && p->shape->limits && !p->shape->limits->status)
+        {
+            p->shape->limits->status = no_place(p, &sphere);    /* all ranks end it together */
+        }
         DEM_TRY(
             dem_placed_spheres_send_ghosts(s, &sphere, TRIAL_GHOST, sphere.radius + s->max_radius));
         DEM_TRY(dem_placed_spheres_send_to_owner(s, &sphere, TRIAL, &sent));

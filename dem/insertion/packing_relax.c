@@ -215,6 +215,10 @@ static void move_one(const struct relaxation *g, struct dem_placed_sphere *s,
         s->x[k] += (along < 0.0 ? 0.0 : momentum*s->v[k]) + half*q[k];
     }
     dem_insertion_shape_confine(g->p->shape, s->radius, s->x);
+    if (g->p->shape->limits)
+    {
+        dem_insertion_limits_confine(g->p->shape->limits, s->radius, from, s->x);
+    }
     for (int k = 0; k < 3; k++)
     {
         s->v[k] = s->x[k] - from[k];
@@ -239,7 +243,7 @@ static int move_all(struct relaxation *g, double *moved)
         }
         if (again && (g->move[i].seen & WEDGED) != 0)
         {
-            dem_packing_draw(g->p, &s->sphere[i], FIRST_TRIAL + g->sweep);
+            (void)dem_packing_draw(g->p, &s->sphere[i], FIRST_TRIAL + g->sweep);
             memset(s->sphere[i].v, 0, sizeof s->sphere[i].v);
         }
         else

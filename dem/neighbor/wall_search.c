@@ -431,6 +431,69 @@ int dem_wall_search_is_clear(struct dem_wall_search *s, const struct dem_walls *
     return DEM_OK;
 }
 
+/* Distance [m] of a sphere from the facet of a wall at rest, and the unit normal towards it. */
+static double distance_and_normal(const struct dem_wall_search *s, const struct dem_walls *w,
+                                  const struct dem_wall_neighbor *near, const double x[3],
+                                  double normal[3])
+{
+    const struct dem_facet *const r = &w->facet[near->facet];
+    double point[3];
+
+    if (dem_wall_neighbor_open(w, near))
+    {
+        const double h = dem_facet_height(r, x, normal);
+        const int behind = r->shape == DEM_SHAPE_TRIANGLES && h < 0.0;
+
+        for (int k = 0; k < 3; k++)
+        {
+            normal[k] = behind ? -normal[k] : normal[k];
+        }
+        return behind ? -h : h;
+    }
+    const double distance = dem_wall_search_nearest(s, w, near, x, point);
+
+    for (int k = 0; k < 3; k++)
+    {
+        normal[k] = distance > 0.0 ? (x[k] - point[k])/distance : 0.0;
+    }
+    return distance;
+}
+
+int dem_wall_search_push_out(struct dem_wall_search *s, const struct dem_walls *w,
+                             struct dem_particle *q, int *pushed)
+{
+    const size_t neighbors = s->neighbors, candidates = s->candidates;
+    double deepest = 0.0, move[3] = {0.0, 0.0, 0.0};
+
+    DEM_TRY(find_primitives(s, w, q, 0, 0.0));
+    if (w->triangles > 0)
+    {
+        DEM_TRY(find_triangulated(s, w, q, 0, 0.0));
+    }
+    for (size_t k = neighbors; k < s->neighbors; k++)
+    {
+        double normal[3];
+        const double depth =
+            w->wall[w->facet[s->neighbor[k].facet].wall].frame >= 0
+                ? 0.0
+                : q->radius - distance_and_normal(s, w, &s->neighbor[k], q->x, normal);
+
+        for (int c = 0; c < 3 && depth > deepest; c++)
+        {
+            move[c] = depth*normal[c];
+        }
+        deepest = fmax(depth, deepest);
+    }
+    *pushed = deepest > 0.0;
+    for (int c = 0; c < 3; c++)
+    {
+        q->x[c] += move[c];
+    }
+    s->neighbors = neighbors;
+    s->candidates = candidates;
+    return DEM_OK;
+}
+
 uint32_t dem_wall_neighbor_triangle(const struct dem_wall_search *s, const struct dem_walls *w,
                                     const struct dem_wall_neighbor *near, const double x[3])
 {

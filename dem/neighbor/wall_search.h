@@ -54,6 +54,12 @@ int dem_wall_search_find(struct dem_wall_search *, const struct dem_walls *,
 int dem_wall_search_is_clear(struct dem_wall_search *, const struct dem_walls *,
                              const struct dem_particle *, int *clear);
 
+/* Move a sphere to where it touches the wall that it overlaps most, along the normal there. pushed:
+   1 when it overlapped one; walls that move are left out. The wall neighbors found before are
+   kept. */
+int dem_wall_search_push_out(struct dem_wall_search *, const struct dem_walls *,
+                             struct dem_particle *, int *pushed);
+
 /* Distance [m] of a point x, in the global frame, from the facet of a wall neighbor as contacts use
    it: negative behind a facet with one side. */
 double dem_wall_search_distance(const struct dem_wall_search *, const struct dem_walls *,

@@ -305,7 +305,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
             DEM_TRY(dem_streams_add_wall(&s->streams, w->wall[k].absorbs, &w->wall[k].outlet));
         }
     }
-    DEM_TRY(insert ? dem_insert_read(&s->insertion, insert, r) : DEM_OK);
+    DEM_TRY(insert ? dem_insert_read(&s->insertion, insert, r, w) : DEM_OK);
     DEM_REQUIRE(!start || s->insertion.n == 0, DEM_ERROR_INPUT,
                 "%s: the scene has both start and insert; keep one, or keep in insert only entries "
                 "of type stream",

@@ -68,6 +68,7 @@ Description
 #include "demCloud.H"
 #include "demTimeStepControl.H"
 #include "demRewrite.H"
+#include "demSettle.H"
 #include "fixedFlux.H"
 #include "cellVector.H"
 #include "halfCellMean.H"
@@ -94,6 +95,13 @@ int main(int argc, char *argv[])
         " constant/demProperties, comment out those that are negligible"
     );
 
+    argList::addBoolOption
+    (
+        "settle",
+        "Settle the particles of insert in the walls of the mesh, without the"
+        " fluid, until they rest; write the snapshot for start, then stop"
+    );
+
     #include "setRootCaseLists.H"
     #include "createTime.H"
     // A plan leaves no files, neither those of function objects
@@ -103,6 +111,13 @@ int main(int argc, char *argv[])
     }
 
     #include "createDynamicFvMesh.H"
+
+    if (args.found("settle"))
+    {
+        demSettle(mesh).run();
+        Info<< "End\n" << endl;
+        return 0;
+    }
 
     if (args.found("write") && !args.found("plan"))
     {

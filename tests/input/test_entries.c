@@ -109,6 +109,7 @@ static const struct row
     {"insert/box/seed", "3", COUNT, 0},
     {"insert/box/spacing", "1.2", NUMBER, 0},
     {"insert/box/jitter", "0.1", NUMBER, 0},
+    {"insert/box/inside", "walls", WORD, 0},
     {"insert/any/type", "random", WORD, 1},
     {"insert/any/material", "glass", WORD, 1},
     {"insert/any/diameter", "2e-3", NUMBER, 1},
