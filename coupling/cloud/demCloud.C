@@ -11,6 +11,7 @@
 #include "demColumns.H"
 #include "demFluid.H"
 #include "demInteger.H"
+#include "demRotatingFrame.H"
 #include "demSnapshot.H"
 #include "demWriter.H"
 #include "OSspecific.H"
@@ -149,6 +150,7 @@ void Foam::demCloud::checkInterval() const
 void Foam::demCloud::build()
 {
     checkInterval();
+    demRotatingFrame::check(mesh_, particlesFirst_);
 
     bool made = false;
     MPI_Comm comm = communicator(made);

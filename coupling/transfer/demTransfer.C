@@ -11,6 +11,7 @@
 #include "demCheck.H"
 #include "demSphereKernel.H"
 #include "demGaussianKernel.H"
+#include "demSlidingInterface.H"
 
 namespace Foam
 {
@@ -153,6 +154,7 @@ Foam::demTransfer::demTransfer(const fvMesh& mesh, const dictionary& coupling)
     diameter_(0)
 {
     read(coupling);
+    demSlidingInterface::check(mesh);
     if (demWedge::is(mesh))
     {
         wedge_.reset(new demWedge(mesh));
