@@ -322,6 +322,7 @@ Foam::demCloud::demCloud
         )
     ),
     deposited_(0),
+    frames_(demRotatingFrame::all(mesh)),
     diameter_(dict_.coupling().getOrDefault<scalar>("diameter", 0)),
     interval_(dict_.coupling().getOrDefault<scalar>("interval", 0)),
     lastTotals_(),

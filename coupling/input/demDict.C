@@ -223,6 +223,7 @@ Foam::demDict::demDict(const polyMesh& mesh, const word& file)
     coupling_.readIfPresent("walls", extraWalls_);
     checkPatchNames();
     separatePatchWalls();
+    addFrameMotion();
     demDomain(mesh_).complete(dict_, emptyWalls());
     resolveGravity();
 }

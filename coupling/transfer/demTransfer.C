@@ -99,15 +99,19 @@ void Foam::demTransfer::build()
 {
     routing_.clear();
     footprint_.clear();
-    locator_.reset(new demLocator(mesh_));
+    if (demSlidingInterface::any(mesh_))
+    {
+        interface_.reset(new demSlidingInterface(mesh_));
+    }
+    locator_.reset(new demLocator(mesh_, interface_.get()));
     routing_.reset(new demParticleRouting(mesh_, locator_()));
     weights_.clear();
     if (base_ == LINEAR || base_ == CENTRE)
     {
-        weights_.reset(new demLinearWeights(mesh_));
+        weights_.reset(new demLinearWeights(mesh_, interface_.get()));
     }
-    smoother_.reset(new demSmoother(mesh_, wedge_.get()));
-    limiter_.reset(new demOverpackingLimiter(mesh_));
+    smoother_.reset(new demSmoother(mesh_, wedge_.get(), interface_.get()));
+    limiter_.reset(new demOverpackingLimiter(mesh_, interface_.get()));
     setWidths();
 }
 
