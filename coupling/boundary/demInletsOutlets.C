@@ -10,6 +10,7 @@
 #include "demInletsOutlets.H"
 #include "demCheck.H"
 #include "demColumns.H"
+#include "demPassable.H"
 #include "OSspecific.H"
 #include "Time.H"
 #include "triPointRef.H"
@@ -79,11 +80,11 @@ Foam::labelList Foam::demInletsOutlets::patches
         }
 
         const polyPatch& patch = mesh_.boundaryMesh()[patchi];
-        if (patch.coupled() || dict.isWall(patch))
+        if (demPassable::is(patch) || dict.isWall(patch))
         {
             const std::string what
             (
-                patch.coupled() ? "of type " + patch.type()
+                demPassable::is(patch) ? "of type " + patch.type()
                                 : "a wall of the particles"
             );
 

@@ -8,6 +8,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demOutletPatch.H"
+#include "demPassable.H"
 #include "DynamicList.H"
 #include "StringStream.H"
 
@@ -95,7 +96,7 @@ Foam::demOutletPatch::demOutletPatch(const fvMesh& mesh)
     {
         forAll(patch, k)
         {
-            if (!patch.coupled())
+            if (!demPassable::is(patch))
             {
                 faces.append(patch.start() + k);
             }

@@ -9,6 +9,7 @@
 #include "demWalls.H"
 #include "demCheck.H"
 #include "demDomain.H"
+#include "demPassable.H"
 #include "demWedge.H"
 #include "DynamicList.H"
 #include "OSspecific.H"
@@ -132,7 +133,7 @@ static void addWall
 // patches in the same order
 bool Foam::demWalls::isWall(const polyPatch& patch) const
 {
-    return !patch.coupled() && dict_.isWall(patch);
+    return !demPassable::is(patch) && dict_.isWall(patch);
 }
 
 

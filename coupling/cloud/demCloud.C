@@ -13,6 +13,7 @@
 #include "demFluid.H"
 #include "demInteger.H"
 #include "demRegions.H"
+#include "demRotatingFrame.H"
 #include "demSnapshot.H"
 #include "demWriter.H"
 #include "OSspecific.H"
@@ -89,6 +90,7 @@ void Foam::demCloud::checkInterval() const
 void Foam::demCloud::build()
 {
     checkInterval();
+    demRotatingFrame::check(mesh_, particlesFirst_);
 
     demCreate(dem_);
     demCheck
@@ -288,6 +290,7 @@ Foam::demCloud::demCloud
         )
     ),
     deposited_(0),
+    frames_(demRotatingFrame::all(mesh)),
     diameter_(dict_.coupling().getOrDefault<scalar>("diameter", 0)),
     interval_(dict_.coupling().getOrDefault<scalar>("interval", 0)),
     lastTotals_(),

@@ -4,6 +4,7 @@
     Each fills a column of the core that exists only when an effect asks for it:
 
         acceleration   Du/Dt = du/dt + u.grad u                        [m/s2]
+                       in rotating frames (MRF) see demRotatingFrame
         vorticity      curl u                                           [1/s]
         stress         div tau, viscous and turbulent                  [N/m3]
         meanDiameter   sum V_i w_ic / sum (V_i/d_i) w_ic, Sauter mean     [m]
@@ -74,6 +75,17 @@ void Foam::demCloud::updateAcceleration(const volVectorField& U)
     else
     {
         a = U & gradU;
+    }
+
+    // In a rotating frame the old velocity is that of the frame's past
+    for (const demRotatingFrame& frame : frames_)
+    {
+        for (const label celli : frame.cells())
+        {
+            a[celli] +=
+                (frame.omega() ^ U[celli])
+              - (frame.velocity(mesh_.C()[celli]) & gradU[celli]);
+        }
     }
 
     if (interval_ <= 0)

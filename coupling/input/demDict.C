@@ -291,6 +291,7 @@ Foam::demDict::demDict
     coupling_.readIfPresent("walls", extraWalls_);
     checkPatchNames();
     separatePatchWalls();
+    addFrameMotion();
     demDomain(mesh_).complete(dict_, emptyWalls());
     resolveGravity();
 }

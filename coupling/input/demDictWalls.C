@@ -11,6 +11,8 @@
 
 #include "demDict.H"
 #include "demCheck.H"
+#include "demPassable.H"
+#include "demRotatingFrame.H"
 #include "DynamicList.H"
 #include "processorPolyPatch.H"
 #include "wallPolyPatch.H"
@@ -203,6 +205,39 @@ void Foam::demDict::addPatchMotion(const entry& e)
 }
 
 
+// Walls in a zone that rotates (MRF) have its velocity, unless the user gives another
+void Foam::demDict::addFrameMotion()
+{
+    for (const demRotatingFrame& frame : demRotatingFrame::all(mesh_))
+    {
+        for (const polyPatch& patch : mesh_.boundaryMesh())
+        {
+            if (demPassable::is(patch) || !isWall(patch) || !frame.rotates(patch))
+            {
+                continue;
+            }
+
+            const dictionary* given = patches_.findDict(patch.name());
+            if (given && (given->found("surfaceVelocity") || given->found("surfaceRotation")))
+            {
+                continue;
+            }
+            frame.checkWall(patch);
+
+            dictionary wall;
+            wall.add("type", "patch");
+            wall.add("material", material(patch));
+            wall.add("surfaceRotation", frame.surfaceRotation());
+            dictionary walls(dict_.subOrEmptyDict("walls"));
+            walls.add(patch.name(), wall);
+            dict_.set("walls", walls);
+            Info<< "Suna: the surface of wall " << patch.name() << " rotates by "
+                << frame.omega() << " rad/s with its zone (MRF)" << endl;
+        }
+    }
+}
+
+
 // Walls of type surface: the file is read by demWalls, the core gets the triangles
 void Foam::demDict::separateSurfaceWall(const word& name)
 {
@@ -267,7 +302,7 @@ void Foam::demDict::separatePatchWalls()
         checkPatchWall(e);
 
         const label patchi = mesh_.boundaryMesh().findPatchID(names[i]);
-        if (patchi >= 0 && mesh_.boundaryMesh()[patchi].coupled())
+        if (patchi >= 0 && demPassable::is(mesh_.boundaryMesh()[patchi]))
         {
             FatalIOErrorInFunction(walls)
                 << "walls/" << names[i] << " is a patch of type "

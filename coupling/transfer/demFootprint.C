@@ -94,6 +94,23 @@ void Foam::demFootprint::flood(const label footprint, const image& v, const labe
                 const label owner = mesh_.faceOwner()[facei];
                 enter(owner == queue[k] ? mesh_.faceNeighbour()[facei] : owner);
             }
+            else if (locator_.isSliding(facei))
+            {
+                const demSlidingInterface& sliding = locator_.interface();
+                for (const label l : sliding.linksOf(facei))
+                {
+                    const demSlidingInterface::link& to = sliding.links()[l];
+                    if (to.rank == Pstream::myProcNo())
+                    {
+                        enter(to.otherCell);
+                    }
+                    else
+                    {
+                        send(v, demLocator::walkState{v.shift, to.otherCell, to.rank, 0});
+                        crosses = true;
+                    }
+                }
+            }
             else
             {
                 sendAcross(v, facei);

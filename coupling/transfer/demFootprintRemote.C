@@ -40,9 +40,14 @@ Foam::label Foam::demFootprint::footprintOf(const image& v)
 
 void Foam::demFootprint::sendAcross(const image& v, const label facei)
 {
-    demLocator::walkState t{v.shift, -1, -1};
+    demLocator::walkState t{v.shift, -1, -1, 0};
     locator_.cross(facei, t);
+    send(v, t);
+}
 
+
+void Foam::demFootprint::send(const image& v, const demLocator::walkState& t)
+{
     DynamicList<scalar>& message = out_[t.rank];
     message.append(v.rank);
     message.append(v.location);

@@ -175,9 +175,69 @@ void Foam::demLinearWeights::setPointWeights()
 }
 
 
-Foam::demLinearWeights::demLinearWeights(const fvMesh& mesh)
+void Foam::demLinearWeights::setLinkWeights()
+{
+    const UList<demSlidingInterface::link>& links = interface_->links();
+    scalarList own(links.size());
+    forAll(links, l)
+    {
+        const demSlidingInterface::link& to = links[l];
+        const vector arm(mesh_.faceCentres()[to.face] - mesh_.cellCentres()[to.cell]);
+        own[l] = mag(arm & to.area)/mag(to.area);
+    }
+    scalarList other(own);
+    interface_->swap(other);
+
+    // Per point: area, and area times distance on the own side and between the cells
+    scalarField area(mesh_.nPoints(), Zero), near(area), both(area);
+    forAll(links, l)
+    {
+        const scalar S = mag(links[l].area);
+        for (const label pointi : mesh_.faces()[links[l].face])
+        {
+            area[pointi] += S;
+            near[pointi] += S*own[l];
+            both[pointi] += S*(own[l] + other[l]);
+        }
+    }
+    addCopies(area);
+    addCopies(near);
+    addCopies(both);
+
+    scalarField share(mesh_.nPoints(), Zero);
+    forAll(share, pointi)
+    {
+        if (area[pointi] > 0)
+        {
+            share[pointi] = near[pointi]/both[pointi];
+        }
+        for (label slot = start_[pointi]; slot < start_[pointi + 1]; ++slot)
+        {
+            weight_[slot] *= 1 - share[pointi];
+        }
+    }
+
+    linkWeight_.setSize(links.size());
+    forAll(links, l)
+    {
+        const face& f = mesh_.faces()[links[l].face];
+        linkWeight_[l].setSize(f.size());
+        forAll(f, k)
+        {
+            linkWeight_[l][k] = share[f[k]]*mag(links[l].area)/area[f[k]];
+        }
+    }
+}
+
+
+Foam::demLinearWeights::demLinearWeights
+(
+    const fvMesh& mesh,
+    const demSlidingInterface* sliding
+)
 :
     mesh_(mesh),
+    interface_(sliding),
     shared_(Pstream::parRun())
 {
     for (const polyPatch& patch : mesh_.boundaryMesh())
@@ -185,6 +245,10 @@ Foam::demLinearWeights::demLinearWeights(const fvMesh& mesh)
         shared_ = shared_ || patch.coupled();
     }
     setPointWeights();
+    if (interface_)
+    {
+        setLinkWeights();
+    }
 }
 
 
@@ -248,6 +312,25 @@ void Foam::demLinearWeights::spread
             }
         }
     }
+
+    if (interface_)
+    {
+        const UList<demSlidingInterface::link>& links = interface_->links();
+        List<Type> across(links.size(), Type(Zero));
+        forAll(links, l)
+        {
+            const face& f = faces[links[l].face];
+            forAll(f, k)
+            {
+                across[l] += linkWeight_[l][k]*atPoints[f[k]];
+            }
+        }
+        interface_->swap(across);
+        forAll(links, l)
+        {
+            cells[links[l].cell] += across[l];
+        }
+    }
 }
 
 
@@ -268,6 +351,25 @@ void Foam::demLinearWeights::collect
         for (label k = start_[pointi]; k < start_[pointi + 1]; ++k)
         {
             atPoints[pointi] += weight_[k]*cells[cell_[k]];
+        }
+    }
+
+    if (interface_)
+    {
+        const UList<demSlidingInterface::link>& links = interface_->links();
+        List<Type> across(links.size());
+        forAll(links, l)
+        {
+            across[l] = cells[links[l].cell];
+        }
+        interface_->swap(across);
+        forAll(links, l)
+        {
+            const face& f = faces[links[l].face];
+            forAll(f, k)
+            {
+                atPoints[f[k]] += linkWeight_[l][k]*across[l];
+            }
         }
     }
 

@@ -63,7 +63,7 @@ void Foam::demLocator::addOtherSide()
     const label nBoundary = mesh_.nBoundaryFaces();
     const label nInternal = mesh_.nInternalFaces();
 
-    otherRank_.setSize(nBoundary, -1);
+    otherRank_.setSize(nBoundary, WALL);
     otherCell_.setSize(nBoundary, -1);
     shift_ = pointField(SubList<point>(mesh_.faceCentres(), nBoundary, nInternal));
 
@@ -104,6 +104,13 @@ void Foam::demLocator::addOtherSide()
             otherCell_[start + i] = patch.faceCells()[i];
         }
     }
+    if (interface_)
+    {
+        for (const demSlidingInterface::link& l : interface_->links())
+        {
+            otherRank_[l.face - nInternal] = SLIDES;
+        }
+    }
 
     syncTools::swapBoundaryFaceList(mesh_, otherCell_);
 
@@ -126,9 +133,10 @@ void Foam::demLocator::addOtherSide()
 }
 
 
-Foam::demLocator::demLocator(const fvMesh& mesh)
+Foam::demLocator::demLocator(const fvMesh& mesh, const demSlidingInterface* sliding)
 :
-    mesh_(mesh)
+    mesh_(mesh),
+    interface_(sliding)
 {
     addPlanes();
     addOtherSide();

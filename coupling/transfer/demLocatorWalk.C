@@ -36,6 +36,11 @@ namespace Foam
     // is on the boundary
     static const scalar onWall = 1.1;
     static const label maxSlides = 3;
+
+    // A point that several passages of an interface leave behind a face of it lies in a
+    // gap between the two sides, up to this distance in the same unit
+    static const label maxPassages = 4;
+    static const scalar inGap = 2;
 }
 
 
@@ -164,7 +169,15 @@ bool Foam::demLocator::isWall(const label facei) const
 {
     return
         facei >= mesh_.nInternalFaces()
-     && otherRank_[facei - mesh_.nInternalFaces()] < 0;
+     && otherRank_[facei - mesh_.nInternalFaces()] == WALL;
+}
+
+
+bool Foam::demLocator::isSliding(const label facei) const
+{
+    return
+        facei >= mesh_.nInternalFaces()
+     && otherRank_[facei - mesh_.nInternalFaces()] == SLIDES;
 }
 
 
@@ -182,6 +195,13 @@ void Foam::demLocator::cross(const label facei, walkState& t) const
     {
         const label owner = mesh_.faceOwner()[facei];
         t.cell = owner == t.cell ? mesh_.faceNeighbour()[facei] : owner;
+    }
+    else if (isSliding(facei))
+    {
+        const demSlidingInterface::link& l = interface_->nearest(facei, t.position);
+        t.cell = l.otherCell;
+        t.rank = l.rank;
+        ++t.passages;
     }
     else
     {
@@ -272,6 +292,19 @@ Foam::demLocator::result Foam::demLocator::walk(walkState& t, demCellLocation& l
             {
                 return OUTSIDE;
             }
+        }
+        if (isSliding(through) && t.passages >= maxPassages)
+        {
+            if (!byTriangles)
+            {
+                findTet(t.cell, d, farthest, location);
+            }
+            if (-location.wCell > inGap - 1)
+            {
+                return OUTSIDE;
+            }
+            normalise(location);
+            return INSIDE;
         }
         cross(through, t);
         if (t.rank != Pstream::myProcNo())

@@ -34,11 +34,16 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-Foam::demOverpackingLimiter::demOverpackingLimiter(const fvMesh& mesh)
+Foam::demOverpackingLimiter::demOverpackingLimiter
+(
+    const fvMesh& mesh,
+    const demSlidingInterface* sliding
+)
 :
     mesh_(mesh),
+    interface_(sliding),
     internalK_(mesh.nInternalFaces(), Zero),
-    boundaryK_(mesh.nBoundaryFaces(), Zero),
+    boundaryK_(mesh.nBoundaryFaces() + (sliding ? sliding->links().size() : 0), Zero),
     sumK_(mesh.nCells(), Zero),
     coupled_(false),
     nExchanges_(0),
@@ -46,6 +51,7 @@ Foam::demOverpackingLimiter::demOverpackingLimiter(const fvMesh& mesh)
     nFull_(0)
 {
     const label nInternal = mesh_.nInternalFaces();
+    const label nBoundary = mesh_.nBoundaryFaces();
     const labelUList& owner = mesh_.faceOwner();
     const vectorField& S = mesh_.faceAreas();
     const pointField& C = mesh_.cellCentres();
@@ -65,23 +71,32 @@ Foam::demOverpackingLimiter::demOverpackingLimiter(const fvMesh& mesh)
     }
 
     // Over coupled faces: from the distance of each side's own cell to its face
-    vectorField arm(mesh_.nBoundaryFaces());
+    vectorField arm(boundaryK_.size());
     forAll(arm, i)
     {
-        arm[i] = mesh_.faceCentres()[nInternal + i] - C[owner[nInternal + i]];
+        arm[i] = (i < nBoundary ? mesh_.faceCentres()[nInternal + i] : point::zero) - C[cellOf(i)];
     }
-    vectorField other(arm);
-    syncTools::swapBoundaryFaceList(mesh_, other);
+    List<vector> other(arm);
+    swap(other);
+    const auto connect = [&](const label i, const vector& area)
+    {
+        boundaryK_[i] = k(area, arm[i] - other[i]);
+        sumK_[cellOf(i)] += boundaryK_[i];
+    };
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
         coupled_ = coupled_ || patch.coupled();
         for (label j = 0; patch.coupled() && j < patch.size(); ++j)
         {
             const label i = patch.start() - nInternal + j;
-            boundaryK_[i] = k(S[nInternal + i], arm[i] - other[i]);
-            sumK_[owner[nInternal + i]] += boundaryK_[i];
+            connect(i, S[nInternal + i]);
         }
     }
+    for (label i = nBoundary; i < boundaryK_.size(); ++i)
+    {
+        connect(i, interface_->links()[i - nBoundary].area);
+    }
+    coupled_ = coupled_ || interface_;
     reduce(coupled_, orOp<bool>());
 }
 
@@ -116,10 +131,10 @@ Foam::tmp<Foam::scalarField> Foam::demOverpackingLimiter::netOutflow(const scala
     if (coupled_)
     {
         List<scalar> across;
-        syncTools::swapBoundaryCellList(mesh_, f, across);
+        cellsAcross(f, across);
         forAll(across, i)
         {
-            const label o = owner[internalK_.size() + i];
+            const label o = cellOf(i);
             outflow[o] += boundaryK_[i]*(f[o] - across[i]);
         }
     }

@@ -13,6 +13,33 @@
 #include <algorithm>
 
 
+template<class Type>
+void Foam::demOverpackingLimiter::swap(List<Type>& values) const
+{
+    SubList<Type> faces(values, mesh_.nBoundaryFaces());
+    syncTools::swapBoundaryFaceList(mesh_, faces);
+    if (interface_)
+    {
+        SubList<Type> part(values, values.size() - faces.size(), faces.size());
+        List<Type> across(part);
+        interface_->swap(across);
+        part = across;
+    }
+}
+
+
+template<class Type>
+void Foam::demOverpackingLimiter::cellsAcross(const UList<Type>& cells, List<Type>& across) const
+{
+    across.setSize(boundaryK_.size());
+    forAll(across, i)
+    {
+        across[i] = cells[cellOf(i)];
+    }
+    swap(across);
+}
+
+
 void Foam::demOverpackingLimiter::setTransport
 (
     const scalarField& u,
@@ -43,10 +70,10 @@ void Foam::demOverpackingLimiter::setTransport
     if (coupled_)
     {
         List<scalar> across;
-        syncTools::swapBoundaryCellList(mesh_, u, across);
+        cellsAcross(u, across);
         forAll(across, i)
         {
-            const label o = owner[nInternal + i];
+            const label o = cellOf(i);
             const scalar outward = boundaryK_[i]*(u[o] - across[i]);
             out_[i] = max(outward, scalar(0));
             through[o] += max(-outward, scalar(0));
@@ -81,7 +108,7 @@ void Foam::demOverpackingLimiter::setTransport
     {
         if (out_[i] > 0)
         {
-            out_[i] /= through[owner[nInternal + i]];
+            out_[i] /= through[cellOf(i)];
         }
     }
 
@@ -106,8 +133,7 @@ Foam::label Foam::demOverpackingLimiter::transport
     const label maxExchanges
 ) const
 {
-    const labelUList& owner = mesh_.faceOwner();
-    const label nInternal = internalK_.size();
+    const label nBoundary = mesh_.nBoundaryFaces();
     const Field<Type> own(cells);
     Field<Type> inflow(boundaryK_.size(), Zero);
 
@@ -116,7 +142,7 @@ Foam::label Foam::demOverpackingLimiter::transport
         cells = own;
         forAll(inflow, i)
         {
-            cells[owner[nInternal + i]] += inflow[i];
+            cells[cellOf(i)] += inflow[i];
         }
         forAll(from_, k)
         {
@@ -130,19 +156,26 @@ Foam::label Foam::demOverpackingLimiter::transport
         Field<Type> outflow(inflow.size());
         forAll(outflow, i)
         {
-            outflow[i] = out_[i]*cells[owner[nInternal + i]];
+            outflow[i] = out_[i]*cells[cellOf(i)];
         }
-        syncTools::swapBoundaryFaceList(mesh_, outflow);
+        swap(outflow);
 
         bool changed = false;
+        const auto take = [&](const label i)
+        {
+            changed = changed || outflow[i] != inflow[i];
+            inflow[i] = outflow[i];
+        };
         for (const polyPatch& patch : mesh_.boundaryMesh())
         {
             for (label j = 0; patch.coupled() && j < patch.size(); ++j)
             {
-                const label i = patch.start() - nInternal + j;
-                changed = changed || outflow[i] != inflow[i];
-                inflow[i] = outflow[i];
+                take(patch.start() - mesh_.nInternalFaces() + j);
             }
+        }
+        for (label i = nBoundary; i < inflow.size(); ++i)
+        {
+            take(i);
         }
         if (!returnReduce(changed, orOp<bool>()))
         {
@@ -178,8 +211,6 @@ void Foam::demOverpackingLimiter::collect(UList<Type>& cells) const
         return;
     }
 
-    const labelUList& owner = mesh_.faceOwner();
-    const label nInternal = internalK_.size();
     const Field<Type> own(remaining_*Field<Type>(cells));
     Field<Type> inflow(boundaryK_.size(), Zero);
 
@@ -188,7 +219,7 @@ void Foam::demOverpackingLimiter::collect(UList<Type>& cells) const
         Field<Type> sum(own);
         forAll(inflow, i)
         {
-            sum[owner[nInternal + i]] += out_[i]*inflow[i];
+            sum[cellOf(i)] += out_[i]*inflow[i];
         }
         forAllReverse(from_, k)
         {
@@ -204,7 +235,7 @@ void Foam::demOverpackingLimiter::collect(UList<Type>& cells) const
         }
 
         List<Type> across;
-        syncTools::swapBoundaryCellList(mesh_, sum, across);
+        cellsAcross(sum, across);
         forAll(inflow, i)
         {
             inflow[i] = out_[i] > 0 ? across[i] : Type(Zero);
@@ -214,6 +245,9 @@ void Foam::demOverpackingLimiter::collect(UList<Type>& cells) const
 
 
 #define INSTANTIATE(Type)                                                      \
+    template void Foam::demOverpackingLimiter::swap(List<Type>&) const;        \
+    template void Foam::demOverpackingLimiter::cellsAcross                     \
+    (const UList<Type>&, List<Type>&) const;                                   \
     template void Foam::demOverpackingLimiter::spread(UList<Type>&) const;     \
     template void Foam::demOverpackingLimiter::collect(UList<Type>&) const;
 

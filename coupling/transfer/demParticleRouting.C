@@ -119,7 +119,8 @@ void Foam::demParticleRouting::walkOne
     {
         point(query[0], query[1], query[2]),
         label(query[3]),
-        Pstream::myProcNo()
+        Pstream::myProcNo(),
+        label(query[7])
     };
     const label certainty = label(query[4]);
     const label owner = label(query[5]);
@@ -137,6 +138,7 @@ void Foam::demParticleRouting::walkOne
         message.append(0);
         message.append(owner);
         message.append(query[6]);
+        message.append(t.passages);
         return;
     }
     if (!found && certainty)

@@ -68,6 +68,7 @@ void Foam::demParticleRouting::query
         message.append(certainty_[i]);
         message.append(Pstream::myProcNo());
         message.append(i);
+        message.append(0);
     }
 
     walkAll();

@@ -34,10 +34,16 @@ Foam::tmp<Foam::scalarField> Foam::demSmoother::conductance
 }
 
 
-Foam::demSmoother::demSmoother(const fvMesh& mesh, const demWedge* wedge)
+Foam::demSmoother::demSmoother
+(
+    const fvMesh& mesh,
+    const demWedge* wedge,
+    const demSlidingInterface* sliding
+)
 :
     mesh_(mesh),
     wedge_(wedge),
+    interface_(sliding),
     boundaryK_(mesh.nBoundaryFaces(), Zero),
     coupled_(false),
     steps_(0)
@@ -135,6 +141,46 @@ void Foam::demSmoother::setLinks(const scalarField& factor, const scalar limit)
 }
 
 
+// As over coupled faces nothing is lumped, and the conductance is limited. Both sides
+// compute the same numbers.
+void Foam::demSmoother::setSliding
+(
+    const scalar area,
+    const scalar c,
+    const scalar a,
+    const scalar limit
+)
+{
+    slidingK_.clear();
+    if (!interface_)
+    {
+        return;
+    }
+
+    const UList<demSlidingInterface::link>& links = interface_->links();
+    vectorField S(links.size()), line(links.size());
+    scalarField own(links.size());
+    forAll(links, l)
+    {
+        const label lump = lumpOf(links[l].cell);
+        S[l] = links[l].area;
+        line[l] = centre_[lump];
+        own[l] = volume_[lump];
+    }
+    const vectorField here(line);
+    scalarField other(own);
+    interface_->swap(line);
+    interface_->swap(other);
+    line -= here;
+
+    slidingK_ = min
+    (
+        max(scalar(0), 1 - (c*magSqr(line) + a)/(2*area))*conductance(S, line),
+        limit*(own*other)/(own + other)
+    );
+}
+
+
 void Foam::demSmoother::setAzimuthalLoss()
 {
     azimuthalLoss_.clear();
@@ -202,6 +248,7 @@ void Foam::demSmoother::setWidth(const scalar width, const scalar c, const scala
 
     lumpCells(limit);
     setLinks(factor, limit);
+    setSliding(area, c, a, limit);
     setAzimuthalLoss();
 
     scalarField sum(volume_.size(), Zero);
@@ -213,6 +260,11 @@ void Foam::demSmoother::setWidth(const scalar width, const scalar c, const scala
     forAll(boundaryK_, i)
     {
         sum[lumpOf(mesh_.faceOwner()[mesh_.nInternalFaces() + i])] += boundaryK_[i];
+    }
+
+    forAll(slidingK_, l)
+    {
+        sum[lumpOf(interface_->links()[l].cell)] += slidingK_[l];
     }
 
     forAll(azimuthalLoss_, l)
@@ -307,6 +359,21 @@ void Foam::demSmoother::smooth(UList<Type>& cells) const
             {
                 const label o = lumpOf(owner[nInternal + i]);
                 gain[o] += boundaryK_[i]*(across[i] - lumps[o]);
+            }
+        }
+        if (interface_)
+        {
+            const UList<demSlidingInterface::link>& links = interface_->links();
+            across.setSize(links.size());
+            forAll(links, l)
+            {
+                across[l] = lumps[lumpOf(links[l].cell)];
+            }
+            interface_->swap(across);
+            forAll(links, l)
+            {
+                const label o = lumpOf(links[l].cell);
+                gain[o] += slidingK_[l]*(across[l] - lumps[o]);
             }
         }
         subtractAzimuthalLoss(lumps, gain);

@@ -11,6 +11,7 @@
 #include "demCheck.H"
 #include "demSphereKernel.H"
 #include "demGaussianKernel.H"
+#include "demSlidingInterface.H"
 
 namespace Foam
 {
@@ -98,15 +99,19 @@ void Foam::demTransfer::build()
 {
     routing_.clear();
     footprint_.clear();
-    locator_.reset(new demLocator(mesh_));
+    if (demSlidingInterface::any(mesh_))
+    {
+        interface_.reset(new demSlidingInterface(mesh_));
+    }
+    locator_.reset(new demLocator(mesh_, interface_.get()));
     routing_.reset(new demParticleRouting(mesh_, locator_()));
     weights_.clear();
     if (base_ == LINEAR || base_ == CENTRE)
     {
-        weights_.reset(new demLinearWeights(mesh_));
+        weights_.reset(new demLinearWeights(mesh_, interface_.get()));
     }
-    smoother_.reset(new demSmoother(mesh_, wedge_.get()));
-    limiter_.reset(new demOverpackingLimiter(mesh_));
+    smoother_.reset(new demSmoother(mesh_, wedge_.get(), interface_.get()));
+    limiter_.reset(new demOverpackingLimiter(mesh_, interface_.get()));
     setWidths();
 }
 
@@ -153,6 +158,7 @@ Foam::demTransfer::demTransfer(const fvMesh& mesh, const dictionary& coupling)
     diameter_(0)
 {
     read(coupling);
+    demSlidingInterface::check(mesh);
     if (demWedge::is(mesh))
     {
         wedge_.reset(new demWedge(mesh));

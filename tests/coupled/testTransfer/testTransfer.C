@@ -18,6 +18,7 @@
 #include "testWeights.H"
 #include "testPlaces.H"
 #include "testShapes.H"
+#include "testRings.H"
 #include "testWedge.H"
 #include <ctime>
 
@@ -64,6 +65,7 @@ int main(int argc, char *argv[])
     argList::addBoolOption("widths", "only: the widths of kernels");
     argList::addBoolOption("hard", "only: totals, on cells of extreme size");
     argList::addBoolOption("wedge", "only: a wedge about z");
+    argList::addBoolOption("rings", "only: two rings with a sliding interface");
     argList::addBoolOption("outside", "only: put a particle outside the mesh");
     const argList args(argc, argv);
     Time runTime(Time::controlDictName, args);
@@ -107,6 +109,12 @@ int main(int argc, char *argv[])
     if (args.found("wedge"))
     {
         testWedge(mesh);
+        Info<< "End of claims" << endl;
+        return 0;
+    }
+    if (args.found("rings"))
+    {
+        testRings(mesh, args.globalPath()/"serial");
         Info<< "End of claims" << endl;
         return 0;
     }
