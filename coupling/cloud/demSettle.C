@@ -19,9 +19,11 @@
 namespace Foam
 {
 
-// Kinetic energy of a particle that counts as moving, of that of a fall by a
-// diameter: 0.014 sqrt(g d). Time that the log reports, of the whole.
+// Kinetic energy above which a particle moves, of that of a fall by a diameter:
+// a speed of 0.014 sqrt(g d)
 static const scalar restless = 1e-4;
+
+// Longest time of settling, in falls by the height of the mesh
 static const scalar falls = 100;
 
 } // End namespace Foam

@@ -133,6 +133,10 @@ static int read_lattice(struct dem_insert_group *b, const struct dem_interaction
                 "%s: without count the whole box is filled, and %.0f particles are more than %.0f; "
                 "give count, or a smaller box",
                 b->where, asked, dem_amount_max);
+    DEM_REQUIRE(!b->limits || sites <= dem_amount_max, DEM_ERROR_INPUT,
+                "%s: the lattice has %.3g sites, each to be tested for walls, the limit is %.0f; "
+                "give a smaller box",
+                b->where, sites, dem_amount_max);
     DEM_REQUIRE(asked >= 1.0, DEM_ERROR_INPUT, "%s: less than half a particle; ask for more",
                 b->where);
     DEM_REQUIRE(asked <= sites, DEM_ERROR_INPUT,
