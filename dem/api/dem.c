@@ -318,6 +318,20 @@ int dem_plan(struct dem *d, const struct dem_run_info *run, const char **text)
     return status;
 }
 
+int dem_bed_slab(const struct dem *d, double up[3], double *low, double *high)
+{
+    struct dem_bed_packing bed;
+    const int found = d->is_set_up && dem_bed_packing_measure(&d->state, &bed);
+
+    if (found)
+    {
+        memcpy(up, bed.up, sizeof bed.up);
+        *low = bed.low;
+        *high = bed.high;
+    }
+    return found;
+}
+
 int dem_verdicts(const struct dem *d, const struct dem_verdict **verdict)
 {
     *verdict = d->verdicts.verdict;

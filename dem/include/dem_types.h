@@ -53,7 +53,10 @@ struct dem_run_info
     double duration;       /* s  from now on */
     double window;         /* s  time step of a coupled fluid */
     const char *why;       /* what limits the window, in a few words */
-    double cross_section;  /* m2 of the bed's base; 0: estimated from the walls */
+    double cross_section;  /* m2 of the bed, mean over dem_bed_slab; 0: estimated from the walls */
+    double reached_window; /* s  time step that an adjusted one grows to; 0: `window` */
+    const char *reached_why;  /* what limits that */
+    double inflow;         /* m/s  superficial velocity of the fluid that enters, against gravity */
 
     /* of a mesh and its fluid */
     double volume, cell;      /* m3 of all cells; m  cube root of the smallest cell */
