@@ -13,14 +13,78 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-// Mean cross-section of the mesh normal to gravity, the area of a bed [m2]
+namespace Foam
+{
+
+// Volume of the cells between two heights x . up [m3]. A cell counts with the
+// fraction of its height that lies in between: exact for cells whose section is
+// constant along it.
+static scalar volumeBetween
+(
+    const fvMesh& mesh,
+    const vector& up,
+    const scalar low,
+    const scalar high
+)
+{
+    const scalarField height(mesh.points() & up);
+    const labelListList& cellPoints = mesh.cellPoints();
+    scalar volume = 0;
+
+    forAll(cellPoints, celli)
+    {
+        scalar bottom = GREAT, top = -GREAT;
+        for (const label pointi : cellPoints[celli])
+        {
+            bottom = min(bottom, height[pointi]);
+            top = max(top, height[pointi]);
+        }
+        volume += mesh.V()[celli]
+           *max(min(top, high) - max(bottom, low), scalar(0))
+           /max(top - bottom, VSMALL);
+    }
+    return returnReduce(volume, sumOp<scalar>());
+}
+
+} // End namespace Foam
+
+
+// Mean cross-section of the mesh over the bed, between the heights below which
+// 10 and 90 % of the particles' volume lies [m2]; 0 without a bed
 Foam::scalar Foam::demCloud::crossSection() const
 {
-    const scalar g = mag(gravity());
-    const scalar height =
-        g > 0 ? mag(mesh_.bounds().span() & gravity())/g : 0;
+    double up[3], low, high;
 
-    return height > 0 ? gSum(mesh_.V().field())/height/transfer_.fraction() : 0;
+    if (!dem_bed_slab(dem_, up, &low, &high) || high <= low)
+    {
+        return 0;
+    }
+    return volumeBetween(mesh_, vector(up[0], up[1], up[2]), low, high)
+       /(high - low)/transfer_.fraction();
+}
+
+
+// Fluid that enters against gravity [m3/s]
+Foam::scalar Foam::demCloud::inflow(const volVectorField& U) const
+{
+    const vector down(gravity());
+    scalar flow = 0;
+
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& velocity = U.boundaryField()[patchi];
+        const scalarField& e = voidFraction().boundaryField()[patchi];
+        const vectorField& area = velocity.patch().Sf();
+
+        forAll(velocity, facei)
+        {
+            if (!velocity.coupled() && (velocity[facei] & down) < 0)
+            {
+                flow += e[facei]*max(-(velocity[facei] & area[facei]), scalar(0));
+            }
+        }
+    }
+    return returnReduce(flow, sumOp<scalar>())/transfer_.fraction();
 }
 
 
@@ -84,7 +148,10 @@ void Foam::demCloud::plan
     const volVectorField& gradP,
     const volScalarField& rho,
     const volScalarField& mu,
-    const string& limit
+    const string& limit,
+    const scalar maxCo,
+    const scalar reached,
+    const word& reachedBy
 )
 {
     const Time& time = mesh_.time();
@@ -96,6 +163,7 @@ void Foam::demCloud::plan
         (time.endTime().value() - time.value())/time.deltaTValue()*ahead.window;
     ahead.why = limit.c_str();
     ahead.cross_section = crossSection();
+    ahead.inflow = ahead.cross_section > 0 ? inflow(U)/ahead.cross_section : 0;
     ahead.volume = gSum(mesh_.V().field())/transfer_.fraction();
     ahead.cell = cbrt(gMin(mesh_.V().field()));
     ahead.speed = gMax(mag(U.primitiveField()));
@@ -104,12 +172,26 @@ void Foam::demCloud::plan
     const volTensorField gradU(fv::gaussGrad<vector>(mesh_).calcGrad(U, "dem:gradU"));
     ahead.vorticity = 2*gMax(mag(skew(gradU.primitiveField()))()/sqrt(scalar(2)));
     ahead.one_way = !twoWay_;
-    ahead.void_fraction = bedVoidFraction();
+
+    // The flow that enters has not filled the bed yet: in it, it is faster
+    const scalar crossing =
+        ahead.inflow > 0 && maxCo > 0
+      ? maxCo*ahead.cell*gMin(voidFraction().primitiveField())/ahead.inflow
+      : GREAT;
+    const string throughflow("maxCo, by the inlet's flow through the bed");
+    const scalar longest = min(reached, crossing);
+
+    if (reached > 0 && mag(longest - ahead.window) > 0.1*ahead.window)
+    {
+        ahead.reached_window = longest;
+        ahead.reached_why =
+            crossing < reached ? throughflow.c_str() : reachedBy.c_str();
+    }
 
     setFluid(U, gradP, rho, mu);
     demCheck(dem_plan(dem_, &ahead, &text));
     Info<< nl << text << endl;
-    planKernel(ahead.void_fraction);
+    planKernel(bedVoidFraction());
     warn(U, ahead);
 }
 

@@ -27,7 +27,7 @@ static bool isCalledInlet(const word& name)
 
 
 // Largest speed of the fluid on the patches where it is given. Collective.
-static scalar inflowSpeed(const volVectorField& U)
+static scalar patchSpeed(const volVectorField& U)
 {
     scalar fastest = 0;
     for (const fvPatchVectorField& Up : U.boundaryField())
@@ -89,7 +89,7 @@ void Foam::demCloud::warn(const volVectorField& U, struct ::dem_run_info& ahead)
     {
         sentences[k] = own[k].c_str();
     }
-    ahead.inflow = inflowSpeed(U);
+    ahead.patch_speed = patchSpeed(U);
     ahead.resolution = transfer_.length();
 
     demCheck(dem_warnings(dem_, &ahead, int(own.size()), sentences.cdata(), &text));

@@ -61,9 +61,9 @@ int dem_effect_cost_measure(const struct dem_state *p, const struct dem_inventor
     dem_memory_need_count(p, s, &need);
     *m = (struct dem_effect_cost){.particle = need.particle, .pair = need.pair, .row = need.row};
     memset(block, 0, sizeof block);
-    int status = dem_sample_block_make(&block[0], p, s, NULL);
+    int status = dem_sample_block_make(&block[0], p, s, DEM_SAMPLE_SMALL, NULL);
 
-    status = status ? status : dem_sample_block_make(&block[1], p, s, effect);
+    status = status ? status : dem_sample_block_make(&block[1], p, s, DEM_SAMPLE_SMALL, effect);
     status = status ? status : alternate(block, dt, seconds, m);
     dem_sample_block_free(&block[0]);
     dem_sample_block_free(&block[1]);

@@ -1,5 +1,5 @@
 /*
- * minimum_fluidisation.c -- minimum fluidisation velocity, terminal velocity and response time.
+ * minimum_fluidisation.c -- minimum fluidisation and terminal velocity, expansion, response time.
  *
  * The drag law of the scene is evaluated through a body batch, so no drag formula is repeated here.
  *
@@ -7,6 +7,7 @@
  */
 #include "advisor/minimum_fluidisation.h"
 #include "effects/effects.h"
+#include "effects/fluid/drag.h"
 #include <math.h>
 #include <string.h>
 
@@ -112,4 +113,54 @@ double dem_suspension_terminal_velocity(const struct dem_interaction_table *r,
     const double submerged = b->feels_gradient ? b->density - b->fluid_density : b->density;
 
     return slip_at(r, b, 1.0, submerged*volume(b)*b->gravity);
+}
+
+/* 3 pi mu d f u balances the weight less buoyancy */
+double dem_suspension_single_sphere_velocity(const struct dem_suspension *b)
+{
+    const double stokes = fabs(b->density - b->fluid_density)*b->gravity*b->diameter*b->diameter/(18.0*b->viscosity);
+    double low = 0.0, high = stokes;
+
+    for (int k = 0; k < 100; k++)
+    {
+        const double u = 0.5*(low + high);
+        const int less = dem_drag_single_sphere(b->fluid_density*u*b->diameter/b->viscosity)*u < stokes;
+
+        low = less ? u : low;
+        high = less ? high : u;
+    }
+    return 0.5*(low + high);
+}
+
+double dem_suspension_expanded_void_fraction(const struct dem_interaction_table *r,
+                                             const struct dem_suspension *b, double packed, double U)
+{
+    double low = packed, high = 1.0;
+
+    if (dem_suspension_fluidisation_velocity(r, b, low) >= U)
+    {
+        return 0.0;
+    }
+    if (dem_suspension_fluidisation_velocity(r, b, high) <= U)
+    {
+        return 1.0;
+    }
+    for (int k = 0; k < 40; k++)
+    {
+        const double e = 0.5*(low + high);
+        const int less = dem_suspension_fluidisation_velocity(r, b, e) < U;
+
+        low = less ? e : low;
+        high = less ? high : e;
+    }
+    return 0.5*(low + high);
+}
+
+double dem_suspension_richardson_zaki(const struct dem_suspension *b, double U)
+{
+    const double u = dem_suspension_single_sphere_velocity(b);
+    const double re = b->fluid_density*u*b->diameter/b->viscosity;
+    const double n = re < 0.2 ? 4.65 : re < 1.0 ? 4.35*pow(re, -0.03) : re < 500.0 ? 4.45*pow(re, -0.1) : 2.39;
+
+    return u > U ? pow(U/u, 1.0/n) : 1.0;
 }

@@ -35,6 +35,14 @@ void dem_plan_step(struct dem_text *t, const struct dem_plan *p)
     {
         dem_text_add(t, "Coupling\n    fluid step %.4g s%s%s: %.0f DEM steps of %.4g s\n", run->window, run->why ? ", set by " : "",
                      run->why ? run->why : "", steps_of(run->window, p->step), run->window/steps_of(run->window, p->step));
+        if (run->reached_window > 0.0)
+        {
+            const double steps = steps_of(run->reached_window, p->step);
+
+            dem_text_add(t, "    it %s to %.4g s, set by %s: %.0f DEM steps of %.4g s\n",
+                         run->reached_window > run->window ? "grows" : "falls", run->reached_window, run->reached_why,
+                         steps, run->reached_window/steps);
+        }
         if (dem_plan_suspension(p, &b))
         {
             dem_text_add(t, "    fluid step over response time %.3g\n", run->window/dem_suspension_response_time(&b));
@@ -162,24 +170,77 @@ static const char *drag_law(const struct dem_interaction_table *r)
     return NULL;
 }
 
+/* Void fraction of the bed if its particles touch; 0: unknown, or they do not. Random loose
+   packings of spheres have up to 0.45 (Onoda and Liniger, Phys. Rev. Lett. 64 (1990) 2727), of
+   cohesive ones up to 0.6. */
+static double packed_void_fraction(const struct dem_plan *p)
+{
+    struct dem_bed_packing bed;
+    double g[3];
+
+    dem_interaction_table_gravity(&p->state->interaction_table, g);
+    const double area = cross_section(p, g), max = DEM_BED_VOID_FRACTION;
+
+    if (area <= 0.0 || !dem_bed_packing_measure(p->state, &bed) || bed.high <= bed.low)
+    {
+        return 0.0;
+    }
+    const double e = dem_bed_packing_void_fraction(&bed, area);
+
+    return e > 0.0 && e <= max ? e : 0.0;
+}
+
+/* The homogeneous expansion at the velocity of the fluid that enters. */
+static void write_expansion(struct dem_text *t, const struct dem_plan *p,
+                            const struct dem_suspension *b, const char *law, double packed)
+{
+    const struct dem_interaction_table *const r = &p->state->interaction_table;
+    const double U = p->run.inflow, e = dem_suspension_expanded_void_fraction(r, b, packed, U);
+    const double measured = dem_suspension_richardson_zaki(b, U);
+
+    dem_text_add(t, "    the inlet's %.4g m/s (superficial) ", U);
+    if (e <= 0.0)
+    {
+        dem_text_add(t, "is below that of %s: the bed stays packed\n", law);
+    }
+    else if (e >= 1.0)
+    {
+        dem_text_add(t, "is above the terminal velocity: particles are carried along\n");
+    }
+    else
+    {
+        dem_text_add(t, "expands the bed with %s to void fraction %.4g, if it stays homogeneous", law, e);
+        if (measured > packed && measured < 1.0)
+        {
+            dem_text_add(t, "; to %.4g by Richardson and Zaki (1954): %+.2g %% of height", measured,
+                         100.0*((1.0 - measured)/(1.0 - e) - 1.0));
+        }
+        dem_text_add(t, "\n");
+    }
+}
+
 static void write_fluidisation(struct dem_text *t, const struct dem_plan *p,
                                const struct dem_suspension *b)
 {
     const struct dem_interaction_table *const r = &p->state->interaction_table;
     const char *const law = drag_law(r);
-    const int own = p->run.void_fraction > 0.0 && p->run.void_fraction <= DEM_BED_VOID_FRACTION;
-    const double e = own ? p->run.void_fraction : DEM_SUSPENSION_VOID_FRACTION;
+    const double packed = law ? packed_void_fraction(p) : 0.0;
+    const double e = packed > 0.0 ? packed : DEM_SUSPENSION_VOID_FRACTION;
 
     dem_text_add(t, "    minimum fluidisation at %.4g m/s (superficial; Wen and Yu 1966)\n", dem_suspension_wen_yu_velocity(b));
     if (law)
     {
         const double u = dem_suspension_fluidisation_velocity(r, b, e)/e, drag = dem_suspension_drag(r, b, e, u);
 
-        dem_text_add(t, "    and at %.4g m/s with %s for a bed of void fraction %.4g%s%s\n", e*u, law, e, own ? ", as this one" : "",
-                     b->feels_gradient ? "" : " (without pressureGradient: no buoyancy)");
+        dem_text_add(t, "    and at %.4g m/s with %s for a bed of void fraction %.4g, %s%s\n", e*u, law, e,
+                     packed > 0.0 ? "that of the particles as they are" : "assumed: the particles are no bed of known section", b->feels_gradient ? "" : " (without pressureGradient: no buoyancy)");
         dem_text_add(t, "    response time %.4g s there\n", drag > 0.0 ? b->density/drag*3.14159265358979323846/6.0*b->diameter
                                                                         *b->diameter*b->diameter : INFINITY);
         dem_text_add(t, "    terminal velocity of a single particle %.4g m/s\n", dem_suspension_terminal_velocity(r, b));
+        if (p->run.inflow > 0.0 && dem_suspension_terminal_velocity(r, b) > 0.0)
+        {
+            write_expansion(t, p, b, law, e);
+        }
     }
 }
 
@@ -258,7 +319,7 @@ void dem_plan_cost(struct dem_text *t, const struct dem_plan *p)
     {
         return;
     }
-    const double span = run->window > 0.0 ? run->window : duration;
+    const double span = run->reached_window > 0.0 ? run->reached_window : run->window > 0.0 ? run->window : duration;
     const double steps = steps_of(span, p->step)*duration/span;
     const double at_rest = steps*n*p->step_cost.step;
 

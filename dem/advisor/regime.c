@@ -139,24 +139,6 @@ static int with_drag(const struct dem_interaction_table *r)
     return drag;
 }
 
-/* m/s: terminal velocity of a single sphere by Schiller and Naumann: 3 pi mu d f u balances the
-   weight less buoyancy */
-static double terminal_velocity(const struct dem_suspension *b)
-{
-    const double stokes = fabs(b->density - b->fluid_density)*b->gravity*b->diameter*b->diameter/(18.0*b->viscosity);
-    double low = 0.0, high = stokes;
-
-    for (int k = 0; k < 100; k++)
-    {
-        const double u = 0.5*(low + high);
-        const int less = dem_drag_single_sphere(b->fluid_density*u*b->diameter/b->viscosity)*u < stokes;
-
-        low = less ? u : low;
-        high = less ? high : u;
-    }
-    return 0.5*(low + high);
-}
-
 static void set_fluid_numbers(const struct dem_plan *p, struct dem_regime *g)
 {
     const struct dem_uniform_fluid *const given = &p->scene->fluid;
@@ -167,7 +149,7 @@ static void set_fluid_numbers(const struct dem_plan *p, struct dem_regime *g)
     g->vorticity = given->given ? length(given->vorticity) : p->run.vorticity;
     g->stress = given->given ? length(given->stress) : 0.0;
     /* particles lighter than the fluid rise: their slip is that of a single sphere */
-    g->slip = fmax(b->gravity > 0.0 ? sinks > 0.0 ? sinks : terminal_velocity(b) : 0.0, g->flow);
+    g->slip = fmax(b->gravity > 0.0 ? sinks > 0.0 ? sinks : dem_suspension_single_sphere_velocity(b) : 0.0, g->flow);
     g->reynolds = b->fluid_density*g->slip*b->diameter/b->viscosity;
     g->drag_factor = dem_drag_single_sphere(g->reynolds);
     g->response = stokes/g->drag_factor;

@@ -8,12 +8,6 @@
 #include <math.h>
 #include <string.h>
 
-enum
-{
-    /* lattice cells, two spheres each: 8192 spheres */
-    MAX_EDGE = 16
-};
-
 static int most_frequent_material(const struct dem_state *p, const struct dem_inventory *s)
 {
     int best = 0;
@@ -53,7 +47,7 @@ static int fill(struct dem_state *q, const struct dem_state *p, const struct dem
 }
 
 int dem_sample_block_make(struct dem_sample *sample, const struct dem_state *p,
-                          const struct dem_inventory *s, const char *without)
+                          const struct dem_inventory *s, int64_t max, const char *without)
 {
     /* touching, with a small overlap */
     const double d = s->all.diameters/(double)s->all.n, a = 0.999*d*2.0/sqrt(3.0);
@@ -64,7 +58,7 @@ int dem_sample_block_make(struct dem_sample *sample, const struct dem_state *p,
 
     memset(sample, 0, sizeof *sample);
     dem_attached_stores_attach(&sample->stores, q);
-    while (edge < MAX_EDGE && 2*edge*edge*edge < s->all.n)
+    while (2*edge*edge*edge < s->all.n && 2*(int64_t)(edge + 1)*(edge + 1)*(edge + 1) <= max)
     {
         edge++;
     }

@@ -4,7 +4,8 @@
  *
  * Drag, the law in use or one proposed:
  *
- *   drag at the slip over the weight; without gravity the fraction of a slip that has decayed at the
+ *   drag at the slip over the weight, by the law in use (without one, Schiller and Naumann) at the
+ *       mean void fraction; without gravity the fraction of a slip that has decayed at the
  *       end of the run, 1 - exp(-T/tau)
  *   a law of creeping flow lacks 0.15 Re^0.687 of its drag
  *       (Schiller and Naumann, VDI Z. 77 (1933) 318)
@@ -47,17 +48,28 @@ static struct dem_verdict *add(struct dem_plan *p, const struct dem_effect *effe
 
 /* ---- drag ------------------------------------------------------------------------------------ */
 
-/* Drag over weight at the largest slip given in the scene; not a number: unknown. */
-static double drag_fraction(const struct dem_plan *p, const struct dem_regime *g)
+/* kg/s: drag coefficient at a slip, of the law in use at the mean void fraction, without one by
+   Schiller and Naumann. */
+static double drag_coefficient(const struct dem_plan *p, const struct dem_regime *g,
+                               const struct dem_effect *law, double u)
 {
     const struct dem_suspension *const b = &g->suspension;
-    const double u = fmax(g->speed, g->flow), re = b->fluid_density*u*b->diameter/b->viscosity;
+
+    return law ? dem_suspension_drag(&p->state->interaction_table, b, 1.0 - fmin(g->solid_fraction, 0.64), u)
+               : 3.0*pi*b->viscosity*b->diameter*dem_drag_single_sphere(b->fluid_density*u*b->diameter/b->viscosity);
+}
+
+/* Drag over weight at the largest slip given in the scene; not a number: unknown. */
+static double drag_fraction(const struct dem_plan *p, const struct dem_regime *g,
+                            const struct dem_effect *law)
+{
+    const double u = fmax(g->speed, g->flow);
 
     if (g->weight > 0.0)
     {
-        return u > 0.0 ? 3.0*pi*b->viscosity*b->diameter*dem_drag_single_sphere(re)*u/g->weight : NAN;
+        return u > 0.0 ? drag_coefficient(p, g, law, u)*u/g->weight : NAN;
     }
-    return p->run.duration > 0.0 ? -expm1(-p->run.duration/g->response) : NAN;
+    return p->run.duration > 0.0 ? -expm1(-p->run.duration*drag_coefficient(p, g, law, g->slip)/(2.0*g->mass)) : NAN;
 }
 
 /* Relative increase of drag in a suspension: (1 - phi)^-3.65 - 1 */
@@ -116,10 +128,12 @@ static void judge_drag(struct dem_plan *p, const struct dem_regime *g)
 {
     const struct dem_effect *const law = drag_in_use(&p->state->interaction_table);
     const struct dem_effect *const proposed = suspension_excess(g) > threshold ? suspension_law(g) : dem_effects_drag_law(DEM_DRAG_SINGLE);
-    const struct dem_relevance v = {.fraction = drag_fraction(p, g), .threshold = threshold,
-        .quantity = g->weight > 0.0 ? "of the weight is drag, at the speed of the fluid or of impacts (Schiller and Naumann 1933)"
-                    : "of a slip has decayed when the run ends (Schiller and Naumann 1933)"};
+    char quantity[200];
+    const struct dem_relevance v = {.fraction = drag_fraction(p, g, law), .threshold = threshold, .quantity = quantity};
 
+    snprintf(quantity, sizeof quantity, "of %s (%s)",
+             g->weight > 0.0 ? "the weight is drag, at the speed of the fluid or of impacts" : "a slip has decayed when the run ends",
+             law ? law->source : "Schiller and Naumann 1933");
     if (isfinite(v.fraction))
     {
         (void)add(p, law ? law : proposed, &v);

@@ -187,7 +187,7 @@ static double fluid_speed(const struct list *w)
 {
     const struct dem_uniform_fluid *const given = &w->p->scene->fluid;
 
-    return given->given ? dem_vec_norm(given->velocity) : fmax(w->p->run.speed, w->p->run.inflow);
+    return given->given ? dem_vec_norm(given->velocity) : fmax(w->p->run.speed, w->p->run.patch_speed);
 }
 
 /* ---- fluid step ------------------------------------------------------------------------------ */

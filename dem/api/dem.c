@@ -372,6 +372,20 @@ int dem_impact_warning(struct dem *d, double overlap, const char **text)
     return d->impact.status ? d->impact.status : dem_collect_status(&d->state.decomposition);
 }
 
+int dem_bed_slab(const struct dem *d, double up[3], double *low, double *high)
+{
+    struct dem_bed_packing bed;
+    const int found = d->is_set_up && dem_bed_packing_measure(&d->state, &bed);
+
+    if (found)
+    {
+        memcpy(up, bed.up, sizeof bed.up);
+        *low = bed.low;
+        *high = bed.high;
+    }
+    return found;
+}
+
 int dem_verdicts(const struct dem *d, const struct dem_verdict **verdict)
 {
     *verdict = d->verdicts.verdict;

@@ -127,7 +127,8 @@ int dem_setup(struct dem *);
 /* Collective, after dem_setup; in coupled runs after the fluid columns have been written. A
    report on the run ahead: effects, walls, particles, time step, bed, fluid, memory and run
    time, as lines of text, the same on all ranks, valid until the next dem_plan or dem_free.
-   Measures for a tenth of a second. No particle moves; views stay valid. */
+   Measures steps of as many particles as a rank has, at most 250000, for a tenth of a second or 20
+   steps. No particle moves; views stay valid. */
 int dem_plan(struct dem *, const struct dem_run_info *, const char **text);
 
 /* Collective, as dem_plan. What of the scene is likely to be a mistake or cannot work, as a numbered
@@ -141,6 +142,10 @@ int dem_warnings(struct dem *, const struct dem_run_info *, int n, const char *c
    than impactSpeed so that its impacts will overlap by more than 5 %, with the settings to take;
    "" otherwise, and when it was said before, unless it has grown by half. */
 int dem_impact_warning(struct dem *, double overlap, const char **text);
+
+/* Collective, after dem_setup. The slab of the bed between 10 and 90 % of the volume of the particles
+   that move: heights x . up [m], up against gravity. Returns 0 without gravity or such particles. */
+int dem_bed_slab(const struct dem *, double up[3], double *low, double *high);
 
 /* Returns the number of verdicts of the last dem_plan. They are valid until the next one. */
 int dem_verdicts(const struct dem *, const struct dem_verdict **);

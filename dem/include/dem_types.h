@@ -47,27 +47,26 @@ struct dem_new_particle
 
 /* ---- plan ------------------------------------------------------------------------------------ */
 
-/* what the program knows of the run ahead, for dem_plan; 0 where unknown */
 /* 1  largest void fraction of a bed: particles that touch. Random loose packings of spheres have
    0.44 (Onoda and Liniger, Phys. Rev. Lett. 64 (1990) 2727), of cohesive ones up to this. */
 #define DEM_BED_VOID_FRACTION 0.6
 
+/* what the program knows of the run ahead, for dem_plan; 0 where unknown */
 struct dem_run_info
 {
     double duration;       /* s  from now on */
     double window;         /* s  time step of a coupled fluid */
     const char *why;       /* what limits the window, in a few words */
-    double cross_section;  /* m2 of the bed's base; 0: estimated from the walls */
+    double cross_section;  /* m2 of the bed, mean over dem_bed_slab; 0: estimated from the walls */
+    double reached_window; /* s  time step that an adjusted one grows to; 0: `window` */
+    const char *reached_why;  /* what limits that */
+    double inflow;         /* m/s  superficial velocity of the fluid that enters, against gravity */
 
     /* of a mesh and its fluid */
     double volume, cell;      /* m3 of all cells; m  cube root of the smallest cell */
     double speed, vorticity;  /* m/s, 1/s  largest */
     int one_way;              /* 1: particles do not act on the fluid */
-
-    /* 1  void fraction around the particles; up to DEM_BED_VOID_FRACTION they are a bed, and it is
-       that of minimum fluidisation. 0: unknown */
-    double void_fraction;
-    double inflow;            /* m/s  largest speed of the fluid on a patch */
+    double patch_speed;       /* m/s  largest speed of the fluid on a patch */
     double resolution;        /* m  length that a particle should not cross in half a window: the
                                  smallest cell, or half the kernel's width */
 };

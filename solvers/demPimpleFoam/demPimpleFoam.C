@@ -144,7 +144,10 @@ int main(int argc, char *argv[])
 
         if (!planned)
         {
-            cloud.plan(U, gradP, rho, mu(), stepLimit);
+            cloud.plan
+            (
+                U, gradP, rho, mu(), stepLimit, maxCo, stepReached, stepReachedBy
+            );
             planned = true;
         }
         if (args.found("write"))

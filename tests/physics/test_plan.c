@@ -1,6 +1,7 @@
 /*
  * Claims: the plan of a scene reports the numbers found by hand: contact time, step, weight, pressure drop, number and velocities of
- * fluidisation, response time, steps. A fluid given through the fluid columns gives the same as one in the scene. Bytes are those of
+ * fluidisation, response time, steps. Minimum fluidisation is that of the bed's own void fraction. The expansion by the law of drag
+ * stands beside that of Richardson and Zaki. Drag is judged by the scene's own law. The timed block is as large as the bed. A fluid given through the fluid columns gives the same as one in the scene. Bytes are those of
  * the allocator, before and after settling. The estimated time of a dense bed is the measured one within the stated factor. Planning
  * changes no particle.
  *
@@ -23,7 +24,7 @@ static double told(const char *text, const char *words)
 
 static const char *plan(struct dem *d, const struct dem_run_info *ahead)
 {
-    const char *text;
+    static const char *text;             /* of the library: valid until the next plan */
 
     WORLD_TRY(dem_plan(d, ahead, &text));
     return text;
@@ -102,9 +103,9 @@ static void test_columns(void)
 /* ---- fluidisation ---------------------------------------------------------------------------------------------- */
 
 /* Ergun: 3 pi mu d u (150 s + 1.75 e rho d u/mu)/(18 e) = e V (rho_p - rho) g, a quadratic in u; returns e u */
-static double ergun(double d, double rho_p, double rho, double mu)
+static double ergun(double d, double rho_p, double rho, double mu, double e)
 {
-    const double e = pow(14.0, -1.0/3.0), s = 1.0 - e;
+    const double s = 1.0 - e;
     const double a = 1.75*e*rho*d/mu, b = 150.0*s, c = e*sphere(d)*(rho_p - rho)*9.81*18.0*e/(3.0*world_pi*mu*d);
 
     return e*(-b + sqrt(b*b + 4.0*a*c))/(2.0*a);
@@ -119,18 +120,101 @@ static void test_bed_in_scene(void)
                                 "fluid { density 1.2; viscosity 1.2e-5; }"
                                 "domain { min (0 0 0); max (0.15 1 0.015); periodic (x z); }"
                                 "insert { bed { type lattice; count 24750; spacing 1; jitter 0; diameter 2.5e-3;"
-                                "               min (0 0 0); max (0.15 0.5 0.015); } }", 0, NULL);
+                                "               min (0 0 0); max (0.15 0.17251 0.015); } }", 0, NULL);
     const char *const text = plan(w, &(struct dem_run_info){.duration = 1.0});
-    const double balance = ergun(2.5e-3, 2526.0, 1.2, 1.2e-5), response = 2526.0*2.5e-3*2.5e-3/(18.0*1.2e-5);
+    /* a simple cubic lattice of distance d. 10 and 90 % of the volume of its 69 layers lie 55 layers apart; within a layer the volume
+       below a height differs from a uniform one by at most (s - s^3)/4 = 0.096 of it */
+    const double lattice = 1.0 - world_pi/6.0, e = told(text, "for a bed of void fraction "), ends = 2.0*0.0963/55.0*(1.0 - lattice);
+    const double balance = ergun(2.5e-3, 2526.0, 1.2, 1.2e-5, e), response = 2526.0*2.5e-3*2.5e-3/(18.0*1.2e-5);
 
     TAP_NEAR(told(text, "minimum fluidisation at "), 1.322415, digits*1.322415, "Wen and Yu");
     TAP_NEAR(told(text, "and at "), balance, digits*balance, "where Ergun's law carries the bed");
+    TAP_NEAR(e, lattice, ends, "of its own void fraction");
+    TAP_OK(strstr(text, ", that of the particles as they are"), "which is reported to be its own");
     TAP_NEAR(told(text, "Archimedes number "), 3225037.5, digits*3225037.5, "Archimedes number");
     TAP_NEAR(told(text, "response time of a particle "), response, digits*response, "response time");
     TAP_NEAR(told(text, "together           24750, diameter 0.0025 m, "), 0.51147828, digits*0.511, "mass");
     TAP_NEAR(told(strstr(text, "less buoyancy"), " N, "), 2228.9859, digits*2229.0, "pressure drop");
     /* Newton's Cd = 0.44 above Re = 1000 (here 2.6e3): v^2 = 4 d g (rho_p - rho)/(3 Cd rho) */
     TAP_NEAR(told(text, "terminal velocity of a single particle "), sqrt(4.0*2.5e-3*9.81*2524.8/(3.0*0.44*1.2)), 0.01, "terminal velocity");
+    dem_free(w);
+}
+
+static void check_assumed(const char *scene, double balance)
+{
+    struct dem *const w = world(scene, 0, NULL);
+    const char *const text = plan(w, &(struct dem_run_info){.duration = 1.0});
+
+    TAP_NEAR(told(text, "and at "), balance, digits*balance, "Wen and Yu's void fraction");
+    TAP_OK(strstr(text, "assumed"), "which is reported to be assumed");
+    dem_free(w);
+}
+
+/* The same spheres where no wall tells the section, and far apart: the void fraction of Wen and Yu is assumed. */
+static void test_unknown_packing(void)
+{
+    static const char *const domain[2] = {"min (0 0 0); max (0.15 1 0.015); periodic (z);", "min (0 0 0); max (0.15 1 0.015); periodic (x z);"};
+    const double e = pow(14.0, -1.0/3.0), balance = ergun(2.5e-3, 2526.0, 1.2, 1.2e-5, e);
+
+    for (int k = 0; k < 2; k++)                           /* no section; spheres four diameters apart */
+    {
+        char *const scene = world_text("materials { glass { density 2526; youngsModulus 1e7; } }"
+                                       "effects { gravity { acceleration (0 -9.81 0); } hertz { } gidaspow { blend switch; } pressureGradient { } }"
+                                       "fluid { density 1.2; viscosity 1.2e-5; } domain { %s }"
+                                       "insert { bed { type lattice; count 500; spacing %d; jitter 0; diameter 2.5e-3;"
+                                       "               min (0 0 0); max (0.15 1 0.015); } }", domain[k], k ? 4 : 1);
+
+        check_assumed(scene, balance);
+        free(scene);
+    }
+}
+
+/* Glass of 1 mm in water at 0.05 m/s. Schiller and Naumann alone, with Wen and Yu's e^-2.65 on the slip U/e, carries e (1 - ...) where
+   3 pi mu d f(Re) e^-2.65 U/e = e V (rho_p - rho) g, Re = rho U d/mu in this law; Richardson and Zaki take U = u_t e^(4.45 Re_t^-0.1). */
+static void test_expansion(void)
+{
+    const double d = 1e-3, mu = 1e-3, rho = 1000.0, U = 0.05, weight = sphere(d)*1500.0*9.81, stokes = 3.0*world_pi*mu*d;
+    double e = 0.5, u = 0.1;
+    struct dem *const w = world("materials { glass { density 2500; youngsModulus 1e7; } }"
+                                "effects { gravity { acceleration (0 0 -9.81); } hertz { } wenYu { } pressureGradient { } }"
+                                "fluid { density 1000; viscosity 1e-3; }"
+                                "domain { min (0 0 0); max (0.01 0.01 0.1); periodic (x y); }"
+                                "insert { bed { type lattice; count 1000; spacing 1; jitter 0; diameter 1e-3;"
+                                "               min (0 0 0); max (0.01 0.01 0.1); } }", 0, NULL);
+    const char *text = plan(w, &(struct dem_run_info){.duration = 1.0, .inflow = U});
+
+    for (int k = 0; k < 200; k++)                         /* both contract */
+    {
+        const double f = 1.0 + 0.15*pow(rho*u*d/mu, 0.687);
+
+        u = 0.5*(u + weight/(stokes*f));
+        e = pow(stokes*(1.0 + 0.15*pow(rho*U*d/mu, 0.687))*U/weight, 1.0/4.65);
+    }
+    const double measured = pow(U/u, 1.0/(4.45*pow(rho*u*d/mu, -0.1)));
+
+    TAP_NEAR(told(text, "wenYu to void fraction "), e, digits*e, "expansion by the law of drag");
+    TAP_NEAR(told(text, "homogeneous; to "), measured, digits*measured, "beside it that of Richardson and Zaki");
+    TAP_NEAR(told(text, "Zaki (1954): "), 100.0*((1.0 - measured)/(1.0 - e) - 1.0), 0.06*fabs(100.0*((1.0 - measured)/(1.0 - e) - 1.0)),
+             "and the difference in height, two digits");
+    text = plan(w, &(struct dem_run_info){.duration = 1.0, .inflow = 1e-3});
+    TAP_OK(strstr(text, "the bed stays packed"), "a bed below minimum fluidisation");
+    text = plan(w, &(struct dem_run_info){.duration = 1.0, .inflow = 1.0});
+    TAP_OK(strstr(text, "are carried along"), "particles above their terminal velocity");
+    dem_free(w);
+}
+
+/* Stokes' law at Re = 500: 3 pi mu d u over the weight. Schiller and Naumann would tell 11 times as much. */
+static void test_law_of_its_own(void)
+{
+    const double d = 1e-3, u = 9.0, fraction = 3.0*world_pi*1.8e-5*d*u/(sphere(d)*2500.0*9.81);
+    struct dem *const w = world("materials { glass { density 2500; youngsModulus 1e7; } }"
+                                "effects { gravity { acceleration (0 0 -9.81); } hertz { impactSpeed 0.1; } stokesDrag { } }"
+                                "fluid { density 1; viscosity 1.8e-5; velocity (0 0 9); }"
+                                "insert { one { type list; diameter 1e-3; positions ((0 0 0)); } }", 0, NULL);
+    const char *const text = plan(w, &(struct dem_run_info){.duration = 1.0});
+
+    /* two digits are printed */
+    TAP_NEAR(told(strstr(text, "stokesDrag         on"), ": "), 100.0*fraction, 0.06*100.0*fraction, "drag over weight, by the scene's own law");
     dem_free(w);
 }
 
@@ -161,6 +245,14 @@ static void test_bed_by_columns(void)
     TAP_NEAR(told(text, "over response time "), 1e-4/response, 6e-3*1e-4/response, "fluid step over response time, three digits");
     TAP_NEAR(told(text, "2 s ahead: "), 2e4*ceil(1e-4/limit), 2e4*ceil(1e-4/limit)*digits, "steps of the run");
     TAP_OK(strstr(text, "without pressureGradient"), "what carries the weight is reported");
+    TAP_NEAR(told(text, "dense bed of "), 9240, 0.2*9240, "the timed block has as many spheres, to a lattice");
+
+    const char *const grown = plan(w, &(struct dem_run_info){.duration = 2.0, .window = 1e-5, .why = "maxCo, towards which it grows",
+                                                             .reached_window = 1e-4, .reached_why = "maxCo", .cross_section = 4.4e-4});
+
+    TAP_NEAR(told(grown, "it grows to "), 1e-4, 0.0, "the fluid's time step that it will reach");
+    TAP_NEAR(told(grown, "s, set by maxCo: "), ceil(1e-4/limit), 0.0, "and the DEM steps in it");
+    TAP_NEAR(told(grown, "2 s ahead: "), 2e4*ceil(1e-4/limit), 2e4*ceil(1e-4/limit)*digits, "which the run will make");
     dem_free(w);
 }
 
@@ -237,6 +329,9 @@ int main(void)
     test_cup();
     test_columns();
     test_bed_in_scene();
+    test_unknown_packing();
+    test_expansion();
+    test_law_of_its_own();
     test_bed_by_columns();
     test_cost();
     TAP_DONE;
