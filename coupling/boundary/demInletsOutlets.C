@@ -287,9 +287,10 @@ Foam::List<Foam::demParticleRouting::verdict> Foam::demInletsOutlets::judge
         const scalar radius = *dem_at(view.radius, view.stride, size_t(particles[k]));
         const bool atWall =
             at.patch >= 0 && isWall_[at.patch] && at.distance <= radius + at.warp;
+        const bool throughWall = at.exit >= 0 && isWall_[at.exit];
         const label outlet =
             outlets_.found(at.exit) ? at.exit
-          : !atWall && outlets_.found(at.patch) ? at.patch
+          : !atWall && !throughWall && outlets_.found(at.patch) ? at.patch
           : -1;
 
         if (outlet >= 0)

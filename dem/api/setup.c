@@ -172,11 +172,11 @@ static int refuse_overlap(struct dem_state *p)
 
 /* A state of a snapshot that was made in other walls may overlap those of this run. A soft bed that
    has settled in the same walls overlaps them too, but not more than its particles overlap each
-   other. */
+   other; in a state in motion it may be twice as much. */
 static int refuse_other_walls(struct dem *d)
 {
     const struct dem_overlap *const wall = &d->start_wall, *const pair = &d->start_pair;
-    const double limit = fmax(max_initial_overlap, pair->fraction);
+    const double limit = fmax(max_initial_overlap, 2.0*pair->fraction);
 
     DEM_REQUIRE(wall->fraction <= limit, DEM_ERROR_INPUT,
                 "%s: particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the "

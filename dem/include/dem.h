@@ -384,7 +384,7 @@ int dem_save(struct dem *, const char *path);
 int dem_load(struct dem *, const char *path);
 
 /* The same for a state that another run has made, as the scene's entry `start` does: dem_setup
-   refuses an overlap with a wall of more than 0.05 of a diameter that is also larger than the
+   refuses an overlap with a wall of more than 0.05 of a diameter that is also more than twice the
    largest between particles. dem_start_overlap: what it found, after dem_setup; zeros without a
    check. */
 int dem_start(struct dem *, const char *path);
