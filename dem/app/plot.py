@@ -7,10 +7,19 @@ Installed as dem-plot in the folder of the program. SPDX-License-Identifier: GPL
 """
 import csv
 import math
+import os
 import pathlib
+import shutil
 import sys
 
-import matplotlib
+try:
+    import matplotlib
+except ImportError:
+    # another Python may come first in PATH than the one that has the packages
+    python = shutil.which(os.environ.get("SUNA_PYTHON") or "/usr/bin/python3")
+    if python is None or os.path.realpath(python) == os.path.realpath(sys.executable):
+        sys.exit("dem-plot needs python3 with matplotlib (Debian: python3-matplotlib)")
+    os.execv(python, [python, *sys.argv])
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
