@@ -351,7 +351,7 @@ static int announce(const struct dem_program *prog, struct dem *d, const struct 
         announce_gravity(s);
         if (dem_fluid_effect_names(d)[0])
         {
-            printf("of the fluid: %s\n", dem_fluid_effect_names(d));
+            printf("fluid effects: %s\n", dem_fluid_effect_names(d));
         }
         if (s->coupling)
         {

@@ -87,8 +87,8 @@ void dem_timers_seconds(const struct dem_timers *t, double spent[DEM_PHASES])
 
 const char *dem_phase_name(enum dem_phase phase)
 {
-    static const char *const names[DEM_PHASES] = {"drift", "agree", "refresh", "prune", "contacts", "sums", "bodies", "renew",
-                                                  "averages", "keep", "outside"};
+    static const char *const names[DEM_PHASES] = {"drift", "agree", "refresh", "prune", "contacts", "sums", "bodies", "rebuild",
+                                                  "averages", "backup", "outside"};
 
     return names[phase];
 }
