@@ -1,5 +1,5 @@
 /*
- * bodies.h -- a body tray filled by hand: particles in a fluid, one a row.
+ * bodies.h -- a body batch filled by hand: particles in a fluid, one a row.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -6,17 +6,17 @@
 #ifndef TESTS_EFFECTS_MOMENTS_H
 #define TESTS_EFFECTS_MOMENTS_H
 
-#include "tray.h"
+#include "impacts.h"
 
 static const struct dem_material moments_bead = {"bead", 2500.0, 1e6, 0.25, 0.0};
 static const double moments_pi = 3.14159265358979324;
 
 /* one row by hand: normal z, R* = 4 mm, m* = 1 g, k_n = 1e4 N/m, overlap 1 um, pressed with 10 N */
-static inline struct link *moments_row(struct world *w, const struct dem_effect *effect, const char *name, double value)
+static inline struct impacts_effect *moments_row(struct impacts *w, const struct dem_effect *effect, const char *name, double value)
 {
-    world_wall(w, &moments_bead, &moments_bead, 0.004);
+    impacts_wall(w, &moments_bead, &moments_bead, 0.004);
     w->pair.exponent = 1.5;
-    struct link *const l = world_add(w, effect, name, value);
+    struct impacts_effect *const l = impacts_add(w, effect, name, value);
 
     w->b.n = 1;
     w->b.dt = 1e-6;
@@ -30,19 +30,19 @@ static inline struct link *moments_row(struct world *w, const struct dem_effect 
     return l;
 }
 
-static inline void moments_act(struct world *w, struct link *l)
+static inline void moments_act(struct impacts *w, struct impacts_effect *l)
 {
     w->b.mx[0] = w->b.my[0] = w->b.mz[0] = 0.0;
-    l->effect->apply(l->settings, &w->b, l->memory);
+    l->effect->apply(l->settings, &w->b, l->history);
 }
 
-static inline double moments_size(const struct world *w)
+static inline double moments_size(const struct impacts *w)
 {
     return sqrt(w->b.mx[0]*w->b.mx[0] + w->b.my[0]*w->b.my[0] + w->b.mz[0]*w->b.mz[0]);
 }
 
 /* one row at random, once in axes turned at random: the moment turns with them */
-static inline void moments_axes(struct world *w, const struct dem_effect *effect, const char *name, double value)
+static inline void moments_axes(struct impacts *w, const struct dem_effect *effect, const char *name, double value)
 {
     const double s = sin(0.7), c = cos(0.7), t = sin(1.9), u = cos(1.9);
     const double turned[3][3] = {{c, -s*u, s*t}, {s, c*u, -c*t}, {0.0, t, u}};
@@ -52,7 +52,7 @@ static inline void moments_axes(struct world *w, const struct dem_effect *effect
     for (int pass = 0; pass < 2; pass++)
     {
         double a[4][3];
-        struct link *const l = moments_row(w, effect, name, value);
+        struct impacts_effect *const l = moments_row(w, effect, name, value);
 
         for (int k = 0; k < 4; k++)
         {
@@ -81,9 +81,9 @@ static inline void moments_axes(struct world *w, const struct dem_effect *effect
 }
 
 /* what holds for all: nothing at rest, apart or pulling; refused without a normal law */
-static inline void moments_none(struct world *w, const struct dem_effect *effect, const char *name, double value)
+static inline void moments_none(struct impacts *w, const struct dem_effect *effect, const char *name, double value)
 {
-    struct link *l = moments_row(w, effect, name, value);
+    struct impacts_effect *l = moments_row(w, effect, name, value);
 
     moments_act(w, l);
     TAP_OK(moments_size(w) == 0.0, "at rest: no moment");
@@ -106,35 +106,35 @@ static inline void moments_none(struct world *w, const struct dem_effect *effect
 }
 
 /* overlap at which a Hertzian contact of body 0 with the plane carries its weight */
-static inline double moments_depth(const struct world *w, double weight)
+static inline double moments_depth(const struct impacts *w, double weight)
 {
-    return pow(w->mass[0]*weight/world_hertz(w), 2.0/3.0);
+    return pow(w->mass[0]*weight/impacts_hertz(w), 2.0/3.0);
 }
 
 /*
  * A sphere of 4 mm lies on a plane under 9.81 m/s2 with friction that never slips, and a law of rolling; more settings by
  * settle(). Returns a good time step: a fortieth of the contact time.
  */
-static inline double moments_plane(struct world *w, const struct dem_effect *effect, const char *name, double value, double grip)
+static inline double moments_plane(struct impacts *w, const struct dem_effect *effect, const char *name, double value, double grip)
 {
-    world_wall(w, &moments_bead, &moments_bead, 0.004);
-    world_add(w, &dem_hertz, "impactSpeed", 0.1);
-    world_add(w, &dem_dry, "restitution", 0.5);
-    world_add(w, &dem_mindlin, "friction", grip);
-    world_add(w, effect, name, value);
-    world_lay(w, 9.81, moments_depth(w, 9.81));
-    return world_contact_time(w, 0.1)/40.0;
+    impacts_wall(w, &moments_bead, &moments_bead, 0.004);
+    impacts_add(w, &dem_hertz, "impactSpeed", 0.1);
+    impacts_add(w, &dem_dry, "restitution", 0.5);
+    impacts_add(w, &dem_mindlin, "friction", grip);
+    impacts_add(w, effect, name, value);
+    impacts_lay(w, 9.81, moments_depth(w, 9.81));
+    return impacts_contact_time(w, 0.1)/40.0;
 }
 
 /* how far it has rolled when it first stands still, or -1; *time it took */
-static inline double moments_rest(struct world *w, double dt, double speed, double *time)
+static inline double moments_rest(struct impacts *w, double dt, double speed, double *time)
 {
     *time = 0.0;
     w->v[0][0][0] = speed;
     w->w[0][1][0] = speed/w->radius[0];
     for (int s = 1; s < 1000000; s++)
     {
-        world_step(w, dt);
+        impacts_step(w, dt);
         if (w->v[0][0][0] <= 1e-4*speed)
         {
             *time = s*dt;

@@ -6,7 +6,7 @@
 #ifndef TESTS_EFFECTS_TANGENTIAL_H
 #define TESTS_EFFECTS_TANGENTIAL_H
 
-#include "tray.h"
+#include "impacts.h"
 
 /* Kharaz, Gorham, Salman, Powder Technol. 120 (2001) 281: 5 mm aluminium oxide on soda-lime glass at 3.9 m/s */
 static const struct dem_material tangential_oxide = {"aluminium oxide", 4000.0, 380e9, 0.23, 0.0};
@@ -14,11 +14,11 @@ static const struct dem_material tangential_soda = {"soda-lime glass", 2500.0, 7
 static const double tangential_pi = 3.14159265358979324;
 
 /* one row at rest: normal z, R* = 4 mm, overlap 1 um, k_n = 1e6 N/m, fn = 1 kN, no tangential damping */
-static inline struct link *tangential_row(struct world *w, const struct dem_effect *law, double friction, double damping)
+static inline struct impacts_effect *tangential_row(struct impacts *w, const struct dem_effect *law, double friction, double damping)
 {
-    world_wall(w, &tangential_oxide, &tangential_soda, 0.004);
+    impacts_wall(w, &tangential_oxide, &tangential_soda, 0.004);
     w->pair.exponent = 1.5;
-    struct link *const l = world_add(w, law, "friction", friction);
+    struct impacts_effect *const l = impacts_add(w, law, "friction", friction);
 
     settle(law, l->settings, &w->pair, "tangentialDamping", damping);
     w->b.n = 1;
@@ -32,24 +32,24 @@ static inline struct link *tangential_row(struct world *w, const struct dem_effe
     return l;
 }
 
-static inline void tangential_act(struct world *w, struct link *l)
+static inline void tangential_act(struct impacts *w, struct impacts_effect *l)
 {
     w->b.fx[0] = w->b.fy[0] = w->b.fz[0] = 0.0;
-    l->effect->apply(l->settings, &w->b, l->memory);
+    l->effect->apply(l->settings, &w->b, l->history);
 }
 
-static inline double tangential_size(const struct world *w)
+static inline double tangential_size(const struct impacts *w)
 {
     return sqrt(w->b.fx[0]*w->b.fx[0] + w->b.fy[0]*w->b.fy[0] + w->b.fz[0]*w->b.fz[0]);
 }
 
 /* A loaded spring of a pair that spins about n as one body turns with it and keeps its length; slip at a constant rate in
    space while it turns goes round a circle, and is gone after each turn. */
-static inline void tangential_turns(struct world *w, const struct dem_effect *law)
+static inline void tangential_turns(struct impacts *w, const struct dem_effect *law)
 {
     enum { TURN = 1000 };
     const double angle = 2.0*tangential_pi/TURN, slip = 1e-3;
-    struct link *l = tangential_row(w, law, 0.5, 0.0);
+    struct impacts_effect *l = tangential_row(w, law, 0.5, 0.0);
 
     w->b.sx[0] = slip;
     tangential_act(w, l);
@@ -86,13 +86,13 @@ static inline void tangential_turns(struct world *w, const struct dem_effect *la
 }
 
 /* Slip to and fro in the plane, pressed and let go: in no step does what a row holds grow by more than is put in, damped little or much. */
-static inline void tangential_gives_nothing(struct world *w, const struct dem_effect *law)
+static inline void tangential_gives_nothing(struct impacts *w, const struct dem_effect *law)
 {
     static const double eta[] = {0.0, 0.1, 3.0, 30.0};
 
     for (int m = 0; m < 4; m++)
     {
-        struct link *const l = tangential_row(w, law, 0.5, 1.0);
+        struct impacts_effect *const l = tangential_row(w, law, 0.5, 1.0);
         double worst = 0.0, most = 0.0, before = 0.0;
         int slips = 0;
 
@@ -118,11 +118,11 @@ static inline void tangential_gives_nothing(struct world *w, const struct dem_ef
 }
 
 /* sticking, sliding, pulling, apart; the spring is what k_t says it is */
-static inline void tangential_claims(struct world *w, const struct dem_effect *law)
+static inline void tangential_claims(struct impacts *w, const struct dem_effect *law)
 {
     tangential_turns(w, law);
     tangential_gives_nothing(w, law);
-    struct link *l = tangential_row(w, law, 0.5, 0.0);
+    struct impacts_effect *l = tangential_row(w, law, 0.5, 0.0);
 
     /* a few rounded factors */
     w->b.sx[0] = 2e-3, w->b.sy[0] = -1e-3;
@@ -175,21 +175,21 @@ static inline void tangential_claims(struct world *w, const struct dem_effect *l
 }
 
 /*
- * The set of Kharaz et al. at this angle from the normal, elastic, 16 phases, `steps` a contact time; the links after the
+ * The set of Kharaz et al. at this angle from the normal, elastic, 16 phases, `steps` a contact time; the effects after the
  * wall are the caller's. Tangential speed over the one before; *spin about +y; *energy over the one before.
  */
-static inline double tangential_throw(struct world *w, double angle, double dt, int most, double *spin, double *energy)
+static inline double tangential_throw(struct impacts *w, double angle, double dt, int most, double *spin, double *energy)
 {
     const double a = angle*tangential_pi/180.0, vn = 3.9*cos(a), vt = 3.9*sin(a);
     double sum = 0.0;
 
     w->friction = 0.092;
-    world_aim(w, 16, dt, vn);
+    impacts_aim(w, 16, dt, vn);
     for (int c = 0; c < 16; c++)
     {
         w->v[0][0][c] = vt;
     }
-    TAP_OK(world_impact(w, dt, most) > 0, "%g degrees: parts again", angle);
+    TAP_OK(impacts_impact(w, dt, most) > 0, "%g degrees: parts again", angle);
     TAP_NEAR(fmax(w->worst_friction, 0.0), 0.0, 1e-11, "friction was never above mu max(fn, 0)");    /* rounding of 1e3 N */
     for (int c = 0; c < 16; c++)
     {

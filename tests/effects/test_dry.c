@@ -5,36 +5,36 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "tray.h"
+#include "impacts.h"
 
 static const struct dem_material oxide = {"aluminium oxide", 4000.0, 380e9, 0.23, 0.0};
 static const struct dem_material rigid = {"rigid", 1.0, INFINITY, 0.3, 0.0};
-static struct world w;
+static struct impacts w;
 
 static const double linear_stiffness = 1e6;
 
 /* aluminium oxide, 2.5 mm, on a rigid plane; mean over 16 phases */
 static double bounce(double e, double speed, int clamped, int steps)
 {
-    world_wall(&w, &oxide, &rigid, 0.0025);
-    const double dt = world_contact_time(&w, speed)/steps;
+    impacts_wall(&w, &oxide, &rigid, 0.0025);
+    const double dt = impacts_contact_time(&w, speed)/steps;
 
-    world_add(&w, &dem_hertz, "impactSpeed", speed);
-    struct link *const dry = world_add(&w, &dem_dry, "restitution", e);
+    impacts_add(&w, &dem_hertz, "impactSpeed", speed);
+    struct impacts_effect *const dry = impacts_add(&w, &dem_dry, "restitution", e);
     settle(&dem_dry, dry->settings, &w.pair, "attraction", clamped);
-    world_aim(&w, 16, dt, speed);
-    return world_impact(&w, dt, 20*steps) > 0 ? world_parting(&w)/speed : NAN;
+    impacts_aim(&w, 16, dt, speed);
+    return impacts_impact(&w, dt, 20*steps) > 0 ? impacts_parting(&w)/speed : NAN;
 }
 
 static double bounce_linear(double e, double speed, int steps)
 {
-    world_wall(&w, &oxide, &rigid, 0.0025);
+    impacts_wall(&w, &oxide, &rigid, 0.0025);
     const double dt = 3.14159265358979324*sqrt(w.mass[0]/linear_stiffness)/steps;
 
-    world_add(&w, &dem_hooke, "stiffness", linear_stiffness);
-    world_add(&w, &dem_dry, "restitution", e);
-    world_aim(&w, 16, dt, speed);
-    return world_impact(&w, dt, 20*steps) > 0 ? world_parting(&w)/speed : NAN;
+    impacts_add(&w, &dem_hooke, "stiffness", linear_stiffness);
+    impacts_add(&w, &dem_dry, "restitution", e);
+    impacts_aim(&w, 16, dt, speed);
+    return impacts_impact(&w, dt, 20*steps) > 0 ? impacts_parting(&w)/speed : NAN;
 }
 
 /*
@@ -76,10 +76,10 @@ static void clamped(void)
 
 static void row(double e, int attraction, double exponent, double vn, double *fn, double *eta)
 {
-    world_wall(&w, &oxide, &rigid, 0.0025);
-    world_add(&w, &dem_hertz, "impactSpeed", 1.0);
+    impacts_wall(&w, &oxide, &rigid, 0.0025);
+    impacts_add(&w, &dem_hertz, "impactSpeed", 1.0);
     w.pair.exponent = exponent;
-    struct link *const dry = world_add(&w, &dem_dry, "restitution", e);
+    struct impacts_effect *const dry = impacts_add(&w, &dem_dry, "restitution", e);
     settle(&dem_dry, dry->settings, &w.pair, "attraction", attraction);
     w.b.n = 2;
     w.b.reduced_mass[0] = w.b.reduced_mass[1] = 0.01;
@@ -87,7 +87,7 @@ static void row(double e, int attraction, double exponent, double vn, double *fn
     w.b.fn[0] = 7.0;
     w.b.vn[0] = w.b.vn[1] = vn;
     w.b.fn[1] = 0.0;
-    dem_dry.apply(dry->settings, &w.b, dry->memory);
+    dem_dry.apply(dry->settings, &w.b, dry->history);
     *fn = w.b.fn[0];
     *eta = w.b.eta[0];
 }
@@ -107,7 +107,7 @@ static void closed_forms(void)
     TAP_OK(fn == 0.0, "clamped, it does not");
     w.b.fn[0] = -7.0;
     w.b.vn[0] = 0.5;
-    dem_dry.apply(w.link[1].settings, &w.b, w.link[1].memory);
+    dem_dry.apply(w.effect_entry[1].settings, &w.b, w.effect_entry[1].history);
     TAP_OK(w.b.fn[0] < -7.0, "but what pulls by itself, adhesion, is left as it is");
     row(0.3, 0, 1.5, -0.5, &fn, &eta);
     TAP_NEAR(eta, sqrt(5.0)*beta0*100.0, 1e-12, "hertz: sqrt(5) beta sqrt(m k)");

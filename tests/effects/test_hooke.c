@@ -5,27 +5,27 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "tray.h"
+#include "impacts.h"
 
 static const struct dem_material glass = {"glass", 2500.0, 1e7, 0.3, 0.0}, stone = {"stone", 2700.0, 5e7, 0.2, 0.0};
 static const double pi = 3.14159265358979324;
-static struct world w;
+static struct impacts w;
 
 /* an impact of equal spheres of 1 mm on the spring k, `steps` a contact; attraction -1: no damping */
 static double impact(double k, double v, double e, int attraction, int steps)
 {
-    world_spheres(&w, &glass, &glass, 1e-3, 1e-3);
+    impacts_spheres(&w, &glass, &glass, 1e-3, 1e-3);
     const double dt = pi*sqrt(w.pair.min_mass/k)/steps;
 
-    world_add(&w, &dem_hooke, "stiffness", k);
+    impacts_add(&w, &dem_hooke, "stiffness", k);
     if (attraction >= 0)
     {
-        struct link *const dry = world_add(&w, &dem_dry, "restitution", e);
+        struct impacts_effect *const dry = impacts_add(&w, &dem_dry, "restitution", e);
 
         settle(&dem_dry, dry->settings, &w.pair, "attraction", attraction);
     }
-    world_aim(&w, 16, dt, v);
-    return world_impact(&w, dt, 20*steps) > 0 ? world_parting(&w)/v : NAN;
+    impacts_aim(&w, 16, dt, v);
+    return impacts_impact(&w, dt, 20*steps) > 0 ? impacts_parting(&w)/v : NAN;
 }
 
 /* e that comes out when the dashpot may not pull, of a linear spring: the contact ends where the force is zero */
@@ -38,8 +38,8 @@ static double clamped(double e)
 
 static void law(void)
 {
-    world_spheres(&w, &glass, &stone, 1e-3, 3e-3);
-    struct link *const l = world_add(&w, &dem_hooke, "stiffness", 1000.0);
+    impacts_spheres(&w, &glass, &stone, 1e-3, 3e-3);
+    struct impacts_effect *const l = impacts_add(&w, &dem_hooke, "stiffness", 1000.0);
 
     w.b.n = 2;
     w.b.touching[0] = 1.0, w.b.overlap[0] = 1e-5;
@@ -48,7 +48,7 @@ static void law(void)
     {
         w.b.reduced_radius[c] = 0.75e-3, w.b.reduced_mass[c] = 1e-5;
     }
-    dem_hooke.apply(l->settings, &w.b, l->memory);
+    dem_hooke.apply(l->settings, &w.b, l->history);
     TAP_NEAR(w.b.fn[0], 3.0 + 1000.0*1e-5, 1e-15, "adds k d to the force");                     /* rounding */
     TAP_OK(w.b.kn[0] == 1000.0 && w.b.kn[1] == 0.0 && w.b.fn[1] == 3.0, "a row apart gets nothing");
 
@@ -61,19 +61,19 @@ static void law(void)
         const double hertz = pow(15.0*m*v*v/(16.0*E*sqrt(R)), 0.4);
 
         settle(&dem_hooke, l->settings, &w.pair, "impactSpeed", v);
-        dem_hooke.apply(l->settings, &w.b, l->memory);
+        dem_hooke.apply(l->settings, &w.b, l->history);
         TAP_NEAR(w.b.kn[0]/note, 1.0, 1e-14, "k for %g m/s: %g N/m", v, note);
         TAP_NEAR(v*sqrt(m/w.b.kn[0])/hertz, 1.0, 1e-14, "overlaps as far as Hertz's, %g m", hertz);
         TAP_OK(w.b.kn[1] == 0.0, "a row apart: no stiffness");
     }
     /* the reference pair of the note: E* 5.4945055e6 Pa, R* 0.5 mm, m* 5.2359878e-6 kg at 1 m/s; ten digits printed */
-    world_spheres(&w, &glass, &glass, 1e-3, 1e-3);
-    struct link *const reference = world_add(&w, &dem_hooke, "impactSpeed", 1.0);
+    impacts_spheres(&w, &glass, &glass, 1e-3, 1e-3);
+    struct impacts_effect *const reference = impacts_add(&w, &dem_hooke, "impactSpeed", 1.0);
 
     w.b.n = 1;
     w.b.touching[0] = 1.0;
     w.b.reduced_radius[0] = w.pair.min_radius, w.b.reduced_mass[0] = w.pair.min_mass;
-    dem_hooke.apply(reference->settings, &w.b, reference->memory);
+    dem_hooke.apply(reference->settings, &w.b, reference->history);
     TAP_NEAR(w.b.kn[0], 1090.8212625, 1e-7, "the reference pair: 1090.8212625 N/m");
 }
 
@@ -96,8 +96,8 @@ static void limits(void)
 {
     const char *why = "";
 
-    world_spheres(&w, &glass, &glass, 1e-3, 1e-3);
-    struct link *const l = world_add(&w, &dem_hooke, "stiffness", 1000.0);
+    impacts_spheres(&w, &glass, &glass, 1e-3, 1e-3);
+    struct impacts_effect *const l = impacts_add(&w, &dem_hooke, "stiffness", 1000.0);
     const double contact = 0.05*pi*sqrt(w.pair.min_mass/1000.0);
 
     /* rounding, of dem_pow too */

@@ -1,26 +1,26 @@
 /*
- * Claims: a scripted path of loading, unloading, sticking and loading again has the forces, the memory and the work of an
+ * Claims: a scripted path of loading, unloading, sticking and loading again has the forces, the history and the work of an
  * independent program (hysteresis_loop.csv); the special points of the law are those of its closed forms; impacts return
  * the closed form of e(v), below and above the speed at which yielding ends, or stick and then never gain energy; no
  * closed loop gives work; a second evaluation changes nothing; the guards k_m = k and phi = 0 are linear springs.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "tray.h"
+#include "impacts.h"
 
 #include "core/random.h"
 
 static const struct dem_material bead = {"bead", 2500.0, 1e7, 0.3, 0.0};
 static const double pi = 3.14159265358979324;
-static struct world w;
+static struct impacts w;
 
 /* the reference pair: two spheres of 1 mm radius, k_m = 5 k, phi = 0.05, k from 1 m/s */
 static const double k = 1090.8212625, d_lim = 6.25e-5;
 
-static struct link *pair_of(double unloading, double adhesion, double depth)
+static struct impacts_effect *pair_of(double unloading, double adhesion, double depth)
 {
-    world_spheres(&w, &bead, &bead, 1e-3, 1e-3);
-    struct link *const l = world_add(&w, &dem_hooke_hysteresis, "unloading", unloading);
+    impacts_spheres(&w, &bead, &bead, 1e-3, 1e-3);
+    struct impacts_effect *const l = impacts_add(&w, &dem_hooke_hysteresis, "unloading", unloading);
 
     settle(&dem_hooke_hysteresis, l->settings, &w.pair, "adhesion", adhesion);
     settle(&dem_hooke_hysteresis, l->settings, &w.pair, "plasticDepth", depth);
@@ -34,19 +34,19 @@ static struct link *pair_of(double unloading, double adhesion, double depth)
     return l;
 }
 
-/* the force of row 0 at this overlap, memory cleared apart as the house does */
-static double at(struct link *l, double overlap)
+/* the force of row 0 at this overlap, history cleared where surfaces are apart, as the sweep does */
+static double at(struct impacts_effect *l, double overlap)
 {
     w.b.overlap[0] = overlap > 0.0 ? overlap : 0.0;
     w.b.touching[0] = overlap > 0.0 ? 1.0 : 0.0;
     w.b.fn[0] = 0.0;
-    l->effect->apply(l->settings, &w.b, l->memory);
+    l->effect->apply(l->settings, &w.b, l->history);
     l->column[0][0] *= w.b.touching[0];
     return w.b.fn[0];
 }
 
 /* to this overlap in 1000 increments, work by trapezoids */
-static double leg(struct link *l, double *from, double to, double *work)
+static double leg(struct impacts_effect *l, double *from, double to, double *work)
 {
     const double start = *from;
     double force = at(l, start);
@@ -67,7 +67,7 @@ static double leg(struct link *l, double *from, double to, double *work)
 static void path(void)
 {
     static const double turn[] = {0.5, 0.3, 0.5, 0.8, 0.2, 0.05, 0.4, 0.8, 1.0, 1.5, 1.1, 0.7, 0.3, 0.1, 0.6, 1.2, 0.0, 0.2, 0.0};
-    struct link *const l = pair_of(5.0, 1.0, 0.05);
+    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05);
     FILE *const table = fopen("effects/hysteresis_loop.csv", "r");
     double work = 0.0, before = 0.0, d = 0.0;
     double worst[3] = {0.0, 0.0, 0.0};
@@ -120,7 +120,7 @@ static void points(void)
 
     for (int r = 0; r < 5; r++)
     {
-        struct link *const l = pair_of(5.0, 1.0, 0.05);
+        struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05);
         const double *const t = table[r], most = t[0]*d_lim;
         double d = 0.0, work = 0.0;
 
@@ -168,8 +168,8 @@ static void impacts(void)
             {
                 continue;                                 /* between sticking and not */
             }
-            world_aim(&w, 16, dt, v);
-            const int steps = world_impact(&w, dt, 3000);
+            impacts_aim(&w, 16, dt, v);
+            const int steps = impacts_impact(&w, dt, 3000);
 
             if (expected < 0.0)
             {
@@ -178,7 +178,7 @@ static void impacts(void)
             }
             /* at a usual step, t_c(k_m)/50: the mean over the phases of contact within 0.005 */
             TAP_OK(steps > 0, "k_c/k %g, v/v_lim %g: parts", adhesion[a], speed[s]);
-            TAP_NEAR(world_parting(&w)/v, sqrt(expected), 5e-3, "with e = %.4f", sqrt(expected));
+            TAP_NEAR(impacts_parting(&w)/v, sqrt(expected), 5e-3, "with e = %.4f", sqrt(expected));
         }
     }
 }
@@ -186,18 +186,18 @@ static void impacts(void)
 /* a pair that sticks swings on for ever; its largest kinetic energy in 10000 steps never grows */
 static void sticking(void)
 {
-    struct link *const l = pair_of(5.0, 1.0, 0.05);
+    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05);
     const double m = w.pair.min_mass, v = 0.8*d_lim*sqrt(k/m), dt = pi*sqrt(m/(5.0*k))/20.0;
     double before = 0.0, worst = 0.0, widest = 0.0;
 
-    world_aim(&w, 16, dt, v);
+    impacts_aim(&w, 16, dt, v);
     for (int span = 0; span < 10; span++)
     {
         double most = 0.0;
 
         for (int s = 0; s < 10000; s++)
         {
-            world_step(&w, dt);
+            impacts_step(&w, dt);
             for (int c = 0; c < 16; c++)
             {
                 const double u = w.v[0][2][c] - w.v[1][2][c];
@@ -231,7 +231,7 @@ static void loops(void)
 
     for (int a = 0; a < 3; a++)
     {
-        struct link *const l = pair_of(5.0, adhesion[a], 0.05);
+        struct impacts_effect *const l = pair_of(5.0, adhesion[a], 0.05);
         double d[DEM_BATCH_ROWS] = {0}, force[DEM_BATCH_ROWS] = {0}, work[DEM_BATCH_ROWS] = {0};
         double target[DEM_BATCH_ROWS] = {0}, from[DEM_BATCH_ROWS] = {0}, least = 1e300;
 
@@ -251,7 +251,7 @@ static void loops(void)
                     w.b.touching[c] = w.b.overlap[c] > 0.0 ? 1.0 : 0.0;
                     w.b.fn[c] = 0.0;
                 }
-                l->effect->apply(l->settings, &w.b, l->memory);
+                l->effect->apply(l->settings, &w.b, l->history);
                 for (int c = 0; c < DEM_BATCH_ROWS; c++)
                 {
                     work[c] += 0.5*(force[c] + w.b.fn[c])*(w.b.overlap[c] - d[c]);
@@ -269,7 +269,7 @@ static void loops(void)
         TAP_OK(least > -1e-4, "k_c/k %g: 128 random loops take %.3g k d_lim^2 or more", adhesion[a], least);
     }
 
-    struct link *const l = pair_of(5.0, 1.0, 0.05);
+    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05);
     double least = 1e300;
 
     for (int t = 0; t < 300; t++)
@@ -293,7 +293,7 @@ static void loops(void)
 
 static void again(void)
 {
-    struct link *const l = pair_of(5.0, 1.0, 0.05);
+    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05);
     static const double turn[] = {0.7, 0.5, 0.2, 0.05, 0.3, 1.3, 0.8, 0.1};
     double worst = 0.0, d = 0.0, unused = 0.0;
 
@@ -309,7 +309,7 @@ static void again(void)
 
 static void guards(void)
 {
-    struct link *l = pair_of(1.0, 1.0, 0.05);
+    struct impacts_effect *l = pair_of(1.0, 1.0, 0.05);
     double d = 0.0, work = 0.0;
 
     TAP_NEAR(leg(l, &d, d_lim, &work), k*d_lim, 1e-9*k*d_lim, "k_m = k: a linear spring");
@@ -333,7 +333,7 @@ static void guards(void)
 
     /* with dry the dashpot refers to k; clamped it leaves the pull of adhesion */
     l = pair_of(5.0, 1.0, 0.05);
-    struct link *const dry = world_add(&w, &dem_dry, "restitution", 0.5);
+    struct impacts_effect *const dry = impacts_add(&w, &dem_dry, "restitution", 0.5);
 
     settle(&dem_dry, dry->settings, &w.pair, "attraction", 1.0);
     d = 0.0;
@@ -342,7 +342,7 @@ static void guards(void)
     w.b.vn[0] = 0.01;
     const double loss = log(2.0), eta = 2.0*loss/sqrt(pi*pi + loss*loss)*sqrt(k*w.pair.min_mass), pull = w.b.fn[0];
 
-    dem_dry.apply(dry->settings, &w.b, dry->memory);
+    dem_dry.apply(dry->settings, &w.b, dry->history);
     TAP_NEAR(w.b.eta[0], eta, 1e-9*eta, "dry: the dashpot refers to k");                  /* digits of k */
     TAP_NEAR(w.b.fn[0], pull - 0.01*eta, 1e-12*k*d_lim, "and clamped it leaves the pull of %g N", pull);
     TAP_OK(pull < 0.0, "which is one");
@@ -351,7 +351,7 @@ static void guards(void)
 /* friction's limit is mu (F_n + k_c d): where nothing presses mu k_c d, where it sticks the most nothing; or mu max(F_n, 0) */
 static void friction(void)
 {
-    struct link *const l = pair_of(5.0, 1.0, 0.05), *const rubs = world_add(&w, &dem_linear, "friction", 0.4);
+    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05), *const rubs = impacts_add(&w, &dem_linear, "friction", 0.4);
     double d = 0.0, work = 0.0, limit = 0.0;
     const double k_2 = 1.0 + 4.0*0.8, balance = (1.0 - 1.0/k_2)*0.8*d_lim;    /* k_2 (d - d_max) + k d_max = 0 */
 
@@ -364,7 +364,7 @@ static void friction(void)
         w.b.hz[0] = w.b.nz[0] = 1.0;
         w.b.nx[0] = w.b.ny[0] = w.b.hx[0] = w.b.hy[0] = 0.0;
         w.b.dt = 1.0, w.b.sx[0] = 1.0, w.b.sy[0] = w.b.sz[0] = w.b.fx[0] = w.b.fy[0] = w.b.fz[0] = 0.0;
-        dem_linear.apply(rubs->settings, &w.b, rubs->memory);
+        dem_linear.apply(rubs->settings, &w.b, rubs->history);
         TAP_NEAR(-w.b.fx[0], limit, 1e-6*k*d_lim, "friction at %g N: %g N", w.b.fn[0], limit);     /* of 1000 increments of a leg */
         leg(l, &d, 0.8*d_lim, &work);
     }

@@ -1,6 +1,6 @@
 /*
  * Claims: the drag is that of Hill, Koch and Ladd: the tabulated values, Stokes' for a lone creeping sphere with its first
- * correction 3 sqrt(s/2), Carman's 10 s/e^3 in dense swarms, a step of 1 % at s = 0.4; half of Re counts.
+ * correction 3 sqrt(s/2), Carman's 10 s/e^3 in dense suspensions, a step of 1 % at s = 0.4; half of Re counts.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -7,11 +7,11 @@
  */
 #include "tangential.h"
 
-static struct world w;
+static struct impacts w;
 
 static void stiffness(void)
 {
-    struct link *l = tangential_row(&w, &dem_linear, 0.5, 0.0);
+    struct impacts_effect *l = tangential_row(&w, &dem_linear, 0.5, 0.0);
 
     w.b.sx[0] = 1e-3;
     tangential_act(&w, l);
@@ -39,18 +39,18 @@ static void sticks(void)
 
     for (int r = 0; r < 6; r++)
     {
-        world_wall(&w, &tangential_oxide, &tangential_soda, 0.0025);
+        impacts_wall(&w, &tangential_oxide, &tangential_soda, 0.0025);
         const double dt = tangential_pi*sqrt(w.mass[0]/k)/4000.0;
 
-        world_add(&w, &dem_hooke, "stiffness", k);
-        struct link *const l = world_add(&w, &dem_linear, "friction", 100.0);
+        impacts_add(&w, &dem_hooke, "stiffness", k);
+        struct impacts_effect *const l = impacts_add(&w, &dem_linear, "friction", 100.0);
         settle(&dem_linear, l->settings, &w.pair, "ratio", ratio[r]);
-        world_aim(&w, 16, dt, v);
+        impacts_aim(&w, 16, dt, v);
         for (int c = 0; c < 16; c++)
         {
             w.v[0][0][c] = 0.1*v;
         }
-        TAP_OK(world_impact(&w, dt, 8000) > 0, "parts again");
+        TAP_OK(impacts_impact(&w, dt, 8000) > 0, "parts again");
         const double slip = (mean(w.v[0][0], 16) - 0.0025*mean(w.w[0][1], 16))/(0.1*v);
 
         /* the first and the last step of a contact are cut by half a step on average: pi sqrt(7/2 ratio)/4000 */
@@ -71,11 +71,11 @@ static void oblique(void)
     {
         double spin, energy;
 
-        world_wall(&w, &tangential_oxide, &tangential_soda, 0.0025);
+        impacts_wall(&w, &tangential_oxide, &tangential_soda, 0.0025);
         const double dt = tangential_pi*sqrt(w.mass[0]/1.72e7)/4000.0;
 
-        world_add(&w, &dem_hooke, "stiffness", 1.72e7);
-        struct link *const l = world_add(&w, &dem_linear, "friction", 0.092);
+        impacts_add(&w, &dem_hooke, "stiffness", 1.72e7);
+        struct impacts_effect *const l = impacts_add(&w, &dem_linear, "friction", 0.092);
         settle(&dem_linear, l->settings, &w.pair, "stiffness", 1.48e7);
         const double et = tangential_throw(&w, table[t][0], dt, 8000, &spin, &energy);
 

@@ -5,7 +5,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "tray.h"
+#include "impacts.h"
 
 #include "core/random.h"
 
@@ -16,7 +16,7 @@ enum
 
 static const struct dem_material bead = {"bead", 2500.0, 1e7, 0.3, 0.0};
 static const double dt = 1e-6, deepest = 5e-5;            /* s, m: a fortieth of the diameter */
-static struct world w;
+static struct impacts w;
 
 static double drawn(int row, int leg, int use)
 {
@@ -25,7 +25,7 @@ static double drawn(int row, int leg, int use)
 
 static void begin(void)
 {
-    world_spheres(&w, &bead, &bead, 1e-3, 1e-3);
+    impacts_spheres(&w, &bead, &bead, 1e-3, 1e-3);
     w.b.n = DEM_BATCH_ROWS;
     w.b.dt = w.b.max_dt = dt;
     for (int c = 0; c < DEM_BATCH_ROWS; c++)
@@ -53,7 +53,7 @@ static void add(const struct dem_effect *e)
     {
         if (strcmp(felt[k].word, e->name) == 0)
         {
-            struct link *const l = world_add(&w, e, felt[k].setting, felt[k].value);
+            struct impacts_effect *const l = impacts_add(&w, e, felt[k].setting, felt[k].value);
 
             if (strcmp(e->name, "hookeHysteresis") == 0)
             {
@@ -91,15 +91,15 @@ static void put(int c, double gap, double rate, double slip_x, double slip_y)
 
 static void act(void)
 {
-    for (int k = 0; k < w.links; k++)
+    for (int k = 0; k < w.effects; k++)
     {
-        struct link *const l = &w.link[k];
+        struct impacts_effect *const l = &w.effect_entry[k];
 
         if (l->effect->set_adhesion)
         {
-            l->effect->set_adhesion(l->settings, &w.b, l->memory);
+            l->effect->set_adhesion(l->settings, &w.b, l->history);
         }
-        l->effect->apply(l->settings, &w.b, l->memory);
+        l->effect->apply(l->settings, &w.b, l->history);
         for (int m = 0; l->effect->stage < DEM_STAGE_BOND && l->effect->history && l->effect->history[m]; m++)
         {
             for (int c = 0; c < DEM_BATCH_ROWS; c++)

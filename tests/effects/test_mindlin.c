@@ -11,16 +11,16 @@
 static const struct dem_material oxide = {"aluminium oxide", 4000.0, 380e9, 0.23, 0.0}, soda = {"soda-lime glass", 2500.0, 70e9, 0.25, 0.0};
 static const struct dem_material aluminium = {"aluminium", 2700.0, 70e9, 0.33, 0.0}, rigid = {"rigid", 1.0, INFINITY, 0.3, 0.0};
 static const double pi = 3.14159265358979324;
-static struct world w;
+static struct impacts w;
 
 /* ---- one row by hand ------------------------------------------------------------------------------------------ */
 
 /* a row at rest: normal z, R* = 4 mm, overlap 1 um, fn = 10 N */
-static struct link *row(double friction, double damping)
+static struct impacts_effect *row(double friction, double damping)
 {
-    world_wall(&w, &oxide, &soda, 0.004);
+    impacts_wall(&w, &oxide, &soda, 0.004);
     w.pair.exponent = 1.5;
-    struct link *const l = world_add(&w, &dem_mindlin, "friction", friction);
+    struct impacts_effect *const l = impacts_add(&w, &dem_mindlin, "friction", friction);
 
     settle(&dem_mindlin, l->settings, &w.pair, "tangentialDamping", damping);
     w.b.n = 1;
@@ -33,10 +33,10 @@ static struct link *row(double friction, double damping)
     return l;
 }
 
-static void act(struct link *l)
+static void act(struct impacts_effect *l)
 {
     w.b.fx[0] = w.b.fy[0] = w.b.fz[0] = 0.0;
-    dem_mindlin.apply(l->settings, &w.b, l->memory);
+    dem_mindlin.apply(l->settings, &w.b, l->history);
 }
 
 static double friction_now(void)
@@ -46,7 +46,7 @@ static double friction_now(void)
 
 static void sticking(void)
 {
-    struct link *l = row(0.5, 0.0);
+    struct impacts_effect *l = row(0.5, 0.0);
     const double kt = 8.0*w.pair.reduced_shear*sqrt(0.004*1e-6);
 
     /* a few rounded factors: 1e-14 of the force */
@@ -81,7 +81,7 @@ static void sticking(void)
 
 static void sliding(void)
 {
-    struct link *const l = row(0.5, 1.0);
+    struct impacts_effect *const l = row(0.5, 1.0);
     const double kt = 8.0*w.pair.reduced_shear*sqrt(0.004*1e-6);
 
     w.b.eta[0] = 30.0;
@@ -107,7 +107,7 @@ static void sliding(void)
 
 static void apart(void)
 {
-    struct link *const l = row(0.5, 1.0);
+    struct impacts_effect *const l = row(0.5, 1.0);
 
     w.b.touching[0] = w.b.overlap[0] = w.b.fn[0] = 0.0;
     w.b.sx[0] = 3.0;
@@ -116,7 +116,7 @@ static void apart(void)
     TAP_OK(friction_now() == 0.0 && w.b.kt[0] == 0.0 && l->column[0][0] == 0.0,
            "a row apart gets nothing and keeps nothing");
 
-    struct link *const smooth = row(0.0, 1.0);
+    struct impacts_effect *const smooth = row(0.0, 1.0);
 
     w.b.sx[0] = 3.0;
     w.b.eta[0] = 30.0;
@@ -140,7 +140,7 @@ static void apart(void)
  */
 static double turn(int steps, double step, double swing, double *lean, double *back)
 {
-    struct link *const l = row(1.0, 0.0);
+    struct impacts_effect *const l = row(1.0, 0.0);
     double worst = 0.0, before[2] = {1.0, 0.0};
 
     w.b.fn[0] = 1e9;                                      /* sticks */
@@ -199,7 +199,7 @@ static void axes(void)
     for (int pass = 0; pass < 2; pass++)
     {
         double a[4][3];
-        struct link *const l = row(0.5, 1.0);
+        struct impacts_effect *const l = row(0.5, 1.0);
 
         for (int k = 0; k < 4; k++)
         {
@@ -228,21 +228,21 @@ static void axes(void)
 
 static void impact(double friction, double e, int clamped, double vn, double vt, double spin_y, int steps)
 {
-    const double dt = world_contact_time(&w, vn)/steps;
+    const double dt = impacts_contact_time(&w, vn)/steps;
 
-    world_add(&w, &dem_hertz, "impactSpeed", vn);
-    struct link *const dry = world_add(&w, &dem_dry, "restitution", e);
+    impacts_add(&w, &dem_hertz, "impactSpeed", vn);
+    struct impacts_effect *const dry = impacts_add(&w, &dem_dry, "restitution", e);
     settle(&dem_dry, dry->settings, &w.pair, "attraction", clamped);
-    world_add(&w, &dem_mindlin, "friction", friction);
+    impacts_add(&w, &dem_mindlin, "friction", friction);
     w.friction = friction;
-    world_aim(&w, 16, dt, vn);
+    impacts_aim(&w, 16, dt, vn);
     for (int c = 0; c < 16; c++)
     {
         w.v[0][0][c] = vt;
         w.w[0][1][c] = spin_y;
         w.w[1][1][c] = w.mass[1] > 0.0 ? spin_y : 0.0;
     }
-    TAP_OK(world_impact(&w, dt, 20*steps) > 0, "parts again");
+    TAP_OK(impacts_impact(&w, dt, 20*steps) > 0, "parts again");
     /* |F| cut/size may round up by two units in the last place of 1e4 N */
     TAP_NEAR(fmax(w.worst_friction, 0.0), 0.0, 1e-11, "friction was never above mu max(fn, 0)");
 }
@@ -258,14 +258,14 @@ static double ratio(double friction)
 
     for (int c = 0; c < 16; c++)
     {
-        sum += w.friction_impulse[c]/(friction*w.push_impulse[c])/16.0;
+        sum += w.friction_impulse[c]/(friction*w.normal_impulse[c])/16.0;
     }
     return sum;
 }
 
 static void signs(void)
 {
-    world_wall(&w, &oxide, &soda, 0.0025);
+    impacts_wall(&w, &oxide, &soda, 0.0025);
     impact(0.3, 0.9, 0, 1.0, 2.0, 0.0, 400);
     TAP_OK(of(w.v[0][0]) < 2.0 && of(w.v[0][0]) > 0.0, "a sphere sliding to +x on the plane below it is slowed");
     TAP_OK(of(w.w[0][1]) > 0.0, "and starts to roll to +x: spin about +y, %g 1/s", of(w.w[0][1]));
@@ -273,7 +273,7 @@ static void signs(void)
     TAP_NEAR(of(w.w[0][1])*0.0025, 2.5*(2.0 - of(w.v[0][0])), 1e-12, "R w = 5/2 of the speed lost");
     TAP_OK(of(w.v[0][1]) == 0.0 && of(w.w[0][0]) == 0.0 && of(w.w[0][2]) == 0.0, "nothing sideways");
 
-    world_spheres(&w, &aluminium, &aluminium, 0.1, 0.1);
+    impacts_spheres(&w, &aluminium, &aluminium, 0.1, 0.1);
     impact(0.4, 0.5, 0, 0.4, 0.0, 8.0, 400);
     TAP_OK(of(w.w[0][1]) < 8.0 && of(w.w[1][1]) < 8.0, "two spheres of like spin: both are slowed");
     TAP_NEAR(of(w.w[0][1]), of(w.w[1][1]), 1e-12, "alike");
@@ -292,7 +292,7 @@ static void full_sliding(void)
     {
         for (int clamped = 0; clamped < 2; clamped++)
         {
-            world_wall(&w, &aluminium, &rigid, 0.1);
+            impacts_wall(&w, &aluminium, &rigid, 0.1);
             const double slip = 3.5*0.4*1.5*0.2/x[k];
 
             impact(0.4, 0.5, clamped, 0.2, 0.0, -slip/0.1, 4000);
@@ -307,7 +307,7 @@ static void full_sliding(void)
             }
         }
     }
-    world_wall(&w, &oxide, &soda, 0.0025);
+    impacts_wall(&w, &oxide, &soda, 0.0025);
     impact(0.092, 1.0, 0, 3.9*cos(pi/3.0), 3.9*sin(pi/3.0), 0.0, 400);
     const double vn = 3.9*cos(pi/3.0), vt = 3.9*sin(pi/3.0);
 
@@ -320,18 +320,18 @@ static void full_sliding(void)
 /* opposite spins that match: the surfaces roll on each other and nothing happens to them */
 static void gears(void)
 {
-    world_spheres(&w, &aluminium, &aluminium, 0.1, 0.1);
-    const double dt = world_contact_time(&w, 0.4)/400.0;
+    impacts_spheres(&w, &aluminium, &aluminium, 0.1, 0.1);
+    const double dt = impacts_contact_time(&w, 0.4)/400.0;
 
-    world_add(&w, &dem_hertz, "impactSpeed", 0.4);
-    world_add(&w, &dem_dry, "restitution", 0.5);
-    world_add(&w, &dem_mindlin, "friction", 0.4);
-    world_aim(&w, 16, dt, 0.4);
+    impacts_add(&w, &dem_hertz, "impactSpeed", 0.4);
+    impacts_add(&w, &dem_dry, "restitution", 0.5);
+    impacts_add(&w, &dem_mindlin, "friction", 0.4);
+    impacts_aim(&w, 16, dt, 0.4);
     for (int c = 0; c < 16; c++)
     {
         w.w[0][1][c] = 20.0, w.w[1][1][c] = -20.0;
     }
-    TAP_OK(world_impact(&w, dt, 4000) > 0, "parts again");
+    TAP_OK(impacts_impact(&w, dt, 4000) > 0, "parts again");
     TAP_OK(of(w.w[0][1]) == 20.0 && of(w.w[1][1]) == -20.0 && of(w.v[0][0]) == 0.0,
            "matching spins stay as they are");
 }
@@ -352,7 +352,7 @@ static void oblique(void)
     {
         const double angle = kharaz[k][0]*pi/180.0, vn = 3.9*cos(angle), vt = 3.9*sin(angle);
 
-        world_wall(&w, &oxide, &soda, 0.0025);
+        impacts_wall(&w, &oxide, &soda, 0.0025);
         impact(0.092, 1.0, 0, vn, vt, 0.0, 4000);
         /* the first step loads the spring with its whole slip however late in it contact began: half a step in 4000 on
            average, felt only where the contact sticks from the start (2 degrees: 5e-5 of the speed, 0.006 1/s) */

@@ -7,10 +7,10 @@
  */
 #include "tangential.h"
 
-static struct world w;
+static struct impacts w;
 
 /* one step at this overlap and slip; the force */
-static double step(struct link *l, double overlap, double slip)
+static double step(struct impacts_effect *l, double overlap, double slip)
 {
     w.b.overlap[0] = overlap;
     w.b.sx[0] = slip/1e-6;
@@ -20,7 +20,7 @@ static double step(struct link *l, double overlap, double slip)
 
 static void pressing(void)
 {
-    struct link *const l = tangential_row(&w, &dem_mindlin_incremental, 100.0, 0.0);
+    struct impacts_effect *const l = tangential_row(&w, &dem_mindlin_incremental, 100.0, 0.0);
     const double k = 8.0*w.pair.reduced_shear*sqrt(0.004*1e-6);
 
     /* a few rounded factors */
@@ -34,7 +34,7 @@ static void pressing(void)
 /* slip at a small overlap, press, slip back, part, over and over: work done on the contact */
 static double cycle(const struct dem_effect *law)
 {
-    struct link *const l = tangential_row(&w, law, 1e2, 0.0);
+    struct impacts_effect *const l = tangential_row(&w, law, 1e2, 0.0);
     double work = 0.0, before = 0.0;
 
     w.b.fn[0] = 1e9;                                      /* sticks */
@@ -73,11 +73,11 @@ static void oblique(void)
     {
         double spin, energy;
 
-        world_wall(&w, &tangential_oxide, &tangential_soda, 0.0025);
-        const double dt = world_contact_time(&w, 3.9*cos(table[t][0]*tangential_pi/180.0))/4000.0;
+        impacts_wall(&w, &tangential_oxide, &tangential_soda, 0.0025);
+        const double dt = impacts_contact_time(&w, 3.9*cos(table[t][0]*tangential_pi/180.0))/4000.0;
 
-        world_add(&w, &dem_hertz, "impactSpeed", 4.0);
-        world_add(&w, &dem_mindlin_incremental, "friction", 0.092);
+        impacts_add(&w, &dem_hertz, "impactSpeed", 4.0);
+        impacts_add(&w, &dem_mindlin_incremental, "friction", 0.092);
         const double et = tangential_throw(&w, table[t][0], dt, 8000, &spin, &energy);
 
         /* first order in the step where it sticks: from 20000 to 80000 steps the independent one moves by 2.5e-5 and by
@@ -96,7 +96,7 @@ int main(void)
     cycles();
     oblique();
 
-    struct link *const l = tangential_row(&w, &dem_mindlin_incremental, 0.5, 0.0);
+    struct impacts_effect *const l = tangential_row(&w, &dem_mindlin_incremental, 0.5, 0.0);
 
     w.pair.reduced_shear = 0.0;
     TAP_OK(dem_mindlin_incremental.prepare(l->settings, &w.pair) == DEM_ERROR_INPUT, "%s", dem_error_text());

@@ -6,11 +6,11 @@
  */
 #include "moments.h"
 
-static struct world w;
+static struct impacts w;
 
 static void torque(void)
 {
-    struct link *const l = moments_row(&w, &dem_rolling_constant, "friction", 0.1);
+    struct impacts_effect *const l = moments_row(&w, &dem_rolling_constant, "friction", 0.1);
 
     /* rounding */
     w.b.wx[0] = 30.0, w.b.wy[0] = 40.0, w.b.wz[0] = 1e3;
@@ -49,7 +49,7 @@ static void rest(void)
         TAP_NEAR(time/(1.4*speed[k]/(mu[k]*9.81)), 1.0, 1e-3, "in %.4f s", time);
         for (int s = 0; s < 20000; s++)
         {
-            world_step(&w, dt);
+            impacts_step(&w, dt);
         }
         TAP_NEAR(w.x[0][0][0], distance, 1e-4*distance, "and stays there");
         TAP_NEAR(w.w[0][1][0], 0.0, 1e-9*speed[k]/0.004, "without jitter: turns with %g 1/s", w.w[0][1][0]);

@@ -7,12 +7,12 @@
  */
 #include "moments.h"
 
-static struct world w;
+static struct impacts w;
 
 /* K as set, or 6 G*:E* */
-static struct link *row(double friction, double K, double zeta)
+static struct impacts_effect *row(double friction, double K, double zeta)
 {
-    struct link *const l = moments_row(&w, &dem_rolling_spring, "friction", friction);
+    struct impacts_effect *const l = moments_row(&w, &dem_rolling_spring, "friction", friction);
 
     settle(&dem_rolling_spring, l->settings, &w.pair, "damping", zeta);
     settle(&dem_rolling_spring, l->settings, &w.pair, "stiffness", K);
@@ -21,7 +21,7 @@ static struct link *row(double friction, double K, double zeta)
 
 static void spring(void)
 {
-    struct link *l = row(0.1, 0.5, 0.0);
+    struct impacts_effect *l = row(0.1, 0.5, 0.0);
     const double k = 0.5*1e4*0.004*0.004;                 /* 0.08 N m */
 
     /* rounding */
@@ -49,7 +49,7 @@ static void spring(void)
 
 static void slip(void)
 {
-    struct link *const l = row(0.1, 0.5, 0.3);
+    struct impacts_effect *const l = row(0.1, 0.5, 0.3);
     const double k = 0.08, c = 2.0*0.3*sqrt(k*1.4*1e-3*1.6e-5), limit = 0.1*0.004*10.0;
 
     w.b.wx[0] = 3e4, w.b.wy[0] = 4e4;
@@ -74,7 +74,7 @@ static void slip(void)
 /* the centre line turns about y, `steps` of `step` radians; largest change of the spring's length, *lean along n, *back */
 static double turn(int steps, double step, double *lean, double *back)
 {
-    struct link *const l = row(10.0, 0.5, 0.0);
+    struct impacts_effect *const l = row(10.0, 0.5, 0.0);
     double worst = 0.0;
 
     w.b.fn[0] = 1e9;
@@ -111,8 +111,8 @@ static void carrying(void)
 static void swing(double K, double zeta, double grip, double inertia)
 {
     const double dt = moments_plane(&w, &dem_rolling_spring, "friction", 1.0, grip);
-    struct link *const l = &w.link[3];
-    const double depth = moments_depth(&w, 9.81), kr = K*world_hertz(&w)*sqrt(depth)*0.004*0.004;
+    struct impacts_effect *const l = &w.effect_entry[3];
+    const double depth = moments_depth(&w, 9.81), kr = K*impacts_hertz(&w)*sqrt(depth)*0.004*0.004;
     const double omega = sqrt(kr/(inertia*w.mass[0]*0.004*0.004)), start = 1e-3*omega;
     double before = 0.0, angle = 0.0, top = 0.0, first = 0.0, last = 0.0, first_top = 0.0, last_top = 0.0;
     int passages = 0, steps = 0;
@@ -124,7 +124,7 @@ static void swing(double K, double zeta, double grip, double inertia)
     for (; passages < 11 && steps*dt*omega < 100.0; steps++)
     {
         before = angle;
-        world_step(&w, dt);
+        impacts_step(&w, dt);
         angle += dt*w.w[0][1][0];
         top = fmax(top, fabs(angle));
         if (before*angle < 0.0)
@@ -152,7 +152,7 @@ static void rest(void)
     const double depth = moments_depth(&w, 9.81), K = 6.0*w.pair.reduced_shear/w.pair.reduced_modulus;
     double time;
 
-    settle(&dem_rolling_spring, w.link[3].settings, &w.pair, "damping", 0.3);
+    settle(&dem_rolling_spring, w.effect_entry[3].settings, &w.pair, "damping", 0.3);
     const double distance = moments_rest(&w, dt, v, &time);
 
     /* until the spring is at its limit it brakes less: after an angle of mu_r d/(K R); half of that is missing, and the
@@ -160,7 +160,7 @@ static void rest(void)
     TAP_NEAR(distance/(0.7*v*v/(mu*9.81)), 1.0, 1e-3 + mu*depth/K/distance, "rolls %.4f m", distance);
     for (int s = 0; s < 20000; s++)
     {
-        world_step(&w, dt);
+        impacts_step(&w, dt);
     }
     /* and back by what the spring gives: its angle times R */
     TAP_NEAR(w.x[0][0][0], distance, 3.0*mu*depth/K, "and stays there");

@@ -6,11 +6,11 @@
  */
 #include "moments.h"
 
-static struct world w;
+static struct impacts w;
 
 static void torque(void)
 {
-    struct link *l = moments_row(&w, &dem_rolling_viscous, "time", 1e-3);
+    struct impacts_effect *l = moments_row(&w, &dem_rolling_viscous, "time", 1e-3);
 
     /* rounding */
     w.b.wx[0] = 30.0, w.b.wy[0] = 40.0, w.b.wz[0] = 1e3;
@@ -34,7 +34,7 @@ static void slowing(void)
     w.w[0][1][0] = v/0.004;
     for (int s = 0; s < steps; s++)
     {
-        world_step(&w, dt);
+        impacts_step(&w, dt);
     }
     /* the contact's springs swing by a few 1e-5 of v when the torque sets in; first order in dt/T = 3e-5 */
     TAP_NEAR(w.v[0][0][0]/v, exp(-steps*dt/T), 2e-4, "speed after half of T = %g s", T);

@@ -24,9 +24,9 @@ static double good(const struct dem_setting *f, int unlike)
 }
 
 /* WORD { settings } with the slip */
-static void write_effect(char *text, size_t room, const struct dem_effect *e, struct slip slip)
+static void write_effect(char *text, size_t capacity, const struct dem_effect *e, struct slip slip)
 {
-    size_t at = (size_t)snprintf(text, room, "%s { ", e->name);
+    size_t at = (size_t)snprintf(text, capacity, "%s { ", e->name);
     int unlike = 0;
 
     for (const struct dem_setting *f = e->settings; f && f->name; f++)
@@ -36,22 +36,22 @@ static void write_effect(char *text, size_t room, const struct dem_effect *e, st
 
         if (f == slip.field)
         {
-            at += (size_t)(slip.value ? snprintf(text + at, room - at, "%s %s; ", f->name, slip.value) : 0);
+            at += (size_t)(slip.value ? snprintf(text + at, capacity - at, "%s %s; ", f->name, slip.value) : 0);
         }
         else if (required && three)
         {
-            at += (size_t)snprintf(text + at, room - at, "%s %s; ", f->name, three);
+            at += (size_t)snprintf(text + at, capacity - at, "%s %s; ", f->name, three);
         }
         else if (required && f->kind == DEM_SETTING_NUMBER)
         {
-            at += (size_t)snprintf(text + at, room - at, "%s %g; ", f->name, good(f, unlike++));
+            at += (size_t)snprintf(text + at, capacity - at, "%s %g; ", f->name, good(f, unlike++));
         }
         else if (required)
         {
-            at += (size_t)snprintf(text + at, room - at, "%s %s; ", f->name, f->kind == DEM_SETTING_SWITCH ? "yes" : f->choices[0]);
+            at += (size_t)snprintf(text + at, capacity - at, "%s %s; ", f->name, f->kind == DEM_SETTING_SWITCH ? "yes" : f->choices[0]);
         }
     }
-    snprintf(text + at, room - at, "} ");
+    snprintf(text + at, capacity - at, "} ");
 }
 
 /* what an effect needs beside it: a normal law, and of them hertz goes with all */
@@ -114,9 +114,9 @@ static void try_slip(const struct dem_effect *e, struct slip slip, const char *l
     }
 }
 
-static const char *printed(char *text, size_t room, const struct dem_setting *f, double value)
+static const char *printed(char *text, size_t capacity, const struct dem_setting *f, double value)
 {
-    snprintf(text, room, f->kind == DEM_SETTING_VECTOR ? "( 0 0 %.10g )" : "%.10g", value);
+    snprintf(text, capacity, f->kind == DEM_SETTING_VECTOR ? "( 0 0 %.10g )" : "%.10g", value);
     return text;
 }
 

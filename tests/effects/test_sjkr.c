@@ -4,19 +4,19 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "tray.h"
+#include "impacts.h"
 
 static const struct dem_material glass = {"glass", 2500.0, 1e7, 0.3, 0.0};
-static struct world w;
+static struct impacts w;
 
 int main(void)
 {
     const double pi = 3.14159265358979324, density = 1e5, R = 5e-4, k = 1000.0, v = 0.1;
 
     TAP_TRAPS;
-    world_spheres(&w, &glass, &glass, 1e-3, 1e-3);
-    world_add(&w, &dem_hooke, "stiffness", k);
-    struct link *const l = world_add(&w, &dem_sjkr, "energyDensity", density);
+    impacts_spheres(&w, &glass, &glass, 1e-3, 1e-3);
+    impacts_add(&w, &dem_hooke, "stiffness", k);
+    struct impacts_effect *const l = impacts_add(&w, &dem_sjkr, "energyDensity", density);
 
     /* two spheres of 1 mm, 1 um into each other: the circle's radius is that of a sphere cut 0.5 um below its top */
     const double h = 0.5e-6, area = pi*h*(2.0*1e-3 - h);
@@ -24,29 +24,29 @@ int main(void)
     w.b.n = 1;
     w.b.overlap[0] = 2.0*h, w.b.reduced_radius[0] = R;
     w.b.fn[0] = 0.0;
-    dem_sjkr.apply(l->settings, &w.b, l->memory);
+    dem_sjkr.apply(l->settings, &w.b, l->history);
     TAP_NEAR(w.b.fn[0], -density*area, 1e-3*density*area, "w times the circle");       /* first order in d/R = 2e-3 */
 
     /* an impact on what is left of the spring */
     const double soft = k - 2.0*pi*density*R, dt = pi*sqrt(w.pair.min_mass/soft)/400.0;
 
-    world_aim(&w, 16, dt, v);
-    TAP_OK(world_impact(&w, dt, 1000) > 0, "touches and parts");
-    TAP_NEAR(world_parting(&w), v, 1e-4*v, "no speed lost");                            /* second order in the step */
+    impacts_aim(&w, 16, dt, v);
+    TAP_OK(impacts_impact(&w, dt, 1000) > 0, "touches and parts");
+    TAP_NEAR(impacts_parting(&w), v, 1e-4*v, "no speed lost");                            /* second order in the step */
     TAP_NEAR(mean(w.peak_overlap, 16)/(v*sqrt(w.pair.min_mass/soft)), 1.0, 1e-4, "a spring softer by 2 pi w R*");
 
     /* 4/3 E* sqrt(R*) d^(3/2) = 2 pi w R* d */
-    world_spheres(&w, &glass, &glass, 1e-3, 1e-3);
-    world_add(&w, &dem_hertz, "impactSpeed", 1.0);
-    world_add(&w, &dem_sjkr, "energyDensity", density);
-    const double root = 2.0*pi*density*R/world_hertz(&w);
+    impacts_spheres(&w, &glass, &glass, 1e-3, 1e-3);
+    impacts_add(&w, &dem_hertz, "impactSpeed", 1.0);
+    impacts_add(&w, &dem_sjkr, "energyDensity", density);
+    const double root = 2.0*pi*density*R/impacts_hertz(&w);
 
     w.b.n = 1;
     w.b.touching[0] = 1.0, w.b.overlap[0] = root*root, w.b.reduced_radius[0] = R;
-    dem_hertz.apply(w.link[0].settings, &w.b, w.link[0].memory);
+    dem_hertz.apply(w.effect_entry[0].settings, &w.b, w.effect_entry[0].history);
     const double push = w.b.fn[0];
 
-    dem_sjkr.apply(w.link[1].settings, &w.b, w.link[1].memory);
+    dem_sjkr.apply(w.effect_entry[1].settings, &w.b, w.effect_entry[1].history);
     TAP_NEAR(w.b.fn[0], 0.0, 1e-14*push, "with hertz at rest where the forces balance");    /* rounding */
     TAP_DONE;
 }

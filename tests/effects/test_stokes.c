@@ -5,12 +5,12 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "tray.h"
+#include "impacts.h"
 
 static const struct dem_material steel = {"steel", 7800.0, 200e9, 0.3, 0.0}, glass = {"glass", 2540.0, 60e9, 0.23, 0.0};
 static const struct dem_material rigid = {"rigid", 1.0, INFINITY, 0.3, 0.0};
 static const double pi = 3.14159265358979324;
-static struct world w;
+static struct impacts w;
 
 /* a sphere of 6 mm against the plane (pair: against another) with this Stokes number; mean over 16 phases */
 static double bounce(double St, double e_max, int wall, int steps)
@@ -19,20 +19,20 @@ static double bounce(double St, double e_max, int wall, int steps)
 
     if (wall)
     {
-        world_wall(&w, &steel, &rigid, 0.003);
+        impacts_wall(&w, &steel, &rigid, 0.003);
     }
     else
     {
-        world_spheres(&w, &steel, &steel, 0.003, 0.003);
+        impacts_spheres(&w, &steel, &steel, 0.003, 0.003);
     }
     const double R = w.pair.min_radius, mu = w.pair.min_mass*speed/(6.0*pi*R*R*St);
-    const double dt = world_contact_time(&w, speed)/steps;
+    const double dt = impacts_contact_time(&w, speed)/steps;
 
-    world_add(&w, &dem_hertz, "impactSpeed", speed);
-    struct link *const stokes = world_add(&w, &dem_stokes, "restitution", e_max);
+    impacts_add(&w, &dem_hertz, "impactSpeed", speed);
+    struct impacts_effect *const stokes = impacts_add(&w, &dem_stokes, "restitution", e_max);
     settle(&dem_stokes, stokes->settings, &w.pair, "viscosity", mu);
-    world_aim(&w, 16, dt, speed);
-    return world_impact(&w, dt, 20*steps) > 0 ? world_parting(&w)/speed : NAN;
+    impacts_aim(&w, 16, dt, speed);
+    return impacts_impact(&w, dt, 20*steps) > 0 ? impacts_parting(&w)/speed : NAN;
 }
 
 /*
@@ -55,7 +55,7 @@ static void law(void)
 }
 
 /* one row by hand: m* = 2 g, R* = 3 mm, kn = 1e6 N/m, touching; returns alpha = eta/sqrt(m* kn) */
-static double alpha(const struct link *l, double vn, double fluid, double *speed)
+static double alpha(const struct impacts_effect *l, double vn, double fluid, double *speed)
 {
     w.b.n = 1;
     w.b.reduced_mass[0] = 2e-3;
@@ -66,9 +66,9 @@ static double alpha(const struct link *l, double vn, double fluid, double *speed
     w.b.vn[0] = vn;
     w.b.viscosity[0] = fluid;
     w.b.fn[0] = 0.0;
-    dem_real *memory[1] = {speed};
+    dem_real *history[1] = {speed};
 
-    dem_stokes.apply(l->settings, &w.b, memory);
+    dem_stokes.apply(l->settings, &w.b, history);
     return w.b.eta[0]/sqrt(2e-3*1e6);
 }
 
@@ -84,9 +84,9 @@ static void by_hand(void)
     const double critical = sqrt(5.0), mu = 0.01, St = 2e-3*0.5/(6.0*pi*mu*9e-6);
     double speed = 0.0;
 
-    world_wall(&w, &steel, &rigid, 0.003);
+    impacts_wall(&w, &steel, &rigid, 0.003);
     w.pair.exponent = 1.5;
-    struct link *const l = world_add(&w, &dem_stokes, "restitution", 0.97);
+    struct impacts_effect *const l = impacts_add(&w, &dem_stokes, "restitution", 0.97);
 
     /* from here on a few rounded factors: 1e-13 */
     TAP_NEAR(alpha(l, -0.5, mu, &speed), alpha_of(0.97*exp(-35.0/St)), 1e-13,
@@ -97,8 +97,8 @@ static void by_hand(void)
     TAP_OK(speed == 0.5 && w.b.fn[0] < 0.0, "still remembered; the force may pull");
     w.b.touching[0] = 0.0;
     w.b.kn[0] = 0.0;
-    dem_real *memory[1] = {&speed};
-    dem_stokes.apply(l->settings, &w.b, memory);
+    dem_real *history[1] = {&speed};
+    dem_stokes.apply(l->settings, &w.b, history);
     TAP_OK(speed == 0.0 && w.b.eta[0] == 0.0, "apart it is forgotten and nothing acts");
     alpha(l, -0.2, mu, &speed);
     TAP_OK(speed == 0.2, "the next contact latches its own");
@@ -135,14 +135,14 @@ static void added(const char *what, const struct dem_material *a, const struct d
 
     if (wall)
     {
-        world_wall(&w, a, b, Ra);
+        impacts_wall(&w, a, b, Ra);
     }
     else
     {
-        world_spheres(&w, a, b, Ra, Rb);
+        impacts_spheres(&w, a, b, Ra, Rb);
     }
     w.pair.exponent = 1.5;
-    struct link *const l = world_add(&w, &dem_stokes, "restitution", 0.97);
+    struct impacts_effect *const l = impacts_add(&w, &dem_stokes, "restitution", 0.97);
     settle(&dem_stokes, l->settings, &w.pair, "fluidDensity", 1000.0);
     settle(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5);
 
@@ -157,8 +157,8 @@ static void added(const char *what, const struct dem_material *a, const struct d
     w.b.touching[0] = 1.0;
     w.b.vn[0] = -v;
     w.b.viscosity[0] = mu;
-    dem_real *memory[1] = {&speed};
-    dem_stokes.apply(l->settings, &w.b, memory);
+    dem_real *history[1] = {&speed};
+    dem_stokes.apply(l->settings, &w.b, history);
     TAP_NEAR(w.b.eta[0]/sqrt(w.pair.min_mass*1e6), alpha_of(0.97*exp(-35.0/St)), 1e-13, "added mass: %s", what);
 }
 
@@ -179,20 +179,20 @@ static void other_forms(void)
     {
         for (int form = 0; form < 3; form++)
         {
-            world_wall(&w, &steel, &rigid, 0.003);
+            impacts_wall(&w, &steel, &rigid, 0.003);
             const double mu = w.mass[0]*v/(6.0*pi*9e-6*table[t][0]), dt = pi*sqrt(w.mass[0]/k)/10000.0;
 
-            world_add(&w, &dem_hooke, "stiffness", k);
-            struct link *const l = world_add(&w, &dem_stokes, "restitution", 0.97);
+            impacts_add(&w, &dem_hooke, "stiffness", k);
+            struct impacts_effect *const l = impacts_add(&w, &dem_stokes, "restitution", 0.97);
             settle(&dem_stokes, l->settings, &w.pair, "viscosity", mu);
             settle(&dem_stokes, l->settings, &w.pair, "attraction", form == 1);
             settle(&dem_stokes, l->settings, &w.pair, "speed", form == 2);
-            world_aim(&w, 16, dt, v);
-            const int parted = world_impact(&w, dt, 50000);
+            impacts_aim(&w, 16, dt, v);
+            const int parted = impacts_impact(&w, dt, 50000);
 
             /* first order in the step with a dashpot (test_dry): 2e-4 at t_c/10000; what creeps apart takes longer than
                is waited for and counts as 0 */
-            TAP_NEAR(parted > 0 ? world_parting(&w)/v : 0.0, table[t][1 + form], 1e-3, "St = %g, %s: e = %.4f", table[t][0],
+            TAP_NEAR(parted > 0 ? impacts_parting(&w)/v : 0.0, table[t][1 + form], 1e-3, "St = %g, %s: e = %.4f", table[t][0],
                      form == 0 ? "latched" : form == 1 ? "clamped" : "of the moment", table[t][1 + form]);
         }
     }
@@ -208,9 +208,9 @@ int main(void)
     added("same density, different size", &glass, &glass, 0.003, 0.001, 0);
     added("same size, different density", &glass, &steel, 0.003, 0.003, 0);
 
-    world_wall(&w, &steel, &rigid, 0.003);
+    impacts_wall(&w, &steel, &rigid, 0.003);
     w.pair.exponent = 1.5;
-    struct link *const l = world_add(&w, &dem_stokes, "restitution", 0.97);
+    struct impacts_effect *const l = impacts_add(&w, &dem_stokes, "restitution", 0.97);
     TAP_OK(settle(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5) == DEM_ERROR_INPUT, "%s", dem_error_text());
     other_forms();
     TAP_DONE;

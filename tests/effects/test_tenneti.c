@@ -1,6 +1,6 @@
 /*
  * Claims: the drag is that of Tenneti, Garg and Subramaniam: the tabulated values, Stokes' for a lone creeping sphere, the paper's
- * formula; a creeping swarm feels within 10 % what Beetstra's simulations say, and would not if the lone sphere's term were
+ * formula; a creeping suspension feels within 10 % what Beetstra's simulations say, and would not if the lone sphere's term were
  * divided by e^2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

@@ -7,11 +7,11 @@
  */
 #include "moments.h"
 
-static struct world w;
+static struct impacts w;
 
 static void spring(void)
 {
-    struct link *l = moments_row(&w, &dem_twisting_spring, "friction", 0.5);
+    struct impacts_effect *l = moments_row(&w, &dem_twisting_spring, "friction", 0.5);
     const double G = 1e6/2.5, a = sqrt(0.004*1e-6);
 
     /* Reissner and Sagoci: 16/3 G a^3 on a rigid stamp, each of two halves gets half the angle; k_n is Hertz's here */
@@ -70,7 +70,7 @@ static void swing(void)
     for (; passages < 11 && steps*dt*omega < 100.0; steps++)
     {
         before = angle;
-        world_step(&w, dt);
+        impacts_step(&w, dt);
         angle += dt*w.w[0][2][0];
         if (before*angle < 0.0)
         {
@@ -91,11 +91,11 @@ static void rest(void)
         const double expected = 0.4*0.004*0.004*spin/(mu*arm*9.81);
         double time = 0.0;
 
-        settle(&dem_twisting_spring, w.link[3].settings, &w.pair, "lever", lever);
+        settle(&dem_twisting_spring, w.effect_entry[3].settings, &w.pair, "lever", lever);
         w.w[0][2][0] = spin;
         while (w.w[0][2][0] > 0.0 && time < 3.0*expected)
         {
-            world_step(&w, dt);
+            impacts_step(&w, dt);
             time += dt;
         }
         /* less torque until the spring is at its limit: 1e-3 of the way; whole steps */

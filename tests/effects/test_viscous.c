@@ -4,36 +4,36 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "tray.h"
+#include "impacts.h"
 
 static const struct dem_material glass = {"glass", 2500.0, 1e7, 0.3, 0.0};
 static const double pi = 3.14159265358979324;
-static struct world w;
+static struct impacts w;
 
 static double impact(double k, double c, double v)
 {
-    world_wall(&w, &glass, &glass, 1e-3);
+    impacts_wall(&w, &glass, &glass, 1e-3);
     const double dt = pi*sqrt(w.mass[0]/k)/4000;
 
-    world_add(&w, &dem_hooke, "stiffness", k);
-    world_add(&w, &dem_viscous, "coefficient", c);
-    world_aim(&w, 16, dt, v);
-    return world_impact(&w, dt, 80000) > 0 ? world_parting(&w)/v : NAN;
+    impacts_add(&w, &dem_hooke, "stiffness", k);
+    impacts_add(&w, &dem_viscous, "coefficient", c);
+    impacts_aim(&w, 16, dt, v);
+    return impacts_impact(&w, dt, 80000) > 0 ? impacts_parting(&w)/v : NAN;
 }
 
 /* one row: spring force, normal speed; the sum, and eta */
 static double row(double spring, double vn, int attraction, double *eta)
 {
-    world_wall(&w, &glass, &glass, 1e-3);
+    impacts_wall(&w, &glass, &glass, 1e-3);
     w.pair.exponent = 1.0;
-    struct link *const l = world_add(&w, &dem_viscous, "coefficient", 2.0);
+    struct impacts_effect *const l = impacts_add(&w, &dem_viscous, "coefficient", 2.0);
 
     settle(&dem_viscous, l->settings, &w.pair, "attraction", attraction);
     w.b.n = 2;
     w.b.touching[0] = 1.0;
     w.b.fn[0] = spring;
     w.b.vn[0] = w.b.vn[1] = vn;
-    dem_viscous.apply(l->settings, &w.b, l->memory);
+    dem_viscous.apply(l->settings, &w.b, l->history);
     *eta = w.b.eta[0];
     TAP_OK(w.b.eta[1] == 0.0 && w.b.fn[1] == 0.0, "a row apart gets nothing");
     return w.b.fn[0];
@@ -60,7 +60,7 @@ int main(void)
     TAP_OK(row(1.0, -3.0, 1, &eta) == 7.0, "but pushes");
     TAP_OK(row(-1.0, 3.0, 1, &eta) == -7.0, "and what pulls by itself is not clamped");
 
-    struct link *const l = &w.link[0];
+    struct impacts_effect *const l = &w.effect_entry[0];
 
     TAP_NEAR(dem_viscous.time_limit(l->settings, &w.pair, &why), 0.1*m, 1e-15*m, "%s", why);    /* rounding */
     settle(&dem_viscous, l->settings, &w.pair, "coefficient", 0.0);

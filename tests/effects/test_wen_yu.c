@@ -28,7 +28,7 @@ int main(void)
     /* from here on: b and u of the test row are a few rounded factors, 1e-14 */
     TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a lone creeping sphere: Stokes' 3 pi mu d");
     TAP_NEAR(G(1.0, 1e-6), 1.0, 1.2e-5, "and nearly so at Re = 1e-6: 0.15 Re^0.687 is 1.13e-5");
-    TAP_NEAR(G(0.5, 0.0), pow(0.5, -2.65), 1e-14, "at rest in a swarm: e^-2.65");
+    TAP_NEAR(G(0.5, 0.0), pow(0.5, -2.65), 1e-14, "at rest in a suspension: e^-2.65");
     TAP_NEAR(G(1.0, 1e5), 0.44*1e5/24.0, 1e-10, "Re = 1e5: Cd = 0.44");
     TAP_NEAR(G(1.0, 1000.1)/G(1.0, 999.9), 1.004, 1e-3, "the published step at Re = 1000 is 0.4 %%");
     TAP_OK(G(0.1, 0.0) == G(0.2, 0.0) && G(0.0, 0.0) == G(0.2, 0.0), "below e = 0.2 as at 0.2");

@@ -7,7 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "tray.h"
+#include "impacts.h"
 
 #include "core/random.h"
 
@@ -18,10 +18,10 @@ enum
 
 static const struct dem_material bead = {"bead", 2500.0, 1e7, 0.3, 0.0};
 static const double dt = 1e-6, deepest = 5e-5, apart = 5e-6;        /* s, m, m */
-static struct world w;
+static struct impacts w;
 static struct dem_energy e;
-static struct link *normal, *law;
-static _Alignas(64) dem_real column[WORLD_MEMORY][DEM_BATCH_ROWS];
+static struct impacts_effect *normal, *law;
+static _Alignas(64) dem_real column[IMPACTS_HISTORY][DEM_BATCH_ROWS];
 
 static const struct known
 {
@@ -39,7 +39,7 @@ static double drawn(int row, int leg, int use)
 
 static void begin(const struct dem_effect *pushes, const struct known *k)
 {
-    world_spheres(&w, &bead, &bead, 1e-3, 1e-3);
+    impacts_spheres(&w, &bead, &bead, 1e-3, 1e-3);
     w.b.n = DEM_BATCH_ROWS;
     w.b.dt = dt;
     for (int c = 0; c < DEM_BATCH_ROWS; c++)
@@ -51,8 +51,8 @@ static void begin(const struct dem_effect *pushes, const struct known *k)
         w.b.overlap[c] = w.b.kn[c] = 0.0;
         e.slip_mass[c] = e.inertia[c] = HUGE_VAL;         /* moved from outside: no force changes the motion */
     }
-    normal = world_add(&w, pushes, pushes == &dem_hooke ? "stiffness" : "impactSpeed", pushes == &dem_hooke ? 1e3 : 1.0);
-    law = world_add(&w, k->effect, "friction", k->effect == &dem_rolling_spring ? 0.2 : 0.4);
+    normal = impacts_add(&w, pushes, pushes == &dem_hooke ? "stiffness" : "impactSpeed", pushes == &dem_hooke ? 1e3 : 1.0);
+    law = impacts_add(&w, k->effect, "friction", k->effect == &dem_rolling_spring ? 0.2 : 0.4);
     if (strcmp(k->setting, "friction") != 0)
     {
         settle(k->effect, law->settings, &w.pair, k->setting, k->value);
@@ -70,15 +70,15 @@ static void put(int c, double overlap, double x, double y, double z)
     w.b.kn[c] = w.b.fn[c] = w.b.fx[c] = w.b.fy[c] = w.b.fz[c] = w.b.mx[c] = w.b.my[c] = w.b.mz[c] = 0.0;
 }
 
-/* as the house does */
+/* as the sweep over the contacts does */
 static void act(void)
 {
-    dem_real *before[WORLD_MEMORY];
+    dem_real *before[IMPACTS_HISTORY];
 
     memcpy(column, law->column, sizeof column);
-    normal->effect->apply(normal->settings, &w.b, normal->memory);
-    law->effect->apply(law->settings, &w.b, law->memory);
-    for (int m = 0; m < WORLD_MEMORY; m++)
+    normal->effect->apply(normal->settings, &w.b, normal->history);
+    law->effect->apply(law->settings, &w.b, law->history);
+    for (int m = 0; m < IMPACTS_HISTORY; m++)
     {
         before[m] = column[m];
         for (int c = 0; c < DEM_BATCH_ROWS; c++)
@@ -86,7 +86,7 @@ static void act(void)
             law->column[m][c] *= w.b.touching[c];
         }
     }
-    law->effect->energy(law->settings, &w.b, before, law->memory, &e);
+    law->effect->energy(law->settings, &w.b, before, law->history, &e);
 }
 
 /* Work of this step's force on its way, and of the last one's. */

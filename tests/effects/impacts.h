@@ -1,21 +1,21 @@
 /*
- * tray.h -- the trays filled by hand, and a small world of two bodies per row that moves by the same leapfrog as the core.
+ * impacts.h -- contact batches filled by hand, and impacts of two bodies in each row, integrated by the leapfrog of the core.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Every row is an impact of its own: two spheres, or a sphere on the plane z = 0. Rows differ in when, within a time
  * step, the surfaces meet (the contact phase), so that means over the rows have little of the step left in them.
  *
- *     struct world w;
- *     world_spheres(&w, &glass, &glass, 0.01, 0.01);             or world_wall(&w, &glass, &glass, 0.01)
- *     world_add(&w, &dem_hertz, "impactSpeed", 1.0, NULL);       name, value pairs ended by NULL
- *     world_aim(&w, 16, dt, normal_speed);                       then velocities and spins may be set by hand
- *     world_impact(&w, dt, most_steps);                          until all rows have touched and parted
+ *     struct impacts w;
+ *     impacts_spheres(&w, &glass, &glass, 0.01, 0.01);             or impacts_wall(&w, &glass, &glass, 0.01)
+ *     impacts_add(&w, &dem_hertz, "impactSpeed", 1.0, NULL);       name, value pairs ended by NULL
+ *     impacts_aim(&w, 16, dt, normal_speed);                       then velocities and spins may be set by hand
+ *     impacts_impact(&w, dt, most_steps);                          until all rows have touched and parted
  *
  * Lever arms are the radii, not shortened by the overlap: so are those of the closed forms compared with.
  */
-#ifndef TESTS_EFFECTS_TRAY_H
-#define TESTS_EFFECTS_TRAY_H
+#ifndef TESTS_EFFECTS_IMPACTS_H
+#define TESTS_EFFECTS_IMPACTS_H
 
 #include "effects/effects.h"
 #include "unit/tap.h"
@@ -25,31 +25,31 @@
 
 enum
 {
-    WORLD_EFFECTS = 4,
-    WORLD_MEMORY = 4
+    IMPACTS_EFFECTS = 4,
+    IMPACTS_HISTORY = 4
 };
 
-struct link
+struct impacts_effect
 {
     const struct dem_effect *effect;
-    double settings[32];                                  /* room for any settings struct, aligned */
-    _Alignas(64) dem_real column[WORLD_MEMORY][DEM_BATCH_ROWS];
-    dem_real *memory[WORLD_MEMORY];
+    double settings[32];                                  /* large enough for any settings struct, aligned */
+    _Alignas(64) dem_real column[IMPACTS_HISTORY][DEM_BATCH_ROWS];
+    dem_real *history[IMPACTS_HISTORY];
 };
 
-struct world
+struct impacts
 {
     struct dem_pair_class pair;
     double radius[2], mass[2];                            /* the wall: radius 0, mass 0 for infinite */
     double weight;                                        /* m/s2 that pulls body i to -z; set it for a contact at rest */
-    int links;
-    struct link link[WORLD_EFFECTS];
+    int effects;
+    struct impacts_effect effect_entry[IMPACTS_EFFECTS];
     struct dem_contact_batch b;
 
     double x[2][3][DEM_BATCH_ROWS], v[2][3][DEM_BATCH_ROWS], w[2][3][DEM_BATCH_ROWS];    /* v, w: half a step behind x */
     double touched[DEM_BATCH_ROWS], peak_force[DEM_BATCH_ROWS], peak_overlap[DEM_BATCH_ROWS];
-    double push_impulse[DEM_BATCH_ROWS], friction_impulse[DEM_BATCH_ROWS];         /* N s, of max(fn, 0) and of |ft| */
-    double friction;                                      /* set it to have the next line watched */
+    double normal_impulse[DEM_BATCH_ROWS], friction_impulse[DEM_BATCH_ROWS];         /* N s, of max(fn, 0) and of |ft| */
+    double friction;                                      /* given: worst_friction is measured */
     double worst_friction;                                /* N, largest |ft| - friction*max(fn, 0) of all rows and steps */
     int steps_touching[DEM_BATCH_ROWS];
 };
@@ -68,7 +68,7 @@ static inline double ball(double radius, double density)
 }
 
 /* E* and G* of the class; a rigid wall has an infinite modulus and adds nothing */
-static inline void world_class(struct world *w, const struct dem_material *a, const struct dem_material *b, int wall)
+static inline void impacts_class(struct impacts *w, const struct dem_material *a, const struct dem_material *b, int wall)
 {
     double e = 0.0, g = 0.0;
     const struct dem_material *const both[2] = {a, b};
@@ -84,11 +84,11 @@ static inline void world_class(struct world *w, const struct dem_material *a, co
                                       .reduced_shear = 1.0/g, .exponent = 1.0};
 }
 
-static inline void world_spheres(struct world *w, const struct dem_material *a, const struct dem_material *b,
+static inline void impacts_spheres(struct impacts *w, const struct dem_material *a, const struct dem_material *b,
                                  double radius_a, double radius_b)
 {
     memset(w, 0, sizeof *w);
-    world_class(w, a, b, 0);
+    impacts_class(w, a, b, 0);
     w->radius[0] = radius_a;
     w->radius[1] = radius_b;
     w->mass[0] = ball(radius_a, a->density);
@@ -97,10 +97,10 @@ static inline void world_spheres(struct world *w, const struct dem_material *a, 
     w->pair.min_mass = w->mass[0]*w->mass[1]/(w->mass[0] + w->mass[1]);
 }
 
-static inline void world_wall(struct world *w, const struct dem_material *a, const struct dem_material *b, double radius)
+static inline void impacts_wall(struct impacts *w, const struct dem_material *a, const struct dem_material *b, double radius)
 {
     memset(w, 0, sizeof *w);
-    world_class(w, a, b, 1);
+    impacts_class(w, a, b, 1);
     w->radius[0] = radius;
     w->mass[0] = ball(radius, a->density);
     w->pair.min_radius = radius;
@@ -108,13 +108,13 @@ static inline void world_wall(struct world *w, const struct dem_material *a, con
 }
 
 /* 4/3 E* sqrt(R*): F = this d^1.5 */
-static inline double world_hertz(const struct world *w)
+static inline double impacts_hertz(const struct impacts *w)
 {
     return 4.0/3.0*w->pair.reduced_modulus*sqrt(w->pair.min_radius);
 }
 
 /* duration of an elastic Hertzian impact */
-static inline double world_contact_time(const struct world *w, double speed)
+static inline double impacts_contact_time(const struct impacts *w, double speed)
 {
     const double E = w->pair.reduced_modulus, m = w->pair.min_mass, R = w->pair.min_radius;
 
@@ -141,15 +141,15 @@ static inline int settle(const struct dem_effect *effect, void *settings, const 
     return effect->prepare ? effect->prepare(settings, pair) : DEM_OK;
 }
 
-/* append an effect with one setting; more by settle(w.link[k].effect, w.link[k].settings, &w.pair, ...) */
-static inline struct link *world_add(struct world *w, const struct dem_effect *effect, const char *name, double value)
+/* append an effect with one setting; more by settle(w.effect_entry[k].effect, w.effect_entry[k].settings, &w.pair, ...) */
+static inline struct impacts_effect *impacts_add(struct impacts *w, const struct dem_effect *effect, const char *name, double value)
 {
-    struct link *const l = &w->link[w->links++];
+    struct impacts_effect *const l = &w->effect_entry[w->effects++];
 
     l->effect = effect;
-    for (int k = 0; k < WORLD_MEMORY; k++)
+    for (int k = 0; k < IMPACTS_HISTORY; k++)
     {
-        l->memory[k] = l->column[k];
+        l->history[k] = l->column[k];
     }
     if (effect->stage == DEM_STAGE_NORMAL)
     {
@@ -170,7 +170,7 @@ static inline struct link *world_add(struct world *w, const struct dem_effect *e
 }
 
 /* n rows, body i over body j (or the plane) along z, gap such that contact begins in the first step, at n even phases */
-static inline void world_aim(struct world *w, int n, double dt, double speed)
+static inline void impacts_aim(struct impacts *w, int n, double dt, double speed)
 {
     memset(w->x, 0, sizeof w->x);
     memset(w->v, 0, sizeof w->v);
@@ -180,12 +180,12 @@ static inline void world_aim(struct world *w, int n, double dt, double speed)
     {
         w->x[0][2][c] = w->radius[0] + w->radius[1] + speed*dt*((double)c + 0.5)/(double)n;
         w->v[0][2][c] = -speed;
-        w->touched[c] = w->peak_force[c] = w->peak_overlap[c] = w->push_impulse[c] = w->friction_impulse[c] = 0.0;
+        w->touched[c] = w->peak_force[c] = w->peak_overlap[c] = w->normal_impulse[c] = w->friction_impulse[c] = 0.0;
         w->steps_touching[c] = 0;
     }
-    for (int k = 0; k < w->links; k++)
+    for (int k = 0; k < w->effects; k++)
     {
-        memset(w->link[k].column, 0, sizeof w->link[k].column);
+        memset(w->effect_entry[k].column, 0, sizeof w->effect_entry[k].column);
     }
     w->worst_friction = -1e300;
 }
@@ -203,7 +203,7 @@ static inline void cross(const double a[3], const double b[3], double out[3])
 }
 
 /* the geometry of row c, as the core's sweep would fill it */
-static inline void world_gather(struct world *w, int c, double dt)
+static inline void impacts_gather(struct impacts *w, int c, double dt)
 {
     struct dem_contact_batch *const b = &w->b;
     const int wall = w->pair.with_wall;
@@ -243,7 +243,7 @@ static inline void world_gather(struct world *w, int c, double dt)
     b->mx[c] = b->my[c] = b->mz[c] = 0.0;
 }
 
-static inline void world_kick(struct world *w, int c, double dt)
+static inline void impacts_kick(struct impacts *w, int c, double dt)
 {
     const struct dem_contact_batch *const b = &w->b;
     const double n[3] = {b->nx[c], b->ny[c], b->nz[c]}, ft[3] = {b->fx[c], b->fy[c], b->fz[c]};
@@ -265,7 +265,7 @@ static inline void world_kick(struct world *w, int c, double dt)
 
     const double friction = sqrt(dot(ft, ft)), push = b->fn[c] > 0.0 ? b->fn[c] : 0.0;
 
-    w->push_impulse[c] += dt*push;
+    w->normal_impulse[c] += dt*push;
     w->friction_impulse[c] += dt*friction;
     w->worst_friction = fmax(w->worst_friction, friction - w->friction*push);
     w->peak_force[c] = fmax(w->peak_force[c], b->fn[c]);
@@ -273,7 +273,7 @@ static inline void world_kick(struct world *w, int c, double dt)
 }
 
 /* one leapfrog step: drift, forces at the new place with the velocity of the middle, kick */
-static inline void world_step(struct world *w, double dt)
+static inline void impacts_step(struct impacts *w, double dt)
 {
     w->b.dt = dt;
     for (int c = 0; c < w->b.n; c++)
@@ -283,44 +283,44 @@ static inline void world_step(struct world *w, double dt)
             w->x[0][k][c] += dt*w->v[0][k][c];
             w->x[1][k][c] += dt*w->v[1][k][c];
         }
-        world_gather(w, c, dt);
+        impacts_gather(w, c, dt);
     }
-    for (int k = 0; k < w->links; k++)
+    for (int k = 0; k < w->effects; k++)
     {
-        w->link[k].effect->apply(w->link[k].settings, &w->b, w->link[k].memory);
+        w->effect_entry[k].effect->apply(w->effect_entry[k].settings, &w->b, w->effect_entry[k].history);
     }
     for (int c = 0; c < w->b.n; c++)
     {
         const double touching = w->b.touching[c];
 
-        for (int k = 0; k < w->links; k++)
+        for (int k = 0; k < w->effects; k++)
         {
-            for (int m = 0; w->link[k].effect->history && w->link[k].effect->history[m]; m++)
+            for (int m = 0; w->effect_entry[k].effect->history && w->effect_entry[k].effect->history[m]; m++)
             {
-                w->link[k].column[m][c] = touching > 0.0 ? w->link[k].column[m][c] : 0.0;
+                w->effect_entry[k].column[m][c] = touching > 0.0 ? w->effect_entry[k].column[m][c] : 0.0;
             }
         }
-        world_kick(w, c, dt);
+        impacts_kick(w, c, dt);
         w->steps_touching[c] += touching > 0.0;
     }
 }
 
 /* one row: body i lies at rest on the plane, pressed by its weight at this overlap */
-static inline void world_lay(struct world *w, double weight, double overlap)
+static inline void impacts_lay(struct impacts *w, double weight, double overlap)
 {
-    world_aim(w, 1, 0.0, 0.0);
+    impacts_aim(w, 1, 0.0, 0.0);
     w->weight = weight;
     w->x[0][2][0] = w->radius[0] - overlap;
 }
 
 /* step until every row has touched and parted; how many steps, or -1 if some still touch after most_steps */
-static inline int world_impact(struct world *w, double dt, int most_steps)
+static inline int impacts_impact(struct impacts *w, double dt, int most_steps)
 {
     for (int s = 1; s <= most_steps; s++)
     {
         int parted = 0;
 
-        world_step(w, dt);
+        impacts_step(w, dt);
         for (int c = 0; c < w->b.n; c++)
         {
             w->touched[c] = w->b.touching[c] > 0.0 ? 1.0 : w->touched[c];
@@ -346,7 +346,7 @@ static inline double mean(const double *value, int n)
 }
 
 /* mean over the rows of the speed at which the bodies part */
-static inline double world_parting(const struct world *w)
+static inline double impacts_parting(const struct impacts *w)
 {
     double sum = 0.0;
 
