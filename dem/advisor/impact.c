@@ -84,7 +84,8 @@ static void advise(const struct dem_impact *m, double speed, double factor, stru
     {
         const struct dem_material *const soft = softer(m->pair);
 
-        dem_text_add(t, "materials/%s/youngsModulus %.3g Pa", soft->name, soft->youngs_modulus*factor);
+        dem_text_add(t, "materials/%s/youngsModulus %.3g Pa", soft->name,
+                     soft->youngs_modulus*factor);
     }
     dem_text_add(t, " for overlaps of %g %%", 100.0*max_overlap);
 }
@@ -111,7 +112,8 @@ int dem_impact_describe(const struct dem_impact *m, double speed, struct dem_tex
 void dem_impact_describe_overlap(const struct dem_impact *m, double overlap, double speed,
                                  struct dem_text *t)
 {
-    dem_text_add(t, "contacts overlap by %.3g %% of a diameter, with particles of up to %.4g m/s", 100.0*overlap, speed);
+    dem_text_add(t, "contacts overlap by %.3g %% of a diameter, with particles of up to %.4g m/s",
+                 100.0*overlap, speed);
     if (m->law)
     {
         advise(m, speed, pow(overlap/max_overlap, m->law->exponent + 1.0), t);

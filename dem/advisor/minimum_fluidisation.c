@@ -28,7 +28,8 @@ double dem_suspension_archimedes(const struct dem_suspension *b)
 {
     const double d = b->diameter;
 
-    return b->fluid_density*(b->density - b->fluid_density)*b->gravity*d*d*d/(b->viscosity*b->viscosity);
+    return b->fluid_density*(b->density - b->fluid_density)*b->gravity*d*d*d/
+           (b->viscosity*b->viscosity);
 }
 
 double dem_suspension_wen_yu_velocity(const struct dem_suspension *b)
@@ -66,7 +67,8 @@ double dem_suspension_drag(const struct dem_interaction_table *r, const struct d
     {
         if (r->bodies.entry[k].effect->drag)
         {
-            dem_effect_apply_to_bodies(r->bodies.entry[k].effect, r->bodies.entry[k].settings, &batch);
+            dem_effect_apply_to_bodies(r->bodies.entry[k].effect, r->bodies.entry[k].settings,
+                                       &batch);
             coefficient = batch.b[0];
         }
     }
@@ -102,7 +104,8 @@ static double slip_at(const struct dem_interaction_table *r, const struct dem_su
 double dem_suspension_fluidisation_velocity(const struct dem_interaction_table *r,
                                             const struct dem_suspension *b, double void_fraction)
 {
-    const double supported = b->feels_gradient ? void_fraction*(b->density - b->fluid_density) : b->density;
+    const double supported =
+        b->feels_gradient ? void_fraction*(b->density - b->fluid_density) : b->density;
 
     return void_fraction*slip_at(r, b, void_fraction, supported*volume(b)*b->gravity);
 }
@@ -118,13 +121,15 @@ double dem_suspension_terminal_velocity(const struct dem_interaction_table *r,
 /* 3 pi mu d f u balances the weight less buoyancy */
 double dem_suspension_single_sphere_velocity(const struct dem_suspension *b)
 {
-    const double stokes = fabs(b->density - b->fluid_density)*b->gravity*b->diameter*b->diameter/(18.0*b->viscosity);
+    const double stokes = fabs(b->density - b->fluid_density)*b->gravity*b->diameter*
+                          b->diameter/(18.0*b->viscosity);
     double low = 0.0, high = stokes;
 
     for (int k = 0; k < 100; k++)
     {
         const double u = 0.5*(low + high);
-        const int less = dem_drag_single_sphere(b->fluid_density*u*b->diameter/b->viscosity)*u < stokes;
+        const int less =
+            dem_drag_single_sphere(b->fluid_density*u*b->diameter/b->viscosity)*u < stokes;
 
         low = less ? u : low;
         high = less ? high : u;
@@ -133,7 +138,8 @@ double dem_suspension_single_sphere_velocity(const struct dem_suspension *b)
 }
 
 double dem_suspension_expanded_void_fraction(const struct dem_interaction_table *r,
-                                             const struct dem_suspension *b, double packed, double U)
+                                             const struct dem_suspension *b, double packed,
+                                             double U)
 {
     double low = packed, high = 1.0;
 
@@ -160,7 +166,10 @@ double dem_suspension_richardson_zaki(const struct dem_suspension *b, double U)
 {
     const double u = dem_suspension_single_sphere_velocity(b);
     const double re = b->fluid_density*u*b->diameter/b->viscosity;
-    const double n = re < 0.2 ? 4.65 : re < 1.0 ? 4.35*pow(re, -0.03) : re < 500.0 ? 4.45*pow(re, -0.1) : 2.39;
+    const double n = re < 0.2 ? 4.65
+                     : re < 1.0 ? 4.35*pow(re, -0.03)
+                     : re < 500.0 ? 4.45*pow(re, -0.1)
+                                  : 2.39;
 
     return u > U ? pow(U/u, 1.0/n) : 1.0;
 }

@@ -63,7 +63,8 @@ double dem_suspension_fluidisation_velocity(const struct dem_interaction_table *
 /* 1: void fraction at which the drag law of the scene balances the bed in a fluid of superficial
    velocity U [m/s]; 0 below the void fraction `packed`, 1 above the terminal velocity. */
 double dem_suspension_expanded_void_fraction(const struct dem_interaction_table *,
-                                             const struct dem_suspension *, double packed, double U);
+                                             const struct dem_suspension *, double packed,
+                                             double U);
 
 /* 1: the same by Richardson and Zaki, at most 1 */
 double dem_suspension_richardson_zaki(const struct dem_suspension *, double U);

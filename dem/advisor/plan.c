@@ -17,11 +17,14 @@ int dem_plan_suspension(const struct dem_plan *p, struct dem_suspension *b)
         return 0;
     }
     dem_interaction_table_gravity(&p->state->interaction_table, g);
-    *b = (struct dem_suspension){.diameter = all->volume/(3.14159265358979323846/6.0*all->squares), .density = all->mass/all->volume,
-                          .fluid_density = given->given ? given->density : p->inventory.fluid_density,
-                          .viscosity = given->given ? given->viscosity : p->inventory.fluid_viscosity,
-                          .gravity = sqrt(g[0]*g[0] + g[1]*g[1] + g[2]*g[2]),
-                          .feels_gradient = dem_interaction_table_has_pressure_gradient(&p->state->interaction_table)};
+    *b = (struct dem_suspension){
+        .diameter = all->volume/(3.14159265358979323846/6.0*all->squares),
+        .density = all->mass/all->volume,
+        .fluid_density = given->given ? given->density : p->inventory.fluid_density,
+        .viscosity = given->given ? given->viscosity : p->inventory.fluid_viscosity,
+        .gravity = sqrt(g[0]*g[0] + g[1]*g[1] + g[2]*g[2]),
+        .feels_gradient = dem_interaction_table_has_pressure_gradient(
+            &p->state->interaction_table)};
     return b->fluid_density > 0.0 && b->viscosity > 0.0;
 }
 

@@ -33,19 +33,21 @@ void dem_plan_step(struct dem_text *t, const struct dem_plan *p)
     dem_text_add(t, "\n");
     if (run->window > 0.0)
     {
-        dem_text_add(t, "Coupling\n    fluid step %.4g s%s%s: %.0f DEM steps of %.4g s\n", run->window, run->why ? ", set by " : "",
-                     run->why ? run->why : "", steps_of(run->window, p->step), run->window/steps_of(run->window, p->step));
+        dem_text_add(t, "Coupling\n    fluid step %.4g s%s%s: %.0f DEM steps of %.4g s\n",
+                     run->window, run->why ? ", set by " : "", run->why ? run->why : "",
+                     steps_of(run->window, p->step), run->window/steps_of(run->window, p->step));
         if (run->reached_window > 0.0)
         {
             const double steps = steps_of(run->reached_window, p->step);
 
             dem_text_add(t, "    it %s to %.4g s, set by %s: %.0f DEM steps of %.4g s\n",
-                         run->reached_window > run->window ? "grows" : "falls", run->reached_window, run->reached_why,
-                         steps, run->reached_window/steps);
+                         run->reached_window > run->window ? "grows" : "falls", run->reached_window,
+                         run->reached_why, steps, run->reached_window/steps);
         }
         if (dem_plan_suspension(p, &b))
         {
-            dem_text_add(t, "    fluid step over response time %.3g\n", run->window/dem_suspension_response_time(&b));
+            dem_text_add(t, "    fluid step over response time %.3g\n",
+                         run->window/dem_suspension_response_time(&b));
         }
     }
 }
@@ -103,7 +105,9 @@ static double constant_section(const struct dem_state *p, int axis)
         {
             return 0.0;
         }
-        min_area = w->shape == DEM_SHAPE_CYLINDER ? fmin(min_area, 3.14159265358979324*w->radius*w->radius) : min_area;
+        min_area = w->shape == DEM_SHAPE_CYLINDER
+                       ? fmin(min_area, 3.14159265358979324*w->radius*w->radius)
+                       : min_area;
     }
     return isfinite(min_area) ? min_area : 0.0;
 }
@@ -209,7 +213,8 @@ static void write_expansion(struct dem_text *t, const struct dem_plan *p,
     }
     else
     {
-        dem_text_add(t, "expands the bed with %s to void fraction %.4g, if it stays homogeneous", law, e);
+        dem_text_add(t, "expands the bed with %s to void fraction %.4g, if it stays homogeneous",
+                     law, e);
         if (measured > packed && measured < 1.0)
         {
             dem_text_add(t, "; to %.4g by Richardson and Zaki (1954): %+.2g %% of height", measured,
@@ -227,16 +232,24 @@ static void write_fluidisation(struct dem_text *t, const struct dem_plan *p,
     const double packed = law ? packed_void_fraction(p) : 0.0;
     const double e = packed > 0.0 ? packed : DEM_SUSPENSION_VOID_FRACTION;
 
-    dem_text_add(t, "    minimum fluidisation at %.4g m/s (superficial; Wen and Yu 1966)\n", dem_suspension_wen_yu_velocity(b));
+    dem_text_add(t, "    minimum fluidisation at %.4g m/s (superficial; Wen and Yu 1966)\n",
+                 dem_suspension_wen_yu_velocity(b));
     if (law)
     {
-        const double u = dem_suspension_fluidisation_velocity(r, b, e)/e, drag = dem_suspension_drag(r, b, e, u);
+        const double u = dem_suspension_fluidisation_velocity(r, b, e)/e,
+                     drag = dem_suspension_drag(r, b, e, u);
 
-        dem_text_add(t, "    and at %.4g m/s with %s for a bed of void fraction %.4g, %s%s\n", e*u, law, e,
-                     packed > 0.0 ? "that of the particles as they are" : "assumed: the particles are no bed of known section", b->feels_gradient ? "" : " (without pressureGradient: no buoyancy)");
-        dem_text_add(t, "    response time %.4g s there\n", drag > 0.0 ? b->density/drag*3.14159265358979323846/6.0*b->diameter
-                                                                        *b->diameter*b->diameter : INFINITY);
-        dem_text_add(t, "    terminal velocity of a single particle %.4g m/s\n", dem_suspension_terminal_velocity(r, b));
+        dem_text_add(t, "    and at %.4g m/s with %s for a bed of void fraction %.4g, %s%s\n",
+                     e*u, law, e,
+                     packed > 0.0 ? "that of the particles as they are"
+                                  : "assumed: the particles are no bed of known section",
+                     b->feels_gradient ? "" : " (without pressureGradient: no buoyancy)");
+        dem_text_add(t, "    response time %.4g s there\n",
+                     drag > 0.0 ? b->density/drag*3.14159265358979323846/6.0*b->diameter *
+                                      b->diameter*b->diameter
+                                : INFINITY);
+        dem_text_add(t, "    terminal velocity of a single particle %.4g m/s\n",
+                     dem_suspension_terminal_velocity(r, b));
         if (p->run.inflow > 0.0 && dem_suspension_terminal_velocity(r, b) > 0.0)
         {
             write_expansion(t, p, b, law, e);
@@ -252,8 +265,10 @@ void dem_plan_fluid(struct dem_text *t, const struct dem_plan *p)
     {
         return;
     }
-    dem_text_add(t, "Fluid\n    density %.6g kg/m3, viscosity %.6g Pa s\n", b.fluid_density, b.viscosity);
-    dem_text_add(t, "    response time of a particle %.4g s (Stokes), density ratio %.4g", dem_suspension_response_time(&b), b.density/b.fluid_density);
+    dem_text_add(t, "Fluid\n    density %.6g kg/m3, viscosity %.6g Pa s\n", b.fluid_density,
+                 b.viscosity);
+    dem_text_add(t, "    response time of a particle %.4g s (Stokes), density ratio %.4g",
+                 dem_suspension_response_time(&b), b.density/b.fluid_density);
     if (p->inventory.all.min_diameter < p->inventory.all.max_diameter)
     {
         dem_text_add(t, ", for the Sauter diameter %.4g m", b.diameter);
@@ -275,17 +290,21 @@ static void write_memory(struct dem_text *t, const struct dem_plan *p)
 
     dem_memory_need_count(p->state, &p->inventory, &need);
     dem_memory_need_lists(p->state, &p->inventory, &pairs, &rows);
-    dem_text_add(t, "Memory\n    %.0f bytes a particle, %.0f a listed pair, %.0f a candidate contact\n", need.particle, need.pair, need.row);
+    dem_text_add(
+        t, "Memory\n    %.0f bytes a particle, %.0f a listed pair, %.0f a candidate contact\n",
+        need.particle, need.pair, need.row);
     dem_text_add(t, "    now %s", dem_text_bytes(p->inventory.bytes));
     if (p->inventory.pairs > 0)
     {
-        dem_text_add(t, " (%lld pairs, %lld candidate contacts)", (long long)p->inventory.pairs, (long long)p->inventory.rows);
+        dem_text_add(t, " (%lld pairs, %lld candidate contacts)", (long long)p->inventory.pairs,
+                     (long long)p->inventory.rows);
     }
     if (p->state->decomposition.ranks > 1)
     {
         dem_text_add(t, ", at most %s a rank", dem_text_bytes(p->inventory.max_bytes));
     }
-    dem_text_add(t, "; as a dense bed %s (%.1f pairs, %.1f candidate contacts a particle)", dem_text_bytes(need.bed), pairs, rows);
+    dem_text_add(t, "; as a dense bed %s (%.1f pairs, %.1f candidate contacts a particle)",
+                 dem_text_bytes(need.bed), pairs, rows);
     dem_text_add(t, ", and %s for its backup copy (lastGood)\n", dem_text_bytes(need.copy));
 }
 
@@ -306,31 +325,40 @@ void dem_plan_cost(struct dem_text *t, const struct dem_plan *p)
 {
     const struct dem_run_info *const run = &p->run;
     const struct dem_pairs *const s = &p->state->pairs;
-    const double n = (double)p->inventory.all.n, speed = impact_speed(&p->state->interaction_table), duration = run->duration;
+    const double n = (double)p->inventory.all.n, speed = impact_speed(&p->state->interaction_table),
+                 duration = run->duration;
 
     if (n == 0.0)
     {
         return;
     }
     write_memory(t, p);
-    dem_text_add(t, "Time\n    %.3g us of processor time a particle and step, measured in a dense bed of %lld particles at rest\n", 1e6*p->step_cost.step,
-                 (long long)p->step_cost.particles);
+    dem_text_add(
+        t,
+        "Time\n    %.3g us of processor time a particle and step, measured in a dense bed of %lld particles at rest\n",
+        1e6*p->step_cost.step, (long long)p->step_cost.particles);
     if (duration <= 0.0)
     {
         return;
     }
-    const double span = run->reached_window > 0.0 ? run->reached_window : run->window > 0.0 ? run->window : duration;
+    const double span = run->reached_window > 0.0 ? run->reached_window
+                        : run->window > 0.0 ? run->window
+                                                  : duration;
     const double steps = steps_of(span, p->step)*duration/span;
     const double at_rest = steps*n*p->step_cost.step;
 
-    dem_text_add(t, "    %.4g s ahead: %.4g steps, %.4g particle-steps: %s of processor time at rest", duration, steps, steps*n,
-                 dem_text_time(at_rest));
+    dem_text_add(t,
+                 "    %.4g s ahead: %.4g steps, %.4g particle-steps: %s of processor time at rest",
+                 duration, steps, steps*n, dem_text_time(at_rest));
     if (isgreater(speed, 0.0))
     {
-        const double lists = n*duration*speed*(p->step_cost.rebuild/s->half_outer + p->step_cost.prune/s->half_inner);
+        const double lists =
+            n*duration*speed*
+            (p->step_cost.rebuild/s->half_outer + p->step_cost.prune/s->half_inner);
         const double limit = steps*n*(p->step_cost.rebuild + p->step_cost.step);
 
-        dem_text_add(t, ", %s with particles at %g m/s", dem_text_time(fmin(at_rest + lists, limit)), speed);
+        dem_text_add(t, ", %s with particles at %g m/s",
+                     dem_text_time(fmin(at_rest + lists, limit)), speed);
     }
     dem_text_add(t, "%s\n", run->window > 0.0 ? ", without the fluid solver" : "");
 }

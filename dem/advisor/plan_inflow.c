@@ -15,11 +15,13 @@ static void write_inlet(struct dem_text *t, const struct dem_inlet_shape *m)
     }
     else if (m->kind == DEM_INLET_REGION)
     {
-        dem_text_add(t, "in a %s of %.4g m3", dem_insertion_shape_name(&m->shape), dem_insertion_shape_volume(&m->shape));
+        dem_text_add(t, "in a %s of %.4g m3", dem_insertion_shape_name(&m->shape),
+                     dem_insertion_shape_volume(&m->shape));
     }
     else
     {
-        dem_text_add(t, "through a %s of %.4g m2", m->kind == DEM_INLET_DISC ? "disc" : "surface", dem_inlet_shape_area(m));
+        dem_text_add(t, "through a %s of %.4g m2", m->kind == DEM_INLET_DISC ? "disc" : "surface",
+                     dem_inlet_shape_area(m));
     }
 }
 
@@ -45,10 +47,12 @@ static void write_limits(struct dem_text *t, const struct dem_stream *s)
 
 static void write_stream(struct dem_text *t, const struct dem_plan *p, const struct dem_stream *s)
 {
-    const double each = dem_stream_mean_mass(s, &p->state->interaction_table), rate = s->by_mass ? s->rate/each : s->rate;
+    const double each = dem_stream_mean_mass(s, &p->state->interaction_table),
+                 rate = s->by_mass ? s->rate/each : s->rate;
 
-    dem_text_add(t, "    %-18s in: %.4g particles a second, %.4g kg/s of %s, diameter %g", s->name, rate, rate*each,
-                 p->state->interaction_table.material[s->material].name, s->sizes.min);
+    dem_text_add(t, "    %-18s in: %.4g particles a second, %.4g kg/s of %s, diameter %g", s->name,
+                 rate, rate*each, p->state->interaction_table.material[s->material].name,
+                 s->sizes.min);
     if (s->sizes.max > s->sizes.min)
     {
         dem_text_add(t, " to %g", s->sizes.max);
@@ -84,7 +88,13 @@ void dem_plan_inflow(struct dem_text *t, const struct dem_plan *p)
     {
         const struct dem_outlet *const o = &s->outlet[k];
 
-        dem_text_add(t, "    %-18s out: %s%s\n", o->name, o->patch ? "through patch " : o->wall ? "absorbed by this wall" : o->plane ? "beyond a plane" : "in a ",
-                     o->patch ? o->patch : o->plane || o->wall ? "" : dem_insertion_shape_name(&o->shape));
+        dem_text_add(t, "    %-18s out: %s%s\n", o->name,
+                     o->patch ? "through patch "
+                     : o->wall ? "absorbed by this wall"
+                     : o->plane ? "beyond a plane"
+                                : "in a ",
+                     o->patch ? o->patch
+                     : o->plane || o->wall ? ""
+                                           : dem_insertion_shape_name(&o->shape));
     }
 }

@@ -42,7 +42,8 @@ static int is_default(const struct dem_setting *f, const void *settings)
 static void write_value(struct dem_text *t, const struct dem_setting *f, const void *settings)
 {
     const double *const v = numbers(f, settings);
-    const char *const unit = strcmp(f->unit, "1") == 0 ? "" : f->unit, *const gap = unit[0] ? " " : "";
+    const char *const unit = strcmp(f->unit, "1") == 0 ? "" : f->unit;
+    const char *const gap = unit[0] ? " " : "";
 
     switch (f->kind)
     {
@@ -105,7 +106,8 @@ static void write_contact(struct dem_text *t, const struct dem_effect_list *chai
 {
     const struct dem_pair_class *const pair = &chain->pair;
 
-    dem_text_add(t, "    %s and %s%s: ", pair->a->name, pair->with_wall ? "walls of " : "", pair->b->name);
+    dem_text_add(t, "    %s and %s%s: ", pair->a->name, pair->with_wall ? "walls of " : "",
+                 pair->b->name);
     if (chain->entries == 0)
     {
         dem_text_add(t, "nothing acts between them\n");
@@ -118,7 +120,8 @@ static void write_contact(struct dem_text *t, const struct dem_effect_list *chai
 
         if (link->effect->contact_time)
         {
-            dem_text_add(t, ", contact time %.4g s", link->effect->contact_time(link->settings, pair));
+            dem_text_add(t, ", contact time %.4g s",
+                         link->effect->contact_time(link->settings, pair));
         }
         write_required(t, link);
     }
@@ -134,11 +137,13 @@ void dem_plan_contacts(struct dem_text *t, const struct dem_plan *p)
     {
         const struct dem_material *const m = &r->material[k];
 
-        dem_text_add(t, "    %-18s density %g kg/m3, youngsModulus %g Pa, poissonsRatio %g", m->name, m->density,
-                     m->youngs_modulus, m->poissons_ratio);
-        dem_text_add(t, m->yield_strength > 0.0 ? ", yieldStrength %g Pa\n" : "\n", m->yield_strength);
+        dem_text_add(t, "    %-18s density %g kg/m3, youngsModulus %g Pa, poissonsRatio %g",
+                     m->name, m->density, m->youngs_modulus, m->poissons_ratio);
+        dem_text_add(t, m->yield_strength > 0.0 ? ", yieldStrength %g Pa\n" : "\n",
+                     m->yield_strength);
     }
-    dem_text_add(t, "Contacts%s\n", r->classes > 0 ? " (times: the smallest partners at impactSpeed)" : "");
+    dem_text_add(t, "Contacts%s\n",
+                 r->classes > 0 ? " (times: the smallest partners at impactSpeed)" : "");
     for (int c = 0; c < r->classes; c++)
     {
         write_contact(t, &r->list[c]);
@@ -160,7 +165,8 @@ static void write_triangles(struct dem_text *t, const struct dem_walls *w, int w
     {
         regions += w->facet[i].wall == wall;
     }
-    dem_text_add(t, "    %-18s %zu triangles in %d flat facet%s", of->name, of->triangles, regions, regions == 1 ? "" : "s");
+    dem_text_add(t, "    %-18s %zu triangles in %d flat facet%s", of->name, of->triangles, regions,
+                 regions == 1 ? "" : "s");
     if (of->flat + of->repeats > 0)
     {
         dem_text_add(t, " (ignored: %zu without area, %zu duplicates)", of->flat, of->repeats);
@@ -187,7 +193,8 @@ void dem_plan_walls(struct dem_text *t, const struct dem_plan *p)
             dem_text_add(t, "    %-18s %s", of->name, shape[of->shape]);
         }
         dem_text_add(t, ", %s%s%s\n", p->state->interaction_table.material[of->material].name,
-                     of->frame < 0 ? "" : moves[w->frame[of->frame].motion.kind], of->driven ? ", with a surface velocity" : "");
+                     of->frame < 0 ? "" : moves[w->frame[of->frame].motion.kind],
+                     of->driven ? ", with a surface velocity" : "");
     }
     if (w->walls == 0)
     {
@@ -220,11 +227,14 @@ static void write_groups(struct dem_text *t, const struct dem_plan *p)
     for (size_t k = 0; k < c->groups; k++)
     {
         const struct dem_group_summary *const g = &c->group[k];
-        const double d[3] = {g->min_diameter, g->sum/(double)(g->n > 0 ? g->n : 1), g->max_diameter};
+        const double d[3] = {g->min_diameter, g->sum/(double)(g->n > 0 ? g->n : 1),
+                             g->max_diameter};
 
         if (g->n > 0)
         {
-            write_inventory(t, g->name, g->n, g->material < 0 ? "several materials" : r->material[g->material].name, d, g->mass, g->volume);
+            write_inventory(t, g->name, g->n,
+                            g->material < 0 ? "several materials" : r->material[g->material].name,
+                            d, g->mass, g->volume);
         }
     }
 }
@@ -244,14 +254,17 @@ void dem_plan_particles(struct dem_text *t, const struct dem_plan *p)
     for (int m = 0; m < r->materials && p->scene->initial.groups == 0; m++)
     {
         const struct dem_material_inventory *const k = &s->material[m];
-        const double d[3] = {k->min_diameter, k->diameters/(double)(k->n > 0 ? k->n : 1), k->max_diameter};
+        const double d[3] = {k->min_diameter, k->diameters/(double)(k->n > 0 ? k->n : 1),
+                             k->max_diameter};
 
         if (k->n > 0)
         {
-            write_inventory(t, "from the snapshot", k->n, r->material[m].name, d, k->mass, k->volume);
+            write_inventory(t, "from the snapshot", k->n, r->material[m].name, d, k->mass,
+                            k->volume);
         }
     }
-    const double d[3] = {s->all.min_diameter, s->all.diameters/(double)s->all.n, s->all.max_diameter};
+    const double d[3] = {s->all.min_diameter, s->all.diameters/(double)s->all.n,
+                         s->all.max_diameter};
 
     write_inventory(t, "together", s->all.n, "", d, s->all.mass, s->all.volume);
     if (s->all.frozen > 0)

@@ -60,7 +60,8 @@ static int write_text(const char *path, const char *text)
 
 static int require_absent(const char *path)
 {
-    DEM_REQUIRE(!dem_file_exists(path), DEM_ERROR_FILE, "%s is there already and would be overwritten by -write; move or delete it", path);
+    DEM_REQUIRE(!dem_file_exists(path), DEM_ERROR_FILE,
+                "%s is there already and would be overwritten by -write; move or delete it", path);
     return DEM_OK;
 }
 
@@ -71,7 +72,8 @@ static int require_absent(const char *path)
 static const char *judge(const struct rewrite *w, const char *text,
                          const struct dem_verdict **verdict, int *n)
 {
-    return write_text(w->part, text) ? dem_error_text() : w->by->evaluate(w->by->self, w->part, verdict, n);
+    return write_text(w->part, text) ? dem_error_text()
+                                     : w->by->evaluate(w->by->self, w->part, verdict, n);
 }
 
 /* The reason for an edit, for comments and the report; valid until the next call on this thread. */
@@ -89,10 +91,14 @@ static int accept_edit(struct rewrite *w, struct dem_text *edited, int places,
 {
     if (places == 0)
     {
-        dem_text_add(&w->left, "    %s: it is not in the text of %s itself; change it in the included file: %s\n", v->effect, w->by->scene, reason(v));
+        dem_text_add(
+            &w->left,
+            "    %s: it is not in the text of %s itself; change it in the included file: %s\n",
+            v->effect, w->by->scene, reason(v));
         return DEM_OK;
     }
-    const char *const error = edited->status ? dem_error_text() : judge(w, edited->text, NULL, NULL);
+    const char *const error =
+        edited->status ? dem_error_text() : judge(w, edited->text, NULL, NULL);
 
     if (error)
     {
@@ -115,13 +121,16 @@ static int edit(struct rewrite *w, const struct dem_verdict *v)
 
     if (v->missing_setting)
     {
-        dem_text_add(&w->left, "    %s%s%s: %s; give it %s\n", v->effect, v->replaces ? " in place of " : "", v->replaces ? v->replaces : "",
-                     reason(v), v->missing_setting);
+        dem_text_add(&w->left, "    %s%s%s: %s; give it %s\n", v->effect,
+                     v->replaces ? " in place of " : "", v->replaces ? v->replaces : "", reason(v),
+                     v->missing_setting);
         return DEM_OK;
     }
     if (v->word == DEM_NEGLIGIBLE && effect->stage == DEM_STAGE_NORMAL)
     {
-        dem_text_add(&w->left, "    %s is negligible, but contacts need a normal law: choose another one\n", v->effect);
+        dem_text_add(&w->left,
+                     "    %s is negligible, but contacts need a normal law: choose another one\n",
+                     v->effect);
         return DEM_OK;
     }
     if (v->word == DEM_NEGLIGIBLE && effect->stage == DEM_STAGE_DAMP)
@@ -198,12 +207,14 @@ static int put_in_place(const struct rewrite *w)
     const char *const scene = w->by->scene;
 
     DEM_TRY(write_text(w->part, w->text.text));
-    DEM_REQUIRE(rename(scene, w->before) == 0, DEM_ERROR_FILE, "cannot rename %s to %s: %s", scene, w->before, strerror(errno));
+    DEM_REQUIRE(rename(scene, w->before) == 0, DEM_ERROR_FILE, "cannot rename %s to %s: %s", scene,
+                w->before, strerror(errno));
     if (rename(w->part, scene) != 0)
     {
         const int why = errno, back = rename(w->before, scene) == 0;
 
-        return dem_error(DEM_ERROR_FILE, "cannot rename %s to %s: %s; the original scene is %s", w->part, scene, strerror(why), back ? scene : w->before);
+        return dem_error(DEM_ERROR_FILE, "cannot rename %s to %s: %s; the original scene is %s",
+                         w->part, scene, strerror(why), back ? scene : w->before);
     }
     return DEM_OK;
 }
@@ -214,7 +225,8 @@ static int report(const struct rewrite *w)
 
     if (w->changed.n > 0)
     {
-        dem_text_add(&lines, "%s has been edited as planned, the original text is %s:\n%s", w->by->scene, w->before, w->changed.text);
+        dem_text_add(&lines, "%s has been edited as planned, the original text is %s:\n%s",
+                     w->by->scene, w->before, w->changed.text);
     }
     else
     {
@@ -250,8 +262,10 @@ int dem_scene_rewrite(const struct dem_scene_rewriter *by)
 {
     struct rewrite w = {.by = by};
 
-    DEM_REQUIRE(strlen(by->scene) + 8 < PATH, DEM_ERROR_INPUT, "the name of the scene, %s, is longer than %d characters; run in its folder and give the file name only",
-                by->scene, PATH - 9);
+    DEM_REQUIRE(
+        strlen(by->scene) + 8 < PATH, DEM_ERROR_INPUT,
+        "the name of the scene, %s, is longer than %d characters; run in its folder and give the file name only",
+        by->scene, PATH - 9);
     snprintf(w.part, sizeof w.part, "%s.part", by->scene);
     snprintf(w.before, sizeof w.before, "%s.before", by->scene);
     DEM_TRY(require_absent(w.before));

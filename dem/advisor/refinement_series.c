@@ -43,7 +43,8 @@ static double interval(const struct dem_refinement_level *r)
    square root counts as chaotic. */
 static int is_chaotic(const struct dem_refinement_series *l)
 {
-    const struct dem_refinement_level *const coarse = &l->level[0], *const fine = &l->level[l->levels - 1];
+    const struct dem_refinement_level *const coarse = &l->level[0];
+    const struct dem_refinement_level *const fine = &l->level[l->levels - 1];
     double low = INFINITY, high = -INFINITY;
 
     for (int k = 0; k < l->levels; k++)
@@ -51,7 +52,8 @@ static int is_chaotic(const struct dem_refinement_series *l)
         low = fmin(low, l->level[k].mean);
         high = fmax(high, l->level[k].mean);
     }
-    return l->levels > 1 && fine->scatter > coarse->scatter*sqrt(fine->size/coarse->size) && 4.0*fine->scatter > high - low;
+    return l->levels > 1 && fine->scatter > coarse->scatter*sqrt(fine->size/coarse->size) &&
+           4.0*fine->scatter > high - low;
 }
 
 /* Richardson extrapolation from three levels, the finest of them `at`; returns 0 if they do not
@@ -60,7 +62,8 @@ static int is_chaotic(const struct dem_refinement_series *l)
 static int extrapolate(const struct dem_refinement_series *l, int at, double *q, double *weight)
 {
     const struct dem_refinement_level *const r = l->level + at;
-    const double fine = r[-1].mean - r[0].mean, coarse = r[-2].mean - r[-1].mean, ratio = r[-1].size/r[0].size;
+    const double fine = r[-1].mean - r[0].mean, coarse = r[-2].mean - r[-1].mean,
+                 ratio = r[-1].size/r[0].size;
     const double p = coarse/fine > 0.0 ? log(coarse/fine)/log(ratio) : NAN;
 
     if (!isgreater(p, 0.5) || !isless(p, 4.0))
@@ -107,7 +110,8 @@ static void set_error(const struct dem_refinement_series *l, struct dem_refineme
     if (l->kind == DEM_REFINEMENT_STATISTICS)
     {
         r->error = fabs(r->mean - l->reference);
-        r->uncertainty = r == &l->level[l->levels - 1] ? l->uncertainty : hypot(interval(r), l->uncertainty);
+        r->uncertainty =
+            r == &l->level[l->levels - 1] ? l->uncertainty : hypot(interval(r), l->uncertainty);
         return;
     }
     for (int k = 0; k < r->runs; k++)
@@ -124,7 +128,8 @@ static void fit_order(struct dem_refinement_series *l)
     for (int k = 0; k < l->levels; k++)
     {
         const struct dem_refinement_level *const r = &l->level[k];
-        const double counts = r->error > 2.0*r->uncertainty && r->error > 0.0 ? 1.0 : 0.0, a = log(r->size), b = counts > 0.0 ? log(r->error) : 0.0;
+        const double counts = r->error > 2.0*r->uncertainty && r->error > 0.0 ? 1.0 : 0.0,
+                     a = log(r->size), b = counts > 0.0 ? log(r->error) : 0.0;
 
         n += counts, x += counts*a, y += counts*b, xx += counts*a*a, xy += counts*a*b;
     }
@@ -138,7 +143,9 @@ static void fit_order(struct dem_refinement_series *l)
     for (int k = 0; k < l->levels; k++)
     {
         const struct dem_refinement_level *const r = &l->level[k];
-        const double off = r->error > 2.0*r->uncertainty && r->error > 0.0 ? log(r->error) - y/n - slope*(log(r->size) - x/n) : 0.0;
+        const double off = r->error > 2.0*r->uncertainty && r->error > 0.0
+                               ? log(r->error) - y/n - slope*(log(r->size) - x/n)
+                               : 0.0;
 
         rest += off*off;
     }
@@ -150,7 +157,8 @@ void dem_refinement_evaluate(struct dem_refinement_series *l)
 {
     for (int k = 0; k < l->levels; k++)
     {
-        dem_refinement_moments(l->level[k].value, l->level[k].runs, &l->level[k].mean, &l->level[k].scatter);
+        dem_refinement_moments(l->level[k].value, l->level[k].runs, &l->level[k].mean,
+                               &l->level[k].scatter);
     }
     if (l->closed)
     {

@@ -41,7 +41,8 @@ static double length(const double v[3])
 /* m3: volume of a domain that is closed on all sides; 0 unknown */
 static double domain_volume(const struct dem_plan *p)
 {
-    return p->run.volume > 0.0 ? p->run.volume : dem_plan_width(p, 0)*dem_plan_width(p, 1)*dem_plan_width(p, 2);
+    return p->run.volume > 0.0 ? p->run.volume
+                               : dem_plan_width(p, 0)*dem_plan_width(p, 1)*dem_plan_width(p, 2);
 }
 
 /* m: smallest width between planes; 0 if no axis is bounded by planes */
@@ -101,7 +102,8 @@ static double number_at(const struct dem_plan *p, enum dem_stage stage, const ch
 {
     const struct dem_effect *const effect = effect_at(p, stage);
     const void *const settings = effect ? dem_regime_settings(p, effect) : NULL;
-    const struct dem_setting *const f = settings && effect->settings ? dem_settings_find(effect->settings, entry) : NULL;
+    const struct dem_setting *const f =
+        settings && effect->settings ? dem_settings_find(effect->settings, entry) : NULL;
 
     return f ? *(const double *)(const void *)((const char *)settings + f->offset) : NAN;
 }
@@ -143,19 +145,28 @@ static void set_fluid_numbers(const struct dem_plan *p, struct dem_regime *g)
 {
     const struct dem_uniform_fluid *const given = &p->scene->fluid;
     const struct dem_suspension *const b = &g->suspension;
-    const double stokes = dem_suspension_response_time(b), sinks = with_drag(&p->state->interaction_table) ? dem_suspension_terminal_velocity(&p->state->interaction_table, b) : 0.0;
+    const double stokes = dem_suspension_response_time(b),
+                 sinks = with_drag(&p->state->interaction_table)
+                             ? dem_suspension_terminal_velocity(&p->state->interaction_table, b)
+                             : 0.0;
 
     g->flow = given->given ? length(given->velocity) : p->run.speed;
     g->vorticity = given->given ? length(given->vorticity) : p->run.vorticity;
     g->stress = given->given ? length(given->stress) : 0.0;
     /* particles lighter than the fluid rise: their slip is that of a single sphere */
-    g->slip = fmax(b->gravity > 0.0 ? sinks > 0.0 ? sinks : dem_suspension_single_sphere_velocity(b) : 0.0, g->flow);
+    g->slip = fmax(b->gravity > 0.0 ? sinks > 0.0 ? sinks : dem_suspension_single_sphere_velocity(b)
+                                    : 0.0,
+                   g->flow);
     g->reynolds = b->fluid_density*g->slip*b->diameter/b->viscosity;
     g->drag_factor = dem_drag_single_sphere(g->reynolds);
     g->response = stokes/g->drag_factor;
     g->stokes = g->mass*g->speed/(6.0*pi*b->viscosity*g->radius*g->radius);
-    g->collision_speed = g->slip > 0.0 && g->speed > 0.0 ? fmin(g->slip, g->speed) : fmax(g->slip, g->speed);
-    g->collision_time = g->solid_fraction > 0.0 && g->collision_speed > 0.0 && p->inventory.all.n > 1 ? b->diameter/(6.0*g->solid_fraction*g->collision_speed) : 0.0;
+    g->collision_speed =
+        g->slip > 0.0 && g->speed > 0.0 ? fmin(g->slip, g->speed) : fmax(g->slip, g->speed);
+    g->collision_time =
+        g->solid_fraction > 0.0 && g->collision_speed > 0.0 && p->inventory.all.n > 1
+            ? b->diameter/(6.0*g->solid_fraction*g->collision_speed)
+            : 0.0;
 }
 
 /* m/s: slowest impact that yields, of two equal spheres with the modulus of the scene (too large
@@ -166,17 +177,23 @@ static double yield_speed(const struct dem_interaction_table *r, const struct de
 
     for (int m = 0; m < r->materials; m++)
     {
-        smallest = r->material[m].yield_strength > 0.0 ? fmin(smallest, r->material[m].yield_strength) : smallest;
+        smallest = r->material[m].yield_strength > 0.0
+                       ? fmin(smallest, r->material[m].yield_strength)
+                       : smallest;
     }
     return isfinite(smallest) && g->modulus > 0.0
-           ? sqrt(16.0/15.0*g->modulus*pow(g->radius, 3.0)/g->mass*pow(1.6*pi*smallest/(2.0*g->modulus), 5.0)) : 0.0;
+               ? sqrt(16.0/15.0*g->modulus*pow(g->radius, 3.0)/g->mass*
+                      pow(1.6*pi*smallest/(2.0*g->modulus), 5.0))
+               : 0.0;
 }
 
 void dem_regime_set(const struct dem_plan *p, struct dem_regime *g)
 {
     const struct dem_interaction_table *const r = &p->state->interaction_table;
 
-    *g = (struct dem_regime){.uniform = p->scene->fluid.given, .particles = (double)p->inventory.all.n, .cell = p->run.cell};
+    *g = (struct dem_regime){.uniform = p->scene->fluid.given,
+                             .particles = (double)p->inventory.all.n,
+                             .cell = p->run.cell};
     g->fluid = dem_plan_suspension(p, &g->suspension);
     g->solid_fraction = domain_volume(p) > 0.0 ? p->inventory.all.volume/domain_volume(p) : 0.0;
     g->width = narrowest(p);
@@ -188,9 +205,15 @@ void dem_regime_set(const struct dem_plan *p, struct dem_regime *g)
     g->speed = number_or_zero(p, DEM_STAGE_NORMAL, "impactSpeed");
     g->friction = number_or_zero(p, DEM_STAGE_TANGENT, "friction");
     g->has_restitution = isfinite(number_at(p, DEM_STAGE_DAMP, "restitution")) != 0;
-    g->restitution = g->has_restitution ? number_at(p, DEM_STAGE_DAMP, "restitution") : effect_at(p, DEM_STAGE_DAMP) ? 0.0 : 1.0;
+    g->restitution = g->has_restitution ? number_at(p, DEM_STAGE_DAMP, "restitution")
+                     : effect_at(p, DEM_STAGE_DAMP) ? 0.0
+                                                    : 1.0;
     g->adhesive = is_adhesive(p);
-    g->overlap = g->modulus > 0.0 ? pow(15.0*g->mass*g->speed*g->speed/(16.0*g->modulus*pow(g->radius, 3.0)), 0.4) : 0.0;
+    g->overlap =
+        g->modulus > 0.0
+            ? pow(15.0*g->mass*g->speed*g->speed/(16.0*g->modulus*pow(g->radius, 3.0)),
+                  0.4)
+            : 0.0;
     g->yield_speed = yield_speed(r, g);
     if (g->fluid)
     {
@@ -207,7 +230,8 @@ static void write_flow(struct dem_text *t, const struct dem_plan *p, const struc
     dem_text_add(t, "    density ratio %.4g", ratio);
     if (g->solid_fraction > 0.0 && g->solid_fraction < 1.0)
     {
-        dem_text_add(t, ", solid fraction of the domain %.3g, mass loading %.3g", g->solid_fraction, g->solid_fraction*ratio/(1.0 - g->solid_fraction));
+        dem_text_add(t, ", solid fraction of the domain %.3g, mass loading %.3g", g->solid_fraction,
+                     g->solid_fraction*ratio/(1.0 - g->solid_fraction));
     }
     if (g->reynolds > 0.0)
     {
@@ -221,7 +245,8 @@ static void write_flow(struct dem_text *t, const struct dem_plan *p, const struc
     {
         dem_text_add(t, ", of particles in the flow %.3g", g->response*g->flow/g->width);
     }
-    dem_text_add(t, "\n    relaxation time %.3g s at that Reynolds number, %.3g steps", g->response, g->response/p->step);
+    dem_text_add(t, "\n    relaxation time %.3g s at that Reynolds number, %.3g steps", g->response,
+                 g->response/p->step);
     if (p->run.window > 0.0)
     {
         dem_text_add(t, ", %.3g fluid steps", g->response/p->run.window);
@@ -229,7 +254,8 @@ static void write_flow(struct dem_text *t, const struct dem_plan *p, const struc
     if (g->collision_time > 0.0)
     {
         dem_text_add(t, "; time between collisions %.3g s: %s", g->collision_time,
-                     g->response < g->collision_time ? "dilute, fluid forces dominate" : "dense, collisions dominate");
+                     g->response < g->collision_time ? "dilute, fluid forces dominate"
+                                                     : "dense, collisions dominate");
     }
     dem_text_add(t, "\n");
 }
@@ -243,17 +269,26 @@ static void write_cells(struct dem_text *t, const struct dem_plan *p, const stru
 
     if (cell > 0.0)
     {
-        dem_text_add(t, "    smallest cell %.3g diameters%s\n", cell, cell < 3.0 ? ": below 3 the void fraction must be smoothed by a kernel (Peng et al. "
-                     "2014): do not use particleCentre" : "");
+        dem_text_add(t, "    smallest cell %.3g diameters%s\n", cell,
+                     cell < 3.0
+                         ? ": below 3 the void fraction must be smoothed by a kernel (Peng et al. "
+                           "2014): do not use particleCentre"
+                         : "");
     }
     if (p->run.cell > 0.0 && g->solid_fraction > 0.0 && g->solid_fraction < 1.0)
     {
-        const double load = fmax(g->solid_fraction, g->solid_fraction*g->suspension.density/g->suspension.fluid_density/(1.0 - g->solid_fraction));
+        const double load =
+            fmax(g->solid_fraction, g->solid_fraction*g->suspension.density/
+                                        g->suspension.fluid_density/(1.0 - g->solid_fraction));
         const int two_way = !p->run.one_way;
 
-        dem_text_add(t, "    coupling %s: %.2g %% is the larger of mass loading and solid fraction (Elghobashi 1994)\n",
-                     two_way ? load > 0.01 ? "two-way, on and needed" : "two-way, on but negligible"
-                           : load > 0.01 ? "one-way though the scene calls for two-way" : "one-way, as the scene calls for", 100.0*load);
+        dem_text_add(
+            t,
+            "    coupling %s: %.2g %% is the larger of mass loading and solid fraction (Elghobashi 1994)\n",
+            two_way ? load > 0.01 ? "two-way, on and needed" : "two-way, on but negligible"
+            : load > 0.01 ? "one-way though the scene calls for two-way"
+                          : "one-way, as the scene calls for",
+            100.0*load);
     }
 }
 
@@ -274,26 +309,35 @@ static void write_contacts(struct dem_text *t, const struct dem_plan *p, const s
     }
     if (g->speed > 0.0 && g->modulus > 0.0)
     {
-        dem_text_add(t, "    impacts at %g m/s have a contact pressure of %.3g Pa with the modulus of the scene", g->speed, 2.0*g->modulus/pi*sqrt(g->overlap));
+        dem_text_add(
+            t,
+            "    impacts at %g m/s have a contact pressure of %.3g Pa with the modulus of the scene",
+            g->speed, 2.0*g->modulus/pi*sqrt(g->overlap));
         if (g->yield_speed > 0.0)
         {
             dem_text_add(t, ", and yield from %.3g m/s on (Thornton 1997)\n", g->yield_speed);
         }
         else
         {
-            dem_text_add(t, ": they yield if the yield strength is below that over 1.6 (materials/NAME/yieldStrength)\n");
+            dem_text_add(
+                t,
+                ": they yield if the yield strength is below that over 1.6 (materials/NAME/yieldStrength)\n");
         }
     }
 }
 
 static void write_verdict(struct dem_text *t, const struct dem_verdict *v)
 {
-    static const char *const says[] = {"on and needed", "on but negligible", "off though the scene calls for it"};
+    static const char *const says[] = {"on and needed", "on but negligible",
+                                       "off though the scene calls for it"};
 
     dem_text_add(t, "    %-18s %s", v->effect, says[v->word]);
     if (v->word == DEM_NEGLIGIBLE && isfinite(v->cost))
     {
-        dem_text_add(t, v->cost < 0.01 ? " (costs less than 1 %% of the run)" : " (costs %.0f %% of the run)", 100.0*v->cost);
+        dem_text_add(t,
+                     v->cost < 0.01 ? " (costs less than 1 %% of the run)"
+                                    : " (costs %.0f %% of the run)",
+                     100.0*v->cost);
     }
     dem_text_add(t, ": %.2g %% %s", 100.0*v->fraction, v->why);
     if (v->replaces)

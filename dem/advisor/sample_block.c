@@ -30,9 +30,11 @@ static int fill(struct dem_state *q, const struct dem_state *p, const struct dem
     {
         const int cell = k/2;
         const double shift = 0.25 + 0.5*(k%2);
-        const double x[3] = {a*(cell%edge + shift), a*(cell/edge%edge + shift), a*(cell/edge/edge + shift)};
+        const double x[3] = {a*(cell%edge + shift), a*(cell/edge%edge + shift),
+                             a*(cell/edge/edge + shift)};
 
-        q->particles.record[k] = dem_particle_sphere(k, x, d, p->interaction_table.material[material].density, material);
+        q->particles.record[k] =
+            dem_particle_sphere(k, x, d, p->interaction_table.material[material].density, material);
         q->particles.record[k].viscosity = s->fluid_viscosity;
         if (dem_column(&q->particles, DEM_COLUMN_FLUID_DENSITY))
         {

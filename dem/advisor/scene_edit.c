@@ -64,7 +64,8 @@ static size_t after_comment(const char *text, size_t at)
 static void take_word(struct walk *w)
 {
     w->word = w->at;
-    while (w->text[w->at] && !strchr(" \t\r\n\f\v{};\"", w->text[w->at]) && after_comment(w->text, w->at) == w->at)
+    while (w->text[w->at] && !strchr(" \t\r\n\f\v{};\"", w->text[w->at]) &&
+           after_comment(w->text, w->at) == w->at)
     {
         w->at++;
     }
@@ -132,7 +133,8 @@ static int find(const char *text, const char *effect, struct position position[M
 
     while (next_closed(&w))
     {
-        const int for_all = w.depth == 1 && is(text, w.open[0], "effects"), for_pair = w.depth == 2 && is(text, w.open[0], "pairs");
+        const int for_all = w.depth == 1 && is(text, w.open[0], "effects"),
+                  for_pair = w.depth == 2 && is(text, w.open[0], "pairs");
 
         if ((for_all || for_pair) && is(text, w.open[w.depth], effect) && n < MAX_POSITIONS)
         {
@@ -214,7 +216,10 @@ int dem_edit_rename(struct dem_text *to, const char *text, const char *effect, c
         dem_text_add(to, "%s", other);
         copy(to, text, position[k].name_end, position[k].end);
         done = position[k].end;
-        dem_text_add(to, blank(text, done, line_end(text, done)) ? "    // dem plan: %s; it was %s" : " /* dem plan: %s; it was %s */", why, effect);
+        dem_text_add(to,
+                     blank(text, done, line_end(text, done)) ? "    // dem plan: %s; it was %s"
+                                                             : " /* dem plan: %s; it was %s */",
+                     why, effect);
     }
     dem_text_add(to, "%s", text + done);
     return n;
@@ -247,7 +252,10 @@ int dem_edit_comment_out(struct dem_text *to, const char *text, const char *effe
         const int first = start >= done && blank(text, start, position[k].name);
 
         copy(to, text, done, position[k].name);
-        dem_text_add(to, first ? "// dem plan: without %s: %s\n" : "\n    // dem plan: without %s: %s\n    ", effect, why);
+        dem_text_add(to,
+                     first ? "// dem plan: without %s: %s\n"
+                           : "\n    // dem plan: without %s: %s\n    ",
+                     effect, why);
         comment_out(to, text, position[k], first ? start : position[k].name);
         done = position[k].end;
         dem_text_add(to, blank(text, done, line_end(text, done)) ? "" : "\n");

@@ -61,11 +61,15 @@ void dem_memory_need_count(const struct dem_state *p, const struct dem_inventory
     need->pair = (double)dem_contacts_bytes_per_pair(&p->contacts);
     need->row = (double)dem_contacts_bytes_per_row(&p->contacts);
     need->bed = n*(need->particle + capacity*(pairs*need->pair + rows*need->row));
-    need->bed += n*rows > DEM_FORCE_BUFFER_ROWS ? (double)dem_contacts_force_buffer_bytes(&p->contacts) : 0.0;
+    need->bed += n*rows > DEM_FORCE_BUFFER_ROWS
+                     ? (double)dem_contacts_force_buffer_bytes(&p->contacts)
+                     : 0.0;
     need->copy = n*sizeof(double)*(double)dem_particles_packed_size(&p->particles);
     if (p->contacts.history_columns > 0)
     {
-        need->copy += n*0.5*in_contact*(double)(sizeof(struct dem_contact_key) + sizeof(double)*(size_t)p->contacts.history_columns);
+        need->copy += n*0.5*in_contact*
+                      (double)(sizeof(struct dem_contact_key) +
+                               sizeof(double)*(size_t)p->contacts.history_columns);
     }
 }
 
@@ -142,5 +146,7 @@ int dem_step_cost_measure(const struct dem_state *p, const struct dem_inventory 
     pace->step = slowest[0];
     pace->rebuild = slowest[1];
     pace->prune = slowest[2];
-    return isfinite(slowest[0]) || status ? status : dem_error(DEM_ERROR_STATE, "another rank failed; see the message of that rank");
+    return isfinite(slowest[0]) || status
+               ? status
+               : dem_error(DEM_ERROR_STATE, "another rank failed; see the message of that rank");
 }

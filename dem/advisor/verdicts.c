@@ -40,8 +40,13 @@ static struct dem_verdict *add(struct dem_plan *p, const struct dem_effect *effe
     }
     struct dem_verdict *const v = &all->verdict[all->n++];
 
-    *v = (struct dem_verdict){.effect = effect->name, .word = !on ? DEM_MISSING : r->fraction > r->threshold ? DEM_NEEDED : DEM_NEGLIGIBLE,
-                              .fraction = r->fraction, .cost = NAN, .missing_setting = on ? NULL : r->missing_setting};
+    *v = (struct dem_verdict){.effect = effect->name,
+                              .word = !on ? DEM_MISSING
+                                      : r->fraction > r->threshold ? DEM_NEEDED
+                                                                   : DEM_NEGLIGIBLE,
+                              .fraction = r->fraction,
+                              .cost = NAN,
+                              .missing_setting = on ? NULL : r->missing_setting};
     snprintf(v->why, sizeof v->why, "%s", r->quantity);
     return v;
 }
@@ -55,8 +60,10 @@ static double drag_coefficient(const struct dem_plan *p, const struct dem_regime
 {
     const struct dem_suspension *const b = &g->suspension;
 
-    return law ? dem_suspension_drag(&p->state->interaction_table, b, 1.0 - fmin(g->solid_fraction, 0.64), u)
-               : 3.0*pi*b->viscosity*b->diameter*dem_drag_single_sphere(b->fluid_density*u*b->diameter/b->viscosity);
+    return law ? dem_suspension_drag(&p->state->interaction_table, b,
+                                     1.0 - fmin(g->solid_fraction, 0.64), u)
+               : 3.0*pi*b->viscosity*b->diameter*
+                     dem_drag_single_sphere(b->fluid_density*u*b->diameter/b->viscosity);
 }
 
 /* Drag over weight at the largest slip given in the scene; not a number: unknown. */
@@ -69,7 +76,9 @@ static double drag_fraction(const struct dem_plan *p, const struct dem_regime *g
     {
         return u > 0.0 ? drag_coefficient(p, g, law, u)*u/g->weight : NAN;
     }
-    return p->run.duration > 0.0 ? -expm1(-p->run.duration*drag_coefficient(p, g, law, g->slip)/(2.0*g->mass)) : NAN;
+    return p->run.duration > 0.0
+               ? -expm1(-p->run.duration*drag_coefficient(p, g, law, g->slip)/(2.0*g->mass))
+               : NAN;
 }
 
 /* Relative increase of drag in a suspension: (1 - phi)^-3.65 - 1 */
@@ -103,18 +112,22 @@ static void judge_range(struct dem_plan *p, const struct dem_regime *g,
     struct dem_relevance v = {.threshold = threshold};
     char quantity[200];
 
-    if ((law->drag == DEM_DRAG_CREEPING || law->drag == DEM_DRAG_SINGLE) && suspension_excess(g) > threshold)
+    if ((law->drag == DEM_DRAG_CREEPING || law->drag == DEM_DRAG_SINGLE) &&
+        suspension_excess(g) > threshold)
     {
         other = suspension_law(g);
         v.fraction = suspension_excess(g);
-        v.quantity = "of the drag at this solid fraction is missing in a single-sphere law (Wen and Yu 1966)";
+        v.quantity =
+            "of the drag at this solid fraction is missing in a single-sphere law (Wen and Yu 1966)";
     }
     else if (law->drag == DEM_DRAG_CREEPING)
     {
         other = dem_effects_drag_law(DEM_DRAG_SINGLE);
         v.fraction = g->drag_factor - 1.0;
         v.quantity = quantity;
-        snprintf(quantity, sizeof quantity, "of the drag at this Reynolds number is missing in %s (%s)", law->name, other->source);
+        snprintf(quantity, sizeof quantity,
+                 "of the drag at this Reynolds number is missing in %s (%s)", law->name,
+                 other->source);
     }
     struct dem_verdict *const verdict = other ? add(p, other, &v) : NULL;
 
@@ -127,12 +140,17 @@ static void judge_range(struct dem_plan *p, const struct dem_regime *g,
 static void judge_drag(struct dem_plan *p, const struct dem_regime *g)
 {
     const struct dem_effect *const law = drag_in_use(&p->state->interaction_table);
-    const struct dem_effect *const proposed = suspension_excess(g) > threshold ? suspension_law(g) : dem_effects_drag_law(DEM_DRAG_SINGLE);
+    const struct dem_effect *const proposed = suspension_excess(g) > threshold
+                                                  ? suspension_law(g)
+                                                  : dem_effects_drag_law(DEM_DRAG_SINGLE);
     char quantity[200];
-    const struct dem_relevance v = {.fraction = drag_fraction(p, g, law), .threshold = threshold, .quantity = quantity};
+    const struct dem_relevance v = {.fraction = drag_fraction(p, g, law),
+                                    .threshold = threshold,
+                                    .quantity = quantity};
 
     snprintf(quantity, sizeof quantity, "of %s (%s)",
-             g->weight > 0.0 ? "the weight is drag, at the speed of the fluid or of impacts" : "a slip has decayed when the run ends",
+             g->weight > 0.0 ? "the weight is drag, at the speed of the fluid or of impacts"
+                             : "a slip has decayed when the run ends",
              law ? law->source : "Schiller and Naumann 1933");
     if (isfinite(v.fraction))
     {
@@ -152,7 +170,8 @@ static const char *replaced_by(const struct dem_interaction_table *r,
 {
     for (int k = 0; k < r->chosen; k++)
     {
-        if (r->effect[k]->stage == effect->stage && (effect->stage == DEM_STAGE_NORMAL || effect->stage == DEM_STAGE_DAMP))
+        if (r->effect[k]->stage == effect->stage &&
+            (effect->stage == DEM_STAGE_NORMAL || effect->stage == DEM_STAGE_DAMP))
         {
             return r->effect[k]->name;
         }
@@ -165,7 +184,8 @@ static void judge(struct dem_plan *p, const struct dem_regime *g, const struct d
     const struct dem_interaction_table *const r = &p->state->interaction_table;
     struct dem_relevance v = {.threshold = threshold};
 
-    if (!dem_interaction_table_excludes(r, effect) && effect->relevance(dem_regime_settings(p, effect), g, &v))
+    if (!dem_interaction_table_excludes(r, effect) &&
+        effect->relevance(dem_regime_settings(p, effect), g, &v))
     {
         struct dem_verdict *const verdict = add(p, effect, &v);
 
@@ -184,7 +204,8 @@ void dem_verdicts_add(struct dem_plan *p, const struct dem_regime *g)
     }
     for (enum dem_mechanism m = 0; m < DEM_MECHANISMS; m++)
     {
-        const int known = m == DEM_MECHANISM_REPULSION || (m < DEM_MECHANISM_REPULSION ? g->fluid : g->modulus > 0.0);
+        const int known = m == DEM_MECHANISM_REPULSION ||
+                          (m < DEM_MECHANISM_REPULSION ? g->fluid : g->modulus > 0.0);
 
         for (const struct dem_effect *const *e = dem_effects; *e && known; e++)
         {

@@ -47,7 +47,8 @@ static void warn_of_walls(struct list *w)
 
     for (int k = 0; k < walls->walls; k++)
     {
-        all += dem_interaction_table_wall_has_law(&w->p->state->interaction_table, walls->wall[k].material) == 0;
+        all += dem_interaction_table_wall_has_law(&w->p->state->interaction_table,
+                                                  walls->wall[k].material) == 0;
     }
     if (all == 0 || !has_particles(w))
     {
@@ -57,13 +58,17 @@ static void warn_of_walls(struct list *w)
     dem_text_add(w->t, "no contact law acts between particles and wall%s", all > 1 ? "s" : "");
     for (int k = 0; k < walls->walls && listed < 8; k++)
     {
-        if (!dem_interaction_table_wall_has_law(&w->p->state->interaction_table, walls->wall[k].material))
+        if (!dem_interaction_table_wall_has_law(&w->p->state->interaction_table,
+                                                walls->wall[k].material))
         {
             dem_text_add(w->t, "%s %s", listed++ ? "," : "", walls->wall[k].name);
         }
     }
-    dem_text_add(w->t, "%s: particles pass through; add a normal law and damping to effects, hertz {} dry { restitution 0.9; } "
-                       "for example\n", all > listed ? " and others" : "");
+    dem_text_add(
+        w->t,
+        "%s: particles pass through; add a normal law and damping to effects, hertz {} dry { restitution 0.9; } "
+        "for example\n",
+        all > listed ? " and others" : "");
 }
 
 static void warn_of_gravity(struct list *w)
@@ -78,13 +83,18 @@ static void warn_of_gravity(struct list *w)
     if (size == 0.0)
     {
         begin(w);
-        dem_text_add(w->t, "no gravity: particles have no weight; give %s, (0 0 -9.81) for example, if they should have\n", entry);
+        dem_text_add(
+            w->t,
+            "no gravity: particles have no weight; give %s, (0 0 -9.81) for example, if they should have\n",
+            entry);
     }
     else if (up > 0.9*size)
     {
         begin(w);
-        dem_text_add(w->t, "gravity (%g %g %g) m/s2 points along +%c: particles rise; change the sign in %s if that is up\n", g[0], g[1], g[2],
-                     fabs(g[1]) > fabs(g[2]) ? 'y' : 'z', entry);
+        dem_text_add(
+            w->t,
+            "gravity (%g %g %g) m/s2 points along +%c: particles rise; change the sign in %s if that is up\n",
+            g[0], g[1], g[2], fabs(g[1]) > fabs(g[2]) ? 'y' : 'z', entry);
     }
 }
 
@@ -104,8 +114,10 @@ static void warn_of_drag(struct list *w)
     if ((w->coupled || w->p->scene->fluid.given) && !has_drag(&w->p->state->interaction_table))
     {
         begin(w);
-        dem_text_add(w->t, "a fluid, and no drag: particles do not feel its flow; add a drag law to effects, gidaspow {} or diFelice {} "
-                           "for example (`dem effects` lists them)\n");
+        dem_text_add(
+            w->t,
+            "a fluid, and no drag: particles do not feel its flow; add a drag law to effects, gidaspow {} or diFelice {} "
+            "for example (`dem effects` lists them)\n");
     }
 }
 
@@ -125,8 +137,10 @@ static void warn_of_densities(struct list *w)
         if (is_present(w->p, m) && r->material[m].density < min_density)
         {
             begin(w);
-            dem_text_add(w->t, "materials/%s/density is %g kg/m3; the unit is kg/m3, 2500 for glass: change it unless they are that light\n",
-                         r->material[m].name, r->material[m].density);
+            dem_text_add(
+                w->t,
+                "materials/%s/density is %g kg/m3; the unit is kg/m3, 2500 for glass: change it unless they are that light\n",
+                r->material[m].name, r->material[m].density);
         }
     }
 }
@@ -154,7 +168,8 @@ static void add_time(struct list *w, double steps)
 {
     if (w->step_cost > 0.0)
     {
-        dem_text_add(w->t, ", %s of processor time for %.0f particles", dem_text_time(steps*particles(w)*w->step_cost), particles(w));
+        dem_text_add(w->t, ", %s of processor time for %.0f particles",
+                     dem_text_time(steps*particles(w)*w->step_cost), particles(w));
     }
 }
 
@@ -172,11 +187,14 @@ static int warn_of_moduli(struct list *w)
         {
             DEM_TRY(measure(w));
             begin(w);
-            dem_text_add(w->t, "materials/%s/youngsModulus %g Pa makes the step %.3g s: %.3g steps ahead", r->material[m].name, modulus,
-                         w->p->step, steps);
+            dem_text_add(w->t,
+                         "materials/%s/youngsModulus %g Pa makes the step %.3g s: %.3g steps ahead",
+                         r->material[m].name, modulus, w->p->step, steps);
             add_time(w, steps);
-            dem_text_add(w->t, "; with %g Pa some %.2g times fewer, and the same motion as long as overlaps stay below 5 %%\n", soft,
-                         pow(modulus/soft, 0.4));
+            dem_text_add(
+                w->t,
+                "; with %g Pa some %.2g times fewer, and the same motion as long as overlaps stay below 5 %%\n",
+                soft, pow(modulus/soft, 0.4));
         }
     }
     return DEM_OK;
@@ -187,7 +205,8 @@ static double fluid_speed(const struct list *w)
 {
     const struct dem_uniform_fluid *const given = &w->p->scene->fluid;
 
-    return given->given ? dem_vec_norm(given->velocity) : fmax(w->p->run.speed, w->p->run.patch_speed);
+    return given->given ? dem_vec_norm(given->velocity)
+                        : fmax(w->p->run.speed, w->p->run.patch_speed);
 }
 
 /* ---- fluid step ------------------------------------------------------------------------------ */
@@ -205,9 +224,13 @@ static int warn_of_window(struct list *w)
         add_time(w, steps);
         if (run->duration > run->window && w->step_cost > 0.0)
         {
-            dem_text_add(w->t, ", %s for the run", dem_text_time(steps*particles(w)*w->step_cost*run->duration/run->window));
+            dem_text_add(w->t, ", %s for the run",
+                         dem_text_time(steps*particles(w)*w->step_cost*run->duration/
+                                       run->window));
         }
-        dem_text_add(w->t, "; take a shorter deltaT and endTime in system/controlDict, or a softer material\n");
+        dem_text_add(
+            w->t,
+            "; take a shorter deltaT and endTime in system/controlDict, or a softer material\n");
     }
     return DEM_OK;
 }
@@ -232,7 +255,8 @@ static double reached(const struct list *w, const char **whose)
     const double fall = dem_vec_norm(gravity)*run->window;
     const double terminal = g->fluid && drag && g->slip > 0.0 ? fmin(fall, g->slip) : fall;
 
-    *whose = w->p->inventory.all.n > 0 && terminal > most ? "that gravity gives to a particle in it" : *whose;
+    *whose = w->p->inventory.all.n > 0 && terminal > most ? "that gravity gives to a particle in it"
+                                                          : *whose;
     return w->p->inventory.all.n > 0 ? fmax(most, terminal) : most;
 }
 
@@ -246,9 +270,12 @@ static void warn_of_crossing(struct list *w)
     if (crossing > max_crossing)
     {
         begin(w);
-        dem_text_add(w->t, "a fluid step of %g s is long: at %.3g m/s, the speed %s, particles cross %.3g cells or half kernel widths "
-                           "(maxParticleCo %g); take deltaT %.2g s in system/controlDict, or adjustTimeStep yes\n", run->window, speed, whose,
-                     crossing, max_crossing, max_crossing*run->resolution/speed);
+        dem_text_add(
+            w->t,
+            "a fluid step of %g s is long: at %.3g m/s, the speed %s, particles cross %.3g cells or half kernel widths "
+            "(maxParticleCo %g); take deltaT %.2g s in system/controlDict, or adjustTimeStep yes\n",
+            run->window, speed, whose, crossing, max_crossing,
+            max_crossing*run->resolution/speed);
     }
 }
 
@@ -287,7 +314,8 @@ static void warn_of_impacts(struct list *w)
     warn_of_impact(w, "the fastest particle", "", w->speed);
     for (int k = 0; k < s->streams; k++)
     {
-        warn_of_impact(w, "insert/", s->stream[k].name, stream_speed(&s->stream[k], fluid_speed(w)));
+        warn_of_impact(w, "insert/", s->stream[k].name,
+                       stream_speed(&s->stream[k], fluid_speed(w)));
     }
     if (drag && has_particles(w))
     {

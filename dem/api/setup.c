@@ -47,9 +47,10 @@ static int refuse_added_mass_twice(const struct dem_interaction_table *r)
         const struct dem_effect *const e = r->effect[k];
         const double added = e->own_added_mass ? e->own_added_mass(r->settings[k]) : 0.0;
 
-        DEM_REQUIRE(!(added > 0.0 && inertia), DEM_ERROR_INPUT,
-                    "effects/%s counts addedMass %g, and %s adds it to the inertia, which %s sees; leave addedMass out", e->name, added,
-                    inertia->name, e->name);
+        DEM_REQUIRE(
+            !(added > 0.0 && inertia), DEM_ERROR_INPUT,
+            "effects/%s counts addedMass %g, and %s adds it to the inertia, which %s sees; leave addedMass out",
+            e->name, added, inertia->name, e->name);
     }
     return DEM_OK;
 }
@@ -68,14 +69,16 @@ static int decide_fluid(struct dem *d)
                                                                 effect->name, "viscosity")
                              : 0.0;
 
-        d->with_fluid |= (effect->needs & DEM_NEEDS_FLUID) || (effect->needs & DEM_NEEDS_VISCOSITY && own == 0.0);
+        d->with_fluid |= (effect->needs & DEM_NEEDS_FLUID) ||
+                         (effect->needs & DEM_NEEDS_VISCOSITY && own == 0.0);
         viscosity = own > 0.0 ? own : viscosity;
         has_own = own > 0.0 ? effect : has_own;
     }
     d->pressure_gradient = dem_interaction_table_has_pressure_gradient(&d->state.interaction_table);
-    DEM_REQUIRE(!(has_own && (d->with_fluid || d->scene.fluid.given)), DEM_ERROR_INPUT,
-                "effects/%s gives viscosity %g Pa s, but the fluid of the run has one too; remove viscosity from %s", has_own->name,
-                viscosity, has_own->name);
+    DEM_REQUIRE(
+        !(has_own && (d->with_fluid || d->scene.fluid.given)), DEM_ERROR_INPUT,
+        "effects/%s gives viscosity %g Pa s, but the fluid of the run has one too; remove viscosity from %s",
+        has_own->name, viscosity, has_own->name);
     return refuse_added_mass_twice(&d->state.interaction_table);
 }
 
@@ -194,7 +197,8 @@ static int distribute(struct dem *d)
 {
     struct dem_state *const p = &d->state;
 
-    DEM_TRY(dem_collect_agree(&p->decomposition, dem_domain_project_all(&p->domain, &p->particles)));
+    DEM_TRY(
+        dem_collect_agree(&p->decomposition, dem_domain_project_all(&p->domain, &p->particles)));
     DEM_TRY(dem_decomposition_balance(&p->decomposition, &p->particles, NULL));
     DEM_TRY(dem_halo_migrate(&p->halo, DEM_OK, &p->particles, &p->contacts));
     p->stale = 2;
@@ -243,7 +247,8 @@ static int with_lists(struct dem *d, int (*look)(struct dem *))
     struct dem_backup backup = {.valid = 0};
 
     dem_flows_backup(p->flows);
-    int status = dem_api_agree(d, dem_backup_save(&backup, &p->particles, &p->contacts, p->pairs.wall_facet));
+    int status = dem_api_agree(d, dem_backup_save(&backup, &p->particles, &p->contacts,
+                                                  p->pairs.wall_facet));
 
     status = status ? status : dem_neighbor_rebuild(p);
     status = status ? status : look(d);
@@ -380,7 +385,8 @@ int dem_api_setup(struct dem *d)
     }
     if (d->energy)
     {
-        DEM_TRY(dem_api_agree(d, dem_energy_balance_open(d->state.energy_balance, &d->state.interaction_table)));
+        DEM_TRY(dem_api_agree(d, dem_energy_balance_open(d->state.energy_balance,
+                                                         &d->state.interaction_table)));
     }
     DEM_TRY(dem_api_agree(d, dem_api_begin_flows(d)));
     DEM_TRY(dem_api_agree(d, distribute(d)));

@@ -14,7 +14,8 @@
 int dem_api_gather(const struct dem_state *p, size_t size, size_t n, const double *mine,
                    double **items, size_t *number)
 {
-    const struct dem_collect_items own = {"triangles of a wall or patch (make it of several)", mine, n, size*sizeof *mine};
+    const struct dem_collect_items own = {"triangles of a wall or patch (make it of several)", mine,
+                                          n, size*sizeof *mine};
     void *all;
 
     DEM_TRY(dem_collect_gather(&p->decomposition, DEM_OK, &own, &all, number));

@@ -43,13 +43,15 @@ int dem_cost_find_moduli(struct dem_cost *c, const struct dem_dict *scene)
         DEM_TRY(dem_dict_number(one, "youngsModulus", "Pa", &c->modulus[c->moduli++].value));
     }
     DEM_TRY(dem_dict_sub_if(scene, "effects", &all));
-    for (const struct dem_effect *const *e = dem_effects; *e && all && c->moduli < DEM_COST_MAX_MODULI; e++)
+    for (const struct dem_effect *const *e = dem_effects;
+         *e && all && c->moduli < DEM_COST_MAX_MODULI; e++)
     {
         one = NULL;
         DEM_TRY((*e)->stage == DEM_STAGE_NORMAL ? dem_dict_sub_if(all, (*e)->name, &one) : DEM_OK);
         if (one && dem_dict_has(one, "stiffness"))
         {
-            snprintf(c->modulus[c->moduli].path, sizeof c->modulus[0].path, "effects/%s/stiffness", (*e)->name);
+            snprintf(c->modulus[c->moduli].path, sizeof c->modulus[0].path, "effects/%s/stiffness",
+                     (*e)->name);
             DEM_TRY(dem_dict_number(one, "stiffness", "N/m", &c->modulus[c->moduli++].value));
         }
     }

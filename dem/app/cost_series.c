@@ -97,8 +97,8 @@ static int run_stiffnesses(struct dem_cost *c)
         r->size = limit/c->limit;
         r->step = c->step*r->size;
         DEM_TRY(run_level(c, r,
-                          (struct dem_cost_variation){.stiffness_factor =
-                                                          c->selection.stiffnesses[k]}));
+                          (struct dem_cost_variation){
+                              .stiffness_factor = c->selection.stiffnesses[k]}));
     }
     return DEM_OK;
 }

@@ -35,7 +35,9 @@ static void add_required(struct dem_text *t, const struct dem_effect *e)
     {
         enum dem_stage stage, from;                       /* effects of stage `from` and later ones
                                                              require one of `stage` */
-    } base[] = {{DEM_STAGE_NORMAL, DEM_STAGE_DAMP}, {DEM_STAGE_DAMP, DEM_STAGE_TANGENT}, {DEM_STAGE_TANGENT, DEM_STAGE_MOMENT},
+    } base[] = {{DEM_STAGE_NORMAL, DEM_STAGE_DAMP},
+                {DEM_STAGE_DAMP, DEM_STAGE_TANGENT},
+                {DEM_STAGE_TANGENT, DEM_STAGE_MOMENT},
                 {DEM_STAGE_BODY, DEM_STAGE_FLUID}};
 
     for (size_t k = 0; k < sizeof base/sizeof base[0]; k++)
@@ -45,7 +47,8 @@ static void add_required(struct dem_text *t, const struct dem_effect *e)
             add_effect(t, dem_effects_first(base[k].stage));
         }
     }
-    for (const struct dem_effect *const *other = dem_effects; *other && e->stage == DEM_STAGE_FLUID; other++)
+    for (const struct dem_effect *const *other = dem_effects; *other && e->stage == DEM_STAGE_FLUID;
+         other++)
     {
         if ((*other)->has_pressure_gradient && *other != e)
         {
@@ -153,11 +156,15 @@ static int measure_noise(void)
 
     dem_free(d);
     DEM_TRY(status);
-    printf("%-18s %7s %9s %10s  %8s %9s   %7s  %s\n", "effect", "ns", "ns more", "more", "bytes", "bytes", "ns", "beside");
-    printf("%-18s %7s %9s %10s  %8s %9s   %7s\n", "", "without", "with it", "", "particle", "contact", "contact");
-    printf("%-18s %7.1f %9.1f %+8.1f %%  %8d %9d   %7.1f   %s %s %s\n", "(nothing)", 1e9*m.without, 1e9*(m.with - m.without),
-           100.0*(m.with/m.without - 1.0), 0, 0, 1e9*(m.with - m.without)/DEM_EFFECT_COST_CONTACTS, dem_effects_first(DEM_STAGE_NORMAL)->name,
-           dem_effects_first(DEM_STAGE_DAMP)->name, dem_effects_first(DEM_STAGE_TANGENT)->name);
+    printf("%-18s %7s %9s %10s  %8s %9s   %7s  %s\n", "effect", "ns", "ns more", "more", "bytes",
+           "bytes", "ns", "beside");
+    printf("%-18s %7s %9s %10s  %8s %9s   %7s\n", "", "without", "with it", "", "particle",
+           "contact", "contact");
+    printf("%-18s %7.1f %9.1f %+8.1f %%  %8d %9d   %7.1f   %s %s %s\n", "(nothing)",
+           1e9*m.without, 1e9*(m.with - m.without), 100.0*(m.with/m.without - 1.0), 0, 0,
+           1e9*(m.with - m.without)/DEM_EFFECT_COST_CONTACTS,
+           dem_effects_first(DEM_STAGE_NORMAL)->name, dem_effects_first(DEM_STAGE_DAMP)->name,
+           dem_effects_first(DEM_STAGE_TANGENT)->name);
     return DEM_OK;
 }
 

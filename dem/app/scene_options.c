@@ -146,10 +146,12 @@ static int read_schedule(struct dem_schedule *s, const struct dem *d, const char
                 "more than %g outputs up to time/end %g s; give an interval of %g s or more",
                 s->interval, max_outputs, s->end,
                 s->end/max_outputs);
-    DEM_REQUIRE(!s->quiet.wanted || s->quiet.lasting == 0.0 || s->end <= max_rows*s->quiet.lasting, DEM_ERROR_INPUT,
+    DEM_REQUIRE(!s->quiet.wanted || s->quiet.lasting == 0.0 ||
+                    s->end <= max_rows*s->quiet.lasting,
+                DEM_ERROR_INPUT,
                 "time/untilQuiet/lasting %g s makes more than %g checks up to time/end %g s; give "
-                "%g s or more", s->quiet.lasting, max_rows,
-                s->end, s->end/max_rows);
+                "%g s or more",
+                s->quiet.lasting, max_rows, s->end, s->end/max_rows);
     return dem_output_read(&s->output, write, path);
 }
 

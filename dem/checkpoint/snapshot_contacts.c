@@ -47,7 +47,10 @@ static int compare(const void *a, const void *b)
 /* The owner of an id, or -1. */
 static int64_t owner_of(const struct entry *list, size_t n, int64_t id)
 {
-    const struct entry wanted = {id, 0}, *const found = n > 0 && id >= 0 ? bsearch(&wanted, list, n, sizeof *list, compare) : NULL;
+    const struct entry wanted = {id, 0}, *const found =
+                                             n > 0 && id >= 0
+                                                 ? bsearch(&wanted, list, n, sizeof *list, compare)
+                                                 : NULL;
 
     return found ? found->owner : -1;
 }
@@ -84,7 +87,9 @@ static int refuse_duplicates(const char *path, const struct dem_decomposition *q
     }
     dem_collect_max_int64(q, &duplicate, 1);
     DEM_TRY(dem_collect_agree(q, status));
-    DEM_REQUIRE(duplicate < 0, DEM_ERROR_FILE, "%s is damaged: two of its particles have id %lld; use another one", path, (long long)duplicate);
+    DEM_REQUIRE(duplicate < 0, DEM_ERROR_FILE,
+                "%s is damaged: two of its particles have id %lld; use another one", path,
+                (long long)duplicate);
     return DEM_OK;
 }
 
@@ -126,7 +131,8 @@ static int pack_messages(const struct bundle *b, int ranks, struct dem_messages 
     for (int k = 0; k < ranks && !status; k++)
     {
         status = count[k] > 0 ? dem_messages_begin(out, k) : DEM_OK;
-        status = status || count[k] == 0 ? status : dem_messages_extend(out, count[k]*b->size, &where[k]);
+        status = status || count[k] == 0 ? status
+                                         : dem_messages_extend(out, count[k]*b->size, &where[k]);
     }
     for (int k = 0, peer = 0; k < ranks && !status; k++)
     {
@@ -145,7 +151,8 @@ static int pack_messages(const struct bundle *b, int ranks, struct dem_messages 
 
 /* Collective; `status`, here and below: a rank that has failed before takes part, and all ranks return an error. Send the
    items of the bundle and replace them by the received ones, `to` being the sender. */
-static int exchange(const struct dem_decomposition *q, int status, struct bundle *b, struct dem_messages *in)
+static int exchange(const struct dem_decomposition *q, int status, struct bundle *b,
+                    struct dem_messages *in)
 {
     struct dem_messages out = {.ranks = 0};
 
@@ -178,7 +185,9 @@ static int send_to_directory(const struct dem_decomposition *q, struct bundle *b
 
     memcpy(&name, row, sizeof name);
     DEM_TRY(put(b, directory_rank(q, name.low), row));
-    return directory_rank(q, name.high) != directory_rank(q, name.low) ? put(b, directory_rank(q, name.high), row) : DEM_OK;
+    return directory_rank(q, name.high) != directory_rank(q, name.low)
+               ? put(b, directory_rank(q, name.high), row)
+               : DEM_OK;
 }
 
 /* Read this rank's slice. */
@@ -194,7 +203,9 @@ static void read_slice(struct dem_parallel_file *s, const struct dem_decompositi
     {
         const size_t n = (size_t)(first + count - at < CHUNK ? first + count - at : CHUNK);
 
-        dem_parallel_file_read(s, dem_snapshot_contacts_offset(h) + (size_t)at*b->size*sizeof *row, row, n*b->size*sizeof *row);
+        dem_parallel_file_read(s,
+                               dem_snapshot_contacts_offset(h) + (size_t)at*b->size*sizeof *row,
+                               row, n*b->size*sizeof *row);
         for (size_t k = 0; k < n && !s->status; k++)
         {
             s->status = dem_snapshot_validate_contact(s->path, h, row + k*b->size);
@@ -218,8 +229,10 @@ static int forward(const struct dem_decomposition *q, const struct entry *list, 
         struct dem_contact_key name;
 
         memcpy(&name, row, sizeof name);
-        const int64_t low = directory_rank(q, name.low) == q->rank ? owner_of(list, n, name.low) : -1;
-        const int64_t high = directory_rank(q, name.high) == q->rank ? owner_of(list, n, name.high) : -1;
+        const int64_t low =
+            directory_rank(q, name.low) == q->rank ? owner_of(list, n, name.low) : -1;
+        const int64_t high =
+            directory_rank(q, name.high) == q->rank ? owner_of(list, n, name.high) : -1;
 
         status = put(&next, low, row);
         status = status || high == low ? status : put(&next, high, row);
@@ -333,7 +346,12 @@ int dem_snapshot_read_contacts(const char *path, const struct dem_decomposition 
     struct dem_parallel_file store;
     struct dem_snapshot_header h;
 
-    DEM_TRY(dem_snapshot_open(&store, &(const struct dem_file_ranks){.comm = q->ranks > 1 ? q->comm : MPI_COMM_NULL, .rank = q->rank}, path, &h));
+    DEM_TRY(dem_snapshot_open(&store,
+                              &(const struct dem_file_ranks){
+                                  .comm = q->ranks > 1 ? q->comm
+                                                       : MPI_COMM_NULL,
+                                  .rank = q->rank},
+                              path, &h));
     struct bundle b = {.size = dem_snapshot_contact_doubles(&h)};
 
     read_slice(&store, q, &h, &b);

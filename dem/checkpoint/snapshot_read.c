@@ -25,7 +25,8 @@ enum
 
 static int check_sum(const char *path, const struct dem_snapshot_header *h, uint64_t sum)
 {
-    DEM_REQUIRE(sum == h->checksum, DEM_ERROR_FILE, "%s is damaged: its checksum is %016llx and should be %016llx; use another one",
+    DEM_REQUIRE(sum == h->checksum, DEM_ERROR_FILE,
+                "%s is damaged: its checksum is %016llx and should be %016llx; use another one",
                 path, (unsigned long long)sum, (unsigned long long)h->checksum);
     return DEM_OK;
 }
@@ -46,7 +47,8 @@ static int sum_rows(struct dem_parallel_file *s, const struct dem_decomposition 
     {
         const size_t count = (size_t)(first + rows - at < CHUNK ? first + rows - at : CHUNK);
 
-        dem_parallel_file_read(s, dem_snapshot_contacts_offset(h) + (size_t)at*size*sizeof *row, row, count*size*sizeof *row);
+        dem_parallel_file_read(s, dem_snapshot_contacts_offset(h) + (size_t)at*size*sizeof *row,
+                               row, count*size*sizeof *row);
         *sum += dem_snapshot_checksum(row, count, size);
     }
     dem_memory_free(row);
@@ -62,14 +64,17 @@ static int check_caller_data(struct dem_parallel_file *s, const struct dem_snaps
     dem_hash_start(&hash, 'b');
     for (size_t done = 0; done < (size_t)h->caller_data && !s->status; done += sizeof word)
     {
-        const size_t rest = (size_t)h->caller_data - done, size = rest < sizeof word ? rest : sizeof word;
+        const size_t rest = (size_t)h->caller_data - done,
+                     size = rest < sizeof word ? rest : sizeof word;
 
         dem_parallel_file_read(s, dem_snapshot_caller_data_offset(h) + done, word, size);
         dem_hash_bytes(&hash, word, size);
     }
     DEM_TRY(s->status);
-    DEM_REQUIRE(dem_hash_value(&hash) == h->caller_data_checksum, DEM_ERROR_FILE, "%s is damaged: the data after its contacts have "
-                "checksum %016llx and should have %016llx; use another one", s->path, (unsigned long long)dem_hash_value(&hash),
+    DEM_REQUIRE(dem_hash_value(&hash) == h->caller_data_checksum, DEM_ERROR_FILE,
+                "%s is damaged: the data after its contacts have "
+                "checksum %016llx and should have %016llx; use another one",
+                s->path, (unsigned long long)dem_hash_value(&hash),
                 (unsigned long long)h->caller_data_checksum);
     return DEM_OK;
 }
@@ -135,15 +140,16 @@ static int load_particle(struct dem_particles *p, const struct dem_snapshot_head
 
     DEM_TRY(dem_snapshot_validate_particle(path, h, packed));
     memcpy(&record, packed, sizeof record);
-    DEM_REQUIRE(record.material < h->materials, DEM_ERROR_FILE, "%s is damaged: particle %lld has no material", path,
-                (long long)record.id);
+    DEM_REQUIRE(record.material < h->materials, DEM_ERROR_FILE,
+                "%s is damaged: particle %lld has no material", path, (long long)record.id);
     record.material = (uint16_t)material[record.material];
     const struct dem_material *const m = &r->material[record.material];
     const double mass = m->density*dem_particle_volume(&record);
 
     DEM_REQUIRE(fabs(mass - record.mass) < 1e-9*mass, DEM_ERROR_INPUT,
-                "%s: particle %lld of %s has density %g kg/m3, the scene says %g; make them agree", path, (long long)record.id,
-                m->name, record.mass/dem_particle_volume(&record), m->density);
+                "%s: particle %lld of %s has density %g kg/m3, the scene says %g; make them agree",
+                path, (long long)record.id, m->name, record.mass/dem_particle_volume(&record),
+                m->density);
     memset(own, 0, dem_particles_packed_size(p)*sizeof *own);
     memcpy(own, &record, sizeof record);
     load_columns(p, h, packed + DEM_SNAPSHOT_RECORD, own + DEM_SNAPSHOT_RECORD);
@@ -159,12 +165,18 @@ static int read_slice(const char *path, const struct dem_decomposition *q,
 
     *packed = NULL;
     *count = 0;
-    DEM_TRY(dem_snapshot_open(&store, &(const struct dem_file_ranks){.comm = q->ranks > 1 ? q->comm : MPI_COMM_NULL, .rank = q->rank}, path, h));
+    DEM_TRY(dem_snapshot_open(&store,
+                              &(const struct dem_file_ranks){
+                                  .comm = q->ranks > 1 ? q->comm
+                                                       : MPI_COMM_NULL,
+                                  .rank = q->rank},
+                              path, h));
     dem_snapshot_slice(q, h->particles, &first, count);
     const size_t size = dem_snapshot_particle_doubles(h), n = (size_t)*count;
 
     store.status = DEM_NEW(*packed, n*size + 1);
-    dem_parallel_file_read(&store, sizeof *h + (size_t)first*size*sizeof **packed, *packed, n*size*sizeof **packed);
+    dem_parallel_file_read(&store, sizeof *h + (size_t)first*size*sizeof **packed, *packed,
+                           n*size*sizeof **packed);
     return verify(&store, path, q, h, store.status ? 0 : dem_snapshot_checksum(*packed, n, size));
 }
 
@@ -199,7 +211,11 @@ int dem_snapshot_read_particles(const char *path, struct dem_snapshot *s,
     status = status ? status : load_particles(p, &h, r, packed, count, path);
     dem_memory_free(packed);
     DEM_TRY(status);
-    *s = (struct dem_snapshot){.particles = h.particles, .rows = h.rows, .steps = h.steps, .time = h.time, .window = h.window};
+    *s = (struct dem_snapshot){.particles = h.particles,
+                               .rows = h.rows,
+                               .steps = h.steps,
+                               .time = h.time,
+                               .window = h.window};
     memcpy(s->skin_tuning, h.skin_tuning, sizeof s->skin_tuning);
     s->flows = h.flows;
     s->next_id = h.next_id;
@@ -222,7 +238,8 @@ int dem_snapshot_read_caller_data(const char *path, void **bytes, size_t *size)
     if (h.caller_data > 0)
     {
         store.status = dem_memory_new(bytes, (size_t)h.caller_data, 1);
-        dem_parallel_file_read(&store, dem_snapshot_caller_data_offset(&h), *bytes, (size_t)h.caller_data);
+        dem_parallel_file_read(&store, dem_snapshot_caller_data_offset(&h), *bytes,
+                               (size_t)h.caller_data);
         *size = (size_t)h.caller_data;
     }
     const int status = dem_parallel_file_close(&store);
@@ -265,11 +282,14 @@ static int compute_fingerprint(const char *path, uint64_t *fingerprint)
     {
         struct dem_contact_key name;
 
-        dem_parallel_file_read(&store, dem_snapshot_contacts_offset(&h) + k*row*sizeof *item, item, row*sizeof *item);
+        dem_parallel_file_read(&store, dem_snapshot_contacts_offset(&h) + k*row*sizeof *item,
+                               item, row*sizeof *item);
         memcpy(&name, item, sizeof name);
         sum += dem_snapshot_checksum(item, 1, row);
         invalid = invalid ? invalid : dem_snapshot_validate_contact(path, &h, item);
-        *fingerprint += invalid ? 0 : dem_fingerprint_contact(&name, item + DEM_SNAPSHOT_CONTACT, (int)h.memories);
+        *fingerprint +=
+            invalid ? 0
+                    : dem_fingerprint_contact(&name, item + DEM_SNAPSHOT_CONTACT, (int)h.memories);
     }
     dem_memory_free(item);
     const int status = store.status ? DEM_OK : check_caller_data(&store, &h);

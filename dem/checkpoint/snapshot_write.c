@@ -49,12 +49,14 @@ static void describe(struct dem_snapshot_header *h, const struct dem_snapshot *s
     {
         if (p->column[c].data)
         {
-            list_name(h, h->materials + h->columns++, dem_stored_name(p->column[c].name), p->column[c].width);
+            list_name(h, h->materials + h->columns++, dem_stored_name(p->column[c].name),
+                      p->column[c].width);
         }
     }
     for (int m = 0; m < r->history_columns; m++)
     {
-        list_name(h, h->materials + h->columns + h->memories++, dem_stored_name(r->history_name[m]), 1);
+        list_name(h, h->materials + h->columns + h->memories++, dem_stored_name(r->history_name[m]),
+                  1);
     }
 }
 
@@ -87,7 +89,8 @@ static void pack_contact(const struct items *g, size_t k, double *out)
     const struct dem_contacts *const c = g->contacts;
     const int near = g->row[k] < c->rows;
     const size_t saved = near ? 0 : g->row[k] - c->rows;
-    const struct dem_contact_key name = near ? dem_contacts_key(c, g->particles, g->wall_facet, g->row[k]) : c->saved_key[saved];
+    const struct dem_contact_key name =
+        near ? dem_contacts_key(c, g->particles, g->wall_facet, g->row[k]) : c->saved_key[saved];
     struct dem_contact_key written;
 
     memset(&written, 0, sizeof written);
@@ -101,7 +104,8 @@ static void pack_contact(const struct items *g, size_t k, double *out)
     }
     else
     {
-        memcpy(out + DEM_SNAPSHOT_CONTACT, c->saved_history + saved*(size_t)c->history_columns, (size_t)c->history_columns*sizeof *out);
+        memcpy(out + DEM_SNAPSHOT_CONTACT, c->saved_history + saved*(size_t)c->history_columns,
+               (size_t)c->history_columns*sizeof *out);
     }
 }
 
@@ -113,7 +117,8 @@ static int list_contacts(const struct dem_particles *p, const struct dem_contact
     DEM_TRY(DEM_NEW(*list, c->rows + c->saved + 1));
     for (uint32_t r = 0; r < c->rows; r++)
     {
-        if (c->row_pair[r] != DEM_ROW_NONE && c->pair[c->row_pair[r]].i < p->n && dem_contacts_has_history(c, r))
+        if (c->row_pair[r] != DEM_ROW_NONE && c->pair[c->row_pair[r]].i < p->n &&
+            dem_contacts_has_history(c, r))
         {
             (*list)[(*n)++] = r;
         }
@@ -142,8 +147,10 @@ static void write_items(struct dem_parallel_file *s, const struct items *g, size
     s->status = s->status ? s->status : status;
     for (size_t k = 0; k < (size_t)rounds; k++)
     {
-        const size_t first = k*block < g->n ? k*block : g->n, rest = g->n - first < block ? g->n - first : block;
-        const size_t count = s->status ? 0 : rest;        /* a rank that has failed takes part, with nothing */
+        const size_t first = k*block < g->n ? k*block : g->n,
+                     rest = g->n - first < block ? g->n - first : block;
+        const size_t count =
+            s->status ? 0 : rest;        /* a rank that has failed takes part, with nothing */
 
         for (size_t i = 0; i < count; i++)
         {
@@ -176,7 +183,8 @@ static void write_caller_data(struct dem_parallel_file *store, const struct dem_
     dem_hash_start(&hash, 'b');
     for (int k = 0; k < s->caller_data_count; k++)
     {
-        dem_parallel_file_write(store, dem_snapshot_caller_data_offset(h) + (size_t)h->caller_data, s->caller_data[k].data, s->caller_data[k].size);
+        dem_parallel_file_write(store, dem_snapshot_caller_data_offset(h) + (size_t)h->caller_data,
+                                s->caller_data[k].data, s->caller_data[k].size);
         dem_hash_bytes(&hash, s->caller_data[k].data, s->caller_data[k].size);
         h->caller_data += (int64_t)s->caller_data[k].size;
     }
@@ -219,15 +227,33 @@ int dem_snapshot_write(const char *path, const struct dem_snapshot *s,
     }
     count_items(q, &h, before, n);
     const size_t size = dem_snapshot_particle_doubles(&h), row = dem_snapshot_contact_doubles(&h);
-    const struct items particles = {.n = n[0], .size = size, .pack = pack_particle, .particles = p, .domain = s->domain};
-    const struct items rows = {.n = n[1], .size = row, .pack = pack_contact, .particles = p, .contacts = c, .wall_facet = wall_facet,
+    const struct items particles = {.n = n[0],
+                                    .size = size,
+                                    .pack = pack_particle,
+                                    .particles = p,
+                                    .domain = s->domain};
+    const struct items rows = {.n = n[1],
+                               .size = row,
+                               .pack = pack_contact,
+                               .particles = p,
+                               .contacts = c,
+                               .wall_facet = wall_facet,
                                .row = list};
 
-    status = dem_parallel_file_create(&store, &(const struct dem_file_ranks){.comm = q->ranks > 1 ? q->comm : MPI_COMM_NULL, .rank = q->rank}, path, 1);
+    status = dem_parallel_file_create(&store,
+                                      &(const struct dem_file_ranks){
+                                          .comm = q->ranks > 1
+                                                      ? q->comm
+                                                      : MPI_COMM_NULL,
+                                          .rank = q->rank},
+                                      path, 1);
     if (!status)
     {
-        write_items(&store, &particles, sizeof h + (size_t)before[0]*size*sizeof(double), &h.checksum);
-        write_items(&store, &rows, dem_snapshot_contacts_offset(&h) + (size_t)before[1]*row*sizeof(double), &h.checksum);
+        write_items(&store, &particles, sizeof h + (size_t)before[0]*size*sizeof(double),
+                    &h.checksum);
+        write_items(&store, &rows,
+                    dem_snapshot_contacts_offset(&h) + (size_t)before[1]*row*sizeof(double),
+                    &h.checksum);
         write_header(&store, s, q, &h);
         status = dem_parallel_file_close(&store);
     }

@@ -18,9 +18,9 @@ static const struct
     const char *ours;
     const char *foreign;    /* words separated by blanks */
     const char *note;       /* appended to "did you mean ..."; mostly empty */
-} aliases[] =
-{
-    {"restitution", "coefficientOfRestitution coefficientRestitution restitutionCoefficient COR cor e en", ""},
+} aliases[] = {
+    {"restitution",
+     "coefficientOfRestitution coefficientRestitution restitutionCoefficient COR cor e en", ""},
     {"youngsModulus", "E Y youngModulus elasticModulus modulus", ""},
     {"poissonsRatio", "nu poisson poissonRatio", ""},
     {"friction", "mu mus mu_s coefficientOfFriction coefficientFriction frictionCoefficient", ""},

@@ -71,7 +71,8 @@ static int distance(const char *a, const char *b)
 
 struct known_words
 {
-    const char *const *word, *const *aliases;    /* aliases: NULL, or for each word NULL or its aliases */
+    const char *const *word, *const
+                                 *aliases;    /* aliases: NULL, or for each word NULL or its aliases */
     int n;
 };
 
@@ -80,8 +81,10 @@ static int edits(const char *word, const struct known_words *k, int i)
 {
     const char *const known = k->word[i], *const aliases = k->aliases ? k->aliases[i] : NULL;
 
-    return dem_alias_note(word, known) || dem_alias_note(known, word) || (aliases && dem_alias_is_among(aliases, word)) ? 0
-           : distance(word, known);
+    return dem_alias_note(word, known) || dem_alias_note(known, word) ||
+                   (aliases && dem_alias_is_among(aliases, word))
+               ? 0
+               : distance(word, known);
 }
 
 /* Index in `known` of the word that follows `after` in order of (distance, index); -1 past the
@@ -109,7 +112,8 @@ static const char *nearest_of(const char *word, const struct known_words *known)
     const int best = next_in_order(word, known, -1);
 
     /* a misspelling has up to a third of its letters wrong, rounded up; more is another word */
-    if (best < 0 || 3*edits(word, known, best) > min_of(length(word), length(known->word[best])) + 2)
+    if (best < 0 ||
+        3*edits(word, known, best) > min_of(length(word), length(known->word[best])) + 2)
     {
         return NULL;
     }

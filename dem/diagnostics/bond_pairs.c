@@ -43,11 +43,13 @@ static void mark(struct dem_state *p, const struct listed_pair *list, size_t pai
 
     for (uint32_t r = 0; r < c->rows; r++)
     {
-        const struct dem_pair *const q = c->row_pair[r] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[r]];
+        const struct dem_pair *const q =
+            c->row_pair[r] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[r]];
 
         if (q && !q->wall)
         {
-            const struct listed_pair key = {.low = p->particles.record[q->i].id, .high = p->particles.record[q->j].id};
+            const struct listed_pair key = {.low = p->particles.record[q->i].id,
+                                            .high = p->particles.record[q->j].id};
             const struct listed_pair *const hit = bsearch(&key, list, pairs, sizeof key, compare);
 
             if (hit)
@@ -89,13 +91,14 @@ static int check_found(const struct dem_state *p, const struct listed_pair *list
         DEM_REQUIRE(found[k] || duplicate, DEM_ERROR_INPUT,
                     "bonds/pairs: particles %lld and %lld do not exist or are farther apart than "
                     "breakDistance of %s; correct the list, or raise makeDistance and "
-                    "breakDistance", (long long)list[k].low, (long long)list[k].high, e ? e->name : "a bond");
+                    "breakDistance",
+                    (long long)list[k].low, (long long)list[k].high, e ? e->name : "a bond");
     }
     return DEM_OK;
 }
 
-static void mark_all(struct dem_state *p, const int64_t *ids, struct listed_pair *list, size_t pairs,
-                     uint8_t *found)
+static void mark_all(struct dem_state *p, const int64_t *ids, struct listed_pair *list,
+                     size_t pairs, uint8_t *found)
 {
     sort_list(ids, pairs, list);
     for (int m = 0; m < p->interaction_table.history_columns; m++)

@@ -30,14 +30,16 @@ void dem_bonds_free(struct dem_bonds *b)
 static void partner_ids(const struct dem_state *p, const struct dem_pair *q, int64_t id[2])
 {
     id[0] = p->particles.record[q->i].id;
-    id[1] = q->wall ? -1 - p->walls.facet[p->pairs.wall_facet[q->j]].wall : p->particles.record[q->j].id;
+    id[1] = q->wall ? -1 - p->walls.facet[p->pairs.wall_facet[q->j]].wall
+                    : p->particles.record[q->j].id;
 }
 
 /* The pair of a row if this rank owns its lower particle, else NULL. */
 static const struct dem_pair *owned_pair(const struct dem_state *p, uint32_t row)
 {
     const struct dem_contacts *const c = &p->contacts;
-    const struct dem_pair *const q = c->row_pair[row] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[row]];
+    const struct dem_pair *const q =
+        c->row_pair[row] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[row]];
 
     return q && q->i < p->particles.n ? q : NULL;
 }
@@ -66,7 +68,8 @@ int dem_bonds_record(struct dem_state *p, const struct dem_contact_batch *b, uin
 
     for (int c = 0; c < rows; c++)
     {
-        const struct dem_pair *const q = b->broke[c] > 0.0 ? owned_pair(p, row + (uint32_t)c) : NULL;
+        const struct dem_pair *const q =
+            b->broke[c] > 0.0 ? owned_pair(p, row + (uint32_t)c) : NULL;
 
         if (!q)
         {
@@ -75,7 +78,9 @@ int dem_bonds_record(struct dem_state *p, const struct dem_contact_batch *b, uin
         DEM_TRY(DEM_GROW(all->broken, all->capacity, all->n + 1));
         struct dem_broken_bond *const new = &all->broken[all->n++];
 
-        *new = (struct dem_broken_bond){.time = p->time, .energy = b->lost[c], .cause = (int)b->cause[c]};
+        *new = (struct dem_broken_bond){.time = p->time,
+                                        .energy = b->lost[c],
+                                        .cause = (int)b->cause[c]};
         partner_ids(p, q, new->id);
         bond_position(p, q, (double[]){b->nx[c], b->ny[c], b->nz[c]}, b->gap[c], new->position);
     }
@@ -90,7 +95,8 @@ static int by_time_and_ids(const void *a, const void *b)
     {
         if (p->time != q->time || p->id[k] != q->id[k])
         {
-            return p->time != q->time ? (p->time > q->time) - (p->time < q->time) : (p->id[k] > q->id[k]) - (p->id[k] < q->id[k]);
+            return p->time != q->time ? (p->time > q->time) - (p->time < q->time)
+                                      : (p->id[k] > q->id[k]) - (p->id[k] < q->id[k]);
         }
     }
     /* two bonds of one pair: one of them across a periodic face */
@@ -99,7 +105,9 @@ static int by_time_and_ids(const void *a, const void *b)
 
 int dem_bonds_collect(struct dem_bonds *b, const struct dem_decomposition *q, int64_t *n)
 {
-    const struct dem_collect_items own = {"broken bonds since the last output (write bonds more often)", b->broken, b->n, sizeof *b->broken};
+    const struct dem_collect_items own =
+        {"broken bonds since the last output (write bonds more often)", b->broken, b->n,
+         sizeof *b->broken};
     size_t total;
     void *all;
 
@@ -130,7 +138,8 @@ static void branch(const struct dem_state *p, const struct dem_pair *q, double r
         double from[3];
 
         dem_vec_minus(i->x, at->point, from);
-        const double height = at->distance > DBL_MAX/2.0 ? dem_vec_dot(from, at->normal) : at->distance;
+        const double height =
+            at->distance > DBL_MAX/2.0 ? dem_vec_dot(from, at->normal) : at->distance;
 
         for (int k = 0; k < 3; k++)
         {

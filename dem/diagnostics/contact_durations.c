@@ -79,7 +79,8 @@ static int by_name(const void *a, const void *b)
 /* Collective: all ranks rebuild lists together, and a pair may have moved to another rank. */
 static int gather(struct dem_contact_durations *d, const struct dem_decomposition *q)
 {
-    const struct dem_collect_items own = {"watched contacts", d->saved, d->saved_count, sizeof *d->saved};
+    const struct dem_collect_items own = {"watched contacts", d->saved, d->saved_count,
+                                          sizeof *d->saved};
     size_t total;
     void *all;
 
@@ -108,7 +109,8 @@ static int save_touching(struct dem_contact_durations *d, const struct dem_decom
         {
             count_contact(d, p->age, p->seen);
         }
-        else if (p->age > 0 && !DEM_GROW(d->saved, d->saved_capacity, d->saved_count + 1))     /* left out if memory is short */
+        else if (p->age > 0 && !DEM_GROW(d->saved, d->saved_capacity,
+                                         d->saved_count + 1))     /* left out if memory is short */
         {
             d->saved[d->saved_count++] = *p;
         }
@@ -140,8 +142,12 @@ static int begin_lists(struct dem_contact_durations *d, const struct dem_state *
             continue;
         }
         const int touches = dem_contacts_force(&p->contacts, r).arm > 0.0;
-        const struct dem_contact_duration own = {.name = hash_of(p, &p->contacts.pair[k]), .age = touches ? -1 : 0};
-        const struct dem_contact_duration *const old = d->saved_count > 0 ? bsearch(&own, d->saved, d->saved_count, sizeof own, by_name) : NULL;
+        const struct dem_contact_duration own = {
+            .name = hash_of(p, &p->contacts.pair[k]),
+            .age = touches ? -1 : 0};
+        const struct dem_contact_duration *const old =
+            d->saved_count > 0 ? bsearch(&own, d->saved, d->saved_count, sizeof own, by_name)
+                               : NULL;
 
         d->pair[k] = old ? *old : own;
         update_pair(d, &d->pair[k], touches, now);
@@ -180,7 +186,8 @@ int dem_contact_durations_record(struct dem_contact_durations *d, const struct d
 
         if (k != DEM_ROW_NONE)
         {
-            d->pair[k].name = d->pair[k].age == 0 ? hash_of(p, &p->contacts.pair[k]) : d->pair[k].name;
+            d->pair[k].name =
+                d->pair[k].age == 0 ? hash_of(p, &p->contacts.pair[k]) : d->pair[k].name;
             update_pair(d, &d->pair[k], dem_contacts_force(&p->contacts, r).arm > 0.0, now);
         }
     }

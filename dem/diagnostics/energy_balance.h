@@ -76,7 +76,8 @@ struct dem_energy_balance_scratch    /* working columns of the current batch */
     struct                                                   /* forces and energies of the batch
                                                                 before the effect acted */
     {
-        double fn[DEM_BATCH_ROWS], fx[DEM_BATCH_ROWS], fy[DEM_BATCH_ROWS], fz[DEM_BATCH_ROWS], mx[DEM_BATCH_ROWS], my[DEM_BATCH_ROWS], mz[DEM_BATCH_ROWS];
+        double fn[DEM_BATCH_ROWS], fx[DEM_BATCH_ROWS], fy[DEM_BATCH_ROWS], fz[DEM_BATCH_ROWS],
+            mx[DEM_BATCH_ROWS], my[DEM_BATCH_ROWS], mz[DEM_BATCH_ROWS];
         double stored[DEM_BATCH_ROWS], lost[DEM_BATCH_ROWS], broke[DEM_BATCH_ROWS];
     } then;
     double force[3][DEM_BATCH_ROWS];                         /* N    on particles before

@@ -50,7 +50,8 @@ static double value_of(const struct dem_state *p, const struct dem_sum *own)
    spring to report, or no heat. */
 static int has_elastic(const struct dem_effect *e)
 {
-    return e->energy ? e->stage == DEM_STAGE_NORMAL || e->stage >= DEM_STAGE_BOND || (e->stage > DEM_STAGE_DAMP && e->history)
+    return e->energy ? e->stage == DEM_STAGE_NORMAL || e->stage >= DEM_STAGE_BOND ||
+                           (e->stage > DEM_STAGE_DAMP && e->history)
                      : e->stage >= DEM_STAGE_BOND;
 }
 
@@ -65,10 +66,13 @@ static double report_contacts(struct dem_state *p)
     struct dem_energy_balance *const l = p->energy_balance;
     double lost[DEM_EFFECT_LIST_LIMIT], total = 0.0;
 
-    for (int k = 0; k < p->interaction_table.chosen && p->interaction_table.effect[k]->stage < DEM_STAGE_BODY; k++)
+    for (int k = 0;
+         k < p->interaction_table.chosen && p->interaction_table.effect[k]->stage < DEM_STAGE_BODY;
+         k++)
     {
         const struct dem_effect *const e = p->interaction_table.effect[k];
-        const double stored = value_of(p, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_ELASTIC]);
+        const double stored =
+            value_of(p, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_ELASTIC]);
 
         lost[k] = value_of(p, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_LOST]);
         total += stored + lost[k];
@@ -77,7 +81,9 @@ static double report_contacts(struct dem_state *p)
             add_term(l, "elastic_", e->name, stored);
         }
     }
-    for (int k = 0; k < p->interaction_table.chosen && p->interaction_table.effect[k]->stage < DEM_STAGE_BODY; k++)
+    for (int k = 0;
+         k < p->interaction_table.chosen && p->interaction_table.effect[k]->stage < DEM_STAGE_BODY;
+         k++)
     {
         const struct dem_effect *const e = p->interaction_table.effect[k];
 
@@ -105,8 +111,10 @@ static double report_bodies(struct dem_state *p)
 
         if (e->stage >= DEM_STAGE_BODY && !e->uniform_acceleration)
         {
-            const double lost = value_of(p, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_LOST]);
-            const double work = value_of(p, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_WORK]);
+            const double lost =
+                value_of(p, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_LOST]);
+            const double work =
+                value_of(p, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_WORK]);
 
             if (e->drag)
             {
@@ -133,11 +141,14 @@ static int has_stage(const struct dem_interaction_table *r, enum dem_stage stage
 static double report_all(struct dem_state *p)
 {
     struct dem_energy_balance *const l = p->energy_balance;
-    const double fell = value_of(p, &l->sum[DEM_ENERGY_BALANCE_GRAVITY]), broken = value_of(p, &l->sum[DEM_ENERGY_BALANCE_BROKEN]);
-    const double walls = value_of(p, &l->sum[DEM_ENERGY_BALANCE_WALLS]), left = value_of(p, &l->sum[DEM_ENERGY_BALANCE_OUT]);
+    const double fell = value_of(p, &l->sum[DEM_ENERGY_BALANCE_GRAVITY]),
+                 broken = value_of(p, &l->sum[DEM_ENERGY_BALANCE_BROKEN]);
+    const double walls = value_of(p, &l->sum[DEM_ENERGY_BALANCE_WALLS]),
+                 left = value_of(p, &l->sum[DEM_ENERGY_BALANCE_OUT]);
     const double came = value_of(p, &l->sum[DEM_ENERGY_BALANCE_IN]);
     double kinetic[2], g[3], total;
-    const struct dem_effect *const potential = dem_interaction_table_gravity(&p->interaction_table, g);
+    const struct dem_effect *const potential =
+        dem_interaction_table_gravity(&p->interaction_table, g);
 
     l->items = 0;
     kinetic_energies(p, kinetic);

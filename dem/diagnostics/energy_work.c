@@ -19,7 +19,8 @@ static void gravity_work(struct dem_state *p, double dt)
     {
         const struct dem_particle *const r = &p->particles.record[i];
 
-        dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_GRAVITY], r->mass*dem_vec_dot(g, r->v)*dt);
+        dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_GRAVITY],
+                               r->mass*dem_vec_dot(g, r->v)*dt);
     }
 }
 
@@ -33,7 +34,8 @@ static void wall_work(struct dem_state *p, double span, int ahead)
     for (int s = 0; s < c->classes && c->rows > 0 && !p->walls.all_flat_static; s++)
     {
         const uint32_t first = c->segment[s].first;
-        const uint32_t end = first + (p->interaction_table.list[s].pair.with_wall ? c->segment[s].count : 0);
+        const uint32_t end =
+            first + (p->interaction_table.list[s].pair.with_wall ? c->segment[s].count : 0);
 
         for (uint32_t r = first; r < end; r++)
         {
@@ -41,12 +43,14 @@ static void wall_work(struct dem_state *p, double span, int ahead)
             const struct dem_contact_force contact = dem_contacts_force(c, r);
             const double *const f = contact.f;
 
-            dem_wall_surface_motion(&p->walls, p->pairs.wall_facet[q->j], &p->touches.touch[q->j], ahead, &wall);
+            dem_wall_surface_motion(&p->walls, p->pairs.wall_facet[q->j], &p->touches.touch[q->j],
+                                    ahead, &wall);
             if (dem_wall_surface_follows_mesh(p, q->j))
             {
                 dem_wall_surface_add_mesh_motion(p, q->j, p->dt, &wall);
             }
-            const double power = dem_vec_dot(f, wall.velocity) + (c->moments ? dem_vec_dot(c->moment + 3*r, wall.spin) : 0.0);
+            const double power = dem_vec_dot(f, wall.velocity) +
+                                 (c->moments ? dem_vec_dot(c->moment + 3*r, wall.spin) : 0.0);
 
             dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_WALLS], power*span);
         }
@@ -75,14 +79,18 @@ void dem_energy_balance_particle_out(struct dem_state *p, const struct dem_parti
     {
         v[k] = r->v[k] + late*r->mass*r->inverse_mass*p->energy_balance->gravity[k];
     }
-    dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_OUT], 0.5*r->mass*dem_vec_dot(v, v) + 0.5*inertia*dem_vec_dot(r->w, r->w));
+    dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_OUT],
+                           0.5*r->mass*dem_vec_dot(v, v) +
+                               0.5*inertia*dem_vec_dot(r->w, r->w));
 }
 
 void dem_energy_balance_particle_in(struct dem_state *p, const struct dem_particle *r)
 {
     const double inertia = 0.4*r->mass*r->radius*r->radius;
 
-    dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_IN], 0.5*r->mass*dem_vec_dot(r->v, r->v) + 0.5*inertia*dem_vec_dot(r->w, r->w));
+    dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_IN],
+                           0.5*r->mass*dem_vec_dot(r->v, r->v) +
+                               0.5*inertia*dem_vec_dot(r->w, r->w));
 }
 
 /* ---- body forces ----------------------------------------------------------------------------- */
@@ -117,9 +125,11 @@ static void drag_work(struct dem_sum *sum, const struct dem_particles *p,
                       const struct dem_energy_balance_kick *k, int c, const double v[3])
 {
     const struct dem_body_batch *const b = k->batch;
-    const double *const impulse = dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE) + 3*(k->first + (size_t)c);
+    const double *const impulse =
+        dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE) + 3*(k->first + (size_t)c);
     const double j[3] = {k->j[0][c], k->j[1][c], k->j[2][c]}, u[3] = {b->ux[c], b->uy[c], b->uz[c]};
-    const double work = dem_vec_dot(j, u), carried_over = k->window > 0.0 ? dem_vec_dot(impulse, v)*k->h/k->window : 0.0;
+    const double work = dem_vec_dot(j, u),
+                 carried_over = k->window > 0.0 ? dem_vec_dot(impulse, v)*k->h/k->window : 0.0;
 
     dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_WORK], work + carried_over);
     dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_LOST], work - dem_vec_dot(j, v));
@@ -139,7 +149,8 @@ static double rotational_work(const struct dem_particle *r, const struct dem_ene
                               int c)
 {
     const struct dem_body_batch *const b = k->batch;
-    const double w[3] = {0.5*(r->w[0] + b->wx[c]), 0.5*(r->w[1] + b->wy[c]), 0.5*(r->w[2] + b->wz[c])};
+    const double w[3] = {0.5*(r->w[0] + b->wx[c]), 0.5*(r->w[1] + b->wy[c]),
+                         0.5*(r->w[2] + b->wz[c])};
     const double turn[3] = {k->spin_impulse[0][c], k->spin_impulse[1][c], k->spin_impulse[2][c]};
 
     return dem_vec_dot(turn, w);
@@ -158,7 +169,9 @@ void dem_energy_balance_after_kick(struct dem_energy_balance *l, const struct de
         for (int c = 0; c < k->rows && !potential; c++)
         {
             const struct dem_particle *const r = &p->record[k->first + (size_t)c];
-            const double v[3] = {0.5*(r->v[0] + k->batch->vx[c]), 0.5*(r->v[1] + k->batch->vy[c]), 0.5*(r->v[2] + k->batch->vz[c])};
+            const double v[3] = {0.5*(r->v[0] + k->batch->vx[c]),
+                                 0.5*(r->v[1] + k->batch->vy[c]),
+                                 0.5*(r->v[2] + k->batch->vz[c])};
             const double f[3] = {own[0][c], own[1][c], own[2][c]};
 
             if (effect->drag && r->inverse_mass > 0.0)
@@ -167,7 +180,8 @@ void dem_energy_balance_after_kick(struct dem_energy_balance *l, const struct de
             }
             if (effect->has_added_mass)
             {
-                dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_WORK], added_mass_work(r, k->batch, c, v));
+                dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_WORK],
+                                       added_mass_work(r, k->batch, c, v));
             }
             if (effect->has_rotational_drag)
             {

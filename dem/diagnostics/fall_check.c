@@ -20,9 +20,12 @@ int dem_fall_check(const struct dem_state *p)
         return DEM_OK;
     }
     dem_collect_sum_int64(&p->decomposition, counted, 2);
-    DEM_REQUIRE(counted[0] <= min_passages || (double)counted[0] <= max_passages*(double)counted[1], DEM_ERROR_LOST,
-                "%lld passages of %lld particles through walls until time %g s, the limit is %lld or %g %%: the walls do not hold them, "
-                "see lost.csv for where and why; use a stiffer material, or a smaller time/step", (long long)counted[0],
-                (long long)counted[1], p->time, (long long)min_passages, 100.0*max_passages);
+    DEM_REQUIRE(
+        counted[0] <= min_passages || (double)counted[0] <= max_passages*(double)counted[1],
+        DEM_ERROR_LOST,
+        "%lld passages of %lld particles through walls until time %g s, the limit is %lld or %g %%: the walls do not hold them, "
+        "see lost.csv for where and why; use a stiffer material, or a smaller time/step",
+        (long long)counted[0], (long long)counted[1], p->time, (long long)min_passages,
+        100.0*max_passages);
     return DEM_OK;
 }

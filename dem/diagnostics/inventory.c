@@ -30,7 +30,8 @@ static void count_particles(const struct dem_state *p, int material,
     for (size_t i = 0; i < p->particles.n; i++)
     {
         const struct dem_particle *const r = &p->particles.record[i];
-        const double d = 2.0*r->radius, volume = dem_particle_volume(r), moving = r->flags & DEM_PARTICLE_FROZEN ? 0.0 : 1.0;
+        const double d = 2.0*r->radius, volume = dem_particle_volume(r),
+                     moving = r->flags & DEM_PARTICLE_FROZEN ? 0.0 : 1.0;
         const double term[SUMS] = {d, d*d, volume, r->mass, moving*volume, moving*r->mass};
 
         if (r->material != material)
@@ -49,9 +50,16 @@ static void count_particles(const struct dem_state *p, int material,
     dem_totals_reduce_sums(p, sum, SUMS, value);
     dem_collect_sum_int64(&p->decomposition, count, 2);
     dem_collect_min_double(&p->decomposition, range, 2);
-    *s = (struct dem_material_inventory){.n = count[0], .frozen = count[1], .min_diameter = range[0], .max_diameter = -range[1], .diameters = value[0],
-                            .squares = value[1], .volume = value[2], .mass = value[3], .moving_volume = value[4],
-                            .moving_mass = value[5]};
+    *s = (struct dem_material_inventory){.n = count[0],
+                                         .frozen = count[1],
+                                         .min_diameter = range[0],
+                                         .max_diameter = -range[1],
+                                         .diameters = value[0],
+                                         .squares = value[1],
+                                         .volume = value[2],
+                                         .mass = value[3],
+                                         .moving_volume = value[4],
+                                         .moving_mass = value[5]};
 }
 
 static void add_up(struct dem_material_inventory *all, const struct dem_material_inventory *s)
@@ -89,8 +97,9 @@ static void mean_fluid(const struct dem_state *p, struct dem_inventory *s)
 
 static double bytes_held(const struct dem_state *p)
 {
-    return (double)(dem_particles_bytes(&p->particles) + dem_contacts_bytes(&p->contacts) + dem_pairs_bytes(&p->pairs)
-                    + p->touches.capacity*sizeof *p->touches.touch + p->walls.triangle_capacity*sizeof *p->walls.triangle);
+    return (double)(dem_particles_bytes(&p->particles) + dem_contacts_bytes(&p->contacts) +
+                    dem_pairs_bytes(&p->pairs) + p->touches.capacity*sizeof *p->touches.touch +
+                    p->walls.triangle_capacity*sizeof *p->walls.triangle);
 }
 
 void dem_inventory_take(const struct dem_state *p, struct dem_inventory *s)

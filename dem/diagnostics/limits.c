@@ -50,9 +50,12 @@ void dem_limits_check_record(struct dem_state *p, const struct dem_contact_works
     {
         const double force = t->batch.fn[c] + t->batch.fx[c] + t->batch.fy[c] + t->batch.fz[c];
 
-        lane = force*0.0 != 0.0 || 0.5*t->batch.overlap[c]/t->batch.min_radius[c] == worst ? c : lane;
+        lane = force*0.0 != 0.0 || 0.5*t->batch.overlap[c]/t->batch.min_radius[c] == worst
+                   ? c
+                   : lane;
     }
-    const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[row + (uint32_t)(lane < rows ? lane : rows - 1)]];
+    const struct dem_pair *const q =
+        &p->contacts.pair[p->contacts.row_pair[row + (uint32_t)(lane < rows ? lane : rows - 1)]];
     const struct dem_particle *const i = &p->particles.record[q->i];
 
     p->limits.overlap = worst;
@@ -69,7 +72,8 @@ static void partner_names(const struct dem_state *p, char *text, size_t size)
 
     if (w->j < 0)
     {
-        snprintf(text, size, "particle %lld and wall %s", (long long)w->i, p->walls.wall[p->walls.facet[-1 - w->j].wall].name);
+        snprintf(text, size, "particle %lld and wall %s", (long long)w->i,
+                 p->walls.wall[p->walls.facet[-1 - w->j].wall].name);
     }
     else
     {
@@ -87,13 +91,19 @@ int dem_limits_check_status(const struct dem_state *p)
         return DEM_OK;
     }
     partner_names(p, names, sizeof names);
-    DEM_REQUIRE(w->overlap < 1e29, DEM_ERROR_NUMBER,
-                "the force between %s near (%g %g %g) m is not a number at step %lld; check their input, or the fluid "
-                "around them", names, w->x[0], w->x[1], w->x[2], (long long)p->steps);
-    DEM_REQUIRE(!w->lawless, DEM_ERROR_NUMBER,
-                "%s near (%g %g %g) m pass through each other at time %g s: no contact law acts between them; add a normal law to "
-                "effects, hertz {} for example", names, w->x[0], w->x[1], w->x[2], p->time);
-    return dem_error(DEM_ERROR_NUMBER, "%s near (%g %g %g) m overlap by %.3g of a diameter at step %lld, the limit is %g; use a "
-                     "smaller step or a stiffer material, or raise time/maxOverlap", names, w->x[0], w->x[1], w->x[2], w->overlap,
-                     (long long)p->steps, w->limit);
+    DEM_REQUIRE(
+        w->overlap < 1e29, DEM_ERROR_NUMBER,
+        "the force between %s near (%g %g %g) m is not a number at step %lld; check their input, or the fluid "
+        "around them",
+        names, w->x[0], w->x[1], w->x[2], (long long)p->steps);
+    DEM_REQUIRE(
+        !w->lawless, DEM_ERROR_NUMBER,
+        "%s near (%g %g %g) m pass through each other at time %g s: no contact law acts between them; add a normal law to "
+        "effects, hertz {} for example",
+        names, w->x[0], w->x[1], w->x[2], p->time);
+    return dem_error(
+        DEM_ERROR_NUMBER,
+        "%s near (%g %g %g) m overlap by %.3g of a diameter at step %lld, the limit is %g; use a "
+        "smaller step or a stiffer material, or raise time/maxOverlap",
+        names, w->x[0], w->x[1], w->x[2], w->overlap, (long long)p->steps, w->limit);
 }

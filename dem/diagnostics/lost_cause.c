@@ -48,7 +48,8 @@ static void append_side(const struct dem_domain *d, const struct dem_particle *i
     for (int k = 0; k < 6; k++)
     {
         const double out = k < 3 ? d->min[k] - i->x[k] : i->x[k - 3] - d->max[k - 3];
-        const double speed = k < 3 ? -i->v[k] : i->v[k - 3], ago = speed > 0.0 ? out/speed : DBL_MAX;
+        const double speed = k < 3 ? -i->v[k] : i->v[k - 3],
+                     ago = speed > 0.0 ? out/speed : DBL_MAX;
 
         if (out > 0.0 && ago > longest)
         {
@@ -57,7 +58,8 @@ static void append_side(const struct dem_domain *d, const struct dem_particle *i
             high = k/3;
         }
     }
-    append(cause, "left through domain %s %c at %.3g m/s", high ? "max" : "min", 'x' + axis, dem_vec_norm(i->v));
+    append(cause, "left through domain %s %c at %.3g m/s", high ? "max" : "min", 'x' + axis,
+           dem_vec_norm(i->v));
 }
 
 /* The wall that the particle is farthest behind, or the nearest one in its list. */
@@ -73,7 +75,8 @@ static void append_wall(const struct dem_state *p, size_t i, char cause[DEM_LOST
 
         if (q->wall)
         {
-            const double distance = dem_wall_search_distance(&p->pairs.wall_search, &p->walls, &p->pairs.wall_search.neighbor[q->j],
+            const double distance = dem_wall_search_distance(&p->pairs.wall_search, &p->walls,
+                                                             &p->pairs.wall_search.neighbor[q->j],
                                                              p->particles.record[i].x);
 
             nearest = distance < min ? q : nearest;
@@ -86,8 +89,8 @@ static void append_wall(const struct dem_state *p, size_t i, char cause[DEM_LOST
     }
     else
     {
-        append(cause, min < 0.0 ? ", %.3g m behind wall %s" : ", its centre %.3g m from wall %s", fabs(min),
-               wall_name(p, nearest));
+        append(cause, min < 0.0 ? ", %.3g m behind wall %s" : ", its centre %.3g m from wall %s",
+               fabs(min), wall_name(p, nearest));
     }
 }
 
@@ -103,7 +106,8 @@ static double overlap_of(const struct dem_state *p, uint32_t r)
     {
         return dem_contacts_force(&p->contacts, r).arm;
     }
-    const struct dem_particle *const i = &p->particles.record[q->i], *const j = &p->particles.record[q->j];
+    const struct dem_particle *const i = &p->particles.record[q->i];
+    const struct dem_particle *const j = &p->particles.record[q->j];
     double apart[3];
 
     for (int k = 0; k < 3; k++)
@@ -164,7 +168,8 @@ static int append_reason(const struct dem_state *p, size_t i, uint32_t row,
 
         if (pair->wall)
         {
-            append(cause, ": squeezed, overlap %.3g %% with wall %s", 100.0*overlap, wall_name(p, pair));
+            append(cause, ": squeezed, overlap %.3g %% with wall %s", 100.0*overlap,
+                   wall_name(p, pair));
         }
         else
         {
@@ -208,14 +213,18 @@ int dem_lost_cause_record_crossings(struct dem_state *p)
         }
         else if (!append_reason(p, q->i, row, cause))
         {
-            append(cause, ": too fast or too heavy for the stiffness of their contact; use a stiffer material");
+            append(
+                cause,
+                ": too fast or too heavy for the stiffness of their contact; use a stiffer material");
         }
         status = dem_lost_particles_add(p->lost_particles, i, p->time, 0, cause);
     }
     p->lost_particles->passages += (int64_t)p->lost_particles->crossings;
     p->lost_particles->crossings = 0;
-    DEM_REQUIRE(status || !lawless, DEM_ERROR_LOST,
-                "particle %lld has passed wall %s at time %g s: no contact law acts between them; add a normal law to effects, hertz {} "
-                "for example", (long long)p->particles.record[lawless->i].id, wall_name(p, lawless), p->time);
+    DEM_REQUIRE(
+        status || !lawless, DEM_ERROR_LOST,
+        "particle %lld has passed wall %s at time %g s: no contact law acts between them; add a normal law to effects, hertz {} "
+        "for example",
+        (long long)p->particles.record[lawless->i].id, wall_name(p, lawless), p->time);
     return status;
 }

@@ -26,7 +26,10 @@ int dem_lost_particles_add(struct dem_lost_particles *l, const struct dem_partic
     DEM_TRY(DEM_GROW(l->loss, l->capacity, l->n + 1));
     struct dem_loss *const new = &l->loss[l->n++];
 
-    *new = (struct dem_loss){.id = p->id, .time = time, .diameter = 2.0*p->radius, .removed = removed};
+    *new = (struct dem_loss){.id = p->id,
+                             .time = time,
+                             .diameter = 2.0*p->radius,
+                             .removed = removed};
     memcpy(new->position, p->x, sizeof new->position);
     memcpy(new->velocity, p->v, sizeof new->velocity);
     snprintf(new->cause, sizeof new->cause, "%s", cause);
@@ -36,7 +39,8 @@ int dem_lost_particles_add(struct dem_lost_particles *l, const struct dem_partic
 static int by_time_and_id(const void *a, const void *b)
 {
     const struct dem_loss *const p = a, *const q = b;
-    const int time = (p->time > q->time) - (p->time < q->time), id = (p->id > q->id) - (p->id < q->id);
+    const int time = (p->time > q->time) - (p->time < q->time),
+              id = (p->id > q->id) - (p->id < q->id);
 
     return time ? time : id ? id : strcmp(p->cause, q->cause);
 }
@@ -44,7 +48,9 @@ static int by_time_and_id(const void *a, const void *b)
 int dem_lost_particles_collect(struct dem_lost_particles *l, const struct dem_decomposition *q,
                                int64_t *n)
 {
-    const struct dem_collect_items own = {"lost particles since the last output (write output more often)", l->loss, l->n, sizeof *l->loss};
+    const struct dem_collect_items own =
+        {"lost particles since the last output (write output more often)", l->loss, l->n,
+         sizeof *l->loss};
     size_t total;
     void *all;
 

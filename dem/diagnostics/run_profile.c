@@ -46,9 +46,11 @@ static void gather_times(const struct dem_state *p, double mean[SECONDS], double
 
 static void gather_counts(const struct dem_state *p, struct dem_profile *f)
 {
-    const struct dem_traffic *const refreshed = &p->halo.refresh_traffic, *const exchanged = &p->halo.in.sent;
-    int64_t count[8] = {(int64_t)p->particles.n, dem_totals_touching(p), p->timers->particle_steps, p->timers->row_steps,
-                        refreshed->messages, refreshed->bytes, exchanged->messages, exchanged->bytes};
+    const struct dem_traffic *const refreshed = &p->halo.refresh_traffic;
+    const struct dem_traffic *const exchanged = &p->halo.in.sent;
+    int64_t count[8] = {(int64_t)p->particles.n, dem_totals_touching(p), p->timers->particle_steps,
+                        p->timers->row_steps,    refreshed->messages, refreshed->bytes,
+                        exchanged->messages, exchanged->bytes};
 
     dem_collect_sum_int64(&p->decomposition, count, 8);
     f->particles = count[0];
@@ -68,11 +70,18 @@ void dem_profile_take(struct dem_state *p, struct dem_profile *f)
 
     gather_times(p, mean, max);
     dem_inventory_take(p, &inventory);
-    *f = (struct dem_profile){.ranks = p->decomposition.ranks, .outside = mean[DEM_PHASE_OUTSIDE], .processor = mean[PROCESSOR]*p->decomposition.ranks,
-                              .imbalance = mean[WORK] > 0.0 ? max[WORK]/mean[WORK] : 1.0, .steps = p->timers->steps,
-                              .rebuilds = p->rebuilds - p->timers->rebuilds, .prunes = p->prunes - p->timers->prunes,
-                              .outer_skin = 2.0*p->pairs.half_outer, .inner_skin = 2.0*p->pairs.half_inner,
-                              .diameter = 2.0*p->pairs.max_radius, .bytes = inventory.bytes, .agreements = p->agreements - p->timers->agreements,
+    *f = (struct dem_profile){.ranks = p->decomposition.ranks,
+                              .outside = mean[DEM_PHASE_OUTSIDE],
+                              .processor = mean[PROCESSOR]*p->decomposition.ranks,
+                              .imbalance = mean[WORK] > 0.0 ? max[WORK]/mean[WORK] : 1.0,
+                              .steps = p->timers->steps,
+                              .rebuilds = p->rebuilds - p->timers->rebuilds,
+                              .prunes = p->prunes - p->timers->prunes,
+                              .outer_skin = 2.0*p->pairs.half_outer,
+                              .inner_skin = 2.0*p->pairs.half_inner,
+                              .diameter = 2.0*p->pairs.max_radius,
+                              .bytes = inventory.bytes,
+                              .agreements = p->agreements - p->timers->agreements,
                               .cuts = p->load_balance.cuts};
     for (int k = 0; k < DEM_PHASES; k++)
     {

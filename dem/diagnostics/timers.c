@@ -23,8 +23,12 @@ static void read_clock(struct dem_timers *t, double *spent)
 
 void dem_timers_begin(struct dem_timers *t, int64_t rebuilds, int64_t prunes, int64_t agreements)
 {
-    *t = (struct dem_timers){.last = dem_clock_wall(), .processor = dem_clock_processor(), .every = 1, .rebuilds = rebuilds,
-                             .prunes = prunes, .agreements = agreements};
+    *t = (struct dem_timers){.last = dem_clock_wall(),
+                             .processor = dem_clock_processor(),
+                             .every = 1,
+                             .rebuilds = rebuilds,
+                             .prunes = prunes,
+                             .agreements = agreements};
 }
 
 void dem_timers_begin_advance(struct dem_timers *t, size_t particles)
@@ -87,7 +91,8 @@ void dem_timers_seconds(const struct dem_timers *t, double spent[DEM_PHASES])
 
 const char *dem_phase_name(enum dem_phase phase)
 {
-    static const char *const names[DEM_PHASES] = {"drift", "agree", "refresh", "prune", "contacts", "sums", "bodies", "rebuild",
+    static const char *const names[DEM_PHASES] = {"drift", "agree", "refresh", "prune",
+                                                  "contacts", "sums", "bodies", "rebuild",
                                                   "averages", "backup", "outside"};
 
     return names[phase];

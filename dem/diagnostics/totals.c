@@ -88,7 +88,8 @@ int64_t dem_totals_touching(const struct dem_state *p)
 
     for (uint32_t r = 0; r < c->rows; r++)
     {
-        count += dem_contacts_force(c, r).arm > 0.0 && c->row_pair[r] != DEM_ROW_NONE && c->pair[c->row_pair[r]].i < p->particles.n;
+        count += dem_contacts_force(c, r).arm > 0.0 && c->row_pair[r] != DEM_ROW_NONE &&
+                 c->pair[c->row_pair[r]].i < p->particles.n;
     }
     return count;
 }
@@ -143,11 +144,21 @@ void dem_totals_tally(struct dem_state *p, struct dem_totals *t)
     dem_interaction_table_gravity(&p->interaction_table, g);
     dem_collect_sum_int64(&p->decomposition, count, 2);
     dem_collect_max_double(&p->decomposition, &p->limits.overlap, 1);
-    *t = (struct dem_totals){.particles = count[0], .steps = p->steps, .contacts = count[1], .rebuilds = p->rebuilds,
-                            .prunes = p->prunes, .time = p->time, .kinetic = value[0], .largest_overlap = p->limits.overlap,
-                            .momentum = {value[1], value[2], value[3]}, .volume = value[4], .mass = value[5],
-                            .fall_energy = count[0] > 0 ? dem_vec_norm(g)*value[7]*value[6]/(double)count[0] : 0.0,
-                            .weight = dem_vec_norm(g)*value[7]};
+    *t = (struct dem_totals){.particles = count[0],
+                             .steps = p->steps,
+                             .contacts = count[1],
+                             .rebuilds = p->rebuilds,
+                             .prunes = p->prunes,
+                             .time = p->time,
+                             .kinetic = value[0],
+                             .largest_overlap = p->limits.overlap,
+                             .momentum = {value[1], value[2], value[3]},
+                             .volume = value[4],
+                             .mass = value[5],
+                             .fall_energy = count[0] > 0 ? dem_vec_norm(g)*value[7]*value[6]/
+                                                               (double)count[0]
+                                                         : 0.0,
+                             .weight = dem_vec_norm(g)*value[7]};
     p->limits.max_overlap = fmax(p->limits.max_overlap, p->limits.overlap);
     p->limits.overlap = 0.0;
     if (p->contacts.has_energy)
@@ -220,11 +231,13 @@ uint64_t dem_totals_fingerprint(const struct dem_state *p)
     }
     for (uint32_t r = 0; r < c->rows; r++)
     {
-        const int owned = c->row_pair[r] != DEM_ROW_NONE && c->pair[c->row_pair[r]].i < p->particles.n;
+        const int owned =
+            c->row_pair[r] != DEM_ROW_NONE && c->pair[c->row_pair[r]].i < p->particles.n;
 
         if (owned && dem_contacts_has_history(c, r))
         {
-            const struct dem_contact_key name = dem_contacts_key(c, &p->particles, p->pairs.wall_facet, r);
+            const struct dem_contact_key name =
+                dem_contacts_key(c, &p->particles, p->pairs.wall_facet, r);
 
             dem_contacts_get_history(c, r, memory);
             total += dem_fingerprint_contact(&name, memory, c->history_columns);
@@ -232,7 +245,11 @@ uint64_t dem_totals_fingerprint(const struct dem_state *p)
     }
     for (size_t k = 0; k < c->saved; k++)
     {
-        total += c->saved_key[k].counted ? dem_fingerprint_contact(&c->saved_key[k], c->saved_history + k*(size_t)c->history_columns, c->history_columns) : 0;
+        total += c->saved_key[k].counted
+                     ? dem_fingerprint_contact(&c->saved_key[k],
+                                               c->saved_history + k*(size_t)c->history_columns,
+                                               c->history_columns)
+                     : 0;
     }
     dem_collect_sum_uint64(&p->decomposition, &total, 1);
     return total;
@@ -244,7 +261,9 @@ void dem_totals_max_overlap(struct dem_state *p, struct dem_overlap *pair, struc
     dem_wall_touches_update(&p->touches, &p->pairs.wall_search, &p->walls, &p->particles);
     for (uint32_t r = 0; r < p->contacts.rows; r++)
     {
-        const struct dem_pair *const q = p->contacts.row_pair[r] == DEM_ROW_NONE ? NULL : &p->contacts.pair[p->contacts.row_pair[r]];
+        const struct dem_pair *const q = p->contacts.row_pair[r] == DEM_ROW_NONE
+                                             ? NULL
+                                             : &p->contacts.pair[p->contacts.row_pair[r]];
         const struct dem_particle *const a = q ? &p->particles.record[q->i] : NULL;
         struct dem_overlap *const worst = q && q->wall ? wall : pair;
         double overlap = 0.0, radius = 1.0;
@@ -258,7 +277,8 @@ void dem_totals_max_overlap(struct dem_state *p, struct dem_overlap *pair, struc
         {
             const struct dem_particle *const b = &p->particles.record[q->j];
             const double *const s = p->pairs.shift[q->shift];
-            const double d[3] = {a->x[0] - b->x[0] + s[0], a->x[1] - b->x[1] + s[1], a->x[2] - b->x[2] + s[2]};
+            const double d[3] = {a->x[0] - b->x[0] + s[0], a->x[1] - b->x[1] + s[1],
+                                 a->x[2] - b->x[2] + s[2]};
 
             overlap = a->radius + b->radius - dem_vec_norm(d);
             radius = fmin(a->radius, b->radius);
@@ -267,7 +287,8 @@ void dem_totals_max_overlap(struct dem_state *p, struct dem_overlap *pair, struc
         {
             worst->fraction = 0.5*overlap/radius;
             worst->id = a->id;
-            worst->partner = q->wall ? p->walls.facet[p->pairs.wall_facet[q->j]].wall : p->particles.record[q->j].id;
+            worst->partner = q->wall ? p->walls.facet[p->pairs.wall_facet[q->j]].wall
+                                     : p->particles.record[q->j].id;
             memcpy(worst->x, a->x, sizeof a->x);
         }
     }

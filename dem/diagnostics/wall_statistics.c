@@ -52,7 +52,9 @@ void dem_wall_statistics_sum_forces(const struct dem_state *p, int wall, double 
 
     for (int s = 0; s < c->classes && c->rows > 0; s++)
     {
-        const uint32_t end = c->segment[s].first + (p->interaction_table.list[s].pair.with_wall ? c->segment[s].count : 0);
+        const uint32_t end =
+            c->segment[s].first +
+            (p->interaction_table.list[s].pair.with_wall ? c->segment[s].count : 0);
 
         for (uint32_t r = c->segment[s].first; r < end; r++)
         {

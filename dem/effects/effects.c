@@ -69,5 +69,6 @@ int dem_effects_unknown(const char *where, const char *name)
         known[k] = dem_effects[k]->name;
         aliases[k] = dem_effects[k]->aliases;
     }
-    return dem_error_prefix(dem_did_you_mean_alias_error("effect", name, known, aliases, EFFECTS), "%s: ", where);
+    return dem_error_prefix(dem_did_you_mean_alias_error("effect", name, known, aliases, EFFECTS),
+                            "%s: ", where);
 }

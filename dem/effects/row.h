@@ -29,15 +29,33 @@ struct dem_contact_row
     dem_real fn, fx, fy, fz;                            /* N    */
 };
 
-static inline __attribute__((always_inline)) struct dem_contact_row dem_contact_row_load(const struct dem_contact_batch *b,
-                            int c)
+static inline __attribute__((always_inline)) struct dem_contact_row dem_contact_row_load(
+    const struct dem_contact_batch *b, int c)
 {
-    return (struct dem_contact_row){.dt = b->dt, .nx = b->nx[c], .ny = b->ny[c], .nz = b->nz[c], .hx = b->hx[c], .hy = b->hy[c],
-                            .hz = b->hz[c], .overlap = b->overlap[c], .touching = b->touching[c],
-                            .reduced_radius = b->reduced_radius[c], .reduced_mass = b->reduced_mass[c], .vn = b->vn[c],
-                            .sx = b->sx[c], .sy = b->sy[c], .sz = b->sz[c], .normal_spin = b->normal_spin[c], .adhesive_force = b->adhesive_force[c],
-                            .kn = b->kn[c], .kt = b->kt[c], .eta = b->eta[c], .fn = b->fn[c], .fx = b->fx[c],
-                            .fy = b->fy[c], .fz = b->fz[c]};
+    return (struct dem_contact_row){.dt = b->dt,
+                                    .nx = b->nx[c],
+                                    .ny = b->ny[c],
+                                    .nz = b->nz[c],
+                                    .hx = b->hx[c],
+                                    .hy = b->hy[c],
+                                    .hz = b->hz[c],
+                                    .overlap = b->overlap[c],
+                                    .touching = b->touching[c],
+                                    .reduced_radius = b->reduced_radius[c],
+                                    .reduced_mass = b->reduced_mass[c],
+                                    .vn = b->vn[c],
+                                    .sx = b->sx[c],
+                                    .sy = b->sy[c],
+                                    .sz = b->sz[c],
+                                    .normal_spin = b->normal_spin[c],
+                                    .adhesive_force = b->adhesive_force[c],
+                                    .kn = b->kn[c],
+                                    .kt = b->kt[c],
+                                    .eta = b->eta[c],
+                                    .fn = b->fn[c],
+                                    .fx = b->fx[c],
+                                    .fy = b->fy[c],
+                                    .fz = b->fz[c]};
 }
 
 #endif

@@ -47,17 +47,24 @@ static void resume(struct dem_snapshot_flow *row, const struct dem_stream *s,
     {
         const struct dem_snapshot_flow *const old = &from->flow[k];
 
-        if (strcmp(old->name, row->name) == 0 && (old->kind == DEM_FLOW_OUTLET) == (row->kind == DEM_FLOW_OUTLET))
+        if (strcmp(old->name, row->name) == 0 &&
+            (old->kind == DEM_FLOW_OUTLET) == (row->kind == DEM_FLOW_OUTLET))
         {
             const struct dem_snapshot_flow new = *row;
 
             *row = *old;
-            if (s && (old->kind != new.kind || old->rate != new.rate || old->start != new.start || old->end != new.end))
+            if (s && (old->kind != new.kind || old->rate != new.rate || old->start != new.start ||
+                      old->end != new.end))
             {
-                const struct dem_stream before = {.rate = old->rate, .start = old->start, .end = old->end};
+                const struct dem_stream before = {
+                    .rate = old->rate,
+                    .start = old->start,
+                    .end = old->end};
 
                 row->kind = new.kind;
-                row->owed = old->kind != new.kind ? inserted_so_far(row) : old->owed + dem_stream_amount_due(&before, old->since, time);
+                row->owed = old->kind != new.kind
+                                ? inserted_so_far(row)
+                                : old->owed + dem_stream_amount_due(&before, old->since, time);
                 row->since = time;
                 row->rate = new.rate;
                 row->start = new.start;
@@ -154,7 +161,8 @@ int dem_flows_insert(struct dem_state *p)
     {
         const struct dem_particle *const q = &f->arrival[k].particle;
 
-        if (p->decomposition.ranks == 1 || dem_decomposition_owner(&p->decomposition, q->x) == p->decomposition.rank)
+        if (p->decomposition.ranks == 1 ||
+            dem_decomposition_owner(&p->decomposition, q->x) == p->decomposition.rank)
         {
             DEM_TRY(insert_particle(p, q));
         }
@@ -195,14 +203,17 @@ int dem_flows_record_departure(struct dem_state *p, int flow, const struct dem_p
     struct dem_departure *const new = &f->departure[f->departures++];
 
     dem_interaction_table_gravity(&p->interaction_table, gravity);
-    *new = (struct dem_departure){.id = q->id, .flow = flow == DEM_FLOW_DOMAIN ? f->n - 1 : flow, .mass = q->mass};
+    *new = (struct dem_departure){.id = q->id,
+                                  .flow = flow == DEM_FLOW_DOMAIN ? f->n - 1 : flow,
+                                  .mass = q->mass};
     for (int k = 0; k < 3; k++)
     {
         /* m/(m + added mass): slower fall */
         v[k] = q->v[k] + late*q->mass*q->inverse_mass*gravity[k];
         new->momentum[k] = q->mass*v[k];
     }
-    new->energy = 0.5*q->mass*dem_vec_dot(v, v) + 0.2*q->mass*q->radius*q->radius*dem_vec_dot(q->w, q->w);
+    new->energy = 0.5*q->mass*dem_vec_dot(v, v) +
+                  0.2*q->mass*q->radius*q->radius*dem_vec_dot(q->w, q->w);
     return DEM_OK;
 }
 
@@ -216,7 +227,8 @@ static int by_id(const void *a, const void *b)
 int dem_flows_sum_departures(struct dem_state *p)
 {
     struct dem_flows *const f = p->flows;
-    const struct dem_collect_items own = {"particles leave in one step", f->departure, f->departures, sizeof *f->departure};
+    const struct dem_collect_items own = {"particles leave in one step", f->departure,
+                                          f->departures, sizeof *f->departure};
     struct dem_departure *all;
     void *gathered;
     size_t n;

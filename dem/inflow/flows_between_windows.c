@@ -32,20 +32,24 @@ static int flow_of(const struct dem_state *p, const struct dem_particle *q,
                    const struct dem_outgoing_particle *outgoing, size_t n)
 {
     const struct dem_outgoing_particle key = {.id = q->id};
-    const struct dem_outgoing_particle *const found = n > 0 ? bsearch(&key, outgoing, n, sizeof *outgoing, by_id) : NULL;
+    const struct dem_outgoing_particle *const found =
+        n > 0 ? bsearch(&key, outgoing, n, sizeof *outgoing, by_id) : NULL;
     struct dem_particle home = *q;
 
     dem_domain_wrap(&p->domain, &home);
     const int absorbed = dem_flows_absorbed(p->flows, q);
 
-    return found ? found->flow : absorbed != DEM_FLOW_NONE ? absorbed : dem_flows_outlet(p->flows, home.x);
+    return found ? found->flow
+           : absorbed != DEM_FLOW_NONE ? absorbed
+                                       : dem_flows_outlet(p->flows, home.x);
 }
 
 /* The momentum removed includes the impulse carried over from the last exchange, and later the
    contact forces of the half kick that the partners still get. */
 static int remove_particle(struct dem_state *p, size_t i, int flow)
 {
-    const double *const carried_over = dem_column(&p->particles, DEM_COLUMN_CARRIED_OVER_IMPULSE), *const force = dem_column(&p->particles, DEM_COLUMN_FORCE);
+    const double *const carried_over = dem_column(&p->particles, DEM_COLUMN_CARRIED_OVER_IMPULSE),
+                        *const force = dem_column(&p->particles, DEM_COLUMN_FORCE);
     struct dem_flows *const f = p->flows;
 
     DEM_TRY(dem_flows_record_departure(p, flow, &p->particles.record[i], 0.0));
@@ -90,7 +94,9 @@ static int apply_changes(struct dem_state *p, uint32_t *order, size_t stay)
     {
         const int status = dem_wall_statistics_save_forces(p);
 
-        DEM_TRY(dem_agree(p, status ? status : dem_contacts_save_history(&p->contacts, &p->particles, p->pairs.wall_facet)));
+        DEM_TRY(dem_agree(p, status ? status
+                                    : dem_contacts_save_history(&p->contacts, &p->particles,
+                                                                p->pairs.wall_facet)));
     }
     if (stay < p->particles.n)
     {

@@ -84,7 +84,8 @@ static int add_images(struct inlet_grid *grid, const double x[3], double radius,
         {
             for (at[0] = from[0]; at[0] <= to[0]; at[0]++)
             {
-                const double there[3] = {x[0] + at[0]*d->length[0], x[1] + at[1]*d->length[1], x[2] + at[2]*d->length[2]};
+                const double there[3] = {x[0] + at[0]*d->length[0], x[1] + at[1]*d->length[1],
+                                         x[2] + at[2]*d->length[2]};
 
                 if (is_near(grid, there, reach))
                 {
@@ -101,7 +102,8 @@ static int add_images(struct inlet_grid *grid, const double x[3], double radius,
 /* Collective; `status`: of this rank. The spheres of all ranks replace those of this rank. */
 static int gather(struct dem_state *p, struct inlet_grid *grid, int status)
 {
-    const struct dem_collect_items own = {"particles near the inlet of a stream", grid->body, grid->n, sizeof *grid->body};
+    const struct dem_collect_items own = {"particles near the inlet of a stream", grid->body,
+                                          grid->n, sizeof *grid->body};
     void *all;
 
     if (p->decomposition.ranks == 1)
@@ -144,7 +146,8 @@ static int cell_along(const struct inlet_grid *grid, int k, double x)
 static int add_to_cell(struct inlet_grid *grid, size_t b)
 {
     const double *const x = grid->body[b].x;
-    const int at[3] = {cell_along(grid, 0, x[0]), cell_along(grid, 1, x[1]), cell_along(grid, 2, x[2])};
+    const int at[3] = {cell_along(grid, 0, x[0]), cell_along(grid, 1, x[1]),
+                       cell_along(grid, 2, x[2])};
     int *const head = &grid->head[(at[2]*grid->cells[1] + at[1])*grid->cells[0] + at[0]];
 
     DEM_TRY(DEM_GROW(grid->next, grid->next_capacity, b + 1));
@@ -168,7 +171,8 @@ static int make_grid(struct inlet_grid *grid)
         cells = 1.0;
         for (int k = 0; k < 3; k++)
         {
-            cells *= grid->cells[k] = (int)fmin(MAX_CELLS, (grid->max[k] - grid->min[k])/grid->edge) + 1;
+            cells *= grid->cells[k] =
+                (int)fmin(MAX_CELLS, (grid->max[k] - grid->min[k])/grid->edge) + 1;
         }
         grid->edge *= cells > MAX_CELLS ? 1.26 : 1.0;
     } while (cells > MAX_CELLS);
@@ -200,7 +204,8 @@ static int is_clear(const struct inlet_grid *grid, const double x[3], double rad
         {
             for (int c = from[0]; c <= to[0]; c++)
             {
-                for (int b = grid->head[(z*grid->cells[1] + y)*grid->cells[0] + c]; b != NONE; b = grid->next[b])
+                for (int b = grid->head[(z*grid->cells[1] + y)*grid->cells[0] + c]; b != NONE;
+                     b = grid->next[b])
                 {
                     const double apart = margin*(radius + grid->body[b].radius);
                     double d[3];
@@ -244,13 +249,15 @@ static int find_position(struct dem_state *p, const struct dem_stream_trial *fir
     *found = 0;
     for (t.trial = 0; t.trial < TRIALS && !*found; t.trial++)
     {
-        if (!dem_stream_draw_position(grid->stream, &t, q->x, q->v) || !dem_domain_project(&p->domain, q) || !is_near(grid, q->x, 0.0)
-            || !is_clear(grid, q->x, q->radius))
+        if (!dem_stream_draw_position(grid->stream, &t, q->x, q->v) ||
+            !dem_domain_project(&p->domain, q) || !is_near(grid, q->x, 0.0) ||
+            !is_clear(grid, q->x, q->radius))
         {
             continue;
         }
         dem_domain_wrap(&p->domain, q);
-        if (dem_domain_contains(&p->domain, q->x) && dem_flows_outlet(p->flows, q->x) == DEM_FLOW_NONE)
+        if (dem_domain_contains(&p->domain, q->x) &&
+            dem_flows_outlet(p->flows, q->x) == DEM_FLOW_NONE)
         {
             DEM_TRY(dem_wall_search_is_clear(&p->pairs.wall_search, &p->walls, q, found));
         }
@@ -282,7 +289,8 @@ static void add_to_totals(struct dem_snapshot_flow *f, const struct dem_particle
     {
         f->momentum[k] += q->mass*q->v[k];
     }
-    f->energy += 0.5*q->mass*dem_vec_dot(q->v, q->v) + 0.2*q->mass*q->radius*q->radius*dem_vec_dot(q->w, q->w);
+    f->energy += 0.5*q->mass*dem_vec_dot(q->v, q->v) +
+                 0.2*q->mass*q->radius*q->radius*dem_vec_dot(q->w, q->w);
 }
 
 /* One particle after the other, as they are due, until one finds no free position. */
@@ -292,13 +300,17 @@ static int insert_due(struct dem_state *p, int k, struct inlet_grid *grid,
     struct dem_flows *const f = p->flows;
     const struct dem_stream *const s = &f->plan->stream[k];
     struct dem_snapshot_flow *const row = &f->flow[k];
-    const double density = p->interaction_table.material[s->material].density, zero[3] = {0.0, 0.0, 0.0};
+    const double density = p->interaction_table.material[s->material].density,
+                 zero[3] = {0.0, 0.0, 0.0};
     int found;
 
     for (;;)
     {
-        struct dem_particle q = dem_particle_sphere(f->next_id, zero, dem_stream_diameter(s, row->count), density, s->material);
-        const double due = row->owed + dem_stream_amount_due(s, row->since, p->time) - (s->by_mass ? row->mass : (double)row->count);
+        struct dem_particle q =
+            dem_particle_sphere(f->next_id, zero, dem_stream_diameter(s, row->count), density,
+                                s->material);
+        const double due = row->owed + dem_stream_amount_due(s, row->since, p->time) -
+                           (s->by_mass ? row->mass : (double)row->count);
 
         f->waiting[k] = is_due(s, row, due, q.mass) ? due : 0.0;
         if (f->waiting[k] == 0.0)
@@ -328,9 +340,12 @@ static int check_stream(struct dem_state *p, int k, int64_t step, int status)
     struct dem_flows *const f = p->flows;
     const struct dem_stream *const s = &f->plan->stream[k];
     struct dem_snapshot_flow *const row = &f->flow[k];
-    const double due = row->owed + dem_stream_amount_due(s, row->since, p->time) - (s->by_mass ? row->mass : (double)row->count);
-    const double mass = p->interaction_table.material[s->material].density*dem_sphere_volume(0.5*dem_stream_diameter(s, row->count));
-    struct dem_stream_trial t = {.step = step, .ago = p->time - fmax(row->last, fmin(s->start, p->time))};
+    const double due = row->owed + dem_stream_amount_due(s, row->since, p->time) -
+                       (s->by_mass ? row->mass : (double)row->count);
+    const double mass = p->interaction_table.material[s->material].density*
+                        dem_sphere_volume(0.5*dem_stream_diameter(s, row->count));
+    struct dem_stream_trial t = {.step = step,
+                                 .ago = p->time - fmax(row->last, fmin(s->start, p->time))};
     struct inlet_grid grid = {.domain = &p->domain, .stream = s, .max_radius = 0.5*s->sizes.max};
     const double travel = dem_stream_max_travel(s, t.ago, 0.5*s->sizes.max);
 

@@ -113,7 +113,8 @@ static int read_disc(struct dem_inlet_shape *m, const struct dem_dict *disc)
     DEM_TRY(dem_dict_number(disc, "radius", "m", &v->radius));
     const double size = dem_vec_norm(v->axis);
 
-    DEM_REQUIRE(size > 0.0 && v->radius > 0.0, DEM_ERROR_INPUT, "%s: disc with a normal of length %g and a radius of %g m; give numbers above 0",
+    DEM_REQUIRE(size > 0.0 && v->radius > 0.0, DEM_ERROR_INPUT,
+                "%s: disc with a normal of length %g and a radius of %g m; give numbers above 0",
                 dem_dict_where(disc), size, v->radius);
     for (int k = 0; k < 3; k++)
     {
@@ -138,7 +139,8 @@ static int read_surface(struct dem_inlet_shape *m, const struct dem_dict *group,
 
     dem_memory_free(corners);
     DEM_TRY(status);
-    DEM_REQUIRE(dem_inlet_shape_area(m) > 0.0, DEM_ERROR_INPUT, "%s: the triangles of %s have no area; give a surface", where, path);
+    DEM_REQUIRE(dem_inlet_shape_area(m) > 0.0, DEM_ERROR_INPUT,
+                "%s: the triangles of %s have no area; give a surface", where, path);
     return DEM_OK;
 }
 
@@ -146,12 +148,14 @@ int dem_inlet_shape_read(struct dem_inlet_shape *m, const struct dem_dict *group
 {
     const struct dem_dict *disc;
     const int boxed = dem_dict_has(group, "min") || dem_dict_has(group, "max");
-    const int shapes = boxed + dem_dict_has(group, "cylinder") + dem_dict_has(group, "sphere") + dem_dict_has(group, "disc")
-                     + dem_dict_has(group, "surface") + dem_dict_has(group, "patch");
+    const int shapes = boxed + dem_dict_has(group, "cylinder") + dem_dict_has(group, "sphere") +
+                       dem_dict_has(group, "disc") + dem_dict_has(group, "surface") +
+                       dem_dict_has(group, "patch");
 
     memset(m, 0, sizeof *m);
-    DEM_REQUIRE(shapes == 1, DEM_ERROR_INPUT, "%s: %s of min and max, cylinder, sphere, disc, surface, patch; give one of them", where,
-                shapes ? "more than one" : "none");
+    DEM_REQUIRE(shapes == 1, DEM_ERROR_INPUT,
+                "%s: %s of min and max, cylinder, sphere, disc, surface, patch; give one of them",
+                where, shapes ? "more than one" : "none");
     DEM_TRY(dem_dict_sub_if(group, "disc", &disc));
     if (disc)
     {
@@ -173,12 +177,15 @@ int dem_inlet_shape_read(struct dem_inlet_shape *m, const struct dem_dict *group
 
 int dem_inlet_shape_check(const struct dem_inlet_shape *m, double radius, const char *where)
 {
-    return m->kind == DEM_INLET_REGION ? dem_insertion_shape_check_fits(&m->shape, radius, where) : DEM_OK;
+    return m->kind == DEM_INLET_REGION ? dem_insertion_shape_check_fits(&m->shape, radius, where)
+                                       : DEM_OK;
 }
 
 double dem_inlet_shape_area(const struct dem_inlet_shape *m)
 {
-    return m->kind == DEM_INLET_DISC ? pi*m->shape.radius*m->shape.radius : m->kind == DEM_INLET_FACES && m->n > 0 ? m->cumulative_area[m->n - 1] : 0.0;
+    return m->kind == DEM_INLET_DISC ? pi*m->shape.radius*m->shape.radius
+           : m->kind == DEM_INLET_FACES && m->n > 0 ? m->cumulative_area[m->n - 1]
+                                                    : 0.0;
 }
 
 void dem_inlet_shape_bounds(const struct dem_inlet_shape *m, double min[3], double max[3])
@@ -187,7 +194,9 @@ void dem_inlet_shape_bounds(const struct dem_inlet_shape *m, double min[3], doub
 
     for (int k = 0; k < 3; k++)
     {
-        const double half = m->kind == DEM_INLET_DISC ? v->radius*sqrt(fmax(0.0, 1.0 - v->axis[k]*v->axis[k])) : 0.0;
+        const double half = m->kind == DEM_INLET_DISC
+                                ? v->radius*sqrt(fmax(0.0, 1.0 - v->axis[k]*v->axis[k]))
+                                : 0.0;
 
         min[k] = m->kind == DEM_INLET_REGION ? v->min[k] : v->from[k] - half;
         max[k] = m->kind == DEM_INLET_REGION ? v->max[k] : v->from[k] + half;

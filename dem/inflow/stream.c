@@ -30,8 +30,8 @@ static const double behind_face = 1e-3;
 
 static int read_name(char *name, const struct dem_dict *dict, const char *where)
 {
-    DEM_REQUIRE(strlen(dem_dict_name(dict)) < DEM_FLOW_NAME, DEM_ERROR_INPUT, "%s: a name longer than %d characters; shorten it", where,
-                DEM_FLOW_NAME - 1);
+    DEM_REQUIRE(strlen(dem_dict_name(dict)) < DEM_FLOW_NAME, DEM_ERROR_INPUT,
+                "%s: a name longer than %d characters; shorten it", where, DEM_FLOW_NAME - 1);
     snprintf(name, DEM_FLOW_NAME, "%s", dem_dict_name(dict));
     return DEM_OK;
 }
@@ -39,17 +39,25 @@ static int read_name(char *name, const struct dem_dict *dict, const char *where)
 static int read_rate(struct dem_stream *s, const struct dem_dict *dict)
 {
     s->by_mass = dem_dict_has(dict, "massRate");
-    DEM_REQUIRE(s->by_mass + dem_dict_has(dict, "rate") == 1, DEM_ERROR_INPUT, "%s: %s of rate (particles a second) and massRate (kg/s); "
-                "give one of them", s->where, s->by_mass ? "both" : "none");
-    DEM_TRY(dem_dict_number(dict, s->by_mass ? "massRate" : "rate", s->by_mass ? "kg/s" : "1/s", &s->rate));
-    DEM_REQUIRE(s->rate > 0.0, DEM_ERROR_INPUT, "%s: %s %g; give a number above 0", s->where, s->by_mass ? "massRate" : "rate", s->rate);
+    DEM_REQUIRE(s->by_mass + dem_dict_has(dict, "rate") == 1, DEM_ERROR_INPUT,
+                "%s: %s of rate (particles a second) and massRate (kg/s); "
+                "give one of them",
+                s->where, s->by_mass ? "both" : "none");
+    DEM_TRY(dem_dict_number(dict, s->by_mass ? "massRate" : "rate", s->by_mass ? "kg/s" : "1/s",
+                            &s->rate));
+    DEM_REQUIRE(s->rate > 0.0, DEM_ERROR_INPUT, "%s: %s %g; give a number above 0", s->where,
+                s->by_mass ? "massRate" : "rate", s->rate);
     DEM_TRY(dem_dict_number_or(dict, "start", "s", 0.0, &s->start));
     DEM_TRY(dem_dict_number_or(dict, "end", "s", INFINITY, &s->end));
-    DEM_REQUIRE(s->start < s->end, DEM_ERROR_INPUT, "%s: start %g s is not before end %g s; give an earlier one", s->where, s->start, s->end);
+    DEM_REQUIRE(s->start < s->end, DEM_ERROR_INPUT,
+                "%s: start %g s is not before end %g s; give an earlier one", s->where, s->start,
+                s->end);
     DEM_TRY(dem_dict_int64_or(dict, "count", INT64_MAX, &s->count));
-    DEM_REQUIRE(s->count > 0, DEM_ERROR_INPUT, "%s: count %lld; give 1 or more, or leave it out", s->where, (long long)s->count);
+    DEM_REQUIRE(s->count > 0, DEM_ERROR_INPUT, "%s: count %lld; give 1 or more, or leave it out",
+                s->where, (long long)s->count);
     DEM_TRY(dem_dict_number_or(dict, "mass", "kg", INFINITY, &s->mass));
-    DEM_REQUIRE(s->mass > 0.0, DEM_ERROR_INPUT, "%s: mass %g kg; give a number above 0, or leave it out", s->where, s->mass);
+    DEM_REQUIRE(s->mass > 0.0, DEM_ERROR_INPUT,
+                "%s: mass %g kg; give a number above 0, or leave it out", s->where, s->mass);
     return DEM_OK;
 }
 
@@ -67,7 +75,8 @@ static int read_velocity(struct dem_stream *s, const struct dem_dict *dict)
     {
         s->with_fluid = s->inlet.patch != NULL;
     }
-    DEM_REQUIRE(!s->with_fluid || strcmp(word, "fluid") == 0, DEM_ERROR_INPUT, "%s: velocity %s; give fluid, or a vector in m/s", s->where, word);
+    DEM_REQUIRE(!s->with_fluid || strcmp(word, "fluid") == 0, DEM_ERROR_INPUT,
+                "%s: velocity %s; give fluid, or a vector in m/s", s->where, word);
     if (!s->with_fluid)
     {
         DEM_TRY(dem_dict_vector_or(dict, "velocity", "m/s", zero, s->velocity));
@@ -76,10 +85,13 @@ static int read_velocity(struct dem_stream *s, const struct dem_dict *dict)
     DEM_TRY(dem_dict_vector_or(dict, "spin", "1/s", zero, s->spin));
     for (int k = 0; k < 3; k++)
     {
-        DEM_REQUIRE(s->spread[k] >= 0.0, DEM_ERROR_INPUT, "%s: spread (%g %g %g) m/s; give numbers of 0 or more", s->where, s->spread[0],
+        DEM_REQUIRE(s->spread[k] >= 0.0, DEM_ERROR_INPUT,
+                    "%s: spread (%g %g %g) m/s; give numbers of 0 or more", s->where, s->spread[0],
                     s->spread[1], s->spread[2]);
     }
-    DEM_REQUIRE(s->with_fluid || s->inlet.kind == DEM_INLET_REGION || dem_vec_norm(s->velocity) > 0.0, DEM_ERROR_INPUT,
+    DEM_REQUIRE(s->with_fluid || s->inlet.kind == DEM_INLET_REGION ||
+                    dem_vec_norm(s->velocity) > 0.0,
+                DEM_ERROR_INPUT,
                 "%s: particles that enter through a face need a velocity; give velocity", s->where);
     return DEM_OK;
 }
@@ -92,9 +104,10 @@ static int check_masses(const struct dem_stream *s, const struct dem_interaction
     {
         const double mass = r->material[s->material].density*dem_sphere_volume(0.5*d[k]);
 
-        DEM_REQUIRE(isnormal(mass*d[k]*d[k]) && isnormal(1.0/(mass*d[k]*d[k])), DEM_ERROR_INPUT,
-                    "%s: diameter %g m of %s, density %g kg/m3, makes a mass of %g kg, outside the range of numbers; correct them", s->where, d[k],
-                    r->material[s->material].name, r->material[s->material].density, mass);
+        DEM_REQUIRE(
+            isnormal(mass*d[k]*d[k]) && isnormal(1.0/(mass*d[k]*d[k])), DEM_ERROR_INPUT,
+            "%s: diameter %g m of %s, density %g kg/m3, makes a mass of %g kg, outside the range of numbers; correct them",
+            s->where, d[k], r->material[s->material].name, r->material[s->material].density, mass);
     }
     return DEM_OK;
 }
@@ -122,14 +135,17 @@ static int read_outlet(struct dem_outlet *o, const struct dem_dict *dict)
 {
     const int plane = dem_dict_has(dict, "point") || dem_dict_has(dict, "normal");
     const int boxed = dem_dict_has(dict, "min") || dem_dict_has(dict, "max");
-    const int shapes = plane + boxed + dem_dict_has(dict, "cylinder") + dem_dict_has(dict, "sphere") + dem_dict_has(dict, "patch");
+    const int shapes = plane + boxed + dem_dict_has(dict, "cylinder") +
+                       dem_dict_has(dict, "sphere") + dem_dict_has(dict, "patch");
     char where[256];
 
     memset(o, 0, sizeof *o);
     snprintf(where, sizeof where, "%s: %s", dem_dict_where(dict), dem_dict_path(dict));
     DEM_TRY(read_name(o->name, dict, where));
-    DEM_REQUIRE(shapes == 1, DEM_ERROR_INPUT, "%s: %s of min and max, cylinder, sphere, point and normal, patch; give one of them", where,
-                shapes ? "more than one" : "none");
+    DEM_REQUIRE(
+        shapes == 1, DEM_ERROR_INPUT,
+        "%s: %s of min and max, cylinder, sphere, point and normal, patch; give one of them", where,
+        shapes ? "more than one" : "none");
     if (dem_dict_has(dict, "patch"))
     {
         return dem_dict_word(dict, "patch", &o->patch);
@@ -152,9 +168,10 @@ static int check_names(const struct dem_streams *s)
 {
     for (int o = 0; o < s->outlets; o++)
     {
-        DEM_REQUIRE(strcmp(s->outlet[o].name, "domain") != 0, DEM_ERROR_INPUT,
-                    "outlets/domain: this name is reserved for particles that leave the domain; give "
-                    "another one");
+        DEM_REQUIRE(
+            strcmp(s->outlet[o].name, "domain") != 0, DEM_ERROR_INPUT,
+            "outlets/domain: this name is reserved for particles that leave the domain; give "
+            "another one");
         for (int k = 0; k < s->streams; k++)
         {
             DEM_REQUIRE(strcmp(s->outlet[o].name, s->stream[k].name) != 0, DEM_ERROR_INPUT,
@@ -163,8 +180,9 @@ static int check_names(const struct dem_streams *s)
         }
     }
     /* one more is used for the domain */
-    DEM_REQUIRE(s->streams + s->outlets < DEM_SNAPSHOT_FLOWS, DEM_ERROR_INPUT, "%d streams and %d outlets; the limit is %d in all; join some",
-                s->streams, s->outlets, DEM_SNAPSHOT_FLOWS - 1);
+    DEM_REQUIRE(s->streams + s->outlets < DEM_SNAPSHOT_FLOWS, DEM_ERROR_INPUT,
+                "%d streams and %d outlets; the limit is %d in all; join some", s->streams,
+                s->outlets, DEM_SNAPSHOT_FLOWS - 1);
     return DEM_OK;
 }
 
@@ -185,7 +203,8 @@ int dem_streams_read(struct dem_streams *s, const struct dem_dict *insert,
     {
         const struct dem_entry *const e = dem_dict_entry(outlets, k);
 
-        DEM_REQUIRE(dem_entry_is_dict(e), DEM_ERROR_INPUT, "%s: outlets holds regions like %s { point (0 0 0); normal (0 0 -1); }",
+        DEM_REQUIRE(dem_entry_is_dict(e), DEM_ERROR_INPUT,
+                    "%s: outlets holds regions like %s { point (0 0 0); normal (0 0 -1); }",
                     dem_entry_where(e), dem_entry_name(e));
         DEM_TRY(DEM_GROW(s->outlet, s->outlet_capacity, s->outlets + 1));
         DEM_TRY(read_outlet(&s->outlet[s->outlets++], dem_entry_dict(e)));
@@ -199,16 +218,20 @@ int dem_streams_add_wall(struct dem_streams *s, const char *name, int *outlet)
     {
         const int same = strcmp(s->outlet[k].name, name) == 0;
 
-        DEM_REQUIRE(!same || s->outlet[k].wall, DEM_ERROR_INPUT,
-                    "walls/%s absorbs particles and is counted by its name, which an outlet has too; rename one of them", name);
+        DEM_REQUIRE(
+            !same || s->outlet[k].wall, DEM_ERROR_INPUT,
+            "walls/%s absorbs particles and is counted by its name, which an outlet has too; rename one of them",
+            name);
         if (same)
         {
             *outlet = k;
             return DEM_OK;
         }
     }
-    DEM_REQUIRE(strlen(name) < DEM_FLOW_NAME, DEM_ERROR_INPUT, "walls/%s absorbs particles and is counted by its name, which has %zu "
-                "characters; the limit is %zu", name, strlen(name), (size_t)DEM_FLOW_NAME - 1);
+    DEM_REQUIRE(strlen(name) < DEM_FLOW_NAME, DEM_ERROR_INPUT,
+                "walls/%s absorbs particles and is counted by its name, which has %zu "
+                "characters; the limit is %zu",
+                name, strlen(name), (size_t)DEM_FLOW_NAME - 1);
     DEM_TRY(DEM_GROW(s->outlet, s->outlet_capacity, s->outlets + 1));
     *outlet = s->outlets;
     s->outlet[s->outlets] = (struct dem_outlet){.wall = 1};
@@ -245,20 +268,27 @@ void dem_streams_radii(const struct dem_streams *s, double *min, double *max)
 /* Inlets on patches of a mesh are checked by the program that has the mesh. */
 static int check_inlet(const struct dem_stream *s, const struct dem_domain *d)
 {
-    const double edge = s->inlet.kind == DEM_INLET_REGION ? 0.5*s->sizes.min : 0.0, radius = 0.5*s->sizes.min;
+    const double edge = s->inlet.kind == DEM_INLET_REGION ? 0.5*s->sizes.min : 0.0,
+                 radius = 0.5*s->sizes.min;
     double min[3], max[3];
 
-    DEM_REQUIRE(!s->inlet.patch || s->inlet.n > 0, DEM_ERROR_INPUT, "%s: patch %s, but no mesh has supplied it; run it in OpenFOAM, or give a "
-                "region or a surface", s->where, s->inlet.patch);
+    DEM_REQUIRE(!s->inlet.patch || s->inlet.n > 0, DEM_ERROR_INPUT,
+                "%s: patch %s, but no mesh has supplied it; run it in OpenFOAM, or give a "
+                "region or a surface",
+                s->where, s->inlet.patch);
     dem_inlet_shape_bounds(&s->inlet, min, max);
     for (int k = 0; k < 3; k++)
     {
-        DEM_REQUIRE(fmax(fabs(min[k]), fabs(max[k])) <= dem_max_distance*radius, DEM_ERROR_INPUT, "%s: it reaches from %g to %g m along %c, more than "
-                    "%g radii of %g m from the origin, where double precision does not resolve overlaps; move it", s->where, min[k], max[k], "xyz"[k],
-                    dem_max_distance, radius);
-        DEM_REQUIRE(d->periodic[k] || (min[k] + edge >= d->min[k] && max[k] - edge <= d->max[k]), DEM_ERROR_INPUT,
-                    "%s: from %g to %g m along %c it is not inside the domain, %g to %g m; make it smaller, or enlarge the domain", s->where,
-                    min[k], max[k], "xyz"[k], d->min[k], d->max[k]);
+        DEM_REQUIRE(
+            fmax(fabs(min[k]), fabs(max[k])) <= dem_max_distance*radius, DEM_ERROR_INPUT,
+            "%s: it reaches from %g to %g m along %c, more than "
+            "%g radii of %g m from the origin, where double precision does not resolve overlaps; move it",
+            s->where, min[k], max[k], "xyz"[k], dem_max_distance, radius);
+        DEM_REQUIRE(
+            d->periodic[k] || (min[k] + edge >= d->min[k] && max[k] - edge <= d->max[k]),
+            DEM_ERROR_INPUT,
+            "%s: from %g to %g m along %c it is not inside the domain, %g to %g m; make it smaller, or enlarge the domain",
+            s->where, min[k], max[k], "xyz"[k], d->min[k], d->max[k]);
     }
     return DEM_OK;
 }
@@ -271,8 +301,10 @@ int dem_streams_check(const struct dem_streams *s, const struct dem_domain *d)
     }
     for (int k = 0; k < s->outlets; k++)
     {
-        DEM_REQUIRE(!s->outlet[k].patch || s->meshed, DEM_ERROR_INPUT, "outlets/%s: patch %s, but there is no mesh; run it in OpenFOAM, or give a "
-                    "region", s->outlet[k].name, s->outlet[k].patch);
+        DEM_REQUIRE(!s->outlet[k].patch || s->meshed, DEM_ERROR_INPUT,
+                    "outlets/%s: patch %s, but there is no mesh; run it in OpenFOAM, or give a "
+                    "region",
+                    s->outlet[k].name, s->outlet[k].patch);
     }
     return DEM_OK;
 }
@@ -302,13 +334,16 @@ double dem_stream_max_travel(const struct dem_stream *s, double ago, double radi
     {
         fastest = fmax(fastest, dem_vec_norm(s->inlet.flow[t]));
     }
-    return s->inlet.kind == DEM_INLET_REGION ? 0.0 : behind + ago*(fastest + dem_vec_norm(s->velocity) + dem_vec_norm(s->spread));
+    return s->inlet.kind == DEM_INLET_REGION
+               ? 0.0
+               : behind + ago*(fastest + dem_vec_norm(s->velocity) + dem_vec_norm(s->spread));
 }
 
 int dem_stream_draw_position(const struct dem_stream *s, const struct dem_stream_trial *t,
                              double x[3], double v[3])
 {
-    const uint64_t seed = (uint64_t)s->seed, number = (uint64_t)t->number, step = (uint64_t)t->step, use = USE_PLACE + 4*(uint64_t)t->trial;
+    const uint64_t seed = (uint64_t)s->seed, number = (uint64_t)t->number, step = (uint64_t)t->step,
+                   use = USE_PLACE + 4*(uint64_t)t->trial;
     size_t triangle;
     double u[3], inward[3];
 
@@ -320,7 +355,9 @@ int dem_stream_draw_position(const struct dem_stream *s, const struct dem_stream
     {
         return 0;
     }
-    const double moving = s->inlet.kind == DEM_INLET_REGION ? 0.0 : t->ago*dem_random_unit(seed, number, step, use + 3);
+    const double moving = s->inlet.kind == DEM_INLET_REGION
+                              ? 0.0
+                              : t->ago*dem_random_unit(seed, number, step, use + 3);
 
     dem_inlet_shape_inward(&s->inlet, triangle, inward);
     for (unsigned k = 0; k < 3; k++)
@@ -340,8 +377,10 @@ int dem_outlet_holds(const struct dem_outlet *o, const double x[3])
 {
     if (o->plane)
     {
-        return (x[0] - o->shape.from[0])*o->shape.axis[0] + (x[1] - o->shape.from[1])*o->shape.axis[1]
-               + (x[2] - o->shape.from[2])*o->shape.axis[2] > 0.0;
+        return (x[0] - o->shape.from[0])*o->shape.axis[0] +
+                   (x[1] - o->shape.from[1])*o->shape.axis[1] +
+                   (x[2] - o->shape.from[2])*o->shape.axis[2] >
+               0.0;
     }
     return !o->patch && !o->wall && dem_insertion_shape_contains(&o->shape, x);
 }

@@ -91,8 +91,8 @@ static int take_sites(struct dem_insert_group *b, const struct dem_decomposition
     DEM_TRY(dem_collect_status(q));
     DEM_REQUIRE(total > 0 && (b->fill || total >= b->count), DEM_ERROR_INPUT,
                 "%s: count %lld, but %lld positions of the lattice lie inside, off the walls; "
-                "enlarge the region or ask for fewer", b->where, (long long)(b->fill ? 1 : b->count),
-                (long long)total);
+                "enlarge the region or ask for fewer",
+                b->where, (long long)(b->fill ? 1 : b->count), (long long)total);
     b->count = b->fill ? total : b->count;
     const int64_t left = b->count - b->site_first;
 
@@ -229,8 +229,10 @@ int dem_insert_place(struct dem_initial_particles *c, struct dem_insertion *i,
         /* memory for all of them at once, so that too many fail before any is placed */
         status = status ? status
                         : DEM_GROW(c->particle, c->capacity, c->n + (size_t)(b->count/q->ranks));
-        status = dem_collect_agree(q, status ? dem_error_prefix(status, "%s: %lld particles: ", b->where,
-            (long long)b->count) : DEM_OK);
+        status =
+            dem_collect_agree(q, status ? dem_error_prefix(status, "%s: %lld particles: ", b->where,
+                                                           (long long)b->count)
+                                        : DEM_OK);
         DEM_TRY(status ? status : dem_collect_agree(q, dem_insert_group_place(c, b, r, q)));
         c->next_id = dem_insert_group_next_id(b, first);
     }

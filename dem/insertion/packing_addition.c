@@ -68,12 +68,13 @@ int dem_packing_draw(const struct dem_packing *p, struct dem_placed_sphere *s, u
 /* A sphere of this rank found no place off the walls and inside the mesh. */
 static int no_place(const struct dem_packing *p, const struct dem_placed_sphere *s)
 {
-    return dem_error(DEM_ERROR_INPUT,
-                     "%s: a sphere of %g m finds no place off the walls inside its region, the box "
-                     "from (%g %g %g) to (%g %g %g) m, in %d trials; enlarge the region, or ask for "
-                     "smaller ones",
-                     p->where, 2.0*s->radius, p->shape->min[0], p->shape->min[1], p->shape->min[2],
-                     p->shape->max[0], p->shape->max[1], p->shape->max[2], LIMITED_DRAWS);
+    return dem_error(
+        DEM_ERROR_INPUT,
+        "%s: a sphere of %g m finds no place off the walls inside its region, the box "
+        "from (%g %g %g) to (%g %g %g) m, in %d trials; enlarge the region, or ask for "
+        "smaller ones",
+        p->where, 2.0*s->radius, p->shape->min[0], p->shape->min[1], p->shape->min[2],
+        p->shape->max[0], p->shape->max[1], p->shape->max[2], LIMITED_DRAWS);
 }
 
 static int add_trial(struct trials *t, const struct dem_placed_sphere *sphere, int own)

@@ -63,8 +63,9 @@ size_t dem_contacts_bytes_per_pair(const struct dem_contacts *c)
 
 static size_t bytes_per_row(const struct dem_contacts *c)
 {
-    return sizeof *c->row_pair + sizeof *c->row_partners + (size_t)(c->history_columns + 1 + 3*c->moments)*sizeof *c->history_scratch
-         + (c->has_energy ? sizeof *c->energy : 0);
+    return sizeof *c->row_pair + sizeof *c->row_partners +
+           (size_t)(c->history_columns + 1 + 3*c->moments)*sizeof *c->history_scratch +
+           (c->has_energy ? sizeof *c->energy : 0);
 }
 
 /* During a rebuild saved history takes the memory that contact forces have otherwise. */
@@ -75,10 +76,15 @@ size_t dem_contacts_bytes_per_row(const struct dem_contacts *c)
 
 size_t dem_contacts_bytes(const struct dem_contacts *c)
 {
-    return c->pair_capacity*sizeof *c->pair + c->pair_entry_capacity*sizeof *c->pair_entry + c->row_entry_capacity*sizeof *c->row_entry
-         + c->start_capacity*(sizeof *c->pair_start + sizeof *c->row_start) + c->row_capacity*bytes_per_row(c)
-         + c->force_capacity*(c->single ? sizeof *c->force_single : sizeof *c->force) + (dem_contacts_use_force_buffer(c) ? dem_contacts_force_buffer_bytes(c) : 0)
-         + c->deferred_capacity*sizeof *c->deferred_row + c->saved_capacity*sizeof *c->saved_key + c->saved_history_capacity*sizeof *c->saved_history;
+    return c->pair_capacity*sizeof *c->pair + c->pair_entry_capacity*sizeof *c->pair_entry +
+           c->row_entry_capacity*sizeof *c->row_entry +
+           c->start_capacity*(sizeof *c->pair_start + sizeof *c->row_start) +
+           c->row_capacity*bytes_per_row(c) +
+           c->force_capacity*(c->single ? sizeof *c->force_single : sizeof *c->force) +
+           (dem_contacts_use_force_buffer(c) ? dem_contacts_force_buffer_bytes(c) : 0) +
+           c->deferred_capacity*sizeof *c->deferred_row +
+           c->saved_capacity*sizeof *c->saved_key +
+           c->saved_history_capacity*sizeof *c->saved_history;
 }
 
 /* ---- order of sums --------------------------------------------------------------------------- */
@@ -123,9 +129,11 @@ static void sort_by_radix(const struct dem_contacts *c, const struct dem_particl
     for (uint32_t k = 0; k < count; k++)
     {
         const struct dem_pair *const q = &c->pair[entry[k] >> 1];
-        const uint64_t other = q->wall ? (uint64_t)1 << 63 | q->j : (uint64_t)p->record[entry[k] & 1 ? q->i : q->j].id;
+        const uint64_t other =
+            q->wall ? (uint64_t)1 << 63 | q->j : (uint64_t)p->record[entry[k] & 1 ? q->i : q->j].id;
 
-        pair[k] = (struct dem_sort_pair){.hi = other, .lo = q->wall ? 0 : q->shift, .index = entry[k]};
+        pair[k] =
+            (struct dem_sort_pair){.hi = other, .lo = q->wall ? 0 : q->shift, .index = entry[k]};
     }
     dem_sort_pairs(pair, count, pair + count);
     for (uint32_t k = 0; k < count; k++)
@@ -190,7 +198,8 @@ int dem_contacts_build_adjacency(struct dem_contacts *c, const struct dem_partic
     {
         c->pair_start[i] += c->pair_start[i - 1];
     }
-    const size_t entries = c->pair_start[n + 1], entry_capacity = dem_memory_capacity(c->pair_entry_capacity, entries);
+    const size_t entries = c->pair_start[n + 1],
+                 entry_capacity = dem_memory_capacity(c->pair_entry_capacity, entries);
 
     DEM_TRY(DEM_RESIZE(c->pair_entry, c->pair_entry_capacity, entry_capacity));
     c->pair_entry_capacity = entry_capacity;
@@ -262,7 +271,8 @@ static void number_rows(struct dem_contacts *c, const uint8_t *near, uint32_t *f
         {
             struct dem_pair *const q = &c->pair[k];
 
-            c->row_partners[row] = (struct dem_row_partners){q->i, q->j | (uint32_t)q->shift << DEM_PARTNER_SHIFT};
+            c->row_partners[row] =
+                (struct dem_row_partners){q->i, q->j | (uint32_t)q->shift << DEM_PARTNER_SHIFT};
             c->row_pair[row] = (uint32_t)k;
             from[row] = q->row;
             q->row = near[k] ? row : DEM_ROW_NONE;
@@ -323,7 +333,8 @@ static int build_row_adjacency(struct dem_contacts *c, size_t n)
         for (uint32_t e = c->pair_start[i]; e < c->pair_start[i + 1]; e++)
         {
             const struct dem_pair *const q = &c->pair[c->pair_entry[e] >> 1];
-            const uint32_t near = q->row != DEM_ROW_NONE, needs = (near & !q->wall) ? q->row + 1 : 0;
+            const uint32_t near = q->row != DEM_ROW_NONE,
+                           needs = (near & !q->wall) ? q->row + 1 : 0;
 
             c->row_entry[at] = q->row << DEM_ENTRY_ROW_SHIFT | (c->pair_entry[e] & DEM_ENTRY_SIDE);
             at += near;
@@ -355,7 +366,8 @@ int dem_contacts_allocate_forces(struct dem_contacts *c)
     if (rows > c->force_capacity)
     {
         dem_contacts_free_forces(c);
-        DEM_TRY(c->single ? DEM_NEW(c->force_single, c->row_capacity) : DEM_NEW(c->force, c->row_capacity));
+        DEM_TRY(c->single ? DEM_NEW(c->force_single, c->row_capacity)
+                          : DEM_NEW(c->force, c->row_capacity));
         c->force_capacity = c->row_capacity;
     }
     else if (c->single)

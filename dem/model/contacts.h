@@ -172,7 +172,9 @@ static inline struct dem_contact_force dem_contacts_force(const struct dem_conta
     {
         const struct dem_contact_force_single *const s = &c->force_single[row];
 
-        return (struct dem_contact_force){.f = {s->f[0], s->f[1], s->f[2]}, .arm = s->arm, .t = {s->t[0], s->t[1], s->t[2]}};
+        return (struct dem_contact_force){.f = {s->f[0], s->f[1], s->f[2]},
+                                          .arm = s->arm,
+                                          .t = {s->t[0], s->t[1], s->t[2]}};
     }
     return c->force[row];
 }

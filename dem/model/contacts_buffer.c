@@ -13,14 +13,16 @@
 
 size_t dem_contacts_force_buffer_bytes(const struct dem_contacts *c)
 {
-    return DEM_FORCE_BUFFER_ROWS*(c->single ? sizeof *c->force_buffer_single : sizeof *c->force_buffer);
+    return DEM_FORCE_BUFFER_ROWS*
+           (c->single ? sizeof *c->force_buffer_single : sizeof *c->force_buffer);
 }
 
 /* 1 when the row is still in the force buffer when the particle is summed: at the end of the batch
    that holds the last row needed. */
 static int is_buffered(const struct dem_contacts *c, uint32_t row, size_t particle)
 {
-    return c->rows_needed[particle/DEM_BATCH_ROWS] + 2*DEM_BATCH_ROWS <= row + DEM_FORCE_BUFFER_ROWS;
+    return c->rows_needed[particle/DEM_BATCH_ROWS] + 2*DEM_BATCH_ROWS <=
+           row + DEM_FORCE_BUFFER_ROWS;
 }
 
 static void mark_buffered(struct dem_contacts *c, size_t n)
@@ -44,9 +46,11 @@ static int list_deferred(struct dem_contacts *c, size_t n)
     c->deferred_rows = 0;
     for (uint32_t row = 0; row < c->rows; row++)
     {
-        const struct dem_pair *const q = c->row_pair[row] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[row]];
+        const struct dem_pair *const q =
+            c->row_pair[row] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[row]];
 
-        if (q && !q->wall && ((q->i < n && !is_buffered(c, row, q->i)) || (q->j < n && !is_buffered(c, row, q->j))))
+        if (q && !q->wall &&
+            ((q->i < n && !is_buffered(c, row, q->i)) || (q->j < n && !is_buffered(c, row, q->j))))
         {
             DEM_TRY(DEM_GROW(c->deferred_row, c->deferred_capacity, c->deferred_rows + 1));
             c->deferred_row[c->deferred_rows++] = row;
@@ -62,11 +66,13 @@ int dem_contacts_make_force_buffer(struct dem_contacts *c, size_t n)
 
     DEM_TRY(list_deferred(c, n));
 
-    const int pays = c->rows > DEM_FORCE_BUFFER_ROWS && ROWS_PER_DEFERRED*c->deferred_rows <= c->rows;
+    const int pays =
+        c->rows > DEM_FORCE_BUFFER_ROWS && ROWS_PER_DEFERRED*c->deferred_rows <= c->rows;
 
     if (pays && !dem_contacts_use_force_buffer(c))
     {
-        DEM_TRY(c->single ? DEM_NEW(c->force_buffer_single, DEM_FORCE_BUFFER_ROWS) : DEM_NEW(c->force_buffer, DEM_FORCE_BUFFER_ROWS));
+        DEM_TRY(c->single ? DEM_NEW(c->force_buffer_single, DEM_FORCE_BUFFER_ROWS)
+                          : DEM_NEW(c->force_buffer, DEM_FORCE_BUFFER_ROWS));
     }
     else if (!pays)
     {

@@ -26,7 +26,9 @@ struct dem_contact_key dem_contacts_key(const struct dem_contacts *c, const stru
     }
     const struct dem_particle *const j = &p->record[q->j];
 
-    return (struct dem_contact_key){.low = i->id, .high = j->id, .image = dem_image_of_pair(q->shift, i->image, j->image)};
+    return (struct dem_contact_key){.low = i->id,
+                                    .high = j->id,
+                                    .image = dem_image_of_pair(q->shift, i->image, j->image)};
 }
 
 int dem_contacts_has_history(const struct dem_contacts *c, uint32_t row)
@@ -52,9 +54,11 @@ int dem_contacts_append_saved(struct dem_contacts *c, const struct dem_contact_k
                               const double *history)
 {
     DEM_TRY(DEM_GROW(c->saved_key, c->saved_capacity, c->saved + 1));
-    DEM_TRY(DEM_GROW(c->saved_history, c->saved_history_capacity, (c->saved + 1)*(size_t)c->history_columns));
+    DEM_TRY(DEM_GROW(c->saved_history, c->saved_history_capacity,
+                     (c->saved + 1)*(size_t)c->history_columns));
     c->saved_key[c->saved] = *key;
-    memcpy(c->saved_history + c->saved*(size_t)c->history_columns, history, (size_t)c->history_columns*sizeof *history);
+    memcpy(c->saved_history + c->saved*(size_t)c->history_columns, history,
+           (size_t)c->history_columns*sizeof *history);
     c->saved++;
     return DEM_OK;
 }
@@ -72,7 +76,8 @@ static int save_rows(struct dem_contacts *c, const struct dem_contacts *from,
         more += from->row_pair[r] != DEM_ROW_NONE && dem_contacts_has_history(from, r);
     }
     DEM_TRY(DEM_GROW(c->saved_key, c->saved_capacity, c->saved + more));
-    DEM_TRY(DEM_GROW(c->saved_history, c->saved_history_capacity, (c->saved + more)*(size_t)c->history_columns));
+    DEM_TRY(DEM_GROW(c->saved_history, c->saved_history_capacity,
+                     (c->saved + more)*(size_t)c->history_columns));
     for (uint32_t r = 0; r < from->rows; r++)
     {
         if (from->row_pair[r] != DEM_ROW_NONE && dem_contacts_has_history(from, r))
@@ -101,7 +106,8 @@ int dem_contacts_copy_saved(struct dem_contacts *c, const struct dem_contacts *f
 {
     for (size_t k = 0; k < from->saved; k++)
     {
-        DEM_TRY(dem_contacts_append_saved(c, &from->saved_key[k], from->saved_history + k*(size_t)from->history_columns));
+        DEM_TRY(dem_contacts_append_saved(c, &from->saved_key[k],
+                                          from->saved_history + k*(size_t)from->history_columns));
     }
     return save_rows(c, from, p, wall_facet);
 }
@@ -156,7 +162,8 @@ int dem_contacts_restore_history(struct dem_contacts *c, const struct dem_partic
         }
         for (int m = 0; table[slot] && m < c->history_columns; m++)
         {
-            c->history[m][r] = c->saved_history[(table[slot] - 1)*(size_t)c->history_columns + (size_t)m];
+            c->history[m][r] =
+                c->saved_history[(table[slot] - 1)*(size_t)c->history_columns + (size_t)m];
         }
     }
     dem_memory_free(table);

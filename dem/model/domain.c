@@ -124,13 +124,16 @@ int dem_domain_project_all(const struct dem_domain *d, struct dem_particles *p)
 
         for (int k = 0; k < 3; k++)
         {
-            DEM_REQUIRE(!d->flat[k] || fabs(q->x[k] - d->plane[k]) <= q->radius, DEM_ERROR_INPUT,
-                        "particle %lld is at %c = %g m, but the domain is flat there and holds all centres at %g m; start it "
-                        "within one radius of that plane, for example in a region one diameter (%g m) thick around it",
-                        (long long)q->id, "xyz"[k], q->x[k], d->plane[k], 2.0*q->radius);
-            DEM_REQUIRE(!d->flat[k] || q->v[k] == 0.0, DEM_ERROR_INPUT,
-                        "particle %lld moves by %g m/s along %c, where the domain is flat; set this component of its "
-                        "velocity to 0", (long long)q->id, q->v[k], "xyz"[k]);
+            DEM_REQUIRE(
+                !d->flat[k] || fabs(q->x[k] - d->plane[k]) <= q->radius, DEM_ERROR_INPUT,
+                "particle %lld is at %c = %g m, but the domain is flat there and holds all centres at %g m; start it "
+                "within one radius of that plane, for example in a region one diameter (%g m) thick around it",
+                (long long)q->id, "xyz"[k], q->x[k], d->plane[k], 2.0*q->radius);
+            DEM_REQUIRE(
+                !d->flat[k] || q->v[k] == 0.0, DEM_ERROR_INPUT,
+                "particle %lld moves by %g m/s along %c, where the domain is flat; set this component of its "
+                "velocity to 0",
+                (long long)q->id, q->v[k], "xyz"[k]);
         }
         dem_domain_project(d, q);
     }
@@ -196,8 +199,11 @@ static double triangle_slope(const struct dem_walls *w, const struct dem_triangl
 static void primitive_extent(const struct dem_wall *w, int axis, double extent[2])
 {
     const double along = fabs(w->normal[axis]);
-    const int parallel = w->shape == DEM_SHAPE_PLANE ? along < 1e-6 : w->shape == DEM_SHAPE_CYLINDER && along > 1.0 - 1e-12;
-    const int bounded = w->shape == DEM_SHAPE_SPHERE || (w->shape == DEM_SHAPE_CYLINDER && along < 1e-6);
+    const int parallel = w->shape == DEM_SHAPE_PLANE
+                             ? along < 1e-6
+                             : w->shape == DEM_SHAPE_CYLINDER && along > 1.0 - 1e-12;
+    const int bounded =
+        w->shape == DEM_SHAPE_SPHERE || (w->shape == DEM_SHAPE_CYLINDER && along < 1e-6);
 
     extent[0] = parallel ? INFINITY : bounded ? w->point[axis] - w->radius : -INFINITY;
     extent[1] = parallel ? -INFINITY : bounded ? w->point[axis] + w->radius : INFINITY;
@@ -210,11 +216,12 @@ static int check_extent(const struct dem_domain *d, int axis, double radius, con
     {
         const double face = side ? d->max[axis] : d->min[axis];
 
-        DEM_REQUIRE(extent[0] >= face + radius || extent[1] <= face - radius, DEM_ERROR_INPUT,
-                    "wall %s comes nearer than a radius (%g m) to the periodic face %s %c = %g m of domain and does not run "
-                    "straight through it: particles beyond the face would not touch the wall and would overlap it when they "
-                    "are wrapped; move the wall away from the face, or remove %c from domain/periodic", name, radius,
-                    side ? "max" : "min", "xyz"[axis], face, "xyz"[axis]);
+        DEM_REQUIRE(
+            extent[0] >= face + radius || extent[1] <= face - radius, DEM_ERROR_INPUT,
+            "wall %s comes nearer than a radius (%g m) to the periodic face %s %c = %g m of domain and does not run "
+            "straight through it: particles beyond the face would not touch the wall and would overlap it when they "
+            "are wrapped; move the wall away from the face, or remove %c from domain/periodic",
+            name, radius, side ? "max" : "min", "xyz"[axis], face, "xyz"[axis]);
     }
     return DEM_OK;
 }

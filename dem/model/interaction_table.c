@@ -49,8 +49,8 @@ void dem_interaction_table_free(struct dem_interaction_table *r)
 int dem_interaction_table_add_material(struct dem_interaction_table *r,
                                        const struct dem_material *m, const char *where)
 {
-    DEM_REQUIRE(r->materials < DEM_MATERIALS, DEM_ERROR_INPUT, "%s: more than %d materials; merge equal ones",
-                where, DEM_MATERIALS);
+    DEM_REQUIRE(r->materials < DEM_MATERIALS, DEM_ERROR_INPUT,
+                "%s: more than %d materials; merge equal ones", where, DEM_MATERIALS);
     for (int k = 0; k < r->materials; k++)
     {
         DEM_REQUIRE(strcmp(r->material[k].name, m->name) != 0, DEM_ERROR_INPUT,
@@ -118,18 +118,23 @@ int dem_interaction_table_add_effect(struct dem_interaction_table *r, const char
     {
         return dem_effects_unknown(where, name);
     }
-    DEM_REQUIRE(index_of(r, name) < 0, DEM_ERROR_INPUT, "%s: effect %s is chosen twice; keep one", where, name);
-    DEM_REQUIRE(r->chosen < DEM_EFFECT_LIST_LIMIT, DEM_ERROR_INPUT, "%s: more than %d effects", where, DEM_EFFECT_LIST_LIMIT);
+    DEM_REQUIRE(index_of(r, name) < 0, DEM_ERROR_INPUT, "%s: effect %s is chosen twice; keep one",
+                where, name);
+    DEM_REQUIRE(r->chosen < DEM_EFFECT_LIST_LIMIT, DEM_ERROR_INPUT, "%s: more than %d effects",
+                where, DEM_EFFECT_LIST_LIMIT);
     for (int k = 0; k < r->chosen; k++)
     {
         const int exclusive = effect->stage == DEM_STAGE_NORMAL || effect->stage == DEM_STAGE_DAMP
                        || effect->stage == DEM_STAGE_TANGENT;
 
-        DEM_REQUIRE(!(exclusive && r->effect[k]->stage == effect->stage) && !(effect->drag && r->effect[k]->drag), DEM_ERROR_INPUT,
-                    "%s: %s and %s are of the same kind; choose only one of them", where, r->effect[k]->name, name);
-        DEM_REQUIRE(!excludes(effect, r->effect[k]) && !excludes(r->effect[k], effect), DEM_ERROR_INPUT,
-                    "%s: %s and %s model the same dissipation, which would count twice; choose only one of them", where,
-                    r->effect[k]->name, name);
+        DEM_REQUIRE(!(exclusive && r->effect[k]->stage == effect->stage) &&
+                        !(effect->drag && r->effect[k]->drag),
+                    DEM_ERROR_INPUT, "%s: %s and %s are of the same kind; choose only one of them",
+                    where, r->effect[k]->name, name);
+        DEM_REQUIRE(
+            !excludes(effect, r->effect[k]) && !excludes(r->effect[k], effect), DEM_ERROR_INPUT,
+            "%s: %s and %s model the same dissipation, which would count twice; choose only one of them",
+            where, r->effect[k]->name, name);
     }
     while (index > 0 && r->effect[index - 1]->stage > effect->stage)
     {
@@ -193,7 +198,8 @@ unsigned dem_interaction_table_needs(const struct dem_interaction_table *r)
 
     for (int k = 0; k < r->chosen; k++)
     {
-        needs |= r->effect[k]->needs | (r->effect[k]->extra_needs ? r->effect[k]->extra_needs(r->settings[k]) : 0);
+        needs |= r->effect[k]->needs |
+                 (r->effect[k]->extra_needs ? r->effect[k]->extra_needs(r->settings[k]) : 0);
     }
     return needs;
 }
@@ -205,7 +211,8 @@ static const double *number_of(const struct dem_interaction_table *r, const char
     const struct dem_setting *const field = index < 0 || !r->effect[index]->settings ? NULL
                                         : dem_settings_find(r->effect[index]->settings, entry);
 
-    return field ? (const double *)(const void *)((const char *)r->settings[index] + field->offset) : NULL;
+    return field ? (const double *)(const void *)((const char *)r->settings[index] + field->offset)
+                 : NULL;
 }
 
 double dem_interaction_table_get_number(const struct dem_interaction_table *r, const char *effect,
@@ -220,7 +227,8 @@ int dem_interaction_table_is_word(const struct dem_interaction_table *r, const c
                                   const char *entry, const char *word)
 {
     const int index = index_of(r, effect);
-    const struct dem_setting *const field = index < 0 ? NULL : dem_settings_find(r->effect[index]->settings, entry);
+    const struct dem_setting *const field =
+        index < 0 ? NULL : dem_settings_find(r->effect[index]->settings, entry);
     int choice;
 
     if (!field)
@@ -262,15 +270,17 @@ static int set_entry(const struct dem_effect *effect, void *settings, const char
                      const double *values, int count, const char *word, const char *where)
 {
     const struct dem_setting *const fields = effect->settings ? effect->settings : no_settings;
-    const int status = word ? dem_settings_set_word(fields, settings, effect->name, entry, word)
-                            : dem_settings_set_number(fields, settings, effect->name, entry, values, count);
+    const int status =
+        word ? dem_settings_set_word(fields, settings, effect->name, entry, word)
+             : dem_settings_set_number(fields, settings, effect->name, entry, values, count);
 
     return status ? dem_error_prefix(status, "%s: ", where) : DEM_OK;
 }
 
 int dem_override_apply(const struct dem_override *o, void *settings)
 {
-    return set_entry(o->effect, settings, o->entry, o->values, o->count, o->word[0] ? o->word : NULL, o->where);
+    return set_entry(o->effect, settings, o->entry, o->values, o->count,
+                     o->word[0] ? o->word : NULL, o->where);
 }
 
 static int set_for_pair(struct dem_interaction_table *r, const int pair[2], const char *effect,
@@ -280,12 +290,14 @@ static int set_for_pair(struct dem_interaction_table *r, const int pair[2], cons
     const int index = index_of(r, effect);
     struct dem_override o = {.count = count};
 
-    DEM_REQUIRE(index >= 0, DEM_ERROR_INPUT, "%s: %s is not among the chosen effects; add it to effects", where, effect);
+    DEM_REQUIRE(index >= 0, DEM_ERROR_INPUT,
+                "%s: %s is not among the chosen effects; add it to effects", where, effect);
     if (!pair)
     {
         return set_entry(r->effect[index], r->settings[index], entry, values, count, word, where);
     }
-    DEM_REQUIRE(r->overrides < DEM_OVERRIDES, DEM_ERROR_INPUT, "%s: more than %d settings for pairs", where, DEM_OVERRIDES);
+    DEM_REQUIRE(r->overrides < DEM_OVERRIDES, DEM_ERROR_INPUT,
+                "%s: more than %d settings for pairs", where, DEM_OVERRIDES);
     if (!r->override)
     {
         DEM_TRY(DEM_NEW(r->override, DEM_OVERRIDES));

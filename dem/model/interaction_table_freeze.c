@@ -36,7 +36,8 @@ static struct dem_pair_class pair_class(const struct dem_interaction_table *r, i
                                         int b)
 {
     const struct dem_material *const m = &r->material[a], *const o = &r->material[b];
-    const double nm = m->poissons_ratio, no = o->poissons_ratio, Em = m->youngs_modulus, Eo = o->youngs_modulus;
+    const double nm = m->poissons_ratio, no = o->poissons_ratio, Em = m->youngs_modulus,
+                 Eo = o->youngs_modulus;
     const double Ra = r->min_radius[a], Rb = r->min_radius[b];
     struct dem_pair_class c = {.a = m, .b = o, .with_wall = with_wall};
 
@@ -44,7 +45,8 @@ static struct dem_pair_class pair_class(const struct dem_interaction_table *r, i
     c.reduced_shear = 1.0/(2.0*(2.0 - nm)*(1.0 + nm)/Em + 2.0*(2.0 - no)*(1.0 + no)/Eo);
     c.min_radius = with_wall ? Ra : Ra*Rb/(Ra + Rb);
     c.max_radius_sum = r->max_radius[a] + (with_wall ? 0.0 : r->max_radius[b]);
-    c.min_mass = with_wall ? sphere_mass(m, Ra) : 1.0/(1.0/sphere_mass(m, Ra) + 1.0/sphere_mass(o, Rb));
+    c.min_mass = with_wall ? sphere_mass(m, Ra)
+                           : 1.0/(1.0/sphere_mass(m, Ra) + 1.0/sphere_mass(o, Rb));
     return c;
 }
 
@@ -63,7 +65,8 @@ static int append_effect(struct dem_interaction_table *r, struct dem_effect_list
     for (int k = 0; contact && k < r->overrides; k++)
     {
         const struct dem_override *const o = &r->override[k];
-        const int applies = (o->pair[0] == a && o->pair[1] == b) || (o->pair[0] == b && o->pair[1] == a);
+        const int applies =
+            (o->pair[0] == a && o->pair[1] == b) || (o->pair[0] == b && o->pair[1] == a);
 
         if (o->effect == effect && applies)
         {
@@ -72,31 +75,39 @@ static int append_effect(struct dem_interaction_table *r, struct dem_effect_list
     }
     if (effect->settings)
     {
-        const int status = dem_settings_check_complete(effect->settings, entry->settings, effect->name);
+        const int status =
+            dem_settings_check_complete(effect->settings, entry->settings, effect->name);
 
         if (status && contact)
         {
             const char *const x = list->pair.a->name, *const y = list->pair.b->name;
 
-            return dem_error_prefix(status, "contact %s-%s, by effects or by pairs between (%s %s): ", x, y, x, y);
+            return dem_error_prefix(status,
+                                    "contact %s-%s, by effects or by pairs between (%s %s): ", x, y,
+                                    x, y);
         }
         DEM_TRY(status);
     }
-    list->pair.exponent = effect->stage == DEM_STAGE_NORMAL ? effect->exponent : list->pair.exponent;
+    list->pair.exponent =
+        effect->stage == DEM_STAGE_NORMAL ? effect->exponent : list->pair.exponent;
     list->needs |= effect->needs;
     list->moments |= effect->stage == DEM_STAGE_MOMENT || effect->stage == DEM_STAGE_BOND;
     list->past_touching |= effect->stage == DEM_STAGE_BOND || effect->stage == DEM_STAGE_FILM;
-    return effect->prepare ? effect->prepare(entry->settings, contact ? &list->pair : NULL) : DEM_OK;
+    return effect->prepare ? effect->prepare(entry->settings, contact ? &list->pair : NULL)
+                           : DEM_OK;
 }
 
 /* Limit of the time step and reach of one entry. */
 static void collect_limits(struct dem_interaction_table *r, const struct dem_effect_list *list,
                            const struct dem_effect_entry *entry)
 {
-    const char *why = entry->effect->name, *const suffix = list->pair.with_wall ? ", at a wall" : "";
-    const double reach = entry->effect->reach ? entry->effect->reach(entry->settings, &list->pair) : 0.0;
-    const double limit = entry->effect->time_limit ? entry->effect->time_limit(entry->settings, &list->pair, &why)
-                                                  : DBL_MAX;
+    const char *why = entry->effect->name, *const suffix =
+                                               list->pair.with_wall ? ", at a wall" : "";
+    const double reach =
+        entry->effect->reach ? entry->effect->reach(entry->settings, &list->pair) : 0.0;
+    const double limit = entry->effect->time_limit
+                             ? entry->effect->time_limit(entry->settings, &list->pair, &why)
+                             : DBL_MAX;
 
     r->reach = reach > r->reach ? reach : r->reach;
     if (limit < r->step_limit)
@@ -153,8 +164,10 @@ static int assign_history_columns(struct dem_interaction_table *r, int *first_co
     {
         const int n = dem_effect_history_columns(r->effect[k]);
 
-        DEM_REQUIRE(r->history_columns + n <= DEM_HISTORY_COLUMNS, DEM_ERROR_INPUT,
-                    "the chosen effects need more than %d history columns per contact; choose fewer effects", DEM_HISTORY_COLUMNS);
+        DEM_REQUIRE(
+            r->history_columns + n <= DEM_HISTORY_COLUMNS, DEM_ERROR_INPUT,
+            "the chosen effects need more than %d history columns per contact; choose fewer effects",
+            DEM_HISTORY_COLUMNS);
         first_column[k] = r->history_columns;
         for (int m = 0; m < n; m++)
         {
@@ -234,9 +247,13 @@ static void remove_effect(struct dem_interaction_table *r, struct dem_effect_lis
         {
             list->entry[list->entries++] = entry;
             list->needs |= entry.effect->needs;
-            list->moments |= entry.effect->stage == DEM_STAGE_MOMENT || entry.effect->stage == DEM_STAGE_BOND;
-            list->past_touching |= entry.effect->stage == DEM_STAGE_BOND || entry.effect->stage == DEM_STAGE_FILM;
-            r->reach = entry.effect->reach ? fmax(r->reach, entry.effect->reach(entry.settings, &list->pair)) : r->reach;
+            list->moments |=
+                entry.effect->stage == DEM_STAGE_MOMENT || entry.effect->stage == DEM_STAGE_BOND;
+            list->past_touching |=
+                entry.effect->stage == DEM_STAGE_BOND || entry.effect->stage == DEM_STAGE_FILM;
+            r->reach = entry.effect->reach
+                           ? fmax(r->reach, entry.effect->reach(entry.settings, &list->pair))
+                           : r->reach;
         }
     }
     r->needs |= list->needs;

@@ -23,7 +23,8 @@ int dem_material_entry_read(const struct dem_dict *dict, const struct dem_intera
     {
         snprintf(list + strlen(list), 64, "%s%s", k > 0 ? ", " : "", r->material[k].name);
     }
-    DEM_REQUIRE(r->materials == 1, DEM_ERROR_INPUT, "%s: %s misses its material, as the scene has %d; add material, one of %s",
+    DEM_REQUIRE(r->materials == 1, DEM_ERROR_INPUT,
+                "%s: %s misses its material, as the scene has %d; add material, one of %s",
                 dem_dict_where(dict), dem_dict_path(dict), r->materials, list);
     *material = 0;
     return DEM_OK;

@@ -27,7 +27,9 @@ void dem_orientation_begin(struct dem_particles *p)
 
     for (size_t i = 0; q && i < p->n; i++)
     {
-        if (q[4*i]*q[4*i] + q[4*i + 1]*q[4*i + 1] + q[4*i + 2]*q[4*i + 2] + q[4*i + 3]*q[4*i + 3] == 0.0)
+        if (q[4*i]*q[4*i] + q[4*i + 1]*q[4*i + 1] + q[4*i + 2]*q[4*i + 2] +
+                q[4*i + 3]*q[4*i + 3] ==
+            0.0)
         {
             q[4*i] = 1.0;
         }
@@ -40,8 +42,12 @@ static void rotate(const struct dem_particle *restrict record, double *restrict 
 {
     for (size_t i = 0; i < n; i++)
     {
-        const double ux = half*record[i].w[0], uy = half*record[i].w[1], uz = half*record[i].w[2], s = ux*ux + uy*uy + uz*uz;
-        const double t = 1.0 + s*(1.0/3.0 + s*(2.0/15.0 + s*(17.0/315.0 + s*(62.0/2835.0 + s*(1382.0/155925.0)))));
+        const double ux = half*record[i].w[0], uy = half*record[i].w[1],
+                     uz = half*record[i].w[2], s = ux*ux + uy*uy + uz*uz;
+        const double t =
+            1.0 + s*(1.0/3.0 +
+                       s*(2.0/15.0 +
+                            s*(17.0/315.0 + s*(62.0/2835.0 + s*(1382.0/155925.0)))));
         const double bx = t*ux, by = t*uy, bz = t*uz;
         double *const q = all + 4*i;
         const double a = q[0] - bx*q[1] - by*q[2] - bz*q[3];

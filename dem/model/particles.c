@@ -10,8 +10,7 @@
 #include "core/memory.h"
 #include <string.h>
 
-static const struct dem_column columns[DEM_COLUMNS] =
-{
+static const struct dem_column columns[DEM_COLUMNS] = {
     [DEM_COLUMN_FORCE] = {"force", 3, 0, NULL},
     [DEM_COLUMN_TORQUE] = {"torque", 3, 0, NULL},
     [DEM_COLUMN_FLUID_VELOCITY] = {"fluidVelocity", 3, DEM_GROUP_FLUID, NULL},
@@ -19,10 +18,12 @@ static const struct dem_column columns[DEM_COLUMNS] =
     [DEM_COLUMN_VOID_FRACTION] = {"voidFraction", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_FLUID_DENSITY] = {"fluidDensity", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_FLUID_VISCOSITY] = {"fluidViscosity", 1, DEM_GROUP_FLUID, NULL},
-    [DEM_COLUMN_FLUID_ACCELERATION] = {"fluidAcceleration", 3, DEM_GROUP_FLUID | DEM_GROUP_ACCELERATION, NULL},
+    [DEM_COLUMN_FLUID_ACCELERATION] = {"fluidAcceleration", 3,
+                                       DEM_GROUP_FLUID | DEM_GROUP_ACCELERATION, NULL},
     [DEM_COLUMN_VORTICITY] = {"fluidVorticity", 3, DEM_GROUP_FLUID | DEM_GROUP_VORTICITY, NULL},
     [DEM_COLUMN_STRESS] = {"fluidStress", 3, DEM_GROUP_FLUID | DEM_GROUP_STRESS, NULL},
-    [DEM_COLUMN_MEAN_DIAMETER] = {"meanDiameter", 1, DEM_GROUP_FLUID | DEM_GROUP_MEAN_DIAMETER, NULL},
+    [DEM_COLUMN_MEAN_DIAMETER] = {"meanDiameter", 1, DEM_GROUP_FLUID | DEM_GROUP_MEAN_DIAMETER,
+                                  NULL},
     [DEM_COLUMN_SLIP_FACTOR] = {"slipFactor", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_COUPLING_INDEX] = {"couplingIndex", 2, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_DRAG_IMPULSE] = {"dragImpulse", 3, DEM_GROUP_FLUID, NULL},
@@ -33,13 +34,17 @@ static const struct dem_column columns[DEM_COLUMNS] =
     [DEM_COLUMN_RESPONSE] = {"response", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_DRAG_FRACTION] = {"dragFraction", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_CARRIED_OVER_IMPULSE] = {"carriedOverImpulse", 3, DEM_GROUP_FLUID, NULL},
-    [DEM_COLUMN_VOIDAGE_FACTOR_FIRST] = {"voidageFactorFirst", 1, DEM_GROUP_FLUID | DEM_GROUP_VOIDAGE_FACTOR, NULL},
-    [DEM_COLUMN_VOIDAGE_FACTOR_SECOND] = {"voidageFactorSecond", 1, DEM_GROUP_FLUID | DEM_GROUP_VOIDAGE_FACTOR, NULL},
+    [DEM_COLUMN_VOIDAGE_FACTOR_FIRST] = {"voidageFactorFirst", 1,
+                                         DEM_GROUP_FLUID | DEM_GROUP_VOIDAGE_FACTOR, NULL},
+    [DEM_COLUMN_VOIDAGE_FACTOR_SECOND] = {"voidageFactorSecond", 1,
+                                          DEM_GROUP_FLUID | DEM_GROUP_VOIDAGE_FACTOR, NULL},
     [DEM_COLUMN_ADDED_MASS] = {"addedMass", 1, DEM_GROUP_FLUID | DEM_GROUP_ADDED_MASS, NULL},
     [DEM_COLUMN_FLUID_CHANGE] = {"fluidChange", 3, DEM_GROUP_FLUID | DEM_GROUP_ADDED_MASS, NULL},
-    [DEM_COLUMN_PREDICTED_ADDED_IMPULSE] = {"predictedAddedImpulse", 3, DEM_GROUP_FLUID | DEM_GROUP_ADDED_MASS, NULL},
+    [DEM_COLUMN_PREDICTED_ADDED_IMPULSE] = {"predictedAddedImpulse", 3,
+                                            DEM_GROUP_FLUID | DEM_GROUP_ADDED_MASS, NULL},
     [DEM_COLUMN_OTHER_IMPULSE] = {"otherImpulse", 3, DEM_GROUP_FLUID | DEM_GROUP_REACTION, NULL},
-    [DEM_COLUMN_ANGULAR_IMPULSE] = {"angularImpulse", 3, DEM_GROUP_FLUID | DEM_GROUP_ROTATIONAL_DRAG, NULL},
+    [DEM_COLUMN_ANGULAR_IMPULSE] = {"angularImpulse", 3,
+                                    DEM_GROUP_FLUID | DEM_GROUP_ROTATIONAL_DRAG, NULL},
     [DEM_COLUMN_LOST_ENERGY] = {"lostEnergy", 1, DEM_GROUP_PAIR_ENERGY, NULL},
     [DEM_COLUMN_BROKEN_BONDS] = {"brokenBonds", 1, DEM_GROUP_PAIR_ENERGY, NULL},
     [DEM_COLUMN_ORIENTATION] = {"orientation", 4, DEM_GROUP_ORIENTATION, NULL},
@@ -144,7 +149,8 @@ static void move(struct dem_particles *p, struct spare *spare, ptrdiff_t from, p
         {
             double *const held = spare->column + (at - spare->column);
 
-            memcpy(to < 0 ? held : data + (size_t)to*width, from < 0 ? held : data + (size_t)from*width, width*sizeof *data);
+            memcpy(to < 0 ? held : data + (size_t)to*width,
+                   from < 0 ? held : data + (size_t)from*width, width*sizeof *data);
             at += width;
         }
     }

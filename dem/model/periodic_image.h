@@ -36,7 +36,8 @@ static inline uint32_t dem_image_add(uint32_t image, int axis, int by)
 {
     const int at = axis*DEM_IMAGE_BITS;
 
-    return (image & ~((uint32_t)DEM_IMAGE_MASK << at)) | ((dem_image_part(image, axis) + (uint32_t)by) & DEM_IMAGE_MASK) << at;
+    return (image & ~((uint32_t)DEM_IMAGE_MASK << at)) |
+           ((dem_image_part(image, axis) + (uint32_t)by) & DEM_IMAGE_MASK) << at;
 }
 
 static inline uint32_t dem_image_of_pair(int shift, uint32_t image_i, uint32_t image_j)
@@ -45,7 +46,9 @@ static inline uint32_t dem_image_of_pair(int shift, uint32_t image_i, uint32_t i
 
     for (int k = 0; k < 3; k++)
     {
-        image = dem_image_add(image, k, dem_shift_axis(shift, k) - (int)dem_image_part(image_i, k) + (int)dem_image_part(image_j, k));
+        image = dem_image_add(image, k,
+                              dem_shift_axis(shift, k) - (int)dem_image_part(image_i, k) +
+                                  (int)dem_image_part(image_j, k));
     }
     return image;
 }

@@ -31,5 +31,6 @@ void dem_uniform_fluid_fill(struct dem_particles *p, size_t i, const struct dem_
     dem_column(p, DEM_COLUMN_FLUID_DENSITY)[i] = f->given ? f->density : 1.0;
     dem_column(p, DEM_COLUMN_FLUID_VISCOSITY)[i] = f->given ? f->viscosity : 1.0;
     dem_column(p, DEM_COLUMN_SLIP_FACTOR)[i] = 1.0;
-    dem_column(p, DEM_COLUMN_COUPLING_INDEX)[2*i] = dem_column(p, DEM_COLUMN_COUPLING_INDEX)[2*i + 1] = -1.0;
+    dem_column(p, DEM_COLUMN_COUPLING_INDEX)[2*i] =
+        dem_column(p, DEM_COLUMN_COUPLING_INDEX)[2*i + 1] = -1.0;
 }

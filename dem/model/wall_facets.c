@@ -102,7 +102,8 @@ static int drop_degenerate(struct dem_walls *w, double scale)
     {
         struct dem_wall *const wall = &w->wall[w->triangle[t].wall];
 
-        if (kept > 0 && w->triangle[kept - 1].wall == w->triangle[t].wall && same_corners(&w->triangle[kept - 1], &w->triangle[t]))
+        if (kept > 0 && w->triangle[kept - 1].wall == w->triangle[t].wall &&
+            same_corners(&w->triangle[kept - 1], &w->triangle[t]))
         {
             wall->repeats++;
         }
@@ -119,9 +120,11 @@ static int drop_degenerate(struct dem_walls *w, double scale)
     w->triangles = kept;
     for (int k = 0; k < w->walls; k++)
     {
-        DEM_REQUIRE(w->wall[k].triangles > 0 || w->wall[k].flat == 0, DEM_ERROR_INPUT,
-                    "wall %s: none of its %zu triangles is higher than %.3g m (1e-6 of the largest radius); give a surface "
-                    "with an area, in metres", w->wall[k].name, w->wall[k].flat, weld_tolerance*scale);
+        DEM_REQUIRE(
+            w->wall[k].triangles > 0 || w->wall[k].flat == 0, DEM_ERROR_INPUT,
+            "wall %s: none of its %zu triangles is higher than %.3g m (1e-6 of the largest radius); give a surface "
+            "with an area, in metres",
+            w->wall[k].name, w->wall[k].flat, weld_tolerance*scale);
     }
     return DEM_OK;
 }
@@ -184,7 +187,9 @@ static int compare_edges(const void *p, const void *q)
     const struct edge *const e = p, *const f = q;
     const int first = (e->a > f->a) - (e->a < f->a), second = (e->b > f->b) - (e->b < f->b);
 
-    return first ? first : second ? second : (e->triangle > f->triangle) - (e->triangle < f->triangle);
+    return first ? first
+           : second ? second
+                    : (e->triangle > f->triangle) - (e->triangle < f->triangle);
 }
 
 static size_t root(size_t *parent, size_t t)
@@ -213,7 +218,8 @@ static int coplanar(const struct dem_triangle *s, const struct dem_triangle *t, 
         dem_vec_minus(small->corner[k], large->corner[0], d);
         worst = fmax(worst, fabs(dem_vec_dot(d, normal))/(swap ? other : size));
     }
-    return s->wall == t->wall && worst <= tolerance && (fabs(dem_vec_dot(n, m)) > 0.999999*size*other || is_flat(small, 1e3*tolerance));
+    return s->wall == t->wall && worst <= tolerance &&
+           (fabs(dem_vec_dot(n, m)) > 0.999999*size*other || is_flat(small, 1e3*tolerance));
 }
 
 static void join(struct dem_walls *w, struct edge *edge, size_t edges, size_t *parent,
@@ -244,11 +250,15 @@ static int add_facet(struct dem_walls *w, int wall, const double normal[3], cons
 
     DEM_TRY(DEM_GROW(w->facet, w->facet_capacity, w->facets + 1));
     r = &w->facet[w->facets++];
-    *r = (struct dem_facet){.wall = wall, .shape = of->shape, .outside = of->outside, .radius = of->radius,
-                             .offset = dem_vec_dot(normal, point)};
+    *r = (struct dem_facet){.wall = wall,
+                            .shape = of->shape,
+                            .outside = of->outside,
+                            .radius = of->radius,
+                            .offset = dem_vec_dot(normal, point)};
     memcpy(r->normal, normal, sizeof r->normal);
     memcpy(r->centre, point, sizeof r->centre);
-    w->all_flat_static &= (of->shape == DEM_SHAPE_PLANE || of->shape == DEM_SHAPE_TRIANGLES) && of->frame < 0 && !of->driven;
+    w->all_flat_static &= (of->shape == DEM_SHAPE_PLANE || of->shape == DEM_SHAPE_TRIANGLES) &&
+                          of->frame < 0 && !of->driven;
     return DEM_OK;
 }
 
@@ -322,7 +332,10 @@ static int join_triangles(struct dem_walls *w, double scale)
     {
         const size_t t = k/3, a = label[k], b = label[3*t + (k + 1)%3];
 
-        edge[k] = (struct edge){.a = a < b ? a : b, .b = a < b ? b : a, .triangle = t, .side = (int)(k%3)};
+        edge[k] = (struct edge){.a = a < b ? a : b,
+                                .b = a < b ? b : a,
+                                .triangle = t,
+                                .side = (int)(k%3)};
         w->triangle[t].rim = 7;
         parent[t] = t;
     }

@@ -20,27 +20,32 @@ static const double max_sine = 1e-9;
 
 static int check_shape(const struct dem_wall *w, const struct dem_motion *m)
 {
-    static const char *const remedy[] = {"", "plane (a box is made of them) turns about its normal only; build it from triangles",
-                                       "cylinder turns about an axis parallel to its own only; build it from triangles", ""};
+    static const char *const remedy[] =
+        {"", "plane (a box is made of them) turns about its normal only; build it from triangles",
+         "cylinder turns about an axis parallel to its own only; build it from triangles", ""};
     double across[3];
 
-    if (m->kind == DEM_MOTION_ROTATION && (w->shape == DEM_SHAPE_PLANE || w->shape == DEM_SHAPE_CYLINDER))
+    if (m->kind == DEM_MOTION_ROTATION &&
+        (w->shape == DEM_SHAPE_PLANE || w->shape == DEM_SHAPE_CYLINDER))
     {
         dem_vec_cross(w->normal, m->axis, across);
         DEM_REQUIRE(dem_vec_norm(across) < max_sine, DEM_ERROR_INPUT,
-                    "wall %s: its rotation about (%g %g %g) would tilt it, and an infinite %s", w->name, m->axis[0], m->axis[1],
-                    m->axis[2], remedy[w->shape]);
+                    "wall %s: its rotation about (%g %g %g) would tilt it, and an infinite %s",
+                    w->name, m->axis[0], m->axis[1], m->axis[2], remedy[w->shape]);
     }
     return DEM_OK;
 }
 
 static int same_motion(const struct dem_motion *a, const struct dem_motion *b)
 {
-    return a->kind == b->kind && a->start <= b->start && a->start >= b->start && a->end <= b->end && a->end >= b->end
-        && memcmp(a->velocity, b->velocity, sizeof a->velocity) == 0 && memcmp(a->amplitude, b->amplitude, sizeof a->amplitude) == 0
-        && memcmp(&a->frequency, &b->frequency, sizeof a->frequency) == 0 && memcmp(&a->phase, &b->phase, sizeof a->phase) == 0
-        && memcmp(a->origin, b->origin, sizeof a->origin) == 0 && memcmp(a->axis, b->axis, sizeof a->axis) == 0
-        && memcmp(&a->omega, &b->omega, sizeof a->omega) == 0;
+    return a->kind == b->kind && a->start <= b->start && a->start >= b->start && a->end <= b->end &&
+           a->end >= b->end && memcmp(a->velocity, b->velocity, sizeof a->velocity) == 0 &&
+           memcmp(a->amplitude, b->amplitude, sizeof a->amplitude) == 0 &&
+           memcmp(&a->frequency, &b->frequency, sizeof a->frequency) == 0 &&
+           memcmp(&a->phase, &b->phase, sizeof a->phase) == 0 &&
+           memcmp(a->origin, b->origin, sizeof a->origin) == 0 &&
+           memcmp(a->axis, b->axis, sizeof a->axis) == 0 &&
+           memcmp(&a->omega, &b->omega, sizeof a->omega) == 0;
 }
 
 int dem_walls_set_motion(struct dem_walls *w, int wall, const struct dem_motion *m)
@@ -102,14 +107,18 @@ static int mark_box(struct dem_walls *w, int frame)
     }
     for (int k = 0; k < 8; k++)
     {
-        DEM_TRY(add_mark(w, (struct dem_mark){.frame = frame, .at = {box[k & 1][0], box[k >> 1 & 1][1], box[k >> 2][2]}}));
+        DEM_TRY(add_mark(w, (struct dem_mark){
+            .frame = frame,
+            .at = {box[k & 1][0], box[k >> 1 & 1][1],
+                   box[k >> 2][2]}}));
     }
     return DEM_OK;
 }
 
 int dem_walls_make_marks(struct dem_walls *w)
 {
-    static const enum dem_mark_counts counts[] = {DEM_MARK_ALL, DEM_MARK_ALONG, DEM_MARK_ACROSS, DEM_MARK_ALL};
+    static const enum dem_mark_counts counts[] = {DEM_MARK_ALL, DEM_MARK_ALONG, DEM_MARK_ACROSS,
+                                                  DEM_MARK_ALL};
 
     for (int k = 0; k < w->walls; k++)
     {
@@ -170,7 +179,8 @@ void dem_walls_move(struct dem_walls *w, double time, double dt)
         double now[3];
 
         mark_position(w, &w->mark[k], now);
-        w->displacement = dt > 0.0 ? fmax(w->displacement, displacement(&w->mark[k], w->mark[k].last, now)) : 0.0;
+        w->displacement =
+            dt > 0.0 ? fmax(w->displacement, displacement(&w->mark[k], w->mark[k].last, now)) : 0.0;
         memcpy(w->mark[k].last, now, sizeof now);
     }
 }
@@ -190,7 +200,9 @@ static double relative_displacement(const struct dem_wall *w, const double drift
     const double along = dem_vec_dot(drift, w->normal);
 
     return w->shape == DEM_SHAPE_PLANE ? fabs(along)
-         : w->shape == DEM_SHAPE_CYLINDER ? sqrt(fmax(0.0, dem_vec_dot(drift, drift) - along*along)) : dem_vec_norm(drift);
+           : w->shape == DEM_SHAPE_CYLINDER
+               ? sqrt(fmax(0.0, dem_vec_dot(drift, drift) - along*along))
+               : dem_vec_norm(drift);
 }
 
 double dem_walls_max_displacement(const struct dem_walls *w, enum dem_list list,
@@ -200,7 +212,8 @@ double dem_walls_max_displacement(const struct dem_walls *w, enum dem_list list,
 
     for (int k = 0; k < w->walls && dem_vec_dot(drift, drift) > 0.0; k++)
     {
-        largest = w->wall[k].frame < 0 ? fmax(largest, relative_displacement(&w->wall[k], drift)) : largest;
+        largest = w->wall[k].frame < 0 ? fmax(largest, relative_displacement(&w->wall[k], drift))
+                                       : largest;
     }
     largest += w->since[list];
     for (size_t k = 0; k < w->marks; k++)

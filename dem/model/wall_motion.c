@@ -85,7 +85,8 @@ void dem_motion_pose(const struct dem_motion *m, double time, struct dem_pose *p
     }
     for (int k = 0; k < 3 && m->kind != DEM_MOTION_ROTATION; k++)
     {
-        p->shift[k] = m->kind == DEM_MOTION_TRANSLATION ? m->velocity[k]*in_motion : m->amplitude[k]*s;
+        p->shift[k] =
+            m->kind == DEM_MOTION_TRANSLATION ? m->velocity[k]*in_motion : m->amplitude[k]*s;
     }
 }
 
@@ -131,7 +132,8 @@ static void displacement_rotation(const struct dem_motion *m, double moved, doub
 void dem_motion_displacement(const struct dem_motion *m, double time, double dt,
                              struct dem_wall_displacement *s)
 {
-    const double moved = active_time(m, time, dt), now = time >= m->start && time <= m->end ? 1.0 : 0.0;
+    const double moved = active_time(m, time, dt),
+                 now = time >= m->start && time <= m->end ? 1.0 : 0.0;
     const double fraction = dt > 0.0 ? moved/dt : now;
 
     *s = (struct dem_wall_displacement){.sine = 0.0};

@@ -98,12 +98,16 @@ static void update_planes(struct dem_walls *w, int all)
 
 static int check_corners(const struct dem_wall *of, size_t n, const double *corners)
 {
-    DEM_REQUIRE(n == of->given && of->triangles > 0, DEM_ERROR_INPUT, "wall %s is to move with %zu triangles, but it was made "
-                "from %zu; a mesh may move, but its faces must stay the same", of->name, n, of->given);
+    DEM_REQUIRE(n == of->given && of->triangles > 0, DEM_ERROR_INPUT,
+                "wall %s is to move with %zu triangles, but it was made "
+                "from %zu; a mesh may move, but its faces must stay the same",
+                of->name, n, of->given);
     for (size_t k = 0; k < 9*n; k++)
     {
-        DEM_REQUIRE(isfinite(corners[k]), DEM_ERROR_NUMBER, "wall %s is to move to a corner that is not a number; check the "
-                    "motion of the mesh", of->name);
+        DEM_REQUIRE(isfinite(corners[k]), DEM_ERROR_NUMBER,
+                    "wall %s is to move to a corner that is not a number; check the "
+                    "motion of the mesh",
+                    of->name);
     }
     return DEM_OK;
 }
@@ -133,7 +137,8 @@ int dem_walls_set_target(struct dem_walls *w, int wall, size_t n, const double *
     {
         if (w->triangle[t].wall == wall)
         {
-            memcpy(w->trajectory[t].to, corners + 9*(size_t)w->triangle[t].given_index, sizeof w->trajectory[t].to);
+            memcpy(w->trajectory[t].to, corners + 9*(size_t)w->triangle[t].given_index,
+                   sizeof w->trajectory[t].to);
         }
     }
     return DEM_OK;
@@ -237,7 +242,8 @@ void dem_walls_surface_motion(const struct dem_walls *w, uint32_t triangle, cons
 {
     const struct dem_corner_trajectory *const c = &w->trajectory[triangle];
     const struct dem_triangle *const t = &w->triangle[triangle];
-    double edge[2][3], rate[3][3], n[3], g[2][3], away[3], turn[3] = {0.0, 0.0, 0.0}, tilt[3] = {0.0, 0.0, 0.0};
+    double edge[2][3], rate[3][3], n[3], g[2][3], away[3], turn[3] = {0.0, 0.0, 0.0},
+                                                           tilt[3] = {0.0, 0.0, 0.0};
     const double size = edges_and_normal(t, edge, n), over = size > 0.0 ? 1.0/size : 0.0;
 
     for (int k = 0; k < 9; k++)

@@ -27,10 +27,12 @@ int dem_walls_add(struct dem_walls *w, const char *name, int material, int *wall
 {
     for (int k = 0; k < w->walls; k++)
     {
-        DEM_REQUIRE(strcmp(w->wall[k].name, name) != 0, DEM_ERROR_INPUT, "wall %s is given twice; rename one of them", name);
+        DEM_REQUIRE(strcmp(w->wall[k].name, name) != 0, DEM_ERROR_INPUT,
+                    "wall %s is given twice; rename one of them", name);
     }
-    DEM_REQUIRE(strlen(name) < sizeof w->wall->name, DEM_ERROR_INPUT, "wall name %s is longer than %zu characters; shorten it",
-                name, sizeof w->wall->name - 1);
+    DEM_REQUIRE(strlen(name) < sizeof w->wall->name, DEM_ERROR_INPUT,
+                "wall name %s is longer than %zu characters; shorten it", name,
+                sizeof w->wall->name - 1);
     DEM_TRY(DEM_GROW(w->wall, w->wall_capacity, w->walls + 1));
     *wall = w->walls++;
     w->wall[*wall] = (struct dem_wall){.material = material, .frame = -1};
@@ -43,8 +45,9 @@ static int unit_vector(const char *name, const char *what, const double v[3], do
 {
     const double size = dem_vec_norm(v);
 
-    DEM_REQUIRE(size > 0.0 && isfinite(size), DEM_ERROR_INPUT, "wall %s: %s (%g %g %g) has no direction; give a vector that %s", name,
-                what, v[0], v[1], v[2], what[0] == 'n' ? "points to the particles" : "is parallel to the axis");
+    DEM_REQUIRE(size > 0.0 && isfinite(size), DEM_ERROR_INPUT,
+                "wall %s: %s (%g %g %g) has no direction; give a vector that %s", name, what, v[0],
+                v[1], v[2], what[0] == 'n' ? "points to the particles" : "is parallel to the axis");
     for (int k = 0; k < 3; k++)
     {
         out[k] = v[k]/size;
@@ -72,7 +75,8 @@ int dem_walls_add_round(struct dem_walls *w, const char *name, int material, con
     double direction[3] = {0.0, 0.0, 1.0};
     int wall;
 
-    DEM_REQUIRE(radius > 0.0 && isfinite(radius), DEM_ERROR_INPUT, "wall %s: radius %g m; give a length above 0", name, radius);
+    DEM_REQUIRE(radius > 0.0 && isfinite(radius), DEM_ERROR_INPUT,
+                "wall %s: radius %g m; give a length above 0", name, radius);
     if (axis)
     {
         DEM_TRY(unit_vector(name, "axis", axis, direction));
@@ -101,9 +105,10 @@ int dem_walls_add_triangles(struct dem_walls *w, int wall, size_t n, const doubl
         new->given_index = (uint32_t)w->wall[wall].given++;
         for (int k = 0; k < 9; k++)
         {
-            DEM_REQUIRE(fabs(corners[9*t + (size_t)k]) < max_coordinate, DEM_ERROR_INPUT,
-                        "wall %s: triangle %zu has a corner at %g m, not a number below %g; repair the surface",
-                        w->wall[wall].name, t, corners[9*t + (size_t)k], max_coordinate);
+            DEM_REQUIRE(
+                fabs(corners[9*t + (size_t)k]) < max_coordinate, DEM_ERROR_INPUT,
+                "wall %s: triangle %zu has a corner at %g m, not a number below %g; repair the surface",
+                w->wall[wall].name, t, corners[9*t + (size_t)k], max_coordinate);
         }
         w->triangles++;
     }

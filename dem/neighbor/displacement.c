@@ -72,12 +72,14 @@ static double upper_bound(const struct dem_displacement *d, double distance)
 void dem_displacement_extent(const struct dem_displacement *d, const struct dem_particles *p,
                              double extent[DEM_DISPLACEMENT_NUMBERS])
 {
-    double high[3] = {-INFINITY, -INFINITY, -INFINITY}, low[3] = {INFINITY, INFINITY, INFINITY}, square = 0.0;
+    double high[3] = {-INFINITY, -INFINITY, -INFINITY}, low[3] = {INFINITY, INFINITY, INFINITY},
+           square = 0.0;
 
     for (size_t i = 0; i < p->n; i++)
     {
         const double *const x = p->record[i].x;
-        const double d_i[3] = {displacement(d, x[0], d->reference[3*i]), displacement(d, x[1], d->reference[3*i + 1]),
+        const double d_i[3] = {displacement(d, x[0], d->reference[3*i]),
+                               displacement(d, x[1], d->reference[3*i + 1]),
                                displacement(d, x[2], d->reference[3*i + 2])};
         const double here = d_i[0]*d_i[0] + d_i[1]*d_i[1] + d_i[2]*d_i[2];
 
@@ -108,7 +110,8 @@ int dem_displacement_set_extent(struct dem_displacement *d,
         const double middle = extent[k] >= -extent[3 + k] ? 0.5*(extent[k] - extent[3 + k]) : 0.0;
 
         centre[k] = free[k] ? middle : 0.0;
-        half += (fabs(middle - centre[k]) + 0.5*(extent[k] + extent[3 + k]))*(fabs(middle - centre[k]) + 0.5*(extent[k] + extent[3 + k]));
+        half += (fabs(middle - centre[k]) + 0.5*(extent[k] + extent[3 + k]))*
+                (fabs(middle - centre[k]) + 0.5*(extent[k] + extent[3 + k]));
     }
     d->spread = extent[6];
     memset(d->centre, 0, sizeof d->centre);

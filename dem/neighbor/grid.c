@@ -22,7 +22,8 @@ struct box
     double min[3], max[3];        /* m */
 };
 
-static const struct box empty_box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+static const struct box empty_box = {{INFINITY, INFINITY, INFINITY},
+                                     {-INFINITY, -INFINITY, -INFINITY}};
 
 /* Axes of the grid, the shortest side of the bounding box first: contact partners are then as near
    each other in memory as possible. */
@@ -90,7 +91,8 @@ static size_t cell_of(const struct dem_grid *g, const struct dem_grid_level *l, 
     int c[3];
 
     dem_grid_cells(g, l, x, c);
-    return l->first + ((size_t)c[2]*(size_t)l->cells[1] + (size_t)c[1])*(size_t)l->cells[0] + (size_t)c[0];
+    return l->first + ((size_t)c[2]*(size_t)l->cells[1] + (size_t)c[1])*(size_t)l->cells[0] +
+           (size_t)c[0];
 }
 
 size_t dem_grid_fit(struct dem_grid *g, struct dem_grid_level *l, const struct dem_particles *p)
@@ -278,7 +280,10 @@ static int fill(struct dem_grid *g, const struct dem_domain *d, const struct dem
     }
     /* counts are stored two indices ahead: start[c + 1] is the next free entry of cell c while
        entries are written, and its end afterwards */
-    dem_grid_starts(g->start, last->first + (size_t)last->cells[0]*(size_t)last->cells[1]*(size_t)last->cells[2] + 1);
+    dem_grid_starts(g->start,
+                    last->first +
+                        (size_t)last->cells[0]*(size_t)last->cells[1]*(size_t)last->cells[2] +
+                        1);
     put_entries(g, p, shift, list);
     return DEM_OK;
 }

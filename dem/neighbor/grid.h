@@ -108,7 +108,8 @@ static inline void dem_grid_starts(uint32_t *start, size_t cells)
 static inline uint32_t dem_grid_first_entry(const struct dem_grid *g,
                                             const struct dem_grid_level *l, int x, int y, int z)
 {
-    return g->start[l->first + ((size_t)z*(size_t)l->cells[1] + (size_t)y)*(size_t)l->cells[0] + (size_t)x];
+    return g->start[l->first + ((size_t)z*(size_t)l->cells[1] + (size_t)y)*(size_t)l->cells[0] +
+                    (size_t)x];
 }
 
 #endif

@@ -32,7 +32,8 @@ struct count
 /* Volume of the bounding box of the particles; returns the smallest radius [m]. */
 static double smallest_radius(struct count *c, const struct dem_particles *p, double max_radius)
 {
-    double min[3] = {INFINITY, INFINITY, INFINITY}, max[3] = {-INFINITY, -INFINITY, -INFINITY}, smallest = max_radius;
+    double min[3] = {INFINITY, INFINITY, INFINITY}, max[3] = {-INFINITY, -INFINITY, -INFINITY},
+           smallest = max_radius;
 
     for (size_t i = 0; i < p->n; i++)
     {
@@ -62,7 +63,8 @@ static void count_radii(struct count *c, const struct dem_particles *p, double m
         const double radius = p->record[i].radius;
         int binary;
         const double mantissa = frexp(max_radius/radius, &binary);  /* in [0.5, 1) */
-        const int steps = 2*(binary - 1) + (mantissa > 0.70710678118654752), bin = steps < 0 ? 0 : steps < BINS ? steps : BINS - 1;
+        const int steps = 2*(binary - 1) + (mantissa > 0.70710678118654752);
+        const int bin = steps < 0 ? 0 : steps < BINS ? steps : BINS - 1;
 
         c->n[bin] += 1.0;
         c->radius[bin] = radius > c->radius[bin] ? radius : c->radius[bin];
@@ -101,7 +103,8 @@ static double cost(const struct count *c, const struct level *level, int levels,
         sum += level[a].n*(13.5*edge*edge*edge*level[a].n/c->volume + 5.0*row_cost);
         for (int b = a + 1; b < levels; b++)
         {
-            const double wide = 2.0*(level[a].radius + level[b].radius + gap) + level[b].edge, rows = wide/level[b].edge;
+            const double wide = 2.0*(level[a].radius + level[b].radius + gap) + level[b].edge,
+                         rows = wide/level[b].edge;
 
             sum += level[a].n*(wide*wide*wide*level[b].n/c->volume + rows*rows*row_cost);
         }
@@ -139,7 +142,9 @@ static int best_levels(const struct count *c, struct level *level, double gap)
 
                 memcpy(other, level, sizeof other);
                 divide(c, other, levels, k, at, gap);
-                const double here = other[k].n > 0.0 && other[k + 1].n > 0.0 ? cost(c, other, levels + 1, gap) : INFINITY;
+                const double here = other[k].n > 0.0 && other[k + 1].n > 0.0
+                                        ? cost(c, other, levels + 1, gap)
+                                        : INFINITY;
 
                 if (here < lowest)
                 {

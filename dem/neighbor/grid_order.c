@@ -95,7 +95,9 @@ static uint32_t index_in_columns(const struct columns *s, int layers, const int 
     const size_t column = (size_t)(c[1]/s->wide[1])*(size_t)s->n[0] + (size_t)(c[0]/s->wide[0]);
     const size_t layer = column*(size_t)layers + (size_t)c[2];
 
-    return (uint32_t)((layer*(size_t)s->wide[1] + (size_t)(c[1]%s->wide[1]))*(size_t)s->wide[0] + (size_t)(c[0]%s->wide[0]));
+    return (uint32_t)((layer*(size_t)s->wide[1] + (size_t)(c[1]%s->wide[1]))*
+                          (size_t)s->wide[0] +
+                      (size_t)(c[0]%s->wide[0]));
 }
 
 int dem_grid_order(struct dem_grid *g, const struct dem_particles *p, uint32_t *order)
@@ -106,7 +108,8 @@ int dem_grid_order(struct dem_grid *g, const struct dem_particles *p, uint32_t *
     dem_grid_fit(g, &l, p);
 
     const struct columns s = columns_of(&l);
-    const size_t cells = (size_t)s.n[0]*(size_t)s.wide[0]*(size_t)s.n[1]*(size_t)s.wide[1]*(size_t)l.cells[2];
+    const size_t cells = (size_t)s.n[0]*(size_t)s.wide[0]*(size_t)s.n[1]*(size_t)s.wide[1]*
+                         (size_t)l.cells[2];
     int c[3];
 
     int status = DEM_NEW(start, cells + 1);

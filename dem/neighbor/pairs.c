@@ -57,9 +57,11 @@ void dem_pairs_free(struct dem_pairs *s)
 
 size_t dem_pairs_bytes(const struct dem_pairs *s)
 {
-    return s->wall_facet_capacity*sizeof *s->wall_facet + dem_displacement_bytes(&s->displacement[DEM_LIST_OUTER])
-         + dem_displacement_bytes(&s->displacement[DEM_LIST_INNER])
-         + s->wall_search.neighbor_capacity*sizeof *s->wall_search.neighbor + s->wall_search.candidate_capacity*sizeof *s->wall_search.candidate;
+    return s->wall_facet_capacity*sizeof *s->wall_facet +
+           dem_displacement_bytes(&s->displacement[DEM_LIST_OUTER]) +
+           dem_displacement_bytes(&s->displacement[DEM_LIST_INNER]) +
+           s->wall_search.neighbor_capacity*sizeof *s->wall_search.neighbor +
+           s->wall_search.candidate_capacity*sizeof *s->wall_search.candidate;
 }
 
 int dem_pairs_order(struct dem_pairs *s, struct dem_particles *p)
@@ -85,9 +87,10 @@ static const size_t particle_limit = (size_t)1 << 31, pair_limit = (size_t)1 << 
 
 int dem_pairs_check_counts(size_t particles, size_t pairs)
 {
-    DEM_REQUIRE(particles < particle_limit && pairs < pair_limit, DEM_ERROR_INPUT,
-                "%zu particles and %zu pairs near each other on one rank, the limits are %zu and %zu; use more ranks", particles, pairs,
-                particle_limit - 1, pair_limit - 1);
+    DEM_REQUIRE(
+        particles < particle_limit && pairs < pair_limit, DEM_ERROR_INPUT,
+        "%zu particles and %zu pairs near each other on one rank, the limits are %zu and %zu; use more ranks",
+        particles, pairs, particle_limit - 1, pair_limit - 1);
     return DEM_OK;
 }
 
@@ -98,7 +101,8 @@ static int is_pair_near(const struct dem_pairs *s, const struct dem_particles *p
 {
     const struct dem_particle *const i = &p->record[q->i], *const j = &p->record[q->j];
     const double *const shift = s->shift[q->shift];
-    const double dx = i->x[0] - j->x[0] + shift[0], dy = i->x[1] - j->x[1] + shift[1], dz = i->x[2] - j->x[2] + shift[2];
+    const double dx = i->x[0] - j->x[0] + shift[0], dy = i->x[1] - j->x[1] + shift[1],
+                 dz = i->x[2] - j->x[2] + shift[2];
     const double reach = i->radius + j->radius + s->inner;
 
     return dx*dx + dy*dy + dz*dz < reach*reach;
@@ -109,7 +113,8 @@ static int is_wall_near(const struct dem_pairs *s, const struct dem_particles *p
 {
     const struct dem_particle *const i = &p->record[q->i];
 
-    return dem_wall_search_distance(&s->wall_search, w, &s->wall_search.neighbor[q->j], i->x) < i->radius + s->inner;
+    return dem_wall_search_distance(&s->wall_search, w, &s->wall_search.neighbor[q->j], i->x) <
+           i->radius + s->inner;
 }
 
 int dem_pairs_prune(struct dem_pairs *s, const struct dem_particles *p, const struct dem_walls *w,
@@ -121,12 +126,14 @@ int dem_pairs_prune(struct dem_pairs *s, const struct dem_particles *p, const st
     DEM_TRY(DEM_NEW(near, c->pairs + 1));
     for (size_t k = 0; k < c->pairs; k++)
     {
-        near[k] = (uint8_t)(c->pair[k].wall ? is_wall_near(s, p, w, &c->pair[k]) : is_pair_near(s, p, &c->pair[k]));
+        near[k] = (uint8_t)(c->pair[k].wall ? is_wall_near(s, p, w, &c->pair[k])
+                                            : is_pair_near(s, p, &c->pair[k]));
     }
     const int status = dem_contacts_prune(c, p, near);
 
     dem_memory_free(near);
     DEM_TRY(status);
     dem_skins_list_made(&s->skins, DEM_LIST_INNER);
-    return dem_displacement_begin(&s->displacement[DEM_LIST_INNER], p, s->skins.skin[DEM_LIST_INNER]);
+    return dem_displacement_begin(&s->displacement[DEM_LIST_INNER], p,
+                                  s->skins.skin[DEM_LIST_INNER]);
 }

@@ -62,9 +62,12 @@ static size_t preselect(const struct dem_grid *g, const struct run *run, int run
     {
         for (uint32_t e = run[k].from; e < run[k].end; e += WIDE)
         {
-            const float8 dx = *(const float8 *)(g->x + e) - me[0], dy = *(const float8 *)(g->y + e) - me[1];
-            const float8 dz = *(const float8 *)(g->z + e) - me[2], reach = *(const float8 *)(g->radius + e) + me[3];
-            const int8 near = (dx*dx + dy*dy + dz*dz < reach*reach) & (lane < (int)(run[k].end - e));
+            const float8 dx = *(const float8 *)(g->x + e) - me[0],
+                         dy = *(const float8 *)(g->y + e) - me[1];
+            const float8 dz = *(const float8 *)(g->z + e) - me[2],
+                         reach = *(const float8 *)(g->radius + e) + me[3];
+            const int8 near =
+                (dx*dx + dy*dy + dz*dz < reach*reach) & (lane < (int)(run[k].end - e));
 
             for (int l = 0; l < WIDE; l++)
             {
@@ -105,7 +108,8 @@ static inline int try_pair(struct finder *f, uint32_t owned, uint32_t other)
     const struct dem_particle *const me = &f->p->record[a], *const it = &f->p->record[b];
     const int code = g->shift[other];
     const double *const shift = f->s->shift[code];
-    const double dx = me->x[0] - (it->x[0] + shift[0]), dy = me->x[1] - (it->x[1] + shift[1]), dz = me->x[2] - (it->x[2] + shift[2]);
+    const double dx = me->x[0] - (it->x[0] + shift[0]), dy = me->x[1] - (it->x[1] + shift[1]),
+                 dz = me->x[2] - (it->x[2] + shift[2]);
     const double reach = me->radius + it->radius + f->s->outer;
 
     if (!(dx*dx + dy*dy + dz*dz < reach*reach))
@@ -114,15 +118,20 @@ static inline int try_pair(struct finder *f, uint32_t owned, uint32_t other)
     }
     const int first = me->id < it->id, mirrored = b < f->p->n && code != DEM_SHIFT_NONE;
 
-    DEM_REQUIRE(me->id != it->id, DEM_ERROR_INPUT,
-                "particle %lld reaches its own periodic image; make the domain at least two diameters and a skin wide", (long long)me->id);
+    DEM_REQUIRE(
+        me->id != it->id, DEM_ERROR_INPUT,
+        "particle %lld reaches its own periodic image; make the domain at least two diameters and a skin wide",
+        (long long)me->id);
     if ((mirrored && a > b) || (me->flags & it->flags & DEM_PARTICLE_FROZEN))
     {
         return DEM_OK;
     }
-    f->c->pair[f->c->pairs++] = (struct dem_pair){.i = first ? a : b, .j = first ? b : a, .row = DEM_ROW_NONE,
-                                                  .class = (uint16_t)f->r->class_of[0][me->material][it->material],
-                                                  .shift = (uint8_t)(first ? DEM_SHIFTS - 1 - code : code)};
+    f->c->pair[f->c->pairs++] =
+        (struct dem_pair){.i = first ? a : b,
+                          .j = first ? b : a,
+                          .row = DEM_ROW_NONE,
+                          .class = (uint16_t)f->r->class_of[0][me->material][it->material],
+                          .shift = (uint8_t)(first ? DEM_SHIFTS - 1 - code : code)};
     return DEM_OK;
 }
 
@@ -169,7 +178,8 @@ static int add_run(const struct dem_grid *g, const struct dem_grid_level *l, con
         return 0;
     }
     run->from = dem_grid_first_entry(g, l, cell[0] > 0 ? cell[0] - 1 : 0, cell[1], cell[2]);
-    run->end = dem_grid_first_entry(g, l, (cell[0] < last ? cell[0] + 1 : last) + 1, cell[1], cell[2]);
+    run->end =
+        dem_grid_first_entry(g, l, (cell[0] < last ? cell[0] + 1 : last) + 1, cell[1], cell[2]);
     return run->from < run->end;
 }
 
@@ -177,7 +187,8 @@ static int pairs_of_cell(struct finder *f, const struct dem_grid_level *l, const
 {
     static const int behind[4][2] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
     const struct dem_grid *const g = f->g;
-    const uint32_t from = dem_grid_first_entry(g, l, cell[0], cell[1], cell[2]), end = dem_grid_first_entry(g, l, cell[0] + 1, cell[1], cell[2]);
+    const uint32_t from = dem_grid_first_entry(g, l, cell[0], cell[1], cell[2]),
+                   end = dem_grid_first_entry(g, l, cell[0] + 1, cell[1], cell[2]);
     struct run run[5];
     int runs = 1;
 
@@ -185,7 +196,8 @@ static int pairs_of_cell(struct finder *f, const struct dem_grid_level *l, const
     {
         return DEM_OK;
     }
-    run[0].end = dem_grid_first_entry(g, l, (cell[0] + 1 < l->cells[0] ? cell[0] + 1 : cell[0]) + 1, cell[1], cell[2]);
+    run[0].end = dem_grid_first_entry(g, l, (cell[0] + 1 < l->cells[0] ? cell[0] + 1 : cell[0]) + 1,
+                                      cell[1], cell[2]);
     for (int k = 0; k < 4; k++)
     {
         const int beside[3] = {cell[0], cell[1] + behind[k][0], cell[2] + behind[k][1]};
@@ -232,7 +244,8 @@ static double distance_to_cell(const struct dem_grid_level *l, double x, int c)
 static int pairs_with_smaller(struct finder *f, uint32_t e, const struct dem_grid_level *l)
 {
     const struct dem_grid *const g = f->g;
-    const double x[3] = {g->x[e], g->y[e], g->z[e]}, reach = g->radius[e] + l->radius + f->s->outer + 2.0*g->slack;
+    const double x[3] = {g->x[e], g->y[e], g->z[e]},
+                 reach = g->radius[e] + l->radius + f->s->outer + 2.0*g->slack;
     struct run run[RUNS];
     int runs = 0;
 
@@ -240,7 +253,8 @@ static int pairs_with_smaller(struct finder *f, uint32_t e, const struct dem_gri
     {
         for (int y = dem_grid_cell(l, x[1] - reach, 1); y <= dem_grid_cell(l, x[1] + reach, 1); y++)
         {
-            const double dy = distance_to_cell(l, x[1], y), dz = distance_to_cell(l, x[2], z), square = reach*reach - dy*dy - dz*dz;
+            const double dy = distance_to_cell(l, x[1], y), dz = distance_to_cell(l, x[2], z),
+                         square = reach*reach - dy*dy - dz*dz;
             const double half = square > 0.0 ? sqrt(square) : -1.0;
 
             if (half < 0.0)
@@ -300,8 +314,14 @@ static int wall_pairs(struct dem_pairs *s, const struct dem_particles *p, const 
         s->wall_facet[k] = near->facet;
         if (!(me->flags & DEM_PARTICLE_FROZEN))
         {
-            DEM_TRY(add_pair(c, (struct dem_pair){.i = near->particle, .j = (uint32_t)k, .shift = DEM_SHIFT_NONE, .wall = 1,
-                                                  .class = (uint16_t)r->class_of[1][me->material][material]}));
+            DEM_TRY(
+                add_pair(c,
+                         (struct dem_pair){
+                             .i = near->particle,
+                             .j = (uint32_t)k,
+                             .shift = DEM_SHIFT_NONE,
+                             .wall = 1,
+                             .class = (uint16_t)r->class_of[1][me->material][material]}));
         }
     }
     return DEM_OK;
@@ -398,7 +418,8 @@ int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct
     c->pairs = 0;
     DEM_TRY(dem_pairs_check_counts(p->n + p->ghosts, 0));
     dem_grid_choose_levels(&g, p, s->max_radius, s->outer);
-    const int ready = reserve(c, before > usual ? before : usual), status = ready || p->n == 0 ? ready : find(&f, d);
+    const int ready = reserve(c, before > usual ? before : usual),
+              status = ready || p->n == 0 ? ready : find(&f, d);
 
     dem_grid_clear(&g);
     dem_memory_free(f.hit);
@@ -412,5 +433,6 @@ int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct
     DEM_TRY(shrink(c));
     DEM_TRY(dem_contacts_build_adjacency(c, p));
     dem_skins_list_made(&s->skins, DEM_LIST_OUTER);
-    return dem_displacement_begin(&s->displacement[DEM_LIST_OUTER], p, s->skins.skin[DEM_LIST_OUTER]);
+    return dem_displacement_begin(&s->displacement[DEM_LIST_OUTER], p,
+                                  s->skins.skin[DEM_LIST_OUTER]);
 }

@@ -41,12 +41,15 @@ int dem_skins_are_valid(const struct dem_skins *s)
 {
     /* larger integers are not exact in a double */
     const double max = 0x1p53;
-    int sound = s->next_check > 0 && (double)s->next_check < max && s->fastest >= 0.0 && isfinite(s->fastest);
+    int sound = s->next_check > 0 && (double)s->next_check < max && s->fastest >= 0.0 &&
+                isfinite(s->fastest);
 
     for (int l = 0; l < DEM_LISTS; l++)
     {
-        sound = sound && s->skin[l] >= 0.0 && s->skin[l] <= s->max && s->in_use[l] >= 0.0 && s->in_use[l] <= s->max && s->counted_skin[l] >= 0.0
-             && s->counted_skin[l] <= s->max && isfinite(s->rate[l]) && s->rate[l] != 0.0 && s->steps[l] >= 0 && (double)s->steps[l] < max;
+        sound = sound && s->skin[l] >= 0.0 && s->skin[l] <= s->max && s->in_use[l] >= 0.0 &&
+                s->in_use[l] <= s->max && s->counted_skin[l] >= 0.0 &&
+                s->counted_skin[l] <= s->max && isfinite(s->rate[l]) && s->rate[l] != 0.0 &&
+                s->steps[l] >= 0 && (double)s->steps[l] < max;
     }
     for (int k = 0; k < 3; k++)
     {
@@ -96,15 +99,24 @@ static void minimize_work(const struct dem_skins *s, double n, double R, double 
     best[DEM_LIST_OUTER] = s->skin[DEM_LIST_OUTER];
     for (int round = 0; round < 8; round++)
     {
-        best[DEM_LIST_INNER] = clamp(s->min, sqrt(2.0*(v*displacement_cost*n + u*prune_cost*(R + k*best[DEM_LIST_OUTER]))/k), s->max);
-        best[DEM_LIST_OUTER] = clamp(s->min, sqrt(U/u*(search_cost*n + pair_cost*R)*best[DEM_LIST_INNER]/(prune_cost*k)), s->max);
+        best[DEM_LIST_INNER] = clamp(s->min,
+                                     sqrt(2.0*
+                                          (v*displacement_cost*n +
+                                           u*prune_cost*(R + k*best[DEM_LIST_OUTER]))/
+                                          k),
+                                     s->max);
+        best[DEM_LIST_OUTER] = clamp(s->min,
+                                     sqrt(U/u*(search_cost*n + pair_cost*R)*
+                                          best[DEM_LIST_INNER]/(prune_cost*k)),
+                                     s->max);
     }
     best[DEM_LIST_OUTER] = fmax(best[DEM_LIST_OUTER], best[DEM_LIST_INNER]);
 }
 
 void dem_skins_choose(struct dem_skins *s, enum dem_list list, double displacement)
 {
-    const double n = (double)s->counted[0], pairs = (double)s->counted[1], rows = (double)s->counted[2];
+    const double n = (double)s->counted[0], pairs = (double)s->counted[1],
+                 rows = (double)s->counted[2];
     const double thick = s->counted_skin[DEM_LIST_OUTER] - s->counted_skin[DEM_LIST_INNER];
     double best[DEM_LISTS], k;
 

@@ -171,7 +171,9 @@ static void count_or_store(struct dem_wall_search *s, const struct dem_walls *w,
             {
                 for (int x = from[0]; x <= to[0]; x++)
                 {
-                    const size_t cell = ((size_t)z*(size_t)s->cells[1] + (size_t)y)*(size_t)s->cells[0] + (size_t)x;
+                    const size_t cell =
+                        ((size_t)z*(size_t)s->cells[1] + (size_t)y)*(size_t)s->cells[0] +
+                        (size_t)x;
 
                     if (entry)
                     {
@@ -186,7 +188,8 @@ static void count_or_store(struct dem_wall_search *s, const struct dem_walls *w,
 
 static void size_grid(struct dem_wall_search *s, const struct dem_walls *w, double radius)
 {
-    double all[2][3] = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}, cells = 1.0;
+    double all[2][3] = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}},
+           cells = 1.0;
 
     for (size_t t = 0; t < w->triangles; t++)
     {
@@ -213,7 +216,8 @@ static void size_grid(struct dem_wall_search *s, const struct dem_walls *w, doub
 }
 
 /* next: one number a cell, zero. */
-static int fill_grid(struct dem_wall_search *s, const struct dem_walls *w, size_t cells, size_t *next)
+static int fill_grid(struct dem_wall_search *s, const struct dem_walls *w, size_t cells,
+                     size_t *next)
 {
     count_or_store(s, w, next, NULL);
     for (size_t c = 0; c < cells; c++)
@@ -261,7 +265,10 @@ static int add_neighbor(struct dem_wall_search *s, uint32_t particle, int facet,
 {
     DEM_TRY(DEM_GROW(s->neighbor, s->neighbor_capacity, s->neighbors + 1));
     *near = &s->neighbor[s->neighbors++];
-    **near = (struct dem_wall_neighbor){.particle = particle, .facet = facet, .open = open, .first = (uint32_t)s->candidates};
+    **near = (struct dem_wall_neighbor){.particle = particle,
+                                        .facet = facet,
+                                        .open = open,
+                                        .first = (uint32_t)s->candidates};
     return DEM_OK;
 }
 
@@ -309,12 +316,14 @@ static int gather_triangles(struct dem_wall_search *s, const struct dem_walls *w
         {
             const size_t row = ((size_t)z*(size_t)s->cells[1] + (size_t)y)*(size_t)s->cells[0];
 
-            for (size_t e = s->start[row + (size_t)from[0]]; from[0] <= to[0] && e < s->start[row + (size_t)to[0] + 1]; e++)
+            for (size_t e = s->start[row + (size_t)from[0]];
+                 from[0] <= to[0] && e < s->start[row + (size_t)to[0] + 1]; e++)
             {
                 const uint32_t t = s->entry[e];
 
-                if (s->seen[t] != s->stamp && w->wall[w->triangle[t].wall].frame == frame
-                    && fabs(plane_height(w, t, x)) < reach_margin*reach && dem_triangle_nearest(&w->triangle[t], x, nearest) < reach*reach)
+                if (s->seen[t] != s->stamp && w->wall[w->triangle[t].wall].frame == frame &&
+                    fabs(plane_height(w, t, x)) < reach_margin*reach &&
+                    dem_triangle_nearest(&w->triangle[t], x, nearest) < reach*reach)
                 {
                     DEM_TRY(DEM_GROW(s->candidate, s->candidate_capacity, s->candidates + 1));
                     s->candidate[s->candidates++] = t;
@@ -333,8 +342,10 @@ static void sort_by_facet(const struct dem_walls *w, uint32_t *t, size_t n)
         const uint32_t here = t[k];
         size_t m = k;
 
-        for (; m > 0 && (w->triangle[t[m - 1]].facet > w->triangle[here].facet
-                         || (w->triangle[t[m - 1]].facet == w->triangle[here].facet && t[m - 1] > here)); m--)
+        for (;
+             m > 0 && (w->triangle[t[m - 1]].facet > w->triangle[here].facet ||
+                       (w->triangle[t[m - 1]].facet == w->triangle[here].facet && t[m - 1] > here));
+             m--)
         {
             t[m] = t[m - 1];
         }
@@ -348,7 +359,8 @@ static int rim_in_reach(const struct dem_triangle *t, const double x[3], double 
 
     for (int k = 0; k < 3; k++)
     {
-        if ((t->rim >> k & 1u) && nearest_on_edge(t->corner[k], t->corner[(k + 1)%3], x, on) < reach*reach)
+        if ((t->rim >> k & 1u) &&
+            nearest_on_edge(t->corner[k], t->corner[(k + 1)%3], x, on) < reach*reach)
         {
             return 1;
         }

@@ -44,7 +44,8 @@ void dem_wall_touches_set_rows(struct dem_wall_touches *t, const struct dem_wall
     }
     for (uint32_t r = 0; r < c->rows && s->neighbors > 0; r++)
     {
-        const struct dem_pair *const q = c->row_pair[r] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[r]];
+        const struct dem_pair *const q =
+            c->row_pair[r] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[r]];
 
         if (q && q->wall)
         {
@@ -91,7 +92,8 @@ static void touch_triangles(const struct dem_wall_search *s, const struct dem_wa
     t->distance = dem_wall_search_nearest(s, w, near, x, t->point);
     touch_whole(&w->facet[near->facet], x, &face);
     dem_vec_minus(face.point, t->point, away);
-    if ((dem_vec_norm(away) < same_point*radius && !w->facet[near->facet].bent) || t->distance == 0.0)
+    if ((dem_vec_norm(away) < same_point*radius && !w->facet[near->facet].bent) ||
+        t->distance == 0.0)
     {
         /* inside a facet: the plane's own normal, free of the round-off at edges */
         touch_whole(&w->facet[near->facet], x, t);
@@ -148,7 +150,8 @@ static int lies_on(const struct dem_wall_search *s, const struct dem_walls *w,
    of each other. */
 static int takes_precedence(size_t b, size_t a, const struct dem_wall_touch *touch)
 {
-    return touch[b].distance < touch[a].distance || (touch[b].distance <= touch[a].distance && b < a);
+    return touch[b].distance < touch[a].distance ||
+           (touch[b].distance <= touch[a].distance && b < a);
 }
 
 static double square_apart(size_t a, size_t b, const struct dem_wall_touch *touch)
@@ -177,7 +180,8 @@ static size_t first_there(size_t of, size_t first, double tolerance,
 {
     size_t a = first;
 
-    while (a < of && (touch[a].distance >= DBL_MAX || square_apart(a, of, touch) >= tolerance*tolerance))
+    while (a < of &&
+           (touch[a].distance >= DBL_MAX || square_apart(a, of, touch) >= tolerance*tolerance))
     {
         a++;
     }

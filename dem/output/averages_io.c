@@ -33,10 +33,12 @@ static int read_cells(const struct dem_dict *d, int cells[3])
     for (int k = 0; k < 3; k++)
     {
         DEM_REQUIRE(n[k] >= 1.0 && n[k] <= max_cells && n[k] == floor(n[k]), DEM_ERROR_INPUT,
-                    "%s: cells (%g %g %g); give three whole numbers from 1", dem_dict_where(d), n[0], n[1], n[2]);
+                    "%s: cells (%g %g %g); give three whole numbers from 1", dem_dict_where(d),
+                    n[0], n[1], n[2]);
         cells[k] = (int)n[k];
     }
-    DEM_REQUIRE(n[0]*n[1]*n[2] <= max_cells, DEM_ERROR_INPUT, "%s: %g cells, the limit is %g; use larger cells", dem_dict_where(d),
+    DEM_REQUIRE(n[0]*n[1]*n[2] <= max_cells, DEM_ERROR_INPUT,
+                "%s: %g cells, the limit is %g; use larger cells", dem_dict_where(d),
                 n[0]*n[1]*n[2], max_cells);
     return DEM_OK;
 }
@@ -44,26 +46,33 @@ static int read_cells(const struct dem_dict *d, int cells[3])
 static int read_plan(struct dem_averages_entry *p, const struct dem_dict *d)
 {
     p->name = dem_dict_name(d);
-    DEM_REQUIRE(!strchr(p->name, '/'), DEM_ERROR_INPUT, "%s: the name %s is used as a file name and cannot hold a /", dem_dict_where(d),
+    DEM_REQUIRE(!strchr(p->name, '/'), DEM_ERROR_INPUT,
+                "%s: the name %s is used as a file name and cannot hold a /", dem_dict_where(d),
                 p->name);
     DEM_TRY(dem_dict_vector(d, "min", "m", p->min));
     DEM_TRY(dem_dict_vector(d, "max", "m", p->max));
     for (int k = 0; k < 3; k++)
     {
-        DEM_REQUIRE(isfinite(p->max[k] - p->min[k]), DEM_ERROR_INPUT, "%s: %s: min %g m and max %g m are too far apart along %c", dem_dict_where(d),
+        DEM_REQUIRE(isfinite(p->max[k] - p->min[k]), DEM_ERROR_INPUT,
+                    "%s: %s: min %g m and max %g m are too far apart along %c", dem_dict_where(d),
                     dem_dict_path(d), p->min[k], p->max[k], 'x' + k);
-        DEM_REQUIRE(p->min[k] < p->max[k], DEM_ERROR_INPUT, "%s: min %g m is not below max %g m along axis %c", dem_dict_where(d),
+        DEM_REQUIRE(p->min[k] < p->max[k], DEM_ERROR_INPUT,
+                    "%s: min %g m is not below max %g m along axis %c", dem_dict_where(d),
                     p->min[k], p->max[k], 'x' + k);
     }
     DEM_TRY(read_cells(d, p->cells));
     DEM_TRY(dem_dict_number_or(d, "start", "s", 0.0, &p->start));
     DEM_TRY(dem_dict_number_or(d, "end", "s", INFINITY, &p->end));
     DEM_TRY(dem_dict_number(d, "interval", "s", &p->interval));
-    DEM_REQUIRE(p->interval >= min_interval, DEM_ERROR_INPUT, "%s: %s: interval %g s; give a time above 0, at least %g s", dem_dict_where(d),
+    DEM_REQUIRE(p->interval >= min_interval, DEM_ERROR_INPUT,
+                "%s: %s: interval %g s; give a time above 0, at least %g s", dem_dict_where(d),
                 dem_dict_path(d), p->interval, min_interval);
-    DEM_REQUIRE(fabs(p->start) < max_intervals*p->interval, DEM_ERROR_INPUT, "%s: %s: start %g s is more than %g intervals away; "
-                "give another start, or a longer interval", dem_dict_where(d), dem_dict_path(d), p->start, max_intervals);
-    DEM_REQUIRE(p->start < p->end, DEM_ERROR_INPUT, "%s: start %g s is not before end %g s", dem_dict_where(d), p->start, p->end);
+    DEM_REQUIRE(fabs(p->start) < max_intervals*p->interval, DEM_ERROR_INPUT,
+                "%s: %s: start %g s is more than %g intervals away; "
+                "give another start, or a longer interval",
+                dem_dict_where(d), dem_dict_path(d), p->start, max_intervals);
+    DEM_REQUIRE(p->start < p->end, DEM_ERROR_INPUT, "%s: start %g s is not before end %g s",
+                dem_dict_where(d), p->start, p->end);
     return DEM_OK;
 }
 
@@ -85,7 +94,8 @@ int dem_averages_io_read(const struct dem_dict *scene, struct dem_averages_entry
     {
         const struct dem_entry *const e = dem_dict_entry(all, k);
 
-        DEM_REQUIRE(dem_entry_is_dict(e), DEM_ERROR_INPUT, "%s: %s is not a dictionary; write %s { min; max; cells; interval; }",
+        DEM_REQUIRE(dem_entry_is_dict(e), DEM_ERROR_INPUT,
+                    "%s: %s is not a dictionary; write %s { min; max; cells; interval; }",
                     dem_entry_where(e), dem_entry_name(e), dem_entry_name(e));
         DEM_TRY(read_plan(&(*plan)[k], dem_entry_dict(e)));
         (*n)++;
@@ -111,7 +121,8 @@ static void write_head(FILE *f, const struct dem_averages_quantity *field, int f
         {
             const char *const part = component(field[q].components, k);
 
-            fprintf(f, ",%s%s[%s],%s%s_ci95", field[q].name, part, field[q].unit, field[q].name, part);
+            fprintf(f, ",%s%s[%s],%s%s_ci95", field[q].name, part, field[q].unit, field[q].name,
+                    part);
         }
     }
     fputc('\n', f);
@@ -126,13 +137,15 @@ static void write_row(FILE *f, const struct dem_averages_entry *p,
 
     for (int k = 0; k < 3; k++)
     {
-        fprintf(f, "%s%.9g", k ? "," : "", p->min[k] + ((double)at[k] + 0.5)*(p->max[k] - p->min[k])/(double)p->cells[k]);
+        fprintf(f, "%s%.9g", k ? "," : "",
+                p->min[k] + ((double)at[k] + 0.5)*(p->max[k] - p->min[k])/(double)p->cells[k]);
     }
     for (int q = 0; q < fields; q++)
     {
         for (int k = 0; k < field[q].components; k++)
         {
-            fprintf(f, ",%.9g,%.4g", field[q].value[cell*stride + (size_t)k], field[q].ci[cell*stride + (size_t)k]);
+            fprintf(f, ",%.9g,%.4g", field[q].value[cell*stride + (size_t)k],
+                    field[q].ci[cell*stride + (size_t)k]);
         }
     }
     fputc('\n', f);
@@ -141,7 +154,10 @@ static void write_row(FILE *f, const struct dem_averages_entry *p,
 static void write_array(FILE *f, const char *name, const char *suffix, int components,
                         const double *value, size_t stride, size_t cells)
 {
-    fprintf(f, "        <DataArray type=\"Float64\" Name=\"%s%s\" NumberOfComponents=\"%d\" format=\"ascii\">\n", name, suffix, components);
+    fprintf(
+        f,
+        "        <DataArray type=\"Float64\" Name=\"%s%s\" NumberOfComponents=\"%d\" format=\"ascii\">\n",
+        name, suffix, components);
     for (size_t cell = 0; cell < cells; cell++)
     {
         for (int k = 0; k < components; k++)
@@ -168,10 +184,12 @@ static void write_image(FILE *f, const struct dem_averages_entry *p,
     {
         fprintf(f, "<!-- %s -->\n", p->comment);
     }
-    fprintf(f, "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
-            "  <ImageData WholeExtent=\"0 %d 0 %d 0 %d\" Origin=\"%.17g %.17g %.17g\" Spacing=\"%.17g %.17g %.17g\">\n"
-            "    <Piece Extent=\"0 %d 0 %d 0 %d\">\n      <CellData>\n",
-            n[0], n[1], n[2], p->min[0], p->min[1], p->min[2], d[0], d[1], d[2], n[0], n[1], n[2]);
+    fprintf(
+        f,
+        "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+        "  <ImageData WholeExtent=\"0 %d 0 %d 0 %d\" Origin=\"%.17g %.17g %.17g\" Spacing=\"%.17g %.17g %.17g\">\n"
+        "    <Piece Extent=\"0 %d 0 %d 0 %d\">\n      <CellData>\n",
+        n[0], n[1], n[2], p->min[0], p->min[1], p->min[2], d[0], d[1], d[2], n[0], n[1], n[2]);
     for (int q = 0; q < fields; q++)
     {
         write_array(f, field[q].name, "", field[q].components, field[q].value, stride, cells);
@@ -187,8 +205,10 @@ int dem_averages_io_write(const char *folder, const struct dem_averages_entry *p
     struct dem_file f;
     char path[1024];
 
-    DEM_REQUIRE(strlen(folder) + strlen(p->name) + sizeof "/.csv" <= sizeof path, DEM_ERROR_INPUT, "path %s/%s.csv of the averages %s is "
-                "longer than %zu characters; use a shorter folder or name", folder, p->name, p->name, sizeof path - 1);
+    DEM_REQUIRE(strlen(folder) + strlen(p->name) + sizeof "/.csv" <= sizeof path, DEM_ERROR_INPUT,
+                "path %s/%s.csv of the averages %s is "
+                "longer than %zu characters; use a shorter folder or name",
+                folder, p->name, p->name, sizeof path - 1);
     snprintf(path, sizeof path, "%s/%s.csv", folder, p->name);
     DEM_TRY(dem_file_begin(&f, path));
     if (p->comment)

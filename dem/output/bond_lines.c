@@ -47,7 +47,8 @@ static struct line line_of(const struct dem_bond *b)
 static int by_ids(const void *a, const void *b)
 {
     const struct line *const p = a, *const q = b;
-    const int first = (p->id[0] > q->id[0]) - (p->id[0] < q->id[0]), second = (p->id[1] > q->id[1]) - (p->id[1] < q->id[1]);
+    const int first = (p->id[0] > q->id[0]) - (p->id[0] < q->id[0]),
+              second = (p->id[1] > q->id[1]) - (p->id[1] < q->id[1]);
     const int position = (p->ends[3] > q->ends[3]) - (p->ends[3] < q->ends[3]);
 
     return first ? first : second ? second : position;
@@ -71,8 +72,8 @@ static int write_lines(const struct dem_file_ranks *by, const char *folder, cons
     char path[1200];
 
     dem_sort_by(l, (size_t)n, sizeof *l, by_ids);
-    DEM_REQUIRE(strlen(folder) + strlen(file) + 16 < sizeof path, DEM_ERROR_INPUT, "path %s/%s is longer than %zu characters", folder, file,
-                sizeof path - 17);
+    DEM_REQUIRE(strlen(folder) + strlen(file) + 16 < sizeof path, DEM_ERROR_INPUT,
+                "path %s/%s is longer than %zu characters", folder, file, sizeof path - 17);
     snprintf(path, sizeof path, "%s/%s", folder, file);
     return dem_vtk_write_lines(by, path, n, columns, (int)(sizeof columns/sizeof columns[0]));
 }
@@ -81,7 +82,9 @@ int dem_bonds_write_lines(struct dem_state *p, const char *says, const char *fol
                           const char *file, double time)
 {
     const struct dem_decomposition *const q = &p->decomposition;
-    const struct dem_file_ranks by = {.comm = q->ranks > 1 ? q->comm : MPI_COMM_NULL, .rank = q->rank, .comment = says};
+    const struct dem_file_ranks by = {.comm = q->ranks > 1 ? q->comm : MPI_COMM_NULL,
+                                      .rank = q->rank,
+                                      .comment = says};
     struct line *lines = NULL;
     char path[1200];
     int64_t n = 0;

@@ -44,7 +44,8 @@ enum
 
 static const int kind_of[COLUMNS] = {0, 1, 2, 2, 2, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4};
 
-static const char *const kind_name[KINDS] = {"volume", "mass", "momentum", "m v v", "virial of its contacts"};
+static const char *const kind_name[KINDS] = {"volume", "mass", "momentum", "m v v",
+                                             "virial of its contacts"};
 static const char *const kind_unit[KINDS] = {"m3", "kg", "kg m/s", "J", "J"};
 
 /* Limit of a contribution of one particle, SI units: squares of sums of squares stay finite. */
@@ -112,11 +113,17 @@ struct slab                 /* the cells along one axis that a sphere overlaps *
 static struct slab slab_of(const struct dem_averages_entry *p, int axis, double x, double radius)
 {
     const double width = (p->max[axis] - p->min[axis])/(double)p->cells[axis];
-    const double from = floor((x - radius - p->min[axis])/width), to = floor((x + radius - p->min[axis])/width);
+    const double from = floor((x - radius - p->min[axis])/width),
+                 to = floor((x + radius - p->min[axis])/width);
     const int first = from < 0.0 ? 0 : from > p->cells[axis] ? p->cells[axis] : (int)from;
     const int last = to < 0.0 ? -1 : to >= p->cells[axis] ? p->cells[axis] - 1 : (int)to;
 
-    return (struct slab){.first = first, .count = last - first + 1, .lower = p->min[axis], .width = width, .x = x, .radius = radius};
+    return (struct slab){.first = first,
+                         .count = last - first + 1,
+                         .lower = p->min[axis],
+                         .width = width,
+                         .x = x,
+                         .radius = radius};
 }
 
 /* Fraction of the sphere's volume below a plane. */
@@ -129,7 +136,8 @@ static double below(const struct slab *s, double plane)
 
 static double slab_fraction(const struct slab *s, int cell)
 {
-    return below(s, s->lower + (double)(cell + 1)*s->width) - below(s, s->lower + (double)cell*s->width);
+    return below(s, s->lower + (double)(cell + 1)*s->width) -
+           below(s, s->lower + (double)cell*s->width);
 }
 
 /* ---- one sample ------------------------------------------------------------------------------ */
@@ -159,11 +167,13 @@ static int refuse_contribution(const struct dem_grid_average *g, const struct de
         particle_values(q, g->virial + 6*i, out);
         for (int c = 0; c < COLUMNS; c++)
         {
-            DEM_REQUIRE(isless(fabs(out[c]), max_contribution), DEM_ERROR_NUMBER,
-                        "averages/%s: particle %lld at (%g %g %g) m with (%g %g %g) m/s has %s %g %s in step %lld, the "
-                        "limit is %g; look at the forces on it, or use a smaller time/step", g->entry.name,
-                        (long long)q->id, q->x[0], q->x[1], q->x[2], q->v[0], q->v[1], q->v[2], kind_name[kind_of[c]],
-                        out[c], kind_unit[kind_of[c]], (long long)p->steps, max_contribution);
+            DEM_REQUIRE(
+                isless(fabs(out[c]), max_contribution), DEM_ERROR_NUMBER,
+                "averages/%s: particle %lld at (%g %g %g) m with (%g %g %g) m/s has %s %g %s in step %lld, the "
+                "limit is %g; look at the forces on it, or use a smaller time/step",
+                g->entry.name, (long long)q->id, q->x[0], q->x[1], q->x[2], q->v[0], q->v[1],
+                q->v[2], kind_name[kind_of[c]], out[c], kind_unit[kind_of[c]], (long long)p->steps,
+                max_contribution);
         }
     }
     return DEM_OK;
@@ -176,7 +186,10 @@ static int bits_of_images(const struct dem_averages_entry *a, const struct dem_d
 
     for (int k = 0; k < 3; k++)
     {
-        bits += d->periodic[k] && (a->max[k] - a->min[k])/(double)a->cells[k] > d->length[k]*(1.0 + 1e-9) ? 2 : 0;
+        bits += d->periodic[k] &&
+                        (a->max[k] - a->min[k])/(double)a->cells[k] > d->length[k]*(1.0 + 1e-9)
+                    ? 2
+                    : 0;
     }
     return bits;
 }
@@ -238,8 +251,10 @@ static void deposit(struct dem_grid_average *g, const double x[3], double radius
             for (int h = s[0].first; h < s[0].first + s[0].count; h++)
             {
                 const double fraction = sy*slab_fraction(&s[0], h);
-                int64_t *const sum = g->sum + COLUMNS*((size_t)h + (size_t)g->entry.cells[0]*((size_t)y
-                                                       + (size_t)g->entry.cells[1]*(size_t)z));
+                int64_t *const sum =
+                    g->sum +
+                    COLUMNS*((size_t)h + (size_t)g->entry.cells[0]*
+                                               ((size_t)y + (size_t)g->entry.cells[1]*(size_t)z));
 
                 for (int c = 0; c < COLUMNS; c++)
                 {
@@ -272,7 +287,8 @@ static void deposit_all(struct dem_grid_average *g, const struct dem_state *p, s
             {
                 for (int c = -periodic[2]; c <= periodic[2]; c++)
                 {
-                    const double x[3] = {q->x[0] + a*p->domain.length[0], q->x[1] + b*p->domain.length[1],
+                    const double x[3] = {q->x[0] + a*p->domain.length[0],
+                                         q->x[1] + b*p->domain.length[1],
                                          q->x[2] + c*p->domain.length[2]};
 
                     deposit(g, x, q->radius, out);
@@ -361,11 +377,15 @@ static void results(const double *mean, double *out)
     {
         out[2 + k] = per_mass*momentum[k];
     }
-    out[5] = per_mass*(mean[FLUX] + mean[FLUX + 1] + mean[FLUX + 2] - per_mass*dem_vec_dot(momentum, momentum))/3.0;
+    out[5] = per_mass*
+             (mean[FLUX] + mean[FLUX + 1] + mean[FLUX + 2] -
+              per_mass*dem_vec_dot(momentum, momentum))/
+             3.0;
     for (int k = 0; k < 3; k++)
     {
         out[6 + k] = mean[VIRIAL + k] - mean[FLUX + k] + per_mass*momentum[k]*momentum[k];
-        out[9 + k] = mean[VIRIAL + 3 + k] - mean[FLUX + 3 + k] + per_mass*momentum[k]*momentum[(k + 1)%3];
+        out[9 + k] = mean[VIRIAL + 3 + k] - mean[FLUX + 3 + k] +
+                     per_mass*momentum[k]*momentum[(k + 1)%3];
     }
 }
 
@@ -390,7 +410,8 @@ static int save(const struct dem_grid_average *g, const char *folder)
     }
     for (size_t c = 0; c < cells; c++)
     {
-        dem_block_means_derive(&g->blocks, COLUMNS*c, COLUMNS, results, RESULTS, value + RESULTS*c, ci + RESULTS*c);
+        dem_block_means_derive(&g->blocks, COLUMNS*c, COLUMNS, results, RESULTS,
+                               value + RESULTS*c, ci + RESULTS*c);
         divide_by_volume(value + RESULTS*c, volume);
         divide_by_volume(ci + RESULTS*c, volume);
     }
@@ -402,7 +423,8 @@ static int save(const struct dem_grid_average *g, const char *folder)
         {"temperature", "m2/s2", 1, value + 5, ci + 5},
         {"stress", "Pa", 6, value + 6, ci + 6},
     };
-    const int status = dem_averages_io_write(folder, &g->entry, field, (int)(sizeof field/sizeof *field), RESULTS);
+    const int status = dem_averages_io_write(folder, &g->entry, field,
+                                             (int)(sizeof field/sizeof *field), RESULTS);
 
     dem_memory_free(value);
     return status;

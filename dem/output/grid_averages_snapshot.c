@@ -33,8 +33,12 @@ struct dem_grid_average_record
 
 static struct dem_grid_average_record describe(const struct dem_grid_average *g)
 {
-    struct dem_grid_average_record out = {.start = g->entry.start, .interval = g->entry.interval, .columns = (int64_t)g->blocks.columns,
-                                     .samples = g->blocks.samples, .length = g->blocks.length, .full = g->blocks.full};
+    struct dem_grid_average_record out = {.start = g->entry.start,
+                                          .interval = g->entry.interval,
+                                          .columns = (int64_t)g->blocks.columns,
+                                          .samples = g->blocks.samples,
+                                          .length = g->blocks.length,
+                                          .full = g->blocks.full};
 
     snprintf(out.name, sizeof out.name, "%s", g->entry.name);
     for (int k = 0; k < 3; k++)
@@ -74,9 +78,12 @@ int dem_grid_averages_spans(const struct dem_grid_averages *a,
 static int same_grid(const struct dem_grid_average_record *a,
                      const struct dem_grid_average_record *b)
 {
-    return strncmp(a->name, b->name, sizeof a->name) == 0 && a->columns == b->columns && memcmp(a->min, b->min, sizeof a->min) == 0
-        && memcmp(a->max, b->max, sizeof a->max) == 0 && memcmp(a->cells, b->cells, sizeof a->cells) == 0
-        && memcmp(&a->start, &b->start, sizeof a->start) == 0 && memcmp(&a->interval, &b->interval, sizeof a->interval) == 0;
+    return strncmp(a->name, b->name, sizeof a->name) == 0 && a->columns == b->columns &&
+           memcmp(a->min, b->min, sizeof a->min) == 0 &&
+           memcmp(a->max, b->max, sizeof a->max) == 0 &&
+           memcmp(a->cells, b->cells, sizeof a->cells) == 0 &&
+           memcmp(&a->start, &b->start, sizeof a->start) == 0 &&
+           memcmp(&a->interval, &b->interval, sizeof a->interval) == 0;
 }
 
 static void restore_sums(struct dem_grid_averages *a, const struct dem_grid_average_record *g,
@@ -103,9 +110,10 @@ static void restore_sums(struct dem_grid_averages *a, const struct dem_grid_aver
 /* 1 when the record is consistent and the `left` bytes after it contain its numbers. */
 static int is_consistent(const struct dem_grid_average_record *g, size_t left)
 {
-    return dem_snapshot_is_name(g->name, sizeof g->name) && g->length > 0 && g->samples >= 0 && g->samples <= max_samples
-        && g->full == g->samples/g->length && g->full <= DEM_BLOCK_MEANS_MAX_BLOCKS && g->columns > 0
-        && (uint64_t)g->columns <= left/(used_of(g) + 1)/sizeof(double);
+    return dem_snapshot_is_name(g->name, sizeof g->name) && g->length > 0 && g->samples >= 0 &&
+           g->samples <= max_samples && g->full == g->samples/g->length &&
+           g->full <= DEM_BLOCK_MEANS_MAX_BLOCKS && g->columns > 0 &&
+           (uint64_t)g->columns <= left/(used_of(g) + 1)/sizeof(double);
 }
 
 /* Check the block sums, then the sums of all samples. */
@@ -119,8 +127,10 @@ static int check_sums(const char *path, const struct dem_grid_average_record *g,
         double sum;
 
         memcpy(&sum, numbers + k*sizeof sum, sizeof sum);
-        DEM_REQUIRE(isless(fabs(sum), max_sum), DEM_ERROR_FILE, "%s is damaged: sum %zu of %zu of its averages %s is %g, the limit is %g; use another one",
-                    path, k + 1, n, g->name, sum, max_sum);
+        DEM_REQUIRE(
+            isless(fabs(sum), max_sum), DEM_ERROR_FILE,
+            "%s is damaged: sum %zu of %zu of its averages %s is %g, the limit is %g; use another one",
+            path, k + 1, n, g->name, sum, max_sum);
     }
     return DEM_OK;
 }
@@ -130,13 +140,17 @@ int dem_grid_averages_restore(struct dem_grid_averages *a, const char *path, con
 {
     struct dem_grid_average_record g;
 
-    for (size_t at = 0; at < size; at += sizeof g + (used_of(&g) + 1)*(size_t)g.columns*sizeof(double))
+    for (size_t at = 0; at < size;
+         at += sizeof g + (used_of(&g) + 1)*(size_t)g.columns*sizeof(double))
     {
-        DEM_REQUIRE(size - at >= sizeof g, DEM_ERROR_FILE, "%s is damaged: its averages are incomplete; use another one", path);
+        DEM_REQUIRE(size - at >= sizeof g, DEM_ERROR_FILE,
+                    "%s is damaged: its averages are incomplete; use another one", path);
         memcpy(&g, bytes + at, sizeof g);
-        DEM_REQUIRE(is_consistent(&g, size - at - sizeof g), DEM_ERROR_FILE, "%s is damaged: its averages have %lld samples of %lld columns, in %lld "
-                    "full blocks of %lld, in %zu bytes, or an invalid name; use another one", path, (long long)g.samples,
-                    (long long)g.columns, (long long)g.full, (long long)g.length, size - at - sizeof g);
+        DEM_REQUIRE(is_consistent(&g, size - at - sizeof g), DEM_ERROR_FILE,
+                    "%s is damaged: its averages have %lld samples of %lld columns, in %lld "
+                    "full blocks of %lld, in %zu bytes, or an invalid name; use another one",
+                    path, (long long)g.samples, (long long)g.columns, (long long)g.full,
+                    (long long)g.length, size - at - sizeof g);
         DEM_TRY(check_sums(path, &g, bytes + at + sizeof g));
         restore_sums(a, &g, bytes + at + sizeof g);
     }

@@ -39,28 +39,34 @@ static const struct
 
 static int check_column(const struct dem_vtk_column *c, int64_t n, const char *path)
 {
-    const bool known = c->type == DEM_VTK_DOUBLE || c->type == DEM_VTK_FLOAT32 || c->type == DEM_VTK_INT64
-                       || c->type == DEM_VTK_INT32;
+    const bool known = c->type == DEM_VTK_DOUBLE || c->type == DEM_VTK_FLOAT32 ||
+                       c->type == DEM_VTK_INT64 || c->type == DEM_VTK_INT32;
 
     DEM_REQUIRE(c->name && *c->name && !strpbrk(c->name, "<>&\"\n"), DEM_ERROR_INPUT,
-                "%s: \"%s\" cannot name a column; use a word without < > & \"", path, c->name ? c->name : "");
-    DEM_REQUIRE(known, DEM_ERROR_STATE, "%s: column %s has an unknown type %d", path, c->name, (int)c->type);
+                "%s: \"%s\" cannot name a column; use a word without < > & \"", path,
+                c->name ? c->name : "");
+    DEM_REQUIRE(known, DEM_ERROR_STATE, "%s: column %s has an unknown type %d", path, c->name,
+                (int)c->type);
     DEM_REQUIRE(c->components >= 1 && c->components <= MAX_COMPONENTS, DEM_ERROR_STATE,
-                "%s: column %s has %d components; give 1 to %d", path, c->name, c->components, MAX_COMPONENTS);
-    DEM_REQUIRE(n == 0 || (c->data && c->stride >= types[c->type].in_memory*(size_t)c->components), DEM_ERROR_STATE,
-                "%s: column %s has no data or a stride of %zu bytes, too small for %d numbers", path, c->name,
-                c->stride, c->components);
+                "%s: column %s has %d components; give 1 to %d", path, c->name, c->components,
+                MAX_COMPONENTS);
+    DEM_REQUIRE(n == 0 ||
+                    (c->data && c->stride >= types[c->type].in_memory*(size_t)c->components),
+                DEM_ERROR_STATE,
+                "%s: column %s has no data or a stride of %zu bytes, too small for %d numbers",
+                path, c->name, c->stride, c->components);
     return DEM_OK;
 }
 
 static int check(const char *path, int64_t n, const struct dem_vtk_column *columns, int count,
                  int ends)
 {
-    DEM_REQUIRE(n >= 0 && n < INT64_MAX/(8*MAX_COMPONENTS), DEM_ERROR_STATE, "%s: cannot hold %lld particles", path,
-                (long long)n);
-    DEM_REQUIRE(count >= 1 && columns[0].components == 3*ends
-                && (columns[0].type == DEM_VTK_DOUBLE || columns[0].type == DEM_VTK_FLOAT32),
-                DEM_ERROR_STATE, "%s: the first column must be positions, %s doubles each", path, ends == 1 ? "three" : "six");
+    DEM_REQUIRE(n >= 0 && n < INT64_MAX/(8*MAX_COMPONENTS), DEM_ERROR_STATE,
+                "%s: cannot hold %lld particles", path, (long long)n);
+    DEM_REQUIRE(count >= 1 && columns[0].components == 3*ends &&
+                    (columns[0].type == DEM_VTK_DOUBLE || columns[0].type == DEM_VTK_FLOAT32),
+                DEM_ERROR_STATE, "%s: the first column must be positions, %s doubles each", path,
+                ends == 1 ? "three" : "six");
     for (int i = 0; i < count; i++)
     {
         DEM_TRY(check_column(&columns[i], n, path));
@@ -104,8 +110,10 @@ static void append(struct text *t, const char *format, ...)
 static void declare_array(struct text *t, const char *name, const char *type, int components,
                           uint64_t bytes, uint64_t *offset)
 {
-    append(t, "        <DataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%d\" format=\"appended\" offset=\"%llu\"/>\n", type, name,
-        components, (unsigned long long)*offset);
+    append(
+        t,
+        "        <DataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%d\" format=\"appended\" offset=\"%llu\"/>\n",
+        type, name, components, (unsigned long long)*offset);
     *offset += sizeof(uint64_t) + bytes;
 }
 
@@ -119,7 +127,8 @@ static uint64_t bytes_of(const struct dem_vtk_column *c, int64_t n)
 static void write_header(struct text *t, const char *comment, int64_t n,
                          const struct dem_vtk_column *columns, int count, int ends)
 {
-    const char *const data = ends == 1 ? "PointData" : "CellData", *const cells = ends == 1 ? "Verts" : "Lines";
+    const char *const data = ends == 1 ? "PointData" : "CellData";
+    const char *const cells = ends == 1 ? "Verts" : "Lines";
     const uint16_t one = 1;
     const bool little = *(const unsigned char *)&one == 1;
     uint64_t offset = 0;
@@ -129,21 +138,27 @@ static void write_header(struct text *t, const char *comment, int64_t n,
     {
         append(t, "<!-- %s -->\n", comment);
     }
-    append(t, "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"%s\" header_type=\"UInt64\">\n",
-        little ? "LittleEndian" : "BigEndian");
-    append(t, "  <PolyData>\n    <Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"%lld\" NumberOfLines=\"%lld\" "
-        "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n", (long long)n*ends, ends == 1 ? (long long)n : 0, ends == 1 ? 0 : (long long)n);
+    append(t,
+           "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"%s\" header_type=\"UInt64\">\n",
+           little ? "LittleEndian" : "BigEndian");
+    append(
+        t,
+        "  <PolyData>\n    <Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"%lld\" NumberOfLines=\"%lld\" "
+        "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
+        (long long)n*ends, ends == 1 ? (long long)n : 0, ends == 1 ? 0 : (long long)n);
     for (int i = 0; i < count; i++)
     {
         append(t, i == 0 ? "      <Points>\n" : i == 1 ? "      <%s>\n" : "", data);
-        declare_array(t, columns[i].name, types[columns[i].type].name, i == 0 ? 3 : columns[i].components, bytes_of(&columns[i], n),
-                   &offset);
+        declare_array(t, columns[i].name, types[columns[i].type].name,
+                      i == 0 ? 3 : columns[i].components, bytes_of(&columns[i], n), &offset);
         append(t, i == 0 ? "      </Points>\n" : i == count - 1 ? "      </%s>\n" : "", data);
     }
     append(t, "      <%s>\n", cells);
-    declare_array(t, "connectivity", "Int64", 1, (uint64_t)n*(uint64_t)ends*sizeof(int64_t), &offset);
+    declare_array(t, "connectivity", "Int64", 1, (uint64_t)n*(uint64_t)ends*sizeof(int64_t),
+                  &offset);
     declare_array(t, "offsets", "Int64", 1, (uint64_t)n*sizeof(int64_t), &offset);
-    append(t, "      </%s>\n    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_", cells);
+    append(t, "      </%s>\n    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_",
+           cells);
 }
 
 /* ---- arrays ---------------------------------------------------------------------------------- */
@@ -225,10 +240,14 @@ static void write_array(struct vtp_file *p, packer *pack, const void *source, in
     rounds = dem_parallel_file_max(&p->store, rounds);
     for (int64_t k = 0; k < rounds; k++)
     {
-        const int64_t first = k*block < n ? k*block : n, count = n - first < block ? n - first : block;
+        const int64_t first = k*block < n ? k*block : n,
+                      count = n - first < block ? n - first : block;
 
         pack(source, first, (size_t)count, p->block);
-        dem_parallel_file_write_all(&p->store, p->at + sizeof bytes + (size_t)(p->before*each + first)*size, p->block, (size_t)count*size);
+        dem_parallel_file_write_all(&p->store,
+                                    p->at + sizeof bytes +
+                                        (size_t)(p->before*each + first)*size,
+                                    p->block, (size_t)count*size);
     }
     p->at += sizeof bytes + bytes;
 }

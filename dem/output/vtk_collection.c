@@ -28,8 +28,11 @@ static void put_escaped(FILE *f, const char *text)
 {
     for (; *text; text++)
     {
-        const char *const as = *text == '&' ? "&amp;" : *text == '<' ? "&lt;" : *text == '>' ? "&gt;"
-                               : *text == '"' ? "&quot;" : NULL;
+        const char *const as = *text == '&' ? "&amp;"
+                               : *text == '<' ? "&lt;"
+                               : *text == '>' ? "&gt;"
+                               : *text == '"' ? "&quot;"
+                                              : NULL;
 
         if (as)
         {
@@ -119,17 +122,22 @@ static void put_time(FILE *f, double time)
 /* Copy the entries before this time, except those of this file. */
 static int copy_entries(FILE *f, const char *path, const char *old, double time, const char *file)
 {
-    DEM_REQUIRE(strstr(old, "<Collection"), DEM_ERROR_FILE,
-                "%s is not a collection of VTK files; move it away or give the collection another name", path);
+    DEM_REQUIRE(
+        strstr(old, "<Collection"), DEM_ERROR_FILE,
+        "%s is not a collection of VTK files; move it away or give the collection another name",
+        path);
     for (const char *c = strstr(old, "<DataSet"); c; c = strstr(c + 1, "<DataSet"))
     {
         const struct span tag = {c, strchr(c, '>')};
         struct span timestep, name;
         double old_time;
 
-        DEM_REQUIRE(tag.end && attribute(tag, "timestep", &timestep) && attribute(tag, "file", &name)
-                    && time_of(timestep, &old_time), DEM_ERROR_FILE,
-                    "%s has an entry without a timestep or a file; correct it or move the collection away", path);
+        DEM_REQUIRE(
+            tag.end && attribute(tag, "timestep", &timestep) && attribute(tag, "file", &name) &&
+                time_of(timestep, &old_time),
+            DEM_ERROR_FILE,
+            "%s has an entry without a timestep or a file; correct it or move the collection away",
+            path);
         if (old_time < time && !is_escaped(name, file))
         {
             fprintf(f, "    %.*s\n", (int)(tag.end + 1 - tag.at), tag.at);
@@ -141,7 +149,9 @@ static int copy_entries(FILE *f, const char *path, const char *old, double time,
 static int write_collection(FILE *f, const char *path, const char *old, double time,
                             const char *file)
 {
-    fputs("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n  <Collection>\n", f);
+    fputs(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n  <Collection>\n",
+        f);
     if (old)
     {
         DEM_TRY(copy_entries(f, path, old, time, file));
@@ -161,7 +171,8 @@ int dem_vtk_collection_add(const char *path, double time, const char *file)
     size_t n;
     int status;
 
-    DEM_REQUIRE(isfinite(time), DEM_ERROR_STATE, "%s: the time of %s is not a finite number", path, file);
+    DEM_REQUIRE(isfinite(time), DEM_ERROR_STATE, "%s: the time of %s is not a finite number", path,
+                file);
     DEM_TRY(dem_file_exists(path) ? dem_file_load(path, &old, &n) : DEM_OK);
     status = dem_file_begin(&f, path);
     if (status == DEM_OK)

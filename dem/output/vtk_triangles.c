@@ -13,8 +13,10 @@
 static void declare_array(FILE *f, const char *name, const char *type, int components,
                           uint64_t bytes, uint64_t *offset)
 {
-    fprintf(f, "        <DataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%d\" format=\"appended\" offset=\"%llu\"/>\n", type, name,
-            components, (unsigned long long)*offset);
+    fprintf(
+        f,
+        "        <DataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%d\" format=\"appended\" offset=\"%llu\"/>\n",
+        type, name, components, (unsigned long long)*offset);
     *offset += sizeof(uint64_t) + bytes;
 }
 
@@ -24,10 +26,15 @@ static void write_header(FILE *f, int64_t n)
     const uint16_t word = 1;
     uint64_t offset = 0;
 
-    fprintf(f, "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"%s\" header_type=\"UInt64\">\n",
-            *(const unsigned char *)&word == 1 ? "LittleEndian" : "BigEndian");
-    fprintf(f, "  <PolyData>\n    <Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\""
-            " NumberOfPolys=\"%lld\">\n      <Points>\n", 3*(long long)n, (long long)n);
+    fprintf(
+        f,
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"%s\" header_type=\"UInt64\">\n",
+        *(const unsigned char *)&word == 1 ? "LittleEndian" : "BigEndian");
+    fprintf(
+        f,
+        "  <PolyData>\n    <Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\""
+        " NumberOfPolys=\"%lld\">\n      <Points>\n",
+        3*(long long)n, (long long)n);
     declare_array(f, "points", "Float64", 3, 9*bytes, &offset);
     fputs("      </Points>\n      <CellData>\n", f);
     declare_array(f, "wall", "Int64", 1, bytes, &offset);

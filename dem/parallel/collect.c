@@ -32,7 +32,8 @@ void dem_collect_record(const struct dem_decomposition *d, const char *call, int
 
 int dem_collect_status(const struct dem_decomposition *d)
 {
-    return d->error && d->error->status ? dem_error(d->error->status, "%s", d->error->text) : DEM_OK;
+    return d->error && d->error->status ? dem_error(d->error->status, "%s", d->error->text)
+                                        : DEM_OK;
 }
 
 int dem_collect_agree(const struct dem_decomposition *d, int status)
@@ -55,13 +56,16 @@ int dem_collect_agree(const struct dem_decomposition *d, int status)
 
 /* ---- reductions ------------------------------------------------------------------------------ */
 
-static void reduce(const struct dem_decomposition *d, void *value, size_t n, size_t size, MPI_Datatype type, MPI_Op operation)
+static void reduce(const struct dem_decomposition *d, void *value, size_t n, size_t size,
+                   MPI_Datatype type, MPI_Op operation)
 {
     for (size_t done = 0; d->ranks > 1 && done < n; done += CHUNK)
     {
         const int count = (int)(n - done < CHUNK ? n - done : CHUNK);
 
-        dem_collect_record(d, "MPI_Allreduce", MPI_Allreduce(MPI_IN_PLACE, (char *)value + done*size, count, type, operation, d->comm));
+        dem_collect_record(d, "MPI_Allreduce",
+                           MPI_Allreduce(MPI_IN_PLACE, (char *)value + done*size, count, type,
+                                         operation, d->comm));
     }
 }
 
@@ -106,16 +110,19 @@ void dem_collect_sum_int64_to_first(const struct dem_decomposition *d, int64_t *
     {
         const int count = (int)(n - done < CHUNK ? n - done : CHUNK);
 
-        dem_collect_record(d, "MPI_Reduce", MPI_Reduce(d->rank > 0 ? value + done : MPI_IN_PLACE, value + done, count, MPI_INT64_T,
-                           MPI_SUM, 0, d->comm));
+        dem_collect_record(d, "MPI_Reduce",
+                           MPI_Reduce(d->rank > 0 ? value + done : MPI_IN_PLACE, value + done,
+                                      count, MPI_INT64_T, MPI_SUM, 0, d->comm));
     }
 }
 
-void dem_collect_sum_before(const struct dem_decomposition *d, const int64_t *own, int64_t *before, size_t n)
+void dem_collect_sum_before(const struct dem_decomposition *d, const int64_t *own, int64_t *before,
+                            size_t n)
 {
     if (d->ranks > 1)
     {
-        dem_collect_record(d, "MPI_Exscan", MPI_Exscan(own, before, (int)n, MPI_INT64_T, MPI_SUM, d->comm));
+        dem_collect_record(d, "MPI_Exscan",
+                           MPI_Exscan(own, before, (int)n, MPI_INT64_T, MPI_SUM, d->comm));
     }
     if (d->rank == 0)
     {
@@ -126,11 +133,13 @@ void dem_collect_sum_before(const struct dem_decomposition *d, const int64_t *ow
 /* ---- gather ---------------------------------------------------------------------------------- */
 
 /* The number of items of each rank; a rank that has failed gives the negative of its status. */
-static int gather_counts(const struct dem_decomposition *d, int status, const struct dem_collect_items *from, size_t *total)
+static int gather_counts(const struct dem_decomposition *d, int status,
+                         const struct dem_collect_items *from, size_t *total)
 {
     const int64_t own = status ? -status : (int64_t)from->n;
     int64_t sum = 0, failed = 0;
-    const int gathered = DEM_MPI_STATUS(MPI_Allgather(&own, 1, MPI_INT64_T, d->count, 1, MPI_INT64_T, d->comm));
+    const int gathered =
+        DEM_MPI_STATUS(MPI_Allgather(&own, 1, MPI_INT64_T, d->count, 1, MPI_INT64_T, d->comm));
 
     if (status)
     {
@@ -143,13 +152,14 @@ static int gather_counts(const struct dem_decomposition *d, int status, const st
         sum += d->count[k] > 0 ? d->count[k] : 0;
     }
     DEM_REQUIRE(failed == 0, (int)failed, "%s", another_rank);
-    DEM_REQUIRE(sum <= INT_MAX && from->size <= INT_MAX, DEM_ERROR_MPI, "%lld %s on all ranks; the limit is %d", (long long)sum, from->name,
-                INT_MAX);
+    DEM_REQUIRE(sum <= INT_MAX && from->size <= INT_MAX, DEM_ERROR_MPI,
+                "%lld %s on all ranks; the limit is %d", (long long)sum, from->name, INT_MAX);
     *total = (size_t)sum;
     return DEM_OK;
 }
 
-static int gather_items(const struct dem_decomposition *d, const struct dem_collect_items *from, void *all)
+static int gather_items(const struct dem_decomposition *d, const struct dem_collect_items *from,
+                        void *all)
 {
     int *const number = d->number, *const start = d->number + d->ranks;
     MPI_Datatype item = MPI_DATATYPE_NULL;
@@ -163,7 +173,9 @@ static int gather_items(const struct dem_decomposition *d, const struct dem_coll
     int status = DEM_MPI_STATUS(MPI_Type_contiguous((int)from->size, MPI_BYTE, &item));
 
     status = status ? status : DEM_MPI_STATUS(MPI_Type_commit(&item));
-    status = status ? status : DEM_MPI_STATUS(MPI_Allgatherv(from->item, (int)from->n, item, all, number, start, item, d->comm));
+    status = status ? status
+                    : DEM_MPI_STATUS(MPI_Allgatherv(from->item, (int)from->n, item, all, number,
+                                                    start, item, d->comm));
     if (item != MPI_DATATYPE_NULL)
     {
         (void)MPI_Type_free(&item);
@@ -171,7 +183,8 @@ static int gather_items(const struct dem_decomposition *d, const struct dem_coll
     return status;
 }
 
-int dem_collect_gather(const struct dem_decomposition *d, int status, const struct dem_collect_items *from, void **all, size_t *total)
+int dem_collect_gather(const struct dem_decomposition *d, int status,
+                       const struct dem_collect_items *from, void **all, size_t *total)
 {
     void *items = NULL;
     size_t n = from->n;

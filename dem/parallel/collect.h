@@ -33,7 +33,8 @@ int dem_collect_agree(const struct dem_decomposition *, int status);
 /* Each of n values becomes the sum, the maximum or the minimum of all ranks. */
 void dem_collect_sum_int64(const struct dem_decomposition *, int64_t *value, size_t n);
 void dem_collect_max_int64(const struct dem_decomposition *, int64_t *value, size_t n);
-void dem_collect_sum_uint64(const struct dem_decomposition *, uint64_t *value, size_t n);    /* modulo 2^64 */
+void dem_collect_sum_uint64(const struct dem_decomposition *, uint64_t *value,
+                            size_t n);    /* modulo 2^64 */
 void dem_collect_max_uint8(const struct dem_decomposition *, uint8_t *value, size_t n);
 void dem_collect_sum_double(const struct dem_decomposition *, double *value, size_t n);
 void dem_collect_max_double(const struct dem_decomposition *, double *value, size_t n);
@@ -43,7 +44,8 @@ void dem_collect_min_double(const struct dem_decomposition *, double *value, siz
 void dem_collect_sum_int64_to_first(const struct dem_decomposition *, int64_t *value, size_t n);
 
 /* `before` becomes the sum of `own` of the lower ranks, 0 on the first rank; n values each. */
-void dem_collect_sum_before(const struct dem_decomposition *, const int64_t *own, int64_t *before, size_t n);
+void dem_collect_sum_before(const struct dem_decomposition *, const int64_t *own, int64_t *before,
+                            size_t n);
 
 /* ---- gather ---------------------------------------------------------------------------------- */
 
@@ -57,6 +59,7 @@ struct dem_collect_items         /* what a rank gives */
 /* The items of all ranks on every rank, those of the first rank first. `status`: a rank that has failed before takes part,
    and all ranks return an error. `all`: a new array, which the caller frees with dem_memory_free; `total`: number of
    items. On failure they are NULL and 0. */
-int dem_collect_gather(const struct dem_decomposition *, int status, const struct dem_collect_items *, void **all, size_t *total);
+int dem_collect_gather(const struct dem_decomposition *, int status,
+                       const struct dem_collect_items *, void **all, size_t *total);
 
 #endif

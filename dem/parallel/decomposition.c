@@ -116,7 +116,10 @@ static void choose_axes(struct dem_decomposition *p, struct node *node, int node
         }
         for (int a = 1; a < 3; a++)
         {
-            longest = -node[k].box[a + 3] - node[k].box[a] > -node[k].box[longest + 3] - node[k].box[longest] ? a : longest;
+            longest = -node[k].box[a + 3] - node[k].box[a] >
+                              -node[k].box[longest + 3] - node[k].box[longest]
+                          ? a
+                          : longest;
         }
         p->axis[mid] = longest;
         node[k].low = node[k].weight > 0.0 ? node[k].box[longest] : 0.0;
@@ -154,7 +157,8 @@ static int search_planes(struct dem_decomposition *p, const struct load *q, stru
         for (int k = 0; k < nodes; k++)
         {
             const int mid = (node[k].lo + node[k].hi)/2;
-            const double plane = 0.5*(node[k].low + node[k].high), per_rank = node[k].weight/(node[k].hi - node[k].lo);
+            const double plane = 0.5*(node[k].low + node[k].high),
+                         per_rank = node[k].weight/(node[k].hi - node[k].lo);
             const double excess = below[k] - per_rank*(mid - node[k].lo);
 
             if (!node[k].found)
@@ -192,7 +196,8 @@ static int descend(struct dem_decomposition *p, const struct load *q, struct nod
         const struct node *const k = &node[q->of[i]];
         const int mid = (k->lo + k->hi)/2;
 
-        q->of[i] = child[q->of[i]] + (k->hi - k->lo > 1 && position(q, i)[p->axis[mid]] >= p->at[mid]);
+        q->of[i] =
+            child[q->of[i]] + (k->hi - k->lo > 1 && position(q, i)[p->axis[mid]] >= p->at[mid]);
     }
     return count;
 }
@@ -251,7 +256,10 @@ static int divide(struct dem_decomposition *p, struct load load)
 int dem_decomposition_balance(struct dem_decomposition *p, const struct dem_particles *q,
                               const uint32_t *weight)
 {
-    return divide(p, (struct load){.n = q->n, .stride = sizeof *q->record/sizeof(double), .x = q->n > 0 ? q->record->x : NULL, .weight = weight});
+    return divide(p, (struct load){.n = q->n,
+                                   .stride = sizeof *q->record/sizeof(double),
+                                   .x = q->n > 0 ? q->record->x : NULL,
+                                   .weight = weight});
 }
 
 int dem_decomposition_divide(struct dem_decomposition *p, size_t n, const double *x, size_t stride)

@@ -16,7 +16,9 @@ enum
 {
     RECORD = (int)(sizeof(struct dem_particle)/sizeof(double)) /* doubles of a record */
 };
-_Static_assert((int)DEM_HALO_WIDTH <= (int)RECORD, "a refresh is no longer than the message that built the ghosts, whose length is checked");
+_Static_assert(
+    (int)DEM_HALO_WIDTH <= (int)RECORD,
+    "a refresh is no longer than the message that built the ghosts, whose length is checked");
 
 void dem_halo_init(struct dem_halo *h, struct dem_decomposition *decomposition)
 {
@@ -87,7 +89,8 @@ static int select_ghosts(struct dem_halo *h, const struct dem_particles *p,
         dem_halo_box(h, d, to_rank, box);
         for (size_t i = 0; i < p->n; i++)
         {
-            if (box_in_reach(d, p->record[i].x, box[0], box[1], p->record[i].radius + max_radius + reach))
+            if (box_in_reach(d, p->record[i].x, box[0], box[1],
+                             p->record[i].radius + max_radius + reach))
             {
                 DEM_TRY(DEM_GROW(all->index, all->capacity, count + 1));
                 all->index[count++] = (uint32_t)i;

@@ -17,7 +17,8 @@ enum
 {
     KEY = (int)(sizeof(struct dem_contact_key)/sizeof(double)) /* doubles of a key */
 };
-_Static_assert(sizeof(struct dem_contact_key)%sizeof(double) == 0, "the key of a saved contact is sent as doubles");
+_Static_assert(sizeof(struct dem_contact_key)%sizeof(double) == 0,
+               "the key of a saved contact is sent as doubles");
 
 /* ---- destinations ---------------------------------------------------------------------------- */
 
@@ -164,10 +165,13 @@ static int write_messages(struct dem_halo *h, const struct dem_particles *p,
     for (size_t i = 0, r = 0; i < particles_out->n;)
     {
         const uint64_t to_rank = particles_out->to[i];
-        const size_t particles = i + run_of(particles_out, i, to_rank), rows = r + run_of(contacts_out, r, to_rank);
+        const size_t particles = i + run_of(particles_out, i, to_rank),
+                     rows = r + run_of(contacts_out, r, to_rank);
 
         DEM_TRY(dem_messages_begin(&h->out, (int)to_rank));
-        DEM_TRY(dem_messages_extend(&h->out, 2 + (particles - i)*size + (rows - r)*(KEY + memories), &data));
+        DEM_TRY(dem_messages_extend(&h->out,
+                                    2 + (particles - i)*size + (rows - r)*(KEY + memories),
+                                    &data));
         *data++ = (double)(particles - i);
         *data++ = (double)(rows - r);
         for (; i < particles; i++, data += size)
@@ -258,7 +262,8 @@ static int take_outgoing(struct dem_halo *h, struct dem_particles *p, const stru
     return status;
 }
 
-int dem_halo_migrate(struct dem_halo *h, int status, struct dem_particles *p, struct dem_contacts *c)
+int dem_halo_migrate(struct dem_halo *h, int status, struct dem_particles *p,
+                     struct dem_contacts *c)
 {
     p->ghosts = 0;
     if (h->decomposition->ranks == 1)

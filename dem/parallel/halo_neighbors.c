@@ -83,7 +83,8 @@ int dem_halo_find_neighbors(struct dem_halo *h, const struct dem_domain *d, doub
         {
             box[0][k] = own[0][k] + shift[code][k] - reach;
             box[1][k] = own[1][k] + shift[code][k] + reach;
-            meets &= dem_shift_axis(code, k) == 0 || (d->periodic[k] && box[0][k] <= d->max[k] && box[1][k] >= d->min[k]);
+            meets &= dem_shift_axis(code, k) == 0 ||
+                     (d->periodic[k] && box[0][k] <= d->max[k] && box[1][k] >= d->min[k]);
         }
         DEM_TRY(meets ? descend(h, box, 0, h->decomposition->ranks) : DEM_OK);
     }

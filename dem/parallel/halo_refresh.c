@@ -33,7 +33,8 @@ static int reserve_route(struct dem_halo_route *near, const struct dem_halo_rout
 
 int dem_halo_reserve_candidates(struct dem_halo *h, const struct dem_particles *p)
 {
-    const struct dem_halo_route *const send = &h->send[DEM_HALO_ALL], *const receive = &h->receive[DEM_HALO_ALL];
+    const struct dem_halo_route *const send = &h->send[DEM_HALO_ALL];
+    const struct dem_halo_route *const receive = &h->receive[DEM_HALO_ALL];
 
     if (h->decomposition->ranks == 1)
     {
@@ -51,7 +52,8 @@ static void mark_needed(struct dem_halo *h, const struct dem_particles *p,
     memset(h->needed_here, 0, p->ghosts);
     for (uint32_t r = 0; r < c->rows; r++)
     {
-        const struct dem_pair *const q = c->row_pair[r] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[r]];
+        const struct dem_pair *const q =
+            c->row_pair[r] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[r]];
 
         if (q && !q->wall && q->i >= p->n)
         {
@@ -79,17 +81,22 @@ static void open_request(struct dem_halo *h, const char *call, int code)
 
 static void exchange_marks(struct dem_halo *h)
 {
-    const size_t *const here = h->receive[DEM_HALO_ALL].start, *const there = h->send[DEM_HALO_ALL].start;
+    const size_t *const here = h->receive[DEM_HALO_ALL].start;
+    const size_t *const there = h->send[DEM_HALO_ALL].start;
 
     for (int k = 0; k < h->send_ranks; k++)
     {
-        open_request(h, "MPI_Irecv", MPI_Irecv(h->needed_there + there[k], (int)(there[k + 1] - there[k]), MPI_BYTE, h->send_rank[k], TAG_MARKS,
-                     h->decomposition->comm, &h->request[h->open_requests]));
+        open_request(h, "MPI_Irecv",
+                     MPI_Irecv(h->needed_there + there[k], (int)(there[k + 1] - there[k]), MPI_BYTE,
+                               h->send_rank[k], TAG_MARKS, h->decomposition->comm,
+                               &h->request[h->open_requests]));
     }
     for (int k = 0; k < h->receive_ranks; k++)
     {
-        open_request(h, "MPI_Isend", MPI_Isend(h->needed_here + here[k], (int)(here[k + 1] - here[k]), MPI_BYTE, h->receive_rank[k], TAG_MARKS,
-                     h->decomposition->comm, &h->request[h->open_requests]));
+        open_request(h, "MPI_Isend",
+                     MPI_Isend(h->needed_here + here[k], (int)(here[k + 1] - here[k]), MPI_BYTE,
+                               h->receive_rank[k], TAG_MARKS, h->decomposition->comm,
+                               &h->request[h->open_requests]));
     }
     dem_halo_wait(h);
 }
@@ -121,8 +128,10 @@ void dem_halo_select_candidates(struct dem_halo *h, const struct dem_particles *
     }
     mark_needed(h, p, c);
     exchange_marks(h);
-    select_marked(&h->send[DEM_HALO_CANDIDATES], &h->send[DEM_HALO_ALL], h->send_ranks, h->needed_there);
-    select_marked(&h->receive[DEM_HALO_CANDIDATES], &h->receive[DEM_HALO_ALL], h->receive_ranks, h->needed_here);
+    select_marked(&h->send[DEM_HALO_CANDIDATES], &h->send[DEM_HALO_ALL], h->send_ranks,
+                  h->needed_there);
+    select_marked(&h->receive[DEM_HALO_CANDIDATES], &h->receive[DEM_HALO_ALL], h->receive_ranks,
+                  h->needed_here);
 }
 
 /* ---- refreshing ------------------------------------------------------------------------------ */
@@ -139,8 +148,10 @@ static void post(struct dem_halo *h, enum dem_halo_set which, int width)
 
         if (count > 0)
         {
-            open_request(h, "MPI_Irecv", MPI_Irecv(h->receive_buffer + from->start[k]*(size_t)width, count, MPI_DOUBLE, h->receive_rank[k],
-                         TAG_REFRESH, h->decomposition->comm, &h->request[h->open_requests]));
+            open_request(h, "MPI_Irecv",
+                         MPI_Irecv(h->receive_buffer + from->start[k]*(size_t)width, count,
+                                   MPI_DOUBLE, h->receive_rank[k], TAG_REFRESH,
+                                   h->decomposition->comm, &h->request[h->open_requests]));
         }
     }
     for (int k = 0; k < h->send_ranks; k++)
@@ -149,8 +160,10 @@ static void post(struct dem_halo *h, enum dem_halo_set which, int width)
 
         if (count > 0)
         {
-            open_request(h, "MPI_Isend", MPI_Isend(h->send_buffer + to->start[k]*(size_t)width, count, MPI_DOUBLE, h->send_rank[k], TAG_REFRESH,
-                         h->decomposition->comm, &h->request[h->open_requests]));
+            open_request(h, "MPI_Isend",
+                         MPI_Isend(h->send_buffer + to->start[k]*(size_t)width, count, MPI_DOUBLE,
+                                   h->send_rank[k], TAG_REFRESH, h->decomposition->comm,
+                                   &h->request[h->open_requests]));
             h->refresh_traffic.messages++;
             h->refresh_traffic.bytes += count*(int64_t)sizeof(double);
         }
@@ -161,7 +174,8 @@ void dem_halo_wait(struct dem_halo *h)
 {
     if (h->open_requests > 0)
     {
-        dem_collect_record(h->decomposition, "MPI_Waitall", MPI_Waitall(h->open_requests, h->request, MPI_STATUSES_IGNORE));
+        dem_collect_record(h->decomposition, "MPI_Waitall",
+                           MPI_Waitall(h->open_requests, h->request, MPI_STATUSES_IGNORE));
         h->open_requests = 0;
     }
 }

@@ -49,7 +49,8 @@ int dem_load_balance_pays(struct dem_load_balance *b, const struct dem_decomposi
     }
     dem_collect_max_int64(p, &largest, 1);
     dem_collect_sum_int64(p, &sum, 1);
-    const double mean = (double)sum/p->ranks, excess = mean > 0.0 ? (double)largest/mean - 1.0 : 0.0;
+    const double mean = (double)sum/p->ranks,
+                 excess = mean > 0.0 ? (double)largest/mean - 1.0 : 0.0;
 
     b->base = b->fresh ? excess : b->base;
     b->lost = fmax(0.0, b->lost + (excess - b->base)*(double)b->steps);

@@ -20,6 +20,8 @@ int dem_mpi_status(const char *call, int code)
     {
         snprintf(text, sizeof text, "error code %d", code);
     }
-    return dem_error(DEM_ERROR_MPI, "%.*s failed: %s; the ranks are out of step, end the program and restart from the last snapshot",
-                     (int)strcspn(call, "("), call, text);
+    return dem_error(
+        DEM_ERROR_MPI,
+        "%.*s failed: %s; the ranks are out of step, end the program and restart from the last snapshot",
+        (int)strcspn(call, "("), call, text);
 }

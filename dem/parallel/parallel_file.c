@@ -40,7 +40,8 @@ static int keep_error(struct dem_parallel_file *s, int status)
 /* 1 on all ranks when it is 1 on one. An error of MPI is stored and counts as bad. */
 static int on_any_rank(struct dem_parallel_file *s, int bad)
 {
-    if (!is_serial(s) && keep_error(s, DEM_MPI_STATUS(MPI_Allreduce(MPI_IN_PLACE, &bad, 1, MPI_INT, MPI_MAX, s->by.comm))))
+    if (!is_serial(s) && keep_error(s, DEM_MPI_STATUS(MPI_Allreduce(MPI_IN_PLACE, &bad, 1, MPI_INT,
+                                                                    MPI_MAX, s->by.comm))))
     {
         return 1;
     }
@@ -51,12 +52,14 @@ int64_t dem_parallel_file_max(struct dem_parallel_file *s, int64_t n)
 {
     if (!is_serial(s))
     {
-        (void)keep_error(s, DEM_MPI_STATUS(MPI_Allreduce(MPI_IN_PLACE, &n, 1, MPI_INT64_T, MPI_MAX, s->by.comm)));
+        (void)keep_error(s, DEM_MPI_STATUS(MPI_Allreduce(MPI_IN_PLACE, &n, 1, MPI_INT64_T, MPI_MAX,
+                                                         s->by.comm)));
     }
     return n;
 }
 
-int dem_file_ranks_count(const struct dem_file_ranks *by, int status, int64_t n, int64_t *before, int64_t *all)
+int dem_file_ranks_count(const struct dem_file_ranks *by, int status, int64_t n, int64_t *before,
+                         int64_t *all)
 {
     const int64_t own[2] = {n, status != DEM_OK};
     int64_t sum[2] = {own[0], own[1]}, lower[2] = {0, 0};
@@ -65,7 +68,8 @@ int dem_file_ranks_count(const struct dem_file_ranks *by, int status, int64_t n,
     if (by->comm != MPI_COMM_NULL)
     {
         mpi = DEM_MPI_STATUS(MPI_Exscan(own, lower, 2, MPI_INT64_T, MPI_SUM, by->comm));
-        mpi = mpi ? mpi : DEM_MPI_STATUS(MPI_Allreduce(own, sum, 2, MPI_INT64_T, MPI_SUM, by->comm));
+        mpi =
+            mpi ? mpi : DEM_MPI_STATUS(MPI_Allreduce(own, sum, 2, MPI_INT64_T, MPI_SUM, by->comm));
     }
     DEM_TRY(status ? status : mpi);
     DEM_REQUIRE(sum[1] == 0, DEM_ERROR_STATE, "%s", another_rank);
@@ -81,7 +85,8 @@ static int open_file(struct dem_parallel_file *s, const struct dem_file_ranks *b
     char name[sizeof s->path + 8];
     int bad;
 
-    DEM_REQUIRE(strlen(path) < sizeof s->path, DEM_ERROR_FILE, "path %s is longer than %zu characters; use a shorter one", path,
+    DEM_REQUIRE(strlen(path) < sizeof s->path, DEM_ERROR_FILE,
+                "path %s is longer than %zu characters; use a shorter one", path,
                 sizeof s->path - 1);
     s->by = *by;
     memcpy(s->path, path, strlen(path) + 1);
@@ -96,7 +101,8 @@ static int open_file(struct dem_parallel_file *s, const struct dem_file_ranks *b
     {
         const int mode = s->writing ? MPI_MODE_CREATE | MPI_MODE_WRONLY : MPI_MODE_RDONLY;
 
-        bad = on_any_rank(s, MPI_File_open(by->comm, name, mode, MPI_INFO_NULL, &s->file) != MPI_SUCCESS);
+        bad = on_any_rank(s, MPI_File_open(by->comm, name, mode, MPI_INFO_NULL, &s->file) !=
+                                 MPI_SUCCESS);
         if (!bad && s->writing)
         {
             bad = on_any_rank(s, MPI_File_set_size(s->file, 0) != MPI_SUCCESS);
@@ -107,8 +113,8 @@ static int open_file(struct dem_parallel_file *s, const struct dem_file_ranks *b
         }
     }
     DEM_TRY(s->status);
-    DEM_REQUIRE(!bad, DEM_ERROR_FILE, "cannot open %s for %s%s%s; check %s", name, s->writing ? "writing" : "reading",
-                errno ? ": " : "", errno ? strerror(errno) : "",
+    DEM_REQUIRE(!bad, DEM_ERROR_FILE, "cannot open %s for %s%s%s; check %s", name,
+                s->writing ? "writing" : "reading", errno ? ": " : "", errno ? strerror(errno) : "",
                 s->writing ? "that its folder exists and is writable" : "path and permissions");
     return DEM_OK;
 }
@@ -134,8 +140,9 @@ static void fail(struct dem_parallel_file *s, const char *what)
     char name[sizeof s->path + 8];
 
     part_name(s, name, sizeof name);
-    s->status = dem_error(DEM_ERROR_FILE, "%s %s failed%s%s; is the %s?", what, name, errno ? ": " : "",
-                          errno ? strerror(errno) : "", s->writing ? "disk full" : "file cut short");
+    s->status =
+        dem_error(DEM_ERROR_FILE, "%s %s failed%s%s; is the %s?", what, name, errno ? ": " : "",
+                  errno ? strerror(errno) : "", s->writing ? "disk full" : "file cut short");
 }
 
 static int transfer(struct dem_parallel_file *s, size_t at, void *data, size_t size)
@@ -145,11 +152,13 @@ static int transfer(struct dem_parallel_file *s, size_t at, void *data, size_t s
 
     if (is_serial(s))
     {
-        return fseeko(s->serial, (off_t)at, SEEK_SET) == 0
-            && (s->writing ? fwrite(data, 1, size, s->serial) : fread(data, 1, size, s->serial)) == size;
+        return fseeko(s->serial, (off_t)at, SEEK_SET) == 0 &&
+               (s->writing ? fwrite(data, 1, size, s->serial) : fread(data, 1, size, s->serial)) ==
+                   size;
     }
     if ((s->writing ? MPI_File_write_at(s->file, (MPI_Offset)at, data, (int)size, MPI_BYTE, &status)
-                    : MPI_File_read_at(s->file, (MPI_Offset)at, data, (int)size, MPI_BYTE, &status)) != MPI_SUCCESS)
+                    : MPI_File_read_at(s->file, (MPI_Offset)at, data, (int)size, MPI_BYTE,
+                                       &status)) != MPI_SUCCESS)
     {
         return 0;
     }
@@ -202,8 +211,10 @@ void dem_parallel_file_write_all(struct dem_parallel_file *s, size_t at, const v
         MPI_Status status;
         int written = 0;
 
-        const int good = MPI_File_write_at_all(s->file, (MPI_Offset)(at + done), (const char *)data + done, chunk, MPI_BYTE, &status) == MPI_SUCCESS
-            && MPI_Get_count(&status, MPI_BYTE, &written) == MPI_SUCCESS;
+        const int good =
+            MPI_File_write_at_all(s->file, (MPI_Offset)(at + done), (const char *)data + done,
+                                  chunk, MPI_BYTE, &status) == MPI_SUCCESS &&
+            MPI_Get_count(&status, MPI_BYTE, &written) == MPI_SUCCESS;
 
         if (!s->status && (!good || written != chunk))
         {
@@ -234,7 +245,8 @@ static int flush(struct dem_parallel_file *s)
     {
         return 1;
     }
-    return is_serial(s) ? fflush(s->serial) == 0 && fsync(fileno(s->serial)) == 0 : MPI_File_sync(s->file) == MPI_SUCCESS;
+    return is_serial(s) ? fflush(s->serial) == 0 && fsync(fileno(s->serial)) == 0
+                        : MPI_File_sync(s->file) == MPI_SUCCESS;
 }
 
 /* Flush the folder, which holds the new name, to the disk. A file system that cannot do this for
@@ -261,9 +273,12 @@ static int flush_folder(const char *path)
 
 static int rename_part(const struct dem_parallel_file *s, const char *name)
 {
-    DEM_REQUIRE(rename(name, s->path) == 0, DEM_ERROR_FILE, "cannot rename %s to %s: %s", name, s->path, strerror(errno));
-    DEM_REQUIRE(!s->durable || flush_folder(s->path), DEM_ERROR_FILE, "%s is written, but its folder cannot be flushed to the "
-                "disk: %s", s->path, strerror(errno));
+    DEM_REQUIRE(rename(name, s->path) == 0, DEM_ERROR_FILE, "cannot rename %s to %s: %s", name,
+                s->path, strerror(errno));
+    DEM_REQUIRE(!s->durable || flush_folder(s->path), DEM_ERROR_FILE,
+                "%s is written, but its folder cannot be flushed to the "
+                "disk: %s",
+                s->path, strerror(errno));
     return DEM_OK;
 }
 
@@ -293,5 +308,7 @@ int dem_parallel_file_close(struct dem_parallel_file *s)
             remove(name);
         }
     }
-    return on_any_rank(s, s->status != DEM_OK) && !s->status ? dem_error(DEM_ERROR_FILE, "%s", another_rank) : s->status;
+    return on_any_rank(s, s->status != DEM_OK) && !s->status
+               ? dem_error(DEM_ERROR_FILE, "%s", another_rank)
+               : s->status;
 }

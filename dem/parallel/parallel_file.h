@@ -27,7 +27,8 @@ struct dem_file_ranks
 
 /* Collective. n summed over the lower ranks and over all. `status`: a rank that has failed before takes part, and all ranks
    return an error. */
-int dem_file_ranks_count(const struct dem_file_ranks *, int status, int64_t n, int64_t *before, int64_t *all);
+int dem_file_ranks_count(const struct dem_file_ranks *, int status, int64_t n, int64_t *before,
+                         int64_t *all);
 
 struct dem_parallel_file
 {

@@ -63,7 +63,8 @@ static int check_lengths(const struct dem_messages *out)
     {
         const size_t count = out->start[k + 1] - out->start[k];
 
-        DEM_REQUIRE(count <= INT_MAX, DEM_ERROR_MPI, "a message of %zu numbers is too long for MPI; use more ranks", count);
+        DEM_REQUIRE(count <= INT_MAX, DEM_ERROR_MPI,
+                    "a message of %zu numbers is too long for MPI; use more ranks", count);
     }
     return DEM_OK;
 }
@@ -74,7 +75,8 @@ static int send_all(MPI_Comm comm, const struct dem_messages *out, int tag, MPI_
     {
         const size_t count = out->start[k + 1] - out->start[k];
 
-        DEM_TRY_MPI(MPI_Issend(out->data + out->start[k], (int)count, MPI_DOUBLE, out->rank[k], tag, comm, &request[k]));
+        DEM_TRY_MPI(MPI_Issend(out->data + out->start[k], (int)count, MPI_DOUBLE, out->rank[k], tag,
+                               comm, &request[k]));
     }
     return DEM_OK;
 }
@@ -88,7 +90,8 @@ static int drop_one(MPI_Comm comm, struct dem_messages *in, int source, int coun
     in->data = NULL;
     in->data_capacity = 0;
     DEM_TRY(DEM_NEW(data, count + 1));
-    const int status = DEM_MPI_STATUS(MPI_Recv(data, count, MPI_DOUBLE, source, tag, comm, MPI_STATUS_IGNORE));
+    const int status =
+        DEM_MPI_STATUS(MPI_Recv(data, count, MPI_DOUBLE, source, tag, comm, MPI_STATUS_IGNORE));
 
     dem_memory_free(data);
     return status;
@@ -110,11 +113,13 @@ static int receive_one(MPI_Comm comm, struct dem_messages *in, int tag, int *fai
     *failed = *failed ? *failed : dem_messages_begin(in, status.MPI_SOURCE);
     *failed = *failed ? *failed : dem_messages_extend(in, (size_t)count, &data);
     return *failed ? drop_one(comm, in, status.MPI_SOURCE, count, tag)
-                   : DEM_MPI_STATUS(MPI_Recv(data, count, MPI_DOUBLE, status.MPI_SOURCE, tag, comm, MPI_STATUS_IGNORE));
+                   : DEM_MPI_STATUS(MPI_Recv(data, count, MPI_DOUBLE, status.MPI_SOURCE, tag, comm,
+                                             MPI_STATUS_IGNORE));
 }
 
 /* `sorted` becomes the messages of `in`, by rank; order and scratch: capacity in->ranks. */
-static int copy_sorted(const struct dem_messages *in, struct dem_messages *sorted, struct dem_sort_pair *order, struct dem_sort_pair *scratch)
+static int copy_sorted(const struct dem_messages *in, struct dem_messages *sorted,
+                       struct dem_sort_pair *order, struct dem_sort_pair *scratch)
 {
     const size_t n = (size_t)in->ranks;
     double *data;
@@ -158,7 +163,8 @@ static int sort_by_rank(struct dem_messages *in)
 
 /* Send and receive until no message is outstanding anywhere. Returns an error after which the ranks are out of step; `failed`:
    memory was short. */
-static int exchange_all(MPI_Comm comm, const struct dem_messages *out, struct dem_messages *in, int tag, MPI_Request *request, int *failed)
+static int exchange_all(MPI_Comm comm, const struct dem_messages *out, struct dem_messages *in,
+                        int tag, MPI_Request *request, int *failed)
 {
     MPI_Request barrier = MPI_REQUEST_NULL;
     int all_received = 0, waiting = 0, sent = out->ranks == 0;
@@ -185,7 +191,8 @@ static int exchange_all(MPI_Comm comm, const struct dem_messages *out, struct de
     return DEM_OK;
 }
 
-int dem_messages_exchange(MPI_Comm comm, int failed, const struct dem_messages *out, struct dem_messages *in)
+int dem_messages_exchange(MPI_Comm comm, int failed, const struct dem_messages *out,
+                          struct dem_messages *in)
 {
     static const struct dem_messages none = {.ranks = 0};
     const int tag = TAG + (in->rounds++ & 1);
@@ -208,7 +215,8 @@ int dem_messages_exchange(MPI_Comm comm, int failed, const struct dem_messages *
         dem_messages_clear(in);
     }
     worst = failed;
-    const int agreed = DEM_MPI_STATUS(MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, comm));
+    const int agreed =
+        DEM_MPI_STATUS(MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, comm));
 
     DEM_TRY(failed ? failed : agreed);
     return worst ? dem_error(worst, "another rank failed; see its message") : DEM_OK;

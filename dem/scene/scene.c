@@ -265,8 +265,10 @@ static int read_bonds(struct dem_scene *s, const struct dem_dict *scene,
         if (e->makes_listed)
         {
             DEM_TRY(dem_dict_sub_if(scene, "bonds", &bonds));
-            DEM_REQUIRE(bonds || !e->makes_listed(r->settings[k]), DEM_ERROR_INPUT,
-                        "effects/%s makes listed bonds, but the scene has no list; add bonds { pairs (...); } with two ids for each", e->name);
+            DEM_REQUIRE(
+                bonds || !e->makes_listed(r->settings[k]), DEM_ERROR_INPUT,
+                "effects/%s makes listed bonds, but the scene has no list; add bonds { pairs (...); } with two ids for each",
+                e->name);
         }
     }
     if (!bonds)

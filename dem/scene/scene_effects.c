@@ -128,8 +128,9 @@ static int refuse_alias(const struct dem_effect *effect, const struct dem_dict *
     {
         const struct dem_entry *const e = dem_dict_entry(dict, k);
 
-        DEM_REQUIRE(!dem_effect_is_alias(effect, dem_entry_name(e)), DEM_ERROR_INPUT, "%s: unknown entry \"%s\" in %s; did you mean %s?",
-                    dem_entry_where(e), dem_entry_name(e), dem_dict_path(dict), effect->name);
+        DEM_REQUIRE(!dem_effect_is_alias(effect, dem_entry_name(e)), DEM_ERROR_INPUT,
+                    "%s: unknown entry \"%s\" in %s; did you mean %s?", dem_entry_where(e),
+                    dem_entry_name(e), dem_dict_path(dict), effect->name);
     }
     return DEM_OK;
 }

@@ -29,7 +29,8 @@ int dem_agree_max(struct dem_state *p, int status, double *value, int n)
     {
         return status;
     }
-    const int recorded = dem_collect_status(&p->decomposition);    /* as a rule the cause of the other error */
+    const int recorded =
+        dem_collect_status(&p->decomposition);    /* as a rule the cause of the other error */
 
     status = recorded ? recorded : status;
     p->agreements++;
@@ -38,7 +39,8 @@ int dem_agree_max(struct dem_state *p, int status, double *value, int n)
         all[k] = value[k];
     }
     all[n] = status ? 1.0 : 0.0;
-    DEM_TRY_MPI(MPI_Allreduce(MPI_IN_PLACE, all, n + 1, MPI_DOUBLE, MPI_MAX, p->decomposition.comm));
+    DEM_TRY_MPI(
+        MPI_Allreduce(MPI_IN_PLACE, all, n + 1, MPI_DOUBLE, MPI_MAX, p->decomposition.comm));
     for (int k = 0; k < n; k++)
     {
         value[k] = all[k];

@@ -15,7 +15,8 @@ static const double min_clearance = 1e-3;
 
 static double reduced_radius(const struct dem_facet *r, double radius)
 {
-    const double ratio = radius/r->radius, bend = r->outside ? 1.0 + ratio : fmax(1.0 - ratio, min_clearance);
+    const double ratio = radius/r->radius,
+                 bend = r->outside ? 1.0 + ratio : fmax(1.0 - ratio, min_clearance);
 
     switch (r->shape)
     {
@@ -31,7 +32,9 @@ static void add_surface_velocity(const struct dem_walls *w, const struct dem_wal
                                  const struct dem_wall_touch *at, struct dem_wall_surface *surface)
 {
     double scratch[3], d[3], own[3], run[3], spin[3];
-    const double *const x = of->frame < 0 ? at->point : (dem_pose_to_frame(&w->frame[of->frame].pose, at->point, scratch), scratch);
+    const double *const x =
+        of->frame < 0 ? at->point
+                      : (dem_pose_to_frame(&w->frame[of->frame].pose, at->point, scratch), scratch);
 
     dem_vec_minus(x, of->drive_origin, d);
     dem_vec_cross(of->drive_spin, d, own);
@@ -112,11 +115,13 @@ void dem_wall_surface_motion(const struct dem_walls *w, int facet, const struct 
 }
 
 void dem_wall_surface_at(const struct dem_walls *w, int facet, const struct dem_particle *i,
-                         const struct dem_wall_touch *at, double dt, struct dem_wall_surface *surface)
+                         const struct dem_wall_touch *at, double dt,
+                         struct dem_wall_surface *surface)
 {
     const struct dem_facet *const r = &w->facet[facet];
     const struct dem_wall *const of = &w->wall[r->wall];
-    const struct dem_wall_displacement *const s = of->frame < 0 ? &rest : &w->frame[of->frame].displacement;
+    const struct dem_wall_displacement *const s =
+        of->frame < 0 ? &rest : &w->frame[of->frame].displacement;
     double back[3], before[3], centre[3] = {0.0, 0.0, 0.0};
 
     dem_wall_surface_motion(w, facet, at, 0, surface);
@@ -142,7 +147,8 @@ void dem_wall_surface_at(const struct dem_walls *w, int facet, const struct dem_
 
     for (int k = 0; k < 3; k++)
     {
-        surface->half_step_normal[k] = size > 0.0 ? surface->half_step_normal[k]/size : at->normal[k];
+        surface->half_step_normal[k] =
+            size > 0.0 ? surface->half_step_normal[k]/size : at->normal[k];
     }
     surface->reduced_radius = reduced_radius(r, i->radius);
 }
@@ -151,16 +157,20 @@ void dem_wall_surface_at(const struct dem_walls *w, int facet, const struct dem_
 
 int dem_wall_surface_follows_mesh(const struct dem_state *p, uint32_t wall_neighbor)
 {
-    return p->walls.following > 0 && p->walls.wall[p->walls.facet[p->pairs.wall_facet[wall_neighbor]].wall].moves;
+    return p->walls.following > 0 &&
+           p->walls.wall[p->walls.facet[p->pairs.wall_facet[wall_neighbor]].wall].moves;
 }
 
-void dem_wall_surface_mesh_motion(const struct dem_state *p, uint32_t wall_neighbor, double velocity[3],
-                                  double spin[3])
+void dem_wall_surface_mesh_motion(const struct dem_state *p, uint32_t wall_neighbor,
+                                  double velocity[3], double spin[3])
 {
     const struct dem_wall_search *const s = &p->pairs.wall_search;
     const double *const x = p->particles.record[s->neighbor[wall_neighbor].particle].x;
 
-    dem_walls_surface_motion(&p->walls, dem_wall_neighbor_triangle(s, &p->walls, &s->neighbor[wall_neighbor], x), p->touches.touch[wall_neighbor].point, velocity, spin);
+    dem_walls_surface_motion(&p->walls,
+                             dem_wall_neighbor_triangle(s, &p->walls, &s->neighbor[wall_neighbor],
+                                                        x),
+                             p->touches.touch[wall_neighbor].point, velocity, spin);
 }
 
 void dem_wall_surface_add_mesh_motion(const struct dem_state *p, uint32_t wall_neighbor, double dt,

@@ -14,7 +14,8 @@
 #include <stddef.h>
 #include <string.h>
 
-static const enum dem_column_name voidage_columns[DEM_VOIDAGE_FACTORS] = {DEM_COLUMN_VOIDAGE_FACTOR_FIRST, DEM_COLUMN_VOIDAGE_FACTOR_SECOND};
+static const enum dem_column_name voidage_columns[DEM_VOIDAGE_FACTORS] =
+    {DEM_COLUMN_VOIDAGE_FACTOR_FIRST, DEM_COLUMN_VOIDAGE_FACTOR_SECOND};
 
 /* Fluid quantities at the particles: a column, and its offset in the batch. The three components of
    a vector are stored one after the other. */
@@ -37,7 +38,8 @@ static const struct
     {DEM_COLUMN_MEAN_DIAMETER, offsetof(struct dem_body_batch, mean_diameter)},
     {DEM_COLUMN_ADDED_MASS, offsetof(struct dem_body_batch, added_mass)},
 };
-_Static_assert(offsetof(struct dem_body_batch, uz) == offsetof(struct dem_body_batch, ux) + 2*DEM_BATCH_ROWS*sizeof(double),
+_Static_assert(offsetof(struct dem_body_batch, uz) ==
+                   offsetof(struct dem_body_batch, ux) + 2*DEM_BATCH_ROWS*sizeof(double),
                "the components of a vector are stored one after the other");
 
 static double *column_at(struct dem_body_batch *b, size_t offset)
@@ -76,15 +78,19 @@ static void gather_records(struct dem_body_workspace *restrict t, const struct d
 
     for (int c = 0; c < whole; c += 4)
     {
-        gather_four(t, (const struct dem_particle *const[4]){record + c, record + c + 1, record + c + 2,
-                                                             record + c + 3}, c);
+        gather_four(t,
+                    (const struct dem_particle *const[4]){record + c, record + c + 1,
+                                                          record + c + 2, record + c + 3},
+                    c);
     }
     if (whole < rows)
     {
         const struct dem_particle *const from = record + whole, *const last = record + rows - 1;
 
-        gather_four(t, (const struct dem_particle *const[4]){from, from + 1 < last ? from + 1 : last,
-                                                             from + 2 < last ? from + 2 : last, last}, whole);
+        gather_four(t,
+                    (const struct dem_particle *const[4]){from, from + 1 < last ? from + 1 : last,
+                                                          from + 2 < last ? from + 2 : last, last},
+                    whole);
     }
     for (int c = 0; c < b->n; c++)
     {
@@ -183,7 +189,8 @@ void dem_body_batch_gather_fluid(struct dem_body_workspace *t, const struct dem_
             memcpy(column_at(b, scalars[k].offset), from + first, size);
         }
     }
-    split_add(dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE) + 3*first, rows, over_window, b->fx, b->fy, b->fz);
+    split_add(dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE) + 3*first, rows, over_window, b->fx,
+              b->fy, b->fz);
     for (int k = 0; k < DEM_VOIDAGE_FACTORS && dem_column(p, voidage_columns[k]); k++)
     {
         memcpy(b->voidage_factor[k], dem_column(p, voidage_columns[k]) + first, size);
@@ -249,7 +256,8 @@ void dem_body_batch_limit_backward_drag(struct dem_body_workspace *t, const stru
     for (int c = 0; c < rows; c++)
     {
         const double moves = b->b[c]*h*t->inverse_mass[c] < -1.0 ? 0.0 : 1.0;
-        const double turns = b->t[c]*h*p->record[first + (size_t)c].inverse_inertia < -1.0 ? 0.0 : 1.0;
+        const double turns =
+            b->t[c]*h*p->record[first + (size_t)c].inverse_inertia < -1.0 ? 0.0 : 1.0;
 
         t->drag[c] *= moves;
         b->b[c] *= moves;
@@ -268,7 +276,8 @@ void dem_body_batch_store_voidage_factors(const struct dem_body_workspace *t,
 {
     for (int k = 0; k < DEM_VOIDAGE_FACTORS; k++)
     {
-        memcpy(dem_column(p, voidage_columns[k]) + first, t->batch.voidage_factor[k], (size_t)rows*sizeof(double));
+        memcpy(dem_column(p, voidage_columns[k]) + first, t->batch.voidage_factor[k],
+               (size_t)rows*sizeof(double));
     }
 }
 
@@ -370,7 +379,8 @@ static void scatter_records(const struct dem_body_workspace *restrict t,
 {
     for (int c = 0; c < rows; c += 4)
     {
-        dem_vec4 v[4] = {DEM_VEC4(t->batch.vx + c), DEM_VEC4(t->batch.vy + c), DEM_VEC4(t->batch.vz + c), DEM_VEC4(t->inverse_mass + c)};
+        dem_vec4 v[4] = {DEM_VEC4(t->batch.vx + c), DEM_VEC4(t->batch.vy + c),
+                         DEM_VEC4(t->batch.vz + c), DEM_VEC4(t->inverse_mass + c)};
 
         dem_transpose4(v);
         for (int k = 0; k < 4 && c + k < rows; k++)
@@ -411,6 +421,7 @@ static void sum_drag(const struct dem_body_workspace *restrict t, int rows, doub
 void dem_body_batch_sum_drag(const struct dem_body_workspace *t, struct dem_particles *p,
                              size_t first, int rows, double h)
 {
-    sum_drag(t, rows, h, dem_column(p, DEM_COLUMN_DRAG_IMPULSE) + 3*first, dem_column(p, DEM_COLUMN_DECAY_FACTOR) + first,
+    sum_drag(t, rows, h, dem_column(p, DEM_COLUMN_DRAG_IMPULSE) + 3*first,
+             dem_column(p, DEM_COLUMN_DECAY_FACTOR) + first,
              dem_column(p, DEM_COLUMN_DRAG_TIME) + first);
 }

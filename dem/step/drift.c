@@ -33,7 +33,8 @@ static void drift_fours(struct dem_particle *restrict record, size_t n, double d
         square = v[0]*v[0] + v[1]*v[1] + v[2]*v[2];
         for (size_t k = 0; k < 4; k++)
         {
-            s->max_square[k] = dem_select(square[k] > s->max_square[k], square[k], s->max_square[k]);
+            s->max_square[k] =
+                dem_select(square[k] > s->max_square[k], square[k], s->max_square[k]);
             s->invalid[k] += square[k]*0.0;
         }
     }

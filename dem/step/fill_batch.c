@@ -75,7 +75,8 @@ static void gather_wall_motion(struct dem_contact_workspace *restrict t, const s
         const struct dem_particle *const i = &p->particles.record[q->i];
         struct dem_wall_surface wall;
 
-        dem_wall_surface_at(&p->walls, p->pairs.wall_facet[q->j], i, &p->touches.touch[q->j], b->dt, &wall);
+        dem_wall_surface_at(&p->walls, p->pairs.wall_facet[q->j], i, &p->touches.touch[q->j], b->dt,
+                            &wall);
         if (dem_wall_surface_follows_mesh(p, q->j))
         {
             dem_wall_surface_add_mesh_motion(p, q->j, b->dt, &wall);
@@ -116,8 +117,13 @@ static void relative_motion(struct dem_contact_batch *restrict b,
 {
     for (int c = 0; c < b->n; c++)
     {
-        struct dem_contact_row r = {.nx = b->nx[c], .ny = b->ny[c], .nz = b->nz[c], .hx = b->hx[c], .hy = b->hy[c], .hz = b->hz[c],
-                            .overlap = b->overlap[c]};
+        struct dem_contact_row r = {.nx = b->nx[c],
+                                    .ny = b->ny[c],
+                                    .nz = b->nz[c],
+                                    .hx = b->hx[c],
+                                    .hy = b->hy[c],
+                                    .hz = b->hz[c],
+                                    .overlap = b->overlap[c]};
 
         dem_geometry_motion(g, c, spin_factor, &r);
         b->overlap[c] = r.overlap;
@@ -142,7 +148,9 @@ static void add_normal_spin_of_walls(struct dem_contact_workspace *t)
 
     for (int c = 0; c < b->n; c++)
     {
-        b->normal_spin[c] += 0.5*((0.5*g->bx[c] - b->wx[c])*b->nx[c] + (0.5*g->by[c] - b->wy[c])*b->ny[c] + (0.5*g->bz[c] - b->wz[c])*b->nz[c]);
+        b->normal_spin[c] +=
+            0.5*((0.5*g->bx[c] - b->wx[c])*b->nx[c] + (0.5*g->by[c] - b->wy[c])*b->ny[c] +
+                   (0.5*g->bz[c] - b->wz[c])*b->nz[c]);
     }
 }
 
@@ -170,8 +178,9 @@ static void gaps_of_walls(struct dem_contact_workspace *restrict t, const struct
         const struct dem_pair *const q = &p->contacts.pair[row_pair[c]];
         const struct dem_wall_touch *const at = &p->touches.touch[q->j];
         const double *const x = p->particles.record[q->i].x;
-        const double height = (x[0] - at->point[0])*at->normal[0] + (x[1] - at->point[1])*at->normal[1]
-                            + (x[2] - at->point[2])*at->normal[2];
+        const double height = (x[0] - at->point[0])*at->normal[0] +
+                              (x[1] - at->point[1])*at->normal[1] +
+                              (x[2] - at->point[2])*at->normal[2];
 
         const int dropped = at->distance > DBL_MAX/2.0;
 

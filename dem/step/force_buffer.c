@@ -14,8 +14,11 @@ struct dem_force_buffer_slot dem_force_buffer_slot(const struct dem_contacts *c,
 {
     const uint32_t slot = row & (DEM_FORCE_BUFFER_ROWS - 1);
 
-    return c->single ? (struct dem_force_buffer_slot){.single = buffered ? c->force_buffer_single + slot : c->force_single + row}
-                     : (struct dem_force_buffer_slot){.full = buffered ? c->force_buffer + slot : c->force + row};
+    return c->single
+               ? (struct dem_force_buffer_slot){.single = buffered ? c->force_buffer_single + slot
+                                                                   : c->force_single + row}
+               : (struct dem_force_buffer_slot){.full = buffered ? c->force_buffer + slot
+                                                                 : c->force + row};
 }
 
 size_t dem_force_buffer_copy_deferred(struct dem_contacts *c, size_t copied, uint32_t end)
@@ -45,9 +48,12 @@ static void store(const struct dem_contact_batch *restrict b, double factor, int
 
     for (int c = 0; c < b->n; c += 4)
     {
-        const dem_vec4 one = {1.0, 1.0, 1.0, 1.0}, mask = past_touching ? one : DEM_VEC4(b->touching + c);
-        const dem_vec4 nx = DEM_VEC4(b->nx + c), ny = DEM_VEC4(b->ny + c), nz = DEM_VEC4(b->nz + c), fn = mask*DEM_VEC4(b->fn + c);
-        const dem_vec4 fx = mask*DEM_VEC4(b->fx + c), fy = mask*DEM_VEC4(b->fy + c), fz = mask*DEM_VEC4(b->fz + c);
+        const dem_vec4 one = {1.0, 1.0, 1.0, 1.0},
+                       mask = past_touching ? one : DEM_VEC4(b->touching + c);
+        const dem_vec4 nx = DEM_VEC4(b->nx + c), ny = DEM_VEC4(b->ny + c), nz = DEM_VEC4(b->nz + c),
+                       fn = mask*DEM_VEC4(b->fn + c);
+        const dem_vec4 fx = mask*DEM_VEC4(b->fx + c), fy = mask*DEM_VEC4(b->fy + c),
+                       fz = mask*DEM_VEC4(b->fz + c);
         dem_vec4 f[4] = {fn*nx + fx, fn*ny + fy, fn*nz + fz, signed_factor*DEM_VEC4(depth + c)};
         dem_vec4 t[4] = {ny*fz - nz*fy, nz*fx - nx*fz, nx*fy - ny*fx, {0.0, 0.0, 0.0, 0.0}};
 

@@ -14,9 +14,10 @@ typedef uint64_t dem_mask;
 
 int dem_fused_kernel_applies(const struct dem_effect_list *effects)
 {
-    return effects->entries == DEM_FUSED_EFFECTS && !effects->past_touching && !effects->pair.with_wall
-        && effects->entry[DEM_FUSED_NORMAL].effect == &dem_hertz && effects->entry[DEM_FUSED_DAMPING].effect == &dem_dry
-        && effects->entry[DEM_FUSED_FRICTION].effect == &dem_mindlin;
+    return effects->entries == DEM_FUSED_EFFECTS && !effects->past_touching &&
+           !effects->pair.with_wall && effects->entry[DEM_FUSED_NORMAL].effect == &dem_hertz &&
+           effects->entry[DEM_FUSED_DAMPING].effect == &dem_dry &&
+           effects->entry[DEM_FUSED_FRICTION].effect == &dem_mindlin;
 }
 
 struct dem_fused_constants dem_fused_kernel_constants(const struct dem_effect_list *effects,
@@ -27,8 +28,12 @@ struct dem_fused_constants dem_fused_kernel_constants(const struct dem_effect_li
     const struct dem_mindlin *const mindlin = effects->entry[DEM_FUSED_FRICTION].settings;
 
     /* 2^-20: a margin for the rounding errors of single precision */
-    return (struct dem_fused_constants){.modulus = hertz->modulus, .alpha = dry->alpha, .min_force = dem_attraction_min_force(dry->attraction),
-                                 .shear = mindlin->modulus, .mindlin = mindlin, .check_overlap = 2.0*max_overlap*(1.0 - 0x1p-20)};
+    return (struct dem_fused_constants){.modulus = hertz->modulus,
+                                        .alpha = dry->alpha,
+                                        .min_force = dem_attraction_min_force(dry->attraction),
+                                        .shear = mindlin->modulus,
+                                        .mindlin = mindlin,
+                                        .check_overlap = 2.0*max_overlap*(1.0 - 0x1p-20)};
 }
 
 DEM_KERNEL
@@ -36,8 +41,12 @@ static void store(const struct dem_contact_batch *restrict b, struct dem_contact
 {
     for (int c = 0; c < b->n; c += 4)
     {
-        dem_vec4 f[4] = {DEM_VEC4(b->fx + c), DEM_VEC4(b->fy + c), DEM_VEC4(b->fz + c), 0.5*DEM_VEC4(b->overlap + c)};
-        dem_vec4 t[4] = {DEM_VEC4(b->mx + c), DEM_VEC4(b->my + c), DEM_VEC4(b->mz + c), {0.0, 0.0, 0.0, 0.0}};
+        dem_vec4 f[4] = {DEM_VEC4(b->fx + c), DEM_VEC4(b->fy + c), DEM_VEC4(b->fz + c),
+                         0.5*DEM_VEC4(b->overlap + c)};
+        dem_vec4 t[4] = {DEM_VEC4(b->mx + c),
+                         DEM_VEC4(b->my + c),
+                         DEM_VEC4(b->mz + c),
+                         {0.0, 0.0, 0.0, 0.0}};
 
         dem_contact_force_store(to + c, f, t);
     }

@@ -29,9 +29,10 @@ static void store(const struct dem_contact_batch *restrict b,
 
     for (int c = 0; c < b->n; c += 4)
     {
-        dem_vec4_single f[4] = {DEM_VEC4_SINGLE(b->fx + c), DEM_VEC4_SINGLE(b->fy + c), DEM_VEC4_SINGLE(b->fz + c),
-                                half*DEM_VEC4_SINGLE(b->overlap + c)};
-        dem_vec4_single t[4] = {DEM_VEC4_SINGLE(b->mx + c), DEM_VEC4_SINGLE(b->my + c), DEM_VEC4_SINGLE(b->mz + c), none};
+        dem_vec4_single f[4] = {DEM_VEC4_SINGLE(b->fx + c), DEM_VEC4_SINGLE(b->fy + c),
+                                DEM_VEC4_SINGLE(b->fz + c), half*DEM_VEC4_SINGLE(b->overlap + c)};
+        dem_vec4_single t[4] = {DEM_VEC4_SINGLE(b->mx + c), DEM_VEC4_SINGLE(b->my + c),
+                                DEM_VEC4_SINGLE(b->mz + c), none};
 
         dem_transpose4_single(f);
         dem_transpose4_single(t);

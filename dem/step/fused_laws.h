@@ -59,7 +59,8 @@ static void friction_springs(const struct dem_fused_constants *l,
         struct dem_contact_row r = dem_contact_row_load(b, c);
 
         r.adhesive_force = 0;
-        const struct dem_slider s = dem_mindlin_row(friction, &r, (dem_real)x[c], (dem_real)y[c], (dem_real)z[c]);
+        const struct dem_slider s =
+            dem_mindlin_row(friction, &r, (dem_real)x[c], (dem_real)y[c], (dem_real)z[c]);
 
         x[c] = s.xi_x;
         y[c] = s.xi_y;
@@ -81,7 +82,8 @@ static dem_mask contact_forces(const struct dem_fused_constants *l,
 
     for (int c = 0; c < b->n; c++)
     {
-        const struct dem_slider s = dem_slider_end(b, c, (dem_real)x[c], (dem_real)y[c], (dem_real)z[c]);
+        const struct dem_slider s =
+            dem_slider_end(b, c, (dem_real)x[c], (dem_real)y[c], (dem_real)z[c]);
         const dem_real mask = b->touching[c], nx = b->nx[c], ny = b->ny[c], nz = b->nz[c];
         const dem_real fn = mask*b->fn[c], fx = mask*s.fx, fy = mask*s.fy, fz = mask*s.fz;
         const dem_real sum = b->fn[c] + (fx + fy + fz);

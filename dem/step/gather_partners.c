@@ -47,15 +47,18 @@ gather(struct dem_contact_workspace *restrict t, const struct dem_particle *reco
 
         for (int k = 0; k < 4; k++)
         {
-            const struct dem_particle *const i = &record[partners[c + k].i], *const j = &record[partners[c + k].j & RECORD_OF_J];
+            const struct dem_particle *const i = &record[partners[c + k].i],
+                                             *const j = &record[partners[c + k].j & RECORD_OF_J];
             const struct dem_particle *const next = &record[ahead[k].j & RECORD_OF_J];
             const dem_vec4 wi = DEM_VEC4(i->w), wj = DEM_VEC4(j->w);
-            const dem_vec4 ri = {i->radius, i->radius, i->radius, i->radius}, rj = {j->radius, j->radius, j->radius, j->radius};
+            const dem_vec4 ri = {i->radius, i->radius, i->radius, i->radius},
+                           rj = {j->radius, j->radius, j->radius, j->radius};
 
             __builtin_prefetch(next->x);
             __builtin_prefetch(next->w);    /* second cache line */
             /* x_i - x_j + shift, R_i + R_j */
-            r[k] = DEM_VEC4(i->x) + sign*DEM_VEC4(j->x) + DEM_VEC4(shift[partners[c + k].j >> DEM_PARTNER_SHIFT]);
+            r[k] = DEM_VEC4(i->x) + sign*DEM_VEC4(j->x) +
+                   DEM_VEC4(shift[partners[c + k].j >> DEM_PARTNER_SHIFT]);
             v[k] = DEM_VEC4(i->v) + sign*DEM_VEC4(j->v);    /* v_i - v_j, 1/m_i + 1/m_j */
             a[k] = ri*wi + rj*wj;
             b[k] = wi + wj;
@@ -99,5 +102,7 @@ static void gather_all(struct dem_contact_workspace *restrict t, const struct de
 void dem_gather_pairs(struct dem_contact_workspace *t, const struct dem_state *p, unsigned needs,
                       const struct dem_row_partners *partners)
 {
-    (needs & (DEM_NEEDS_SPIN | DEM_NEEDS_VISCOSITY) ? gather_all : gather_basic)(t, p->particles.record, p->pairs.shift, partners);
+    (needs & (DEM_NEEDS_SPIN | DEM_NEEDS_VISCOSITY)
+         ? gather_all
+         : gather_basic)(t, p->particles.record, p->pairs.shift, partners);
 }

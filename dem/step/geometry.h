@@ -26,13 +26,17 @@ static inline __attribute__((always_inline)) void dem_geometry_pair(const struct
                             int c, double dt, struct dem_contact_row *r)
 {
     const double x = g->rx[c], y = g->ry[c], z = g->rz[c], distance = sqrt(x*x + y*y + z*z);
-    const dem_real half = (dem_real)(0.5*dt), rx = (dem_real)x, ry = (dem_real)y, rz = (dem_real)z, d = (dem_real)distance;
-    const dem_real hx = rx - half*(dem_real)g->vx[c], hy = ry - half*(dem_real)g->vy[c], hz = rz - half*(dem_real)g->vz[c];
-    const dem_real h = dem_sqrt(hx*hx + hy*hy + hz*hz), nonzero_d = dem_select(d > 0, d, 1), nonzero_h = dem_select(h > 0, h, 1);
+    const dem_real half = (dem_real)(0.5*dt), rx = (dem_real)x, ry = (dem_real)y,
+                   rz = (dem_real)z, d = (dem_real)distance;
+    const dem_real hx = rx - half*(dem_real)g->vx[c], hy = ry - half*(dem_real)g->vy[c],
+                   hz = rz - half*(dem_real)g->vz[c];
+    const dem_real h = dem_sqrt(hx*hx + hy*hy + hz*hz), nonzero_d = dem_select(d > 0, d, 1),
+                   nonzero_h = dem_select(h > 0, h, 1);
     const dem_real radii = (dem_real)g->radii[c], over_mass = (dem_real)g->inverse_mass[c];
     const dem_real radius = (dem_real)g->radius[c], other = (dem_real)g->other[c];
     const dem_real both = nonzero_d*nonzero_h, sums = radii*over_mass, over = 1/(both*sums);
-    const dem_real over_both = over*sums, over_sums = over*both, over_d = over_both*nonzero_h, over_h = over_both*nonzero_d;
+    const dem_real over_both = over*sums, over_sums = over*both, over_d = over_both*nonzero_h,
+                   over_h = over_both*nonzero_d;
 
     /* coincident centres: any fixed direction is valid, as long as all ranks use the same */
     r->nx = dem_select(d > 0, rx*over_d, 1);
@@ -48,8 +52,8 @@ static inline __attribute__((always_inline)) void dem_geometry_pair(const struct
 }
 
 /* The same for all rows of a batch. */
-static inline __attribute__((always_inline)) void dem_geometry_pairs(struct dem_contact_batch *restrict b,
-                            const struct dem_gathered *restrict g, double dt)
+static inline __attribute__((always_inline)) void dem_geometry_pairs(
+    struct dem_contact_batch *restrict b, const struct dem_gathered *restrict g, double dt)
 {
     for (int c = 0; c < b->n; c++)
     {
@@ -76,12 +80,14 @@ static inline __attribute__((always_inline)) void
 dem_geometry_motion(const struct dem_gathered *g, int c, dem_real spin_factor,
                     struct dem_contact_row *r)
 {
-    const dem_real raw = r->overlap, touch = dem_select(raw > 0, (dem_real)1, 0), overlap = dem_select(raw > 0, raw, 0);
+    const dem_real raw = r->overlap, touch = dem_select(raw > 0, (dem_real)1, 0),
+                   overlap = dem_select(raw > 0, raw, 0);
     const dem_real vx = (dem_real)g->vx[c], vy = (dem_real)g->vy[c], vz = (dem_real)g->vz[c];
     const dem_real bx = (dem_real)g->bx[c]/2, by = (dem_real)g->by[c]/2, bz = (dem_real)g->bz[c]/2;
     const dem_real hx = r->hx, hy = r->hy, hz = r->hz;
     const dem_real along = vx*hx + vy*hy + vz*hz;
-    const dem_real ax = (dem_real)g->ax[c] - overlap*bx, ay = (dem_real)g->ay[c] - overlap*by, az = (dem_real)g->az[c] - overlap*bz;
+    const dem_real ax = (dem_real)g->ax[c] - overlap*bx, ay = (dem_real)g->ay[c] - overlap*by,
+                   az = (dem_real)g->az[c] - overlap*bz;
 
     r->overlap = overlap;
     r->touching = touch;

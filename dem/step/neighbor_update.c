@@ -36,17 +36,20 @@ static int remove_outside(struct dem_state *p, size_t i)
     const struct dem_particle *const q = &p->particles.record[i];
     char cause[DEM_LOST_CAUSE_SIZE];
 
-    DEM_REQUIRE(isfinite(q->x[0] + q->x[1] + q->x[2]), DEM_ERROR_NUMBER,
-                "the position of particle %lld is not a number at step %lld; check its input and the fluid around it",
-                (long long)q->id, (long long)p->steps);
+    DEM_REQUIRE(
+        isfinite(q->x[0] + q->x[1] + q->x[2]), DEM_ERROR_NUMBER,
+        "the position of particle %lld is not a number at step %lld; check its input and the fluid around it",
+        (long long)q->id, (long long)p->steps);
     dem_lost_cause_outside(p, i, cause);
     if (p->energy_balance->open)
     {
         dem_energy_balance_particle_out(p, q, 0.5*p->dt);
     }
-    DEM_REQUIRE(p->domain.remove, DEM_ERROR_LOST,
-                "particle %lld left the domain at (%g %g %g) m at time %g s: %s; enlarge the domain, close it with a wall, or set "
-                "domain/leaving remove", (long long)q->id, q->x[0], q->x[1], q->x[2], p->time, cause);
+    DEM_REQUIRE(
+        p->domain.remove, DEM_ERROR_LOST,
+        "particle %lld left the domain at (%g %g %g) m at time %g s: %s; enlarge the domain, close it with a wall, or set "
+        "domain/leaving remove",
+        (long long)q->id, q->x[0], q->x[1], q->x[2], p->time, cause);
     if (p->flows->n > 0)
     {
         DEM_TRY(dem_flows_record_departure(p, DEM_FLOW_DOMAIN, q, 0.5*p->dt));
@@ -120,7 +123,9 @@ static int wrap_and_remove(struct dem_state *p, int weighted)
     {
         dem_domain_wrap(&p->domain, &record[i]);
         const int outlet = dem_flows_outlet(p->flows, record[i].x);
-        const int absorbed = p->walls.absorbing && !p->flows->asked ? dem_flows_absorbed(p->flows, &record[i]) : DEM_FLOW_NONE;
+        const int absorbed = p->walls.absorbing && !p->flows->asked
+                                 ? dem_flows_absorbed(p->flows, &record[i])
+                                 : DEM_FLOW_NONE;
 
         if (absorbed != DEM_FLOW_NONE)
         {
@@ -130,8 +135,8 @@ static int wrap_and_remove(struct dem_state *p, int weighted)
         {
             status = remove_at_outlet(p, i, outlet);
         }
-        else if (outlet != DEM_FLOW_NONE || dem_domain_contains(&p->domain, record[i].x)
-                 || (!removal_is_due(p) && isfinite(record[i].x[0] + record[i].x[1] + record[i].x[2])))
+        else if (outlet != DEM_FLOW_NONE || dem_domain_contains(&p->domain, record[i].x) ||
+                 (!removal_is_due(p) && isfinite(record[i].x[0] + record[i].x[1] + record[i].x[2])))
         {
             order[kept++] = (uint32_t)i;
         }
@@ -179,7 +184,9 @@ static void update_uniform_fluid(struct dem_state *p)
 static int insert_arrivals(struct dem_state *p)
 {
     const size_t first = p->particles.n;
-    const struct dem_body_sweep backward = {.kick = -0.5*p->dt, .energy_balance = p->energy_balance->open ? p->energy_balance : NULL};
+    const struct dem_body_sweep backward = {
+        .kick = -0.5*p->dt,
+        .energy_balance = p->energy_balance->open ? p->energy_balance : NULL};
     struct dem_body_pass pass;
 
     const int status = dem_flows_insert(p);
@@ -202,7 +209,8 @@ static int migrate(struct dem_state *p, int rebalance, int weighted)
 
     if (rebalance)
     {
-        DEM_TRY(dem_decomposition_balance(&p->decomposition, &p->particles, weighted ? p->load_balance.weight : NULL));
+        DEM_TRY(dem_decomposition_balance(&p->decomposition, &p->particles,
+                                          weighted ? p->load_balance.weight : NULL));
     }
     if (p->flows->arrivals > 0)
     {
@@ -260,8 +268,11 @@ static int build_lists(struct dem_state *p, int status)
 {
     dem_pairs_use_chosen_skin(&p->pairs);
     status = status ? status : dem_pairs_order(&p->pairs, &p->particles);
-    status = dem_halo_build(&p->halo, status, &p->particles, &p->domain, p->pairs.max_radius, p->pairs.outer);
-    status = status ? status : dem_pairs_find(&p->pairs, &p->domain, &p->particles, &p->walls, &p->interaction_table, &p->contacts);
+    status = dem_halo_build(&p->halo, status, &p->particles, &p->domain, p->pairs.max_radius,
+                            p->pairs.outer);
+    status = status ? status
+                    : dem_pairs_find(&p->pairs, &p->domain, &p->particles, &p->walls,
+                                     &p->interaction_table, &p->contacts);
     status = status ? status : dem_halo_reserve_candidates(&p->halo, &p->particles);
     status = status ? status : dem_wall_touches_reserve(&p->touches, &p->pairs.wall_search);
     DEM_TRY(dem_agree(p, status));
@@ -273,10 +284,14 @@ static int build_lists(struct dem_state *p, int status)
 
 int dem_neighbor_rebuild(struct dem_state *p)
 {
-    const int rebalance = dem_load_balance_pays(&p->load_balance, &p->decomposition), weighted = rebalance && p->stale < 2;
-    int status = weighted ? dem_load_balance_set_weights(&p->load_balance, &p->particles, &p->contacts) : DEM_OK;
+    const int rebalance = dem_load_balance_pays(&p->load_balance, &p->decomposition),
+              weighted = rebalance && p->stale < 2;
+    int status = weighted
+                     ? dem_load_balance_set_weights(&p->load_balance, &p->particles, &p->contacts)
+                     : DEM_OK;
 
-    status = status ? status : dem_contacts_save_history(&p->contacts, &p->particles, p->pairs.wall_facet);
+    status = status ? status
+                    : dem_contacts_save_history(&p->contacts, &p->particles, p->pairs.wall_facet);
     status = status ? status : wrap_and_remove(p, weighted);
     DEM_TRY(dem_agree(p, status));
     if (p->flows->n > 0 && (p->steps%REMOVAL_STEPS == 0 || p->flows->left))
@@ -311,7 +326,8 @@ static int measure_displacements(struct dem_state *p, enum dem_list list)
 
     for (int k = 0; k < 3; k++)
     {
-        free[k] = p->domain.periodic[k] || !(isfinite(p->domain.min[k]) || isfinite(p->domain.max[k]));
+        free[k] =
+            p->domain.periodic[k] || !(isfinite(p->domain.min[k]) || isfinite(p->domain.max[k]));
     }
     dem_displacement_extent(d, &p->particles, max);
     DEM_TRY(dem_agree_max(p, DEM_OK, max, DEM_DISPLACEMENT_NUMBERS));
@@ -384,7 +400,8 @@ static int update_lists(struct dem_state *p, double moved, int observed)
         const int both = dem_skins_step(&s->skins, moved);
 
         DEM_TRY(check_lists(p, both, stale));
-        stale[DEM_LIST_OUTER] |= needs_wrap(p, observed) || (both && dem_skins_pays(&s->skins, DEM_LIST_OUTER));
+        stale[DEM_LIST_OUTER] |=
+            needs_wrap(p, observed) || (both && dem_skins_pays(&s->skins, DEM_LIST_OUTER));
         stale[DEM_LIST_INNER] |= both && dem_skins_pays(&s->skins, DEM_LIST_INNER);
     }
     dem_timers_end_phase(p->timers, DEM_PHASE_AGREE);

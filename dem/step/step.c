@@ -40,14 +40,16 @@
 /* 1 when a position, a velocity, a spin, a force or a torque is not a number. */
 static int has_invalid_number(const struct dem_particles *p)
 {
-    const double *const force = dem_column(p, DEM_COLUMN_FORCE), *const torque = dem_column(p, DEM_COLUMN_TORQUE);
+    const double *const force = dem_column(p, DEM_COLUMN_FORCE);
+    const double *const torque = dem_column(p, DEM_COLUMN_TORQUE);
     double sum = 0.0;
 
     for (size_t i = 0; i < p->n; i++)
     {
         for (size_t k = 0; k < 3; k++)
         {
-            sum += 0.0*(p->record[i].x[k] + p->record[i].v[k] + p->record[i].w[k] + force[3*i + k] + torque[3*i + k]);
+            sum += 0.0*(p->record[i].x[k] + p->record[i].v[k] + p->record[i].w[k] +
+                          force[3*i + k] + torque[3*i + k]);
         }
     }
     return isnan(sum);
@@ -101,31 +103,48 @@ static int check_displacements(const struct dem_state *p, double max_speed, doub
 
     for (int c = 0; c < p->interaction_table.classes; c++)
     {
-        const int material = (int)(p->interaction_table.list[c].pair.a - p->interaction_table.material);
+        const int material =
+            (int)(p->interaction_table.list[c].pair.a - p->interaction_table.material);
 
-        min_radius = p->interaction_table.list[c].entries > 0 ? fmin(min_radius, p->interaction_table.min_radius[material]) : min_radius;
+        min_radius = p->interaction_table.list[c].entries > 0
+                         ? fmin(min_radius, p->interaction_table.min_radius[material])
+                         : min_radius;
     }
-    DEM_REQUIRE(p->walls.displacement <= min_radius, DEM_ERROR_NUMBER,
-                "a wall moves by %.3g m in step %lld at time %g s; the limit is %g m, the radius of the smallest particle, or it may miss a "
-                "contact; use a smaller time/step, or a slower motion", p->walls.displacement, (long long)p->steps, p->time, min_radius);
-    for (size_t i = 0; (max_speed*dt > min_radius || max_speed > limit || max_speed > light) && i < p->particles.n; i++)
+    DEM_REQUIRE(
+        p->walls.displacement <= min_radius, DEM_ERROR_NUMBER,
+        "a wall moves by %.3g m in step %lld at time %g s; the limit is %g m, the radius of the smallest particle, or it may miss a "
+        "contact; use a smaller time/step, or a slower motion",
+        p->walls.displacement, (long long)p->steps, p->time, min_radius);
+    for (size_t i = 0; (max_speed*dt > min_radius || max_speed > limit || max_speed > light) &&
+                       i < p->particles.n;
+         i++)
     {
         const struct dem_particle *const q = &p->particles.record[i];
         const double speed = sqrt(q->v[0]*q->v[0] + q->v[1]*q->v[1] + q->v[2]*q->v[2]);
 
-        DEM_REQUIRE(!isnan(speed), DEM_ERROR_NUMBER, "the velocity of particle %lld is not a number at step %lld; check the "
-                    "forces on it, and the fluid around it", (long long)q->id, (long long)p->steps);
-        DEM_REQUIRE(speed <= limit, DEM_ERROR_NUMBER,
-                    "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit time/maxSpeed is %g m/s; check what accelerates it (%s), "
-                    "or raise the limit", (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps, limit,
-                    p->interaction_table.step_limit < dt*(1.0 - 1e-9) ? "the time step is forced above the limit of its laws" : "an impact, a wall, the fluid");
-        DEM_REQUIRE(speed <= light, DEM_ERROR_NUMBER, "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit is %g m/s, the speed of light; "
-                    "use a smaller time/step, or check the forces on it", (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps,
-                    light);
-        DEM_REQUIRE(speed*dt <= q->radius, DEM_ERROR_NUMBER,
-                    "particle %lld at (%g %g %g) m moves by %.3g m in step %lld, at %g m/s; its radius is %g m, which is the limit, "
-                    "or it may miss a contact; use a smaller time/step, or check the forces on it", (long long)q->id, q->x[0],
-                    q->x[1], q->x[2], speed*dt, (long long)p->steps, speed, q->radius);
+        DEM_REQUIRE(!isnan(speed), DEM_ERROR_NUMBER,
+                    "the velocity of particle %lld is not a number at step %lld; check the "
+                    "forces on it, and the fluid around it",
+                    (long long)q->id, (long long)p->steps);
+        DEM_REQUIRE(
+            speed <= limit, DEM_ERROR_NUMBER,
+            "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit time/maxSpeed is %g m/s; check what accelerates it (%s), "
+            "or raise the limit",
+            (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps, limit,
+            p->interaction_table.step_limit < dt*(1.0 - 1e-9)
+                ? "the time step is forced above the limit of its laws"
+                : "an impact, a wall, the fluid");
+        DEM_REQUIRE(
+            speed <= light, DEM_ERROR_NUMBER,
+            "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit is %g m/s, the speed of light; "
+            "use a smaller time/step, or check the forces on it",
+            (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps, light);
+        DEM_REQUIRE(
+            speed*dt <= q->radius, DEM_ERROR_NUMBER,
+            "particle %lld at (%g %g %g) m moves by %.3g m in step %lld, at %g m/s; its radius is %g m, which is the limit, "
+            "or it may miss a contact; use a smaller time/step, or check the forces on it",
+            (long long)q->id, q->x[0], q->x[1], q->x[2], speed*dt, (long long)p->steps, speed,
+            q->radius);
     }
     return DEM_OK;
 }
@@ -180,8 +199,10 @@ static int agree(struct dem_state *p, int status, double *max_speed)
         dem_halo_wait(&p->halo);
     }
     DEM_TRY(status);
-    DEM_REQUIRE(isfinite(max[0]), DEM_ERROR_NUMBER, "a particle's velocity is not a number at step %lld; check the forces "
-                "on it, and the fluid around it", (long long)p->steps);
+    DEM_REQUIRE(isfinite(max[0]), DEM_ERROR_NUMBER,
+                "a particle's velocity is not a number at step %lld; check the forces "
+                "on it, and the fluid around it",
+                (long long)p->steps);
     *max_speed = max[0];
     p->stopped = (int)max[1];
     return DEM_OK;
@@ -209,7 +230,8 @@ static struct due what_is_due(const struct dem_state *p, double kick)
     const int last = kick < p->dt || p->stopped;
     struct due due = {.durations = dem_contact_durations_due(p->durations, p->steps)};
 
-    due.backup = p->backup.every > 0 && p->steps >= p->backup.steps + p->backup.every && kick == p->dt;
+    due.backup =
+        p->backup.every > 0 && p->steps >= p->backup.steps + p->backup.every && kick == p->dt;
     due.fused = !due.backup && !p->energy_balance->open;
     due.observed = last || due.durations || dem_grid_averages_due(p->averages, p->time);
     return due;
@@ -219,9 +241,13 @@ static struct dem_body_sweep options(const struct dem_state *p, const struct due
 {
     const int flat = p->domain.flat[0] || p->domain.flat[1] || p->domain.flat[2];
 
-    return (struct dem_body_sweep){.kick = kick, .window = p->window, .contacts = due->fused ? &p->contacts : NULL,
-                                   .unobserved = due->fused && !due->observed, .round = flat ? NULL : p->domain.round,
-                                   .energy_balance = p->energy_balance->open ? p->energy_balance : NULL};
+    return (struct dem_body_sweep){
+        .kick = kick,
+        .window = p->window,
+        .contacts = due->fused ? &p->contacts : NULL,
+        .unobserved = due->fused && !due->observed,
+        .round = flat ? NULL : p->domain.round,
+        .energy_balance = p->energy_balance->open ? p->energy_balance : NULL};
 }
 
 /* 5. In a fused step most particles are summed and kicked already; the pass knows which. */
@@ -297,7 +323,8 @@ static int step(struct dem_state *p, double since, double kick, int *status)
 
     /* 4. contacts */
     dem_bodies_begin_pass(&pass, &p->particles, &p->interaction_table.bodies, &sweep);
-    *status = dem_sweep_contacts_and_bodies(p, p->dt, (const double[2]){since, p->time}, due.fused ? &pass : NULL);
+    *status = dem_sweep_contacts_and_bodies(p, p->dt, (const double[2]){since, p->time},
+                                            due.fused ? &pass : NULL);
     dem_timers_end_phase(p->timers, DEM_PHASE_CONTACTS);
 
     /* 5. sums, body and fluid forces, kick */
@@ -316,8 +343,13 @@ static void first_kick(struct dem_state *p, double kick)
     if (kick > 0.0)
     {
         dem_wall_statistics_add_kick(p, kick);
-        dem_sweep_bodies(&p->particles, &p->interaction_table.bodies, &(struct dem_body_sweep){.kick = kick, .window = p->window,
-                         .energy_balance = p->energy_balance->open ? p->energy_balance : NULL});
+        dem_sweep_bodies(&p->particles, &p->interaction_table.bodies,
+                         &(struct dem_body_sweep){
+                             .kick = kick,
+                             .window = p->window,
+                             .energy_balance = p->energy_balance->open
+                                                   ? p->energy_balance
+                                                   : NULL});
     }
     dem_domain_constrain(&p->domain, &p->particles);
     dem_timers_end_phase(p->timers, DEM_PHASE_BODIES);
@@ -360,7 +392,9 @@ int dem_step_window(struct dem_state *p, double dt, int64_t steps)
     dem_walls_move(&p->walls, p->time, 0.0);
     dem_walls_begin_advance(&p->walls, p->window);
     dem_bodies_begin_window(&p->particles, &p->interaction_table.bodies);
-    if ((p->interaction_table.needs & DEM_NEEDS_VISCOSITY || dem_column(&p->particles, DEM_COLUMN_ADDED_MASS)) && !p->stale)
+    if ((p->interaction_table.needs & DEM_NEEDS_VISCOSITY ||
+         dem_column(&p->particles, DEM_COLUMN_ADDED_MASS)) &&
+        !p->stale)
     {
         DEM_TRY(dem_halo_refresh_fluid(&p->halo, &p->particles));
     }

@@ -23,7 +23,9 @@ load(const void *restrict force, size_t row, const int single, dem_vec4 *f, dem_
     {
         typedef double wide __attribute__((vector_size(64)));
 
-        const wide both = __builtin_convertvector(*(const eight *)(const void *)((const struct dem_contact_force_single *)force + row), wide);
+        const wide both = __builtin_convertvector(
+            *(const eight *)(const void *)((const struct dem_contact_force_single *)force + row),
+            wide);
 
         *f = __builtin_shufflevector(both, both, 0, 1, 2, 3);
         *t = __builtin_shufflevector(both, both, 4, 5, 6, 7);
@@ -44,10 +46,12 @@ struct storage    /* where contact forces are: [0] deferred rows, [1] buffered r
 static struct storage storage_of(const struct dem_contacts *c, int unobserved)
 {
     const void *const rows = c->single ? (const void *)c->force_single : (const void *)c->force;
-    const void *const buffer = c->single ? (const void *)c->force_buffer_single : (const void *)c->force_buffer;
+    const void *const buffer =
+        c->single ? (const void *)c->force_buffer_single : (const void *)c->force_buffer;
 
-    return unobserved && buffer ? (struct storage){{rows, buffer}, {UINT32_MAX, DEM_FORCE_BUFFER_ROWS - 1}}
-                         : (struct storage){{rows, rows}, {UINT32_MAX, UINT32_MAX}};
+    return unobserved && buffer
+               ? (struct storage){{rows, buffer}, {UINT32_MAX, DEM_FORCE_BUFFER_ROWS - 1}}
+               : (struct storage){{rows, rows}, {UINT32_MAX, UINT32_MAX}};
 }
 
 __attribute__((always_inline)) static inline void
@@ -57,7 +61,8 @@ add(const struct storage *at, uint32_t entry, const int single, double radius, d
     const uint32_t buffered = (entry & DEM_ENTRY_BUFFERED)/DEM_ENTRY_BUFFERED;
     dem_vec4 row_f, row_t;
 
-    load(at->base[buffered], entry >> DEM_ENTRY_ROW_SHIFT & at->mask[buffered], single, &row_f, &row_t);
+    load(at->base[buffered], entry >> DEM_ENTRY_ROW_SHIFT & at->mask[buffered], single, &row_f,
+         &row_t);
     *f += sides[entry & DEM_ENTRY_SIDE]*row_f;
     *t += (__builtin_shufflevector(row_f, row_f, 3, 3, 3, 3) - radius)*row_t;
 }
@@ -138,13 +143,17 @@ void dem_sum_slice(const struct dem_particles *p, const struct dem_contacts *c,
 
 void dem_sum_contacts(struct dem_particles *p, const struct dem_contacts *c)
 {
-    dem_sum_slice(p, c, &(struct dem_sum_slice){.end = p->n, .force = dem_column(p, DEM_COLUMN_FORCE), .torque = dem_column(p, DEM_COLUMN_TORQUE)});
+    dem_sum_slice(p, c,
+                  &(struct dem_sum_slice){.end = p->n,
+                                          .force = dem_column(p, DEM_COLUMN_FORCE),
+                                          .torque = dem_column(p, DEM_COLUMN_TORQUE)});
 }
 
 /* Each partner of a pair gets half of its energies; at a wall the particle gets all. */
 void dem_sum_bond_energies(struct dem_particles *p, const struct dem_contacts *c)
 {
-    double *const lost = dem_column(p, DEM_COLUMN_LOST_ENERGY), *const broken = dem_column(p, DEM_COLUMN_BROKEN_BONDS);
+    double *const lost = dem_column(p, DEM_COLUMN_LOST_ENERGY),
+                  *const broken = dem_column(p, DEM_COLUMN_BROKEN_BONDS);
 
     for (size_t i = 0; c->has_energy && i < p->n; i++)
     {

@@ -75,8 +75,10 @@ static void kick_with_drag(struct dem_body_workspace *restrict t, double h)
 
     for (int c = 0; c < b->n; c++)
     {
-        const double z = b->b[c]*h*t->inverse_mass[c], phi = dem_phi(z), step = phi*h*t->inverse_mass[c];
-        const double dx = b->bux[c] - b->b[c]*b->vx[c], dy = b->buy[c] - b->b[c]*b->vy[c], dz = b->buz[c] - b->b[c]*b->vz[c];
+        const double z = b->b[c]*h*t->inverse_mass[c], phi = dem_phi(z);
+        const double step = phi*h*t->inverse_mass[c];
+        const double dx = b->bux[c] - b->b[c]*b->vx[c], dy = b->buy[c] - b->b[c]*b->vy[c],
+                     dz = b->buz[c] - b->b[c]*b->vz[c];
 
         b->vx[c] += step*(b->fx[c] + dx);
         b->vy[c] += step*(b->fy[c] + dy);
@@ -163,8 +165,11 @@ static void sweep_batch(struct dem_body_pass *pass, size_t first, int rows)
     dem_body_batch_select_forces(t, p, first, pass->unobserved);
     if (s->contacts)
     {
-        const struct dem_sum_slice part = {.first = first, .end = first + (size_t)rows, .force = t->force, .torque = t->torque,
-                                          .unobserved = pass->unobserved};
+        const struct dem_sum_slice part = {.first = first,
+                                           .end = first + (size_t)rows,
+                                           .force = t->force,
+                                           .torque = t->torque,
+                                           .unobserved = pass->unobserved};
 
         dem_sum_slice(p, s->contacts, &part);
     }
@@ -188,8 +193,17 @@ static void sweep_batch(struct dem_body_pass *pass, size_t first, int rows)
     }
     if (s->energy_balance)
     {
-        const struct dem_energy_balance_kick k = {.bodies = pass->bodies, .batch = &t->batch, .j = {t->jx, t->jy, t->jz}, .first = first,
-                                          .spin_impulse = {t->spin_impulse[0], t->spin_impulse[1], t->spin_impulse[2]}, .rows = rows, .h = s->kick, .window = s->window};
+        const struct dem_energy_balance_kick k = {
+            .bodies = pass->bodies,
+            .batch = &t->batch,
+            .j = {t->jx, t->jy, t->jz},
+            .first = first,
+            .spin_impulse = {t->spin_impulse[0],
+                             t->spin_impulse[1],
+                             t->spin_impulse[2]},
+            .rows = rows,
+            .h = s->kick,
+            .window = s->window};
 
         dem_energy_balance_after_kick(s->energy_balance, p, &k);
     }
@@ -238,7 +252,8 @@ void dem_sweep_bodies(struct dem_particles *p, const struct dem_effect_list *bod
 
 void dem_bodies_window_constants(struct dem_particles *p, const struct dem_effect_list *bodies)
 {
-    const int voidage = dem_column(p, DEM_COLUMN_VOIDAGE_FACTOR_FIRST) != NULL, added = dem_column(p, DEM_COLUMN_ADDED_MASS) != NULL;
+    const int voidage = dem_column(p, DEM_COLUMN_VOIDAGE_FACTOR_FIRST) != NULL,
+              added = dem_column(p, DEM_COLUMN_ADDED_MASS) != NULL;
     struct dem_body_workspace t;
 
     memset(&t, 0, sizeof t);
@@ -290,7 +305,8 @@ void dem_bodies_begin_window(struct dem_particles *p, const struct dem_effect_li
     for (size_t i = 0; i < p->n; i++)
     {
         dem_column(p, DEM_COLUMN_DECAY_FACTOR)[i] = 1.0;
-        memcpy(dem_column(p, DEM_COLUMN_START_VELOCITY) + 3*i, p->record[i].v, sizeof p->record[i].v);
+        memcpy(dem_column(p, DEM_COLUMN_START_VELOCITY) + 3*i, p->record[i].v,
+               sizeof p->record[i].v);
         memcpy(dem_column(p, DEM_COLUMN_DISPLACEMENT) + 3*i, p->record[i].x, sizeof p->record[i].x);
     }
 }
@@ -311,7 +327,8 @@ static void displacements(struct dem_particles *p, const struct dem_domain *doma
 /* R_a = a m/(m + a) for a free particle, a for a frozen one. */
 static void response_of_added_mass(struct dem_particles *p, double window)
 {
-    const double *const added = dem_column(p, DEM_COLUMN_ADDED_MASS), *const change = dem_column(p, DEM_COLUMN_FLUID_CHANGE);
+    const double *const added = dem_column(p, DEM_COLUMN_ADDED_MASS),
+                        *const change = dem_column(p, DEM_COLUMN_FLUID_CHANGE);
 
     for (size_t i = 0; added && i < p->n; i++)
     {
@@ -322,19 +339,24 @@ static void response_of_added_mass(struct dem_particles *p, double window)
         for (size_t k = 3*i; k < 3*i + 3; k++)
         {
             dem_column(p, DEM_COLUMN_PREDICTED_ADDED_IMPULSE)[k] = response*change[k]*window;
-            dem_column(p, DEM_COLUMN_OTHER_IMPULSE)[k] -= dem_column(p, DEM_COLUMN_PREDICTED_ADDED_IMPULSE)[k];
+            dem_column(p, DEM_COLUMN_OTHER_IMPULSE)[k] -=
+                dem_column(p, DEM_COLUMN_PREDICTED_ADDED_IMPULSE)[k];
         }
     }
 }
 
 void dem_bodies_end_window(struct dem_particles *p, const struct dem_domain *domain, double window)
 {
-    const double *const u = dem_column(p, DEM_COLUMN_FLUID_VELOCITY), *const start = dem_column(p, DEM_COLUMN_START_VELOCITY);
+    const double *const u = dem_column(p, DEM_COLUMN_FLUID_VELOCITY),
+                        *const start = dem_column(p, DEM_COLUMN_START_VELOCITY);
     const double *const J = dem_column(p, DEM_COLUMN_DRAG_IMPULSE);
 
     for (size_t i = 0; u && i < p->n; i++)
     {
-        const double free = p->record[i].inverse_mass > 0.0 ? (1.0 - dem_column(p, DEM_COLUMN_DECAY_FACTOR)[i])/p->record[i].inverse_mass : 0.0;
+        const double free =
+            p->record[i].inverse_mass > 0.0
+                ? (1.0 - dem_column(p, DEM_COLUMN_DECAY_FACTOR)[i])/p->record[i].inverse_mass
+                : 0.0;
         const double held = dem_column(p, DEM_COLUMN_DRAG_TIME)[i];
         const double slip_factor = dem_column(p, DEM_COLUMN_SLIP_FACTOR)[i];
         double slip = 0.0, impulse = 0.0;
@@ -346,12 +368,14 @@ void dem_bodies_end_window(struct dem_particles *p, const struct dem_domain *dom
         }
         slip = sqrt(slip);
         impulse = sqrt(impulse);
-        const double measured = p->record[i].inverse_mass == 0.0 || impulse >= held*slip ? held : impulse/slip;
+        const double measured =
+            p->record[i].inverse_mass == 0.0 || impulse >= held*slip ? held : impulse/slip;
 
         const double min = free/slip_factor;
 
         dem_column(p, DEM_COLUMN_RESPONSE)[i] = measured > min ? measured : min;
-        dem_column(p, DEM_COLUMN_DRAG_FRACTION)[i] = free > 0.0 ? 1.0 - free/(slip_factor*held) : 0.0;
+        dem_column(p, DEM_COLUMN_DRAG_FRACTION)[i] =
+            free > 0.0 ? 1.0 - free/(slip_factor*held) : 0.0;
     }
     response_of_added_mass(p, window);
     if (u)

@@ -61,7 +61,8 @@ static int list_crossings(struct dem_state *p, const struct dem_contact_workspac
         if (crossed(&t->batch, c) > 0.0
             && p->walls.facet[p->pairs.wall_facet[q->j]].shape == DEM_SHAPE_TRIANGLES)
         {
-            DEM_TRY(DEM_GROW(p->lost_particles->crossed, p->lost_particles->crossed_capacity, p->lost_particles->crossings + 1));
+            DEM_TRY(DEM_GROW(p->lost_particles->crossed, p->lost_particles->crossed_capacity,
+                             p->lost_particles->crossings + 1));
             p->lost_particles->crossed[p->lost_particles->crossings++] = row + (uint32_t)c;
         }
     }
@@ -95,7 +96,8 @@ static void replace_contacts(struct dem_contact_workspace *t, const struct dem_e
         if (effects->entry[k].effect->replace_contact)
         {
             find_history(c, &effects->entry[k], row, history);
-            effects->entry[k].effect->replace_contact(effects->entry[k].settings, &t->batch, history);
+            effects->entry[k].effect->replace_contact(effects->entry[k].settings, &t->batch,
+                                                      history);
         }
     }
 }
@@ -130,7 +132,8 @@ static void apply_effect(struct dem_contact_workspace *t, const struct dem_effec
     const struct dem_effect *const effect = effects->entry[k].effect;
     /* An effect that replaces contacts clears the touching mask but not the overlap, so beside it the
        own clearing of an effect (`clears_history`) is not enough. */
-    const int cleared_already = effect->stage >= DEM_STAGE_BOND || (effect->clears_history && !effects->past_touching);
+    const int cleared_already =
+        effect->stage >= DEM_STAGE_BOND || (effect->clears_history && !effects->past_touching);
 
     effect->apply(effects->entry[k].settings, &t->batch, history);
     for (int m = 0; m < columns && !cleared_already; m++)
@@ -161,7 +164,10 @@ static void apply_effects_with_energy(struct dem_state *p, struct dem_contact_wo
                                       const struct dem_effect_list *effects, uint32_t row, int rows)
 {
     double *history[DEM_HISTORY_COLUMNS];
-    struct dem_energy_balance_rows r = {.list = effects, .memory = history, .row = row, .rows = rows};
+    struct dem_energy_balance_rows r = {.list = effects,
+                                        .memory = history,
+                                        .row = row,
+                                        .rows = rows};
 
     dem_energy_balance_begin_batch(p, t, &r);
     for (int k = 0; k < effects->entries; k++)
@@ -197,8 +203,11 @@ static void store_energies(struct dem_contacts *c, const struct dem_contact_batc
 {
     for (int k = 0; k < rows; k++)
     {
-        c->energy[row + (uint32_t)k] = (struct dem_contact_energy){.stored = b->stored[k], .lost = b->lost[k], .bonds = b->bonds[k],
-                                                         .broke = b->broke[k]};
+        c->energy[row + (uint32_t)k] = (struct dem_contact_energy){
+            .stored = b->stored[k],
+            .lost = b->lost[k],
+            .bonds = b->bonds[k],
+            .broke = b->broke[k]};
     }
 }
 
@@ -227,16 +236,25 @@ static void sweep_fused(struct dem_state *p, struct dem_contact_workspace *t,
 {
     double *history[DEM_HISTORY_COLUMNS];
     struct dem_contact_batch *const b = &t->batch;
-    const struct dem_fused_constants constants = dem_fused_kernel_constants(effects, p->limits.overlap);
+    const struct dem_fused_constants constants =
+        dem_fused_kernel_constants(effects, p->limits.overlap);
 
     find_history(&p->contacts, &effects->entry[DEM_FUSED_FRICTION], at->row, history);
     dem_contact_batch_gather(t, p, effects, at->row, at->rows);
 
-    const struct dem_fused_columns single = {.n = b->n, .dt = b->dt, .min_radius = b->min_radius, .overlap = b->overlap,
-                                        .fn = b->fn, .fx = b->fx, .fy = b->fy, .fz = b->fz};
+    const struct dem_fused_columns single = {
+        .n = b->n,
+        .dt = b->dt,
+        .min_radius = b->min_radius,
+        .overlap = b->overlap,
+        .fn = b->fn,
+        .fx = b->fx,
+        .fy = b->fy,
+        .fz = b->fz};
 
-    if (at->to.single ? dem_fused_kernel_run_single(&constants, &single, &t->gathered, history, at->to.single)
-                      : dem_fused_kernel_run(&constants, b, &t->gathered, history, at->to.full))
+    if (at->to.single
+            ? dem_fused_kernel_run_single(&constants, &single, &t->gathered, history, at->to.single)
+            : dem_fused_kernel_run(&constants, b, &t->gathered, history, at->to.full))
     {
         dem_limits_check_record(p, t, at->row, at->rows);
     }
@@ -266,7 +284,8 @@ static int sweep_batch(struct dem_state *p, struct dem_contact_workspace *t,
     {
         DEM_TRY(dem_bonds_record(p, &t->batch, row, rows));
     }
-    dem_force_buffer_store(&t->batch, effects->pair.with_wall ? 1.0 : 0.5, effects->past_touching, &at->to);
+    dem_force_buffer_store(&t->batch, effects->pair.with_wall ? 1.0 : 0.5, effects->past_touching,
+                           &at->to);
     if (effects->past_touching)
     {
         store_energies(&p->contacts, &t->batch, row, rows);
@@ -276,13 +295,16 @@ static int sweep_batch(struct dem_state *p, struct dem_contact_workspace *t,
         store_moments(&p->contacts, &t->batch, row, rows);
     }
     dem_limits_check_record(p, t, row, rows);
-    return effects->pair.with_wall && count_crossings(&t->batch) > 0.0 ? list_crossings(p, t, row, rows) : DEM_OK;
+    return effects->pair.with_wall && count_crossings(&t->batch) > 0.0
+               ? list_crossings(p, t, row, rows)
+               : DEM_OK;
 }
 
 /* Kick the particles that no contact row from `rows` on acts on. */
 static void kick_ready(struct dem_body_pass *bodies, const struct dem_contacts *c, uint32_t rows)
 {
-    while (bodies->next < bodies->particles->n && c->rows_needed[bodies->next/DEM_BATCH_ROWS] <= rows)
+    while (bodies->next < bodies->particles->n &&
+           c->rows_needed[bodies->next/DEM_BATCH_ROWS] <= rows)
     {
         dem_bodies_kick_until(bodies, bodies->next + 1);
     }
@@ -294,16 +316,26 @@ static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int
 {
     const struct dem_effect_list *const effects = &p->interaction_table.list[class];
     const struct dem_segment *const seg = &p->contacts.segment[class];
-    const int fused = dem_fused_kernel_applies(effects) && !p->energy_balance->open && !p->contacts.moment;
-    const int buffered = bodies && bodies->unobserved && !effects->pair.with_wall && dem_contacts_use_force_buffer(&p->contacts);
+    const int fused =
+        dem_fused_kernel_applies(effects) && !p->energy_balance->open && !p->contacts.moment;
+    const int buffered = bodies && bodies->unobserved && !effects->pair.with_wall &&
+                         dem_contacts_use_force_buffer(&p->contacts);
     size_t deferred = 0;    /* deferred rows that are before this class or copied */
 
-    for (; buffered && deferred < p->contacts.deferred_rows && p->contacts.deferred_row[deferred] < seg->first; deferred++) {}
+    for (; buffered && deferred < p->contacts.deferred_rows &&
+           p->contacts.deferred_row[deferred] < seg->first;
+         deferred++)
+    {
+    }
 
     for (uint32_t done = 0; done < seg->count; done += DEM_BATCH_ROWS)
     {
-        const int rows = seg->count - done < DEM_BATCH_ROWS ? (int)(seg->count - done) : DEM_BATCH_ROWS;
-        const struct rows at = {.row = seg->first + done, .rows = rows, .to = dem_force_buffer_slot(&p->contacts, seg->first + done, buffered)};
+        const int rows =
+            seg->count - done < DEM_BATCH_ROWS ? (int)(seg->count - done) : DEM_BATCH_ROWS;
+        const struct rows at = {.row = seg->first + done,
+                                .rows = rows,
+                                .to = dem_force_buffer_slot(&p->contacts, seg->first + done,
+                                                            buffered)};
 
         if (fused)
         {
@@ -313,7 +345,9 @@ static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int
         {
             DEM_TRY(sweep_batch(p, t, effects, &at));
         }
-        deferred = buffered ? dem_force_buffer_copy_deferred(&p->contacts, deferred, at.row + (uint32_t)rows) : 0;
+        deferred = buffered ? dem_force_buffer_copy_deferred(&p->contacts, deferred,
+                                                             at.row + (uint32_t)rows)
+                            : 0;
         if (bodies && !effects->pair.with_wall)
         {
             kick_ready(bodies, &p->contacts, seg->first + done + (uint32_t)rows);

@@ -27,8 +27,10 @@ typedef float dem_vec4_single __attribute__((vector_size(16), aligned(16), may_a
 /* Transpose: rows become columns, or columns rows. */
 __attribute__((always_inline)) static inline void dem_transpose4(dem_vec4 row[4])
 {
-    const dem_vec4 a = __builtin_shufflevector(row[0], row[1], 0, 4, 2, 6), b = __builtin_shufflevector(row[0], row[1], 1, 5, 3, 7);
-    const dem_vec4 c = __builtin_shufflevector(row[2], row[3], 0, 4, 2, 6), d = __builtin_shufflevector(row[2], row[3], 1, 5, 3, 7);
+    const dem_vec4 a = __builtin_shufflevector(row[0], row[1], 0, 4, 2, 6),
+                   b = __builtin_shufflevector(row[0], row[1], 1, 5, 3, 7);
+    const dem_vec4 c = __builtin_shufflevector(row[2], row[3], 0, 4, 2, 6),
+                   d = __builtin_shufflevector(row[2], row[3], 1, 5, 3, 7);
 
     row[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5);
     row[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
@@ -38,8 +40,10 @@ __attribute__((always_inline)) static inline void dem_transpose4(dem_vec4 row[4]
 
 __attribute__((always_inline)) static inline void dem_transpose4_single(dem_vec4_single row[4])
 {
-    const dem_vec4_single a = __builtin_shufflevector(row[0], row[1], 0, 4, 1, 5), b = __builtin_shufflevector(row[0], row[1], 2, 6, 3, 7);
-    const dem_vec4_single c = __builtin_shufflevector(row[2], row[3], 0, 4, 1, 5), d = __builtin_shufflevector(row[2], row[3], 2, 6, 3, 7);
+    const dem_vec4_single a = __builtin_shufflevector(row[0], row[1], 0, 4, 1, 5),
+                          b = __builtin_shufflevector(row[0], row[1], 2, 6, 3, 7);
+    const dem_vec4_single c = __builtin_shufflevector(row[2], row[3], 0, 4, 1, 5),
+                          d = __builtin_shufflevector(row[2], row[3], 2, 6, 3, 7);
 
     row[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5);
     row[1] = __builtin_shufflevector(a, c, 2, 3, 6, 7);

@@ -38,7 +38,8 @@ static int is_vector(const struct dem_interaction_table *r, int m)
 {
     const size_t length = strlen(r->history_name[m]);
 
-    return m + 2 < r->history_columns && length > 2 && strcmp(r->history_name[m] + length - 2, "_x") == 0;
+    return m + 2 < r->history_columns && length > 2 &&
+           strcmp(r->history_name[m] + length - 2, "_x") == 0;
 }
 
 static void classify_columns(const struct dem_interaction_table *r, enum column *column)
@@ -55,7 +56,9 @@ static void classify_columns(const struct dem_interaction_table *r, enum column 
         {
             const struct dem_effect_entry *const entry = &r->list[s].entry[k];
 
-            for (int m = 0; m < dem_effect_history_columns(entry->effect) && entry->effect->stage >= DEM_STAGE_BOND; m++)
+            for (int m = 0; m < dem_effect_history_columns(entry->effect) &&
+                            entry->effect->stage >= DEM_STAGE_BOND;
+                 m++)
             {
                 column[entry->first_column + m] = OWN;
             }
@@ -70,7 +73,8 @@ static void classify_columns(const struct dem_interaction_table *r, enum column 
 static void rotate(const double a[3], const double b[3], double v[3])
 {
     const double c[3] = {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-    const double factor = dem_vec_dot(c, v)/(1.0 + dem_vec_dot(a, b)), twice = 2.0*dem_vec_dot(a, v);
+    const double factor = dem_vec_dot(c, v)/(1.0 + dem_vec_dot(a, b)),
+                 twice = 2.0*dem_vec_dot(a, v);
 
     for (int k = 0; k < 3; k++)
     {
@@ -87,7 +91,8 @@ static double overlap(const struct dem_wall_touch *t, double radius)
 static double weight(const struct dem_state *p, const struct dem_wall_touch *t, double radius)
 {
     const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[t->row]];
-    const double exponent = p->interaction_table.list[q->class].pair.exponent, d = overlap(t, radius);
+    const double exponent = p->interaction_table.list[q->class].pair.exponent,
+                 d = overlap(t, radius);
 
     return exponent > 1.25 ? sqrt(d) : 1.0;
 }
@@ -103,8 +108,10 @@ static void divide_springs(struct dem_state *p, const struct surface *s, int m)
     {
         if (touch[k].surface == s->leader)
         {
-            const double d = overlap(&touch[k], s->radius), w = weight(p, &touch[d > 0.0 ? k : s->leader], s->radius);
-            double v[3] = {history[m][touch[k].row], history[m + 1][touch[k].row], history[m + 2][touch[k].row]};
+            const double d = overlap(&touch[k], s->radius),
+                         w = weight(p, &touch[d > 0.0 ? k : s->leader], s->radius);
+            double v[3] = {history[m][touch[k].row], history[m + 1][touch[k].row],
+                           history[m + 2][touch[k].row]};
 
             rotate(touch[k].normal, touch[s->leader].normal, v);
             for (int a = 0; a < 3; a++)
@@ -143,11 +150,14 @@ static void transfer_numbers(struct dem_state *p, const struct surface *s)
     }
     for (size_t k = s->first; k < s->end && ended < s->end; k++)
     {
-        if (touch[k].surface == s->leader && !touch[k].drop && !dem_contacts_has_history(c, touch[k].row))
+        if (touch[k].surface == s->leader && !touch[k].drop &&
+            !dem_contacts_has_history(c, touch[k].row))
         {
             for (int m = 0; m < c->history_columns; m++)
             {
-                c->history[m][touch[k].row] = s->column[m] == NUMBER ? c->history[m][touch[ended].row] : c->history[m][touch[k].row];
+                c->history[m][touch[k].row] = s->column[m] == NUMBER
+                                                  ? c->history[m][touch[ended].row]
+                                                  : c->history[m][touch[k].row];
             }
         }
     }
@@ -162,10 +172,12 @@ static int gather_surface(struct dem_state *p, const struct surface *s)
 
     for (size_t k = s->first; k < s->end; k++)
     {
-        const int ended = touch[k].drop && touch[k].row != DEM_ROW_NONE && dem_contacts_has_history(&p->contacts, touch[k].row);
+        const int ended = touch[k].drop && touch[k].row != DEM_ROW_NONE &&
+                          dem_contacts_has_history(&p->contacts, touch[k].row);
 
-        if (touch[k].surface == NONE && touch[k].row != DEM_ROW_NONE && (ended || overlap(&touch[k], s->radius) > 0.0)
-            && dem_vec_dot(touch[k].normal, touch[s->leader].normal) > nearly_flat)
+        if (touch[k].surface == NONE && touch[k].row != DEM_ROW_NONE &&
+            (ended || overlap(&touch[k], s->radius) > 0.0) &&
+            dem_vec_dot(touch[k].normal, touch[s->leader].normal) > nearly_flat)
         {
             touch[k].surface = s->leader;
             count++;
@@ -189,8 +201,9 @@ static void redistribute(struct dem_state *p, const enum column *column, size_t 
         s.leader = NONE;
         for (size_t k = first; k < end; k++)
         {
-            if (touch[k].surface == NONE && touch[k].row != DEM_ROW_NONE && touch[k].distance < radius
-                && (s.leader == NONE || touch[k].distance < touch[s.leader].distance))
+            if (touch[k].surface == NONE && touch[k].row != DEM_ROW_NONE &&
+                touch[k].distance < radius &&
+                (s.leader == NONE || touch[k].distance < touch[s.leader].distance))
             {
                 s.leader = (uint32_t)k;
             }
@@ -232,6 +245,7 @@ void dem_wall_springs_redistribute(struct dem_state *p)
         {
             end++;
         }
-        redistribute(p, column, first, end, p->particles.record[s->neighbor[first].particle].radius);
+        redistribute(p, column, first, end,
+                     p->particles.record[s->neighbor[first].particle].radius);
     }
 }

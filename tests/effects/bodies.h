@@ -17,7 +17,8 @@ static inline double sphere_volume(double diameter)
 }
 
 /* row c: a sphere at rest in a fluid that moves along x so that the superficial Reynolds number is re */
-static inline void body_fill(struct dem_body_batch *b, int c, double diameter, double rho, double mu, double e, double re)
+static inline void body_fill(struct dem_body_batch *b, int c, double diameter, double rho,
+                             double mu, double e, double re)
 {
     b->radius[c] = 0.5*diameter;
     b->volume[c] = sphere_volume(diameter);
@@ -32,7 +33,8 @@ static inline void body_fill(struct dem_body_batch *b, int c, double diameter, d
 }
 
 /* G of a drag law: b over 3 pi mu d, for a sphere of 1 mm in water-like fluid */
-static inline double body_drag(const struct dem_effect *law, const void *settings, double e, double re)
+static inline double body_drag(const struct dem_effect *law, const void *settings, double e,
+                               double re)
 {
     static struct dem_body_batch b;
 

@@ -40,8 +40,9 @@ static inline void drag_in_table(const struct dem_effect *law, const void *setti
     for (int k = 0; k < (int)(sizeof drag_table/sizeof drag_table[0]); k++)
     {
         /* rounded to two places */
-        TAP_NEAR(body_drag(law, settings, drag_table[k].e, drag_table[k].re), drag_table[k].G[column], 0.00501,
-                 "table: e = %g, Re = %g", drag_table[k].e, drag_table[k].re);
+        TAP_NEAR(body_drag(law, settings, drag_table[k].e, drag_table[k].re),
+                 drag_table[k].G[column], 0.00501, "table: e = %g, Re = %g", drag_table[k].e,
+                 drag_table[k].re);
     }
 }
 
@@ -62,13 +63,17 @@ static inline void drag_limits(const struct dem_effect *law, const void *setting
             falls += !(force > before);
             before = force;
         }
-        bad += !isfinite(body_drag(law, settings, e, 0.0)) || body_drag(law, settings, e, 0.0) < 0.0;
+        bad +=
+            !isfinite(body_drag(law, settings, e, 0.0)) || body_drag(law, settings, e, 0.0) < 0.0;
     }
-    TAP_OK(falls == 0, "the force grows with the slip, at every e from 0.2 to 1 and Re from 1e-15 to 1e6");
+    TAP_OK(falls == 0,
+           "the force grows with the slip, at every e from 0.2 to 1 and Re from 1e-15 to 1e6");
     TAP_OK(bad == 0, "finite and not negative at rest");
-    TAP_OK(body_drag(law, settings, 0.1, 0.0) == body_drag(law, settings, 0.2, 0.0)
-           && body_drag(law, settings, 0.0, 0.0) == body_drag(law, settings, 0.2, 0.0), "below e = 0.2 as at 0.2");
-    TAP_OK(body_drag(law, settings, 1.1, 0.0) == body_drag(law, settings, 1.0, 0.0), "above e = 1 as at 1");
+    TAP_OK(body_drag(law, settings, 0.1, 0.0) == body_drag(law, settings, 0.2, 0.0) &&
+               body_drag(law, settings, 0.0, 0.0) == body_drag(law, settings, 0.2, 0.0),
+           "below e = 0.2 as at 0.2");
+    TAP_OK(body_drag(law, settings, 1.1, 0.0) == body_drag(law, settings, 1.0, 0.0),
+           "above e = 1 as at 1");
 }
 
 /* only the slip counts, alike in all directions; target and coefficient go together; nothing else is touched */
@@ -90,20 +95,24 @@ static inline void drag_form(const struct dem_effect *law, const void *settings)
     b.ux[4] = 5.0;
     dem_effect_apply_to_bodies(law, settings, &b);
     /* a few rounded factors; 0.04 comes out of 3.04 - 3 and loses 1e-14 of itself */
-    TAP_NEAR(b.b[0]/stokes/body_drag(law, settings, 0.6, 0.0), 1.0, 1e-13, "moving with the fluid is as at rest in it");
+    TAP_NEAR(b.b[0]/stokes/body_drag(law, settings, 0.6, 0.0), 1.0, 1e-13,
+             "moving with the fluid is as at rest in it");
     for (int c = 1; c < 4; c++)
     {
-        TAP_NEAR(b.b[c]/stokes/body_drag(law, settings, 0.6, 24.0), 1.0, 1e-12, "slip along axis %d alone", c - 1);
+        TAP_NEAR(b.b[c]/stokes/body_drag(law, settings, 0.6, 24.0), 1.0, 1e-12,
+                 "slip along axis %d alone", c - 1);
     }
     TAP_OK(b.bux[1] == b.b[1]*b.ux[1] && b.buy[2] == b.b[2]*b.uy[2] && b.buz[3] == b.b[3]*b.uz[3],
            "target: b times the fluid velocity");
-    TAP_OK(b.b[4] == 0.0 && b.bux[4] == 0.0 && b.b[5] == 0.0 && b.bux[5] == 0.0, "no viscosity or empty row: nothing");
+    TAP_OK(b.b[4] == 0.0 && b.bux[4] == 0.0 && b.b[5] == 0.0 && b.bux[5] == 0.0,
+           "no viscosity or empty row: nothing");
     TAP_OK(b.fx[1] == 0.0 && b.fy[2] == 0.0 && b.fz[3] == 0.0, "no explicit force");
     const double once = b.b[1];
 
     dem_effect_apply_to_bodies(law, settings, &b);
     TAP_OK(b.b[1] == 2.0*once, "adds to what was there");
-    TAP_OK(law->drag != DEM_DRAG_NONE && law->needs == DEM_NEEDS_FLUID, "a law of drag that needs the fluid");
+    TAP_OK(law->drag != DEM_DRAG_NONE && law->needs == DEM_NEEDS_FLUID,
+           "a law of drag that needs the fluid");
 }
 
 #endif

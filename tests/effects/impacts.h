@@ -46,9 +46,11 @@ struct impacts
     struct impacts_effect effect_entry[IMPACTS_EFFECTS];
     struct dem_contact_batch b;
 
-    double x[2][3][DEM_BATCH_ROWS], v[2][3][DEM_BATCH_ROWS], w[2][3][DEM_BATCH_ROWS];    /* v, w: half a step behind x */
+    double x[2][3][DEM_BATCH_ROWS], v[2][3][DEM_BATCH_ROWS],
+        w[2][3][DEM_BATCH_ROWS];    /* v, w: half a step behind x */
     double touched[DEM_BATCH_ROWS], peak_force[DEM_BATCH_ROWS], peak_overlap[DEM_BATCH_ROWS];
-    double normal_impulse[DEM_BATCH_ROWS], friction_impulse[DEM_BATCH_ROWS];         /* N s, of max(fn, 0) and of |ft| */
+    double normal_impulse[DEM_BATCH_ROWS],
+        friction_impulse[DEM_BATCH_ROWS];         /* N s, of max(fn, 0) and of |ft| */
     double friction;                                      /* given: worst_friction is measured */
     double worst_friction;                                /* N, largest |ft| - friction*max(fn, 0) of all rows and steps */
     int steps_touching[DEM_BATCH_ROWS];
@@ -68,7 +70,8 @@ static inline double ball(double radius, double density)
 }
 
 /* E* and G* of the class; a rigid wall has an infinite modulus and adds nothing */
-static inline void impacts_class(struct impacts *w, const struct dem_material *a, const struct dem_material *b, int wall)
+static inline void impacts_class(struct impacts *w, const struct dem_material *a,
+                                 const struct dem_material *b, int wall)
 {
     double e = 0.0, g = 0.0;
     const struct dem_material *const both[2] = {a, b};
@@ -84,8 +87,8 @@ static inline void impacts_class(struct impacts *w, const struct dem_material *a
                                       .reduced_shear = 1.0/g, .exponent = 1.0};
 }
 
-static inline void impacts_spheres(struct impacts *w, const struct dem_material *a, const struct dem_material *b,
-                                 double radius_a, double radius_b)
+static inline void impacts_spheres(struct impacts *w, const struct dem_material *a,
+                                   const struct dem_material *b, double radius_a, double radius_b)
 {
     memset(w, 0, sizeof *w);
     impacts_class(w, a, b, 0);
@@ -97,7 +100,8 @@ static inline void impacts_spheres(struct impacts *w, const struct dem_material 
     w->pair.min_mass = w->mass[0]*w->mass[1]/(w->mass[0] + w->mass[1]);
 }
 
-static inline void impacts_wall(struct impacts *w, const struct dem_material *a, const struct dem_material *b, double radius)
+static inline void impacts_wall(struct impacts *w, const struct dem_material *a,
+                                const struct dem_material *b, double radius)
 {
     memset(w, 0, sizeof *w);
     impacts_class(w, a, b, 1);
@@ -122,8 +126,8 @@ static inline double impacts_contact_time(const struct impacts *w, double speed)
 }
 
 /* set one number or choice (by its place), check that all is given, prepare; 0 or the status */
-static inline int settle(const struct dem_effect *effect, void *settings, const struct dem_pair_class *pair,
-                         const char *name, double value)
+static inline int settle(const struct dem_effect *effect, void *settings,
+                         const struct dem_pair_class *pair, const char *name, double value)
 {
     const struct dem_setting *const f = dem_settings_find(effect->settings, name);
 
@@ -142,7 +146,8 @@ static inline int settle(const struct dem_effect *effect, void *settings, const 
 }
 
 /* append an effect with one setting; more by settle(w.effect_entry[k].effect, w.effect_entry[k].settings, &w.pair, ...) */
-static inline struct impacts_effect *impacts_add(struct impacts *w, const struct dem_effect *effect, const char *name, double value)
+static inline struct impacts_effect *impacts_add(struct impacts *w, const struct dem_effect *effect,
+                                                 const char *name, double value)
 {
     struct impacts_effect *const l = &w->effect_entry[w->effects++];
 
@@ -180,7 +185,8 @@ static inline void impacts_aim(struct impacts *w, int n, double dt, double speed
     {
         w->x[0][2][c] = w->radius[0] + w->radius[1] + speed*dt*((double)c + 0.5)/(double)n;
         w->v[0][2][c] = -speed;
-        w->touched[c] = w->peak_force[c] = w->peak_overlap[c] = w->normal_impulse[c] = w->friction_impulse[c] = 0.0;
+        w->touched[c] = w->peak_force[c] = w->peak_overlap[c] = w->normal_impulse[c] =
+            w->friction_impulse[c] = 0.0;
         w->steps_touching[c] = 0;
     }
     for (int k = 0; k < w->effects; k++)
@@ -258,7 +264,8 @@ static inline void impacts_kick(struct impacts *w, int c, double dt)
         for (int k = 0; k < 3; k++)
         {
             w->v[side][k][c] += dt*sign*(b->fn[c]*n[k] + ft[k])/m;
-            w->w[side][k][c] -= dt*(R*turn[k] - sign*moment[k])/(0.4*m*R*R);    /* contact point at -R n of i, +R n of j */
+            w->w[side][k][c] -= dt*(R*turn[k] - sign*moment[k])/
+                                (0.4*m*R*R);    /* contact point at -R n of i, +R n of j */
         }
     }
     w->v[0][2][c] -= dt*w->weight;
@@ -287,7 +294,8 @@ static inline void impacts_step(struct impacts *w, double dt)
     }
     for (int k = 0; k < w->effects; k++)
     {
-        w->effect_entry[k].effect->apply(w->effect_entry[k].settings, &w->b, w->effect_entry[k].history);
+        w->effect_entry[k].effect->apply(w->effect_entry[k].settings, &w->b,
+                                         w->effect_entry[k].history);
     }
     for (int c = 0; c < w->b.n; c++)
     {
@@ -295,9 +303,11 @@ static inline void impacts_step(struct impacts *w, double dt)
 
         for (int k = 0; k < w->effects; k++)
         {
-            for (int m = 0; w->effect_entry[k].effect->history && w->effect_entry[k].effect->history[m]; m++)
+            for (int m = 0;
+                 w->effect_entry[k].effect->history && w->effect_entry[k].effect->history[m]; m++)
             {
-                w->effect_entry[k].column[m][c] = touching > 0.0 ? w->effect_entry[k].column[m][c] : 0.0;
+                w->effect_entry[k].column[m][c] =
+                    touching > 0.0 ? w->effect_entry[k].column[m][c] : 0.0;
             }
         }
         impacts_kick(w, c, dt);

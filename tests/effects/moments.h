@@ -12,7 +12,8 @@ static const struct dem_material moments_bead = {"bead", 2500.0, 1e6, 0.25, 0.0}
 static const double moments_pi = 3.14159265358979324;
 
 /* one row by hand: normal z, R* = 4 mm, m* = 1 g, k_n = 1e4 N/m, overlap 1 um, pressed with 10 N */
-static inline struct impacts_effect *moments_row(struct impacts *w, const struct dem_effect *effect, const char *name, double value)
+static inline struct impacts_effect *moments_row(struct impacts *w, const struct dem_effect *effect,
+                                                 const char *name, double value)
 {
     impacts_wall(w, &moments_bead, &moments_bead, 0.004);
     w->pair.exponent = 1.5;
@@ -42,11 +43,15 @@ static inline double moments_size(const struct impacts *w)
 }
 
 /* one row at random, once in axes turned at random: the moment turns with them */
-static inline void moments_axes(struct impacts *w, const struct dem_effect *effect, const char *name, double value)
+static inline void moments_axes(struct impacts *w, const struct dem_effect *effect,
+                                const char *name, double value)
 {
     const double s = sin(0.7), c = cos(0.7), t = sin(1.9), u = cos(1.9);
     const double turned[3][3] = {{c, -s*u, s*t}, {s, c*u, -c*t}, {0.0, t, u}};
-    const double v[4][3] = {{0.6, 0.0, 0.8}, {0.64, 0.02, 0.76}, {3e-6, 1e-6, -2e-6}, {3.0, -7.0, 5.0}};
+    const double v[4][3] = {{0.6, 0.0, 0.8},
+                            {0.64, 0.02, 0.76},
+                            {3e-6, 1e-6, -2e-6},
+                            {3.0, -7.0, 5.0}};
     double moment[2][3];
 
     for (int pass = 0; pass < 2; pass++)
@@ -76,12 +81,14 @@ static inline void moments_axes(struct impacts *w, const struct dem_effect *effe
     TAP_OK(size > 0.0, "a moment of %g N m", size);
     for (int d = 0; d < 3; d++)
     {
-        TAP_NEAR(moment[1][d], dot(turned[d], moment[0]), 1e-13*size, "turned axes, component %d", d);    /* rounding */
+        TAP_NEAR(moment[1][d], dot(turned[d], moment[0]), 1e-13*size, "turned axes, component %d",
+                 d);    /* rounding */
     }
 }
 
 /* what holds for all: nothing at rest, apart or pulling; refused without a normal law */
-static inline void moments_none(struct impacts *w, const struct dem_effect *effect, const char *name, double value)
+static inline void moments_none(struct impacts *w, const struct dem_effect *effect,
+                                const char *name, double value)
 {
     struct impacts_effect *l = moments_row(w, effect, name, value);
 
@@ -99,10 +106,12 @@ static inline void moments_none(struct impacts *w, const struct dem_effect *effe
     w->b.wx[0] = 3.0, w->b.wz[0] = 2.0;
     moments_act(w, l);
     TAP_OK(moments_size(w) == 0.0, "%s 0: no moment", name);
-    TAP_OK(settle(effect, l->settings, &w->pair, name, -0.1) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(settle(effect, l->settings, &w->pair, name, -0.1) == DEM_ERROR_INPUT, "%s",
+           dem_error_text());
     w->pair.exponent = 0.0;
     TAP_OK(effect->prepare(l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
-    TAP_OK(effect->stage == DEM_STAGE_MOMENT && (effect->needs & DEM_NEEDS_SPIN), "a law of moments that needs the spin");
+    TAP_OK(effect->stage == DEM_STAGE_MOMENT && (effect->needs & DEM_NEEDS_SPIN),
+           "a law of moments that needs the spin");
 }
 
 /* overlap at which a Hertzian contact of body 0 with the plane carries its weight */
@@ -115,7 +124,8 @@ static inline double moments_depth(const struct impacts *w, double weight)
  * A sphere of 4 mm lies on a plane under 9.81 m/s2 with friction that never slips, and a law of rolling; more settings by
  * settle(). Returns a good time step: a fortieth of the contact time.
  */
-static inline double moments_plane(struct impacts *w, const struct dem_effect *effect, const char *name, double value, double grip)
+static inline double moments_plane(struct impacts *w, const struct dem_effect *effect,
+                                   const char *name, double value, double grip)
 {
     impacts_wall(w, &moments_bead, &moments_bead, 0.004);
     impacts_add(w, &dem_hertz, "impactSpeed", 0.1);

@@ -14,7 +14,8 @@ static const struct dem_material tangential_soda = {"soda-lime glass", 2500.0, 7
 static const double tangential_pi = 3.14159265358979324;
 
 /* one row at rest: normal z, R* = 4 mm, overlap 1 um, k_n = 1e6 N/m, fn = 1 kN, no tangential damping */
-static inline struct impacts_effect *tangential_row(struct impacts *w, const struct dem_effect *law, double friction, double damping)
+static inline struct impacts_effect *tangential_row(struct impacts *w, const struct dem_effect *law,
+                                                    double friction, double damping)
 {
     impacts_wall(w, &tangential_oxide, &tangential_soda, 0.004);
     w->pair.exponent = 1.5;
@@ -63,7 +64,8 @@ static inline void tangential_turns(struct impacts *w, const struct dem_effect *
     {
         tangential_act(w, l);
     }
-    TAP_NEAR(w->b.fy[0], -force*cos(behind), 1e-12*force, "a quarter of a turn of the pair turns the force");
+    TAP_NEAR(w->b.fy[0], -force*cos(behind), 1e-12*force,
+             "a quarter of a turn of the pair turns the force");
     TAP_NEAR(w->b.fx[0], -force*sin(behind), 1e-3*force*behind, "as far, to the third order");
     TAP_NEAR(tangential_size(w), force, 1e-12*force, "and keeps its size");
 
@@ -76,12 +78,14 @@ static inline void tangential_turns(struct impacts *w, const struct dem_effect *
     }
     const double across = kt*slip*2.0*w->b.dt/angle;
 
-    TAP_NEAR(w->b.fy[0], -across, angle*angle*across, "half a turn of the pair lays steady slip across");    /* second order */
+    TAP_NEAR(w->b.fy[0], -across, angle*angle*across,
+             "half a turn of the pair lays steady slip across");    /* second order */
     for (int k = 0; k < TURN/2; k++)
     {
         tangential_act(w, l);
     }
-    TAP_NEAR(tangential_size(w), 0.0, 4.0*angle*angle*across, "a whole turn undoes it");      /* 2 pi angle^2/12 short of it */
+    TAP_NEAR(tangential_size(w), 0.0, 4.0*angle*angle*across,
+             "a whole turn undoes it");      /* 2 pi angle^2/12 short of it */
     w->b.normal_spin[0] = 0.0;
 }
 
@@ -97,7 +101,9 @@ static inline void tangential_gives_nothing(struct impacts *w, const struct dem_
         int slips = 0;
 
         tangential_act(w, l);
-        const double fast = 1.0/(w->b.kt[0]*w->b.dt);     /* a step loads the spring by up to 1 N; the limit goes up to 5 N */
+        const double fast =
+            1.0/(w->b.kt[0]*
+                   w->b.dt);     /* a step loads the spring by up to 1 N; the limit goes up to 5 N */
 
         w->b.eta[0] = eta[m];
         for (int n = 0; n < 2000; n++)
@@ -105,15 +111,20 @@ static inline void tangential_gives_nothing(struct impacts *w, const struct dem_
             w->b.sx[0] = 0.6*fast*sin(0.37*n), w->b.sy[0] = 0.8*fast*sin(1.91*n + 0.3);
             w->b.fn[0] = 12.0*sin(0.11*n) - 2.0;
             tangential_act(w, l);
-            const double x = l->column[0][0], y = l->column[1][0], held = 0.5*w->b.kt[0]*(x*x + y*y);
+            const double x = l->column[0][0], y = l->column[1][0],
+                         held = 0.5*w->b.kt[0]*(x*x + y*y);
 
-            worst = fmax(worst, held - before + (w->b.fx[0]*w->b.sx[0] + w->b.fy[0]*w->b.sy[0])*w->b.dt);
+            worst = fmax(worst, held - before +
+                                    (w->b.fx[0]*w->b.sx[0] + w->b.fy[0]*w->b.sy[0])*w->b.dt);
             before = held;
             most = fmax(most, held);
-            slips += tangential_size(w) > 0.0 && fabs(tangential_size(w)/(0.5*w->b.fn[0]) - 1.0) < 1e-9;
+            slips += tangential_size(w) > 0.0 &&
+                     fabs(tangential_size(w)/(0.5*w->b.fn[0]) - 1.0) < 1e-9;
         }
-        TAP_OK(most > 0.0 && slips > 100 && worst < 1e-12*most, "eta %g kg/s: slipping in %d steps of 2000 it holds up to %.3g J, and at most "
-               "%.2g of that comes from nowhere in a step", eta[m], slips, most, worst/most);
+        TAP_OK(most > 0.0 && slips > 100 && worst < 1e-12*most,
+               "eta %g kg/s: slipping in %d steps of 2000 it holds up to %.3g J, and at most "
+               "%.2g of that comes from nowhere in a step",
+               eta[m], slips, most, worst/most);
     }
 }
 
@@ -140,7 +151,8 @@ static inline void tangential_claims(struct impacts *w, const struct dem_effect 
     w->b.eta[0] = 30.0;
     w->b.sx[0] = 1e-3;
     tangential_act(w, l);
-    TAP_NEAR(w->b.fx[0], -kt*1e-9 - 30.0*1e-3, 1e-14*30.0, "with damping the dashpot of the normal law adds to it");
+    TAP_NEAR(w->b.fx[0], -kt*1e-9 - 30.0*1e-3, 1e-14*30.0,
+             "with damping the dashpot of the normal law adds to it");
 
     l = tangential_row(w, law, 0.5, 1.0);
     w->b.eta[0] = 30.0;
@@ -150,7 +162,8 @@ static inline void tangential_claims(struct impacts *w, const struct dem_effect 
     TAP_NEAR(tangential_size(w), 5.0, 5e-15, "sliding: mu fn");
     TAP_NEAR(w->b.fx[0], -3.0, 5e-15, "against the slip");
     /* round-off of a pull that would be 30 times the limit if it held */
-    TAP_NEAR(-(kt + 30.0/w->b.dt)*l->column[1][0], -4.0, 1e-13, "spring and dashpot share it, each by what it gave way");
+    TAP_NEAR(-(kt + 30.0/w->b.dt)*l->column[1][0], -4.0, 1e-13,
+             "spring and dashpot share it, each by what it gave way");
     for (int k = 0; k < 5000; k++)                        /* c/k is 100 steps at most */
     {
         tangential_act(w, l);
@@ -159,17 +172,21 @@ static inline void tangential_claims(struct impacts *w, const struct dem_effect 
     TAP_NEAR(-kt*l->column[1][0], -4.0, 1e-13, "and the spring comes to hold the whole of it");
     w->b.sx[0] = -1e-5, w->b.sy[0] = 0.0;
     tangential_act(w, l);
-    TAP_OK(tangential_size(w) < 5.0 && w->b.fx[0] < 0.0, "a little slip back unloads; the force does not turn round at once");
+    TAP_OK(tangential_size(w) < 5.0 && w->b.fx[0] < 0.0,
+           "a little slip back unloads; the force does not turn round at once");
     w->b.fn[0] = -1.0;
     tangential_act(w, l);
-    TAP_OK(tangential_size(w) == 0.0 && l->column[0][0] == 0.0, "a contact that pulls has no friction and keeps no spring");
+    TAP_OK(tangential_size(w) == 0.0 && l->column[0][0] == 0.0,
+           "a contact that pulls has no friction and keeps no spring");
     l = tangential_row(w, law, 0.5, 1.0);
     w->b.touching[0] = w->b.overlap[0] = w->b.kn[0] = w->b.fn[0] = 0.0;
     w->b.sx[0] = 3.0;
     l->column[0][0] = 1e-6;
     tangential_act(w, l);
-    TAP_OK(tangential_size(w) == 0.0 && w->b.kt[0] == 0.0 && l->column[0][0] == 0.0, "a row apart gets and keeps nothing");
-    TAP_OK(settle(law, l->settings, &w->pair, "friction", -0.1) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(tangential_size(w) == 0.0 && w->b.kt[0] == 0.0 && l->column[0][0] == 0.0,
+           "a row apart gets and keeps nothing");
+    TAP_OK(settle(law, l->settings, &w->pair, "friction", -0.1) == DEM_ERROR_INPUT, "%s",
+           dem_error_text());
     w->pair.exponent = 0.0;
     TAP_OK(law->prepare(l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
 }
@@ -178,7 +195,8 @@ static inline void tangential_claims(struct impacts *w, const struct dem_effect 
  * The set of Kharaz et al. at this angle from the normal, elastic, 16 phases, `steps` a contact time; the effects after the
  * wall are the caller's. Tangential speed over the one before; *spin about +y; *energy over the one before.
  */
-static inline double tangential_throw(struct impacts *w, double angle, double dt, int most, double *spin, double *energy)
+static inline double tangential_throw(struct impacts *w, double angle, double dt, int most,
+                                      double *spin, double *energy)
 {
     const double a = angle*tangential_pi/180.0, vn = 3.9*cos(a), vt = 3.9*sin(a);
     double sum = 0.0;
@@ -190,7 +208,8 @@ static inline double tangential_throw(struct impacts *w, double angle, double dt
         w->v[0][0][c] = vt;
     }
     TAP_OK(impacts_impact(w, dt, most) > 0, "%g degrees: parts again", angle);
-    TAP_NEAR(fmax(w->worst_friction, 0.0), 0.0, 1e-11, "friction was never above mu max(fn, 0)");    /* rounding of 1e3 N */
+    TAP_NEAR(fmax(w->worst_friction, 0.0), 0.0, 1e-11,
+             "friction was never above mu max(fn, 0)");    /* rounding of 1e3 N */
     for (int c = 0; c < 16; c++)
     {
         const double v = w->v[0][0][c], u = w->v[0][2][c], turn = w->w[0][1][c]*w->radius[0];

@@ -19,14 +19,16 @@ static double paper(double e, double re)
 {
     const double s = 1.0 - e;
 
-    return 10.0*s/(e*e) + e*e*(1.0 + 1.5*sqrt(s)) + 0.413*re/(24.0*e*e)*(1.0/e + 3.0*e*s + 8.4*pow(re, -0.343))
-         /(1.0 + pow(10.0, 3.0*s)*pow(re, -0.5*(1.0 + 4.0*s)));
+    return 10.0*s/(e*e) + e*e*(1.0 + 1.5*sqrt(s)) +
+           0.413*re/(24.0*e*e)*(1.0/e + 3.0*e*s + 8.4*pow(re, -0.343)) /
+               (1.0 + pow(10.0, 3.0*s)*pow(re, -0.5*(1.0 + 4.0*s)));
 }
 
 /* three sizes in one fluid with one slip: the sum of their drags in a unit volume against that of the Sauter mean */
 static void mixture(double e, double slip)
 {
-    static const double d[3] = {0.5e-3, 1e-3, 2e-3}, solids[3] = {0.2, 0.5, 0.3};    /* shares of the solid volume */
+    static const double d[3] = {0.5e-3, 1e-3, 2e-3},
+                        solids[3] = {0.2, 0.5, 0.3};    /* shares of the solid volume */
     static struct dem_body_batch b;
     double over = 0.0, sum = 0.0;
 
@@ -48,7 +50,8 @@ static void mixture(double e, double slip)
         sum += solids[k]*(1.0 - e)/sphere_volume(d[k])*b.b[k];
     }
     /* rounding */
-    TAP_NEAR(sum/((1.0 - e)/sphere_volume(own.mean_diameter)*b.b[3]), 1.0, 1e-13, "e = %g: as spheres of the Sauter mean", e);
+    TAP_NEAR(sum/((1.0 - e)/sphere_volume(own.mean_diameter)*b.b[3]), 1.0, 1e-13,
+             "e = %g: as spheres of the Sauter mean", e);
     TAP_NEAR(b.b[2]/b.b[0], 16.0, 1e-12, "e = %g: four times the size, sixteen times the drag", e);
     const double alone = b.b[3];
 
@@ -56,7 +59,8 @@ static void mixture(double e, double slip)
     body_fill(&b, 3, 1.0/over, 1000.0, 1e-3, e, 0.0);
     b.ux[3] = slip;
     dem_beetstra.apply_to_bodies(&own, &b);
-    TAP_NEAR(b.b[3]/alone, 1.0, 1e-15, "e = %g: the mean itself is as among its equals", e);    /* rounding of y = 1 */
+    TAP_NEAR(b.b[3]/alone, 1.0, 1e-15, "e = %g: the mean itself is as among its equals",
+             e);    /* rounding of y = 1 */
 }
 
 int main(void)
@@ -66,14 +70,16 @@ int main(void)
     drag_in_table(&dem_beetstra, &own, DRAG_BEETSTRA);
     TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a lone creeping sphere: Stokes' 3 pi mu d");
     TAP_NEAR(G(1.0, 1e-6), 1.0, 1e-5, "and nearly so at Re = 1e-6");                     /* 0.145 Re^1.157 */
-    TAP_NEAR(G(0.4, 0.0), 0.4*(10.0*0.6/0.16 + 0.16*(1.0 + 1.5*sqrt(0.6))), 1e-13, "a creeping packing");    /* rounding */
+    TAP_NEAR(G(0.4, 0.0), 0.4*(10.0*0.6/0.16 + 0.16*(1.0 + 1.5*sqrt(0.6))), 1e-13,
+             "a creeping packing");    /* rounding */
     for (double e = 0.25; e < 1.0; e += 0.07)
     {
         for (double re = 1e-3; re < 1e5; re *= 7.0)
         {
             if (fabs(G(e, re)/(e*paper(e, re)) - 1.0) > 1e-13)                            /* rounding of powers */
             {
-                TAP_NEAR(G(e, re)/(e*paper(e, re)), 1.0, 1e-13, "as the paper writes it, e = %g, Re = %g", e, re);
+                TAP_NEAR(G(e, re)/(e*paper(e, re)), 1.0, 1e-13,
+                         "as the paper writes it, e = %g, Re = %g", e, re);
             }
         }
     }
@@ -105,15 +111,19 @@ int main(void)
     dem_beetstra.apply_to_bodies(&own, &b);
     TAP_OK(b.b[1] == around, "the mean around, or the same given");
     own.around = 1;
-    TAP_OK(dem_beetstra.extra_needs(&own) == DEM_NEEDS_MEAN_DIAMETER && dem_beetstra.prepare(&own, NULL) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(dem_beetstra.extra_needs(&own) == DEM_NEEDS_MEAN_DIAMETER &&
+               dem_beetstra.prepare(&own, NULL) == DEM_ERROR_INPUT,
+           "%s", dem_error_text());
     own.around = 0;
-    TAP_OK(dem_beetstra.extra_needs(&own) == 0 && dem_beetstra.prepare(&own, NULL) == DEM_OK, "asks for it only then");
+    TAP_OK(dem_beetstra.extra_needs(&own) == 0 && dem_beetstra.prepare(&own, NULL) == DEM_OK,
+           "asks for it only then");
 
     double bad = -1e-3;
 
     dem_settings_set_defaults(dem_beetstra.settings, &own);
     TAP_OK(own.mean_diameter == 0.0 && own.around == 0, "of one size by default");
-    TAP_OK(dem_settings_set_number(dem_beetstra.settings, &own, "beetstra", "meanDiameter", &bad, 1) == DEM_ERROR_INPUT,
+    TAP_OK(dem_settings_set_number(dem_beetstra.settings, &own, "beetstra", "meanDiameter", &bad,
+                                   1) == DEM_ERROR_INPUT,
            "%s", dem_error_text());
     TAP_DONE;
 }

@@ -58,19 +58,22 @@ static void as_asked(void)
     const double a = bounce(0.5, 3.9, 0, 400) - 0.5, b = bounce(0.5, 3.9, 0, 800) - 0.5;
 
     TAP_NEAR(b/a, 0.5, 0.05, "half the step, half the error");
-    TAP_NEAR(bounce(0.8, 0.01, 0, 400), bounce(0.8, 30.0, 0, 400), 1e-9, "the speed of impact does not matter");
+    TAP_NEAR(bounce(0.8, 0.01, 0, 400), bounce(0.8, 30.0, 0, 400), 1e-9,
+             "the speed of impact does not matter");
 }
 
 static void clamped(void)
 {
     /* an independent integration of the clamped law, same particle and wall, 40000 steps a contact */
     static const double given[] = {0.2, 0.4, 0.5, 0.6, 0.8, 0.9};
-    static const double found[] = {0.32485934, 0.47201187, 0.55028171, 0.63228964, 0.80809925, 0.90202613};
+    static const double found[] = {0.32485934, 0.47201187, 0.55028171,
+                                   0.63228964, 0.80809925, 0.90202613};
 
     for (int k = 0; k < 6; k++)
     {
         /* the lag of half a step again, at a tenth of the step */
-        TAP_NEAR(bounce(given[k], 3.9, 1, 4000), found[k], 1e-4, "clamped, e = %g gives %.3f", given[k], found[k]);
+        TAP_NEAR(bounce(given[k], 3.9, 1, 4000), found[k], 1e-4, "clamped, e = %g gives %.3f",
+                 given[k], found[k]);
     }
 }
 
@@ -128,7 +131,8 @@ static void refusals(void)
     struct dem_pair_class pair = {.a = &oxide, .b = &rigid, .exponent = 1.5};
 
     dem_settings_set_defaults(dem_dry.settings, settings);
-    TAP_OK(dem_settings_check_complete(dem_dry.settings, settings, "dry") == DEM_ERROR_INPUT, "restitution has no default");
+    TAP_OK(dem_settings_check_complete(dem_dry.settings, settings, "dry") == DEM_ERROR_INPUT,
+           "restitution has no default");
     TAP_OK(settle(&dem_dry, settings, &pair, "restitution", 1.1) == DEM_ERROR_INPUT,
            "e = 1.1: %s", dem_error_text());
     TAP_OK(settle(&dem_dry, settings, &pair, "restitution", -0.1) == DEM_ERROR_INPUT,

@@ -18,8 +18,13 @@ enum
 };
 
 static const struct dem_material glass = {"glass", 2500.0, 60e9, 0.22, 0.0};
-static const struct dem_pair_class pair = {.a = &glass, .b = &glass, .reduced_modulus = 31e9, .reduced_shear = 7e9,
-                                           .exponent = 1.5, .min_radius = 1e-3, .min_mass = 1e-5};
+static const struct dem_pair_class pair = {.a = &glass,
+                                           .b = &glass,
+                                           .reduced_modulus = 31e9,
+                                           .reduced_shear = 7e9,
+                                           .exponent = 1.5,
+                                           .min_radius = 1e-3,
+                                           .min_mass = 1e-5};
 
 /* settings in the middle of their range, or their defaults; prepared */
 static void settings_of(const struct dem_effect *e, void *settings)
@@ -33,9 +38,11 @@ static void settings_of(const struct dem_effect *e, void *settings)
         {
             if (isnan(f->default_value))
             {
-                const double value = (f->min > 0.5 ? 2.0*f->min : 0.5) + unlike, values[3] = {value, 0.5, 0.5};
+                const double value = (f->min > 0.5 ? 2.0*f->min : 0.5) + unlike,
+                             values[3] = {value, 0.5, 0.5};
 
-                dem_settings_set_number(e->settings, settings, e->name, f->name, values, f->kind == DEM_SETTING_VECTOR ? 3 : 1);
+                dem_settings_set_number(e->settings, settings, e->name, f->name, values,
+                                        f->kind == DEM_SETTING_VECTOR ? 3 : 1);
                 unlike += 0.01;
             }
         }
@@ -53,21 +60,26 @@ static double uniform(int row, int use, double least, double most)
 }
 
 /* every third row is apart */
-static void random_contact(struct dem_contact_batch *b, dem_real memory[MEMORY][DEM_BATCH_ROWS], int to, int row)
+static void random_contact(struct dem_contact_batch *b, dem_real memory[MEMORY][DEM_BATCH_ROWS],
+                           int to, int row)
 {
-    const double a = uniform(row, 0, 0.0, 6.28), z = uniform(row, 1, -1.0, 1.0), tilt = uniform(row, 2, -0.01, 0.01);
+    const double a = uniform(row, 0, 0.0, 6.28), z = uniform(row, 1, -1.0, 1.0),
+                 tilt = uniform(row, 2, -0.01, 0.01);
     const double apart = row % 3 == 2 ? 0.0 : 1.0;
 
     b->dt = b->max_dt = 1e-6;
     b->nx[to] = sqrt(1.0 - z*z)*cos(a), b->ny[to] = sqrt(1.0 - z*z)*sin(a), b->nz[to] = z;
-    b->hx[to] = sqrt(1.0 - z*z)*cos(a + tilt), b->hy[to] = sqrt(1.0 - z*z)*sin(a + tilt), b->hz[to] = z;
+    b->hx[to] = sqrt(1.0 - z*z)*cos(a + tilt), b->hy[to] = sqrt(1.0 - z*z)*sin(a + tilt),
+    b->hz[to] = z;
     b->overlap[to] = apart*uniform(row, 3, 0.0, 1e-5);
     b->touching[to] = apart;
     b->reduced_radius[to] = uniform(row, 4, 1e-3, 2e-3);
     b->reduced_mass[to] = uniform(row, 5, 1e-5, 1e-4);
     b->vn[to] = uniform(row, 6, -1.0, 1.0);
-    b->sx[to] = uniform(row, 7, -1.0, 1.0), b->sy[to] = uniform(row, 8, -1.0, 1.0), b->sz[to] = uniform(row, 9, -1.0, 1.0);
-    b->wx[to] = uniform(row, 10, -9.0, 9.0), b->wy[to] = uniform(row, 11, -9.0, 9.0), b->wz[to] = uniform(row, 12, -9.0, 9.0);
+    b->sx[to] = uniform(row, 7, -1.0, 1.0), b->sy[to] = uniform(row, 8, -1.0, 1.0),
+    b->sz[to] = uniform(row, 9, -1.0, 1.0);
+    b->wx[to] = uniform(row, 10, -9.0, 9.0), b->wy[to] = uniform(row, 11, -9.0, 9.0),
+    b->wz[to] = uniform(row, 12, -9.0, 9.0);
     b->viscosity[to] = uniform(row, 13, 0.0, 0.01);
     b->min_radius[to] = uniform(row, 50, 1e-3, 2e-3);
     b->gap[to] = apart > 0.0 ? -b->overlap[to] : uniform(row, 51, 0.0, 1.0);
@@ -90,14 +102,20 @@ static void random_contact(struct dem_contact_batch *b, dem_real memory[MEMORY][
 
 static void random_body(struct dem_body_batch *b, int to, int row)
 {
-    body_fill(b, to, uniform(row, 0, 1e-4, 1e-2), uniform(row, 1, 1.0, 1000.0), uniform(row, 2, 1e-5, 1e-2),
-              uniform(row, 3, 0.1, 1.1), uniform(row, 4, 0.0, 2000.0));
-    b->vx[to] = uniform(row, 5, -1.0, 1.0), b->vy[to] = uniform(row, 6, -1.0, 1.0), b->vz[to] = uniform(row, 7, -1.0, 1.0);
-    b->gx[to] = uniform(row, 8, -1e4, 1e4), b->gy[to] = uniform(row, 9, -1e4, 1e4), b->gz[to] = uniform(row, 10, -1e4, 1e4);
-    b->ax[to] = uniform(row, 11, -20.0, 20.0), b->ay[to] = uniform(row, 12, -20.0, 20.0), b->az[to] = uniform(row, 13, -20.0, 20.0);
-    b->ox[to] = uniform(row, 14, -99.0, 99.0), b->oy[to] = uniform(row, 15, -99.0, 99.0), b->oz[to] = uniform(row, 16, -99.0, 99.0);
-    b->sx[to] = uniform(row, 17, -99.0, 99.0), b->sy[to] = uniform(row, 18, -99.0, 99.0), b->sz[to] = uniform(row, 19, -99.0, 99.0);
-    b->wx[to] = uniform(row, 20, -99.0, 99.0), b->wy[to] = uniform(row, 21, -99.0, 99.0), b->wz[to] = uniform(row, 22, -99.0, 99.0);
+    body_fill(b, to, uniform(row, 0, 1e-4, 1e-2), uniform(row, 1, 1.0, 1000.0),
+              uniform(row, 2, 1e-5, 1e-2), uniform(row, 3, 0.1, 1.1), uniform(row, 4, 0.0, 2000.0));
+    b->vx[to] = uniform(row, 5, -1.0, 1.0), b->vy[to] = uniform(row, 6, -1.0, 1.0),
+    b->vz[to] = uniform(row, 7, -1.0, 1.0);
+    b->gx[to] = uniform(row, 8, -1e4, 1e4), b->gy[to] = uniform(row, 9, -1e4, 1e4),
+    b->gz[to] = uniform(row, 10, -1e4, 1e4);
+    b->ax[to] = uniform(row, 11, -20.0, 20.0), b->ay[to] = uniform(row, 12, -20.0, 20.0),
+    b->az[to] = uniform(row, 13, -20.0, 20.0);
+    b->ox[to] = uniform(row, 14, -99.0, 99.0), b->oy[to] = uniform(row, 15, -99.0, 99.0),
+    b->oz[to] = uniform(row, 16, -99.0, 99.0);
+    b->sx[to] = uniform(row, 17, -99.0, 99.0), b->sy[to] = uniform(row, 18, -99.0, 99.0),
+    b->sz[to] = uniform(row, 19, -99.0, 99.0);
+    b->wx[to] = uniform(row, 20, -99.0, 99.0), b->wy[to] = uniform(row, 21, -99.0, 99.0),
+    b->wz[to] = uniform(row, 22, -99.0, 99.0);
     b->mean_diameter[to] = uniform(row, 23, 1e-4, 1e-2);
 }
 
@@ -124,18 +142,21 @@ static int bad_columns(const dem_real *first, const dem_real *last)
     return bad;
 }
 
-static int differs(const dem_real *first, const dem_real *last, const dem_real *other_first, int row)
+static int differs(const dem_real *first, const dem_real *last, const dem_real *other_first,
+                   int row)
 {
     int bad = 0;
 
-    for (const dem_real *a = first, *b = other_first; a <= last; a += DEM_BATCH_ROWS, b += DEM_BATCH_ROWS)
+    for (const dem_real *a = first, *b = other_first; a <= last;
+         a += DEM_BATCH_ROWS, b += DEM_BATCH_ROWS)
     {
         bad += memcmp(a + row, b, sizeof *a) != 0;        /* bits, so that -0 is not 0 */
     }
     return bad;
 }
 
-static void act(const struct dem_effect *e, const double *settings, struct dem_contact_batch *b, dem_real *const *memory)
+static void act(const struct dem_effect *e, const double *settings, struct dem_contact_batch *b,
+                dem_real *const *memory)
 {
     if (e->set_adhesion)
     {
@@ -147,7 +168,8 @@ static void act(const struct dem_effect *e, const double *settings, struct dem_c
 static void contact_effect(const struct dem_effect *e)
 {
     static struct dem_contact_batch many, one;
-    static _Alignas(64) dem_real memory[MEMORY][DEM_BATCH_ROWS], memory_of_one[MEMORY][DEM_BATCH_ROWS];
+    static _Alignas(64) dem_real memory[MEMORY][DEM_BATCH_ROWS],
+        memory_of_one[MEMORY][DEM_BATCH_ROWS];
     dem_real *all[MEMORY], *alone[MEMORY];
     double settings[32] = {0};
     int bad = 0;
@@ -172,21 +194,25 @@ static void contact_effect(const struct dem_effect *e)
         one.n = 1;
         random_contact(&one, memory_of_one, 0, row);
         act(e, settings, &one, alone);
-        bad += differs(many.kn, many.broke, one.kn, row) + differs(memory[0], memory[MEMORY - 1], memory_of_one[0], row);
+        bad += differs(many.kn, many.broke, one.kn, row) +
+               differs(memory[0], memory[MEMORY - 1], memory_of_one[0], row);
     }
-    TAP_OK(bad == 0, "%s: a row has the same bits alone and among others (%d differ)", e->name, bad);
+    TAP_OK(bad == 0, "%s: a row has the same bits alone and among others (%d differ)", e->name,
+           bad);
     TAP_OK(bad_columns(many.kn, many.broke) + bad_columns(memory[0], memory[MEMORY - 1]) == 0,
            "%s: all finite", e->name);
     bad = 0;
     for (int row = 2; row < ROWS && e->stage < DEM_STAGE_BOND; row += 3)
     {
-        bad += many.kn[row] != 0.0 || many.kt[row] != 0.0 || many.eta[row] != 0.0 || many.fn[row] != 0.0;
+        bad += many.kn[row] != 0.0 || many.kt[row] != 0.0 || many.eta[row] != 0.0 ||
+               many.fn[row] != 0.0;
         bad += many.fx[row] != 0.0 || many.fy[row] != 0.0 || many.fz[row] != 0.0;
     }
     TAP_OK(bad == 0, "%s: nothing acts on rows apart", e->name);
 
     bad = 0;
-    for (int row = 0; row < ROWS && e->clears_history; row++)    /* fn, kn, overlap, touching: 0 in every third row */
+    for (int row = 0; row < ROWS && e->clears_history;
+         row++)    /* fn, kn, overlap, touching: 0 in every third row */
     {
         random_contact(&many, memory, row, row);
         for (int m = 0; m < MEMORY; m++)
@@ -212,7 +238,8 @@ static void contact_effect(const struct dem_effect *e)
     many.n = DEM_BATCH_ROWS;
     many.max_dt = 1e-6;
     act(e, settings, &many, all);
-    TAP_OK(bad_columns(many.kn, many.broke) == 0 && many.fn[DEM_BATCH_ROWS - 1] == 0.0 && many.fx[0] == 0.0,
+    TAP_OK(bad_columns(many.kn, many.broke) == 0 && many.fn[DEM_BATCH_ROWS - 1] == 0.0 &&
+               many.fx[0] == 0.0,
            "%s: rows of zeros", e->name);
 }
 
@@ -238,21 +265,25 @@ static void body_effect(const struct dem_effect *e)
         dem_effect_apply_to_bodies(e, settings, &one);
         bad += differs(many.added_mass, many.tz, one.added_mass, row);
     }
-    TAP_OK(bad == 0, "%s: a row has the same bits alone and among others (%d differ)", e->name, bad);
+    TAP_OK(bad == 0, "%s: a row has the same bits alone and among others (%d differ)", e->name,
+           bad);
     TAP_OK(bad_columns(many.added_mass, many.tz) == 0, "%s: all finite", e->name);
     bad = 0;
     for (int row = 0; row < ROWS; row++)
     {
         bad += many.b[row] < 0.0 || many.t[row] < 0.0 || many.added_mass[row] < 0.0;
     }
-    TAP_OK(bad == 0, "%s: no coefficient of drag or rotational drag and no added mass is negative", e->name);
+    TAP_OK(bad == 0, "%s: no coefficient of drag or rotational drag and no added mass is negative",
+           e->name);
 
     memset(&many, 0, sizeof many);
     many.n = DEM_BATCH_ROWS;
     dem_effect_apply_to_bodies(e, settings, &many);
-    TAP_OK(bad_columns(many.added_mass, many.tz) == 0 && many.fx[DEM_BATCH_ROWS - 1] == 0.0 && many.b[0] == 0.0,
+    TAP_OK(bad_columns(many.added_mass, many.tz) == 0 && many.fx[DEM_BATCH_ROWS - 1] == 0.0 &&
+               many.b[0] == 0.0,
            "%s: rows of zeros", e->name);
-    TAP_OK(many.rx[0] == 0.0 && many.t[DEM_BATCH_ROWS - 1] == 0.0 && many.added_mass[0] == 0.0, "%s: rows of zeros have no reaction, rotational drag or added mass", e->name);
+    TAP_OK(many.rx[0] == 0.0 && many.t[DEM_BATCH_ROWS - 1] == 0.0 && many.added_mass[0] == 0.0,
+           "%s: rows of zeros have no reaction, rotational drag or added mass", e->name);
 }
 
 /* an effect writes the columns that it declares, and no others */
@@ -277,7 +308,8 @@ static void declarations(const struct dem_effect *e)
         turns |= b.t[row] != 0.0;
         added |= b.added_mass[row] != 0.0;
     }
-    TAP_OK(has_reaction == e->has_reaction && added == e->has_added_mass && turns == e->has_rotational_drag && (pushes == 0 || !has_reaction),
+    TAP_OK(has_reaction == e->has_reaction && added == e->has_added_mass &&
+               turns == e->has_rotational_drag && (pushes == 0 || !has_reaction),
            "%s: reaction, added mass and rotational drag are those that it declares", e->name);
 }
 
@@ -298,7 +330,8 @@ static int example_is_complete(const struct dem_effect *e)
 
         if (sscanf(entry, " %63s", name) == 1)
         {
-            const struct dem_setting *const f = e->settings ? dem_settings_find(e->settings, name) : NULL;
+            const struct dem_setting *const f =
+                e->settings ? dem_settings_find(e->settings, name) : NULL;
 
             if (!f)
             {
@@ -322,21 +355,33 @@ static void tells(const struct dem_effect *e)
     }
     TAP_OK(e->summary && e->source && e->name[0] && e->summary[0] && e->source[0],
            "%s: word, sentence, source", e->name);
-    TAP_OK(bad == 0 && (fields > 0) == (e->size > 0), "%s: %d settings, each with unit and help", e->name, fields);
+    TAP_OK(bad == 0 && (fields > 0) == (e->size > 0), "%s: %d settings, each with unit and help",
+           e->name, fields);
     TAP_OK(body ? e->apply_to_bodies && !e->apply && !e->history : e->apply && !e->apply_to_bodies,
            "%s: acts as its stage wants", e->name);
-    TAP_OK(!(e->reach || e->replace_contact) || e->stage == DEM_STAGE_BOND || e->stage == DEM_STAGE_FILM,
+    TAP_OK(!(e->reach || e->replace_contact) || e->stage == DEM_STAGE_BOND ||
+               e->stage == DEM_STAGE_FILM,
            "%s: only bonds and films act past touching", e->name);
-    TAP_OK(!e->set_adhesion || e->stage == DEM_STAGE_FILM, "%s: only films give a friction force before contact", e->name);
-    TAP_OK(!e->prepare_bodies || e->drag || e->has_added_mass, "%s: only drag and added mass open a window", e->name);
-    TAP_OK(!(e->drag || e->has_reaction || e->has_added_mass || e->has_rotational_drag) || e->stage == DEM_STAGE_FLUID, "%s: only in a fluid", e->name);
-    TAP_OK(!e->clears_history || (e->history && e->stage < DEM_STAGE_BOND), "%s: only laws of contact forget", e->name);
+    TAP_OK(!e->set_adhesion || e->stage == DEM_STAGE_FILM,
+           "%s: only films give a friction force before contact", e->name);
+    TAP_OK(!e->prepare_bodies || e->drag || e->has_added_mass,
+           "%s: only drag and added mass open a window", e->name);
+    TAP_OK(!(e->drag || e->has_reaction || e->has_added_mass || e->has_rotational_drag) ||
+               e->stage == DEM_STAGE_FLUID,
+           "%s: only in a fluid", e->name);
+    TAP_OK(!e->clears_history || (e->history && e->stage < DEM_STAGE_BOND),
+           "%s: only laws of contact forget", e->name);
     TAP_OK((e->exponent > 0.0) == (e->stage == DEM_STAGE_NORMAL),
            "%s: an exponent for the normal law only", e->name);
-    TAP_OK(!e->uniform_acceleration || e->stage == DEM_STAGE_BODY, "%s: only a body force is gravity", e->name);
-    TAP_OK(!e->has_pressure_gradient || e->stage == DEM_STAGE_FLUID, "%s: only a fluid has a pressure gradient", e->name);
-    TAP_OK((e->listed_column != NULL) == (e->makes_listed != NULL), "%s: a list of pairs has its column", e->name);
-    TAP_OK(example_is_complete(e), "%s: the example gives each required setting, and settings only: %s", e->name, e->example ? e->example : "none");
+    TAP_OK(!e->uniform_acceleration || e->stage == DEM_STAGE_BODY,
+           "%s: only a body force is gravity", e->name);
+    TAP_OK(!e->has_pressure_gradient || e->stage == DEM_STAGE_FLUID,
+           "%s: only a fluid has a pressure gradient", e->name);
+    TAP_OK((e->listed_column != NULL) == (e->makes_listed != NULL),
+           "%s: a list of pairs has its column", e->name);
+    TAP_OK(example_is_complete(e),
+           "%s: the example gives each required setting, and settings only: %s", e->name,
+           e->example ? e->example : "none");
     TAP_OK(dem_effects_find(e->name) == e, "%s: found by its word", e->name);
 }
 
@@ -360,9 +405,12 @@ int main(void)
         }
     }
     TAP_OK(count > 0, "%d effects", count);
-    TAP_OK(dem_effects_find("hertzz") == NULL && dem_effects_find("") == NULL, "an unknown word is not found");
-    TAP_OK(dem_effects_unknown("scene.dem, line 3", "hertzz") == DEM_ERROR_INPUT, "%s", dem_error_text());
-    TAP_OK(strncmp(dem_error_text(), "scene.dem, line 3: ", 19) == 0, "the message begins with file and line");
+    TAP_OK(dem_effects_find("hertzz") == NULL && dem_effects_find("") == NULL,
+           "an unknown word is not found");
+    TAP_OK(dem_effects_unknown("scene.dem, line 3", "hertzz") == DEM_ERROR_INPUT, "%s",
+           dem_error_text());
+    TAP_OK(strncmp(dem_error_text(), "scene.dem, line 3: ", 19) == 0,
+           "the message begins with file and line");
     TAP_OK(strstr(dem_error_text(), "did you mean hertz") != NULL, "and offers the nearest word");
     TAP_OK(strstr(dem_error_text(), "gidaspow") != NULL, "and lists the others");
     TAP_DONE;

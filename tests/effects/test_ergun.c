@@ -23,19 +23,23 @@ int main(void)
     TAP_TRAPS;
     for (int k = 0; k < 4; k++)
     {
-        const double e = beds[k][0], s = 1.0 - e, mu = 1e-3, rho = 1000.0, d = 1e-3, U = beds[k][1]*mu/(rho*d);
+        const double e = beds[k][0], s = 1.0 - e, mu = 1e-3, rho = 1000.0, d = 1e-3,
+                     U = beds[k][1]*mu/(rho*d);
         const double drop = s/sphere_volume(d)*(3.0*pi*mu*d*G(e, beds[k][1]))*(U/e)/e;
         const double published = 150.0*mu*s*s*U/(e*e*e*d*d) + 1.75*rho*s*U*U/(e*e*e*d);
 
-        TAP_NEAR(drop/published, 1.0, 1e-13, "Ergun's pressure drop, e = %g, Re = %g", e, beds[k][1]);    /* rounding */
-        TAP_OK(G(e, beds[k][1]) == body_drag(&dem_gidaspow, &switched, e, beds[k][1]), "gidaspow's where that is dense");
+        TAP_NEAR(drop/published, 1.0, 1e-13, "Ergun's pressure drop, e = %g, Re = %g", e,
+                 beds[k][1]);    /* rounding */
+        TAP_OK(G(e, beds[k][1]) == body_drag(&dem_gidaspow, &switched, e, beds[k][1]),
+               "gidaspow's where that is dense");
     }
     for (int k = 0; k < 3; k++)
     {
         const double e = 0.451335, d = 1e-3, mu = 1.5e-3, U = column[k][0], re = 10.0*U*d/mu;
         const double drop = 0.0156*(1.0 - e)/sphere_volume(d)*(3.0*pi*mu*d*G(e, re))*(U/e)/e;
 
-        TAP_NEAR(drop/column[k][1], 1.0, 1e-7, "15.6 mm of bed at %g m/s: %g Pa", U, column[k][1]);    /* digits printed */
+        TAP_NEAR(drop/column[k][1], 1.0, 1e-7, "15.6 mm of bed at %g m/s: %g Pa", U,
+                 column[k][1]);    /* digits printed */
     }
     TAP_OK(G(1.0, 0.0) == 0.0, "a lone creeping sphere: nothing, this is a law for packings");
     for (double e = 0.2; e < 0.999; e += 0.1)

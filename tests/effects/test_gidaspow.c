@@ -33,7 +33,8 @@ static void switched(void)
     blend = 1;
     for (int k = 0; k < (int)(sizeof table/sizeof table[0]); k++)
     {
-        TAP_NEAR(G(table[k][0], table[k][1]), table[k][2], 0.00501, "e = %g, Re = %g", table[k][0], table[k][1]);
+        TAP_NEAR(G(table[k][0], table[k][1]), table[k][2], 0.00501, "e = %g, Re = %g", table[k][0],
+                 table[k][1]);
     }
     TAP_NEAR(G(0.8 - 1e-12, 200.0), 26.4, 0.0501, "below the switch at Re = 200: Ergun, 26.4");
     TAP_NEAR(G(0.8, 200.0), 12.1, 0.0501, "at the switch: Wen and Yu, 12.1");
@@ -43,7 +44,8 @@ static void switched(void)
     static const double beds[][2] = {{0.4, 0.1}, {0.4, 5.0}, {0.45, 300.0}, {0.6, 2000.0}};
     for (int k = 0; k < 4; k++)
     {
-        const double e = beds[k][0], s = 1.0 - e, mu = 1e-3, rho = 1000.0, d = 1e-3, U = beds[k][1]*mu/(rho*d);
+        const double e = beds[k][0], s = 1.0 - e, mu = 1e-3, rho = 1000.0, d = 1e-3,
+                     U = beds[k][1]*mu/(rho*d);
         const double n = s/sphere_volume(d);
         const double drop = n*(3.0*3.14159265358979324*mu*d*G(e, beds[k][1]))*(U/e)/e;
         const double published = 150.0*mu*s*s*U/(e*e*e*d*d) + 1.75*rho*s*U*U/(e*e*e*d);
@@ -69,10 +71,14 @@ static void smooth(void)
         step = k ? fmax(step, fabs(G(e, 200.0)/G(e - 1e-4, 200.0) - 1.0)) : 0.0;
     }
     TAP_NEAR(worst, 0.0, 1e-13, "the bridge is (1 - phi) Ergun + phi Wen-Yu over e = 0.2 to 1");
-    TAP_OK(step < 0.01, "no jump: at most %.2g from one e to the next, 1e-4 on, where the switch has 0.54", step);
-    TAP_NEAR(G(0.8, 200.0), 0.5*(ergun(0.8, 200.0) + wen_yu(0.8, 200.0)), 1e-11, "halfway at e = 0.8");
+    TAP_OK(step < 0.01,
+           "no jump: at most %.2g from one e to the next, 1e-4 on, where the switch has 0.54",
+           step);
+    TAP_NEAR(G(0.8, 200.0), 0.5*(ergun(0.8, 200.0) + wen_yu(0.8, 200.0)), 1e-11,
+             "halfway at e = 0.8");
     TAP_NEAR(G(0.4, 20.0)/ergun(0.4, 20.0), 1.0, 2e-3, "in a packed bed within 0.2 %% of Ergun");
-    TAP_NEAR(G(1.0, 0.0), 1.0, 0.0061, "a lone creeping sphere: 0.6 %% below Stokes, the bridge's price");
+    TAP_NEAR(G(1.0, 0.0), 1.0, 0.0061,
+             "a lone creeping sphere: 0.6 %% below Stokes, the bridge's price");
 }
 
 static void edges(void)

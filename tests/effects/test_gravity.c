@@ -13,9 +13,11 @@ int main(void)
 
     TAP_TRAPS;
     dem_settings_set_defaults(dem_gravity.settings, settings);
-    TAP_OK(dem_settings_check_complete(dem_gravity.settings, settings, "gravity") == DEM_ERROR_INPUT,
+    TAP_OK(dem_settings_check_complete(dem_gravity.settings, settings, "gravity") ==
+               DEM_ERROR_INPUT,
            "acceleration is a required setting");
-    TAP_OK(dem_settings_set_number(dem_gravity.settings, settings, "gravity", "acceleration", down, 3) == DEM_OK,
+    TAP_OK(dem_settings_set_number(dem_gravity.settings, settings, "gravity", "acceleration", down,
+                                   3) == DEM_OK,
            "it can be");
 
     b.n = 3;
@@ -25,7 +27,8 @@ int main(void)
         b.fx[c] = 1.0, b.fz[c] = 2.0;
     }
     dem_gravity.apply_to_bodies(settings, &b);
-    TAP_OK(b.fx[0] == 1.0 && b.fy[0] == 0.0 && b.fz[0] == 2.0, "no mass, no weight; what was there stays");
+    TAP_OK(b.fx[0] == 1.0 && b.fy[0] == 0.0 && b.fz[0] == 2.0,
+           "no mass, no weight; what was there stays");
     TAP_OK(b.fx[1] == 1.0 + 0.3 && b.fy[1] == -0.2 && b.fz[1] == 2.0 - 9.81, "1 kg");
     TAP_OK(b.fx[2] == 1.0 + 2.0*0.3 && b.fy[2] == -2.0*0.2 && b.fz[2] == 2.0 - 2.0*9.81, "2 kg");
     TAP_OK(b.b[2] == 0.0 && b.bux[2] == 0.0, "no drag in it");

@@ -8,7 +8,8 @@
 #include "impacts.h"
 
 /* Chung and Ooi's numbers for F_max: 10.704 kN glass, 11.357 kN aluminium (digitised); ours are the closed forms */
-static void impact(const char *what, struct impacts *w, double speed, double overlap_um, double force_kN, double time_us)
+static void impact(const char *what, struct impacts *w, double speed, double overlap_um,
+                   double force_kN, double time_us)
 {
     const double t = impacts_contact_time(w, speed), dt = t/400.0;
 
@@ -19,7 +20,8 @@ static void impact(const char *what, struct impacts *w, double speed, double ove
     /* the peak lies at most half a step from a sample, where 1 - cos(pi/800) < 1e-5 of it is missing */
     TAP_NEAR(1e6*mean(w->peak_overlap, 16), overlap_um, 0.002*overlap_um,
              "%s: largest overlap %g um", what, overlap_um);
-    TAP_NEAR(1e-3*mean(w->peak_force, 16), force_kN, 0.002*force_kN, "%s: largest force %g kN", what, force_kN);
+    TAP_NEAR(1e-3*mean(w->peak_force, 16), force_kN, 0.002*force_kN, "%s: largest force %g kN",
+             what, force_kN);
 
     /* counted in whole steps: 1/400 is one of them */
     double steps = 0.0;
@@ -28,7 +30,8 @@ static void impact(const char *what, struct impacts *w, double speed, double ove
         steps += w->steps_touching[c]/16.0;
     }
     TAP_NEAR(1e6*dt*steps, time_us, 0.01*time_us, "%s: contact time %g us", what, time_us);
-    TAP_NEAR(impacts_parting(w)/speed, 1.0, 1e-4, "%s: no speed is lost", what);    /* second order: ~(pi/400)^2 */
+    TAP_NEAR(impacts_parting(w)/speed, 1.0, 1e-4, "%s: no speed is lost",
+             what);    /* second order: ~(pi/400)^2 */
     TAP_NEAR(1e6*t, time_us, 1e-4*time_us, "%s: the closed form of the contact time", what);
 }
 
@@ -84,17 +87,20 @@ static void order(void)
 
     impacts_spheres(&w, &glass, &glass, 0.01, 0.01);
     impacts_add(&w, &dem_hertz, "impactSpeed", 1.0);
-    TAP_NEAR(loss(&w, 1.0, 20), 0.0, 1e-3, "at 1/20 of the contact time an impact keeps its speed within 0.1 %%");
+    TAP_NEAR(loss(&w, 1.0, 20), 0.0, 1e-3,
+             "at 1/20 of the contact time an impact keeps its speed within 0.1 %%");
     const double coarse = loss(&w, 1.0, 50), fine = loss(&w, 1.0, 100), finer = loss(&w, 1.0, 200);
 
-    TAP_NOTE("speed error %.3g, %.3g, %.3g at 1/50, 1/100, 1/200 of the contact time", coarse, fine, finer);
+    TAP_NOTE("speed error %.3g, %.3g, %.3g at 1/50, 1/100, 1/200 of the contact time", coarse, fine,
+             finer);
     TAP_OK(fine <= coarse/4.0 && finer <= fine/4.0,
            "the error of the parting speed falls at least fourfold per halving");
 }
 
 static void limits(void)
 {
-    const struct dem_material glass = material("glass", 48e9, 0.2, 2800.0), soft = material("rubber", 1e6, 0.49, 1100.0);
+    const struct dem_material glass = material("glass", 48e9, 0.2, 2800.0),
+                              soft = material("rubber", 1e6, 0.49, 1100.0);
     const char *why = "";
     struct impacts w;
 
@@ -104,34 +110,39 @@ static void limits(void)
     const double rayleigh = 3.14159265358979324*0.01*sqrt(2800.0/20e9)/(0.1631*0.2 + 0.8766);
 
     /* dem_pow, a product and a quotient: a few units in the last place */
-    TAP_NEAR(dem_hertz.time_limit(w.effect_entry[0].settings, &w.pair, &why), 0.2*rayleigh, 1e-12*rayleigh,
-             "0.2 Rayleigh time");
+    TAP_NEAR(dem_hertz.time_limit(w.effect_entry[0].settings, &w.pair, &why), 0.2*rayleigh,
+             1e-12*rayleigh, "0.2 Rayleigh time");
     TAP_OK(strcmp(why, "0.2 of the Rayleigh time of glass") == 0, "says why: %s", why);
 
     settle(&dem_hertz, w.effect_entry[0].settings, &w.pair, "impactSpeed", 20.0);
     const double limit = dem_hertz.time_limit(w.effect_entry[0].settings, &w.pair, &why);
-    TAP_NEAR(limit, 40.339456e-6/20.0, 1e-7*limit, "1/20 of the contact time of Chung and Ooi's test 1");
-    TAP_OK(strcmp(why, "1/20 of the Hertz contact time of glass-glass at 20 m/s") == 0, "says why: %s", why);
+    TAP_NEAR(limit, 40.339456e-6/20.0, 1e-7*limit,
+             "1/20 of the contact time of Chung and Ooi's test 1");
+    TAP_OK(strcmp(why, "1/20 of the Hertz contact time of glass-glass at 20 m/s") == 0,
+           "says why: %s", why);
 
     /* of a wall only the particle counts for the wave, and its radius is the reduced one */
     impacts_wall(&w, &glass, &soft, 0.01);
     impacts_add(&w, &dem_hertz, "impactSpeed", 1e-9);
-    TAP_NEAR(dem_hertz.time_limit(w.effect_entry[0].settings, &w.pair, &why), 0.2*rayleigh, 1e-12*rayleigh,
-             "particle on soft wall");
+    TAP_NEAR(dem_hertz.time_limit(w.effect_entry[0].settings, &w.pair, &why), 0.2*rayleigh,
+             1e-12*rayleigh, "particle on soft wall");
 
     /* a stiffness in place of 4/3 E*: the same numbers, and no wave */
     impacts_spheres(&w, &glass, &glass, 0.01, 0.01);
     impacts_add(&w, &dem_hertz, "impactSpeed", 1.0);
     settle(&dem_hertz, w.effect_entry[0].settings, &w.pair, "stiffness", 4.0/3.0*25e9);
-    TAP_NEAR(dem_hertz.time_limit(w.effect_entry[0].settings, &w.pair, &why), 0.05*impacts_contact_time(&w, 1.0), 1e-7*3.67e-6,
-             "a given stiffness: %s", why);                                               /* digits of 2.8682657 */
+    TAP_NEAR(dem_hertz.time_limit(w.effect_entry[0].settings, &w.pair, &why),
+             0.05*impacts_contact_time(&w, 1.0), 1e-7*3.67e-6, "a given stiffness: %s",
+             why);                                               /* digits of 2.8682657 */
     w.b.n = 1;
     w.b.overlap[0] = 1e-5, w.b.reduced_radius[0] = 0.005, w.b.fn[0] = 0.0;
     dem_hertz.apply(w.effect_entry[0].settings, &w.b, w.effect_entry[0].history);
-    TAP_NEAR(w.b.fn[0], 4.0/3.0*25e9*sqrt(0.005)*pow(1e-5, 1.5), 1e-13*75.0, "and the force of those materials");    /* rounding */
+    TAP_NEAR(w.b.fn[0], 4.0/3.0*25e9*sqrt(0.005)*pow(1e-5, 1.5), 1e-13*75.0,
+             "and the force of those materials");    /* rounding */
 
     w.pair.reduced_modulus = 0.0;
-    TAP_OK(dem_hertz.prepare(w.effect_entry[0].settings, &w.pair) == DEM_OK, "which needs no modulus");
+    TAP_OK(dem_hertz.prepare(w.effect_entry[0].settings, &w.pair) == DEM_OK,
+           "which needs no modulus");
     settle(&dem_hertz, w.effect_entry[0].settings, &w.pair, "stiffness", 0.0);
     TAP_OK(dem_hertz.prepare(w.effect_entry[0].settings, &w.pair) == DEM_ERROR_INPUT,
            "refuses no modulus: %s", dem_error_text());
@@ -139,8 +150,10 @@ static void limits(void)
 
 int main(void)
 {
-    const struct dem_material glass = material("glass", 48e9, 0.2, 2800.0), stone = material("limestone", 20e9, 0.25, 2500.0);
-    const struct dem_material aluminium = material("aluminium", 70e9, 0.3, 2699.0), rigid = material("rigid", INFINITY, 0.3, 1.0);
+    const struct dem_material glass = material("glass", 48e9, 0.2, 2800.0),
+                              stone = material("limestone", 20e9, 0.25, 2500.0);
+    const struct dem_material aluminium = material("aluminium", 70e9, 0.3, 2699.0),
+                              rigid = material("rigid", INFINITY, 0.3, 1.0);
     const struct dem_material magnesium = material("magnesium", 40e9, 0.35, 1800.0);
     static struct impacts w;
 

@@ -7,7 +7,8 @@
  */
 #include "impacts.h"
 
-static const struct dem_material glass = {"glass", 2500.0, 1e7, 0.3, 0.0}, stone = {"stone", 2700.0, 5e7, 0.2, 0.0};
+static const struct dem_material glass = {"glass", 2500.0, 1e7, 0.3, 0.0},
+                                 stone = {"stone", 2700.0, 5e7, 0.2, 0.0};
 static const double pi = 3.14159265358979324;
 static struct impacts w;
 
@@ -31,7 +32,8 @@ static double impact(double k, double v, double e, int attraction, int steps)
 /* e that comes out when the dashpot may not pull, of a linear spring: the contact ends where the force is zero */
 static double clamped(double e)
 {
-    const double L = -log(e), z = L/sqrt(pi*pi + L*L), s = sqrt(1.0 - z*z), angle = atan2(2.0*z*s, s*s - z*z);
+    const double L = -log(e), z = L/sqrt(pi*pi + L*L), s = sqrt(1.0 - z*z),
+                 angle = atan2(2.0*z*s, s*s - z*z);
 
     return exp(-z/s*(pi - angle));
 }
@@ -81,14 +83,17 @@ static void impacts(void)
 {
     const double k = 1000.0, v = 0.5, unit = sqrt(0.5*ball(1e-3, 2500.0)/k);
 
-    TAP_NEAR(impact(k, v, 1.0, -1, 400), 1.0, 1e-4, "no speed lost");              /* second order: (1/400)^2 = 6e-6 */
-    TAP_NEAR(mean(w.peak_overlap, 16), v*unit, 1e-4*v*unit, "overlap v sqrt(m/k)");/* the peak lies within half a step */
+    TAP_NEAR(impact(k, v, 1.0, -1, 400), 1.0, 1e-4,
+             "no speed lost");              /* second order: (1/400)^2 = 6e-6 */
+    TAP_NEAR(mean(w.peak_overlap, 16), v*unit, 1e-4*v*unit,
+             "overlap v sqrt(m/k)");/* the peak lies within half a step */
     TAP_NEAR(w.steps_touching[0], 400, 2, "steps of contact");                     /* its ends are cut by whole steps */
     for (double e = 0.1; e < 0.95; e += 0.2)
     {
         /* first order in the step with a dashpot, see test_dry; a tenth of it at t_c/4000 */
         TAP_NEAR(impact(k, v, e, 0, 4000), e, 1e-4, "restitution %g", e);
-        TAP_NEAR(impact(k, v, e, 1, 4000), clamped(e), 1e-4, "clamped: %.4f comes out for %g", clamped(e), e);
+        TAP_NEAR(impact(k, v, e, 1, 4000), clamped(e), 1e-4, "clamped: %.4f comes out for %g",
+                 clamped(e), e);
     }
 }
 
@@ -101,24 +106,30 @@ static void limits(void)
     const double contact = 0.05*pi*sqrt(w.pair.min_mass/1000.0);
 
     /* rounding, of dem_pow too */
-    TAP_NEAR(dem_hooke.time_limit(l->settings, &w.pair, &why), contact, 1e-15*contact, "1/20 of the contact time");
+    TAP_NEAR(dem_hooke.time_limit(l->settings, &w.pair, &why), contact, 1e-15*contact,
+             "1/20 of the contact time");
     TAP_OK(strstr(why, "glass-glass on a spring of 1e+03 N/m"), "says why: %s", why);
     settle(&dem_hooke, l->settings, &w.pair, "stiffness", 0.0);
-    TAP_NEAR(dem_hooke.time_limit(l->settings, &w.pair, &why), contact*sqrt(1000.0/1090.8212625), 1e-9*contact,
-             "from the speed alike");
+    TAP_NEAR(dem_hooke.time_limit(l->settings, &w.pair, &why),
+             contact*sqrt(1000.0/1090.8212625), 1e-9*contact, "from the speed alike");
     settle(&dem_hooke, l->settings, &w.pair, "impactSpeed", 1e-6);
     const double wave = 0.2*pi*1e-3*sqrt(2500.0/(1e7/2.6))/(0.1631*0.3 + 0.8766);
 
-    TAP_NEAR(dem_hooke.time_limit(l->settings, &w.pair, &why), wave, 1e-13*wave, "slow impacts: %s", why);
+    TAP_NEAR(dem_hooke.time_limit(l->settings, &w.pair, &why), wave, 1e-13*wave,
+             "slow impacts: %s", why);
     TAP_OK(strcmp(why, "0.2 of the Rayleigh time of glass") == 0, "which it says");
     settle(&dem_hooke, l->settings, &w.pair, "stiffness", 1e-6);
-    TAP_OK(dem_hooke.time_limit(l->settings, &w.pair, &why) > 0.01, "a given spring knows no wave: %s", why);
-    TAP_OK(settle(&dem_hooke, l->settings, &w.pair, "stiffness", -1.0) == DEM_ERROR_INPUT, "%s", dem_error_text());
-    TAP_OK(settle(&dem_hooke, l->settings, &w.pair, "impactSpeed", 0.0) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(dem_hooke.time_limit(l->settings, &w.pair, &why) > 0.01,
+           "a given spring knows no wave: %s", why);
+    TAP_OK(settle(&dem_hooke, l->settings, &w.pair, "stiffness", -1.0) == DEM_ERROR_INPUT, "%s",
+           dem_error_text());
+    TAP_OK(settle(&dem_hooke, l->settings, &w.pair, "impactSpeed", 0.0) == DEM_ERROR_INPUT, "%s",
+           dem_error_text());
     w.pair.reduced_modulus = 0.0;
     TAP_OK(dem_hooke.prepare(l->settings, &w.pair) == DEM_OK, "a given spring needs no modulus");
     settle(&dem_hooke, l->settings, &w.pair, "stiffness", 0.0);
-    TAP_OK(dem_hooke.prepare(l->settings, &w.pair) == DEM_ERROR_INPUT, "one from the materials does: %s", dem_error_text());
+    TAP_OK(dem_hooke.prepare(l->settings, &w.pair) == DEM_ERROR_INPUT,
+           "one from the materials does: %s", dem_error_text());
 }
 
 int main(void)

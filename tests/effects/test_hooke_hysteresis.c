@@ -66,7 +66,8 @@ static double leg(struct impacts_effect *l, double *from, double to, double *wor
 
 static void path(void)
 {
-    static const double turn[] = {0.5, 0.3, 0.5, 0.8, 0.2, 0.05, 0.4, 0.8, 1.0, 1.5, 1.1, 0.7, 0.3, 0.1, 0.6, 1.2, 0.0, 0.2, 0.0};
+    static const double turn[] = {0.5, 0.3, 0.5, 0.8, 0.2, 0.05, 0.4, 0.8, 1.0, 1.5,
+                                  1.1, 0.7, 0.3, 0.1, 0.6, 1.2, 0.0, 0.2, 0.0};
     struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05);
     FILE *const table = fopen("effects/hysteresis_loop.csv", "r");
     double work = 0.0, before = 0.0, d = 0.0;
@@ -89,7 +90,8 @@ static void path(void)
             work += 0.5*(before + force)*(next - d);
             before = force;
             d = next;
-            if (s % 100 == 0 && fscanf(table, "%lf,%lf,%lf,%*[^,],%lf", &overlap, &expected, &largest, &sum) == 4)
+            if (s % 100 == 0 &&
+                fscanf(table, "%lf,%lf,%lf,%*[^,],%lf", &overlap, &expected, &largest, &sum) == 4)
             {
                 rows += fabs(overlap*d_lim - d) < 1e-9*d_lim;
                 worst[0] = fmax(worst[0], fabs(force - expected));
@@ -126,7 +128,8 @@ static void points(void)
 
         /* nine digits printed */
         TAP_NEAR(leg(l, &d, most, &work), t[5], 1e-8*peak, "pressed to %g d_lim: %g N", t[0], t[5]);
-        TAP_NEAR((at(l, most) - at(l, 0.99*most))/(0.01*most), t[1], 1e-6*t[1], "unloads on %g N/m", t[1]);
+        TAP_NEAR((at(l, most) - at(l, 0.99*most))/(0.01*most), t[1], 1e-6*t[1],
+                 "unloads on %g N/m", t[1]);
         TAP_NEAR(at(l, t[2]), 0.0, 1e-8*peak, "no force at %g m", t[2]);
         TAP_NEAR(at(l, t[3]), t[4], 1e-8*peak, "largest attraction, %g N, at %g m", t[4], t[3]);
         TAP_NEAR(at(l, 0.5*t[3]), 0.5*t[4], 1e-8*peak, "and half of it at half of that: on -k_c d");
@@ -147,13 +150,18 @@ static double returned(double adhesion, double x)
 static void impacts(void)
 {
     static const double adhesion[] = {0.0, 0.2, 1.0, 5.0};
-    static const double speed[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.2, 1.5, 2.0, 3.0, 5.0, 10.0};
+    static const double speed[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8,
+                                   1.0, 1.2, 1.5, 2.0, 3.0, 5.0, 10.0};
     /* four of them from the independent program: adhesion, speed, e */
-    static const double table[][3] = {{0.2, 0.5, 0.5}, {1.0, 1.2, 0.272165527}, {5.0, 2.0, 0.632455532}, {1.0, 3.0, 0.922958207}};
+    static const double table[][3] = {{0.2, 0.5, 0.5},
+                                      {1.0, 1.2, 0.272165527},
+                                      {5.0, 2.0, 0.632455532},
+                                      {1.0, 3.0, 0.922958207}};
 
     for (int t = 0; t < 4; t++)
     {
-        TAP_NEAR(sqrt(returned(table[t][0], table[t][1])), table[t][2], 1e-8, "closed form: k_c/k %g, v/v_lim %g", table[t][0],
+        TAP_NEAR(sqrt(returned(table[t][0], table[t][1])), table[t][2], 1e-8,
+                 "closed form: k_c/k %g, v/v_lim %g", table[t][0],
                  table[t][1]);                                                          /* nine digits printed */
     }
     for (int a = 0; a < 4; a++)
@@ -161,7 +169,8 @@ static void impacts(void)
         for (int s = 0; s < (int)(sizeof speed/sizeof speed[0]); s++)
         {
             pair_of(5.0, adhesion[a], 0.05);
-            const double m = w.pair.min_mass, v = speed[s]*d_lim*sqrt(k/m), dt = pi*sqrt(m/(5.0*k))/50.0;
+            const double m = w.pair.min_mass, v = speed[s]*d_lim*sqrt(k/m),
+                         dt = pi*sqrt(m/(5.0*k))/50.0;
             const double expected = returned(adhesion[a], speed[s]);
 
             if (fabs(expected) < 0.01)
@@ -210,7 +219,8 @@ static void sticking(void)
         before = most;
     }
     /* the peaks fall somewhere in a step: (pi/20)^2/2 = 1 % of a swing at most; leapfrog itself gains nothing */
-    TAP_NEAR(fmax(worst, 0.0), 0.0, 0.01, "stuck for 100000 steps: the energy of the swing grows by %.2g at most", worst);
+    TAP_NEAR(fmax(worst, 0.0), 0.0, 0.01,
+             "stuck for 100000 steps: the energy of the swing grows by %.2g at most", worst);
     TAP_OK(before < 0.5*m*v*v && widest <= 0.81*d_lim, "and is less than that of the impact");
     for (int c = 0; c < 16; c++)
     {
@@ -241,7 +251,10 @@ static void loops(void)
             for (int c = 0; c < DEM_BATCH_ROWS; c++)
             {
                 from[c] = d[c];
-                target[c] = turn == 11 ? 0.0 : 1.6*d_lim*dem_random_unit(3, (uint64_t)c, (uint64_t)turn, (uint64_t)a);
+                target[c] = turn == 11
+                                ? 0.0
+                                : 1.6*d_lim*
+                                      dem_random_unit(3, (uint64_t)c, (uint64_t)turn, (uint64_t)a);
             }
             for (int s = 1; s <= 500; s++)
             {
@@ -266,7 +279,8 @@ static void loops(void)
             least = fmin(least, work[c]/(k*d_lim*d_lim));
         }
         /* trapezoids miss what is left of a kink: 12 of at most (1.6/500)^2 each */
-        TAP_OK(least > -1e-4, "k_c/k %g: 128 random loops take %.3g k d_lim^2 or more", adhesion[a], least);
+        TAP_OK(least > -1e-4, "k_c/k %g: 128 random loops take %.3g k d_lim^2 or more", adhesion[a],
+               least);
     }
 
     struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05);
@@ -275,7 +289,8 @@ static void loops(void)
     for (int t = 0; t < 300; t++)
     {
         double d = 0.0, unused = 0.0, first = 0.0, second = 0.0;
-        const double low = 1.5*d_lim*dem_random_unit(4, (uint64_t)t, 0, 0), high = 1.5*d_lim*dem_random_unit(4, (uint64_t)t, 1, 0);
+        const double low = 1.5*d_lim*dem_random_unit(4, (uint64_t)t, 0, 0),
+                     high = 1.5*d_lim*dem_random_unit(4, (uint64_t)t, 1, 0);
 
         l->column[0][0] = 0.0;
         leg(l, &d, 1.5*d_lim*dem_random_unit(4, (uint64_t)t, 2, 0), &unused);
@@ -286,7 +301,8 @@ static void loops(void)
         leg(l, &d, low, &second);
         least = fmin(least, second/(k*d_lim*d_lim));
     }
-    TAP_OK(least > -1e-5, "300 loops between two overlaps, gone a second time: %.3g or more", least);    /* (1.5/1000)^2 a kink */
+    TAP_OK(least > -1e-5, "300 loops between two overlaps, gone a second time: %.3g or more",
+           least);    /* (1.5/1000)^2 a kink */
 }
 
 /* ---- the rest ------------------------------------------------------------------------------------------------------ */
@@ -318,16 +334,20 @@ static void guards(void)
     TAP_NEAR(work, 0.0, 1e-12*k*d_lim*d_lim, "and without loss");                        /* rounding of 3000 steps */
     l = pair_of(5.0, 1.0, 0.0);
     d = 0.0;
-    TAP_NEAR(leg(l, &d, d_lim, &work), 5.0*k*d_lim, 1e-9*k*d_lim, "phi = 0: a linear spring of k_m");
+    TAP_NEAR(leg(l, &d, d_lim, &work), 5.0*k*d_lim, 1e-9*k*d_lim,
+             "phi = 0: a linear spring of k_m");
     TAP_NEAR(leg(l, &d, 0.5*d_lim, &work), 2.5*k*d_lim, 1e-9*k*d_lim, "both ways");
 
     l = pair_of(5.0, 1.0, 0.05);
     const char *why = "";
     const double limit = 0.05*pi*sqrt(w.pair.min_mass/(5.0*k));
 
-    TAP_NEAR(dem_hooke_hysteresis.time_limit(l->settings, &w.pair, &why), limit, 1e-9*limit, "%s", why);    /* digits of k */
-    TAP_OK(settle(&dem_hooke_hysteresis, l->settings, &w.pair, "unloading", 0.5) == DEM_ERROR_INPUT, "%s", dem_error_text());
-    TAP_OK(settle(&dem_hooke_hysteresis, l->settings, &w.pair, "adhesion", -1.0) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_NEAR(dem_hooke_hysteresis.time_limit(l->settings, &w.pair, &why), limit, 1e-9*limit, "%s",
+             why);    /* digits of k */
+    TAP_OK(settle(&dem_hooke_hysteresis, l->settings, &w.pair, "unloading", 0.5) == DEM_ERROR_INPUT,
+           "%s", dem_error_text());
+    TAP_OK(settle(&dem_hooke_hysteresis, l->settings, &w.pair, "adhesion", -1.0) == DEM_ERROR_INPUT,
+           "%s", dem_error_text());
     settle(&dem_hooke_hysteresis, l->settings, &w.pair, "stiffness", 100.0);
     TAP_NEAR(at(l, 1e-6), 1e-4, 1e-19, "a given stiffness");
 
@@ -340,20 +360,26 @@ static void guards(void)
     leg(l, &d, 0.8*d_lim, &work);
     leg(l, &d, 0.2*d_lim, &work);
     w.b.vn[0] = 0.01;
-    const double loss = log(2.0), eta = 2.0*loss/sqrt(pi*pi + loss*loss)*sqrt(k*w.pair.min_mass), pull = w.b.fn[0];
+    const double loss = log(2.0),
+                 eta = 2.0*loss/sqrt(pi*pi + loss*loss)*sqrt(k*w.pair.min_mass),
+                 pull = w.b.fn[0];
 
     dem_dry.apply(dry->settings, &w.b, dry->history);
     TAP_NEAR(w.b.eta[0], eta, 1e-9*eta, "dry: the dashpot refers to k");                  /* digits of k */
-    TAP_NEAR(w.b.fn[0], pull - 0.01*eta, 1e-12*k*d_lim, "and clamped it leaves the pull of %g N", pull);
+    TAP_NEAR(w.b.fn[0], pull - 0.01*eta, 1e-12*k*d_lim,
+             "and clamped it leaves the pull of %g N", pull);
     TAP_OK(pull < 0.0, "which is one");
 }
 
 /* friction's limit is mu (F_n + k_c d): where nothing presses mu k_c d, where it sticks the most nothing; or mu max(F_n, 0) */
 static void friction(void)
 {
-    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05), *const rubs = impacts_add(&w, &dem_linear, "friction", 0.4);
+    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05), *const rubs =
+                                                                  impacts_add(&w, &dem_linear,
+                                                                              "friction", 0.4);
     double d = 0.0, work = 0.0, limit = 0.0;
-    const double k_2 = 1.0 + 4.0*0.8, balance = (1.0 - 1.0/k_2)*0.8*d_lim;    /* k_2 (d - d_max) + k d_max = 0 */
+    const double k_2 = 1.0 + 4.0*0.8,
+                 balance = (1.0 - 1.0/k_2)*0.8*d_lim;    /* k_2 (d - d_max) + k d_max = 0 */
 
     leg(l, &d, 0.8*d_lim, &work);
     for (int part = 0; part < 3; part++)
@@ -363,9 +389,11 @@ static void friction(void)
         limit = part == 0 ? 0.4*k*balance : 0.0;
         w.b.hz[0] = w.b.nz[0] = 1.0;
         w.b.nx[0] = w.b.ny[0] = w.b.hx[0] = w.b.hy[0] = 0.0;
-        w.b.dt = 1.0, w.b.sx[0] = 1.0, w.b.sy[0] = w.b.sz[0] = w.b.fx[0] = w.b.fy[0] = w.b.fz[0] = 0.0;
+        w.b.dt = 1.0, w.b.sx[0] = 1.0,
+        w.b.sy[0] = w.b.sz[0] = w.b.fx[0] = w.b.fy[0] = w.b.fz[0] = 0.0;
         dem_linear.apply(rubs->settings, &w.b, rubs->history);
-        TAP_NEAR(-w.b.fx[0], limit, 1e-6*k*d_lim, "friction at %g N: %g N", w.b.fn[0], limit);     /* of 1000 increments of a leg */
+        TAP_NEAR(-w.b.fx[0], limit, 1e-6*k*d_lim, "friction at %g N: %g N", w.b.fn[0],
+                 limit);     /* of 1000 increments of a leg */
         leg(l, &d, 0.8*d_lim, &work);
     }
 }

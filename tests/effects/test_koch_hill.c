@@ -17,11 +17,14 @@ int main(void)
     drag_in_table(&dem_koch_hill, NULL, DRAG_KOCH_HILL);
     TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a lone creeping sphere: Stokes' 3 pi mu d");
     /* next terms: 135/64 s ln s + (16.14 - 0.681 - 2) s = -1.6e-5 at s = 1e-6 */
-    TAP_NEAR(G(1.0 - 1e-6, 0.0), 1.0 + 3.0*sqrt(0.5e-6), 2e-5, "few neighbours: 1 + 3 sqrt(s/2), Brinkman's");
+    TAP_NEAR(G(1.0 - 1e-6, 0.0), 1.0 + 3.0*sqrt(0.5e-6), 2e-5,
+             "few neighbours: 1 + 3 sqrt(s/2), Brinkman's");
     TAP_NEAR(G(0.45, 0.0), 10.0*0.55/0.45, 1e-13, "dense, at rest: e^2 10 s/e^3");    /* rounding */
-    TAP_NEAR(G(0.6 - 1e-12, 0.0)/G(0.6 + 1e-12, 0.0), 18.5185/18.328, 2e-4, "the published step at s = 0.4");    /* 5 digits */
+    TAP_NEAR(G(0.6 - 1e-12, 0.0)/G(0.6 + 1e-12, 0.0), 18.5185/18.328, 2e-4,
+             "the published step at s = 0.4");    /* 5 digits */
     /* slope with Re; rounding of a difference, 1e-13 of 10 */
-    TAP_NEAR((G(0.5, 100.0) - G(0.5, 0.0))/100.0, 0.25*0.5*(0.0673 + 0.106 + 0.0232*32.0), 1e-12, "e^2 F3/2 on Re");
+    TAP_NEAR((G(0.5, 100.0) - G(0.5, 0.0))/100.0, 0.25*0.5*(0.0673 + 0.106 + 0.0232*32.0),
+             1e-12, "e^2 F3/2 on Re");
     drag_limits(&dem_koch_hill, NULL);
     drag_form(&dem_koch_hill, NULL);
     TAP_DONE;

@@ -28,9 +28,12 @@ static const struct known
     const struct dem_effect *effect;
     const char *setting;
     double value, way;                                    /* m or rad: largest of a leg, which slips now and then */
-}
-laws[] = {{&dem_mindlin, "friction", 0.4, 2e-5}, {&dem_mindlin_incremental, "friction", 0.4, 2e-5}, {&dem_linear, "friction", 0.4, 2e-5},
-          {&dem_linear, "stiffness", 500.0, 2e-5}, {&dem_rolling_spring, "friction", 0.2, 2e-2}, {&dem_twisting_spring, "friction", 0.4, 2e-2}};
+} laws[] = {{&dem_mindlin, "friction", 0.4, 2e-5},
+            {&dem_mindlin_incremental, "friction", 0.4, 2e-5},
+            {&dem_linear, "friction", 0.4, 2e-5},
+            {&dem_linear, "stiffness", 500.0, 2e-5},
+            {&dem_rolling_spring, "friction", 0.2, 2e-2},
+            {&dem_twisting_spring, "friction", 0.4, 2e-2}};
 
 static double drawn(int row, int leg, int use)
 {
@@ -49,9 +52,11 @@ static void begin(const struct dem_effect *pushes, const struct known *k)
         w.b.min_radius[c] = 1e-3;
         w.b.nz[c] = w.b.hz[c] = 1.0;
         w.b.overlap[c] = w.b.kn[c] = 0.0;
-        e.slip_mass[c] = e.inertia[c] = HUGE_VAL;         /* moved from outside: no force changes the motion */
+        e.slip_mass[c] = e.inertia[c] =
+            HUGE_VAL;         /* moved from outside: no force changes the motion */
     }
-    normal = impacts_add(&w, pushes, pushes == &dem_hooke ? "stiffness" : "impactSpeed", pushes == &dem_hooke ? 1e3 : 1.0);
+    normal = impacts_add(&w, pushes, pushes == &dem_hooke ? "stiffness" : "impactSpeed",
+                         pushes == &dem_hooke ? 1e3 : 1.0);
     law = impacts_add(&w, k->effect, "friction", k->effect == &dem_rolling_spring ? 0.2 : 0.4);
     if (strcmp(k->setting, "friction") != 0)
     {
@@ -67,7 +72,8 @@ static void put(int c, double overlap, double x, double y, double z)
     w.b.overlap[c] = overlap > 0.0 ? overlap : 0.0;
     w.b.touching[c] = overlap > 0.0 ? 1.0 : 0.0;
     w.b.sx[c] = w.b.wx[c] = x/dt, w.b.sy[c] = w.b.wy[c] = y/dt, w.b.wz[c] = z/dt;
-    w.b.kn[c] = w.b.fn[c] = w.b.fx[c] = w.b.fy[c] = w.b.fz[c] = w.b.mx[c] = w.b.my[c] = w.b.mz[c] = 0.0;
+    w.b.kn[c] = w.b.fn[c] = w.b.fx[c] = w.b.fy[c] = w.b.fz[c] = w.b.mx[c] = w.b.my[c] = w.b.mz[c] =
+        0.0;
 }
 
 /* as the sweep over the contacts does */
@@ -117,10 +123,12 @@ static void closes(const struct dem_effect *pushes, const struct known *k)
             for (int c = 0; c < DEM_BATCH_ROWS; c++)
             {
                 const double to = leg%4 == 3 ? -apart : deepest*drawn(c, leg, 0) - apart;
-                const double from = leg == 0 || leg%4 == 0 ? -apart : deepest*drawn(c, leg - 1, 0) - apart;
+                const double from =
+                    leg == 0 || leg%4 == 0 ? -apart : deepest*drawn(c, leg - 1, 0) - apart;
                 const double angle = 6.28*drawn(c, leg, 1), way = k->way*drawn(c, leg, 2)/STEPS;
 
-                put(c, from + (to - from)*s/STEPS, way*cos(angle), way*sin(angle), way*cos(2.0*angle));
+                put(c, from + (to - from)*s/STEPS, way*cos(angle), way*sin(angle),
+                    way*cos(2.0*angle));
             }
             act();
             for (int c = 0; c < DEM_BATCH_ROWS; c++)
@@ -128,7 +136,8 @@ static void closes(const struct dem_effect *pushes, const struct known *k)
                 double now[6];
 
                 force(c, now);
-                const double gain = 0.5*(power(c, f[c]) + power(c, now)) - (e.stored[c] - held[c]) - e.lost[c];
+                const double gain =
+                    0.5*(power(c, f[c]) + power(c, now)) - (e.stored[c] - held[c]) - e.lost[c];
 
                 last += w.b.touching[c] == 0.0 ? e.lost[c] : 0.0;
                 worst = fmax(worst, fabs(gain));
@@ -139,15 +148,17 @@ static void closes(const struct dem_effect *pushes, const struct known *k)
         }
     }
     /* a hundred roundings of what is held at most */
-    TAP_OK(worst < 1e-14*scale, "%s, %s (%s): in no step more than %.2g of what is held does not close", pushes->name, k->effect->name, k->setting,
-           worst/scale);
+    TAP_OK(worst < 1e-14*scale,
+           "%s, %s (%s): in no step more than %.2g of what is held does not close", pushes->name,
+           k->effect->name, k->setting, worst/scale);
     TAP_OK(last > 0.0, "and contacts have ended with loaded springs");
 }
 
 /* `slip`: over the way before */
 static void pulled_apart(const struct known *k, double slip)
 {
-    const double way = 1e-3*k->way, twists = k->effect == &dem_twisting_spring ? 1.0 : 0.0, along = 1.0 - twists;
+    const double way = 1e-3*k->way, twists = k->effect == &dem_twisting_spring ? 1.0 : 0.0,
+                 along = 1.0 - twists;
 
     begin(&dem_hertz, k);
     for (int s = 0; s < 10; s++)
@@ -164,14 +175,16 @@ static void pulled_apart(const struct known *k, double slip)
     force(0, f);
     const double size = sqrt(f[0]*f[0] + f[1]*f[1] + f[2]*f[2] + f[3]*f[3] + f[4]*f[4] + f[5]*f[5]);
 
-    TAP_NEAR(size, stiffness*10.0*way, 1e-13*size, "%s (%s): sticks, and holds k xi^2/2", k->effect->name, k->setting);
+    TAP_NEAR(size, stiffness*10.0*way, 1e-13*size, "%s (%s): sticks, and holds k xi^2/2",
+             k->effect->name, k->setting);
     for (int c = 0; c < DEM_BATCH_ROWS; c++)
     {
         put(c, -apart, along*0.6*slip*way, along*0.8*slip*way, twists*slip*way);
     }
     act();
     TAP_OK(e.stored[0] == 0.0, "apart it holds nothing");
-    TAP_NEAR(e.lost[0], held*(1.0 + 0.1*slip), 1e-13*held, "that is lost, and half a step's work by %g of a step's slip", slip);
+    TAP_NEAR(e.lost[0], held*(1.0 + 0.1*slip), 1e-13*held,
+             "that is lost, and half a step's work by %g of a step's slip", slip);
 }
 
 int main(void)

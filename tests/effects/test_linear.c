@@ -22,13 +22,16 @@ static void stiffness(void)
     settle(&dem_linear, l->settings, &w.pair, "stiffness", 1234.0);
     tangential_act(&w, l);
     TAP_OK(w.b.kt[0] == 1234.0, "or the stiffness given");
-    TAP_OK(settle(&dem_linear, l->settings, &w.pair, "ratio", 3.0) == DEM_ERROR_INPUT, "%s", dem_error_text());
-    TAP_OK(settle(&dem_linear, l->settings, &w.pair, "stiffness", -3.0) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(settle(&dem_linear, l->settings, &w.pair, "ratio", 3.0) == DEM_ERROR_INPUT, "%s",
+           dem_error_text());
+    TAP_OK(settle(&dem_linear, l->settings, &w.pair, "stiffness", -3.0) == DEM_ERROR_INPUT, "%s",
+           dem_error_text());
 
     const char *why = "";
     const double limit = 0.05*tangential_pi*sqrt(w.mass[0]/(3.5*1234.0));
 
-    TAP_NEAR(dem_linear.time_limit(l->settings, &w.pair, &why), limit, 1e-14*limit, "%s", why);    /* rounding */
+    TAP_NEAR(dem_linear.time_limit(l->settings, &w.pair, &why), limit, 1e-14*limit, "%s",
+             why);    /* rounding */
 }
 
 /* slip after over slip before of contacts that stick */
@@ -54,7 +57,8 @@ static void sticks(void)
         const double slip = (mean(w.v[0][0], 16) - 0.0025*mean(w.w[0][1], 16))/(0.1*v);
 
         /* the first and the last step of a contact are cut by half a step on average: pi sqrt(7/2 ratio)/4000 */
-        TAP_NEAR(slip, cos(tangential_pi*sqrt(3.5*ratio[r])), 2e-3, "k_t/k_n = %.3f: %.4f of the slip is left", ratio[r], slip);
+        TAP_NEAR(slip, cos(tangential_pi*sqrt(3.5*ratio[r])), 2e-3,
+                 "k_t/k_n = %.3f: %.4f of the slip is left", ratio[r], slip);
     }
 }
 
@@ -62,9 +66,10 @@ static void oblique(void)
 {
     /* angle, tangential restitution, spin: an independent integration with k_n = 1.72e7, k_t = 1.48e7 N/m, 12000 steps */
     static const double table[][3] = {
-        {2.0, 0.87512791, 16.996096}, {5.0, 0.80642468, 65.797683}, {10.0, 0.65181262, 235.80221}, {15.0, 0.59409117, 409.72205},
-        {20.0, 0.59312186, 542.72603}, {25.0, 0.62171613, 623.49172}, {30.0, 0.68130265, 621.45983}, {45.0, 0.816, 507.41983},
-        {60.0, 0.89376755, 358.8}, {80.0, 0.96755584, 124.60993},
+        {2.0, 0.87512791, 16.996096}, {5.0, 0.80642468, 65.797683}, {10.0, 0.65181262, 235.80221},
+        {15.0, 0.59409117, 409.72205}, {20.0, 0.59312186, 542.72603}, {25.0, 0.62171613, 623.49172},
+        {30.0, 0.68130265, 621.45983}, {45.0, 0.816, 507.41983},      {60.0, 0.89376755, 358.8},
+        {80.0, 0.96755584, 124.60993},
     };
 
     for (int t = 0; t < (int)(sizeof table/sizeof table[0]); t++)
@@ -80,9 +85,11 @@ static void oblique(void)
         const double et = tangential_throw(&w, table[t][0], dt, 8000, &spin, &energy);
 
         /* whole steps at both ends of the contact: 1/4000 */
-        TAP_NEAR(et, table[t][1], 5e-4, "%g degrees: tangential restitution %.4f", table[t][0], table[t][1]);
+        TAP_NEAR(et, table[t][1], 5e-4, "%g degrees: tangential restitution %.4f", table[t][0],
+                 table[t][1]);
         TAP_NEAR(spin, table[t][2], 0.1, "%g degrees: spin %.1f 1/s", table[t][0], table[t][2]);
-        TAP_OK(energy <= 1.0 + 1e-5, "%g degrees: no energy gained, %.5f", table[t][0], energy);    /* (pi/4000)^2, leapfrog */
+        TAP_OK(energy <= 1.0 + 1e-5, "%g degrees: no energy gained, %.5f", table[t][0],
+               energy);    /* (pi/4000)^2, leapfrog */
     }
 }
 

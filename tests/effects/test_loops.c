@@ -44,10 +44,11 @@ static void add(const struct dem_effect *e)
     {
         const char *word, *setting;
         double value;
-    }
-    felt[] = {{"hertz", "impactSpeed", 1.0}, {"hooke", "stiffness", 1e3}, {"hookeHysteresis", "unloading", 4.0}, {"dry", "restitution", 0.7},
-              {"viscous", "coefficient", 0.01}, {"stokes", "restitution", 0.9}, {"sjkr", "energyDensity", 1e4},
-              {"jkr", "workOfAdhesion", 0.5}, {"linear", "friction", 0.4}, {"mindlinIncremental", "friction", 0.4}};
+    } felt[] = {{"hertz", "impactSpeed", 1.0}, {"hooke", "stiffness", 1e3},
+                {"hookeHysteresis", "unloading", 4.0}, {"dry", "restitution", 0.7},
+                {"viscous", "coefficient", 0.01}, {"stokes", "restitution", 0.9},
+                {"sjkr", "energyDensity", 1e4},        {"jkr", "workOfAdhesion", 0.5},
+                {"linear", "friction", 0.4}, {"mindlinIncremental", "friction", 0.4}};
 
     for (size_t k = 0; k < sizeof felt/sizeof *felt; k++)
     {
@@ -85,7 +86,8 @@ static void put(int c, double gap, double rate, double slip_x, double slip_y)
     w.b.touching[c] = gap < 0.0 ? 1.0 : 0.0;
     w.b.vn[c] = w.b.distance_rate[c] = rate;
     w.b.sx[c] = slip_x, w.b.sy[c] = slip_y;
-    w.b.kn[c] = w.b.kt[c] = w.b.eta[c] = w.b.fn[c] = w.b.fx[c] = w.b.fy[c] = w.b.fz[c] = w.b.stored[c] = w.b.lost[c] = 0.0;
+    w.b.kn[c] = w.b.kt[c] = w.b.eta[c] = w.b.fn[c] = w.b.fx[c] = w.b.fy[c] = w.b.fz[c] =
+        w.b.stored[c] = w.b.lost[c] = 0.0;
     w.b.adhesive_force[c] = w.b.scratch[c] = 0.0;
 }
 
@@ -100,7 +102,8 @@ static void act(void)
             l->effect->set_adhesion(l->settings, &w.b, l->history);
         }
         l->effect->apply(l->settings, &w.b, l->history);
-        for (int m = 0; l->effect->stage < DEM_STAGE_BOND && l->effect->history && l->effect->history[m]; m++)
+        for (int m = 0;
+             l->effect->stage < DEM_STAGE_BOND && l->effect->history && l->effect->history[m]; m++)
         {
             for (int c = 0; c < DEM_BATCH_ROWS; c++)
             {
@@ -128,9 +131,13 @@ static void wander(double slips, double apart, double *least, double *greatest)
         {
             for (int c = 0; c < DEM_BATCH_ROWS; c++)
             {
-                const double to = leg == LEGS - 1 ? apart : apart - (apart + deepest)*drawn(c, leg, 0);
-                const double from = leg == 0 ? apart : apart - (apart + deepest)*drawn(c, leg - 1, 0), rate = (to - from)/(STEPS*dt);
-                const double angle = 6.28*drawn(c, leg, 1), slip = s ? slips*drawn(c, leg, 2)/(STEPS*dt) : 0.0;
+                const double to =
+                    leg == LEGS - 1 ? apart : apart - (apart + deepest)*drawn(c, leg, 0);
+                const double from = leg == 0 ? apart
+                                             : apart - (apart + deepest)*drawn(c, leg - 1, 0),
+                             rate = (to - from)/(STEPS*dt);
+                const double angle = 6.28*drawn(c, leg, 1),
+                             slip = s ? slips*drawn(c, leg, 2)/(STEPS*dt) : 0.0;
 
                 gap[c] = from + (to - from)*s/STEPS;
                 put(c, gap[c], rate, slip*cos(angle), slip*sin(angle));
@@ -139,8 +146,11 @@ static void wander(double slips, double apart, double *least, double *greatest)
             for (int c = 0; c < DEM_BATCH_ROWS; c++)
             {
                 /* the leg's first force is taken anew, with its own rate: what happens there costs no way */
-                work[c] -= s ? 0.5*dt*((force[c][0] + w.b.fn[c])*w.b.distance_rate[c] + (force[c][1] + w.b.fx[c])*w.b.sx[c]
-                                       + (force[c][2] + w.b.fy[c])*w.b.sy[c]) : 0.0;
+                work[c] -= s ? 0.5*dt*
+                                   ((force[c][0] + w.b.fn[c])*w.b.distance_rate[c] +
+                                    (force[c][1] + w.b.fx[c])*w.b.sx[c] +
+                                    (force[c][2] + w.b.fy[c])*w.b.sy[c])
+                             : 0.0;
                 force[c][0] = w.b.fn[c], force[c][1] = w.b.fx[c], force[c][2] = w.b.fy[c];
                 scale = fmax(scale, fabs(w.b.fn[c])*deepest);
             }
@@ -180,11 +190,13 @@ static void pressed(void)
         wander(0.0, 5e-6, &least, &greatest);
         if (normal->history)
         {
-            TAP_OK(least > 0.0, "%s: %d paths take work, %.2g or more of force times way", normal->name, DEM_BATCH_ROWS, least);
+            TAP_OK(least > 0.0, "%s: %d paths take work, %.2g or more of force times way",
+                   normal->name, DEM_BATCH_ROWS, least);
         }
         else
         {
-            TAP_NEAR(fmax(-least, greatest), 0.0, kinks, "%s: %d paths take and give nothing", normal->name, DEM_BATCH_ROWS);
+            TAP_NEAR(fmax(-least, greatest), 0.0, kinks, "%s: %d paths take and give nothing",
+                     normal->name, DEM_BATCH_ROWS);
         }
         for (int k = 0; of_stage(DEM_STAGE_DAMP, k); k++)
         {
@@ -192,7 +204,8 @@ static void pressed(void)
             add(normal);
             add(of_stage(DEM_STAGE_DAMP, k));
             wander(0.0, 5e-6, &least, &greatest);
-            TAP_OK(least > 0.0 && greatest > kinks, "%s, %s: all take work, %.2g or more", normal->name, of_stage(DEM_STAGE_DAMP, k)->name, least);
+            TAP_OK(least > 0.0 && greatest > kinks, "%s, %s: all take work, %.2g or more",
+                   normal->name, of_stage(DEM_STAGE_DAMP, k)->name, least);
         }
     }
 }
@@ -210,12 +223,14 @@ static void sticking(void)
     add(&dem_hertz);
     add(&dem_jkr);
     wander(0.0, 3e-5, &least, &greatest);
-    TAP_OK(least > -kinks && greatest > kinks, "hertz, jkr, torn apart: take work, %.2g or more", least);
+    TAP_OK(least > -kinks && greatest > kinks, "hertz, jkr, torn apart: take work, %.2g or more",
+           least);
 }
 
 static void rubbed(void)
 {
-    static const struct dem_effect *const pair[2][2] = {{&dem_hooke, &dem_linear}, {&dem_hertz, &dem_mindlin_incremental}};
+    static const struct dem_effect *const pair[2][2] = {{&dem_hooke, &dem_linear},
+                                                        {&dem_hertz, &dem_mindlin_incremental}};
 
     for (int k = 0; k < 2; k++)
     {
@@ -228,7 +243,8 @@ static void rubbed(void)
             add(pair[k][0]);
             add(pair[k][1]);
             wander(way, 5e-6, &least, &greatest);
-            TAP_OK(least > -kinks*way/deepest && greatest > 0.0, "%s, %s, rubbed by up to %g m a leg: take work, %.2g or more", pair[k][0]->name,
+            TAP_OK(least > -kinks*way/deepest && greatest > 0.0,
+                   "%s, %s, rubbed by up to %g m a leg: take work, %.2g or more", pair[k][0]->name,
                    pair[k][1]->name, way, least);
         }
     }

@@ -22,12 +22,15 @@ static double lift(double d, double rho, double mu, double v, double W)
 
 int main(void)
 {
-    const double pi = 3.14159265358979324, d = 1e-3, R = 0.5*d, rho = 1000.0, mu = 1e-3, nu = mu/rho;
+    const double pi = 3.14159265358979324, d = 1e-3, R = 0.5*d, rho = 1000.0, mu = 1e-3,
+                 nu = mu/rho;
 
     TAP_TRAPS;
     /* Re_p = 1e-8: 0.18 sqrt Re_p = 1.8e-5 times at most 0.98 */
-    TAP_NEAR(lift(d, rho, mu, 1e-8*nu/d, 3.0)/(-pi*R*R*R*rho*3.0*1e-8*nu/d), 1.0, 2e-5, "slow: pi R^3 rho W x v");
-    TAP_OK(lift(d, rho, mu, 0.1, 50.0) < 0.0 && b.rx[0] == 0.0 && b.ry[0] == 0.0, "a ball that rolls forward as it flies is pressed down");
+    TAP_NEAR(lift(d, rho, mu, 1e-8*nu/d, 3.0)/(-pi*R*R*R*rho*3.0*1e-8*nu/d),
+             1.0, 2e-5, "slow: pi R^3 rho W x v");
+    TAP_OK(lift(d, rho, mu, 0.1, 50.0) < 0.0 && b.rx[0] == 0.0 && b.ry[0] == 0.0,
+           "a ball that rolls forward as it flies is pressed down");
     TAP_OK(lift(d, rho, mu, 0.1, -50.0) > 0.0, "with back spin it is carried");
 
     for (double re = 1.0; re < 3000.0; re *= 7.0)
@@ -35,10 +38,12 @@ int main(void)
         for (double S = 0.1; S < 30.0; S *= 5.0)
         {
             const double v = re*nu/d, W = S*v/d;
-            const double share = 1.0 - (0.675 + 0.15*(1.0 + tanh(0.28*(S - 2.0))))*tanh(0.18*sqrt(re));
+            const double share =
+                1.0 - (0.675 + 0.15*(1.0 + tanh(0.28*(S - 2.0))))*tanh(0.18*sqrt(re));
 
             /* rounding; share is the difference of numbers near 1 */
-            TAP_NEAR(lift(d, rho, mu, v, W)/(-pi*R*R*R*rho*W*v), share, 1e-13, "Loth and Dorgan at Re_p = %.3g, S = %.3g", re, S);
+            TAP_NEAR(lift(d, rho, mu, v, W)/(-pi*R*R*R*rho*W*v), share, 1e-13,
+                     "Loth and Dorgan at Re_p = %.3g, S = %.3g", re, S);
         }
     }
     /* The published formula, C = 1 - (0.675 + 0.15 (1 + tanh(0.28 (S - 2)))) tanh(0.18 sqrt Re_p),
@@ -52,13 +57,18 @@ int main(void)
 
     for (int k = 0; k < 5; k++)
     {
-        const double re = published[k][0], S = published[k][1], C = published[k][2], v = re*nu/d, W = S*v/d;
+        const double re = published[k][0], S = published[k][1], C = published[k][2],
+                     v = re*nu/d, W = S*v/d;
 
         TAP_NEAR(lift(d, rho, mu, v, W)/(-pi*R*R*R*rho*W*v)/C, 1.0, 1e-6,
                  "Re_p = %g, S = %g: C = %g, computed by hand", re, S, C);
     }
-    TAP_OK(lift(d, rho, mu, 0.0, 50.0) == 0.0 && lift(d, rho, mu, 0.1, 0.0) == 0.0, "at rest or without spin: none");
-    TAP_OK(isfinite(lift(d, rho, mu, 1e-250, 1e9)) && isfinite(lift(d, rho, mu, 1e6, 1e9)) && isfinite(lift(d, rho, 0.0, 1.0, 1.0)), "finite");
-    TAP_OK(b.fx[0] == 0.0 && b.b[0] == 0.0 && b.t[0] == 0.0, "only in the book that the fluid gets");
+    TAP_OK(lift(d, rho, mu, 0.0, 50.0) == 0.0 && lift(d, rho, mu, 0.1, 0.0) == 0.0,
+           "at rest or without spin: none");
+    TAP_OK(isfinite(lift(d, rho, mu, 1e-250, 1e9)) && isfinite(lift(d, rho, mu, 1e6, 1e9)) &&
+               isfinite(lift(d, rho, 0.0, 1.0, 1.0)),
+           "finite");
+    TAP_OK(b.fx[0] == 0.0 && b.b[0] == 0.0 && b.t[0] == 0.0,
+           "only in the book that the fluid gets");
     TAP_DONE;
 }

@@ -99,14 +99,17 @@ int main(void)
         printed[strlen(printed) - 1] = '\0';
         const int line = parting(block, printed);
 
-        TAP_OK(line == 0, "the block is what dem effects prints%s", line ? "; make -C dem manual brings it up to date" : "");
+        TAP_OK(line == 0, "the block is what dem effects prints%s",
+               line ? "; make -C dem manual brings it up to date" : "");
         if (line)
         {
             TAP_NOTE("they part in line %d of the block", line);
         }
     }
-    TAP_OK(print(1, known) == DEM_OK && strncmp(printed, "dry ", 4) == 0 && strstr(page, "\ndry "), "dem effects dry");
-    TAP_OK(print(1, unknown) == DEM_ERROR_INPUT && strstr(dem_error_text(), "hertz"), "%s", dem_error_text());
+    TAP_OK(print(1, known) == DEM_OK && strncmp(printed, "dry ", 4) == 0 && strstr(page, "\ndry "),
+           "dem effects dry");
+    TAP_OK(print(1, unknown) == DEM_ERROR_INPUT && strstr(dem_error_text(), "hertz"), "%s",
+           dem_error_text());
     shown("../dem/effects/contact/sjkr.c");
     shown("effects/test_sjkr.c");
     TAP_DONE;

@@ -8,8 +8,10 @@
  */
 #include "tangential.h"
 
-static const struct dem_material oxide = {"aluminium oxide", 4000.0, 380e9, 0.23, 0.0}, soda = {"soda-lime glass", 2500.0, 70e9, 0.25, 0.0};
-static const struct dem_material aluminium = {"aluminium", 2700.0, 70e9, 0.33, 0.0}, rigid = {"rigid", 1.0, INFINITY, 0.3, 0.0};
+static const struct dem_material oxide = {"aluminium oxide", 4000.0, 380e9, 0.23, 0.0},
+                                 soda = {"soda-lime glass", 2500.0, 70e9, 0.25, 0.0};
+static const struct dem_material aluminium = {"aluminium", 2700.0, 70e9, 0.33, 0.0},
+                                 rigid = {"rigid", 1.0, INFINITY, 0.3, 0.0};
 static const double pi = 3.14159265358979324;
 static struct impacts w;
 
@@ -90,12 +92,14 @@ static void sliding(void)
     TAP_NEAR(friction_now(), 5.0, 5e-15, "sliding: mu fn");
     TAP_NEAR(w.b.fx[0], -3.0, 5e-15, "against the slip");
     /* round-off of a pull that would be 33 times the limit if it held */
-    TAP_NEAR(-(kt + 30.0/w.b.dt)*l->column[1][0], -4.0, 1e-13, "spring and dashpot share it, each by what it gave way");
+    TAP_NEAR(-(kt + 30.0/w.b.dt)*l->column[1][0], -4.0, 1e-13,
+             "spring and dashpot share it, each by what it gave way");
     for (int k = 0; k < 500; k++)                         /* c/k is 5 steps */
     {
         act(l);
     }
-    TAP_NEAR(-kt*l->column[1][0], -4.0, 1e-13, "and in a long slide the spring comes to hold the whole of it");
+    TAP_NEAR(-kt*l->column[1][0], -4.0, 1e-13,
+             "and in a long slide the spring comes to hold the whole of it");
     w.b.sx[0] = w.b.sy[0] = 0.0;
     act(l);
     TAP_NEAR(friction_now(), 5.0, 1e-13, "at a stop it still does");
@@ -121,7 +125,8 @@ static void apart(void)
     w.b.sx[0] = 3.0;
     w.b.eta[0] = 30.0;
     act(smooth);
-    TAP_OK(friction_now() == 0.0 && smooth->column[0][0] == 0.0, "no friction: no force, no spring");
+    TAP_OK(friction_now() == 0.0 && smooth->column[0][0] == 0.0,
+           "no friction: no force, no spring");
     w.b.sx[0] = 0.0;
     act(smooth);
     TAP_OK(friction_now() == 0.0, "nor at rest");
@@ -149,9 +154,11 @@ static double turn(int steps, double step, double swing, double *lean, double *b
     for (int s = 1; s <= steps; s++)
     {
         const double angle = step*s, length = 1.0 + swing*sin(2.0*pi*s/100.0);
-        const double now[2] = {length*cos(angle), length*sin(angle)};                /* z and x of the centre line */
+        const double now[2] = {length*cos(angle),
+                               length*sin(angle)};                /* z and x of the centre line */
         const double half[2] = {0.5*(now[0] + before[0]), 0.5*(now[1] + before[1])};
-        const double n = sqrt(now[0]*now[0] + now[1]*now[1]), h = sqrt(half[0]*half[0] + half[1]*half[1]);
+        const double n = sqrt(now[0]*now[0] + now[1]*now[1]),
+                     h = sqrt(half[0]*half[0] + half[1]*half[1]);
 
         w.b.nz[0] = now[0]/n, w.b.nx[0] = now[1]/n;
         w.b.hz[0] = half[0]/h, w.b.hx[0] = half[1]/h;
@@ -175,7 +182,8 @@ static void carrying(void)
 
     /* each step rounds the length by about 1e-16, 1e4 steps in the worst case add up to 1e-12 */
     TAP_NEAR(fine, 0.0, 1e-12, "10 turns in 10000 steps: the spring keeps its length");
-    TAP_NEAR(lean, 0.0, 1e-15, "and lies in the contact plane in every step");      /* made so by the last projection */
+    TAP_NEAR(lean, 0.0, 1e-15,
+             "and lies in the contact plane in every step");      /* made so by the last projection */
     TAP_NEAR(back, 0.0, 1e-12, "and comes back to where it was");
     TAP_NEAR(turn(1000, 2.0*pi/10.0, 0.0, &lean, &back), 0.0, 1e-12,
              "steps of 36 degrees: nothing is second order here");
@@ -193,7 +201,10 @@ static void axes(void)
 {
     const double s = sin(0.7), c = cos(0.7), t = sin(1.9), u = cos(1.9);
     const double turned[3][3] = {{c, -s*u, s*t}, {s, c*u, -c*t}, {0.0, t, u}};
-    const double v[4][3] = {{0.6, 0.0, 0.8}, {0.64, 0.02, 0.76}, {3e-9, 1e-9, -2e-9}, {1e-3, -2e-3, 0.5e-3}};
+    const double v[4][3] = {{0.6, 0.0, 0.8},
+                            {0.64, 0.02, 0.76},
+                            {3e-9, 1e-9, -2e-9},
+                            {1e-3, -2e-3, 0.5e-3}};
     double force[2][3];
 
     for (int pass = 0; pass < 2; pass++)
@@ -226,7 +237,8 @@ static void axes(void)
 
 /* ---- impacts -------------------------------------------------------------------------------------------------- */
 
-static void impact(double friction, double e, int clamped, double vn, double vt, double spin_y, int steps)
+static void impact(double friction, double e, int clamped, double vn, double vt, double spin_y,
+                   int steps)
 {
     const double dt = impacts_contact_time(&w, vn)/steps;
 
@@ -267,11 +279,13 @@ static void signs(void)
 {
     impacts_wall(&w, &oxide, &soda, 0.0025);
     impact(0.3, 0.9, 0, 1.0, 2.0, 0.0, 400);
-    TAP_OK(of(w.v[0][0]) < 2.0 && of(w.v[0][0]) > 0.0, "a sphere sliding to +x on the plane below it is slowed");
+    TAP_OK(of(w.v[0][0]) < 2.0 && of(w.v[0][0]) > 0.0,
+           "a sphere sliding to +x on the plane below it is slowed");
     TAP_OK(of(w.w[0][1]) > 0.0, "and starts to roll to +x: spin about +y, %g 1/s", of(w.w[0][1]));
     /* an impulse through the contact point turns by 5/2 of what it slows, whatever its history: rounding only */
     TAP_NEAR(of(w.w[0][1])*0.0025, 2.5*(2.0 - of(w.v[0][0])), 1e-12, "R w = 5/2 of the speed lost");
-    TAP_OK(of(w.v[0][1]) == 0.0 && of(w.w[0][0]) == 0.0 && of(w.w[0][2]) == 0.0, "nothing sideways");
+    TAP_OK(of(w.v[0][1]) == 0.0 && of(w.w[0][0]) == 0.0 && of(w.w[0][2]) == 0.0,
+           "nothing sideways");
 
     impacts_spheres(&w, &aluminium, &aluminium, 0.1, 0.1);
     impact(0.4, 0.5, 0, 0.4, 0.0, 8.0, 400);
@@ -279,13 +293,15 @@ static void signs(void)
     TAP_NEAR(of(w.w[0][1]), of(w.w[1][1]), 1e-12, "alike");
     /* i lies above j; its lowest point moves to -x, so friction on it is to +x: w = 5/2 impulse/(m R) */
     /* meanwhile the line of centres turns by some 1e-4, and that part of the normal impulse goes sideways too */
-    TAP_NEAR(of(w.v[0][0])*2.5/0.1, 8.0 - of(w.w[0][1]), 2e-3, "and move apart sideways by what they lost");
+    TAP_NEAR(of(w.v[0][0])*2.5/0.1, 8.0 - of(w.w[0][1]), 2e-3,
+             "and move apart sideways by what they lost");
 }
 
 /* slip so fast that it never stops: the impulse is Coulomb's, to the steps that stick at first touch */
 static void full_sliding(void)
 {
-    static const double x[] = {0.18372619, 0.76433749};           /* 7/2 mu (1 + e) v_n over the slip speed; < 1: slides */
+    static const double x[] =
+        {0.18372619, 0.76433749};           /* 7/2 mu (1 + e) v_n over the slip speed; < 1: slides */
     static const double spin_back[] = {-0.80983243, -0.21039119};
 
     for (int k = 0; k < 2; k++)
@@ -296,7 +312,8 @@ static void full_sliding(void)
             const double slip = 3.5*0.4*1.5*0.2/x[k];
 
             impact(0.4, 0.5, clamped, 0.2, 0.0, -slip/0.1, 4000);
-            TAP_NEAR(ratio(0.4), 1.0, 1e-4, "x = %.2f, %s: friction impulse is mu times the normal one", x[k],
+            TAP_NEAR(ratio(0.4), 1.0, 1e-4,
+                     "x = %.2f, %s: friction impulse is mu times the normal one", x[k],
                      clamped ? "clamped" : "pulling");
             if (clamped)
             {
@@ -313,7 +330,8 @@ static void full_sliding(void)
 
     /* rigid-body result with Coulomb friction, e = 1; the elastic impact keeps its speed within 1e-6 at this step, and
        the first step of each row may stick: 1/400 of the force of the first instant, 1e-5 of the impulse */
-    TAP_NEAR(of(w.v[0][0]), vt - 0.092*2.0*vn, 1e-4*vt, "60 degrees, tangential speed of the rigid sphere");
+    TAP_NEAR(of(w.v[0][0]), vt - 0.092*2.0*vn, 1e-4*vt,
+             "60 degrees, tangential speed of the rigid sphere");
     TAP_NEAR(of(w.w[0][1]), 2.5*0.092*2.0*vn/0.0025, 0.04, "60 degrees, its spin");
 }
 
@@ -341,9 +359,10 @@ static void gears(void)
  * Near the normal the secant law gives more tangential speed than it took, and a spin the wrong way round.
  */
 static const double kharaz[][3] = {
-    {2.0, 1.0006378, -0.086806086}, {5.0, 0.94875088, 17.419954}, {10.0, 0.69698558, 205.20981}, {15.0, 0.62856072, 374.92869},
-    {20.0, 0.61848406, 508.89593}, {25.0, 0.63613519, 599.72606}, {30.0, 0.68130265, 621.45983}, {35.0, 0.73722077, 587.82351},
-    {45.0, 0.816, 507.41983}, {60.0, 0.89376755, 358.8}, {80.0, 0.96755584, 124.60993},
+    {2.0, 1.0006378, -0.086806086}, {5.0, 0.94875088, 17.419954}, {10.0, 0.69698558, 205.20981},
+    {15.0, 0.62856072, 374.92869},  {20.0, 0.61848406, 508.89593}, {25.0, 0.63613519, 599.72606},
+    {30.0, 0.68130265, 621.45983}, {35.0, 0.73722077, 587.82351}, {45.0, 0.816, 507.41983},
+    {60.0, 0.89376755, 358.8}, {80.0, 0.96755584, 124.60993},
 };
 
 static void oblique(void)
@@ -358,7 +377,8 @@ static void oblique(void)
            average, felt only where the contact sticks from the start (2 degrees: 5e-5 of the speed, 0.006 1/s) */
         TAP_NEAR(of(w.v[0][0])/vt, kharaz[k][1], 2e-4,
                  "%g degrees: tangential restitution %.4f", kharaz[k][0], kharaz[k][1]);
-        TAP_NEAR(of(w.w[0][1]), kharaz[k][2], 0.02, "%g degrees: spin %.1f 1/s", kharaz[k][0], kharaz[k][2]);
+        TAP_NEAR(of(w.w[0][1]), kharaz[k][2], 0.02, "%g degrees: spin %.1f 1/s", kharaz[k][0],
+                 kharaz[k][2]);
     }
 }
 

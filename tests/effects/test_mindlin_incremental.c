@@ -25,8 +25,10 @@ static void pressing(void)
 
     /* a few rounded factors */
     TAP_NEAR(step(l, 1e-6, 1e-9), -k*1e-9, 1e-13*k*1e-9, "8 G* sqrt(R* d) times the slip");
-    TAP_NEAR(step(l, 4e-6, 0.0), -k*1e-9, 1e-13*k*1e-9, "pressed four times as deep: the force stays");
-    TAP_NEAR(step(l, 4e-6, 1e-9), -3.0*k*1e-9, 1e-13*k*1e-9, "more slip loads with the new stiffness, twice the old");
+    TAP_NEAR(step(l, 4e-6, 0.0), -k*1e-9, 1e-13*k*1e-9,
+             "pressed four times as deep: the force stays");
+    TAP_NEAR(step(l, 4e-6, 1e-9), -3.0*k*1e-9, 1e-13*k*1e-9,
+             "more slip loads with the new stiffness, twice the old");
     TAP_NEAR(step(l, 1e-6, 0.0), -1.5*k*1e-9, 1e-13*k*1e-9, "half parted: half the force");
     TAP_NEAR(step(l, 1e-6, -1.5e-9), 0.0, 1e-13*k*1e-9, "and slip back by what is left unloads it");
 }
@@ -42,7 +44,10 @@ static double cycle(const struct dem_effect *law)
     {
         for (int k = 0; k < 400; k++)
         {
-            const double part = (k % 100 + 1)/100.0, deep = k < 100 ? 0.0 : k < 200 ? part : k < 300 ? 1.0 : 1.0 - part;
+            const double part = (k % 100 + 1)/100.0, deep = k < 100 ? 0.0
+                                                              : k < 200 ? part
+                                                              : k < 300 ? 1.0
+                                                                        : 1.0 - part;
             const double slip = k < 100 ? 1e-11 : k >= 200 && k < 300 ? -1e-11 : 0.0;
             const double force = step(l, 1e-6 + 3e-6*deep, slip);
 
@@ -56,17 +61,20 @@ static double cycle(const struct dem_effect *law)
 static void cycles(void)
 {
     /* in units of k l^2, k at the small overlap: each turn of mindlin gives (2 - 1)/2 */
-    TAP_NEAR(cycle(&dem_mindlin), -20.0, 1.0, "forty cycles of slip and pressure: mindlin gives energy");    /* steps of 1/100 */
-    TAP_OK(cycle(&dem_mindlin_incremental) > 0.0, "here they take some, %g", cycle(&dem_mindlin_incremental));
+    TAP_NEAR(cycle(&dem_mindlin), -20.0, 1.0,
+             "forty cycles of slip and pressure: mindlin gives energy");    /* steps of 1/100 */
+    TAP_OK(cycle(&dem_mindlin_incremental) > 0.0, "here they take some, %g",
+           cycle(&dem_mindlin_incremental));
 }
 
 static void oblique(void)
 {
     /* angle, tangential restitution, spin: an independent integration of this law, 80000 steps a contact */
     static const double table[][3] = {
-        {0.5, 0.87801199, 4.1516777}, {2.0, 0.87652569, 16.805846}, {5.0, 0.85994421, 47.605999}, {10.0, 0.70951837, 196.72226},
-        {15.0, 0.63014891, 373.32557}, {20.0, 0.61848406, 508.89593}, {25.0, 0.63613519, 599.72606}, {30.0, 0.68130265, 621.45983},
-        {35.0, 0.73722077, 587.82351}, {45.0, 0.816, 507.41983}, {60.0, 0.89376755, 358.8},
+        {0.5, 0.87801199, 4.1516777}, {2.0, 0.87652569, 16.805846}, {5.0, 0.85994421, 47.605999},
+        {10.0, 0.70951837, 196.72226}, {15.0, 0.63014891, 373.32557}, {20.0, 0.61848406, 508.89593},
+        {25.0, 0.63613519, 599.72606}, {30.0, 0.68130265, 621.45983}, {35.0, 0.73722077, 587.82351},
+        {45.0, 0.816, 507.41983}, {60.0, 0.89376755, 358.8},
     };
 
     for (int t = 0; t < (int)(sizeof table/sizeof table[0]); t++)
@@ -82,7 +90,8 @@ static void oblique(void)
 
         /* first order in the step where it sticks: from 20000 to 80000 steps the independent one moves by 2.5e-5 and by
            0.009 1/s (at 5 degrees), so at 4000 steps 1.7e-4 and 0.06 are left */
-        TAP_NEAR(et, table[t][1], 3e-4, "%g degrees: tangential restitution %.4f", table[t][0], table[t][1]);
+        TAP_NEAR(et, table[t][1], 3e-4, "%g degrees: tangential restitution %.4f", table[t][0],
+                 table[t][1]);
         TAP_NEAR(spin, table[t][2], 0.08, "%g degrees: spin %.1f 1/s", table[t][0], table[t][2]);
         TAP_OK(energy < 1.0, "%g degrees: energy is lost, %.7f is left", table[t][0], energy);
     }
@@ -99,6 +108,7 @@ int main(void)
     struct impacts_effect *const l = tangential_row(&w, &dem_mindlin_incremental, 0.5, 0.0);
 
     w.pair.reduced_shear = 0.0;
-    TAP_OK(dem_mindlin_incremental.prepare(l->settings, &w.pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(dem_mindlin_incremental.prepare(l->settings, &w.pair) == DEM_ERROR_INPUT, "%s",
+           dem_error_text());
     TAP_DONE;
 }

@@ -18,7 +18,8 @@ int main(void)
     b.gx[0] = 1e4, b.gy[0] = -2e4, b.gz[0] = 3e4;
     b.fx[0] = 1.0;
     dem_pressure_gradient.apply_to_bodies(NULL, &b);
-    TAP_OK(b.fx[0] == 1.0 - 2e-9*1e4 && b.fy[0] == 2e-9*2e4 && b.fz[0] == -2e-9*3e4, "adds -V grad p");
+    TAP_OK(b.fx[0] == 1.0 - 2e-9*1e4 && b.fy[0] == 2e-9*2e4 && b.fz[0] == -2e-9*3e4,
+           "adds -V grad p");
     TAP_OK(b.fx[1] == 0.0 && b.fy[1] == 0.0 && b.fz[1] == 0.0, "an empty row gets nothing");
     TAP_OK(dem_pressure_gradient.needs & DEM_NEEDS_FLUID, "asks for the fluid");
 

@@ -25,7 +25,8 @@ static void torque(void)
     /* 2/5 m R^2/dt = 6.4e-3 N m s: spins below 0.625 1/s would be turned round */
     w.b.wx[0] = 0.3, w.b.wy[0] = 0.4;
     moments_act(&w, l);
-    TAP_NEAR(moments_size(&w), 6.4e-3*0.5, 1e-16, "slower than a step can stop: as much as stops it");
+    TAP_NEAR(moments_size(&w), 6.4e-3*0.5, 1e-16,
+             "slower than a step can stop: as much as stops it");
     w.b.wx[0] = 0.6249, w.b.wy[0] = 0.0;
     moments_act(&w, l);
     TAP_NEAR(moments_size(&w), 4e-3, 1e-6, "both meet at 0.625 1/s");       /* 0.6249 of 0.625 */
@@ -45,14 +46,16 @@ static void rest(void)
         const double distance = moments_rest(&w, dt, speed[k], &time);
 
         /* stopped at 1e-4 of the speed; the contact's spring stretches by a few 1e-4 of the way when the torque sets in */
-        TAP_NEAR(distance/(0.7*speed[k]*speed[k]/(mu[k]*9.81)), 1.0, 1e-3, "mu_r %g: rolls %.4f m", mu[k], distance);
+        TAP_NEAR(distance/(0.7*speed[k]*speed[k]/(mu[k]*9.81)), 1.0, 1e-3,
+                 "mu_r %g: rolls %.4f m", mu[k], distance);
         TAP_NEAR(time/(1.4*speed[k]/(mu[k]*9.81)), 1.0, 1e-3, "in %.4f s", time);
         for (int s = 0; s < 20000; s++)
         {
             impacts_step(&w, dt);
         }
         TAP_NEAR(w.x[0][0][0], distance, 1e-4*distance, "and stays there");
-        TAP_NEAR(w.w[0][1][0], 0.0, 1e-9*speed[k]/0.004, "without jitter: turns with %g 1/s", w.w[0][1][0]);
+        TAP_NEAR(w.w[0][1][0], 0.0, 1e-9*speed[k]/0.004, "without jitter: turns with %g 1/s",
+                 w.w[0][1][0]);
         TAP_NEAR(w.v[0][0][0], 0.0, 1e-9*speed[k], "moves with %g m/s", w.v[0][0][0]);
     }
 }

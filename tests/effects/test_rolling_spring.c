@@ -44,7 +44,8 @@ static void spring(void)
     l = row(0.1, 0.5, 0.3);
     w.b.wx[0] = 1.0;
     moments_act(&w, l);
-    TAP_NEAR(w.b.mx[0], -k*1e-6 - 2.0*0.3*sqrt(k*1.4*1e-3*1.6e-5), 1e-17, "with the dashpot of 2 zeta sqrt(k I)");
+    TAP_NEAR(w.b.mx[0], -k*1e-6 - 2.0*0.3*sqrt(k*1.4*1e-3*1.6e-5), 1e-17,
+             "with the dashpot of 2 zeta sqrt(k I)");
 }
 
 static void slip(void)
@@ -62,7 +63,8 @@ static void slip(void)
     {
         moments_act(&w, l);
     }
-    TAP_NEAR(-k*l->column[1][0], -0.8*limit, 1e-15, "in a long slide the spring comes to hold all of it");
+    TAP_NEAR(-k*l->column[1][0], -0.8*limit, 1e-15,
+             "in a long slide the spring comes to hold all of it");
     w.b.wx[0] = w.b.wy[0] = 0.0;
     moments_act(&w, l);
     TAP_NEAR(moments_size(&w), limit, 1e-15, "at a stop it still does");
@@ -99,7 +101,8 @@ static void carrying(void)
     double lean, back;
 
     /* 1e4 steps that round by 1e-16 */
-    TAP_NEAR(turn(10000, 2.0*moments_pi/1000.0, &lean, &back), 0.0, 1e-12, "10 turns of the pair: the spring keeps its length");
+    TAP_NEAR(turn(10000, 2.0*moments_pi/1000.0, &lean, &back), 0.0, 1e-12,
+             "10 turns of the pair: the spring keeps its length");
     TAP_NEAR(lean, 0.0, 1e-15, "lies in the plane of contact");
     TAP_NEAR(back, 0.0, 1e-12, "and comes back to where it was");
 }
@@ -114,7 +117,8 @@ static void swing(double K, double zeta, double grip, double inertia)
     struct impacts_effect *const l = &w.effect_entry[3];
     const double depth = moments_depth(&w, 9.81), kr = K*impacts_hertz(&w)*sqrt(depth)*0.004*0.004;
     const double omega = sqrt(kr/(inertia*w.mass[0]*0.004*0.004)), start = 1e-3*omega;
-    double before = 0.0, angle = 0.0, top = 0.0, first = 0.0, last = 0.0, first_top = 0.0, last_top = 0.0;
+    double before = 0.0, angle = 0.0, top = 0.0, first = 0.0, last = 0.0, first_top = 0.0,
+           last_top = 0.0;
     int passages = 0, steps = 0;
 
     settle(&dem_rolling_spring, l->settings, &w.pair, "damping", zeta);
@@ -139,17 +143,21 @@ static void swing(double K, double zeta, double grip, double inertia)
     }
     TAP_OK(passages == 11, "swings");
     /* K = 0.001 is 1e-3 of the stiffness of friction, which gives way as much; 1e-3 in omega at most; dt omega < 0.1 */
-    TAP_NEAR((last - first)*omega*sqrt(1.0 - zeta*zeta)/(10.0*moments_pi), 1.0, 3e-3, "K %g, zeta %g: at %g 1/s", K, zeta, omega);
-    const double decay = log(first_top/last_top)/(10.0*moments_pi), expected = zeta*sqrt(1.4/inertia);
+    TAP_NEAR((last - first)*omega*sqrt(1.0 - zeta*zeta)/(10.0*moments_pi), 1.0, 3e-3,
+             "K %g, zeta %g: at %g 1/s", K, zeta, omega);
+    const double decay = log(first_top/last_top)/(10.0*moments_pi),
+                 expected = zeta*sqrt(1.4/inertia);
 
-    TAP_NEAR(decay, expected/sqrt(1.0 - expected*expected), 5e-3*expected + 3e-4, "K %g, zeta %g: decays by %g a radian", K,
-             zeta, decay);
+    TAP_NEAR(decay, expected/sqrt(1.0 - expected*expected), 5e-3*expected + 3e-4,
+             "K %g, zeta %g: decays by %g a radian", K, zeta, decay);
 }
 
 static void rest(void)
 {
-    const double mu = 0.02, v = 0.1, dt = moments_plane(&w, &dem_rolling_spring, "friction", mu, 10.0);
-    const double depth = moments_depth(&w, 9.81), K = 6.0*w.pair.reduced_shear/w.pair.reduced_modulus;
+    const double mu = 0.02, v = 0.1,
+                 dt = moments_plane(&w, &dem_rolling_spring, "friction", mu, 10.0);
+    const double depth = moments_depth(&w, 9.81),
+                 K = 6.0*w.pair.reduced_shear/w.pair.reduced_modulus;
     double time;
 
     settle(&dem_rolling_spring, w.effect_entry[3].settings, &w.pair, "damping", 0.3);
@@ -157,7 +165,8 @@ static void rest(void)
 
     /* until the spring is at its limit it brakes less: after an angle of mu_r d/(K R); half of that is missing, and the
        springs of the contact stretch alike */
-    TAP_NEAR(distance/(0.7*v*v/(mu*9.81)), 1.0, 1e-3 + mu*depth/K/distance, "rolls %.4f m", distance);
+    TAP_NEAR(distance/(0.7*v*v/(mu*9.81)), 1.0, 1e-3 + mu*depth/K/distance,
+             "rolls %.4f m", distance);
     for (int s = 0; s < 20000; s++)
     {
         impacts_step(&w, dt);

@@ -27,7 +27,8 @@ int main(void)
     /* Re_p = 1e-4, Re_shear = 1e-2: k = 50, exp(-Re_p/10) = 1 - 1e-5, and 0.3314 sqrt k of that */
     in_shear(d, rho, mu, 1e-6, 1.0);
     TAP_NEAR(b.ry[0]/(1.615*mu*d*1e-6*sqrt(d*d/nu)), 1.0, 5e-5, "slow: Saffman's");
-    TAP_OK(b.ry[0] > 0.0 && b.rx[0] == 0.0 && b.rz[0] == 0.0, "a lagging sphere is pushed to the faster fluid");
+    TAP_OK(b.ry[0] > 0.0 && b.rx[0] == 0.0 && b.rz[0] == 0.0,
+           "a lagging sphere is pushed to the faster fluid");
     in_shear(d, rho, mu, -1e-6, 1.0);
     TAP_OK(b.ry[0] < 0.0, "a leading one to the slower");
     in_shear(d, rho, mu, 1e-6, -1.0);
@@ -39,7 +40,8 @@ int main(void)
     in_shear(d, rho, mu, w, G);
     TAP_NEAR(b.ry[0]/(1.615*mu*d*w*sqrt(G*d*d/nu)), 0.22595, 1e-5, "Re_p = 20: Mei's share of it");
     in_shear(d, rho, mu, 5.0*w, 5.0*G);
-    TAP_NEAR(b.ry[0]/(1.615*mu*d*5.0*w*sqrt(5.0*G*d*d/nu)), 0.0524*sqrt(0.1*100.0), 1e-12, "Re_p = 100: his other branch");    /* rounding */
+    TAP_NEAR(b.ry[0]/(1.615*mu*d*5.0*w*sqrt(5.0*G*d*d/nu)),
+             0.0524*sqrt(0.1*100.0), 1e-12, "Re_p = 100: his other branch");    /* rounding */
     in_shear(d, rho, mu, 39.999/20.0*w, 39.999/20.0*G);
     const double below = b.ry[0]/pow(39.999, 1.5);
 
@@ -47,7 +49,9 @@ int main(void)
     const double root = 0.3314*sqrt(0.1);
 
     /* 5e-5 of Re_p apart */
-    TAP_NEAR(b.ry[0]/pow(40.001, 1.5)/below, 0.0524*sqrt(4.0)/((1.0 - root)*exp(-4.0) + root), 1e-4, "the step at Re_p = 40 is the published one");
+    TAP_NEAR(b.ry[0]/pow(40.001, 1.5)/below,
+             0.0524*sqrt(4.0)/((1.0 - root)*exp(-4.0) + root), 1e-4,
+             "the step at Re_p = 40 is the published one");
 
     in_shear(d, rho, mu, 0.0, G);
     TAP_OK(b.rx[0] == 0.0 && b.ry[0] == 0.0, "at rest in the fluid: none");
@@ -72,9 +76,12 @@ int main(void)
     const double size = fabs(b.rx[0]) + fabs(b.ry[0]) + fabs(b.rz[0]);
 
     /* rounding of three products */
-    TAP_NEAR((b.rx[0]*0.02 - b.ry[0]*0.015 + b.rz[0]*0.03)/(0.03*size), 0.0, 1e-15, "across the slip");
-    TAP_NEAR((b.rx[0]*30.0 - b.ry[0]*20.0 + b.rz[0]*10.0)/(30.0*size), 0.0, 1e-15, "across the vorticity");
-    TAP_NEAR((fabs(b.rx[1]) + fabs(b.ry[1]) + fabs(b.rz[1]))/size, 0.0, 1e-12, "slip along the vorticity: none");
+    TAP_NEAR((b.rx[0]*0.02 - b.ry[0]*0.015 + b.rz[0]*0.03)/(0.03*size), 0.0, 1e-15,
+             "across the slip");
+    TAP_NEAR((b.rx[0]*30.0 - b.ry[0]*20.0 + b.rz[0]*10.0)/(30.0*size), 0.0, 1e-15,
+             "across the vorticity");
+    TAP_NEAR((fabs(b.rx[1]) + fabs(b.ry[1]) + fabs(b.rz[1]))/size, 0.0, 1e-12,
+             "slip along the vorticity: none");
     TAP_OK(b.fx[0] == 0.0 && b.b[0] == 0.0, "only in the book that the fluid gets");
     TAP_DONE;
 }

@@ -36,7 +36,9 @@ static void write_effect(char *text, size_t capacity, const struct dem_effect *e
 
         if (f == slip.field)
         {
-            at += (size_t)(slip.value ? snprintf(text + at, capacity - at, "%s %s; ", f->name, slip.value) : 0);
+            at += (size_t)(slip.value
+                               ? snprintf(text + at, capacity - at, "%s %s; ", f->name, slip.value)
+                               : 0);
         }
         else if (required && three)
         {
@@ -48,7 +50,8 @@ static void write_effect(char *text, size_t capacity, const struct dem_effect *e
         }
         else if (required)
         {
-            at += (size_t)snprintf(text + at, capacity - at, "%s %s; ", f->name, f->kind == DEM_SETTING_SWITCH ? "yes" : f->choices[0]);
+            at += (size_t)snprintf(text + at, capacity - at, "%s %s; ", f->name,
+                                   f->kind == DEM_SETTING_SWITCH ? "yes" : f->choices[0]);
         }
     }
     snprintf(text + at, capacity - at, "} ");
@@ -63,8 +66,10 @@ static const char *beside(const struct dem_effect *e)
 /* 0, or the status of a scene with these effects; line 3 holds them */
 static int scene(const char *effects, const char *pairs)
 {
-    char *const text = world_text("materials { glass { density 2500; youngsModulus 1e7; } }\nfluid { density 1000; viscosity 1e-3; }\n"
-                                  "effects { %s }\n pairs { %s }\n time { step 1e-9; }", effects, pairs);
+    char *const text = world_text(
+        "materials { glass { density 2500; youngsModulus 1e7; } }\nfluid { density 1000; viscosity 1e-3; }\n"
+        "effects { %s }\n pairs { %s }\n time { step 1e-9; }",
+        effects, pairs);
     const struct dem_new_particle seed = {.diameter = 1e-3, .material = "glass"};
     struct dem *d;
 
@@ -94,7 +99,8 @@ static void refused(int status, const char *what, const char *where, const char 
     }
 }
 
-static void try_slip(const struct dem_effect *e, struct slip slip, const char *limit, const char *cure)
+static void try_slip(const struct dem_effect *e, struct slip slip, const char *limit,
+                     const char *cure)
 {
     char bad[1024], fine[1024], effects[2048], what[256];
     const char *const words[5] = {e->name, slip.field->name, slip.value, limit, cure};
@@ -102,14 +108,16 @@ static void try_slip(const struct dem_effect *e, struct slip slip, const char *l
     write_effect(bad, sizeof bad, e, slip);
     write_effect(fine, sizeof fine, e, (struct slip){0});
     snprintf(effects, sizeof effects, "%s%s", beside(e), bad);
-    snprintf(what, sizeof what, "%s %s %s", e->name, slip.field->name, slip.value ? slip.value : "left out");
+    snprintf(what, sizeof what, "%s %s %s", e->name, slip.field->name,
+             slip.value ? slip.value : "left out");
     refused(scene(effects, ""), what, "", words);
     if (e->stage < DEM_STAGE_BODY && slip.value)
     {
         char pair[1024];
 
         snprintf(effects, sizeof effects, "%s%s", beside(e), fine);
-        snprintf(pair, sizeof pair, "p { between (glass glass); %s { %s %s; } }", e->name, slip.field->name, slip.value);
+        snprintf(pair, sizeof pair, "p { between (glass glass); %s { %s %s; } }", e->name,
+                 slip.field->name, slip.value);
         refused(scene(effects, pair), what, " in a pair", words);
     }
 }
@@ -130,20 +138,25 @@ static void numbers(const struct dem_effect *e, const struct dem_setting *f)
         const double least = above ? 0.0 : f->min;
 
         printed(limit, sizeof limit, f, least);
-        try_slip(e, (struct slip){f, printed(value, sizeof value, f, above ? 0.0 : least - 0.5)}, above ? "above 0" : limit, "give a value");
-        try_slip(e, (struct slip){f, printed(value, sizeof value, f, least - 1e3)}, above ? "above 0" : limit, "give a value");
+        try_slip(e, (struct slip){f, printed(value, sizeof value, f, above ? 0.0 : least - 0.5)},
+                 above ? "above 0" : limit, "give a value");
+        try_slip(e, (struct slip){f, printed(value, sizeof value, f, least - 1e3)},
+                 above ? "above 0" : limit, "give a value");
     }
     if (f->max < DBL_MAX)
     {
         printed(limit, sizeof limit, f, f->max);
-        try_slip(e, (struct slip){f, printed(value, sizeof value, f, f->max*1.01)}, limit, "give a value");
+        try_slip(e, (struct slip){f, printed(value, sizeof value, f, f->max*1.01)}, limit,
+                 "give a value");
     }
     if (f->flags & DEM_SETTING_WHOLE)
     {
         try_slip(e, (struct slip){f, "1.5"}, "whole", "give a value");
     }
-    try_slip(e, (struct slip){f, f->kind == DEM_SETTING_VECTOR ? "( 0 0 nan )" : "nan"}, "takes", NULL);
-    try_slip(e, (struct slip){f, f->kind == DEM_SETTING_VECTOR ? "( 0 0 inf )" : "-inf"}, "takes", NULL);
+    try_slip(e, (struct slip){f, f->kind == DEM_SETTING_VECTOR ? "( 0 0 nan )" : "nan"}, "takes",
+             NULL);
+    try_slip(e, (struct slip){f, f->kind == DEM_SETTING_VECTOR ? "( 0 0 inf )" : "-inf"}, "takes",
+             NULL);
     try_slip(e, (struct slip){f, "plenty"}, "takes", NULL);
     try_slip(e, (struct slip){f, f->kind == DEM_SETTING_VECTOR ? "3" : "( 1 2 )"}, "takes", NULL);
 }
@@ -161,10 +174,12 @@ static void ends(const struct dem_effect *e, const struct dem_setting *f)
         {
             continue;
         }
-        write_effect(effect, sizeof effect, e, (struct slip){f, printed(value, sizeof value, f, end[k])});
+        write_effect(effect, sizeof effect, e,
+                     (struct slip){f, printed(value, sizeof value, f, end[k])});
         snprintf(effects, sizeof effects, "%s%s", beside(e), effect);
         snprintf(sentence, sizeof sentence, "%s %s is out of range", f->name, value);
-        TAP_OK(scene(effects, "") == 0 || !strstr(dem_error_text(), sentence), "%s %s %s is in range", e->name, f->name, value);
+        TAP_OK(scene(effects, "") == 0 || !strstr(dem_error_text(), sentence),
+               "%s %s %s is in range", e->name, f->name, value);
     }
 }
 
@@ -179,7 +194,8 @@ static void all_settings(const struct dem_effect *e)
         }
         else
         {
-            try_slip(e, (struct slip){f, "perhaps"}, f->kind == DEM_SETTING_SWITCH ? "yes" : f->choices[0], "known");
+            try_slip(e, (struct slip){f, "perhaps"},
+                     f->kind == DEM_SETTING_SWITCH ? "yes" : f->choices[0], "known");
             try_slip(e, (struct slip){f, "12.5"}, NULL, NULL);
         }
         if (isnan(f->default_value))
@@ -198,19 +214,22 @@ static int same_kind(const struct dem_effect *a, const struct dem_effect *b)
 
 static int twice(const struct dem_effect *a, const struct dem_effect *b)
 {
-    return (a->excludes && strcmp(a->excludes, b->name) == 0) || (b->excludes && strcmp(b->excludes, a->name) == 0);
+    return (a->excludes && strcmp(a->excludes, b->name) == 0) ||
+           (b->excludes && strcmp(b->excludes, a->name) == 0);
 }
 
 static void together(const struct dem_effect *a, const struct dem_effect *b)
 {
     char one[1024], other[1024], effects[4096];
     const struct dem_effect *const first = a->stage <= b->stage ? a : b;
-    const char *const words[5] = {a->name, b->name, same_kind(a, b) ? "one of them" : NULL, NULL, NULL};
+    const char *const words[5] = {a->name, b->name, same_kind(a, b) ? "one of them" : NULL, NULL,
+                                  NULL};
     char what[128];
 
     write_effect(one, sizeof one, a, (struct slip){0});
     write_effect(other, sizeof other, b, (struct slip){0});
-    snprintf(effects, sizeof effects, "%s%s%s", first->stage == DEM_STAGE_NORMAL ? "" : beside(first), one, other);
+    snprintf(effects, sizeof effects, "%s%s%s",
+             first->stage == DEM_STAGE_NORMAL ? "" : beside(first), one, other);
     snprintf(what, sizeof what, "%s with %s", a->name, b->name);
     if (same_kind(a, b) || twice(a, b))
     {
@@ -241,7 +260,8 @@ int main(void)
         {
             settings++;
         }
-        if ((*e)->stage == DEM_STAGE_DAMP || (*e)->stage == DEM_STAGE_TANGENT || (*e)->stage == DEM_STAGE_MOMENT)
+        if ((*e)->stage == DEM_STAGE_DAMP || (*e)->stage == DEM_STAGE_TANGENT ||
+            (*e)->stage == DEM_STAGE_MOMENT)
         {
             alone(*e);
         }
@@ -251,6 +271,7 @@ int main(void)
             contradictions += same_kind(*o, *e) || twice(*o, *e);
         }
     }
-    TAP_OK(settings > 40 && contradictions > 40, "%d settings, %d contradictions", settings, contradictions);
+    TAP_OK(settings > 40 && contradictions > 40, "%d settings, %d contradictions", settings,
+           contradictions);
     TAP_DONE;
 }

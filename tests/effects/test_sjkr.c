@@ -25,7 +25,8 @@ int main(void)
     w.b.overlap[0] = 2.0*h, w.b.reduced_radius[0] = R;
     w.b.fn[0] = 0.0;
     dem_sjkr.apply(l->settings, &w.b, l->history);
-    TAP_NEAR(w.b.fn[0], -density*area, 1e-3*density*area, "w times the circle");       /* first order in d/R = 2e-3 */
+    TAP_NEAR(w.b.fn[0], -density*area, 1e-3*density*area,
+             "w times the circle");       /* first order in d/R = 2e-3 */
 
     /* an impact on what is left of the spring */
     const double soft = k - 2.0*pi*density*R, dt = pi*sqrt(w.pair.min_mass/soft)/400.0;
@@ -33,7 +34,8 @@ int main(void)
     impacts_aim(&w, 16, dt, v);
     TAP_OK(impacts_impact(&w, dt, 1000) > 0, "touches and parts");
     TAP_NEAR(impacts_parting(&w), v, 1e-4*v, "no speed lost");                            /* second order in the step */
-    TAP_NEAR(mean(w.peak_overlap, 16)/(v*sqrt(w.pair.min_mass/soft)), 1.0, 1e-4, "a spring softer by 2 pi w R*");
+    TAP_NEAR(mean(w.peak_overlap, 16)/(v*sqrt(w.pair.min_mass/soft)), 1.0, 1e-4,
+             "a spring softer by 2 pi w R*");
 
     /* 4/3 E* sqrt(R*) d^(3/2) = 2 pi w R* d */
     impacts_spheres(&w, &glass, &glass, 1e-3, 1e-3);
@@ -47,6 +49,7 @@ int main(void)
     const double push = w.b.fn[0];
 
     dem_sjkr.apply(w.effect_entry[1].settings, &w.b, w.effect_entry[1].history);
-    TAP_NEAR(w.b.fn[0], 0.0, 1e-14*push, "with hertz at rest where the forces balance");    /* rounding */
+    TAP_NEAR(w.b.fn[0], 0.0, 1e-14*push,
+             "with hertz at rest where the forces balance");    /* rounding */
     TAP_DONE;
 }

@@ -7,7 +7,8 @@
  */
 #include "impacts.h"
 
-static const struct dem_material steel = {"steel", 7800.0, 200e9, 0.3, 0.0}, glass = {"glass", 2540.0, 60e9, 0.23, 0.0};
+static const struct dem_material steel = {"steel", 7800.0, 200e9, 0.3, 0.0},
+                                 glass = {"glass", 2540.0, 60e9, 0.23, 0.0};
 static const struct dem_material rigid = {"rigid", 1.0, INFINITY, 0.3, 0.0};
 static const double pi = 3.14159265358979324;
 static struct impacts w;
@@ -41,16 +42,20 @@ static double bounce(double St, double e_max, int wall, int steps)
  */
 static void law(void)
 {
-    static const double St[] = {10.0, 15.0, 20.0, 30.0, 50.0, 75.0, 100.0, 152.0, 200.0, 300.0, 500.0, 1000.0, 1e4};
+    static const double St[] = {10.0, 15.0, 20.0, 30.0, 50.0, 75.0, 100.0,
+                                152.0, 200.0, 300.0, 500.0, 1000.0, 1e4};
 
     for (int k = 0; k < (int)(sizeof St/sizeof St[0]); k++)
     {
         const double target = 0.97*exp(-35.0/St[k]);
 
-        TAP_NEAR(bounce(St[k], 0.97, 1, 4000), target, 0.01*target, "wall, St = %g: e = %.4f", St[k], target);
-        TAP_NEAR(bounce(St[k], 0.97, 0, 4000), target, 0.01*target, "pair, St = %g: e = %.4f", St[k], target);
+        TAP_NEAR(bounce(St[k], 0.97, 1, 4000), target, 0.01*target, "wall, St = %g: e = %.4f",
+                 St[k], target);
+        TAP_NEAR(bounce(St[k], 0.97, 0, 4000), target, 0.01*target, "pair, St = %g: e = %.4f",
+                 St[k], target);
     }
-    TAP_NEAR(bounce(100.0, 0.97, 1, 400), 0.97*exp(-0.35), 0.002, "a usual step, t_c/400, at St = 100");
+    TAP_NEAR(bounce(100.0, 0.97, 1, 400), 0.97*exp(-0.35), 0.002,
+             "a usual step, t_c/400, at St = 100");
     TAP_NEAR(bounce(35.0, 1.0, 1, 4000), exp(-1.0), 0.004, "e_max = 1, St = 35: 1/e");
 }
 
@@ -103,20 +108,28 @@ static void by_hand(void)
     alpha(l, -0.2, mu, &speed);
     TAP_OK(speed == 0.2, "the next contact latches its own");
 
-    TAP_NEAR((speed = 0.0, alpha(l, 0.0, mu, &speed)), critical, 1e-13, "touched at rest: critical damping");
+    TAP_NEAR((speed = 0.0, alpha(l, 0.0, mu, &speed)), critical, 1e-13,
+             "touched at rest: critical damping");
     TAP_OK(speed > 0.0 && speed < 1e-20, "and that too is latched");
-    TAP_NEAR(alpha(l, -3.0, mu, &speed), critical, 1e-13, "so a later compression is critically damped");
-    TAP_NEAR((speed = 0.0, alpha(l, -0.5, 0.0, &speed)), alpha_of(0.97), 1e-13, "no viscosity: e_max");
-    TAP_NEAR((speed = 0.0, alpha(l, 0.0, 0.0, &speed)), alpha_of(0.97), 1e-13, "no viscosity at rest: e_max");
-    TAP_NEAR((speed = 0.0, alpha(l, -1e-12, mu, &speed)), critical, 1e-9, "creeping: critical damping");
+    TAP_NEAR(alpha(l, -3.0, mu, &speed), critical, 1e-13,
+             "so a later compression is critically damped");
+    TAP_NEAR((speed = 0.0, alpha(l, -0.5, 0.0, &speed)), alpha_of(0.97), 1e-13,
+             "no viscosity: e_max");
+    TAP_NEAR((speed = 0.0, alpha(l, 0.0, 0.0, &speed)), alpha_of(0.97), 1e-13,
+             "no viscosity at rest: e_max");
+    TAP_NEAR((speed = 0.0, alpha(l, -1e-12, mu, &speed)), critical, 1e-9,
+             "creeping: critical damping");
 
     settle(&dem_stokes, l->settings, &w.pair, "restitution", 0.0);
-    TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), critical, 1e-13, "e_max = 0: critical damping");
-    TAP_NEAR((speed = 0.0, alpha(l, -0.5, 0.0, &speed)), critical, 1e-13, "e_max = 0 without viscosity too");
+    TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), critical, 1e-13,
+             "e_max = 0: critical damping");
+    TAP_NEAR((speed = 0.0, alpha(l, -0.5, 0.0, &speed)), critical, 1e-13,
+             "e_max = 0 without viscosity too");
     settle(&dem_stokes, l->settings, &w.pair, "restitution", 1.0);
     TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), alpha_of(exp(-35.0/St)), 1e-13,
              "e_max = 1: the film alone");
-    TAP_OK((speed = 0.0, alpha(l, -0.5, 0.0, &speed)) == 0.0, "e_max = 1 without viscosity: no damping");
+    TAP_OK((speed = 0.0, alpha(l, -0.5, 0.0, &speed)) == 0.0,
+           "e_max = 1 without viscosity: no damping");
 
     settle(&dem_stokes, l->settings, &w.pair, "viscosity", 2.0*mu);
     TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), alpha_of(exp(-70.0/St)), 1e-13,
@@ -128,7 +141,8 @@ static void by_hand(void)
 }
 
 /* alpha of a pair with added mass C_M rho_f per particle volume against the one written out with both masses */
-static void added(const char *what, const struct dem_material *a, const struct dem_material *b, double Ra, double Rb, int wall)
+static void added(const char *what, const struct dem_material *a, const struct dem_material *b,
+                  double Ra, double Rb, int wall)
 {
     const double more = 0.5*1000.0, mu = 0.01, v = 0.3;
     double speed = 0.0;
@@ -159,7 +173,8 @@ static void added(const char *what, const struct dem_material *a, const struct d
     w.b.viscosity[0] = mu;
     dem_real *history[1] = {&speed};
     dem_stokes.apply(l->settings, &w.b, history);
-    TAP_NEAR(w.b.eta[0]/sqrt(w.pair.min_mass*1e6), alpha_of(0.97*exp(-35.0/St)), 1e-13, "added mass: %s", what);
+    TAP_NEAR(w.b.eta[0]/sqrt(w.pair.min_mass*1e6), alpha_of(0.97*exp(-35.0/St)), 1e-13,
+             "added mass: %s", what);
 }
 
 /*
@@ -168,9 +183,11 @@ static void added(const char *what, const struct dem_material *a, const struct d
  */
 static void other_forms(void)
 {
-    static const double table[][4] = {                    /* St, latched, clamped, of the moment */
-        {10, 0.0292758, 0.195059, 0.0}, {50, 0.481669, 0.535672, 0.0816858}, {75, 0.608276, 0.639248, 0.394456},
-        {100, 0.683556, 0.703792, 0.552121}, {300, 0.863189, 0.866977, 0.852102}, {1000, 0.936636, 0.937451, 0.95563},
+    static const double table[][4] = {
+        /* St, latched, clamped, of the moment */
+        {10, 0.0292758, 0.195059, 0.0}, {50, 0.481669, 0.535672, 0.0816858},
+        {75, 0.608276, 0.639248, 0.394456},   {100, 0.683556, 0.703792, 0.552121},
+        {300, 0.863189, 0.866977, 0.852102}, {1000, 0.936636, 0.937451, 0.95563},
         {10000, 0.96661, 0.966837, 0.970076},
     };
     const double k = 1e5, v = 0.5;
@@ -180,7 +197,8 @@ static void other_forms(void)
         for (int form = 0; form < 3; form++)
         {
             impacts_wall(&w, &steel, &rigid, 0.003);
-            const double mu = w.mass[0]*v/(6.0*pi*9e-6*table[t][0]), dt = pi*sqrt(w.mass[0]/k)/10000.0;
+            const double mu = w.mass[0]*v/(6.0*pi*9e-6*table[t][0]),
+                         dt = pi*sqrt(w.mass[0]/k)/10000.0;
 
             impacts_add(&w, &dem_hooke, "stiffness", k);
             struct impacts_effect *const l = impacts_add(&w, &dem_stokes, "restitution", 0.97);
@@ -192,8 +210,12 @@ static void other_forms(void)
 
             /* first order in the step with a dashpot (test_dry): 2e-4 at t_c/10000; what creeps apart takes longer than
                is waited for and counts as 0 */
-            TAP_NEAR(parted > 0 ? impacts_parting(&w)/v : 0.0, table[t][1 + form], 1e-3, "St = %g, %s: e = %.4f", table[t][0],
-                     form == 0 ? "latched" : form == 1 ? "clamped" : "of the moment", table[t][1 + form]);
+            TAP_NEAR(parted > 0 ? impacts_parting(&w)/v : 0.0, table[t][1 + form], 1e-3,
+                     "St = %g, %s: e = %.4f", table[t][0],
+                     form == 0 ? "latched"
+                     : form == 1 ? "clamped"
+                                 : "of the moment",
+                     table[t][1 + form]);
         }
     }
 }
@@ -211,7 +233,8 @@ int main(void)
     impacts_wall(&w, &steel, &rigid, 0.003);
     w.pair.exponent = 1.5;
     struct impacts_effect *const l = impacts_add(&w, &dem_stokes, "restitution", 0.97);
-    TAP_OK(settle(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(settle(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5) == DEM_ERROR_INPUT, "%s",
+           dem_error_text());
     other_forms();
     TAP_DONE;
 }

@@ -19,7 +19,8 @@ static void spring(void)
     w.b.wz[0] = 2.0, w.b.wx[0] = 1e4;
     moments_act(&w, l);
     moments_act(&w, l);
-    TAP_NEAR(w.b.mz[0], -8.0/3.0*G*a*a*a*4e-6, 1e-14*8.0/3.0*G*a*a*a*4e-6, "8/3 G a^3 times the angle");    /* rounding */
+    TAP_NEAR(w.b.mz[0], -8.0/3.0*G*a*a*a*4e-6, 1e-14*8.0/3.0*G*a*a*a*4e-6,
+             "8/3 G a^3 times the angle");    /* rounding */
     TAP_OK(w.b.mx[0] == 0.0 && w.b.my[0] == 0.0, "rolling is not twisting");
 
     w.b.wz[0] = 1e9;
@@ -78,7 +79,8 @@ static void swing(void)
             first = passages++ == 0 ? last : first;
         }
     }
-    TAP_NEAR((last - first)*omega/(10.0*moments_pi), 1.0, 1e-4, "swings at %g 1/s", omega);    /* (dt omega)^2/24 and reading */
+    TAP_NEAR((last - first)*omega/(10.0*moments_pi), 1.0, 1e-4, "swings at %g 1/s",
+             omega);    /* (dt omega)^2/24 and reading */
 }
 
 /* times to rest: the Coulomb torque of the contact and of the reduced radius */
@@ -86,8 +88,10 @@ static void rest(void)
 {
     for (int lever = 0; lever < 2; lever++)
     {
-        const double mu = lever ? 0.01 : 0.5, spin = 20.0, dt = moments_plane(&w, &dem_twisting_spring, "friction", mu, 0.5);
-        const double a = sqrt(0.004*moments_depth(&w, 9.81)), arm = lever ? 0.004 : 3.0*moments_pi/16.0*a;
+        const double mu = lever ? 0.01 : 0.5, spin = 20.0,
+                     dt = moments_plane(&w, &dem_twisting_spring, "friction", mu, 0.5);
+        const double a = sqrt(0.004*moments_depth(&w, 9.81)),
+                     arm = lever ? 0.004 : 3.0*moments_pi/16.0*a;
         const double expected = 0.4*0.004*0.004*spin/(mu*arm*9.81);
         double time = 0.0;
 

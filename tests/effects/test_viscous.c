@@ -53,7 +53,8 @@ int main(void)
         /* first order in the step with a dashpot: 1e-4 of 1 at t_c/4000, see test_dry */
         TAP_NEAR(impact(k, 2.0*z*sqrt(k*m), 0.3), e, 1e-4, "z = %g: e = %.4f", z, e);
     }
-    TAP_NEAR(impact(k, 0.2*sqrt(k*m), 0.001), impact(k, 0.2*sqrt(k*m), 1.0), 1e-9, "the speed does not matter");
+    TAP_NEAR(impact(k, 0.2*sqrt(k*m), 0.001), impact(k, 0.2*sqrt(k*m), 1.0), 1e-9,
+             "the speed does not matter");
     TAP_OK(row(1.0, -3.0, 0, &eta) == 7.0 && eta == 2.0, "pushes on approach");
     TAP_OK(row(1.0, 3.0, 0, &eta) == -5.0, "pulls at the end");
     TAP_OK(row(1.0, 3.0, 1, &eta) == 0.0 && eta == 2.0, "clamped, it does not");
@@ -62,10 +63,12 @@ int main(void)
 
     struct impacts_effect *const l = &w.effect_entry[0];
 
-    TAP_NEAR(dem_viscous.time_limit(l->settings, &w.pair, &why), 0.1*m, 1e-15*m, "%s", why);    /* rounding */
+    TAP_NEAR(dem_viscous.time_limit(l->settings, &w.pair, &why), 0.1*m, 1e-15*m, "%s",
+             why);    /* rounding */
     settle(&dem_viscous, l->settings, &w.pair, "coefficient", 0.0);
     TAP_OK(dem_viscous.time_limit(l->settings, &w.pair, &why) > 1e300, "no dashpot, no limit");
-    TAP_OK(settle(&dem_viscous, l->settings, &w.pair, "coefficient", -1.0) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(settle(&dem_viscous, l->settings, &w.pair, "coefficient", -1.0) == DEM_ERROR_INPUT, "%s",
+           dem_error_text());
     w.pair.exponent = 0.0;
     TAP_OK(dem_viscous.prepare(l->settings, &w.pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
     TAP_DONE;

@@ -16,7 +16,8 @@ int main(void)
     b.sx[0] = 1e4, b.sy[0] = -2e4, b.sz[0] = 3e4;
     b.rx[0] = 1.0;
     dem_viscous_stress.apply_to_bodies(NULL, &b);
-    TAP_OK(b.rx[0] == 1.0 + 2e-9*1e4 && b.ry[0] == -2e-9*2e4 && b.rz[0] == 2e-9*3e4, "adds V div tau");
+    TAP_OK(b.rx[0] == 1.0 + 2e-9*1e4 && b.ry[0] == -2e-9*2e4 && b.rz[0] == 2e-9*3e4,
+           "adds V div tau");
     TAP_OK(b.fx[0] == 0.0 && b.rx[1] == 0.0, "in no other book, and nothing to an empty row");
     TAP_OK(dem_viscous_stress.needs == (DEM_NEEDS_FLUID | DEM_NEEDS_STRESS), "asks for the stress");
 

@@ -30,9 +30,11 @@ int main(void)
     for (double re = 40.0; re < 4000.0; re *= 2.0)
     {
         /* rho/2 R^5 C W^2, C = 12.9/sqrt Re + 128.4/Re, over pi mu d^3 W; rounding */
-        TAP_NEAR(factor(re), (12.9/sqrt(re) + 128.4/re)*re/(64.0*3.14159265358979324), 1e-13, "Dennis and others at %g", re);
+        TAP_NEAR(factor(re), (12.9/sqrt(re) + 128.4/re)*re/(64.0*3.14159265358979324),
+                 1e-13, "Dennis and others at %g", re);
     }
-    TAP_NEAR(factor(31.75)/factor(31.7), 1.0, 1e-3, "without a step");      /* slope of the fit: 2 % from 31 to 32 */
+    TAP_NEAR(factor(31.75)/factor(31.7), 1.0, 1e-3,
+             "without a step");      /* slope of the fit: 2 % from 31 to 32 */
     correction = 0;
     TAP_OK(factor(1000.0) == factor(0.0), "without correction: Stokes'");
     correction = 1;
@@ -46,8 +48,10 @@ int main(void)
     }
     b.wx[1] = 2.0, b.wy[1] = -3.0, b.wz[1] = 1.0;
     dem_viscous_torque.apply_to_bodies(&correction, &b);
-    TAP_OK(b.tx[0] == 2.0*b.t[0] && b.ty[0] == -3.0*b.t[0] && b.tz[0] == b.t[0], "towards half the vorticity");
-    TAP_OK(b.tx[1] - b.t[1]*b.wx[1] == 0.0 && b.tz[1] - b.t[1]*b.wz[1] == 0.0, "no torque on a sphere that rotates with the fluid");
+    TAP_OK(b.tx[0] == 2.0*b.t[0] && b.ty[0] == -3.0*b.t[0] && b.tz[0] == b.t[0],
+           "towards half the vorticity");
+    TAP_OK(b.tx[1] - b.t[1]*b.wx[1] == 0.0 && b.tz[1] - b.t[1]*b.wz[1] == 0.0,
+           "no torque on a sphere that rotates with the fluid");
     TAP_OK(b.t[2] == 0.0 && b.tx[2] == 0.0, "an empty row: nothing");
     TAP_OK(b.fx[0] == 0.0 && b.rx[0] == 0.0 && b.b[0] == 0.0, "no force");
     TAP_DONE;

@@ -22,7 +22,8 @@ int main(void)
     TAP_TRAPS;
     for (int k = 0; k < (int)(sizeof table/sizeof table[0]); k++)
     {
-        TAP_NEAR(G(table[k][0], table[k][1]), table[k][2], 0.00501, "e = %g, Re = %g", table[k][0], table[k][1]);
+        TAP_NEAR(G(table[k][0], table[k][1]), table[k][2], 0.00501, "e = %g, Re = %g", table[k][0],
+                 table[k][1]);
     }
 
     /* from here on: b and u of the test row are a few rounded factors, 1e-14 */
@@ -30,7 +31,8 @@ int main(void)
     TAP_NEAR(G(1.0, 1e-6), 1.0, 1.2e-5, "and nearly so at Re = 1e-6: 0.15 Re^0.687 is 1.13e-5");
     TAP_NEAR(G(0.5, 0.0), pow(0.5, -2.65), 1e-14, "at rest in a suspension: e^-2.65");
     TAP_NEAR(G(1.0, 1e5), 0.44*1e5/24.0, 1e-10, "Re = 1e5: Cd = 0.44");
-    TAP_NEAR(G(1.0, 1000.1)/G(1.0, 999.9), 1.004, 1e-3, "the published step at Re = 1000 is 0.4 %%");
+    TAP_NEAR(G(1.0, 1000.1)/G(1.0, 999.9), 1.004, 1e-3,
+             "the published step at Re = 1000 is 0.4 %%");
     TAP_OK(G(0.1, 0.0) == G(0.2, 0.0) && G(0.0, 0.0) == G(0.2, 0.0), "below e = 0.2 as at 0.2");
     TAP_OK(G(1.1, 0.0) == 1.0, "above e = 1 as at 1");
 
@@ -49,7 +51,8 @@ int main(void)
     for (int c = 1; c < 4; c++)
     {
         /* 0.04 comes out of 3.04 - 3: 1e-14 of it is lost */
-        TAP_NEAR(b.b[c]/(3.0*3.14159265358979324*1e-6), G(0.6, 24.0), 1e-12, "slip along axis %d alone", c - 1);
+        TAP_NEAR(b.b[c]/(3.0*3.14159265358979324*1e-6), G(0.6, 24.0), 1e-12,
+                 "slip along axis %d alone", c - 1);
     }
 
     /* b u, moving particles, rows of zeros */
@@ -84,6 +87,7 @@ int main(void)
     dem_pressure_gradient.apply_to_bodies(NULL, &b);
     dem_effect_apply_to_bodies(&dem_wen_yu, NULL, &b);
     /* Re = 8e-7: the law is 1.0e-5 above Stokes' */
-    TAP_NEAR((b.fz[0] - b.b[0]*b.vz[0])/(excess*9.81*b.volume[0]), 0.0, 1.1e-5, "settles at Stokes' speed");
+    TAP_NEAR((b.fz[0] - b.b[0]*b.vz[0])/(excess*9.81*b.volume[0]), 0.0, 1.1e-5,
+             "settles at Stokes' speed");
     TAP_DONE;
 }

@@ -66,7 +66,13 @@ void fuzz_scene(const char *text)
     {
         status = dem_scene_text(d, text, "scene");
         status = status ? status : dem_setup(d);
-        status = status ? status : dem_advance(d, fmin(1e-9, dem_step_limit(d).used));     /* a sphere of 1e-13 m takes 1e7 steps for 1e-9 s */
+        status =
+            status
+                ? status
+                : dem_advance(d,
+                              fmin(1e-9,
+                                   dem_step_limit(d)
+                                       .used));     /* a sphere of 1e-13 m takes 1e7 steps for 1e-9 s */
         fuzz_judge(status);
         dem_free(d);
     }

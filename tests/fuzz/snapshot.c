@@ -20,7 +20,8 @@
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t most) __attribute__((weak));
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned seed);
 
-static const char scene[] = "materials { rock { density 2500; youngsModulus 4e6; } clay { density 2000; youngsModulus 2e6; } } "
+static const char scene[] =
+    "materials { rock { density 2500; youngsModulus 4e6; } clay { density 2000; youngsModulus 2e6; } } "
     "effects { hertz { } dry { restitution 0.8; } mindlin { friction 0.4; } rollingSpring { friction 0.1; } "
     "bondLinear { normalStiffness 4e9; shearStiffness 1.6e9; radius 0.8; makeDistance 1.02; } gravity { acceleration (0 0 -9.81); } } "
     "pairs { soft { between (clay clay); bondLinear { probability 0; } } } "
@@ -31,7 +32,8 @@ static const char scene[] = "materials { rock { density 2500; youngsModulus 4e6;
     "averages { box { min (0 0 0); max (0.008 0.008 0.008); cells (2 1 2); interval 1e-5; } } "
     "time { step 1e-6; }";
 
-static const char grains[] = "block { type list; material rock; diameter 1e-3; positions ((0.001 0.004 0.0005) (0.002 0.004 0.0005) (0.0079 0.004 0.0005)); "
+static const char grains[] =
+    "block { type list; material rock; diameter 1e-3; positions ((0.001 0.004 0.0005) (0.002 0.004 0.0005) (0.0079 0.004 0.0005)); "
     "velocity (0.1 0 -0.1); } soft { type list; material clay; diameter 0.8e-3; positions ((0.004 0.002 0.00039) (0.0048 0.002 0.00039)); spin (0 50 0); } ";
 
 static struct dem *begin(const char *insert)
@@ -46,7 +48,8 @@ static struct dem *begin(const char *insert)
 int fuzz_snapshot(const char *path, int steps)
 {
     struct dem *const d = begin(grains);
-    const int status = !d || dem_setup(d) || (steps > 0 && dem_advance(d, 1e-6*steps)) || dem_save(d, path);
+    const int status =
+        !d || dem_setup(d) || (steps > 0 && dem_advance(d, 1e-6*steps)) || dem_save(d, path);
 
     dem_free(d);
     return status;
@@ -56,9 +59,10 @@ int fuzz_snapshot(const char *path, int steps)
 static size_t told(const struct dem_snapshot_header *h)
 {
     const int64_t most = 1 << 12;
-    int good = h->particles >= 0 && h->particles < most && h->rows >= 0 && h->rows < most && h->caller_data >= 0 && h->caller_data < most*16
-        && h->materials >= 0 && h->columns >= 0 && h->memories >= 0 && h->materials < 64 && h->columns < 64 && h->memories < 64
-        && h->materials + h->columns + h->memories <= DEM_SNAPSHOT_NAMES;
+    int good = h->particles >= 0 && h->particles < most && h->rows >= 0 && h->rows < most &&
+               h->caller_data >= 0 && h->caller_data < most*16 && h->materials >= 0 &&
+               h->columns >= 0 && h->memories >= 0 && h->materials < 64 && h->columns < 64 &&
+               h->memories < 64 && h->materials + h->columns + h->memories <= DEM_SNAPSHOT_NAMES;
 
     for (int64_t c = 0; good && c < h->columns; c++)
     {
@@ -85,14 +89,16 @@ static uint8_t *put_right(const uint8_t *data, size_t *n)
     h.version = DEM_SNAPSHOT_VERSION;
     if (fit)
     {
-        const double *const particle = (const double *)(file + sizeof h), *const row = (const double *)(file + dem_snapshot_contacts_offset(&h));
+        const double *const particle = (const double *)(file + sizeof h),
+                            *const row = (const double *)(file + dem_snapshot_contacts_offset(&h));
         struct dem_hash beside;
 
         dem_hash_start(&beside, 'b');
         dem_hash_bytes(&beside, file + dem_snapshot_caller_data_offset(&h), (size_t)h.caller_data);
         h.caller_data_checksum = dem_hash_value(&beside);
-        h.checksum = dem_snapshot_checksum(particle, (size_t)h.particles, dem_snapshot_particle_doubles(&h))
-            + dem_snapshot_checksum(row, (size_t)h.rows, dem_snapshot_contact_doubles(&h));
+        h.checksum = dem_snapshot_checksum(particle, (size_t)h.particles,
+                                           dem_snapshot_particle_doubles(&h)) +
+                     dem_snapshot_checksum(row, (size_t)h.rows, dem_snapshot_contact_doubles(&h));
     }
     h.head_checksum = dem_snapshot_header_checksum(&h);
     memcpy(file, &h, sizeof h);
@@ -138,9 +144,35 @@ static uint64_t draw(uint64_t *state)                     /* splitmix64 */
 
 static uint64_t hurts(uint64_t *state, uint64_t old)
 {
-    static const double real[] = {0.0, -0.0, 1.0, -1.0, NAN, INFINITY, -INFINITY, DBL_MAX, -DBL_MAX, DBL_MIN, 5e-324, 1e-300, 1e300, 1e30, 1e-3, 1e9, 0.5};
-    static const int64_t whole[] = {0, 1, 2, 3, 5, 24, 25, 32, 33, 127, 128, 129, 4096, 65535, INT32_MAX, (int64_t)1 << 32, (int64_t)1 << 53,
-                                    INT64_MAX, INT64_MAX - 1, INT64_MIN, -1, -2, -128, INT64_MAX/8, INT64_MAX/16, INT64_MIN/8};
+    static const double real[] = {0.0, -0.0, 1.0, -1.0, NAN, INFINITY,
+                                  -INFINITY, DBL_MAX, -DBL_MAX, DBL_MIN, 5e-324, 1e-300,
+                                  1e300, 1e30, 1e-3, 1e9, 0.5};
+    static const int64_t whole[] = {0,
+                                    1,
+                                    2,
+                                    3,
+                                    5,
+                                    24,
+                                    25,
+                                    32,
+                                    33,
+                                    127,
+                                    128,
+                                    129,
+                                    4096,
+                                    65535,
+                                    INT32_MAX,
+                                    (int64_t)1 << 32,
+                                    (int64_t)1 << 53,
+                                    INT64_MAX,
+                                    INT64_MAX - 1,
+                                    INT64_MIN,
+                                    -1,
+                                    -2,
+                                    -128,
+                                    INT64_MAX/8,
+                                    INT64_MAX/16,
+                                    INT64_MIN/8};
     const uint64_t how = draw(state)%4, which = draw(state);
     uint64_t word = old;
 
@@ -162,7 +194,8 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned
 {
     struct dem_snapshot_header h;
     uint64_t state = seed, word;
-    const size_t flows = offsetof(struct dem_snapshot_header, flow)/8, names = offsetof(struct dem_snapshot_header, materials)/8;
+    const size_t flows = offsetof(struct dem_snapshot_header, flow)/8,
+                 names = offsetof(struct dem_snapshot_header, materials)/8;
 
     if (size < sizeof h || draw(&state)%4 == 0)
     {
@@ -173,8 +206,11 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned
         const size_t words = size/8, part = draw(&state)%8;
         size_t at = (size_t)draw(&state);
 
-        at = part < 1 ? 6 + at%(flows - 6) : part < 2 ? flows + at%(2*sizeof h.flow[0]/8) : part < 3 ? names + at%(3 + 20*7)
-            : sizeof h/8 < words ? sizeof h/8 + at%(words - sizeof h/8) : at%words;
+        at = part < 1 ? 6 + at%(flows - 6)
+             : part < 2 ? flows + at%(2*sizeof h.flow[0]/8)
+             : part < 3 ? names + at%(3 + 20*7)
+             : sizeof h/8 < words ? sizeof h/8 + at%(words - sizeof h/8)
+                                    : at%words;
         memcpy(&word, data + 8*at, 8);
         word = hurts(&state, word);
         memcpy(data + 8*at, &word, 8);

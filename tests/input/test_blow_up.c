@@ -13,18 +13,23 @@
 
 #define MEANS "averages { box { min (-1 -1 -1); max (1 1 1); cells (2 2 2); interval 1e-9; } } "
 
-static void blows(const char *what, const char *effects, const char *velocity, const char *first, const char *second)
+static void blows(const char *what, const char *effects, const char *velocity, const char *first,
+                  const char *second)
 {
-    char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; } } effects { %s } time { step 1e-6; force yes; } " MEANS
-                                   "insert { a { type list; diameter 1e-3; positions ((0 0 0)); velocity %s; } "
-                                   "b { type list; diameter 1e-3; positions ((0.0010005 0 0)); } }", effects, velocity);
+    char *const scene = world_text(
+        "materials { glass { density 2500; youngsModulus 1e7; } } effects { %s } time { step 1e-6; force yes; } " MEANS
+        "insert { a { type list; diameter 1e-3; positions ((0 0 0)); velocity %s; } "
+        "b { type list; diameter 1e-3; positions ((0.0010005 0 0)); } }",
+        effects, velocity);
     struct dem *const d = world_begin(scene);
     const char *const text = dem_error_text();
 
     WORLD_TRY(dem_setup(d));
     const int status = dem_advance(d, 1e-6);
 
-    TAP_OK(first ? status == DEM_ERROR_NUMBER && strstr(text, first) && strstr(text, second) : status == 0, "%s: %s", what, status ? text : "taken");
+    TAP_OK(first ? status == DEM_ERROR_NUMBER && strstr(text, first) && strstr(text, second)
+                 : status == 0,
+           "%s: %s", what, status ? text : "taken");
     dem_free(d);
     free(scene);
 }
@@ -35,13 +40,19 @@ int main(void)
     static const char contacts[] = "hertz {} dry { restitution 0.8; }";
 
     TAP_TRAPS;
-    blows("1e30 m/s, no contacts", gravity, "(1e30 0 0)", "particle 0 at (1e+24 0 ", "speed of light");
-    blows("1e30 m/s, contacts", contacts, "(1e30 0 0)", "particle 0 at (1e+24 0 ", "has 1e+30 m/s in step 1; the limit is 2.99792e+08 m/s");
-    blows("1e200 m/s, no contacts", gravity, "(-1e200 0 0)", "particle 0 at (-1e+194 0 ", "has inf m/s in step 1");
+    blows("1e30 m/s, no contacts", gravity, "(1e30 0 0)", "particle 0 at (1e+24 0 ",
+          "speed of light");
+    blows("1e30 m/s, contacts", contacts, "(1e30 0 0)", "particle 0 at (1e+24 0 ",
+          "has 1e+30 m/s in step 1; the limit is 2.99792e+08 m/s");
+    blows("1e200 m/s, no contacts", gravity, "(-1e200 0 0)", "particle 0 at (-1e+194 0 ",
+          "has inf m/s in step 1");
     blows("1e8 m/s, no contacts", gravity, "(0 1e8 0)", NULL, NULL);
-    blows("a force of 1e293 N", "hooke { stiffness 1e300; }", "(1 0 0)", "averages/box: particle 0 at (1e-06 0 0) m with (-1.90986e+293 0 0) m/s has momentum",
+    blows("a force of 1e293 N", "hooke { stiffness 1e300; }", "(1 0 0)",
+          "averages/box: particle 0 at (1e-06 0 0) m with (-1.90986e+293 0 0) m/s has momentum",
           "the limit is 1e+60; look at the forces on it");
-    blows("a force of 1e60 N", "hooke { stiffness 1e67; }", "(1 0 0)", "averages/box: particle 0", "the limit is 1e+60");
-    blows("a force of 1e303 N", "hooke { stiffness 1e308; } dry { restitution 0.5; }", "(100 0 0)", "averages/box: particle 0", "in step 1");
+    blows("a force of 1e60 N", "hooke { stiffness 1e67; }", "(1 0 0)", "averages/box: particle 0",
+          "the limit is 1e+60");
+    blows("a force of 1e303 N", "hooke { stiffness 1e308; } dry { restitution 0.5; }", "(100 0 0)",
+          "averages/box: particle 0", "in step 1");
     TAP_DONE;
 }

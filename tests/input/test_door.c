@@ -9,7 +9,8 @@
  */
 #include "physics/world.h"
 
-static const char materials[] = "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { hertz {} }";
+static const char materials[] =
+    "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { hertz {} }";
 
 static void refused(int status, const char *word, const char *what)
 {
@@ -46,7 +47,8 @@ static void order(void)
     refused(dem_advance(d, 0.0), "above 0", "no duration");
     refused(dem_advance(d, -1.0), "above 0", "a duration below 0");
     refused(dem_advance(d, (double)NAN), "above 0", "a duration that is no number");
-    refused(dem_save(d, "/nowhere/at/all/x"), "/nowhere/at/all/x", "a snapshot to a folder that is not there");
+    refused(dem_save(d, "/nowhere/at/all/x"), "/nowhere/at/all/x",
+            "a snapshot to a folder that is not there");
     double force[3], torque[3];
 
     refused(dem_wall_load(d, 0, force, torque), "wall", "the load on a wall that is not there");
@@ -100,19 +102,24 @@ static void particles(void)
     refused(try_particles(materials, 2, seed), "frozen", "a frozen particle with a velocity");
     seed[1].velocity[0] = 0.0;
     seed[1].position[0] = 1e300;
-    char *const periodic = world_text("%s domain { min (0 0 0); max (1 1 1); periodic (x y z); }", materials);
+    char *const periodic =
+        world_text("%s domain { min (0 0 0); max (1 1 1); periodic (x y z); }", materials);
 
-    refused(try_particles(periodic, 2, seed), "particle 1", "a position very many periodic boxes away");
+    refused(try_particles(periodic, 2, seed), "particle 1",
+            "a position very many periodic boxes away");
     free(periodic);
 }
 
 /* Numbers are given after those of the scene, whoever came first. */
 static void ids(void)
 {
-    const struct dem_new_particle seed[2] = {{.position = {1, 0, 0}, .diameter = 1e-3, .id = -1, .material = "glass"},
-                                     {.position = {2, 0, 0}, .diameter = 1e-3, .id = -1, .material = "glass"}};
-    char *const scene = world_text("%s insert { a { type list; diameter 1e-3; positions ((0 0 0) (0 1 0) (0 2 0)); }"
-                                   "b { type list; diameter 1e-3; positions ((0 0 1)); } }", materials);
+    const struct dem_new_particle seed[2] =
+        {{.position = {1, 0, 0}, .diameter = 1e-3, .id = -1, .material = "glass"},
+         {.position = {2, 0, 0}, .diameter = 1e-3, .id = -1, .material = "glass"}};
+    char *const scene = world_text(
+        "%s insert { a { type list; diameter 1e-3; positions ((0 0 0) (0 1 0) (0 2 0)); }"
+        "b { type list; diameter 1e-3; positions ((0 0 1)); } }",
+        materials);
     struct dem *const d = world(scene, 2, seed);
     struct dem_view v;
     int seen[6] = {0}, wrong = 0;
@@ -132,10 +139,16 @@ static void ids(void)
 /* Hit by another, under gravity. */
 static void frozen(void)
 {
-    const struct dem_new_particle seed[2] = {{.position = {0, 0, 0}, .diameter = 2e-3, .id = 0, .material = "glass", .frozen = 1},
-                                     {.position = {0, 0, 3e-3}, .velocity = {0, 0, -1}, .diameter = 2e-3, .id = 1, .material = "glass"}};
-    char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
-                                   "effects { hertz {} gravity { acceleration (0 0 -9.81); } mindlin { friction 0.3; } }");
+    const struct dem_new_particle seed[2] =
+        {{.position = {0, 0, 0}, .diameter = 2e-3, .id = 0, .material = "glass", .frozen = 1},
+         {.position = {0, 0, 3e-3},
+          .velocity = {0, 0, -1},
+          .diameter = 2e-3,
+          .id = 1,
+          .material = "glass"}};
+    char *const scene = world_text(
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
+        "effects { hertz {} gravity { acceleration (0 0 -9.81); } mindlin { friction 0.3; } }");
     struct dem *const d = world(scene, 2, seed);
 
     world_run(d, 0.004);
@@ -143,20 +156,26 @@ static void frozen(void)
 
     TAP_OK(p.x[2] == 0.0 && p.v[2] == 0.0, "a frozen particle stays");
     /* the fall of 1 mm adds 2 %, and is lost again on the way back: the same speed at the same height */
-    TAP_NEAR(q.v[2]*q.v[2] + 2.0*9.81*q.x[2], 1.0 + 2.0*9.81*3e-3, 5e-3, "and turns another back as a wall of its shape");
+    TAP_NEAR(q.v[2]*q.v[2] + 2.0*9.81*q.x[2], 1.0 + 2.0*9.81*3e-3, 5e-3,
+             "and turns another back as a wall of its shape");
     free(scene);
     dem_free(d);
 }
 
 static void lattices(void)
 {
-    static const double boxes[][3] = {{0.01, 0.01, 0.01}, {0.01, 0.01, 0.00205}, {0.0021, 0.01, 0.01}, {0.002, 0.002, 0.002}};
+    static const double boxes[][3] = {{0.01, 0.01, 0.01},
+                                      {0.01, 0.01, 0.00205},
+                                      {0.0021, 0.01, 0.01},
+                                      {0.002, 0.002, 0.002}};
 
     for (int b = 0; b < 4; b++)
     {
-        char *const scene = world_text("%s insert { a { type lattice; diameter 2e-3; spacing 1.25; jitter 1; count 1; seed %d;"
-                                       "min (0 0 0); max (%g %g %g); } } walls { w { type box; min (0 0 0); max (%g %g %g); } }",
-                                       materials, b, boxes[b][0], boxes[b][1], boxes[b][2], boxes[b][0], boxes[b][1], boxes[b][2]);
+        char *const scene = world_text(
+            "%s insert { a { type lattice; diameter 2e-3; spacing 1.25; jitter 1; count 1; seed %d;"
+            "min (0 0 0); max (%g %g %g); } } walls { w { type box; min (0 0 0); max (%g %g %g); } }",
+            materials, b, boxes[b][0], boxes[b][1], boxes[b][2], boxes[b][0], boxes[b][1],
+            boxes[b][2]);
         struct dem *const d = world(scene, 0, NULL);
         const struct world_particle p = world_at(d, 0);
         int out = 0;
@@ -165,7 +184,8 @@ static void lattices(void)
         {
             out += p.x[k] < 1e-3*(1.0 - 1e-12) || p.x[k] > boxes[b][k] - 1e-3*(1.0 - 1e-12);
         }
-        TAP_OK(out == 0, "a lattice in a box of %g x %g x %g m stays inside", boxes[b][0], boxes[b][1], boxes[b][2]);
+        TAP_OK(out == 0, "a lattice in a box of %g x %g x %g m stays inside", boxes[b][0],
+               boxes[b][1], boxes[b][2]);
         free(scene);
         dem_free(d);
     }

@@ -166,29 +166,36 @@ enum
 };
 
 /* What is wrong as a value of each kind. */
-static const char *const wrong[KINDS][16] =
-{
-    [NUMBER] = {"", "many", "1 2", "(1 2 3)", "nan", "inf", "-inf", "1e400", "-1e400", "1,5", "0x10", "1e", "\xc3\xa4", "\"\"", "(1)"},
-    [VECTOR] = {"", "many", "1", "(1 2)", "(1 2 3 4)", "(0 0 nan)", "(0 inf 0)", "(1e400 0 0)", "1 2 3", "((1 2 3))", "(0 0 \xc3\xa4)", "()", "{}"},
-    [COUNT] = {"", "many", "1.5", "nan", "inf", "1e400", "99999999999999999999", "(1)", "1 2", "1e-3", "1e-300", "\xc3\xa4"},
+static const char *const wrong[KINDS][16] = {
+    [NUMBER] = {"", "many", "1 2", "(1 2 3)", "nan", "inf", "-inf", "1e400", "-1e400", "1,5",
+                "0x10", "1e", "\xc3\xa4", "\"\"", "(1)"},
+    [VECTOR] = {"", "many", "1", "(1 2)", "(1 2 3 4)", "(0 0 nan)", "(0 inf 0)", "(1e400 0 0)",
+                "1 2 3", "((1 2 3))", "(0 0 \xc3\xa4)", "()", "{}"},
+    [COUNT] = {"", "many", "1.5", "nan", "inf", "1e400", "99999999999999999999", "(1)", "1 2",
+               "1e-3", "1e-300", "\xc3\xa4"},
     [WORD] = {"", "nosuch", "(a b)", "two words", "\"two words\"", "\xc3\xa4", "\"\"", "nan"},
     [SWITCH] = {"", "maybe", "2", "nan", "(yes)", "yes no", "\xc3\xa4"},
     [WORDS] = {"", "x", "(q)", "(x", "((x))", "(\xc3\xa4)", "2 (x)"},
-    [NUMBERS] = {"", "1", "(x)", "(1 nan)", "(1 inf)", "(1e400 1)", "((1 2))", "3 (1 2)", "(1 2", "(1)"},
-    [VECTORS] = {"", "1", "(1 2 3)", "((1 2))", "((1 2 nan))", "((1e400 0 0))", "(((1 2 3)))", "2 ((1 2 3))", "((1 2 3)"},
+    [NUMBERS] = {"", "1", "(x)", "(1 nan)", "(1 inf)", "(1e400 1)", "((1 2))", "3 (1 2)", "(1 2",
+                 "(1)"},
+    [VECTORS] = {"", "1", "(1 2 3)", "((1 2))", "((1 2 nan))", "((1e400 0 0))", "(((1 2 3)))",
+                 "2 ((1 2 3))", "((1 2 3)"},
 };
 
 /* What may be right for one entry and not for another. */
-static const char *const extreme[KINDS][10] =
-{
+static const char *const extreme[KINDS][10] = {
     [NUMBER] = {"0", "-1", "1e300", "-1e300", "1e-300", "1e-308", "1e308", "3e8", "1e15"},
-    [VECTOR] = {"(0 0 0)", "(1e300 0 0)", "(0 -1e300 1e300)", "(1e-300 0 0)", "(1e308 -1e308 1e308)", "(-1 -1 -1)", "(-1e308 -1e308 -1e308)"},
-    [COUNT] = {"0", "-1", "9223372036854775807", "-9223372036854775808", "1e15", "1e8", "2147483648"},
+    [VECTOR] = {"(0 0 0)", "(1e300 0 0)", "(0 -1e300 1e300)", "(1e-300 0 0)",
+                "(1e308 -1e308 1e308)", "(-1 -1 -1)", "(-1e308 -1e308 -1e308)"},
+    [COUNT] = {"0", "-1", "9223372036854775807", "-9223372036854775808", "1e15", "1e8",
+               "2147483648"},
     [WORD] = {"auto"},
     [SWITCH] = {"yes", "off"},
     [WORDS] = {"()", "(x x)", "(x y z)", "(glass glass)", "(steel steel)"},
-    [NUMBERS] = {"()", "(0 0)", "(0 -1)", "(1e300 1e300)", "(-1e308 1e308)", "(1e-300 2e-300)", "(1 -1)"},
-    [VECTORS] = {"()", "((0 0 0))", "((0 0 0) (0 0 0) (0 0 0))", "((1e300 0 0) (0 1e300 0) (0 0 1e300))", "((1e308 0 0) (-1e308 0 0))",
+    [NUMBERS] = {"()", "(0 0)", "(0 -1)", "(1e300 1e300)", "(-1e308 1e308)", "(1e-300 2e-300)",
+                 "(1 -1)"},
+    [VECTORS] = {"()", "((0 0 0))", "((0 0 0) (0 0 0) (0 0 0))",
+                 "((1e300 0 0) (0 1e300 0) (0 0 1e300))", "((1e308 0 0) (-1e308 0 0))",
                  "((0 0 1e300) (0 0 -1e300))", "((1e308 0 0) (-1e308 0 0) (0 1e308 0))"},
 };
 
@@ -248,7 +255,8 @@ static int print_scene(FILE *to, const struct slip *slip)
         }
         if (!slips || slip->value)
         {
-            fprintf(to, "%s %s%s\n", slips ? slip->name : word, slips ? slip->value : rows[i].value, slips ? slip->end : ";");
+            fprintf(to, "%s %s%s\n", slips ? slip->name : word, slips ? slip->value : rows[i].value,
+                    slips ? slip->end : ";");
         }
         here = slips ? line : here;
         line++;
@@ -331,10 +339,13 @@ static int survive(const char *value, const struct slip *slip)
     char group[64], word[64];
 
     /* without the s of a list, of which one is named */
-    snprintf(word, sizeof word, "%.*s", (int)(strlen(last_word(r->path)) - (r->kind == NUMBERS || r->kind == VECTORS)), last_word(r->path));
+    snprintf(word, sizeof word, "%.*s",
+             (int)(strlen(last_word(r->path)) - (r->kind == NUMBERS || r->kind == VECTORS)),
+             last_word(r->path));
     group_of(r->path, group);
     const int named = strcasestr(f.sentence, word) || strcasestr(f.sentence, group);
-    const int good = (!f.refused || named) && ((!f.refused && !f.failed) || is_sentence(f.sentence));
+    const int good =
+        (!f.refused || named) && ((!f.refused && !f.failed) || is_sentence(f.sentence));
 
     if (!good)
     {
@@ -346,13 +357,17 @@ static int survive(const char *value, const struct slip *slip)
 
 static void leave_out_semicolon(int k)
 {
-    const struct slip slip = {.row = k, .name = last_word(rows[k].path), .value = rows[k].value, .end = ""};
+    const struct slip slip = {.row = k,
+                              .name = last_word(rows[k].path),
+                              .value = rows[k].value,
+                              .end = ""};
     const struct fate f = try_scene(&slip);
     char asks[64], says[64];
 
     snprintf(asks, sizeof asks, "is a ; missing at the end of line %d?", f.line);
     snprintf(says, sizeof says, "; end line %d with ;", f.line);
-    if (!f.refused || !is_sentence(f.sentence) || (!strstr(f.sentence, asks) && !strstr(f.sentence, says)))
+    if (!f.refused || !is_sentence(f.sentence) ||
+        (!strstr(f.sentence, asks) && !strstr(f.sentence, says)))
     {
         TAP_OK(0, "%s without its semicolon, line %d", rows[k].path, f.line);
         TAP_NOTE("%s", f.sentence);
@@ -382,7 +397,8 @@ static void try_row(int k)
         taken += survive(extreme[r->kind][j], &(struct slip){k, word, extreme[r->kind][j], ";"});
         extremes++;
     }
-    TAP_OK(tap_count.failed == before, "%s: slips are refused by name; of %d extremes %d run", r->path, extremes, taken);
+    TAP_OK(tap_count.failed == before, "%s: slips are refused by name; of %d extremes %d run",
+           r->path, extremes, taken);
 }
 
 /* ---- effects ------------------------------------------------------------------------------------------------- */
@@ -394,10 +410,12 @@ static int check_setting(const struct dem_effect *effect, const char *name, cons
     struct dem *d = NULL;
 
     cases++;
-    snprintf(text, sizeof text, "materials { glass { density 2500; youngsModulus 1e7; } } effects { %s %s { %s %s; } }"
-             "insert { two { type list; diameter 1e-3; positions ((0 0 1) (0.0011 0 1)); } } time { step 1e-9; }"
-             "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
-             effect->stage == DEM_STAGE_NORMAL ? "" : "hertz { }", effect->name, name, value);
+    snprintf(
+        text, sizeof text,
+        "materials { glass { density 2500; youngsModulus 1e7; } } effects { %s %s { %s %s; } }"
+        "insert { two { type list; diameter 1e-3; positions ((0 0 1) (0.0011 0 1)); } } time { step 1e-9; }"
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
+        effect->stage == DEM_STAGE_NORMAL ? "" : "hertz { }", effect->name, name, value);
     WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
     int status = dem_scene_text(d, text, "scene");
 
@@ -410,15 +428,18 @@ static void settings(const struct dem_effect *effect)
 {
     for (const struct dem_setting *f = effect->settings; f && f->name; f++)
     {
-        const enum kind kind = f->kind == DEM_SETTING_NUMBER ? NUMBER : f->kind == DEM_SETTING_VECTOR ? VECTOR
-                             : f->kind == DEM_SETTING_SWITCH ? SWITCH : WORD;
+        const enum kind kind = f->kind == DEM_SETTING_NUMBER ? NUMBER
+                               : f->kind == DEM_SETTING_VECTOR ? VECTOR
+                               : f->kind == DEM_SETTING_SWITCH ? SWITCH
+                                                               : WORD;
         const char *worst = NULL;
         int taken = 0, extremes = 0;
 
         for (int j = 0; wrong[kind][j]; j++)
         {
-            const int good = check_setting(effect, f->name, wrong[kind][j]) && is_sentence(dem_error_text()) && strstr(dem_error_text(), f->name)
-                          && strstr(dem_error_text(), effect->name);
+            const int good = check_setting(effect, f->name, wrong[kind][j]) &&
+                             is_sentence(dem_error_text()) && strstr(dem_error_text(), f->name) &&
+                             strstr(dem_error_text(), effect->name);
 
             worst = good ? worst : wrong[kind][j];
         }
@@ -429,8 +450,8 @@ static void settings(const struct dem_effect *effect)
             worst = status && !is_sentence(dem_error_text()) ? extreme[kind][j] : worst;
             taken += !status;
         }
-        TAP_OK(!worst, "effects/%s/%s: slips are refused by name; of %d extremes %d are taken %s", effect->name, f->name, extremes, taken,
-               worst ? worst : "");
+        TAP_OK(!worst, "effects/%s/%s: slips are refused by name; of %d extremes %d are taken %s",
+               effect->name, f->name, extremes, taken, worst ? worst : "");
     }
 }
 
@@ -442,13 +463,16 @@ static void resources(void)
     struct rusage used;
 
     getrusage(RUSAGE_SELF, &used);
-    const double seconds = (double)used.ru_utime.tv_sec + (double)used.ru_stime.tv_sec + 1e-6*(double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+    const double seconds = (double)used.ru_utime.tv_sec + (double)used.ru_stime.tv_sec +
+                           1e-6*(double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
     const double megabytes = 1e-3*(double)used.ru_maxrss;
 
 #ifdef __SANITIZE_ADDRESS__
     TAP_NOTE("%d cases took %.2f s and %.0f MB", cases, seconds, megabytes);
 #else
-    TAP_OK(seconds < 10.0 && megabytes < 500.0, "%d cases took %.2f s and %.0f MB, less than 10 s and 500 MB", cases, seconds, megabytes);
+    TAP_OK(seconds < 10.0 && megabytes < 500.0,
+           "%d cases took %.2f s and %.0f MB, less than 10 s and 500 MB", cases, seconds,
+           megabytes);
 #endif
 }
 

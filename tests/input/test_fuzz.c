@@ -48,7 +48,8 @@ static void spoil(int (*reader)(const uint8_t *, size_t), const char *path)
     int refused = 0;
 
     reader(good, n);
-    TAP_OK(fuzz_status() == 0, "%s: taken as it is: %s", path, fuzz_status() ? dem_error_text() : "");
+    TAP_OK(fuzz_status() == 0, "%s: taken as it is: %s", path,
+           fuzz_status() ? dem_error_text() : "");
     for (int k = 0; k < 200 && n > 0; k++)
     {
         memcpy(bad, good, n);
@@ -59,7 +60,8 @@ static void spoil(int (*reader)(const uint8_t *, size_t), const char *path)
         reader(bad, k%5 ? n : draw(&state)%n);
         refused += fuzz_status() != 0;
     }
-    TAP_OK(refused > 0, "%s: %d of 200 spoilt ones are refused, each with one sentence", path, refused);
+    TAP_OK(refused > 0, "%s: %d of 200 spoilt ones are refused, each with one sentence", path,
+           refused);
 }
 
 static void refuse_head(size_t at, int64_t value, size_t n, const char *what)
@@ -67,7 +69,8 @@ static void refuse_head(size_t at, int64_t value, size_t n, const char *what)
     memcpy(bad, good, n);
     memcpy(bad + at, &value, sizeof value);
     dem_fuzz_snapshot(bad, n);
-    TAP_OK(fuzz_status() == DEM_ERROR_FILE && strstr(dem_error_text(), "is damaged"), "%s %lld: %s", what, (long long)value, dem_error_text());
+    TAP_OK(fuzz_status() == DEM_ERROR_FILE && strstr(dem_error_text(), "is damaged"), "%s %lld: %s",
+           what, (long long)value, dem_error_text());
 }
 
 int main(void)
@@ -103,10 +106,13 @@ int main(void)
     {
         const int64_t value = (const int64_t[]){-1, 1 << 20, INT64_MAX/8}[k];
 
-        refuse_head(dem_snapshot_caller_data_offset(&head) + MEANS_COLUMNS, value, n, "columns of means");
-        refuse_head(dem_snapshot_caller_data_offset(&head) + MEANS_FULL, value, n, "blocks of means");
+        refuse_head(dem_snapshot_caller_data_offset(&head) + MEANS_COLUMNS, value, n,
+                    "columns of means");
+        refuse_head(dem_snapshot_caller_data_offset(&head) + MEANS_FULL, value, n,
+                    "blocks of means");
     }
-    refuse_head(dem_snapshot_caller_data_offset(&head) + MEANS_LENGTH, 0, n, "samples in a block of means");
+    refuse_head(dem_snapshot_caller_data_offset(&head) + MEANS_LENGTH, 0, n,
+                "samples in a block of means");
     unlink(path);
     spoil(dem_fuzz_scene, "input/base.dem");
     spoil(dem_fuzz_scene, "parallel/streams.dem");

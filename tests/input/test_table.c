@@ -27,7 +27,8 @@ static void write_table(const char *rows)
 
 static struct dem *from_table(const char *rows, const char *entries)
 {
-    char *const text = world_text(START "} insert { t { type table; file \"%s\"; %s } }", path, entries);
+    char *const text =
+        world_text(START "} insert { t { type table; file \"%s\"; %s } }", path, entries);
     struct dem *d;
 
     write_table(rows);
@@ -41,7 +42,8 @@ static void refused(const char *rows, const char *entries, const char *first, co
     struct dem *const d = from_table(rows, entries);
     const int status = dem_check(d);
 
-    TAP_OK(status && strstr(dem_error_text(), first) && strstr(dem_error_text(), second), "refused, names \"%s\" and \"%s\"", first, second);
+    TAP_OK(status && strstr(dem_error_text(), first) && strstr(dem_error_text(), second),
+           "refused, names \"%s\" and \"%s\"", first, second);
     if (status)
     {
         TAP_NOTE("%s", dem_error_text());
@@ -51,18 +53,26 @@ static void refused(const char *rows, const char *entries, const char *first, co
 
 static void test_rows(void)
 {
-    struct dem *d = from_table("# made by hand\n\n z; y;x ,diameter  wx,wy,wz\tvx vy vz\r\n0.3;0.2 0.1,2e-3,1,2,3,4,5,6\n\n#\n  3,2,1  1e-3;0;0;0;0;0;-1e0\n", "");
+    struct dem *d = from_table(
+        "# made by hand\n\n z; y;x ,diameter  wx,wy,wz\tvx vy vz\r\n0.3;0.2 0.1,2e-3,1,2,3,4,5,6\n\n#\n  3,2,1  1e-3;0;0;0;0;0;-1e0\n",
+        "");
 
     WORLD_TRY(dem_setup(d));
     const struct world_particle a = world_at(d, 0), b = world_at(d, 1);
 
-    TAP_OK(a.x[0] == 0.1 && a.x[1] == 0.2 && a.x[2] == 0.3 && a.radius == 1e-3, "columns in any order, any mark between");
-    TAP_OK(a.v[0] == 4.0 && a.v[1] == 5.0 && a.v[2] == 6.0 && a.w[0] == 1.0 && a.w[1] == 2.0 && a.w[2] == 3.0, "velocities and spins");
-    TAP_OK(b.x[0] == 1.0 && b.x[2] == 3.0 && b.v[2] == -1.0 && b.radius == 5e-4, "the last row, too");
+    TAP_OK(a.x[0] == 0.1 && a.x[1] == 0.2 && a.x[2] == 0.3 && a.radius == 1e-3,
+           "columns in any order, any mark between");
+    TAP_OK(a.v[0] == 4.0 && a.v[1] == 5.0 && a.v[2] == 6.0 && a.w[0] == 1.0 && a.w[1] == 2.0 &&
+               a.w[2] == 3.0,
+           "velocities and spins");
+    TAP_OK(b.x[0] == 1.0 && b.x[2] == 3.0 && b.v[2] == -1.0 && b.radius == 5e-4,
+           "the last row, too");
     dem_free(d);
     d = from_table("x[m],y[m],z[m]\n0,0,0\n0,0,1", "diameter 1e-3; velocity (0 0 7); frozen no;");
     WORLD_TRY(dem_setup(d));
-    TAP_OK(world_at(d, 1).x[2] == 1.0 && world_at(d, 1).v[2] == 7.0 && world_at(d, 1).radius == 5e-4, "what has no column stands in the scene");
+    TAP_OK(world_at(d, 1).x[2] == 1.0 && world_at(d, 1).v[2] == 7.0 &&
+               world_at(d, 1).radius == 5e-4,
+           "what has no column stands in the scene");
     dem_free(d);
 }
 
@@ -87,9 +97,11 @@ static void test_slips(void)
     refused("x,y,z,diameter\n0,0,0,1\n0,0,3,-1\n", "", "number 2", "-1");
     refused("id,x,y,z\n1.5,0,0,0\n", one, "line 2", "1.5");
     refused("id,x,y,z\n-1,0,0,0\n", one, "number 1", "-1");
-    refused("id,x,y,z\n9223372036854775807,0,0,0\n", one, "9223372036854775807", "9223372036854775806");
+    refused("id,x,y,z\n9223372036854775807,0,0,0\n", one, "9223372036854775807",
+            "9223372036854775806");
     refused("id,x,y,z\n9223372036854775808,0,0,0\n", one, "line 2", "9223372036854775808");
-    refused("id,x,y,z\n9007199254740993,0,0,0\n9007199254740993,0,0,1\n", one, "two particles", "9007199254740993");
+    refused("id,x,y,z\n9007199254740993,0,0,0\n9007199254740993,0,0,1\n", one, "two particles",
+            "9007199254740993");
 }
 
 /* A zero byte ends a string: what comes behind it must not be left out without a word. */
@@ -102,7 +114,9 @@ static void test_zero(void)
     {
         FILE *const f = fopen(path, "wb");
         char *const file = world_text("file \"%s\"; diameter 1e-3;", path);
-        char *const table = world_text("count 2; min (0 0 0); max (1 1 1); sizes { type table; file \"%s\"; }", path);
+        char *const table =
+            world_text("count 2; min (0 0 0); max (1 1 1); sizes { type table; file \"%s\"; }",
+                       path);
         char *const text = world_text(scene, k ? "random" : "table", k ? table : file);
 
         if (f)
@@ -113,7 +127,9 @@ static void test_zero(void)
         struct dem *const d = world_begin(text);
         const int status = dem_check(d);
 
-        TAP_OK(status && strstr(dem_error_text(), path) && strstr(dem_error_text(), k ? "line 2: found a zero byte" : "line 3: found a zero byte"),
+        TAP_OK(status && strstr(dem_error_text(), path) &&
+                   strstr(dem_error_text(),
+                          k ? "line 2: found a zero byte" : "line 3: found a zero byte"),
                "%s: %s", k ? "sizes" : "rows", status ? dem_error_text() : "taken");
         dem_free(d);
         free(file);
@@ -129,16 +145,22 @@ static void test_zero(void)
 
 static void are_there(struct dem *d, const char *where)
 {
-    TAP_OK(world_at(d, 4294967301).x[2] == 0.1 && world_at(d, 9007199254740993).x[2] == 0.101, "%s: ids past 2^31 and 2^53", where);
+    TAP_OK(world_at(d, 4294967301).x[2] == 0.1 && world_at(d, 9007199254740993).x[2] == 0.101,
+           "%s: ids past 2^31 and 2^53", where);
     TAP_OK(world_at(d, 9007199254740994).x[2] == 0.2, "%s: and the next free one", where);
 }
 
 static void test_ids(void)
 {
-    const struct dem_new_particle seed = {.position = {0.0, 0.0, 0.2}, .diameter = 1e-3, .id = -1, .material = "glass"};
-    const char *const scene = START "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make listed; makeDistance 1.1; breakDistance 1.2; } }"
-                              "insert { l { type list; diameter 1e-3; ids (" FIRST " " SECOND "); positions ((0 0 0.1) (0 0 0.101)); } }"
-                              "bonds { pairs (" SECOND " " FIRST "); }";
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, 0.2},
+                                          .diameter = 1e-3,
+                                          .id = -1,
+                                          .material = "glass"};
+    const char *const scene = START
+        "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make listed; makeDistance 1.1; breakDistance 1.2; } }"
+        "insert { l { type list; diameter 1e-3; ids (" FIRST " " SECOND
+        "); positions ((0 0 0.1) (0 0 0.101)); } }"
+        "bonds { pairs (" SECOND " " FIRST "); }";
     struct dem *d = world_begin(scene);
     const struct dem_bond *bond;
     int64_t bonds;
@@ -147,18 +169,23 @@ static void test_ids(void)
     WORLD_TRY(dem_setup(d));
     are_there(d, "a list and the program");
     WORLD_TRY(dem_bonds(d, &bonds, &bond));
-    TAP_OK(bonds == 1 && bond[0].id[0] == 4294967301 && bond[0].id[1] == 9007199254740993, "a bond between them");
+    TAP_OK(bonds == 1 && bond[0].id[0] == 4294967301 && bond[0].id[1] == 9007199254740993,
+           "a bond between them");
     WORLD_TRY(dem_save(d, path));
     const uint64_t hash = world_hash(d);
 
     dem_free(d);
-    d = world_begin(START "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make once; makeDistance 1.1; breakDistance 1.2; } }");
+    d = world_begin(
+        START
+        "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make once; makeDistance 1.1; breakDistance 1.2; } }");
     WORLD_TRY(dem_load(d, path));
     WORLD_TRY(dem_setup(d));
     are_there(d, "a snapshot");
     TAP_OK(world_hash(d) == hash, "a snapshot: the same bits");
     dem_free(d);
-    d = from_table("id,x,y,z\n" SECOND ",0,0,0.101\n" FIRST ",0,0,0.1\n9007199254740994,0,0,0.2\n" LAST ",0,0,0.3\n", "diameter 1e-3;");
+    d = from_table("id,x,y,z\n" SECOND ",0,0,0.101\n" FIRST
+                   ",0,0,0.1\n9007199254740994,0,0,0.2\n" LAST ",0,0,0.3\n",
+                   "diameter 1e-3;");
     WORLD_TRY(dem_setup(d));
     are_there(d, "a table");
     TAP_OK(world_at(d, INT64_MAX - 1).x[2] == 0.3, "a table: the last id there is");
@@ -168,9 +195,12 @@ static void test_ids(void)
 /* ids of the text and of the program side by side */
 static void test_twins(void)
 {
-    const char *const scene = START "} insert { a { type list; diameter 1e-3; ids (7 5); positions ((0 0 0) (0 0 1)); }"
-                              "b { type list; diameter 1e-3; positions ((0 1 0) (0 1 1)); } }";
-    struct dem_new_particle seed = {.position = {0.0, 0.0, 0.5}, .diameter = 1e-3, .material = "glass"};
+    const char *const scene =
+        START "} insert { a { type list; diameter 1e-3; ids (7 5); positions ((0 0 0) (0 0 1)); }"
+              "b { type list; diameter 1e-3; positions ((0 1 0) (0 1 1)); } }";
+    struct dem_new_particle seed = {.position = {0.0, 0.0, 0.5},
+                                    .diameter = 1e-3,
+                                    .material = "glass"};
 
     for (int64_t id = 4; id <= 10; id++)
     {
@@ -179,11 +209,14 @@ static void test_twins(void)
 
         seed.id = id;
         WORLD_TRY(dem_add_particles(d, 1, &seed));
-        TAP_OK((dem_setup(d) != 0) == taken && (!taken || strstr(dem_error_text(), "two particles")), "id %d is %s", (int)id, taken ? "taken" : "free");
+        TAP_OK((dem_setup(d) != 0) == taken &&
+                   (!taken || strstr(dem_error_text(), "two particles")),
+               "id %d is %s", (int)id, taken ? "taken" : "free");
         dem_free(d);
     }
-    struct dem *const d = world_begin(START "} insert { b { type list; diameter 1e-3; positions ((0 1 0) (0 1 1)); }"
-                                      "a { type list; diameter 1e-3; ids (1 5); positions ((0 0 0) (0 0 1)); } }");
+    struct dem *const d = world_begin(
+        START "} insert { b { type list; diameter 1e-3; positions ((0 1 0) (0 1 1)); }"
+              "a { type list; diameter 1e-3; ids (1 5); positions ((0 0 0) (0 0 1)); } }");
 
     TAP_OK(dem_check(d) && strstr(dem_error_text(), "id 1"), "an id of a group before");
     dem_free(d);

@@ -27,7 +27,8 @@ static void check(int holds, const char *what, double found, double expected)
 {
     if (!holds)
     {
-        printf("# rank %d of %d: %s: found %.10g, expected %.10g\n", rank, ranks, what, found, expected);
+        printf("# rank %d of %d: %s: found %.10g, expected %.10g\n", rank, ranks, what, found,
+               expected);
         failed = 1;
     }
 }
@@ -44,7 +45,8 @@ static void shares(struct dem_decomposition *pieces)
     {
         for (int k = 0; k < 3; k++)
         {
-            p.record[i].x[k] = (3.0 - k)*(k == 1 ? 0.5 : 1.0)*dem_random_unit(5, i, (uint64_t)rank, (uint64_t)k);
+            p.record[i].x[k] = (3.0 - k)*(k == 1 ? 0.5 : 1.0)*
+                               dem_random_unit(5, i, (uint64_t)rank, (uint64_t)k);
         }
         weight[i] = p.record[i].x[0] > 1.0 ? 20 : 2;
     }
@@ -57,7 +59,8 @@ static void shares(struct dem_decomposition *pieces)
         dem_decomposition_box(pieces, owner, min, max);
         for (int k = 0; k < 3; k++)
         {
-            check(p.record[i].x[k] >= min[k] && p.record[i].x[k] < max[k], "the owner's box holds the particle", p.record[i].x[k], min[k]);
+            check(p.record[i].x[k] >= min[k] && p.record[i].x[k] < max[k],
+                  "the owner's box holds the particle", p.record[i].x[k], min[k]);
         }
         sum[owner] += weight[i];
     }
@@ -77,7 +80,8 @@ static void shares(struct dem_decomposition *pieces)
 }
 
 /* Intervals of ten steps until a cut pays, at most `most`; rank 0 has 1 + excess of the mean work. */
-static int until(struct dem_load_balance *b, const struct dem_decomposition *pieces, double excess, int most)
+static int until(struct dem_load_balance *b, const struct dem_decomposition *pieces, double excess,
+                 int most)
 {
     const struct dem_contacts none = {.classes = 0};
     const double others = 1.0 - excess/(ranks - 1);

@@ -23,7 +23,8 @@ static void check(int holds, const char *what, const char *of, double found, dou
 {
     if (!holds)
     {
-        printf("# rank %d of %d: %s, %s: found %g, expected %g: %s\n", rank, ranks, of, what, found, expected, dem_error_text());
+        printf("# rank %d of %d: %s, %s: found %g, expected %g: %s\n", rank, ranks, of, what, found,
+               expected, dem_error_text());
         failed = 1;
     }
 }
@@ -40,7 +41,8 @@ static void try(int status)
 /* ---- faults ---------------------------------------------------------------------------------- */
 
 static const char *broken = "";           /* names of the MPI calls that fail */
-static long last_allocation = -1;         /* that many allocations succeed, then one fails; -1: all succeed */
+static long last_allocation =
+    -1;         /* that many allocations succeed, then one fails; -1: all succeed */
 
 void *aligned_alloc(size_t alignment, size_t size)
 {
@@ -72,7 +74,8 @@ int MPI_Allreduce(const void *in, void *out, int n, MPI_Datatype type, MPI_Op op
     return fails("MPI_Allreduce") ? wrong_root(comm) : PMPI_Allreduce(in, out, n, type, op, comm);
 }
 
-int MPI_Reduce(const void *in, void *out, int n, MPI_Datatype type, MPI_Op op, int root, MPI_Comm comm)
+int MPI_Reduce(const void *in, void *out, int n, MPI_Datatype type, MPI_Op op, int root,
+               MPI_Comm comm)
 {
     return fails("MPI_Reduce") ? wrong_root(comm) : PMPI_Reduce(in, out, n, type, op, root, comm);
 }
@@ -82,9 +85,11 @@ int MPI_Exscan(const void *in, void *out, int n, MPI_Datatype type, MPI_Op op, M
     return fails("MPI_Exscan") ? wrong_root(comm) : PMPI_Exscan(in, out, n, type, op, comm);
 }
 
-int MPI_Allgather(const void *in, int n, MPI_Datatype type, void *out, int count, MPI_Datatype out_type, MPI_Comm comm)
+int MPI_Allgather(const void *in, int n, MPI_Datatype type, void *out, int count,
+                  MPI_Datatype out_type, MPI_Comm comm)
 {
-    return fails("MPI_Allgather") ? wrong_root(comm) : PMPI_Allgather(in, n, type, out, count, out_type, comm);
+    return fails("MPI_Allgather") ? wrong_root(comm)
+                                  : PMPI_Allgather(in, n, type, out, count, out_type, comm);
 }
 
 int MPI_Bcast(void *data, int n, MPI_Datatype type, int root, MPI_Comm comm)
@@ -102,14 +107,18 @@ int MPI_Waitall(int n, MPI_Request *request, MPI_Status *status)
     return fails("MPI_Waitall") ? wrong_root(library_comm) : code;
 }
 
-int MPI_Irecv(void *data, int n, MPI_Datatype type, int source, int tag, MPI_Comm comm, MPI_Request *request)
+int MPI_Irecv(void *data, int n, MPI_Datatype type, int source, int tag, MPI_Comm comm,
+              MPI_Request *request)
 {
-    return fails("MPI_Irecv") ? wrong_root(comm) : PMPI_Irecv(data, n, type, source, tag, comm, request);
+    return fails("MPI_Irecv") ? wrong_root(comm)
+                              : PMPI_Irecv(data, n, type, source, tag, comm, request);
 }
 
-int MPI_Isend(const void *data, int n, MPI_Datatype type, int target, int tag, MPI_Comm comm, MPI_Request *request)
+int MPI_Isend(const void *data, int n, MPI_Datatype type, int target, int tag, MPI_Comm comm,
+              MPI_Request *request)
 {
-    return fails("MPI_Isend") ? wrong_root(comm) : PMPI_Isend(data, n, type, target, tag, comm, request);
+    return fails("MPI_Isend") ? wrong_root(comm)
+                              : PMPI_Isend(data, n, type, target, tag, comm, request);
 }
 
 /* ---- calls of the library -------------------------------------------------------------------- */
@@ -263,10 +272,13 @@ static void mpi_errors(void)
 
         broken = "";
         snprintf(name, sizeof name, "%s fails in %s", t->broken, t->name);
-        snprintf(call_name, sizeof call_name, "%.*s failed", (int)strcspn(t->broken, " "), t->broken);
+        snprintf(call_name, sizeof call_name, "%.*s failed", (int)strcspn(t->broken, " "),
+                 t->broken);
         check(status == DEM_ERROR_MPI, "status", name, status, DEM_ERROR_MPI);
-        check(strstr(dem_error_text(), call_name) != NULL, "the message names the call", name, 0, 1);
-        check(strstr(dem_error_text(), "root") != NULL, "the message has the text of MPI", name, 0, 1);
+        check(strstr(dem_error_text(), call_name) != NULL, "the message names the call", name, 0,
+              1);
+        check(strstr(dem_error_text(), "root") != NULL, "the message has the text of MPI", name, 0,
+              1);
         dem_free(d);
     }
 }
@@ -293,7 +305,8 @@ static void memory(const struct trial *t)
         last_allocation = -1;
         PMPI_Allreduce(MPI_IN_PLACE, all, 2, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
         PMPI_Bcast(&done, 1, MPI_INT, 1, MPI_COMM_WORLD);
-        check(all[0] + all[1] == 1, "ranks that fail, and others that do not, without memory", t->name, (double)k, 0);
+        check(all[0] + all[1] == 1, "ranks that fail, and others that do not, without memory",
+              t->name, (double)k, 0);
         check(done == (all[0] == 0), "fails without memory", t->name, all[0], !done);
         dem_free(d);
         PMPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
@@ -332,9 +345,12 @@ static void reductions(const struct dem_decomposition *p)
     check(sum == ranks*(ranks + 1)/2, "sum", "collect", (double)sum, ranks*(ranks + 1)/2);
     check(max == ranks, "maximum", "collect", (double)max, ranks);
     check(min == 0.0, "minimum", "collect", min, 0);
-    check(before == rank*(rank + 1)/2, "sum of lower ranks", "collect", (double)before, rank*(rank + 1)/2);
+    check(before == rank*(rank + 1)/2, "sum of lower ranks", "collect", (double)before,
+          rank*(rank + 1)/2);
     check(dem_collect_agree(p, DEM_OK) == DEM_OK, "agreement", "collect", 1, 0);
-    check(dem_collect_agree(p, rank == 1 ? dem_error(DEM_ERROR_INPUT, "one") : DEM_OK) == DEM_ERROR_INPUT, "agreement on an error", "collect", 0, 1);
+    check(dem_collect_agree(p, rank == 1 ? dem_error(DEM_ERROR_INPUT, "one") : DEM_OK) ==
+              DEM_ERROR_INPUT,
+          "agreement on an error", "collect", 0, 1);
 }
 
 /* Rank k gives k items of 24 bytes, so the first one gives none. */
@@ -361,13 +377,16 @@ static void gathers(const struct dem_decomposition *p)
         }
     }
     dem_memory_free(all);
-    check(dem_collect_gather(p, rank == 1 ? dem_error(DEM_ERROR_INPUT, "one") : DEM_OK, &own, &all, &n) == DEM_ERROR_INPUT,
+    check(dem_collect_gather(p, rank == 1 ? dem_error(DEM_ERROR_INPUT, "one") : DEM_OK, &own, &all,
+                             &n) == DEM_ERROR_INPUT,
           "a rank has failed before", "gather", 0, 1);
     last_allocation = rank == 1 ? 0 : -1;
-    check(dem_collect_gather(p, DEM_OK, &own, &all, &n) == DEM_ERROR_MEMORY && !all, "a rank has no memory", "gather", 0, 1);
+    check(dem_collect_gather(p, DEM_OK, &own, &all, &n) == DEM_ERROR_MEMORY && !all,
+          "a rank has no memory", "gather", 0, 1);
     last_allocation = -1;
     own.n = 0;
-    check(dem_collect_gather(p, DEM_OK, &own, &all, &n) == DEM_OK && n == 0 && !all, "nothing", "gather", 0, 1);
+    check(dem_collect_gather(p, DEM_OK, &own, &all, &n) == DEM_OK && n == 0 && !all, "nothing",
+          "gather", 0, 1);
 }
 
 static void clean_up(void)

@@ -33,7 +33,8 @@ static void check(int holds, const char *what, double found, double expected)
 {
     if (!holds)
     {
-        printf("# rank %d of %d: %s: found %.10g, expected %.10g\n", rank, ranks, what, found, expected);
+        printf("# rank %d of %d: %s: found %.10g, expected %.10g\n", rank, ranks, what, found,
+               expected);
         failed = 1;
     }
 }
@@ -69,7 +70,8 @@ static double *gather(const struct dem *d, int *all)
 {
     const struct dem_particles *const p = &d->state.particles;
     double *const mine = calloc(4*p->n + 1, sizeof *mine);
-    int count = 4*(int)p->n, *const counts = calloc((size_t)ranks, sizeof *counts), *const start = calloc((size_t)ranks + 1, sizeof *start);
+    int count = 4*(int)p->n, *const counts = calloc((size_t)ranks, sizeof *counts),
+        *const start = calloc((size_t)ranks + 1, sizeof *start);
 
     for (size_t i = 0; i < p->n; i++)
     {
@@ -109,7 +111,8 @@ static void copies(const struct dem *d)
 
         for (int s = -1; s <= 1; s++)
         {
-            gap = fmin(gap, fmax(0.0, fmax(min[0] - x[4*i] - s*period, x[4*i] + s*period - max[0])));
+            gap = fmin(gap, fmax(0.0, fmax(min[0] - x[4*i] - s*period,
+                                           x[4*i] + s*period - max[0])));
         }
         expected += gap < reach && (int)x[4*i + 3] != rank;
     }
@@ -132,7 +135,8 @@ static int64_t near(const struct dem *d)
 
         for (uint32_t r = 0; r < c->rows && !found; r++)
         {
-            found = c->row_pair[r] != DEM_ROW_NONE && (c->pair[c->row_pair[r]].i == g || c->pair[c->row_pair[r]].j == g);
+            found = c->row_pair[r] != DEM_ROW_NONE &&
+                    (c->pair[c->row_pair[r]].i == g || c->pair[c->row_pair[r]].j == g);
         }
         count += found;
     }
@@ -155,28 +159,32 @@ int main(int argc, char **argv)
     try(dem_advance(d, step));                            /* renews, and leaves positions as they were then */
     check(allocations > held, "allocations with new lists", (double)(allocations - held), 1);
     copies(d);
-    check(d->state.halo.send_ranks == neighbours && d->state.halo.receive_ranks == neighbours, "neighbours", d->state.halo.send_ranks, neighbours);
+    check(d->state.halo.send_ranks == neighbours && d->state.halo.receive_ranks == neighbours,
+          "neighbours", d->state.halo.send_ranks, neighbours);
     try(dem_profile(d, &before));
     held = allocations;
     try(dem_advance(d, 50.0*step));
     held = allocations - held;
     try(dem_profile(d, &after));
-    check(after.rebuilds == before.rebuilds && after.prunes == before.prunes && after.steps == before.steps + 50, "prunes in 50 steps",
-          (double)(after.prunes - before.prunes), 0);
+    check(after.rebuilds == before.rebuilds && after.prunes == before.prunes &&
+              after.steps == before.steps + 50,
+          "prunes in 50 steps", (double)(after.prunes - before.prunes), 0);
     check(held == 0, "allocations in 50 steps", (double)held, 0);
-    check(after.messages - before.messages == 50*(int64_t)neighbours*ranks, "messages of all in 50 steps",
-          (double)(after.messages - before.messages), 50.0*neighbours*ranks);
+    check(after.messages - before.messages == 50*(int64_t)neighbours*ranks,
+          "messages of all in 50 steps", (double)(after.messages - before.messages),
+          50.0*neighbours*ranks);
 
     /* nine numbers of each copy */
     int64_t ghosts = near(d);
 
-    check(ranks == 1 || (ghosts > 0 && ghosts < (int64_t)d->state.particles.ghosts), "copies that rows touch", (double)ghosts,
-          (double)d->state.particles.ghosts);
+    check(ranks == 1 || (ghosts > 0 && ghosts < (int64_t)d->state.particles.ghosts),
+          "copies that rows touch", (double)ghosts, (double)d->state.particles.ghosts);
     MPI_Allreduce(MPI_IN_PLACE, &ghosts, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
-    check(after.message_bytes - before.message_bytes == 50*ghosts*72, "bytes", (double)(after.message_bytes - before.message_bytes),
-          (double)(50*ghosts*72));
+    check(after.message_bytes - before.message_bytes == 50*ghosts*72, "bytes",
+          (double)(after.message_bytes - before.message_bytes), (double)(50*ghosts*72));
     /* one a step, one at the end of the advance */
-    check(ranks == 1 || after.agreements - before.agreements == 51, "all-reduces", (double)(after.agreements - before.agreements), 51);
+    check(ranks == 1 || after.agreements - before.agreements == 51, "all-reduces",
+          (double)(after.agreements - before.agreements), 51);
     dem_free(d);
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
     MPI_Finalize();

@@ -9,21 +9,45 @@
  */
 #include "physics/world.h"
 
-static const struct dem_new_particle head_on[2] =
-{
-    {.position = {0, 0, 1.0e-3}, .velocity = {0, 0, -0.4}, .diameter = 2e-3, .id = 1, .material = "glass"},
-    {.position = {0, 0, -0.705e-3}, .velocity = {0, 0, 0.6}, .diameter = 1.4e-3, .id = 2, .material = "glass"},
+static const struct dem_new_particle head_on[2] = {
+    {.position = {0, 0, 1.0e-3},
+     .velocity = {0, 0, -0.4},
+     .diameter = 2e-3,
+     .id = 1,
+     .material = "glass"},
+    {.position = {0, 0, -0.705e-3},
+     .velocity = {0, 0, 0.6},
+     .diameter = 1.4e-3,
+     .id = 2,
+     .material = "glass"},
 };
 /* in a plane: nobody spins about the normal */
-static const struct dem_new_particle oblique[2] =
-{
-    {.position = {0.2e-3, 0, 1.02e-3}, .velocity = {0.2, 0, -0.4}, .spin = {0, -50, 0}, .diameter = 2e-3, .id = 1, .material = "glass"},
-    {.position = {-0.1e-3, 0, -0.66e-3}, .velocity = {-0.1, 0, 0.5}, .spin = {0, 200, 0}, .diameter = 1.4e-3, .id = 2, .material = "glass"},
+static const struct dem_new_particle oblique[2] = {
+    {.position = {0.2e-3, 0, 1.02e-3},
+     .velocity = {0.2, 0, -0.4},
+     .spin = {0, -50, 0},
+     .diameter = 2e-3,
+     .id = 1,
+     .material = "glass"},
+    {.position = {-0.1e-3, 0, -0.66e-3},
+     .velocity = {-0.1, 0, 0.5},
+     .spin = {0, 200, 0},
+     .diameter = 1.4e-3,
+     .id = 2,
+     .material = "glass"},
 };
-static const struct dem_new_particle twisted[2] =
-{
-    {.position = {0.2e-3, -0.1e-3, 1.0e-3}, .velocity = {0.2, 0.1, -0.4}, .spin = {100, -50, 30}, .diameter = 2e-3, .id = 1, .material = "glass"},
-    {.position = {-0.1e-3, 0.2e-3, -0.66e-3}, .velocity = {-0.1, 0.05, 0.5}, .spin = {-80, 200, -40}, .diameter = 1.4e-3, .id = 2,
+static const struct dem_new_particle twisted[2] = {
+    {.position = {0.2e-3, -0.1e-3, 1.0e-3},
+     .velocity = {0.2, 0.1, -0.4},
+     .spin = {100, -50, 30},
+     .diameter = 2e-3,
+     .id = 1,
+     .material = "glass"},
+    {.position = {-0.1e-3, 0.2e-3, -0.66e-3},
+     .velocity = {-0.1, 0.05, 0.5},
+     .spin = {-80, 200, -40},
+     .diameter = 1.4e-3,
+     .id = 2,
      .material = "glass"},
 };
 
@@ -34,42 +58,51 @@ static const struct
     double within;                                        /* m/s, of velocities, and of spins times the smaller radius */
     int first_order;                                      /* half the step halves it */
     const char *why;
-}
-cases[] =
-{
+} cases[] = {
     /* the same formulas in the same order of integration: rounding of 1600 steps is left */
-    {"hertz-head-on", "hertz { } dry { restitution 0.8; } mindlin { friction 0.3; }", head_on, 1e-12, 0, "rounding"},
-    {"hooke-head-on", "hooke { } dry { restitution 0.8; } linear { friction 0.3; }", head_on, 1e-12, 0, "rounding"},
-    {"hysteresis-head-on", "hookeHysteresis { unloading 5; adhesion 0.2; } linear { friction 0.3; }", head_on, 1e-12, 0, "rounding"},
+    {"hertz-head-on", "hertz { } dry { restitution 0.8; } mindlin { friction 0.3; }", head_on,
+     1e-12, 0, "rounding"},
+    {"hooke-head-on", "hooke { } dry { restitution 0.8; } linear { friction 0.3; }", head_on, 1e-12,
+     0, "rounding"},
+    {"hysteresis-head-on",
+     "hookeHysteresis { unloading 5; adhesion 0.2; } linear { friction 0.3; }", head_on, 1e-12, 0,
+     "rounding"},
 
     /* springs of friction without dashpots: each code turns and loads them in its own order within a step, of which the pair turns by
        1e-3 and the spring is loaded by 1/400: 1e-5 or so, and half of it with half the step */
-    {"hertz-oblique", "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; tangentialDamping no; }", oblique, 5e-5,
-     1, "order of a step"},
-    {"hooke-oblique", "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; tangentialDamping no; }", oblique, 5e-5,
-     1, "order of a step"},
-    {"hysteresis-oblique", "hookeHysteresis { unloading 5; adhesion 0; } linear { friction 0.3; ratio 1; tangentialDamping no; }", oblique,
-     5e-5, 1, "order of a step"},
+    {"hertz-oblique",
+     "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; tangentialDamping no; }",
+     oblique, 5e-5, 1, "order of a step"},
+    {"hooke-oblique",
+     "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; tangentialDamping no; }",
+     oblique, 5e-5, 1, "order of a step"},
+    {"hysteresis-oblique",
+     "hookeHysteresis { unloading 5; adhesion 0; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
+     oblique, 5e-5, 1, "order of a step"},
 
     /* where definitions differ: told, and no more than what differs can do. Here springs turn about the normal with the mean spin of the
        pair, there not: 16 1/s for 2e-4 s, an angle of 3e-3, by which up to 0.1 m/s from friction point elsewhere */
-    {"hertz-twisted", "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; tangentialDamping no; }", twisted, 5e-4,
-     0, "springs turn about the normal"},
-    {"hooke-twisted", "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; tangentialDamping no; }", twisted, 5e-4,
-     0, "springs turn about the normal"},
-    {"hysteresis-twisted", "hookeHysteresis { unloading 5; adhesion 0; } linear { friction 0.3; ratio 1; tangentialDamping no; }", twisted,
-     5e-4, 0, "springs turn about the normal"},
+    {"hertz-twisted",
+     "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; tangentialDamping no; }",
+     twisted, 5e-4, 0, "springs turn about the normal"},
+    {"hooke-twisted",
+     "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; tangentialDamping no; }",
+     twisted, 5e-4, 0, "springs turn about the normal"},
+    {"hysteresis-twisted",
+     "hookeHysteresis { unloading 5; adhesion 0; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
+     twisted, 5e-4, 0, "springs turn about the normal"},
     /* a contact that sticks rubs there with mu |F_n|, and here with mu (F_n + k_c d): they differ by up to a fifth of the push while it
        opens */
-    {"hysteresis-twisted-sticky", "hookeHysteresis { unloading 5; adhesion 0.2; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
+    {"hysteresis-twisted-sticky",
+     "hookeHysteresis { unloading 5; adhesion 0.2; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
      twisted, 0.1, 0, "friction where it sticks"},
     /* there the dashpot of friction has sqrt(4 G* / E*), 0.91, of the coefficient it has here, and rubs while the contact pulls */
-    {"hertz-twisted-damped", "hertz { } dry { restitution 0.8; } mindlin { friction 0.3; }", twisted, 0.03, 0,
-     "coefficient of friction's dashpot"},
+    {"hertz-twisted-damped", "hertz { } dry { restitution 0.8; } mindlin { friction 0.3; }",
+     twisted, 0.03, 0, "coefficient of friction's dashpot"},
     /* there it is added in full wherever the spring holds, here spring and dashpot together obey mu F_n; on a linear spring it is at its
        strongest when the surfaces touch and nothing presses yet. With a friction of 100 in both 0.005 m/s are left of 0.18 */
-    {"hooke-twisted-damped", "hooke { } dry { restitution 0.8; } linear { friction 0.3; }", twisted, 0.3, 0,
-     "friction's dashpot past the limit"},
+    {"hooke-twisted-damped", "hooke { } dry { restitution 0.8; } linear { friction 0.3; }", twisted,
+     0.3, 0, "friction's dashpot past the limit"},
 };
 
 /* the next two rows of a dump: id, place, velocity, spin; 0 at its end */
@@ -82,22 +115,26 @@ static int next(FILE *f, double row[2][10])
     {
         double *const r = row[n];
 
-        n += sscanf(line, "%lf %lf %lf %lf %lf %lf %lf %lf %lf %lf", r, r + 1, r + 2, r + 3, r + 4, r + 5, r + 6, r + 7, r + 8, r + 9) == 10;
+        n += sscanf(line, "%lf %lf %lf %lf %lf %lf %lf %lf %lf %lf", r, r + 1, r + 2, r + 3, r + 4,
+                    r + 5, r + 6, r + 7, r + 8, r + 9) == 10;
     }
     return n == 2;
 }
 
 static double off(const double *a, const double *b)
 {
-    return sqrt((a[0] - b[0])*(a[0] - b[0]) + (a[1] - b[1])*(a[1] - b[1]) + (a[2] - b[2])*(a[2] - b[2]));
+    return sqrt((a[0] - b[0])*(a[0] - b[0]) + (a[1] - b[1])*(a[1] - b[1]) +
+                (a[2] - b[2])*(a[2] - b[2]));
 }
 
 /* largest distance over all rows [m/s], with `halves` halvings of the step; negative: no dump */
 static double distance(const char *folder, size_t k, int halves, double *place, double *changed)
 {
     char *const name = world_text("%s/%s%s.dump", folder, cases[k].name, halves ? "-half" : "");
-    char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
-                                   "effects { %s } time { step %.17g; maxOverlap 0.5; }", cases[k].laws, halves ? 2.5e-7 : 5e-7);
+    char *const scene =
+        world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
+                   "effects { %s } time { step %.17g; maxOverlap 0.5; }",
+                   cases[k].laws, halves ? 2.5e-7 : 5e-7);
     FILE *const f = fopen(name, "r");
     double row[2][10], worst = 0.0;
     int rows = 0;
@@ -135,21 +172,25 @@ static void compare(const char *folder, size_t k)
 {
     const char *const name = cases[k].name;
     double place, changed, again[2];
-    const double worst = distance(folder, k, 0, &place, &changed), half = distance(folder, k, 1, &again[0], &again[1]);
+    const double worst = distance(folder, k, 0, &place, &changed),
+                 half = distance(folder, k, 1, &again[0], &again[1]);
 
     if (!TAP_OK(worst >= 0.0 && half >= 0.0, "%s: the dumps have 161 states each", name))
     {
         return;
     }
     TAP_OK(changed > 0.3, "%s: they meet, a velocity changes by %.3f m/s", name, changed);
-    TAP_NEAR(worst, 0.0, cases[k].within, "%s: off by %.2g m/s, %.2g of a radius: %s", name, worst, place, cases[k].why);
+    TAP_NEAR(worst, 0.0, cases[k].within, "%s: off by %.2g m/s, %.2g of a radius: %s", name, worst,
+             place, cases[k].why);
     if (cases[k].first_order)
     {
-        TAP_NEAR(worst/half, 2.0, 0.2, "%s: half the step leaves 1/%.2f of it", name, worst/half);       /* terms of order 2: 5 % */
+        TAP_NEAR(worst/half, 2.0, 0.2, "%s: half the step leaves 1/%.2f of it", name,
+                 worst/half);       /* terms of order 2: 5 % */
     }
     else if (cases[k].within > 1e-6)
     {
-        TAP_OK(half > 0.5*worst, "%s: with half the step still %.2g m/s: a law, not a step", name, half);
+        TAP_OK(half > 0.5*worst, "%s: with half the step still %.2g m/s: a law, not a step", name,
+               half);
     }
 }
 

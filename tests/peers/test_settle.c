@@ -24,12 +24,15 @@ static const struct
 {
     const char *name, *laws;
     double step;                                          /* s; whole steps make a millisecond */
-}
-cases[] =
-{
-    {"hertz", "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; tangentialDamping no; }", 4e-6},
-    {"hooke", "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; tangentialDamping no; }", 4e-6},
-    {"hysteresis", "hookeHysteresis { unloading 3; adhesion 0; plasticDepth 0.02; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
+} cases[] = {
+    {"hertz",
+     "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; tangentialDamping no; }",
+     4e-6},
+    {"hooke",
+     "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; tangentialDamping no; }",
+     4e-6},
+    {"hysteresis",
+     "hookeHysteresis { unloading 3; adhesion 0; plasticDepth 0.02; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
      2.5e-6},
 };
 
@@ -53,7 +56,8 @@ static void place(double x[N][3])
 
         for (int a = 0; a < 3; a++)
         {
-            x[k][a] = 0.55e-3 + 1.1e-3*at[a] + 0.08e-3*(dem_random_unit(9, (uint64_t)k, 0, (uint64_t)a) - 0.5);
+            x[k][a] = 0.55e-3 + 1.1e-3*at[a] +
+                      0.08e-3*(dem_random_unit(9, (uint64_t)k, 0, (uint64_t)a) - 0.5);
         }
     }
 }
@@ -101,16 +105,21 @@ static void here(size_t c, double shift, struct run *r)
     static struct dem_new_particle seed[N];
     static struct world_particle p[N];
     static double x[N][3], v[N][3], w[N][3];
-    char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
-                                   "effects { gravity { acceleration (0 0 -9.81); } %s } time { step %.17g; }"
-                                   "walls { cup { type box; min (0 0 0); max (0.01 0.01 1); } }", cases[c].laws, cases[c].step);
+    char *const scene =
+        world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
+                   "effects { gravity { acceleration (0 0 -9.81); } %s } time { step %.17g; }"
+                   "walls { cup { type box; min (0 0 0); max (0.01 0.01 1); } }",
+                   cases[c].laws, cases[c].step);
 
     place(x);
     x[0][0] += shift;
     memset(seed, 0, sizeof seed);
     for (int k = 0; k < N; k++)
     {
-        seed[k] = (struct dem_new_particle){.position = {x[k][0], x[k][1], x[k][2]}, .diameter = D, .id = k, .material = "glass"};
+        seed[k] = (struct dem_new_particle){.position = {x[k][0], x[k][1], x[k][2]},
+                                            .diameter = D,
+                                            .id = k,
+                                            .material = "glass"};
     }
     struct dem *const d = world(scene, N, seed);
 
@@ -146,8 +155,10 @@ static int there(const char *name, struct run *r)
         const int k = rows%N;
         int id;
 
-        rows += sscanf(line, "%d %lf %lf %lf %lf %lf %lf %lf %lf %lf", &id, &x[k][0], &x[k][1], &x[k][2], &v[k][0], &v[k][1], &v[k][2],
-                       &w[k][0], &w[k][1], &w[k][2]) == 10 && id == k + 1;
+        rows +=
+            sscanf(line, "%d %lf %lf %lf %lf %lf %lf %lf %lf %lf", &id, &x[k][0], &x[k][1],
+                   &x[k][2], &v[k][0], &v[k][1], &v[k][2], &w[k][0], &w[k][1], &w[k][2]) == 10 &&
+            id == k + 1;
         if (rows > 0 && rows%N == 0 && k == N - 1)
         {
             memcpy(r->x[rows/N - 1], x, sizeof x);
@@ -170,7 +181,8 @@ static int parted(const struct run *a, const struct run *b, double distance)
     {
         for (int k = 0; k < N; k++)
         {
-            const double dx = a->x[f][k][0] - b->x[f][k][0], dy = a->x[f][k][1] - b->x[f][k][1], dz = a->x[f][k][2] - b->x[f][k][2];
+            const double dx = a->x[f][k][0] - b->x[f][k][0], dy = a->x[f][k][1] - b->x[f][k][1],
+                         dz = a->x[f][k][2] - b->x[f][k][2];
 
             if (!(dx*dx + dy*dy + dz*dz < distance*distance))
             {
@@ -183,7 +195,8 @@ static int parted(const struct run *a, const struct run *b, double distance)
 
 struct difference
 {
-    double centre, kinetic, top, contacts;                /* D, largest over time; share of the largest, mean over time; D; per sphere */
+    double centre, kinetic, top,
+        contacts;                /* D, largest over time; share of the largest, mean over time; D; per sphere */
 };
 
 static struct difference differ(const struct run *a, const struct run *b)
@@ -215,7 +228,8 @@ static void compare(const char *folder, size_t c)
     }
     here(c, 0.0, &suna);
     here(c, 1e-9, &shifted);
-    const struct frame *const end = &suna.frame[FRAMES - 1], *const end_there = &other.frame[FRAMES - 1];
+    const struct frame *const end = &suna.frame[FRAMES - 1], *const end_there =
+                                                                 &other.frame[FRAMES - 1];
     const struct difference d = differ(&suna, &other), own = differ(&suna, &shifted);
     double most = 0.0;
 
@@ -223,26 +237,35 @@ static void compare(const char *folder, size_t c)
     {
         most = fmax(most, suna.frame[f].kinetic);
     }
-    TAP_NOTE("%s: centre of mass %.4f and %.4f mm, top %.3f and %.3f mm, %.3f and %.3f contacts a sphere, kinetic %.2g and %.2g of the largest",
-             what, 1e3*end->centre, 1e3*end_there->centre, 1e3*end->top, 1e3*end_there->top, end->contacts, end_there->contacts,
-             end->kinetic/most, end_there->kinetic/most);
-    TAP_NOTE("%s: off by %.2g D in the centre of mass, %.2g of the largest kinetic energy, %.2g D of the top, %.2g contacts a sphere", what,
-             d.centre, d.kinetic, d.top, d.contacts);
-    TAP_NOTE("%s: two runs of Suna 1 nm apart: %.2g D, %.2g, %.2g D, %.2g", what, own.centre, own.kinetic, own.top, own.contacts);
-    TAP_NOTE("%s: all trajectories within 1e-9 D for %d ms, 1e-6 D for %d ms, 1e-3 D for %d ms, 1 D for %d ms; Suna 1 nm apart (from 1e-6 D) 1e-3 D for "
-             "%d ms, 1 D for %d ms", what, parted(&suna, &other, 1e-9*D), parted(&suna, &other, 1e-6*D), parted(&suna, &other, 1e-3*D),
-             parted(&suna, &other, D), parted(&suna, &shifted, 1e-3*D), parted(&suna, &shifted, D));
+    TAP_NOTE(
+        "%s: centre of mass %.4f and %.4f mm, top %.3f and %.3f mm, %.3f and %.3f contacts a sphere, kinetic %.2g and %.2g of the largest",
+        what, 1e3*end->centre, 1e3*end_there->centre, 1e3*end->top, 1e3*end_there->top,
+        end->contacts, end_there->contacts, end->kinetic/most, end_there->kinetic/most);
+    TAP_NOTE(
+        "%s: off by %.2g D in the centre of mass, %.2g of the largest kinetic energy, %.2g D of the top, %.2g contacts a sphere",
+        what, d.centre, d.kinetic, d.top, d.contacts);
+    TAP_NOTE("%s: two runs of Suna 1 nm apart: %.2g D, %.2g, %.2g D, %.2g", what, own.centre,
+             own.kinetic, own.top, own.contacts);
+    TAP_NOTE(
+        "%s: all trajectories within 1e-9 D for %d ms, 1e-6 D for %d ms, 1e-3 D for %d ms, 1 D for %d ms; Suna 1 nm apart (from 1e-6 D) 1e-3 D for "
+        "%d ms, 1 D for %d ms",
+        what, parted(&suna, &other, 1e-9*D), parted(&suna, &other, 1e-6*D),
+        parted(&suna, &other, 1e-3*D), parted(&suna, &other, D),
+        parted(&suna, &shifted, 1e-3*D), parted(&suna, &shifted, D));
     TAP_OK(end->kinetic < 1e-2*most && end->contacts > 3.0, "%s: the bed has settled", what);
 
     /* free fall and the first touches are the same to rounding; then every collision adds the 1e-6 of test_pair and multiplies it */
     TAP_OK(parted(&suna, &other, 1e-9*D) >= 5, "%s: the same fall", what);
     TAP_OK(parted(&suna, &other, 1e-3*D) >= 8, "%s: the same first collisions", what);
-    TAP_OK(parted(&suna, &other, D) > 40, "%s: no particle is a diameter from its position in the other before 40 ms", what);
+    TAP_OK(parted(&suna, &other, D) > 40,
+           "%s: no particle is a diameter from its position in the other before 40 ms", what);
 
     /* later they are two histories of one bed, as those of Suna 1 nm apart: these differ by 0.005 to 0.04 D, 0.002 to 0.006, up to
        0.11 D and 0.01 to 0.14, over the three laws of contact and two versions of friction; some three times the largest */
-    TAP_NEAR(d.centre, 0.0, 0.12, "%s: height of the centre of mass at all times, in diameters", what);
-    TAP_NEAR(d.kinetic, 0.0, 0.015, "%s: kinetic energy at all times, mean difference over the largest", what);
+    TAP_NEAR(d.centre, 0.0, 0.12, "%s: height of the centre of mass at all times, in diameters",
+             what);
+    TAP_NEAR(d.kinetic, 0.0, 0.015,
+             "%s: kinetic energy at all times, mean difference over the largest", what);
     TAP_NEAR(d.top, 0.0, 0.33, "%s: height of the top in the end, in diameters", what);
     TAP_NEAR(d.contacts, 0.0, 0.36, "%s: contacts a sphere in the end", what);
     free(name);
@@ -257,7 +280,8 @@ int main(int count, char **argument)
         place(x);
         for (int k = 0; k < N; k++)
         {
-            printf("create_atoms 1 single %.17g %.17g %.17g units box\n", x[k][0], x[k][1], x[k][2]);
+            printf("create_atoms 1 single %.17g %.17g %.17g units box\n", x[k][0], x[k][1],
+                   x[k][2]);
         }
         return 0;
     }

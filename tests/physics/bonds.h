@@ -16,7 +16,8 @@ enum
 };
 
 static const double R = 1e-3, L = 2e-3, kn = 5e11, kt = 2e11;
-static const double A = 3.14159265358979324e-6, J = 1.57079632679489662e-12, I = 7.8539816339744831e-13;
+static const double A = 3.14159265358979324e-6, J = 1.57079632679489662e-12,
+                    I = 7.8539816339744831e-13;
 
 static inline void vector_cross(const double a[3], const double b[3], double out[3])
 {
@@ -36,13 +37,17 @@ static inline void chain_seeds(struct dem_new_particle *seed, int n, int clamped
     memset(seed, 0, (size_t)n*sizeof *seed);
     for (int k = 0; k < n; k++)
     {
-        seed[k] = (struct dem_new_particle){.position = {L*k, 0.0, 0.0}, .diameter = 2.0*R, .id = k, .material = "rock",
-                                    .frozen = clamped && k == 0};
+        seed[k] = (struct dem_new_particle){.position = {L*k, 0.0, 0.0},
+                                            .diameter = 2.0*R,
+                                            .id = k,
+                                            .material = "rock",
+                                            .frozen = clamped && k == 0};
     }
 }
 
 /* stiffness times `soft`; a step of 0 is the automatic one; `more` goes into bondLinear */
-static inline struct dem *bonded(double soft, double step, const char *more, int n, const struct dem_new_particle *seed)
+static inline struct dem *bonded(double soft, double step, const char *more, int n,
+                                 const struct dem_new_particle *seed)
 {
     char own[64] = "";
 
@@ -50,9 +55,11 @@ static inline struct dem *bonded(double soft, double step, const char *more, int
     {
         snprintf(own, sizeof own, "step %.17g;", step);
     }
-    char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
-                                   "effects { bondLinear { normalStiffness %.17g; shearStiffness %.17g; %s } }"
-                                   "time { maxOverlap 1; %s }", kn*soft, kt*soft, more, own);
+    char *const scene =
+        world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
+                   "effects { bondLinear { normalStiffness %.17g; shearStiffness %.17g; %s } }"
+                   "time { maxOverlap 1; %s }",
+                   kn*soft, kt*soft, more, own);
     struct dem *const d = world(scene, n, seed);
 
     free(scene);
@@ -78,7 +85,8 @@ static inline void chain_set(struct dem *d, int64_t id, const double *velocity, 
     }
 }
 
-static inline void chain_kick(struct dem *d, int64_t id, const double force[3], const double moment[3], double dt)
+static inline void chain_kick(struct dem *d, int64_t id, const double force[3],
+                              const double moment[3], double dt)
 {
     struct world_particle p = world_at(d, id);
     const double inertia = 0.4*p.mass*p.radius*p.radius;
@@ -92,7 +100,8 @@ static inline void chain_kick(struct dem *d, int64_t id, const double force[3], 
 }
 
 /* One step under a force and a moment on one particle: half a kick on either side, as the leapfrog's own. */
-static inline void chain_push(struct dem *d, int64_t id, const double force[3], const double moment[3])
+static inline void chain_push(struct dem *d, int64_t id, const double force[3],
+                              const double moment[3])
 {
     chain_kick(d, id, force, moment, 0.5*dem_step_limit(d).used);
     world_step(d);
@@ -107,7 +116,8 @@ static inline double chain_kinetic(const struct dem *d)
     dem_view(d, &v);
     for (size_t k = 0; k < v.n; k++)
     {
-        const double *const u = dem_at(v.velocity, v.stride, k), *const w = dem_at(v.spin, v.stride, k);
+        const double *const u = dem_at(v.velocity, v.stride, k), *const w =
+                                                                     dem_at(v.spin, v.stride, k);
         const double m = *dem_at(v.mass, v.stride, k), a = *dem_at(v.radius, v.stride, k);
 
         sum += 0.5*m*vector_dot(u, u) + 0.2*m*a*a*vector_dot(w, w);
@@ -116,7 +126,8 @@ static inline double chain_kinetic(const struct dem *d)
 }
 
 /* Static equilibrium under the load: all stop whenever the kinetic energy has passed a peak, until a peak is nothing. */
-static inline void chain_relax(struct dem *d, int64_t id, const double force[3], const double moment[3])
+static inline void chain_relax(struct dem *d, int64_t id, const double force[3],
+                               const double moment[3])
 {
     const double rest[3] = {0.0, 0.0, 0.0};
     double before = 0.0, most = 0.0;
@@ -145,7 +156,8 @@ static inline void chain_relax(struct dem *d, int64_t id, const double force[3],
 }
 
 /* Whatever has moved at all: linear and angular momentum about the origin, kinetic energy. */
-static inline void chain_totals(const struct dem *d, int n, double momentum[3], double angular[3], double *kinetic)
+static inline void chain_totals(const struct dem *d, int n, double momentum[3], double angular[3],
+                                double *kinetic)
 {
     struct world_particle p[MOST];
 
@@ -164,7 +176,8 @@ static inline void chain_totals(const struct dem *d, int n, double momentum[3], 
             momentum[k] += p[i].mass*p[i].v[k];
             angular[k] += p[i].mass*arm[k] + inertia*p[i].w[k];
         }
-        *kinetic += 0.5*p[i].mass*vector_dot(p[i].v, p[i].v) + 0.5*inertia*vector_dot(p[i].w, p[i].w);
+        *kinetic += 0.5*p[i].mass*vector_dot(p[i].v, p[i].v) +
+                    0.5*inertia*vector_dot(p[i].w, p[i].w);
     }
 }
 

@@ -11,7 +11,8 @@
 
 #include "physics/world.h"
 
-static inline struct dem *energy_world(const char *scene, int64_t n, const struct dem_new_particle *seed)
+static inline struct dem *energy_world(const char *scene, int64_t n,
+                                       const struct dem_new_particle *seed)
 {
     struct dem *const d = world_begin(scene);
 

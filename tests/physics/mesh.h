@@ -16,7 +16,8 @@ struct mesh
     double *corner;                                       /* 9 a triangle */
 };
 
-static inline void mesh_triangle(struct mesh *m, const double a[3], const double b[3], const double c[3])
+static inline void mesh_triangle(struct mesh *m, const double a[3], const double b[3],
+                                 const double c[3])
 {
     if (m->n == m->room)
     {
@@ -30,7 +31,8 @@ static inline void mesh_triangle(struct mesh *m, const double a[3], const double
 }
 
 /* a, b, c, d in turn */
-static inline void mesh_quad(struct mesh *m, const double a[3], const double b[3], const double c[3], const double d[3])
+static inline void mesh_quad(struct mesh *m, const double a[3], const double b[3],
+                             const double c[3], const double d[3])
 {
     mesh_triangle(m, a, b, c);
     mesh_triangle(m, a, c, d);
@@ -48,12 +50,14 @@ static inline struct mesh mesh_floor(double from, double to, double size)
 {
     const int n = (int)((to - from)/size) + 1;
     struct mesh m = {0};
-    double *const line = malloc((size_t)(n + 1)*sizeof *line), (*const node)[3] = malloc((size_t)((n + 1)*(n + 1))*sizeof *node);
+    double *const line = malloc((size_t)(n + 1)*sizeof *line),
+                  (*const node)[3] = malloc((size_t)((n + 1)*(n + 1))*sizeof *node);
 
     for (int k = 0; k <= n; k++)
     {
         line[k] = from + (to - from)*k/n;
-        line[k] -= k > 0 && k < n && k%5 == 0 ? 0.99*(to - from)/n : 0.0;       /* slivers: 1/100 of a cell wide */
+        line[k] -= k > 0 && k < n && k%5 == 0 ? 0.99*(to - from)/n
+                                                : 0.0;       /* slivers: 1/100 of a cell wide */
     }
     for (int k = 0; k < (n + 1)*(n + 1); k++)
     {
@@ -70,7 +74,8 @@ static inline struct mesh mesh_floor(double from, double to, double size)
         const int a = k%n + k/n*(n + 1), corner[4] = {a, a + 1, a + n + 2, a + n + 1};
         const int turn = (int)(4.0*mesh_random((uint64_t)k, 3));
 
-        mesh_quad(&m, node[corner[turn]], node[corner[(turn + 1)%4]], node[corner[(turn + 2)%4]], node[corner[(turn + 3)%4]]);
+        mesh_quad(&m, node[corner[turn]], node[corner[(turn + 1)%4]],
+                  node[corner[(turn + 2)%4]], node[corner[(turn + 3)%4]]);
         if (mesh_random((uint64_t)k, 4) < 0.5)
         {
             double *const last = m.corner + 9*(m.n - 1);
@@ -89,14 +94,16 @@ static inline struct mesh mesh_floor(double from, double to, double size)
     return m;
 }
 
-static inline void mesh_hand_over(struct dem *d, const char *name, const char *material, struct mesh *m)
+static inline void mesh_hand_over(struct dem *d, const char *name, const char *material,
+                                  struct mesh *m)
 {
     WORLD_TRY(dem_add_wall(d, name, material, (int64_t)m->n, m->corner));
     free(m->corner);
     *m = (struct mesh){0};
 }
 
-static inline void mesh_add_floor(struct dem *d, const char *name, const char *material, double from, double to, double size)
+static inline void mesh_add_floor(struct dem *d, const char *name, const char *material,
+                                  double from, double to, double size)
 {
     struct mesh m = mesh_floor(from, to, size);
 

@@ -36,8 +36,10 @@ static void read_table(struct dem *d, const char *name)
     snprintf(path, sizeof path, "%s/%s.csv", folder, name);
     f = fopen(path, "r");
     table.rows = table.columns = 0;
-    TAP_OK(f && fgets(line, sizeof line, f) && strncmp(line, "# effects: ", 11) == 0, "%s: the effects that act above all", name);
-    for (char *s = f && fgets(line, sizeof line, f) ? strtok(line, ",\n") : NULL; s; s = strtok(NULL, ",\n"))
+    TAP_OK(f && fgets(line, sizeof line, f) && strncmp(line, "# effects: ", 11) == 0,
+           "%s: the effects that act above all", name);
+    for (char *s = f && fgets(line, sizeof line, f) ? strtok(line, ",\n") : NULL; s;
+         s = strtok(NULL, ",\n"))
     {
         snprintf(table.name[table.columns++], 48, "%.*s", (int)strcspn(s, "["), s);
     }
@@ -89,10 +91,13 @@ static const double digits = 2e-9;
 static void shares(void)
 {
     const double R = 1e-3, V = 4.0/3.0*world_pi*R*R*R, z = 0.0013;
-    const struct dem_new_particle seed[] = {{.position = {0.0, 0.0, z}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
-    char *const scene = world_text("%s effects { hertz {} } time { step 1e-6; }"
+    const struct dem_new_particle seed[] = {
+        {.position = {0.0, 0.0, z}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
+    char *const scene = world_text(
+        "%s effects { hertz {} } time { step 1e-6; }"
         "averages { slabs { min (-0.005 -0.005 -0.001); max (0.005 0.005 0.004); cells (1 1 10); interval 1e-6; }"
-        "           all { min (-0.0027 -0.0031 -0.001); max (0.0053 0.0049 0.004); cells (10 10 10); interval 1e-6; } }", material);
+        "           all { min (-0.0027 -0.0031 -0.001); max (0.0053 0.0049 0.004); cells (10 10 10); interval 1e-6; } }",
+        material);
     struct dem *const d = world(scene, 1, seed);
 
     world_run(d, 3.5e-6);
@@ -107,11 +112,13 @@ static void shares(void)
 
             cap[side] = world_pi*h*h*(3.0*R - h)/3.0;
         }
-        TAP_NEAR(at(k, "solidFraction"), (cap[1] - cap[0])/5e-8, digits, "slab %d: the volume between two planes", k);
+        TAP_NEAR(at(k, "solidFraction"), (cap[1] - cap[0])/5e-8, digits,
+                 "slab %d: the volume between two planes", k);
     }
     TAP_NEAR(sum("bulkDensity"), 2500.0*V/5e-8, 2500.0*V/5e-8*digits, "its mass");
     read_table(d, "all");
-    TAP_NEAR(sum("solidFraction")*3.2e-10, V, V*1e-7, "a thousand cells: the whole volume");     /* 9 digits of many small numbers */
+    TAP_NEAR(sum("solidFraction")*3.2e-10, V, V*1e-7,
+             "a thousand cells: the whole volume");     /* 9 digits of many small numbers */
     dem_free(d);
     free(scene);
 }
@@ -119,16 +126,21 @@ static void shares(void)
 static void wraps(void)
 {
     const double R = 1e-3, V = 4.0/3.0*world_pi*R*R*R;
-    const struct dem_new_particle seed[] = {{.position = {0.0002, 0.0098, 0.005}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
-    char *const scene = world_text("%s effects { hertz {} } time { step 1e-6; }"
+    const struct dem_new_particle seed[] = {
+        {.position = {0.0002, 0.0098, 0.005}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
+    char *const scene = world_text(
+        "%s effects { hertz {} } time { step 1e-6; }"
         "domain { min (0 0 0); max (0.01 0.01 0.01); periodic (x y); }"
-        "averages { all { min (0 0 0); max (0.01 0.01 0.01); cells (5 5 1); interval 1e-6; } }", material);
+        "averages { all { min (0 0 0); max (0.01 0.01 0.01); cells (5 5 1); interval 1e-6; } }",
+        material);
     struct dem *const d = world(scene, 1, seed);
 
     world_run(d, 1e-6);
     read_table(d, "all");
-    TAP_NEAR(sum("solidFraction")*4e-8, V, V*digits, "a sphere across two periodic faces: the whole volume");
-    TAP_OK(at(0, "solidFraction") > 0.0 && at(4, "solidFraction") > 0.0 && at(20, "solidFraction") > 0.0 && at(24, "solidFraction") > 0.0,
+    TAP_NEAR(sum("solidFraction")*4e-8, V, V*digits,
+             "a sphere across two periodic faces: the whole volume");
+    TAP_OK(at(0, "solidFraction") > 0.0 && at(4, "solidFraction") > 0.0 &&
+               at(20, "solidFraction") > 0.0 && at(24, "solidFraction") > 0.0,
            "in four corners of the box");
     dem_free(d);
     free(scene);
@@ -138,15 +150,19 @@ static void wraps(void)
 static void images(void)
 {
     const double R = 1e-3, V = 4.0/3.0*world_pi*R*R*R;
-    const struct dem_new_particle seed[] = {{.position = {0.005, 0.005, 0.005}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
-    char *const scene = world_text("%s effects { hertz {} } time { step 1e-6; }"
+    const struct dem_new_particle seed[] = {
+        {.position = {0.005, 0.005, 0.005}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
+    char *const scene = world_text(
+        "%s effects { hertz {} } time { step 1e-6; }"
         "domain { min (0 0 0); max (0.01 0.01 0.01); periodic (x y z); }"
-        "averages { all { min (-0.01 -0.01 -0.01); max (0.02 0.02 0.02); interval 1e-6; } }", material);
+        "averages { all { min (-0.01 -0.01 -0.01); max (0.02 0.02 0.02); interval 1e-6; } }",
+        material);
     struct dem *const d = world(scene, 1, seed);
 
     world_run(d, 1e-6);
     read_table(d, "all");
-    TAP_NEAR(sum("solidFraction")*2.7e-5, 27.0*V, 27.0*V*digits, "a sphere and 26 images in one cell: their volume");
+    TAP_NEAR(sum("solidFraction")*2.7e-5, 27.0*V, 27.0*V*digits,
+             "a sphere and 26 images in one cell: their volume");
     TAP_NEAR(sum("bulkDensity")*2.7e-5, 27.0*V*2500.0, 27.0*V*2500.0*digits, "and mass");
     dem_free(d);
     free(scene);
@@ -165,8 +181,13 @@ static void streams(void)
     {
         const double side = k < 25 ? 1.0 : -1.0;
 
-        seed[k] = (struct dem_new_particle){.position = {0.002 + 0.004*(k%5), 0.002 + 0.004*(k/5%5), k < 25 ? 0.006 : 0.014}, .diameter = 2.0*R,
-                                    .velocity = {side*v[0], side*v[1], 0.0}, .id = k, .material = "glass"};
+        seed[k] = (struct dem_new_particle){.position = {0.002 + 0.004*(k%5),
+                                                         0.002 + 0.004*(k/5%5),
+                                                         k < 25 ? 0.006 : 0.014},
+                                            .diameter = 2.0*R,
+                                            .velocity = {side*v[0], side*v[1], 0.0},
+                                            .id = k,
+                                            .material = "glass"};
     }
     struct dem *d = world(scene, 50, seed);
     const double rho = 50.0*2500.0*4.0/3.0*world_pi*R*R*R/8e-6;
@@ -201,20 +222,26 @@ static void column(void)
     enum { HIGH = 5 };
     struct dem_new_particle seed[HIGH];
     const double R = 1e-3, g = 9.81, m = 2500.0*4.0/3.0*world_pi*R*R*R, volume = 0.004*0.004*0.012;
-    char *const scene = world_text("%s effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.1; } }"
+    char *const scene = world_text(
+        "%s effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.1; } }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
         "averages { box { min (-0.002 -0.002 0); max (0.002 0.002 0.012); start 0.2; interval 0.001; }"
-        "           later { min (-0.002 -0.002 0); max (0.002 0.002 0.012); start 5; interval 0.001; } }", material);
+        "           later { min (-0.002 -0.002 0); max (0.002 0.002 0.012); start 5; interval 0.001; } }",
+        material);
     double expected = 0.0;
 
     for (int k = 0; k < HIGH; k++)
     {
-        seed[k] = (struct dem_new_particle){.position = {0.0, 0.0, R*(2*k + 1)}, .diameter = 2.0*R, .id = k, .material = "glass"};
+        seed[k] = (struct dem_new_particle){.position = {0.0, 0.0, R*(2*k + 1)},
+                                            .diameter = 2.0*R,
+                                            .id = k,
+                                            .material = "glass"};
     }
     struct dem *const d = world(scene, HIGH, seed);
 
     world_run(d, 0.25);
-    for (int k = 0; k < HIGH; k++)                            /* the branch from the contact below to the centre, and the half above */
+    for (int k = 0; k < HIGH;
+         k++)                            /* the branch from the contact below to the centre, and the half above */
     {
         const struct world_particle q = world_at(d, k), below = world_at(d, k ? k - 1 : 0);
 
@@ -222,10 +249,12 @@ static void column(void)
     }
     read_table(d, "box");
     /* what is left of the bounce: 1e-5 of the weight */
-    TAP_NEAR(at(0, "stressZZ"), expected/volume, 1e-5*fabs(expected)/volume, "a column: forces times branches");
+    TAP_NEAR(at(0, "stressZZ"), expected/volume, 1e-5*fabs(expected)/volume,
+             "a column: forces times branches");
     TAP_NEAR(at(0, "stressXX"), 0.0, 1e-9*fabs(expected)/volume, "none across");
     WORLD_TRY(dem_averages(d, folder));
-    TAP_OK(access(strcat(strcpy((char[64]){0}, folder), "/later.csv"), F_OK) != 0, "no samples, no file");
+    TAP_OK(access(strcat(strcpy((char[64]){0}, folder), "/later.csv"), F_OK) != 0,
+           "no samples, no file");
     unlink(strcat(strcpy((char[64]){0}, folder), "/box.csv"));
     unlink(strcat(strcpy((char[64]){0}, folder), "/box.vti"));
     dem_free(d);
@@ -236,7 +265,9 @@ static void column(void)
 static void rubs(int k)
 {
     static const char *const shear[3] = {"stressXY", "stressYZ", "stressZX"};
-    const double R = 1e-3, g = 9.81, mu = 0.3, stiffness = 1000.0, m = 2500.0*4.0/3.0*world_pi*R*R*R, d = m*g/stiffness, volume = 8e-6;
+    const double R = 1e-3, g = 9.81, mu = 0.3, stiffness = 1000.0,
+                 m = 2500.0*4.0/3.0*world_pi*R*R*R, d = m*g/stiffness,
+                 volume = 8e-6;
     const int next = (k + 1)%3, last = (k + 2)%3;
     double up[3] = {0.0};
     struct dem_new_particle seed = {.diameter = 2.0*R, .material = "glass"};
@@ -245,19 +276,24 @@ static void rubs(int k)
     seed.position[k] = R - d;
     seed.velocity[next] = 0.8;
     seed.velocity[last] = -0.6;
-    char *const scene = world_text("%s effects { gravity { acceleration (%g %g %g); } hooke { stiffness %g; } linear { friction %g; stiffness 1000; } }"
+    char *const scene = world_text(
+        "%s effects { gravity { acceleration (%g %g %g); } hooke { stiffness %g; } linear { friction %g; stiffness 1000; } }"
         "walls { floor { type plane; point (0 0 0); normal (%g %g %g); } }"
-        "averages { box { min (-0.01 -0.01 -0.01); max (0.01 0.01 0.01); start 0.001; interval 0.0005; } }", material,
-        -g*up[0], -g*up[1], -g*up[2], stiffness, mu, up[0], up[1], up[2]);
+        "averages { box { min (-0.01 -0.01 -0.01); max (0.01 0.01 0.01); start 0.001; interval 0.0005; } }",
+        material, -g*up[0], -g*up[1], -g*up[2], stiffness, mu, up[0], up[1], up[2]);
     struct dem *const w = world(scene, 1, &seed);
-    const double push = (R - d)*m*g/volume;               /* Pa: of the weight; friction lies against the velocity (0.8, -0.6) */
+    const double push =
+        (R - d)*m*g/
+        volume;               /* Pa: of the weight; friction lies against the velocity (0.8, -0.6) */
 
     world_run(w, 0.005);
     read_table(w, "box");
     /* half of force times branch, for the tensor is made symmetric; 1e-4 for what spin does to the direction meanwhile */
-    TAP_NEAR(at(0, shear[k]), 0.5*push*mu*0.8, 1e-4*push, "friction on a wall across axis %d: %s", k, shear[k]);
+    TAP_NEAR(at(0, shear[k]), 0.5*push*mu*0.8, 1e-4*push,
+             "friction on a wall across axis %d: %s", k, shear[k]);
     TAP_NEAR(at(0, shear[last]), -0.5*push*mu*0.6, 1e-4*push, "and %s", shear[last]);
-    TAP_NEAR(at(0, shear[next]), 0.0, 1e-2*push, "none to speak of in the wall's plane");     /* velocities change by 0.01 m/s: m/V dv dv */
+    TAP_NEAR(at(0, shear[next]), 0.0, 1e-2*push,
+             "none to speak of in the wall's plane");     /* velocities change by 0.01 m/s: m/V dv dv */
     dem_free(w);
     free(scene);
 }

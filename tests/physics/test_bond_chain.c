@@ -35,7 +35,9 @@ static double answer(struct dem *d, int bonds, enum load load)
 {
     const struct world_particle p = world_at(d, bonds);
 
-    return load == AXIAL ? p.x[0] - L*bonds : load == BENDING ? p.x[2] : 2.0*world_tally(d).stored/1e-4;
+    return load == AXIAL ? p.x[0] - L*bonds
+           : load == BENDING ? p.x[2]
+                             : 2.0*world_tally(d).stored/1e-4;
 }
 
 /* What swings: a position, or the turn of the end, which is summed up from its spins. */
@@ -94,9 +96,11 @@ static void chain(const struct line *t, enum load load)
     struct dem *const d = bonded(1.0, 0.0, "", t->bonds + 1, seed);
 
     chain_relax(d, t->bonds, force, moment);
-    TAP_NEAR(answer(d, t->bonds, load), expected, 1e-3*expected, "%d bonds: %s", t->bonds, names[load]);
+    TAP_NEAR(answer(d, t->bonds, load), expected, 1e-3*expected, "%d bonds: %s", t->bonds,
+             names[load]);
     /* higher modes jitter the crossings, the step of 0.2 of the limit raises all frequencies by 0.7 % at most */
-    TAP_NEAR(frequency(d, t->bonds, load), f, 5e-3*f, "%d bonds: frequency of %s", t->bonds, names[load]);
+    TAP_NEAR(frequency(d, t->bonds, load), f, 5e-3*f, "%d bonds: frequency of %s", t->bonds,
+             names[load]);
     dem_free(d);
 }
 
@@ -121,7 +125,8 @@ static void polygon(void)
     const struct world_particle p = world_at(d, bonds);
     const double energy = 0.5*1e-2*kn*I*turn*turn*bonds;
 
-    TAP_NEAR(sqrt(vector_dot(p.x, p.x)), 0.0, 0.01*L, "an end moment closes a chain of %d bonds", bonds);
+    TAP_NEAR(sqrt(vector_dot(p.x, p.x)), 0.0, 0.01*L, "an end moment closes a chain of %d bonds",
+             bonds);
     TAP_NEAR(world_tally(d).stored, energy, 0.01*energy, "with the energy of its turns");
     dem_free(d);
 }

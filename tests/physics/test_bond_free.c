@@ -39,7 +39,8 @@ static void keeps(const char *what, struct dem *d, int n, double time, double en
     for (int k = 0; k < n; k++)
     {
         scale[0] += p[k].mass*size(p[k].v);
-        scale[1] += p[k].mass*size(p[k].x)*size(p[k].v) + 0.4*p[k].mass*p[k].radius*p[k].radius*size(p[k].w);
+        scale[1] += p[k].mass*size(p[k].x)*size(p[k].v) +
+                    0.4*p[k].mass*p[k].radius*p[k].radius*size(p[k].w);
     }
     chain_totals(d, n, momentum[0], angular[0], &kinetic[0]);
     world_run(d, time);
@@ -48,15 +49,18 @@ static void keeps(const char *what, struct dem *d, int n, double time, double en
 
     TAP_NEAR(apart(momentum[1], momentum[0]), 0.0, 1e-12*scale[0], "%s: momentum", what);
     TAP_NEAR(apart(angular[1], angular[0]), 0.0, 1e-12*scale[1], "%s: angular momentum", what);
-    TAP_NEAR(kinetic[1] + t.stored, kinetic[0] + before, energy_within*kinetic[0], "%s: energy", what);
-    TAP_OK(t.lost == 0.0 && t.broken == 0.0 && t.bonds >= n - 1, "%s: %d bonds hold, nothing is lost", what, (int)t.bonds);
+    TAP_NEAR(kinetic[1] + t.stored, kinetic[0] + before, energy_within*kinetic[0], "%s: energy",
+             what);
+    TAP_OK(t.lost == 0.0 && t.broken == 0.0 && t.bonds >= n - 1,
+           "%s: %d bonds hold, nothing is lost", what, (int)t.bonds);
 }
 
 /* |F_t| of the bond between particles 0 and 1 */
 static double shear_of(const struct dem *d)
 {
     const struct world_particle a = world_at(d, 0), b = world_at(d, 1);
-    const double r[3] = {a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]}, along = vector_dot(a.f, r)/vector_dot(r, r);
+    const double r[3] = {a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]},
+                 along = vector_dot(a.f, r)/vector_dot(r, r);
     const double shear[3] = {a.f[0] - along*r[0], a.f[1] - along*r[1], a.f[2] - along*r[2]};
 
     return size(shear);
@@ -80,13 +84,15 @@ static struct dem *turning(const double omega[3], double soft, const char *more)
 /* At 10 1/s; bonds are soft, for long steps. The printed slip of the note would come to k_t A r Omega t = 628 k_t A L here. */
 static void turning_pair(void)
 {
-    const double soft = 1e-4, slanted[3] = {4.8, -6.0, 6.4}, upright[3] = {0.0, -6.0, 8.0}, m = world_ball(R, 2500.0);
+    const double soft = 1e-4, slanted[3] = {4.8, -6.0, 6.4}, upright[3] = {0.0, -6.0, 8.0},
+                 m = world_ball(R, 2500.0);
     struct dem *d = turning(slanted, soft, "");
 
     keeps("a pair that turns ten times about a slanted axis", d, 2, 2.0*world_pi, 1e-6);
     /* its axis is no principal one, so it takes shear to keep it turning: less than the centripetal force, and as much again
        while it swings in from rest */
-    TAP_OK(shear_of(d) < m*100.0*L, "it is sheared by inertia alone, %.3g k_t A L", shear_of(d)/(soft*kt*A*L));
+    TAP_OK(shear_of(d) < m*100.0*L, "it is sheared by inertia alone, %.3g k_t A L",
+           shear_of(d)/(soft*kt*A*L));
     dem_free(d);
     d = turning(upright, soft, "dampingRatio 0.5;");
     const double before = world_tally(d).kinetic;
@@ -94,13 +100,16 @@ static void turning_pair(void)
     world_run(d, 2.0*world_pi);
     const struct dem_totals t = world_tally(d);
 
-    TAP_NEAR(shear_of(d), 0.0, 1e-9*soft*kt*A*L, "turning about an axis normal to it, it is not sheared once it is calm");
-    TAP_NEAR(t.kinetic + t.stored + t.lost, before, 1e-8*before, "what swinging in from rest took is booked");
+    TAP_NEAR(shear_of(d), 0.0, 1e-9*soft*kt*A*L,
+             "turning about an axis normal to it, it is not sheared once it is calm");
+    TAP_NEAR(t.kinetic + t.stored + t.lost, before, 1e-8*before,
+             "what swinging in from rest took is booked");
     dem_free(d);
 }
 
 /* n spheres of different sizes in a row with a bend, with random velocities and spins; steps of 1/100 of the limit */
-static struct dem *wriggling(int n, const char *more, double fraction, double turn[3][3], int swapped)
+static struct dem *wriggling(int n, const char *more, double fraction, double turn[3][3],
+                             int swapped)
 {
     struct dem_new_particle seed[MOST];
     double x = 0.0, before = 0.0;
@@ -108,12 +117,15 @@ static struct dem *wriggling(int n, const char *more, double fraction, double tu
     memset(seed, 0, sizeof seed);
     for (int k = 0; k < n; k++)
     {
-        const double radius = R*(1.0 + 0.3*drawn(k, 0)), place[3] = {x += k ? before + radius : 0.0, 0.0, 0.0};
+        const double radius = R*(1.0 + 0.3*drawn(k, 0)),
+                     place[3] = {x += k ? before + radius : 0.0, 0.0, 0.0};
         const double v[3] = {0.05*drawn(k, 1), 0.05*drawn(k, 2), 0.05*drawn(k, 3)};
         const double w[3] = {30.0*drawn(k, 4), 30.0*drawn(k, 5), 30.0*drawn(k, 6)};
 
         before = radius;
-        seed[k] = (struct dem_new_particle){.diameter = 2.0*radius, .id = swapped ? n - 1 - k : k, .material = "rock"};
+        seed[k] = (struct dem_new_particle){.diameter = 2.0*radius,
+                                            .id = swapped ? n - 1 - k : k,
+                                            .material = "rock"};
         for (int i = 0; i < 3; i++)
         {
             seed[k].position[i] = vector_dot(turn[i], place);
@@ -157,12 +169,14 @@ static void objective(const char *what, const char *more, int n, double time)
     world_all(d[2], s);
     for (int k = 0; k < n; k++)
     {
-        const double back[3] = {vector_dot(turn[0], p[k].x), vector_dot(turn[1], p[k].x), vector_dot(turn[2], p[k].x)};
+        const double back[3] = {vector_dot(turn[0], p[k].x), vector_dot(turn[1], p[k].x),
+                                vector_dot(turn[2], p[k].x)};
 
         off[0] = fmax(off[0], apart(back, q[k].x));
         off[1] = fmax(off[1], apart(p[k].x, s[n - 1 - k].x));
     }
-    TAP_NEAR(off[0], 0.0, 1e-10*L, "%s: the same in turned axes (%.3g bonds broke)", what, world_tally(d[0]).broken);
+    TAP_NEAR(off[0], 0.0, 1e-10*L, "%s: the same in turned axes (%.3g bonds broke)", what,
+             world_tally(d[0]).broken);
     TAP_NEAR(off[1], 0.0, 1e-10*L, "%s: the same with ids the other way round", what);
     for (int k = 0; k < 3; k++)
     {
@@ -179,8 +193,14 @@ static void triangle(void)
     {
         const double angle = 2.0*world_pi*k/3.0, r = L/sqrt(3.0);
 
-        seed[k] = (struct dem_new_particle){.position = {r*cos(angle), r*sin(angle), 0.0}, .velocity = {0.02*drawn(k, 7), 0.02*drawn(k, 8), 0.02*drawn(k, 9)},
-                                    .spin = {9.0*drawn(k, 1), 9.0*drawn(k, 2), 9.0*drawn(k, 3)}, .diameter = 2.0*R, .id = k, .material = "rock"};
+        seed[k] = (struct dem_new_particle){.position = {r*cos(angle), r*sin(angle), 0.0},
+                                            .velocity = {0.02*drawn(k, 7), 0.02*drawn(k, 8),
+                                                         0.02*drawn(k, 9)},
+                                            .spin = {9.0*drawn(k, 1), 9.0*drawn(k, 2),
+                                                     9.0*drawn(k, 3)},
+                                            .diameter = 2.0*R,
+                                            .id = k,
+                                            .material = "rock"};
     }
     struct dem *const d = bonded(1e-2, 2e-8, "", 3, seed);
 
@@ -193,11 +213,14 @@ static void triangle(void)
 /* A pair made with an overlap of 0.5 %, with Hertz's law beside the bond; led apart or together, and broken by a twist. */
 static struct dem *sticking(const char *adhesion, const char *more)
 {
-    char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
-                                   "effects { hertz { } dry { restitution 0.9; } mindlin { friction 0.5; } %s"
-                                   " bondLinear { normalStiffness %g; shearStiffness %g; %s } } time { step 1e-7; }", adhesion, kn, kt, more);
-    const struct dem_new_particle seed[2] = {{.position = {0, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "rock", .frozen = 1},
-                                     {.position = {0.995*L, 0, 0}, .diameter = 2.0*R, .id = 1, .material = "rock"}};
+    char *const scene = world_text(
+        "materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
+        "effects { hertz { } dry { restitution 0.9; } mindlin { friction 0.5; } %s"
+        " bondLinear { normalStiffness %g; shearStiffness %g; %s } } time { step 1e-7; }",
+        adhesion, kn, kt, more);
+    const struct dem_new_particle seed[2] =
+        {{.position = {0, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "rock", .frozen = 1},
+         {.position = {0.995*L, 0, 0}, .diameter = 2.0*R, .id = 1, .material = "rock"}};
     struct dem *const d = world(scene, 2, seed);
 
     free(scene);
@@ -211,7 +234,8 @@ static struct dem *overlapping(const char *more)
 
 static void led(struct dem *d, double along, double twist, int steps)
 {
-    const double dt = dem_step_limit(d).used, v[3] = {along/dt, 0.0, 0.0}, w[3] = {twist/dt, 0.0, 0.0};
+    const double dt = dem_step_limit(d).used, v[3] = {along/dt, 0.0, 0.0},
+                 w[3] = {twist/dt, 0.0, 0.0};
 
     for (int k = 0; k < steps && world_tally(d).broken == 0.0; k++)
     {
@@ -242,7 +266,8 @@ static void hand_over(void)
 
     led(d, 0.0, 1e-4, 10000);
     TAP_OK(world_tally(d).broken == 1.0, "a twist breaks it");
-    TAP_NEAR(world_at(d, 1).f[0], pressed, 1e-9*pressed, "in the step in which it breaks the contact carries on");
+    TAP_NEAR(world_at(d, 1).f[0], pressed, 1e-9*pressed,
+             "in the step in which it breaks the contact carries on");
     chain_set(d, 1, none, none);
     chain_kick(d, 1, world_at(d, 1).f, world_at(d, 1).t, -0.5e-7);
     world_step(d);
@@ -265,25 +290,31 @@ static void hand_over(void)
     dem_free(d);
 
     d = overlapping("contact parallel;");
-    TAP_NEAR(world_at(d, 1).f[0], able, 1e-9*able, "in parallel the contact force is that without a bond");
+    TAP_NEAR(world_at(d, 1).f[0], able, 1e-9*able,
+             "in parallel the contact force is that without a bond");
     dem_free(d);
 }
 
 /* Surfaces that a bond holds apart from each other, or has left and that have not parted since, don't stick. */
 static void shielded(const char *adhesion, double pull)
 {
-    const double E = 1e9/(2.0*(1.0 - 0.0625)), able = 4.0/3.0*E*sqrt(0.5*R)*pow(0.005*L, 1.5), none[3] = {0.0, 0.0, 0.0};
-    struct dem *d = sticking(adhesion, "shearStrength 5e6;"), *const bare = overlapping("shearStrength 5e6;");
+    const double E = 1e9/(2.0*(1.0 - 0.0625)),
+                 able = 4.0/3.0*E*sqrt(0.5*R)*pow(0.005*L, 1.5),
+                 none[3] = {0.0, 0.0, 0.0};
+    struct dem *d = sticking(adhesion, "shearStrength 5e6;"), *const bare =
+                                                                  overlapping("shearStrength 5e6;");
 
     TAP_NEAR(world_at(d, 1).f[0], 0.0, 0.0, "%s: nothing pulls on a pair just bonded", adhesion);
     led(d, -0.5*able/(kn*A)/50.0, 0.0, 50);
     led(bare, -0.5*able/(kn*A)/50.0, 0.0, 50);
     const double pressed = world_at(d, 1).f[0];
 
-    TAP_NEAR(pressed, world_at(bare, 1).f[0], 0.0, "%s: a bonded pair feels its bond alone", adhesion);
+    TAP_NEAR(pressed, world_at(bare, 1).f[0], 0.0, "%s: a bonded pair feels its bond alone",
+             adhesion);
     led(d, 0.0, 1e-4, 10000);
     TAP_OK(world_tally(d).broken == 1.0, "%s: a twist breaks it", adhesion);
-    TAP_NEAR(world_at(d, 1).f[0], pressed, 1e-9*pressed, "%s: the contact carries on in that step", adhesion);
+    TAP_NEAR(world_at(d, 1).f[0], pressed, 1e-9*pressed,
+             "%s: the contact carries on in that step", adhesion);
     chain_set(d, 1, none, none);
     chain_kick(d, 1, world_at(d, 1).f, world_at(d, 1).t, -0.5e-7);
     world_step(d);
@@ -313,7 +344,8 @@ static void shielded(const char *adhesion, double pull)
     dem_free(bare);
 
     d = sticking(adhesion, "contact parallel;");
-    TAP_OK(world_at(d, 1).f[0] < able - 0.5*pull, "%s: in parallel they stick beside the bond", adhesion);
+    TAP_OK(world_at(d, 1).f[0] < able - 0.5*pull, "%s: in parallel they stick beside the bond",
+           adhesion);
     dem_free(d);
 }
 
@@ -321,13 +353,16 @@ static void shielded(const char *adhesion, double pull)
 
 static void hanging(void)
 {
-    char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
-                                   "effects { gravity { acceleration (0 0 -9.81); }"
-                                   " bondLinear { normalStiffness %g; shearStiffness %g; walls yes; dampingRatio 0.3; } }"
-                                   "walls { lid { type plane; point (0 0 %.17g); normal (0 0 -1); } side { type triangles; corners"
-                                   " ((0.05 -1 -1) (0.05 1 -1) (0.05 1 1)); } }", kn*1e-4, kt*1e-4, R);
-    const struct dem_new_particle seed[2] = {{.position = {0, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "rock"},
-                                     {.position = {0.05 - R, -0.5, -0.8}, .diameter = 2.0*R, .id = 1, .material = "rock"}};
+    char *const scene = world_text(
+        "materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
+        "effects { gravity { acceleration (0 0 -9.81); }"
+        " bondLinear { normalStiffness %g; shearStiffness %g; walls yes; dampingRatio 0.3; } }"
+        "walls { lid { type plane; point (0 0 %.17g); normal (0 0 -1); } side { type triangles; corners"
+        " ((0.05 -1 -1) (0.05 1 -1) (0.05 1 1)); } }",
+        kn*1e-4, kt*1e-4, R);
+    const struct dem_new_particle seed[2] =
+        {{.position = {0, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "rock"},
+         {.position = {0.05 - R, -0.5, -0.8}, .diameter = 2.0*R, .id = 1, .material = "rock"}};
     struct dem *const d = world(scene, 2, seed);
     const double weight = 9.81*world_ball(R, 2500.0), ktA = kt*1e-4*A, arm = R*R*ktA/(kn*1e-4*I);
 
@@ -337,7 +372,8 @@ static void hanging(void)
     TAP_OK(world_tally(d).bonds == 2, "bonded to a plane and to a triangle");
     TAP_NEAR(p.x[2], -weight/(kn*1e-4*A), 1e-3*weight/(kn*1e-4*A), "one hangs by its elongation");
     /* a cantilever of one element: shear, and the bend by weight times arm that turns the arm */
-    TAP_NEAR(q.x[2] + 0.8, -weight/ktA*(1.0 + arm), 2e-3*weight/ktA*(1.0 + arm), "one is held out by shear and bending");
+    TAP_NEAR(q.x[2] + 0.8, -weight/ktA*(1.0 + arm), 2e-3*weight/ktA*(1.0 + arm),
+             "one is held out by shear and bending");
     dem_free(d);
     free(scene);
 }
@@ -345,9 +381,11 @@ static void hanging(void)
 /* The middle one of five flies out of the domain and is removed; the bonds of the others stay. */
 static void removal(void)
 {
-    char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
-                                   "domain { min (-1 -1 -1); max (1 1 1); leaving remove; }"
-                                   "effects { bondLinear { normalStiffness %g; shearStiffness %g; } }", kn, kt);
+    char *const scene =
+        world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
+                   "domain { min (-1 -1 -1); max (1 1 1); leaving remove; }"
+                   "effects { bondLinear { normalStiffness %g; shearStiffness %g; } }",
+                   kn, kt);
     struct dem_new_particle seed[5];
 
     chain_seeds(seed, 5, 0);
@@ -370,11 +408,18 @@ static void removal(void)
 /* A pair through a periodic face, pulled by its bond and broken: what the list of bonds and that of broken ones say. */
 static void told(double along, double across, int cause, const char *more)
 {
-    char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
-                                   "domain { min (0 0 0); max (%g 0.01 0.01); periodic (x); }"
-                                   "effects { bondLinear { normalStiffness %.17g; shearStiffness %.17g; %s } } time { step 1e-7; }", 5.0*L, kn, kt, more);
-    const struct dem_new_particle seed[2] = {{.position = {0.25*L, 0.005, 0.005}, .diameter = 2.0*R, .id = 4, .material = "rock", .frozen = 1},
-                                     {.position = {4.25*L, 0.005, 0.005}, .diameter = 2.0*R, .id = 7, .material = "rock"}};
+    char *const scene = world_text(
+        "materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
+        "domain { min (0 0 0); max (%g 0.01 0.01); periodic (x); }"
+        "effects { bondLinear { normalStiffness %.17g; shearStiffness %.17g; %s } } time { step 1e-7; }",
+        5.0*L, kn, kt, more);
+    const struct dem_new_particle seed[2] =
+        {{.position = {0.25*L, 0.005, 0.005},
+          .diameter = 2.0*R,
+          .id = 4,
+          .material = "rock",
+          .frozen = 1},
+         {.position = {4.25*L, 0.005, 0.005}, .diameter = 2.0*R, .id = 7, .material = "rock"}};
     struct dem *const d = world(scene, 2, seed);
     const double v[3] = {-along/1e-7, across/1e-7, 0.0}, none[3] = {0.0, 0.0, 0.0};
     const struct dem_bond *bond;
@@ -384,14 +429,18 @@ static void told(double along, double across, int cause, const char *more)
     chain_set(d, 7, v, none);
     world_step(d);
     WORLD_TRY(dem_bonds(d, &n, &bond));
-    TAP_OK(dem_has_bonds(d) && n == 1 && bond->id[0] == 4 && bond->id[1] == 7, "%s: one bond, of 4 and 7", more);
+    TAP_OK(dem_has_bonds(d) && n == 1 && bond->id[0] == 4 && bond->id[1] == 7,
+           "%s: one bond, of 4 and 7", more);
     /* the neighbour through the face is at -0.75 L; moved by along away from it; shear is one of second order longer */
-    TAP_NEAR(bond->branch[0], L + along, 1e-12*L, "%s: drawn to the neighbour through the face", more);
-    TAP_NEAR(bond->force[0], -kn*A*along, 1e-3*kn*A*(along + across), "%s: the lower id is pulled", more);
+    TAP_NEAR(bond->branch[0], L + along, 1e-12*L, "%s: drawn to the neighbour through the face",
+             more);
+    TAP_NEAR(bond->force[0], -kn*A*along, 1e-3*kn*A*(along + across),
+             "%s: the lower id is pulled", more);
     TAP_NEAR(bond->force[1], kt*A*across, 1e-3*kn*A*(along + across), "%s: and sheared", more);
     const double stored = bond->stored;
 
-    TAP_NEAR(stored, 0.5*kn*A*along*along + 0.5*kt*A*across*across, 1e-3*stored, "%s: its energy", more);
+    TAP_NEAR(stored, 0.5*kn*A*along*along + 0.5*kt*A*across*across, 1e-3*stored,
+             "%s: its energy", more);
     WORLD_TRY(dem_broken_bonds(d, &n, &broke));
     TAP_OK(n == 0, "%s: none broken yet", more);
     for (int k = 0; k < 10000 && world_tally(d).broken == 0.0; k++)
@@ -402,7 +451,8 @@ static void told(double along, double across, int cause, const char *more)
     WORLD_TRY(dem_bonds(d, &n, &bond));
     TAP_OK(n == 0, "%s: then none holds", more);
     WORLD_TRY(dem_broken_bonds(d, &n, &broke));
-    TAP_OK(n == 1 && broke->id[0] == 4 && broke->id[1] == 7 && broke->cause == cause, "%s: broken by cause %d", more, cause);
+    TAP_OK(n == 1 && broke->id[0] == 4 && broke->id[1] == 7 && broke->cause == cause,
+           "%s: broken by cause %d", more, cause);
     TAP_NEAR(broke->energy, world_tally(d).lost, 0.0, "%s: with its energy", more);
     TAP_NEAR(broke->time, world_tally(d).time, 1e-12, "%s: at its time", more);
     WORLD_TRY(dem_broken_bonds(d, &n, &broke));
@@ -413,10 +463,12 @@ static void told(double along, double across, int cause, const char *more)
 
 static int64_t lot(int seed, double probability)
 {
-    char *const scene = world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
-                                   "effects { bondLinear { normalStiffness %g; shearStiffness %g; makeDistance 1.05; probability %g; seed %d; } }"
-                                   "insert { all { type lattice; count 1000; diameter 1e-3; spacing 1.02; jitter 0; min (0 0 0);"
-                                   " max (0.01025 0.01025 0.01025); } }", kn, kt, probability, seed);
+    char *const scene = world_text(
+        "materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
+        "effects { bondLinear { normalStiffness %g; shearStiffness %g; makeDistance 1.05; probability %g; seed %d; } }"
+        "insert { all { type lattice; count 1000; diameter 1e-3; spacing 1.02; jitter 0; min (0 0 0);"
+        " max (0.01025 0.01025 0.01025); } }",
+        kn, kt, probability, seed);
     struct dem *const d = world(scene, 0, NULL);
     const int64_t bonds = world_tally(d).bonds;
 
@@ -437,7 +489,8 @@ int main(void)
     objective("a pair", "", 2, 1e-3);
     objective("a chain of 5", "dampingRatio 0.1;", 5, 1e-3);
     objective("a chain of 5 with a share", "dampingShare 0.2;", 5, 1e-3);
-    objective("a chain of 12 that breaks", "normalStrength 4e3; shearStrength 4e3; internalFriction 0.5;", 12, 1e-3);
+    objective("a chain of 12 that breaks",
+              "normalStrength 4e3; shearStrength 4e3; internalFriction 0.5;", 12, 1e-3);
     hand_over();
     /* 3/2 pi w R*; w 2 pi R* d at a tenth of the first overlap */
     shielded("jkr { workOfAdhesion 10; }", 1.5*world_pi*10.0*0.5*R);
@@ -451,7 +504,9 @@ int main(void)
     const int64_t all = lot(1, 1.0), some = lot(1, 0.3);
 
     TAP_OK(all == 2700, "all %d neighbours of a lattice bond", (int)all);
-    TAP_NEAR((double)some, 810.0, 4.0*sqrt(2700.0*0.3*0.7), "of chance 0.3, %d", (int)some);   /* four standard deviations */
-    TAP_OK(lot(1, 0.3) == some && lot(2, 0.3) != some, "the same by the same seed, others by another");
+    TAP_NEAR((double)some, 810.0, 4.0*sqrt(2700.0*0.3*0.7), "of chance 0.3, %d",
+             (int)some);   /* four standard deviations */
+    TAP_OK(lot(1, 0.3) == some && lot(2, 0.3) != some,
+           "the same by the same seed, others by another");
     TAP_DONE;
 }

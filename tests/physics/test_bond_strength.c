@@ -27,11 +27,13 @@ static double lead(struct dem *d, struct motion m, int steps, struct world_parti
         *last = world_at(d, 1);
         /* bent by an angle, the axis of the bond turns by half of it: nothing slips or stretches */
         const double half = 0.5*m.bend*(k + 1), bent = m.bend != 0.0 ? 1.0 : 0.0;
-        const double v[3] = {(m.along + bent*(L*cos(half) - last->x[0]))/dt, (m.across + bent*(L*sin(half) - last->x[1]))/dt, 0.0};
+        const double v[3] = {(m.along + bent*(L*cos(half) - last->x[0]))/dt,
+                             (m.across + bent*(L*sin(half) - last->x[1]))/dt, 0.0};
         const double w[3] = {m.twist/dt, 0.0, m.bend/dt}, none[3] = {0.0, 0.0, 0.0};
 
         chain_set(d, 1, v, w);
-        chain_kick(d, 1, last->f, last->t, -0.5*dt);      /* the half kick to come: it is led, not pushed */
+        chain_kick(d, 1, last->f, last->t,
+                   -0.5*dt);      /* the half kick to come: it is led, not pushed */
         world_step(d);
         if (world_tally(d).broken > 0.0)
         {
@@ -55,32 +57,41 @@ static void limit(const char *what, const char *more, struct motion m, int steps
     struct dem *const d = pair(more, 0.0);
     struct world_particle last;
     const double broke = lead(d, m, steps, &last);
-    const double found = m.along != 0.0 ? fabs(last.f[0]) : m.across != 0.0 ? fabs(last.f[1]) : m.twist != 0.0 ? fabs(last.t[0]) : fabs(last.t[2]);
+    const double found = m.along != 0.0 ? fabs(last.f[0])
+                         : m.across != 0.0 ? fabs(last.f[1])
+                         : m.twist != 0.0 ? fabs(last.t[0])
+                                           : fabs(last.t[2]);
     const struct dem_totals t = world_tally(d);
 
     TAP_OK(broke > 0.0 && t.bonds == 0 && t.stored == 0.0, "%s: breaks", what);
     /* one increment of 1/2000 of the limit before */
-    TAP_NEAR(found, expected*(1.0 - 0.5/2000.0), 1.5/2000.0*expected, "%s: at %.4g", what, expected);
+    TAP_NEAR(found, expected*(1.0 - 0.5/2000.0), 1.5/2000.0*expected, "%s: at %.4g", what,
+             expected);
     TAP_OK(t.lost > 0.0, "%s: %.3g J lost", what, t.lost);
     dem_free(d);
 }
 
 static void limits_of_the_table(void)
 {
-    const double stretch = 2e-5/2000.0, slip = 2.5e-5/2000.0, twist = 7.85398163e-3/(kt*J)/2000.0, bend = 7.85398163e-3/(kn*I)/2000.0;
+    const double stretch = 2e-5/2000.0, slip = 2.5e-5/2000.0,
+                 twist = 7.85398163e-3/(kt*J)/2000.0,
+                 bend = 7.85398163e-3/(kn*I)/2000.0;
 
     limit("tension", limits, (struct motion){.along = stretch}, 3000, 31.4159265);
     limit("shear", "shearStrength 5e6;", (struct motion){.across = slip}, 3000, 15.7079633);
     limit("twist", limits, (struct motion){.twist = twist}, 3000, 7.85398163e-3);
     limit("bending", limits, (struct motion){.bend = bend}, 3000, 7.85398163e-3);
-    limit("tension with a strength ratio", "normalStrength 1e7; strengthRatio 0.3;", (struct motion){.along = 0.3*stretch}, 3000, 9.42477796);
-    limit("compression that counts", "normalStrength 1e7; absNormal yes;", (struct motion){.along = -stretch}, 3000, 31.4159265);
+    limit("tension with a strength ratio", "normalStrength 1e7; strengthRatio 0.3;",
+          (struct motion){.along = 0.3*stretch}, 3000, 9.42477796);
+    limit("compression that counts", "normalStrength 1e7; absNormal yes;",
+          (struct motion){.along = -stretch}, 3000, 31.4159265);
     limit("distance", "breakDistance 1.01;", (struct motion){.along = stretch}, 3000, kn*A*2e-5);
 
     struct dem *const d = pair("normalStrength 1e7;", 0.0);
     struct world_particle last;
 
-    TAP_OK(lead(d, (struct motion){.along = -stretch}, 3000, &last) == 0.0, "compression does not count");
+    TAP_OK(lead(d, (struct motion){.along = -stretch}, 3000, &last) == 0.0,
+           "compression does not count");
     dem_free(d);
 }
 
@@ -107,7 +118,8 @@ static void no_shear_left(void)
     const double broke = lead(d, (struct motion){.along = 8660254.04/kn/2000.0}, 3000, &last);
 
     TAP_OK(broke > 0.0, "tension alone breaks it where no shear strength is left");
-    TAP_NEAR(fabs(last.f[0])/A, 8660254.04*(1.0 - 0.5/2000.0), 1.5/2000.0*8660254.04, "at 8.66 MPa");
+    TAP_NEAR(fabs(last.f[0])/A, 8660254.04*(1.0 - 0.5/2000.0), 1.5/2000.0*8660254.04,
+             "at 8.66 MPa");
     dem_free(d);
 }
 
@@ -119,10 +131,12 @@ static void root_of_a_chain(void)
 
     for (int over = 0; over < 2; over++)
     {
-        const double force[3] = {0.0, 0.0, 0.0413367454*(over ? 1.001 : 0.999)}, none[3] = {0.0, 0.0, 0.0};
+        const double force[3] = {0.0, 0.0, 0.0413367454*(over ? 1.001 : 0.999)},
+                     none[3] = {0.0, 0.0, 0.0};
 
         chain_seeds(seed, bonds + 1, 1);
-        struct dem *const d = bonded(1.0, 0.0, "normalStrength 1e6; dampingRatio 0.5;", bonds + 1, seed);
+        struct dem *const d =
+            bonded(1.0, 0.0, "normalStrength 1e6; dampingRatio 0.5;", bonds + 1, seed);
 
         /* from rest at once it would swing to twice the load: a rise over twelve of its periods */
         for (int k = 0; k < 50000 && world_tally(d).broken == 0.0; k++)
@@ -131,12 +145,15 @@ static void root_of_a_chain(void)
 
             chain_push(d, bonds, now, none);
         }
-        TAP_OK((world_tally(d).broken > 0.0) == over, "a chain at %s of its strength %s", over ? "1.001" : "0.999", over ? "breaks" : "holds");
+        TAP_OK((world_tally(d).broken > 0.0) == over, "a chain at %s of its strength %s",
+               over ? "1.001" : "0.999", over ? "breaks" : "holds");
         if (over)
         {
             const struct world_particle p = world_at(d, 0);
 
-            TAP_OK(world_tally(d).bonds == bonds - 1 && vector_dot(p.f, p.f) + vector_dot(p.t, p.t) == 0.0, "at its root");
+            TAP_OK(world_tally(d).bonds == bonds - 1 &&
+                       vector_dot(p.f, p.f) + vector_dot(p.t, p.t) == 0.0,
+                   "at its root");
         }
         dem_free(d);
     }
@@ -145,10 +162,12 @@ static void root_of_a_chain(void)
 /* Exact at fixed ends: F = F_0 exp(-eta t), E_el = E_0 exp(-2 eta t), E_el + E_d = E_0. */
 static void relaxation(void)
 {
-    static const double times[] = {2e-4, 5e-4, 1e-3, 2e-3}, forces[] = {1.28605926, 0.952736132, 0.577863675, 0.212584166};
+    static const double times[] = {2e-4, 5e-4, 1e-3, 2e-3},
+                        forces[] = {1.28605926, 0.952736132, 0.577863675, 0.212584166};
     static const double stored[] = {5.26468133e-07, 2.88931837e-07, 1.06292083e-07, 1.43850691e-08};
     struct dem *const d = pair("relaxation 1e3;", 5e-7);
-    const double dt = dem_step_limit(d).used, none[3] = {0.0, 0.0, 0.0}, fast[3] = {1e-6/dt, 0.0, 0.0};
+    const double dt = dem_step_limit(d).used, none[3] = {0.0, 0.0, 0.0},
+                 fast[3] = {1e-6/dt, 0.0, 0.0};
     double time = 0.0;
     int next = 0;
 
@@ -164,9 +183,12 @@ static void relaxation(void)
         {
             const struct dem_totals t = world_tally(d);
 
-            TAP_NEAR(fabs(p.f[0]), forces[next], 1e-6*forces[next], "force after %g s", times[next]);        /* eight digits, and the */
-            TAP_NEAR(t.stored, stored[next], 1e-6*stored[next], "stored");                                   /* moves of half kicks   */
-            TAP_NEAR(t.stored + t.lost, 7.85398163e-7, 1e-6*7.85398163e-7, "stored and lost together");
+            TAP_NEAR(fabs(p.f[0]), forces[next], 1e-6*forces[next], "force after %g s",
+                     times[next]);        /* eight digits, and the */
+            TAP_NEAR(t.stored, stored[next], 1e-6*stored[next],
+                     "stored");                                   /* moves of half kicks   */
+            TAP_NEAR(t.stored + t.lost, 7.85398163e-7, 1e-6*7.85398163e-7,
+                     "stored and lost together");
             next++;
         }
         chain_kick(d, 1, p.f, p.t, -0.5*dt);

@@ -21,16 +21,22 @@ static const double R = 0.1, density = 2600.0, height = 0.5, g = 9.80665;
 /* falls from rest; the rows of the table: stiffness, restitution, time, speed, apex, overlap */
 static void bounce(const double *t, int by_coefficient)
 {
-    const double m = world_ball(R, density), k = t[0], L = -log(t[1]), z = L/sqrt(world_pi*world_pi + L*L);
+    const double m = world_ball(R, density), k = t[0], L = -log(t[1]),
+                 z = L/sqrt(world_pi*world_pi + L*L);
     const double step = world_pi*sqrt(m/k)/2000.0;
-    const struct dem_new_particle seed = {.position = {0.0, 0.0, height}, .diameter = 2.0*R, .material = "b"};
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, height},
+                                          .diameter = 2.0*R,
+                                          .material = "b"};
     char damping[80];
 
-    snprintf(damping, sizeof damping, by_coefficient ? "viscous { coefficient %.17g; }" : "dry { restitution %.17g; }",
+    snprintf(damping, sizeof damping,
+             by_coefficient ? "viscous { coefficient %.17g; }" : "dry { restitution %.17g; }",
              by_coefficient ? 2.0*z*sqrt(k*m) : t[1]);
-    char *const scene = world_text("materials { b { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; } %s"
-                                   "gravity { acceleration (0 0 -%.17g); } } time { step %.17g; }"
-                                   "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }", density, k, damping, g, step);
+    char *const scene = world_text(
+        "materials { b { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; } %s"
+        "gravity { acceleration (0 0 -%.17g); } } time { step %.17g; }"
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
+        density, k, damping, g, step);
     struct dem *const d = world(scene, 1, &seed);
     struct world_particle before = world_at(d, 0), now = before;
     double time = 0.0, rebound = 0.0, speed = 0.0, apex = 0.0, deepest = 0.0;
@@ -54,10 +60,12 @@ static void bounce(const double *t, int by_coefficient)
     const char *const what = by_coefficient ? "coefficient" : "restitution";
 
     /* a dashpot is of first order in the step: 1e-4 at t_c/2000 and e = 0.6 */
-    TAP_NEAR(rebound/t[2], 1.0, 1e-3, "k %g N/m, e %g by %s: rebounds after %.6f s", k, t[1], what, rebound);
+    TAP_NEAR(rebound/t[2], 1.0, 1e-3, "k %g N/m, e %g by %s: rebounds after %.6f s", k, t[1],
+             what, rebound);
     TAP_NEAR(speed/t[3], 1.0, 1e-3, "k %g N/m, e %g by %s: at %.5f m/s", k, t[1], what, speed);
     TAP_NEAR(apex/t[4], 1.0, 1e-3, "k %g N/m, e %g by %s: to %.5f m", k, t[1], what, apex);
-    TAP_NEAR(deepest/t[5], 1.0, 1e-3, "k %g N/m, e %g by %s: after %.5f m of overlap", k, t[1], what, deepest);
+    TAP_NEAR(deepest/t[5], 1.0, 1e-3, "k %g N/m, e %g by %s: after %.5f m of overlap", k, t[1],
+             what, deepest);
     free(scene);
     dem_free(d);
 }
@@ -91,11 +99,16 @@ static double leaves(double v, double w, double z)
 /* `steps` a contact time */
 static void hops(double k, double e, double steps)
 {
-    const double m = world_ball(R, density), L = -log(e), z = L/sqrt(world_pi*world_pi + L*L), step = world_pi*sqrt(m/k)/steps;
-    const struct dem_new_particle seed = {.position = {0.0, 0.0, height}, .diameter = 2.0*R, .material = "b"};
-    char *const scene = world_text("materials { b { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; } dry { restitution %g; }"
-                                   "gravity { acceleration (0 0 -%.17g); } } time { step %.17g; }"
-                                   "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }", density, k, e, g, step);
+    const double m = world_ball(R, density), L = -log(e), z = L/sqrt(world_pi*world_pi + L*L),
+                 step = world_pi*sqrt(m/k)/steps;
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, height},
+                                          .diameter = 2.0*R,
+                                          .material = "b"};
+    char *const scene = world_text(
+        "materials { b { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; } dry { restitution %g; }"
+        "gravity { acceleration (0 0 -%.17g); } } time { step %.17g; }"
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
+        density, k, e, g, step);
     struct dem *const d = world(scene, 1, &seed);
     double speed = sqrt(2.0*g*(height - R)), hard = height - R;
 
@@ -116,11 +129,13 @@ static void hops(double k, double e, double steps)
         speed = leaves(speed, sqrt(k/m), z);
         hard *= e*e;
         /* a step of a contact more or less in each speed, so twice that in the height */
-        TAP_NEAR(apex - R, speed*speed/(2.0*g), 2.0*n/steps*(apex - R), "k %g N/m, e %g: hop %d, to %.5f m", k, e, n, apex);
+        TAP_NEAR(apex - R, speed*speed/(2.0*g), 2.0*n/steps*(apex - R),
+                 "k %g N/m, e %g: hop %d, to %.5f m", k, e, n, apex);
         if (k > 1e6)
         {
             /* the weight on the spring takes some of the last, slowest hops */
-            TAP_NEAR(apex, R + hard, 1e-2*apex, "k %g N/m, e %g: hop %d, to R + (h - R) e^(2 n)", k, e, n);
+            TAP_NEAR(apex, R + hard, 1e-2*apex, "k %g N/m, e %g: hop %d, to R + (h - R) e^(2 n)",
+                     k, e, n);
         }
     }
     dem_free(d);
@@ -133,15 +148,19 @@ static void hops(double k, double e, double steps)
    the gap and gives them the half kick of the springs that the start had no force for. */
 static struct dem *squeezed(double e, double share)
 {
-    const double m[2] = {world_ball(5e-4, 2e4), world_ball(5e-4, 1e4)}, step = world_pi*sqrt(m[0]/3.0/1e3)*share;
+    const double m[2] = {world_ball(5e-4, 2e4), world_ball(5e-4, 1e4)},
+                 step = world_pi*sqrt(m[0]/3.0/1e3)*share;
     const double height[2] = {4.5e-4, 1.35e-3}, push[2] = {1e3*(5e-5 - 1e-4), 1e3*(1e-4 - 5e-5)};
-    const struct dem_new_particle seed[2] = {{.position = {0.0, 0.0, 9e-4}, .diameter = 1e-3, .id = 0, .material = "heavy"},
-                                     {.position = {1.05e-3, 0.0, 9e-4}, .diameter = 1e-3, .id = 1, .material = "light"}};
-    char *const scene = world_text("materials { heavy { density 2e4; youngsModulus 1e7; } light { density 1e4; youngsModulus 1e7; } }"
-                                   "effects { hooke { stiffness 1000; } dry { restitution %g; } gravity { acceleration (0 0 -%.17g); } }"
-                                   "time { step %.17g; } neighbours { outerSkin 2; innerSkin 2; }"
-                                   "walls { floor { type plane; material heavy; point (0 0 0); normal (0 0 1); }"
-                                   " lid { type plane; material heavy; point (0 0 1.8e-3); normal (0 0 -1); } }", e, g, step);
+    const struct dem_new_particle seed[2] =
+        {{.position = {0.0, 0.0, 9e-4}, .diameter = 1e-3, .id = 0, .material = "heavy"},
+         {.position = {1.05e-3, 0.0, 9e-4}, .diameter = 1e-3, .id = 1, .material = "light"}};
+    char *const scene = world_text(
+        "materials { heavy { density 2e4; youngsModulus 1e7; } light { density 1e4; youngsModulus 1e7; } }"
+        "effects { hooke { stiffness 1000; } dry { restitution %g; } gravity { acceleration (0 0 -%.17g); } }"
+        "time { step %.17g; } neighbours { outerSkin 2; innerSkin 2; }"
+        "walls { floor { type plane; material heavy; point (0 0 0); normal (0 0 1); }"
+        " lid { type plane; material heavy; point (0 0 1.8e-3); normal (0 0 -1); } }",
+        e, g, step);
     struct dem *const d = world(scene, 2, seed);
     struct dem_view v;
 
@@ -182,7 +201,9 @@ static void squeeze(const double *row, int rows, double share)
 
         for (int i = 0; i < 2; i++)
         {
-            worst = fmax(worst, fabs((1.0 - part)*now[i].x[2] + part*before[i].x[2] - t[2 + i])/1e-3);
+            worst =
+                fmax(worst,
+                     fabs((1.0 - part)*now[i].x[2] + part*before[i].x[2] - t[2 + i])/1e-3);
         }
     }
     /* second order in the step without a dashpot, t_c/50 then; first order with one, t_c/2000 */
@@ -207,8 +228,10 @@ static void squeezes(void)
 
     /* three springs share 0.2 mm and two weights; digits printed */
     TAP_NEAR(5e-4 - lower, 66.752e-6, 1e-9, "at rest: %.3f um at the floor", 1e6*(5e-4 - lower));
-    TAP_NEAR(1e-3 - upper + lower, 66.650e-6, 1e-9, "%.3f um between them", 1e6*(1e-3 - upper + lower));
-    TAP_NEAR(upper + 5e-4 - 1.8e-3, 66.598e-6, 1e-9, "%.3f um at the lid", 1e6*(upper + 5e-4 - 1.8e-3));
+    TAP_NEAR(1e-3 - upper + lower, 66.650e-6, 1e-9, "%.3f um between them",
+             1e6*(1e-3 - upper + lower));
+    TAP_NEAR(upper + 5e-4 - 1.8e-3, 66.598e-6, 1e-9, "%.3f um at the lid",
+             1e6*(upper + 5e-4 - 1.8e-3));
     dem_free(d);
 }
 
@@ -217,15 +240,21 @@ static void cradle(void)
 {
     static const double parted[3] = {-0.130263, 0.150218, 0.980045};
     struct dem_new_particle seed[3];
-    const double m = world_ball(1e-3, 2500.0), k = 1e4, v = 0.1, step = world_pi*sqrt(0.5*m/k)/400.0;
-    char *const scene = world_text("materials { b { density 2500; youngsModulus 1e7; } } effects { hooke { stiffness %g; } }"
-                                   "time { step %.17g; }", k, step);
+    const double m = world_ball(1e-3, 2500.0), k = 1e4, v = 0.1,
+                 step = world_pi*sqrt(0.5*m/k)/400.0;
+    char *const scene = world_text(
+        "materials { b { density 2500; youngsModulus 1e7; } } effects { hooke { stiffness %g; } }"
+        "time { step %.17g; }",
+        k, step);
 
     memset(seed, 0, sizeof seed);
     for (int i = 0; i < 3; i++)
     {
-        seed[i] = (struct dem_new_particle){.position = {2e-3*i, 0.0, 0.0}, .diameter = 2e-3, .id = i, .material = "b",
-                                    .velocity = {i ? 0.0 : v, 0.0, 0.0}};
+        seed[i] = (struct dem_new_particle){.position = {2e-3*i, 0.0, 0.0},
+                                            .diameter = 2e-3,
+                                            .id = i,
+                                            .material = "b",
+                                            .velocity = {i ? 0.0 : v, 0.0, 0.0}};
     }
     struct dem *const d = world(scene, 3, seed);
 
@@ -233,7 +262,8 @@ static void cradle(void)
     for (int i = 0; i < 3; i++)
     {
         /* six digits printed; second order in the step, 1/400, and the start of contacts within a step */
-        TAP_NEAR(world_at(d, i).v[0]/v, parted[i], 2e-3, "cradle: sphere %d leaves with %.4f", i, world_at(d, i).v[0]/v);
+        TAP_NEAR(world_at(d, i).v[0]/v, parted[i], 2e-3, "cradle: sphere %d leaves with %.4f", i,
+                 world_at(d, i).v[0]/v);
     }
     free(scene);
     dem_free(d);

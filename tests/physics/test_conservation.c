@@ -19,7 +19,8 @@ enum
 
 static const double R = 1e-3, E = 1e7, nu = 0.3, speed = 0.5;
 
-static const char material[] = "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }";
+static const char material[] =
+    "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }";
 
 /* A cubic lattice of this pitch, with random velocities and spins, and a pull to the middle [1/s]. */
 static void swarm(struct dem_new_particle *seed, double pitch, double inward)
@@ -66,8 +67,10 @@ static double elastic_energy(const struct world_particle *q)
     {
         for (int b = a + 1; b < N; b++)
         {
-            const double dx = q[a].x[0] - q[b].x[0], dy = q[a].x[1] - q[b].x[1], dz = q[a].x[2] - q[b].x[2];
-            const double square = dx*dx + dy*dy + dz*dz, overlap = square < 4.0*R*R ? 2.0*R - sqrt(square) : 0.0;
+            const double dx = q[a].x[0] - q[b].x[0], dy = q[a].x[1] - q[b].x[1],
+                         dz = q[a].x[2] - q[b].x[2];
+            const double square = dx*dx + dy*dy + dz*dz,
+                         overlap = square < 4.0*R*R ? 2.0*R - sqrt(square) : 0.0;
 
             sum += 0.4*k*overlap*overlap*sqrt(overlap);
         }
@@ -109,27 +112,34 @@ static double largest(const double a[3], const double b[3])
 /* Spheres fill a fifth of the periodic box: many contacts at any time. */
 static void periodic_momentum(void)
 {
-    static const char box[] = "domain { min (0 0 0); max (0.0275 0.0275 0.0275); periodic (x y z); }";
-    struct dem *const d = start("mindlin { friction 0.3; } dry { restitution 0.8; }", box, 0.00275, 0.0);
+    static const char box[] =
+        "domain { min (0 0 0); max (0.0275 0.0275 0.0275); periodic (x y z); }";
+    struct dem *const d =
+        start("mindlin { friction 0.3; } dry { restitution 0.8; }", box, 0.00275, 0.0);
     const struct ledger before = take(d);
 
     world_run(d, 0.01);
     const struct ledger after = take(d);
     const struct dem_totals t = world_tally(d);
 
-    TAP_OK(t.contacts > 50 && t.rebuilds > 3, "periodic: %lld contacts, %lld rebuilds", (long long)t.contacts, (long long)t.rebuilds);
-    TAP_OK(after.kinetic < 0.9*before.kinetic, "periodic: they collide, %.0f %% of the energy is left", 100*after.kinetic/before.kinetic);
+    TAP_OK(t.contacts > 50 && t.rebuilds > 3, "periodic: %lld contacts, %lld rebuilds",
+           (long long)t.contacts, (long long)t.rebuilds);
+    TAP_OK(after.kinetic < 0.9*before.kinetic,
+           "periodic: they collide, %.0f %% of the energy is left",
+           100*after.kinetic/before.kinetic);
     /* 1000 spheres, some 1000 kicks of round-off 1e-16 each of a share of the sum: a random walk */
     TAP_NEAR(largest(after.p, before.p), 0.0, 1e-13*before.p_scale, "periodic: momentum is kept");
     /* the exact sum of the tally against that of this page */
-    TAP_NEAR(largest(t.momentum, after.p), 0.0, 1e-14*before.p_scale, "periodic: the tally has it too");
+    TAP_NEAR(largest(t.momentum, after.p), 0.0, 1e-14*before.p_scale,
+             "periodic: the tally has it too");
     dem_free(d);
 }
 
 /* The same in open space, driven together. */
 static void angular_momentum(void)
 {
-    struct dem *const d = start("mindlin { friction 0.3; } dry { restitution 0.8; }", "", 0.00205, 100.0);
+    struct dem *const d =
+        start("mindlin { friction 0.3; } dry { restitution 0.8; }", "", 0.00205, 100.0);
     const struct ledger before = take(d);
     int64_t most = 0;
     double energy = before.energy;
@@ -150,8 +160,10 @@ static void angular_momentum(void)
 
     TAP_OK(most > 300, "open: driven together, %lld contacts at once", (long long)most);
     TAP_NEAR(largest(after.p, before.p), 0.0, 1e-13*before.p_scale, "open: momentum is kept");
-    TAP_NEAR(largest(after.L, before.L), 0.0, 1e-12*before.L_scale, "open: angular momentum is kept");
-    TAP_OK(grew == 0 && after.energy < 0.8*before.energy, "open: energy only falls, to %.0f %%", 100.0*after.energy/before.energy);
+    TAP_NEAR(largest(after.L, before.L), 0.0, 1e-12*before.L_scale,
+             "open: angular momentum is kept");
+    TAP_OK(grew == 0 && after.energy < 0.8*before.energy, "open: energy only falls, to %.0f %%",
+           100.0*after.energy/before.energy);
     dem_free(d);
 }
 
@@ -179,15 +191,18 @@ static void energy(void)
     }
     /* step t_c/200: leapfrog's energy error is (w dt)^2/8 of what oscillates, w = pi/t_c */
     TAP_NEAR(drift[0], 0.0, 1e-4, "elastic: energy kept within %.1e", drift[0]);
-    TAP_OK(drift[0] > 3.0*drift[1], "elastic: half the step, %.1f times less error", drift[0]/drift[1]);
+    TAP_OK(drift[0] > 3.0*drift[1], "elastic: half the step, %.1f times less error",
+           drift[0]/drift[1]);
 }
 
 /* Bouncing for ever between walls and each other. */
 static void endless(void)
 {
-    char *const scene = world_text("%s effects { hertz {} } walls { box { type box; min (0 0 0); max (0.02 0.02 0.02); } }"
-                                   "insert { gas { type random; count 50; diameter 2e-3; seed 3; min (0 0 0); max (0.02 0.02 0.02);"
-                                   "velocity (0.7 0.5 0.3); } }", material);
+    char *const scene = world_text(
+        "%s effects { hertz {} } walls { box { type box; min (0 0 0); max (0.02 0.02 0.02); } }"
+        "insert { gas { type random; count 50; diameter 2e-3; seed 3; min (0 0 0); max (0.02 0.02 0.02);"
+        "velocity (0.7 0.5 0.3); } }",
+        material);
     struct dem *const d = world(scene, 0, NULL);
     const double before = world_tally(d).kinetic;
     double worst = 0.0, mean = 0.0;
@@ -212,15 +227,28 @@ static void endless(void)
 static void wrapping(void)
 {
     const double v[3] = {3.1, 1.7, 2.3};
-    const struct dem_new_particle seed[3] =
-    {
-        {.position = {1e-3, 1e-3, 1e-3}, .velocity = {3.1, 1.7, 2.3}, .diameter = 2e-3, .id = 0, .material = "glass"},
-        {.position = {6e-3, 6e-3, 6e-3}, .velocity = {3.1, 1.7, 2.3}, .diameter = 2e-3, .id = 1, .material = "glass"},
-        {.position = {7.95e-3, 6e-3, 6e-3}, .velocity = {3.1, 1.7, 2.3}, .diameter = 2e-3, .id = 2, .material = "glass"},
+    const struct dem_new_particle seed[3] = {
+        {.position = {1e-3, 1e-3, 1e-3},
+         .velocity = {3.1, 1.7, 2.3},
+         .diameter = 2e-3,
+         .id = 0,
+         .material = "glass"},
+        {.position = {6e-3, 6e-3, 6e-3},
+         .velocity = {3.1, 1.7, 2.3},
+         .diameter = 2e-3,
+         .id = 1,
+         .material = "glass"},
+        {.position = {7.95e-3, 6e-3, 6e-3},
+         .velocity = {3.1, 1.7, 2.3},
+         .diameter = 2e-3,
+         .id = 2,
+         .material = "glass"},
     };
-    char *const scene = world_text("%s effects { hertz {} mindlin { friction 0.5; } dry { restitution 0; } }"
-                                   "domain { min (0 0 0); max (0.012 0.012 0.012); periodic (x y z); }"
-                                   "time { step 1e-5; }", material);
+    char *const scene =
+        world_text("%s effects { hertz {} mindlin { friction 0.5; } dry { restitution 0; } }"
+                   "domain { min (0 0 0); max (0.012 0.012 0.012); periodic (x y z); }"
+                   "time { step 1e-5; }",
+                   material);
     struct dem *const d = world(scene, 3, seed);
 
     world_run(d, 1.0);                                    /* 250 boxes along x */
@@ -228,15 +256,18 @@ static void wrapping(void)
     const struct dem_totals t = world_tally(d);
 
     /* no force at all: bit for bit */
-    TAP_OK(memcmp(a.v, v, sizeof v) == 0, "wrapping: a free sphere keeps its velocity to the last bit");
+    TAP_OK(memcmp(a.v, v, sizeof v) == 0,
+           "wrapping: a free sphere keeps its velocity to the last bit");
     /* position: 100 000 additions of round-off 1e-18 m, and as many wraps */
     for (int k = 0; k < 3; k++)
     {
         const double at = 1e-3 + v[k], expected = at - 0.012*floor(at/0.012);
 
-        TAP_NEAR(fmod(a.x[k] + 0.012, 0.012), expected, 1e-11, "wrapping: and is where it should be, axis %d", k);
+        TAP_NEAR(fmod(a.x[k] + 0.012, 0.012), expected, 1e-11,
+                 "wrapping: and is where it should be, axis %d", k);
     }
-    TAP_NEAR(0.5*(b.v[0] + c.v[0]), v[0], 1e-12*v[0], "wrapping: a pair that parts keeps its mean velocity");
+    TAP_NEAR(0.5*(b.v[0] + c.v[0]), v[0], 1e-12*v[0],
+             "wrapping: a pair that parts keeps its mean velocity");
     /* pushed apart by an overlap of 5e-5 m with e = 0: they end just apart */
     double r[3];
 
@@ -245,7 +276,8 @@ static void wrapping(void)
         r[k] = c.x[k] - b.x[k];
         r[k] -= 0.012*nearbyint(r[k]/0.012);
     }
-    TAP_OK(t.contacts <= 1 && sqrt(r[0]*r[0] + r[1]*r[1] + r[2]*r[2]) > 1.99e-3, "wrapping: and its distance");
+    TAP_OK(t.contacts <= 1 && sqrt(r[0]*r[0] + r[1]*r[1] + r[2]*r[2]) > 1.99e-3,
+           "wrapping: and its distance");
     TAP_NEAR(fabs(r[1]) + fabs(r[2]), 0.0, 1e-12, "wrapping: and its direction");
     free(scene);
     dem_free(d);

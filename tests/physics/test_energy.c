@@ -14,18 +14,25 @@
 
 static const double R = 1e-3, rho = 2500.0, E = 1e7, nu = 0.3;
 
-static const char glass[] = "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }";
+static const char glass[] =
+    "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }";
 static const char floor_at_0[] = "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }";
 
 static struct dem_new_particle ball(double x, double z, double vx, double vz)
 {
-    return (struct dem_new_particle){.position = {x, 0.0, z}, .velocity = {vx, 0.0, vz}, .diameter = 2.0*R, .id = -1, .material = "glass"};
+    return (struct dem_new_particle){.position = {x, 0.0, z},
+                                     .velocity = {vx, 0.0, vz},
+                                     .diameter = 2.0*R,
+                                     .id = -1,
+                                     .material = "glass"};
 }
 
 /* One sphere over the floor, or whatever `more` puts there. */
-static struct dem *one(const char *effects, const char *more, double step, struct dem_new_particle seed)
+static struct dem *one(const char *effects, const char *more, double step,
+                       struct dem_new_particle seed)
 {
-    char *const scene = world_text("%s effects { %s } %s time { step %.17g; force yes; }", glass, effects, more, step);
+    char *const scene = world_text("%s effects { %s } %s time { step %.17g; force yes; }", glass,
+                                   effects, more, step);
     struct dem *const d = energy_world(scene, 1, &seed);
 
     free(scene);
@@ -75,19 +82,25 @@ static void bounces(void)
 
     coarse = worst_of_bounce("hertz {}", tc/80.0, &term, "elastic_hertz");
     fine = worst_of_bounce("hertz {}", tc/160.0, &term, "elastic_hertz");
-    TAP_OK(coarse < 2e-3 && coarse > 3.5*fine && coarse < 4.5*fine, "elastic: residual %.3g, %.3g at half the step: second order", coarse, fine);
+    TAP_OK(coarse < 2e-3 && coarse > 3.5*fine && coarse < 4.5*fine,
+           "elastic: residual %.3g, %.3g at half the step: second order", coarse, fine);
     TAP_OK(term == 0.0, "nothing is held when it is over");
 
     coarse = worst_of_bounce("hertz {} dry { restitution 0.8; }", tc/200.0, &term, "lost_dry");
     fine = worst_of_bounce("hertz {} dry { restitution 0.8; }", tc/400.0, &term, "lost_dry");
-    TAP_OK(coarse > 1.7*fine && coarse < 2.3*fine, "e = 0.8: residual %.3g, %.3g at half the step: first order", coarse, fine);
-    TAP_NEAR(term/kinetic, 1.0 - 0.64, 1e-3, "e = 0.8: lost 1 - e^2");      /* e itself is 1e-4 off at t_c/400, docs/theory-contact.md */
+    TAP_OK(coarse > 1.7*fine && coarse < 2.3*fine,
+           "e = 0.8: residual %.3g, %.3g at half the step: first order", coarse, fine);
+    TAP_NEAR(term/kinetic, 1.0 - 0.64, 1e-3,
+             "e = 0.8: lost 1 - e^2");      /* e itself is 1e-4 off at t_c/400, docs/theory-contact.md */
 
     /* first loading by k takes all of it to d = v sqrt(m/k); k_2 gives back k/k_2 of it, k_2 = k + (k_m - k) d/d_lim */
-    const double k = 1000.0, d_max = sqrt(mass()/k), d_lim = 4.0/3.0*0.05*2.0*R, k_2 = k*(1.0 + 3.0*d_max/d_lim);
+    const double k = 1000.0, d_max = sqrt(mass()/k), d_lim = 4.0/3.0*0.05*2.0*R,
+                 k_2 = k*(1.0 + 3.0*d_max/d_lim);
 
-    worst_of_bounce("hookeHysteresis { stiffness 1000; unloading 4; }", tc/400.0, &term, "lost_hookeHysteresis");
-    TAP_NEAR(term/kinetic, 1.0 - k/k_2, 1e-3, "plastic: lost the loop of loading and unloading");     /* d_max is seen within a step */
+    worst_of_bounce("hookeHysteresis { stiffness 1000; unloading 4; }", tc/400.0, &term,
+                    "lost_hookeHysteresis");
+    TAP_NEAR(term/kinetic, 1.0 - k/k_2, 1e-3,
+             "plastic: lost the loop of loading and unloading");     /* d_max is seen within a step */
 }
 
 /* Oblique impacts at 2 to 60 degrees; an impact begins with slip, so the spring is loaded before pressure is. */
@@ -98,7 +111,8 @@ static double least_lost(const char *effects, const char *term)
     for (int angle = 2; angle <= 60; angle += 2)
     {
         const double a = angle*world_pi/180.0;
-        struct dem *const d = one(effects, floor_at_0, impact()/200.0, ball(0.0, 1.02*R, sin(a), -cos(a)));
+        struct dem *const d =
+            one(effects, floor_at_0, impact()/200.0, ball(0.0, 1.02*R, sin(a), -cos(a)));
 
         world_run(d, 2.0*impact());
         least = fmin(least, energy_term(d, term)/(0.5*mass()*sin(a)*sin(a)));
@@ -109,9 +123,13 @@ static double least_lost(const char *effects, const char *term)
 
 static void friction_gives_nothing(void)
 {
-    const double incremental = least_lost("hertz {} mindlinIncremental { friction 5; }", "lost_mindlinIncremental");
-    const double linear = least_lost("hooke { stiffness 1000; } linear { friction 5; stiffness 300; }", "lost_linear");
-    TAP_OK(incremental > 0.0, "mindlinIncremental takes at least %.3g of the tangential energy", incremental);
+    const double incremental =
+        least_lost("hertz {} mindlinIncremental { friction 5; }", "lost_mindlinIncremental");
+    const double linear =
+        least_lost("hooke { stiffness 1000; } linear { friction 5; stiffness 300; }",
+                   "lost_linear");
+    TAP_OK(incremental > 0.0, "mindlinIncremental takes at least %.3g of the tangential energy",
+           incremental);
     /* where the spring has just turned back when the contact ends, it has given up to k (s dt)^2/8 more than it held: the step's error.
        Slip is as fast as at first, but for the lever, which is shorter by 0.1 R when pressed most. */
     const double dt = impact()/200.0, overshoot = 300.0*dt*dt/(4.0*mass())/(0.9*0.9);
@@ -124,29 +142,37 @@ static void friction_gives_nothing(void)
 static void slides_and_rolls(void)
 {
     const double v = 0.5;
-    struct dem *d = one("gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.3; }",
-                        floor_at_0, impact()/40.0, ball(0.0, R - sinking(), v, 0.0));
+    struct dem *d = one(
+        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.3; }",
+        floor_at_0, impact()/40.0, ball(0.0, R - sinking(), v, 0.0));
 
     world_run(d, 0.1);
     TAP_NEAR(world_at(d, 0).v[0], 5.0/7.0*v, 1e-3*v, "it rolls at 5/7 v");
     /* slip falls as v - 7/2 mu g t, over a way of v^2/(7 mu g): mu m g s = m v^2/7; the lever is shorter by the overlap of 4e-3 R */
-    TAP_NEAR(energy_term(d, "lost_mindlin")/(mass()*v*v/7.0), 1.0, 5e-3, "sliding: mu m g times the way");
+    TAP_NEAR(energy_term(d, "lost_mindlin")/(mass()*v*v/7.0), 1.0, 5e-3,
+             "sliding: mu m g times the way");
     /* the first half kick comes before any row: there the dashpot alone bears mu m g, which slips at v */
-    TAP_NEAR(energy_term(d, "residual")/(mass()*v*v/7.0), -3.5*0.3*9.81*impact()/40.0/v, 1e-5, "the residual is the first half kick's");
+    TAP_NEAR(energy_term(d, "residual")/(mass()*v*v/7.0),
+             -3.5*0.3*9.81*impact()/40.0/v, 1e-5,
+             "the residual is the first half kick's");
     dem_free(d);
 
     /* 7/10 m v^2; mindlin holds it to rolling without slip */
     struct dem_new_particle rolling = ball(0.0, R - sinking(), 0.05, 0.0);
 
     rolling.spin[1] = 0.05/(R - sinking());
-    d = one("gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.5; } rollingConstant { friction 0.02; }",
-            floor_at_0, impact()/40.0, rolling);
-    const double kinetic = energy_term(d, "kinetic_translation") + energy_term(d, "kinetic_rotation");
+    d = one(
+        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.5; } rollingConstant { friction 0.02; }",
+        floor_at_0, impact()/40.0, rolling);
+    const double kinetic =
+        energy_term(d, "kinetic_translation") + energy_term(d, "kinetic_rotation");
 
     world_run(d, 0.5);
     TAP_OK(energy_term(d, "kinetic_translation") < 1e-6*kinetic, "it has come to rest");
-    TAP_NEAR(energy_term(d, "lost_rollingConstant")/kinetic, 1.0, 2e-3, "rolling to rest: all of its energy");   /* a little goes to the tangential dashpot */
-    TAP_OK(fabs(energy_term(d, "residual")) < 1e-4*kinetic, "residual %.2g of it", energy_term(d, "residual")/kinetic);
+    TAP_NEAR(energy_term(d, "lost_rollingConstant")/kinetic, 1.0, 2e-3,
+             "rolling to rest: all of its energy");   /* a little goes to the tangential dashpot */
+    TAP_OK(fabs(energy_term(d, "residual")) < 1e-4*kinetic, "residual %.2g of it",
+           energy_term(d, "residual")/kinetic);
     dem_free(d);
 }
 
@@ -154,16 +180,21 @@ static void slides_and_rolls(void)
 static void belt(void)
 {
     const double V = 0.5;
-    struct dem *const d = one("gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.3; }",
-                              "walls { belt { type plane; point (0 0 0); normal (0 0 1); surfaceVelocity (0.5 0 0); } }",
-                              impact()/40.0, ball(0.0, R - sinking(), 0.0, 0.0));
+    struct dem *const d = one(
+        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.3; }",
+        "walls { belt { type plane; point (0 0 0); normal (0 0 1); surfaceVelocity (0.5 0 0); } }",
+        impact()/40.0, ball(0.0, R - sinking(), 0.0, 0.0));
     const double unit = mass()*V*V/7.0;
 
     world_run(d, 0.1);
-    TAP_NEAR((energy_term(d, "kinetic_translation") + energy_term(d, "kinetic_rotation"))/unit, 1.0, 1e-2, "belt: motion");
-    TAP_NEAR(energy_term(d, "lost_mindlin")/unit, 1.0, 1e-2, "belt: heat");      /* the lever is shorter by 4e-3 */
-    TAP_NEAR(energy_term(d, "work_walls")/unit, 2.0, 2e-2, "belt: its work");            /* both shares of above */
-    TAP_NEAR(energy_term(d, "residual")/unit, -3.5*0.3*9.81*impact()/40.0/V, 1e-5, "the residual is the first half kick's");
+    TAP_NEAR((energy_term(d, "kinetic_translation") + energy_term(d, "kinetic_rotation"))/unit,
+             1.0, 1e-2, "belt: motion");
+    TAP_NEAR(energy_term(d, "lost_mindlin")/unit, 1.0, 1e-2,
+             "belt: heat");      /* the lever is shorter by 4e-3 */
+    TAP_NEAR(energy_term(d, "work_walls")/unit, 2.0, 2e-2,
+             "belt: its work");            /* both shares of above */
+    TAP_NEAR(energy_term(d, "residual")/unit, -3.5*0.3*9.81*impact()/40.0/V, 1e-5,
+             "the residual is the first half kick's");
     dem_free(d);
 }
 
@@ -174,14 +205,18 @@ static void bond(void)
     /* A = pi r_b^2, stiffness k_n A; it breaks at a stress of sigma: (sigma A)^2/(2 k_n A) */
     const double k_n = 1e9, sigma = 1e4, A = world_pi*R*R, held = sigma*sigma*A/(2.0*k_n);
     struct dem_new_particle pair[2] = {ball(-R, 0.0, -0.2, 0.0), ball(R, 0.0, 0.2, 0.0)};
-    char *const scene = world_text("%s effects { hertz {} bondLinear { normalStiffness %g; shearStiffness %g; normalStrength %g; breakDistance 1.5; } } "
-                                   "time { step 1e-7; }", glass, k_n, k_n, sigma);
+    char *const scene = world_text(
+        "%s effects { hertz {} bondLinear { normalStiffness %g; shearStiffness %g; normalStrength %g; breakDistance 1.5; } } "
+        "time { step 1e-7; }",
+        glass, k_n, k_n, sigma);
     struct dem *const d = energy_world(scene, 2, pair);
 
     world_run(d, 5e-4);
-    TAP_NEAR(energy_term(d, "broken")/held, 1.0, 2e-2, "a bond that breaks loses what it held");   /* a step too late: 0.04 um of 10 um */
+    TAP_NEAR(energy_term(d, "broken")/held, 1.0, 2e-2,
+             "a bond that breaks loses what it held");   /* a step too late: 0.04 um of 10 um */
     TAP_OK(energy_term(d, "elastic_bondLinear") == 0.0, "and holds nothing");
-    TAP_OK(fabs(energy_term(d, "residual")) < 1e-2*held, "residual %.2g of it", energy_term(d, "residual")/held);
+    TAP_OK(fabs(energy_term(d, "residual")) < 1e-2*held, "residual %.2g of it",
+           energy_term(d, "residual")/held);
     dem_free(d);
     free(scene);
 }
@@ -193,35 +228,43 @@ static void fluid(void)
     struct dem *d = one("stokesDrag {}", still, 1e-4, ball(0.0, 0.0, v, 0.0));
 
     world_run(d, 20.0*relaxation);
-    TAP_NEAR(energy_term(d, "lost_stokesDrag")/(0.5*mass()*v*v), 1.0, 1e-9, "drag turns all motion to heat");   /* e^-40 of it is left */
+    TAP_NEAR(energy_term(d, "lost_stokesDrag")/(0.5*mass()*v*v), 1.0, 1e-9,
+             "drag turns all motion to heat");   /* e^-40 of it is left */
     TAP_OK(energy_term(d, "work_stokesDrag") == 0.0, "a fluid at rest does no work");
     dem_free(d);
 
-    d = one("stokesDrag {}", "fluid { density 1; viscosity 1e-3; velocity (0.01 0 0); }", 1e-4, ball(0.0, 0.0, 0.0, 0.0));
+    d = one("stokesDrag {}", "fluid { density 1; viscosity 1e-3; velocity (0.01 0 0); }", 1e-4,
+            ball(0.0, 0.0, 0.0, 0.0));
     world_run(d, 20.0*relaxation);
-    TAP_NEAR(energy_term(d, "work_stokesDrag")/(mass()*v*v), 1.0, 5e-9, "a stream gives m u^2");         /* e^-20 of the slip is left */
-    TAP_NEAR(energy_term(d, "lost_stokesDrag")/(0.5*mass()*v*v), 1.0, 1e-6, "half of it heat");   /* the mean of a kick's ends: (dt/relaxation)^2/12 */
+    TAP_NEAR(energy_term(d, "work_stokesDrag")/(mass()*v*v), 1.0, 5e-9,
+             "a stream gives m u^2");         /* e^-20 of the slip is left */
+    TAP_NEAR(energy_term(d, "lost_stokesDrag")/(0.5*mass()*v*v), 1.0, 1e-6,
+             "half of it heat");   /* the mean of a kick's ends: (dt/relaxation)^2/12 */
     dem_free(d);
 
     /* settling: m g less rho V g over the way */
-    d = one("gravity { acceleration (0 0 -9.81); } stokesDrag {} pressureGradient {}", "fluid { density 1000; viscosity 0.1; }", 1e-5,
-            ball(0.0, 0.0, 0.0, 0.0));
+    d = one("gravity { acceleration (0 0 -9.81); } stokesDrag {} pressureGradient {}",
+            "fluid { density 1000; viscosity 0.1; }", 1e-5, ball(0.0, 0.0, 0.0, 0.0));
     world_run(d, 0.2);
     const double fall = energy_term(d, "gravity");
 
-    TAP_NEAR(energy_term(d, "work_pressureGradient")/fall, 1000.0/rho, 1e-7, "buoyancy does its share of the work");   /* second order: kicks and drifts */
-    TAP_OK(fabs(energy_term(d, "residual")) < 1e-7*fabs(fall), "settling: residual %.2g", energy_term(d, "residual")/fall);   /* of the same order */
+    TAP_NEAR(energy_term(d, "work_pressureGradient")/fall, 1000.0/rho, 1e-7,
+             "buoyancy does its share of the work");   /* second order: kicks and drifts */
+    TAP_OK(fabs(energy_term(d, "residual")) < 1e-7*fabs(fall), "settling: residual %.2g",
+           energy_term(d, "residual")/fall);   /* of the same order */
     dem_free(d);
 }
 
 static void leaving(void)
 {
     struct dem *const d = one("gravity { acceleration (0 0 -9.81); } hertz {}",
-                              "domain { min (-1 -1 -0.1); max (1 1 1); leaving remove; }", 1e-5, ball(0.0, 0.0, 0.3, 0.0));
+                              "domain { min (-1 -1 -0.1); max (1 1 1); leaving remove; }", 1e-5,
+                              ball(0.0, 0.0, 0.3, 0.0));
 
     world_run(d, 0.2);
     TAP_OK(world_tally(d).particles == 0, "it has fallen out");
-    TAP_NEAR(energy_term(d, "left"), 0.5*mass()*0.09 - energy_term(d, "gravity"), 1e-9*energy_term(d, "left"), "and took along what it had");
+    TAP_NEAR(energy_term(d, "left"), 0.5*mass()*0.09 - energy_term(d, "gravity"),
+             1e-9*energy_term(d, "left"), "and took along what it had");
     TAP_OK(fabs(energy_term(d, "residual")) < 1e-9*energy_term(d, "left"), "residual %.2g of it",
            energy_term(d, "residual")/energy_term(d, "left"));
     dem_free(d);
@@ -231,11 +274,13 @@ static void leaving(void)
 
 static struct dem *heap(double step, const char *floor_motion)
 {
-    char *const scene = world_text("%s effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.8; } "
-                                   "mindlin { friction 0.3; } rollingSpring { friction 0.05; } } "
-                                   "walls { cup { type box; min (0 0 0); max (0.012 0.012 0.1); %s } } "
-                                   "insert { bed { type lattice; count 200; diameter 2e-3; min (0 0 0.001); max (0.012 0.012 0.05); } } "
-                                   "time { step %.17g; }", glass, floor_motion, step);
+    char *const scene = world_text(
+        "%s effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.8; } "
+        "mindlin { friction 0.3; } rollingSpring { friction 0.05; } } "
+        "walls { cup { type box; min (0 0 0); max (0.012 0.012 0.1); %s } } "
+        "insert { bed { type lattice; count 200; diameter 2e-3; min (0 0 0.001); max (0.012 0.012 0.05); } } "
+        "time { step %.17g; }",
+        glass, floor_motion, step);
     struct dem *const d = energy_world(scene, 0, NULL);
 
     free(scene);
@@ -257,7 +302,8 @@ static void settles(void)
         dem_free(d);
     }
     /* of first order by dashpots: half expected, and no two runs of a heap are alike */
-    TAP_OK(residual[0] < 1e-3 && residual[1] < residual[0]/1.3, "heap: residual %.2g of its fall, %.2g at half the step", residual[0], residual[1]);
+    TAP_OK(residual[0] < 1e-3 && residual[1] < residual[0]/1.3,
+           "heap: residual %.2g of its fall, %.2g at half the step", residual[0], residual[1]);
 }
 
 static void shakes(const char *motion, const char *what)
@@ -270,14 +316,17 @@ static void shakes(const char *motion, const char *what)
 
         world_run(d, 0.1);
         const double work = energy_term(d, "work_walls");
-        const double heat = energy_term(d, "lost_dry") + energy_term(d, "lost_mindlin") + energy_term(d, "lost_rollingSpring");
+        const double heat = energy_term(d, "lost_dry") + energy_term(d, "lost_mindlin") +
+                            energy_term(d, "lost_rollingSpring");
 
         residual[h] = fabs(energy_term(d, "residual"))/work;
-        TAP_OK(work > 0.0 && heat > 0.5*work, "%s: the walls give %.3g J, heat is %.3g J", what, work, heat);
+        TAP_OK(work > 0.0 && heat > 0.5*work, "%s: the walls give %.3g J, heat is %.3g J", what,
+               work, heat);
         dem_free(d);
     }
-    TAP_OK(residual[0] < 2e-3 && residual[1] < residual[0]/1.3, "%s: residual %.2g of the walls' work, %.2g at half the step", what,
-           residual[0], residual[1]);
+    TAP_OK(residual[0] < 2e-3 && residual[1] < residual[0]/1.3,
+           "%s: residual %.2g of the walls' work, %.2g at half the step", what, residual[0],
+           residual[1]);
 }
 
 /* What the state holds when it is loaded is where the ledger begins; the bits are those of the run without it. */
@@ -288,7 +337,8 @@ static void goes_on(void)
 
     world_run(d, 0.05);
     WORLD_TRY(dem_save(d, file));
-    const double elastic = energy_term(d, "elastic_hertz"), friction = energy_term(d, "elastic_mindlin");
+    const double elastic = energy_term(d, "elastic_hertz"),
+                 friction = energy_term(d, "elastic_mindlin");
 
     world_run(d, 0.02);
     const uint64_t hash = world_hash(d);
@@ -296,10 +346,12 @@ static void goes_on(void)
     dem_free(d);
     for (int watched = 0; watched < 2; watched++)
     {
-        char *const scene = world_text("%s effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.8; } "
-                                       "mindlin { friction 0.3; } rollingSpring { friction 0.05; } } "
-                                       "walls { cup { type box; min (0 0 0); max (0.012 0.012 0.1); "
-                                       "motion { type oscillation; amplitude (0 0 5e-4); frequency 40; } } } time { step 8e-6; }", glass);
+        char *const scene = world_text(
+            "%s effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.8; } "
+            "mindlin { friction 0.3; } rollingSpring { friction 0.05; } } "
+            "walls { cup { type box; min (0 0 0); max (0.012 0.012 0.1); "
+            "motion { type oscillation; amplitude (0 0 5e-4); frequency 40; } } } time { step 8e-6; }",
+            glass);
 
         d = world_begin(scene);
         free(scene);
@@ -311,16 +363,20 @@ static void goes_on(void)
         WORLD_TRY(dem_setup(d));
         if (watched)
         {
-            TAP_NEAR(energy_term(d, "elastic_hertz"), elastic, 1e-12*elastic, "loaded: contacts hold what they held");
+            TAP_NEAR(energy_term(d, "elastic_hertz"), elastic, 1e-12*elastic,
+                     "loaded: contacts hold what they held");
             TAP_NEAR(energy_term(d, "elastic_mindlin"), friction, 2e-2*friction, "friction, too");
             /* those at their limit are cut to it with the dashpot at the velocity of now, not of half a step ago */
-            TAP_OK(energy_term(d, "lost_dry") == 0.0 && energy_term(d, "residual") == 0.0, "and it begins anew");
+            TAP_OK(energy_term(d, "lost_dry") == 0.0 && energy_term(d, "residual") == 0.0,
+                   "and it begins anew");
         }
         world_run(d, 0.02);
-        TAP_OK(world_hash(d) == hash, "the same bits %s the energy balance", watched ? "with" : "without");
+        TAP_OK(world_hash(d) == hash, "the same bits %s the energy balance",
+               watched ? "with" : "without");
         if (watched)
         {
-            TAP_OK(fabs(energy_term(d, "residual")) < 2e-3*energy_term(d, "work_walls"), "residual %.2g of the walls' work",
+            TAP_OK(fabs(energy_term(d, "residual")) < 2e-3*energy_term(d, "work_walls"),
+                   "residual %.2g of the walls' work",
                    energy_term(d, "residual")/energy_term(d, "work_walls"));
         }
         dem_free(d);
@@ -337,8 +393,10 @@ static void order_of_calls(void)
     double since;
     int n;
 
-    TAP_OK(dem_energy_enable(d) != 0 && strstr(dem_error_text(), "before dem_check"), "too late: %s", dem_error_text());
-    TAP_OK(dem_energy(d, &since, &n, &item) != 0 && strstr(dem_error_text(), "dem_energy_enable"), "not asked for: %s", dem_error_text());
+    TAP_OK(dem_energy_enable(d) != 0 && strstr(dem_error_text(), "before dem_check"),
+           "too late: %s", dem_error_text());
+    TAP_OK(dem_energy(d, &since, &n, &item) != 0 && strstr(dem_error_text(), "dem_energy_enable"),
+           "not asked for: %s", dem_error_text());
     dem_free(d);
     free(scene);
 }

@@ -19,12 +19,17 @@ static void swarm(struct dem_new_particle *seed, double pitch, double speed)
     {
         const int at[3] = {k%SIDE, k/SIDE%SIDE, k/(SIDE*SIDE)};
 
-        seed[k] = (struct dem_new_particle){.diameter = 2e-3*(1.0 - 0.2*dem_random_unit(3, (uint64_t)k, 2, 0)), .id = k, .material = "glass"};
+        seed[k] = (struct dem_new_particle){
+            .diameter = 2e-3*
+                        (1.0 - 0.2*dem_random_unit(3, (uint64_t)k, 2, 0)),
+            .id = k,
+            .material = "glass"};
         for (int a = 0; a < 3; a++)
         {
             seed[k].position[a] = pitch*(at[a] + 0.5);
             seed[k].velocity[a] = speed*(2.0*dem_random_unit(7, (uint64_t)k, 0, (uint64_t)a) - 1.0);
-            seed[k].spin[a] = speed/1e-3*(2.0*dem_random_unit(7, (uint64_t)k, 1, (uint64_t)a) - 1.0);
+            seed[k].spin[a] =
+                speed/1e-3*(2.0*dem_random_unit(7, (uint64_t)k, 1, (uint64_t)a) - 1.0);
         }
     }
 }
@@ -47,8 +52,10 @@ static const struct crowd crowds[] = {
     {"hooke { stiffness 2000; }", 0.5, "elastic_hooke", 5e-4, 6.0},
     {"hooke {}", 0.5, "elastic_hooke", 5e-4, 6.0},
     {"hookeHysteresis { stiffness 1000; unloading 4; }", 0.5, "lost_hookeHysteresis", 2e-4, 6.0},
-    {"hookeHysteresis { stiffness 1000; unloading 4; adhesion 0.5; }", 0.5, "lost_hookeHysteresis", 5e-4, 6.0},
-    {"hookeHysteresis { stiffness 200; unloading 4; adhesion 0.5; plasticDepth 0.005; }", 0.5, "lost_hookeHysteresis", 2e-3, 6.0},
+    {"hookeHysteresis { stiffness 1000; unloading 4; adhesion 0.5; }", 0.5, "lost_hookeHysteresis",
+     5e-4, 6.0},
+    {"hookeHysteresis { stiffness 200; unloading 4; adhesion 0.5; plasticDepth 0.005; }", 0.5,
+     "lost_hookeHysteresis", 2e-3, 6.0},
     {"hertz {} sjkr { energyDensity 1e5; }", 0.5, "elastic_sjkr", 2e-4, 6.0},
     {"hertz {} jkr { workOfAdhesion 0.1; }", 0.5, "lost_jkr", 5e-4, 2.2},
     {"hertz {} dry { restitution 0.8; }", 0.5, "lost_dry", 2e-3, 2.5},
@@ -56,38 +63,44 @@ static const struct crowd crowds[] = {
     {"hertz {} dry { restitution 0.5; attraction clamped; }", 0.5, "lost_dry", 2e-3, 2.5},
     {"hooke { stiffness 2000; } viscous { coefficient 0.02; }", 0.5, "lost_viscous", 2e-3, 2.5},
     {"hertz {} stokes { restitution 0.97; viscosity 1e-3; }", 0.5, "lost_stokes", 2e-3, 2.5},
-    {"hertz {} lubrication { viscosity 1e-3; roughness 1e-6; cutOff 1e-5; }", 0.5, "lost_lubrication", 2e-3, 2.5},
+    {"hertz {} lubrication { viscosity 1e-3; roughness 1e-6; cutOff 1e-5; }", 0.5,
+     "lost_lubrication", 2e-3, 2.5},
     {"hertz {} mindlin { friction 0.3; }", 0.5, "lost_mindlin", 5e-4, 2.5},
     {"hertz {} dry { restitution 0.8; } mindlin { friction 0.3; }", 0.5, "lost_mindlin", 2e-3, 2.5},
     {"hertz {} mindlinIncremental { friction 0.3; }", 0.5, "lost_mindlinIncremental", 5e-4, 2.5},
     {"hooke { stiffness 2000; } linear { friction 0.3; }", 0.5, "lost_linear", 2e-3, 2.5},
     {"hertz {} linear { friction 0.3; stiffness 500; }", 0.5, "lost_linear", 2e-3, 2.5},
-    {"hertz {} dry { restitution 0.8; } linear { friction 0.3; ratio 0; }", 0.5, "lost_linear", 2e-3, 2.5},
+    {"hertz {} dry { restitution 0.8; } linear { friction 0.3; ratio 0; }", 0.5, "lost_linear",
+     2e-3, 2.5},
     {"hertz {} rollingConstant { friction 0.2; }", 0.5, "lost_rollingConstant", 2e-3, 2.5},
     {"hertz {} rollingViscous { time 1e-3; }", 0.5, "lost_rollingViscous", 2e-3, 2.5},
     {"hertz {} rollingSpring { friction 0.2; damping 0.3; }", 0.5, "lost_rollingSpring", 5e-4, 2.5},
-    {"hertz {} twistingSpring { friction 0.3; damping 0.3; }", 0.5, "lost_twistingSpring", 5e-4, 2.5},
-    {"hertz {} twistingSpring { friction 0.3; lever reduced; }", 0.5, "lost_twistingSpring", 5e-4, 2.5},
-    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; breakDistance 1.5; }", 0.1,
-     "elastic_bondLinear", 2e-3, 6.0},
-    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; breakDistance 1.5; dampingRatio 0.1; }", 0.1,
-     "lost_bondLinear", 2e-2, 2.5},
-    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; breakDistance 1.5; normalStrength 1e4; }", 0.2,
-     "broken", 2e-3, 6.0},
+    {"hertz {} twistingSpring { friction 0.3; damping 0.3; }", 0.5, "lost_twistingSpring", 5e-4,
+     2.5},
+    {"hertz {} twistingSpring { friction 0.3; lever reduced; }", 0.5, "lost_twistingSpring", 5e-4,
+     2.5},
+    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; breakDistance 1.5; }",
+     0.1, "elastic_bondLinear", 2e-3, 6.0},
+    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; breakDistance 1.5; dampingRatio 0.1; }",
+     0.1, "lost_bondLinear", 2e-2, 2.5},
+    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; breakDistance 1.5; normalStrength 1e4; }",
+     0.2, "broken", 2e-3, 6.0},
 };
 
 /* Share of the kinetic energy at the start: the largest residual of 20 looks, and what is watched. */
 static double run(const struct crowd *w, double step, double *watched)
 {
     static struct dem_new_particle seed[N];
-    char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { %s } "
-                                   "domain { min (0 0 0); max (0.0105 0.0105 0.0105); periodic (x y z); } time { step %.17g; }",
-                                   w->effects, step);
+    char *const scene = world_text(
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { %s } "
+        "domain { min (0 0 0); max (0.0105 0.0105 0.0105); periodic (x y z); } time { step %.17g; }",
+        w->effects, step);
     double worst = 0.0;
 
     swarm(seed, 0.0021, w->speed);
     struct dem *const d = energy_world(scene, N, seed);
-    const double kinetic = energy_term(d, "kinetic_translation") + energy_term(d, "kinetic_rotation");
+    const double kinetic =
+        energy_term(d, "kinetic_translation") + energy_term(d, "kinetic_rotation");
 
     for (int k = 0; k < 20; k++)
     {
@@ -109,8 +122,10 @@ int main(void)
         double watched;
         const double coarse = run(w, 4e-6, &watched), fine = run(w, 1e-6, &watched);
 
-        TAP_OK(coarse < w->most && coarse > w->falls*fine, "%s: residual %.2g, %.2g at a quarter of the step", w->effects, coarse, fine);
-        TAP_OK(strstr(w->watch, "sjkr") ? watched < 0.0 : watched > 1e-4, "%s: %s is %.3g", w->effects, w->watch, watched);
+        TAP_OK(coarse < w->most && coarse > w->falls*fine,
+               "%s: residual %.2g, %.2g at a quarter of the step", w->effects, coarse, fine);
+        TAP_OK(strstr(w->watch, "sjkr") ? watched < 0.0 : watched > 1e-4, "%s: %s is %.3g",
+               w->effects, w->watch, watched);
     }
     TAP_DONE;
 }

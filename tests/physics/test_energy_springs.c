@@ -17,10 +17,13 @@ struct scene
     double density;                                       /* kg/m3 */
 };
 
-static struct dem *start(const struct scene *s, double step, int n, const struct dem_new_particle *seed)
+static struct dem *start(const struct scene *s, double step, int n,
+                         const struct dem_new_particle *seed)
 {
-    char *const text = world_text("materials { glass { density %g; youngsModulus 1e7; poissonsRatio 0.3; } } effects { %s } %s "
-                                  "time { step %.17g; force yes; }", s->density, s->effects, s->more, step);
+    char *const text = world_text(
+        "materials { glass { density %g; youngsModulus 1e7; poissonsRatio 0.3; } } effects { %s } %s "
+        "time { step %.17g; force yes; }",
+        s->density, s->effects, s->more, step);
     struct dem *const d = energy_world(text, n, seed);
 
     free(text);
@@ -38,8 +41,10 @@ static double moves(struct dem *d)
    one it is loaded with all that there was, U^2 m/7 or (2/5 m R^2) w^2/2, and the contact ends. */
 static void quarter(const char *law, const char *term, int spins)
 {
-    const struct scene s = {law, "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }", 2500.0};
-    const double m = world_ball(R, s.density), k = 1000.0, swing = world_pi*sqrt(m/k), V = 0.02, U = 0.1*V;
+    const struct scene s = {law, "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
+                            2500.0};
+    const double m = world_ball(R, s.density), k = 1000.0, swing = world_pi*sqrt(m/k), V = 0.02,
+                 U = 0.1*V;
     double residual[2], lost[2];
 
     for (int h = 0; h < 2; h++)
@@ -50,8 +55,14 @@ static void quarter(const char *law, const char *term, int spins)
         residual[h] = lost[h] = 0.0;
         for (int phase = 0; phase < 8; phase++)
         {
-            const struct dem_new_particle seed = {.position = {0.0, 0.0, R + V*step*(phase + 0.5)/8.0}, .velocity = {spins ? 0.0 : U, 0.0, -V},
-                                          .spin = {0.0, spins ? U/R : 0.0, 0.0}, .diameter = 2.0*R, .id = -1, .material = "glass"};
+            const struct dem_new_particle seed = {
+                .position = {0.0, 0.0,
+                             R + V*step*(phase + 0.5)/8.0},
+                .velocity = {spins ? 0.0 : U, 0.0, -V},
+                .spin = {0.0, spins ? U/R : 0.0, 0.0},
+                .diameter = 2.0*R,
+                .id = -1,
+                .material = "glass"};
             struct dem *const d = start(&s, step, 1, &seed);
 
             world_run(d, 1.05*swing);
@@ -62,8 +73,10 @@ static void quarter(const char *law, const char *term, int spins)
         }
     }
     /* the spring turns back as the contact ends, a step or so off: (pi/400)^2. Of slip the lever is shorter by the overlap, 2e-3 R at most */
-    TAP_NEAR(lost[1], 1.0, spins ? 2e-4 : 2e-3, "%s: all is lost at the end, %.5f, %.5f at half the step", term, lost[0], lost[1]);
-    TAP_OK(residual[1] < residual[0]/1.8, "the residual is %.2g of m U^2, %.2g at half the step", residual[0], residual[1]);
+    TAP_NEAR(lost[1], 1.0, spins ? 2e-4 : 2e-3,
+             "%s: all is lost at the end, %.5f, %.5f at half the step", term, lost[0], lost[1]);
+    TAP_OK(residual[1] < residual[0]/1.8, "the residual is %.2g of m U^2, %.2g at half the step",
+           residual[0], residual[1]);
 }
 
 /* ---- oblique impacts ----------------------------------------------------------------------------------------- */
@@ -82,9 +95,16 @@ static void impacts(const struct scene *s, double step, double other, double res
     for (int angle = 5; angle <= 65; angle += 5)
     {
         const double a = angle*world_pi/180.0, phase = (n*0.618034 - floor(n*0.618034))*step;
-        const struct dem_new_particle seed[2] = {{.position = {0.0, 0.0, R + phase}, .velocity = {sin(a), 0.0, -cos(a)}, .spin = {200.0, -100.0, 300.0},
-                                          .diameter = 2.0*R, .id = -1, .material = "glass"},
-                                         {.position = {0.0, 0.0, -other}, .diameter = 2.0*other, .id = -1, .material = "glass"}};
+        const struct dem_new_particle seed[2] = {{.position = {0.0, 0.0, R + phase},
+                                                  .velocity = {sin(a), 0.0, -cos(a)},
+                                                  .spin = {200.0, -100.0, 300.0},
+                                                  .diameter = 2.0*R,
+                                                  .id = -1,
+                                                  .material = "glass"},
+                                                 {.position = {0.0, 0.0, -other},
+                                                  .diameter = 2.0*other,
+                                                  .id = -1,
+                                                  .material = "glass"}};
         struct dem *const d = start(s, step, other > 0.0 ? 2 : 1, seed);
         const double before = moves(d);
 
@@ -107,20 +127,32 @@ static void oblique(const char *what, const struct scene *s, double other)
 
     impacts(s, tc/20.0, other, coarse);
     impacts(s, tc/80.0, other, fine);
-    TAP_OK(coarse[1] < 1e-2, "%s: motion loses what is booked, to %.2g at worst at the automatic step", what, coarse[1]);
+    TAP_OK(coarse[1] < 1e-2,
+           "%s: motion loses what is booked, to %.2g at worst at the automatic step", what,
+           coarse[1]);
     /* dashpots are of first order: 4 expected, with what is of second more */
-    TAP_OK(fine[0] < coarse[0]/3.0, "to %.2g in the mean of impacts, %.2g at a quarter of the step", coarse[0], fine[0]);
+    TAP_OK(fine[0] < coarse[0]/3.0,
+           "to %.2g in the mean of impacts, %.2g at a quarter of the step", coarse[0], fine[0]);
 }
 
 /* ---- rolling to rest ----------------------------------------------------------------------------------------- */
 
 static double rolls(double step, double *lost)
 {
-    const struct scene s = {"gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.5; } "
-                            "rollingSpring { friction 0.05; damping 0.3; }", "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }", 2500.0};
-    const double m = world_ball(R, s.density), sinks = pow(m*9.81/(4.0/3.0*0.5*E/(1.0 - nu*nu)*sqrt(R)), 2.0/3.0), v = 0.05;
-    const struct dem_new_particle seed = {.position = {0.0, 0.0, R - sinks}, .velocity = {v, 0.0, 0.0}, .spin = {0.0, v/(R - sinks), 0.0},
-                                  .diameter = 2.0*R, .id = -1, .material = "glass"};
+    const struct scene s = {
+        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.5; } "
+        "rollingSpring { friction 0.05; damping 0.3; }",
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }", 2500.0};
+    const double m = world_ball(R, s.density),
+                 sinks =
+                     pow(m*9.81/(4.0/3.0*0.5*E/(1.0 - nu*nu)*sqrt(R)), 2.0/3.0),
+                 v = 0.05;
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, R - sinks},
+                                          .velocity = {v, 0.0, 0.0},
+                                          .spin = {0.0, v/(R - sinks), 0.0},
+                                          .diameter = 2.0*R,
+                                          .id = -1,
+                                          .material = "glass"};
     struct dem *const d = start(&s, step, 1, &seed);
     const double before = moves(d);
 
@@ -135,20 +167,35 @@ static double rolls(double step, double *lost)
 
 int main(void)
 {
-    static const char floor_at_0[] = "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }";
-    static const char in_water[] = "walls { floor { type plane; point (0 0 0); normal (0 0 1); } } fluid { density 1000; viscosity 1e-6; }";
-    const struct scene linear = {"hooke { stiffness 1000; } dry { restitution 0.8; } linear { friction 0.3; }", floor_at_0, 2500.0};
-    const struct scene mindlin = {"hertz {} dry { restitution 0.8; } mindlin { friction 0.3; }", floor_at_0, 2500.0};
-    const struct scene pair = {"hertz {} dry { restitution 0.8; } mindlin { friction 0.3; }", "", 2500.0};
-    const struct scene brittle = {"hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } bondLinear { make always; normalStiffness 1e9; "
-                                  "shearStiffness 1e9; shearStrength 1e-3; }", "", 2500.0};
-    const struct scene bubble = {"hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } virtualMass {}", in_water, 1.2};
-    const struct scene moments = {"hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } rollingSpring { friction 0.2; damping 0.3; } "
-                                  "twistingSpring { friction 0.3; damping 0.3; }", floor_at_0, 2500.0};
+    static const char floor_at_0[] =
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }";
+    static const char in_water[] =
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } } fluid { density 1000; viscosity 1e-6; }";
+    const struct scene linear =
+        {"hooke { stiffness 1000; } dry { restitution 0.8; } linear { friction 0.3; }", floor_at_0,
+         2500.0};
+    const struct scene mindlin = {"hertz {} dry { restitution 0.8; } mindlin { friction 0.3; }",
+                                  floor_at_0, 2500.0};
+    const struct scene pair = {"hertz {} dry { restitution 0.8; } mindlin { friction 0.3; }", "",
+                               2500.0};
+    const struct scene brittle = {
+        "hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } bondLinear { make always; normalStiffness 1e9; "
+        "shearStiffness 1e9; shearStrength 1e-3; }",
+        "", 2500.0};
+    const struct scene bubble =
+        {"hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } virtualMass {}", in_water,
+         1.2};
+    const struct scene moments = {
+        "hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } rollingSpring { friction 0.2; damping 0.3; } "
+        "twistingSpring { friction 0.3; damping 0.3; }",
+        floor_at_0, 2500.0};
 
     TAP_TRAPS;
-    quarter("hooke { stiffness 1000; } linear { friction 100; ratio 0.071428571428571428; tangentialDamping no; }", "lost_linear", 0);
-    quarter("hooke { stiffness 1000; } rollingSpring { friction 10; stiffness 0.1; }", "lost_rollingSpring", 1);
+    quarter(
+        "hooke { stiffness 1000; } linear { friction 100; ratio 0.071428571428571428; tangentialDamping no; }",
+        "lost_linear", 0);
+    quarter("hooke { stiffness 1000; } rollingSpring { friction 10; stiffness 0.1; }",
+            "lost_rollingSpring", 1);
     oblique("linear springs", &linear, 0.0);
     oblique("Hertz and Mindlin", &mindlin, 0.0);
     oblique("two sizes", &pair, 0.5*R);
@@ -161,11 +208,17 @@ int main(void)
     const double m = world_ball(R, brittle.density);
 
     impacts(&brittle, impact(0.5*m, 0.5*R)/80.0, R, broken);
-    TAP_OK(broken[1] < 1e-2, "bonds that break in the step that makes them: motion loses what is booked, to %.2g at worst", broken[1]);
+    TAP_OK(
+        broken[1] < 1e-2,
+        "bonds that break in the step that makes them: motion loses what is booked, to %.2g at worst",
+        broken[1]);
 
     const double fine = rolls(2e-6, &lost), coarse = rolls(8e-6, &lost);
 
-    TAP_NEAR(lost, 1.0, 1e-3, "rolling to rest: all goes to the spring and its dashpot");          /* a little to friction's dashpot */
-    TAP_OK(coarse < 1e-3 && fine < coarse/3.0, "the residual is %.2g of its motion, %.2g at a quarter of the step", coarse, fine);
+    TAP_NEAR(
+        lost, 1.0, 1e-3,
+        "rolling to rest: all goes to the spring and its dashpot");          /* a little to friction's dashpot */
+    TAP_OK(coarse < 1e-3 && fine < coarse/3.0,
+           "the residual is %.2g of its motion, %.2g at a quarter of the step", coarse, fine);
     TAP_DONE;
 }

@@ -28,7 +28,11 @@ static void fill(void)
     {
         struct dem_new_particle *const s = &seed[i];
 
-        *s = (struct dem_new_particle){.position = {-4.2e-3 + 1.2e-3*(i%8), -4.2e-3 + 1.2e-3*(i/8), 3e-4}, .diameter = 1e-3, .id = i, .material = "glass"};
+        *s = (struct dem_new_particle){.position = {-4.2e-3 + 1.2e-3*(i%8),
+                                                    -4.2e-3 + 1.2e-3*(i/8), 3e-4},
+                                       .diameter = 1e-3,
+                                       .id = i,
+                                       .material = "glass"};
         for (int k = 0; k < 2; k++)
         {
             s->velocity[k] = 0.4*(dem_random_unit(1, (uint64_t)i, 0, (uint64_t)k) - 0.5);
@@ -45,7 +49,10 @@ static void add_tube(struct dem *d)
     for (int s = 0; s < SIDES; s++)
     {
         const double a = 2.0*world_pi*s/SIDES, b = 2.0*world_pi*(s + 1)/SIDES, r = 7.1e-3;
-        const double p[4][3] = {{r*cos(a), r*sin(a), -1.3e-3}, {r*cos(b), r*sin(b), -1.3e-3}, {r*cos(b), r*sin(b), 1.7e-3}, {r*cos(a), r*sin(a), 1.7e-3}};
+        const double p[4][3] = {{r*cos(a), r*sin(a), -1.3e-3},
+                                {r*cos(b), r*sin(b), -1.3e-3},
+                                {r*cos(b), r*sin(b), 1.7e-3},
+                                {r*cos(a), r*sin(a), 1.7e-3}};
         const int corner[6] = {0, 1, 2, 0, 2, 3};
 
         for (int k = 0; k < 18; k++)
@@ -107,13 +114,16 @@ int main(void)
     struct dem *const flat = tube("z (-1e-4 7e-4); flat (z);", -5.0);
 
     world_run(flat, 0.1);
-    TAP_OK(off_plane(flat, 0.5*(-1e-4 + 7e-4)) == 0.0, "in a crooked tube, pulled across, all stay in the plane with every bit");
+    TAP_OK(off_plane(flat, 0.5*(-1e-4 + 7e-4)) == 0.0,
+           "in a crooked tube, pulled across, all stay in the plane with every bit");
     TAP_OK(world_at(flat, 0).x[1] < -3.5e-3, "they have fallen");
-    TAP_OK(fabs(energy_term(flat, "residual")) <= 1e-3*fabs(energy_term(flat, "gravity")), "the energy balance closes");      /* 1.8e-4, as in three dimensions */
+    TAP_OK(fabs(energy_term(flat, "residual")) <= 1e-3*fabs(energy_term(flat, "gravity")),
+           "the energy balance closes");      /* 1.8e-4, as in three dimensions */
 
     WORLD_TRY(dem_save(flat, "flat.dem"));
     world_run(flat, 0.02);
-    struct dem *const again = world_begin(world_text("%s domain { z (-1e-4 7e-4); flat (z); }", world_text(physics, -5.0)));
+    struct dem *const again = world_begin(
+        world_text("%s domain { z (-1e-4 7e-4); flat (z); }", world_text(physics, -5.0)));
 
     add_tube(again);
     WORLD_TRY(dem_load(again, "flat.dem"));
@@ -125,7 +135,8 @@ int main(void)
     /* planes turn nothing out of the plane: what is flat is what three dimensions do */
     const char *const box = "walls { box { type box; min (-6e-3 -6e-3 -1); max (6e-3 6e-3 1); } }";
     char *const scene = world_text(physics, 0.0);
-    struct dem *const two = world(world_text("%s %s domain { z (-1e-4 7e-4); flat (z); }", scene, box), N, seed);
+    struct dem *const two =
+        world(world_text("%s %s domain { z (-1e-4 7e-4); flat (z); }", scene, box), N, seed);
     struct dem *const three = world(world_text("%s %s", scene, box), N, seed);
 
     world_run(two, 0.1);
@@ -134,9 +145,12 @@ int main(void)
     TAP_OK(world_at(two, 0).v[0] != 0.0, "where something happens");
 
     /* a stream whose mouth is thicker than the slab of a sphere, and whose velocities scatter */
-    struct dem *const stream = world(world_text("%s domain { z (-9e-4 1.5e-3); flat (z); } insert { rain { type stream; diameter 1e-3;"
-        " count 60; rate 3000; velocity (0.1 -0.3 0); spread (0.02 0.02 0.02); min (-5e-3 -5e-3 -9e-4); max (5e-3 5e-3 1.5e-3); } }",
-        world_text(physics, -5.0)), 0, NULL);
+    struct dem *const stream = world(
+        world_text(
+            "%s domain { z (-9e-4 1.5e-3); flat (z); } insert { rain { type stream; diameter 1e-3;"
+            " count 60; rate 3000; velocity (0.1 -0.3 0); spread (0.02 0.02 0.02); min (-5e-3 -5e-3 -9e-4); max (5e-3 5e-3 1.5e-3); } }",
+            world_text(physics, -5.0)),
+        0, NULL);
 
     world_run(stream, 0.1);
     TAP_OK(off_plane(stream, 0.5*(-9e-4 + 1.5e-3)) == 0.0, "a stream lets in onto the plane");

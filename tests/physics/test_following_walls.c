@@ -29,7 +29,8 @@ static void place(struct floor *f, double time)
     }
 }
 
-static struct floor make_floor(double half, double size, void (*how)(double, const double *, double *))
+static struct floor make_floor(double half, double size,
+                               void (*how)(double, const double *, double *))
 {
     struct floor f = {.new = mesh_floor(-half, half, size), .place = how};
 
@@ -50,11 +51,14 @@ static double rest_height(void)
 }
 
 /* begun at `time`, where the floor may have moved already; from a snapshot or with a sphere */
-static struct dem *begin(struct floor *f, const char *more, const struct dem_new_particle *seed, double time, const char *snapshot)
+static struct dem *begin(struct floor *f, const char *more, const struct dem_new_particle *seed,
+                         double time, const char *snapshot)
 {
-    char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } rigid { density 1;"
-                                   " youngsModulus 1e30; } } effects { hertz {} dry { restitution 0.3; } mindlin { friction 0.2; }"
-                                   " gravity { acceleration (0 0 -9.81); } } time { step 4e-6; } %s", more);
+    char *const scene = world_text(
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } rigid { density 1;"
+        " youngsModulus 1e30; } } effects { hertz {} dry { restitution 0.3; } mindlin { friction 0.2; }"
+        " gravity { acceleration (0 0 -9.81); } } time { step 4e-6; } %s",
+        more);
     struct dem *const d = world_begin(scene);
 
     WORLD_TRY(dem_add_wall(d, "floor", "rigid", (int64_t)f->new.n, f->new.corner));
@@ -115,7 +119,9 @@ static void turns(double t, const double new[3], double now[3])
 /* a mesa: what is within 6 mm of x = 0 rises, and what is further away than 12 mm stays */
 static void bulges(double t, const double new[3], double now[3])
 {
-    const double far = fabs(new[0]), share = far < 6e-3 ? 1.0 : far > 12e-3 ? 0.0 : (12e-3 - far)/6e-3;
+    const double far = fabs(new[0]), share = far < 6e-3 ? 1.0
+                                             : far > 12e-3 ? 0.0
+                                                           : (12e-3 - far)/6e-3;
 
     memcpy(now, new, 3*sizeof *now);
     now[2] += 0.05*t*share;
@@ -136,9 +142,12 @@ static void creeps(double t, const double new[3], double now[3])
 
 /* ---- what a sphere does on it -------------------------------------------------------------------------------------- */
 
-static void ride(void (*how)(double, const double *, double *), double x, double y, const char *what)
+static void ride(void (*how)(double, const double *, double *), double x, double y,
+                 const char *what)
 {
-    const struct dem_new_particle seed = {.position = {x, y, rest_height()}, .diameter = 2.0*R, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {x, y, rest_height()},
+                                          .diameter = 2.0*R,
+                                          .material = "glass"};
     struct floor f = make_floor(0.018, 3e-3, how);
     struct dem *const d = begin(&f, "", &seed, 0.0, NULL);
     double force[3];
@@ -162,14 +171,18 @@ static void belt(void)
 {
     static const double V = 0.1, mu = 0.2;
     const double slides = window*floor(V/(3.5*mu*g)/window);
-    const struct dem_new_particle seed = {.position = {0.0, 0.0, rest_height()}, .diameter = 2.0*R, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, rest_height()},
+                                          .diameter = 2.0*R,
+                                          .material = "glass"};
     struct floor f = make_floor(0.03, 5e-3, runs);
     struct dem *const d = begin(&f, "", &seed, 0.0, NULL);
 
     run(d, &f, 0.5*slides);
-    TAP_NEAR(world_at(d, 0).v[0], mu*g*world_tally(d).time, 2e-3*V, "on a floor that runs: sliding, it gains mu g t");
+    TAP_NEAR(world_at(d, 0).v[0], mu*g*world_tally(d).time, 2e-3*V,
+             "on a floor that runs: sliding, it gains mu g t");
     run(d, &f, slides);
-    TAP_NEAR(world_at(d, 0).v[0], 2.0/7.0*V, 2e-3*V, "on a floor that runs: later it rolls at 2/7 of its velocity");
+    TAP_NEAR(world_at(d, 0).v[0], 2.0/7.0*V, 2e-3*V,
+             "on a floor that runs: later it rolls at 2/7 of its velocity");
     dem_free(d);
     free_floor(&f);
 }
@@ -177,20 +190,27 @@ static void belt(void)
 static void turntable(void)
 {
     static const double omega = 8.0, far = 0.01;
-    const struct dem_new_particle seed = {.position = {far, 0.0, rest_height()}, .velocity = {0.0, omega*far, 0.0}, .spin = {0.0, 0.0, omega},
-                                  .diameter = 2.0*R, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {far, 0.0, rest_height()},
+                                          .velocity = {0.0, omega*far, 0.0},
+                                          .spin = {0.0, 0.0, omega},
+                                          .diameter = 2.0*R,
+                                          .material = "glass"};
     struct floor f = make_floor(0.08, 2e-2, turns);
     struct dem *const d = begin(&f, "", &seed, 0.0, NULL);
 
     run(d, &f, 2.0*world_pi/omega);
     const struct world_particle p = world_at(d, 0);
-    const double arm = rest_height()/R, slower = 0.4/(0.4 + arm*arm), angle = slower*omega*world_tally(d).time;
+    const double arm = rest_height()/R, slower = 0.4/(0.4 + arm*arm),
+                 angle = slower*omega*world_tally(d).time;
     const double centre = far*(1.0 - 1.0/slower);
 
     /* chord for circle: (omega window)^2/8 = 3e-7; the rest as in test_moving_walls */
-    TAP_NEAR(p.x[0], centre + (far - centre)*cos(angle), 5e-4*far, "on a turntable: on its circle after a turn, x");
-    TAP_NEAR(p.x[1], (far - centre)*sin(angle), 5e-4*far, "on a turntable: on its circle after a turn, y");
-    TAP_NEAR(p.w[2], omega, 1e-6*omega, "on a turntable: the spin about the normal stays what it was");
+    TAP_NEAR(p.x[0], centre + (far - centre)*cos(angle), 5e-4*far,
+             "on a turntable: on its circle after a turn, x");
+    TAP_NEAR(p.x[1], (far - centre)*sin(angle), 5e-4*far,
+             "on a turntable: on its circle after a turn, y");
+    TAP_NEAR(p.w[2], omega, 1e-6*omega,
+             "on a turntable: the spin about the normal stays what it was");
     dem_free(d);
     free_floor(&f);
 }
@@ -198,7 +218,9 @@ static void turntable(void)
 /* friction on a sphere at 4 mm, while its spring holds */
 static double pulled(void (*how)(double, const double *, double *))
 {
-    const struct dem_new_particle seed = {.position = {4e-3, 0.0, rest_height()}, .diameter = 2.0*R, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {4e-3, 0.0, rest_height()},
+                                          .diameter = 2.0*R,
+                                          .material = "glass"};
     struct floor f = make_floor(0.02, 0.05, how);
     struct dem *const d = begin(&f, "", &seed, 0.0, NULL);
 
@@ -217,7 +239,8 @@ static void stretch(void)
 
     TAP_OK(fabs(due) > 1e-7, "a floor that creeps pulls");
     /* the stretching itself changes the velocity by 0.05 t = 2e-5 of it, and the spring rings: this is a tenth of its largest force */
-    TAP_NEAR(pulled(stretches), due, 1e-4*fabs(due), "a floor that stretches pulls as fast as it moves there");
+    TAP_NEAR(pulled(stretches), due, 1e-4*fabs(due),
+             "a floor that stretches pulls as fast as it moves there");
 }
 
 /* ---- what must not matter ------------------------------------------------------------------------------------------ */
@@ -232,7 +255,10 @@ static void wanders(double t, const double new[3], double now[3])
 
 static uint64_t wander(const char *more, double stop)
 {
-    const struct dem_new_particle seed = {.position = {3e-3, 1e-3, rest_height()}, .velocity = {0.02, 0.05, 0.0}, .diameter = 2.0*R, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {3e-3, 1e-3, rest_height()},
+                                          .velocity = {0.02, 0.05, 0.0},
+                                          .diameter = 2.0*R,
+                                          .material = "glass"};
     const char *const file = "/tmp/test_following_walls.dem";
     struct floor f = make_floor(0.018, 3e-3, wanders);
     struct dem *d = begin(&f, more, &seed, 0.0, NULL);
@@ -260,20 +286,27 @@ static uint64_t wander(const char *more, double stop)
 
 static void refusals(void)
 {
-    const struct dem_new_particle seed = {.position = {0.0, 0.0, 2.0*R}, .diameter = 2.0*R, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, 2.0*R},
+                                          .diameter = 2.0*R,
+                                          .material = "glass"};
     struct floor f = make_floor(0.02, 5e-3, rises);
     struct dem *const d = begin(&f, "", &seed, 0.0, NULL);
 
     place(&f, 0.01);
-    TAP_OK(dem_wall_move(d, "floor", (int64_t)f.now.n - 1, f.now.corner) && strstr(dem_error_text(), "its faces must stay the same"),
+    TAP_OK(dem_wall_move(d, "floor", (int64_t)f.now.n - 1, f.now.corner) &&
+               strstr(dem_error_text(), "its faces must stay the same"),
            "another number of triangles is refused: %s", dem_error_text());
-    TAP_OK(dem_wall_move(d, "flor", (int64_t)f.now.n, f.now.corner) && strstr(dem_error_text(), "no wall flor"), "and a wall that is none");
+    TAP_OK(dem_wall_move(d, "flor", (int64_t)f.now.n, f.now.corner) &&
+               strstr(dem_error_text(), "no wall flor"),
+           "and a wall that is none");
     f.now.corner[7] = NAN;
-    TAP_OK(dem_wall_move(d, "floor", (int64_t)f.now.n, f.now.corner) && strstr(dem_error_text(), "not a number"),
+    TAP_OK(dem_wall_move(d, "floor", (int64_t)f.now.n, f.now.corner) &&
+               strstr(dem_error_text(), "not a number"),
            "a corner that is no number is refused: %s", dem_error_text());
     place(&f, 1.0);
     WORLD_TRY(dem_wall_move(d, "floor", (int64_t)f.now.n, f.now.corner));
-    TAP_OK(dem_advance(d, 4e-6) && strstr(dem_error_text(), "a wall moves by"), "one that is too fast for the step, too: %s", dem_error_text());
+    TAP_OK(dem_advance(d, 4e-6) && strstr(dem_error_text(), "a wall moves by"),
+           "one that is too fast for the step, too: %s", dem_error_text());
     dem_free(d);
     free_floor(&f);
 }
@@ -290,7 +323,8 @@ int main(void)
     const uint64_t straight = wander("", 0.0);
 
     TAP_OK(wander("", 0.04) == straight, "a restart has the bits of a straight run");
-    TAP_OK(wander("neighbours { outerSkin 0.1; innerSkin 0.01; }", 0.0) == straight, "the skins change nothing");
+    TAP_OK(wander("neighbours { outerSkin 0.1; innerSkin 0.01; }", 0.0) == straight,
+           "the skins change nothing");
     refusals();
     TAP_DONE;
 }

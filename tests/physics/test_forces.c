@@ -18,10 +18,12 @@ enum
 
 static double fall(double density, const char *added, double step, double time)
 {
-    char *const scene = world_text("materials { bead { density %g; youngsModulus 1e5; } }"
-                                   "effects { schillerNaumann {} pressureGradient {} gravity { acceleration (0 0 -9.81); } %s }"
-                                   "fluid { density 1000; viscosity 1e-3; } time { step %g; }"
-                                   "insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }", density, added, step);
+    char *const scene = world_text(
+        "materials { bead { density %g; youngsModulus 1e5; } }"
+        "effects { schillerNaumann {} pressureGradient {} gravity { acceleration (0 0 -9.81); } %s }"
+        "fluid { density 1000; viscosity 1e-3; } time { step %g; }"
+        "insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }",
+        density, added, step);
     struct dem *const d = world(scene, 0, NULL);
 
     world_run(d, time);
@@ -43,24 +45,30 @@ static void settles(void)
         const double *const row = table + COLUMNS*k;
         /* drag's coefficient is that of the kick's start: first order, 1e-4 at 2e-5 s; without added mass the bubble of 1.2 kg/m3
            relaxes in 3e-6 s, far below the step, so it has its last speed but for that lag */
-        const double with = fall(row[0], "virtualMass {}", 2e-5, 0.05), without = fall(row[0], "", 2e-5, 0.05);
+        const double with = fall(row[0], "virtualMass {}", 2e-5, 0.05),
+                     without = fall(row[0], "", 2e-5, 0.05);
 
-        TAP_NEAR(with/row[5], 1.0, 1e-3, "%g kg/m3: with added mass %.6f m/s after 0.05 s", row[0], with);
+        TAP_NEAR(with/row[5], 1.0, 1e-3, "%g kg/m3: with added mass %.6f m/s after 0.05 s",
+                 row[0], with);
         TAP_NEAR(without/row[4], 1.0, 1e-3, "%g kg/m3: without %.6f m/s", row[0], without);
     }
     for (int k = 5; k < rows; k++)
     {
-        TAP_NEAR(fall(table[COLUMNS*k], "virtualMass {}", 1e-4, 2.0)/table[COLUMNS*k + 1], 1.0, 1e-3, "%g kg/m3: rises at last as tabulated",
-                 table[COLUMNS*k]);
+        TAP_NEAR(fall(table[COLUMNS*k], "virtualMass {}", 1e-4, 2.0)/table[COLUMNS*k + 1],
+                 1.0, 1e-3, "%g kg/m3: rises at last as tabulated", table[COLUMNS*k]);
     }
     /* (rho_f - rho_p) V g = (rho_p + rho_f/2) V dv/dt; drag takes 1e-3 of it after 1e-5 s at most */
-    TAP_NEAR(-fall(0.001, "virtualMass {}", 1e-7, 1e-5)/(2.0*9.81*1e-5), 1.0, 2e-3, "a bubble of no weight begins to rise with 2 g");
+    TAP_NEAR(-fall(0.001, "virtualMass {}", 1e-7, 1e-5)/(2.0*9.81*1e-5), 1.0, 2e-3,
+             "a bubble of no weight begins to rise with 2 g");
 }
 
 /* Two spheres meet in a fluid without drag: e, and the total of m v + a v that stays. */
 static void impacts(void)
 {
-    static const struct { double rho[2], e; } cases[] = {{{2500.0, 2500.0}, 0.9}, {{2500.0, 2500.0}, 0.5}, {{1.2, 2500.0}, 0.9}};
+    static const struct
+    {
+        double rho[2], e;
+    } cases[] = {{{2500.0, 2500.0}, 0.9}, {{2500.0, 2500.0}, 0.5}, {{1.2, 2500.0}, 0.9}};
 
     for (int k = 0; k < 3; k++)
     {
@@ -69,14 +77,16 @@ static void impacts(void)
         for (int phase = 0; phase < 16; phase++)
         {
             const double apart = 1e-6*phase/16.0;
-            char *const scene = world_text("materials { a { density %g; youngsModulus 1e7; } b { density %g; youngsModulus 1e7; } }"
-                                           "effects { hooke { stiffness 1000; } dry { restitution %g; } virtualMass {} }"
-                                           "fluid { density 1000; viscosity 1e-3; } time { step 1e-7; }"
-                                           "insert { one { type list; material a; diameter 2e-3; positions ((0 0 0)); velocity (0.2 0 0); }"
-                                           "two { type list; material b; diameter 2e-3; positions ((%.12g 0 0)); velocity (-0.1 0 0); } }",
-                                           cases[k].rho[0], cases[k].rho[1], cases[k].e, 2.00001e-3 + apart);
+            char *const scene = world_text(
+                "materials { a { density %g; youngsModulus 1e7; } b { density %g; youngsModulus 1e7; } }"
+                "effects { hooke { stiffness 1000; } dry { restitution %g; } virtualMass {} }"
+                "fluid { density 1000; viscosity 1e-3; } time { step 1e-7; }"
+                "insert { one { type list; material a; diameter 2e-3; positions ((0 0 0)); velocity (0.2 0 0); }"
+                "two { type list; material b; diameter 2e-3; positions ((%.12g 0 0)); velocity (-0.1 0 0); } }",
+                cases[k].rho[0], cases[k].rho[1], cases[k].e, 2.00001e-3 + apart);
             struct dem *const d = world(scene, 0, NULL);
-            const double V = 4.0/3.0*world_pi*1e-9, m0 = (cases[k].rho[0] + 500.0)*V, m1 = (cases[k].rho[1] + 500.0)*V;
+            const double V = 4.0/3.0*world_pi*1e-9, m0 = (cases[k].rho[0] + 500.0)*V,
+                         m1 = (cases[k].rho[1] + 500.0)*V;
 
             world_run(d, 5e-4);
             sum += (world_at(d, 1).v[0] - world_at(d, 0).v[0])/0.3;
@@ -85,7 +95,8 @@ static void impacts(void)
             dem_free(d);
         }
         /* t_c is 9e-5 s and more: hooke at t_c/900 and first order with damping */
-        TAP_NEAR(sum/16.0, cases[k].e, 1e-3, "%g on %g kg/m3: returns %.4f", cases[k].rho[0], cases[k].rho[1], sum/16.0);
+        TAP_NEAR(sum/16.0, cases[k].e, 1e-3, "%g on %g kg/m3: returns %.4f", cases[k].rho[0],
+                 cases[k].rho[1], sum/16.0);
         /* rounding of 5000 steps; the sum is 5e-6 kg m/s */
         TAP_NEAR(kept, 0.0, 1e-17, "and the momentum with the fluid that is taken along stays");
     }
@@ -93,37 +104,44 @@ static void impacts(void)
 
 static void stokes_counts_once(void)
 {
-    static const char scene[] = "materials { a { density 2500; youngsModulus 1e7; } }"
-                                "effects { hertz {} stokes { restitution 0.9; addedMass 0.5; fluidDensity 1000; } virtualMass {} }"
-                                "fluid { density 1000; viscosity 1e-3; }"
-                                "insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }";
+    static const char scene[] =
+        "materials { a { density 2500; youngsModulus 1e7; } }"
+        "effects { hertz {} stokes { restitution 0.9; addedMass 0.5; fluidDensity 1000; } virtualMass {} }"
+        "fluid { density 1000; viscosity 1e-3; }"
+        "insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }";
     struct dem *const d = world_begin(scene);
 
-    TAP_OK(dem_setup(d) && strstr(dem_error_text(), "addedMass"), "counted twice is refused: %s", dem_error_text());
+    TAP_OK(dem_setup(d) && strstr(dem_error_text(), "addedMass"), "counted twice is refused: %s",
+           dem_error_text());
     dem_free(d);
 }
 
 /* Without drag: (m + a) dv/dt = a A - V grad p. */
 static void taken_along(void)
 {
-    static const char scene[] = "materials { a { density 500; youngsModulus 1e7; } }"
-                                "effects { virtualMass { coefficient 0.6; } pressureGradient {} viscousStress {} }"
-                                "fluid { density 1000; viscosity 1e-3; acceleration (3 0 -1); pressureGradient (-2000 0 500); viscousStress (100 0 50); }"
-                                "time { step 1e-3; } insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }";
+    static const char scene[] =
+        "materials { a { density 500; youngsModulus 1e7; } }"
+        "effects { virtualMass { coefficient 0.6; } pressureGradient {} viscousStress {} }"
+        "fluid { density 1000; viscosity 1e-3; acceleration (3 0 -1); pressureGradient (-2000 0 500); viscousStress (100 0 50); }"
+        "time { step 1e-3; } insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }";
     struct dem *const d = world(scene, 0, NULL);
 
     world_run(d, 0.1);
     /* rounding */
-    TAP_NEAR(world_at(d, 0).v[0], 0.1*(600.0*3.0 + 2000.0 + 100.0)/(500.0 + 600.0), 1e-13, "taken along by Du/Dt, grad p and div tau");
-    TAP_NEAR(world_at(d, 0).v[2], 0.1*(-600.0 - 500.0 + 50.0)/(500.0 + 600.0), 1e-13, "along each axis");
+    TAP_NEAR(world_at(d, 0).v[0], 0.1*(600.0*3.0 + 2000.0 + 100.0)/(500.0 + 600.0), 1e-13,
+             "taken along by Du/Dt, grad p and div tau");
+    TAP_NEAR(world_at(d, 0).v[2], 0.1*(-600.0 - 500.0 + 50.0)/(500.0 + 600.0), 1e-13,
+             "along each axis");
     dem_free(d);
 }
 
 static void spins(double step)
 {
-    char *const scene = world_text("materials { a { density 2000; youngsModulus 1e7; } } effects { viscousTorque { correction no; } }"
-                                   "fluid { density 1000; viscosity 1e-3; vorticity (4 0 -2); } time { step %g; }"
-                                   "insert { one { type list; diameter 1e-3; positions ((0 0 0)); spin (10 5 0); } }", step);
+    char *const scene = world_text(
+        "materials { a { density 2000; youngsModulus 1e7; } } effects { viscousTorque { correction no; } }"
+        "fluid { density 1000; viscosity 1e-3; vorticity (4 0 -2); } time { step %g; }"
+        "insert { one { type list; diameter 1e-3; positions ((0 0 0)); spin (10 5 0); } }",
+        step);
     struct dem *const d = world(scene, 0, NULL);
     const double tau = 2000.0*1e-6/(60.0*1e-3);           /* I/(pi mu d^3), I = pi rho d^5/60 */
     const double left = exp(-1.0);
@@ -132,7 +150,8 @@ static void spins(double step)
     const struct world_particle p = world_at(d, 0);
 
     /* exact in each step: rounding */
-    TAP_NEAR(p.w[0], 2.0 + 8.0*left, 1e-12, "spin after tau, steps of %g s: towards half the vorticity", step);
+    TAP_NEAR(p.w[0], 2.0 + 8.0*left, 1e-12,
+             "spin after tau, steps of %g s: towards half the vorticity", step);
     TAP_NEAR(p.w[1], 5.0*left, 1e-12, "fading");
     TAP_NEAR(p.w[2], -1.0 + left, 1e-12, "and setting in");
     free(scene);
@@ -142,9 +161,10 @@ static void spins(double step)
 /* A sphere thrown into still fluid of uniform vorticity, without drag: the force is across the slip, so it flies in a circle. */
 static void bends(void)
 {
-    static const char scene[] = "materials { a { density 2000; youngsModulus 1e7; } } effects { magnus {} }"
-                                "fluid { density 1000; viscosity 1; } time { step 1e-5; }"
-                                "insert { one { type list; diameter 1e-3; positions ((0 0 0)); velocity (1e-3 0 0); spin (0 0 50); } }";
+    static const char scene[] =
+        "materials { a { density 2000; youngsModulus 1e7; } } effects { magnus {} }"
+        "fluid { density 1000; viscosity 1; } time { step 1e-5; }"
+        "insert { one { type list; diameter 1e-3; positions ((0 0 0)); velocity (1e-3 0 0); spin (0 0 50); } }";
     struct dem *const d = world(scene, 0, NULL);
 
     world_run(d, 0.1);
@@ -154,7 +174,8 @@ static void bends(void)
 
     /* the force of a kick's start: the speed grows by (angle per step)^2/2 a step, 2e-4 in all */
     TAP_NEAR(sqrt(p.v[0]*p.v[0] + p.v[1]*p.v[1])/1e-3, 1.0, 5e-4, "lift does no work");
-    TAP_NEAR(atan2(p.v[1], p.v[0]), angle, 1e-4, "and bends the path to the side that the front turns to: %.4f", angle);
+    TAP_NEAR(atan2(p.v[1], p.v[0]), angle, 1e-4,
+             "and bends the path to the side that the front turns to: %.4f", angle);
     dem_free(d);
 }
 
@@ -182,9 +203,11 @@ static void give(struct dem *d, int k, struct dem_fluid *f)
 /* Window after window with another added mass: what the fluid got (J and R (u' - u)) is what particles have and are owed. */
 static void exchanges(double density)
 {
-    char *const scene = world_text("materials { a { density %g; youngsModulus 1e7; } }"
-                                   "effects { schillerNaumann {} viscousStress {} virtualMass { swarm zuber; } saffmanMei {} magnus {} }"
-                                   "time { step 1e-4; } insert { two { type list; diameter 2e-3; positions ((0 0 0) (1 0 0)); spin (0 30 9); } }", density);
+    char *const scene = world_text(
+        "materials { a { density %g; youngsModulus 1e7; } }"
+        "effects { schillerNaumann {} viscousStress {} virtualMass { swarm zuber; } saffmanMei {} magnus {} }"
+        "time { step 1e-4; } insert { two { type list; diameter 2e-3; positions ((0 0 0) (1 0 0)); spin (0 30 9); } }",
+        density);
     struct dem *const d = world_begin(scene);
     double got[3] = {0.0, 0.0, 0.0}, owed[3] = {0.0, 0.0, 0.0}, size = 0.0, worst = 0.0;
 
@@ -200,21 +223,28 @@ static void exchanges(double density)
         for (size_t i = 0; i < 6; i++)
         {
             velocity[i] = f.velocity[i] + 0.02*sin(5.0*(double)i + k);
-            got[i%3] += f.drag_impulse[i] + f.other_impulse[i] + f.response[i/3]*(velocity[i] - f.velocity[i]);
+            got[i%3] += f.drag_impulse[i] + f.other_impulse[i] +
+                          f.response[i/3]*(velocity[i] - f.velocity[i]);
             size += fabs(f.drag_impulse[i]) + fabs(f.other_impulse[i]);
         }
         WORLD_TRY(dem_fluid_correct(d, velocity, gradient));
         WORLD_TRY(dem_fluid(d, &f));
-        owed[0] = f.carried_over_impulse[0] + f.carried_over_impulse[3], owed[1] = f.carried_over_impulse[1] + f.carried_over_impulse[4], owed[2] = f.carried_over_impulse[2] + f.carried_over_impulse[5];
+        owed[0] = f.carried_over_impulse[0] + f.carried_over_impulse[3],
+        owed[1] = f.carried_over_impulse[1] + f.carried_over_impulse[4],
+        owed[2] = f.carried_over_impulse[2] + f.carried_over_impulse[5];
         for (int i = 0; i < 3; i++)
         {
-            const double has = world_at(d, 0).mass*world_at(d, 0).v[i] + world_at(d, 1).mass*world_at(d, 1).v[i];
+            const double has = world_at(d, 0).mass*world_at(d, 0).v[i] +
+                               world_at(d, 1).mass*world_at(d, 1).v[i];
 
             worst = fmax(worst, fabs(has + owed[i] - got[i]));
         }
     }
     /* rounding of 140 kicks of 1e-4 of the sum */
-    TAP_NEAR(worst/size, 0.0, 1e-14, "%g kg/m3: the fluid gets the momentum of the particles and the carried-over impulse, while added mass changes", density);
+    TAP_NEAR(
+        worst/size, 0.0, 1e-14,
+        "%g kg/m3: the fluid gets the momentum of the particles and the carried-over impulse, while added mass changes",
+        density);
     free(scene);
     dem_free(d);
 }
@@ -224,18 +254,22 @@ static void exchanges(double density)
 static void relaxes(double density, const char *added, double extra)
 {
     const double window = 1e-6, d = 1e-3, mu = 1e-3, rate = 18.0*mu/((density + extra)*d*d);
-    char *const scene = world_text("materials { a { density %g; youngsModulus 1e7; } } effects { stokesDrag {} %s } time { step 1e-7; }"
-                                   "insert { one { type list; diameter 1e-3; positions ((0 0 0)); velocity (0.3 0 0); }"
-                                   "two { type list; diameter 1e-4; positions ((1 0 0)); frozen yes; } }", density, added);
+    char *const scene = world_text(
+        "materials { a { density %g; youngsModulus 1e7; } } effects { stokesDrag {} %s } time { step 1e-7; }"
+        "insert { one { type list; diameter 1e-3; positions ((0 0 0)); velocity (0.3 0 0); }"
+        "two { type list; diameter 1e-4; positions ((1 0 0)); frozen yes; } }",
+        density, added);
     struct dem *const run = world_begin(scene);
     struct dem_fluid f;
 
     WORLD_TRY(dem_setup(run));
-    TAP_OK(dem_fluid_relaxation(run) == 0.0, "%g kg/m3 %s: nothing is known before the first window", density, added);
+    TAP_OK(dem_fluid_relaxation(run) == 0.0,
+           "%g kg/m3 %s: nothing is known before the first window", density, added);
     WORLD_TRY(dem_fluid(run, &f));
     for (size_t i = 0; i < 2; i++)
     {
-        f.void_fraction[i] = 1.0, f.density[i] = 1000.0, f.viscosity[i] = mu, f.slip_factor[i] = 1.0;
+        f.void_fraction[i] = 1.0, f.density[i] = 1000.0, f.viscosity[i] = mu,
+        f.slip_factor[i] = 1.0;
         for (size_t k = 3*i; k < 3*i + 3; k++)
         {
             f.velocity[k] = f.pressure_gradient[k] = 0.0;
@@ -247,7 +281,8 @@ static void relaxes(double density, const char *added, double extra)
     }
     world_run(run, window);
     /* round-off of the sum of ten steps; and of 1e-5 that the slip loses */
-    TAP_NEAR(dem_fluid_relaxation(run)/rate, 1.0, 1e-12, "%g kg/m3 %s: relaxes at 18 mu/((rho_p + a/V) d^2) = %.6g /s", density, added, rate);
+    TAP_NEAR(dem_fluid_relaxation(run)/rate, 1.0, 1e-12,
+             "%g kg/m3 %s: relaxes at 18 mu/((rho_p + a/V) d^2) = %.6g /s", density, added, rate);
     TAP_NEAR(-log(world_at(run, 0).v[0]/0.3)/(rate*window), 1.0, 1e-9, "and does");
     free(scene);
     dem_free(run);

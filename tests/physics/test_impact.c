@@ -17,7 +17,8 @@ enum
 struct impact                                             /* what is needed to set up a head-on impact */
 {
     const char *name;
-    double radius, E, nu, density, speed;                 /* m, Pa, 1, kg/m3, m/s: of each sphere; the wall is rigid */
+    double radius, E, nu, density,
+        speed;                 /* m, Pa, 1, kg/m3, m/s: of each sphere; the wall is rigid */
     int wall;
     double force, overlap, time;                          /* N, m, s: expected */
 };
@@ -32,8 +33,8 @@ static double contact_time(const struct impact *i)
 {
     const double share = i->wall ? 1.0 : 0.5;
 
-    return world_contact_time(share*world_ball(i->radius, i->density), share*i->radius, reduced_modulus(i),
-                              i->wall ? i->speed : 2.0*i->speed);
+    return world_contact_time(share*world_ball(i->radius, i->density), share*i->radius,
+                              reduced_modulus(i), i->wall ? i->speed : 2.0*i->speed);
 }
 
 static struct dem *start(const struct impact *i, double step, const char *damping)
@@ -49,17 +50,22 @@ static struct dem *start(const struct impact *i, double step, const char *dampin
 
         for (int s = 0; s < (i->wall ? 1 : 2); s++, n++)
         {
-            seed[n] = (struct dem_new_particle){.position = {0.0, y, s ? -i->radius - gap : i->radius}, .diameter = 2.0*i->radius,
-                                        .id = n, .material = "ball"};
+            seed[n] =
+                (struct dem_new_particle){.position = {0.0, y, s ? -i->radius - gap : i->radius},
+                                          .diameter = 2.0*i->radius,
+                                          .id = n,
+                                          .material = "ball"};
             seed[n].velocity[2] = s ? i->speed : -i->speed;
             seed[n].position[2] += i->wall ? gap : 0.0;
         }
     }
-    char *const scene = world_text("materials { ball { density %.17g; youngsModulus %.17g; poissonsRatio %.17g; }"
-                                   " rigid { density 1; youngsModulus 1e30; } }"
-                                   "effects { hertz { impactSpeed %g; } %s } time { step %.17g; } %s", i->density, i->E, i->nu,
-                                   approach, damping, step,
-                                   i->wall ? "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }" : "");
+    char *const scene = world_text(
+        "materials { ball { density %.17g; youngsModulus %.17g; poissonsRatio %.17g; }"
+        " rigid { density 1; youngsModulus 1e30; } }"
+        "effects { hertz { impactSpeed %g; } %s } time { step %.17g; } %s",
+        i->density, i->E, i->nu, approach, damping, step,
+        i->wall ? "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }"
+                : "");
     struct dem *const d = world(scene, n, seed);
 
     free(scene);
@@ -84,7 +90,8 @@ static struct outcome run(const struct impact *i, double step, const char *dampi
         world_step(d);
         const struct dem_totals t = world_tally(d);
         const struct world_particle p = world_at(d, 0);
-        const double overlap = i->wall ? p.radius - p.x[2] : 2.0*p.radius - p.x[2] + world_at(d, 1).x[2];
+        const double overlap =
+            i->wall ? p.radius - p.x[2] : 2.0*p.radius - p.x[2] + world_at(d, 1).x[2];
 
         o.force = fmax(o.force, p.f[2]);
         o.overlap = fmax(o.overlap, overlap);
@@ -97,7 +104,8 @@ static struct outcome run(const struct impact *i, double step, const char *dampi
     }
     for (int k = 0; k < PHASES; k++)
     {
-        const double out = i->wall ? world_at(d, k).v[2] : 0.5*(world_at(d, 2*k).v[2] - world_at(d, 2*k + 1).v[2]);
+        const double out = i->wall ? world_at(d, k).v[2]
+                                   : 0.5*(world_at(d, 2*k).v[2] - world_at(d, 2*k + 1).v[2]);
 
         o.restitution[k] = out/i->speed;
         o.mean += o.restitution[k]/PHASES;
@@ -134,7 +142,8 @@ static void order(const struct impact *i)
         if (k > 0)
         {
             /* order 2 or better: a half step leaves a quarter of the error */
-            TAP_OK(before >= 4.0*o.worst, "%s: halving the step to t_c/%d divides the error by %.2f, at least 4", i->name,
+            TAP_OK(before >= 4.0*o.worst,
+                   "%s: halving the step to t_c/%d divides the error by %.2f, at least 4", i->name,
                    40 << k, before/o.worst);
         }
         before = o.worst;
@@ -165,7 +174,9 @@ static void plastic(const struct impact *i)
         fastest = fmax(fastest, fabs(world_at(d, k).v[2])/i->speed);
     }
     /* 1 % asked for */
-    TAP_NEAR(fastest, 0.0, 1e-2, "%s: restitution 0 leaves %.2g of the speed after ten contact times", i->name, fastest);
+    TAP_NEAR(fastest, 0.0, 1e-2,
+             "%s: restitution 0 leaves %.2g of the speed after ten contact times", i->name,
+             fastest);
     dem_free(d);
 }
 
@@ -178,10 +189,12 @@ int main(void)
         {"aluminium on a rigid wall", 0.1, 70e9, 0.30, 2699.0, 0.2, 1, 0, 0, 0},
         {"magnesium on a rigid wall", 0.1, 40e9, 0.35, 1800.0, 0.2, 1, 0, 0, 0},
     };
-    static const struct impact oxide = {"aluminium oxide", 0.0025, 380e9, 0.23, 4000.0, 3.9, 1, 0, 0, 0};
+    static const struct impact oxide =
+        {"aluminium oxide", 0.0025, 380e9, 0.23, 4000.0, 3.9, 1, 0, 0, 0};
     double table[4*5];
 
-    if (!TAP_OK(world_table("physics/hertz_normal.csv", 5, 4, table) == 4, "four rows in hertz_normal.csv"))
+    if (!TAP_OK(world_table("physics/hertz_normal.csv", 5, 4, table) == 4,
+                "four rows in hertz_normal.csv"))
     {
         TAP_DONE;
     }

@@ -7,7 +7,8 @@
  */
 #include "physics/world.h"
 
-static const double R = 0.5e-3, density = 2500.0, E = 1e7, w = 0.2;        /* of each sphere; R* = R/2, m* = m/2 */
+static const double R = 0.5e-3, density = 2500.0, E = 1e7,
+                    w = 0.2;        /* of each sphere; R* = R/2, m* = m/2 */
 
 static double reduced(void)
 {
@@ -21,10 +22,20 @@ static double loss(void)
 
 static struct dem *pair(double gap, double speed, double step)
 {
-    const struct dem_new_particle seed[2] = {{.position = {0, 0, 0}, .velocity = {0.5*speed, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "clay"},
-                                     {.position = {2.0*R + gap, 0, 0}, .velocity = {-0.5*speed, 0, 0}, .diameter = 2.0*R, .id = 1, .material = "clay"}};
-    char *const scene = world_text("materials { clay { density %g; youngsModulus %g; poissonsRatio 0.3; } }"
-                                   "effects { hertz { } jkr { workOfAdhesion %g; } } time { step %g; }", density, E, w, step);
+    const struct dem_new_particle seed[2] = {{.position = {0, 0, 0},
+                                              .velocity = {0.5*speed, 0, 0},
+                                              .diameter = 2.0*R,
+                                              .id = 0,
+                                              .material = "clay"},
+                                             {.position = {2.0*R + gap, 0, 0},
+                                              .velocity = {-0.5*speed, 0, 0},
+                                              .diameter = 2.0*R,
+                                              .id = 1,
+                                              .material = "clay"}};
+    char *const scene =
+        world_text("materials { clay { density %g; youngsModulus %g; poissonsRatio 0.3; } }"
+                   "effects { hertz { } jkr { workOfAdhesion %g; } } time { step %g; }",
+                   density, E, w, step);
     struct dem *const d = world(scene, 2, seed);
 
     free(scene);
@@ -34,7 +45,8 @@ static struct dem *pair(double gap, double speed, double step)
 /* Pulled apart slowly from an overlap: both are led, so that every distance is passed. */
 static void pulled(void)
 {
-    const double Rs = 0.5*R, a = pow(world_pi*w*Rs*Rs/(8.0*reduced()), 1.0/3.0), unit = a*a/Rs, step = 1e-6;
+    const double Rs = 0.5*R, a = pow(world_pi*w*Rs*Rs/(8.0*reduced()), 1.0/3.0),
+                 unit = a*a/Rs, step = 1e-6;
     struct dem *const d = pair(-2.0*unit, 0.0, step);
     double most = 0.0, at_touch = 0.0, last = 0.0, tear = 0.0, before;
 
@@ -63,7 +75,8 @@ static void pulled(void)
     }
     /* steps of 1/2000 of the unit of length; the force is flat at its peak and falls by 1 in 0.02 units^(1/2) at the tear */
     TAP_NEAR(most, 1.5*world_pi*w*Rs, 1e-6*most, "pulls at most 3/2 pi w R*");
-    TAP_NEAR(at_touch, 4.0/3.0*world_pi*w*Rs, 1e-3*most, "4/3 pi w R* where the surfaces just touch");
+    TAP_NEAR(at_touch, 4.0/3.0*world_pi*w*Rs, 1e-3*most,
+             "4/3 pi w R* where the surfaces just touch");
     TAP_NEAR(tear, 3.0*unit, 1.01e-3*unit, "tears at 3 a_t^2/R*");
     TAP_NEAR(last, 5.0/6.0*world_pi*w*Rs, 0.03*most, "with 5/6 pi w R* to the end");
     dem_free(d);
@@ -82,7 +95,8 @@ static void met(double times)
     if (times > 1.0)
     {
         /* 7.09 has three digits; contact begins in the step after touching, at a depth of up to v dt: 1 % of the energy of the jump */
-        TAP_NEAR(left, 1.0 - 1.0/(times*times), 0.01, "at %g times the speed of sticking %.2g of the energy is left", times, left);
+        TAP_NEAR(left, 1.0 - 1.0/(times*times), 0.01,
+                 "at %g times the speed of sticking %.2g of the energy is left", times, left);
         TAP_NEAR(t.lost, before - t.kinetic, 0.01*loss(), "what is lost is booked");
         TAP_NEAR(t.lost, loss(), 0.01*loss(), "7.09 (w^5 R*^4/E*^2)^(1/3)");
         TAP_OK(t.stored == 0.0, "nothing is stored");
@@ -91,7 +105,8 @@ static void met(double times)
     {
         const struct world_particle p = world_at(d, 0), q = world_at(d, 1);
 
-        TAP_OK(t.stored < 0.0 && q.x[0] - p.x[0] < 2.001*R, "at %g times the speed of sticking they stay together", times);
+        TAP_OK(t.stored < 0.0 && q.x[0] - p.x[0] < 2.001*R,
+               "at %g times the speed of sticking they stay together", times);
         TAP_NEAR(t.kinetic + t.stored + t.lost, before, 0.01*loss(), "and keep their energy");
     }
     dem_free(d);
@@ -101,14 +116,21 @@ static void met(double times)
 static void dragged(const char *law, const char *more, double hertz)
 {
     /* in balance at x^3 = 6: see jkr.c; at a wall R* = R */
-    const double a = pow(world_pi*w*R*R/(8.0*reduced()), 1.0/3.0), x = pow(6.0, 1.0/3.0), d0 = a*a/R*(x*x*x*x - 4.0*x);
+    const double a = pow(world_pi*w*R*R/(8.0*reduced()), 1.0/3.0),
+                 x = pow(6.0, 1.0/3.0), d0 = a*a/R*(x*x*x*x - 4.0*x);
     const double m = world_ball(R, density), mu = 0.3, pulloff = 1.5*world_pi*w*R;
-    const double push = 4.0/3.0*reduced()*sqrt(R)*pow(d0, 1.5), limit = mu*(hertz*push + (1.0 - hertz)*2.0*pulloff);
-    const struct dem_new_particle seed = {.position = {0, 0, R - d0}, .diameter = 2.0*R, .id = 0, .material = "clay"};
-    char *const scene = world_text("materials { clay { density %g; youngsModulus %g; poissonsRatio 0.3; } }"
-                                   "effects { hertz { } jkr { workOfAdhesion %g; } %s { friction %g; tangentialDamping no; %s } }"
-                                   "walls { belt { type plane; point (0 0 0); normal (0 0 1); surfaceVelocity (10 0 0); } }"
-                                   "time { step 1e-7; }", density, E, w, law, mu, more);
+    const double push = 4.0/3.0*reduced()*sqrt(R)*pow(d0, 1.5),
+                 limit = mu*(hertz*push + (1.0 - hertz)*2.0*pulloff);
+    const struct dem_new_particle seed = {.position = {0, 0, R - d0},
+                                          .diameter = 2.0*R,
+                                          .id = 0,
+                                          .material = "clay"};
+    char *const scene = world_text(
+        "materials { clay { density %g; youngsModulus %g; poissonsRatio 0.3; } }"
+        "effects { hertz { } jkr { workOfAdhesion %g; } %s { friction %g; tangentialDamping no; %s } }"
+        "walls { belt { type plane; point (0 0 0); normal (0 0 1); surfaceVelocity (10 0 0); } }"
+        "time { step 1e-7; }",
+        density, E, w, law, mu, more);
     struct dem *const d = world(scene, 1, &seed);
 
     free(scene);
@@ -121,8 +143,10 @@ static void dragged(const char *law, const char *more, double hertz)
     /* the balance is one to rounding of its height: 1e-16 R over d0 */
     TAP_NEAR(q.f[2], 0.0, 1e-9*pulloff, "%s %s: nothing presses", law, more);
     TAP_NEAR(q.f[0], limit, 1e-9*limit, "%s %s: friction slides at its limit", law, more);
-    TAP_NEAR((q.v[0] - p.v[0])/1e-5, limit/m, 1e-9*limit/m, "%s %s: and drags the sphere along", law, more);
-    TAP_NEAR(0.4*m*R*R*(q.w[1] - p.w[1])/1e-5, -limit*(R - d0), 1e-9*limit*R, "%s %s: and turns it", law, more);
+    TAP_NEAR((q.v[0] - p.v[0])/1e-5, limit/m, 1e-9*limit/m,
+             "%s %s: and drags the sphere along", law, more);
+    TAP_NEAR(0.4*m*R*R*(q.w[1] - p.w[1])/1e-5, -limit*(R - d0), 1e-9*limit*R,
+             "%s %s: and turns it", law, more);
     dem_free(d);
 }
 

@@ -14,9 +14,11 @@ static const double six_pi = 18.8495559215387594;
 
 static struct dem *film(double step, const char *more, int n, const struct dem_new_particle *seed)
 {
-    char *const scene = world_text("materials { ball { density 2500; youngsModulus 1e8; } rigid { density 1; youngsModulus 1e30; } }"
-                                   "effects { lubrication { viscosity %.17g; roughness %.17g; cutOff %.17g; } }"
-                                   "time { step %.17g; } %s", mu, roughness, cut_off, step, more);
+    char *const scene = world_text(
+        "materials { ball { density 2500; youngsModulus 1e8; } rigid { density 1; youngsModulus 1e30; } }"
+        "effects { lubrication { viscosity %.17g; roughness %.17g; cutOff %.17g; } }"
+        "time { step %.17g; } %s",
+        mu, roughness, cut_off, step, more);
     struct dem *const d = world(scene, n, seed);
 
     free(scene);
@@ -33,11 +35,18 @@ static double stopped_speed(double R, double m)
 static double approach(double step, int wall)
 {
     const double radius = 1e-3, other = 0.6e-3;
-    struct dem_new_particle seed[2] = {{.position = {0.0, 0.0, radius + 1.01*cut_off}, .velocity = {0.0, 0.0, -0.2},
-                                .diameter = 2.0*radius, .id = 0, .material = "ball"},
-                               {.position = {0.0, 0.0, -other}, .diameter = 2.0*other, .id = 1, .material = "ball"}};
-    struct dem *const d = film(step, wall ? "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }" : "",
-                               wall ? 1 : 2, seed);
+    struct dem_new_particle seed[2] =
+        {{.position = {0.0, 0.0, radius + 1.01*cut_off},
+          .velocity = {0.0, 0.0, -0.2},
+          .diameter = 2.0*radius,
+          .id = 0,
+          .material = "ball"},
+         {.position = {0.0, 0.0, -other}, .diameter = 2.0*other, .id = 1, .material = "ball"}};
+    struct dem *const d =
+        film(step,
+             wall ? "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }"
+                  : "",
+             wall ? 1 : 2, seed);
     const struct dem_totals before = world_tally(d);
     double gap, v[2];
 
@@ -53,17 +62,20 @@ static double approach(double step, int wall)
     const struct dem_totals after = world_tally(d);
     double kinetic = 0.0;
 
-    for (int k = 0; k < (wall ? 1 : 2); k++)              /* the books are ahead by the half kick that is still to come */
+    for (int k = 0; k < (wall ? 1 : 2);
+         k++)              /* the books are ahead by the half kick that is still to come */
     {
         const struct world_particle p = world_at(d, k);
         const double speed = p.v[2] + 0.5*step*p.f[2]/p.mass;
 
         kinetic += 0.5*p.mass*speed*speed;
     }
-    TAP_NEAR(after.lost, before.kinetic - kinetic, 1e-12*before.kinetic, "the loss is booked");     /* round-off of 5000 steps */
+    TAP_NEAR(after.lost, before.kinetic - kinetic, 1e-12*before.kinetic,
+             "the loss is booked");     /* round-off of 5000 steps */
     if (!wall)
     {
-        TAP_NEAR(after.momentum[2], before.momentum[2], 1e-13*fabs(before.momentum[2]), "momentum");    /* likewise */
+        TAP_NEAR(after.momentum[2], before.momentum[2], 1e-13*fabs(before.momentum[2]),
+                 "momentum");    /* likewise */
     }
     dem_free(d);
     return 0.2 + v[0] - v[1];
@@ -71,7 +83,8 @@ static double approach(double step, int wall)
 
 static void squeezed(int wall)
 {
-    const double R = wall ? 1e-3 : 1e-3*0.6e-3/1.6e-3, ma = world_ball(1e-3, 2500.0), mb = world_ball(0.6e-3, 2500.0);
+    const double R = wall ? 1e-3 : 1e-3*0.6e-3/1.6e-3, ma = world_ball(1e-3, 2500.0),
+                 mb = world_ball(0.6e-3, 2500.0);
     const double expected = stopped_speed(R, wall ? ma : ma*mb/(ma + mb));
     const char *const what = wall ? "sphere and wall" : "two spheres";
     const double coarse = approach(1e-7, wall), fine = approach(0.5e-7, wall);
@@ -79,18 +92,24 @@ static void squeezed(int wall)
     /* the force lags by half a step, in which the gap changes by 1e-8 m: 0.5 % of the roughness at the end of the path,
        0.03 % of the whole; the last step may pass the roughness by as much again */
     TAP_NEAR(fine, expected, 1e-3*expected, "%s: the film takes %.4g m/s", what, expected);
-    TAP_OK(fabs(fine - expected) < 0.7*fabs(coarse - expected) + 1e-5*expected, "%s: half the step, about half the error", what);
+    TAP_OK(fabs(fine - expected) < 0.7*fabs(coarse - expected) + 1e-5*expected,
+           "%s: half the step, about half the error", what);
 }
 
 /* m dv/dt = m g - c(h) v along the fall, so m g t = m v + c_0 (ln(h_0/h) - (h_0 - h)/h_c), inertia included. */
 static void sinking(void)
 {
     const double radius = 1e-3, g = 9.81, thick = 0.2, m = world_ball(radius, 2500.0), start = 5e-5;
-    const struct dem_new_particle seed = {.position = {0.0, 0.0, radius + start}, .diameter = 2.0*radius, .id = 0, .material = "ball"};
-    char *const scene = world_text("materials { ball { density 2500; youngsModulus 1e8; } }"
-                                   "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
-                                   "effects { gravity { acceleration (0 0 %g); } lubrication { viscosity %g; roughness 9e-6; cutOff %g; } }"
-                                   "time { step 5e-7; }", -g, thick, cut_off);
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, radius + start},
+                                          .diameter = 2.0*radius,
+                                          .id = 0,
+                                          .material = "ball"};
+    char *const scene = world_text(
+        "materials { ball { density 2500; youngsModulus 1e8; } }"
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
+        "effects { gravity { acceleration (0 0 %g); } lubrication { viscosity %g; roughness 9e-6; cutOff %g; } }"
+        "time { step 5e-7; }",
+        -g, thick, cut_off);
     struct dem *const d = world(scene, 1, &seed);
     struct world_particle p;
 
@@ -100,11 +119,13 @@ static void sinking(void)
         p = world_at(d, 0);
     } while (p.x[2] - radius > 1e-5);
     const struct dem_totals t = world_tally(d);
-    const double h = p.x[2] - radius, film_impulse = six_pi*thick*radius*radius*(log(start/h) - (start - h)/cut_off);
+    const double h = p.x[2] - radius, film_impulse = six_pi*thick*radius*radius*
+                                                     (log(start/h) - (start - h)/cut_off);
 
     TAP_OK(t.time > 0.02, "sinks from %g to %.3g um in %.3g s", start*1e6, h*1e6, t.time);
     /* the force lags by half a step, in which the gap changes by 1e-10 m: 1e-5 of it */
-    TAP_NEAR(t.time, (film_impulse - m*p.v[2])/(m*g), 2e-5*t.time, "in the time of the closed form");
+    TAP_NEAR(t.time, (film_impulse - m*p.v[2])/(m*g), 2e-5*t.time,
+             "in the time of the closed form");
     /* the books take the speed of half a step before, c dt/(2 m) = 0.8 % off at the end of the path, 0.1 % at its start */
     TAP_NEAR(t.lost + t.kinetic, m*g*(start - h), 5e-3*m*g*start, "weight's work is booked");
     dem_free(d);
@@ -115,12 +136,17 @@ static void sinking(void)
 static double rebound(const char *contact, double modulus, double v)
 {
     const double radius = 1e-3, start = 1.01*cut_off;
-    const struct dem_new_particle seed = {.position = {0.0, 0.0, radius + start}, .velocity = {0.0, 0.0, -v}, .diameter = 2.0*radius, .id = 0,
-                                  .material = "ball"};
-    char *const scene = world_text("materials { ball { density 2500; youngsModulus %g; } rigid { density 1; youngsModulus 1e30; } }"
-                                   "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }"
-                                   "effects { hertz {} dry { restitution 0.9; } lubrication { viscosity %.17g; roughness %.17g; cutOff %.17g;"
-                                   "contact %s; } } time { step 2e-8; }", modulus, mu, roughness, cut_off, contact);
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, radius + start},
+                                          .velocity = {0.0, 0.0, -v},
+                                          .diameter = 2.0*radius,
+                                          .id = 0,
+                                          .material = "ball"};
+    char *const scene = world_text(
+        "materials { ball { density 2500; youngsModulus %g; } rigid { density 1; youngsModulus 1e30; } }"
+        "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }"
+        "effects { hertz {} dry { restitution 0.9; } lubrication { viscosity %.17g; roughness %.17g; cutOff %.17g;"
+        "contact %s; } } time { step 2e-8; }",
+        modulus, mu, roughness, cut_off, contact);
     struct dem *const d = world(scene, 1, &seed);
 
     do
@@ -137,15 +163,20 @@ static double rebound(const char *contact, double modulus, double v)
 /* Of a film at rest in contact e (v - v_t) - v_t comes back, whatever the stiffness; one that acts on takes more of a softer contact. */
 static void touching(void)
 {
-    const double v = 0.5, taken = six_pi*mu*1e-6/world_ball(1e-3, 2500.0)*log(cut_off/roughness)/v, expected = 0.9*(1.0 - taken) - taken;
+    const double v = 0.5,
+                 taken =
+                     six_pi*mu*1e-6/world_ball(1e-3, 2500.0)*log(cut_off/roughness)/v,
+                 expected = 0.9*(1.0 - taken) - taken;
     const double soft = rebound("rests", 1e8, v), stiff = rebound("rests", 1e10, v);
 
     /* the film's force lags by half a step, 1e-8 m of its 2e-6: 0.25 %; restitution in steps of t_c/400 and less: 0.1 % */
-    TAP_NEAR(soft, expected, 5e-3*expected, "at rest in a soft contact: %.4f of the speed comes back", soft);
+    TAP_NEAR(soft, expected, 5e-3*expected,
+             "at rest in a soft contact: %.4f of the speed comes back", soft);
     TAP_NEAR(stiff, expected, 5e-3*expected, "at rest in a stiff contact: %.4f", stiff);
     const double longer = rebound("acts", 1e8, v), shorter = rebound("acts", 1e10, v);
 
-    TAP_OK(longer < shorter && shorter < stiff, "acting on it leaves %.4f of a soft contact, %.4f of a stiff one", longer, shorter);
+    TAP_OK(longer < shorter && shorter < stiff,
+           "acting on it leaves %.4f of a soft contact, %.4f of a stiff one", longer, shorter);
 }
 
 /* A cloud in which everyone passes through others' films at many times the skin. */
@@ -157,7 +188,8 @@ static uint64_t cloud(const char *neighbours, double viscosity, double *kinetic,
         "walls { box { type box; min (0 0 0); max (0.008 0.008 0.008); } }"
         "insert { left { type random; count 45; diameter 1e-3; min (0 0 0); max (0.004 0.008 0.008); velocity (1 0.5 0.3); seed 1; }"
         " right { type random; count 45; diameter 1e-3; min (0.004 0 0); max (0.008 0.008 0.008); velocity (-1 0.3 -0.2); seed 2; } }"
-        "time { step 4e-6; force yes; } neighbours { %s }", viscosity, neighbours);
+        "time { step 4e-6; force yes; } neighbours { %s }",
+        viscosity, neighbours);
     struct dem *const d = world(scene, 0, NULL);
     struct dem_view v;
     uint64_t hash;
@@ -191,10 +223,15 @@ int main(void)
 
     const uint64_t usual = cloud("", 0.01, &kinetic, &most);
 
-    TAP_OK(kinetic < 0.5*start, "a cloud of films slows down: %.3g of %.3g J are left", kinetic, start);
-    TAP_OK(cloud("innerSkin 0.005; outerSkin 0.1;", 0.01, &kinetic, &most) == usual, "narrow skins: the same bits");
-    TAP_OK(cloud("innerSkin 0.3; outerSkin 0.3;", 0.01, &kinetic, &most) == usual, "wide skins: the same bits");
+    TAP_OK(kinetic < 0.5*start, "a cloud of films slows down: %.3g of %.3g J are left", kinetic,
+           start);
+    TAP_OK(cloud("innerSkin 0.005; outerSkin 0.1;", 0.01, &kinetic, &most) == usual,
+           "narrow skins: the same bits");
+    TAP_OK(cloud("innerSkin 0.3; outerSkin 0.3;", 0.01, &kinetic, &most) == usual,
+           "wide skins: the same bits");
     cloud("", 1e6, &thick, &most);
-    TAP_OK(thick < kinetic && most < 1.16, "in pitch at a step far too long: %.3g J, no particle is faster than at the start", thick);
+    TAP_OK(thick < kinetic && most < 1.16,
+           "in pitch at a step far too long: %.3g J, no particle is faster than at the start",
+           thick);
     TAP_DONE;
 }

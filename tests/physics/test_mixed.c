@@ -9,9 +9,10 @@
 
 #include <math.h>
 
-static const char laws[] = "materials { glass { density 2500; youngsModulus 5e6; poissonsRatio 0.25; } } "
-                           "effects { hertz {} dry { restitution 0.9; } mindlin { friction 0.3; } %s } %s "
-                           "time { step 2e-6; precision %s; }";
+static const char laws[] =
+    "materials { glass { density 2500; youngsModulus 5e6; poissonsRatio 0.25; } } "
+    "effects { hertz {} dry { restitution 0.9; } mindlin { friction 0.3; } %s } %s "
+    "time { step 2e-6; precision %s; }";
 static const char *const precisions[] = {"double", "mixed"};
 
 enum
@@ -44,8 +45,13 @@ static void throw(struct dem_new_particle *seed, double at)
 static void impact(int mixed, double out[2])
 {
     char *const text = world_text(laws, "", "", precisions[mixed]);
-    const struct dem_new_particle seed[2] = {{.diameter = 1e-3, .material = "glass", .id = 0, .position = {0.0, 0.0, 0.0}},
-                                     {.diameter = 1e-3, .material = "glass", .id = 1, .position = {0.0, 0.0, 1.01e-3}, .velocity = {0.5, 0.0, -0.8660254}}};
+    const struct dem_new_particle seed[2] =
+        {{.diameter = 1e-3, .material = "glass", .id = 0, .position = {0.0, 0.0, 0.0}},
+         {.diameter = 1e-3,
+          .material = "glass",
+          .id = 1,
+          .position = {0.0, 0.0, 1.01e-3},
+          .velocity = {0.5, 0.0, -0.8660254}}};
     struct dem *const d = world(text, 2, seed);
 
     world_run(d, 1e-3);
@@ -107,15 +113,19 @@ static double apart(double (*a)[3], double (*b)[3])
 /* overlaps of a column of ten at rest: its weight in closed form */
 static void column(void)
 {
-    char *const text = world_text("materials { glass { density 2500; youngsModulus 5e6; poissonsRatio 0.25; } } "
-                                  "effects { hertz {} dry { restitution 0.1; } mindlin { friction 0.3; } gravity { acceleration (0 0 -9.81); } } "
-                                  "walls { floor { type plane; point (0 0 0); normal (0 0 1); } } time { step 5e-6; precision mixed; }");
+    char *const text = world_text(
+        "materials { glass { density 2500; youngsModulus 5e6; poissonsRatio 0.25; } } "
+        "effects { hertz {} dry { restitution 0.1; } mindlin { friction 0.3; } gravity { acceleration (0 0 -9.81); } } "
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } } time { step 5e-6; precision mixed; }");
     struct dem_new_particle seed[10];
     double worst = 0.0;
 
     for (int k = 0; k < 10; k++)
     {
-        seed[k] = (struct dem_new_particle){.diameter = 1e-3, .material = "glass", .id = k, .position = {0.0, 0.0, 0.5e-3 + 1e-3*k}};
+        seed[k] = (struct dem_new_particle){.diameter = 1e-3,
+                                            .material = "glass",
+                                            .id = k,
+                                            .position = {0.0, 0.0, 0.5e-3 + 1e-3*k}};
     }
     struct dem *const d = world(text, 10, seed);
 
@@ -123,13 +133,16 @@ static void column(void)
     for (int k = 0; k < 9; k++)
     {
         const struct world_particle low = world_at(d, k), high = world_at(d, k + 1);
-        const double load = (9.0 - k)*9.81*low.mass, stiffness = 4.0/3.0*5e6/(2.0*(1.0 - 0.0625))*sqrt(0.25e-3);
-        const double overlap = 1e-3 - (high.x[2] - low.x[2]), expected = pow(load/stiffness, 2.0/3.0);
+        const double load = (9.0 - k)*9.81*low.mass,
+                     stiffness = 4.0/3.0*5e6/(2.0*(1.0 - 0.0625))*sqrt(0.25e-3);
+        const double overlap = 1e-3 - (high.x[2] - low.x[2]),
+                     expected = pow(load/stiffness, 2.0/3.0);
 
         worst = fmax(worst, fabs(overlap/expected - 1.0));
     }
     /* a force that is known to 6e-8 is an overlap known to 4e-8; the rest of the fall is left, too */
-    TAP_OK(worst < 1e-6, "a column of ten at rest carries its weight: overlaps off by %.2g at most", worst);
+    TAP_OK(worst < 1e-6, "a column of ten at rest carries its weight: overlaps off by %.2g at most",
+           worst);
     dem_free(d);
     free(text);
 }
@@ -155,12 +168,14 @@ int main(void)
        difference shows, not the precision */
     cloud(0, 0.0, 4e-4, momentum, here);
     cloud(1, 0.0, 4e-4, momentum, there);
-    TAP_OK(apart(here, there) > 0.0 && apart(here, there) < 1e-7, "they are where they are in double within %.2g d", apart(here, there));
+    TAP_OK(apart(here, there) > 0.0 && apart(here, there) < 1e-7,
+           "they are where they are in double within %.2g d", apart(here, there));
 
     /* a kilometre away positions are known to 1e-13 m, 1e-10 d, in either precision */
     cloud(0, 1000.0, 4e-4, momentum, here);
     cloud(1, 1000.0, 4e-4, momentum, other);
-    TAP_OK(apart(here, other) < 1e-7, "a kilometre from the origin within %.2g d", apart(here, other));
+    TAP_OK(apart(here, other) < 1e-7, "a kilometre from the origin within %.2g d",
+           apart(here, other));
     column();
     return tap_done();
 }

@@ -42,9 +42,11 @@ static void ledger(const struct world_particle p[2], double out[7])
     }
 }
 
-static void collide(const double A[3][3], const char *law, struct world_particle before[2], struct world_particle after[2])
+static void collide(const double A[3][3], const char *law, struct world_particle before[2],
+                    struct world_particle after[2])
 {
-    const double x[2][3] = {{0.0, 0.0, 0.0}, {1.2e-3, 0.4e-3, -0.85e-3}}, v[2][3] = {{0.3, 0.1, -0.2}, {-0.4, -0.15, 0.3}};
+    const double x[2][3] = {{0.0, 0.0, 0.0}, {1.2e-3, 0.4e-3, -0.85e-3}},
+                 v[2][3] = {{0.3, 0.1, -0.2}, {-0.4, -0.15, 0.3}};
     const double w[2][3] = {{100.0, -300.0, 200.0}, {-150.0, 50.0, 400.0}};
     struct dem_new_particle seed[2];
 
@@ -58,8 +60,10 @@ static void collide(const double A[3][3], const char *law, struct world_particle
         apply(A, v[i], seed[i].velocity);
         apply(A, w[i], seed[i].spin);
     }
-    char *const scene = world_text("materials { b { density 2500; youngsModulus 1e7; } } effects { hertz {} dry { restitution 0.8; }"
-                                   "mindlin { friction 0.3; } %s } time { step 1e-6; }", law);
+    char *const scene = world_text(
+        "materials { b { density 2500; youngsModulus 1e7; } } effects { hertz {} dry { restitution 0.8; }"
+        "mindlin { friction 0.3; } %s } time { step 1e-6; }",
+        law);
     struct dem *const d = world(scene, 2, seed);
 
     world_all(d, before);
@@ -86,7 +90,8 @@ static void impact(const char *law)
     {
         /* rounding of 1000 steps */
         TAP_NEAR(now[k], then[k], 1e-13*before[0].mass, "%s: momentum %d", law, k);
-        TAP_NEAR(now[3 + k], then[3 + k], 1e-12*before[0].mass*1e-3, "%s: angular momentum %d", law, k);
+        TAP_NEAR(now[3 + k], then[3 + k], 1e-12*before[0].mass*1e-3, "%s: angular momentum %d",
+                 law, k);
         change = fmax(change, fabs(after[0].w[k] - plain[0].w[k]));
     }
     TAP_OK(now[6] < then[6], "%s: energy is lost, %.3g of it", law, 1.0 - now[6]/then[6]);
@@ -106,7 +111,8 @@ static void impact(const char *law)
             worst = fmax(worst, fabs(there[k] - other[i].w[k])/400.0);
         }
     }
-    TAP_NEAR(worst, 0.0, 1e-10, "%s: the same in axes turned at random", law);        /* rounding, grown by the impact */
+    TAP_NEAR(worst, 0.0, 1e-10, "%s: the same in axes turned at random",
+             law);        /* rounding, grown by the impact */
 }
 
 /* ---- on a plane ------------------------------------------------------------------------------------------------ */
@@ -118,15 +124,23 @@ static double rest_overlap(double pull)
 }
 
 /* a sphere that rolls with `speed` along x on z = 0 for `time`; gravity leans by `angle` */
-static struct world_particle roll(const char *law, double speed, double angle, double time, int triangles)
+static struct world_particle roll(const char *law, double speed, double angle, double time,
+                                  int triangles)
 {
-    const struct dem_new_particle seed = {.position = {0.0, 0.0, R - rest_overlap(g*cos(angle))}, .diameter = 2.0*R, .material = "b",
-                                  .velocity = {speed, 0.0, 0.0}, .spin = {0.0, speed/R, 0.0}};
-    char *const scene = world_text("materials { b { density %g; youngsModulus %g; poissonsRatio 0.3; }"
-                                   "rigid { density 1; youngsModulus 1e30; } } effects { hertz { impactSpeed 0.1; }"
-                                   "dry { restitution 0.9; } mindlin { friction 0.8; } %s"
-                                   "gravity { acceleration (%.17g 0 %.17g); } } %s", density, E, law, g*sin(angle), -g*cos(angle),
-                                   triangles ? "" : "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, R - rest_overlap(g*cos(angle))},
+                                          .diameter = 2.0*R,
+                                          .material = "b",
+                                          .velocity = {speed, 0.0, 0.0},
+                                          .spin = {0.0, speed/R, 0.0}};
+    char *const scene = world_text(
+        "materials { b { density %g; youngsModulus %g; poissonsRatio 0.3; }"
+        "rigid { density 1; youngsModulus 1e30; } } effects { hertz { impactSpeed 0.1; }"
+        "dry { restitution 0.9; } mindlin { friction 0.8; } %s"
+        "gravity { acceleration (%.17g 0 %.17g); } } %s",
+        density, E, law, g*sin(angle), -g*cos(angle),
+        triangles
+            ? ""
+            : "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
     struct dem *const d = world_begin(scene);
 
     if (triangles)
@@ -145,7 +159,8 @@ static struct world_particle roll(const char *law, double speed, double angle, d
 
 static void rest(void)
 {
-    static const char *const laws[] = {"rollingConstant { friction 0.05; }", "rollingSpring { friction 0.05; damping 0.3; }"};
+    static const char *const laws[] = {"rollingConstant { friction 0.05; }",
+                                       "rollingSpring { friction 0.05; damping 0.3; }"};
     const double v = 0.1, way = 0.7*v*v/(0.05*g);
 
     for (int k = 0; k < 2; k++)
@@ -160,7 +175,8 @@ static void rest(void)
     const double T = 1.4*R/(1e-4*g), time = 0.4;
     const struct world_particle p = roll("rollingViscous { time 1e-4; }", v, 0.0, time, 0);
 
-    TAP_NEAR(p.v[0]/v, exp(-time/T), 2e-3*exp(-time/T), "rollingViscous: slows as e^(-t/T), T = %g s", T);    /* as above */
+    TAP_NEAR(p.v[0]/v, exp(-time/T), 2e-3*exp(-time/T),
+             "rollingViscous: slows as e^(-t/T), T = %g s", T);    /* as above */
 }
 
 static void slope(void)
@@ -169,13 +185,16 @@ static void slope(void)
 
     for (int k = 0; k < 2; k++)
     {
-        const double tangent = k ? 0.3 : 0.09, angle = atan(tangent), down = 5.0/7.0*g*(sin(angle) - 0.1*cos(angle));
-        const struct world_particle p = roll("rollingSpring { friction 0.1; damping 0.5; }", 0.0, angle, time, 0);
+        const double tangent = k ? 0.3 : 0.09, angle = atan(tangent),
+                     down = 5.0/7.0*g*(sin(angle) - 0.1*cos(angle));
+        const struct world_particle p =
+            roll("rollingSpring { friction 0.1; damping 0.5; }", 0.0, angle, time, 0);
 
         if (k)
         {
             /* the springs stretch before they slip: 0.1 ms of 50 ms; lever R - d */
-            TAP_NEAR(p.v[0]/(down*time), 1.0, 5e-3, "slope 0.3, mu_r 0.1: rolls down, %.4f m/s", p.v[0]);
+            TAP_NEAR(p.v[0]/(down*time), 1.0, 5e-3, "slope 0.3, mu_r 0.1: rolls down, %.4f m/s",
+                     p.v[0]);
         }
         else
         {

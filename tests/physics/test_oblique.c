@@ -20,8 +20,9 @@ enum
 
 static const double radius = 0.0025, density = 4000.0, friction = 0.092, speed = 3.9;
 
-static const char materials[] = "materials { oxide { density 4000; youngsModulus 380e9; poissonsRatio 0.23; }"
-                                " glass { density 2500; youngsModulus 70e9; poissonsRatio 0.25; } }";
+static const char materials[] =
+    "materials { oxide { density 4000; youngsModulus 380e9; poissonsRatio 0.23; }"
+    " glass { density 2500; youngsModulus 70e9; poissonsRatio 0.25; } }";
 
 /* contact time of oxide on glass at this normal speed: 1/E* from both materials */
 static double contact_time(double normal_speed)
@@ -32,7 +33,8 @@ static double contact_time(double normal_speed)
 }
 
 /* One sphere an angle, all at once, from above onto z = 0, towards +x. */
-static struct dem *throw_all(const char *laws, const double *table, int columns, int rows, double step)
+static struct dem *throw_all(const char *laws, const double *table, int columns, int rows,
+                             double step)
 {
     struct dem_new_particle seed[MOST];
 
@@ -42,12 +44,18 @@ static struct dem *throw_all(const char *laws, const double *table, int columns,
         const double angle = table[columns*k]*world_pi/180.0;
         const double phase = (k*0.618033988749895 - floor(k*0.618033988749895))*step;
 
-        seed[k] = (struct dem_new_particle){.position = {0.0, 4.0*radius*k, radius + speed*cos(angle)*phase}, .diameter = 2.0*radius,
-                                    .velocity = {speed*sin(angle), 0.0, -speed*cos(angle)}, .id = k, .material = "oxide"};
+        seed[k] =
+            (struct dem_new_particle){.position = {0.0, 4.0*radius*k,
+                                                   radius + speed*cos(angle)*phase},
+                                      .diameter = 2.0*radius,
+                                      .velocity = {speed*sin(angle), 0.0, -speed*cos(angle)},
+                                      .id = k,
+                                      .material = "oxide"};
     }
-    char *const scene = world_text("%s effects { %s } time { step %.17g; }"
-                                   "walls { plate { type plane; material glass; point (0 0 0); normal (0 0 1); } }",
-                                   materials, laws, step);
+    char *const scene =
+        world_text("%s effects { %s } time { step %.17g; }"
+                   "walls { plate { type plane; material glass; point (0 0 0); normal (0 0 1); } }",
+                   materials, laws, step);
     struct dem *const d = world(scene, rows, seed);
 
     free(scene);
@@ -55,7 +63,8 @@ static struct dem *throw_all(const char *laws, const double *table, int columns,
 }
 
 static const char mindlin[] = "hertz { impactSpeed 4; } mindlin { friction 0.092; }";
-static const char linear[] = "hooke { stiffness 1.72e7; } linear { friction 0.092; stiffness 1.48e7; }";
+static const char linear[] =
+    "hooke { stiffness 1.72e7; } linear { friction 0.092; stiffness 1.48e7; }";
 
 /* mean of the overlap of an impact, weighted with the force: over its largest, 0.5 Gamma(1.4) Gamma(0.5)/Gamma(1.9) of Hertz,
    pi/4 of a linear spring */
@@ -88,15 +97,19 @@ static void kharaz(const char *name, const char *laws)
         const double share = t[0] >= 30.0 ? 3e-3 : 2e-2;
 
         /* the contact point lies on the wall, so the lever is shorter than R by the overlap */
-        const double normal = speed*cos(angle), lever = t[0] >= 30.0 ? 1.0 - pressed(laws, p.mass, modulus, normal)/radius : 1.0;
+        const double normal = speed*cos(angle),
+                     lever =
+                         t[0] >= 30.0 ? 1.0 - pressed(laws, p.mass, modulus, normal)/radius : 1.0;
         /* sticking, the spin is what the swings of the spring leave: 2 % of that of rolling */
         const double spin = t[0] >= 30.0 ? share*t[2] : share*fmax(t[2], speed*sin(angle)/radius);
 
         TAP_NEAR(et, t[1], share*t[1], "%g degrees: e_t %.4f", t[0], et);
         if (t[0] >= 7.5)
         {
-            TAP_NEAR(p.w[1], lever*t[2], spin, "%g degrees: spin %.2f 1/s about +y, as of rolling", t[0], p.w[1]);
-            TAP_NEAR(rebound, t[3], share*t[3], "%g degrees: leaves at %.3f degrees", t[0], rebound);
+            TAP_NEAR(p.w[1], lever*t[2], spin,
+                     "%g degrees: spin %.2f 1/s about +y, as of rolling", t[0], p.w[1]);
+            TAP_NEAR(rebound, t[3], share*t[3], "%g degrees: leaves at %.3f degrees", t[0],
+                     rebound);
         }
         if (t[0] >= 30.0)
         {
@@ -104,10 +117,13 @@ static void kharaz(const char *name, const char *laws)
                when it parts, and the step counts 1e-4 */
             const double impulse = 2.0*friction*normal;
 
-            TAP_NEAR(p.v[0], speed*sin(angle) - impulse, 3e-4*p.v[0], "%g degrees: mu times the normal impulse", t[0]);
-            TAP_NEAR(p.w[1], 2.5*impulse*lever/radius, 3e-4*p.w[1], "%g degrees: and its moment", t[0]);
+            TAP_NEAR(p.v[0], speed*sin(angle) - impulse, 3e-4*p.v[0],
+                     "%g degrees: mu times the normal impulse", t[0]);
+            TAP_NEAR(p.w[1], 2.5*impulse*lever/radius, 3e-4*p.w[1],
+                     "%g degrees: and its moment", t[0]);
         }
-        TAP_NEAR(fabs(p.v[1]) + fabs(p.w[0]) + fabs(p.w[2]), 0.0, 1e-12*speed, "%g degrees: stays in its plane", t[0]);
+        TAP_NEAR(fabs(p.v[1]) + fabs(p.w[0]) + fabs(p.w[2]), 0.0, 1e-12*speed,
+                 "%g degrees: stays in its plane", t[0]);
     }
     dem_free(d);
 }
@@ -138,7 +154,9 @@ static void measured(const char *name, const char *laws)
         square += off*off/n;
     }
     /* the figures read to half a degree; e is 1 here and 0.98 there, half a degree at 45 */
-    TAP_OK(n == 5 && sqrt(square) < 1.5, "%s: rebounds %.2f degrees from the measured ones (root mean square of %d)", name, sqrt(square), n);
+    TAP_OK(n == 5 && sqrt(square) < 1.5,
+           "%s: rebounds %.2f degrees from the measured ones (root mean square of %d)", name,
+           sqrt(square), n);
     dem_free(d);
 }
 
@@ -146,8 +164,9 @@ static void measured(const char *name, const char *laws)
 static void mfix(void)
 {
     static const double table[][5] = {
-        {5, 0.940, 20.3, 4.702, 0.798}, {10, 0.690, 208.4, 6.940, 0.656}, {20, 0.6150, 510.5, 12.618, 0.595},
-        {25, 0.6343, 599.5, 16.477, 0.622}, {30, 0.6813, 618.4, 21.472, 0.6813}, {45, 0.8160, 505.3, 39.214, 0.8160},
+        {5, 0.940, 20.3, 4.702, 0.798}, {10, 0.690, 208.4, 6.940, 0.656},
+        {20, 0.6150, 510.5, 12.618, 0.595},  {25, 0.6343, 599.5, 16.477, 0.622},
+        {30, 0.6813, 618.4, 21.472, 0.6813}, {45, 0.8160, 505.3, 39.214, 0.8160},
         {60, 0.8938, 357.7, 57.139, 0.8938},
     };
     const double step = contact_time(speed)/400.0;
@@ -164,12 +183,15 @@ static void mfix(void)
             const double et = p.v[0]/(speed*sin(angle));
 
             /* theirs at fewer steps a contact; its suite asks for 5 %, the sticking part differs by 1 to 2 %; sliding is exact */
-            TAP_NEAR(et, t[law ? 4 : 1], (t[0] >= 30.0 ? 2e-3 : 2e-2)*et, "%g degrees, %s: e_t %.4f as with MFiX-DEM", t[0],
-                     law ? "linear" : "mindlin", et);
+            TAP_NEAR(et, t[law ? 4 : 1], (t[0] >= 30.0 ? 2e-3 : 2e-2)*et,
+                     "%g degrees, %s: e_t %.4f as with MFiX-DEM", t[0], law ? "linear" : "mindlin",
+                     et);
             if (law == 0)
             {
-                TAP_NEAR(p.w[1], t[2], 1e-2*599.5, "%g degrees: spin %.1f, MFiX-DEM %.1f", t[0], p.w[1], t[2]);
-                TAP_NEAR(atan2(p.v[0], p.v[2])*180.0/world_pi, t[3], 2e-2*t[3], "%g degrees: rebound as with MFiX-DEM", t[0]);
+                TAP_NEAR(p.w[1], t[2], 1e-2*599.5, "%g degrees: spin %.1f, MFiX-DEM %.1f", t[0],
+                         p.w[1], t[2]);
+                TAP_NEAR(atan2(p.v[0], p.v[2])*180.0/world_pi, t[3], 2e-2*t[3],
+                         "%g degrees: rebound as with MFiX-DEM", t[0]);
             }
         }
         dem_free(d);
@@ -182,13 +204,22 @@ static double spinning_pair(double w0, double w1, struct world_particle p[2])
 {
     const double R = 0.1, v = 0.2, m = world_ball(R, 2700.0), modulus = 0.5*70e9/(1.0 - 0.33*0.33);
     const double time = world_contact_time(0.5*m, 0.5*R, modulus, 2.0*v);
-    struct dem_new_particle seed[2] = {{.position = {-R - 1e-7, 0, 0}, .velocity = {v, 0, 0}, .spin = {0, w0, 0}, .material = "al"},
-                               {.position = {R, 0, 0}, .velocity = {-v, 0, 0}, .spin = {0, w1, 0}, .id = 1, .material = "al"}};
+    struct dem_new_particle seed[2] = {{.position = {-R - 1e-7, 0, 0},
+                                        .velocity = {v, 0, 0},
+                                        .spin = {0, w0, 0},
+                                        .material = "al"},
+                                       {.position = {R, 0, 0},
+                                        .velocity = {-v, 0, 0},
+                                        .spin = {0, w1, 0},
+                                        .id = 1,
+                                        .material = "al"}};
 
     seed[0].diameter = seed[1].diameter = 2.0*R;
-    char *const scene = world_text("materials { al { density 2700; youngsModulus 70e9; poissonsRatio 0.33; } }"
-                                   "effects { hertz {} dry { restitution 0.5; } mindlin { friction 0.4; } }"
-                                   "time { step %.17g; }", time/400.0);
+    char *const scene =
+        world_text("materials { al { density 2700; youngsModulus 70e9; poissonsRatio 0.33; } }"
+                   "effects { hertz {} dry { restitution 0.5; } mindlin { friction 0.4; } }"
+                   "time { step %.17g; }",
+                   time/400.0);
     struct dem *const d = world(scene, 2, seed);
 
     double pushed = 0.0;
@@ -229,7 +260,8 @@ static void pairs(void)
         const double before = 2.0*0.4*p[0].mass*0.01*w;
 
         /* the lever is shorter than R by half the overlap, 60 um of 100 mm; the centres slip past each other by as much */
-        TAP_NEAR(change, rigid, 2e-3*rigid, "like spins %g: mu times the normal impulse changes the spin by %.4f", w, change);
+        TAP_NEAR(change, rigid, 2e-3*rigid,
+                 "like spins %g: mu times the normal impulse changes the spin by %.4f", w, change);
         TAP_NEAR(p[0].v[2], 0.4*0.1*change, 2e-3*p[0].v[2], "and pushes aside as much as it turns");
         TAP_NEAR(angular(&p[0]) + angular(&p[1]), before, 1e-12*before, "angular momentum is kept");
     }

@@ -37,7 +37,8 @@ static const double *orientation(const struct dem *d)
 /* largest difference from the rotation by `angle` about n; q and -q are the same rotation */
 static double off(const double q[4], double angle, const double n[3])
 {
-    const double want[4] = {cos(0.5*angle), n[0]*sin(0.5*angle), n[1]*sin(0.5*angle), n[2]*sin(0.5*angle)};
+    const double want[4] = {cos(0.5*angle), n[0]*sin(0.5*angle), n[1]*sin(0.5*angle),
+                            n[2]*sin(0.5*angle)};
     double plus = 0.0, minus = 0.0;
 
     for (int k = 0; k < 4; k++)
@@ -56,8 +57,11 @@ static double length(const double q[4])
 int main(void)
 {
     const double n[3] = {2.0/7.0, -3.0/7.0, 6.0/7.0}, w = 20000.0, T = 1.0;
-    struct dem_new_particle seed = {.position = {0.0, 0.0, 1.0}, .diameter = 1e-3, .id = -1, .material = "glass",
-                            .spin = {w*n[0], w*n[1], w*n[2]}};
+    struct dem_new_particle seed = {.position = {0.0, 0.0, 1.0},
+                                    .diameter = 1e-3,
+                                    .id = -1,
+                                    .material = "glass",
+                                    .spin = {w*n[0], w*n[1], w*n[2]}};
 
     TAP_TRAPS;
 
@@ -66,8 +70,10 @@ int main(void)
 
     TAP_NEAR(off(orientation(d), 0.0, n), 0.0, 0.0, "not turned at the start");
     world_run(d, T);
-    TAP_NEAR(off(orientation(d), fmod(w*T, 4.0*world_pi), n), 0.0, 1e-9, "3183 turns about a skew axis");    /* 4e-16 and rounding a step */
-    TAP_NEAR(length(orientation(d)), 1.0, 4e-16, "still a unit quaternion");                     /* one division's rounding */
+    TAP_NEAR(off(orientation(d), fmod(w*T, 4.0*world_pi), n), 0.0, 1e-9,
+             "3183 turns about a skew axis");    /* 4e-16 and rounding a step */
+    TAP_NEAR(length(orientation(d)), 1.0, 4e-16,
+             "still a unit quaternion");                     /* one division's rounding */
 
     /* the same half and half, through a file */
     const char *const file = "orientation.dem";
@@ -79,10 +85,12 @@ int main(void)
     WORLD_TRY(dem_load(second, file));
     WORLD_TRY(dem_setup(second));
     remove(file);
-    TAP_OK(memcmp(orientation(first), orientation(second), 4*sizeof(double)) == 0, "a snapshot holds it");
+    TAP_OK(memcmp(orientation(first), orientation(second), 4*sizeof(double)) == 0,
+           "a snapshot holds it");
     world_run(first, 0.5*T);
     world_run(second, 0.5*T);
-    TAP_OK(memcmp(orientation(first), orientation(second), 4*sizeof(double)) == 0, "and the run continues with the same bits");
+    TAP_OK(memcmp(orientation(first), orientation(second), 4*sizeof(double)) == 0,
+           "and the run continues with the same bits");
     dem_free(first);
     dem_free(second);
     dem_free(d);
@@ -91,11 +99,16 @@ int main(void)
     const double R = 0.005, v = 0.1;
     const double y[3] = {0.0, 1.0, 0.0};
 
-    seed = (struct dem_new_particle){.position = {0.0, 0.0, R}, .velocity = {v, 0.0, 0.0}, .spin = {0.0, v/R, 0.0}, .diameter = 2.0*R, .id = -1,
-                             .material = "glass"};
+    seed = (struct dem_new_particle){.position = {0.0, 0.0, R},
+                                     .velocity = {v, 0.0, 0.0},
+                                     .spin = {0.0, v/R, 0.0},
+                                     .diameter = 2.0*R,
+                                     .id = -1,
+                                     .material = "glass"};
     d = watched(rolling_scene, &seed);
     world_run(d, 0.3);
-    TAP_NEAR(off(orientation(d), world_at(d, 0).x[0]/world_at(d, 0).x[2], y), 0.0, 2e-4, "rolls by its way over its radius");   /* first bounces */
+    TAP_NEAR(off(orientation(d), world_at(d, 0).x[0]/world_at(d, 0).x[2], y), 0.0, 2e-4,
+             "rolls by its way over its radius");   /* first bounces */
     dem_free(d);
 
     d = world(free_scene, 1, &seed);

@@ -34,29 +34,35 @@ static void column(void)
     static struct dem_new_particle seed[COLUMN];
     double force[3], top = 0.0;
     /* a thick but weightless fluid brings it to rest: the slowest swing of the column takes 0.1 s */
-    char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; }"
-                                   "rigid { density 1; youngsModulus 1e30; } }"
-                                   "effects { hertz { impactSpeed 0.1; } dry { restitution 0.5; } wenYu {}"
-                                   "gravity { acceleration (0 0 -9.80665); } } fluid { density 1e-9; viscosity 0.06; }"
-                                   "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
+    char *const scene = world_text(
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; }"
+        "rigid { density 1; youngsModulus 1e30; } }"
+        "effects { hertz { impactSpeed 0.1; } dry { restitution 0.5; } wenYu {}"
+        "gravity { acceleration (0 0 -9.80665); } } fluid { density 1e-9; viscosity 0.06; }"
+        "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
 
     for (int k = 0; k < COLUMN; k++)
     {
-        seed[k] = (struct dem_new_particle){.position = {0.0, 0.0, R*(2*k + 1)}, .diameter = 2.0*R, .id = k, .material = "glass"};
+        seed[k] = (struct dem_new_particle){.position = {0.0, 0.0, R*(2*k + 1)},
+                                            .diameter = 2.0*R,
+                                            .id = k,
+                                            .material = "glass"};
         top += overlap_at(k);
     }
     struct dem *const d = world(scene, COLUMN, seed);
 
     world_run(d, 1.0);
     world_wall(d, "floor", force);
-    const double all = COLUMN*world_ball(R, density)*g, height = world_at(d, COLUMN - 1).x[2], lowest = R - world_at(d, 0).x[2];
+    const double all = COLUMN*world_ball(R, density)*g, height = world_at(d, COLUMN - 1).x[2],
+                 lowest = R - world_at(d, 0).x[2];
 
     /* 2e-7 of the weight is still moving after 1 s; the reference asks for 1e-5 */
     TAP_NEAR(-force[2], 2.0538999e-2, 1e-5*all, "column: %.8g N on the floor", -force[2]);
     TAP_NEAR(all, 2.0538999e-2, 1e-6*all, "column: which is its weight");
     TAP_NEAR(lowest, 1.25253e-5, 1e-5*lowest, "column: overlap %.6g m at the floor", lowest);
     TAP_NEAR(height, 0.39599403592, 1e-5*top, "column: its top at %.11f m", height);
-    TAP_NEAR((2*COLUMN - 1)*R - top, 0.39599403592, 1e-9, "column: as the sum over all contacts says");
+    TAP_NEAR((2*COLUMN - 1)*R - top, 0.39599403592, 1e-9,
+             "column: as the sum over all contacts says");
     TAP_NEAR(fabs(force[0]) + fabs(force[1]), 0.0, 0.0, "column: nothing pushes it aside");
     TAP_OK(world_tally(d).contacts == COLUMN, "column: %d contacts", COLUMN);
     free(scene);
@@ -66,15 +72,21 @@ static void column(void)
 static void cradle(int n, const double *expected)
 {
     struct dem_new_particle seed[5];
-    const double mass = world_ball(R, density), time = world_contact_time(0.5*mass, 0.5*R, 0.5*E/(1.0 - 0.09), 1.0);
-    char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
-                                   "effects { hertz {} } time { step %.17g; }", time/400.0);
+    const double mass = world_ball(R, density),
+                 time = world_contact_time(0.5*mass, 0.5*R, 0.5*E/(1.0 - 0.09), 1.0);
+    char *const scene =
+        world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
+                   "effects { hertz {} } time { step %.17g; }",
+                   time/400.0);
 
     memset(seed, 0, sizeof seed);
     for (int k = 0; k < n; k++)
     {
-        seed[k] = (struct dem_new_particle){.position = {2.0*R*k - (k ? 0.0 : 1e-6), 0.0, 0.0}, .velocity = {k ? 0.0 : 1.0, 0.0, 0.0},
-                                    .diameter = 2.0*R, .id = k, .material = "glass"};
+        seed[k] = (struct dem_new_particle){.position = {2.0*R*k - (k ? 0.0 : 1e-6), 0.0, 0.0},
+                                            .velocity = {k ? 0.0 : 1.0, 0.0, 0.0},
+                                            .diameter = 2.0*R,
+                                            .id = k,
+                                            .material = "glass"};
     }
     struct dem *const d = world(scene, n, seed);
 
@@ -93,10 +105,12 @@ static void cradle(int n, const double *expected)
 static struct dem *gas(double outer, double inner)
 {
     static struct dem_new_particle seed[GAS];
-    char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e8; poissonsRatio 0.3; } }"
-                                   "effects { hertz { impactSpeed 20; } dry { restitution 0.95; } mindlin { friction 0.3; } }"
-                                   "walls { b { type box; min (0 0 0); max (0.03 0.03 0.03); } }"
-                                   "neighbours { outerSkin %g; innerSkin %g; }", outer, inner);
+    char *const scene = world_text(
+        "materials { glass { density 2500; youngsModulus 1e8; poissonsRatio 0.3; } }"
+        "effects { hertz { impactSpeed 20; } dry { restitution 0.95; } mindlin { friction 0.3; } }"
+        "walls { b { type box; min (0 0 0); max (0.03 0.03 0.03); } }"
+        "neighbours { outerSkin %g; innerSkin %g; }",
+        outer, inner);
 
     for (int k = 0; k < GAS; k++)
     {
@@ -105,7 +119,8 @@ static struct dem *gas(double outer, double inner)
         seed[k] = (struct dem_new_particle){.diameter = 2.0*R, .id = k, .material = "glass"};
         for (int a = 0; a < 3; a++)
         {
-            seed[k].position[a] = 0.003*(at[a] + 0.5) + 4e-4*(dem_random_unit(5, (uint64_t)k, 1, (uint64_t)a) - 0.5);
+            seed[k].position[a] = 0.003*(at[a] + 0.5) +
+                                  4e-4*(dem_random_unit(5, (uint64_t)k, 1, (uint64_t)a) - 0.5);
             seed[k].velocity[a] = 0.4*(dem_random_unit(5, (uint64_t)k, 0, (uint64_t)a) - 0.5);
         }
     }
@@ -132,19 +147,23 @@ static void escape(void)
         t[k] = world_tally(d);
         dem_free(d);
     }
-    TAP_NOTE("%lld steps; rebuilds %lld, %lld, %lld, %lld; prunes of the second %lld", (long long)t[0].steps, (long long)t[0].rebuilds,
-             (long long)t[1].rebuilds, (long long)t[2].rebuilds, (long long)t[3].rebuilds, (long long)t[1].prunes);
-    TAP_OK(t[0].largest_overlap > 0.005, "fast sphere: it hits others, overlap %.3f of a diameter", t[0].largest_overlap);
+    TAP_NOTE("%lld steps; rebuilds %lld, %lld, %lld, %lld; prunes of the second %lld",
+             (long long)t[0].steps, (long long)t[0].rebuilds, (long long)t[1].rebuilds,
+             (long long)t[2].rebuilds, (long long)t[3].rebuilds, (long long)t[1].prunes);
+    TAP_OK(t[0].largest_overlap > 0.005, "fast sphere: it hits others, overlap %.3f of a diameter",
+           t[0].largest_overlap);
     TAP_OK(t[0].rebuilds < t[3].rebuilds, "fast sphere: the lists differ in age");
     for (int k = 1; k < CASES; k++)
     {
-        TAP_OK(hash[k] == hash[0], "fast sphere: skins %g and %g give the bits of skins 2", skins[k][0], skins[k][1]);
+        TAP_OK(hash[k] == hash[0], "fast sphere: skins %g and %g give the bits of skins 2",
+               skins[k][0], skins[k][1]);
     }
 }
 
 int main(void)
 {
-    static const double three[] = {-0.07095, 0.07640, 0.99455}, five[] = {-0.071083, -0.030273, -0.014463, 0.127040, 0.988778};
+    static const double three[] = {-0.07095, 0.07640, 0.99455},
+                        five[] = {-0.071083, -0.030273, -0.014463, 0.127040, 0.988778};
 
     TAP_TRAPS;
     column();

@@ -27,14 +27,20 @@ static struct dem *block(int high, const char *more)
         "effects { hertz { } dry { restitution 0.8; } mindlin { friction 0.4; } gravity { acceleration (1 2 -9.81); } }"
         "domain { x (0 0.04995); y (0 0.01199); periodic (x y); }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
-        "time { step 5e-6; } %s", more);
+        "time { step 5e-6; } %s",
+        more);
     struct dem_new_particle *const seed = calloc((size_t)(LAYER*high), sizeof *seed);
 
     for (int k = 0; k < LAYER*high; k++)
     {
-        seed[k] = (struct dem_new_particle){.position = {0.999e-3*(k%LONG), 0.999e-3*(k/LONG%WIDE), 0.4995e-3 + 0.999e-3*(k/LAYER)},
-                                    .velocity = {0.05*sin(1.3*k), 0.05*sin(2.1*k), 0.05*sin(0.7*k)},
-                                    .diameter = 1e-3, .id = k*7919%(LAYER*high), .material = "glass"};
+        seed[k] = (struct dem_new_particle){.position = {0.999e-3*(k%LONG),
+                                                         0.999e-3*(k/LONG%WIDE),
+                                                         0.4995e-3 + 0.999e-3*(k/LAYER)},
+                                            .velocity = {0.05*sin(1.3*k), 0.05*sin(2.1*k),
+                                                         0.05*sin(0.7*k)},
+                                            .diameter = 1e-3,
+                                            .id = k*7919%(LAYER*high),
+                                            .material = "glass"};
     }
     struct dem *const d = world(scene, LAYER*high, seed);
 
@@ -64,13 +70,16 @@ static uint64_t bits(struct dem *d, int count)
     return hash;
 }
 
-static const char often[] = "averages { all { min (0 0 0); max (0.05 0.012 0.008); interval 5e-6; } }";
-static const char seldom[] = "averages { all { min (0 0 0); max (0.05 0.012 0.008); interval 5e-5; } }";
+static const char often[] =
+    "averages { all { min (0 0 0); max (0.05 0.012 0.008); interval 5e-6; } }";
+static const char seldom[] =
+    "averages { all { min (0 0 0); max (0.05 0.012 0.008); interval 5e-5; } }";
 
 static void looks(int high, int round)
 {
     const int count = LAYER*high;
-    struct dem *const never = block(high, ""), *const always = block(high, often), *const sometimes = block(high, seldom);
+    struct dem *const never = block(high, ""), *const always = block(high, often),
+                      *const sometimes = block(high, seldom);
 
     for (int k = 0; k < 4; k++)
     {
@@ -78,14 +87,19 @@ static void looks(int high, int round)
         world_run(always, STEPS*5e-6);
         world_run(sometimes, STEPS*5e-6);
     }
-    TAP_OK(world_tally(never).contacts > count, "%d spheres touch: %lld contacts", count, (long long)world_tally(never).contacts);
-    TAP_OK(dem_contacts_use_force_buffer(&never->state.contacts) == round, "%d spheres: there is %s ring", count, round ? "a" : "no");
+    TAP_OK(world_tally(never).contacts > count, "%d spheres touch: %lld contacts", count,
+           (long long)world_tally(never).contacts);
+    TAP_OK(dem_contacts_use_force_buffer(&never->state.contacts) == round,
+           "%d spheres: there is %s ring", count, round ? "a" : "no");
     if (round)
     {
-        TAP_OK(never->state.contacts.deferred_rows > 0, "and %zu rows that wait past it", never->state.contacts.deferred_rows);
+        TAP_OK(never->state.contacts.deferred_rows > 0, "and %zu rows that wait past it",
+               never->state.contacts.deferred_rows);
     }
-    TAP_OK(bits(always, count) == bits(never, count), "%d spheres: the same bits looked at in every step and never", count);
-    TAP_OK(bits(sometimes, count) == bits(never, count), "%d spheres: and looked at now and then", count);
+    TAP_OK(bits(always, count) == bits(never, count),
+           "%d spheres: the same bits looked at in every step and never", count);
+    TAP_OK(bits(sometimes, count) == bits(never, count), "%d spheres: and looked at now and then",
+           count);
     dem_free(never);
     dem_free(always);
     dem_free(sometimes);

@@ -33,8 +33,12 @@ static void list_materials(const double *table, char *materials, char *pairs, si
 
     for (int k = 0; k < CASES; k++)
     {
-        m += (size_t)snprintf(materials + m, room - m, "b%d { density %g; youngsModulus %g; poissonsRatio 0.3; }", k, density, E);
-        p += (size_t)snprintf(pairs + p, room - p, "p%d { between (b%d rigid); mindlin { friction %g; } }", k, k, table[COLUMNS*k]);
+        m += (size_t)snprintf(materials + m, room - m,
+                              "b%d { density %g; youngsModulus %g; poissonsRatio 0.3; }", k,
+                              density, E);
+        p += (size_t)snprintf(pairs + p, room - p,
+                              "p%d { between (b%d rigid); mindlin { friction %g; } }", k, k,
+                              table[COLUMNS*k]);
     }
 }
 
@@ -48,12 +52,17 @@ static struct dem *start(const double *table, const char *wall, const char *tang
     list_materials(table, materials, pairs, sizeof pairs);
     for (int k = 0; k < CASES; k++)
     {
-        seed[k] = (struct dem_new_particle){.position = {0.0, 4.0*R*k, R - rest_overlap(g)}, .velocity = {u0, 0.0, 0.0}, .diameter = 2.0*R,
-                                    .id = k, .material = names[k]};
+        seed[k] = (struct dem_new_particle){.position = {0.0, 4.0*R*k, R - rest_overlap(g)},
+                                            .velocity = {u0, 0.0, 0.0},
+                                            .diameter = 2.0*R,
+                                            .id = k,
+                                            .material = names[k]};
     }
-    char *const scene = world_text("materials { %s rigid { density 1; youngsModulus 1e30; } } effects { hertz { impactSpeed 0.1; }"
-                                   "dry { restitution 0.9; } mindlin { friction 0.1; %s } gravity { acceleration (0 0 -%.17g); } }"
-                                   "pairs { %s } %s", materials, tangential, g, pairs, wall);
+    char *const scene = world_text(
+        "materials { %s rigid { density 1; youngsModulus 1e30; } } effects { hertz { impactSpeed 0.1; }"
+        "dry { restitution 0.9; } mindlin { friction 0.1; %s } gravity { acceleration (0 0 -%.17g); } }"
+        "pairs { %s } %s",
+        materials, tangential, g, pairs, wall);
     struct dem *const d = world_begin(scene);
 
     if (!wall[0])
@@ -85,7 +94,9 @@ static void slip_ends(struct dem *d, double until, double ends[CASES])
             const struct world_particle p = world_at(d, k);
             const double slip = p.v[0] - p.w[1]*R;
 
-            ends[k] = ends[k] == 0.0 && slip <= 0.0 ? ((double)s - 1.0 + before[k]/(before[k] - slip))*step : ends[k];
+            ends[k] = ends[k] == 0.0 && slip <= 0.0
+                          ? ((double)s - 1.0 + before[k]/(before[k] - slip))*step
+                          : ends[k];
             before[k] = slip;
         }
     }
@@ -105,9 +116,11 @@ static void slip_to_roll(const double *table, const char *wall, const char *what
         /* the spring of the contact is as soft as E = 1e7: it stretches by some 1e-8 m, less than 1e-3 of the slip */
         TAP_NEAR(ends[k], t[2], 5e-3*t[2], "%s, mu %g: slips for %.4f ms", what, t[0], 1e3*ends[k]);
         TAP_NEAR(p.v[0], t[3], 5e-3*t[3], "%s, mu %g: then rolls at %.5f m/s", what, t[0], p.v[0]);
-        TAP_NEAR(p.w[1], t[4], 5e-3*t[4], "%s, mu %g: and turns forward with %.3f 1/s", what, t[0], p.w[1]);
+        TAP_NEAR(p.w[1], t[4], 5e-3*t[4], "%s, mu %g: and turns forward with %.3f 1/s", what,
+                 t[0], p.w[1]);
         /* the work of the normal force and of the plane's slope would show here */
-        TAP_NEAR(fabs(p.v[1]) + fabs(p.v[2]), 0.0, 1e-9, "%s, mu %g: neither hops nor drifts", what, t[0]);
+        TAP_NEAR(fabs(p.v[1]) + fabs(p.v[2]), 0.0, 1e-9, "%s, mu %g: neither hops nor drifts", what,
+                 t[0]);
     }
     dem_free(d);
 }
@@ -116,30 +129,37 @@ static void slip_to_roll(const double *table, const char *wall, const char *what
 static void slope(double friction, double acceleration, const char *what)
 {
     const double angle = 20.0*world_pi/180.0, time = 0.05;
-    const struct dem_new_particle seed = {.position = {0.0, 0.0, R - rest_overlap(g*cos(angle))}, .diameter = 2.0*R, .material = "b"};
-    char *const scene = world_text("materials { b { density %g; youngsModulus %g; poissonsRatio 0.3; }"
-                                   "rigid { density 1; youngsModulus 1e30; } } effects { hertz { impactSpeed 0.1; }"
-                                   "dry { restitution 0.9; } mindlin { friction %g; }"
-                                   "gravity { acceleration (%.17g 0 %.17g); } } walls { floor { type plane; material rigid;"
-                                   "point (0 0 0); normal (0 0 1); } }", density, E, friction, g*sin(angle), -g*cos(angle));
+    const struct dem_new_particle seed = {.position = {0.0, 0.0, R - rest_overlap(g*cos(angle))},
+                                          .diameter = 2.0*R,
+                                          .material = "b"};
+    char *const scene = world_text(
+        "materials { b { density %g; youngsModulus %g; poissonsRatio 0.3; }"
+        "rigid { density 1; youngsModulus 1e30; } } effects { hertz { impactSpeed 0.1; }"
+        "dry { restitution 0.9; } mindlin { friction %g; }"
+        "gravity { acceleration (%.17g 0 %.17g); } } walls { floor { type plane; material rigid;"
+        "point (0 0 0); normal (0 0 1); } }",
+        density, E, friction, g*sin(angle), -g*cos(angle));
     struct dem *const d = world(scene, 1, &seed);
 
     world_run(d, time);
     const struct world_particle p = world_at(d, 0);
 
     /* the spring stretches before it holds: some 10 us of 50 ms */
-    TAP_NEAR(p.v[0], acceleration*time, 2e-3*acceleration*time, "%s on a slope: %.5f m/s", what, p.v[0]);
+    TAP_NEAR(p.v[0], acceleration*time, 2e-3*acceleration*time, "%s on a slope: %.5f m/s",
+             what, p.v[0]);
     free(scene);
     dem_free(d);
 }
 
 int main(void)
 {
-    static const char plane[] = "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }";
+    static const char plane[] =
+        "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }";
     const double angle = 20.0*world_pi/180.0;
     double table[CASES*COLUMNS];
 
-    if (!TAP_OK(world_table("physics/slip_to_roll.csv", COLUMNS, CASES, table) == CASES, "nine frictions in slip_to_roll.csv"))
+    if (!TAP_OK(world_table("physics/slip_to_roll.csv", COLUMNS, CASES, table) == CASES,
+                "nine frictions in slip_to_roll.csv"))
     {
         TAP_DONE;
     }

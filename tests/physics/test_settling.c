@@ -19,10 +19,11 @@ enum
 /* Schiller and Naumann with buoyancy; the table's step of the core's 1e-5 s. */
 static void liquid(void)
 {
-    static const char scene[] = "materials { bead { density 3000; youngsModulus 1e7; } }"
-                                "effects { wenYu {} pressureGradient {} gravity { acceleration (0 0 -9.81); } }"
-                                "fluid { density 10; viscosity 1e-4; } time { step 1e-5; }"
-                                "insert { one { type list; diameter 1e-4; positions ((0 0 0)); } }";
+    static const char scene[] =
+        "materials { bead { density 3000; youngsModulus 1e7; } }"
+        "effects { wenYu {} pressureGradient {} gravity { acceleration (0 0 -9.81); } }"
+        "fluid { density 10; viscosity 1e-4; } time { step 1e-5; }"
+        "insert { one { type list; diameter 1e-4; positions ((0 0 0)); } }";
     double table[LIQUID*MOST];
     const int rows = world_table("physics/settling_liquid.csv", LIQUID, MOST, table);
     struct dem *const d = world(scene, 0, NULL);
@@ -40,7 +41,8 @@ static void liquid(void)
 
     /* drag is exact within a kick but for its coefficient, which is that of the kick's start: some 1e-5 at step/tau = 6e-4 */
     TAP_OK(rows == 21, "liquid: %d rows", rows);
-    TAP_NEAR(worst_v, 0.0, 1e-4, "liquid: speed within %.1e of the reference at all times", worst_v);
+    TAP_NEAR(worst_v, 0.0, 1e-4, "liquid: speed within %.1e of the reference at all times",
+             worst_v);
     TAP_NEAR(worst_x, 0.0, 1e-4, "liquid: path within %.1e", worst_x);
     TAP_NEAR(last, 0.137337, 1e-5*last, "liquid: terminal speed %.6f m/s", last);
     dem_free(d);
@@ -49,10 +51,11 @@ static void liquid(void)
 /* Small and slow enough to creep: v = v_t (1 - exp(-t/tau)). */
 static void creeping(void)
 {
-    static const char scene[] = "materials { bead { density 3000; youngsModulus 1e7; } }"
-                                "effects { wenYu {} pressureGradient {} gravity { acceleration (0 0 -9.81); } }"
-                                "fluid { density 10; viscosity 1e-4; } time { step 1e-7; }"
-                                "insert { one { type list; diameter 1e-6; positions ((0 0 0)); } }";
+    static const char scene[] =
+        "materials { bead { density 3000; youngsModulus 1e7; } }"
+        "effects { wenYu {} pressureGradient {} gravity { acceleration (0 0 -9.81); } }"
+        "fluid { density 10; viscosity 1e-4; } time { step 1e-7; }"
+        "insert { one { type list; diameter 1e-6; positions ((0 0 0)); } }";
     const double tau = 3000.0*1e-12/(18.0*1e-4), terminal = tau*9.81*(1.0 - 10.0/3000.0);
     struct dem *const d = world(scene, 0, NULL);
 
@@ -60,16 +63,18 @@ static void creeping(void)
     const double v = -world_at(d, 0).v[2];
 
     /* Re = 1e-6, where 0.15 Re^0.687 is 1e-5; the exponential is exact */
-    TAP_NEAR(v, terminal*(1.0 - exp(-1.0)), 1e-4*terminal, "creeping: %.2f %% of the terminal speed after tau", 100.0*v/terminal);
+    TAP_NEAR(v, terminal*(1.0 - exp(-1.0)), 1e-4*terminal,
+             "creeping: %.2f %% of the terminal speed after tau", 100.0*v/terminal);
     dem_free(d);
 }
 
 static void gas(void)
 {
-    static const char scene[] = "materials { bead { density 2000; youngsModulus 1e7; } }"
-                                "effects { wenYu {} pressureGradient {} gravity { acceleration (0 -9.80665 0); } }"
-                                "fluid { density 1.2; viscosity 1.8e-5; velocity (0 0.4 0); } time { step 1e-5; }"
-                                "insert { one { type list; diameter 1e-4; positions ((0 0.0925 0)); } }";
+    static const char scene[] =
+        "materials { bead { density 2000; youngsModulus 1e7; } }"
+        "effects { wenYu {} pressureGradient {} gravity { acceleration (0 -9.80665 0); } }"
+        "fluid { density 1.2; viscosity 1.8e-5; velocity (0 0.4 0); } time { step 1e-5; }"
+        "insert { one { type list; diameter 1e-4; positions ((0 0.0925 0)); } }";
     double table[GAS*MOST], worst = 0.0;
     const int rows = world_table("physics/settling_gas.csv", GAS, MOST, table);
     struct dem *const d = world(scene, 0, NULL);
@@ -87,10 +92,12 @@ static void gas(void)
 /* tau = m/b from 1e-8 s to 1e-3 of that, steps of 1e-5 s. */
 static void stiff(double viscosity)
 {
-    char *const scene = world_text("materials { bead { density 1000; youngsModulus 1e7; } } effects { wenYu {} }"
-                                   "fluid { density 1000; viscosity %g; velocity (0.3 0 -0.1); } time { step 1e-5; }"
-                                   "insert { two { type list; diameter 1.9e-5; positions ((0 0 0) (1 0 0));"
-                                   "velocities ((0 0 0) (50 -20 3)); } }", viscosity);
+    char *const scene = world_text(
+        "materials { bead { density 1000; youngsModulus 1e7; } } effects { wenYu {} }"
+        "fluid { density 1000; viscosity %g; velocity (0.3 0 -0.1); } time { step 1e-5; }"
+        "insert { two { type list; diameter 1.9e-5; positions ((0 0 0) (1 0 0));"
+        "velocities ((0 0 0) (50 -20 3)); } }",
+        viscosity);
     struct dem *const d = world(scene, 0, NULL);
     double worst = 0.0;
 
@@ -104,40 +111,45 @@ static void stiff(double viscosity)
             worst = fmax(worst, fabs(p.v[0] - 0.3) + fabs(p.v[1]) + fabs(p.v[2] + 0.1));
         }
     }
-    TAP_NEAR(worst, 0.0, 1e-12, "step/tau = %.0e: with the fluid within %.0e m/s after one step, and stays", 1e-5/
-             (1000.0*1.9e-5*1.9e-5/(18.0*viscosity)), worst);
+    TAP_NEAR(worst, 0.0, 1e-12,
+             "step/tau = %.0e: with the fluid within %.0e m/s after one step, and stays",
+             1e-5/ (1000.0*1.9e-5*1.9e-5/(18.0*viscosity)), worst);
     free(scene);
     dem_free(d);
 }
 
 static void held(void)
 {
-    static const char scene[] = "materials { bead { density 2000; youngsModulus 1e7; } }"
-                                "effects { wenYu {} gravity { acceleration (0 0 -9.81); } }"
-                                "fluid { density 1000; viscosity 1e-3; velocity (1 0 0); } time { step 1e-4; }"
-                                "insert { one { type list; diameter 1e-3; positions ((0 0 0)); frozen yes; } }";
+    static const char scene[] =
+        "materials { bead { density 2000; youngsModulus 1e7; } }"
+        "effects { wenYu {} gravity { acceleration (0 0 -9.81); } }"
+        "fluid { density 1000; viscosity 1e-3; velocity (1 0 0); } time { step 1e-4; }"
+        "insert { one { type list; diameter 1e-3; positions ((0 0 0)); frozen yes; } }";
     struct dem *const d = world(scene, 0, NULL);
 
     world_run(d, 0.1);
     const struct world_particle p = world_at(d, 0);
 
-    TAP_OK(p.x[0] == 0.0 && p.x[2] == 0.0 && p.v[0] == 0.0 && p.v[2] == 0.0, "a frozen sphere stays in a stream");
+    TAP_OK(p.x[0] == 0.0 && p.x[2] == 0.0 && p.v[0] == 0.0 && p.v[2] == 0.0,
+           "a frozen sphere stays in a stream");
     dem_free(d);
 }
 
 static void floating(void)
 {
-    static const char scene[] = "materials { bead { density 1000; youngsModulus 1e7; } }"
-                                "effects { wenYu {} pressureGradient {} gravity { acceleration (3 -4 -9.81); } }"
-                                "fluid { density 1000; viscosity 1e-3; } time { step 1e-4; }"
-                                "insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }";
+    static const char scene[] =
+        "materials { bead { density 1000; youngsModulus 1e7; } }"
+        "effects { wenYu {} pressureGradient {} gravity { acceleration (3 -4 -9.81); } }"
+        "fluid { density 1000; viscosity 1e-3; } time { step 1e-4; }"
+        "insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }";
     struct dem *const d = world(scene, 0, NULL);
 
     world_run(d, 1.0);
     const struct world_particle p = world_at(d, 0);
 
     /* weight and buoyancy cancel to round-off, 1e-16 g for a second */
-    TAP_NEAR(fabs(p.v[0]) + fabs(p.v[1]) + fabs(p.v[2]), 0.0, 1e-12, "as dense as the fluid: floats");
+    TAP_NEAR(fabs(p.v[0]) + fabs(p.v[1]) + fabs(p.v[2]), 0.0, 1e-12,
+             "as dense as the fluid: floats");
     dem_free(d);
 }
 

@@ -43,21 +43,29 @@ static struct dem *start(double stokes, int pair, double step, double outer_skin
     {
         const double gap = v*step*(1.0 + (k + 0.5)/PHASES);
 
-        seed[n] = (struct dem_new_particle){.position = {4.0*R*k, 0.0, R + gap}, .velocity = {0.0, 0.0, pair ? -0.5*v : -v},
-                                    .diameter = 2.0*R, .id = n, .material = "steel"};
+        seed[n] = (struct dem_new_particle){.position = {4.0*R*k, 0.0, R + gap},
+                                            .velocity = {0.0, 0.0, pair ? -0.5*v : -v},
+                                            .diameter = 2.0*R,
+                                            .id = n,
+                                            .material = "steel"};
         n++;
         if (pair)
         {
-            seed[n] = (struct dem_new_particle){.position = {4.0*R*k, 0.0, -R}, .velocity = {0.0, 0.0, 0.5*v}, .diameter = 2.0*R, .id = n,
-                                        .material = "steel"};
+            seed[n] = (struct dem_new_particle){.position = {4.0*R*k, 0.0, -R},
+                                                .velocity = {0.0, 0.0, 0.5*v},
+                                                .diameter = 2.0*R,
+                                                .id = n,
+                                                .material = "steel"};
             n++;
         }
     }
-    char *const scene = world_text("materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
-                                   "rigid { density 1; youngsModulus 1e30; } } neighbours { outerSkin %.17g; innerSkin %.17g; }"
-                                   "effects { hertz {} stokes { restitution %g; viscosity %g; } } time { step %.17g; force yes; } %s",
-                                   density, E, outer_skin, outer_skin, best, mu, step,
-                                   pair ? "" : "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
+    char *const scene = world_text(
+        "materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
+        "rigid { density 1; youngsModulus 1e30; } } neighbours { outerSkin %.17g; innerSkin %.17g; }"
+        "effects { hertz {} stokes { restitution %g; viscosity %g; } } time { step %.17g; force yes; } %s",
+        density, E, outer_skin, outer_skin, best, mu, step,
+        pair ? ""
+             : "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
     struct dem *const d = world(scene, n, seed);
 
     free(scene);
@@ -80,15 +88,18 @@ static double contact_time(double stokes, int pair)
 {
     const double share = pair ? 0.5 : 1.0;
 
-    return world_contact_time(share*world_ball(R, density), share*R, share*modulus(), speed_of(stokes, pair));
+    return world_contact_time(share*world_ball(R, density), share*R, share*modulus(),
+                              speed_of(stokes, pair));
 }
 
 /* Where most measured e/e_max lie, as far as the figures of Joseph et al. (2001) and Gondret et al. (2002) can be read. Between 16 and
    30 the measured ones rise from nearly nothing, and the law is above most of them: 0.17 for 0.15 or less at 20. */
 static void among_measured(double stokes, double relative, const char *what)
 {
-    static const double band[][4] = {                     /* St from, to; e/e_max from, to */
-        {0, 8, 0, 0.02}, {9, 16, 0, 0.15}, {30, 30, 0.25, 0.40}, {50, 50, 0.42, 0.58}, {100, 107, 0.62, 0.78}, {150, 162, 0.72, 0.84},
+    static const double band[][4] = {
+        /* St from, to; e/e_max from, to */
+        {0, 8, 0, 0.02}, {9, 16, 0, 0.15}, {30, 30, 0.25, 0.40},
+        {50, 50, 0.42, 0.58}, {100, 107, 0.62, 0.78}, {150, 162, 0.72, 0.84},
         {300, 300, 0.82, 0.93}, {1000, 1000, 0.93, 1.0}, {2000, 1e6, 0.96, 1.0},
     };
 
@@ -96,8 +107,9 @@ static void among_measured(double stokes, double relative, const char *what)
     {
         if (stokes >= band[k][0] && stokes <= band[k][1])
         {
-            TAP_OK(relative >= band[k][2] && relative <= band[k][3], "%s, St %g: e/e_max %.3f, measured %g to %g", what, stokes, relative,
-                   band[k][2], band[k][3]);
+            TAP_OK(relative >= band[k][2] && relative <= band[k][3],
+                   "%s, St %g: e/e_max %.3f, measured %g to %g", what, stokes, relative, band[k][2],
+                   band[k][3]);
         }
     }
 }
@@ -107,12 +119,14 @@ static void table_row(double stokes, double target, int pair)
     const double time = contact_time(stokes, pair), step = time/1000.0;
     struct dem *const d = start(stokes, pair, step, 0.3);
 
-    world_run(d, (stokes < 10.0 ? 40.0 : 4.0)*time);      /* near critical damping the parting creeps */
+    world_run(d,
+              (stokes < 10.0 ? 40.0 : 4.0)*time);      /* near critical damping the parting creeps */
     const double e = restitution(d, stokes, pair);
 
     TAP_OK(world_tally(d).contacts == 0, "%s, St %g: parted", pair ? "pair" : "wall", stokes);
     /* the dashpot sees the speed of half a step before: order 1, 2e-4 at t_c/1000; 1 % is the law's own claim */
-    TAP_NEAR(e, target, fmax(1e-2*target, 4e-4), "%s, St %g: restitution %.4f", pair ? "pair" : "wall", stokes, e);
+    TAP_NEAR(e, target, fmax(1e-2*target, 4e-4), "%s, St %g: restitution %.4f",
+             pair ? "pair" : "wall", stokes, e);
     among_measured(stokes, e/best, pair ? "pair" : "wall");
     dem_free(d);
 }
@@ -127,8 +141,8 @@ static void latched_through_rebuilds(void)
     world_run(thin, 3.0*time);
     const struct dem_totals a = world_tally(thick), b = world_tally(thin);
 
-    TAP_OK(b.rebuilds > a.rebuilds + 3, "%lld rebuilds with thin skins, %lld with thick ones", (long long)b.rebuilds,
-           (long long)a.rebuilds);
+    TAP_OK(b.rebuilds > a.rebuilds + 3, "%lld rebuilds with thin skins, %lld with thick ones",
+           (long long)b.rebuilds, (long long)a.rebuilds);
     TAP_OK(world_hash(thick) == world_hash(thin), "the latched speed outlives them: the same bits");
     dem_free(thick);
     dem_free(thin);
@@ -141,11 +155,12 @@ static void latched_through_a_snapshot(void)
     char path[] = "/tmp/suna_snapshot_XXXXXX";
     struct dem *const whole = start(50.0, 0, step, 0.3), *second;
     const int file = mkstemp(path);
-    char *const scene = world_text("materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
-                                   "rigid { density 1; youngsModulus 1e30; } } effects { hertz {} stokes { restitution %g;"
-                                   "viscosity %g; } } time { step %.17g; force yes; } neighbours { outerSkin 0.3; innerSkin 0.3; }"
-                                   "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }",
-                                   density, E, best, mu, step);
+    char *const scene = world_text(
+        "materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
+        "rigid { density 1; youngsModulus 1e30; } } effects { hertz {} stokes { restitution %g;"
+        "viscosity %g; } } time { step %.17g; force yes; } neighbours { outerSkin 0.3; innerSkin 0.3; }"
+        "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }",
+        density, E, best, mu, step);
 
     close(file);
     world_run(whole, 0.5*time);
@@ -167,14 +182,17 @@ static void latched_through_a_snapshot(void)
 static void in_liquids(void)
 {
     static const double set[5][6] = {
-        {0.006, 965, 0.1, 30, 26.943, 28.6097}, {0.004, 953, 0.02, 110, 100.035, 106.146}, {0.003, 935, 0.01, 164, 152.014, 161.125},
-        {0.006, 953, 0.02, 212, 192.795, 204.572}, {0.005, 920, 0.005, 788, 742.319, 786.097},
+        {0.006, 965, 0.1, 30, 26.943, 28.6097}, {0.004, 953, 0.02, 110, 100.035, 106.146},
+        {0.003, 935, 0.01, 164, 152.014, 161.125},  {0.006, 953, 0.02, 212, 192.795, 204.572},
+        {0.005, 920, 0.005, 788, 742.319, 786.097},
     };
 
     for (int k = 0; k < 10; k++)
     {
-        const double *const t = set[k/2], a = 0.5*t[0], v = t[3]*t[2]/(t[1]*t[0]), St = t[4 + k%2], target = best*exp(-35.0/St);
-        const double time = world_contact_time(world_ball(a, density), a, modulus(), v), step = time/1000.0;
+        const double *const t = set[k/2], a = 0.5*t[0], v = t[3]*t[2]/(t[1]*t[0]),
+                            St = t[4 + k%2], target = best*exp(-35.0/St);
+        const double time = world_contact_time(world_ball(a, density), a, modulus(), v),
+                     step = time/1000.0;
         struct dem_new_particle seed[PHASES];
         double mean = 0.0;
         char added[64] = "";
@@ -182,17 +200,23 @@ static void in_liquids(void)
         memset(seed, 0, sizeof seed);
         for (int i = 0; i < PHASES; i++)
         {
-            seed[i] = (struct dem_new_particle){.position = {4.0*a*i, 0.0, a + v*step*(1.0 + (i + 0.5)/PHASES)}, .velocity = {0.0, 0.0, -v},
-                                        .diameter = t[0], .id = i, .material = "steel"};
+            seed[i] =
+                (struct dem_new_particle){.position = {4.0*a*i, 0.0,
+                                                       a + v*step*(1.0 + (i + 0.5)/PHASES)},
+                                          .velocity = {0.0, 0.0, -v},
+                                          .diameter = t[0],
+                                          .id = i,
+                                          .material = "steel"};
         }
         if (k%2)
         {
             snprintf(added, sizeof added, "addedMass 0.5; fluidDensity %g;", t[1]);
         }
-        char *const scene = world_text("materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
-                                       "rigid { density 1; youngsModulus 1e30; } } effects { hertz {} stokes { restitution %g; viscosity %g; %s } }"
-                                       "time { step %.17g; } walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }",
-                                       density, E, best, t[2], added, step);
+        char *const scene = world_text(
+            "materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
+            "rigid { density 1; youngsModulus 1e30; } } effects { hertz {} stokes { restitution %g; viscosity %g; %s } }"
+            "time { step %.17g; } walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }",
+            density, E, best, t[2], added, step);
         struct dem *const d = world(scene, PHASES, seed);
 
         world_run(d, 4.0*time);
@@ -201,7 +225,8 @@ static void in_liquids(void)
             mean += world_at(d, i).v[2]/v/PHASES;
         }
         /* as in the table; St and Re are printed to six digits */
-        TAP_NEAR(mean, target, 1e-2*target, "set of Gondret et al., Re %g%s: restitution %.4f", t[3], k%2 ? ", added mass" : "", mean);
+        TAP_NEAR(mean, target, 1e-2*target, "set of Gondret et al., Re %g%s: restitution %.4f",
+                 t[3], k%2 ? ", added mass" : "", mean);
         among_measured(St, mean/best, "set of Gondret et al.");
         dem_free(d);
         free(scene);

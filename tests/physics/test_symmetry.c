@@ -41,8 +41,9 @@ static const char *const settings[][2] = {
     {"sjkr", "energyDensity 3e5;"},
     {"jkr", "workOfAdhesion 1;"},
     {"lubrication", "viscosity 0.02; roughness 1e-6; cutOff 1e-4;"},
-    {"bondLinear", "normalStiffness 3e8; shearStiffness 1e8; make always; makeDistance 1.005; breakDistance 1.05;"
-                   " shearStrength 2e4; dampingRatio 0.1; walls yes;"},
+    {"bondLinear",
+     "normalStiffness 3e8; shearStiffness 1e8; make always; makeDistance 1.005; breakDistance 1.05;"
+     " shearStrength 2e4; dampingRatio 0.1; walls yes;"},
 };
 
 static const char *settings_of(const char *word)
@@ -120,11 +121,16 @@ static void place(struct dem_new_particle seed[N], int wall)
     for (int i = 0; i < N; i++)
     {
         const int p = i/2, at[3] = {p%SIDE, p/SIDE%SIDE, p/(SIDE*SIDE)};
-        const double size = sqrt(drawn(p, 0)*drawn(p, 0) + drawn(p, 1)*drawn(p, 1) + drawn(p, 2)*drawn(p, 2));
-        const double radius[2] = {1e-3*(0.8 + 0.2*drawn(2*p, 3)), 1e-3*(0.8 + 0.2*drawn(2*p + 1, 3))};
-        const double sign = i % 2 ? 1.0 : -1.0, apart = 0.5*(radius[0] + radius[1]) + 1e-6*(5.0 + drawn(p, 12));
+        const double size =
+            sqrt(drawn(p, 0)*drawn(p, 0) + drawn(p, 1)*drawn(p, 1) + drawn(p, 2)*drawn(p, 2));
+        const double radius[2] = {1e-3*(0.8 + 0.2*drawn(2*p, 3)),
+                                  1e-3*(0.8 + 0.2*drawn(2*p + 1, 3))};
+        const double sign = i % 2 ? 1.0 : -1.0,
+                     apart = 0.5*(radius[0] + radius[1]) + 1e-6*(5.0 + drawn(p, 12));
 
-        seed[i] = (struct dem_new_particle){.diameter = 2.0*radius[i%2], .id = i, .material = i%2 ? "clay" : "glass"};
+        seed[i] = (struct dem_new_particle){.diameter = 2.0*radius[i%2],
+                                            .id = i,
+                                            .material = i%2 ? "clay" : "glass"};
         for (int k = 0; k < 3; k++)
         {
             const double along = drawn(p, k)/size;
@@ -136,13 +142,16 @@ static void place(struct dem_new_particle seed[N], int wall)
         if (wall)
         {
             seed[i].position[0] = 0.004*(i%8 - 4), seed[i].position[1] = 0.004*(i/8 - 4);
-            seed[i].position[2] = radius[i%2] + 1e-5*(2.0 + drawn(i, 11));   /* no two meet it at the same part of a step */
+            seed[i].position[2] =
+                radius[i%2] +
+                1e-5*(2.0 + drawn(i, 11));   /* no two meet it at the same part of a step */
             seed[i].velocity[2] = -0.4;
         }
     }
 }
 
-static struct dem *start(const char *laws, int wall, const struct frame *f, struct world_particle *before)
+static struct dem *start(const char *laws, int wall, const struct frame *f,
+                         struct world_particle *before)
 {
     const double up[3] = {0.0, 0.0, 1.0};
     double normal[3];
@@ -153,8 +162,10 @@ static struct dem *start(const char *laws, int wall, const struct frame *f, stru
     turned(f->turn[0], up, 1.0, normal);
     if (wall)
     {
-        snprintf(floor, sizeof floor, "walls { floor { type plane; material clay; point (0 0 0); normal (%.17g %.17g %.17g); } }",
-                 normal[0], normal[1], normal[2]);
+        snprintf(
+            floor, sizeof floor,
+            "walls { floor { type plane; material clay; point (0 0 0); normal (%.17g %.17g %.17g); } }",
+            normal[0], normal[1], normal[2]);
     }
     for (int i = 0; i < N; i++)
     {
@@ -170,9 +181,11 @@ static struct dem *start(const char *laws, int wall, const struct frame *f, stru
             s->velocity[k] += f->speed[k];
         }
     }
-    char *const scene = world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.2; }"
-                                   " clay { density 1500; youngsModulus 6e6; poissonsRatio 0.35; } }"
-                                   "effects { %s } %s time { step %.17g; maxOverlap 0.3; }", laws, floor, time_step);
+    char *const scene =
+        world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.2; }"
+                   " clay { density 1500; youngsModulus 6e6; poissonsRatio 0.35; } }"
+                   "effects { %s } %s time { step %.17g; maxOverlap 0.3; }",
+                   laws, floor, time_step);
     struct dem *const d = world(scene, N, given);
 
     free(scene);
@@ -181,7 +194,8 @@ static struct dem *start(const char *laws, int wall, const struct frame *f, stru
 }
 
 /* who flew as particle i, in the plain frame */
-static struct world_particle back(const struct world_particle *all, int i, const struct frame *f, double time)
+static struct world_particle back(const struct world_particle *all, int i, const struct frame *f,
+                                  double time)
 {
     struct world_particle p = all[f->swapped ? N - 1 - i : i];
     double inverse[3][3], x[3], v[3];
@@ -239,14 +253,16 @@ static struct ledger take(const struct world_particle *pair)
             s.p[a] += q->mass*q->v[a];
             s.L[a] += q->mass*(q->x[b]*q->v[c] - q->x[c]*q->v[b]) + inertia*q->w[a];
             s.p_scale += fabs(q->mass*q->v[a]);
-            s.L_scale += fabs(q->mass*q->x[b]*q->v[c]) + fabs(q->mass*q->x[c]*q->v[b]) + fabs(inertia*q->w[a]);
+            s.L_scale += fabs(q->mass*q->x[b]*q->v[c]) + fabs(q->mass*q->x[c]*q->v[b]) +
+                         fabs(inertia*q->w[a]);
             s.kinetic += 0.5*q->mass*q->v[a]*q->v[a] + 0.5*inertia*q->w[a]*q->w[a];
         }
     }
     return s;
 }
 
-static void keeps(const char *laws, const struct world_particle *before, const struct world_particle *after)
+static void keeps(const char *laws, const struct world_particle *before,
+                  const struct world_particle *after)
 {
     double p = 0.0, L = 0.0, gain = -1.0, loss = 0.0;
 
@@ -273,7 +289,8 @@ static void keeps(const char *laws, const struct world_particle *before, const s
     TAP_OK(loss > 0.0, "%s: and some lose it, %.2g at most", laws, loss);
 }
 
-static int compare(const struct world_particle *plain, const struct world_particle *other, const struct frame *f, double *worst)
+static int compare(const struct world_particle *plain, const struct world_particle *other,
+                   const struct frame *f, double *worst)
 {
     int same = 0;
 
@@ -283,14 +300,16 @@ static int compare(const struct world_particle *plain, const struct world_partic
         const struct world_particle p = back(other, i, f, duration);
 
         *worst = fmax(*worst, difference(&plain[i], &p));
-        same += memcmp(plain[i].v, p.v, sizeof p.v) == 0 && memcmp(plain[i].w, p.w, sizeof p.w) == 0;
+        same +=
+            memcmp(plain[i].v, p.v, sizeof p.v) == 0 && memcmp(plain[i].w, p.w, sizeof p.w) == 0;
     }
     return same;
 }
 
 static struct frame frames[5];
 
-static void run(const char *laws, int wall, const struct frame *f, struct world_particle *before, struct world_particle *after)
+static void run(const char *laws, int wall, const struct frame *f, struct world_particle *before,
+                struct world_particle *after)
 {
     struct dem *const d = start(laws, wall, f, before);
 
@@ -320,7 +339,8 @@ static void symmetric(const char *name, const char *laws, int wall, struct world
         const int same = compare(plain, other, &frames[k], &worst);
 
         /* rounding: 1e-18 m of an overlap of 1e-5 m, in all steps */
-        TAP_NEAR(worst, 0.0, 1e-10, "%s%s: the same %s", name, wall ? " at a wall" : "", frames[k].what);
+        TAP_NEAR(worst, 0.0, 1e-10, "%s%s: the same %s", name, wall ? " at a wall" : "",
+                 frames[k].what);
         if (frames[k].swapped && frames[k].turn[0][0] == 1.0)
         {
             TAP_OK(same == N, "%s%s: to the last bit", name, wall ? " at a wall" : "");
@@ -350,7 +370,8 @@ static void add(char *text, size_t size, const struct dem_effect *e)
     snprintf(text + at, size - at, "%s { %s } ", e->name, settings_of(e->name));
 }
 
-static void felt(const char *name, const struct world_particle *with, const struct world_particle *without)
+static void felt(const char *name, const struct world_particle *with,
+                 const struct world_particle *without)
 {
     int changed = 0;
 
@@ -376,7 +397,8 @@ static void combinations(void)
                 char name[128], laws[1024] = "";
 
                 damp = c < 0 ? NULL : of_stage(DEM_STAGE_DAMP, c);
-                snprintf(name, sizeof name, "%s, %s, %s", normal->name, damp ? damp->name : "no damping", friction->name);
+                snprintf(name, sizeof name, "%s, %s, %s", normal->name,
+                         damp ? damp->name : "no damping", friction->name);
                 add(laws, sizeof laws, normal);
                 if (damp)
                 {
@@ -409,15 +431,19 @@ static void one_by_one(void)
     {
         char laws[1024] = "";
 
-        if ((*e)->stage >= DEM_STAGE_BODY || !TAP_OK(settings_of((*e)->name), "%s has settings here", (*e)->name))
+        if ((*e)->stage >= DEM_STAGE_BODY ||
+            !TAP_OK(settings_of((*e)->name), "%s has settings here", (*e)->name))
         {
             continue;
         }
-        if ((*e)->stage == DEM_STAGE_NORMAL || (*e)->stage == DEM_STAGE_DAMP || (*e)->stage == DEM_STAGE_TANGENT)
+        if ((*e)->stage == DEM_STAGE_NORMAL || (*e)->stage == DEM_STAGE_DAMP ||
+            (*e)->stage == DEM_STAGE_TANGENT)
         {
             /* in place of its kind's among the three */
-            snprintf(laws, sizeof laws, "%s %s %s ", (*e)->stage == DEM_STAGE_NORMAL ? "" : "hertz { }",
-                     (*e)->stage == DEM_STAGE_DAMP ? "" : "dry { restitution 0.65; }", (*e)->stage == DEM_STAGE_TANGENT ? "" : "mindlin { friction 0.25; }");
+            snprintf(laws, sizeof laws, "%s %s %s ",
+                     (*e)->stage == DEM_STAGE_NORMAL ? "" : "hertz { }",
+                     (*e)->stage == DEM_STAGE_DAMP ? "" : "dry { restitution 0.65; }",
+                     (*e)->stage == DEM_STAGE_TANGENT ? "" : "mindlin { friction 0.25; }");
         }
         else
         {
@@ -437,8 +463,8 @@ static void one_by_one(void)
 
 int main(void)
 {
-    static const char *const what[5] = {"in axes turned at random", "in others", "in a mirror", "with ids the other way round",
-                                        "on a moving frame"};
+    static const char *const what[5] = {"in axes turned at random", "in others", "in a mirror",
+                                        "with ids the other way round", "on a moving frame"};
 
     TAP_TRAPS;
     for (int k = 0; k < 5; k++)

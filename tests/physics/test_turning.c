@@ -7,7 +7,8 @@
  */
 #include "physics/world.h"
 
-static const double R = 0.5e-3, W = 1000.0, u = 1.0, k = 1e-6, step = 1e-6;   /* m; 1/s about n, and along it; N/m */
+static const double R = 0.5e-3, W = 1000.0, u = 1.0, k = 1e-6,
+                    step = 1e-6;   /* m; 1/s about n, and along it; N/m */
 
 /* Softness: k/m is 0.8 1/s2, so in a turn of 6 ms slip changes by 7/2 k/m t^2 = 1e-4 of it, in the steps by (W dt)^2/12 = 1e-7;
    the spin u about x tilts the pair by nothing, for it is the same for both. */
@@ -27,8 +28,10 @@ static void circle(struct dem *d, double slip, double mean, const char *what)
             const struct world_particle p = world_at(d, 1);
 
             /* xi = s ((sin t) + i (1 - cos t))/W along slip and across; F = -k xi, slip of 1 over its partner along -y */
-            TAP_NEAR(p.f[1], 0.5*across*sin(t), tolerance*fabs(across), "%s: along the slip after %.3g turns", what, t/(2.0*world_pi));
-            TAP_NEAR(p.f[0], -0.5*across*(1.0 - cos(t)), tolerance*fabs(across), "%s: across it", what);
+            TAP_NEAR(p.f[1], 0.5*across*sin(t), tolerance*fabs(across),
+                     "%s: along the slip after %.3g turns", what, t/(2.0*world_pi));
+            TAP_NEAR(p.f[0], -0.5*across*(1.0 - cos(t)), tolerance*fabs(across),
+                     "%s: across it", what);
         }
     }
     dem_free(d);
@@ -37,14 +40,25 @@ static void circle(struct dem *d, double slip, double mean, const char *what)
 /* In balance at x^3 = 6: see jkr.c. */
 static struct dem *pair(double *arm)
 {
-    const double E = 1e7/(2.0*0.91), w = 0.05, Rs = 0.5*R, a = pow(world_pi*w*Rs*Rs/(8.0*E), 1.0/3.0), x = pow(6.0, 1.0/3.0);
+    const double E = 1e7/(2.0*0.91), w = 0.05, Rs = 0.5*R,
+                 a = pow(world_pi*w*Rs*Rs/(8.0*E), 1.0/3.0), x = pow(6.0, 1.0/3.0);
     const double overlap = a*a/Rs*(x*x*x*x - 4.0*x);
-    const struct dem_new_particle seed[2] = {{.position = {0, 0, 0}, .spin = {u, 0, W}, .diameter = 2.0*R, .id = 0, .material = "clay"},
-                                     {.position = {0, 0, 2.0*R - overlap}, .spin = {u, 0, W}, .diameter = 2.0*R, .id = 1, .material = "clay"}};
+    const struct dem_new_particle seed[2] = {{.position = {0, 0, 0},
+                                              .spin = {u, 0, W},
+                                              .diameter = 2.0*R,
+                                              .id = 0,
+                                              .material = "clay"},
+                                             {.position = {0, 0, 2.0*R - overlap},
+                                              .spin = {u, 0, W},
+                                              .diameter = 2.0*R,
+                                              .id = 1,
+                                              .material = "clay"}};
     *arm = 2.0*R - overlap;
-    char *const scene = world_text("materials { clay { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
-                                   "effects { hertz { } jkr { workOfAdhesion %g; } linear { stiffness %g; friction 10; } }"
-                                   "time { step %g; }", w, k, step);
+    char *const scene = world_text(
+        "materials { clay { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
+        "effects { hertz { } jkr { workOfAdhesion %g; } linear { stiffness %g; friction 10; } }"
+        "time { step %g; }",
+        w, k, step);
     struct dem *const d = world(scene, 2, seed);
 
     free(scene);
@@ -56,12 +70,18 @@ static struct dem *pair(double *arm)
 static struct dem *plate(double spin, double omega)
 {
     const double m = world_ball(R, 2500.0), stiffness = 100.0;
-    const struct dem_new_particle seed = {.position = {0, 0, R - m*9.81/stiffness}, .spin = {u, 0, spin}, .diameter = 2.0*R, .id = 1, .material = "clay"};
-    char *const scene = world_text("materials { clay { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
-                                   "effects { gravity { acceleration (0 0 -9.81); } hooke { stiffness %g; } linear { stiffness %g; friction 10; } }"
-                                   "walls { table { type triangles; corners ((-0.01 -0.01 0) (0.02 -0.01 0) (-0.01 0.02 0));"
-                                   "motion { type rotation; origin (0 0 0); axis (0 0 1); omega %g; } } }"
-                                   "time { step %g; }", stiffness, k, omega, step);
+    const struct dem_new_particle seed = {.position = {0, 0, R - m*9.81/stiffness},
+                                          .spin = {u, 0, spin},
+                                          .diameter = 2.0*R,
+                                          .id = 1,
+                                          .material = "clay"};
+    char *const scene = world_text(
+        "materials { clay { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
+        "effects { gravity { acceleration (0 0 -9.81); } hooke { stiffness %g; } linear { stiffness %g; friction 10; } }"
+        "walls { table { type triangles; corners ((-0.01 -0.01 0) (0.02 -0.01 0) (-0.01 0.02 0));"
+        "motion { type rotation; origin (0 0 0); axis (0 0 1); omega %g; } } }"
+        "time { step %g; }",
+        stiffness, k, omega, step);
     struct dem *const d = world(scene, 1, &seed);
 
     free(scene);

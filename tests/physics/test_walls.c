@@ -17,8 +17,9 @@
 
 static const double R = 1e-3, density = 2500.0, E = 1e7, g = 9.81;
 
-static const char materials[] = "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; }"
-                                " rigid { density 1; youngsModulus 1e30; } }";
+static const char materials[] =
+    "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; }"
+    " rigid { density 1; youngsModulus 1e30; } }";
 
 static double weight(void)
 {
@@ -56,7 +57,8 @@ static void turn_mesh(struct mesh *m)
 /* One sphere at rest overlap over z = 0, sliding along it; mesh NULL: over a plane. */
 static struct dem *slide(struct mesh *m, int turned, const char *effects, double speed)
 {
-    double x[3] = {0.0013, 0.0007, R - overlap_of(weight())}, v[3] = {speed, 0.37*speed, 0.0}, down[3] = {0.0, 0.0, -g};
+    double x[3] = {0.0013, 0.0007, R - overlap_of(weight())}, v[3] = {speed, 0.37*speed, 0.0},
+           down[3] = {0.0, 0.0, -g};
     struct dem_new_particle seed = {.diameter = 2.0*R, .material = "glass"};
 
     if (turned)
@@ -65,9 +67,10 @@ static struct dem *slide(struct mesh *m, int turned, const char *effects, double
     }
     memcpy(seed.position, x, sizeof x);
     memcpy(seed.velocity, v, sizeof v);
-    char *const scene = world_text("%s effects { hertz {} %s gravity { acceleration (%.17g %.17g %.17g); } } time { step 8e-6; } %s",
-                                   materials, effects, down[0], down[1], down[2],
-                                   m ? "" : "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
+    char *const scene = world_text(
+        "%s effects { hertz {} %s gravity { acceleration (%.17g %.17g %.17g); } } time { step 8e-6; } %s",
+        materials, effects, down[0], down[1], down[2],
+        m ? "" : "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
     struct dem *const d = world_begin(scene);
 
     if (m)
@@ -111,7 +114,8 @@ static void smooth(struct mesh m, int turned, const char *what)
     const struct world_particle p = world_at(d, 0);
 
     /* positions are known to 1e-17 m of an overlap of 4e-6 m, in a turned frame some ten times worse */
-    TAP_NEAR(worst_force, 0.0, 1e-6, "%s (%zu triangles): carries m g within %.0e", what, triangles, worst_force);
+    TAP_NEAR(worst_force, 0.0, 1e-6, "%s (%zu triangles): carries m g within %.0e", what, triangles,
+             worst_force);
     TAP_NEAR(worst_speed, 0.0, 1e-9, "%s: is never lifted, %.0e m/s", what, worst_speed);
     TAP_OK(most == 1, "%s: one contact, never %lld", what, (long long)most);
     /* 30 mm with 1 m/s, nothing slows it */
@@ -132,7 +136,8 @@ static void like_a_plane(void)
     world_run(b, 0.05);
     const struct world_particle p = world_at(a, 0), q = world_at(b, 0);
 
-    TAP_OK(memcmp(p.x, q.x, sizeof p.x) == 0 && memcmp(p.v, q.v, sizeof p.v) == 0 && memcmp(p.w, q.w, sizeof p.w) == 0,
+    TAP_OK(memcmp(p.x, q.x, sizeof p.x) == 0 && memcmp(p.v, q.v, sizeof p.v) == 0 &&
+               memcmp(p.w, q.w, sizeof p.w) == 0,
            "with friction: the same bits as on a plane");
     dem_free(a);
     dem_free(b);
@@ -167,8 +172,12 @@ static void ugly(void)
         for (int k = 0; k < 12; k++)
         {
             const double shift = row%2 ? 2.1e-3 : 0.0;
-            const double x0 = k > 0 ? -0.01 + 5e-3*k + shift : -0.01, x1 = k < 11 ? -0.005 + 5e-3*k + shift : 0.05;
-            const double corner[4][3] = {{x0, y0, 0.0}, {x1, y0, 0.0}, {x1, y1, 0.0}, {x0, y1, 0.0}};
+            const double x0 = k > 0 ? -0.01 + 5e-3*k + shift : -0.01,
+                         x1 = k < 11 ? -0.005 + 5e-3*k + shift : 0.05;
+            const double corner[4][3] = {{x0, y0, 0.0},
+                                         {x1, y0, 0.0},
+                                         {x1, y1, 0.0},
+                                         {x0, y1, 0.0}};
 
             mesh_quad(&t, corner[0], corner[1], corner[2], corner[3]);
         }
@@ -179,14 +188,18 @@ static void ugly(void)
 /* A floor of two walls that meet under the path: one contact all along. */
 static void seam(void)
 {
-    const struct dem_new_particle seed = {.position = {-0.004, 0.0, R - overlap_of(weight())}, .velocity = {0.4, 0.0, 0.0}, .diameter = 2.0*R,
-                                  .material = "glass"};
-    char *const scene = world_text("%s effects { hertz {} dry { restitution 0.9; } gravity { acceleration (0 0 -9.81); } }"
-                                   "walls {"
-                                   " left  { type triangles; material rigid; corners ((-0.02 -0.02 0) (0 -0.02 0) (0 0.02 0)"
-                                   "                                  (-0.02 -0.02 0) (0 0.02 0) (-0.02 0.02 0)); }"
-                                   " right { type triangles; material rigid; corners ((0 -0.02 0) (0.02 -0.02 0) (0.02 0.02 0)"
-                                   "                                  (0 -0.02 0) (0.02 0.02 0) (0 0.02 0)); } }", materials);
+    const struct dem_new_particle seed = {.position = {-0.004, 0.0, R - overlap_of(weight())},
+                                          .velocity = {0.4, 0.0, 0.0},
+                                          .diameter = 2.0*R,
+                                          .material = "glass"};
+    char *const scene = world_text(
+        "%s effects { hertz {} dry { restitution 0.9; } gravity { acceleration (0 0 -9.81); } }"
+        "walls {"
+        " left  { type triangles; material rigid; corners ((-0.02 -0.02 0) (0 -0.02 0) (0 0.02 0)"
+        "                                  (-0.02 -0.02 0) (0 0.02 0) (-0.02 0.02 0)); }"
+        " right { type triangles; material rigid; corners ((0 -0.02 0) (0.02 -0.02 0) (0.02 0.02 0)"
+        "                                  (0 -0.02 0) (0.02 0.02 0) (0 0.02 0)); } }",
+        materials);
     struct dem *const d = world(scene, 1, &seed);
     double worst = 0.0, left[3] = {0.0}, right[3] = {0.0};
 
@@ -198,11 +211,14 @@ static void seam(void)
         worst = fmax(worst, fabs(left[2] + right[2] + weight()));
         if (k == 10)
         {
-            TAP_OK(right[2] == 0.0 && left[2] < 0.0, "two walls in a plane: first the left one carries it");
+            TAP_OK(right[2] == 0.0 && left[2] < 0.0,
+                   "two walls in a plane: first the left one carries it");
         }
     }
-    TAP_NEAR(worst, 0.0, 1e-6*weight(), "two walls in a plane: the weight goes over without a jump");
-    TAP_OK(left[2] == 0.0 && right[2] < 0.0, "two walls in a plane: in the end the right one carries it");
+    TAP_NEAR(worst, 0.0, 1e-6*weight(),
+             "two walls in a plane: the weight goes over without a jump");
+    TAP_OK(left[2] == 0.0 && right[2] < 0.0,
+           "two walls in a plane: in the end the right one carries it");
     free(scene);
     dem_free(d);
 }
@@ -213,11 +229,17 @@ static void seam(void)
 static void corner(int triangles)
 {
     static const double min[3] = {0.0, 0.0, 0.0}, max[3] = {0.02, 0.02, 0.02};
-    const struct dem_new_particle seed = {.position = {0.006, 0.005, R}, .velocity = {-1.0, -0.8, 0.0}, .diameter = 2.0*R, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {0.006, 0.005, R},
+                                          .velocity = {-1.0, -0.8, 0.0},
+                                          .diameter = 2.0*R,
+                                          .material = "glass"};
     const char *const what = triangles ? "corner of triangles" : "corner of planes";
-    char *const scene = world_text("%s effects { hertz {} dry { restitution 0.3; } mindlin { friction 0.2; }"
-                                   "gravity { acceleration (-2 -3 -9.81); } } %s", materials,
-                                   triangles ? "" : "walls { b { type box; material rigid; min (0 0 0); max (0.02 0.02 0.02); } }");
+    char *const scene = world_text(
+        "%s effects { hertz {} dry { restitution 0.3; } mindlin { friction 0.2; }"
+        "gravity { acceleration (-2 -3 -9.81); } } %s",
+        materials,
+        triangles ? ""
+                  : "walls { b { type box; material rigid; min (0 0 0); max (0.02 0.02 0.02); } }");
     struct dem *const d = world_begin(scene);
     double total[3] = {0.0, 0.0, 0.0};
 
@@ -245,7 +267,8 @@ static void corner(int triangles)
 
     for (int k = 0; k < 3; k++)
     {
-        TAP_NEAR(total[k], pull[k], 1e-8*weight(), "%s: the walls carry the weight, axis %d", what, k);
+        TAP_NEAR(total[k], pull[k], 1e-8*weight(), "%s: the walls carry the weight, axis %d",
+                 what, k);
         TAP_NEAR(p.t[k], 0.0, 1e-8*weight()*R, "%s: no torque is left, axis %d", what, k);
     }
     TAP_OK(world_tally(d).contacts == 3, "%s: three contacts", what);
@@ -277,7 +300,8 @@ static int64_t set_down(struct mesh *m, const double x[3], double force[3])
 /* Two rectangles that meet along the y axis; heights of their far sides. */
 static struct mesh roof(double left, double right)
 {
-    const double a[3] = {-0.01, -0.01, left}, b[3] = {0.0, -0.01, 0.0}, c[3] = {0.0, 0.01, 0.0}, e[3] = {-0.01, 0.01, left};
+    const double a[3] = {-0.01, -0.01, left}, b[3] = {0.0, -0.01, 0.0}, c[3] = {0.0, 0.01, 0.0},
+                 e[3] = {-0.01, 0.01, left};
     const double f[3] = {0.01, -0.01, right}, h[3] = {0.01, 0.01, right};
     struct mesh m = {0};
 
@@ -322,16 +346,19 @@ static void edges(void)
     TAP_NEAR(f[2], push, 1e-9*push, "flat edge: as on a plane");
 
     /* the tip of a box, from the diagonal */
-    const double min[3] = {-0.01, -0.01, -0.01}, max[3] = {0.0, 0.0, 0.0}, third = (R - d)/sqrt(3.0), tip[3] = {third, third, third};
+    const double min[3] = {-0.01, -0.01, -0.01}, max[3] = {0.0, 0.0, 0.0},
+                 third = (R - d)/sqrt(3.0), tip[3] = {third, third, third};
     struct mesh box = mesh_box(min, max);
 
     n = set_down(&box, tip, f);
     TAP_OK(n == 1, "tip of three faces: one contact (%lld)", (long long)n);
-    TAP_NEAR(f[0] + f[1] + f[2], push*sqrt(3.0), 1e-9*push, "tip of three faces: force along the diagonal");
+    TAP_NEAR(f[0] + f[1] + f[2], push*sqrt(3.0), 1e-9*push,
+             "tip of three faces: force along the diagonal");
 
     /* the rim of a sheet in the air */
     struct mesh sheet = {0};
-    const double a[3] = {-0.01, -0.01, 0.0}, b[3] = {0.0, -0.01, 0.0}, c[3] = {0.0, 0.01, 0.0}, e[3] = {-0.01, 0.01, 0.0};
+    const double a[3] = {-0.01, -0.01, 0.0}, b[3] = {0.0, -0.01, 0.0}, c[3] = {0.0, 0.01, 0.0},
+                 e[3] = {-0.01, 0.01, 0.0};
     const double rim[3] = {R - d, 0.0, 0.0};
 
     mesh_quad(&sheet, a, b, c, e);
@@ -398,7 +425,9 @@ static void convex_place(uint64_t number, double corner[4][3], double at[3], dou
     outward(corner, 1, n[1]);
     for (int k = 0; k < 3; k++)
     {
-        u[k] = kind == 0 ? mesh_random(number, 3 + (uint64_t)k) - 0.5 : kind == 1 ? s*n[0][k] + (1.0 - s)*n[1][k] : n[0][k];
+        u[k] = kind == 0 ? mesh_random(number, 3 + (uint64_t)k) - 0.5
+               : kind == 1 ? s*n[0][k] + (1.0 - s)*n[1][k]
+                           : n[0][k];
     }
     const double length = dem_vec_norm(u);
 
@@ -429,7 +458,8 @@ static void convex(void)
         convex_place(number, corner, at, u);
         for (int k = 0; k < 4; k++)
         {
-            mesh_triangle(&m, corner[corner_of(k, 0)], corner[corner_of(k, 1)], corner[corner_of(k, 2)]);
+            mesh_triangle(&m, corner[corner_of(k, 0)], corner[corner_of(k, 1)],
+                          corner[corner_of(k, 2)]);
         }
         const double x[3] = {at[0] + (R - d)*u[0], at[1] + (R - d)*u[1], at[2] + (R - d)*u[2]};
 
@@ -438,14 +468,18 @@ static void convex(void)
         {
             off = fmax(off, fabs(f[k] - push*u[k]));
         }
-        wrong[number%3] += off > 1e-8*push;               /* coordinates of 0.05 m are known to 1e-17 m: 2e-12 of the overlap */
+        wrong[number%3] +=
+            off >
+            1e-8*push;               /* coordinates of 0.05 m are known to 1e-17 m: 2e-12 of the overlap */
     }
     for (int k = 0; k < 3; k++)
     {
         const char *const what = k == 0 ? "tips" : k == 1 ? "edges" : "faces";
 
-        TAP_OK(more[k] == 0, "%s of random tetrahedra: one contact (%d of 100 have another number)", what, more[k]);
-        TAP_OK(wrong[k] == 0, "%s of random tetrahedra: the force of a plane (%d of 100 differ)", what, wrong[k]);
+        TAP_OK(more[k] == 0, "%s of random tetrahedra: one contact (%d of 100 have another number)",
+               what, more[k]);
+        TAP_OK(wrong[k] == 0, "%s of random tetrahedra: the force of a plane (%d of 100 differ)",
+               what, wrong[k]);
     }
 }
 
@@ -466,22 +500,29 @@ static void facets(void)
         for (int k = -40; k < 40; k++)
         {
             const double p[2] = {k*step, (k + 1)*step};
-            const double corner[4][3] = {{out*sin(p[0]), -0.01, out*cos(p[0])}, {out*sin(p[1]), -0.01, out*cos(p[1])},
-                                         {out*sin(p[1]), 0.01, out*cos(p[1])}, {out*sin(p[0]), 0.01, out*cos(p[0])}};
+            const double corner[4][3] = {{out*sin(p[0]), -0.01, out*cos(p[0])},
+                                         {out*sin(p[1]), -0.01, out*cos(p[1])},
+                                         {out*sin(p[1]), 0.01, out*cos(p[1])},
+                                         {out*sin(p[0]), 0.01, out*cos(p[0])}};
             /* flat strips of 50 um that share no corner with their neighbours */
             const double low = -0.01 - 1e-4*(k & 1), x0 = wide*k, x1 = wide*(k + 1);
-            const double strip[4][3] = {{x0, low, 0.0}, {x1, low, 0.0}, {x1, 0.01, 0.0}, {x0, 0.01 + 1e-4*(k & 1), 0.0}};
+            const double strip[4][3] = {{x0, low, 0.0},
+                                        {x1, low, 0.0},
+                                        {x1, 0.01, 0.0},
+                                        {x0, 0.01 + 1e-4*(k & 1), 0.0}};
 
             mesh_quad(&bar, corner[0], corner[1], corner[2], corner[3]);
             mesh_quad(&strips, strip[0], strip[1], strip[2], strip[3]);
         }
-        const double far = out + R - d, over[3] = {far*sin(angle), 1e-4, far*cos(angle)}, above[3] = {wide*place/39.0, 1e-4, R - d};
+        const double far = out + R - d, over[3] = {far*sin(angle), 1e-4, far*cos(angle)},
+                     above[3] = {wide*place/39.0, 1e-4, R - d};
 
         more += set_down(&bar, over, f) != 1;
         more += set_down(&strips, above, f) != 1;
         wrong += fabs(f[2] - push) > 1e-6*push;
     }
-    TAP_OK(more == 0, "small facets, round and flat: one contact (%d of 80 places have another number)", more);
+    TAP_OK(more == 0,
+           "small facets, round and flat: one contact (%d of 80 places have another number)", more);
     TAP_OK(wrong == 0, "small facets: with the force of a plane (%d of 40 places differ)", wrong);
 }
 
@@ -489,8 +530,13 @@ static void facets(void)
 static void over_the_edge(void)
 {
     struct mesh m = roof(-0.01, 0.0);                     /* flat on the right, 45 degrees down on the left */
-    const struct dem_new_particle seed = {.position = {0.003, 0.0, R}, .velocity = {-0.05, 0.0, 0.0}, .diameter = 2.0*R, .material = "glass"};
-    char *const scene = world_text("%s effects { hertz {} gravity { acceleration (0 0 -9.81); } } time { step 5e-6; }", materials);
+    const struct dem_new_particle seed = {.position = {0.003, 0.0, R},
+                                          .velocity = {-0.05, 0.0, 0.0},
+                                          .diameter = 2.0*R,
+                                          .material = "glass"};
+    char *const scene = world_text(
+        "%s effects { hertz {} gravity { acceleration (0 0 -9.81); } } time { step 5e-6; }",
+        materials);
     struct dem *const d = world_begin(scene);
     const double mass = world_ball(R, density);
     double worst = 0.0, start = 0.0;
@@ -537,12 +583,16 @@ static void angular_momentum(const struct world_particle *p, double out[3])
 static void torque(void)
 {
     static const double min[3] = {0.5, -0.2, 0.3}, max[3] = {0.506, -0.195, 0.305};
-    const struct dem_new_particle seed = {.position = {0.5025, -0.1976, 0.302}, .velocity = {0.7, -0.4, 0.5}, .spin = {300.0, 900.0, -500.0},
-                                  .diameter = 2.0*R, .material = "glass"};
+    const struct dem_new_particle seed = {.position = {0.5025, -0.1976, 0.302},
+                                          .velocity = {0.7, -0.4, 0.5},
+                                          .spin = {300.0, 900.0, -500.0},
+                                          .diameter = 2.0*R,
+                                          .material = "glass"};
     struct mesh m = mesh_box(min, max);
-    struct dem *const d = world_begin("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } rigid { density 1; youngsModulus 1e30; } }"
-                                      "effects { hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } rollingSpring { friction 0.1; }"
-                                      "          twistingSpring { friction 0.3; } }");
+    struct dem *const d = world_begin(
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } rigid { density 1; youngsModulus 1e30; } }"
+        "effects { hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } rollingSpring { friction 0.1; }"
+        "          twistingSpring { friction 0.3; } }");
     double before[3], after[3], impulse[3], twist[3], size = 0.0;
 
     mesh_hand_over(d, "box", "rigid", &m);
@@ -561,10 +611,13 @@ static void torque(void)
     {
         size = fmax(size, fabs(after[k] - before[k]));
     }
-    TAP_OK(fabs(q.w[0] - 300.0) > 30.0 && fabs(q.w[1] - 900.0) > 30.0, "torque: it has rubbed off some of its spin");
+    TAP_OK(fabs(q.w[0] - 300.0) > 30.0 && fabs(q.w[1] - 900.0) > 30.0,
+           "torque: it has rubbed off some of its spin");
     for (int k = 0; k < 3; k++)
     {
-        TAP_NEAR(twist[k], before[k] - after[k], 1e-11*size, "torque: what the sphere has lost the wall has got, axis %d", k);    /* rounding of 4000 steps */
+        TAP_NEAR(twist[k], before[k] - after[k], 1e-11*size,
+                 "torque: what the sphere has lost the wall has got, axis %d",
+                 k);    /* rounding of 4000 steps */
     }
     dem_free(d);
 }
@@ -583,8 +636,12 @@ static void both_sides(void)
     {
         const double side = k%2 ? 1.0 : -1.0;
 
-        seed[k] = (struct dem_new_particle){.position = {-0.045 + 0.0023*k, 0.002*(k%7), side*3e-3}, .velocity = {0.5, 0.1, -5.0*side},
-                                    .diameter = 2.0*R, .id = k, .material = "glass"};
+        seed[k] = (struct dem_new_particle){.position = {-0.045 + 0.0023*k, 0.002*(k%7),
+                                                         side*3e-3},
+                                            .velocity = {0.5, 0.1, -5.0*side},
+                                            .diameter = 2.0*R,
+                                            .id = k,
+                                            .material = "glass"};
         seed[k].position[1] += 0.02*(k%3) - 0.03;
     }
     mesh_hand_over(d, "sheet", "rigid", &m);

@@ -26,7 +26,8 @@ static void give_fluid(struct dem *w, double velocity, double gradient)
     WORLD_TRY(dem_fluid(w, &f));
     for (size_t i = 0; i < f.n; i++)
     {
-        f.velocity[3*i] = f.velocity[3*i + 1] = f.pressure_gradient[3*i] = f.pressure_gradient[3*i + 1] = 0.0;
+        f.velocity[3*i] = f.velocity[3*i + 1] = f.pressure_gradient[3*i] =
+            f.pressure_gradient[3*i + 1] = 0.0;
         f.velocity[3*i + 2] = velocity;
         f.pressure_gradient[3*i + 2] = gradient;
         f.void_fraction[i] = e;
@@ -37,10 +38,11 @@ static void give_fluid(struct dem *w, double velocity, double gradient)
 
 static struct dem *sphere(const char *more)
 {
-    char *const scene = world_text("materials { glass { density %g; youngsModulus 1e6; } }"
-                                   "effects { gravity { acceleration (0 0 %g); } hertz {} stokesDrag {} pressureGradient {} }"
-                                   "insert { one { type list; diameter %g; positions ((0 0 0)); %s } } time { step 1e-6; }",
-                                   rho_p, -g, d, more);
+    char *const scene = world_text(
+        "materials { glass { density %g; youngsModulus 1e6; } }"
+        "effects { gravity { acceleration (0 0 %g); } hertz {} stokesDrag {} pressureGradient {} }"
+        "insert { one { type list; diameter %g; positions ((0 0 0)); %s } } time { step 1e-6; }",
+        rho_p, -g, d, more);
     struct dem *const w = world_begin(scene);
     struct dem_fluid f;
 
@@ -83,8 +85,9 @@ static double falling(int whole, double gradient)
 /* Impulse of lift on a frozen sphere in a shear. */
 static double lift(int whole)
 {
-    static const char scene[] = "materials { glass { density 2500; youngsModulus 1e6; } } effects { hertz {} saffmanMei {} }"
-                                "insert { one { type list; diameter 1e-4; positions ((0 0 0)); frozen yes; } } time { step 1e-6; }";
+    static const char scene[] =
+        "materials { glass { density 2500; youngsModulus 1e6; } } effects { hertz {} saffmanMei {} }"
+        "insert { one { type list; diameter 1e-4; positions ((0 0 0)); frozen yes; } } time { step 1e-6; }";
     struct dem *const w = world_begin(scene);
     struct dem_fluid f;
 
@@ -118,7 +121,9 @@ int main(void)
     /* the pressure gradient of a suspension whose drag carries it: e dp/dz = e rho g (downwards) less n f_d, n V = 1 - e */
     const double fall = -e*weight/b, dynamic = (1.0 - e)/e*b*fall/volume();
 
-    TAP_NEAR(falling(1, -rho*g), fall, 1e-9*-fall, "whole drag alone carries the weight less Archimedes' force");
-    TAP_NEAR(falling(0, -rho*g + dynamic), fall, 1e-9*-fall, "and so do drag and pressure gradient of that flow together");
+    TAP_NEAR(falling(1, -rho*g), fall, 1e-9*-fall,
+             "whole drag alone carries the weight less Archimedes' force");
+    TAP_NEAR(falling(0, -rho*g + dynamic), fall, 1e-9*-fall,
+             "and so do drag and pressure gradient of that flow together");
     TAP_DONE;
 }

@@ -114,7 +114,8 @@ static inline int64_t world_id(const struct dem_view *v, size_t k)
 
 static inline struct world_particle world_take(const struct dem_view *v, size_t k)
 {
-    struct world_particle p = {.radius = *dem_at(v->radius, v->stride, k), .mass = *dem_at(v->mass, v->stride, k)};
+    struct world_particle p = {.radius = *dem_at(v->radius, v->stride, k),
+                               .mass = *dem_at(v->mass, v->stride, k)};
 
     memcpy(p.x, dem_at(v->position, v->stride, k), sizeof p.x);
     memcpy(p.v, dem_at(v->velocity, v->stride, k), sizeof p.v);
@@ -175,9 +176,12 @@ static inline double world_ball(double radius, double density)
 }
 
 /* duration of an elastic Hertzian impact; Johnson, Contact Mechanics (1985), section 11.4 */
-static inline double world_contact_time(double reduced_mass, double reduced_radius, double reduced_modulus, double speed)
+static inline double world_contact_time(double reduced_mass, double reduced_radius,
+                                        double reduced_modulus, double speed)
 {
-    return 2.8682656992*pow(reduced_mass*reduced_mass/(reduced_radius*reduced_modulus*reduced_modulus*speed), 0.2);
+    return 2.8682656992*pow(reduced_mass*reduced_mass/
+                                  (reduced_radius*reduced_modulus*reduced_modulus*speed),
+                              0.2);
 }
 
 /* a table of numbers with commas, "#" lines and one line of names skipped; returns the number of rows. `name` is relative

@@ -31,7 +31,8 @@ int main(int argc, char **argv)
     {
         return EXIT_FAILURE;
     }
-    if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argv[1]) || dem_setup(d) || dem_advance(d, atof(argv[2])*dem_step_limit(d).used))
+    if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argv[1]) || dem_setup(d) ||
+        dem_advance(d, atof(argv[2])*dem_step_limit(d).used))
     {
         return failed();
     }
@@ -39,8 +40,9 @@ int main(int argc, char **argv)
     {
         return failed();
     }
-    printf("hash %016" PRIx64 " steps %" PRId64 " particles %" PRId64 " contacts %" PRId64 " held %.0f\n", hash, profile.steps, tally.particles,
-           tally.contacts, profile.bytes);
+    printf("hash %016" PRIx64 " steps %" PRId64 " particles %" PRId64 " contacts %" PRId64
+           " held %.0f\n",
+           hash, profile.steps, tally.particles, tally.contacts, profile.bytes);
     if (argc > 3)
     {
         if (dem_plan(d, &(struct dem_run_info){.duration = 0.0}, &plan))

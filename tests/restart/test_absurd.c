@@ -61,8 +61,10 @@ static void store(const char *path)
     dem_hash_start(&beside, 'b');
     dem_hash_bytes(&beside, bad + dem_snapshot_caller_data_offset(&h), (size_t)h.caller_data);
     h.caller_data_checksum = dem_hash_value(&beside);
-    h.checksum = dem_snapshot_checksum((const double *)(bad + sizeof h), (size_t)h.particles, dem_snapshot_particle_doubles(&h))
-        + dem_snapshot_checksum((const double *)(bad + dem_snapshot_contacts_offset(&h)), (size_t)h.rows, dem_snapshot_contact_doubles(&h));
+    h.checksum = dem_snapshot_checksum((const double *)(bad + sizeof h), (size_t)h.particles,
+                                       dem_snapshot_particle_doubles(&h)) +
+                 dem_snapshot_checksum((const double *)(bad + dem_snapshot_contacts_offset(&h)),
+                                       (size_t)h.rows, dem_snapshot_contact_doubles(&h));
     h.head_checksum = dem_snapshot_header_checksum(&h);
     memcpy(bad, &h, sizeof h);
     if (!f || fwrite(bad, 1, size, f) != size || fclose(f))
@@ -91,7 +93,8 @@ static size_t of_row(int64_t k, size_t offset)
 {
     const struct dem_snapshot_header h = head();
 
-    return dem_snapshot_contacts_offset(&h) + (size_t)k*dem_snapshot_contact_doubles(&h)*sizeof(double) + offset;
+    return dem_snapshot_contacts_offset(&h) +
+           (size_t)k*dem_snapshot_contact_doubles(&h)*sizeof(double) + offset;
 }
 
 static size_t of_means(void)
@@ -118,7 +121,8 @@ static void expect(int status, const char *what, const char *words)
 {
     const char *const text = dem_error_text();
 
-    TAP_OK(status == DEM_ERROR_FILE && strstr(text, bad_path) && strstr(text, "is damaged") && strstr(text, "use another one") && strstr(text, words),
+    TAP_OK(status == DEM_ERROR_FILE && strstr(text, bad_path) && strstr(text, "is damaged") &&
+               strstr(text, "use another one") && strstr(text, words),
            "%s: %s", what, status ? text : "taken");
 }
 
@@ -149,65 +153,104 @@ static void whole(const char *what, size_t at, int64_t value, const char *words)
 
 static void particles(void)
 {
-    const size_t x = offsetof(struct dem_particle, x), v = offsetof(struct dem_particle, v), w = offsetof(struct dem_particle, w);
+    const size_t x = offsetof(struct dem_particle, x), v = offsetof(struct dem_particle, v),
+                 w = offsetof(struct dem_particle, w);
     const size_t force = sizeof(struct dem_particle);     /* the first column */
 
-    number("a position that is not a number", of_particle(1, x + 8), NAN, "the position of particle 1 is nan m in component 2 of 3");
-    number("an infinite position", of_particle(0, x), -INFINITY, "the position of particle 0 is -inf m");
-    number("a position too far to resolve overlaps", of_particle(1, x), 1e30, "particle 1 at (1e+30 0 ");
-    number("a velocity that is not a number", of_particle(0, v), NAN, "the velocity of particle 0 is nan m/s");
-    number("an infinite velocity", of_particle(0, v + 16), INFINITY, "the velocity of particle 0 is inf m/s in component 3");
+    number("a position that is not a number", of_particle(1, x + 8), NAN,
+           "the position of particle 1 is nan m in component 2 of 3");
+    number("an infinite position", of_particle(0, x), -INFINITY,
+           "the position of particle 0 is -inf m");
+    number("a position too far to resolve overlaps", of_particle(1, x), 1e30,
+           "particle 1 at (1e+30 0 ");
+    number("a velocity that is not a number", of_particle(0, v), NAN,
+           "the velocity of particle 0 is nan m/s");
+    number("an infinite velocity", of_particle(0, v + 16), INFINITY,
+           "the velocity of particle 0 is inf m/s in component 3");
     number("1e30 m/s", of_particle(1, v), 1e30, "particle 1 has velocity (1e+30 ");
-    number("1e200 m/s, whose square is infinite", of_particle(1, v), 1e200, "the limit is 2.99792e+08 m/s");
-    number("a spin that is not a number", of_particle(1, w), NAN, "the spin of particle 1 is nan 1/s");
-    number("a surface faster than light", of_particle(1, w), 1e12, "particle 1 of radius 0.0005 m has spin (1e+12 ");
-    number("a radius that is not a number", of_particle(0, offsetof(struct dem_particle, radius)), NAN, "the radius of particle 0 is nan m");
-    number("a mass that is not a number", of_particle(0, offsetof(struct dem_particle, mass)), NAN, "the mass of particle 0 is nan kg");
-    number("an infinite inverse of the mass", of_particle(0, offsetof(struct dem_particle, inverse_mass)), INFINITY, "the inverse of the mass of particle 0");
-    number("no inverse of the mass of what is free", of_particle(0, offsetof(struct dem_particle, inverse_mass)), 0.0, "particle 0, which is free");
-    number("an inverse below zero", of_particle(0, offsetof(struct dem_particle, inverse_mass)), -1.0, "particle 0, which is free");
-    number("another moment of inertia", of_particle(1, offsetof(struct dem_particle, inverse_inertia)), 1.0, "particle 1, which is free");
-    number("a viscosity that is not a number", of_particle(1, offsetof(struct dem_particle, viscosity)), NAN, "viscosity at the position of particle 1 is nan");
-    number("a force that is not a number", of_particle(1, force), NAN, "force of particle 1 is nan");
-    number("an infinite torque", of_particle(1, force + 3*8), INFINITY, "torque of particle 1 is inf");
-    whole("an id below 0", of_particle(0, offsetof(struct dem_particle, id)), -1, "id -1, and ids go from 0 to 9223372036854775806");
-    whole("an id that leaves no next", of_particle(0, offsetof(struct dem_particle, id)), INT64_MAX, "id 9223372036854775807");
+    number("1e200 m/s, whose square is infinite", of_particle(1, v), 1e200,
+           "the limit is 2.99792e+08 m/s");
+    number("a spin that is not a number", of_particle(1, w), NAN,
+           "the spin of particle 1 is nan 1/s");
+    number("a surface faster than light", of_particle(1, w), 1e12,
+           "particle 1 of radius 0.0005 m has spin (1e+12 ");
+    number("a radius that is not a number", of_particle(0, offsetof(struct dem_particle, radius)),
+           NAN, "the radius of particle 0 is nan m");
+    number("a mass that is not a number", of_particle(0, offsetof(struct dem_particle, mass)), NAN,
+           "the mass of particle 0 is nan kg");
+    number("an infinite inverse of the mass",
+           of_particle(0, offsetof(struct dem_particle, inverse_mass)), INFINITY,
+           "the inverse of the mass of particle 0");
+    number("no inverse of the mass of what is free",
+           of_particle(0, offsetof(struct dem_particle, inverse_mass)), 0.0,
+           "particle 0, which is free");
+    number("an inverse below zero", of_particle(0, offsetof(struct dem_particle, inverse_mass)),
+           -1.0, "particle 0, which is free");
+    number("another moment of inertia",
+           of_particle(1, offsetof(struct dem_particle, inverse_inertia)), 1.0,
+           "particle 1, which is free");
+    number("a viscosity that is not a number",
+           of_particle(1, offsetof(struct dem_particle, viscosity)), NAN,
+           "viscosity at the position of particle 1 is nan");
+    number("a force that is not a number", of_particle(1, force), NAN,
+           "force of particle 1 is nan");
+    number("an infinite torque", of_particle(1, force + 3*8), INFINITY,
+           "torque of particle 1 is inf");
+    whole("an id below 0", of_particle(0, offsetof(struct dem_particle, id)), -1,
+          "id -1, and ids go from 0 to 9223372036854775806");
+    whole("an id that leaves no next", of_particle(0, offsetof(struct dem_particle, id)), INT64_MAX,
+          "id 9223372036854775807");
     int64_t flags;
 
     memcpy(&flags, good + of_particle(0, offsetof(struct dem_particle, material)), sizeof flags);
-    whole("flags that are none", of_particle(0, offsetof(struct dem_particle, material)), flags | 2 << 16, "particle 0 has flags 0x2");
-    whole("frozen, with inertia", of_particle(0, offsetof(struct dem_particle, material)), flags | 1 << 16, "particle 0, which is frozen");
+    whole("flags that are none", of_particle(0, offsetof(struct dem_particle, material)),
+          flags | 2 << 16, "particle 0 has flags 0x2");
+    whole("frozen, with inertia", of_particle(0, offsetof(struct dem_particle, material)),
+          flags | 1 << 16, "particle 0, which is frozen");
     const int64_t twin = 1;
 
-    spoil("an id that comes twice", of_particle(0, offsetof(struct dem_particle, id)), &twin, 0, "two of its particles have id 1");
+    spoil("an id that comes twice", of_particle(0, offsetof(struct dem_particle, id)), &twin, 0,
+          "two of its particles have id 1");
 }
 
 static void the_rest(void)
 {
     const struct dem_snapshot_header h = head();
-    const size_t window = offsetof(struct dem_snapshot_header, window), flow = offsetof(struct dem_snapshot_header, flow);
+    const size_t window = offsetof(struct dem_snapshot_header, window),
+                 flow = offsetof(struct dem_snapshot_header, flow);
     int64_t name;
 
-    TAP_OK(h.rows >= 2 && h.memories >= 3 && h.flows >= 1 && h.caller_data > MEANS, "it has contact history, flow counters and means");
-    number("a remembered number that is none", of_row(0, sizeof(struct dem_contact_key)), NAN, "history shear_x nan");
-    number("an infinite one", of_row(1, sizeof(struct dem_contact_key) + 8), -INFINITY, "history shear_y -inf");
-    whole("steps past counting", offsetof(struct dem_snapshot_header, steps), INT64_MAX, "9223372036854775807 steps");
-    whole("a window with more done than it has", window + offsetof(struct dem_snapshot_window, done), 5, "of which 5 are done");
-    whole("a window of minus steps", window + offsetof(struct dem_snapshot_window, ahead), INT64_MIN, "a window of -9223372036854775808 steps");
-    number("a mass let in that is not a number", flow + offsetof(struct dem_snapshot_flow, mass), NAN, "the flow record of rain is nan");
-    number("an infinite debt", flow + offsetof(struct dem_snapshot_flow, owed), INFINITY, "the flow record of rain is inf");
+    TAP_OK(h.rows >= 2 && h.memories >= 3 && h.flows >= 1 && h.caller_data > MEANS,
+           "it has contact history, flow counters and means");
+    number("a remembered number that is none", of_row(0, sizeof(struct dem_contact_key)), NAN,
+           "history shear_x nan");
+    number("an infinite one", of_row(1, sizeof(struct dem_contact_key) + 8), -INFINITY,
+           "history shear_y -inf");
+    whole("steps past counting", offsetof(struct dem_snapshot_header, steps), INT64_MAX,
+          "9223372036854775807 steps");
+    whole("a window with more done than it has",
+          window + offsetof(struct dem_snapshot_window, done), 5, "of which 5 are done");
+    whole("a window of minus steps", window + offsetof(struct dem_snapshot_window, ahead),
+          INT64_MIN, "a window of -9223372036854775808 steps");
+    number("a mass let in that is not a number", flow + offsetof(struct dem_snapshot_flow, mass),
+           NAN, "the flow record of rain is nan");
+    number("an infinite debt", flow + offsetof(struct dem_snapshot_flow, owed), INFINITY,
+           "the flow record of rain is inf");
     memcpy(&name, "two\nway", sizeof name);
     whole("a name of two lines", flow, name, "or has invalid names");
-    whole("a count below 0", flow + offsetof(struct dem_snapshot_flow, count), -1, "the flow record of rain has -1 particles");
+    whole("a count below 0", flow + offsetof(struct dem_snapshot_flow, count), -1,
+          "the flow record of rain has -1 particles");
     for (int k = 0; k < 2; k++)
     {
         const double value = k ? 1e300 : NAN;
 
-        spoil("a sum of means", of_means(), &value, 0, k ? "of its averages box is 1e+300" : "of its averages box is nan");
+        spoil("a sum of means", of_means(), &value, 0,
+              k ? "of its averages box is 1e+300" : "of its averages box is nan");
     }
     const int64_t samples = INT64_MAX;
 
-    spoil("samples past counting", of_means() - 24, &samples, 0, "its averages have 9223372036854775807 samples");
+    spoil("samples past counting", of_means() - 24, &samples, 0,
+          "its averages have 9223372036854775807 samples");
     memcpy(bad, good, size);
     store(bad_path);
     TAP_OK(starts() == 0, "as it was it is taken");
@@ -226,7 +269,8 @@ static void skin_tuning(void)
         memcpy(bad, good, size);
         for (int at = 3; k && at < 7; at++)
         {
-            memcpy(bad + offsetof(struct dem_snapshot_header, skin_tuning) + 8*(size_t)at, &nothing, sizeof nothing);
+            memcpy(bad + offsetof(struct dem_snapshot_header, skin_tuning) + 8*(size_t)at,
+                   &nothing, sizeof nothing);
         }
         store(bad_path);
         WORLD_TRY(dem_load(d, bad_path));
@@ -261,7 +305,8 @@ static int write_slip(const char *path, const char *slip)
     }
     else
     {
-        memcpy(bad + of_particle(last, offsetof(struct dem_particle, id)), good + of_particle(0, offsetof(struct dem_particle, id)), 8);
+        memcpy(bad + of_particle(last, offsetof(struct dem_particle, id)),
+               good + of_particle(0, offsetof(struct dem_particle, id)), 8);
     }
     store(path);
     return 0;

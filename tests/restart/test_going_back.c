@@ -16,7 +16,8 @@ static const char heap[] =
     "insert { grains { type lattice; count 60; diameter 2e-3; min (0 0 0); max (0.01 0.01 0.1); } }"
     "time { step 1.52587890625e-05; }";
 
-static const double step = 1.0/65536.0;                   /* s: times are sums without round-off, so windows can be compared */
+static const double step =
+    1.0/65536.0;                   /* s: times are sums without round-off, so windows can be compared */
 
 static uint64_t hash_of(struct dem *d)
 {
@@ -31,8 +32,10 @@ static void twice(void)
     struct dem *const d = world(heap, 0, NULL);
     double time = 0.0;
 
-    TAP_OK(dem_restore(d, &time) != 0 && strstr(dem_error_text(), "dem_backup_every"), "nothing kept: refused, names dem_backup_every");
-    TAP_OK(dem_backup_every(d, -1) != 0 && strstr(dem_error_text(), "-1"), "copies -1 steps apart: refused");
+    TAP_OK(dem_restore(d, &time) != 0 && strstr(dem_error_text(), "dem_backup_every"),
+           "nothing kept: refused, names dem_backup_every");
+    TAP_OK(dem_backup_every(d, -1) != 0 && strstr(dem_error_text(), "-1"),
+           "copies -1 steps apart: refused");
     world_run(d, 4096*step);
     const uint64_t before = hash_of(d);
 
@@ -41,7 +44,8 @@ static void twice(void)
     const uint64_t after = hash_of(d);
 
     WORLD_TRY(dem_restore(d, &time));
-    TAP_OK(time == 4096*step && hash_of(d) == before && before != after, "back to the copy, contacts' memory included");
+    TAP_OK(time == 4096*step && hash_of(d) == before && before != after,
+           "back to the copy, contacts' memory included");
     world_run(d, 1000*step);
     TAP_OK(hash_of(d) == after, "the same bits when it runs again");
     WORLD_TRY(dem_restore(d, &time));
@@ -53,7 +57,8 @@ static void twice(void)
 /* Two runs, one of which keeps copies; then the copy against a run that ends at its time. */
 static void within(void)
 {
-    struct dem *const plain = world(heap, 0, NULL), *const keeps = world(heap, 0, NULL), *const ends = world(heap, 0, NULL);
+    struct dem *const plain = world(heap, 0, NULL), *const keeps = world(heap, 0, NULL),
+                      *const ends = world(heap, 0, NULL);
     double time = 0.0;
 
     WORLD_TRY(dem_backup_every(keeps, 300));
@@ -98,7 +103,8 @@ static void failure(void)
 
     WORLD_TRY(dem_backup_every(d, 100));
     give_fluid(d, (double)NAN);
-    TAP_OK(dem_advance(d, 500*step) != 0, "a velocity that is no number ends the run: %s", dem_error_text());
+    TAP_OK(dem_advance(d, 500*step) != 0, "a velocity that is no number ends the run: %s",
+           dem_error_text());
     TAP_OK(dem_backup_every(d, 0) == 0, "a spoilt state is passed over");
     WORLD_TRY(dem_restore(d, &time));
     TAP_OK(time == 1050*step && hash_of(d) == before, "the state of before comes back whole");

@@ -69,7 +69,8 @@ static void cut(size_t size)
 static int is_refused(int load)
 {
     uint64_t hash;
-    int refused = dem_snapshot_fingerprint(bad, &hash) != 0 && strstr(dem_error_text(), bad) != NULL;
+    int refused =
+        dem_snapshot_fingerprint(bad, &hash) != 0 && strstr(dem_error_text(), bad) != NULL;
 
     if (load)
     {
@@ -121,24 +122,32 @@ static void far(void)
     WORLD_TRY(dem_parallel_file_open(&s, &alone, bad));
     dem_parallel_file_read(&s, place, there, 7);
     dem_parallel_file_read(&s, 0, here, 7);
-    TAP_OK(dem_parallel_file_size(&s) == place + 7 && strcmp(there, "beyond") == 0 && strcmp(here, "before") == 0, "and is what was written");
+    TAP_OK(dem_parallel_file_size(&s) == place + 7 && strcmp(there, "beyond") == 0 &&
+               strcmp(here, "before") == 0,
+           "and is what was written");
     dem_parallel_file_read(&s, place, there, 8);
-    TAP_OK(dem_parallel_file_close(&s) != 0 && strstr(dem_error_text(), "cut short"), "past its end: %s", dem_error_text());
+    TAP_OK(dem_parallel_file_close(&s) != 0 && strstr(dem_error_text(), "cut short"),
+           "past its end: %s", dem_error_text());
 }
 
 static void failing(struct dem *d)
 {
     uint64_t before, after;
-    char nowhere[96], *const block = world_text("mkdir %s.part", good), *const unblock = world_text("rmdir %s.part", good);
+    char nowhere[96], *const block = world_text("mkdir %s.part", good),
+                             *const unblock = world_text("rmdir %s.part", good);
 
     snprintf(nowhere, sizeof nowhere, "%s/nowhere/a.dem", folder);
-    TAP_OK(dem_save(d, nowhere) != 0 && strstr(dem_error_text(), "folder"), "no folder: %s", dem_error_text());
+    TAP_OK(dem_save(d, nowhere) != 0 && strstr(dem_error_text(), "folder"), "no folder: %s",
+           dem_error_text());
     WORLD_TRY(dem_snapshot_fingerprint(good, &before));
     world_run(d, 1e-3);
-    TAP_OK(system(block) == 0 && dem_save(d, good) != 0, "can't be written aside: %s", dem_error_text());
-    TAP_OK(system(unblock) == 0 && dem_snapshot_fingerprint(good, &after) == 0 && before == after, "the one of before is whole");
+    TAP_OK(system(block) == 0 && dem_save(d, good) != 0, "can't be written aside: %s",
+           dem_error_text());
+    TAP_OK(system(unblock) == 0 && dem_snapshot_fingerprint(good, &after) == 0 && before == after,
+           "the one of before is whole");
     WORLD_TRY(dem_save(d, good));
-    TAP_OK(dem_snapshot_fingerprint(good, &after) == 0 && after == world_hash(d), "and is replaced when that goes again");
+    TAP_OK(dem_snapshot_fingerprint(good, &after) == 0 && after == world_hash(d),
+           "and is replaced when that goes again");
     free(block);
     free(unblock);
 }

@@ -117,7 +117,8 @@ static void telling(void)
     TAP_OK(dem_stopped(d) == 0 && world_tally(d).steps == 10, "not asked: not stopped");
     asked = SIGUSR1;
     world_run(d, 5.0*step);
-    TAP_OK(dem_stopped(d) == SIGUSR1 && world_tally(d).steps == 11, "requested: stopped after one step, with the signal");
+    TAP_OK(dem_stopped(d) == SIGUSR1 && world_tally(d).steps == 11,
+           "requested: stopped after one step, with the signal");
     asked = 0;
     world_run(d, 4.0*step);
     TAP_OK(dem_stopped(d) == 0 && world_tally(d).steps == 15, "the rest of the window");
@@ -130,8 +131,9 @@ static void telling(void)
 /* Height and velocity of a sphere at 1 s that is stopped at step 301 of 1000 and goes on with other steps. */
 static struct world_particle fall(double other)
 {
-    static const char text[] = "materials { glass { density 2500; youngsModulus 1e6; } } effects { gravity { acceleration (0 0 -10); } }"
-                               "insert { one { type list; diameter 1e-3; positions ((0 0 0)); } } time { step %.17g; force yes; }";
+    static const char text[] =
+        "materials { glass { density 2500; youngsModulus 1e6; } } effects { gravity { acceleration (0 0 -10); } }"
+        "insert { one { type list; diameter 1e-3; positions ((0 0 0)); } } time { step %.17g; force yes; }";
     char *const first = world_text(text, 1e-3), *const second = world_text(text, other);
     struct dem *d = world(first, 0, NULL);
 
@@ -159,8 +161,10 @@ static void other_steps(void)
     TAP_NEAR(fall(1e-3).x[2], -5.0, 1e-12, "the same steps: where it falls to");
     TAP_NEAR(fall(2e-3).v[2], -10.0, 1e-12, "longer steps: its velocity");
     TAP_NEAR(fall(2e-3).x[2], -5.0, 1e-12, "longer steps: where it falls to");
-    TAP_NEAR(fall(0.5e-3).v[2], -10.0, 10.0*0.25e-3 + 1e-12, "shorter steps: at most g (dt - dt')/2 too fast");
-    TAP_NEAR(fall(0.5e-3).x[2], -5.0, 0.7*10.0*0.25e-3 + 1e-12, "and that by the time that is left too low");
+    TAP_NEAR(fall(0.5e-3).v[2], -10.0, 10.0*0.25e-3 + 1e-12,
+             "shorter steps: at most g (dt - dt')/2 too fast");
+    TAP_NEAR(fall(0.5e-3).x[2], -5.0, 0.7*10.0*0.25e-3 + 1e-12,
+             "and that by the time that is left too low");
 }
 
 int main(void)

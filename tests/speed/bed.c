@@ -88,13 +88,16 @@ static double *diameters(const struct dem_view *v, double width)
 
     for (size_t i = 0; d && i < v->n; i++)
     {
-        const double *const x = dem_at(v->position, v->stride, i), full = 2.0*dem_at(v->radius, v->stride, i)[0];
+        const double *const x = dem_at(v->position, v->stride, i),
+                            full = 2.0*dem_at(v->radius, v->stride, i)[0];
 
         d[i] = full;
         for (size_t j = 0; j < v->n; j++)
         {
-            const double *const y = dem_at(v->position, v->stride, j), other = 2.0*dem_at(v->radius, v->stride, j)[0];
-            const double a = remainder(x[0] - y[0], width), b = remainder(x[1] - y[1], width), c = x[2] - y[2];
+            const double *const y = dem_at(v->position, v->stride, j),
+                                other = 2.0*dem_at(v->radius, v->stride, j)[0];
+            const double a = remainder(x[0] - y[0], width), b = remainder(x[1] - y[1], width),
+                         c = x[2] - y[2];
             const double reach = 0.5*(full + other), near = a*a + b*b + c*c;
 
             if (j != i && full <= other && near < reach*reach)
@@ -121,8 +124,9 @@ static struct dem_new_particle seed_of(const struct dem_view *v, size_t i)
 
 static void print_seed(FILE *f, const struct dem_new_particle *s)
 {
-    fprintf(f, "%lld %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n", (long long)s->id, s->diameter,
-            s->position[0], s->position[1], s->position[2], s->velocity[0], s->velocity[1], s->velocity[2], s->spin[0], s->spin[1], s->spin[2]);
+    fprintf(f, "%lld %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n",
+            (long long)s->id, s->diameter, s->position[0], s->position[1], s->position[2],
+            s->velocity[0], s->velocity[1], s->velocity[2], s->spin[0], s->spin[1], s->spin[2]);
 }
 
 static int state(char **argument)
@@ -132,7 +136,8 @@ static int state(char **argument)
     struct dem_view v;
     struct dem *d;
 
-    if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argument[0]) || dem_load(d, argument[1]) || dem_setup(d))
+    if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argument[0]) ||
+        dem_load(d, argument[1]) || dem_setup(d))
     {
         return fail(dem_error_text());
     }
@@ -174,8 +179,9 @@ static int add(struct dem *d, const char *path)
     {
         return fail(path);
     }
-    while (fscanf(f, "%lld %lf %lf %lf %lf %lf %lf %lf %lf %lf %lf", &id, &s.diameter, &s.position[0], &s.position[1], &s.position[2],
-                  &s.velocity[0], &s.velocity[1], &s.velocity[2], &s.spin[0], &s.spin[1], &s.spin[2]) == 11)
+    while (fscanf(f, "%lld %lf %lf %lf %lf %lf %lf %lf %lf %lf %lf", &id, &s.diameter,
+                  &s.position[0], &s.position[1], &s.position[2], &s.velocity[0], &s.velocity[1],
+                  &s.velocity[2], &s.spin[0], &s.spin[1], &s.spin[2]) == 11)
     {
         if (n == room)
         {
@@ -217,11 +223,13 @@ static int print_end(const struct dem *d, const char *path)
 
 static int run(int arguments, char **argument)
 {
-    const double step = strtod(argument[2], NULL), steps = strtod(argument[3], NULL), before = held("VmRSS:");
+    const double step = strtod(argument[2], NULL), steps = strtod(argument[3], NULL),
+                 before = held("VmRSS:");
     struct dem_totals t;
     struct dem *d;
 
-    if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argument[0]) || dem_set(d, "time/step", argument[2]))
+    if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argument[0]) ||
+        dem_set(d, "time/step", argument[2]))
     {
         return fail(dem_error_text());
     }
@@ -237,7 +245,8 @@ static int run(int arguments, char **argument)
         return 1;
     }
     forget_peak();
-    if (dem_advance(d, step*(1.0 - 1e-12)))               /* finds pairs, as the others do before their first step */
+    if (dem_advance(d, step*(1.0 -
+                               1e-12)))               /* finds pairs, as the others do before their first step */
     {
         return fail(dem_error_text());
     }
@@ -254,8 +263,8 @@ static int run(int arguments, char **argument)
     {
         return fail(dem_error_text());
     }
-    printf("%.6g %.6g %.6g %lld %lld %lld %lld\n", spent, held("VmHWM:") - before, t.kinetic, (long long)t.contacts,
-           (long long)t.rebuilds, (long long)t.prunes, (long long)t.bonds);
+    printf("%.6g %.6g %.6g %lld %lld %lld %lld\n", spent, held("VmHWM:") - before, t.kinetic,
+           (long long)t.contacts, (long long)t.rebuilds, (long long)t.prunes, (long long)t.bonds);
     const int status = strcmp(argument[4], "-") == 0 ? 0 : print_end(d, argument[4]);
 
     dem_free(d);
@@ -276,12 +285,15 @@ static int spend(char **argument)
         execvp(argument[0], argument);
         _exit(127);
     }
-    if (child < 0 || waitpid(child, &status, 0) != child || status != 0 || getrusage(RUSAGE_CHILDREN, &use))
+    if (child < 0 || waitpid(child, &status, 0) != child || status != 0 ||
+        getrusage(RUSAGE_CHILDREN, &use))
     {
         return fail(argument[0]);
     }
-    printf("spent %.6f %.0f\n", (double)(use.ru_utime.tv_sec + use.ru_stime.tv_sec)
-           + 1e-6*(double)(use.ru_utime.tv_usec + use.ru_stime.tv_usec), 1024.0*(double)use.ru_maxrss);
+    printf("spent %.6f %.0f\n",
+           (double)(use.ru_utime.tv_sec + use.ru_stime.tv_sec) +
+               1e-6*(double)(use.ru_utime.tv_usec + use.ru_stime.tv_usec),
+           1024.0*(double)use.ru_maxrss);
     return 0;
 }
 

@@ -82,7 +82,8 @@ static double bandwidth(size_t size)
 
 int main(void)
 {
-    static const size_t sizes[] = {24u << 10, 512u << 10, 4u << 20, 16u << 20, 64u << 20, 768u << 20};
+    static const size_t sizes[] = {24u << 10, 512u << 10, 4u << 20,
+                                   16u << 20, 64u << 20, 768u << 20};
 
     printf("clock %.3f\n", clock_rate());
     for (size_t k = 0; k < sizeof sizes/sizeof *sizes; k++)

@@ -20,7 +20,8 @@
 
 enum
 {
-    TEXT = 8192, HALF = 500                               /* steps to the snapshot, and from there on */
+    TEXT = 8192,
+    HALF = 500                               /* steps to the snapshot, and from there on */
 };
 
 enum surroundings
@@ -32,7 +33,8 @@ enum worst
 {
     MOMENTUM, ANGULAR, CREATED, ABOVE, KINDS
 };
-static const char *const kinds[KINDS] = {"momentum", "angular momentum", "energy created", "energy above what was put in"};
+static const char *const kinds[KINDS] = {"momentum", "angular momentum", "energy created",
+                                         "energy above what was put in"};
 
 struct scene
 {
@@ -87,18 +89,28 @@ static const char *pick(struct scene *s, const char *const *words, int n)
 
 static void draw_contacts(struct scene *s)
 {
-    static const char *const resists[] = {"", "rollingConstant { friction 0.1; }", "rollingSpring { friction 0.2; damping 0.3; }", "rollingViscous { time 1e-4; }"};
-    const int normal = one_of(s, 4), damping = one_of(s, 3), friction = one_of(s, 4), adheres = one_of(s, 6);
+    static const char *const resists[] = {"", "rollingConstant { friction 0.1; }",
+                                          "rollingSpring { friction 0.2; damping 0.3; }",
+                                          "rollingViscous { time 1e-4; }"};
+    const int normal = one_of(s, 4), damping = one_of(s, 3), friction = one_of(s, 4),
+              adheres = one_of(s, 6);
 
-    say(s, "    %s\n", normal < 2 ? "hertz { impactSpeed 2; }" : normal == 2 ? "hooke { impactSpeed 2; }" : "");
+    say(s, "    %s\n",
+        normal < 2 ? "hertz { impactSpeed 2; }"
+        : normal == 2 ? "hooke { impactSpeed 2; }"
+                      : "");
     if (normal == 3)
     {
-        say(s, "    hookeHysteresis { impactSpeed 2; unloading %.3g; adhesion %.3g; plasticDepth %.3g; }\n", between(s, 1.0, 6.0),
-            between(s, 0.0, 3.0), between(s, 0.0, 0.1));
+        say(s,
+            "    hookeHysteresis { impactSpeed 2; unloading %.3g; adhesion %.3g; plasticDepth %.3g; }\n",
+            between(s, 1.0, 6.0), between(s, 0.0, 3.0), between(s, 0.0, 0.1));
     }
     if (damping)
     {
-        say(s, damping == 1 ? "    dry { restitution %.3g; }\n" : "    viscous { coefficient %.3g; }\n", damping == 1 ? unit(s) : between(s, 0.0, 2e-3));
+        say(s,
+            damping == 1 ? "    dry { restitution %.3g; }\n"
+                         : "    viscous { coefficient %.3g; }\n",
+            damping == 1 ? unit(s) : between(s, 0.0, 2e-3));
     }
     if (friction)
     {
@@ -117,14 +129,18 @@ static void draw_contacts(struct scene *s)
     }
     if (adheres == 3)
     {
-        say(s, "    bondLinear { normalStiffness %.3g; shearStiffness %.3g; makeDistance 1.1; breakDistance 1.3; make %s; normalStrength %.3g; shearStrength %.3g; dampingRatio %.2g; }\n",
-            between(s, 1e8, 1e9), between(s, 1e7, 5e8), one_of(s, 2) ? "once" : "always", between(s, 1e4, 1e6), between(s, 1e4, 1e6), between(s, 0.0, 0.2));
+        say(s,
+            "    bondLinear { normalStiffness %.3g; shearStiffness %.3g; makeDistance 1.1; breakDistance 1.3; make %s; normalStrength %.3g; shearStrength %.3g; dampingRatio %.2g; }\n",
+            between(s, 1e8, 1e9), between(s, 1e7, 5e8), one_of(s, 2) ? "once" : "always",
+            between(s, 1e4, 1e6), between(s, 1e4, 1e6), between(s, 0.0, 0.2));
     }
 }
 
 static void draw_fluid(struct scene *s)
 {
-    static const char *const drags[] = {"stokesDrag", "schillerNaumann", "wenYu", "gidaspow", "diFelice", "rong", "kochHill", "tenneti"};
+    static const char *const drags[] = {"stokesDrag", "schillerNaumann", "wenYu",
+                                        "gidaspow", "diFelice", "rong",
+                                        "kochHill", "tenneti"};
     const char *const drag = pick(s, drags, 8);
 
     s->fluid = one_of(s, 3) == 0;
@@ -132,9 +148,13 @@ static void draw_fluid(struct scene *s)
     {
         const int lift = one_of(s, 3) == 0;
 
-        say(s, "    %s { } pressureGradient { }%s%s\n", drag, one_of(s, 3) ? "" : " virtualMass { }", lift ? " saffmanMei { } magnus { } viscousTorque { }" : "");
-        say(s, "}\nfluid { density %.4g; viscosity %.3g; velocity (%.3g %.3g %.3g); voidFraction %.3g;%s }\n", one_of(s, 2) ? 1000.0 : 1.2,
-            pow(10.0, between(s, -5.0, 0.0)), between(s, -0.5, 0.5), between(s, -0.5, 0.5), between(s, -0.5, 0.5), between(s, 0.5, 1.0),
+        say(s, "    %s { } pressureGradient { }%s%s\n", drag,
+            one_of(s, 3) ? "" : " virtualMass { }",
+            lift ? " saffmanMei { } magnus { } viscousTorque { }" : "");
+        say(s,
+            "}\nfluid { density %.4g; viscosity %.3g; velocity (%.3g %.3g %.3g); voidFraction %.3g;%s }\n",
+            one_of(s, 2) ? 1000.0 : 1.2, pow(10.0, between(s, -5.0, 0.0)), between(s, -0.5, 0.5),
+            between(s, -0.5, 0.5), between(s, -0.5, 0.5), between(s, 0.5, 1.0),
             lift ? " vorticity (20 -10 5);" : "");
     }
     else
@@ -153,22 +173,28 @@ static void draw_surroundings(struct scene *s)
         say(s, "domain { min (0 0 0); max (%.9g %.9g %.9g); periodic (x y z); }\n", L, L, L);
         break;
     case BOX:
-        say(s, "walls { box { type box; material a; min (0 0 0); max (%.9g %.9g %.9g); } }\n", L, L, L);
+        say(s, "walls { box { type box; material a; min (0 0 0); max (%.9g %.9g %.9g); } }\n", L, L,
+            L);
         break;
     case FLOOR:
-        say(s, "domain { x (0 %.9g); y (0 %.9g); periodic (x y); }\nwalls { floor { type plane; material b; point (0 0 0); normal (0 0 1); surfaceVelocity (%.3g 0 0); } }\n",
+        say(s,
+            "domain { x (0 %.9g); y (0 %.9g); periodic (x y); }\nwalls { floor { type plane; material b; point (0 0 0); normal (0 0 1); surfaceVelocity (%.3g 0 0); } }\n",
             L, L, between(s, -1.0, 1.0));
         break;
     case TUBE:
-        say(s, "walls { tube { type cylinder; material a; point (%.9g %.9g 0); axis (0 0 1); radius %.9g; particles inside; motion { type rotation; origin (%.9g %.9g 0);"
-            " axis (0 0 1); omega %.3g; } } lid { type plane; material a; point (0 0 0); normal (0 0 1); } }\n", 0.5*L, 0.5*L, 0.75*L, 0.5*L, 0.5*L, between(s, -30.0, 30.0));
+        say(s,
+            "walls { tube { type cylinder; material a; point (%.9g %.9g 0); axis (0 0 1); radius %.9g; particles inside; motion { type rotation; origin (%.9g %.9g 0);"
+            " axis (0 0 1); omega %.3g; } } lid { type plane; material a; point (0 0 0); normal (0 0 1); } }\n",
+            0.5*L, 0.5*L, 0.75*L, 0.5*L, 0.5*L, between(s, -30.0, 30.0));
         break;
     case FACETS:
-        say(s, "walls { roof { type triangles; material b; corners ((%.9g %.9g 0) (%.9g %.9g 0) (%.9g %.9g 0)  (%.9g %.9g 0) (%.9g %.9g 0) (%.9g %.9g 0)); } }\n",
+        say(s,
+            "walls { roof { type triangles; material b; corners ((%.9g %.9g 0) (%.9g %.9g 0) (%.9g %.9g 0)  (%.9g %.9g 0) (%.9g %.9g 0) (%.9g %.9g 0)); } }\n",
             -L, -L, 2.0*L, -L, 2.0*L, 2.0*L, -L, -L, 2.0*L, 2.0*L, -L, 2.0*L);
         break;
     case SHAKER:
-        say(s, "walls { floor { type plane; material a; point (0 0 %.9g); normal (0 0 1); motion { type oscillation; amplitude (0 %.3g %.3g); frequency %.4g; } } }\n",
+        say(s,
+            "walls { floor { type plane; material a; point (0 0 %.9g); normal (0 0 1); motion { type oscillation; amplitude (0 %.3g %.3g); frequency %.4g; } } }\n",
             -2e-4, between(s, 0.0, 1e-4), between(s, 0.0, 2e-4), between(s, 10.0, 300.0));
         break;
     default:
@@ -185,11 +211,15 @@ static void draw_particles(struct scene *s, double d)
     {
         const double least = d*between(s, 0.3, k == 0 ? 0.9 : 0.95), fast = between(s, 0.0, 0.8);
 
-        say(s, "    g%d { type random; material %s; count %d; seed %d; min (0 0 0); max (%.9g %.9g %.9g); ", k, one_of(s, 2) ? "a" : "b", 3 + one_of(s, 15),
-            k + 1, s->side, s->side, s->side);
-        say(s, one_of(s, 2) ? "diameter %.6g; " : "sizes { type uniform; min %.6g; max %.6g; } ", least, d);
-        say(s, "velocity (%.4g %.4g %.4g); spin (%.4g %.4g %.4g); }\n", fast*between(s, -1.0, 1.0), fast*between(s, -1.0, 1.0), fast*between(s, -1.0, 1.0),
-            between(s, -300.0, 300.0), between(s, -300.0, 300.0), between(s, -300.0, 300.0));
+        say(s,
+            "    g%d { type random; material %s; count %d; seed %d; min (0 0 0); max (%.9g %.9g %.9g); ",
+            k, one_of(s, 2) ? "a" : "b", 3 + one_of(s, 15), k + 1, s->side, s->side, s->side);
+        say(s, one_of(s, 2) ? "diameter %.6g; " : "sizes { type uniform; min %.6g; max %.6g; } ",
+            least, d);
+        say(s, "velocity (%.4g %.4g %.4g); spin (%.4g %.4g %.4g); }\n",
+            fast*between(s, -1.0, 1.0), fast*between(s, -1.0, 1.0),
+            fast*between(s, -1.0, 1.0), between(s, -300.0, 300.0), between(s, -300.0, 300.0),
+            between(s, -300.0, 300.0));
     }
     say(s, "}\n");
 }
@@ -202,9 +232,10 @@ static void draw(struct scene *s, uint64_t seed)
 
     s->side = d*between(s, 4.6, 8.0);
     s->around = (enum surroundings)one_of(s, SURROUNDINGS);
-    say(s, "// seed %llu\nmaterials { a { density %.4g; youngsModulus %.4g; poissonsRatio %.3g; } b { density %.4g; youngsModulus %.4g; } }\n",
-        (unsigned long long)seed, between(s, 800.0, 8000.0), pow(10.0, between(s, 6.3, 8.0)), between(s, 0.0, 0.49), between(s, 800.0, 8000.0),
-        pow(10.0, between(s, 6.3, 8.0)));
+    say(s,
+        "// seed %llu\nmaterials { a { density %.4g; youngsModulus %.4g; poissonsRatio %.3g; } b { density %.4g; youngsModulus %.4g; } }\n",
+        (unsigned long long)seed, between(s, 800.0, 8000.0), pow(10.0, between(s, 6.3, 8.0)),
+        between(s, 0.0, 0.49), between(s, 800.0, 8000.0), pow(10.0, between(s, 6.3, 8.0)));
     say(s, "effects\n{\n");
     s->gravity = one_of(s, 2);
     if (s->gravity)
@@ -243,7 +274,9 @@ static struct sums sums_of(struct dem *d)
     dem_view(d, &w);
     for (size_t i = 0; i < w.n; i++)
     {
-        const double *const x = dem_at(w.position, w.stride, i), *const v = dem_at(w.velocity, w.stride, i), *const spin = dem_at(w.spin, w.stride, i);
+        const double *const x = dem_at(w.position, w.stride, i),
+                            *const v = dem_at(w.velocity, w.stride, i),
+                            *const spin = dem_at(w.spin, w.stride, i);
         const double m = *dem_at(w.mass, w.stride, i), r = *dem_at(w.radius, w.stride, i);
 
         for (int a = 0; a < 3; a++)
@@ -266,16 +299,20 @@ static double most(double a, double b)
 }
 
 /* Nothing outside acts on an open or periodic crowd without a fluid but gravity: M g t. */
-static void judge_motion(const struct scene *s, const struct sums *now, const struct sums *then, double time, struct result *r)
+static void judge_motion(const struct scene *s, const struct sums *now, const struct sums *then,
+                         double time, struct result *r)
 {
     static const double g[3] = {1.0, -2.0, -9.81};
 
     for (int a = 0; a < 3 && s->around <= PERIODIC && !s->fluid; a++)
     {
-        const double p = now->p[a] - then->p[a] - (s->gravity ? then->mass*g[a]*time : 0.0), l = now->l[a] - then->l[a];
+        const double p = now->p[a] - then->p[a] - (s->gravity ? then->mass*g[a]*time : 0.0),
+                     l = now->l[a] - then->l[a];
 
         r->worst[MOMENTUM] = most(r->worst[MOMENTUM], fabs(p)/(then->all_p + now->all_p));
-        r->worst[ANGULAR] = s->around == OPEN && !s->gravity ? most(r->worst[ANGULAR], fabs(l)/(then->all_l + now->all_l)) : r->worst[ANGULAR];
+        r->worst[ANGULAR] = s->around == OPEN && !s->gravity
+                                ? most(r->worst[ANGULAR], fabs(l)/(then->all_l + now->all_l))
+                                : r->worst[ANGULAR];
     }
 }
 
@@ -289,7 +326,8 @@ static int begins(const char *name, const char *word)
 static int counts(const char *name)
 {
     return begins(name, "kinetic") || begins(name, "gravity") ||
-           (begins(name, "elastic") && !strstr(name, "mindlin") && !strstr(name, "linear") && !strstr(name, "ingSpring"));
+           (begins(name, "elastic") && !strstr(name, "mindlin") && !strstr(name, "linear") &&
+            !strstr(name, "ingSpring"));
 }
 
 /* The residual, and motion and what contacts hold less what walls and fluid put in and what there was, over what there is: motion at the
@@ -302,10 +340,13 @@ static int judge_energy(struct dem *d, double start, struct result *r)
 
     for (int k = 0; !status && k < n; k++)
     {
-        const int gives = begins(item[k].name, "gravity") || begins(item[k].name, "work") || begins(item[k].name, "kinetic");
+        const int gives = begins(item[k].name, "gravity") || begins(item[k].name, "work") ||
+                          begins(item[k].name, "kinetic");
 
         scale = most(scale, gives ? fabs(item[k].value) : 0.0);
-        held += counts(item[k].name) ? item[k].value : begins(item[k].name, "work") ? -item[k].value : 0.0;
+        held += counts(item[k].name) ? item[k].value
+                : begins(item[k].name, "work") ? -item[k].value
+                                               : 0.0;
     }
     if (!status && scale > 0.0)
     {
@@ -324,7 +365,8 @@ static int run_alone(const struct scene *s, const char *file, struct result *r)
 
     status = status ? status : dem_totals(d, &t);
     const struct sums then = status ? (struct sums){.finite = 1} : sums_of(d);
-    const double start = status ? 0.0 : t.kinetic, half = status ? 0.0 : HALF*dem_step_limit(d).limit;
+    const double start = status ? 0.0 : t.kinetic,
+                 half = status ? 0.0 : HALF*dem_step_limit(d).limit;
 
     for (int k = 0; k < 2 && !status; k++)
     {
@@ -380,7 +422,8 @@ int main(int argc, char **argv)
         draw(&s, strtoull(argv[2], NULL, 10));
         printf("%stime { end 0.01; }\nwrite { energy 0.001; }\n", s.text);
     }
-    const uint64_t first = argc == 4 ? strtoull(argv[1], NULL, 10) : 0, count = argc == 4 ? strtoull(argv[2], NULL, 10) : 0;
+    const uint64_t first = argc == 4 ? strtoull(argv[1], NULL, 10) : 0,
+                   count = argc == 4 ? strtoull(argv[2], NULL, 10) : 0;
     struct result *const r = calloc(count + 1, sizeof *r);
 
     for (uint64_t k = (uint64_t)rank; k < count; k += (uint64_t)ranks)

@@ -73,11 +73,13 @@ static void intervals(void)
     /* the share of 2000 series scatters by sqrt(0.05 0.95/2000) = 0.005: four of those */
     const double scatter = 0.02;
 
-    TAP_NEAR(alone.covered, 0.95, scatter, "independent samples: 95 of 100 intervals hold the mean (%.3f)", alone.covered);
+    TAP_NEAR(alone.covered, 0.95, scatter,
+             "independent samples: 95 of 100 intervals hold the mean (%.3f)", alone.covered);
     /* t of about 22 degrees of freedom is 2.07; the mean of s is below the true one by 1/(4 22) */
     TAP_NEAR(alone.width, 2.07*noise/sqrt(1000.0), 0.03*2.07*noise/sqrt(1000.0), "their width");
     /* blocks of 256 samples hold 28 correlation times of 4.5; their ends still touch: 2 % more of a miss */
-    TAP_NEAR(alike.covered, 0.95, 2.0*scatter, "samples alike their neighbours (a = 0.8): 95 of 100 (%.3f)", alike.covered);
+    TAP_NEAR(alike.covered, 0.95, 2.0*scatter,
+             "samples alike their neighbours (a = 0.8): 95 of 100 (%.3f)", alike.covered);
     const double wide = 2.09*noise/sqrt(1.0 - 0.64)*sqrt(9.0/5000.0);
 
     TAP_NEAR(alike.width, wide, 0.06*wide, "their width is three times that of independent ones");
@@ -97,7 +99,8 @@ static void ratios(void)
         dem_block_means_init(&b, 2);
         for (int k = 0; k < n; k++)
         {
-            const double y = 1.0 + uniform(s, (uint64_t)k, 1), x = 2.0*y + uniform(s, (uint64_t)k, 2) - 0.5;
+            const double y = 1.0 + uniform(s, (uint64_t)k, 1),
+                         x = 2.0*y + uniform(s, (uint64_t)k, 2) - 0.5;
 
             dem_block_means_add(&b, (double[]){x, y});
         }
@@ -109,7 +112,8 @@ static void ratios(void)
     const double expected = 2.09*sqrt(1.0/12.0/n)/1.5;
 
     TAP_NEAR(width, expected, 0.06*expected, "a ratio's interval is that of the delta method");
-    TAP_NEAR(covered/(SERIES/4), 0.95, 0.04, "and holds the truth");      /* four times sqrt(0.05 0.95/500) */
+    TAP_NEAR(covered/(SERIES/4), 0.95, 0.04,
+             "and holds the truth");      /* four times sqrt(0.05 0.95/500) */
 }
 
 static void means(void)
@@ -134,7 +138,8 @@ static void means(void)
         }
     }
     dem_block_means_derive(&b, 0, 1, itself, 1, &value, &ci);
-    TAP_OK(value == sum/most, "a thousand samples: the mean of all, through five doublings and a half-filled block");
+    TAP_OK(value == sum/most,
+           "a thousand samples: the mean of all, through five doublings and a half-filled block");
     TAP_OK(b.samples == most && b.length == 32 && b.full == 31, "31 blocks of 32");
     dem_block_means_free(&b);
 }

@@ -145,7 +145,8 @@ int main(void)
     }
     TAP_OK(bad == 0, "random points");
     TAP_OK(differ == 0, "the same for triangles in another order");
-    TAP_OK(dem_closed_surface_init(&c, n - 1, open) == DEM_ERROR_INPUT, "an open surface is refused");
+    TAP_OK(dem_closed_surface_init(&c, n - 1, open) == DEM_ERROR_INPUT,
+           "an open surface is refused");
     dem_closed_surface_free(&a);
     dem_closed_surface_free(&b);
     dem_closed_surface_free(&c);

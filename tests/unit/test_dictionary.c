@@ -16,7 +16,8 @@ static struct dem_dict *read_good(const char *text)
 {
     struct dem_dict *d = NULL;
 
-    TAP_OK(dem_dict_read_text(&d, text, "scene.dem") == DEM_OK, "reads: %.40s", strchr(text, '\n') ? "..." : text);
+    TAP_OK(dem_dict_read_text(&d, text, "scene.dem") == DEM_OK, "reads: %.40s",
+           strchr(text, '\n') ? "..." : text);
     if (!d)
     {
         printf("Bail out! %s\n", dem_error_text());
@@ -60,25 +61,34 @@ static void numbers(void)
     TAP_OK(!dem_dict_sub(d, "materials", &materials) && !dem_dict_sub(materials, "glass", &glass)
            && !dem_dict_sub(materials, "steel", &steel) && !dem_dict_sub(materials, "copy", &copy)
            && !dem_dict_sub(glass, "inner", &inner), "dictionaries in dictionaries");
-    TAP_OK(!dem_dict_number(glass, "density", "kg/m3", &x) && x == 2500.0, "a number with name and dimensions");
-    TAP_OK(!dem_dict_number(steel, "density", "kg/m3", &x) && x == 7800.0, "a number with dimensions");
+    TAP_OK(!dem_dict_number(glass, "density", "kg/m3", &x) && x == 2500.0,
+           "a number with name and dimensions");
+    TAP_OK(!dem_dict_number(steel, "density", "kg/m3", &x) && x == 7800.0,
+           "a number with dimensions");
     TAP_OK(!dem_dict_number(glass, "restitution", "1", &x) && x == 0.9, "$dict; inserts entries");
-    TAP_OK(!dem_dict_number(glass, "friction", "1", &x) && x == 0.2, "a later entry replaces an inserted one");
-    TAP_OK(!dem_dict_number(glass, "young", "Pa", &x) && x == 1e7, "dictionaries of one name merge");
+    TAP_OK(!dem_dict_number(glass, "friction", "1", &x) && x == 0.2,
+           "a later entry replaces an inserted one");
+    TAP_OK(!dem_dict_number(glass, "young", "Pa", &x) && x == 1e7,
+           "dictionaries of one name merge");
     TAP_OK(!dem_dict_number(glass, "size", "m", &x) && x == 2e-3, "$name is found further out");
-    TAP_OK(!dem_dict_number(copy, "friction", "1", &x) && x == 0.2, "name $dict; copies a dictionary");
+    TAP_OK(!dem_dict_number(copy, "friction", "1", &x) && x == 0.2,
+           "name $dict; copies a dictionary");
     TAP_OK(!dem_dict_has(copy, "young"), "... as it was at that line");
-    TAP_OK(!dem_dict_number(inner, "width", "m", &x) && x == 1e7, "$..name looks one dictionary out");
+    TAP_OK(!dem_dict_number(inner, "width", "m", &x) && x == 1e7,
+           "$..name looks one dictionary out");
     TAP_OK(!dem_dict_number(inner, "depth", "m", &x) && x == 0.5, "$:name looks at the top");
     TAP_OK(!dem_dict_number(d, "deep", "m", &x) && x == 0.5, "$dict.sub.sub.name looks inward");
-    TAP_OK(!dem_dict_number(d, "near", "1", &x) && x == 0.3, "$dict.name reads the template, not its copies");
+    TAP_OK(!dem_dict_number(d, "near", "1", &x) && x == 0.3,
+           "$dict.name reads the template, not its copies");
     TAP_OK(!dem_dict_number(d, "seven", "1", &x) && x == 7.0, "a name with a dot of its own");
-    TAP_OK(!dem_dict_number_or(d, "absent", "m", 4.5, &x) && x == 4.5, "an absent number takes the fallback");
+    TAP_OK(!dem_dict_number_or(d, "absent", "m", 4.5, &x) && x == 4.5,
+           "an absent number takes the fallback");
     TAP_OK(!dem_dict_number_or(d, "d", "m", 4.5, &x) && x == 2e-3, "a present one does not");
     TAP_OK(!dem_dict_int64(d, "n", &n) && n == 1000000007, "a whole number");
     TAP_OK(!dem_dict_int64(d, "big", &n) && n == INT64_MAX, "the largest whole number, exactly");
     TAP_OK(!dem_dict_int64(d, "million", &n) && n == 1000000, "1e6 is a whole number");
-    TAP_OK(!dem_dict_int64_or(d, "absent", -3, &n) && n == -3, "an absent whole number takes the fallback");
+    TAP_OK(!dem_dict_int64_or(d, "absent", -3, &n) && n == -3,
+           "an absent whole number takes the fallback");
     dem_dict_free(d);
 }
 
@@ -95,15 +105,19 @@ static void words_and_vectors(void)
     {
         static const char *const names[] = {"g", "g3", "gd"};
 
-        TAP_OK(!dem_dict_vector(d, names[i], "m/s2", v) && v[0] == 0 && v[1] == 0 && v[2] == -9.81, "vector %s", names[i]);
+        TAP_OK(!dem_dict_vector(d, names[i], "m/s2", v) && v[0] == 0 && v[1] == 0 && v[2] == -9.81,
+               "vector %s", names[i]);
     }
-    TAP_OK(!dem_dict_vector_or(d, "absent", "m", fallback, v) && v[0] == 1 && v[2] == 3, "an absent vector");
-    TAP_OK(!dem_dict_sub(d, "materials", &materials) && !dem_dict_sub(materials, "steel", &steel)
-           && !dem_dict_text(steel, "name", &text) && strcmp(text, "stainless \"316\" steel") == 0, "string: %s", text);
+    TAP_OK(!dem_dict_vector_or(d, "absent", "m", fallback, v) && v[0] == 1 && v[2] == 3,
+           "an absent vector");
+    TAP_OK(!dem_dict_sub(d, "materials", &materials) && !dem_dict_sub(materials, "steel", &steel) &&
+               !dem_dict_text(steel, "name", &text) && strcmp(text, "stainless \"316\" steel") == 0,
+           "string: %s", text);
     TAP_OK(!dem_dict_text(d, "quoted", &text) && *text == '\0', "an empty string is a text");
     TAP_OK(dem_dict_word(d, "quoted", &text) == DEM_ERROR_INPUT, "... and not a word");
     TAP_OK(dem_dict_word(steel, "name", &text) == DEM_ERROR_INPUT, "nor is one with spaces");
-    TAP_OK(!dem_dict_word_or(d, "absent", "none", &text) && strcmp(text, "none") == 0, "an absent word");
+    TAP_OK(!dem_dict_word_or(d, "absent", "none", &text) && strcmp(text, "none") == 0,
+           "an absent word");
     TAP_OK(!dem_dict_text_or(d, "absent", NULL, &text) && !text, "an absent text");
     TAP_OK(!dem_dict_switch(d, "on1", &yes) && yes, "yes");
     TAP_OK(!dem_dict_switch(d, "off1", &yes) && !yes, "off");
@@ -120,18 +134,27 @@ static void lists(void)
     double k = 0.0;
     size_t n = 0;
 
-    TAP_OK(!dem_dict_numbers(d, "radii", "m", &x, &n) && n == 6 && x[0] == 1e-3 && x[1] == 2e-3 && x[2] == 0.5
-           && x[3] == 0.5 && x[4] == -1 && x[5] == 2, "numbers and macros in a list");
-    TAP_OK(!dem_dict_numbers(d, "counted", "1", &x, &n) && n == 3 && x[2] == 3, "a list with type and length");
-    TAP_OK(!dem_dict_vectors(d, "points", "m", &v, &n) && n == 2 && v[0][2] == 1 && v[1][0] == 1 && v[1][2] == 3,
+    TAP_OK(!dem_dict_numbers(d, "radii", "m", &x, &n) && n == 6 && x[0] == 1e-3 && x[1] == 2e-3 &&
+               x[2] == 0.5 && x[3] == 0.5 && x[4] == -1 && x[5] == 2,
+           "numbers and macros in a list");
+    TAP_OK(!dem_dict_numbers(d, "counted", "1", &x, &n) && n == 3 && x[2] == 3,
+           "a list with type and length");
+    TAP_OK(!dem_dict_vectors(d, "points", "m", &v, &n) && n == 2 && v[0][2] == 1 && v[1][0] == 1 &&
+               v[1][2] == 3,
            "a list of vectors");
-    TAP_OK(!dem_dict_words(d, "words", &words, &n) && n == 4 && strcmp(words[1], "b c") == 0
-           && strcmp(words[2], "div(phi,U)") == 0 && strcmp(words[3], "constant/wall.stl") == 0, "a list of words");
-    TAP_OK(!dem_dict_dicts(d, "walls", &walls, &n) && n == 3, "a list of three dictionaries, found %zu", n);
-    TAP_OK(n == 3 && strcmp(dem_dict_name(walls[0]), "floor") == 0 && strcmp(dem_dict_path(walls[0]), "walls/floor") == 0
-           && strcmp(dem_dict_path(walls[1]), "walls[1]") == 0, "with and without a name");
-    TAP_OK(n == 3 && !dem_dict_number(walls[1], "k", "1", &k) && k == 0.5, "a macro inside an item looks outward");
-    TAP_OK(n == 3 && !dem_dict_number(walls[2], "friction", "1", &k) && k == 0.3, "a macro as an item");
+    TAP_OK(!dem_dict_words(d, "words", &words, &n) && n == 4 && strcmp(words[1], "b c") == 0 &&
+               strcmp(words[2], "div(phi,U)") == 0 && strcmp(words[3], "constant/wall.stl") == 0,
+           "a list of words");
+    TAP_OK(!dem_dict_dicts(d, "walls", &walls, &n) && n == 3,
+           "a list of three dictionaries, found %zu", n);
+    TAP_OK(n == 3 && strcmp(dem_dict_name(walls[0]), "floor") == 0 &&
+               strcmp(dem_dict_path(walls[0]), "walls/floor") == 0 &&
+               strcmp(dem_dict_path(walls[1]), "walls[1]") == 0,
+           "with and without a name");
+    TAP_OK(n == 3 && !dem_dict_number(walls[1], "k", "1", &k) && k == 0.5,
+           "a macro inside an item looks outward");
+    TAP_OK(n == 3 && !dem_dict_number(walls[2], "friction", "1", &k) && k == 0.3,
+           "a macro as an item");
     dem_dict_free(d);
 }
 
@@ -143,15 +166,21 @@ static void walking(void)
 
     TAP_OK(dem_dict_count(d) == 3 && !dem_dict_entry(d, 3), "three entries");
     e = dem_dict_entry(d, 0);
-    TAP_OK(strcmp(dem_entry_name(e), "b") == 0 && dem_entry_tokens(e) == 5, "the order of the text");
-    TAP_OK(strcmp(dem_entry_token(e, 0), "1") == 0 && strcmp(dem_entry_token(e, 1), "(") == 0 && !dem_entry_token(e, 5),
+    TAP_OK(strcmp(dem_entry_name(e), "b") == 0 && dem_entry_tokens(e) == 5,
+           "the order of the text");
+    TAP_OK(strcmp(dem_entry_token(e, 0), "1") == 0 && strcmp(dem_entry_token(e, 1), "(") == 0 &&
+               !dem_entry_token(e, 5),
            "raw words");
     e = dem_dict_entry(d, 1);
-    TAP_OK(dem_entry_is_dict(e) && (a = dem_entry_dict(e)) && strcmp(dem_dict_path(a), "a") == 0, "a dictionary");
+    TAP_OK(dem_entry_is_dict(e) && (a = dem_entry_dict(e)) && strcmp(dem_dict_path(a), "a") == 0,
+           "a dictionary");
     e = dem_dict_entry(d, 2);
-    TAP_OK(strcmp(dem_entry_where(e), "scene.dem, line 3") == 0, "an entry's place: %s", dem_entry_where(e));
-    TAP_OK(strcmp(dem_dict_where(d), "scene.dem") == 0 && *dem_dict_path(d) == '\0', "the top's place");
-    TAP_OK(dem_dict_refuse_unread(d) == DEM_ERROR_INPUT && strstr(dem_error_text(), "unknown entry \"z\" in a"),
+    TAP_OK(strcmp(dem_entry_where(e), "scene.dem, line 3") == 0, "an entry's place: %s",
+           dem_entry_where(e));
+    TAP_OK(strcmp(dem_dict_where(d), "scene.dem") == 0 && *dem_dict_path(d) == '\0',
+           "the top's place");
+    TAP_OK(dem_dict_refuse_unread(d) == DEM_ERROR_INPUT &&
+               strstr(dem_error_text(), "unknown entry \"z\" in a"),
            "walking reads what is taken, the rest is refused: %s", dem_error_text());
     dem_dict_mark_read(d);
     TAP_OK(dem_dict_refuse_unread(d) == DEM_OK, "unless all is accepted");
@@ -165,10 +194,14 @@ static void more(void)
     double x = 0.0, y = 0.0, n = 0.0;
 
     TAP_OK(!dem_dict_read_more(d, "a { x $n; }\nn 4;", "override"), "a further text");
-    TAP_OK(!dem_dict_sub(d, "a", &a) && !dem_dict_number(a, "x", "m", &x) && !dem_dict_number(a, "y", "m", &y)
-           && !dem_dict_number(d, "n", "1", &n) && x == 3 && y == 2 && n == 4, "replaces, keeps and sees the first one");
-    TAP_OK(strcmp(dem_entry_where(dem_dict_entry(d, 1)), "override, line 2") == 0, "and knows its own name");
-    TAP_OK(dem_dict_read_more(d, "n {", "override") == DEM_ERROR_INPUT, "refused: %s", dem_error_text());
+    TAP_OK(!dem_dict_sub(d, "a", &a) && !dem_dict_number(a, "x", "m", &x) &&
+               !dem_dict_number(a, "y", "m", &y) && !dem_dict_number(d, "n", "1", &n) && x == 3 &&
+               y == 2 && n == 4,
+           "replaces, keeps and sees the first one");
+    TAP_OK(strcmp(dem_entry_where(dem_dict_entry(d, 1)), "override, line 2") == 0,
+           "and knows its own name");
+    TAP_OK(dem_dict_read_more(d, "n {", "override") == DEM_ERROR_INPUT, "refused: %s",
+           dem_error_text());
     dem_dict_free(d);
 }
 
@@ -180,7 +213,8 @@ struct spring
 
 static const char *const laws[] = {"tsuji", "none", NULL};
 static const struct dem_setting spring_fields[] = {
-    DEM_SETTING(spring, restitution, "1", DEM_SETTING_REQUIRED, 0.0, 1.0, "speed after over speed before"),
+    DEM_SETTING(spring, restitution, "1", DEM_SETTING_REQUIRED, 0.0, 1.0,
+                "speed after over speed before"),
     DEM_SETTING_VECTOR(spring, direction, "m", 0.0, -1.0, 1.0, "where to"),
     DEM_SETTING_COUNT(spring, count, "count", 3.0, 0.0, 9.0, "how many"),
     DEM_SETTING_CHOICE(spring, law, "law", 0, laws, "damping law"),
@@ -190,13 +224,15 @@ static const struct dem_setting spring_fields[] = {
 
 static void fields(void)
 {
-    struct dem_dict *d = read_good("effects { dry { restitution 0.8; direction (0 1 0); law none; on no; } }");
+    struct dem_dict *d =
+        read_good("effects { dry { restitution 0.8; direction (0 1 0); law none; on no; } }");
     const struct dem_dict *effects, *dry;
     struct spring s;
 
     TAP_OK(!dem_dict_sub(d, "effects", &effects) && !dem_dict_sub(effects, "dry", &dry)
            && !dem_dict_settings(dry, spring_fields, &s), "a struct from its table of fields");
-    TAP_OK(s.restitution == 0.8 && s.direction[1] == 1 && s.count == 3 && s.law == 1 && s.on == 0, "with its values");
+    TAP_OK(s.restitution == 0.8 && s.direction[1] == 1 && s.count == 3 && s.law == 1 && s.on == 0,
+           "with its values");
     TAP_OK(dem_dict_refuse_unread(d) == DEM_OK, "all of it was read");
     dem_dict_free(d);
 }
@@ -248,30 +284,43 @@ static const struct
     {"n 3", "scene.dem, line 1: found end of file, expected ; after \"n 3\"; end line 1 with ;"},
     {"n", "scene.dem, line 1: found end of file, expected ; after \"n\"; end line 1 with ;"},
     {"n 3;\n}\n", "scene.dem, line 2: found } that no { opened; remove it"},
-    {"solid materials { }", "scene.dem, line 1: { cannot follow \"solid materials\"; a dictionary has one name: name { ... }"},
-    {"g (0 0\n -9.81;\nn 3;", "scene.dem, line 2: found ;, expected ) to close what line 1 opened in g"},
+    {"solid materials { }",
+     "scene.dem, line 1: { cannot follow \"solid materials\"; a dictionary has one name: name { ... }"},
+    {"g (0 0\n -9.81;\nn 3;",
+     "scene.dem, line 2: found ;, expected ) to close what line 1 opened in g"},
     {"g (0 0 -9.81]; ", "scene.dem, line 1: found ], expected ) to close what line 1 opened"},
     {"g 0 0 -9.81);", "scene.dem, line 1: found ) that nothing opened; remove it"},
-    {"(1 2 3);", "scene.dem, line 1: found (, expected the name of an entry; write name value; or name { ... }"},
-    {"n 1; /* two\nlines", "scene.dem, line 1: the comment /* that begins here is never closed; add */"},
-    {"n 1;\nshape \"sphere;\nn 2;", "scene.dem, line 2: the string that begins here is not closed on its line; add \""},
+    {"(1 2 3);",
+     "scene.dem, line 1: found (, expected the name of an entry; write name value; or name { ... }"},
+    {"n 1; /* two\nlines",
+     "scene.dem, line 1: the comment /* that begins here is never closed; add */"},
+    {"n 1;\nshape \"sphere;\nn 2;",
+     "scene.dem, line 2: the string that begins here is not closed on its line; add \""},
     {"n ${a;", "scene.dem, line 1: expected } to close ${a"},
-    {"shape #ff0000;", "scene.dem, line 1: #ff0000 cannot stand inside the value of shape; put it on a line of its own, "
+    {"shape #ff0000;",
+     "scene.dem, line 1: #ff0000 cannot stand inside the value of shape; put it on a line of its own, "
      "between entries, or in quotes if it is a text"},
     /* macros and directives */
-    {"radius 1;\nn $radios;", "scene.dem, line 2: nothing above this line defines $radios; did you mean $radius?"},
+    {"radius 1;\nn $radios;",
+     "scene.dem, line 2: nothing above this line defines $radios; did you mean $radius?"},
     {"n $zzz;", "scene.dem, line 1: nothing above this line defines $zzz; define it first"},
     {"n $ a;", "scene.dem, line 1: $ stands alone; write $name directly, without a space"},
-    {"a 1;\n$a;", "scene.dem, line 2: $a is a value; only a dictionary can be inserted here. Write name $a;"},
+    {"a 1;\n$a;",
+     "scene.dem, line 2: $a is a value; only a dictionary can be inserted here. Write name $a;"},
     {"a { b { $a; } }", "scene.dem, line 1: $a; would insert the dictionary into itself"},
-    {"a { x 1; }\nn 1 $a;", "scene.dem, line 2: $a is a dictionary, and n takes a value; write n { $a; } to insert it"},
+    {"a { x 1; }\nn 1 $a;",
+     "scene.dem, line 2: $a is a dictionary, and n takes a value; write n { $a; } to insert it"},
     {"a { x 1; }\nb { $a }", "scene.dem, line 2: found }, expected ; after $a; end line 2 with ;"},
-    {"#calc \"1+1\";", "scene.dem, line 1: #calc is not known here; of OpenFOAM's directives this reader has #include only"},
-    {"#include \"x\"", "scene.dem, line 1: a text passed in memory cannot #include; expand it first"},
-    {"#line 40 \"demProperties\"\nn 1\n;m", "demProperties, line 41: found end of file, expected ; after \"m\"; end line 41 with ;"},
+    {"#calc \"1+1\";",
+     "scene.dem, line 1: #calc is not known here; of OpenFOAM's directives this reader has #include only"},
+    {"#include \"x\"",
+     "scene.dem, line 1: a text passed in memory cannot #include; expand it first"},
+    {"#line 40 \"demProperties\"\nn 1\n;m",
+     "demProperties, line 41: found end of file, expected ; after \"m\"; end line 41 with ;"},
     {"#line x", "scene.dem, line 1: write #line <number> \"file\""},
     /* values */
-    {"\nmaterials\n{\n glass { young 1; }\n}", "scene.dem, line 4: materials/glass needs density (kg/m3)"},
+    {"\nmaterials\n{\n glass { young 1; }\n}",
+     "scene.dem, line 4: materials/glass needs density (kg/m3)"},
     {"materials { }", "scene.dem, line 1: materials needs glass (a dictionary)"},
     {"materials 3;", "scene.dem, line 1: materials takes a dictionary { ... }, found \"3\""},
     {"materials { glass { density 2500\n young 1e7; } }",
@@ -302,23 +351,29 @@ static const struct
     {"g (0 -9.81);", "scene.dem, line 1: g takes a vector (x y z) (m/s2), found \"( 0 -9.81 )\""},
     {"n 2.5;", "scene.dem, line 1: n takes one whole number, found \"2.5\""},
     {"n 1e300;", "scene.dem, line 1: n takes one whole number, found \"1e300\""},
-    {"n 9223372036854775808;", "scene.dem, line 1: n takes one whole number, found \"9223372036854775808\""},
+    {"n 9223372036854775808;",
+     "scene.dem, line 1: n takes one whole number, found \"9223372036854775808\""},
     {"on maybe;", "scene.dem, line 1: on takes yes or no (on, off, true, false), found \"maybe\""},
     {"shape a b;", "scene.dem, line 1: shape takes one word, found \"a b\""},
-    {"radii 3 (1 2);", "scene.dem, line 1: the list radii is declared with length 3 and has 2 items; "
+    {"radii 3 (1 2);",
+     "scene.dem, line 1: the list radii is declared with length 3 and has 2 items; "
      "correct the length or leave it out"},
-    {"radii (1 x);", "scene.dem, line 1: radii takes a list of numbers ( ... ) (m), found \"( 1 x )\""},
+    {"radii (1 x);",
+     "scene.dem, line 1: radii takes a list of numbers ( ... ) (m), found \"( 1 x )\""},
     {"walls ( { } x );",
      "scene.dem, line 1: walls takes a list of dictionaries ( { ... } name { ... } ), found \"( {} x )\""},
     /* fields */
-    {"effects { dry {\nrestitution 1.5; } }", "scene.dem, line 2: effects/dry: restitution 1.5 is out of range; "
+    {"effects { dry {\nrestitution 1.5; } }",
+     "scene.dem, line 2: effects/dry: restitution 1.5 is out of range; "
      "give a value from 0 to 1 (speed after over speed before)"},
     {"effects { dry {\nrestitutoin 0.5; } }",
      "scene.dem, line 1: effects/dry needs restitution; is \"restitutoin\" in line 2 meant to be it?"},
     /* what nobody reads */
-    {"effects { dry { restitution 0.9;\n lawn 3; } }", "scene.dem, line 2: unknown entry \"lawn\" in effects/dry; "
+    {"effects { dry { restitution 0.9;\n lawn 3; } }",
+     "scene.dem, line 2: unknown entry \"lawn\" in effects/dry; "
      "did you mean law? known: law, on, count, direction, restitution"},
-    {"walls ( floor { normal 1; } );", "scene.dem, line 1: unknown entry \"normal\" in walls/floor; remove it"},
+    {"walls ( floor { normal 1; } );",
+     "scene.dem, line 1: unknown entry \"normal\" in walls/floor; remove it"},
 };
 
 static void refusals(void)
@@ -329,7 +384,8 @@ static void refusals(void)
         int status = dem_dict_read_text(&d, bad[i].text, "scene.dem");
 
         status = status == DEM_OK ? ask(d) : status;
-        if (!TAP_OK(status == DEM_ERROR_INPUT && strcmp(dem_error_text(), bad[i].sentence) == 0, "%s", bad[i].sentence))
+        if (!TAP_OK(status == DEM_ERROR_INPUT && strcmp(dem_error_text(), bad[i].sentence) == 0,
+                    "%s", bad[i].sentence))
         {
             printf("#   told: %s\n", status == DEM_OK ? "nothing" : dem_error_text());
         }
@@ -362,21 +418,27 @@ static void files(void)
     TAP_OK(!dem_dict_read_file(&d, top) && !dem_dict_number(d, "after", "1", &x) && x == 3.0,
            "#include is relative to its file, and both see each other's entries");
     snprintf(sentence, sizeof sentence, "%s, line 1", inner);
-    TAP_OK(dem_dict_count(d) == 3 && strcmp(dem_entry_where(dem_dict_entry(d, 1)), sentence) == 0, "an entry knows its file");
+    TAP_OK(dem_dict_count(d) == 3 && strcmp(dem_entry_where(dem_dict_entry(d, 1)), sentence) == 0,
+           "an entry knows its file");
     dem_dict_free(d);
 
     write_file(inner, "\ndensity {");
-    snprintf(sentence, sizeof sentence, "%s, line 2: found end of file, expected } to close density { of line 2", inner);
-    TAP_OK(dem_dict_read_file(&d, top) == DEM_ERROR_INPUT && !d && strcmp(dem_error_text(), sentence) == 0,
+    snprintf(sentence, sizeof sentence,
+             "%s, line 2: found end of file, expected } to close density { of line 2", inner);
+    TAP_OK(dem_dict_read_file(&d, top) == DEM_ERROR_INPUT && !d &&
+               strcmp(dem_error_text(), sentence) == 0,
            "braces balance in each file: %s", dem_error_text());
     write_file(inner, "#include \"scene.dem\"\n");
-    TAP_OK(dem_dict_read_file(&d, top) == DEM_ERROR_INPUT && strstr(dem_error_text(), "include itself"),
+    TAP_OK(dem_dict_read_file(&d, top) == DEM_ERROR_INPUT &&
+               strstr(dem_error_text(), "include itself"),
            "a file that includes itself: %s", dem_error_text());
     remove(inner);
-    TAP_OK(dem_dict_read_file(&d, top) == DEM_ERROR_FILE && strstr(dem_error_text(), "line 2: cannot open"),
+    TAP_OK(dem_dict_read_file(&d, top) == DEM_ERROR_FILE &&
+               strstr(dem_error_text(), "line 2: cannot open"),
            "an absent file: %s", dem_error_text());
     remove(top);
-    TAP_OK(dem_dict_read_file(&d, folder) == DEM_ERROR_FILE && strstr(dem_error_text(), "cannot read"),
+    TAP_OK(dem_dict_read_file(&d, folder) == DEM_ERROR_FILE &&
+               strstr(dem_error_text(), "cannot read"),
            "a folder: %s", dem_error_text());
     remove(folder);
 }
@@ -389,20 +451,23 @@ static void too_much(void)
 
     memset(text, '(', 70);
     memcpy(text, "n ", 2);
-    TAP_OK(dem_dict_read_text(&d, text, "x") && strstr(dem_error_text(), "64 brackets"), "%s", dem_error_text());
+    TAP_OK(dem_dict_read_text(&d, text, "x") && strstr(dem_error_text(), "64 brackets"), "%s",
+           dem_error_text());
     text[0] = '\0';
     for (int i = 0; i < 70; i++)
     {
         strcat(text, "n{");
     }
-    TAP_OK(dem_dict_read_text(&d, text, "x") && strstr(dem_error_text(), "64 dictionaries"), "%s", dem_error_text());
+    TAP_OK(dem_dict_read_text(&d, text, "x") && strstr(dem_error_text(), "64 dictionaries"), "%s",
+           dem_error_text());
     strcpy(text, "a0 1;");
     for (int i = 1; i < 40; i++)
     {
         snprintf(line, sizeof line, "a%d $a%d $a%d;", i, i - 1, i - 1);
         strcat(text, line);
     }
-    TAP_OK(dem_dict_read_text(&d, text, "x") && strstr(dem_error_text(), "macros copy more"), "%s", dem_error_text());
+    TAP_OK(dem_dict_read_text(&d, text, "x") && strstr(dem_error_text(), "macros copy more"), "%s",
+           dem_error_text());
     free(text);
 }
 
@@ -416,7 +481,8 @@ static void mutations(void)
 
     for (uint64_t i = 0; i < 20000; i++)
     {
-        const size_t cut = dem_random_bits(1, i, 0, 0)%length, from = dem_random_bits(1, i, 0, 1)%length;
+        const size_t cut = dem_random_bits(1, i, 0, 0)%length,
+                     from = dem_random_bits(1, i, 0, 1)%length;
         const size_t keep = i%3 == 0 ? length - from : 0;
         struct dem_dict *d = NULL;
 
@@ -425,16 +491,19 @@ static void mutations(void)
         text[i%3 == 0 ? cut + keep : length] = '\0';
         for (uint64_t k = 0; i%3 != 0 && k < 1 + i%4; k++)
         {
-            text[dem_random_bits(1, i, k, 2)%length] = signs[dem_random_bits(1, i, k, 3)%(sizeof signs - 1)];
+            text[dem_random_bits(1, i, k, 2)%length] =
+                signs[dem_random_bits(1, i, k, 3)%(sizeof signs - 1)];
         }
         dem_error(DEM_ERROR_STATE, "%s", "");
-        const int status = dem_dict_read_text(&d, text, "scene.dem") == DEM_OK ? ask(d) : DEM_ERROR_INPUT;
+        const int status =
+            dem_dict_read_text(&d, text, "scene.dem") == DEM_OK ? ask(d) : DEM_ERROR_INPUT;
         good += d != NULL;
         refused += d == NULL;
         silent += status != DEM_OK && strncmp(dem_error_text(), "scene.dem", 9) != 0;
         dem_dict_free(d);
     }
-    TAP_OK(good > 1000 && refused > 1000, "of 20000 mutated scenes %d are read and %d refused", good, refused);
+    TAP_OK(good > 1000 && refused > 1000, "of 20000 mutated scenes %d are read and %d refused",
+           good, refused);
     TAP_OK(silent == 0, "each refusal names the file; %d do not", silent);
 }
 

@@ -55,22 +55,36 @@ static void long_words(void)
 /* Words of other codes, among our own. */
 static void habits(void)
 {
-    static const char *const ours[] = {"restitution", "friction", "youngsModulus", "density", "diameter", "poissonsRatio"};
-    static const char *const pairs[][2] = {{"coefficientOfRestitution", "restitution"}, {"e", "restitution"}, {"mu", "friction"},
-        {"frictionCoefficient", "friction"}, {"E", "youngsModulus"}, {"youngModulus", "youngsModulus"}, {"rho", "density"},
-        {"rho0", "density"}, {"d0", "diameter"}, {"radius", "diameter"}, {"nu", "poissonsRatio"}};
+    static const char *const ours[] = {"restitution", "friction", "youngsModulus",
+                                       "density", "diameter", "poissonsRatio"};
+    static const char *const pairs[][2] = {{"coefficientOfRestitution", "restitution"},
+                                           {"e", "restitution"},
+                                           {"mu", "friction"},
+                                           {"frictionCoefficient", "friction"},
+                                           {"E", "youngsModulus"},
+                                           {"youngModulus", "youngsModulus"},
+                                           {"rho", "density"},
+                                           {"rho0", "density"},
+                                           {"d0", "diameter"},
+                                           {"radius", "diameter"},
+                                           {"nu", "poissonsRatio"}};
 
     for (size_t k = 0; k < sizeof pairs/sizeof *pairs; k++)
     {
         const char *const nearest = dem_did_you_mean_nearest(pairs[k][0], ours, 6);
 
-        TAP_OK(nearest && strcmp(nearest, pairs[k][1]) == 0, "%s is taken for %s", pairs[k][0], pairs[k][1]);
+        TAP_OK(nearest && strcmp(nearest, pairs[k][1]) == 0, "%s is taken for %s", pairs[k][0],
+               pairs[k][1]);
     }
-    TAP_OK(strcmp(dem_did_you_mean_nearest("density", (const char *const[]){"temperature", "rho"}, 2), "rho") == 0,
+    TAP_OK(strcmp(dem_did_you_mean_nearest("density", (const char *const[]){"temperature", "rho"},
+                                           2),
+                  "rho") == 0,
            "and the other way round: rho may be the density that is missed");
-    TAP_OK(!dem_did_you_mean_nearest("Rho", ours, 6) && !dem_did_you_mean_nearest("ef", ours, 6) && !dem_did_you_mean_nearest(" ", ours, 6),
+    TAP_OK(!dem_did_you_mean_nearest("Rho", ours, 6) && !dem_did_you_mean_nearest("ef", ours, 6) &&
+               !dem_did_you_mean_nearest(" ", ours, 6),
            "no part of a habit, no other case");
-    TAP_OK(dem_did_you_mean_error("setting", "radius", ours, 6) && strstr(dem_error_text(), "did you mean diameter, twice the radius?"),
+    TAP_OK(dem_did_you_mean_error("setting", "radius", ours, 6) &&
+               strstr(dem_error_text(), "did you mean diameter, twice the radius?"),
            "a radius is no diameter: %s", dem_error_text());
 }
 
@@ -90,9 +104,11 @@ int main(void)
 
     TAP_OK(dem_did_you_mean_error("effect", "hertzz", effects, 5) == DEM_ERROR_INPUT,
            "an unknown word is an input error");
-    TAP_OK(strcmp(dem_error_text(), "unknown effect \"hertzz\"; did you mean hertz? "
-                                    "known: hertz, hooke, mindlin, gravity, rollingSpring") == 0,
-           "the known ones come nearest first (1, 5, 7, 7 and 12 letters off), equals as listed: %s", dem_error_text());
+    TAP_OK(
+        strcmp(dem_error_text(), "unknown effect \"hertzz\"; did you mean hertz? "
+                                 "known: hertz, hooke, mindlin, gravity, rollingSpring") == 0,
+        "the known ones come nearest first (1, 5, 7, 7 and 12 letters off), equals as listed: %s",
+        dem_error_text());
     TAP_OK(dem_did_you_mean_error("effect", "magnetism", effects, 5) == DEM_ERROR_INPUT
            && strstr(dem_error_text(), "unknown effect \"magnetism\"; known: ") == dem_error_text(),
            "without a guess: %s", dem_error_text());

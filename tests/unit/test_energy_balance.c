@@ -45,7 +45,8 @@ static void spring(const void *of, struct dem_contact_batch *restrict b, dem_rea
     }
 }
 
-static void tell(const void *of, const struct dem_contact_batch *b, dem_real *const *before, dem_real *const *memory, struct dem_energy *restrict e)
+static void tell(const void *of, const struct dem_contact_batch *b, dem_real *const *before,
+                 dem_real *const *memory, struct dem_energy *restrict e)
 {
     (void)of;
     seen = *e;
@@ -76,9 +77,15 @@ static void remember(const void *of, struct dem_contact_batch *restrict b, dem_r
 }
 
 static const char *const names[] = {"a", NULL};
-static const struct dem_effect normal = {.name = "normal", .stage = DEM_STAGE_NORMAL, .apply = spring};
+static const struct dem_effect normal = {.name = "normal",
+                                         .stage = DEM_STAGE_NORMAL,
+                                         .apply = spring};
 static const struct dem_effect mute = {.name = "mute", .stage = DEM_STAGE_DAMP, .apply = act};
-static const struct dem_effect speaks = {.name = "speaks", .stage = DEM_STAGE_MOMENT, .apply = remember, .history = names, .energy = tell};
+static const struct dem_effect speaks = {.name = "speaks",
+                                         .stage = DEM_STAGE_MOMENT,
+                                         .apply = remember,
+                                         .history = names,
+                                         .energy = tell};
 static const struct dem_effect bond = {.name = "bond", .stage = DEM_STAGE_BOND, .apply = glue};
 
 static double sum_of(const struct dem_effect *e, enum dem_energy_balance_sum which)
@@ -90,8 +97,10 @@ static double sum_of(const struct dem_effect *e, enum dem_energy_balance_sum whi
 static void sweep(void)
 {
     static double column[8];
-    static struct dem_effect_list chain = {.entries = 4, .entry = {{.effect = &normal}, {.effect = &mute}, {.effect = &speaks}, {.effect = &bond}},
-                                     .pair = {.exponent = 1.5}};
+    static struct dem_effect_list chain =
+        {.entries = 4,
+         .entry = {{.effect = &normal}, {.effect = &mute}, {.effect = &speaks}, {.effect = &bond}},
+         .pair = {.exponent = 1.5}};
     double *memory[] = {column};
     struct dem_energy_balance_rows r = {.list = &chain, .memory = memory, .row = 0, .rows = 8};
 
@@ -110,13 +119,17 @@ static void sweep(void)
 static void set_up(void)
 {
     struct dem_contact_batch *const b = &t.batch;
-    static struct dem_interaction_table recipe = {.chosen = 4, .effect = {&normal, &mute, &speaks, &bond}};
+    static struct dem_interaction_table recipe = {
+        .chosen = 4,
+        .effect = {&normal, &mute, &speaks, &bond}};
 
     p.particles.n = 1;
     p.particles.record = record;
     p.contacts.pair = pair;
     p.contacts.row_pair = row_pair;
-    record[0] = (struct dem_particle){.radius = 1.02, .inverse_mass = 0.5, .inverse_inertia = 2.0};     /* some of the mass does not turn */
+    record[0] = (struct dem_particle){.radius = 1.02,
+                                      .inverse_mass = 0.5,
+                                      .inverse_inertia = 2.0};     /* some of the mass does not turn */
     record[1] = (struct dem_particle){.radius = 2.02, .inverse_mass = 4.0, .inverse_inertia = 6.0};
     b->n = 8;
     b->dt = 0.01;
@@ -148,17 +161,24 @@ int main(void)
     set_up();
 
     sweep();
-    TAP_OK(sum_of(&mute, DEM_ENERGY_BALANCE_LOST) == 0.0 && sum_of(&speaks, DEM_ENERGY_BALANCE_LOST) == 0.0, "before the beginning no heat counts");
-    TAP_NEAR(sum_of(&speaks, DEM_ENERGY_BALANCE_ELASTIC), 6.0*7.0, 1e-15, "but what is held does, of our own rows");
+    TAP_OK(sum_of(&mute, DEM_ENERGY_BALANCE_LOST) == 0.0 &&
+               sum_of(&speaks, DEM_ENERGY_BALANCE_LOST) == 0.0,
+           "before the beginning no heat counts");
+    TAP_NEAR(sum_of(&speaks, DEM_ENERGY_BALANCE_ELASTIC), 6.0*7.0, 1e-15,
+             "but what is held does, of our own rows");
 
     p.energy_balance->begun = 1;
     p.energy_balance->sums_elastic = 0;
     sweep();
-    const double power = push*-3.0 + 0.2*pull[0] + 0.4*pull[1] + 0.8*pull[2] + moment[0] + 2.0*moment[1] + 3.0*moment[2];
+    const double power = push*-3.0 + 0.2*pull[0] + 0.4*pull[1] + 0.8*pull[2] + moment[0] +
+                         2.0*moment[1] + 3.0*moment[2];
 
-    TAP_NEAR(sum_of(&mute, DEM_ENERGY_BALANCE_LOST), -6.0*0.01*power, 1e-14, "an effect without an energy function has the work of its force measured");
-    TAP_NEAR(sum_of(&speaks, DEM_ENERGY_BALANCE_LOST), 6.0*0.25, 1e-15, "an effect with an energy function is called with its history before and after");
-    TAP_NEAR(sum_of(&speaks, DEM_ENERGY_BALANCE_ELASTIC), 6.0*7.0, 1e-15, "elastic energies stay those of the last sweep that reports them");
+    TAP_NEAR(sum_of(&mute, DEM_ENERGY_BALANCE_LOST), -6.0*0.01*power, 1e-14,
+             "an effect without an energy function has the work of its force measured");
+    TAP_NEAR(sum_of(&speaks, DEM_ENERGY_BALANCE_LOST), 6.0*0.25, 1e-15,
+             "an effect with an energy function is called with its history before and after");
+    TAP_NEAR(sum_of(&speaks, DEM_ENERGY_BALANCE_ELASTIC), 6.0*7.0, 1e-15,
+             "elastic energies stay those of the last sweep that reports them");
     TAP_NEAR(seen.previous_overlap[3], 0.01, 1e-14, "the overlap of before the drift");
     TAP_NEAR(seen.previous_kn[3], 1000.0*0.1, 1e-12, "the stiffness of then, by the normal law");
     TAP_NEAR(seen.previous_overlap[7], 0.01, 1e-14, "and where they have parted since");
@@ -167,13 +187,17 @@ int main(void)
     TAP_NEAR(seen.normal_force[3], push, 1e-15, "its own force");
     TAP_NEAR(seen.mz[3], moment[2], 1e-15, "its own moment");
     TAP_NEAR(seen.inertia[3], 1.0/8.0, 1e-15, "the inertia of both");
-    TAP_NEAR(seen.slip_mass[3], 1.0/(0.5 + 4.0 + 2.0*1.0 + 6.0*4.0), 1e-16, "and what slips at a force between them, by the arms to their contact");
-    TAP_NEAR(sum_of(&bond, DEM_ENERGY_BALANCE_LOST), 1.0 + 2.0 + 4.0 + 5.0 + 6.0, 1e-15, "the energies of bonds are taken");
-    TAP_NEAR(dem_sum_value(&p.energy_balance->sum[DEM_ENERGY_BALANCE_BROKEN]), 3.0, 1e-15, "and reported as broken where one broke");
+    TAP_NEAR(seen.slip_mass[3], 1.0/(0.5 + 4.0 + 2.0*1.0 + 6.0*4.0), 1e-16,
+             "and what slips at a force between them, by the arms to their contact");
+    TAP_NEAR(sum_of(&bond, DEM_ENERGY_BALANCE_LOST), 1.0 + 2.0 + 4.0 + 5.0 + 6.0, 1e-15,
+             "the energies of bonds are taken");
+    TAP_NEAR(dem_sum_value(&p.energy_balance->sum[DEM_ENERGY_BALANCE_BROKEN]), 3.0, 1e-15,
+             "and reported as broken where one broke");
 
     p.energy_balance->sums_elastic = 1;
     sweep();
-    TAP_NEAR(sum_of(&speaks, DEM_ENERGY_BALANCE_ELASTIC), 6.0*7.0, 1e-15, "the next reporting sweep counts anew");
+    TAP_NEAR(sum_of(&speaks, DEM_ENERGY_BALANCE_ELASTIC), 6.0*7.0, 1e-15,
+             "the next reporting sweep counts anew");
     dem_energy_balance_free(p.energy_balance);
     TAP_DONE;
 }

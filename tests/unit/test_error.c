@@ -37,7 +37,8 @@ static void try_and_require(void)
 {
     int reached = 0;
 
-    TAP_OK(passes_on(2, &reached) == DEM_OK && reached, "a call that succeeds returns to the caller");
+    TAP_OK(passes_on(2, &reached) == DEM_OK && reached,
+           "a call that succeeds returns to the caller");
     reached = 0;
     TAP_OK(passes_on(3, &reached) == DEM_ERROR_INPUT && !reached,
            "a call that fails makes the caller return its status");
@@ -53,8 +54,8 @@ static void context(void)
     TAP_OK(strcmp(dem_error_text(), "line 12: no value") == 0, "context stands in front: %s",
            dem_error_text());
     dem_error(DEM_ERROR_STATE, "(%s)", dem_error_text());
-    TAP_OK(strcmp(dem_error_text(), "(line 12: no value)") == 0, "a sentence may quote the last one: %s",
-           dem_error_text());
+    TAP_OK(strcmp(dem_error_text(), "(line 12: no value)") == 0,
+           "a sentence may quote the last one: %s", dem_error_text());
 }
 
 static void long_sentences(void)
@@ -64,14 +65,16 @@ static void long_sentences(void)
     memset(word, 'x', 2*DEM_ERROR_TEXT_SIZE - 1);
     word[2*DEM_ERROR_TEXT_SIZE - 1] = '\0';
     dem_error(DEM_ERROR_INPUT, "%s", word);
-    TAP_OK(strlen(dem_error_text()) == DEM_ERROR_TEXT_SIZE - 1, "a long sentence is cut to what is kept");
+    TAP_OK(strlen(dem_error_text()) == DEM_ERROR_TEXT_SIZE - 1,
+           "a long sentence is cut to what is kept");
     TAP_OK(strcmp(dem_error_text() + DEM_ERROR_TEXT_SIZE - 5, "x...") == 0, "and says so");
     dem_error_prefix(DEM_ERROR_INPUT, "here: ");
     TAP_OK(strncmp(dem_error_text(), "here: xxx", 9) == 0
            && strlen(dem_error_text()) == DEM_ERROR_TEXT_SIZE - 1,
            "context before a full sentence pushes out its end, not itself");
     dem_error_prefix(DEM_ERROR_INPUT, "%s", word);
-    TAP_OK(strlen(dem_error_text()) == DEM_ERROR_TEXT_SIZE - 1, "context that is too long is cut as well");
+    TAP_OK(strlen(dem_error_text()) == DEM_ERROR_TEXT_SIZE - 1,
+           "context that is too long is cut as well");
     free(word);
 }
 
@@ -87,7 +90,8 @@ static void threads(void)
         thrd_join(thread, &status);
         TAP_OK(seen[0] == '\0', "it starts with an empty sentence");
         TAP_OK(status == DEM_ERROR_FILE, "its status comes back");
-        TAP_OK(strcmp(dem_error_text(), "of this thread") == 0, "its sentence does not replace ours");
+        TAP_OK(strcmp(dem_error_text(), "of this thread") == 0,
+               "its sentence does not replace ours");
     }
 }
 

@@ -79,7 +79,8 @@ static void every_bit(void)
             least = n < least ? n : least;
         }
     }
-    TAP_NEAR(changed/10240.0, 32.0, 5*4/sqrt(10240.0), "a flipped bit changes half the hash (within 5 sigma)");
+    TAP_NEAR(changed/10240.0, 32.0, 5*4/sqrt(10240.0),
+             "a flipped bit changes half the hash (within 5 sigma)");
     TAP_OK(least >= 8, "and never less than 8 of 64 bits (chance 1e-6 in all trials): %d", least);
 }
 
@@ -99,7 +100,11 @@ static void near_records(void)
 
     for (int64_t i = 0; i < N; i++)
     {
-        struct { int64_t id; double x[3]; } r = {i/8, {i & 1 ? -1.0 : 1.0, i & 2 ? -0.0 : 0.0, i & 4 ? -1.0 : 1.0}};
+        struct
+        {
+            int64_t id;
+            double x[3];
+        } r = {i/8, {i & 1 ? -1.0 : 1.0, i & 2 ? -0.0 : 0.0, i & 4 ? -1.0 : 1.0}};
 
         all[i] = hash(&r, sizeof r, 'p');
     }
@@ -139,7 +144,8 @@ static void sums(void)
     TAP_OK(forward == backward, "the sum does not depend on the order");
     TAP_OK(forward == together, "nor on the partial sums");
     TAP_OK(forward != swapped, "two particles swapped are noticed");
-    TAP_OK(hash("ab", 2, 0) != hash("ba", 2, 0) && hash("a", 1, 0) != hash("a\0", 2, 0), "order and length within a record count");
+    TAP_OK(hash("ab", 2, 0) != hash("ba", 2, 0) && hash("a", 1, 0) != hash("a\0", 2, 0),
+           "order and length within a record count");
     TAP_OK(hash(r, 16, 1) != hash(r, 16, 2), "the salt counts");
 }
 

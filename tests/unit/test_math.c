@@ -87,8 +87,8 @@ static void accurate(const char *what, function_1 *f, judge_1 *judge,
         at = error > worst ? x : at;
         worst = error > worst ? error : worst;
     }
-    TAP_OK(worst < allowed, "%s for x from %g to %g: %.3f ulp at %a, %g allowed", what, a, b, worst, at,
-           allowed);
+    TAP_OK(worst < allowed, "%s for x from %g to %g: %.3f ulp at %a, %g allowed", what, a, b, worst,
+           at, allowed);
 }
 
 static double minus_decades(double a, double b, uint64_t i)
@@ -129,16 +129,18 @@ static void accuracy_of_pow(void)
         worst = error > worst ? error : worst;
         worst_square = square > worst_square ? square : worst_square;
     }
-    TAP_OK(worst < 1e-14, "pow for x from 1e-12 to 1e12, |y| to 12: relative error %.2e, 1e-14 allowed",
-           worst);
+    TAP_OK(worst < 1e-14,
+           "pow for x from 1e-12 to 1e12, |y| to 12: relative error %.2e, 1e-14 allowed", worst);
     TAP_OK(worst_square < 2.0, "pow(x, 2) is x x: %.3f ulp, 2 allowed", worst_square);
 }
 
 static void edges(void)
 {
     TAP_OK(dem_exp(0.0) == 1.0 && dem_exp(-0.0) == 1.0, "e^0 is 1");
-    TAP_OK(dem_exp(-708.5) == 0.0 && dem_exp(-1e300) == 0.0 && dem_exp(-DBL_MAX) == 0.0, "e^-large is 0");
-    TAP_OK(isinf(dem_exp(709.8)) && isinf(dem_exp(DBL_MAX)), "e^large is infinite without an overflow");
+    TAP_OK(dem_exp(-708.5) == 0.0 && dem_exp(-1e300) == 0.0 && dem_exp(-DBL_MAX) == 0.0,
+           "e^-large is 0");
+    TAP_OK(isinf(dem_exp(709.8)) && isinf(dem_exp(DBL_MAX)),
+           "e^large is infinite without an overflow");
     TAP_OK(dem_expm1(0.0) == 0.0 && dem_expm1(-1e300) == -1.0 && dem_expm1(-40.0) == -1.0
            && isinf(dem_expm1(710.0)),
            "e^x - 1 at 0, -large and large");
@@ -151,7 +153,8 @@ static void edges(void)
            "ln 0 is -infinite, no division by zero");
     TAP_OK(isnan(dem_log(-1.0)) && isnan(dem_log10(-1e300)), "ln of a negative is not a number");
     /* one ulp of 744 */
-    TAP_NEAR(dem_log(0x1p-1074), -1074.0*0x1.62e42fefa39efp-1, 0x1p-43, "ln of the smallest double");
+    TAP_NEAR(dem_log(0x1p-1074), -1074.0*0x1.62e42fefa39efp-1, 0x1p-43,
+             "ln of the smallest double");
     TAP_OK(isinf(dem_log(INFINITY)) && isinf(dem_exp(INFINITY)) && dem_exp(-INFINITY) == 0.0,
            "infinities pass through");
 }
@@ -170,12 +173,15 @@ static void edges_of_pow(void)
     TAP_OK(dem_pow(0.0, 0.5) == 0.0 && dem_pow(-0.0, 1e300) == 0.0 && dem_pow(0.0, 1e-300) == 0.0,
            "0^y is 0 for y > 0");
     TAP_OK(isinf(dem_pow(0.0, -1.0)) && dem_pow(0.0, 0.0) == 1.0, "0^-1 is infinite, 0^0 is 1");
-    TAP_OK(isnan(dem_pow(-1.0, 0.5)) && isnan(dem_pow(-1e300, 2.0)), "a negative base is not a number");
-    TAP_OK(dem_pow(10.0, -400.0) == 0.0 && isinf(dem_pow(10.0, 400.0)), "too small is 0, too large infinite");
+    TAP_OK(isnan(dem_pow(-1.0, 0.5)) && isnan(dem_pow(-1e300, 2.0)),
+           "a negative base is not a number");
+    TAP_OK(dem_pow(10.0, -400.0) == 0.0 && isinf(dem_pow(10.0, 400.0)),
+           "too small is 0, too large infinite");
     TAP_OK(dem_pow(DBL_MAX, -DBL_MAX) == 0.0
            && isinf(dem_pow(0x1p-1074, -DBL_MAX)) && dem_pow(1.0, DBL_MAX) == 1.0,
            "at the ends of the doubles");
-    TAP_OK(dem_pow(2.0, 10.0) == 1024.0 && dem_pow(4.0, 0.5) == 2.0 && dem_pow(0x1p-100, 3.0) == 0x1p-300,
+    TAP_OK(dem_pow(2.0, 10.0) == 1024.0 && dem_pow(4.0, 0.5) == 2.0 &&
+               dem_pow(0x1p-100, 3.0) == 0x1p-300,
            "powers of two are exact");
 }
 
@@ -188,11 +194,12 @@ static void not_numbers(void)
     feholdexcept(&traps);
     for (int i = 0; i < 52; i++)
     {
-        const volatile double nan = dem_math_from_bits(UINT64_C(0x7ff8000000000000) | UINT64_C(1) << i);
+        const volatile double nan =
+            dem_math_from_bits(UINT64_C(0x7ff8000000000000) | UINT64_C(1) << i);
 
-        numbers += !isnan(dem_exp(nan)) + !isnan(dem_expm1(nan)) + !isnan(dem_phi(nan)) + !isnan(dem_log(nan))
-                 + !isnan(dem_log10(nan)) + !isnan(dem_pow(nan, 2.0)) + !isnan(dem_pow(2.0, nan))
-                 + !isnan(dem_pow(0.0, nan));
+        numbers += !isnan(dem_exp(nan)) + !isnan(dem_expm1(nan)) + !isnan(dem_phi(nan)) +
+                   !isnan(dem_log(nan)) + !isnan(dem_log10(nan)) + !isnan(dem_pow(nan, 2.0)) +
+                   !isnan(dem_pow(2.0, nan)) + !isnan(dem_pow(0.0, nan));
     }
     fesetenv(&traps);
     TAP_OK(numbers == 0, "no function makes a number of a not-a-number, %d did", numbers);
@@ -300,6 +307,7 @@ int main(void)
     not_numbers();
     same_bits_everywhere();
     loops_equal_calls();
-    TAP_OK(!fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW), "and no exception was left behind");
+    TAP_OK(!fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW),
+           "and no exception was left behind");
     TAP_DONE;
 }

@@ -56,7 +56,8 @@ static void growing(void)
     double *const same = x;
     const size_t full = room;
 
-    TAP_OK(DEM_GROW(x, room, 5) == DEM_OK && x == same && room == full, "asking for less moves nothing");
+    TAP_OK(DEM_GROW(x, room, 5) == DEM_OK && x == same && room == full,
+           "asking for less moves nothing");
     TAP_OK(DEM_GROW(x, room, SIZE_MAX/2) == DEM_ERROR_MEMORY
            && x == same && room == full && x[19999] == 20000.0,
            "a failed growth leaves array and room alone: %s", dem_error_text());
@@ -80,7 +81,8 @@ static void columns(void)
            "two columns share one room");
     memset(a, 7, 10*sizeof *a);
     b[9] = 9;
-    TAP_OK(DEM_RESIZE(a, room, 1000) == DEM_OK && DEM_RESIZE(b, room, 1000) == DEM_OK, "and grow together");
+    TAP_OK(DEM_RESIZE(a, room, 1000) == DEM_OK && DEM_RESIZE(b, room, 1000) == DEM_OK,
+           "and grow together");
     TAP_OK(a[9].byte[2] == 7 && a[10].byte[0] == 0 && a[999].byte[2] == 0
            && b[9] == 9 && b[10] == 0 && b[999] == 0,
            "contents kept, the rest zero");

@@ -103,13 +103,17 @@ static size_t search_all(struct found *all, size_t room)
             {
                 const struct dem_particle *const a = &p.record[i], *const b = &p.record[j];
                 const double *const s = pairs.shift[code];
-                const double x = a->x[0] - b->x[0] - s[0], y = a->x[1] - b->x[1] - s[1], z = a->x[2] - b->x[2] - s[2];
+                const double x = a->x[0] - b->x[0] - s[0], y = a->x[1] - b->x[1] - s[1],
+                             z = a->x[2] - b->x[2] - s[2];
                 const double reach = a->radius + b->radius + gap;
-                const int first = a->id < b->id, possible = (domain.periodic[0] || code%3 == 1) && (domain.periodic[1] || code/3%3 == 1)
-                                                         && (domain.periodic[2] || code/9 == 1);
+                const int first = a->id < b->id,
+                          possible = (domain.periodic[0] || code%3 == 1) &&
+                                     (domain.periodic[1] || code/3%3 == 1) &&
+                                     (domain.periodic[2] || code/9 == 1);
 
-                if (possible && i != j && (first || j >= p.n) && !(a->flags & b->flags & DEM_PARTICLE_FROZEN)
-                    && x*x + y*y + z*z < reach*reach && n < room)
+                if (possible && i != j && (first || j >= p.n) &&
+                    !(a->flags & b->flags & DEM_PARTICLE_FROZEN) &&
+                    x*x + y*y + z*z < reach*reach && n < room)
                 {
                     memset(&all[n], 0, sizeof all[n]);
                     all[n].low = first ? a->id : b->id;
@@ -150,13 +154,15 @@ static void compare(const struct packing *k)
 
     set_domain(k);
     dem_pairs_init(&pairs, &domain, skin, 0.0, 1.0);
-    if (!all || !found || scatter(k) || dem_contacts_init(&c, &recipe) || dem_pairs_order(&pairs, &p))
+    if (!all || !found || scatter(k) || dem_contacts_init(&c, &recipe) ||
+        dem_pairs_order(&pairs, &p))
     {
         TAP_OK(0, "%s: %s", k->name, dem_error_text());
         exit(1);
     }
     p.ghosts = k->ghosts;                                 /* ordering drops them, but moves nothing behind the owned ones */
-    TAP_OK(dem_pairs_find(&pairs, &domain, &p, &walls, &recipe, &c) == DEM_OK, "%s: searched", k->name);
+    TAP_OK(dem_pairs_find(&pairs, &domain, &p, &walls, &recipe, &c) == DEM_OK, "%s: searched",
+           k->name);
     const size_t many = search_all(all, ROOM), n = list(found, ROOM);
 
     qsort(all, many, sizeof *all, by_name);
@@ -191,19 +197,34 @@ static int levels(double ratio, size_t large)
 
 int main(void)
 {
-    static const struct packing packings[] =
-    {
+    static const struct packing packings[] = {
         {.name = "1:1, open", .ratio = 1.0, .box = 12.0},
         {.name = "1:1, periodic along x and y", .ratio = 1.0, .box = 14.0, .periodic = {1, 1, 0}},
-        {.name = "1:1, periodic all around, so small that images meet images", .ratio = 1.0, .box = 5.0, .periodic = {1, 1, 1}},
+        {.name = "1:1, periodic all around, so small that images meet images",
+         .ratio = 1.0,
+         .box = 5.0,
+         .periodic = {1, 1, 1}},
         {.name = "1:5, open", .ratio = 5.0, .box = 6.0},
         {.name = "1:5, periodic all around", .ratio = 5.0, .box = 6.0, .periodic = {1, 1, 1}},
         {.name = "1:30, open", .ratio = 30.0, .box = 5.0},
         {.name = "1:30, periodic along z", .ratio = 30.0, .box = 5.0, .periodic = {0, 0, 1}},
         {.name = "1:30, periodic all around", .ratio = 30.0, .box = 5.0, .periodic = {1, 1, 1}},
-        {.name = "1:1, a third are copies", .ratio = 1.0, .box = 12.0, .ghosts = N/3, .periodic = {1, 0, 0}},
-        {.name = "1:30, a third are copies", .ratio = 30.0, .box = 5.0, .ghosts = N/3, .periodic = {1, 1, 1}},
-        {.name = "1:30, the large ones are copies", .ratio = 30.0, .box = 5.0, .ghosts = N/3, .periodic = {1, 1, 1}, .small = 1},
+        {.name = "1:1, a third are copies",
+         .ratio = 1.0,
+         .box = 12.0,
+         .ghosts = N/3,
+         .periodic = {1, 0, 0}},
+        {.name = "1:30, a third are copies",
+         .ratio = 30.0,
+         .box = 5.0,
+         .ghosts = N/3,
+         .periodic = {1, 1, 1}},
+        {.name = "1:30, the large ones are copies",
+         .ratio = 30.0,
+         .box = 5.0,
+         .ghosts = N/3,
+         .periodic = {1, 1, 1},
+         .small = 1},
     };
 
     TAP_TRAPS;
@@ -214,10 +235,15 @@ int main(void)
     {
         compare(&packings[k]);
     }
-    TAP_OK(!dem_pairs_check_counts(((size_t)1 << 31) - 1, ((size_t)1 << 30) - 1), "as many as an index can name");
-    TAP_OK(dem_pairs_check_counts((size_t)1 << 31, 0) && strstr(dem_error_text(), "2147483648 particles") && strstr(dem_error_text(), "more ranks"),
+    TAP_OK(!dem_pairs_check_counts(((size_t)1 << 31) - 1, ((size_t)1 << 30) - 1),
+           "as many as an index can name");
+    TAP_OK(dem_pairs_check_counts((size_t)1 << 31, 0) &&
+               strstr(dem_error_text(), "2147483648 particles") &&
+               strstr(dem_error_text(), "more ranks"),
            "more particles are refused");
-    TAP_OK(dem_pairs_check_counts(5, (size_t)1 << 32) && strstr(dem_error_text(), "4294967296 pairs"), "more pairs are refused");
+    TAP_OK(dem_pairs_check_counts(5, (size_t)1 << 32) &&
+               strstr(dem_error_text(), "4294967296 pairs"),
+           "more pairs are refused");
     TAP_OK(levels(1.0, 0) == 1, "spheres alike: one level");
     TAP_OK(levels(30.0, 0) > 1, "1:30: %d levels", levels(30.0, 0));
     TAP_OK(levels(30.0, 1) > 1, "one large one among them: %d levels", levels(30.0, 1));

@@ -30,7 +30,11 @@ static struct dem *make(int n)
 
     for (int k = 0; k < n; k++)
     {
-        seed[k] = (struct dem_new_particle){.position = {2e-3*(k%100), 2e-3*(k/100), 0.5e-3}, .diameter = 1e-3, .id = k, .material = "glass"};
+        seed[k] =
+            (struct dem_new_particle){.position = {2e-3*(k%100), 2e-3*(k/100), 0.5e-3},
+                                      .diameter = 1e-3,
+                                      .id = k,
+                                      .material = "glass"};
     }
     status = status || dem_add_particles(d, n, seed) || dem_setup(d);
     free(seed);
@@ -79,17 +83,20 @@ static void times(int n, int steps)
 
     for (int k = 0; k < DEM_PROFILE_PHASES; k++)
     {
-        TAP_OK(f.phase[k].mean >= 0.0 && f.phase[k].mean == f.phase[k].max, "%d spheres: %s: %.3g s of the only rank", n,
-               f.phase[k].name, f.phase[k].mean);
+        TAP_OK(f.phase[k].mean >= 0.0 && f.phase[k].mean == f.phase[k].max,
+               "%d spheres: %s: %.3g s of the only rank", n, f.phase[k].name, f.phase[k].mean);
         sum += f.phase[k].mean;
     }
-    TAP_NEAR(sum, f.wall, 1e-12*f.wall, "%d spheres: phases add up to the whole", n);          /* rounding */
-    TAP_OK(f.wall >= asked - ready && f.wall <= told - before, "%d spheres: %.4g s: between %.4g and %.4g s", n, f.wall, asked - ready,
-           told - before);
+    TAP_NEAR(sum, f.wall, 1e-12*f.wall, "%d spheres: phases add up to the whole",
+             n);          /* rounding */
+    TAP_OK(f.wall >= asked - ready && f.wall <= told - before,
+           "%d spheres: %.4g s: between %.4g and %.4g s", n, f.wall, asked - ready, told - before);
     TAP_OK(f.outside >= 0.02, "%d spheres: 0.02 s of waiting are outside", n);
     /* sums of many differences of one clock round: 1e-9 s is a thousand times that */
-    TAP_OK(f.wall - f.outside <= between - before + 1e-9 && f.wall - f.outside > 0.0, "%d spheres: the rest is the advance", n);
-    TAP_OK(f.processor > 0.0 && f.imbalance == 1.0 && f.ranks == 1, "%d spheres: one rank, busy", n);
+    TAP_OK(f.wall - f.outside <= between - before + 1e-9 && f.wall - f.outside > 0.0,
+           "%d spheres: the rest is the advance", n);
+    TAP_OK(f.processor > 0.0 && f.imbalance == 1.0 && f.ranks == 1, "%d spheres: one rank, busy",
+           n);
     dem_free(d);
 }
 
@@ -103,16 +110,18 @@ static void counts(int n, int steps)
     run(d, steps);
     dem_profile(d, &f);
     dem_totals(d, &t);
-    TAP_OK(f.steps == t.steps && f.particles == n && f.contacts == t.contacts, "%lld steps, %lld particles, %lld contacts", (long long)f.steps,
-           (long long)f.particles, (long long)f.contacts);
-    TAP_OK(f.particle_steps == (int64_t)n*steps && f.row_steps == (int64_t)n*steps, "%lld particle-steps, as many rows",
-           (long long)f.particle_steps);
+    TAP_OK(f.steps == t.steps && f.particles == n && f.contacts == t.contacts,
+           "%lld steps, %lld particles, %lld contacts", (long long)f.steps, (long long)f.particles,
+           (long long)f.contacts);
+    TAP_OK(f.particle_steps == (int64_t)n*steps && f.row_steps == (int64_t)n*steps,
+           "%lld particle-steps, as many rows", (long long)f.particle_steps);
     TAP_OK(f.rebuilds == 1 && f.prunes == 1, "lists are made once: the start is not the run");
     TAP_NEAR(f.outer_skin/f.diameter, 0.2, 1e-12, "the outer skin");                            /* rounding */
     TAP_NEAR(f.inner_skin/f.diameter, 0.1, 1e-12, "the inner skin");
     TAP_OK(f.messages == 0 && f.rebuild_messages == 0 && f.agreements == 0, "alone: no messages");
     TAP_OK(f.bytes > 128.0*n, "a particle has 128 bytes and more, %g", f.bytes/n);
-    TAP_OK(dem_profile_text(d, &text) == 0 && strstr(text, "contacts") && strstr(text, "particle-steps/s") && strstr(text, "skins 0.2 and 0.1"),
+    TAP_OK(dem_profile_text(d, &text) == 0 && strstr(text, "contacts") &&
+               strstr(text, "particle-steps/s") && strstr(text, "skins 0.2 and 0.1"),
            "in words");
     dem_free(d);
 }
@@ -156,9 +165,11 @@ static void cost(void)
         }
         least = fmin(least, (dem_clock_wall() - start)/READINGS);
     }
-    TAP_NOTE("a reading takes %.3g ns, ten %.2g %% of such a step", 1e9*least, 100.0*10.0*least/(5000*0.06e-6));
+    TAP_NOTE("a reading takes %.3g ns, ten %.2g %% of such a step", 1e9*least,
+             100.0*10.0*least/(5000*0.06e-6));
     /* its speed is a matter of the machine: told above, not tested */
-    TAP_OK(t.spent[DEM_PHASE_DRIFT] > 0.0 && isfinite(least), "readings of the clock add up to time spent in a phase");
+    TAP_OK(t.spent[DEM_PHASE_DRIFT] > 0.0 && isfinite(least),
+           "readings of the clock add up to time spent in a phase");
 }
 
 /* 40 pairs that meet head on at the speed v, at even fractions of a step after the second: a contact lasts 2.9432 d_max/v
@@ -166,7 +177,8 @@ static void cost(void)
 static void durations(double steps, double v)
 {
     enum { PAIRS = 40 };
-    const double pi = 3.14159265358979324, R = 0.5e-3, rho = 2500.0, E = 1e7/(2.0*(1.0 - 0.09)), m = 2.0/3.0*pi*R*R*R*rho;
+    const double pi = 3.14159265358979324, R = 0.5e-3, rho = 2500.0, E = 1e7/(2.0*(1.0 - 0.09)),
+                 m = 2.0/3.0*pi*R*R*R*rho;
     const double contact = 2.9432*pow(15.0*m*v*v/(16.0*E*sqrt(0.5*R)), 0.4)/v, dt = contact/steps;
     struct dem_new_particle seed[2*PAIRS];
     struct dem_profile f;
@@ -178,21 +190,30 @@ static void durations(double steps, double v)
     {
         const double gap = v*dt*(2.0 + (k/2 + 0.5)/PAIRS), sign = k%2 ? 1.0 : -1.0;
 
-        seed[k] = (struct dem_new_particle){.position = {sign*(R + 0.5*gap), 4.0*R*(k/2), 0.0}, .velocity = {-0.5*sign*v, 0.0, 0.0}, .diameter = 2.0*R,
-                                    .id = k, .material = "ball"};
+        seed[k] =
+            (struct dem_new_particle){.position = {sign*(R + 0.5*gap), 4.0*R*(k/2), 0.0},
+                                      .velocity = {-0.5*sign*v, 0.0, 0.0},
+                                      .diameter = 2.0*R,
+                                      .id = k,
+                                      .material = "ball"};
     }
     snprintf(step, sizeof step, "%.17g", dt);
-    int status = dem_create(&d, MPI_COMM_NULL)
-              || dem_scene_text(d, "materials { ball { density 2500; youngsModulus 1e7; } } effects { hertz {} }", "pairs")
-              || dem_set(d, "time/step", step) || dem_set(d, "time/force", "yes") || dem_contact_durations_enable(d)
-              || dem_add_particles(d, 2*PAIRS, seed) || dem_setup(d);
+    int status =
+        dem_create(&d, MPI_COMM_NULL) ||
+        dem_scene_text(
+            d, "materials { ball { density 2500; youngsModulus 1e7; } } effects { hertz {} }",
+            "pairs") ||
+        dem_set(d, "time/step", step) || dem_set(d, "time/force", "yes") ||
+        dem_contact_durations_enable(d) || dem_add_particles(d, 2*PAIRS, seed) || dem_setup(d);
 
     status = status || dem_advance(d, fmin(250.0, 3.0*steps)*dt) || dem_profile(d, &f);
     TAP_OK(status == 0, "pairs: %s", dem_error_text());
-    TAP_OK(f.recorded == PAIRS, "all %d contacts are watched from beginning to end, %lld", PAIRS, (long long)f.recorded);
+    TAP_OK(f.recorded == PAIRS, "all %d contacts are watched from beginning to end, %lld", PAIRS,
+           (long long)f.recorded);
     if (steps > 129.0)
     {
-        TAP_OK(f.longer == PAIRS && f.min_steps == 129 && f.median_steps == 129, "all are longer ones");
+        TAP_OK(f.longer == PAIRS && f.min_steps == 129 && f.median_steps == 129,
+               "all are longer ones");
     }
     else
     {

@@ -58,7 +58,8 @@ static void moments(int word)
     /* standard deviations of one term: 1/sqrt(12), sqrt(1/180), 1/12 */
     TAP_OK(inside, "along %s: all in [0, 1)", word_name[word]);
     TAP_NEAR(sum/DRAWS, 0.0, 5.0*sqrt(1.0/12.0/DRAWS), "along %s: mean", word_name[word]);
-    TAP_NEAR(square/DRAWS, 1.0/12.0, 5.0*sqrt(1.0/180.0/DRAWS), "along %s: variance", word_name[word]);
+    TAP_NEAR(square/DRAWS, 1.0/12.0, 5.0*sqrt(1.0/180.0/DRAWS), "along %s: variance",
+             word_name[word]);
     TAP_NEAR(product/DRAWS, 0.0, 5.0/12.0/sqrt(DRAWS), "along %s: correlation with the next",
              word_name[word]);
 }
@@ -116,8 +117,9 @@ static void even_pairs(int word)
     {
         chi += (count[i/64][i%64] - expected)*(count[i/64][i%64] - expected)/expected;
     }
-    TAP_OK(fabs(chi - 4095.0) < 5.0*sqrt(8190.0), "along %s: pairs fill the square, %.1f standard deviations",
-           word_name[word], (chi - 4095.0)/sqrt(8190.0));
+    TAP_OK(fabs(chi - 4095.0) < 5.0*sqrt(8190.0),
+           "along %s: pairs fill the square, %.1f standard deviations", word_name[word],
+           (chi - 4095.0)/sqrt(8190.0));
 }
 
 /* one bit of a word turned turns each bit of the result in half of all cases: 4000 trials, 64 x 64 bits. For
@@ -140,7 +142,8 @@ static void avalanche(int word)
         }
         for (uint64_t i = 0; i < TRIALS; i++)
         {
-            const uint64_t difference = bits_along(word, i) ^ bits_along(word, i ^ UINT64_C(1) << in);
+            const uint64_t difference =
+                bits_along(word, i) ^ bits_along(word, i ^ UINT64_C(1) << in);
 
             for (int out = 0; out < 64; out++)
             {
@@ -152,7 +155,8 @@ static void avalanche(int word)
             worst = fmax(worst, fabs(turned[in][out] - TRIALS/2.0)/(0.5*sqrt(TRIALS)));
         }
     }
-    TAP_OK(worst < 5.5*sqrt(2.0), "along %s: each bit decides over each, %.1f standard deviations at worst",
+    TAP_OK(worst < 5.5*sqrt(2.0),
+           "along %s: each bit decides over each, %.1f standard deviations at worst",
            word_name[word], worst);
 }
 
@@ -182,7 +186,8 @@ static void birthdays(void)
     {
         twins += half[i] == half[i - 1];
     }
-    TAP_OK(abs(twins - 128) < 57, "%d twins among a million draws over ids and steps, 128 expected", twins);
+    TAP_OK(abs(twins - 128) < 57, "%d twins among a million draws over ids and steps, 128 expected",
+           twins);
     free(half);
 }
 
@@ -190,7 +195,8 @@ int main(void)
 {
     TAP_TRAPS;
     /* worked out with whole numbers of any length, apart from the C code */
-    TAP_OK(dem_random_bits(1, 2, 3, 4) == UINT64_C(0xd55ccd4aeb3ccafb), "the bits of (1, 2, 3, 4) are fixed");
+    TAP_OK(dem_random_bits(1, 2, 3, 4) == UINT64_C(0xd55ccd4aeb3ccafb),
+           "the bits of (1, 2, 3, 4) are fixed");
     TAP_OK(dem_random_bits(UINT64_MAX, 0, UINT64_MAX, 7) == UINT64_C(0x7a025378bfc0b2a1),
            "and those of extreme words");
     TAP_OK(dem_random_bits(1, 2, 3, 4) != dem_random_bits(2, 1, 3, 4)

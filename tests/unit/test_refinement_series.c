@@ -40,7 +40,8 @@ static struct dem_refinement_series make(const struct made *m, uint64_t number)
         l.level[r] = (struct dem_refinement_level){.size = h, .runs = m->runs};
         for (int n = 0; n < m->runs; n++)
         {
-            l.level[r].value[n] = truth + m->c*pow(h, m->p) + m->phase*h*chance(number, k) + m->own*chance(number, k + 1);
+            l.level[r].value[n] = truth + m->c*pow(h, m->p) + m->phase*h*chance(number, k) +
+                                  m->own*chance(number, k + 1);
             k += 2;
         }
     }
@@ -52,7 +53,8 @@ static void smooth(void)
 {
     for (double p = 1.0; p < 3.0; p += 0.5)
     {
-        const struct dem_refinement_series l = make(&(struct made){.c = 0.2, .p = p, .runs = 3, .levels = 5}, 0);
+        const struct dem_refinement_series l =
+            make(&(struct made){.c = 0.2, .p = p, .runs = 3, .levels = 5}, 0);
 
         TAP_OK(l.kind == DEM_REFINEMENT_EXTRAPOLATED, "a smooth series is extrapolated");
         TAP_NEAR(l.reference, truth, 1e-12, "to the truth");                                  /* round-off */
@@ -69,12 +71,14 @@ static void scattered(void)
 
     for (uint64_t k = 0; k < 400; k++)
     {
-        const struct dem_refinement_series l = make(&(struct made){.c = 0.2, .p = 1.0, .phase = 0.05, .runs = 5, .levels = 5}, k);
+        const struct dem_refinement_series l =
+            make(&(struct made){.c = 0.2, .p = 1.0, .phase = 0.05, .runs = 5, .levels = 5}, k);
 
         held += fabs(l.reference - truth) <= l.uncertainty;
         extrapolated += l.kind == DEM_REFINEMENT_EXTRAPOLATED;
     }
-    TAP_OK(extrapolated >= 390, "scatter that falls with the step is the step's: %d of 400", extrapolated);
+    TAP_OK(extrapolated >= 390, "scatter that falls with the step is the step's: %d of 400",
+           extrapolated);
     TAP_OK(held >= 380, "the truth is within what is unsure in %d of 400", held);             /* 95 % */
 }
 
@@ -84,29 +88,34 @@ static void chaotic(void)
 
     for (uint64_t k = 0; k < 400; k++)
     {
-        const struct dem_refinement_series l = make(&(struct made){.own = 0.1, .runs = 5, .levels = 5}, 1000 + k);
+        const struct dem_refinement_series l =
+            make(&(struct made){.own = 0.1, .runs = 5, .levels = 5}, 1000 + k);
 
         statistics += l.kind == DEM_REFINEMENT_STATISTICS;
         held += fabs(l.reference - truth) <= l.uncertainty;
         exact += l.level[1].error <= l.level[1].uncertainty;
     }
     TAP_OK(statistics >= 380, "scatter that stays is the scene's: %d of 400", statistics);
-    TAP_OK(held >= 368, "the truth is in the interval in %d of 400", held);                   /* 380 +- 3 times sqrt(400 0.95 0.05) */
+    TAP_OK(held >= 368, "the truth is in the interval in %d of 400",
+           held);                   /* 380 +- 3 times sqrt(400 0.95 0.05) */
     TAP_OK(exact >= 368, "and no error is claimed where there is none in %d of 400", exact);
 }
 
 /* The first level is off by 1, which a scatter of 0.1 does not hide. */
 static void beside_chaos(void)
 {
-    const struct dem_refinement_series l = make(&(struct made){.c = 0.5, .p = 1.0, .own = 0.1, .runs = 8, .levels = 5}, 5);
+    const struct dem_refinement_series l =
+        make(&(struct made){.c = 0.5, .p = 1.0, .own = 0.1, .runs = 8, .levels = 5}, 5);
 
-    TAP_OK(fabs(l.level[0].error - 1.0) < l.level[0].uncertainty + 0.1, "an error beside chaos is seen: %g", l.level[0].error);
+    TAP_OK(fabs(l.level[0].error - 1.0) < l.level[0].uncertainty + 0.1,
+           "an error beside chaos is seen: %g", l.level[0].error);
     TAP_OK(l.level[0].error > l.level[0].uncertainty, "and told from it");
 }
 
 static void given(void)
 {
-    struct dem_refinement_series l = make(&(struct made){.c = 0.1, .p = 2.0, .runs = 2, .levels = 3}, 0);
+    struct dem_refinement_series l =
+        make(&(struct made){.c = 0.1, .p = 2.0, .runs = 2, .levels = 3}, 0);
 
     l.closed = 1;
     l.reference = truth;
@@ -124,7 +133,10 @@ static void restless(void)
     l.levels = 3;
     for (int r = 0; r < 3; r++)
     {
-        l.level[r] = (struct dem_refinement_level){.size = 4.0/(1 << r), .runs = 2, .value = {r%2, r%2}};
+        l.level[r] = (struct dem_refinement_level){
+            .size = 4.0/(1 << r),
+            .runs = 2,
+            .value = {r%2, r%2}};
     }
     dem_refinement_evaluate(&l);
     TAP_NEAR(l.reference, 0.0, 0.0, "the finest");

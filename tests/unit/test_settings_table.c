@@ -27,13 +27,15 @@ enum
 static const char *const laws[] = {"linear", "power", NULL};
 
 static const struct dem_setting fields[] = {
-    DEM_SETTING(glue, restitution, "1", DEM_SETTING_REQUIRED, 0.0, 1.0, "speed after over speed before"),
-    DEM_SETTING_AS(glue, stiffness, "youngsModulus", "Pa", 1e7, DEM_ABOVE_ZERO, INFINITY, "of the glue"),
+    DEM_SETTING(glue, restitution, "1", DEM_SETTING_REQUIRED, 0.0, 1.0,
+                "speed after over speed before"),
+    DEM_SETTING_AS(glue, stiffness, "youngsModulus", "Pa", 1e7, DEM_ABOVE_ZERO, INFINITY,
+                   "of the glue"),
     DEM_SETTING(glue, strength, "Pa", 1e3, 0.0, INFINITY, "stress at which it breaks"),
     DEM_SETTING_COUNT(glue, layers, "layers", 1.0, 1.0, 10.0, "coats of glue"),
     DEM_SETTING_VECTOR(glue, axis, "1", 0.0, -1.0, 1.0, "direction of the fibres"),
     DEM_SETTING_VECTOR_AS(glue, shift, "offset", "m", DEM_SETTING_REQUIRED, -INFINITY, INFINITY,
-                        "from the centre"),
+                          "from the centre"),
     DEM_SETTING_CHOICE(glue, law, "law", POWER, laws, "how it hardens"),
     DEM_SETTING_SWITCH(glue, on, "active", 1, "whether it holds"),
     {0},
@@ -61,15 +63,20 @@ static void defaults(void)
     TAP_OK(g.law == POWER && g.on == 1, "choices and switches too");
     TAP_OK(g.after == 7.0, "members without a field are left alone");
 
-    TAP_OK(dem_settings_check_complete(fields, &g, "glue") == DEM_ERROR_INPUT, "what is missing is told");
-    TAP_OK(says("glue: no value for restitution (speed after over speed before), offset (from the centre, m); "
-                "these have no default, give them"), "%s", dem_error_text());
+    TAP_OK(dem_settings_check_complete(fields, &g, "glue") == DEM_ERROR_INPUT,
+           "what is missing is told");
+    TAP_OK(
+        says(
+            "glue: no value for restitution (speed after over speed before), offset (from the centre, m); "
+            "these have no default, give them"),
+        "%s", dem_error_text());
     set(&g, "restitution", 0.5);
     TAP_OK(dem_settings_check_complete(fields, &g, "glue") == DEM_ERROR_INPUT
            && !strstr(dem_error_text(), "restitution"),
            "only what is still missing: %s", dem_error_text());
     dem_settings_set_number(fields, &g, "glue", "offset", (const double[]){0.0, 0.0, 1.0}, 3);
-    TAP_OK(dem_settings_check_complete(fields, &g, "glue") == DEM_OK, "and nothing once all is given");
+    TAP_OK(dem_settings_check_complete(fields, &g, "glue") == DEM_OK,
+           "and nothing once all is given");
 }
 
 static void numbers(void)
@@ -86,21 +93,30 @@ static void numbers(void)
 
     TAP_OK(set(&g, "restitution", 1.2) == DEM_ERROR_INPUT && g.restitution == 1.0,
            "a number out of range changes nothing");
-    TAP_OK(says("glue: restitution 1.2 is out of range; give a value from 0 to 1 (speed after over speed before)"), "%s",
-           dem_error_text());
-    TAP_OK(set(&g, "youngsModulus", 0.0) == DEM_ERROR_INPUT, "zero is refused where it is excluded");
-    TAP_OK(says("glue: youngsModulus 0 Pa is out of range; give a value above 0 Pa (of the glue)"), "%s",
-           dem_error_text());
+    TAP_OK(
+        says(
+            "glue: restitution 1.2 is out of range; give a value from 0 to 1 (speed after over speed before)"),
+        "%s", dem_error_text());
+    TAP_OK(set(&g, "youngsModulus", 0.0) == DEM_ERROR_INPUT,
+           "zero is refused where it is excluded");
+    TAP_OK(says("glue: youngsModulus 0 Pa is out of range; give a value above 0 Pa (of the glue)"),
+           "%s", dem_error_text());
     TAP_OK(set(&g, "strength", 0.0) == DEM_OK, "and taken where it is not");
     TAP_OK(set(&g, "strength", -1.0) == DEM_ERROR_INPUT, "a negative strength is refused");
-    TAP_OK(says("glue: strength -1 Pa is out of range; give a value of 0 Pa or more (stress at which it breaks)"), "%s",
-           dem_error_text());
-    TAP_OK(set(&g, "strength", INFINITY) == DEM_ERROR_INPUT && set(&g, "strength", NAN) == DEM_ERROR_INPUT
-           && g.strength == 0.0, "neither an infinite value nor a not-a-number is ever taken: %s", dem_error_text());
-    TAP_OK(set(&g, "layers", 3.0) == DEM_OK && g.layers == 3.0 && set(&g, "layers", 2.5) == DEM_ERROR_INPUT,
+    TAP_OK(
+        says(
+            "glue: strength -1 Pa is out of range; give a value of 0 Pa or more (stress at which it breaks)"),
+        "%s", dem_error_text());
+    TAP_OK(set(&g, "strength", INFINITY) == DEM_ERROR_INPUT &&
+               set(&g, "strength", NAN) == DEM_ERROR_INPUT && g.strength == 0.0,
+           "neither an infinite value nor a not-a-number is ever taken: %s", dem_error_text());
+    TAP_OK(set(&g, "layers", 3.0) == DEM_OK && g.layers == 3.0 &&
+               set(&g, "layers", 2.5) == DEM_ERROR_INPUT,
            "a count is whole");
-    TAP_OK(says("glue: layers 2.5 is not a whole number; give a value that is whole, from 1 to 10 (coats of glue)"), "%s",
-           dem_error_text());
+    TAP_OK(
+        says(
+            "glue: layers 2.5 is not a whole number; give a value that is whole, from 1 to 10 (coats of glue)"),
+        "%s", dem_error_text());
     TAP_OK(g.after == 7.0, "no neighbour was touched");
 }
 
@@ -133,32 +149,41 @@ static void words(void)
     dem_settings_set_defaults(fields, &g);
     TAP_OK(dem_settings_set_word(fields, &g, "glue", "law", "linear") == DEM_OK && g.law == LINEAR,
            "a choice is set by its word");
-    TAP_OK(dem_settings_set_word(fields, &g, "glue", "law", "pwoer") == DEM_ERROR_INPUT && g.law == LINEAR,
+    TAP_OK(dem_settings_set_word(fields, &g, "glue", "law", "pwoer") == DEM_ERROR_INPUT &&
+               g.law == LINEAR,
            "an unknown word changes nothing");
-    TAP_OK(says("unknown word for law of glue, \"pwoer\"; did you mean power? known: power, linear"), "%s",
-           dem_error_text());
+    TAP_OK(says(
+               "unknown word for law of glue, \"pwoer\"; did you mean power? known: power, linear"),
+           "%s", dem_error_text());
     for (int i = 0; i < 3; i++)
     {
-        static const char *const yes[] = {"yes", "on", "true"}, *const no[] = {"no", "off", "false"};
+        static const char *const yes[] = {"yes", "on", "true"}, *const no[] = {"no", "off",
+                                                                               "false"};
 
-        TAP_OK(dem_settings_set_word(fields, &g, "glue", "active", no[i]) == DEM_OK && g.on == 0
-               && dem_settings_set_word(fields, &g, "glue", "active", yes[i]) == DEM_OK && g.on == 1,
+        TAP_OK(dem_settings_set_word(fields, &g, "glue", "active", no[i]) == DEM_OK && g.on == 0 &&
+                   dem_settings_set_word(fields, &g, "glue", "active", yes[i]) == DEM_OK &&
+                   g.on == 1,
                "a switch takes %s and %s", yes[i], no[i]);
     }
-    TAP_OK(dem_settings_set_word(fields, &g, "glue", "active", "maybe") == DEM_ERROR_INPUT && g.on == 1,
+    TAP_OK(dem_settings_set_word(fields, &g, "glue", "active", "maybe") == DEM_ERROR_INPUT &&
+               g.on == 1,
            "but not maybe: %s", dem_error_text());
     TAP_OK(dem_settings_set_word(fields, &g, "glue", "strength", "high") == DEM_ERROR_INPUT,
            "a number is no word");
-    TAP_OK(says("glue: strength takes a number, not the word \"high\" (stress at which it breaks)"), "%s",
-           dem_error_text());
+    TAP_OK(says("glue: strength takes a number, not the word \"high\" (stress at which it breaks)"),
+           "%s", dem_error_text());
     TAP_OK(set(&g, "law", 1.0) == DEM_ERROR_INPUT, "and a choice no number");
     TAP_OK(says("glue: law takes a word, not a number (how it hardens)"), "%s", dem_error_text());
-    TAP_OK(set(&g, "restituton", 1.0) == DEM_ERROR_INPUT
-           && strstr(dem_error_text(),
-                     "unknown setting of glue, \"restituton\"; did you mean restitution? known: restitution, ")
-           == dem_error_text(), "an unknown setting gets its nearest: %s", dem_error_text());
-    TAP_OK(dem_settings_set_word(fields, &g, "glue", "lwa", "linear") == DEM_ERROR_INPUT
-           && strstr(dem_error_text(), "did you mean law?"), "so does one with a word: %s", dem_error_text());
+    TAP_OK(
+        set(&g, "restituton", 1.0) == DEM_ERROR_INPUT &&
+            strstr(
+                dem_error_text(),
+                "unknown setting of glue, \"restituton\"; did you mean restitution? known: restitution, ") ==
+                dem_error_text(),
+        "an unknown setting gets its nearest: %s", dem_error_text());
+    TAP_OK(dem_settings_set_word(fields, &g, "glue", "lwa", "linear") == DEM_ERROR_INPUT &&
+               strstr(dem_error_text(), "did you mean law?"),
+           "so does one with a word: %s", dem_error_text());
     TAP_OK(dem_settings_find(fields, "layers") == fields + 3 && !dem_settings_find(fields, "layer"),
            "fields are found by name");
 }

@@ -26,7 +26,8 @@ static int by_pair(const void *of_a, const void *of_b)
     const struct dem_sort_pair *a = of_a, *b = of_b;
 
     return a->hi != b->hi ? (a->hi > b->hi) - (a->hi < b->hi)
-         : a->lo != b->lo ? (a->lo > b->lo) - (a->lo < b->lo) : (a->index > b->index) - (a->index < b->index);
+           : a->lo != b->lo ? (a->lo > b->lo) - (a->lo < b->lo)
+                            : (a->index > b->index) - (a->index < b->index);
 }
 
 static int same(const struct dem_sort_pair *a, const struct dem_sort_pair *b, int n)
@@ -75,7 +76,8 @@ int main(void)
     TAP_TRAPS;
     check("all bits", MOST, UINT64_MAX, UINT64_MAX, 0);
     check("one byte, so one pass and many equals", MOST, 0, 0xff, 0);
-    check("two separate bytes and constant ones between", MOST, 0xff00, 0xff000000ff, 0x1234567890abcdef);
+    check("two separate bytes and constant ones between", MOST, 0xff00, 0xff000000ff,
+          0x1234567890abcdef);
     check("the highest bit alone", MOST, UINT64_C(1) << 63, UINT64_C(1) << 63, 0);
     check("three bytes, an odd number of passes", MOST, 0, 0xffffff, 0xabcdef0000000000);
     check("nothing but equals", MOST, 0, 0, 42);

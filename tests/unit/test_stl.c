@@ -55,7 +55,8 @@ static void accepted(const char *what, const void *bytes, size_t size)
     write_file(bytes, size);
     const int status = dem_stl_read(path, 0.5, &corner, &n);
 
-    TAP_OK(status == DEM_OK && n == 2, "%s: is read (%s)", what, status ? dem_error_text() : "two triangles");
+    TAP_OK(status == DEM_OK && n == 2, "%s: is read (%s)", what,
+           status ? dem_error_text() : "two triangles");
     int same = n == 2;
 
     for (size_t k = 0; k < 18 && same; k++)
@@ -75,7 +76,8 @@ static void refused(const char *what, const void *bytes, size_t size, const char
     const int status = dem_stl_read(path, 1.0, &corner, &n);
 
     TAP_OK(status != DEM_OK && corner == NULL, "%s: is refused", what);
-    TAP_OK(strstr(dem_error_text(), word) && strstr(dem_error_text(), path), "%s: the sentence names \"%s\": %s", what, word, dem_error_text());
+    TAP_OK(strstr(dem_error_text(), word) && strstr(dem_error_text(), path),
+           "%s: the sentence names \"%s\": %s", what, word, dem_error_text());
 }
 
 static void spoilt(const char *what, const char *old, const char *new, const char *word)

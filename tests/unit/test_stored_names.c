@@ -13,16 +13,25 @@
 #include <string.h>
 
 /* In the order of enum dem_column_name. */
-static const char *const stored_columns[] = {
-    "force", "torque", "fluidVelocity", "pressureGradient", "voidFraction", "fluidDensity", "fluidViscosity", "fluidAcceleration",
-    "fluidVorticity", "fluidStress", "meanDiameter", "counterflow", "place", "dragImpulse", "kept", "dragTime", "startVelocity", "way",
-    "response", "passed", "pending", "swarmFirst", "swarmSecond", "addedMass", "fluidChange", "foreseen", "otherImpulse", "turnImpulse",
-    "lostEnergy", "brokenBonds", "orientation"};
+static const char *const stored_columns[] =
+    {"force", "torque", "fluidVelocity", "pressureGradient",
+     "voidFraction", "fluidDensity", "fluidViscosity", "fluidAcceleration",
+     "fluidVorticity", "fluidStress", "meanDiameter", "counterflow",
+     "place", "dragImpulse", "kept", "dragTime",
+     "startVelocity", "way",          "response", "passed",
+     "pending", "swarmFirst", "swarmSecond", "addedMass",
+     "fluidChange", "foreseen", "otherImpulse", "turnImpulse",
+     "lostEnergy", "brokenBonds", "orientation"};
 
-static const char *const stored_history[] = {
-    "bond_length", "bond_worn", "bond_shear_x", "bond_shear_y", "bond_shear_z", "bond_twist", "bond_bend_x", "bond_bend_y", "bond_bend_z",
-    "bond_asked", "impact_speed", "stretch_x", "stretch_y", "stretch_z", "tangential_stiffness", "twist", "shear_x", "shear_y", "shear_z",
-    "jkr_holds", "slip_x", "slip_y", "slip_z", "largest_overlap", "rolling_x", "rolling_y", "rolling_z"};
+static const char *const stored_history[] = {"bond_length", "bond_worn", "bond_shear_x",
+                                             "bond_shear_y", "bond_shear_z", "bond_twist",
+                                             "bond_bend_x", "bond_bend_y", "bond_bend_z",
+                                             "bond_asked", "impact_speed", "stretch_x",
+                                             "stretch_y", "stretch_z", "tangential_stiffness",
+                                             "twist", "shear_x", "shear_y",
+                                             "shear_z",      "jkr_holds", "slip_x",
+                                             "slip_y", "slip_z", "largest_overlap",
+                                             "rolling_x", "rolling_y", "rolling_z"};
 
 enum
 {
@@ -35,17 +44,22 @@ static void columns(void)
     struct dem_particles p;
 
     dem_particles_init(&p, 0);
-    TAP_OK((int)COLUMNS == (int)DEM_COLUMNS, "%d columns, and %d names of them", (int)DEM_COLUMNS, (int)COLUMNS);
+    TAP_OK((int)COLUMNS == (int)DEM_COLUMNS, "%d columns, and %d names of them", (int)DEM_COLUMNS,
+           (int)COLUMNS);
     for (int c = 0; c < (int)DEM_COLUMNS && c < (int)COLUMNS; c++)
     {
         const char *const name = p.column[c].name;
 
-        TAP_OK(strcmp(dem_stored_name(name), stored_columns[c]) == 0 && strcmp(dem_name_of_stored(stored_columns[c]), name) == 0
-               && dem_is_stored_as(name, stored_columns[c]), "%s is stored as %s", name, stored_columns[c]);
+        TAP_OK(strcmp(dem_stored_name(name), stored_columns[c]) == 0 &&
+                   strcmp(dem_name_of_stored(stored_columns[c]), name) == 0 &&
+                   dem_is_stored_as(name, stored_columns[c]),
+               "%s is stored as %s", name, stored_columns[c]);
         for (int k = 0; k < c; k++)
         {
-            if (strcmp(name, p.column[k].name) == 0 || strcmp(stored_columns[c], stored_columns[k]) == 0
-                || strcmp(name, stored_columns[k]) == 0 || strcmp(stored_columns[c], p.column[k].name) == 0)
+            if (strcmp(name, p.column[k].name) == 0 ||
+                strcmp(stored_columns[c], stored_columns[k]) == 0 ||
+                strcmp(name, stored_columns[k]) == 0 ||
+                strcmp(stored_columns[c], p.column[k].name) == 0)
             {
                 TAP_OK(0, "%s and %s have names of their own", name, p.column[k].name);
             }
@@ -69,8 +83,9 @@ static void history(void)
             {
                 k++;
             }
-            TAP_OK(k < HISTORY_NAMES && strcmp(dem_name_of_stored(dem_stored_name(*name)), *name) == 0, "%s of %s is stored as %s", *name, (*e)->name,
-                   dem_stored_name(*name));
+            TAP_OK(k < HISTORY_NAMES &&
+                       strcmp(dem_name_of_stored(dem_stored_name(*name)), *name) == 0,
+                   "%s of %s is stored as %s", *name, (*e)->name, dem_stored_name(*name));
             named++;
             if (k < HISTORY_NAMES)
             {
@@ -78,7 +93,8 @@ static void history(void)
             }
         }
     }
-    TAP_OK(named == HISTORY_NAMES, "%d history columns, and %d names of them", named, (int)HISTORY_NAMES);
+    TAP_OK(named == HISTORY_NAMES, "%d history columns, and %d names of them", named,
+           (int)HISTORY_NAMES);
     for (int k = 0; k < HISTORY_NAMES; k++)
     {
         TAP_OK(found[k] == 1, "%s belongs to one effect", stored_history[k]);
@@ -87,9 +103,12 @@ static void history(void)
 
 static void others(void)
 {
-    TAP_OK(strcmp(dem_stored_name("bond_length"), "bond_length") == 0 && strcmp(dem_name_of_stored("bond_length"), "bond_length") == 0,
+    TAP_OK(strcmp(dem_stored_name("bond_length"), "bond_length") == 0 &&
+               strcmp(dem_name_of_stored("bond_length"), "bond_length") == 0,
            "a name without an alias is the same in both");
-    TAP_OK(!dem_is_stored_as("counterflow", "slipFactor") && !dem_is_stored_as("slipFactor", "slipFactor"), "a new name is never stored");
+    TAP_OK(!dem_is_stored_as("counterflow", "slipFactor") &&
+               !dem_is_stored_as("slipFactor", "slipFactor"),
+           "a new name is never stored");
 }
 
 int main(void)

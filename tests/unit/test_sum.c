@@ -98,16 +98,20 @@ static void known_sums(void)
     TAP_OK(same_bits(of((double[]){DBL_MAX, DBL_MAX, tiny, -DBL_MAX, -DBL_MAX}, 5), tiny),
            "twice the largest comes and goes and leaves the smallest");
     TAP_OK(same_bits(of((double[]){1.0, ulp/2}, 2), 1.0), "a tie goes to the even neighbour below");
-    TAP_OK(same_bits(of((double[]){1.0 + ulp, ulp/2}, 2), 1.0 + 2*ulp), "and to the even neighbour above");
+    TAP_OK(same_bits(of((double[]){1.0 + ulp, ulp/2}, 2), 1.0 + 2*ulp),
+           "and to the even neighbour above");
     TAP_OK(same_bits(of((double[]){1.0, ulp/2, tiny}, 3), 1.0 + ulp),
            "the smallest double breaks a tie upwards");
     TAP_OK(same_bits(of((double[]){1.0 + ulp, ulp/2, -tiny}, 3), 1.0 + ulp), "and downwards");
     TAP_OK(same_bits(of((double[]){-1.0, -ulp/2, -tiny}, 3), -1.0 - ulp),
            "a negative sum mirrors a positive one");
-    TAP_OK(same_bits(of((double[]){2.0 - ulp, ulp/2}, 2), 2.0), "rounding may carry into the exponent");
-    TAP_OK(same_bits(of((double[]){DBL_MIN, -tiny}, 2), DBL_MIN - tiny), "subnormal numbers are exact");
+    TAP_OK(same_bits(of((double[]){2.0 - ulp, ulp/2}, 2), 2.0),
+           "rounding may carry into the exponent");
+    TAP_OK(same_bits(of((double[]){DBL_MIN, -tiny}, 2), DBL_MIN - tiny),
+           "subnormal numbers are exact");
     TAP_OK(same_bits(of((double[]){3*tiny, -5*tiny}, 2), -2*tiny), "down to the last bit");
-    TAP_OK(same_bits(of((double[]){0.0, -0.0}, 2), 0.0) && same_bits(of(term, 0), 0.0), "nothing sums to +0");
+    TAP_OK(same_bits(of((double[]){0.0, -0.0}, 2), 0.0) && same_bits(of(term, 0), 0.0),
+           "nothing sums to +0");
     TAP_OK(same_bits(of((double[]){DBL_MAX, DBL_MAX}, 2), INFINITY)
            && same_bits(of((double[]){-DBL_MAX, -DBL_MAX}, 2), -INFINITY),
            "past the largest double lies infinity");

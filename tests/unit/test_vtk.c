@@ -44,8 +44,10 @@ static struct grain *make_grains(int64_t n)
 static int write_grains(int64_t n, const struct grain *g)
 {
     const struct dem_vtk_column columns[] = {
-        {"points", g->x, sizeof *g, DEM_VTK_DOUBLE, 3},    {"id", &g->id, sizeof *g, DEM_VTK_INT64, 1},
-        {"diameter", &g->diameter, sizeof *g, DEM_VTK_FLOAT32, 1}, {"stress", g->stress, sizeof *g, DEM_VTK_DOUBLE, 9},
+        {"points", g->x, sizeof *g, DEM_VTK_DOUBLE, 3},
+        {"id", &g->id, sizeof *g, DEM_VTK_INT64, 1},
+        {"diameter", &g->diameter, sizeof *g, DEM_VTK_FLOAT32, 1},
+        {"stress", g->stress, sizeof *g, DEM_VTK_DOUBLE, 9},
         {"material", &g->material, sizeof *g, DEM_VTK_INT32, 1},
     };
 
@@ -53,15 +55,16 @@ static int write_grains(int64_t n, const struct grain *g)
 }
 
 /* The array of that name as a reader finds it: type and components by the head, bytes by the offset. Null if wrong. */
-static const char *find(const char *file, size_t size, const char *name, const char *type, int components,
-                        uint64_t bytes)
+static const char *find(const char *file, size_t size, const char *name, const char *type,
+                        int components, uint64_t bytes)
 {
     char head[160];
     const char *data = strstr(file, "encoding=\"raw\">\n_"), *at;
     uint64_t length;
     long long offset;
 
-    snprintf(head, sizeof head, "type=\"%s\" Name=\"%s\" NumberOfComponents=\"%d\" format=\"appended\" offset=\"",
+    snprintf(head, sizeof head,
+             "type=\"%s\" Name=\"%s\" NumberOfComponents=\"%d\" format=\"appended\" offset=\"",
              type, name, components);
     at = strstr(file, head);
     if (!at || !data || sscanf(at + strlen(head), "%lld", &offset) != 1 || offset < 0)
@@ -74,7 +77,8 @@ static const char *find(const char *file, size_t size, const char *name, const c
         return NULL;
     }
     memcpy(&length, data, sizeof length);
-    return length == bytes && data + sizeof length + length <= file + size ? data + sizeof length : NULL;
+    return length == bytes && data + sizeof length + length <= file + size ? data + sizeof length
+                                                                           : NULL;
 }
 
 static void read_back(int64_t n)
@@ -85,10 +89,12 @@ static void read_back(int64_t n)
     char *file = NULL, piece[128];
     size_t size = 0, wrong = 0;
 
-    TAP_OK(!write_grains(n, g) && !dem_file_load(path, &file, &size), "%lld grains are written: %s", (long long)n,
-           dem_error_text());
-    snprintf(piece, sizeof piece, "<Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"%lld\" ", (long long)n, (long long)n);
-    TAP_OK(strstr(file, piece) && strstr(file, "byte_order=\"LittleEndian\" header_type=\"UInt64\""),
+    TAP_OK(!write_grains(n, g) && !dem_file_load(path, &file, &size), "%lld grains are written: %s",
+           (long long)n, dem_error_text());
+    snprintf(piece, sizeof piece, "<Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"%lld\" ",
+             (long long)n, (long long)n);
+    TAP_OK(strstr(file, piece) &&
+               strstr(file, "byte_order=\"LittleEndian\" header_type=\"UInt64\""),
            "the header has numbers and byte order");
     x = find(file, size, "points", "Float64", 3, 24*N);
     id = find(file, size, "id", "Int64", 1, 8*N);
@@ -97,7 +103,8 @@ static void read_back(int64_t n)
     m = find(file, size, "material", "Int32", 1, 4*N);
     c = find(file, size, "connectivity", "Int64", 1, 8*N);
     o = find(file, size, "offsets", "Int64", 1, 8*N);
-    if (!TAP_OK(x && id && d && s && m && c && o, "every array is where the head says, with its length"))
+    if (!TAP_OK(x && id && d && s && m && c && o,
+                "every array is where the head says, with its length"))
     {
         return;
     }
@@ -108,9 +115,10 @@ static void read_back(int64_t n)
         const float diameter = (float)g[i].diameter;
         const int64_t cell = (int64_t)i, end = cell + 1;
 
-        wrong += memcmp(x + 24*i, g[i].x, 24) || memcmp(id + 8*i, &g[i].id, 8) || memcmp(d + 4*i, &diameter, 4)
-                 || memcmp(s + 72*i, g[i].stress, 72) || memcmp(m + 4*i, &g[i].material, 4) || memcmp(c + 8*i, &cell, 8)
-                 || memcmp(o + 8*i, &end, 8);
+        wrong += memcmp(x + 24*i, g[i].x, 24) || memcmp(id + 8*i, &g[i].id, 8) ||
+                 memcmp(d + 4*i, &diameter, 4) || memcmp(s + 72*i, g[i].stress, 72) ||
+                 memcmp(m + 4*i, &g[i].material, 4) || memcmp(c + 8*i, &cell, 8) ||
+                 memcmp(o + 8*i, &end, 8);
     }
     TAP_OK(wrong == 0, "%zu of %zu grains differ", wrong, N);
     dem_memory_free(file);
@@ -120,14 +128,16 @@ static void read_back(int64_t n)
 static void narrow_numbers(void)
 {
     const double d[5] = {1e300, -1e300, 1e-300, 0.1, (double)NAN}, x[3] = {0, 0, 0};
-    const struct dem_vtk_column columns[] = {{"points", x, 24, DEM_VTK_FLOAT32, 3}, {"d", d, 40, DEM_VTK_FLOAT32, 5}};
+    const struct dem_vtk_column columns[] = {{"points", x, 24, DEM_VTK_FLOAT32, 3},
+                                             {"d", d, 40, DEM_VTK_FLOAT32, 5}};
     const char *at;
     char *file = NULL;
     size_t size;
     float f[5] = {0};
 
-    TAP_OK(!dem_vtk_write(NULL, path, 1, columns, 2) && !dem_file_load(path, &file, &size)
-           && (at = find(file, size, "d", "Float32", 5, 20)) && memcpy(f, at, 20), "five doubles as Float32");
+    TAP_OK(!dem_vtk_write(NULL, path, 1, columns, 2) && !dem_file_load(path, &file, &size) &&
+               (at = find(file, size, "d", "Float32", 5, 20)) && memcpy(f, at, 20),
+           "five doubles as Float32");
     TAP_OK(f[0] == INFINITY && f[1] == -INFINITY && f[2] == 0 && f[3] == 0.1f && isnan(f[4]),
            "what does not fit is infinite and traps nowhere");
     dem_memory_free(file);
@@ -144,13 +154,26 @@ static void triangles(void)
     {
         corner[k] = dem_random_unit(2, (uint64_t)k, 0, 0);
     }
-    TAP_OK(!dem_vtk_write_triangles(path, 2, corner, wall) && !dem_file_load(path, &file, &size), "two triangles are written");
-    const char *const x = find(file, size, "points", "Float64", 3, sizeof corner), *const w = find(file, size, "wall", "Int64", 1, 16);
-    const char *const c = find(file, size, "connectivity", "Int64", 1, 48), *const o = find(file, size, "offsets", "Int64", 1, 16);
+    TAP_OK(!dem_vtk_write_triangles(path, 2, corner, wall) && !dem_file_load(path, &file, &size),
+           "two triangles are written");
+    const char *const x = find(file, size, "points", "Float64", 3, sizeof corner), *const w =
+                                                                                       find(file,
+                                                                                            size,
+                                                                                            "wall",
+                                                                                            "Int64",
+                                                                                            1, 16);
+    const char *const c = find(file, size, "connectivity", "Int64", 1, 48), *const o =
+                                                                                find(file, size,
+                                                                                     "offsets",
+                                                                                     "Int64", 1,
+                                                                                     16);
 
-    TAP_OK(strstr(file, "<Piece NumberOfPoints=\"6\" NumberOfVerts=\"0\"") && strstr(file, "NumberOfPolys=\"2\">"), "the header has the numbers");
-    TAP_OK(x && w && c && o && memcmp(x, corner, sizeof corner) == 0 && memcmp(w, wall, 16) == 0
-           && memcmp(c, connectivity, 48) == 0 && memcmp(o, offsets, 16) == 0, "corners, walls and cells are where the head says");
+    TAP_OK(strstr(file, "<Piece NumberOfPoints=\"6\" NumberOfVerts=\"0\"") &&
+               strstr(file, "NumberOfPolys=\"2\">"),
+           "the header has the numbers");
+    TAP_OK(x && w && c && o && memcmp(x, corner, sizeof corner) == 0 && memcmp(w, wall, 16) == 0 &&
+               memcmp(c, connectivity, 48) == 0 && memcmp(o, offsets, 16) == 0,
+           "corners, walls and cells are where the head says");
     dem_memory_free(file);
 }
 
@@ -162,7 +185,8 @@ static void refused(int status, int expected, const char *words)
 static void refusals(void)
 {
     const double x[6] = {0};
-    struct dem_vtk_column c[2] = {{"points", x, 24, DEM_VTK_DOUBLE, 3}, {"points", x, 8, DEM_VTK_DOUBLE, 1}};
+    struct dem_vtk_column c[2] = {{"points", x, 24, DEM_VTK_DOUBLE, 3},
+                                  {"points", x, 8, DEM_VTK_DOUBLE, 1}};
     char *file = NULL, elsewhere[80];
     size_t size;
 
@@ -176,7 +200,8 @@ static void refusals(void)
     refused(dem_vtk_write(NULL, path, 1, c, 2), DEM_ERROR_STATE, "10 components");
     c[0].components = 1;
     refused(dem_vtk_write(NULL, path, 1, c, 1), DEM_ERROR_STATE, "positions");
-    TAP_OK(!dem_file_load(path, &file, &size) && find(file, size, "points", "Float64", 3, 24), "the good file is there");
+    TAP_OK(!dem_file_load(path, &file, &size) && find(file, size, "points", "Float64", 3, 24),
+           "the good file is there");
     dem_memory_free(file);
 
     c[0].components = 3;
@@ -193,8 +218,10 @@ static int collection_is(const char *entries)
     char *file = NULL, expected[1024];
     size_t size;
 
-    snprintf(expected, sizeof expected, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n"
-             "  <Collection>\n%s  </Collection>\n</VTKFile>\n", entries);
+    snprintf(expected, sizeof expected,
+             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n"
+             "  <Collection>\n%s  </Collection>\n</VTKFile>\n",
+             entries);
     const int same = !dem_file_load(path, &file, &size) && strcmp(file, expected) == 0;
 
     dem_memory_free(file);
@@ -206,18 +233,25 @@ static int collection_is(const char *entries)
 static void collection(void)
 {
     remove(path);
-    TAP_OK(!dem_vtk_collection_add(path, 0.0, "VTK/0.vtp") && collection_is(ENTRY("0", "VTK/0.vtp")),
+    TAP_OK(!dem_vtk_collection_add(path, 0.0, "VTK/0.vtp") &&
+               collection_is(ENTRY("0", "VTK/0.vtp")),
            "the first entry makes a whole collection");
-    TAP_OK(!dem_vtk_collection_add(path, 0.1, "VTK/1.vtp") && !dem_vtk_collection_add(path, 0.1 + 0.2, "a & \"b\" <2>")
-           && !dem_vtk_collection_add(path, 1e-7*4e7, "VTK/3.vtp"), "three more");
+    TAP_OK(!dem_vtk_collection_add(path, 0.1, "VTK/1.vtp") &&
+               !dem_vtk_collection_add(path, 0.1 + 0.2, "a & \"b\" <2>") &&
+               !dem_vtk_collection_add(path, 1e-7*4e7, "VTK/3.vtp"),
+           "three more");
     TAP_OK(collection_is(ENTRY("0", "VTK/0.vtp") ENTRY("0.1", "VTK/1.vtp")
-                         ENTRY("0.30000000000000004", "a &amp; &quot;b&quot; &lt;2&gt;") ENTRY("4", "VTK/3.vtp")),
+                             ENTRY("0.30000000000000004", "a &amp; &quot;b&quot; &lt;2&gt;")
+                                 ENTRY("4", "VTK/3.vtp")),
            "are all there, in order, times exact");
-    TAP_OK(!dem_vtk_collection_add(path, 0.1 + 0.2, "b.vtp")
-           && collection_is(ENTRY("0", "VTK/0.vtp") ENTRY("0.1", "VTK/1.vtp") ENTRY("0.30000000000000004", "b.vtp")),
+    TAP_OK(!dem_vtk_collection_add(path, 0.1 + 0.2, "b.vtp") &&
+               collection_is(ENTRY("0", "VTK/0.vtp") ENTRY("0.1", "VTK/1.vtp")
+                                 ENTRY("0.30000000000000004", "b.vtp")),
            "a restart drops its own time and later ones");
-    TAP_OK(!dem_vtk_collection_add(path, 0.2, "a & c") && !dem_vtk_collection_add(path, 0.25, "a & c")
-           && collection_is(ENTRY("0", "VTK/0.vtp") ENTRY("0.1", "VTK/1.vtp") ENTRY("0.25", "a &amp; c")),
+    TAP_OK(!dem_vtk_collection_add(path, 0.2, "a & c") &&
+               !dem_vtk_collection_add(path, 0.25, "a & c") &&
+               collection_is(ENTRY("0", "VTK/0.vtp") ENTRY("0.1", "VTK/1.vtp")
+                                 ENTRY("0.25", "a &amp; c")),
            "a file that was written anew has one entry");
 }
 

@@ -101,46 +101,51 @@ struct bond
 };
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING_AS(bond, normal_stiffness, "normalStiffness", "Pa/m", DEM_SETTING_REQUIRED, DEM_ABOVE_ZERO, INFINITY,
-                 "force per area and elongation: Young's modulus over length of a beam"),
-    DEM_SETTING_AS(bond, shear_stiffness, "shearStiffness", "Pa/m", DEM_SETTING_REQUIRED, 0.0, INFINITY,
-                 "force per area and slip: shear modulus over length"),
+    DEM_SETTING_AS(bond, normal_stiffness, "normalStiffness", "Pa/m", DEM_SETTING_REQUIRED,
+                   DEM_ABOVE_ZERO, INFINITY,
+                   "force per area and elongation: Young's modulus over length of a beam"),
+    DEM_SETTING_AS(bond, shear_stiffness, "shearStiffness", "Pa/m", DEM_SETTING_REQUIRED, 0.0,
+                   INFINITY, "force per area and slip: shear modulus over length"),
     DEM_SETTING(bond, radius, "1", 1.0, DEM_ABOVE_ZERO, 10.0,
-              "lambda: radius of the bond over that of the smaller partner"),
-    DEM_SETTING_CHOICE(bond, make, "make", ONCE, makings,
-                     "when bonds are made: once at time, always from time on, or once at time for the pairs of the scene's entry bonds"),
+                "lambda: radius of the bond over that of the smaller partner"),
+    DEM_SETTING_CHOICE(
+        bond, make, "make", ONCE, makings,
+        "when bonds are made: once at time, always from time on, or once at time for the pairs of the scene's entry bonds"),
     DEM_SETTING(bond, time, "s", 0.0, 0.0, INFINITY, "at which bonds are made (see make)"),
     DEM_SETTING_AS(bond, make_distance, "makeDistance", "1", 1.001, DEM_ABOVE_ZERO, 10.0,
-                 "bonds are made up to this distance of the centres over R_i + R_j"),
+                   "bonds are made up to this distance of the centres over R_i + R_j"),
     DEM_SETTING(bond, probability, "1", 1.0, 0.0, 1.0, "that a pair within makeDistance is bonded"),
     DEM_SETTING_COUNT(bond, seed, "seed", 1.0, 0.0, 1e15, "of the random numbers of probability"),
     DEM_SETTING_SWITCH(bond, walls, "walls", 0, "bonds are also made to walls"),
     DEM_SETTING_CHOICE(bond, contact, "contact", REPLACED, contacts,
-                     "contact laws of a bonded pair: replaced by the bond until it breaks, or "
-                     "acting parallel to it"),
+                       "contact laws of a bonded pair: replaced by the bond until it breaks, or "
+                       "acting parallel to it"),
     DEM_SETTING_AS(bond, damping_ratio, "dampingRatio", "1", 0.0, 0.0, 1.0,
-                 "zeta: viscous damping, 1 is critical for an isolated pair"),
+                   "zeta: viscous damping, 1 is critical for an isolated pair"),
     DEM_SETTING_AS(bond, damping_share, "dampingShare", "1", 0.0, 0.0, 1.0,
-                 "damping force as a fraction of the force of each spring, against its velocity"),
+                   "damping force as a fraction of the force of each spring, against its velocity"),
     DEM_SETTING(bond, relaxation, "1/s", 0.0, 0.0, INFINITY, "eta: forces decay as exp(-eta t)"),
     DEM_SETTING_AS(bond, normal_strength, "normalStrength", "Pa", 0.0, 0.0, INFINITY,
-                 "tensile stress of tension and bending at which bonds break; 0: never"),
+                   "tensile stress of tension and bending at which bonds break; 0: never"),
     DEM_SETTING_AS(bond, strength_ratio, "strengthRatio", "1", 1.0, DEM_ABOVE_ZERO, 1e3,
-                 "factor on normalStrength while the bond is stretched"),
+                   "factor on normalStrength while the bond is stretched"),
     DEM_SETTING_SWITCH(bond, abs_normal, "absNormal", 0,
-                     "compression counts like tension against normalStrength"),
+                       "compression counts like tension against normalStrength"),
     DEM_SETTING_AS(bond, shear_strength, "shearStrength", "Pa", 0.0, 0.0, INFINITY,
-                 "shear stress of shear and twist at which bonds break; 0: never"),
+                   "shear stress of shear and twist at which bonds break; 0: never"),
     DEM_SETTING_AS(bond, friction, "internalFriction", "1", 0.0, 0.0, 100.0,
-                 "tan(phi): increase of shearStrength per compressive stress (Drucker-Prager)"),
-    DEM_SETTING_AS(bond, break_distance, "breakDistance", "1", 1.1, DEM_ABOVE_ZERO, 100.0,
-                 "bonds break at this distance of the centres over R_i + R_j; a larger one widens "
-                 "the pair search"),
+                   "tan(phi): increase of shearStrength per compressive stress (Drucker-Prager)"),
+    DEM_SETTING_AS(
+        bond, break_distance, "breakDistance", "1", 1.1, DEM_ABOVE_ZERO, 100.0,
+        "bonds break at this distance of the centres over R_i + R_j; a larger one widens "
+        "the pair search"),
     {0},
 };
 
-static const char *const history_names[] = {"bond_length", "bond_worn", "bond_shear_x", "bond_shear_y", "bond_shear_z", "bond_twist",
-                                     "bond_bend_x", "bond_bend_y", "bond_bend_z", "bond_asked", NULL};
+static const char *const history_names[] =
+    {"bond_length", "bond_worn", "bond_shear_x", "bond_shear_y", "bond_shear_z",
+     "bond_twist",  "bond_bend_x", "bond_bend_y", "bond_bend_z", "bond_asked",
+     NULL};
 
 /* values of LENGTH of a broken bond: the pair has not yet been farther apart than makeDistance;
    and the surfaces have not separated yet */
@@ -151,12 +156,15 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 {
     struct bond *bond = of;
 
-    DEM_REQUIRE(bond->break_distance > bond->make_distance, DEM_ERROR_INPUT,
-                "bondLinear between %s and %s: breakDistance %g is not above makeDistance %g, so bonds would break when made; raise "
-                "breakDistance", pair->a->name, pair->b->name, bond->break_distance, bond->make_distance);
-    DEM_REQUIRE(bond->friction == 0.0 || bond->shear_strength > 0.0, DEM_ERROR_INPUT,
-                "bondLinear between %s and %s: internalFriction %g adds to shearStrength, which is not given; give it, or internalFriction 0",
-                pair->a->name, pair->b->name, bond->friction);
+    DEM_REQUIRE(
+        bond->break_distance > bond->make_distance, DEM_ERROR_INPUT,
+        "bondLinear between %s and %s: breakDistance %g is not above makeDistance %g, so bonds would break when made; raise "
+        "breakDistance",
+        pair->a->name, pair->b->name, bond->break_distance, bond->make_distance);
+    DEM_REQUIRE(
+        bond->friction == 0.0 || bond->shear_strength > 0.0, DEM_ERROR_INPUT,
+        "bondLinear between %s and %s: internalFriction %g adds to shearStrength, which is not given; give it, or internalFriction 0",
+        pair->a->name, pair->b->name, bond->friction);
     bond->inverse_exponent = pair->exponent > 0.0 ? 1.0/pair->exponent : 1.0;
     bond->inertia = pair->with_wall ? 0.4 : 1.6;    /* 2/5 m R^2; of two equal spheres R = 2 R* */
     bond->idle = pair->with_wall && !bond->walls;
@@ -167,15 +175,19 @@ static double reach(const void *of, const struct dem_pair_class *pair)
 {
     const struct bond *bond = of;
 
-    return bond->idle || bond->break_distance < 1.0 ? 0.0 : (bond->break_distance - 1.0)*pair->max_radius_sum;
+    return bond->idle || bond->break_distance < 1.0
+               ? 0.0
+               : (bond->break_distance - 1.0)*pair->max_radius_sum;
 }
 
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
 {
     const struct bond *bond = of;
-    const double equal = pair->with_wall ? 1.0 : 2.0, R = equal*pair->min_radius, m = equal*pair->min_mass, I_p = 0.4*m*R*R;
+    const double equal = pair->with_wall ? 1.0 : 2.0, R = equal*pair->min_radius,
+                 m = equal*pair->min_mass, I_p = 0.4*m*R*R;
     const double rb = bond->radius*R, A = 3.14159265358979324*rb*rb, J = 0.5*A*rb*rb;
-    const double axial = 4.0*bond->normal_stiffness*A/m, rocking = bond->shear_stiffness*A*4.0*R*R/I_p;
+    const double axial = 4.0*bond->normal_stiffness*A/m,
+                 rocking = bond->shear_stiffness*A*4.0*R*R/I_p;
     const double twist = 4.0*bond->shear_stiffness*J/I_p, bend = 2.0*bond->normal_stiffness*J/I_p;
 
     *why = "0.2 of the stability limit of a chain of linear bonds";
@@ -199,7 +211,8 @@ static void shield(const void *of, struct dem_contact_batch *restrict b, dem_rea
         /* a bonded pair keeps its overlap (needed by hand_over), but not the history of its
            contact */
         const dem_real replaced = dem_select(length[c] > 0.0, replaces, 0.0);
-        const dem_real less = dem_select(worn[c] < b->overlap[c], worn[c], b->overlap[c]), left = b->overlap[c] - less;
+        const dem_real less = dem_select(worn[c] < b->overlap[c], worn[c], b->overlap[c]),
+                       left = b->overlap[c] - less;
 
         /* after a bond has broken, surfaces do not adhere before they have separated */
         length[c] = dem_select((length[c] == BROKEN) & (b->overlap[c] == 0.0), parted, length[c]);
@@ -222,13 +235,15 @@ static double drawn(double seed, double chance)
    has been reached; afterwards in the step that passes it. */
 static void make(const struct bond *bond, struct dem_contact_batch *b, dem_real *const *history)
 {
-    const int once = b->previous_time < bond->time && b->time >= bond->time, from_now_on = b->time >= bond->time;
+    const int once = b->previous_time < bond->time && b->time >= bond->time,
+              from_now_on = b->time >= bond->time;
     dem_real *const length = history[LENGTH];
 
     for (int c = 0; (bond->make == ALWAYS ? from_now_on : once) && !bond->idle && c < b->n; c++)
     {
         const dem_real width = b->distance[c] - b->gap[c];
-        const int near = b->is_primary[c] > 0.0 && b->distance[c] > 0.0 && b->distance[c] <= bond->make_distance*width;
+        const int near = b->is_primary[c] > 0.0 && b->distance[c] > 0.0 &&
+                         b->distance[c] <= bond->make_distance*width;
 
         length[c] = length[c] < 0.0 && !near ? 0.0 : length[c];
         if (near && length[c] == 0.0 && (bond->make != LISTED || history[ASKED][c] > 0.0)
@@ -238,7 +253,9 @@ static void make(const struct bond *bond, struct dem_contact_batch *b, dem_real 
             history[WORN][c] = 0.0;
             b->bond_replaces[c] = bond->contact == REPLACED ? 2.0 : 0.0;
             /* energy of the replaced contact is dissipated; F = k d ~ d^p stores F d/(p + 1) */
-            b->lost[c] += bond->contact == REPLACED ? b->kn[c]*b->overlap[c]*b->overlap[c]/(1.0 + 1.0/bond->inverse_exponent) : 0.0;
+            b->lost[c] += bond->contact == REPLACED ? b->kn[c]*b->overlap[c]*b->overlap[c]/
+                                                          (1.0 + 1.0/bond->inverse_exponent)
+                                                    : 0.0;
         }
     }
 }
@@ -247,59 +264,76 @@ static void make(const struct bond *bond, struct dem_contact_batch *b, dem_real 
 
 /* Damping coefficient of a spring with |F| = force and |v| = rate: viscous, and the fraction of
    the force. mass: effective mass or inertia. */
-DEM_MATH dem_real damper(const struct bond *bond, dem_real stiffness, dem_real force, dem_real rate, dem_real mass, dem_real dt)
+DEM_MATH dem_real damper(const struct bond *bond, dem_real stiffness, dem_real force, dem_real rate,
+                         dem_real mass, dem_real dt)
 {
-    const dem_real min_rate = dem_select(mass > 0.0, force*dt/dem_select(mass > 0.0, mass, 1.0), 0.0);
+    const dem_real min_rate =
+        dem_select(mass > 0.0, force*dt/dem_select(mass > 0.0, mass, 1.0), 0.0);
     const dem_real speed = dem_select(rate > min_rate, rate, min_rate);
 
-    return 2.0*bond->damping_ratio*sqrt(stiffness*mass) + bond->damping_share*force/dem_select(speed > 0.0, speed, 1.0);
+    return 2.0*bond->damping_ratio*sqrt(stiffness*mass) +
+           bond->damping_share*force/dem_select(speed > 0.0, speed, 1.0);
 }
 
 /* 0: the bond holds, 1: sigma breaks it, 2: tau breaks it. force: F_n, positive in compression,
    |F_t|, |T_n|, |T_t|. */
-DEM_MATH dem_real breaks(const struct bond *bond, dem_real rb, const dem_real force[4], dem_real stretched)
+DEM_MATH dem_real breaks(const struct bond *bond, dem_real rb, const dem_real force[4],
+                         dem_real stretched)
 {
-    const dem_real A = 3.14159265358979324*rb*rb, inverse_area = dem_select(A > 0.0, 1.0/dem_select(A > 0.0, A, 1.0), 0.0);
-    const dem_real inverse_section = dem_select(rb > 0.0, inverse_area/dem_select(rb > 0.0, rb, 1.0), 0.0);
+    const dem_real A = 3.14159265358979324*rb*rb,
+                   inverse_area = dem_select(A > 0.0, 1.0/dem_select(A > 0.0, A, 1.0), 0.0);
+    const dem_real inverse_section =
+        dem_select(rb > 0.0, inverse_area/dem_select(rb > 0.0, rb, 1.0), 0.0);
     const dem_real tension = bond->abs_normal ? fabs(force[0]) : -force[0];
     const dem_real sigma = tension*inverse_area + 4.0*force[3]*inverse_section, 
         tau = force[1]*inverse_area + 2.0*force[2]*inverse_section;
-    const dem_real sigma_limit = dem_select(stretched > 0.0, bond->strength_ratio, 1.0)*bond->normal_strength;
+    const dem_real sigma_limit =
+        dem_select(stretched > 0.0, bond->strength_ratio, 1.0)*bond->normal_strength;
     const dem_real tau_raw = bond->shear_strength + force[0]*inverse_area*bond->friction;
     const dem_real tau_limit = dem_select(tau_raw > 0.0, tau_raw, 0.0);
 
-    const dem_real sheared = dem_select((bond->shear_strength > 0.0) & (tau >= tau_limit), 2.0, 0.0);
+    const dem_real sheared =
+        dem_select((bond->shear_strength > 0.0) & (tau >= tau_limit), 2.0, 0.0);
 
     return dem_select((bond->normal_strength > 0.0) & (sigma >= sigma_limit), 1.0, sheared);
 }
 
 /* One bond: increments of the springs, relaxation, breaking criteria, forces. In rows without a
    bond all terms are zero. */
-DEM_MATH void hold(const struct bond *bond, struct dem_contact_batch *b, dem_real *const *r, int c, dem_real decay)
+DEM_MATH void hold(const struct bond *bond, struct dem_contact_batch *b, dem_real *const *r, int c,
+                   dem_real decay)
 {
     const dem_real dt = b->dt, holds = dem_select(r[LENGTH][c] > 0.0, 1.0, 0.0);
-    const dem_real rb = holds*bond->radius*b->min_radius[c], A = 3.14159265358979324*rb*rb, J = 0.5*A*rb*rb;
+    const dem_real rb = holds*bond->radius*b->min_radius[c], A = 3.14159265358979324*rb*rb,
+                   J = 0.5*A*rb*rb;
     const dem_real kn = bond->normal_stiffness*A, kt = bond->shear_stiffness*A;
     const dem_real kw = bond->shear_stiffness*J, kb = 0.5*bond->normal_stiffness*J;
     const struct dem_bond_springs l = dem_bond_springs(b, r, c);
     const struct dem_history_vector n = l.n, slip = l.slip, turn = l.turn, u = l.u, bend = l.bend;
     const dem_real spin = l.spin, twist = l.twist, squeezed = l.squeezed, vn = b->distance_rate[c];
-    const dem_real energy = 0.5*(kn*squeezed*squeezed + kt*dem_rotate_dot(u, u) + kw*twist*twist + kb*dem_rotate_dot(bend, bend));
+    const dem_real energy = 0.5*(kn*squeezed*squeezed + kt*dem_rotate_dot(u, u) +
+                                   kw*twist*twist + kb*dem_rotate_dot(bend, bend));
 
     /* forces after relaxation, and whether the bond breaks */
-    const dem_real size[4] = {decay*kn*squeezed, decay*kt*sqrt(dem_rotate_dot(u, u)), decay*kw*fabs(twist), decay*kb*sqrt(dem_rotate_dot(bend, bend))};
+    const dem_real size[4] = {decay*kn*squeezed, decay*kt*sqrt(dem_rotate_dot(u, u)),
+                              decay*kw*fabs(twist),
+                              decay*kb*sqrt(dem_rotate_dot(bend, bend))};
     const dem_real width = b->distance[c] - b->gap[c];
-    const dem_real stressed = breaks(bond, rb, size, -squeezed), too_far = dem_select(b->distance[c] >= bond->break_distance*width, 3.0, 0.0);
+    const dem_real stressed = breaks(bond, rb, size, -squeezed),
+                   too_far = dem_select(b->distance[c] >= bond->break_distance*width, 3.0, 0.0);
     const dem_real cause = dem_select(stressed > 0.0, stressed, too_far);
     const dem_real on = dem_select(cause > 0.0, 0.0, holds), left = on*decay;
 
     /* damping dissipates kinetic energy, relaxation and breaking elastic energy */
-    const dem_real m = b->reduced_mass[c], I = bond->inertia*m*b->reduced_radius[c]*b->reduced_radius[c];
+    const dem_real m = b->reduced_mass[c],
+                   I = bond->inertia*m*b->reduced_radius[c]*b->reduced_radius[c];
     const dem_real cn = on*damper(bond, kn, fabs(size[0]), fabs(vn), m, dt);
-    const dem_real ct = on*damper(bond, kt, size[1], sqrt(dem_rotate_dot(slip, slip)), m*(2.0/7.0), dt);
+    const dem_real ct =
+        on*damper(bond, kt, size[1], sqrt(dem_rotate_dot(slip, slip)), m*(2.0/7.0), dt);
     const dem_real cw = on*damper(bond, kw, size[2], fabs(spin), I, dt);
     const dem_real cb = on*damper(bond, kb, size[3], sqrt(dem_rotate_dot(turn, turn)), I, dt);
-    const dem_real taken = dt*(cn*vn*vn + ct*dem_rotate_dot(slip, slip) + cw*spin*spin + cb*dem_rotate_dot(turn, turn));
+    const dem_real taken = dt*(cn*vn*vn + ct*dem_rotate_dot(slip, slip) + cw*spin*spin +
+                                 cb*dem_rotate_dot(turn, turn));
     const dem_real other = dem_select(holds > 0.0, bond->contact == REPLACED ? 0.0 : 1.0, 1.0);
 
     b->fn[c] = other*b->fn[c] + on*size[0] - cn*vn;
@@ -341,9 +375,11 @@ static void hand_over(const struct bond *bond, struct dem_contact_batch *b, dem_
         {
             continue;
         }
-        const dem_real capacity = b->kn[c]*b->overlap[c], compression = worn[c] > 0.0 ? worn[c] : 0.0;
+        const dem_real capacity = b->kn[c]*b->overlap[c],
+                       compression = worn[c] > 0.0 ? worn[c] : 0.0;
         const dem_real taken_over = compression < capacity ? compression : capacity;
-        const dem_real share = capacity > 0.0 ? dem_pow(taken_over/capacity, bond->inverse_exponent) : 0.0;
+        const dem_real share =
+            capacity > 0.0 ? dem_pow(taken_over/capacity, bond->inverse_exponent) : 0.0;
 
         const dem_real taken = bond->contact == REPLACED ? taken_over : 0.0;
 
@@ -391,12 +427,18 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 static dem_real unspent(const struct bond *bond, const struct dem_contact_batch *b,
                         dem_real *const *before, int c, dem_real taken_over)
 {
-    const dem_real rb = bond->radius*b->min_radius[c], A = 3.14159265358979324*rb*rb, J = 0.5*A*rb*rb;
+    const dem_real rb = bond->radius*b->min_radius[c], A = 3.14159265358979324*rb*rb,
+                   J = 0.5*A*rb*rb;
     const struct dem_bond_springs l = dem_bond_springs(b, before, c);
-    const dem_real slid = dem_rotate_dot(l.u, dem_rotate_about_normal(l.slip, l.n, l.q)), bent = dem_rotate_dot(l.bend, dem_rotate_about_normal(l.turn, l.n, l.q));
+    const dem_real slid = dem_rotate_dot(l.u, dem_rotate_about_normal(l.slip, l.n, l.q)),
+                   bent = dem_rotate_dot(l.bend, dem_rotate_about_normal(l.turn, l.n, l.q));
 
-    return 0.5*b->dt*(bond->shear_stiffness*(A*slid + J*l.twist*l.spin) + 0.5*bond->normal_stiffness*J*bent
-                      - (bond->normal_stiffness*A*(before[LENGTH][c] > 0.0 ? l.squeezed : 0.0) - taken_over)*b->distance_rate[c]);
+    return 0.5*b->dt*
+           (bond->shear_stiffness*(A*slid + J*l.twist*l.spin) +
+            0.5*bond->normal_stiffness*J*bent -
+            (bond->normal_stiffness*A*(before[LENGTH][c] > 0.0 ? l.squeezed : 0.0) -
+             taken_over)*
+                b->distance_rate[c]);
 }
 
 /* Energy as set by act, corrected in two steps in which the normal law does not know of the bond
@@ -412,11 +454,15 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
     {
         const dem_real from = before[LENGTH][c], to = history[LENGTH][c], d = b->overlap[c];
         const int replaced = bond->contact == REPLACED;
-        const dem_real share = replaced && b->broke[c] > 0.0 && d > 0.0 ? 1.0 - history[WORN][c]/d : 0.0;
+        const dem_real share =
+            replaced && b->broke[c] > 0.0 && d > 0.0 ? 1.0 - history[WORN][c]/d : 0.0;
 
         e->stored[c] += share > 0.0 ? b->kn[c]*d*d*dem_pow(share, more)/more : 0.0;
         e->stored[c] -= replaced && from <= 0.0 && to > 0.0 ? b->kn[c]*d*d/more : 0.0;
-        e->lost[c] -= b->broke[c] > 0.0 ? unspent(bond, b, before, c, share > 0.0 ? b->kn[c]*d*dem_pow(share, exponent) : 0.0) : 0.0;
+        e->lost[c] -= b->broke[c] > 0.0
+                          ? unspent(bond, b, before, c,
+                                    share > 0.0 ? b->kn[c]*d*dem_pow(share, exponent) : 0.0)
+                          : 0.0;
     }
 }
 
@@ -433,7 +479,8 @@ static int adhesive(const void *of)
 
 const struct dem_effect dem_bond_linear = {
     .name = "bondLinear",
-    .summary = "elastic bond in tension, shear, twist and bending, with rules for making and breaking",
+    .summary =
+        "elastic bond in tension, shear, twist and bending, with rules for making and breaking",
     .source = "Open DEM Japan 2025, corrected; Potyondy and Cundall 2004",
     .stage = DEM_STAGE_BOND,
     .needs = DEM_NEEDS_SPIN | DEM_NEEDS_NORMAL_SPIN | DEM_NEEDS_RANDOM,

@@ -29,11 +29,12 @@
 #include "effects/contact/dry.h"
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(dem_dry, restitution, "1", DEM_SETTING_REQUIRED, 0.0, 1.0, "speed after a normal impact over speed before"),
+    DEM_SETTING(dem_dry, restitution, "1", DEM_SETTING_REQUIRED, 0.0, 1.0,
+                "speed after a normal impact over speed before"),
     DEM_SETTING_CHOICE(dem_dry, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
-                     "whether the dashpot may pull while the contact opens; clamped, it never "
-                     "pulls, and restitution is too high: 0.33 for 0.2, 0.55 for 0.5, 0.81 for "
-                     "0.8, 0.90 for 0.9"),
+                       "whether the dashpot may pull while the contact opens; clamped, it never "
+                       "pulls, and restitution is too high: 0.33 for 0.2, 0.55 for 0.5, 0.81 for "
+                       "0.8, 0.90 for 0.9"),
     {0},
 };
 
@@ -42,10 +43,12 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     struct dem_dry *dry = of;
     const double loss = dem_restitution_loss(dry->restitution);
 
-    DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
-                "dry between %s and %s: there is no normal law to damp; add one to the effects, hertz for example",
-                pair->a->name, pair->b->name);
-    dry->alpha = dem_restitution_critical(pair->exponent)*(loss/sqrt(DEM_RESTITUTION_PI2 + loss*loss));
+    DEM_REQUIRE(
+        pair->exponent > 0.0, DEM_ERROR_INPUT,
+        "dry between %s and %s: there is no normal law to damp; add one to the effects, hertz for example",
+        pair->a->name, pair->b->name);
+    dry->alpha =
+        dem_restitution_critical(pair->exponent)*(loss/sqrt(DEM_RESTITUTION_PI2 + loss*loss));
     return DEM_OK;
 }
 

@@ -64,7 +64,9 @@ static double contact_time(const void *of, const struct dem_pair_class *pair)
     const struct dem_hertz *const hertz = of;
     const double mass_per_modulus = pair->min_mass/modulus_of(hertz, pair);
 
-    return 2.8682657*dem_pow(mass_per_modulus*mass_per_modulus/(pair->min_radius*hertz->impact_speed), 0.2);
+    return 2.8682657*
+           dem_pow(mass_per_modulus*mass_per_modulus/(pair->min_radius*hertz->impact_speed),
+                   0.2);
 }
 
 /* *why is valid until the next call in this thread */
@@ -81,8 +83,8 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
     *why = text;
     if (hertz->stiffness > 0.0 || 0.05*contact <= wave)
     {
-        snprintf(text, sizeof text, "1/20 of the Hertz contact time of %s-%s at %g m/s", pair->a->name, pair->b->name,
-                 hertz->impact_speed);
+        snprintf(text, sizeof text, "1/20 of the Hertz contact time of %s-%s at %g m/s",
+                 pair->a->name, pair->b->name, hertz->impact_speed);
         return 0.05*contact;
     }
     snprintf(text, sizeof text, "0.2 of the Rayleigh time of %s", material);

@@ -30,10 +30,11 @@ struct hooke
 };
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(hooke, stiffness, "N/m", 0.0, 0.0, INFINITY, "force per overlap; 0: from the materials and impactSpeed"),
+    DEM_SETTING(hooke, stiffness, "N/m", 0.0, 0.0, INFINITY,
+                "force per overlap; 0: from the materials and impactSpeed"),
     DEM_SETTING_AS(hooke, impact_speed, "impactSpeed", "m/s", 1.0, DEM_ABOVE_ZERO, INFINITY,
-                 "without stiffness: k such that an impact at this speed has the largest overlap "
-                 "of hertz"),
+                   "without stiffness: k such that an impact at this speed has the largest overlap "
+                   "of hertz"),
     {0},
 };
 
@@ -41,7 +42,8 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 {
     struct hooke *hooke = of;
 
-    hooke->spring = (struct dem_impact_spring){.stiffness = hooke->stiffness, .speed = hooke->impact_speed};
+    hooke->spring =
+        (struct dem_impact_spring){.stiffness = hooke->stiffness, .speed = hooke->impact_speed};
     return dem_impact_prepare(&hooke->spring, "hooke", pair);
 }
 

@@ -56,16 +56,19 @@ struct hysteresis
 };
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(hysteresis, stiffness, "N/m", 0.0, 0.0, INFINITY, "k: force per overlap of first loading; 0: from the materials "
-              "and impactSpeed"),
-    DEM_SETTING_AS(hysteresis, impact_speed, "impactSpeed", "m/s", 1.0, DEM_ABOVE_ZERO, INFINITY,
-                 "without stiffness: k such that first loading in an impact at this speed has the "
-                 "largest overlap of hertz"),
+    DEM_SETTING(hysteresis, stiffness, "N/m", 0.0, 0.0, INFINITY,
+                "k: force per overlap of first loading; 0: from the materials "
+                "and impactSpeed"),
+    DEM_SETTING_AS(
+        hysteresis, impact_speed, "impactSpeed", "m/s", 1.0, DEM_ABOVE_ZERO, INFINITY,
+        "without stiffness: k such that first loading in an impact at this speed has the "
+        "largest overlap of hertz"),
     DEM_SETTING(hysteresis, unloading, "1", DEM_SETTING_REQUIRED, 1.0, 1e6,
-              "k_m/k: largest stiffness of unloading over that of loading; 1: no hysteresis"),
+                "k_m/k: largest stiffness of unloading over that of loading; 1: no hysteresis"),
     DEM_SETTING(hysteresis, adhesion, "1", 0.0, 0.0, 1e6,
-              "k_c/k: stiffness of the adhesive branch over that of loading; 0: no adhesion"),
-    DEM_SETTING_AS(hysteresis, depth, "plasticDepth", "1", 0.05, 0.0, 1.0, "phi: overlap over 2 R* at which yielding ends"),
+                "k_c/k: stiffness of the adhesive branch over that of loading; 0: no adhesion"),
+    DEM_SETTING_AS(hysteresis, depth, "plasticDepth", "1", 0.05, 0.0, 1.0,
+                   "phi: overlap over 2 R* at which yielding ends"),
     {0},
 };
 
@@ -110,7 +113,9 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
         const dem_real max_overlap = dem_select(largest[c] > d, largest[c], d);
         const int beyond_limit = max_overlap >= d_lim;
         const dem_real reference = dem_select(beyond_limit, d_lim, max_overlap);
-        const dem_real k_2 = k*(1.0 + stiffer*dem_select(beyond_limit, 1.0, max_overlap/dem_select(d_lim > 0.0, d_lim, 1.0)));
+        const dem_real k_2 =
+            k*(1.0 + stiffer*dem_select(beyond_limit, 1.0,
+                                            max_overlap/dem_select(d_lim > 0.0, d_lim, 1.0)));
 
         /* the unloading line, between first loading and the adhesive branch */
         const dem_real line = k_2*(d - reference) + k*reference, load = k*d, stick = -adhesion*k*d;
@@ -139,9 +144,13 @@ static struct unloading_line unloading_line(const struct hysteresis *h, dem_real
                                             dem_real d_lim)
 {
     const dem_real reference = dem_select(max_overlap < d_lim, max_overlap, d_lim);
-    const dem_real slope = 1.0 + h->stiffer*dem_select(max_overlap < d_lim, max_overlap/dem_select(d_lim > 0.0, d_lim, 1.0), 1.0);
+    const dem_real slope =
+        1.0 + h->stiffer*dem_select(max_overlap < d_lim,
+                                      max_overlap/dem_select(d_lim > 0.0, d_lim, 1.0), 1.0);
 
-    return (struct unloading_line){.slope = slope, .start = reference - reference/slope, .spent = 0.5*reference*reference*(1.0 - 1.0/slope)};
+    return (struct unloading_line){.slope = slope,
+                                   .start = reference - reference/slope,
+                                   .spent = 0.5*reference*reference*(1.0 - 1.0/slope)};
 }
 
 /* Recoverable energy on the unloading line: k_2 (d - d_0)^2/2, compressed or stretched. */
@@ -162,13 +171,15 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
     {
         const dem_real k = b->kn[c], d = b->overlap[c], d_lim = h->limit*b->reduced_radius[c];
         const dem_real old = dem_select(before[0][c] > d, before[0][c], d), now = history[0][c];
-        const struct unloading_line from = unloading_line(h, old, d_lim), to = unloading_line(h, dem_select(now > d, now, d), d_lim);
+        const struct unloading_line from = unloading_line(h, old, d_lim),
+                                    to = unloading_line(h, dem_select(now > d, now, d), d_lim);
         const struct unloading_line first = unloading_line(h, before[0][c], d_lim);
 
         /* d_max decreased: adhesive branch; the old unloading line met it at `meets`, at once if it
            was there before */
         const dem_real meets = from.slope*from.start/(from.slope + h->adhesion);
-        const dem_real sticking = 0.5*h->adhesion*(meets*meets - d*d) + elastic(from, meets) - elastic(to, d);
+        const dem_real sticking =
+            0.5*h->adhesion*(meets*meets - d*d) + elastic(from, meets) - elastic(to, d);
 
         e->stored[c] = k*elastic(to, d);
         e->lost[c] = k*dem_select(now < old, sticking, from.spent - first.spent);
@@ -180,7 +191,8 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
 static double first_unloading(const struct hysteresis *h, const struct dem_regime *g)
 {
     const double limit = h->unloading > 1.0 ? h->unloading/(h->unloading - 1.0)*2.0*h->depth : 0.0;
-    const double d = h->stiffness > 0.0 ? g->speed*sqrt(g->mass/h->stiffness)/g->radius : g->overlap;
+    const double d =
+        h->stiffness > 0.0 ? g->speed*sqrt(g->mass/h->stiffness)/g->radius : g->overlap;
 
     return limit > 0.0 ? 1.0 + (h->unloading - 1.0)*fmin(1.0, d/limit) : 1.0;
 }
@@ -201,11 +213,15 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
     {
         return 0;
     }
-    const double s = g->yield_speed/g->speed, rebounds = 1.2*sqrt(3.0)*(1.0 - s*s/6.0)*sqrt(s/(s + 2.0*sqrt(1.2 - 0.2*s*s)));
+    const double s = g->yield_speed/g->speed,
+                 rebounds = 1.2*sqrt(3.0)*(1.0 - s*s/6.0)*
+                            sqrt(s/(s + 2.0*sqrt(1.2 - 0.2*s*s)));
 
     v->fraction = g->restitution*g->restitution - rebounds;
-    v->quantity = "of the energy of an impact is lost by yielding, besides the loss by damping (Thornton 1997)";
-    v->missing_setting = "unloading and plasticDepth, or give damping the restitution of yielding particles";
+    v->quantity =
+        "of the energy of an impact is lost by yielding, besides the loss by damping (Thornton 1997)";
+    v->missing_setting =
+        "unloading and plasticDepth, or give damping the restitution of yielding particles";
     return 1;
 }
 
@@ -217,7 +233,8 @@ static int adhesive(const void *of)
 const struct dem_effect dem_hooke_hysteresis = {
     .name = "hookeHysteresis",
     .aliases = "hooke/hysteresis luding elastoPlastic",
-    .summary = "elastic-plastic, adhesive contact of linear springs: loading k, unloading k_2, adhesion k_c",
+    .summary =
+        "elastic-plastic, adhesive contact of linear springs: loading k, unloading k_2, adhesion k_c",
     .source = "Luding 2008; Walton and Braun 1986",
     .stage = DEM_STAGE_NORMAL,
     .exponent = 1.0,

@@ -60,10 +60,11 @@ static inline double dem_impact_rayleigh_limit(const struct dem_pair_class *pair
 /* Error if the pair class has no elastic modulus; `effect`: name for the message. */
 static inline int dem_impact_require_modulus(const char *effect, const struct dem_pair_class *pair)
 {
-    DEM_REQUIRE(pair->reduced_modulus > 0.0 && pair->reduced_modulus <= DBL_MAX, DEM_ERROR_INPUT,
-                "%s between %s and %s: the reduced modulus is %g Pa, but must be above 0 and finite; "
-                "check youngsModulus and poissonsRatio of both",
-                effect, pair->a->name, pair->b->name, pair->reduced_modulus);
+    DEM_REQUIRE(
+        pair->reduced_modulus > 0.0 && pair->reduced_modulus <= DBL_MAX, DEM_ERROR_INPUT,
+        "%s between %s and %s: the reduced modulus is %g Pa, but must be above 0 and finite; "
+        "check youngsModulus and poissonsRatio of both",
+        effect, pair->a->name, pair->b->name, pair->reduced_modulus);
     return DEM_OK;
 }
 
@@ -104,7 +105,8 @@ static inline double dem_impact_time_limit(const struct dem_impact_spring *sprin
 {
     static _Thread_local char text[200];
 
-    const double contact = 0.05*dem_impact_contact_time(spring, factor, pair), unit = 20.0*contact/3.14159265358979324;
+    const double contact = 0.05*dem_impact_contact_time(spring, factor, pair),
+                 unit = 20.0*contact/3.14159265358979324;
     const char *material;
     const double wave = dem_impact_rayleigh_limit(pair, &material);
 
@@ -114,8 +116,8 @@ static inline double dem_impact_time_limit(const struct dem_impact_spring *sprin
         snprintf(text, sizeof text, "0.2 of the Rayleigh time of %s", material);
         return wave;
     }
-    snprintf(text, sizeof text, "1/20 of the contact time of %s-%s on a spring of %.3g N/m", pair->a->name, pair->b->name,
-             pair->min_mass/(unit*unit));
+    snprintf(text, sizeof text, "1/20 of the contact time of %s-%s on a spring of %.3g N/m",
+             pair->a->name, pair->b->name, pair->min_mass/(unit*unit));
     return contact;
 }
 
@@ -129,7 +131,9 @@ dem_impact_stiffness(const struct dem_impact_spring *spring, struct dem_contact_
     {
         for (int c = 0; c < b->n; c++)
         {
-            b->kn[c] = b->touching[c]*scale*dem_pow(b->reduced_radius[c]*b->reduced_radius[c]*b->reduced_mass[c], 0.2);
+            b->kn[c] =
+                b->touching[c]*scale*
+                dem_pow(b->reduced_radius[c]*b->reduced_radius[c]*b->reduced_mass[c], 0.2);
         }
         return;
     }

@@ -60,8 +60,10 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 {
     struct jkr *jkr = of;
 
-    DEM_REQUIRE(pair->exponent == 1.5, DEM_ERROR_INPUT, "jkr between %s and %s needs hertz, which it replaces; add hertz to "
-                "the effects", pair->a->name, pair->b->name);
+    DEM_REQUIRE(pair->exponent == 1.5, DEM_ERROR_INPUT,
+                "jkr between %s and %s needs hertz, which it replaces; add hertz to "
+                "the effects",
+                pair->a->name, pair->b->name);
     jkr->scale = pi*jkr->work/(8.0*pair->reduced_modulus);
     return DEM_OK;
 }
@@ -75,7 +77,8 @@ static double tear_off_radius(const struct jkr *jkr, double R)
 /* R_i R_j/(R_i + R_j) is at most a quarter of the largest R_i + R_j; at a wall it is R_i. */
 static double reach(const void *of, const struct dem_pair_class *pair)
 {
-    const double R = pair->with_wall ? pair->max_radius_sum : 0.25*pair->max_radius_sum, a = tear_off_radius(of, R);
+    const double R = pair->with_wall ? pair->max_radius_sum : 0.25*pair->max_radius_sum,
+                 a = tear_off_radius(of, R);
 
     return 3.0*a*a/R;
 }
@@ -100,16 +103,22 @@ static void adhere(const void *of, struct dem_contact_batch *restrict b, dem_rea
 
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real R = b->reduced_radius[c], a = dem_pow(scale*R*R, third), length = a*a/dem_select(R > 0.0, R, 1.0);
-        const dem_real raw = -b->gap[c]/dem_select(length > 0.0, length, 1.0), D = dem_select(raw > -3.0, raw, -3.0);
+        const dem_real R = b->reduced_radius[c], a = dem_pow(scale*R*R, third),
+                       length = a*a/dem_select(R > 0.0, R, 1.0);
+        const dem_real raw = -b->gap[c]/dem_select(length > 0.0, length, 1.0),
+                       D = dem_select(raw > -3.0, raw, -3.0);
 
         /* adhesion begins at contact and ends with the tail */
-        const dem_real still = dem_select(raw > -3.0, adheres[c], 0.0), bare = dem_select(b->bond_replaces[c] > 0.0, 0.0, 1.0);
-        const dem_real now = dem_select(b->touching[c] > 0.0, 1.0, still)*dem_select(length > 0.0, bare, 0.0);
+        const dem_real still = dem_select(raw > -3.0, adheres[c], 0.0),
+                       bare = dem_select(b->bond_replaces[c] > 0.0, 0.0, 1.0);
+        const dem_real now =
+            dem_select(b->touching[c] > 0.0, 1.0, still)*dem_select(length > 0.0, bare, 0.0);
 
-        const dem_real B = D*(4.0/3.0), radicand = 64.0 + B*B*B, A = dem_pow(8.0 + sqrt(dem_select(radicand > 0.0, radicand, 0.0)), third);
+        const dem_real B = D*(4.0/3.0), radicand = 64.0 + B*B*B,
+                       A = dem_pow(8.0 + sqrt(dem_select(radicand > 0.0, radicand, 0.0)), third);
         const dem_real s = 16.0/(A*A + B + B*B/(A*A)), p = sqrt(s), discriminant = 8.0/p - s;
-        const dem_real x = 0.5*(p + sqrt(dem_select(discriminant > 0.0, discriminant, 0.0))), x3 = x*x*x;
+        const dem_real x = 0.5*(p + sqrt(dem_select(discriminant > 0.0, discriminant, 0.0))),
+                       x3 = x*x*x;
 
         b->scratch[c] = now*x;
         b->adhesive_force[c] = now*(pull*R*(x3/6.0*(x3 - 6.0) + 3.0) - b->kn[c]*b->overlap[c]);
@@ -126,8 +135,10 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
     for (int c = 0; c < b->n; c++)
     {
         /* a bond may have been made after `set_adhesion` */
-        const dem_real bare = dem_select(b->bond_replaces[c] > 0.0, 0.0, 1.0), before = adheres[c], now = dem_select(b->scratch[c] > 0.0, bare, 0.0);
-        const dem_real R = b->reduced_radius[c], a = dem_pow(scale*R*R, third), x = b->scratch[c], x3 = x*x*x, x4 = x3*x;
+        const dem_real bare = dem_select(b->bond_replaces[c] > 0.0, 0.0, 1.0), before = adheres[c],
+                       now = dem_select(b->scratch[c] > 0.0, bare, 0.0);
+        const dem_real R = b->reduced_radius[c], a = dem_pow(scale*R*R, third),
+                       x = b->scratch[c], x3 = x*x*x, x4 = x3*x;
         const dem_real hertz = b->kn[c]*b->overlap[c];
 
         /* the unit of energy, E a_t^5/R^2 with reduced quantities, is (pi w/8) a_t^2 */
@@ -173,15 +184,18 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
     {
         const double w = ((const struct jkr *)of)->work, energy = 0.5*g->mass*g->speed*g->speed;
 
-        v->fraction = fmax(g->weight > 0.0 ? 1.5*pi*w*g->radius/g->weight : 0.0, energy > 0.0 ? contact_loss(w, g)/energy : 0.0);
+        v->fraction = fmax(g->weight > 0.0 ? 1.5*pi*w*g->radius/g->weight : 0.0,
+                           energy > 0.0 ? contact_loss(w, g)/energy : 0.0);
         v->quantity = "of the weight, or of the energy of an impact, is due to adhesion "
                       "(Johnson, Kendall, Roberts 1971; Thornton and Ning 1998)";
         return 1;
     }
     v->fraction = 1.5*pi*usual*asperity/g->weight;
     v->threshold = 1.0;
-    v->quantity = "of the weight is the adhesion of asperities of 0.1 um with 0.05 J/m2 (Seville, Willett, Knight 2000)";
-    v->missing_setting = "workOfAdhesion; for rough surfaces that of smooth ones times the ratio of asperity to sphere radius";
+    v->quantity =
+        "of the weight is the adhesion of asperities of 0.1 um with 0.05 J/m2 (Seville, Willett, Knight 2000)";
+    v->missing_setting =
+        "workOfAdhesion; for rough surfaces that of smooth ones times the ratio of asperity to sphere radius";
     return g->weight > 0.0 && g->exponent == 1.5 && !g->adhesive
            && (!g->fluid || g->suspension.density > 100.0*g->suspension.fluid_density);
 }
@@ -192,8 +206,10 @@ static int describe(const void *of, const struct dem_regime *g, char *line, size
 {
     const double w = ((const struct jkr *)of)->work;
 
-    snprintf(line, size, "Bond number %.3g: pull-off force of jkr over weight; two particles stick below %.3g m/s",
-             1.5*pi*w*g->radius/g->weight, sqrt(2.0*contact_loss(w, g)/g->mass));
+    snprintf(
+        line, size,
+        "Bond number %.3g: pull-off force of jkr over weight; two particles stick below %.3g m/s",
+        1.5*pi*w*g->radius/g->weight, sqrt(2.0*contact_loss(w, g)/g->mass));
     return w > 0.0 && g->weight > 0.0;
 }
 
@@ -205,7 +221,8 @@ static int adhesive(const void *of)
 
 const struct dem_effect dem_jkr = {
     .name = "jkr",
-    .summary = "adhesion of elastic spheres after Johnson, Kendall and Roberts, beyond contact up to the pull-off distance",
+    .summary =
+        "adhesion of elastic spheres after Johnson, Kendall and Roberts, beyond contact up to the pull-off distance",
     .source = "Johnson, Kendall, Roberts 1971; Thornton and Ning 1998",
     .stage = DEM_STAGE_FILM,
     .excludes = "sjkr",

@@ -69,7 +69,8 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
     const double stiffness = ((const struct linear *)of)->stiffness;
 
     *why = "1/20 of half a period of the tangential spring (linear)";
-    return stiffness > 0.0 ? 0.05*3.14159265358979324*sqrt(pair->min_mass/(3.5*stiffness)) : DBL_MAX;
+    return stiffness > 0.0 ? 0.05*3.14159265358979324*sqrt(pair->min_mass/(3.5*stiffness))
+                           : DBL_MAX;
 }
 
 DEM_KERNEL
@@ -77,8 +78,8 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 {
     const struct linear *linear = of;
     const dem_real given = linear->stiffness, ratio = linear->ratio;
-    const struct dem_friction rubs = {linear->friction, linear->damping ? 1.0 : 0.0, linear->adhesion ? 1.0 : 0.0,
-                                     dem_slider_inverse_dt(b)};
+    const struct dem_friction rubs = {linear->friction, linear->damping ? 1.0 : 0.0,
+                                      linear->adhesion ? 1.0 : 0.0, dem_slider_inverse_dt(b)};
     dem_real *restrict xi_x = history[0], *restrict xi_y = history[1], *restrict xi_z = history[2];
 
     for (int c = 0; c < b->n; c++)
@@ -106,8 +107,8 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
 {
     const struct linear *linear = of;
-    const struct dem_friction rubs = {linear->friction, linear->damping ? 1.0 : 0.0, linear->adhesion ? 1.0 : 0.0,
-                                     dem_slider_inverse_dt(b)};
+    const struct dem_friction rubs = {linear->friction, linear->damping ? 1.0 : 0.0,
+                                      linear->adhesion ? 1.0 : 0.0, dem_slider_inverse_dt(b)};
     const dem_real given = linear->stiffness, ratio = linear->ratio;
     const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
 
@@ -121,7 +122,8 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
         s.xi_y = y[c];
         s.xi_z = z[c];
         s.mass = e->slip_mass[c];
-        s.previous_stiffness = dem_select(e->previous_overlap[c] > 0.0, given, 0.0) + ratio*e->previous_kn[c];
+        s.previous_stiffness =
+            dem_select(e->previous_overlap[c] > 0.0, given, 0.0) + ratio*e->previous_kn[c];
         dem_slider_energy(b, c, s, e);
     }
 }

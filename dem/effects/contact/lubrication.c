@@ -62,15 +62,17 @@ static const char *const contacts[] = {"acts", "rests", NULL};
 
 static const struct dem_setting settings[] = {
     DEM_SETTING(lubrication, viscosity, "Pa s", 0.0, 0.0, INFINITY,
-              "of the fluid in the gap; 0: that of the coupled fluid"),
+                "of the fluid in the gap; 0: that of the coupled fluid"),
     DEM_SETTING(lubrication, roughness, "m", DEM_SETTING_REQUIRED, DEM_ABOVE_ZERO, INFINITY,
-              "height of the asperities: the smallest film thickness"),
-    DEM_SETTING_AS(lubrication, cut_off, "cutOff", "m", DEM_SETTING_REQUIRED, DEM_ABOVE_ZERO, INFINITY,
-                 "gap beyond which the force is zero; choose it much smaller than the radius "
-                 "(where the law holds) and much larger than roughness"),
-    DEM_SETTING_CHOICE(lubrication, contact, "contact", ACTS, contacts,
-                     "whether the film acts while surfaces touch; acting, it dissipates more the "
-                     "longer the contact lasts: choose rests where particles are softer than real"),
+                "height of the asperities: the smallest film thickness"),
+    DEM_SETTING_AS(lubrication, cut_off, "cutOff", "m", DEM_SETTING_REQUIRED, DEM_ABOVE_ZERO,
+                   INFINITY,
+                   "gap beyond which the force is zero; choose it much smaller than the radius "
+                   "(where the law holds) and much larger than roughness"),
+    DEM_SETTING_CHOICE(
+        lubrication, contact, "contact", ACTS, contacts,
+        "whether the film acts while surfaces touch; acting, it dissipates more the "
+        "longer the contact lasts: choose rests where particles are softer than real"),
     {0},
 };
 
@@ -80,10 +82,11 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 {
     const struct lubrication *film = of;
 
-    DEM_REQUIRE(film->cut_off > film->roughness, DEM_ERROR_INPUT,
-                "lubrication between %s and %s: cutOff %g m is not above roughness %g m; the film acts between the two, so raise "
-                "cutOff or reduce roughness", pair->a->name, pair->b->name, film->cut_off,
-                film->roughness);
+    DEM_REQUIRE(
+        film->cut_off > film->roughness, DEM_ERROR_INPUT,
+        "lubrication between %s and %s: cutOff %g m is not above roughness %g m; the film acts between the two, so raise "
+        "cutOff or reduce roughness",
+        pair->a->name, pair->b->name, film->cut_off, film->roughness);
     return DEM_OK;
 }
 
@@ -96,7 +99,8 @@ static double reach(const void *of, const struct dem_pair_class *pair)
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
 {
     const struct lubrication *film = of;
-    const double R = pair->min_radius, c = six_pi*film->viscosity*R*R*(1.0/film->roughness - 1.0/film->cut_off);
+    const double R = pair->min_radius, c = six_pi*film->viscosity*R*R*
+                                           (1.0/film->roughness - 1.0/film->cut_off);
 
     *why = "0.2 of the time in which the thinnest film stops a particle (lubrication)";
     return c > 0.0 ? 0.2*pair->min_mass/c : DBL_MAX;
@@ -106,7 +110,8 @@ DEM_KERNEL
 static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
 {
     const struct lubrication *film = of;
-    const dem_real own = film->viscosity, min_gap = film->roughness, max_gap = film->cut_off, dt = b->dt, step = b->max_dt;
+    const dem_real own = film->viscosity, min_gap = film->roughness, max_gap = film->cut_off,
+                   dt = b->dt, step = b->max_dt;
     /* m  gap below which it does not act */
     const dem_real lowest = film->contact == RESTS ? 0.0 : -INFINITY;
 
@@ -114,7 +119,8 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
     for (int c = 0; c < b->n; c++)
     {
         const dem_real R = b->reduced_radius[c], m = b->reduced_mass[c], vn = b->vn[c];
-        const dem_real mu = dem_select(b->gap[c] > lowest, dem_select(own > 0.0, own, b->viscosity[c]), 0.0);
+        const dem_real mu =
+            dem_select(b->gap[c] > lowest, dem_select(own > 0.0, own, b->viscosity[c]), 0.0);
         const dem_real h = dem_select(b->gap[c] > min_gap, b->gap[c], min_gap);
         const dem_real thin = dem_select(h < max_gap, 1.0/h - 1.0/max_gap, 0.0);
         const dem_real film_c = b->is_primary[c]*(six_pi*mu*R*R*thin);

@@ -62,10 +62,11 @@ static int prepare(void *of, const struct dem_pair_class *pair)
                 "mindlin between %s and %s: there is no normal law; add one to the effects, hertz "
                 "for example",
                 pair->a->name, pair->b->name);
-    DEM_REQUIRE(pair->reduced_shear > 0.0 && pair->reduced_shear <= DBL_MAX, DEM_ERROR_INPUT,
-                "mindlin between %s and %s: the reduced shear modulus is %g Pa, but must be above 0 and finite; "
-                "check youngsModulus and poissonsRatio of both",
-                pair->a->name, pair->b->name, pair->reduced_shear);
+    DEM_REQUIRE(
+        pair->reduced_shear > 0.0 && pair->reduced_shear <= DBL_MAX, DEM_ERROR_INPUT,
+        "mindlin between %s and %s: the reduced shear modulus is %g Pa, but must be above 0 and finite; "
+        "check youngsModulus and poissonsRatio of both",
+        pair->a->name, pair->b->name, pair->reduced_shear);
     ((struct dem_mindlin *)of)->modulus = 8.0*pair->reduced_shear;
     return DEM_OK;
 }

@@ -19,7 +19,8 @@ struct dem_mindlin
 static inline struct dem_friction dem_mindlin_friction(const struct dem_mindlin *m,
                                                        const struct dem_contact_batch *b)
 {
-    return (struct dem_friction){(dem_real)m->friction, m->damping ? 1 : 0, m->adhesion ? 1 : 0, dem_slider_inverse_dt(b)};
+    return (struct dem_friction){(dem_real)m->friction, m->damping ? 1 : 0, m->adhesion ? 1 : 0,
+                                 dem_slider_inverse_dt(b)};
 }
 
 static inline __attribute__((always_inline)) dem_real dem_mindlin_stiffness(dem_real modulus,

@@ -51,7 +51,8 @@ static const struct dem_setting settings[] = {
     {0},
 };
 
-static const char *const history_names[] = {"stretch_x", "stretch_y", "stretch_z", "tangential_stiffness", NULL};
+static const char *const history_names[] = {"stretch_x", "stretch_y", "stretch_z",
+                                            "tangential_stiffness", NULL};
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
@@ -59,10 +60,11 @@ static int prepare(void *of, const struct dem_pair_class *pair)
                 "mindlinIncremental between %s and %s: there is no normal law; add one to the "
                 "effects, hertz for "
                 "example", pair->a->name, pair->b->name);
-    DEM_REQUIRE(pair->reduced_shear > 0.0 && pair->reduced_shear <= DBL_MAX, DEM_ERROR_INPUT,
-                "mindlinIncremental between %s and %s: the reduced shear modulus is %g Pa, but must be above 0 and finite; "
-                "check youngsModulus and poissonsRatio of both",
-                pair->a->name, pair->b->name, pair->reduced_shear);
+    DEM_REQUIRE(
+        pair->reduced_shear > 0.0 && pair->reduced_shear <= DBL_MAX, DEM_ERROR_INPUT,
+        "mindlinIncremental between %s and %s: the reduced shear modulus is %g Pa, but must be above 0 and finite; "
+        "check youngsModulus and poissonsRatio of both",
+        pair->a->name, pair->b->name, pair->reduced_shear);
     ((struct incremental *)of)->modulus = 8.0*pair->reduced_shear;
     return DEM_OK;
 }
@@ -72,8 +74,8 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 {
     const struct incremental *incremental = of;
     const dem_real modulus = incremental->modulus;
-    const struct dem_friction rubs = {incremental->friction, incremental->damping ? 1.0 : 0.0, incremental->adhesion ? 1.0 : 0.0,
-                                     dem_slider_inverse_dt(b)};
+    const struct dem_friction rubs = {incremental->friction, incremental->damping ? 1.0 : 0.0,
+                                      incremental->adhesion ? 1.0 : 0.0, dem_slider_inverse_dt(b)};
     dem_real *restrict xi_x = history[0], *restrict xi_y = history[1], *restrict xi_z = history[2];
     dem_real *restrict stiffness = history[3];
 
@@ -106,17 +108,20 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
 {
     const struct incremental *incremental = of;
-    const struct dem_friction rubs = {incremental->friction, incremental->damping ? 1.0 : 0.0, incremental->adhesion ? 1.0 : 0.0,
-                                     dem_slider_inverse_dt(b)};
-    const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2], *restrict stiffness = before[3];
+    const struct dem_friction rubs = {incremental->friction, incremental->damping ? 1.0 : 0.0,
+                                      incremental->adhesion ? 1.0 : 0.0, dem_slider_inverse_dt(b)};
+    const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2],
+                             *restrict stiffness = before[3];
 
     (void)history;
     for (int c = 0; c < b->n; c++)
     {
         const struct dem_contact_row r = dem_contact_row_load(b, c);
         struct dem_slider s = dem_slider_friction(&r, b->kt[c], rubs);
-        const dem_real was = stiffness[c], increase = b->touching[c]*dem_select(was < b->kt[c], b->kt[c] - was, 0.0);
-        const dem_real keep = dem_select(increase > 0.0, was/dem_select(b->kt[c] > 0.0, b->kt[c], 1.0), 1.0);
+        const dem_real was = stiffness[c],
+                       increase = b->touching[c]*dem_select(was < b->kt[c], b->kt[c] - was, 0.0);
+        const dem_real keep =
+            dem_select(increase > 0.0, was/dem_select(b->kt[c] > 0.0, b->kt[c], 1.0), 1.0);
         const dem_real square = x[c]*x[c] + y[c]*y[c] + z[c]*z[c];
 
         s.xi_x = keep*x[c];
@@ -132,7 +137,8 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
 const struct dem_effect dem_mindlin_incremental = {
     .name = "mindlinIncremental",
     .aliases = "mindlin_rescale mindlin/rescale",
-    .summary = "friction as mindlin, with a spring loaded in increments that never returns more energy than it took",
+    .summary =
+        "friction as mindlin, with a spring loaded in increments that never returns more energy than it took",
     .source = "Mindlin and Deresiewicz 1953; Thornton, Cummins, Cleary 2013; Coulomb",
     .stage = DEM_STAGE_TANGENT,
     .needs = DEM_NEEDS_NORMAL_SPIN,

@@ -75,7 +75,8 @@ static inline void dem_restitution_energy(const struct dem_contact_batch *b,
 {
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real mass = b->reduced_mass[c], gain = dem_select(mass > 0, b->dt/2/dem_select(mass > 0, mass, 1), 0);
+        const dem_real mass = b->reduced_mass[c],
+                       gain = dem_select(mass > 0, b->dt/2/dem_select(mass > 0, mass, 1), 0);
 
         e->lost[c] = -b->touching[c]*e->normal_force[c]*(b->vn[c] + gain*b->fn[c])*b->dt;
     }

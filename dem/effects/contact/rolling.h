@@ -26,8 +26,10 @@ static inline int dem_rolling_relevance(const void *settings, const struct dem_r
                                         struct dem_relevance *v)
 {
     v->fraction = settings && g->friction > 0.0 ? *(const double *)settings/g->friction : 0.0;
-    v->quantity = g->friction > 0.0 ? "of the moment of friction resists rolling (Ai, Chen, Rotter, Ooi 2011)"
-                  : "of the moment of friction: there is no friction (Ai, Chen, Rotter, Ooi 2011)";
+    v->quantity =
+        g->friction > 0.0
+            ? "of the moment of friction resists rolling (Ai, Chen, Rotter, Ooi 2011)"
+            : "of the moment of friction: there is no friction (Ai, Chen, Rotter, Ooi 2011)";
     return settings != NULL;
 }
 

@@ -68,7 +68,9 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
         /* N m s: torque over spin, of friction, limited to what stops the rolling in this step */
         const dem_real torque = dem_select(b->fn[c] > 0.0, friction*R*b->fn[c], 0.0);
         const dem_real max_drag = per_step*b->reduced_mass[c]*R*R;
-        const dem_real drag = dem_select(torque < max_drag*size, torque/dem_select(size > 0.0, size, 1.0), dem_select(torque > 0.0, max_drag, 0.0));
+        const dem_real drag =
+            dem_select(torque < max_drag*size, torque/dem_select(size > 0.0, size, 1.0),
+                       dem_select(torque > 0.0, max_drag, 0.0));
 
         b->mx[c] -= drag*wx;
         b->my[c] -= drag*wy;

@@ -74,7 +74,8 @@ static int prepare(void *of, const struct dem_pair_class *pair)
                 "rollingSpring between %s and %s: there is no normal law; add one to the effects, "
                 "hertz for "
                 "example", pair->a->name, pair->b->name);
-    rolling->ratio = rolling->stiffness > 0.0 ? rolling->stiffness : 6.0*pair->reduced_shear/pair->reduced_modulus;
+    rolling->ratio = rolling->stiffness > 0.0 ? rolling->stiffness
+                                              : 6.0*pair->reduced_shear/pair->reduced_modulus;
     return DEM_OK;
 }
 
@@ -88,16 +89,21 @@ slider_at(const struct dem_contact_batch *b, int c, dem_real friction, dem_real 
     const dem_real stiffness = ratio*b->kn[c]*R*R;
     const dem_real damping = twice_zeta*R*sqrt(1.4*b->reduced_mass[c]*stiffness);
 
-    return (struct dem_slider){.stiffness = stiffness, .damping = damping,
-                               .limit = dem_select(b->fn[c] > 0.0, friction*R*b->fn[c], 0.0), .inverse_dt = inverse_dt,
-                               .sx = b->wx[c] - twist*hx, .sy = b->wy[c] - twist*hy, .sz = b->wz[c] - twist*hz};
+    return (struct dem_slider){.stiffness = stiffness,
+                               .damping = damping,
+                               .limit = dem_select(b->fn[c] > 0.0, friction*R*b->fn[c], 0.0),
+                               .inverse_dt = inverse_dt,
+                               .sx = b->wx[c] - twist*hx,
+                               .sy = b->wy[c] - twist*hy,
+                               .sz = b->wz[c] - twist*hz};
 }
 
 DEM_KERNEL
 static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
 {
     const struct rolling_spring *rolling = of;
-    const dem_real friction = rolling->friction, ratio = rolling->ratio, twice_zeta = 2.0*rolling->damping, inverse_dt = dem_slider_inverse_dt(b);
+    const dem_real friction = rolling->friction, ratio = rolling->ratio,
+                   twice_zeta = 2.0*rolling->damping, inverse_dt = dem_slider_inverse_dt(b);
     dem_real *restrict x = history[0], *restrict y = history[1], *restrict z = history[2];
 
     for (int c = 0; c < b->n; c++)
@@ -123,7 +129,8 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
 {
     const struct rolling_spring *rolling = of;
-    const dem_real friction = rolling->friction, ratio = rolling->ratio, twice_zeta = 2.0*rolling->damping, inverse_dt = dem_slider_inverse_dt(b);
+    const dem_real friction = rolling->friction, ratio = rolling->ratio,
+                   twice_zeta = 2.0*rolling->damping, inverse_dt = dem_slider_inverse_dt(b);
     const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
 
     (void)history;
@@ -143,7 +150,8 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
 const struct dem_effect dem_rolling_spring = {
     .name = "rollingSpring",
     .aliases = "rollingFriction epsd epsd2",
-    .summary = "rolling resistance: a rotational spring that slips at mu_r R* F_n, with an optional dashpot",
+    .summary =
+        "rolling resistance: a rotational spring that slips at mu_r R* F_n, with an optional dashpot",
     .source = "Ai, Chen, Rotter, Ooi 2011, type C; Iwashita and Oda 1998",
     .stage = DEM_STAGE_MOMENT,
     .needs = DEM_NEEDS_SPIN | DEM_NEEDS_NORMAL_SPIN,

@@ -28,7 +28,8 @@ struct sjkr
 };
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING_AS(sjkr, density, "energyDensity", "J/m3", DEM_SETTING_REQUIRED, 0.0, INFINITY, "attraction per area of contact"),
+    DEM_SETTING_AS(sjkr, density, "energyDensity", "J/m3", DEM_SETTING_REQUIRED, 0.0, INFINITY,
+                   "attraction per area of contact"),
     {0},
 };
 
@@ -40,7 +41,8 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
     (void)history;
     for (int c = 0; c < b->n; c++)
     {
-        b->fn[c] -= scale*b->reduced_radius[c]*dem_select(b->bond_replaces[c] > 0.0, 0.0, b->overlap[c]);
+        b->fn[c] -= scale*b->reduced_radius[c]*
+                    dem_select(b->bond_replaces[c] > 0.0, 0.0, b->overlap[c]);
     }
 }
 
@@ -70,7 +72,8 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
     const double impact = g->overlap > 0.0 ? 1.5*pi*w/(g->modulus*sqrt(g->overlap)) : 0.0;
 
     v->fraction = fmax(impact, g->weight > 0.0 ? pull/g->weight : 0.0);
-    v->quantity = "of the force of an impact, or of the weight, is due to cohesion (the law itself)";
+    v->quantity =
+        "of the force of an impact, or of the weight, is due to cohesion (the law itself)";
     return of != NULL;
 }
 

@@ -88,12 +88,14 @@ dem_slider_load(const struct dem_contact_row *r, struct dem_slider s)
     const dem_real tilt = nx*s.sx + ny*s.sy + nz*s.sz, half = r->dt/2;
     const dem_real sx = s.sx - tilt*nx, sy = s.sy - tilt*ny, sz = s.sz - tilt*nz;
     const dem_real gx = half*sx, gy = half*sy, gz = half*sz;
-    const dem_real cx = s.xi_x - twice*hx + gx, cy = s.xi_y - twice*hy + gy, cz = s.xi_z - twice*hz + gz;
+    const dem_real cx = s.xi_x - twice*hx + gx, cy = s.xi_y - twice*hy + gy,
+                   cz = s.xi_z - twice*hz + gz;
 
     /* n x c lies in the plane; (n x c) x n is c in the plane */
     const dem_real ax = ny*cz - nz*cy, ay = nz*cx - nx*cz, az = nx*cy - ny*cx;
     const dem_real bx = ay*nz - az*ny, by = az*nx - ax*nz, bz = ax*ny - ay*nx;
-    const dem_real q = half*r->normal_spin, over = 1/(1 + q*q), cosine = (1 - q*q)*over, sine = (q + q)*over;
+    const dem_real q = half*r->normal_spin, over = 1/(1 + q*q), cosine = (1 - q*q)*over,
+                   sine = (q + q)*over;
 
     s.sx = sx;
     s.sy = sy;
@@ -114,7 +116,8 @@ static inline __attribute__((always_inline)) void dem_slider_trial_force(const s
 }
 
 /* Effective stiffness k + c/dt: decrease of |T| per slip distance. */
-static inline __attribute__((always_inline)) dem_real dem_slider_effective_stiffness(const struct dem_slider *s)
+static inline __attribute__((always_inline)) dem_real dem_slider_effective_stiffness(
+    const struct dem_slider *s)
 {
     return s->stiffness + s->damping*s->inverse_dt;
 }
@@ -131,13 +134,16 @@ struct dem_slider_limited    /* result of limiting a trial force T */
     dem_real force_factor, spring_factor;
 };
 
-static inline __attribute__((always_inline)) struct dem_slider_limited dem_slider_limit_force(dem_real square,
-                            dem_real limit, dem_real gives)
+static inline __attribute__((always_inline)) struct dem_slider_limited dem_slider_limit_force(
+    dem_real square, dem_real limit, dem_real gives)
 {
-    const dem_real size = dem_sqrt(square), size_or_1 = dem_select(size > 0, size, 1), h = dem_select(gives > 0, gives, 1);
+    const dem_real size = dem_sqrt(square), size_or_1 = dem_select(size > 0, size, 1),
+                   h = dem_select(gives > 0, gives, 1);
     const dem_real over = 1/(size_or_1*h);
 
-    return (struct dem_slider_limited){.force_factor = dem_select(size < limit, 1, limit*h*over), .spring_factor = dem_select(size < limit, 0, (size - limit)*over)};
+    return (struct dem_slider_limited){
+        .force_factor = dem_select(size < limit, 1, limit*h*over),
+        .spring_factor = dem_select(size < limit, 0, (size - limit)*over)};
 }
 
 /* Applies the limit: F and the new elongation. */
@@ -161,7 +167,10 @@ dem_slider_step(const struct dem_contact_row *r, struct dem_slider s)
 
     s = dem_slider_load(r, s);
     dem_slider_trial_force(&s, t);
-    return dem_slider_apply_limit(s, t, dem_slider_limit_force(t[0]*t[0] + t[1]*t[1] + t[2]*t[2], s.limit, dem_slider_effective_stiffness(&s)));
+    return dem_slider_apply_limit(s, t,
+                                  dem_slider_limit_force(t[0]*t[0] + t[1]*t[1] + t[2]*t[2],
+                                                         s.limit,
+                                                         dem_slider_effective_stiffness(&s)));
 }
 
 /*
@@ -193,14 +202,17 @@ static inline __attribute__((always_inline)) void dem_slider_begin(struct dem_co
     b->loop_scratch[DEM_SLIDER_STIFFNESS][c] = dem_slider_effective_stiffness(s);
 }
 
-static inline __attribute__((always_inline)) void dem_slider_limit_forces(struct dem_contact_batch *b)
+static inline __attribute__((always_inline)) void dem_slider_limit_forces(
+    struct dem_contact_batch *b)
 {
     dem_real (*const at)[DEM_BATCH_ROWS] = b->loop_scratch;
 
     for (int c = 0; c < b->n; c++)
     {
         const dem_real x = at[DEM_SLIDER_X][c], y = at[DEM_SLIDER_Y][c], z = at[DEM_SLIDER_Z][c];
-        const struct dem_slider_limited slips = dem_slider_limit_force(x*x + y*y + z*z, at[DEM_SLIDER_LIMIT][c], at[DEM_SLIDER_STIFFNESS][c]);
+        const struct dem_slider_limited slips =
+            dem_slider_limit_force(x*x + y*y + z*z, at[DEM_SLIDER_LIMIT][c],
+                                   at[DEM_SLIDER_STIFFNESS][c]);
 
         at[DEM_SLIDER_LIMIT][c] = slips.force_factor;
         at[DEM_SLIDER_STIFFNESS][c] = slips.spring_factor;
@@ -212,8 +224,11 @@ static inline __attribute__((always_inline)) struct dem_slider
 dem_slider_end(const struct dem_contact_batch *b, int c, dem_real x, dem_real y, dem_real z)
 {
     const struct dem_slider s = {.xi_x = x, .xi_y = y, .xi_z = z};
-    const struct dem_slider_limited slips = {.force_factor = b->loop_scratch[DEM_SLIDER_LIMIT][c], .spring_factor = b->loop_scratch[DEM_SLIDER_STIFFNESS][c]};
-    const dem_real t[3] = {b->loop_scratch[DEM_SLIDER_X][c], b->loop_scratch[DEM_SLIDER_Y][c], b->loop_scratch[DEM_SLIDER_Z][c]};
+    const struct dem_slider_limited slips = {
+        .force_factor = b->loop_scratch[DEM_SLIDER_LIMIT][c],
+        .spring_factor = b->loop_scratch[DEM_SLIDER_STIFFNESS][c]};
+    const dem_real t[3] = {b->loop_scratch[DEM_SLIDER_X][c], b->loop_scratch[DEM_SLIDER_Y][c],
+                           b->loop_scratch[DEM_SLIDER_Z][c]};
 
     return dem_slider_apply_limit(s, t, slips);
 }
@@ -254,9 +269,13 @@ dem_slider_friction(const struct dem_contact_row *r, dem_real stiffness, struct 
 {
     const dem_real normal = r->fn + rubs.with_adhesion*r->adhesive_force;
 
-    return (struct dem_slider){.stiffness = stiffness, .damping = rubs.with_dashpot*r->eta,
-                               .limit = dem_select(normal > 0, rubs.friction*normal, 0), .inverse_dt = rubs.inverse_dt,
-                               .sx = r->sx, .sy = r->sy, .sz = r->sz};
+    return (struct dem_slider){.stiffness = stiffness,
+                               .damping = rubs.with_dashpot*r->eta,
+                               .limit = dem_select(normal > 0, rubs.friction*normal, 0),
+                               .inverse_dt = rubs.inverse_dt,
+                               .sx = r->sx,
+                               .sy = r->sy,
+                               .sz = r->sz};
 }
 
 /*
@@ -285,14 +304,18 @@ dem_slider_energy(const struct dem_contact_batch *b, int c, struct dem_slider s,
     struct dem_slider at_rest = s;
 
     at_rest.sx = at_rest.sy = at_rest.sz = 0;
-    const struct dem_slider from = dem_slider_load(&r, at_rest), loaded = dem_slider_load(&r, s), to = dem_slider_step(&r, s);
+    const struct dem_slider from = dem_slider_load(&r, at_rest), loaded = dem_slider_load(&r, s),
+                            to = dem_slider_step(&r, s);
     const dem_real on = b->touching[c], k = on*s.stiffness, was = s.previous_stiffness, dt = b->dt;
-    const dem_real xi_x = on*to.xi_x, xi_y = on*to.xi_y, xi_z = on*to.xi_z, fx = on*to.fx, fy = on*to.fy, fz = on*to.fz;
+    const dem_real xi_x = on*to.xi_x, xi_y = on*to.xi_y, xi_z = on*to.xi_z, fx = on*to.fx,
+                   fy = on*to.fy, fz = on*to.fz;
     const dem_real gx = loaded.xi_x - xi_x, gy = loaded.xi_y - xi_y, gz = loaded.xi_z - xi_z;
-    const dem_real along = from.xi_x*gx + from.xi_y*gy + from.xi_z*gz, ahead = xi_x*gx + xi_y*gy + xi_z*gz;
+    const dem_real along = from.xi_x*gx + from.xi_y*gy + from.xi_z*gz,
+                   ahead = xi_x*gx + xi_y*gy + xi_z*gz;
     const dem_real both = from.xi_x*xi_x + from.xi_y*xi_y + from.xi_z*xi_z;
 
-    const dem_real gain = dt/(2*s.mass), ux = to.sx + gain*fx, uy = to.sy + gain*fy, uz = to.sz + gain*fz;
+    const dem_real gain = dt/(2*s.mass), ux = to.sx + gain*fx, uy = to.sy + gain*fy,
+                   uz = to.sz + gain*fz;
     const dem_real damped = -((fx + k*xi_x)*ux + (fy + k*xi_y)*uy + (fz + k*xi_z)*uz)*dt;
     const dem_real rubbed = -(fx*ux + fy*uy + fz*uz)*dt;
     const dem_real lost = damped + (was*along + k*ahead)/2 - (k - was)/2*both;

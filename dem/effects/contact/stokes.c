@@ -71,21 +71,23 @@ static const char *const speeds[] = {"impact", "instantaneous", NULL};
 
 static const struct dem_setting settings[] = {
     DEM_SETTING(stokes, restitution, "1", DEM_SETTING_REQUIRED, 0.0, 1.0,
-              "e_max: restitution without fluid"),
+                "e_max: restitution without fluid"),
     DEM_SETTING(stokes, beta, "1", 35.0, 0.0, 1e6, "ln e = ln e_max - beta/St"),
     DEM_SETTING(stokes, viscosity, "Pa s", 0.0, 0.0, INFINITY,
-              "of the fluid in the gap; 0: that of the coupled fluid"),
+                "of the fluid in the gap; 0: that of the coupled fluid"),
     DEM_SETTING_AS(stokes, added_mass, "addedMass", "1", 0.0, 0.0, 10.0,
-                 "C_M: each particle has the mass m + C_M rho_f V in St (0.5 for an isolated "
-                 "sphere); 0: none, or the added mass of virtualMass"),
-    DEM_SETTING_AS(stokes, fluid_density, "fluidDensity", "kg/m3", 0.0, 0.0, INFINITY, "rho_f for addedMass"),
-    DEM_SETTING_CHOICE(stokes, speed, "speed", IMPACT, speeds,
-                     "v in St: of the first contact, or for comparison instantaneous as in "
-                     "LIGGGHTS, where restitution becomes 0.08 for 0.48 at St = 50, 0.55 for 0.68 "
-                     "at 100 and 0.956 for 0.937 at 1000"),
+                   "C_M: each particle has the mass m + C_M rho_f V in St (0.5 for an isolated "
+                   "sphere); 0: none, or the added mass of virtualMass"),
+    DEM_SETTING_AS(stokes, fluid_density, "fluidDensity", "kg/m3", 0.0, 0.0, INFINITY,
+                   "rho_f for addedMass"),
+    DEM_SETTING_CHOICE(
+        stokes, speed, "speed", IMPACT, speeds,
+        "v in St: of the first contact, or for comparison instantaneous as in "
+        "LIGGGHTS, where restitution becomes 0.08 for 0.48 at St = 50, 0.55 for 0.68 "
+        "at 100 and 0.956 for 0.937 at 1000"),
     DEM_SETTING_CHOICE(stokes, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
-                     "whether the dashpot may pull while the contact opens; clamped, restitution "
-                     "is too high: 0.20 for 0.03, 0.54 for 0.48, 0.70 for 0.68"),
+                       "whether the dashpot may pull while the contact opens; clamped, restitution "
+                       "is too high: 0.20 for 0.03, 0.54 for 0.48, 0.70 for 0.68"),
     {0},
 };
 
@@ -109,12 +111,15 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 {
     struct stokes *stokes = of;
 
-    DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
-                "stokes between %s and %s: there is no normal law to damp; add one to the effects, hertz for example",
-                pair->a->name, pair->b->name);
-    DEM_REQUIRE(stokes->added_mass == 0.0 || stokes->fluid_density > 0.0, DEM_ERROR_INPUT,
-                "stokes: addedMass %g has no effect without fluidDensity, which is %g kg/m3; give the fluid's density, "
-                "or addedMass 0", stokes->added_mass, stokes->fluid_density);
+    DEM_REQUIRE(
+        pair->exponent > 0.0, DEM_ERROR_INPUT,
+        "stokes between %s and %s: there is no normal law to damp; add one to the effects, hertz for example",
+        pair->a->name, pair->b->name);
+    DEM_REQUIRE(
+        stokes->added_mass == 0.0 || stokes->fluid_density > 0.0, DEM_ERROR_INPUT,
+        "stokes: addedMass %g has no effect without fluidDensity, which is %g kg/m3; give the fluid's density, "
+        "or addedMass 0",
+        stokes->added_mass, stokes->fluid_density);
     stokes->critical = dem_restitution_critical(pair->exponent);
     stokes->loss = dem_restitution_loss(stokes->restitution);
     stokes->more_mass = stokes->added_mass > 0.0 ? more_mass(stokes, pair) : 1.0;
@@ -177,7 +182,8 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
 
 const struct dem_effect dem_stokes = {
     .name = "stokes",
-    .summary = "viscous damping in a fluid: restitution e_max exp(-beta/St), St the Stokes number of the impact",
+    .summary =
+        "viscous damping in a fluid: restitution e_max exp(-beta/St), St the Stokes number of the impact",
     .source = "Legendre, Zenit, Daniel, Guiraud 2006",
     .stage = DEM_STAGE_DAMP,
     .needs = DEM_NEEDS_VISCOSITY,

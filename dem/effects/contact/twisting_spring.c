@@ -68,7 +68,8 @@ static const char *const history_names[] = {"twist", NULL};
 /* Pa: G_w; a rigid partner has an infinite modulus and adds nothing */
 static double torsion_modulus(const struct dem_material *a, const struct dem_material *b)
 {
-    return 1.0/(2.0*(1.0 + a->poissons_ratio)/a->youngs_modulus + 2.0*(1.0 + b->poissons_ratio)/b->youngs_modulus);
+    return 1.0/(2.0*(1.0 + a->poissons_ratio)/a->youngs_modulus +
+                  2.0*(1.0 + b->poissons_ratio)/b->youngs_modulus);
 }
 
 static int prepare(void *of, const struct dem_pair_class *pair)
@@ -77,7 +78,8 @@ static int prepare(void *of, const struct dem_pair_class *pair)
                 "twistingSpring between %s and %s: there is no normal law; add one to the effects, "
                 "hertz for "
                 "example", pair->a->name, pair->b->name);
-    ((struct twisting_spring *)of)->ratio = 4.0*torsion_modulus(pair->a, pair->b)/pair->reduced_modulus;
+    ((struct twisting_spring *)of)->ratio =
+        4.0*torsion_modulus(pair->a, pair->b)/pair->reduced_modulus;
     return DEM_OK;
 }
 
@@ -85,7 +87,8 @@ DEM_KERNEL
 static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
 {
     const struct twisting_spring *twisting = of;
-    const dem_real friction = twisting->friction, ratio = twisting->ratio, twice_zeta = 2.0*twisting->damping, dt = b->dt;
+    const dem_real friction = twisting->friction, ratio = twisting->ratio,
+                   twice_zeta = 2.0*twisting->damping, dt = b->dt;
     const dem_real inverse_dt = dem_slider_inverse_dt(b);
     /* 3 pi/16 */
     const dem_real by_contact = twisting->lever == CONTACT ? 0.58904862254808623 : 0.0;
@@ -104,7 +107,8 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
         const dem_real angle = twist[c] + dt*rate;
         const dem_real trial = -stiffness*angle - damping*rate, size = fabs(trial);
         const dem_real limit = dem_select(b->fn[c] > 0.0, friction*lever*b->fn[c], 0.0);
-        const dem_real moment = dem_select(size < limit, 1.0, limit/dem_select(size > 0.0, size, 1.0))*trial;
+        const dem_real moment =
+            dem_select(size < limit, 1.0, limit/dem_select(size > 0.0, size, 1.0))*trial;
         const dem_real effective = stiffness + damping*inverse_dt;
         const dem_real slipped = (moment - trial)/dem_select(effective > 0.0, effective, 1.0);
 
@@ -120,19 +124,25 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
 {
     const struct twisting_spring *twisting = of;
-    const dem_real *const from = before[0], *const to = history[0], inverse_dt = dem_slider_inverse_dt(b);
+    const dem_real *const from = before[0], *const to = history[0],
+                          inverse_dt = dem_slider_inverse_dt(b);
 
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real R = b->reduced_radius[c], stiffness = b->touching[c]*twisting->ratio*b->kn[c]*R*b->overlap[c];
+        const dem_real R = b->reduced_radius[c],
+                       stiffness = b->touching[c]*twisting->ratio*b->kn[c]*R*b->overlap[c];
         const dem_real was = twisting->ratio*e->previous_kn[c]*R*e->previous_overlap[c];
-        const dem_real rate = b->wx[c]*b->hx[c] + b->wy[c]*b->hy[c] + b->wz[c]*b->hz[c], slipped = from[c] + b->dt*rate - to[c];
+        const dem_real rate = b->wx[c]*b->hx[c] + b->wy[c]*b->hy[c] + b->wz[c]*b->hz[c],
+                       slipped = from[c] + b->dt*rate - to[c];
         const dem_real damping = 2.0*twisting->damping*R*sqrt(0.4*b->reduced_mass[c]*stiffness);
-        const dem_real dashpot = dem_select(b->fn[c] > 0.0, damping*inverse_dt*(to[c] - from[c]), 0.0);
-        const dem_real damped = dashpot*(rate - 0.5*b->dt*(stiffness*to[c] + dashpot)/e->inertia[c])*b->dt;
+        const dem_real dashpot =
+            dem_select(b->fn[c] > 0.0, damping*inverse_dt*(to[c] - from[c]), 0.0);
+        const dem_real damped =
+            dashpot*(rate - 0.5*b->dt*(stiffness*to[c] + dashpot)/e->inertia[c])*b->dt;
 
         e->stored[c] = 0.5*stiffness*to[c]*to[c];
-        e->lost[c] = damped + 0.5*(was*from[c] + stiffness*to[c])*slipped - 0.5*(stiffness - was)*from[c]*to[c];
+        e->lost[c] = damped + 0.5*(was*from[c] + stiffness*to[c])*slipped -
+                     0.5*(stiffness - was)*from[c]*to[c];
     }
 }
 
@@ -146,15 +156,17 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
     {
         return 0;
     }
-    v->fraction = (twisting->lever == REDUCED ? 1.0 : 3.0*3.14159265358979324/16.0*sqrt(g->overlap))*twisting->friction
-                  /(g->friction > 0.0 ? g->friction : 1.0);
+    v->fraction =
+        (twisting->lever == REDUCED ? 1.0 : 3.0*3.14159265358979324/16.0*sqrt(g->overlap))*
+        twisting->friction /(g->friction > 0.0 ? g->friction : 1.0);
     v->quantity = "of the moment of friction resists twisting (Marshall 2009)";
     return 1;
 }
 
 const struct dem_effect dem_twisting_spring = {
     .name = "twistingSpring",
-    .summary = "torsional resistance about the normal: the elastic torsion of the contact, which slips",
+    .summary =
+        "torsional resistance about the normal: the elastic torsion of the contact, which slips",
     .source = "Reissner and Sagoci 1944; Lubkin 1951; Marshall 2009",
     .stage = DEM_STAGE_MOMENT,
     .needs = DEM_NEEDS_SPIN,

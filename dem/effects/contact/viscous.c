@@ -40,9 +40,10 @@ static const struct dem_setting settings[] = {
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
     (void)of;
-    DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
-                "viscous between %s and %s: there is no normal law to damp; add one to the effects, hooke for example",
-                pair->a->name, pair->b->name);
+    DEM_REQUIRE(
+        pair->exponent > 0.0, DEM_ERROR_INPUT,
+        "viscous between %s and %s: there is no normal law to damp; add one to the effects, hooke for example",
+        pair->a->name, pair->b->name);
     return DEM_OK;
 }
 
@@ -58,7 +59,8 @@ DEM_KERNEL
 static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
 {
     const struct viscous *viscous = of;
-    const dem_real coefficient = viscous->coefficient, min_force = dem_attraction_min_force(viscous->attraction);
+    const dem_real coefficient = viscous->coefficient,
+                   min_force = dem_attraction_min_force(viscous->attraction);
 
     (void)history;
     for (int c = 0; c < b->n; c++)

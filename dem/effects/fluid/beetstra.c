@@ -103,7 +103,8 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 const struct dem_effect dem_beetstra = {
     .name = "beetstra",
     .aliases = "Beetstra BeetstraDrag BVK",
-    .summary = "drag from packed to dilute, for one or several sizes, fitted to lattice-Boltzmann simulations",
+    .summary =
+        "drag from packed to dilute, for one or several sizes, fitted to lattice-Boltzmann simulations",
     .source = "Beetstra, van der Hoef, Kuipers 2007",
     .stage = DEM_STAGE_FLUID,
     .drag = DEM_DRAG_BED,

@@ -39,7 +39,8 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
 const struct dem_effect dem_di_felice = {
     .name = "diFelice",
     .aliases = "DiFelice DiFeliceDrag",
-    .summary = "drag from packed to dilute, that of a single sphere times a power of the void fraction that depends on Re",
+    .summary =
+        "drag from packed to dilute, that of a single sphere times a power of the void fraction that depends on Re",
     .source = "Di Felice 1994; Dallavalle 1948",
     .stage = DEM_STAGE_FLUID,
     .drag = DEM_DRAG_BED,

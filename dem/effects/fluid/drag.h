@@ -36,14 +36,17 @@ static inline __attribute__((always_inline)) double dem_drag_void_fraction(doubl
 }
 
 /* Re; 0 where the viscosity is 0 */
-static inline __attribute__((always_inline)) double dem_drag_reynolds(const struct dem_body_batch *b,
-                            int c, double e)
+static inline __attribute__((always_inline)) double dem_drag_reynolds(
+    const struct dem_body_batch *b, int c, double e)
 {
     const double x = b->ux[c] - b->vx[c], y = b->uy[c] - b->vy[c], z = b->uz[c] - b->vz[c];
     const double slip = sqrt(x*x + y*y + z*z);
     const double mu = b->viscosity[c];
 
-    return dem_select(mu > 0.0, e*b->density[c]*(2.0*b->radius[c])*slip/dem_select(mu > 0.0, mu, 1.0), 0.0);
+    return dem_select(mu > 0.0,
+                      e*b->density[c]*(2.0*b->radius[c])*slip/
+                          dem_select(mu > 0.0, mu, 1.0),
+                      0.0);
 }
 
 /* Schiller and Naumann (1933) below 1000, constant Cd = 0.44 above; a step of +0.4 % there, as

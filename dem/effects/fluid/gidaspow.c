@@ -51,8 +51,16 @@ static inline double arctangent(double x)
     const double half = z/(1.0 + sqrt(1.0 + z*z));
     const double t = half/(1.0 + sqrt(1.0 + half*half));
     const double w = t*t;
-    const double sum = 1.0 - w*(1.0/3.0 - w*(1.0/5.0 - w*(1.0/7.0 - w*(1.0/9.0 - w*(1.0/11.0 - w*(1.0/13.0
-                     - w*(1.0/15.0 - w*(1.0/17.0 - w*(1.0/19.0 - w/21.0)))))))));
+    const double sum =
+        1.0 -
+        w*(1.0/3.0 -
+             w*(1.0/5.0 -
+                  w*(1.0/7.0 -
+                       w*(1.0/9.0 -
+                            w*(1.0/11.0 -
+                                 w*(1.0/13.0 -
+                                      w*(1.0/15.0 -
+                                           w*(1.0/17.0 - w*(1.0/19.0 - w/21.0)))))))));
     const double angle = 4.0*t*sum;
     const double y = dem_select(size > 1.0, 1.57079632679489662 - angle, angle);
 
@@ -93,7 +101,8 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
 const struct dem_effect dem_gidaspow = {
     .name = "gidaspow",
     .aliases = "ErgunWenYu ErgunWenYuDrag ergunWenYu",
-    .summary = "drag of Ergun below void fraction 0.8, of Wen and Yu above, with a smooth transition or a switch",
+    .summary =
+        "drag of Ergun below void fraction 0.8, of Wen and Yu above, with a smooth transition or a switch",
     .source = "Gidaspow 1994; Lu and Gidaspow 2003",
     .stage = DEM_STAGE_FLUID,
     .drag = DEM_DRAG_BED,

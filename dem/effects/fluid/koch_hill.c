@@ -69,7 +69,8 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
 const struct dem_effect dem_koch_hill = {
     .name = "kochHill",
     .aliases = "KochHill KochHillDrag HillKochLadd",
-    .summary = "drag from packed to dilute, fitted to lattice-Boltzmann simulations of random arrays",
+    .summary =
+        "drag from packed to dilute, fitted to lattice-Boltzmann simulations of random arrays",
     .source = "Hill, Koch, Ladd 2001; Koch and Hill 2001",
     .stage = DEM_STAGE_FLUID,
     .drag = DEM_DRAG_BED,

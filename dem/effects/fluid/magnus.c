@@ -29,14 +29,16 @@
 /* tanh x = 1 - 2/(e^2x + 1); for |x| > 30 it is 1 in double precision */
 static inline __attribute__((always_inline)) double hyperbolic_tangent(double x)
 {
-    const double size = dem_select(fabs(x) > 30.0, 30.0, fabs(x)), expm1_2x = dem_expm1(2.0*size), y = expm1_2x/(expm1_2x + 2.0);
+    const double size = dem_select(fabs(x) > 30.0, 30.0, fabs(x)), expm1_2x = dem_expm1(2.0*size),
+                 y = expm1_2x/(expm1_2x + 2.0);
 
     return dem_select(x < 0.0, -y, y);
 }
 
 DEM_MATH double lift_coefficient(double S, double re)
 {
-    return 1.0 - (0.675 + 0.15*(1.0 + hyperbolic_tangent(0.28*(S - 2.0))))*hyperbolic_tangent(0.18*sqrt(re));
+    return 1.0 - (0.675 + 0.15*(1.0 + hyperbolic_tangent(0.28*(S - 2.0))))*
+                     hyperbolic_tangent(0.18*sqrt(re));
 }
 
 DEM_KERNEL
@@ -50,7 +52,8 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
         const struct dem_slip w = dem_slip_of(b, c);
         const double spin[3] = {b->wx[c], b->wy[c], b->wz[c]}, d = 2.0*b->radius[c];
         const double spin_rate = sqrt(spin[0]*spin[0] + spin[1]*spin[1] + spin[2]*spin[2]);
-        const double S = dem_select(w.size > 1e-60, d*spin_rate/dem_select(w.size > 1e-60, w.size, 1.0), 0.0);
+        const double S = dem_select(w.size > 1e-60,
+                                    d*spin_rate/dem_select(w.size > 1e-60, w.size, 1.0), 0.0);
         const double C = lift_coefficient(S, w.re);
 
         dem_slip_lift(b, c, &w, eighth_pi*b->density[c]*d*d*d*C, spin);
@@ -68,11 +71,14 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
     (void)of;
     if (known)
     {
-        const double C = lift_coefficient(d*spin/g->slip, g->reynolds), lasts = fmin(1.0, g->collision_time/g->response);
+        const double C = lift_coefficient(d*spin/g->slip, g->reynolds),
+                     lasts = fmin(1.0, g->collision_time/g->response);
 
-        v->fraction = lasts*g->suspension.fluid_density*d*d*C*spin/(24.0*g->suspension.viscosity*g->drag_factor);
+        v->fraction = lasts*g->suspension.fluid_density*d*d*C*spin/
+                      (24.0*g->suspension.viscosity*g->drag_factor);
     }
-    v->quantity = "of the drag is lift by the spin after a collision, while it lasts (Rubinow and Keller 1961; Loth and Dorgan 2009)";
+    v->quantity =
+        "of the drag is lift by the spin after a collision, while it lasts (Rubinow and Keller 1961; Loth and Dorgan 2009)";
     return known;
 }
 

@@ -33,12 +33,15 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
    of unknown void fraction it may be essential: not known. */
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)
 {
-    const double buoyancy = g->suspension.fluid_density/g->suspension.density, shared = g->uniform ? 0.0 : g->solid_fraction;
+    const double buoyancy = g->suspension.fluid_density/g->suspension.density,
+                 shared = g->uniform ? 0.0 : g->solid_fraction;
 
     (void)of;
     v->fraction = fmax(buoyancy, shared);
-    v->quantity = buoyancy >= shared ? "of the weight is buoyancy (Archimedes)"
-                  : "of the support of a sphere is the pressure gradient caused by the drag on all (set II; Gidaspow 1994)";
+    v->quantity =
+        buoyancy >= shared
+            ? "of the weight is buoyancy (Archimedes)"
+            : "of the support of a sphere is the pressure gradient caused by the drag on all (set II; Gidaspow 1994)";
     return g->suspension.gravity > 0.0 && (buoyancy > v->threshold || shared > 0.0 || g->uniform);
 }
 

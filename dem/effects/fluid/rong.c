@@ -36,7 +36,8 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
 const struct dem_effect dem_rong = {
     .name = "rong",
     .aliases = "RongDrag",
-    .summary = "drag from packed to dilute, the form of Di Felice fitted to lattice-Boltzmann simulations of packings",
+    .summary =
+        "drag from packed to dilute, the form of Di Felice fitted to lattice-Boltzmann simulations of packings",
     .source = "Rong, Dong, Yu 2013",
     .stage = DEM_STAGE_FLUID,
     .drag = DEM_DRAG_BED,

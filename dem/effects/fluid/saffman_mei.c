@@ -51,7 +51,10 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
         const double k = acts*0.5*d*vorticity/dem_select(acts > 0.0, w.size, 1.0);
         const double J = lift_correction(k, w.re);
 
-        dem_slip_lift(b, c, &w, acts*1.615*b->density[c]*d*d*sqrt(w.nu/dem_select(acts > 0.0, vorticity, 1.0))*J, o);
+        dem_slip_lift(b, c, &w,
+                      acts*1.615*b->density[c]*d*d*
+                          sqrt(w.nu/dem_select(acts > 0.0, vorticity, 1.0))*J,
+                      o);
     }
 }
 
@@ -59,12 +62,16 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
    slip, or in a coupled fluid without shear. */
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)
 {
-    const double pi = 3.14159265358979324, d = g->suspension.diameter, nu = g->suspension.viscosity/g->suspension.fluid_density;
+    const double pi = 3.14159265358979324, d = g->suspension.diameter,
+                 nu = g->suspension.viscosity/g->suspension.fluid_density;
     const int known = g->slip > 0.0 && (g->uniform || g->vorticity > 0.0);
 
     (void)of;
     v->fraction = known && g->vorticity > 0.0
-                  ? 1.615*d*sqrt(g->vorticity/nu)*lift_correction(0.5*d*g->vorticity/g->slip, g->reynolds)/(3.0*pi*g->drag_factor) : 0.0;
+                      ? 1.615*d*sqrt(g->vorticity/nu)*
+                            lift_correction(0.5*d*g->vorticity/g->slip, g->reynolds)/
+                            (3.0*pi*g->drag_factor)
+                      : 0.0;
     v->quantity = "of the drag is shear lift (Saffman 1965; Mei 1992)";
     return known;
 }

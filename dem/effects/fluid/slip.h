@@ -21,11 +21,14 @@ struct dem_slip
     double re, nu;                                        /* 1, m2/s; 0 where there is no fluid */
 };
 
-static inline __attribute__((always_inline)) struct dem_slip dem_slip_of(const struct dem_body_batch *b,
-                            int c)
+static inline __attribute__((always_inline)) struct dem_slip dem_slip_of(
+    const struct dem_body_batch *b, int c)
 {
-    struct dem_slip s = {.x = b->ux[c] - b->vx[c], .y = b->uy[c] - b->vy[c], .z = b->uz[c] - b->vz[c]};
-    const double rho = b->density[c], mu = b->viscosity[c], fluid = dem_select(rho*mu > 0.0, 1.0, 0.0);
+    struct dem_slip s = {.x = b->ux[c] - b->vx[c],
+                         .y = b->uy[c] - b->vy[c],
+                         .z = b->uz[c] - b->vz[c]};
+    const double rho = b->density[c], mu = b->viscosity[c],
+                 fluid = dem_select(rho*mu > 0.0, 1.0, 0.0);
 
     s.size = sqrt(s.x*s.x + s.y*s.y + s.z*s.z);
     s.nu = fluid*mu/dem_select(fluid > 0.0, rho, 1.0);

@@ -46,15 +46,19 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
     (void)of;
     for (int c = 0; c < b->n; c++)
     {
-        const double e = dem_drag_void_fraction(b->void_fraction[c]), re = dem_drag_reynolds(b, c, e);
+        const double e = dem_drag_void_fraction(b->void_fraction[c]),
+                     re = dem_drag_reynolds(b, c, e);
 
-        dem_drag_add(b, c, dem_drag_single_sphere(re)/e + b->voidage_factor[0][c] + b->voidage_factor[1][c]*re);
+        dem_drag_add(b, c,
+                     dem_drag_single_sphere(re)/e + b->voidage_factor[0][c] +
+                         b->voidage_factor[1][c]*re);
     }
 }
 
 const struct dem_effect dem_tenneti = {
     .name = "tenneti",
-    .summary = "drag from packed to dilute, fitted to particle-resolved simulations of equal spheres",
+    .summary =
+        "drag from packed to dilute, fitted to particle-resolved simulations of equal spheres",
     .source = "Tenneti, Garg, Subramaniam 2011",
     .stage = DEM_STAGE_FLUID,
     .drag = DEM_DRAG_BED,

@@ -64,12 +64,15 @@ static void prepare_bodies(const void *of, struct dem_body_batch *restrict b)
 
     for (int c = 0; c < b->n; c++)
     {
-        const double e = dem_drag_void_fraction(b->void_fraction[c]), s = 1.0 - e, fluid = dem_select(b->density[c]*b->volume[c] > 0.0, 1.0, 0.0);
-        const double ratio = dem_select(fluid > 0.0, b->mass[c], 1.0)/dem_select(fluid > 0.0, b->density[c]*b->volume[c], 1.0);
+        const double e = dem_drag_void_fraction(b->void_fraction[c]), s = 1.0 - e,
+                     fluid = dem_select(b->density[c]*b->volume[c] > 0.0, 1.0, 0.0);
+        const double ratio = dem_select(fluid > 0.0, b->mass[c], 1.0)/
+                             dem_select(fluid > 0.0, b->density[c]*b->volume[c], 1.0);
         const double L = dem_log(dem_select(ratio > 1e-12, ratio, 1e-12));
         const double zuber = (1.0 + 2.0*s)/e;
         const double felderhof = 1.0 + 2.0*s*(0.047*L + 0.13 - s*(0.066*L + 0.58 - 1.42*s));
-        const double factor = dem_select(own->correlation == ZUBER, zuber, dem_select(own->correlation == FELDERHOF, felderhof, 1.0));
+        const double factor = dem_select(own->correlation == ZUBER, zuber,
+                                         dem_select(own->correlation == FELDERHOF, felderhof, 1.0));
 
         b->added_mass[c] += single*dem_select(factor > 0.0, factor, 0.0)*b->density[c]*b->volume[c];
     }
@@ -98,7 +101,8 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
 
 const struct dem_effect dem_virtual_mass = {
     .name = "virtualMass",
-    .summary = "virtual (added) mass: C rho V (Du/Dt - dv/dt), as part of the inertia of the particle",
+    .summary =
+        "virtual (added) mass: C rho V (Du/Dt - dv/dt), as part of the inertia of the particle",
     .source = "Auton, Hunt, Prud'homme 1988; Zuber 1964; Felderhof 1991",
     .stage = DEM_STAGE_FLUID,
     .has_reaction = 1,

@@ -36,8 +36,11 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
 {
     const double pi = 3.14159265358979324, d = g->suspension.diameter;
     const int known = g->uniform || (g->vorticity > 0.0 && g->cell > 0.0);
-    const double stress = g->uniform ? g->stress : known ? g->suspension.viscosity*g->vorticity/g->cell : 0.0;
-    const double drag = 3.0*pi*g->suspension.viscosity*d*g->drag_factor*g->slip, against = drag > 0.0 ? drag : g->weight;
+    const double stress = g->uniform ? g->stress
+                          : known ? g->suspension.viscosity*g->vorticity/g->cell
+                                     : 0.0;
+    const double drag = 3.0*pi*g->suspension.viscosity*d*g->drag_factor*g->slip,
+                 against = drag > 0.0 ? drag : g->weight;
 
     (void)of;
     v->fraction = stress*pi/6.0*d*d*d/against;

@@ -49,7 +49,10 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
         const double d = 2.0*b->radius[c], mu = b->viscosity[c];
         const double x = 0.5*b->ox[c], y = 0.5*b->oy[c], z = 0.5*b->oz[c];
         const double dx = x - b->wx[c], dy = y - b->wy[c], dz = z - b->wz[c];
-        const double re = dem_select(mu > 0.0, b->density[c]*d*d*sqrt(dx*dx + dy*dy + dz*dz)/dem_select(mu > 0.0, mu, 1.0), 0.0);
+        const double re = dem_select(mu > 0.0,
+                                     b->density[c]*d*d*sqrt(dx*dx + dy*dy + dz*dz)/
+                                         dem_select(mu > 0.0, mu, 1.0),
+                                     0.0);
         const double fit = (128.4 + 12.9*sqrt(re))/(64.0*pi);
         const double t = pi*mu*d*d*d*dem_select(corrects & (fit > 1.0), fit, 1.0);
 

@@ -25,7 +25,8 @@ static void prepare_bodies(const void *of, struct dem_body_batch *restrict b)
     (void)of;
     for (int c = 0; c < b->n; c++)
     {
-        b->voidage_factor[0][c] = dem_drag_voidage_factor(dem_drag_void_fraction(b->void_fraction[c]));
+        b->voidage_factor[0][c] =
+            dem_drag_voidage_factor(dem_drag_void_fraction(b->void_fraction[c]));
     }
 }
 
@@ -37,7 +38,8 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
     {
         const double e = dem_drag_void_fraction(b->void_fraction[c]);
 
-        dem_drag_add(b, c, b->voidage_factor[0][c]*dem_drag_single_sphere(dem_drag_reynolds(b, c, e)));
+        dem_drag_add(b, c,
+                     b->voidage_factor[0][c]*dem_drag_single_sphere(dem_drag_reynolds(b, c, e)));
     }
 }
 
