@@ -120,6 +120,10 @@ void Foam::demCloud::build()
     relaxationRate_ = demSnapshot::readNumber(mesh_.time(), "relaxationRate");
 
     record_.prepare(dem_);
+    if (volumeAveraged_ && scheme_.underRelaxes())
+    {
+        dem_fluid_set_displaced(dem_, density());
+    }
     demCheck(dem_setup(dem_));
     reportStart();
     record_.watch(dem_);
@@ -295,6 +299,8 @@ Foam::demCloud::demCloud
     interval_(dict_.coupling().getOrDefault<scalar>("interval", 0)),
     lastTotals_(),
     window_(0),
+    restarted_(demSnapshot::exists(mesh.time())),
+    toldRelaxation_(0.5),
     changeRate_(0),
     relaxationRate_(0),
     offset_(0),

@@ -148,6 +148,36 @@ Foam::tmp<Foam::scalarField> Foam::demCloud::atParticles
 }
 
 
+Foam::demUnderRelaxation Foam::demCloud::underRelaxation() const
+{
+    return demUnderRelaxation
+    (
+        fluid_,
+        volumes(view_),
+        gravity(),
+        window_,
+        scheme_.set() == demCouplingScheme::II
+    );
+}
+
+
+// Told where the particles would oscillate without it, and again when it falls
+void Foam::demCloud::updateRelaxation()
+{
+    const scalar factor =
+        returnReduce(scalar(dem_fluid_under_relax(dem_)), minOp<scalar>());
+
+    if (factor < 0.9*toldRelaxation_)
+    {
+        toldRelaxation_ = factor;
+        Info<< "Suna: under-relaxation of the pressure gradient and of Du/Dt down"
+            << " to " << factor << " at light particles in a dense suspension,"
+            << " which would oscillate from step to step; they feel a change of"
+            << " it " << 1/factor << " steps late" << endl;
+    }
+}
+
+
 void Foam::demCloud::setFluid
 (
     const volVectorField& U,
@@ -162,17 +192,21 @@ void Foam::demCloud::setFluid
     }
 
     toColumn(transfer_.sample(U)(), fluid_.velocity);
+    toColumn(atParticles(rho)(), fluid_.density);
     if (scheme_.wholeDrag())
     {
         const vectorField hydrostatic(atParticles(rho)()*gravity());
         toColumn(hydrostatic, fluid_.pressure_gradient);
+    }
+    else if (demUnderRelaxation::active(fluid_))
+    {
+        underRelaxation().begin(transfer_.sample(gradP)(), restarted_);
     }
     else
     {
         toColumn(transfer_.sample(gradP)(), fluid_.pressure_gradient);
     }
     toColumn(transfer_.sample(voidFraction_)(), fluid_.void_fraction);
-    toColumn(atParticles(rho)(), fluid_.density);
     toColumn(atParticles(mu)(), fluid_.viscosity);
     setFluidGradients(U, mu);
 
@@ -272,11 +306,6 @@ void Foam::demCloud::depositReaction()
         )
     );
 
-    transfer_.deposit(response, drag_.ref());
-    transfer_.deposit(reaction, force_.ref());
-    drag_.correctBoundaryConditions();
-    force_.correctBoundaryConditions();
-
     if (volumeAveraged_ && scheme_.isDeferred() && !scheme_.wholeDrag())
     {
         scalarField volumeResponse(volumes(view_));     // q_i V_i
@@ -284,10 +313,22 @@ void Foam::demCloud::depositReaction()
         {
             volumeResponse[i] *= fluid_.transmitted_fraction[i];
         }
+        if (demUnderRelaxation::active(fluid_))
+        {
+            updateRelaxation();
+            const demUnderRelaxation relaxation(underRelaxation());
+            relaxation.response(volumeResponse);
+            reaction += relaxation.explicitForce(transfer_.sample(gradP_)());
+        }
 
         transfer_.deposit(volumeResponse, pressureResponse_.ref());
         pressureResponse_.correctBoundaryConditions();
     }
+
+    transfer_.deposit(response, drag_.ref());
+    transfer_.deposit(reaction, force_.ref());
+    drag_.correctBoundaryConditions();
+    force_.correctBoundaryConditions();
 }
 
 
@@ -351,6 +392,7 @@ void Foam::demCloud::evolve
 
     // With the weights of the mesh at which the particles were located
     setFluid(U, gradP, rho, mu);
+    restarted_ = false;
     gradP_ = gradP;
     if (mesh_.moving())
     {

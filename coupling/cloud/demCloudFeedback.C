@@ -14,21 +14,33 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-// `change`: of the pressure gradient since evolve, on the mesh, so that fluid and
-// particles respond to the same field
+// With the pressure gradient that the particles feel in the next step, so that
+// fluid and particles respond to the same change of it
 void Foam::demCloud::returnImpulse
 (
     const volVectorField& U,
-    const volVectorField& change
+    const volVectorField& gradP
 )
 {
+    const volVectorField change(gradP - gradP_);
+    const bool relaxed = demUnderRelaxation::active(fluid_);
     vectorField velocity(view_.n);
-    vectorField gradient(view_.n, Zero);
+    vectorField gradient(view_.n, Zero);    // its change at the particles
+    vectorField reached(relaxed ? view_.n : 0);
 
     if (scheme_.isDeferred())
     {
         velocity = transfer_.sample(U);
-        if (!scheme_.wholeDrag())
+        if (relaxed)
+        {
+            reached = transfer_.sample(gradP);
+            gradient = underRelaxation().next(reached);
+            forAll(gradient, i)
+            {
+                gradient[i] -= vectorAt(fluid_.pressure_gradient, i);
+            }
+        }
+        else if (!scheme_.wholeDrag())
         {
             gradient = transfer_.sample(change);
         }
@@ -73,6 +85,15 @@ void Foam::demCloud::returnImpulse
             reinterpret_cast<const double*>(gradient.cdata())
         )
     );
+    if (relaxed)
+    {
+        demUnderRelaxation relaxation(underRelaxation());
+        relaxation.finish(reached);
+        if (fluid_.acceleration)
+        {
+            relaxation.relaxAcceleration(transfer_.sample(acceleration_())());
+        }
+    }
     balance_.addTime(demMomentumBalance::EXCHANGE);
 }
 
@@ -260,7 +281,7 @@ void Foam::demCloud::correct
     if (reacts())
     {
         balance_.addTime(demMomentumBalance::FLUID);
-        returnImpulse(U, (gradP - gradP_)());
+        returnImpulse(U, gradP);
 
         // In set II the pressure gradient drives the fluid in this step and the
         // particles in the next: their fraction of it is carried over, too
@@ -273,6 +294,10 @@ void Foam::demCloud::correct
             );
             owed -= window_*gSum((volumes(view_)*dynamic)());
             toFluid_ -= owed;
+            if (demUnderRelaxation::active(fluid_))
+            {
+                owed = underRelaxation().owed();
+            }
         }
 
         const vectorField& u = U;
@@ -293,7 +318,7 @@ void Foam::demCloud::correct
     if (reacts())
     {
         balance_.addTime(demMomentumBalance::FLUID);
-        returnImpulse(U, (0*gradP_)());
+        returnImpulse(U, gradP_);
 
         const vectorField& u = U;
         const scalarField& density = rho;

@@ -103,7 +103,11 @@ void Foam::demCloud::setFluidGradients
 {
     if (fluid_.acceleration)
     {
-        toColumn(transfer_.sample(acceleration_())(), fluid_.acceleration);
+        // Under-relaxed values have been set in correct()
+        if (!demUnderRelaxation::active(fluid_))
+        {
+            toColumn(transfer_.sample(acceleration_())(), fluid_.acceleration);
+        }
     }
 
     if (fluid_.vorticity)

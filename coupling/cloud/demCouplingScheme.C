@@ -77,9 +77,11 @@ Foam::demCouplingScheme::demCouplingScheme(const demDict& dict, const bool volum
         (
             choice(dict.coupling(), "exchange", exchanges, "deferred")
         )
-    )
+    ),
+    underRelaxes_(dict.coupling().getOrDefault("underRelaxation", true))
 {
     checkGiven("equations", volumeAveraged);
+    checkGiven("underRelaxation", volumeAveraged);
     checkGiven("exchange", true);
 }
 

@@ -42,13 +42,46 @@ int dem_fluid(struct dem *d, struct dem_fluid *f)
                             .response = dem_column(p, DEM_COLUMN_RESPONSE),
                             .displacement = dem_column(p, DEM_COLUMN_DISPLACEMENT),
                             .transmitted_fraction = dem_column(p, DEM_COLUMN_DRAG_FRACTION),
-                            .carried_over_impulse = dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE)};
+                            .carried_over_impulse = dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE),
+                            .under_relaxation = dem_column(p, DEM_COLUMN_UNDER_RELAXATION),
+                            .owed_pressure_impulse =
+                                dem_column(p, DEM_COLUMN_OWED_PRESSURE_IMPULSE)};
     return DEM_OK;
 }
 
 void dem_fluid_whole_drag(struct dem *d, int yes)
 {
     d->state.interaction_table.bodies.whole_drag = yes;
+}
+
+void dem_fluid_set_displaced(struct dem *d, double density)
+{
+    d->displaced_density = density;
+}
+
+double dem_fluid_under_relax(struct dem *d)
+{
+    const struct dem_particles *const p = &d->state.particles;
+    const double *const added = dem_column(p, DEM_COLUMN_ADDED_MASS);
+    const double *const void_fraction = dem_column(p, DEM_COLUMN_VOID_FRACTION);
+    const double *const density = dem_column(p, DEM_COLUMN_FLUID_DENSITY);
+    const double *const transmitted = dem_column(p, DEM_COLUMN_DRAG_FRACTION);
+    double *const factor = dem_column(p, DEM_COLUMN_UNDER_RELAXATION);
+    double min = 1.0;
+
+    for (size_t i = 0; factor && i < p->n; i++)
+    {
+        const struct dem_particle *const r = &p->record[i];
+        const double displaced = density[i]*dem_particle_volume(r);
+        const int moves = r->inverse_mass > 0.0 && displaced > 0.0;
+
+        factor[i] = moves ? dem_exchange_under_relaxation(void_fraction[i], r->mass/displaced,
+                                                          added ? added[i]/displaced : 0.0,
+                                                          transmitted[i])
+                          : 1.0;
+        min = factor[i] < min ? factor[i] : min;
+    }
+    return min;
 }
 
 int dem_fluid_correct(struct dem *d, const double *velocity, const double *pressure_gradient)

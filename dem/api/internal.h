@@ -78,6 +78,7 @@ struct dem
     int orientation;                                      /* 1: orientations were asked for */
     int pressure_gradient;                                /* 1: pressureGradient is among the
                                                              effects */
+    double displaced_density;                             /* kg/m3  dem_fluid_set_displaced */
     struct dem_overlap start_pair, start_wall;            /* largest ones at a start that is
                                                              checked */
     struct dem_skins snapshot_skins;                      /* skins of the neighbor lists in the

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "checkpoint/snapshot.h"
+#include "effects/fluid/particle_exchange.h"
 #include "model/uniform_fluid.h"
 #include "parallel/collect.h"
 #include "diagnostics/totals.h"
@@ -152,6 +153,20 @@ static int sums_bond_energy(const struct dem_interaction_table *r)
     return sums;
 }
 
+/* 1 when the particles displace the fluid and some of them are light (dem_fluid_set_displaced). */
+static int under_relaxes(const struct dem *d)
+{
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
+    double lightest = INFINITY;
+
+    for (int m = 0; m < r->materials; m++)
+    {
+        lightest = fmin(lightest, r->material[m].density);
+    }
+    return d->with_fluid && d->pressure_gradient
+        && lightest < DEM_EXCHANGE_LIGHT*d->displaced_density;
+}
+
 /* The groups of columns that an effect reads or writes. */
 static unsigned column_groups(const struct dem *d)
 {
@@ -168,7 +183,8 @@ static unsigned column_groups(const struct dem *d)
     const unsigned needs = dem_interaction_table_needs(r);
     unsigned groups = (d->with_fluid ? DEM_GROUP_FLUID : 0)
                     | (sums_bond_energy(r) ? DEM_GROUP_PAIR_ENERGY : 0)
-                    | (d->orientation ? DEM_GROUP_ORIENTATION : 0);
+                    | (d->orientation ? DEM_GROUP_ORIENTATION : 0)
+                    | (under_relaxes(d) ? DEM_GROUP_UNDER_RELAXATION : 0);
 
     for (size_t k = 0; k < sizeof required/sizeof required[0]; k++)
     {

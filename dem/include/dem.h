@@ -346,6 +346,16 @@ int dem_fluid(struct dem *, struct dem_fluid *);
    hydrostatic one. no: the law's own b. Holds until the next call; not saved in snapshots. */
 void dem_fluid_whole_drag(struct dem *, int yes);
 
+/* Before dem_setup: the fluid's continuity contains the void fraction, so that particles displace
+   it; it has this density [kg/m3]. Where the scene has pressureGradient and a material of less
+   than 10 times the density, the columns under_relaxation and owed_pressure_impulse exist: without
+   under-relaxation dense suspensions of light particles oscillate from step to step. */
+void dem_fluid_set_displaced(struct dem *, double density);
+
+/* After an advance, where the column exists: set under_relaxation for the next one
+   (effects/fluid/particle_exchange.h). Returns the smallest factor of this rank, 1 without. */
+double dem_fluid_under_relax(struct dem *);
+
 /* A value for the column slip_factor where continuity makes the fluid displace and particles get
    the correction for its new velocity: 1/e^2, or 1/e with whole drag; e limited to 0.1 and above
    (effects/fluid/particle_exchange.h). */

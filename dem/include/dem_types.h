@@ -346,6 +346,13 @@ struct dem_fluid
                                             on to the fluid */
     const double *carried_over_impulse;  /* out  N s   3 each, impulse of dem_fluid_correct for the
                                             next advance */
+    double *under_relaxation;            /* out  1     factor for pressure_gradient and acceleration,
+                                            set by dem_fluid_under_relax; 0 for a new particle;
+                                            NULL, like the next one, without light particles
+                                            (dem_fluid_set_displaced) */
+    double *owed_pressure_impulse;       /* in/out  N s  3 each, for the program: impulse of the
+                                            pressure gradient, without its hydrostatic part, that
+                                            the particle has not received yet */
 };
 
 /* time level of drag in the fluid's equation: effects/fluid/particle_exchange.h */

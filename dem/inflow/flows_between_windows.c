@@ -44,11 +44,14 @@ static int flow_of(const struct dem_state *p, const struct dem_particle *q,
                                        : dem_flows_outlet(p->flows, home.x);
 }
 
-/* The momentum removed includes the impulse carried over from the last exchange, and later the
+/* The momentum removed includes the impulses that were to act in the next windows (carried over
+   from the last exchange, and owed by the pressure gradient, -owed_pressure_impulse), and later the
    contact forces of the half kick that the partners still get. */
 static int remove_particle(struct dem_state *p, size_t i, int flow)
 {
     const double *const carried_over = dem_column(&p->particles, DEM_COLUMN_CARRIED_OVER_IMPULSE),
+                        *const owed =
+                            dem_column(&p->particles, DEM_COLUMN_OWED_PRESSURE_IMPULSE),
                         *const force = dem_column(&p->particles, DEM_COLUMN_FORCE);
     struct dem_flows *const f = p->flows;
 
@@ -58,6 +61,7 @@ static int remove_particle(struct dem_state *p, size_t i, int flow)
     for (size_t k = 0; k < 3; k++)
     {
         new->momentum[k] += carried_over ? carried_over[3*i + k] : 0.0;
+        new->momentum[k] -= owed ? owed[3*i + k] : 0.0;
         new->contact_force[k] = force[3*i + k];
     }
     if (p->energy_balance->open)

@@ -52,7 +52,8 @@ enum dem_column_group
     DEM_GROUP_MEAN_DIAMETER = 128,    /* the local mean particle diameter */
     DEM_GROUP_REACTION = 256,         /* forces other than drag that react on the fluid */
     DEM_GROUP_ADDED_MASS = 512,       /* added mass */
-    DEM_GROUP_ROTATIONAL_DRAG = 1024  /* rotational drag */
+    DEM_GROUP_ROTATIONAL_DRAG = 1024, /* rotational drag */
+    DEM_GROUP_UNDER_RELAXATION = 2048 /* light particles in a fluid that they displace */
 };
 
 enum dem_column_name
@@ -81,6 +82,10 @@ enum dem_column_name
                                             that drag transmits to the fluid */
     DEM_COLUMN_CARRIED_OVER_IMPULSE,     /* N s  carried-over impulse: from the last
                                             exchange, to be applied in this window */
+    DEM_COLUMN_UNDER_RELAXATION,         /* 1    factor of the pressure gradient and of Du/Dt,
+                                            0 before it is set */
+    DEM_COLUMN_OWED_PRESSURE_IMPULSE,    /* N s  of the pressure gradient on the volume of the
+                                            particle, not passed on yet; by the coupling */
     DEM_COLUMN_VOIDAGE_FACTOR_FIRST,     /* 1    voidage factors of drag laws in this window, */
     DEM_COLUMN_VOIDAGE_FACTOR_SECOND,    /*      functions of the fluid alone, effects/batch.h */
     DEM_COLUMN_ADDED_MASS,               /* kg   of this window */
