@@ -19,7 +19,8 @@ static const char *const stored_columns[] =
      "fluidVorticity", "fluidStress", "meanDiameter", "counterflow",
      "place", "dragImpulse", "kept", "dragTime",
      "startVelocity", "way",          "response", "passed",
-     "pending", "swarmFirst", "swarmSecond", "addedMass",
+     "pending", "underRelaxation", "owedPressureImpulse",
+     "swarmFirst", "swarmSecond", "addedMass",
      "fluidChange", "foreseen", "otherImpulse", "turnImpulse",
      "lostEnergy", "brokenBonds", "orientation"};
 
