@@ -161,22 +161,28 @@ const Foam::volVectorField& Foam::demFluid::velocity() const
 }
 
 
-bool Foam::demFluid::steady(const fvMesh& mesh)
+Foam::word Foam::demFluid::timeScheme(const fvMesh& mesh)
 {
-    const wordHashSet steadySchemes
-    ({
-        "steadyState", "localEuler", "SLTS", "CoEuler"
-    });
     const dictionary schemes(mesh.schemesDict().subOrEmptyDict("ddtSchemes"));
 
     for (const char* term : {"ddt(U)", "ddt(rho,U)", "default"})
     {
         if (schemes.found(term))
         {
-            return steadySchemes.found(word(schemes.lookup(term)));
+            return word(schemes.lookup(term));
         }
     }
-    return false;
+    return word::null;
+}
+
+
+bool Foam::demFluid::steady(const fvMesh& mesh)
+{
+    const wordHashSet steadySchemes
+    ({
+        "steadyState", "localEuler", "SLTS", "CoEuler"
+    });
+    return steadySchemes.found(timeScheme(mesh));
 }
 
 

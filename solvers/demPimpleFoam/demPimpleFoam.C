@@ -128,6 +128,7 @@ int main(int argc, char *argv[])
 
     pimpleControl pimple(mesh);
 
+    #include "checkTimeScheme.H"
     #include "createTimeControls.H"
     #include "createFields.H"
 
