@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/vec.h"
+#include "neighbor/wall_path.h"
 #include "parallel/collect.h"
 #include "simulation/dem_state.h"
 #include <math.h>
@@ -32,6 +33,9 @@ static const double tolerance = 1e-9;
 /* Factor on distances, far above the round-off of a distance and of rounding a position to a
    multiple of the domain's unit of length. */
 static const double margin = 1.0 + 1e-12;
+
+/* Walls within this fraction of the radius of the inlet are taken to lie on it. */
+static const double on_inlet = 1e-3;
 
 struct body                                               /* a sphere near the inlet */
 {
@@ -240,26 +244,82 @@ static int is_due(const struct dem_stream *s, const struct dem_snapshot_flow *f,
     return within && (s->by_mass ? due + tolerance*mass >= mass : due + tolerance >= 1.0);
 }
 
-/* Trials of a position and a velocity, until one is free. `found`: 1 if one was. */
+/* 1 in `clear` when the particle overlaps no sphere and no wall and lies in the domain; then it is
+   wrapped. */
+static int test_position(struct dem_state *p, const struct inlet_grid *grid,
+                         struct dem_particle *q, int *clear)
+{
+    *clear = 0;
+    if (!dem_domain_project(&p->domain, q) || !is_near(grid, q->x, 0.0) ||
+        !is_clear(grid, q->x, q->radius))
+    {
+        return DEM_OK;
+    }
+    dem_domain_wrap(&p->domain, q);
+    if (!dem_domain_contains(&p->domain, q->x) ||
+        dem_flows_outlet(p->flows, q->x) != DEM_FLOW_NONE)
+    {
+        return DEM_OK;
+    }
+    return dem_wall_search_is_clear(&p->pairs.wall_search, &p->walls, q, clear);
+}
+
+/* 1 in `passes` when the path from the inlet to x leads through a wall. A wall on the inlet itself
+   does not count. */
+static int path_passes(struct dem_state *p, double radius, const double start[3],
+                       const double x[3], int *passes)
+{
+    struct dem_particle from = {.radius = radius}, to = {.radius = radius};
+    double along[3];
+
+    *passes = 0;
+    dem_vec_minus(x, start, along);
+    const double length = dem_vec_norm(along);
+
+    if (length <= on_inlet*radius)
+    {
+        return DEM_OK;
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        from.x[k] = start[k] + on_inlet*radius/length*along[k];
+        to.x[k] = x[k];
+    }
+    dem_domain_project(&p->domain, &from);
+    dem_domain_project(&p->domain, &to);
+    return dem_wall_path_passes(&p->pairs.wall_search, &p->walls, &p->domain, radius, from.x, to.x,
+                                passes);
+}
+
+/* Trials of a position and a velocity, until one is free. `found`: 1 if one was. A particle that
+   would have hit a wall since it entered begins on the inlet. */
 static int find_position(struct dem_state *p, const struct dem_stream_trial *first,
                          const struct inlet_grid *grid, struct dem_particle *q, int *found)
 {
     struct dem_stream_trial t = *first;
+    const struct dem_particle sphere = *q;
+    double x[3], start[3];
+    int passes;
 
     *found = 0;
     for (t.trial = 0; t.trial < TRIALS && !*found; t.trial++)
     {
-        if (!dem_stream_draw_position(grid->stream, &t, q->x, q->v) ||
-            !dem_domain_project(&p->domain, q) || !is_near(grid, q->x, 0.0) ||
-            !is_clear(grid, q->x, q->radius))
+        *q = sphere;
+        if (!dem_stream_draw_position(grid->stream, &t, x, q->v, start))
         {
             continue;
         }
-        dem_domain_wrap(&p->domain, q);
-        if (dem_domain_contains(&p->domain, q->x) &&
-            dem_flows_outlet(p->flows, q->x) == DEM_FLOW_NONE)
+        memcpy(q->x, x, sizeof x);
+        DEM_TRY(test_position(p, grid, q, found));
+        if (*found)
         {
-            DEM_TRY(dem_wall_search_is_clear(&p->pairs.wall_search, &p->walls, q, found));
+            DEM_TRY(path_passes(p, q->radius, start, x, &passes));
+            if (passes)
+            {
+                memcpy(q->x, start, sizeof start);
+                q->image = sphere.image;
+                DEM_TRY(test_position(p, grid, q, found));
+            }
         }
     }
     return DEM_OK;

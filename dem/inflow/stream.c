@@ -340,7 +340,7 @@ double dem_stream_max_travel(const struct dem_stream *s, double ago, double radi
 }
 
 int dem_stream_draw_position(const struct dem_stream *s, const struct dem_stream_trial *t,
-                             double x[3], double v[3])
+                             double x[3], double v[3], double start[3])
 {
     const uint64_t seed = (uint64_t)s->seed, number = (uint64_t)t->number, step = (uint64_t)t->step,
                    use = USE_PLACE + 4*(uint64_t)t->trial;
@@ -364,11 +364,15 @@ int dem_stream_draw_position(const struct dem_stream *s, const struct dem_stream
     {
         v[k] = (s->with_fluid ? s->inlet.flow[triangle][k] : s->velocity[k])
                + s->spread[k]*(2.0*dem_random_unit(seed, number, 0, USE_SPREAD + k) - 1.0);
+        start[k] = x[k];
         x[k] += moving*v[k];
     }
     for (int k = 0; k < 3; k++)
     {
-        x[k] += s->inlet.patch ? behind_face*t->radius*inward[k] : 0.0;
+        const double behind = s->inlet.patch ? behind_face*t->radius*inward[k] : 0.0;
+
+        start[k] += behind;
+        x[k] += behind;
     }
     return !s->inlet.patch || dem_vec_dot(v, inward) > 0.0;
 }

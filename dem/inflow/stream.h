@@ -86,16 +86,16 @@ double dem_stream_amount_due(const struct dem_stream *, double since, double tim
 double dem_stream_diameter(const struct dem_stream *, int64_t k);
 double dem_stream_mean_mass(const struct dem_stream *, const struct dem_interaction_table *);
 
-/* Position and velocity of a trial for particle `number` in step `step`. `ago` [s]: time since the
-   last check, in which it may have entered through a face. Returns 0 when this trial gives no
-   position. */
+/* Position x and velocity v of a trial for particle `number` in step `step`. `ago` [s]: time since
+   the last check, in which it may have entered through a face; `start` [m]: where it entered, or x
+   in a region. Returns 0 when this trial gives no position. */
 struct dem_stream_trial
 {
     int64_t number, step, trial;
     double radius, ago;                                   /* m, s */
 };
 int dem_stream_draw_position(const struct dem_stream *, const struct dem_stream_trial *,
-                             double x[3], double v[3]);
+                             double x[3], double v[3], double start[3]);
 
 /* Largest distance [m] from the inlet that a particle of this radius [m] may have after `ago`
    [s]. */

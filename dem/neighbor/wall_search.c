@@ -298,10 +298,8 @@ static inline double plane_height(const struct dem_walls *w, uint32_t t, const d
     return dem_vec_dot(r->normal, x) - r->offset;
 }
 
-/* Collect the triangles in reach, each once, of the walls with this reference frame (-1: at rest).
-   x is in that frame. */
-static int gather_triangles(struct dem_wall_search *s, const struct dem_walls *w, int frame,
-                            const double x[3], double reach)
+int dem_wall_search_gather(struct dem_wall_search *s, const struct dem_walls *w, int frame,
+                           const double x[3], double reach)
 {
     double box[2][3], nearest[3];
     int from[3], to[3];
@@ -376,13 +374,13 @@ static int find_triangulated(struct dem_wall_search *s, const struct dem_walls *
     struct dem_wall_neighbor *near = NULL;
     double local_x[3];
 
-    DEM_TRY(gather_triangles(s, w, -1, p->x, reach));
+    DEM_TRY(dem_wall_search_gather(s, w, -1, p->x, reach));
     for (int k = 0; k < w->frames; k++)
     {
         if (w->frame[k].triangles)
         {
             dem_pose_to_frame(&w->frame[k].pose, p->x, local_x);
-            DEM_TRY(gather_triangles(s, w, k, local_x, reach));
+            DEM_TRY(dem_wall_search_gather(s, w, k, local_x, reach));
         }
     }
     if (s->candidates > first)                            /* s->candidate may be NULL otherwise */

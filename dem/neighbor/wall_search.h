@@ -54,6 +54,11 @@ int dem_wall_search_find(struct dem_wall_search *, const struct dem_walls *,
 int dem_wall_search_is_clear(struct dem_wall_search *, const struct dem_walls *,
                              const struct dem_particle *, int *clear);
 
+/* Append the triangles within `reach` [m] of x to the candidates, each once: of the walls with this
+   reference frame (-1: at rest), x in that frame. */
+int dem_wall_search_gather(struct dem_wall_search *, const struct dem_walls *, int frame,
+                           const double x[3], double reach);
+
 /* Move a sphere to where it touches the wall that it overlaps most, along the normal there. pushed:
    1 when it overlapped one; walls that move are left out. The wall neighbors found before are
    kept. */
