@@ -12,6 +12,27 @@
 #include "DynamicList.H"
 #include "StringStream.H"
 
+namespace Foam
+{
+    // Distances that differ by less than this fraction of the size of the mesh are equal
+    static const scalar maxRoundOff = 1e-10;
+
+    // A line through an edge meets its faces: how far beside a triangle, as a fraction of
+    // its size
+    static const scalar edgeTolerance = 1e-8;
+
+    // Centre of a face, then of its cell
+    typedef FixedList<scalar, 6> demFaceKey;
+
+    struct demFirstKey
+    {
+        void operator()(demFaceKey& x, const demFaceKey& y) const
+        {
+            x = y < x ? y : x;
+        }
+    };
+}
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalar Foam::demOutletPatch::distanceTo
@@ -82,6 +103,101 @@ Foam::labelList Foam::demOutletPatch::nearest
     Pstream::listCombineGather(code, maxEqOp<label>());
     demBroadcast(code);
     return code;
+}
+
+
+Foam::scalar Foam::demOutletPatch::exitDistance(const point& from, const point& to) const
+{
+    // Each face by itself: which faces a search tree tests depends on the others
+    const vector line(to - from);
+    const vector reach(maxRoundOff*mesh_.bounds().mag()*vector::one);
+    const treeBoundBox box(min(from, to) - reach, max(from, to) + reach);
+    scalar least = GREAT;
+
+    for (const label i : tree_().findBox(box))
+    {
+        const label facei = faces_[i];
+        const pointHit hit
+        (
+            mesh_.faces()[facei].intersection
+            (
+                from,
+                line,
+                mesh_.faceCentres()[facei],
+                mesh_.points(),
+                intersection::HALF_RAY,
+                edgeTolerance
+            )
+        );
+        if (hit.hit() && hit.distance() <= 1)
+        {
+            least = min(least, hit.distance()*mag(line));
+        }
+    }
+    return least;
+}
+
+
+void Foam::demOutletPatch::firstFaces
+(
+    const UList<point>& centres,
+    const UList<scalar>& radii,
+    labelList& faces,
+    labelList& ranks
+) const
+{
+    List<demFaceKey> keys(centres.size(), demFaceKey(GREAT));
+
+    faces.setSize(centres.size());
+    faces = -1;
+    for (label k = 0; tree_ && k < centres.size(); k++)
+    {
+        if (radii[k] < 0)
+        {
+            continue;
+        }
+        const vector reach(1.01*radii[k]*vector::one);
+        for (const label i : tree_().findBox(treeBoundBox(centres[k] - reach, centres[k] + reach)))
+        {
+            const label facei = faces_[i];
+            const pointHit hit(mesh_.faces()[facei].nearestPoint(centres[k], mesh_.points()));
+            if (hit.distance() > radii[k])
+            {
+                continue;
+            }
+            const point& c = mesh_.faceCentres()[facei];
+            const point& behind = mesh_.cellCentres()[mesh_.faceOwner()[facei]];
+            demFaceKey mine;
+            for (direction d = 0; d < 3; d++)
+            {
+                mine[d] = c[d];
+                mine[3 + d] = behind[d];
+            }
+            if (faces[k] < 0 || mine < keys[k])
+            {
+                faces[k] = facei;
+                keys[k] = mine;
+            }
+        }
+    }
+
+    List<demFaceKey> firstKeys(keys);
+    Pstream::listCombineGather(firstKeys, demFirstKey());
+    demBroadcast(firstKeys);
+
+    // two ranks have equal keys only if two cells coincide
+    ranks.setSize(centres.size());
+    forAll(ranks, k)
+    {
+        const bool isFirst = faces[k] >= 0 && !(firstKeys[k] < keys[k]);
+        ranks[k] = isFirst ? Pstream::myProcNo() : labelMax;
+    }
+    Pstream::listCombineGather(ranks, minEqOp<label>());
+    demBroadcast(ranks);
+    forAll(faces, k)
+    {
+        faces[k] = ranks[k] == Pstream::myProcNo() ? faces[k] : -1;
+    }
 }
 
 
@@ -177,46 +293,52 @@ Foam::List<Foam::demOutletPatch::boundaryPoint> Foam::demOutletPatch::relate
 ) const
 {
     const label n = to.size();
-    const label self = Pstream::myProcNo();
 
     // per point: along the line, to the nearest face
     scalarList distance(2*n, GREAT);
-    labelList patch(2*n, -1), face(n, -1);
-
     for (label k = 0; tree_ && k < n; k++)
     {
-        distance[2*k] = distanceTo(from[k], to[k], patch[2*k]);
+        distance[2*k] = exitDistance(from[k], to[k]);
 
         const pointIndexHit hit(tree_().findNearest(to[k], sqr(GREAT)));
         if (hit.hit())
         {
-            face[k] = faces_[hit.index()];
             distance[2*k + 1] = mag(hit.hitPoint() - to[k]);
-            patch[2*k + 1] = mesh_.boundaryMesh().whichPatch(face[k]);
         }
     }
+    Pstream::listCombineGather(distance, minEqOp<scalar>());
+    demBroadcast(distance);
 
-    // the smallest distance of all ranks, of equal ones the lowest rank
-    scalarList smallest(distance);
-    Pstream::listCombineGather(smallest, minEqOp<scalar>());
-    demBroadcast(smallest);
-    labelList rank(2*n);
-    forAll(rank, k)
+    // faces that touch the ball around where the line leaves the mesh, or around the point
+    pointField centres(2*n);
+    scalarField radii(2*n);
+    const scalar roundOff = maxRoundOff*mesh_.bounds().mag();
+    forAll(centres, k)
     {
-        rank[k] = patch[k] >= 0 && distance[k] <= smallest[k] ? self : labelMax;
-    }
-    Pstream::listCombineGather(rank, minEqOp<label>());
-    demBroadcast(rank);
+        const point& start = from[k/2];
+        const vector line(to[k/2] - start);
 
-    labelList cell(n, -1);
+        centres[k] = k % 2 ? to[k/2] : start + distance[k]/(mag(line) + VSMALL)*line;
+        radii[k] =
+            distance[k] >= GREAT ? -1
+          : k % 2 ? distance[k] + roundOff
+          : roundOff;
+    }
+    labelList face, rank;
+    firstFaces(centres, radii, face, rank);
+
+    labelList patch(2*n, -1), cell(n, -1);
     scalarList warped(n, Zero);
     forAll(patch, k)
     {
-        patch[k] = rank[k] == self ? patch[k] : -1;
-        if (rank[k] == self && k % 2)
+        if (face[k] >= 0)
         {
-            cell[k/2] = mesh_.faceOwner()[face[k/2]];
-            warped[k/2] = warp(face[k/2]);
+            patch[k] = mesh_.boundaryMesh().whichPatch(face[k]);
+        }
+        if (face[k] >= 0 && k % 2)
+        {
+            cell[k/2] = mesh_.faceOwner()[face[k]];
+            warped[k/2] = warp(face[k]);
         }
     }
     Pstream::listCombineGather(patch, maxEqOp<label>());
@@ -231,7 +353,7 @@ Foam::List<Foam::demOutletPatch::boundaryPoint> Foam::demOutletPatch::relate
     {
         points[k] = boundaryPoint
         {
-            patch[2*k], patch[2*k + 1], rank[2*k + 1], cell[k], smallest[2*k + 1], warped[k]
+            patch[2*k], patch[2*k + 1], rank[2*k + 1], cell[k], distance[2*k + 1], warped[k]
         };
     }
     return points;

@@ -16,6 +16,7 @@
 #include "argList.H"
 #include "Time.H"
 #include "testWeights.H"
+#include "testBoundary.H"
 #include "testPlaces.H"
 #include "testShapes.H"
 #include "testRings.H"
@@ -66,6 +67,7 @@ int main(int argc, char *argv[])
     argList::addBoolOption("hard", "only: totals, on cells of extreme size");
     argList::addBoolOption("wedge", "only: a wedge about z");
     argList::addBoolOption("rings", "only: two rings with a sliding interface");
+    argList::addBoolOption("boundary", "only: the nearest faces of the boundary");
     argList::addBoolOption("outside", "only: put a particle outside the mesh");
     const argList args(argc, argv);
     Time runTime(Time::controlDictName, args);
@@ -100,6 +102,12 @@ int main(int argc, char *argv[])
     pointField all(anywhere(mesh.bounds(), 2000, 0, is.corner));
     all.append(seams(mesh));
 
+    if (args.found("boundary"))
+    {
+        testBoundary(mesh, args.globalPath()/"serialBoundary");
+        Info<< "End of claims" << endl;
+        return 0;
+    }
     if (args.found("widths"))
     {
         testWidths(mesh);
@@ -163,6 +171,10 @@ int main(int argc, char *argv[])
     }
     testPlaces(mesh, is);
     testLargeIds(mesh, is);
+    if (!is.periodic)
+    {
+        testBoundary(mesh, args.globalPath()/"serialBoundary");
+    }
     testSerial(mesh, is, args.globalPath()/"serial");
     if (!Pstream::parRun())
     {
