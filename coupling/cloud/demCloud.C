@@ -14,6 +14,7 @@
 #include "demInteger.H"
 #include "demRegions.H"
 #include "demRotatingFrame.H"
+#include "demSlidingInterface.H"
 #include "demSnapshot.H"
 #include "demWriter.H"
 #include "OSspecific.H"
@@ -36,6 +37,16 @@ static IOobject fieldAt
 )
 {
     return IOobject(name, mesh.time().timeName(), mesh, read);
+}
+
+
+// Refuses interfaces and frames first: other checks would find what follows from them,
+// such as periodic patches of a zone that slides
+static const fvMesh& supported(const fvMesh& mesh, const bool demPimpleFoam)
+{
+    demSlidingInterface::check(mesh);
+    demRotatingFrame::check(mesh, demPimpleFoam);
+    return mesh;
 }
 
 } // End namespace Foam
@@ -90,7 +101,6 @@ void Foam::demCloud::checkInterval() const
 void Foam::demCloud::build()
 {
     checkInterval();
-    demRotatingFrame::check(mesh_, particlesFirst_);
 
     demCreate(dem_);
     demCheck
@@ -221,7 +231,7 @@ Foam::demCloud::demCloud
     const word& file
 )
 :
-    mesh_(mesh),
+    mesh_(supported(mesh, volumeAveraged)),
     dict_(mesh, file),
     twoWay_(dict_.coupling().getOrDefault("twoWay", true)),
     volumeAveraged_(volumeAveraged && twoWay_),
