@@ -1,0 +1,288 @@
+# cases.sh -- the cases of ./run: make_NAME leaves a mesh and says which solver runs it, check_NAME compares a number.
+#
+# A stock case is a tutorial (FOAM_TUTORIALS), copied and meshed as its own Allrun does, and the files of ./NAME laid over it:
+# constant/demProperties, and for demPimpleFoam what that solver reads. The recipe is that of docs/coupled-case.md.
+# Cases without a stock name are ours, all of their files are in ./NAME or written here.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# ---- tools ------------------------------------------------------------------------------------------------------
+
+# stock PATH: a copy of the stock case with our files, in $work/$case
+stock()
+{
+    [ -d "$FOAM_TUTORIALS/$1" ] || { echo "#   FOAM_TUTORIALS has no $1"; return 1; }
+    cp -r "$FOAM_TUTORIALS/$1" "$work/$case" && chmod -R u+w "$work/$case" && cp -r "$here/$case/." "$work/$case" &&
+        cd "$work/$case" || return 1
+    [ ! -d 0.orig ] || [ -d 0 ] || cp -r 0.orig 0
+}
+
+# ours: a case of our own, on the files of tests/coupled/shared
+ours()
+{
+    mkdir "$work/$case" && cp -r "$here/../coupled/shared/." "$work/$case" && cp -r "$here/$case/." "$work/$case" && cd "$work/$case" &&
+        cp -r 0.orig 0
+}
+
+# control TEXT ...: entries that come after those of the controlDict and so replace them
+control()
+{
+    printf '%s\n' "$@" >> system/controlDict
+}
+
+function_object='functions { particles { type demCloud; libs ("libdemCoupling.so"); } }'
+
+# header CLASS NAME: the head of a file of OpenFOAM
+header()
+{
+    printf 'FoamFile { version 2.0; format ascii; class %s; object %s; }\n' "$1" "$2"
+}
+
+# number WHAT VALUE REFERENCE SHARE: the case's checked number, for the table
+number()
+{
+    checked="$1,$2,$3"
+    claim "$case: $1 is $2, by reference $3 (share $4)" near "$2" "$3" "$4"
+}
+
+# time_of FOLDER: the last time that was written there
+time_of()
+{
+    find "$1" -maxdepth 1 -name '[0-9]*' -exec basename {} \; | sort -g | tail -n 1
+}
+
+# state [TIME]: x y z ux uy uz of all particles, of all ranks, at that time or the last
+state()
+{
+    local folder time
+    for folder in $(find . -maxdepth 1 -name 'processor*' | grep . || echo .)
+    do
+        time=${1:-$(time_of "$folder")}
+        paste <(values "$folder/$time/lagrangian/particles/positions") <(values "$folder/$time/lagrangian/particles/U") |
+            awk 'NF >= 6 { print $1, $2, $3, $(NF - 2), $(NF - 1), $NF }'
+    done
+}
+
+# flow NAME COLUMN: a number of the last row of a stream or outlet in the table of flows, by the column's head
+flow()
+{
+    awk -F, -v name="$1" -v head="$2" '/^#/ { next } !c { for (k = 1; k <= NF; k++) if (index($k, head) == 1 && !c) c = k }
+        c && $2 == name { v = $c } END { print v + 0 }' postProcessing/dem/*/flows.csv
+}
+
+# terminal D RHO_P RHO MU: the speed at which a sphere settles by the law of Schiller and Naumann
+terminal()
+{
+    awk -v d="$1" -v s="$2" -v f="$3" -v mu="$4" 'BEGIN { v = 1; for (n = 0; n < 500; n++) {
+        Re = f*d*v/mu; v = 0.5*v + 0.5*(s - f)*9.81*d*d/(18*mu*(1 + 0.15*exp(0.687*log(Re)))) } print v }'
+}
+
+# entered_rate NAME FACTOR: mass that the stream has brought per second of its time, times a factor
+entered_rate()
+{
+    awk -F, -v name="$1" -v f="$2" '/^#/ { next } !c { for (k = 1; k <= NF; k++) { if ($k ~ /^mass\[/) c = k } next }
+        $2 == name { v = f*$c/$1 } END { print v + 0 }' postProcessing/dem/*/flows.csv
+}
+
+# mean COLUMN CONDITION: of the rows of state that fulfil it
+mean()
+{
+    awk -v c="$1" "($2) { s += \$c; n++ } END { print (n ? s/n : \"none\") }"
+}
+
+# flow_time: the time of the last row of the table of flows
+flow_time()
+{
+    tail -n 1 postProcessing/dem/*/flows.csv | cut -d, -f1
+}
+
+# wall_impulse COLUMN: of all walls, from the means of the record
+wall_impulse()
+{
+    awk -F, -v c="$1" '/^#/ || !($1 + 0) { next } $1 != t { before = t; t = $1 } { s += $c*(t - before) }
+        END { print NR ? s : "none" }' postProcessing/dem/*/walls.csv
+}
+
+# wall_force COLUMN: mean over the last fifth of the record, of all walls together; columns 3, 4, 5 are x, y, z
+wall_force()
+{
+    awk -F, -v c="$1" '/^#/ || !($1 + 0) { next } $1 != t { n++; t = $1 } { f[n] += $c }
+        END { for (k = int(0.8*n) + 1; k <= n; k++) { s += f[k]; m++ } print (m ? s/m : "none") }' postProcessing/dem/*/walls.csv
+}
+
+# ---- stock cases --------------------------------------------------------------------------------------------------
+
+make_TJunction()
+{
+    stock incompressible/pimpleFoam/RAS/TJunction && solve blockMesh && solver=pimpleFoam end=1.5 &&
+        control "$function_object" "endTime $end; writeInterval 0.5;"
+}
+# 1 g/s of beads of 0.3 mm
+check_TJunction() { number "feed [g/s]" "$(entered_rate feed 1e3)" 1 0.002; }
+
+# the stock mesh with half the cells to a side
+make_cyclone()
+{
+    stock lagrangian/MPPICFoam/cyclone && cp "$FOAM_TUTORIALS/resources/geometry/cyclone.stl.gz" constant/triSurface &&
+        sed -i 's/(33 33 63)/(22 22 42)/' system/blockMeshDict && solve blockMesh && solve snappyHexMesh -overwrite &&
+        solver=demPimpleFoam end=1.2 && control "endTime $end; writeInterval 0.1;"
+}
+# Grains of 8 mm are two orders of magnitude above the cut size of such a cyclone (some tens of micrometres by Lapple): all stay
+check_cyclone() { number "fraction of the grains that stay" "$(awk -v i="$(flow feed particles)" -v o="$(flow out particles)" 'BEGIN { print 1 - o/i }')" 1 0.01; }
+
+# Particles of 8 mm, denser than water, rest at the bottom at last: walls carry their weight less Archimedes' force
+make_damBreak()
+{
+    stock multiphase/interFoam/laminar/damBreak/damBreak && solve blockMesh && solve setFields && solver=interFoam end=10 &&
+        control "$function_object" "endTime $end; writeInterval 1;"
+}
+check_damBreak()
+{
+    number "weight on the walls [N]" "$(wall_force 4)" "$(awk 'BEGIN { print -320*200*9.81*4*atan2(1, 1)/3*4e-3^3 }')" 0.05
+}
+
+make_mixerVesselAMI2D()
+{
+    stock incompressible/pimpleFoam/laminar/mixerVesselAMI2D && solve bash ./makeMesh && solver=pimpleFoam end=0.5 &&
+        control "$function_object" "endTime $end; writeInterval 0.1; writeFormat ascii;"
+}
+
+make_pitzDaily()
+{
+    stock incompressible/simpleFoam/pitzDaily && solve blockMesh && solver=simpleFoam end=2000 &&
+        sed -i '/^functions/,/^}/d' system/controlDict && sed -i '/residualControl/,/}/d' system/fvSolution &&
+        control "$function_object" "endTime $end; writeInterval 500;"
+}
+# beads enter with the velocity of the fluid and weigh too much to change it before the step
+check_pitzDaily() { number "mean velocity before the step [m/s]" "$(state | mean 4 '$1 < 0')" 10 0.02; }
+
+# large eddies, with the time step of the stock case; a tenth of its time
+make_pitzDailyPimple()
+{
+    stock incompressible/pisoFoam/LES/pitzDaily && solve blockMesh && solver=pimpleFoam end=0.01 ranks=1 &&
+        sed -i '/^functions/,/^}/d' system/controlDict && sed -i 's/^PISO/PIMPLE/' system/fvSolution &&
+        control "$function_object" "endTime $end; writeInterval 1000;"
+}
+check_pitzDailyPimple() { number "mean velocity before the step [m/s]" "$(state | mean 4 '$1 < 0')" 10 0.02; }
+
+# Balls of foam fall in the room of 5 m through air that is nearly at rest: at 2 s with the speed at which their drag is their weight
+make_hotRoom()
+{
+    stock heatTransfer/buoyantPimpleFoam/hotRoom && solve blockMesh && solve setFields && solver=buoyantPimpleFoam end=4 ranks=1 &&
+        control "$function_object" "deltaT 0.05; endTime $end; writeInterval 40;"
+}
+check_hotRoom() { number "speed of the fall [m/s]" "$(state 2 | mean 5 1 | tr -d -)" "$(terminal 3e-3 30 1.161 1.8e-5)" 0.03; }
+
+# Beads enter with the gas at the inlet, 0.1 kg/s through 50 x 50 mm of p/(R T) at 293 K
+make_angledDuct()
+{
+    stock compressible/rhoPimpleFoam/RAS/angledDuct && m4 system/blockMeshDict.m4 > system/blockMeshDict && solve blockMesh &&
+        echo 'particles { type demMomentumSource; libs ("libdemCoupling.so"); }' >> constant/fvOptions &&
+        solver=rhoPimpleFoam end=0.01 ranks=1 && control "$function_object" "deltaT 1e-4; endTime $end; writeInterval 0.01;" &&
+        echo 'PIMPLE { nOuterCorrectors 4; }' >> system/fvSolution
+}
+check_angledDuct()
+{
+    number "velocity of entering beads [m/s]" "$(awk -v p="$(flow feed px)" -v m="$(flow feed mass)" 'BEGIN { print p/m }')" \
+        "$(awk 'BEGIN { print 0.1/(1e5*28.9/8314.46/293)/0.0025 }')" 0.03
+}
+
+# DPMFoam's bed with the files of tutorials/goldschmidt; a tenth of its time
+make_Goldschmidt()
+{
+    local file
+    cp -r "$FOAM_TUTORIALS/lagrangian/DPMFoam/Goldschmidt" "$work/$case" && chmod -R u+w "$work/$case" && cd "$work/$case" || return 1
+    for file in controlDict fvSchemes fvSolution; do mv system/$file system/$file.stock; done
+    cp -r "$here/../../tutorials/goldschmidt/added/suna/." . &&
+        { echo positions; sed -n '/^(/,/^)/p' constant/kinematicCloudPositions; echo ';'; } > constant/positions &&
+        solve blockMesh && solver=demPimpleFoam end=0.5 &&
+        echo "endTime $end; deltaT 2e-4; writeInterval 0.1; writeFormat ascii;" > system/options
+}
+
+# ---- refused ------------------------------------------------------------------------------------------------------
+
+make_mixerVessel2D()
+{
+    stock incompressible/simpleFoam/mixerVessel2D && solve bash ./makeMesh && solver=simpleFoam && control "$function_object" &&
+        refusal='Patch rotor rotates with zone MRF1 of constant/MRFProperties and is no surface of revolution'
+}
+
+make_oscillatingInletPeriodicAMI2D()
+{
+    stock incompressible/pimpleFoam/RAS/oscillatingInletPeriodicAMI2D && solve blockMesh && solver=pimpleFoam && control "$function_object" &&
+        refusal='Cyclic patches cyclicMoving1 and cyclicStationary1 are periodic along y in different planes'
+}
+
+# ---- ours ---------------------------------------------------------------------------------------------------------
+
+# grains fall into the open hopper of a stock case, which is kept full, and leave it
+make_hopper()
+{
+    stock lagrangian/icoUncoupledKinematicParcelFoam/hopper/hopperEmptying && solve blockMesh &&
+        solver='icoUncoupledKinematicParcelFoam -cloud idle' end=4 &&
+        control "$function_object" "deltaT 2e-4; endTime $end; writeInterval 1;"
+}
+# Beverloo's rule for a slot B wide and L deep, in diameters k = 1.4 less at the edges: 1.03 rho_b sqrt(g) L (B - k d)^1.5. Grains a
+# layer deep fill 0.55 of the space between the panes
+check_hopper()
+{
+    number "discharge [g/s]" "$(flow out mass | awk -v t="$(flow_time)" '{ print 1e3*$1/t }')" \
+        "$(awk 'BEGIN { print 1e3*1.03*964*0.55*sqrt(9.81)*6.2e-3*exp(1.5*log(0.03 - 1.4*6e-3)) }')" 0.4
+}
+
+# The flow is that of the stock case before its first iteration, 20 m/s past and into the bike, and stands: it presses the grains
+# on the bike. (simpleFoam does not converge on this mesh with particles or without.) The ground runs with the flow
+make_motorBike()
+{
+    stock incompressible/simpleFoam/motorBike && cp "$FOAM_TUTORIALS/resources/geometry/motorBike.obj.gz" constant/triSurface &&
+        cp "$here/hopper/constant/idleProperties" constant &&
+        sed -i 's/^addLayers .*/addLayers false;/' system/snappyHexMeshDict &&
+        sed -i '/^functions/,/^}/d' system/controlDict &&
+        solve surfaceFeatureExtract && solve blockMesh && solve snappyHexMesh -overwrite && rm -rf 0 && cp -r 0.orig 0 &&
+        echo 'ddtSchemes { default Euler; }' >> system/fvSchemes && echo 'rhoInf 1.2;' >> constant/transportProperties &&
+        { header dictionary turbulenceProperties; echo 'simulationType laminar;'; } > constant/turbulenceProperties &&
+        { header uniformDimensionedVectorField g; echo 'dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);'; } > constant/g &&
+        solver='icoUncoupledKinematicParcelFoam -cloud idle' end=1 &&
+        control "$function_object" "deltaT 1e-3; endTime $end; writeControl timeStep; writeInterval 250; writeFormat ascii;"
+}
+check_motorBike() { number "feed [1/s]" "$(flow hail particles | awk -v t="$(flow_time)" '{ print $1/t }')" 4000 0.01; }
+
+# a bend of a quarter of a circle with swirl at its inlet
+make_bend()
+{
+    ours && solve blockMesh && solver=pimpleFoam end=0.3 && control "$function_object" "endTime $end; writeInterval 0.1;"
+}
+check_bend() { number "feed [g/s]" "$(entered_rate feed 1e3)" 10 0.01; }
+
+# Grains of 20 mm fall on a ball in a closed box, a mesh of snappyHexMesh. All impulse of the walls is weight less momentum:
+# nothing else acts on them
+make_sphereInBox()
+{
+    cp -r "$here/../coupled/warped" "$work/$case" && cp -r "$here/$case/." "$work/$case" && cd "$work/$case" && cp -r 0.orig 0 &&
+        echo 'body { type searchableSphere; centre (0.05 0.02 -0.03); radius 0.55; }' > system/geometry && echo 'inside (0.8 0.8 0.8);' > system/inside &&
+        solve blockMesh && solve snappyHexMesh -overwrite && solver=icoFoam end=1 &&
+        control "deltaT 0.01; endTime $end; writeInterval 100;"
+}
+check_sphereInBox()
+{
+    local mass
+    mass=$(awk 'BEGIN { print 3000*1000*4*atan2(1, 1)/6*0.02^3 }')
+    number "impulse of the walls [Ns]" "$(wall_impulse 5)" \
+        "$(state | awk -v m="$mass" '{ s += $6; n++ } END { print (n == 3000 ? -(m*s/n + m*9.81) : "none") }')" 0.01
+}
+
+# A bed all around the axis of a sector of 5 degrees is settled, then gas of 0.25 m/s goes through it
+make_wedgeBed()
+{
+    ours && solve blockMesh && solve demPimpleFoam -settle && solver=demPimpleFoam end=0.2 ranks=1 && control "endTime $end; writeInterval 0.1;"
+}
+# Ergun's gradient at the void fraction of each layer, from 0.003 to 0.009 m above the floor
+check_wedgeBed()
+{
+    paste <(values 0.2/p) <(values 0.2/voidFraction) > layers
+    number "pressure drop of 6 mm [Pa]" \
+        "$(awk -v r=6 '{ k = int((NR - 1)/r); p[k] += (2*((NR - 1)%r) + 1)*$1/r/r } END { print 1.2*(p[1] - p[4]) }' layers)" \
+        "$(awk -v r=6 '{ k = int((NR - 1)/r); e[k] += (2*((NR - 1)%r) + 1)*$2/r/r }
+            function g(e) { return 150*(1 - e)^2/e^3*1.8e-5*0.25/1e-6 + 1.75*(1 - e)/e^3*1.2*0.0625/1e-3 }
+            END { print 0.002*(g(e[1])/2 + g(e[2]) + g(e[3]) + g(e[4])/2) }' layers)" 0.05
+}
