@@ -4,7 +4,8 @@
  * 1. Sort the triangles; drop duplicates and triangles without area.
  * 2. Weld corners that coincide within a tolerance.
  * 3. Join triangles that share an edge and are coplanar (union-find); mark edges on the rim of a
- *    facet.
+ *    facet: all triangles at such an edge are on one side of it. Two are there at the edge of a
+ *    plate without thickness, a baffle, whose sides are cut along different diagonals.
  * 4. Number the facets in the order of the sorted triangles; the plane is that of the largest
  *    triangle.
  *
@@ -222,6 +223,34 @@ static int coplanar(const struct dem_triangle *s, const struct dem_triangle *t, 
            (fabs(dem_vec_dot(n, m)) > 0.999999*size*other || is_flat(small, 1e3*tolerance));
 }
 
+/* From an edge to the third corner, across the edge. */
+static void across(const struct dem_triangle *t, int side, double out[3])
+{
+    const double *const from = t->corner[side];
+    double along[3], away[3];
+
+    dem_vec_minus(t->corner[(side + 1)%3], from, along);
+    dem_vec_minus(t->corner[(side + 2)%3], from, away);
+    const double over = dem_vec_dot(away, along)/dem_vec_dot(along, along);
+
+    for (int k = 0; k < 3; k++)
+    {
+        out[k] = away[k] - over*along[k];
+    }
+}
+
+/* 1 when coplanar triangles are on the same side of the edge that they share. Half of the cosine
+   leaves room for slivers, whose directions are uncertain. */
+static int same_side(const struct dem_triangle *s, int side, const struct dem_triangle *t,
+                     int other_side)
+{
+    double a[3], b[3];
+
+    across(s, side, a);
+    across(t, other_side, b);
+    return dem_vec_dot(a, b) > 0.5*dem_vec_norm(a)*dem_vec_norm(b);
+}
+
 static void join(struct dem_walls *w, struct edge *edge, size_t edges, size_t *parent,
                  double tolerance)
 {
@@ -236,8 +265,11 @@ static void join(struct dem_walls *w, struct edge *edge, size_t edges, size_t *p
                 const size_t rs = root(parent, s), rt = root(parent, t);
 
                 parent[rs > rt ? rs : rt] = rs > rt ? rt : rs;
-                w->triangle[s].rim &= ~(1u << edge[k].side);
-                w->triangle[t].rim &= ~(1u << edge[m].side);
+                if (!same_side(&w->triangle[s], edge[k].side, &w->triangle[t], edge[m].side))
+                {
+                    w->triangle[s].rim &= ~(1u << edge[k].side);
+                    w->triangle[t].rim &= ~(1u << edge[m].side);
+                }
             }
         }
     }

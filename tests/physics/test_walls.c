@@ -4,7 +4,7 @@
  * and T-joints change nothing; in a corner of three walls the forces balance the weight, with planes and with triangles; a
  * concave edge is two contacts, a convex edge or tip one, however it lies in space; two walls that meet in a plane are one
  * floor; the torque on a wall about the origin is the angular momentum that a sphere loses; a sphere does not fall through a
- * wall of triangles from either side.
+ * wall of triangles from either side; a plate ends at its edges, whose two sides are cut along different diagonals.
  *
  * Source: geometry and statics.
  *
@@ -660,6 +660,48 @@ static void both_sides(void)
     dem_free(d);
 }
 
+/* A plate without thickness, as a baffle in a mesh: its two sides have the same corners and need not have the same triangles.
+   Spheres pass each edge at 1.2 R. */
+static void both_sides_of_a_plate(void)
+{
+    static const double corner[4][3] = {
+        {-0.01, -0.01, 0.0}, {0.01, -0.01, 0.0}, {0.01, 0.01, 0.0}, {-0.01, 0.01, 0.0}};
+    struct mesh m = {0};
+    struct dem_new_particle seed[4];
+    char *const scene = world_text("%s effects { hertz {} }", materials);
+    struct dem *const d = world_begin(scene);
+    int wrong = 0;
+
+    mesh_quad(&m, corner[0], corner[1], corner[2], corner[3]);
+    mesh_quad(&m, corner[1], corner[0], corner[3], corner[2]);
+    mesh_hand_over(d, "plate", "rigid", &m);
+    for (int k = 0; k < 4; k++)
+    {
+        const double away = (k < 2 ? -1.0 : 1.0)*(0.01 + 1.2*R);
+
+        seed[k] = (struct dem_new_particle){
+            .position = {k%2 ? away : 0.002, k%2 ? 0.002 : away, 4.0*R},
+            .velocity = {0.0, 0.0, -1.0},
+            .diameter = 2.0*R,
+            .id = k,
+            .material = "glass"};
+    }
+    WORLD_TRY(dem_add_particles(d, 4, seed));
+    WORLD_TRY(dem_setup(d));
+    world_run(d, 8.0*R);
+    for (int k = 0; k < 4; k++)
+    {
+        const struct world_particle p = world_at(d, k);
+
+        wrong += p.v[2] > -1.0 || p.v[2] < -1.0 || fabs(p.x[2] + 4.0*R) > 1e-9;
+    }
+    TAP_OK(wrong == 0,
+           "beside a plate whose sides are cut along different diagonals spheres fly on (%d wrong)",
+           wrong);
+    free(scene);
+    dem_free(d);
+}
+
 int main(void)
 {
     static const double sizes[] = {0.4e-3, 2.5e-3, 0.03};
@@ -685,5 +727,6 @@ int main(void)
     over_the_edge();
     torque();
     both_sides();
+    both_sides_of_a_plate();
     TAP_DONE;
 }
