@@ -308,12 +308,12 @@ check_conveying()
         u = 20 - v; Re = u*1e-3/1.5e-5; v += h*18*1.8e-5/(1000*1e-6)*(1 + 0.15*exp(0.687*log(Re)))*u; x += h*v } print v }')" 0.05
 }
 
-# A hopper with a slot of 24 mm by 12 mm over a channel with gas of 25 m/s, which carries the grains away
+# A hopper, closed above, with a slot of 24 mm by 12 mm over a channel with gas of 25 m/s, which carries the grains away
 make_hopperStream()
 {
     ours && solve blockMesh && solver=demPimpleFoam end=0.6 && control "endTime $end; writeInterval 0.3;"
 }
-# Beverloo's rule as above, of grains of 3 mm at a solid fraction of 0.6, while a fifth to three fifths of them are out of the hopper
+# Beverloo's rule as above, of grains of 3 mm at a solid fraction of 0.6, while a tenth to a half of them is out of the hopper
 check_hopperStream()
 {
     number "discharge [g/s]" "$(discharge)" "$(awk 'BEGIN { print 1e3*1.03*1000*0.6*sqrt(9.81)*0.012*exp(1.5*log(0.024 - 1.4*3e-3)) }')" 0.4
@@ -333,8 +333,8 @@ while at < len(data):
     rows.append((time, inside))
     at += 32*n
 first = rows[0][1]
-a = next((r for r in rows if r[1] < 0.8*first), None)
-b = next((r for r in rows if r[1] < 0.4*first), None)
+a = next((r for r in rows if r[1] < 0.9*first), None)
+b = next((r for r in rows if r[1] < 0.5*first), None)
 print(1e6*3.14159265/6*3e-3**3*(a[1] - b[1])/(b[0] - a[0]) if a and b else 'none')
 END
 }
