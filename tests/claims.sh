@@ -4,6 +4,9 @@
 #   agrees A B          both files are there, not empty, and the same byte for byte
 #   equals A B          both texts are not empty and the same
 #   lacks FILE PATTERN  the file is there, not empty, and no line of it matches
+#   claim_tables "what" FILE ...
+#                       claims that these are CSV that any reader takes without options (csv_tables.py): Python's, and
+#                       pandas where it is installed
 #   thorough            status 0 in a long run (./Alltest -long): all ranks, compilers and cases
 #   brief               status 0 in a quick run (./Alltest quick)
 #
@@ -30,6 +33,23 @@ lacks()
 {
     [ -s "$1" ] || { echo "#   $1 is empty or not there"; return 1; }
     ! grep -e "$2" "$1" | sed "s|^|#   $1: |" | grep .
+}
+
+csv_tables=$(cd "${BASH_SOURCE[0]%/*}" && pwd)/csv_tables.py
+claim_tables()
+{
+    local what=$1 python
+    shift
+    claim "$what, plain CSV" "${SUNA_PYTHON:-python3}" "$csv_tables" "$@"
+    for python in "${SUNA_PYTHON:-python3}" /usr/bin/python3
+    do
+        if "$python" -c 'import pandas' 2> /dev/null
+        then
+            claim "$what, as pandas.read_csv(FILE) takes them" "$python" "$csv_tables" -pandas "$@"
+            return
+        fi
+    done
+    skip "$what, as pandas.read_csv(FILE) takes them" "no Python here has pandas (Debian: python3-pandas)"
 }
 
 thorough() { [ -n "${SUNA_LONG-}" ]; }

@@ -216,7 +216,7 @@ void Foam::demCloud::writeMeans()
 
     if (Pstream::master())
     {
-        mkDir(folder);
+        demTable::recordEffects(mesh_.time(), dem_);
     }
     demCheck(dem_averages(dem_, folder.c_str()));
 }

@@ -7,6 +7,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demTable.H"
+#include "demCheck.H"
 #include "OSspecific.H"
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
@@ -20,6 +21,7 @@ Foam::demTable::demTable
 :
     time_(time),
     file_(folder(time)/name),
+    dem_(nullptr),
     digits_(digits)
 {}
 
@@ -31,6 +33,15 @@ Foam::fileName Foam::demTable::folder(const Time& time)
     return
         time.globalPath()/"postProcessing"/"dem"
        /Time::timeName(time.startTime().value());
+}
+
+
+void Foam::demTable::recordEffects(const Time& time, const ::dem* d)
+{
+    const fileName to(folder(time));
+
+    mkDir(to);
+    demCheck(dem_effects_record(d, to.c_str(), time.startTime().value()));
 }
 
 
@@ -50,7 +61,8 @@ void Foam::demTable::begin(const ::dem* d, const string& columns)
     {
         rm(file_);
     }
-    head_ = string("# ") + dem_heading(d) + "\n" + columns;
+    dem_ = d;
+    head_ = columns;
 }
 
 
@@ -58,7 +70,7 @@ std::ostream& Foam::demTable::rows()
 {
     if (!rows_.is_open())
     {
-        mkDir(file_.path());
+        recordEffects(time_, dem_);
         rows_.open(file_.c_str());
         rows_.precision(int(digits_));
         rows_ << head_ << '\n';

@@ -13,6 +13,7 @@
 #include "diagnostics/totals.h"
 #include "diagnostics/run_profile.h"
 #include "diagnostics/virial.h"
+#include "output/effects_table.h"
 #include "parallel/collect.h"
 #include <fenv.h>
 #include <math.h>
@@ -314,6 +315,11 @@ const char *dem_material_name(const struct dem *d, int material)
 int dem_averages_count(const struct dem *d)
 {
     return d->scene.averages;
+}
+
+int dem_effects_record(const struct dem *d, const char *folder, double start)
+{
+    return dem_effects_table_begin(folder, start, dem_effect_names(d));
 }
 
 int dem_averages(struct dem *d, const char *folder)

@@ -11,22 +11,23 @@
 
 /* ---- broken bonds ---------------------------------------------------------------------------- */
 
-int dem_bond_rows_begin(const struct dem_program *prog, const struct dem *d, const char *folder,
-                        double start)
+int dem_bond_rows_begin(const struct dem_program *prog, const struct dem *d,
+                        const struct dem_output *o)
 {
     char path[640];
 
-    snprintf(path, sizeof path, "%s/bonds.csv", folder);
+    snprintf(path, sizeof path, "%s/bonds.csv", o->folder);
     return dem_program_agree(prog, prog->rank == 0 && dem_has_bonds(d)
-                                       ? dem_csv_begin(path, 0, start, d)
+                                       ? dem_csv_begin(path, 0, o, d)
                                        : DEM_OK);
 }
 
-static int append(const char *path, const struct dem *d, int64_t n, const struct dem_broken_bond *b)
+static int append(const char *path, const struct dem_output *o, const struct dem *d, int64_t n,
+                  const struct dem_broken_bond *b)
 {
     FILE *f;
 
-    DEM_TRY(dem_csv_open(&f, path, d, "time,id1,id2,x,y,z,cause,energy"));
+    DEM_TRY(dem_csv_open(&f, path, o, d, "time,id1,id2,x,y,z,cause,energy"));
     for (int64_t k = 0; k < n; k++)
     {
         const double *const x = b[k].position;
@@ -57,7 +58,7 @@ int dem_bond_rows_append(const struct dem_program *prog, struct dem *d, const st
     {
         snprintf(path, sizeof path, "%s/bonds.csv", o->folder);
         status = dem_output_folder(o);
-        status = status ? status : append(path, d, n, broke);
+        status = status ? status : append(path, o, d, n, broke);
     }
     return dem_program_agree(prog, status);
 }

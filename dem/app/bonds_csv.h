@@ -12,8 +12,8 @@
 
 /* Collective. Remove the rows of an earlier run in this folder that are later than the start of
    this one [s]. */
-int dem_bond_rows_begin(const struct dem_program *, const struct dem *, const char *folder,
-                        double start);
+int dem_bond_rows_begin(const struct dem_program *, const struct dem *,
+                        const struct dem_output *);
 
 /* Collective. Append a row for each bond that broke since the last call; the file is created
    with the first. */

@@ -1,5 +1,5 @@
 /*
- * csv_rows.c -- head lines of CSV tables; at a restart, remove the rows after its time.
+ * csv_rows.c -- head line of CSV tables; at a restart, remove the rows after its time.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/file.h"
+#include "output/effects_table.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -24,33 +25,49 @@ static double number(const char *line, int column)
     return line ? strtod(line, NULL) : 1e300;
 }
 
-/* Write the head and the rows up to a time; then the heading, where the last comment of the file
-   is another one. */
-static int rewrite(const char *path, char *text, int column, double until, const char *heading)
+/* A comment with the effects, as the tables of earlier versions have it above their columns and
+   where a restart changed them: the names in it, else NULL. */
+static const char *effects_in(const char *line)
 {
-    const char *comment = "# ";
+    static const char words[] = "# effects: ";
+
+    return strncmp(line, words, sizeof words - 1) == 0 ? line + sizeof words - 1 : NULL;
+}
+
+/* Write the names of the columns and the rows up to a time. Effects in comments go to effects.csv,
+   from the row below them on. */
+static int rewrite(const char *path, char *text, int column, double until, const char *folder)
+{
+    const char *effects = NULL;
     struct dem_file f;
-    int head = 1;
+    int head = 1, status = DEM_OK;
 
     DEM_TRY(dem_file_begin(&f, path));
-    for (char *line = text, *end; (end = strchr(line, '\n')); line = end + 1)
+    for (char *line = text, *end; !status && (end = strchr(line, '\n')); line = end + 1)
     {
         *end = 0;
-        comment = line[0] == '#' ? line : comment;
-        if (head || line[0] == '#' || number(line, column) <= until)
+        if (line[0] == '#')
+        {
+            effects = effects_in(line) ? effects_in(line) : effects;
+            continue;
+        }
+        const double time = head ? until : number(line, column);
+
+        if (head || time <= until)
         {
             fprintf(f.stream, "%s\n", line);
         }
-        head = head && line[0] == '#';
+        if (!head && time <= until && effects)
+        {
+            status = dem_effects_table_add(folder, time, effects);
+            effects = NULL;
+        }
+        head = 0;
     }
-    if (strcmp(comment + 2, heading) != 0)
-    {
-        fprintf(f.stream, "# %s\n", heading);
-    }
-    return dem_file_finish(&f, DEM_OK);
+    return dem_file_finish(&f, status);
 }
 
-int dem_csv_begin(const char *path, int column, double start, const struct dem *d)
+int dem_csv_begin(const char *path, int column, const struct dem_output *o, const struct dem *d)
 {
     char *text;
     size_t n;
@@ -59,29 +76,34 @@ int dem_csv_begin(const char *path, int column, double start, const struct dem *
     {
         return DEM_OK;
     }
-    if (start > 0.0)
+    if (o->start > 0.0)
     {
         DEM_TRY(dem_file_load(path, &text, &n));
         /* times are written with 10 digits */
-        const int status = rewrite(path, text, column, start*(1.0 + 1e-9), dem_heading(d));
+        const int status = rewrite(path, text, column, o->start*(1.0 + 1e-9), o->folder);
 
         dem_memory_free(text);
-        return status;
+        return status ? status : dem_effects_record(d, o->folder, o->start);
     }
     DEM_REQUIRE(remove(path) == 0, DEM_ERROR_FILE, "cannot remove %s of an earlier run: %s", path,
                 strerror(errno));
     return DEM_OK;
 }
 
-int dem_csv_open(FILE **f, const char *path, const struct dem *d, const char *columns)
+int dem_csv_open(FILE **f, const char *path, const struct dem_output *o, const struct dem *d,
+                 const char *columns)
 {
     const int new = !dem_file_exists(path);
 
+    if (new)
+    {
+        DEM_TRY(dem_effects_record(d, o->folder, o->start));
+    }
     *f = fopen(path, "a");
     DEM_REQUIRE(*f, DEM_ERROR_FILE, "cannot write %s: %s", path, strerror(errno));
     if (new)
     {
-        fprintf(*f, "# %s\n%s\n", dem_heading(d), columns);
+        fprintf(*f, "%s\n", columns);
     }
     return DEM_OK;
 }

@@ -7,16 +7,18 @@
 #define DEM_APP_CSV_ROWS_H
 
 #include "dem.h"
+#include "app/output_files.h"
 #include <stdio.h>
 
 /* Prepare a table that an earlier run may have left: a run that starts at 0 removes it; a
-   restarted one removes the rows later than its start [s] and, where its effects differ, appends
-   a comment with them. `column`, from 0, holds the time. */
-int dem_csv_begin(const char *path, int column, double start, const struct dem *);
+   restarted one removes the rows later than its start [s]. `column`, from 0, holds the time.
+   Comments of earlier versions, which name the effects, are moved into effects.csv. */
+int dem_csv_begin(const char *path, int column, const struct dem_output *, const struct dem *);
 
-/* Open a table to append rows, on one rank. A new table gets a comment, `# ` and dem_heading,
-   and a line with its columns. */
-int dem_csv_open(FILE **, const char *path, const struct dem *, const char *columns);
+/* Open a table to append rows, on one rank. A new table gets a line with its columns, and the
+   effects of the run stand in effects.csv beside it. */
+int dem_csv_open(FILE **, const char *path, const struct dem_output *, const struct dem *,
+                 const char *columns);
 int dem_csv_close(FILE *, const char *path);
 
 /* Rows are written at integer multiples of an interval [s], so that a restarted run writes the

@@ -12,16 +12,16 @@
 #include <stdio.h>
 
 int dem_energy_log_begin(struct dem_energy_log *log, const struct dem_program *prog,
-                         const struct dem_output *o, const struct dem *d, double start)
+                         const struct dem_output *o, const struct dem *d)
 {
-    *log = (struct dem_energy_log){.output = o, .interval = o->energy, .when = start};
+    *log = (struct dem_energy_log){.output = o, .interval = o->energy, .when = o->start};
     snprintf(log->path, sizeof log->path, "%s/energy.csv", o->folder);
     if (log->interval <= 0.0)
     {
         return DEM_OK;
     }
     return dem_program_agree(prog,
-                             prog->rank == 0 ? dem_csv_begin(log->path, 0, start, d) : DEM_OK);
+                             prog->rank == 0 ? dem_csv_begin(log->path, 0, o, d) : DEM_OK);
 }
 
 struct row
@@ -42,7 +42,7 @@ static int open_table(FILE **f, const struct dem_energy_log *log, const struct d
         dem_text_add(&columns, ",%s[J]", r->item[k].name);
     }
     const int status =
-        columns.status ? columns.status : dem_csv_open(f, log->path, d, columns.text);
+        columns.status ? columns.status : dem_csv_open(f, log->path, log->output, d, columns.text);
 
     dem_text_free(&columns);
     return status;

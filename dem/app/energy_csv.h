@@ -27,7 +27,7 @@ struct dem_energy_log
 /* Collective. Remove the rows of an earlier run in the same folder that are later than the start
    of this one [s]. */
 int dem_energy_log_begin(struct dem_energy_log *, const struct dem_program *,
-                         const struct dem_output *, const struct dem *, double start);
+                         const struct dem_output *, const struct dem *);
 
 /* Collective. Write a row if one is due. DEM_ERROR_NUMBER when the residual has grown since the
    last row by more than time/maxCreated, a fraction of the largest term. */

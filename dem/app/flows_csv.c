@@ -22,7 +22,7 @@ static int write_rows(const struct dem_flow_log *log, const struct dem *d, int n
     const double over = now > log->since ? 1.0/(now - log->since) : 0.0;
     FILE *f;
 
-    DEM_TRY(dem_csv_open(&f, log->path, d, head));
+    DEM_TRY(dem_csv_open(&f, log->path, log->output, d, head));
     for (int k = 0; k < n; k++)
     {
         const struct dem_flow *const w = &flow[k];
@@ -60,7 +60,7 @@ static void remember(struct dem_flow_log *log, int n, const struct dem_flow *flo
 }
 
 int dem_flow_log_begin(struct dem_flow_log *log, const struct dem_program *prog,
-                       const struct dem_output *o, struct dem *d, double start)
+                       const struct dem_output *o, struct dem *d)
 {
     const struct dem_flow *flow;
     int n;
@@ -68,9 +68,9 @@ int dem_flow_log_begin(struct dem_flow_log *log, const struct dem_program *prog,
     *log = (struct dem_flow_log){.output = o};
     snprintf(log->path, sizeof log->path, "%s/flows.csv", o->folder);
     DEM_TRY(dem_flows(d, &n, &flow));
-    remember(log, n, flow, start);
+    remember(log, n, flow, o->start);
     return dem_program_agree(prog,
-                             prog->rank == 0 ? dem_csv_begin(log->path, 0, start, d) : DEM_OK);
+                             prog->rank == 0 ? dem_csv_begin(log->path, 0, o, d) : DEM_OK);
 }
 
 int dem_flow_log_append(struct dem_flow_log *log, const struct dem_program *prog, struct dem *d,

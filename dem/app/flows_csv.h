@@ -30,7 +30,7 @@ struct dem_flow_log
 /* Collective. Remove the rows of an earlier run in the same folder that are later than the start
    of this one [s]. */
 int dem_flow_log_begin(struct dem_flow_log *, const struct dem_program *, const struct dem_output *,
-                       struct dem *, double start);
+                       struct dem *);
 
 /* Collective. Print a line, and write a row for each stream and outlet. */
 int dem_flow_log_append(struct dem_flow_log *, const struct dem_program *, struct dem *,

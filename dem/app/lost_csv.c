@@ -20,7 +20,8 @@ static int append(const struct dem_lost_log *log, const struct dem *d, int64_t n
 {
     FILE *f;
 
-    DEM_TRY(dem_csv_open(&f, log->path, d, "id,time,x,y,z,vx,vy,vz,diameter,cause"));
+    DEM_TRY(dem_csv_open(&f, log->path, log->output, d,
+                         "id,time,x,y,z,vx,vy,vz,diameter,cause"));
     for (int64_t k = 0; k < n; k++)
     {
         const double *const x = loss[k].position, *const v = loss[k].velocity;
@@ -77,12 +78,12 @@ static void print(struct dem_lost_log *log, int64_t n, const struct dem_loss *lo
 /* ---- public ---------------------------------------------------------------------------------- */
 
 int dem_lost_log_begin(struct dem_lost_log *log, const struct dem_program *prog,
-                       const struct dem_output *o, const struct dem *d, double start)
+                       const struct dem_output *o, const struct dem *d)
 {
     *log = (struct dem_lost_log){.output = o};
     snprintf(log->path, sizeof log->path, "%s/lost.csv", o->folder);
     return dem_program_agree(prog,
-                             prog->rank == 0 ? dem_csv_begin(log->path, 1, start, d) : DEM_OK);
+                             prog->rank == 0 ? dem_csv_begin(log->path, 1, o, d) : DEM_OK);
 }
 
 int dem_lost_log_append(struct dem_lost_log *log, const struct dem_program *prog, struct dem *d)

@@ -21,7 +21,7 @@ struct dem_lost_log
 /* Collective. Remove the rows of an earlier run in the same folder that are later than the start
    of this one [s]. */
 int dem_lost_log_begin(struct dem_lost_log *, const struct dem_program *, const struct dem_output *,
-                       const struct dem *, double start);
+                       const struct dem *);
 
 /* Collective. Print and write the particles lost since the last call. */
 int dem_lost_log_append(struct dem_lost_log *, const struct dem_program *, struct dem *);

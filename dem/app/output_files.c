@@ -197,6 +197,20 @@ static int add_to_collection(const struct dem_output *o, const struct dem *d, in
     return dem_walls_vtk_write(o, d, number, time);
 }
 
+/* Averages have no room for a comment in their CSV: effects.csv names the effects. */
+static int write_averages(const struct dem_output *o, const struct dem_program *prog, struct dem *d)
+{
+    if (!dem_averages_count(d))
+    {
+        return DEM_OK;
+    }
+    int status = prog->rank == 0 ? dem_effects_record(d, o->folder, o->start) : DEM_OK;
+
+    DEM_TRY(dem_program_agree(prog, status));
+    status = dem_averages(d, o->folder);
+    return dem_program_agree(prog, status);
+}
+
 static int write_vtk(const struct dem_output *o, const struct dem_program *prog, struct dem *d,
                      int64_t number, double time)
 {
@@ -219,7 +233,7 @@ int dem_output_write(const struct dem_output *o, const struct dem_program *prog,
     {
         DEM_TRY(write_vtk(o, prog, d, number, time));
     }
-    return dem_program_agree(prog, dem_averages(d, o->folder));
+    return write_averages(o, prog, d);
 }
 
 void dem_output_snapshot_name(const struct dem_output *o, int64_t number, char *path, size_t size)

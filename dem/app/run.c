@@ -175,26 +175,39 @@ static int write_output(struct run_state *c, int64_t number)
                              : dem_output_save(o, c->prog, c->d, number);
 }
 
+/* The table of effects is continued or removed like the tables beside it. */
+static int begin_effects(const struct run_state *c)
+{
+    const struct dem_output *const o = &c->s->output;
+    char path[640];
+
+    snprintf(path, sizeof path, "%s/effects.csv", o->folder);
+    return dem_program_agree(c->prog,
+                             c->prog->rank == 0 ? dem_csv_begin(path, 0, o, c->d) : DEM_OK);
+}
+
 static int begin(struct run_state *c)
 {
     const struct dem_output *const o = &c->s->output;
 
+    const double start = o->start;
+
     DEM_TRY(dem_totals(c->d, &c->t));
-    const double start = c->t.time;
 
     c->p.from = start;
     c->p.steps = c->t.steps;
-    DEM_TRY(dem_lost_log_begin(&c->lost, c->prog, o, c->d, start));
-    DEM_TRY(dem_flow_log_begin(&c->flows, c->prog, o, c->d, start));
-    DEM_TRY(dem_bond_rows_begin(c->prog, c->d, o->folder, start));
+    DEM_TRY(begin_effects(c));
+    DEM_TRY(dem_lost_log_begin(&c->lost, c->prog, o, c->d));
+    DEM_TRY(dem_flow_log_begin(&c->flows, c->prog, o, c->d));
+    DEM_TRY(dem_bond_rows_begin(c->prog, c->d, o));
     DEM_TRY(dem_walls_vtk_begin(o, c->prog, c->d));
     if (start == 0.0)
     {
         DEM_TRY(dem_output_write(o, c->prog, c->d, 0, 0.0));
         DEM_TRY(dem_output_save(o, c->prog, c->d, 0));
     }
-    DEM_TRY(dem_wall_log_begin(&c->walls, c->prog, o, c->d, start));
-    DEM_TRY(dem_energy_log_begin(&c->energy, c->prog, o, c->d, start));
+    DEM_TRY(dem_wall_log_begin(&c->walls, c->prog, o, c->d));
+    DEM_TRY(dem_energy_log_begin(&c->energy, c->prog, o, c->d));
     return start == 0.0 ? dem_energy_log_append(&c->energy, c->prog, c->d, 0.0) : DEM_OK;
 }
 
@@ -369,14 +382,18 @@ static int announce(const struct dem_program *prog, struct dem *d, const struct 
     return warn(prog, d, fmax(0.0, s->end - t.time));
 }
 
-static int run(struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
+static int run(struct dem_program *prog, struct dem *d, const struct dem_schedule *scheduled)
 {
+    struct dem_schedule s = *scheduled;
+    struct dem_totals t;
     uint64_t hash;
 
     /* before the first line is printed, to which a script may answer with a signal */
     dem_set_stop_flag(d, dem_signals_catch());
-    DEM_TRY(announce(prog, d, s));
-    DEM_TRY(advance_to_end(prog, d, s));
+    DEM_TRY(dem_totals(d, &t));
+    s.output.start = t.time;
+    DEM_TRY(announce(prog, d, &s));
+    DEM_TRY(advance_to_end(prog, d, &s));
     DEM_TRY(dem_hash(d, &hash));
     if (prog->rank == 0)
     {

@@ -14,9 +14,9 @@ static const char head[] = "time[s],wall,fx[N],fy[N],fz[N],tx[Nm],ty[Nm],tz[Nm],
                            "tz_now[Nm]";
 
 int dem_wall_log_begin(struct dem_wall_log *log, const struct dem_program *prog,
-                       const struct dem_output *o, struct dem *d, double start)
+                       const struct dem_output *o, struct dem *d)
 {
-    *log = (struct dem_wall_log){.output = o, .interval = o->walls, .since = start};
+    *log = (struct dem_wall_log){.output = o, .interval = o->walls, .since = o->start};
     snprintf(log->path, sizeof log->path, "%s/walls.csv", o->folder);
     if (log->interval <= 0.0)
     {
@@ -24,7 +24,7 @@ int dem_wall_log_begin(struct dem_wall_log *log, const struct dem_program *prog,
     }
     DEM_TRY(dem_wall_impulse_reset(d));
     return dem_program_agree(prog,
-                             prog->rank == 0 ? dem_csv_begin(log->path, 0, start, d) : DEM_OK);
+                             prog->rank == 0 ? dem_csv_begin(log->path, 0, o, d) : DEM_OK);
 }
 
 static int write_rows(const struct dem_wall_log *log, const struct dem *d, double now,
@@ -32,7 +32,7 @@ static int write_rows(const struct dem_wall_log *log, const struct dem *d, doubl
 {
     FILE *f;
 
-    DEM_TRY(dem_csv_open(&f, log->path, d, head));
+    DEM_TRY(dem_csv_open(&f, log->path, log->output, d, head));
     for (int w = 0; w < dem_wall_count(d); w++)
     {
         fprintf(f, "%.10g,%s", now, dem_wall_name(d, w));

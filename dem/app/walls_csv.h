@@ -24,7 +24,7 @@ struct dem_wall_log
 /* Collective. Remove the rows of an earlier run in the same folder that are later than the start
    of this one [s]. */
 int dem_wall_log_begin(struct dem_wall_log *, const struct dem_program *, const struct dem_output *,
-                       struct dem *, double start);
+                       struct dem *);
 
 /* Collective. Write rows if they are due. */
 int dem_wall_log_append(struct dem_wall_log *, const struct dem_program *, struct dem *,

@@ -156,12 +156,18 @@ int dem_verdicts(const struct dem *, const struct dem_verdict **);
    until they ask for nothing more. Called by one rank. After an error the file is as it was. */
 int dem_scene_rewrite(const struct dem_scene_rewriter *);
 
-/* After dem_check. The line at the head of each result file: "effects: " and the names of all
-   active effects, in the order of their stages. dem_effect_names: the names only;
+/* After dem_check. The comment at the head of result files: "effects: " and the names of all active
+   effects, in the order of their stages. dem_effect_names: the names only;
    dem_fluid_effect_names: those of fluid effects. Valid until dem_free. */
 const char *dem_heading(const struct dem *);
 const char *dem_effect_names(const struct dem *);
 const char *dem_fluid_effect_names(const struct dem *);
+
+/* After dem_check, by one rank. Enter the active effects into FOLDER/effects.csv, for the CSV tables
+   beside it, which have no comments: they act in a run that starts at this time [s]. The rows of an
+   earlier run from then on are removed; no row is added while its effects are those above. The
+   folder must exist. */
+int dem_effects_record(const struct dem *, const char *folder, double start);
 
 /* The traits of the effect with this name (enum dem_effect_trait, or-ed); 0 without any, and for a
    name that no effect has. Needs no simulation. */

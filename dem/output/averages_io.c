@@ -49,6 +49,9 @@ static int read_plan(struct dem_averages_entry *p, const struct dem_dict *d)
     DEM_REQUIRE(!strchr(p->name, '/'), DEM_ERROR_INPUT,
                 "%s: the name %s is used as a file name and cannot hold a /", dem_dict_where(d),
                 p->name);
+    DEM_REQUIRE(strcmp(p->name, "effects") != 0, DEM_ERROR_INPUT,
+                "%s: effects.csv is the table of the effects that act; give these averages another "
+                "name", dem_dict_where(d));
     DEM_TRY(dem_dict_vector(d, "min", "m", p->min));
     DEM_TRY(dem_dict_vector(d, "max", "m", p->max));
     for (int k = 0; k < 3; k++)
@@ -211,10 +214,6 @@ int dem_averages_io_write(const char *folder, const struct dem_averages_entry *p
                 folder, p->name, p->name, sizeof path - 1);
     snprintf(path, sizeof path, "%s/%s.csv", folder, p->name);
     DEM_TRY(dem_file_begin(&f, path));
-    if (p->comment)
-    {
-        fprintf(f.stream, "# %s\n", p->comment);
-    }
     write_head(f.stream, field, fields);
     for (size_t cell = 0; cell < cells; cell++)
     {

@@ -20,7 +20,7 @@
 struct dem_averages_entry             /* one grid as the scene describes it */
 {
     const char *name;
-    const char *comment;               /* a comment for both files; NULL: none */
+    const char *comment;               /* a comment for the .vti file; NULL: none */
     double min[3], max[3];          /* m   */
     int cells[3];                   /* along x, y, z */
     double start, end, interval;    /* s   interval between samples; the first at start */

@@ -36,8 +36,7 @@ static void read_table(struct dem *d, const char *name)
     snprintf(path, sizeof path, "%s/%s.csv", folder, name);
     f = fopen(path, "r");
     table.rows = table.columns = 0;
-    TAP_OK(f && fgets(line, sizeof line, f) && strncmp(line, "# effects: ", 11) == 0,
-           "%s: the effects that act above all", name);
+    TAP_OK(f, "%s: a table", name);
     for (char *s = f && fgets(line, sizeof line, f) ? strtok(line, ",\n") : NULL; s;
          s = strtok(NULL, ",\n"))
     {
