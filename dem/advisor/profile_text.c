@@ -15,21 +15,23 @@ static double ratio(double a, double b)
 /* Phases that took less than 0.1 % of the time are left out. */
 static void write_phases(struct dem_text *t, const struct dem_profile *f)
 {
-    dem_text_add(t, "profile: wall clock %s, processor %s, %lld steps\n    %-12s  share  time%s\n",
+    dem_text_add(t,
+                 "profile: wall clock %s, processor %s, %lld steps\n"
+                 "    %-12s  share  time       processor%s\n",
                  dem_text_time(f->wall), dem_text_time(f->processor), (long long)f->steps, "phase",
-                 f->ranks > 1 ? "      of the slowest rank" : "");
+                 f->ranks > 1 ? "  of the slowest rank" : "");
     for (int k = 0; k < DEM_PROFILE_PHASES; k++)
     {
         const double fraction = ratio(f->phase[k].mean, f->wall);
 
         if (fraction >= 1e-3)
         {
-            dem_text_add(t, "    %-12s %5.1f %%  %s", f->phase[k].name, 100.0*fraction,
-                         dem_text_time(f->phase[k].mean));
+            dem_text_add(t, "    %-12s %5.1f %%  %-10s %s", f->phase[k].name, 100.0*fraction,
+                         dem_text_time(f->phase[k].mean), dem_text_time(f->phase[k].processor));
             if (f->ranks > 1)
             {
-                dem_text_add(t, "%*s%s", 10 - (int)strlen(dem_text_time(f->phase[k].mean)), "",
-                             dem_text_time(f->phase[k].max));
+                dem_text_add(t, "%*s%s", 11 - (int)strlen(dem_text_time(f->phase[k].processor)),
+                             "", dem_text_time(f->phase[k].max));
             }
             dem_text_add(t, "\n");
         }

@@ -4,7 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "diagnostics/run_profile.h"
-#include "core/clock.h"
 #include "diagnostics/totals.h"
 #include "diagnostics/inventory.h"
 #include "diagnostics/timers.h"
@@ -14,19 +13,19 @@
 
 enum
 {
-    WORK = DEM_PHASES,  /* s: advancing, without waiting for other ranks */
-    PROCESSOR,          /* s: processor time */
-    SECONDS
+    WORK = DEM_PHASES,    /* s: advancing, without waiting for other ranks */
+    PROCESSOR,            /* s: processor time of each phase */
+    SECONDS = PROCESSOR + DEM_PHASES
 };
 
 _Static_assert((int)DEM_PHASES == (int)DEM_PROFILE_PHASES, "dem.h reports all phases");
 
-/* Mean and largest time over the ranks, of each phase, of work and of the processor. */
+/* Mean and largest time over the ranks, of each phase, of work and of the processor in each phase. */
 static void gather_times(const struct dem_state *p, double mean[SECONDS], double max[SECONDS])
 {
+    dem_timers_end_outside(p->timers);
     dem_timers_seconds(p->timers, mean);
-    mean[DEM_PHASE_OUTSIDE] += dem_clock_wall() - p->timers->last;
-    mean[PROCESSOR] = dem_clock_processor() - p->timers->processor;
+    dem_timers_processor_seconds(p->timers, mean + PROCESSOR);
     mean[WORK] = 0.0;
     for (int k = 0; k < DEM_PHASE_OUTSIDE; k++)
     {
@@ -72,7 +71,6 @@ void dem_profile_take(struct dem_state *p, struct dem_profile *f)
     dem_inventory_take(p, &inventory);
     *f = (struct dem_profile){.ranks = p->decomposition.ranks,
                               .outside = mean[DEM_PHASE_OUTSIDE],
-                              .processor = mean[PROCESSOR]*p->decomposition.ranks,
                               .imbalance = mean[WORK] > 0.0 ? max[WORK]/mean[WORK] : 1.0,
                               .steps = p->timers->steps,
                               .rebuilds = p->rebuilds - p->timers->rebuilds,
@@ -88,7 +86,9 @@ void dem_profile_take(struct dem_state *p, struct dem_profile *f)
         f->phase[k].name = dem_phase_name((enum dem_phase)k);
         f->phase[k].mean = mean[k];
         f->phase[k].max = max[k];
+        f->phase[k].processor = mean[PROCESSOR + k];
         f->wall += mean[k];
+        f->processor += mean[PROCESSOR + k]*p->decomposition.ranks;
     }
     gather_counts(p, f);
     f->largest_overlap = fmax(p->limits.max_overlap, p->limits.overlap);

@@ -194,6 +194,9 @@ struct dem_profile
     {
         const char *name;
         double mean, max;                     /* s  mean and largest over ranks */
+        double processor;                     /* s  processor time, mean over ranks: less than
+                                                 `mean` where a rank slept or others had the
+                                                 processor */
     } phase[DEM_PROFILE_PHASES];              /* the means add up to wall */
     double wall, outside;                     /* s  wall-clock time; part of it outside
                                                  dem_advance: means over ranks */

@@ -388,7 +388,7 @@ int dem_step_window(struct dem_state *p, double dt, int64_t steps)
     p->window_start = p->time;
     p->steps_before = p->steps;
     p->steps_ahead = steps;
-    dem_timers_begin_advance(p->timers, p->particles.n);
+    dem_timers_begin_advance(p->timers, p->particles.n, steps);
     dem_walls_move(&p->walls, p->time, 0.0);
     dem_walls_begin_advance(&p->walls, p->window);
     dem_bodies_begin_window(&p->particles, &p->interaction_table.bodies);
@@ -405,6 +405,7 @@ int dem_step_window(struct dem_state *p, double dt, int64_t steps)
 
 int dem_step_continue(struct dem_state *p)
 {
-    dem_timers_begin_advance(p->timers, p->particles.n);
+    dem_timers_begin_advance(p->timers, p->particles.n,
+                             p->steps_ahead - (p->steps - p->steps_before));
     return make_steps(p);
 }

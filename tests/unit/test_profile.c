@@ -1,7 +1,8 @@
 /*
  * What a run tells of its cost is so: phases of one rank add up to the time that passed, by another reading of the clock, whether
  * each step is looked at or one in many; what is counted agrees with what is known of the scene; looking changes nothing. Contacts last
- * as many steps as Hertz has it.
+ * as many steps as Hertz has it. Processor time by phase adds up to that of the process, and is less than the clock where it
+ * sleeps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
@@ -15,6 +16,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 /* n spheres in a row on a floor, none near another, at rest where the floor carries them: one row each. */
 static struct dem *make(int n)
@@ -66,26 +68,27 @@ static void wait_for(double seconds)
 
 static void times(int n, int steps)
 {
-    const double before = dem_clock_wall();
+    const double before = dem_clock_wall(), busy_before = dem_clock_processor();
     struct dem *const d = make(n);
-    const double ready = dem_clock_wall();
+    const double ready = dem_clock_wall(), busy_ready = dem_clock_processor();
     struct dem_profile f;
-    double sum = 0.0;
+    double sum = 0.0, busy = 0.0;
 
     run(d, steps);
     const double between = dem_clock_wall();
 
     wait_for(0.02);
-    const double asked = dem_clock_wall();
+    const double asked = dem_clock_wall(), busy_asked = dem_clock_processor();
 
     TAP_OK(dem_profile(d, &f) == 0, "%d spheres: a profile", n);
-    const double told = dem_clock_wall();
+    const double told = dem_clock_wall(), busy_told = dem_clock_processor();
 
     for (int k = 0; k < DEM_PROFILE_PHASES; k++)
     {
         TAP_OK(f.phase[k].mean >= 0.0 && f.phase[k].mean == f.phase[k].max,
                "%d spheres: %s: %.3g s of the only rank", n, f.phase[k].name, f.phase[k].mean);
         sum += f.phase[k].mean;
+        busy += f.phase[k].processor;
     }
     TAP_NEAR(sum, f.wall, 1e-12*f.wall, "%d spheres: phases add up to the whole",
              n);          /* rounding */
@@ -95,9 +98,78 @@ static void times(int n, int steps)
     /* sums of many differences of one clock round: 1e-9 s is a thousand times that */
     TAP_OK(f.wall - f.outside <= between - before + 1e-9 && f.wall - f.outside > 0.0,
            "%d spheres: the rest is the advance", n);
-    TAP_OK(f.processor > 0.0 && f.imbalance == 1.0 && f.ranks == 1, "%d spheres: one rank, busy",
+    TAP_NEAR(busy, f.processor, 1e-9*f.processor, "%d spheres: so does their processor time", n);
+    TAP_OK(f.processor >= busy_asked - busy_ready && f.processor <= busy_told - busy_before,
+           "%d spheres: %.4g s of it: between %.4g and %.4g s", n, f.processor,
+           busy_asked - busy_ready, busy_told - busy_before);
+    TAP_OK(f.imbalance == 1.0 && f.ranks == 1, "%d spheres: one rank, busy",
            n);
     dem_free(d);
+}
+
+static void work_for(double processor_seconds)
+{
+    const double start = dem_clock_processor();
+
+    while (dem_clock_processor() - start < processor_seconds)
+    {
+    }
+}
+
+static void sleep_for(double seconds)
+{
+    const double start = dem_clock_wall();
+
+    while (dem_clock_wall() - start < seconds)
+    {
+        nanosleep(&(const struct timespec){.tv_nsec = 10000000}, NULL);
+    }
+}
+
+/* Steps that work in one phase and sleep in another, as a rank does that waits for others: the clock goes on in both, the
+   processor in the first one only. With many particles each step is measured, with few one of several. */
+static void sleeping(size_t particles, int steps)
+{
+    const double each = 0.02, before = dem_clock_processor();
+    double clock[DEM_PHASES], processor[DEM_PHASES], sum = 0.0;
+    struct dem_timers t;
+
+    dem_timers_begin(&t, 0, 0, 0);
+    for (int window = 0; window < 2; window++)
+    {
+        dem_timers_begin_advance(&t, particles, steps);
+        dem_timers_end_phase(&t, DEM_PHASE_BODIES);
+        for (int k = 0; k < steps; k++)
+        {
+            dem_timers_begin_step(&t);
+            work_for(each);
+            dem_timers_end_phase(&t, DEM_PHASE_CONTACTS);
+            sleep_for(2.0*each);
+            dem_timers_end_phase(&t, DEM_PHASE_AGREE);
+        }
+        dem_timers_end_advance(&t);
+        sleep_for(each);
+    }
+    dem_timers_end_outside(&t);
+    const double spent = dem_clock_processor() - before;
+
+    dem_timers_seconds(&t, clock);
+    dem_timers_processor_seconds(&t, processor);
+    for (int k = 0; k < DEM_PHASES; k++)
+    {
+        sum += processor[k];
+    }
+    TAP_NEAR(sum, spent, 0.02*spent, "%zu particles: phases add up to the processor time", particles);
+    TAP_OK(clock[DEM_PHASE_AGREE] > 2.0*processor[DEM_PHASE_AGREE] && clock[DEM_PHASE_AGREE] >= each,
+           "%zu particles: who sleeps takes %.3g s, %.3g s of the processor", particles,
+           clock[DEM_PHASE_AGREE], processor[DEM_PHASE_AGREE]);
+    TAP_OK(clock[DEM_PHASE_OUTSIDE] > 2.0*processor[DEM_PHASE_OUTSIDE] &&
+               clock[DEM_PHASE_OUTSIDE] >= 2.0*each,
+           "%zu particles: so outside", particles);
+    /* nine tenths: what sleeps wakes up now and then */
+    TAP_OK(processor[DEM_PHASE_CONTACTS] >= 0.9*2.0*steps*each,
+           "%zu particles: who works has %.3g s of the processor", particles,
+           processor[DEM_PHASE_CONTACTS]);
 }
 
 static void counts(int n, int steps)
@@ -157,7 +229,7 @@ static void cost(void)
         const double start = dem_clock_wall();
 
         dem_timers_begin(&t, 0, 0, 0);
-        dem_timers_begin_advance(&t, 5000);
+        dem_timers_begin_advance(&t, 5000, READINGS);
         dem_timers_begin_step(&t);
         for (int r = 0; r < READINGS; r++)
         {
@@ -233,6 +305,8 @@ int main(void)
     TAP_TRAPS;
     times(20, 2000);
     times(6000, 20);
+    sleeping(1000000, 5);
+    sleeping(70000, 5);
     counts(300, 40);
     looking_changes_nothing();
     durations(10.0, 1.0);
