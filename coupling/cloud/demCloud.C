@@ -313,6 +313,9 @@ Foam::demCloud::demCloud
     toldRelaxation_(0.5),
     changeRate_(0),
     relaxationRate_(0),
+    plannedWindow_(0),
+    plannedSteps_(0),
+    trial_(false),
     offset_(0),
     particlesFirst_(volumeAveraged),
     lastGood_(dict_.coupling().getOrDefault("lastGood", true)),
@@ -335,7 +338,7 @@ Foam::demCloud::demCloud
     depositVolume();
     dsdt_ = dimensionedScalar(dsdt_.dimensions(), Zero);
     fields_.update(dem_, transfer_, view_);
-    balance_.addTime(demMomentumBalance::EXCHANGE);
+    profile_.end(demProfile::START);
 }
 
 
@@ -343,11 +346,16 @@ Foam::demCloud::~demCloud()
 {
     const char* text = nullptr;
 
-    balance_.reportTotals();
+    profile_.end(demProfile::FLUID);
+    Info<< "Suna: time spent on fluid " << demProfile::fluid(profile_.spent())
+        << " s, particles " << profile_.spent(demProfile::PARTICLES)
+        << " s, exchange " << demProfile::exchange(profile_.spent())
+        << " s; largest exchange error " << balance_.maxError() << nl << endl;
     if (!dem_profile_text(dem_, &text))
     {
         Info<< text << endl;
     }
+    profile_.report();
     dem_free(dem_);
 }
 
@@ -377,6 +385,7 @@ Foam::scalar Foam::demCloud::courant()
 
 void Foam::demCloud::write()
 {
+    profile_.end(demProfile::FLUID);
     const fileName file(demSnapshot::present(mesh_.time()));
     if (Pstream::master())
     {
@@ -411,6 +420,7 @@ void Foam::demCloud::write()
     bonds_.writeVtk(dem_);
     flowTable_.report(dem_, true, particleTime());
     writeMeans();
+    profile_.end(demProfile::OUTPUT);
 }
 
 // ************************************************************************* //

@@ -373,7 +373,8 @@ void Foam::demCloud::evolve
     const volScalarField& mu
 )
 {
-    balance_.addTime(demMomentumBalance::FLUID);
+    profile_.end(demProfile::FLUID);
+    profile_.countStep();
     window_ = interval_ > 0 ? interval_ : mesh_.time().deltaTValue();
     offset_ =
         interval_ > 0
@@ -382,7 +383,10 @@ void Foam::demCloud::evolve
 
     checkMesh();
     checkClosedWalls(U);
-    backup();
+    if (!trial_)
+    {
+        backup();
+    }
     passInletsOutlets(U);
 
     if (!particlesFirst_ && (!twoWay_ || interval_ > 0))     // else in correct()
@@ -398,18 +402,25 @@ void Foam::demCloud::evolve
     {
         walls_.move(dem_);
     }
-    balance_.addTime(demMomentumBalance::EXCHANGE);
+    profile_.end(demProfile::SAMPLE);
 
     if (dem_advance(dem_, window_))
     {
         fail(string(dem_error_text()));
     }
-    balance_.addTime(demMomentumBalance::PARTICLES);
+    profile_.end(demProfile::PARTICLES);
 
     locate();
     depositVolume();
     depositReaction();
     updateRates();
+    profile_.end(demProfile::DEPOSIT);
+    if (trial_)
+    {
+        refresh();
+        demCheck(dem_totals(dem_, &lastTotals_));
+        return;
+    }
     report();
     flowTable_.report(dem_, false, particleTime());
     losses_.report(dem_, offset_);
@@ -422,7 +433,7 @@ void Foam::demCloud::evolve
         onWalls_ = wallImpulse();       // the record may have reset its sums
     }
     fields_.update(dem_, transfer_, view_);
-    balance_.addTime(demMomentumBalance::EXCHANGE);
+    profile_.end(demProfile::OUTPUT);
 }
 
 // ************************************************************************* //

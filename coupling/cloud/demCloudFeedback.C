@@ -94,7 +94,6 @@ void Foam::demCloud::returnImpulse
             relaxation.relaxAcceleration(transfer_.sample(acceleration_())());
         }
     }
-    balance_.addTime(demMomentumBalance::EXCHANGE);
 }
 
 
@@ -280,7 +279,7 @@ void Foam::demCloud::correct
 
     if (reacts())
     {
-        balance_.addTime(demMomentumBalance::FLUID);
+        profile_.end(demProfile::FLUID);
         returnImpulse(U, gradP);
 
         // In set II the pressure gradient drives the fluid in this step and the
@@ -303,6 +302,7 @@ void Foam::demCloud::correct
         const vectorField& u = U;
         const scalarField& e = voidFraction_;
         reportMomentum(density()*gSum((mesh_.V().field()*e*u)()), owed);
+        profile_.end(demProfile::CORRECT);
     }
 }
 
@@ -317,12 +317,13 @@ void Foam::demCloud::correct
 
     if (reacts())
     {
-        balance_.addTime(demMomentumBalance::FLUID);
+        profile_.end(demProfile::FLUID);
         returnImpulse(U, gradP_);
 
         const vectorField& u = U;
         const scalarField& density = rho;
         reportMomentum(gSum((mesh_.V().field()*density*u)()), vector::zero);
+        profile_.end(demProfile::CORRECT);
     }
 }
 

@@ -23,6 +23,7 @@
 #include "OSspecific.H"
 #include "StringStream.H"
 #include "Time.H"
+#include <stdexcept>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -129,6 +130,10 @@ void Foam::demCloud::fail(const string& sentence)
     // Otherwise ranks failed at different places and must not communicate
     if (dem_ranks_agree(dem_))
     {
+        if (trial_)
+        {
+            throw std::runtime_error(sentence);
+        }
         losses_.report(dem_, offset_);
         bonds_.report(dem_, offset_);
         if (lastGood_ && backupSteps_ >= 0)

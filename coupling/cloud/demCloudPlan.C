@@ -142,6 +142,15 @@ void Foam::demCloud::planKernel(const scalar bed) const
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::demCloud::plannedSeconds(const bool moving) const
+{
+    double seconds[2];
+
+    dem_plan_seconds(dem_, &seconds[0], &seconds[1]);
+    return seconds[moving];
+}
+
+
 void Foam::demCloud::plan
 (
     const volVectorField& U,
@@ -187,6 +196,9 @@ void Foam::demCloud::plan
         ahead.reached_why =
             crossing < reached ? throughflow.c_str() : reachedBy.c_str();
     }
+
+    plannedWindow_ = ahead.reached_window > 0 ? ahead.reached_window : ahead.window;
+    plannedSteps_ = max(ahead.duration/plannedWindow_, scalar(1));
 
     setFluid(U, gradP, rho, mu);
     demCheck(dem_plan(dem_, &ahead, &text));

@@ -1,5 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demMomentumBalance.C -- momentum balance of the exchange, and timers.
+    demMomentumBalance.C -- momentum balance of the exchange.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
@@ -14,26 +14,12 @@
 
 Foam::demMomentumBalance::demMomentumBalance()
 :
-    since_(clock::now()),
     maxError_(0),
     maxMoved_(0)
-{
-    for (scalar& s : spent_)
-    {
-        s = 0;
-    }
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::demMomentumBalance::addTime(const timer part)
-{
-    const clock::time_point now = clock::now();
-    spent_[part] += std::chrono::duration<double>(now - since_).count();
-    since_ = now;
-}
-
 
 Foam::scalar Foam::demMomentumBalance::exchange
 (
@@ -95,15 +81,6 @@ Foam::vector Foam::demMomentumBalance::owed(const struct ::dem_fluid& fluid)
 
     reduce(sum, sumOp<vector>());
     return sum;
-}
-
-
-void Foam::demMomentumBalance::reportTotals() const
-{
-    Info<< "Suna: time spent on fluid " << spent_[FLUID]
-        << " s, particles " << spent_[PARTICLES]
-        << " s, exchange " << spent_[EXCHANGE]
-        << " s; largest exchange error " << maxError_ << nl << endl;
 }
 
 // ************************************************************************* //

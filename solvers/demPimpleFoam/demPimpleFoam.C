@@ -69,10 +69,12 @@ Description
 #include "demTimeStepControl.H"
 #include "demRewrite.H"
 #include "demSettle.H"
+#include "demTrial.H"
 #include "fixedFlux.H"
 #include "cellVector.H"
 #include "halfCellMean.H"
 #include "faceVector.H"
+#include <stdexcept>
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -159,6 +161,7 @@ int main(int argc, char *argv[])
         if (args.found("plan"))
         {
             #include "checkSchemes.H"
+            #include "trialSteps.H"
             break;
         }
 
@@ -171,26 +174,7 @@ int main(int argc, char *argv[])
         // One exchange per step: the forces of the particles stay constant during
         // the iterations of the fluid
         cloud.evolve(U, gradP, rho, mu());
-        voidFractionf = fvc::interpolate(voidFraction);
-        #include "voidageFlux.H"
-        #include "particleForces.H"
-
-        while (pimple.loop())
-        {
-            #include "UEqn.H"
-
-            while (pimple.correct())
-            {
-                #include "pEqn.H"
-            }
-
-            if (pimple.turbCorr())
-            {
-                laminarTransport.correct();
-                turbulence->correct();
-            }
-        }
-
+        #include "fluidEquations.H"
         #include "continuity.H"
         cloud.correct(U, gradP);
         #include "budget.H"
