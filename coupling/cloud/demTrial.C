@@ -116,20 +116,19 @@ Foam::demTrial::~demTrial()
 bool Foam::demTrial::next()
 {
     cloud_.profile().end(demProfile::FLUID);
-    const scalar now = time_.elapsedClockTime();
+    if (begun_ == 0)
+    {
+        started_ = time_.elapsedClockTime();
+    }
 
-    if (begun_ > LEFT_OUT || (begun_ && now - started_ > longEnough))
+    bool late = time_.elapsedClockTime() - started_ > longEnough;
+    reduce(late, orOp<bool>());
+
+    if (begun_ > LEFT_OUT || (begun_ && late))
     {
         add();
     }
-    if (begun_ == 0 || begun_ == LEFT_OUT)
-    {
-        started_ = begun_ ? started_ : now;
-    }
-
-    bool over = measured_ >= MAX_STEPS || (measured_ && now - started_ > longEnough);
-    reduce(over, orOp<bool>());
-    if (over)
+    if (measured_ >= MAX_STEPS || (measured_ && late))
     {
         return false;
     }
