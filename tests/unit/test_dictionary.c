@@ -1,5 +1,6 @@
 /*
- * Claims: the text of a scene gives the values that OpenFOAM would read from it; every error is reported with its line.
+ * test_dictionary.c -- the text of a scene gives the values that OpenFOAM would read from it;
+ * errors name their line.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -83,7 +84,7 @@ static void numbers(void)
     TAP_OK(!dem_dict_number(d, "seven", "1", &x) && x == 7.0, "a name with a dot of its own");
     TAP_OK(!dem_dict_number_or(d, "absent", "m", 4.5, &x) && x == 4.5,
            "an absent number takes the fallback");
-    TAP_OK(!dem_dict_number_or(d, "d", "m", 4.5, &x) && x == 2e-3, "a present one does not");
+    TAP_OK(!dem_dict_number_or(d, "d", "m", 4.5, &x) && x == 2e-3, "a present number does not");
     TAP_OK(!dem_dict_int64(d, "n", &n) && n == 1000000007, "a whole number");
     TAP_OK(!dem_dict_int64(d, "big", &n) && n == INT64_MAX, "the largest whole number, exactly");
     TAP_OK(!dem_dict_int64(d, "million", &n) && n == 1000000, "1e6 is a whole number");
@@ -114,8 +115,8 @@ static void words_and_vectors(void)
                !dem_dict_text(steel, "name", &text) && strcmp(text, "stainless \"316\" steel") == 0,
            "string: %s", text);
     TAP_OK(!dem_dict_text(d, "quoted", &text) && *text == '\0', "an empty string is a text");
-    TAP_OK(dem_dict_word(d, "quoted", &text) == DEM_ERROR_INPUT, "... and not a word");
-    TAP_OK(dem_dict_word(steel, "name", &text) == DEM_ERROR_INPUT, "nor is one with spaces");
+    TAP_OK(dem_dict_word(d, "quoted", &text) == DEM_ERROR_INPUT, "... but not a word");
+    TAP_OK(dem_dict_word(steel, "name", &text) == DEM_ERROR_INPUT, "a string with spaces is not a word");
     TAP_OK(!dem_dict_word_or(d, "absent", "none", &text) && strcmp(text, "none") == 0,
            "an absent word");
     TAP_OK(!dem_dict_text_or(d, "absent", NULL, &text) && !text, "an absent text");
@@ -158,7 +159,7 @@ static void lists(void)
     dem_dict_free(d);
 }
 
-static void walking(void)
+static void in_order(void)
 {
     struct dem_dict *d = read_good("b 1 (2 x); a { z \"q r\"; }\n\nc 3;");
     const struct dem_entry *e;
@@ -175,15 +176,15 @@ static void walking(void)
     TAP_OK(dem_entry_is_dict(e) && (a = dem_entry_dict(e)) && strcmp(dem_dict_path(a), "a") == 0,
            "a dictionary");
     e = dem_dict_entry(d, 2);
-    TAP_OK(strcmp(dem_entry_where(e), "scene.dem, line 3") == 0, "an entry's place: %s",
+    TAP_OK(strcmp(dem_entry_where(e), "scene.dem, line 3") == 0, "position of an entry: %s",
            dem_entry_where(e));
     TAP_OK(strcmp(dem_dict_where(d), "scene.dem") == 0 && *dem_dict_path(d) == '\0',
-           "the top's place");
+           "position of the top level");
     TAP_OK(dem_dict_refuse_unread(d) == DEM_ERROR_INPUT &&
                strstr(dem_error_text(), "unknown entry \"z\" in a"),
-           "walking reads what is taken, the rest is refused: %s", dem_error_text());
+           "entries taken in a loop count as read, the others are refused: %s", dem_error_text());
     dem_dict_mark_read(d);
-    TAP_OK(dem_dict_refuse_unread(d) == DEM_OK, "unless all is accepted");
+    TAP_OK(dem_dict_refuse_unread(d) == DEM_OK, "unless all are accepted");
     dem_dict_free(d);
 }
 
@@ -197,9 +198,9 @@ static void more(void)
     TAP_OK(!dem_dict_sub(d, "a", &a) && !dem_dict_number(a, "x", "m", &x) &&
                !dem_dict_number(a, "y", "m", &y) && !dem_dict_number(d, "n", "1", &n) && x == 3 &&
                y == 2 && n == 4,
-           "replaces, keeps and sees the first one");
+           "replaces entries, keeps others and can refer to the first text");
     TAP_OK(strcmp(dem_entry_where(dem_dict_entry(d, 1)), "override, line 2") == 0,
-           "and knows its own name");
+           "its entries have its name as position");
     TAP_OK(dem_dict_read_more(d, "n {", "override") == DEM_ERROR_INPUT, "refused: %s",
            dem_error_text());
     dem_dict_free(d);
@@ -237,8 +238,8 @@ static void fields(void)
     dem_dict_free(d);
 }
 
-/* What a reader of scenes does, in small. */
-static int ask(const struct dem_dict *d)
+/* A small reader of scenes. */
+static int read_scene(const struct dem_dict *d)
 {
     const struct dem_dict *materials, *glass, *effects, *dry, *const *walls;
     const double *radii;
@@ -368,7 +369,7 @@ static const struct
      "give a value from 0 to 1 (speed after over speed before)"},
     {"effects { dry {\nrestitutoin 0.5; } }",
      "scene.dem, line 1: effects/dry needs restitution; is \"restitutoin\" in line 2 meant to be it?"},
-    /* what nobody reads */
+    /* entries that are not read */
     {"effects { dry { restitution 0.9;\n lawn 3; } }",
      "scene.dem, line 2: unknown entry \"lawn\" in effects/dry; "
      "did you mean law? known: law, on, count, direction, restitution"},
@@ -383,11 +384,11 @@ static void refusals(void)
         struct dem_dict *d = NULL;
         int status = dem_dict_read_text(&d, bad[i].text, "scene.dem");
 
-        status = status == DEM_OK ? ask(d) : status;
+        status = status == DEM_OK ? read_scene(d) : status;
         if (!TAP_OK(status == DEM_ERROR_INPUT && strcmp(dem_error_text(), bad[i].sentence) == 0,
                     "%s", bad[i].sentence))
         {
-            printf("#   told: %s\n", status == DEM_OK ? "nothing" : dem_error_text());
+            printf("# found: %s\n", status == DEM_OK ? "nothing" : dem_error_text());
         }
         dem_dict_free(d);
     }
@@ -443,7 +444,7 @@ static void files(void)
     remove(folder);
 }
 
-static void too_much(void)
+static void limits(void)
 {
     char *text = calloc(1, 1 << 16);
     struct dem_dict *d = NULL;
@@ -471,7 +472,8 @@ static void too_much(void)
     free(text);
 }
 
-/* Cut, doubled and broken anywhere, a text is read or refused; it never crashes, hangs or leaks (see the sanitizers). */
+/* A text that is cut, repeated or altered anywhere is read or refused, without crash, endless loop
+   or leak (with the sanitizers). */
 static void mutations(void)
 {
     static const char signs[] = "(){}[];$\"#/*\\ \n.:a1";
@@ -496,7 +498,7 @@ static void mutations(void)
         }
         dem_error(DEM_ERROR_STATE, "%s", "");
         const int status =
-            dem_dict_read_text(&d, text, "scene.dem") == DEM_OK ? ask(d) : DEM_ERROR_INPUT;
+            dem_dict_read_text(&d, text, "scene.dem") == DEM_OK ? read_scene(d) : DEM_ERROR_INPUT;
         good += d != NULL;
         refused += d == NULL;
         silent += status != DEM_OK && strncmp(dem_error_text(), "scene.dem", 9) != 0;
@@ -513,12 +515,12 @@ int main(void)
     numbers();
     words_and_vectors();
     lists();
-    walking();
+    in_order();
     more();
     fields();
     refusals();
     files();
-    too_much();
+    limits();
     mutations();
     TAP_DONE;
 }
