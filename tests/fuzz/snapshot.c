@@ -1,9 +1,11 @@
 /*
- * snapshot.c -- any bytes as a snapshot: made one that reading does not refuse at once, read, and advanced by one step.
+ * snapshot.c -- any bytes as a snapshot: corrected so that reading does not refuse it at once,
+ * read, and advanced by one step.
  *
- * What guards against slips would keep all but the undamaged out: so magic, byte order, version and the three checksums are put right, and
- * the file gets the length that its head tells of, where that is below 1 MB. Bytes are changed by a mutator of our own half of the time:
- * a whole word of the head, of a particle or of a row, by a number that is likely to hurt.
+ * The checksums would exclude nearly all inputs. So magic, byte order, version and the three
+ * checksums are corrected, and the file gets the length that its header describes, if that is below
+ * 1 MB. In half of the cases bytes are changed by the mutator of this file: a whole word of the
+ * header, of a particle or of a row becomes an extreme number.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -55,8 +57,8 @@ int fuzz_snapshot(const char *path, int steps)
     return status;
 }
 
-/* Bytes that the head tells of; 0 when it is none that the rest can be fitted to. */
-static size_t told(const struct dem_snapshot_header *h)
+/* Length that the header describes; 0 if it is invalid or too large. */
+static size_t described_length(const struct dem_snapshot_header *h)
 {
     const int64_t most = 1 << 12;
     int good = h->particles >= 0 && h->particles < most && h->rows >= 0 && h->rows < most &&
@@ -73,14 +75,14 @@ static size_t told(const struct dem_snapshot_header *h)
     return size < 1 << 20 ? size : 0;
 }
 
-/* The file with its marks and sums put right; *n becomes its length. The caller frees it. */
-static uint8_t *put_right(const uint8_t *data, size_t *n)
+/* The file with corrected marks and checksums; *n becomes its length. The caller frees it. */
+static uint8_t *corrected(const uint8_t *data, size_t *n)
 {
     struct dem_snapshot_header h;
 
     memset(&h, 0, sizeof h);
     memcpy(&h, data, *n < sizeof h ? *n : sizeof h);
-    const size_t fit = told(&h), size = fit ? fit : *n < sizeof h ? sizeof h : *n;
+    const size_t fit = described_length(&h), size = fit ? fit : *n < sizeof h ? sizeof h : *n;
     uint8_t *const file = calloc(size, 1);
 
     memcpy(file, data, size < *n ? size : *n);
@@ -109,7 +111,7 @@ static uint8_t *put_right(const uint8_t *data, size_t *n)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     size_t n = size;
-    uint8_t *const file = put_right(data, &n);
+    uint8_t *const file = corrected(data, &n);
     const char *const path = fuzz_file(file, n);
     struct dem *const d = begin("");
     uint64_t fingerprint;
@@ -131,7 +133,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     return 0;
 }
 
-/* ---- changing one ------------------------------------------------------------------------------------------------ */
+/* ---- mutation ---------------------------------------------------------------------------- */
 
 static uint64_t draw(uint64_t *state)                     /* splitmix64 */
 {
@@ -142,7 +144,7 @@ static uint64_t draw(uint64_t *state)                     /* splitmix64 */
     return z ^ z >> 31;
 }
 
-static uint64_t hurts(uint64_t *state, uint64_t old)
+static uint64_t extreme_number(uint64_t *state, uint64_t old)
 {
     static const double real[] = {0.0, -0.0, 1.0, -1.0, NAN, INFINITY,
                                   -INFINITY, DBL_MAX, -DBL_MAX, DBL_MIN, 5e-324, 1e-300,
@@ -212,7 +214,7 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned
              : sizeof h/8 < words ? sizeof h/8 + at%(words - sizeof h/8)
                                     : at%words;
         memcpy(&word, data + 8*at, 8);
-        word = hurts(&state, word);
+        word = extreme_number(&state, word);
         memcpy(data + 8*at, &word, 8);
     }
     return size;

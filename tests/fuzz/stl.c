@@ -1,5 +1,6 @@
 /*
- * stl.c -- any bytes as a surface: read, joined to walls, searched for a particle beside it, and advanced by one step.
+ * stl.c -- any bytes as a surface: read, made a wall, searched for a particle near it, and advanced
+ * by one step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

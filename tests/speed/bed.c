@@ -77,7 +77,7 @@ static double seconds(void)
     return (double)t.tv_sec + 1e-9*(double)t.tv_nsec;
 }
 
-/* ---- state --------------------------------------------------------------------------------------------------- */
+/* ---- state ----------------------------------------------------------------------------------- */
 
 /* Suna takes no start with overlaps of 5 % of a diameter, but a small grain between large ones may be pressed more: it is made as much
    smaller as leaves 4 %. Diameters of all [m]; NULL when there is no memory. */
@@ -166,7 +166,7 @@ static int state(char **argument)
     return 0;
 }
 
-/* ---- run ----------------------------------------------------------------------------------------------------- */
+/* ---- run ------------------------------------------------------------------------------------- */
 
 static int add(struct dem *d, const char *path)
 {
@@ -271,7 +271,7 @@ static int run(int arguments, char **argument)
     return status;
 }
 
-/* ---- spend --------------------------------------------------------------------------------------------------- */
+/* ---- spend ----------------------------------------------------------------------------------- */
 
 /* What is told of a process includes what its parent held before it began: so its parent is this one, which holds nothing. */
 static int spend(char **argument)

@@ -53,7 +53,7 @@ struct result
     double worst[KINDS];                                  /* relative */
 };
 
-/* ---- drawing ---------------------------------------------------------------------------------------------------------- */
+/* ---- drawing --------------------------------------------------------------------------------- */
 
 static double unit(struct scene *s)
 {
@@ -248,7 +248,7 @@ static void draw(struct scene *s, uint64_t seed)
     draw_particles(s, d);
 }
 
-/* ---- running ---------------------------------------------------------------------------------------------------------- */
+/* ---- running --------------------------------------------------------------------------------- */
 
 static int make(struct dem **d, const struct scene *s, MPI_Comm comm, const char *from)
 {
