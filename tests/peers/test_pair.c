@@ -101,7 +101,7 @@ static const struct
     {"hysteresis-twisted-sticky",
      "hookeHysteresis { unloading 5; adhesion 0.2; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
      twisted, 0.1, 0, "friction where it sticks"},
-    /* in LIGGGHTS the friction dashpot has sqrt(4 G*/E*) = 0.91 of the coefficient in Suna, and
+    /* in LIGGGHTS the friction dashpot has sqrt(4 G* / E*) = 0.91 of the coefficient in Suna, and
        acts while the contact attracts */
     {"hertz-twisted-damped", "hertz { } dry { restitution 0.8; } mindlin { friction 0.3; }",
      twisted, 0.03, 0, "coefficient of friction's dashpot"},
