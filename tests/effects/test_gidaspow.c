@@ -77,7 +77,8 @@ static void smooth(void)
     }
     TAP_NEAR(worst, 0.0, 1e-13, "smooth: (1 - phi) Ergun + phi Wen-Yu over e = 0.2 to 1");
     TAP_OK(step < 0.01,
-           "smooth: no jump, at most %.2g between void fractions 1e-4 apart, where the switch has 0.54",
+           "smooth: no jump, at most %.2g between void fractions 1e-4 apart, where the switch "
+           "has 0.54",
            step);
     TAP_NEAR(G(0.8, 200.0), 0.5*(ergun(0.8, 200.0) + wen_yu(0.8, 200.0)), 1e-11,
              "smooth: halfway at e = 0.8");

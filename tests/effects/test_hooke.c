@@ -120,20 +120,22 @@ static void limits(void)
     TAP_OK(strstr(why, "glass-glass on a spring of 1e+03 N/m"), "says why: %s", why);
     apply_setting(&dem_hooke, l->settings, &w.pair, "stiffness", 0.0);
     TAP_NEAR(dem_hooke.time_limit(l->settings, &w.pair, &why),
-             contact*sqrt(1000.0/1090.8212625), 1e-9*contact, "stiffness from the speed: 1/20 of the contact time");
+             contact*sqrt(1000.0/1090.8212625), 1e-9*contact,
+             "stiffness from the speed: 1/20 of the contact time");
     apply_setting(&dem_hooke, l->settings, &w.pair, "impactSpeed", 1e-6);
     const double wave = 0.2*pi*1e-3*sqrt(2500.0/(1e7/2.6))/(0.1631*0.3 + 0.8766);
 
     TAP_NEAR(dem_hooke.time_limit(l->settings, &w.pair, &why), wave, 1e-13*wave,
              "slow impacts: %s", why);
-    TAP_OK(strcmp(why, "0.2 of the Rayleigh time of glass") == 0, "slow impacts: the reason is named");
+    TAP_OK(strcmp(why, "0.2 of the Rayleigh time of glass") == 0,
+           "slow impacts: the reason is named");
     apply_setting(&dem_hooke, l->settings, &w.pair, "stiffness", 1e-6);
     TAP_OK(dem_hooke.time_limit(l->settings, &w.pair, &why) > 0.01,
            "a given stiffness has no limit by the Rayleigh time: %s", why);
-    TAP_OK(apply_setting(&dem_hooke, l->settings, &w.pair, "stiffness", -1.0) == DEM_ERROR_INPUT, "%s",
-           dem_error_text());
-    TAP_OK(apply_setting(&dem_hooke, l->settings, &w.pair, "impactSpeed", 0.0) == DEM_ERROR_INPUT, "%s",
-           dem_error_text());
+    TAP_OK(apply_setting(&dem_hooke, l->settings, &w.pair, "stiffness", -1.0) == DEM_ERROR_INPUT,
+           "%s", dem_error_text());
+    TAP_OK(apply_setting(&dem_hooke, l->settings, &w.pair, "impactSpeed", 0.0) == DEM_ERROR_INPUT,
+           "%s", dem_error_text());
     w.pair.reduced_modulus = 0.0;
     TAP_OK(dem_hooke.prepare(l->settings, &w.pair) == DEM_OK, "a given stiffness needs no modulus");
     apply_setting(&dem_hooke, l->settings, &w.pair, "stiffness", 0.0);

@@ -135,7 +135,8 @@ static void points(void)
         double d = 0.0, work = 0.0;
 
         /* nine digits printed */
-        TAP_NEAR(load_to(l, &d, most, &work), t[5], 1e-8*peak, "pressed to %g d_lim: %g N", t[0], t[5]);
+        TAP_NEAR(load_to(l, &d, most, &work), t[5], 1e-8*peak, "pressed to %g d_lim: %g N", t[0],
+                 t[5]);
         TAP_NEAR((at(l, most) - at(l, 0.99*most))/(0.01*most), t[1], 1e-6*t[1],
                  "unloads on %g N/m", t[1]);
         TAP_NEAR(at(l, t[2]), 0.0, 1e-8*peak, "no force at %g m", t[2]);
@@ -196,7 +197,8 @@ static void impacts(void)
             }
             /* at a usual step, t_c(k_m)/50: the mean over the phases of contact within 0.005 */
             TAP_OK(steps > 0, "k_c/k %g, v/v_lim %g: separates", adhesion[a], speed[s]);
-            TAP_NEAR(impacts_rebound_speed(&w)/v, sqrt(expected), 5e-3, "with e = %.4f", sqrt(expected));
+            TAP_NEAR(impacts_rebound_speed(&w)/v, sqrt(expected), 5e-3, "with e = %.4f",
+                     sqrt(expected));
         }
     }
 }
@@ -358,9 +360,11 @@ static void limits_of_law(void)
 
     TAP_NEAR(dem_hooke_hysteresis.time_limit(l->settings, &w.pair, &why), limit, 1e-9*limit, "%s",
              why);    /* digits of k */
-    TAP_OK(apply_setting(&dem_hooke_hysteresis, l->settings, &w.pair, "unloading", 0.5) == DEM_ERROR_INPUT,
+    TAP_OK(apply_setting(&dem_hooke_hysteresis, l->settings, &w.pair, "unloading", 0.5) ==
+               DEM_ERROR_INPUT,
            "%s", dem_error_text());
-    TAP_OK(apply_setting(&dem_hooke_hysteresis, l->settings, &w.pair, "adhesion", -1.0) == DEM_ERROR_INPUT,
+    TAP_OK(apply_setting(&dem_hooke_hysteresis, l->settings, &w.pair, "adhesion", -1.0) ==
+               DEM_ERROR_INPUT,
            "%s", dem_error_text());
     apply_setting(&dem_hooke_hysteresis, l->settings, &w.pair, "stiffness", 100.0);
     TAP_NEAR(at(l, 1e-6), 1e-4, 1e-19, "a given stiffness");
@@ -400,7 +404,8 @@ static void friction(void)
     load_to(l, &d, 0.8*d_lim, &work);
     for (int part = 0; part < 3; part++)
     {
-        apply_setting(&dem_linear, friction_effect->settings, &w.pair, "adhesion", part == 2 ? 0.0 : 1.0);
+        apply_setting(&dem_linear, friction_effect->settings, &w.pair, "adhesion",
+                      part == 2 ? 0.0 : 1.0);
         load_to(l, &d, part == 1 ? 0.1*d_lim : balance, &work);
         limit = part == 0 ? 0.4*k*balance : 0.0;
         w.b.hz[0] = w.b.nz[0] = 1.0;

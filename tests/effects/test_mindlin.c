@@ -288,17 +288,21 @@ static void signs(void)
     impact(0.3, 0.9, 0, 1.0, 2.0, 0.0, 400);
     TAP_OK(row_mean(w.v[0][0]) < 2.0 && row_mean(w.v[0][0]) > 0.0,
            "a sphere sliding to +x on the plane below it slows down");
-    TAP_OK(row_mean(w.w[0][1]) > 0.0, "it starts to roll to +x: spin about +y, %g 1/s", row_mean(w.w[0][1]));
+    TAP_OK(row_mean(w.w[0][1]) > 0.0, "it starts to roll to +x: spin about +y, %g 1/s",
+           row_mean(w.w[0][1]));
     /* an impulse at the contact point changes R w by 5/2 of the change of speed, whatever its
        history: rounding only */
-    TAP_NEAR(row_mean(w.w[0][1])*0.0025, 2.5*(2.0 - row_mean(w.v[0][0])), 1e-12, "R w = 5/2 of the speed lost");
+    TAP_NEAR(row_mean(w.w[0][1])*0.0025, 2.5*(2.0 - row_mean(w.v[0][0])), 1e-12,
+             "R w = 5/2 of the speed lost");
     TAP_OK(row_mean(w.v[0][1]) == 0.0 && row_mean(w.w[0][0]) == 0.0 && row_mean(w.w[0][2]) == 0.0,
            "no velocity across");
 
     impacts_spheres(&w, &aluminium, &aluminium, 0.1, 0.1);
     impact(0.4, 0.5, 0, 0.4, 0.0, 8.0, 400);
-    TAP_OK(row_mean(w.w[0][1]) < 8.0 && row_mean(w.w[1][1]) < 8.0, "two spheres of like spin: both slow down");
-    TAP_NEAR(row_mean(w.w[0][1]), row_mean(w.w[1][1]), 1e-12, "two spheres of like spin: equal changes");
+    TAP_OK(row_mean(w.w[0][1]) < 8.0 && row_mean(w.w[1][1]) < 8.0,
+           "two spheres of like spin: both slow down");
+    TAP_NEAR(row_mean(w.w[0][1]), row_mean(w.w[1][1]), 1e-12,
+             "two spheres of like spin: equal changes");
     /* i lies above j; its lowest point moves to -x, so friction on it is to +x: w = 5/2 impulse/(m
        R) */
     /* meanwhile the line of centres rotates by some 1e-4, and that fraction of the normal impulse
@@ -344,7 +348,8 @@ static void full_sliding(void)
        instant, 1e-5 of the impulse */
     TAP_NEAR(row_mean(w.v[0][0]), vt - 0.092*2.0*vn, 1e-4*vt,
              "60 degrees, tangential speed of the rigid sphere");
-    TAP_NEAR(row_mean(w.w[0][1]), 2.5*0.092*2.0*vn/0.0025, 0.04, "60 degrees, spin of the rigid sphere");
+    TAP_NEAR(row_mean(w.w[0][1]), 2.5*0.092*2.0*vn/0.0025, 0.04,
+             "60 degrees, spin of the rigid sphere");
 }
 
 /* opposite equal spins: the surfaces roll on each other and the spins do not change */
@@ -362,7 +367,8 @@ static void matching_spins(void)
         w.w[0][1][c] = 20.0, w.w[1][1][c] = -20.0;
     }
     TAP_OK(impacts_impact(&w, dt, 4000) > 0, "separates");
-    TAP_OK(row_mean(w.w[0][1]) == 20.0 && row_mean(w.w[1][1]) == -20.0 && row_mean(w.v[0][0]) == 0.0,
+    TAP_OK(row_mean(w.w[0][1]) == 20.0 && row_mean(w.w[1][1]) == -20.0 &&
+               row_mean(w.v[0][0]) == 0.0,
            "matching spins do not change");
 }
 

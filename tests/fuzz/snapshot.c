@@ -23,20 +23,27 @@ size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t most) __attribute__((
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned seed);
 
 static const char scene[] =
-    "materials { rock { density 2500; youngsModulus 4e6; } clay { density 2000; youngsModulus 2e6; } } "
-    "effects { hertz { } dry { restitution 0.8; } mindlin { friction 0.4; } rollingSpring { friction 0.1; } "
-    "bondLinear { normalStiffness 4e9; shearStiffness 1.6e9; radius 0.8; makeDistance 1.02; } gravity { acceleration (0 0 -9.81); } } "
+    "materials { rock { density 2500; youngsModulus 4e6; } clay { density 2000; "
+    "youngsModulus 2e6; } } "
+    "effects { hertz { } dry { restitution 0.8; } mindlin { friction 0.4; "
+    "} rollingSpring { friction 0.1; } "
+    "bondLinear { normalStiffness 4e9; shearStiffness 1.6e9; radius 0.8; makeDistance 1.02; "
+    "} gravity { acceleration (0 0 -9.81); } } "
     "pairs { soft { between (clay clay); bondLinear { probability 0; } } } "
     "domain { min (0 0 -0.001); max (0.008 0.008 0.008); periodic (x); leaving remove; } "
-    "walls { floor { type plane; material rock; point (0 0 0); normal (0 0 1); motion { type oscillation; amplitude (0 0 1e-4); frequency 200; } } } "
-    "insert { %s rain { type stream; material clay; rate 1e4; diameter 1e-3; min (0 0 0.006); max (0.008 0.008 0.008); velocity (0 0 -1); } } "
+    "walls { floor { type plane; material rock; point (0 0 0); normal (0 0 1); "
+    "motion { type oscillation; amplitude (0 0 1e-4); frequency 200; } } } "
+    "insert { %s rain { type stream; material clay; rate 1e4; diameter 1e-3; min (0 0 0.006); "
+    "max (0.008 0.008 0.008); velocity (0 0 -1); } } "
     "outlets { hole { point (0 0.0075 0); normal (0 1 0); } } "
     "averages { box { min (0 0 0); max (0.008 0.008 0.008); cells (2 1 2); interval 1e-5; } } "
     "time { step 1e-6; }";
 
 static const char grains[] =
-    "block { type list; material rock; diameter 1e-3; positions ((0.001 0.004 0.0005) (0.002 0.004 0.0005) (0.0079 0.004 0.0005)); "
-    "velocity (0.1 0 -0.1); } soft { type list; material clay; diameter 0.8e-3; positions ((0.004 0.002 0.00039) (0.0048 0.002 0.00039)); spin (0 50 0); } ";
+    "block { type list; material rock; diameter 1e-3; "
+    "positions ((0.001 0.004 0.0005) (0.002 0.004 0.0005) (0.0079 0.004 0.0005)); "
+    "velocity (0.1 0 -0.1); } soft { type list; material clay; diameter 0.8e-3; "
+    "positions ((0.004 0.002 0.00039) (0.0048 0.002 0.00039)); spin (0 50 0); } ";
 
 static struct dem *begin(const char *insert)
 {

@@ -16,11 +16,12 @@
 
 #define MEANS "averages { box { min (-1 -1 -1); max (1 1 1); cells (2 2 2); interval 1e-9; } } "
 
-static void try_velocity(const char *what, const char *effects, const char *velocity, const char *first,
-                  const char *second)
+static void try_velocity(const char *what, const char *effects, const char *velocity,
+                         const char *first, const char *second)
 {
     char *const scene = world_text(
-        "materials { glass { density 2500; youngsModulus 1e7; } } effects { %s } time { step 1e-6; force yes; } " MEANS
+        "materials { glass { density 2500; youngsModulus 1e7; "
+        "} } effects { %s } time { step 1e-6; force yes; } " MEANS
         "insert { a { type list; diameter 1e-3; positions ((0 0 0)); velocity %s; } "
         "b { type list; diameter 1e-3; positions ((0.0010005 0 0)); } }",
         effects, velocity);
@@ -53,9 +54,9 @@ int main(void)
     try_velocity("a force of 1e293 N", "hooke { stiffness 1e300; }", "(1 0 0)",
           "averages/box: particle 0 at (1e-06 0 0) m with (-1.90986e+293 0 0) m/s has momentum",
           "the limit is 1e+60; look at the forces on it");
-    try_velocity("a force of 1e60 N", "hooke { stiffness 1e67; }", "(1 0 0)", "averages/box: particle 0",
-          "the limit is 1e+60");
-    try_velocity("a force of 1e303 N", "hooke { stiffness 1e308; } dry { restitution 0.5; }", "(100 0 0)",
-          "averages/box: particle 0", "in step 1");
+    try_velocity("a force of 1e60 N", "hooke { stiffness 1e67; }", "(1 0 0)",
+                 "averages/box: particle 0", "the limit is 1e+60");
+    try_velocity("a force of 1e303 N", "hooke { stiffness 1e308; } dry { restitution 0.5; }",
+                 "(100 0 0)", "averages/box: particle 0", "in step 1");
     TAP_DONE;
 }

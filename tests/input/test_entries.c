@@ -261,8 +261,8 @@ static int print_scene(FILE *to, const struct fault *fault)
         }
         if (!slips || fault->value)
         {
-            fprintf(to, "%s %s%s\n", slips ? fault->name : word, slips ? fault->value : rows[i].value,
-                    slips ? fault->end : ";");
+            fprintf(to, "%s %s%s\n", slips ? fault->name : word,
+                    slips ? fault->value : rows[i].value, slips ? fault->end : ";");
         }
         here = slips ? line : here;
         line++;
@@ -401,7 +401,8 @@ static void try_row(int k)
     }
     for (int j = 0; extreme[r->kind][j]; j++)
     {
-        taken += try_extreme(extreme[r->kind][j], &(struct fault){k, word, extreme[r->kind][j], ";"});
+        taken +=
+            try_extreme(extreme[r->kind][j], &(struct fault){k, word, extreme[r->kind][j], ";"});
         extremes++;
     }
     TAP_OK(tap_count.failed == before, "%s: faults are refused by name; of %d extremes %d run",
@@ -420,7 +421,8 @@ static int check_setting(const struct dem_effect *effect, const char *name, cons
     snprintf(
         text, sizeof text,
         "materials { glass { density 2500; youngsModulus 1e7; } } effects { %s %s { %s %s; } }"
-        "insert { two { type list; diameter 1e-3; positions ((0 0 1) (0.0011 0 1)); } } time { step 1e-9; }"
+        "insert { two { type list; diameter 1e-3; positions ((0 0 1) (0.0011 0 1)); "
+        "} } time { step 1e-9; }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
         effect->stage == DEM_STAGE_NORMAL ? "" : "hertz { }", effect->name, name, value);
     WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
@@ -457,7 +459,8 @@ static void settings(const struct dem_effect *effect)
             worst = status && !is_sentence(dem_error_text()) ? extreme[kind][j] : worst;
             taken += !status;
         }
-        TAP_OK(!worst, "effects/%s/%s: faults are refused by name; of %d extremes %d are accepted %s",
+        TAP_OK(!worst,
+               "effects/%s/%s: faults are refused by name; of %d extremes %d are accepted %s",
                effect->name, f->name, extremes, taken, worst ? worst : "");
     }
 }

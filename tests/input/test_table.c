@@ -59,7 +59,8 @@ static void refused(const char *rows, const char *entries, const char *first, co
 static void test_rows(void)
 {
     struct dem *d = from_table(
-        "# made by hand\n\n z; y;x ,diameter  wx,wy,wz\tvx vy vz\r\n0.3;0.2 0.1,2e-3,1,2,3,4,5,6\n\n#\n  3,2,1  1e-3;0;0;0;0;0;-1e0\n",
+        "# made by hand\n\n z; y;x ,diameter  wx,wy,wz\tvx vy vz\r\n0.3;0.2 "
+        "0.1,2e-3,1,2,3,4,5,6\n\n#\n  3,2,1  1e-3;0;0;0;0;0;-1e0\n",
         "");
 
     WORLD_TRY(dem_setup(d));
@@ -162,7 +163,8 @@ static void test_ids(void)
                                           .id = -1,
                                           .material = "glass"};
     const char *const scene = START
-        "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make listed; makeDistance 1.1; breakDistance 1.2; } }"
+        "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make listed; makeDistance 1.1; "
+        "breakDistance 1.2; } }"
         "insert { l { type list; diameter 1e-3; ids (" FIRST " " SECOND
         "); positions ((0 0 0.1) (0 0 0.101)); } }"
         "bonds { pairs (" SECOND " " FIRST "); }";
@@ -182,7 +184,8 @@ static void test_ids(void)
     dem_free(d);
     d = world_begin(
         START
-        "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make once; makeDistance 1.1; breakDistance 1.2; } }");
+        "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make once; makeDistance 1.1; "
+        "breakDistance 1.2; } }");
     WORLD_TRY(dem_load(d, path));
     WORLD_TRY(dem_setup(d));
     are_there(d, "a snapshot");

@@ -75,31 +75,38 @@ static const struct
        a step, in which the pair rotates by 1e-3 and the spring is loaded by 1/400: some 1e-5, and
        half of it with half the step */
     {"hertz-oblique",
-     "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; tangentialDamping no; }",
+     "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; "
+     "tangentialDamping no; }",
      oblique, 5e-5, 1, "order of a step"},
     {"hooke-oblique",
-     "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; tangentialDamping no; }",
+     "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; "
+     "tangentialDamping no; }",
      oblique, 5e-5, 1, "order of a step"},
     {"hysteresis-oblique",
-     "hookeHysteresis { unloading 5; adhesion 0; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
+     "hookeHysteresis { unloading 5; adhesion 0; } linear { friction 0.3; ratio 1; "
+     "tangentialDamping no; }",
      oblique, 5e-5, 1, "order of a step"},
 
     /* where definitions differ, the difference is printed and bounded. In Suna springs rotate about
        the normal with the mean spin of the pair, in LIGGGHTS they do not: 16 1/s for 2e-4 s, an
        angle of 3e-3, by which the direction of up to 0.1 m/s from friction differs */
     {"hertz-twisted",
-     "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; tangentialDamping no; }",
+     "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; "
+     "tangentialDamping no; }",
      twisted, 5e-4, 0, "springs rotate about the normal"},
     {"hooke-twisted",
-     "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; tangentialDamping no; }",
+     "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; "
+     "tangentialDamping no; }",
      twisted, 5e-4, 0, "springs rotate about the normal"},
     {"hysteresis-twisted",
-     "hookeHysteresis { unloading 5; adhesion 0; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
+     "hookeHysteresis { unloading 5; adhesion 0; } linear { friction 0.3; ratio 1; "
+     "tangentialDamping no; }",
      twisted, 5e-4, 0, "springs rotate about the normal"},
     /* the friction limit of an adhesive contact is mu |F_n| in LIGGGHTS and mu (F_n + k_c d) in
        Suna: they differ by up to a fifth of the normal force in unloading */
     {"hysteresis-twisted-sticky",
-     "hookeHysteresis { unloading 5; adhesion 0.2; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
+     "hookeHysteresis { unloading 5; adhesion 0.2; } linear { friction 0.3; ratio 1; "
+     "tangentialDamping no; }",
      twisted, 0.1, 0, "friction where it sticks"},
     /* in LIGGGHTS the friction dashpot has sqrt(4 G* / E*) = 0.91 of the coefficient in Suna, and
        acts while the contact attracts */
@@ -165,7 +172,8 @@ static double distance(const char *folder, size_t k, int halves, double *place, 
 
             *place = fmax(*place, difference_of(p.x, row[i] + 1)/7e-4);
             *changed = fmax(*changed, difference_of(p.v, cases[k].seed[i].velocity));
-            worst = fmax(worst, fmax(difference_of(p.v, row[i] + 4), difference_of(p.w, row[i] + 7)*7e-4));
+            worst = fmax(
+                worst, fmax(difference_of(p.v, row[i] + 4), difference_of(p.w, row[i] + 7)*7e-4));
         }
     }
     fclose(f);
@@ -187,8 +195,8 @@ static void compare(const char *folder, size_t k)
         return;
     }
     TAP_OK(changed > 0.3, "%s: they collide, a velocity changes by %.3f m/s", name, changed);
-    TAP_NEAR(worst, 0.0, cases[k].within, "%s: difference %.2g m/s, %.2g of a radius: %s", name, worst,
-             place, cases[k].why);
+    TAP_NEAR(worst, 0.0, cases[k].within, "%s: difference %.2g m/s, %.2g of a radius: %s", name,
+             worst, place, cases[k].why);
     if (cases[k].first_order)
     {
         TAP_NEAR(worst/half, 2.0, 0.2, "%s: half the step leaves 1/%.2f of it", name,
@@ -196,8 +204,8 @@ static void compare(const char *folder, size_t k)
     }
     else if (cases[k].within > 1e-6)
     {
-        TAP_OK(half > 0.5*worst, "%s: with half the step still %.2g m/s: due to the law, not the step", name,
-               half);
+        TAP_OK(half > 0.5*worst,
+               "%s: with half the step still %.2g m/s: due to the law, not the step", name, half);
     }
 }
 

@@ -29,13 +29,16 @@ static const struct
     double step;                                          /* s; whole steps make a millisecond */
 } cases[] = {
     {"hertz",
-     "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; tangentialDamping no; }",
+     "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; "
+     "tangentialDamping no; }",
      4e-6},
     {"hooke",
-     "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; tangentialDamping no; }",
+     "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; "
+     "tangentialDamping no; }",
      4e-6},
     {"hysteresis",
-     "hookeHysteresis { unloading 3; adhesion 0; plasticDepth 0.02; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
+     "hookeHysteresis { unloading 3; adhesion 0; plasticDepth 0.02; } linear { friction 0.3; "
+     "ratio 1; tangentialDamping no; }",
      2.5e-6},
 };
 
@@ -228,7 +231,8 @@ static void compare(const char *folder, size_t c)
     char *const name = world_text("%s/%s.dump", folder, cases[c].name);
     const char *const what = cases[c].name;
 
-    if (!TAP_OK(read_dump(name, &other), "%s: %d frames of %d spheres in the dump", what, FRAMES, N))
+    if (!TAP_OK(read_dump(name, &other), "%s: %d frames of %d spheres in the dump", what, FRAMES,
+                N))
     {
         return;
     }
@@ -244,16 +248,19 @@ static void compare(const char *folder, size_t c)
         most = fmax(most, suna.frame[f].kinetic);
     }
     TAP_NOTE(
-        "%s: centre of mass %.4f and %.4f mm, top %.3f and %.3f mm, %.3f and %.3f contacts a sphere, kinetic %.2g and %.2g of the largest",
+        "%s: centre of mass %.4f and %.4f mm, top %.3f and %.3f mm, %.3f and %.3f contacts a "
+        "sphere, kinetic %.2g and %.2g of the largest",
         what, 1e3*end->centre, 1e3*end_there->centre, 1e3*end->top, 1e3*end_there->top,
         end->contacts, end_there->contacts, end->kinetic/most, end_there->kinetic/most);
     TAP_NOTE(
-        "%s: difference of %.2g D in the centre of mass, %.2g of the largest kinetic energy, %.2g D of the top, %.2g contacts a sphere",
+        "%s: difference of %.2g D in the centre of mass, %.2g of the largest kinetic energy, "
+        "%.2g D of the top, %.2g contacts a sphere",
         what, d.centre, d.kinetic, d.top, d.contacts);
     TAP_NOTE("%s: two runs of Suna 1 nm apart: %.2g D, %.2g, %.2g D, %.2g", what, own.centre,
              own.kinetic, own.top, own.contacts);
     TAP_NOTE(
-        "%s: all trajectories within 1e-9 D for %d ms, 1e-6 D for %d ms, 1e-3 D for %d ms, 1 D for %d ms; Suna 1 nm apart (from 1e-6 D) 1e-3 D for "
+        "%s: all trajectories within 1e-9 D for %d ms, 1e-6 D for %d ms, 1e-3 D for %d ms, 1 D "
+        "for %d ms; Suna 1 nm apart (from 1e-6 D) 1e-3 D for "
         "%d ms, 1 D for %d ms",
         what, first_difference(&suna, &other, 1e-9*D), first_difference(&suna, &other, 1e-6*D),
         first_difference(&suna, &other, 1e-3*D), first_difference(&suna, &other, D),

@@ -102,8 +102,10 @@ static void slab_volumes(void)
         {.position = {0.0, 0.0, z}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
     char *const scene = world_text(
         "%s effects { hertz {} } time { step 1e-6; }"
-        "averages { slabs { min (-0.005 -0.005 -0.001); max (0.005 0.005 0.004); cells (1 1 10); interval 1e-6; }"
-        "           all { min (-0.0027 -0.0031 -0.001); max (0.0053 0.0049 0.004); cells (10 10 10); interval 1e-6; } }",
+        "averages { slabs { min (-0.005 -0.005 -0.001); max (0.005 0.005 0.004); cells (1 1 10); "
+        "interval 1e-6; }"
+        "           all { min (-0.0027 -0.0031 -0.001); max (0.0053 0.0049 0.004); "
+        "cells (10 10 10); interval 1e-6; } }",
         material);
     struct dem *const d = world(scene, 1, seed);
 
@@ -202,8 +204,10 @@ static void streams(void)
     world_run(d, 1e-3);
     read_table(d, "box");
     TAP_NEAR(at(0, "velocityX"), 0.0, 1e-9, "two equal streams: mean velocity 0");
-    TAP_NEAR(at(0, "temperature"), (v[0]*v[0] + v[1]*v[1])/3.0, 1e-9, "two equal streams: temperature");
-    TAP_NEAR(at(0, "stressXX"), -rho*v[0]*v[0], rho*1e-9, "two equal streams: normal stress along x");
+    TAP_NEAR(at(0, "temperature"), (v[0]*v[0] + v[1]*v[1])/3.0, 1e-9,
+             "two equal streams: temperature");
+    TAP_NEAR(at(0, "stressXX"), -rho*v[0]*v[0], rho*1e-9,
+             "two equal streams: normal stress along x");
     TAP_NEAR(at(0, "stressXY"), -rho*v[0]*v[1], rho*1e-9, "two equal streams: shear stress");
     dem_free(d);
 
@@ -232,8 +236,10 @@ static void column(void)
     char *const scene = world_text(
         "%s effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.1; } }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
-        "averages { box { min (-0.002 -0.002 0); max (0.002 0.002 0.012); start 0.2; interval 0.001; }"
-        "           later { min (-0.002 -0.002 0); max (0.002 0.002 0.012); start 5; interval 0.001; } }",
+        "averages { box { min (-0.002 -0.002 0); max (0.002 0.002 0.012); start 0.2; "
+        "interval 0.001; }"
+        "           later { min (-0.002 -0.002 0); max (0.002 0.002 0.012); start 5; "
+        "interval 0.001; } }",
         material);
     double expected = 0.0;
 
@@ -286,9 +292,11 @@ static void wall_friction(int k)
     seed.velocity[next] = 0.8;
     seed.velocity[last] = -0.6;
     char *const scene = world_text(
-        "%s effects { gravity { acceleration (%g %g %g); } hooke { stiffness %g; } linear { friction %g; stiffness 1000; } }"
+        "%s effects { gravity { acceleration (%g %g %g); } hooke { stiffness %g; "
+        "} linear { friction %g; stiffness 1000; } }"
         "walls { floor { type plane; point (0 0 0); normal (%g %g %g); } }"
-        "averages { box { min (-0.01 -0.01 -0.01); max (0.01 0.01 0.01); start 0.001; interval 0.0005; } }",
+        "averages { box { min (-0.01 -0.01 -0.01); max (0.01 0.01 0.01); start 0.001; "
+        "interval 0.0005; } }",
         material, -g*up[0], -g*up[1], -g*up[2], stiffness, mu, up[0], up[1], up[2]);
     struct dem *const w = world(scene, 1, &seed);
     const double push =

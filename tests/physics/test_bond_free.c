@@ -265,7 +265,8 @@ static void hand_over(void)
     const double none[3] = {0.0, 0.0, 0.0};
 
     TAP_NEAR(world_at(d, 1).f[0], 0.0, 0.0, "the contact of a bonded pair has no force");
-    TAP_NEAR(world_tally(d).lost, 0.4*able*0.005*L, 1e-9*able*L, "its elastic energy is reported as lost");
+    TAP_NEAR(world_tally(d).lost, 0.4*able*0.005*L, 1e-9*able*L,
+             "its elastic energy is reported as lost");
     move_steps(d, 0.0, 0.0, 3);
     TAP_NEAR(world_at(d, 1).f[0], 0.0, 1e-12*able, "nor after ten steps");
     dem_free(d);
@@ -321,8 +322,8 @@ static void adhesion_of_bonded(const char *adhesion, double pull)
     move_steps(bare, -0.5*able/(kn*A)/50.0, 0.0, 50);
     const double pressed = world_at(d, 1).f[0];
 
-    TAP_NEAR(pressed, world_at(bare, 1).f[0], 0.0, "%s: a bonded pair has the force of its bond alone",
-             adhesion);
+    TAP_NEAR(pressed, world_at(bare, 1).f[0], 0.0,
+             "%s: a bonded pair has the force of its bond alone", adhesion);
     move_steps(d, 0.0, 1e-4, 10000);
     TAP_OK(world_tally(d).broken == 1.0, "%s: a twist breaks it", adhesion);
     TAP_NEAR(world_at(d, 1).f[0], pressed, 1e-9*pressed,
@@ -356,8 +357,8 @@ static void adhesion_of_bonded(const char *adhesion, double pull)
     dem_free(bare);
 
     d = bonded_contact(adhesion, "contact parallel;");
-    TAP_OK(world_at(d, 1).f[0] < able - 0.5*pull, "%s: with contact parallel they adhere beside the bond",
-           adhesion);
+    TAP_OK(world_at(d, 1).f[0] < able - 0.5*pull,
+           "%s: with contact parallel they adhere beside the bond", adhesion);
     dem_free(d);
 }
 
@@ -369,20 +370,23 @@ static void hanging(void)
         "materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
         "effects { gravity { acceleration (0 0 -9.81); }"
         " bondLinear { normalStiffness %g; shearStiffness %g; walls yes; dampingRatio 0.3; } }"
-        "walls { lid { type plane; point (0 0 %.17g); normal (0 0 -1); } side { type triangles; corners"
+        "walls { lid { type plane; point (0 0 %.17g); normal (0 0 -1); } side { type triangles; "
+        "corners"
         " ((0.05 -1 -1) (0.05 1 -1) (0.05 1 1)); } }",
         kn*1e-4, kt*1e-4, R);
     const struct dem_new_particle seed[2] =
         {{.position = {0, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "rock"},
          {.position = {0.05 - R, -0.5, -0.8}, .diameter = 2.0*R, .id = 1, .material = "rock"}};
     struct dem *const d = world(scene, 2, seed);
-    const double weight = 9.81*world_sphere_mass(R, 2500.0), ktA = kt*1e-4*A, arm = R*R*ktA/(kn*1e-4*I);
+    const double weight = 9.81*world_sphere_mass(R, 2500.0), ktA = kt*1e-4*A,
+                 arm = R*R*ktA/(kn*1e-4*I);
 
     world_run(d, 0.05);
     const struct world_particle p = world_at(d, 0), q = world_at(d, 1);
 
     TAP_OK(world_tally(d).bonds == 2, "bonded to a plane and to a triangle");
-    TAP_NEAR(p.x[2], -weight/(kn*1e-4*A), 1e-3*weight/(kn*1e-4*A), "one hangs at the elongation of its bond");
+    TAP_NEAR(p.x[2], -weight/(kn*1e-4*A), 1e-3*weight/(kn*1e-4*A),
+             "one hangs at the elongation of its bond");
     /* a cantilever of one element: shear, and bending by weight times arm, which rotates the arm */
     TAP_NEAR(q.x[2] + 0.8, -weight/ktA*(1.0 + arm), 2e-3*weight/ktA*(1.0 + arm),
              "one is held as a cantilever, by shear and bending");
@@ -424,7 +428,8 @@ static void reported_bonds(double along, double across, int cause, const char *m
     char *const scene = world_text(
         "materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
         "domain { min (0 0 0); max (%g 0.01 0.01); periodic (x); }"
-        "effects { bondLinear { normalStiffness %.17g; shearStiffness %.17g; %s } } time { step 1e-7; }",
+        "effects { bondLinear { normalStiffness %.17g; shearStiffness %.17g; "
+        "%s } } time { step 1e-7; }",
         5.0*L, kn, kt, more);
     const struct dem_new_particle seed[2] =
         {{.position = {0.25*L, 0.005, 0.005},
@@ -479,8 +484,10 @@ static int64_t lattice_bonds(int seed, double probability)
 {
     char *const scene = world_text(
         "materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
-        "effects { bondLinear { normalStiffness %g; shearStiffness %g; makeDistance 1.05; probability %g; seed %d; } }"
-        "insert { all { type lattice; count 1000; diameter 1e-3; spacing 1.02; jitter 0; min (0 0 0);"
+        "effects { bondLinear { normalStiffness %g; shearStiffness %g; makeDistance 1.05; "
+        "probability %g; seed %d; } }"
+        "insert { all { type lattice; count 1000; diameter 1e-3; spacing 1.02; jitter 0; "
+        "min (0 0 0);"
         " max (0.01025 0.01025 0.01025); } }",
         kn, kt, probability, seed);
     struct dem *const d = world(scene, 0, NULL);

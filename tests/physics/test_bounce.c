@@ -106,13 +106,14 @@ static double rebound_speed(double v, double w, double z)
 /* `steps` a contact time */
 static void repeated_bounces(double k, double e, double steps)
 {
-    const double m = world_sphere_mass(R, density), L = -log(e), z = L/sqrt(world_pi*world_pi + L*L),
-                 step = world_pi*sqrt(m/k)/steps;
+    const double m = world_sphere_mass(R, density), L = -log(e),
+                 z = L/sqrt(world_pi*world_pi + L*L), step = world_pi*sqrt(m/k)/steps;
     const struct dem_new_particle seed = {.position = {0.0, 0.0, height},
                                           .diameter = 2.0*R,
                                           .material = "b"};
     char *const scene = world_text(
-        "materials { b { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; } dry { restitution %g; }"
+        "materials { b { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; "
+        "} dry { restitution %g; }"
         "gravity { acceleration (0 0 -%.17g); } } time { step %.17g; }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
         density, k, e, g, step);
@@ -163,8 +164,10 @@ static struct dem *squeezed(double e, double share)
         {{.position = {0.0, 0.0, 9e-4}, .diameter = 1e-3, .id = 0, .material = "heavy"},
          {.position = {1.05e-3, 0.0, 9e-4}, .diameter = 1e-3, .id = 1, .material = "light"}};
     char *const scene = world_text(
-        "materials { heavy { density 2e4; youngsModulus 1e7; } light { density 1e4; youngsModulus 1e7; } }"
-        "effects { hooke { stiffness 1000; } dry { restitution %g; } gravity { acceleration (0 0 -%.17g); } }"
+        "materials { heavy { density 2e4; youngsModulus 1e7; } light { density 1e4; "
+        "youngsModulus 1e7; } }"
+        "effects { hooke { stiffness 1000; } dry { restitution %g; "
+        "} gravity { acceleration (0 0 -%.17g); } }"
         "time { step %.17g; } neighbours { outerSkin 2; innerSkin 2; }"
         "walls { floor { type plane; material heavy; point (0 0 0); normal (0 0 1); }"
         " lid { type plane; material heavy; point (0 0 1.8e-3); normal (0 0 -1); } }",
@@ -272,8 +275,8 @@ static void cradle(void)
     {
         /* six digits printed; second order in the step, 1/400, and the start of contacts within a
            step */
-        TAP_NEAR(world_at(d, i).v[0]/v, final_speed[i], 2e-3, "cradle: sphere %d leaves with %.4f", i,
-                 world_at(d, i).v[0]/v);
+        TAP_NEAR(world_at(d, i).v[0]/v, final_speed[i], 2e-3,
+                 "cradle: sphere %d leaves with %.4f", i, world_at(d, i).v[0]/v);
     }
     free(scene);
     dem_free(d);

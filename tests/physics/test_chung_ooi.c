@@ -47,12 +47,13 @@ static double contact_time(const struct set *s, int material)
 {
     const double E = s->E[material]/(1.0 - s->nu[material]*s->nu[material]);
 
-    return world_contact_time(world_sphere_mass(s->radius, s->density[material]), s->radius, E, s->speed);
+    return world_contact_time(world_sphere_mass(s->radius, s->density[material]), s->radius, E,
+                              s->speed);
 }
 
 /* n spheres over z = 0, a quarter of a step and more above it; motion in x and z, spin about y */
-static struct dem *launch_all(const struct set *s, int material, int law, const char *damping, int n,
-                             const double *row, double step)
+static struct dem *launch_all(const struct set *s, int material, int law, const char *damping,
+                              int n, const double *row, double step)
 {
     struct dem_new_particle seed[MOST];
     char normal[64] = "hertz { impactSpeed 1; }";
@@ -222,7 +223,8 @@ static void published_5(const double *t, int law)
 static void published_6(const double *t, int law)
 {
     const struct set *const s = &sets[2];
-    const double slip = 3.5*s->mu*1.5*s->speed/t[1], m = world_sphere_mass(s->radius, s->density[0]);
+    const double slip = 3.5*s->mu*1.5*s->speed/t[1],
+                 m = world_sphere_mass(s->radius, s->density[0]);
     double pushed;
     const struct world_particle p =
         one(s, 0, law, "dry { restitution 0.5; }", s->speed, 0.0, slip/s->radius, &pushed);
@@ -306,7 +308,8 @@ static void meet(const char *law, const double material[3], double larger, doubl
                  double v0, double v1, double w0, double w1, struct world_particle p[2])
 {
     struct dem_new_particle seed[2];
-    const double E = material[1]/(1.0 - material[2]*material[2]), m = world_sphere_mass(0.1, material[0]);
+    const double E = material[1]/(1.0 - material[2]*material[2]),
+                 m = world_sphere_mass(0.1, material[0]);
     /* no softer than a pair of the first */
     const double step = world_contact_time(0.5*m, 0.05, 0.5*E, v0 - v1)/1000.0;
 
@@ -323,7 +326,8 @@ static void meet(const char *law, const double material[3], double larger, doubl
                                         .id = 1,
                                         .material = "b"};
     char *const scene = world_text(
-        "materials { a { density %g; youngsModulus %g; poissonsRatio %g; } b { density %g; youngsModulus %g;"
+        "materials { a { density %g; youngsModulus %g; poissonsRatio %g; } b { density %g; "
+        "youngsModulus %g;"
         "poissonsRatio %g; } } effects { %s dry { restitution 0.5; } } time { step %.17g; }",
         material[0], material[1], material[2], heavier*material[0], heavier*material[1],
         material[2], law, step);

@@ -205,7 +205,8 @@ static void elastic_box(void)
 {
     char *const scene = world_text(
         "%s effects { hertz {} } walls { box { type box; min (0 0 0); max (0.02 0.02 0.02); } }"
-        "insert { gas { type random; count 50; diameter 2e-3; seed 3; min (0 0 0); max (0.02 0.02 0.02);"
+        "insert { gas { type random; count 50; diameter 2e-3; seed 3; min (0 0 0); "
+        "max (0.02 0.02 0.02);"
         "velocity (0.7 0.5 0.3); } }",
         material);
     struct dem *const d = world(scene, 0, NULL);

@@ -141,8 +141,8 @@ static void friction_dissipates(void)
     const double linear =
         least_lost("hooke { stiffness 1000; } linear { friction 5; stiffness 300; }",
                    "lost_linear");
-    TAP_OK(incremental > 0.0, "mindlinIncremental dissipates at least %.3g of the tangential energy",
-           incremental);
+    TAP_OK(incremental > 0.0,
+           "mindlinIncremental dissipates at least %.3g of the tangential energy", incremental);
     /* where the spring has just reversed when the contact ends, it has returned up to k (s dt)^2/8
        more than it stored: the error of the step. Slip is as fast as at the start, but the lever
        arm is shorter by up to 0.1 R. */
@@ -157,7 +157,8 @@ static void slides_and_rolls(void)
 {
     const double v = 0.5;
     struct dem *d = one(
-        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.3; }",
+        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; "
+        "} mindlin { friction 0.3; }",
         floor_at_0, impact()/40.0, ball(0.0, R - rest_overlap(), v, 0.0));
 
     world_run(d, 0.1);
@@ -178,7 +179,8 @@ static void slides_and_rolls(void)
 
     rolling.spin[1] = 0.05/(R - rest_overlap());
     d = one(
-        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.5; } rollingConstant { friction 0.02; }",
+        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; "
+        "} mindlin { friction 0.5; } rollingConstant { friction 0.02; }",
         floor_at_0, impact()/40.0, rolling);
     const double kinetic =
         energy_term(d, "kinetic_translation") + energy_term(d, "kinetic_rotation");
@@ -198,7 +200,8 @@ static void belt(void)
 {
     const double V = 0.5;
     struct dem *const d = one(
-        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.3; }",
+        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; "
+        "} mindlin { friction 0.3; }",
         "walls { belt { type plane; point (0 0 0); normal (0 0 1); surfaceVelocity (0.5 0 0); } }",
         impact()/40.0, ball(0.0, R - rest_overlap(), 0.0, 0.0));
     const double unit = mass()*V*V/7.0;
@@ -223,7 +226,8 @@ static void bond(void)
     const double k_n = 1e9, sigma = 1e4, A = world_pi*R*R, held = sigma*sigma*A/(2.0*k_n);
     struct dem_new_particle pair[2] = {ball(-R, 0.0, -0.2, 0.0), ball(R, 0.0, 0.2, 0.0)};
     char *const scene = world_text(
-        "%s effects { hertz {} bondLinear { normalStiffness %g; shearStiffness %g; normalStrength %g; breakDistance 1.5; } } "
+        "%s effects { hertz {} bondLinear { normalStiffness %g; shearStiffness %g; "
+        "normalStrength %g; breakDistance 1.5; } } "
         "time { step 1e-7; }",
         glass, k_n, k_n, sigma);
     struct dem *const d = energy_world(scene, 2, pair);
@@ -297,7 +301,8 @@ static struct dem *heap(double step, const char *floor_motion)
         "%s effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.8; } "
         "mindlin { friction 0.3; } rollingSpring { friction 0.05; } } "
         "walls { cup { type box; min (0 0 0); max (0.012 0.012 0.1); %s } } "
-        "insert { bed { type lattice; count 200; diameter 2e-3; min (0 0 0.001); max (0.012 0.012 0.05); } } "
+        "insert { bed { type lattice; count 200; diameter 2e-3; min (0 0 0.001); "
+        "max (0.012 0.012 0.05); } } "
         "time { step %.17g; }",
         glass, floor_motion, step);
     struct dem *const d = energy_world(scene, 0, NULL);
@@ -323,7 +328,8 @@ static void settles(void)
     /* first order because of dashpots: half is expected; runs of a heap with different steps differ
        in detail */
     TAP_OK(residual[0] < 1e-3 && residual[1] < residual[0]/1.3,
-           "heap: residual %.2g of the work of gravity, %.2g at half the step", residual[0], residual[1]);
+           "heap: residual %.2g of the work of gravity, %.2g at half the "
+           "step", residual[0], residual[1]);
 }
 
 static void shakes(const char *motion, const char *what)
@@ -340,8 +346,8 @@ static void shakes(const char *motion, const char *what)
                             energy_term(d, "lost_rollingSpring");
 
         residual[h] = fabs(energy_term(d, "residual"))/work;
-        TAP_OK(work > 0.0 && heat > 0.5*work, "%s: the walls do %.3g J of work, %.3g J are dissipated", what,
-               work, heat);
+        TAP_OK(work > 0.0 && heat > 0.5*work,
+               "%s: the walls do %.3g J of work, %.3g J are dissipated", what, work, heat);
         dem_free(d);
     }
     TAP_OK(residual[0] < 2e-3 && residual[1] < residual[0]/1.3,
@@ -371,7 +377,8 @@ static void restart(void)
             "%s effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.8; } "
             "mindlin { friction 0.3; } rollingSpring { friction 0.05; } } "
             "walls { cup { type box; min (0 0 0); max (0.012 0.012 0.1); "
-            "motion { type oscillation; amplitude (0 0 5e-4); frequency 40; } } } time { step 8e-6; }",
+            "motion { type oscillation; amplitude (0 0 5e-4); frequency 40; "
+            "} } } time { step 8e-6; }",
             glass);
 
         d = world_begin(scene);
@@ -386,7 +393,8 @@ static void restart(void)
         {
             TAP_NEAR(energy_term(d, "elastic_hertz"), elastic, 1e-12*elastic,
                      "loaded: elastic energy of contacts");
-            TAP_NEAR(energy_term(d, "elastic_mindlin"), friction, 2e-2*friction, "loaded: elastic energy of friction springs");
+            TAP_NEAR(energy_term(d, "elastic_mindlin"), friction, 2e-2*friction,
+                     "loaded: elastic energy of friction springs");
             /* sliding springs are cut to the limit with the dashpot at the present velocity, not
                that of half a step before */
             TAP_OK(energy_term(d, "lost_dry") == 0.0 && energy_term(d, "residual") == 0.0,

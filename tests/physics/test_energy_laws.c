@@ -85,11 +85,14 @@ static const struct law_case cases[] = {
      2.5},
     {"hertz {} twistingSpring { friction 0.3; lever reduced; }", 0.5, "lost_twistingSpring", 5e-4,
      2.5},
-    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; breakDistance 1.5; }",
+    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; "
+     "breakDistance 1.5; }",
      0.1, "elastic_bondLinear", 2e-3, 6.0},
-    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; breakDistance 1.5; dampingRatio 0.1; }",
+    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; "
+     "breakDistance 1.5; dampingRatio 0.1; }",
      0.1, "lost_bondLinear", 2e-2, 2.5},
-    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; breakDistance 1.5; normalStrength 1e4; }",
+    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; "
+     "breakDistance 1.5; normalStrength 1e4; }",
      0.2, "broken", 2e-3, 6.0},
 };
 
@@ -99,8 +102,10 @@ static double run(const struct law_case *w, double step, double *term_value)
 {
     static struct dem_new_particle seed[N];
     char *const scene = world_text(
-        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { %s } "
-        "domain { min (0 0 0); max (0.0105 0.0105 0.0105); periodic (x y z); } time { step %.17g; }",
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; "
+        "} } effects { %s } "
+        "domain { min (0 0 0); max (0.0105 0.0105 0.0105); periodic (x y z); "
+        "} time { step %.17g; }",
         w->effects, step);
     double worst = 0.0;
 

@@ -26,7 +26,8 @@ static struct dem *start(const struct scene *s, double step, int n,
                          const struct dem_new_particle *seed)
 {
     char *const text = world_text(
-        "materials { glass { density %g; youngsModulus 1e7; poissonsRatio 0.3; } } effects { %s } %s "
+        "materials { glass { density %g; youngsModulus 1e7; poissonsRatio 0.3; "
+        "} } effects { %s } %s "
         "time { step %.17g; force yes; }",
         s->density, s->effects, s->more, step);
     struct dem *const d = energy_world(text, n, seed);
@@ -49,8 +50,8 @@ static void quarter(const char *law, const char *term, int spins)
 {
     const struct scene s = {law, "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
                             2500.0};
-    const double m = world_sphere_mass(R, s.density), k = 1000.0, swing = world_pi*sqrt(m/k), V = 0.02,
-                 U = 0.1*V;
+    const double m = world_sphere_mass(R, s.density), k = 1000.0, swing = world_pi*sqrt(m/k),
+                 V = 0.02, U = 0.1*V;
     double residual[2], lost[2];
 
     for (int h = 0; h < 2; h++)
@@ -116,7 +117,8 @@ static void impacts(const struct scene *s, double step, double other, double res
         struct dem *const d = start(s, step, other > 0.0 ? 2 : 1, seed);
         const double before = kinetic(d);
 
-        world_run(d, 2.0*impact(world_sphere_mass(R, s->density), R) + (s->density < 10.0 ? 6e-4 : 0.0));
+        world_run(d, 2.0*impact(world_sphere_mass(R, s->density), R) +
+                         (s->density < 10.0 ? 6e-4 : 0.0));
         TAP_OK(world_at(d, 0).f[2] == 0.0, "it is over");
         const double residual = fabs(energy_term(d, "residual"))/before;
 
@@ -136,7 +138,8 @@ static void oblique(const char *what, const struct scene *s, double other)
     impacts(s, tc/20.0, other, coarse);
     impacts(s, tc/80.0, other, fine);
     TAP_OK(coarse[1] < 1e-2,
-           "%s: the kinetic energy lost is that of the balance, to %.2g at worst at the automatic step", what,
+           "%s: the kinetic energy lost is that of the balance, to %.2g at worst at the "
+           "automatic step", what,
            coarse[1]);
     /* dashpots are of first order: 4 expected, more with contributions of second order */
     TAP_OK(fine[0] < coarse[0]/3.0,
@@ -148,7 +151,8 @@ static void oblique(const char *what, const struct scene *s, double other)
 static double rolls(double step, double *lost)
 {
     const struct scene s = {
-        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.5; } "
+        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; "
+        "} mindlin { friction 0.5; } "
         "rollingSpring { friction 0.05; damping 0.3; }",
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }", 2500.0};
     const double m = world_sphere_mass(R, s.density),
@@ -178,7 +182,8 @@ int main(void)
     static const char floor_at_0[] =
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }";
     static const char in_water[] =
-        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } } fluid { density 1000; viscosity 1e-6; }";
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } } fluid { density 1000; "
+        "viscosity 1e-6; }";
     const struct scene linear =
         {"hooke { stiffness 1000; } dry { restitution 0.8; } linear { friction 0.3; }", floor_at_0,
          2500.0};
@@ -187,20 +192,23 @@ int main(void)
     const struct scene pair = {"hertz {} dry { restitution 0.8; } mindlin { friction 0.3; }", "",
                                2500.0};
     const struct scene brittle = {
-        "hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } bondLinear { make always; normalStiffness 1e9; "
+        "hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } bondLinear { make always; "
+        "normalStiffness 1e9; "
         "shearStiffness 1e9; shearStrength 1e-3; }",
         "", 2500.0};
     const struct scene bubble =
         {"hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } virtualMass {}", in_water,
          1.2};
     const struct scene moments = {
-        "hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } rollingSpring { friction 0.2; damping 0.3; } "
+        "hertz {} dry { restitution 0.8; } mindlin { friction 0.3; "
+        "} rollingSpring { friction 0.2; damping 0.3; } "
         "twistingSpring { friction 0.3; damping 0.3; }",
         floor_at_0, 2500.0};
 
     TAP_TRAPS;
     quarter(
-        "hooke { stiffness 1000; } linear { friction 100; ratio 0.071428571428571428; tangentialDamping no; }",
+        "hooke { stiffness 1000; } linear { friction 100; ratio 0.071428571428571428; "
+        "tangentialDamping no; }",
         "lost_linear", 0);
     quarter("hooke { stiffness 1000; } rollingSpring { friction 10; stiffness 0.1; }",
             "lost_rollingSpring", 1);
@@ -219,7 +227,8 @@ int main(void)
     impacts(&brittle, impact(0.5*m, 0.5*R)/80.0, R, broken);
     TAP_OK(
         broken[1] < 1e-2,
-        "bonds that break in the step that makes them: the kinetic energy lost is that of the balance, to %.2g at worst",
+        "bonds that break in the step that makes them: the kinetic energy lost is that of the "
+        "balance, to %.2g at worst",
         broken[1]);
 
     const double fine = rolls(2e-6, &lost), coarse = rolls(8e-6, &lost);
@@ -229,6 +238,7 @@ int main(void)
         /* a little to friction's dashpot */
         "rolling to rest: all is dissipated by the spring and its dashpot");
     TAP_OK(coarse < 1e-3 && fine < coarse/3.0,
-           "the residual is %.2g of its kinetic energy, %.2g at a quarter of the step", coarse, fine);
+           "the residual is %.2g of its kinetic energy, %.2g at a quarter of the "
+           "step", coarse, fine);
     TAP_DONE;
 }

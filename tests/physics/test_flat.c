@@ -21,7 +21,8 @@ enum
 
 static const char *const physics =
     "materials { glass { density 2500; youngsModulus 1e6; } }"
-    "effects { gravity { acceleration (0 -9.81 %g); } hertz {} dry { restitution 0.8; } mindlin { friction 0.4; } }"
+    "effects { gravity { acceleration (0 -9.81 %g); } hertz {} dry { restitution 0.8; "
+    "} mindlin { friction 0.4; } }"
     "time { step 5e-6; }";
 
 static struct dem_new_particle seed[N];
@@ -154,7 +155,8 @@ int main(void)
     struct dem *const stream = world(
         world_text(
             "%s domain { z (-9e-4 1.5e-3); flat (z); } insert { rain { type stream; diameter 1e-3;"
-            " count 60; rate 3000; velocity (0.1 -0.3 0); spread (0.02 0.02 0.02); min (-5e-3 -5e-3 -9e-4); max (5e-3 5e-3 1.5e-3); } }",
+            " count 60; rate 3000; velocity (0.1 -0.3 0); spread (0.02 0.02 0.02); "
+            "min (-5e-3 -5e-3 -9e-4); max (5e-3 5e-3 1.5e-3); } }",
             world_text(physics, -5.0)),
         0, NULL);
 

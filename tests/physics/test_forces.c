@@ -30,7 +30,8 @@ static double fall(double density, const char *added, double step, double time)
 {
     char *const scene = world_text(
         "materials { bead { density %g; youngsModulus 1e5; } }"
-        "effects { schillerNaumann {} pressureGradient {} gravity { acceleration (0 0 -9.81); } %s }"
+        "effects { schillerNaumann {} pressureGradient {} gravity { acceleration (0 0 -9.81); "
+        "} %s }"
         "fluid { density 1000; viscosity 1e-3; } time { step %g; }"
         "insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }",
         density, added, step);
@@ -90,11 +91,14 @@ static void impacts(void)
         {
             const double apart = 1e-6*phase/16.0;
             char *const scene = world_text(
-                "materials { a { density %g; youngsModulus 1e7; } b { density %g; youngsModulus 1e7; } }"
+                "materials { a { density %g; youngsModulus 1e7; } b { density %g; "
+                "youngsModulus 1e7; } }"
                 "effects { hooke { stiffness 1000; } dry { restitution %g; } virtualMass {} }"
                 "fluid { density 1000; viscosity 1e-3; } time { step 1e-7; }"
-                "insert { one { type list; material a; diameter 2e-3; positions ((0 0 0)); velocity (0.2 0 0); }"
-                "two { type list; material b; diameter 2e-3; positions ((%.12g 0 0)); velocity (-0.1 0 0); } }",
+                "insert { one { type list; material a; diameter 2e-3; positions ((0 0 0)); "
+                "velocity (0.2 0 0); }"
+                "two { type list; material b; diameter 2e-3; positions ((%.12g 0 0)); "
+                "velocity (-0.1 0 0); } }",
                 cases[k].rho[0], cases[k].rho[1], cases[k].e, 2.00001e-3 + apart);
             struct dem *const d = world(scene, 0, NULL);
             const double V = 4.0/3.0*world_pi*1e-9, m0 = (cases[k].rho[0] + 500.0)*V,
@@ -118,13 +122,14 @@ static void added_mass_counts_once(void)
 {
     static const char scene[] =
         "materials { a { density 2500; youngsModulus 1e7; } }"
-        "effects { hertz {} stokes { restitution 0.9; addedMass 0.5; fluidDensity 1000; } virtualMass {} }"
+        "effects { hertz {} stokes { restitution 0.9; addedMass 0.5; fluidDensity 1000; "
+        "} virtualMass {} }"
         "fluid { density 1000; viscosity 1e-3; }"
         "insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }";
     struct dem *const d = world_begin(scene);
 
-    TAP_OK(dem_setup(d) && strstr(dem_error_text(), "addedMass"), "added mass in stokes and in virtualMass is refused: %s",
-           dem_error_text());
+    TAP_OK(dem_setup(d) && strstr(dem_error_text(), "addedMass"),
+           "added mass in stokes and in virtualMass is refused: %s", dem_error_text());
     dem_free(d);
 }
 
@@ -134,7 +139,8 @@ static void accelerating_fluid(void)
     static const char scene[] =
         "materials { a { density 500; youngsModulus 1e7; } }"
         "effects { virtualMass { coefficient 0.6; } pressureGradient {} viscousStress {} }"
-        "fluid { density 1000; viscosity 1e-3; acceleration (3 0 -1); pressureGradient (-2000 0 500); viscousStress (100 0 50); }"
+        "fluid { density 1000; viscosity 1e-3; acceleration (3 0 -1); "
+        "pressureGradient (-2000 0 500); viscousStress (100 0 50); }"
         "time { step 1e-3; } insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }";
     struct dem *const d = world(scene, 0, NULL);
 
@@ -150,7 +156,8 @@ static void accelerating_fluid(void)
 static void spins(double step)
 {
     char *const scene = world_text(
-        "materials { a { density 2000; youngsModulus 1e7; } } effects { viscousTorque { correction no; } }"
+        "materials { a { density 2000; youngsModulus 1e7; "
+        "} } effects { viscousTorque { correction no; } }"
         "fluid { density 1000; viscosity 1e-3; vorticity (4 0 -2); } time { step %g; }"
         "insert { one { type list; diameter 1e-3; positions ((0 0 0)); spin (10 5 0); } }",
         step);
@@ -177,7 +184,8 @@ static void bends(void)
     static const char scene[] =
         "materials { a { density 2000; youngsModulus 1e7; } } effects { magnus {} }"
         "fluid { density 1000; viscosity 1; } time { step 1e-5; }"
-        "insert { one { type list; diameter 1e-3; positions ((0 0 0)); velocity (1e-3 0 0); spin (0 0 50); } }";
+        "insert { one { type list; diameter 1e-3; positions ((0 0 0)); velocity (1e-3 0 0); "
+        "spin (0 0 50); } }";
     struct dem *const d = world(scene, 0, NULL);
 
     world_run(d, 0.1);
@@ -221,8 +229,10 @@ static void exchanges(double density)
 {
     char *const scene = world_text(
         "materials { a { density %g; youngsModulus 1e7; } }"
-        "effects { schillerNaumann {} viscousStress {} virtualMass { swarm zuber; } saffmanMei {} magnus {} }"
-        "time { step 1e-4; } insert { two { type list; diameter 2e-3; positions ((0 0 0) (1 0 0)); spin (0 30 9); } }",
+        "effects { schillerNaumann {} viscousStress {} virtualMass { swarm zuber; "
+        "} saffmanMei {} magnus {} }"
+        "time { step 1e-4; } insert { two { type list; diameter 2e-3; "
+        "positions ((0 0 0) (1 0 0)); spin (0 30 9); } }",
         density);
     struct dem *const d = world_begin(scene);
     double got[3] = {0.0, 0.0, 0.0}, owed[3] = {0.0, 0.0, 0.0}, size = 0.0, worst = 0.0;
@@ -259,7 +269,8 @@ static void exchanges(double density)
     /* rounding of 140 kicks of 1e-4 of the sum */
     TAP_NEAR(
         worst/size, 0.0, 1e-14,
-        "%g kg/m3: the fluid gets the momentum of the particles and the carried-over impulse, while added mass changes",
+        "%g kg/m3: the fluid gets the momentum of the particles and the carried-over impulse, "
+        "while added mass changes",
         density);
     free(scene);
     dem_free(d);
@@ -272,7 +283,8 @@ static void relaxes(double density, const char *added, double extra)
 {
     const double window = 1e-6, d = 1e-3, mu = 1e-3, rate = 18.0*mu/((density + extra)*d*d);
     char *const scene = world_text(
-        "materials { a { density %g; youngsModulus 1e7; } } effects { stokesDrag {} %s } time { step 1e-7; }"
+        "materials { a { density %g; youngsModulus 1e7; "
+        "} } effects { stokesDrag {} %s } time { step 1e-7; }"
         "insert { one { type list; diameter 1e-3; positions ((0 0 0)); velocity (0.3 0 0); }"
         "two { type list; diameter 1e-4; positions ((1 0 0)); frozen yes; } }",
         density, added);
@@ -300,7 +312,8 @@ static void relaxes(double density, const char *added, double extra)
     /* round-off of the sum of ten steps, over the 1e-5 that the slip loses */
     TAP_NEAR(dem_fluid_relaxation(run)/rate, 1.0, 1e-12,
              "%g kg/m3 %s: relaxes at 18 mu/((rho_p + a/V) d^2) = %.6g /s", density, added, rate);
-    TAP_NEAR(-log(world_at(run, 0).v[0]/0.3)/(rate*window), 1.0, 1e-9, "the slip decays at this rate");
+    TAP_NEAR(-log(world_at(run, 0).v[0]/0.3)/(rate*window), 1.0, 1e-9,
+             "the slip decays at this rate");
     free(scene);
     dem_free(run);
 }

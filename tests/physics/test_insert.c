@@ -17,7 +17,8 @@
 #include <unistd.h>
 
 #define PHYSICS "materials { glass { density 2500; youngsModulus 1e7; } }" \
-                "effects { hertz { } dry { restitution 0.3; } mindlin { friction 0.1; } gravity { acceleration (0 0 -9.81); } }"
+                "effects { hertz { } dry { restitution 0.3; } mindlin { friction 0.1; "
+                "} gravity { acceleration (0 0 -9.81); } }"
 
 enum
 {
@@ -99,21 +100,25 @@ static double uniform_volume(const struct law *l, double d)
 
 static double normal(const struct law *l, double d)
 {
-    const double a = phi((l->low - l->middle)/l->deviation), b = phi((l->high - l->middle)/l->deviation);
+    const double a = phi((l->low - l->middle)/l->deviation),
+                 b = phi((l->high - l->middle)/l->deviation);
 
     return (phi((d - l->middle)/l->deviation) - a)/(b - a);
 }
 
 static double log_normal(const struct law *l, double d)
 {
-    const double a = phi(log(l->low/l->middle)/l->deviation), b = phi(log(l->high/l->middle)/l->deviation);
+    const double a = phi(log(l->low/l->middle)/l->deviation),
+                 b = phi(log(l->high/l->middle)/l->deviation);
 
     return (phi(log(d/l->middle)/l->deviation) - a)/(b - a);
 }
 
-static void test_distribution(const char *sizes, const struct law *l, double (*share)(const struct law *, double))
+static void test_distribution(const char *sizes, const struct law *l,
+                              double (*share)(const struct law *, double))
 {
-    char *const group = world_text("g { type random; count 20000; seed 5; %s min (0 0 0); max (0.1 0.1 0.1); }", sizes);
+    char *const group = world_text(
+        "g { type random; count 20000; seed 5; %s min (0 0 0); max (0.1 0.1 0.1); }", sizes);
     double worst = 0.0;
 
     insert(group);
@@ -125,8 +130,10 @@ static void test_distribution(const char *sizes, const struct law *l, double (*s
         worst = fmax(worst, fmax(fabs(at - (double)i/n), fabs(at - (double)(i + 1)/n)));
     }
     /* 1.63/sqrt(n) is exceeded by chance in one of a hundred samples; the seed is fixed */
-    TAP_OK(got.n == 20000 && worst < 1.63/sqrt(20000.0), "%.60s: distance %.4f, below %.4f", sizes, worst, 1.63/sqrt(20000.0));
-    TAP_OK(got.d[0] >= l->low*(1.0 - 1e-12) && got.d[got.n - 1] <= l->high*(1.0 + 1e-12), "no diameter beyond the limits");
+    TAP_OK(got.n == 20000 && worst < 1.63/sqrt(20000.0), "%.60s: distance %.4f, below %.4f",
+           sizes, worst, 1.63/sqrt(20000.0));
+    TAP_OK(got.d[0] >= l->low*(1.0 - 1e-12) && got.d[got.n - 1] <= l->high*(1.0 + 1e-12),
+           "no diameter beyond the limits");
     free(group);
 }
 
@@ -134,15 +141,20 @@ static void test_distributions(void)
 {
     const double s = 0.3, median = 1e-3;
 
-    test_distribution("sizes { type uniform; min 5e-4; max 2e-3; }", &(struct law){5e-4, 2e-3, 0.0, 0.0}, uniform);
-    test_distribution("sizes { type uniform; by volume; min 5e-4; max 2e-3; }", &(struct law){5e-4, 2e-3, 0.0, 0.0}, uniform_volume);
-    test_distribution("sizes { type normal; mean 1e-3; deviation 1e-4; }", &(struct law){7e-4, 1.3e-3, 1e-3, 1e-4}, normal);
-    test_distribution("sizes { type normal; mean 1e-3; deviation 3e-4; min 9e-4; max 2e-3; }", &(struct law){9e-4, 2e-3, 1e-3, 3e-4}, normal);
+    test_distribution("sizes { type uniform; min 5e-4; max 2e-3; }",
+                      &(struct law){5e-4, 2e-3, 0.0, 0.0}, uniform);
+    test_distribution("sizes { type uniform; by volume; min 5e-4; max 2e-3; }",
+                      &(struct law){5e-4, 2e-3, 0.0, 0.0}, uniform_volume);
+    test_distribution("sizes { type normal; mean 1e-3; deviation 1e-4; }",
+                      &(struct law){7e-4, 1.3e-3, 1e-3, 1e-4}, normal);
+    test_distribution("sizes { type normal; mean 1e-3; deviation 3e-4; min 9e-4; max 2e-3; }",
+                      &(struct law){9e-4, 2e-3, 1e-3, 3e-4}, normal);
     test_distribution("sizes { type logNormal; median 1e-3; deviation 0.3; }",
              &(struct law){median*exp(-3.0*s), median*exp(3.0*s), median, s}, log_normal);
     /* Hatch and Choate: the number's median is exp(-3 s^2) of the volume's */
-    test_distribution("sizes { type logNormal; by volume; median 1e-3; deviation 0.3; min 5e-4; max 2e-3; }",
-             &(struct law){5e-4, 2e-3, median*exp(-3.0*s*s), s}, log_normal);
+    test_distribution(
+        "sizes { type logNormal; by volume; median 1e-3; deviation 0.3; min 5e-4; max 2e-3; }",
+        &(struct law){5e-4, 2e-3, median*exp(-3.0*s*s), s}, log_normal);
 }
 
 /* Three classes by volume: their numbers are in proportion to weight/d^3; within 4 standard errors
@@ -150,7 +162,8 @@ static void test_distributions(void)
 static void test_classes(const char *sizes, const char *what)
 {
     static const double d[3] = {5e-4, 1e-3, 1.5e-3}, weight[3] = {1.0, 2.0, 3.0};
-    char *const group = world_text("g { type random; count 20000; seed 9; %s min (0 0 0); max (0.1 0.1 0.1); }", sizes);
+    char *const group = world_text(
+        "g { type random; count 20000; seed 9; %s min (0 0 0); max (0.1 0.1 0.1); }", sizes);
     double total = 0.0;
     int bad = 0;
 
@@ -161,7 +174,8 @@ static void test_classes(const char *sizes, const char *what)
     }
     for (int k = 0; k < 3; k++)
     {
-        const double share = weight[k]/(d[k]*d[k]*d[k])/total, error = sqrt(share*(1.0 - share)*20000.0);
+        const double share = weight[k]/(d[k]*d[k]*d[k])/total,
+                     error = sqrt(share*(1.0 - share)*20000.0);
         double count = 0.0;
 
         for (int64_t i = 0; i < got.n; i++)
@@ -205,7 +219,8 @@ static double overlap(int64_t from)
         for (int64_t j = 0; j < i; j++)
         {
             const double *const a = got.x[i], *const b = got.x[j];
-            const double r = sqrt((a[0] - b[0])*(a[0] - b[0]) + (a[1] - b[1])*(a[1] - b[1]) + (a[2] - b[2])*(a[2] - b[2]));
+            const double r = sqrt((a[0] - b[0])*(a[0] - b[0]) + (a[1] - b[1])*(a[1] - b[1]) +
+                                  (a[2] - b[2])*(a[2] - b[2]));
 
             worst = fmax(worst, (0.5*(got.d[i] + got.d[j]) - r)/fmin(got.d[i], got.d[j]));
         }
@@ -217,10 +232,14 @@ static void test_amounts(void)
 {
     const double each = 2500.0*world_pi/6.0*1e-9;
 
-    insert("g { type random; mass 0.005; sizes { type uniform; min 5e-4; max 2e-3; } min (0 0 0); max (0.03 0.03 0.03); }");
+    insert(
+        "g { type random; mass 0.005; sizes { type uniform; min 5e-4; max 2e-3; } min (0 0 0); "
+        "max (0.03 0.03 0.03); }");
     TAP_NEAR(2500.0*volume(), 0.005, 0.5*8.0*each, "mass to half of the largest");
-    insert("g { type random; solidFraction 0.3; diameter 1e-3; min (0 0 0); max (0.02 0.02 0.02); }");
-    TAP_NEAR(2500.0*volume(), 0.3*8e-6*2500.0, 0.5*each*(1.0 + 1e-9), "solid fraction to half a particle");
+    insert(
+        "g { type random; solidFraction 0.3; diameter 1e-3; min (0 0 0); max (0.02 0.02 0.02); }");
+    TAP_NEAR(2500.0*volume(), 0.3*8e-6*2500.0, 0.5*each*(1.0 + 1e-9),
+             "solid fraction to half a particle");
     TAP_OK(overlap(0) <= 0.0, "no overlap at 0.3");
     insert("g { type lattice; mass 0.002; diameter 1e-3; min (0 0 0); max (0.02 0.02 0.02); }");
     TAP_NEAR(2500.0*volume(), 0.002, 0.5*each*(1.0 + 1e-9), "mass on a lattice");
@@ -230,10 +249,13 @@ static void test_regions(void)
 {
     double out = 0.0;
 
-    insert("g { type random; solidFraction 0.5; diameter 1e-3; cylinder { from (0 0 0); to (0 0.006 0.008); radius 0.006; } }");
+    insert(
+        "g { type random; solidFraction 0.5; diameter 1e-3; cylinder { from (0 0 0); "
+        "to (0 0.006 0.008); radius 0.006; } }");
     for (int64_t i = 0; i < got.n; i++)
     {
-        const double *const x = got.x[i], h = 0.6*x[1] + 0.8*x[2], r = sqrt(x[0]*x[0] + x[1]*x[1] + x[2]*x[2] - h*h);
+        const double *const x = got.x[i], h = 0.6*x[1] + 0.8*x[2],
+                            r = sqrt(x[0]*x[0] + x[1]*x[1] + x[2]*x[2] - h*h);
 
         out = fmax(out, fmax(fmax(5e-4 - h, h - 0.0095), r - 0.0055));
     }
@@ -241,7 +263,8 @@ static void test_regions(void)
     TAP_OK(overlap(0) <= 0.0, "without overlap at 0.5");
 
     insert("big { type random; count 6; diameter 4e-3; sphere { centre (0 0 0); radius 0.01; } }"
-           "small { type random; solidFraction 0.4; seed 2; sizes { type logNormal; median 6e-4; deviation 0.3; } sphere { centre (0 0 0); radius 0.01; } }");
+           "small { type random; solidFraction 0.4; seed 2; sizes { type logNormal; median 6e-4; "
+           "deviation 0.3; } sphere { centre (0 0 0); radius 0.01; } }");
     out = 0.0;
     for (int64_t i = 0; i < got.n; i++)
     {
@@ -252,8 +275,11 @@ static void test_regions(void)
     TAP_OK(out < 1e-12, "a sphere contains all, outside by %g m", out);
     TAP_OK(overlap(6) <= 0.0, "a second group does not overlap the first");
 
-    insert("g { type random; solidFraction 0.55; diameter 1e-3; min (0 0 0); max (0.012 0.012 0.012); }");
-    TAP_OK(got.n > 1800 && overlap(0) <= 0.0, "0.55 without overlap, %lld particles", (long long)got.n);
+    insert(
+        "g { type random; solidFraction 0.55; diameter 1e-3; min (0 0 0); "
+        "max (0.012 0.012 0.012); }");
+    TAP_OK(got.n > 1800 && overlap(0) <= 0.0, "0.55 without overlap, %lld particles",
+           (long long)got.n);
 }
 
 /* ---- neighbors ------------------------------------------------------------------------------- */
@@ -282,7 +308,9 @@ static struct shell neighbors_of(double edge, double rim, double reach)
         {
             const double *const b = got.x[j];
 
-            found += j != i && (a[0] - b[0])*(a[0] - b[0]) + (a[1] - b[1])*(a[1] - b[1]) + (a[2] - b[2])*(a[2] - b[2]) < reach*reach;
+            found += j != i && (a[0] - b[0])*(a[0] - b[0]) + (a[1] - b[1])*(a[1] - b[1]) +
+                                       (a[2] - b[2])*(a[2] - b[2]) <
+                                   reach*reach;
         }
         inner += in;
     }
@@ -291,7 +319,9 @@ static struct shell neighbors_of(double edge, double rim, double reach)
 
 static void insert_cube(double fraction, int count, double edge)
 {
-    char *const group = world_text("g { type random; count %d; seed 3; diameter 1; min (0 0 0); max (%.17g %.17g %.17g); }", count, edge, edge, edge);
+    char *const group = world_text(
+        "g { type random; count %d; seed 3; diameter 1; min (0 0 0); max (%.17g %.17g %.17g); }",
+        count, edge, edge, edge);
 
     insert(group);
     /* rounding */
@@ -310,7 +340,8 @@ static void test_dilute(void)
     const struct shell s = neighbors_of(edge, 3.0, 1.2);
     const double ideal = s.fraction*8.0*(1.2*1.2*1.2 - 1.0);
 
-    TAP_NEAR(s.neighbors_of/ideal, 1.0 + 2.06*s.fraction, 0.05, "neighbors of hard spheres at a solid fraction of %.4f", s.fraction);
+    TAP_NEAR(s.neighbors_of/ideal, 1.0 + 2.06*s.fraction, 0.05,
+             "neighbors of hard spheres at a solid fraction of %.4f", s.fraction);
 }
 
 /* Bernal and Mason, Nature 188 (1960) 910: of 476 balls poured to a solid fraction of 0.60 each has
@@ -343,9 +374,13 @@ static double slab(double z, double r, double low, double high)
    fraction. */
 static void test_settled(void)
 {
-    struct dem *const w = world(PHYSICS "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
-                                "domain { min (0 0 -1e-3); max (0.008 0.008 0.05); periodic (x y); }"
-                                "insert { bed { type random; solidFraction 0.4; diameter 1e-3; min (0 0 0); max (0.008 0.008 0.0164); } }", 0, NULL);
+    struct dem *const w = world(
+        PHYSICS
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
+        "domain { min (0 0 -1e-3); max (0.008 0.008 0.05); periodic (x y); }"
+        "insert { bed { type random; solidFraction 0.4; diameter 1e-3; min (0 0 0); "
+        "max (0.008 0.008 0.0164); } }",
+        0, NULL);
     double solid = 0.0, top = 0.0;
     int64_t moving;
     struct dem_totals t;
@@ -360,7 +395,8 @@ static void test_settled(void)
             break;
         }
     }
-    TAP_OK(moving < t.particles/50, "the bed has come to rest after %g s, %lld of %lld move", t.time, (long long)moving, (long long)t.particles);
+    TAP_OK(moving < t.particles/50, "the bed has come to rest after %g s, %lld of %lld move",
+           t.time, (long long)moving, (long long)t.particles);
     read_particles(w);
     for (int64_t i = 0; i < got.n; i++)
     {
@@ -379,7 +415,8 @@ int main(void)
 {
     TAP_TRAPS;
     test_distributions();
-    test_classes("sizes { type list; by volume; diameters (5e-4 1e-3 1.5e-3); weights (1 2 3); }", "list");
+    test_classes("sizes { type list; by volume; diameters (5e-4 1e-3 1.5e-3); weights (1 2 3); }",
+                 "list");
     test_table();
     test_amounts();
     test_regions();

@@ -135,7 +135,8 @@ static void dragged(const char *law, const char *more, double hertz)
                                           .material = "clay"};
     char *const scene = world_text(
         "materials { clay { density %g; youngsModulus %g; poissonsRatio 0.3; } }"
-        "effects { hertz { } jkr { workOfAdhesion %g; } %s { friction %g; tangentialDamping no; %s } }"
+        "effects { hertz { } jkr { workOfAdhesion %g; } %s { friction %g; tangentialDamping no; "
+        "%s } }"
         "walls { belt { type plane; point (0 0 0); normal (0 0 1); surfaceVelocity (10 0 0); } }"
         "time { step 1e-7; }",
         density, E, w, law, mu, more);

@@ -21,7 +21,8 @@ static const double six_pi = 18.8495559215387594;
 static struct dem *film(double step, const char *more, int n, const struct dem_new_particle *seed)
 {
     char *const scene = world_text(
-        "materials { ball { density 2500; youngsModulus 1e8; } rigid { density 1; youngsModulus 1e30; } }"
+        "materials { ball { density 2500; youngsModulus 1e8; } rigid { density 1; "
+        "youngsModulus 1e30; } }"
         "effects { lubrication { viscosity %.17g; roughness %.17g; cutOff %.17g; } }"
         "time { step %.17g; } %s",
         mu, roughness, cut_off, step, more);
@@ -99,7 +100,8 @@ static void squeezed(int wall)
     /* the force lags by half a step, in which the gap changes by 1e-8 m: 0.5 % of the roughness at
        the end of the path, 0.03 % of the whole; the last step may exceed the roughness by as much
        again */
-    TAP_NEAR(fine, expected, 1e-3*expected, "%s: the film reduces the speed by %.4g m/s", what, expected);
+    TAP_NEAR(fine, expected, 1e-3*expected, "%s: the film reduces the speed by %.4g m/s", what,
+             expected);
     TAP_OK(fabs(fine - expected) < 0.7*fabs(coarse - expected) + 1e-5*expected,
            "%s: half the step, about half the error", what);
 }
@@ -108,7 +110,8 @@ static void squeezed(int wall)
    included. */
 static void sinking(void)
 {
-    const double radius = 1e-3, g = 9.81, thick = 0.2, m = world_sphere_mass(radius, 2500.0), start = 5e-5;
+    const double radius = 1e-3, g = 9.81, thick = 0.2, m = world_sphere_mass(radius, 2500.0),
+                 start = 5e-5;
     const struct dem_new_particle seed = {.position = {0.0, 0.0, radius + start},
                                           .diameter = 2.0*radius,
                                           .id = 0,
@@ -116,7 +119,8 @@ static void sinking(void)
     char *const scene = world_text(
         "materials { ball { density 2500; youngsModulus 1e8; } }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
-        "effects { gravity { acceleration (0 0 %g); } lubrication { viscosity %g; roughness 9e-6; cutOff %g; } }"
+        "effects { gravity { acceleration (0 0 %g); } lubrication { viscosity %g; "
+        "roughness 9e-6; cutOff %g; } }"
         "time { step 5e-7; }",
         -g, thick, cut_off);
     struct dem *const d = world(scene, 1, &seed);
@@ -137,7 +141,8 @@ static void sinking(void)
              "in the time of the closed form");
     /* the loss is evaluated with the speed of half a step before: an error of c dt/(2 m), 0.8 % at
        the end of the path, 0.1 % at its start */
-    TAP_NEAR(t.lost + t.kinetic, m*g*(start - h), 5e-3*m*g*start, "the work of gravity is the loss plus the kinetic energy");
+    TAP_NEAR(t.lost + t.kinetic, m*g*(start - h), 5e-3*m*g*start,
+             "the work of gravity is the loss plus the kinetic energy");
     dem_free(d);
     free(scene);
 }
@@ -153,9 +158,11 @@ static double rebound(const char *contact, double modulus, double v)
                                           .id = 0,
                                           .material = "ball"};
     char *const scene = world_text(
-        "materials { ball { density 2500; youngsModulus %g; } rigid { density 1; youngsModulus 1e30; } }"
+        "materials { ball { density 2500; youngsModulus %g; } rigid { density 1; "
+        "youngsModulus 1e30; } }"
         "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }"
-        "effects { hertz {} dry { restitution 0.9; } lubrication { viscosity %.17g; roughness %.17g; cutOff %.17g;"
+        "effects { hertz {} dry { restitution 0.9; } lubrication { viscosity %.17g; "
+        "roughness %.17g; cutOff %.17g;"
         "contact %s; } } time { step 2e-8; }",
         modulus, mu, roughness, cut_off, contact);
     struct dem *const d = world(scene, 1, &seed);
@@ -198,10 +205,13 @@ static uint64_t cloud(const char *neighbours, double viscosity, double *kinetic,
 {
     char *const scene = world_text(
         "materials { ball { density 2500; youngsModulus 1e6; } }"
-        "effects { hertz { } dry { restitution 0.8; } lubrication { viscosity %g; roughness 1e-5; cutOff 4e-4; } }"
+        "effects { hertz { } dry { restitution 0.8; } lubrication { viscosity %g; "
+        "roughness 1e-5; cutOff 4e-4; } }"
         "walls { box { type box; min (0 0 0); max (0.008 0.008 0.008); } }"
-        "insert { left { type random; count 45; diameter 1e-3; min (0 0 0); max (0.004 0.008 0.008); velocity (1 0.5 0.3); seed 1; }"
-        " right { type random; count 45; diameter 1e-3; min (0.004 0 0); max (0.008 0.008 0.008); velocity (-1 0.3 -0.2); seed 2; } }"
+        "insert { left { type random; count 45; diameter 1e-3; min (0 0 0); "
+        "max (0.004 0.008 0.008); velocity (1 0.5 0.3); seed 1; }"
+        " right { type random; count 45; diameter 1e-3; min (0.004 0 0); "
+        "max (0.008 0.008 0.008); velocity (-1 0.3 -0.2); seed 2; } }"
         "time { step 4e-6; force yes; } neighbours { %s }",
         viscosity, neighbours);
     struct dem *const d = world(scene, 0, NULL);

@@ -298,7 +298,8 @@ static void timing(void)
     const double x[3] = {5e-3, 0.0, R + 2e-3};
     char *const walls = world_text(
         "riser { %s motion { type translation; velocity (0 0 1); start 0.001; end 0.0025; } }"
-        "wheel { type triangles; material rigid; corners ((1e-2 -1e-2 4e-3)(1.2e-2 -1e-2 4e-3)(1.1e-2 1e-2 4e-3));"
+        "wheel { type triangles; material rigid; "
+        "corners ((1e-2 -1e-2 4e-3)(1.2e-2 -1e-2 4e-3)(1.1e-2 1e-2 4e-3));"
         " motion { type rotation; origin (0 0 4e-3); axis (0 0 1); omega %.17g; start 0.02; } }",
         floor_plane, 2.0*world_pi/0.01);
     struct dem *const d = one(walls, "", x, still);
@@ -335,7 +336,8 @@ static void corners(void)
     struct dem *const d = world(
         "materials { g { density 2500; youngsModulus 1e7; } } effects { hertz {} } walls {"
         " rest { type triangles; corners ((1 0 0) (2 0 0) (1 0 3)); }"
-        " turn { type triangles; corners ((1 0 0) (2 0 0) (1 0 3)); motion { type rotation; origin (0 0 0); axis (0 0 1); omega 4; } }"
+        " turn { type triangles; corners ((1 0 0) (2 0 0) (1 0 3)); motion { type rotation; "
+        "origin (0 0 0); axis (0 0 1); omega 4; } }"
         " floor { type plane; point (0 0 -9); normal (0 0 1); } }"
         "insert { a { type list; diameter 0.01; positions ((9 9 9)); } }",
         0, NULL);
@@ -349,7 +351,8 @@ static void corners(void)
     }
     TAP_OK(facts[0].triangles == 1 && facts[1].triangles == 1 && facts[2].triangles == 0,
            "corners: the walls report their triangles");
-    TAP_OK(!facts[0].moves && facts[1].moves && !facts[2].moves, "corners: they report which walls move");
+    TAP_OK(!facts[0].moves && facts[1].moves && !facts[2].moves,
+           "corners: they report which walls move");
     for (int w = 0; w < 2; w++)
     {
         dem_wall_corners(d, w, at[w]);
@@ -372,7 +375,8 @@ static void pendulum(void)
     const double m = world_sphere_mass(R, density), far = D - R + overlap_of(m*g, R),
                  x[3] = {far*sin(start), 0.0, -far*cos(start)};
     struct dem *const d = one(
-        "drum { type cylinder; material rigid; point (0 0 0); axis (0 1 0); radius 0.02; particles inside; }",
+        "drum { type cylinder; material rigid; point (0 0 0); axis (0 1 0); radius 0.02; "
+        "particles inside; }",
         "dry { restitution 0.3; } mindlin { friction 0.5; } gravity { acceleration (0 0 -9.81); }",
         x, still);
     double off = 0.0, all = 0.0, last = 0.0, quarter = 0.0;
@@ -491,7 +495,8 @@ int main(void)
     turntable(floor_plane, "turntable, plane");
     turntable(floor_mesh, "turntable, triangles");
     drum(
-        "type cylinder; material rigid; point (0 0 0); axis (0 1 0); radius 0.02; particles inside;",
+        "type cylinder; material rigid; point (0 0 0); axis (0 1 0); radius 0.02; "
+        "particles inside;",
         "round tube", 1e-2);
     char *const facets = tube(0.02, 120, 0.01);
 
@@ -499,10 +504,12 @@ int main(void)
     free(facets);
     pendulum();
     curvature(
-        "type cylinder; material rigid; point (0 5 0); axis (0 -3 0); radius 0.004; particles inside;",
+        "type cylinder; material rigid; point (0 5 0); axis (0 -3 0); radius 0.004; "
+        "particles inside;",
         0.004 - R + 1e-5, R/sqrt(0.75), "inside a cylinder");
     curvature(
-        "type cylinder; material rigid; point (0 5 0); axis (0 -3 0); radius 0.004; particles outside;",
+        "type cylinder; material rigid; point (0 5 0); axis (0 -3 0); radius 0.004; "
+        "particles outside;",
         0.004 + R - 1e-5, R/sqrt(1.25), "outside of a cylinder");
     curvature("type sphere; material rigid; centre (0 0.003 0); radius 0.004; particles inside;",
               0.004 - R + 1e-5, R/0.75, "inside a sphere");

@@ -58,7 +58,8 @@ static void test_cup(void)
         "effects { gravity { acceleration (0 0 -9.81); } hertz { impactSpeed 0.7; }"
         "          dry { restitution 0.85; } mindlin { friction 0.25; } }"
         "walls { cup { type box; min (0 0 0); max (0.01 0.02 0.05); } }"
-        "insert { grains { type lattice; count 1000; diameter 1e-3; min (0 0 0); max (0.01 0.02 0.05); } }",
+        "insert { grains { type lattice; count 1000; diameter 1e-3; min (0 0 0); "
+        "max (0.01 0.02 0.05); } }",
         0, NULL);
     uint64_t before, after;
 
@@ -94,7 +95,8 @@ static double section(const char *walls)
     char *const scene = world_text(
         "materials { glass { density 2500; youngsModulus 1e7; } }"
         "effects { gravity { acceleration (0 0 -9.81); } hertz { } } walls { %s }"
-        "insert { grains { type lattice; count 10; diameter 1e-3; min (0 0 0); max (0.01 0.01 0.01); } }",
+        "insert { grains { type lattice; count 10; diameter 1e-3; min (0 0 0); "
+        "max (0.01 0.01 0.01); } }",
         walls);
     struct dem *const w = world(scene, 0, NULL);
     const char *const text = plan(w, &(struct dem_run_info){.duration = 1.0});
@@ -113,7 +115,8 @@ static void test_columns(void)
     const double disc = world_pi*4e-4;
 
     TAP_NEAR(section(tube), disc, digits*disc, "cross-section of a tube");
-    TAP_NEAR(section(world_text("%s %s", tube, hall)), disc, digits*disc, "cross-section of a tube in a box");
+    TAP_NEAR(section(world_text("%s %s", tube, hall)), disc, digits*disc,
+             "cross-section of a tube in a box");
     TAP_NEAR(section(hall), 4.0, digits*4.0, "cross-section of a box");
     TAP_OK(isnan(
                section(world_text("%s r { type plane; point (-0.1 0 0); normal (1 0 1); }", hall))),
@@ -147,7 +150,8 @@ static void test_bed_in_scene(void)
 {
     struct dem *const w = world(
         "materials { glass { density 2526; youngsModulus 1e7; } }"
-        "effects { gravity { acceleration (0 -9.81 0); } hertz { } gidaspow { blend switch; } pressureGradient { } }"
+        "effects { gravity { acceleration (0 -9.81 0); } hertz { } gidaspow { blend switch; "
+        "} pressureGradient { } }"
         "fluid { density 1.2; viscosity 1.2e-5; }"
         "domain { min (0 0 0); max (0.15 1 0.015); periodic (x z); }"
         "insert { bed { type lattice; count 24750; spacing 1; jitter 0; diameter 2.5e-3;"
@@ -157,16 +161,20 @@ static void test_bed_in_scene(void)
     /* a simple cubic lattice of distance d. 10 and 90 % of the volume of its 69 layers lie 55
        layers apart; within a layer the volume below a height differs from a uniform one by at most
        (s - s^3)/4 = 0.096 of it */
-    const double lattice = 1.0 - world_pi/6.0, e = number_after(text, "for a bed of void fraction "),
+    const double lattice = 1.0 - world_pi/6.0,
+                 e = number_after(text, "for a bed of void fraction "),
                  ends = 2.0*0.0963/55.0*(1.0 - lattice);
     const double balance = ergun(2.5e-3, 2526.0, 1.2, 1.2e-5, e),
                  response = 2526.0*2.5e-3*2.5e-3/(18.0*1.2e-5);
 
-    TAP_NEAR(number_after(text, "minimum fluidisation at "), 1.322415, digits*1.322415, "Wen and Yu");
-    TAP_NEAR(number_after(text, "and at "), balance, digits*balance, "where Ergun's law carries the bed");
+    TAP_NEAR(number_after(text, "minimum fluidisation at "), 1.322415, digits*1.322415,
+             "Wen and Yu");
+    TAP_NEAR(number_after(text, "and at "), balance, digits*balance,
+             "where Ergun's law carries the bed");
     TAP_NEAR(e, lattice, ends, "of its own void fraction");
     TAP_OK(strstr(text, ", that of the particles as they are"), "which is reported to be its own");
-    TAP_NEAR(number_after(text, "Archimedes number "), 3225037.5, digits*3225037.5, "Archimedes number");
+    TAP_NEAR(number_after(text, "Archimedes number "), 3225037.5, digits*3225037.5,
+             "Archimedes number");
     TAP_NEAR(number_after(text, "response time of a particle "), response, digits*response,
              "response time");
     TAP_NEAR(number_after(text, "together           24750, diameter 0.0025 m, "), 0.51147828,
@@ -202,7 +210,8 @@ static void test_unknown_packing(void)
     {
         char *const scene = world_text(
             "materials { glass { density 2526; youngsModulus 1e7; } }"
-            "effects { gravity { acceleration (0 -9.81 0); } hertz { } gidaspow { blend switch; } pressureGradient { } }"
+            "effects { gravity { acceleration (0 -9.81 0); } hertz { } gidaspow { blend switch; "
+            "} pressureGradient { } }"
             "fluid { density 1.2; viscosity 1.2e-5; } domain { %s }"
             "insert { bed { type lattice; count 500; spacing %d; jitter 0; diameter 2.5e-3;"
             "               min (0 0 0); max (0.15 1 0.015); } }",
@@ -240,7 +249,8 @@ static void test_expansion(void)
     }
     const double measured = pow(U/u, 1.0/(4.45*pow(rho*u*d/mu, -0.1)));
 
-    TAP_NEAR(number_after(text, "wenYu to void fraction "), e, digits*e, "expansion by the law of drag");
+    TAP_NEAR(number_after(text, "wenYu to void fraction "), e, digits*e,
+             "expansion by the law of drag");
     TAP_NEAR(number_after(text, "homogeneous; to "), measured, digits*measured,
              "expansion by Richardson and Zaki");
     TAP_NEAR(number_after(text, "Zaki (1954): "), 100.0*((1.0 - measured)/(1.0 - e) - 1.0),
@@ -260,7 +270,8 @@ static void test_law_of_its_own(void)
     const double d = 1e-3, u = 9.0, fraction = 3.0*world_pi*1.8e-5*d*u/(sphere(d)*2500.0*9.81);
     struct dem *const w = world(
         "materials { glass { density 2500; youngsModulus 1e7; } }"
-        "effects { gravity { acceleration (0 0 -9.81); } hertz { impactSpeed 0.1; } stokesDrag { } }"
+        "effects { gravity { acceleration (0 0 -9.81); } hertz { impactSpeed 0.1; "
+        "} stokesDrag { } }"
         "fluid { density 1; viscosity 1.8e-5; velocity (0 0 9); }"
         "insert { one { type list; diameter 1e-3; positions ((0 0 0)); } }",
         0, NULL);
@@ -298,12 +309,15 @@ static void test_bed_by_columns(void)
                  response = 1000.0*1.44e-6/(18.0*1.8e-5);
     const double limit = dem_step_limit(w).used;
 
-    TAP_NEAR(number_after(text, "minimum fluidisation at "), 0.33849948, digits*0.338, "Wen and Yu");
+    TAP_NEAR(number_after(text, "minimum fluidisation at "), 0.33849948, digits*0.338,
+             "Wen and Yu");
     TAP_NEAR(number_after(strstr(text, "weight "), ", "), weight, digits*weight,
              "weight over the section that was given");
-    TAP_NEAR(number_after(strstr(text, "less buoyancy"), " N, "), 186.16978, digits*186.2, "pressure drop");
+    TAP_NEAR(number_after(strstr(text, "less buoyancy"), " N, "), 186.16978, digits*186.2,
+             "pressure drop");
     TAP_OK(strstr(text, "set by deltaT: "), "what sets the fluid's time step is reported");
-    TAP_NEAR(number_after(text, "set by deltaT: "), ceil(1e-4/limit), 0.0, "DEM steps of a fluid step");
+    TAP_NEAR(number_after(text, "set by deltaT: "), ceil(1e-4/limit), 0.0,
+             "DEM steps of a fluid step");
     TAP_NEAR(number_after(text, "over response time "), 1e-4/response, 6e-3*1e-4/response,
              "fluid step over response time, three digits");
     TAP_NEAR(number_after(text, "2 s ahead: "), 2e4*ceil(1e-4/limit), 2e4*ceil(1e-4/limit)*digits,
@@ -320,8 +334,10 @@ static void test_bed_by_columns(void)
         .reached_why = "maxCo",
         .cross_section = 4.4e-4});
 
-    TAP_NEAR(number_after(grown, "it grows to "), 1e-4, 0.0, "the time step that the fluid will reach");
-    TAP_NEAR(number_after(grown, "s, set by maxCo: "), ceil(1e-4/limit), 0.0, "the DEM steps in it");
+    TAP_NEAR(number_after(grown, "it grows to "), 1e-4, 0.0,
+             "the time step that the fluid will reach");
+    TAP_NEAR(number_after(grown, "s, set by maxCo: "), ceil(1e-4/limit), 0.0,
+             "the DEM steps in it");
     TAP_NEAR(number_after(grown, "2 s ahead: "), 2e4*ceil(1e-4/limit),
              2e4*ceil(1e-4/limit)*digits, "the steps of the run with it");
     dem_free(w);
@@ -356,13 +372,16 @@ static void test_cost(void)
     const double before = allocated();
     struct dem *const w = world(
         "materials { glass { density 2500; youngsModulus 1e6; } }"
-        "effects { gravity { acceleration (0 0 -9.81); } hertz { } dry { restitution 0.3; } mindlin { friction 0.3; } }"
+        "effects { gravity { acceleration (0 0 -9.81); } hertz { } dry { restitution 0.3; "
+        "} mindlin { friction 0.3; } }"
         "walls { cup { type box; min (0 0 0); max (0.01 0.03 0.05); } }"
-        "insert { grains { type lattice; count 3000; diameter 1e-3; min (0 0 0); max (0.01 0.03 0.05); } }",
+        "insert { grains { type lattice; count 3000; diameter 1e-3; min (0 0 0); "
+        "max (0.01 0.03 0.05); } }",
         0, NULL);
     const double at_start = allocated() - before;
     const char *text = plan(w, &(struct dem_run_info){.duration = 1.0});
-    const double start_reported = bytes_after(text, "now "), bed_reported = bytes_after(text, "dense bed ");
+    const double start_reported = bytes_after(text, "now "),
+                 bed_reported = bytes_after(text, "dense bed ");
     struct dem_totals a, b;
 
     world_run(w, 0.08);
@@ -373,10 +392,12 @@ static void test_cost(void)
     const double spent = (double)(clock() - begin)/CLOCKS_PER_SEC;
 
     WORLD_TRY(dem_totals(w, &b));
-    const double each = 1e6*spent/(3000.0*(double)(b.steps - a.steps)), settled = allocated() - before;
+    const double each = 1e6*spent/(3000.0*(double)(b.steps - a.steps)),
+                 settled = allocated() - before;
 
     text = plan(w, &(struct dem_run_info){.duration = 1.0});
-    const double reported_time = number_after(text, "Time\n    "), settled_reported = bytes_after(text, "now "),
+    const double reported_time = number_after(text, "Time\n    "),
+                 settled_reported = bytes_after(text, "now "),
                  copy_reported = bytes_after(text, "a particle), and ");
 
     WORLD_TRY(dem_backup_every(w, 0));

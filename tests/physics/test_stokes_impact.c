@@ -65,8 +65,10 @@ static struct dem *start(double stokes, int pair, double step, double outer_skin
     }
     char *const scene = world_text(
         "materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
-        "rigid { density 1; youngsModulus 1e30; } } neighbours { outerSkin %.17g; innerSkin %.17g; }"
-        "effects { hertz {} stokes { restitution %g; viscosity %g; } } time { step %.17g; force yes; } %s",
+        "rigid { density 1; youngsModulus 1e30; } } neighbours { outerSkin %.17g; "
+        "innerSkin %.17g; }"
+        "effects { hertz {} stokes { restitution %g; viscosity %g; } } time { step %.17g; "
+        "force yes; } %s",
         density, E, outer_skin, outer_skin, best, mu, step,
         pair ? ""
              : "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
@@ -165,7 +167,8 @@ static void latched_through_a_snapshot(void)
     char *const scene = world_text(
         "materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
         "rigid { density 1; youngsModulus 1e30; } } effects { hertz {} stokes { restitution %g;"
-        "viscosity %g; } } time { step %.17g; force yes; } neighbours { outerSkin 0.3; innerSkin 0.3; }"
+        "viscosity %g; } } time { step %.17g; force yes; } neighbours { outerSkin 0.3; "
+        "innerSkin 0.3; }"
         "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }",
         density, E, best, mu, step);
 
@@ -222,8 +225,10 @@ static void in_liquids(void)
         }
         char *const scene = world_text(
             "materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
-            "rigid { density 1; youngsModulus 1e30; } } effects { hertz {} stokes { restitution %g; viscosity %g; %s } }"
-            "time { step %.17g; } walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }",
+            "rigid { density 1; youngsModulus 1e30; "
+            "} } effects { hertz {} stokes { restitution %g; viscosity %g; %s } }"
+            "time { step %.17g; } walls { floor { type plane; material rigid; point (0 0 0); "
+            "normal (0 0 1); } }",
             density, E, best, t[2], added, step);
         struct dem *const d = world(scene, PHASES, seed);
 

@@ -170,7 +170,8 @@ static struct dem *start(const char *laws, int wall, const struct frame *f,
     {
         snprintf(
             floor, sizeof floor,
-            "walls { floor { type plane; material clay; point (0 0 0); normal (%.17g %.17g %.17g); } }",
+            "walls { floor { type plane; material clay; point (0 0 0); "
+            "normal (%.17g %.17g %.17g); } }",
             normal[0], normal[1], normal[2]);
     }
     for (int i = 0; i < N; i++)

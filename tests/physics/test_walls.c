@@ -73,7 +73,8 @@ static struct dem *slide(struct mesh *m, int rotated, const char *effects, doubl
     memcpy(seed.position, x, sizeof x);
     memcpy(seed.velocity, v, sizeof v);
     char *const scene = world_text(
-        "%s effects { hertz {} %s gravity { acceleration (%.17g %.17g %.17g); } } time { step 8e-6; } %s",
+        "%s effects { hertz {} %s gravity { acceleration (%.17g %.17g %.17g); "
+        "} } time { step 8e-6; } %s",
         materials, effects, down[0], down[1], down[2],
         m ? "" : "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
     struct dem *const d = world_begin(scene);
@@ -120,8 +121,8 @@ static void smooth(struct mesh m, int rotated, const char *what)
 
     /* positions are known to 1e-17 m of an overlap of 4e-6 m, in a turned frame some ten times
        worse */
-    TAP_NEAR(worst_force, 0.0, 1e-6, "%s (%zu triangles): normal force m g within %.0e", what, triangles,
-             worst_force);
+    TAP_NEAR(worst_force, 0.0, 1e-6, "%s (%zu triangles): normal force m g within %.0e", what,
+             triangles, worst_force);
     TAP_NEAR(worst_speed, 0.0, 1e-9, "%s: normal velocity at most %.0e m/s", what, worst_speed);
     TAP_OK(most == 1, "%s: one contact, never %lld", what, (long long)most);
     /* 30 mm at 1 m/s without friction */
@@ -532,7 +533,8 @@ static void facets(void)
         wrong += fabs(f[2] - push) > 1e-6*push;
     }
     TAP_OK(more == 0,
-           "small facets, round and flat: one contact (%d of 80 positions have another number)", more);
+           "small facets, round and flat: one contact (%d of 80 positions have another "
+           "number)", more);
     TAP_OK(wrong == 0, "small facets: the force of a plane (%d of 40 positions differ)", wrong);
 }
 
@@ -602,8 +604,10 @@ static void torque(void)
                                           .material = "glass"};
     struct mesh m = mesh_box(min, max);
     struct dem *const d = world_begin(
-        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } rigid { density 1; youngsModulus 1e30; } }"
-        "effects { hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } rollingSpring { friction 0.1; }"
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; "
+        "} rigid { density 1; youngsModulus 1e30; } }"
+        "effects { hertz {} dry { restitution 0.8; } mindlin { friction 0.3; "
+        "} rollingSpring { friction 0.1; }"
         "          twistingSpring { friction 0.3; } }");
     double before[3], after[3], impulse[3], twist[3], size = 0.0;
 

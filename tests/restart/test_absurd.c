@@ -28,11 +28,13 @@
 
 static const char scene[] =
     "materials { glass { density 2500; youngsModulus 1e6; } }"
-    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; } mindlin { friction 0.5; } }"
+    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; "
+    "} mindlin { friction 0.5; } }"
     "domain { min (-1 -1 -1); max (1 1 1); leaving remove; }"
     "walls { floor { type plane; point (0 0 0); normal (0.1 0 1); } }"
     "insert { grains { type list; diameter 1e-3; positions ((0 0 4.9e-4) (0 0 1.45e-3)); }"
-    "         rain { type stream; material glass; rate 1e4; diameter 1e-3; min (0.1 0.1 0.1); max (0.11 0.11 0.11); } }"
+    "         rain { type stream; material glass; rate 1e4; diameter 1e-3; min (0.1 0.1 0.1); "
+    "max (0.11 0.11 0.11); } }"
     "averages { box { min (-1 -1 -1); max (1 1 1); interval 1e-5; } }";
 
 enum
@@ -206,8 +208,8 @@ static void particles(void)
            "torque of particle 1 is inf");
     whole("an id below 0", of_particle(0, offsetof(struct dem_particle, id)), -1,
           "id -1, and ids go from 0 to 9223372036854775806");
-    whole("an id after which there is no other", of_particle(0, offsetof(struct dem_particle, id)), INT64_MAX,
-          "id 9223372036854775807");
+    whole("an id after which there is no other", of_particle(0, offsetof(struct dem_particle, id)),
+          INT64_MAX, "id 9223372036854775807");
     int64_t flags;
 
     memcpy(&flags, good + of_particle(0, offsetof(struct dem_particle, material)), sizeof flags);
@@ -238,8 +240,9 @@ static void other_contents(void)
           "9223372036854775807 steps");
     whole("a window with more steps done than it has",
           window + offsetof(struct dem_snapshot_window, done), 5, "of which 5 are done");
-    whole("a window of a negative number of steps", window + offsetof(struct dem_snapshot_window, ahead),
-          INT64_MIN, "a window of -9223372036854775808 steps");
+    whole("a window of a negative number of steps",
+          window + offsetof(struct dem_snapshot_window, ahead), INT64_MIN,
+          "a window of -9223372036854775808 steps");
     number("an inserted mass that is not a number", flow + offsetof(struct dem_snapshot_flow, mass),
            NAN, "the flow record of rain is nan");
     number("an infinite mass due", flow + offsetof(struct dem_snapshot_flow, owed), INFINITY,

@@ -17,11 +17,14 @@
 
 static const char heap[] =
     "materials { glass { density 2500; youngsModulus 5e5; } }"
-    "effects { gravity { acceleration (0.5 0 -9.81); } hertz {} dry { restitution 0.6; } mindlin { friction 0.5; } gidaspow {} }"
+    "effects { gravity { acceleration (0.5 0 -9.81); } hertz {} dry { restitution 0.6; "
+    "} mindlin { friction 0.5; } gidaspow {} }"
     "fluid { density 1.2; viscosity 1.8e-5; velocity (3 0 0.5); voidFraction 0.6; }"
-    "walls { floor { type plane; point (0 0 0); normal (0 0 1); motion { type oscillation; amplitude (0 0 2e-4); frequency 100; } } }"
+    "walls { floor { type plane; point (0 0 0); normal (0 0 1); motion { type oscillation; "
+    "amplitude (0 0 2e-4); frequency 100; } } }"
     "domain { x (0 0.008); y (0 0.008); z (-1 0.011); periodic (x y); leaving remove; }"
-    "insert { grains { type lattice; count 60; diameter 1e-3; min (0 0 3e-4); max (0.008 0.008 0.01); velocity (2 0 0.45); } }"
+    "insert { grains { type lattice; count 60; diameter 1e-3; min (0 0 3e-4); "
+    "max (0.008 0.008 0.01); velocity (2 0 0.45); } }"
     "averages { box { min (0 0 0); max (0.008 0.008 0.01); cells (2 1 2); interval 1e-3; } }"
     "time { step 1.52587890625e-05; }";
 
@@ -122,7 +125,8 @@ static void stop_reports(void)
     requested_signal = 0;
     dem_set_stop_flag(d, &requested_signal);
     world_run(d, 5.0*step);
-    TAP_OK(dem_stopped(d) == 0 && world_tally(d).steps == 10, "a flag without a signal: not stopped");
+    TAP_OK(dem_stopped(d) == 0 && world_tally(d).steps == 10,
+           "a flag without a signal: not stopped");
     requested_signal = SIGUSR1;
     world_run(d, 5.0*step);
     TAP_OK(dem_stopped(d) == SIGUSR1 && world_tally(d).steps == 11,
@@ -141,8 +145,10 @@ static void stop_reports(void)
 static struct world_particle fall(double other)
 {
     static const char text[] =
-        "materials { glass { density 2500; youngsModulus 1e6; } } effects { gravity { acceleration (0 0 -10); } }"
-        "insert { one { type list; diameter 1e-3; positions ((0 0 0)); } } time { step %.17g; force yes; }";
+        "materials { glass { density 2500; youngsModulus 1e6; "
+        "} } effects { gravity { acceleration (0 0 -10); } }"
+        "insert { one { type list; diameter 1e-3; positions ((0 0 0)); } } time { step %.17g; "
+        "force yes; }";
     char *const first = world_text(text, 1e-3), *const second = world_text(text, other);
     struct dem *d = world(first, 0, NULL);
 

@@ -98,8 +98,8 @@ static void draw_contacts(struct scene *s)
     static const char *const resists[] = {"", "rollingConstant { friction 0.1; }",
                                           "rollingSpring { friction 0.2; damping 0.3; }",
                                           "rollingViscous { time 1e-4; }"};
-    const int normal = random_index(s, 4), damping = random_index(s, 3), friction = random_index(s, 4),
-              adheres = random_index(s, 6);
+    const int normal = random_index(s, 4), damping = random_index(s, 3),
+              friction = random_index(s, 4), adheres = random_index(s, 6);
 
     append(s, "    %s\n",
         normal < 2 ? "hertz { impactSpeed 2; }"
@@ -108,7 +108,8 @@ static void draw_contacts(struct scene *s)
     if (normal == 3)
     {
         append(s,
-            "    hookeHysteresis { impactSpeed 2; unloading %.3g; adhesion %.3g; plasticDepth %.3g; }\n",
+            "    hookeHysteresis { impactSpeed 2; unloading %.3g; adhesion %.3g; "
+            "plasticDepth %.3g; }\n",
             random_between(s, 1.0, 6.0), random_between(s, 0.0, 3.0), random_between(s, 0.0, 0.1));
     }
     if (damping)
@@ -124,7 +125,8 @@ static void draw_contacts(struct scene *s)
         append(s, "    %s { friction %.3g; }\n", laws[friction - 1], random_between(s, 0.0, 1.0));
     }
     append(s, "    %s\n", select_word(s, resists, 4));
-    append(s, random_index(s, 4) == 0 ? "    twistingSpring { friction 0.3; damping 0.2; }\n" : "\n");
+    append(s,
+           random_index(s, 4) == 0 ? "    twistingSpring { friction 0.3; damping 0.2; }\n" : "\n");
     if (adheres == 1 && normal < 2)
     {
         append(s, "    jkr { workOfAdhesion %.3g; }\n", random_between(s, 0.0, 0.2));
@@ -135,10 +137,14 @@ static void draw_contacts(struct scene *s)
     }
     if (adheres == 3)
     {
-        append(s,
-            "    bondLinear { normalStiffness %.3g; shearStiffness %.3g; makeDistance 1.1; breakDistance 1.3; make %s; normalStrength %.3g; shearStrength %.3g; dampingRatio %.2g; }\n",
-            random_between(s, 1e8, 1e9), random_between(s, 1e7, 5e8), random_index(s, 2) ? "once" : "always",
-            random_between(s, 1e4, 1e6), random_between(s, 1e4, 1e6), random_between(s, 0.0, 0.2));
+        append(
+            s,
+            "    bondLinear { normalStiffness %.3g; shearStiffness %.3g; makeDistance 1.1; "
+            "breakDistance 1.3; make %s; normalStrength %.3g; shearStrength %.3g; "
+            "dampingRatio %.2g; }\n",
+            random_between(s, 1e8, 1e9), random_between(s, 1e7, 5e8),
+            random_index(s, 2) ? "once" : "always", random_between(s, 1e4, 1e6),
+            random_between(s, 1e4, 1e6), random_between(s, 0.0, 0.2));
     }
 }
 
@@ -157,10 +163,13 @@ static void draw_fluid(struct scene *s)
         append(s, "    %s { } pressureGradient { }%s%s\n", drag,
             random_index(s, 3) ? "" : " virtualMass { }",
             lift ? " saffmanMei { } magnus { } viscousTorque { }" : "");
-        append(s,
-            "}\nfluid { density %.4g; viscosity %.3g; velocity (%.3g %.3g %.3g); voidFraction %.3g;%s }\n",
-            random_index(s, 2) ? 1000.0 : 1.2, pow(10.0, random_between(s, -5.0, 0.0)), random_between(s, -0.5, 0.5),
-            random_between(s, -0.5, 0.5), random_between(s, -0.5, 0.5), random_between(s, 0.5, 1.0),
+        append(
+            s,
+            "}\nfluid { density %.4g; viscosity %.3g; velocity (%.3g %.3g %.3g); "
+            "voidFraction %.3g;%s }\n",
+            random_index(s, 2) ? 1000.0 : 1.2, pow(10.0, random_between(s, -5.0, 0.0)),
+            random_between(s, -0.5, 0.5), random_between(s, -0.5, 0.5),
+            random_between(s, -0.5, 0.5), random_between(s, 0.5, 1.0),
             lift ? " vorticity (20 -10 5);" : "");
     }
     else
@@ -179,29 +188,37 @@ static void draw_surroundings(struct scene *s)
         append(s, "domain { min (0 0 0); max (%.9g %.9g %.9g); periodic (x y z); }\n", L, L, L);
         break;
     case BOX:
-        append(s, "walls { box { type box; material a; min (0 0 0); max (%.9g %.9g %.9g); } }\n", L, L,
-            L);
+        append(s, "walls { box { type box; material a; min (0 0 0); max (%.9g %.9g %.9g); } }\n", L,
+               L, L);
         break;
     case FLOOR:
         append(s,
-            "domain { x (0 %.9g); y (0 %.9g); periodic (x y); }\nwalls { floor { type plane; material b; point (0 0 0); normal (0 0 1); surfaceVelocity (%.3g 0 0); } }\n",
+            "domain { x (0 %.9g); y (0 %.9g); periodic (x y); }\nwalls { floor { type plane; "
+            "material b; point (0 0 0); normal (0 0 1); surfaceVelocity (%.3g 0 0); } }\n",
             L, L, random_between(s, -1.0, 1.0));
         break;
     case TUBE:
         append(s,
-            "walls { tube { type cylinder; material a; point (%.9g %.9g 0); axis (0 0 1); radius %.9g; particles inside; motion { type rotation; origin (%.9g %.9g 0);"
-            " axis (0 0 1); omega %.3g; } } lid { type plane; material a; point (0 0 0); normal (0 0 1); } }\n",
+            "walls { tube { type cylinder; material a; point (%.9g %.9g 0); axis (0 0 1); "
+            "radius %.9g; particles inside; motion { type rotation; origin (%.9g %.9g 0);"
+            " axis (0 0 1); omega %.3g; } } lid { type plane; material a; point (0 0 0); "
+            "normal (0 0 1); } }\n",
             0.5*L, 0.5*L, 0.75*L, 0.5*L, 0.5*L, random_between(s, -30.0, 30.0));
         break;
     case FACETS:
         append(s,
-            "walls { roof { type triangles; material b; corners ((%.9g %.9g 0) (%.9g %.9g 0) (%.9g %.9g 0)  (%.9g %.9g 0) (%.9g %.9g 0) (%.9g %.9g 0)); } }\n",
+            "walls { roof { type triangles; material b; "
+            "corners ((%.9g %.9g 0) (%.9g %.9g 0) (%.9g %.9g 0)  (%.9g %.9g 0) (%.9g %.9g 0) "
+            "(%.9g %.9g 0)); } }\n",
             -L, -L, 2.0*L, -L, 2.0*L, 2.0*L, -L, -L, 2.0*L, 2.0*L, -L, 2.0*L);
         break;
     case SHAKER:
-        append(s,
-            "walls { floor { type plane; material a; point (0 0 %.9g); normal (0 0 1); motion { type oscillation; amplitude (0 %.3g %.3g); frequency %.4g; } } }\n",
-            -2e-4, random_between(s, 0.0, 1e-4), random_between(s, 0.0, 2e-4), random_between(s, 10.0, 300.0));
+        append(
+            s,
+            "walls { floor { type plane; material a; point (0 0 %.9g); normal (0 0 1); "
+            "motion { type oscillation; amplitude (0 %.3g %.3g); frequency %.4g; } } }\n",
+            -2e-4, random_between(s, 0.0, 1e-4), random_between(s, 0.0, 2e-4),
+            random_between(s, 10.0, 300.0));
         break;
     default:
         break;
@@ -215,17 +232,23 @@ static void draw_particles(struct scene *s, double d)
     append(s, "insert\n{\n");
     for (int k = 0; k < groups; k++)
     {
-        const double least = d*random_between(s, 0.3, k == 0 ? 0.9 : 0.95), fast = random_between(s, 0.0, 0.8);
+        const double least = d*random_between(s, 0.3, k == 0 ? 0.9 : 0.95),
+                     fast = random_between(s, 0.0, 0.8);
 
+        append(
+            s,
+            "    g%d { type random; material %s; count %d; seed %d; min (0 0 0); "
+            "max (%.9g %.9g %.9g); ",
+            k, random_index(s, 2) ? "a" : "b", 3 + random_index(s, 15), k + 1, s->side, s->side,
+            s->side);
         append(s,
-            "    g%d { type random; material %s; count %d; seed %d; min (0 0 0); max (%.9g %.9g %.9g); ",
-            k, random_index(s, 2) ? "a" : "b", 3 + random_index(s, 15), k + 1, s->side, s->side, s->side);
-        append(s, random_index(s, 2) ? "diameter %.6g; " : "sizes { type uniform; min %.6g; max %.6g; } ",
-            least, d);
+               random_index(s, 2) ? "diameter %.6g; "
+                                  : "sizes { type uniform; min %.6g; max %.6g; } ",
+               least, d);
         append(s, "velocity (%.4g %.4g %.4g); spin (%.4g %.4g %.4g); }\n",
-            fast*random_between(s, -1.0, 1.0), fast*random_between(s, -1.0, 1.0),
-            fast*random_between(s, -1.0, 1.0), random_between(s, -300.0, 300.0), random_between(s, -300.0, 300.0),
-            random_between(s, -300.0, 300.0));
+               fast*random_between(s, -1.0, 1.0), fast*random_between(s, -1.0, 1.0),
+               fast*random_between(s, -1.0, 1.0), random_between(s, -300.0, 300.0),
+               random_between(s, -300.0, 300.0), random_between(s, -300.0, 300.0));
     }
     append(s, "}\n");
 }
@@ -238,10 +261,13 @@ static void draw(struct scene *s, uint64_t seed)
 
     s->side = d*random_between(s, 4.6, 8.0);
     s->around = (enum surroundings)random_index(s, SURROUNDINGS);
-    append(s,
-        "// seed %llu\nmaterials { a { density %.4g; youngsModulus %.4g; poissonsRatio %.3g; } b { density %.4g; youngsModulus %.4g; } }\n",
-        (unsigned long long)seed, random_between(s, 800.0, 8000.0), pow(10.0, random_between(s, 6.3, 8.0)),
-        random_between(s, 0.0, 0.49), random_between(s, 800.0, 8000.0), pow(10.0, random_between(s, 6.3, 8.0)));
+    append(
+        s,
+        "// seed %llu\nmaterials { a { density %.4g; youngsModulus %.4g; poissonsRatio %.3g; "
+        "} b { density %.4g; youngsModulus %.4g; } }\n",
+        (unsigned long long)seed, random_between(s, 800.0, 8000.0),
+        pow(10.0, random_between(s, 6.3, 8.0)), random_between(s, 0.0, 0.49),
+        random_between(s, 800.0, 8000.0), pow(10.0, random_between(s, 6.3, 8.0)));
     append(s, "effects\n{\n");
     s->gravity = random_index(s, 2);
     if (s->gravity)
@@ -349,8 +375,9 @@ static int check_energy(struct dem *d, double start, struct result *r)
 
     for (int k = 0; !status && k < n; k++)
     {
-        const int is_input = starts_with(item[k].name, "gravity") || starts_with(item[k].name, "work") ||
-                          starts_with(item[k].name, "kinetic");
+        const int is_input = starts_with(item[k].name, "gravity") ||
+                             starts_with(item[k].name, "work") ||
+                             starts_with(item[k].name, "kinetic");
 
         scale = most(scale, is_input ? fabs(item[k].value) : 0.0);
         held += is_counted(item[k].name) ? item[k].value

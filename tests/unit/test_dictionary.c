@@ -116,7 +116,8 @@ static void words_and_vectors(void)
            "string: %s", text);
     TAP_OK(!dem_dict_text(d, "quoted", &text) && *text == '\0', "an empty string is a text");
     TAP_OK(dem_dict_word(d, "quoted", &text) == DEM_ERROR_INPUT, "... but not a word");
-    TAP_OK(dem_dict_word(steel, "name", &text) == DEM_ERROR_INPUT, "a string with spaces is not a word");
+    TAP_OK(dem_dict_word(steel, "name", &text) == DEM_ERROR_INPUT,
+           "a string with spaces is not a word");
     TAP_OK(!dem_dict_word_or(d, "absent", "none", &text) && strcmp(text, "none") == 0,
            "an absent word");
     TAP_OK(!dem_dict_text_or(d, "absent", NULL, &text) && !text, "an absent text");
@@ -277,7 +278,8 @@ static const struct
 } bad[] = {
     /* grammar */
     {"materials\n{\n glass\n {\n  density 2500\n }\n}",
-     "scene.dem, line 6: found } in the value of density, expected ; after \"density 2500\"; end line 5 with ;"},
+     "scene.dem, line 6: found } in the value of density, expected ; after \"density 2500\"; "
+     "end line 5 with ;"},
     {"materials\n{\n glass { density 2500; }\n",
      "scene.dem, line 4: found end of file, expected } to close materials { of line 2"},
     {"n 3\nmaterials { glass { density 1; } }",
@@ -286,20 +288,23 @@ static const struct
     {"n", "scene.dem, line 1: found end of file, expected ; after \"n\"; end line 1 with ;"},
     {"n 3;\n}\n", "scene.dem, line 2: found } that no { opened; remove it"},
     {"solid materials { }",
-     "scene.dem, line 1: { cannot follow \"solid materials\"; a dictionary has one name: name { ... }"},
+     "scene.dem, line 1: { cannot follow \"solid materials\"; "
+     "a dictionary has one name: name { ... }"},
     {"g (0 0\n -9.81;\nn 3;",
      "scene.dem, line 2: found ;, expected ) to close what line 1 opened in g"},
     {"g (0 0 -9.81]; ", "scene.dem, line 1: found ], expected ) to close what line 1 opened"},
     {"g 0 0 -9.81);", "scene.dem, line 1: found ) that nothing opened; remove it"},
     {"(1 2 3);",
-     "scene.dem, line 1: found (, expected the name of an entry; write name value; or name { ... }"},
+     "scene.dem, line 1: found (, expected the name of an entry; write name value; "
+     "or name { ... }"},
     {"n 1; /* two\nlines",
      "scene.dem, line 1: the comment /* that begins here is never closed; add */"},
     {"n 1;\nshape \"sphere;\nn 2;",
      "scene.dem, line 2: the string that begins here is not closed on its line; add \""},
     {"n ${a;", "scene.dem, line 1: expected } to close ${a"},
     {"shape #ff0000;",
-     "scene.dem, line 1: #ff0000 cannot stand inside the value of shape; put it on a line of its own, "
+     "scene.dem, line 1: #ff0000 cannot stand inside the value of shape; "
+     "put it on a line of its own, "
      "between entries, or in quotes if it is a text"},
     /* macros and directives */
     {"radius 1;\nn $radios;",
@@ -313,7 +318,8 @@ static const struct
      "scene.dem, line 2: $a is a dictionary, and n takes a value; write n { $a; } to insert it"},
     {"a { x 1; }\nb { $a }", "scene.dem, line 2: found }, expected ; after $a; end line 2 with ;"},
     {"#calc \"1+1\";",
-     "scene.dem, line 1: #calc is not known here; of OpenFOAM's directives this reader has #include only"},
+     "scene.dem, line 1: #calc is not known here; "
+     "of OpenFOAM's directives this reader has #include only"},
     {"#include \"x\"",
      "scene.dem, line 1: a text passed in memory cannot #include; expand it first"},
     {"#line 40 \"demProperties\"\nn 1\n;m",
@@ -325,10 +331,12 @@ static const struct
     {"materials { }", "scene.dem, line 1: materials needs glass (a dictionary)"},
     {"materials 3;", "scene.dem, line 1: materials takes a dictionary { ... }, found \"3\""},
     {"materials { glass { density 2500\n young 1e7; } }",
-     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2500 young 1e7\"; "
+     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2500 young "
+     "1e7\"; "
      "is a ; missing at the end of line 1?"},
     {"materials { glass { density 2500 young 1e7; } }",
-     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2500 young 1e7\"; "
+     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2500 young "
+     "1e7\"; "
      "is a ; missing at the end of line 1?"},
     {"materials { glass { density 2500 kg; } }",
      "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2500 kg\""},
@@ -346,9 +354,11 @@ static const struct
     {"materials { glass { density { } } }",
      "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found a dictionary"},
     {"materials { glass { densitty 3; } }",
-     "scene.dem, line 1: materials/glass needs density (kg/m3); is \"densitty\" in line 1 meant to be it?"},
+     "scene.dem, line 1: materials/glass needs density (kg/m3); "
+     "is \"densitty\" in line 1 meant to be it?"},
     {"materials { glass { rho 3; } }",
-     "scene.dem, line 1: materials/glass needs density (kg/m3); is \"rho\" in line 1 meant to be it?"},
+     "scene.dem, line 1: materials/glass needs density (kg/m3); "
+     "is \"rho\" in line 1 meant to be it?"},
     {"g (0 -9.81);", "scene.dem, line 1: g takes a vector (x y z) (m/s2), found \"( 0 -9.81 )\""},
     {"n 2.5;", "scene.dem, line 1: n takes one whole number, found \"2.5\""},
     {"n 1e300;", "scene.dem, line 1: n takes one whole number, found \"1e300\""},
@@ -362,13 +372,15 @@ static const struct
     {"radii (1 x);",
      "scene.dem, line 1: radii takes a list of numbers ( ... ) (m), found \"( 1 x )\""},
     {"walls ( { } x );",
-     "scene.dem, line 1: walls takes a list of dictionaries ( { ... } name { ... } ), found \"( {} x )\""},
+     "scene.dem, line 1: walls takes a list of dictionaries ( { ... } name { ... } ), found \"( "
+     "{} x )\""},
     /* fields */
     {"effects { dry {\nrestitution 1.5; } }",
      "scene.dem, line 2: effects/dry: restitution 1.5 is out of range; "
      "give a value from 0 to 1 (speed after over speed before)"},
     {"effects { dry {\nrestitutoin 0.5; } }",
-     "scene.dem, line 1: effects/dry needs restitution; is \"restitutoin\" in line 2 meant to be it?"},
+     "scene.dem, line 1: effects/dry needs restitution; "
+     "is \"restitutoin\" in line 2 meant to be it?"},
     /* entries that are not read */
     {"effects { dry { restitution 0.9;\n lawn 3; } }",
      "scene.dem, line 2: unknown entry \"lawn\" in effects/dry; "

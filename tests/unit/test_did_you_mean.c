@@ -109,7 +109,8 @@ int main(void)
     TAP_OK(
         strcmp(dem_error_text(), "unknown effect \"hertzz\"; did you mean hertz? "
                                  "known: hertz, hooke, mindlin, gravity, rollingSpring") == 0,
-        "known words are listed nearest first (1, 5, 7, 7 and 12 letters off), equals as listed: %s",
+        "known words are listed nearest first (1, 5, 7, 7 and 12 letters off), equals as listed: "
+        "%s",
         dem_error_text());
     TAP_OK(dem_did_you_mean_error("effect", "magnetism", effects, 5) == DEM_ERROR_INPUT
            && strstr(dem_error_text(), "unknown effect \"magnetism\"; known: ") == dem_error_text(),

@@ -50,8 +50,9 @@ static void spring(const void *of, struct dem_contact_batch *restrict b, dem_rea
     }
 }
 
-static void report_energy(const void *of, const struct dem_contact_batch *b, dem_real *const *before,
-                 dem_real *const *memory, struct dem_energy *restrict e)
+static void report_energy(const void *of, const struct dem_contact_batch *b,
+                          dem_real *const *before, dem_real *const *memory,
+                          struct dem_energy *restrict e)
 {
     (void)of;
     seen = *e;
@@ -62,7 +63,8 @@ static void report_energy(const void *of, const struct dem_contact_batch *b, dem
     }
 }
 
-static void bond_force(const void *of, struct dem_contact_batch *restrict b, dem_real *const *memory)
+static void bond_force(const void *of, struct dem_contact_batch *restrict b,
+                       dem_real *const *memory)
 {
     (void)of, (void)memory;
     for (int c = 0; c < b->n; c++)
@@ -72,7 +74,8 @@ static void bond_force(const void *of, struct dem_contact_batch *restrict b, dem
     }
 }
 
-static void store_history(const void *of, struct dem_contact_batch *restrict b, dem_real *const *memory)
+static void store_history(const void *of, struct dem_contact_batch *restrict b,
+                          dem_real *const *memory)
 {
     act(of, b, memory);
     for (int c = 0; c < b->n; c++)
@@ -85,13 +88,15 @@ static const char *const names[] = {"a", NULL};
 static const struct dem_effect normal = {.name = "normal",
                                          .stage = DEM_STAGE_NORMAL,
                                          .apply = spring};
-static const struct dem_effect without_energy = {.name = "mute", .stage = DEM_STAGE_DAMP, .apply = act};
+static const struct dem_effect without_energy = {
+    .name = "mute", .stage = DEM_STAGE_DAMP, .apply = act};
 static const struct dem_effect with_energy = {.name = "speaks",
                                          .stage = DEM_STAGE_MOMENT,
                                          .apply = store_history,
                                          .history = names,
                                          .energy = report_energy};
-static const struct dem_effect bond = {.name = "bond", .stage = DEM_STAGE_BOND, .apply = bond_force};
+static const struct dem_effect bond = {
+    .name = "bond", .stage = DEM_STAGE_BOND, .apply = bond_force};
 
 static double sum_of(const struct dem_effect *e, enum dem_energy_balance_sum which)
 {
@@ -102,10 +107,12 @@ static double sum_of(const struct dem_effect *e, enum dem_energy_balance_sum whi
 static void sweep(void)
 {
     static double column[8];
-    static struct dem_effect_list chain =
-        {.entries = 4,
-         .entry = {{.effect = &normal}, {.effect = &without_energy}, {.effect = &with_energy}, {.effect = &bond}},
-         .pair = {.exponent = 1.5}};
+    static struct dem_effect_list chain = {.entries = 4,
+                                           .entry = {{.effect = &normal},
+                                                     {.effect = &without_energy},
+                                                     {.effect = &with_energy},
+                                                     {.effect = &bond}},
+                                           .pair = {.exponent = 1.5}};
     double *memory[] = {column};
     struct dem_energy_balance_rows r = {.list = &chain, .memory = memory, .row = 0, .rows = 8};
 

@@ -24,7 +24,8 @@ static struct dem *make(int n)
 {
     static const char scene[] =
         "materials { glass { density 2500; youngsModulus 1e6; } }"
-        "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } }"
+        "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; "
+        "} mindlin { friction 0.3; } }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
         "neighbours { outerSkin 0.2; innerSkin 0.1; }";
     struct dem_new_particle *const seed = calloc((size_t)n, sizeof *seed);
@@ -93,7 +94,8 @@ static void times(int n, int steps)
     TAP_NEAR(sum, f.wall, 1e-12*f.wall, "%d spheres: phases add up to the total",
              n);          /* rounding */
     TAP_OK(f.wall >= requested - ready && f.wall <= reported - before,
-           "%d spheres: %.4g s: between %.4g and %.4g s", n, f.wall, requested - ready, reported - before);
+           "%d spheres: %.4g s: between %.4g and %.4g "
+           "s", n, f.wall, requested - ready, reported - before);
     TAP_OK(f.outside >= 0.02, "%d spheres: 0.02 s of waiting are counted as outside", n);
     /* rounding of the sum of many differences of one clock: 1e-9 s is a thousand times that */
     TAP_OK(f.wall - f.outside <= between - before + 1e-9 && f.wall - f.outside > 0.0,

@@ -66,7 +66,8 @@ static void smooth(void)
         TAP_NEAR(l.reference, truth, 1e-12, "smooth: the true value");
         TAP_NEAR(l.order, p, 1e-9, "smooth: the order");
         TAP_NEAR(l.level[0].error, 0.2*pow(2.0, p), 1e-12, "smooth: the errors");
-        TAP_OK(l.uncertainty < 1e-12 && l.order_uncertainty < 1e-9, "smooth: the uncertainty is zero");
+        TAP_OK(l.uncertainty < 1e-12 && l.order_uncertainty < 1e-9,
+               "smooth: the uncertainty is zero");
     }
 }
 
@@ -84,8 +85,8 @@ static void scattered(void)
         held += fabs(l.reference - truth) <= l.uncertainty;
         extrapolated += l.kind == DEM_REFINEMENT_EXTRAPOLATED;
     }
-    TAP_OK(extrapolated >= 390, "scatter that decreases with the step is due to the step: %d of 400",
-           extrapolated);
+    TAP_OK(extrapolated >= 390,
+           "scatter that decreases with the step is due to the step: %d of 400", extrapolated);
     /* 95 % */
     TAP_OK(held >= 380, "the true value is within the uncertainty in %d of 400", held);
 }
@@ -103,7 +104,8 @@ static void chaotic(void)
         held += fabs(l.reference - truth) <= l.uncertainty;
         exact += l.level[1].error <= l.level[1].uncertainty;
     }
-    TAP_OK(statistics >= 380, "scatter that stays is a property of the scene: %d of 400", statistics);
+    TAP_OK(statistics >= 380, "scatter that stays is a property of the scene: %d of 400",
+           statistics);
     TAP_OK(held >= 368, "the true value is in the interval in %d of 400",
            held);                   /* 380 +- 3 times sqrt(400 0.95 0.05) */
     TAP_OK(exact >= 368, "no error is claimed where there is none in %d of 400", exact);
@@ -128,7 +130,8 @@ static void given(void)
     l.closed = 1;
     l.reference = truth;
     dem_refinement_evaluate(&l);
-    TAP_OK(l.kind == DEM_REFINEMENT_CLOSED && l.uncertainty == 0.0, "a closed form has no uncertainty");
+    TAP_OK(l.kind == DEM_REFINEMENT_CLOSED && l.uncertainty == 0.0,
+           "a closed form has no uncertainty");
     TAP_NEAR(l.level[2].error, 0.1*0.25, 1e-12, "errors are differences from it");
 }
 

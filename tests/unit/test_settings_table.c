@@ -68,7 +68,8 @@ static void defaults(void)
            "missing settings are reported");
     TAP_OK(
         error_is(
-            "glue: no value for restitution (speed after over speed before), offset (from the centre, m); "
+            "glue: no value for restitution (speed after over speed before), offset (from the "
+            "centre, m); "
             "these have no default, give them"),
         "%s", dem_error_text());
     set(&g, "restitution", 0.5);
@@ -96,17 +97,20 @@ static void numbers(void)
            "a number out of range changes nothing");
     TAP_OK(
         error_is(
-            "glue: restitution 1.2 is out of range; give a value from 0 to 1 (speed after over speed before)"),
+            "glue: restitution 1.2 is out of range; "
+            "give a value from 0 to 1 (speed after over speed before)"),
         "%s", dem_error_text());
     TAP_OK(set(&g, "youngsModulus", 0.0) == DEM_ERROR_INPUT,
            "zero is refused where it is excluded");
-    TAP_OK(error_is("glue: youngsModulus 0 Pa is out of range; give a value above 0 Pa (of the glue)"),
-           "%s", dem_error_text());
+    TAP_OK(
+        error_is("glue: youngsModulus 0 Pa is out of range; give a value above 0 Pa (of the glue)"),
+        "%s", dem_error_text());
     TAP_OK(set(&g, "strength", 0.0) == DEM_OK, "zero is accepted where it is not excluded");
     TAP_OK(set(&g, "strength", -1.0) == DEM_ERROR_INPUT, "a negative strength is refused");
     TAP_OK(
         error_is(
-            "glue: strength -1 Pa is out of range; give a value of 0 Pa or more (stress at which it breaks)"),
+            "glue: strength -1 Pa is out of range; "
+            "give a value of 0 Pa or more (stress at which it breaks)"),
         "%s", dem_error_text());
     TAP_OK(set(&g, "strength", INFINITY) == DEM_ERROR_INPUT &&
                set(&g, "strength", NAN) == DEM_ERROR_INPUT && g.strength == 0.0,
@@ -116,7 +120,8 @@ static void numbers(void)
            "a count is a whole number");
     TAP_OK(
         error_is(
-            "glue: layers 2.5 is not a whole number; give a value that is whole, from 1 to 10 (coats of glue)"),
+            "glue: layers 2.5 is not a whole number; "
+            "give a value that is whole, from 1 to 10 (coats of glue)"),
         "%s", dem_error_text());
     TAP_OK(g.after == 7.0, "no other member was changed");
 }
@@ -135,8 +140,8 @@ static void vectors(void)
            "one component out of range changes none: %s", dem_error_text());
     TAP_OK(dem_settings_set_number(fields, &g, "glue", "axis", along, 1) == DEM_ERROR_INPUT,
            "a vector needs three numbers");
-    TAP_OK(error_is("glue: axis has 1 number; give three, as (x y z) (direction of the fibres)"), "%s",
-           dem_error_text());
+    TAP_OK(error_is("glue: axis has 1 number; give three, as (x y z) (direction of the fibres)"),
+           "%s", dem_error_text());
     TAP_OK(dem_settings_set_number(fields, &g, "glue", "strength", along, 3) == DEM_ERROR_INPUT,
            "a number needs one number");
     TAP_OK(error_is("glue: strength has 3 numbers; give one (stress at which it breaks)"), "%s",
@@ -171,15 +176,18 @@ static void words(void)
            "a switch refuses maybe: %s", dem_error_text());
     TAP_OK(dem_settings_set_word(fields, &g, "glue", "strength", "high") == DEM_ERROR_INPUT,
            "a number refuses a word");
-    TAP_OK(error_is("glue: strength takes a number, not the word \"high\" (stress at which it breaks)"),
+    TAP_OK(error_is(
+               "glue: strength takes a number, not the word \"high\" (stress at which it breaks)"),
            "%s", dem_error_text());
     TAP_OK(set(&g, "law", 1.0) == DEM_ERROR_INPUT, "a choice refuses a number");
-    TAP_OK(error_is("glue: law takes a word, not a number (how it hardens)"), "%s", dem_error_text());
+    TAP_OK(error_is("glue: law takes a word, not a number (how it hardens)"), "%s",
+           dem_error_text());
     TAP_OK(
         set(&g, "restituton", 1.0) == DEM_ERROR_INPUT &&
             strstr(
                 dem_error_text(),
-                "unknown setting of glue, \"restituton\"; did you mean restitution? known: restitution, ") ==
+                "unknown setting of glue, \"restituton\"; "
+                "did you mean restitution? known: restitution, ") ==
                 dem_error_text(),
         "an unknown setting gets the nearest name: %s", dem_error_text());
     TAP_OK(dem_settings_set_word(fields, &g, "glue", "lwa", "linear") == DEM_ERROR_INPUT &&

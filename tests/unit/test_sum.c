@@ -99,19 +99,22 @@ static void known_sums(void)
     TAP_OK(same_bits(sum_of((double[]){1e308, 1.0, -1e308}, 3), 1.0), "1e308 + 1 - 1e308 is 1");
     TAP_OK(same_bits(sum_of((double[]){DBL_MAX, DBL_MAX, tiny, -DBL_MAX, -DBL_MAX}, 5), tiny),
            "twice the largest cancels and leaves the smallest");
-    TAP_OK(same_bits(sum_of((double[]){1.0, ulp/2}, 2), 1.0), "a tie rounds to the even neighbor below");
+    TAP_OK(same_bits(sum_of((double[]){1.0, ulp/2}, 2), 1.0),
+           "a tie rounds to the even neighbor below");
     TAP_OK(same_bits(sum_of((double[]){1.0 + ulp, ulp/2}, 2), 1.0 + 2*ulp),
            "a tie rounds to the even neighbor above");
     TAP_OK(same_bits(sum_of((double[]){1.0, ulp/2, tiny}, 3), 1.0 + ulp),
            "the smallest double breaks a tie upwards");
-    TAP_OK(same_bits(sum_of((double[]){1.0 + ulp, ulp/2, -tiny}, 3), 1.0 + ulp), "the smallest double breaks a tie downwards");
+    TAP_OK(same_bits(sum_of((double[]){1.0 + ulp, ulp/2, -tiny}, 3), 1.0 + ulp),
+           "the smallest double breaks a tie downwards");
     TAP_OK(same_bits(sum_of((double[]){-1.0, -ulp/2, -tiny}, 3), -1.0 - ulp),
            "a negative sum mirrors a positive one");
     TAP_OK(same_bits(sum_of((double[]){2.0 - ulp, ulp/2}, 2), 2.0),
            "rounding may carry into the exponent");
     TAP_OK(same_bits(sum_of((double[]){DBL_MIN, -tiny}, 2), DBL_MIN - tiny),
            "subnormal numbers are exact");
-    TAP_OK(same_bits(sum_of((double[]){3*tiny, -5*tiny}, 2), -2*tiny), "subnormal numbers are exact to the last bit");
+    TAP_OK(same_bits(sum_of((double[]){3*tiny, -5*tiny}, 2), -2*tiny),
+           "subnormal numbers are exact to the last bit");
     TAP_OK(same_bits(sum_of((double[]){0.0, -0.0}, 2), 0.0) && same_bits(sum_of(term, 0), 0.0),
            "the empty sum is +0");
     TAP_OK(same_bits(sum_of((double[]){DBL_MAX, DBL_MAX}, 2), INFINITY)
@@ -119,7 +122,8 @@ static void known_sums(void)
            "beyond the largest double the sum is infinite");
     TAP_OK(same_bits(sum_of((double[]){DBL_MAX, 0x1p969}, 2), DBL_MAX),
            "less than half a step beyond it is not");
-    TAP_OK(same_bits(sum_of((double[]){DBL_MAX, 0x1p970}, 2), INFINITY), "half a step beyond it is");
+    TAP_OK(same_bits(sum_of((double[]){DBL_MAX, 0x1p970}, 2), INFINITY),
+           "half a step beyond it is");
 }
 
 static void any_order(void)
@@ -205,9 +209,12 @@ static void not_numbers(void)
     struct dem_sum a, b;
 
     TAP_OK(isnan(sum_of((double[]){1.0, NAN, 2.0}, 3)), "a not-a-number is not lost");
-    TAP_OK(same_bits(sum_of((double[]){1.0, INFINITY, -DBL_MAX}, 3), INFINITY), "an infinity is not lost");
-    TAP_OK(same_bits(sum_of((double[]){-INFINITY, DBL_MAX}, 2), -INFINITY), "a negative infinity is not lost");
-    TAP_OK(isnan(sum_of((double[]){INFINITY, -INFINITY}, 2)), "both infinities give a not-a-number");
+    TAP_OK(same_bits(sum_of((double[]){1.0, INFINITY, -DBL_MAX}, 3), INFINITY),
+           "an infinity is not lost");
+    TAP_OK(same_bits(sum_of((double[]){-INFINITY, DBL_MAX}, 2), -INFINITY),
+           "a negative infinity is not lost");
+    TAP_OK(isnan(sum_of((double[]){INFINITY, -INFINITY}, 2)),
+           "both infinities give a not-a-number");
     dem_sum_clear(&a);
     dem_sum_clear(&b);
     dem_sum_add(&b, NAN);
