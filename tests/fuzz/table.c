@@ -11,8 +11,8 @@
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static const char *const scene =
-        "materials { glass { density 2500; youngsModulus 1e7; "
-        "} } effects { hertz {} dry { restitution 0.9; } "
+        "materials { glass { density 2500; youngsModulus 1e7; } } "
+        "effects { hertz {} dry { restitution 0.9; } "
         "mindlin { friction 0.3; } } domain { min (-1 -1 -1); max (1 1 1); periodic (x); "
         "leaving remove; } "
         "insert { t { type table; file \"%s\"; %s } }";

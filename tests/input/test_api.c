@@ -14,8 +14,8 @@
 #include "physics/world.h"
 
 static const char materials[] =
-    "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; "
-    "} } effects { hertz {} }";
+    "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } "
+    "effects { hertz {} }";
 
 static void refused(int status, const char *word, const char *what)
 {
@@ -179,8 +179,8 @@ static void lattices(void)
     {
         char *const scene = world_text(
             "%s insert { a { type lattice; diameter 2e-3; spacing 1.25; jitter 1; count 1; seed %d;"
-            "min (0 0 0); max (%g %g %g); } } walls { w { type box; min (0 0 0); max (%g %g %g); "
-            "} }",
+            "min (0 0 0); max (%g %g %g); } } walls { w { type box; min (0 0 0); max (%g %g %g); } "
+            "}",
             materials, b, boxes[b][0], boxes[b][1], boxes[b][2], boxes[b][0], boxes[b][1],
             boxes[b][2]);
         struct dem *const d = world(scene, 0, NULL);

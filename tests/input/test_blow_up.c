@@ -20,8 +20,8 @@ static void try_velocity(const char *what, const char *effects, const char *velo
                          const char *first, const char *second)
 {
     char *const scene = world_text(
-        "materials { glass { density 2500; youngsModulus 1e7; "
-        "} } effects { %s } time { step 1e-6; force yes; } " MEANS
+        "materials { glass { density 2500; youngsModulus 1e7; } } "
+        "effects { %s } time { step 1e-6; force yes; } " MEANS
         "insert { a { type list; diameter 1e-3; positions ((0 0 0)); velocity %s; } "
         "b { type list; diameter 1e-3; positions ((0.0010005 0 0)); } }",
         effects, velocity);

@@ -421,8 +421,8 @@ static int check_setting(const struct dem_effect *effect, const char *name, cons
     snprintf(
         text, sizeof text,
         "materials { glass { density 2500; youngsModulus 1e7; } } effects { %s %s { %s %s; } }"
-        "insert { two { type list; diameter 1e-3; positions ((0 0 1) (0.0011 0 1)); "
-        "} } time { step 1e-9; }"
+        "insert { two { type list; diameter 1e-3; positions ((0 0 1) (0.0011 0 1)); } } "
+        "time { step 1e-9; }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
         effect->stage == DEM_STAGE_NORMAL ? "" : "hertz { }", effect->name, name, value);
     WORLD_TRY(dem_create(&d, MPI_COMM_NULL));

@@ -133,8 +133,8 @@ static char folder[] = "/tmp/test_failures_XXXXXX", snapshot[64];
 static struct dem *create(int energy)
 {
     static const char scene[] =
-        "materials { glass { density 2500; youngsModulus 1e6; "
-        "} } effects { hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } }"
+        "materials { glass { density 2500; youngsModulus 1e6; } } "
+        "effects { hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } }"
         "domain { x (0 %.17g); periodic (x); } insert { row { type lattice; count %d; "
         "diameter 1e-3; spacing 1.04; jitter 0.5; min (0 0 0);"
         " max (%.17g 0.00313 0.00313); velocity (0.3 0 0); seed 3; } }"

@@ -292,8 +292,8 @@ static void wall_friction(int k)
     seed.velocity[next] = 0.8;
     seed.velocity[last] = -0.6;
     char *const scene = world_text(
-        "%s effects { gravity { acceleration (%g %g %g); } hooke { stiffness %g; "
-        "} linear { friction %g; stiffness 1000; } }"
+        "%s effects { gravity { acceleration (%g %g %g); } hooke { stiffness %g; } "
+        "linear { friction %g; stiffness 1000; } }"
         "walls { floor { type plane; point (0 0 0); normal (%g %g %g); } }"
         "averages { box { min (-0.01 -0.01 -0.01); max (0.01 0.01 0.01); start 0.001; "
         "interval 0.0005; } }",

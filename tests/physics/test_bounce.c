@@ -112,8 +112,8 @@ static void repeated_bounces(double k, double e, double steps)
                                           .diameter = 2.0*R,
                                           .material = "b"};
     char *const scene = world_text(
-        "materials { b { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; "
-        "} dry { restitution %g; }"
+        "materials { b { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; } "
+        "dry { restitution %g; }"
         "gravity { acceleration (0 0 -%.17g); } } time { step %.17g; }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
         density, k, e, g, step);
@@ -166,8 +166,8 @@ static struct dem *squeezed(double e, double share)
     char *const scene = world_text(
         "materials { heavy { density 2e4; youngsModulus 1e7; } light { density 1e4; "
         "youngsModulus 1e7; } }"
-        "effects { hooke { stiffness 1000; } dry { restitution %g; "
-        "} gravity { acceleration (0 0 -%.17g); } }"
+        "effects { hooke { stiffness 1000; } dry { restitution %g; } "
+        "gravity { acceleration (0 0 -%.17g); } }"
         "time { step %.17g; } neighbours { outerSkin 2; innerSkin 2; }"
         "walls { floor { type plane; material heavy; point (0 0 0); normal (0 0 1); }"
         " lid { type plane; material heavy; point (0 0 1.8e-3); normal (0 0 -1); } }",

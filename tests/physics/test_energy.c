@@ -157,8 +157,8 @@ static void slides_and_rolls(void)
 {
     const double v = 0.5;
     struct dem *d = one(
-        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; "
-        "} mindlin { friction 0.3; }",
+        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } "
+        "mindlin { friction 0.3; }",
         floor_at_0, impact()/40.0, ball(0.0, R - rest_overlap(), v, 0.0));
 
     world_run(d, 0.1);
@@ -179,8 +179,8 @@ static void slides_and_rolls(void)
 
     rolling.spin[1] = 0.05/(R - rest_overlap());
     d = one(
-        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; "
-        "} mindlin { friction 0.5; } rollingConstant { friction 0.02; }",
+        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } "
+        "mindlin { friction 0.5; } rollingConstant { friction 0.02; }",
         floor_at_0, impact()/40.0, rolling);
     const double kinetic =
         energy_term(d, "kinetic_translation") + energy_term(d, "kinetic_rotation");
@@ -200,8 +200,8 @@ static void belt(void)
 {
     const double V = 0.5;
     struct dem *const d = one(
-        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; "
-        "} mindlin { friction 0.3; }",
+        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } "
+        "mindlin { friction 0.3; }",
         "walls { belt { type plane; point (0 0 0); normal (0 0 1); surfaceVelocity (0.5 0 0); } }",
         impact()/40.0, ball(0.0, R - rest_overlap(), 0.0, 0.0));
     const double unit = mass()*V*V/7.0;
@@ -377,8 +377,8 @@ static void restart(void)
             "%s effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.8; } "
             "mindlin { friction 0.3; } rollingSpring { friction 0.05; } } "
             "walls { cup { type box; min (0 0 0); max (0.012 0.012 0.1); "
-            "motion { type oscillation; amplitude (0 0 5e-4); frequency 40; "
-            "} } } time { step 8e-6; }",
+            "motion { type oscillation; amplitude (0 0 5e-4); frequency 40; } } } "
+            "time { step 8e-6; }",
             glass);
 
         d = world_begin(scene);

@@ -102,10 +102,10 @@ static double run(const struct law_case *w, double step, double *term_value)
 {
     static struct dem_new_particle seed[N];
     char *const scene = world_text(
-        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; "
-        "} } effects { %s } "
-        "domain { min (0 0 0); max (0.0105 0.0105 0.0105); periodic (x y z); "
-        "} time { step %.17g; }",
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } "
+        "effects { %s } "
+        "domain { min (0 0 0); max (0.0105 0.0105 0.0105); periodic (x y z); } "
+        "time { step %.17g; }",
         w->effects, step);
     double worst = 0.0;
 

@@ -26,8 +26,8 @@ static struct dem *start(const struct scene *s, double step, int n,
                          const struct dem_new_particle *seed)
 {
     char *const text = world_text(
-        "materials { glass { density %g; youngsModulus 1e7; poissonsRatio 0.3; "
-        "} } effects { %s } %s "
+        "materials { glass { density %g; youngsModulus 1e7; poissonsRatio 0.3; } } "
+        "effects { %s } %s "
         "time { step %.17g; force yes; }",
         s->density, s->effects, s->more, step);
     struct dem *const d = energy_world(text, n, seed);
@@ -151,8 +151,8 @@ static void oblique(const char *what, const struct scene *s, double other)
 static double rolls(double step, double *lost)
 {
     const struct scene s = {
-        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; "
-        "} mindlin { friction 0.5; } "
+        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } "
+        "mindlin { friction 0.5; } "
         "rollingSpring { friction 0.05; damping 0.3; }",
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }", 2500.0};
     const double m = world_sphere_mass(R, s.density),
@@ -200,8 +200,8 @@ int main(void)
         {"hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } virtualMass {}", in_water,
          1.2};
     const struct scene moments = {
-        "hertz {} dry { restitution 0.8; } mindlin { friction 0.3; "
-        "} rollingSpring { friction 0.2; damping 0.3; } "
+        "hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } "
+        "rollingSpring { friction 0.2; damping 0.3; } "
         "twistingSpring { friction 0.3; damping 0.3; }",
         floor_at_0, 2500.0};
 

@@ -21,8 +21,8 @@ enum
 
 static const char *const physics =
     "materials { glass { density 2500; youngsModulus 1e6; } }"
-    "effects { gravity { acceleration (0 -9.81 %g); } hertz {} dry { restitution 0.8; "
-    "} mindlin { friction 0.4; } }"
+    "effects { gravity { acceleration (0 -9.81 %g); } hertz {} dry { restitution 0.8; } "
+    "mindlin { friction 0.4; } }"
     "time { step 5e-6; }";
 
 static struct dem_new_particle seed[N];

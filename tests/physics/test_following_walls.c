@@ -62,10 +62,10 @@ static struct dem *begin(struct floor *f, const char *more, const struct dem_new
                          double time, const char *snapshot)
 {
     char *const scene = world_text(
-        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; "
-        "} rigid { density 1;"
-        " youngsModulus 1e30; } } effects { hertz {} dry { restitution 0.3; "
-        "} mindlin { friction 0.2; }"
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } "
+        "rigid { density 1;"
+        " youngsModulus 1e30; } } effects { hertz {} dry { restitution 0.3; } "
+        "mindlin { friction 0.2; }"
         " gravity { acceleration (0 0 -9.81); } } time { step 4e-6; } %s",
         more);
     struct dem *const d = world_begin(scene);

@@ -30,8 +30,8 @@ static double fall(double density, const char *added, double step, double time)
 {
     char *const scene = world_text(
         "materials { bead { density %g; youngsModulus 1e5; } }"
-        "effects { schillerNaumann {} pressureGradient {} gravity { acceleration (0 0 -9.81); "
-        "} %s }"
+        "effects { schillerNaumann {} pressureGradient {} gravity { acceleration (0 0 -9.81); } "
+        "%s }"
         "fluid { density 1000; viscosity 1e-3; } time { step %g; }"
         "insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }",
         density, added, step);
@@ -122,8 +122,8 @@ static void added_mass_counts_once(void)
 {
     static const char scene[] =
         "materials { a { density 2500; youngsModulus 1e7; } }"
-        "effects { hertz {} stokes { restitution 0.9; addedMass 0.5; fluidDensity 1000; "
-        "} virtualMass {} }"
+        "effects { hertz {} stokes { restitution 0.9; addedMass 0.5; fluidDensity 1000; } "
+        "virtualMass {} }"
         "fluid { density 1000; viscosity 1e-3; }"
         "insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }";
     struct dem *const d = world_begin(scene);
@@ -156,8 +156,8 @@ static void accelerating_fluid(void)
 static void spins(double step)
 {
     char *const scene = world_text(
-        "materials { a { density 2000; youngsModulus 1e7; "
-        "} } effects { viscousTorque { correction no; } }"
+        "materials { a { density 2000; youngsModulus 1e7; } } "
+        "effects { viscousTorque { correction no; } }"
         "fluid { density 1000; viscosity 1e-3; vorticity (4 0 -2); } time { step %g; }"
         "insert { one { type list; diameter 1e-3; positions ((0 0 0)); spin (10 5 0); } }",
         step);
@@ -229,8 +229,8 @@ static void exchanges(double density)
 {
     char *const scene = world_text(
         "materials { a { density %g; youngsModulus 1e7; } }"
-        "effects { schillerNaumann {} viscousStress {} virtualMass { swarm zuber; "
-        "} saffmanMei {} magnus {} }"
+        "effects { schillerNaumann {} viscousStress {} virtualMass { swarm zuber; } "
+        "saffmanMei {} magnus {} }"
         "time { step 1e-4; } insert { two { type list; diameter 2e-3; "
         "positions ((0 0 0) (1 0 0)); spin (0 30 9); } }",
         density);
@@ -283,8 +283,8 @@ static void relaxes(double density, const char *added, double extra)
 {
     const double window = 1e-6, d = 1e-3, mu = 1e-3, rate = 18.0*mu/((density + extra)*d*d);
     char *const scene = world_text(
-        "materials { a { density %g; youngsModulus 1e7; "
-        "} } effects { stokesDrag {} %s } time { step 1e-7; }"
+        "materials { a { density %g; youngsModulus 1e7; } } "
+        "effects { stokesDrag {} %s } time { step 1e-7; }"
         "insert { one { type list; diameter 1e-3; positions ((0 0 0)); velocity (0.3 0 0); }"
         "two { type list; diameter 1e-4; positions ((1 0 0)); frozen yes; } }",
         density, added);

@@ -17,8 +17,8 @@
 #include <unistd.h>
 
 #define PHYSICS "materials { glass { density 2500; youngsModulus 1e7; } }" \
-                "effects { hertz { } dry { restitution 0.3; } mindlin { friction 0.1; "
-                "} gravity { acceleration (0 0 -9.81); } }"
+                "effects { hertz { } dry { restitution 0.3; } mindlin { friction 0.1; } " \
+                "gravity { acceleration (0 0 -9.81); } }"
 
 enum
 {

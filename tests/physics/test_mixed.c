@@ -122,8 +122,8 @@ static void column(void)
 {
     char *const text = world_text(
         "materials { glass { density 2500; youngsModulus 5e6; poissonsRatio 0.25; } } "
-        "effects { hertz {} dry { restitution 0.1; } mindlin { friction 0.3; "
-        "} gravity { acceleration (0 0 -9.81); } } "
+        "effects { hertz {} dry { restitution 0.1; } mindlin { friction 0.3; } "
+        "gravity { acceleration (0 0 -9.81); } } "
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } } time { step 5e-6; "
         "precision mixed; }");
     struct dem_new_particle seed[10];

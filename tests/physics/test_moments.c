@@ -64,8 +64,8 @@ static void collide(const double A[3][3], const char *law, struct world_particle
         rotate(A, w[i], seed[i].spin);
     }
     char *const scene = world_text(
-        "materials { b { density 2500; youngsModulus 1e7; "
-        "} } effects { hertz {} dry { restitution 0.8; }"
+        "materials { b { density 2500; youngsModulus 1e7; } } "
+        "effects { hertz {} dry { restitution 0.8; }"
         "mindlin { friction 0.3; } %s } time { step 1e-6; }",
         law);
     struct dem *const d = world(scene, 2, seed);

@@ -16,8 +16,8 @@
 #include <string.h>
 
 #define LAWS "materials { glass { density 2500; youngsModulus 1e7; } }" \
-             "effects { hertz { impactSpeed 1; } dry { restitution 0.5; "
-             "} mindlin { friction 0.5; } %s } time { step 5e-6; }"
+             "effects { hertz { impactSpeed 1; } dry { restitution 0.5; } " \
+             "mindlin { friction 0.5; } %s } time { step 5e-6; }"
 
 /* ---- through a periodic box ------------------------------------------------------------------ */
 

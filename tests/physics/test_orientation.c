@@ -11,14 +11,14 @@
 #include "world.h"
 
 static const char free_scene[] =
-    "materials { glass { density 2500; youngsModulus 1e6; "
-    "} } effects { gravity { acceleration (0 0 0); } hertz {} }"
+    "materials { glass { density 2500; youngsModulus 1e6; } } "
+    "effects { gravity { acceleration (0 0 0); } hertz {} }"
     "time { step 1e-5; }";
 
 static const char rolling_scene[] =
     "materials { glass { density 2500; youngsModulus 1e7; } }"
-    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; "
-    "} mindlin { friction 0.5; } }"
+    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } "
+    "mindlin { friction 0.5; } }"
     "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }";
 
 static struct dem *tracked(const char *scene, const struct dem_new_particle *seed)

@@ -150,8 +150,8 @@ static void test_bed_in_scene(void)
 {
     struct dem *const w = world(
         "materials { glass { density 2526; youngsModulus 1e7; } }"
-        "effects { gravity { acceleration (0 -9.81 0); } hertz { } gidaspow { blend switch; "
-        "} pressureGradient { } }"
+        "effects { gravity { acceleration (0 -9.81 0); } hertz { } gidaspow { blend switch; } "
+        "pressureGradient { } }"
         "fluid { density 1.2; viscosity 1.2e-5; }"
         "domain { min (0 0 0); max (0.15 1 0.015); periodic (x z); }"
         "insert { bed { type lattice; count 24750; spacing 1; jitter 0; diameter 2.5e-3;"
@@ -210,8 +210,8 @@ static void test_unknown_packing(void)
     {
         char *const scene = world_text(
             "materials { glass { density 2526; youngsModulus 1e7; } }"
-            "effects { gravity { acceleration (0 -9.81 0); } hertz { } gidaspow { blend switch; "
-            "} pressureGradient { } }"
+            "effects { gravity { acceleration (0 -9.81 0); } hertz { } gidaspow { blend switch; } "
+            "pressureGradient { } }"
             "fluid { density 1.2; viscosity 1.2e-5; } domain { %s }"
             "insert { bed { type lattice; count 500; spacing %d; jitter 0; diameter 2.5e-3;"
             "               min (0 0 0); max (0.15 1 0.015); } }",
@@ -270,8 +270,8 @@ static void test_law_of_its_own(void)
     const double d = 1e-3, u = 9.0, fraction = 3.0*world_pi*1.8e-5*d*u/(sphere(d)*2500.0*9.81);
     struct dem *const w = world(
         "materials { glass { density 2500; youngsModulus 1e7; } }"
-        "effects { gravity { acceleration (0 0 -9.81); } hertz { impactSpeed 0.1; "
-        "} stokesDrag { } }"
+        "effects { gravity { acceleration (0 0 -9.81); } hertz { impactSpeed 0.1; } "
+        "stokesDrag { } }"
         "fluid { density 1; viscosity 1.8e-5; velocity (0 0 9); }"
         "insert { one { type list; diameter 1e-3; positions ((0 0 0)); } }",
         0, NULL);
@@ -372,8 +372,8 @@ static void test_cost(void)
     const double before = allocated();
     struct dem *const w = world(
         "materials { glass { density 2500; youngsModulus 1e6; } }"
-        "effects { gravity { acceleration (0 0 -9.81); } hertz { } dry { restitution 0.3; "
-        "} mindlin { friction 0.3; } }"
+        "effects { gravity { acceleration (0 0 -9.81); } hertz { } dry { restitution 0.3; } "
+        "mindlin { friction 0.3; } }"
         "walls { cup { type box; min (0 0 0); max (0.01 0.03 0.05); } }"
         "insert { grains { type lattice; count 3000; diameter 1e-3; min (0 0 0); "
         "max (0.01 0.03 0.05); } }",

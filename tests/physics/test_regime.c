@@ -51,8 +51,8 @@ static const struct known scenes[] = {
     {"the same with the film",
      "density 7800;",
      OIL,
-     "hertz { impactSpeed 0.5; } stokes { restitution 0.97; "
-     "} pressureGradient {} schillerNaumann {} "
+     "hertz { impactSpeed 0.5; } stokes { restitution 0.97; } "
+     "pressureGradient {} schillerNaumann {} "
      "virtualMass {}",
      3e-3,
      2,
@@ -243,8 +243,8 @@ static const struct known scenes[] = {
     {"a drum",
      "density 2500;",
      NULL,
-     "hertz {} dry { restitution 0.7; } mindlin { friction 0.5; } rollingSpring { friction 0.1; "
-     "} twistingSpring { friction 0.5; }",
+     "hertz {} dry { restitution 0.7; } mindlin { friction 0.5; } rollingSpring { friction 0.1; } "
+     "twistingSpring { friction 0.5; }",
      1e-3,
      100,
      {{"rollingSpring", DEM_NEEDED, 0.2}, {"twistingSpring", DEM_NEEDED, 0.21927}},
@@ -253,8 +253,8 @@ static const struct known scenes[] = {
     {"a hopper of steel balls",
      "density 7800;",
      NULL,
-     "hertz {} dry { restitution 0.9; } mindlin { friction 0.3; "
-     "} rollingConstant { friction 5e-5; }",
+     "hertz {} dry { restitution 0.9; } mindlin { friction 0.3; } "
+     "rollingConstant { friction 5e-5; }",
      1e-3,
      100,
      {{"rollingConstant", DEM_NEGLIGIBLE, 1.6667e-4}},
@@ -293,8 +293,8 @@ static const char *plan(const struct known *k, struct dem **d)
     char *const text = world_text(
         "materials { stuff { youngsModulus 1e7; "
         "%s } } effects { gravity { acceleration (0 0 -9.81); } %s } %s%s%s "
-        "walls { room { type box; min (0 0 0); max (%g %g %g); "
-        "} } insert { grains { type lattice; count %d; diameter %g; "
+        "walls { room { type box; min (0 0 0); max (%g %g %g); } } "
+        "insert { grains { type lattice; count %d; diameter %g; "
         "spacing 1.2; min (0 0 0); max (%g %g %g); } } %s",
         k->material, k->effects, k->fluid ? "fluid { " : "", k->fluid ? k->fluid : "",
         k->fluid ? " }" : "", box, box, box, k->count, k->diameter, box, box, box,

@@ -29,8 +29,8 @@ static struct dem *block(int high, const char *more)
 {
     char *const scene = world_text(
         "materials { glass { density 2500; youngsModulus 5e6; poissonsRatio 0.3; } }"
-        "effects { hertz { } dry { restitution 0.8; } mindlin { friction 0.4; "
-        "} gravity { acceleration (1 2 -9.81); } }"
+        "effects { hertz { } dry { restitution 0.8; } mindlin { friction 0.4; } "
+        "gravity { acceleration (1 2 -9.81); } }"
         "domain { x (0 0.04995); y (0 0.01199); periodic (x y); }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
         "time { step 5e-6; } %s",

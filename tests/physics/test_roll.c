@@ -64,8 +64,8 @@ static struct dem *start(const double *table, const char *wall, const char *tang
                                             .material = names[k]};
     }
     char *const scene = world_text(
-        "materials { %s rigid { density 1; youngsModulus 1e30; "
-        "} } effects { hertz { impactSpeed 0.1; }"
+        "materials { %s rigid { density 1; youngsModulus 1e30; } } "
+        "effects { hertz { impactSpeed 0.1; }"
         "dry { restitution 0.9; } mindlin { friction 0.1; "
         "%s } gravity { acceleration (0 0 -%.17g); } }"
         "pairs { %s } %s",

@@ -225,8 +225,8 @@ static void in_liquids(void)
         }
         char *const scene = world_text(
             "materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
-            "rigid { density 1; youngsModulus 1e30; "
-            "} } effects { hertz {} stokes { restitution %g; viscosity %g; %s } }"
+            "rigid { density 1; youngsModulus 1e30; } } "
+            "effects { hertz {} stokes { restitution %g; viscosity %g; %s } }"
             "time { step %.17g; } walls { floor { type plane; material rigid; point (0 0 0); "
             "normal (0 0 1); } }",
             density, E, best, t[2], added, step);

@@ -124,8 +124,8 @@ static void test_mass_rate(void)
 {
     struct dem *const d = stream(
         "",
-        "insert { feed { type stream; massRate 5e-3; sizes { type uniform; min 1e-3; max 2e-3; "
-        "} min (0 0 0); "
+        "insert { feed { type stream; massRate 5e-3; sizes { type uniform; min 1e-3; max 2e-3; } "
+        "min (0 0 0); "
         "max (0.2 0.2 0.2); } } ");
     const double largest = 2500.0*world_pi/6.0*8e-9;
     int exact = 1;
@@ -360,10 +360,10 @@ static void test_drag(void)
     for (int fine = 0; fine < 2; fine++)
     {
         char *const text = world_text(
-            "materials { glass { density 2500; youngsModulus 1e5; "
-            "} } effects { hertz { } stokesDrag { } } "
-            "fluid { density 1; viscosity 1e-3; velocity (0 0 1); pressureGradient (0 0 0); "
-            "} time { step %g; } "
+            "materials { glass { density 2500; youngsModulus 1e5; } } "
+            "effects { hertz { } stokesDrag { } } "
+            "fluid { density 1; viscosity 1e-3; velocity (0 0 1); pressureGradient (0 0 0); } "
+            "time { step %g; } "
             "insert { one { type stream; rate 1000; count 1; diameter 1e-3; "
             "min (-5e-4 -5e-4 -5e-4); max (5e-4 5e-4 5e-4); "
             "velocity (2 0 0); } }",
@@ -542,10 +542,10 @@ static void test_patch(void)
     WORLD_TRY(dem_flow_on_request(d));
     WORLD_TRY(dem_scene_text(
         d,
-        "materials { glass { density 2500; youngsModulus 1e5; "
-        "} } effects { hertz { } dry { restitution 0.9; } } "
-        "time { step 1e-5; } domain { min (0 0 0); max (0.1 0.1 0.1); "
-        "} insert { feed { type stream; rate 1e4; "
+        "materials { glass { density 2500; youngsModulus 1e5; } } "
+        "effects { hertz { } dry { restitution 0.9; } } "
+        "time { step 1e-5; } domain { min (0 0 0); max (0.1 0.1 0.1); } "
+        "insert { feed { type stream; rate 1e4; "
         "diameter 2e-3; patch inlet; velocity (0 0 1e-3); } }",
         "slow"));
     WORLD_TRY(dem_flow_patch(d, "inlet", 2, corners, NULL));
@@ -567,8 +567,8 @@ static void test_patch(void)
 static void test_heavy(void)
 {
     char *const text = world_text(
-        "materials { glass { density 2500; youngsModulus 1e5; "
-        "} } effects { hertz { } dry { restitution 0.9; } stokesDrag { } } "
+        "materials { glass { density 2500; youngsModulus 1e5; } } "
+        "effects { hertz { } dry { restitution 0.9; } stokesDrag { } } "
         "time { step 5e-7; } fluid { density 1000; viscosity 10; velocity (0 0 1); "
         "voidFraction 1; } insert { "
         "feed { type stream; rate 1e6; diameter 2e-5; min (0 0 0); max (0.01 0.01 0.01); "
@@ -638,10 +638,10 @@ static void test_own_fluid(void)
     WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
     WORLD_TRY(dem_scene_text(
         d,
-        "materials { glass { density 2500; youngsModulus 1e5; "
-        "} } effects { hertz { } dry { restitution 0.9; } schillerNaumann { } } "
-        "time { step 1e-5; } insert { one { type list; diameter 1e-3; positions ((1 1 1)); "
-        "} feed { type stream; rate 1e5; "
+        "materials { glass { density 2500; youngsModulus 1e5; } } "
+        "effects { hertz { } dry { restitution 0.9; } schillerNaumann { } } "
+        "time { step 1e-5; } insert { one { type list; diameter 1e-3; positions ((1 1 1)); } "
+        "feed { type stream; rate 1e5; "
         "diameter 1e-3; min (0.1 0.1 0.1); max (0.4 0.4 0.2); } }",
         "own"));
     WORLD_TRY(dem_setup(d));

@@ -81,8 +81,8 @@ static struct dem *plate(double spin, double omega)
                                           .material = "clay"};
     char *const scene = world_text(
         "materials { clay { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
-        "effects { gravity { acceleration (0 0 -9.81); } hooke { stiffness %g; "
-        "} linear { stiffness %g; friction 10; } }"
+        "effects { gravity { acceleration (0 0 -9.81); } hooke { stiffness %g; } "
+        "linear { stiffness %g; friction 10; } }"
         "walls { table { type triangles; corners ((-0.01 -0.01 0) (0.02 -0.01 0) (-0.01 0.02 0));"
         "motion { type rotation; origin (0 0 0); axis (0 0 1); omega %g; } } }"
         "time { step %g; }",

@@ -73,8 +73,8 @@ static struct dem *slide(struct mesh *m, int rotated, const char *effects, doubl
     memcpy(seed.position, x, sizeof x);
     memcpy(seed.velocity, v, sizeof v);
     char *const scene = world_text(
-        "%s effects { hertz {} %s gravity { acceleration (%.17g %.17g %.17g); "
-        "} } time { step 8e-6; } %s",
+        "%s effects { hertz {} %s gravity { acceleration (%.17g %.17g %.17g); } } "
+        "time { step 8e-6; } %s",
         materials, effects, down[0], down[1], down[2],
         m ? "" : "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
     struct dem *const d = world_begin(scene);
@@ -604,10 +604,10 @@ static void torque(void)
                                           .material = "glass"};
     struct mesh m = mesh_box(min, max);
     struct dem *const d = world_begin(
-        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; "
-        "} rigid { density 1; youngsModulus 1e30; } }"
-        "effects { hertz {} dry { restitution 0.8; } mindlin { friction 0.3; "
-        "} rollingSpring { friction 0.1; }"
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } "
+        "rigid { density 1; youngsModulus 1e30; } }"
+        "effects { hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } "
+        "rollingSpring { friction 0.1; }"
         "          twistingSpring { friction 0.3; } }");
     double before[3], after[3], impulse[3], twist[3], size = 0.0;
 

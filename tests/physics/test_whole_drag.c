@@ -91,10 +91,10 @@ static double falling(int whole, double gradient)
 static double lift(int whole)
 {
     static const char scene[] =
-        "materials { glass { density 2500; youngsModulus 1e6; "
-        "} } effects { hertz {} saffmanMei {} }"
-        "insert { one { type list; diameter 1e-4; positions ((0 0 0)); frozen yes; "
-        "} } time { step 1e-6; }";
+        "materials { glass { density 2500; youngsModulus 1e6; } } "
+        "effects { hertz {} saffmanMei {} }"
+        "insert { one { type list; diameter 1e-4; positions ((0 0 0)); frozen yes; } } "
+        "time { step 1e-6; }";
     struct dem *const w = world_begin(scene);
     struct dem_fluid f;
 

@@ -28,8 +28,8 @@
 
 static const char scene[] =
     "materials { glass { density 2500; youngsModulus 1e6; } }"
-    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; "
-    "} mindlin { friction 0.5; } }"
+    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; } "
+    "mindlin { friction 0.5; } }"
     "domain { min (-1 -1 -1); max (1 1 1); leaving remove; }"
     "walls { floor { type plane; point (0 0 0); normal (0.1 0 1); } }"
     "insert { grains { type list; diameter 1e-3; positions ((0 0 4.9e-4) (0 0 1.45e-3)); }"

@@ -13,8 +13,8 @@
 
 static const char heap[] =
     "materials { glass { density 2500; youngsModulus 2e6; } }"
-    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; "
-    "} mindlin { friction 0.5; } }"
+    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; } "
+    "mindlin { friction 0.5; } }"
     "walls { cup { type box; min (0 0 0); max (0.01 0.01 0.1); } }"
     "insert { grains { type lattice; count 60; diameter 2e-3; min (0 0 0); max (0.01 0.01 0.1); } }"
     "time { step 1.52587890625e-05; }";

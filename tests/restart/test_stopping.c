@@ -17,8 +17,8 @@
 
 static const char heap[] =
     "materials { glass { density 2500; youngsModulus 5e5; } }"
-    "effects { gravity { acceleration (0.5 0 -9.81); } hertz {} dry { restitution 0.6; "
-    "} mindlin { friction 0.5; } gidaspow {} }"
+    "effects { gravity { acceleration (0.5 0 -9.81); } hertz {} dry { restitution 0.6; } "
+    "mindlin { friction 0.5; } gidaspow {} }"
     "fluid { density 1.2; viscosity 1.8e-5; velocity (3 0 0.5); voidFraction 0.6; }"
     "walls { floor { type plane; point (0 0 0); normal (0 0 1); motion { type oscillation; "
     "amplitude (0 0 2e-4); frequency 100; } } }"
@@ -145,8 +145,8 @@ static void stop_reports(void)
 static struct world_particle fall(double other)
 {
     static const char text[] =
-        "materials { glass { density 2500; youngsModulus 1e6; "
-        "} } effects { gravity { acceleration (0 0 -10); } }"
+        "materials { glass { density 2500; youngsModulus 1e6; } } "
+        "effects { gravity { acceleration (0 0 -10); } }"
         "insert { one { type list; diameter 1e-3; positions ((0 0 0)); } } time { step %.17g; "
         "force yes; }";
     char *const first = world_text(text, 1e-3), *const second = world_text(text, other);

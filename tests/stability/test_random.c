@@ -263,8 +263,8 @@ static void draw(struct scene *s, uint64_t seed)
     s->around = (enum surroundings)random_index(s, SURROUNDINGS);
     append(
         s,
-        "// seed %llu\nmaterials { a { density %.4g; youngsModulus %.4g; poissonsRatio %.3g; "
-        "} b { density %.4g; youngsModulus %.4g; } }\n",
+        "// seed %llu\nmaterials { a { density %.4g; youngsModulus %.4g; poissonsRatio %.3g; } "
+        "b { density %.4g; youngsModulus %.4g; } }\n",
         (unsigned long long)seed, random_between(s, 800.0, 8000.0),
         pow(10.0, random_between(s, 6.3, 8.0)), random_between(s, 0.0, 0.49),
         random_between(s, 800.0, 8000.0), pow(10.0, random_between(s, 6.3, 8.0)));

@@ -24,8 +24,8 @@ static struct dem *make(int n)
 {
     static const char scene[] =
         "materials { glass { density 2500; youngsModulus 1e6; } }"
-        "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; "
-        "} mindlin { friction 0.3; } }"
+        "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } "
+        "mindlin { friction 0.3; } }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
         "neighbours { outerSkin 0.2; innerSkin 0.1; }";
     struct dem_new_particle *const seed = calloc((size_t)n, sizeof *seed);
