@@ -299,12 +299,12 @@ static const char *plan(const struct known *k, struct dem **d)
         k->material, k->effects, k->fluid ? "fluid { " : "", k->fluid ? k->fluid : "",
         k->fluid ? " }" : "", box, box, box, k->count, k->diameter, box, box, box,
         k->effects[0] ? "" : "time { step 1e-5; }");
-    const char *told;
+    const char *text;
 
     *d = world(text, 0, NULL);
     free(text);
-    WORLD_TRY(dem_plan(*d, &(struct dem_run_info){.duration = 0.0}, &told));
-    return told;
+    WORLD_TRY(dem_plan(*d, &(struct dem_run_info){.duration = 0.0}, &text));
+    return text;
 }
 
 static void check(const struct known *k, struct dem *d)

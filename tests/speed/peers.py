@@ -4,7 +4,7 @@ output.
 A peer has: program, package (Debian's), laws {law of a scene: its own}, tries(scene) (settings of
 its search to choose the fastest of), set_up(folder, particles, scene), run(run) -> processor time
 of the steps [s], most memory of the process [bytes], and after it energy(folder) -> kinetic energy
-[J], end(folder) -> the last places as rows of diameter, x, y, z, bonds(folder). README.md tells
+[J], end(folder) -> the final positions as rows of diameter, x, y, z, bonds(folder). README.md tells
 where laws differ.
 
 SPDX-License-Identifier: GPL-3.0-or-later

@@ -99,12 +99,12 @@ def state(dem, bed, name, scene):
     if not os.path.exists(path):
         # of two that make it at a time the later one wins
         part = f"{path}.{os.getpid()}"
-        told = print_state(dem, bed, scene, part)
-        if told.returncode and "version" in told.stderr:  # a snapshot of an older Suna: settle anew
+        result = print_state(dem, bed, scene, part)
+        if result.returncode and "version" in result.stderr:  # a snapshot of an older Suna: settle anew
             shutil.rmtree(os.path.dirname(os.path.dirname(settled(dem, bed, scene))))
-            told = print_state(dem, bed, scene, part)
-        if told.returncode:
-            sys.exit(told.stderr.rstrip())
+            result = print_state(dem, bed, scene, part)
+        if result.returncode:
+            sys.exit(result.stderr.rstrip())
         os.rename(part, path)
     with open(path) as text:
         return path, [line.split() for line in text]
@@ -114,9 +114,9 @@ def suna(bed, scene, path, steps, entries=(), end=None):
     """Processor time, bytes, kinetic energy, contacts, rebuilds, prunes, bonds; `end`: file of the
     final positions."""
     command = [bed, "run", file_of(scene["law"]), path, repr(scene["step"]), str(steps), end or "-"]
-    told = subprocess.run(command + [word for entry in box(scene) + list(entries)
+    result = subprocess.run(command + [word for entry in box(scene) + list(entries)
                                      for word in entry], capture_output=True, text=True)
-    if told.returncode:
-        unknown = "speed: this Suna knows no precision but double: " if 'unknown entry "precision"' in told.stderr else ""
-        sys.exit(unknown + told.stderr.rstrip())
-    return [float(word) for word in told.stdout.split()]
+    if result.returncode:
+        unknown = "speed: this Suna knows no precision but double: " if 'unknown entry "precision"' in result.stderr else ""
+        sys.exit(unknown + result.stderr.rstrip())
+    return [float(word) for word in result.stdout.split()]

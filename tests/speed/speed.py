@@ -9,7 +9,7 @@ the same bed.
 
 DEM and BED are the program dem and the one made of bed.c. Both codes start from the same text of
 particles, take the same step and have the same laws (docs/benchmarks.md has what differs), on one
-core. They take turns; the medians are told, and the least and the largest ratio of a turn. The
+core. They take turns; the medians are printed, and the smallest and the largest ratio of a turn. The
 other code runs with the fastest of several settings of its search, found first. Its time is that of
 the process less that of a run of no steps, which reads and lists; Suna's begins after a first step.
 
@@ -91,7 +91,7 @@ def measure_peer(a, name, peer, turn):
         ours.append(turn(path, steps))
         seconds, most = p.run(run)
         if seconds <= 0.0:
-            sys.exit(f"speed: {steps} steps of {name} take {peer} no time that can be told from reading; give more --steps")
+            sys.exit(f"speed: {steps} steps of {name} take {peer} no more time than reading; give more --steps")
         theirs.append(1e-6*len(particles)*steps/seconds)
     energy = p.energy(folder)
     return ours, theirs, (most - p.empty(run))/len(particles), energy, run.setting
@@ -101,28 +101,28 @@ def measure(a, name, peer):
     """The line of a scene."""
     scene = SCENES[name]
     path, particles = state(a.dem, a.bed, name, scene)
-    n, told = len(particles), []
+    n, result = len(particles), []
     own = "suna" if a.precision == "double" else "suna mixed"
 
     def turn(path, steps):
-        told[:] = suna(a.bed, scene, path, steps, entries(a))
-        return 1e-6*n*steps/told[0]
+        result[:] = suna(a.bed, scene, path, steps, entries(a))
+        return 1e-6*n*steps/result[0]
 
     steps = a.steps or (scene["steps"]//5 if peer == "yade" else scene["steps"])
     line = f"{name} N={n} steps={steps} {own} "
     if peer == "none":
         ours = [turn(path, steps) for _ in range(a.runs)]
-        line += (f"{statistics.median(ours):.2f} Mps/s (min {min(ours):.2f} max {max(ours):.2f}) bytes/particle {told[1]/n:.0f}"
-                 f" kinetic {told[2]:.4g} J")
+        line += (f"{statistics.median(ours):.2f} Mps/s (min {min(ours):.2f} max {max(ours):.2f}) bytes/particle {result[1]/n:.0f}"
+                 f" kinetic {result[2]:.4g} J")
     else:
         ours, theirs, most, energy, setting = measure_peer(a, name, peer, turn)
         ratio = [u/v for u, v in zip(ours, theirs)]
         label = os.path.basename(a.exe) if a.exe else peer
         line += (f"{statistics.median(ours):.2f} Mps/s {label} {statistics.median(theirs):.2f} Mps/s (skin {setting[0]:g} d {setting[1]})"
                  f" ratio {statistics.median(ratio):.2f} (min {min(ratio):.2f} max {max(ratio):.2f})"
-                 f" bytes/particle {told[1]/n:.0f} {most:.0f} kinetic {told[2]:.4g} {energy:.4g} J")
-    bonds = f", bonds {told[6]/n:.2f}" if told[6] else ""
-    return f"{line} contacts {told[3]/n:.2f}{bonds} a particle, rebuilds {told[4]:.0f} prunes {told[5]:.0f}"
+                 f" bytes/particle {result[1]/n:.0f} {most:.0f} kinetic {result[2]:.4g} {energy:.4g} J")
+    bonds = f", bonds {result[6]/n:.2f}" if result[6] else ""
+    return f"{line} contacts {result[3]/n:.2f}{bonds} a particle, rebuilds {result[4]:.0f} prunes {result[5]:.0f}"
 
 
 # ---- the same physics ----------------------------------------------------------------------------
@@ -158,14 +158,14 @@ def compare(a, name, peer):
     os.makedirs(folder, exist_ok=True)
     p.set_up(folder, particles, scene)
     steps, last = a.steps or scene["steps"], os.path.join(folder, "suna.txt")
-    told = suna(a.bed, scene, path, steps, entries(a), last)
+    result = suna(a.bed, scene, path, steps, entries(a), last)
     p.run(Run(a.bed, program(a, peer), folder, scene, p.tries(scene)[len(p.tries(scene))//2 - 1],
               steps))
     with open(last) as text:
         ours = overlaps([[float(word) for word in line.split()[1:5]] for line in text], scene)
     theirs = overlaps(p.end(folder), scene)
-    return (f"{name} N={len(particles)} steps={steps} {peer} kinetic {told[2]:.5g} {p.energy(folder):.5g} J contacts {ours[0]} {theirs[0]}"
-            f" overlap {1e6*ours[1]:.4g} {1e6*theirs[1]:.4g} um bonds {told[6]:.0f} {p.bonds(folder)}")
+    return (f"{name} N={len(particles)} steps={steps} {peer} kinetic {result[2]:.5g} {p.energy(folder):.5g} J contacts {ours[0]} {theirs[0]}"
+            f" overlap {1e6*ours[1]:.4g} {1e6*theirs[1]:.4g} um bonds {result[6]:.0f} {p.bonds(folder)}")
 
 
 # ---- main program --------------------------------------------------------------------------------

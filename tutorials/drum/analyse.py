@@ -147,7 +147,7 @@ def small(result):
             spans)/(mass*G*0.05)), "1")
         if (folder/"energy.csv").exists():
             balance = read_table(folder/"energy.csv")
-            result.add("largest residual of the ledger of energy over the drum's work", where, 0.0,
+            result.add("largest residual of the energy balance over the drum's work", where, 0.0,
                        abs(balance["residual"]).max()/balance["work_walls"].max(), None, "1")
     return numpy.array(rows)
 

@@ -105,7 +105,7 @@ class Packing:
         return self.drop[chosen].mean() if chosen.any() else None
 
 
-def tell(table, packings):
+def report(table, packings):
     for up in (True, False):
         part = "flow rises" if up else "flow falls"
         chosen = [p for p in packings if p.line(up) is not None]
@@ -186,7 +186,7 @@ def draw(packings):
 def main():
     table = results.Table()
     packings = [Packing(run) for run in sorted((HERE/"runs").glob("packing*"))]
-    tell(table, packings)
+    report(table, packings)
     kernels(table)
     table.write(HERE)
     try:

@@ -60,10 +60,10 @@ class Run:
                              else "log.demPimpleFoam")).read_text()
         spent, steps = [], 0
         for part in re.split(r"^Time = ", text, flags=re.M)[1:]:
-            told = re.search(r"^ExecutionTime = (\S+) s", part, re.M)
-            if float(part.split()[0]) > end + 1e-9 or not told:
+            clock = re.search(r"^ExecutionTime = (\S+) s", part, re.M)
+            if float(part.split()[0]) > end + 1e-9 or not clock:
                 break
-            spent.append(float(told[1]))
+            spent.append(float(clock[1]))
             steps += sum(map(int, re.findall(word, part)))
         return (spent[-1] - spent[0])*len(spent)/(len(spent) - 1), steps
 
@@ -122,7 +122,7 @@ def finest(runs, code):
     return max((run for run in runs if run.code == code), key=lambda run: (run.steps, -run.delta))
 
 
-def tell(runs):
+def summarize(runs):
     """Rows of the table: run, processor time, per simulated second, the quantities at the end,
     errors."""
     rows = []
@@ -207,14 +207,14 @@ def store(text, window, rows, sentences):
     if not found:
         sys.exit(f"compare.py: README.md has no line <!-- {window} -->")
     after = rest.partition("<!-- end -->")[2]
-    told = "\n".join(f"- {sentence}" for sentence in sentences)
-    readme.write_text(f"{before}{found}{text}:\n\n{table(rows)}\n\n{told}\n<!-- end -->{after}")
+    listing = "\n".join(f"- {sentence}" for sentence in sentences)
+    readme.write_text(f"{before}{found}{text}:\n\n{table(rows)}\n\n{listing}\n<!-- end -->{after}")
 
 
 def main():
     window = sys.argv[1]
     runs = read_runs(window)
-    rows, sentences = tell(runs), list(verdicts(runs))
+    rows, sentences = summarize(runs), list(verdicts(runs))
     with open(f"runs/result.{window}.csv", "w", newline="") as file:
         out = csv.writer(file, lineterminator="\n")
         out.writerow(["code", "steps", "deltaT", "processor", "perSecond", *QUANTITIES,

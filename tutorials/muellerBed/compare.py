@@ -224,7 +224,7 @@ def write_result(case, profiles, balance, log, seconds):
                               f"{plain:.5f}", p.unit])
 
 
-def tell(profiles, against, times, blocks, balance, log):
+def report(profiles, against, times, blocks, balance, log):
     print(f"\n{len(times)} frames, {times[0]:g} .. {times[-1]:g} s, {blocks} blocks\n")
     first, second = against.others
     print(f"rms difference from the measured points     95 %            of the measured        {first:>8s}  {second:>8s}")
@@ -267,7 +267,7 @@ def main():
     balance = Balance(words.case, min(words.start, 0.5*times[-1]), count)
     log = read_log(words.case)
     write_result(words.case, profiles, balance, log, times[-1] - min(words.start, 0.5*times[-1]))
-    tell(profiles, experiment(words.case), times, blocks, balance, log)
+    report(profiles, experiment(words.case), times, blocks, balance, log)
     try:
         import plots
     except ImportError as reason:

@@ -35,7 +35,7 @@ def list_frames(case):
                 file.seek(at)
                 head = numpy.fromfile(file, HEAD, 1)[0]
                 after = at + HEAD.itemsize + int(head["count"])*BEAD.itemsize
-                # cut off, or told again by a later start
+                # truncated, or repeated by a later start
                 if after > size or head["time"] > end:
                     break
                 listed.append((float(head["time"]), path, at))

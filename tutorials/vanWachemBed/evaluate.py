@@ -13,7 +13,7 @@ What is held, and why so:
               of the measured points, 0.5 Hz: twice the scatter of the periods among them and about what 3 s allow
   balance     1 %; an identity but for the momentum of the air that leaves
   exchange    1e-12, an identity
-Amplitudes are told: no code known to us gives them. -test, the short form: the balances alone.
+Amplitudes are only reported: no known code reproduces them. -test, the short form: the balances only.
 
 References are the measured points themselves by the same evaluation, with its intervals.
 
@@ -42,27 +42,27 @@ def measured(name):
 def tell_course(table, part, ours, theirs, unit, factor=1):
     """Rate, dominant frequency and standard deviation of the run over those of the measured
     points."""
-    told = [("upward crossings of the mean", ours.rate, ours.rate_interval, theirs.rate,
+    rows = [("upward crossings of the mean", ours.rate, ours.rate_interval, theirs.rate,
              theirs.rate_interval, "Hz", 1),
             ("dominant frequency", ours.dominant, ours.dominant_interval, theirs.dominant,
              theirs.dominant_interval, "Hz", 1),
             ("standard deviation", ours.deviation, ours.deviation_interval, theirs.deviation,
              theirs.deviation_interval,
              unit, factor)]
-    for what, value, half, reference, uncertain, of, by in told:
+    for what, value, half, reference, uncertain, of, by in rows:
         table.add(part, f"{what} (points: ± {by*uncertain:.2g})", by*reference, by*value, by*half,
                   of, None, SOURCE)
 
 
 def tell_height(table, bed, start):
-    told = [(time, beds.heights(position, bed)) for time, position, _ in bed.after(start)]
-    time = numpy.array([time for time, _ in told])
+    rows = [(time, beds.heights(position, bed)) for time, position, _ in bed.after(start)]
+    time = numpy.array([time for time, _ in rows])
     at, height = measured("height.csv")
     even = series.even(at, height)[1]
     mean, half = results.mean_of_blocks(even, 3)
     first = True
-    for name in told[0][1]:
-        values = numpy.array([heights[name] for _, heights in told])
+    for name in rows[0][1]:
+        values = numpy.array([heights[name] for _, heights in rows])
         ours = series.course(time, values)
         value, uncertain = results.mean_of_blocks(values, ours.blocks)
         what = f"mean (points: ± {1e3*half:.2g})" if first else f"mean, {name}"

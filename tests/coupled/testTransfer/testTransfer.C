@@ -3,7 +3,7 @@
 
     Prints "ok - claim" or "not ok - claim", with what was measured. Particles
     are made by hand and belong to ranks that have nothing to do with the mesh.
-    Options tell what kind of mesh it is: -planar faces, -orthogonal, -uniform,
+    Options give the properties of the mesh: -planar faces, -orthogonal, -uniform,
     -periodic in all directions, -thin: one cell and periodic in z, -corner: a
     quarter is cut away. In parallel the results are compared with
     those that a serial run left in the case's file `serial`.

@@ -20,7 +20,7 @@ ACCEPTED = [("effects/dry/restitution", "0"), ("effects/dry/restitution", "1"),
          ("materials/glass/poissonsRatio", "0"), ("materials/glass/poissonsRatio", "0.499")]
 
 
-def tells(err, path, value):
+def names_entry(err, path, value):
     """The sentence has the name of the entry and the number given, in any notation."""
     first = float(value.strip("()").split()[0]) if value[0] != "(" else None
     numbers = [float(x) for x in re.findall(r"-?\d+\.?\d*(?:e[-+]?\d+)?", err)]
@@ -34,7 +34,7 @@ def check(c):
         for value in values:
             all_of += 1
             run = c.run("scene.dem", {path: value})
-            named = tells(run.err, path, value)
+            named = names_entry(run.err, path, value)
             clean = not os.path.exists(os.path.join(run.folder, "out"))
             good += run.status == 1 and named and clean
             if not (run.status == 1 and named and clean):

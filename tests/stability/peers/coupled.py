@@ -110,7 +110,7 @@ def packing(c):
     c.holds("least void fraction at or above its stated minimum, 0.01", min(e) >= 0.01 - 1e-12,
             "%.4g" % min(e))
     c.below("largest pressure, m2/s2", max(abs(r[0]) for r in case.field("0.005", "p")), 100.0)
-    c.holds("told, with the number of cells", "alpha" in case.log and "clip" in case.log.lower(),
+    c.holds("reported, with the number of cells", "alpha" in case.log and "clip" in case.log.lower(),
             "no word of it in the log")
 
 
@@ -181,5 +181,5 @@ def interval(c):
         c.below("settling speed, every 100 steps against every 10", abs(found[100]/found[10] - 1.0),
                 0.01)
         c.below("every 1000: speed against that", abs(found[1000]/found[10] - 1.0), 0.1)
-        c.holds("every 1000 steps, three times the response: told",
+        c.holds("every 1000 steps, three times the response time: reported",
                 "response" in log or "relaxation" in log.lower(), "no word of it in the log")
