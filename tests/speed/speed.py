@@ -33,7 +33,7 @@ STORED = os.path.join(HERE, "stored", "speed.txt")
 # ---- arguments -----------------------------------------------------------------------------------
 
 def arguments():
-    p = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    p = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     p.add_argument("--against", choices=[*PEERS, "none"], default="")
     p.add_argument("--exe", help="another build of the peer's program")
     p.add_argument("--precision", choices=["double", "mixed"], default="double", help="of Suna")

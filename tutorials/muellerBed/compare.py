@@ -251,7 +251,7 @@ def report(profiles, against, times, blocks, balance, log):
 
 
 def main():
-    words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    words = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     words.add_argument("-from", dest="start", type=float, default=1.0,
                        help="s, where averages begin (at most half of the run)")
     words.add_argument("-slab", type=float, default=2.0, help="mm, half the height of the boxes")

@@ -128,6 +128,7 @@ def run():
         error, limit = check()
         verdict = "ok" if error <= limit else "not ok"
         bad += error > limit
-        print(f"{verdict} {number} - averages: {check.__doc__.splitlines()[0]} ({error:.1e})")
+        claim = " ".join(check.__doc__.split())
+        print(f"{verdict} {number} - averages: {claim} ({error:.1e})")
     print(f"1..{len(checks)}")
     return int(bad > 0)

@@ -111,7 +111,7 @@ def tell_balance(table, bed, start, least):
 
 
 def main():
-    words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    words = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     words.add_argument("-test", action="store_true", help="the short form: balances only")
     words.add_argument("-from", dest="start", type=float, default=1.5, help="s, where means begin")
     words.add_argument("run", nargs="?", type=Path, default=HERE/"runs/bed")

@@ -226,7 +226,7 @@ def compare(name, a, folder, out):
 
 
 def main():
-    p = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    p = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     p.add_argument("scene", nargs="*", default=list(SCENES))
     p.add_argument("--turns", type=int, default=2)
     p.add_argument("--dem", default=HERE.parents[3]/"dem/build/dem", type=pathlib.Path)
