@@ -1,12 +1,13 @@
-# claims.sh -- conditions for claims, shared by tap.sh and coupled/tap. A file that is not there fulfils none of them.
+# claims.sh -- conditions for claims, shared by tap.sh and coupled/tap. A missing file fulfils none
+# of them.
 #
-#   differs A B         both files are there, not empty, and not the same
-#   agrees A B          both files are there, not empty, and the same byte for byte
-#   equals A B          both texts are not empty and the same
-#   lacks FILE PATTERN  the file is there, not empty, and no line of it matches
+#   differs A B         both files exist, are not empty, and differ
+#   agrees A B          both files exist, are not empty, and have the same bytes
+#   equals A B          both texts are not empty and equal
+#   lacks FILE PATTERN  the file exists, is not empty, and no line matches
 #   claim_tables "what" FILE ...
-#                       claims that these are CSV that any reader takes without options (csv_tables.py): Python's, and
-#                       pandas where it is installed
+#                       claims that these are CSV that any reader takes without options
+#                       (csv_tables.py): Python's, and pandas where it is installed
 #   thorough            status 0 in a long run (./Alltest -long): all ranks, compilers and cases
 #   brief               status 0 in a quick run (./Alltest quick)
 #

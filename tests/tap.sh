@@ -1,25 +1,28 @@
-# tap.sh -- for suites in bash that run the program dem: `. ../tap.sh` in the suite's folder, then claim and finish.
+# tap.sh -- for suites in bash that run the program dem: `. ../tap.sh` in the suite's folder, then
+# claim and finish.
 #
-#   $dem                     the program, built if need be; DEM=... in the environment names another one
-#   $work                    a folder of this run's own, removed at the end (kept with SUNA_KEEP=1)
-#   claim "what" command ... prints "ok" when the command succeeds
-#   later "what" command ... a claim that runs aside, at most $at_once together (most of a short run is the start of MPI,
-#                            which waits); collect waits and prints them all
-#   skip "what" why          prints "ok ... # SKIP why"
-#   ranks N command ...      the command on N ranks, ended after SUNA_TEST_LIMIT seconds (default 120)
-#   printed_hash FILE        the fingerprint that a run printed
-#   picture FILE NAME:BYTES  the items of a .vtp file, one a line, in the order of their bytes: those columns (the first "points"), so
-#   ...                      many bytes an item each; pictures of other ranks have the same lines
-#   c_test SUITE/test_NAME   build and run a test in C; its own lines of TAP go by
+#   $dem                      the program, built if necessary; DEM=... in the environment names another
+#   $work                     a folder for this run, removed at the end (kept with SUNA_KEEP=1)
+#   claim "what" command ...  prints "ok" when the command succeeds
+#   later "what" command ...  a claim in the background, at most $at_once at a time (most of a short run
+#                             is the start of MPI, which waits)
+#   collect                   waits for these and prints them
+#   skip "what" why           prints "ok ... # SKIP why"
+#   ranks N command ...       the command on N ranks, ended after SUNA_TEST_LIMIT seconds (default 120)
+#   printed_hash FILE         the fingerprint that a run printed
+#   picture FILE NAME:BYTES   the items of a .vtp file, one a line, sorted: the named columns (the first
+#   ...                       is "points") with their bytes per item; the same lines from any ranks
+#   c_test SUITE/test_NAME    builds and runs a test in C, which prints its own TAP
 #   differs, agrees, equals, lacks, thorough, brief    see claims.sh
-#   finish                   the plan, and the exit status
+#   finish                    prints the plan and sets the exit status
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 here=$PWD
 . "${BASH_SOURCE[0]%/*}/claims.sh"
 dem=${DEM:-$here/../../dem/build/dem}
-if [ -z "${DEM-}" ] && ! built=$(make --no-print-directory -C ../../dem -j "$(nproc)" library program 2>&1)
+if [ -z "${DEM-}" ] && ! built=$(make --no-print-directory -C ../../dem -j "$(nproc)" library \
+    program 2>&1)
 then
     echo "Bail out! the program dem cannot be built"
     echo "$built" | tail -n 20
@@ -29,7 +32,7 @@ work=$(mktemp -d) || exit 1
 [ -n "${SUNA_KEEP-}" ] || trap 'rm -rf "$work"' EXIT
 claims=0 failures=0 run_limit=${SUNA_TEST_LIMIT:-120}
 
-# more ranks than cores: let those that wait give way, else every exchange costs a slice of the scheduler
+# with more ranks than cores: waiting ranks yield, else every exchange costs a time slice of the scheduler
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
 if [ "$(id -u)" = 0 ]
 then
@@ -61,7 +64,8 @@ later()
     waiting+=("$1")
     shift
     (
-        if "$@" > "$work/later.$k" 2>&1; then touch "$work/later.$k.good"; else echo "#   failed: $*" >> "$work/later.$k"; fi
+        if "$@" > "$work/later.$k" 2>&1; then touch "$work/later.$k.good"; else echo \
+            "#   failed: $*" >> "$work/later.$k"; fi
     ) &
     while [ "$(jobs -rp | wc -l)" -ge $at_once ]; do wait -n; done
 }
@@ -105,13 +109,17 @@ picture()
 {
     local file=$1 cells columns=() column start at
     shift
-    cells=$(LC_ALL=C sed -n 's/.*NumberOfVerts="\([0-9]*\)" NumberOfLines="\([0-9]*\)".*/\1 \2/p;/<AppendedData/q' "$file")
+    cells=$(LC_ALL=C sed -n \
+        's/.*NumberOfVerts="\([0-9]*\)" NumberOfLines="\([0-9]*\)".*/\1 \2/p;/<AppendedData/q' \
+        "$file")
     cells=$((${cells/ /+}))
     at=$(LC_ALL=C grep -abo -m 1 'encoding="raw">' "$file" | head -n 1 | cut -d: -f1)
     for column in "$@"
     do
-        start=$(LC_ALL=C sed -n "s/.* Name=\"${column%:*}\" .* offset=\"\([0-9]*\)\".*/\1/p;/<AppendedData/q" "$file")
-        tail -c +$((at + 17 + start + 8 + 1)) "$file" | head -c $((cells*${column#*:})) | od -An -v -tx1 -w"${column#*:}" > "$work/column.${#columns[@]}"
+        start=$(LC_ALL=C sed -n \
+            "s/.* Name=\"${column%:*}\" .* offset=\"\([0-9]*\)\".*/\1/p;/<AppendedData/q" "$file")
+        tail -c +$((at + 17 + start + 8 + 1)) "$file" | head -c $((cells*${column#*:})) |
+            od -An -v -tx1 -w"${column#*:}" > "$work/column.${#columns[@]}"
         columns+=("$work/column.${#columns[@]}")
     done
     paste "${columns[@]}" | sort
@@ -121,7 +129,8 @@ c_test()
 {
     local build
     build=$(cd "$(dirname "$dem")" && pwd)
-    if make --no-print-directory -C "$here/../../dem" BUILD="$build" "$build/tests/$1" > "$work/c_test.log" 2>&1
+    if make --no-print-directory -C "$here/../../dem" BUILD="$build" "$build/tests/$1" > \
+        "$work/c_test.log" 2>&1
     then
         (cd "$here/.." && "$build/tests/$1") || failures=$((failures + 1))
     else

@@ -1,7 +1,9 @@
-"""dem_case.py -- what the cases of the program dem have in common: its files, intervals, result.csv, the table in README.md.
+"""dem_case.py -- functions shared by the cases of the program dem: its files, intervals,
+result.csv, the table in README.md.
 
-Interval        95 %, Student's t: of independent runs (seeds), or of blocks of time of one run. Each case says which.
-result.csv      a row a quantity: quantity, where, reference, value, ci95, unit; what has no reference leaves it empty
+Interval        95 %, Student's t: of independent runs (seeds), or of blocks of time of one run.
+Each case says which. result.csv      a row a quantity: quantity, where, reference, value, ci95,
+unit; what has no reference leaves it empty
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -18,14 +20,16 @@ import numpy
 
 OURS, REFERENCE, OTHER = "#c8401f", "#1d3557", "#6a8d73"
 
-plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
-                     "grid.alpha": 0.25, "savefig.dpi": 130, "savefig.bbox": "tight", "legend.frameon": False,
+plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
+                     "axes.grid": True,
+                     "grid.alpha": 0.25, "savefig.dpi": 130, "savefig.bbox": "tight",
+                     "legend.frameon": False,
                      "legend.fontsize": 8})
 
 KINDS = {"Float64": "<f8", "Float32": "<f4", "Int64": "<i8"}
 
 
-# ---- what dem writes ---------------------------------------------------------------------------------------------------
+# ---- files of dem --------------------------------------------------------------------------------
 
 def read_vtp(path):
     """The columns of a picture of particles by name; "points" are the positions."""
@@ -37,7 +41,8 @@ def read_vtp(path):
                                                 r'offset="(\d+)"', raw[:split].decode()):
         at = start + int(offset)
         size = int.from_bytes(raw[at:at + 8], "little")
-        values = numpy.frombuffer(raw[at + 8:at + 8 + size], KINDS[kind]).astype(float if "Float" in kind else int)
+        values = numpy.frombuffer(raw[at + 8:at + 8 + size],
+                                  KINDS[kind]).astype(float if "Float" in kind else int)
         columns[name] = values.reshape(-1, int(width)) if width and int(width) > 1 else values
     return columns
 
@@ -45,11 +50,13 @@ def read_vtp(path):
 def pictures(folder):
     """Times [s] and files of all pictures of a run."""
     text = (Path(folder)/"particles.pvd").read_text()
-    return [(float(time), Path(folder)/name) for time, name in re.findall(r'timestep="([^"]+)".*?file="([^"]+)"', text)]
+    return [(float(time), Path(folder)/name)
+            for time, name in re.findall(r'timestep="([^"]+)".*?file="([^"]+)"', text)]
 
 
 def read_table(path):
-    """A table with a head: columns of numbers by name without the unit; what is no number stays text."""
+    """A table with a header: columns by name without the unit; columns that are not numbers stay
+    text."""
     with open(path, newline="") as file:
         rows = list(csv.reader(line for line in file if not line.startswith("#")))
     columns = {}
@@ -61,10 +68,11 @@ def read_table(path):
     return columns
 
 
-# ---- how sure ----------------------------------------------------------------------------------------------------------
+# ---- intervals -----------------------------------------------------------------------------------
 
 def student(freedom):
-    """97.5 % point of Student's t; exact for 1 and 2 degrees of freedom, then Abramowitz and Stegun 26.7.5, within 0.5 %."""
+    """97.5 % point of Student's t; exact for 1 and 2 degrees of freedom, then Abramowitz and Stegun
+    26.7.5, within 0.5 %."""
     if freedom < 3:
         return (12.7062, 4.3027)[freedom - 1]
     z, n = 1.959964, float(freedom)
@@ -74,7 +82,8 @@ def student(freedom):
 
 
 def interval(values):
-    """Mean and half the width of its 95 % interval of independent values; one value alone has none."""
+    """Mean of independent values and half the width of its 95 % interval; a single value has
+    none."""
     values = numpy.asarray(values, float)
     n = len(values)
     return values.mean(), (student(n - 1)*values.std(ddof=1)/numpy.sqrt(n) if n > 1 else numpy.nan)
@@ -82,10 +91,11 @@ def interval(values):
 
 def blocks(values, number):
     """The same from means over blocks of a series in time."""
-    return interval([block.mean() for block in numpy.array_split(numpy.asarray(values, float), number)])
+    return interval([block.mean() for block in numpy.array_split(numpy.asarray(values, float),
+        number)])
 
 
-# ---- what is told ------------------------------------------------------------------------------------------------------
+# ---- results -------------------------------------------------------------------------------------
 
 class Result:
     """Rows of result.csv, which are also those of the table in README.md."""
@@ -122,8 +132,9 @@ def table(path):
 
 
 def store(text, *files, name="table", result="result.csv"):
-    """Keep files of this run in stored/, its result.csv under the name `result`, and put its table into README.md where <!-- name --> is, under a
-    line that says what ran where."""
+    """Keep files of this run in stored/, its result.csv under the name `result`, and put its table
+    into README.md where <!-- name --> is, under a
+line with the run and the machine."""
     Path("stored").mkdir(exist_ok=True)
     shutil.copy("result.csv", Path("stored", result))
     for file in files:

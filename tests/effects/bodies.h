@@ -16,7 +16,8 @@ static inline double sphere_volume(double diameter)
     return 3.14159265358979324/6.0*diameter*diameter*diameter;
 }
 
-/* row c: a sphere at rest in a fluid that moves along x so that the superficial Reynolds number is re */
+/* row c: a sphere at rest in a fluid that moves along x so that the superficial Reynolds number is
+   re */
 static inline void body_fill(struct dem_body_batch *b, int c, double diameter, double rho,
                              double mu, double e, double re)
 {

@@ -1,10 +1,11 @@
 /*
- * drag_table.h -- what every law of drag is asked: its column of a table of all laws, and the claims they share.
+ * drag_table.h -- a table of all drag laws, and the claims that hold for each of them.
+ *
+ * The table gives G, drag over Stokes drag 3 pi mu d (u - v), with superficial Re. It was computed
+ * from the papers' formulas in another program and rounded to two places. In a packing the laws
+ * differ by up to a factor of 1.8.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * The table gives G, drag over Stokes drag 3 pi mu d (u - v), with superficial Re; computed from the papers' formulas in
- * another program and rounded to two places. It spreads by up to 1.8 in a packing: the laws are that far apart.
  */
 #ifndef TESTS_EFFECTS_DRAG_TABLE_H
 #define TESTS_EFFECTS_DRAG_TABLE_H
@@ -76,7 +77,8 @@ static inline void drag_limits(const struct dem_effect *law, const void *setting
            "above e = 1 as at 1");
 }
 
-/* only the slip counts, alike in all directions; target and coefficient go together; nothing else is touched */
+/* drag depends on the slip alone, equally in all directions; target and coefficient belong
+   together; no other column is written */
 static inline void drag_form(const struct dem_effect *law, const void *settings)
 {
     static struct dem_body_batch b;
@@ -94,9 +96,9 @@ static inline void drag_form(const struct dem_effect *law, const void *settings)
     body_fill(&b, 4, 1e-3, 1000.0, 0.0, 0.6, 0.0);
     b.ux[4] = 5.0;
     dem_effect_apply_to_bodies(law, settings, &b);
-    /* a few rounded factors; 0.04 comes out of 3.04 - 3 and loses 1e-14 of itself */
+    /* a few rounded factors; 0.04 is 3.04 - 3, with a rounding of 1e-14 */
     TAP_NEAR(b.b[0]/stokes/body_drag(law, settings, 0.6, 0.0), 1.0, 1e-13,
-             "moving with the fluid is as at rest in it");
+             "moving with the fluid: as at rest in it");
     for (int c = 1; c < 4; c++)
     {
         TAP_NEAR(b.b[c]/stokes/body_drag(law, settings, 0.6, 24.0), 1.0, 1e-12,
@@ -105,14 +107,14 @@ static inline void drag_form(const struct dem_effect *law, const void *settings)
     TAP_OK(b.bux[1] == b.b[1]*b.ux[1] && b.buy[2] == b.b[2]*b.uy[2] && b.buz[3] == b.b[3]*b.uz[3],
            "target: b times the fluid velocity");
     TAP_OK(b.b[4] == 0.0 && b.bux[4] == 0.0 && b.b[5] == 0.0 && b.bux[5] == 0.0,
-           "no viscosity or empty row: nothing");
+           "no viscosity or empty row: no drag");
     TAP_OK(b.fx[1] == 0.0 && b.fy[2] == 0.0 && b.fz[3] == 0.0, "no explicit force");
     const double once = b.b[1];
 
     dem_effect_apply_to_bodies(law, settings, &b);
-    TAP_OK(b.b[1] == 2.0*once, "adds to what was there");
+    TAP_OK(b.b[1] == 2.0*once, "adds to the value in the column");
     TAP_OK(law->drag != DEM_DRAG_NONE && law->needs == DEM_NEEDS_FLUID,
-           "a law of drag that needs the fluid");
+           "it is declared as a drag law that needs the fluid");
 }
 
 #endif

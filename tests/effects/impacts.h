@@ -1,18 +1,20 @@
 /*
- * impacts.h -- contact batches filled by hand, and impacts of two bodies in each row, integrated by the leapfrog of the core.
+ * impacts.h -- contact batches filled by hand, and impacts of two bodies in each row, integrated by
+ * the leapfrog of the core.
+ *
+ * Every row is an impact of two spheres, or of a sphere on the plane z = 0. Rows differ in the
+ * contact phase: when, within a time step, the surfaces touch. Means over the rows therefore depend
+ * little on the step.
+ *
+ *   struct impacts w;
+ *   impacts_spheres(&w, &glass, &glass, 0.01, 0.01);    or impacts_wall(&w, &glass, &glass, 0.01)
+ *   impacts_add(&w, &dem_hertz, "impactSpeed", 1.0);    an effect with one setting
+ *   impacts_aim(&w, 16, dt, normal_speed); then velocities and spins may be set by hand
+ *   impacts_impact(&w, dt, most_steps);                 until all rows have touched and separated
+ *
+ * Lever arms are the radii, not shortened by the overlap, as in the closed forms.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * Every row is an impact of its own: two spheres, or a sphere on the plane z = 0. Rows differ in when, within a time
- * step, the surfaces meet (the contact phase), so that means over the rows have little of the step left in them.
- *
- *     struct impacts w;
- *     impacts_spheres(&w, &glass, &glass, 0.01, 0.01);             or impacts_wall(&w, &glass, &glass, 0.01)
- *     impacts_add(&w, &dem_hertz, "impactSpeed", 1.0, NULL);       name, value pairs ended by NULL
- *     impacts_aim(&w, 16, dt, normal_speed);                       then velocities and spins may be set by hand
- *     impacts_impact(&w, dt, most_steps);                          until all rows have touched and parted
- *
- * Lever arms are the radii, not shortened by the overlap: so are those of the closed forms compared with.
  */
 #ifndef TESTS_EFFECTS_IMPACTS_H
 #define TESTS_EFFECTS_IMPACTS_H
@@ -32,7 +34,8 @@ enum
 struct impacts_effect
 {
     const struct dem_effect *effect;
-    double settings[32];                                  /* large enough for any settings struct, aligned */
+    /* large enough for any settings struct, aligned */
+    double settings[32];
     _Alignas(64) dem_real column[IMPACTS_HISTORY][DEM_BATCH_ROWS];
     dem_real *history[IMPACTS_HISTORY];
 };
@@ -40,8 +43,10 @@ struct impacts_effect
 struct impacts
 {
     struct dem_pair_class pair;
-    double radius[2], mass[2];                            /* the wall: radius 0, mass 0 for infinite */
-    double weight;                                        /* m/s2 that pulls body i to -z; set it for a contact at rest */
+    /* the wall: radius 0, mass 0 for infinite */
+    double radius[2], mass[2];
+    /* m/s2, gravity on body i along -z; set it for a contact at rest */
+    double weight;
     int effects;
     struct impacts_effect effect_entry[IMPACTS_EFFECTS];
     struct dem_contact_batch b;
@@ -52,7 +57,8 @@ struct impacts
     double normal_impulse[DEM_BATCH_ROWS],
         friction_impulse[DEM_BATCH_ROWS];         /* N s, of max(fn, 0) and of |ft| */
     double friction;                                      /* given: worst_friction is measured */
-    double worst_friction;                                /* N, largest |ft| - friction*max(fn, 0) of all rows and steps */
+    /* N, largest |ft| - friction*max(fn, 0) of all rows and steps */
+    double worst_friction;
     int steps_touching[DEM_BATCH_ROWS];
 };
 
@@ -64,7 +70,7 @@ static inline struct dem_material material(const char *name, double E, double nu
     return m;
 }
 
-static inline double ball(double radius, double density)
+static inline double sphere_mass(double radius, double density)
 {
     return 4.0/3.0*3.14159265358979324*radius*radius*radius*density;
 }
@@ -94,8 +100,8 @@ static inline void impacts_spheres(struct impacts *w, const struct dem_material 
     impacts_class(w, a, b, 0);
     w->radius[0] = radius_a;
     w->radius[1] = radius_b;
-    w->mass[0] = ball(radius_a, a->density);
-    w->mass[1] = ball(radius_b, b->density);
+    w->mass[0] = sphere_mass(radius_a, a->density);
+    w->mass[1] = sphere_mass(radius_b, b->density);
     w->pair.min_radius = radius_a*radius_b/(radius_a + radius_b);
     w->pair.min_mass = w->mass[0]*w->mass[1]/(w->mass[0] + w->mass[1]);
 }
@@ -106,7 +112,7 @@ static inline void impacts_wall(struct impacts *w, const struct dem_material *a,
     memset(w, 0, sizeof *w);
     impacts_class(w, a, b, 1);
     w->radius[0] = radius;
-    w->mass[0] = ball(radius, a->density);
+    w->mass[0] = sphere_mass(radius, a->density);
     w->pair.min_radius = radius;
     w->pair.min_mass = w->mass[0];
 }
@@ -125,8 +131,9 @@ static inline double impacts_contact_time(const struct impacts *w, double speed)
     return 2.8682656992*pow(m*m/(R*E*E*speed), 0.2);
 }
 
-/* set one number or choice (by its place), check that all is given, prepare; 0 or the status */
-static inline int settle(const struct dem_effect *effect, void *settings,
+/* set one number or choice (by its index), check that all required settings are given, prepare; 0
+   or the status */
+static inline int apply_setting(const struct dem_effect *effect, void *settings,
                          const struct dem_pair_class *pair, const char *name, double value)
 {
     const struct dem_setting *const f = dem_settings_find(effect->settings, name);
@@ -145,7 +152,8 @@ static inline int settle(const struct dem_effect *effect, void *settings,
     return effect->prepare ? effect->prepare(settings, pair) : DEM_OK;
 }
 
-/* append an effect with one setting; more by settle(w.effect_entry[k].effect, w.effect_entry[k].settings, &w.pair, ...) */
+/* append an effect with one setting; more by apply_setting(w.effect_entry[k].effect,
+   w.effect_entry[k].settings, &w.pair, ...) */
 static inline struct impacts_effect *impacts_add(struct impacts *w, const struct dem_effect *effect,
                                                  const char *name, double value)
 {
@@ -162,11 +170,11 @@ static inline struct impacts_effect *impacts_add(struct impacts *w, const struct
     }
     if (effect->size > sizeof l->settings)
     {
-        printf("Bail out! settings of %s are too large for the test's room\n", effect->name);
+        printf("Bail out! settings of %s are larger than the test's buffer\n", effect->name);
         exit(1);
     }
     dem_settings_set_defaults(effect->settings, l->settings);
-    if (settle(effect, l->settings, &w->pair, name, value))
+    if (apply_setting(effect, l->settings, &w->pair, name, value))
     {
         printf("Bail out! %s\n", dem_error_text());
         exit(1);
@@ -174,7 +182,8 @@ static inline struct impacts_effect *impacts_add(struct impacts *w, const struct
     return l;
 }
 
-/* n rows, body i over body j (or the plane) along z, gap such that contact begins in the first step, at n even phases */
+/* n rows, body i over body j (or the plane) along z; gaps such that contact begins in the first
+   step, at n evenly spaced phases */
 static inline void impacts_aim(struct impacts *w, int n, double dt, double speed)
 {
     memset(w->x, 0, sizeof w->x);
@@ -279,7 +288,7 @@ static inline void impacts_kick(struct impacts *w, int c, double dt)
     w->peak_overlap[c] = fmax(w->peak_overlap[c], b->overlap[c]);
 }
 
-/* one leapfrog step: drift, forces at the new place with the velocity of the middle, kick */
+/* one leapfrog step: drift, forces at the new position with the mid-step velocity, kick */
 static inline void impacts_step(struct impacts *w, double dt)
 {
     w->b.dt = dt;
@@ -316,14 +325,15 @@ static inline void impacts_step(struct impacts *w, double dt)
 }
 
 /* one row: body i lies at rest on the plane, pressed by its weight at this overlap */
-static inline void impacts_lay(struct impacts *w, double weight, double overlap)
+static inline void impacts_rest(struct impacts *w, double weight, double overlap)
 {
     impacts_aim(w, 1, 0.0, 0.0);
     w->weight = weight;
     w->x[0][2][0] = w->radius[0] - overlap;
 }
 
-/* step until every row has touched and parted; how many steps, or -1 if some still touch after most_steps */
+/* step until every row has touched and separated; number of steps, or -1 if some still touch after
+   most_steps */
 static inline int impacts_impact(struct impacts *w, double dt, int most_steps)
 {
     for (int s = 1; s <= most_steps; s++)
@@ -355,8 +365,8 @@ static inline double mean(const double *value, int n)
     return sum/(double)n;
 }
 
-/* mean over the rows of the speed at which the bodies part */
-static inline double impacts_parting(const struct impacts *w)
+/* mean over the rows of the speed of separation */
+static inline double impacts_rebound_speed(const struct impacts *w)
 {
     double sum = 0.0;
 

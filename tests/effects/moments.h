@@ -1,5 +1,6 @@
 /*
- * moments.h -- rows and a sphere on a plane for the laws of rolling and twisting, and what all of them are asked.
+ * moments.h -- contact rows and a sphere on a plane for laws of rolling and twisting, and the
+ * claims common to them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -31,7 +32,7 @@ static inline struct impacts_effect *moments_row(struct impacts *w, const struct
     return l;
 }
 
-static inline void moments_act(struct impacts *w, struct impacts_effect *l)
+static inline void moments_evaluate(struct impacts *w, struct impacts_effect *l)
 {
     w->b.mx[0] = w->b.my[0] = w->b.mz[0] = 0.0;
     l->effect->apply(l->settings, &w->b, l->history);
@@ -42,7 +43,7 @@ static inline double moments_size(const struct impacts *w)
     return sqrt(w->b.mx[0]*w->b.mx[0] + w->b.my[0]*w->b.my[0] + w->b.mz[0]*w->b.mz[0]);
 }
 
-/* one row at random, once in axes turned at random: the moment turns with them */
+/* a random row, and the same in randomly rotated axes: the moment rotates with them */
 static inline void moments_axes(struct impacts *w, const struct dem_effect *effect,
                                 const char *name, double value)
 {
@@ -73,7 +74,7 @@ static inline void moments_axes(struct impacts *w, const struct dem_effect *effe
         {
             l->column[m][0] = a[2][m];
         }
-        moments_act(w, l);
+        moments_evaluate(w, l);
         moment[pass][0] = w->b.mx[0], moment[pass][1] = w->b.my[0], moment[pass][2] = w->b.mz[0];
     }
     const double size = sqrt(dot(moment[0], moment[0]));
@@ -81,37 +82,37 @@ static inline void moments_axes(struct impacts *w, const struct dem_effect *effe
     TAP_OK(size > 0.0, "a moment of %g N m", size);
     for (int d = 0; d < 3; d++)
     {
-        TAP_NEAR(moment[1][d], dot(turned[d], moment[0]), 1e-13*size, "turned axes, component %d",
+        TAP_NEAR(moment[1][d], dot(turned[d], moment[0]), 1e-13*size, "rotated axes, component %d",
                  d);    /* rounding */
     }
 }
 
-/* what holds for all: nothing at rest, apart or pulling; refused without a normal law */
-static inline void moments_none(struct impacts *w, const struct dem_effect *effect,
+/* common claims: no moment at rest, apart or under attraction; refused without a normal law */
+static inline void moments_common(struct impacts *w, const struct dem_effect *effect,
                                 const char *name, double value)
 {
     struct impacts_effect *l = moments_row(w, effect, name, value);
 
-    moments_act(w, l);
+    moments_evaluate(w, l);
     TAP_OK(moments_size(w) == 0.0, "at rest: no moment");
     w->b.wx[0] = 3.0, w->b.wz[0] = 2.0;
     w->b.fn[0] = -10.0;
-    moments_act(w, l);
-    TAP_OK(moments_size(w) == 0.0, "pulling: no moment");
+    moments_evaluate(w, l);
+    TAP_OK(moments_size(w) == 0.0, "under attraction: no moment");
     for (int m = 0; effect->history && effect->history[m]; m++)
     {
-        TAP_OK(l->column[m][0] == 0.0, "and nothing is remembered");
+        TAP_OK(l->column[m][0] == 0.0, "under attraction: the history is zero");
     }
     l = moments_row(w, effect, name, 0.0);
     w->b.wx[0] = 3.0, w->b.wz[0] = 2.0;
-    moments_act(w, l);
+    moments_evaluate(w, l);
     TAP_OK(moments_size(w) == 0.0, "%s 0: no moment", name);
-    TAP_OK(settle(effect, l->settings, &w->pair, name, -0.1) == DEM_ERROR_INPUT, "%s",
+    TAP_OK(apply_setting(effect, l->settings, &w->pair, name, -0.1) == DEM_ERROR_INPUT, "%s",
            dem_error_text());
     w->pair.exponent = 0.0;
     TAP_OK(effect->prepare(l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
     TAP_OK(effect->stage == DEM_STAGE_MOMENT && (effect->needs & DEM_NEEDS_SPIN),
-           "a law of moments that needs the spin");
+           "it is declared as a law of moments that needs the spin");
 }
 
 /* overlap at which a Hertzian contact of body 0 with the plane carries its weight */
@@ -121,22 +122,22 @@ static inline double moments_depth(const struct impacts *w, double weight)
 }
 
 /*
- * A sphere of 4 mm lies on a plane under 9.81 m/s2 with friction that never slips, and a law of rolling; more settings by
- * settle(). Returns a good time step: a fortieth of the contact time.
+ * A sphere of 4 mm lies on a plane under 9.81 m/s2 with friction that does not slip, and a law of
+ * rolling; more settings by apply_setting(). Returns a time step: a fortieth of the contact time.
  */
 static inline double moments_plane(struct impacts *w, const struct dem_effect *effect,
-                                   const char *name, double value, double grip)
+                                   const char *name, double value, double friction)
 {
     impacts_wall(w, &moments_bead, &moments_bead, 0.004);
     impacts_add(w, &dem_hertz, "impactSpeed", 0.1);
     impacts_add(w, &dem_dry, "restitution", 0.5);
-    impacts_add(w, &dem_mindlin, "friction", grip);
+    impacts_add(w, &dem_mindlin, "friction", friction);
     impacts_add(w, effect, name, value);
-    impacts_lay(w, 9.81, moments_depth(w, 9.81));
+    impacts_rest(w, 9.81, moments_depth(w, 9.81));
     return impacts_contact_time(w, 0.1)/40.0;
 }
 
-/* how far it has rolled when it first stands still, or -1; *time it took */
+/* distance rolled until it first stops, or -1; *time: duration */
 static inline double moments_rest(struct impacts *w, double dt, double speed, double *time)
 {
     *time = 0.0;

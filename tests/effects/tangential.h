@@ -1,5 +1,5 @@
 /*
- * tangential.h -- a row and impacts for laws of friction, and what all of them are asked.
+ * tangential.h -- a contact row and impacts for friction laws, and the claims common to them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -8,12 +8,14 @@
 
 #include "impacts.h"
 
-/* Kharaz, Gorham, Salman, Powder Technol. 120 (2001) 281: 5 mm aluminium oxide on soda-lime glass at 3.9 m/s */
+/* Kharaz, Gorham, Salman, Powder Technol. 120 (2001) 281: 5 mm aluminium oxide on soda-lime glass
+   at 3.9 m/s */
 static const struct dem_material tangential_oxide = {"aluminium oxide", 4000.0, 380e9, 0.23, 0.0};
 static const struct dem_material tangential_soda = {"soda-lime glass", 2500.0, 70e9, 0.25, 0.0};
 static const double tangential_pi = 3.14159265358979324;
 
-/* one row at rest: normal z, R* = 4 mm, overlap 1 um, k_n = 1e6 N/m, fn = 1 kN, no tangential damping */
+/* one row at rest: normal z, R* = 4 mm, overlap 1 um, k_n = 1e6 N/m, fn = 1 kN, no tangential
+   damping */
 static inline struct impacts_effect *tangential_row(struct impacts *w, const struct dem_effect *law,
                                                     double friction, double damping)
 {
@@ -21,7 +23,7 @@ static inline struct impacts_effect *tangential_row(struct impacts *w, const str
     w->pair.exponent = 1.5;
     struct impacts_effect *const l = impacts_add(w, law, "friction", friction);
 
-    settle(law, l->settings, &w->pair, "tangentialDamping", damping);
+    apply_setting(law, l->settings, &w->pair, "tangentialDamping", damping);
     w->b.n = 1;
     w->b.dt = 1e-6;
     w->b.nz[0] = w->b.hz[0] = 1.0;
@@ -33,7 +35,7 @@ static inline struct impacts_effect *tangential_row(struct impacts *w, const str
     return l;
 }
 
-static inline void tangential_act(struct impacts *w, struct impacts_effect *l)
+static inline void tangential_evaluate(struct impacts *w, struct impacts_effect *l)
 {
     w->b.fx[0] = w->b.fy[0] = w->b.fz[0] = 0.0;
     l->effect->apply(l->settings, &w->b, l->history);
@@ -44,53 +46,56 @@ static inline double tangential_size(const struct impacts *w)
     return sqrt(w->b.fx[0]*w->b.fx[0] + w->b.fy[0]*w->b.fy[0] + w->b.fz[0]*w->b.fz[0]);
 }
 
-/* A loaded spring of a pair that spins about n as one body turns with it and keeps its length; slip at a constant rate in
-   space while it turns goes round a circle, and is gone after each turn. */
-static inline void tangential_turns(struct impacts *w, const struct dem_effect *law)
+/* A loaded spring of a pair that spins about n as one body rotates with it and keeps its length.
+   Slip at a constant rate in space during the rotation describes a circle, and vanishes after each
+   turn. */
+static inline void tangential_rotation(struct impacts *w, const struct dem_effect *law)
 {
     enum { TURN = 1000 };
     const double angle = 2.0*tangential_pi/TURN, slip = 1e-3;
     struct impacts_effect *l = tangential_row(w, law, 0.5, 0.0);
 
     w->b.sx[0] = slip;
-    tangential_act(w, l);
+    tangential_evaluate(w, l);
     const double kt = w->b.kt[0], force = kt*slip*w->b.dt;
 
-    /* 2 atan(angle/2) a step falls short of the angle by angle^3/12; rounding of TURN/4 steps */
+    /* 2 atan(angle/2) a step is less than the angle by angle^3/12; rounding of TURN/4 steps */
     w->b.sx[0] = 0.0, w->b.normal_spin[0] = angle/w->b.dt;
     const double behind = TURN/4*angle*angle*angle/12.0;
 
     for (int k = 0; k < TURN/4; k++)
     {
-        tangential_act(w, l);
+        tangential_evaluate(w, l);
     }
     TAP_NEAR(w->b.fy[0], -force*cos(behind), 1e-12*force,
-             "a quarter of a turn of the pair turns the force");
-    TAP_NEAR(w->b.fx[0], -force*sin(behind), 1e-3*force*behind, "as far, to the third order");
-    TAP_NEAR(tangential_size(w), force, 1e-12*force, "and keeps its size");
+             "a quarter turn of the pair rotates the force");
+    TAP_NEAR(w->b.fx[0], -force*sin(behind), 1e-3*force*behind, "by the same angle, to third order");
+    TAP_NEAR(tangential_size(w), force, 1e-12*force, "its magnitude does not change");
 
-    /* xi' = i swing xi + s, s constant: xi = s (e^(i swing t) - 1)/(i swing), across s after half a turn */
+    /* xi' = i rate xi + s, s constant: xi = s (e^(i rate t) - 1)/(i rate), across s after half a
+       turn */
     l = tangential_row(w, law, 0.5, 0.0);
     w->b.sx[0] = slip, w->b.normal_spin[0] = angle/w->b.dt;
     for (int k = 0; k < TURN/2; k++)
     {
-        tangential_act(w, l);
+        tangential_evaluate(w, l);
     }
     const double across = kt*slip*2.0*w->b.dt/angle;
 
     TAP_NEAR(w->b.fy[0], -across, angle*angle*across,
-             "half a turn of the pair lays steady slip across");    /* second order */
+             "after half a turn steady slip gives a force across");    /* second order */
     for (int k = 0; k < TURN/2; k++)
     {
-        tangential_act(w, l);
+        tangential_evaluate(w, l);
     }
     TAP_NEAR(tangential_size(w), 0.0, 4.0*angle*angle*across,
-             "a whole turn undoes it");      /* 2 pi angle^2/12 short of it */
+             "after a whole turn the force is zero");      /* 2 pi angle^2/12 less */
     w->b.normal_spin[0] = 0.0;
 }
 
-/* Slip to and fro in the plane, pressed and let go: in no step does what a row holds grow by more than is put in, damped little or much. */
-static inline void tangential_gives_nothing(struct impacts *w, const struct dem_effect *law)
+/* Slip to and fro under a varying normal force: in no step does the stored energy grow by more than
+   the work done, with little or much damping. */
+static inline void tangential_energy(struct impacts *w, const struct dem_effect *law)
 {
     static const double eta[] = {0.0, 0.1, 3.0, 30.0};
 
@@ -100,17 +105,18 @@ static inline void tangential_gives_nothing(struct impacts *w, const struct dem_
         double worst = 0.0, most = 0.0, before = 0.0;
         int slips = 0;
 
-        tangential_act(w, l);
+        tangential_evaluate(w, l);
         const double fast =
             1.0/(w->b.kt[0]*
-                   w->b.dt);     /* a step loads the spring by up to 1 N; the limit goes up to 5 N */
+                   /* a step loads the spring by up to 1 N; the limit goes up to 5 N */
+                   w->b.dt);
 
         w->b.eta[0] = eta[m];
         for (int n = 0; n < 2000; n++)
         {
             w->b.sx[0] = 0.6*fast*sin(0.37*n), w->b.sy[0] = 0.8*fast*sin(1.91*n + 0.3);
             w->b.fn[0] = 12.0*sin(0.11*n) - 2.0;
-            tangential_act(w, l);
+            tangential_evaluate(w, l);
             const double x = l->column[0][0], y = l->column[1][0],
                          held = 0.5*w->b.kt[0]*(x*x + y*y);
 
@@ -122,80 +128,81 @@ static inline void tangential_gives_nothing(struct impacts *w, const struct dem_
                      fabs(tangential_size(w)/(0.5*w->b.fn[0]) - 1.0) < 1e-9;
         }
         TAP_OK(most > 0.0 && slips > 100 && worst < 1e-12*most,
-               "eta %g kg/s: slipping in %d steps of 2000 it holds up to %.3g J, and at most "
-               "%.2g of that comes from nowhere in a step",
+               "eta %g kg/s: slipping in %d steps of 2000 it stores up to %.3g J, and gains "
+               "at most %.2g of that in a step",
                eta[m], slips, most, worst/most);
     }
 }
 
-/* sticking, sliding, pulling, apart; the spring is what k_t says it is */
+/* sticking, sliding, attraction, separation; the spring has the stiffness k_t */
 static inline void tangential_claims(struct impacts *w, const struct dem_effect *law)
 {
-    tangential_turns(w, law);
-    tangential_gives_nothing(w, law);
+    tangential_rotation(w, law);
+    tangential_energy(w, law);
     struct impacts_effect *l = tangential_row(w, law, 0.5, 0.0);
 
     /* a few rounded factors */
     w->b.sx[0] = 2e-3, w->b.sy[0] = -1e-3;
-    tangential_act(w, l);
-    tangential_act(w, l);
+    tangential_evaluate(w, l);
+    tangential_evaluate(w, l);
     const double kt = w->b.kt[0];
 
     TAP_OK(kt > 0.0, "a stiffness of %g N/m", kt);
     TAP_NEAR(w->b.fx[0], -kt*4e-9, 1e-14*kt*4e-9, "two steps of slip load the spring against it");
-    TAP_NEAR(w->b.fy[0], kt*2e-9, 1e-14*kt*2e-9, "in both directions");
+    TAP_NEAR(w->b.fy[0], kt*2e-9, 1e-14*kt*2e-9, "in both tangential directions");
     w->b.sx[0] = -4e-3, w->b.sy[0] = 2e-3;
-    tangential_act(w, l);
-    TAP_NEAR(tangential_size(w), 0.0, 1e-14*kt*4e-9, "and slip back unloads it");
+    tangential_evaluate(w, l);
+    TAP_NEAR(tangential_size(w), 0.0, 1e-14*kt*4e-9, "slip back unloads it");
     l = tangential_row(w, law, 0.5, 1.0);
     w->b.eta[0] = 30.0;
     w->b.sx[0] = 1e-3;
-    tangential_act(w, l);
+    tangential_evaluate(w, l);
     TAP_NEAR(w->b.fx[0], -kt*1e-9 - 30.0*1e-3, 1e-14*30.0,
-             "with damping the dashpot of the normal law adds to it");
+             "with tangential damping the coefficient of the normal law is added");
 
     l = tangential_row(w, law, 0.5, 1.0);
     w->b.eta[0] = 30.0;
     w->b.fn[0] = 10.0;
     w->b.sx[0] = 3.0, w->b.sy[0] = 4.0;
-    tangential_act(w, l);
+    tangential_evaluate(w, l);
     TAP_NEAR(tangential_size(w), 5.0, 5e-15, "sliding: mu fn");
     TAP_NEAR(w->b.fx[0], -3.0, 5e-15, "against the slip");
-    /* round-off of a pull that would be 30 times the limit if it held */
+    /* round-off of a trial force of 30 times the limit */
     TAP_NEAR(-(kt + 30.0/w->b.dt)*l->column[1][0], -4.0, 1e-13,
-             "spring and dashpot share it, each by what it gave way");
+             "spring and dashpot are cut in the same proportion");
     for (int k = 0; k < 5000; k++)                        /* c/k is 100 steps at most */
     {
-        tangential_act(w, l);
+        tangential_evaluate(w, l);
     }
-    TAP_NEAR(tangential_size(w), 5.0, 5e-15, "in a long slide the same");
-    TAP_NEAR(-kt*l->column[1][0], -4.0, 1e-13, "and the spring comes to hold the whole of it");
+    TAP_NEAR(tangential_size(w), 5.0, 5e-15, "sliding for long: mu fn");
+    TAP_NEAR(-kt*l->column[1][0], -4.0, 1e-13, "sliding for long: the spring carries all of it");
     w->b.sx[0] = -1e-5, w->b.sy[0] = 0.0;
-    tangential_act(w, l);
+    tangential_evaluate(w, l);
     TAP_OK(tangential_size(w) < 5.0 && w->b.fx[0] < 0.0,
-           "a little slip back unloads; the force does not turn round at once");
+           "a small slip back unloads; the force does not reverse at once");
     w->b.fn[0] = -1.0;
-    tangential_act(w, l);
+    tangential_evaluate(w, l);
     TAP_OK(tangential_size(w) == 0.0 && l->column[0][0] == 0.0,
-           "a contact that pulls has no friction and keeps no spring");
+           "an attractive contact has no friction and no elongation");
     l = tangential_row(w, law, 0.5, 1.0);
     w->b.touching[0] = w->b.overlap[0] = w->b.kn[0] = w->b.fn[0] = 0.0;
     w->b.sx[0] = 3.0;
     l->column[0][0] = 1e-6;
-    tangential_act(w, l);
+    tangential_evaluate(w, l);
     TAP_OK(tangential_size(w) == 0.0 && w->b.kt[0] == 0.0 && l->column[0][0] == 0.0,
-           "a row apart gets and keeps nothing");
-    TAP_OK(settle(law, l->settings, &w->pair, "friction", -0.1) == DEM_ERROR_INPUT, "%s",
+           "a row apart has no force and no elongation");
+    TAP_OK(apply_setting(law, l->settings, &w->pair, "friction", -0.1) == DEM_ERROR_INPUT, "%s",
            dem_error_text());
     w->pair.exponent = 0.0;
     TAP_OK(law->prepare(l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
 }
 
 /*
- * The set of Kharaz et al. at this angle from the normal, elastic, 16 phases, `steps` a contact time; the effects after the
- * wall are the caller's. Tangential speed over the one before; *spin about +y; *energy over the one before.
+ * The set of Kharaz et al. at this angle from the normal, elastic, 16 phases, `steps` a contact
+ * time; the effects after the wall are the caller's. Tangential speed over the one before; *spin
+ * about +y; *energy over the one before.
  */
-static inline double tangential_throw(struct impacts *w, double angle, double dt, int most,
+static inline double tangential_impact(struct impacts *w, double angle, double dt, int most,
                                       double *spin, double *energy)
 {
     const double a = angle*tangential_pi/180.0, vn = 3.9*cos(a), vt = 3.9*sin(a);
@@ -207,7 +214,7 @@ static inline double tangential_throw(struct impacts *w, double angle, double dt
     {
         w->v[0][0][c] = vt;
     }
-    TAP_OK(impacts_impact(w, dt, most) > 0, "%g degrees: parts again", angle);
+    TAP_OK(impacts_impact(w, dt, most) > 0, "%g degrees: separates", angle);
     TAP_NEAR(fmax(w->worst_friction, 0.0), 0.0, 1e-11,
              "friction was never above mu max(fn, 0)");    /* rounding of 1e3 N */
     for (int c = 0; c < 16; c++)

@@ -1,13 +1,18 @@
 /*
- * Claims: the drag is that of Beetstra, van der Hoef and Kuipers: the tabulated values, Stokes' for a lone creeping sphere,
- * Carman's in a creeping packing, the paper's slope at large Re; in a mixture the drag of all is that of spheres of the
- * Sauter mean, each has its share with d^2, and equal spheres of the mean are as without a mean.
+ * test_beetstra.c -- drag of Beetstra, van der Hoef and Kuipers.
+ *
+ * - Tabulated values; Stokes' drag for a single creeping sphere; Carman's in a creeping packing;
+ *   the paper's slope at large Re.
+ * - In a mixture the total drag is that of spheres of the Sauter mean, and each sphere has a share
+ *   in proportion to d^2.
+ * - Equal spheres with their own diameter as mean have the drag without a mean.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "drag_table.h"
 
-static struct { double mean_diameter; int around; } own;  /* the settings; 0: each its own */
+/* the settings; 0: the diameter of each */
+static struct { double mean_diameter; int around; } own;
 
 static double G(double e, double re)
 {
@@ -24,7 +29,8 @@ static double paper(double e, double re)
                (1.0 + pow(10.0, 3.0*s)*pow(re, -0.5*(1.0 + 4.0*s)));
 }
 
-/* three sizes in one fluid with one slip: the sum of their drags in a unit volume against that of the Sauter mean */
+/* three sizes in one fluid with one slip: the sum of their drags in a unit volume against that of
+   the Sauter mean */
 static void mixture(double e, double slip)
 {
     static const double d[3] = {0.5e-3, 1e-3, 2e-3},
@@ -59,7 +65,7 @@ static void mixture(double e, double slip)
     body_fill(&b, 3, 1.0/over, 1000.0, 1e-3, e, 0.0);
     b.ux[3] = slip;
     dem_beetstra.apply_to_bodies(&own, &b);
-    TAP_NEAR(b.b[3]/alone, 1.0, 1e-15, "e = %g: the mean itself is as among its equals",
+    TAP_NEAR(b.b[3]/alone, 1.0, 1e-15, "e = %g: a sphere of the mean has the drag of equal spheres",
              e);    /* rounding of y = 1 */
 }
 
@@ -68,22 +74,24 @@ int main(void)
     TAP_TRAPS;
     own.mean_diameter = 0.0;
     drag_in_table(&dem_beetstra, &own, DRAG_BEETSTRA);
-    TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a lone creeping sphere: Stokes' 3 pi mu d");
-    TAP_NEAR(G(1.0, 1e-6), 1.0, 1e-5, "and nearly so at Re = 1e-6");                     /* 0.145 Re^1.157 */
+    TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a single creeping sphere: Stokes' 3 pi mu d");
+    /* 0.145 Re^1.157 */
+    TAP_NEAR(G(1.0, 1e-6), 1.0, 1e-5, "a single sphere at Re = 1e-6");
     TAP_NEAR(G(0.4, 0.0), 0.4*(10.0*0.6/0.16 + 0.16*(1.0 + 1.5*sqrt(0.6))), 1e-13,
              "a creeping packing");    /* rounding */
     for (double e = 0.25; e < 1.0; e += 0.07)
     {
         for (double re = 1e-3; re < 1e5; re *= 7.0)
         {
-            if (fabs(G(e, re)/(e*paper(e, re)) - 1.0) > 1e-13)                            /* rounding of powers */
+            /* rounding of powers */
+            if (fabs(G(e, re)/(e*paper(e, re)) - 1.0) > 1e-13)
             {
                 TAP_NEAR(G(e, re)/(e*paper(e, re)), 1.0, 1e-13,
-                         "as the paper writes it, e = %g, Re = %g", e, re);
+                         "formula of the paper, e = %g, Re = %g", e, re);
             }
         }
     }
-    TAP_OK(tap_count.failed == 0, "as the paper writes it, e from 0.25 to 1, Re from 1e-3 to 1e5");
+    TAP_OK(tap_count.failed == 0, "formula of the paper, e from 0.25 to 1, Re from 1e-3 to 1e5");
     mixture(0.45, 0.1);
     mixture(0.8, 0.01);
     mixture(0.99, 0.5);
@@ -91,7 +99,7 @@ int main(void)
     drag_limits(&dem_beetstra, &own);
     drag_form(&dem_beetstra, &own);
 
-    /* the mean around, of each place */
+    /* the mean around each position */
     static struct dem_body_batch b;
 
     own.around = 1;
@@ -105,23 +113,23 @@ int main(void)
     dem_beetstra.apply_to_bodies(&own, &b);
     const double around = b.b[1];
 
-    TAP_NEAR(b.b[0]/b.b[2], 1.0, 1e-15, "the mean around is its own: as alone; so is none, 0");
+    TAP_NEAR(b.b[0]/b.b[2], 1.0, 1e-15, "a mean around equal to its diameter, or 0 for none: as among equals");
     own.around = 0, own.mean_diameter = 2e-3;
     body_fill(&b, 1, 1e-3, 1000.0, 1e-3, 0.5, 20.0);
     dem_beetstra.apply_to_bodies(&own, &b);
-    TAP_OK(b.b[1] == around, "the mean around, or the same given");
+    TAP_OK(b.b[1] == around, "the mean around gives the same as the setting");
     own.around = 1;
     TAP_OK(dem_beetstra.extra_needs(&own) == DEM_NEEDS_MEAN_DIAMETER &&
                dem_beetstra.prepare(&own, NULL) == DEM_ERROR_INPUT,
            "%s", dem_error_text());
     own.around = 0;
     TAP_OK(dem_beetstra.extra_needs(&own) == 0 && dem_beetstra.prepare(&own, NULL) == DEM_OK,
-           "asks for it only then");
+           "it needs the mean around only with that setting");
 
     double bad = -1e-3;
 
     dem_settings_set_defaults(dem_beetstra.settings, &own);
-    TAP_OK(own.mean_diameter == 0.0 && own.around == 0, "of one size by default");
+    TAP_OK(own.mean_diameter == 0.0 && own.around == 0, "default: the diameter of each");
     TAP_OK(dem_settings_set_number(dem_beetstra.settings, &own, "beetstra", "meanDiameter", &bad,
                                    1) == DEM_ERROR_INPUT,
            "%s", dem_error_text());

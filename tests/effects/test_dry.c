@@ -1,7 +1,11 @@
 /*
- * Claims: with a Hertzian and with a linear spring the coefficient of restitution is the one set, at any speed
- * (Chung and Ooi, Granular Matter 13 (2011) 643, test 3). e = 1 gives no damping, e = 0 critical damping, both finite. The clamped
- * variant never attracts and has the bias stated in its help. Rows without contact give zero and raise no floating-point trap.
+ * test_dry.c -- damping by a coefficient of restitution.
+ *
+ * - With a Hertzian and with a linear spring the restitution is the one set, at any speed (Chung
+ *   and Ooi, Granular Matter 13 (2011) 643, test 3).
+ * - e = 1 gives no damping, e = 0 critical damping, both finite.
+ * - The clamped variant never attracts and has the bias stated in its help.
+ * - Rows without contact give zero and raise no floating-point trap.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -21,9 +25,9 @@ static double bounce(double e, double speed, int clamped, int steps)
 
     impacts_add(&w, &dem_hertz, "impactSpeed", speed);
     struct impacts_effect *const dry = impacts_add(&w, &dem_dry, "restitution", e);
-    settle(&dem_dry, dry->settings, &w.pair, "attraction", clamped);
+    apply_setting(&dem_dry, dry->settings, &w.pair, "attraction", clamped);
     impacts_aim(&w, 16, dt, speed);
-    return impacts_impact(&w, dt, 20*steps) > 0 ? impacts_parting(&w)/speed : NAN;
+    return impacts_impact(&w, dt, 20*steps) > 0 ? impacts_rebound_speed(&w)/speed : NAN;
 }
 
 static double bounce_linear(double e, double speed, int steps)
@@ -34,15 +38,16 @@ static double bounce_linear(double e, double speed, int steps)
     impacts_add(&w, &dem_hooke, "stiffness", linear_stiffness);
     impacts_add(&w, &dem_dry, "restitution", e);
     impacts_aim(&w, 16, dt, speed);
-    return impacts_impact(&w, dt, 20*steps) > 0 ? impacts_parting(&w)/speed : NAN;
+    return impacts_impact(&w, dt, 20*steps) > 0 ? impacts_rebound_speed(&w)/speed : NAN;
 }
 
 /*
- * The dashpot sees the velocity of half a step before: m a = -k d - eta (v - a dt/2), as if the mass were less by
- * eta dt/2. So the restitution is too small by a part of the order dt: halving it halves the error. At t_c/400 that is
- * 1e-4 down to e = 0.7 and 6e-4 at e = 0.2; a tenth of the step leaves a tenth of it.
+ * The dashpot sees the velocity of half a step before: m a = -k d - eta (v - a dt/2), as if the
+ * mass were less by eta dt/2. So the restitution is too small by an error of order dt: halving the
+ * step halves it. At t_c/400 that is 1e-4 down to e = 0.7 and 6e-4 at e = 0.2; a tenth of the step
+ * leaves a tenth of it.
  */
-static void as_asked(void)
+static void restitution_as_set(void)
 {
     static const double given[] = {0.05, 0.1, 0.2, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 1.0};
 
@@ -59,19 +64,20 @@ static void as_asked(void)
 
     TAP_NEAR(b/a, 0.5, 0.05, "half the step, half the error");
     TAP_NEAR(bounce(0.8, 0.01, 0, 400), bounce(0.8, 30.0, 0, 400), 1e-9,
-             "the speed of impact does not matter");
+             "restitution does not depend on the impact speed");
 }
 
 static void clamped(void)
 {
-    /* an independent integration of the clamped law, same particle and wall, 40000 steps a contact */
+    /* an independent integration of the clamped law, same particle and wall, 40000 steps a
+       contact */
     static const double given[] = {0.2, 0.4, 0.5, 0.6, 0.8, 0.9};
     static const double found[] = {0.32485934, 0.47201187, 0.55028171,
                                    0.63228964, 0.80809925, 0.90202613};
 
     for (int k = 0; k < 6; k++)
     {
-        /* the lag of half a step again, at a tenth of the step */
+        /* the lag of half a step, at a tenth of the step */
         TAP_NEAR(bounce(given[k], 3.9, 1, 4000), found[k], 1e-4, "clamped, e = %g gives %.3f",
                  given[k], found[k]);
     }
@@ -83,10 +89,11 @@ static void row(double e, int attraction, double exponent, double vn, double *fn
     impacts_add(&w, &dem_hertz, "impactSpeed", 1.0);
     w.pair.exponent = exponent;
     struct impacts_effect *const dry = impacts_add(&w, &dem_dry, "restitution", e);
-    settle(&dem_dry, dry->settings, &w.pair, "attraction", attraction);
+    apply_setting(&dem_dry, dry->settings, &w.pair, "attraction", attraction);
     w.b.n = 2;
     w.b.reduced_mass[0] = w.b.reduced_mass[1] = 0.01;
-    w.b.kn[0] = 1e6;                                      /* the second row is apart: no stiffness */
+    /* the second row is apart: no stiffness */
+    w.b.kn[0] = 1e6;
     w.b.fn[0] = 7.0;
     w.b.vn[0] = w.b.vn[1] = vn;
     w.b.fn[1] = 0.0;
@@ -103,24 +110,24 @@ static void closed_forms(void)
     /* sqrt(m* kn) = 100 kg/s; a handful of rounded factors */
     row(0.3, 0, 1.0, 0.5, &fn, &eta);
     TAP_NEAR(eta, 2.0*beta0*100.0, 1e-12, "linear: 2 beta sqrt(m k)");
-    TAP_NEAR(fn, 7.0 - eta*0.5, 1e-12, "the force is less by eta vn, and may pull");
-    TAP_OK(fn < 0.0, "it does pull here");
-    TAP_OK(w.b.eta[1] == 0.0 && w.b.fn[1] == 0.0, "a row apart gets nothing");
+    TAP_NEAR(fn, 7.0 - eta*0.5, 1e-12, "the force is less by eta vn, and may attract");
+    TAP_OK(fn < 0.0, "here it attracts");
+    TAP_OK(w.b.eta[1] == 0.0 && w.b.fn[1] == 0.0, "a row apart has no force");
     row(0.3, 1, 1.0, 0.5, &fn, &eta);
-    TAP_OK(fn == 0.0, "clamped, it does not");
+    TAP_OK(fn == 0.0, "clamped: it does not attract");
     w.b.fn[0] = -7.0;
     w.b.vn[0] = 0.5;
     dem_dry.apply(w.effect_entry[1].settings, &w.b, w.effect_entry[1].history);
-    TAP_OK(w.b.fn[0] < -7.0, "but what pulls by itself, adhesion, is left as it is");
+    TAP_OK(w.b.fn[0] < -7.0, "clamped: attraction by adhesion is not changed");
     row(0.3, 0, 1.5, -0.5, &fn, &eta);
     TAP_NEAR(eta, sqrt(5.0)*beta0*100.0, 1e-12, "hertz: sqrt(5) beta sqrt(m k)");
-    TAP_OK(fn > 7.0, "on approach it pushes");
+    TAP_OK(fn > 7.0, "on approach it repels");
     row(0.3, 1, 1.5, -0.5, &fn, &eta);
-    TAP_OK(fn > 7.0, "clamped or not");
+    TAP_OK(fn > 7.0, "clamped: on approach it repels");
     row(1.0, 0, 1.5, 0.5, &fn, &eta);
-    TAP_OK(eta == 0.0, "e = 1 does not damp at all");
+    TAP_OK(eta == 0.0, "e = 1: no damping");
     row(0.0, 0, 1.0, 0.5, &fn, &eta);
-    TAP_NEAR(eta, 200.0, 1e-12, "e = 0 damps critically: 2 sqrt(m k)");
+    TAP_NEAR(eta, 200.0, 1e-12, "e = 0: critical damping: 2 sqrt(m k)");
     row(0.0, 0, 1.5, 0.5, &fn, &eta);
     TAP_NEAR(eta, sqrt(5.0)*100.0, 1e-12, "e = 0 with hertz: sqrt(5 m k)");
 }
@@ -133,12 +140,12 @@ static void refusals(void)
     dem_settings_set_defaults(dem_dry.settings, settings);
     TAP_OK(dem_settings_check_complete(dem_dry.settings, settings, "dry") == DEM_ERROR_INPUT,
            "restitution has no default");
-    TAP_OK(settle(&dem_dry, settings, &pair, "restitution", 1.1) == DEM_ERROR_INPUT,
+    TAP_OK(apply_setting(&dem_dry, settings, &pair, "restitution", 1.1) == DEM_ERROR_INPUT,
            "e = 1.1: %s", dem_error_text());
-    TAP_OK(settle(&dem_dry, settings, &pair, "restitution", -0.1) == DEM_ERROR_INPUT,
+    TAP_OK(apply_setting(&dem_dry, settings, &pair, "restitution", -0.1) == DEM_ERROR_INPUT,
            "e = -0.1: %s", dem_error_text());
     pair.exponent = 0.0;
-    TAP_OK(settle(&dem_dry, settings, &pair, "restitution", 0.9) == DEM_ERROR_INPUT,
+    TAP_OK(apply_setting(&dem_dry, settings, &pair, "restitution", 0.9) == DEM_ERROR_INPUT,
            "no spring: %s", dem_error_text());
 }
 
@@ -146,7 +153,7 @@ int main(void)
 {
     TAP_TRAPS;
     closed_forms();
-    as_asked();
+    restitution_as_set();
     clamped();
     refusals();
     TAP_DONE;

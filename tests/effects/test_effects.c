@@ -1,7 +1,12 @@
 /*
- * Claims about all effects of the list at once: each declares what the manual needs; each is found by its name, and an unknown name
- * is refused with a suggestion. The result of a row has the same bits wherever it lies in the batch and however many rows there are
- * (whole vectors or the remainder). Rows of zeros (padding) and rows without contact give zeros and raise no floating-point trap.
+ * test_effects.c -- properties of all effects of the list.
+ *
+ * - Each declares what the manual needs, is found by its name, and an unknown name is refused with
+ *   a suggestion.
+ * - The result of a row has the same bits wherever it is in the batch and however many rows there
+ *   are (whole vectors or the remainder).
+ * - Rows of zeros (padding) and rows without contact give zeros and raise no floating-point trap.
+ * - Each writes the columns that it declares, and no others.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -13,7 +18,8 @@
 
 enum
 {
-    ROWS = 37,                                            /* whole vectors of 2, 4, 8 and a rest */
+    /* whole vectors of 2, 4, 8 and a remainder */
+    ROWS = 37,
     MEMORY = 16
 };
 
@@ -29,7 +35,8 @@ static const struct dem_pair_class pair = {.a = &glass,
 /* settings in the middle of their range, or their defaults; prepared */
 static void settings_of(const struct dem_effect *e, void *settings)
 {
-    double unlike = 0.0;                                  /* no two alike: one may have to be above the other */
+    /* all different, as one may have to be above another */
+    double unlike = 0.0;
 
     if (e->settings)
     {
@@ -54,9 +61,9 @@ static void settings_of(const struct dem_effect *e, void *settings)
     }
 }
 
-static double uniform(int row, int use, double least, double most)
+static double uniform(int row, int use, double min, double max)
 {
-    return least + (most - least)*dem_random_unit(1, (uint64_t)row, 0, (uint64_t)use);
+    return min + (max - min)*dem_random_unit(1, (uint64_t)row, 0, (uint64_t)use);
 }
 
 /* every third row is apart */
@@ -130,7 +137,8 @@ static int all_finite(const dem_real *values)
     return all;
 }
 
-/* how many of the columns from first to last (results and memory) hold a number that isn't finite */
+/* how many of the columns from first to last (results and memory) hold a number that is not
+   finite */
 static int bad_columns(const dem_real *first, const dem_real *last)
 {
     int bad = 0;
@@ -155,7 +163,7 @@ static int differs(const dem_real *first, const dem_real *last, const dem_real *
     return bad;
 }
 
-static void act(const struct dem_effect *e, const double *settings, struct dem_contact_batch *b,
+static void evaluate(const struct dem_effect *e, const double *settings, struct dem_contact_batch *b,
                 dem_real *const *memory)
 {
     if (e->set_adhesion)
@@ -187,13 +195,13 @@ static void contact_effect(const struct dem_effect *e)
     {
         random_contact(&many, memory, row, row);
     }
-    act(e, settings, &many, all);
+    evaluate(e, settings, &many, all);
     for (int row = 0; row < ROWS; row++)
     {
         memset(&one, 0, sizeof one);
         one.n = 1;
         random_contact(&one, memory_of_one, 0, row);
-        act(e, settings, &one, alone);
+        evaluate(e, settings, &one, alone);
         bad += differs(many.kn, many.broke, one.kn, row) +
                differs(memory[0], memory[MEMORY - 1], memory_of_one[0], row);
     }
@@ -208,7 +216,7 @@ static void contact_effect(const struct dem_effect *e)
                many.fn[row] != 0.0;
         bad += many.fx[row] != 0.0 || many.fy[row] != 0.0 || many.fz[row] != 0.0;
     }
-    TAP_OK(bad == 0, "%s: nothing acts on rows apart", e->name);
+    TAP_OK(bad == 0, "%s: no force on rows apart", e->name);
 
     bad = 0;
     for (int row = 0; row < ROWS && e->clears_history;
@@ -222,7 +230,7 @@ static void contact_effect(const struct dem_effect *e)
     }
     if (e->clears_history)
     {
-        act(e, settings, &many, all);
+        evaluate(e, settings, &many, all);
     }
     for (int row = 2; row < ROWS && e->clears_history; row += 3)
     {
@@ -231,13 +239,13 @@ static void contact_effect(const struct dem_effect *e)
             bad += memory[m][row] != 0.0 || signbit(memory[m][row]);
         }
     }
-    TAP_OK(bad == 0, "%s: forgets rows apart where it says so", e->name);
+    TAP_OK(bad == 0, "%s: clears the history of rows apart if declared", e->name);
 
     memset(&many, 0, sizeof many);
     memset(memory, 0, sizeof memory);
     many.n = DEM_BATCH_ROWS;
     many.max_dt = 1e-6;
-    act(e, settings, &many, all);
+    evaluate(e, settings, &many, all);
     TAP_OK(bad_columns(many.kn, many.broke) == 0 && many.fn[DEM_BATCH_ROWS - 1] == 0.0 &&
                many.fx[0] == 0.0,
            "%s: rows of zeros", e->name);
@@ -313,7 +321,7 @@ static void declarations(const struct dem_effect *e)
            "%s: reaction, added mass and rotational drag are those that it declares", e->name);
 }
 
-/* 1: each required setting stands in the example, and each word there is a setting. */
+/* 1: the example has each required setting, and each word in it is a setting. */
 static int example_is_complete(const struct dem_effect *e)
 {
     char text[200], *rest;
@@ -343,7 +351,7 @@ static int example_is_complete(const struct dem_effect *e)
     return given == required;
 }
 
-static void tells(const struct dem_effect *e)
+static void description(const struct dem_effect *e)
 {
     const int body = e->stage >= DEM_STAGE_BODY;
     int fields = 0, bad = 0;
@@ -358,31 +366,31 @@ static void tells(const struct dem_effect *e)
     TAP_OK(bad == 0 && (fields > 0) == (e->size > 0), "%s: %d settings, each with unit and help",
            e->name, fields);
     TAP_OK(body ? e->apply_to_bodies && !e->apply && !e->history : e->apply && !e->apply_to_bodies,
-           "%s: acts as its stage wants", e->name);
+           "%s: has the function of its stage", e->name);
     TAP_OK(!(e->reach || e->replace_contact) || e->stage == DEM_STAGE_BOND ||
                e->stage == DEM_STAGE_FILM,
-           "%s: only bonds and films act past touching", e->name);
+           "%s: only bonds and films act beyond contact", e->name);
     TAP_OK(!e->set_adhesion || e->stage == DEM_STAGE_FILM,
            "%s: only films give a friction force before contact", e->name);
     TAP_OK(!e->prepare_bodies || e->drag || e->has_added_mass,
-           "%s: only drag and added mass open a window", e->name);
+           "%s: only drag and added mass prepare a window", e->name);
     TAP_OK(!(e->drag || e->has_reaction || e->has_added_mass || e->has_rotational_drag) ||
                e->stage == DEM_STAGE_FLUID,
            "%s: only in a fluid", e->name);
     TAP_OK(!e->clears_history || (e->history && e->stage < DEM_STAGE_BOND),
-           "%s: only laws of contact forget", e->name);
+           "%s: only contact laws clear history", e->name);
     TAP_OK((e->exponent > 0.0) == (e->stage == DEM_STAGE_NORMAL),
-           "%s: an exponent for the normal law only", e->name);
+           "%s: only a normal law has an exponent", e->name);
     TAP_OK(!e->uniform_acceleration || e->stage == DEM_STAGE_BODY,
-           "%s: only a body force is gravity", e->name);
+           "%s: only a body force is declared as gravity", e->name);
     TAP_OK(!e->has_pressure_gradient || e->stage == DEM_STAGE_FLUID,
-           "%s: only a fluid has a pressure gradient", e->name);
+           "%s: only a fluid force has the pressure gradient", e->name);
     TAP_OK((e->listed_column != NULL) == (e->makes_listed != NULL),
            "%s: a list of pairs has its column", e->name);
     TAP_OK(example_is_complete(e),
            "%s: the example gives each required setting, and settings only: %s", e->name,
            e->example ? e->example : "none");
-    TAP_OK(dem_effects_find(e->name) == e, "%s: found by its word", e->name);
+    TAP_OK(dem_effects_find(e->name) == e, "%s: found by its name", e->name);
 }
 
 int main(void)
@@ -393,7 +401,7 @@ int main(void)
     for (const struct dem_effect *const *e = dem_effects; *e; e++)
     {
         count++;
-        tells(*e);
+        description(*e);
         if ((*e)->stage < DEM_STAGE_BODY)
         {
             contact_effect(*e);
@@ -406,12 +414,12 @@ int main(void)
     }
     TAP_OK(count > 0, "%d effects", count);
     TAP_OK(dem_effects_find("hertzz") == NULL && dem_effects_find("") == NULL,
-           "an unknown word is not found");
+           "an unknown name is not found");
     TAP_OK(dem_effects_unknown("scene.dem, line 3", "hertzz") == DEM_ERROR_INPUT, "%s",
            dem_error_text());
     TAP_OK(strncmp(dem_error_text(), "scene.dem, line 3: ", 19) == 0,
            "the message begins with file and line");
-    TAP_OK(strstr(dem_error_text(), "did you mean hertz") != NULL, "and offers the nearest word");
-    TAP_OK(strstr(dem_error_text(), "gidaspow") != NULL, "and lists the others");
+    TAP_OK(strstr(dem_error_text(), "did you mean hertz") != NULL, "the message suggests the nearest name");
+    TAP_OK(strstr(dem_error_text(), "gidaspow") != NULL, "the message lists the names");
     TAP_DONE;
 }

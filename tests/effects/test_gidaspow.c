@@ -1,6 +1,10 @@
 /*
- * Claims: switched at e = 0.8 the drag has the tabulated values and the pressure drop of a packed bed is Ergun's; bridged
- * it is continuous, halfway between both laws at e = 0.8 and near them outside; everything is finite at rest.
+ * test_gidaspow.c -- drag of Gidaspow.
+ *
+ * - Switched at e = 0.8: tabulated values; the pressure drop of a packed bed is Ergun's.
+ * - Smooth (Lu and Gidaspow 2003): continuous, halfway between both laws at e = 0.8 and near them
+ *   outside.
+ * - Finite at rest and beyond the range of e.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -38,9 +42,10 @@ static void switched(void)
     }
     TAP_NEAR(G(0.8 - 1e-12, 200.0), 26.4, 0.0501, "below the switch at Re = 200: Ergun, 26.4");
     TAP_NEAR(G(0.8, 200.0), 12.1, 0.0501, "at the switch: Wen and Yu, 12.1");
-    TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a lone creeping sphere: Stokes' 3 pi mu d");
+    TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a single creeping sphere: Stokes' 3 pi mu d");
 
-    /* e grad p = n b (u - v) is the fluid's balance in a fixed bed; u is the velocity between the grains, U = e u */
+    /* e grad p = n b (u - v) is the fluid's balance in a fixed bed; u is the velocity between the
+       grains, U = e u */
     static const double beds[][2] = {{0.4, 0.1}, {0.4, 5.0}, {0.45, 300.0}, {0.6, 2000.0}};
     for (int k = 0; k < 4; k++)
     {
@@ -55,7 +60,7 @@ static void switched(void)
     }
 }
 
-/* phi to 1e-14: atan is a series cut at 2e-17, then a dozen roundings */
+/* phi to 1e-14: the series of atan is cut at 2e-17; a dozen roundings */
 static void smooth(void)
 {
     double worst = 0.0, step = 0.0;
@@ -70,15 +75,16 @@ static void smooth(void)
         worst = fmax(worst, fabs(G(e, 200.0)/expected - 1.0));
         step = k ? fmax(step, fabs(G(e, 200.0)/G(e - 1e-4, 200.0) - 1.0)) : 0.0;
     }
-    TAP_NEAR(worst, 0.0, 1e-13, "the bridge is (1 - phi) Ergun + phi Wen-Yu over e = 0.2 to 1");
+    TAP_NEAR(worst, 0.0, 1e-13, "smooth: (1 - phi) Ergun + phi Wen-Yu over e = 0.2 to 1");
     TAP_OK(step < 0.01,
-           "no jump: at most %.2g from one e to the next, 1e-4 on, where the switch has 0.54",
+           "smooth: no jump, at most %.2g between void fractions 1e-4 apart, where the switch "
+           "has 0.54",
            step);
     TAP_NEAR(G(0.8, 200.0), 0.5*(ergun(0.8, 200.0) + wen_yu(0.8, 200.0)), 1e-11,
-             "halfway at e = 0.8");
+             "smooth: halfway at e = 0.8");
     TAP_NEAR(G(0.4, 20.0)/ergun(0.4, 20.0), 1.0, 2e-3, "in a packed bed within 0.2 %% of Ergun");
     TAP_NEAR(G(1.0, 0.0), 1.0, 0.0061,
-             "a lone creeping sphere: 0.6 %% below Stokes, the bridge's price");
+             "smooth: a single creeping sphere has 0.6 %% less than Stokes' drag");
 }
 
 static void edges(void)

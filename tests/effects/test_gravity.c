@@ -1,5 +1,6 @@
 /*
- * Claims: the weight m g is added to the force, whatever the direction of g; heavier falls no faster.
+ * test_gravity.c -- the weight m g is added to the force, for any direction of g, in proportion to
+ * the mass.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -18,7 +19,7 @@ int main(void)
            "acceleration is a required setting");
     TAP_OK(dem_settings_set_number(dem_gravity.settings, settings, "gravity", "acceleration", down,
                                    3) == DEM_OK,
-           "it can be");
+           "acceleration can be set");
 
     b.n = 3;
     for (int c = 0; c < 3; c++)
@@ -28,9 +29,9 @@ int main(void)
     }
     dem_gravity.apply_to_bodies(settings, &b);
     TAP_OK(b.fx[0] == 1.0 && b.fy[0] == 0.0 && b.fz[0] == 2.0,
-           "no mass, no weight; what was there stays");
+           "mass 0: the force is not changed");
     TAP_OK(b.fx[1] == 1.0 + 0.3 && b.fy[1] == -0.2 && b.fz[1] == 2.0 - 9.81, "1 kg");
     TAP_OK(b.fx[2] == 1.0 + 2.0*0.3 && b.fy[2] == -2.0*0.2 && b.fz[2] == 2.0 - 2.0*9.81, "2 kg");
-    TAP_OK(b.b[2] == 0.0 && b.bux[2] == 0.0, "no drag in it");
+    TAP_OK(b.b[2] == 0.0 && b.bux[2] == 0.0, "no drag");
     TAP_DONE;
 }

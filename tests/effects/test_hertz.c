@@ -1,13 +1,18 @@
 /*
- * Claims: the force is 4/3 E* sqrt(R*) d^1.5; elastic impacts have the peak force, overlap and duration of the closed
- * form (Chung and Ooi, Granular Matter 13 (2011) 643, tests 1 and 2) and lose no speed; the step limits are the stated
- * fractions and name their reason; rows apart are zero and trap nothing.
+ * test_hertz.c -- the normal law of Hertz.
+ *
+ * - The force is 4/3 E* sqrt(R*) d^1.5.
+ * - Elastic impacts have the peak force, overlap and duration of the closed form (Chung and Ooi,
+ *   Granular Matter 13 (2011) 643, tests 1 and 2) and lose no speed.
+ * - The step limits are the stated fractions and name their reason.
+ * - Rows without contact are zero and raise no trap.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "impacts.h"
 
-/* Chung and Ooi's numbers for F_max: 10.704 kN glass, 11.357 kN aluminium (digitised); ours are the closed forms */
+/* Chung and Ooi's numbers for F_max: 10.704 kN glass, 11.357 kN aluminium (digitised); ours are the
+   closed forms */
 static void impact(const char *what, struct impacts *w, double speed, double overlap_um,
                    double force_kN, double time_us)
 {
@@ -15,22 +20,23 @@ static void impact(const char *what, struct impacts *w, double speed, double ove
 
     impacts_add(w, &dem_hertz, "impactSpeed", speed);
     impacts_aim(w, 16, dt, speed);
-    TAP_OK(impacts_impact(w, dt, 1000) > 0, "%s: parts again", what);
+    TAP_OK(impacts_impact(w, dt, 1000) > 0, "%s: separates", what);
 
-    /* the peak lies at most half a step from a sample, where 1 - cos(pi/800) < 1e-5 of it is missing */
+    /* the peak lies at most half a step from a sample, where 1 - cos(pi/800) < 1e-5 of it is
+       missing */
     TAP_NEAR(1e6*mean(w->peak_overlap, 16), overlap_um, 0.002*overlap_um,
              "%s: largest overlap %g um", what, overlap_um);
     TAP_NEAR(1e-3*mean(w->peak_force, 16), force_kN, 0.002*force_kN, "%s: largest force %g kN",
              what, force_kN);
 
-    /* counted in whole steps: 1/400 is one of them */
+    /* counted in whole steps of 1/400 */
     double steps = 0.0;
     for (int c = 0; c < 16; c++)
     {
         steps += w->steps_touching[c]/16.0;
     }
     TAP_NEAR(1e6*dt*steps, time_us, 0.01*time_us, "%s: contact time %g us", what, time_us);
-    TAP_NEAR(impacts_parting(w)/speed, 1.0, 1e-4, "%s: no speed is lost",
+    TAP_NEAR(impacts_rebound_speed(w)/speed, 1.0, 1e-4, "%s: no speed is lost",
              what);    /* second order: ~(pi/400)^2 */
     TAP_NEAR(1e6*t, time_us, 1e-4*time_us, "%s: the closed form of the contact time", what);
 }
@@ -61,11 +67,11 @@ static void law(void)
     }
     TAP_NEAR(worst, 0.0, 1e-14, "adds 4/3 E* sqrt(R*) d^1.5 to the force");
     TAP_NEAR(worst_stiffness, 0.0, 1e-14, "the secant stiffness times the overlap is the force");
-    TAP_OK(w.b.kn[0] == 0.0 && w.b.fn[0] == 3.0, "a row apart gets nothing");
+    TAP_OK(w.b.kn[0] == 0.0 && w.b.fn[0] == 3.0, "a row apart has no force");
 }
 
-/* an elastic impact's error falls at least fourfold with half the step (velocity Verlet is of order two); the mean over
-   the phases does not, so the worst row is looked at */
+/* the error of an elastic impact decreases at least fourfold with half the step (velocity Verlet is
+   of order two); the mean over the phases does not, so the largest error is used */
 static double loss(struct impacts *w, double speed, int steps)
 {
     const double dt = impacts_contact_time(w, speed)/steps;
@@ -94,7 +100,7 @@ static void order(void)
     TAP_NOTE("speed error %.3g, %.3g, %.3g at 1/50, 1/100, 1/200 of the contact time", coarse, fine,
              finer);
     TAP_OK(fine <= coarse/4.0 && finer <= fine/4.0,
-           "the error of the parting speed falls at least fourfold per halving");
+           "the error of the rebound speed decreases at least fourfold per halving");
 }
 
 static void limits(void)
@@ -104,7 +110,8 @@ static void limits(void)
     const char *why = "";
     struct impacts w;
 
-    /* T_R = pi R sqrt(rho/G)/(0.1631 nu + 0.8766): 12.93 us for R = 10 mm; t_c/20 at 1 m/s is 3.67 us, 0.2 T_R 2.59 us */
+    /* T_R = pi R sqrt(rho/G)/(0.1631 nu + 0.8766): 12.93 us for R = 10 mm; t_c/20 at 1 m/s is 3.67
+       us, 0.2 T_R 2.59 us */
     impacts_spheres(&w, &glass, &glass, 0.01, 0.01);
     impacts_add(&w, &dem_hertz, "impactSpeed", 1.0);
     const double rayleigh = 3.14159265358979324*0.01*sqrt(2800.0/20e9)/(0.1631*0.2 + 0.8766);
@@ -114,23 +121,23 @@ static void limits(void)
              1e-12*rayleigh, "0.2 Rayleigh time");
     TAP_OK(strcmp(why, "0.2 of the Rayleigh time of glass") == 0, "says why: %s", why);
 
-    settle(&dem_hertz, w.effect_entry[0].settings, &w.pair, "impactSpeed", 20.0);
+    apply_setting(&dem_hertz, w.effect_entry[0].settings, &w.pair, "impactSpeed", 20.0);
     const double limit = dem_hertz.time_limit(w.effect_entry[0].settings, &w.pair, &why);
     TAP_NEAR(limit, 40.339456e-6/20.0, 1e-7*limit,
              "1/20 of the contact time of Chung and Ooi's test 1");
     TAP_OK(strcmp(why, "1/20 of the Hertz contact time of glass-glass at 20 m/s") == 0,
            "says why: %s", why);
 
-    /* of a wall only the particle counts for the wave, and its radius is the reduced one */
+    /* at a wall the Rayleigh time is that of the particle, and the reduced radius is its radius */
     impacts_wall(&w, &glass, &soft, 0.01);
     impacts_add(&w, &dem_hertz, "impactSpeed", 1e-9);
     TAP_NEAR(dem_hertz.time_limit(w.effect_entry[0].settings, &w.pair, &why), 0.2*rayleigh,
              1e-12*rayleigh, "particle on soft wall");
 
-    /* a stiffness in place of 4/3 E*: the same numbers, and no wave */
+    /* a stiffness in place of 4/3 E*: the same numbers, without the limit of the Rayleigh wave */
     impacts_spheres(&w, &glass, &glass, 0.01, 0.01);
     impacts_add(&w, &dem_hertz, "impactSpeed", 1.0);
-    settle(&dem_hertz, w.effect_entry[0].settings, &w.pair, "stiffness", 4.0/3.0*25e9);
+    apply_setting(&dem_hertz, w.effect_entry[0].settings, &w.pair, "stiffness", 4.0/3.0*25e9);
     TAP_NEAR(dem_hertz.time_limit(w.effect_entry[0].settings, &w.pair, &why),
              0.05*impacts_contact_time(&w, 1.0), 1e-7*3.67e-6, "a given stiffness: %s",
              why);                                               /* digits of 2.8682657 */
@@ -138,14 +145,14 @@ static void limits(void)
     w.b.overlap[0] = 1e-5, w.b.reduced_radius[0] = 0.005, w.b.fn[0] = 0.0;
     dem_hertz.apply(w.effect_entry[0].settings, &w.b, w.effect_entry[0].history);
     TAP_NEAR(w.b.fn[0], 4.0/3.0*25e9*sqrt(0.005)*pow(1e-5, 1.5), 1e-13*75.0,
-             "and the force of those materials");    /* rounding */
+             "a given stiffness: the force of these materials");    /* rounding */
 
     w.pair.reduced_modulus = 0.0;
     TAP_OK(dem_hertz.prepare(w.effect_entry[0].settings, &w.pair) == DEM_OK,
-           "which needs no modulus");
-    settle(&dem_hertz, w.effect_entry[0].settings, &w.pair, "stiffness", 0.0);
+           "a given stiffness needs no modulus");
+    apply_setting(&dem_hertz, w.effect_entry[0].settings, &w.pair, "stiffness", 0.0);
     TAP_OK(dem_hertz.prepare(w.effect_entry[0].settings, &w.pair) == DEM_ERROR_INPUT,
-           "refuses no modulus: %s", dem_error_text());
+           "without stiffness and modulus it is refused: %s", dem_error_text());
 }
 
 int main(void)

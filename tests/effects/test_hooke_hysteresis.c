@@ -1,8 +1,14 @@
 /*
- * Claims: a scripted path of loading, unloading, sticking and loading again has the forces, the history and the work of an
- * independent program (hysteresis_loop.csv); the special points of the law are those of its closed forms; impacts return
- * the closed form of e(v), below and above the speed at which yielding ends, or stick and then never gain energy; no
- * closed loop gives work; a second evaluation changes nothing; the guards k_m = k and phi = 0 are linear springs.
+ * test_hooke_hysteresis.c -- the hysteretic linear law (Luding 2008).
+ *
+ * - A scripted path of loading, unloading, attraction and reloading has the forces, history and
+ *   work of an independent program (hysteresis_loop.csv); special points are those of the closed
+ *   forms.
+ * - Impacts return the closed form of e(v), below and above the speed at which yielding ends, or
+ *   stick without gaining energy.
+ * - No closed loop gives work; a second evaluation changes nothing.
+ * - The limits k_m = k and phi = 0 are linear springs.
+ * - Friction has the limit mu (F_n + k_c d).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -22,8 +28,8 @@ static struct impacts_effect *pair_of(double unloading, double adhesion, double 
     impacts_spheres(&w, &bead, &bead, 1e-3, 1e-3);
     struct impacts_effect *const l = impacts_add(&w, &dem_hooke_hysteresis, "unloading", unloading);
 
-    settle(&dem_hooke_hysteresis, l->settings, &w.pair, "adhesion", adhesion);
-    settle(&dem_hooke_hysteresis, l->settings, &w.pair, "plasticDepth", depth);
+    apply_setting(&dem_hooke_hysteresis, l->settings, &w.pair, "adhesion", adhesion);
+    apply_setting(&dem_hooke_hysteresis, l->settings, &w.pair, "plasticDepth", depth);
     w.b.n = 1;
     w.b.dt = 1e-6;
     for (int c = 0; c < DEM_BATCH_ROWS; c++)
@@ -34,7 +40,8 @@ static struct impacts_effect *pair_of(double unloading, double adhesion, double 
     return l;
 }
 
-/* the force of row 0 at this overlap, history cleared where surfaces are apart, as the sweep does */
+/* the force of row 0 at this overlap; history is cleared where surfaces are apart, as in the
+   core */
 static double at(struct impacts_effect *l, double overlap)
 {
     w.b.overlap[0] = overlap > 0.0 ? overlap : 0.0;
@@ -45,8 +52,8 @@ static double at(struct impacts_effect *l, double overlap)
     return w.b.fn[0];
 }
 
-/* to this overlap in 1000 increments, work by trapezoids */
-static double leg(struct impacts_effect *l, double *from, double to, double *work)
+/* to this overlap in 1000 increments, work by the trapezoidal rule */
+static double load_to(struct impacts_effect *l, double *from, double to, double *work)
 {
     const double start = *from;
     double force = at(l, start);
@@ -62,7 +69,7 @@ static double leg(struct impacts_effect *l, double *from, double to, double *wor
     return force;
 }
 
-/* ---- the scripted path --------------------------------------------------------------------------------------------- */
+/* ---- the scripted path ----------------------------------------------------------------------- */
 
 static void path(void)
 {
@@ -74,7 +81,7 @@ static void path(void)
     double worst[3] = {0.0, 0.0, 0.0};
     int rows = 0;
 
-    if (!TAP_OK(table && fscanf(table, "%*[^\n]\n%*[^\n]\n") == 0, "the table is there"))
+    if (!TAP_OK(table && fscanf(table, "%*[^\n]\n%*[^\n]\n") == 0, "the table can be read"))
     {
         return;
     }
@@ -110,7 +117,8 @@ static void path(void)
 
 static void points(void)
 {
-    /* largest overlap over d_lim; k_2, overlap without force, overlap and force of the strongest pull, force of the peak */
+    /* largest overlap over d_lim; k_2, overlap without force, overlap and force of the strongest
+       attraction, peak force */
     static const double table[][6] = {
         {0.25, 2181.64252, 7.8125e-06, 5.20833333e-06, -0.00568136074, 0.0170440822},
         {0.5, 3272.46379, 2.08333333e-05, 1.5625e-05, -0.0170440822, 0.0340881645},
@@ -127,16 +135,17 @@ static void points(void)
         double d = 0.0, work = 0.0;
 
         /* nine digits printed */
-        TAP_NEAR(leg(l, &d, most, &work), t[5], 1e-8*peak, "pressed to %g d_lim: %g N", t[0], t[5]);
+        TAP_NEAR(load_to(l, &d, most, &work), t[5], 1e-8*peak, "pressed to %g d_lim: %g N", t[0],
+                 t[5]);
         TAP_NEAR((at(l, most) - at(l, 0.99*most))/(0.01*most), t[1], 1e-6*t[1],
                  "unloads on %g N/m", t[1]);
         TAP_NEAR(at(l, t[2]), 0.0, 1e-8*peak, "no force at %g m", t[2]);
         TAP_NEAR(at(l, t[3]), t[4], 1e-8*peak, "largest attraction, %g N, at %g m", t[4], t[3]);
-        TAP_NEAR(at(l, 0.5*t[3]), 0.5*t[4], 1e-8*peak, "and half of it at half of that: on -k_c d");
+        TAP_NEAR(at(l, 0.5*t[3]), 0.5*t[4], 1e-8*peak, "half of it at half the overlap: on -k_c d");
     }
 }
 
-/* ---- impacts ------------------------------------------------------------------------------------------------------- */
+/* ---- impacts --------------------------------------------------------------------------------- */
 
 /* e^2 in closed form; negative: sticks */
 static double returned(double adhesion, double x)
@@ -162,7 +171,8 @@ static void impacts(void)
     {
         TAP_NEAR(sqrt(returned(table[t][0], table[t][1])), table[t][2], 1e-8,
                  "closed form: k_c/k %g, v/v_lim %g", table[t][0],
-                 table[t][1]);                                                          /* nine digits printed */
+                 /* nine digits printed */
+                 table[t][1]);
     }
     for (int a = 0; a < 4; a++)
     {
@@ -175,7 +185,7 @@ static void impacts(void)
 
             if (fabs(expected) < 0.01)
             {
-                continue;                                 /* between sticking and not */
+                continue;                                 /* at the limit of sticking */
             }
             impacts_aim(&w, 16, dt, v);
             const int steps = impacts_impact(&w, dt, 3000);
@@ -186,13 +196,15 @@ static void impacts(void)
                 continue;
             }
             /* at a usual step, t_c(k_m)/50: the mean over the phases of contact within 0.005 */
-            TAP_OK(steps > 0, "k_c/k %g, v/v_lim %g: parts", adhesion[a], speed[s]);
-            TAP_NEAR(impacts_parting(&w)/v, sqrt(expected), 5e-3, "with e = %.4f", sqrt(expected));
+            TAP_OK(steps > 0, "k_c/k %g, v/v_lim %g: separates", adhesion[a], speed[s]);
+            TAP_NEAR(impacts_rebound_speed(&w)/v, sqrt(expected), 5e-3, "with e = %.4f",
+                     sqrt(expected));
         }
     }
 }
 
-/* a pair that sticks swings on for ever; its largest kinetic energy in 10000 steps never grows */
+/* a pair that sticks continues to oscillate; its largest kinetic energy in 10000 steps never
+   grows */
 static void sticking(void)
 {
     struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05);
@@ -218,23 +230,25 @@ static void sticking(void)
         worst = span ? fmax(worst, most/before - 1.0) : worst;
         before = most;
     }
-    /* the peaks fall somewhere in a step: (pi/20)^2/2 = 1 % of a swing at most; leapfrog itself gains nothing */
+    /* peaks lie between steps: (pi/20)^2/2 = 1 % of the energy at most; the leapfrog gains no
+       energy */
     TAP_NEAR(fmax(worst, 0.0), 0.0, 0.01,
-             "stuck for 100000 steps: the energy of the swing grows by %.2g at most", worst);
-    TAP_OK(before < 0.5*m*v*v && widest <= 0.81*d_lim, "and is less than that of the impact");
+             "stuck for 100000 steps: the energy of the oscillation grows by %.2g at most", worst);
+    TAP_OK(before < 0.5*m*v*v && widest <= 0.81*d_lim, "it is less than that of the impact");
     for (int c = 0; c < 16; c++)
     {
         if (w.b.touching[c] == 0.0)
         {
-            TAP_OK(0, "row %d has come loose", c);
+            TAP_OK(0, "row %d has separated", c);
         }
     }
     TAP_OK(l->column[0][0] > 0.0, "no pair has separated");
 }
 
-/* ---- closed loops -------------------------------------------------------------------------------------------------- */
+/* ---- closed loops ---------------------------------------------------------------------------- */
 
-/* 128 contacts pressed and pulled at random, back to 0 at the end; and loops between two overlaps after any history */
+/* 128 contacts with random overlaps, back to 0 at the end; and loops between two overlaps after a
+   random history */
 static void loops(void)
 {
     static const double adhesion[] = {0.0, 1.0, 5.0};
@@ -278,7 +292,7 @@ static void loops(void)
         {
             least = fmin(least, work[c]/(k*d_lim*d_lim));
         }
-        /* trapezoids miss what is left of a kink: 12 of at most (1.6/500)^2 each */
+        /* error of the trapezoidal rule at kinks: 12 of at most (1.6/500)^2 each */
         TAP_OK(least > -1e-4, "k_c/k %g: 128 random loops take %.3g k d_lim^2 or more", adhesion[a],
                least);
     }
@@ -293,21 +307,21 @@ static void loops(void)
                      high = 1.5*d_lim*dem_random_unit(4, (uint64_t)t, 1, 0);
 
         l->column[0][0] = 0.0;
-        leg(l, &d, 1.5*d_lim*dem_random_unit(4, (uint64_t)t, 2, 0), &unused);
-        leg(l, &d, low, &unused);
-        leg(l, &d, high, &first);
-        leg(l, &d, low, &first);
-        leg(l, &d, high, &second);
-        leg(l, &d, low, &second);
+        load_to(l, &d, 1.5*d_lim*dem_random_unit(4, (uint64_t)t, 2, 0), &unused);
+        load_to(l, &d, low, &unused);
+        load_to(l, &d, high, &first);
+        load_to(l, &d, low, &first);
+        load_to(l, &d, high, &second);
+        load_to(l, &d, low, &second);
         least = fmin(least, second/(k*d_lim*d_lim));
     }
-    TAP_OK(least > -1e-5, "300 loops between two overlaps, gone a second time: %.3g or more",
+    TAP_OK(least > -1e-5, "300 loops between two overlaps, repeated: %.3g or more",
            least);    /* (1.5/1000)^2 a kink */
 }
 
-/* ---- the rest ------------------------------------------------------------------------------------------------------ */
+/* ---- other claims -------------------------------------------------------------------------------- */
 
-static void again(void)
+static void evaluated_twice(void)
 {
     struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05);
     static const double turn[] = {0.7, 0.5, 0.2, 0.05, 0.3, 1.3, 0.8, 0.1};
@@ -315,28 +329,30 @@ static void again(void)
 
     for (int t = 0; t < 8; t++)
     {
-        const double force = leg(l, &d, turn[t]*d_lim, &unused), largest = l->column[0][0];
+        const double force = load_to(l, &d, turn[t]*d_lim, &unused), largest = l->column[0][0];
 
         worst = fmax(worst, fabs(at(l, d) - force)/(k*d_lim));
         worst = fmax(worst, fabs(l->column[0][0] - largest)/d_lim);
     }
-    TAP_NEAR(worst, 0.0, 1e-14, "a second evaluation changes nothing");                 /* rounding */
+    /* rounding */
+    TAP_NEAR(worst, 0.0, 1e-14, "a second evaluation changes nothing");
 }
 
-static void guards(void)
+static void limits_of_law(void)
 {
     struct impacts_effect *l = pair_of(1.0, 1.0, 0.05);
     double d = 0.0, work = 0.0;
 
-    TAP_NEAR(leg(l, &d, d_lim, &work), k*d_lim, 1e-9*k*d_lim, "k_m = k: a linear spring");
-    TAP_NEAR(leg(l, &d, 0.5*d_lim, &work), 0.5*k*d_lim, 1e-9*k*d_lim, "both ways");
-    TAP_NEAR(leg(l, &d, 0.0, &work), 0.0, 1e-15, "without a pull");
-    TAP_NEAR(work, 0.0, 1e-12*k*d_lim*d_lim, "and without loss");                        /* rounding of 3000 steps */
+    TAP_NEAR(load_to(l, &d, d_lim, &work), k*d_lim, 1e-9*k*d_lim, "k_m = k: a linear spring");
+    TAP_NEAR(load_to(l, &d, 0.5*d_lim, &work), 0.5*k*d_lim, 1e-9*k*d_lim, "also in unloading");
+    TAP_NEAR(load_to(l, &d, 0.0, &work), 0.0, 1e-15, "without attraction");
+    /* rounding of 3000 steps */
+    TAP_NEAR(work, 0.0, 1e-12*k*d_lim*d_lim, "without loss");
     l = pair_of(5.0, 1.0, 0.0);
     d = 0.0;
-    TAP_NEAR(leg(l, &d, d_lim, &work), 5.0*k*d_lim, 1e-9*k*d_lim,
+    TAP_NEAR(load_to(l, &d, d_lim, &work), 5.0*k*d_lim, 1e-9*k*d_lim,
              "phi = 0: a linear spring of k_m");
-    TAP_NEAR(leg(l, &d, 0.5*d_lim, &work), 2.5*k*d_lim, 1e-9*k*d_lim, "both ways");
+    TAP_NEAR(load_to(l, &d, 0.5*d_lim, &work), 2.5*k*d_lim, 1e-9*k*d_lim, "also in unloading");
 
     l = pair_of(5.0, 1.0, 0.05);
     const char *why = "";
@@ -344,57 +360,62 @@ static void guards(void)
 
     TAP_NEAR(dem_hooke_hysteresis.time_limit(l->settings, &w.pair, &why), limit, 1e-9*limit, "%s",
              why);    /* digits of k */
-    TAP_OK(settle(&dem_hooke_hysteresis, l->settings, &w.pair, "unloading", 0.5) == DEM_ERROR_INPUT,
+    TAP_OK(apply_setting(&dem_hooke_hysteresis, l->settings, &w.pair, "unloading", 0.5) ==
+               DEM_ERROR_INPUT,
            "%s", dem_error_text());
-    TAP_OK(settle(&dem_hooke_hysteresis, l->settings, &w.pair, "adhesion", -1.0) == DEM_ERROR_INPUT,
+    TAP_OK(apply_setting(&dem_hooke_hysteresis, l->settings, &w.pair, "adhesion", -1.0) ==
+               DEM_ERROR_INPUT,
            "%s", dem_error_text());
-    settle(&dem_hooke_hysteresis, l->settings, &w.pair, "stiffness", 100.0);
+    apply_setting(&dem_hooke_hysteresis, l->settings, &w.pair, "stiffness", 100.0);
     TAP_NEAR(at(l, 1e-6), 1e-4, 1e-19, "a given stiffness");
 
-    /* with dry the dashpot refers to k; clamped it leaves the pull of adhesion */
+    /* with dry the dashpot refers to k; clamped it does not change the attraction of adhesion */
     l = pair_of(5.0, 1.0, 0.05);
     struct impacts_effect *const dry = impacts_add(&w, &dem_dry, "restitution", 0.5);
 
-    settle(&dem_dry, dry->settings, &w.pair, "attraction", 1.0);
+    apply_setting(&dem_dry, dry->settings, &w.pair, "attraction", 1.0);
     d = 0.0;
-    leg(l, &d, 0.8*d_lim, &work);
-    leg(l, &d, 0.2*d_lim, &work);
+    load_to(l, &d, 0.8*d_lim, &work);
+    load_to(l, &d, 0.2*d_lim, &work);
     w.b.vn[0] = 0.01;
     const double loss = log(2.0),
                  eta = 2.0*loss/sqrt(pi*pi + loss*loss)*sqrt(k*w.pair.min_mass),
                  pull = w.b.fn[0];
 
     dem_dry.apply(dry->settings, &w.b, dry->history);
-    TAP_NEAR(w.b.eta[0], eta, 1e-9*eta, "dry: the dashpot refers to k");                  /* digits of k */
+    /* digits of k */
+    TAP_NEAR(w.b.eta[0], eta, 1e-9*eta, "dry: the dashpot refers to k");
     TAP_NEAR(w.b.fn[0], pull - 0.01*eta, 1e-12*k*d_lim,
-             "and clamped it leaves the pull of %g N", pull);
-    TAP_OK(pull < 0.0, "which is one");
+             "dry, clamped: the attraction of %g N is not changed", pull);
+    TAP_OK(pull < 0.0, "dry, clamped: this is an attraction");
 }
 
-/* friction's limit is mu (F_n + k_c d): where nothing presses mu k_c d, where it sticks the most nothing; or mu max(F_n, 0) */
+/* the limit of friction is mu (F_n + k_c d): mu k_c d at zero normal force, zero at the strongest
+   attraction; or mu max(F_n, 0) */
 static void friction(void)
 {
-    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05), *const rubs =
+    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05), *const friction_effect =
                                                                   impacts_add(&w, &dem_linear,
                                                                               "friction", 0.4);
     double d = 0.0, work = 0.0, limit = 0.0;
     const double k_2 = 1.0 + 4.0*0.8,
                  balance = (1.0 - 1.0/k_2)*0.8*d_lim;    /* k_2 (d - d_max) + k d_max = 0 */
 
-    leg(l, &d, 0.8*d_lim, &work);
+    load_to(l, &d, 0.8*d_lim, &work);
     for (int part = 0; part < 3; part++)
     {
-        settle(&dem_linear, rubs->settings, &w.pair, "adhesion", part == 2 ? 0.0 : 1.0);
-        leg(l, &d, part == 1 ? 0.1*d_lim : balance, &work);
+        apply_setting(&dem_linear, friction_effect->settings, &w.pair, "adhesion",
+                      part == 2 ? 0.0 : 1.0);
+        load_to(l, &d, part == 1 ? 0.1*d_lim : balance, &work);
         limit = part == 0 ? 0.4*k*balance : 0.0;
         w.b.hz[0] = w.b.nz[0] = 1.0;
         w.b.nx[0] = w.b.ny[0] = w.b.hx[0] = w.b.hy[0] = 0.0;
         w.b.dt = 1.0, w.b.sx[0] = 1.0,
         w.b.sy[0] = w.b.sz[0] = w.b.fx[0] = w.b.fy[0] = w.b.fz[0] = 0.0;
-        dem_linear.apply(rubs->settings, &w.b, rubs->history);
+        dem_linear.apply(friction_effect->settings, &w.b, friction_effect->history);
         TAP_NEAR(-w.b.fx[0], limit, 1e-6*k*d_lim, "friction at %g N: %g N", w.b.fn[0],
                  limit);     /* of 1000 increments of a leg */
-        leg(l, &d, 0.8*d_lim, &work);
+        load_to(l, &d, 0.8*d_lim, &work);
     }
 }
 
@@ -407,7 +428,7 @@ int main(void)
     impacts();
     sticking();
     loops();
-    again();
-    guards();
+    evaluated_twice();
+    limits_of_law();
     TAP_DONE;
 }

@@ -1,6 +1,9 @@
 /*
- * Claims: the drag is that of Hill, Koch and Ladd: the tabulated values, Stokes' for a lone creeping sphere with its first
- * correction 3 sqrt(s/2), Carman's 10 s/e^3 in dense suspensions, a step of 1 % at s = 0.4; half of Re counts.
+ * test_koch_hill.c -- drag of Hill, Koch and Ladd.
+ *
+ * Tabulated values; Stokes' drag for a single creeping sphere with its first correction 3
+ * sqrt(s/2); Carman's 10 s/e^3 in dense suspensions; a step of 1 % at s = 0.4; the law uses half of
+ * Re.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -15,10 +18,10 @@ int main(void)
 {
     TAP_TRAPS;
     drag_in_table(&dem_koch_hill, NULL, DRAG_KOCH_HILL);
-    TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a lone creeping sphere: Stokes' 3 pi mu d");
+    TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a single creeping sphere: Stokes' 3 pi mu d");
     /* next terms: 135/64 s ln s + (16.14 - 0.681 - 2) s = -1.6e-5 at s = 1e-6 */
     TAP_NEAR(G(1.0 - 1e-6, 0.0), 1.0 + 3.0*sqrt(0.5e-6), 2e-5,
-             "few neighbours: 1 + 3 sqrt(s/2), Brinkman's");
+             "dilute: 1 + 3 sqrt(s/2), Brinkman's");
     TAP_NEAR(G(0.45, 0.0), 10.0*0.55/0.45, 1e-13, "dense, at rest: e^2 10 s/e^3");    /* rounding */
     TAP_NEAR(G(0.6 - 1e-12, 0.0)/G(0.6 + 1e-12, 0.0), 18.5185/18.328, 2e-4,
              "the published step at s = 0.4");    /* 5 digits */

@@ -1,9 +1,12 @@
 /*
- * Claims: for every law with a slipping spring (friction, rolling, twisting) the energy balance closes in each step to round-off:
- * the work of the motion (mean of the forces at both ends of the step times the displacement) is the change of elastic energy plus
- * the loss, while the spring sticks, slips, stiffens and softens, and in the step in which the contact ends.
- * A contact that ends within one step loses the energy k xi^2/2 of its spring; if it also slips by s, half of k xi s more, because
- * the step ends without a force.
+ * test_law_energy.c -- the energy balance of every law with a slipping spring (friction, rolling,
+ * twisting), step by step.
+ *
+ * - The work of the motion (mean of the forces at both ends of the step times the displacement) is
+ *   the change of elastic energy plus the loss, to round-off, while the spring sticks, slips,
+ *   stiffens and softens, and in the step in which the contact ends.
+ * - A contact that ends within one step loses the energy k xi^2/2 of its spring. If it also slips
+ *   by s it loses half of k xi s more, because the step ends without a force.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -27,7 +30,8 @@ static const struct known
 {
     const struct dem_effect *effect;
     const char *setting;
-    double value, way;                                    /* m or rad: largest of a leg, which slips now and then */
+    /* m or rad: largest displacement of a leg, large enough to slip at times */
+    double value, way;
 } laws[] = {{&dem_mindlin, "friction", 0.4, 2e-5},
             {&dem_mindlin_incremental, "friction", 0.4, 2e-5},
             {&dem_linear, "friction", 0.4, 2e-5},
@@ -40,7 +44,7 @@ static double drawn(int row, int leg, int use)
     return dem_random_unit(33, (uint64_t)row, (uint64_t)leg, (uint64_t)use);
 }
 
-static void begin(const struct dem_effect *pushes, const struct known *k)
+static void start(const struct dem_effect *normal_law, const struct known *k)
 {
     impacts_spheres(&w, &bead, &bead, 1e-3, 1e-3);
     w.b.n = DEM_BATCH_ROWS;
@@ -53,19 +57,19 @@ static void begin(const struct dem_effect *pushes, const struct known *k)
         w.b.nz[c] = w.b.hz[c] = 1.0;
         w.b.overlap[c] = w.b.kn[c] = 0.0;
         e.slip_mass[c] = e.inertia[c] =
-            HUGE_VAL;         /* moved from outside: no force changes the motion */
+            HUGE_VAL;         /* prescribed motion: no force changes it */
     }
-    normal = impacts_add(&w, pushes, pushes == &dem_hooke ? "stiffness" : "impactSpeed",
-                         pushes == &dem_hooke ? 1e3 : 1.0);
+    normal = impacts_add(&w, normal_law, normal_law == &dem_hooke ? "stiffness" : "impactSpeed",
+                         normal_law == &dem_hooke ? 1e3 : 1.0);
     law = impacts_add(&w, k->effect, "friction", k->effect == &dem_rolling_spring ? 0.2 : 0.4);
     if (strcmp(k->setting, "friction") != 0)
     {
-        settle(k->effect, law->settings, &w.pair, k->setting, k->value);
+        apply_setting(k->effect, law->settings, &w.pair, k->setting, k->value);
     }
 }
 
-/* row c a step on, moved along x and y and, of moments, about them and z */
-static void put(int c, double overlap, double x, double y, double z)
+/* advance row c by a step, displaced along x and y or, for moments, rotated about x, y and z */
+static void place(int c, double overlap, double x, double y, double z)
 {
     e.previous_overlap[c] = w.b.overlap[c];
     e.previous_kn[c] = w.b.kn[c];
@@ -76,8 +80,8 @@ static void put(int c, double overlap, double x, double y, double z)
         0.0;
 }
 
-/* as the sweep over the contacts does */
-static void act(void)
+/* as the core's loop over contacts */
+static void evaluate(void)
 {
     dem_real *before[IMPACTS_HISTORY];
 
@@ -95,7 +99,7 @@ static void act(void)
     law->effect->energy(law->settings, &w.b, before, law->history, &e);
 }
 
-/* Work of this step's force on its way, and of the last one's. */
+/* Work of this step's force, and of that of the previous step. */
 static double power(int c, const double f[6])
 {
     return -(f[0]*w.b.sx[c] + f[1]*w.b.sy[c] + f[3]*w.b.wx[c] + f[4]*w.b.wy[c] + f[5]*w.b.wz[c])*dt;
@@ -108,12 +112,12 @@ static void force(int c, double f[6])
     memcpy(f, now, sizeof now);
 }
 
-static void closes(const struct dem_effect *pushes, const struct known *k)
+static void closes(const struct dem_effect *normal_law, const struct known *k)
 {
     static double f[DEM_BATCH_ROWS][6], held[DEM_BATCH_ROWS];
     double worst = 0.0, scale = 0.0, last = 0.0;
 
-    begin(pushes, k);
+    start(normal_law, k);
     memset(f, 0, sizeof f);
     memset(held, 0, sizeof held);
     for (int leg = 0; leg < LEGS; leg++)
@@ -127,10 +131,10 @@ static void closes(const struct dem_effect *pushes, const struct known *k)
                     leg == 0 || leg%4 == 0 ? -apart : deepest*drawn(c, leg - 1, 0) - apart;
                 const double angle = 6.28*drawn(c, leg, 1), way = k->way*drawn(c, leg, 2)/STEPS;
 
-                put(c, from + (to - from)*s/STEPS, way*cos(angle), way*sin(angle),
+                place(c, from + (to - from)*s/STEPS, way*cos(angle), way*sin(angle),
                     way*cos(2.0*angle));
             }
-            act();
+            evaluate();
             for (int c = 0; c < DEM_BATCH_ROWS; c++)
             {
                 double now[6];
@@ -147,27 +151,27 @@ static void closes(const struct dem_effect *pushes, const struct known *k)
             }
         }
     }
-    /* a hundred roundings of what is held at most */
+    /* a hundred roundings of the largest stored energy */
     TAP_OK(worst < 1e-14*scale,
-           "%s, %s (%s): in no step more than %.2g of what is held does not close", pushes->name,
+           "%s, %s (%s): residual of a step at most %.2g of the stored energy", normal_law->name,
            k->effect->name, k->setting, worst/scale);
-    TAP_OK(last > 0.0, "and contacts have ended with loaded springs");
+    TAP_OK(last > 0.0, "some contacts end with loaded springs");
 }
 
-/* `slip`: over the way before */
-static void pulled_apart(const struct known *k, double slip)
+/* `slip`: over the displacement before */
+static void ends_in_one_step(const struct known *k, double slip)
 {
     const double way = 1e-3*k->way, twists = k->effect == &dem_twisting_spring ? 1.0 : 0.0,
                  along = 1.0 - twists;
 
-    begin(&dem_hertz, k);
+    start(&dem_hertz, k);
     for (int s = 0; s < 10; s++)
     {
         for (int c = 0; c < DEM_BATCH_ROWS; c++)
         {
-            put(c, 1e-5, along*0.6*way, along*0.8*way, twists*way);
+            place(c, 1e-5, along*0.6*way, along*0.8*way, twists*way);
         }
-        act();
+        evaluate();
     }
     const double held = e.stored[0], stiffness = 2.0*held/(100.0*way*way);
     double f[6];
@@ -175,16 +179,16 @@ static void pulled_apart(const struct known *k, double slip)
     force(0, f);
     const double size = sqrt(f[0]*f[0] + f[1]*f[1] + f[2]*f[2] + f[3]*f[3] + f[4]*f[4] + f[5]*f[5]);
 
-    TAP_NEAR(size, stiffness*10.0*way, 1e-13*size, "%s (%s): sticks, and holds k xi^2/2",
+    TAP_NEAR(size, stiffness*10.0*way, 1e-13*size, "%s (%s): sticks, and stores k xi^2/2",
              k->effect->name, k->setting);
     for (int c = 0; c < DEM_BATCH_ROWS; c++)
     {
-        put(c, -apart, along*0.6*slip*way, along*0.8*slip*way, twists*slip*way);
+        place(c, -apart, along*0.6*slip*way, along*0.8*slip*way, twists*slip*way);
     }
-    act();
-    TAP_OK(e.stored[0] == 0.0, "apart it holds nothing");
+    evaluate();
+    TAP_OK(e.stored[0] == 0.0, "apart it stores no energy");
     TAP_NEAR(e.lost[0], held*(1.0 + 0.1*slip), 1e-13*held,
-             "that is lost, and half a step's work by %g of a step's slip", slip);
+             "that is lost, plus half of k xi s for a slip of %g of a step", slip);
 }
 
 int main(void)
@@ -194,9 +198,9 @@ int main(void)
     {
         closes(&dem_hooke, &laws[k]);
         closes(&dem_hertz, &laws[k]);
-        pulled_apart(&laws[k], 0.0);
-        pulled_apart(&laws[k], -3.0);
-        pulled_apart(&laws[k], 2.0);
+        ends_in_one_step(&laws[k], 0.0);
+        ends_in_one_step(&laws[k], -3.0);
+        ends_in_one_step(&laws[k], 2.0);
     }
     TAP_DONE;
 }

@@ -1,7 +1,11 @@
 /*
- * Claims: the spring has the stiffness given, or the share of k_n; it sticks, slides and is cut as friction must; a sphere
- * that sticks all through an impact returns cos(pi sqrt(7 k_t/2 k_n)) of its slip; oblique impacts on linear springs give
- * the tangential speeds and spins of an independent integration (set of Kharaz et al. with linear springs).
+ * test_linear.c -- linear friction spring.
+ *
+ * - The spring has the given stiffness, or the given fraction of k_n; it sticks, slides and is
+ *   limited as Coulomb friction.
+ * - A sphere that sticks throughout an impact returns cos(pi sqrt(7 k_t/2 k_n)) of its slip.
+ * - Oblique impacts on linear springs have the tangential speeds and spins of an independent
+ *   integration (set of Kharaz et al. with linear springs).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -14,17 +18,17 @@ static void stiffness(void)
     struct impacts_effect *l = tangential_row(&w, &dem_linear, 0.5, 0.0);
 
     w.b.sx[0] = 1e-3;
-    tangential_act(&w, l);
+    tangential_evaluate(&w, l);
     TAP_NEAR(w.b.kt[0], 2e6/7.0, 1e-9, "2/7 of k_n by default");             /* rounding */
-    settle(&dem_linear, l->settings, &w.pair, "ratio", 0.5);
-    tangential_act(&w, l);
-    TAP_OK(w.b.kt[0] == 5e5, "or the ratio given");
-    settle(&dem_linear, l->settings, &w.pair, "stiffness", 1234.0);
-    tangential_act(&w, l);
-    TAP_OK(w.b.kt[0] == 1234.0, "or the stiffness given");
-    TAP_OK(settle(&dem_linear, l->settings, &w.pair, "ratio", 3.0) == DEM_ERROR_INPUT, "%s",
+    apply_setting(&dem_linear, l->settings, &w.pair, "ratio", 0.5);
+    tangential_evaluate(&w, l);
+    TAP_OK(w.b.kt[0] == 5e5, "the ratio given");
+    apply_setting(&dem_linear, l->settings, &w.pair, "stiffness", 1234.0);
+    tangential_evaluate(&w, l);
+    TAP_OK(w.b.kt[0] == 1234.0, "the stiffness given");
+    TAP_OK(apply_setting(&dem_linear, l->settings, &w.pair, "ratio", 3.0) == DEM_ERROR_INPUT, "%s",
            dem_error_text());
-    TAP_OK(settle(&dem_linear, l->settings, &w.pair, "stiffness", -3.0) == DEM_ERROR_INPUT, "%s",
+    TAP_OK(apply_setting(&dem_linear, l->settings, &w.pair, "stiffness", -3.0) == DEM_ERROR_INPUT, "%s",
            dem_error_text());
 
     const char *why = "";
@@ -47,16 +51,17 @@ static void sticks(void)
 
         impacts_add(&w, &dem_hooke, "stiffness", k);
         struct impacts_effect *const l = impacts_add(&w, &dem_linear, "friction", 100.0);
-        settle(&dem_linear, l->settings, &w.pair, "ratio", ratio[r]);
+        apply_setting(&dem_linear, l->settings, &w.pair, "ratio", ratio[r]);
         impacts_aim(&w, 16, dt, v);
         for (int c = 0; c < 16; c++)
         {
             w.v[0][0][c] = 0.1*v;
         }
-        TAP_OK(impacts_impact(&w, dt, 8000) > 0, "parts again");
+        TAP_OK(impacts_impact(&w, dt, 8000) > 0, "separates");
         const double slip = (mean(w.v[0][0], 16) - 0.0025*mean(w.w[0][1], 16))/(0.1*v);
 
-        /* the first and the last step of a contact are cut by half a step on average: pi sqrt(7/2 ratio)/4000 */
+        /* the first and the last step of a contact are cut by half a step on average: pi sqrt(7/2
+           ratio)/4000 */
         TAP_NEAR(slip, cos(tangential_pi*sqrt(3.5*ratio[r])), 2e-3,
                  "k_t/k_n = %.3f: %.4f of the slip is left", ratio[r], slip);
     }
@@ -64,7 +69,8 @@ static void sticks(void)
 
 static void oblique(void)
 {
-    /* angle, tangential restitution, spin: an independent integration with k_n = 1.72e7, k_t = 1.48e7 N/m, 12000 steps */
+    /* angle, tangential restitution, spin: an independent integration with k_n = 1.72e7, k_t =
+       1.48e7 N/m, 12000 steps */
     static const double table[][3] = {
         {2.0, 0.87512791, 16.996096}, {5.0, 0.80642468, 65.797683}, {10.0, 0.65181262, 235.80221},
         {15.0, 0.59409117, 409.72205}, {20.0, 0.59312186, 542.72603}, {25.0, 0.62171613, 623.49172},
@@ -81,8 +87,8 @@ static void oblique(void)
 
         impacts_add(&w, &dem_hooke, "stiffness", 1.72e7);
         struct impacts_effect *const l = impacts_add(&w, &dem_linear, "friction", 0.092);
-        settle(&dem_linear, l->settings, &w.pair, "stiffness", 1.48e7);
-        const double et = tangential_throw(&w, table[t][0], dt, 8000, &spin, &energy);
+        apply_setting(&dem_linear, l->settings, &w.pair, "stiffness", 1.48e7);
+        const double et = tangential_impact(&w, table[t][0], dt, 8000, &spin, &energy);
 
         /* whole steps at both ends of the contact: 1/4000 */
         TAP_NEAR(et, table[t][1], 5e-4, "%g degrees: tangential restitution %.4f", table[t][0],

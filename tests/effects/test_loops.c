@@ -1,7 +1,12 @@
 /*
- * Claims: two bodies pressed, pulled and separated along any closed path take work or none, and give none: with every normal law and
- * every damping of the list, with adhesion, and, sheared to and fro at the same time, with linear springs and with incremental Mindlin.
- * Without damping and yield the work is zero. (mindlin is the exception and says so: test_mindlin_incremental.)
+ * test_loops.c -- closed paths of a contact give no work.
+ *
+ * - Two bodies pressed, pulled and separated along any closed path take work or none: with every
+ *   normal law and every damping, with adhesion, and, sheared to and fro at the same time, with
+ *   linear springs and with incremental Mindlin.
+ * - Without damping and yield the work is zero.
+ *
+ * mindlin does not fulfil this (test_mindlin_incremental.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -23,7 +28,7 @@ static double drawn(int row, int leg, int use)
     return dem_random_unit(21, (uint64_t)row, (uint64_t)leg, (uint64_t)use);
 }
 
-static void begin(void)
+static void start(void)
 {
     impacts_spheres(&w, &bead, &bead, 1e-3, 1e-3);
     w.b.n = DEM_BATCH_ROWS;
@@ -37,38 +42,38 @@ static void begin(void)
     }
 }
 
-/* an effect with what it needs to be felt at some 0.1 m/s */
+/* an effect with settings at which it acts at some 0.1 m/s */
 static void add(const struct dem_effect *e)
 {
     static const struct
     {
         const char *word, *setting;
         double value;
-    } felt[] = {{"hertz", "impactSpeed", 1.0}, {"hooke", "stiffness", 1e3},
+    } known[] = {{"hertz", "impactSpeed", 1.0}, {"hooke", "stiffness", 1e3},
                 {"hookeHysteresis", "unloading", 4.0}, {"dry", "restitution", 0.7},
                 {"viscous", "coefficient", 0.01}, {"stokes", "restitution", 0.9},
                 {"sjkr", "energyDensity", 1e4},        {"jkr", "workOfAdhesion", 0.5},
                 {"linear", "friction", 0.4}, {"mindlinIncremental", "friction", 0.4}};
 
-    for (size_t k = 0; k < sizeof felt/sizeof *felt; k++)
+    for (size_t k = 0; k < sizeof known/sizeof *known; k++)
     {
-        if (strcmp(felt[k].word, e->name) == 0)
+        if (strcmp(known[k].word, e->name) == 0)
         {
-            struct impacts_effect *const l = impacts_add(&w, e, felt[k].setting, felt[k].value);
+            struct impacts_effect *const l = impacts_add(&w, e, known[k].setting, known[k].value);
 
             if (strcmp(e->name, "hookeHysteresis") == 0)
             {
-                settle(e, l->settings, &w.pair, "stiffness", 1e3);
-                settle(e, l->settings, &w.pair, "adhesion", 0.5);
-                settle(e, l->settings, &w.pair, "plasticDepth", 0.01);
+                apply_setting(e, l->settings, &w.pair, "stiffness", 1e3);
+                apply_setting(e, l->settings, &w.pair, "adhesion", 0.5);
+                apply_setting(e, l->settings, &w.pair, "plasticDepth", 0.01);
             }
             if (strcmp(e->name, "stokes") == 0)
             {
-                settle(e, l->settings, &w.pair, "viscosity", 0.01);
+                apply_setting(e, l->settings, &w.pair, "viscosity", 0.01);
             }
             if (e->stage == DEM_STAGE_TANGENT)
             {
-                settle(e, l->settings, &w.pair, "tangentialDamping", 0.0);
+                apply_setting(e, l->settings, &w.pair, "tangentialDamping", 0.0);
             }
             return;
         }
@@ -78,7 +83,7 @@ static void add(const struct dem_effect *e)
 }
 
 /* forces at this gap (negative: pressed) and rate of the gap, of row c; slip in the plane */
-static void put(int c, double gap, double rate, double slip_x, double slip_y)
+static void place(int c, double gap, double rate, double slip_x, double slip_y)
 {
     w.b.gap[c] = gap;
     w.b.distance[c] = 2e-3 + gap;
@@ -91,7 +96,7 @@ static void put(int c, double gap, double rate, double slip_x, double slip_y)
     w.b.adhesive_force[c] = w.b.scratch[c] = 0.0;
 }
 
-static void act(void)
+static void evaluate(void)
 {
     for (int k = 0; k < w.effects; k++)
     {
@@ -113,9 +118,9 @@ static void act(void)
     }
 }
 
-/* Legs between random gaps, and slips if wanted, out of reach at the end; least and greatest work of all rows, over the
-   force's scale times its way. */
-static void wander(double slips, double apart, double *least, double *greatest)
+/* Random gaps, and slips if requested, separated at the end; smallest and largest work of all rows,
+   over the scale of force times displacement. */
+static void closed_paths(double slips, double apart, double *least, double *greatest)
 {
     double gap[DEM_BATCH_ROWS], work[DEM_BATCH_ROWS] = {0}, force[DEM_BATCH_ROWS][3];
     double scale = 0.0;
@@ -140,12 +145,12 @@ static void wander(double slips, double apart, double *least, double *greatest)
                              slip = s ? slips*drawn(c, leg, 2)/(STEPS*dt) : 0.0;
 
                 gap[c] = from + (to - from)*s/STEPS;
-                put(c, gap[c], rate, slip*cos(angle), slip*sin(angle));
+                place(c, gap[c], rate, slip*cos(angle), slip*sin(angle));
             }
-            act();
+            evaluate();
             for (int c = 0; c < DEM_BATCH_ROWS; c++)
             {
-                /* the leg's first force is taken anew, with its own rate: what happens there costs no way */
+                /* the first force of a leg is evaluated at its own rate, without displacement */
                 work[c] -= s ? 0.5*dt*
                                    ((force[c][0] + w.b.fn[c])*w.b.distance_rate[c] +
                                     (force[c][1] + w.b.fx[c])*w.b.sx[c] +
@@ -175,7 +180,7 @@ static const struct dem_effect *of_stage(enum dem_stage stage, int k)
     return NULL;
 }
 
-/* trapezoids miss what is left of a kink or a jump, 12 and some of 1/500 of a leg each */
+/* error of the trapezoidal rule at kinks and jumps, about 12 of 1/500 of a leg each */
 static const double kinks = 1e-3;
 
 static void pressed(void)
@@ -185,49 +190,49 @@ static void pressed(void)
 
     for (int n = 0; (normal = of_stage(DEM_STAGE_NORMAL, n)); n++)
     {
-        begin();
+        start();
         add(normal);
-        wander(0.0, 5e-6, &least, &greatest);
+        closed_paths(0.0, 5e-6, &least, &greatest);
         if (normal->history)
         {
-            TAP_OK(least > 0.0, "%s: %d paths take work, %.2g or more of force times way",
+            TAP_OK(least > 0.0, "%s: %d paths take work, %.2g or more of force times displacement",
                    normal->name, DEM_BATCH_ROWS, least);
         }
         else
         {
-            TAP_NEAR(fmax(-least, greatest), 0.0, kinks, "%s: %d paths take and give nothing",
+            TAP_NEAR(fmax(-least, greatest), 0.0, kinks, "%s: %d paths give zero work",
                      normal->name, DEM_BATCH_ROWS);
         }
         for (int k = 0; of_stage(DEM_STAGE_DAMP, k); k++)
         {
-            begin();
+            start();
             add(normal);
             add(of_stage(DEM_STAGE_DAMP, k));
-            wander(0.0, 5e-6, &least, &greatest);
+            closed_paths(0.0, 5e-6, &least, &greatest);
             TAP_OK(least > 0.0 && greatest > kinks, "%s, %s: all take work, %.2g or more",
                    normal->name, of_stage(DEM_STAGE_DAMP, k)->name, least);
         }
     }
 }
 
-static void sticking(void)
+static void adhesive(void)
 {
     double least, greatest;
 
-    begin();
+    start();
     add(&dem_hertz);
     add(&dem_sjkr);
-    wander(0.0, 5e-6, &least, &greatest);
-    TAP_NEAR(fmax(-least, greatest), 0.0, kinks, "hertz, sjkr: take and give nothing");
-    begin();
+    closed_paths(0.0, 5e-6, &least, &greatest);
+    TAP_NEAR(fmax(-least, greatest), 0.0, kinks, "hertz, sjkr: zero work");
+    start();
     add(&dem_hertz);
     add(&dem_jkr);
-    wander(0.0, 3e-5, &least, &greatest);
-    TAP_OK(least > -kinks && greatest > kinks, "hertz, jkr, torn apart: take work, %.2g or more",
+    closed_paths(0.0, 3e-5, &least, &greatest);
+    TAP_OK(least > -kinks && greatest > kinks, "hertz, jkr, separated: take work, %.2g or more",
            least);
 }
 
-static void rubbed(void)
+static void sheared(void)
 {
     static const struct dem_effect *const pair[2][2] = {{&dem_hooke, &dem_linear},
                                                         {&dem_hertz, &dem_mindlin_incremental}};
@@ -239,12 +244,12 @@ static void rubbed(void)
             const double way = fine ? 2e-7 : 2e-5;        /* mostly sticks; mostly slips */
             double least, greatest;
 
-            begin();
+            start();
             add(pair[k][0]);
             add(pair[k][1]);
-            wander(way, 5e-6, &least, &greatest);
+            closed_paths(way, 5e-6, &least, &greatest);
             TAP_OK(least > -kinks*way/deepest && greatest > 0.0,
-                   "%s, %s, rubbed by up to %g m a leg: take work, %.2g or more", pair[k][0]->name,
+                   "%s, %s, sheared by up to %g m a leg: take work, %.2g or more", pair[k][0]->name,
                    pair[k][1]->name, way, least);
         }
     }
@@ -254,7 +259,7 @@ int main(void)
 {
     TAP_TRAPS;
     pressed();
-    sticking();
-    rubbed();
+    adhesive();
+    sheared();
     TAP_DONE;
 }

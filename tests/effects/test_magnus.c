@@ -1,7 +1,11 @@
 /*
- * Claims: a ball that rolls forward as it flies is pressed down; slow, the lift is Rubinow and Keller's pi R^3 rho W x v; at larger
- * Re_p and spin it is Loth and Dorgan's fraction of that, with each of their coefficients to four
- * digits and better; at rest and without spin there is none.
+ * test_magnus.c -- lift of a spinning sphere.
+ *
+ * - A sphere that spins as if rolling forward while it flies is pushed down.
+ * - At small Re_p the lift is Rubinow and Keller's pi R^3 rho W x v.
+ * - At larger Re_p and spin it is the fraction of Loth and Dorgan, each of whose coefficients is
+ *   tested to four digits.
+ * - At rest and without spin there is none.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -30,8 +34,8 @@ int main(void)
     TAP_NEAR(lift(d, rho, mu, 1e-8*nu/d, 3.0)/(-pi*R*R*R*rho*3.0*1e-8*nu/d),
              1.0, 2e-5, "slow: pi R^3 rho W x v");
     TAP_OK(lift(d, rho, mu, 0.1, 50.0) < 0.0 && b.rx[0] == 0.0 && b.ry[0] == 0.0,
-           "a ball that rolls forward as it flies is pressed down");
-    TAP_OK(lift(d, rho, mu, 0.1, -50.0) > 0.0, "with back spin it is carried");
+           "forward spin: pushed down");
+    TAP_OK(lift(d, rho, mu, 0.1, -50.0) > 0.0, "backward spin: lifted");
 
     for (double re = 1.0; re < 3000.0; re *= 7.0)
     {
@@ -64,11 +68,11 @@ int main(void)
                  "Re_p = %g, S = %g: C = %g, computed by hand", re, S, C);
     }
     TAP_OK(lift(d, rho, mu, 0.0, 50.0) == 0.0 && lift(d, rho, mu, 0.1, 0.0) == 0.0,
-           "at rest or without spin: none");
+           "at rest or without spin: no lift");
     TAP_OK(isfinite(lift(d, rho, mu, 1e-250, 1e9)) && isfinite(lift(d, rho, mu, 1e6, 1e9)) &&
                isfinite(lift(d, rho, 0.0, 1.0, 1.0)),
            "finite");
     TAP_OK(b.fx[0] == 0.0 && b.b[0] == 0.0 && b.t[0] == 0.0,
-           "only in the book that the fluid gets");
+           "only in the column that the fluid receives");
     TAP_DONE;
 }

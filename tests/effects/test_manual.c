@@ -1,12 +1,16 @@
 /*
- * Claims: the table on the page of effects (docs/effects.md) is what the program prints; `dem effects WORD` prints one of its
- * entries, and an unknown word is refused; the effect and the test that docs/adding-an-effect.md shows are the files.
+ * test_manual.c -- pages of the manual that show files or output are current.
+ *
+ * - The table in docs/effects.md is what the program prints.
+ * - `dem effects WORD` prints one entry, and an unknown word is refused.
+ * - docs/adding-an-effect.md shows the files of the effect and of its test.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "unit/tap.h"
 
-#include "app/effects.c"                                 /* of the program, which is not in the library */
+/* of the program, which is not in the library */
+#include "app/effects.c"
 #include "app/effects_cost.c"
 
 #include <stdlib.h>
@@ -53,8 +57,8 @@ static int print(int argc, char **argv)
     return status;
 }
 
-/* the line, counted from 1, where two texts part; 0 if they do not */
-static int parting(const char *a, const char *b)
+/* the first line, from 1, in which two texts differ; 0 if none */
+static int different_line(const char *a, const char *b)
 {
     int line = 1;
 
@@ -74,7 +78,7 @@ static void shown(const char *name)
     in(manual, page);
     fclose(file);
     fclose(manual);
-    TAP_OK(strstr(page, printed) != NULL, "docs/adding-an-effect.md shows %s as it is%s", name,
+    TAP_OK(strstr(page, printed) != NULL, "docs/adding-an-effect.md shows the current %s%s", name,
            strstr(page, printed) ? "" : "; make -C dem manual brings it up to date");
 }
 
@@ -87,7 +91,8 @@ int main(void)
     fclose(file);
     TAP_OK(print(0, NULL) == DEM_OK, "dem effects");
 
-    /* the fenced block after a comment that names it; the blank line after the last effect is not in it */
+    /* the fenced block after a comment that names it; the blank line after the last effect is not
+       in it */
     const char *const mark = "<!-- dem effects -->\n```\n";
     char *const found = strstr(page, mark), *const block = found ? found + strlen(mark) : NULL;
     char *const end = block ? strstr(block, "```\n") : NULL;
@@ -97,13 +102,13 @@ int main(void)
     {
         *end = '\0';
         printed[strlen(printed) - 1] = '\0';
-        const int line = parting(block, printed);
+        const int line = different_line(block, printed);
 
         TAP_OK(line == 0, "the block is what dem effects prints%s",
                line ? "; make -C dem manual brings it up to date" : "");
         if (line)
         {
-            TAP_NOTE("they part in line %d of the block", line);
+            TAP_NOTE("they differ in line %d of the block", line);
         }
     }
     TAP_OK(print(1, known) == DEM_OK && strncmp(printed, "dry ", 4) == 0 && strstr(page, "\ndry "),

@@ -1,7 +1,11 @@
 /*
- * Claims: the stiffness is 8 G* sqrt(R* d); pressed, the force stays as it is, parting, it falls with the stiffness; it sticks,
- * slides and is cut as friction must; a cycle of slip and pressure that makes mindlin give energy takes some here; oblique
- * impacts gain no energy, near the normal either, and have the speeds and spins of an independent integration (Kharaz et al.).
+ * test_mindlin_incremental.c -- incremental friction with Mindlin's stiffness.
+ *
+ * - The stiffness is 8 G* sqrt(R* d). Under compression the force does not change; in separation it
+ *   decreases with the stiffness. It sticks, slides and is limited as Coulomb friction.
+ * - A cycle of slip and compression in which mindlin gains energy loses some here.
+ * - Oblique impacts gain no energy, also near the normal, and have the speeds and spins of an
+ *   independent integration (Kharaz et al.).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -14,7 +18,7 @@ static double step(struct impacts_effect *l, double overlap, double slip)
 {
     w.b.overlap[0] = overlap;
     w.b.sx[0] = slip/1e-6;
-    tangential_act(&w, l);
+    tangential_evaluate(&w, l);
     return w.b.fx[0];
 }
 
@@ -26,14 +30,15 @@ static void pressing(void)
     /* a few rounded factors */
     TAP_NEAR(step(l, 1e-6, 1e-9), -k*1e-9, 1e-13*k*1e-9, "8 G* sqrt(R* d) times the slip");
     TAP_NEAR(step(l, 4e-6, 0.0), -k*1e-9, 1e-13*k*1e-9,
-             "pressed four times as deep: the force stays");
+             "compressed four times as far: the force does not change");
     TAP_NEAR(step(l, 4e-6, 1e-9), -3.0*k*1e-9, 1e-13*k*1e-9,
              "more slip loads with the new stiffness, twice the old");
-    TAP_NEAR(step(l, 1e-6, 0.0), -1.5*k*1e-9, 1e-13*k*1e-9, "half parted: half the force");
-    TAP_NEAR(step(l, 1e-6, -1.5e-9), 0.0, 1e-13*k*1e-9, "and slip back by what is left unloads it");
+    TAP_NEAR(step(l, 1e-6, 0.0), -1.5*k*1e-9, 1e-13*k*1e-9, "half separated: half the force");
+    TAP_NEAR(step(l, 1e-6, -1.5e-9), 0.0, 1e-13*k*1e-9, "slip back by the remaining elongation unloads it");
 }
 
-/* slip at a small overlap, press, slip back, part, over and over: work done on the contact */
+/* work done on the contact in cycles of slip at a small overlap, compression, slip back,
+   decompression */
 static double cycle(const struct dem_effect *law)
 {
     struct impacts_effect *const l = tangential_row(&w, law, 1e2, 0.0);
@@ -60,16 +65,17 @@ static double cycle(const struct dem_effect *law)
 
 static void cycles(void)
 {
-    /* in units of k l^2, k at the small overlap: each turn of mindlin gives (2 - 1)/2 */
+    /* in units of k l^2, k at the small overlap: each cycle of mindlin gives (2 - 1)/2 */
     TAP_NEAR(cycle(&dem_mindlin), -20.0, 1.0,
-             "forty cycles of slip and pressure: mindlin gives energy");    /* steps of 1/100 */
-    TAP_OK(cycle(&dem_mindlin_incremental) > 0.0, "here they take some, %g",
+             "forty cycles of slip and compression: mindlin gains energy");    /* steps of 1/100 */
+    TAP_OK(cycle(&dem_mindlin_incremental) > 0.0, "forty cycles: mindlinIncremental loses energy, %g",
            cycle(&dem_mindlin_incremental));
 }
 
 static void oblique(void)
 {
-    /* angle, tangential restitution, spin: an independent integration of this law, 80000 steps a contact */
+    /* angle, tangential restitution, spin: an independent integration of this law, 80000 steps a
+       contact */
     static const double table[][3] = {
         {0.5, 0.87801199, 4.1516777}, {2.0, 0.87652569, 16.805846}, {5.0, 0.85994421, 47.605999},
         {10.0, 0.70951837, 196.72226}, {15.0, 0.63014891, 373.32557}, {20.0, 0.61848406, 508.89593},
@@ -86,10 +92,11 @@ static void oblique(void)
 
         impacts_add(&w, &dem_hertz, "impactSpeed", 4.0);
         impacts_add(&w, &dem_mindlin_incremental, "friction", 0.092);
-        const double et = tangential_throw(&w, table[t][0], dt, 8000, &spin, &energy);
+        const double et = tangential_impact(&w, table[t][0], dt, 8000, &spin, &energy);
 
-        /* first order in the step where it sticks: from 20000 to 80000 steps the independent one moves by 2.5e-5 and by
-           0.009 1/s (at 5 degrees), so at 4000 steps 1.7e-4 and 0.06 are left */
+        /* first order in the step where it sticks: from 20000 to 80000 steps the independent one
+           changes by 2.5e-5 and by 0.009 1/s (at 5 degrees), so at 4000 steps 1.7e-4 and 0.06 are
+           left */
         TAP_NEAR(et, table[t][1], 3e-4, "%g degrees: tangential restitution %.4f", table[t][0],
                  table[t][1]);
         TAP_NEAR(spin, table[t][2], 0.08, "%g degrees: spin %.1f 1/s", table[t][0], table[t][2]);

@@ -1,6 +1,7 @@
 /*
- * Claims: the force is -V grad p; in a fluid at rest that is Archimedes' buoyancy, so that a body as dense as the fluid
- * floats when gravity acts too.
+ * test_pressure_gradient.c -- the force -V grad p.
+ *
+ * In a fluid at rest it is Archimedes' buoyancy: with gravity a body as dense as the fluid floats.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -20,8 +21,8 @@ int main(void)
     dem_pressure_gradient.apply_to_bodies(NULL, &b);
     TAP_OK(b.fx[0] == 1.0 - 2e-9*1e4 && b.fy[0] == 2e-9*2e4 && b.fz[0] == -2e-9*3e4,
            "adds -V grad p");
-    TAP_OK(b.fx[1] == 0.0 && b.fy[1] == 0.0 && b.fz[1] == 0.0, "an empty row gets nothing");
-    TAP_OK(dem_pressure_gradient.needs & DEM_NEEDS_FLUID, "asks for the fluid");
+    TAP_OK(b.fx[1] == 0.0 && b.fy[1] == 0.0 && b.fz[1] == 0.0, "an empty row has no force");
+    TAP_OK(dem_pressure_gradient.needs & DEM_NEEDS_FLUID, "it needs the fluid");
 
     memset(&b, 0, sizeof b);
     b.n = 1;

@@ -1,6 +1,9 @@
 /*
- * Claims: the torque is mu_r R* max(F_n, 0) against the rolling part of the relative spin, at any speed, and never takes
- * away more than the spin there is; none at rest; a sphere that rolls on a plane stops after 7 v^2/(10 mu_r g) and stays.
+ * test_rolling_constant.c -- rolling resistance of constant torque.
+ *
+ * - The torque is mu_r R* max(F_n, 0) against the rolling component of the relative spin, at any
+ *   speed, and never reverses the spin in a step; none at rest.
+ * - A sphere that rolls on a plane stops after 7 v^2/(10 mu_r g) and stays.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -14,25 +17,25 @@ static void torque(void)
 
     /* rounding */
     w.b.wx[0] = 30.0, w.b.wy[0] = 40.0, w.b.wz[0] = 1e3;
-    moments_act(&w, l);
-    TAP_NEAR(w.b.mx[0], -0.6*0.1*0.004*10.0, 1e-17, "mu_r R F_n against the spin, x");
-    TAP_NEAR(w.b.my[0], -0.8*0.1*0.004*10.0, 1e-17, "and y");
+    moments_evaluate(&w, l);
+    TAP_NEAR(w.b.mx[0], -0.6*0.1*0.004*10.0, 1e-17, "mu_r R F_n against the spin, component x");
+    TAP_NEAR(w.b.my[0], -0.8*0.1*0.004*10.0, 1e-17, "component y");
     TAP_OK(w.b.mz[0] == 0.0, "twist is not rolling");
     w.b.wx[0] = 3e3, w.b.wy[0] = 4e3;
-    moments_act(&w, l);
-    TAP_NEAR(moments_size(&w), 0.1*0.004*10.0, 1e-17, "the same a hundred times as fast");
+    moments_evaluate(&w, l);
+    TAP_NEAR(moments_size(&w), 0.1*0.004*10.0, 1e-17, "the same at a hundred times the spin");
 
-    /* 2/5 m R^2/dt = 6.4e-3 N m s: spins below 0.625 1/s would be turned round */
+    /* 2/5 m R^2/dt = 6.4e-3 N m s: spins below 0.625 1/s would be reversed */
     w.b.wx[0] = 0.3, w.b.wy[0] = 0.4;
-    moments_act(&w, l);
+    moments_evaluate(&w, l);
     TAP_NEAR(moments_size(&w), 6.4e-3*0.5, 1e-16,
-             "slower than a step can stop: as much as stops it");
+             "below that: the torque that stops it in the step");
     w.b.wx[0] = 0.6249, w.b.wy[0] = 0.0;
-    moments_act(&w, l);
-    TAP_NEAR(moments_size(&w), 4e-3, 1e-6, "both meet at 0.625 1/s");       /* 0.6249 of 0.625 */
+    moments_evaluate(&w, l);
+    TAP_NEAR(moments_size(&w), 4e-3, 1e-6, "continuous at 0.625 1/s");       /* 0.6249 of 0.625 */
     w.b.wx[0] = 0.0;
-    moments_act(&w, l);
-    TAP_OK(moments_size(&w) == 0.0, "twist alone: nothing");
+    moments_evaluate(&w, l);
+    TAP_OK(moments_size(&w) == 0.0, "twist alone: no torque");
 }
 
 static void rest(void)
@@ -45,7 +48,8 @@ static void rest(void)
         double time;
         const double distance = moments_rest(&w, dt, speed[k], &time);
 
-        /* stopped at 1e-4 of the speed; the contact's spring stretches by a few 1e-4 of the way when the torque sets in */
+        /* stopped at 1e-4 of the speed; the contact's spring elongates by a few 1e-4 of the
+           distance at the onset of the torque */
         TAP_NEAR(distance/(0.7*speed[k]*speed[k]/(mu[k]*9.81)), 1.0, 1e-3,
                  "mu_r %g: rolls %.4f m", mu[k], distance);
         TAP_NEAR(time/(1.4*speed[k]/(mu[k]*9.81)), 1.0, 1e-3, "in %.4f s", time);
@@ -53,10 +57,10 @@ static void rest(void)
         {
             impacts_step(&w, dt);
         }
-        TAP_NEAR(w.x[0][0][0], distance, 1e-4*distance, "and stays there");
-        TAP_NEAR(w.w[0][1][0], 0.0, 1e-9*speed[k]/0.004, "without jitter: turns with %g 1/s",
+        TAP_NEAR(w.x[0][0][0], distance, 1e-4*distance, "it stays there");
+        TAP_NEAR(w.w[0][1][0], 0.0, 1e-9*speed[k]/0.004, "at rest: spin %g 1/s",
                  w.w[0][1][0]);
-        TAP_NEAR(w.v[0][0][0], 0.0, 1e-9*speed[k], "moves with %g m/s", w.v[0][0][0]);
+        TAP_NEAR(w.v[0][0][0], 0.0, 1e-9*speed[k], "at rest: speed %g m/s", w.v[0][0][0]);
     }
 }
 
@@ -64,7 +68,7 @@ int main(void)
 {
     TAP_TRAPS;
     torque();
-    moments_none(&w, &dem_rolling_constant, "friction", 0.1);
+    moments_common(&w, &dem_rolling_constant, "friction", 0.1);
     moments_axes(&w, &dem_rolling_constant, "friction", 0.1);
     rest();
     TAP_DONE;

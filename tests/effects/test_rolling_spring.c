@@ -1,7 +1,12 @@
 /*
- * Claims: the moment is k_r times the angle rolled, up to mu_r R* max(F_n, 0), where it slips; the dashpot counts to that
- * limit; the spring turns with the pair and keeps its length; a sphere on a plane swings at sqrt(k_r/I), with 2/5 m R^2
- * where nothing rubs and 7/5 m R^2 where it rolls, and is damped by zeta; it rolls 7 v^2/(10 mu_r g) and then stays.
+ * test_rolling_spring.c -- rolling resistance by a spring and a dashpot.
+ *
+ * - The moment is k_r times the rolling angle, up to mu_r R* max(F_n, 0), where it slips; the
+ *   dashpot counts to that limit.
+ * - The spring rotates with the pair and keeps its length.
+ * - A sphere on a plane oscillates at sqrt(k_r/I), I = 2/5 m R^2 without friction and 7/5 m R^2 in
+ *   rolling, and is damped by zeta.
+ * - It rolls 7 v^2/(10 mu_r g) and then stays.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -14,8 +19,8 @@ static struct impacts_effect *row(double friction, double K, double zeta)
 {
     struct impacts_effect *const l = moments_row(&w, &dem_rolling_spring, "friction", friction);
 
-    settle(&dem_rolling_spring, l->settings, &w.pair, "damping", zeta);
-    settle(&dem_rolling_spring, l->settings, &w.pair, "stiffness", K);
+    apply_setting(&dem_rolling_spring, l->settings, &w.pair, "damping", zeta);
+    apply_setting(&dem_rolling_spring, l->settings, &w.pair, "stiffness", K);
     return l;
 }
 
@@ -26,24 +31,24 @@ static void spring(void)
 
     /* rounding */
     w.b.wx[0] = 300.0, w.b.wy[0] = -100.0, w.b.wz[0] = 1e4;
-    moments_act(&w, l);
-    moments_act(&w, l);
+    moments_evaluate(&w, l);
+    moments_evaluate(&w, l);
     TAP_NEAR(w.b.mx[0], -k*600e-6, 1e-17, "two steps of rolling load it against them");
-    TAP_NEAR(w.b.my[0], k*200e-6, 1e-17, "in both directions");
+    TAP_NEAR(w.b.my[0], k*200e-6, 1e-17, "in both rolling directions");
     TAP_OK(w.b.mz[0] == 0.0, "twist is not rolling");
     w.b.wx[0] = -600.0, w.b.wy[0] = 200.0;
-    moments_act(&w, l);
-    TAP_NEAR(moments_size(&w), 0.0, 1e-17, "and rolling back unloads it");
+    moments_evaluate(&w, l);
+    TAP_NEAR(moments_size(&w), 0.0, 1e-17, "rolling back unloads it");
 
     l = row(0.1, 0.0, 0.0);
     w.b.wx[0] = 300.0;
-    moments_act(&w, l);
+    moments_evaluate(&w, l);
     TAP_NEAR(w.b.mx[0], -6.0*w.pair.reduced_shear/w.pair.reduced_modulus*1e4*1.6e-5*300e-6, 1e-17,
              "stiffness 0: k_t R^2, k_t/k_n = 6 G*/E*");
 
     l = row(0.1, 0.5, 0.3);
     w.b.wx[0] = 1.0;
-    moments_act(&w, l);
+    moments_evaluate(&w, l);
     TAP_NEAR(w.b.mx[0], -k*1e-6 - 2.0*0.3*sqrt(k*1.4*1e-3*1.6e-5), 1e-17,
              "with the dashpot of 2 zeta sqrt(k I)");
 }
@@ -54,27 +59,28 @@ static void slip(void)
     const double k = 0.08, c = 2.0*0.3*sqrt(k*1.4*1e-3*1.6e-5), limit = 0.1*0.004*10.0;
 
     w.b.wx[0] = 3e4, w.b.wy[0] = 4e4;
-    moments_act(&w, l);
+    moments_evaluate(&w, l);
     TAP_NEAR(moments_size(&w), limit, 1e-17, "mu_r R F_n, dashpot included");
     TAP_NEAR(w.b.mx[0], -0.6*limit, 1e-17, "against the rolling");
-    /* round-off of a moment that would be 300 times the limit if it held */
-    TAP_NEAR(-(k + c/w.b.dt)*l->column[1][0], -0.8*limit, 1e-15, "spring and dashpot share it");
+    /* round-off of a trial moment of 300 times the limit */
+    TAP_NEAR(-(k + c/w.b.dt)*l->column[1][0], -0.8*limit, 1e-15, "spring and dashpot are cut in the same proportion");
     for (int n = 0; n < 20000; n++)                       /* c/k is 320 steps */
     {
-        moments_act(&w, l);
+        moments_evaluate(&w, l);
     }
     TAP_NEAR(-k*l->column[1][0], -0.8*limit, 1e-15,
-             "in a long slide the spring comes to hold all of it");
+             "slipping for long: the spring carries all of it");
     w.b.wx[0] = w.b.wy[0] = 0.0;
-    moments_act(&w, l);
-    TAP_NEAR(moments_size(&w), limit, 1e-15, "at a stop it still does");
+    moments_evaluate(&w, l);
+    TAP_NEAR(moments_size(&w), limit, 1e-15, "when the slip stops: the moment is still at the limit");
     w.b.fn[0] = 5.0;
-    moments_act(&w, l);
-    TAP_NEAR(moments_size(&w), 0.5*limit, 1e-15, "less pressed, less is left");
+    moments_evaluate(&w, l);
+    TAP_NEAR(moments_size(&w), 0.5*limit, 1e-15, "half the normal force: half the moment");
 }
 
-/* the centre line turns about y, `steps` of `step` radians; largest change of the spring's length, *lean along n, *back */
-static double turn(int steps, double step, double *lean, double *back)
+/* the line of centres rotates about y, `steps` of `step` radians; largest change of the spring's
+   length, *lean along n, *back */
+static double rotate_pair(int steps, double step, double *lean, double *back)
 {
     struct impacts_effect *const l = row(10.0, 0.5, 0.0);
     double worst = 0.0;
@@ -86,7 +92,7 @@ static double turn(int steps, double step, double *lean, double *back)
     {
         w.b.nz[0] = cos(step*s), w.b.nx[0] = sin(step*s);
         w.b.hz[0] = cos(step*(s - 0.5)), w.b.hx[0] = sin(step*(s - 0.5));
-        moments_act(&w, l);
+        moments_evaluate(&w, l);
         const double x = l->column[0][0], y = l->column[1][0], z = l->column[2][0];
 
         worst = fmax(worst, fabs(sqrt(x*x + y*y + z*z)/5e-6 - 1.0));
@@ -96,24 +102,24 @@ static double turn(int steps, double step, double *lean, double *back)
     return worst;
 }
 
-static void carrying(void)
+static void rotation(void)
 {
     double lean, back;
 
     /* 1e4 steps that round by 1e-16 */
-    TAP_NEAR(turn(10000, 2.0*moments_pi/1000.0, &lean, &back), 0.0, 1e-12,
+    TAP_NEAR(rotate_pair(10000, 2.0*moments_pi/1000.0, &lean, &back), 0.0, 1e-12,
              "10 turns of the pair: the spring keeps its length");
-    TAP_NEAR(lean, 0.0, 1e-15, "lies in the plane of contact");
-    TAP_NEAR(back, 0.0, 1e-12, "and comes back to where it was");
+    TAP_NEAR(lean, 0.0, 1e-15, "it lies in the contact plane");
+    TAP_NEAR(back, 0.0, 1e-12, "after whole turns it is the same");
 }
 
 /*
- * Angular frequency and decay of a sphere set rolling a little, from the times and heights of its passages through rest:
- * 5 whole swings.
+ * Angular frequency and decay of a sphere after a small rolling displacement, from the times and
+ * amplitudes of its turning points: 5 periods.
  */
-static void swing(double K, double zeta, double grip, double inertia)
+static void oscillation(double K, double zeta, double friction, double inertia)
 {
-    const double dt = moments_plane(&w, &dem_rolling_spring, "friction", 1.0, grip);
+    const double dt = moments_plane(&w, &dem_rolling_spring, "friction", 1.0, friction);
     struct impacts_effect *const l = &w.effect_entry[3];
     const double depth = moments_depth(&w, 9.81), kr = K*impacts_hertz(&w)*sqrt(depth)*0.004*0.004;
     const double omega = sqrt(kr/(inertia*w.mass[0]*0.004*0.004)), start = 1e-3*omega;
@@ -121,10 +127,10 @@ static void swing(double K, double zeta, double grip, double inertia)
            last_top = 0.0;
     int passages = 0, steps = 0;
 
-    settle(&dem_rolling_spring, l->settings, &w.pair, "damping", zeta);
-    settle(&dem_rolling_spring, l->settings, &w.pair, "stiffness", K);
+    apply_setting(&dem_rolling_spring, l->settings, &w.pair, "damping", zeta);
+    apply_setting(&dem_rolling_spring, l->settings, &w.pair, "stiffness", K);
     w.w[0][1][0] = start;
-    w.v[0][0][0] = grip > 0.0 ? start*0.004 : 0.0;
+    w.v[0][0][0] = friction > 0.0 ? start*0.004 : 0.0;
     for (; passages < 11 && steps*dt*omega < 100.0; steps++)
     {
         before = angle;
@@ -141,8 +147,9 @@ static void swing(double K, double zeta, double grip, double inertia)
             passages++;
         }
     }
-    TAP_OK(passages == 11, "swings");
-    /* K = 0.001 is 1e-3 of the stiffness of friction, which gives way as much; 1e-3 in omega at most; dt omega < 0.1 */
+    TAP_OK(passages == 11, "oscillates");
+    /* K = 0.001 is 1e-3 of the stiffness of friction, which elongates in the same proportion; 1e-3
+       in omega at most; dt omega < 0.1 */
     TAP_NEAR((last - first)*omega*sqrt(1.0 - zeta*zeta)/(10.0*moments_pi), 1.0, 3e-3,
              "K %g, zeta %g: at %g 1/s", K, zeta, omega);
     const double decay = log(first_top/last_top)/(10.0*moments_pi),
@@ -160,20 +167,20 @@ static void rest(void)
                  K = 6.0*w.pair.reduced_shear/w.pair.reduced_modulus;
     double time;
 
-    settle(&dem_rolling_spring, w.effect_entry[3].settings, &w.pair, "damping", 0.3);
+    apply_setting(&dem_rolling_spring, w.effect_entry[3].settings, &w.pair, "damping", 0.3);
     const double distance = moments_rest(&w, dt, v, &time);
 
-    /* until the spring is at its limit it brakes less: after an angle of mu_r d/(K R); half of that is missing, and the
-       springs of the contact stretch alike */
+    /* until the spring is at its limit, after an angle of mu_r d/(K R), the moment is less: half of
+       that is missing, and the springs of the contact elongate as well */
     TAP_NEAR(distance/(0.7*v*v/(mu*9.81)), 1.0, 1e-3 + mu*depth/K/distance,
              "rolls %.4f m", distance);
     for (int s = 0; s < 20000; s++)
     {
         impacts_step(&w, dt);
     }
-    /* and back by what the spring gives: its angle times R */
-    TAP_NEAR(w.x[0][0][0], distance, 3.0*mu*depth/K, "and stays there");
-    TAP_NEAR(w.w[0][1][0], 0.0, 1e-9*v/0.004, "at rest: turns with %g 1/s", w.w[0][1][0]);
+    /* back by the elongation of the spring: its angle times R */
+    TAP_NEAR(w.x[0][0][0], distance, 3.0*mu*depth/K, "it stays there");
+    TAP_NEAR(w.w[0][1][0], 0.0, 1e-9*v/0.004, "at rest: spin %g 1/s", w.w[0][1][0]);
 }
 
 int main(void)
@@ -181,12 +188,12 @@ int main(void)
     TAP_TRAPS;
     spring();
     slip();
-    carrying();
-    moments_none(&w, &dem_rolling_spring, "friction", 0.1);
+    rotation();
+    moments_common(&w, &dem_rolling_spring, "friction", 0.1);
     moments_axes(&w, &dem_rolling_spring, "friction", 0.1);
-    swing(1.0, 0.0, 0.0, 0.4);
-    swing(0.001, 0.0, 10.0, 1.4);
-    swing(0.001, 0.05, 10.0, 1.4);
+    oscillation(1.0, 0.0, 0.0, 0.4);
+    oscillation(0.001, 0.0, 10.0, 1.4);
+    oscillation(0.001, 0.05, 10.0, 1.4);
     rest();
     TAP_DONE;
 }

@@ -1,8 +1,11 @@
 /*
- * Claims, for all effects of the list and all their settings: a value outside the range, a word where a number belongs, a
- * number where a word belongs, and a setting without default left out are refused in `effects` and in `pairs`, by a sentence
- * with the line, the effect, the setting, the value, the limits and what to give; the limits themselves are taken. Two laws
- * of a kind, laws that do each other's work, and laws that need another are refused with both words.
+ * test_settings.c -- refusal of wrong settings, for all effects of the list and all their settings.
+ *
+ * - Refused in `effects` and in `pairs`: a value out of range, a word for a number, a number for a
+ *   word, a required setting left out. The sentence gives line, effect, setting, value, limits and
+ *   cure. The limits themselves are accepted.
+ * - Refused with both names: two laws of one kind, and laws that exclude each other. A law that
+ *   needs another is refused without it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -10,21 +13,21 @@
 
 #include "effects/effects.h"
 
-/* what a scene says of one setting in place of the good value; NULL: leaves it out */
-struct slip
+/* text of a setting in place of a valid value; NULL: left out */
+struct fault
 {
     const struct dem_setting *field;
     const char *value;
 };
 
-/* a value in the middle of the range; no two alike, for some must lie above others */
-static double good(const struct dem_setting *f, int unlike)
+/* a value in the middle of the range; all different, as some must be above others */
+static double valid_value(const struct dem_setting *f, int unlike)
 {
     return (f->min > 0.5 ? 2.0*f->min : fmin(0.4*f->max, 0.4)) + 0.01*unlike;
 }
 
-/* WORD { settings } with the slip */
-static void write_effect(char *text, size_t capacity, const struct dem_effect *e, struct slip slip)
+/* NAME { settings } with the fault */
+static void write_effect(char *text, size_t capacity, const struct dem_effect *e, struct fault fault)
 {
     size_t at = (size_t)snprintf(text, capacity, "%s { ", e->name);
     int unlike = 0;
@@ -34,10 +37,10 @@ static void write_effect(char *text, size_t capacity, const struct dem_effect *e
         const int required = isnan(f->default_value);
         const char *const three = f->kind == DEM_SETTING_VECTOR ? "(0.1 0.2 0.3)" : NULL;
 
-        if (f == slip.field)
+        if (f == fault.field)
         {
-            at += (size_t)(slip.value
-                               ? snprintf(text + at, capacity - at, "%s %s; ", f->name, slip.value)
+            at += (size_t)(fault.value
+                               ? snprintf(text + at, capacity - at, "%s %s; ", f->name, fault.value)
                                : 0);
         }
         else if (required && three)
@@ -46,7 +49,7 @@ static void write_effect(char *text, size_t capacity, const struct dem_effect *e
         }
         else if (required && f->kind == DEM_SETTING_NUMBER)
         {
-            at += (size_t)snprintf(text + at, capacity - at, "%s %g; ", f->name, good(f, unlike++));
+            at += (size_t)snprintf(text + at, capacity - at, "%s %g; ", f->name, valid_value(f, unlike++));
         }
         else if (required)
         {
@@ -57,8 +60,8 @@ static void write_effect(char *text, size_t capacity, const struct dem_effect *e
     snprintf(text + at, capacity - at, "} ");
 }
 
-/* what an effect needs beside it: a normal law, and of them hertz goes with all */
-static const char *beside(const struct dem_effect *e)
+/* a normal law, where an effect needs one; hertz can be combined with all */
+static const char *normal_law_for(const struct dem_effect *e)
 {
     return e->stage < DEM_STAGE_BODY && e->stage != DEM_STAGE_NORMAL ? "hertz { } " : "";
 }
@@ -67,7 +70,8 @@ static const char *beside(const struct dem_effect *e)
 static int scene(const char *effects, const char *pairs)
 {
     char *const text = world_text(
-        "materials { glass { density 2500; youngsModulus 1e7; } }\nfluid { density 1000; viscosity 1e-3; }\n"
+        "materials { glass { density 2500; youngsModulus 1e7; } }\nfluid { density 1000; "
+        "viscosity 1e-3; }\n"
         "effects { %s }\n pairs { %s }\n time { step 1e-9; }",
         effects, pairs);
     const struct dem_new_particle seed = {.diameter = 1e-3, .material = "glass"};
@@ -99,25 +103,25 @@ static void refused(int status, const char *what, const char *where, const char 
     }
 }
 
-static void try_slip(const struct dem_effect *e, struct slip slip, const char *limit,
+static void try_fault(const struct dem_effect *e, struct fault fault, const char *limit,
                      const char *cure)
 {
     char bad[1024], fine[1024], effects[2048], what[256];
-    const char *const words[5] = {e->name, slip.field->name, slip.value, limit, cure};
+    const char *const words[5] = {e->name, fault.field->name, fault.value, limit, cure};
 
-    write_effect(bad, sizeof bad, e, slip);
-    write_effect(fine, sizeof fine, e, (struct slip){0});
-    snprintf(effects, sizeof effects, "%s%s", beside(e), bad);
-    snprintf(what, sizeof what, "%s %s %s", e->name, slip.field->name,
-             slip.value ? slip.value : "left out");
+    write_effect(bad, sizeof bad, e, fault);
+    write_effect(fine, sizeof fine, e, (struct fault){0});
+    snprintf(effects, sizeof effects, "%s%s", normal_law_for(e), bad);
+    snprintf(what, sizeof what, "%s %s %s", e->name, fault.field->name,
+             fault.value ? fault.value : "left out");
     refused(scene(effects, ""), what, "", words);
-    if (e->stage < DEM_STAGE_BODY && slip.value)
+    if (e->stage < DEM_STAGE_BODY && fault.value)
     {
         char pair[1024];
 
-        snprintf(effects, sizeof effects, "%s%s", beside(e), fine);
+        snprintf(effects, sizeof effects, "%s%s", normal_law_for(e), fine);
         snprintf(pair, sizeof pair, "p { between (glass glass); %s { %s %s; } }", e->name,
-                 slip.field->name, slip.value);
+                 fault.field->name, fault.value);
         refused(scene(effects, pair), what, " in a pair", words);
     }
 }
@@ -138,30 +142,30 @@ static void numbers(const struct dem_effect *e, const struct dem_setting *f)
         const double least = above ? 0.0 : f->min;
 
         printed(limit, sizeof limit, f, least);
-        try_slip(e, (struct slip){f, printed(value, sizeof value, f, above ? 0.0 : least - 0.5)},
+        try_fault(e, (struct fault){f, printed(value, sizeof value, f, above ? 0.0 : least - 0.5)},
                  above ? "above 0" : limit, "give a value");
-        try_slip(e, (struct slip){f, printed(value, sizeof value, f, least - 1e3)},
+        try_fault(e, (struct fault){f, printed(value, sizeof value, f, least - 1e3)},
                  above ? "above 0" : limit, "give a value");
     }
     if (f->max < DBL_MAX)
     {
         printed(limit, sizeof limit, f, f->max);
-        try_slip(e, (struct slip){f, printed(value, sizeof value, f, f->max*1.01)}, limit,
+        try_fault(e, (struct fault){f, printed(value, sizeof value, f, f->max*1.01)}, limit,
                  "give a value");
     }
     if (f->flags & DEM_SETTING_WHOLE)
     {
-        try_slip(e, (struct slip){f, "1.5"}, "whole", "give a value");
+        try_fault(e, (struct fault){f, "1.5"}, "whole", "give a value");
     }
-    try_slip(e, (struct slip){f, f->kind == DEM_SETTING_VECTOR ? "( 0 0 nan )" : "nan"}, "takes",
+    try_fault(e, (struct fault){f, f->kind == DEM_SETTING_VECTOR ? "( 0 0 nan )" : "nan"}, "takes",
              NULL);
-    try_slip(e, (struct slip){f, f->kind == DEM_SETTING_VECTOR ? "( 0 0 inf )" : "-inf"}, "takes",
+    try_fault(e, (struct fault){f, f->kind == DEM_SETTING_VECTOR ? "( 0 0 inf )" : "-inf"}, "takes",
              NULL);
-    try_slip(e, (struct slip){f, "plenty"}, "takes", NULL);
-    try_slip(e, (struct slip){f, f->kind == DEM_SETTING_VECTOR ? "3" : "( 1 2 )"}, "takes", NULL);
+    try_fault(e, (struct fault){f, "plenty"}, "takes", NULL);
+    try_fault(e, (struct fault){f, f->kind == DEM_SETTING_VECTOR ? "3" : "( 1 2 )"}, "takes", NULL);
 }
 
-/* the ends of the range are inside of it: no sentence tells of that setting */
+/* the limits of the range are accepted: no sentence about that setting */
 static void ends(const struct dem_effect *e, const struct dem_setting *f)
 {
     const double end[2] = {f->min, f->max};
@@ -175,8 +179,8 @@ static void ends(const struct dem_effect *e, const struct dem_setting *f)
             continue;
         }
         write_effect(effect, sizeof effect, e,
-                     (struct slip){f, printed(value, sizeof value, f, end[k])});
-        snprintf(effects, sizeof effects, "%s%s", beside(e), effect);
+                     (struct fault){f, printed(value, sizeof value, f, end[k])});
+        snprintf(effects, sizeof effects, "%s%s", normal_law_for(e), effect);
         snprintf(sentence, sizeof sentence, "%s %s is out of range", f->name, value);
         TAP_OK(scene(effects, "") == 0 || !strstr(dem_error_text(), sentence),
                "%s %s %s is in range", e->name, f->name, value);
@@ -194,18 +198,18 @@ static void all_settings(const struct dem_effect *e)
         }
         else
         {
-            try_slip(e, (struct slip){f, "perhaps"},
+            try_fault(e, (struct fault){f, "perhaps"},
                      f->kind == DEM_SETTING_SWITCH ? "yes" : f->choices[0], "known");
-            try_slip(e, (struct slip){f, "12.5"}, NULL, NULL);
+            try_fault(e, (struct fault){f, "12.5"}, NULL, NULL);
         }
         if (isnan(f->default_value))
         {
-            try_slip(e, (struct slip){f, NULL}, "no value", "give");
+            try_fault(e, (struct fault){f, NULL}, "no value", "give");
         }
     }
 }
 
-/* ---- effects that contradict each other ---------------------------------------------------------------------------- */
+/* ---- effects that exclude each other ------------------------------------------------------ */
 
 static int same_kind(const struct dem_effect *a, const struct dem_effect *b)
 {
@@ -218,7 +222,7 @@ static int twice(const struct dem_effect *a, const struct dem_effect *b)
            (b->excludes && strcmp(b->excludes, a->name) == 0);
 }
 
-static void together(const struct dem_effect *a, const struct dem_effect *b)
+static void contradiction(const struct dem_effect *a, const struct dem_effect *b)
 {
     char one[1024], other[1024], effects[4096];
     const struct dem_effect *const first = a->stage <= b->stage ? a : b;
@@ -226,10 +230,10 @@ static void together(const struct dem_effect *a, const struct dem_effect *b)
                                   NULL};
     char what[128];
 
-    write_effect(one, sizeof one, a, (struct slip){0});
-    write_effect(other, sizeof other, b, (struct slip){0});
+    write_effect(one, sizeof one, a, (struct fault){0});
+    write_effect(other, sizeof other, b, (struct fault){0});
     snprintf(effects, sizeof effects, "%s%s%s",
-             first->stage == DEM_STAGE_NORMAL ? "" : beside(first), one, other);
+             first->stage == DEM_STAGE_NORMAL ? "" : normal_law_for(first), one, other);
     snprintf(what, sizeof what, "%s with %s", a->name, b->name);
     if (same_kind(a, b) || twice(a, b))
     {
@@ -237,13 +241,13 @@ static void together(const struct dem_effect *a, const struct dem_effect *b)
     }
 }
 
-/* laws that act on a contact's force, without one */
-static void alone(const struct dem_effect *e)
+/* laws that act on a contact's force, without a normal law */
+static void without_normal_law(const struct dem_effect *e)
 {
     char effect[1024], what[128];
     const char *const words[5] = {e->name, "normal law", "add", NULL, NULL};
 
-    write_effect(effect, sizeof effect, e, (struct slip){0});
+    write_effect(effect, sizeof effect, e, (struct fault){0});
     snprintf(what, sizeof what, "%s without a normal law", e->name);
     refused(scene(effect, ""), what, "", words);
 }
@@ -263,11 +267,11 @@ int main(void)
         if ((*e)->stage == DEM_STAGE_DAMP || (*e)->stage == DEM_STAGE_TANGENT ||
             (*e)->stage == DEM_STAGE_MOMENT)
         {
-            alone(*e);
+            without_normal_law(*e);
         }
         for (const struct dem_effect *const *o = dem_effects; *o != *e; o++)
         {
-            together(*o, *e);
+            contradiction(*o, *e);
             contradictions += same_kind(*o, *e) || twice(*o, *e);
         }
     }

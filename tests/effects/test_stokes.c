@@ -1,7 +1,11 @@
 /*
- * Claims: the restitution that comes out of an impact in a fluid is e_max exp(-beta/St) with the Stokes number of the
- * first touch, on a wall and between spheres; the speed is latched until the surfaces part; St -> 0 ends in critical
- * damping and no corner case in an infinity; the viscosity is the setting's, or else the fluid's; added mass enters St.
+ * test_stokes.c -- restitution of impacts in a viscous fluid.
+ *
+ * - The restitution is e_max exp(-beta/St) with the Stokes number of the first contact, on a wall
+ *   and between spheres.
+ * - The speed is latched until the surfaces separate.
+ * - St -> 0 gives critical damping; no limit gives an infinity.
+ * - The viscosity is that of the setting, else that of the fluid. Added mass enters St.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -13,7 +17,8 @@ static const struct dem_material rigid = {"rigid", 1.0, INFINITY, 0.3, 0.0};
 static const double pi = 3.14159265358979324;
 static struct impacts w;
 
-/* a sphere of 6 mm against the plane (pair: against another) with this Stokes number; mean over 16 phases */
+/* a sphere of 6 mm against the plane (pair: against another) with this Stokes number; mean over 16
+   phases */
 static double bounce(double St, double e_max, int wall, int steps)
 {
     const double speed = 0.5;
@@ -31,14 +36,15 @@ static double bounce(double St, double e_max, int wall, int steps)
 
     impacts_add(&w, &dem_hertz, "impactSpeed", speed);
     struct impacts_effect *const stokes = impacts_add(&w, &dem_stokes, "restitution", e_max);
-    settle(&dem_stokes, stokes->settings, &w.pair, "viscosity", mu);
+    apply_setting(&dem_stokes, stokes->settings, &w.pair, "viscosity", mu);
     impacts_aim(&w, 16, dt, speed);
-    return impacts_impact(&w, dt, 20*steps) > 0 ? impacts_parting(&w)/speed : NAN;
+    return impacts_impact(&w, dt, 20*steps) > 0 ? impacts_rebound_speed(&w)/speed : NAN;
 }
 
 /*
- * Tolerance 1 %: the dashpot sees the velocity of half a step before, which lessens e by a part of the order dt (see
- * test_dry.c); at t_c/4000 that is 0.15 % at St = 10, where e is 0.03, and less above.
+ * Tolerance 1 %: the dashpot sees the velocity of half a step before, which reduces e by an error
+ * of order dt (see test_dry.c); at t_c/4000 that is 0.15 % at St = 10, where e is 0.03, and less
+ * above.
  */
 static void law(void)
 {
@@ -96,23 +102,23 @@ static void by_hand(void)
     /* from here on a few rounded factors: 1e-13 */
     TAP_NEAR(alpha(l, -0.5, mu, &speed), alpha_of(0.97*exp(-35.0/St)), 1e-13,
              "alpha of e_max exp(-beta/St), St = %.3g", St);
-    TAP_OK(speed == 0.5 && w.b.fn[0] > 0.0, "the speed is remembered, the force resists approach");
+    TAP_OK(speed == 0.5 && w.b.fn[0] > 0.0, "the speed is latched, the force resists approach");
     TAP_NEAR(alpha(l, 0.1, mu, &speed), alpha_of(0.97*exp(-35.0/St)), 1e-13,
-             "later speeds in the contact change nothing");
-    TAP_OK(speed == 0.5 && w.b.fn[0] < 0.0, "still remembered; the force may pull");
+             "later speeds in the contact do not change it");
+    TAP_OK(speed == 0.5 && w.b.fn[0] < 0.0, "still latched; the force may attract");
     w.b.touching[0] = 0.0;
     w.b.kn[0] = 0.0;
     dem_real *history[1] = {&speed};
     dem_stokes.apply(l->settings, &w.b, history);
-    TAP_OK(speed == 0.0 && w.b.eta[0] == 0.0, "apart it is forgotten and nothing acts");
+    TAP_OK(speed == 0.0 && w.b.eta[0] == 0.0, "apart it is cleared and no force acts");
     alpha(l, -0.2, mu, &speed);
-    TAP_OK(speed == 0.2, "the next contact latches its own");
+    TAP_OK(speed == 0.2, "the next contact latches its own speed");
 
     TAP_NEAR((speed = 0.0, alpha(l, 0.0, mu, &speed)), critical, 1e-13,
-             "touched at rest: critical damping");
-    TAP_OK(speed > 0.0 && speed < 1e-20, "and that too is latched");
+             "contact at rest: critical damping");
+    TAP_OK(speed > 0.0 && speed < 1e-20, "contact at rest: latched, too");
     TAP_NEAR(alpha(l, -3.0, mu, &speed), critical, 1e-13,
-             "so a later compression is critically damped");
+             "contact at rest: a later compression is critically damped");
     TAP_NEAR((speed = 0.0, alpha(l, -0.5, 0.0, &speed)), alpha_of(0.97), 1e-13,
              "no viscosity: e_max");
     TAP_NEAR((speed = 0.0, alpha(l, 0.0, 0.0, &speed)), alpha_of(0.97), 1e-13,
@@ -120,27 +126,28 @@ static void by_hand(void)
     TAP_NEAR((speed = 0.0, alpha(l, -1e-12, mu, &speed)), critical, 1e-9,
              "creeping: critical damping");
 
-    settle(&dem_stokes, l->settings, &w.pair, "restitution", 0.0);
+    apply_setting(&dem_stokes, l->settings, &w.pair, "restitution", 0.0);
     TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), critical, 1e-13,
              "e_max = 0: critical damping");
     TAP_NEAR((speed = 0.0, alpha(l, -0.5, 0.0, &speed)), critical, 1e-13,
-             "e_max = 0 without viscosity too");
-    settle(&dem_stokes, l->settings, &w.pair, "restitution", 1.0);
+             "e_max = 0 without viscosity: critical damping");
+    apply_setting(&dem_stokes, l->settings, &w.pair, "restitution", 1.0);
     TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), alpha_of(exp(-35.0/St)), 1e-13,
-             "e_max = 1: the film alone");
+             "e_max = 1: damping by the fluid alone");
     TAP_OK((speed = 0.0, alpha(l, -0.5, 0.0, &speed)) == 0.0,
            "e_max = 1 without viscosity: no damping");
 
-    settle(&dem_stokes, l->settings, &w.pair, "viscosity", 2.0*mu);
+    apply_setting(&dem_stokes, l->settings, &w.pair, "viscosity", 2.0*mu);
     TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), alpha_of(exp(-70.0/St)), 1e-13,
-             "its own viscosity goes before the fluid's");
-    settle(&dem_stokes, l->settings, &w.pair, "beta", 0.0);
+             "the setting has priority over the fluid's viscosity");
+    apply_setting(&dem_stokes, l->settings, &w.pair, "beta", 0.0);
     TAP_OK((speed = 0.0, alpha(l, -0.5, mu, &speed)) == 0.0, "beta = 0: e_max whatever the fluid");
     TAP_OK((speed = 0.0, alpha(l, 0.0, mu, &speed)) == 0.0, "beta = 0 at rest");
-    TAP_OK(dem_stokes.needs & DEM_NEEDS_VISCOSITY, "asks for the fluid's viscosity");
+    TAP_OK(dem_stokes.needs & DEM_NEEDS_VISCOSITY, "it needs the fluid's viscosity");
 }
 
-/* alpha of a pair with added mass C_M rho_f per particle volume against the one written out with both masses */
+/* alpha of a pair with added mass C_M rho_f per particle volume against the formula with both
+   masses */
 static void added(const char *what, const struct dem_material *a, const struct dem_material *b,
                   double Ra, double Rb, int wall)
 {
@@ -157,10 +164,10 @@ static void added(const char *what, const struct dem_material *a, const struct d
     }
     w.pair.exponent = 1.5;
     struct impacts_effect *const l = impacts_add(&w, &dem_stokes, "restitution", 0.97);
-    settle(&dem_stokes, l->settings, &w.pair, "fluidDensity", 1000.0);
-    settle(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5);
+    apply_setting(&dem_stokes, l->settings, &w.pair, "fluidDensity", 1000.0);
+    apply_setting(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5);
 
-    const double ma = ball(Ra, a->density + more), mb = wall ? 0.0 : ball(Rb, b->density + more);
+    const double ma = sphere_mass(Ra, a->density + more), mb = wall ? 0.0 : sphere_mass(Rb, b->density + more);
     const double m = wall ? ma : ma*mb/(ma + mb), R = w.pair.min_radius;
     const double St = m*v/(6.0*pi*mu*R*R);
 
@@ -178,13 +185,13 @@ static void added(const char *what, const struct dem_material *a, const struct d
 }
 
 /*
- * The speed of the moment, signed, as LIGGGHTS has it, and the clamped dashpot: an independent integration with a linear
- * spring, 20000 steps a contact.
+ * The instantaneous signed speed, as in LIGGGHTS, and the clamped dashpot: an independent
+ * integration with a linear spring, 20000 steps a contact.
  */
 static void other_forms(void)
 {
     static const double table[][4] = {
-        /* St, latched, clamped, of the moment */
+        /* St; e latched, clamped, instantaneous */
         {10, 0.0292758, 0.195059, 0.0}, {50, 0.481669, 0.535672, 0.0816858},
         {75, 0.608276, 0.639248, 0.394456},   {100, 0.683556, 0.703792, 0.552121},
         {300, 0.863189, 0.866977, 0.852102}, {1000, 0.936636, 0.937451, 0.95563},
@@ -202,19 +209,19 @@ static void other_forms(void)
 
             impacts_add(&w, &dem_hooke, "stiffness", k);
             struct impacts_effect *const l = impacts_add(&w, &dem_stokes, "restitution", 0.97);
-            settle(&dem_stokes, l->settings, &w.pair, "viscosity", mu);
-            settle(&dem_stokes, l->settings, &w.pair, "attraction", form == 1);
-            settle(&dem_stokes, l->settings, &w.pair, "speed", form == 2);
+            apply_setting(&dem_stokes, l->settings, &w.pair, "viscosity", mu);
+            apply_setting(&dem_stokes, l->settings, &w.pair, "attraction", form == 1);
+            apply_setting(&dem_stokes, l->settings, &w.pair, "speed", form == 2);
             impacts_aim(&w, 16, dt, v);
             const int parted = impacts_impact(&w, dt, 50000);
 
-            /* first order in the step with a dashpot (test_dry): 2e-4 at t_c/10000; what creeps apart takes longer than
-               is waited for and counts as 0 */
-            TAP_NEAR(parted > 0 ? impacts_parting(&w)/v : 0.0, table[t][1 + form], 1e-3,
+            /* first order in the step with a dashpot (test_dry): 2e-4 at t_c/10000; slow
+               separations that take longer than the run count as 0 */
+            TAP_NEAR(parted > 0 ? impacts_rebound_speed(&w)/v : 0.0, table[t][1 + form], 1e-3,
                      "St = %g, %s: e = %.4f", table[t][0],
                      form == 0 ? "latched"
                      : form == 1 ? "clamped"
-                                 : "of the moment",
+                                 : "instantaneous",
                      table[t][1 + form]);
         }
     }
@@ -226,14 +233,14 @@ int main(void)
     by_hand();
     law();
     added("sphere and wall", &glass, &rigid, 0.003, 0.0, 1);
-    added("two alike", &glass, &glass, 0.003, 0.003, 0);
+    added("equal spheres", &glass, &glass, 0.003, 0.003, 0);
     added("same density, different size", &glass, &glass, 0.003, 0.001, 0);
     added("same size, different density", &glass, &steel, 0.003, 0.003, 0);
 
     impacts_wall(&w, &steel, &rigid, 0.003);
     w.pair.exponent = 1.5;
     struct impacts_effect *const l = impacts_add(&w, &dem_stokes, "restitution", 0.97);
-    TAP_OK(settle(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5) == DEM_ERROR_INPUT, "%s",
+    TAP_OK(apply_setting(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5) == DEM_ERROR_INPUT, "%s",
            dem_error_text());
     other_forms();
     TAP_DONE;

@@ -1,5 +1,5 @@
 /*
- * Claims: Stokes' law: G = 1 whatever the slip and the void fraction.
+ * test_stokes_drag.c -- Stokes' law: G = 1 for any slip and void fraction.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,7 +1,9 @@
 /*
- * Claims: the drag is that of Tenneti, Garg and Subramaniam: the tabulated values, Stokes' for a lone creeping sphere, the paper's
- * formula; a creeping suspension feels within 10 % what Beetstra's simulations say, and would not if the lone sphere's term were
- * divided by e^2.
+ * test_tenneti.c -- drag of Tenneti, Garg and Subramaniam.
+ *
+ * - Tabulated values; Stokes' drag for a single creeping sphere; the paper's formula.
+ * - A creeping suspension agrees within 10 % with Beetstra's simulations, which it would not if the
+ *   term of the single sphere were divided by e^2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -26,22 +28,24 @@ int main(void)
 
     TAP_TRAPS;
     drag_in_table(&dem_tenneti, NULL, DRAG_TENNETI);
-    TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a lone creeping sphere: Stokes' 3 pi mu d");
-    TAP_NEAR(G(1.0, 1e-6), 1.0, 1.2e-5, "and nearly so at Re = 1e-6");                   /* 0.15 Re^0.687 */
+    TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a single creeping sphere: Stokes' 3 pi mu d");
+    /* 0.15 Re^0.687 */
+    TAP_NEAR(G(1.0, 1e-6), 1.0, 1.2e-5, "a single sphere at Re = 1e-6");
     TAP_NEAR(G(1.0, 100.0), 1.0 + 0.15*pow(100.0, 0.687), 1e-12,
-             "a lone sphere: Schiller and Naumann's");    /* rounding */
+             "a single sphere: Schiller and Naumann's");    /* rounding */
     for (double e = 0.25; e < 1.0; e += 0.05)
     {
         for (double re = 1e-3; re < 1000.0; re *= 7.0)
         {
-            if (fabs(G(e, re)/(e*e*paper(e, re)) - 1.0) > 1e-13)                          /* rounding of powers */
+            /* rounding of powers */
+            if (fabs(G(e, re)/(e*e*paper(e, re)) - 1.0) > 1e-13)
             {
                 TAP_NEAR(G(e, re)/(e*e*paper(e, re)), 1.0, 1e-13,
-                         "as the paper writes it, e = %g, Re = %g", e, re);
+                         "formula of the paper, e = %g, Re = %g", e, re);
             }
         }
     }
-    TAP_OK(tap_count.failed == 0, "as the paper writes it, e from 0.25 to 1, Re from 1e-3 to 1000");
+    TAP_OK(tap_count.failed == 0, "formula of the paper, e from 0.25 to 1, Re from 1e-3 to 1000");
     for (double s = 0.1; s < 0.505; s += 0.05)
     {
         const double e = 1.0 - s, beetstra = body_drag(&dem_beetstra, none, e, 0.0),
@@ -54,8 +58,8 @@ int main(void)
     }
     /* three sets of simulations; the two others differ by up to 7 % from each other */
     TAP_OK(worst < 0.10, "creeping, s from 0.1 to 0.5: within %.1f %% of Beetstra's", 100.0*worst);
-    TAP_OK(worst_hill < 0.12, "and %.1f %% of Koch and Hill's", 100.0*worst_hill);
-    TAP_OK(worst_other > 0.15, "with e^2 under the lone sphere it would be %.1f %%",
+    TAP_OK(worst_hill < 0.12, "creeping: within %.1f %% of Koch and Hill's", 100.0*worst_hill);
+    TAP_OK(worst_other > 0.15, "with the single sphere's term over e^2 it would be %.1f %%",
            100.0*worst_other);
     drag_limits(&dem_tenneti, NULL);
     drag_form(&dem_tenneti, NULL);

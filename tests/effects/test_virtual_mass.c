@@ -1,6 +1,10 @@
 /*
- * Claims: the added mass is half the displaced fluid for a single sphere, Zuber's and Felderhof's in a suspension, and never
- * negative. The reported force is the added mass times the fluid's acceleration, and the fluid gets the opposite.
+ * test_virtual_mass.c -- added mass.
+ *
+ * - Half the displaced fluid for a single sphere, Zuber's and Felderhof's in a suspension, and
+ *   never negative.
+ * - The reported force is the added mass times the fluid's acceleration, and the fluid gets the
+ *   opposite.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -8,7 +12,7 @@
 
 static double settings[4];
 
-/* C of a sphere of this density ratio in a swarm of this void fraction */
+/* C of a sphere of this density ratio in a suspension of this void fraction */
 static double C(const char *swarm, double e, double ratio)
 {
     static struct dem_body_batch b;
@@ -32,11 +36,11 @@ int main(void)
     /* rounding in all of these */
     TAP_NEAR(C("none", 1.0, 2.5), 0.5, 1e-15, "half the displaced fluid");
     TAP_NEAR(C("none", 0.5, 2.5), 0.5, 1e-15, "independent of the void fraction by default");
-    TAP_NEAR(C("zuber", 1.0, 2.5), 0.5, 1e-15, "Zuber: a lone sphere");
+    TAP_NEAR(C("zuber", 1.0, 2.5), 0.5, 1e-15, "Zuber: a single sphere");
     TAP_NEAR(C("zuber", 0.7, 2.5), 0.5*1.6/0.7, 1e-14, "Zuber: 0.3 of solid");
     TAP_NEAR(C("zuber", 0.99, 2.5), 0.5 + 1.5*0.01, 2e-4,
              "Zuber: to first order 1/2 + 3/2 s");      /* the next is 3/2 s^2 */
-    TAP_NEAR(C("felderhof", 1.0, 0.001), 0.5, 1e-15, "Felderhof: a lone sphere");
+    TAP_NEAR(C("felderhof", 1.0, 0.001), 0.5, 1e-15, "Felderhof: a single sphere");
     TAP_NEAR(C("felderhof", 0.7, 1.0), 0.5 + 0.13*0.3 - 0.58*0.09 + 1.42*0.027, 1e-14,
              "Felderhof: as dense as the fluid");
     TAP_NEAR(C("felderhof", 0.8, 2.5),
@@ -44,7 +48,7 @@ int main(void)
                  1.42*0.008,
              1e-14, "Felderhof: 2.5 times as dense");
     TAP_OK(C("zuber", 0.1, 1.0) == C("zuber", 0.2, 1.0) && C("zuber", 1.2, 1.0) == 0.5,
-           "out of range as at its ends");
+           "out of range: as at the limits");
     for (double e = 0.2; e <= 1.0; e += 0.05)
     {
         for (double ratio = 1e-6; ratio < 1e5; ratio *= 3.0)
@@ -63,11 +67,11 @@ int main(void)
     const double a = 0.5*800.0*b.volume[0];
 
     TAP_OK(b.added_mass[0] == a && b.rx[0] == a*3.0 && b.ry[0] == -a*2.0 && b.rz[0] == a*9.81,
-           "a Du/Dt, in the book that the fluid gets");
-    TAP_OK(b.fx[0] == 0.0 && b.b[0] == 0.0, "and in no other");
-    TAP_OK(b.added_mass[1] == 0.0 && b.rx[1] == 0.0, "an empty row: nothing");
+           "a Du/Dt, in the column that the fluid receives");
+    TAP_OK(b.fx[0] == 0.0 && b.b[0] == 0.0, "in no other column");
+    TAP_OK(b.added_mass[1] == 0.0 && b.rx[1] == 0.0, "an empty row: zero");
     TAP_OK(dem_virtual_mass.has_added_mass && dem_virtual_mass.has_reaction &&
                dem_virtual_mass.needs & DEM_NEEDS_ACCELERATION,
-           "asks for the acceleration");
+           "it needs the fluid's acceleration");
     TAP_DONE;
 }

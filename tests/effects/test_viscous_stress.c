@@ -1,6 +1,8 @@
 /*
- * Claims: the force is V div tau, declared as one that the fluid gets the opposite of. In steady flow through a straight tube, where
- * div tau = grad p, it cancels the pressure gradient: a sphere that moves with the fluid has no net force.
+ * test_viscous_stress.c -- the force V div tau, of which the fluid gets the opposite.
+ *
+ * In steady flow through a straight tube, where div tau = grad p, it cancels the pressure gradient:
+ * a sphere that moves with the fluid has no net force.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -18,8 +20,8 @@ int main(void)
     dem_viscous_stress.apply_to_bodies(NULL, &b);
     TAP_OK(b.rx[0] == 1.0 + 2e-9*1e4 && b.ry[0] == -2e-9*2e4 && b.rz[0] == 2e-9*3e4,
            "adds V div tau");
-    TAP_OK(b.fx[0] == 0.0 && b.rx[1] == 0.0, "in no other book, and nothing to an empty row");
-    TAP_OK(dem_viscous_stress.needs == (DEM_NEEDS_FLUID | DEM_NEEDS_STRESS), "asks for the stress");
+    TAP_OK(b.fx[0] == 0.0 && b.rx[1] == 0.0, "in no other column, and zero in an empty row");
+    TAP_OK(dem_viscous_stress.needs == (DEM_NEEDS_FLUID | DEM_NEEDS_STRESS), "it needs the stress");
 
     memset(&b, 0, sizeof b);
     b.n = 1;

@@ -1,6 +1,10 @@
 /*
- * Claims: for small Re the torque is pi mu d^3 times half the vorticity less the spin; for larger Re it is the fit of Dennis and
- * others, continuous in between. Target spin and coefficient belong together: a sphere that rotates with the fluid has no torque.
+ * test_viscous_torque.c -- torque of a viscous fluid.
+ *
+ * - At small Re it is pi mu d^3 times half the vorticity less the spin; at larger Re the fit of
+ *   Dennis and others, continuous in between.
+ * - Target spin and coefficient belong together: a sphere that rotates with the fluid has no
+ *   torque.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -34,7 +38,7 @@ int main(void)
                  1e-13, "Dennis and others at %g", re);
     }
     TAP_NEAR(factor(31.75)/factor(31.7), 1.0, 1e-3,
-             "without a step");      /* slope of the fit: 2 % from 31 to 32 */
+             "continuous at Re_r = 32");      /* slope of the fit: 2 % from 31 to 32 */
     correction = 0;
     TAP_OK(factor(1000.0) == factor(0.0), "without correction: Stokes'");
     correction = 1;
@@ -52,7 +56,7 @@ int main(void)
            "towards half the vorticity");
     TAP_OK(b.tx[1] - b.t[1]*b.wx[1] == 0.0 && b.tz[1] - b.t[1]*b.wz[1] == 0.0,
            "no torque on a sphere that rotates with the fluid");
-    TAP_OK(b.t[2] == 0.0 && b.tx[2] == 0.0, "an empty row: nothing");
+    TAP_OK(b.t[2] == 0.0 && b.tx[2] == 0.0, "an empty row: zero");
     TAP_OK(b.fx[0] == 0.0 && b.rx[0] == 0.0 && b.b[0] == 0.0, "no force");
     TAP_DONE;
 }

@@ -1,6 +1,10 @@
 /*
- * Claims: the drag is Wen and Yu's: the tabulated values, Stokes' law for a lone creeping sphere, Newton's constant
- * coefficient above Re = 1000; b u goes with b; at rest, out of range and in rows without fluid everything is finite.
+ * test_wen_yu.c -- drag of Wen and Yu.
+ *
+ * - Tabulated values; Stokes' law for a single creeping sphere; Newton's constant coefficient above
+ *   Re = 1000.
+ * - The target b u belongs to the coefficient b.
+ * - Finite at rest, out of range and in rows without fluid.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -27,8 +31,8 @@ int main(void)
     }
 
     /* from here on: b and u of the test row are a few rounded factors, 1e-14 */
-    TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a lone creeping sphere: Stokes' 3 pi mu d");
-    TAP_NEAR(G(1.0, 1e-6), 1.0, 1.2e-5, "and nearly so at Re = 1e-6: 0.15 Re^0.687 is 1.13e-5");
+    TAP_NEAR(G(1.0, 0.0), 1.0, 1e-15, "a single creeping sphere: Stokes' 3 pi mu d");
+    TAP_NEAR(G(1.0, 1e-6), 1.0, 1.2e-5, "at Re = 1e-6: 0.15 Re^0.687 is 1.13e-5");
     TAP_NEAR(G(0.5, 0.0), pow(0.5, -2.65), 1e-14, "at rest in a suspension: e^-2.65");
     TAP_NEAR(G(1.0, 1e5), 0.44*1e5/24.0, 1e-10, "Re = 1e5: Cd = 0.44");
     TAP_NEAR(G(1.0, 1000.1)/G(1.0, 999.9), 1.004, 1e-3,
@@ -36,7 +40,7 @@ int main(void)
     TAP_OK(G(0.1, 0.0) == G(0.2, 0.0) && G(0.0, 0.0) == G(0.2, 0.0), "below e = 0.2 as at 0.2");
     TAP_OK(G(1.1, 0.0) == 1.0, "above e = 1 as at 1");
 
-    /* the slip in all directions, nothing but the slip */
+    /* drag depends on the slip alone, in all directions */
     b.n = 4;
     for (int c = 0; c < 4; c++)
     {
@@ -47,10 +51,10 @@ int main(void)
     }
     dem_effect_apply_to_bodies(&dem_wen_yu, NULL, &b);
     TAP_NEAR(b.b[0]/(3.0*3.14159265358979324*1e-6), G(0.6, 0.0), 1e-13,
-             "moving with the fluid is as at rest in it");
+             "moving with the fluid: as at rest in it");
     for (int c = 1; c < 4; c++)
     {
-        /* 0.04 comes out of 3.04 - 3: 1e-14 of it is lost */
+        /* 0.04 is 3.04 - 3, with a rounding of 1e-14 */
         TAP_NEAR(b.b[c]/(3.0*3.14159265358979324*1e-6), G(0.6, 24.0), 1e-12,
                  "slip along axis %d alone", c - 1);
     }
@@ -67,14 +71,15 @@ int main(void)
     dem_effect_apply_to_bodies(&dem_wen_yu, NULL, &b);
     TAP_OK(b.bux[0] == b.b[0]*b.ux[0] && b.buy[0] == b.b[0]*3.0 && b.buz[0] == -b.b[0],
            "target: b times the fluid velocity");
-    TAP_NEAR(b.b[1]/(3.0*3.14159265358979324*1e-6), G(0.6, 40.0), 1e-13, "only the slip counts");
-    TAP_OK(b.b[2] == 0.0 && b.bux[2] == 0.0, "no viscosity, no drag");
-    TAP_OK(b.b[3] == 0.0 && b.bux[3] == 0.0, "an empty row: nothing");
+    TAP_NEAR(b.b[1]/(3.0*3.14159265358979324*1e-6), G(0.6, 40.0), 1e-13, "drag depends on the slip alone");
+    TAP_OK(b.b[2] == 0.0 && b.bux[2] == 0.0, "no viscosity: no drag");
+    TAP_OK(b.b[3] == 0.0 && b.bux[3] == 0.0, "an empty row: zero");
     dem_effect_apply_to_bodies(&dem_wen_yu, NULL, &b);
-    TAP_OK(b.buy[0] == 2.0*(b.b[0]/2.0)*3.0, "adds to what was there");
-    TAP_OK(b.fx[0] == 0.0, "and leaves the explicit force alone");
+    TAP_OK(b.buy[0] == 2.0*(b.b[0]/2.0)*3.0, "adds to the value in the column");
+    TAP_OK(b.fx[0] == 0.0, "the explicit force is not changed");
 
-    /* settling: with gravity and the pressure gradient of water at rest, a sphere of 1 um has no net force at Stokes' speed */
+    /* settling: with gravity and the pressure gradient of water at rest, a sphere of 1 um has no
+       net force at Stokes' speed */
     const double d = 1e-6, excess = 1500.0, speed = excess*9.81*d*d/(18.0*1e-3);
     double down[3] = {0.0, 0.0, -9.81};
 

@@ -72,7 +72,8 @@ void fuzz_scene(const char *text)
                 : dem_advance(d,
                               fmin(1e-9,
                                    dem_step_limit(d)
-                                       .used));     /* a sphere of 1e-13 m takes 1e7 steps for 1e-9 s */
+                                       /* a sphere of 1e-13 m takes 1e7 steps for 1e-9 s */
+                                       .used));
         fuzz_judge(status);
         dem_free(d);
     }

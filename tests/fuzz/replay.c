@@ -1,8 +1,9 @@
 /*
- * replay.c -- a harness with the plain build: each file named is put in once, and what comes of it is printed, a line a file.
+ * replay.c -- a harness with the plain build: reads each file once and prints the outcome, one line
+ * a file.
  *
- *     replay_READER FILE ...          NAME: taken, or NAME: SENTENCE
- *     replay_snapshot -seed FILE N    writes the state after N steps there, to begin from
+ *     replay_READER FILE ...          NAME: accepted, or NAME: SENTENCE
+ *     replay_snapshot -seed FILE N    writes the state after N steps to FILE, as a seed
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -31,7 +32,7 @@ static int put_in(const char *path)
     fclose(f);
     LLVMFuzzerTestOneInput(data, got);
     free(data);
-    printf("%s: %s\n", slash ? slash + 1 : path, fuzz_status() ? dem_error_text() : "taken");
+    printf("%s: %s\n", slash ? slash + 1 : path, fuzz_status() ? dem_error_text() : "accepted");
     return fflush(stdout);
 }
 

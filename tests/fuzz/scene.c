@@ -1,8 +1,10 @@
 /*
- * scene.c -- any bytes as the text of a scene: read and checked as dem plan does, up to the placing of particles.
+ * scene.c -- any bytes as the text of a scene: read and checked as by dem plan, up to the placing
+ * of particles.
  *
- * A zero ends the text, as in a string. Files that it names are looked for in the folder that the harness runs in. What the program and the
- * coupling read (time/end and the like, write, coupling) is asked for here, or every scene of a run would be refused for it.
+ * A zero byte ends the text, as in a string. Files that it names are looked for in the current
+ * folder. Entries that the program and the coupling read (time/end and others, write, coupling) are
+ * read here, as they would be refused as unknown otherwise.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -11,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void ask_for_the_rest(const struct dem_dict *scene)
+static void read_other_entries(const struct dem_dict *scene)
 {
     static const char *const whole[] = {"write", "coupling"};
     const struct dem_dict *sub;
@@ -50,7 +52,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         status = dem_scene_text(d, text, "scene");
         if (!status)
         {
-            ask_for_the_rest(dem_scene_dict(d));
+            read_other_entries(dem_scene_dict(d));
         }
         status = status ? status : dem_check(d);
         fuzz_judge(status);

@@ -1,9 +1,11 @@
 /*
- * snapshot.c -- any bytes as a snapshot: made one that reading does not refuse at once, read, and advanced by one step.
+ * snapshot.c -- any bytes as a snapshot: corrected so that reading does not refuse it at once,
+ * read, and advanced by one step.
  *
- * What guards against slips would keep all but the undamaged out: so magic, byte order, version and the three checksums are put right, and
- * the file gets the length that its head tells of, where that is below 1 MB. Bytes are changed by a mutator of our own half of the time:
- * a whole word of the head, of a particle or of a row, by a number that is likely to hurt.
+ * The checksums would exclude nearly all inputs. So magic, byte order, version and the three
+ * checksums are corrected, and the file gets the length that its header describes, if that is below
+ * 1 MB. In half of the cases bytes are changed by the mutator of this file: a whole word of the
+ * header, of a particle or of a row becomes an extreme number.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -21,20 +23,27 @@ size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t most) __attribute__((
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned seed);
 
 static const char scene[] =
-    "materials { rock { density 2500; youngsModulus 4e6; } clay { density 2000; youngsModulus 2e6; } } "
-    "effects { hertz { } dry { restitution 0.8; } mindlin { friction 0.4; } rollingSpring { friction 0.1; } "
-    "bondLinear { normalStiffness 4e9; shearStiffness 1.6e9; radius 0.8; makeDistance 1.02; } gravity { acceleration (0 0 -9.81); } } "
+    "materials { rock { density 2500; youngsModulus 4e6; } clay { density 2000; "
+    "youngsModulus 2e6; } } "
+    "effects { hertz { } dry { restitution 0.8; } mindlin { friction 0.4; } "
+    "rollingSpring { friction 0.1; } "
+    "bondLinear { normalStiffness 4e9; shearStiffness 1.6e9; radius 0.8; makeDistance 1.02; } "
+    "gravity { acceleration (0 0 -9.81); } } "
     "pairs { soft { between (clay clay); bondLinear { probability 0; } } } "
     "domain { min (0 0 -0.001); max (0.008 0.008 0.008); periodic (x); leaving remove; } "
-    "walls { floor { type plane; material rock; point (0 0 0); normal (0 0 1); motion { type oscillation; amplitude (0 0 1e-4); frequency 200; } } } "
-    "insert { %s rain { type stream; material clay; rate 1e4; diameter 1e-3; min (0 0 0.006); max (0.008 0.008 0.008); velocity (0 0 -1); } } "
+    "walls { floor { type plane; material rock; point (0 0 0); normal (0 0 1); "
+    "motion { type oscillation; amplitude (0 0 1e-4); frequency 200; } } } "
+    "insert { %s rain { type stream; material clay; rate 1e4; diameter 1e-3; min (0 0 0.006); "
+    "max (0.008 0.008 0.008); velocity (0 0 -1); } } "
     "outlets { hole { point (0 0.0075 0); normal (0 1 0); } } "
     "averages { box { min (0 0 0); max (0.008 0.008 0.008); cells (2 1 2); interval 1e-5; } } "
     "time { step 1e-6; }";
 
 static const char grains[] =
-    "block { type list; material rock; diameter 1e-3; positions ((0.001 0.004 0.0005) (0.002 0.004 0.0005) (0.0079 0.004 0.0005)); "
-    "velocity (0.1 0 -0.1); } soft { type list; material clay; diameter 0.8e-3; positions ((0.004 0.002 0.00039) (0.0048 0.002 0.00039)); spin (0 50 0); } ";
+    "block { type list; material rock; diameter 1e-3; "
+    "positions ((0.001 0.004 0.0005) (0.002 0.004 0.0005) (0.0079 0.004 0.0005)); "
+    "velocity (0.1 0 -0.1); } soft { type list; material clay; diameter 0.8e-3; "
+    "positions ((0.004 0.002 0.00039) (0.0048 0.002 0.00039)); spin (0 50 0); } ";
 
 static struct dem *begin(const char *insert)
 {
@@ -55,8 +64,8 @@ int fuzz_snapshot(const char *path, int steps)
     return status;
 }
 
-/* Bytes that the head tells of; 0 when it is none that the rest can be fitted to. */
-static size_t told(const struct dem_snapshot_header *h)
+/* Length that the header describes; 0 if it is invalid or too large. */
+static size_t described_length(const struct dem_snapshot_header *h)
 {
     const int64_t most = 1 << 12;
     int good = h->particles >= 0 && h->particles < most && h->rows >= 0 && h->rows < most &&
@@ -73,14 +82,14 @@ static size_t told(const struct dem_snapshot_header *h)
     return size < 1 << 20 ? size : 0;
 }
 
-/* The file with its marks and sums put right; *n becomes its length. The caller frees it. */
-static uint8_t *put_right(const uint8_t *data, size_t *n)
+/* The file with corrected marks and checksums; *n becomes its length. The caller frees it. */
+static uint8_t *corrected(const uint8_t *data, size_t *n)
 {
     struct dem_snapshot_header h;
 
     memset(&h, 0, sizeof h);
     memcpy(&h, data, *n < sizeof h ? *n : sizeof h);
-    const size_t fit = told(&h), size = fit ? fit : *n < sizeof h ? sizeof h : *n;
+    const size_t fit = described_length(&h), size = fit ? fit : *n < sizeof h ? sizeof h : *n;
     uint8_t *const file = calloc(size, 1);
 
     memcpy(file, data, size < *n ? size : *n);
@@ -109,7 +118,7 @@ static uint8_t *put_right(const uint8_t *data, size_t *n)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     size_t n = size;
-    uint8_t *const file = put_right(data, &n);
+    uint8_t *const file = corrected(data, &n);
     const char *const path = fuzz_file(file, n);
     struct dem *const d = begin("");
     uint64_t fingerprint;
@@ -131,7 +140,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     return 0;
 }
 
-/* ---- changing one ------------------------------------------------------------------------------------------------ */
+/* ---- mutation ---------------------------------------------------------------------------- */
 
 static uint64_t draw(uint64_t *state)                     /* splitmix64 */
 {
@@ -142,7 +151,7 @@ static uint64_t draw(uint64_t *state)                     /* splitmix64 */
     return z ^ z >> 31;
 }
 
-static uint64_t hurts(uint64_t *state, uint64_t old)
+static uint64_t extreme_number(uint64_t *state, uint64_t old)
 {
     static const double real[] = {0.0, -0.0, 1.0, -1.0, NAN, INFINITY,
                                   -INFINITY, DBL_MAX, -DBL_MAX, DBL_MIN, 5e-324, 1e-300,
@@ -212,7 +221,7 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned
              : sizeof h/8 < words ? sizeof h/8 + at%(words - sizeof h/8)
                                     : at%words;
         memcpy(&word, data + 8*at, 8);
-        word = hurts(&state, word);
+        word = extreme_number(&state, word);
         memcpy(data + 8*at, &word, 8);
     }
     return size;

@@ -1,11 +1,16 @@
 /*
- * Claims: every entry of a scene, one by one, left out where it has no default, misspelt, left empty, of the wrong kind, too
- * short a list, not a number, past what a double or a whole number holds, in other letters, or without its semicolon, is
- * refused before particles are placed, in one sentence that names it (and the line, where a ; is missing). With 0, numbers
- * below it, 1e300 or 1e-300 in its place the scene is refused likewise or runs; nothing crashes, nothing takes for ever.
+ * test_entries.c -- every entry of a scene and every setting of every effect, one by one, with
+ * wrong values.
  *
- * The good scene is the table below; a case replaces one value of it. Then each setting of each effect, in a scene of that
- * effect alone. What the program alone reads is in run. Build it with DEM_CFLAGS='-g -fsanitize=address,undefined', too.
+ * - Refused before particles are placed, by a sentence that names the entry (and the line, where a
+ *   ; is missing): left out where it has no default, misspelt, empty, of the wrong kind, too short
+ *   a list, not a number, beyond a double or an integer, in other letters, without its semicolon.
+ * - With 0, negative numbers, 1e300 or 1e-300 in its place the scene is refused likewise or runs,
+ *   without a crash or an endless loop.
+ *
+ * The valid scene is the table below; a case replaces one value of it. Then each setting of each
+ * effect is tested in a scene of that effect. Entries that only the program reads are tested in
+ * run. Build it with DEM_CFLAGS='-g -fsanitize=address,undefined', too.
  *
  * Source: the tables of docs/scene-reference.md.
  *
@@ -162,10 +167,10 @@ enum
 {
     ROWS = (int)(sizeof rows/sizeof rows[0]),
     ALL = -1,                                             /* no row is replaced */
-    PATIENCE = 300                                        /* s until what hangs is ended */
+    PATIENCE = 300                                        /* s until an endless loop is ended */
 };
 
-/* What is wrong as a value of each kind. */
+/* Values that are wrong for each kind. */
 static const char *const wrong[KINDS][16] = {
     [NUMBER] = {"", "many", "1 2", "(1 2 3)", "nan", "inf", "-inf", "1e400", "-1e400", "1,5",
                 "0x10", "1e", "\xc3\xa4", "\"\"", "(1)"},
@@ -182,7 +187,7 @@ static const char *const wrong[KINDS][16] = {
                  "2 ((1 2 3))", "((1 2 3)"},
 };
 
-/* What may be right for one entry and not for another. */
+/* Values that may be right for one entry and wrong for another. */
 static const char *const extreme[KINDS][10] = {
     [NUMBER] = {"0", "-1", "1e300", "-1e300", "1e-300", "1e-308", "1e308", "3e8", "1e15"},
     [VECTOR] = {"(0 0 0)", "(1e300 0 0)", "(0 -1e300 1e300)", "(1e-300 0 0)",
@@ -199,12 +204,13 @@ static const char *const extreme[KINDS][10] = {
                  "((0 0 1e300) (0 0 -1e300))", "((1e308 0 0) (-1e308 0 0) (0 1e308 0))"},
 };
 
-/* ---- the scene ----------------------------------------------------------------------------------------------- */
+/* ---- the scene ------------------------------------------------------------------------------- */
 
-struct slip
+struct fault
 {
     int row;
-    const char *name, *value, *end;                       /* in place of the row's own; no value: left out */
+    /* in place of those of the row; no value: left out */
+    const char *name, *value, *end;
 };
 
 static const char *last_word(const char *path)
@@ -227,8 +233,8 @@ static void group_of(const char *path, char group[64])
     snprintf(group, 64, "%.*s", (int)(end - from), from);
 }
 
-/* As a user writes it, each entry and each brace on a line of its own. Returns the line of the slip. */
-static int print_scene(FILE *to, const struct slip *slip)
+/* Print the scene, each entry and each brace on one line. Returns the line of the fault. */
+static int print_scene(FILE *to, const struct fault *fault)
 {
     const char *last = "";
     int line = 1, here = 0;
@@ -236,7 +242,7 @@ static int print_scene(FILE *to, const struct slip *slip)
     for (int i = 0; i < ROWS; i++)
     {
         const char *const path = rows[i].path, *const word = last_word(path);
-        const int slips = i == slip->row;
+        const int slips = i == fault->row;
         size_t same = 0;
 
         for (size_t c = 0; path[c] && path[c] == last[c]; c++)
@@ -253,10 +259,10 @@ static int print_scene(FILE *to, const struct slip *slip)
             fputs("\n{\n", to);
             line += 2;
         }
-        if (!slips || slip->value)
+        if (!slips || fault->value)
         {
-            fprintf(to, "%s %s%s\n", slips ? slip->name : word, slips ? slip->value : rows[i].value,
-                    slips ? slip->end : ";");
+            fprintf(to, "%s %s%s\n", slips ? fault->name : word,
+                    slips ? fault->value : rows[i].value, slips ? fault->end : ";");
         }
         here = slips ? line : here;
         line++;
@@ -276,15 +282,15 @@ static int is_sentence(const char *text)
 
 static int cases;
 
-/* ---- one case ------------------------------------------------------------------------------------------------ */
+/* ---- one case -------------------------------------------------------------------------------- */
 
-struct fate
+struct outcome
 {
     int refused, failed, line;                            /* before particles are placed; later */
     char sentence[8192];
 };
 
-static void run_a_little(struct dem *d, struct fate *f)
+static void advance_briefly(struct dem *d, struct outcome *f)
 {
     int status = dem_setup(d);
 
@@ -295,33 +301,33 @@ static void run_a_little(struct dem *d, struct fate *f)
     f->failed = status;
 }
 
-static struct fate try_scene(const struct slip *slip)
+static struct outcome try_scene(const struct fault *fault)
 {
     static char text[32768];
-    struct fate f = {.refused = 0};
+    struct outcome f = {.refused = 0};
     struct dem *d = NULL;
     FILE *const to = fmemopen(text, sizeof text, "w");
 
     cases++;
-    f.line = print_scene(to, slip);
+    f.line = print_scene(to, fault);
     fclose(to);
     WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
     f.refused = dem_scene_text(d, text, "scene");
     f.refused = f.refused ? f.refused : dem_check(d);
     if (!f.refused)
     {
-        run_a_little(d, &f);
+        advance_briefly(d, &f);
     }
     snprintf(f.sentence, sizeof f.sentence, "%s", f.refused || f.failed ? dem_error_text() : "");
     dem_free(d);
     return f;
 }
 
-/* Must be refused early, and name its word. */
-static void refuse(const char *what, const struct slip *slip)
+/* It must be refused before particles are placed, and the sentence must name its word. */
+static void must_refuse(const char *what, const struct fault *fault)
 {
-    const struct row *const r = &rows[slip->row];
-    const struct fate f = try_scene(slip);
+    const struct row *const r = &rows[fault->row];
+    const struct outcome f = try_scene(fault);
     const int good = f.refused && is_sentence(f.sentence) && strstr(f.sentence, last_word(r->path));
 
     if (!good)
@@ -331,14 +337,15 @@ static void refuse(const char *what, const struct slip *slip)
     }
 }
 
-/* Refused early in the name of its word or its group, or taken; what fails on the way says so in a sentence. */
-static int survive(const char *value, const struct slip *slip)
+/* It is refused before particles are placed, with its word or its group, or accepted; a run that
+   fails ends with a sentence. */
+static int try_extreme(const char *value, const struct fault *fault)
 {
-    const struct row *const r = &rows[slip->row];
-    const struct fate f = try_scene(slip);
+    const struct row *const r = &rows[fault->row];
+    const struct outcome f = try_scene(fault);
     char group[64], word[64];
 
-    /* without the s of a list, of which one is named */
+    /* without the plural s of a list */
     snprintf(word, sizeof word, "%.*s",
              (int)(strlen(last_word(r->path)) - (r->kind == NUMBERS || r->kind == VECTORS)),
              last_word(r->path));
@@ -357,11 +364,11 @@ static int survive(const char *value, const struct slip *slip)
 
 static void leave_out_semicolon(int k)
 {
-    const struct slip slip = {.row = k,
+    const struct fault fault = {.row = k,
                               .name = last_word(rows[k].path),
                               .value = rows[k].value,
                               .end = ""};
-    const struct fate f = try_scene(&slip);
+    const struct outcome f = try_scene(&fault);
     char asks[64], says[64];
 
     snprintf(asks, sizeof asks, "is a ; missing at the end of line %d?", f.line);
@@ -383,27 +390,28 @@ static void try_row(int k)
 
     leave_out_semicolon(k);
     snprintf(misspelt, sizeof misspelt, "%sx", word);
-    refuse("misspelt", &(struct slip){k, misspelt, r->value, ";"});
+    must_refuse("misspelt", &(struct fault){k, misspelt, r->value, ";"});
     if (r->needed)
     {
-        refuse("left out", &(struct slip){k, word, NULL, ";"});
+        must_refuse("left out", &(struct fault){k, word, NULL, ";"});
     }
     for (int j = 0; wrong[r->kind][j]; j++)
     {
-        refuse(wrong[r->kind][j], &(struct slip){k, word, wrong[r->kind][j], ";"});
+        must_refuse(wrong[r->kind][j], &(struct fault){k, word, wrong[r->kind][j], ";"});
     }
     for (int j = 0; extreme[r->kind][j]; j++)
     {
-        taken += survive(extreme[r->kind][j], &(struct slip){k, word, extreme[r->kind][j], ";"});
+        taken +=
+            try_extreme(extreme[r->kind][j], &(struct fault){k, word, extreme[r->kind][j], ";"});
         extremes++;
     }
-    TAP_OK(tap_count.failed == before, "%s: slips are refused by name; of %d extremes %d run",
+    TAP_OK(tap_count.failed == before, "%s: faults are refused by name; of %d extremes %d run",
            r->path, extremes, taken);
 }
 
-/* ---- effects ------------------------------------------------------------------------------------------------- */
+/* ---- effects --------------------------------------------------------------------------------- */
 
-/* Two grains and a wall, on which this effect acts, and hertz where it needs another. */
+/* Two particles and a wall, with this effect, and hertz where it needs a normal law. */
 static int check_setting(const struct dem_effect *effect, const char *name, const char *value)
 {
     char text[1024];
@@ -413,7 +421,8 @@ static int check_setting(const struct dem_effect *effect, const char *name, cons
     snprintf(
         text, sizeof text,
         "materials { glass { density 2500; youngsModulus 1e7; } } effects { %s %s { %s %s; } }"
-        "insert { two { type list; diameter 1e-3; positions ((0 0 1) (0.0011 0 1)); } } time { step 1e-9; }"
+        "insert { two { type list; diameter 1e-3; positions ((0 0 1) (0.0011 0 1)); } } "
+        "time { step 1e-9; }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
         effect->stage == DEM_STAGE_NORMAL ? "" : "hertz { }", effect->name, name, value);
     WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
@@ -450,14 +459,16 @@ static void settings(const struct dem_effect *effect)
             worst = status && !is_sentence(dem_error_text()) ? extreme[kind][j] : worst;
             taken += !status;
         }
-        TAP_OK(!worst, "effects/%s/%s: slips are refused by name; of %d extremes %d are taken %s",
+        TAP_OK(!worst,
+               "effects/%s/%s: faults are refused by name; of %d extremes %d are accepted %s",
                effect->name, f->name, extremes, taken, worst ? worst : "");
     }
 }
 
-/* ---- all ----------------------------------------------------------------------------------------------------- */
+/* ---- resources ------------------------------------------------------------------------------------- */
 
-/* Twenty and a hundred times what they take on a machine of 2020: a case that takes for ever or all memory shows. */
+/* Limits of twenty times the time and a hundred times the memory on a machine of 2020, to detect
+   cases that take much more. */
 static void resources(void)
 {
     struct rusage used;
@@ -478,11 +489,11 @@ static void resources(void)
 
 int main(void)
 {
-    const struct fate good = try_scene(&(struct slip){.row = ALL});
+    const struct outcome good = try_scene(&(struct fault){.row = ALL});
 
     TAP_TRAPS;
     alarm(PATIENCE);
-    TAP_OK(!good.refused && !good.failed, "the good scene runs %s", good.sentence);
+    TAP_OK(!good.refused && !good.failed, "the valid scene runs %s", good.sentence);
     for (int k = 0; k < ROWS; k++)
     {
         try_row(k);

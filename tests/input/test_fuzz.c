@@ -1,7 +1,10 @@
 /*
- * Claims: the harnesses of tests/fuzz for scenes, snapshots, tables and surfaces end with success or one sentence, with floating-point
- * traps on, for each seed file and for 200 mutations of it. A snapshot whose header describes more than the file has, with corrected
- * checksums, is refused as damaged.
+ * test_fuzz.c -- the harnesses of tests/fuzz with the plain build.
+ *
+ * - The harnesses for scenes, snapshots, tables and surfaces end with success or one sentence, with
+ *   floating-point traps on, for each seed file and for 200 mutations of it.
+ * - A snapshot whose header describes more than the file has, with corrected checksums, is refused
+ *   as damaged.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -24,7 +27,8 @@
 enum
 {
     MOST = 1 << 16,
-    MEANS_COLUMNS = 216,                                      /* behind name, box, start, interval and cells */
+    /* after name, box, start, interval and cells */
+    MEANS_COLUMNS = 216,
     MEANS_LENGTH = 232,
     MEANS_FULL = 240
 };
@@ -40,15 +44,15 @@ static size_t load(const char *path)
     return f && fclose(f) ? 0 : n;
 }
 
-/* The file whole, then with up to four bytes changed, then cut. */
-static void spoil(int (*reader)(const uint8_t *, size_t), const char *path)
+/* The complete file, then with up to four bytes changed, then truncated. */
+static void mutate(int (*reader)(const uint8_t *, size_t), const char *path)
 {
     const size_t n = load(path);
     uint64_t state = 1;
     int refused = 0;
 
     reader(good, n);
-    TAP_OK(fuzz_status() == 0, "%s: taken as it is: %s", path,
+    TAP_OK(fuzz_status() == 0, "%s: the seed is accepted: %s", path,
            fuzz_status() ? dem_error_text() : "");
     for (int k = 0; k < 200 && n > 0; k++)
     {
@@ -60,11 +64,11 @@ static void spoil(int (*reader)(const uint8_t *, size_t), const char *path)
         reader(bad, k%5 ? n : draw(&state)%n);
         refused += fuzz_status() != 0;
     }
-    TAP_OK(refused > 0, "%s: %d of 200 spoilt ones are refused, each with one sentence", path,
+    TAP_OK(refused > 0, "%s: %d of 200 mutations are refused, each with one sentence", path,
            refused);
 }
 
-static void refuse_head(size_t at, int64_t value, size_t n, const char *what)
+static void refuse_header(size_t at, int64_t value, size_t n, const char *what)
 {
     memcpy(bad, good, n);
     memcpy(bad + at, &value, sizeof value);
@@ -79,25 +83,25 @@ int main(void)
     const int fd = mkstemp(path);
 
     TAP_OK(fd >= 0 && fuzz_snapshot(path, 40) == 0, "a snapshot is written");
-    spoil(dem_fuzz_snapshot, path);
+    mutate(dem_fuzz_snapshot, path);
     const size_t n = load(path);
 
     for (int k = 0; k < 3; k++)
     {
         const int64_t value = (const int64_t[]){-1, 1 << 20, INT64_MAX/8}[k];
 
-        refuse_head(offsetof(struct dem_snapshot_header, particles), value, n, "particles");
-        refuse_head(offsetof(struct dem_snapshot_header, rows), value, n, "rows");
-        refuse_head(offsetof(struct dem_snapshot_header, materials), value, n, "materials");
-        refuse_head(offsetof(struct dem_snapshot_header, columns), value, n, "columns");
-        refuse_head(offsetof(struct dem_snapshot_header, memories), value, n, "memories");
-        refuse_head(offsetof(struct dem_snapshot_header, flows), value, n, "flows");
+        refuse_header(offsetof(struct dem_snapshot_header, particles), value, n, "particles");
+        refuse_header(offsetof(struct dem_snapshot_header, rows), value, n, "rows");
+        refuse_header(offsetof(struct dem_snapshot_header, materials), value, n, "materials");
+        refuse_header(offsetof(struct dem_snapshot_header, columns), value, n, "columns");
+        refuse_header(offsetof(struct dem_snapshot_header, memories), value, n, "memories");
+        refuse_header(offsetof(struct dem_snapshot_header, flows), value, n, "flows");
     }
     const double nowhen = NAN;
     int64_t bits;
 
     memcpy(&bits, &nowhen, sizeof bits);
-    refuse_head(offsetof(struct dem_snapshot_header, time), bits, n, "a time of bits");
+    refuse_header(offsetof(struct dem_snapshot_header, time), bits, n, "a time of bits");
     struct dem_snapshot_header head;
 
     memcpy(&head, good, sizeof head);
@@ -106,20 +110,20 @@ int main(void)
     {
         const int64_t value = (const int64_t[]){-1, 1 << 20, INT64_MAX/8}[k];
 
-        refuse_head(dem_snapshot_caller_data_offset(&head) + MEANS_COLUMNS, value, n,
+        refuse_header(dem_snapshot_caller_data_offset(&head) + MEANS_COLUMNS, value, n,
                     "columns of means");
-        refuse_head(dem_snapshot_caller_data_offset(&head) + MEANS_FULL, value, n,
+        refuse_header(dem_snapshot_caller_data_offset(&head) + MEANS_FULL, value, n,
                     "blocks of means");
     }
-    refuse_head(dem_snapshot_caller_data_offset(&head) + MEANS_LENGTH, 0, n,
+    refuse_header(dem_snapshot_caller_data_offset(&head) + MEANS_LENGTH, 0, n,
                 "samples in a block of means");
     unlink(path);
-    spoil(dem_fuzz_scene, "input/base.dem");
-    spoil(dem_fuzz_scene, "parallel/streams.dem");
-    spoil(dem_fuzz_scene, "parallel/all.dem");
-    spoil(dem_fuzz_table, "fuzz/seeds/table/ids.csv");
-    spoil(dem_fuzz_table, "fuzz/seeds/table/marks.csv");
-    spoil(dem_fuzz_stl, "fuzz/seeds/stl/two.stl");
-    spoil(dem_fuzz_stl, "fuzz/seeds/stl/three.bin.stl");
+    mutate(dem_fuzz_scene, "input/base.dem");
+    mutate(dem_fuzz_scene, "parallel/streams.dem");
+    mutate(dem_fuzz_scene, "parallel/all.dem");
+    mutate(dem_fuzz_table, "fuzz/seeds/table/ids.csv");
+    mutate(dem_fuzz_table, "fuzz/seeds/table/marks.csv");
+    mutate(dem_fuzz_stl, "fuzz/seeds/stl/two.stl");
+    mutate(dem_fuzz_stl, "fuzz/seeds/stl/three.bin.stl");
     TAP_DONE;
 }

@@ -1,7 +1,12 @@
 /*
- * Claims: particles from a table have the positions and the other columns of their rows, in any order of columns and with any
- * separators. A missing row, column or number is refused with file, line and text, a zero byte with file and line. Ids beyond 2^31 and
- * 2^53 are exact: from a table, a list and the program, in lists of bonds, in the view and through a snapshot; ids are unique.
+ * test_table.c -- particles from tables, and large ids.
+ *
+ * - Particles have the positions and other columns of their rows, in any order of columns and with
+ *   any separators.
+ * - A missing row, column or number is refused with file, line and text, a zero byte with file and
+ *   line.
+ * - Ids beyond 2^31 and 2^53 are exact: from a table, a list and the caller, in lists of bonds, in
+ *   the view and through a snapshot; ids are unique.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -54,29 +59,30 @@ static void refused(const char *rows, const char *entries, const char *first, co
 static void test_rows(void)
 {
     struct dem *d = from_table(
-        "# made by hand\n\n z; y;x ,diameter  wx,wy,wz\tvx vy vz\r\n0.3;0.2 0.1,2e-3,1,2,3,4,5,6\n\n#\n  3,2,1  1e-3;0;0;0;0;0;-1e0\n",
+        "# made by hand\n\n z; y;x ,diameter  wx,wy,wz\tvx vy vz\r\n0.3;0.2 "
+        "0.1,2e-3,1,2,3,4,5,6\n\n#\n  3,2,1  1e-3;0;0;0;0;0;-1e0\n",
         "");
 
     WORLD_TRY(dem_setup(d));
     const struct world_particle a = world_at(d, 0), b = world_at(d, 1);
 
     TAP_OK(a.x[0] == 0.1 && a.x[1] == 0.2 && a.x[2] == 0.3 && a.radius == 1e-3,
-           "columns in any order, any mark between");
+           "columns in any order, any separators");
     TAP_OK(a.v[0] == 4.0 && a.v[1] == 5.0 && a.v[2] == 6.0 && a.w[0] == 1.0 && a.w[1] == 2.0 &&
                a.w[2] == 3.0,
            "velocities and spins");
     TAP_OK(b.x[0] == 1.0 && b.x[2] == 3.0 && b.v[2] == -1.0 && b.radius == 5e-4,
-           "the last row, too");
+           "the last row is read");
     dem_free(d);
     d = from_table("x[m],y[m],z[m]\n0,0,0\n0,0,1", "diameter 1e-3; velocity (0 0 7); frozen no;");
     WORLD_TRY(dem_setup(d));
     TAP_OK(world_at(d, 1).x[2] == 1.0 && world_at(d, 1).v[2] == 7.0 &&
                world_at(d, 1).radius == 5e-4,
-           "what has no column stands in the scene");
+           "values without a column come from the scene");
     dem_free(d);
 }
 
-static void test_slips(void)
+static void test_faults(void)
 {
     const char *const one = "diameter 1e-3;";
 
@@ -104,7 +110,7 @@ static void test_slips(void)
             "9007199254740993");
 }
 
-/* A zero byte ends a string: what comes behind it must not be left out without a word. */
+/* A zero byte ends a string: the text after it must not be ignored silently. */
 static void test_zero(void)
 {
     static const char rows[] = "x,y,z\n0,0,0\n0,0,1\0\n0,0,2\n", sizes[] = "1e-3 1\n2e-3\0 1\n";
@@ -138,7 +144,7 @@ static void test_zero(void)
     }
 }
 
-/* 2^32 + 5, 2^53 + 1, which no double is, and the last there is */
+/* 2^32 + 5; 2^53 + 1, which a double cannot represent; the largest id */
 #define FIRST "4294967301"
 #define SECOND "9007199254740993"
 #define LAST "9223372036854775806"
@@ -147,7 +153,7 @@ static void are_there(struct dem *d, const char *where)
 {
     TAP_OK(world_at(d, 4294967301).x[2] == 0.1 && world_at(d, 9007199254740993).x[2] == 0.101,
            "%s: ids past 2^31 and 2^53", where);
-    TAP_OK(world_at(d, 9007199254740994).x[2] == 0.2, "%s: and the next free one", where);
+    TAP_OK(world_at(d, 9007199254740994).x[2] == 0.2, "%s: the next free id", where);
 }
 
 static void test_ids(void)
@@ -157,7 +163,8 @@ static void test_ids(void)
                                           .id = -1,
                                           .material = "glass"};
     const char *const scene = START
-        "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make listed; makeDistance 1.1; breakDistance 1.2; } }"
+        "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make listed; makeDistance 1.1; "
+        "breakDistance 1.2; } }"
         "insert { l { type list; diameter 1e-3; ids (" FIRST " " SECOND
         "); positions ((0 0 0.1) (0 0 0.101)); } }"
         "bonds { pairs (" SECOND " " FIRST "); }";
@@ -177,7 +184,8 @@ static void test_ids(void)
     dem_free(d);
     d = world_begin(
         START
-        "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make once; makeDistance 1.1; breakDistance 1.2; } }");
+        "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make once; makeDistance 1.1; "
+        "breakDistance 1.2; } }");
     WORLD_TRY(dem_load(d, path));
     WORLD_TRY(dem_setup(d));
     are_there(d, "a snapshot");
@@ -188,12 +196,12 @@ static void test_ids(void)
                    "diameter 1e-3;");
     WORLD_TRY(dem_setup(d));
     are_there(d, "a table");
-    TAP_OK(world_at(d, INT64_MAX - 1).x[2] == 0.3, "a table: the last id there is");
+    TAP_OK(world_at(d, INT64_MAX - 1).x[2] == 0.3, "a table: the largest id");
     dem_free(d);
 }
 
-/* ids of the text and of the program side by side */
-static void test_twins(void)
+/* ids of the scene and of the caller together */
+static void test_repeated_ids(void)
 {
     const char *const scene =
         START "} insert { a { type list; diameter 1e-3; ids (7 5); positions ((0 0 0) (0 0 1)); }"
@@ -211,7 +219,7 @@ static void test_twins(void)
         WORLD_TRY(dem_add_particles(d, 1, &seed));
         TAP_OK((dem_setup(d) != 0) == taken &&
                    (!taken || strstr(dem_error_text(), "two particles")),
-               "id %d is %s", (int)id, taken ? "taken" : "free");
+               "id %d is %s", (int)id, taken ? "refused" : "accepted");
         dem_free(d);
     }
     struct dem *const d = world_begin(
@@ -232,10 +240,10 @@ int main(void)
         close(file);
     }
     test_rows();
-    test_slips();
+    test_faults();
     test_zero();
     test_ids();
-    test_twins();
+    test_repeated_ids();
     remove(path);
     TAP_DONE;
 }

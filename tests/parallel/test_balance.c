@@ -1,9 +1,12 @@
 /*
- * Claims: subdomains have equal work, and space is cut anew when that pays: each rank has its fraction of the weights to 1 %; an
- * imbalance that a cut cannot reduce causes no further one; a growing imbalance causes one when its accumulated loss has reached the
- * price of a cut, on all ranks together.
+ * test_balance.c -- subdomains have equal work, and space is repartitioned when that pays.
  *
- *     mpirun -np N test_balance      prints what is wrong, ends with 0 when nothing is
+ * - Each rank has its fraction of the weights to 1 %.
+ * - An imbalance that a repartition cannot reduce causes no further one.
+ * - A growing imbalance causes one when its accumulated loss has reached the price of a
+ *   repartition, on all ranks together.
+ *
+ *     mpirun -np N test_balance    prints failures; status 0 if there are none
  *
  * Reference: sums of weights by rank; the price in parallel/load_balance.c, 10 steps of mean work.
  *
@@ -33,8 +36,9 @@ static void check(int holds, const char *what, double found, double expected)
     }
 }
 
-/* Particles of all ranks lie anywhere in a box of 3 x 1 x 2, those beyond x = 1 weigh ten times as much. */
-static void shares(struct dem_decomposition *pieces)
+/* Particles of all ranks lie anywhere in a box of 3 x 1 x 2, those beyond x = 1 weigh ten times as
+   much. */
+static void shares(struct dem_decomposition *decomposition)
 {
     struct dem_particles p = {.n = EACH};
     uint32_t *const weight = calloc(EACH, sizeof *weight);
@@ -50,13 +54,13 @@ static void shares(struct dem_decomposition *pieces)
         }
         weight[i] = p.record[i].x[0] > 1.0 ? 20 : 2;
     }
-    check(dem_decomposition_balance(pieces, &p, weight) == 0, "balance", 0, 0);
+    check(dem_decomposition_balance(decomposition, &p, weight) == 0, "balance", 0, 0);
     for (size_t i = 0; i < EACH; i++)
     {
-        const int owner = dem_decomposition_owner(pieces, p.record[i].x);
+        const int owner = dem_decomposition_owner(decomposition, p.record[i].x);
         double min[3], max[3];
 
-        dem_decomposition_box(pieces, owner, min, max);
+        dem_decomposition_box(decomposition, owner, min, max);
         for (int k = 0; k < 3; k++)
         {
             check(p.record[i].x[k] >= min[k] && p.record[i].x[k] < max[k],
@@ -71,7 +75,7 @@ static void shares(struct dem_decomposition *pieces)
     }
     for (int k = 0; k < ranks; k++)
     {
-        /* 0.005 of a share at each level of the tree, of shares that halve: below 0.01 */
+        /* 0.005 of a part at each level of the tree, of parts that halve: below 0.01 */
         check(fabs(sum[k]*ranks/total - 1.0) < 0.01, "share of a rank", sum[k]*ranks/total, 1.0);
     }
     free(p.record);
@@ -79,8 +83,9 @@ static void shares(struct dem_decomposition *pieces)
     free(sum);
 }
 
-/* Intervals of ten steps until a cut pays, at most `most`; rank 0 has 1 + excess of the mean work. */
-static int until(struct dem_load_balance *b, const struct dem_decomposition *pieces, double excess,
+/* Intervals of ten steps until a cut pays, at most `most`; rank 0 has 1 + excess of the mean
+   work. */
+static int until(struct dem_load_balance *b, const struct dem_decomposition *decomposition, double excess,
                  int most)
 {
     const struct dem_contacts none = {.classes = 0};
@@ -93,10 +98,10 @@ static int until(struct dem_load_balance *b, const struct dem_decomposition *pie
         {
             dem_load_balance_count(b, particles, &none);
         }
-        int pays = dem_load_balance_pays(b, pieces), all = pays;
+        int pays = dem_load_balance_pays(b, decomposition), all = pays;
 
         MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
-        check(all == pays*ranks, "ranks that find it pays", all, pays*ranks);
+        check(all == pays*ranks, "ranks that decide for a cut", all, pays*ranks);
         if (pays)
         {
             return k;
@@ -105,16 +110,16 @@ static int until(struct dem_load_balance *b, const struct dem_decomposition *pie
     return 0;
 }
 
-static void prices(const struct dem_decomposition *pieces)
+static void prices(const struct dem_decomposition *decomposition)
 {
     struct dem_load_balance b = {.cuts = 0};
-    int k = until(&b, pieces, 0.26, 100);
+    int k = until(&b, decomposition, 0.26, 100);
 
     /* 2.6 steps are lost in an interval of ten */
     check(k == 4, "intervals to the first cut", k, 4);
-    k = until(&b, pieces, 0.2, 1000);
-    check(k == 0, "what a cut can't mend brings no other", k, 0);
-    k = until(&b, pieces, 0.33, 100);
+    k = until(&b, decomposition, 0.2, 1000);
+    check(k == 0, "an imbalance that a cut cannot reduce causes no other cut", k, 0);
+    k = until(&b, decomposition, 0.33, 100);
     check(k == 8, "intervals until a growing loss has cost a cut", k, 8);
     check(b.cuts == 2, "cuts", b.cuts, 2);
     dem_load_balance_free(&b);
@@ -122,16 +127,16 @@ static void prices(const struct dem_decomposition *pieces)
 
 int main(int argc, char **argv)
 {
-    struct dem_decomposition pieces;
+    struct dem_decomposition decomposition;
 
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
     check(ranks > 1, "ranks; run it on two or more", ranks, 2);
-    check(dem_decomposition_init(&pieces, MPI_COMM_WORLD, rank, ranks) == 0, "pieces", 0, 0);
-    shares(&pieces);
-    prices(&pieces);
-    dem_decomposition_free(&pieces);
+    check(dem_decomposition_init(&decomposition, MPI_COMM_WORLD, rank, ranks) == 0, "pieces", 0, 0);
+    shares(&decomposition);
+    prices(&decomposition);
+    dem_decomposition_free(&decomposition);
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
     MPI_Finalize();
     return failed;

@@ -1,12 +1,17 @@
 /*
- * Errors on several ranks: an error of MPI on the library's communicator is returned as DEM_ERROR_MPI with MPI's text and does not
- * abort; when one rank runs out of memory before a collective call, all ranks return an error and none waits.
+ * test_failures.c -- errors on several ranks.
  *
- *     mpirun -np N test_failures         N >= 2; prints what is wrong, ends with 0 when nothing is
+ * - An error of MPI on the library's communicator is returned as DEM_ERROR_MPI with MPI's text and
+ *   does not abort.
+ * - When one rank runs out of memory before a collective call, all ranks return an error and none
+ *   waits.
  *
- * How: MPI calls of the library pass through functions of this file (the profiling interface of MPI). A call that is to fail makes a
- * broadcast from a rank that does not exist on the same communicator instead, so its error handler is asked. Every allocation of the
- * core goes through aligned_alloc, which fails once on the second rank.
+ *     mpirun -np N test_failures    N >= 2; prints failures; status 0 if there are none
+ *
+ * MPI calls of the library pass through functions of this file (profiling interface of MPI). A call
+ * that is to fail makes a broadcast from an invalid root on the same communicator instead, which
+ * invokes its error handler. Every allocation of the core goes through aligned_alloc, which fails
+ * once on the second rank.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -99,7 +104,7 @@ int MPI_Bcast(void *data, int n, MPI_Datatype type, int root, MPI_Comm comm)
 
 static MPI_Comm library_comm = MPI_COMM_NULL;
 
-/* The data have arrived, but the call says that they have not. */
+/* The data have arrived, but the call returns an error. */
 int MPI_Waitall(int n, MPI_Request *request, MPI_Status *status)
 {
     const int code = PMPI_Waitall(n, request, status);
@@ -128,8 +133,10 @@ static char folder[] = "/tmp/test_failures_XXXXXX", snapshot[64];
 static struct dem *create(int energy)
 {
     static const char scene[] =
-        "materials { glass { density 2500; youngsModulus 1e6; } } effects { hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } }"
-        "domain { x (0 %.17g); periodic (x); } insert { row { type lattice; count %d; diameter 1e-3; spacing 1.04; jitter 0.5; min (0 0 0);"
+        "materials { glass { density 2500; youngsModulus 1e6; } } "
+        "effects { hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } }"
+        "domain { x (0 %.17g); periodic (x); } insert { row { type lattice; count %d; "
+        "diameter 1e-3; spacing 1.04; jitter 0.5; min (0 0 0);"
         " max (%.17g 0.00313 0.00313); velocity (0.3 0 0); seed 3; } }"
         "averages { all { min (0 0 0); max (0.01 0.003 0.003); interval 1e-7; } }";
     const double length = 0.03120001*ranks;
@@ -285,7 +292,8 @@ static void mpi_errors(void)
 
 /* ---- memory ---------------------------------------------------------------------------------- */
 
-/* The second rank has no memory for the k-th allocation of a call, for all k: all ranks fail, or none when there are fewer. */
+/* The k-th allocation of a call fails on the second rank, for all k: all ranks fail, or none when
+   there are fewer allocations. */
 static void memory(const struct trial *t)
 {
     int done = 0;

@@ -1,12 +1,16 @@
 /*
- * Claims: ghosts are exactly the particles that lie, themselves or as a periodic image, within reach of a rank's subdomain. Only
- * neighbor ranks exchange messages. A step refreshes the ghosts that contact rows use, and allocates nothing. The messages counted by
- * the profile are those sent.
+ * test_halo.c -- ghosts: which they are, and the messages that refresh them.
  *
- *     mpirun -np N test_halo         prints what is wrong, ends with 0 when nothing is
+ * - Ghosts are exactly the particles, or periodic images, within reach of a rank's subdomain.
+ * - Only neighbor ranks exchange messages.
+ * - A step refreshes the ghosts that contact rows use, without allocation.
+ * - The messages counted by the profile are those sent.
  *
- * Reference: all particles of all ranks against all subdomains; every allocation of the core goes through aligned_alloc, which is
- * counted here. A row of cubes of length 30 N, periodic along x: subdomains are slices, so a rank has two neighbors.
+ *     mpirun -np N test_halo    prints failures; status 0 if there are none
+ *
+ * Reference: all particles of all ranks against all subdomains; every allocation of the core goes
+ * through aligned_alloc, which is counted here. The scene is a row of particles of length 30 N,
+ * periodic along x: subdomains are slices, so a rank has two neighbors.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -26,7 +30,8 @@ void *aligned_alloc(size_t alignment, size_t size)
     return posix_memalign(&p, alignment, size) ? NULL : p;
 }
 
-static const double length = 0.03120001;                   /* m of the row for each rank: 30 layers of 1.04 mm */
+/* m of the row for each rank: 30 layers of 1.04 mm */
+static const double length = 0.03120001;
 static int rank, ranks, failed;
 
 static void check(int holds, const char *what, double found, double expected)
@@ -51,10 +56,13 @@ static void try(int status)
 static struct dem *make(void)
 {
     static const char scene[] =
-        "materials { glass { density 2500; youngsModulus 1e6; } } effects { hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } }"
-        "domain { x (0 %.17g); periodic (x); } insert { row { type lattice; count %d; diameter 1e-3; spacing 1.04; jitter 0.5; min (0 0 0);"
+        "materials { glass { density 2500; youngsModulus 1e6; } } "
+        "effects { hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } }"
+        "domain { x (0 %.17g); periodic (x); } insert { row { type lattice; count %d; "
+        "diameter 1e-3; spacing 1.04; jitter 0.5; min (0 0 0);"
         " max (%.17g 0.00313 0.00313); velocity (0.01 0 0); seed 3; } }"
-        "neighbours { outerSkin 0.3; innerSkin 0.04; }";       /* as given, not tuned: the 50 steps below rebuild nothing */
+        /* as given, not tuned: the 50 steps below rebuild nothing */
+        "neighbours { outerSkin 0.3; innerSkin 0.04; }";
     char text[1024];
     struct dem *d;
 
@@ -93,8 +101,8 @@ static double *gather(const struct dem *d, int *all)
     return x;
 }
 
-/* All have one radius, and the piece is a slice [min, max) of the period. */
-static void copies(const struct dem *d)
+/* All have one radius, and the subdomain is a slice [min, max) of the period. */
+static void check_ghosts(const struct dem *d)
 {
     const struct dem_state *const p = &d->state;
     const double period = length*ranks, reach = 1e-3 + p->pairs.outer;
@@ -117,12 +125,12 @@ static void copies(const struct dem *d)
         expected += gap < reach && (int)x[4*i + 3] != rank;
     }
     check(all == 270*ranks, "particles of all", all, 270*ranks);
-    check((int)p->particles.ghosts == expected, "copies", (double)p->particles.ghosts, expected);
-    check(ranks == 1 || expected > 0, "copies there should be", expected, 1);
+    check((int)p->particles.ghosts == expected, "ghosts", (double)p->particles.ghosts, expected);
+    check(ranks == 1 || expected > 0, "ghosts expected", expected, 1);
     free(x);
 }
 
-/* Copies that some near row has for a partner, each once. */
+/* Ghosts that are partner of a candidate contact, each once. */
 static int64_t near(const struct dem *d)
 {
     const struct dem_contacts *const c = &d->state.contacts;
@@ -156,9 +164,10 @@ int main(int argc, char **argv)
 
     long held = allocations;
 
-    try(dem_advance(d, step));                            /* renews, and leaves positions as they were then */
+    /* rebuilds, and does not change positions afterwards */
+    try(dem_advance(d, step));
     check(allocations > held, "allocations with new lists", (double)(allocations - held), 1);
-    copies(d);
+    check_ghosts(d);
     check(d->state.halo.send_ranks == neighbours && d->state.halo.receive_ranks == neighbours,
           "neighbours", d->state.halo.send_ranks, neighbours);
     try(dem_profile(d, &before));
@@ -174,11 +183,11 @@ int main(int argc, char **argv)
           "messages of all in 50 steps", (double)(after.messages - before.messages),
           50.0*neighbours*ranks);
 
-    /* nine numbers of each copy */
+    /* nine numbers of each ghost */
     int64_t ghosts = near(d);
 
     check(ranks == 1 || (ghosts > 0 && ghosts < (int64_t)d->state.particles.ghosts),
-          "copies that rows touch", (double)ghosts, (double)d->state.particles.ghosts);
+          "ghosts in contact rows", (double)ghosts, (double)d->state.particles.ghosts);
     MPI_Allreduce(MPI_IN_PLACE, &ghosts, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
     check(after.message_bytes - before.message_bytes == 50*ghosts*72, "bytes",
           (double)(after.message_bytes - before.message_bytes), (double)(50*ghosts*72));

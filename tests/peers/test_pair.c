@@ -1,9 +1,11 @@
 /*
- * Claims: two spheres that collide head-on and obliquely, with spin, have the trajectory of LIGGGHTS step by step, with hertz, hooke and
- * hookeHysteresis and their friction. The remaining difference is of the order within a step and halves with it; where definitions
+ * test_pair.c -- two spheres that collide, step by step as in LIGGGHTS.
+ *
+ * Head-on and oblique impacts, with spin, with hertz, hooke and hookeHysteresis and their friction.
+ * The remaining difference is of first order in the step and halves with it; where definitions
  * differ, the difference is bounded and printed.
  *
- * Reads the dumps that ./run made in the folder of the first argument: one a case, NAME.dump.
+ * Reads the dumps that run made in the folder of the first argument: one a case, NAME.dump.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -21,7 +23,7 @@ static const struct dem_new_particle head_on[2] = {
      .id = 2,
      .material = "glass"},
 };
-/* in a plane: nobody spins about the normal */
+/* in a plane: no spin about the normal */
 static const struct dem_new_particle oblique[2] = {
     {.position = {0.2e-3, 0, 1.02e-3},
      .velocity = {0.2, 0, -0.4},
@@ -55,11 +57,12 @@ static const struct
 {
     const char *name, *laws;
     const struct dem_new_particle *seed;
-    double within;                                        /* m/s, of velocities, and of spins times the smaller radius */
+    /* m/s, of velocities, and of spins times the smaller radius */
+    double within;
     int first_order;                                      /* half the step halves it */
     const char *why;
 } cases[] = {
-    /* the same formulas in the same order of integration: rounding of 1600 steps is left */
+    /* the same formulas in the same order of integration: rounding of 1600 steps remains */
     {"hertz-head-on", "hertz { } dry { restitution 0.8; } mindlin { friction 0.3; }", head_on,
      1e-12, 0, "rounding"},
     {"hooke-head-on", "hooke { } dry { restitution 0.8; } linear { friction 0.3; }", head_on, 1e-12,
@@ -68,44 +71,55 @@ static const struct
      "hookeHysteresis { unloading 5; adhesion 0.2; } linear { friction 0.3; }", head_on, 1e-12, 0,
      "rounding"},
 
-    /* springs of friction without dashpots: each code turns and loads them in its own order within a step, of which the pair turns by
-       1e-3 and the spring is loaded by 1/400: 1e-5 or so, and half of it with half the step */
+    /* friction springs without dashpots: the codes rotate and load them in a different order within
+       a step, in which the pair rotates by 1e-3 and the spring is loaded by 1/400: some 1e-5, and
+       half of it with half the step */
     {"hertz-oblique",
-     "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; tangentialDamping no; }",
+     "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; "
+     "tangentialDamping no; }",
      oblique, 5e-5, 1, "order of a step"},
     {"hooke-oblique",
-     "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; tangentialDamping no; }",
+     "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; "
+     "tangentialDamping no; }",
      oblique, 5e-5, 1, "order of a step"},
     {"hysteresis-oblique",
-     "hookeHysteresis { unloading 5; adhesion 0; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
+     "hookeHysteresis { unloading 5; adhesion 0; } linear { friction 0.3; ratio 1; "
+     "tangentialDamping no; }",
      oblique, 5e-5, 1, "order of a step"},
 
-    /* where definitions differ: told, and no more than what differs can do. Here springs turn about the normal with the mean spin of the
-       pair, there not: 16 1/s for 2e-4 s, an angle of 3e-3, by which up to 0.1 m/s from friction point elsewhere */
+    /* where definitions differ, the difference is printed and bounded. In Suna springs rotate about
+       the normal with the mean spin of the pair, in LIGGGHTS they do not: 16 1/s for 2e-4 s, an
+       angle of 3e-3, by which the direction of up to 0.1 m/s from friction differs */
     {"hertz-twisted",
-     "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; tangentialDamping no; }",
-     twisted, 5e-4, 0, "springs turn about the normal"},
+     "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; "
+     "tangentialDamping no; }",
+     twisted, 5e-4, 0, "springs rotate about the normal"},
     {"hooke-twisted",
-     "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; tangentialDamping no; }",
-     twisted, 5e-4, 0, "springs turn about the normal"},
+     "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; "
+     "tangentialDamping no; }",
+     twisted, 5e-4, 0, "springs rotate about the normal"},
     {"hysteresis-twisted",
-     "hookeHysteresis { unloading 5; adhesion 0; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
-     twisted, 5e-4, 0, "springs turn about the normal"},
-    /* a contact that sticks rubs there with mu |F_n|, and here with mu (F_n + k_c d): they differ by up to a fifth of the push while it
-       opens */
+     "hookeHysteresis { unloading 5; adhesion 0; } linear { friction 0.3; ratio 1; "
+     "tangentialDamping no; }",
+     twisted, 5e-4, 0, "springs rotate about the normal"},
+    /* the friction limit of an adhesive contact is mu |F_n| in LIGGGHTS and mu (F_n + k_c d) in
+       Suna: they differ by up to a fifth of the normal force in unloading */
     {"hysteresis-twisted-sticky",
-     "hookeHysteresis { unloading 5; adhesion 0.2; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
+     "hookeHysteresis { unloading 5; adhesion 0.2; } linear { friction 0.3; ratio 1; "
+     "tangentialDamping no; }",
      twisted, 0.1, 0, "friction where it sticks"},
-    /* there the dashpot of friction has sqrt(4 G* / E*), 0.91, of the coefficient it has here, and rubs while the contact pulls */
+    /* in LIGGGHTS the friction dashpot has sqrt(4 G* / E*) = 0.91 of the coefficient in Suna, and
+       acts while the contact attracts */
     {"hertz-twisted-damped", "hertz { } dry { restitution 0.8; } mindlin { friction 0.3; }",
      twisted, 0.03, 0, "coefficient of friction's dashpot"},
-    /* there it is added in full wherever the spring holds, here spring and dashpot together obey mu F_n; on a linear spring it is at its
-       strongest when the surfaces touch and nothing presses yet. With a friction of 100 in both 0.005 m/s are left of 0.18 */
+    /* in LIGGGHTS it is added in full while the spring alone sticks, in Suna spring and dashpot
+       together obey mu F_n; on a linear spring it is largest at first contact, at zero normal
+       force. With a friction of 100 in both codes 0.005 m/s remain of 0.18 */
     {"hooke-twisted-damped", "hooke { } dry { restitution 0.8; } linear { friction 0.3; }", twisted,
      0.3, 0, "friction's dashpot past the limit"},
 };
 
-/* the next two rows of a dump: id, place, velocity, spin; 0 at its end */
+/* the next two rows of a dump: id, position, velocity, spin; 0 at its end */
 static int next(FILE *f, double row[2][10])
 {
     char line[1024];
@@ -121,7 +135,7 @@ static int next(FILE *f, double row[2][10])
     return n == 2;
 }
 
-static double off(const double *a, const double *b)
+static double difference_of(const double *a, const double *b)
 {
     return sqrt((a[0] - b[0])*(a[0] - b[0]) + (a[1] - b[1])*(a[1] - b[1]) +
                 (a[2] - b[2])*(a[2] - b[2]));
@@ -156,9 +170,10 @@ static double distance(const char *folder, size_t k, int halves, double *place, 
         {
             const struct world_particle p = world_at(d, i + 1);
 
-            *place = fmax(*place, off(p.x, row[i] + 1)/7e-4);
-            *changed = fmax(*changed, off(p.v, cases[k].seed[i].velocity));
-            worst = fmax(worst, fmax(off(p.v, row[i] + 4), off(p.w, row[i] + 7)*7e-4));
+            *place = fmax(*place, difference_of(p.x, row[i] + 1)/7e-4);
+            *changed = fmax(*changed, difference_of(p.v, cases[k].seed[i].velocity));
+            worst = fmax(
+                worst, fmax(difference_of(p.v, row[i] + 4), difference_of(p.w, row[i] + 7)*7e-4));
         }
     }
     fclose(f);
@@ -179,9 +194,9 @@ static void compare(const char *folder, size_t k)
     {
         return;
     }
-    TAP_OK(changed > 0.3, "%s: they meet, a velocity changes by %.3f m/s", name, changed);
-    TAP_NEAR(worst, 0.0, cases[k].within, "%s: off by %.2g m/s, %.2g of a radius: %s", name, worst,
-             place, cases[k].why);
+    TAP_OK(changed > 0.3, "%s: they collide, a velocity changes by %.3f m/s", name, changed);
+    TAP_NEAR(worst, 0.0, cases[k].within, "%s: difference %.2g m/s, %.2g of a radius: %s", name,
+             worst, place, cases[k].why);
     if (cases[k].first_order)
     {
         TAP_NEAR(worst/half, 2.0, 0.2, "%s: half the step leaves 1/%.2f of it", name,
@@ -189,8 +204,8 @@ static void compare(const char *folder, size_t k)
     }
     else if (cases[k].within > 1e-6)
     {
-        TAP_OK(half > 0.5*worst, "%s: with half the step still %.2g m/s: a law, not a step", name,
-               half);
+        TAP_OK(half > 0.5*worst,
+               "%s: with half the step still %.2g m/s: due to the law, not the step", name, half);
     }
 }
 

@@ -1,10 +1,13 @@
 /*
- * Claims: 1000 spheres that fall into a cup settle as they do in another code, LIGGGHTS, with hertz, hooke and
- * hookeHysteresis. Single trajectories agree until collisions have grown their round-off and their step (told: how long);
- * from then on the beds must agree in height of the centre of mass and kinetic energy over time, height, and contacts per
- * sphere, as near as two runs of Suna do that differ by a nanometre at the start.
+ * test_settle.c -- 1000 spheres that fall into a cup, as in LIGGGHTS, with hertz, hooke and
+ * hookeHysteresis.
  *
- *     test_settle places            where the spheres begin, for ./run to give to the other code
+ * Single trajectories agree until collisions have amplified round-off and the differences of a
+ * step; the duration is printed. Then the beds must agree in height of the centre of mass and
+ * kinetic energy over time, height, and contacts per sphere, as closely as two runs of Suna that
+ * differ by a nanometre at the start.
+ *
+ *     test_settle places            prints the initial positions, for run to pass to LIGGGHTS
  *     test_settle compare FOLDER    reads FOLDER/NAME.dump
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -26,19 +29,23 @@ static const struct
     double step;                                          /* s; whole steps make a millisecond */
 } cases[] = {
     {"hertz",
-     "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; tangentialDamping no; }",
+     "hertz { } dry { restitution 0.8; attraction clamped; } mindlin { friction 0.3; "
+     "tangentialDamping no; }",
      4e-6},
     {"hooke",
-     "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; tangentialDamping no; }",
+     "hooke { } dry { restitution 0.8; attraction clamped; } linear { friction 0.3; "
+     "tangentialDamping no; }",
      4e-6},
     {"hysteresis",
-     "hookeHysteresis { unloading 3; adhesion 0; plasticDepth 0.02; } linear { friction 0.3; ratio 1; tangentialDamping no; }",
+     "hookeHysteresis { unloading 3; adhesion 0; plasticDepth 0.02; } linear { friction 0.3; "
+     "ratio 1; tangentialDamping no; }",
      2.5e-6},
 };
 
 struct frame
 {
-    double centre, kinetic, top, contacts;                /* m, J; m, of the highest twentieth; per sphere */
+    /* m, J; m, of the highest twentieth; per sphere */
+    double centre, kinetic, top, contacts;
 };
 
 struct run
@@ -71,7 +78,7 @@ static int down(const void *a, const void *b)
 
 static struct frame measure(double x[N][3], double v[N][3], double w[N][3])
 {
-    const double m = world_ball(0.5*D, density), inertia = 0.1*m*D*D;
+    const double m = world_sphere_mass(0.5*D, density), inertia = 0.1*m*D*D;
     struct frame f = {.centre = 0.0};
     double height[N];
 
@@ -98,9 +105,9 @@ static struct frame measure(double x[N][3], double v[N][3], double w[N][3])
     return f;
 }
 
-/* ---- both codes ---------------------------------------------------------------------------------------------------- */
+/* ---- both codes ------------------------------------------------------------------------------ */
 
-static void here(size_t c, double shift, struct run *r)
+static void run_suna(size_t c, double shift, struct run *r)
 {
     static struct dem_new_particle seed[N];
     static struct world_particle p[N];
@@ -143,7 +150,7 @@ static void here(size_t c, double shift, struct run *r)
     free(scene);
 }
 
-static int there(const char *name, struct run *r)
+static int read_dump(const char *name, struct run *r)
 {
     static double x[N][3], v[N][3], w[N][3];
     FILE *const f = fopen(name, "r");
@@ -172,10 +179,11 @@ static int there(const char *name, struct run *r)
     return rows == FRAMES*N;
 }
 
-/* ---- comparison ---------------------------------------------------------------------------------------------------- */
+/* ---- comparison ------------------------------------------------------------------------------ */
 
-/* first millisecond at which one is further than this from where it is in the other; FRAMES: never */
-static int parted(const struct run *a, const struct run *b, double distance)
+/* first millisecond at which a sphere is further than this from its position in the other run;
+   FRAMES: never */
+static int first_difference(const struct run *a, const struct run *b, double distance)
 {
     for (int f = 0; f < FRAMES; f++)
     {
@@ -196,7 +204,8 @@ static int parted(const struct run *a, const struct run *b, double distance)
 struct difference
 {
     double centre, kinetic, top,
-        contacts;                /* D, largest over time; share of the largest, mean over time; D; per sphere */
+        /* D, largest over time; over the largest, mean over time; D; per sphere */
+        contacts;
 };
 
 static struct difference differ(const struct run *a, const struct run *b)
@@ -222,12 +231,13 @@ static void compare(const char *folder, size_t c)
     char *const name = world_text("%s/%s.dump", folder, cases[c].name);
     const char *const what = cases[c].name;
 
-    if (!TAP_OK(there(name, &other), "%s: %d frames of %d spheres in the dump", what, FRAMES, N))
+    if (!TAP_OK(read_dump(name, &other), "%s: %d frames of %d spheres in the dump", what, FRAMES,
+                N))
     {
         return;
     }
-    here(c, 0.0, &suna);
-    here(c, 1e-9, &shifted);
+    run_suna(c, 0.0, &suna);
+    run_suna(c, 1e-9, &shifted);
     const struct frame *const end = &suna.frame[FRAMES - 1], *const end_there =
                                                                  &other.frame[FRAMES - 1];
     const struct difference d = differ(&suna, &other), own = differ(&suna, &shifted);
@@ -238,30 +248,35 @@ static void compare(const char *folder, size_t c)
         most = fmax(most, suna.frame[f].kinetic);
     }
     TAP_NOTE(
-        "%s: centre of mass %.4f and %.4f mm, top %.3f and %.3f mm, %.3f and %.3f contacts a sphere, kinetic %.2g and %.2g of the largest",
+        "%s: centre of mass %.4f and %.4f mm, top %.3f and %.3f mm, %.3f and %.3f contacts a "
+        "sphere, kinetic %.2g and %.2g of the largest",
         what, 1e3*end->centre, 1e3*end_there->centre, 1e3*end->top, 1e3*end_there->top,
         end->contacts, end_there->contacts, end->kinetic/most, end_there->kinetic/most);
     TAP_NOTE(
-        "%s: off by %.2g D in the centre of mass, %.2g of the largest kinetic energy, %.2g D of the top, %.2g contacts a sphere",
+        "%s: difference of %.2g D in the centre of mass, %.2g of the largest kinetic energy, "
+        "%.2g D of the top, %.2g contacts a sphere",
         what, d.centre, d.kinetic, d.top, d.contacts);
     TAP_NOTE("%s: two runs of Suna 1 nm apart: %.2g D, %.2g, %.2g D, %.2g", what, own.centre,
              own.kinetic, own.top, own.contacts);
     TAP_NOTE(
-        "%s: all trajectories within 1e-9 D for %d ms, 1e-6 D for %d ms, 1e-3 D for %d ms, 1 D for %d ms; Suna 1 nm apart (from 1e-6 D) 1e-3 D for "
+        "%s: all trajectories within 1e-9 D for %d ms, 1e-6 D for %d ms, 1e-3 D for %d ms, 1 D "
+        "for %d ms; Suna 1 nm apart (from 1e-6 D) 1e-3 D for "
         "%d ms, 1 D for %d ms",
-        what, parted(&suna, &other, 1e-9*D), parted(&suna, &other, 1e-6*D),
-        parted(&suna, &other, 1e-3*D), parted(&suna, &other, D),
-        parted(&suna, &shifted, 1e-3*D), parted(&suna, &shifted, D));
+        what, first_difference(&suna, &other, 1e-9*D), first_difference(&suna, &other, 1e-6*D),
+        first_difference(&suna, &other, 1e-3*D), first_difference(&suna, &other, D),
+        first_difference(&suna, &shifted, 1e-3*D), first_difference(&suna, &shifted, D));
     TAP_OK(end->kinetic < 1e-2*most && end->contacts > 3.0, "%s: the bed has settled", what);
 
-    /* free fall and the first touches are the same to rounding; then every collision adds the 1e-6 of test_pair and multiplies it */
-    TAP_OK(parted(&suna, &other, 1e-9*D) >= 5, "%s: the same fall", what);
-    TAP_OK(parted(&suna, &other, 1e-3*D) >= 8, "%s: the same first collisions", what);
-    TAP_OK(parted(&suna, &other, D) > 40,
+    /* free fall and first contacts are the same to rounding; then every collision adds the 1e-6 of
+       test_pair and amplifies it */
+    TAP_OK(first_difference(&suna, &other, 1e-9*D) >= 5, "%s: the same fall", what);
+    TAP_OK(first_difference(&suna, &other, 1e-3*D) >= 8, "%s: the same first collisions", what);
+    TAP_OK(first_difference(&suna, &other, D) > 40,
            "%s: no particle is a diameter from its position in the other before 40 ms", what);
 
-    /* later they are two histories of one bed, as those of Suna 1 nm apart: these differ by 0.005 to 0.04 D, 0.002 to 0.006, up to
-       0.11 D and 0.01 to 0.14, over the three laws of contact and two versions of friction; some three times the largest */
+    /* later they are two trajectories of one bed, as two runs of Suna 1 nm apart: these differ by
+       0.005 to 0.04 D, 0.002 to 0.006, up to 0.11 D and 0.01 to 0.14, over three contact laws and
+       two versions of friction; limits are some three times the largest */
     TAP_NEAR(d.centre, 0.0, 0.12, "%s: height of the centre of mass at all times, in diameters",
              what);
     TAP_NEAR(d.kinetic, 0.0, 0.015,

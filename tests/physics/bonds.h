@@ -1,7 +1,9 @@
 /*
- * bonds.h -- chains of bonded spheres, loads and motions put on them step by step, for the tests of bonds.
+ * bonds.h -- chains of bonded spheres, loads and motions put on them step by step, for the tests of
+ * bonds.
  *
- * The reference chain: R = 1 mm, L = 2 mm, lambda = 1, E = 1e9 Pa, nu = 0.25, rho = 2500 kg/m3, k_n = E/L, k_t = G/L.
+ * The reference chain: R = 1 mm, L = 2 mm, lambda = 1, E = 1e9 Pa, nu = 0.25, rho = 2500 kg/m3, k_n
+ * = E/L, k_t = G/L.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -12,7 +14,7 @@
 
 enum
 {
-    MOST = 64                                             /* particles of a chain */
+    MAX_CHAIN = 64                                             /* particles of a chain */
 };
 
 static const double R = 1e-3, L = 2e-3, kn = 5e11, kt = 2e11;
@@ -66,7 +68,8 @@ static inline struct dem *bonded(double soft, double step, const char *more, int
     return d;
 }
 
-/* The view is const for readers; a test may put loads and motions on. NULL leaves a velocity as it is. */
+/* The view is const; this test casts that away to impose velocities. NULL leaves a velocity
+   unchanged. */
 static inline void chain_set(struct dem *d, int64_t id, const double *velocity, const double *spin)
 {
     struct dem_view v;
@@ -99,8 +102,8 @@ static inline void chain_kick(struct dem *d, int64_t id, const double force[3],
     chain_set(d, id, p.v, p.w);
 }
 
-/* One step under a force and a moment on one particle: half a kick on either side, as the leapfrog's own. */
-static inline void chain_push(struct dem *d, int64_t id, const double force[3],
+/* One step under a force and a moment on one particle: half a kick before and after the step. */
+static inline void chain_load(struct dem *d, int64_t id, const double force[3],
                               const double moment[3])
 {
     chain_kick(d, id, force, moment, 0.5*dem_step_limit(d).used);
@@ -125,7 +128,8 @@ static inline double chain_kinetic(const struct dem *d)
     return sum;
 }
 
-/* Static equilibrium under the load: all stop whenever the kinetic energy has passed a peak, until a peak is nothing. */
+/* Static equilibrium under the load (kinetic damping): all velocities are set to zero at each peak
+   of the kinetic energy, until a peak is negligible. */
 static inline void chain_relax(struct dem *d, int64_t id, const double force[3],
                                const double moment[3])
 {
@@ -134,13 +138,14 @@ static inline void chain_relax(struct dem *d, int64_t id, const double force[3],
 
     for (int k = 0; k < 200000; k++)
     {
-        chain_push(d, id, force, moment);
+        chain_load(d, id, force, moment);
         const double now = chain_kinetic(d);
 
         most = fmax(most, now);
         if (now < before)
         {
-            if (before < 1e-10*most)                      /* 1e-5 of the speeds, and of the way to go */
+            /* 1e-5 of the speeds, and of the way to go */
+            if (before < 1e-10*most)
             {
                 return;
             }
@@ -155,11 +160,11 @@ static inline void chain_relax(struct dem *d, int64_t id, const double force[3],
     TAP_OK(0, "comes to rest");
 }
 
-/* Whatever has moved at all: linear and angular momentum about the origin, kinetic energy. */
+/* Linear momentum, angular momentum about the origin, and kinetic energy. */
 static inline void chain_totals(const struct dem *d, int n, double momentum[3], double angular[3],
                                 double *kinetic)
 {
-    struct world_particle p[MOST];
+    struct world_particle p[MAX_CHAIN];
 
     memset(momentum, 0, 3*sizeof *momentum);
     memset(angular, 0, 3*sizeof *angular);
@@ -181,7 +186,8 @@ static inline void chain_totals(const struct dem *d, int n, double momentum[3], 
     }
 }
 
-/* From 0 to 1 while k goes from 0 to n, with rates and accelerations of 0 at both ends: overshoots by 60/(w T)^3. */
+/* From 0 to 1 while k goes from 0 to n, with rates and accelerations of 0 at both ends: overshoots
+   by 60/(w T)^3. */
 static inline double chain_ramp(int k, int n)
 {
     const double s = k < n ? (double)k/n : 1.0;

@@ -1,10 +1,10 @@
 /*
- * energy.h -- a world that keeps the ledger of energy, and its terms by name.
+ * energy.h -- a scene with the energy balance enabled, and its terms by name.
+ *
+ *   struct dem *d = energy_world(scene, n, seeds);   as world(), with dem_energy_enable
+ *   energy_term(d, "residual")                       J
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- *     struct dem *d = energy_world(scene, n, seeds);             as world(), with dem_energy_enable
- *     energy_term(d, "residual")                                 J
  */
 #ifndef TESTS_PHYSICS_ENERGY_H
 #define TESTS_PHYSICS_ENERGY_H
@@ -39,7 +39,7 @@ static inline double energy_term(struct dem *d, const char *name)
             return item[k].value;
         }
     }
-    printf("Bail out! the ledger has no %s\n", name);
+    printf("Bail out! the energy balance has no term %s\n", name);
     exit(1);
 }
 

@@ -44,8 +44,9 @@ static inline double mesh_random(uint64_t number, uint64_t use)
     return dem_random_unit(20240101, number, 0, use);
 }
 
-/* z = 0 over [from, to] x [from, to], cut into about `size`: lines at random distances (down to 1/100 of the others),
-   inner nodes shifted in the plane, each quadrilateral cut along a random diagonal, triangles facing up or down. */
+/* z = 0 over [from, to] x [from, to], cut into about `size`: lines at random distances (down to
+   1/100 of the others), inner nodes shifted in the plane, each quadrilateral cut along a random
+   diagonal, triangles facing up or down. */
 static inline struct mesh mesh_floor(double from, double to, double size)
 {
     const int n = (int)((to - from)/size) + 1;

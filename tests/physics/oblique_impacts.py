@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""oblique_impacts.py -- oblique and spinning impacts of a sphere on a rigid plane, integrated without Suna: writes chung_ooi.csv.
+"""oblique_impacts.py -- oblique and spinning impacts of a sphere on a rigid plane, integrated
+without Suna: writes chung_ooi.csv.
 
-The sets are tests 4, 5 and 6 of Chung and Ooi, Granul. Matter 13 (2011) 643. A sphere of radius R meets a plane that stays
-where it is, so the motion has one normal and one tangential direction and is integrated as it stands (velocity Verlet,
-20000 steps in the time of an elastic impact):
+The sets are tests 4, 5 and 6 of Chung and Ooi, Granul. Matter 13 (2011) 643. A sphere of radius R
+meets a plane that stays where it is, so the motion has one normal and one tangential direction and
+is integrated as it stands (velocity Verlet, 20000 steps in the time of an elastic impact):
 
     F_n = k_n d - eta u                 k_n = 4/3 E sqrt(R d) or given        u: rate of the gap, d: overlap
     F_t = -k_t xi - eta dxi/dt          k_t = 8 G sqrt(R d), or 2/7 k_n; dxi/dt = s where that holds. Where |F_t| would pass
@@ -12,8 +13,9 @@ where it is, so the motion has one normal and one tangential direction and is in
     s   = v - (R - d) w                 the point of contact lies on the plane
     eta = alpha sqrt(m k_n)             sqrt(5) or 2 times -ln e/sqrt(pi^2 + ln^2 e), Hertz or linear
 
-Laws: 1 mindlin (xi is kept while k_t changes), 2 mindlinIncremental (the force is kept while pressed, xi while parting), 3
-linear. Contact ends when d = 0; the pull at its end counts in F_n, not in the limit of friction.
+Laws: 1 mindlin (xi is kept while k_t changes), 2 mindlinIncremental (the force is kept while
+pressed, xi while parting), 3 linear. Contact ends when d = 0; the pull at its end counts in F_n,
+not in the limit of friction.
 
     python3 oblique_impacts.py > chung_ooi.csv
 
@@ -25,7 +27,8 @@ STEPS = 20000
 
 
 def impact(law, R, rho, E, nu, mu, e, vn, vt, w, speed):
-    """Returns normal speed, tangential speed and spin after the impact; `speed` sets the stiffness of the linear spring."""
+    """Returns normal speed, tangential speed and spin after the impact; `speed` sets the stiffness
+    of the linear spring."""
     m = 4/3*math.pi*R**3*rho
     inertia = 0.4*m*R*R
     E_star = E/(1 - nu*nu)
@@ -80,7 +83,8 @@ SETS = {
     6: (0.1, [(2700, 70e9, 0.33), (1000, 2.5e9, 0.40)], 0.4, 0.5),
 }
 ANGLES = [5, 10, 15, 20, 25, 30, 35, 40, 50, 60, 70, 80, 85]
-SLOPES = [0.0665, 0.3323, 0.6707, 1.009, 1.335, 1.662, 2.0, 2.35, 2.991, 3.341, 4.006, 4.997, 6.0, 7.5, 10.0, 12.96, 20.0]
+SLOPES = [0.0665, 0.3323, 0.6707, 1.009, 1.335, 1.662, 2.0, 2.35, 2.991, 3.341, 4.006, 4.997, 6.0,
+          7.5, 10.0, 12.96, 20.0]
 
 
 def cases(test):
@@ -103,4 +107,5 @@ for test, (R, materials, mu, e) in SETS.items():
         for law in 1, 2, 3:
             for vn, vt, w in cases(test):
                 out = impact(law, R, rho, E, nu, mu, e, vn, vt, w, {4: 3.9, 5: 5.0, 6: 0.2}[test])
-                print("%d,%d,%d,%.10g,%.10g,%.10g,%.8g,%.8g,%.8g" % (test, number, law, vn, vt, w, *out))
+                print("%d,%d,%d,%.10g,%.10g,%.10g,%.8g,%.8g,%.8g" %
+                      (test, number, law, vn, vt, w, *out))

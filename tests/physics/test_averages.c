@@ -1,10 +1,17 @@
 /*
- * Claims: a sphere gives each cell of a grid the volume it has there (slabs exactly, all cells together its volume, also
- * across a periodic face; a cell wider than a periodic box that of all images); mass that streams through has its velocity and no temperature, two streams against each other
- * have the square of their speed over three, and carry the stress rho v v; a column of spheres at rest stresses its box by
- * the sum of its contact forces times branches; friction at a wall is a shear stress of half of force times branch.
+ * test_averages.c -- averages on a grid (solid fraction, velocity, granular temperature, stress)
+ * against closed forms.
  *
- * Source: geometry of the spherical cap; statics; kinetic theory of two streams.
+ * - A sphere contributes to each cell the volume that it has there: slabs exactly, all cells
+ *   together its whole volume, also across a periodic face. A cell wider than a periodic box
+ *   contains the images, too.
+ * - One stream has its velocity and no temperature. Two opposed streams have a third of their
+ *   squared speed as temperature, and the stress rho v v.
+ * - A column of spheres at rest: stress is the sum of contact force times branch vector over the
+ *   volume.
+ * - Friction at a wall is a shear stress of half of force times branch.
+ *
+ * Sources: volume of a spherical cap; statics; kinetic theory of two streams.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -87,15 +94,17 @@ static double sum(const char *name)
 /* tables have nine digits */
 static const double digits = 2e-9;
 
-static void shares(void)
+static void slab_volumes(void)
 {
     const double R = 1e-3, V = 4.0/3.0*world_pi*R*R*R, z = 0.0013;
     const struct dem_new_particle seed[] = {
         {.position = {0.0, 0.0, z}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
     char *const scene = world_text(
         "%s effects { hertz {} } time { step 1e-6; }"
-        "averages { slabs { min (-0.005 -0.005 -0.001); max (0.005 0.005 0.004); cells (1 1 10); interval 1e-6; }"
-        "           all { min (-0.0027 -0.0031 -0.001); max (0.0053 0.0049 0.004); cells (10 10 10); interval 1e-6; } }",
+        "averages { slabs { min (-0.005 -0.005 -0.001); max (0.005 0.005 0.004); cells (1 1 10); "
+        "interval 1e-6; }"
+        "           all { min (-0.0027 -0.0031 -0.001); max (0.0053 0.0049 0.004); "
+        "cells (10 10 10); interval 1e-6; } }",
         material);
     struct dem *const d = world(scene, 1, seed);
 
@@ -112,17 +121,17 @@ static void shares(void)
             cap[side] = world_pi*h*h*(3.0*R - h)/3.0;
         }
         TAP_NEAR(at(k, "solidFraction"), (cap[1] - cap[0])/5e-8, digits,
-                 "slab %d: the volume between two planes", k);
+                 "slab %d: volume between two planes", k);
     }
-    TAP_NEAR(sum("bulkDensity"), 2500.0*V/5e-8, 2500.0*V/5e-8*digits, "its mass");
+    TAP_NEAR(sum("bulkDensity"), 2500.0*V/5e-8, 2500.0*V/5e-8*digits, "mass of the slabs");
     read_table(d, "all");
     TAP_NEAR(sum("solidFraction")*3.2e-10, V, V*1e-7,
-             "a thousand cells: the whole volume");     /* 9 digits of many small numbers */
+             "a thousand cells sum to the whole volume");     /* 9 digits of many small numbers */
     dem_free(d);
     free(scene);
 }
 
-static void wraps(void)
+static void across_periodic_faces(void)
 {
     const double R = 1e-3, V = 4.0/3.0*world_pi*R*R*R;
     const struct dem_new_particle seed[] = {
@@ -140,12 +149,12 @@ static void wraps(void)
              "a sphere across two periodic faces: the whole volume");
     TAP_OK(at(0, "solidFraction") > 0.0 && at(4, "solidFraction") > 0.0 &&
                at(20, "solidFraction") > 0.0 && at(24, "solidFraction") > 0.0,
-           "in four corners of the box");
+           "it is in the four corners of the box");
     dem_free(d);
     free(scene);
 }
 
-/* One sphere and its images, all in one cell: so many of the largest number there is fill a sum most. */
+/* One sphere and its images in one cell: the largest number of contributions that a sum can get. */
 static void images(void)
 {
     const double R = 1e-3, V = 4.0/3.0*world_pi*R*R*R;
@@ -193,10 +202,12 @@ static void streams(void)
 
     world_run(d, 1e-3);
     read_table(d, "box");
-    TAP_NEAR(at(0, "velocityX"), 0.0, 1e-9, "two equal streams: no mean velocity");
-    TAP_NEAR(at(0, "temperature"), (v[0]*v[0] + v[1]*v[1])/3.0, 1e-9, "a temperature");
-    TAP_NEAR(at(0, "stressXX"), -rho*v[0]*v[0], rho*1e-9, "a pressure along x");
-    TAP_NEAR(at(0, "stressXY"), -rho*v[0]*v[1], rho*1e-9, "a shear stress");
+    TAP_NEAR(at(0, "velocityX"), 0.0, 1e-9, "two equal streams: mean velocity 0");
+    TAP_NEAR(at(0, "temperature"), (v[0]*v[0] + v[1]*v[1])/3.0, 1e-9,
+             "two equal streams: temperature");
+    TAP_NEAR(at(0, "stressXX"), -rho*v[0]*v[0], rho*1e-9,
+             "two equal streams: normal stress along x");
+    TAP_NEAR(at(0, "stressXY"), -rho*v[0]*v[1], rho*1e-9, "two equal streams: shear stress");
     dem_free(d);
 
     for (int k = 0; k < 50; k++)
@@ -206,11 +217,11 @@ static void streams(void)
     d = world(scene, 50, seed);
     world_run(d, 1e-3);
     read_table(d, "box");
-    TAP_NEAR(at(0, "velocityX"), v[0], 1e-9, "one stream: its velocity x");
-    TAP_NEAR(at(0, "velocityZ"), v[2], 1e-9, "and z");
-    TAP_NEAR(at(0, "temperature"), 0.0, 1e-12, "no temperature");
-    TAP_NEAR(at(0, "stressXX"), 0.0, rho*1e-12, "no stress");
-    TAP_OK(at(0, "velocityX_ci95") < 1e-12, "and no doubt");
+    TAP_NEAR(at(0, "velocityX"), v[0], 1e-9, "one stream: velocity x");
+    TAP_NEAR(at(0, "velocityZ"), v[2], 1e-9, "one stream: velocity z");
+    TAP_NEAR(at(0, "temperature"), 0.0, 1e-12, "one stream: temperature 0");
+    TAP_NEAR(at(0, "stressXX"), 0.0, rho*1e-12, "one stream: stress 0");
+    TAP_OK(at(0, "velocityX_ci95") < 1e-12, "one stream: 95 %% interval of width 0");
     dem_free(d);
     free(scene);
 }
@@ -224,8 +235,10 @@ static void column(void)
     char *const scene = world_text(
         "%s effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.1; } }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
-        "averages { box { min (-0.002 -0.002 0); max (0.002 0.002 0.012); start 0.2; interval 0.001; }"
-        "           later { min (-0.002 -0.002 0); max (0.002 0.002 0.012); start 5; interval 0.001; } }",
+        "averages { box { min (-0.002 -0.002 0); max (0.002 0.002 0.012); start 0.2; "
+        "interval 0.001; }"
+        "           later { min (-0.002 -0.002 0); max (0.002 0.002 0.012); start 5; "
+        "interval 0.001; } }",
         material);
     double expected = 0.0;
 
@@ -240,28 +253,30 @@ static void column(void)
 
     world_run(d, 0.25);
     for (int k = 0; k < HIGH;
-         k++)                            /* the branch from the contact below to the centre, and the half above */
+         /* the branch from the contact below to the centre, and the half above */
+         k++)
     {
         const struct world_particle q = world_at(d, k), below = world_at(d, k ? k - 1 : 0);
 
         expected -= (HIGH - k)*m*g*(k ? q.x[2] - below.x[2] : q.x[2]);
     }
     read_table(d, "box");
-    /* what is left of the bounce: 1e-5 of the weight */
+    /* the bounce has decayed to 1e-5 of the weight */
     TAP_NEAR(at(0, "stressZZ"), expected/volume, 1e-5*fabs(expected)/volume,
-             "a column: forces times branches");
-    TAP_NEAR(at(0, "stressXX"), 0.0, 1e-9*fabs(expected)/volume, "none across");
+             "column: sum of forces times branches");
+    TAP_NEAR(at(0, "stressXX"), 0.0, 1e-9*fabs(expected)/volume, "column: no stress across");
     WORLD_TRY(dem_averages(d, folder));
     TAP_OK(access(strcat(strcpy((char[64]){0}, folder), "/later.csv"), F_OK) != 0,
-           "no samples, no file");
+           "no samples: no file is written");
     unlink(strcat(strcpy((char[64]){0}, folder), "/box.csv"));
     unlink(strcat(strcpy((char[64]){0}, folder), "/box.vti"));
     dem_free(d);
     free(scene);
 }
 
-/* A sphere slides on a wall across axis k, friction mu N at the lever R - d: shear stress in both planes that hold k. */
-static void rubs(int k)
+/* A sphere slides on a wall across axis k, friction mu N at the lever R - d: shear stress in both
+   planes that hold k. */
+static void wall_friction(int k)
 {
     static const char *const shear[3] = {"stressXY", "stressYZ", "stressZX"};
     const double R = 1e-3, g = 9.81, mu = 0.3, stiffness = 1000.0,
@@ -276,23 +291,27 @@ static void rubs(int k)
     seed.velocity[next] = 0.8;
     seed.velocity[last] = -0.6;
     char *const scene = world_text(
-        "%s effects { gravity { acceleration (%g %g %g); } hooke { stiffness %g; } linear { friction %g; stiffness 1000; } }"
+        "%s effects { gravity { acceleration (%g %g %g); } hooke { stiffness %g; } "
+        "linear { friction %g; stiffness 1000; } }"
         "walls { floor { type plane; point (0 0 0); normal (%g %g %g); } }"
-        "averages { box { min (-0.01 -0.01 -0.01); max (0.01 0.01 0.01); start 0.001; interval 0.0005; } }",
+        "averages { box { min (-0.01 -0.01 -0.01); max (0.01 0.01 0.01); start 0.001; "
+        "interval 0.0005; } }",
         material, -g*up[0], -g*up[1], -g*up[2], stiffness, mu, up[0], up[1], up[2]);
     struct dem *const w = world(scene, 1, &seed);
     const double push =
         (R - d)*m*g/
-        volume;               /* Pa: of the weight; friction lies against the velocity (0.8, -0.6) */
+        /* Pa: of the weight; friction lies against the velocity (0.8, -0.6) */
+        volume;
 
     world_run(w, 0.005);
     read_table(w, "box");
-    /* half of force times branch, for the tensor is made symmetric; 1e-4 for what spin does to the direction meanwhile */
+    /* half of force times branch, as the tensor is made symmetric; 1e-4: the spin changes the
+       direction meanwhile */
     TAP_NEAR(at(0, shear[k]), 0.5*push*mu*0.8, 1e-4*push,
              "friction on a wall across axis %d: %s", k, shear[k]);
     TAP_NEAR(at(0, shear[last]), -0.5*push*mu*0.6, 1e-4*push, "and %s", shear[last]);
     TAP_NEAR(at(0, shear[next]), 0.0, 1e-2*push,
-             "none to speak of in the wall's plane");     /* velocities change by 0.01 m/s: m/V dv dv */
+             "none in the plane of the wall");     /* velocities change by 0.01 m/s: m/V dv dv */
     dem_free(w);
     free(scene);
 }
@@ -305,14 +324,14 @@ int main(void)
         printf("Bail out! no folder in /tmp\n");
         return 1;
     }
-    shares();
-    wraps();
+    slab_volumes();
+    across_periodic_faces();
     images();
     streams();
     column();
     for (int k = 0; k < 3; k++)
     {
-        rubs(k);
+        wall_friction(k);
     }
     rmdir(folder);
     TAP_DONE;

@@ -1,9 +1,13 @@
 /*
- * Claims: a chain of bonds with one end clamped lengthens, twists and bends under end loads as the closed forms have it
- * (0.1 %), and swings when it is let go with the frequencies of its stiffness and mass matrices (0.5 %); bending comes near
- * Timoshenko's beam from below as 1 - 1/(4 n^2). An end moment bends it into a closed polygon.
+ * test_bond_chain.c -- a chain of bonded spheres, clamped at one end, against the matrices of the
+ * chain and beam theory.
  *
- * The table was computed in another program, from the matrices of the chain.
+ * - Under an end load it extends, twists and bends as the closed forms state (0.1 %).
+ * - Released, it oscillates with the frequencies of its stiffness and mass matrices (0.5 %).
+ * - Bending approaches Timoshenko's beam from below as 1 - 1/(4 n^2).
+ * - An end moment bends it to a closed polygon.
+ *
+ * The table was computed in another program from the matrices of the chain.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -30,8 +34,9 @@ enum load
     BENDING
 };
 
-/* What the load moves; turns are not kept by particles, so the twist comes from the bond energy: E = T twist/2. */
-static double answer(struct dem *d, int bonds, enum load load)
+/* Displacement under the load. Particles keep no angle, so the twist follows from the bond energy:
+   E = T twist/2. */
+static double response(struct dem *d, int bonds, enum load load)
 {
     const struct world_particle p = world_at(d, bonds);
 
@@ -40,8 +45,8 @@ static double answer(struct dem *d, int bonds, enum load load)
                              : 2.0*world_tally(d).stored/1e-4;
 }
 
-/* What swings: a position, or the turn of the end, which is summed up from its spins. */
-static double swinging(struct dem *d, int bonds, enum load load, double angle[2])
+/* The oscillating quantity: a position, or the angle of the end, integrated from its spin. */
+static double oscillating(struct dem *d, int bonds, enum load load, double angle[2])
 {
     const struct world_particle p = world_at(d, bonds);
 
@@ -59,14 +64,14 @@ enum
 static double frequency(struct dem *d, int bonds, enum load load)
 {
     const double dt = dem_step_limit(d).used;
-    double angle[2] = {load == TORSION ? answer(d, bonds, load) : 0.0, 0.0}, first = 0.0;
-    double before = load == TORSION ? angle[0] : answer(d, bonds, load);
+    double angle[2] = {load == TORSION ? response(d, bonds, load) : 0.0, 0.0}, first = 0.0;
+    double before = load == TORSION ? angle[0] : response(d, bonds, load);
     int crossings = 0;
 
     for (int k = 1; k < 2000000; k++)
     {
         world_step(d);
-        const double now = swinging(d, bonds, load, angle);
+        const double now = oscillating(d, bonds, load, angle);
 
         if (before < 0.0 && now >= 0.0)
         {
@@ -90,29 +95,31 @@ static void chain(const struct line *t, enum load load)
     const double moment[3] = {load == TORSION ? 1e-4 : 0.0, 0.0, 0.0};
     const double expected = load == AXIAL ? t->longer : load == TORSION ? t->twist : t->bend;
     const double f = load == AXIAL ? t->f_axial : load == TORSION ? t->f_torsion : t->f_bending;
-    struct dem_new_particle seed[MOST];
+    struct dem_new_particle seed[MAX_CHAIN];
 
     chain_seeds(seed, t->bonds + 1, 1);
     struct dem *const d = bonded(1.0, 0.0, "", t->bonds + 1, seed);
 
     chain_relax(d, t->bonds, force, moment);
-    TAP_NEAR(answer(d, t->bonds, load), expected, 1e-3*expected, "%d bonds: %s", t->bonds,
+    TAP_NEAR(response(d, t->bonds, load), expected, 1e-3*expected, "%d bonds: %s", t->bonds,
              names[load]);
-    /* higher modes jitter the crossings, the step of 0.2 of the limit raises all frequencies by 0.7 % at most */
+    /* higher modes shift the crossings; the step of 0.2 of the limit raises all frequencies by 0.7
+       % at most */
     TAP_NEAR(frequency(d, t->bonds, load), f, 5e-3*f, "%d bonds: frequency of %s", t->bonds,
              names[load]);
     dem_free(d);
 }
 
-/* M = k_n I 2 pi/n turns each bond by 2 pi/n: the end comes back to the clamp. */
+/* M = k_n I 2 pi/n bends each bond by 2 pi/n: the end returns to the clamp. */
 static void polygon(void)
 {
     const int bonds = 12;
     const double turn = 2.0*world_pi/bonds, rest[3] = {0.0, 0.0, 0.0};
-    struct dem_new_particle seed[MOST];
+    struct dem_new_particle seed[MAX_CHAIN];
 
     chain_seeds(seed, bonds + 1, 1);
-    /* the moment grows slowly from nothing, over some 20 periods of the slowest swing; bonds are damped, and soft for long steps */
+    /* the moment rises from 0 over some 20 periods of the slowest mode; bonds are damped, and soft
+       for long steps */
     struct dem *const d = bonded(1e-2, 0.0, "dampingRatio 1;", bonds + 1, seed);
     const int steps = 100000;
 
@@ -120,14 +127,14 @@ static void polygon(void)
     {
         const double moment[3] = {0.0, 1e-2*kn*I*turn*chain_ramp(k, steps), 0.0};
 
-        chain_push(d, bonds, rest, moment);
+        chain_load(d, bonds, rest, moment);
     }
     const struct world_particle p = world_at(d, bonds);
     const double energy = 0.5*1e-2*kn*I*turn*turn*bonds;
 
     TAP_NEAR(sqrt(vector_dot(p.x, p.x)), 0.0, 0.01*L, "an end moment closes a chain of %d bonds",
              bonds);
-    TAP_NEAR(world_tally(d).stored, energy, 0.01*energy, "with the energy of its turns");
+    TAP_NEAR(world_tally(d).stored, energy, 0.01*energy, "the polygon has the energy of its bending");
     dem_free(d);
 }
 

@@ -1,9 +1,17 @@
 /*
- * Claims: what is bonded and free keeps its linear and angular momentum to round-off and its energy within the order of the
- * step: a pair turning about any axis is not sheared, a bent triangle, a chain of 20 of unequal spheres that wriggles.
- * Turned axes and swapped ids give the same motion (1e-10), with either kind of damping and while bonds break. The contact
- * of a bonded pair is hidden until the bond breaks, and takes over without a jump in force, in pressure and in tension. A
- * sphere bonded to a wall hangs and swings; a removed particle takes its bonds along and no others.
+ * test_bond_free.c -- bonded particles in free motion: conservation, objectivity, and the contact
+ * of a bonded pair.
+ *
+ * - Linear and angular momentum are kept to round-off, energy to the order of the step: a pair that
+ *   rotates about any axis (which is not sheared), a bent triangle, a chain of 20 unequal spheres.
+ * - Rotated axes and swapped ids give the same motion (1e-10), with either kind of damping and
+ *   while bonds break.
+ * - The contact of a bonded pair has no force until the bond breaks, and then acts without a jump
+ *   in force, under compression and under tension.
+ * - Adhesion between bonded surfaces acts only after they have separated and met again.
+ * - A sphere bonded to a wall hangs and oscillates.
+ * - A removed particle takes its own bonds along and no others.
+ * - Bonds that hold and bonds that broke are reported with force, energy and cause.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -28,10 +36,10 @@ static double size(const double a[3])
     return sqrt(vector_dot(a, a));
 }
 
-/* Advance and compare; the scales are of the parts, because sums may vanish. */
-static void keeps(const char *what, struct dem *d, int n, double time, double energy_within)
+/* Advance and compare; scales are sums of magnitudes, because the totals may vanish. */
+static void conserves(const char *what, struct dem *d, int n, double time, double energy_within)
 {
-    struct world_particle p[MOST];
+    struct world_particle p[MAX_CHAIN];
     double momentum[2][3], angular[2][3], kinetic[2], scale[2] = {0.0, 0.0};
     const double before = world_tally(d).stored;
 
@@ -81,16 +89,17 @@ static struct dem *turning(const double omega[3], double soft, const char *more)
     return bonded(soft, 0.0, more, 2, seed);
 }
 
-/* At 10 1/s; bonds are soft, for long steps. The printed slip of the note would come to k_t A r Omega t = 628 k_t A L here. */
+/* At 10 1/s; bonds are soft, for long steps. With the slip as printed in Kasuga's note the shear
+   force would be k_t A r Omega t = 628 k_t A L. */
 static void turning_pair(void)
 {
     const double soft = 1e-4, slanted[3] = {4.8, -6.0, 6.4}, upright[3] = {0.0, -6.0, 8.0},
-                 m = world_ball(R, 2500.0);
+                 m = world_sphere_mass(R, 2500.0);
     struct dem *d = turning(slanted, soft, "");
 
-    keeps("a pair that turns ten times about a slanted axis", d, 2, 2.0*world_pi, 1e-6);
-    /* its axis is no principal one, so it takes shear to keep it turning: less than the centripetal force, and as much again
-       while it swings in from rest */
+    conserves("a pair that turns ten times about a slanted axis", d, 2, 2.0*world_pi, 1e-6);
+    /* its axis is not a principal axis, so shear keeps it rotating: less than the centripetal
+       force, and as much again during the transient */
     TAP_OK(shear_of(d) < m*100.0*L, "it is sheared by inertia alone, %.3g k_t A L",
            shear_of(d)/(soft*kt*A*L));
     dem_free(d);
@@ -101,17 +110,18 @@ static void turning_pair(void)
     const struct dem_totals t = world_tally(d);
 
     TAP_NEAR(shear_of(d), 0.0, 1e-9*soft*kt*A*L,
-             "turning about an axis normal to it, it is not sheared once it is calm");
+             "rotating about an axis normal to it, it is not sheared after the transient");
     TAP_NEAR(t.kinetic + t.stored + t.lost, before, 1e-8*before,
-             "what swinging in from rest took is booked");
+             "the loss of the transient is in the totals");
     dem_free(d);
 }
 
-/* n spheres of different sizes in a row with a bend, with random velocities and spins; steps of 1/100 of the limit */
-static struct dem *wriggling(int n, const char *more, double fraction, double turn[3][3],
+/* n spheres of different sizes in a row with a bend, with random velocities and spins; steps of
+   1/100 of the limit */
+static struct dem *random_chain(int n, const char *more, double fraction, double turn[3][3],
                              int swapped)
 {
-    struct dem_new_particle seed[MOST];
+    struct dem_new_particle seed[MAX_CHAIN];
     double x = 0.0, before = 0.0;
 
     memset(seed, 0, sizeof seed);
@@ -139,7 +149,7 @@ static struct dem *wriggling(int n, const char *more, double fraction, double tu
 
 static void turned_axes(double turn[3][3])
 {
-    /* columns of a rotation, from a unit quaternion that is as good as any */
+    /* columns of a rotation matrix from an arbitrary unit quaternion */
     const double w = 0.2, x = -0.5, y = 0.7, z = sqrt(1.0 - 0.04 - 0.25 - 0.49);
     const double q[3][3] = {{1 - 2*(y*y + z*z), 2*(x*y - z*w), 2*(x*z + y*w)},
                             {2*(x*y + z*w), 1 - 2*(x*x + z*z), 2*(y*z - x*w)},
@@ -152,14 +162,14 @@ static double straight[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 static void objective(const char *what, const char *more, int n, double time)
 {
-    struct world_particle p[MOST], q[MOST], s[MOST];
+    struct world_particle p[MAX_CHAIN], q[MAX_CHAIN], s[MAX_CHAIN];
     double turn[3][3], off[2] = {0.0, 0.0};
     struct dem *d[3];
 
     turned_axes(turn);
-    d[0] = wriggling(n, more, 0.5, straight, 0);
-    d[1] = wriggling(n, more, 0.5, turn, 0);
-    d[2] = wriggling(n, more, 0.5, straight, 1);
+    d[0] = random_chain(n, more, 0.5, straight, 0);
+    d[1] = random_chain(n, more, 0.5, turn, 0);
+    d[2] = random_chain(n, more, 0.5, straight, 1);
     for (int k = 0; k < 3; k++)
     {
         world_run(d[k], time);
@@ -175,9 +185,9 @@ static void objective(const char *what, const char *more, int n, double time)
         off[0] = fmax(off[0], apart(back, q[k].x));
         off[1] = fmax(off[1], apart(p[k].x, s[n - 1 - k].x));
     }
-    TAP_NEAR(off[0], 0.0, 1e-10*L, "%s: the same in turned axes (%.3g bonds broke)", what,
+    TAP_NEAR(off[0], 0.0, 1e-10*L, "%s: the same in rotated axes (%.3g bonds broke)", what,
              world_tally(d[0]).broken);
-    TAP_NEAR(off[1], 0.0, 1e-10*L, "%s: the same with ids the other way round", what);
+    TAP_NEAR(off[1], 0.0, 1e-10*L, "%s: the same with swapped ids", what);
     for (int k = 0; k < 3; k++)
     {
         dem_free(d[k]);
@@ -204,14 +214,15 @@ static void triangle(void)
     }
     struct dem *const d = bonded(1e-2, 2e-8, "", 3, seed);
 
-    keeps("a triangle", d, 3, 2e-3, 1e-6);
+    conserves("a triangle", d, 3, 2e-3, 1e-6);
     dem_free(d);
 }
 
-/* ---- contact and bond ---------------------------------------------------------------------------------------- */
+/* ---- contact and bond ------------------------------------------------------------------------ */
 
-/* A pair made with an overlap of 0.5 %, with Hertz's law beside the bond; led apart or together, and broken by a twist. */
-static struct dem *sticking(const char *adhesion, const char *more)
+/* A pair made with an overlap of 0.5 %, with Hertz's law beside the bond; moved apart or together,
+   and broken by a twist. */
+static struct dem *bonded_contact(const char *adhesion, const char *more)
 {
     char *const scene = world_text(
         "materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
@@ -229,10 +240,10 @@ static struct dem *sticking(const char *adhesion, const char *more)
 
 static struct dem *overlapping(const char *more)
 {
-    return sticking("", more);
+    return bonded_contact("", more);
 }
 
-static void led(struct dem *d, double along, double twist, int steps)
+static void move_steps(struct dem *d, double along, double twist, int steps)
 {
     const double dt = dem_step_limit(d).used, v[3] = {along/dt, 0.0, 0.0},
                  w[3] = {twist/dt, 0.0, 0.0};
@@ -254,31 +265,32 @@ static void hand_over(void)
     const double none[3] = {0.0, 0.0, 0.0};
 
     TAP_NEAR(world_at(d, 1).f[0], 0.0, 0.0, "the contact of a bonded pair has no force");
-    TAP_NEAR(world_tally(d).lost, 0.4*able*0.005*L, 1e-9*able*L, "what it held is lost");
-    led(d, 0.0, 0.0, 3);
-    TAP_NEAR(world_at(d, 1).f[0], 0.0, 1e-12*able, "nor later");
+    TAP_NEAR(world_tally(d).lost, 0.4*able*0.005*L, 1e-9*able*L,
+             "its elastic energy is reported as lost");
+    move_steps(d, 0.0, 0.0, 3);
+    TAP_NEAR(world_at(d, 1).f[0], 0.0, 1e-12*able, "nor after ten steps");
     dem_free(d);
 
-    /* half of what the overlap can carry, by the bond; then a twist breaks it */
+    /* the bond carries half of the contact force of this overlap; then a twist breaks it */
     d = overlapping("shearStrength 5e6;");
-    led(d, -0.5*able/(kn*A)/50.0, 0.0, 50);
+    move_steps(d, -0.5*able/(kn*A)/50.0, 0.0, 50);
     const double pressed = world_at(d, 1).f[0];
 
-    led(d, 0.0, 1e-4, 10000);
+    move_steps(d, 0.0, 1e-4, 10000);
     TAP_OK(world_tally(d).broken == 1.0, "a twist breaks it");
     TAP_NEAR(world_at(d, 1).f[0], pressed, 1e-9*pressed,
-             "in the step in which it breaks the contact carries on");
+             "in the step in which it breaks the contact has the bond's force");
     chain_set(d, 1, none, none);
     chain_kick(d, 1, world_at(d, 1).f, world_at(d, 1).t, -0.5e-7);
     world_step(d);
-    TAP_NEAR(world_at(d, 1).f[0], pressed, 1e-9*pressed, "and in the next");
+    TAP_NEAR(world_at(d, 1).f[0], pressed, 1e-9*pressed, "and in the next step");
     dem_free(d);
 
-    /* in tension nothing is left, though the surfaces still overlap */
+    /* broken in tension the force is 0, though the surfaces still overlap */
     d = overlapping("shearStrength 5e6;");
-    led(d, 0.5*able/(kn*A)/50.0, 0.0, 50);
+    move_steps(d, 0.5*able/(kn*A)/50.0, 0.0, 50);
     TAP_OK(world_at(d, 1).f[0] < -0.4*able, "the bond pulls");
-    led(d, 0.0, 1e-4, 10000);
+    move_steps(d, 0.0, 1e-4, 10000);
     chain_set(d, 1, none, none);
     world_step(d);
     TAP_NEAR(world_at(d, 1).f[0], 0.0, 1e-9*able, "broken in tension, there is no force");
@@ -286,7 +298,7 @@ static void hand_over(void)
 
     chain_set(d, 1, in, none);
     world_run(d, 1e-6);
-    TAP_OK(world_at(d, 1).f[0] > 0.0, "until they come nearer");
+    TAP_OK(world_at(d, 1).f[0] > 0.0, "a force acts when they come nearer");
     dem_free(d);
 
     d = overlapping("contact parallel;");
@@ -295,32 +307,33 @@ static void hand_over(void)
     dem_free(d);
 }
 
-/* Surfaces that a bond holds apart from each other, or has left and that have not parted since, don't stick. */
-static void shielded(const char *adhesion, double pull)
+/* Surfaces of a bonded pair, and those of a broken one that have not separated since, do not
+   adhere. */
+static void adhesion_of_bonded(const char *adhesion, double pull)
 {
     const double E = 1e9/(2.0*(1.0 - 0.0625)),
                  able = 4.0/3.0*E*sqrt(0.5*R)*pow(0.005*L, 1.5),
                  none[3] = {0.0, 0.0, 0.0};
-    struct dem *d = sticking(adhesion, "shearStrength 5e6;"), *const bare =
+    struct dem *d = bonded_contact(adhesion, "shearStrength 5e6;"), *const bare =
                                                                   overlapping("shearStrength 5e6;");
 
-    TAP_NEAR(world_at(d, 1).f[0], 0.0, 0.0, "%s: nothing pulls on a pair just bonded", adhesion);
-    led(d, -0.5*able/(kn*A)/50.0, 0.0, 50);
-    led(bare, -0.5*able/(kn*A)/50.0, 0.0, 50);
+    TAP_NEAR(world_at(d, 1).f[0], 0.0, 0.0, "%s: no force on a pair just bonded", adhesion);
+    move_steps(d, -0.5*able/(kn*A)/50.0, 0.0, 50);
+    move_steps(bare, -0.5*able/(kn*A)/50.0, 0.0, 50);
     const double pressed = world_at(d, 1).f[0];
 
-    TAP_NEAR(pressed, world_at(bare, 1).f[0], 0.0, "%s: a bonded pair feels its bond alone",
-             adhesion);
-    led(d, 0.0, 1e-4, 10000);
+    TAP_NEAR(pressed, world_at(bare, 1).f[0], 0.0,
+             "%s: a bonded pair has the force of its bond alone", adhesion);
+    move_steps(d, 0.0, 1e-4, 10000);
     TAP_OK(world_tally(d).broken == 1.0, "%s: a twist breaks it", adhesion);
     TAP_NEAR(world_at(d, 1).f[0], pressed, 1e-9*pressed,
-             "%s: the contact carries on in that step", adhesion);
+             "%s: in that step the contact has the bond's force", adhesion);
     chain_set(d, 1, none, none);
     chain_kick(d, 1, world_at(d, 1).f, world_at(d, 1).t, -0.5e-7);
     world_step(d);
-    TAP_NEAR(world_at(d, 1).f[0], pressed, 1e-9*pressed, "%s: and in the next", adhesion);
+    TAP_NEAR(world_at(d, 1).f[0], pressed, 1e-9*pressed, "%s: and in the next step", adhesion);
 
-    /* out until they have parted; then in again, where they stick */
+    /* out until they have separated; then in again, where they adhere */
     double least = 0.0;
 
     for (int k = 0; k < 60; k++)
@@ -330,7 +343,7 @@ static void shielded(const char *adhesion, double pull)
         chain_set(d, 1, v, none);
         world_step(d);
     }
-    TAP_NEAR(world_at(d, 1).f[0], 0.0, 0.0, "%s: apart nothing pulls", adhesion);
+    TAP_NEAR(world_at(d, 1).f[0], 0.0, 0.0, "%s: no force when separated", adhesion);
     const double in[3] = {-1e-3*0.005*L/1e-7, 0.0, 0.0};
 
     for (int k = 0; k < 400; k++)
@@ -339,17 +352,17 @@ static void shielded(const char *adhesion, double pull)
         world_step(d);
         least = fmin(least, world_at(d, 1).f[0]);
     }
-    TAP_OK(least < -0.5*pull, "%s: surfaces that meet anew stick: %g N", adhesion, least);
+    TAP_OK(least < -0.5*pull, "%s: surfaces that meet again adhere: %g N", adhesion, least);
     dem_free(d);
     dem_free(bare);
 
-    d = sticking(adhesion, "contact parallel;");
-    TAP_OK(world_at(d, 1).f[0] < able - 0.5*pull, "%s: in parallel they stick beside the bond",
-           adhesion);
+    d = bonded_contact(adhesion, "contact parallel;");
+    TAP_OK(world_at(d, 1).f[0] < able - 0.5*pull,
+           "%s: with contact parallel they adhere beside the bond", adhesion);
     dem_free(d);
 }
 
-/* ---- walls, removal, chance ---------------------------------------------------------------------------------- */
+/* ---- walls, removal, probability ------------------------------------------------------------- */
 
 static void hanging(void)
 {
@@ -357,28 +370,31 @@ static void hanging(void)
         "materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
         "effects { gravity { acceleration (0 0 -9.81); }"
         " bondLinear { normalStiffness %g; shearStiffness %g; walls yes; dampingRatio 0.3; } }"
-        "walls { lid { type plane; point (0 0 %.17g); normal (0 0 -1); } side { type triangles; corners"
+        "walls { lid { type plane; point (0 0 %.17g); normal (0 0 -1); } side { type triangles; "
+        "corners"
         " ((0.05 -1 -1) (0.05 1 -1) (0.05 1 1)); } }",
         kn*1e-4, kt*1e-4, R);
     const struct dem_new_particle seed[2] =
         {{.position = {0, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "rock"},
          {.position = {0.05 - R, -0.5, -0.8}, .diameter = 2.0*R, .id = 1, .material = "rock"}};
     struct dem *const d = world(scene, 2, seed);
-    const double weight = 9.81*world_ball(R, 2500.0), ktA = kt*1e-4*A, arm = R*R*ktA/(kn*1e-4*I);
+    const double weight = 9.81*world_sphere_mass(R, 2500.0), ktA = kt*1e-4*A,
+                 arm = R*R*ktA/(kn*1e-4*I);
 
     world_run(d, 0.05);
     const struct world_particle p = world_at(d, 0), q = world_at(d, 1);
 
     TAP_OK(world_tally(d).bonds == 2, "bonded to a plane and to a triangle");
-    TAP_NEAR(p.x[2], -weight/(kn*1e-4*A), 1e-3*weight/(kn*1e-4*A), "one hangs by its elongation");
-    /* a cantilever of one element: shear, and the bend by weight times arm that turns the arm */
+    TAP_NEAR(p.x[2], -weight/(kn*1e-4*A), 1e-3*weight/(kn*1e-4*A),
+             "one hangs at the elongation of its bond");
+    /* a cantilever of one element: shear, and bending by weight times arm, which rotates the arm */
     TAP_NEAR(q.x[2] + 0.8, -weight/ktA*(1.0 + arm), 2e-3*weight/ktA*(1.0 + arm),
-             "one is held out by shear and bending");
+             "one is held as a cantilever, by shear and bending");
     dem_free(d);
     free(scene);
 }
 
-/* The middle one of five flies out of the domain and is removed; the bonds of the others stay. */
+/* The middle one of five leaves the domain and is removed; the bonds of the others stay. */
 static void removal(void)
 {
     char *const scene =
@@ -405,13 +421,15 @@ static void removal(void)
     free(scene);
 }
 
-/* A pair through a periodic face, pulled by its bond and broken: what the list of bonds and that of broken ones say. */
-static void told(double along, double across, int cause, const char *more)
+/* A pair through a periodic face, loaded and broken: the list of bonds and the list of broken
+   bonds. */
+static void reported_bonds(double along, double across, int cause, const char *more)
 {
     char *const scene = world_text(
         "materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
         "domain { min (0 0 0); max (%g 0.01 0.01); periodic (x); }"
-        "effects { bondLinear { normalStiffness %.17g; shearStiffness %.17g; %s } } time { step 1e-7; }",
+        "effects { bondLinear { normalStiffness %.17g; shearStiffness %.17g; "
+        "%s } } time { step 1e-7; }",
         5.0*L, kn, kt, more);
     const struct dem_new_particle seed[2] =
         {{.position = {0.25*L, 0.005, 0.005},
@@ -431,8 +449,9 @@ static void told(double along, double across, int cause, const char *more)
     WORLD_TRY(dem_bonds(d, &n, &bond));
     TAP_OK(dem_has_bonds(d) && n == 1 && bond->id[0] == 4 && bond->id[1] == 7,
            "%s: one bond, of 4 and 7", more);
-    /* the neighbour through the face is at -0.75 L; moved by along away from it; shear is one of second order longer */
-    TAP_NEAR(bond->branch[0], L + along, 1e-12*L, "%s: drawn to the neighbour through the face",
+    /* the neighbour through the face is at -0.75 L; moved by along away from it; shear is one of
+       second order longer */
+    TAP_NEAR(bond->branch[0], L + along, 1e-12*L, "%s: branch to the neighbor through the face",
              more);
     TAP_NEAR(bond->force[0], -kn*A*along, 1e-3*kn*A*(along + across),
              "%s: the lower id is pulled", more);
@@ -449,7 +468,7 @@ static void told(double along, double across, int cause, const char *more)
         world_step(d);
     }
     WORLD_TRY(dem_bonds(d, &n, &bond));
-    TAP_OK(n == 0, "%s: then none holds", more);
+    TAP_OK(n == 0, "%s: then no bond is left", more);
     WORLD_TRY(dem_broken_bonds(d, &n, &broke));
     TAP_OK(n == 1 && broke->id[0] == 4 && broke->id[1] == 7 && broke->cause == cause,
            "%s: broken by cause %d", more, cause);
@@ -461,12 +480,14 @@ static void told(double along, double across, int cause, const char *more)
     free(scene);
 }
 
-static int64_t lot(int seed, double probability)
+static int64_t lattice_bonds(int seed, double probability)
 {
     char *const scene = world_text(
         "materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
-        "effects { bondLinear { normalStiffness %g; shearStiffness %g; makeDistance 1.05; probability %g; seed %d; } }"
-        "insert { all { type lattice; count 1000; diameter 1e-3; spacing 1.02; jitter 0; min (0 0 0);"
+        "effects { bondLinear { normalStiffness %g; shearStiffness %g; makeDistance 1.05; "
+        "probability %g; seed %d; } }"
+        "insert { all { type lattice; count 1000; diameter 1e-3; spacing 1.02; jitter 0; "
+        "min (0 0 0);"
         " max (0.01025 0.01025 0.01025); } }",
         kn, kt, probability, seed);
     struct dem *const d = world(scene, 0, NULL);
@@ -482,31 +503,31 @@ int main(void)
     TAP_TRAPS;
     turning_pair();
     triangle();
-    struct dem *const d = wriggling(20, "", 0.01, straight, 0);
+    struct dem *const d = random_chain(20, "", 0.01, straight, 0);
 
-    keeps("a chain of 20", d, 20, 2e-4, 1e-6);
+    conserves("a chain of 20", d, 20, 2e-4, 1e-6);
     dem_free(d);
     objective("a pair", "", 2, 1e-3);
     objective("a chain of 5", "dampingRatio 0.1;", 5, 1e-3);
-    objective("a chain of 5 with a share", "dampingShare 0.2;", 5, 1e-3);
+    objective("a chain of 5 with dampingShare", "dampingShare 0.2;", 5, 1e-3);
     objective("a chain of 12 that breaks",
               "normalStrength 4e3; shearStrength 4e3; internalFriction 0.5;", 12, 1e-3);
     hand_over();
     /* 3/2 pi w R*; w 2 pi R* d at a tenth of the first overlap */
-    shielded("jkr { workOfAdhesion 10; }", 1.5*world_pi*10.0*0.5*R);
-    shielded("sjkr { energyDensity 1e8; }", 1e8*2.0*world_pi*0.5*R*0.1*0.005*L);
+    adhesion_of_bonded("jkr { workOfAdhesion 10; }", 1.5*world_pi*10.0*0.5*R);
+    adhesion_of_bonded("sjkr { energyDensity 1e8; }", 1e8*2.0*world_pi*0.5*R*0.1*0.005*L);
     hanging();
     removal();
-    told(1e-5*L, 0.0, 1, "normalStrength 1e6;");
-    told(0.0, 1e-5*L, 2, "shearStrength 1e6;");
-    told(1e-4*L, 0.0, 3, "breakDistance 1.01;");
+    reported_bonds(1e-5*L, 0.0, 1, "normalStrength 1e6;");
+    reported_bonds(0.0, 1e-5*L, 2, "shearStrength 1e6;");
+    reported_bonds(1e-4*L, 0.0, 3, "breakDistance 1.01;");
 
-    const int64_t all = lot(1, 1.0), some = lot(1, 0.3);
+    const int64_t all = lattice_bonds(1, 1.0), some = lattice_bonds(1, 0.3);
 
-    TAP_OK(all == 2700, "all %d neighbours of a lattice bond", (int)all);
-    TAP_NEAR((double)some, 810.0, 4.0*sqrt(2700.0*0.3*0.7), "of chance 0.3, %d",
+    TAP_OK(all == 2700, "all %d neighbors of a lattice bond", (int)all);
+    TAP_NEAR((double)some, 810.0, 4.0*sqrt(2700.0*0.3*0.7), "of probability 0.3, %d",
              (int)some);   /* four standard deviations */
-    TAP_OK(lot(1, 0.3) == some && lot(2, 0.3) != some,
-           "the same by the same seed, others by another");
+    TAP_OK(lattice_bonds(1, 0.3) == some && lattice_bonds(2, 0.3) != some,
+           "the same seed gives the same bonds, another seed others");
     TAP_DONE;
 }

@@ -1,10 +1,15 @@
 /*
- * Claims: a bond breaks at the stress of its limits, within one increment of the load: tension, shear, twist, bending, tension
- * with a strength ratio, compression only where it is asked to count, shear under pressure and tension (Drucker-Prager), a
- * distance, a chain at its root. What it held is booked as lost. Held at an elongation, it relaxes as exp(-eta t) and loses
- * what it does not store. The contact takes over without a jump.
+ * test_bond_strength.c -- the limits at which a bond breaks, and relaxation.
  *
- * Table: R = 1 mm, sigma_max = 1e7 Pa, tau_max = 5e6 Pa, phi = 30 degrees, from the section's formulas in another program.
+ * - A bond breaks at the stress of its limit, within one increment of the load: tension, shear,
+ *   twist, bending, tension with a strength ratio, compression only where it is set to count, shear
+ *   under compression and tension (Drucker-Prager), a distance; a chain breaks at its root.
+ * - The elastic energy of a broken bond is reported as lost.
+ * - At a fixed elongation the force relaxes as exp(-eta t), and the energy that is no longer stored
+ *   is lost.
+ *
+ * Table: R = 1 mm, sigma_max = 1e7 Pa, tau_max = 5e6 Pa, phi = 30 degrees, from the section's
+ * formulas in another program.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -12,20 +17,23 @@
 
 static const char limits[] = "normalStrength 1e7; shearStrength 5e6;";
 
-struct motion                                             /* of particle 1, per step: along x, along y, about x, about z */
+/* of particle 1, per step: along x, along y, about x, about z */
+struct motion
 {
     double along, across, twist, bend;
 };
 
-/* Particle 0 is held, 1 is led. Returns what it pushes back with in the last step before the bond breaks; 0: never. */
-static double lead(struct dem *d, struct motion m, int steps, struct world_particle *last)
+/* Particle 0 is fixed, 1 is moved. Returns the reaction in the last step before the bond breaks; 0:
+   it did not break. */
+static double break_by_motion(struct dem *d, struct motion m, int steps, struct world_particle *last)
 {
     const double dt = dem_step_limit(d).used;
 
     for (int k = 0; k < steps; k++)
     {
         *last = world_at(d, 1);
-        /* bent by an angle, the axis of the bond turns by half of it: nothing slips or stretches */
+        /* bent by an angle, the axis of the bond rotates by half of it: no slip and no
+           elongation */
         const double half = 0.5*m.bend*(k + 1), bent = m.bend != 0.0 ? 1.0 : 0.0;
         const double v[3] = {(m.along + bent*(L*cos(half) - last->x[0]))/dt,
                              (m.across + bent*(L*sin(half) - last->x[1]))/dt, 0.0};
@@ -33,7 +41,7 @@ static double lead(struct dem *d, struct motion m, int steps, struct world_parti
 
         chain_set(d, 1, v, w);
         chain_kick(d, 1, last->f, last->t,
-                   -0.5*dt);      /* the half kick to come: it is led, not pushed */
+                   -0.5*dt);      /* compensates the half kick to come: the motion is prescribed */
         world_step(d);
         if (world_tally(d).broken > 0.0)
         {
@@ -56,7 +64,7 @@ static void limit(const char *what, const char *more, struct motion m, int steps
 {
     struct dem *const d = pair(more, 0.0);
     struct world_particle last;
-    const double broke = lead(d, m, steps, &last);
+    const double broke = break_by_motion(d, m, steps, &last);
     const double found = m.along != 0.0 ? fabs(last.f[0])
                          : m.across != 0.0 ? fabs(last.f[1])
                          : m.twist != 0.0 ? fabs(last.t[0])
@@ -83,15 +91,15 @@ static void limits_of_the_table(void)
     limit("bending", limits, (struct motion){.bend = bend}, 3000, 7.85398163e-3);
     limit("tension with a strength ratio", "normalStrength 1e7; strengthRatio 0.3;",
           (struct motion){.along = 0.3*stretch}, 3000, 9.42477796);
-    limit("compression that counts", "normalStrength 1e7; absNormal yes;",
+    limit("compression with absNormal", "normalStrength 1e7; absNormal yes;",
           (struct motion){.along = -stretch}, 3000, 31.4159265);
     limit("distance", "breakDistance 1.01;", (struct motion){.along = stretch}, 3000, kn*A*2e-5);
 
     struct dem *const d = pair("normalStrength 1e7;", 0.0);
     struct world_particle last;
 
-    TAP_OK(lead(d, (struct motion){.along = -stretch}, 3000, &last) == 0.0,
-           "compression does not count");
+    TAP_OK(break_by_motion(d, (struct motion){.along = -stretch}, 3000, &last) == 0.0,
+           "compression does not break a bond");
     dem_free(d);
 }
 
@@ -100,12 +108,12 @@ static void drucker_prager(double stress, double expected)
 {
     struct dem *const d = pair("shearStrength 5e6; internalFriction 0.57735026918962576;", 0.0);
     struct world_particle last;
-    double broke = lead(d, (struct motion){.along = stress/kn/100.0}, 100, &last);
+    double broke = break_by_motion(d, (struct motion){.along = stress/kn/100.0}, 100, &last);
 
-    TAP_OK(broke == 0.0, "%g Pa alone break nothing", stress);
+    TAP_OK(broke == 0.0, "%g Pa alone do not break it", stress);
     const double moment = expected*J/R;
 
-    broke = lead(d, (struct motion){.twist = moment/(kt*J)/2000.0}, 3000, &last);
+    broke = break_by_motion(d, (struct motion){.twist = moment/(kt*J)/2000.0}, 3000, &last);
     TAP_OK(broke > 0.0, "under %g Pa a twist breaks it", stress);
     TAP_NEAR(fabs(last.t[0]), moment*(1.0 - 0.5/2000.0), 1.5/2000.0*moment, "at %.5g Pa", expected);
     dem_free(d);
@@ -115,19 +123,20 @@ static void no_shear_left(void)
 {
     struct dem *const d = pair("shearStrength 5e6; internalFriction 0.57735026918962576;", 0.0);
     struct world_particle last;
-    const double broke = lead(d, (struct motion){.along = 8660254.04/kn/2000.0}, 3000, &last);
+    const double broke = break_by_motion(d, (struct motion){.along = 8660254.04/kn/2000.0}, 3000, &last);
 
-    TAP_OK(broke > 0.0, "tension alone breaks it where no shear strength is left");
+    TAP_OK(broke > 0.0, "tension alone breaks it where the shear strength is zero");
     TAP_NEAR(fabs(last.f[0])/A, 8660254.04*(1.0 - 0.5/2000.0), 1.5/2000.0*8660254.04,
              "at 8.66 MPa");
     dem_free(d);
 }
 
-/* A tenth of the table's strength and load, so that the tip moves by 0.7 % of the length: its 3e-5 off by large turns. */
+/* A tenth of the table's strength and load, so that the tip moves by 0.7 % of the length: large
+   rotations change 3e-5. */
 static void root_of_a_chain(void)
 {
     const int bonds = 10;
-    struct dem_new_particle seed[MOST];
+    struct dem_new_particle seed[MAX_CHAIN];
 
     for (int over = 0; over < 2; over++)
     {
@@ -138,12 +147,12 @@ static void root_of_a_chain(void)
         struct dem *const d =
             bonded(1.0, 0.0, "normalStrength 1e6; dampingRatio 0.5;", bonds + 1, seed);
 
-        /* from rest at once it would swing to twice the load: a rise over twelve of its periods */
+        /* a sudden load would overshoot to twice its value: it rises over twelve periods */
         for (int k = 0; k < 50000 && world_tally(d).broken == 0.0; k++)
         {
             const double now[3] = {0.0, 0.0, chain_ramp(k, 48000)*force[2]};
 
-            chain_push(d, bonds, now, none);
+            chain_load(d, bonds, now, none);
         }
         TAP_OK((world_tally(d).broken > 0.0) == over, "a chain at %s of its strength %s",
                over ? "1.001" : "0.999", over ? "breaks" : "holds");
@@ -153,7 +162,7 @@ static void root_of_a_chain(void)
 
             TAP_OK(world_tally(d).bonds == bonds - 1 &&
                        vector_dot(p.f, p.f) + vector_dot(p.t, p.t) == 0.0,
-                   "at its root");
+                   "it breaks at its root");
         }
         dem_free(d);
     }
@@ -174,7 +183,7 @@ static void relaxation(void)
     chain_set(d, 1, fast, none);
     world_step(d);
     chain_set(d, 1, none, none);
-    /* the step that stretches it relaxes it, too */
+    /* the step of the elongation relaxes it, too */
     for (time = dt; next < 4; time += dt)
     {
         struct world_particle p = world_at(d, 1);

@@ -1,10 +1,17 @@
 /*
- * Claims: a sphere that falls on a linear spring with a dashpot rebounds at the time, with the speed and to the height of the
- * damped oscillator under its weight (0.1 %), with the dashpot given by restitution and by
- * coefficient; it hops on as the same formula says from hop to hop, and on a stiff spring to R + (h - R) e^(2 n) (1 %); two spheres
- * squeezed in a gap swing as an integration has it (0.05 % of a diameter) and come to rest where statics says; three spheres in a row of Newton's cradle on linear springs part with the speeds of the exact solution.
+ * test_bounce.c -- linear springs with dashpots against the damped oscillator (DEM01 to DEM03 of
+ * the MFiX-DEM suite).
  *
- * Sets: DEM01 to DEM03 of the MFiX-DEM suite, Garg, Galvin, Li, Pannala, Powder Technol. 220 (2012) 122; bounce_spring.csv,
+ * - A sphere that falls on a spring rebounds at the time, with the speed and to the height of the
+ *   damped oscillator under its weight (0.1 %), with the dashpot given by restitution and by
+ *   coefficient.
+ * - The following bounces have the heights of the same formula, on a stiff spring R + (h - R) e^(2
+ *   n) (1 %).
+ * - Two spheres squeezed in a gap oscillate as an independent integration (0.05 % of a diameter),
+ *   and come to rest at the static positions.
+ * - Newton's cradle of three spheres on linear springs: final speeds of the exact solution.
+ *
+ * Sources: Garg, Galvin, Li, Pannala, Powder Technol. 220 (2012) 122; bounce_spring.csv,
  * squeezed_pair.csv.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -21,7 +28,7 @@ static const double R = 0.1, density = 2600.0, height = 0.5, g = 9.80665;
 /* falls from rest; the rows of the table: stiffness, restitution, time, speed, apex, overlap */
 static void bounce(const double *t, int by_coefficient)
 {
-    const double m = world_ball(R, density), k = t[0], L = -log(t[1]),
+    const double m = world_sphere_mass(R, density), k = t[0], L = -log(t[1]),
                  z = L/sqrt(world_pi*world_pi + L*L);
     const double step = world_pi*sqrt(m/k)/2000.0;
     const struct dem_new_particle seed = {.position = {0.0, 0.0, height},
@@ -70,11 +77,11 @@ static void bounce(const double *t, int by_coefficient)
     dem_free(d);
 }
 
-/* ---- hop after hop ------------------------------------------------------------------------------------------------- */
+/* ---- repeated bounces ------------------------------------------------------------------------ */
 
-/* Speed with which a sphere that meets the spring at v leaves it, under its weight: the first root of the damped swing
-   exp(-z w s) (c cos + b sin) = c about the place of rest, c = g/w^2. */
-static double leaves(double v, double w, double z)
+/* Rebound speed of a sphere that meets the spring at v, under its weight: the first root of the
+   damped oscillation exp(-z w s) (c cos + b sin) = c about the position of rest, c = g/w^2. */
+static double rebound_speed(double v, double w, double z)
 {
     const double f = w*sqrt(1.0 - z*z), c = g/(w*w), b = (z*w*c - v)/f;
     double low = 0.3*world_pi/f, high = 2.0*world_pi/f;
@@ -97,15 +104,16 @@ static double leaves(double v, double w, double z)
 }
 
 /* `steps` a contact time */
-static void hops(double k, double e, double steps)
+static void repeated_bounces(double k, double e, double steps)
 {
-    const double m = world_ball(R, density), L = -log(e), z = L/sqrt(world_pi*world_pi + L*L),
-                 step = world_pi*sqrt(m/k)/steps;
+    const double m = world_sphere_mass(R, density), L = -log(e),
+                 z = L/sqrt(world_pi*world_pi + L*L), step = world_pi*sqrt(m/k)/steps;
     const struct dem_new_particle seed = {.position = {0.0, 0.0, height},
                                           .diameter = 2.0*R,
                                           .material = "b"};
     char *const scene = world_text(
-        "materials { b { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; } dry { restitution %g; }"
+        "materials { b { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; } "
+        "dry { restitution %g; }"
         "gravity { acceleration (0 0 -%.17g); } } time { step %.17g; }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
         density, k, e, g, step);
@@ -126,15 +134,15 @@ static void hops(double k, double e, double steps)
         while (!(before > 0.0 && up <= 0.0 && world_at(d, 0).x[2] > R));
         const double apex = world_at(d, 0).x[2];
 
-        speed = leaves(speed, sqrt(k/m), z);
+        speed = rebound_speed(speed, sqrt(k/m), z);
         hard *= e*e;
         /* a step of a contact more or less in each speed, so twice that in the height */
         TAP_NEAR(apex - R, speed*speed/(2.0*g), 2.0*n/steps*(apex - R),
-                 "k %g N/m, e %g: hop %d, to %.5f m", k, e, n, apex);
+                 "k %g N/m, e %g: bounce %d, to %.5f m", k, e, n, apex);
         if (k > 1e6)
         {
-            /* the weight on the spring takes some of the last, slowest hops */
-            TAP_NEAR(apex, R + hard, 1e-2*apex, "k %g N/m, e %g: hop %d, to R + (h - R) e^(2 n)",
+            /* the weight on the spring reduces the last, slowest bounces */
+            TAP_NEAR(apex, R + hard, 1e-2*apex, "k %g N/m, e %g: bounce %d, to R + (h - R) e^(2 n)",
                      k, e, n);
         }
     }
@@ -142,21 +150,24 @@ static void hops(double k, double e, double steps)
     free(scene);
 }
 
-/* ---- squeezed ------------------------------------------------------------------------------------------------------ */
+/* ---- squeezed -------------------------------------------------------------------------------- */
 
-/* No scene may begin with overlaps of a tenth of a diameter. So they start side by side in one list, and the test puts them into
-   the gap and gives them the half kick of the springs that the start had no force for. */
+/* A scene with overlaps of a tenth of a diameter is refused. The spheres start side by side; the
+   test then moves them into the gap and applies the half kick of the springs, which the start
+   lacks. */
 static struct dem *squeezed(double e, double share)
 {
-    const double m[2] = {world_ball(5e-4, 2e4), world_ball(5e-4, 1e4)},
+    const double m[2] = {world_sphere_mass(5e-4, 2e4), world_sphere_mass(5e-4, 1e4)},
                  step = world_pi*sqrt(m[0]/3.0/1e3)*share;
     const double height[2] = {4.5e-4, 1.35e-3}, push[2] = {1e3*(5e-5 - 1e-4), 1e3*(1e-4 - 5e-5)};
     const struct dem_new_particle seed[2] =
         {{.position = {0.0, 0.0, 9e-4}, .diameter = 1e-3, .id = 0, .material = "heavy"},
          {.position = {1.05e-3, 0.0, 9e-4}, .diameter = 1e-3, .id = 1, .material = "light"}};
     char *const scene = world_text(
-        "materials { heavy { density 2e4; youngsModulus 1e7; } light { density 1e4; youngsModulus 1e7; } }"
-        "effects { hooke { stiffness 1000; } dry { restitution %g; } gravity { acceleration (0 0 -%.17g); } }"
+        "materials { heavy { density 2e4; youngsModulus 1e7; } light { density 1e4; "
+        "youngsModulus 1e7; } }"
+        "effects { hooke { stiffness 1000; } dry { restitution %g; } "
+        "gravity { acceleration (0 0 -%.17g); } }"
         "time { step %.17g; } neighbours { outerSkin 2; innerSkin 2; }"
         "walls { floor { type plane; material heavy; point (0 0 0); normal (0 0 1); }"
         " lid { type plane; material heavy; point (0 0 1.8e-3); normal (0 0 -1); } }",
@@ -226,7 +237,7 @@ static void squeezes(void)
     world_run(d, 0.05);
     const double lower = world_at(d, 0).x[2], upper = world_at(d, 1).x[2];
 
-    /* three springs share 0.2 mm and two weights; digits printed */
+    /* three springs, compressed by 0.2 mm in all, and two weights; digits as printed */
     TAP_NEAR(5e-4 - lower, 66.752e-6, 1e-9, "at rest: %.3f um at the floor", 1e6*(5e-4 - lower));
     TAP_NEAR(1e-3 - upper + lower, 66.650e-6, 1e-9, "%.3f um between them",
              1e6*(1e-3 - upper + lower));
@@ -235,12 +246,13 @@ static void squeezes(void)
     dem_free(d);
 }
 
-/* equal spheres that just touch, the first comes at 1 m/s: speeds of the linear chain, from its independent integration */
+/* equal spheres that just touch, the first arrives at 1 m/s: speeds of the linear chain from an
+   independent integration */
 static void cradle(void)
 {
-    static const double parted[3] = {-0.130263, 0.150218, 0.980045};
+    static const double final_speed[3] = {-0.130263, 0.150218, 0.980045};
     struct dem_new_particle seed[3];
-    const double m = world_ball(1e-3, 2500.0), k = 1e4, v = 0.1,
+    const double m = world_sphere_mass(1e-3, 2500.0), k = 1e4, v = 0.1,
                  step = world_pi*sqrt(0.5*m/k)/400.0;
     char *const scene = world_text(
         "materials { b { density 2500; youngsModulus 1e7; } } effects { hooke { stiffness %g; } }"
@@ -261,9 +273,10 @@ static void cradle(void)
     world_run(d, 10.0*world_pi*sqrt(m/k));
     for (int i = 0; i < 3; i++)
     {
-        /* six digits printed; second order in the step, 1/400, and the start of contacts within a step */
-        TAP_NEAR(world_at(d, i).v[0]/v, parted[i], 2e-3, "cradle: sphere %d leaves with %.4f", i,
-                 world_at(d, i).v[0]/v);
+        /* six digits printed; second order in the step, 1/400, and the start of contacts within a
+           step */
+        TAP_NEAR(world_at(d, i).v[0]/v, final_speed[i], 2e-3,
+                 "cradle: sphere %d leaves with %.4f", i, world_at(d, i).v[0]/v);
     }
     free(scene);
     dem_free(d);
@@ -283,8 +296,8 @@ int main(void)
     bounce(table + COLUMNS*(rows - 1), 1);
     for (int k = 6; k <= 9; k++)
     {
-        hops(5e4, 0.1*k, 2000.0);
-        hops(5e6, 0.1*k, 400.0);
+        repeated_bounces(5e4, 0.1*k, 2000.0);
+        repeated_bounces(5e6, 0.1*k, 400.0);
     }
     squeezes();
     cradle();

@@ -1,10 +1,14 @@
 /*
- * Claims: in tests 4 to 8 of Chung and Ooi each law of friction gives the speeds and spins of an independent integration of
- * the same law; where the sphere slides all the way those of a rigid body, and those that Chung and Ooi published. The whole
- * friction impulse of a sliding impact is mu times that of the pushes, with every law of friction and of damping. Matching
- * spins of two equal spheres stay as they are; against a sphere 125 or 125000 times as heavy a spinning one does as on a plane.
+ * test_chung_ooi.c -- tests 4 to 8 of Chung and Ooi: oblique impacts with every law of friction.
  *
- * Sets: Chung and Ooi, Granul. Matter 13 (2011) 643; chung_ooi.csv by oblique_impacts.py.
+ * - Tests 4 to 6: speeds and spins of an independent integration of the same law; in full sliding
+ *   those of a rigid body; those that Chung and Ooi published.
+ * - The friction impulse of a sliding impact is mu times the normal impulse, with every law of
+ *   friction and damping.
+ * - Test 7: matching spins of two equal spheres do not change.
+ * - Test 8: a spinning sphere that hits one 125 or 125000 times as heavy rebounds as from a plane.
+ *
+ * Sources: Chung and Ooi, Granul. Matter 13 (2011) 643; chung_ooi.csv by oblique_impacts.py.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -17,7 +21,8 @@ enum
 
 static const char *const friction[3] = {"mindlin", "mindlinIncremental", "linear"};
 
-struct set                                                /* of one test, of each of its two materials */
+/* of one test, of each of its two materials */
+struct set
 {
     double radius, density[2], E[2], nu[2], mu, e, speed;
 };
@@ -31,7 +36,7 @@ static const struct set sets[3] = {
 /* N/m of a linear spring that yields as far as Hertz's on a rigid plane at the set's speed */
 static double stiffness(const struct set *s, int material)
 {
-    const double m = world_ball(s->radius, s->density[material]),
+    const double m = world_sphere_mass(s->radius, s->density[material]),
                  E = s->E[material]/(1.0 - s->nu[material]*s->nu[material]);
     const double deepest = pow(15.0*m*s->speed*s->speed/(16.0*E*sqrt(s->radius)), 0.4);
 
@@ -42,12 +47,13 @@ static double contact_time(const struct set *s, int material)
 {
     const double E = s->E[material]/(1.0 - s->nu[material]*s->nu[material]);
 
-    return world_contact_time(world_ball(s->radius, s->density[material]), s->radius, E, s->speed);
+    return world_contact_time(world_sphere_mass(s->radius, s->density[material]), s->radius, E,
+                              s->speed);
 }
 
 /* n spheres over z = 0, a quarter of a step and more above it; motion in x and z, spin about y */
-static struct dem *throw_all(const struct set *s, int material, int law, const char *damping, int n,
-                             const double *row, double step)
+static struct dem *launch_all(const struct set *s, int material, int law, const char *damping,
+                              int n, const double *row, double step)
 {
     struct dem_new_particle seed[MOST];
     char normal[64] = "hertz { impactSpeed 1; }";
@@ -82,7 +88,7 @@ static struct dem *throw_all(const struct set *s, int material, int law, const c
     return d;
 }
 
-/* ---- tests 4 to 6 against the independent integration ------------------------------------------------------------- */
+/* ---- tests 4 to 6 against the independent integration ---------------------------------------- */
 
 static void sweep(int test, int material, int law, int n, const double *row)
 {
@@ -95,24 +101,26 @@ static void sweep(int test, int material, int law, int n, const double *row)
     {
         snprintf(damping, sizeof damping, "dry { restitution %g; }", s->e);
     }
-    struct dem *const d = throw_all(s, material, law, damping, n, row, step);
+    struct dem *const d = launch_all(s, material, law, damping, n, row, step);
 
-    world_run(d, 3600*step);                              /* 1.63 t_c at 85 degrees, 1.1 t_c with the dashpot */
-    TAP_OK(world_tally(d).contacts == 0, "test %d, material %d, %s: all have parted", test,
+    /* 1.63 t_c at 85 degrees, 1.1 t_c with the dashpot */
+    world_run(d, 3600*step);
+    TAP_OK(world_tally(d).contacts == 0, "test %d, material %d, %s: all have separated", test,
            material + 1, friction[law]);
     for (int k = 0; k < n; k++)
     {
         const double *const r = row + COLUMNS*k;
         const struct world_particle p = world_at(d, k);
-        /* what friction can do to the speed if it slides all the way, and to the spin */
+        /* largest change of speed and spin by friction, in full sliding */
         const double able = s->mu*(1.0 + s->e)*r[3];
 
         speed = fmax(speed, fabs(p.v[0] - r[7])/able);
         spin = fmax(spin, fabs(p.w[1] - r[8])*s->radius/(2.5*able));
         normal = fmax(normal, fabs(p.v[2] - r[6])/r[3]);
     }
-    /* whole steps at both ends of the contact and a dashpot of first order: 1/2000 each, times the few swings of the spring of
-       friction in it (a ratio of 2 k_t/k_n, so up to pi sqrt(7 k_t/2 k_n) = 5) */
+    /* whole steps at both ends of the contact and a dashpot of first order: 1/2000 each, times the
+       oscillations of the friction spring in it (a ratio of 2 k_t/k_n, so up to pi sqrt(7 k_t/2
+       k_n) = 5) */
     TAP_NEAR(speed, 0.0, 3e-3, "test %d, material %d, %s: %d tangential speeds", test, material + 1,
              friction[law], n);
     TAP_NEAR(spin, 0.0, 3e-3, "test %d, material %d, %s: and spins", test, material + 1,
@@ -152,14 +160,14 @@ static void against_integration(void)
     }
 }
 
-/* ---- against what is published ------------------------------------------------------------------------------------ */
+/* ---- against what is published --------------------------------------------------------------- */
 
-/* one throw onto the plane; *pushed: N s of all pushes, by the sum over the steps */
+/* one impact on the plane; *pushed: normal impulse of repulsion [N s], summed over the steps */
 static struct world_particle one(const struct set *s, int material, int law, const char *damping,
                                  double vn, double vt, double w, double *pushed)
 {
     const double step = contact_time(s, material)/1000.0, row[COLUMNS] = {0, 0, 0, vn, vt, w};
-    struct dem *const d = throw_all(s, material, law, damping, 1, row, step);
+    struct dem *const d = launch_all(s, material, law, damping, 1, row, step);
 
     *pushed = 0.0;
     for (int k = 0; k < 12000 && (k < 10 || world_tally(d).contacts > 0); k++)
@@ -179,8 +187,8 @@ static void published_4(const double *t)
     double pushed;
     const struct world_particle p =
         one(&sets[0], 0, 0, "dry { restitution 0.98; }", 3.9*cos(a), 3.9*sin(a), 0.0, &pushed);
-    /* from 30 degrees on it slides all the way, and only the reading of the figures is left, 1 % of the largest value;
-       below, laws of friction differ between slip and stick: 3 % */
+    /* from 30 degrees on it slides throughout, and the error is that of reading the figures, 1 % of
+       the largest value; below, laws of friction differ between slip and stick: 3 % */
     const double share = t[1] >= 30.0 ? 1e-2 : 3e-2;
 
     TAP_NEAR(p.v[0]/(3.9*sin(a)), t[2], share, "test 4, %g degrees: e_t %.4f, published %.4f",
@@ -196,9 +204,9 @@ static void published_5(const double *t, int law)
     const struct world_particle p = one(&sets[1], 0, law, "", vn, t[1]*mu*vn, 0.0, &pushed);
     const double slip = (p.v[0] - R*p.w[1])/(mu*p.v[2]), spin = -R*p.w[1]/(mu*vn);
 
-    /* rigid: x - 7 and -5. The published points are 0.013 from that; the lever is shorter by 0.5 % of 5 on the mean of an impact
-       (0.8176 of the largest overlap, 0.64 % of the radius); at x = 6 the last 0.02 of slip find a spring (0.981 in the
-       independent integration) */
+    /* rigid: x - 7 and -5. The published points are 0.013 from that; the lever is shorter by 0.5 %
+       of 5 on the mean of an impact (0.8176 of the largest overlap, 0.64 % of the radius); at x = 6
+       the last 0.02 of slip load the spring (0.981 in the independent integration) */
     TAP_NEAR(slip, t[2], 0.06, "test 5, %s, v_t/(mu v_n) = %g: slip %.3f, published %.3f",
              friction[law], t[1], slip, t[2]);
     TAP_NEAR(spin, t[3], 0.06, "test 5, %s, v_t/(mu v_n) = %g: spin %.3f, published %.3f",
@@ -210,12 +218,13 @@ static void published_5(const double *t, int law)
     }
 }
 
-/* the published points lie on the line of the friction impulse mu m (1 + e) v_n; where the dashpot pulls at the end nothing
-   rubs, so that pushes are 1.067 of it here */
+/* the published points lie on the line of the friction impulse mu m (1 + e) v_n; while the dashpot
+   attracts at the end there is no friction, so the repulsive impulse is 1.067 of it here */
 static void published_6(const double *t, int law)
 {
     const struct set *const s = &sets[2];
-    const double slip = 3.5*s->mu*1.5*s->speed/t[1], m = world_ball(s->radius, s->density[0]);
+    const double slip = 3.5*s->mu*1.5*s->speed/t[1],
+                 m = world_sphere_mass(s->radius, s->density[0]);
     double pushed;
     const struct world_particle p =
         one(s, 0, law, "dry { restitution 0.5; }", s->speed, 0.0, slip/s->radius, &pushed);
@@ -225,7 +234,7 @@ static void published_6(const double *t, int law)
     TAP_NEAR(beta, rigid, 1e-3,
              "test 6, %s, x = %g: beta %.4f is 7/2 mu of the normal impulse over the slip, less 1",
              friction[law], t[1], beta);
-    /* that more, and 0.01 of reading */
+    /* these 6.7 %, and 0.01 of reading */
     TAP_NEAR(beta, t[2], 0.067*t[1] + 0.01, "test 6, %s, x = %g: published %.3f", friction[law],
              t[1], t[2]);
 }
@@ -258,7 +267,7 @@ static void against_publication(void)
     }
 }
 
-/* ---- the friction impulse ----------------------------------------------------------------------------------------- */
+/* ---- the friction impulse -------------------------------------------------------------------- */
 
 static void impulses(void)
 {
@@ -269,7 +278,7 @@ static void impulses(void)
                                           "viscous { coefficient 3000; attraction clamped; }",
                                           "stokes { restitution 0.97; viscosity 3; }"};
     const struct set *const s = &sets[2];
-    const double m = world_ball(s->radius, s->density[0]);
+    const double m = world_sphere_mass(s->radius, s->density[0]);
 
     for (int c = 0; c < 6; c++)
     {
@@ -291,14 +300,16 @@ static void impulses(void)
     }
 }
 
-/* ---- tests 7 and 8: two spheres ------------------------------------------------------------------------------------ */
+/* ---- tests 7 and 8: two spheres -------------------------------------------------------------- */
 
-/* spheres 0 and 1 meet along x; radii 0.1 and `larger`, the second `heavier` and stiffer; velocities along x, spins about y */
+/* spheres 0 and 1 meet along x; radii 0.1 and `larger`, the second `heavier` and stiffer;
+   velocities along x, spins about y */
 static void meet(const char *law, const double material[3], double larger, double heavier,
                  double v0, double v1, double w0, double w1, struct world_particle p[2])
 {
     struct dem_new_particle seed[2];
-    const double E = material[1]/(1.0 - material[2]*material[2]), m = world_ball(0.1, material[0]);
+    const double E = material[1]/(1.0 - material[2]*material[2]),
+                 m = world_sphere_mass(0.1, material[0]);
     /* no softer than a pair of the first */
     const double step = world_contact_time(0.5*m, 0.05, 0.5*E, v0 - v1)/1000.0;
 
@@ -315,7 +326,8 @@ static void meet(const char *law, const double material[3], double larger, doubl
                                         .id = 1,
                                         .material = "b"};
     char *const scene = world_text(
-        "materials { a { density %g; youngsModulus %g; poissonsRatio %g; } b { density %g; youngsModulus %g;"
+        "materials { a { density %g; youngsModulus %g; poissonsRatio %g; } b { density %g; "
+        "youngsModulus %g;"
         "poissonsRatio %g; } } effects { %s dry { restitution 0.5; } } time { step %.17g; }",
         material[0], material[1], material[2], heavier*material[0], heavier*material[1],
         material[2], law, step);
@@ -345,17 +357,19 @@ static void matching_spins(void)
         snprintf(words, sizeof words, "%s %s { friction 0.4; }",
                  law == 2 ? "hooke { stiffness 1e9; }" : "hertz { }", friction[law]);
         meet(words, metals[metal], 0.1, 1.0, 0.2, -0.2, w, -w, p);
-        /* the points of contact move alike: no slip; rounding of spin times radius, and of the spring */
+        /* the points of contact move alike: no slip; rounding of spin times radius, and of the
+           spring */
         TAP_NEAR(fmax(fabs(p[0].w[1] - w), fabs(p[1].w[1] + w)), 0.0, 1e-12*w,
                  "test 7, metal %d, %s: spins %g stay", metal + 1, friction[law], w);
-        TAP_NEAR(fabs(p[0].v[2]) + fabs(p[1].v[2]), 0.0, 1e-13, "test 7: and nothing goes aside");
+        TAP_NEAR(fabs(p[0].v[2]) + fabs(p[1].v[2]), 0.0, 1e-13, "test 7: no velocity across");
         /* one phase of contact: a step of 1/1000 more or less, of 0.4 m/s */
-        TAP_NEAR(p[1].v[0] - p[0].v[0], 0.2, 4e-4, "test 7: they part with half the speed");
+        TAP_NEAR(p[1].v[0] - p[0].v[0], 0.2, 4e-4, "test 7: they separate with half the speed");
     }
 }
 
-/* -slip after/slip before as a function of x is that of test 6: friction knows 2/7 m*, pressure m* */
-static void large_partner(const double *table, int rows)
+/* -slip after/slip before as a function of x is that of test 6: friction knows 2/7 m*, pressure
+   m* */
+static void heavy_partner(const double *table, int rows)
 {
     static double row[MOST*COLUMNS];
 
@@ -382,7 +396,8 @@ static void large_partner(const double *table, int rows)
 
             worst = fmax(worst, fabs(beta - plane)*w*0.1/(3.5*s->mu*1.5*s->speed));
         }
-        /* as in the sweeps, and: the line of centres turns by 1e-4, the levers are shorter by another share of 1e-3 */
+        /* as in the sweeps; besides, the line of centres rotates by 1e-4, and the lever arms are
+           shorter by another 1e-3 */
         TAP_NEAR(worst, 0.0, 5e-3, "test 8%s, material %d, %s: %d spins as on a plane",
                  real ? "b" : "a", material + 1, friction[law], (n + 1)/2);
     }
@@ -397,6 +412,6 @@ int main(void)
     against_publication();
     impulses();
     matching_spins();
-    large_partner(table, world_table("physics/chung_ooi.csv", COLUMNS, ROWS, table));
+    heavy_partner(table, world_table("physics/chung_ooi.csv", COLUMNS, ROWS, table));
     TAP_DONE;
 }

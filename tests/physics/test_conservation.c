@@ -1,10 +1,13 @@
 /*
- * Claims: a thousand spheres that collide with friction and damping keep their momentum, in a periodic box, and in open
- * space their angular momentum too, to round-off; without friction and damping they keep their energy, and with either
- * they only lose it; spheres in a box with walls of e = 1 and mu = 0 go on for ever; wrapping through periodic faces
- * changes no velocity and keeps a contact.
+ * test_conservation.c -- conservation of momentum, angular momentum and energy.
  *
- * Source: Newton; the bounds are round-off and the order of the leapfrog.
+ * - A thousand colliding spheres with friction and damping keep their momentum to round-off in a
+ *   periodic box, and in open space their angular momentum, too.
+ * - Without friction and damping they keep their energy; with either the energy only decreases.
+ * - Spheres in a box with walls of e = 1 and mu = 0 do not slow down.
+ * - Crossing periodic faces changes no velocity and keeps a contact.
+ *
+ * Bounds: round-off and the order of the leapfrog.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -22,8 +25,9 @@ static const double R = 1e-3, E = 1e7, nu = 0.3, speed = 0.5;
 static const char material[] =
     "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }";
 
-/* A cubic lattice of this pitch, with random velocities and spins, and a pull to the middle [1/s]. */
-static void swarm(struct dem_new_particle *seed, double pitch, double inward)
+/* A cubic lattice of this pitch, with random velocities and spins, and a velocity towards the
+   centre in proportion to the distance [1/s]. */
+static void random_lattice(struct dem_new_particle *seed, double pitch, double inward)
 {
     for (int k = 0; k < N; k++)
     {
@@ -45,7 +49,7 @@ static struct dem *start(const char *effects, const char *domain, double pitch, 
     static struct dem_new_particle seed[N];
     char *const scene = world_text("%s effects { hertz {} %s } %s", material, effects, domain);
 
-    swarm(seed, pitch, inward);
+    random_lattice(seed, pitch, inward);
     struct dem *const d = world(scene, N, seed);
 
     free(scene);
@@ -53,7 +57,7 @@ static struct dem *start(const char *effects, const char *domain, double pitch, 
 }
 
 /* kg m/s, kg m2/s, their scales (sums of magnitudes), J: kinetic and of all Hertzian contacts */
-struct ledger
+struct totals
 {
     double p[3], L[3], p_scale, L_scale, energy, kinetic;
 };
@@ -78,10 +82,10 @@ static double elastic_energy(const struct world_particle *q)
     return sum;
 }
 
-static struct ledger take(const struct dem *d)
+static struct totals totals_of(const struct dem *d)
 {
     static struct world_particle q[N];
-    struct ledger s = {.energy = 0.0};
+    struct totals s = {.energy = 0.0};
 
     world_all(d, q);
     for (int k = 0; k < N; k++)
@@ -116,10 +120,10 @@ static void periodic_momentum(void)
         "domain { min (0 0 0); max (0.0275 0.0275 0.0275); periodic (x y z); }";
     struct dem *const d =
         start("mindlin { friction 0.3; } dry { restitution 0.8; }", box, 0.00275, 0.0);
-    const struct ledger before = take(d);
+    const struct totals before = totals_of(d);
 
     world_run(d, 0.01);
-    const struct ledger after = take(d);
+    const struct totals after = totals_of(d);
     const struct dem_totals t = world_tally(d);
 
     TAP_OK(t.contacts > 50 && t.rebuilds > 3, "periodic: %lld contacts, %lld rebuilds",
@@ -129,18 +133,18 @@ static void periodic_momentum(void)
            100*after.kinetic/before.kinetic);
     /* 1000 spheres, some 1000 kicks of round-off 1e-16 each of a share of the sum: a random walk */
     TAP_NEAR(largest(after.p, before.p), 0.0, 1e-13*before.p_scale, "periodic: momentum is kept");
-    /* the exact sum of the tally against that of this page */
+    /* the exact sum of the totals against that of this test */
     TAP_NEAR(largest(t.momentum, after.p), 0.0, 1e-14*before.p_scale,
-             "periodic: the tally has it too");
+             "periodic: the reported totals have the same momentum");
     dem_free(d);
 }
 
-/* The same in open space, driven together. */
+/* The same in open space, with velocities towards the centre. */
 static void angular_momentum(void)
 {
     struct dem *const d =
         start("mindlin { friction 0.3; } dry { restitution 0.8; }", "", 0.00205, 100.0);
-    const struct ledger before = take(d);
+    const struct totals before = totals_of(d);
     int64_t most = 0;
     double energy = before.energy;
     int grew = 0;
@@ -148,26 +152,27 @@ static void angular_momentum(void)
     for (int k = 0; k < 40; k++)
     {
         world_run(d, 2e-4);
-        const struct ledger now = take(d);
+        const struct totals now = totals_of(d);
         const int64_t contacts = world_tally(d).contacts;
 
         most = contacts > most ? contacts : most;
-        /* the springs of friction hold some energy that this page does not count, and give it back: up to 0.1 % */
+        /* friction springs store energy that this sum leaves out, and return it: up to 0.1 % */
         grew += now.energy > energy*(1.0 + 1e-3);
         energy = now.energy;
     }
-    const struct ledger after = take(d);
+    const struct totals after = totals_of(d);
 
-    TAP_OK(most > 300, "open: driven together, %lld contacts at once", (long long)most);
+    TAP_OK(most > 300, "open: %lld contacts at once", (long long)most);
     TAP_NEAR(largest(after.p, before.p), 0.0, 1e-13*before.p_scale, "open: momentum is kept");
     TAP_NEAR(largest(after.L, before.L), 0.0, 1e-12*before.L_scale,
              "open: angular momentum is kept");
-    TAP_OK(grew == 0 && after.energy < 0.8*before.energy, "open: energy only falls, to %.0f %%",
+    TAP_OK(grew == 0 && after.energy < 0.8*before.energy, "open: energy only decreases, to %.0f %%",
            100.0*after.energy/before.energy);
     dem_free(d);
 }
 
-/* No loss anywhere: the sum of kinetic and elastic energy stays, and the error falls with the step. */
+/* Without losses the sum of kinetic and elastic energy is constant, and the error decreases with
+   the step. */
 static void energy(void)
 {
     double drift[2];
@@ -178,13 +183,13 @@ static void energy(void)
 
         snprintf(step, sizeof step, "time { step %g; }", k ? 1e-6 : 2e-6);
         struct dem *const d = start("", step, 0.00205, 50.0);
-        const struct ledger before = take(d);
+        const struct totals before = totals_of(d);
         double worst = 0.0;
 
         for (int s = 0; s < 10; s++)
         {
             world_run(d, 1e-3);
-            worst = fmax(worst, fabs(take(d).energy/before.energy - 1.0));
+            worst = fmax(worst, fabs(totals_of(d).energy/before.energy - 1.0));
         }
         drift[k] = worst;
         dem_free(d);
@@ -195,12 +200,13 @@ static void energy(void)
            drift[0]/drift[1]);
 }
 
-/* Bouncing for ever between walls and each other. */
-static void endless(void)
+/* Elastic spheres between elastic walls. */
+static void elastic_box(void)
 {
     char *const scene = world_text(
         "%s effects { hertz {} } walls { box { type box; min (0 0 0); max (0.02 0.02 0.02); } }"
-        "insert { gas { type random; count 50; diameter 2e-3; seed 3; min (0 0 0); max (0.02 0.02 0.02);"
+        "insert { gas { type random; count 50; diameter 2e-3; seed 3; min (0 0 0); "
+        "max (0.02 0.02 0.02);"
         "velocity (0.7 0.5 0.3); } }",
         material);
     struct dem *const d = world(scene, 0, NULL);
@@ -215,10 +221,10 @@ static void endless(void)
         worst = fmax(worst, now);
         mean += now/40.0;
     }
-    /* some 20 bounces each in 0.8 s at the automatic step, t_c/20: the error of one is random, 1e-4 or less; kinetic energy
-       alone is at most all of it */
-    TAP_NEAR(worst, 1.0, 2e-3, "endless: never more than at the start (%.5f)", worst);
-    TAP_OK(mean > 0.95, "endless: %.4f of it is motion, the rest in contacts", mean);
+    /* some 20 bounces each in 0.8 s at the automatic step, t_c/20: the error of one is random, 1e-4
+       or less; kinetic energy alone is at most all of it */
+    TAP_NEAR(worst, 1.0, 2e-3, "elastic box: never more energy than at the start (%.5f)", worst);
+    TAP_OK(mean > 0.95, "elastic box: %.4f of it is kinetic, the rest in contacts", mean);
     free(scene);
     dem_free(d);
 }
@@ -264,11 +270,11 @@ static void wrapping(void)
         const double at = 1e-3 + v[k], expected = at - 0.012*floor(at/0.012);
 
         TAP_NEAR(fmod(a.x[k] + 0.012, 0.012), expected, 1e-11,
-                 "wrapping: and is where it should be, axis %d", k);
+                 "wrapping: its position, axis %d", k);
     }
     TAP_NEAR(0.5*(b.v[0] + c.v[0]), v[0], 1e-12*v[0],
-             "wrapping: a pair that parts keeps its mean velocity");
-    /* pushed apart by an overlap of 5e-5 m with e = 0: they end just apart */
+             "wrapping: a pair that separates keeps its mean velocity");
+    /* an overlap of 5e-5 m with e = 0: they end just apart */
     double r[3];
 
     for (int k = 0; k < 3; k++)
@@ -277,8 +283,8 @@ static void wrapping(void)
         r[k] -= 0.012*nearbyint(r[k]/0.012);
     }
     TAP_OK(t.contacts <= 1 && sqrt(r[0]*r[0] + r[1]*r[1] + r[2]*r[2]) > 1.99e-3,
-           "wrapping: and its distance");
-    TAP_NEAR(fabs(r[1]) + fabs(r[2]), 0.0, 1e-12, "wrapping: and its direction");
+           "wrapping: the distance of the pair");
+    TAP_NEAR(fabs(r[1]) + fabs(r[2]), 0.0, 1e-12, "wrapping: the direction of the pair");
     free(scene);
     dem_free(d);
 }
@@ -289,7 +295,7 @@ int main(void)
     periodic_momentum();
     angular_momentum();
     energy();
-    endless();
+    elastic_box();
     wrapping();
     TAP_DONE;
 }

@@ -1,6 +1,9 @@
 /*
- * Claims: the energy balance closes for every contact law among many colliding spheres: the loss of kinetic energy is what the laws
- * report as stored and dissipated. The residual is small and falls with the step: by 2 for dashpots and jumps, by 4 where all is elastic.
+ * test_energy_laws.c -- the energy balance closes for every contact law among many colliding
+ * spheres.
+ *
+ * The kinetic energy lost is what the laws report as stored and dissipated. The residual is small
+ * and decreases with the step: by 2 for dashpots and force jumps, by 4 for elastic laws.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -13,7 +16,7 @@ enum
     SIDE = 5, N = SIDE*SIDE*SIDE
 };
 
-static void swarm(struct dem_new_particle *seed, double pitch, double speed)
+static void random_lattice(struct dem_new_particle *seed, double pitch, double speed)
 {
     for (int k = 0; k < N; k++)
     {
@@ -34,20 +37,23 @@ static void swarm(struct dem_new_particle *seed, double pitch, double speed)
     }
 }
 
-struct crowd
+struct law_case
 {
     const char *effects;
     double speed;                                         /* m/s */
-    const char *watch;                                    /* a term that must not be zero */
-    double most, falls;                                   /* residual over kinetic energy at 4 us; how much less at 1 us */
+    const char *term;                                    /* a term that must not be zero */
+    /* limit of residual over kinetic energy at 4 us; least factor between 4 us and 1 us */
+    double max_residual, min_factor;
 };
 
 /*
- * 4 us is 1/25 of an impact at 1 m/s. Elastic laws: second order, 16 times less expected. Dashpots, friction that begins to
- * slip and jumps of a force: first order, 4 times less expected; what jumps in a few contacts scatters, so a little more than 2
- * is asked for. A bond that breaks loses what the motion has put in: second order. One that is damped by 0.1 of critical swings 30 steps long.
+ * 4 us is 1/25 of an impact at 1 m/s. Elastic laws: second order, 16 times less expected. Dashpots,
+ * friction that begins to slip and jumps of a force: first order, 4 times less expected; force
+ * jumps in a few contacts scatter, so a little more than 2 is required. A bond that breaks loses
+ * the energy stored by the motion: second order. One damped by 0.1 of critical oscillates for 30
+ * steps.
  */
-static const struct crowd crowds[] = {
+static const struct law_case cases[] = {
     {"hertz {}", 0.5, "elastic_hertz", 2e-4, 6.0},
     {"hooke { stiffness 2000; }", 0.5, "elastic_hooke", 5e-4, 6.0},
     {"hooke {}", 0.5, "elastic_hooke", 5e-4, 6.0},
@@ -79,25 +85,31 @@ static const struct crowd crowds[] = {
      2.5},
     {"hertz {} twistingSpring { friction 0.3; lever reduced; }", 0.5, "lost_twistingSpring", 5e-4,
      2.5},
-    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; breakDistance 1.5; }",
+    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; "
+     "breakDistance 1.5; }",
      0.1, "elastic_bondLinear", 2e-3, 6.0},
-    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; breakDistance 1.5; dampingRatio 0.1; }",
+    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; "
+     "breakDistance 1.5; dampingRatio 0.1; }",
      0.1, "lost_bondLinear", 2e-2, 2.5},
-    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; breakDistance 1.5; normalStrength 1e4; }",
+    {"hertz {} bondLinear { normalStiffness 3e8; shearStiffness 1e8; makeDistance 1.2; "
+     "breakDistance 1.5; normalStrength 1e4; }",
      0.2, "broken", 2e-3, 6.0},
 };
 
-/* Share of the kinetic energy at the start: the largest residual of 20 looks, and what is watched. */
-static double run(const struct crowd *w, double step, double *watched)
+/* Over the kinetic energy at the start: the largest residual of 20 samples, and the term of the
+   case. */
+static double run(const struct law_case *w, double step, double *term_value)
 {
     static struct dem_new_particle seed[N];
     char *const scene = world_text(
-        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { %s } "
-        "domain { min (0 0 0); max (0.0105 0.0105 0.0105); periodic (x y z); } time { step %.17g; }",
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } "
+        "effects { %s } "
+        "domain { min (0 0 0); max (0.0105 0.0105 0.0105); periodic (x y z); } "
+        "time { step %.17g; }",
         w->effects, step);
     double worst = 0.0;
 
-    swarm(seed, 0.0021, w->speed);
+    random_lattice(seed, 0.0021, w->speed);
     struct dem *const d = energy_world(scene, N, seed);
     const double kinetic =
         energy_term(d, "kinetic_translation") + energy_term(d, "kinetic_rotation");
@@ -107,7 +119,7 @@ static double run(const struct crowd *w, double step, double *watched)
         world_run(d, 2.5e-4);
         worst = fmax(worst, fabs(energy_term(d, "residual")));
     }
-    *watched = energy_term(d, w->watch)/kinetic;
+    *term_value = energy_term(d, w->term)/kinetic;
     dem_free(d);
     free(scene);
     return worst/kinetic;
@@ -116,16 +128,16 @@ static double run(const struct crowd *w, double step, double *watched)
 int main(void)
 {
     TAP_TRAPS;
-    for (size_t k = 0; k < sizeof crowds/sizeof crowds[0]; k++)
+    for (size_t k = 0; k < sizeof cases/sizeof cases[0]; k++)
     {
-        const struct crowd *const w = &crowds[k];
-        double watched;
-        const double coarse = run(w, 4e-6, &watched), fine = run(w, 1e-6, &watched);
+        const struct law_case *const w = &cases[k];
+        double term_value;
+        const double coarse = run(w, 4e-6, &term_value), fine = run(w, 1e-6, &term_value);
 
-        TAP_OK(coarse < w->most && coarse > w->falls*fine,
+        TAP_OK(coarse < w->max_residual && coarse > w->min_factor*fine,
                "%s: residual %.2g, %.2g at a quarter of the step", w->effects, coarse, fine);
-        TAP_OK(strstr(w->watch, "sjkr") ? watched < 0.0 : watched > 1e-4, "%s: %s is %.3g",
-               w->effects, w->watch, watched);
+        TAP_OK(strstr(w->term, "sjkr") ? term_value < 0.0 : term_value > 1e-4, "%s: %s is %.3g",
+               w->effects, w->term, term_value);
     }
     TAP_DONE;
 }

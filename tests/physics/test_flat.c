@@ -1,7 +1,12 @@
 /*
- * Claims: on a flat axis all centres stay exactly in the middle plane, without velocity across it or spin out of it, also in a
- * container of irregular triangles and under gravity across the plane. In the plane they have the same bits as in three dimensions
- * between planes. A restarted run has the bits of the straight one, and the energy balance closes as in three dimensions.
+ * test_flat.c -- two dimensions: with a flat axis all centres stay exactly in the middle plane.
+ *
+ * - No velocity across the plane and no spin out of it, also in a container of irregular triangles
+ *   and under gravity across the plane.
+ * - In the plane the bits are those of three dimensions between planes.
+ * - A restarted run has the bits of the uninterrupted one.
+ * - The energy balance closes as in three dimensions.
+ * - Streams insert onto the plane.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -16,7 +21,8 @@ enum
 
 static const char *const physics =
     "materials { glass { density 2500; youngsModulus 1e6; } }"
-    "effects { gravity { acceleration (0 -9.81 %g); } hertz {} dry { restitution 0.8; } mindlin { friction 0.4; } }"
+    "effects { gravity { acceleration (0 -9.81 %g); } hertz {} dry { restitution 0.8; } "
+    "mindlin { friction 0.4; } }"
     "time { step 5e-6; }";
 
 static struct dem_new_particle seed[N];
@@ -41,7 +47,7 @@ static void fill(void)
     }
 }
 
-/* an upright tube with SIDES sides, whose numbers are round nowhere */
+/* an upright tube with SIDES sides and arbitrary coordinates */
 static void add_tube(struct dem *d)
 {
     double corners[SIDES*2*9];
@@ -75,7 +81,8 @@ static struct dem *tube(const char *domain, double across)
     return d;
 }
 
-/* how far anything is from the plane, or points out of it; -1 when not all are there */
+/* largest distance from the plane, velocity across it or spin out of it; -1 when particles are
+   missing */
 static double off_plane(struct dem *d, double plane)
 {
     double worst = 0.0;
@@ -115,7 +122,7 @@ int main(void)
 
     world_run(flat, 0.1);
     TAP_OK(off_plane(flat, 0.5*(-1e-4 + 7e-4)) == 0.0,
-           "in a crooked tube, pulled across, all stay in the plane with every bit");
+           "in an irregular tube, with gravity across, all stay exactly in the plane");
     TAP_OK(world_at(flat, 0).x[1] < -3.5e-3, "they have fallen");
     TAP_OK(fabs(energy_term(flat, "residual")) <= 1e-3*fabs(energy_term(flat, "gravity")),
            "the energy balance closes");      /* 1.8e-4, as in three dimensions */
@@ -132,7 +139,7 @@ int main(void)
     remove("flat.dem");
     TAP_OK(apart(flat, again) == 0.0, "continues from a snapshot with the same bits");
 
-    /* planes turn nothing out of the plane: what is flat is what three dimensions do */
+    /* planes exert no force across: in three dimensions all stay in the plane, too */
     const char *const box = "walls { box { type box; min (-6e-3 -6e-3 -1); max (6e-3 6e-3 1); } }";
     char *const scene = world_text(physics, 0.0);
     struct dem *const two =
@@ -142,17 +149,18 @@ int main(void)
     world_run(two, 0.1);
     world_run(three, 0.1);
     TAP_OK(apart(two, three) == 0.0, "in the plane the same bits as in three dimensions");
-    TAP_OK(world_at(two, 0).v[0] != 0.0, "where something happens");
+    TAP_OK(world_at(two, 0).v[0] != 0.0, "and the spheres do move");
 
-    /* a stream whose mouth is thicker than the slab of a sphere, and whose velocities scatter */
+    /* a stream whose inlet is thicker than a sphere, and whose velocities scatter */
     struct dem *const stream = world(
         world_text(
             "%s domain { z (-9e-4 1.5e-3); flat (z); } insert { rain { type stream; diameter 1e-3;"
-            " count 60; rate 3000; velocity (0.1 -0.3 0); spread (0.02 0.02 0.02); min (-5e-3 -5e-3 -9e-4); max (5e-3 5e-3 1.5e-3); } }",
+            " count 60; rate 3000; velocity (0.1 -0.3 0); spread (0.02 0.02 0.02); "
+            "min (-5e-3 -5e-3 -9e-4); max (5e-3 5e-3 1.5e-3); } }",
             world_text(physics, -5.0)),
         0, NULL);
 
     world_run(stream, 0.1);
-    TAP_OK(off_plane(stream, 0.5*(-9e-4 + 1.5e-3)) == 0.0, "a stream lets in onto the plane");
+    TAP_OK(off_plane(stream, 0.5*(-9e-4 + 1.5e-3)) == 0.0, "a stream inserts onto the plane");
     TAP_DONE;
 }

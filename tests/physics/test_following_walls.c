@@ -1,12 +1,19 @@
 /*
- * Claims: on a floor of triangles that follows a mesh, told every 0.2 ms where its corners will be, a sphere rides up with it and
- * presses with its weight; it takes up the velocity of a floor that runs, as Coulomb has it; on a turntable it describes
- * the circle of the closed form; where part of a flat floor rises and the rest does not, it rises with that part and has one
- * contact, on seams, too; a triangle that stretches pulls by its velocity under the sphere; a run that goes on from a snapshot, with
- * the surface as it was new and as it stands, has the bits of one that never stopped, friction included; the skins of the lists
- * change nothing; another number of triangles and a corner that is no number are refused, and a wall too fast for the step.
+ * test_following_walls.c -- walls of triangles that follow a moving mesh (dem_wall_move every 0.2
+ * ms).
  *
- * Source: statics and kinematics of rigid bodies; Earnshaw 1844 for the turntable (test_moving_walls.c).
+ * - A sphere moves up with a rising floor and presses with its weight.
+ * - It takes up the velocity of a floor that moves sideways, as Coulomb friction states.
+ * - On a turntable it describes the circle of the closed form.
+ * - Where part of a floor rises, a sphere rises with that part and has one contact, also on seams.
+ * - A triangle that stretches drags with its velocity under the sphere.
+ * - A restart has the bits of an uninterrupted run, friction included.
+ * - The skins of the lists do not change the bits.
+ * - Another number of triangles, a corner that is not a number and a wall too fast for the step are
+ *   refused.
+ *
+ * Sources: statics and kinematics of rigid bodies; Earnshaw 1844 for the turntable
+ * (test_moving_walls.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -47,16 +54,18 @@ static void free_floor(struct floor *f)
 
 static double rest_height(void)
 {
-    return R - pow(0.75*world_ball(R, density)*g*(1.0 - 0.09)/(E*sqrt(R)), 2.0/3.0);
+    return R - pow(0.75*world_sphere_mass(R, density)*g*(1.0 - 0.09)/(E*sqrt(R)), 2.0/3.0);
 }
 
-/* begun at `time`, where the floor may have moved already; from a snapshot or with a sphere */
+/* started at `time`, when the floor may have moved already; from a snapshot or with a sphere */
 static struct dem *begin(struct floor *f, const char *more, const struct dem_new_particle *seed,
                          double time, const char *snapshot)
 {
     char *const scene = world_text(
-        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } rigid { density 1;"
-        " youngsModulus 1e30; } } effects { hertz {} dry { restitution 0.3; } mindlin { friction 0.2; }"
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } "
+        "rigid { density 1;"
+        " youngsModulus 1e30; } } effects { hertz {} dry { restitution 0.3; } "
+        "mindlin { friction 0.2; }"
         " gravity { acceleration (0 0 -9.81); } } time { step 4e-6; } %s",
         more);
     struct dem *const d = world_begin(scene);
@@ -93,7 +102,7 @@ static void run(struct dem *d, struct floor *f, double duration)
     }
 }
 
-/* ---- the ways a floor goes --------------------------------------------------------------------------------------- */
+/* ---- motions of a floor ---------------------------------------------------------------------- */
 
 static void rises(double t, const double new[3], double now[3])
 {
@@ -116,7 +125,7 @@ static void turns(double t, const double new[3], double now[3])
     now[2] = new[2];
 }
 
-/* a mesa: what is within 6 mm of x = 0 rises, and what is further away than 12 mm stays */
+/* a plateau: the part within 6 mm of x = 0 rises, the part beyond 12 mm stays */
 static void bulges(double t, const double new[3], double now[3])
 {
     const double far = fabs(new[0]), share = far < 6e-3 ? 1.0
@@ -140,7 +149,7 @@ static void creeps(double t, const double new[3], double now[3])
     now[0] += 2e-4*t;
 }
 
-/* ---- what a sphere does on it -------------------------------------------------------------------------------------- */
+/* ---- a sphere on it -------------------------------------------------------------------------- */
 
 static void ride(void (*how)(double, const double *, double *), double x, double y,
                  const char *what)
@@ -154,10 +163,10 @@ static void ride(void (*how)(double, const double *, double *), double x, double
 
     run(d, &f, 0.04);
     const struct world_particle p = world_at(d, 0);
-    const double m = world_ball(R, density);
+    const double m = world_sphere_mass(R, density);
 
     world_wall(d, "floor", force);
-    /* the knock at the start has rung down: bounces at 0.05 m/s with restitution 0.3 last 5 ms */
+    /* the impact at the start has decayed: bounces at 0.05 m/s with restitution 0.3 last 5 ms */
     TAP_NEAR(p.v[2], 0.05, 1e-6*0.05, "%s: it has the floor's velocity", what);
     TAP_NEAR(p.x[2], 0.002 + rest_height(), 1e-10, "%s: and its position", what);
     TAP_NEAR(force[2], -m*g, 1e-6*m*g, "%s: and presses with its weight", what);
@@ -179,10 +188,10 @@ static void belt(void)
 
     run(d, &f, 0.5*slides);
     TAP_NEAR(world_at(d, 0).v[0], mu*g*world_tally(d).time, 2e-3*V,
-             "on a floor that runs: sliding, it gains mu g t");
+             "on a floor that moves sideways: sliding, it gains mu g t");
     run(d, &f, slides);
     TAP_NEAR(world_at(d, 0).v[0], 2.0/7.0*V, 2e-3*V,
-             "on a floor that runs: later it rolls at 2/7 of its velocity");
+             "on a floor that moves sideways: then it rolls at 2/7 of its velocity");
     dem_free(d);
     free_floor(&f);
 }
@@ -210,13 +219,13 @@ static void turntable(void)
     TAP_NEAR(p.x[1], (far - centre)*sin(angle), 5e-4*far,
              "on a turntable: on its circle after a turn, y");
     TAP_NEAR(p.w[2], omega, 1e-6*omega,
-             "on a turntable: the spin about the normal stays what it was");
+             "on a turntable: the spin about the normal does not change");
     dem_free(d);
     free_floor(&f);
 }
 
-/* friction on a sphere at 4 mm, while its spring holds */
-static double pulled(void (*how)(double, const double *, double *))
+/* friction on a sphere at 4 mm, while its spring sticks */
+static double drag_force(void (*how)(double, const double *, double *))
 {
     const struct dem_new_particle seed = {.position = {4e-3, 0.0, rest_height()},
                                           .diameter = 2.0*R,
@@ -232,20 +241,22 @@ static double pulled(void (*how)(double, const double *, double *))
     return force;
 }
 
-/* In one triangle that stretches the velocity differs from place to place: at 4 mm it is that of a floor that creeps. */
+/* In a triangle that stretches the velocity depends on position: at 4 mm it is that of a floor that
+   creeps. */
 static void stretch(void)
 {
-    const double due = pulled(creeps);
+    const double due = drag_force(creeps);
 
-    TAP_OK(fabs(due) > 1e-7, "a floor that creeps pulls");
-    /* the stretching itself changes the velocity by 0.05 t = 2e-5 of it, and the spring rings: this is a tenth of its largest force */
-    TAP_NEAR(pulled(stretches), due, 1e-4*fabs(due),
-             "a floor that stretches pulls as fast as it moves there");
+    TAP_OK(fabs(due) > 1e-7, "a floor that creeps drags the sphere");
+    /* stretching changes the velocity by 0.05 t = 2e-5 of it, and the spring oscillates: this is a
+       tenth of its largest force */
+    TAP_NEAR(drag_force(stretches), due, 1e-4*fabs(due),
+             "a floor that stretches drags with its velocity at the contact");
 }
 
-/* ---- what must not matter ------------------------------------------------------------------------------------------ */
+/* ---- restart, skins, refusals ---------------------------------------------------------------- */
 
-/* up and along, and with hills that come: everything at once, from one edge of the mesa to the other */
+/* all motions together: up, along and a growing plateau, from one of its edges to the other */
 static void wanders(double t, const double new[3], double now[3])
 {
     bulges(t, new, now);
@@ -272,7 +283,8 @@ static uint64_t wander(const char *more, double stop)
     }
     else
     {
-        WORLD_TRY(dem_save(d, file));                     /* who writes rebuilds, as who reads does */
+        /* writing rebuilds the lists, as reading does */
+        WORLD_TRY(dem_save(d, file));
     }
     run(d, &f, 0.04);
     const uint64_t hash = world_hash(d);
@@ -298,15 +310,15 @@ static void refusals(void)
            "another number of triangles is refused: %s", dem_error_text());
     TAP_OK(dem_wall_move(d, "flor", (int64_t)f.now.n, f.now.corner) &&
                strstr(dem_error_text(), "no wall flor"),
-           "and a wall that is none");
+           "an unknown wall is refused");
     f.now.corner[7] = NAN;
     TAP_OK(dem_wall_move(d, "floor", (int64_t)f.now.n, f.now.corner) &&
                strstr(dem_error_text(), "not a number"),
-           "a corner that is no number is refused: %s", dem_error_text());
+           "a corner that is not a number is refused: %s", dem_error_text());
     place(&f, 1.0);
     WORLD_TRY(dem_wall_move(d, "floor", (int64_t)f.now.n, f.now.corner));
     TAP_OK(dem_advance(d, 4e-6) && strstr(dem_error_text(), "a wall moves by"),
-           "one that is too fast for the step, too: %s", dem_error_text());
+           "a wall too fast for the step is refused: %s", dem_error_text());
     dem_free(d);
     free_floor(&f);
 }
@@ -322,9 +334,9 @@ int main(void)
     stretch();
     const uint64_t straight = wander("", 0.0);
 
-    TAP_OK(wander("", 0.04) == straight, "a restart has the bits of a straight run");
+    TAP_OK(wander("", 0.04) == straight, "a restart has the bits of an uninterrupted run");
     TAP_OK(wander("neighbours { outerSkin 0.1; innerSkin 0.01; }", 0.0) == straight,
-           "the skins change nothing");
+           "the skins do not change the bits");
     refusals();
     TAP_DONE;
 }

@@ -1,11 +1,21 @@
 /*
- * Claims: spheres of 2 mm in water, from a bubble to steel, rise or settle with added mass and without to the speeds of an independent
- * integration; a bubble of no weight that is let go begins to rise with 2 g; impacts in liquid return what is asked, with the mass that the
- * fluid adds, also between a bubble and a bead; what a coupled fluid is told and what particles are owed is what they have got; in a
- * fluid that speeds up everybody is taken along as the balance has it; a spin fades exponentially towards half the vorticity, in
- * one step or a thousand; lift bends a path as its law has it; the rate at which drag takes up slip is told with the added mass.
+ * test_forces.c -- forces of a fluid on spheres: added mass, drag, lift, torque, and the momentum
+ * exchanged.
  *
- * Set: settling_ratio.csv, Schiller and Naumann with Cd 0.44 above Re 1000, integrated by another program.
+ * - Spheres of 2 mm in water, from a bubble to steel, reach the speeds of an independent
+ *   integration, with and without added mass. A massless bubble starts with an acceleration of 2 g.
+ * - Impacts in liquid return the requested restitution, with the added mass, also between a bubble
+ *   and a bead.
+ * - The momentum reported to a coupled fluid, and the impulse carried over, are what the particles
+ *   received.
+ * - In an accelerating fluid every particle moves as the balance of added mass and pressure
+ *   gradient states.
+ * - A spin decays exponentially to half the vorticity, in one step or in a thousand.
+ * - Lift bends a path as its law states.
+ * - The reported relaxation rate of drag includes the added mass.
+ *
+ * Source: settling_ratio.csv, Schiller and Naumann with Cd 0.44 above Re 1000, integrated by
+ * another program.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -20,7 +30,8 @@ static double fall(double density, const char *added, double step, double time)
 {
     char *const scene = world_text(
         "materials { bead { density %g; youngsModulus 1e5; } }"
-        "effects { schillerNaumann {} pressureGradient {} gravity { acceleration (0 0 -9.81); } %s }"
+        "effects { schillerNaumann {} pressureGradient {} gravity { acceleration (0 0 -9.81); } "
+        "%s }"
         "fluid { density 1000; viscosity 1e-3; } time { step %g; }"
         "insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }",
         density, added, step);
@@ -43,8 +54,9 @@ static void settles(void)
     for (int k = 0; k < rows; k++)
     {
         const double *const row = table + COLUMNS*k;
-        /* drag's coefficient is that of the kick's start: first order, 1e-4 at 2e-5 s; without added mass the bubble of 1.2 kg/m3
-           relaxes in 3e-6 s, far below the step, so it has its last speed but for that lag */
+        /* drag's coefficient is that of the kick's start: first order, 1e-4 at 2e-5 s; without
+           added mass the bubble of 1.2 kg/m3 relaxes in 3e-6 s, far below the step, so it has its
+           terminal speed but for that lag */
         const double with = fall(row[0], "virtualMass {}", 2e-5, 0.05),
                      without = fall(row[0], "", 2e-5, 0.05);
 
@@ -55,14 +67,15 @@ static void settles(void)
     for (int k = 5; k < rows; k++)
     {
         TAP_NEAR(fall(table[COLUMNS*k], "virtualMass {}", 1e-4, 2.0)/table[COLUMNS*k + 1],
-                 1.0, 1e-3, "%g kg/m3: rises at last as tabulated", table[COLUMNS*k]);
+                 1.0, 1e-3, "%g kg/m3: terminal speed as tabulated", table[COLUMNS*k]);
     }
-    /* (rho_f - rho_p) V g = (rho_p + rho_f/2) V dv/dt; drag takes 1e-3 of it after 1e-5 s at most */
+    /* (rho_f - rho_p) V g = (rho_p + rho_f/2) V dv/dt; drag takes 1e-3 of it after 1e-5 s at
+       most */
     TAP_NEAR(-fall(0.001, "virtualMass {}", 1e-7, 1e-5)/(2.0*9.81*1e-5), 1.0, 2e-3,
-             "a bubble of no weight begins to rise with 2 g");
+             "a massless bubble starts to rise with 2 g");
 }
 
-/* Two spheres meet in a fluid without drag: e, and the total of m v + a v that stays. */
+/* Two spheres collide in a fluid without drag: e, and m v + a v, which is conserved. */
 static void impacts(void)
 {
     static const struct
@@ -78,11 +91,14 @@ static void impacts(void)
         {
             const double apart = 1e-6*phase/16.0;
             char *const scene = world_text(
-                "materials { a { density %g; youngsModulus 1e7; } b { density %g; youngsModulus 1e7; } }"
+                "materials { a { density %g; youngsModulus 1e7; } b { density %g; "
+                "youngsModulus 1e7; } }"
                 "effects { hooke { stiffness 1000; } dry { restitution %g; } virtualMass {} }"
                 "fluid { density 1000; viscosity 1e-3; } time { step 1e-7; }"
-                "insert { one { type list; material a; diameter 2e-3; positions ((0 0 0)); velocity (0.2 0 0); }"
-                "two { type list; material b; diameter 2e-3; positions ((%.12g 0 0)); velocity (-0.1 0 0); } }",
+                "insert { one { type list; material a; diameter 2e-3; positions ((0 0 0)); "
+                "velocity (0.2 0 0); }"
+                "two { type list; material b; diameter 2e-3; positions ((%.12g 0 0)); "
+                "velocity (-0.1 0 0); } }",
                 cases[k].rho[0], cases[k].rho[1], cases[k].e, 2.00001e-3 + apart);
             struct dem *const d = world(scene, 0, NULL);
             const double V = 4.0/3.0*world_pi*1e-9, m0 = (cases[k].rho[0] + 500.0)*V,
@@ -98,47 +114,50 @@ static void impacts(void)
         TAP_NEAR(sum/16.0, cases[k].e, 1e-3, "%g on %g kg/m3: returns %.4f", cases[k].rho[0],
                  cases[k].rho[1], sum/16.0);
         /* rounding of 5000 steps; the sum is 5e-6 kg m/s */
-        TAP_NEAR(kept, 0.0, 1e-17, "and the momentum with the fluid that is taken along stays");
+        TAP_NEAR(kept, 0.0, 1e-17, "momentum including the added mass is conserved");
     }
 }
 
-static void stokes_counts_once(void)
+static void added_mass_counts_once(void)
 {
     static const char scene[] =
         "materials { a { density 2500; youngsModulus 1e7; } }"
-        "effects { hertz {} stokes { restitution 0.9; addedMass 0.5; fluidDensity 1000; } virtualMass {} }"
+        "effects { hertz {} stokes { restitution 0.9; addedMass 0.5; fluidDensity 1000; } "
+        "virtualMass {} }"
         "fluid { density 1000; viscosity 1e-3; }"
         "insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }";
     struct dem *const d = world_begin(scene);
 
-    TAP_OK(dem_setup(d) && strstr(dem_error_text(), "addedMass"), "counted twice is refused: %s",
-           dem_error_text());
+    TAP_OK(dem_setup(d) && strstr(dem_error_text(), "addedMass"),
+           "added mass in stokes and in virtualMass is refused: %s", dem_error_text());
     dem_free(d);
 }
 
 /* Without drag: (m + a) dv/dt = a A - V grad p. */
-static void taken_along(void)
+static void accelerating_fluid(void)
 {
     static const char scene[] =
         "materials { a { density 500; youngsModulus 1e7; } }"
         "effects { virtualMass { coefficient 0.6; } pressureGradient {} viscousStress {} }"
-        "fluid { density 1000; viscosity 1e-3; acceleration (3 0 -1); pressureGradient (-2000 0 500); viscousStress (100 0 50); }"
+        "fluid { density 1000; viscosity 1e-3; acceleration (3 0 -1); "
+        "pressureGradient (-2000 0 500); viscousStress (100 0 50); }"
         "time { step 1e-3; } insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }";
     struct dem *const d = world(scene, 0, NULL);
 
     world_run(d, 0.1);
     /* rounding */
     TAP_NEAR(world_at(d, 0).v[0], 0.1*(600.0*3.0 + 2000.0 + 100.0)/(500.0 + 600.0), 1e-13,
-             "taken along by Du/Dt, grad p and div tau");
+             "accelerated by Du/Dt, grad p and div tau");
     TAP_NEAR(world_at(d, 0).v[2], 0.1*(-600.0 - 500.0 + 50.0)/(500.0 + 600.0), 1e-13,
-             "along each axis");
+             "accelerated along each axis");
     dem_free(d);
 }
 
 static void spins(double step)
 {
     char *const scene = world_text(
-        "materials { a { density 2000; youngsModulus 1e7; } } effects { viscousTorque { correction no; } }"
+        "materials { a { density 2000; youngsModulus 1e7; } } "
+        "effects { viscousTorque { correction no; } }"
         "fluid { density 1000; viscosity 1e-3; vorticity (4 0 -2); } time { step %g; }"
         "insert { one { type list; diameter 1e-3; positions ((0 0 0)); spin (10 5 0); } }",
         step);
@@ -152,34 +171,38 @@ static void spins(double step)
     /* exact in each step: rounding */
     TAP_NEAR(p.w[0], 2.0 + 8.0*left, 1e-12,
              "spin after tau, steps of %g s: towards half the vorticity", step);
-    TAP_NEAR(p.w[1], 5.0*left, 1e-12, "fading");
-    TAP_NEAR(p.w[2], -1.0 + left, 1e-12, "and setting in");
+    TAP_NEAR(p.w[1], 5.0*left, 1e-12, "spin after tau: decay about y");
+    TAP_NEAR(p.w[2], -1.0 + left, 1e-12, "spin after tau: rise about z");
     free(scene);
     dem_free(d);
 }
 
-/* A sphere thrown into still fluid of uniform vorticity, without drag: the force is across the slip, so it flies in a circle. */
+/* A spinning sphere in a fluid at rest, without drag: the lift is normal to the slip, so the path
+   is a circle. */
 static void bends(void)
 {
     static const char scene[] =
         "materials { a { density 2000; youngsModulus 1e7; } } effects { magnus {} }"
         "fluid { density 1000; viscosity 1; } time { step 1e-5; }"
-        "insert { one { type list; diameter 1e-3; positions ((0 0 0)); velocity (1e-3 0 0); spin (0 0 50); } }";
+        "insert { one { type list; diameter 1e-3; positions ((0 0 0)); velocity (1e-3 0 0); "
+        "spin (0 0 50); } }";
     struct dem *const d = world(scene, 0, NULL);
 
     world_run(d, 0.1);
     const struct world_particle p = world_at(d, 0);
-    /* F = pi/8 rho d^3 C W x v, m = pi/6 rho_p d^3: turns by 3/4 rho/rho_p C W t. Re_p = 1e-3, S = 50: C = 1 - 0.975 tanh(0.18 sqrt Re_p) */
+    /* F = pi/8 rho d^3 C W x v, m = pi/6 rho_p d^3: turns by 3/4 rho/rho_p C W t. Re_p = 1e-3, S =
+       50: C = 1 - 0.975 tanh(0.18 sqrt Re_p) */
     const double C = 1.0 - 0.975*tanh(0.18*sqrt(1e-3)), angle = 0.75*0.5*C*50.0*0.1;
 
     /* the force of a kick's start: the speed grows by (angle per step)^2/2 a step, 2e-4 in all */
     TAP_NEAR(sqrt(p.v[0]*p.v[0] + p.v[1]*p.v[1])/1e-3, 1.0, 5e-4, "lift does no work");
     TAP_NEAR(atan2(p.v[1], p.v[0]), angle, 1e-4,
-             "and bends the path to the side that the front turns to: %.4f", angle);
+             "it bends the path to the side to which the front of the sphere rotates: %.4f", angle);
     dem_free(d);
 }
 
-/* A coupled window: the fluid of the k-th, different in each. Returns what the fluid is told of, with its new velocity. */
+/* Fluid of the k-th coupled window, different in each. Returns what is reported to the fluid, with
+   its new velocity. */
 static void give(struct dem *d, int k, struct dem_fluid *f)
 {
     WORLD_TRY(dem_fluid(d, f));
@@ -200,13 +223,16 @@ static void give(struct dem *d, int k, struct dem_fluid *f)
     }
 }
 
-/* Window after window with another added mass: what the fluid got (J and R (u' - u)) is what particles have and are owed. */
+/* Windows with changing added mass: the momentum given to the fluid (J and R (u' - u)) is that of
+   the particles and the carried-over impulse. */
 static void exchanges(double density)
 {
     char *const scene = world_text(
         "materials { a { density %g; youngsModulus 1e7; } }"
-        "effects { schillerNaumann {} viscousStress {} virtualMass { swarm zuber; } saffmanMei {} magnus {} }"
-        "time { step 1e-4; } insert { two { type list; diameter 2e-3; positions ((0 0 0) (1 0 0)); spin (0 30 9); } }",
+        "effects { schillerNaumann {} viscousStress {} virtualMass { swarm zuber; } "
+        "saffmanMei {} magnus {} }"
+        "time { step 1e-4; } insert { two { type list; diameter 2e-3; "
+        "positions ((0 0 0) (1 0 0)); spin (0 30 9); } }",
         density);
     struct dem *const d = world_begin(scene);
     double got[3] = {0.0, 0.0, 0.0}, owed[3] = {0.0, 0.0, 0.0}, size = 0.0, worst = 0.0;
@@ -243,19 +269,22 @@ static void exchanges(double density)
     /* rounding of 140 kicks of 1e-4 of the sum */
     TAP_NEAR(
         worst/size, 0.0, 1e-14,
-        "%g kg/m3: the fluid gets the momentum of the particles and the carried-over impulse, while added mass changes",
+        "%g kg/m3: the fluid gets the momentum of the particles and the carried-over impulse, "
+        "while added mass changes",
         density);
     free(scene);
     dem_free(d);
 }
 
-/* In a fluid at rest with Stokes' drag slip fades as exp(-t/tau), tau = (rho_p + rho/2) d^2/(18 mu): of a bubble 400 times as long with added
-   mass as without. What a program is told of it is that rate, whatever the void fraction and the slip factor; a frozen one has none. */
+/* In a fluid at rest with Stokes' drag slip fades as exp(-t/tau), tau = (rho_p + rho/2) d^2/(18
+   mu): of a bubble 400 times as long with added mass as without. The reported relaxation rate is
+   that one, whatever the void fraction and the slip factor; a frozen particle has none. */
 static void relaxes(double density, const char *added, double extra)
 {
     const double window = 1e-6, d = 1e-3, mu = 1e-3, rate = 18.0*mu/((density + extra)*d*d);
     char *const scene = world_text(
-        "materials { a { density %g; youngsModulus 1e7; } } effects { stokesDrag {} %s } time { step 1e-7; }"
+        "materials { a { density %g; youngsModulus 1e7; } } "
+        "effects { stokesDrag {} %s } time { step 1e-7; }"
         "insert { one { type list; diameter 1e-3; positions ((0 0 0)); velocity (0.3 0 0); }"
         "two { type list; diameter 1e-4; positions ((1 0 0)); frozen yes; } }",
         density, added);
@@ -264,7 +293,7 @@ static void relaxes(double density, const char *added, double extra)
 
     WORLD_TRY(dem_setup(run));
     TAP_OK(dem_fluid_relaxation(run) == 0.0,
-           "%g kg/m3 %s: nothing is known before the first window", density, added);
+           "%g kg/m3 %s: no rate before the first window", density, added);
     WORLD_TRY(dem_fluid(run, &f));
     for (size_t i = 0; i < 2; i++)
     {
@@ -280,10 +309,11 @@ static void relaxes(double density, const char *added, double extra)
         }
     }
     world_run(run, window);
-    /* round-off of the sum of ten steps; and of 1e-5 that the slip loses */
+    /* round-off of the sum of ten steps, over the 1e-5 that the slip loses */
     TAP_NEAR(dem_fluid_relaxation(run)/rate, 1.0, 1e-12,
              "%g kg/m3 %s: relaxes at 18 mu/((rho_p + a/V) d^2) = %.6g /s", density, added, rate);
-    TAP_NEAR(-log(world_at(run, 0).v[0]/0.3)/(rate*window), 1.0, 1e-9, "and does");
+    TAP_NEAR(-log(world_at(run, 0).v[0]/0.3)/(rate*window), 1.0, 1e-9,
+             "the slip decays at this rate");
     free(scene);
     dem_free(run);
 }
@@ -298,8 +328,8 @@ int main(void)
     exchanges(2500.0);
     settles();
     impacts();
-    stokes_counts_once();
-    taken_along();
+    added_mass_counts_once();
+    accelerating_fluid();
     spins(1e-5);
     spins(1.0);
     bends();

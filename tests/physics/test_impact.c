@@ -1,9 +1,12 @@
 /*
- * Claims: through the whole core two spheres, and a sphere and a rigid wall, meet as Hertz has it: peak force and overlap,
- * contact time, no speed lost; the error of an elastic impact falls at least fourfold when the step is halved; with `dry`
- * the restitution asked for comes out.
+ * test_impact.c -- head-on impacts of two spheres and of a sphere and a wall (tests 1 to 3 of Chung
+ * and Ooi).
  *
- * Sets: tests 1 to 3 of Chung and Ooi, Granul. Matter 13 (2011) 643; values from the closed forms of hertz_normal.csv.
+ * - Peak force, peak overlap and contact time are those of Hertz; no speed is lost.
+ * - The error of an elastic impact decreases at least fourfold when the step is halved.
+ * - With `dry` the requested restitution comes out; restitution 0 leaves nothing.
+ *
+ * Sources: Chung and Ooi, Granul. Matter 13 (2011) 643; closed forms of hertz_normal.csv.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -11,10 +14,12 @@
 
 enum
 {
-    PHASES = 16                                           /* impacts at once that start at even fractions of a step */
+    /* impacts that begin at evenly spaced fractions of a step */
+    PHASES = 16
 };
 
-struct impact                                             /* what is needed to set up a head-on impact */
+/* what is needed to set up a head-on impact */
+struct impact
 {
     const char *name;
     double radius, E, nu, density,
@@ -33,7 +38,7 @@ static double contact_time(const struct impact *i)
 {
     const double share = i->wall ? 1.0 : 0.5;
 
-    return world_contact_time(share*world_ball(i->radius, i->density), share*i->radius,
+    return world_contact_time(share*world_sphere_mass(i->radius, i->density), share*i->radius,
                               reduced_modulus(i), i->wall ? i->speed : 2.0*i->speed);
 }
 
@@ -75,10 +80,11 @@ static struct dem *start(const struct impact *i, double step, const char *dampin
 struct outcome
 {
     double restitution[PHASES], mean, worst;              /* worst: largest |e - 1| */
-    double force, overlap, time;                          /* N, m, s: peaks of the first impact, its duration in steps */
+    /* N, m, s: peaks of the first impact, its duration in steps */
+    double force, overlap, time;
 };
 
-/* Step until all have parted: no contact any more, after there were some. */
+/* Step until all have separated. */
 static struct outcome run(const struct impact *i, double step, const char *damping)
 {
     struct dem *const d = start(i, step, damping);
@@ -120,7 +126,8 @@ static void elastic(const struct impact *i)
     const double step = contact_time(i)/400.0;
     const struct outcome o = run(i, step, "");
 
-    /* the peak lies between two steps: (pi/800)^2/2 of the overlap at most; the rest is the published rounding */
+    /* the peak lies between two steps: (pi/800)^2/2 of the overlap at most; the rest is the
+       published rounding */
     TAP_NEAR(o.force, i->force, 2e-3*i->force, "%s: peak force", i->name);
     TAP_NEAR(o.overlap, i->overlap, 2e-3*i->overlap, "%s: peak overlap", i->name);
     /* counted in whole steps, 1/400 each */
@@ -161,7 +168,8 @@ static void damped(const struct impact *i, double e)
     TAP_NEAR(o.mean, e, 6e-4, "%s: restitution %g comes out as %.5f", i->name, e, o.mean);
 }
 
-/* e = 0 is critical damping of the last moments: a Hertzian contact creeps apart, ever slower, and never bounces */
+/* e = 0 is critical damping of the last moments: a Hertzian contact creeps apart, ever slower, and
+   never bounces */
 static void plastic(const struct impact *i)
 {
     const double step = contact_time(i)/400.0;
@@ -173,7 +181,7 @@ static void plastic(const struct impact *i)
     {
         fastest = fmax(fastest, fabs(world_at(d, k).v[2])/i->speed);
     }
-    /* 1 % asked for */
+    /* 1 % required */
     TAP_NEAR(fastest, 0.0, 1e-2,
              "%s: restitution 0 leaves %.2g of the speed after ten contact times", i->name,
              fastest);

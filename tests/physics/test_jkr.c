@@ -1,7 +1,12 @@
 /*
- * Claims: spheres that stick pull as Johnson, Kendall and Roberts have it: at most 3/2 pi w R*, -4/3 pi w R* at touching, 5/6
- * pi w R* where they tear; each contact loses 7.09 (w^5 R*^4/E*^2)^(1/3), which is booked, so that faster ones part with what
- * is left and slower ones stay; all of it on the tail past touching.
+ * test_jkr.c -- adhesion of Johnson, Kendall and Roberts through the whole core.
+ *
+ * - The attraction is at most 3/2 pi w R*, 4/3 pi w R* where the surfaces just touch, 5/6 pi w R*
+ *   at separation.
+ * - Each contact loses 7.09 (w^5 R*^4/E*^2)^(1/3), which is reported. Faster spheres rebound with
+ *   the rest of their energy, slower ones stick.
+ * - All of the loss is on the branch beyond touching.
+ * - Friction acts on a sphere that adheres without load.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -42,21 +47,22 @@ static struct dem *pair(double gap, double speed, double step)
     return d;
 }
 
-/* Pulled apart slowly from an overlap: both are led, so that every distance is passed. */
+/* Separated slowly from an overlap: both are moved, so that every distance is sampled. */
 static void pulled(void)
 {
     const double Rs = 0.5*R, a = pow(world_pi*w*Rs*Rs/(8.0*reduced()), 1.0/3.0),
                  unit = a*a/Rs, step = 1e-6;
     struct dem *const d = pair(-2.0*unit, 0.0, step);
-    double most = 0.0, at_touch = 0.0, last = 0.0, tear = 0.0, before;
+    double most = 0.0, at_touch = 0.0, last = 0.0, separation = 0.0, before;
 
-    for (int k = 0; k < 20000 && tear == 0.0; k++)
+    for (int k = 0; k < 20000 && separation == 0.0; k++)
     {
         struct dem_view v;
 
         before = last;
         dem_view(d, &v);
-        for (size_t i = 0; i < v.n; i++)                  /* the view is const for readers; a test may lead them */
+        /* the view is const; this test casts that away to move them */
+        for (size_t i = 0; i < v.n; i++)
         {
             double *const u = (double *)(uintptr_t)dem_at(v.velocity, v.stride, i);
             const double m = *dem_at(v.mass, v.stride, i), side = world_id(&v, i) ? 1.0 : -1.0;
@@ -70,21 +76,22 @@ static void pulled(void)
         last = p.f[0];
         most = fmax(most, last);
         at_touch = gap < 0.0 ? last : at_touch;
-        tear = gap > 0.0 && last == 0.0 ? gap : 0.0;
-        last = tear > 0.0 ? before : last;
+        separation = gap > 0.0 && last == 0.0 ? gap : 0.0;
+        last = separation > 0.0 ? before : last;
     }
-    /* steps of 1/2000 of the unit of length; the force is flat at its peak and falls by 1 in 0.02 units^(1/2) at the tear */
-    TAP_NEAR(most, 1.5*world_pi*w*Rs, 1e-6*most, "pulls at most 3/2 pi w R*");
+    /* steps of 1/2000 of the unit of length; the force is flat at its peak and falls by 1 in 0.02
+       units^(1/2) at separation */
+    TAP_NEAR(most, 1.5*world_pi*w*Rs, 1e-6*most, "largest attraction 3/2 pi w R*");
     TAP_NEAR(at_touch, 4.0/3.0*world_pi*w*Rs, 1e-3*most,
              "4/3 pi w R* where the surfaces just touch");
-    TAP_NEAR(tear, 3.0*unit, 1.01e-3*unit, "tears at 3 a_t^2/R*");
-    TAP_NEAR(last, 5.0/6.0*world_pi*w*Rs, 0.03*most, "with 5/6 pi w R* to the end");
+    TAP_NEAR(separation, 3.0*unit, 1.01e-3*unit, "separates at 3 a_t^2/R*");
+    TAP_NEAR(last, 5.0/6.0*world_pi*w*Rs, 0.03*most, "force at separation 5/6 pi w R*");
     dem_free(d);
 }
 
-static void met(double times)
+static void collide(double times)
 {
-    const double m = world_ball(R, density), stick = sqrt(2.0*loss()/(0.5*m)), speed = times*stick;
+    const double m = world_sphere_mass(R, density), stick = sqrt(2.0*loss()/(0.5*m)), speed = times*stick;
     struct dem *const d = pair(1e-7, speed, 1e-7);
     const double before = world_tally(d).kinetic;
 
@@ -94,11 +101,12 @@ static void met(double times)
 
     if (times > 1.0)
     {
-        /* 7.09 has three digits; contact begins in the step after touching, at a depth of up to v dt: 1 % of the energy of the jump */
+        /* 7.09 has three digits; contact begins in the step after touching, at a depth of up to v
+           dt: 1 % of the energy of the jump */
         TAP_NEAR(left, 1.0 - 1.0/(times*times), 0.01,
-                 "at %g times the speed of sticking %.2g of the energy is left", times, left);
-        TAP_NEAR(t.lost, before - t.kinetic, 0.01*loss(), "what is lost is booked");
-        TAP_NEAR(t.lost, loss(), 0.01*loss(), "7.09 (w^5 R*^4/E*^2)^(1/3)");
+                 "at %g times the sticking speed %.2g of the energy is left", times, left);
+        TAP_NEAR(t.lost, before - t.kinetic, 0.01*loss(), "the energy lost is reported");
+        TAP_NEAR(t.lost, loss(), 0.01*loss(), "it is 7.09 (w^5 R*^4/E*^2)^(1/3)");
         TAP_OK(t.stored == 0.0, "nothing is stored");
     }
     else
@@ -106,19 +114,19 @@ static void met(double times)
         const struct world_particle p = world_at(d, 0), q = world_at(d, 1);
 
         TAP_OK(t.stored < 0.0 && q.x[0] - p.x[0] < 2.001*R,
-               "at %g times the speed of sticking they stay together", times);
-        TAP_NEAR(t.kinetic + t.stored + t.lost, before, 0.01*loss(), "and keep their energy");
+               "at %g times the sticking speed they stay together", times);
+        TAP_NEAR(t.kinetic + t.stored + t.lost, before, 0.01*loss(), "energy of the pair that sticks");
     }
     dem_free(d);
 }
 
-/* A sphere sticks without any load to a plate, whose surface runs: it is dragged along by friction's limit. */
+/* A sphere adheres without load to a plate whose surface moves: friction drags it at its limit. */
 static void dragged(const char *law, const char *more, double hertz)
 {
     /* in balance at x^3 = 6: see jkr.c; at a wall R* = R */
     const double a = pow(world_pi*w*R*R/(8.0*reduced()), 1.0/3.0),
                  x = pow(6.0, 1.0/3.0), d0 = a*a/R*(x*x*x*x - 4.0*x);
-    const double m = world_ball(R, density), mu = 0.3, pulloff = 1.5*world_pi*w*R;
+    const double m = world_sphere_mass(R, density), mu = 0.3, pulloff = 1.5*world_pi*w*R;
     const double push = 4.0/3.0*reduced()*sqrt(R)*pow(d0, 1.5),
                  limit = mu*(hertz*push + (1.0 - hertz)*2.0*pulloff);
     const struct dem_new_particle seed = {.position = {0, 0, R - d0},
@@ -127,7 +135,8 @@ static void dragged(const char *law, const char *more, double hertz)
                                           .material = "clay"};
     char *const scene = world_text(
         "materials { clay { density %g; youngsModulus %g; poissonsRatio 0.3; } }"
-        "effects { hertz { } jkr { workOfAdhesion %g; } %s { friction %g; tangentialDamping no; %s } }"
+        "effects { hertz { } jkr { workOfAdhesion %g; } %s { friction %g; tangentialDamping no; "
+        "%s } }"
         "walls { belt { type plane; point (0 0 0); normal (0 0 1); surfaceVelocity (10 0 0); } }"
         "time { step 1e-7; }",
         density, E, w, law, mu, more);
@@ -140,13 +149,13 @@ static void dragged(const char *law, const char *more, double hertz)
     world_run(d, 1e-5);
     const struct world_particle q = world_at(d, 0);
 
-    /* the balance is one to rounding of its height: 1e-16 R over d0 */
-    TAP_NEAR(q.f[2], 0.0, 1e-9*pulloff, "%s %s: nothing presses", law, more);
-    TAP_NEAR(q.f[0], limit, 1e-9*limit, "%s %s: friction slides at its limit", law, more);
+    /* the equilibrium holds to rounding of the height: 1e-16 R over d0 */
+    TAP_NEAR(q.f[2], 0.0, 1e-9*pulloff, "%s %s: no normal force", law, more);
+    TAP_NEAR(q.f[0], limit, 1e-9*limit, "%s %s: friction is at its limit", law, more);
     TAP_NEAR((q.v[0] - p.v[0])/1e-5, limit/m, 1e-9*limit/m,
-             "%s %s: and drags the sphere along", law, more);
+             "%s %s: it accelerates the sphere", law, more);
     TAP_NEAR(0.4*m*R*R*(q.w[1] - p.w[1])/1e-5, -limit*(R - d0), 1e-9*limit*R,
-             "%s %s: and turns it", law, more);
+             "%s %s: it spins the sphere", law, more);
     dem_free(d);
 }
 
@@ -159,9 +168,9 @@ int main(void)
     dragged("mindlin", "adhesion no;", 1.0);
     dragged("linear", "adhesion no;", 1.0);
     pulled();
-    met(3.0);
-    met(1.2);
-    met(0.9);
-    met(0.1);
+    collide(3.0);
+    collide(1.2);
+    collide(0.9);
+    collide(0.1);
     TAP_DONE;
 }

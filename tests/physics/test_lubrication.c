@@ -1,9 +1,15 @@
 /*
- * Claims: through the whole core the film between a sphere and a wall, and between two unequal spheres, takes the speed
- * (c_0/m*) (ln(h_c/h_r) - 1 + h_r/h_c) on the way from the cut-off to the roughness, and all the energy it takes is
- * booked; momentum stays; a sphere that sinks through its film falls as the closed form has it; with the film at rest in
- * contact e (v - v_t) - v_t comes back, v_t = (c_0/m*) ln(h_c/h_r), whatever the stiffness; films act whatever the
- * skins are, and a viscosity without measure stops particles instead of throwing them about.
+ * test_lubrication.c -- the lubrication film through the whole core, c = c_0/h between cut-off h_c
+ * and roughness h_r.
+ *
+ * - Between sphere and wall and between two unequal spheres the film reduces the speed by (c_0/m*)
+ *   (ln(h_c/h_r) - 1 + h_r/h_c) from cut-off to roughness; the energy is reported as lost, momentum
+ *   is kept.
+ * - A sphere that sinks through its film does so in the time of the closed form.
+ * - With `contact rests` the speed e (v - v_t) - v_t comes back, v_t = (c_0/m*) ln(h_c/h_r),
+ *   whatever the stiffness.
+ * - The bits do not depend on the skins of the lists.
+ * - An extreme viscosity stops particles and accelerates none.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -15,7 +21,8 @@ static const double six_pi = 18.8495559215387594;
 static struct dem *film(double step, const char *more, int n, const struct dem_new_particle *seed)
 {
     char *const scene = world_text(
-        "materials { ball { density 2500; youngsModulus 1e8; } rigid { density 1; youngsModulus 1e30; } }"
+        "materials { ball { density 2500; youngsModulus 1e8; } rigid { density 1; "
+        "youngsModulus 1e30; } }"
         "effects { lubrication { viscosity %.17g; roughness %.17g; cutOff %.17g; } }"
         "time { step %.17g; } %s",
         mu, roughness, cut_off, step, more);
@@ -31,7 +38,8 @@ static double stopped_speed(double R, double m)
     return six_pi*mu*R*R/m*(log(cut_off/roughness) - 1.0 + roughness/cut_off);
 }
 
-/* Approach from beyond the cut-off until the gap is that of the roughness; the loss of relative speed. */
+/* Approach from beyond the cut-off until the gap is that of the roughness; the loss of relative
+   speed. */
 static double approach(double step, int wall)
 {
     const double radius = 1e-3, other = 0.6e-3;
@@ -63,7 +71,7 @@ static double approach(double step, int wall)
     double kinetic = 0.0;
 
     for (int k = 0; k < (wall ? 1 : 2);
-         k++)              /* the books are ahead by the half kick that is still to come */
+         k++)              /* the totals are ahead by the half kick that is still to come */
     {
         const struct world_particle p = world_at(d, k);
         const double speed = p.v[2] + 0.5*step*p.f[2]/p.mass;
@@ -71,7 +79,7 @@ static double approach(double step, int wall)
         kinetic += 0.5*p.mass*speed*speed;
     }
     TAP_NEAR(after.lost, before.kinetic - kinetic, 1e-12*before.kinetic,
-             "the loss is booked");     /* round-off of 5000 steps */
+             "the loss is reported");     /* round-off of 5000 steps */
     if (!wall)
     {
         TAP_NEAR(after.momentum[2], before.momentum[2], 1e-13*fabs(before.momentum[2]),
@@ -83,23 +91,27 @@ static double approach(double step, int wall)
 
 static void squeezed(int wall)
 {
-    const double R = wall ? 1e-3 : 1e-3*0.6e-3/1.6e-3, ma = world_ball(1e-3, 2500.0),
-                 mb = world_ball(0.6e-3, 2500.0);
+    const double R = wall ? 1e-3 : 1e-3*0.6e-3/1.6e-3, ma = world_sphere_mass(1e-3, 2500.0),
+                 mb = world_sphere_mass(0.6e-3, 2500.0);
     const double expected = stopped_speed(R, wall ? ma : ma*mb/(ma + mb));
     const char *const what = wall ? "sphere and wall" : "two spheres";
     const double coarse = approach(1e-7, wall), fine = approach(0.5e-7, wall);
 
-    /* the force lags by half a step, in which the gap changes by 1e-8 m: 0.5 % of the roughness at the end of the path,
-       0.03 % of the whole; the last step may pass the roughness by as much again */
-    TAP_NEAR(fine, expected, 1e-3*expected, "%s: the film takes %.4g m/s", what, expected);
+    /* the force lags by half a step, in which the gap changes by 1e-8 m: 0.5 % of the roughness at
+       the end of the path, 0.03 % of the whole; the last step may exceed the roughness by as much
+       again */
+    TAP_NEAR(fine, expected, 1e-3*expected, "%s: the film reduces the speed by %.4g m/s", what,
+             expected);
     TAP_OK(fabs(fine - expected) < 0.7*fabs(coarse - expected) + 1e-5*expected,
            "%s: half the step, about half the error", what);
 }
 
-/* m dv/dt = m g - c(h) v along the fall, so m g t = m v + c_0 (ln(h_0/h) - (h_0 - h)/h_c), inertia included. */
+/* m dv/dt = m g - c(h) v along the fall, so m g t = m v + c_0 (ln(h_0/h) - (h_0 - h)/h_c), inertia
+   included. */
 static void sinking(void)
 {
-    const double radius = 1e-3, g = 9.81, thick = 0.2, m = world_ball(radius, 2500.0), start = 5e-5;
+    const double radius = 1e-3, g = 9.81, thick = 0.2, m = world_sphere_mass(radius, 2500.0),
+                 start = 5e-5;
     const struct dem_new_particle seed = {.position = {0.0, 0.0, radius + start},
                                           .diameter = 2.0*radius,
                                           .id = 0,
@@ -107,7 +119,8 @@ static void sinking(void)
     char *const scene = world_text(
         "materials { ball { density 2500; youngsModulus 1e8; } }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
-        "effects { gravity { acceleration (0 0 %g); } lubrication { viscosity %g; roughness 9e-6; cutOff %g; } }"
+        "effects { gravity { acceleration (0 0 %g); } lubrication { viscosity %g; "
+        "roughness 9e-6; cutOff %g; } }"
         "time { step 5e-7; }",
         -g, thick, cut_off);
     struct dem *const d = world(scene, 1, &seed);
@@ -126,13 +139,16 @@ static void sinking(void)
     /* the force lags by half a step, in which the gap changes by 1e-10 m: 1e-5 of it */
     TAP_NEAR(t.time, (film_impulse - m*p.v[2])/(m*g), 2e-5*t.time,
              "in the time of the closed form");
-    /* the books take the speed of half a step before, c dt/(2 m) = 0.8 % off at the end of the path, 0.1 % at its start */
-    TAP_NEAR(t.lost + t.kinetic, m*g*(start - h), 5e-3*m*g*start, "weight's work is booked");
+    /* the loss is evaluated with the speed of half a step before: an error of c dt/(2 m), 0.8 % at
+       the end of the path, 0.1 % at its start */
+    TAP_NEAR(t.lost + t.kinetic, m*g*(start - h), 5e-3*m*g*start,
+             "the work of gravity is the loss plus the kinetic energy");
     dem_free(d);
     free(scene);
 }
 
-/* A sphere through the film to the wall and back to where it began, with the film at rest in contact or not: v_back/v. */
+/* A sphere moves through the film to the wall and back to its start: v_back/v, with the film
+   inactive in contact (rests) or active (acts). */
 static double rebound(const char *contact, double modulus, double v)
 {
     const double radius = 1e-3, start = 1.01*cut_off;
@@ -142,9 +158,11 @@ static double rebound(const char *contact, double modulus, double v)
                                           .id = 0,
                                           .material = "ball"};
     char *const scene = world_text(
-        "materials { ball { density 2500; youngsModulus %g; } rigid { density 1; youngsModulus 1e30; } }"
+        "materials { ball { density 2500; youngsModulus %g; } rigid { density 1; "
+        "youngsModulus 1e30; } }"
         "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }"
-        "effects { hertz {} dry { restitution 0.9; } lubrication { viscosity %.17g; roughness %.17g; cutOff %.17g;"
+        "effects { hertz {} dry { restitution 0.9; } lubrication { viscosity %.17g; "
+        "roughness %.17g; cutOff %.17g;"
         "contact %s; } } time { step 2e-8; }",
         modulus, mu, roughness, cut_off, contact);
     struct dem *const d = world(scene, 1, &seed);
@@ -160,34 +178,40 @@ static double rebound(const char *contact, double modulus, double v)
     return back/v;
 }
 
-/* Of a film at rest in contact e (v - v_t) - v_t comes back, whatever the stiffness; one that acts on takes more of a softer contact. */
+/* With an inactive film in contact e (v - v_t) - v_t comes back, whatever the stiffness; an active
+   one takes more in a softer contact. */
 static void touching(void)
 {
     const double v = 0.5,
                  taken =
-                     six_pi*mu*1e-6/world_ball(1e-3, 2500.0)*log(cut_off/roughness)/v,
+                     six_pi*mu*1e-6/world_sphere_mass(1e-3, 2500.0)*log(cut_off/roughness)/v,
                  expected = 0.9*(1.0 - taken) - taken;
     const double soft = rebound("rests", 1e8, v), stiff = rebound("rests", 1e10, v);
 
-    /* the film's force lags by half a step, 1e-8 m of its 2e-6: 0.25 %; restitution in steps of t_c/400 and less: 0.1 % */
+    /* the film's force lags by half a step, 1e-8 m of its 2e-6: 0.25 %; restitution in steps of
+       t_c/400 and less: 0.1 % */
     TAP_NEAR(soft, expected, 5e-3*expected,
-             "at rest in a soft contact: %.4f of the speed comes back", soft);
-    TAP_NEAR(stiff, expected, 5e-3*expected, "at rest in a stiff contact: %.4f", stiff);
+             "inactive in a soft contact: %.4f of the speed comes back", soft);
+    TAP_NEAR(stiff, expected, 5e-3*expected, "inactive in a stiff contact: %.4f", stiff);
     const double longer = rebound("acts", 1e8, v), shorter = rebound("acts", 1e10, v);
 
     TAP_OK(longer < shorter && shorter < stiff,
-           "acting on it leaves %.4f of a soft contact, %.4f of a stiff one", longer, shorter);
+           "active: %.4f of the speed in a soft contact, %.4f in a stiff one", longer, shorter);
 }
 
-/* A cloud in which everyone passes through others' films at many times the skin. */
+/* A cloud of spheres that pass through the films of others, at speeds at which lists are rebuilt
+   often. */
 static uint64_t cloud(const char *neighbours, double viscosity, double *kinetic, double *most)
 {
     char *const scene = world_text(
         "materials { ball { density 2500; youngsModulus 1e6; } }"
-        "effects { hertz { } dry { restitution 0.8; } lubrication { viscosity %g; roughness 1e-5; cutOff 4e-4; } }"
+        "effects { hertz { } dry { restitution 0.8; } lubrication { viscosity %g; "
+        "roughness 1e-5; cutOff 4e-4; } }"
         "walls { box { type box; min (0 0 0); max (0.008 0.008 0.008); } }"
-        "insert { left { type random; count 45; diameter 1e-3; min (0 0 0); max (0.004 0.008 0.008); velocity (1 0.5 0.3); seed 1; }"
-        " right { type random; count 45; diameter 1e-3; min (0.004 0 0); max (0.008 0.008 0.008); velocity (-1 0.3 -0.2); seed 2; } }"
+        "insert { left { type random; count 45; diameter 1e-3; min (0 0 0); "
+        "max (0.004 0.008 0.008); velocity (1 0.5 0.3); seed 1; }"
+        " right { type random; count 45; diameter 1e-3; min (0.004 0 0); "
+        "max (0.008 0.008 0.008); velocity (-1 0.3 -0.2); seed 2; } }"
         "time { step 4e-6; force yes; } neighbours { %s }",
         viscosity, neighbours);
     struct dem *const d = world(scene, 0, NULL);
@@ -212,7 +236,7 @@ static uint64_t cloud(const char *neighbours, double viscosity, double *kinetic,
 
 int main(void)
 {
-    const double start = 45.0*0.5*world_ball(0.5e-3, 2500.0)*(1.34 + 1.13);
+    const double start = 45.0*0.5*world_sphere_mass(0.5e-3, 2500.0)*(1.34 + 1.13);
     double kinetic, most, thick;
 
     TAP_TRAPS;
@@ -223,7 +247,7 @@ int main(void)
 
     const uint64_t usual = cloud("", 0.01, &kinetic, &most);
 
-    TAP_OK(kinetic < 0.5*start, "a cloud of films slows down: %.3g of %.3g J are left", kinetic,
+    TAP_OK(kinetic < 0.5*start, "a cloud with films slows down: %.3g of %.3g J are left", kinetic,
            start);
     TAP_OK(cloud("innerSkin 0.005; outerSkin 0.1;", 0.01, &kinetic, &most) == usual,
            "narrow skins: the same bits");
@@ -231,7 +255,7 @@ int main(void)
            "wide skins: the same bits");
     cloud("", 1e6, &thick, &most);
     TAP_OK(thick < kinetic && most < 1.16,
-           "in pitch at a step far too long: %.3g J, no particle is faster than at the start",
+           "extreme viscosity, step far too long: %.3g J, no particle is faster than at the start",
            thick);
     TAP_DONE;
 }

@@ -1,7 +1,12 @@
 /*
- * test_mixed.c -- what mixed precision costs. Forces are single numbers, yet both partners get the same one and sums are in double
- * precision: momentum is kept as in double. An impact returns what it returns in double within 1e-6 and a bed keeps its overlaps
- * within 1e-6, anywhere: a kilometre from the origin as well, for distances are taken in double precision.
+ * test_mixed.c -- the error of mixed precision.
+ *
+ * Contact forces are in single precision, but both partners get the same force and sums are in
+ * double precision.
+ * - Momentum is kept as in double precision.
+ * - An impact has the result of double precision within 1e-6.
+ * - A bed keeps its overlaps within 1e-6, also a kilometre from the origin, as distances are taken
+ *   in double precision.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -21,8 +26,9 @@ enum
     SIDE = 5
 };
 
-/* a cube of spheres that nearly touch, thrown into disorder, its corner at `at` along all axes */
-static void throw(struct dem_new_particle *seed, double at)
+/* a cube of spheres that nearly touch, with random velocities; its corner is at `at` along all
+   axes */
+static void random_cube(struct dem_new_particle *seed, double at)
 {
     unsigned long long state = 7;
 
@@ -41,7 +47,8 @@ static void throw(struct dem_new_particle *seed, double at)
     }
 }
 
-/* speed along z and spin about y after an impact on a second sphere, at 1 m/s, 30 degrees from the normal */
+/* speed along z and spin about y after an impact on a second sphere, at 1 m/s, 30 degrees from the
+   normal */
 static void impact(int mixed, double out[2])
 {
     char *const text = world_text(laws, "", "", precisions[mixed]);
@@ -61,13 +68,13 @@ static void impact(int mixed, double out[2])
     free(text);
 }
 
-/* the cloud after `duration` [s]; sums of momentum in units of m/s per sphere, and places */
+/* the cloud after `duration` [s]; sums of momentum in units of m/s per sphere, and positions */
 static void cloud(int mixed, double at, double duration, double momentum[3], double (*x)[3])
 {
     char *const text = world_text(laws, "", "", precisions[mixed]);
     struct dem_new_particle seed[CLOUD];
 
-    throw(seed, at);
+    random_cube(seed, at);
     struct dem *const d = world(text, CLOUD, seed);
     double before[3] = {0.0};
 
@@ -115,8 +122,10 @@ static void column(void)
 {
     char *const text = world_text(
         "materials { glass { density 2500; youngsModulus 5e6; poissonsRatio 0.25; } } "
-        "effects { hertz {} dry { restitution 0.1; } mindlin { friction 0.3; } gravity { acceleration (0 0 -9.81); } } "
-        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } } time { step 5e-6; precision mixed; }");
+        "effects { hertz {} dry { restitution 0.1; } mindlin { friction 0.3; } "
+        "gravity { acceleration (0 0 -9.81); } } "
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } } time { step 5e-6; "
+        "precision mixed; }");
     struct dem_new_particle seed[10];
     double worst = 0.0;
 
@@ -140,8 +149,9 @@ static void column(void)
 
         worst = fmax(worst, fabs(overlap/expected - 1.0));
     }
-    /* a force that is known to 6e-8 is an overlap known to 4e-8; the rest of the fall is left, too */
-    TAP_OK(worst < 1e-6, "a column of ten at rest carries its weight: overlaps off by %.2g at most",
+    /* a force known to 6e-8 is an overlap known to 4e-8; besides, the motion has not decayed
+       fully */
+    TAP_OK(worst < 1e-6, "a column of ten at rest carries its weight: error of overlaps at most %.2g",
            worst);
     dem_free(d);
     free(text);
@@ -151,11 +161,12 @@ int main(void)
 {
     double one[2], two[2], momentum[3], here[CLOUD][3], there[CLOUD][3], other[CLOUD][3];
 
-    /* some 200 steps of contact, each known to 6e-8 and rounded this way and that: 14 times as much at most is 8e-7 */
+    /* some 200 steps of contact, each with a random rounding of 6e-8: sqrt(200) = 14 times as much
+       is 8e-7 */
     impact(0, one);
     impact(1, two);
     TAP_NEAR(two[0]/one[0], 1.0, 1e-6, "speed after an oblique impact");
-    TAP_NEAR(two[1]/one[1], 1.0, 1e-6, "spin after it");
+    TAP_NEAR(two[1]/one[1], 1.0, 1e-6, "spin after an oblique impact");
 
     cloud(1, 0.0, 0.02, momentum, here);
     for (int m = 0; m < 3; m++)
@@ -164,17 +175,17 @@ int main(void)
         TAP_NEAR(momentum[m], 0.0, 1e-14, "125 collide: momentum along %c is kept", "xyz"[m]);
     }
 
-    /* 0.4 ms: 200 steps, in which most have had a contact; 6e-8 of 1 m/s for so long is 2e-8 d. Later the cloud's own growth of any
-       difference shows, not the precision */
+    /* 0.4 ms: 200 steps, in which most have had a contact; 6e-8 of 1 m/s over that time is 2e-8 d.
+       Later the chaotic growth of any difference dominates, not the precision */
     cloud(0, 0.0, 4e-4, momentum, here);
     cloud(1, 0.0, 4e-4, momentum, there);
     TAP_OK(apart(here, there) > 0.0 && apart(here, there) < 1e-7,
-           "they are where they are in double within %.2g d", apart(here, there));
+           "positions are those of double precision within %.2g d", apart(here, there));
 
     /* a kilometre away positions are known to 1e-13 m, 1e-10 d, in either precision */
     cloud(0, 1000.0, 4e-4, momentum, here);
     cloud(1, 1000.0, 4e-4, momentum, other);
-    TAP_OK(apart(here, other) < 1e-7, "a kilometre from the origin within %.2g d",
+    TAP_OK(apart(here, other) < 1e-7, "a kilometre from the origin: within %.2g d",
            apart(here, other));
     column();
     return tap_done();

@@ -1,8 +1,11 @@
 /*
- * Claims: with resistance to rolling and twisting, momentum and angular momentum of an oblique impact of two unequal
- * spinning spheres are kept in all directions, and the same impact in axes turned at random gives the same, turned; the
- * impact loses energy; a sphere rolls 7 v^2/(10 mu_r g) over a plane and over a floor of triangles; on a slope below mu_r a
- * spring holds it, above it rolls down with 5/7 g (sin - mu_r cos).
+ * test_moments.c -- resistance to rolling and twisting.
+ *
+ * - An oblique impact of two unequal spinning spheres keeps momentum and angular momentum, has the
+ *   same result in rotated axes, and loses energy.
+ * - A sphere rolls 7 v^2/(10 mu_r g) over a plane and over a floor of triangles.
+ * - On a slope below mu_r the rolling spring holds it; above it rolls down with 5/7 g (sin - mu_r
+ *   cos).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -11,7 +14,7 @@
 
 static const double R = 5e-4, density = 1e4, g = 9.80665, E = 1e7;
 
-static void apply(const double A[3][3], const double v[3], double out[3])
+static void rotate(const double A[3][3], const double v[3], double out[3])
 {
     for (int k = 0; k < 3; k++)
     {
@@ -19,12 +22,12 @@ static void apply(const double A[3][3], const double v[3], double out[3])
     }
 }
 
-/* ---- an impact ------------------------------------------------------------------------------------------------- */
+/* ---- an impact ------------------------------------------------------------------------------- */
 
 static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 /* momentum, angular momentum about the origin, and the kinetic energy */
-static void ledger(const struct world_particle p[2], double out[7])
+static void totals(const struct world_particle p[2], double out[7])
 {
     memset(out, 0, 7*sizeof *out);
     for (int i = 0; i < 2; i++)
@@ -56,12 +59,13 @@ static void collide(const double A[3][3], const char *law, struct world_particle
         seed[i].diameter = i ? 1.2e-3 : 1.8e-3;
         seed[i].id = i;
         seed[i].material = "b";
-        apply(A, x[i], seed[i].position);
-        apply(A, v[i], seed[i].velocity);
-        apply(A, w[i], seed[i].spin);
+        rotate(A, x[i], seed[i].position);
+        rotate(A, v[i], seed[i].velocity);
+        rotate(A, w[i], seed[i].spin);
     }
     char *const scene = world_text(
-        "materials { b { density 2500; youngsModulus 1e7; } } effects { hertz {} dry { restitution 0.8; }"
+        "materials { b { density 2500; youngsModulus 1e7; } } "
+        "effects { hertz {} dry { restitution 0.8; }"
         "mindlin { friction 0.3; } %s } time { step 1e-6; }",
         law);
     struct dem *const d = world(scene, 2, seed);
@@ -69,7 +73,7 @@ static void collide(const double A[3][3], const char *law, struct world_particle
     world_all(d, before);
     world_run(d, 1e-3);
     world_all(d, after);
-    TAP_OK(world_tally(d).contacts == 0, "%s: met and parted", law[0] ? law : "friction alone");
+    TAP_OK(world_tally(d).contacts == 0, "%s: collided and separated", law[0] ? law : "friction alone");
     free(scene);
     dem_free(d);
 }
@@ -84,8 +88,8 @@ static void impact(const char *law)
 
     collide(unit, "", before, plain);
     collide(unit, law, before, after);
-    ledger(before, then);
-    ledger(after, now);
+    totals(before, then);
+    totals(after, now);
     for (int k = 0; k < 3; k++)
     {
         /* rounding of 1000 steps */
@@ -94,36 +98,37 @@ static void impact(const char *law)
                  law, k);
         change = fmax(change, fabs(after[0].w[k] - plain[0].w[k]));
     }
-    TAP_OK(now[6] < then[6], "%s: energy is lost, %.3g of it", law, 1.0 - now[6]/then[6]);
-    TAP_OK(change > 1.0, "%s: the law was felt, by %g 1/s", law, change);
+    TAP_OK(now[6] < then[6], "%s: %.3g of the energy is lost", law, 1.0 - now[6]/then[6]);
+    TAP_OK(change > 1.0, "%s: the law changes the spin by %g 1/s", law, change);
 
     collide(turned, law, before, other);
     for (int i = 0; i < 2; i++)
     {
-        apply(turned, after[i].v, there);
+        rotate(turned, after[i].v, there);
         for (int k = 0; k < 3; k++)
         {
             worst = fmax(worst, fabs(there[k] - other[i].v[k])/0.5);
         }
-        apply(turned, after[i].w, there);
+        rotate(turned, after[i].w, there);
         for (int k = 0; k < 3; k++)
         {
             worst = fmax(worst, fabs(there[k] - other[i].w[k])/400.0);
         }
     }
-    TAP_NEAR(worst, 0.0, 1e-10, "%s: the same in axes turned at random",
+    TAP_NEAR(worst, 0.0, 1e-10, "%s: the same in randomly rotated axes",
              law);        /* rounding, grown by the impact */
 }
 
-/* ---- on a plane ------------------------------------------------------------------------------------------------ */
+/* ---- on a plane ------------------------------------------------------------------------------ */
 
-/* overlap at which a Hertzian contact with a rigid floor (nu 0.3) carries the pull */
+/* overlap at which a Hertzian contact with a rigid floor (nu 0.3) carries this acceleration of the
+   sphere */
 static double rest_overlap(double pull)
 {
-    return pow(0.75*world_ball(R, density)*pull/(E/0.91*sqrt(R)), 2.0/3.0);
+    return pow(0.75*world_sphere_mass(R, density)*pull/(E/0.91*sqrt(R)), 2.0/3.0);
 }
 
-/* a sphere that rolls with `speed` along x on z = 0 for `time`; gravity leans by `angle` */
+/* a sphere that rolls with `speed` along x on z = 0 for `time`; gravity is inclined by `angle` */
 static struct world_particle roll(const char *law, double speed, double angle, double time,
                                   int triangles)
 {
@@ -167,10 +172,11 @@ static void rest(void)
     {
         const struct world_particle p = roll(laws[k], v, 0.0, 0.4, k);
 
-        /* the springs stretch for some 1e-3 of the way before they hold; the lever is R - d and the moment has R: 1e-3 */
+        /* the springs elongate over some 1e-3 of the distance before they hold; the lever arm is R
+           - d and the moment has R: 1e-3 */
         TAP_NEAR(p.x[0]/way, 1.0, 3e-3, "%s: rolls %.5f m", laws[k], p.x[0]);
-        TAP_NEAR(p.v[0]/v, 0.0, 1e-9, "%s: and lies still, %g m/s", laws[k], p.v[0]);
-        TAP_NEAR(fabs(p.x[1]), 0.0, 1e-12, "%s: straight", laws[k]);
+        TAP_NEAR(p.v[0]/v, 0.0, 1e-9, "%s: then rests, %g m/s", laws[k], p.v[0]);
+        TAP_NEAR(fabs(p.x[1]), 0.0, 1e-12, "%s: on a straight path", laws[k]);
     }
     const double T = 1.4*R/(1e-4*g), time = 0.4;
     const struct world_particle p = roll("rollingViscous { time 1e-4; }", v, 0.0, time, 0);
@@ -192,16 +198,17 @@ static void slope(void)
 
         if (k)
         {
-            /* the springs stretch before they slip: 0.1 ms of 50 ms; lever R - d */
+            /* the springs elongate before they slip: 0.1 ms of 50 ms; lever arm R - d */
             TAP_NEAR(p.v[0]/(down*time), 1.0, 5e-3, "slope 0.3, mu_r 0.1: rolls down, %.4f m/s",
                      p.v[0]);
         }
         else
         {
             TAP_NEAR(p.v[0], 0.0, 1e-6, "slope 0.09, mu_r 0.1: holds, %g m/s", p.v[0]);
-            /* its spring gives 0.09 d/K = 2.3e-8 m; let go at once it overshoots to the limit, where 0.01 of its weight is left
-               to stop what 0.09 of it has set going: some five times as far, and as much of friction's spring */
-            TAP_NEAR(p.x[0], 0.0, 3e-7, "and has given by %g m", p.x[0]);
+            /* its spring elongates by 0.09 d/K = 2.3e-8 m; released at once it overshoots to the
+               limit, where 0.01 of its weight is left to stop the motion due to 0.09 of it: some
+               five times as far, and as much for the friction spring */
+            TAP_NEAR(p.x[0], 0.0, 3e-7, "it has moved by %g m", p.x[0]);
         }
     }
 }

@@ -1,13 +1,16 @@
 /*
- * Claims: a sphere that strikes a plane obliquely leaves with the tangential speed and the spin of rigid sliding where it
- * slides all the time, and with those of a sticking Hertz-Mindlin contact below; the spin has the sign of rolling; a
- * pair gives the same as a plane; angular momentum is kept; two equal spheres of opposite spin do not notice it, two of
- * like spin exchange no more than mu times the normal impulse.
+ * test_oblique.c -- oblique impacts on a plane and of pairs, with Hertz-Mindlin and with linear
+ * springs.
  *
- * On linear springs the same; against the measurement, and against MFiX-DEM's answers to its DEM05, as near as its authors ask.
+ * - In full sliding the tangential speed and spin are those of rigid sliding; below, those of a
+ *   sticking Hertz-Mindlin contact. The spin has the sign of rolling.
+ * - Two equal spheres of opposite spin do not change it; those of like spin exchange mu times the
+ *   normal impulse. Angular momentum is kept.
+ * - Angles of rebound agree with the measurement, and with the results of MFiX-DEM for its DEM05
+ *   within the tolerance of its authors.
  *
- * Sets: Kharaz, Gorham, Salman, Powder Technol. 120 (2001) 281 (5 mm aluminium oxide on glass, 3.9 m/s); tests 4 and 7 of
- * Chung and Ooi, Granul. Matter 13 (2011) 643.
+ * Sources: Kharaz, Gorham, Salman, Powder Technol. 120 (2001) 281 (5 mm aluminium oxide on glass,
+ * 3.9 m/s); tests 4 and 7 of Chung and Ooi, Granul. Matter 13 (2011) 643.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -29,11 +32,11 @@ static double contact_time(double normal_speed)
 {
     const double modulus = 1.0/((1.0 - 0.23*0.23)/380e9 + (1.0 - 0.25*0.25)/70e9);
 
-    return world_contact_time(world_ball(radius, density), radius, modulus, normal_speed);
+    return world_contact_time(world_sphere_mass(radius, density), radius, modulus, normal_speed);
 }
 
-/* One sphere an angle, all at once, from above onto z = 0, towards +x. */
-static struct dem *throw_all(const char *laws, const double *table, int columns, int rows,
+/* One sphere for each angle, all in one scene, from above onto z = 0, towards +x. */
+static struct dem *launch_all(const char *laws, const double *table, int columns, int rows,
                              double step)
 {
     struct dem_new_particle seed[MOST];
@@ -66,9 +69,9 @@ static const char mindlin[] = "hertz { impactSpeed 4; } mindlin { friction 0.092
 static const char linear[] =
     "hooke { stiffness 1.72e7; } linear { friction 0.092; stiffness 1.48e7; }";
 
-/* mean of the overlap of an impact, weighted with the force: over its largest, 0.5 Gamma(1.4) Gamma(0.5)/Gamma(1.9) of Hertz,
-   pi/4 of a linear spring */
-static double pressed(const char *laws, double mass, double modulus, double normal)
+/* mean of the overlap of an impact, weighted with the force: over its largest, 0.5 Gamma(1.4)
+   Gamma(0.5)/Gamma(1.9) of Hertz, pi/4 of a linear spring */
+static double mean_overlap(const char *laws, double mass, double modulus, double normal)
 {
     return laws == linear ? 0.25*world_pi*normal*sqrt(mass/1.72e7)
                           : 0.8176*pow(15.0*mass*normal*normal/(16.0*modulus*sqrt(radius)), 0.4);
@@ -80,11 +83,11 @@ static void kharaz(const char *name, const char *laws)
     const double modulus = 1.0/((1.0 - 0.23*0.23)/380e9 + (1.0 - 0.25*0.25)/70e9);
     const int rows = world_table(name, COLUMNS, MOST, table);
     const double step = contact_time(speed)/400.0;
-    struct dem *const d = throw_all(laws, table, COLUMNS, rows, step);
+    struct dem *const d = launch_all(laws, table, COLUMNS, rows, step);
 
     /* the slowest strikes at 5 degrees from grazing: (1/cos 85)^(1/5) = 1.63 times as long */
     world_run(d, 2.0*contact_time(speed));
-    TAP_OK(rows == 26 && world_tally(d).contacts == 0, "%d angles, all have left the plate", rows);
+    TAP_OK(rows == 26 && world_tally(d).contacts == 0, "%d angles, all have separated", rows);
     for (int k = 0; k < rows; k++)
     {
         const double *const t = table + COLUMNS*k;
@@ -92,15 +95,16 @@ static void kharaz(const char *name, const char *laws)
         const struct world_particle p = world_at(d, k);
         const double et = p.v[0]/(speed*sin(angle)), rebound = atan2(p.v[0], p.v[2])*180.0/world_pi;
 
-        /* from 30 degrees on it slides all the way: exact but for the step. Sticking depends on the law of the spring
-           between slip and stick: 2 %; near the normal the speed is a difference of small numbers, 2 % of e_t = 1. */
+        /* from 30 degrees on it slides all the way: exact but for the step. Sticking depends on the
+           law of the spring between slip and stick: 2 %; near the normal the speed is a difference
+           of small numbers, 2 % of e_t = 1. */
         const double share = t[0] >= 30.0 ? 3e-3 : 2e-2;
 
-        /* the contact point lies on the wall, so the lever is shorter than R by the overlap */
+        /* the contact point lies on the wall, so the lever arm is shorter than R by the overlap */
         const double normal = speed*cos(angle),
                      lever =
-                         t[0] >= 30.0 ? 1.0 - pressed(laws, p.mass, modulus, normal)/radius : 1.0;
-        /* sticking, the spin is what the swings of the spring leave: 2 % of that of rolling */
+                         t[0] >= 30.0 ? 1.0 - mean_overlap(laws, p.mass, modulus, normal)/radius : 1.0;
+        /* in sticking, the spin depends on the oscillation of the spring: 2 % of that of rolling */
         const double spin = t[0] >= 30.0 ? share*t[2] : share*fmax(t[2], speed*sin(angle)/radius);
 
         TAP_NEAR(et, t[1], share*t[1], "%g degrees: e_t %.4f", t[0], et);
@@ -113,14 +117,14 @@ static void kharaz(const char *name, const char *laws)
         }
         if (t[0] >= 30.0)
         {
-            /* rigid sliding: v_t' = v_t - mu (1 + e) v_n, w' = 5/2 mu (1 + e) v_n/R, with e = 1; a little spring is left
-               when it parts, and the step counts 1e-4 */
+            /* rigid sliding: v_t' = v_t - mu (1 + e) v_n, w' = 5/2 mu (1 + e) v_n/R, with e = 1; a
+               small elongation is left at separation, and the step adds 1e-4 */
             const double impulse = 2.0*friction*normal;
 
             TAP_NEAR(p.v[0], speed*sin(angle) - impulse, 3e-4*p.v[0],
                      "%g degrees: mu times the normal impulse", t[0]);
             TAP_NEAR(p.w[1], 2.5*impulse*lever/radius, 3e-4*p.w[1],
-                     "%g degrees: and its moment", t[0]);
+                     "%g degrees: the moment of this impulse", t[0]);
         }
         TAP_NEAR(fabs(p.v[1]) + fabs(p.w[0]) + fabs(p.w[2]), 0.0, 1e-12*speed,
                  "%g degrees: stays in its plane", t[0]);
@@ -143,7 +147,7 @@ static void measured(const char *name, const char *laws)
             memcpy(point + 2*n++, table + 3*k + 1, 2*sizeof *point);
         }
     }
-    struct dem *const d = throw_all(laws, point, 2, n, step);
+    struct dem *const d = launch_all(laws, point, 2, n, step);
 
     world_run(d, 2.0*contact_time(speed));
     for (int k = 0; k < n; k++)
@@ -160,7 +164,8 @@ static void measured(const char *name, const char *laws)
     dem_free(d);
 }
 
-/* MFiX-DEM's own output: angle; e_t, spin, angle of rebound with Hertz's law; e_t with linear springs */
+/* MFiX-DEM's own output: angle; e_t, spin, angle of rebound with Hertz's law; e_t with linear
+   springs */
 static void mfix(void)
 {
     static const double table[][5] = {
@@ -173,7 +178,7 @@ static void mfix(void)
 
     for (int law = 0; law < 2; law++)
     {
-        struct dem *const d = throw_all(law ? linear : mindlin, table[0], 5, 7, step);
+        struct dem *const d = launch_all(law ? linear : mindlin, table[0], 5, 7, step);
 
         world_run(d, 2.0*contact_time(speed));
         for (int k = 0; k < 7; k++)
@@ -182,7 +187,8 @@ static void mfix(void)
             const struct world_particle p = world_at(d, k);
             const double et = p.v[0]/(speed*sin(angle));
 
-            /* theirs at fewer steps a contact; its suite asks for 5 %, the sticking part differs by 1 to 2 %; sliding is exact */
+            /* MFiX-DEM takes fewer steps a contact; its suite requires 5 %; sticking impacts differ
+               by 1 to 2 %, sliding is exact */
             TAP_NEAR(et, t[law ? 4 : 1], (t[0] >= 30.0 ? 2e-3 : 2e-2)*et,
                      "%g degrees, %s: e_t %.4f as with MFiX-DEM", t[0], law ? "linear" : "mindlin",
                      et);
@@ -198,11 +204,11 @@ static void mfix(void)
     }
 }
 
-/* Two equal aluminium spheres, head-on at 0.2 m/s each, along x; spins about y. Returns the impulse of all pushes [N s],
-   the pulling end of the damped contact left out. */
+/* Two equal aluminium spheres, head-on at 0.2 m/s each, along x; spins about y. Returns the impulse
+   of repulsion [N s], without the attraction at the end of the damped contact. */
 static double spinning_pair(double w0, double w1, struct world_particle p[2])
 {
-    const double R = 0.1, v = 0.2, m = world_ball(R, 2700.0), modulus = 0.5*70e9/(1.0 - 0.33*0.33);
+    const double R = 0.1, v = 0.2, m = world_sphere_mass(R, 2700.0), modulus = 0.5*70e9/(1.0 - 0.33*0.33);
     const double time = world_contact_time(0.5*m, 0.5*R, modulus, 2.0*v);
     struct dem_new_particle seed[2] = {{.position = {-R - 1e-7, 0, 0},
                                         .velocity = {v, 0, 0},
@@ -229,7 +235,7 @@ static double spinning_pair(double w0, double w1, struct world_particle p[2])
         world_step(d);
         pushed += fmax(-world_at(d, 0).f[0], 0.0)*time/400.0;
     }
-    TAP_OK(world_tally(d).contacts == 0, "spins %g and %g: parted", w0, w1);
+    TAP_OK(world_tally(d).contacts == 0, "spins %g and %g: separated", w0, w1);
     p[0] = world_at(d, 0);
     p[1] = world_at(d, 1);
     free(scene);
@@ -250,19 +256,20 @@ static void pairs(void)
 
     spinning_pair(8.0, -8.0, p);
     /* the contact points move alike: no slip; round-off of spin times radius */
-    TAP_NEAR(p[0].w[1], 8.0, 1e-11, "opposite spins stay");
-    TAP_NEAR(p[1].w[1], -8.0, 1e-11, "on both sides");
-    TAP_NEAR(p[0].v[2], 0.0, 1e-12, "and push nothing aside");
+    TAP_NEAR(p[0].w[1], 8.0, 1e-11, "opposite spins do not change");
+    TAP_NEAR(p[1].w[1], -8.0, 1e-11, "opposite spins do not change, second sphere");
+    TAP_NEAR(p[0].v[2], 0.0, 1e-12, "opposite spins: no velocity across");
     for (double w = 8.0; w < 40.0; w *= 2.0)
     {
         const double pushed = spinning_pair(w, w, p);
         const double change = w - p[0].w[1], rigid = 2.5*0.4*pushed/(p[0].mass*0.1);
         const double before = 2.0*0.4*p[0].mass*0.01*w;
 
-        /* the lever is shorter than R by half the overlap, 60 um of 100 mm; the centres slip past each other by as much */
+        /* the lever arm is shorter than R by half the overlap, 60 um of 100 mm; the centres move
+           past each other by as much */
         TAP_NEAR(change, rigid, 2e-3*rigid,
                  "like spins %g: mu times the normal impulse changes the spin by %.4f", w, change);
-        TAP_NEAR(p[0].v[2], 0.4*0.1*change, 2e-3*p[0].v[2], "and pushes aside as much as it turns");
+        TAP_NEAR(p[0].v[2], 0.4*0.1*change, 2e-3*p[0].v[2], "like spins: velocity across by the same impulse");
         TAP_NEAR(angular(&p[0]) + angular(&p[1]), before, 1e-12*before, "angular momentum is kept");
     }
 }

@@ -1,22 +1,27 @@
 /*
- * Claims: a sphere that spins evenly about any axis is turned by spin times time about it, after thousands of turns; one that
- * rolls on a plane by its way over its radius; the quaternion stays a unit one and outlives a snapshot bit by bit. Without
- * being asked for there is none.
+ * test_orientation.c -- orientations of spheres, tracked as quaternions on request.
+ *
+ * - A steady spin about any axis rotates by spin times time, after thousands of turns.
+ * - A sphere that rolls on a plane rotates by its displacement over its radius.
+ * - The quaternion keeps unit length, and a snapshot keeps its bits.
+ * - Without the request there are no orientations.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "world.h"
 
 static const char free_scene[] =
-    "materials { glass { density 2500; youngsModulus 1e6; } } effects { gravity { acceleration (0 0 0); } hertz {} }"
+    "materials { glass { density 2500; youngsModulus 1e6; } } "
+    "effects { gravity { acceleration (0 0 0); } hertz {} }"
     "time { step 1e-5; }";
 
 static const char rolling_scene[] =
     "materials { glass { density 2500; youngsModulus 1e7; } }"
-    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.5; } }"
+    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } "
+    "mindlin { friction 0.5; } }"
     "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }";
 
-static struct dem *watched(const char *scene, const struct dem_new_particle *seed)
+static struct dem *tracked(const char *scene, const struct dem_new_particle *seed)
 {
     struct dem *const d = world_begin(scene);
 
@@ -35,7 +40,7 @@ static const double *orientation(const struct dem *d)
 }
 
 /* largest difference from the rotation by `angle` about n; q and -q are the same rotation */
-static double off(const double q[4], double angle, const double n[3])
+static double rotation_error(const double q[4], double angle, const double n[3])
 {
     const double want[4] = {cos(0.5*angle), n[0]*sin(0.5*angle), n[1]*sin(0.5*angle),
                             n[2]*sin(0.5*angle)};
@@ -66,18 +71,18 @@ int main(void)
     TAP_TRAPS;
 
     /* 0.2 rad a step, 100 000 steps, 3183 turns */
-    struct dem *d = watched(free_scene, &seed);
+    struct dem *d = tracked(free_scene, &seed);
 
-    TAP_NEAR(off(orientation(d), 0.0, n), 0.0, 0.0, "not turned at the start");
+    TAP_NEAR(rotation_error(orientation(d), 0.0, n), 0.0, 0.0, "identity at the start");
     world_run(d, T);
-    TAP_NEAR(off(orientation(d), fmod(w*T, 4.0*world_pi), n), 0.0, 1e-9,
-             "3183 turns about a skew axis");    /* 4e-16 and rounding a step */
+    TAP_NEAR(rotation_error(orientation(d), fmod(w*T, 4.0*world_pi), n), 0.0, 1e-9,
+             "3183 turns about an inclined axis");    /* 4e-16 and rounding a step */
     TAP_NEAR(length(orientation(d)), 1.0, 4e-16,
              "still a unit quaternion");                     /* one division's rounding */
 
-    /* the same half and half, through a file */
+    /* the same in two halves, through a file */
     const char *const file = "orientation.dem";
-    struct dem *first = watched(free_scene, &seed), *second = world_begin(free_scene);
+    struct dem *first = tracked(free_scene, &seed), *second = world_begin(free_scene);
 
     world_run(first, 0.5*T);
     WORLD_TRY(dem_save(first, file));
@@ -86,16 +91,17 @@ int main(void)
     WORLD_TRY(dem_setup(second));
     remove(file);
     TAP_OK(memcmp(orientation(first), orientation(second), 4*sizeof(double)) == 0,
-           "a snapshot holds it");
+           "a snapshot keeps it");
     world_run(first, 0.5*T);
     world_run(second, 0.5*T);
     TAP_OK(memcmp(orientation(first), orientation(second), 4*sizeof(double)) == 0,
-           "and the run continues with the same bits");
+           "the run continues with the same bits");
     dem_free(first);
     dem_free(second);
     dem_free(d);
 
-    /* rolling at 0.1 m/s along x: about y, by way over height, for the lever is R less the overlap, 1.7e-3 R at rest */
+    /* rolling at 0.1 m/s along x: about y, by displacement over height, as the lever arm is R less
+       the overlap, 1.7e-3 R at rest */
     const double R = 0.005, v = 0.1;
     const double y[3] = {0.0, 1.0, 0.0};
 
@@ -105,14 +111,14 @@ int main(void)
                                      .diameter = 2.0*R,
                                      .id = -1,
                                      .material = "glass"};
-    d = watched(rolling_scene, &seed);
+    d = tracked(rolling_scene, &seed);
     world_run(d, 0.3);
-    TAP_NEAR(off(orientation(d), world_at(d, 0).x[0]/world_at(d, 0).x[2], y), 0.0, 2e-4,
-             "rolls by its way over its radius");   /* first bounces */
+    TAP_NEAR(rotation_error(orientation(d), world_at(d, 0).x[0]/world_at(d, 0).x[2], y), 0.0, 2e-4,
+             "rotates by its displacement over its radius");   /* first bounces */
     dem_free(d);
 
     d = world(free_scene, 1, &seed);
-    TAP_OK(orientation(d) == NULL, "none where it is not requested");
+    TAP_OK(orientation(d) == NULL, "no orientations without the request");
     dem_free(d);
     TAP_DONE;
 }

@@ -1,8 +1,11 @@
 /*
- * Claims: for scenes whose regime is known from the literature the plan reports the numbers, and for each effect whether it is needed,
- * negligible or missing: Gondret's balls in oil, glass in water, bubbles, dust, powders of Geldart's groups A to C, the beds of Mueller
- * and Goldschmidt, grains in a pipe, a suspension, a drum, a hopper, tablets, and yielding steel (Johnson). Other effects are not
- * mentioned. What is negligible has its cost.
+ * test_regime.c -- verdicts of `dem plan` for scenes whose regime is known from the literature.
+ *
+ * For each effect the plan reports the number and whether the effect is needed, negligible or
+ * missing: Gondret's balls in oil, glass in water, bubbles, dust, powders of Geldart's groups A to
+ * C, the beds of Mueller and Goldschmidt, grains in a pipe, a suspension, a drum, a hopper,
+ * tablets, and yielding steel (Johnson). Other effects are not reported. A negligible effect is
+ * reported with its cost.
  *
  * Tolerance: 1 % of the formulas in advisor/verdicts_*.c, evaluated in another program.
  *
@@ -22,9 +25,9 @@ struct known
 {
     const char *name, *material, *fluid, *effects;
     double diameter;                                      /* m */
-    int count;                                            /* in a box of 20 diameters, that closes a room */
-    struct claim said[8];                                 /* all that is said */
-    const char *tells[3];
+    int count;                                            /* in a closed box of 20 diameters */
+    struct claim verdicts[8];                                 /* all verdicts */
+    const char *lines[3];
 };
 
 #define AIR "density 1.2; viscosity 1.8e-5;"
@@ -32,7 +35,8 @@ struct known
 #define OIL "density 935; viscosity 0.01;"
 
 static const struct known scenes[] = {
-    /* Gondret, Lance, Petit 2002: oil takes of the rebound, and a ball there falls with buoyancy and added mass */
+    /* Gondret, Lance, Petit 2002: oil reduces the rebound; buoyancy and added mass act on a falling
+       ball */
     {"steel in oil (Gondret)",
      "density 7800;",
      OIL,
@@ -47,7 +51,8 @@ static const struct known scenes[] = {
     {"the same with the film",
      "density 7800;",
      OIL,
-     "hertz { impactSpeed 0.5; } stokes { restitution 0.97; } pressureGradient {} schillerNaumann {} "
+     "hertz { impactSpeed 0.5; } stokes { restitution 0.97; } "
+     "pressureGradient {} schillerNaumann {} "
      "virtualMass {}",
      3e-3,
      2,
@@ -98,7 +103,7 @@ static const struct known scenes[] = {
       {"stokes", DEM_MISSING, -1.0},
       {"jkr", DEM_MISSING, 1834.86}},
      {"density ratio 2083", "dilute, fluid forces dominate"}},
-    {"sand in air by Stokes' law",
+    {"sand in air with Stokes' law",
      "density 2650;",
      AIR,
      "hertz {} stokesDrag {}",
@@ -118,7 +123,7 @@ static const struct known scenes[] = {
       {"virtualMass", DEM_MISSING, 0.47619},
       {"stokes", DEM_MISSING, -1.0}},
      {"solid fraction of the domain 0.196"}},
-    {"a dilute one",
+    {"a dilute suspension",
      "density 1050;",
      WATER,
      "hertz {} schillerNaumann {}",
@@ -163,7 +168,7 @@ static const struct known scenes[] = {
      100,
      {{"gidaspow", DEM_NEEDED, -1.0}},
      {NULL}},
-    /* Goldschmidt, Beetstra, Kuipers 2004: collisions rule, lift is left out */
+    /* Goldschmidt, Beetstra, Kuipers 2004: collisions dominate, lift is left out */
     {"glass in air (Goldschmidt)",
      "density 2526;",
      AIR,
@@ -176,7 +181,8 @@ static const struct known scenes[] = {
       {"magnus", DEM_NEGLIGIBLE, 8.022e-5},
       {"viscousTorque", DEM_NEGLIGIBLE, 1.0887e-4}},
      {"dense, collisions dominate"}},
-    /* Tsuji, Morikawa et al. 1985; Sommerfeld 2003: spins from the walls lift grains in a pipe */
+    /* Tsuji, Morikawa et al. 1985; Sommerfeld 2003: spin due to wall collisions lifts grains in a
+       pipe */
     {"sand in a pipe",
      "density 2650;",
      AIR " velocity (15 0 0);",
@@ -207,7 +213,7 @@ static const struct known scenes[] = {
      2,
      {{"schillerNaumann", DEM_NEGLIGIBLE, 1.5439e-3}},
      {NULL}},
-    {"spheres in water that feel nothing",
+    {"spheres in water without drag",
      "density 2500;",
      WATER,
      "hertz {} dry { restitution 0.9; } pressureGradient {} virtualMass {}",
@@ -237,7 +243,8 @@ static const struct known scenes[] = {
     {"a drum",
      "density 2500;",
      NULL,
-     "hertz {} dry { restitution 0.7; } mindlin { friction 0.5; } rollingSpring { friction 0.1; } twistingSpring { friction 0.5; }",
+     "hertz {} dry { restitution 0.7; } mindlin { friction 0.5; } rollingSpring { friction 0.1; } "
+     "twistingSpring { friction 0.5; }",
      1e-3,
      100,
      {{"rollingSpring", DEM_NEEDED, 0.2}, {"twistingSpring", DEM_NEEDED, 0.21927}},
@@ -246,7 +253,8 @@ static const struct known scenes[] = {
     {"a hopper of steel balls",
      "density 7800;",
      NULL,
-     "hertz {} dry { restitution 0.9; } mindlin { friction 0.3; } rollingConstant { friction 5e-5; }",
+     "hertz {} dry { restitution 0.9; } mindlin { friction 0.3; } "
+     "rollingConstant { friction 5e-5; }",
      1e-3,
      100,
      {{"rollingConstant", DEM_NEGLIGIBLE, 1.6667e-4}},
@@ -259,7 +267,8 @@ static const struct known scenes[] = {
      100,
      {{"hookeHysteresis", DEM_NEEDED, 0.7833}},
      {NULL}},
-    /* Johnson 1985, 11.5: hard steel on steel begins to yield at 0.14 m/s against a plane; two equal spheres at half of that */
+    /* Johnson 1985, 11.5: hard steel on steel begins to yield at 0.14 m/s against a plane; two
+       equal spheres at half of that */
     {"hard steel at 1 m/s",
      "density 7800; youngsModulus 210e9; yieldStrength 1e9;",
      NULL,
@@ -282,18 +291,20 @@ static const char *plan(const struct known *k, struct dem **d)
 {
     const double box = 20.0*k->diameter;
     char *const text = world_text(
-        "materials { stuff { youngsModulus 1e7; %s } } effects { gravity { acceleration (0 0 -9.81); } %s } %s%s%s "
-        "walls { room { type box; min (0 0 0); max (%g %g %g); } } insert { grains { type lattice; count %d; diameter %g; "
+        "materials { stuff { youngsModulus 1e7; "
+        "%s } } effects { gravity { acceleration (0 0 -9.81); } %s } %s%s%s "
+        "walls { room { type box; min (0 0 0); max (%g %g %g); } } "
+        "insert { grains { type lattice; count %d; diameter %g; "
         "spacing 1.2; min (0 0 0); max (%g %g %g); } } %s",
         k->material, k->effects, k->fluid ? "fluid { " : "", k->fluid ? k->fluid : "",
         k->fluid ? " }" : "", box, box, box, k->count, k->diameter, box, box, box,
         k->effects[0] ? "" : "time { step 1e-5; }");
-    const char *told;
+    const char *text;
 
     *d = world(text, 0, NULL);
     free(text);
-    WORLD_TRY(dem_plan(*d, &(struct dem_run_info){.duration = 0.0}, &told));
-    return told;
+    WORLD_TRY(dem_plan(*d, &(struct dem_run_info){.duration = 0.0}, &text));
+    return text;
 }
 
 static void check(const struct known *k, struct dem *d)
@@ -302,9 +313,9 @@ static void check(const struct known *k, struct dem *d)
     const int n = dem_verdicts(d, &v);
     int claims = 0;
 
-    for (; claims < 8 && k->said[claims].effect; claims++)
+    for (; claims < 8 && k->verdicts[claims].effect; claims++)
     {
-        const struct claim *const c = &k->said[claims];
+        const struct claim *const c = &k->verdicts[claims];
         int at = 0;
 
         while (at < n && strcmp(v[at].effect, c->effect) != 0)
@@ -317,15 +328,15 @@ static void check(const struct known *k, struct dem *d)
                                            : "called for");
         if (at < n && c->share >= 0.0)
         {
-            TAP_NEAR(v[at].fraction, c->share, 0.01*c->share, "%s: by as much", c->effect);
+            TAP_NEAR(v[at].fraction, c->share, 0.01*c->share, "%s: fraction", c->effect);
         }
         if (at < n && c->word == DEM_NEGLIGIBLE)
         {
-            TAP_OK(v[at].cost >= 0.0 && v[at].cost < 1.0, "and has its price, %.2g of the run",
+            TAP_OK(v[at].cost >= 0.0 && v[at].cost < 1.0, "its cost is reported, %.2g of the run",
                    v[at].cost);
         }
     }
-    TAP_OK(n == claims, "%s: nothing else is said: %d for %d", k->name, n, claims);
+    TAP_OK(n == claims, "%s: no other verdict: %d for %d", k->name, n, claims);
 }
 
 int main(void)
@@ -336,10 +347,10 @@ int main(void)
         const char *const text = plan(&scenes[n], &d);
 
         check(&scenes[n], d);
-        for (int k = 0; k < 3 && scenes[n].tells[k]; k++)
+        for (int k = 0; k < 3 && scenes[n].lines[k]; k++)
         {
-            TAP_OK(strstr(text, scenes[n].tells[k]) != NULL, "%s: %s", scenes[n].name,
-                   scenes[n].tells[k]);
+            TAP_OK(strstr(text, scenes[n].lines[k]) != NULL, "%s: %s", scenes[n].name,
+                   scenes[n].lines[k]);
         }
         dem_free(d);
     }

@@ -1,7 +1,11 @@
 /*
- * Claims: output does not change the run. Between two outputs contact forces go through a ring buffer and are not stored
- * (model/contacts.h): a layer of touching spheres ends with the same bits, forces included, whether its means are sampled in every step,
- * now and then, or never. With periodic faces through it, some rows exceed the ring and are deferred; a scene of few rows has none.
+ * test_ring.c -- output does not change the run: the force buffer (model/contacts.h).
+ *
+ * Between two outputs contact forces go through a ring buffer and are not stored.
+ * - A layer of touching spheres ends with the same bits, forces included, whether its means are
+ *   sampled in every step, in some or in none.
+ * - With periodic faces across it some rows exceed the ring and are deferred; a scene of few rows
+ *   has no ring.
  *
  * Reference: a step with output, which stores every contact force at its own index.
  *
@@ -19,12 +23,14 @@ enum
     STEPS = 50
 };
 
-/* `high` layers of a cubic lattice, pressed together by a thousandth and thrown through each other; `more`: other entries. */
+/* `high` layers of a cubic lattice, compressed by a thousandth, with random velocities; `more`:
+   other entries. */
 static struct dem *block(int high, const char *more)
 {
     char *const scene = world_text(
         "materials { glass { density 2500; youngsModulus 5e6; poissonsRatio 0.3; } }"
-        "effects { hertz { } dry { restitution 0.8; } mindlin { friction 0.4; } gravity { acceleration (1 2 -9.81); } }"
+        "effects { hertz { } dry { restitution 0.8; } mindlin { friction 0.4; } "
+        "gravity { acceleration (1 2 -9.81); } }"
         "domain { x (0 0.04995); y (0 0.01199); periodic (x y); }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
         "time { step 5e-6; } %s",
@@ -49,7 +55,7 @@ static struct dem *block(int high, const char *more)
     return d;
 }
 
-static uint64_t mixed_up(uint64_t hash, const void *what, size_t bytes)
+static uint64_t hashed(uint64_t hash, const void *what, size_t bytes)
 {
     for (size_t k = 0; k < bytes; k++)
     {
@@ -65,21 +71,21 @@ static uint64_t bits(struct dem *d, int count)
     uint64_t hash = world_hash(d);
 
     world_all(d, p);
-    hash = mixed_up(hash, p, (size_t)count*sizeof *p);
+    hash = hashed(hash, p, (size_t)count*sizeof *p);
     free(p);
     return hash;
 }
 
-static const char often[] =
+static const char every_step[] =
     "averages { all { min (0 0 0); max (0.05 0.012 0.008); interval 5e-6; } }";
-static const char seldom[] =
+static const char some_steps[] =
     "averages { all { min (0 0 0); max (0.05 0.012 0.008); interval 5e-5; } }";
 
-static void looks(int high, int round)
+static void compare(int high, int round)
 {
     const int count = LAYER*high;
-    struct dem *const never = block(high, ""), *const always = block(high, often),
-                      *const sometimes = block(high, seldom);
+    struct dem *const never = block(high, ""), *const always = block(high, every_step),
+                      *const sometimes = block(high, some_steps);
 
     for (int k = 0; k < 4; k++)
     {
@@ -93,12 +99,12 @@ static void looks(int high, int round)
            "%d spheres: there is %s ring", count, round ? "a" : "no");
     if (round)
     {
-        TAP_OK(never->state.contacts.deferred_rows > 0, "and %zu rows that wait past it",
+        TAP_OK(never->state.contacts.deferred_rows > 0, "%zu rows are deferred beyond it",
                never->state.contacts.deferred_rows);
     }
     TAP_OK(bits(always, count) == bits(never, count),
-           "%d spheres: the same bits looked at in every step and never", count);
-    TAP_OK(bits(sometimes, count) == bits(never, count), "%d spheres: and looked at now and then",
+           "%d spheres: the same bits when sampled in every step and never", count);
+    TAP_OK(bits(sometimes, count) == bits(never, count), "%d spheres: the same bits when sampled in some steps",
            count);
     dem_free(never);
     dem_free(always);
@@ -108,7 +114,7 @@ static void looks(int high, int round)
 int main(void)
 {
     TAP_TRAPS;
-    looks(1, 0);
-    looks(5, 1);
+    compare(1, 0);
+    compare(5, 1);
     return tap_done();
 }

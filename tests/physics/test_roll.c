@@ -1,10 +1,15 @@
 /*
- * Claims: a sphere that starts to slide over a floor slips for t = 2 u/(7 mu g), then rolls with 5/7 of its speed and with
- * w = v/R, whatever mu, spinning as a wheel does (+y for +x with z up); on a floor of random triangles as on a plane; a
- * sphere rolls down a slope with 5/7 g sin(a), and slides there when tan(a) > 7/2 mu.
+ * test_roll.c -- from slip to rolling (DEM04 of the MFiX-DEM suite).
  *
- * Set: DEM04 of the MFiX-DEM suite, Garg, Galvin, Li, Pannala, Powder Technol. 220 (2012) 122; table in slip_to_roll.csv,
- * exact for a rigid sphere. Settings of single pairs (`pairs`) give each sphere its own friction.
+ * - A sphere that starts to slide over a floor slips for t = 2 u/(7 mu g), then rolls with 5/7 of
+ *   its speed and w = v/R, whatever mu, with the spin of a wheel (+y for +x with z up); on a plane
+ *   and on a floor of random triangles.
+ * - A sphere rolls down a slope with 5/7 g sin(a), and slides there when tan(a) > 7/2 mu.
+ *
+ * Settings of single pairs (`pairs`) give each sphere its own friction.
+ *
+ * Sources: Garg, Galvin, Li, Pannala, Powder Technol. 220 (2012) 122; slip_to_roll.csv, exact for a
+ * rigid sphere.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -23,20 +28,20 @@ static double rest_overlap(double pull)
 {
     const double modulus = E/(1.0 - 0.09);
 
-    return pow(0.75*world_ball(R, density)*pull/(modulus*sqrt(R)), 2.0/3.0);
+    return pow(0.75*world_sphere_mass(R, density)*pull/(modulus*sqrt(R)), 2.0/3.0);
 }
 
 /* One material a case: the same ball, its own friction with the floor. */
-static void list_materials(const double *table, char *materials, char *pairs, size_t room)
+static void list_materials(const double *table, char *materials, char *pairs, size_t capacity)
 {
     size_t m = 0, p = 0;
 
     for (int k = 0; k < CASES; k++)
     {
-        m += (size_t)snprintf(materials + m, room - m,
+        m += (size_t)snprintf(materials + m, capacity - m,
                               "b%d { density %g; youngsModulus %g; poissonsRatio 0.3; }", k,
                               density, E);
-        p += (size_t)snprintf(pairs + p, room - p,
+        p += (size_t)snprintf(pairs + p, capacity - p,
                               "p%d { between (b%d rigid); mindlin { friction %g; } }", k, k,
                               table[COLUMNS*k]);
     }
@@ -59,8 +64,10 @@ static struct dem *start(const double *table, const char *wall, const char *tang
                                             .material = names[k]};
     }
     char *const scene = world_text(
-        "materials { %s rigid { density 1; youngsModulus 1e30; } } effects { hertz { impactSpeed 0.1; }"
-        "dry { restitution 0.9; } mindlin { friction 0.1; %s } gravity { acceleration (0 0 -%.17g); } }"
+        "materials { %s rigid { density 1; youngsModulus 1e30; } } "
+        "effects { hertz { impactSpeed 0.1; }"
+        "dry { restitution 0.9; } mindlin { friction 0.1; "
+        "%s } gravity { acceleration (0 0 -%.17g); } }"
         "pairs { %s } %s",
         materials, tangential, g, pairs, wall);
     struct dem *const d = world_begin(scene);
@@ -113,19 +120,19 @@ static void slip_to_roll(const double *table, const char *wall, const char *what
         const double *const t = table + COLUMNS*k;
         const struct world_particle p = world_at(d, k);
 
-        /* the spring of the contact is as soft as E = 1e7: it stretches by some 1e-8 m, less than 1e-3 of the slip */
+        /* the friction spring of E = 1e7 elongates by some 1e-8 m, less than 1e-3 of the slip */
         TAP_NEAR(ends[k], t[2], 5e-3*t[2], "%s, mu %g: slips for %.4f ms", what, t[0], 1e3*ends[k]);
         TAP_NEAR(p.v[0], t[3], 5e-3*t[3], "%s, mu %g: then rolls at %.5f m/s", what, t[0], p.v[0]);
-        TAP_NEAR(p.w[1], t[4], 5e-3*t[4], "%s, mu %g: and turns forward with %.3f 1/s", what,
+        TAP_NEAR(p.w[1], t[4], 5e-3*t[4], "%s, mu %g: with a forward spin of %.3f 1/s", what,
                  t[0], p.w[1]);
-        /* the work of the normal force and of the plane's slope would show here */
-        TAP_NEAR(fabs(p.v[1]) + fabs(p.v[2]), 0.0, 1e-9, "%s, mu %g: neither hops nor drifts", what,
+        /* an error of the normal force or of the plane's direction would show here */
+        TAP_NEAR(fabs(p.v[1]) + fabs(p.v[2]), 0.0, 1e-9, "%s, mu %g: no velocity across or normal", what,
                  t[0]);
     }
     dem_free(d);
 }
 
-/* Down a slope of 20 degrees: the plane z = 0, gravity leans. */
+/* Down a slope of 20 degrees: the plane z = 0, gravity is inclined. */
 static void slope(double friction, double acceleration, const char *what)
 {
     const double angle = 20.0*world_pi/180.0, time = 0.05;
@@ -144,7 +151,7 @@ static void slope(double friction, double acceleration, const char *what)
     world_run(d, time);
     const struct world_particle p = world_at(d, 0);
 
-    /* the spring stretches before it holds: some 10 us of 50 ms */
+    /* the spring elongates before it holds: some 10 us of 50 ms */
     TAP_NEAR(p.v[0], acceleration*time, 2e-3*acceleration*time, "%s on a slope: %.5f m/s",
              what, p.v[0]);
     free(scene);

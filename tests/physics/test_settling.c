@@ -1,11 +1,15 @@
 /*
- * Claims: a sphere let go in a uniform fluid settles as the drag law, its weight and the pressure gradient of a fluid at
- * rest have it, to the speed and place of an independent integration; in a fluid so viscous that its response time is a
- * thousandth to a hundred thousandth of the step it moves with the fluid, without a swing; drag on a frozen sphere does
- * not move it; a sphere as dense as the fluid floats.
+ * test_settling.c -- a sphere in a uniform fluid: drag, weight and pressure gradient.
  *
- * Sets: settling_liquid.csv, 0.1 mm in a liquid, Schiller and Naumann, Z. Ver. Dtsch. Ing. 77 (1933) 318, and Stokes;
- * settling_gas.csv, DEM06 of the MFiX-DEM suite, Garg, Galvin, Li, Pannala, Powder Technol. 220 (2012) 122.
+ * - It settles with the speed and position of an independent integration.
+ * - In a fluid so viscous that the response time is 1e-3 to 1e-5 of the step it moves with the
+ *   fluid, without oscillation.
+ * - Drag does not move a frozen sphere.
+ * - A sphere as dense as the fluid floats.
+ *
+ * Sources: settling_liquid.csv, 0.1 mm in a liquid, Schiller and Naumann, Z. Ver. Dtsch. Ing. 77
+ * (1933) 318, and Stokes; settling_gas.csv, DEM06 of the MFiX-DEM suite, Garg, Galvin, Li, Pannala,
+ * Powder Technol. 220 (2012) 122.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -39,7 +43,8 @@ static void liquid(void)
     }
     const double last = -world_at(d, 0).v[2];
 
-    /* drag is exact within a kick but for its coefficient, which is that of the kick's start: some 1e-5 at step/tau = 6e-4 */
+    /* drag is exact within a kick but for its coefficient, which is that of the kick's start: some
+       1e-5 at step/tau = 6e-4 */
     TAP_OK(rows == 21, "liquid: %d rows", rows);
     TAP_NEAR(worst_v, 0.0, 1e-4, "liquid: speed within %.1e of the reference at all times",
              worst_v);
@@ -48,7 +53,7 @@ static void liquid(void)
     dem_free(d);
 }
 
-/* Small and slow enough to creep: v = v_t (1 - exp(-t/tau)). */
+/* Creeping flow: v = v_t (1 - exp(-t/tau)). */
 static void creeping(void)
 {
     static const char scene[] =
@@ -118,7 +123,7 @@ static void stiff(double viscosity)
     dem_free(d);
 }
 
-static void held(void)
+static void frozen(void)
 {
     static const char scene[] =
         "materials { bead { density 2000; youngsModulus 1e7; } }"
@@ -162,7 +167,7 @@ int main(void)
     stiff(2.0);
     stiff(2e3);
     stiff(2e5);
-    held();
+    frozen();
     floating();
     TAP_DONE;
 }

@@ -1,10 +1,14 @@
 /*
- * Claims: in a viscous fluid the whole core returns e_max exp(-35/St), with St from the speed at first touch: on a wall
- * St = rho_p d v/(9 mu), and for two equal spheres at the same relative speed twice that; the speed stays latched when
- * lists are rebuilt meanwhile and when the contact is interrupted by a snapshot. What comes back lies among what is measured,
- * also in the five liquids of Gondret et al., with added mass and without.
+ * test_stokes_impact.c -- restitution in a viscous fluid through the whole core: e_max exp(-35/St).
  *
- * Law: Legendre, Zenit, Daniel, Guiraud, Chem. Eng. Sci. 61 (2006) 3543; values in stokes_restitution.csv.
+ * - St is that of the speed at first contact: on a wall St = rho_p d v/(9 mu), for two equal
+ *   spheres at the same relative speed twice that.
+ * - The speed stays latched when lists are rebuilt and when a snapshot interrupts the contact.
+ * - The restitution lies in the range of measurements, also in the five liquids of Gondret et al.,
+ *   with added mass and without.
+ *
+ * Law: Legendre, Zenit, Daniel, Guiraud, Chem. Eng. Sci. 61 (2006) 3543; values in
+ * stokes_restitution.csv.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -29,7 +33,7 @@ static double speed_of(double stokes, int pair)
 {
     const double share = pair ? 0.5 : 1.0;
 
-    return stokes*6.0*world_pi*mu*R*R*share*share/(share*world_ball(R, density));
+    return stokes*6.0*world_pi*mu*R*R*share*share/(share*world_sphere_mass(R, density));
 }
 
 static struct dem *start(double stokes, int pair, double step, double outer_skin)
@@ -61,8 +65,10 @@ static struct dem *start(double stokes, int pair, double step, double outer_skin
     }
     char *const scene = world_text(
         "materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
-        "rigid { density 1; youngsModulus 1e30; } } neighbours { outerSkin %.17g; innerSkin %.17g; }"
-        "effects { hertz {} stokes { restitution %g; viscosity %g; } } time { step %.17g; force yes; } %s",
+        "rigid { density 1; youngsModulus 1e30; } } neighbours { outerSkin %.17g; "
+        "innerSkin %.17g; }"
+        "effects { hertz {} stokes { restitution %g; viscosity %g; } } time { step %.17g; "
+        "force yes; } %s",
         density, E, outer_skin, outer_skin, best, mu, step,
         pair ? ""
              : "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
@@ -72,7 +78,7 @@ static struct dem *start(double stokes, int pair, double step, double outer_skin
     return d;
 }
 
-/* Mean speed of parting over that of approach. */
+/* Mean speed of separation over that of approach. */
 static double restitution(struct dem *d, double stokes, int pair)
 {
     double mean = 0.0;
@@ -88,12 +94,13 @@ static double contact_time(double stokes, int pair)
 {
     const double share = pair ? 0.5 : 1.0;
 
-    return world_contact_time(share*world_ball(R, density), share*R, share*modulus(),
+    return world_contact_time(share*world_sphere_mass(R, density), share*R, share*modulus(),
                               speed_of(stokes, pair));
 }
 
-/* Where most measured e/e_max lie, as far as the figures of Joseph et al. (2001) and Gondret et al. (2002) can be read. Between 16 and
-   30 the measured ones rise from nearly nothing, and the law is above most of them: 0.17 for 0.15 or less at 20. */
+/* Where most measured e/e_max lie, as far as the figures of Joseph et al. (2001) and Gondret et al.
+   (2002) can be read. Between 16 and 30 the measured values rise from nearly zero, and the law is
+   above most of them: 0.17 for 0.15 or less at 20. */
 static void among_measured(double stokes, double relative, const char *what)
 {
     static const double band[][4] = {
@@ -120,18 +127,20 @@ static void table_row(double stokes, double target, int pair)
     struct dem *const d = start(stokes, pair, step, 0.3);
 
     world_run(d,
-              (stokes < 10.0 ? 40.0 : 4.0)*time);      /* near critical damping the parting creeps */
+              /* near critical damping separation is slow */
+              (stokes < 10.0 ? 40.0 : 4.0)*time);
     const double e = restitution(d, stokes, pair);
 
-    TAP_OK(world_tally(d).contacts == 0, "%s, St %g: parted", pair ? "pair" : "wall", stokes);
-    /* the dashpot sees the speed of half a step before: order 1, 2e-4 at t_c/1000; 1 % is the law's own claim */
+    TAP_OK(world_tally(d).contacts == 0, "%s, St %g: separated", pair ? "pair" : "wall", stokes);
+    /* the dashpot sees the speed of half a step before: order 1, 2e-4 at t_c/1000; 1 % is the
+       accuracy stated for the law */
     TAP_NEAR(e, target, fmax(1e-2*target, 4e-4), "%s, St %g: restitution %.4f",
              pair ? "pair" : "wall", stokes, e);
     among_measured(stokes, e/best, pair ? "pair" : "wall");
     dem_free(d);
 }
 
-/* Skins so thin that the lists are made anew every few steps: the same bits. */
+/* Skins so thin that the lists are rebuilt every few steps: the same bits. */
 static void latched_through_rebuilds(void)
 {
     const double time = contact_time(50.0, 0), step = time/200.0;
@@ -143,12 +152,12 @@ static void latched_through_rebuilds(void)
 
     TAP_OK(b.rebuilds > a.rebuilds + 3, "%lld rebuilds with thin skins, %lld with thick ones",
            (long long)b.rebuilds, (long long)a.rebuilds);
-    TAP_OK(world_hash(thick) == world_hash(thin), "the latched speed outlives them: the same bits");
+    TAP_OK(world_hash(thick) == world_hash(thin), "the latched speed is kept: the same bits");
     dem_free(thick);
     dem_free(thin);
 }
 
-/* Save in the middle of the contact, go on from the file. */
+/* Save in the middle of the contact, and continue from the file. */
 static void latched_through_a_snapshot(void)
 {
     const double time = contact_time(50.0, 0), step = time/200.0;
@@ -158,7 +167,8 @@ static void latched_through_a_snapshot(void)
     char *const scene = world_text(
         "materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
         "rigid { density 1; youngsModulus 1e30; } } effects { hertz {} stokes { restitution %g;"
-        "viscosity %g; } } time { step %.17g; force yes; } neighbours { outerSkin 0.3; innerSkin 0.3; }"
+        "viscosity %g; } } time { step %.17g; force yes; } neighbours { outerSkin 0.3; "
+        "innerSkin 0.3; }"
         "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }",
         density, E, best, mu, step);
 
@@ -171,14 +181,15 @@ static void latched_through_a_snapshot(void)
     WORLD_TRY(dem_load(second, path));
     WORLD_TRY(dem_setup(second));
     world_run(second, 2.5*time);
-    TAP_OK(world_hash(whole) == world_hash(second), "saved, loaded and run on: the same bits");
+    TAP_OK(world_hash(whole) == world_hash(second), "saved, loaded and continued: the same bits");
     unlink(path);
     free(scene);
     dem_free(whole);
     dem_free(second);
 }
 
-/* Steel spheres fall on glass in liquids: d [m], density and viscosity of the liquid, Reynolds number; St, and St with added mass. */
+/* Steel spheres fall on glass in liquids: d [m], density and viscosity of the liquid, Reynolds
+   number; St, and St with added mass. */
 static void in_liquids(void)
 {
     static const double set[5][6] = {
@@ -191,7 +202,7 @@ static void in_liquids(void)
     {
         const double *const t = set[k/2], a = 0.5*t[0], v = t[3]*t[2]/(t[1]*t[0]),
                             St = t[4 + k%2], target = best*exp(-35.0/St);
-        const double time = world_contact_time(world_ball(a, density), a, modulus(), v),
+        const double time = world_contact_time(world_sphere_mass(a, density), a, modulus(), v),
                      step = time/1000.0;
         struct dem_new_particle seed[PHASES];
         double mean = 0.0;
@@ -214,8 +225,10 @@ static void in_liquids(void)
         }
         char *const scene = world_text(
             "materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
-            "rigid { density 1; youngsModulus 1e30; } } effects { hertz {} stokes { restitution %g; viscosity %g; %s } }"
-            "time { step %.17g; } walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }",
+            "rigid { density 1; youngsModulus 1e30; } } "
+            "effects { hertz {} stokes { restitution %g; viscosity %g; %s } }"
+            "time { step %.17g; } walls { floor { type plane; material rigid; point (0 0 0); "
+            "normal (0 0 1); } }",
             density, E, best, t[2], added, step);
         struct dem *const d = world(scene, PHASES, seed);
 

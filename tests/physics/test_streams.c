@@ -1,14 +1,27 @@
 /*
- * Claims about streams: the number inserted is that of the rate, by number or by mass, to one particle, from start to end or limit;
- * particle k has the diameter of particle k of a group with that seed, whether or not it had to wait. Inserted particles overlap no
- * particle, wall or periodic image, and lie in the region or have passed the face at its speed. Those that do not fit wait, are
- * counted, and are inserted later. Position and velocity belong to the same time: an inserted body falls as a thrown one. A patch
- * normal to an axis inserts the number due at any speed. Drag that stops a particle in less than a step gives it the velocity of
- * the fluid. None begins beyond a wall that it would have met since it entered. A stream whose rate is changed to kg/s at a restart has no deficit from before. No particle is inserted into a fluid that
- * the caller provides before the caller has announced it.
+ * test_streams.c -- streams and outlets of particles.
  *
- * Claims about outlets: they remove the particles in their region and no others. Number, mass and momentum present are those
- * inserted less those removed, plus the impulse of gravity. Ids are unique, also after going back to a backup between two checks.
+ * Streams:
+ * - The number inserted is that of the rate, by number or by mass, to one particle, from start to
+ *   end or limit.
+ * - Particle k has the diameter of particle k of a group with that seed, whether or not it had to
+ *   wait.
+ * - Inserted particles overlap no particle, wall or periodic image, and lie in the region or have
+ *   crossed the face at their speed.
+ * - Particles that do not fit wait, are counted, and are inserted later.
+ * - Position and velocity belong to the same time: an inserted body follows the parabola of free
+ *   fall.
+ * - A patch normal to an axis inserts the number due at any speed.
+ * - Drag that stops a particle in less than a step gives it the velocity of the fluid.
+ * - A stream whose rate is changed to kg/s at a restart has no deficit from before.
+ * - No particle is inserted into a fluid that the caller provides before the caller has announced
+ *   it.
+ *
+ * Outlets:
+ * - They remove the particles in their region and no others.
+ * - Number, mass and momentum present are those inserted less those removed, plus the impulse of
+ *   gravity.
+ * - Ids are unique, also after the run returns to a backup between two checks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -18,7 +31,8 @@
               "time { step 1e-5; } "
 #define FALL "gravity { acceleration (0 0 -9.81); }"
 
-static const double window = 32e-5;                       /* s: streams are looked at in the last of its 32 steps */
+/* s: streams are evaluated in the last of its 32 steps */
+static const double window = 32e-5;
 
 static struct dem_flow flow(struct dem *d, int k)
 {
@@ -53,7 +67,7 @@ static struct dem *stream(const char *effects, const char *groups)
 }
 
 /* the smallest gap of any two [m], across periodic faces of these lengths (0: none) */
-static double least_gap(const struct dem *d, const double length[3])
+static double min_gap(const struct dem *d, const double length[3])
 {
     struct dem_view v;
     double least = INFINITY;
@@ -67,22 +81,27 @@ static double least_gap(const struct dem *d, const double length[3])
 
             for (int k = 0; k < 3; k++)
             {
-                double apart = dem_at(v.position, v.stride, i)[k] - dem_at(v.position, v.stride, j)[k];
+                double apart =
+                    dem_at(v.position, v.stride, i)[k] - dem_at(v.position, v.stride, j)[k];
 
                 apart -= length[k] > 0.0 ? length[k]*rint(apart/length[k]) : 0.0;
                 square += apart*apart;
             }
-            least = fmin(least, sqrt(square) - *dem_at(v.radius, v.stride, i) - *dem_at(v.radius, v.stride, j));
+            least = fmin(least, sqrt(square) - *dem_at(v.radius, v.stride, i) -
+                                    *dem_at(v.radius, v.stride, j));
         }
     }
     return least;
 }
 
-/* ---- how many ------------------------------------------------------------------------------------------------ */
+/* ---- number ---------------------------------------------------------------------------------- */
 
 static void test_rate(void)
 {
-    struct dem *const d = stream("", "insert { feed { type stream; rate 3000; start 0.01; end 0.05; diameter 1e-3; min (0 0 0); max (0.1 0.1 0.1); } } ");
+    struct dem *const d = stream(
+        "",
+        "insert { feed { type stream; rate 3000; start 0.01; end 0.05; diameter 1e-3; "
+        "min (0 0 0); max (0.1 0.1 0.1); } } ");
     int exact = 1;
 
     for (int k = 1; k <= 250; k++)
@@ -90,18 +109,24 @@ static void test_rate(void)
         run_windows(d, 1);
         const double owed = 3000.0*(fmin(world_tally(d).time, 0.05) - 0.01);
 
-        exact &= flow(d, 0).particles == (int64_t)floor(fmax(0.0, owed) + 1e-9);      /* round-off of time */
+        /* round-off of time */
+        exact &= flow(d, 0).particles == (int64_t)floor(fmax(0.0, owed) + 1e-9);
     }
     TAP_OK(exact, "by number: the whole number due, at each of 250 checks");
-    TAP_OK(flow(d, 0).particles == 120, "3000 a second in 0.04 s are 120, found %lld", (long long)flow(d, 0).particles);
-    TAP_OK(world_tally(d).particles == 120 && world_tally(d).inserted == 120, "all of them are there");
+    TAP_OK(flow(d, 0).particles == 120, "3000 a second in 0.04 s are 120, found %lld",
+           (long long)flow(d, 0).particles);
+    TAP_OK(world_tally(d).particles == 120 && world_tally(d).inserted == 120,
+           "all of them are present");
     dem_free(d);
 }
 
 static void test_mass_rate(void)
 {
-    struct dem *const d = stream("", "insert { feed { type stream; massRate 5e-3; sizes { type uniform; min 1e-3; max 2e-3; } min (0 0 0); "
-                                     "max (0.2 0.2 0.2); } } ");
+    struct dem *const d = stream(
+        "",
+        "insert { feed { type stream; massRate 5e-3; sizes { type uniform; min 1e-3; max 2e-3; } "
+        "min (0 0 0); "
+        "max (0.2 0.2 0.2); } } ");
     const double largest = 2500.0*world_pi/6.0*8e-9;
     int exact = 1;
 
@@ -112,28 +137,37 @@ static void test_mass_rate(void)
 
         exact &= behind > -1e-6*largest && behind < largest;
     }
-    TAP_OK(exact, "by mass: never ahead, and behind by less than one particle");
-    TAP_NEAR(world_tally(d).mass, flow(d, 0).mass, 1e-14, "the mass that is there is the mass that came");   /* round-off of 1e-4 kg */
-    TAP_OK(flow(d, 0).particles > 20, "and they were %lld", (long long)flow(d, 0).particles);
+    TAP_OK(exact, "by mass: never above the mass due, and below it by less than one particle");
+    /* round-off of 1e-4 kg */
+    TAP_NEAR(world_tally(d).mass, flow(d, 0).mass, 1e-14, "the mass present is the mass inserted");
+    TAP_OK(flow(d, 0).particles > 20, "these are %lld particles", (long long)flow(d, 0).particles);
     dem_free(d);
 }
 
 static void test_limits(void)
 {
-    struct dem *d = stream("", "insert { few { type stream; rate 1e4; count 17; diameter 1e-3; min (0 0 0); max (0.1 0.1 0.1); } "
-                               "heap { type stream; massRate 1; mass 1e-4; diameter 1e-3; min (0 0 0.2); max (0.1 0.1 0.3); } } ");
+    struct dem *d = stream(
+        "",
+        "insert { few { type stream; rate 1e4; count 17; diameter 1e-3; min (0 0 0); "
+        "max (0.1 0.1 0.1); } "
+        "heap { type stream; massRate 1; mass 1e-4; diameter 1e-3; min (0 0 0.2); "
+        "max (0.1 0.1 0.3); } } ");
 
     run_windows(d, 40);
-    TAP_OK(flow(d, 0).particles == 17 && flow(d, 0).waiting == 0, "a limit of 17 inserts 17, and none waits");
-    TAP_NEAR(flow(d, 1).mass, 1e-4, 0.5*2500.0*world_pi/6.0*1e-9, "a limit of mass is met to half a particle");
+    TAP_OK(flow(d, 0).particles == 17 && flow(d, 0).waiting == 0,
+           "a limit of 17 inserts 17, none waits");
+    TAP_NEAR(flow(d, 1).mass, 1e-4, 0.5*2500.0*world_pi/6.0*1e-9,
+             "a limit of mass is met to half a particle");
     dem_free(d);
 }
 
-/* ---- which, and where ---------------------------------------------------------------------------------------- */
+/* ---- sizes and positions --------------------------------------------------------------------- */
 
 static void test_sizes(void)
 {
-    static const char sizes[] = "sizes { type logNormal; median 1e-3; deviation 0.3; by volume; } seed 5; min (0 0 0); max (0.007 0.007 0.007);";
+    static const char sizes[] =
+        "sizes { type logNormal; median 1e-3; deviation 0.3; by volume; } seed 5; min (0 0 0); "
+        "max (0.007 0.007 0.007);";
     enum {MOST = 400};
     static double expected[MOST];
     char text[1024];
@@ -149,44 +183,57 @@ static void test_sizes(void)
         expected[world_id(&v, i)] = *dem_at(v.radius, v.stride, i);
     }
     dem_free(d);
-    /* far more than there is room for: most wait, large ones longest */
-    snprintf(text, sizeof text, "insert { feed { type stream; rate 1e8; count %d; %s velocity (3 0 0); } }", (int)MOST, sizes);
+    /* far more than fit: most wait, large ones longest */
+    snprintf(text, sizeof text,
+             "insert { feed { type stream; rate 1e8; count %d; %s velocity (3 0 0); } }", (int)MOST,
+             sizes);
     d = stream("", text);
     run_windows(d, 1);
-    TAP_OK(flow(d, 0).waiting > 0 && flow(d, 0).waiting + flow(d, 0).particles == MOST, "%lld wait for room", (long long)flow(d, 0).waiting);
+    TAP_OK(flow(d, 0).waiting > 0 && flow(d, 0).waiting + flow(d, 0).particles == MOST, "%lld wait",
+           (long long)flow(d, 0).waiting);
     run_windows(d, 40);
     dem_view(d, &v);
     for (size_t i = 0; i < v.n; i++)
     {
         same &= *dem_at(v.radius, v.stride, i) == expected[world_id(&v, i)];
     }
-    TAP_OK(v.n == MOST && same, "%zu came at last, and number k has the diameter of number k of a group", v.n);
+    TAP_OK(v.n == MOST && same,
+           "all %zu are inserted in the end, and number k has the diameter of number k of a group",
+           v.n);
     dem_free(d);
 }
 
-static void test_room(void)
+static void test_full_region(void)
 {
     static const double open[3] = {0.0, 0.0, 0.0}, round[3] = {0.01, 0.01, 0.0};
-    struct dem *d = stream("", "insert { still { type lattice; count 300; diameter 1e-3; min (0 0 0); max (0.01 0.01 0.01); } "
-                               "feed { type stream; rate 1e6; diameter 0.7e-3; min (0 0 0); max (0.01 0.01 0.01); } } ");
+    struct dem *d = stream(
+        "",
+        "insert { still { type lattice; count 300; diameter 1e-3; min (0 0 0); "
+        "max (0.01 0.01 0.01); } "
+        "feed { type stream; rate 1e6; diameter 0.7e-3; min (0 0 0); max (0.01 0.01 0.01); } } ");
 
     run_windows(d, 3);
-    TAP_OK(flow(d, 0).particles > 50 && flow(d, 0).waiting > 0, "into a bed go %lld, then it is full and %lld wait", (long long)flow(d, 0).particles,
-           (long long)flow(d, 0).waiting);
-    TAP_OK(least_gap(d, open) >= 0.0, "no overlap");
-    TAP_OK((double)(flow(d, 0).particles + flow(d, 0).waiting) == floor(1e6*world_tally(d).time + 1e-9), "those inserted and those waiting are those due");
+    TAP_OK(flow(d, 0).particles > 50 && flow(d, 0).waiting > 0,
+           "into a bed %lld are inserted, then it is full and %lld wait",
+           (long long)flow(d, 0).particles, (long long)flow(d, 0).waiting);
+    TAP_OK(min_gap(d, open) >= 0.0, "no overlap");
+    TAP_OK((double)(flow(d, 0).particles + flow(d, 0).waiting) ==
+               floor(1e6*world_tally(d).time + 1e-9),
+           "those inserted and those waiting are those due");
     dem_free(d);
 
     d = stream("", "domain { min (0 0 0); max (0.01 0.01 1); periodic (x y); } insert { "
-                   "feed { type stream; rate 1e6; diameter 1e-3; min (-0.004 -0.001 0); max (0.006 0.009 0.01); } } ");
+                   "feed { type stream; rate 1e6; diameter 1e-3; min (-0.004 -0.001 0); "
+                   "max (0.006 0.009 0.01); } } ");
     run_windows(d, 2);
-    TAP_OK(world_tally(d).particles > 300 && least_gap(d, round) >= 0.0, "nor any image, of %lld through periodic faces",
+    TAP_OK(world_tally(d).particles > 300 && min_gap(d, round) >= 0.0,
+           "no overlap of images, %lld through periodic faces",
            (long long)world_tally(d).particles);
     dem_free(d);
 }
 
-/* the smallest distance of a surface from the ball and the plane below */
-static double least_clearance(const struct dem *d)
+/* the smallest distance of a surface from the sphere and the plane below */
+static double min_clearance(const struct dem *d)
 {
     struct dem_view v;
     double least = INFINITY;
@@ -194,8 +241,10 @@ static double least_clearance(const struct dem *d)
     dem_view(d, &v);
     for (size_t i = 0; i < v.n; i++)
     {
-        const double *const x = dem_at(v.position, v.stride, i), radius = *dem_at(v.radius, v.stride, i);
-        const double away = sqrt(pow(x[0] - 0.005, 2.0) + pow(x[1] - 0.005, 2.0) + pow(x[2] - 0.005, 2.0)) - 0.003;
+        const double *const x = dem_at(v.position, v.stride, i),
+                            radius = *dem_at(v.radius, v.stride, i);
+        const double away =
+            sqrt(pow(x[0] - 0.005, 2.0) + pow(x[1] - 0.005, 2.0) + pow(x[2] - 0.005, 2.0)) - 0.003;
 
         least = fmin(least, fmin(away, x[2] - 0.002) - radius);
         least = fmin(least, fabs(x[0] - 0.008) - radius);
@@ -205,22 +254,31 @@ static double least_clearance(const struct dem *d)
 
 static void test_walls(void)
 {
-    struct dem *const d = stream("", "walls { floor { type plane; point (0 0 0.002); normal (0 0 1); } "
-                                     "ball { type sphere; centre (0.005 0.005 0.005); radius 0.003; particles outside; } "
-                                     "sheet { type triangles; corners ((0.008 -1 -1) (0.008 2 -1) (0.008 0 3)); } } "
-                                     "insert { feed { type stream; rate 1e6; diameter 1e-3; min (0 0 0); max (0.01 0.01 0.01); } } ");
+    struct dem *const d = stream(
+        "",
+        "walls { floor { type plane; point (0 0 0.002); normal (0 0 1); } "
+        "ball { type sphere; centre (0.005 0.005 0.005); radius 0.003; particles outside; } "
+        "sheet { type triangles; corners ((0.008 -1 -1) (0.008 2 -1) (0.008 0 3)); } } "
+        "insert { feed { type stream; rate 1e6; diameter 1e-3; min (0 0 0); "
+        "max (0.01 0.01 0.01); } } ");
 
     run_windows(d, 2);
-    TAP_OK(world_tally(d).particles > 100, "%lld between a plane, a ball and a sheet", (long long)world_tally(d).particles);
-    TAP_OK(least_clearance(d) >= 0.0, "touch none of them, nor are they behind");
+    TAP_OK(world_tally(d).particles > 100,
+           "%lld between a plane, a sphere and a sheet of triangles",
+           (long long)world_tally(d).particles);
+    TAP_OK(min_clearance(d) >= 0.0, "they touch none of the walls and are not behind them");
     dem_free(d);
 }
 
-/* A disc: all centres within its radius, and as far past it as they fly in the time since they may have come. */
+/* A disc: all centres within its radius, and as far past it as they fly in the time since they may
+   have come. */
 static void test_face(void)
 {
-    struct dem *const d = stream("", "insert { feed { type stream; rate 2e4; diameter 1e-3; disc { centre (0 0 0.1); normal (0 0 1); radius 0.02; } "
-                                     "velocity (0 0 -2); } } ");
+    struct dem *const d = stream(
+        "",
+        "insert { feed { type stream; rate 2e4; diameter 1e-3; disc { centre (0 0 0.1); "
+        "normal (0 0 1); radius 0.02; } "
+        "velocity (0 0 -2); } } ");
     struct dem_view v;
     double lowest = INFINITY, highest = -INFINITY, widest = 0.0, late = 0.0;
 
@@ -238,31 +296,39 @@ static void test_face(void)
     const double time = world_tally(d).time;
 
     TAP_OK(widest <= 0.02 && widest > 0.019, "all within the disc, %g m", widest);
-    TAP_OK(highest <= 0.1 && lowest >= 0.1 - 2.0*time, "from the disc on down");
+    TAP_OK(highest <= 0.1 && lowest >= 0.1 - 2.0*time,
+           "between the disc and the largest distance below it");
     /* uniform in [0, time]: mean time/2, within 4 standard errors */
-    TAP_NEAR(late/(double)v.n, 0.5*time, 4.0*time/sqrt(12.0*(double)v.n), "evenly behind each other, without layers");
+    TAP_NEAR(late/(double)v.n, 0.5*time, 4.0*time/sqrt(12.0*(double)v.n),
+             "uniform along the velocity, without layers");
     dem_free(d);
 }
 
-/* A disc that lies closer to the domain's top than its radius is inside: it has no height. */
+/* A disc closer to the top of the domain than its radius: it has no height, so it is inside. */
 static void test_near_top(void)
 {
-    struct dem *const d = stream("", "domain { min (-0.05 -0.05 0); max (0.05 0.05 0.1); } insert { feed { type stream; rate 1e4; diameter 1e-3; "
-                                     "disc { centre (0 0 0.099); normal (0 0 1); radius 0.02; } velocity (0 0 -1); } } ");
+    struct dem *const d = stream(
+        "",
+        "domain { min (-0.05 -0.05 0); max (0.05 0.05 0.1); } insert { feed { type stream; "
+        "rate 1e4; diameter 1e-3; "
+        "disc { centre (0 0 0.099); normal (0 0 1); radius 0.02; } velocity (0 0 -1); } } ");
 
     run_windows(d, 20);
-    TAP_OK(flow(d, 0).particles + flow(d, 0).waiting == 64 && flow(d, 0).particles > 50, "under the domain's top too: %lld",
-           (long long)flow(d, 0).particles);
+    TAP_OK(flow(d, 0).particles + flow(d, 0).waiting == 64 && flow(d, 0).particles > 50,
+           "near the top of the domain: %lld", (long long)flow(d, 0).particles);
     dem_free(d);
 }
 
-/* ---- how fast ------------------------------------------------------------------------------------------------ */
+/* ---- velocity -------------------------------------------------------------------------------- */
 
-/* One only, at a known place and time, then a parabola: the leapfrog is exact under constant acceleration, in whatever windows. */
-static void test_thrown(void)
+/* One particle, at a known position and time, then a parabola: the leapfrog is exact under constant
+   acceleration, in any windows. */
+static void test_free_fall(void)
 {
-    static const char one[] = "insert { one { type stream; rate 1000; count 1; diameter 1e-3; min (-5e-4 -5e-4 -5e-4); max (5e-4 5e-4 5e-4); "
-                              "velocity (1 0 2); spin (0 30 0); } } ";
+    static const char one[] =
+        "insert { one { type stream; rate 1000; count 1; diameter 1e-3; min (-5e-4 -5e-4 -5e-4); "
+        "max (5e-4 5e-4 5e-4); "
+        "velocity (1 0 2); spin (0 30 0); } } ";
 
     for (int windows = 1; windows <= 7; windows += 6)
     {
@@ -270,18 +336,22 @@ static void test_thrown(void)
 
         world_run(d, windows*64e-5);
         world_run(d, 0.05);
-        const double t = world_tally(d).time - 128e-5;    /* the first step of 32 at which 1000 t is 1 */
+        /* the first step of 32 at which 1000 t is 1 */
+        const double t = world_tally(d).time - 128e-5;
         const struct world_particle p = world_at(d, 0);
 
-        TAP_NEAR(p.x[0], t, 1e-14, "sideways, %s", windows == 1 ? "a window begins after it" : "it comes within a window");   /* round-off of 0.05 */
-        TAP_NEAR(p.x[2], 2.0*t - 0.5*9.81*t*t, 1e-14, "and up and down");
-        TAP_NEAR(p.v[2], 2.0 - 9.81*t, 1e-13, "with the velocity of that time");   /* of thousands of kicks */
-        TAP_OK(p.w[1] == 30.0, "and its spin");
+        /* round-off of 0.05 */
+        TAP_NEAR(p.x[0], t, 1e-14, "position x, %s",
+                 windows == 1 ? "a window begins after it" : "it enters within a window");
+        TAP_NEAR(p.x[2], 2.0*t - 0.5*9.81*t*t, 1e-14, "position z");
+        TAP_NEAR(p.v[2], 2.0 - 9.81*t, 1e-13, "velocity z");   /* of thousands of kicks */
+        TAP_OK(p.w[1] == 30.0, "spin");
         dem_free(d);
     }
 }
 
-/* Drag relaxes the velocity, v = u + (v0 - u) exp(-t/tau): kicked back and on again, nothing is lost of second order. */
+/* Drag relaxes the velocity, v = u + (v0 - u) exp(-t/tau): the start between two kicks keeps second
+   order. */
 static void test_drag(void)
 {
     const double tau = 2500.0*1e-6/(18.0*1e-3);
@@ -289,33 +359,45 @@ static void test_drag(void)
 
     for (int fine = 0; fine < 2; fine++)
     {
-        char *const text = world_text("materials { glass { density 2500; youngsModulus 1e5; } } effects { hertz { } stokesDrag { } } "
-                                      "fluid { density 1; viscosity 1e-3; velocity (0 0 1); pressureGradient (0 0 0); } time { step %g; } "
-                                      "insert { one { type stream; rate 1000; count 1; diameter 1e-3; min (-5e-4 -5e-4 -5e-4); max (5e-4 5e-4 5e-4); "
-                                      "velocity (2 0 0); } }", fine ? 0.5e-5 : 1e-5);
+        char *const text = world_text(
+            "materials { glass { density 2500; youngsModulus 1e5; } } "
+            "effects { hertz { } stokesDrag { } } "
+            "fluid { density 1; viscosity 1e-3; velocity (0 0 1); pressureGradient (0 0 0); } "
+            "time { step %g; } "
+            "insert { one { type stream; rate 1000; count 1; diameter 1e-3; "
+            "min (-5e-4 -5e-4 -5e-4); max (5e-4 5e-4 5e-4); "
+            "velocity (2 0 0); } }",
+            fine ? 0.5e-5 : 1e-5);
         struct dem *const d = world(text, 0, NULL);
 
         world_run(d, 0.05);
         const double t = world_tally(d).time - (fine ? 112e-5 : 128e-5);
 
-        error[fine] = fabs(world_at(d, 0).x[0] - 2.0*tau*(1.0 - exp(-t/tau))) + fabs(world_at(d, 0).v[0] - 2.0*exp(-t/tau));
+        error[fine] = fabs(world_at(d, 0).x[0] - 2.0*tau*(1.0 - exp(-t/tau))) +
+                      fabs(world_at(d, 0).v[0] - 2.0*exp(-t/tau));
         dem_free(d);
         free(text);
     }
-    TAP_OK(error[0] < 1e-8, "relaxes to the fluid, off by %g", error[0]);                       /* (h/tau)^2/24 of 2 m/s is 4e-10 */
-    TAP_OK(error[1] < 0.3*error[0] || error[0] < 1e-12, "by a quarter of it at half the step, %g", error[1]);
+    /* (h/tau)^2/24 of 2 m/s is 4e-10 */
+    TAP_OK(error[0] < 1e-8, "relaxes to the fluid's velocity, error %g", error[0]);
+    TAP_OK(error[1] < 0.3*error[0] || error[0] < 1e-12,
+           "a quarter of the error at half the step, %g", error[1]);
 }
 
-/* ---- out, and the books -------------------------------------------------------------------------------------- */
+/* ---- outlets, balances ----------------------------------------------------------------------- */
 
-static void test_books(void)
+static void test_balance(void)
 {
-    struct dem *const d = stream(FALL, "insert { feed { type stream; rate 4e4; diameter 1e-3; disc { centre (0 0 0.05); normal (0 0 1); radius 0.02; } "
-                                       "velocity (0.2 0 -1); spread (0.3 0.3 0.2); } } "
-                                       "outlets { below { point (0 0 0); normal (0 0 -1); } aside { min (0.01 -1 0.01); max (1 1 0.03); } } ");
+    struct dem *const d = stream(
+        FALL,
+        "insert { feed { type stream; rate 4e4; diameter 1e-3; disc { centre (0 0 0.05); "
+        "normal (0 0 1); radius 0.02; } "
+        "velocity (0.2 0 -1); spread (0.3 0.3 0.2); } } "
+        "outlets { below { point (0 0 0); normal (0 0 -1); } aside { min (0.01 -1 0.01); "
+        "max (1 1 0.03); } } ");
     double weight[3] = {0.0, 0.0, 0.0}, worst = 0.0, seen = -1.0;
     int64_t twice = 0;
-    int kept = 1;
+    int balanced = 1;
 
     for (int k = 0; k < 300; k++)
     {
@@ -326,42 +408,57 @@ static void test_books(void)
         const struct dem_flow in = flow(d, 0), below = flow(d, 1), aside = flow(d, 2);
         struct dem_view v;
 
-        weight[2] -= 9.81*before.mass*(t.time - before.time);   /* who is there changes at the ends of these windows */
+        /* particles are inserted and removed at the ends of these windows */
+        weight[2] -= 9.81*before.mass*(t.time - before.time);
         for (int a = 0; a < 3; a++)
         {
-            const double found = t.momentum[a] - (in.momentum[a] - below.momentum[a] - aside.momentum[a] + weight[a]);
+            const double found = t.momentum[a] - (in.momentum[a] - below.momentum[a] -
+                                                  aside.momentum[a] + weight[a]);
 
             worst = fmax(worst, fabs(found));
         }
-        kept &= t.particles == in.particles - below.particles - aside.particles && t.inserted == in.particles
-                && t.removed == below.particles + aside.particles;
-        kept &= fabs(t.mass - (in.mass - below.mass - aside.mass)) < 1e-15;
+        balanced &= t.particles == in.particles - below.particles - aside.particles &&
+                    t.inserted == in.particles && t.removed == below.particles + aside.particles;
+        balanced &= fabs(t.mass - (in.mass - below.mass - aside.mass)) < 1e-15;
         dem_view(d, &v);
         for (size_t i = 0; i < v.n; i++)
         {
             const double *const x = dem_at(v.position, v.stride, i);
 
-            kept &= x[2] >= 0.0 && !(x[0] >= 0.01 && x[2] >= 0.01 && x[2] <= 0.03);
+            balanced &= x[2] >= 0.0 && !(x[0] >= 0.01 && x[2] >= 0.01 && x[2] <= 0.03);
             seen = fmax(seen, (double)world_id(&v, i));
             twice += i > 0 && world_id(&v, i) == world_id(&v, i - 1);
         }
     }
     const struct dem_totals t = world_tally(d);
 
-    TAP_OK(kept, "particles present are those inserted less those removed, none in an outlet, at 300 checks");
-    TAP_OK(flow(d, 1).particles > 100 && flow(d, 2).particles > 100, "%lld went out below, %lld aside", (long long)flow(d, 1).particles,
+    TAP_OK(
+        balanced,
+        "particles present are those inserted less those removed, none in an outlet, at 300 "
+        "checks");
+    TAP_OK(flow(d, 1).particles > 100 && flow(d, 2).particles > 100,
+           "%lld removed below, %lld at the side", (long long)flow(d, 1).particles,
            (long long)flow(d, 2).particles);
-    TAP_OK(twice == 0 && seen == (double)(flow(d, 0).particles - 1), "ids count up, none comes twice");
+    TAP_OK(twice == 0 && seen == (double)(flow(d, 0).particles - 1),
+           "ids are consecutive, none is used twice");
     /* round-off of 300 windows of 32 kicks each, 2e-16 of 1e-3 kg m/s a kick at most */
-    TAP_OK(worst < 1e4*2e-16*t.mass, "momentum is what came less what went and what gravity gave, off by %.2g of %.2g kg m/s", worst, t.mass);
+    TAP_OK(
+        worst < 1e4*2e-16*t.mass,
+        "momentum is that inserted less that removed plus the impulse of gravity, error %.2g of "
+        "%.2g kg m/s",
+        worst, t.mass);
     dem_free(d);
 }
 
 static void test_momentum(void)
 {
-    char *const text = world_text("materials { glass { density 2500; youngsModulus 1e5; } } effects { " FALL " } time { step 1e-5; maxOverlap 1e9; } "
-                                  "insert { feed { type stream; rate 2e4; diameter 1e-3; disc { centre (0 0 0.05); normal (0 0 1); radius 0.02; } "
-                                  "velocity (0.2 0 -1); spread (0.3 0.3 0.2); } } outlets { below { point (0 0 0); normal (0 0 -1); } } ");
+    char *const text = world_text(
+        "materials { glass { density 2500; youngsModulus 1e5; } } effects { " FALL
+        " } time { step 1e-5; maxOverlap 1e9; } "
+        "insert { feed { type stream; rate 2e4; diameter 1e-3; disc { centre (0 0 0.05); "
+        "normal (0 0 1); radius 0.02; } "
+        "velocity (0.2 0 -1); spread (0.3 0.3 0.2); } } outlets { below { point (0 0 0); "
+        "normal (0 0 -1); } } ");
     struct dem *const d = world(text, 0, NULL);
     double weight = 0.0, worst = 0.0;
 
@@ -373,32 +470,42 @@ static void test_momentum(void)
         const struct dem_totals t = world_tally(d);
 
         weight -= 9.81*before.mass*(t.time - before.time);
-        worst = fmax(worst, fabs(t.momentum[2] - (flow(d, 0).momentum[2] - flow(d, 1).momentum[2] + weight)));
-        worst = fmax(worst, fabs(t.momentum[0] - (flow(d, 0).momentum[0] - flow(d, 1).momentum[0])));
+        worst = fmax(worst, fabs(t.momentum[2] -
+                                 (flow(d, 0).momentum[2] - flow(d, 1).momentum[2] + weight)));
+        worst =
+            fmax(worst, fabs(t.momentum[0] - (flow(d, 0).momentum[0] - flow(d, 1).momentum[0])));
     }
     /* the same round-off */
-    TAP_OK(flow(d, 1).particles > 500 && worst < 1e4*2e-16*world_tally(d).mass, "without collisions too: %lld went, off by %.2g kg m/s",
-           (long long)flow(d, 1).particles, worst);
+    TAP_OK(flow(d, 1).particles > 500 && worst < 1e4*2e-16*world_tally(d).mass,
+           "without collisions: %lld removed, error %.2g kg m/s", (long long)flow(d, 1).particles,
+           worst);
     dem_free(d);
     free(text);
 }
 
-/* ---- copies, patches ------------------------------------------------------------------------------------------ */
+/* ---- copies, patches ------------------------------------------------------------------------- */
 
-/* Somebody leaves the domain, for good, in the step in which 32 have found a place. The copy knows of none of them. */
+/* A particle leaves the domain in the step in which 32 are inserted, so the run returns to its
+   backup, which has none of them. */
 static void test_back(void)
 {
-    char *const text = world_text(BEADS "domain { min (0 0 0); max (1 1 1); } outlets { o { min (0.25 0.25 0.25); max (0.35 0.35 0.35); } } insert { "
-                                  "shot { type list; diameter 1e-3; positions ((0.5 0.5 0.9972)); velocity (0 0 10); } "
-                                  "goer { type list; diameter 1e-3; positions ((0.3 0.3 0.3)); } "
-                                  "feed { type stream; rate 1e5; start 0.0003; diameter 1e-3; min (0.1 0.1 0.1); max (0.4 0.4 0.2); } } ", "");
+    char *const text = world_text(
+        BEADS
+        "domain { min (0 0 0); max (1 1 1); } outlets { o { min (0.25 0.25 0.25); "
+        "max (0.35 0.35 0.35); } } insert { "
+        "shot { type list; diameter 1e-3; positions ((0.5 0.5 0.9972)); velocity (0 0 10); } "
+        "outgoing { type list; diameter 1e-3; positions ((0.3 0.3 0.3)); } "
+        "feed { type stream; rate 1e5; start 0.0003; diameter 1e-3; min (0.1 0.1 0.1); "
+        "max (0.4 0.4 0.2); } } ",
+        "");
     struct dem *const d = world(text, 0, NULL);
     struct dem_view v;
     double time;
     int64_t twice = 0;
 
     WORLD_TRY(dem_backup_every(d, 0));
-    TAP_OK(dem_advance(d, 1e-3) != 0, "one leaves while others come: %s", dem_error_text());
+    TAP_OK(dem_advance(d, 1e-3) != 0, "a particle leaves while others are inserted: %s",
+           dem_error_text());
     WORLD_TRY(dem_restore(d, &time));
     dem_view(d, &v);
     for (size_t i = 0; i < v.n; i++)
@@ -414,25 +521,33 @@ static void test_back(void)
             twice += world_id(&v, i) == world_id(&v, j);
         }
     }
-    TAP_OK(flow(d, 0).particles == 66 && v.n == 67 && flow(d, 1).particles == 1, "from the copy on come %lld, one goes, %zu are there",
+    TAP_OK(flow(d, 0).particles == 66 && v.n == 67 && flow(d, 1).particles == 1,
+           "after the backup %lld are inserted, one is removed, %zu are present",
            (long long)flow(d, 0).particles, v.n);
-    TAP_OK(twice == 0, "no id twice, found %lld", (long long)twice);
+    TAP_OK(twice == 0, "no id is used twice, found %lld", (long long)twice);
     dem_free(d);
     free(text);
 }
 
-/* In 0.5 ms who has 1 mm/s flies half of the thousandth of a radius that he begins behind the patch. */
+/* A particle starts a thousandth of its radius behind the patch; at 1 mm/s it crosses half of that
+   in 0.5 ms. */
 static void test_patch(void)
 {
-    static const double corners[18] = {0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.1, 0.0, 0.0, 0.1, 0.1, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0};
+    static const double corners[18] = {0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.1, 0.0, 0.0,
+                                       0.1, 0.1, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0};
     struct dem *d;
     int changed;
 
     WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
     WORLD_TRY(dem_flow_on_request(d));
-    WORLD_TRY(dem_scene_text(d, "materials { glass { density 2500; youngsModulus 1e5; } } effects { hertz { } dry { restitution 0.9; } } "
-                             "time { step 1e-5; } domain { min (0 0 0); max (0.1 0.1 0.1); } insert { feed { type stream; rate 1e4; "
-                             "diameter 2e-3; patch inlet; velocity (0 0 1e-3); } }", "slow"));
+    WORLD_TRY(dem_scene_text(
+        d,
+        "materials { glass { density 2500; youngsModulus 1e5; } } "
+        "effects { hertz { } dry { restitution 0.9; } } "
+        "time { step 1e-5; } domain { min (0 0 0); max (0.1 0.1 0.1); } "
+        "insert { feed { type stream; rate 1e4; "
+        "diameter 2e-3; patch inlet; velocity (0 0 1e-3); } }",
+        "slow"));
     WORLD_TRY(dem_flow_patch(d, "inlet", 2, corners, NULL));
     WORLD_TRY(dem_setup(d));
     for (int k = 0; k < 50; k++)
@@ -440,7 +555,8 @@ static void test_patch(void)
         WORLD_TRY(dem_flow_apply(d, &changed));
         WORLD_TRY(dem_advance(d, 5e-4));
     }
-    TAP_OK(flow(d, 0).particles + flow(d, 0).waiting == 245 && flow(d, 0).waiting == 0, "slow through a patch: 49 times 5 came, found %lld",
+    TAP_OK(flow(d, 0).particles + flow(d, 0).waiting == 245 && flow(d, 0).waiting == 0,
+           "slow through a patch: 49 times 5 inserted, found %lld",
            (long long)flow(d, 0).particles);
     dem_free(d);
 }
@@ -500,14 +616,18 @@ static void test_aside(void)
     dem_free(d);
 }
 
-/* ---- heavy drag, other units, a fluid of one's own --------------------------------------------------------------- */
+/* ---- stiff drag, other units, fluid of the caller -------------------------------------------- */
 
-/* b h/m of 90: exp(45) backwards would leave nothing of the digits. */
+/* b h/m = 90: integrating backwards by exp(45) would lose all digits. */
 static void test_heavy(void)
 {
-    char *const text = world_text("materials { glass { density 2500; youngsModulus 1e5; } } effects { hertz { } dry { restitution 0.9; } stokesDrag { } } "
-                                  "time { step 5e-7; } fluid { density 1000; viscosity 10; velocity (0 0 1); voidFraction 1; } insert { "
-                                  "feed { type stream; rate 1e6; diameter 2e-5; min (0 0 0); max (0.01 0.01 0.01); velocity (2 0 0); } } ");
+    char *const text = world_text(
+        "materials { glass { density 2500; youngsModulus 1e5; } } "
+        "effects { hertz { } dry { restitution 0.9; } stokesDrag { } } "
+        "time { step 5e-7; } fluid { density 1000; viscosity 10; velocity (0 0 1); "
+        "voidFraction 1; } insert { "
+        "feed { type stream; rate 1e6; diameter 2e-5; min (0 0 0); max (0.01 0.01 0.01); "
+        "velocity (2 0 0); } } ");
     struct dem *const d = world(text, 0, NULL);
     struct dem_view v;
     double worst = 0.0;
@@ -521,19 +641,23 @@ static void test_heavy(void)
         worst = fmax(worst, fmax(fabs(u[0]), fmax(fabs(u[1]), fabs(u[2] - 1.0))));
     }
     /* round-off of 2 m/s; exp(-45) is far below it */
-    TAP_OK(v.n > 200 && worst < 1e-14, "%zu in a liquid that stops them at once have its velocity, off by %g m/s", v.n, worst);
+    TAP_OK(v.n > 200 && worst < 1e-14,
+           "%zu in a liquid with a response time below the step have its velocity, error %g m/s",
+           v.n, worst);
     dem_free(d);
     free(text);
 }
 
 static void test_units(void)
 {
-    static const char rest[] = "diameter 1e-3; min (0 0 0); max (0.2 0.2 0.2); } } ", file[] = "test_streams.snapshot";
+    static const char rest[] = "diameter 1e-3; min (0 0 0); max (0.2 0.2 0.2); } } ",
+                      file[] = "test_streams.snapshot";
     const double one = 2500.0*world_pi/6.0*1e-9;
 
     for (int to_mass = 0; to_mass < 2; to_mass++)
     {
-        const char *const first = to_mass ? "rate 1e4;" : "massRate 1e-2;", *const second = to_mass ? "massRate 5e-3;" : "rate 5e3;";
+        const char *const first = to_mass ? "rate 1e4;" : "massRate 1e-2;",
+                          *const second = to_mass ? "massRate 5e-3;" : "rate 5e3;";
         char *text = world_text(BEADS "insert { feed { type stream; %s %s", "", first, rest);
         struct dem *d = world(text, 0, NULL);
 
@@ -552,8 +676,10 @@ static void test_units(void)
         run_windows(d, 20);
         const double owed = 20.0*window*(to_mass ? 5e-3/one : 5e3);
 
-        TAP_OK(before.particles > 40 && fabs((double)(flow(d, 0).particles - before.particles) - owed) <= 1.0,
-               "%s then %s: %lld, and %g are due since: %lld", first, second, (long long)before.particles, owed, (long long)flow(d, 0).particles);
+        TAP_OK(before.particles > 40 &&
+                   fabs((double)(flow(d, 0).particles - before.particles) - owed) <= 1.0,
+               "%s then %s: %lld, then %g are due: %lld", first, second,
+               (long long)before.particles, owed, (long long)flow(d, 0).particles);
         dem_free(d);
     }
     remove(file);
@@ -565,12 +691,18 @@ static void test_own_fluid(void)
     struct dem_fluid f;
 
     WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
-    WORLD_TRY(dem_scene_text(d, "materials { glass { density 2500; youngsModulus 1e5; } } effects { hertz { } dry { restitution 0.9; } schillerNaumann { } } "
-                             "time { step 1e-5; } insert { one { type list; diameter 1e-3; positions ((1 1 1)); } feed { type stream; rate 1e5; "
-                             "diameter 1e-3; min (0.1 0.1 0.1); max (0.4 0.4 0.2); } }", "own"));
+    WORLD_TRY(dem_scene_text(
+        d,
+        "materials { glass { density 2500; youngsModulus 1e5; } } "
+        "effects { hertz { } dry { restitution 0.9; } schillerNaumann { } } "
+        "time { step 1e-5; } insert { one { type list; diameter 1e-3; positions ((1 1 1)); } "
+        "feed { type stream; rate 1e5; "
+        "diameter 1e-3; min (0.1 0.1 0.1); max (0.4 0.4 0.2); } }",
+        "own"));
     WORLD_TRY(dem_setup(d));
     WORLD_TRY(dem_fluid(d, &f));
-    TAP_OK(dem_advance(d, window) != 0 && strstr(dem_error_text(), "dem_flow_on_request"), "a program's fluid and a stream: %s", dem_error_text());
+    TAP_OK(dem_advance(d, window) != 0 && strstr(dem_error_text(), "dem_flow_on_request"),
+           "a stream and a fluid of the caller without announcement: %s", dem_error_text());
     dem_free(d);
 }
 
@@ -581,13 +713,13 @@ int main(void)
     test_mass_rate();
     test_limits();
     test_sizes();
-    test_room();
+    test_full_region();
     test_walls();
     test_face();
     test_near_top();
-    test_thrown();
+    test_free_fall();
     test_drag();
-    test_books();
+    test_balance();
     test_momentum();
     test_back();
     test_patch();

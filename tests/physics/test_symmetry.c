@@ -1,11 +1,14 @@
 /*
- * Claims: no law of contact on the list knows where x points, which partner comes first, right from left, or how fast both
- * travel together: impacts of unequal spinning spheres, and of spheres with a wall, come out the same in axes turned at
- * random, in a mirror, with the ids the other way round and on a moving frame (1e-10); momentum and angular momentum of
- * each pair are kept (1e-12); no impact gives energy.
+ * test_symmetry.c -- invariance of every contact law: rotation, reflection, swapped ids, Galilean
+ * transformation.
  *
- * The laws come from the list of effects: who adds one gives it settings here, and each must be felt. Normal laws,
- * damping and friction are tried in all combinations, the rest beside hertz, dry and mindlin.
+ * - Impacts of unequal spinning spheres, and of spheres with a wall, have the same result in
+ *   randomly rotated axes, in a mirror, with swapped ids and in a moving frame (1e-10).
+ * - Momentum and angular momentum of each pair are kept (1e-12); no impact gains energy.
+ *
+ * The laws come from the list of effects: a new law needs settings here, under which it must have
+ * an effect. Normal laws, damping and friction are tested in all combinations, the others with
+ * hertz, dry and mindlin.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -21,9 +24,9 @@ enum
 
 static const double time_step = 1e-6, duration = 8e-4;
 
-/* ---- laws ---------------------------------------------------------------------------------------------------------- */
+/* ---- laws ------------------------------------------------------------------------------------ */
 
-/* settings under which an impact of spheres of 1 mm and 10 MPa at 0.5 m/s feels the law */
+/* settings under which the law changes an impact of spheres of 1 mm and 10 MPa at 0.5 m/s */
 static const char *const settings[][2] = {
     {"hertz", ""},
     {"hooke", "stiffness 1000;"},
@@ -58,14 +61,15 @@ static const char *settings_of(const char *word)
     return NULL;
 }
 
-/* ---- frames -------------------------------------------------------------------------------------------------------- */
+/* ---- frames ---------------------------------------------------------------------------------- */
 
 struct frame
 {
     const char *what;
-    double turn[3][3], mirror;                            /* orthogonal; its determinant, with which spins turn too */
-    double speed[3];                                      /* m/s, of all */
-    int swapped;                                          /* ids from the other end */
+    /* orthogonal matrix; its determinant, by which spins are multiplied, too */
+    double turn[3][3], mirror;
+    double speed[3];                                      /* m/s, added to all */
+    int swapped;                                          /* ids in reverse order */
 };
 
 static struct frame straight = {"as it is", {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 1.0, {0, 0, 0}, 0};
@@ -78,7 +82,7 @@ static void turned(const double *A, const double v[3], double factor, double out
     }
 }
 
-/* a rotation that is as good as any, from a random unit quaternion */
+/* a rotation matrix from a random unit quaternion */
 static void random_turn(struct frame *f, uint64_t seed)
 {
     double q[4], size = 0.0;
@@ -102,19 +106,21 @@ static void random_turn(struct frame *f, uint64_t seed)
     {
         for (int l = 0; l < 3; l++)
         {
-            f->turn[k][l] *= f->mirror;                   /* a turned point reflection is a mirror like any */
+            /* a rotated point reflection is a mirror */
+            f->turn[k][l] *= f->mirror;
         }
     }
 }
 
-/* ---- scenes -------------------------------------------------------------------------------------------------------- */
+/* ---- scenes ---------------------------------------------------------------------------------- */
 
 static double drawn(int k, int use)
 {
     return 2.0*dem_random_unit(11, (uint64_t)k, 0, (uint64_t)use) - 1.0;
 }
 
-/* particles 2 p and 2 p + 1 fly at each other, pairs 1 cm apart; on a wall all fly down, from above z = 0 */
+/* particles 2 p and 2 p + 1 fly at each other, pairs 1 cm apart; on a wall all fly down, from above
+   z = 0 */
 static void place(struct dem_new_particle seed[N], int wall)
 {
     memset(seed, 0, N*sizeof *seed);
@@ -144,7 +150,7 @@ static void place(struct dem_new_particle seed[N], int wall)
             seed[i].position[0] = 0.004*(i%8 - 4), seed[i].position[1] = 0.004*(i/8 - 4);
             seed[i].position[2] =
                 radius[i%2] +
-                1e-5*(2.0 + drawn(i, 11));   /* no two meet it at the same part of a step */
+                1e-5*(2.0 + drawn(i, 11));   /* no two touch it at the same phase of a step */
             seed[i].velocity[2] = -0.4;
         }
     }
@@ -164,7 +170,8 @@ static struct dem *start(const char *laws, int wall, const struct frame *f,
     {
         snprintf(
             floor, sizeof floor,
-            "walls { floor { type plane; material clay; point (0 0 0); normal (%.17g %.17g %.17g); } }",
+            "walls { floor { type plane; material clay; point (0 0 0); "
+            "normal (%.17g %.17g %.17g); } }",
             normal[0], normal[1], normal[2]);
     }
     for (int i = 0; i < N; i++)
@@ -193,7 +200,7 @@ static struct dem *start(const char *laws, int wall, const struct frame *f,
     return d;
 }
 
-/* who flew as particle i, in the plain frame */
+/* particle i, transformed back to the first frame */
 static struct world_particle back(const struct world_particle *all, int i, const struct frame *f,
                                   double time)
 {
@@ -217,9 +224,9 @@ static struct world_particle back(const struct world_particle *all, int i, const
     return p;
 }
 
-/* ---- what must hold ------------------------------------------------------------------------------------------------ */
+/* ---- conditions ------------------------------------------------------------------------------ */
 
-/* largest difference, over 1 mm, 1 m/s and 1000 1/s, about what the impacts have */
+/* largest difference, scaled by 1 mm, 1 m/s and 1000 1/s, typical of the impacts */
 static double difference(const struct world_particle *a, const struct world_particle *b)
 {
     double worst = 0.0;
@@ -232,14 +239,15 @@ static double difference(const struct world_particle *a, const struct world_part
     return worst;
 }
 
-struct ledger                                             /* of a pair, angular momentum about the origin; scales: sums of sizes */
+/* of a pair, angular momentum about the origin; scales: sums of sizes */
+struct totals
 {
     double p[3], L[3], p_scale, L_scale, kinetic;
 };
 
-static struct ledger take(const struct world_particle *pair)
+static struct totals totals_of(const struct world_particle *pair)
 {
-    struct ledger s = {.kinetic = 0.0};
+    struct totals s = {.kinetic = 0.0};
 
     for (int i = 0; i < 2; i++)
     {
@@ -261,14 +269,14 @@ static struct ledger take(const struct world_particle *pair)
     return s;
 }
 
-static void keeps(const char *laws, const struct world_particle *before,
+static void conserves(const char *laws, const struct world_particle *before,
                   const struct world_particle *after)
 {
     double p = 0.0, L = 0.0, gain = -1.0, loss = 0.0;
 
     for (int k = 0; k < PAIRS; k++)
     {
-        const struct ledger a = take(before + 2*k), b = take(after + 2*k);
+        const struct totals a = totals_of(before + 2*k), b = totals_of(after + 2*k);
 
         for (int i = 0; i < 3; i++)
         {
@@ -281,12 +289,13 @@ static void keeps(const char *laws, const struct world_particle *before,
     /* rounding of 800 steps */
     TAP_NEAR(p, 0.0, 1e-12, "%s: momentum", laws);
     TAP_NEAR(L, 0.0, 1e-12, "%s: angular momentum", laws);
-    /* without damping the leapfrog misses the speed of an impact by 1e-4 at t_c/200, its energy by twice that; the secant
-       spring of mindlin gives back more than it took, see mindlin.c: 1 % on linear springs, some 0.1 % with hertz */
+    /* without damping the speed after an impact has an error of 1e-4 at t_c/200, its energy of
+       twice that; the secant spring of mindlin returns more than it stored, see mindlin.c: 1 % on
+       linear springs, some 0.1 % with hertz */
     const int secant = strstr(laws, "no damping, mindlin") && !strstr(laws, "Incremental");
 
     TAP_OK(gain < (secant ? 1e-2 : 3e-4), "%s: no pair gains energy, %.2g at most", laws, gain);
-    TAP_OK(loss > 0.0, "%s: and some lose it, %.2g at most", laws, loss);
+    TAP_OK(loss > 0.0, "%s: some lose energy, %.2g at most", laws, loss);
 }
 
 static int compare(const struct world_particle *plain, const struct world_particle *other,
@@ -318,7 +327,7 @@ static void run(const char *laws, int wall, const struct frame *f, struct world_
     dem_free(d);
 }
 
-/* laws: words of a scene; name: what they are called; plain: where the particles end up */
+/* laws: text of the scene; name: for the claim; plain: final state in the first frame */
 static void symmetric(const char *name, const char *laws, int wall, struct world_particle *plain)
 {
     static struct world_particle before[N], other[N], unused[N];
@@ -327,7 +336,7 @@ static void symmetric(const char *name, const char *laws, int wall, struct world
     run(laws, wall, &straight, before, plain);
     if (!wall)
     {
-        keeps(name, before, plain);
+        conserves(name, before, plain);
     }
     for (int k = 0; k < 5; k++)
     {
@@ -348,7 +357,7 @@ static void symmetric(const char *name, const char *laws, int wall, struct world
     }
 }
 
-/* ---- all laws ------------------------------------------------------------------------------------------------------ */
+/* ---- all laws -------------------------------------------------------------------------------- */
 
 static const struct dem_effect *of_stage(enum dem_stage stage, int k)
 {
@@ -362,7 +371,7 @@ static const struct dem_effect *of_stage(enum dem_stage stage, int k)
     return NULL;
 }
 
-/* a word of a scene with its settings, at the end of the text; how many particles it changes the way of is checked */
+/* append an effect with its settings to the text of the scene */
 static void add(char *text, size_t size, const struct dem_effect *e)
 {
     const size_t at = strlen(text);
@@ -370,7 +379,7 @@ static void add(char *text, size_t size, const struct dem_effect *e)
     snprintf(text + at, size - at, "%s { %s } ", e->name, settings_of(e->name));
 }
 
-static void felt(const char *name, const struct world_particle *with,
+static void has_effect(const char *name, const struct world_particle *with,
                  const struct world_particle *without)
 {
     int changed = 0;
@@ -379,10 +388,10 @@ static void felt(const char *name, const struct world_particle *with,
     {
         changed += difference(&with[i], &without[i]) > 1e-4;
     }
-    TAP_OK(changed > N/2, "%s is felt by %d of %d", name, changed, N);
+    TAP_OK(changed > N/2, "%s changes the motion of %d of %d", name, changed, N);
 }
 
-/* every normal law with every damping, or none, and every friction */
+/* every normal law with every damping law, or none, and every friction law */
 static void combinations(void)
 {
     static struct world_particle plain[N], without[N];
@@ -408,7 +417,7 @@ static void combinations(void)
                 symmetric(name, laws, 0, plain);
                 if (damp)
                 {
-                    felt(damp->name, plain, without);
+                    has_effect(damp->name, plain, without);
                 }
                 else
                 {
@@ -419,7 +428,7 @@ static void combinations(void)
     }
 }
 
-/* every law of contact alone beside hertz, dry, mindlin; on a wall, too */
+/* every other contact law with hertz, dry, mindlin; on a wall, too */
 static void one_by_one(void)
 {
     static struct world_particle plain[N], base[2][N], before[N];
@@ -439,7 +448,7 @@ static void one_by_one(void)
         if ((*e)->stage == DEM_STAGE_NORMAL || (*e)->stage == DEM_STAGE_DAMP ||
             (*e)->stage == DEM_STAGE_TANGENT)
         {
-            /* in place of its kind's among the three */
+            /* in place of the one of its stage */
             snprintf(laws, sizeof laws, "%s %s %s ",
                      (*e)->stage == DEM_STAGE_NORMAL ? "" : "hertz { }",
                      (*e)->stage == DEM_STAGE_DAMP ? "" : "dry { restitution 0.65; }",
@@ -455,7 +464,7 @@ static void one_by_one(void)
             symmetric((*e)->name, laws, wall, plain);
             if ((*e)->stage >= DEM_STAGE_MOMENT)
             {
-                felt((*e)->name, plain, base[wall]);
+                has_effect((*e)->name, plain, base[wall]);
             }
         }
     }
@@ -463,8 +472,8 @@ static void one_by_one(void)
 
 int main(void)
 {
-    static const char *const what[5] = {"in axes turned at random", "in others", "in a mirror",
-                                        "with ids the other way round", "on a moving frame"};
+    static const char *const what[5] = {"in randomly rotated axes", "in a second rotation", "in a mirror",
+                                        "with swapped ids", "in a moving frame"};
 
     TAP_TRAPS;
     for (int k = 0; k < 5; k++)
@@ -478,7 +487,7 @@ int main(void)
             random_turn(&frames[k], 20 + (uint64_t)k);
         }
     }
-    frames[1].what = "in others, with ids the other way round";
+    frames[1].what = "in a second rotation, with swapped ids";
     frames[4].speed[0] = 0.7, frames[4].speed[1] = -0.4, frames[4].speed[2] = 0.3;
     combinations();
     one_by_one();

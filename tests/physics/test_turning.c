@@ -1,7 +1,9 @@
 /*
- * Claims: a loaded spring of friction turns with its pair about the normal. Two spheres that stick and spin alike, a sphere
- * on a plate, and one on a turntable: while they slip at a steady rate in space under springs too soft to change it, the
- * force goes round a circle at the mean spin of both partners, k s (e^(i W t) - 1)/(i W), and is gone after each turn.
+ * test_turning.c -- a loaded friction spring rotates with its pair about the normal.
+ *
+ * Two spheres that stick and spin alike, a sphere on a plate, and one on a turntable. They slip at
+ * a steady rate in space under springs too soft to change it, so the force describes a circle at
+ * the mean spin W of both partners, k s (e^(i W t) - 1)/(i W), and vanishes after each turn.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -10,8 +12,9 @@
 static const double R = 0.5e-3, W = 1000.0, u = 1.0, k = 1e-6,
                     step = 1e-6;   /* m; 1/s about n, and along it; N/m */
 
-/* Softness: k/m is 0.8 1/s2, so in a turn of 6 ms slip changes by 7/2 k/m t^2 = 1e-4 of it, in the steps by (W dt)^2/12 = 1e-7;
-   the spin u about x tilts the pair by nothing, for it is the same for both. */
+/* Softness: k/m is 0.8 1/s2, so in a turn of 6 ms the slip changes by 7/2 k/m t^2 = 1e-4 of it,
+   by the steps (W dt)^2/12 = 1e-7. The spin u about x does not tilt the pair, as it is the same for
+   both. */
 static const double tolerance = 2e-4;
 
 static void circle(struct dem *d, double slip, double mean, const char *what)
@@ -27,7 +30,8 @@ static void circle(struct dem *d, double slip, double mean, const char *what)
             const double t = mean*step*(double)n;
             const struct world_particle p = world_at(d, 1);
 
-            /* xi = s ((sin t) + i (1 - cos t))/W along slip and across; F = -k xi, slip of 1 over its partner along -y */
+            /* xi = s ((sin t) + i (1 - cos t))/W along slip and across; F = -k xi, slip of 1 over
+               its partner along -y */
             TAP_NEAR(p.f[1], 0.5*across*sin(t), tolerance*fabs(across),
                      "%s: along the slip after %.3g turns", what, t/(2.0*world_pi));
             TAP_NEAR(p.f[0], -0.5*across*(1.0 - cos(t)), tolerance*fabs(across),
@@ -37,7 +41,7 @@ static void circle(struct dem *d, double slip, double mean, const char *what)
     dem_free(d);
 }
 
-/* In balance at x^3 = 6: see jkr.c. */
+/* In equilibrium at x^3 = 6: see jkr.c. */
 static struct dem *pair(double *arm)
 {
     const double E = 1e7/(2.0*0.91), w = 0.05, Rs = 0.5*R,
@@ -65,11 +69,11 @@ static struct dem *pair(double *arm)
     return d;
 }
 
-/* A sphere rests with its weight on a plate that turns at `omega` about the vertical under it; the plate is not heavy enough
-   to be id 0, so the sphere is 1. */
+/* A sphere rests under its weight on a plate that rotates at `omega` about the vertical below
+   it. */
 static struct dem *plate(double spin, double omega)
 {
-    const double m = world_ball(R, 2500.0), stiffness = 100.0;
+    const double m = world_sphere_mass(R, 2500.0), stiffness = 100.0;
     const struct dem_new_particle seed = {.position = {0, 0, R - m*9.81/stiffness},
                                           .spin = {u, 0, spin},
                                           .diameter = 2.0*R,
@@ -77,7 +81,8 @@ static struct dem *plate(double spin, double omega)
                                           .material = "clay"};
     char *const scene = world_text(
         "materials { clay { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
-        "effects { gravity { acceleration (0 0 -9.81); } hooke { stiffness %g; } linear { stiffness %g; friction 10; } }"
+        "effects { gravity { acceleration (0 0 -9.81); } hooke { stiffness %g; } "
+        "linear { stiffness %g; friction 10; } }"
         "walls { table { type triangles; corners ((-0.01 -0.01 0) (0.02 -0.01 0) (-0.01 0.02 0));"
         "motion { type rotation; origin (0 0 0); axis (0 0 1); omega %g; } } }"
         "time { step %g; }",
@@ -91,15 +96,16 @@ static struct dem *plate(double spin, double omega)
 int main(void)
 {
     TAP_TRAPS;
-    const double height = R - world_ball(R, 2500.0)*9.81/100.0;
+    const double height = R - world_sphere_mass(R, 2500.0)*9.81/100.0;
     double arm;
     struct dem *const two = pair(&arm);
 
-    /* u about x drags the foot of the upper one along +y and the head of the lower one along -y */
-    circle(two, -arm*u, W, "two that spin alike");
-    circle(plate(W, 0.0), -height*u, 0.5*W, "one that spins on a plate");
-    circle(plate(W, W), -height*u, W, "one that spins with its plate");
-    circle(plate(0.0, W), -height*u, 0.5*W, "one that lies on a turntable");
-    circle(plate(W, 2.0*W), -height*u, 1.5*W, "one that is slower than its turntable");
+    /* the spin u about x moves the bottom of the upper sphere along +y and the top of the lower one
+       along -y */
+    circle(two, -arm*u, W, "two spheres with equal spins");
+    circle(plate(W, 0.0), -height*u, 0.5*W, "a spinning sphere on a plate at rest");
+    circle(plate(W, W), -height*u, W, "a sphere that spins with its plate");
+    circle(plate(0.0, W), -height*u, 0.5*W, "a sphere without spin on a turntable");
+    circle(plate(W, 2.0*W), -height*u, 1.5*W, "a sphere slower than its turntable");
     TAP_DONE;
 }

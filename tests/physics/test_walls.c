@@ -1,12 +1,17 @@
 /*
- * Claims: a sphere that slides over a plane cut into random triangles, in any position in space, feels m g and no seam, and
- * does what it does on a plane, bit for bit where the coordinates allow; sliver, degenerate, repeated and turned triangles
- * and T-joints change nothing; in a corner of three walls the forces balance the weight, with planes and with triangles; a
- * concave edge is two contacts, a convex edge or tip one, however it lies in space; two walls that meet in a plane are one
- * floor; the torque on a wall about the origin is the angular momentum that a sphere loses; a sphere does not fall through a
- * wall of triangles from either side; a plate ends at its edges, whose two sides are cut along different diagonals.
+ * test_walls.c -- walls of triangles: seams, corners, edges, tips, faulty meshes.
  *
- * Source: geometry and statics.
+ * - A sphere that slides over a plane cut into random triangles, in any orientation, has the normal
+ *   force m g and no disturbance at seams; where the coordinates allow, the bits are those of a
+ *   plane.
+ * - Sliver, degenerate, repeated and flipped triangles and T-joints change nothing.
+ * - In a corner of three walls the forces balance the weight, with planes and with triangles.
+ * - A concave edge is two contacts, a convex edge or tip one, in any orientation.
+ * - Two walls in one plane act as one floor.
+ * - The torque on a wall about the origin is the angular momentum that a sphere loses.
+ * - A wall of triangles stops a sphere from either side.
+ *
+ * Sources: geometry and statics.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -23,7 +28,7 @@ static const char materials[] =
 
 static double weight(void)
 {
-    return world_ball(R, density)*g;
+    return world_sphere_mass(R, density)*g;
 }
 
 /* overlap at which the Hertzian contact with a rigid wall carries this force */
@@ -32,10 +37,10 @@ static double overlap_of(double force)
     return pow(0.75*force*(1.0 - 0.09)/(E*sqrt(R)), 2.0/3.0);
 }
 
-/* A right-handed frame that lies along nothing. */
+/* A right-handed frame in no special direction. */
 static const double frame[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0.0}, {0.48, 0.64, 0.6}};
 
-static void turn(const double flat[3], double out[3])
+static void rotate(const double flat[3], double out[3])
 {
     double in[3];
 
@@ -46,29 +51,30 @@ static void turn(const double flat[3], double out[3])
     }
 }
 
-static void turn_mesh(struct mesh *m)
+static void rotate_mesh(struct mesh *m)
 {
     for (size_t k = 0; k < 3*m->n; k++)
     {
-        turn(m->corner + 3*k, m->corner + 3*k);
+        rotate(m->corner + 3*k, m->corner + 3*k);
     }
 }
 
-/* One sphere at rest overlap over z = 0, sliding along it; mesh NULL: over a plane. */
-static struct dem *slide(struct mesh *m, int turned, const char *effects, double speed)
+/* One sphere at the rest overlap on z = 0, sliding along it; mesh NULL: on a plane. */
+static struct dem *slide(struct mesh *m, int rotated, const char *effects, double speed)
 {
     double x[3] = {0.0013, 0.0007, R - overlap_of(weight())}, v[3] = {speed, 0.37*speed, 0.0},
            down[3] = {0.0, 0.0, -g};
     struct dem_new_particle seed = {.diameter = 2.0*R, .material = "glass"};
 
-    if (turned)
+    if (rotated)
     {
-        turn(x, x), turn(v, v), turn(down, down);
+        rotate(x, x), rotate(v, v), rotate(down, down);
     }
     memcpy(seed.position, x, sizeof x);
     memcpy(seed.velocity, v, sizeof v);
     char *const scene = world_text(
-        "%s effects { hertz {} %s gravity { acceleration (%.17g %.17g %.17g); } } time { step 8e-6; } %s",
+        "%s effects { hertz {} %s gravity { acceleration (%.17g %.17g %.17g); } } "
+        "time { step 8e-6; } %s",
         materials, effects, down[0], down[1], down[2],
         m ? "" : "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
     struct dem *const d = world_begin(scene);
@@ -84,22 +90,22 @@ static struct dem *slide(struct mesh *m, int turned, const char *effects, double
 }
 
 /* along the frame's third axis, or z */
-static double height(const double a[3], int turned)
+static double height(const double a[3], int rotated)
 {
-    return turned ? a[0]*frame[2][0] + a[1]*frame[2][1] + a[2]*frame[2][2] : a[2];
+    return rotated ? a[0]*frame[2][0] + a[1]*frame[2][1] + a[2]*frame[2][2] : a[2];
 }
 
-static void smooth(struct mesh m, int turned, const char *what)
+static void smooth(struct mesh m, int rotated, const char *what)
 {
     const size_t triangles = m.n;
     double worst_force = 0.0, worst_speed = 0.0;
     int64_t most = 0;
 
-    if (turned)
+    if (rotated)
     {
-        turn_mesh(&m);
+        rotate_mesh(&m);
     }
-    struct dem *const d = slide(&m, turned, "dry { restitution 0.9; }", 1.0);
+    struct dem *const d = slide(&m, rotated, "dry { restitution 0.9; }", 1.0);
 
     for (int k = 0; k < 3750; k++)
     {
@@ -107,25 +113,26 @@ static void smooth(struct mesh m, int turned, const char *what)
         const struct world_particle p = world_at(d, 0);
         const int64_t contacts = world_tally(d).contacts;
 
-        worst_force = fmax(worst_force, fabs(height(p.f, turned)/weight() - 1.0));
-        worst_speed = fmax(worst_speed, fabs(height(p.v, turned)));
+        worst_force = fmax(worst_force, fabs(height(p.f, rotated)/weight() - 1.0));
+        worst_speed = fmax(worst_speed, fabs(height(p.v, rotated)));
         most = contacts > most ? contacts : most;
     }
     const struct world_particle p = world_at(d, 0);
 
-    /* positions are known to 1e-17 m of an overlap of 4e-6 m, in a turned frame some ten times worse */
-    TAP_NEAR(worst_force, 0.0, 1e-6, "%s (%zu triangles): carries m g within %.0e", what, triangles,
-             worst_force);
-    TAP_NEAR(worst_speed, 0.0, 1e-9, "%s: is never lifted, %.0e m/s", what, worst_speed);
+    /* positions are known to 1e-17 m of an overlap of 4e-6 m, in a turned frame some ten times
+       worse */
+    TAP_NEAR(worst_force, 0.0, 1e-6, "%s (%zu triangles): normal force m g within %.0e", what,
+             triangles, worst_force);
+    TAP_NEAR(worst_speed, 0.0, 1e-9, "%s: normal velocity at most %.0e m/s", what, worst_speed);
     TAP_OK(most == 1, "%s: one contact, never %lld", what, (long long)most);
-    /* 30 mm with 1 m/s, nothing slows it */
+    /* 30 mm at 1 m/s without friction */
     const double square = p.v[0]*p.v[0] + p.v[1]*p.v[1] + p.v[2]*p.v[2];
 
-    TAP_NEAR(sqrt(square), sqrt(1.0 + 0.37*0.37), 1e-12, "%s: slides on at its speed", what);
+    TAP_NEAR(sqrt(square), sqrt(1.0 + 0.37*0.37), 1e-12, "%s: keeps its speed", what);
     dem_free(d);
 }
 
-/* With friction, spin and all: the triangles of z = 0 give the plane's bits. */
+/* With friction and spin: the triangles of z = 0 give the bits of a plane. */
 static void like_a_plane(void)
 {
     static const char effects[] = "dry { restitution 0.9; } mindlin { friction 0.3; }";
@@ -143,8 +150,8 @@ static void like_a_plane(void)
     dem_free(b);
 }
 
-/* What surface files bring along: see E of any STL. */
-static void ugly(void)
+/* Faults that occur in surface files. */
+static void faulty_meshes(void)
 {
     struct mesh m = mesh_floor(-0.01, 0.05, 4e-3);
     const size_t clean = m.n;
@@ -156,11 +163,11 @@ static void ugly(void)
 
         memcpy(t, m.corner + 9*k, sizeof t);
         mesh_triangle(&m, t, t + 3, t + 6);               /* again */
-        mesh_triangle(&m, t + 6, t + 3, t);               /* again, turned over */
+        mesh_triangle(&m, t + 6, t + 3, t);               /* again, flipped */
         mesh_triangle(&m, t, t, t + 3);                   /* no area */
     }
     mesh_triangle(&m, a, b, c);                           /* no area, a line */
-    smooth(m, 0, "repeated, turned over, without area");
+    smooth(m, 0, "repeated, flipped, without area");
 
     /* T-joints: strips cut at different places */
     struct mesh t = {0};
@@ -185,7 +192,7 @@ static void ugly(void)
     smooth(t, 0, "T-joints");
 }
 
-/* A floor of two walls that meet under the path: one contact all along. */
+/* A floor of two walls that meet under the path: one contact throughout. */
 static void seam(void)
 {
     const struct dem_new_particle seed = {.position = {-0.004, 0.0, R - overlap_of(weight())},
@@ -212,20 +219,20 @@ static void seam(void)
         if (k == 10)
         {
             TAP_OK(right[2] == 0.0 && left[2] < 0.0,
-                   "two walls in a plane: first the left one carries it");
+                   "two walls in a plane: the left one carries the weight first");
         }
     }
     TAP_NEAR(worst, 0.0, 1e-6*weight(),
-             "two walls in a plane: the weight goes over without a jump");
+             "two walls in a plane: the weight passes over without a jump");
     TAP_OK(left[2] == 0.0 && right[2] < 0.0,
-           "two walls in a plane: in the end the right one carries it");
+           "two walls in a plane: the right one carries the weight in the end");
     free(scene);
     dem_free(d);
 }
 
-/* ---- corners and edges --------------------------------------------------------------------------------------- */
+/* ---- corners and edges ----------------------------------------------------------------------- */
 
-/* Rolled into a corner under gravity that pulls into it. */
+/* Gravity pulls a sphere into a corner. */
 static void corner(int triangles)
 {
     static const double min[3] = {0.0, 0.0, 0.0}, max[3] = {0.02, 0.02, 0.02};
@@ -262,14 +269,14 @@ static void corner(int triangles)
             total[k] += force[k];
         }
     }
-    const double m = world_ball(R, density), pull[3] = {-2.0*m, -3.0*m, -9.81*m};
+    const double m = world_sphere_mass(R, density), pull[3] = {-2.0*m, -3.0*m, -9.81*m};
     const struct world_particle p = world_at(d, 0);
 
     for (int k = 0; k < 3; k++)
     {
         TAP_NEAR(total[k], pull[k], 1e-8*weight(), "%s: the walls carry the weight, axis %d",
                  what, k);
-        TAP_NEAR(p.t[k], 0.0, 1e-8*weight()*R, "%s: no torque is left, axis %d", what, k);
+        TAP_NEAR(p.t[k], 0.0, 1e-8*weight()*R, "%s: the torque vanishes, axis %d", what, k);
     }
     TAP_OK(world_tally(d).contacts == 3, "%s: three contacts", what);
     TAP_NEAR(world_tally(d).kinetic, 0.0, 1e-20, "%s: at rest", what);
@@ -277,8 +284,8 @@ static void corner(int triangles)
     dem_free(d);
 }
 
-/* Where a sphere is set down on surfaces; counts contacts and adds up the force on it. */
-static int64_t set_down(struct mesh *m, const double x[3], double force[3])
+/* A sphere placed on surfaces; returns the number of contacts and the force. */
+static int64_t place_on(struct mesh *m, const double x[3], double force[3])
 {
     struct dem_new_particle seed = {.diameter = 2.0*R, .material = "glass"};
     char *const scene = world_text("%s effects { hertz {} } time { step 1e-9; }", materials);
@@ -318,30 +325,30 @@ static void edges(void)
 
     struct mesh ridge = roof(-0.01, -0.01);
     const double on_ridge[3] = {0.0, 0.0, R - d};
-    int64_t n = set_down(&ridge, on_ridge, f);
+    int64_t n = place_on(&ridge, on_ridge, f);
 
     TAP_OK(n == 1, "convex edge: one contact (%lld)", (long long)n);
-    TAP_NEAR(f[2], push, 1e-9*push, "convex edge: one force, straight up");
+    TAP_NEAR(f[2], push, 1e-9*push, "convex edge: one force, upward");
 
     struct mesh valley = roof(0.01, 0.01);
     const double in_valley[3] = {0.0, 0.0, (R - d)*sqrt(2.0)};
 
-    n = set_down(&valley, in_valley, f);
+    n = place_on(&valley, in_valley, f);
     TAP_OK(n == 2, "concave edge: two contacts (%lld)", (long long)n);
     TAP_NEAR(f[2], 2.0*push/sqrt(2.0), 1e-9*push, "concave edge: two forces");
 
-    /* beside the ridge, on the left slope: that slope alone */
+    /* next to the ridge, on the left slope: that slope alone */
     struct mesh again = roof(-0.01, -0.01);
     const double s = sqrt(0.5), beside[3] = {-2e-4 - (R - d)*s, 0.0, -2e-4 + (R - d)*s};
 
-    n = set_down(&again, beside, f);
-    TAP_OK(n == 1, "beside a convex edge: one contact (%lld)", (long long)n);
-    TAP_NEAR(f[0], -push*s, 1e-9*push, "beside a convex edge: along the slope's normal");
+    n = place_on(&again, beside, f);
+    TAP_OK(n == 1, "next to a convex edge: one contact (%lld)", (long long)n);
+    TAP_NEAR(f[0], -push*s, 1e-9*push, "next to a convex edge: along the slope's normal");
 
-    /* a flat roof is a floor */
+    /* without an angle it is a floor */
     struct mesh level = roof(0.0, 0.0);
 
-    n = set_down(&level, on_ridge, f);
+    n = place_on(&level, on_ridge, f);
     TAP_OK(n == 1, "flat edge: one contact (%lld)", (long long)n);
     TAP_NEAR(f[2], push, 1e-9*push, "flat edge: as on a plane");
 
@@ -350,21 +357,21 @@ static void edges(void)
                  third = (R - d)/sqrt(3.0), tip[3] = {third, third, third};
     struct mesh box = mesh_box(min, max);
 
-    n = set_down(&box, tip, f);
+    n = place_on(&box, tip, f);
     TAP_OK(n == 1, "tip of three faces: one contact (%lld)", (long long)n);
     TAP_NEAR(f[0] + f[1] + f[2], push*sqrt(3.0), 1e-9*push,
              "tip of three faces: force along the diagonal");
 
-    /* the rim of a sheet in the air */
+    /* the free edge of a sheet */
     struct mesh sheet = {0};
     const double a[3] = {-0.01, -0.01, 0.0}, b[3] = {0.0, -0.01, 0.0}, c[3] = {0.0, 0.01, 0.0},
                  e[3] = {-0.01, 0.01, 0.0};
     const double rim[3] = {R - d, 0.0, 0.0};
 
     mesh_quad(&sheet, a, b, c, e);
-    n = set_down(&sheet, rim, f);
-    TAP_OK(n == 1, "rim of a sheet: one contact (%lld)", (long long)n);
-    TAP_NEAR(f[0], push, 1e-9*push, "rim of a sheet: force in its plane");
+    n = place_on(&sheet, rim, f);
+    TAP_OK(n == 1, "free edge of a sheet: one contact (%lld)", (long long)n);
+    TAP_NEAR(f[0], push, 1e-9*push, "free edge of a sheet: force in its plane");
 }
 
 /* A random tetrahedron, corners in an order that makes its faces look outward. */
@@ -390,7 +397,8 @@ static void tetrahedron(uint64_t number, double corner[4][3])
     }
 }
 
-/* Corner number k of face f of a tetrahedron: all but corner 3 - f, turning to the right about the normal outward. */
+/* Corner number k of face f of a tetrahedron: all but corner 3 - f, clockwise about the outward
+   normal. */
 static int corner_of(int f, int k)
 {
     static const int face[4][3] = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
@@ -413,9 +421,9 @@ static void outward(double corner[4][3], int f, double normal[3])
     }
 }
 
-/* The point of a convex body that is nearest to anything in direction u from it: a corner (any u), a point of the edge of faces
-   0 and 1 (u between their normals), a point of face 0 (its normal). */
-static void convex_place(uint64_t number, double corner[4][3], double at[3], double u[3])
+/* A point of a convex body and a direction u in which it is the nearest point: a corner (any u), a
+   point of the edge of faces 0 and 1 (u between their normals), a point of face 0 (its normal). */
+static void convex_point(uint64_t number, double corner[4][3], double at[3], double u[3])
 {
     double n[2][3], s = mesh_random(number, 1), t = 0.1 + 0.8*mesh_random(number, 2);
     const int kind = (int)(number%3);
@@ -443,7 +451,8 @@ static void convex_place(uint64_t number, double corner[4][3], double at[3], dou
     }
 }
 
-/* The nearest point of a convex body is one point: one contact, with the force of a plane, however its faces lie in space. */
+/* The nearest point of a convex body is unique: one contact, with the force of a plane, in any
+   orientation. */
 static void convex(void)
 {
     const double d = 5e-6, push = 4.0/3.0*E/(1.0 - 0.09)*sqrt(R)*d*sqrt(d);
@@ -455,7 +464,7 @@ static void convex(void)
         struct mesh m = {0};
 
         tetrahedron(number, corner);
-        convex_place(number, corner, at, u);
+        convex_point(number, corner, at, u);
         for (int k = 0; k < 4; k++)
         {
             mesh_triangle(&m, corner[corner_of(k, 0)], corner[corner_of(k, 1)],
@@ -463,14 +472,15 @@ static void convex(void)
         }
         const double x[3] = {at[0] + (R - d)*u[0], at[1] + (R - d)*u[1], at[2] + (R - d)*u[2]};
 
-        more[number%3] += set_down(&m, x, f) != 1;
+        more[number%3] += place_on(&m, x, f) != 1;
         for (int k = 0; k < 3; k++)
         {
             off = fmax(off, fabs(f[k] - push*u[k]));
         }
         wrong[number%3] +=
             off >
-            1e-8*push;               /* coordinates of 0.05 m are known to 1e-17 m: 2e-12 of the overlap */
+            /* coordinates of 0.05 m are known to 1e-17 m: 2e-12 of the overlap */
+            1e-8*push;
     }
     for (int k = 0; k < 3; k++)
     {
@@ -483,7 +493,7 @@ static void convex(void)
     }
 }
 
-/* Facets far smaller than the overlap's footprint, each a region of its own: still one contact, wherever it is. */
+/* Facets far smaller than the contact area: one contact everywhere. */
 static void facets(void)
 {
     const double d = 2e-5, push = 4.0/3.0*E/(1.0 - 0.09)*sqrt(R)*d*sqrt(d);
@@ -492,7 +502,8 @@ static void facets(void)
 
     for (int place = 0; place < 40; place++)
     {
-        /* a round bar of radius 5 mm along y, facets of 50 um; places from an edge to the middle of a facet */
+        /* a round bar of radius 5 mm along y, facets of 50 um; positions from an edge to the middle
+           of a facet */
         const double angle = step*0.5*place/39.0;
         struct mesh bar = {0}, strips = {0};
         double f[3];
@@ -517,19 +528,21 @@ static void facets(void)
         const double far = out + R - d, over[3] = {far*sin(angle), 1e-4, far*cos(angle)},
                      above[3] = {wide*place/39.0, 1e-4, R - d};
 
-        more += set_down(&bar, over, f) != 1;
-        more += set_down(&strips, above, f) != 1;
+        more += place_on(&bar, over, f) != 1;
+        more += place_on(&strips, above, f) != 1;
         wrong += fabs(f[2] - push) > 1e-6*push;
     }
     TAP_OK(more == 0,
-           "small facets, round and flat: one contact (%d of 80 places have another number)", more);
-    TAP_OK(wrong == 0, "small facets: with the force of a plane (%d of 40 places differ)", wrong);
+           "small facets, round and flat: one contact (%d of 80 positions have another "
+           "number)", more);
+    TAP_OK(wrong == 0, "small facets: the force of a plane (%d of 40 positions differ)", wrong);
 }
 
-/* Rolling over a ridge and down: the path of a sphere pivoting on an edge has one normal at any time, energy is kept. */
+/* Over a ridge and down: one contact normal at any time, and energy is kept. */
 static void over_the_edge(void)
 {
-    struct mesh m = roof(-0.01, 0.0);                     /* flat on the right, 45 degrees down on the left */
+    /* flat on the right, 45 degrees down on the left */
+    struct mesh m = roof(-0.01, 0.0);
     const struct dem_new_particle seed = {.position = {0.003, 0.0, R},
                                           .velocity = {-0.05, 0.0, 0.0},
                                           .diameter = 2.0*R,
@@ -538,7 +551,7 @@ static void over_the_edge(void)
         "%s effects { hertz {} gravity { acceleration (0 0 -9.81); } } time { step 5e-6; }",
         materials);
     struct dem *const d = world_begin(scene);
-    const double mass = world_ball(R, density);
+    const double mass = world_sphere_mass(R, density);
     double worst = 0.0, start = 0.0;
     int64_t most = 0;
 
@@ -562,9 +575,9 @@ static void over_the_edge(void)
         start = k == 0 ? energy : start;
         worst = fmax(worst, fabs(energy - start));
     }
-    TAP_OK(world_at(d, 0).x[0] < -0.006, "over an edge: it goes over and down");
+    TAP_OK(world_at(d, 0).x[0] < -0.006, "over an edge: it passes the edge and falls");
     TAP_OK(most == 1, "over an edge: one contact at a time");
-    TAP_NEAR(worst, 0.0, 1e-2*mass*g*0.006, "over an edge: the energy stays");
+    TAP_NEAR(worst, 0.0, 1e-2*mass*g*0.006, "over an edge: energy is kept");
     free(scene);
     dem_free(d);
 }
@@ -579,7 +592,8 @@ static void angular_momentum(const struct world_particle *p, double out[3])
     }
 }
 
-/* What a sphere that spins, slides, rolls and twists in a box far from the origin loses of angular momentum the box has got. */
+/* A sphere that spins, slides, rolls and twists in a box far from the origin: the angular momentum
+   it loses is that of the box. */
 static void torque(void)
 {
     static const double min[3] = {0.5, -0.2, 0.3}, max[3] = {0.506, -0.195, 0.305};
@@ -590,8 +604,10 @@ static void torque(void)
                                           .material = "glass"};
     struct mesh m = mesh_box(min, max);
     struct dem *const d = world_begin(
-        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } rigid { density 1; youngsModulus 1e30; } }"
-        "effects { hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } rollingSpring { friction 0.1; }"
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } "
+        "rigid { density 1; youngsModulus 1e30; } }"
+        "effects { hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } "
+        "rollingSpring { friction 0.1; }"
         "          twistingSpring { friction 0.3; } }");
     double before[3], after[3], impulse[3], twist[3], size = 0.0;
 
@@ -612,11 +628,11 @@ static void torque(void)
         size = fmax(size, fabs(after[k] - before[k]));
     }
     TAP_OK(fabs(q.w[0] - 300.0) > 30.0 && fabs(q.w[1] - 900.0) > 30.0,
-           "torque: it has rubbed off some of its spin");
+           "torque: friction has reduced its spin");
     for (int k = 0; k < 3; k++)
     {
         TAP_NEAR(twist[k], before[k] - after[k], 1e-11*size,
-                 "torque: what the sphere has lost the wall has got, axis %d",
+                 "torque: the wall has the angular momentum that the sphere has lost, axis %d",
                  k);    /* rounding of 4000 steps */
     }
     dem_free(d);
@@ -655,7 +671,7 @@ static void both_sides(void)
 
         wrong += p.x[2]*side < R || fabs(p.v[2] - 5.0*side) > 5e-3 || fabs(p.v[0] - 0.5) > 1e-9;
     }
-    TAP_OK(wrong == 0, "a sheet turns back spheres on both sides, as a mirror (%d wrong)", wrong);
+    TAP_OK(wrong == 0, "a sheet reflects spheres on both sides (%d wrong)", wrong);
     free(scene);
     dem_free(d);
 }
@@ -717,7 +733,7 @@ int main(void)
         smooth(mesh_floor(-0.01, 0.05, sizes[k]), 1, what);
     }
     like_a_plane();
-    ugly();
+    faulty_meshes();
     seam();
     corner(0);
     corner(1);

@@ -1,11 +1,15 @@
 /*
- * Claims: with the whole drag (set III of the averaged equations) the force on a particle is the law's drag over the void
- * fraction: on a frozen particle exactly, and a heavy one that falls in a fluid of given velocity and hydrostatic pressure
- * comes to rest against it at the speed where f_d/e = (rho_p - rho) V g; the law's own drag and the pressure gradient of
- * a uniform flow together (sets I and II) are the same force.
+ * test_whole_drag.c -- whole drag (set III of the averaged equations): the law's drag over the void
+ * fraction.
  *
- * Source: Zhou, Kuang, Chu, Yu, J. Fluid Mech. 661 (2010) 482. In a uniform steady flow e grad p = -n f_d, so with
- * n V = 1 - e the force is f_d + V n f_d/e = f_d/e.
+ * - On a frozen particle exactly.
+ * - A heavy particle in a fluid of given velocity and hydrostatic pressure comes to rest at the
+ *   speed where f_d/e = (rho_p - rho) V g.
+ * - The law's own drag and the pressure gradient of a uniform flow together (sets I and II) are the
+ *   same force.
+ *
+ * Source: Zhou, Kuang, Chu, Yu, J. Fluid Mech. 661 (2010) 482. In a uniform steady flow e grad p =
+ * -n f_d, so with n V = 1 - e the force is f_d + V n f_d/e = f_d/e.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -75,7 +79,8 @@ static double falling(int whole, double gradient)
 
     dem_fluid_whole_drag(w, whole);
     give_fluid(w, 0.0, gradient);
-    world_run(w, 0.04);                                   /* 29 relaxation times rho_p d^2/(18 mu) */
+    /* 29 relaxation times rho_p d^2/(18 mu) */
+    world_run(w, 0.04);
     const double v = world_at(w, 0).v[2];
 
     dem_free(w);
@@ -86,8 +91,10 @@ static double falling(int whole, double gradient)
 static double lift(int whole)
 {
     static const char scene[] =
-        "materials { glass { density 2500; youngsModulus 1e6; } } effects { hertz {} saffmanMei {} }"
-        "insert { one { type list; diameter 1e-4; positions ((0 0 0)); frozen yes; } } time { step 1e-6; }";
+        "materials { glass { density 2500; youngsModulus 1e6; } } "
+        "effects { hertz {} saffmanMei {} }"
+        "insert { one { type list; diameter 1e-4; positions ((0 0 0)); frozen yes; } } "
+        "time { step 1e-6; }";
     struct dem *const w = world_begin(scene);
     struct dem_fluid f;
 
@@ -113,17 +120,18 @@ int main(void)
     const double less = frozen(0, &own), more = frozen(1, &whole);
 
     TAP_NEAR(less, b*0.01*1e-3, 1e-12*less, "the law's own drag on a frozen sphere");
-    TAP_NEAR(more, less/e, 1e-14*more, "over the void fraction");
-    TAP_NEAR(whole, own/e, 1e-14*whole, "and so the coefficient that goes with it");
+    TAP_NEAR(more, less/e, 1e-14*more, "whole drag: over the void fraction");
+    TAP_NEAR(whole, own/e, 1e-14*whole, "whole drag: so is its coefficient");
     TAP_OK(lift(0) < 0.0, "lift of slip along z in a vorticity along y is along -x");
-    TAP_NEAR(lift(1)/lift(0), 1.0/e, 1e-13, "lift over the void fraction likewise");
+    TAP_NEAR(lift(1)/lift(0), 1.0/e, 1e-13, "whole drag: lift over the void fraction");
 
-    /* the pressure gradient of a suspension whose drag carries it: e dp/dz = e rho g (downwards) less n f_d, n V = 1 - e */
+    /* the pressure gradient of a suspension that its drag carries: e dp/dz = e rho g (downwards)
+       less n f_d, n V = 1 - e */
     const double fall = -e*weight/b, dynamic = (1.0 - e)/e*b*fall/volume();
 
     TAP_NEAR(falling(1, -rho*g), fall, 1e-9*-fall,
              "whole drag alone carries the weight less Archimedes' force");
     TAP_NEAR(falling(0, -rho*g + dynamic), fall, 1e-9*-fall,
-             "and so do drag and pressure gradient of that flow together");
+             "drag and pressure gradient of that flow together carry it, too");
     TAP_DONE;
 }

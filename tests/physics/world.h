@@ -1,13 +1,14 @@
 /*
- * world.h -- a scene as text, particles by number and numbers read back: what the tests of physics need of dem.h.
+ * world.h -- set up a scene from text and particles, run it, and read results: for the tests of
+ * physics.
+ *
+ *   struct dem *d = world(scene, n, seeds);   ready to run, without MPI
+ *   world_run(d, 0.1); or world_step(d)       for one step of the scene's time/step
+ *   world_at(d, id).x[2]                      position, velocity, spin, contact force and torque
+ *
+ * An error of the core ends the test with the core's sentence.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- *     struct dem *d = world(scene, n, seeds);                    ready to run, alone, without MPI
- *     world_run(d, 0.1);                                         or world_step(d) for one step of the scene's time/step
- *     world_at(d, id).x[2]                                       position, velocity, spin, contact force and torque
- *
- * Whatever the core refuses ends the test with the core's sentence.
  */
 #ifndef TESTS_PHYSICS_WORLD_H
 #define TESTS_PHYSICS_WORLD_H
@@ -39,12 +40,12 @@ __attribute__((noreturn)) static inline void world_end(const char *call)
 __attribute__((format(printf, 1, 2)))
 static inline char *world_text(const char *format, ...)
 {
-    const size_t room = 1 << 20;
-    char *const text = malloc(room);
+    const size_t capacity = 1 << 20;
+    char *const text = malloc(capacity);
     va_list arguments;
 
     va_start(arguments, format);
-    if (!text || vsnprintf(text, room, format, arguments) >= (int)room)
+    if (!text || vsnprintf(text, capacity, format, arguments) >= (int)capacity)
     {
         printf("Bail out! scene too long\n");
         exit(1);
@@ -53,7 +54,7 @@ static inline char *world_text(const char *format, ...)
     return text;
 }
 
-/* SUNA_PRECISION=mixed in the environment: all scenes but those that name their precision */
+/* SUNA_PRECISION=mixed in the environment: applies to all scenes that do not name a precision */
 static inline struct dem *world_begin(const char *scene)
 {
     const char *const precision = getenv("SUNA_PRECISION");
@@ -106,7 +107,7 @@ static inline uint64_t world_hash(struct dem *d)
     return hash;
 }
 
-/* by place in the view, 0 to particles - 1 */
+/* by index in the view, 0 to particles - 1 */
 static inline int64_t world_id(const struct dem_view *v, size_t k)
 {
     return *(const int64_t *)(const void *)((const char *)v->id + v->stride*k);
@@ -170,7 +171,7 @@ static inline void world_wall(struct dem *d, const char *name, double force[3])
     exit(1);
 }
 
-static inline double world_ball(double radius, double density)
+static inline double world_sphere_mass(double radius, double density)
 {
     return 4.0/3.0*world_pi*radius*radius*radius*density;
 }
@@ -184,9 +185,9 @@ static inline double world_contact_time(double reduced_mass, double reduced_radi
                               0.2);
 }
 
-/* a table of numbers with commas, "#" lines and one line of names skipped; returns the number of rows. `name` is relative
-   to tests/, where the programs run. */
-static inline int world_table(const char *name, int columns, int room, double *row)
+/* a table of numbers with commas, "#" lines and one line of names skipped; returns the number of
+   rows. `name` is relative to tests/, where the programs run. */
+static inline int world_table(const char *name, int columns, int capacity, double *row)
 {
     FILE *const f = fopen(name, "r");
     char line[1024];
@@ -194,10 +195,10 @@ static inline int world_table(const char *name, int columns, int room, double *r
 
     if (!f)
     {
-        printf("Bail out! can't open %s\n", name);
+        printf("Bail out! cannot open %s\n", name);
         exit(1);
     }
-    while (rows < room && fgets(line, sizeof line, f))
+    while (rows < capacity && fgets(line, sizeof line, f))
     {
         char *at = line, *end;
         int k = 0;

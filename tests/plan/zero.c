@@ -1,11 +1,15 @@
 /*
- * zero.c -- a scene's steps under an instruction counter: prints the run's fingerprint, its steps, and the bytes that the core holds and, when
- * asked, needs.
+ * zero.c -- run the steps of a scene under an instruction counter.
+ *
+ * Prints the fingerprint, the number of steps, the bytes that the core holds and, with `needs`, the
+ * bytes that it needs.
  *
  *     valgrind --tool=callgrind --toggle-collect=dem_advance zero SCENE STEPS
  *     zero SCENE STEPS needs
  *
- * Without MPI, so that what is counted is the core alone. SPDX-License-Identifier: GPL-3.0-or-later
+ * Without MPI, so that only the core is counted.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "dem.h"
 #include <inttypes.h>

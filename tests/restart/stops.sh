@@ -1,9 +1,13 @@
-# stops.sh -- part of run: a signal ends a run with a snapshot from which it continues with the same bits and tables, after any number
-# of stops and changes of ranks; a run that is killed while it writes leaves its last whole snapshot.
+# stops.sh -- part of run: runs stopped by signals.
+#
+# A signal ends a run with a snapshot from which it continues with the same bits and tables, after
+# any number of stops and changes of ranks. A run that is killed while it writes leaves its last
+# complete snapshot.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# begun FOLDER: wait until the run there has announced itself; from then on all its ranks listen to signals
+# begun FOLDER: wait until the run there has printed its first step; from then on all its ranks
+# handle signals
 begun()
 {
     local k
@@ -16,7 +20,8 @@ begun()
     false
 }
 
-# start FOLDER RANKS ARGUMENT ...: in the background; $runner is what to wait for, $program what takes signals: dem alone, else mpirun
+# start FOLDER RANKS ARGUMENT ...: in the background; $runner is the process to wait for and to
+# signal: dem on one rank, else mpirun
 start()
 {
     local folder=$work/$1 n=$2
@@ -44,7 +49,8 @@ over()
     return $status
 }
 
-# stop FOLDER RANKS SIGNAL DELAY ARGUMENT ...: a run that is stopped so many seconds after its beginning ends well, and says so
+# stop FOLDER RANKS SIGNAL DELAY ARGUMENT ...: a run stopped so many seconds after its start ends
+# properly and reports it
 stop()
 {
     local folder=$1 n=$2 signal=$3 delay=$4
@@ -60,10 +66,10 @@ stop()
 c_test restart/test_snapshot
 c_test restart/test_stopping
 
-# ---- signals -----------------------------------------------------------------------------------------------------------
+# ---- signals -------------------------------------------------------------------------------------
 
-# grains that wander through periodic faces, glued ones that break and leave, and rows for all that: tables that a series of stops must
-# not change. One window, as long as the run.
+# grains that cross periodic faces, bonded ones that break and leave, and their tables, which a
+# series of stops must not change; one window, as long as the run
 cat > "$work/wander.dem" << 'END'
 materials { glass { density 2500; youngsModulus 1e7; } }
 effects
@@ -109,7 +115,8 @@ do
 done
 claim "the windows were those of the run without a stop" same "$(grep -vc "^#" "$work/wander/out/box.csv")" 17
 
-# snapshot all, and no: the file has the number of the output that would have come; without, it is snapshot.dem
+# snapshot all and no: with all the file has the number of the next output; with no it is
+# snapshot.dem
 file=out/snapshot_000001.dem
 claim "snapshot all: the number of the next output" stop wander.all 1 TERM 0.2 -set write/snapshot all "$work/wander.dem"
 file=out/snapshot.dem
@@ -117,9 +124,10 @@ claim "snapshot no: there is one all the same" stop wander.no 1 TERM 0.2 -set wr
 simulate kept 1 -set time/end 0.006 -set write/interval 0.001 -set write/snapshot all -set write/keep 2 "$work/wander.dem" > /dev/null
 claim "keep 2: the last two of seven" same "$(cd "$work/kept/out" && echo snapshot*)" "snapshot_000005.dem snapshot_000006.dem"
 
-# ---- kill -9 -----------------------------------------------------------------------------------------------------------
+# ---- kill -9 -------------------------------------------------------------------------------------
 
-# a run that writes a snapshot every few steps; killed 8 times (in a long run 20), it continues from the last one each time
+# a run that writes a snapshot every few steps; killed 8 times (in a long run 20), it continues from
+# the last one each time
 killing=(-set write/interval 2e-5 -set time/end 0.006 -set write/lastGood no "$work/wander.dem")
 expected=$(simulate killed.not 1 "${killing[@]}")
 torn=0 readable=0 kills=8

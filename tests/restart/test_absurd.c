@@ -1,12 +1,19 @@
 /*
- * Claims: a snapshot with correct checksums is refused when it has values that no run writes: positions, velocities, spins, forces,
- * history, sums of means or of flow counters that are not finite, a speed above that of light, a position where doubles resolve no
- * overlap, an inertia that does not fit the mass, invalid or repeated ids, step counts beyond the limit, names of two lines. The
- * sentence names the file, the quantity, the particle or row, and the value. `dem hash` refuses the same, but for repeated ids and
- * means. With the value restored, each snapshot is accepted.
+ * test_absurd.c -- a snapshot with correct checksums and impossible contents is refused.
  *
- *     test_absurd                           the claims, alone
- *     test_absurd -spoil FILE OUT SLIP      writes OUT, with a slip (speed, force, memory, twin) of the last particles or row: for many ranks
+ * - Positions, velocities, spins, forces, history, sums of means or flow counters that are not
+ *   finite.
+ * - A speed above that of light; a position where doubles resolve no overlap; an inertia that does
+ *   not fit the mass.
+ * - Invalid or repeated ids; step counts beyond the limit; names with line breaks.
+ *
+ * The sentence names the file, the quantity, the particle or row, and the value. `dem hash` refuses
+ * the same, except for repeated ids and means. With the value restored, each snapshot is accepted.
+ *
+ *     test_absurd                         the claims, without MPI
+ *     test_absurd -spoil FILE OUT FAULT writes OUT, with a fault (speed, force, memory, twin) of
+ *     the
+ *                                         last particles or row: for tests on many ranks
  *
  * Source: the contract of checkpoint/snapshot_validate.h.
  *
@@ -21,17 +28,20 @@
 
 static const char scene[] =
     "materials { glass { density 2500; youngsModulus 1e6; } }"
-    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; } mindlin { friction 0.5; } }"
+    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; } "
+    "mindlin { friction 0.5; } }"
     "domain { min (-1 -1 -1); max (1 1 1); leaving remove; }"
     "walls { floor { type plane; point (0 0 0); normal (0.1 0 1); } }"
     "insert { grains { type list; diameter 1e-3; positions ((0 0 4.9e-4) (0 0 1.45e-3)); }"
-    "         rain { type stream; material glass; rate 1e4; diameter 1e-3; min (0.1 0.1 0.1); max (0.11 0.11 0.11); } }"
+    "         rain { type stream; material glass; rate 1e4; diameter 1e-3; min (0.1 0.1 0.1); "
+    "max (0.11 0.11 0.11); } }"
     "averages { box { min (-1 -1 -1); max (1 1 1); interval 1e-5; } }";
 
 enum
 {
     MOST = 1 << 20,
-    MEANS = 248                                           /* bytes that stand before the sums, as averages_record.c has them */
+    /* bytes before the sums, as in averages_record.c */
+    MEANS = 248
 };
 
 static char folder[] = "/tmp/absurd.XXXXXX", good_path[64], bad_path[64];
@@ -50,7 +60,7 @@ static size_t load(const char *path, char *to)
     return n;
 }
 
-/* The bad one, with sums that are right. */
+/* Write the corrupted snapshot, with correct checksums. */
 static void store(const char *path)
 {
     struct dem_snapshot_header h;
@@ -81,7 +91,7 @@ static struct dem_snapshot_header head(void)
     return h;
 }
 
-/* Byte of a particle's record or column, of a row, of the first sum of means. */
+/* Offset of a particle's record or column, of a row, of the first sum of means. */
 static size_t of_particle(int64_t k, size_t offset)
 {
     const struct dem_snapshot_header h = head();
@@ -104,9 +114,9 @@ static size_t of_means(void)
     return dem_snapshot_caller_data_offset(&h) + MEANS;
 }
 
-/* ---- refused ----------------------------------------------------------------------------------------------------- */
+/* ---- refused --------------------------------------------------------------------------------- */
 
-static int starts(void)
+static int can_start(void)
 {
     struct dem *const d = world_begin(scene);
 
@@ -123,18 +133,18 @@ static void expect(int status, const char *what, const char *words)
 
     TAP_OK(status == DEM_ERROR_FILE && strstr(text, bad_path) && strstr(text, "is damaged") &&
                strstr(text, "use another one") && strstr(text, words),
-           "%s: %s", what, status ? text : "taken");
+           "%s: %s", what, status ? text : "accepted");
 }
 
-/* Eight bytes of the file become others. */
-static void spoil(const char *what, size_t at, const void *word, int hashes, const char *words)
+/* Replace eight bytes of the file. */
+static void corrupt(const char *what, size_t at, const void *word, int hashes, const char *words)
 {
     uint64_t hash;
 
     memcpy(bad, good, size);
     memcpy(bad + at, word, 8);
     store(bad_path);
-    expect(starts(), what, words);
+    expect(can_start(), what, words);
     if (hashes)
     {
         expect(dem_snapshot_fingerprint(bad_path, &hash), "asked for its fingerprint", words);
@@ -143,12 +153,12 @@ static void spoil(const char *what, size_t at, const void *word, int hashes, con
 
 static void number(const char *what, size_t at, double value, const char *words)
 {
-    spoil(what, at, &value, 1, words);
+    corrupt(what, at, &value, 1, words);
 }
 
 static void whole(const char *what, size_t at, int64_t value, const char *words)
 {
-    spoil(what, at, &value, 1, words);
+    corrupt(what, at, &value, 1, words);
 }
 
 static void particles(void)
@@ -181,10 +191,10 @@ static void particles(void)
     number("an infinite inverse of the mass",
            of_particle(0, offsetof(struct dem_particle, inverse_mass)), INFINITY,
            "the inverse of the mass of particle 0");
-    number("no inverse of the mass of what is free",
+    number("inverse mass 0 of a free particle",
            of_particle(0, offsetof(struct dem_particle, inverse_mass)), 0.0,
            "particle 0, which is free");
-    number("an inverse below zero", of_particle(0, offsetof(struct dem_particle, inverse_mass)),
+    number("a negative inverse mass", of_particle(0, offsetof(struct dem_particle, inverse_mass)),
            -1.0, "particle 0, which is free");
     number("another moment of inertia",
            of_particle(1, offsetof(struct dem_particle, inverse_inertia)), 1.0,
@@ -198,22 +208,22 @@ static void particles(void)
            "torque of particle 1 is inf");
     whole("an id below 0", of_particle(0, offsetof(struct dem_particle, id)), -1,
           "id -1, and ids go from 0 to 9223372036854775806");
-    whole("an id that leaves no next", of_particle(0, offsetof(struct dem_particle, id)), INT64_MAX,
-          "id 9223372036854775807");
+    whole("an id after which there is no other", of_particle(0, offsetof(struct dem_particle, id)),
+          INT64_MAX, "id 9223372036854775807");
     int64_t flags;
 
     memcpy(&flags, good + of_particle(0, offsetof(struct dem_particle, material)), sizeof flags);
-    whole("flags that are none", of_particle(0, offsetof(struct dem_particle, material)),
+    whole("unknown flags", of_particle(0, offsetof(struct dem_particle, material)),
           flags | 2 << 16, "particle 0 has flags 0x2");
     whole("frozen, with inertia", of_particle(0, offsetof(struct dem_particle, material)),
           flags | 1 << 16, "particle 0, which is frozen");
     const int64_t twin = 1;
 
-    spoil("an id that comes twice", of_particle(0, offsetof(struct dem_particle, id)), &twin, 0,
+    corrupt("a repeated id", of_particle(0, offsetof(struct dem_particle, id)), &twin, 0,
           "two of its particles have id 1");
 }
 
-static void the_rest(void)
+static void other_contents(void)
 {
     const struct dem_snapshot_header h = head();
     const size_t window = offsetof(struct dem_snapshot_header, window),
@@ -222,19 +232,20 @@ static void the_rest(void)
 
     TAP_OK(h.rows >= 2 && h.memories >= 3 && h.flows >= 1 && h.caller_data > MEANS,
            "it has contact history, flow counters and means");
-    number("a remembered number that is none", of_row(0, sizeof(struct dem_contact_key)), NAN,
+    number("a history value that is not a number", of_row(0, sizeof(struct dem_contact_key)), NAN,
            "history shear_x nan");
-    number("an infinite one", of_row(1, sizeof(struct dem_contact_key) + 8), -INFINITY,
+    number("an infinite history value", of_row(1, sizeof(struct dem_contact_key) + 8), -INFINITY,
            "history shear_y -inf");
-    whole("steps past counting", offsetof(struct dem_snapshot_header, steps), INT64_MAX,
+    whole("more steps than can be counted", offsetof(struct dem_snapshot_header, steps), INT64_MAX,
           "9223372036854775807 steps");
-    whole("a window with more done than it has",
+    whole("a window with more steps done than it has",
           window + offsetof(struct dem_snapshot_window, done), 5, "of which 5 are done");
-    whole("a window of minus steps", window + offsetof(struct dem_snapshot_window, ahead),
-          INT64_MIN, "a window of -9223372036854775808 steps");
-    number("a mass let in that is not a number", flow + offsetof(struct dem_snapshot_flow, mass),
+    whole("a window of a negative number of steps",
+          window + offsetof(struct dem_snapshot_window, ahead), INT64_MIN,
+          "a window of -9223372036854775808 steps");
+    number("an inserted mass that is not a number", flow + offsetof(struct dem_snapshot_flow, mass),
            NAN, "the flow record of rain is nan");
-    number("an infinite debt", flow + offsetof(struct dem_snapshot_flow, owed), INFINITY,
+    number("an infinite mass due", flow + offsetof(struct dem_snapshot_flow, owed), INFINITY,
            "the flow record of rain is inf");
     memcpy(&name, "two\nway", sizeof name);
     whole("a name of two lines", flow, name, "or has invalid names");
@@ -244,19 +255,20 @@ static void the_rest(void)
     {
         const double value = k ? 1e300 : NAN;
 
-        spoil("a sum of means", of_means(), &value, 0,
+        corrupt("a sum of means", of_means(), &value, 0,
               k ? "of its averages box is 1e+300" : "of its averages box is nan");
     }
     const int64_t samples = INT64_MAX;
 
-    spoil("samples past counting", of_means() - 24, &samples, 0,
+    corrupt("more samples than can be counted", of_means() - 24, &samples, 0,
           "its averages have 9223372036854775807 samples");
     memcpy(bad, good, size);
     store(bad_path);
-    TAP_OK(starts() == 0, "as it was it is taken");
+    TAP_OK(can_start() == 0, "the original snapshot is accepted");
 }
 
-/* The skin tuning is not part of the state: invalid values are ignored, and the run has the same bits as without. */
+/* The skin tuning is not part of the state: invalid values are ignored, and the run has the same
+   bits as without. */
 static void skin_tuning(void)
 {
     uint64_t hash[2] = {0};
@@ -282,9 +294,9 @@ static void skin_tuning(void)
     TAP_OK(hash[0] == hash[1], "skin tuning that is not a number is ignored: the same bits");
 }
 
-/* ---- for many ranks ---------------------------------------------------------------------------------------------- */
+/* ---- for many ranks -------------------------------------------------------------------------- */
 
-static int write_slip(const char *path, const char *slip)
+static int write_fault(const char *path, const char *slip)
 {
     const struct dem_snapshot_header h = head();
     const int64_t last = h.particles - 1;
@@ -317,7 +329,7 @@ int main(int argc, char **argv)
     if (argc == 5 && strcmp(argv[1], "-spoil") == 0)
     {
         size = load(argv[2], good);
-        return write_slip(argv[3], argv[4]);
+        return write_fault(argv[3], argv[4]);
     }
     TAP_TRAPS;
     if (!mkdtemp(folder))
@@ -333,10 +345,10 @@ int main(int argc, char **argv)
     dem_free(d);
     size = load(good_path, good);
     particles();
-    the_rest();
+    other_contents();
     skin_tuning();
     unlink(good_path);
     unlink(bad_path);
-    TAP_OK(rmdir(folder) == 0, "tidied up");
+    TAP_OK(rmdir(folder) == 0, "the folder is removed");
     TAP_DONE;
 }

@@ -1,7 +1,9 @@
 /*
- * Claims: a run goes back to its backup and from there has the same bits as before, friction included. Backups within a window change
- * nothing and are made by all ranks at the same step. After a failure the last good state is restored whole; a failed state is never
- * backed up.
+ * test_going_back.c -- backups in memory.
+ *
+ * - A run that returns to its backup continues with the same bits, friction included.
+ * - Backups within a window do not change the bits and are made by all ranks at the same step.
+ * - After a failure the last good state is restored completely; a failed state is never backed up.
  *
  * Source: the contract in dem.h.
  *
@@ -11,13 +13,15 @@
 
 static const char heap[] =
     "materials { glass { density 2500; youngsModulus 2e6; } }"
-    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; } mindlin { friction 0.5; } }"
+    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; } "
+    "mindlin { friction 0.5; } }"
     "walls { cup { type box; min (0 0 0); max (0.01 0.01 0.1); } }"
     "insert { grains { type lattice; count 60; diameter 2e-3; min (0 0 0); max (0.01 0.01 0.1); } }"
     "time { step 1.52587890625e-05; }";
 
 static const double step =
-    1.0/65536.0;                   /* s: times are sums without round-off, so windows can be compared */
+    /* s: times are sums without round-off, so windows can be compared */
+    1.0/65536.0;
 
 static uint64_t hash_of(struct dem *d)
 {
@@ -33,9 +37,9 @@ static void twice(void)
     double time = 0.0;
 
     TAP_OK(dem_restore(d, &time) != 0 && strstr(dem_error_text(), "dem_backup_every"),
-           "nothing kept: refused, names dem_backup_every");
+           "without a backup: refused, names dem_backup_every");
     TAP_OK(dem_backup_every(d, -1) != 0 && strstr(dem_error_text(), "-1"),
-           "copies -1 steps apart: refused");
+           "backups every -1 steps: refused");
     world_run(d, 4096*step);
     const uint64_t before = hash_of(d);
 
@@ -45,32 +49,32 @@ static void twice(void)
 
     WORLD_TRY(dem_restore(d, &time));
     TAP_OK(time == 4096*step && hash_of(d) == before && before != after,
-           "back to the copy, contacts' memory included");
+           "restored, contact history included");
     world_run(d, 1000*step);
     TAP_OK(hash_of(d) == after, "the same bits when it runs again");
     WORLD_TRY(dem_restore(d, &time));
     world_run(d, 1000*step);
-    TAP_OK(hash_of(d) == after, "and once more");
+    TAP_OK(hash_of(d) == after, "the same bits when restored again");
     dem_free(d);
 }
 
-/* Two runs, one of which keeps copies; then the copy against a run that ends at its time. */
+/* Two runs, one of which makes backups; then the backup against a run that ends at its time. */
 static void within(void)
 {
-    struct dem *const plain = world(heap, 0, NULL), *const keeps = world(heap, 0, NULL),
+    struct dem *const plain = world(heap, 0, NULL), *const with_backups = world(heap, 0, NULL),
                       *const ends = world(heap, 0, NULL);
     double time = 0.0;
 
-    WORLD_TRY(dem_backup_every(keeps, 300));
+    WORLD_TRY(dem_backup_every(with_backups, 300));
     world_run(plain, 1000*step);
-    world_run(keeps, 1000*step);
-    TAP_OK(hash_of(plain) == hash_of(keeps), "the same bits with copies and without");
-    WORLD_TRY(dem_restore(keeps, &time));
-    TAP_OK(time == 900*step, "the last copy is of step 900");
+    world_run(with_backups, 1000*step);
+    TAP_OK(hash_of(plain) == hash_of(with_backups), "the same bits with backups and without");
+    WORLD_TRY(dem_restore(with_backups, &time));
+    TAP_OK(time == 900*step, "the last backup is of step 900");
     world_run(ends, 900*step);
-    TAP_OK(hash_of(keeps) == hash_of(ends), "it is the state of a run that ends there");
+    TAP_OK(hash_of(with_backups) == hash_of(ends), "it is the state of a run that ends there");
     dem_free(plain);
-    dem_free(keeps);
+    dem_free(with_backups);
     dem_free(ends);
 }
 
@@ -89,7 +93,7 @@ static void give_fluid(struct dem *d, double velocity)
     }
 }
 
-/* The fluid goes mad. */
+/* A fluid velocity that is not a number. */
 static void failure(void)
 {
     char *const scene = world_text("%s effects { gidaspow {} }", heap);
@@ -103,13 +107,13 @@ static void failure(void)
 
     WORLD_TRY(dem_backup_every(d, 100));
     give_fluid(d, (double)NAN);
-    TAP_OK(dem_advance(d, 500*step) != 0, "a velocity that is no number ends the run: %s",
+    TAP_OK(dem_advance(d, 500*step) != 0, "a velocity that is not a number ends the run: %s",
            dem_error_text());
-    TAP_OK(dem_backup_every(d, 0) == 0, "a spoilt state is passed over");
+    TAP_OK(dem_backup_every(d, 0) == 0, "a failed state is not backed up");
     WORLD_TRY(dem_restore(d, &time));
-    TAP_OK(time == 1050*step && hash_of(d) == before, "the state of before comes back whole");
+    TAP_OK(time == 1050*step && hash_of(d) == before, "the previous state is restored completely");
     give_fluid(d, 0.5);
-    TAP_OK(dem_advance(d, 500*step) == 0, "and runs on in a sound fluid");
+    TAP_OK(dem_advance(d, 500*step) == 0, "it continues with a valid fluid");
     dem_free(d);
     free(scene);
 }

@@ -1,6 +1,10 @@
 /*
- * Claims: a snapshot is refused when any bit is flipped, when it is cut at any byte, or when it is longer by one; the sentence names the
- * file. A failed write leaves the old file whole. Offsets beyond 4 GB are written and read.
+ * test_snapshot.c -- snapshots that are damaged, truncated, or cannot be written.
+ *
+ * - A snapshot is refused when any bit is flipped, when it is truncated at any byte, or when it is
+ *   longer by one byte; the sentence names the file.
+ * - A failed write leaves the old file unchanged.
+ * - Offsets beyond 4 GB are written and read.
  *
  * Source: the contract of checkpoint/snapshot.h and parallel/parallel_file.h.
  *
@@ -15,7 +19,8 @@
 
 static const char scene[] =
     "materials { glass { density 2500; youngsModulus 1e6; } }"
-    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; } mindlin { friction 0.5; } }"
+    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; } "
+    "mindlin { friction 0.5; } }"
     "walls { floor { type plane; point (0 0 0); normal (0.1 0 1); } }"
     "insert { grains { type list; diameter 1e-3; positions ((0 0 4.9e-4) (0 0 1.45e-3)); } }"
     "averages { box { min (-1 -1 -1); max (1 1 1); interval 1e-5; } }";
@@ -46,7 +51,7 @@ static void write_all(const char *bytes, size_t size)
     }
 }
 
-/* In place: a file that is made anew 10000 times keeps the disk busy. */
+/* In place, as writing a new file 10000 times would load the disk. */
 static void put_byte(size_t place, char byte)
 {
     FILE *const f = fopen(bad, "r+b");
@@ -65,7 +70,8 @@ static void cut(size_t size)
     }
 }
 
-/* Refused with the file's name when asked for its fingerprint, and when a run is to go on from it. */
+/* Refused with the file's name when asked for its fingerprint, and when a run is to continue from
+   it. */
 static int is_refused(int load)
 {
     uint64_t hash;
@@ -95,20 +101,20 @@ static void damage(void)
         flips += (size_t)is_refused(k%101 == 0);
         put_byte(k, bytes[k]);
     }
-    TAP_OK(flips == size, "%zu of %zu bytes with one bit turned over are refused", flips, size);
+    TAP_OK(flips == size, "%zu of %zu bytes with one bit flipped are refused", flips, size);
     for (size_t k = size; k > 0; k--)
     {
         cut(k - 1);
         cuts += (size_t)is_refused(k%101 == 0);
     }
-    TAP_OK(cuts == size, "%zu of %zu lengths that are too short", cuts, size);
-    write_all(bytes, size + 1);                            /* calloc left a zero behind it */
+    TAP_OK(cuts == size, "%zu of %zu truncated lengths are refused", cuts, size);
+    write_all(bytes, size + 1);                            /* calloc left a zero after it */
     TAP_OK(is_refused(1), "one byte too long: %s", dem_error_text());
     free(bytes);
 }
 
-/* Holes take no room on the disk. */
-static void far(void)
+/* Holes take no space on the disk. */
+static void large_offsets(void)
 {
     const struct dem_file_ranks alone = {.comm = MPI_COMM_NULL};
     const size_t place = ((size_t)5 << 30) + 3;
@@ -124,10 +130,10 @@ static void far(void)
     dem_parallel_file_read(&s, 0, here, 7);
     TAP_OK(dem_parallel_file_size(&s) == place + 7 && strcmp(there, "beyond") == 0 &&
                strcmp(here, "before") == 0,
-           "and is what was written");
+           "a file of 5 GB is read back");
     dem_parallel_file_read(&s, place, there, 8);
     TAP_OK(dem_parallel_file_close(&s) != 0 && strstr(dem_error_text(), "cut short"),
-           "past its end: %s", dem_error_text());
+           "reading beyond its end: %s", dem_error_text());
 }
 
 static void failing(struct dem *d)
@@ -141,13 +147,13 @@ static void failing(struct dem *d)
            dem_error_text());
     WORLD_TRY(dem_snapshot_fingerprint(good, &before));
     world_run(d, 1e-3);
-    TAP_OK(system(block) == 0 && dem_save(d, good) != 0, "can't be written aside: %s",
+    TAP_OK(system(block) == 0 && dem_save(d, good) != 0, "the new file cannot be written: %s",
            dem_error_text());
     TAP_OK(system(unblock) == 0 && dem_snapshot_fingerprint(good, &after) == 0 && before == after,
-           "the one of before is whole");
+           "the old file is unchanged");
     WORLD_TRY(dem_save(d, good));
     TAP_OK(dem_snapshot_fingerprint(good, &after) == 0 && after == world_hash(d),
-           "and is replaced when that goes again");
+           "it is replaced when writing succeeds again");
     free(block);
     free(unblock);
 }
@@ -166,12 +172,12 @@ int main(void)
     world_run(d, 1e-4);
     WORLD_TRY(dem_save(d, good));
     damage();
-    far();
+    large_offsets();
     failing(d);
     dem_free(d);
     char *const command = world_text("rm -r %s", folder);
 
-    TAP_OK(system(command) == 0, "tidied up");
+    TAP_OK(system(command) == 0, "the folder is removed");
     free(command);
     TAP_DONE;
 }

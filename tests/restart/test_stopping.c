@@ -1,9 +1,15 @@
 /*
- * Claims: a run asked to stop ends after the current step, within its window. Saved and loaded there, or just advanced further, it has
- * the bits of a run that was not stopped: positions, friction, drag, a moving wall, particles that wrap and that leave, means.
- * Continued with another step dt' it differs by half a kick at most: a sphere in free fall by g (dt - dt')/2.
+ * test_stopping.c -- a run that is asked to stop.
  *
- * Source: the contract of dem_set_stop_flag in dem.h; the leapfrog is exact under constant acceleration.
+ * - It ends after the current step, within its window.
+ * - Saved and loaded there, or just advanced further, it has the bits of a run that was not
+ *   stopped: positions, friction, drag, a moving wall, particles that cross periodic faces or
+ *   leave, means.
+ * - Continued with another step dt' it differs by at most half a kick: for a sphere in free fall g
+ *   (dt - dt')/2.
+ *
+ * Source: the contract of dem_set_stop_flag in dem.h; the leapfrog is exact under constant
+ * acceleration.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -11,17 +17,20 @@
 
 static const char heap[] =
     "materials { glass { density 2500; youngsModulus 5e5; } }"
-    "effects { gravity { acceleration (0.5 0 -9.81); } hertz {} dry { restitution 0.6; } mindlin { friction 0.5; } gidaspow {} }"
+    "effects { gravity { acceleration (0.5 0 -9.81); } hertz {} dry { restitution 0.6; } "
+    "mindlin { friction 0.5; } gidaspow {} }"
     "fluid { density 1.2; viscosity 1.8e-5; velocity (3 0 0.5); voidFraction 0.6; }"
-    "walls { floor { type plane; point (0 0 0); normal (0 0 1); motion { type oscillation; amplitude (0 0 2e-4); frequency 100; } } }"
+    "walls { floor { type plane; point (0 0 0); normal (0 0 1); motion { type oscillation; "
+    "amplitude (0 0 2e-4); frequency 100; } } }"
     "domain { x (0 0.008); y (0 0.008); z (-1 0.011); periodic (x y); leaving remove; }"
-    "insert { grains { type lattice; count 60; diameter 1e-3; min (0 0 3e-4); max (0.008 0.008 0.01); velocity (2 0 0.45); } }"
+    "insert { grains { type lattice; count 60; diameter 1e-3; min (0 0 3e-4); "
+    "max (0.008 0.008 0.01); velocity (2 0 0.45); } }"
     "averages { box { min (0 0 0); max (0.008 0.008 0.01); cells (2 1 2); interval 1e-3; } }"
     "time { step 1.52587890625e-05; }";
 
 static const double step = 1.0/65536.0, window = 700.0/65536.0;
 static char folder[] = "/tmp/stopping.XXXXXX", file[64];
-static volatile sig_atomic_t asked;
+static volatile sig_atomic_t requested_signal;
 
 static struct dem *load(const char *scene)
 {
@@ -48,8 +57,9 @@ static char *means(struct dem *d)
     return text;
 }
 
-/* Three windows; after every `every` steps a stop, and after every second one of these another process takes over. */
-static struct dem *halting(int every)
+/* Three windows, with a stop after every `every` steps; after every second stop the run is loaded
+   into a new simulation. */
+static struct dem *with_stops(int every)
 {
     struct dem *d = world(heap, 0, NULL);
     int stops = 0, steps = 0;
@@ -58,8 +68,9 @@ static struct dem *halting(int every)
     {
         const double time = world_tally(d).time;
 
-        asked = SIGTERM;                                   /* each dem_advance makes one step */
-        dem_set_stop_flag(d, &asked);
+        /* each dem_advance makes one step */
+        requested_signal = SIGTERM;
+        dem_set_stop_flag(d, &requested_signal);
         WORLD_TRY(dem_advance(d, (floor(time/window) + 1.0)*window - time));
         if (dem_stopped(d) && ++steps%every == 0 && ++stops%2 == 0)
         {
@@ -70,7 +81,7 @@ static struct dem *halting(int every)
             d = load(heap);
             if (world_hash(d) != before)
             {
-                TAP_OK(0, "what was saved is what was loaded, at step %d", steps);
+                TAP_OK(0, "the loaded state is the saved one, at step %d", steps);
             }
         }
     }
@@ -92,12 +103,12 @@ static void same_bits(void)
     TAP_OK(left > 0 && left < 30, "%d particles leave", (int)left);
     for (int every = 23; every < 90; every += 40)
     {
-        struct dem *const d = halting(every);
+        struct dem *const d = with_stops(every);
         char *const found = means(d);
 
         TAP_OK(world_hash(d) == world_hash(whole), "a stop every %d steps: the same bits", every);
-        TAP_OK(world_tally(d).steps == world_tally(whole).steps, "and steps");
-        TAP_OK(strcmp(found, expected) == 0, "and means, to the last digit");
+        TAP_OK(world_tally(d).steps == world_tally(whole).steps, "the same number of steps");
+        TAP_OK(strcmp(found, expected) == 0, "the same means, to the last digit");
         free(found);
         dem_free(d);
     }
@@ -105,40 +116,44 @@ static void same_bits(void)
     dem_free(whole);
 }
 
-static void telling(void)
+static void stop_reports(void)
 {
     struct dem *const d = world(heap, 0, NULL);
 
     world_run(d, 5.0*step);
     TAP_OK(dem_stopped(d) == 0, "without a request: not stopped");
-    asked = 0;
-    dem_set_stop_flag(d, &asked);
+    requested_signal = 0;
+    dem_set_stop_flag(d, &requested_signal);
     world_run(d, 5.0*step);
-    TAP_OK(dem_stopped(d) == 0 && world_tally(d).steps == 10, "not asked: not stopped");
-    asked = SIGUSR1;
+    TAP_OK(dem_stopped(d) == 0 && world_tally(d).steps == 10,
+           "a flag without a signal: not stopped");
+    requested_signal = SIGUSR1;
     world_run(d, 5.0*step);
     TAP_OK(dem_stopped(d) == SIGUSR1 && world_tally(d).steps == 11,
            "requested: stopped after one step, with the signal");
-    asked = 0;
+    requested_signal = 0;
     world_run(d, 4.0*step);
     TAP_OK(dem_stopped(d) == 0 && world_tally(d).steps == 15, "the rest of the window");
-    asked = SIGTERM;
+    requested_signal = SIGTERM;
     world_run(d, step);
-    TAP_OK(dem_stopped(d) == 0, "after the last step of a window: not in the middle");
+    TAP_OK(dem_stopped(d) == 0, "after the last step of a window: not reported as stopped");
     dem_free(d);
 }
 
-/* Height and velocity of a sphere at 1 s that is stopped at step 301 of 1000 and goes on with other steps. */
+/* Height and velocity at 1 s of a sphere that is stopped at step 301 of 1000 and continues with
+   another step. */
 static struct world_particle fall(double other)
 {
     static const char text[] =
-        "materials { glass { density 2500; youngsModulus 1e6; } } effects { gravity { acceleration (0 0 -10); } }"
-        "insert { one { type list; diameter 1e-3; positions ((0 0 0)); } } time { step %.17g; force yes; }";
+        "materials { glass { density 2500; youngsModulus 1e6; } } "
+        "effects { gravity { acceleration (0 0 -10); } }"
+        "insert { one { type list; diameter 1e-3; positions ((0 0 0)); } } time { step %.17g; "
+        "force yes; }";
     char *const first = world_text(text, 1e-3), *const second = world_text(text, other);
     struct dem *d = world(first, 0, NULL);
 
-    asked = SIGTERM;
-    dem_set_stop_flag(d, &asked);
+    requested_signal = SIGTERM;
+    dem_set_stop_flag(d, &requested_signal);
     for (int k = 0; k < 301; k++)
     {
         WORLD_TRY(dem_advance(d, 1.0 - world_tally(d).time));
@@ -158,13 +173,13 @@ static struct world_particle fall(double other)
 static void other_steps(void)
 {
     /* 1e-12: 1000 sums of numbers of 10, round-off */
-    TAP_NEAR(fall(1e-3).x[2], -5.0, 1e-12, "the same steps: where it falls to");
-    TAP_NEAR(fall(2e-3).v[2], -10.0, 1e-12, "longer steps: its velocity");
-    TAP_NEAR(fall(2e-3).x[2], -5.0, 1e-12, "longer steps: where it falls to");
+    TAP_NEAR(fall(1e-3).x[2], -5.0, 1e-12, "the same step: height");
+    TAP_NEAR(fall(2e-3).v[2], -10.0, 1e-12, "longer steps: velocity");
+    TAP_NEAR(fall(2e-3).x[2], -5.0, 1e-12, "longer steps: height");
     TAP_NEAR(fall(0.5e-3).v[2], -10.0, 10.0*0.25e-3 + 1e-12,
-             "shorter steps: at most g (dt - dt')/2 too fast");
+             "shorter steps: velocity error at most g (dt - dt')/2");
     TAP_NEAR(fall(0.5e-3).x[2], -5.0, 0.7*10.0*0.25e-3 + 1e-12,
-             "and that by the time that is left too low");
+             "shorter steps: height error at most that times the remaining time");
 }
 
 int main(void)
@@ -176,13 +191,13 @@ int main(void)
     }
     snprintf(file, sizeof file, "%s/stop.dem", folder);
     same_bits();
-    telling();
+    stop_reports();
     other_steps();
     if (system(NULL))
     {
         char *const command = world_text("rm -r %s", folder);
 
-        TAP_OK(system(command) == 0, "tidied up");
+        TAP_OK(system(command) == 0, "the folder is removed");
         free(command);
     }
     TAP_DONE;

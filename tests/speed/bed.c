@@ -1,18 +1,22 @@
 /*
  * bed.c -- a bed of spheres as text, and the time that Suna takes for it.
  *
- *   bed state SCENE SNAPSHOT COPIES WIDTH SPEED      prints the particles of a snapshot, repeated COPIES times along x every
- *                                                    WIDTH [m], with a random velocity up to SPEED [m/s] along each axis added
- *                                                    (WIDTH is also the period along x and y)
- *   bed run SCENE STATE STEP STEPS END [PATH VALUE ...]
- *                                                    runs STEPS steps of STEP [s] from such a text and prints processor time [s],
- *                                                    bytes, kinetic energy [J], contacts, rebuilds, prunes, bonds; writes the last
- *                                                    state as such a text to END, unless that is -
- *   bed spend PROGRAM ...                            runs another program; a last line of ours tells processor time [s] and bytes
+ *    bed state SCENE SNAPSHOT COPIES WIDTH SPEED
+ *        prints the particles of a snapshot, repeated COPIES times along x every WIDTH [m] (also
+ *        the period
+ *        along x and y), with a random velocity up to SPEED [m/s] along each axis added
+ *    bed run SCENE STATE STEP STEPS END [PATH VALUE ...]
+ *        runs STEPS steps of STEP [s] from such a text; prints processor time [s], bytes, kinetic
+ *        energy
+ *        [J], contacts, rebuilds, prunes, bonds; writes the last state as such a text to END,
+ *        unless END is -
+ *    bed spend PROGRAM ...
+ *        runs another program; the last line has its processor time [s] and bytes
  *
- * A line of the text: id, diameter, position, velocity, spin. Contacts start without memory, as in the codes compared with.
- * Time is that of dem_advance after a first step, which finds the first lists, times STEPS/(STEPS - 1). Bytes are the most that the process held beyond what it held
- * before there were particles.
+ * A line of the text: id, diameter, position, velocity, spin. Contacts start without history, as in
+ * the codes compared with. Time is that of dem_advance after a first step, which makes the first
+ * lists, times STEPS/(STEPS - 1). Bytes are the peak of the process beyond its memory before there
+ * were particles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -37,7 +41,7 @@ static int fail(const char *what)
 }
 
 /* One line of /proc/self/status [bytes]; 0 where there is none. */
-static double held(const char *name)
+static double status_bytes(const char *name)
 {
     FILE *const f = fopen("/proc/self/status", "r");
     char line[256];
@@ -57,8 +61,8 @@ static double held(const char *name)
     return 1024.0*kilobytes;
 }
 
-/* The most that is held counts from here on. */
-static void forget_peak(void)
+/* Reset the peak of memory. */
+static void reset_peak(void)
 {
     FILE *const f = fopen("/proc/self/clear_refs", "w");
 
@@ -77,10 +81,11 @@ static double seconds(void)
     return (double)t.tv_sec + 1e-9*(double)t.tv_nsec;
 }
 
-/* ---- state --------------------------------------------------------------------------------------------------- */
+/* ---- state ----------------------------------------------------------------------------------- */
 
-/* Suna takes no start with overlaps of 5 % of a diameter, but a small grain between large ones may be pressed more: it is made as much
-   smaller as leaves 4 %. Diameters of all [m]; NULL when there is no memory. */
+/* Suna refuses initial overlaps of 5 % of a diameter, but a small grain between large ones may have
+   more: its diameter is reduced to an overlap of 4 %. Diameters of all [m]; NULL when there is no
+   memory. */
 static double *diameters(const struct dem_view *v, double width)
 {
     const double most = 0.04;
@@ -166,7 +171,7 @@ static int state(char **argument)
     return 0;
 }
 
-/* ---- run ----------------------------------------------------------------------------------------------------- */
+/* ---- run ------------------------------------------------------------------------------------- */
 
 static int add(struct dem *d, const char *path)
 {
@@ -224,7 +229,7 @@ static int print_end(const struct dem *d, const char *path)
 static int run(int arguments, char **argument)
 {
     const double step = strtod(argument[2], NULL), steps = strtod(argument[3], NULL),
-                 before = held("VmRSS:");
+                 before = status_bytes("VmRSS:");
     struct dem_totals t;
     struct dem *d;
 
@@ -244,15 +249,16 @@ static int run(int arguments, char **argument)
     {
         return 1;
     }
-    forget_peak();
+    reset_peak();
     if (dem_advance(d, step*(1.0 -
-                               1e-12)))               /* finds pairs, as the others do before their first step */
+                               /* makes lists, as the other codes do before their first step */
+                               1e-12)))
     {
         return fail(dem_error_text());
     }
     const double start = seconds();
 
-    /* a hair less than a whole number of steps, so that rounding does not make one more of them */
+    /* slightly less than a whole number of steps, so that rounding does not add one */
     if (steps > 1.0 && dem_advance(d, step*(steps - 1.0)*(1.0 - 1e-12)))
     {
         return fail(dem_error_text());
@@ -263,7 +269,7 @@ static int run(int arguments, char **argument)
     {
         return fail(dem_error_text());
     }
-    printf("%.6g %.6g %.6g %lld %lld %lld %lld\n", spent, held("VmHWM:") - before, t.kinetic,
+    printf("%.6g %.6g %.6g %lld %lld %lld %lld\n", spent, status_bytes("VmHWM:") - before, t.kinetic,
            (long long)t.contacts, (long long)t.rebuilds, (long long)t.prunes, (long long)t.bonds);
     const int status = strcmp(argument[4], "-") == 0 ? 0 : print_end(d, argument[4]);
 
@@ -271,9 +277,10 @@ static int run(int arguments, char **argument)
     return status;
 }
 
-/* ---- spend --------------------------------------------------------------------------------------------------- */
+/* ---- spend ----------------------------------------------------------------------------------- */
 
-/* What is told of a process includes what its parent held before it began: so its parent is this one, which holds nothing. */
+/* The peak memory of a process includes that of its parent before the start: so its parent is this
+   program, which has little. */
 static int spend(char **argument)
 {
     struct rusage use;
@@ -312,5 +319,5 @@ int main(int arguments, char **argument)
     {
         return spend(argument + 2);
     }
-    return fail("the first comment of bed.c tells what to give");
+    return fail("see the first comment of bed.c for the arguments");
 }

@@ -1,10 +1,12 @@
 /*
- * machine.c -- what one core of this machine can do: its clock, and bytes per second from each size of memory.
+ * machine.c -- clock rate and memory bandwidth of one core.
  *
- *   machine              prints the clock [GHz], then for each working set its size [bytes] and bandwidth [GB/s]
+ *     machine prints the clock [GHz], then for each working set its size [bytes] and bandwidth
+ *     [GB/s]
  *
- * The clock is that of a chain of dependent additions, one a cycle on any processor of today. Bandwidth is that of a(i) = b(i) + s c(i),
- * McCalpin's triad; 32 bytes an element, for a line that is written is read before: two arrays in, one in and out. Best of some turns.
+ * The clock is that of a chain of dependent additions, one a cycle. Bandwidth is that of a(i) =
+ * b(i) + s c(i), McCalpin's triad, with 32 bytes an element, as a line that is written is read
+ * first: two arrays in, one in and out. Best of several repetitions.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -34,7 +36,8 @@ static double clock_rate(void)
 
         for (long i = 0; i < turns; i++)
         {
-            __asm__ volatile("" : "+r"(x));               /* neither left out nor joined with the next */
+            /* neither removed nor merged with the next */
+            __asm__ volatile("" : "+r"(x));
             x += 12345;
         }
         __asm__ volatile("" : : "r"(x));
@@ -45,7 +48,7 @@ static double clock_rate(void)
     return 1e-9*(double)turns/best;
 }
 
-/* GB/s of a triad whose three arrays together hold `size` bytes */
+/* GB/s of a triad with three arrays of `size` bytes in all */
 static double bandwidth(size_t size)
 {
     const size_t n = size/(3*sizeof(double));

@@ -1,7 +1,7 @@
-"""scenes.py -- the beds that speed.py measures, and Suna's own runs of them.
+"""scenes.py -- the beds that speed.py measures, and the runs of Suna.
 
-A scene is a bed at rest, settled once and kept in beds/, repeated along x, with a random velocity added. Every code starts from the
-same text of it: id, diameter, position, velocity, spin a line.
+A scene is a bed at rest, settled once and kept in beds/, repeated along x, with a random velocity
+added. Every code starts from the same text of it: id, diameter, position, velocity, spin a line.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -13,13 +13,16 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 BEDS = os.path.join(HERE, "beds")
 
-# law of contact; width along x and y [m], copies along x; random speed added [m/s]; step [s], steps; mean diameter [m].
-# Where it is not so: `bed`, whose scene settles it (that of the law). `spheres` and `height`: of another bed than that scene's.
-# `classes`: diameters where another class of size begins, for searches that know classes. `young`: stiffness, where not 5e6 Pa.
+# contact law; width along x and y [m], copies along x; random speed added [m/s]; step [s], steps;
+# mean diameter [m]. Exceptions: `bed`, the scene that settles it (default: that of the law).
+# `spheres` and `height`: of another bed than that of the scene. `classes`: diameters at which
+# another class of size begins, for searches with classes. `young`: stiffness other than 5e6 Pa.
 EQUAL = dict(law="equal", width=0.025, copies=1, speed=0.0, step=2e-6, steps=2000, mean=1e-3)
 SMALL = dict(EQUAL, width=0.01, speed=0.5, steps=500, spheres=500, height=0.006)
-SIZES = dict(law="sizes", width=0.04, copies=5, speed=0.0, step=2e-6, steps=600, mean=1.6e-3, classes=(2e-3,))
-RATIO = dict(law="ratio", width=0.016, copies=5, speed=0.0, step=3e-7, steps=300, mean=0.38e-3, classes=(0.4e-3, 0.8e-3, 1.6e-3), young=3e7)
+SIZES = dict(law="sizes", width=0.04, copies=5, speed=0.0, step=2e-6, steps=600, mean=1.6e-3,
+             classes=(2e-3,))
+RATIO = dict(law="ratio", width=0.016, copies=5, speed=0.0, step=3e-7, steps=300, mean=0.38e-3,
+             classes=(0.4e-3, 0.8e-3, 1.6e-3), young=3e7)
 SCENES = {
     "settled20k": EQUAL,
     "settled100k": dict(EQUAL, copies=5, steps=400),
@@ -32,7 +35,8 @@ SCENES = {
     "hysteresis20k": dict(EQUAL, law="hysteresis"),
     "small": SMALL,
     "smallRest": dict(SMALL, speed=0.0, steps=100),
-    "smallSizes": dict(SMALL, law="sizes", width=0.02, spheres=500, height=0.009, mean=1.6e-3, classes=(2e-3,)),
+    "smallSizes": dict(SMALL, law="sizes", width=0.02, spheres=500, height=0.009, mean=1.6e-3,
+                       classes=(2e-3,)),
     "smallBonded": dict(SMALL, law="bonded", bed="equal", speed=0.02),
     "smallHysteresis": dict(SMALL, law="hysteresis"),
 }
@@ -40,10 +44,11 @@ FULL = [name for name in SCENES if not name.startswith("small")]
 
 
 def spent(bed, command, folder, log):
-    """Processor time [s] and most memory [bytes] of a command; ends the benchmark when it fails."""
+    """Processor time [s] and peak memory [bytes] of a command; ends the benchmark when it fails."""
     path = os.path.join(folder, log)
     with open(path, "w") as out:
-        status = subprocess.run([bed, "spend"] + command, cwd=folder, stdout=out, stderr=subprocess.STDOUT).returncode
+        status = subprocess.run([bed, "spend"] + command, cwd=folder, stdout=out,
+                                stderr=subprocess.STDOUT).returncode
     if status:
         sys.exit(f"speed: {' '.join(command)} failed; see {path}")
     with open(path) as text:
@@ -56,11 +61,12 @@ def file_of(law):
 
 def box(scene):
     """Entries of the domain's sides."""
-    return [("domain/x", f"(0 {scene['copies']*scene['width']!r})"), ("domain/y", f"(0 {scene['width']!r})")]
+    return [("domain/x", f"(0 {scene['copies']*scene['width']!r})"),
+            ("domain/y", f"(0 {scene['width']!r})")]
 
 
 def settled(dem, bed, scene):
-    """The snapshot of a bed at rest, made when it is not there yet."""
+    """The snapshot of a bed at rest, made if missing."""
     name = scene.get("bed", scene["law"])
     folder = os.path.join(BEDS, f"{name}{scene.get('spheres', '')}")
     snapshot = os.path.join(folder, "settled", "snapshot.dem")
@@ -72,14 +78,16 @@ def settled(dem, bed, scene):
             for entry, value in box(scene) + [("insert/bed/count", str(scene["spheres"])),
                                               ("insert/bed/max", f"({scene['width']!r} {scene['width']!r} {scene['height']!r})")]:
                 other += ["-set", entry, value]
-        spent(bed, [dem, "run"] + other + [file_of("settle" + name.capitalize())], folder, "log.settle")
+        spent(bed, [dem, "run"] + other + [file_of("settle" + name.capitalize())], folder,
+              "log.settle")
         open(os.path.join(folder, "done"), "w").close()
     return snapshot
 
 
 def print_state(dem, bed, scene, path):
     """Write the text of a scene's bed."""
-    command = [bed, "state", file_of(scene.get("bed", scene["law"])), settled(dem, bed, scene), str(scene["copies"]), repr(scene["width"]),
+    command = [bed, "state", file_of(scene.get("bed", scene["law"])), settled(dem, bed, scene),
+               str(scene["copies"]), repr(scene["width"]),
                repr(scene["speed"])]
     with open(path, "w") as out:
         return subprocess.run(command, stdout=out, stderr=subprocess.PIPE, text=True)
@@ -89,23 +97,26 @@ def state(dem, bed, name, scene):
     """The text of particles that a scene starts from, and the particles."""
     path = os.path.join(BEDS, name + ".txt")
     if not os.path.exists(path):
-        part = f"{path}.{os.getpid()}"                    # of two that make it at a time the later one wins
-        told = print_state(dem, bed, scene, part)
-        if told.returncode and "version" in told.stderr:  # a snapshot of an older Suna: settle anew
+        # of two that make it at a time the later one wins
+        part = f"{path}.{os.getpid()}"
+        result = print_state(dem, bed, scene, part)
+        if result.returncode and "version" in result.stderr:  # a snapshot of an older Suna: settle anew
             shutil.rmtree(os.path.dirname(os.path.dirname(settled(dem, bed, scene))))
-            told = print_state(dem, bed, scene, part)
-        if told.returncode:
-            sys.exit(told.stderr.rstrip())
+            result = print_state(dem, bed, scene, part)
+        if result.returncode:
+            sys.exit(result.stderr.rstrip())
         os.rename(part, path)
     with open(path) as text:
         return path, [line.split() for line in text]
 
 
 def suna(bed, scene, path, steps, entries=(), end=None):
-    """Processor time, bytes, kinetic energy, contacts, rebuilds, prunes, bonds; `end`: where the particles' last places go."""
+    """Processor time, bytes, kinetic energy, contacts, rebuilds, prunes, bonds; `end`: file of the
+    final positions."""
     command = [bed, "run", file_of(scene["law"]), path, repr(scene["step"]), str(steps), end or "-"]
-    told = subprocess.run(command + [word for entry in box(scene) + list(entries) for word in entry], capture_output=True, text=True)
-    if told.returncode:
-        unknown = "speed: this Suna knows no precision but double: " if 'unknown entry "precision"' in told.stderr else ""
-        sys.exit(unknown + told.stderr.rstrip())
-    return [float(word) for word in told.stdout.split()]
+    result = subprocess.run(command + [word for entry in box(scene) + list(entries)
+                                     for word in entry], capture_output=True, text=True)
+    if result.returncode:
+        unknown = "speed: this Suna knows no precision but double: " if 'unknown entry "precision"' in result.stderr else ""
+        sys.exit(unknown + result.stderr.rstrip())
+    return [float(word) for word in result.stdout.split()]

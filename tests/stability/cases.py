@@ -1,12 +1,15 @@
-"""
-cases.py -- runs the cases of this folder, each a folder NN_name with scenes and a check.py, and prints what they measured.
+"""cases.py -- run the cases of this folder, each a folder NN_name with scenes and a check.py, and
+print the results.
 
-A check.py has HARD (what makes the case hard, in words) and check(c), which runs scenes and compares what their output files hold:
+A check.py has HARD (the difficulty of the case) and check(c), which runs scenes and compares their
+output files:
 
-    run = c.run("scene.dem", {"effects/dry/restitution": 0.9}, ranks=4)      the scene with entries changed, in a folder of its own
-    c.near("restitution", e, 0.9, 0.01)                                      a row: what came out, what it should be, tolerance
-    c.below("speed, m/s", v, 1e-8)                                           a row: not above
-    c.holds("refused by name", "glass" in run.err, run.err)                  a row: yes or no, with what was seen
+    run = c.run("scene.dem", {"effects/dry/restitution": 0.9}, ranks=4)
+                                                         the scene with entries changed, in a separate folder
+    c.near("restitution", e, 0.9, 0.01)                  a row: result, expected value, tolerance
+    c.below("speed, m/s", v, 1e-8)                       a row: not above this limit
+    c.holds("refused by name", "glass" in run.err, run.err)
+                                                         a row: true or false, with the text found
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -32,8 +35,9 @@ class Row:
 
 
 def times(ratio):
-    """How many times the deviation fits into the tolerance, in words."""
-    return "exact" if math.isinf(ratio) else "-" if math.isnan(ratio) else ("%.1fx" if ratio < 10 else "%.0fx" if ratio < 1e4 else "%.0ex") % ratio
+    """Tolerance over deviation, as text."""
+    return "exact" if math.isinf(ratio) else "-" if math.isnan(ratio) else ("%.1fx" if ratio < 10
+        else "%.0fx" if ratio < 1e4 else "%.0ex") % ratio
 
 
 def fits(tolerance, off):
@@ -42,22 +46,25 @@ def fits(tolerance, off):
 
 class Case:
     def __init__(self, folder, options):
-        self.folder, self.dem, self.long, self.ranks_limit = os.path.join(HERE, folder), options.dem, options.long, 120
-        self.thorough = self.long or bool(os.environ.get("SUNA_LONG"))       # ./Alltest -long: more ranks, not the long forms
+        self.folder, self.dem, self.long, self.ranks_limit = os.path.join(HERE,
+            folder), options.dem, options.long, 120
+        # ./Alltest -long: more ranks, not the long forms
+        self.thorough = self.long or bool(os.environ.get("SUNA_LONG"))
         self.number, self.name = folder[:2] if folder[:2].isdigit() else "--", folder.lstrip("0123456789_").replace("_", " ")
         self.work = os.path.join(options.work, folder)
         self.rows, self.runs, self.hard = [], 0, ""
         shutil.rmtree(self.work, ignore_errors=True)
         os.makedirs(self.work)
 
-    # ---- runs --------------------------------------------------------------------------------------------------------
+    # ---- runs ------------------------------------------------------------------------------------
 
     def place(self, name):
         """A file or folder in the case's own place, for what a check makes itself."""
         return os.path.join(self.work, name)
 
     def run(self, scene, entries=None, ranks=1, restart=None, name=None, limit=None):
-        """Run a scene of this folder with some entries changed, beside what it says in files written there."""
+        """Run a scene of this folder with some entries changed, beside what it says in files
+        written there."""
         self.runs += 1
         folder = self.place(name or "run%d" % self.runs)
         os.makedirs(folder, exist_ok=True)
@@ -72,25 +79,30 @@ class Case:
         """Any other program, in the case's own place."""
         return Run(self.work, words, limit)
 
-    # ---- rows --------------------------------------------------------------------------------------------------------
+    # ---- rows ------------------------------------------------------------------------------------
 
     def near(self, what, measured, wanted, tolerance):
         off = abs(measured - wanted)
-        self.rows.append(Row(what, "%.8g +- %.3g" % (wanted, tolerance), "%.9g" % measured, fits(tolerance, off), off <= tolerance))
+        self.rows.append(Row(what, "%.8g +- %.3g" % (wanted, tolerance), "%.9g" % measured,
+                             fits(tolerance, off), off <= tolerance))
 
     def below(self, what, measured, limit):
         good = measured <= limit                             # False for what is not a number
-        self.rows.append(Row(what, "<= %.3g" % limit, "%.4g" % measured, fits(limit, measured), good))
+        self.rows.append(Row(what, "<= %.3g" % limit, "%.4g" % measured, fits(limit, measured),
+                             good))
 
     def above(self, what, measured, limit):
-        self.rows.append(Row(what, ">= %.3g" % limit, "%.4g" % measured, fits(measured, limit), measured >= limit))
+        self.rows.append(Row(what, ">= %.3g" % limit, "%.4g" % measured, fits(measured, limit),
+                             measured >= limit))
 
     def equal(self, what, measured, wanted):
         good = measured is not None and measured == wanted   # None: neither run gave a fingerprint
-        self.rows.append(Row(what, "%s" % (wanted,), "%s" % (measured,), math.inf if good else 0.0, good))
+        self.rows.append(Row(what, "%s" % (wanted,), "%s" % (measured,), math.inf if good else 0.0,
+                             good))
 
     def holds(self, what, good, seen=""):
-        self.rows.append(Row(what, "yes", "yes" if good else "no: " + seen.strip()[-300:].replace("\n", " / "), math.nan, bool(good)))
+        self.rows.append(Row(what, "yes", "yes" if good else "no: " +
+                             seen.strip()[-300:].replace("\n", " / "), math.nan, bool(good)))
 
     def skip(self, what, why):
         self.rows.append(Row(what + " # SKIP " + why, "", "", math.nan, True))
@@ -109,7 +121,8 @@ def number(value):
 
 
 def load(folder):
-    spec = importlib.util.spec_from_file_location("check_" + folder, os.path.join(HERE, folder, "check.py"))
+    spec = importlib.util.spec_from_file_location("check_" + folder,
+        os.path.join(HERE, folder, "check.py"))
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -122,7 +135,8 @@ def do(folder, options):
         module = load(folder)
         case.hard = module.HARD
         module.check(case)
-    except Exception:                                        # a check that breaks is a check that fails
+    # a check that breaks is a check that fails
+    except Exception:
         case.holds("the check itself", False, traceback.format_exc(limit=-2))
     if not case.rows:
         case.holds("measures something", False)
@@ -131,8 +145,10 @@ def do(folder, options):
 
 
 def chosen(words):
-    folders = sorted(f for f in os.listdir(HERE) if os.path.exists(os.path.join(HERE, f, "check.py")))
-    picked = [f for f in folders if not words or any(w.isdigit() and w.zfill(2) == f[:2] or not w.isdigit() and w in f for w in words)]
+    folders = sorted(f for f in os.listdir(HERE) if os.path.exists(os.path.join(HERE, f,
+        "check.py")))
+    picked = [f for f in folders if not words or any(w.isdigit() and w.zfill(2) == f[:2]
+        or not w.isdigit() and w in f for w in words)]
     if not picked:
         sys.exit("no case %s; there are: %s" % (" ".join(words), " ".join(folders)))
     return picked
@@ -144,8 +160,10 @@ def report(case, count):
         if "# SKIP" in row.what:
             print("ok %d - %s %s: %s" % (count, case.number, case.name, row.what), flush=True)
             continue
-        print("%s %d - %s %s: %s | %s | %s | %s" % ("ok" if row.good else "not ok", count, case.number, case.name, row.what, row.wanted,
-                                                    row.measured.replace("#", ""), times(row.margin)), flush=True)
+        print("%s %d - %s %s: %s | %s | %s | %s" % ("ok" if row.good else "not ok", count,
+            case.number, case.name, row.what, row.wanted,
+                                                    row.measured.replace("#", ""),
+                                                    times(row.margin)), flush=True)
     return count
 
 
@@ -158,7 +176,8 @@ def table(cases):
     print("#\n# no case                  what is hard                                         its tightest row: criterion, measured, margin")
     for case in cases:
         row, good = tightest(case), sum(r.good for r in case.rows)
-        print("# %s %-21s %-52s %s: %s, %s, %s; %d of %d passed" % (case.number, case.name, case.hard, row.what, row.wanted, row.measured,
+        print("# %s %-21s %-52s %s: %s, %s, %s; %d of %d passed" %
+              (case.number, case.name, case.hard, row.what, row.wanted, row.measured,
                                                                     times(row.margin), good, len(case.rows)))
 
 

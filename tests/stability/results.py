@@ -1,6 +1,5 @@
-"""
-results.py -- a run of the program and what its output files hold, read with nothing but the standard library: tables, pictures
-(dem/output/vtk.h) and snapshots (dem/checkpoint/snapshot_head.h).
+"""results.py -- a run of the program and its output files, read with the standard library only:
+tables, pictures (dem/output/vtk.h) and snapshots (dem/checkpoint/snapshot_head.h).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -13,12 +12,14 @@ import subprocess
 
 
 class Run:
-    """status, out, err; snapshots, tables. Files lie in `folder`/out or where the scene says."""
+    """status, out, err; snapshots, tables. Files are in `folder`/out or in the folder of the
+    scene."""
 
     def __init__(self, folder, command, limit):
         self.folder = folder
         try:
-            done = subprocess.run(command, cwd=folder, timeout=limit, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+            done = subprocess.run(command, cwd=folder, timeout=limit, stdin=subprocess.DEVNULL,
+                                  capture_output=True, text=True)
             self.status, self.out, self.err = done.returncode, done.stdout, done.stderr
         except subprocess.TimeoutExpired:
             self.status, self.out, self.err = 124, "", "did not end within %g s" % limit
@@ -41,13 +42,15 @@ class Run:
 
     def snapshots(self):
         """All snapshots in order."""
-        return [Snapshot(p) for p in sorted(glob.glob(os.path.join(self.folder, "**", "snapshot*.dem"), recursive=True))]
+        return [Snapshot(p) for p in sorted(glob.glob(os.path.join(self.folder, "**",
+            "snapshot*.dem"), recursive=True))]
 
     def table(self, name):
         """A .csv file: a list of rows, each a dict by the column's name without its unit."""
         with open(self.path(name)) as file:
-            lines = (line for line in file if not line.startswith("#"))      # the effects that act
-            return [{re.sub(r"\[.*", "", k): value(v) for k, v in row.items()} for row in csv.DictReader(lines)]
+            lines = (line for line in file if not line.startswith("#"))      # line of effects
+            return [{re.sub(r"\[.*", "", k): value(v) for k, v in row.items()}
+                    for row in csv.DictReader(lines)]
 
     def wall(self, name):
         return [row for row in self.table("walls.csv") if row["wall"] == name]
@@ -65,7 +68,7 @@ class Particle:
 
 
 class Snapshot:
-    """time [s], steps, particles by id, rows: remembered contacts as (low, high, {name: number})."""
+    """time [s], steps, particles by id, rows: contact history as (low, high, {name: number})."""
 
     HEAD = struct.Struct("<8s2Q3Q4qd2q2d24q2q")
     FLOW, NAMES, NAME = 48 + 13*8, 128, 48
@@ -88,7 +91,8 @@ class Snapshot:
         size = 16 + sum(w for _, w in self.columns)
         self.particles = {}
         for k in range(n):
-            p = self.particle(struct.unpack_from("<15d8s" + "%dd" % (size - 16), data, at + 8*size*k), data, at + 8*size*k)
+            p = self.particle(struct.unpack_from("<15d8s" + "%dd" % (size - 16), data,
+                at + 8*size*k), data, at + 8*size*k)
             self.particles[p.id] = p
         at += 8*size*n
         width = sum(w for _, w in memory)
@@ -115,8 +119,9 @@ class Snapshot:
         return self.particles[number]
 
     def kinetic(self):
-        """Energy of motion and of spin [J]."""
-        return sum(0.5*p.mass*dot(p.v, p.v) + (0.5*p.inertia*dot(p.w, p.w) if not p.frozen else 0.0) for p in self.particles.values())
+        """Translational and rotational kinetic energy [J]."""
+        return sum(0.5*p.mass*dot(p.v, p.v) + (0.5*p.inertia*dot(p.w, p.w) if not p.frozen else 0.0)
+                   for p in self.particles.values())
 
     def momentum(self):
         return [sum(p.mass*p.v[a] for p in self.particles.values()) for a in range(3)]

@@ -1,12 +1,18 @@
 /*
- * Claims for scenes drawn at random: numbers stay finite; momentum and angular momentum are conserved without external forces; energy
- * is not created beyond the error of the integrator; several ranks have the bits of one; a restarted run has the bits of a straight one.
+ * test_random.c -- invariants of random scenes.
  *
- *     mpirun -np 3 test_random FIRST COUNT FOLDER     scenes of seeds FIRST ...; snapshots go into the folder; prints the worst of all
- *     test_random -print SEED                         that scene, for `dem run`
+ * - Numbers stay finite.
+ * - Momentum and angular momentum are conserved without external forces.
+ * - Energy is not created beyond the error of the integrator.
+ * - Several ranks have the bits of one; a restarted run has the bits of the uninterrupted one.
  *
- * Drawn are: materials and pairs, laws of contact, resistance, adhesion and bonds, sizes, groups with velocity and spin, gravity, domain,
- * walls at rest and moving, a uniform fluid with a drag law and related effects. Not included: streams, coupled runs.
+ *     mpirun -np 3 test_random FIRST COUNT FOLDER    scenes of seeds FIRST ...; snapshots go to the
+ *                                                    folder; prints the largest errors of all
+ *     test_random -print SEED                        prints that scene, for `dem run`
+ *
+ * Random are: materials and pairs, contact laws, rolling resistance, adhesion and bonds, sizes,
+ * groups with velocity and spin, gravity, domain, walls at rest and in motion, a uniform fluid with
+ * a drag law and related effects. Not included: streams, coupled runs.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -34,7 +40,7 @@ enum worst
     MOMENTUM, ANGULAR, CREATED, ABOVE, KINDS
 };
 static const char *const kinds[KINDS] = {"momentum", "angular momentum", "energy created",
-                                         "energy above what was put in"};
+                                         "energy above the input"};
 
 struct scene
 {
@@ -53,27 +59,27 @@ struct result
     double worst[KINDS];                                  /* relative */
 };
 
-/* ---- drawing ---------------------------------------------------------------------------------------------------------- */
+/* ---- random scenes --------------------------------------------------------------------------------- */
 
-static double unit(struct scene *s)
+static double random_unit(struct scene *s)
 {
     return dem_random_unit(s->seed, s->drawn++, 77, 0);
 }
 
-static double between(struct scene *s, double low, double high)
+static double random_between(struct scene *s, double low, double high)
 {
-    return low + (high - low)*unit(s);
+    return low + (high - low)*random_unit(s);
 }
 
-static int one_of(struct scene *s, int n)
+static int random_index(struct scene *s, int n)
 {
-    const int k = (int)(n*unit(s));
+    const int k = (int)(n*random_unit(s));
 
     return k < n ? k : n - 1;
 }
 
 __attribute__((format(printf, 2, 3)))
-static void say(struct scene *s, const char *format, ...)
+static void append(struct scene *s, const char *format, ...)
 {
     va_list arguments;
 
@@ -82,9 +88,9 @@ static void say(struct scene *s, const char *format, ...)
     va_end(arguments);
 }
 
-static const char *pick(struct scene *s, const char *const *words, int n)
+static const char *select_word(struct scene *s, const char *const *words, int n)
 {
-    return words[one_of(s, n)];
+    return words[random_index(s, n)];
 }
 
 static void draw_contacts(struct scene *s)
@@ -92,47 +98,53 @@ static void draw_contacts(struct scene *s)
     static const char *const resists[] = {"", "rollingConstant { friction 0.1; }",
                                           "rollingSpring { friction 0.2; damping 0.3; }",
                                           "rollingViscous { time 1e-4; }"};
-    const int normal = one_of(s, 4), damping = one_of(s, 3), friction = one_of(s, 4),
-              adheres = one_of(s, 6);
+    const int normal = random_index(s, 4), damping = random_index(s, 3),
+              friction = random_index(s, 4), adheres = random_index(s, 6);
 
-    say(s, "    %s\n",
+    append(s, "    %s\n",
         normal < 2 ? "hertz { impactSpeed 2; }"
         : normal == 2 ? "hooke { impactSpeed 2; }"
                       : "");
     if (normal == 3)
     {
-        say(s,
-            "    hookeHysteresis { impactSpeed 2; unloading %.3g; adhesion %.3g; plasticDepth %.3g; }\n",
-            between(s, 1.0, 6.0), between(s, 0.0, 3.0), between(s, 0.0, 0.1));
+        append(s,
+            "    hookeHysteresis { impactSpeed 2; unloading %.3g; adhesion %.3g; "
+            "plasticDepth %.3g; }\n",
+            random_between(s, 1.0, 6.0), random_between(s, 0.0, 3.0), random_between(s, 0.0, 0.1));
     }
     if (damping)
     {
-        say(s,
+        append(s,
             damping == 1 ? "    dry { restitution %.3g; }\n"
                          : "    viscous { coefficient %.3g; }\n",
-            damping == 1 ? unit(s) : between(s, 0.0, 2e-3));
+            damping == 1 ? random_unit(s) : random_between(s, 0.0, 2e-3));
     }
     if (friction)
     {
         static const char *const laws[] = {"mindlin", "mindlinIncremental", "linear"};
-        say(s, "    %s { friction %.3g; }\n", laws[friction - 1], between(s, 0.0, 1.0));
+        append(s, "    %s { friction %.3g; }\n", laws[friction - 1], random_between(s, 0.0, 1.0));
     }
-    say(s, "    %s\n", pick(s, resists, 4));
-    say(s, one_of(s, 4) == 0 ? "    twistingSpring { friction 0.3; damping 0.2; }\n" : "\n");
+    append(s, "    %s\n", select_word(s, resists, 4));
+    append(s,
+           random_index(s, 4) == 0 ? "    twistingSpring { friction 0.3; damping 0.2; }\n" : "\n");
     if (adheres == 1 && normal < 2)
     {
-        say(s, "    jkr { workOfAdhesion %.3g; }\n", between(s, 0.0, 0.2));
+        append(s, "    jkr { workOfAdhesion %.3g; }\n", random_between(s, 0.0, 0.2));
     }
     if (adheres == 2)
     {
-        say(s, "    sjkr { energyDensity %.3g; }\n", between(s, 0.0, 1e4));
+        append(s, "    sjkr { energyDensity %.3g; }\n", random_between(s, 0.0, 1e4));
     }
     if (adheres == 3)
     {
-        say(s,
-            "    bondLinear { normalStiffness %.3g; shearStiffness %.3g; makeDistance 1.1; breakDistance 1.3; make %s; normalStrength %.3g; shearStrength %.3g; dampingRatio %.2g; }\n",
-            between(s, 1e8, 1e9), between(s, 1e7, 5e8), one_of(s, 2) ? "once" : "always",
-            between(s, 1e4, 1e6), between(s, 1e4, 1e6), between(s, 0.0, 0.2));
+        append(
+            s,
+            "    bondLinear { normalStiffness %.3g; shearStiffness %.3g; makeDistance 1.1; "
+            "breakDistance 1.3; make %s; normalStrength %.3g; shearStrength %.3g; "
+            "dampingRatio %.2g; }\n",
+            random_between(s, 1e8, 1e9), random_between(s, 1e7, 5e8),
+            random_index(s, 2) ? "once" : "always", random_between(s, 1e4, 1e6),
+            random_between(s, 1e4, 1e6), random_between(s, 0.0, 0.2));
     }
 }
 
@@ -141,25 +153,28 @@ static void draw_fluid(struct scene *s)
     static const char *const drags[] = {"stokesDrag", "schillerNaumann", "wenYu",
                                         "gidaspow", "diFelice", "rong",
                                         "kochHill", "tenneti"};
-    const char *const drag = pick(s, drags, 8);
+    const char *const drag = select_word(s, drags, 8);
 
-    s->fluid = one_of(s, 3) == 0;
+    s->fluid = random_index(s, 3) == 0;
     if (s->fluid)
     {
-        const int lift = one_of(s, 3) == 0;
+        const int lift = random_index(s, 3) == 0;
 
-        say(s, "    %s { } pressureGradient { }%s%s\n", drag,
-            one_of(s, 3) ? "" : " virtualMass { }",
+        append(s, "    %s { } pressureGradient { }%s%s\n", drag,
+            random_index(s, 3) ? "" : " virtualMass { }",
             lift ? " saffmanMei { } magnus { } viscousTorque { }" : "");
-        say(s,
-            "}\nfluid { density %.4g; viscosity %.3g; velocity (%.3g %.3g %.3g); voidFraction %.3g;%s }\n",
-            one_of(s, 2) ? 1000.0 : 1.2, pow(10.0, between(s, -5.0, 0.0)), between(s, -0.5, 0.5),
-            between(s, -0.5, 0.5), between(s, -0.5, 0.5), between(s, 0.5, 1.0),
+        append(
+            s,
+            "}\nfluid { density %.4g; viscosity %.3g; velocity (%.3g %.3g %.3g); "
+            "voidFraction %.3g;%s }\n",
+            random_index(s, 2) ? 1000.0 : 1.2, pow(10.0, random_between(s, -5.0, 0.0)),
+            random_between(s, -0.5, 0.5), random_between(s, -0.5, 0.5),
+            random_between(s, -0.5, 0.5), random_between(s, 0.5, 1.0),
             lift ? " vorticity (20 -10 5);" : "");
     }
     else
     {
-        say(s, "}\n");
+        append(s, "}\n");
     }
 }
 
@@ -170,32 +185,40 @@ static void draw_surroundings(struct scene *s)
     switch (s->around)
     {
     case PERIODIC:
-        say(s, "domain { min (0 0 0); max (%.9g %.9g %.9g); periodic (x y z); }\n", L, L, L);
+        append(s, "domain { min (0 0 0); max (%.9g %.9g %.9g); periodic (x y z); }\n", L, L, L);
         break;
     case BOX:
-        say(s, "walls { box { type box; material a; min (0 0 0); max (%.9g %.9g %.9g); } }\n", L, L,
-            L);
+        append(s, "walls { box { type box; material a; min (0 0 0); max (%.9g %.9g %.9g); } }\n", L,
+               L, L);
         break;
     case FLOOR:
-        say(s,
-            "domain { x (0 %.9g); y (0 %.9g); periodic (x y); }\nwalls { floor { type plane; material b; point (0 0 0); normal (0 0 1); surfaceVelocity (%.3g 0 0); } }\n",
-            L, L, between(s, -1.0, 1.0));
+        append(s,
+            "domain { x (0 %.9g); y (0 %.9g); periodic (x y); }\nwalls { floor { type plane; "
+            "material b; point (0 0 0); normal (0 0 1); surfaceVelocity (%.3g 0 0); } }\n",
+            L, L, random_between(s, -1.0, 1.0));
         break;
     case TUBE:
-        say(s,
-            "walls { tube { type cylinder; material a; point (%.9g %.9g 0); axis (0 0 1); radius %.9g; particles inside; motion { type rotation; origin (%.9g %.9g 0);"
-            " axis (0 0 1); omega %.3g; } } lid { type plane; material a; point (0 0 0); normal (0 0 1); } }\n",
-            0.5*L, 0.5*L, 0.75*L, 0.5*L, 0.5*L, between(s, -30.0, 30.0));
+        append(s,
+            "walls { tube { type cylinder; material a; point (%.9g %.9g 0); axis (0 0 1); "
+            "radius %.9g; particles inside; motion { type rotation; origin (%.9g %.9g 0);"
+            " axis (0 0 1); omega %.3g; } } lid { type plane; material a; point (0 0 0); "
+            "normal (0 0 1); } }\n",
+            0.5*L, 0.5*L, 0.75*L, 0.5*L, 0.5*L, random_between(s, -30.0, 30.0));
         break;
     case FACETS:
-        say(s,
-            "walls { roof { type triangles; material b; corners ((%.9g %.9g 0) (%.9g %.9g 0) (%.9g %.9g 0)  (%.9g %.9g 0) (%.9g %.9g 0) (%.9g %.9g 0)); } }\n",
+        append(s,
+            "walls { roof { type triangles; material b; "
+            "corners ((%.9g %.9g 0) (%.9g %.9g 0) (%.9g %.9g 0)  (%.9g %.9g 0) (%.9g %.9g 0) "
+            "(%.9g %.9g 0)); } }\n",
             -L, -L, 2.0*L, -L, 2.0*L, 2.0*L, -L, -L, 2.0*L, 2.0*L, -L, 2.0*L);
         break;
     case SHAKER:
-        say(s,
-            "walls { floor { type plane; material a; point (0 0 %.9g); normal (0 0 1); motion { type oscillation; amplitude (0 %.3g %.3g); frequency %.4g; } } }\n",
-            -2e-4, between(s, 0.0, 1e-4), between(s, 0.0, 2e-4), between(s, 10.0, 300.0));
+        append(
+            s,
+            "walls { floor { type plane; material a; point (0 0 %.9g); normal (0 0 1); "
+            "motion { type oscillation; amplitude (0 %.3g %.3g); frequency %.4g; } } }\n",
+            -2e-4, random_between(s, 0.0, 1e-4), random_between(s, 0.0, 2e-4),
+            random_between(s, 10.0, 300.0));
         break;
     default:
         break;
@@ -204,43 +227,52 @@ static void draw_surroundings(struct scene *s)
 
 static void draw_particles(struct scene *s, double d)
 {
-    const int groups = 2 + one_of(s, 3);
+    const int groups = 2 + random_index(s, 3);
 
-    say(s, "insert\n{\n");
+    append(s, "insert\n{\n");
     for (int k = 0; k < groups; k++)
     {
-        const double least = d*between(s, 0.3, k == 0 ? 0.9 : 0.95), fast = between(s, 0.0, 0.8);
+        const double least = d*random_between(s, 0.3, k == 0 ? 0.9 : 0.95),
+                     fast = random_between(s, 0.0, 0.8);
 
-        say(s,
-            "    g%d { type random; material %s; count %d; seed %d; min (0 0 0); max (%.9g %.9g %.9g); ",
-            k, one_of(s, 2) ? "a" : "b", 3 + one_of(s, 15), k + 1, s->side, s->side, s->side);
-        say(s, one_of(s, 2) ? "diameter %.6g; " : "sizes { type uniform; min %.6g; max %.6g; } ",
-            least, d);
-        say(s, "velocity (%.4g %.4g %.4g); spin (%.4g %.4g %.4g); }\n",
-            fast*between(s, -1.0, 1.0), fast*between(s, -1.0, 1.0),
-            fast*between(s, -1.0, 1.0), between(s, -300.0, 300.0), between(s, -300.0, 300.0),
-            between(s, -300.0, 300.0));
+        append(
+            s,
+            "    g%d { type random; material %s; count %d; seed %d; min (0 0 0); "
+            "max (%.9g %.9g %.9g); ",
+            k, random_index(s, 2) ? "a" : "b", 3 + random_index(s, 15), k + 1, s->side, s->side,
+            s->side);
+        append(s,
+               random_index(s, 2) ? "diameter %.6g; "
+                                  : "sizes { type uniform; min %.6g; max %.6g; } ",
+               least, d);
+        append(s, "velocity (%.4g %.4g %.4g); spin (%.4g %.4g %.4g); }\n",
+               fast*random_between(s, -1.0, 1.0), fast*random_between(s, -1.0, 1.0),
+               fast*random_between(s, -1.0, 1.0), random_between(s, -300.0, 300.0),
+               random_between(s, -300.0, 300.0), random_between(s, -300.0, 300.0));
     }
-    say(s, "}\n");
+    append(s, "}\n");
 }
 
 static void draw(struct scene *s, uint64_t seed)
 {
     memset(s, 0, sizeof *s);
     s->seed = seed;
-    const double d = between(s, 0.5e-3, 2e-3);
+    const double d = random_between(s, 0.5e-3, 2e-3);
 
-    s->side = d*between(s, 4.6, 8.0);
-    s->around = (enum surroundings)one_of(s, SURROUNDINGS);
-    say(s,
-        "// seed %llu\nmaterials { a { density %.4g; youngsModulus %.4g; poissonsRatio %.3g; } b { density %.4g; youngsModulus %.4g; } }\n",
-        (unsigned long long)seed, between(s, 800.0, 8000.0), pow(10.0, between(s, 6.3, 8.0)),
-        between(s, 0.0, 0.49), between(s, 800.0, 8000.0), pow(10.0, between(s, 6.3, 8.0)));
-    say(s, "effects\n{\n");
-    s->gravity = one_of(s, 2);
+    s->side = d*random_between(s, 4.6, 8.0);
+    s->around = (enum surroundings)random_index(s, SURROUNDINGS);
+    append(
+        s,
+        "// seed %llu\nmaterials { a { density %.4g; youngsModulus %.4g; poissonsRatio %.3g; } "
+        "b { density %.4g; youngsModulus %.4g; } }\n",
+        (unsigned long long)seed, random_between(s, 800.0, 8000.0),
+        pow(10.0, random_between(s, 6.3, 8.0)), random_between(s, 0.0, 0.49),
+        random_between(s, 800.0, 8000.0), pow(10.0, random_between(s, 6.3, 8.0)));
+    append(s, "effects\n{\n");
+    s->gravity = random_index(s, 2);
     if (s->gravity)
     {
-        say(s, "    gravity { acceleration (1 -2 -9.81); }\n");
+        append(s, "    gravity { acceleration (1 -2 -9.81); }\n");
     }
     draw_contacts(s);
     draw_fluid(s);
@@ -248,7 +280,7 @@ static void draw(struct scene *s, uint64_t seed)
     draw_particles(s, d);
 }
 
-/* ---- running ---------------------------------------------------------------------------------------------------------- */
+/* ---- running --------------------------------------------------------------------------------- */
 
 static int make(struct dem **d, const struct scene *s, MPI_Comm comm, const char *from)
 {
@@ -260,7 +292,8 @@ static int make(struct dem **d, const struct scene *s, MPI_Comm comm, const char
     return status ? status : dem_setup(*d);
 }
 
-struct sums                                               /* of everybody: kg m/s, kg m2/s; and of their sizes */
+/* over all particles: kg m/s, kg m2/s; and sums of magnitudes */
+struct sums
 {
     double p[3], l[3], all_p, all_l, mass;
     int finite;
@@ -298,8 +331,9 @@ static double most(double a, double b)
     return a > b ? a : b;
 }
 
-/* Nothing outside acts on an open or periodic crowd without a fluid but gravity: M g t. */
-static void judge_motion(const struct scene *s, const struct sums *now, const struct sums *then,
+/* Gravity is the only external force on particles in an open or periodic domain without a fluid: M
+   g t. */
+static void check_motion(const struct scene *s, const struct sums *now, const struct sums *then,
                          double time, struct result *r)
 {
     static const double g[3] = {1.0, -2.0, -9.81};
@@ -316,23 +350,24 @@ static void judge_motion(const struct scene *s, const struct sums *now, const st
     }
 }
 
-static int begins(const char *name, const char *word)
+static int starts_with(const char *name, const char *word)
 {
     return strncmp(name, word, strlen(word)) == 0;
 }
 
-/* Springs of friction may be cut to hold more than slip has put in (the dashpot's share, docs/energy-balance.md): they give it to heat,
-   and here what they hold counts for nothing. */
-static int counts(const char *name)
+/* Friction springs may be cut to store more than the work of slip (the part of the dashpot,
+   docs/energy-balance.md). They dissipate it later, so their energy is not counted here. */
+static int is_counted(const char *name)
 {
-    return begins(name, "kinetic") || begins(name, "gravity") ||
-           (begins(name, "elastic") && !strstr(name, "mindlin") && !strstr(name, "linear") &&
+    return starts_with(name, "kinetic") || starts_with(name, "gravity") ||
+           (starts_with(name, "elastic") && !strstr(name, "mindlin") && !strstr(name, "linear") &&
             !strstr(name, "ingSpring"));
 }
 
-/* The residual, and motion and what contacts hold less what walls and fluid put in and what there was, over what there is: motion at the
-   start, or the work of gravity, walls and fluid. */
-static int judge_energy(struct dem *d, double start, struct result *r)
+/* The residual, and kinetic and elastic energy less the work of walls and fluid and the initial
+   energy, over the larger of the initial kinetic energy and the work of gravity, walls and fluid.
+   */
+static int check_energy(struct dem *d, double start, struct result *r)
 {
     const struct dem_energy_item *item;
     double since, scale = start, held = 0.0;
@@ -340,12 +375,13 @@ static int judge_energy(struct dem *d, double start, struct result *r)
 
     for (int k = 0; !status && k < n; k++)
     {
-        const int gives = begins(item[k].name, "gravity") || begins(item[k].name, "work") ||
-                          begins(item[k].name, "kinetic");
+        const int is_input = starts_with(item[k].name, "gravity") ||
+                             starts_with(item[k].name, "work") ||
+                             starts_with(item[k].name, "kinetic");
 
-        scale = most(scale, gives ? fabs(item[k].value) : 0.0);
-        held += counts(item[k].name) ? item[k].value
-                : begins(item[k].name, "work") ? -item[k].value
+        scale = most(scale, is_input ? fabs(item[k].value) : 0.0);
+        held += is_counted(item[k].name) ? item[k].value
+                : starts_with(item[k].name, "work") ? -item[k].value
                                                : 0.0;
     }
     if (!status && scale > 0.0)
@@ -356,7 +392,7 @@ static int judge_energy(struct dem *d, double start, struct result *r)
     return status;
 }
 
-/* Alone: to the half, saved, to the end; then from the half to the end again. */
+/* On one rank: to the half, save, to the end; then from the half to the end again. */
 static int run_alone(const struct scene *s, const char *file, struct result *r)
 {
     struct dem *d = NULL, *e = NULL;
@@ -371,11 +407,11 @@ static int run_alone(const struct scene *s, const char *file, struct result *r)
     for (int k = 0; k < 2 && !status; k++)
     {
         status = dem_advance(d, half);
-        status = status ? status : judge_energy(d, start, r);
+        status = status ? status : check_energy(d, start, r);
         status = status || k ? status : dem_save(d, file);
         const struct sums now = sums_of(d);
         r->failed |= !now.finite;
-        judge_motion(s, &now, &then, half*(k + 1), r);
+        check_motion(s, &now, &then, half*(k + 1), r);
     }
     status = status ? status : dem_hash(d, &r->hash);
     status = status ? status : make(&e, s, MPI_COMM_NULL, file);
@@ -399,7 +435,7 @@ static int run_together(const struct scene *s, uint64_t *hash)
     return status;
 }
 
-static void complain(uint64_t seed, const char *what, double value)
+static void report(uint64_t seed, const char *what, double value)
 {
     printf("# seed %llu: %s %.3g %s\n", (unsigned long long)seed, what, value, dem_error_text());
     fflush(stdout);
@@ -407,7 +443,8 @@ static void complain(uint64_t seed, const char *what, double value)
 
 int main(int argc, char **argv)
 {
-    /* round-off of sums; of the energy, the largest that dashpots, jumps and bonds leave at the longest step: README.md */
+    /* round-off of sums; for the energy the largest error due to dashpots, jumps and bonds at the
+       longest step: README.md */
     static const double limit[KINDS] = {1e-11, 1e-10, 0.02, 0.02};
     static struct scene s;
     double worst[KINDS] = {0.0};
@@ -433,7 +470,7 @@ int main(int argc, char **argv)
         r[k].failed |= run_alone(&s, file, &r[k]) != 0;
         if (r[k].failed || r[k].hash != r[k].again)
         {
-            complain(first + k, r[k].failed ? "fails:" : "another end after a restart", 0.0);
+            report(first + k, r[k].failed ? "fails:" : "a different end after a restart", 0.0);
             bad++;
         }
         for (int j = 0; j < KINDS; j++)
@@ -441,7 +478,7 @@ int main(int argc, char **argv)
             worst[j] = most(worst[j], r[k].worst[j]);
             if (!(r[k].worst[j] <= limit[j]))
             {
-                complain(first + k, kinds[j], r[k].worst[j]);
+                report(first + k, kinds[j], r[k].worst[j]);
                 bad++;
             }
         }
@@ -455,7 +492,7 @@ int main(int argc, char **argv)
         MPI_Bcast(&alone, 1, MPI_UINT64_T, (int)(k%(uint64_t)ranks), MPI_COMM_WORLD);
         if (rank == 0 && (status || hash != alone))
         {
-            complain(first + k, "others on several ranks,", status);
+            report(first + k, "different bits on several ranks,", status);
             bad++;
         }
     }

@@ -1,17 +1,18 @@
 /*
- * tap.h -- tests in C that speak TAP, the Test Anything Protocol that prove reads.
+ * tap.h -- tests in C that print TAP, the Test Anything Protocol that prove reads.
+ *
+ *      int main(void)
+ *      {
+ *          TAP_TRAPS; invalid, division by zero, overflow end the test
+ *          TAP_OK(n == 3, "three contacts, found %d", n);   a condition
+ *          TAP_NEAR(e, 0.9, 1e-4, "restitution of glass"); |value - expected| <= tolerance, never
+ *          true for a nan
+ *          TAP_DONE; the plan; returns 0 if a test ran and all passed
+ *      }
+ *
+ * The first comment of a test states its claim; each tolerance has its reason beside it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- *     int main(void)
- *     {
- *         TAP_TRAPS;                                         invalid, division by zero and overflow kill the test
- *         TAP_OK(n == 3, "three contacts, found %d", n);     a truth
- *         TAP_NEAR(e, 0.9, 1e-4, "restitution of glass");    |value - expected| <= tolerance, never met by a nan
- *         TAP_DONE;                                          the plan; returns 0 if something ran and all held
- *     }
- *
- * A test states its claim in its first comment, and each tolerance its reason beside it.
  */
 #ifndef TESTS_UNIT_TAP_H
 #define TESTS_UNIT_TAP_H

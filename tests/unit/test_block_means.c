@@ -1,12 +1,15 @@
 /*
- * A 95 % interval from blocks holds the true mean in 95 of 100 series, also when samples resemble their neighbours;
- * a ratio of means gets the interval that the delta method gives it.
+ * test_block_means.c -- 95 % intervals from block means.
+ *
+ * - The interval contains the true mean in 95 of 100 series, also when successive samples are
+ *   correlated.
+ * - A ratio of means has the interval of the delta method.
+ *
+ * References: series with known means: uniform numbers in (0, 1), and x' = a x + noise, whose mean
+ * has the variance s2/n (1 + a)/(1 - a), s2 = noise variance/(1 - a^2), so that its interval is
+ * sqrt((1 + a)/(1 - a)) times that of as many independent samples.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * Judges: series with known means: even numbers in (0, 1), and x' = a x + noise, whose mean has the variance
- * s2/n (1 + a)/(1 - a), s2 = noise variance/(1 - a^2), so that its interval is sqrt((1 + a)/(1 - a)) times that of as many
- * independent ones.
  */
 #include "tap.h"
 
@@ -23,7 +26,7 @@ static double uniform(uint64_t series, uint64_t step, uint64_t use)
     return dem_random_unit(11, series, step, use);
 }
 
-static void itself(const double *mean, double *result)
+static void mean_of(const double *mean, double *result)
 {
     result[0] = mean[0];
 }
@@ -35,10 +38,11 @@ static void ratio(const double *mean, double *result)
 
 struct outcome
 {
-    double covered, width;                                    /* share of series whose interval holds the truth; mean half width */
+    /* fraction of series whose interval contains the true mean; mean half width */
+    double covered, width;
 };
 
-/* n samples of x' = a x + noise, noise even in (-1/2, 1/2); the true mean is 0 */
+/* n samples of x' = a x + noise, noise uniform in (-1/2, 1/2); the true mean is 0 */
 static struct outcome correlated(double a, int n)
 {
     struct outcome o = {0.0, 0.0};
@@ -49,7 +53,8 @@ static struct outcome correlated(double a, int n)
         double value, ci, x = 0.0;
 
         dem_block_means_init(&b, 1);
-        for (int k = -200; k < n; k++)                        /* the start is forgotten before counting begins */
+        /* the first 200 samples are discarded */
+        for (int k = -200; k < n; k++)
         {
             x = a*x + uniform(s, (uint64_t)(k + 200), 0) - 0.5;
             if (k >= 0)
@@ -57,7 +62,7 @@ static struct outcome correlated(double a, int n)
                 dem_block_means_add(&b, &x);
             }
         }
-        dem_block_means_derive(&b, 0, 1, itself, 1, &value, &ci);
+        dem_block_means_derive(&b, 0, 1, mean_of, 1, &value, &ci);
         o.covered += fabs(value) <= ci;
         o.width += ci/SERIES;
         dem_block_means_free(&b);
@@ -69,20 +74,22 @@ static struct outcome correlated(double a, int n)
 static void intervals(void)
 {
     const double noise = sqrt(1.0/12.0);
-    const struct outcome alone = correlated(0.0, 1000), alike = correlated(0.8, 5000);
-    /* the share of 2000 series scatters by sqrt(0.05 0.95/2000) = 0.005: four of those */
+    const struct outcome alone = correlated(0.0, 1000), correlated_samples = correlated(0.8, 5000);
+    /* the fraction of 2000 series has a standard deviation of sqrt(0.05 0.95/2000) = 0.005: four of
+       these */
     const double scatter = 0.02;
 
     TAP_NEAR(alone.covered, 0.95, scatter,
-             "independent samples: 95 of 100 intervals hold the mean (%.3f)", alone.covered);
+             "independent samples: 95 of 100 intervals contain the mean (%.3f)", alone.covered);
     /* t of about 22 degrees of freedom is 2.07; the mean of s is below the true one by 1/(4 22) */
-    TAP_NEAR(alone.width, 2.07*noise/sqrt(1000.0), 0.03*2.07*noise/sqrt(1000.0), "their width");
-    /* blocks of 256 samples hold 28 correlation times of 4.5; their ends still touch: 2 % more of a miss */
-    TAP_NEAR(alike.covered, 0.95, 2.0*scatter,
-             "samples alike their neighbours (a = 0.8): 95 of 100 (%.3f)", alike.covered);
+    TAP_NEAR(alone.width, 2.07*noise/sqrt(1000.0), 0.03*2.07*noise/sqrt(1000.0), "width of the intervals");
+    /* blocks of 256 samples hold 28 correlation times of 4.5; successive blocks are still
+       correlated: 2 % fewer */
+    TAP_NEAR(correlated_samples.covered, 0.95, 2.0*scatter,
+             "correlated samples (a = 0.8): 95 of 100 (%.3f)", correlated_samples.covered);
     const double wide = 2.09*noise/sqrt(1.0 - 0.64)*sqrt(9.0/5000.0);
 
-    TAP_NEAR(alike.width, wide, 0.06*wide, "their width is three times that of independent ones");
+    TAP_NEAR(correlated_samples.width, wide, 0.06*wide, "the width is three times that of independent samples");
 }
 
 /* mean x/mean y, x = y + noise: variance by the delta method is var(x - r y)/(n <y>^2) */
@@ -111,9 +118,9 @@ static void ratios(void)
     }
     const double expected = 2.09*sqrt(1.0/12.0/n)/1.5;
 
-    TAP_NEAR(width, expected, 0.06*expected, "a ratio's interval is that of the delta method");
+    TAP_NEAR(width, expected, 0.06*expected, "the interval of a ratio is that of the delta method");
     TAP_NEAR(covered/(SERIES/4), 0.95, 0.04,
-             "and holds the truth");      /* four times sqrt(0.05 0.95/500) */
+             "it contains the true ratio");      /* four times sqrt(0.05 0.95/500) */
 }
 
 static void means(void)
@@ -123,7 +130,7 @@ static void means(void)
     const int most = 1000;
 
     dem_block_means_init(&b, 1);
-    dem_block_means_derive(&b, 0, 1, itself, 1, &value, &ci);
+    dem_block_means_derive(&b, 0, 1, mean_of, 1, &value, &ci);
     TAP_OK(value == 0.0 && isnan(ci), "no sample: 0, and no interval");
     for (int k = 0; k < most; k++)
     {
@@ -133,11 +140,11 @@ static void means(void)
         sum += x;
         if (k == 2)
         {
-            dem_block_means_derive(&b, 0, 1, itself, 1, &value, &ci);
+            dem_block_means_derive(&b, 0, 1, mean_of, 1, &value, &ci);
             TAP_OK(value == 1.0 && isnan(ci), "three samples: their mean, and no interval");
         }
     }
-    dem_block_means_derive(&b, 0, 1, itself, 1, &value, &ci);
+    dem_block_means_derive(&b, 0, 1, mean_of, 1, &value, &ci);
     TAP_OK(value == sum/most,
            "a thousand samples: the mean of all, through five doublings and a half-filled block");
     TAP_OK(b.samples == most && b.length == 32 && b.full == 31, "31 blocks of 32");

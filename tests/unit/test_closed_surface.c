@@ -1,9 +1,11 @@
 /*
- * test_closed_surface.c -- points inside a closed surface of triangles.
+ * test_closed_surface.c -- which points are inside a closed surface of triangles.
  *
- * Claims: the volume of a cube with a notch is exact; points on a lattice that is aligned with its
- * faces, edges and corners, and random points, are inside where the notched cube is; the answer does
- * not depend on the order of triangles and corners; an open surface is refused.
+ * - The volume of a cube with a notch is exact.
+ * - Points on a lattice aligned with its faces, edges and corners, and random points, are
+ *   classified correctly.
+ * - The answer does not depend on the order of triangles and corners.
+ * - An open surface is refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -67,12 +69,12 @@ static size_t make(double *corners)
     return n;
 }
 
-static int truth(const double x[3])
+static int is_inside(const double x[3])
 {
     return solid((int)(x[0] + 8.0) - 8, (int)(x[1] + 8.0) - 8, (int)(x[2] + 8.0) - 8);
 }
 
-static int wrong(const struct dem_closed_surface *s, double edge, double offset)
+static int count_wrong(const struct dem_closed_surface *s, double edge, double offset)
 {
     int bad = 0;
 
@@ -84,7 +86,7 @@ static int wrong(const struct dem_closed_surface *s, double edge, double offset)
             {
                 const double at[3] = {x, y, z};
 
-                bad += dem_closed_surface_contains(s, at) != truth(at);
+                bad += dem_closed_surface_contains(s, at) != is_inside(at);
             }
         }
     }
@@ -100,7 +102,7 @@ int main(void)
     TAP_TRAPS;
     TAP_OK(DEM_NEW(one, 9*TRIANGLES) == DEM_OK && DEM_NEW(other, 9*TRIANGLES) == DEM_OK
                && DEM_NEW(open, 9*TRIANGLES) == DEM_OK,
-           "there is memory");
+           "memory is allocated");
     const size_t n = make(one);
 
     TAP_OK(n == TRIANGLES, "the block with a notch has %d triangles", TRIANGLES);
@@ -112,10 +114,10 @@ int main(void)
         }
     }
     memcpy(open, one, 9*(n - 1)*sizeof *one);
-    TAP_OK(dem_closed_surface_init(&a, n, one) == DEM_OK, "it is closed");
-    TAP_OK(dem_closed_surface_init(&b, n, other) == DEM_OK, "also from another triangle on");
+    TAP_OK(dem_closed_surface_init(&a, n, one) == DEM_OK, "the surface is closed");
+    TAP_OK(dem_closed_surface_init(&b, n, other) == DEM_OK, "also with triangles in reverse order");
     TAP_OK(a.volume == 7.0 && b.volume == 7.0, "its volume is 7");
-    TAP_OK(wrong(&a, 0.25, 0.125) == 0, "points of a lattice across from its edges");
+    TAP_OK(count_wrong(&a, 0.25, 0.125) == 0, "points of a lattice off its edges");
     /* in planes, lines and points of the projection, but not on the surface itself: moved by less
        than a cell along each axis in turn */
     for (size_t k = 0; k < 3; k++)
@@ -128,10 +130,10 @@ int main(void)
             {
                 x[i] += i == k ? 0.25 : 1e-9;
             }
-            bad += dem_closed_surface_contains(&a, x) != truth(x);
+            bad += dem_closed_surface_contains(&a, x) != is_inside(x);
         }
     }
-    TAP_OK(bad == 0, "points beside faces, edges and corners");
+    TAP_OK(bad == 0, "points aligned with faces, edges and corners");
     for (uint64_t m = 0; m < POINTS; m++)
     {
         double x[3];
@@ -140,11 +142,11 @@ int main(void)
         {
             x[k] = 3.0*dem_random_unit(1, m, k, 7) - 0.5;
         }
-        bad += dem_closed_surface_contains(&a, x) != truth(x);
+        bad += dem_closed_surface_contains(&a, x) != is_inside(x);
         differ += dem_closed_surface_contains(&a, x) != dem_closed_surface_contains(&b, x);
     }
     TAP_OK(bad == 0, "random points");
-    TAP_OK(differ == 0, "the same for triangles in another order");
+    TAP_OK(differ == 0, "the same with triangles in another order");
     TAP_OK(dem_closed_surface_init(&c, n - 1, open) == DEM_ERROR_INPUT,
            "an open surface is refused");
     dem_closed_surface_free(&a);

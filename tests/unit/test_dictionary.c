@@ -1,5 +1,6 @@
 /*
- * Claims: the text of a scene gives the values that OpenFOAM would read from it; every error is reported with its line.
+ * test_dictionary.c -- the text of a scene gives the values that OpenFOAM would read from it;
+ * errors name their line.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -83,7 +84,7 @@ static void numbers(void)
     TAP_OK(!dem_dict_number(d, "seven", "1", &x) && x == 7.0, "a name with a dot of its own");
     TAP_OK(!dem_dict_number_or(d, "absent", "m", 4.5, &x) && x == 4.5,
            "an absent number takes the fallback");
-    TAP_OK(!dem_dict_number_or(d, "d", "m", 4.5, &x) && x == 2e-3, "a present one does not");
+    TAP_OK(!dem_dict_number_or(d, "d", "m", 4.5, &x) && x == 2e-3, "a present number does not");
     TAP_OK(!dem_dict_int64(d, "n", &n) && n == 1000000007, "a whole number");
     TAP_OK(!dem_dict_int64(d, "big", &n) && n == INT64_MAX, "the largest whole number, exactly");
     TAP_OK(!dem_dict_int64(d, "million", &n) && n == 1000000, "1e6 is a whole number");
@@ -114,8 +115,9 @@ static void words_and_vectors(void)
                !dem_dict_text(steel, "name", &text) && strcmp(text, "stainless \"316\" steel") == 0,
            "string: %s", text);
     TAP_OK(!dem_dict_text(d, "quoted", &text) && *text == '\0', "an empty string is a text");
-    TAP_OK(dem_dict_word(d, "quoted", &text) == DEM_ERROR_INPUT, "... and not a word");
-    TAP_OK(dem_dict_word(steel, "name", &text) == DEM_ERROR_INPUT, "nor is one with spaces");
+    TAP_OK(dem_dict_word(d, "quoted", &text) == DEM_ERROR_INPUT, "... but not a word");
+    TAP_OK(dem_dict_word(steel, "name", &text) == DEM_ERROR_INPUT,
+           "a string with spaces is not a word");
     TAP_OK(!dem_dict_word_or(d, "absent", "none", &text) && strcmp(text, "none") == 0,
            "an absent word");
     TAP_OK(!dem_dict_text_or(d, "absent", NULL, &text) && !text, "an absent text");
@@ -158,7 +160,7 @@ static void lists(void)
     dem_dict_free(d);
 }
 
-static void walking(void)
+static void in_order(void)
 {
     struct dem_dict *d = read_good("b 1 (2 x); a { z \"q r\"; }\n\nc 3;");
     const struct dem_entry *e;
@@ -175,15 +177,15 @@ static void walking(void)
     TAP_OK(dem_entry_is_dict(e) && (a = dem_entry_dict(e)) && strcmp(dem_dict_path(a), "a") == 0,
            "a dictionary");
     e = dem_dict_entry(d, 2);
-    TAP_OK(strcmp(dem_entry_where(e), "scene.dem, line 3") == 0, "an entry's place: %s",
+    TAP_OK(strcmp(dem_entry_where(e), "scene.dem, line 3") == 0, "position of an entry: %s",
            dem_entry_where(e));
     TAP_OK(strcmp(dem_dict_where(d), "scene.dem") == 0 && *dem_dict_path(d) == '\0',
-           "the top's place");
+           "position of the top level");
     TAP_OK(dem_dict_refuse_unread(d) == DEM_ERROR_INPUT &&
                strstr(dem_error_text(), "unknown entry \"z\" in a"),
-           "walking reads what is taken, the rest is refused: %s", dem_error_text());
+           "entries taken in a loop count as read, the others are refused: %s", dem_error_text());
     dem_dict_mark_read(d);
-    TAP_OK(dem_dict_refuse_unread(d) == DEM_OK, "unless all is accepted");
+    TAP_OK(dem_dict_refuse_unread(d) == DEM_OK, "unless all are accepted");
     dem_dict_free(d);
 }
 
@@ -197,9 +199,9 @@ static void more(void)
     TAP_OK(!dem_dict_sub(d, "a", &a) && !dem_dict_number(a, "x", "m", &x) &&
                !dem_dict_number(a, "y", "m", &y) && !dem_dict_number(d, "n", "1", &n) && x == 3 &&
                y == 2 && n == 4,
-           "replaces, keeps and sees the first one");
+           "replaces entries, keeps others and can refer to the first text");
     TAP_OK(strcmp(dem_entry_where(dem_dict_entry(d, 1)), "override, line 2") == 0,
-           "and knows its own name");
+           "its entries have its name as position");
     TAP_OK(dem_dict_read_more(d, "n {", "override") == DEM_ERROR_INPUT, "refused: %s",
            dem_error_text());
     dem_dict_free(d);
@@ -237,8 +239,8 @@ static void fields(void)
     dem_dict_free(d);
 }
 
-/* What a reader of scenes does, in small. */
-static int ask(const struct dem_dict *d)
+/* A small reader of scenes. */
+static int read_scene(const struct dem_dict *d)
 {
     const struct dem_dict *materials, *glass, *effects, *dry, *const *walls;
     const double *radii;
@@ -276,7 +278,8 @@ static const struct
 } bad[] = {
     /* grammar */
     {"materials\n{\n glass\n {\n  density 2500\n }\n}",
-     "scene.dem, line 6: found } in the value of density, expected ; after \"density 2500\"; end line 5 with ;"},
+     "scene.dem, line 6: found } in the value of density, expected ; after \"density 2500\"; "
+     "end line 5 with ;"},
     {"materials\n{\n glass { density 2500; }\n",
      "scene.dem, line 4: found end of file, expected } to close materials { of line 2"},
     {"n 3\nmaterials { glass { density 1; } }",
@@ -285,20 +288,23 @@ static const struct
     {"n", "scene.dem, line 1: found end of file, expected ; after \"n\"; end line 1 with ;"},
     {"n 3;\n}\n", "scene.dem, line 2: found } that no { opened; remove it"},
     {"solid materials { }",
-     "scene.dem, line 1: { cannot follow \"solid materials\"; a dictionary has one name: name { ... }"},
+     "scene.dem, line 1: { cannot follow \"solid materials\"; "
+     "a dictionary has one name: name { ... }"},
     {"g (0 0\n -9.81;\nn 3;",
      "scene.dem, line 2: found ;, expected ) to close what line 1 opened in g"},
     {"g (0 0 -9.81]; ", "scene.dem, line 1: found ], expected ) to close what line 1 opened"},
     {"g 0 0 -9.81);", "scene.dem, line 1: found ) that nothing opened; remove it"},
     {"(1 2 3);",
-     "scene.dem, line 1: found (, expected the name of an entry; write name value; or name { ... }"},
+     "scene.dem, line 1: found (, expected the name of an entry; write name value; "
+     "or name { ... }"},
     {"n 1; /* two\nlines",
      "scene.dem, line 1: the comment /* that begins here is never closed; add */"},
     {"n 1;\nshape \"sphere;\nn 2;",
      "scene.dem, line 2: the string that begins here is not closed on its line; add \""},
     {"n ${a;", "scene.dem, line 1: expected } to close ${a"},
     {"shape #ff0000;",
-     "scene.dem, line 1: #ff0000 cannot stand inside the value of shape; put it on a line of its own, "
+     "scene.dem, line 1: #ff0000 cannot stand inside the value of shape; "
+     "put it on a line of its own, "
      "between entries, or in quotes if it is a text"},
     /* macros and directives */
     {"radius 1;\nn $radios;",
@@ -312,7 +318,8 @@ static const struct
      "scene.dem, line 2: $a is a dictionary, and n takes a value; write n { $a; } to insert it"},
     {"a { x 1; }\nb { $a }", "scene.dem, line 2: found }, expected ; after $a; end line 2 with ;"},
     {"#calc \"1+1\";",
-     "scene.dem, line 1: #calc is not known here; of OpenFOAM's directives this reader has #include only"},
+     "scene.dem, line 1: #calc is not known here; "
+     "of OpenFOAM's directives this reader has #include only"},
     {"#include \"x\"",
      "scene.dem, line 1: a text passed in memory cannot #include; expand it first"},
     {"#line 40 \"demProperties\"\nn 1\n;m",
@@ -324,10 +331,12 @@ static const struct
     {"materials { }", "scene.dem, line 1: materials needs glass (a dictionary)"},
     {"materials 3;", "scene.dem, line 1: materials takes a dictionary { ... }, found \"3\""},
     {"materials { glass { density 2500\n young 1e7; } }",
-     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2500 young 1e7\"; "
+     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2500 young "
+     "1e7\"; "
      "is a ; missing at the end of line 1?"},
     {"materials { glass { density 2500 young 1e7; } }",
-     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2500 young 1e7\"; "
+     "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2500 young "
+     "1e7\"; "
      "is a ; missing at the end of line 1?"},
     {"materials { glass { density 2500 kg; } }",
      "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2500 kg\""},
@@ -345,9 +354,11 @@ static const struct
     {"materials { glass { density { } } }",
      "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found a dictionary"},
     {"materials { glass { densitty 3; } }",
-     "scene.dem, line 1: materials/glass needs density (kg/m3); is \"densitty\" in line 1 meant to be it?"},
+     "scene.dem, line 1: materials/glass needs density (kg/m3); "
+     "is \"densitty\" in line 1 meant to be it?"},
     {"materials { glass { rho 3; } }",
-     "scene.dem, line 1: materials/glass needs density (kg/m3); is \"rho\" in line 1 meant to be it?"},
+     "scene.dem, line 1: materials/glass needs density (kg/m3); "
+     "is \"rho\" in line 1 meant to be it?"},
     {"g (0 -9.81);", "scene.dem, line 1: g takes a vector (x y z) (m/s2), found \"( 0 -9.81 )\""},
     {"n 2.5;", "scene.dem, line 1: n takes one whole number, found \"2.5\""},
     {"n 1e300;", "scene.dem, line 1: n takes one whole number, found \"1e300\""},
@@ -361,14 +372,16 @@ static const struct
     {"radii (1 x);",
      "scene.dem, line 1: radii takes a list of numbers ( ... ) (m), found \"( 1 x )\""},
     {"walls ( { } x );",
-     "scene.dem, line 1: walls takes a list of dictionaries ( { ... } name { ... } ), found \"( {} x )\""},
+     "scene.dem, line 1: walls takes a list of dictionaries ( { ... } name { ... } ), found \"( "
+     "{} x )\""},
     /* fields */
     {"effects { dry {\nrestitution 1.5; } }",
      "scene.dem, line 2: effects/dry: restitution 1.5 is out of range; "
      "give a value from 0 to 1 (speed after over speed before)"},
     {"effects { dry {\nrestitutoin 0.5; } }",
-     "scene.dem, line 1: effects/dry needs restitution; is \"restitutoin\" in line 2 meant to be it?"},
-    /* what nobody reads */
+     "scene.dem, line 1: effects/dry needs restitution; "
+     "is \"restitutoin\" in line 2 meant to be it?"},
+    /* entries that are not read */
     {"effects { dry { restitution 0.9;\n lawn 3; } }",
      "scene.dem, line 2: unknown entry \"lawn\" in effects/dry; "
      "did you mean law? known: law, on, count, direction, restitution"},
@@ -383,11 +396,11 @@ static void refusals(void)
         struct dem_dict *d = NULL;
         int status = dem_dict_read_text(&d, bad[i].text, "scene.dem");
 
-        status = status == DEM_OK ? ask(d) : status;
+        status = status == DEM_OK ? read_scene(d) : status;
         if (!TAP_OK(status == DEM_ERROR_INPUT && strcmp(dem_error_text(), bad[i].sentence) == 0,
                     "%s", bad[i].sentence))
         {
-            printf("#   told: %s\n", status == DEM_OK ? "nothing" : dem_error_text());
+            printf("# found: %s\n", status == DEM_OK ? "nothing" : dem_error_text());
         }
         dem_dict_free(d);
     }
@@ -443,7 +456,7 @@ static void files(void)
     remove(folder);
 }
 
-static void too_much(void)
+static void limits(void)
 {
     char *text = calloc(1, 1 << 16);
     struct dem_dict *d = NULL;
@@ -471,7 +484,8 @@ static void too_much(void)
     free(text);
 }
 
-/* Cut, doubled and broken anywhere, a text is read or refused; it never crashes, hangs or leaks (see the sanitizers). */
+/* A text that is cut, repeated or altered anywhere is read or refused, without crash, endless loop
+   or leak (with the sanitizers). */
 static void mutations(void)
 {
     static const char signs[] = "(){}[];$\"#/*\\ \n.:a1";
@@ -496,7 +510,7 @@ static void mutations(void)
         }
         dem_error(DEM_ERROR_STATE, "%s", "");
         const int status =
-            dem_dict_read_text(&d, text, "scene.dem") == DEM_OK ? ask(d) : DEM_ERROR_INPUT;
+            dem_dict_read_text(&d, text, "scene.dem") == DEM_OK ? read_scene(d) : DEM_ERROR_INPUT;
         good += d != NULL;
         refused += d == NULL;
         silent += status != DEM_OK && strncmp(dem_error_text(), "scene.dem", 9) != 0;
@@ -513,12 +527,12 @@ int main(void)
     numbers();
     words_and_vectors();
     lists();
-    walking();
+    in_order();
     more();
     fields();
     refusals();
     files();
-    too_much();
+    limits();
     mutations();
     TAP_DONE;
 }

@@ -1,6 +1,8 @@
 /*
- * A mistyped word is answered by the one that was meant, another code's word by ours, a foreign word by no guess, all by
- * what is known.
+ * test_did_you_mean.c -- suggestions for unknown words.
+ *
+ * A mistyped word gets the nearest known one, a word of another code its alias, any other word no
+ * guess; all get the list of known words.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -38,7 +40,7 @@ static void long_lists(void)
     TAP_OK(dem_did_you_mean_error("particle", "particelNumber123", known, MANY) == DEM_ERROR_INPUT
            && strstr(dem_error_text(), "did you mean particleNumber123? known: particleNumber123, ")
            && strcmp(dem_error_text() + strlen(dem_error_text()) - 3, "...") == 0,
-           "a list too long for a sentence keeps the nearest and says that more are known");
+           "a list too long for a sentence keeps the nearest and ends with three dots");
 }
 
 static void long_words(void)
@@ -49,11 +51,11 @@ static void long_words(void)
     word[sizeof word - 1] = '\0';
     TAP_OK(dem_did_you_mean_error("effect", word, effects, 5) == DEM_ERROR_INPUT
            && !strstr(dem_error_text(), "did you mean"),
-           "a thousand letters are no slip");
+           "no suggestion for a thousand letters");
 }
 
-/* Words of other codes, among our own. */
-static void habits(void)
+/* Words of other codes. */
+static void aliases(void)
 {
     static const char *const ours[] = {"restitution", "friction", "youngsModulus",
                                        "density", "diameter", "poissonsRatio"};
@@ -73,19 +75,19 @@ static void habits(void)
     {
         const char *const nearest = dem_did_you_mean_nearest(pairs[k][0], ours, 6);
 
-        TAP_OK(nearest && strcmp(nearest, pairs[k][1]) == 0, "%s is taken for %s", pairs[k][0],
+        TAP_OK(nearest && strcmp(nearest, pairs[k][1]) == 0, "alias %s of %s", pairs[k][0],
                pairs[k][1]);
     }
     TAP_OK(strcmp(dem_did_you_mean_nearest("density", (const char *const[]){"temperature", "rho"},
                                            2),
                   "rho") == 0,
-           "and the other way round: rho may be the density that is missed");
+           "in reverse: rho is suggested for density");
     TAP_OK(!dem_did_you_mean_nearest("Rho", ours, 6) && !dem_did_you_mean_nearest("ef", ours, 6) &&
                !dem_did_you_mean_nearest(" ", ours, 6),
-           "no part of a habit, no other case");
+           "no alias for parts of a word or another case");
     TAP_OK(dem_did_you_mean_error("setting", "radius", ours, 6) &&
                strstr(dem_error_text(), "did you mean diameter, twice the radius?"),
-           "a radius is no diameter: %s", dem_error_text());
+           "a radius is not a diameter: %s", dem_error_text());
 }
 
 int main(void)
@@ -95,19 +97,20 @@ int main(void)
            && means("herz", "hertz") && means("hartz", "hertz") && means("hretz", "hertz"),
            "one letter too many, too few, wrong, or two swapped");
     TAP_OK(means("Hertz", "hertz") && means("rollingspring", "rollingSpring"), "the wrong case");
-    TAP_OK(means("rolingSprnig", "rollingSpring"), "two slips in a long word");
+    TAP_OK(means("rolingSprnig", "rollingSpring"), "two errors in a long word");
     TAP_OK(dem_did_you_mean_nearest("lwa", (const char *const[]){"law"}, 1)
            && !dem_did_you_mean_nearest("lxy", (const char *const[]){"law"}, 1),
-           "in three letters a swap is one slip, two changes are another word");
+           "in three letters a swap is one error, two changes are another word");
     TAP_OK(means("magnetism", NULL) && means("", NULL) && means("h", NULL),
-           "a foreign word is not guessed at");
+           "no guess for an unrelated word");
 
     TAP_OK(dem_did_you_mean_error("effect", "hertzz", effects, 5) == DEM_ERROR_INPUT,
            "an unknown word is an input error");
     TAP_OK(
         strcmp(dem_error_text(), "unknown effect \"hertzz\"; did you mean hertz? "
                                  "known: hertz, hooke, mindlin, gravity, rollingSpring") == 0,
-        "the known ones come nearest first (1, 5, 7, 7 and 12 letters off), equals as listed: %s",
+        "known words are listed nearest first (1, 5, 7, 7 and 12 letters off), equals as listed: "
+        "%s",
         dem_error_text());
     TAP_OK(dem_did_you_mean_error("effect", "magnetism", effects, 5) == DEM_ERROR_INPUT
            && strstr(dem_error_text(), "unknown effect \"magnetism\"; known: ") == dem_error_text(),
@@ -116,7 +119,7 @@ int main(void)
            && strcmp(dem_error_text(),
                      "unknown effect \"any\"; none is known here, so leave it out") == 0, "%s",
            dem_error_text());
-    habits();
+    aliases();
     long_lists();
     long_words();
     TAP_DONE;

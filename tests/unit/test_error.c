@@ -1,5 +1,6 @@
 /*
- * An error's sentence is kept whole, per thread, with its context in front; its status comes back unchanged.
+ * test_error.c -- the sentence of an error is kept whole, per thread, with its context in front;
+ * the status is returned.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -43,7 +44,7 @@ static void try_and_require(void)
     TAP_OK(passes_on(3, &reached) == DEM_ERROR_INPUT && !reached,
            "a call that fails makes the caller return its status");
     TAP_OK(strcmp(dem_error_text(), "n is 3, more than 2; use less") == 0,
-           "the sentence holds its numbers: %s", dem_error_text());
+           "the sentence contains its numbers: %s", dem_error_text());
 }
 
 static void context(void)
@@ -51,11 +52,11 @@ static void context(void)
     dem_error(DEM_ERROR_INPUT, "no value");
     TAP_OK(dem_error_prefix(DEM_ERROR_FILE, "line %d: ", 12) == DEM_ERROR_FILE,
            "context returns the status it is given");
-    TAP_OK(strcmp(dem_error_text(), "line 12: no value") == 0, "context stands in front: %s",
+    TAP_OK(strcmp(dem_error_text(), "line 12: no value") == 0, "context is in front: %s",
            dem_error_text());
     dem_error(DEM_ERROR_STATE, "(%s)", dem_error_text());
     TAP_OK(strcmp(dem_error_text(), "(line 12: no value)") == 0,
-           "a sentence may quote the last one: %s", dem_error_text());
+           "a sentence may quote the previous one: %s", dem_error_text());
 }
 
 static void long_sentences(void)
@@ -66,12 +67,12 @@ static void long_sentences(void)
     word[2*DEM_ERROR_TEXT_SIZE - 1] = '\0';
     dem_error(DEM_ERROR_INPUT, "%s", word);
     TAP_OK(strlen(dem_error_text()) == DEM_ERROR_TEXT_SIZE - 1,
-           "a long sentence is cut to what is kept");
-    TAP_OK(strcmp(dem_error_text() + DEM_ERROR_TEXT_SIZE - 5, "x...") == 0, "and says so");
+           "a long sentence is cut to the buffer");
+    TAP_OK(strcmp(dem_error_text() + DEM_ERROR_TEXT_SIZE - 5, "x...") == 0, "and ends with ...");
     dem_error_prefix(DEM_ERROR_INPUT, "here: ");
     TAP_OK(strncmp(dem_error_text(), "here: xxx", 9) == 0
            && strlen(dem_error_text()) == DEM_ERROR_TEXT_SIZE - 1,
-           "context before a full sentence pushes out its end, not itself");
+           "context before a full sentence cuts the end of the sentence");
     dem_error_prefix(DEM_ERROR_INPUT, "%s", word);
     TAP_OK(strlen(dem_error_text()) == DEM_ERROR_TEXT_SIZE - 1,
            "context that is too long is cut as well");
@@ -89,7 +90,7 @@ static void threads(void)
     {
         thrd_join(thread, &status);
         TAP_OK(seen[0] == '\0', "it starts with an empty sentence");
-        TAP_OK(status == DEM_ERROR_FILE, "its status comes back");
+        TAP_OK(status == DEM_ERROR_FILE, "its status is returned");
         TAP_OK(strcmp(dem_error_text(), "of this thread") == 0,
                "its sentence does not replace ours");
     }

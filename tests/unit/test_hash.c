@@ -1,5 +1,6 @@
 /*
- * A hash depends on every bit and on the order within a record, not on how the bytes are cut; sums forget the order.
+ * test_hash.c -- the hash depends on every bit and on the order within a record, not on how the
+ * bytes are divided; sums of hashes do not depend on the order.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -16,7 +17,8 @@ static uint64_t hash(const void *bytes, size_t n, uint64_t salt)
     return dem_hash_record(bytes, n, salt);
 }
 
-/* Values from a second implementation in another language, written from the description in hash.h. */
+/* Values from a second implementation in another language, written from the description in
+   hash.h. */
 static void known_values(void)
 {
     unsigned char count[64];
@@ -28,7 +30,7 @@ static void known_values(void)
     TAP_OK(hash("", 0, 0) == 0xa706dd2f4d197e6fu, "nothing");
     TAP_OK(hash("", 0, 1) == 0x5e41ab087439611eu, "nothing with a salt");
     TAP_OK(hash("sand", 4, 0) == 0x5de3da0ecf45b80du, "less than a word");
-    TAP_OK(hash("a grain of sand", 15, 7) == 0x789d381e7585abd7u, "a word and a rest");
+    TAP_OK(hash("a grain of sand", 15, 7) == 0x789d381e7585abd7u, "a word and a remainder");
     TAP_OK(hash(count, 64, 3) == 0x38719fd3f3e9869bu, "eight words");
 }
 
@@ -53,10 +55,11 @@ static void cuts(void)
         dem_hash_bytes(&h, bytes + b, sizeof bytes - b);
         same += dem_hash_value(&h) == hash(bytes, sizeof bytes, 9);
     }
-    TAP_OK(same == 101, "cut at %d of 101 places the hash is the same", same);
+    TAP_OK(same == 101, "divided at %d of 101 positions the hash is the same", same);
 }
 
-/* One bit of 64 bytes changes half the bits of the hash: mean 32, and over 512 x 20 trials its error is 4/sqrt(10240). */
+/* One bit of 64 bytes changes half the bits of the hash: mean 32, and over 512 x 20 trials its
+   error is 4/sqrt(10240). */
 static void every_bit(void)
 {
     unsigned char bytes[64];
@@ -91,7 +94,8 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Neighbours in id, signs and zeros: what particles look like. By chance two of 80000 agree once in 6e9 such sets. */
+/* Records like those of particles: consecutive ids, signs, zeros. By chance two of 80000 agree once
+   in 6e9 such sets. */
 static void near_records(void)
 {
     enum { N = 80000 };
@@ -142,11 +146,11 @@ static void sums(void)
         together += parts[i];
     }
     TAP_OK(forward == backward, "the sum does not depend on the order");
-    TAP_OK(forward == together, "nor on the partial sums");
-    TAP_OK(forward != swapped, "two particles swapped are noticed");
+    TAP_OK(forward == together, "the sum does not depend on partial sums");
+    TAP_OK(forward != swapped, "the sum detects two swapped particles");
     TAP_OK(hash("ab", 2, 0) != hash("ba", 2, 0) && hash("a", 1, 0) != hash("a\0", 2, 0),
-           "order and length within a record count");
-    TAP_OK(hash(r, 16, 1) != hash(r, 16, 2), "the salt counts");
+           "the hash depends on order and length within a record");
+    TAP_OK(hash(r, 16, 1) != hash(r, 16, 2), "the hash depends on the salt");
 }
 
 int main(void)

@@ -1,11 +1,14 @@
 /*
- * exp, log, pow and their kin are within two units in the last place, trap nothing, and give the same bits
- * in a scalar call, in a vector loop, at any optimisation and from any compiler.
+ * test_math.c -- exp, log, pow and related functions: accuracy, traps, reproducibility.
+ *
+ * - Within two units in the last place; no trap.
+ * - The same bits in a scalar call, in a vector loop, at any optimisation and from any compiler.
+ *
+ * The reference of accuracy is the C library's long double functions: with 64-bit mantissas their
+ * last place is 1/2048 of that of a double. The reference of bits is a stored hash over 40000
+ * results.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * The judge of accuracy is the C library's long double functions: 64-bit mantissas, so that their own last
- * place is 1/2048 of a double's. The judge of bits is a hash over 40000 results, written down once.
  */
 #include "tap.h"
 
@@ -19,7 +22,7 @@ enum
 };
 
 typedef double function_1(double);
-typedef long double judge_1(long double);
+typedef long double reference_1(long double);
 
 static function_1 call_exp, call_expm1, call_phi, call_log, call_log10;
 
@@ -48,12 +51,12 @@ static double call_log10(double x)
     return dem_log10(x);
 }
 
-static long double judge_phi(long double z)
+static long double reference_phi(long double z)
 {
     return -expm1l(-z)/z;
 }
 
-/* between a and b, or with equal chances per decade */
+/* between a and b, or with equal probability per decade */
 static double between(double a, double b, uint64_t i)
 {
     return a + (b - a)*dem_random_unit(6, i, 0, 0);
@@ -64,7 +67,7 @@ static double decades(double a, double b, uint64_t i)
     return exp2(between(log2(a), log2(b), i));
 }
 
-/* units in the last place of the judge's result, which is a normal double */
+/* units in the last place of the reference, which is a normal double */
 static double error_in_ulps(double value, long double exact)
 {
     int exponent;
@@ -73,7 +76,7 @@ static double error_in_ulps(double value, long double exact)
     return (double)(fabsl((long double)value - exact)/ldexpl(1.0L, exponent - DBL_MANT_DIG));
 }
 
-static void accurate(const char *what, function_1 *f, judge_1 *judge,
+static void accurate(const char *what, function_1 *f, reference_1 *reference,
                      double (*argument)(double, double, uint64_t),
                      double a, double b, double allowed)
 {
@@ -82,7 +85,7 @@ static void accurate(const char *what, function_1 *f, judge_1 *judge,
     for (uint64_t i = 0; i < ARGUMENTS; i++)
     {
         const double x = argument(a, b, i);
-        const double error = error_in_ulps(f(x), judge((long double)x));
+        const double error = error_in_ulps(f(x), reference((long double)x));
 
         at = error > worst ? x : at;
         worst = error > worst ? error : worst;
@@ -96,7 +99,8 @@ static double minus_decades(double a, double b, uint64_t i)
     return -decades(a, b, i);
 }
 
-/* what is allowed is what was asked: two units in the last place; one for exp and log near 1, where laws live */
+/* the limit is the requirement: two units in the last place; one for exp and log near 1, the range
+   of the laws */
 static void accuracy(void)
 {
     accurate("exp", call_exp, expl, between, -708.3, 709.7, 1.1);
@@ -105,8 +109,8 @@ static void accuracy(void)
     accurate("expm1", call_expm1, expm1l, between, -60.0, 709.7, 2.0);
     accurate("expm1", call_expm1, expm1l, decades, 1e-300, 1.0, 2.0);
     accurate("expm1 of minus", call_expm1, expm1l, minus_decades, 1e-300, 1.0, 2.0);
-    accurate("phi", call_phi, judge_phi, decades, 1e-300, 1e300, 2.0);
-    accurate("phi", call_phi, judge_phi, between, 1e-3, 10.0, 2.0);
+    accurate("phi", call_phi, reference_phi, decades, 1e-300, 1e300, 2.0);
+    accurate("phi", call_phi, reference_phi, between, 1e-3, 10.0, 2.0);
     accurate("log", call_log, logl, decades, 1e-307, 1e307, 1.1);
     accurate("log", call_log, logl, between, 0.5, 2.0, 1.1);
     accurate("log", call_log, logl, between, 1.0 - 1e-6, 1.0 + 1e-6, 1.1);
@@ -114,7 +118,7 @@ static void accuracy(void)
     accurate("log10", call_log10, log10l, between, 0.5, 2.0, 2.1);
 }
 
-/* pow's relative error was asked to be below 1e-14; powl's own is below 1e-18 */
+/* the relative error of pow is required to be below 1e-14; that of powl is below 1e-18 */
 static void accuracy_of_pow(void)
 {
     double worst = 0.0, worst_square = 0.0;
@@ -156,7 +160,7 @@ static void edges(void)
     TAP_NEAR(dem_log(0x1p-1074), -1074.0*0x1.62e42fefa39efp-1, 0x1p-43,
              "ln of the smallest double");
     TAP_OK(isinf(dem_log(INFINITY)) && isinf(dem_exp(INFINITY)) && dem_exp(-INFINITY) == 0.0,
-           "infinities pass through");
+           "infinities are passed on");
 }
 
 static void edges_of_pow(void)
@@ -176,16 +180,17 @@ static void edges_of_pow(void)
     TAP_OK(isnan(dem_pow(-1.0, 0.5)) && isnan(dem_pow(-1e300, 2.0)),
            "a negative base is not a number");
     TAP_OK(dem_pow(10.0, -400.0) == 0.0 && isinf(dem_pow(10.0, 400.0)),
-           "too small is 0, too large infinite");
+           "underflow is 0, overflow infinite");
     TAP_OK(dem_pow(DBL_MAX, -DBL_MAX) == 0.0
            && isinf(dem_pow(0x1p-1074, -DBL_MAX)) && dem_pow(1.0, DBL_MAX) == 1.0,
-           "at the ends of the doubles");
+           "at the limits of double");
     TAP_OK(dem_pow(2.0, 10.0) == 1024.0 && dem_pow(4.0, 0.5) == 2.0 &&
                dem_pow(0x1p-100, 3.0) == 0x1p-300,
            "powers of two are exact");
 }
 
-/* comparing a not-a-number raises invalid, so here the traps are off; all bits of its payload are tried */
+/* comparing a not-a-number raises invalid, so traps are off here; all bits of its payload are
+   tested */
 static void not_numbers(void)
 {
     fenv_t traps;
@@ -202,7 +207,7 @@ static void not_numbers(void)
                    !isnan(dem_pow(2.0, nan)) + !isnan(dem_pow(0.0, nan));
     }
     fesetenv(&traps);
-    TAP_OK(numbers == 0, "no function makes a number of a not-a-number, %d did", numbers);
+    TAP_OK(numbers == 0, "no function returns a number for a not-a-number, %d did", numbers);
 }
 
 static uint64_t hash_in(uint64_t hash, double value)
@@ -210,7 +215,7 @@ static uint64_t hash_in(uint64_t hash, double value)
     return dem_random_mix(hash ^ dem_math_bits(value));
 }
 
-/* arguments from whole-number operations only, so that the hash judges nothing but the functions */
+/* arguments from integer operations only, so that the hash depends on the functions alone */
 static void same_bits_everywhere(void)
 {
     uint64_t hash = 0;
@@ -308,6 +313,6 @@ int main(void)
     same_bits_everywhere();
     loops_equal_calls();
     TAP_OK(!fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW),
-           "and no exception was left behind");
+           "no floating-point exception is left");
     TAP_DONE;
 }

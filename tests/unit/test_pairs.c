@@ -1,7 +1,10 @@
 /*
- * Claims: the pair list is that of a search over all pairs: none missing, none twice, each with the right periodic shift; for equal
- * sizes and up to 1:30, in open and periodic boxes, with ghosts and with frozen particles, in any order of storage. Sizes far apart
- * are divided into levels, similar sizes are not. More particles or pairs than a 32-bit index can number are refused.
+ * test_pairs.c -- the pair list is that of a search over all pairs.
+ *
+ * - None is missing, none is there twice, each has the right periodic shift: for equal sizes and up
+ *   to 1:30, in open and periodic boxes, with ghosts and frozen particles, in any order of storage.
+ * - Sizes far apart are divided into levels, similar sizes are not.
+ * - More particles or pairs than a 32-bit index can number are refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -25,12 +28,12 @@ static const double gap = 0.2;                            /* m: of the outer lis
 
 static struct dem_particles p;
 static struct dem_contacts c;
-static struct dem_interaction_table recipe;
+static struct dem_interaction_table table;
 static struct dem_domain domain;
 static struct dem_pairs pairs;
 static struct dem_walls walls;
 
-static double chance(int what, size_t i)
+static double random_number(int what, size_t i)
 {
     return dem_random_unit(5, (uint64_t)i, (uint64_t)what, 0);
 }
@@ -41,7 +44,8 @@ struct packing
     double ratio, box;                                    /* largest to smallest radius; m: edge */
     int periodic[3];
     size_t ghosts;                                        /* of the N */
-    int small;                                            /* 1: no owned one is larger than a fifth of the largest copy */
+    /* 1: no owned particle is larger than a fifth of the largest ghost */
+    int small;
 };
 
 /* Radii from 1/ratio to 1, equal numbers of spheres in equal steps of 1/d^2: many small ones. */
@@ -52,12 +56,12 @@ static int scatter(const struct packing *k)
     DEM_TRY(dem_particles_grow(&p, N));
     for (size_t i = 0; i < N; i++)
     {
-        const double any = 1.0/sqrt(1.0 + chance(0, i)*(k->ratio*k->ratio - 1.0));
+        const double any = 1.0/sqrt(1.0 + random_number(0, i)*(k->ratio*k->ratio - 1.0));
         const double r = k->small && i < N - k->ghosts ? fmin(any, 0.2) : any;
-        const double x[3] = {k->box*chance(1, i), k->box*chance(2, i), k->box*chance(3, i)};
+        const double x[3] = {k->box*random_number(1, i), k->box*random_number(2, i), k->box*random_number(3, i)};
 
-        p.record[i] = dem_particle_sphere((int64_t)((i*7919)%N), x, 2.0*r, 1.0, chance(4, i) < 0.5);
-        p.record[i].flags = chance(5, i) < 0.1 ? DEM_PARTICLE_FROZEN : 0;
+        p.record[i] = dem_particle_sphere((int64_t)((i*7919)%N), x, 2.0*r, 1.0, random_number(4, i) < 0.5);
+        p.record[i].flags = random_number(5, i) < 0.1 ? DEM_PARTICLE_FROZEN : 0;
     }
     p.n = N - k->ghosts;
     p.ghosts = k->ghosts;
@@ -79,7 +83,8 @@ static void set_domain(const struct packing *k)
     dem_domain_finish(&domain);
 }
 
-struct found                                              /* what a pair is, and how often it is there */
+/* a pair, and how often it is in the list */
+struct found
 {
     int64_t low, high;
     int shift, class;
@@ -90,8 +95,8 @@ static int by_name(const void *a, const void *b)
     return memcmp(a, b, sizeof(struct found));
 }
 
-/* Everybody against everybody at every shift: returns how many pairs. */
-static size_t search_all(struct found *all, size_t room)
+/* All pairs at every shift; returns their number. */
+static size_t search_all(struct found *all, size_t capacity)
 {
     size_t n = 0;
 
@@ -113,7 +118,7 @@ static size_t search_all(struct found *all, size_t room)
 
                 if (possible && i != j && (first || j >= p.n) &&
                     !(a->flags & b->flags & DEM_PARTICLE_FROZEN) &&
-                    x*x + y*y + z*z < reach*reach && n < room)
+                    x*x + y*y + z*z < reach*reach && n < capacity)
                 {
                     memset(&all[n], 0, sizeof all[n]);
                     all[n].low = first ? a->id : b->id;
@@ -127,12 +132,12 @@ static size_t search_all(struct found *all, size_t room)
     return n;
 }
 
-static size_t list(struct found *found, size_t room)
+static size_t list(struct found *found, size_t capacity)
 {
     size_t n = 0;
     int sorted = 1;
 
-    for (size_t k = 0; k < c.pairs && n < room; k++)
+    for (size_t k = 0; k < c.pairs && n < capacity; k++)
     {
         const struct dem_pair *const q = &c.pair[k];
 
@@ -154,21 +159,22 @@ static void compare(const struct packing *k)
 
     set_domain(k);
     dem_pairs_init(&pairs, &domain, skin, 0.0, 1.0);
-    if (!all || !found || scatter(k) || dem_contacts_init(&c, &recipe) ||
+    if (!all || !found || scatter(k) || dem_contacts_init(&c, &table) ||
         dem_pairs_order(&pairs, &p))
     {
         TAP_OK(0, "%s: %s", k->name, dem_error_text());
         exit(1);
     }
-    p.ghosts = k->ghosts;                                 /* ordering drops them, but moves nothing behind the owned ones */
-    TAP_OK(dem_pairs_find(&pairs, &domain, &p, &walls, &recipe, &c) == DEM_OK, "%s: searched",
+    /* ordering sets it to 0, but moves nothing behind the owned particles */
+    p.ghosts = k->ghosts;
+    TAP_OK(dem_pairs_find(&pairs, &domain, &p, &walls, &table, &c) == DEM_OK, "%s: searched",
            k->name);
     const size_t many = search_all(all, ROOM), n = list(found, ROOM);
 
     qsort(all, many, sizeof *all, by_name);
     qsort(found, n, sizeof *found, by_name);
     TAP_OK(many > N/2 && many < ROOM && n == many && memcmp(all, found, n*sizeof *all) == 0,
-           "%s: the same %zu pairs as everybody against everybody, %zu", k->name, n, many);
+           "%s: the same %zu pairs as the search over all pairs, %zu", k->name, n, many);
     dem_contacts_free(&c);
     dem_pairs_free(&pairs);
     dem_particles_free(&p);
@@ -176,7 +182,7 @@ static void compare(const struct packing *k)
     free(found);
 }
 
-/* So many levels for N spheres of this ratio, `large` of them of radius 1. */
+/* Number of levels for N spheres of this ratio, `large` of them of radius 1. */
 static int levels(double ratio, size_t large)
 {
     const struct packing k = {.ratio = ratio, .box = 12.0};
@@ -200,26 +206,26 @@ int main(void)
     static const struct packing packings[] = {
         {.name = "1:1, open", .ratio = 1.0, .box = 12.0},
         {.name = "1:1, periodic along x and y", .ratio = 1.0, .box = 14.0, .periodic = {1, 1, 0}},
-        {.name = "1:1, periodic all around, so small that images meet images",
+        {.name = "1:1, periodic along all axes, so small that images touch images",
          .ratio = 1.0,
          .box = 5.0,
          .periodic = {1, 1, 1}},
         {.name = "1:5, open", .ratio = 5.0, .box = 6.0},
-        {.name = "1:5, periodic all around", .ratio = 5.0, .box = 6.0, .periodic = {1, 1, 1}},
+        {.name = "1:5, periodic along all axes", .ratio = 5.0, .box = 6.0, .periodic = {1, 1, 1}},
         {.name = "1:30, open", .ratio = 30.0, .box = 5.0},
         {.name = "1:30, periodic along z", .ratio = 30.0, .box = 5.0, .periodic = {0, 0, 1}},
-        {.name = "1:30, periodic all around", .ratio = 30.0, .box = 5.0, .periodic = {1, 1, 1}},
-        {.name = "1:1, a third are copies",
+        {.name = "1:30, periodic along all axes", .ratio = 30.0, .box = 5.0, .periodic = {1, 1, 1}},
+        {.name = "1:1, a third are ghosts",
          .ratio = 1.0,
          .box = 12.0,
          .ghosts = N/3,
          .periodic = {1, 0, 0}},
-        {.name = "1:30, a third are copies",
+        {.name = "1:30, a third are ghosts",
          .ratio = 30.0,
          .box = 5.0,
          .ghosts = N/3,
          .periodic = {1, 1, 1}},
-        {.name = "1:30, the large ones are copies",
+        {.name = "1:30, the large ones are ghosts",
          .ratio = 30.0,
          .box = 5.0,
          .ghosts = N/3,
@@ -228,15 +234,15 @@ int main(void)
     };
 
     TAP_TRAPS;
-    recipe.classes = 3;
-    recipe.class_of[0][0][1] = recipe.class_of[0][1][0] = 1;
-    recipe.class_of[0][1][1] = 2;
+    table.classes = 3;
+    table.class_of[0][0][1] = table.class_of[0][1][0] = 1;
+    table.class_of[0][1][1] = 2;
     for (size_t k = 0; k < sizeof packings/sizeof *packings; k++)
     {
         compare(&packings[k]);
     }
     TAP_OK(!dem_pairs_check_counts(((size_t)1 << 31) - 1, ((size_t)1 << 30) - 1),
-           "as many as an index can name");
+           "as many as an index can number");
     TAP_OK(dem_pairs_check_counts((size_t)1 << 31, 0) &&
                strstr(dem_error_text(), "2147483648 particles") &&
                strstr(dem_error_text(), "more ranks"),
@@ -244,7 +250,7 @@ int main(void)
     TAP_OK(dem_pairs_check_counts(5, (size_t)1 << 32) &&
                strstr(dem_error_text(), "4294967296 pairs"),
            "more pairs are refused");
-    TAP_OK(levels(1.0, 0) == 1, "spheres alike: one level");
+    TAP_OK(levels(1.0, 0) == 1, "equal spheres: one level");
     TAP_OK(levels(30.0, 0) > 1, "1:30: %d levels", levels(30.0, 0));
     TAP_OK(levels(30.0, 1) > 1, "one large one among them: %d levels", levels(30.0, 1));
     TAP_DONE;

@@ -1,12 +1,16 @@
 /*
- * What a run tells of its cost is so: phases of one rank add up to the time that passed, by another reading of the clock, whether
- * each step is looked at or one in many; what is counted agrees with what is known of the scene; looking changes nothing. Contacts last
- * as many steps as Hertz has it. Processor time by phase adds up to that of the process, and is less than the clock where it
- * sleeps.
+ * test_profile.c -- the profile of a run.
+ *
+ * - The phases of one rank add up to the elapsed time by another reading of the clock, whether each
+ *   step is timed or one in many.
+ * - The processor time of the phases adds up to that of the process, and is less than the clock
+ *   where the process sleeps.
+ * - Counts agree with a known scene; measuring changes nothing.
+ * - Durations of contacts are those of Hertz.
+ *
+ * References: the clock read before and after; a bed with a known number of contact rows.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * Judges: the clock read before and after, which encloses what the profile may say; a bed whose rows are known.
  */
 #include "tap.h"
 
@@ -18,12 +22,13 @@
 #include <string.h>
 #include <time.h>
 
-/* n spheres in a row on a floor, none near another, at rest where the floor carries them: one row each. */
+/* n separate spheres at rest on a floor: one contact row each. */
 static struct dem *make(int n)
 {
     static const char scene[] =
         "materials { glass { density 2500; youngsModulus 1e6; } }"
-        "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } }"
+        "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } "
+        "mindlin { friction 0.3; } }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
         "neighbours { outerSkin 0.2; innerSkin 0.1; }";
     struct dem_new_particle *const seed = calloc((size_t)n, sizeof *seed);
@@ -78,10 +83,10 @@ static void times(int n, int steps)
     const double between = dem_clock_wall();
 
     wait_for(0.02);
-    const double asked = dem_clock_wall(), busy_asked = dem_clock_processor();
+    const double requested = dem_clock_wall(), busy_requested = dem_clock_processor();
 
     TAP_OK(dem_profile(d, &f) == 0, "%d spheres: a profile", n);
-    const double told = dem_clock_wall(), busy_told = dem_clock_processor();
+    const double reported = dem_clock_wall(), busy_reported = dem_clock_processor();
 
     for (int k = 0; k < DEM_PROFILE_PHASES; k++)
     {
@@ -90,18 +95,19 @@ static void times(int n, int steps)
         sum += f.phase[k].mean;
         busy += f.phase[k].processor;
     }
-    TAP_NEAR(sum, f.wall, 1e-12*f.wall, "%d spheres: phases add up to the whole",
+    TAP_NEAR(sum, f.wall, 1e-12*f.wall, "%d spheres: phases add up to the total",
              n);          /* rounding */
-    TAP_OK(f.wall >= asked - ready && f.wall <= told - before,
-           "%d spheres: %.4g s: between %.4g and %.4g s", n, f.wall, asked - ready, told - before);
-    TAP_OK(f.outside >= 0.02, "%d spheres: 0.02 s of waiting are outside", n);
-    /* sums of many differences of one clock round: 1e-9 s is a thousand times that */
+    TAP_OK(f.wall >= requested - ready && f.wall <= reported - before,
+           "%d spheres: %.4g s: between %.4g and %.4g "
+           "s", n, f.wall, requested - ready, reported - before);
+    TAP_OK(f.outside >= 0.02, "%d spheres: 0.02 s of waiting are counted as outside", n);
+    /* rounding of the sum of many differences of one clock: 1e-9 s is a thousand times that */
     TAP_OK(f.wall - f.outside <= between - before + 1e-9 && f.wall - f.outside > 0.0,
-           "%d spheres: the rest is the advance", n);
-    TAP_NEAR(busy, f.processor, 1e-9*f.processor, "%d spheres: so does their processor time", n);
-    TAP_OK(f.processor >= busy_asked - busy_ready && f.processor <= busy_told - busy_before,
-           "%d spheres: %.4g s of it: between %.4g and %.4g s", n, f.processor,
-           busy_asked - busy_ready, busy_told - busy_before);
+           "%d spheres: the remainder is the time of the advance", n);
+    TAP_NEAR(busy, f.processor, 1e-9*f.processor, "%d spheres: their processor times add up to that of the process", n);
+    TAP_OK(f.processor >= busy_requested - busy_ready && f.processor <= busy_reported - busy_before,
+           "%d spheres: %.4g s of processor time: between %.4g and %.4g s", n, f.processor,
+           busy_requested - busy_ready, busy_reported - busy_before);
     TAP_OK(f.imbalance == 1.0 && f.ranks == 1, "%d spheres: one rank, busy",
            n);
     dem_free(d);
@@ -186,19 +192,20 @@ static void counts(int n, int steps)
            "%lld steps, %lld particles, %lld contacts", (long long)f.steps, (long long)f.particles,
            (long long)f.contacts);
     TAP_OK(f.particle_steps == (int64_t)n*steps && f.row_steps == (int64_t)n*steps,
-           "%lld particle-steps, as many rows", (long long)f.particle_steps);
-    TAP_OK(f.rebuilds == 1 && f.prunes == 1, "lists are made once: the start is not the run");
-    TAP_NEAR(f.outer_skin/f.diameter, 0.2, 1e-12, "the outer skin");                            /* rounding */
+           "%lld particle-steps, as many contact rows", (long long)f.particle_steps);
+    TAP_OK(f.rebuilds == 1 && f.prunes == 1, "the lists of the start are not counted as rebuilds of the run");
+    /* rounding */
+    TAP_NEAR(f.outer_skin/f.diameter, 0.2, 1e-12, "the outer skin");
     TAP_NEAR(f.inner_skin/f.diameter, 0.1, 1e-12, "the inner skin");
     TAP_OK(f.messages == 0 && f.rebuild_messages == 0 && f.agreements == 0, "alone: no messages");
     TAP_OK(f.bytes > 128.0*n, "a particle has 128 bytes and more, %g", f.bytes/n);
     TAP_OK(dem_profile_text(d, &text) == 0 && strstr(text, "contacts") &&
                strstr(text, "particle-steps/s") && strstr(text, "skins 0.2 and 0.1"),
-           "in words");
+           "as text");
     dem_free(d);
 }
 
-static void looking_changes_nothing(void)
+static void measuring_changes_nothing(void)
 {
     struct dem *const a = make(50), *const b = make(50);
     struct dem_profile f;
@@ -212,12 +219,13 @@ static void looking_changes_nothing(void)
     }
     dem_hash(a, &first);
     dem_hash(b, &second);
-    TAP_OK(first == second, "looking changes nothing");
+    TAP_OK(first == second, "measuring changes no bits");
     dem_free(a);
     dem_free(b);
 }
 
-/* What the clock takes of a step of 5000 particles that take 0.06 us each. The least of ten goes: others use the machine. */
+/* Time of a clock reading relative to a step of 5000 particles of 0.06 us each; the minimum of ten
+   runs, as others use the machine. */
 static void cost(void)
 {
     enum { READINGS = 100000 };
@@ -239,13 +247,14 @@ static void cost(void)
     }
     TAP_NOTE("a reading takes %.3g ns, ten %.2g %% of such a step", 1e9*least,
              100.0*10.0*least/(5000*0.06e-6));
-    /* its speed is a matter of the machine: told above, not tested */
+    /* the speed depends on the machine: it is reported above, not tested */
     TAP_OK(t.spent[DEM_PHASE_DRIFT] > 0.0 && isfinite(least),
            "readings of the clock add up to time spent in a phase");
 }
 
-/* 40 pairs that meet head on at the speed v, at even fractions of a step after the second: a contact lasts 2.9432 d_max/v
-   (Hertz; Johnson, Contact Mechanics, 11.4), as many steps or one more or less. */
+/* 40 pairs that meet head on at the speed v, at evenly spaced fractions of a step after the second:
+   a contact lasts 2.9432 d_max/v (Hertz; Johnson, Contact Mechanics, 11.4), as many steps or one
+   more or less. */
 static void durations(double steps, double v)
 {
     enum { PAIRS = 40 };
@@ -280,22 +289,23 @@ static void durations(double steps, double v)
 
     status = status || dem_advance(d, fmin(250.0, 3.0*steps)*dt) || dem_profile(d, &f);
     TAP_OK(status == 0, "pairs: %s", dem_error_text());
-    TAP_OK(f.recorded == PAIRS, "all %d contacts are watched from beginning to end, %lld", PAIRS,
+    TAP_OK(f.recorded == PAIRS, "all %d contacts are recorded from start to end, %lld", PAIRS,
            (long long)f.recorded);
     if (steps > 129.0)
     {
         TAP_OK(f.longer == PAIRS && f.min_steps == 129 && f.median_steps == 129,
-               "all are longer ones");
+               "all are counted as longer");
     }
     else
     {
-        TAP_OK(f.longer == 0, "none is a longer one");
+        TAP_OK(f.longer == 0, "none is counted as longer");
         TAP_NEAR(f.min_steps, steps, 1.0, "the shortest of %g steps", steps);
-        TAP_NEAR(f.median_steps, steps, 1.0, "and their median");
+        TAP_NEAR(f.median_steps, steps, 1.0, "the median");
     }
     const double peak = 0.5*pow(15.0*m*v*v/(16.0*E*sqrt(0.5*R)), 0.4)/R;
 
-    /* at steps: below the top by (pi/2 of half a step in steps)^2/2, at most; 1e-3 is the leapfrog's at t_c/20 */
+    /* sampled at steps: below the peak by at most (pi/2 of half a step in steps)^2/2; 1e-3 is the
+       error of the leapfrog at t_c/20 */
     TAP_NEAR(f.largest_overlap/peak, 1.0, 0.5*pow(0.5*pi/steps, 2.0) + 1e-3, "the largest overlap");
     dem_free(d);
 }
@@ -308,7 +318,7 @@ int main(void)
     sleeping(1000000, 5);
     sleeping(70000, 5);
     counts(300, 40);
-    looking_changes_nothing();
+    measuring_changes_nothing();
     durations(10.0, 1.0);
     durations(20.0, 0.5);
     durations(90.0, 0.5);

@@ -1,11 +1,11 @@
 /*
- * Random numbers depend on nothing but (seed, id, step, use), fill [0, 1) evenly, and neighbours know nothing of
- * each other, whichever of the four words is counted up.
+ * test_random.c -- random numbers are functions of (seed, id, step, use), uniform in [0, 1), and
+ * independent of their neighbors in each of the four words.
+ *
+ * The numbers are always the same, so a test always passes or always fails; limits are five
+ * standard deviations of true randomness (exceeded by chance once in two million).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * The numbers are always the same, so a test either always passes or never does; limits are five standard
- * deviations of what true randomness gives (met by chance once in two million).
  */
 #include "tap.h"
 
@@ -64,8 +64,9 @@ static void moments(int word)
              word_name[word]);
 }
 
-/* chi square over 256 cells has mean 255 and standard deviation sqrt(510), for each of the eight bytes */
-static void even_bytes(int word)
+/* chi square over 256 cells has mean 255 and standard deviation sqrt(510), for each of the eight
+   bytes */
+static void uniform_bytes(int word)
 {
     static int count[8][CELLS];
     double worst = 0.0;
@@ -94,12 +95,13 @@ static void even_bytes(int word)
         }
         worst = fmax(worst, fabs(chi - 255.0)/sqrt(510.0));
     }
-    TAP_OK(worst < 5.0, "along %s: every byte takes its values evenly, %.1f standard deviations",
+    TAP_OK(worst < 5.0, "along %s: the values of every byte are uniform, %.1f standard deviations",
            word_name[word], worst);
 }
 
-/* pairs of neighbours fill the square: chi square over 64 x 64 cells, mean 4095, standard deviation sqrt(8190) */
-static void even_pairs(int word)
+/* pairs of successive draws fill the square: chi square over 64 x 64 cells, mean 4095, standard
+   deviation sqrt(8190) */
+static void uniform_pairs(int word)
 {
     static int count[64][64];
     const double expected = DRAWS/4096.0;
@@ -122,9 +124,9 @@ static void even_pairs(int word)
            (chi - 4095.0)/sqrt(8190.0));
 }
 
-/* one bit of a word turned turns each bit of the result in half of all cases: 4000 trials, 64 x 64 bits. For
-   low input bits each trial is counted twice, which widens a standard deviation of sqrt(n)/2 by sqrt(2); 5.5 of
-   them, because the worst of 4096 counts is looked at */
+/* flipping one bit of a word flips each bit of the result in half of all cases: 4000 trials, 64 x
+   64 bits. For low input bits each trial is counted twice, which widens a standard deviation of
+   sqrt(n)/2 by sqrt(2); 5.5 of them, because the largest of 4096 counts is taken */
 static void avalanche(int word)
 {
     enum
@@ -156,7 +158,7 @@ static void avalanche(int word)
         }
     }
     TAP_OK(worst < 5.5*sqrt(2.0),
-           "along %s: each bit decides over each, %.1f standard deviations at worst",
+           "along %s: avalanche, each bit on each, %.1f standard deviations at worst",
            word_name[word], worst);
 }
 
@@ -167,7 +169,8 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* a million draws over a grid of (id, step): n^2/2^33 = 128 pairs share their upper half, give or take 11 */
+/* a million draws over a grid of (id, step): n^2/2^33 = 128 pairs have equal upper halves, standard
+   deviation 11 */
 static void birthdays(void)
 {
     enum
@@ -175,7 +178,7 @@ static void birthdays(void)
         SIDE = 1024
     };
     uint32_t *half = malloc(sizeof *half*SIDE*SIDE);
-    int twins = 0;
+    int equal_pairs = 0;
 
     for (uint32_t i = 0; i < SIDE*SIDE; i++)
     {
@@ -184,29 +187,29 @@ static void birthdays(void)
     qsort(half, SIDE*SIDE, sizeof *half, by_value);
     for (int i = 1; i < SIDE*SIDE; i++)
     {
-        twins += half[i] == half[i - 1];
+        equal_pairs += half[i] == half[i - 1];
     }
-    TAP_OK(abs(twins - 128) < 57, "%d twins among a million draws over ids and steps, 128 expected",
-           twins);
+    TAP_OK(abs(equal_pairs - 128) < 57, "%d equal pairs among a million draws over ids and steps, 128 expected",
+           equal_pairs);
     free(half);
 }
 
 int main(void)
 {
     TAP_TRAPS;
-    /* worked out with whole numbers of any length, apart from the C code */
+    /* calculated with integers of any length, outside of the C code */
     TAP_OK(dem_random_bits(1, 2, 3, 4) == UINT64_C(0xd55ccd4aeb3ccafb),
            "the bits of (1, 2, 3, 4) are fixed");
     TAP_OK(dem_random_bits(UINT64_MAX, 0, UINT64_MAX, 7) == UINT64_C(0x7a025378bfc0b2a1),
-           "and those of extreme words");
+           "the bits of extreme words are fixed");
     TAP_OK(dem_random_bits(1, 2, 3, 4) != dem_random_bits(2, 1, 3, 4)
            && dem_random_bits(1, 2, 3, 4) != dem_random_bits(1, 2, 4, 3),
            "the words are not interchangeable");
     for (int word = 0; word < WORDS; word++)
     {
         moments(word);
-        even_bytes(word);
-        even_pairs(word);
+        uniform_bytes(word);
+        uniform_pairs(word);
         avalanche(word);
     }
     birthdays();

@@ -1,6 +1,10 @@
 /*
- * A refinement series gives back the value, the order and the errors it was made from. Where its scatter is that of the scene,
- * the 95 % interval contains the true value in 95 of 100 series. Where the means do not converge, no value is claimed.
+ * test_refinement_series.c -- evaluation of a refinement series.
+ *
+ * - A smooth series returns the value, the order and the errors it was made from.
+ * - Where the scatter is a property of the scene, the 95 % interval contains the true value in 95
+ *   of 100 series.
+ * - Where the means do not converge, no value is claimed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -14,13 +18,14 @@
 
 static const double truth = 3.0;
 
-/* even in -1 to 1 */
-static double chance(uint64_t series, uint64_t number)
+/* uniform in -1 to 1 */
+static double random_number(uint64_t series, uint64_t number)
 {
     return 2.0*dem_random_unit(7, series, number, 0) - 1.0;
 }
 
-struct made                                               /* value = truth + c h^p + phase h x + own y, x and y by chance */
+/* value = truth + c h^p + phase h x + own y, x and y random */
+struct made
 {
     double c, p, phase, own;
     int runs, levels;
@@ -40,8 +45,8 @@ static struct dem_refinement_series make(const struct made *m, uint64_t number)
         l.level[r] = (struct dem_refinement_level){.size = h, .runs = m->runs};
         for (int n = 0; n < m->runs; n++)
         {
-            l.level[r].value[n] = truth + m->c*pow(h, m->p) + m->phase*h*chance(number, k) +
-                                  m->own*chance(number, k + 1);
+            l.level[r].value[n] = truth + m->c*pow(h, m->p) + m->phase*h*random_number(number, k) +
+                                  m->own*random_number(number, k + 1);
             k += 2;
         }
     }
@@ -57,14 +62,17 @@ static void smooth(void)
             make(&(struct made){.c = 0.2, .p = p, .runs = 3, .levels = 5}, 0);
 
         TAP_OK(l.kind == DEM_REFINEMENT_EXTRAPOLATED, "a smooth series is extrapolated");
-        TAP_NEAR(l.reference, truth, 1e-12, "to the truth");                                  /* round-off */
-        TAP_NEAR(l.order, p, 1e-9, "with its order");
-        TAP_NEAR(l.level[0].error, 0.2*pow(2.0, p), 1e-12, "and its errors");
-        TAP_OK(l.uncertainty < 1e-12 && l.order_uncertainty < 1e-9, "and is sure of it");
+        /* round-off */
+        TAP_NEAR(l.reference, truth, 1e-12, "smooth: the true value");
+        TAP_NEAR(l.order, p, 1e-9, "smooth: the order");
+        TAP_NEAR(l.level[0].error, 0.2*pow(2.0, p), 1e-12, "smooth: the errors");
+        TAP_OK(l.uncertainty < 1e-12 && l.order_uncertainty < 1e-9,
+               "smooth: the uncertainty is zero");
     }
 }
 
-/* 0.2 h and a scatter of 0.05 h, whose means differ by chance: the interval given must nearly always contain the true value */
+/* 0.2 h and a random scatter of 0.05 h: the stated interval must nearly always contain the true
+   value */
 static void scattered(void)
 {
     int held = 0, extrapolated = 0;
@@ -77,9 +85,10 @@ static void scattered(void)
         held += fabs(l.reference - truth) <= l.uncertainty;
         extrapolated += l.kind == DEM_REFINEMENT_EXTRAPOLATED;
     }
-    TAP_OK(extrapolated >= 390, "scatter that falls with the step is the step's: %d of 400",
-           extrapolated);
-    TAP_OK(held >= 380, "the truth is within what is unsure in %d of 400", held);             /* 95 % */
+    TAP_OK(extrapolated >= 390,
+           "scatter that decreases with the step is due to the step: %d of 400", extrapolated);
+    /* 95 % */
+    TAP_OK(held >= 380, "the true value is within the uncertainty in %d of 400", held);
 }
 
 static void chaotic(void)
@@ -95,21 +104,22 @@ static void chaotic(void)
         held += fabs(l.reference - truth) <= l.uncertainty;
         exact += l.level[1].error <= l.level[1].uncertainty;
     }
-    TAP_OK(statistics >= 380, "scatter that stays is the scene's: %d of 400", statistics);
-    TAP_OK(held >= 368, "the truth is in the interval in %d of 400",
+    TAP_OK(statistics >= 380, "scatter that stays is a property of the scene: %d of 400",
+           statistics);
+    TAP_OK(held >= 368, "the true value is in the interval in %d of 400",
            held);                   /* 380 +- 3 times sqrt(400 0.95 0.05) */
-    TAP_OK(exact >= 368, "and no error is claimed where there is none in %d of 400", exact);
+    TAP_OK(exact >= 368, "no error is claimed where there is none in %d of 400", exact);
 }
 
-/* The first level is off by 1, which a scatter of 0.1 does not hide. */
-static void beside_chaos(void)
+/* The first level has an error of 1, which a scatter of 0.1 does not hide. */
+static void error_and_scatter(void)
 {
     const struct dem_refinement_series l =
         make(&(struct made){.c = 0.5, .p = 1.0, .own = 0.1, .runs = 8, .levels = 5}, 5);
 
     TAP_OK(fabs(l.level[0].error - 1.0) < l.level[0].uncertainty + 0.1,
-           "an error beside chaos is seen: %g", l.level[0].error);
-    TAP_OK(l.level[0].error > l.level[0].uncertainty, "and told from it");
+           "an error larger than the scatter is reported: %g", l.level[0].error);
+    TAP_OK(l.level[0].error > l.level[0].uncertainty, "it is larger than its uncertainty");
 }
 
 static void given(void)
@@ -120,12 +130,13 @@ static void given(void)
     l.closed = 1;
     l.reference = truth;
     dem_refinement_evaluate(&l);
-    TAP_OK(l.kind == DEM_REFINEMENT_CLOSED && l.uncertainty == 0.0, "a closed form is sure");
-    TAP_NEAR(l.level[2].error, 0.1*0.25, 1e-12, "errors are from it");
+    TAP_OK(l.kind == DEM_REFINEMENT_CLOSED && l.uncertainty == 0.0,
+           "a closed form has no uncertainty");
+    TAP_NEAR(l.level[2].error, 0.1*0.25, 1e-12, "errors are differences from it");
 }
 
-/* Means that go to and fro: no order, and the last difference is what may be wrong. */
-static void restless(void)
+/* Means that alternate: no order, and the uncertainty is the last difference. */
+static void diverging(void)
 {
     struct dem_refinement_series l;
 
@@ -139,9 +150,9 @@ static void restless(void)
             .value = {r%2, r%2}};
     }
     dem_refinement_evaluate(&l);
-    TAP_NEAR(l.reference, 0.0, 0.0, "the finest");
-    TAP_OK(l.uncertainty >= 1.0, "is unsure by all of the last difference");
-    TAP_OK(isnan(l.order), "and there is no order");
+    TAP_NEAR(l.reference, 0.0, 0.0, "alternating means: the value is that of the finest level");
+    TAP_OK(l.uncertainty >= 1.0, "alternating means: the uncertainty is the last difference");
+    TAP_OK(isnan(l.order), "alternating means: no order");
 }
 
 int main(void)
@@ -149,8 +160,8 @@ int main(void)
     smooth();
     scattered();
     chaotic();
-    beside_chaos();
+    error_and_scatter();
     given();
-    restless();
+    diverging();
     TAP_DONE;
 }

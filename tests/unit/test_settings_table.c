@@ -1,5 +1,6 @@
 /*
- * A table of fields gives a struct its defaults, lets only values in range in, and explains every refusal.
+ * test_settings_table.c -- a table of settings gives a struct its defaults, accepts only values in
+ * range, and explains every refusal.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -46,7 +47,7 @@ static int set(struct glue *g, const char *name, double value)
     return dem_settings_set_number(fields, g, "glue", name, &value, 1);
 }
 
-static int says(const char *sentence)
+static int error_is(const char *sentence)
 {
     return strcmp(dem_error_text(), sentence) == 0;
 }
@@ -57,17 +58,18 @@ static void defaults(void)
 
     dem_settings_set_defaults(fields, &g);
     TAP_OK(isnan(g.restitution) && isnan(g.shift[0]) && isnan(g.shift[2]),
-           "what is required starts as a not-a-number");
+           "a required setting starts as a not-a-number");
     TAP_OK(g.stiffness == 1e7 && g.strength == 1e3 && g.layers == 1.0 && g.axis[2] == 0.0,
            "numbers get their defaults");
     TAP_OK(g.law == POWER && g.on == 1, "choices and switches too");
-    TAP_OK(g.after == 7.0, "members without a field are left alone");
+    TAP_OK(g.after == 7.0, "members without a setting are not changed");
 
     TAP_OK(dem_settings_check_complete(fields, &g, "glue") == DEM_ERROR_INPUT,
-           "what is missing is told");
+           "missing settings are reported");
     TAP_OK(
-        says(
-            "glue: no value for restitution (speed after over speed before), offset (from the centre, m); "
+        error_is(
+            "glue: no value for restitution (speed after over speed before), offset (from the "
+            "centre, m); "
             "these have no default, give them"),
         "%s", dem_error_text());
     set(&g, "restitution", 0.5);
@@ -76,7 +78,7 @@ static void defaults(void)
            "only what is still missing: %s", dem_error_text());
     dem_settings_set_number(fields, &g, "glue", "offset", (const double[]){0.0, 0.0, 1.0}, 3);
     TAP_OK(dem_settings_check_complete(fields, &g, "glue") == DEM_OK,
-           "and nothing once all is given");
+           "no refusal once all are given");
 }
 
 static void numbers(void)
@@ -86,38 +88,42 @@ static void numbers(void)
     dem_settings_set_defaults(fields, &g);
     TAP_OK(set(&g, "restitution", 0.9) == DEM_OK && g.restitution == 0.9, "a number is set");
     TAP_OK(set(&g, "restitution", 0.0) == DEM_OK && set(&g, "restitution", 1.0) == DEM_OK,
-           "limits belong to the range");
+           "limits are in range");
     TAP_OK(set(&g, "youngsModulus", 5e6) == DEM_OK && g.stiffness == 5e6,
-           "by the user's word, not the member's");
-    TAP_OK(set(&g, "stiffness", 5e6) == DEM_ERROR_INPUT, "and only by that");
+           "set by the user's name of the setting");
+    TAP_OK(set(&g, "stiffness", 5e6) == DEM_ERROR_INPUT, "not by the name of the member");
 
     TAP_OK(set(&g, "restitution", 1.2) == DEM_ERROR_INPUT && g.restitution == 1.0,
            "a number out of range changes nothing");
     TAP_OK(
-        says(
-            "glue: restitution 1.2 is out of range; give a value from 0 to 1 (speed after over speed before)"),
+        error_is(
+            "glue: restitution 1.2 is out of range; "
+            "give a value from 0 to 1 (speed after over speed before)"),
         "%s", dem_error_text());
     TAP_OK(set(&g, "youngsModulus", 0.0) == DEM_ERROR_INPUT,
            "zero is refused where it is excluded");
-    TAP_OK(says("glue: youngsModulus 0 Pa is out of range; give a value above 0 Pa (of the glue)"),
-           "%s", dem_error_text());
-    TAP_OK(set(&g, "strength", 0.0) == DEM_OK, "and taken where it is not");
+    TAP_OK(
+        error_is("glue: youngsModulus 0 Pa is out of range; give a value above 0 Pa (of the glue)"),
+        "%s", dem_error_text());
+    TAP_OK(set(&g, "strength", 0.0) == DEM_OK, "zero is accepted where it is not excluded");
     TAP_OK(set(&g, "strength", -1.0) == DEM_ERROR_INPUT, "a negative strength is refused");
     TAP_OK(
-        says(
-            "glue: strength -1 Pa is out of range; give a value of 0 Pa or more (stress at which it breaks)"),
+        error_is(
+            "glue: strength -1 Pa is out of range; "
+            "give a value of 0 Pa or more (stress at which it breaks)"),
         "%s", dem_error_text());
     TAP_OK(set(&g, "strength", INFINITY) == DEM_ERROR_INPUT &&
                set(&g, "strength", NAN) == DEM_ERROR_INPUT && g.strength == 0.0,
-           "neither an infinite value nor a not-a-number is ever taken: %s", dem_error_text());
+           "neither an infinite value nor a not-a-number is accepted: %s", dem_error_text());
     TAP_OK(set(&g, "layers", 3.0) == DEM_OK && g.layers == 3.0 &&
                set(&g, "layers", 2.5) == DEM_ERROR_INPUT,
-           "a count is whole");
+           "a count is a whole number");
     TAP_OK(
-        says(
-            "glue: layers 2.5 is not a whole number; give a value that is whole, from 1 to 10 (coats of glue)"),
+        error_is(
+            "glue: layers 2.5 is not a whole number; "
+            "give a value that is whole, from 1 to 10 (coats of glue)"),
         "%s", dem_error_text());
-    TAP_OK(g.after == 7.0, "no neighbour was touched");
+    TAP_OK(g.after == 7.0, "no other member was changed");
 }
 
 static void vectors(void)
@@ -134,11 +140,11 @@ static void vectors(void)
            "one component out of range changes none: %s", dem_error_text());
     TAP_OK(dem_settings_set_number(fields, &g, "glue", "axis", along, 1) == DEM_ERROR_INPUT,
            "a vector needs three numbers");
-    TAP_OK(says("glue: axis has 1 number; give three, as (x y z) (direction of the fibres)"), "%s",
-           dem_error_text());
+    TAP_OK(error_is("glue: axis has 1 number; give three, as (x y z) (direction of the fibres)"),
+           "%s", dem_error_text());
     TAP_OK(dem_settings_set_number(fields, &g, "glue", "strength", along, 3) == DEM_ERROR_INPUT,
-           "and a number needs one");
-    TAP_OK(says("glue: strength has 3 numbers; give one (stress at which it breaks)"), "%s",
+           "a number needs one number");
+    TAP_OK(error_is("glue: strength has 3 numbers; give one (stress at which it breaks)"), "%s",
            dem_error_text());
 }
 
@@ -152,7 +158,7 @@ static void words(void)
     TAP_OK(dem_settings_set_word(fields, &g, "glue", "law", "pwoer") == DEM_ERROR_INPUT &&
                g.law == LINEAR,
            "an unknown word changes nothing");
-    TAP_OK(says(
+    TAP_OK(error_is(
                "unknown word for law of glue, \"pwoer\"; did you mean power? known: power, linear"),
            "%s", dem_error_text());
     for (int i = 0; i < 3; i++)
@@ -167,23 +173,26 @@ static void words(void)
     }
     TAP_OK(dem_settings_set_word(fields, &g, "glue", "active", "maybe") == DEM_ERROR_INPUT &&
                g.on == 1,
-           "but not maybe: %s", dem_error_text());
+           "a switch refuses maybe: %s", dem_error_text());
     TAP_OK(dem_settings_set_word(fields, &g, "glue", "strength", "high") == DEM_ERROR_INPUT,
-           "a number is no word");
-    TAP_OK(says("glue: strength takes a number, not the word \"high\" (stress at which it breaks)"),
+           "a number refuses a word");
+    TAP_OK(error_is(
+               "glue: strength takes a number, not the word \"high\" (stress at which it breaks)"),
            "%s", dem_error_text());
-    TAP_OK(set(&g, "law", 1.0) == DEM_ERROR_INPUT, "and a choice no number");
-    TAP_OK(says("glue: law takes a word, not a number (how it hardens)"), "%s", dem_error_text());
+    TAP_OK(set(&g, "law", 1.0) == DEM_ERROR_INPUT, "a choice refuses a number");
+    TAP_OK(error_is("glue: law takes a word, not a number (how it hardens)"), "%s",
+           dem_error_text());
     TAP_OK(
         set(&g, "restituton", 1.0) == DEM_ERROR_INPUT &&
             strstr(
                 dem_error_text(),
-                "unknown setting of glue, \"restituton\"; did you mean restitution? known: restitution, ") ==
+                "unknown setting of glue, \"restituton\"; "
+                "did you mean restitution? known: restitution, ") ==
                 dem_error_text(),
-        "an unknown setting gets its nearest: %s", dem_error_text());
+        "an unknown setting gets the nearest name: %s", dem_error_text());
     TAP_OK(dem_settings_set_word(fields, &g, "glue", "lwa", "linear") == DEM_ERROR_INPUT &&
                strstr(dem_error_text(), "did you mean law?"),
-           "so does one with a word: %s", dem_error_text());
+           "an unknown setting with a word, too: %s", dem_error_text());
     TAP_OK(dem_settings_find(fields, "layers") == fields + 3 && !dem_settings_find(fields, "layer"),
            "fields are found by name");
 }

@@ -1,5 +1,6 @@
 /*
- * The radix sorts order every kind of key as a comparison sort would, and leave equal keys in their order.
+ * test_sort.c -- the radix sorts order keys of every kind as a comparison sort, and keep equal keys
+ * in their order (stable).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -13,14 +14,14 @@
 
 enum
 {
-    MOST = 50000
+    MAX_COUNT = 50000
 };
 
-static uint64_t key[MOST], key_scratch[MOST];
-static uint32_t index_of[MOST], index_scratch[MOST];
-static struct dem_sort_pair pair[MOST], pair_scratch[MOST], expected[MOST];
+static uint64_t key[MAX_COUNT], key_scratch[MAX_COUNT];
+static uint32_t index_of[MAX_COUNT], index_scratch[MAX_COUNT];
+static struct dem_sort_pair pair[MAX_COUNT], pair_scratch[MAX_COUNT], expected[MAX_COUNT];
 
-/* by key, then by the place it came from: what a stable sort must give */
+/* by key, then by the former index: the result of a stable sort */
 static int by_pair(const void *of_a, const void *of_b)
 {
     const struct dem_sort_pair *a = of_a, *b = of_b;
@@ -74,13 +75,13 @@ static void check(const char *what, int n, uint64_t mask_hi, uint64_t mask_lo, u
 int main(void)
 {
     TAP_TRAPS;
-    check("all bits", MOST, UINT64_MAX, UINT64_MAX, 0);
-    check("one byte, so one pass and many equals", MOST, 0, 0xff, 0);
-    check("two separate bytes and constant ones between", MOST, 0xff00, 0xff000000ff,
+    check("all bits", MAX_COUNT, UINT64_MAX, UINT64_MAX, 0);
+    check("one byte, so one pass and many equal keys", MAX_COUNT, 0, 0xff, 0);
+    check("two separate bytes and constant ones between", MAX_COUNT, 0xff00, 0xff000000ff,
           0x1234567890abcdef);
-    check("the highest bit alone", MOST, UINT64_C(1) << 63, UINT64_C(1) << 63, 0);
-    check("three bytes, an odd number of passes", MOST, 0, 0xffffff, 0xabcdef0000000000);
-    check("nothing but equals", MOST, 0, 0, 42);
+    check("the highest bit alone", MAX_COUNT, UINT64_C(1) << 63, UINT64_C(1) << 63, 0);
+    check("three bytes, an odd number of passes", MAX_COUNT, 0, 0xffffff, 0xabcdef0000000000);
+    check("equal keys only", MAX_COUNT, 0, 0, 42);
     check("all bits", 2, UINT64_MAX, UINT64_MAX, 0);
     check("all bits", 1, UINT64_MAX, UINT64_MAX, 0);
 
@@ -88,6 +89,6 @@ int main(void)
     pair[0].lo = 5;
     dem_sort_keys(key, index_of, 0, key_scratch, index_scratch);
     dem_sort_pairs(pair, 0, pair_scratch);
-    TAP_OK(key[0] == 5 && pair[0].lo == 5, "sorting nothing touches nothing");
+    TAP_OK(key[0] == 5 && pair[0].lo == 5, "sorting no elements changes nothing");
     TAP_DONE;
 }

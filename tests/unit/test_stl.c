@@ -1,7 +1,11 @@
 /*
- * Claims: a surface file in text or in binary gives the same triangles, whatever its case, its spaces and its normals, several
- * solids as one list; a binary file whose head begins with "solid" is binary; a file that is cut short anywhere, or holds
- * something else or a number that is none, is refused with its line or its triangle.
+ * test_stl.c -- surface files in STL format, text and binary.
+ *
+ * - Both give the same triangles, whatever the case, spaces and normals; several solids give one
+ *   list.
+ * - A binary file whose header begins with "solid" is read as binary.
+ * - A file that is truncated anywhere, is of another kind or contains a value that is not a number
+ *   is refused with its line or triangle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -42,7 +46,7 @@ static void write_file(const void *bytes, size_t n)
 
     if (!f || fwrite(bytes, 1, n, f) != n || fclose(f) != 0)
     {
-        printf("Bail out! can't write %s\n", path);
+        printf("Bail out! cannot write %s\n", path);
         exit(1);
     }
 }
@@ -63,7 +67,7 @@ static void accepted(const char *what, const void *bytes, size_t size)
     {
         same = corner[k] <= 0.5*corners[k] && corner[k] >= 0.5*corners[k];
     }
-    TAP_OK(same, "%s: holds the triangles, scaled", what);
+    TAP_OK(same, "%s: has the triangles, scaled", what);
     dem_memory_free(corner);
 }
 
@@ -80,7 +84,7 @@ static void refused(const char *what, const void *bytes, size_t size, const char
            "%s: the sentence names \"%s\": %s", what, word, dem_error_text());
 }
 
-static void spoilt(const char *what, const char *old, const char *new, const char *word)
+static void faulty(const char *what, const char *old, const char *new, const char *word)
 {
     char other[sizeof text + 40];
     const char *const at = strstr(text, old);
@@ -117,14 +121,14 @@ int main(void)
     accepted("binary", bytes, binary(bytes, "some program"));
     accepted("binary that begins with solid", bytes, binary(bytes, "solid in name only"));
 
-    spoilt("a word that is none", "outer", "outre", "line 3");
-    spoilt("a corner that is a word", "1.5 0", "1.5 zero", "line 5");
-    spoilt("a corner that is no number", "2.5e0", "nan", "line 6");
-    spoilt("a corner that is endless", "2.5e0", "inf", "line 6");
-    spoilt("a number that ends in letters", "2.5e0", "2.5m", "line 6");
-    spoilt("a corner too few", "      vertex 1.5 0 0\n", "", "line 6");
-    spoilt("a second solid in the first", "endsolid one\n", "", "line 10");
-    refused("nothing", "", 0, "STL");
+    faulty("an unknown word", "outer", "outre", "line 3");
+    faulty("a corner that is a word", "1.5 0", "1.5 zero", "line 5");
+    faulty("a corner that is not a number", "2.5e0", "nan", "line 6");
+    faulty("an infinite corner", "2.5e0", "inf", "line 6");
+    faulty("a number that ends in letters", "2.5e0", "2.5m", "line 6");
+    faulty("a corner too few", "      vertex 1.5 0 0\n", "", "line 6");
+    faulty("a second solid in the first", "endsolid one\n", "", "line 10");
+    refused("an empty file", "", 0, "STL");
     refused("another text", "It was a dark night\n", 20, "STL");
     refused("solids without triangles", "solid x\nendsolid x\n", 19, "no triangle");
     const char *const end = strstr(text, "endsolid one");
@@ -137,8 +141,8 @@ int main(void)
         write_file(text, n);
         all &= dem_stl_read(path, 1.0, &corner, &count) != DEM_OK;
     }
-    TAP_OK(all, "text cut short anywhere in the first solid: is refused");
-    refused("text cut short in a triangle", text, 90, "truncated");
+    TAP_OK(all, "text truncated anywhere in the first solid: is refused");
+    refused("text truncated in a triangle", text, 90, "truncated");
     for (size_t n = 1; n < binary(bytes, "some program"); n++)
     {
         double *corner;
@@ -147,11 +151,11 @@ int main(void)
         write_file(bytes, n);
         all &= dem_stl_read(path, 1.0, &corner, &count) != DEM_OK;
     }
-    TAP_OK(all, "binary cut short anywhere: is refused");
-    refused("binary cut short", bytes, 150, "truncated");
+    TAP_OK(all, "binary truncated anywhere: is refused");
+    refused("binary truncated", bytes, 150, "truncated");
     refused("binary, a byte too many", bytes, 185, "184");
     memcpy(bytes + 84 + 50 + 12, &none, sizeof none);
-    refused("binary with a corner that is no number", bytes, 184, "triangle 2");
+    refused("binary with a corner that is not a number", bytes, 184, "triangle 2");
     unlink(path);
     TAP_DONE;
 }

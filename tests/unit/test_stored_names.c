@@ -1,6 +1,8 @@
 /*
- * Names in the code and in snapshots: every alias is found both ways, no name stands twice, and every column and every history
- * column is stored under the name that snapshots have had since version 5 of the format.
+ * test_stored_names.c -- names in the code and in snapshots.
+ *
+ * Every alias is found both ways, no name occurs twice, and every column and history column is
+ * stored under the name that snapshots have had since version 5 of the format.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -62,14 +64,15 @@ static void columns(void)
                 strcmp(name, stored_columns[k]) == 0 ||
                 strcmp(stored_columns[c], p.column[k].name) == 0)
             {
-                TAP_OK(0, "%s and %s have names of their own", name, p.column[k].name);
+                TAP_OK(0, "%s and %s have different names", name, p.column[k].name);
             }
         }
     }
     dem_particles_free(&p);
 }
 
-/* Effects name their history in any order: each stored name is that of one, and each of theirs is in the list. */
+/* Effects declare their history in any order: each stored name belongs to one effect, and each
+   declared one is in the list. */
 static void history(void)
 {
     int found[HISTORY_NAMES] = {0}, named = 0;

@@ -1,10 +1,12 @@
 /*
- * An exact sum has the bits of the correctly rounded true sum, in any order and from any number of ranks.
+ * test_sum.c -- an exact sum has the bits of the correctly rounded true sum, in any order, from any
+ * number of ranks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Three judges that know nothing of limbs: IEEE 754's own addition is correctly rounded for two terms, 128-bit
- * integers hold many terms exactly, and sums built to cancel have a known rest. No tolerance anywhere.
+ * Three independent references: IEEE 754 addition is correctly rounded for two terms, 128-bit
+ * integers represent many terms exactly, and sums with cancellation have a known remainder. There
+ * is no tolerance.
  */
 #include "tap.h"
 
@@ -29,7 +31,7 @@ static int same_bits(double a, double b)
     return memcmp(&a, &b, sizeof a) == 0;
 }
 
-static double of(const double *value, int n)
+static double sum_of(const double *value, int n)
 {
     struct dem_sum s;
 
@@ -62,7 +64,7 @@ static void two_terms(void)
         const double a = any_double(i, 0), b = any_double(i, 1), two[2] = {a, b};
         const double expected = a + b;
 
-        bad += !same_bits(of(two, 2), expected == 0.0 ? 0.0 : expected);
+        bad += !same_bits(sum_of(two, 2), expected == 0.0 ? 0.0 : expected);
     }
     TAP_OK(bad == 0, "two terms: the processor's own addition, 400000 pairs, %d wrong", bad);
 }
@@ -85,7 +87,7 @@ static void many_terms(void)
             term[i] = ldexp((double)whole, scale);
             exact += (wide)whole*((wide)1 << scale);
         }
-        bad += !same_bits(of(term, n), (double)exact);
+        bad += !same_bits(sum_of(term, n), (double)exact);
     }
     TAP_OK(bad == 0, "many terms: 128-bit integers rounded once, 200 sums, %d wrong", bad);
 }
@@ -94,30 +96,34 @@ static void known_sums(void)
 {
     const double tiny = 0x1p-1074, ulp = DBL_EPSILON;
 
-    TAP_OK(same_bits(of((double[]){1e308, 1.0, -1e308}, 3), 1.0), "1e308 + 1 - 1e308 is 1");
-    TAP_OK(same_bits(of((double[]){DBL_MAX, DBL_MAX, tiny, -DBL_MAX, -DBL_MAX}, 5), tiny),
-           "twice the largest comes and goes and leaves the smallest");
-    TAP_OK(same_bits(of((double[]){1.0, ulp/2}, 2), 1.0), "a tie goes to the even neighbour below");
-    TAP_OK(same_bits(of((double[]){1.0 + ulp, ulp/2}, 2), 1.0 + 2*ulp),
-           "and to the even neighbour above");
-    TAP_OK(same_bits(of((double[]){1.0, ulp/2, tiny}, 3), 1.0 + ulp),
+    TAP_OK(same_bits(sum_of((double[]){1e308, 1.0, -1e308}, 3), 1.0), "1e308 + 1 - 1e308 is 1");
+    TAP_OK(same_bits(sum_of((double[]){DBL_MAX, DBL_MAX, tiny, -DBL_MAX, -DBL_MAX}, 5), tiny),
+           "twice the largest cancels and leaves the smallest");
+    TAP_OK(same_bits(sum_of((double[]){1.0, ulp/2}, 2), 1.0),
+           "a tie rounds to the even neighbor below");
+    TAP_OK(same_bits(sum_of((double[]){1.0 + ulp, ulp/2}, 2), 1.0 + 2*ulp),
+           "a tie rounds to the even neighbor above");
+    TAP_OK(same_bits(sum_of((double[]){1.0, ulp/2, tiny}, 3), 1.0 + ulp),
            "the smallest double breaks a tie upwards");
-    TAP_OK(same_bits(of((double[]){1.0 + ulp, ulp/2, -tiny}, 3), 1.0 + ulp), "and downwards");
-    TAP_OK(same_bits(of((double[]){-1.0, -ulp/2, -tiny}, 3), -1.0 - ulp),
+    TAP_OK(same_bits(sum_of((double[]){1.0 + ulp, ulp/2, -tiny}, 3), 1.0 + ulp),
+           "the smallest double breaks a tie downwards");
+    TAP_OK(same_bits(sum_of((double[]){-1.0, -ulp/2, -tiny}, 3), -1.0 - ulp),
            "a negative sum mirrors a positive one");
-    TAP_OK(same_bits(of((double[]){2.0 - ulp, ulp/2}, 2), 2.0),
+    TAP_OK(same_bits(sum_of((double[]){2.0 - ulp, ulp/2}, 2), 2.0),
            "rounding may carry into the exponent");
-    TAP_OK(same_bits(of((double[]){DBL_MIN, -tiny}, 2), DBL_MIN - tiny),
+    TAP_OK(same_bits(sum_of((double[]){DBL_MIN, -tiny}, 2), DBL_MIN - tiny),
            "subnormal numbers are exact");
-    TAP_OK(same_bits(of((double[]){3*tiny, -5*tiny}, 2), -2*tiny), "down to the last bit");
-    TAP_OK(same_bits(of((double[]){0.0, -0.0}, 2), 0.0) && same_bits(of(term, 0), 0.0),
-           "nothing sums to +0");
-    TAP_OK(same_bits(of((double[]){DBL_MAX, DBL_MAX}, 2), INFINITY)
-           && same_bits(of((double[]){-DBL_MAX, -DBL_MAX}, 2), -INFINITY),
-           "past the largest double lies infinity");
-    TAP_OK(same_bits(of((double[]){DBL_MAX, 0x1p969}, 2), DBL_MAX),
-           "just under half a step past it does not");
-    TAP_OK(same_bits(of((double[]){DBL_MAX, 0x1p970}, 2), INFINITY), "half a step past it does");
+    TAP_OK(same_bits(sum_of((double[]){3*tiny, -5*tiny}, 2), -2*tiny),
+           "subnormal numbers are exact to the last bit");
+    TAP_OK(same_bits(sum_of((double[]){0.0, -0.0}, 2), 0.0) && same_bits(sum_of(term, 0), 0.0),
+           "the empty sum is +0");
+    TAP_OK(same_bits(sum_of((double[]){DBL_MAX, DBL_MAX}, 2), INFINITY)
+           && same_bits(sum_of((double[]){-DBL_MAX, -DBL_MAX}, 2), -INFINITY),
+           "beyond the largest double the sum is infinite");
+    TAP_OK(same_bits(sum_of((double[]){DBL_MAX, 0x1p969}, 2), DBL_MAX),
+           "less than half a step beyond it is not");
+    TAP_OK(same_bits(sum_of((double[]){DBL_MAX, 0x1p970}, 2), INFINITY),
+           "half a step beyond it is");
 }
 
 static void any_order(void)
@@ -130,7 +136,7 @@ static void any_order(void)
         term[i] = ldexp(dem_random_unit(5, (uint64_t)i, 0, 0) - 0.5,
                         (int)(dem_random_bits(5, (uint64_t)i, 0, 1)%200));
     }
-    forwards = of(term, TERMS);
+    forwards = sum_of(term, TERMS);
     for (int i = 0; i < TERMS/2; i++)
     {
         const double t = term[i];
@@ -138,10 +144,10 @@ static void any_order(void)
         term[i] = term[TERMS - 1 - i];
         term[TERMS - 1 - i] = t;
     }
-    backwards = of(term, TERMS);
+    backwards = sum_of(term, TERMS);
     TAP_OK(same_bits(forwards, backwards), "forwards and backwards: %a", forwards);
 
-    /* as MPI_SUM does it: limb by limb */
+    /* as MPI_SUM: limb by limb */
     for (int r = 0; r < 7; r++)
     {
         dem_sum_clear(rank + r);
@@ -189,33 +195,36 @@ static void many_additions(void)
     }
     TAP_OK(same_bits(dem_sum_value(&s), ldexp((double)((wide)n*whole), 40)), "doubled forty times");
 
-    /* full limbs: 2^30 - 1 additions are on record, the next one must carry before a limb can overflow */
+    /* full limbs: after 2^30 - 1 additions the next one must carry before a limb can overflow */
     dem_sum_clear(&s);
     s.part[10] = INT64_C(1) << 62;
     s.part[DEM_SUM_ADDED] = (1 << 30) - 1;
     dem_sum_add(&s, 1.0);
     TAP_OK(s.part[10] == 0 && s.part[11] == 1 << 30 && s.part[DEM_SUM_ADDED] == 0,
-           "limbs are carried in time");
+           "carries are made before a limb overflows");
 }
 
 static void not_numbers(void)
 {
     struct dem_sum a, b;
 
-    TAP_OK(isnan(of((double[]){1.0, NAN, 2.0}, 3)), "a not-a-number is not lost");
-    TAP_OK(same_bits(of((double[]){1.0, INFINITY, -DBL_MAX}, 3), INFINITY), "nor is an infinity");
-    TAP_OK(same_bits(of((double[]){-INFINITY, DBL_MAX}, 2), -INFINITY), "nor a negative one");
-    TAP_OK(isnan(of((double[]){INFINITY, -INFINITY}, 2)), "both infinities make a not-a-number");
+    TAP_OK(isnan(sum_of((double[]){1.0, NAN, 2.0}, 3)), "a not-a-number is not lost");
+    TAP_OK(same_bits(sum_of((double[]){1.0, INFINITY, -DBL_MAX}, 3), INFINITY),
+           "an infinity is not lost");
+    TAP_OK(same_bits(sum_of((double[]){-INFINITY, DBL_MAX}, 2), -INFINITY),
+           "a negative infinity is not lost");
+    TAP_OK(isnan(sum_of((double[]){INFINITY, -INFINITY}, 2)),
+           "both infinities give a not-a-number");
     dem_sum_clear(&a);
     dem_sum_clear(&b);
     dem_sum_add(&b, NAN);
     dem_sum_merge(&a, &b);
-    TAP_OK(isnan(dem_sum_value(&a)), "they survive a merge");
+    TAP_OK(isnan(dem_sum_value(&a)), "a merge keeps not-a-number");
 }
 
 int main(void)
 {
-    /* only invalid operations trap: the judge of two terms overflows on purpose */
+    /* only invalid operations trap: the reference of two terms overflows on purpose */
     feenableexcept(FE_INVALID);
     two_terms();
     TAP_TRAPS;

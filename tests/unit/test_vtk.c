@@ -1,5 +1,6 @@
 /*
- * What is written for ParaView is read back with the same bits, and a collection is whole after each entry.
+ * test_vtk.c -- files for ParaView are read back with the same bits, and a collection is complete
+ * after each entry.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -54,7 +55,8 @@ static int write_grains(int64_t n, const struct grain *g)
     return dem_vtk_write(NULL, path, n, columns, 5);
 }
 
-/* The array of that name as a reader finds it: type and components by the head, bytes by the offset. Null if wrong. */
+/* Find an array as a reader does: type and components in the header, bytes at the offset. Null if
+   wrong. */
 static const char *find(const char *file, size_t size, const char *name, const char *type,
                         int components, uint64_t bytes)
 {
@@ -104,12 +106,12 @@ static void read_back(int64_t n)
     c = find(file, size, "connectivity", "Int64", 1, 8*N);
     o = find(file, size, "offsets", "Int64", 1, 8*N);
     if (!TAP_OK(x && id && d && s && m && c && o,
-                "every array is where the head says, with its length"))
+                "every array is at the position of the header, with its length"))
     {
         return;
     }
     TAP_OK(memcmp(o + 8*N, tail, strlen(tail)) == 0 && o + 8*N + strlen(tail) == file + size,
-           "nothing else is in the file");
+           "the file has nothing else");
     for (size_t i = 0; i < N; i++)
     {
         const float diameter = (float)g[i].diameter;
@@ -139,7 +141,7 @@ static void narrow_numbers(void)
                (at = find(file, size, "d", "Float32", 5, 20)) && memcpy(f, at, 20),
            "five doubles as Float32");
     TAP_OK(f[0] == INFINITY && f[1] == -INFINITY && f[2] == 0 && f[3] == 0.1f && isnan(f[4]),
-           "what does not fit is infinite and traps nowhere");
+           "values beyond Float32 are infinite, without a trap");
     dem_memory_free(file);
 }
 
@@ -173,7 +175,7 @@ static void triangles(void)
            "the header has the numbers");
     TAP_OK(x && w && c && o && memcmp(x, corner, sizeof corner) == 0 && memcmp(w, wall, 16) == 0 &&
                memcmp(c, connectivity, 48) == 0 && memcmp(o, offsets, 16) == 0,
-           "corners, walls and cells are where the head says");
+           "corners, walls and cells are at the positions of the header");
     dem_memory_free(file);
 }
 
@@ -190,7 +192,7 @@ static void refusals(void)
     char *file = NULL, elsewhere[80];
     size_t size;
 
-    TAP_OK(!dem_vtk_write(NULL, path, 1, c, 1), "a good file");
+    TAP_OK(!dem_vtk_write(NULL, path, 1, c, 1), "a valid file");
     refused(dem_vtk_write(NULL, path, 1, c, 2), DEM_ERROR_INPUT, "two columns");
     c[1].name = "a<b";
     refused(dem_vtk_write(NULL, path, 1, c, 2), DEM_ERROR_INPUT, "cannot name");
@@ -201,7 +203,7 @@ static void refusals(void)
     c[0].components = 1;
     refused(dem_vtk_write(NULL, path, 1, c, 1), DEM_ERROR_STATE, "positions");
     TAP_OK(!dem_file_load(path, &file, &size) && find(file, size, "points", "Float64", 3, 24),
-           "the good file is there");
+           "the valid file is not changed");
     dem_memory_free(file);
 
     c[0].components = 3;
@@ -209,10 +211,10 @@ static void refusals(void)
     refused(dem_vtk_write(NULL, elsewhere, 1, c, 1), DEM_ERROR_FILE, "folder");
     refused(dem_vtk_write(NULL, folder, 1, c, 1), DEM_ERROR_FILE, "rename");
     snprintf(elsewhere, sizeof elsewhere, "%s.part", folder);
-    TAP_OK(!dem_file_exists(elsewhere), "what could not be finished is removed");
+    TAP_OK(!dem_file_exists(elsewhere), "an incomplete file is removed");
 }
 
-/* Is the collection whole, with these entries? */
+/* True if the collection is complete, with these entries. */
 static int collection_is(const char *entries)
 {
     char *file = NULL, expected[1024];
@@ -235,7 +237,7 @@ static void collection(void)
     remove(path);
     TAP_OK(!dem_vtk_collection_add(path, 0.0, "VTK/0.vtp") &&
                collection_is(ENTRY("0", "VTK/0.vtp")),
-           "the first entry makes a whole collection");
+           "the first entry makes a complete collection");
     TAP_OK(!dem_vtk_collection_add(path, 0.1, "VTK/1.vtp") &&
                !dem_vtk_collection_add(path, 0.1 + 0.2, "a & \"b\" <2>") &&
                !dem_vtk_collection_add(path, 1e-7*4e7, "VTK/3.vtp"),
@@ -243,7 +245,7 @@ static void collection(void)
     TAP_OK(collection_is(ENTRY("0", "VTK/0.vtp") ENTRY("0.1", "VTK/1.vtp")
                              ENTRY("0.30000000000000004", "a &amp; &quot;b&quot; &lt;2&gt;")
                                  ENTRY("4", "VTK/3.vtp")),
-           "are all there, in order, times exact");
+           "all are in order, with exact times");
     TAP_OK(!dem_vtk_collection_add(path, 0.1 + 0.2, "b.vtp") &&
                collection_is(ENTRY("0", "VTK/0.vtp") ENTRY("0.1", "VTK/1.vtp")
                                  ENTRY("0.30000000000000004", "b.vtp")),
@@ -252,7 +254,7 @@ static void collection(void)
                !dem_vtk_collection_add(path, 0.25, "a & c") &&
                collection_is(ENTRY("0", "VTK/0.vtp") ENTRY("0.1", "VTK/1.vtp")
                                  ENTRY("0.25", "a &amp; c")),
-           "a file that was written anew has one entry");
+           "a file written again has one entry");
 }
 
 static void write_text(const char *text)
@@ -288,6 +290,6 @@ int main(void)
     collection();
     bad_collections();
     remove(path);
-    TAP_OK(remove(folder) == 0, "no other file is left behind");
+    TAP_OK(remove(folder) == 0, "no other file is left");
     TAP_DONE;
 }

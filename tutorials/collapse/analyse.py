@@ -1,18 +1,20 @@
 #!/usr/bin/env python3
-"""analyse.py -- run-out and height of collapsed columns over their aspect ratio, against measured scalings.
+"""analyse.py -- run-out and height of collapsed columns over their aspect ratio, against measured
+scalings.
 
     analyse.py [-store "text"]       result.csv, collapse.png (rolling.png of -rolling); with -store also stored/ and its table in README.md
 
-Height of the deposit h(x): volume of the beads in slices of one diameter over slice and solid fraction of the column at rest.
-Run-out: where h, seen from the back wall, falls below one diameter for good; beads that roll on alone do not count.
-Column: length L as it stands, height 2 <z>, which is that of an even column.
-Interval: 95 % of independent runs (seeds).
+Height of the deposit h(x): volume of the beads in slices of one diameter over slice and solid
+fraction of the column at rest. Run-out: where h, seen from the back wall, falls below one diameter
+for good; beads that roll on alone do not count. Column: length L as it stands, height 2 <z>, which
+is that of an even column. Interval: 95 % of independent runs (seeds).
 
 Measured, with (L_end - L)/L = l1 a below a_0 and l2 a^(2/3) above, H_end/L = a or l4 a^(2/5):
     Lajeunesse, Monnier, Homsy, Phys. Fluids 17 (2005) 103302: glass beads on glued beads, l1 1.8, l2 2.3, a_0 3 (numbers as given by
     Lagree, Staron, Popinet, J. Fluid Mech. 686 (2011) 378)
     Lube, Huppert, Sparks, Freundt, Phys. Rev. E 72 (2005) 041301: sand, rice, sugar, l1 1.2 (a < 1.8), l2 1.9 (a > 2.8), l4 0.65
-and in channels wide enough that their walls do not count, (L_end - L)/L ~ a^(0.9 +- 0.1) and H_end/L ~ a^0.4 (in narrow ones a^0.65 and a^0.5):
+and in channels wide enough that their walls do not count, (L_end - L)/L ~ a^(0.9 +- 0.1) and
+H_end/L ~ a^0.4 (in narrow ones a^0.65 and a^0.5):
     Balmforth, Kerswell, J. Fluid Mech. 538 (2005) 399
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -28,7 +30,7 @@ D, WIDTH, LENGTH = 2e-3, 0.01, 0.032
 
 
 def beads(folder, place):
-    """Positions of the beads that move; glued ones lie below z = 0."""
+    """Positions of the moving beads; fixed ones are below z = 0."""
     at = read_vtp(pictures(folder)[place][1])["points"]
     return at[at[:, 2] > 0]
 
@@ -45,7 +47,8 @@ def run(kind, a, seed):
     # between the last slice above a diameter and the first below
     above = profile[low - 1] if low else profile[0]
     end = edges[low] + 0.5*D - D*(D - profile[low])/max(above - profile[low], 1e-12) if low else 0.0
-    return height/LENGTH, (end - LENGTH)/LENGTH, profile[:3].mean()/LENGTH, (edges[:-1] + 0.5*D, profile)
+    return height/LENGTH, (end - LENGTH)/LENGTH, profile[:3].mean()/LENGTH, (edges[:-1] + 0.5*D,
+        profile)
 
 
 def lajeunesse(a):
@@ -71,13 +74,16 @@ def main():
         points.setdefault(kind, []).append((aspect, *out, *height))
         name = "spheres" if kind == "free" else "with resistance to rolling"
         other = lajeunesse if kind == "free" else lube
-        result.add("run-out (L_end - L)/L", f"{name} a = {aspect:.2f}", float(other(aspect)), *out, "1")
-        result.add("height H_end/L", f"{name} a = {aspect:.2f}", min(aspect, 0.65*aspect**0.4) if aspect > 1.15 else aspect, *height, "1")
+        result.add("run-out (L_end - L)/L", f"{name} a = {aspect:.2f}", float(other(aspect)), *out,
+                   "1")
+        result.add("height H_end/L", f"{name} a = {aspect:.2f}",
+                   min(aspect, 0.65*aspect**0.4) if aspect > 1.15 else aspect, *height, "1")
     for kind in points:
         name = "spheres" if kind == "free" else "with resistance to rolling"
         picked = [found[key] for key in sorted(found) if key[0] == kind and key[1] >= 1]
         if len(picked) > 2:
-            slopes = [[numpy.polyfit(numpy.log([runs[k][0] for runs in picked]), numpy.log([runs[k][place] for runs in picked]), 1)[0]
+            slopes = [[numpy.polyfit(numpy.log([runs[k][0] for runs in picked]),
+                                     numpy.log([runs[k][place] for runs in picked]), 1)[0]
                        for k in range(min(len(runs) for runs in picked))] for place in (1, 2)]
             result.add("exponent of the run-out", f"{name} a >= 1", 0.9, *interval(slopes[0]), "1")
             result.add("exponent of H_end/L", f"{name} a >= 1", 0.4, *interval(slopes[1]), "1")
@@ -87,12 +93,17 @@ def main():
     a = numpy.geomspace(0.3, 10, 200)
     left.loglog(a, lajeunesse(a), color=REFERENCE, label="glass beads, Lajeunesse et al. 2005")
     left.loglog(a, lube(a), color=REFERENCE, ls="--", label="sand, rice, sugar, Lube et al. 2005")
-    right.loglog(a, numpy.where(a < 1.15, a, 0.65*a**0.4), color=REFERENCE, ls="--", label="Lube et al. 2005")
-    for kind, colour, label in (("free", OURS, "Suna, spheres"), ("rolling", OTHER, "Suna, with resistance to rolling")):
+    right.loglog(a, numpy.where(a < 1.15, a, 0.65*a**0.4), color=REFERENCE, ls="--",
+                 label="Lube et al. 2005")
+    for kind, colour, label in (("free", OURS, "Suna, spheres"),
+                                ("rolling", OTHER, "Suna, with resistance to rolling")):
         if kind in points:
-            p = numpy.nan_to_num(numpy.array(points[kind]))            # a seed alone has no interval
-            left.errorbar(p[:, 0], p[:, 1], p[:, 2], fmt="o", ms=4, capsize=3, color=colour, label=label)
-            right.errorbar(p[:, 0], p[:, 3], p[:, 4], fmt="o", ms=4, capsize=3, color=colour, label=label)
+            # a seed alone has no interval
+            p = numpy.nan_to_num(numpy.array(points[kind]))
+            left.errorbar(p[:, 0], p[:, 1], p[:, 2], fmt="o", ms=4, capsize=3, color=colour,
+                          label=label)
+            right.errorbar(p[:, 0], p[:, 3], p[:, 4], fmt="o", ms=4, capsize=3, color=colour,
+                           label=label)
     left.set(xlabel="a", ylabel="run-out (L_end - L)/L")
     right.set(xlabel="a", ylabel="height H_end/L")
     shown = min(points, default="free")
@@ -107,7 +118,8 @@ def main():
     picture = "rolling.png" if list(points) == ["rolling"] else "collapse.png"
     figure.savefig(picture)
     if sys.argv[1:2] == ["-store"]:
-        store(sys.argv[2], picture, **({"name": "rolling", "result": "rolling.csv"} if picture == "rolling.png" else {}))
+        store(sys.argv[2], picture, **({"name": "rolling", "result": "rolling.csv"}
+                                       if picture == "rolling.png" else {}))
 
 
 if __name__ == "__main__":

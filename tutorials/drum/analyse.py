@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
-"""analyse.py -- velocity across the bed of a drum, slope of its surface, torque: against measured ones and the balance of angular momentum.
+"""analyse.py -- velocity across the bed of a drum, slope of its surface, torque: against measured
+ones and the balance of angular momentum.
 
     analyse.py [-store "text"]       result.csv, drum.png; with -store also stored/ and the table of README.md
 
-All from the means over blocks of time (block1.csv ...) and walls.csv; intervals 95 % from these blocks.
-Surface         where the solid fraction falls through 0.3, column by column; a straight line through the middle half of the drum's width
-Velocity        along that slope, on the normal to it through the axis; of the mass in cells of one bead
-Torque          of the beads on the drum; their weight's lever about the axis must be the same when the motion is steady: M g x_c
-Turning         angular momentum of the beads about the axis over that of the same beads fixed to the drum
+All from the means over blocks of time (block1.csv ...) and walls.csv; intervals 95 % from these
+blocks. Surface         where the solid fraction falls through 0.3, column by column; a straight
+line through the middle half of the drum's width Velocity        along that slope, on the normal to
+it through the axis; of the mass in cells of one bead Torque          of the beads on the drum;
+their weight's lever about the axis must be the same when the motion is steady: M g x_c Turning
+angular momentum of the beads about the axis over that of the same beads fixed to the drum
 
-Measured: measured/alizadeh2013.csv, and 27 degrees for the slope, Alizadeh et al., AIChE J. 59 (2013) 1894.
+Measured: measured/alizadeh2013.csv, and 27 degrees for the slope, Alizadeh et al., AIChE J. 59
+(2013) 1894.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -24,14 +27,16 @@ G = 9.81
 
 
 class Block:
-    """Means over a block of time on the cells of a slice; x to the right, z up, the drum's floor runs to the left."""
+    """Means over a block of time on the cells of a slice; x to the right, z up, the bottom of the
+    drum moves to the left."""
 
     def __init__(self, path):
         rows = read_table(path)
         self.x, self.z = numpy.unique(rows["x"]), numpy.unique(rows["z"])
         order = numpy.lexsort((rows["z"], rows["x"]))
         grid = lambda name: rows[name][order].reshape(len(self.x), len(self.z))
-        self.solid, self.density, self.vx, self.vz = map(grid, ("solidFraction", "bulkDensity", "velocityX", "velocityZ"))
+        self.solid, self.density, self.vx, self.vz = map(grid,
+            ("solidFraction", "bulkDensity", "velocityX", "velocityZ"))
         self.there = bool(self.density.sum() > 0)
 
     def surface(self, radius):
@@ -41,23 +46,27 @@ class Block:
             high = numpy.flatnonzero(solid > 0.3)
             if abs(x) < 0.5*radius and len(high) and high[-1] + 1 < len(self.z):
                 k = high[-1]
-                points.append((x, self.z[k] + (solid[k] - 0.3)/(solid[k] - solid[k + 1])*(self.z[1] - self.z[0])))
+                points.append((x, self.z[k] + (solid[k] - 0.3)/(solid[k] -
+                    solid[k + 1])*(self.z[1] - self.z[0])))
         slope, at_axis = numpy.polyfit(*numpy.array(points).T, 1)
         return -numpy.arctan(slope), at_axis
 
     def velocity(self, angle, depths):
-        """Along the slope, down, at these depths below the axis on the normal to it."""
+        """Downward velocity along the slope, at these depths below the axis on its normal."""
         x, z = -numpy.sin(angle)*depths, -numpy.cos(angle)*depths
         along = self.density*(self.vx*numpy.cos(angle) - self.vz*numpy.sin(angle))
         mass = self.sample(self.density, x, z)
-        return numpy.where(mass > 100, self.sample(along, x, z)/numpy.maximum(mass, 1e-9), numpy.nan)
+        return numpy.where(mass > 100, self.sample(along, x, z)/numpy.maximum(mass, 1e-9),
+                           numpy.nan)
 
     def sample(self, field, x, z):
         step = self.x[1] - self.x[0]
         i, k = (x - self.x[0])/step, (z - self.z[0])/step
-        a, b = numpy.clip(i.astype(int), 0, len(self.x) - 2), numpy.clip(k.astype(int), 0, len(self.z) - 2)
+        a, b = numpy.clip(i.astype(int), 0, len(self.x) - 2), numpy.clip(k.astype(int), 0,
+            len(self.z) - 2)
         p, q = i - a, k - b
-        return ((1 - p)*(1 - q)*field[a, b] + p*(1 - q)*field[a + 1, b] + (1 - p)*q*field[a, b + 1] + p*q*field[a + 1, b + 1])
+        return ((1 - p)*(1 - q)*field[a, b] + p*(1 - q)*field[a + 1, b] +
+                (1 - p)*q*field[a, b + 1] + p*q*field[a + 1, b + 1])
 
     def centre(self):
         return (self.density*self.x[:, None]).sum()/self.density.sum()
@@ -76,13 +85,15 @@ def torques(folder, spans):
     """Mean torque of the beads on the drum in spans of time."""
     rows = read_table(f"{folder}/walls.csv")
     walls = len(numpy.unique(rows["wall"]))                     # the shell and its ribs
-    return numpy.array([walls*rows["ty"][(rows["time"] > low + 1e-9) & (rows["time"] < high + 1e-9)].mean() for low, high in spans])
+    return numpy.array([walls*rows["ty"][(rows["time"] > low + 1e-9) & (rows["time"] < high +
+        1e-9)].mean() for low, high in spans])
 
 
 def share_of_lever(folder, found, spans, beads):
     """Torque over M g x_c, block by block."""
     mass = beads*numpy.pi/6*0.003**3*2500
-    return interval(torques(folder, spans)/(mass*G*numpy.array([block.centre() for block in found])))
+    return interval(torques(folder, spans)/(mass*G*numpy.array([block.centre()
+        for block in found])))
 
 
 def large(result):
@@ -93,15 +104,19 @@ def large(result):
     order = numpy.argsort(y)
     y, measured = y[order], -measured[order]
     each = numpy.array([block.velocity(angle, -y) for block, angle in zip(found, angles)])
-    result.add("slope of the surface", "240 mm at 11.6 turns a minute", 27.0, *interval(numpy.degrees(angles)), "degrees")
+    result.add("slope of the surface", "240 mm at 11.6 turns a minute", 27.0,
+               *interval(numpy.degrees(angles)), "degrees")
     off = each - measured
-    result.add("velocity: rms difference from the measured", f"their spread {measured.std():.3f} m/s", None,
+    result.add("velocity: rms difference from the measured",
+               f"their spread {measured.std():.3f} m/s", None,
                *interval(numpy.sqrt(numpy.nanmean(off**2, axis=1))), "m/s")
     still = [y[numpy.flatnonzero(u > 0)[0]] for u in each]
-    result.add("depth below the axis where nothing moves along the slope", "240 mm", 1e3*-y[numpy.flatnonzero(measured > 0)[0]],
+    result.add("depth below the axis where nothing moves along the slope", "240 mm",
+               1e3*-y[numpy.flatnonzero(measured > 0)[0]],
                *interval(-1e3*numpy.array(still)), "mm")
     result.add("velocity at the wall", "y = -113 mm", measured[0], *interval(each[:, 0]), "m/s")
-    result.add("torque over M g x_c", "240 mm", 1.0, *share_of_lever("runs/large", found, spans, 7536), "1")
+    result.add("torque over M g x_c", "240 mm", 1.0, *share_of_lever("runs/large", found, spans,
+        7536), "1")
     depths = numpy.linspace(0.02, 0.119, 120)
     profiles = numpy.array([block.velocity(angle, depths) for block, angle in zip(found, angles)])
     return (y, measured), depths, profiles, found, angles, omega
@@ -122,15 +137,18 @@ def small(result):
             angle = interval([numpy.degrees(block.surface(0.05)[0]) for block in found])
             result.add("slope of the surface", where, None, *angle, "degrees")
             rows.append((froude, *angle))
-        result.add("turning", where, None, *interval([block.turning(omega) for block in found]), "1")
+        result.add("turning", where, None, *interval([block.turning(omega) for block in found]),
+                   "1")
         if froude < 1:
-            result.add("torque over M g x_c", where, 1.0, *share_of_lever(folder, found, spans, beads), "1")
+            result.add("torque over M g x_c", where, 1.0,
+                       *share_of_lever(folder, found, spans, beads), "1")
         mass = beads*numpy.pi/6*0.003**3*2500
-        result.add("power over M g R w", where, None, *interval(-torques(folder, spans)/(mass*G*0.05)), "1")
+        result.add("power over M g R w", where, None, *interval(-torques(folder,
+            spans)/(mass*G*0.05)), "1")
         if (folder/"energy.csv").exists():
-            books = read_table(folder/"energy.csv")
-            result.add("largest residual of the ledger of energy over the drum's work", where, 0.0,
-                       abs(books["residual"]).max()/books["work_walls"].max(), None, "1")
+            balance = read_table(folder/"energy.csv")
+            result.add("largest residual of the energy balance over the drum's work", where, 0.0,
+                       abs(balance["residual"]).max()/balance["work_walls"].max(), None, "1")
     return numpy.array(rows)
 
 
@@ -140,24 +158,28 @@ def main():
     if Path("runs/large").is_dir():
         (y, measured), depths, profiles, found, angles, omega = large(result)
         mean = profiles.mean(axis=0)
-        left.plot(measured, 1e3*y, "o", ms=4, mfc="none", color=REFERENCE, label="Alizadeh et al. 2013, particle tracking")
+        left.plot(measured, 1e3*y, "o", ms=4, mfc="none", color=REFERENCE,
+                  label="Alizadeh et al. 2013, particle tracking")
         left.plot(mean, -1e3*depths, color=OURS, label="Suna")
         left.plot(-omega*depths, -1e3*depths, color="0.6", lw=0.8, ls="--", label="with the drum")
-        left.set(xlabel="velocity down along the slope [m/s]", ylabel="place on the normal [mm]")
+        left.set(xlabel="velocity down along the slope [m/s]", ylabel="position on the normal [mm]")
         left.legend()
         middle.grid(False)
         solid = numpy.mean([block.solid for block in found], axis=0)
         middle.pcolormesh(1e3*found[0].x, 1e3*found[0].z, solid.T, cmap="Greys", vmin=0, vmax=0.7)
-        middle.plot(*[120*f(numpy.linspace(0, 2*numpy.pi, 200)) for f in (numpy.cos, numpy.sin)], color="0.4", lw=1)
+        middle.plot(*[120*f(numpy.linspace(0, 2*numpy.pi, 200)) for f in (numpy.cos, numpy.sin)],
+                    color="0.4", lw=1)
         slope, at_axis = numpy.mean([block.surface(0.12) for block in found], axis=0)
         x = numpy.array([-60, 60])
-        middle.plot(x, 1e3*at_axis - numpy.tan(slope)*x, color=OURS, label=f"{numpy.degrees(slope):.1f} degrees")
+        middle.plot(x, 1e3*at_axis - numpy.tan(slope)*x, color=OURS,
+                    label=f"{numpy.degrees(slope):.1f} degrees")
         middle.set(aspect="equal", xlabel="x [mm]", ylabel="z [mm]")
         middle.legend(loc="upper right")
     rows = small(result)
     result.write()
     if len(rows):
-        right.errorbar(rows[:, 0], rows[:, 1], numpy.nan_to_num(rows[:, 2]), fmt="s", ms=4, capsize=3, color=OURS, label="Suna, 100 mm")
+        right.errorbar(rows[:, 0], rows[:, 1], numpy.nan_to_num(rows[:, 2]), fmt="s", ms=4,
+                       capsize=3, color=OURS, label="Suna, 100 mm")
         right.set(xscale="log", xlabel="Froude number w$^2$R/g", ylabel="slope [degrees]")
         right.legend()
     figure.tight_layout()

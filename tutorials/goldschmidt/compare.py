@@ -1,18 +1,21 @@
 #!/usr/bin/env python3
-"""compare.py -- DPMFoam's and Suna's runs of one bed side by side: what the beds do, how far that is from finer steps, and what it costs.
+"""compare.py -- runs of one bed in DPMFoam and Suna: motion of the bed, error against finer steps,
+and cost.
 
     compare.py WINDOW [-store "text"]    of runs/WINDOW.CODE.STEPS.DELTAT; runs/result.WINDOW.csv, runs/WINDOW.png; with -store
                                          also stored/ and README.md
 
-CODE is dpm or suna, STEPS those in a contact, DELTAT the time step of the gas. The run of each code with most steps is what its others are held against.
+CODE is dpm or suna, STEPS those in a contact, DELTAT the time step of the gas. The run of each code
+with most steps is what its others are held against.
 
-height          of the centre of mass, less that at the first output, m; its error over what it changes by
-kinetic         energy of the particles' motion, J
-fluctuation     the same about the mean velocity in boxes of 15 mm, J: what collisions make and take
-pressure        drop over the bed, mean since the output before, Pa; without the gas' own weight. Its error leaves out the first, in
+height          of the centre of mass, less that at the first output, m; its error over what it
+changes by kinetic         energy of the particles' motion, J fluctuation     the same about the
+mean velocity in boxes of 15 mm, J: what collisions make and take pressure        drop over the bed,
+mean since the output before, Pa; without the gas' own weight. Its error leaves out the first, in
                 which the gas is set in motion
 error           rms over the outputs, of rms of what it is held against
-processor       OpenFOAM's ExecutionTime from the end of the first gas step on, s, and the same for that step; output included, set-up not
+processor       OpenFOAM's ExecutionTime from the end of the first gas step on, s, and the same for
+that step; output included, set-up not
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -26,7 +29,8 @@ import numpy
 from dem_case import OURS, REFERENCE, plt
 from lagrangian import DENSITY, DIAMETER, read_state
 
-RHO, OWN_WEIGHT = 1.2, 9.81*0.45                            # of the gas, kg/m3; its pressure on the plate over rho in DPMFoam, m2/s2
+# of the gas, kg/m3; its pressure on the plate over rho in DPMFoam, m2/s2
+RHO, OWN_WEIGHT = 1.2, 9.81*0.45
 MASS = DENSITY*numpy.pi/6*DIAMETER**3
 BOX = 0.015
 NAMES = {"dpm": "DPMFoam", "suna": "Suna"}
@@ -39,24 +43,27 @@ class Run:
     def __init__(self, folder):
         self.code, steps, delta = folder.name.split(".", 3)[1:]
         self.steps, self.delta = int(steps), float(delta)
-        outputs = sorted((float(f.name), f) for f in folder.iterdir() if re.fullmatch(r"[0-9.e-]+", f.name) and float(f.name) > 0)
+        outputs = sorted((float(f.name), f) for f in folder.iterdir()
+                         if re.fullmatch(r"[0-9.e-]+", f.name) and float(f.name) > 0)
         self.time = numpy.array([time for time, _ in outputs])
         states = [read_state(place) for _, place in outputs]
         height = numpy.array([x[:, 2].mean() for x, _ in states])
         self.rows = {"height": height, "kinetic": numpy.array([energy(v) for _, v in states]),
-                     "fluctuation": numpy.array([fluctuation(x, v) for x, v in states]), "pressure": self.pressure(folder)}
+                     "fluctuation": numpy.array([fluctuation(x, v) for x, v in states]),
+                     "pressure": self.pressure(folder)}
         self.folder = folder
 
     def log(self, end):
         """Processor time and steps of the particles up to this time."""
         word = r"(\d+) move-collide subCycles" if self.code == "dpm" else r"(\d+) DEM steps, void"
-        text = (self.folder/("log.DPMFoam" if self.code == "dpm" else "log.demPimpleFoam")).read_text()
+        text = (self.folder/("log.DPMFoam" if self.code == "dpm"
+                             else "log.demPimpleFoam")).read_text()
         spent, steps = [], 0
         for part in re.split(r"^Time = ", text, flags=re.M)[1:]:
-            told = re.search(r"^ExecutionTime = (\S+) s", part, re.M)
-            if float(part.split()[0]) > end + 1e-9 or not told:
+            clock = re.search(r"^ExecutionTime = (\S+) s", part, re.M)
+            if float(part.split()[0]) > end + 1e-9 or not clock:
                 break
-            spent.append(float(told[1]))
+            spent.append(float(clock[1]))
             steps += sum(map(int, re.findall(word, part)))
         return (spent[-1] - spent[0])*len(spent)/(len(spent) - 1), steps
 
@@ -66,7 +73,8 @@ class Run:
         later = p[(t > self.time[0] + 1e-9) & (t < self.time[-1] + 1e-9)]
         self.jump = numpy.sqrt((numpy.diff(later)**2).mean())
         edges = numpy.concatenate([[0.0], self.time])
-        return numpy.array([p[(t > a + 1e-9) & (t < b + 1e-9)].mean() for a, b in zip(edges, edges[1:])])
+        return numpy.array([p[(t > a + 1e-9) & (t < b + 1e-9)].mean()
+                            for a, b in zip(edges, edges[1:])])
 
     def cut(self, end):
         keep = self.time < end + 1e-9
@@ -77,7 +85,8 @@ class Run:
         found = {}
         for name, row in self.rows.items():
             first = 1 if name == "pressure" else 0
-            off, scale = (row - fine.rows[name])[first:], (fine.rows[name] - (fine.rows[name][0] if name == "height" else 0.0))[first:]
+            off, scale = (row - fine.rows[name])[first:], (fine.rows[name] -
+                (fine.rows[name][0] if name == "height" else 0.0))[first:]
             found[name] = numpy.sqrt((off**2).mean()/(scale**2).mean())
         return found
 
@@ -113,19 +122,21 @@ def finest(runs, code):
     return max((run for run in runs if run.code == code), key=lambda run: (run.steps, -run.delta))
 
 
-def tell(runs):
-    """Rows of the table: run, processor time, per simulated second, the quantities at the end, errors."""
+def summarize(runs):
+    """Rows of the table: run, processor time, per simulated second, the quantities at the end,
+    errors."""
     rows = []
     for run in runs:
         fine = finest(runs, run.code)
         errors = run.errors(fine) if run is not fine else dict.fromkeys(QUANTITIES, None)
-        rows.append((NAMES[run.code], run.steps, run.delta, run.processor, run.processor/run.time[-1],
+        rows.append((NAMES[run.code], run.steps, run.delta, run.processor,
+                     run.processor/run.time[-1],
                      *(row[-1] for row in run.rows.values()), *errors.values()))
     return rows
 
 
 def cheapest(runs, wanted, share):
-    """Suna's cheapest run whose every error is at most this share of what is wanted."""
+    """The cheapest run of Suna with every error at most this fraction of the target."""
     fine = finest(runs, "suna")
     fit = [run for run in runs if run.code == "suna" and run is not fine
            and all(value <= share*wanted[name] for name, value in run.errors(fine).items())]
@@ -133,7 +144,8 @@ def cheapest(runs, wanted, share):
 
 
 def verdicts(runs):
-    """Sentences: DPMFoam's runs against the cheapest of ours that are as accurate, and twice as accurate."""
+    """Sentences: runs of DPMFoam against the cheapest ones of Suna that are as accurate, and twice
+    as accurate."""
     fine = finest(runs, "dpm")
     for run in runs:
         if run.code == "dpm" and run is not fine and run.steps >= 12:       # the stock case has 12
@@ -143,22 +155,27 @@ def verdicts(runs):
                        (f"{ours}, {ours.processor:.3g} s, 1/{run.processor/ours.processor:.3g} of the time" if ours else "no run of ours"))
     theirs, ours = finest(runs, "dpm"), finest(runs, "suna")
     off = ours.errors(theirs)
-    yield "both at their finest, what Suna differs by: " + ", ".join(f"{name} {100*value:.2g} %" for name, value in off.items())
+    yield "both at their finest, what Suna differs by: " + ", ".join(f"{name} {100*value:.2g} %"
+        for name, value in off.items())
     yield f"change of the pressure from one gas step to the next, rms: DPMFoam {theirs.jump:.3g} Pa, Suna {ours.jump:.3g} Pa"
 
 
 def draw(runs, window):
     figure, panels = plt.subplots(1, 4, figsize=(15, 3.3))
-    for axes, (name, unit) in zip(panels[:3], [(n, QUANTITIES[n]) for n in ("kinetic", "fluctuation", "pressure")]):
+    for axes, (name, unit) in zip(panels[:3], [(n, QUANTITIES[n])
+                                               for n in ("kinetic", "fluctuation", "pressure")]):
         for code, colour in (("dpm", REFERENCE), ("suna", OURS)):
             for run in (r for r in runs if r.code == code):
                 fine = run is finest(runs, code)
-                axes.plot(1e3*run.time, run.rows[name], color=colour, lw=1.8 if fine else 0.6, label=NAMES[code] if fine else None)
+                axes.plot(1e3*run.time, run.rows[name], color=colour, lw=1.8 if fine else 0.6,
+                          label=NAMES[code] if fine else None)
         axes.set(xlabel="time [ms]", ylabel=f"{name} [{unit}]")
     for code, colour, mark in (("dpm", REFERENCE, "o"), ("suna", OURS, "s")):
         fine = finest(runs, code)
         rest = [run for run in runs if run.code == code and run is not fine]
-        panels[3].loglog([run.processor for run in rest], [100*max(run.errors(fine).values()) for run in rest], mark, color=colour, ms=5, label=NAMES[code])
+        panels[3].loglog([run.processor for run in rest],
+            [100*max(run.errors(fine).values()) for run in rest], mark, color=colour, ms=5,
+            label=NAMES[code])
     panels[3].set(xlabel="processor time [s]", ylabel="largest of four errors [%]")
     panels[0].legend()
     panels[3].legend()
@@ -176,7 +193,8 @@ def table(rows):
     for code, steps, delta, *times, height, kinetic, random, drop, e1, e2, e3, e4 in rows:
         now = (f"{1e3*height:.3f}", f"{1e3*kinetic:.4g}", f"{1e3*random:.3g}", f"{drop:.4g}")
         errors = ["" if e is None else f"{100*e:.2g} %" for e in (e1, e2, e3, e4)]
-        lines.append("| " + " | ".join([code, str(steps), f"{delta:g}", *(f"{t:.3g}" if t < 1000 else f"{t:.0f}" for t in times), *now, *errors]) + " |")
+        lines.append("| " + " | ".join([code, str(steps), f"{delta:g}",
+            *(f"{t:.3g}" if t < 1000 else f"{t:.0f}" for t in times), *now, *errors]) + " |")
     return "\n".join(lines)
 
 
@@ -189,20 +207,22 @@ def store(text, window, rows, sentences):
     if not found:
         sys.exit(f"compare.py: README.md has no line <!-- {window} -->")
     after = rest.partition("<!-- end -->")[2]
-    told = "\n".join(f"- {sentence}" for sentence in sentences)
-    readme.write_text(f"{before}{found}{text}:\n\n{table(rows)}\n\n{told}\n<!-- end -->{after}")
+    listing = "\n".join(f"- {sentence}" for sentence in sentences)
+    readme.write_text(f"{before}{found}{text}:\n\n{table(rows)}\n\n{listing}\n<!-- end -->{after}")
 
 
 def main():
     window = sys.argv[1]
     runs = read_runs(window)
-    rows, sentences = tell(runs), list(verdicts(runs))
+    rows, sentences = summarize(runs), list(verdicts(runs))
     with open(f"runs/result.{window}.csv", "w", newline="") as file:
         out = csv.writer(file, lineterminator="\n")
-        out.writerow(["code", "steps", "deltaT", "processor", "perSecond", *QUANTITIES, *(f"error_{name}" for name in QUANTITIES)])
+        out.writerow(["code", "steps", "deltaT", "processor", "perSecond", *QUANTITIES,
+                      *(f"error_{name}" for name in QUANTITIES)])
         out.writerows([number(x) for x in row] for row in rows)
     for run in runs:
-        print(f"{str(run):36s} {run.processor:8.2f} s  at {run.time[-1]:g} s: " + "  ".join(f"{n} {row[-1]:.6g} {QUANTITIES[n]}" for n, row in run.rows.items())
+        print(f"{str(run):36s} {run.processor:8.2f} s  at {run.time[-1]:g} s: " +
+              "  ".join(f"{n} {row[-1]:.6g} {QUANTITIES[n]}" for n, row in run.rows.items())
               + f"  {run.particle_steps} steps of the particles")
     print(table(rows), *sentences, sep="\n")
     draw(runs, window)

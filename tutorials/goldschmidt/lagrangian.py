@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""lagrangian.py -- particles of a time folder, by OpenFOAM's clouds or by Suna, ascii or binary; and such a state for either code to begin with.
+"""lagrangian.py -- read particles of a time folder, of OpenFOAM's clouds or of Suna, ascii or
+binary; write an initial state for either code.
 
     lagrangian.py FOLDER suna        positions and velocities, as entries of demProperties, on standard output
     lagrangian.py FOLDER dpm         the same as a table of kinematicLookupTableInjection
@@ -17,7 +18,7 @@ WIDTH = {"vectorField": 3, "vectorFieldField": 3, "scalarField": 1}
 
 
 def split(path):
-    """Head and body of a file, and whether the body is binary."""
+    """Header and body of a file, and whether the body is binary."""
     raw = Path(path).read_bytes()
     head = raw[:raw.index(b"}") + 1].decode(errors="replace")
     body = raw[raw.index(b"}") + 1:]
@@ -41,20 +42,22 @@ def read_field(path):
     if binary and not uniform:
         values = numpy.frombuffer(body, "<f8", n*width, at)
     else:
-        numbers = numpy.array(re.findall(rb"[-+0-9.eE]+", body[at:body.rindex(b"}" if uniform else b")")]), float)
+        numbers = numpy.array(re.findall(rb"[-+0-9.eE]+",
+                                         body[at:body.rindex(b"}" if uniform else b")")]), float)
         values = numpy.tile(numbers, n) if uniform else numbers
     return values.reshape(n, 3) if width == 3 else values
 
 
 def read_positions(path):
-    """n x 3 [m]; each entry holds its cell besides."""
+    """n x 3 [m]; each entry has its cell, too."""
     _, body, binary = split(path)
     n, at, _ = begin(body)
     if not binary:
         numbers = re.findall(rb"\(([^()]+)\)\s*-?\d+", body[at:])
         return numpy.array([row.split() for row in numbers], float)
     # "(" 3 doubles, 1 label ")" and a line's end
-    entry = numpy.dtype([("open", "S1"), ("x", "<f8", 3), ("cell", "<i4"), ("close", "S1"), ("end", "S1")])
+    entry = numpy.dtype([("open", "S1"), ("x", "<f8", 3), ("cell", "<i4"), ("close", "S1"),
+                         ("end", "S1")])
     while body[at:at + 1] != b"(":
         at += 1
     rows = numpy.frombuffer(body, entry, n, at)
@@ -64,7 +67,7 @@ def read_positions(path):
 
 
 def cloud(folder):
-    """The folder of a time that holds the particles."""
+    """The folder of a time with the particles."""
     found = sorted(Path(folder).glob("lagrangian/*/positions"))
     if len(found) != 1:
         sys.exit(f"{folder}: {len(found)} clouds under lagrangian/, one is wanted")
@@ -72,7 +75,7 @@ def cloud(folder):
 
 
 def read_state(folder):
-    """Places [m] and velocities [m/s]."""
+    """Positions [m] and velocities [m/s]."""
     place = cloud(folder)
     return read_positions(place/"positions"), read_field(place/"U")
 

@@ -1,9 +1,11 @@
 """evaluate.py -- settling speeds of suspensions, of lattices and random ones.
 
 References
-  balance   the speed v at which the law carries the suspension: zero net flux, so slip v/e; drag on a sphere e V (rho_p - rho) g, as the
+  balance   the speed v at which the law carries the suspension: zero net flux, so slip v/e; drag on
+  a sphere e V (rho_p - rho) g, as the
             pressure gradient of the suspension's weight carries the rest. Wen and Yu 1966; Di Felice 1994
-  measured  Garside and Al-Dibouni, Ind. Eng. Chem. Process Des. Dev. 16 (1977) 206: v = v_t e^n, (5.1 - n)/(n - 2.7) = 0.1 Re_t^0.9;
+  measured  Garside and Al-Dibouni, Ind. Eng. Chem. Process Des. Dev. 16 (1977) 206: v = v_t e^n,
+  (5.1 - n)/(n - 2.7) = 0.1 Re_t^0.9;
             Richardson and Zaki, Trans. Inst. Chem. Eng. 32 (1954) 35. v_t by Schiller and Naumann
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -36,7 +38,7 @@ LAWS = {"wenYu": wen_yu, "diFelice": di_felice}
 
 
 def speed(law, e, d):
-    """At which the law carries the suspension, by bisection."""
+    """Speed at which the drag law carries the suspension, by bisection."""
     carried = e*math.pi/6*d**3*(RHO_P - RHO)*G
     low, high = 1e-9, 10.0
     for _ in range(200):
@@ -56,21 +58,22 @@ def measured(e, d):
 
 
 def allowed(e):
-    """Of a law of drag against what was measured: they themselves differ by so much."""
+    """Bound of a drag law against measurements, which differ among themselves by this."""
     return 0.15 if e >= 0.7 else 0.35
 
 
-# ---- the parts -------------------------------------------------------------------------------------------------------
+# ---- cases ---------------------------------------------------------------------------------------
 
 def middle(position, velocity, height):
-    """Mean settling speed of the particles in the middle fifth, and how it varies among them."""
+    """Mean settling speed of the particles in the middle fifth, and its variation."""
     there = abs(position[:, 2] - 0.5*height) < 0.1*height
     return -velocity[there, 2].mean(), velocity[there, 2].std()
 
 
 def lattices(table, points):
     change = 0
-    for run in sorted((HERE/"runs/lattices").glob("*"), key=lambda run: (float(run.name.split("-", 1)[1].rsplit("-", 1)[0]), run.name)):
+    for run in sorted((HERE/"runs/lattices").glob("*"), key=lambda run: (float(run.name.split("-",
+            1)[1].rsplit("-", 1)[0]), run.name)):
         law, d, e = re.fullmatch(r"([A-Za-z]+)-([\de-]+)-(0\.\d)", run.name).groups()
         d, e = float(d), float(e)
         _, position, velocity = results.record(run)
@@ -79,16 +82,19 @@ def lattices(table, points):
         before, _ = middle(position[-3], velocity[-3], height)
         own, (garside, _) = speed(LAWS[law], e, d), measured(e, d)
         part = f"{law}, {1e3*d:g} mm, e {e:g}"
-        table.add(part, "speed in the middle, balance of the law", own, ours, unit="m/s", allowed=0.02, source="balance")
+        table.add(part, "speed in the middle, balance of the law", own, ours, unit="m/s",
+                  allowed=0.02, source="balance")
         change = max(change, abs(ours/before - 1))
         table.add(part, "Garside and Al-Dibouni", garside, ours, unit="m/s", source="measured")
         points.append((law, d, e, ours, None))
-    # steady: what is left of a tenth after two and a half times of relaxation
-    table.add("all lattices", "largest change over the last time of relaxation", 0, change, allowed=0.01, source="steady")
+    # steady: the rest of a tenth after 2.5 relaxation times
+    table.add("all lattices", "largest change over the last time of relaxation", 0, change,
+              allowed=0.01, source="steady")
 
 
 def interface(time, position, height):
-    """Speed of the upper interface: below it lie 98 of 100 particles; least squares from half of the time on."""
+    """Speed of the upper interface, below which are 98 of 100 particles; least squares from half of
+    the time on."""
     top = numpy.quantile(position[:, :, 2], 0.98, axis=1)
     late = time > 0.5*time[-1]
     return -numpy.polyfit(time[late], top[late], 1)[0]
@@ -100,17 +106,22 @@ def suspensions(table, points):
         law, e = name.split("-")
         e, d, height = float(e), 5e-4, 0.03
         read = [results.record(run) for run in runs if run.name.startswith(name)]
-        front, frontCi = results.mean_of([interface(time, position, height) for time, position, _ in read])
-        # from a quarter to half of the time, when ends have not come near the middle
+        front, frontCi = results.mean_of([interface(time, position, height)
+                                          for time, position, _ in read])
+        # from a quarter to half of the time, before the ends affect the middle
         inside, insideCi = results.mean_of([numpy.mean([middle(p, v, height)[0] for p, v in
-                                           zip(position[len(time)//4:len(time)//2], velocity[len(time)//4:len(time)//2])])
+                                           zip(position[len(time)//4:len(time)//2],
+                                               velocity[len(time)//4:len(time)//2])])
                                            for time, position, velocity in read])
         own, (garside, zaki) = speed(LAWS[law], e, d), measured(e, d)
         part = f"random, {law}, 0.5 mm, e {e:g}"
-        for what, reference, bound in (("balance of the law", own, None), ("Garside and Al-Dibouni", garside, allowed(e)),
+        for what, reference, bound in (("balance of the law", own, None),
+                                       ("Garside and Al-Dibouni", garside, allowed(e)),
                                        ("Richardson and Zaki", zaki, allowed(e))):
-            table.add(part, f"speed of the interface, {what}", reference, front, frontCi, "m/s", bound, "measured" if bound else "balance")
-        table.add(part, "speed in the middle, balance of the law", own, inside, insideCi, "m/s", None, "balance")
+            table.add(part, f"speed of the interface, {what}", reference, front, frontCi, "m/s",
+                      bound, "measured" if bound else "balance")
+        table.add(part, "speed in the middle, balance of the law", own, inside, insideCi, "m/s",
+                  None, "balance")
         points.append((law + ", random", d, e, front, frontCi))
 
 
@@ -123,14 +134,18 @@ def draw(points):
     e = numpy.linspace(0.48, 0.95, 60)
     for k, d in enumerate(sorted({point[1] for point in points})):
         lone = speed(wen_yu, 1 - 1e-12, d)
-        axis.plot(e, [measured(x, d)[0]/lone for x in e], "-", color=f"C{k}", lw=1, label=f"Garside and Al-Dibouni, {1e3*d:g} mm")
+        axis.plot(e, [measured(x, d)[0]/lone for x in e], "-", color=f"C{k}", lw=1,
+                  label=f"Garside and Al-Dibouni, {1e3*d:g} mm")
         for law, mark in (("wenYu", "o"), ("diFelice", "s"), ("wenYu, random", "x")):
-            mine = [(p[2], p[3]/lone, (p[4] or 0)/lone) for p in points if p[0] == law and p[1] == d]
+            mine = [(p[2], p[3]/lone, (p[4] or 0)/lone) for p in points if p[0] == law
+                    and p[1] == d]
             if mine:
                 x, y, error = zip(*mine)
                 axis.errorbar(x, y, error, fmt=mark, color=f"C{k}", ms=5, mfc="none", capsize=2)
-    axis.set(xlabel="void fraction", ylabel="settling speed over that of a lone sphere", yscale="log")
-    axis.set_title("circles Wen and Yu, squares Di Felice, crosses random with Wen and Yu", fontsize=9)
+    axis.set(xlabel="void fraction", ylabel="settling speed over that of a lone sphere",
+             yscale="log")
+    axis.set_title("circles Wen and Yu, squares Di Felice, crosses random with Wen and Yu",
+                   fontsize=9)
     axis.legend(fontsize=7)
     figure.savefig(HERE/"speeds.png", dpi=110)
 

@@ -1,12 +1,16 @@
-"""averages.py -- from beads to profiles across the bed, and how sure they are.
+"""averages.py -- profiles across the bed from positions and velocities of the beads, with
+intervals.
 
-Void fraction   the volume of beads in each box (a slab of the whole depth around the height, cut in x), spheres cut
+Void fraction   the volume of beads in each box (a slab of the whole depth around the height, cut in
+x), spheres cut
                 exactly where they stick out; no field and no kernel of the run enters.
-Velocity        of the beads whose centres are in the box. Two means that differ where bubbles pass, because few beads
+Velocity        of the beads whose centres are in the box. Two means that differ where bubbles pass,
+because few beads
                 are fast and many are slow:
                   number  every bead counts once: sum of velocities over sum of beads
                   time    every instant counts once: mean over time of the box's mean
-Interval        95 %, from blocks of time: the estimate without one block after the other (jackknife), Student's t.
+Interval        95 %, from blocks of time: the estimate without one block after the other
+(jackknife), Student's t.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -19,11 +23,13 @@ def disc_left(radius, x):
     """Area of a disc around 0 that lies left of x; both may be arrays."""
     x = numpy.clip(x, -radius, radius)
     safe = numpy.maximum(radius, 1e-300)
-    return radius**2*(0.5*numpy.pi + numpy.arcsin(x/safe)) + x*numpy.sqrt(numpy.maximum(radius**2 - x**2, 0))
+    return radius**2*(0.5*numpy.pi + numpy.arcsin(x/safe)) + x*numpy.sqrt(numpy.maximum(radius**2 -
+        x**2, 0))
 
 
 def solid_volume(position, radius, edges, low, high):
-    """Volume of spheres [m3] between each two edges in x and between low and high in z: discs, Gauss over z."""
+    """Volume of spheres [m3] between each two edges in x and between low and high in z: discs,
+    Gauss over z."""
     near = (position[:, 2] > low - radius) & (position[:, 2] < high + radius)
     x, z = position[near, 0], position[near, 2]
     bottom, top = numpy.maximum(low - z, -radius), numpy.minimum(high - z, radius)
@@ -44,7 +50,7 @@ def velocity_sums(position, velocity, edges, low, high):
     return count, numpy.histogram(x, edges, weights=velocity[inside, 2])[0]
 
 
-# ---- means over frames, rows are frames --------------------------------------------------------------------------
+# ---- means over frames, rows are frames ----------------------------------------------------------
 
 def mean_in_time(values):
     """Instants without a bead in the box (not a number) do not count."""
@@ -61,10 +67,11 @@ def velocity_in_time(count, total):
         return mean_in_time(total/count)
 
 
-# ---- how sure ----------------------------------------------------------------------------------------------------
+# ---- intervals -----------------------------------------------------------------------------------
 
 def student(freedom):
-    """97.5 % point of Student's t; Abramowitz and Stegun 26.7.5, within 0.5 % from 3 degrees of freedom on."""
+    """97.5 % point of Student's t; Abramowitz and Stegun 26.7.5, within 0.5 % from 3 degrees of
+    freedom on."""
     z, n = 1.959964, float(freedom)
     return (z + (z**3 + z)/(4*n) + (5*z**5 + 16*z**3 + 3*z)/(96*n**2)
             + (3*z**7 + 19*z**5 + 17*z**3 - 15*z)/(384*n**3)
@@ -77,17 +84,19 @@ def cut_blocks(frames, wanted):
 
 
 def jackknife(estimate, blocks):
-    """estimate(frame numbers) of all frames, and the half width of its 95 % interval; arrays are fine."""
+    """estimate(frame numbers) of all frames, and the half width of its 95 % interval; arrays are
+    accepted."""
     n = len(blocks)
-    without = numpy.array([estimate(numpy.concatenate(blocks[:k] + blocks[k + 1:])) for k in range(n)])
+    without = numpy.array([estimate(numpy.concatenate(blocks[:k] + blocks[k + 1:]))
+                           for k in range(n)])
     error = numpy.sqrt((n - 1)/n*((without - without.mean(axis=0))**2).sum(axis=0))
     return estimate(numpy.concatenate(blocks)), student(n - 1)*error
 
 
-# ---- against the measurement -------------------------------------------------------------------------------------
+# ---- against the measurement ---------------------------------------------------------------------
 
 def difference(centres, profile, measured):
-    """Ours less measured, at the measured points."""
+    """Result less measurement, at the measured points."""
     return numpy.interp(measured[0], centres, profile) - measured[1]
 
 

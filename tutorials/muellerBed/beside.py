@@ -1,25 +1,30 @@
-"""beside.py -- runs side by side: rms of each profile, the pressure, and whether profiles differ by more than chance.
+"""beside.py -- compare runs: rms of each profile, the pressure, and whether profiles differ by more
+than their intervals.
 
-Two profiles differ in a box when their difference is larger than its 95 % interval, the root of the sum of the squares
-of theirs. Of boxes that differ by chance alone 5 % are counted; neighbours are not independent.
+Two profiles differ in a box when their difference is larger than its 95 % interval, the root of the
+sum of the squares of theirs. Of boxes that differ by chance alone 5 % are counted; neighbours are
+not independent.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import csv
 
-PROFILES = [("voidFraction", 16.4, "void 16.4"), ("voidFraction", 31.2, "void 31.2"), ("velocity", 15.0, "v 15"),
+PROFILES = [("voidFraction", 16.4, "void 16.4"), ("voidFraction", 31.2, "void 31.2"),
+            ("velocity", 15.0, "v 15"),
             ("velocity", 25.0, "v 25"), ("velocity", 35.0, "v 35")]
 
 
 class Run:
-    """What compare.py has written into a folder."""
+    """Results of compare.py in a folder."""
 
     def __init__(self, label, folder):
         self.label = label
         with open(folder/"result.csv", newline="") as file:
-            self.rows = {(row["quantity"], float(row["height_mm"])): row for row in csv.DictReader(file)}
+            self.rows = {(row["quantity"], float(row["height_mm"])): row
+                         for row in csv.DictReader(file)}
         with open(folder/"profiles.csv", newline="") as file:
-            self.boxes = {(row["quantity"], row["height_mm"], row["x_mm"]): (float(row["value"]), float(row["ci95"]))
+            self.boxes = {(row["quantity"], row["height_mm"], row["x_mm"]): (float(row["value"]),
+                float(row["ci95"]))
                           for row in csv.DictReader(file)}
 
     def entry(self, quantity, height=0.0, digits=3, interval=True):
@@ -31,7 +36,8 @@ class Run:
 
 
 def differ(run, other):
-    """Boxes whose values differ by more than their interval, and all that both have."""
+    """Number of boxes with values that differ by more than their interval, and of all common
+    boxes."""
     both = [(run.boxes[key], other.boxes[key]) for key in run.boxes if key in other.boxes]
     return sum(abs(a - b) > (ia**2 + ib**2)**0.5 for (a, ia), (b, ib) in both), len(both)
 
@@ -39,13 +45,15 @@ def differ(run, other):
 def table(runs, text):
     lines = [f"{text}:", "",
              f"| | s | {' | '.join(short for *_, short in PROFILES)} | boxes that differ | pressure drop, Pa | its deviation "
-             "| crossings, Hz | spectrum's peak, Hz | processor, s |", "|---" * (len(PROFILES) + 8) + "|"]
+             "| crossings, Hz | spectrum's peak, Hz | processor, s |",
+             "|---" * (len(PROFILES) + 8) + "|"]
     for run in runs:
         count, of = differ(run, runs[0])
         cells = [run.label, run.entry("averagedTime", digits=1, interval=False),
                  *(run.entry(quantity, height) for quantity, height, _ in PROFILES),
                  "" if run is runs[0] else f"{count} of {of}", run.entry("pressureDrop", digits=1),
                  run.entry("pressureDeviation", digits=1), run.entry("pressureCrossings", digits=1),
-                 run.entry("pressureDominant", digits=1), run.entry("processorTime", digits=0, interval=False)]
+                 run.entry("pressureDominant", digits=1),
+                 run.entry("processorTime", digits=0, interval=False)]
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)

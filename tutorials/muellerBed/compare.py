@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""compare.py -- the bubbling bed against the magnetic-resonance measurements of Mueller et al. 2008/2009.
+"""compare.py -- the bubbling bed against the magnetic-resonance measurements of Mueller et al.
+2008/2009.
 
     compare.py [-from 1] [-slab 2] [CASE]    tables and pictures of a run; CASE is the folder of this file by default
-    compare.py --selfcheck                   averages whose answer is known, as TAP
+    compare.py --selfcheck                   averages with known results, as TAP
 
-Reads the record of the beads, the pressure at plate and top, the forces on walls and the solver's log. Writes into CASE
+Reads the record of the beads, the pressure at plate and top, the forces on walls and the solver's
+log. Writes into CASE
     result.csv      one row a quantity: rms difference from the measured points, their own spread, 95 % interval of rms
     profiles.csv    the profiles themselves with their 95 % intervals
     profiles.png pressure.png bed.png
@@ -29,10 +31,11 @@ WIDTH, DEPTH = 0.044, 0.010                         # m, of the bed
 DIAMETER = 1.2e-3                                   # m, of a bead
 EDGES = numpy.linspace(0, WIDTH, 23)                # m, 22 boxes of 2 mm
 CENTRES = 0.5*(EDGES[1:] + EDGES[:-1])
-BLOCK = 0.25                                        # s, a few bubbles: blocks know little of each other
+# s, a few bubbles: blocks know little of each other
+BLOCK = 0.25
 
-# quantity, height [mm], unit, and what others have on the same points: DPMFoam of OpenFOAM v1912 (number mean, the same
-# boxes, 3.9 s, E = 1.2e5 Pa) and sediFoam (its published profiles)
+# quantity, height [mm], unit, and results of other codes at the same points: DPMFoam of OpenFOAM
+# v1912 (number mean, the same boxes, 3.9 s, E = 1.2e5 Pa) and sediFoam (its published profiles)
 ROWS = [
     ("voidFraction", 16.4, "1", 0.036, 0.089),
     ("voidFraction", 31.2, "1", 0.135, 0.147),
@@ -41,7 +44,7 @@ ROWS = [
     ("velocity", 35.0, "m/s", 0.065, 0.091),
 ]
 
-# at 0.6 m/s: the simulation that Mueller et al. themselves held against the measurement, and sediFoam, both as published
+# at 0.6 m/s: the simulation of Mueller et al., and sediFoam, both as published
 SLOW_ROWS = [
     ("voidFraction", 16.4, "1", 0.073, 0.027),
     ("voidFraction", 31.2, "1", 0.073, 0.057),
@@ -53,13 +56,15 @@ SLOW = Experiment("measured/slow", ("Mueller", "sediFoam"), SLOW_ROWS)
 
 
 def experiment(case):
-    """What the run is held against: Allrun writes the air's velocity into system/options when it is not 0.9 m/s."""
+    """Reference of the run: Allrun writes the air's velocity into system/options when it is not 0.9
+    m/s."""
     options = Path(case)/"system"/"options"
     return SLOW if options.exists() and "speed" in options.read_text() else FAST
 
 
 class Profile:
-    """One quantity at one height: raw sums of each frame, then its mean and its distance from the measured points."""
+    """One quantity at one height: raw sums of each frame, then its mean and its distance from the
+    measured points."""
 
     def __init__(self, quantity, height, unit, half, folder=FAST.folder):
         self.quantity, self.height, self.unit = quantity, height, unit
@@ -76,7 +81,7 @@ class Profile:
             self.sums.append(averages.velocity_sums(position, velocity, EDGES, self.low, self.high))
 
     def average(self, blocks):
-        """Means, their intervals, and the distance from what was measured."""
+        """Means, their intervals, and the difference from the measurement."""
         sums = [numpy.array(column) for column in zip(*self.sums)]
         mean = averages.velocity_by_number if self.quantity == "velocity" else averages.mean_in_time
 
@@ -99,12 +104,14 @@ class Profile:
         return averages.difference(CENTRES, profile, self.measured)
 
 
-# ---- a run -------------------------------------------------------------------------------------------------------
+# ---- a run ---------------------------------------------------------------------------------------
 
 def read_profiles(case, start, half):
-    """Profiles with the sums of all frames from `start` on, the frames' times, and the number of beads."""
+    """Profiles with the sums of all frames from `start` on, the frames' times, and the number of
+    beads."""
     against = experiment(case)
-    profiles = [Profile(quantity, height, unit, half, against.folder) for quantity, height, unit, *_ in against.rows]
+    profiles = [Profile(quantity, height, unit, half, against.folder)
+                for quantity, height, unit, *_ in against.rows]
     listed = frames.list_frames(case)
     if not listed:
         sys.exit(f"compare: no record of beads in {case}/postProcessing/dem; run ./Allrun first")
@@ -134,13 +141,14 @@ def mean_of(time, values, start):
 
 
 class Balance:
-    """What carries the beads: pressures [Pa], forces over the bed's cross-section."""
+    """Forces that carry the beads, over the cross-section of the bed [Pa]."""
 
     def __init__(self, case, start, count):
         air = frames.entry(case/"constant/transportProperties", "rho")
         beads = frames.entry(case/"constant/demProperties", "density")
         area = WIDTH*DEPTH
-        self.weight = count*numpy.pi/6*DIAMETER**3*(beads - air)*9.81/area      # less buoyancy, as p is without rho g
+        # less buoyancy, as p is without rho g
+        self.weight = count*numpy.pi/6*DIAMETER**3*(beads - air)*9.81/area
 
         self.time, plate, *_ = frames.read_columns(case, "platePressure", "surfaceFieldValue.dat")
         _, top, *_ = frames.read_columns(case, "topPressure", "surfaceFieldValue.dat")
@@ -150,13 +158,14 @@ class Balance:
         self.course = series.course(self.time[chosen], self.drop[chosen])
 
         rows = frames.read_table(case, "dem", "walls.csv")
-        force = {name: numpy.array([(row["time[s]"], row["fz[N]"]) for row in rows if row["wall"] == name], float).T
+        force = {name: numpy.array([(row["time[s]"], row["fz[N]"]) for row in rows
+                                    if row["wall"] == name], float).T
                  for name in dict.fromkeys(row["wall"] for row in rows)}
         self.walls = {name: mean_of(time, -z/area, start) for name, (time, z) in force.items()}
 
 
 def read_log(case):
-    """What the solver says of itself at its end, and its worst moments."""
+    """The profile at the end of the solver's log, and its largest errors."""
     path = case/"log.demPimpleFoam"
     text = path.read_text(errors="replace") if path.exists() else ""
 
@@ -175,27 +184,32 @@ def read_log(case):
         "fluid": last(rf"time spent on fluid {number} s"),
         "particles": last(rf"time spent on fluid .* particles {number} s"),
         "exchange": last(rf"time spent on fluid .* exchange {number} s"),
-        "ledger": worst(rf"exchange error {number}", max),
+        "exchange": worst(rf"exchange error {number}", max),
         "overlap": worst(rf"overlap at most {number}", max),
         "void": worst(rf"void fraction at least {number}", min),
     }
 
 
-# ---- telling -----------------------------------------------------------------------------------------------------
+# ---- output --------------------------------------------------------------------------------------
 
 def write_result(case, profiles, balance, log, seconds):
     with open(case/"result.csv", "w", newline="") as file:
         out = csv.writer(file)
         out.writerow(["quantity", "height_mm", "rms", "spread", "ci95", "unit"])
         for p in profiles:
-            out.writerow([p.quantity, p.height, f"{p.rms:.4f}", f"{p.spread:.4f}", f"{p.rms_interval:.4f}", p.unit])
-        # no profile: rms is the value itself, spread what it is held against
-        out.writerow(["pressureDrop", 0, f"{balance.mean:.2f}", f"{balance.weight:.2f}", f"{balance.interval:.2f}", "Pa"])
+            out.writerow([p.quantity, p.height, f"{p.rms:.4f}", f"{p.spread:.4f}",
+                          f"{p.rms_interval:.4f}", p.unit])
+        # not a profile: rms is the value itself, spread its reference
+        out.writerow(["pressureDrop", 0, f"{balance.mean:.2f}", f"{balance.weight:.2f}",
+                      f"{balance.interval:.2f}", "Pa"])
         course = balance.course
-        out.writerow(["pressureDeviation", 0, f"{course.deviation:.2f}", 0, f"{course.deviation_interval:.2f}", "Pa"])
+        out.writerow(["pressureDeviation", 0, f"{course.deviation:.2f}", 0,
+                      f"{course.deviation_interval:.2f}", "Pa"])
         if course.periods > 1:                  # one period has no scatter
-            out.writerow(["pressureCrossings", 0, f"{course.rate:.3f}", 0, f"{course.rate_interval:.3f}", "Hz"])
-            out.writerow(["pressureDominant", 0, f"{course.dominant:.3f}", 0, f"{course.dominant_interval:.3f}", "Hz"])
+            out.writerow(["pressureCrossings", 0, f"{course.rate:.3f}", 0,
+                          f"{course.rate_interval:.3f}", "Hz"])
+            out.writerow(["pressureDominant", 0, f"{course.dominant:.3f}", 0,
+                          f"{course.dominant_interval:.3f}", "Hz"])
         out.writerow(["averagedTime", 0, f"{seconds:.2f}", 0, 0, "s"])
         out.writerow(["wallTime", 0, f"{log['wall']:.0f}", 0, 0, "s"])
         out.writerow(["processorTime", 0, f"{log['processor']:.0f}", 0, 0, "s"])
@@ -205,11 +219,12 @@ def write_result(case, profiles, balance, log, seconds):
         for p in profiles:
             for k, x in enumerate(CENTRES):
                 plain = p.in_time[k] if p.quantity == "velocity" else p.profile[k]
-                out.writerow([p.quantity, p.height, f"{1e3*x:.1f}", f"{p.profile[k]:.5f}", f"{p.interval[k]:.5f}",
+                out.writerow([p.quantity, p.height, f"{1e3*x:.1f}", f"{p.profile[k]:.5f}",
+                              f"{p.interval[k]:.5f}",
                               f"{plain:.5f}", p.unit])
 
 
-def tell(profiles, against, times, blocks, balance, log):
+def report(profiles, against, times, blocks, balance, log):
     print(f"\n{len(times)} frames, {times[0]:g} .. {times[-1]:g} s, {blocks} blocks\n")
     first, second = against.others
     print(f"rms difference from the measured points     95 %            of the measured        {first:>8s}  {second:>8s}")
@@ -221,24 +236,27 @@ def tell(profiles, against, times, blocks, balance, log):
     if plain:
         print(f"\nvelocity: mean over beads; with the plain mean over time the rms is {plain} m/s")
     carried = balance.mean + sum(mean for mean, _ in balance.walls.values())
-    walls = ", ".join(f"{name} {mean:.1f} +- {interval:.1f}" for name, (mean, interval) in balance.walls.items())
+    walls = ", ".join(f"{name} {mean:.1f} +- {interval:.1f}"
+                      for name, (mean, interval) in balance.walls.items())
     print(f"pressure drop {balance.mean:.1f} +- {balance.interval:.1f} Pa, walls carry {walls} Pa, together {carried:.1f} Pa; "
           f"weight of the beads {balance.weight:.1f} Pa")
     course = balance.course
     print(f"pressure drop: standard deviation {course.deviation:.1f} +- {course.deviation_interval:.1f} Pa, upward crossings of "
           f"its mean {course.rate:.2f} +- {course.rate_interval:.2f} Hz ({course.periods} periods), dominant frequency "
           f"{course.dominant:.2f} +- {course.dominant_interval:.2f} Hz ({course.blocks} blocks)")
-    print(f"exchange of momentum: largest relative error {log['ledger']:.1e}; largest overlap {100*log['overlap']:.2f} % of d, "
+    print(f"exchange of momentum: largest relative error {log['exchange']:.1e}; largest overlap {100*log['overlap']:.2f} % of d, "
           f"least void fraction in a cell {log['void']:.3f}")
     print(f"wall time {log['wall']:.0f} s: fluid {log['fluid']:.0f} s, particles {log['particles']:.0f} s, "
           f"exchange {log['exchange']:.0f} s\n")
 
 
 def main():
-    words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    words.add_argument("-from", dest="start", type=float, default=1.0, help="s, where averages begin (at most half of the run)")
+    words = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    words.add_argument("-from", dest="start", type=float, default=1.0,
+                       help="s, where averages begin (at most half of the run)")
     words.add_argument("-slab", type=float, default=2.0, help="mm, half the height of the boxes")
-    words.add_argument("--selfcheck", action="store_true", help="averages whose answer is known, as TAP")
+    words.add_argument("--selfcheck", action="store_true",
+                       help="averages with known results, as TAP")
     words.add_argument("case", nargs="?", type=Path, default=HERE)
     words = words.parse_args()
     if words.selfcheck:
@@ -249,7 +267,7 @@ def main():
     balance = Balance(words.case, min(words.start, 0.5*times[-1]), count)
     log = read_log(words.case)
     write_result(words.case, profiles, balance, log, times[-1] - min(words.start, 0.5*times[-1]))
-    tell(profiles, experiment(words.case), times, blocks, balance, log)
+    report(profiles, experiment(words.case), times, blocks, balance, log)
     try:
         import plots
     except ImportError as reason:

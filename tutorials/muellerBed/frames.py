@@ -1,8 +1,9 @@
-"""frames.py -- what a run has left: the record of the beads, pressures, forces on walls.
+"""frames.py -- read the results of a run: the record of the beads, pressures, forces on walls.
 
-particles.bin holds a block an instant: time [s] (double), number n (int64), then n times id, position [m], velocity
-[m/s], diameter [m]; surfaceFieldValue.dat is columns of text, walls.csv a table. Each lies in a folder named after the
-time at which the run started or went on; what a later start repeats replaces what an earlier one wrote.
+particles.bin holds a block an instant: time [s] (double), number n (int64), then n times id,
+position [m], velocity [m/s], diameter [m]; surfaceFieldValue.dat is columns of text, walls.csv a
+table. Each lies in a folder named after the time at which the run started or went on; what a later
+start repeats replaces what an earlier one wrote.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -18,7 +19,8 @@ HEAD = numpy.dtype([("time", "f8"), ("count", "i8")])
 
 def starts(case, name, file):
     """The file of each start with the time up to which it counts."""
-    paths = sorted(Path(case).glob(f"postProcessing/{name}/*/{file}"), key=lambda path: float(path.parent.name))
+    paths = sorted(Path(case).glob(f"postProcessing/{name}/*/{file}"),
+                   key=lambda path: float(path.parent.name))
     ends = [float(path.parent.name)*(1 + 1e-9) for path in paths[1:]] + [numpy.inf]
     return list(zip(paths, ends))
 
@@ -33,7 +35,8 @@ def list_frames(case):
                 file.seek(at)
                 head = numpy.fromfile(file, HEAD, 1)[0]
                 after = at + HEAD.itemsize + int(head["count"])*BEAD.itemsize
-                if after > size or head["time"] > end:      # cut off, or told again by a later start
+                # truncated, or repeated by a later start
+                if after > size or head["time"] > end:
                     break
                 listed.append((float(head["time"]), path, at))
                 at = after
@@ -51,16 +54,18 @@ def read_frame(path, at):
 
 def read_columns(case, name, file):
     """Columns of text over time, the first of them."""
-    rows = [row for path, end in starts(case, name, file) for row in numpy.loadtxt(path, ndmin=2) if row[0] <= end]
+    rows = [row for path, end in starts(case, name, file) for row in numpy.loadtxt(path, ndmin=2)
+            if row[0] <= end]
     return numpy.array(rows).T
 
 
 def read_table(case, name, file):
-    """Rows of a table with a head, by the names in it."""
+    """Rows of a table with a header, by its names."""
     rows = []
     for path, end in starts(case, name, file):
         with open(path, newline="") as text:
-            lines = (line for line in text if not line.startswith("#"))         # the effects that act
+            # the effects that act
+            lines = (line for line in text if not line.startswith("#"))
             rows += [row for row in csv.DictReader(lines) if float(row["time[s]"]) <= end]
     return rows
 

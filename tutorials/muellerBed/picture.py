@@ -1,8 +1,10 @@
-"""picture.py -- spheres as a camera far away sees them: ray-cast into a depth buffer, lit, with shadow and soft corners.
+"""picture.py -- images of spheres in parallel projection: ray casting into a depth buffer,
+lighting, shadows, ambient occlusion.
 
-Every sphere is stamped into the picture pixel by pixel, the nearest wins; its depth gives the normal. Light comes from
-one side with a shadow (a second depth buffer, seen from the lamp), and from the whole sky as far as neighbours leave
-it open (the depth against the depth around it, at several widths).
+Every sphere is stamped into the picture pixel by pixel, the nearest wins; its depth gives the
+normal. Light comes from one side with a shadow (a second depth buffer, seen from the lamp), and
+from the whole sky as far as neighbours leave it open (the depth against the depth around it, at
+several widths).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -18,7 +20,8 @@ def axes(towards, up):
 
 
 def stamp(seen, radius, scale, origin, shape):
-    """Depth [m] towards the camera and index of the nearest sphere in each pixel; -inf and -1 where there is none."""
+    """Depth [m] towards the camera and index of the nearest sphere in each pixel; -inf and -1 where
+    there is none."""
     depth = numpy.full(shape, -numpy.inf)
     owner = numpy.full(shape, -1, dtype=numpy.int32)
     reach = int(numpy.ceil(radius*scale)) + 1
@@ -29,7 +32,8 @@ def stamp(seen, radius, scale, origin, shape):
         c, r = c[(c >= 0) & (c < shape[1])], r[(r >= 0) & (r < shape[0])]
         if c.size == 0 or r.size == 0:
             continue
-        rest = radius**2 - (((c + 0.5 - column)/scale)**2)[None, :] - (((r + 0.5 - row)/scale)**2)[:, None]
+        rest = radius**2 - (((c + 0.5 - column)/scale)**2)[None,
+            :] - (((r + 0.5 - row)/scale)**2)[:, None]
         here = numpy.where(rest > 0, z + numpy.sqrt(numpy.maximum(rest, 0)), -numpy.inf)
         window = (slice(r[0], r[-1] + 1), slice(c[0], c[-1] + 1))
         nearer = here > depth[window]
@@ -50,7 +54,8 @@ def blur(image, width):
 
 
 def openness(depth, radius, scale, floor):
-    """Share of the sky that a pixel sees: less where what is around stands nearer to the camera."""
+    """Fraction of the sky visible from a pixel: less where surroundings are nearer to the
+    camera."""
     ground = numpy.where(numpy.isfinite(depth), depth, floor)
     light = numpy.ones_like(ground)
     for width in (0.5, 1.0, 2.0, 4.0):
@@ -60,7 +65,8 @@ def openness(depth, radius, scale, floor):
 
 
 def in_shadow(points, spheres, radius, lamp, scale):
-    """1 in the lamp's light, 0 in shadow, smoothed over a few samples of the lamp's depth buffer."""
+    """1 in the lamp's light, 0 in shadow, smoothed over a few samples of the lamp's depth
+    buffer."""
     seen = spheres @ lamp.T
     origin = seen[:, :2].min(axis=0) - 2*radius
     extent = (seen[:, :2].max(axis=0) + 2*radius - origin)*scale
@@ -71,23 +77,27 @@ def in_shadow(points, spheres, radius, lamp, scale):
     taps = [(-1, 0), (1, 0), (0, -1), (0, 1), (0, 0)]
     for dx, dy in taps:
         c = numpy.clip(((at[:, 0] - origin[0])*scale + 1.5*dx).astype(int), 0, shape[1] - 1)
-        r = numpy.clip((shape[0] - (at[:, 1] - origin[1])*scale + 1.5*dy).astype(int), 0, shape[0] - 1)
+        r = numpy.clip((shape[0] - (at[:, 1] - origin[1])*scale + 1.5*dy).astype(int), 0,
+                       shape[0] - 1)
         lit += depth[r, c] < at[:, 2] + 0.35*radius
     return lit/len(taps)
 
 
 def draw(spheres, radius, colour, window, scale, towards=(0.18, 1, -0.16), up=(0, 0, 1), finer=2):
-    """An image (rows, columns, 4) of spheres [m] with colours in 0 .. 1; `window` is (left, bottom, right, top) [m] on
-    the camera's plane, `scale` in pixels per metre; transparent where there is nothing."""
+    """An image (rows, columns, 4) of spheres [m] with colours in 0 .. 1; `window` is (left, bottom,
+    right, top) [m] on the camera's plane, `scale` in pixels per metre; transparent where there is
+    nothing."""
     camera = axes(towards, up)
     seen = spheres @ camera.T
     fine = scale*finer
-    shape = (int(round((window[3] - window[1])*scale))*finer, int(round((window[2] - window[0])*scale))*finer)
+    shape = (int(round((window[3] - window[1])*scale))*finer,
+             int(round((window[2] - window[0])*scale))*finer)
     depth, owner = stamp(seen, radius, fine, window[:2], shape)
     hit = owner >= 0
 
     rows, columns = numpy.nonzero(hit)
-    place = numpy.stack([window[0] + (columns + 0.5)/fine, window[1] + (shape[0] - rows - 0.5)/fine, depth[hit]], axis=1)
+    place = numpy.stack([window[0] + (columns + 0.5)/fine, window[1] + (shape[0] - rows - 0.5)/fine,
+                         depth[hit]], axis=1)
     normal = (place - seen[owner[hit]])/radius
     lamp = axes((0.55, 0.75, -1.0), up)
     towards_lamp = camera @ lamp[2]                 # in the camera's axes
@@ -102,7 +112,7 @@ def draw(spheres, radius, colour, window, scale, towards=(0.18, 1, -0.16), up=(0
     image[hit, :3] = numpy.clip(colour[owner[hit]]*shade[:, None] + 0.22*(gloss*lit)[:, None], 0, 1)
     image[hit, 3] = 1
 
-    # mean over the finer pixels, weighted by what they cover
+    # mean over the finer pixels, weighted by their coverage
     image[..., :3] *= image[..., 3:]
     image = image.reshape(shape[0]//finer, finer, shape[1]//finer, finer, 4).mean(axis=(1, 3))
     image[..., :3] /= numpy.maximum(image[..., 3:], 1e-9)

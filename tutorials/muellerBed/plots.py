@@ -1,4 +1,4 @@
-"""plots.py -- profiles over the measured points, the pressure over time, and the bed as it looks.
+"""plots.py -- profiles with the measured points, the pressure over time, and pictures of the bed.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -16,7 +16,8 @@ SPEED = 0.4                                         # m/s, end of the colours
 HEIGHT = 0.085                                      # m of the column that is shown
 SCALE = 13000                                       # pixels per metre
 
-plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
+plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
+                     "axes.grid": True,
                      "grid.alpha": 0.25, "savefig.dpi": 160, "savefig.bbox": "tight"})
 
 
@@ -25,7 +26,8 @@ def draw_profiles(case, profiles, centres):
     figure, panels = plt.subplots(rows, 3, figsize=(11, 3.1*rows), squeeze=False)
     places = [*panels[0, :2], *panels[1:].flat]
     for axes, p in zip(places, profiles):
-        axes.fill_between(1e3*centres, p.profile - p.interval, p.profile + p.interval, color=OURS, alpha=0.22, lw=0)
+        axes.fill_between(1e3*centres, p.profile - p.interval, p.profile + p.interval, color=OURS,
+                          alpha=0.22, lw=0)
         axes.plot(1e3*centres, p.profile, color=OURS, lw=1.8)
         axes.plot(1e3*p.measured[0], p.measured[1], "o", ms=4, mfc="none", color=MEASURED)
         name = "void fraction" if p.quantity == "voidFraction" else "vertical velocity [m/s]"
@@ -36,7 +38,8 @@ def draw_profiles(case, profiles, centres):
         axes.set_ylim(0.3, 0.9)
     legend = panels[0, 2]
     legend.axis("off")
-    legend.plot([], [], "o", ms=4, mfc="none", color=MEASURED, label="measured, Mueller et al. 2008/2009")
+    legend.plot([], [], "o", ms=4, mfc="none", color=MEASURED,
+                label="measured, Mueller et al. 2008/2009")
     legend.plot([], [], color=OURS, lw=1.8, label="Suna, mean over beads")
     legend.fill_between([], [], [], color=OURS, alpha=0.22, lw=0, label="its 95 % interval")
     legend.legend(loc="center left", frameon=False, fontsize=10)
@@ -49,8 +52,10 @@ def draw_pressure(case, balance):
     time, drop = balance.time, balance.drop
     figure, axes = plt.subplots(figsize=(9, 3))
     axes.plot(time, drop, color=OURS, lw=0.7)
-    axes.axhline(balance.weight, color=MEASURED, lw=1.2, label=f"weight of the beads {balance.weight:.1f} Pa")
-    axes.axhline(balance.mean, color=OURS, lw=1.2, ls="--", label=f"mean {balance.mean:.1f} $\\pm$ {balance.interval:.1f} Pa")
+    axes.axhline(balance.weight, color=MEASURED, lw=1.2,
+                 label=f"weight of the beads {balance.weight:.1f} Pa")
+    axes.axhline(balance.mean, color=OURS, lw=1.2, ls="--",
+                 label=f"mean {balance.mean:.1f} $\\pm$ {balance.interval:.1f} Pa")
     low, high = numpy.percentile(drop, [0.5, 99.5])
     axes.set(xlabel="time [s]", ylabel="pressure drop [Pa]", xlim=(time[0], time[-1]),
              ylim=(min(0, 1.1*low), 1.15*max(high, balance.weight)))
@@ -60,16 +65,18 @@ def draw_pressure(case, balance):
 
 
 def edges_of(camera, size):
-    """A column's twelve edges on the camera's plane, and whether they lie behind."""
-    corner = numpy.array([(x, y, z) for x in (0, size[0]) for y in (0, size[1]) for z in (0, size[2])])
+    """The twelve edges of a column on the camera's plane, and whether they are behind the bed."""
+    corner = numpy.array([(x, y, z) for x in (0, size[0]) for y in (0, size[1])
+                          for z in (0, size[2])])
     at = corner @ camera.T
     return [(at[a, :2], at[b, :2], corner[a, 1] + corner[b, 1] > 1.5*size[1])
             for a in range(8) for b in range(a) if numpy.sum(corner[a] != corner[b]) == 1]
 
 
-def draw_bed(case, instants, size=(0.044, 0.010, HEIGHT), radius=RADIUS, speed=SPEED, scale=SCALE, width=2.7):
-    """The bed at some instants, beads coloured by their vertical velocity, in a column of glass of this size [m]; `width`
-    of a panel in inches."""
+def draw_bed(case, instants, size=(0.044, 0.010, HEIGHT), radius=RADIUS, speed=SPEED, scale=SCALE,
+             width=2.7):
+    """The bed at some instants, beads coloured by their vertical velocity, in a column of glass of
+    this size [m]; `width` of a panel in inches."""
     towards = (0.22, 1, -0.2)
     camera = picture.axes(towards, (0, 0, 1))
     edges = edges_of(camera, size)
@@ -84,11 +91,13 @@ def draw_bed(case, instants, size=(0.044, 0.010, HEIGHT), radius=RADIUS, speed=S
         image = picture.draw(position, radius, colour, window, scale, towards)
         for a, b, behind in edges:
             axes.plot([a[0], b[0]], [a[1], b[1]], color="0.55", lw=0.8, zorder=0 if behind else 3)
-        axes.imshow(image, extent=(window[0], window[2], window[1], window[3]), zorder=1, interpolation="antialiased")
+        axes.imshow(image, extent=(window[0], window[2], window[1], window[3]), zorder=1,
+                    interpolation="antialiased")
         axes.set(xlim=(window[0], window[2]), ylim=(window[1], window[3]))
         axes.set_title(f"{time:.2f} s", fontsize=9, y=0.97)
         axes.axis("off")
-    bar = figure.colorbar(plt.cm.ScalarMappable(plt.Normalize(-speed, speed), colours), ax=panels, shrink=0.5, pad=0.01,
+    bar = figure.colorbar(plt.cm.ScalarMappable(plt.Normalize(-speed, speed), colours), ax=panels,
+                          shrink=0.5, pad=0.01,
                           aspect=25, extend="both")
     bar.set_label("vertical velocity of the beads [m/s]", fontsize=8)
     bar.ax.tick_params(labelsize=8)

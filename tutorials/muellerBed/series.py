@@ -1,13 +1,17 @@
-"""series.py -- how often and how far a series in time goes up and down, and how sure that is.
+"""series.py -- frequency and amplitude of a time series, with intervals.
 
-Rate        upward crossings of the mean per second. One counts when the series has been `BAND` standard deviations below
+Rate        upward crossings of the mean per second. One counts when the series has been `BAND`
+standard deviations below
             the mean before and is as far above it afterwards, so that noise about the mean does not. The interval is that
             of the mean period: periods follow each other as nearly independent draws.
-Dominant    the frequency at which the spectrum is largest: mean of the spectra of blocks of three periods and 1 s at least,
+Dominant    the frequency at which the spectrum is largest: mean of the spectra of blocks of three
+periods and 1 s at least,
             Hann's window. The interval is the jackknife over blocks, and never less than half of what a block can tell apart.
 Deviation   the standard deviation; jackknife over the same blocks.
 
-Intervals are half widths at 95 %. SPDX-License-Identifier: GPL-3.0-or-later
+Intervals are half widths at 95 %.
+
+SPDX-License-Identifier: GPL-3.0-or-later
 """
 import collections
 
@@ -19,12 +23,13 @@ STEP = 1e-3                         # s, of the even series
 BAND = 0.25                         # standard deviations
 LOWEST, HIGHEST = 0.5, 20.0         # Hz, where the largest is looked for
 
-Course = collections.namedtuple("Course", "rate rate_interval dominant dominant_interval deviation deviation_interval "
+Course = collections.namedtuple("Course",
+    "rate rate_interval dominant dominant_interval deviation deviation_interval "
                                           "periods blocks")
 
 
 def even(time, values, step=STEP):
-    """The series in even steps, straight between its points."""
+    """The series at equal steps, by linear interpolation."""
     at = numpy.arange(time[0], time[-1] + 0.5*step, step)
     return at, numpy.interp(at, time, values)
 
@@ -56,16 +61,17 @@ def rate_of(found):
 def power(values, step=STEP):
     """Frequencies [Hz] and the power at them, padded with zeros to steps of 0.05 Hz or less."""
     size = 1 << int(numpy.ceil(numpy.log2(max(len(values), 20/step))))
-    return numpy.fft.rfftfreq(size, step), abs(numpy.fft.rfft((values - values.mean())*numpy.hanning(len(values)), size))**2
+    return numpy.fft.rfftfreq(size, step), abs(numpy.fft.rfft((values -
+        values.mean())*numpy.hanning(len(values)), size))**2
 
 
 def count_blocks(seconds, rate):
-    """So many that each has three periods and 1 s at least, but three to twelve."""
+    """Number of blocks such that each has at least three periods and 1 s; three to twelve."""
     return int(numpy.clip(seconds*min(rate/3, 1) if numpy.isfinite(rate) else 0, 3, 12))
 
 
 def course(time, values):
-    """All of it for a series in time, even or not."""
+    """All results for a time series, of equal steps or not."""
     time, values = even(numpy.asarray(time, float), numpy.asarray(values, float))
     found = crossings(time, values)
     rate, rate_interval = rate_of(found)
@@ -74,7 +80,9 @@ def course(time, values):
     frequency = power(values[blocks[0]])[0]
     where = (frequency > LOWEST) & (frequency < HIGHEST)
     dominant, dominant_interval = averages.jackknife(
-        lambda chosen: frequency[where][numpy.argmax(spectra[chosen].mean(axis=0)[where])], averages.cut_blocks(len(blocks), len(blocks)))
+        lambda chosen: frequency[where][numpy.argmax(spectra[chosen].mean(axis=0)[where])],
+        averages.cut_blocks(len(blocks), len(blocks)))
     deviation, deviation_interval = averages.jackknife(lambda chosen: values[chosen].std(), blocks)
-    return Course(rate, rate_interval, dominant, max(dominant_interval, 0.5/(len(blocks[0])*STEP)), deviation, deviation_interval,
+    return Course(rate, rate_interval, dominant, max(dominant_interval, 0.5/(len(blocks[0])*STEP)),
+                  deviation, deviation_interval,
                   max(len(found) - 1, 0), len(blocks))

@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
-"""store.py -- keep a run's results in stored/ and put its table into README.md.
+"""store.py -- copy the results of a run to stored/ and write its table into README.md.
 
     store.py CASE "10 s, 2 cores of ..., DATE" [NAME]
 
-CASE is a folder in which compare.py has written; the text says what ran where. Without NAME it is the run of the table
-at the top; with NAME (fine, stiff, slow) it goes to stored/NAME and into the table of that name.
+CASE is a folder in which compare.py has written; the text says what ran where. Without NAME it is
+the run of the table at the top; with NAME (fine, stiff, slow) it goes to stored/NAME and into the
+table of that name.
 
     store.py -beside "WHAT RAN WHERE" NAME LABEL=CASE ...
 
-Runs side by side, a row each, in the table of that name; their result.csv and profiles.csv go to stored/NAME/LABEL.
-The first is what the others are held against. A CASE may be a folder in stored/, of another day.
+Runs side by side, a row each, in the table of that name; their result.csv and profiles.csv go to
+stored/NAME/LABEL. The first is what the others are held against. A CASE may be a folder in stored/,
+of another day.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -70,7 +72,7 @@ def main():
 
 
 def keep(case, folder):
-    """Copies of a run's tables, unless they are stored already; where they lie."""
+    """Copy the tables of a run, unless they are stored already; returns their folder."""
     if HERE/"stored" in (case.resolve(), *case.resolve().parents):
         return case
     folder.mkdir(parents=True, exist_ok=True)
@@ -80,13 +82,14 @@ def keep(case, folder):
 
 
 def put(name, new):
-    """Put a table into README.md, where its name stands."""
+    """Write a table into README.md at its marker."""
     readme = HERE/"README.md"
     head = f"<!-- table {name}".rstrip() + " -->\n"
     text = readme.read_text()
     if head not in text:
         sys.exit(f"store: README.md has no line {head}")
-    readme.write_text(re.sub(rf"({head}).*?(<!-- end -->)", lambda m: m.group(1) + new + "\n" + m.group(2), text,
+    readme.write_text(re.sub(rf"({head}).*?(<!-- end -->)",
+                             lambda m: m.group(1) + new + "\n" + m.group(2), text,
                              flags=re.DOTALL))
 
 

@@ -2,17 +2,19 @@
 
 References: the growth rate s of two deep layers of liquids of the same kinematic viscosity,
 
-  short form   s^2 + 2 nu k^2 s - A g k = 0,    A = (rho_m - rho)/(rho_m + rho),    rho_m = rho + alpha (rho_p - rho)
-  exact        s^2 = A g k (1 - k/q),    q^2 = k^2 + s/nu,    for small A
+  short form   s^2 + 2 nu k^2 s - A g k = 0,    A = (rho_m - rho)/(rho_m + rho),    rho_m = rho +
+  alpha (rho_p - rho) exact        s^2 = A g k (1 - k/q),    q^2 = k^2 + s/nu,    for small A
 
-(Chandrasekhar, Hydrodynamic and Hydromagnetic Stability (1961), chapter X). The short form knows the friction of the waves
-outside only; they slide past each other at the interface, and what a layer of thickness 1/q there takes is more. The exact one
-follows from nu (D^2 - k^2)(D^2 - q^2) w = (2 A g k^2/s) w(0) delta(z), whose solution is exp(-k|z|)/k - exp(-q|z|)/q.
-A suspension of beads whose relaxation is short is such a liquid as long as they settle little in the meantime. On cells of
-length h the kernel rounds the step of density over about h, which takes k h from s^2 and k h/2 from s (of a step that falls off
-exponentially over h it would be 1/(1 + k h)).
+(Chandrasekhar, Hydrodynamic and Hydromagnetic Stability (1961), chapter X). The short form knows
+the friction of the waves outside only; they slide past each other at the interface, and what a
+layer of thickness 1/q there takes is more. The exact one follows from nu (D^2 - k^2)(D^2 - q^2) w =
+(2 A g k^2/s) w(0) delta(z), whose solution is exp(-k|z|)/k - exp(-q|z|)/q. A suspension of beads
+whose relaxation is short is such a liquid as long as they settle little in the meantime. On cells
+of length h the kernel rounds the step of density over about h, which takes k h from s^2 and k h/2
+from s (of a step that falls off exponentially over h it would be 1/(1 + k h)).
 
-Ours: the wave is that of the beads of the lowest row; a starts at rest, so a = a_0 cosh s t is fitted while k a < 0.5.
+Ours: the wave is that of the beads of the lowest row; a starts at rest, so a = a_0 cosh s t is
+fitted while k a < 0.5.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -47,17 +49,19 @@ def exact(k, share):
 
 
 def amplitude(position, columns, length):
-    """Of the first mode of the lowest row, over time [m]."""
+    """Amplitude of the first mode of the lowest row, over time [m]."""
     order = position[:, ::columns//2, :]            # beads are written column by column
     k = 2*math.pi/length
     x, z = order[:, :, 0], order[:, :, 2]
-    # places of the row have come nearer to each other by the wave itself: least squares, not a sum
-    return numpy.array([numpy.linalg.lstsq(numpy.stack([numpy.ones_like(a), numpy.cos(k*a), numpy.sin(k*a)], axis=1), b, rcond=None)[0][1]
+    # the wave changes the spacing of the row: least squares, not a sum
+    return numpy.array([numpy.linalg.lstsq(numpy.stack([numpy.ones_like(a), numpy.cos(k*a),
+        numpy.sin(k*a)], axis=1), b, rcond=None)[0][1]
                         for a, b in zip(x, z)]), z.mean(axis=1)
 
 
 def fit(time, wave, k):
-    """s of a_0 cosh s t, and its 95 % interval from four parts of the record, each fitted with the a_0 of all."""
+    """s of a_0 cosh s t, and its 95 % interval from four parts of the record, each fitted with the
+    a_0 of all."""
     chosen = (k*wave < 0.5) & (time > 0)
     t, a = time[chosen], wave[chosen]
 
@@ -70,14 +74,17 @@ def fit(time, wave, k):
     # a_0 by search: least squares in the logarithm
     starts = numpy.linspace(0.5, 1.5, 101)*a[0]
     everything = numpy.ones(len(t), bool)
-    best = min(starts, key=lambda start: numpy.sum(numpy.log(a/(start*numpy.cosh(rate(everything, start)*t)))**2))
+    best = min(starts, key=lambda start: numpy.sum(numpy.log(a/(start*numpy.cosh(rate(everything,
+        start)*t)))**2))
     late = numpy.array_split(numpy.flatnonzero(t > 0.3*t[-1]), 4)
-    return rate(everything, best), results.mean_of([rate(part, best) for part in late])[1], best, t[-1]
+    return rate(everything, best), results.mean_of([rate(part, best)
+        for part in late])[1], best, t[-1]
 
 
 def main():
     table, curves = results.Table(), []
-    for run in sorted((HERE/"runs").glob("length*"), key=lambda run: [float(x) for x in re.findall(r"[\d.]+", run.name)]):
+    for run in sorted((HERE/"runs").glob("length*"), key=lambda run: [float(x)
+            for x in re.findall(r"[\d.]+", run.name)]):
         length, columns = re.fullmatch(r"length([\d.]+)-columns(\d+)", run.name).groups()
         length, columns = 1e-3*float(length), int(columns)
         k = 2*math.pi/length
@@ -87,12 +94,16 @@ def main():
         wave, level = amplitude(position, columns, length)
         own, interval, start, end = fit(time, wave, k)
         part = f"wave of {1e3*length:g} mm, solid's share {share:.3f}"
-        # the bound is for waves that are long against a bead, k d < 0.05
-        table.add(part, "growth rate, short form", growth(k, share), own, interval, "1/s", 0.20 if k*D < 0.05 else None, "Chandrasekhar")
-        table.add(part, "growth rate, exact", exact(k, share), own, interval, "1/s", 0.5*k*length/columns, "Chandrasekhar")
+        # the bound is for waves long compared with a bead, k d < 0.05
+        table.add(part, "growth rate, short form", growth(k, share), own, interval, "1/s",
+                  0.20 if k*D < 0.05 else None, "Chandrasekhar")
+        table.add(part, "growth rate, exact", exact(k, share), own, interval, "1/s",
+                  0.5*k*length/columns, "Chandrasekhar")
         table.add(part, "k d", 0, k*D)
-        # how far the beads settle through the liquid meanwhile: small, else this is no heavier liquid
-        table.add(part, "k times the way that the suspension has settled by the end of the fit", 0, k*(level[0] - numpy.interp(end, time, level)))
+        # distance that the beads settle through the liquid meanwhile: small, else the suspension is
+        # not like a heavier liquid
+        table.add(part, "k times the way that the suspension has settled by the end of the fit", 0,
+                  k*(level[0] - numpy.interp(end, time, level)))
         curves.append((part, time, k*wave, exact(k, share), k*start))
     table.write(HERE)
     try:

@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
-"""analyse.py -- restitution in liquids over the Stokes number, and the flight of a sphere that bounces, against measured points.
+"""analyse.py -- restitution in liquids over the Stokes number, and the trajectory of a bouncing
+sphere, against measurements.
 
     analyse.py [-store "text"]       result.csv, rebound.png; with -store also stored/ and the table of README.md
 
 Stokes number   St = rho_p d v/(9 mu) of the impact
-Computed e      speed of parting over speed of impact, with nothing but the contact (and the film) acting
-Measured e      out of the flights measured by Gondret et al. (2002): speeds at the plate from parabolas through the first five points after
+Computed e      speed of parting over speed of impact, with nothing but the contact (and the film)
+acting Measured e      out of the flights measured by Gondret et al. (2002): speeds at the plate
+from parabolas through the first five points after
                 and the last five before an impact, all but those within 0.1 mm of the plate; intervals from the scatter of the points;
                 at St 27 none was recorded before the impact: that speed is the Reynolds number's, taken as exact
-Bands           where most of the e/e_max measured by Gondret et al. and by Joseph et al. (2001) lie, as far as their figures can be read
+Bands           where most of the e/e_max measured by Gondret et al. and by Joseph et al. (2001)
+lie, as far as their figures can be read
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -21,12 +24,16 @@ from dem_case import OTHER, OURS, REFERENCE, Result, pictures, plt, read_vtp, st
 
 BEST = 0.97                                         # e_max, of the contact without liquid
 # Re of the impact, St: diameter [m], density and viscosity of the liquid, speed [m/s]
-SETS = {27: (6e-3, 965, 0.1, 0.518135), 100: (4e-3, 953, 0.02, 0.577125), 152: (3e-3, 935, 0.01, 0.584670),
+SETS = {27: (6e-3, 965, 0.1, 0.518135), 100: (4e-3, 953, 0.02, 0.577125),
+        152: (3e-3, 935, 0.01, 0.584670),
         193: (6e-3, 953, 0.02, 0.741518), 742: (5e-3, 920, 0.005, 0.856522)}
-BANDS = [(9, 16, 0, 0.15), (27, 33, 0.25, 0.40), (45, 55, 0.42, 0.58), (93, 108, 0.62, 0.78), (140, 165, 0.72, 0.84),
+BANDS = [(9, 16, 0, 0.15), (27, 33, 0.25, 0.40), (45, 55, 0.42, 0.58), (93, 108, 0.62, 0.78),
+         (140, 165, 0.72, 0.84),
          (275, 325, 0.82, 0.93), (900, 1100, 0.93, 1.0)]
-FORMS = (("stokes", "by the law of contact with the run's viscosity"), ("added", "by the law of contact with added mass"),
-         ("instantaneous", "with the speed of the moment (LIGGGHTS)"), ("film", "by a film of roughness 1e-4 R"),
+FORMS = (("stokes", "by the law of contact with the run's viscosity"),
+         ("added", "by the law of contact with added mass"),
+         ("instantaneous", "with the speed of the moment (LIGGGHTS)"),
+         ("film", "by a film of roughness 1e-4 R"),
          ("rough", "by a film of roughness 1e-3 R"),
          ("acts", "by a film of 1e-4 R that acts on in contact of steel"),
          ("softActs", "by a film of 1e-4 R that acts on in contact of 1e9 Pa"))
@@ -35,7 +42,8 @@ FORMS = (("stokes", "by the law of contact with the run's viscosity"), ("added",
 def speeds(folder):
     """Vertical velocities at the start and at the end."""
     listed = pictures(folder)
-    return read_vtp(listed[0][1])["velocity"].reshape(-1, 3)[:, 2], read_vtp(listed[-1][1])["velocity"].reshape(-1, 3)[:, 2]
+    return read_vtp(listed[0][1])["velocity"].reshape(-1, 3)[:,
+        2], read_vtp(listed[-1][1])["velocity"].reshape(-1, 3)[:, 2]
 
 
 def restitution(folder):
@@ -47,15 +55,17 @@ def flight(folder, radius):
     """Height above the plate over the time since the first impact."""
     listed = pictures(folder)
     time = numpy.array([t for t, _ in listed])
-    height = numpy.array([read_vtp(path)["points"].reshape(-1, 3)[0, 2] for _, path in listed]) - radius
+    height = numpy.array([read_vtp(path)["points"].reshape(-1, 3)[0, 2]
+                          for _, path in listed]) - radius
     low = numpy.flatnonzero((height[1:-1] < height[:-2]) & (height[1:-1] <= height[2:]))[0] + 1
-    # the impact lies between two pictures: where the way down, prolonged, meets the plate
+    # the impact is between two pictures: the time at which the extrapolated path reaches the plate
     fall = (height[low - 2] - height[low - 1])/(time[low - 1] - time[low - 2])
     return time - time[low - 1] - height[low - 1]/fall, height
 
 
 def at_plate(time, height):
-    """Time and speed at height 0 of a parabola through points, and the 95 % interval of the speed."""
+    """Time and speed at height 0 of a parabola through points, and the 95 % interval of the
+    speed."""
     fit, covariance = numpy.polyfit(time, height, 2, cov="unscaled")
     left = height - numpy.polyval(fit, time)
     freedom = len(time) - 3
@@ -63,17 +73,19 @@ def at_plate(time, height):
     roots = numpy.roots(fit)
     root = roots[numpy.argmin(abs(roots - time[numpy.argmin(height)]))].real
     slope = numpy.array([2*root, 1.0, 0.0])
-    return root, numpy.polyval(numpy.polyder(fit), root), student(freedom)*numpy.sqrt(slope @ covariance @ slope)
+    return root, numpy.polyval(numpy.polyder(fit),
+                               root), student(freedom)*numpy.sqrt(slope @ covariance @ slope)
 
 
 def measured_impacts():
-    """St, e and its interval of each impact in the measured flights."""
+    """St, e and its interval of each impact in the measured trajectories."""
     found = []
     for st, arrivals in ((27, [None]), (152, [-0.0006, 0.0835, 0.1300])):
         d, density, viscosity, speed = SETS[st]
         t, h = numpy.loadtxt(f"measured/St{st}.csv", delimiter=",", skiprows=2).T
         for arrival in arrivals:
-            if arrival is None:                     # recorded from the impact on: the speed before is that of the Reynolds number
+            # recorded from the impact on: the speed before is that of the Reynolds number
+            if arrival is None:
                 down, spread_down, after = speed, 0.0, t > 0
             else:
                 early = numpy.flatnonzero((t < arrival) & (h > 1e-4))[-5:]
@@ -81,7 +93,8 @@ def measured_impacts():
                 down, after = -slope, t > arrival
             late = numpy.flatnonzero(after & (h > 1e-4))[:5]
             _, up, spread_up = at_plate(t[late], h[late])
-            found.append((7800*d*down/(9*viscosity), up/down, up/down*numpy.hypot(spread_up/up, spread_down/down)))
+            found.append((7800*d*down/(9*viscosity), up/down,
+                          up/down*numpy.hypot(spread_up/up, spread_down/down)))
     return numpy.array(found)
 
 
@@ -99,20 +112,24 @@ def main():
             computed.setdefault(form, []).append((stokes, e))
             if form in ("stokes", "added"):
                 reference = law(stokes*(1 + 0.5*density/7800) if form == "added" else stokes)
-            elif form in ("film", "rough"):         # in closed form, dry e: e - (1 + e) v_t/v, v_t = v/St ln(h_c/h_r)
-                reference = max(BEST - (1 + BEST)*numpy.log(1e2 if form == "rough" else 1e3)/stokes, 0)
+            # in closed form, dry e: e - (1 + e) v_t/v, v_t = v/St ln(h_c/h_r)
+            elif form in ("film", "rough"):
+                reference = max(BEST - (1 + BEST)*numpy.log(1e2 if form == "rough" else 1e3)/stokes,
+                                0)
             else:
                 reference = None
             result.add("e " + text, f"St {stokes:.1f}", reference, e, None, "1")
     measured = measured_impacts()
     for st, e, ci95 in measured:
-        # no runs at these St: what the two laws say in closed form; the interval is the measured one's
-        for text, value in (("the law of contact", law(st)), ("the film of 1e-4 R", BEST - (1 + BEST)*numpy.log(1e3)/st)):
+        # no runs at these St: closed forms of the two laws; the interval is that of the measurement
+        for text, value in (("the law of contact", law(st)),
+                            ("the film of 1e-4 R", BEST - (1 + BEST)*numpy.log(1e3)/st)):
             result.add(f"closed form (no run) of {text}; reference and interval: e out of the measured flights", f"St {st:.0f}", e, value, ci95, "1")
     coupled = Path("runs/coupled.csv")
     if coupled.exists():
         for form, st, e in (line.split(",") for line in coupled.read_text().split()):
-            result.add("e in demPimpleFoam with the solver's viscosity", f"St {float(st):.1f}", law(float(st)), float(e), None, "1")
+            result.add("e in demPimpleFoam with the solver's viscosity", f"St {float(st):.1f}",
+                       law(float(st)), float(e), None, "1")
 
     flights = {}
     for st in (27, 152):
@@ -125,7 +142,8 @@ def main():
             way, height = numpy.loadtxt(f"measured/St{st}.csv", delimiter=",", skiprows=2).T
             until = 0.042 if st == 27 else 0.08
             text = "law of contact" if form == "bounce" else "film"
-            result.add(f"height of the first bounce by the {text}", f"St {st}", 1e3*height[(way > 0) & (way < until)].max(),
+            result.add(f"height of the first bounce by the {text}", f"St {st}",
+                       1e3*height[(way > 0) & (way < until)].max(),
                        1e3*h[(t > 0) & (t < until)].max(), None, "mm")
     result.write()
 
@@ -134,30 +152,40 @@ def main():
     st = numpy.geomspace(4, 1100, 300)
     for low, high, bottom, top in BANDS:
         curve.fill_between([low, high], bottom, top, color=REFERENCE, alpha=0.18, lw=0)
-    curve.fill_between([], [], [], color=REFERENCE, alpha=0.18, lw=0, label="bands of measured points")
-    curve.errorbar(measured[:, 0], measured[:, 1]/BEST, measured[:, 2]/BEST, fmt="o", ms=4, mfc="none", capsize=2, color=REFERENCE,
+    curve.fill_between([], [], [], color=REFERENCE, alpha=0.18, lw=0,
+                       label="bands of measured points")
+    curve.errorbar(measured[:, 0], measured[:, 1]/BEST, measured[:, 2]/BEST, fmt="o", ms=4,
+                   mfc="none", capsize=2, color=REFERENCE,
                    label="out of the flights of Gondret et al.")
     curve.plot(st, numpy.exp(-35/st), color=OURS, lw=0.8, label="exp(-35/St), Legendre et al. 2006")
-    curve.plot(st, numpy.maximum(1 - (1/BEST + 1)*numpy.log(1e3)/st, 0), color=OTHER, lw=0.8, label="film in closed form")
-    for form, colour, mark in (("stokes", OURS, "s"), ("instantaneous", "0.5", "v"), ("film", OTHER, "^")):
+    curve.plot(st, numpy.maximum(1 - (1/BEST + 1)*numpy.log(1e3)/st, 0), color=OTHER, lw=0.8,
+               label="film in closed form")
+    for form, colour, mark in (("stokes", OURS, "s"), ("instantaneous", "0.5", "v"),
+                               ("film", OTHER, "^")):
         folder = Path(f"runs/twelve.{form}")
         if folder.is_dir():
             before, after = speeds(folder)
-            curve.plot(-7800*6e-3*before/0.9, numpy.maximum(-after/before, 0)/BEST, mark, ms=4, color=colour,
+            curve.plot(-7800*6e-3*before/0.9, numpy.maximum(-after/before, 0)/BEST, mark, ms=4,
+                       color=colour,
                        label="Suna " + dict(FORMS)[form])
-    for form, colour, mark in (("stokes", OURS, "s"), ("instantaneous", "0.5", "v"), ("film", OTHER, "^"), ("rough", OTHER, "<"), ("acts", "0.5", "x")):
+    for form, colour, mark in (("stokes", OURS, "s"), ("instantaneous", "0.5", "v"),
+                               ("film", OTHER, "^"), ("rough", OTHER, "<"), ("acts", "0.5", "x")):
         if form in computed:
             x, e = numpy.array(computed[form]).T
-            curve.plot(x, e/BEST, mark, ms=7, mfc="none", color=colour, label="with the film acting on in contact" if form == "acts" else None)
+            curve.plot(x, e/BEST, mark, ms=7, mfc="none", color=colour,
+                       label="with the film acting on in contact" if form == "acts" else None)
     curve.set(xscale="log", xlabel="St", ylabel="$e/e_{max}$", ylim=(-0.02, 1.05))
     curve.legend(fontsize=7, loc="lower right")
     for axes, st in ((early, 27), (late, 152)):
         t, h = numpy.loadtxt(f"measured/St{st}.csv", delimiter=",", skiprows=2).T
         axes.plot(1e3*t, 1e3*h, "o", ms=3, mfc="none", color=REFERENCE, label="Gondret et al. 2002")
-        for form, colour, text in (("bounce", OURS, "Suna, law of contact"), ("bounceFilm", OTHER, "Suna, film")):
+        for form, colour, text in (("bounce", OURS, "Suna, law of contact"),
+                                   ("bounceFilm", OTHER, "Suna, film")):
             if (form, st) in flights:
-                axes.plot(1e3*flights[form, st][0], 1e3*flights[form, st][1], color=colour, lw=1.2, label=text)
-        axes.set(xlabel="time since the impact [ms]", ylabel="height above the plate [mm]", xlim=(-10, 1.1e3*t.max()), ylim=(-0.1, 1.8e3*h[t > 0].max()),
+                axes.plot(1e3*flights[form, st][0], 1e3*flights[form, st][1], color=colour, lw=1.2,
+                          label=text)
+        axes.set(xlabel="time since the impact [ms]", ylabel="height above the plate [mm]",
+                 xlim=(-10, 1.1e3*t.max()), ylim=(-0.1, 1.8e3*h[t > 0].max()),
                  title=f"St {st}")
         axes.legend(fontsize=7)
     figure.tight_layout()

@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
-"""analyse.py -- slope of the heaps that stay on the plate, over friction and resistance to rolling, against Zhou et al. (2002).
+"""analyse.py -- slope of the heaps on the plate over friction and rolling friction, against Zhou et
+al. (2002).
 
     analyse.py [-store "text"]       result.csv, repose.png; with -store also stored/ and the table of README.md
 
-Height          volume of the spheres in slices of one diameter over slice and a solid fraction of 0.57 (what it is shifts the slope's tangent
+Height          volume of the spheres in slices of one diameter over slice and a solid fraction of
+0.57 (what it is shifts the slope's tangent
                 by as much: 1 % of 0.57 is 0.3 degrees at 25 degrees)
-Slope           straight line through each flank, from two diameters off the plate's edge to where the heap is four fifths of its top
-Interval        95 %, both flanks of each run (seed)
-Zhou et al.     angle = 68.61 f^0.27 f_w^0.22 r^0.06 r_w^0.12 d^-0.2 degrees, r and r_w the lever of the rolling resistance between spheres and at
+Slope           straight line through each flank, from two diameters off the plate's edge to where
+the heap is four fifths of its top Interval        95 %, both flanks of each run (seed) Zhou et al.
+angle = 68.61 f^0.27 f_w^0.22 r^0.06 r_w^0.12 d^-0.2 degrees, r and r_w the lever of the rolling
+resistance between spheres and at
                 the plate in mm, d in mm: Zhou, Xu, Yu, Zulli, Powder Technol. 125 (2002) 45. r = 0.25 d times our coefficient, r_w = 0.5 d.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -56,26 +59,33 @@ def main():
     for (friction, rolling), runs in sorted(found.items()):
         angle = interval(numpy.concatenate([slopes for slopes, _ in runs]))
         rows.append((friction, rolling, *angle))
-        result.add("slope of the heap", f"friction {friction:g} rolling {rolling:g}", zhou(friction, rolling), *angle, "degrees")
+        result.add("slope of the heap", f"friction {friction:g} rolling {rolling:g}",
+                   zhou(friction, rolling), *angle, "degrees")
     rows = numpy.array(rows)
-    for name, vary, fixed, at, reference in (("friction", 0, 1, 0.04, 0.49), ("resistance to rolling", 1, 0, 0.4, 0.18)):
+    for name, vary, fixed, at, reference in (("friction", 0, 1, 0.04, 0.49),
+                                             ("resistance to rolling", 1, 0, 0.4, 0.18)):
         chosen = rows[rows[:, fixed] == at]
         if len(chosen) > 1:
             exponent = numpy.polyfit(numpy.log(chosen[:, vary]), numpy.log(chosen[:, 2]), 1)[0]
-            # of the two ends, which carry the line
+            # at the two ends of the line
             low, high = chosen[0], chosen[-1]
             ci95 = numpy.hypot(low[3]/low[2], high[3]/high[2])/numpy.log(high[vary]/low[vary])
-            result.add("exponent of the slope over " + name, "all points", reference, exponent, ci95, "1")
+            result.add("exponent of the slope over " + name, "all points", reference, exponent,
+                       ci95, "1")
     result.write()
 
     figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13, 3.4), width_ratios=(1, 1, 1.4))
-    for axes, name, vary, fixed, at in ((left, "friction", 0, 1, 0.04), (middle, "resistance to rolling", 1, 0, 0.4)):
+    for axes, name, vary, fixed, at in ((left, "friction", 0, 1, 0.04),
+                                        (middle, "resistance to rolling", 1, 0, 0.4)):
         chosen = rows[rows[:, fixed] == at]
         if len(chosen):
             c = numpy.geomspace(0.8*chosen[:, vary].min(), 1.2*chosen[:, vary].max(), 50)
-            axes.plot(c, zhou(c, at) if vary == 0 else zhou(at, c), color=REFERENCE, label="Zhou et al. 2002")
-            axes.errorbar(chosen[:, vary], chosen[:, 2], chosen[:, 3], fmt="s", ms=4, capsize=3, color=OURS, label="Suna")
-            axes.set(xlabel=name, ylabel="slope [degrees]", ylim=(0, None), xscale="log" if vary else "linear")
+            axes.plot(c, zhou(c, at) if vary == 0 else zhou(at, c), color=REFERENCE,
+                      label="Zhou et al. 2002")
+            axes.errorbar(chosen[:, vary], chosen[:, 2], chosen[:, 3], fmt="s", ms=4, capsize=3,
+                          color=OURS, label="Suna")
+            axes.set(xlabel=name, ylabel="slope [degrees]", ylim=(0, None),
+                     xscale="log" if vary else "linear")
             axes.legend()
     for (friction, rolling), runs in sorted(found.items()):
         x, height = runs[0][1]

@@ -1,12 +1,16 @@
-"""evaluate.py -- single spheres: terminal velocities, the tank of ten Cate et al., light spheres with added mass.
+"""evaluate.py -- single spheres: terminal velocities, the tank of ten Cate et al., light spheres
+with added mass.
 
 References
-  law       the law's own terminal velocity, from its equation solved here (Stokes; Schiller and Naumann 1933, 0.44 above
+  law       the law's own terminal velocity, from its equation solved here (Stokes; Schiller and
+  Naumann 1933, 0.44 above
             Re 1000; Dallavalle's in Di Felice 1994)
-  measured  Brown and Lawler, J. Environ. Eng. 129 (2003) 222: C = 24/Re (1 + 0.150 Re^0.681) + 0.407/(1 + 8710/Re), said to be
+  measured  Brown and Lawler, J. Environ. Eng. 129 (2003) 222: C = 24/Re (1 + 0.150 Re^0.681) +
+  0.407/(1 + 8710/Re), said to be
             fitted to 480 measurements of lone spheres, corrected for walls, Re < 2e5; the formula was written from memory, without its text at hand
   tank      ten Cate et al., Phys. Fluids 14 (2002) 4012
-  equation  (m + C m_f) dv/dt = (m - m_f) g - drag, C 0.5 with added mass, integrated here with steps of 10 us
+  equation  (m + C m_f) dv/dt = (m - m_f) g - drag, C 0.5 with added mass, integrated here with
+  steps of 10 us
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -25,7 +29,7 @@ G, RHO, NU = 9.81, 1000.0, 1e-6
 REYNOLDS = [0.1, 0.3, 1, 3, 10, 30, 100, 300, 1000]
 
 
-# ---- laws ------------------------------------------------------------------------------------------------------------
+# ---- laws ----------------------------------------------------------------------------------------
 
 def schiller(Re):
     return 24/Re*(1 + 0.15*Re**0.687) if Re < 1000 else 0.44
@@ -47,7 +51,8 @@ def archimedes(Re, coefficient=lambda Re: 24/Re*(1 + 0.15*Re**0.687)):
 
 
 def diameter(Re):
-    """Of the glass sphere in water that settles with this Reynolds number by Schiller and Naumann, as in Allrun."""
+    """Diameter of the glass sphere in water that settles with this Reynolds number by Schiller and
+    Naumann, as in Allrun."""
     return (archimedes(Re)*NU**2/(1.5*G))**(1/3)
 
 
@@ -65,7 +70,7 @@ def entry(run, file, keyword):
     return float(found.group(1))
 
 
-# ---- the parts -------------------------------------------------------------------------------------------------------
+# ---- cases ---------------------------------------------------------------------------------------
 
 def terminal_alone(table, curves):
     for run in sorted((HERE/"runs/alone").glob("*")):
@@ -77,66 +82,81 @@ def terminal_alone(table, curves):
         against = [terminal(measured, archimedes(Re)) for Re in ran]
         share = curves[law]/against - 1
         if law in LAWS:
-            # the record has seven digits; 0.7 s are more than ten times of relaxation
+            # the record has seven digits; 0.7 s are more than ten relaxation times
             own = numpy.array([terminal(LAWS[law], archimedes(Re)) for Re in ran])
             k = numpy.argmax(abs(curves[law]/own - 1))
-            table.add(f"alone, {law}", f"terminal Re, law's own, farthest of {len(ran)}", own[k], curves[law][k], allowed=1e-4, source="law")
+            table.add(f"alone, {law}", f"terminal Re, law's own, farthest of {len(ran)}", own[k],
+                      curves[law][k], allowed=1e-4, source="law")
         if law == "schillerNaumann":
             for k, Re in enumerate(REYNOLDS):
-                # 5 %: chosen for this case, of the order of what correlations differ by; not a scatter that the source gives
-                table.add("alone, schillerNaumann", f"terminal Re, measured ({Re:g})", against[k], curves[law][k], allowed=0.05, source="measured")
+                # 5 %: chosen for this case, of the order of differences between correlations; the
+                # source gives no scatter
+                table.add("alone, schillerNaumann", f"terminal Re, measured ({Re:g})", against[k],
+                          curves[law][k], allowed=0.05, source="measured")
         else:
             k = numpy.argmax(abs(share))
-            table.add(f"alone, {law}", f"terminal Re, measured, farthest at Re {REYNOLDS[k]:g}", against[k], curves[law][k],
+            table.add(f"alone, {law}", f"terminal Re, measured, farthest at Re {REYNOLDS[k]:g}",
+                      against[k], curves[law][k],
                       source="measured")
 
 
 def own_wake(width, across):
-    """Share by which a creeping sphere settles too fast in the velocity it gives itself through a Gaussian kernel of variance b^2/2
-    (Maxey and Patel, Int. J. Multiph. Flow 27 (2001) 1603), less what its images in a box of this size hold back
-    (Hasimoto, J. Fluid Mech. 5 (1959) 317, for periodic ones; the slip walls and ends of a box half as high again as wide are taken to be near to them)."""
-    blob = width*math.sqrt(0.5*math.pi)             # radius of the sphere that has the blob's mobility, in diameters
+    """Relative excess of the settling speed of a creeping sphere in its own velocity field through
+    a Gaussian kernel of variance b^2/2 (Maxey and Patel, Int. J. Multiph. Flow 27 (2001) 1603),
+    less what its images in a box of this size hold back (Hasimoto, J. Fluid Mech. 5 (1959) 317, for
+    periodic ones; assumed to hold approximately for the slip walls and ends of a box 1.5 times as
+    high as wide)."""
+    # radius of the sphere that has the blob's mobility, in diameters
+    blob = width*math.sqrt(0.5*math.pi)
     return 0.5/blob*(1 - 2.837*blob/across)
 
 
 def terminal_fall(table, curves):
     """Two-way: mean over the last 12 diameters or 2 cells, blocks of a quarter of that."""
     jump = 0
-    for run in sorted((HERE/"runs/fall").glob("*"), key=lambda run: [float(x) for x in re.findall(r"[\d.]+", run.name)]):
+    for run in sorted((HERE/"runs/fall").glob("*"), key=lambda run: [float(x)
+            for x in re.findall(r"[\d.]+", run.name)]):
         Re, cell, width, across = (float(x) for x in re.findall(r"[\d.]+", run.name))
         d = diameter(Re)
         _, position, velocity = results.record(run)
         z, v = position[:, 0, 2]/d, -velocity[:, 0, 2]*d/NU
         last = v[z < z[-1] + max(12, 2*cell)]
         mean, interval = results.mean_of_blocks(last, 4)
-        # the reference cases' bounds: 2 % on cells of 5 d, 10 % on 2 d; those finer are told
+        # bounds of the reference cases: 2 % on cells of 5 d, 10 % on 2 d; finer ones are only
+        # reported
         allowed = {5: 0.02, 2: 0.10}.get(cell)
         own = terminal(schiller, archimedes(Re))
         part = f"two-way, cells of {cell:g} d, kernel of {width:g} d"
-        table.add(part, f"terminal Re, law's ({Re:g})", own, mean, interval, allowed=allowed, source="law")
+        table.add(part, f"terminal Re, law's ({Re:g})", own, mean, interval, allowed=allowed,
+                  source="law")
         if Re < 0.1:
-            # the excess alone, else the speed hides it. No bound: the theory is of first order, and of another box
-            table.add(part, f"excess of its speed, own wake's ({Re:g})", own_wake(width, across), mean/own - 1, interval/own, source="own wake")
+            # the excess alone, as it is small compared with the speed. No bound: the theory is of
+            # first order, and for another box
+            table.add(part, f"excess of its speed, own wake's ({Re:g})", own_wake(width, across),
+                      mean/own - 1, interval/own, source="own wake")
         jump = max(jump, (last.max() - last.min())/mean)
         curves.setdefault("two-way", []).append((Re, cell, width, mean))
-    # a bound on jumps at faces; what a sphere still gains on its last 12 diameters is in it
-    table.add("two-way, all", "largest less least speed over mean, largest", 0, jump, allowed=0.2, source="no jump above 20 %")
+    # a bound on jumps at faces; it includes the remaining acceleration over the last 12 diameters
+    table.add("two-way, all", "largest less least speed over mean, largest", 0, jump, allowed=0.2,
+              source="no jump above 20 %")
 
 
-# 15 % is asked for, of every row
+# 15 % is required, of every row
 TANK = {"E1": 0.038, "E2": 0.060, "E3": 0.091, "E4": 0.128}      # m/s, ten Cate's u_inf
 
 
 def tank(table):
     for run in sorted((HERE/"runs/tank").glob("*")):
-        name, cells, width, way = re.fullmatch(r"(E\d)-cells([\dx]+)-width(\d)-(\w+)", run.name).groups()
+        name, cells, width, way = re.fullmatch(r"(E\d)-cells([\dx]+)-width(\d)-(\w+)",
+                                               run.name).groups()
         _, _, velocity = results.record(run)
         largest = -velocity[:, 0, 2].min()
         d, nu = 0.015, entry(run, "constant/transportProperties", "nu")
         rho = entry(run, "constant/transportProperties", "rho")
         if way == "no":
             own = terminal(schiller, (1120/rho - 1)*G*d**3/nu**2)*nu/d
-            table.add(f"tank {name}", "largest speed one-way, law", own, largest, unit="m/s", allowed=0.005, source="law")
+            table.add(f"tank {name}", "largest speed one-way, law", own, largest, unit="m/s",
+                      allowed=0.005, source="law")
         across = 0.1/int(cells.split("x")[0])/d
         how = "one-way" if way == "no" else f"two-way, cells of {across:.2g} d, kernel of {width} d"
         table.add(f"tank {name}", f"largest speed {how}, u_inf", TANK[name], largest, unit="m/s",
@@ -154,7 +174,7 @@ def integrate(density, added, times, d=2e-3, step=1e-5):
     for t in times:
         n = round((t - done)/step)
         for _ in range(n):
-            # relaxation of the lightest spheres without added mass is 27 steps
+            # the relaxation time of the lightest spheres without added mass is 27 steps
             k = slope(v)
             v += step*slope(v + 0.5*step*k)
         done = t
@@ -163,29 +183,35 @@ def integrate(density, added, times, d=2e-3, step=1e-5):
 
 
 def light(table, curves):
-    """One-way within 1 % of the equation, two-way within 5 % (on cells of 5 diameters, as in tests/coupled/forces)."""
+    """One-way within 1 % of the equation, two-way within 5 % (on cells of 5 diameters, as in
+    tests/coupled/forces)."""
     worst = {}
-    for run in sorted((HERE/"runs/light").glob("*"), key=lambda run: (float(run.name.split("-")[0]), run.name)):
+    for run in sorted((HERE/"runs/light").glob("*"), key=lambda run: (float(run.name.split("-")[0]),
+            run.name)):
         density, mass, way = run.name.split("-")
         time, _, velocity = results.record(run)
         v = velocity[:, 0, 2]
         own = integrate(float(density), mass == "added", time)
-        kind = ("with" if mass == "added" else "without") + " added mass, " + ("one-way" if way == "no" else "two-way")
+        kind = ("with" if mass == "added" else "without") + " added mass, " + ("one-way"
+            if way == "no" else "two-way")
         bound = 0.01 if way == "no" else 0.05
         k = numpy.argmin(abs(time - 0.05))
         if mass == "added":
-            table.add(f"{density} kg/m3", f"velocity after 0.05 s, {kind}", own[k], v[k], unit="m/s", allowed=bound, source="equation")
+            table.add(f"{density} kg/m3", f"velocity after 0.05 s, {kind}", own[k], v[k],
+                      unit="m/s", allowed=bound, source="equation")
         share = abs(v/own - 1)[time > 0.045]
         far = numpy.argmax(share)
         if share[far] >= worst.get(kind, (0,))[0]:
             worst[kind] = share[far], density, time[time > 0.045][far], own[time > 0.045][far], v[time > 0.045][far], bound
         curves[density, mass, way] = time, v, own
     for kind, (_, density, at, own, v, bound) in worst.items():
-        table.add("all densities", f"{kind}, farthest of 0.05 to 0.2 s ({density} kg/m3, {at:.3g} s)", own, v, unit="m/s", allowed=bound,
+        table.add("all densities",
+            f"{kind}, farthest of 0.05 to 0.2 s ({density} kg/m3, {at:.3g} s)", own, v, unit="m/s",
+            allowed=bound,
                   source="equation")
 
 
-# ---- pictures --------------------------------------------------------------------------------------------------------
+# ---- pictures ------------------------------------------------------------------------------------
 
 def draw(curves, rises):
     import matplotlib
@@ -200,11 +226,14 @@ def draw(curves, rises):
         for law, speed in curves.items():
             if law == "two-way":
                 continue
-            # drag coefficient from what the sphere did: C = 4/3 Ar/Re^2
-            left.loglog(speed, [4/3*archimedes(x)/r**2 for x, r in zip(REYNOLDS, speed)], "o", ms=3, label=law)
-            right.semilogx(REYNOLDS[:len(speed)], 100*(speed/against[:len(speed)] - 1), "o-", ms=3, label=law)
+            # drag coefficient from the result: C = 4/3 Ar/Re^2
+            left.loglog(speed, [4/3*archimedes(x)/r**2 for x, r in zip(REYNOLDS, speed)], "o", ms=3,
+                        label=law)
+            right.semilogx(REYNOLDS[:len(speed)], 100*(speed/against[:len(speed)] - 1), "o-", ms=3,
+                           label=law)
         for Re_, cell, width, mean in curves.get("two-way", []):
-            right.semilogx(Re_, 100*(mean/terminal(measured, archimedes(Re_)) - 1), "k" + {10: "s", 5: "x", 2: "+"}.get(cell, "."))
+            right.semilogx(Re_, 100*(mean/terminal(measured, archimedes(Re_)) - 1),
+                           "k" + {10: "s", 5: "x", 2: "+"}.get(cell, "."))
         left.set(xlabel="Re", ylabel="drag coefficient")
         right.set(xlabel="Re", ylabel="terminal velocity less the measured [%]", ylim=(-25, 40))
         right.set_title("squares, x, +, .: two-way on cells of 10, 5, 2, 1 and less d", fontsize=8)
@@ -215,11 +244,14 @@ def draw(curves, rises):
         for (density, mass, way), (time, v, own) in rises.items():
             if mass == "added":
                 axis.plot(time, own, "k-", lw=0.7)
-                axis.plot(time, v, "ko" if way == "no" else "rx", ms=3 if way == "no" else 5, mfc="none")
+                axis.plot(time, v, "ko" if way == "no" else "rx", ms=3 if way == "no" else 5,
+                          mfc="none")
                 if way == "no":
-                    axis.annotate(f"{density} kg/m3", (time[-1], v[-1]), (3, -3), textcoords="offset points", fontsize=7)
+                    axis.annotate(f"{density} kg/m3", (time[-1], v[-1]), (3, -3),
+                                  textcoords="offset points", fontsize=7)
         axis.set(xlabel="t [s]", ylabel="velocity upwards [m/s]", xlim=(0, 0.24))
-        axis.set_title("2 mm in water with added mass: one-way (o), two-way (x), equation (lines)", fontsize=9)
+        axis.set_title("2 mm in water with added mass: one-way (o), two-way (x), equation (lines)",
+                       fontsize=9)
         figure.savefig(HERE/"light.png", dpi=110)
 
 

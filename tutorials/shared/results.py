@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""results.py -- what tutorials that validate have in common: rows of a table, intervals, cost, and keeping them.
+"""results.py -- functions shared by the validating tutorials: rows of a table, intervals, cost, and
+storing them.
 
     results.py CASE "COMMAND"      keep result.csv and the pictures of CASE in CASE/stored and put the table into its
                                    README.md, with date, kind of machine, commit, command and processor time
 
-A row: part, quantity, reference, ours, interval (half the width at 95 %; none where a run has nothing of chance),
-allowed (largest relative difference; none where the row is only told) and the source of the reference.
+A row: part, quantity, reference, ours, interval (half the width at 95 %; none where a run has
+nothing of chance), allowed (largest relative difference; none where the row is only told) and the
+source of the reference.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -24,10 +26,11 @@ sys.path.append(str(Path(__file__).resolve().parent.parent/"muellerBed"))
 import averages     # noqa: E402
 import frames       # noqa: E402
 
-COLUMNS = ["part", "quantity", "reference", "ours", "ci95", "unit", "difference", "allowed", "verdict", "source"]
+COLUMNS = ["part", "quantity", "reference", "ours", "ci95", "unit", "difference", "allowed",
+           "verdict", "source"]
 
 
-# ---- how sure ------------------------------------------------------------------------------------------------------
+# ---- intervals -----------------------------------------------------------------------------------
 
 def mean_of(values):
     """Mean of independent values (repeated packings, blocks) and half of its 95 % interval."""
@@ -38,24 +41,27 @@ def mean_of(values):
 
 
 def mean_of_blocks(values, count):
-    """Mean of a series and the interval from so many blocks of equal length."""
+    """Mean of a series and its interval from this many blocks of equal length."""
     blocks = numpy.array_split(numpy.asarray(values, float), count)
     return numpy.mean(values), mean_of([block.mean() for block in blocks])[1]
 
 
-# ---- runs ----------------------------------------------------------------------------------------------------------
+# ---- runs ----------------------------------------------------------------------------------------
 
 def record(run):
-    """Times, positions and velocities [instant, particle, axis] of a run's record; particles in order of their ids."""
+    """Times, positions and velocities [instant, particle, axis] of a run's record; particles in
+    order of their ids."""
     instants = []
     for time, path, at in frames.list_frames(run):
         with open(path, "rb") as file:
             file.seek(at)
             count = numpy.fromfile(file, frames.HEAD, 1)[0]["count"]
-            instants.append((time, numpy.sort(numpy.fromfile(file, frames.BEAD, count), order="id")))
+            instants.append((time, numpy.sort(numpy.fromfile(file, frames.BEAD, count),
+                                              order="id")))
     if not instants:
         sys.exit(f"evaluate: no record of particles in {run}")
-    return (numpy.array([time for time, _ in instants]), numpy.array([beads["position"] for _, beads in instants], float),
+    return (numpy.array([time for time, _ in instants]),
+            numpy.array([beads["position"] for _, beads in instants], float),
             numpy.array([beads["velocity"] for _, beads in instants], float))
 
 
@@ -65,9 +71,10 @@ def ended(run):
 
 
 def worst(run, key):
-    """Largest number behind `key` in the solver's log."""
+    """Largest number after `key` in the solver's log."""
     text = (Path(run)/"log.demPimpleFoam").read_text(errors="replace")
-    return max((float(value) for value in re.findall(rf"{key} ([-+0-9.eE]+)", text)), default=numpy.nan)
+    return max((float(value) for value in re.findall(rf"{key} ([-+0-9.eE]+)", text)),
+               default=numpy.nan)
 
 
 def processor_time(case):
@@ -79,20 +86,22 @@ def processor_time(case):
     return total
 
 
-# ---- a table -------------------------------------------------------------------------------------------------------
+# ---- a table -------------------------------------------------------------------------------------
 
 class Table:
     def __init__(self):
         self.rows = []
 
     def add(self, part, quantity, reference, ours, interval=None, unit="", allowed=None, source=""):
-        """allowed None: only told. Of a reference of 0 `allowed` is the bound itself."""
+        """allowed None: only reported. For a reference of 0 `allowed` is the absolute bound."""
         reference, ours = float(reference), float(ours)
         difference = ours/reference - 1 if reference else ours
         verdict = "told" if allowed is None else "inside" if abs(difference) <= allowed else "outside"
-        self.rows.append(dict(part=part, quantity=quantity, reference=f"{reference:.6g}", ours=f"{ours:.6g}",
+        self.rows.append(dict(part=part, quantity=quantity, reference=f"{reference:.6g}",
+                              ours=f"{ours:.6g}",
                               ci95="" if interval is None else f"{interval:.2g}", unit=unit,
-                              difference=f"{difference:.3g}", allowed="" if allowed is None else f"{allowed:g}",
+                              difference=f"{difference:.3g}",
+                              allowed="" if allowed is None else f"{allowed:g}",
                               verdict=verdict, source=source))
 
     def write(self, case):
@@ -107,7 +116,8 @@ class Table:
 
 
 def markdown(rows):
-    lines = ["| | quantity | reference | ours | ± 95 % | difference | allowed |", "|---|---|---|---|---|---|---|"]
+    lines = ["| | quantity | reference | ours | ± 95 % | difference | allowed |",
+             "|---|---|---|---|---|---|---|"]
     before = None
     for row in rows:
         unit = f" {row['unit']}" if row["unit"] else ""
@@ -121,7 +131,7 @@ def markdown(rows):
     return "\n".join(lines)
 
 
-# ---- keeping ---------------------------------------------------------------------------------------------------------
+# ---- storing -------------------------------------------------------------------------------------
 
 def kind_of_machine():
     try:
@@ -140,12 +150,14 @@ def store(case, command):
         shutil.copy(file, kept/file.name)
     with open(case/"result.csv", newline="") as file:
         rows = list(csv.DictReader(file))
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=case, capture_output=True, text=True).stdout.strip()
+    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=case, capture_output=True,
+                            text=True).stdout.strip()
     today = datetime.date.today()
     head = (f"`{command}`, {today.day} {today:%B %Y}, {kind_of_machine()} that other programs used too, commit {commit}, "
             f"{processor_time(case):.0f} s of processor:\n\n")
     readme = case/"README.md"
-    readme.write_text(re.sub(r"(<!-- table -->\n).*?(<!-- end -->)", lambda m: m.group(1) + head + markdown(rows) + "\n" + m.group(2),
+    readme.write_text(re.sub(r"(<!-- table -->\n).*?(<!-- end -->)",
+                             lambda m: m.group(1) + head + markdown(rows) + "\n" + m.group(2),
                              readme.read_text(), flags=re.DOTALL))
 
 

@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
-"""analyse.py -- mass out of the bin over time, the rate over the slot's width, against Anand et al. and Beverloo's law.
+"""analyse.py -- discharged mass over time, and the rate over the width of the slot, against Anand
+et al. and Beverloo's law.
 
     analyse.py [-store "text"]       result.csv, silo.png; with -store also stored/ and the table of README.md
 
 Rate            straight line through the mass that is out from 0.15 s to 0.45 s after the
                 opening (0.1 s to 0.25 s in the short form), when the flow is steady and the slot still covered
 Interval        95 %, from five blocks of that time in each run (seed), taken together
-Beverloo        W = C rho_b sqrt(g) b (w - k d)^1.5, for a slot w wide and b deep, C = 1.03, k = 1.4 (Brown and Richards 1970; Nedderman, Statics
+Beverloo        W = C rho_b sqrt(g) b (w - k d)^1.5, for a slot w wide and b deep, C = 1.03, k = 1.4
+(Brown and Richards 1970; Nedderman, Statics
                 and Kinematics of Granular Materials, 1992); rho_b of the lower 40 mm of the bed before the opening
-Anand et al.    measured/anand2008.csv: their simulation of this bin, slot and bead, Chem. Eng. Sci. 63 (2008) 5821
+Anand et al.    measured/anand2008.csv: their simulation of this bin, slot and bead, Chem. Eng. Sci.
+63 (2008) 5821
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -25,7 +28,7 @@ C, K = 1.03, 1.4
 
 
 def discharge(folder):
-    """Time since the opening and mass that is out [kg]."""
+    """Time since the opening and discharged mass [kg]."""
     rows = read_table(f"{folder}/flows.csv")
     return rows["time"] - 0.4, rows["mass"]
 
@@ -63,13 +66,16 @@ def main():
     rates = {}
     for (kind, width), folders in sorted(found.items()):
         each = [rate(folder) for folder in folders]
-        mean = interval(numpy.concatenate([[block.mean() for block in numpy.array_split(steps, 5)] for _, steps in each]))
+        mean = interval(numpy.concatenate([[block.mean() for block in numpy.array_split(steps, 5)]
+                                           for _, steps in each]))
         rates[kind, width] = mean
         where = f"slot of {width:g} d" + (" at E = 3e7 Pa" if kind == "stiff" else "")
         if width == 11.2:
             result.add("rate (Anand et al.)", where, published, 1e3*mean[0], 1e3*mean[1], "g/s")
-        result.add("rate (Beverloo's law)", where, 1e3*beverloo(width*D, bulk), 1e3*mean[0], 1e3*mean[1], "g/s")
-    soft = numpy.array([(width*D, *value) for (kind, width), value in sorted(rates.items()) if kind == "soft"])
+        result.add("rate (Beverloo's law)", where, 1e3*beverloo(width*D, bulk), 1e3*mean[0],
+                   1e3*mean[1], "g/s")
+    soft = numpy.array([(width*D, *value) for (kind, width), value in sorted(rates.items())
+                        if kind == "soft"])
     if len(soft) > 2:
         # W^(2/3) is linear in w: its zero is k d, its slope gives C
         slope, start = numpy.polyfit(soft[:, 0], soft[:, 1]**(2/3), 1)
@@ -79,16 +85,19 @@ def main():
     result.write()
 
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 3.6))
-    left.plot(time, mass, "o", ms=4, mfc="none", color=REFERENCE, label="Anand et al. 2008, slot of 11.2 d")
+    left.plot(time, mass, "o", ms=4, mfc="none", color=REFERENCE,
+              label="Anand et al. 2008, slot of 11.2 d")
     for (kind, width), folders in sorted(found.items()):
         t, m = discharge(folders[0])
-        left.plot(t, 1e3*m, color={8: OTHER, 11.2: OURS, 15: "0.5"}.get(width, "k"), lw=1.2, ls="--" if kind == "stiff" else "-",
+        left.plot(t, 1e3*m, color={8: OTHER, 11.2: OURS, 15: "0.5"}.get(width, "k"), lw=1.2,
+                  ls="--" if kind == "stiff" else "-",
                   label=f"Suna, {width:g} d" + (", E = 3e7 Pa" if kind == "stiff" else ""))
     left.set(xlabel="time since the opening [s]", ylabel="mass out [g]", xlim=(0, 1.2))
     w = numpy.linspace(3, 17, 100)*D
     right.plot(w/D, 1e3*beverloo(w, bulk), color=REFERENCE, label="Beverloo's law, C 1.03, k 1.4")
     right.plot(11.2, published, "o", ms=6, mfc="none", color=REFERENCE, label="Anand et al. 2008")
-    right.errorbar(soft[:, 0]/D, 1e3*soft[:, 1], 1e3*soft[:, 2], fmt="s", ms=4, capsize=3, color=OURS, label="Suna")
+    right.errorbar(soft[:, 0]/D, 1e3*soft[:, 1], 1e3*soft[:, 2], fmt="s", ms=4, capsize=3,
+                   color=OURS, label="Suna")
     right.set(xlabel="slot over bead, w/d", ylabel="rate [g/s]", xlim=(0, 17), ylim=(0, None))
     for axes in (left, right):
         axes.legend()
@@ -99,8 +108,9 @@ def main():
 
 
 def read_bulk():
-    """Bulk density of the bed at rest, from the means that fill.dem takes of its lower 40 mm."""
-    return numpy.mean([read_table(path)["bulkDensity"].mean() for path in Path("runs").glob("fill.*/bed.csv")])
+    """Bulk density of the bed at rest, from the means of fill.dem over its lower 40 mm."""
+    return numpy.mean([read_table(path)["bulkDensity"].mean()
+                       for path in Path("runs").glob("fill.*/bed.csv")])
 
 
 if __name__ == "__main__":

@@ -1,10 +1,12 @@
-"""bed.py -- what a run of this bed has left: heights, pressures, and what carries the beads.
+"""bed.py -- results of a run of this bed: heights, pressures, and the forces that carry the beads.
 
-Height      of an instant, from the beads alone. The bed is cut into columns of 5 mm over its whole depth and these into
+Height      of an instant, from the beads alone. The bed is cut into columns of 5 mm over its whole
+depth and these into
             boxes of 4 mm; a column's level is where the share of solids falls through 0.1 for the last time on the way
             up, straight between the boxes' middles; the bed's height is the mean of the columns'. At 0.1 beads cover
             half of what a camera sees through this depth: 1 - exp(-3/2 0.1 8/1.545) = 0.54.
-Balance     pressure drop, plate and walls carry weight less buoyancy, what beads gain of momentum and what the gas
+Balance     pressure drop, plate and walls carry weight less buoyancy, what beads gain of momentum
+and what the gas
             does, all from means over the time between two instants of the record.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -31,7 +33,8 @@ class Bed:
 
     def __init__(self, run):
         self.run = Path(run)
-        corners = re.findall(r"\(\s*([\d.]+)\s+([\d.]+)\s+([\d.]+)\s*\)\n", (self.run/"system/blockMeshDict").read_text())
+        corners = re.findall(r"\(\s*([\d.]+)\s+([\d.]+)\s+([\d.]+)\s*\)\n",
+                             (self.run/"system/blockMeshDict").read_text())
         self.width, self.depth, self.top = numpy.array(corners, float).max(axis=0)*1e-3
         self.air = frames.entry(self.run/"constant/transportProperties", "rho")
         self.beads = frames.entry(self.run/"constant/demProperties", "density")
@@ -65,12 +68,13 @@ class Bed:
         return time, self.air*numpy.array(p)
 
 
-# ---- height ----------------------------------------------------------------------------------------------------------
+# ---- height --------------------------------------------------------------------------------------
 
 def levels(position, bed, share=SHARE):
-    """Level of each column [m], 0 of one without beads."""
+    """Level of each column [m], 0 for one without beads."""
     columns, boxes = max(1, round(bed.width/COLUMN)), int(bed.top/BOX)
-    count, *_ = numpy.histogram2d(position[:, 0], position[:, 2], (columns, boxes), ((0, bed.width), (0, boxes*BOX)))
+    count, *_ = numpy.histogram2d(position[:, 0], position[:, 2], (columns, boxes),
+                                  ((0, bed.width), (0, boxes*BOX)))
     solid = numpy.pad(count*VOLUME/(bed.area/columns*BOX), ((0, 0), (0, 1)))
     full = solid > share
     last = boxes - numpy.argmax(full[:, ::-1], axis=1)
@@ -84,19 +88,23 @@ def levels(position, bed, share=SHARE):
 def heights(position, bed):
     """The height of an instant by its definition and by others, by name."""
     z = position[:, 2]
-    return {"share 0.1": levels(position, bed).mean(), "share 0.05": levels(position, bed, 0.05).mean(),
-            "share 0.2": levels(position, bed, 0.2).mean(), "95 % of the beads below": numpy.percentile(z, 95),
-            "99 % of the beads below": numpy.percentile(z, 99), "twice the mean height of the beads": 2*z.mean(),
+    return {"share 0.1": levels(position, bed).mean(), "share 0.05": levels(position, bed,
+        0.05).mean(),
+            "share 0.2": levels(position, bed, 0.2).mean(),
+            "95 % of the beads below": numpy.percentile(z, 95),
+            "99 % of the beads below": numpy.percentile(z, 99),
+            "twice the mean height of the beads": 2*z.mean(),
             "the highest bead": z.max()}
 
 
-# ---- balance ---------------------------------------------------------------------------------------------------------
+# ---- balance -------------------------------------------------------------------------------------
 
 def balance(bed, start):
-    """(drop, walls, gain, weight) [Pa] as means from the first instant of the record after `start` to its last; of each
-    wall what beads press on it downwards; gain, momentum of beads and gas per time and area; and how many beads, least
-    and most."""
-    instants = [(time, len(velocity), velocity[:, 2].sum()) for time, _, velocity in bed.after(start)]
+    """(drop, walls, gain, weight) [Pa] as means from the first instant of the record after `start`
+    to its last; of each wall what beads press on it downwards; gain, momentum of beads and gas per
+    time and area; and how many beads, least and most."""
+    instants = [(time, len(velocity), velocity[:, 2].sum())
+                for time, _, velocity in bed.after(start)]
     (first, _, before), (last, count, behind) = instants[0], instants[-1]
     time, drop = bed.patch("platePressure")
     _, top = bed.patch("topPressure")
@@ -106,11 +114,13 @@ def balance(bed, start):
 
     rows = [row for row in frames.read_table(bed.run, "dem", "walls.csv")
             if first*(1 + 1e-9) < float(row["time[s]"]) <= last*(1 + 1e-9)]
-    walls = {name: -numpy.mean([float(row["fz[N]"]) for row in rows if row["wall"] == name])/bed.area
+    walls = {name: -numpy.mean([float(row["fz[N]"]) for row in rows
+                                if row["wall"] == name])/bed.area
              for name in dict.fromkeys(row["wall"] for row in rows)}
 
     beads = bed.beads*VOLUME*(behind - before)/bed.area
-    gas = bed.air*bed.top*(flow(bed, last) - flow(bed, first))          # the superficial flow is the same at each height
+    # the superficial flow is the same at each height
+    gas = bed.air*bed.top*(flow(bed, last) - flow(bed, first))
     return drop, walls, (beads + gas)/(last - first), bed.weight(count), {n for _, n, _ in instants}
 
 
@@ -118,5 +128,7 @@ def flow(bed, time):
     """The plate's superficial velocity [m/s], from its table in 0/U."""
     text = (bed.run/"0/U").read_text()
     speed = frames.entry(bed.run/"0/U", "speed")
-    points = re.findall(r"\(([\d.]+) \(0 0 ([\d.]+|\$speed)\)\)", re.search(r"table (.*);", text).group(1))
-    return numpy.interp(time, [float(t) for t, _ in points], [speed if u == "$speed" else float(u) for _, u in points])
+    points = re.findall(r"\(([\d.]+) \(0 0 ([\d.]+|\$speed)\)\)",
+                        re.search(r"table (.*);", text).group(1))
+    return numpy.interp(time, [float(t) for t, _ in points],
+                        [speed if u == "$speed" else float(u) for _, u in points])

@@ -1,18 +1,23 @@
 #!/usr/bin/env python3
-"""evaluate.py -- height and pressure of the bed of van Wachem et al. 2001 against what they measured.
+"""evaluate.py -- height and pressure of the bed of van Wachem et al. (2001) against their
+measurements.
 
     evaluate.py [-test] [-from 1.5] [RUN]       RUN is runs/bed by default; writes result.csv, course.png, bed.png
 
 What is held, and why so:
-  height      mean over time; 15 %: what is measured there is the level of a splashing surface, and the measured mean is
+  height      mean over time; 15 %: what is measured there is the level of a splashing surface, and
+  the measured mean is
               one of 2 s, five periods, in which it goes from 94 to 149 mm
-  frequency   of the pressure 45 mm above the plate, upward crossings of its mean per second; 2.2 Hz by the four high peaks
+  frequency   of the pressure 45 mm above the plate, upward crossings of its mean per second; 2.2 Hz
+  by the four high peaks
               of the measured points, 0.5 Hz: twice the scatter of the periods among them and about what 3 s allow
   balance     1 %; an identity but for the momentum of the air that leaves
   exchange    1e-12, an identity
-Amplitudes are told: no code known to us gives them. -test, the short form: the balances alone.
+Amplitudes are only reported: no known code reproduces them. -test, the short form: the balances only.
 
-References are the measured points themselves by the same evaluation, with its intervals. SPDX-License-Identifier: GPL-3.0-or-later
+References are the measured points themselves by the same evaluation, with its intervals.
+
+SPDX-License-Identifier: GPL-3.0-or-later
 """
 import argparse
 import sys
@@ -35,28 +40,34 @@ def measured(name):
 
 
 def tell_course(table, part, ours, theirs, unit, factor=1):
-    """Rate, dominant frequency and standard deviation of ours over those of the measured points."""
-    told = [("upward crossings of the mean", ours.rate, ours.rate_interval, theirs.rate, theirs.rate_interval, "Hz", 1),
-            ("dominant frequency", ours.dominant, ours.dominant_interval, theirs.dominant, theirs.dominant_interval, "Hz", 1),
-            ("standard deviation", ours.deviation, ours.deviation_interval, theirs.deviation, theirs.deviation_interval,
+    """Rate, dominant frequency and standard deviation of the run over those of the measured
+    points."""
+    rows = [("upward crossings of the mean", ours.rate, ours.rate_interval, theirs.rate,
+             theirs.rate_interval, "Hz", 1),
+            ("dominant frequency", ours.dominant, ours.dominant_interval, theirs.dominant,
+             theirs.dominant_interval, "Hz", 1),
+            ("standard deviation", ours.deviation, ours.deviation_interval, theirs.deviation,
+             theirs.deviation_interval,
              unit, factor)]
-    for what, value, half, reference, uncertain, of, by in told:
-        table.add(part, f"{what} (points: ± {by*uncertain:.2g})", by*reference, by*value, by*half, of, None, SOURCE)
+    for what, value, half, reference, uncertain, of, by in rows:
+        table.add(part, f"{what} (points: ± {by*uncertain:.2g})", by*reference, by*value, by*half,
+                  of, None, SOURCE)
 
 
 def tell_height(table, bed, start):
-    told = [(time, beds.heights(position, bed)) for time, position, _ in bed.after(start)]
-    time = numpy.array([time for time, _ in told])
+    rows = [(time, beds.heights(position, bed)) for time, position, _ in bed.after(start)]
+    time = numpy.array([time for time, _ in rows])
     at, height = measured("height.csv")
     even = series.even(at, height)[1]
     mean, half = results.mean_of_blocks(even, 3)
     first = True
-    for name in told[0][1]:
-        values = numpy.array([heights[name] for _, heights in told])
+    for name in rows[0][1]:
+        values = numpy.array([heights[name] for _, heights in rows])
         ours = series.course(time, values)
         value, uncertain = results.mean_of_blocks(values, ours.blocks)
         what = f"mean (points: ± {1e3*half:.2g})" if first else f"mean, {name}"
-        table.add("height", what, 1e3*mean, 1e3*value, 1e3*uncertain, "mm", 0.15 if first else None, SOURCE)
+        table.add("height", what, 1e3*mean, 1e3*value, 1e3*uncertain, "mm", 0.15 if first else None,
+                  SOURCE)
         if first:
             tell_course(table, "height", ours, series.course(at, height), "mm", 1e3)
             drawn = values
@@ -69,12 +80,15 @@ def tell_pressure(table, bed, start):
     chosen = time >= start
     back = series.course(time[chosen], pressure[0, chosen])
     at, theirs = measured("pressure.csv")
-    table.add("pressure", "frequency: crossings; points: four peaks", PEAKS, back.rate, back.rate_interval, "Hz", WITHIN/PEAKS, SOURCE)
+    table.add("pressure", "frequency: crossings; points: four peaks", PEAKS, back.rate,
+              back.rate_interval, "Hz", WITHIN/PEAKS, SOURCE)
     tell_course(table, "pressure", back, series.course(at, theirs), "Pa")
     for place, values in zip(("inside", "at the left wall", "at the right wall"), pressure[1:]):
         other = series.course(time[chosen], values[chosen])
-        table.add("pressure", f"crossings, {place}", back.rate, other.rate, other.rate_interval, "Hz", None, "at the back")
-        table.add("pressure", f"standard deviation, {place}", back.deviation, other.deviation, other.deviation_interval, "Pa",
+        table.add("pressure", f"crossings, {place}", back.rate, other.rate, other.rate_interval,
+                  "Hz", None, "at the back")
+        table.add("pressure", f"standard deviation, {place}", back.deviation, other.deviation,
+                  other.deviation_interval, "Pa",
                   None, "at the back")
     return time, pressure[0]
 
@@ -82,19 +96,23 @@ def tell_pressure(table, bed, start):
 def tell_balance(table, bed, start, least):
     drop, walls, gain, weight, counts = beds.balance(bed, start)
     carried = drop + sum(walls.values())
-    print(f"pressure drop {drop:.1f} Pa, walls " + ", ".join(f"{name} {value:.1f}" for name, value in walls.items())
+    print(f"pressure drop {drop:.1f} Pa, walls " + ", ".join(f"{name} {value:.1f}"
+        for name, value in walls.items())
           + f" Pa, gain of momentum {gain:.2f} Pa, weight {weight:.1f} Pa\n")
-    table.add("balance", "pressure drop, plate and walls less the gain of momentum", weight, carried - gain, None, "Pa", 0.01, "weight")
+    table.add("balance", "pressure drop, plate and walls less the gain of momentum", weight,
+              carried - gain, None, "Pa", 0.01, "weight")
     table.add("balance", "pressure drop alone", weight, drop, None, "Pa", None, "weight")
     table.add("balance", "beads, fewest in any instant", least, min(counts), None, "", 0, "put in")
-    table.add("balance", "exchange of momentum, largest relative error", 0, results.worst(bed.run, "exchange error"), None, "", 1e-12,
+    table.add("balance", "exchange of momentum, largest relative error", 0,
+              results.worst(bed.run, "exchange error"), None, "", 1e-12,
               "an identity")
-    table.add("balance", "largest overlap, share of a diameter", 0, results.worst(bed.run, "overlap at most"), None)
+    table.add("balance", "largest overlap, share of a diameter", 0,
+              results.worst(bed.run, "overlap at most"), None)
 
 
 def main():
-    words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    words.add_argument("-test", action="store_true", help="the short form: balances alone")
+    words = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    words.add_argument("-test", action="store_true", help="the short form: balances only")
     words.add_argument("-from", dest="start", type=float, default=1.5, help="s, where means begin")
     words.add_argument("run", nargs="?", type=Path, default=HERE/"runs/bed")
     words = words.parse_args()
@@ -116,7 +134,8 @@ def main():
     except ImportError as reason:
         print(f"evaluate: no pictures ({reason})")
         return
-    draw.draw_course(HERE, words.start, height, pressure, measured("height.csv"), measured("pressure.csv"))
+    draw.draw_course(HERE, words.start, height, pressure, measured("height.csv"),
+                     measured("pressure.csv"))
     draw.draw_bed(HERE, bed)
 
 

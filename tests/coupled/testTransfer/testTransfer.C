@@ -1,9 +1,9 @@
 /*---------------------------------------------------------------------------*\
-    testTransfer -- what demTransfer claims, on the mesh of the case.
+    testTransfer -- tests of demTransfer on the mesh of the case.
 
     Prints "ok - claim" or "not ok - claim", with what was measured. Particles
     are made by hand and belong to ranks that have nothing to do with the mesh.
-    Options tell what kind of mesh it is: -planar faces, -orthogonal, -uniform,
+    Options give the properties of the mesh: -planar faces, -orthogonal, -uniform,
     -periodic in all directions, -thin: one cell and periodic in z, -corner: a
     quarter is cut away. In parallel the results are compared with
     those that a serial run left in the case's file `serial`.
@@ -86,7 +86,7 @@ int main(int argc, char *argv[])
         demTransfer transfer(mesh, dictionary());
         pointField all(anywhere(mesh.bounds(), 100, 0));
         all[37] = mesh.bounds().max() + 0.1*mesh.bounds().span();
-        const int64_t first = int64_t(1) << 53;     // first + 37 is no double
+        const int64_t first = int64_t(1) << 53;     // first + 37 is not a double
         grains g(all, 0.5e-3, first);
         const demParticleRouting::lostParticles s(transfer.locate(g.view, g.place.data()));
         const scalar away = returnReduce(mag(s.position - all[37]), maxOp<scalar>());
@@ -134,7 +134,7 @@ int main(int argc, char *argv[])
         return 0;
     }
 
-    // what takes long gets a sixth of them
+    // long tests get a sixth of the particles
     pointField few((all.size() + 5)/6);
     forAll(few, k)
     {

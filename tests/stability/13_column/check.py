@@ -1,7 +1,9 @@
-"""Statics of a column, shared/reference tables E1: sums over the contacts. SPDX-License-Identifier: GPL-3.0-or-later"""
+"""Statics of a column: sums over the contacts. SPDX-License-Identifier: GPL-3.0-or-later"""
 HARD = "200 contacts in a row: slow waves, small errors that add up"
-WEIGHT, TOP = 2.0538999e-2, 0.399                                                # N; m, of the top centre without overlap
-SUMS = (("hertz", "scene.dem", 1.25253e-5, 0.39599403592), ("linear", "linear.dem", 2.0539e-5, 0.396935831))
+# N; m, of the top centre without overlap
+WEIGHT, TOP = 2.0538999e-2, 0.399
+SUMS = (("hertz", "scene.dem", 1.25253e-5, 0.39599403592),
+        ("linear", "linear.dem", 2.0539e-5, 0.396935831))
 
 
 def check(c):
@@ -9,7 +11,8 @@ def check(c):
         run = c.run(scene, name=law)
         if c.runs_to_end(run):
             last = run.snapshots()[-1]
-            c.near(law + ": force on the floor, N", -run.wall("floor")[-1]["fz_now"], WEIGHT, 1e-5*WEIGHT)
+            c.near(law + ": force on the floor, N", -run.wall("floor")[-1]["fz_now"], WEIGHT,
+                   1e-5*WEIGHT)
             c.near(law + ": overlap on the floor, m", 1e-3 - last[0].x[2], floor, 1e-5*floor)
             # all overlaps together, to 1e-5
-            c.near(law + ": centre of the top, m", last[199].x[2], top, 1e-5*(TOP - top))
+            c.near(law + ": centre of the top sphere, m", last[199].x[2], top, 1e-5*(TOP - top))

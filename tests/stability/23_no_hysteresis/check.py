@@ -1,13 +1,19 @@
-"""Parameters that divide by zero in the formulas make an elastic spring. SPDX-License-Identifier: GPL-3.0-or-later"""
-HARD = "k_m - k = 0 and phi = 0 under fractions"
+"""Parameters that give zero denominators in the formulas give an elastic spring.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+HARD = "k_m - k = 0 and phi = 0 in denominators"
 
 
 def check(c):
-    for what, unloading, depth in (("k_m = k, phi = 0", 1, 0), ("k_m = k, phi = 0.05", 1, 0.05), ("k_m = 5 k, phi = 0", 5, 0)):
+    for what, unloading, depth in (("k_m = k, phi = 0", 1, 0), ("k_m = k, phi = 0.05", 1, 0.05),
+                                   ("k_m = 5 k, phi = 0", 5, 0)):
         out = []
         for phase in range(16):
-            run = c.run("scene.dem", {"effects/hookeHysteresis/unloading": unloading, "effects/hookeHysteresis/plasticDepth": depth,
-                                      "insert/ball/positions": "((0 0 %.17g))" % (1.05e-3 + 8e-7*phase/16.0)})
+            run = c.run("scene.dem", {"effects/hookeHysteresis/unloading": unloading,
+                                      "effects/hookeHysteresis/plasticDepth": depth,
+                                      "insert/ball/positions": "((0 0 %.17g))" %
+                                      (1.05e-3 + 8e-7*phase/16.0)})
             if not c.runs_to_end(run):
                 return
             last = run.snapshots()[-1]

@@ -1,17 +1,20 @@
-"""Small cycles where a contact pulls take work and never give any, and its memory stays bounded. SPDX-License-Identifier: GPL-3.0-or-later"""
+"""Small cycles of an attractive contact take work and give none, and its history is bounded.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 import math
-HARD = "memory that is taken back while sticking"
+HARD = "history that is reduced during adhesion"
 START = 4e-5                                                 # m, overlap
 
 
 def check(c):
-    # down to the branch of adhesion: first a look at the whole way, for its lowest force
+    # to the branch of adhesion: first the whole displacement, to find the lowest force
     whole = c.run("scene.dem", {"time/end": 0.039}, name="whole")
     if not c.runs_to_end(whole):
         return
     rows = whole.wall("plate")
     low = min(range(len(rows)), key=lambda k: -rows[k]["fz_now"])
-    for what, later in (("at the strongest pull", 0.0), ("beyond it", 0.003)):
+    for what, later in (("at the strongest attraction", 0.0), ("beyond it", 0.003)):
         begin = round(rows[low]["time"] + later, 4)
         depth = START - 1e-3*begin
         name = what.replace(" ", "_")
@@ -19,8 +22,11 @@ def check(c):
         cycle, cycles = 0.01, 100 if c.long else 20
         end = begin + cycles*cycle
         move = "{ type oscillation; amplitude (0 0 %.17g); frequency %.17g; phase %.17g; }" % (0.01*depth, 1.0/cycle, -2.0*math.pi*begin/cycle)
-        run = c.run("cycles.dem", {"walls/plate/point": "(0 0 %.17g)" % (-1e-3*begin), "walls/plate/motion/amplitude": (0, 0, 0.01*depth),
-                                   "walls/plate/motion/phase": -2.0*math.pi*begin/cycle, "time/end": end, "write/interval": 1.0, "write/walls": cycle/100},
+        run = c.run("cycles.dem", {"walls/plate/point": "(0 0 %.17g)" % (-1e-3*begin),
+                                   "walls/plate/motion/amplitude": (0, 0, 0.01*depth),
+                                   "walls/plate/motion/phase": -2.0*math.pi*begin/cycle,
+                                   "time/end": end, "write/interval": 1.0,
+                                   "write/walls": cycle/100},
                     restart=there.path("snapshot_000001.dem"), name=name + "_cycles")
         if not c.runs_to_end(run):
             continue
@@ -31,8 +37,10 @@ def check(c):
         for k in range(cycles - 1):
             at = range(100*k, 100*(k + 1))
             work.append(-sum(0.5*(force[i] + force[i + 1])*(way[i + 1] - way[i]) for i in at))
-        c.holds(what + ": the contact pulls", force[50] > 0.0, "force on the plate %g N" % force[50])
+        c.holds(what + ": the contact attracts", force[50] > 0.0,
+                "force on the plate %g N" % force[50])
         scale = max(map(abs, force))*0.02*depth
-        c.below(what + ": work that a cycle gives, over force times way", max(-w for w in work)/scale, 1e-9)
+        c.below(what + ": work gained in a cycle, over force times displacement",
+                max(-w for w in work)/scale, 1e-9)
         memory = run.snapshots()[-1].rows[0][2]["largest_overlap"]
-        c.below(what + ": remembered overlap over the largest there was", memory/START, 1.0)
+        c.below(what + ": overlap in the history over the largest overlap", memory/START, 1.0)

@@ -1,4 +1,7 @@
-"""The end hangs where springs in a row let it, and stays there. SPDX-License-Identifier: GPL-3.0-or-later"""
+"""The end hangs at the position of springs in series, and stays there.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 import math
 HARD = "a step for stiff bonds, a motion of soft ones"
 WEIGHT, AREA = 2500.0*4.18879020478639e-9*9.81, math.pi*1e-6
@@ -12,5 +15,6 @@ def check(c):
     wanted = sum((8 - k)*WEIGHT/((5e7 if k > 4 else 5e11)*AREA) for k in range(8))
     half, last = run.snapshots()[1:3]
     c.above("steps", last.steps, 1e6)
-    c.near("sag of the end over that of springs in a row", (-0.015 - last[7].x[2])/wanted, 1.0, 1e-3)
+    c.near("sag of the end over that of springs in series", (-0.015 - last[7].x[2])/wanted, 1.0,
+           1e-3)
     c.below("drift in the second half, over the sag", abs(last[7].x[2] - half[7].x[2])/wanted, 1e-9)

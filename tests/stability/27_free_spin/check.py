@@ -1,13 +1,17 @@
-"""What turns as a whole is not sheared, and keeps its angular momentum and energy. SPDX-License-Identifier: GPL-3.0-or-later"""
+"""A rigid rotation causes no shear, and keeps angular momentum and energy.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 import math
 import os
-HARD = "slip and turn of bonds that turn as a whole"
+HARD = "slip and rotation of bonds in a rigid rotation"
 TURNS = 10
 
 
 def check(c):
     for n in (2, 3, 21):
-        name, rate = "%d" % n, 25.0 if n > 3 else 50.0               # turns a second; of the chain fewer, lest it ring
+        # revolutions per second; fewer for the chain, which would oscillate
+        name, rate = "%d" % n, 25.0 if n > 3 else 50.0
         omega = 2.0*math.pi*rate
         for folder in (name, name + "_calm"):
             os.makedirs(c.place(folder))
@@ -16,16 +20,21 @@ def check(c):
                 for k in range(n):
                     x = 2e-3*(k - 0.5*(n - 1))
                     file.write("%.17g 0 0 0 %.17g 0 0 0 %.17g\n" % (x, omega*x, omega))
-        # at first the pull outward stretches it: damped until it turns as a whole
-        calm = c.run("scene.dem", {"effects/bondLinear/dampingRatio": 0.5, "time/end": 0.01, "write/interval": 0.01, "write/energy": 0.01}, name=name + "_calm")
-        run = c.run("scene.dem", {"time/end": 0.01 + TURNS/rate}, restart=calm.path("snapshot_000001.dem"), name=name)
+        # the centrifugal elongation at the start is damped until the rotation is rigid
+        calm = c.run("scene.dem", {"effects/bondLinear/dampingRatio": 0.5, "time/end": 0.01,
+            "write/interval": 0.01, "write/energy": 0.01}, name=name + "_calm")
+        run = c.run("scene.dem", {"time/end": 0.01 + TURNS/rate},
+                    restart=calm.path("snapshot_000001.dem"), name=name)
         if not c.runs_to_end(run):
             continue
         frames = [f for f in run.snapshots() if f.time > 0.011]
         what = {2: "pair", 3: "triple", 21: "chain of 20 bonds"}[n]
-        slip = max(math.sqrt(sum(memory[k]**2 for k in memory if "slip" in k or "shear" in k)) for f in frames for _, _, memory in f.rows)
+        slip = max(math.sqrt(sum(memory[k]**2 for k in memory if "slip" in k or "shear" in k))
+                   for f in frames for _, _, memory in f.rows)
         c.below(what + ": largest |F_t|/(k_t A L)", slip/2e-3, 1e-9)
         l = [f.angular_momentum()[2] for f in frames]
         c.below(what + ": change of L_z, relative", max(abs(x/l[0] - 1.0) for x in l), 1e-10)
-        energy = [sum(v for k, v in r.items() if k.startswith(("kinetic", "elastic"))) for r in run.table("energy.csv")]
-        c.below(what + ": change of energy, relative", max(abs(e/energy[0] - 1.0) for e in energy), 1e-6)
+        energy = [sum(v for k, v in r.items() if k.startswith(("kinetic", "elastic")))
+                  for r in run.table("energy.csv")]
+        c.below(what + ": change of energy, relative", max(abs(e/energy[0] - 1.0) for e in energy),
+                1e-6)

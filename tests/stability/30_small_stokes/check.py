@@ -1,13 +1,17 @@
-"""Particles follow a fluid that they answer to at once, without overshoot, and give it their momentum and no more. SPDX-License-Identifier: GPL-3.0-or-later"""
+"""Particles with a very short response time follow the fluid without overshoot, and exchange
+momentum exactly.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 import math
 import os
 import re
 import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 import fluid                                                 # noqa: E402
-HARD = "steps a thousand and more times the time of response"
+HARD = "steps of a thousand and more response times"
 FLOW = (1.0, 0.5, -0.25)
-TIMES = (0.01, 1, 10)                                      # a step over the time of response, reference tables D9
+TIMES = (0.01, 1, 10)                                      # step over response time
 
 
 def off(frame):
@@ -16,9 +20,11 @@ def off(frame):
 
 def check(c):
     for ratio, step in ((1e3, 1e-5), (1e5, 1e-3)):
-        run = c.run("scene.dem", {"time/step": step, "time/end": 100*step, "write/interval": 10*step}, name="uniform%g" % ratio)
+        run = c.run("scene.dem", {"time/step": step, "time/end": 100*step,
+                                  "write/interval": 10*step}, name="uniform%g" % ratio)
         if c.runs_to_end(run):
-            c.below("uniform, step %.0e times the response: |v - u|, m/s" % ratio, max(off(f) for f in run.snapshots()[1:]), 1e-6)
+            c.below("uniform, step %.0e times the response: |v - u|, m/s" % ratio,
+                    max(off(f) for f in run.snapshots()[1:]), 1e-6)
     if not fluid.there():
         return c.skip("sheared flow, two-way exchange", "no demPimpleFoam")
     shear(c)
@@ -27,17 +33,23 @@ def check(c):
 
 
 def shear(c):
-    """u = y/s, given; a fluid step of 1e5 responses."""
+    """Given velocity u = y/s; a fluid step of 1e5 response times."""
     n, side = 10, 0.02
-    cells = "nonuniform List<vector> %d ( %s )" % (n**3, " ".join("(%.17g 0 0)" % (side*(j + 0.5)/n) for k in range(n) for j in range(n) for i in range(n)))
-    case = fluid.Case(c, "shear", cells=(n, n, n), size=(side, side, side), step=1e-3, end=0.01, write=1e-3, U=cells, nu=138.888888889,
-                      patches={"sides": (("x0", "x1", "y0", "y1", "z0", "z1"), "patch", "zeroGradient;", "zeroGradient;")},
+    cells = "nonuniform List<vector> %d ( %s )" % (n**3,
+        " ".join("(%.17g 0 0)" % (side*(j + 0.5)/n) for k in range(n) for j in range(n)
+                 for i in range(n)))
+    case = fluid.Case(c, "shear", cells=(n, n, n), size=(side, side, side), step=1e-3, end=0.01,
+                      write=1e-3, U=cells, nu=138.888888889,
+                      patches={"sides": (("x0", "x1", "y0", "y1", "z0", "z1"), "patch",
+                                         "zeroGradient;", "zeroGradient;")},
                       control='functions { particles { type demCloud; libs ("libdemCoupling.so"); } }',
                       scene="materials { glass { density 2500; youngsModulus 1e6; } } effects { stokesDrag { } } time { step 1e-5; }\n"
                             "insert { some { type list; diameter 1e-4; positions ((0.005 0.0131 0.01) (0.01 0.0075 0.009)); } } coupling { rho 1; twoWay no; kernel linear; }")
-    case.file("volScalarField", "0/T", "dimensions [0 0 0 1 0 0 0]; internalField uniform 0; boundaryField { sides { type zeroGradient; } }")
+    case.file("volScalarField", "0/T",
+        "dimensions [0 0 0 1 0 0 0]; internalField uniform 0; boundaryField { sides { type zeroGradient; } }")
     case.edit("system/fvSchemes", "div(alphaPhi,U)", "div(phi,T) Gauss upwind; div(alphaPhi,U)")
-    case.edit("system/fvSolution", '"p.*"', 'T { solver PBiCGStab; preconditioner DILU; tolerance 1e-6; relTol 0; }\n    "p.*"')
+    case.edit("system/fvSolution", '"p.*"',
+              'T { solver PBiCGStab; preconditioner DILU; tolerance 1e-6; relTol 0; }\n    "p.*"')
     case.edit("constant/transportProperties", "transportModel", "DT 0; transportModel")
     if not case.run("scalarTransportFoam"):
         return c.holds("shear: runs", False, case.log)
@@ -45,21 +57,29 @@ def shear(c):
     for k in range(1, 11):
         for x, v in case.particles("%g" % (1e-3*k)).values():
             worst = max(worst, math.dist(v, (x[1], 0.0, 0.0)))
-    c.below("shear of 1/s, fluid step 1e5 times the response: |v - u|, m/s", worst, 1e-6)
+    c.below("shear of 1/s, fluid step 1e5 times the response time: |v - u|, m/s", worst, 1e-6)
 
 
 def exchange(c, ratio):
-    """Particles of 2 g together at 1 m/s in 1 g of fluid at rest, in a periodic box, evenly: both come to 2/3 m/s, as 2/3 + 1/3 exp(-3 t/tau)."""
+    """Particles of 2 g in all at 1 m/s, uniform in 1 g of fluid at rest, in a periodic box: v = 2/3
+    + 1/3 exp(-3 t/tau) m/s."""
     nu = ratio*2e-6/(3.0*math.pi*1e-3*1e-3)
-    case = fluid.Case(c, "exchange%g" % ratio, cells=(2, 2, 2), size=(0.1, 0.1, 0.1), step=1e-3, end=0.02, write=1e-3, nu=nu, solution={"nOuterCorrectors 1": "nOuterCorrectors 40"},
+    case = fluid.Case(c, "exchange%g" % ratio, cells=(2, 2, 2), size=(0.1, 0.1, 0.1), step=1e-3,
+        end=0.02, write=1e-3, nu=nu, solution={"nOuterCorrectors 1": "nOuterCorrectors 40"},
                       scene="materials { m { density %.17g; youngsModulus 1e6; } } effects { stokesDrag { } pressureGradient { } } time { step 1e-3; }\n"
                             "insert { all { type list; diameter 1e-3; velocity (1 0 0); positions ( %s ); } } coupling { rho 1; }" % (
-                                2e-6/(math.pi/6*1e-9), " ".join("(%.9g %.9g %.9g)" % tuple(0.005 + 0.01*i for i in (k % 10, k//10 % 10, k//100)) for k in range(1000))))
+                                2e-6/(math.pi/6*1e-9), " ".join("(%.9g %.9g %.9g)" %
+                                    tuple(0.005 + 0.01*i for i in (k % 10, k//10 % 10, k//100))
+                                    for k in range(1000))))
     if not case.run():
         return c.holds("exchange: runs", False, case.log)
-    what = "two-way, step %g times the response: " % ratio
+    what = "two-way, step %g times the response time: " % ratio
     sums = [float(x) for x in re.findall(r"sum \((\S+) ", case.log)]
-    c.below(what + "change of momentum, relative", max(abs(x/2e-3 - 1.0) for x in sums), 1e-8)                # linear solver of 1e-11
-    fast = [sum(v[0] for _, v in case.particles("%g" % (1e-3*k)).values())/1000 for k in range(1, 21)]
-    c.holds(what + "particles stay between rest and start (%.3f %.3f %.3f ...)" % tuple(fast[:3]), all(-1e-3 <= v <= 1.0 for v in fast), str(fast))
-    c.near(what + "velocity after 20 steps, m/s", fast[-1], 2.0/3.0 + math.exp(-3.0*20*ratio)/3.0, 0.01)
+    # linear solver of 1e-11
+    c.below(what + "change of momentum, relative", max(abs(x/2e-3 - 1.0) for x in sums), 1e-8)
+    fast = [sum(v[0] for _, v in case.particles("%g" % (1e-3*k)).values())/1000
+            for k in range(1, 21)]
+    c.holds(what + "velocities stay between 0 and that of the start (%.3f %.3f %.3f ...)" %
+            tuple(fast[:3]), all(-1e-3 <= v <= 1.0 for v in fast), str(fast))
+    c.near(what + "velocity after 20 steps, m/s", fast[-1], 2.0/3.0 + math.exp(-3.0*20*ratio)/3.0,
+           0.01)

@@ -1,4 +1,7 @@
-"""A settling sphere, coupled every 1, 10, 100 and 1000 of its steps. SPDX-License-Identifier: GPL-3.0-or-later"""
+"""A settling sphere, coupled every 1, 10, 100 and 1000 of its steps.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 import os
 import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
@@ -8,9 +11,12 @@ HARD = "few exchanges for many steps"
 
 def settle(c, n):
     step = 5e-5                                              # the response time is 16.7 ms
-    case = fluid.Case(c, "every%d" % n, cells=(4, 4, 4), size=(0.04, 0.04, 0.04), step=n*step, end=0.1, g=(0, 0, -9.81), nu=1e-5,
+    case = fluid.Case(c, "every%d" % n, cells=(4, 4, 4), size=(0.04, 0.04, 0.04), step=n*step,
+                      end=0.1, g=(0, 0, -9.81), nu=1e-5,
                       patches={"walls": (("x0", "x1", "y0", "y1", "z0"),) + fluid.WALL,
-                               "top": (("z1",), "patch", "pressureInletOutletVelocity; value uniform (0 0 0);", "fixedValue; value uniform 0;")},
+                               "top": (("z1",), "patch",
+                                   "pressureInletOutletVelocity; value uniform (0 0 0);",
+                                   "fixedValue; value uniform 0;")},
                       scene="materials { m { density 3000; youngsModulus 1e6; } } effects { gravity { acceleration (0 0 -9.81); } wenYu { } pressureGradient { } } time { step %g; }\n"
                             "insert { one { type list; diameter 1e-4; positions ((0.0193 0.0207 0.0305)); } } coupling { rho 10; }" % step)
     if not case.run():
@@ -29,7 +35,9 @@ def check(c):
     thousand, log = settle(c, 1000)
     base = one or ten
     if base and hundred and thousand:
-        c.below("settling speed, every 100 steps against every %d" % (1 if one else 10), abs(hundred/base - 1.0), 0.01)
-        c.holds("every 1000 steps, three times the response time: reported", "maxRelaxation" in log, log[-300:])
+        c.below("settling speed, every 100 steps against every %d" % (1 if one else 10),
+                abs(hundred/base - 1.0), 0.01)
+        c.holds("every 1000 steps, three times the response time: reported", "maxRelaxation" in log,
+                log[-300:])
         c.holds("every 100: not reported", "(maxRelaxation)" not in quiet, "reported")
         c.below("every 1000: speed against that", abs(thousand/base - 1.0), 0.1)

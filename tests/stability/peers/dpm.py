@@ -1,10 +1,12 @@
-"""
-dpm.py -- a case of DPMFoam (OpenFOAM's Lagrangian library), written file by file: its tutorial's schemes, its particles where they are told.
+"""dpm.py -- a case of DPMFoam (OpenFOAM's Lagrangian library), written as files, with the schemes of
+its tutorial.
 
-    case = Dpm(folder, cells=(4, 4, 4), size=(...), patches={name: (faces, type, U, p)}, step=1e-3, end=0.1, particles=dict(d=..., rho=..., at=[...]))
-    case.run() -> True where it ends well; case.log
+    case = Dpm(folder, cells=(4, 4, 4), size=(...), patches={name: (faces, type, U, p)}, step=1e-3,
+               end=0.1, particles=dict(d=..., rho=..., at=[...]))
+    case.run() -> True if it ends well; case.log
 
-Faces that no patch names are periodic in pairs. forces: the block particleForces; contacts: pairCollision with springs, or none.
+Faces without a patch are periodic in pairs. forces: the block particleForces; contacts:
+pairCollision with springs, or none.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -73,28 +75,41 @@ class Dpm(fluid.Case):
         self.file("dictionary", "system/fvSchemes", SCHEMES)
         self.file("dictionary", "system/fvSolution", SOLUTION % k.get("outer", 1))
         self.control(k["step"], k["end"], k.get("write"), k.get("control", ""))
-        self.file("dictionary", "constant/transportProperties", "continuousPhase air; rho.air %.9g; transportModel Newtonian; nu %.17g; rhoInf %.9g;" % (k["rho"], k["nu"], k["rho"]))
+        self.file("dictionary", "constant/transportProperties",
+            "continuousPhase air; rho.air %.9g; transportModel Newtonian; nu %.17g; rhoInf %.9g;" %
+            (k["rho"], k["nu"], k["rho"]))
         self.file("dictionary", "constant/turbulenceProperties" + suffix, "simulationType laminar;")
-        self.file("uniformDimensionedVectorField", "constant/g", "dimensions [0 1 -2 0 0 0 0]; value (%g %g %g);" % k.get("g", (0, 0, 0)))
-        self.file("volVectorField", "0/U" + suffix, "dimensions [0 1 -1 0 0 0 0]; internalField %s; boundaryField { %s }" % (k.get("U", "uniform (0 0 0)"), self.fields(2)))
-        self.file("volScalarField", "0/p", "dimensions [0 2 -2 0 0 0 0]; internalField uniform 0; boundaryField { %s }" % self.fields(3))
+        self.file("uniformDimensionedVectorField", "constant/g",
+                  "dimensions [0 1 -2 0 0 0 0]; value (%g %g %g);" % k.get("g", (0, 0, 0)))
+        self.file("volVectorField", "0/U" + suffix,
+            "dimensions [0 1 -1 0 0 0 0]; internalField %s; boundaryField { %s }" %
+            (k.get("U", "uniform (0 0 0)"), self.fields(2)))
+        self.file("volScalarField", "0/p",
+            "dimensions [0 2 -2 0 0 0 0]; internalField uniform 0; boundaryField { %s }" %
+            self.fields(3))
         self.cloud(k)
 
     def cloud(self, k):
         p = k["particles"]
-        words = dict(coupled=k.get("coupled", "true"), integration=k.get("integration", "Euler"), source=k.get("source", "semiImplicit"), rho=p["rho"], d=p["d"], young=p.get("young", 1e6), forces=k["forces"],
+        words = dict(coupled=k.get("coupled", "true"), integration=k.get("integration", "Euler"),
+            source=k.get("source", "semiImplicit"), rho=p["rho"], d=p["d"],
+            young=p.get("young", 1e6), forces=k["forces"],
                      U="%g %g %g" % p.get("U", (0, 0, 0)), wall=STICKS)
         words["collision"] = SPRINGS % words if k.get("contacts") else "collisionModel none;"
         self.file("dictionary", "constant/kinematicCloudProperties", CLOUD % words)
-        self.file("vectorField", "constant/kinematicCloudPositions", "(\n" + "".join("(%.17g %.17g %.17g)\n" % tuple(x) for x in p["at"]) + ")")
+        self.file("vectorField", "constant/kinematicCloudPositions",
+                  "(\n" + "".join("(%.17g %.17g %.17g)\n" % tuple(x) for x in p["at"]) + ")")
 
     def run(self, limit=900):
-        return self.command("blockMesh") and self.command(self.solver, limit=limit) and "\nEnd" in self.log
+        return self.command("blockMesh") and self.command(self.solver,
+            limit=limit) and "\nEnd" in self.log
 
     def complaint(self):
         lines = [line.strip() for line in self.log.splitlines() if line.strip()]
         at = next((n for n, line in enumerate(lines) if "FOAM FATAL" in line), None)
-        return (" ".join(lines[at:at + 3]) if at is not None else next((line for line in lines if "exception" in line.lower() or "signal" in line.lower()), lines[-1] if lines else "no word"))[:200]
+        return (" ".join(lines[at:at + 3]) if at is not None
+            else next((line for line in lines if "exception" in line.lower()
+                       or "signal" in line.lower()), lines[-1] if lines else "no word"))[:200]
 
     def speeds(self, time):
         return self.field(os.path.join(time, "lagrangian", "kinematicCloud"), "U")

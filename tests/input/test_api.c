@@ -1,7 +1,11 @@
 /*
- * Claims: the public interface refuses calls in the wrong order and impossible particles with one sentence; a scene that was refused
- * stays refused; particles of the program and of the scene never share an id; a frozen particle stays where it is under any force;
- * lattices stay in their box.
+ * test_api.c -- wrong calls of dem.h.
+ *
+ * - Calls in the wrong order and impossible particles are refused with one sentence; a scene that
+ *   was refused stays refused.
+ * - Particles of the caller and of the scene never share an id.
+ * - A frozen particle does not move under any force.
+ * - Lattices stay in their box.
  *
  * Source: the contract in dem.h.
  *
@@ -10,7 +14,8 @@
 #include "physics/world.h"
 
 static const char materials[] =
-    "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { hertz {} }";
+    "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } "
+    "effects { hertz {} }";
 
 static void refused(int status, const char *word, const char *what)
 {
@@ -46,14 +51,14 @@ static void order(void)
     refused(dem_load(d, "x"), "dem_setup", "dem_load after dem_setup");
     refused(dem_advance(d, 0.0), "above 0", "no duration");
     refused(dem_advance(d, -1.0), "above 0", "a duration below 0");
-    refused(dem_advance(d, (double)NAN), "above 0", "a duration that is no number");
+    refused(dem_advance(d, (double)NAN), "above 0", "a duration that is not a number");
     refused(dem_save(d, "/nowhere/at/all/x"), "/nowhere/at/all/x",
-            "a snapshot to a folder that is not there");
+            "a snapshot in a missing folder");
     double force[3], torque[3];
 
-    refused(dem_wall_load(d, 0, force, torque), "wall", "the load on a wall that is not there");
+    refused(dem_wall_load(d, 0, force, torque), "wall", "the load on a missing wall");
     refused(dem_advance(d, 1e300), "1e+300", "more steps than can be counted");
-    TAP_OK(dem_advance(d, 1e-6) == 0, "and after all that it runs");
+    TAP_OK(dem_advance(d, 1e-6) == 0, "after all refusals the run works");
     dem_free(d);
     d = world_begin("materials { }");
     refused(dem_check(d), "material", "a scene without materials");
@@ -79,9 +84,9 @@ static void particles(void)
     struct dem_new_particle seed[2] = {good, good};
 
     seed[1].position[0] = 1.0;
-    refused(try_particles(materials, 2, seed), "id 0", "one id for two");
+    refused(try_particles(materials, 2, seed), "id 0", "one id for two particles");
     seed[1].id = 1;
-    TAP_OK(try_particles(materials, 2, seed) == 0, "two ids for two");
+    TAP_OK(try_particles(materials, 2, seed) == 0, "different ids are accepted");
     seed[1].material = "glas";
     refused(try_particles(materials, 2, seed), "glass", "an unknown material");
     seed[1] = good;
@@ -89,7 +94,7 @@ static void particles(void)
     seed[1].diameter = 0.0;
     refused(try_particles(materials, 2, seed), "diameter", "a diameter of 0");
     seed[1].diameter = (double)NAN;
-    refused(try_particles(materials, 2, seed), "diameter", "a diameter that is no number");
+    refused(try_particles(materials, 2, seed), "diameter", "a diameter that is not a number");
     seed[1].diameter = 1e-3;
     seed[1].velocity[2] = (double)INFINITY;
     refused(try_particles(materials, 2, seed), "not a number", "an infinite velocity");
@@ -110,7 +115,7 @@ static void particles(void)
     free(periodic);
 }
 
-/* Numbers are given after those of the scene, whoever came first. */
+/* Automatic ids follow those of the scene, in any order of calls. */
 static void ids(void)
 {
     const struct dem_new_particle seed[2] =
@@ -136,7 +141,7 @@ static void ids(void)
     dem_free(d);
 }
 
-/* Hit by another, under gravity. */
+/* A frozen particle under gravity, hit by another. */
 static void frozen(void)
 {
     const struct dem_new_particle seed[2] =
@@ -154,10 +159,11 @@ static void frozen(void)
     world_run(d, 0.004);
     const struct world_particle p = world_at(d, 0), q = world_at(d, 1);
 
-    TAP_OK(p.x[2] == 0.0 && p.v[2] == 0.0, "a frozen particle stays");
-    /* the fall of 1 mm adds 2 %, and is lost again on the way back: the same speed at the same height */
+    TAP_OK(p.x[2] == 0.0 && p.v[2] == 0.0, "a frozen particle does not move");
+    /* the fall of 1 mm adds 2 %, which is lost on the way back: the same speed at the same
+       height */
     TAP_NEAR(q.v[2]*q.v[2] + 2.0*9.81*q.x[2], 1.0 + 2.0*9.81*3e-3, 5e-3,
-             "and turns another back as a wall of its shape");
+             "another rebounds from it as from a wall");
     free(scene);
     dem_free(d);
 }
@@ -173,7 +179,8 @@ static void lattices(void)
     {
         char *const scene = world_text(
             "%s insert { a { type lattice; diameter 2e-3; spacing 1.25; jitter 1; count 1; seed %d;"
-            "min (0 0 0); max (%g %g %g); } } walls { w { type box; min (0 0 0); max (%g %g %g); } }",
+            "min (0 0 0); max (%g %g %g); } } walls { w { type box; min (0 0 0); max (%g %g %g); } "
+            "}",
             materials, b, boxes[b][0], boxes[b][1], boxes[b][2], boxes[b][0], boxes[b][1],
             boxes[b][2]);
         struct dem *const d = world(scene, 0, NULL);
