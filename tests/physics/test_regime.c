@@ -290,7 +290,7 @@ static const struct known scenes[] = {
 static const char *plan(const struct known *k, struct dem **d)
 {
     const double box = 20.0*k->diameter;
-    char *const text = world_text(
+    char *const scene = world_text(
         "materials { stuff { youngsModulus 1e7; "
         "%s } } effects { gravity { acceleration (0 0 -9.81); } %s } %s%s%s "
         "walls { room { type box; min (0 0 0); max (%g %g %g); } } "
@@ -301,8 +301,8 @@ static const char *plan(const struct known *k, struct dem **d)
         k->effects[0] ? "" : "time { step 1e-5; }");
     const char *text;
 
-    *d = world(text, 0, NULL);
-    free(text);
+    *d = world(scene, 0, NULL);
+    free(scene);
     WORLD_TRY(dem_plan(*d, &(struct dem_run_info){.duration = 0.0}, &text));
     return text;
 }
