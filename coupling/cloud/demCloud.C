@@ -152,6 +152,7 @@ void Foam::demCloud::build()
         dem_fluid_whole_drag(dem_, scheme_.wholeDrag());
     }
     demCheck(dem_totals(dem_, &lastTotals_));
+    progress_.watch(dem_);
 
     const struct dem_step_limit step = dem_step_limit(dem_);
     Info<< "Suna: " << demInteger(lastTotals_.particles).c_str() << " particles, " << walls
@@ -327,6 +328,8 @@ Foam::demCloud::demCloud
     fields_(mesh, dict_.coupling()),
     flowTable_(mesh.time()),
     losses_(mesh),
+    progress_(mesh.time()),
+    edits_(mesh.time(), dict_.file()),
     bonds_(mesh.time())
 {
     findClosedWalls();

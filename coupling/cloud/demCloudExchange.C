@@ -404,6 +404,7 @@ void Foam::demCloud::evolve
     }
     profile_.end(demProfile::SAMPLE);
 
+    progress_.begin(lastTotals_, window_);
     if (dem_advance(dem_, window_))
     {
         fail(string(dem_error_text()));

@@ -121,6 +121,8 @@ void Foam::demCloud::report()
             << " small for the kernel's width" << endl;
     }
 
+    progress_.end(now.steps - lastTotals_.steps);
+    edits_.report();
     lastTotals_ = now;
     warnOfImpacts(now.largest_overlap);
 }

@@ -77,9 +77,22 @@ Foam::string Foam::demCloud::saveLastGood()
         }
 
         OStringStream os;
+        const word written(demSnapshot::latestBefore(time));
+
         os  << "; the particles' last good state, of time " << backupTime + offset_
-            << " s, is in lastGood.dem: start { snapshot \"lastGood.dem\"; }"
-            << " continues from it";
+            << " s, is in lastGood.dem: ";
+        if (written.empty())
+        {
+            os  << "start { snapshot \"lastGood.dem\"; } in constant/" << demDict::name()
+                << " begins with these particles, and the fluid at time "
+                << Time::timeName(time.startTime().value());
+        }
+        else
+        {
+            os  << "look at it, or go on with fluid and particles of time " << written
+                << ", the last that was written: startFrom startTime; startTime "
+                << written << ";";
+        }
         return os.str();
     }
 

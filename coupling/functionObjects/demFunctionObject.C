@@ -143,6 +143,12 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
     driver_.reset(new demDriver(mesh_));
     read(dict);
 
+    // Outside a period of its own it would not notice a signal
+    if (!dict.found("timeStart") && !dict.found("timeEnd"))
+    {
+        stop_.reset(new demStop);
+    }
+
     if (dict.getOrDefault("plan", false))
     {
         driver_().reportPlan();
@@ -183,6 +189,10 @@ bool Foam::functionObjects::demFunctionObject::execute()
     if (driver_)
     {
         driver_().endStep();
+        if (stop_)
+        {
+            stop_().atStepEnd(time_);
+        }
     }
     return true;
 }

@@ -33,9 +33,24 @@ static bool onMaster(const fileName& file)
     return found;
 }
 
+} // End namespace Foam
 
-// Latest time before the present one that has a snapshot, or empty
-static word latestBefore(const Time& time)
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::fileName Foam::demSnapshot::present(const Time& time)
+{
+    return fileAt(time, time.timeName());
+}
+
+
+bool Foam::demSnapshot::exists(const Time& time)
+{
+    return onMaster(present(time));
+}
+
+
+Foam::word Foam::demSnapshot::latestBefore(const Time& time)
 {
     word latest;
 
@@ -56,22 +71,6 @@ static word latestBefore(const Time& time)
 
     demBroadcast(latest);
     return latest;
-}
-
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
-
-Foam::fileName Foam::demSnapshot::present(const Time& time)
-{
-    return fileAt(time, time.timeName());
-}
-
-
-bool Foam::demSnapshot::exists(const Time& time)
-{
-    return onMaster(present(time));
 }
 
 
@@ -116,7 +115,12 @@ Foam::fileName Foam::demSnapshot::start
 
     if (onMaster(here))
     {
-        Info<< "Suna: particles from " << time.relativePath(here) << endl;
+        Info<< "Suna: particles from " << time.relativePath(here);
+        if (!dict.snapshot().empty())
+        {
+            Info<< "; start/snapshot is for times without particles";
+        }
+        Info<< endl;
         return here;
     }
 

@@ -9,6 +9,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "api/internal.h"
+#include "core/clock.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "checkpoint/snapshot.h"
@@ -506,6 +507,15 @@ int dem_advance(struct dem *d, double duration)
 void dem_set_stop_flag(struct dem *d, const volatile sig_atomic_t *asked)
 {
     d->state.stop_request = asked;
+}
+
+void dem_set_progress(struct dem *d, double seconds,
+                      void (*report)(void *self, double time, int64_t steps), void *self)
+{
+    d->state.progress = (struct dem_progress){.report = report,
+                                              .self = self,
+                                              .seconds = seconds,
+                                              .last = dem_clock_wall()};
 }
 
 int dem_stopped(const struct dem *d)

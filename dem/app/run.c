@@ -11,7 +11,6 @@
 #include "app/lost_csv.h"
 #include "app/csv_rows.h"
 #include "app/scene_options.h"
-#include "app/signals.h"
 #include "app/walls_vtk.h"
 #include "app/walls_csv.h"
 #include "core/error.h"
@@ -58,13 +57,39 @@ static const char help[] =
     "-set overrides an entry: -set effects/dry/restitution 0.8, or -set time/end=1\n"
     "dem effects lists the effects.\n";
 
+/* s of the clock without a line, after which one tells the progress */
+static const double silence = 10.0;
+
 struct progress
 {
-    double started, from;  /* s  wall clock and simulated time at the start */
-    double overlap;        /* 1  largest since the last line; dem_totals resets its own */
-    int64_t steps;
+    double started, said;      /* s  wall clock: start, last line */
+    double from, end;          /* s  simulated time at the start, at the end */
+    double overlap;            /* 1  largest since the last line; dem_totals resets its own */
+    int64_t steps, particles;  /*    steps at the start; particles at the last output */
     int rank;
 };
+
+static double seconds_left(const struct progress *p, double time)
+{
+    const double done = time - p->from;
+
+    return done > 0.0 ? (MPI_Wtime() - p->started)/done*(p->end - time) : 0.0;
+}
+
+/* dem_set_progress: between outputs that are far apart */
+static void report_progress(void *of, double time, int64_t steps)
+{
+    struct progress *const p = of;
+    const double now = MPI_Wtime(), rate = (double)(steps - p->steps)/(now - p->started);
+
+    if (now - p->said >= silence)
+    {
+        p->said = now;
+        printf("progress %.1f %%  t %.6g s  %.0f steps/s  %.3g particle-steps/s  ETA %.0f s\n",
+               100.0*time/p->end, time, rate, rate*(double)p->particles, seconds_left(p, time));
+        fflush(stdout);
+    }
+}
 
 static void report_bonds(const struct dem_totals *t)
 {
@@ -75,20 +100,20 @@ static void report_bonds(const struct dem_totals *t)
     }
 }
 
-static void report(struct progress *p, const struct dem_totals *t, double end)
+static void report(struct progress *p, const struct dem_totals *t)
 {
     if (p->rank == 0)
     {
-        const double spent = MPI_Wtime() - p->started, done = t->time - p->from;
-
+        p->said = MPI_Wtime();
         printf("t %.6g s  %lld particles  %lld contacts  %.0f steps/s  kinetic %.4g J  overlap "
                "%.3g %%  ETA %.0f s\n",
                t->time, (long long)t->particles, (long long)t->contacts,
-               (double)(t->steps - p->steps)/spent, t->kinetic, 100.0*p->overlap,
-               done > 0.0 ? spent/done*(end - t->time) : 0.0);
+               (double)(t->steps - p->steps)/(p->said - p->started), t->kinetic,
+               100.0*p->overlap, seconds_left(p, t->time));
         report_bonds(t);
         fflush(stdout);
     }
+    p->particles = t->particles;
     p->overlap = 0.0;
 }
 
@@ -154,6 +179,28 @@ static int advance(struct run_state *c, double duration)
     return DEM_OK;
 }
 
+/* The snapshot of a run that a signal has stopped, under the name of the next output's. */
+static int save_stopped(struct run_state *c, int64_t number)
+{
+    const struct dem_output *const o = &c->s->output;
+    const double began = MPI_Wtime();
+    char path[640];
+
+    DEM_TRY(dem_program_agree(c->prog, c->prog->rank == 0 ? dem_output_folder(o) : DEM_OK));
+    dem_output_snapshot_name(o, number, path, sizeof path);
+    DEM_TRY(dem_save(c->d, path));
+    DEM_TRY(dem_totals(c->d, &c->t));
+    if (c->prog->rank == 0)
+    {
+        printf("stopped by %s at t %.9g s, after step %lld: the state is in %s, written in %.2g s; "
+               "-restart %s continues, with the same bits\n",
+               dem_signal_name(dem_stopped(c->d)), c->t.time, (long long)c->t.steps, path,
+               MPI_Wtime() - began, path);
+        fflush(stdout);
+    }
+    return DEM_OK;
+}
+
 /* A line and rows of tables; then the snapshot, so that a run restarted from it need not repeat
    them. */
 static int write_output(struct run_state *c, int64_t number)
@@ -162,7 +209,7 @@ static int write_output(struct run_state *c, int64_t number)
     const char *warning;
 
     DEM_TRY(dem_impact_warning(c->d, c->p.overlap, &warning));
-    report(&c->p, &c->t, c->s->end);
+    report(&c->p, &c->t);
     if (c->prog->rank == 0 && warning[0])
     {
         printf("warning: %s\n", warning);
@@ -171,8 +218,7 @@ static int write_output(struct run_state *c, int64_t number)
     DEM_TRY(dem_flow_log_append(&c->flows, c->prog, c->d, c->t.time));
     DEM_TRY(dem_lost_log_append(&c->lost, c->prog, c->d));
     DEM_TRY(dem_bond_rows_append(c->prog, c->d, o));
-    return dem_stopped(c->d) ? dem_signals_save(c->prog, o, c->d, number)
-                             : dem_output_save(o, c->prog, c->d, number);
+    return dem_stopped(c->d) ? save_stopped(c, number) : dem_output_save(o, c->prog, c->d, number);
 }
 
 /* The table of effects is continued or removed like the tables beside it. */
@@ -195,7 +241,14 @@ static int begin(struct run_state *c)
     DEM_TRY(dem_totals(c->d, &c->t));
 
     c->p.from = start;
+    c->p.end = c->s->end;
     c->p.steps = c->t.steps;
+    c->p.particles = c->t.particles;
+    c->p.said = c->p.started;
+    if (c->prog->rank == 0)
+    {
+        dem_set_progress(c->d, silence, report_progress, &c->p);
+    }
     DEM_TRY(begin_effects(c));
     DEM_TRY(dem_lost_log_begin(&c->lost, c->prog, o, c->d));
     DEM_TRY(dem_flow_log_begin(&c->flows, c->prog, o, c->d));
@@ -389,7 +442,7 @@ static int run(struct dem_program *prog, struct dem *d, const struct dem_schedul
     uint64_t hash;
 
     /* before the first line is printed, to which a script may answer with a signal */
-    dem_set_stop_flag(d, dem_signals_catch());
+    dem_set_stop_flag(d, dem_catch_signals(NULL, 0));
     DEM_TRY(dem_totals(d, &t));
     s.output.start = t.time;
     DEM_TRY(announce(prog, d, &s));

@@ -198,6 +198,18 @@ int dem_advance(struct dem *, double duration);
 void dem_set_stop_flag(struct dem *, const volatile sig_atomic_t *asked);
 int dem_stopped(const struct dem *);
 
+/* Catch SIGTERM, SIGUSR1 and SIGINT from now on, but for those of `except` (NULL with 0 of them).
+   Returns where the number of the last one is stored, 0 before the first. A second SIGINT ends the
+   program. */
+const volatile sig_atomic_t *dem_catch_signals(const int *except, int exceptions);
+const char *dem_signal_name(int signal);                  /* of these three */
+
+/* From now on dem_advance calls `report` on this rank, at most once in `seconds` of the clock, with
+   `self`, the simulated time [s] and the number of steps made so far. It must not call the library.
+   NULL ends it. */
+void dem_set_progress(struct dem *, double seconds,
+                      void (*report)(void *self, double time, int64_t steps), void *self);
+
 /* The longest stable step and the step in use. After dem_check; with a snapshot after dem_setup. */
 struct dem_step_limit dem_step_limit(const struct dem *);
 

@@ -34,6 +34,15 @@ struct dem_limits                                          /* limits check; rese
     int lawless;         /* 1: no normal law acts in it */
 };
 
+/* a function of the program that is told of the progress of an advance; dem_set_progress */
+struct dem_progress
+{
+    void (*report)(void *self, double time, int64_t steps);   /* NULL: none */
+    void *self;
+    double seconds, last;                                     /* s of the clock: between calls, of
+                                                                 the last one */
+};
+
 struct dem_state
 {
     struct dem_domain domain;
@@ -77,6 +86,7 @@ struct dem_state
                                                      velocities are half a step ahead */
     const volatile sig_atomic_t *stop_request;    /* not 0: stop after this step;
                                                      NULL: no such request */
+    struct dem_progress progress;                 /* told during an advance */
     int stopped;                                  /* value of the request at the
                                                      stop, maximum of ranks */
     double max_dt;                                /* s; limit of the time step of any window */

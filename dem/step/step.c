@@ -17,6 +17,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/step.h"
+#include "core/clock.h"
 #include "core/memory.h"
 #include "diagnostics/contact_durations.h"
 #include "diagnostics/energy_balance.h"
@@ -355,6 +356,23 @@ static void first_kick(struct dem_state *p, double kick)
     dem_timers_end_phase(p->timers, DEM_PHASE_BODIES);
 }
 
+/* The clock is read once in 16 steps. */
+static void tell_progress(struct dem_state *p)
+{
+    struct dem_progress *const q = &p->progress;
+
+    if (q->report && p->steps%16 == 0)
+    {
+        const double now = dem_clock_wall();
+
+        if (now - q->last >= q->seconds)
+        {
+            q->last = now;
+            q->report(q->self, p->time, p->steps);
+        }
+    }
+}
+
 /* The remaining steps of the window, or those until a stop is requested. */
 static int make_steps(struct dem_state *p)
 {
@@ -367,6 +385,7 @@ static int make_steps(struct dem_state *p)
 
         p->time = p->window_start + (double)k*p->dt;
         DEM_TRY(step(p, since, k < p->steps_ahead ? p->dt : 0.5*p->dt, &status));
+        tell_progress(p);
     }
     DEM_TRY(dem_agree(p, status));
     p->half_step_ahead = p->steps - p->steps_before < p->steps_ahead;

@@ -69,6 +69,7 @@ Description
 #include "demTimeStepControl.H"
 #include "demRewrite.H"
 #include "demSettle.H"
+#include "demStop.H"
 #include "demTrial.H"
 #include "fixedFlux.H"
 #include "cellVector.H"
@@ -137,6 +138,7 @@ int main(int argc, char *argv[])
     Info<< "\nStarting time loop\n" << endl;
 
     demTimeStepControl stepControl(runTime, cloud);
+    demStop stop;
     bool planned = false;
 
     while (runTime.run())
@@ -179,7 +181,10 @@ int main(int argc, char *argv[])
         cloud.correct(U, gradP);
         #include "budget.H"
 
-        runTime.write();
+        if (!stop.atStepEnd(runTime))
+        {
+            runTime.write();
+        }
         if (runTime.writeTime())
         {
             cloud.write();
