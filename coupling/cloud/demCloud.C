@@ -60,14 +60,6 @@ void Foam::demCloud::checkInterval() const
     const dictionary& own = dict_.coupling();
     const bool steady = demFluid::steady(mesh_);
 
-    if (steady && volumeAveraged_)
-    {
-        FatalErrorInFunction
-            << "ddtSchemes in system/fvSchemes is steady, but this solver"
-            << " follows moving particles in time; take Euler"
-            << exit(FatalError);
-    }
-
     if (steady && !own.found("interval"))
     {
         FatalIOErrorInFunction(own)
@@ -135,6 +127,9 @@ void Foam::demCloud::build()
         dem_fluid_set_displaced(dem_, density());
     }
     demCheck(dem_setup(dem_));
+    refresh();
+    withoutFactors_ = demSnapshot::exists(mesh_.time())
+     && demUnderRelaxation::withoutFactors(fluid_);
     reportStart();
     record_.watch(dem_);
     budget_.watch(dem_);
@@ -310,7 +305,7 @@ Foam::demCloud::demCloud
     interval_(dict_.coupling().getOrDefault<scalar>("interval", 0)),
     lastTotals_(),
     window_(0),
-    restarted_(demSnapshot::exists(mesh.time())),
+    withoutFactors_(false),
     toldRelaxation_(0.5),
     changeRate_(0),
     relaxationRate_(0),

@@ -200,7 +200,7 @@ void Foam::demCloud::setFluid
     }
     else if (demUnderRelaxation::active(fluid_))
     {
-        underRelaxation().begin(transfer_.sample(gradP)(), restarted_);
+        underRelaxation().begin(transfer_.sample(gradP)(), withoutFactors_);
     }
     else
     {
@@ -396,7 +396,7 @@ void Foam::demCloud::evolve
 
     // With the weights of the mesh at which the particles were located
     setFluid(U, gradP, rho, mu);
-    restarted_ = false;
+    withoutFactors_ = false;
     gradP_ = gradP;
     if (mesh_.moving())
     {

@@ -66,7 +66,7 @@ Foam::vector Foam::demUnderRelaxation::next
 void Foam::demUnderRelaxation::begin
 (
     const UList<vector>& gradient,
-    const bool restart
+    const bool withoutFactors
 )
 {
     forAll(gradient, i)
@@ -80,7 +80,7 @@ void Foam::demUnderRelaxation::begin
         {
             if (isNew)
             {
-                felt[d] = owes_ && !restart ? rhoG[d] : gradient[i][d];
+                felt[d] = owes_ && !withoutFactors ? rhoG[d] : gradient[i][d];
                 owed[d] = owes_ ? window_*V_[i]*(felt[d] - rhoG[d]) : 0;
             }
             if (owes_)
@@ -167,6 +167,21 @@ void Foam::demUnderRelaxation::finish(const UList<vector>& gradient)
             }
         }
     }
+}
+
+
+bool Foam::demUnderRelaxation::withoutFactors(const struct ::dem_fluid& fluid)
+{
+    bool none = true, some = false;
+
+    for (size_t i = 0; fluid.under_relaxation && i < fluid.n; i++)
+    {
+        some = true;
+        none = none && fluid.under_relaxation[i] == 0;
+    }
+    reduce(none, andOp<bool>());
+    reduce(some, orOp<bool>());
+    return some && none;
 }
 
 
