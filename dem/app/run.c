@@ -57,12 +57,12 @@ static const char help[] =
     "-set overrides an entry: -set effects/dry/restitution 0.8, or -set time/end=1\n"
     "dem effects lists the effects.\n";
 
-/* s of the clock without a line, after which one tells the progress */
-static const double silence = 10.0;
+/* s of the clock between lines of progress */
+static const double progress_interval = 10.0;
 
 struct progress
 {
-    double started, said;      /* s  wall clock: start, last line */
+    double started;            /* s  wall clock at the start */
     double from, end;          /* s  simulated time at the start, at the end */
     double overlap;            /* 1  largest since the last line; dem_totals resets its own */
     int64_t steps, particles;  /*    steps at the start; particles at the last output */
@@ -76,19 +76,15 @@ static double seconds_left(const struct progress *p, double time)
     return done > 0.0 ? (MPI_Wtime() - p->started)/done*(p->end - time) : 0.0;
 }
 
-/* dem_set_progress: between outputs that are far apart */
+/* called by dem_set_progress */
 static void report_progress(void *of, double time, int64_t steps)
 {
-    struct progress *const p = of;
-    const double now = MPI_Wtime(), rate = (double)(steps - p->steps)/(now - p->started);
+    const struct progress *const p = of;
+    const double rate = (double)(steps - p->steps)/(MPI_Wtime() - p->started);
 
-    if (now - p->said >= silence)
-    {
-        p->said = now;
-        printf("progress %.1f %%  t %.6g s  %.0f steps/s  %.3g particle-steps/s  ETA %.0f s\n",
-               100.0*time/p->end, time, rate, rate*(double)p->particles, seconds_left(p, time));
-        fflush(stdout);
-    }
+    printf("progress %.1f %%, %.0f s left, %.3g steps/s, %.3g particle-steps/s\n",
+           100.0*time/p->end, seconds_left(p, time), rate, rate*(double)p->particles);
+    fflush(stdout);
 }
 
 static void report_bonds(const struct dem_totals *t)
@@ -104,11 +100,10 @@ static void report(struct progress *p, const struct dem_totals *t)
 {
     if (p->rank == 0)
     {
-        p->said = MPI_Wtime();
         printf("t %.6g s  %lld particles  %lld contacts  %.0f steps/s  kinetic %.4g J  overlap "
                "%.3g %%  ETA %.0f s\n",
                t->time, (long long)t->particles, (long long)t->contacts,
-               (double)(t->steps - p->steps)/(p->said - p->started), t->kinetic,
+               (double)(t->steps - p->steps)/(MPI_Wtime() - p->started), t->kinetic,
                100.0*p->overlap, seconds_left(p, t->time));
         report_bonds(t);
         fflush(stdout);
@@ -244,10 +239,9 @@ static int begin(struct run_state *c)
     c->p.end = c->s->end;
     c->p.steps = c->t.steps;
     c->p.particles = c->t.particles;
-    c->p.said = c->p.started;
     if (c->prog->rank == 0)
     {
-        dem_set_progress(c->d, silence, report_progress, &c->p);
+        dem_set_progress(c->d, progress_interval, report_progress, &c->p);
     }
     DEM_TRY(begin_effects(c));
     DEM_TRY(dem_lost_log_begin(&c->lost, c->prog, o, c->d));

@@ -156,3 +156,28 @@ echo "# $torn of $kills kills came in the middle of writing, at last at $("$dem"
 claim "killed $kills times while it wrote: each time there is a whole snapshot" [ $readable -eq $kills ]
 claim "and the run continues from the last one to the same end" ends_as "$expected" killed 1 -restart out/snapshot.dem "${killing[@]}"
 claim "with the same means" agrees "$work/killed/out/box.csv" "$work/killed.not/out/box.csv"
+
+# ---- progress ------------------------------------------------------------------------------------
+
+# a run without output for minutes
+mkdir -p "$work/progress"
+(cd "$work/progress" && exec "$dem" run -set time/end 100 -set write/interval 100 "$work/wander.dem" > log.out 2>&1) &
+slow=$!
+
+# share done, time left, steps and particle-steps a second of 1000 particles, after 10 s of the clock
+progress_line()
+{
+    local k
+    for ((k = 0; k < 600; k++))
+    do
+        ! grep -q '^progress' "$work/progress/log.out" || break
+        sleep 0.1
+    done
+    grep -m 1 '^progress' "$work/progress/log.out" | tr -d , | awk '
+        { left = 10*(100 - $2)/$2; print "# " $0
+          exit !($3 == "%" && $2 > 0 && $4 > left/2 && $4 < 2*left && $5 " " $6 == "s left" &&
+                 $8 == "steps/s" && $9 > 900*$7 && $9 < 1000.5*$7 && $10 == "particle-steps/s") }'
+}
+claim "progress is told every 10 s, also between outputs" progress_line
+kill -9 $slow
+wait $slow 2> /dev/null
