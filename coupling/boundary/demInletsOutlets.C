@@ -106,23 +106,14 @@ Foam::labelList Foam::demInletsOutlets::patches
 // Patches are small, so each rank holds all triangles
 void Foam::demInletsOutlets::gather()
 {
-    labelList all(inlets_);
-    for (const label patchi : outlets_)
-    {
-        if (!all.found(patchi))
-        {
-            all.append(patchi);
-        }
-    }
-
-    triangles_.setSize(all.size());
-    bounds_.setSize(all.size());
-    forAll(all, k)
+    triangles_.setSize(passages_.size());
+    bounds_.setSize(passages_.size());
+    forAll(passages_, k)
     {
         labelList face;
         List<pointField> perRank(Pstream::nProcs());
         perRank[Pstream::myProcNo()] =
-            trianglesOf(mesh_.boundaryMesh()[all[k]], face);
+            trianglesOf(mesh_.boundaryMesh()[passages_[k]], face);
         Pstream::gatherList(perRank);
         demBroadcast(perRank);
 
@@ -184,6 +175,22 @@ bool Foam::demInletsOutlets::absorbs(const dictionary& walls)
 }
 
 
+bool Foam::demInletsOutlets::withoutPatch(const dictionary& groups, const bool streamsOnly)
+{
+    bool any = false;
+
+    forAllConstIters(groups, iter)
+    {
+        any = any
+         || (
+                iter().isDict() && !iter().dict().found("patch")
+             && (!streamsOnly || iter().dict().getOrDefault<word>("type", "") == "stream")
+            );
+    }
+    return any;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demInletsOutlets::demInletsOutlets(const fvMesh& mesh, const demDict& dict)
@@ -192,8 +199,21 @@ Foam::demInletsOutlets::demInletsOutlets(const fvMesh& mesh, const demDict& dict
     inlets_(patches(dict.scene().subOrEmptyDict("insert"), dict)),
     outlets_(patches(dict.scene().subOrEmptyDict("outlets"), dict)),
     isWall_(mesh.boundaryMesh().size()),
-    absorbs_(absorbs(dict.scene().subOrEmptyDict("walls")))
+    absorbs_(absorbs(dict.scene().subOrEmptyDict("walls"))),
+    regions_
+    (
+        withoutPatch(dict.scene().subOrEmptyDict("insert"), true)
+     || withoutPatch(dict.scene().subOrEmptyDict("outlets"), false)
+    ),
+    passages_(inlets_)
 {
+    for (const label patchi : outlets_)
+    {
+        if (!passages_.found(patchi))
+        {
+            passages_.append(patchi);
+        }
+    }
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         isWall_[patch.index()] = dict.isWall(patch);
@@ -311,9 +331,14 @@ Foam::List<Foam::demParticleRouting::verdict> Foam::demInletsOutlets::judge
 }
 
 
-void Foam::demInletsOutlets::reduceVolumes(const demView& view, scalarField& volume) const
+Foam::labelList Foam::demInletsOutlets::reduceVolumes
+(
+    const demView& view,
+    scalarField& volume
+) const
 {
-    scalarField distance(volume.size(), GREAT);
+    labelList passage(volume.size(), -1);
+    scalarField distance(volume.size(), 1);
     boolList beyond(volume.size(), false);
 
     forAll(triangles_, k)
@@ -344,6 +369,7 @@ void Foam::demInletsOutlets::reduceVolumes(const demView& view, scalarField& vol
                     const vector n((p[t + 1] - p[t]) ^ (p[t + 2] - p[t]));
                     beyond[i] = (n & (x - p[t])) > 0.9*h*mag(n);
                     distance[i] = h/d;
+                    passage[i] = k;
                 }
             }
         }
@@ -357,15 +383,40 @@ void Foam::demInletsOutlets::reduceVolumes(const demView& view, scalarField& vol
             if (idOf(view, i) == outgoingId_[k])
             {
                 distance[i] = 0;
+                passage[i] = passages_.find(outgoingPatch_[k]);
             }
         }
     }
 
     forAll(volume, i)
     {
-        const scalar t = beyond[i] ? 0 : min(distance[i], scalar(1));
+        const scalar t = beyond[i] ? 0 : distance[i];
         volume[i] *= t*t*(3 - 2*t);
     }
+    return passage;
+}
+
+
+Foam::label Foam::demInletsOutlets::inletWithin(const point& x, const scalar reach) const
+{
+    label nearest = -1;
+    scalar distance = reach;
+
+    forAll(triangles_, k)
+    {
+        const pointField& p = triangles_[k];
+        for (label t = 0; inlets_.found(passages_[k]) && t < p.size(); t += 3)
+        {
+            const scalar h =
+                triPointRef(p[t], p[t + 1], p[t + 2]).nearestPoint(x).distance();
+            if (h <= distance)
+            {
+                distance = h;
+                nearest = k;
+            }
+        }
+    }
+    return nearest;
 }
 
 // ************************************************************************* //

@@ -232,10 +232,11 @@ void Foam::demCloud::depositVolume()
         mesh_,
         dimensionedScalar(dimless, Zero)
     );
-    scalarField V(volumes(view_));
-    if (inletsOutlets_.active())
+    scalarField behind;
+    const scalarField V(reducedVolumes(behind));
+    if (throughPatches_.size())
     {
-        inletsOutlets_.reduceVolumes(transfer_.inMeshFrame(view_), V);
+        throughPatches_ = transfer_.fraction()*(throughPatches_ - behind);
     }
     deposited_ = transfer_.fraction()*gSum(V);
     transfer_.depositVolume(V, solid);
@@ -265,21 +266,14 @@ void Foam::demCloud::depositVolume()
 // particle takes part in the whole step
 void Foam::demCloud::passInletsOutlets(const volVectorField& U)
 {
-    jumpCells_.clear();
-
-    if (inletsOutlets_.pass(dem_, U))
+    if (volumeAveraged_ && twoWay_ && inletsOutlets_.active())
+    {
+        passWithVolumes(U);
+    }
+    else if (inletsOutlets_.pass(dem_, U))
     {
         locate();
         checkIds();
-
-        if (volumeAveraged_)
-        {
-            scalarField V(volumes(view_));
-            scalarField now;
-            inletsOutlets_.reduceVolumes(transfer_.inMeshFrame(view_), V);
-            transfer_.deposit(V, now);
-            markJumps(now, 1 - voidFraction_.primitiveField());
-        }
     }
 }
 

@@ -1,6 +1,7 @@
 /*---------------------------------------------------------------------------*\
     demCloudVoidageFlux.C -- the volume flux of the particles for the continuity
-    equation (demPimpleFoam/voidageFlux.H), and the cells where it is not defined.
+    equation (demPimpleFoam/voidageFlux.H): between cells, through patches, and what
+    appears or vanishes inside the mesh.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
@@ -9,6 +10,7 @@
 
 #include "demCloud.H"
 #include "demColumns.H"
+#include "surfaceFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -31,49 +33,136 @@ void Foam::demCloud::depositFlux(const UList<scalar>& volume)
     }
     transfer_.deposit(volumeFlux, solidFlux_.ref());
     solidFlux_.correctBoundaryConditions();
+}
 
-    // Near patches the volume that the fluid sees changes as particles move
+
+// Volumes that the fluid sees [m3]; `behind`: by passage, what it does not see yet
+// or any more of the particles there, on all ranks [m3]. Collective.
+Foam::tmp<Foam::scalarField> Foam::demCloud::reducedVolumes(scalarField& behind) const
+{
+    tmp<scalarField> tV(new scalarField(volumes(view_)));
+    scalarField& V = tV.ref();
+
+    behind.setSize(inletsOutlets_.passages().size());
+    behind = 0;
     if (inletsOutlets_.active())
     {
-        scalarField whole;
-        transfer_.deposit(volumes(view_), whole);
-        markJumps(whole, 1 - voidFraction_.primitiveField());
-    }
-}
-
-
-// Mark cells where two solid fractions differ: there the particles' volume changes
-// by inflow and outflow, not by a flux between cells
-void Foam::demCloud::markJumps
-(
-    const UList<scalar>& a,
-    const UList<scalar>& b
-)
-{
-    jumpCells_.setSize(mesh_.nCells(), false);
-
-    forAll(jumpCells_, celli)
-    {
-        if (mag(a[celli] - b[celli]) > 1e-9)
+        const scalarField whole(V);
+        const labelList passage
+        (
+            inletsOutlets_.reduceVolumes(transfer_.inMeshFrame(view_), V)
+        );
+        forAll(passage, i)
         {
-            jumpCells_[celli] = true;
+            if (passage[i] >= 0)
+            {
+                behind[passage[i]] += whole[i] - V[i];
+            }
+        }
+        for (scalar& volume : behind)
+        {
+            reduce(volume, sumOp<scalar>());
         }
     }
+    return tV;
 }
 
 
-// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
-
-void Foam::demCloud::clearJumps(UList<scalar>& cells) const
+// Streams and outlets act, and the particles' volume that comes through patches by
+// it and that appears inside the mesh is booked. New particles near an inlet are
+// those that have come through it.
+void Foam::demCloud::passWithVolumes(const volVectorField& U)
 {
-    forAll(jumpCells_, celli)
+    const scalar step = mesh_.time().deltaTValue();
+    const bool inside = inletsOutlets_.insideMesh();
+    scalarField before, after, behind;
+
+    sources_.clear();
+    if (inside)
     {
-        if (jumpCells_[celli])
+        if (mesh_.moving())
         {
-            cells[celli] = 0;
+            locate();
         }
+        transfer_.deposit(reducedVolumes(behind)(), before);
+    }
+    const int64_t lastId = fluid_.location ? -1 : largestId(view_);
+    const bool changed = inletsOutlets_.pass(dem_, U);
+    boolList isNew;
+
+    if (changed)
+    {
+        refresh();
+        isNew.setSize(view_.n);
+        forAll(isNew, i)
+        {
+            isNew[i] =
+                fluid_.location ? fluid_.location[2*i] < 0 : idOf(view_, i) > lastId;
+        }
+        locate();
+        checkIds();
+    }
+
+    scalarField V(reducedVolumes(behind));
+    throughPatches_ = behind;
+    if (!changed)
+    {
+        return;
+    }
+
+    const demView view(transfer_.inMeshFrame(view_));
+    forAll(isNew, i)
+    {
+        if (!isNew[i])
+        {
+            continue;
+        }
+        const scalar reach =
+            2*(*dem_at(view_.radius, view_.stride, size_t(i)))
+          + mag(velocity(view_, i))*step;
+        const label k = inletsOutlets_.inletWithin(position(view, i), reach);
+        if (k >= 0)
+        {
+            throughPatches_[k] += V[i];
+            V[i] = 0;
+        }
+    }
+    for (label k = 0; k < throughPatches_.size(); k++)
+    {
+        throughPatches_[k] =
+            behind[k] + returnReduce(throughPatches_[k] - behind[k], sumOp<scalar>());
+    }
+    if (inside)
+    {
+        transfer_.deposit(V, after);
+        sources_ = (after - before)/step;
     }
 }
 
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demCloud::addSources(UList<scalar>& cells) const
+{
+    forAll(sources_, celli)
+    {
+        cells[celli] += sources_[celli];
+    }
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::demCloud::solidFlux(const label patchi) const
+{
+    const label k = inletsOutlets_.passages().find(patchi);
+    const scalarField& area = mesh_.magSf().boundaryField()[patchi];
+
+    tmp<scalarField> tflux(new scalarField(area.size(), Zero));
+    if (k >= 0 && k < throughPatches_.size())
+    {
+        tflux.ref() =
+           -throughPatches_[k]/mesh_.time().deltaTValue()*area/gSum(area);
+    }
+    return tflux;
+}
 
 // ************************************************************************* //

@@ -7,6 +7,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demCouplingScheme.H"
+#include "fvMesh.H"
+#include "surfaceFields.H"
+#include "volFields.H"
 #include "demCheck.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -82,11 +85,40 @@ Foam::demCouplingScheme::demCouplingScheme(const demDict& dict, const bool volum
 {
     checkGiven("equations", volumeAveraged);
     checkGiven("underRelaxation", volumeAveraged);
+    checkGiven("mixtureFlux", volumeAveraged);
     checkGiven("exchange", true);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::boolList Foam::demCouplingScheme::mixturePatches(const volVectorField& U) const
+{
+    const polyBoundaryMesh& patches = U.mesh().boundaryMesh();
+    const dictionary& own = dict_.coupling();
+    boolList chosen(patches.size(), false);
+
+    for (const word& name : own.getOrDefault<wordList>("mixtureFlux", wordList()))
+    {
+        const label patchi = patches.findPatchID(name);
+        if (patchi < 0)
+        {
+            demUnknown(own, "coupling", "mixtureFlux", name, patches.names());
+        }
+        if (patches[patchi].coupled() || U.boundaryField()[patchi].assignable())
+        {
+            FatalIOErrorInFunction(own)
+                << "mixtureFlux names patch " << name << ", on which 0/U does not fix"
+                << " the velocity (it is " << U.boundaryField()[patchi].type()
+                << "); give the velocity of fluid and particles together there,"
+                << " fixedValue for one, or take the patch out of mixtureFlux"
+                << exit(FatalIOError);
+        }
+        chosen[patchi] = true;
+    }
+    return chosen;
+}
+
 
 void Foam::demCouplingScheme::checkEffects() const
 {
