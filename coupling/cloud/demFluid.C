@@ -7,6 +7,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demFluid.H"
+#include "demDrivingForce.H"
 #include "demCloud.H"
 #include "fvcGrad.H"
 #include "fvcSnGrad.H"
@@ -193,23 +194,48 @@ Foam::tmp<Foam::volVectorField> Foam::demFluid::pressureGradient() const
     const volScalarField* p_rgh = mesh_.findObject<volScalarField>("p_rgh");
     const tmp<volScalarField> trho(density());
 
+    if (demDrivingForce::active(mesh_))
+    {
+        const volVectorField& U = velocity();
+        const bool withDensity = p && p->dimensions() == dimPressure;
+        const tmp<volVectorField> tdriving
+        (
+            withDensity
+          ? demDrivingForce::source(U, dimForce/dimVolume)
+          : trho()*demDrivingForce::source(U, dimAcceleration)
+        );
+        return solverGradient(p, p_rgh, trho(), g) - tdriving;
+    }
+    return solverGradient(p, p_rgh, trho(), g);
+}
+
+
+// Of the pressure field of the solver
+Foam::tmp<Foam::volVectorField> Foam::demFluid::solverGradient
+(
+    const volScalarField* p,
+    const volScalarField* p_rgh,
+    const volScalarField& rho,
+    const dimensionedVector& g
+) const
+{
     if (p_rgh && p_rgh->dimensions() == dimPressure)
     {
-        return dynamicGradient(*p_rgh) + trho*g;
+        return dynamicGradient(*p_rgh) + rho*g;
     }
     if (!p)
     {
-        return trho*g;
+        return rho*g;
     }
     if (p_rgh)                  // over density: the Boussinesq solvers
     {
-        return trho*fvc::grad(*p);
+        return rho*fvc::grad(*p);
     }
     if (p->dimensions() == dimPressure)
     {
-        return fvc::grad(*p) + trho*g;
+        return fvc::grad(*p) + rho*g;
     }
-    return trho*(fvc::grad(*p) + g);
+    return rho*(fvc::grad(*p) + g);
 }
 
 

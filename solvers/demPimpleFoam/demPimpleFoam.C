@@ -66,6 +66,7 @@ Description
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "emptyFvPatch.H"
 #include "demCloud.H"
+#include "demDrivingForce.H"
 #include "demTimeStepControl.H"
 #include "demRewrite.H"
 #include "demSettle.H"
