@@ -18,7 +18,8 @@
  * On the adhesive branch d_max is reduced to the value for which the unloading line of k_2 passes
  * through (d, -k_c d), so that reloading follows this line. Every closed loop dissipates energy;
  * none produces any. Damping (dry, viscous, stokes) refers to k. Without adhesion: k_c = 0. Largest
- * time step: pi sqrt(m/k_m)/20.
+ * time step: pi sqrt(m/k_m)/20, at which oscillations on the line of k_m are 0.10 % too fast
+ * (0.95 % at three times that).
  *
  * Limiting cases: k_m = k is a linear spring without yield and adhesion; phi = 0 is a linear spring
  * of stiffness k_m.

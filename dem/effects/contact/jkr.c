@@ -26,7 +26,8 @@
  * (Thornton 1991: slider.h). Where a bond replaces the contact nothing acts; the energy held when
  * the bond was made is dissipated (the bond accounts for the Hertz part), and after the bond has
  * broken the surfaces adhere again once they have separated. Largest time step: 1/20 of half a
- * period of oscillation about equilibrium.
+ * period of oscillation about equilibrium, at which this oscillation is 0.10 % too fast (0.95 % at
+ * three times that).
  *
  * Source: Johnson, Kendall, Roberts, Proc. R. Soc. A 324 (1971) 301; loss: Thornton and Ning,
  * Powder Technol. 99 (1998) 154.

@@ -28,7 +28,8 @@
  * The damper of a thin film is stiff. It is limited to min(c, m* / (4 dt)), so that a particle
  * surrounded by films (12 neighbours) does not overshoot at any viscosity of a coupled fluid. With
  * the setting `viscosity` the largest time step is 0.2 m* / c at h_r, and this limiter is never
- * active.
+ * active. At that step the thinnest film stops a particle 12 % too fast, at three times that the
+ * limiter makes it 52 % too slow.
  *
  * Source: Brenner, Chem. Eng. Sci. 16 (1961) 242 (leading term); the subtraction: Nguyen and Ladd,
  * Phys. Rev. E 66 (2002) 046708; roughness: Davis, Serayssol, Hinch, J. Fluid Mech. 163 (1986) 479,
