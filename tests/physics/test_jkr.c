@@ -7,10 +7,11 @@
  *   the rest of their energy, slower ones stick.
  * - All of the loss is on the branch beyond touching.
  * - Friction acts on a sphere that adheres without load.
+ * - A bond that seals two adhering spheres books the energy of the adhesion as lost.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "physics/world.h"
+#include "physics/energy.h"
 
 static const double R = 0.5e-3, density = 2500.0, E = 1e7,
                     w = 0.2;        /* of each sphere; R* = R/2, m* = m/2 */
@@ -159,6 +160,36 @@ static void dragged(const char *law, const char *more, double hertz)
     dem_free(d);
 }
 
+/* Two spheres in balance (x^3 = 6 in jkr.c); at 1 us a bond replaces their contact. The adhesion
+   holds -4.8 6^(4/3) pi w a_t^2/8 = -7.09 (w^5 R*^4/E*^2)^(1/3) 52.33/33.68, of which the part of
+   hertz, 8/15 E* sqrt(R*) d^(5/2), is booked by the bond. */
+static void sealed(void)
+{
+    const double Rs = 0.5*R, Es = reduced(), a = pow(world_pi*w*Rs*Rs/(8.0*Es), 1.0/3.0),
+                 x = pow(6.0, 1.0/3.0), d0 = a*a/Rs*x*(x*x*x - 4.0);
+    const double unit = world_pi*w*a*a/8.0, held = -4.8*x*x*x*x*unit,
+                 hertz = 8.0/15.0*Es*sqrt(Rs)*pow(d0, 2.5);
+    const struct dem_new_particle seed[2] = {
+        {.position = {0, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "clay"},
+        {.position = {2.0*R - d0, 0, 0}, .diameter = 2.0*R, .id = 1, .material = "clay"}};
+    char *const scene =
+        world_text("materials { clay { density %g; youngsModulus %g; poissonsRatio 0.3; } }"
+                   "effects { hertz { } jkr { workOfAdhesion %g; } bondLinear { normalStiffness "
+                   "1e9; shearStiffness 1e9; make always; time 1e-6; } } time { step 1e-7; }",
+                   density, E, w);
+    struct dem *const d = energy_world(scene, 2, seed);
+
+    free(scene);
+    TAP_NEAR(energy_term(d, "elastic_hertz") + energy_term(d, "elastic_jkr"), held, 1e-9*-held,
+             "two spheres in balance hold -52.33 pi w a_t^2/8");
+    world_run(d, 2e-6);
+    TAP_NEAR(energy_term(d, "lost_jkr"), held - hertz, 1e-6*-held,
+             "a bond that seals them: jkr loses that without the part of hertz");
+    TAP_NEAR(energy_term(d, "lost_bondLinear"), hertz, 1e-6*-held, "the bond loses that part");
+    TAP_NEAR(energy_term(d, "residual"), 0.0, 1e-6*-held, "the balance is closed");
+    dem_free(d);
+}
+
 int main(void)
 {
     TAP_TRAPS;
@@ -168,6 +199,7 @@ int main(void)
     dragged("mindlin", "adhesion no;", 1.0);
     dragged("linear", "adhesion no;", 1.0);
     pulled();
+    sealed();
     collide(3.0);
     collide(1.2);
     collide(0.9);
