@@ -49,6 +49,7 @@ int main(void)
     {
         TAP_OK(G(e, 0.0) > 0.0 && isfinite(G(e, 0.0)), "finite at rest, e = %g", e);
     }
+    TAP_NEAR(G(0.1, 0.0), 150.0*0.8/(18.0*0.2), 1e-12, "below e = 0.2: Ergun's at 0.2");
     TAP_OK(G(0.1, 0.0) == G(0.2, 0.0) && G(1.1, 5.0) == G(1.0, 5.0*1.0/1.1), "beyond e = 0.2 to 1: as at the limits");
     drag_form(&dem_ergun, NULL);
     TAP_DONE;

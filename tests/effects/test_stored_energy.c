@@ -151,8 +151,9 @@ static void yields(double adhesion)
     }
     TAP_NEAR(worst/scale, 0.0, 1e-5,
              "hookeHysteresis, k_c/k %g: the work is stored or lost at each of 13 turns", adhesion);
-    TAP_OK(spent > 0.1*scale, "hookeHysteresis, k_c/k %g: %.3g of the largest stored energy is lost",
-           adhesion, spent/scale);
+    TAP_OK(spent > 0.1*scale,
+           "hookeHysteresis, k_c/k %g: %.3g of the largest stored energy is lost", adhesion,
+           spent/scale);
 }
 
 /* ---- jkr ------------------------------------------------------------------------------------- */
@@ -188,6 +189,9 @@ static void adheres(void)
     const double E = w.pair.reduced_modulus, a_t = pow(pi*work*R*R/(8.0*E), 1.0/3.0),
                  a_0 = a_t*pow(4.0, 2.0/3.0), a_6 = a_t*pow(6.0, 2.0/3.0);
 
+    w.pair.max_radius_sum = 2e-3;
+    TAP_NEAR(dem_jkr.reach(w.effect_entry[1].settings, &w.pair)/(3.0*a_t*a_t/R), 1.0, 1e-12,
+             "jkr: two spheres are found as far as the tail extends");
     evaluate(1e-6, 0.0, &U, &lost);
     TAP_OK(lost == 0.0 && U == 0.0, "jkr: nothing before touching");
     evaluate(-1e-15, 0.0, &U, &touching);

@@ -362,6 +362,59 @@ static void adhesion_of_bonded(const char *adhesion, double pull)
     dem_free(d);
 }
 
+/* ---- damping --------------------------------------------------------------------------------- */
+
+/* An isolated pair, or one sphere at a wall, starts with the velocity (axis 0 to 2) or spin
+   (3 to 5) of one mode. Damped by zeta of critical it is v = exp(-zeta w t) (cos w_d t - zeta w/w_d
+   sin w_d t), w_d = w sqrt(1 - zeta^2): -exp(-pi zeta/sqrt(1 - zeta^2)) after half a period. */
+static void damped(const char *what, int wall, int axis, double frequency, double tolerance)
+{
+    const double zeta = 0.3, half = world_pi/(frequency*sqrt(1.0 - zeta*zeta)),
+                 v = axis < 3 ? 1e-6 : 1e-3, share = wall ? 1.0 : 0.5;
+    struct dem_new_particle seed[2];
+    char *const scene = world_text(
+        "materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
+        "effects { bondLinear { normalStiffness %.17g; shearStiffness %.17g; dampingRatio %g; "
+        "walls yes; } } %s time { step %.17g; maxOverlap 1; }",
+        kn*0.01, kt*0.01, zeta,
+        wall ? "walls { side { type plane; point (-1e-3 0 0); normal (1 0 0); } }" : "",
+        half/20000.0);
+
+    chain_seeds(seed, 2, 0);
+    for (int i = 0; i < 2; i++)
+    {
+        double *const motion = axis < 3 ? seed[i].velocity : seed[i].spin;
+
+        motion[axis%3] = (i ? -share : share)*v;
+    }
+    /* slip without rolling: the momentum of the force, and its moments on both */
+    if (axis == 1)
+    {
+        seed[0].spin[2] = seed[1].spin[2] = 2.5*share*v/R;
+    }
+    struct dem *const d = world(scene, wall ? 1 : 2, seed);
+
+    world_run(d, half);
+    const struct world_particle p = world_at(d, 0);
+
+    TAP_NEAR((axis < 3 ? p.v : p.w)[axis%3]/(share*v), -exp(-world_pi*zeta/sqrt(1.0 - zeta*zeta)),
+             tolerance, "%s: damped by 0.3 of critical", what);
+    dem_free(d);
+    free(scene);
+}
+
+static void damping(void)
+{
+    const double m = world_sphere_mass(R, 2500.0), I_p = 0.4*m*R*R, k = kn*0.01, g = kt*0.01;
+
+    /* 1/20000 of half a period, first order with damping */
+    damped("a pair, stretched", 0, 0, sqrt(k*A*2.0/m), 5e-5);
+    damped("a pair, sheared", 0, 1, sqrt(g*A*7.0/m), 5e-5);
+    damped("a pair, twisted", 0, 3, sqrt(g*J*2.0/I_p), 5e-5);
+    damped("a pair, bent", 0, 4, sqrt(k*I*2.0/I_p), 5e-5);
+    damped("at a wall, twisted", 1, 3, sqrt(g*J/I_p), 5e-5);
+}
+
 /* ---- walls, removal, probability ------------------------------------------------------------- */
 
 static void hanging(void)
@@ -516,6 +569,7 @@ int main(void)
     /* 3/2 pi w R*; w 2 pi R* d at a tenth of the first overlap */
     adhesion_of_bonded("jkr { workOfAdhesion 10; }", 1.5*world_pi*10.0*0.5*R);
     adhesion_of_bonded("sjkr { energyDensity 1e8; }", 1e8*2.0*world_pi*0.5*R*0.1*0.005*L);
+    damping();
     hanging();
     removal();
     reported_bonds(1e-5*L, 0.0, 1, "normalStrength 1e6;");

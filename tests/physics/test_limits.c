@@ -31,6 +31,7 @@ struct motion
     double mode[6];
     double frequency;                                     /* 1/s  closed form */
     double error;                                         /* of the frequency at the limit */
+    double phase;                                         /* 1    w dt at the limit */
 };
 
 /* the scene at `factor` times its limit; 0: asks for the limit only */
@@ -95,6 +96,9 @@ static void oscillates(const struct motion *m)
     const double limit = limit_of(m), at = frequency(m, limit)/m->frequency - 1.0,
                  beyond = frequency(m, 3.0*limit)/m->frequency - 1.0;
 
+    /* overlaps of 1e-6 of a radius shorten lever arms; 8 digits of constants */
+    TAP_NEAR(limit*m->frequency/m->phase, 1.0, 1e-5, "%s: w dt is %.4f at the limit", m->name,
+             limit*m->frequency);
     /* amplitudes of 1e-4 of what would matter; three digits of the error are in the header */
     TAP_NEAR(at, m->error, 0.01*m->error, "%s: at the limit the frequency is %.3g %% too high",
              m->name, 100.0*at);
@@ -128,7 +132,8 @@ static void springs(void)
 {
     const double m = world_sphere_mass(R, density), k = 1000.0;
     struct motion on_hooke = {.name = "hooke", .why = "of the contact time", .n = 1,
-                              .mode = {[2] = 1.0}, .frequency = sqrt(k/m), .error = twentieth};
+                              .mode = {[2] = 1.0}, .frequency = sqrt(k/m), .error = twentieth,
+                              .phase = world_pi/20.0};
 
     on_hooke.scene = world_text("%s effects { hooke { stiffness %g; } gravity { acceleration "
                                 "(0 0 -1); } }" SOFT("hooke { stiffness 1; }") "%s", MATERIALS, k,
@@ -139,7 +144,8 @@ static void springs(void)
     /* beyond d_lim = 5/4 phi 2 R both ways follow the line of k_m = 5 k */
     const double d_lim = 1.25*1e-3*2.0*R, d = 1.2*d_lim, F = 5.0*k*(d - d_lim) + k*d_lim;
     struct motion yields = {.name = "hookeHysteresis", .why = "of the contact time", .n = 1,
-                            .mode = {[2] = 1.0}, .frequency = sqrt(5.0*k/m), .error = twentieth};
+                            .mode = {[2] = 1.0}, .frequency = sqrt(5.0*k/m), .error = twentieth,
+                            .phase = world_pi/20.0};
 
     yields.scene = world_text("%s effects { hookeHysteresis { stiffness %g; unloading 5; adhesion "
                               "0; plasticDepth 1e-3; } gravity { acceleration (0 0 %.17g); } }"
@@ -151,7 +157,8 @@ static void springs(void)
     /* slip at the contact of a sphere that sticks: k_t (1/m + R^2/I) = 7/2 k_t/m */
     struct motion sticks = {.name = "linear", .why = "tangential spring (linear)", .n = 1,
                             .mode = {[0] = 1.0, [4] = -R}, .frequency = sqrt(3.5*4000.0/m),
-                            .error = twentieth};
+                            .error = twentieth,
+                            .phase = world_pi/20.0};
 
     sticks.scene = world_text("%s effects { hooke { stiffness %g; } linear { friction 10; "
                               "stiffness 4000; } gravity { acceleration (0 0 -0.01); } }"
@@ -168,6 +175,7 @@ static void springs(void)
     sticks.why = "of the contact time";
     sticks.frequency = sqrt(7.0*k/m);
     sticks.error = asin(x)/x - 1.0;
+    sticks.phase = 2.0*x;
     sticks.scene = world_text("%s effects { hooke { stiffness %g; } linear { friction 10; "
                               "ratio 2; } gravity { acceleration (0 0 -0.01); } }"
                               SOFT("hooke { stiffness 1; }") "%s",
@@ -179,7 +187,8 @@ static void springs(void)
     const double E = 1e7/(1.0 - 0.09)/2.0, w = 2.0,
                  a = pow(world_pi*w*R*R/(8.0*E), 1.0/3.0), x_0 = pow(6.0, 1.0/3.0);
     struct motion adheres = {.name = "jkr", .why = "(jkr)", .n = 1, .mode = {[2] = 1.0},
-                             .frequency = sqrt(1.2*x_0*x_0*E*a/m), .error = twentieth};
+                             .frequency = sqrt(1.2*x_0*x_0*E*a/m), .error = twentieth,
+                             .phase = world_pi/20.0};
 
     adheres.scene = world_text("%s effects { hertz { stiffness %.17g; impactSpeed 1e-6; } jkr { "
                                "workOfAdhesion %g; } }" SOFT("hertz { stiffness 1; } jkr { "
@@ -196,7 +205,7 @@ static void chain(const char *name, double kn, double kt, double lambda, int axi
                   double frequency)
 {
     struct motion m = {.name = name, .why = "chain of linear bonds", .n = 8,
-                       .frequency = frequency, .error = fifth};
+                       .frequency = frequency, .error = fifth, .phase = 0.4};
 
     m.scene = world_text("%s effects { bondLinear { normalStiffness %.17g; shearStiffness %.17g; "
                          "radius %g; } } domain { min (0 -0.1 -0.1); max (%.17g 0.1 0.1); periodic "
@@ -268,6 +277,7 @@ static void dampers(void)
     const double limit = limit_of(&dashpot), at = decay(&dashpot, limit, c/m),
                  beyond = decay(&dashpot, 3.0*limit, c/m);
 
+    TAP_NEAR(limit*c/m, 0.2, 1e-12, "viscous: the limit is m/(5 c)");
     /* a spring of 1e-9 N/m does 1e-9 of the damping */
     TAP_NEAR(at, damper, 1e-4*damper, "viscous: at the limit the decay is %.3g %% too fast",
              100.0*at);
@@ -286,6 +296,7 @@ static void dampers(void)
     const double limit2 = limit_of(&squeezes), at2 = decay(&squeezes, limit2, film/m),
                  beyond2 = decay(&squeezes, 3.0*limit2, film/m);
 
+    TAP_NEAR(limit2*film/m, 0.2, 1e-12, "lubrication: the limit is m*/(5 c), c that at h_r");
     TAP_NEAR(at2, damper, 1e-4*damper, "lubrication: at the limit the decay is %.3g %% too fast",
              100.0*at2);
     /* at most m/(4 dt): of 0.6 only 0.25 is taken, -ln(0.75)/0.6 - 1 */
