@@ -7,6 +7,8 @@
  *   stiffens and softens, and in the step in which the contact ends.
  * - A contact that ends within one step loses the energy k xi^2/2 of its spring. If it also slips
  *   by s it loses half of k xi s more, because the step ends without a force.
+ * - The dashpot of a sphere that sticks and turns freely takes c v (v + F dt/2 m) dt in a step, with
+ *   the velocity in the middle of the kick.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -191,9 +193,51 @@ static void ends_in_one_step(const struct known *k, double slip)
              "that is lost, plus half of k xi s for a slip of %g of a step", slip);
 }
 
+/* `inertia`: mass, or moment of inertia; `critical`: the one to which zeta refers, 0: the dashpot of
+   the normal law */
+static void damps(const struct known *k, double inertia, double critical)
+{
+    const double zeta = 0.3, own = 0.01, way = 1e-3*k->way;
+    const int twists = k->effect == &dem_twisting_spring;
+    double f[6];
+
+    start(&dem_hooke, k);
+    if (critical > 0.0)
+    {
+        apply_setting(k->effect, law->settings, &w.pair, "damping", zeta);
+    }
+    for (int c = 0; c < DEM_BATCH_ROWS; c++)
+    {
+        e.slip_mass[c] = e.inertia[c] = inertia;
+        w.b.eta[c] = critical > 0.0 ? 0.0 : own;
+    }
+    for (int s = 0; s < 2; s++)
+    {
+        for (int c = 0; c < DEM_BATCH_ROWS; c++)
+        {
+            place(c, 1e-5, twists ? 0.0 : way, 0.0, twists ? way : 0.0);
+        }
+        evaluate();
+    }
+    force(0, f);
+    const double F = f[0] + f[3] + f[5], v = way/dt, xi = 2.0*way,
+                 stiffness = 2.0*e.stored[0]/(xi*xi),
+                 c = critical > 0.0 ? 2.0*zeta*sqrt(stiffness*critical) : own;
+
+    TAP_NEAR(F/(-stiffness*xi - c*v), 1.0, 1e-12, "%s: spring and dashpot", k->effect->name);
+    /* the last digits of the mean velocity */
+    TAP_NEAR(e.lost[0]/(c*v*(v + 0.5*dt*F/inertia)*dt), 1.0, 1e-10, "%s: lost by the dashpot",
+             k->effect->name);
+}
+
 int main(void)
 {
+    const double m = 0.5*sphere_mass(1e-3, 2500.0), R = 0.5e-3;
+
     TAP_TRAPS;
+    damps(&laws[3], 2.0/7.0*m, 0.0);
+    damps(&laws[4], 1.6*m*R*R, 1.4*m*R*R);
+    damps(&laws[5], 1.6*m*R*R, 0.4*m*R*R);
     for (size_t k = 0; k < sizeof laws/sizeof *laws; k++)
     {
         closes(&dem_hooke, &laws[k]);
