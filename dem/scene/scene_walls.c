@@ -68,7 +68,8 @@ static int read_file(struct dem_walls *w, const struct dem_dict *dict, int mater
     DEM_REQUIRE(scale > 0.0, DEM_ERROR_INPUT,
                 "%s: scale %g; give a number above 0, metres per unit of the file",
                 dem_dict_where(dict), scale);
-    DEM_TRY(dem_stl_read(file, scale, &corner, &n));
+    DEM_TRY(dem_error_prefix(dem_stl_read(file, scale, &corner, &n),
+                             "%s: wall %s: ", dem_dict_where(dict), dem_dict_name(dict)));
     int status = dem_walls_add(w, dem_dict_name(dict), material, &wall);
 
     status = status ? status : dem_walls_add_triangles(w, wall, n, corner);

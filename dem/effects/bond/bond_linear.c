@@ -166,6 +166,12 @@ static int prepare(void *of, const struct dem_pair_class *pair)
         bond->friction == 0.0 || bond->shear_strength > 0.0, DEM_ERROR_INPUT,
         "bondLinear between %s and %s: internalFriction %g adds to shearStrength, which is not given; give it, or internalFriction 0",
         pair->a->name, pair->b->name, bond->friction);
+    DEM_REQUIRE(
+        bond->friction <= 10.0, DEM_ERROR_INPUT,
+        "bondLinear between %s and %s: internalFriction %g is the tangent of the friction angle, tan(phi), at most 10 (84 "
+        "degrees); for an angle of %g degrees give %.4g",
+        pair->a->name, pair->b->name, bond->friction, bond->friction,
+        tan(bond->friction*(3.14159265358979324/180.0)));
     bond->inverse_exponent = pair->exponent > 0.0 ? 1.0/pair->exponent : 1.0;
     bond->inertia = pair->with_wall ? 0.4 : 1.6;    /* 2/5 m R^2; of two equal spheres R = 2 R* */
     bond->idle = pair->with_wall && !bond->walls;

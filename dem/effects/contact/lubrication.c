@@ -17,10 +17,10 @@
  *   meets the surface with     v - v_t,  v_t = (c_0/m*) ln(h_c/h_r)
  *
  * and with a dry restitution e returns to h_c with e (v - v_t) - v_t, hence not at all below
- * v = v_t (1 + 1/e), if the film does not act during contact (`contact rests`): no liquid is left
- * to be squeezed out between surfaces in contact, and most resolved simulations do it so. By
- * default (`contact acts`) it continues to act with the thickness of the asperities and dissipates
- * more the longer the contact lasts: the factor exp(-c_0 t_c/(2 h_r m*)) on the speed, which may be
+ * v = v_t (1 + 1/e). In contact the film does not act (`contact rests`, the default): no liquid is
+ * left to be squeezed out between surfaces in contact, and most resolved simulations do it so. With
+ * `contact acts` it continues to act with the thickness of the asperities and dissipates more the
+ * longer the contact lasts: the factor exp(-c_0 t_c/(2 h_r m*)) on the speed, which may be
  * the whole of it for a contact softer than real. Steel of 6 mm at St = 27, h_r = 1e-4 R, h_c = 0.1
  * R: restitution is 0.46 with `rests` (measured 0.48), 0.09 with `acts` and the contact time of
  * steel, and 0 with a modulus of 1e9 Pa (tutorials/rebound).
@@ -71,9 +71,9 @@ static const struct dem_setting settings[] = {
                    "gap beyond which the force is zero; choose it much smaller than the radius "
                    "(where the law holds) and much larger than roughness"),
     DEM_SETTING_CHOICE(
-        lubrication, contact, "contact", ACTS, contacts,
+        lubrication, contact, "contact", RESTS, contacts,
         "whether the film acts while surfaces touch; acting, it dissipates more the "
-        "longer the contact lasts: choose rests where particles are softer than real"),
+        "longer the contact lasts, all of the speed where particles are softer than real"),
     {0},
 };
 
