@@ -5,6 +5,7 @@
  */
 #include "advisor/plan.h"
 #include "core/error.h"
+#include "core/vec.h"
 #include <math.h>
 #include <string.h>
 
@@ -66,6 +67,55 @@ static void write_value(struct dem_text *t, const struct dem_setting *f, const v
     }
 }
 
+/* Largest coefficient of friction of a tangential law; -1 in a scene with rolling resistance. */
+static double friction_alone(const struct dem_interaction_table *r)
+{
+    double largest = 0.0;
+
+    for (int c = 0; c < r->classes; c++)
+    {
+        for (int k = 0; k < r->list[c].entries; k++)
+        {
+            const struct dem_effect_entry *const e = &r->list[c].entry[k];
+
+            if (e->effect->stage == DEM_STAGE_MOMENT)
+            {
+                return -1.0;
+            }
+            for (const struct dem_setting *f = e->effect->settings;
+                 e->effect->stage == DEM_STAGE_TANGENT && f && f->name; f++)
+            {
+                if (strcmp(f->name, "friction") == 0)
+                {
+                    largest = fmax(largest, numbers(f, e->settings)[0]);
+                }
+            }
+        }
+    }
+    return largest;
+}
+
+/* Grains with such a friction are seldom round: beads have 0.1 to 0.3. */
+static const double rough = 0.4;
+
+static void write_rolling(struct dem_text *t, const struct dem_plan *p)
+{
+    const struct dem_interaction_table *const r = &p->state->interaction_table;
+    const double friction = friction_alone(r);
+    double g[3];
+
+    dem_interaction_table_gravity(r, g);
+    if (friction >= rough && dem_vec_norm(g) > 0.0 && p->state->walls.walls > 0 &&
+        p->inventory.all.n > 1)
+    {
+        dem_text_add(t,
+                     "    no rolling resistance at a friction of %g: spheres roll where the shape "
+                     "of rough grains holds them, and slopes of heaps are too low; rollingSpring "
+                     "holds them\n",
+                     friction);
+    }
+}
+
 void dem_plan_effects(struct dem_text *t, const struct dem_plan *p)
 {
     const struct dem_interaction_table *const r = &p->state->interaction_table;
@@ -80,11 +130,16 @@ void dem_plan_effects(struct dem_text *t, const struct dem_plan *p)
             write_value(t, f, r->settings[k]);
             dem_text_add(t, "%s\n", is_default(f, r->settings[k]) ? ", default" : "");
         }
+        if (r->effect[k]->limitation)
+        {
+            dem_text_add(t, "%-23slimitation: %s\n", "", r->effect[k]->limitation);
+        }
     }
     if (r->chosen == 0)
     {
         dem_text_add(t, "    none\n");
     }
+    write_rolling(t, p);
 }
 
 /* ---- materials and contacts ---------------------------------------------------------------------------------- */

@@ -51,6 +51,10 @@ static void print_effect(const struct dem_effect *e)
 {
     printf("%-18s %-11s %s\n%-30s source: %s\n", e->name, stages[e->stage], e->summary, "",
            e->source);
+    if (e->limitation)
+    {
+        printf("%-30s limitation: %s\n", "", e->limitation);
+    }
     for (const struct dem_setting *f = e->settings; f && f->name; f++)
     {
         printf("    %-22s [%s] ", f->name,

@@ -100,6 +100,8 @@ struct dem_effect
     const char *summary;
     /* the paper */
     const char *source;
+    /* a sentence: what the law does not do though users may expect it; or NULL */
+    const char *limitation;
     enum dem_stage stage;
     /* enum dem_needs, or-ed */
     unsigned needs;

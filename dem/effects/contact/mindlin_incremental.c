@@ -139,6 +139,9 @@ const struct dem_effect dem_mindlin_incremental = {
     .aliases = "mindlin_rescale mindlin/rescale",
     .summary =
         "friction as mindlin, with a spring loaded in increments that never returns more energy than it took",
+    .limitation =
+        "creeps where the normal force changes in cycles, as in vibration: a fifth of the slip "
+        "length a cycle; mindlin does not",
     .source = "Mindlin and Deresiewicz 1953; Thornton, Cummins, Cleary 2013; Coulomb",
     .stage = DEM_STAGE_TANGENT,
     .needs = DEM_NEEDS_NORMAL_SPIN,

@@ -90,6 +90,8 @@ const struct dem_effect dem_rolling_constant = {
     .name = "rollingConstant",
     .aliases = "cdt",
     .summary = "rolling resistance: a constant torque mu_r R* F_n, zero at rest",
+    .limitation = "holds nothing at rest: on a slope a sphere creeps at 5/2 g sin(slope) dt; where a "
+                  "heap must rest take rollingSpring",
     .source = "Ai, Chen, Rotter, Ooi 2011, type A; Zhou, Wright, Yang, Xu, Yu 1999",
     .stage = DEM_STAGE_MOMENT,
     .needs = DEM_NEEDS_SPIN,

@@ -90,6 +90,8 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
 const struct dem_effect dem_rolling_viscous = {
     .name = "rollingViscous",
     .summary = "rolling resistance proportional to the rolling velocity, A F_n R* w_r",
+    .limitation = "holds nothing at rest: heaps flow out slowly; where a heap must rest take "
+                  "rollingSpring",
     .source = "Brilliantov and Poeschel 1998; Ai, Chen, Rotter, Ooi 2011, type B",
     .stage = DEM_STAGE_MOMENT,
     .needs = DEM_NEEDS_SPIN,
