@@ -38,7 +38,7 @@ static const struct known
             {&dem_mindlin_incremental, "friction", 0.4, 2e-5},
             {&dem_linear, "friction", 0.4, 2e-5},
             {&dem_linear, "stiffness", 500.0, 2e-5},
-            {&dem_rolling_spring, "friction", 0.2, 2e-2},
+            {&dem_rolling_spring, "damping", 0.0, 2e-2},
             {&dem_twisting_spring, "friction", 0.4, 2e-2}};
 
 static double drawn(int row, int leg, int use)

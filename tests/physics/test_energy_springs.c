@@ -210,7 +210,7 @@ int main(void)
         "hooke { stiffness 1000; } linear { friction 100; ratio 0.071428571428571428; "
         "tangentialDamping no; }",
         "lost_linear", 0);
-    quarter("hooke { stiffness 1000; } rollingSpring { friction 10; stiffness 0.1; }",
+    quarter("hooke { stiffness 1000; } rollingSpring { friction 10; stiffness 0.1; damping 0; }",
             "lost_rollingSpring", 1);
     oblique("linear springs", &linear, 0.0);
     oblique("Hertz and Mindlin", &mindlin, 0.0);

@@ -217,11 +217,11 @@ int main(void)
 {
     TAP_TRAPS;
     impact("rollingConstant { friction 0.2; }");
-    impact("rollingSpring { friction 0.2; }");
+    impact("rollingSpring { friction 0.2; damping 0; }");
     impact("rollingSpring { friction 0.2; damping 0.5; }");
     impact("rollingViscous { time 1e-3; }");
     impact("twistingSpring { friction 0.3; lever reduced; damping 0.2; }");
-    impact("rollingSpring { friction 0.2; stiffness 0.09; } twistingSpring { friction 5; }");
+    impact("rollingSpring { friction 0.2; stiffness 0.09; damping 0; } twistingSpring { friction 5; }");
     rest();
     slope();
     TAP_DONE;
