@@ -96,7 +96,7 @@ bool Foam::demEdits::read(dictionary& content, string& why) const
     try
     {
         IFstream file(file_);
-        done = file.good() && content.read(file);
+        done = isFile(file_) && content.read(file);
         why = "it cannot be read";
     }
     catch (const error& e)

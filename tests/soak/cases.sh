@@ -138,7 +138,7 @@ make_damBreak()
 }
 check_damBreak()
 {
-    number "weight on the walls [N]" "$(wall_force 4)" "$(awk 'BEGIN { print -320*200*9.81*4*atan2(1, 1)/3*4e-3^3 }')" 0.05
+    number "weight on the walls [N]" "$(wall_force 4)" "$(awk 'BEGIN { print -320*200*9.81*16*atan2(1, 1)/3*4e-3^3 }')" 0.05
 }
 
 make_mixerVesselAMI2D()
