@@ -52,15 +52,17 @@ Description
     before and after the step enter the time derivatives and ds/dt, fluxes are
     relative to the faces, and wall patches move the walls of the particles.
 
+    Turbulence models are those of the volume-averaged flow
+    (volumeAveragedTurbulenceModel.H).
+
     Not included: heat, species, more than one fluid, mesh refinement.
-    Turbulence models use U and the interstitial flux; e enters the stress only.
 
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
 #include "dynamicFvMesh.H"
 #include "singlePhaseTransportModel.H"
-#include "turbulentTransportModel.H"
+#include "volumeAveragedTurbulenceModel.H"
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
