@@ -7,6 +7,7 @@
                        in rotating frames (MRF) see demRotatingFrame
         vorticity      curl u                                           [1/s]
         stress         div tau, viscous and turbulent                  [N/m3]
+        turbulence     k and epsilon                        [m2/s2], [m2/s3]
         meanDiameter   sum V_i w_ic / sum (V_i/d_i) w_ic, Sauter mean     [m]
 
     The acceleration is that of the previous step, from the velocities at its
@@ -128,9 +129,49 @@ void Foam::demCloud::setFluidGradients
         toColumn(transfer_.sample(divStress(U, muEff)())(), fluid_.stress);
     }
 
+    if (fluid_.turbulence)
+    {
+        setTurbulence();
+    }
+
     if (fluid_.mean_diameter)
     {
         setMeanDiameter();
+    }
+}
+
+
+void Foam::demCloud::setTurbulence()
+{
+    const turbulenceModel* model =
+        mesh_.findObject<turbulenceModel>(turbulenceModel::propertiesName);
+
+    // These have no k
+    if
+    (
+        !model
+     || word(model->lookup("simulationType")) == "laminar"
+     || model->type().find("SpalartAllmaras") != std::string::npos
+    )
+    {
+        FatalErrorInFunction
+            << "The effect " << dict_.effectWith(DEM_TRAIT_TURBULENCE)
+            << " needs the turbulent kinetic energy of the fluid and its"
+            << " dissipation, but "
+            << (model ? "the model " + model->type() : string("the solver"))
+            << " has none"
+            << "; choose another model, of type RAS or LES, in"
+            << " constant/turbulenceProperties, or leave the effect out"
+            << exit(FatalError);
+    }
+
+    const scalarField k(transfer_.sample(model->k()()));
+    const scalarField epsilon(transfer_.sample(model->epsilon()()));
+
+    forAll(k, i)
+    {
+        fluid_.turbulence[2*i] = k[i];
+        fluid_.turbulence[2*i + 1] = epsilon[i];
     }
 }
 

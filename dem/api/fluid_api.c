@@ -33,6 +33,7 @@ int dem_fluid(struct dem *d, struct dem_fluid *f)
                             .vorticity = dem_column(p, DEM_COLUMN_VORTICITY),
                             .stress = dem_column(p, DEM_COLUMN_STRESS),
                             .mean_diameter = dem_column(p, DEM_COLUMN_MEAN_DIAMETER),
+                            .turbulence = dem_column(p, DEM_COLUMN_TURBULENCE),
                             .other_impulse = dem_column(p, DEM_COLUMN_OTHER_IMPULSE),
                             .angular_impulse = dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE),
                             .slip_factor = dem_column(p, DEM_COLUMN_SLIP_FACTOR),

@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/settings_table.h"
 #include "effects/batch.h"
+#include "effects/fluid/eddy.h"
 #include "effects/relevance.h"
 #include <stddef.h>
 
@@ -52,7 +53,8 @@ enum dem_needs                                            /* optional columns of
     DEM_NEEDS_ACCELERATION = 32,                          /* body: ax ay az of the fluid */
     DEM_NEEDS_VORTICITY = 64,                             /* body: ox oy oz */
     DEM_NEEDS_STRESS = 128,                               /* body: sx sy sz */
-    DEM_NEEDS_MEAN_DIAMETER = 256                         /* body: mean_diameter */
+    DEM_NEEDS_MEAN_DIAMETER = 256,                        /* body: mean_diameter */
+    DEM_NEEDS_TURBULENCE = 512                            /* body: the fluid's fluctuation in u */
 };
 
 enum dem_drag                                             /* range of validity of a drag law */
@@ -204,6 +206,10 @@ struct dem_effect
     /* DAMP only: the added mass coefficient that the law itself counts with these settings [1]; 0:
        none. Cannot be combined with an effect that has_added_mass. May be NULL. */
     double (*own_added_mass)(const void *settings);
+
+    /* FLUID only: sets the model of the eddies that the particles are in (DEM_NEEDS_TURBULENCE).
+       May be NULL. */
+    void (*eddies)(const void *settings, struct dem_eddies *);
 
     /* BODY only: sets g to the acceleration [m/s2] that it gives to all particles alike: gravity.
        The energy balance counts its work as potential energy, beds and hydrostatic pressure are

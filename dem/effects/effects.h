@@ -42,7 +42,8 @@
     ROW(virtual_mass)                                                                                                 \
     ROW(saffman_mei)                                                                                                  \
     ROW(magnus)                                                                                                       \
-    ROW(viscous_torque)
+    ROW(viscous_torque)                                                                                               \
+    ROW(turbulent_dispersion)
 
 #define DEM_EFFECT_DECLARE(name) extern const struct dem_effect dem_##name;
 DEM_EFFECT_ROWS(DEM_EFFECT_DECLARE)

@@ -78,6 +78,7 @@ enum dem_effect_trait
     DEM_TRAIT_FLUID_ACCELERATION = 2,  /* reads Du/Dt of the fluid: added mass */
     DEM_TRAIT_FLUID_STRESS = 4,        /* reads div tau of the fluid */
     DEM_TRAIT_FLUID = 8,               /* acts in a fluid only */
+    DEM_TRAIT_TURBULENCE = 32,         /* reads k and epsilon of the fluid */
     DEM_TRAIT_VISCOSITY = 16           /* reads the viscosity, unless it has a setting of its own */
 };
 
@@ -322,11 +323,12 @@ struct dem_fluid
     double *void_fraction;               /* in   1 */
     double *density;                     /* in   kg/m3 */
     double *viscosity;                   /* in   Pa s */
-    double *acceleration;                /* in   m/s2  3 each, Du/Dt; NULL, like the next three,
+    double *acceleration;                /* in   m/s2  3 each, Du/Dt; NULL, like the next four,
                                             unless an effect needs it */
     double *vorticity;                   /* in   1/s   3 each, curl u */
     double *stress;                      /* in   N/m3  3 each, div tau, viscous and turbulent */
     double *mean_diameter;               /* in   m     Sauter mean of the particles around */
+    double *turbulence;                  /* in   m2/s2, m2/s3  2 each, k and epsilon */
     double *slip_factor;                 /* in   1     change of the slip by a particle's motion,
                                             relative to a fluid of given velocity; 1 unless set,
                                             1/e^2 where continuity makes the fluid displace

@@ -24,6 +24,8 @@ static const struct dem_column columns[DEM_COLUMNS] = {
     [DEM_COLUMN_STRESS] = {"fluidStress", 3, DEM_GROUP_FLUID | DEM_GROUP_STRESS, NULL},
     [DEM_COLUMN_MEAN_DIAMETER] = {"meanDiameter", 1, DEM_GROUP_FLUID | DEM_GROUP_MEAN_DIAMETER,
                                   NULL},
+    [DEM_COLUMN_TURBULENCE] = {"fluidTurbulence", 2, DEM_GROUP_FLUID | DEM_GROUP_TURBULENCE, NULL},
+    [DEM_COLUMN_EDDY] = {"eddy", 4, DEM_GROUP_FLUID | DEM_GROUP_TURBULENCE, NULL},
     [DEM_COLUMN_SLIP_FACTOR] = {"slipFactor", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_COUPLING_INDEX] = {"couplingIndex", 2, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_DRAG_IMPULSE] = {"dragImpulse", 3, DEM_GROUP_FLUID, NULL},

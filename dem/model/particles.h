@@ -53,6 +53,7 @@ enum dem_column_group
     DEM_GROUP_REACTION = 256,         /* forces other than drag that react on the fluid */
     DEM_GROUP_ADDED_MASS = 512,       /* added mass */
     DEM_GROUP_ROTATIONAL_DRAG = 1024, /* rotational drag */
+    DEM_GROUP_TURBULENCE = 4096,      /* effects that need the fluid's turbulence */
     DEM_GROUP_UNDER_RELAXATION = 2048 /* light particles in a fluid that they displace */
 };
 
@@ -69,6 +70,9 @@ enum dem_column_name
     DEM_COLUMN_VORTICITY,
     DEM_COLUMN_STRESS,
     DEM_COLUMN_MEAN_DIAMETER,
+    DEM_COLUMN_TURBULENCE,               /* m2/s2, m2/s3  k, epsilon */
+    DEM_COLUMN_EDDY,                     /* 1    4: fluctuation over sqrt(2 k/3), time left in the
+                                            eddy over its mean (effects/fluid/eddy.h) */
     DEM_COLUMN_SLIP_FACTOR,              /* 1    slip factor, see step/sweep_bodies.c */
     DEM_COLUMN_COUPLING_INDEX,           /* 2 numbers owned by the coupling, -1 when unset */
     DEM_COLUMN_DRAG_IMPULSE,             /* N s  J of this window */

@@ -23,6 +23,10 @@ void dem_uniform_fluid_fill(struct dem_particles *p, size_t i, const struct dem_
     fill_vector(p, DEM_COLUMN_STRESS, i, f->stress);
     fill_vector(p, DEM_COLUMN_FLUID_VELOCITY, i, f->velocity);
     fill_vector(p, DEM_COLUMN_PRESSURE_GRADIENT, i, f->pressure_gradient);
+    if (dem_column(p, DEM_COLUMN_TURBULENCE))
+    {
+        memcpy(dem_column(p, DEM_COLUMN_TURBULENCE) + 2*i, f->turbulence, sizeof f->turbulence);
+    }
     if (dem_column(p, DEM_COLUMN_MEAN_DIAMETER))
     {
         dem_column(p, DEM_COLUMN_MEAN_DIAMETER)[i] = mean;

@@ -14,6 +14,7 @@ struct dem_uniform_fluid                                  /* the entry fluid */
     /* m/s, kg/m3, Pa s, 1, Pa/m */
     double velocity[3], density, viscosity, void_fraction, pressure_gradient[3];
     double acceleration[3], vorticity[3], stress[3];  /* m/s2, 1/s, N/m3: Du/Dt, curl u, div tau */
+    double turbulence[2];                             /* m2/s2, m2/s3: k, epsilon */
 };
 
 /* Fill the fluid columns of particle i. When the scene gives no fluid they get neutral values, to

@@ -9,6 +9,7 @@
 #include "core/memory.h"
 #include "core/did_you_mean.h"
 #include "scene/scene_internal.h"
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -140,6 +141,17 @@ static int read_fluid_derivatives(struct dem_uniform_fluid *f, const struct dem_
     DEM_TRY(needs & DEM_NEEDS_VORTICITY
                 ? dem_dict_vector_or(dict, "vorticity", "1/s", zero, f->vorticity)
                 : DEM_OK);
+    if (needs & DEM_NEEDS_TURBULENCE)
+    {
+        DEM_TRY(dem_dict_number_or(dict, "turbulentEnergy", "m2/s2", 0.0, &f->turbulence[0]));
+        DEM_TRY(dem_dict_number_or(dict, "dissipation", "m2/s3", 0.0, &f->turbulence[1]));
+        DEM_REQUIRE(f->turbulence[0] >= 0.0
+                        && f->turbulence[1] >= (f->turbulence[0] > 0.0 ? DBL_MIN : 0.0),
+                    DEM_ERROR_INPUT,
+                    "%s: fluid: turbulentEnergy %g m2/s2, dissipation %g m2/s3; both must be above"
+                    " 0, or both 0",
+                    dem_dict_where(dict), f->turbulence[0], f->turbulence[1]);
+    }
     return needs & DEM_NEEDS_STRESS
              ? dem_dict_vector_or(dict, "viscousStress", "N/m3", zero, f->stress)
              : DEM_OK;

@@ -10,6 +10,7 @@
 #include "core/math.h"
 #include "effects/fluid/drag.h"
 #include "effects/effect.h"
+#include "step/eddies.h"
 #include "step/vec4.h"
 #include <stddef.h>
 #include <string.h>
@@ -164,6 +165,21 @@ void dem_body_batch_gather(struct dem_body_workspace *t, const struct dem_partic
     split(t->force, rows, b->fx, b->fy, b->fz);
 }
 
+/* The velocity of the fluid at a particle is that of the mean flow and of the eddy it is in. */
+static void add_fluctuations(struct dem_body_batch *b, const struct dem_particles *p, size_t first,
+                             int rows)
+{
+    for (int c = 0; c < rows; c++)
+    {
+        double u[3];
+
+        dem_eddies_velocity(p, first + (size_t)c, u);
+        b->ux[c] += u[0];
+        b->uy[c] += u[1];
+        b->uz[c] += u[2];
+    }
+}
+
 void dem_body_batch_gather_fluid(struct dem_body_workspace *t, const struct dem_particles *p,
                                  size_t first, int rows, double over_window)
 {
@@ -188,6 +204,10 @@ void dem_body_batch_gather_fluid(struct dem_body_workspace *t, const struct dem_
         {
             memcpy(column_at(b, scalars[k].offset), from + first, size);
         }
+    }
+    if (dem_column(p, DEM_COLUMN_EDDY))
+    {
+        add_fluctuations(b, p, first, rows);
     }
     split_add(dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE) + 3*first, rows, over_window, b->fx,
               b->fy, b->fz);

@@ -28,6 +28,7 @@
 #include "output/grid_averages.h"
 #include "simulation/agree.h"
 #include "step/drift.h"
+#include "step/eddies.h"
 #include "step/neighbor_update.h"
 #include "step/sum_contacts.h"
 #include "step/sweep_bodies.h"
@@ -173,6 +174,7 @@ static double drift(struct dem_state *p, double kick)
 
     dem_orientation_turn(&p->particles, p->dt);
     p->steps++;
+    dem_eddies_advance(&p->particles, &p->interaction_table.bodies, p->dt, p->steps);
     dem_walls_move(&p->walls, p->time, p->dt);
     dem_walls_advance(&p->walls, p->steps - p->steps_before, p->steps_ahead);
     if (p->energy_balance->open)

@@ -62,6 +62,7 @@
 #include "step/sweep_bodies.h"
 #include "core/math.h"
 #include "step/body_batch.h"
+#include "step/eddies.h"
 #include "step/sum_contacts.h"
 #include <math.h>
 #include <string.h>
@@ -359,11 +360,14 @@ void dem_bodies_end_window(struct dem_particles *p, const struct dem_domain *dom
                 : 0.0;
         const double held = dem_column(p, DEM_COLUMN_DRAG_TIME)[i];
         const double slip_factor = dem_column(p, DEM_COLUMN_SLIP_FACTOR)[i];
-        double slip = 0.0, impulse = 0.0;
+        double slip = 0.0, impulse = 0.0, eddy[3];
 
+        dem_eddies_velocity(p, i, eddy);
         for (size_t k = 3*i; k < 3*i + 3; k++)
         {
-            slip += (u[k] - start[k])*(u[k] - start[k]);
+            const double w = u[k] + eddy[k - 3*i] - start[k];
+
+            slip += w*w;
             impulse += J[k]*J[k];
         }
         slip = sqrt(slip);

@@ -18,7 +18,7 @@
 static const char *const stored_columns[] =
     {"force", "torque", "fluidVelocity", "pressureGradient",
      "voidFraction", "fluidDensity", "fluidViscosity", "fluidAcceleration",
-     "fluidVorticity", "fluidStress", "meanDiameter", "counterflow",
+     "fluidVorticity", "fluidStress", "meanDiameter", "fluidTurbulence", "eddy", "counterflow",
      "place", "dragImpulse", "kept", "dragTime",
      "startVelocity", "way",          "response", "passed",
      "pending", "underRelaxation", "owedPressureImpulse",
