@@ -69,6 +69,7 @@
 #include "demCloud.H"
 #include "demCheck.H"
 #include "demColumns.H"
+#include "demTurbulenceProduction.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -317,6 +318,20 @@ void Foam::demCloud::depositReaction()
 
         transfer_.deposit(volumeResponse, pressureResponse_.ref());
         pressureResponse_.correctBoundaryConditions();
+    }
+
+    if
+    (
+        volScalarField* production =
+            mesh_.getObjectPtr<volScalarField>(demTurbulenceProduction::name())
+    )
+    {
+        transfer_.deposit
+        (
+            demTurbulenceProduction::ofParticles(fluid_, window_)(),
+            production->ref()
+        );
+        production->correctBoundaryConditions();
     }
 
     transfer_.deposit(response, drag_.ref());
