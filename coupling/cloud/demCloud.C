@@ -126,6 +126,10 @@ void Foam::demCloud::build()
     {
         dem_fluid_set_displaced(dem_, density());
     }
+    if (demFluid::hasUniformDensity(mesh_, dict_.coupling()))
+    {
+        dem_fluid_set_density(dem_, density());
+    }
     demCheck(dem_setup(dem_));
     refresh();
     withoutFactors_ = demSnapshot::exists(mesh_.time())

@@ -108,6 +108,19 @@ Foam::demFluid::demFluid(const fvMesh& mesh, const demCloud& cloud)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::demFluid::hasUniformDensity
+(
+    const fvMesh& mesh,
+    const dictionary& own
+)
+{
+    const dictionary* transport =
+        mesh.findObject<dictionary>("transportProperties");
+
+    return own.found("rho") || (transport && transport->found("rho"));
+}
+
+
 Foam::scalar Foam::demFluid::uniformDensity
 (
     const fvMesh& mesh,

@@ -160,6 +160,7 @@ static void write_required(struct dem_text *t, const struct dem_effect_entry *li
 static void write_contact(struct dem_text *t, const struct dem_effect_list *chain)
 {
     const struct dem_pair_class *const pair = &chain->pair;
+    char line[256];
 
     dem_text_add(t, "    %s and %s%s: ", pair->a->name, pair->with_wall ? "walls of " : "",
                  pair->b->name);
@@ -179,6 +180,11 @@ static void write_contact(struct dem_text *t, const struct dem_effect_list *chai
                          link->effect->contact_time(link->settings, pair));
         }
         write_required(t, link);
+        if (link->effect->describe_pair)
+        {
+            link->effect->describe_pair(link->settings, pair, line, sizeof line);
+            dem_text_add(t, "%s", line);
+        }
     }
     dem_text_add(t, "\n");
 }

@@ -343,15 +343,23 @@ int dem_warnings(struct dem *d, const struct dem_run_info *run, int n, const cha
                  const char **text)
 {
     struct dem_plan plan = {.state = &d->state, .scene = &d->scene, .run = *run, .step = d->step};
+    const char *const *repeats, **sentences;
+    const size_t repeated = dem_dict_repeats(d->dict, &repeats);
     fenv_t caller;
 
     DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_warnings comes after dem_setup");
+    DEM_TRY(DEM_NEW(sentences, repeated + (size_t)n + 1));
+    for (size_t k = 0; k < repeated + (size_t)n; k++)
+    {
+        sentences[k] = k < repeated ? repeats[k] : own[k - repeated];
+    }
     dem_text_free(&d->warnings);
     feholdexcept(&caller);
-    int status = dem_warnings_write(&d->warnings, &plan, d->coupled, n, own);
+    int status = dem_warnings_write(&d->warnings, &plan, d->coupled, (int)repeated + n, sentences);
 
     status = status ? status : dem_collect_status(&d->state.decomposition);
     fesetenv(&caller);
+    dem_memory_free(sentences);
     *text = d->warnings.text ? d->warnings.text : "";
     return status;
 }
@@ -441,9 +449,7 @@ int dem_gravity_acceleration(const struct dem *d, double g[3])
 
 static int check_fluid(const struct dem *d)
 {
-    DEM_REQUIRE(!d->with_fluid || d->scene.fluid.given || d->coupled, DEM_ERROR_INPUT,
-                "an effect of the scene needs a fluid, and there is none; add fluid { density; "
-                "viscosity; velocity; } or run it in OpenFOAM");
+    DEM_TRY(dem_require_fluid(d));
     DEM_REQUIRE(!d->with_fluid || d->scene.fluid.given || d->flow_on_request
                     || d->state.flows->plan->streams == 0,
                 DEM_ERROR_STATE,

@@ -60,6 +60,28 @@ void dem_fluid_set_displaced(struct dem *d, double density)
     d->displaced_density = density;
 }
 
+/* Effects are in the order of stages: the last one that needs a fluid is a contact law only where
+   its viscosity is all that is missing. */
+int dem_require_fluid(const struct dem *d)
+{
+    if (!d->with_fluid || d->scene.fluid.given || d->coupled)
+    {
+        return DEM_OK;
+    }
+    DEM_REQUIRE(d->fluid_user->needs & DEM_NEEDS_FLUID, DEM_ERROR_INPUT,
+                "effects/%s has no viscosity, and there is no fluid; give effects/%s/viscosity, "
+                "add fluid { density; viscosity; velocity; } or run it in OpenFOAM",
+                d->fluid_user->name, d->fluid_user->name);
+    return dem_error(DEM_ERROR_INPUT,
+                     "effects/%s needs a fluid, and there is none; add fluid { density; "
+                     "viscosity; velocity; } or run it in OpenFOAM", d->fluid_user->name);
+}
+
+void dem_fluid_set_density(struct dem *d, double density)
+{
+    d->fluid_density = density;
+}
+
 double dem_fluid_under_relax(struct dem *d)
 {
     const struct dem_particles *const p = &d->state.particles;

@@ -78,7 +78,10 @@ struct dem
     int orientation;                                      /* 1: orientations were asked for */
     int pressure_gradient;                                /* 1: pressureGradient is among the
                                                              effects */
+    const struct dem_effect *fluid_user;                  /* an effect that needs the fluid of the
+                                                             run; NULL: none */
     double displaced_density;                             /* kg/m3  dem_fluid_set_displaced */
+    double fluid_density;                                 /* kg/m3  dem_fluid_set_density */
     struct dem_overlap start_pair, start_wall;            /* largest ones at a start that is
                                                              checked */
     struct dem_skins snapshot_skins;                      /* skins of the neighbor lists in the

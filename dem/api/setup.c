@@ -30,9 +30,6 @@
 #include <stdio.h>
 #include <string.h>
 
-/* of a diameter; a larger overlap at the start is an error in the input, not a contact */
-static const double max_initial_overlap = 0.05;
-
 /* Added mass in the inertia is seen by contact laws; one that counts its own would count it twice. */
 static int refuse_added_mass_twice(const struct dem_interaction_table *r)
 {
@@ -69,8 +66,12 @@ static int decide_fluid(struct dem *d)
                                                                 effect->name, "viscosity")
                              : 0.0;
 
-        d->with_fluid |= (effect->needs & DEM_NEEDS_FLUID) ||
-                         (effect->needs & DEM_NEEDS_VISCOSITY && own == 0.0);
+        if (effect->needs & DEM_NEEDS_FLUID
+            || (effect->needs & DEM_NEEDS_VISCOSITY && own == 0.0))
+        {
+            d->with_fluid = 1;
+            d->fluid_user = effect;
+        }
         viscosity = own > 0.0 ? own : viscosity;
         has_own = own > 0.0 ? effect : has_own;
     }
@@ -154,22 +155,23 @@ static int prepare_physics(struct dem *d)
     return dem_wall_search_prepare(&p->pairs.wall_search, &p->walls, radius > 0.0 ? radius : 1.0);
 }
 
-static int refuse_overlap(struct dem_state *p)
+/* A larger overlap at the start is an error in the input, not a contact. */
+static int refuse_overlap(struct dem_state *p, double limit)
 {
     struct dem_overlap pair, wall;
 
     dem_totals_max_overlap(p, &pair, &wall);
-    DEM_REQUIRE(wall.fraction <= max_initial_overlap || wall.fraction <= pair.fraction,
+    DEM_REQUIRE(wall.fraction <= limit || wall.fraction <= pair.fraction,
                 DEM_ERROR_INPUT,
                 "particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the "
-                "start, the limit is %g; move it",
+                "start, the limit is %g; move it, or raise time/maxStartOverlap",
                 (long long)wall.id, wall.x[0], wall.x[1], wall.x[2],
-                p->walls.wall[wall.partner].name, wall.fraction, max_initial_overlap);
-    DEM_REQUIRE(pair.fraction <= max_initial_overlap, DEM_ERROR_INPUT,
+                p->walls.wall[wall.partner].name, wall.fraction, limit);
+    DEM_REQUIRE(pair.fraction <= limit, DEM_ERROR_INPUT,
                 "particles %lld and %lld at (%g %g %g) m overlap by %.3g of a diameter at the "
-                "start, the limit is %g; move them apart",
+                "start, the limit is %g; move them apart, or raise time/maxStartOverlap",
                 (long long)pair.id, (long long)pair.partner, pair.x[0], pair.x[1], pair.x[2],
-                pair.fraction, max_initial_overlap);
+                pair.fraction, limit);
     return DEM_OK;
 }
 
@@ -179,7 +181,7 @@ static int refuse_overlap(struct dem_state *p)
 static int refuse_other_walls(struct dem *d)
 {
     const struct dem_overlap *const wall = &d->start_wall, *const pair = &d->start_pair;
-    const double limit = fmax(max_initial_overlap, 2.0*pair->fraction);
+    const double limit = fmax(d->scene.max_start_overlap, 2.0*pair->fraction);
 
     DEM_REQUIRE(wall->fraction <= limit, DEM_ERROR_INPUT,
                 "%s: particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the "
@@ -210,7 +212,7 @@ static int distribute(struct dem *d)
     }
     DEM_TRY(dem_neighbor_rebuild(p));
     p->stale = 1;
-    DEM_TRY(dem_collect_agree(&p->decomposition, refuse_overlap(p)));
+    DEM_TRY(dem_collect_agree(&p->decomposition, refuse_overlap(p, d->scene.max_start_overlap)));
     DEM_TRY(dem_bond_pairs_mark(p, d->scene.bond_ids, d->scene.bond_id_count));
     DEM_TRY(dem_sweep_contacts(p, 0.0, (const double[2]){-INFINITY, p->time}));
     dem_sum_contacts(&p->particles, &p->contacts);
@@ -332,6 +334,8 @@ static int read_scene(struct dem *d)
     }
     p->limits.limit = d->scene.max_overlap;
     p->limits.max_speed = d->scene.max_speed;
+    p->interaction_table.fluid_density =
+        d->scene.fluid.given ? d->scene.fluid.density : d->fluid_density;
     DEM_TRY(decide_fluid(d));
     list_effects(d);
     return dem_api_check_scene(d);

@@ -166,15 +166,6 @@ static int count_steps(const struct dem_schedule *s, const struct dem *d)
     return DEM_OK;
 }
 
-/* The program couples no fluid: an error before anything is written. */
-static int refuse_coupled_fluid(struct dem *d)
-{
-    DEM_REQUIRE(!dem_needs_fluid(d) || dem_dict_has(dem_scene_dict(d), "fluid"), DEM_ERROR_INPUT,
-                "an effect of the scene needs a fluid, and there is none; add fluid { density; "
-                "viscosity; velocity; } or run it in OpenFOAM");
-    return DEM_OK;
-}
-
 /* Time continues from a snapshot: an end before that time leaves nothing to run. */
 static int check_end(const struct dem_schedule *s, struct dem *d)
 {
@@ -224,7 +215,7 @@ static int set_up(const struct dem_program *prog, const struct dem_request *r, s
     DEM_TRY(dem_check(d));
     s->with_gravity = dem_gravity_acceleration(d, s->gravity);
     DEM_TRY(dem_quiet_check(d, &s->quiet));
-    DEM_TRY(refuse_coupled_fluid(d));
+    DEM_TRY(dem_require_fluid(d));
     /* with a snapshot the step is known only after dem_setup */
     DEM_TRY(dem_step_limit(d).used > 0.0 ? count_steps(s, d) : DEM_OK);
     DEM_TRY(dem_setup(d));

@@ -90,6 +90,9 @@ struct dem_pair_class
     double min_radius;       /* m    smallest reduced radius present */
     double min_mass;         /* kg   smallest reduced mass present */
     double max_radius_sum;   /* m    largest R_i + R_j present; R_i at a wall */
+    double fluid_density;    /* kg/m3  of the run's fluid; 0: none, or not uniform */
+    /* 1: an effect that has_added_mass acts: reduced masses of contacts contain it */
+    int inertia_has_added_mass;
 };
 
 struct dem_effect
@@ -194,6 +197,11 @@ struct dem_effect
     /* A line on the scene in dimensionless numbers of this effect, which is in use, for `dem plan`.
        Returns 0 for none. May be NULL. */
     int (*describe)(const void *settings, const struct dem_regime *, char *line, size_t size);
+
+    /* Contact effects: what follows from the settings for the smallest partners of a pair class, for
+       the contact table of `dem plan`: ", NAME VALUE UNIT, ...". May be NULL. */
+    void (*describe_pair)(const void *settings, const struct dem_pair_class *, char *line,
+                          size_t size);
 
     /* Contact effects: 1 if with these settings it holds particles together: adhesion, cohesion,
        bonds. NULL: never. */

@@ -374,6 +374,14 @@ void dem_fluid_whole_drag(struct dem *, int yes);
    under-relaxation dense suspensions of light particles oscillate from step to step. */
 void dem_fluid_set_displaced(struct dem *, double density);
 
+/* DEM_ERROR_INPUT when an effect needs a fluid, and neither the scene nor dem_fluid gives one.
+   After dem_check. */
+int dem_require_fluid(const struct dem *);
+
+/* Before dem_check and dem_setup: the coupled fluid has this density [kg/m3] everywhere. The effect
+   stokes then counts added mass in its Stokes number. */
+void dem_fluid_set_density(struct dem *, double density);
+
 /* After an advance, where the column exists: set under_relaxation for the next one
    (effects/fluid/particle_exchange.h). Returns the smallest factor of this rank, 1 without. */
 double dem_fluid_under_relax(struct dem *);

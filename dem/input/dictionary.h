@@ -113,6 +113,10 @@ const char *dem_entry_token(const struct dem_entry *e, size_t i);
 int dem_dict_each(const struct dem_dict *d, const char *name,
                   int (*read)(void *, const struct dem_dict *), void *context);
 
+/* Sentences on entries that are given twice in the same braces of a file, of the whole tree; the
+   array belongs to it. */
+size_t dem_dict_repeats(const struct dem_dict *d, const char *const **sentences);
+
 /* For messages: name "glass", path "materials/glass", location "scene.dem, line 12". Name and
    path of the top are empty. The texts belong to the tree. */
 const char *dem_dict_name(const struct dem_dict *d);

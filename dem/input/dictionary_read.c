@@ -26,7 +26,8 @@ enum
 
 static int read_included(struct dem_reader *r, struct dem_dict *d, const char *path, int line);
 
-static int read_entry(struct dem_reader *r, struct dem_dict *d, const struct dem_token *name)
+static int read_entry(struct dem_reader *r, struct dem_dict *d, const struct dem_token *name,
+                      int block)
 {
     struct dem_token t;
     struct dem_entry *e;
@@ -36,9 +37,13 @@ static int read_entry(struct dem_reader *r, struct dem_dict *d, const struct dem
     if (dem_dict_is_sign(&t, '{'))
     {
         DEM_TRY(dem_dict_put_dict(d, name->text, r->scan.file, name->line, &sub));
+        DEM_TRY(dem_dict_note(d, name->text, r->scan.file, name->line, block));
         return dem_dict_read_entries(r, sub, t.line);
     }
+    DEM_TRY(dem_dict_note(d, name->text, r->scan.file, name->line, block));
     DEM_TRY(dem_dict_new_entry(d, name->text, r->scan.file, name->line, &e));
+    e->block = block;
+    e->block_line = name->line;
     return dem_dict_read_value(r, e, t);
 }
 
@@ -95,6 +100,7 @@ static int read_directive(struct dem_reader *r, struct dem_dict *d, const struct
 int dem_dict_read_entries(struct dem_reader *r, struct dem_dict *d, int opened)
 {
     const char *file = r->scan.file;
+    const int block = ++r->blocks;
     struct dem_token t;
 
     DEM_REQUIRE(++r->depth <= DEM_DICT_MAX_DEPTH, DEM_ERROR_INPUT,
@@ -120,7 +126,7 @@ int dem_dict_read_entries(struct dem_reader *r, struct dem_dict *d, int opened)
                     "%s, line %d: found %s, expected the name of an entry; write name value; or "
                     "name { ... }",
                     r->scan.file, t.line, t.text);
-        DEM_TRY(dem_dict_is_name(&t) ? read_entry(r, d, &t)
+        DEM_TRY(dem_dict_is_name(&t) ? read_entry(r, d, &t, block)
                             : t.text[0] == '$' ? insert_dict(r, d, &t) : read_directive(r, d, &t));
     }
     r->depth--;

@@ -13,17 +13,21 @@
 #include "core/memory.h"
 
 #include <stdalign.h>
+#include <stdio.h>
 #include <string.h>
 
 enum
 {
     CHUNK = 1 << 14,      /* smallest allocation [byte] */
+    MAX_REPEATS = 100,    /* sentences on entries given twice */
     MAX_COPIES = 4000000  /* entries and words that macros may copy: 100 MB */
 };
 
 /* A chunk begins with the pointer to the previous one. */
 struct dem_dict_pool
 {
+    const char **repeats;    /* sentences on entries given twice */
+    size_t repeat_count, repeat_capacity;
     char *chunk;
     size_t used, capacity;  /* of the chunk [byte] */
     size_t copies;          /* made by macros so far */
@@ -229,6 +233,43 @@ int dem_dict_put_dict(struct dem_dict *d, const char *name, const char *file, in
     }
     *sub = e->dict;
     return DEM_OK;
+}
+
+int dem_dict_note(const struct dem_dict *d, const char *name, const char *file, int line,
+                  int block)
+{
+    struct dem_entry *const e = dem_dict_find(d, name, strlen(name));
+    struct dem_dict_pool *const pool = d->pool;
+    const char *const path = dem_dict_path(d);
+    void *repeats = pool->repeats;
+    char text[512];
+
+    if (!e)
+    {
+        return DEM_OK;
+    }
+    if (e->block == block && (d->parent || !e->dict) && pool->repeat_count < MAX_REPEATS)
+    {
+        snprintf(text, sizeof text, "%s, line %d: %s%s%s is given again after line %d; %s", file, line,
+                 path, *path ? "/" : "", name, e->block_line,
+                 e->dict ? "both are merged, and of a setting that both have the later one acts; "
+                           "remove one"
+                         : "the later one acts; remove one");
+        DEM_TRY(dem_dict_pool_grow(pool, &repeats, &pool->repeat_capacity, pool->repeat_count + 1,
+                                   sizeof *pool->repeats));
+        pool->repeats = repeats;
+        DEM_TRY(dem_dict_pool_copy(pool, text, strlen(text), &pool->repeats[pool->repeat_count]));
+        pool->repeat_count++;
+    }
+    e->block = block;
+    e->block_line = line;
+    return DEM_OK;
+}
+
+size_t dem_dict_repeats(const struct dem_dict *d, const char *const **sentences)
+{
+    *sentences = d->pool->repeats;
+    return d->pool->repeat_count;
 }
 
 int dem_dict_append(struct dem_entry *e, struct dem_token token)

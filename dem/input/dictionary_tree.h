@@ -33,6 +33,7 @@ struct dem_entry
 {
     const char *name, *file;
     int line;
+    int block, block_line;     /* braces of a file in which it was read last, and its line there */
     bool used;
     struct dem_dict *dict;     /* null for a value */
     struct dem_dict *parent;   /* contains the entry */
@@ -86,6 +87,12 @@ int dem_dict_new_item(struct dem_entry *list, const char *name, const char *file
                       struct dem_dict **item);
 int dem_dict_append_copies(struct dem_entry *e, const struct dem_entry *from, int line);
 
+/* An entry has been read in these braces. When they have one of its name already, a sentence says
+   which acts; a repeated entry of an included file, or of other braces that merge, is meant, and so
+   is a section of the scene in two parts. */
+int dem_dict_note(const struct dem_dict *d, const char *name, const char *file, int line,
+                  int block);
+
 /* Add copies of all entries of `from`; neither dictionary may contain the other. */
 int dem_dict_merge(struct dem_dict *into, const struct dem_dict *from);
 
@@ -137,6 +144,7 @@ struct dem_reader
     struct dem_scan scan;
     int depth;  /* of dictionaries */
     int includes;
+    int blocks;  /* braces opened so far, and files */
     bool may_include;
 };
 int dem_dict_read_entries(struct dem_reader *r, struct dem_dict *d, int opened);

@@ -39,7 +39,8 @@ static struct dem_pair_class pair_class(const struct dem_interaction_table *r, i
     const double nm = m->poissons_ratio, no = o->poissons_ratio, Em = m->youngs_modulus,
                  Eo = o->youngs_modulus;
     const double Ra = r->min_radius[a], Rb = r->min_radius[b];
-    struct dem_pair_class c = {.a = m, .b = o, .with_wall = with_wall};
+    struct dem_pair_class c = {
+        .a = m, .b = o, .with_wall = with_wall, .fluid_density = r->fluid_density};
 
     c.reduced_modulus = 1.0/((1.0 - nm*nm)/Em + (1.0 - no*no)/Eo);
     c.reduced_shear = 1.0/(2.0*(2.0 - nm)*(1.0 + nm)/Em + 2.0*(2.0 - no)*(1.0 + no)/Eo);
@@ -47,6 +48,10 @@ static struct dem_pair_class pair_class(const struct dem_interaction_table *r, i
     c.max_radius_sum = r->max_radius[a] + (with_wall ? 0.0 : r->max_radius[b]);
     c.min_mass = with_wall ? sphere_mass(m, Ra)
                            : 1.0/(1.0/sphere_mass(m, Ra) + 1.0/sphere_mass(o, Rb));
+    for (int k = 0; k < r->chosen; k++)
+    {
+        c.inertia_has_added_mass |= r->effect[k]->has_added_mass;
+    }
     return c;
 }
 

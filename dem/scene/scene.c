@@ -197,6 +197,7 @@ static int read_time(struct dem_scene *s, const struct dem_dict *scene,
     const char *step, *precision;
 
     s->max_overlap = 0.5;
+    s->max_start_overlap = 0.05;
     DEM_TRY(dem_dict_sub_if(scene, "time", &dict));
     if (!dict)
     {
@@ -206,6 +207,13 @@ static int read_time(struct dem_scene *s, const struct dem_dict *scene,
     DEM_REQUIRE(s->max_overlap > 0.0, DEM_ERROR_INPUT,
                 "%s: maxOverlap %g of a diameter; give a number above 0", dem_dict_where(dict),
                 s->max_overlap);
+    DEM_TRY(dem_dict_number_or(dict, "maxStartOverlap", "1",
+                               fmin(s->max_start_overlap, s->max_overlap), &s->max_start_overlap));
+    DEM_REQUIRE(s->max_start_overlap > 0.0 && s->max_start_overlap <= s->max_overlap,
+                DEM_ERROR_INPUT,
+                "%s: maxStartOverlap %g of a diameter; give a number above 0 and up to maxOverlap, "
+                "%g, at which the run stops",
+                dem_dict_where(dict), s->max_start_overlap, s->max_overlap);
     DEM_TRY(dem_dict_number_or(dict, "maxSpeed", "m/s", 0.0, &s->max_speed));
     DEM_REQUIRE(s->max_speed > 0.0 || !dem_dict_has(dict, "maxSpeed"), DEM_ERROR_INPUT,
                 "%s: maxSpeed %g m/s; give a number above 0, or leave it out", dem_dict_where(dict),

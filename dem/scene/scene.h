@@ -39,6 +39,7 @@ struct dem_scene
     double step;                           /* s; 0: automatic */
     bool force;                            /* accept a time step above the limit */
     double max_overlap;                    /* 1  of a diameter */
+    double max_start_overlap;              /* 1  of a diameter, at the start */
     double max_speed;                      /* m/s  0: no limit */
     double outer_skin, inner_skin;         /* 1  of the largest diameter */
     int tuned_skins;                       /* 1: tune them, the scene gives none */

@@ -5,7 +5,9 @@
  *   and between spheres.
  * - The speed is latched until the surfaces separate.
  * - St -> 0 gives critical damping; no limit gives an infinity.
- * - The viscosity is that of the setting, else that of the fluid. Added mass enters St.
+ * - The viscosity is that of the setting, else that of the fluid. Added mass enters St: half of the
+ *   displaced fluid wherever its density is known, unless the setting says otherwise or the inertia
+ *   has it already.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -146,12 +148,20 @@ static void by_hand(void)
     TAP_OK(dem_stokes.needs & DEM_NEEDS_VISCOSITY, "it needs the fluid's viscosity");
 }
 
+enum source
+{
+    GIVEN,        /* addedMass and fluidDensity */
+    DENSITY,      /* fluidDensity alone */
+    OF_RUN,       /* the density of the run's fluid */
+    IN_INERTIA    /* the same, with an effect that adds it to the inertia: none in St */
+};
+
 /* alpha of a pair with added mass C_M rho_f per particle volume against the formula with both
    masses */
-static void added(const char *what, const struct dem_material *a, const struct dem_material *b,
+static void added(const char *what, enum source source, const struct dem_material *a, const struct dem_material *b,
                   double Ra, double Rb, int wall)
 {
-    const double more = 0.5*1000.0, mu = 0.01, v = 0.3;
+    const double more = source == IN_INERTIA ? 0.0 : 0.5*1000.0, mu = 0.01, v = 0.3;
     double speed = 0.0;
 
     if (wall)
@@ -164,8 +174,20 @@ static void added(const char *what, const struct dem_material *a, const struct d
     }
     w.pair.exponent = 1.5;
     struct impacts_effect *const l = impacts_add(&w, &dem_stokes, "restitution", 0.97);
-    apply_setting(&dem_stokes, l->settings, &w.pair, "fluidDensity", 1000.0);
-    apply_setting(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5);
+    if (source == GIVEN || source == DENSITY)
+    {
+        apply_setting(&dem_stokes, l->settings, &w.pair, "fluidDensity", 1000.0);
+    }
+    else
+    {
+        w.pair.fluid_density = 1000.0;
+        w.pair.inertia_has_added_mass = source == IN_INERTIA;
+        apply_setting(&dem_stokes, l->settings, &w.pair, "beta", 35.0);
+    }
+    if (source == GIVEN)
+    {
+        apply_setting(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5);
+    }
 
     const double ma = sphere_mass(Ra, a->density + more), mb = wall ? 0.0 : sphere_mass(Rb, b->density + more);
     const double m = wall ? ma : ma*mb/(ma + mb), R = w.pair.min_radius;
@@ -232,15 +254,22 @@ int main(void)
     TAP_TRAPS;
     by_hand();
     law();
-    added("sphere and wall", &glass, &rigid, 0.003, 0.0, 1);
-    added("equal spheres", &glass, &glass, 0.003, 0.003, 0);
-    added("same density, different size", &glass, &glass, 0.003, 0.001, 0);
-    added("same size, different density", &glass, &steel, 0.003, 0.003, 0);
+    added("sphere and wall, density alone", DENSITY, &glass, &rigid, 0.003, 0.0, 1);
+    added("sphere and wall, density of the run", OF_RUN, &glass, &rigid, 0.003, 0.0, 1);
+    added("equal spheres, density of the run", OF_RUN, &glass, &glass, 0.003, 0.003, 0);
+    added("not twice with that of the inertia", IN_INERTIA, &glass, &rigid, 0.003, 0.0, 1);
+    added("sphere and wall", GIVEN, &glass, &rigid, 0.003, 0.0, 1);
+    added("equal spheres", GIVEN, &glass, &glass, 0.003, 0.003, 0);
+    added("same density, different size", GIVEN, &glass, &glass, 0.003, 0.001, 0);
+    added("same size, different density", GIVEN, &glass, &steel, 0.003, 0.003, 0);
 
     impacts_wall(&w, &steel, &rigid, 0.003);
     w.pair.exponent = 1.5;
     struct impacts_effect *const l = impacts_add(&w, &dem_stokes, "restitution", 0.97);
     TAP_OK(apply_setting(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5) == DEM_ERROR_INPUT, "%s",
+           dem_error_text());
+    w.pair.fluid_density = 998.0;
+    TAP_OK(apply_setting(&dem_stokes, l->settings, &w.pair, "fluidDensity", 1000.0) == DEM_ERROR_INPUT, "%s",
            dem_error_text());
     other_forms();
     TAP_DONE;

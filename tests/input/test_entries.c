@@ -165,6 +165,7 @@ static const struct row
     {"averages/layer/end", "1", NUMBER, 0},
     {"time/step", "auto", WORD, 0},
     {"time/maxOverlap", "0.5", NUMBER, 0},
+    {"time/maxStartOverlap", "0.05", NUMBER, 0},
     {"time/force", "no", SWITCH, 0},
     {"time/precision", "double", WORD, 0},
 };

@@ -4,6 +4,8 @@
  *
  * - Peak force, peak overlap and contact time are those of Hertz; no speed is lost.
  * - The error of an elastic impact decreases at least fourfold when the step is halved.
+ * - Two spheres that overlap by 8 % at the start are refused, and with time/maxStartOverlap 0.1 part
+ *   with the energy of their spring.
  * - With `dry` the requested restitution comes out; restitution 0 leaves nothing.
  *
  * Sources: Chung and Ooi, Granul. Matter 13 (2011) 643; closed forms of hertz_normal.csv.
@@ -188,6 +190,33 @@ static void plastic(const struct impact *i)
     dem_free(d);
 }
 
+/* d = 0.16 mm on a spring of 1000 N/m: the speed of separation is d sqrt(k/m*). The step of 1/200 of
+   the contact time makes an error of 1e-4 of it. */
+static void overlap_at_start(void)
+{
+    static const char scene[] =
+        "materials { clay { density 2500; youngsModulus 1e7; } } effects { hooke { stiffness 1000; } }"
+        "insert { two { type list; diameter 2e-3; positions ((0 0 0) (0 0 1.84e-3)); } }"
+        "time { %s step %.17g; }";
+    const double m = 0.5*world_sphere_mass(1e-3, 2500.0), d = 0.16e-3, time = world_pi*sqrt(m/1000.0);
+    char *const tight = world_text(scene, "", time/200.0),
+         *const loose = world_text(scene, "maxStartOverlap 0.1;", time/200.0);
+    struct dem *const refused = world_begin(tight);
+
+    TAP_OK(dem_setup(refused) == DEM_ERROR_INPUT && strstr(dem_error_text(), "maxStartOverlap"),
+           "8 %% of overlap at the start: %s", dem_error_text());
+    dem_free(refused);
+    struct dem *const w = world(loose, 0, NULL);
+
+    world_run(w, time);
+    const double speed = world_at(w, 1).v[2] - world_at(w, 0).v[2];
+
+    TAP_NEAR(speed, d*sqrt(1000.0/m), 1e-3*speed, "maxStartOverlap 0.1: they part at d sqrt(k/m*)");
+    dem_free(w);
+    free(tight);
+    free(loose);
+}
+
 int main(void)
 {
     static const struct impact cases[] =
@@ -207,6 +236,7 @@ int main(void)
         TAP_DONE;
     }
     TAP_TRAPS;
+    overlap_at_start();
     for (int k = 0; k < 4; k++)
     {
         struct impact i = cases[k];

@@ -12,6 +12,8 @@
  *   bed.
  * - The estimated time of a dense bed agrees with the measured one within a factor of 2.
  * - Planning changes no particle.
+ * - With hookeHysteresis stiffness, limit overlap and restitution by yielding are those of tabulated
+ *   loops.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -423,6 +425,48 @@ static void test_cost(void)
     dem_free(w);
 }
 
+/*
+ * Spheres of 1 mm, 2500 kg/m3, E 1e7 Pa, nu 0.3, k_m/k = 5, phi 0.05. At 1 m/s k = 1090.8212625 N/m
+ * and d_lim = 6.25e-5 m (equations (1) and (2) of Open DEM Japan 2025 by hand). v_lim = d_lim
+ * sqrt(k/m*) = 0.9021 m/s; restitutions integrated numerically, four digits, for v/v_lim and k_c/k.
+ */
+static void test_yielding(void)
+{
+    static const double table[][3] = {
+        {0.1, 0.0, 0.8452}, {0.3, 0.2, 0.6325}, {0.5, 0.2, 0.5}, {1.0, 0.0, 0.4472},
+        {1.2, 0.2, 0.5991}, {2.0, 1.0, 0.8165}, {5.0, 5.0, 0.9508}, {1.0, 1.0, -1.0},
+    };
+    const double m = 0.5*sphere(2e-3)*2500.0, k = 1090.8212625, limit = 6.25e-5;
+
+    for (size_t t = 0; t < sizeof table/sizeof *table; t++)
+    {
+        const double v = table[t][0]*limit*sqrt(k/m);
+        char *const scene = world_text(
+            "materials { clay { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
+            "effects { hookeHysteresis { unloading 5; plasticDepth 0.05; adhesion %g; stiffness %.17g; "
+            "impactSpeed %.17g; } }"
+            "insert { two { type list; diameter 2e-3; positions ((0 0 0) (0 0 2.1e-3)); } }",
+            table[t][1], t == 0 ? 0.0 : k, t == 0 ? 1.0 : v);
+        struct dem *const w = world(scene, 0, NULL);
+        const char *const text = strstr(plan(w, &(struct dem_run_info){.duration = 1.0}), "Contacts");
+
+        /* five digits are printed */
+        TAP_NEAR(number_after(text, "stiffness "), k, 6e-5*k, "hookeHysteresis: stiffness");
+        TAP_NEAR(number_after(text, "limit overlap "), limit, 6e-5*limit, "... limit overlap");
+        if (table[t][2] < 0.0)
+        {
+            TAP_OK(strstr(text, "sticks at") != NULL, "... sticks");
+        }
+        else if (t > 0)
+        {
+            TAP_NEAR(number_after(text, "restitution by yielding "), table[t][2], 1e-4,
+                     "... restitution at %g v_lim, k_c/k %g", table[t][0], table[t][1]);
+        }
+        dem_free(w);
+        free(scene);
+    }
+}
+
 int main(void)
 {
     TAP_TRAPS;
@@ -432,6 +476,7 @@ int main(void)
     test_unknown_packing();
     test_expansion();
     test_law_of_its_own();
+    test_yielding();
     test_bed_by_columns();
     test_cost();
     TAP_DONE;

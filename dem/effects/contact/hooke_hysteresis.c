@@ -226,6 +226,49 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
     return 1;
 }
 
+/*
+ * Restitution of an impact at v without dashpot, e^2 from the energy that the loop keeps:
+ *
+ *   v <= v_lim   k/k_2 - (k_c/k) (k_2 - k)^2/(k_2 (k_2 + k_c)),   k_2 of d_max = v sqrt(m/k)
+ *   v >  v_lim   1 - d_lim^2 (k - k^2/k_m + k_c (k_m - k)^2/(k_m (k_m + k_c)))/(m v^2)
+ *
+ * v_lim = d_lim sqrt(k/m); the partners stick where e^2 < 0.
+ */
+static double rebound(const struct hysteresis *h, double k, double m, double d_lim)
+{
+    const double km = k*h->unloading, kc = k*h->adhesion, v = h->impact_speed;
+    const double d = v*sqrt(m/k);
+
+    if (h->stiffer == 0.0 || d_lim == 0.0)
+    {
+        return 1.0;
+    }
+    if (d <= d_lim)
+    {
+        const double k2 = k*(1.0 + h->stiffer*d/d_lim);
+
+        return k/k2 - h->adhesion*(k2 - k)*(k2 - k)/(k2*(k2 + kc));
+    }
+    return 1.0 - d_lim*d_lim*(k - k*k/km + kc*(km - k)*(km - k)/(km*(km + kc)))/(m*v*v);
+}
+
+static void describe_pair(const void *of, const struct dem_pair_class *pair, char *line,
+                          size_t size)
+{
+    const struct hysteresis *h = of;
+    const double m = pair->min_mass, R = pair->min_radius,
+                 k = h->spring.scale > 0.0 ? h->spring.scale*pow(R*R*m, 0.2) : h->stiffness,
+                 d_lim = h->limit*R, kept = rebound(h, k, m, d_lim);
+    char speed[64] = "sticks";
+
+    if (kept > 0.0)
+    {
+        snprintf(speed, sizeof speed, "restitution by yielding %.4g", sqrt(kept));
+    }
+    snprintf(line, size, ", stiffness %.5g N/m, limit overlap %.5g m, %s at %g m/s", k, d_lim, speed,
+             h->impact_speed);
+}
+
 static int adhesive(const void *of)
 {
     return ((const struct hysteresis *)of)->adhesion > 0.0;
@@ -249,6 +292,7 @@ const struct dem_effect dem_hooke_hysteresis = {
     .apply = apply,
     .energy = energy,
     .relevance = relevance,
+    .describe_pair = describe_pair,
     .adhesive = adhesive,
     .mechanism = DEM_MECHANISM_YIELDING,
 };

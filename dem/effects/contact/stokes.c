@@ -23,7 +23,8 @@
  * 0 gives e_max. No logarithm is taken in the loop.
  *
  * Added mass (in St only; the motion itself is not changed here): each particle counts
- * m_i + C_M rho_f V_i. With f = 1 + C_M rho_f/rho_p, m* becomes f_a m* at a wall and
+ * m_i + C_M rho_f V_i, with C_M = 1/2 wherever the fluid's density is known (fluidDensity, or that
+ * of the run), as in the fit of beta = 35. Where virtualMass acts, m* has it already. With f = 1 + C_M rho_f/rho_p, m* becomes f_a m* at a wall and
  * f_a f_b (rho_a + rho_b)/(f_a rho_a + f_b rho_b) m* in a pair. This is exact at a wall, for two
  * particles of equal density and any sizes, and for two of equal size and any densities; for
  * unequal sizes and densities it lies between f_a and f_b times m*, as the exact value does.
@@ -48,6 +49,7 @@
 
 #include "effects/contact/film_loss.h"
 #include "effects/contact/restitution.h"
+#include <stdio.h>
 
 struct stokes
 {
@@ -56,6 +58,7 @@ struct stokes
     double viscosity;
     double added_mass;
     double fluid_density;
+    double density;    /* kg/m3  rho_f used, derived */
     int speed, attraction;
     double critical;   /* 1    alpha at critical damping, derived */
     double loss;       /* 1    -ln e_max, derived */
@@ -75,11 +78,12 @@ static const struct dem_setting settings[] = {
     DEM_SETTING(stokes, beta, "1", 35.0, 0.0, 1e6, "ln e = ln e_max - beta/St"),
     DEM_SETTING(stokes, viscosity, "Pa s", 0.0, 0.0, INFINITY,
                 "of the fluid in the gap; 0: that of the coupled fluid"),
-    DEM_SETTING_AS(stokes, added_mass, "addedMass", "1", 0.0, 0.0, 10.0,
-                   "C_M: each particle has the mass m + C_M rho_f V in St (0.5 for an isolated "
-                   "sphere); 0: none, or the added mass of virtualMass"),
+    DEM_SETTING_AS(stokes, added_mass, "addedMass", "1", -1.0, 0.0, 10.0,
+                   "C_M: each particle has the mass m + C_M rho_f V in St; 0: none; -1, not given: "
+                   "0.5 as in the fit of beta where rho_f is known, none where it is not; with "
+                   "virtualMass its own"),
     DEM_SETTING_AS(stokes, fluid_density, "fluidDensity", "kg/m3", 0.0, 0.0, INFINITY,
-                   "rho_f for addedMass"),
+                   "rho_f for addedMass; 0: that of the run's fluid"),
     DEM_SETTING_CHOICE(
         stokes, speed, "speed", IMPACT, speeds,
         "v in St: of the first contact, or for comparison instantaneous as in "
@@ -93,10 +97,23 @@ static const struct dem_setting settings[] = {
 
 static const char *const history_names[] = {"impact_speed", NULL};
 
+/* C_M of an isolated sphere; Legendre et al. fitted beta with it */
+static const double sphere_added_mass = 0.5;
+
+/* 1: C_M in St */
+static double coefficient(const struct stokes *stokes, const struct dem_pair_class *pair)
+{
+    if (stokes->added_mass >= 0.0)
+    {
+        return stokes->added_mass;
+    }
+    return stokes->density > 0.0 && !pair->inertia_has_added_mass ? sphere_added_mass : 0.0;
+}
+
 /* 1: reduced mass with added mass over that without; the header comment says where it is exact */
 static double more_mass(const struct stokes *stokes, const struct dem_pair_class *pair)
 {
-    const double added = stokes->added_mass*stokes->fluid_density;    /* kg/m3 */
+    const double added = coefficient(stokes, pair)*stokes->density;    /* kg/m3 */
     const double rho_a = pair->a->density, rho_b = pair->b->density;
     const double with_a = rho_a + added, with_b = rho_b + added;
 
@@ -116,13 +133,20 @@ static int prepare(void *of, const struct dem_pair_class *pair)
         "stokes between %s and %s: there is no normal law to damp; add one to the effects, hertz for example",
         pair->a->name, pair->b->name);
     DEM_REQUIRE(
-        stokes->added_mass == 0.0 || stokes->fluid_density > 0.0, DEM_ERROR_INPUT,
+        stokes->fluid_density == 0.0 || pair->fluid_density == 0.0
+            || fabs(stokes->fluid_density - pair->fluid_density) <= 1e-9*pair->fluid_density,
+        DEM_ERROR_INPUT,
+        "stokes: fluidDensity %g kg/m3, but the fluid of the run has %g kg/m3; remove fluidDensity from stokes",
+        stokes->fluid_density, pair->fluid_density);
+    stokes->density = stokes->fluid_density > 0.0 ? stokes->fluid_density : pair->fluid_density;
+    DEM_REQUIRE(
+        stokes->added_mass <= 0.0 || stokes->density > 0.0, DEM_ERROR_INPUT,
         "stokes: addedMass %g has no effect without fluidDensity, which is %g kg/m3; give the fluid's density, "
         "or addedMass 0",
         stokes->added_mass, stokes->fluid_density);
     stokes->critical = dem_restitution_critical(pair->exponent);
     stokes->loss = dem_restitution_loss(stokes->restitution);
-    stokes->more_mass = stokes->added_mass > 0.0 ? more_mass(stokes, pair) : 1.0;
+    stokes->more_mass = more_mass(stokes, pair);
     return DEM_OK;
 }
 
@@ -170,7 +194,7 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
 
 static double own_added_mass(const void *of)
 {
-    return ((const struct stokes *)of)->added_mass;
+    return fmax(((const struct stokes *)of)->added_mass, 0.0);
 }
 
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)
@@ -178,6 +202,18 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
     (void)of;
     v->missing_setting = g->has_restitution ? NULL : "restitution, that of an impact without fluid";
     return dem_film_loss(g, v);
+}
+
+/* beta was fitted to St with added mass */
+static int describe(const void *of, const struct dem_regime *g, char *line, size_t size)
+{
+    const struct stokes *const stokes = of;
+
+    (void)g;
+    snprintf(line, size,
+             "stokes counts no added mass, which is in the fit of beta: give "
+             "effects/stokes/fluidDensity, or addedMass 0 to do without");
+    return stokes->viscosity > 0.0 && stokes->fluid_density == 0.0 && stokes->added_mass < 0.0;
 }
 
 const struct dem_effect dem_stokes = {
@@ -196,5 +232,6 @@ const struct dem_effect dem_stokes = {
     .energy = energy,
     .own_added_mass = own_added_mass,
     .relevance = relevance,
+    .describe = describe,
     .mechanism = DEM_MECHANISM_FILM,
 };
