@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/did_you_mean.h"
+#include "output/csv_table.h"
 #include "output/vtk.h"
 #include <errno.h>
 #include <stdio.h>
@@ -43,18 +44,23 @@ int dem_output_read(struct dem_output *o, const struct dem_dict *write, const ch
     static const char *const kinds[] = {"no", "last", "all"};
     const char *const slash = strrchr(scene, '/'), *const name = slash ? slash + 1 : scene;
     const char *const dot = strrchr(name, '.');
-    const char *folder = "", *kind = "last";
+    const char *folder = "", *kind = "last", *precision = "single";
 
     o->vtk = o->last_good = o->profile = true;
     if (write)
     {
         DEM_TRY(dem_dict_text_or(write, "folder", "", &folder));
         DEM_TRY(dem_dict_switch_or(write, "vtk", true, &o->vtk));
+        DEM_TRY(dem_dict_switch_or(write, "csv", false, &o->csv));
+        DEM_TRY(dem_dict_word_or(write, "precision", "single", &precision));
         DEM_TRY(dem_dict_word_or(write, "snapshot", "last", &kind));
         DEM_TRY(dem_dict_switch_or(write, "lastGood", true, &o->last_good));
         DEM_TRY(dem_dict_switch_or(write, "orientation", false, &o->orientation));
         DEM_TRY(dem_dict_switch_or(write, "profile", true, &o->profile));
     }
+    o->wide = strcmp(precision, "double") == 0;
+    DEM_REQUIRE(o->wide || strcmp(precision, "single") == 0, DEM_ERROR_INPUT,
+                "write/precision %s; give single or double", precision);
     o->snapshots = -1;
     for (int k = 0; k < 3; k++)
     {
@@ -120,16 +126,17 @@ static int write_particles(const struct dem_output *o, const struct dem_program 
 
     DEM_TRY(copy_particles(d, &s, &n));
     const size_t stride = sizeof *s;
+    const enum dem_vtk_type real = o->wide ? DEM_VTK_DOUBLE : DEM_VTK_FLOAT32;
     const struct dem_vtk_column columns[] =
     {
         {"points", s->position, stride, DEM_VTK_DOUBLE, 3},
         {"id", &s->id, stride, DEM_VTK_INT64, 1},
         {"material", &s->material, stride, DEM_VTK_INT64, 1},
-        {"diameter", &s->diameter, stride, DEM_VTK_FLOAT32, 1},
-        {"velocity", s->velocity, stride, DEM_VTK_FLOAT32, 3},
-        {"spin", s->spin, stride, DEM_VTK_FLOAT32, 3},
-        {"force", s->force, stride, DEM_VTK_FLOAT32, 3},
-        {"orientation", s->orientation, stride, DEM_VTK_FLOAT32, 4},
+        {"diameter", &s->diameter, stride, real, 1},
+        {"velocity", s->velocity, stride, real, 3},
+        {"spin", s->spin, stride, real, 3},
+        {"force", s->force, stride, real, 3},
+        {"orientation", s->orientation, stride, real, 4},
     };
     char path[640];
 
@@ -140,6 +147,60 @@ static int write_particles(const struct dem_output *o, const struct dem_program 
 
     dem_memory_free(s);
     return status;
+}
+
+struct table    /* of particles at a time */
+{
+    const struct output_particle *particle;
+    const struct dem *d;
+    double time;
+    bool orientation;
+};
+
+/* 17 digits: a double is read back with the same bits */
+static int print_particle(const void *source, int64_t i, char *out, size_t size)
+{
+    const struct table *const t = source;
+    const struct output_particle *const s = &t->particle[i];
+    const double *const x = s->position, *const v = s->velocity, *const w = s->spin,
+                       *const f = s->force, *const q = s->orientation;
+    int n = snprintf(out, size,
+                     "%.17g,%lld,%s,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,"
+                     "%.17g,%.17g,%.17g",
+                     t->time, (long long)s->id, dem_material_name(t->d, (int)s->material),
+                     s->diameter, x[0], x[1], x[2], v[0], v[1], v[2], w[0], w[1], w[2], f[0], f[1],
+                     f[2]);
+
+    if (t->orientation && n > 0 && (size_t)n < size)
+    {
+        n += snprintf(out + n, size - (size_t)n, ",%.17g,%.17g,%.17g,%.17g", q[0], q[1], q[2], q[3]);
+    }
+    return n;
+}
+
+/* Collective. */
+static int write_csv(const struct dem_output *o, const struct dem_program *prog,
+                     const struct dem *d, int64_t number, double time)
+{
+    struct table t = {.d = d, .time = time, .orientation = o->orientation};
+    struct output_particle *s = NULL;
+    char path[640], columns[256];
+    int64_t n = 0;
+
+    snprintf(path, sizeof path, "%s/particles_%06lld.csv", o->folder, (long long)number);
+    snprintf(columns, sizeof columns,
+             "time[s],id,material,diameter[m],x[m],y[m],z[m],vx[m/s],vy[m/s],vz[m/s],wx[1/s],"
+             "wy[1/s],wz[1/s],fx[N],fy[N],fz[N]%s", o->orientation ? ",q0,q1,q2,q3" : "");
+    DEM_TRY(dem_program_agree(prog, copy_particles(d, &s, &n)));
+    t.particle = s;
+    const int status = dem_csv_table_write(
+        &(const struct dem_file_ranks){prog->comm, prog->rank, NULL}, path, columns, n,
+        print_particle, &t);
+
+    dem_memory_free(s);
+    DEM_TRY(status);
+    return dem_program_agree(prog, prog->rank == 0 ? dem_effects_record(d, o->folder, o->start)
+                                                   : DEM_OK);
 }
 
 static int check_folder(const struct dem_output *o)
@@ -172,7 +233,7 @@ static int check_folder(const struct dem_output *o)
 
 int dem_output_check(const struct dem_output *o, const struct dem_program *prog)
 {
-    const int writes = o->vtk || o->snapshots || o->walls > 0.0 || o->energy > 0.0;
+    const int writes = o->vtk || o->csv || o->snapshots || o->walls > 0.0 || o->energy > 0.0;
 
     return dem_program_agree(prog, prog->rank == 0 && writes ? check_folder(o) : DEM_OK);
 }
@@ -226,12 +287,16 @@ static int write_vtk(const struct dem_output *o, const struct dem_program *prog,
 int dem_output_write(const struct dem_output *o, const struct dem_program *prog, struct dem *d,
                      int64_t number, double time)
 {
-    const int folder = prog->rank == 0 && (o->vtk || o->snapshots || dem_averages_count(d));
+    const int folder = prog->rank == 0 && (o->vtk || o->csv || o->snapshots || dem_averages_count(d));
 
     DEM_TRY(dem_program_agree(prog, folder ? dem_output_folder(o) : DEM_OK));
     if (o->vtk)
     {
         DEM_TRY(write_vtk(o, prog, d, number, time));
+    }
+    if (o->csv)
+    {
+        DEM_TRY(write_csv(o, prog, d, number, time));
     }
     return write_averages(o, prog, d);
 }

@@ -15,7 +15,8 @@
 struct dem_output
 {
     char folder[512];
-    bool vtk;
+    bool vtk, csv;         /* files of particles */
+    bool wide;             /* VTK files with 64 bits for all numbers, not for positions only */
     double walls, energy;  /* s  between rows of walls.csv, of energy.csv; 0: none */
     double max_created;    /* 1  limit of energy created between two rows, of the largest term; 0:
                               none */
