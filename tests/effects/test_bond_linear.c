@@ -127,10 +127,65 @@ static void forces(void)
              "their energy is stored");
 }
 
+/* meets[k]: 1 where the rows come within makeDistance at step k, 0 where they are apart; returns
+   how many of 20 x 64 pairs are bonded at the end */
+static int bonded_after(int redraw, const int *meets, int steps)
+{
+    const char *names[] = {"normalStiffness", "shearStiffness", "probability", "seed"};
+    const double values[] = {kn, kt, 0.3, 5.0};
+    struct dem_contact_batch *const b = &w.b;
+    int bonded = 0;
+
+    for (int block = 0; block < 20; block++)
+    {
+        prepare(names, values, 4);
+        dem_settings_set_word(dem_bond_linear.settings, settings, "bondLinear", "make", "always");
+        dem_settings_set_word(dem_bond_linear.settings, settings, "bondLinear", "redraw",
+                              redraw ? "yes" : "no");
+        TAP_OK(dem_bond_linear.prepare(settings, &w.pair) == DEM_OK, "block %d", block);
+        deform(0.0, 0.0, 0.0, 0.0);
+        memset(column, 0, sizeof column);
+        b->n = DEM_BATCH_ROWS;
+        for (int s = 0; s < steps; s++)
+        {
+            b->previous_time = b->time;
+            b->time = 1.0 + 1e-9*s;
+            for (int c = 0; c < b->n; c++)
+            {
+                b->nz[c] = b->hz[c] = b->is_primary[c] = 1.0;
+                b->distance[c] = (meets[s] ? 2.0 : 2.01)*R;
+                b->gap[c] = b->distance[c] - 2.0*R;
+                b->reduced_radius[c] = 0.5*R, b->min_radius[c] = R,
+                b->reduced_mass[c] = w.pair.min_mass;
+                b->pair_random[c] = (block*DEM_BATCH_ROWS + c + 0.5)/(20.0*DEM_BATCH_ROWS);
+            }
+            dem_bond_linear.apply(settings, b, history);
+        }
+        for (int c = 0; c < b->n; c++)
+        {
+            bonded += column[LENGTH][c] > 0.0;
+        }
+    }
+    return bonded;
+}
+
+/* p = 0.3: after three meetings 1 - 0.7^3 = 0.657 of the pairs are bonded when each is drawn anew,
+   and 0.3 when they are drawn once; staying near is one meeting. Four standard deviations. */
+static void drawn_again(void)
+{
+    static const int three[] = {1, 1, 1, 0, 1, 1, 0, 0, 1}, stays[] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
+    const double n = 20.0*DEM_BATCH_ROWS, once = 4.0*sqrt(0.3*0.7/n), again = 4.0*sqrt(0.657*0.343/n);
+
+    TAP_NEAR(bonded_after(0, three, 9)/n, 0.3, once, "drawn once, three meetings");
+    TAP_NEAR(bonded_after(1, stays, 9)/n, 0.3, once, "redraw, one long meeting");
+    TAP_NEAR(bonded_after(1, three, 9)/n, 0.657, again, "redraw, three meetings");
+}
+
 int main(void)
 {
     TAP_TRAPS;
     strengths();
     forces();
+    drawn_again();
     TAP_DONE;
 }

@@ -390,6 +390,41 @@ static void limits_of_law(void)
     TAP_OK(pull < 0.0, "dry, clamped: this is an attraction");
 }
 
+/* With attraction none the contact never pulls, the adhesive branch neither: unloading returns
+   (k d_max)^2/(2 k_2) whatever k_c, so e is that of k_c = 0, sqrt(k/k_2) below v_lim (Walton and
+   Braun), where the contact would stick with its adhesion. Friction at zero force is zero. */
+static void no_tension(void)
+{
+    static const double speed[] = {0.1, 0.5, 1.0, 2.0};
+
+    for (int s = 0; s < 4; s++)
+    {
+        pair_of(5.0, 5.0, 0.05);
+        const double m = w.pair.min_mass, v = speed[s]*d_lim*sqrt(k/m),
+                     dt = pi*sqrt(m/(5.0*k))/200.0, expected = sqrt(returned(0.0, speed[s]));
+        struct impacts_effect *const dry = impacts_add(&w, &dem_dry, "restitution", 1.0);
+
+        apply_setting(&dem_dry, dry->settings, &w.pair, "attraction", 2.0);
+        impacts_aim(&w, 16, dt, v);
+        TAP_OK(impacts_impact(&w, dt, 12000) > 0, "no tension, v/v_lim %g: separates", speed[s]);
+        /* a quarter of the step of the other impacts: 0.005 there */
+        TAP_NEAR(impacts_rebound_speed(&w)/v, expected, 2e-3, "no tension: e = %.4f, k_c = 5 k",
+                 expected);
+    }
+
+    double d = 0.0, work = 0.0;
+    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05), *const dry =
+                                                                  impacts_add(&w, &dem_dry,
+                                                                              "restitution", 1.0);
+    apply_setting(&dem_dry, dry->settings, &w.pair, "attraction", 2.0);
+    load_to(l, &d, 0.8*d_lim, &work);
+    load_to(l, &d, 0.2*d_lim, &work);
+    TAP_OK(w.b.fn[0] < 0.0 && w.b.adhesive_force[0] > 0.0, "the spring pulls");
+    dem_dry.apply(dry->settings, &w.b, dry->history);
+    TAP_OK(w.b.fn[0] == 0.0 && w.b.adhesive_force[0] == 0.0,
+           "no tension: no force, and none in the limit of friction");
+}
+
 /* the limit of friction is mu (F_n + k_c d): mu k_c d at zero normal force, zero at the strongest
    attraction; or mu max(F_n, 0) */
 static void friction(void)
@@ -430,5 +465,6 @@ int main(void)
     loops();
     evaluated_twice();
     limits_of_law();
+    no_tension();
     TAP_DONE;
 }

@@ -20,10 +20,10 @@
  *
  * Making: `make` once at `time`, always from then on, or once for the pairs listed in the scene;
  * where r is at most makeDistance (R_i + R_j), with a probability that depends on the seed and the
- * two ids only. New bonds are free of stress. Damping (added to the forces, not to the breaking
+ * two ids only, with `redraw` on the time of the meeting, too. New bonds are free of stress. Damping (added to the forces, not to the breaking
  * criteria): viscous, c = 2 zeta sqrt(k m), with m = m*, 2/7 m* for slip and I* for rotations; or a
  * fraction of the force of each spring against its velocity v, F - eta |F| v/max(|v|, v_s), v_s =
- * |F| dt/m: the velocity change by the force in one step, so that the damping never reverses a
+ * |F| dt/m (eta may differ between stretching, shear, twist and bending): the velocity change by the force in one step, so that the damping never reverses a
  * motion. Relaxation: every spring is multiplied by exp(-eta dt) in a step, the normal one by a
  * change of l.
  *
@@ -93,11 +93,13 @@ static const char *const contacts[] = {"replaced", "parallel", NULL};
 struct bond
 {
     double normal_stiffness, shear_stiffness, radius;
-    int make, walls, contact, abs_normal;
+    int make, walls, contact, abs_normal, redraw;
     double time, make_distance, break_distance, probability, seed;
     double damping_ratio, damping_share, relaxation;
+    double own_share[4];                                  /* 1  dampingShare of each motion */
     double normal_strength, strength_ratio, shear_strength, friction;
     double inverse_exponent, inertia;                     /* 1, 1: derived; I* = inertia m* R*^2 */
+    double share[4];                                      /* 1  used, derived */
     int idle;                                             /* 1: no bonds in this pair class */
 };
 
@@ -117,6 +119,9 @@ static const struct dem_setting settings[] = {
                    "bonds are made up to this distance of the centres over R_i + R_j"),
     DEM_SETTING(bond, probability, "1", 1.0, 0.0, 1.0, "that a pair within makeDistance is bonded"),
     DEM_SETTING_COUNT(bond, seed, "seed", 1.0, 0.0, 1e15, "of the random numbers of probability"),
+    DEM_SETTING_SWITCH(bond, redraw, "redraw", 0,
+                       "probability is drawn anew each time that a pair comes within makeDistance, "
+                       "not once for all times"),
     DEM_SETTING_SWITCH(bond, walls, "walls", 0, "bonds are also made to walls"),
     DEM_SETTING_CHOICE(bond, contact, "contact", REPLACED, contacts,
                        "contact laws of a bonded pair: replaced by the bond until it breaks, or "
@@ -125,6 +130,14 @@ static const struct dem_setting settings[] = {
                    "zeta: viscous damping, 1 is critical for an isolated pair"),
     DEM_SETTING_AS(bond, damping_share, "dampingShare", "1", 0.0, 0.0, 1.0,
                    "damping force as a fraction of the force of each spring, against its velocity"),
+    DEM_SETTING_AS(bond, own_share[0], "normalDampingShare", "1", -1.0, 0.0, 1.0,
+                   "dampingShare of stretching; -1, not given: dampingShare"),
+    DEM_SETTING_AS(bond, own_share[1], "shearDampingShare", "1", -1.0, 0.0, 1.0,
+                   "dampingShare of shear; -1, not given: dampingShare"),
+    DEM_SETTING_AS(bond, own_share[2], "twistDampingShare", "1", -1.0, 0.0, 1.0,
+                   "dampingShare of twist; -1, not given: dampingShare"),
+    DEM_SETTING_AS(bond, own_share[3], "bendingDampingShare", "1", -1.0, 0.0, 1.0,
+                   "dampingShare of bending; -1, not given: dampingShare"),
     DEM_SETTING(bond, relaxation, "1/s", 0.0, 0.0, INFINITY, "eta: forces decay as exp(-eta t)"),
     DEM_SETTING_AS(bond, normal_strength, "normalStrength", "Pa", 0.0, 0.0, INFINITY,
                    "tensile stress of tension and bending at which bonds break; 0: never"),
@@ -149,9 +162,11 @@ static const char *const history_names[] =
      NULL};
 
 /* values of LENGTH of a broken bond: the pair has not yet been farther apart than makeDistance;
-   and the surfaces have not separated yet */
+   and the surfaces have not separated yet. REFUSED: with redraw, the pair was drawn and not bonded,
+   and has not been farther apart since */
 #define PARTED (-1.0)
 #define BROKEN (-2.0)
+#define REFUSED (-3.0)
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
@@ -172,6 +187,14 @@ static int prepare(void *of, const struct dem_pair_class *pair)
         "degrees); for an angle of %g degrees give %.4g",
         pair->a->name, pair->b->name, bond->friction, bond->friction,
         tan(bond->friction*(3.14159265358979324/180.0)));
+    for (int k = 0; k < 4; k++)
+    {
+        bond->share[k] = bond->own_share[k] < 0.0 ? bond->damping_share : bond->own_share[k];
+    }
+    DEM_REQUIRE(
+        !bond->redraw || bond->make == ALWAYS, DEM_ERROR_INPUT,
+        "bondLinear between %s and %s: redraw yes needs make always: with make %s each pair is drawn once; change one of them",
+        pair->a->name, pair->b->name, makings[bond->make]);
     bond->inverse_exponent = pair->exponent > 0.0 ? 1.0/pair->exponent : 1.0;
     bond->inertia = pair->with_wall ? 0.4 : 1.6;    /* 2/5 m R^2; of two equal spheres R = 2 R* */
     bond->idle = pair->with_wall && !bond->walls;
@@ -232,10 +255,11 @@ static void shield(const void *of, struct dem_contact_batch *restrict b, dem_rea
 
 /* ---- making -------------------------------------------------------------------------------------------------- */
 
-/* random number in 0 .. 1 of a pair */
-static double drawn(double seed, double chance)
+/* random number in 0 .. 1 of a pair; with redraw of the time, too, at which it meets */
+static double drawn(const struct bond *bond, double chance, double time)
 {
-    return dem_random_unit((uint64_t)seed, dem_math_bits(chance), 0, 0);
+    return dem_random_unit((uint64_t)bond->seed, dem_math_bits(chance),
+                           bond->redraw ? dem_math_bits(time) : 0, 0);
 }
 
 /* Makes bonds. In the first evaluation of a run, `previous_time` is -infinity: bonds are made if `time`
@@ -253,8 +277,15 @@ static void make(const struct bond *bond, struct dem_contact_batch *b, dem_real 
                          b->distance[c] <= bond->make_distance*width;
 
         length[c] = length[c] < 0.0 && !near ? 0.0 : length[c];
-        if (near && length[c] == 0.0 && (bond->make != LISTED || history[ASKED][c] > 0.0)
-            && drawn(bond->seed, b->pair_random[c]) < bond->probability)
+        if (!near || length[c] != 0.0 || (bond->make == LISTED && !(history[ASKED][c] > 0.0)))
+        {
+            continue;
+        }
+        if (drawn(bond, b->pair_random[c], b->time) >= bond->probability)
+        {
+            length[c] = bond->redraw ? REFUSED : 0.0;
+        }
+        else
         {
             length[c] = b->distance[c];
             history[WORN][c] = 0.0;
@@ -271,15 +302,15 @@ static void make(const struct bond *bond, struct dem_contact_batch *b, dem_real 
 
 /* Damping coefficient of a spring with |F| = force and |v| = rate: viscous, and the fraction of
    the force. mass: effective mass or inertia. */
-DEM_MATH dem_real damper(const struct bond *bond, dem_real stiffness, dem_real force, dem_real rate,
-                         dem_real mass, dem_real dt)
+DEM_MATH dem_real damper(const struct bond *bond, int motion, dem_real stiffness, dem_real force,
+                         dem_real rate, dem_real mass, dem_real dt)
 {
     const dem_real min_rate =
         dem_select(mass > 0.0, force*dt/dem_select(mass > 0.0, mass, 1.0), 0.0);
     const dem_real speed = dem_select(rate > min_rate, rate, min_rate);
 
     return 2.0*bond->damping_ratio*sqrt(stiffness*mass) +
-           bond->damping_share*force/dem_select(speed > 0.0, speed, 1.0);
+           bond->share[motion]*force/dem_select(speed > 0.0, speed, 1.0);
 }
 
 /* 0: the bond holds, 1: sigma breaks it, 2: tau breaks it. force: F_n, positive in compression,
@@ -334,11 +365,11 @@ DEM_MATH void hold(const struct bond *bond, struct dem_contact_batch *b, dem_rea
     /* damping dissipates kinetic energy, relaxation and breaking elastic energy */
     const dem_real m = b->reduced_mass[c],
                    I = bond->inertia*m*b->reduced_radius[c]*b->reduced_radius[c];
-    const dem_real cn = on*damper(bond, kn, fabs(size[0]), fabs(vn), m, dt);
+    const dem_real cn = on*damper(bond, 0, kn, fabs(size[0]), fabs(vn), m, dt);
     const dem_real ct =
-        on*damper(bond, kt, size[1], sqrt(dem_rotate_dot(slip, slip)), m*(2.0/7.0), dt);
-    const dem_real cw = on*damper(bond, kw, size[2], fabs(spin), I, dt);
-    const dem_real cb = on*damper(bond, kb, size[3], sqrt(dem_rotate_dot(turn, turn)), I, dt);
+        on*damper(bond, 1, kt, size[1], sqrt(dem_rotate_dot(slip, slip)), m*(2.0/7.0), dt);
+    const dem_real cw = on*damper(bond, 2, kw, size[2], fabs(spin), I, dt);
+    const dem_real cb = on*damper(bond, 3, kb, size[3], sqrt(dem_rotate_dot(turn, turn)), I, dt);
     const dem_real taken = dt*(cn*vn*vn + ct*dem_rotate_dot(slip, slip) + cw*spin*spin +
                                  cb*dem_rotate_dot(turn, turn));
     const dem_real other = dem_select(holds > 0.0, bond->contact == REPLACED ? 0.0 : 1.0, 1.0);

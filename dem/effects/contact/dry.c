@@ -32,7 +32,8 @@ static const struct dem_setting settings[] = {
     DEM_SETTING(dem_dry, restitution, "1", DEM_SETTING_REQUIRED, 0.0, 1.0,
                 "speed after a normal impact over speed before"),
     DEM_SETTING_CHOICE(dem_dry, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
-                       "whether the dashpot may pull while the contact opens; clamped, it never "
+                       "whether the contact may pull while it opens; none: never, max(F, 0) of spring "
+                       "and dashpot, adhesive springs of the normal law too; clamped, the dashpot never "
                        "pulls, and restitution is too high: 0.33 for 0.2, 0.55 for 0.5, 0.81 for "
                        "0.8, 0.90 for 0.9"),
     {0},
@@ -67,6 +68,7 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
         dem_dry_row(alpha, min_force, &r);
         b->eta[c] = r.eta;
         b->fn[c] = r.fn;
+        b->adhesive_force[c] = r.adhesive_force;
     }
 }
 

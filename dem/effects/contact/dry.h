@@ -25,6 +25,7 @@ static inline __attribute__((always_inline)) void dem_dry_row(dem_real alpha, de
 
     r->eta = eta;
     r->fn = dem_attraction(r->fn, eta*r->vn, min_force);
+    r->adhesive_force = dem_attraction_adhesion(r->adhesive_force, min_force);
 }
 
 #endif

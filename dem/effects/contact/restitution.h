@@ -45,24 +45,35 @@ static inline double dem_restitution_loss(double e)
 enum
 {
     DEM_ATTRACTION_ALLOWED,
-    DEM_ATTRACTION_CLAMPED
+    DEM_ATTRACTION_CLAMPED,
+    DEM_ATTRACTION_NONE
 };
-static const char *const dem_attractions[] = {"allowed", "clamped", NULL};
+static const char *const dem_attractions[] = {"allowed", "clamped", "none", NULL};
 
-/* N: the smallest normal force that this choice allows */
+/* N: the smallest normal force that this choice allows; above 0: as 0, for attractive springs too */
 static inline double dem_attraction_min_force(int choice)
 {
-    return choice == DEM_ATTRACTION_CLAMPED ? 0.0 : -1e30;    /* no limit */
+    return choice == DEM_ATTRACTION_NONE ? 1.0 : choice == DEM_ATTRACTION_CLAMPED ? 0.0 : -1e30;
 }
 
 /* N: spring and dashpot together. Clamped, a repulsive spring force does not become attractive,
-   and an attractive one is not changed. */
+   and an attractive one is not changed. None: max(F, 0) of the whole, eq. (10) of Open DEM Japan,
+   Hooke/Hysteresis normal contact model (in Japanese, 2025). */
 static inline __attribute__((always_inline)) dem_real dem_attraction(dem_real spring,
                             dem_real dashpot, dem_real min_force)
 {
     const dem_real sum = spring - dashpot;
 
-    return dem_select((spring < 0) | (sum >= min_force), sum, min_force);
+    const dem_real lowest = dem_select(min_force > 0, 0, min_force);
+
+    return dem_select(((spring < 0) & (min_force <= 0)) | (sum >= lowest), sum, lowest);
+}
+
+/* N: adhesive force in the friction limit: none where the normal force may not attract */
+static inline __attribute__((always_inline)) dem_real dem_attraction_adhesion(dem_real adhesive,
+                            dem_real min_force)
+{
+    return dem_select(min_force > 0, 0, adhesive);
 }
 
 /* ---- energy ------------------------------------------------------------------------------------------------------ */

@@ -90,7 +90,8 @@ static const struct dem_setting settings[] = {
         "LIGGGHTS, where restitution becomes 0.08 for 0.48 at St = 50, 0.55 for 0.68 "
         "at 100 and 0.956 for 0.937 at 1000"),
     DEM_SETTING_CHOICE(stokes, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
-                       "whether the dashpot may pull while the contact opens; clamped, restitution "
+                       "whether the contact may pull while it opens; none: never; clamped, the dashpot "
+                       "never pulls, and restitution "
                        "is too high: 0.20 for 0.03, 0.54 for 0.48, 0.70 for 0.68"),
     {0},
 };
@@ -182,6 +183,7 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
         impact_speed[c] = speed;
         b->eta[c] = eta;
         b->fn[c] = dem_attraction(b->fn[c], eta*b->vn[c], min_force);
+        b->adhesive_force[c] = dem_attraction_adhesion(b->adhesive_force[c], min_force);
     }
 }
 

@@ -71,6 +71,7 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 
         b->eta[c] = eta;
         b->fn[c] = dem_attraction(b->fn[c], eta*b->vn[c], min_force);
+        b->adhesive_force[c] = dem_attraction_adhesion(b->adhesive_force[c], min_force);
     }
 }
 
