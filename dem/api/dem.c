@@ -111,6 +111,7 @@ void dem_free(struct dem *d)
     dem_particles_free(&d->state.particles);
     dem_walls_free(&d->state.walls);
     dem_interaction_table_free(&d->state.interaction_table);
+    dem_applied_forces_free(&d->state.applied_forces);
     dem_load_balance_free(&d->state.load_balance);
     dem_decomposition_free(&d->state.decomposition);
     dem_memory_free(d);
@@ -450,6 +451,9 @@ int dem_gravity_acceleration(const struct dem *d, double g[3])
 static int check_fluid(const struct dem *d)
 {
     DEM_TRY(dem_require_fluid(d));
+    DEM_REQUIRE(!(d->coupled && d->state.applied_forces.n > 0), DEM_ERROR_INPUT,
+                "the scene has forces, which the balances of a coupled run do not know; remove "
+                "forces, or run the scene by itself");
     DEM_REQUIRE(!d->with_fluid || d->scene.fluid.given || d->flow_on_request
                     || d->state.flows->plan->streams == 0,
                 DEM_ERROR_STATE,

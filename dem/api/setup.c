@@ -326,6 +326,7 @@ static int read_scene(struct dem *d)
     DEM_TRY(dem_scene_read_materials(d->dict, &p->interaction_table));
     DEM_TRY(dem_api_add_mesh_walls(d));
     DEM_TRY(dem_scene_read(&d->scene, d->dict, &p->interaction_table, &p->walls, &p->domain));
+    DEM_TRY(dem_scene_read_forces(d->dict, &p->interaction_table, &p->applied_forces));
     DEM_TRY(dem_api_assign_patches(d));
     if (d->scene.snapshot && !d->load_path[0])
     {

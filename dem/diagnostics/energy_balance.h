@@ -55,12 +55,13 @@ enum dem_energy_balance_sum                                       /* of each eff
     DEM_ENERGY_BALANCE_WALLS,    /* J  work of walls on particles */
     DEM_ENERGY_BALANCE_OUT,      /* J  carried out by particles that left */
     DEM_ENERGY_BALANCE_IN,       /* J  carried in by particles that came */
+    DEM_ENERGY_BALANCE_APPLIED,  /* J  work of the scene's forces on chosen particles */
     DEM_ENERGY_BALANCE_SUMS
 };
 
 enum
 {
-    DEM_ENERGY_BALANCE_ITEMS = 9 + DEM_ENERGY_BALANCE_SUMS_PER_EFFECT*DEM_EFFECT_LIST_LIMIT
+    DEM_ENERGY_BALANCE_ITEMS = 10 + DEM_ENERGY_BALANCE_SUMS_PER_EFFECT*DEM_EFFECT_LIST_LIMIT
 };
 
 struct dem_energy_balance_scratch    /* working columns of the current batch */

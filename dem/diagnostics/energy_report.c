@@ -145,6 +145,7 @@ static double report_all(struct dem_state *p)
                  broken = value_of(p, &l->sum[DEM_ENERGY_BALANCE_BROKEN]);
     const double walls = value_of(p, &l->sum[DEM_ENERGY_BALANCE_WALLS]),
                  left = value_of(p, &l->sum[DEM_ENERGY_BALANCE_OUT]);
+    const double applied = value_of(p, &l->sum[DEM_ENERGY_BALANCE_APPLIED]);
     const double came = value_of(p, &l->sum[DEM_ENERGY_BALANCE_IN]);
     double kinetic[2], g[3], total;
     const struct dem_effect *const potential =
@@ -167,7 +168,11 @@ static double report_all(struct dem_state *p)
     {
         add_term(l, "work_walls", "", walls);
     }
-    total += broken - walls + report_bodies(p);
+    if (p->applied_forces.n > 0)
+    {
+        add_term(l, "work_forces", "", applied);
+    }
+    total += broken - walls - applied + report_bodies(p);
     if (p->domain.remove || l->flows)
     {
         add_term(l, "left", "", left);

@@ -31,6 +31,7 @@
 #include "insertion/insert.h"
 #include "inflow/stream.h"
 #include "model/domain.h"
+#include "model/applied_forces.h"
 #include "model/interaction_table.h"
 #include "model/walls.h"
 
@@ -64,5 +65,9 @@ int dem_scene_read_materials(const struct dem_dict *, struct dem_interaction_tab
 int dem_scene_read(struct dem_scene *, const struct dem_dict *, struct dem_interaction_table *,
                    struct dem_walls *, struct dem_domain *);
 void dem_scene_free(struct dem_scene *);
+
+/* The entry forces. Materials must have been read. */
+int dem_scene_read_forces(const struct dem_dict *, const struct dem_interaction_table *,
+                          struct dem_applied_forces *);
 
 #endif

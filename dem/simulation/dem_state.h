@@ -10,6 +10,7 @@
 #ifndef DEM_SIMULATION_DEM_STATE_H
 #define DEM_SIMULATION_DEM_STATE_H
 
+#include "model/applied_forces.h"
 #include "model/domain.h"
 #include "parallel/halo.h"
 #include "neighbor/pairs.h"
@@ -55,6 +56,7 @@ struct dem_state
     struct dem_decomposition decomposition;
     struct dem_halo halo;
     struct dem_limits limits;
+    struct dem_applied_forces applied_forces;  /* of the scene, on chosen particles */
     struct dem_backup backup;
     struct dem_load_balance load_balance;
 

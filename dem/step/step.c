@@ -250,6 +250,8 @@ static struct dem_body_sweep options(const struct dem_state *p, const struct due
         .contacts = due->fused ? &p->contacts : NULL,
         .unobserved = due->fused && !due->observed,
         .round = flat ? NULL : p->domain.round,
+        .applied = p->applied_forces.n > 0 ? &p->applied_forces : NULL,
+        .time = p->time,
         .energy_balance = p->energy_balance->open ? p->energy_balance : NULL};
 }
 
@@ -350,6 +352,8 @@ static void first_kick(struct dem_state *p, double kick)
                          &(struct dem_body_sweep){
                              .kick = kick,
                              .window = p->window,
+                             .applied = p->applied_forces.n > 0 ? &p->applied_forces : NULL,
+                             .time = p->time,
                              .energy_balance = p->energy_balance->open
                                                    ? p->energy_balance
                                                    : NULL});

@@ -156,12 +156,60 @@ static void apply_effects(struct dem_body_workspace *t, const struct dem_effect_
     }
 }
 
+/* ---- forces of the scene on chosen particles ------------------------------------------------- */
+
+struct applied    /* on the particles of a batch */
+{
+    double force[DEM_BATCH_ROWS][3], torque[DEM_BATCH_ROWS][3];
+    double v[DEM_BATCH_ROWS][3], w[DEM_BATCH_ROWS][3];    /* m/s, 1/s  before the kick */
+    int any[DEM_BATCH_ROWS];
+};
+
+/* Forces join those of the body effects, before the kick. */
+static void add_applied(struct applied *a, struct dem_body_batch *b, const struct dem_body_sweep *s,
+                        const struct dem_particle *record, int rows)
+{
+    for (int c = 0; c < rows; c++)
+    {
+        a->any[c] = dem_applied_forces_at(s->applied, &record[c], s->time, a->force[c],
+                                          a->torque[c]);
+        memcpy(a->v[c], record[c].v, sizeof a->v[c]);
+        memcpy(a->w[c], record[c].w, sizeof a->w[c]);
+        b->fx[c] += a->force[c][0];
+        b->fy[c] += a->force[c][1];
+        b->fz[c] += a->force[c][2];
+    }
+}
+
+/* After the kick: the spins by the torques, and the work by the mean velocities. */
+static void finish_applied(const struct applied *a, const struct dem_body_sweep *s,
+                           struct dem_particle *record, int rows)
+{
+    for (int c = 0; c < rows; c++)
+    {
+        struct dem_particle *const r = &record[c];
+        double work = 0.0;
+
+        for (int k = 0; k < 3 && a->any[c]; k++)
+        {
+            r->w[k] += a->torque[c][k]*r->inverse_inertia*s->kick;
+            work += 0.5*s->kick*(a->force[c][k]*(a->v[c][k] + r->v[k]) +
+                                 a->torque[c][k]*(a->w[c][k] + r->w[k]));
+        }
+        if (a->any[c] && s->energy_balance)
+        {
+            dem_energy_balance_add(&s->energy_balance->sum[DEM_ENERGY_BALANCE_APPLIED], work);
+        }
+    }
+}
+
 static void sweep_batch(struct dem_body_pass *pass, size_t first, int rows)
 {
     struct dem_particles *const p = pass->particles;
     struct dem_body_workspace *const t = &pass->workspace;
     const struct dem_body_sweep *const s = pass->sweep;
     const int fluid = dem_column(p, DEM_COLUMN_FLUID_VELOCITY) != NULL;
+    struct applied applied;
 
     dem_body_batch_select_forces(t, p, first, pass->unobserved);
     if (s->contacts)
@@ -180,6 +228,10 @@ static void sweep_batch(struct dem_body_pass *pass, size_t first, int rows)
         dem_body_batch_gather_fluid(t, p, first, rows, s->window > 0.0 ? 1.0/s->window : 0.0);
     }
     apply_effects(t, pass->bodies, s->energy_balance);
+    if (s->applied)
+    {
+        add_applied(&applied, &t->batch, s, p->record + first, rows);
+    }
     if (fluid && pass->bodies->whole_drag)
     {
         dem_body_batch_divide_by_void_fraction(t);
@@ -212,6 +264,10 @@ static void sweep_batch(struct dem_body_pass *pass, size_t first, int rows)
     if (dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE))
     {
         dem_body_batch_scatter_spins(t, p, first, rows);
+    }
+    if (s->applied)
+    {
+        finish_applied(&applied, s, p->record + first, rows);
     }
     if (pass->unobserved && s->round)
     {

@@ -7,6 +7,7 @@
 #ifndef DEM_STEP_SWEEP_BODIES_H
 #define DEM_STEP_SWEEP_BODIES_H
 
+#include "model/applied_forces.h"
 #include "model/domain.h"
 #include "model/contacts.h"
 #include "model/particles.h"
@@ -29,6 +30,8 @@ struct dem_body_sweep    /* options of one sweep over all particles */
                                                    over the kick, with the rounding of
                                                    dem_domain.round; NULL: something
                                                    has to be done before the drift */
+    const struct dem_applied_forces *applied;  /* NULL: none; */
+    double time;                               /* s  at which they are taken */
     struct dem_energy_balance *energy_balance;  /* energy balance that sums the work; NULL: none */
 };
 

@@ -1,0 +1,93 @@
+/*
+ * test_applied_forces.c -- forces and torques that a scene prescribes for chosen particles.
+ *
+ * - A particle chosen by id, material, box or time moves as Newton says; the others and frozen ones
+ *   do not feel it.
+ * - Two spheres pressed together by F on a spring k overlap by 2 F/k at most, and the work of both
+ *   forces is their kinetic and elastic energy.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/energy.h"
+
+static const double R = 1e-3, rho = 2500.0;
+
+static double mass(void)
+{
+    return world_sphere_mass(R, rho);
+}
+
+/* m/s and 1/s after 1 ms of the bead with this id, of five on a line along x, 5 mm apart; id 3 is
+   of another material, id 4 is frozen */
+static void pushed(const char *what, const char *forces, const double v[5], const double w[5])
+{
+    char *const scene = world_text(
+        "materials { m { density %g; youngsModulus 1e7; } other { density %g; youngsModulus 1e7; } }"
+        "effects { hooke { stiffness 1000; } }"
+        "insert { a { type list; material m; diameter 2e-3; positions ((0 0 0) (5e-3 0 0) (1e-2 0 0)); }"
+        "b { type list; material other; diameter 2e-3; positions ((1.5e-2 0 0)); }"
+        "c { type list; material m; frozen yes; diameter 2e-3; positions ((2e-2 0 0)); } }"
+        "forces { %s } time { step 1e-6; }", rho, rho, forces);
+    struct dem *const d = world(scene, 0, NULL);
+
+    world_run(d, 1e-3);
+    for (int k = 0; k < 5; k++)
+    {
+        const struct world_particle p = world_at(d, k);
+
+        /* round-off of 1000 kicks */
+        TAP_NEAR(p.v[2], v[k], 1e-12, "%s: velocity of id %d", what, k);
+        TAP_NEAR(p.w[1], w[k], 1e-9, "%s: spin of id %d", what, k);
+    }
+    dem_free(d);
+    free(scene);
+}
+
+static void chosen(void)
+{
+    const double m = mass(), v = 1e-4*1e-3/m, w = 1e-8*1e-3/(0.4*m*R*R);
+    static const double none[5] = {0.0, 0.0, 0.0, 0.0, 0.0};
+
+    pushed("all", "f { force (0 0 1e-4); }", (const double[5]){v, v, v, v, 0.0}, none);
+    pushed("by id", "f { ids (2 0); force (0 0 1e-4); torque (0 1e-8 0); }",
+           (const double[5]){v, 0.0, v, 0.0, 0.0}, (const double[5]){w, 0.0, w, 0.0, 0.0});
+    pushed("by material", "f { material other; force (0 0 1e-4); }",
+           (const double[5]){0.0, 0.0, 0.0, v, 0.0}, none);
+    pushed("in a box", "f { min (4e-3 -1 -1); max (11e-3 1 1); force (0 0 1e-4); }",
+           (const double[5]){0.0, v, v, 0.0, 0.0}, none);
+    pushed("two add up", "f { force (0 0 1e-4); } g { ids (1); force (0 0 -3e-4); }",
+           (const double[5]){v, -2.0*v, v, v, 0.0}, none);
+
+    /* each kick takes the force at its own time: 400 whole kicks of 1 us from 0.2 ms on */
+    pushed("for a time", "f { ids (1); force (0 0 1e-4); start 0.1995e-3; end 0.5995e-3; }",
+           (const double[5]){0.0, 0.4*v, 0.0, 0.0, 0.0}, none);
+}
+
+static void pressed(void)
+{
+    const double F = 0.01, k = 1000.0, m = mass(), w = sqrt(2.0*k/m), half = world_pi/w;
+    char *const scene = world_text(
+        "materials { m { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; } }"
+        "insert { a { type list; diameter 2e-3; positions ((0 0 0) (0 0 2e-3)); } }"
+        "forces { down { ids (1); force (0 0 %g); } up { ids (0); force (0 0 %g); } }"
+        "time { step %.17g; }", rho, k, -F, F, half/1000.0);
+    struct dem *const d = energy_world(scene, 0, NULL);
+
+    world_run(d, half);
+    const double overlap = 2.0*R - (world_at(d, 1).x[2] - world_at(d, 0).x[2]);
+
+    /* the frequency is too high by (w dt)^2/24 = 4e-7 of itself */
+    TAP_NEAR(overlap, 2.0*F/k, 1e-6*2.0*F/k, "pressed by %g N: overlap 2 F/k", F);
+    TAP_NEAR(energy_term(d, "work_forces"), F*2.0*F/k, 1e-5*F*2.0*F/k, "work F 2 F/k");
+    TAP_NEAR(energy_term(d, "residual"), 0.0, 1e-5*F*2.0*F/k, "no energy comes from nowhere");
+    dem_free(d);
+    free(scene);
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    chosen();
+    pressed();
+    TAP_DONE;
+}
