@@ -451,6 +451,9 @@ int dem_gravity_acceleration(const struct dem *d, double g[3])
 static int check_fluid(const struct dem *d)
 {
     DEM_TRY(dem_require_fluid(d));
+    DEM_REQUIRE(!(d->coupled && d->driven), DEM_ERROR_INPUT,
+                "there are driven particles, which the balances of a coupled run do not know; make "
+                "them frozen, or let a wall move");
     DEM_REQUIRE(!(d->coupled && d->state.applied_forces.n > 0), DEM_ERROR_INPUT,
                 "the scene has forces, which the balances of a coupled run do not know; remove "
                 "forces, or run the scene by itself");

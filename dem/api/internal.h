@@ -76,6 +76,7 @@ struct dem
                                                              all ranks together */
     int energy;                                           /* 1: the energy balance was asked for */
     int orientation;                                      /* 1: orientations were asked for */
+    int driven;                                           /* 1: there are driven particles */
     int pressure_gradient;                                /* 1: pressureGradient is among the
                                                              effects */
     const struct dem_effect *fluid_user;                  /* an effect that needs the fluid of the

@@ -396,6 +396,7 @@ int dem_api_setup(struct dem *d)
     DEM_TRY(dem_api_agree(d, dem_api_begin_flows(d)));
     DEM_TRY(dem_api_agree(d, distribute(d)));
     DEM_TRY(dem_api_agree(d, check_start(d)));
+    d->driven = dem_totals_any_driven(&d->state);
     if (d->energy)
     {
         DEM_TRY(dem_api_agree(d, begin_energy_balance(d)));

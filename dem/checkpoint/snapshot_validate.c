@@ -125,10 +125,12 @@ static int check_inertia(const char *path, const struct dem_particle *p)
         p->mass > 0.0, DEM_ERROR_FILE,
         "%s is damaged: particle %lld has a mass of %g kg, which must be above 0; use another one",
         path, (long long)p->id, p->mass);
-    DEM_REQUIRE((p->flags & ~(DEM_PARTICLE_FROZEN | DEM_PARTICLE_ABSORBED)) == 0, DEM_ERROR_FILE,
+    DEM_REQUIRE((p->flags & ~(DEM_PARTICLE_FROZEN | DEM_PARTICLE_DRIVEN | DEM_PARTICLE_ABSORBED)) == 0,
+                DEM_ERROR_FILE,
                 "%s is damaged: particle %lld has flags %#x, and the only valid ones are %#x; use "
                 "another one",
-                path, (long long)p->id, p->flags, DEM_PARTICLE_FROZEN | DEM_PARTICLE_ABSORBED);
+                path, (long long)p->id, p->flags,
+                DEM_PARTICLE_FROZEN | DEM_PARTICLE_DRIVEN | DEM_PARTICLE_ABSORBED);
     DEM_REQUIRE(
         frozen ? immobile
                : p->inverse_mass > 0.0 && p->inverse_mass*p->mass < 1.0 + 1e-9 &&

@@ -56,12 +56,13 @@ enum dem_energy_balance_sum                                       /* of each eff
     DEM_ENERGY_BALANCE_OUT,      /* J  carried out by particles that left */
     DEM_ENERGY_BALANCE_IN,       /* J  carried in by particles that came */
     DEM_ENERGY_BALANCE_APPLIED,  /* J  work of the scene's forces on chosen particles */
+    DEM_ENERGY_BALANCE_DRIVEN,   /* J  work of what moves driven particles */
     DEM_ENERGY_BALANCE_SUMS
 };
 
 enum
 {
-    DEM_ENERGY_BALANCE_ITEMS = 10 + DEM_ENERGY_BALANCE_SUMS_PER_EFFECT*DEM_EFFECT_LIST_LIMIT
+    DEM_ENERGY_BALANCE_ITEMS = 11 + DEM_ENERGY_BALANCE_SUMS_PER_EFFECT*DEM_EFFECT_LIST_LIMIT
 };
 
 struct dem_energy_balance_scratch    /* working columns of the current batch */
@@ -89,6 +90,7 @@ struct dem_energy_balance_scratch    /* working columns of the current batch */
 struct dem_energy_balance
 {
     int open;                                               /* 1: this run has an energy balance */
+    int driven;                                             /* 1: there are driven particles */
     int flows;                                              /* 1: the run has streams or outlets */
     int begun;                                              /* 1: heat is summed; 0 in the sweep
                                                                that the balance begins with */

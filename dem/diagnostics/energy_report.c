@@ -145,6 +145,7 @@ static double report_all(struct dem_state *p)
                  broken = value_of(p, &l->sum[DEM_ENERGY_BALANCE_BROKEN]);
     const double walls = value_of(p, &l->sum[DEM_ENERGY_BALANCE_WALLS]),
                  left = value_of(p, &l->sum[DEM_ENERGY_BALANCE_OUT]);
+    const double driven = value_of(p, &l->sum[DEM_ENERGY_BALANCE_DRIVEN]);
     const double applied = value_of(p, &l->sum[DEM_ENERGY_BALANCE_APPLIED]);
     const double came = value_of(p, &l->sum[DEM_ENERGY_BALANCE_IN]);
     double kinetic[2], g[3], total;
@@ -168,11 +169,15 @@ static double report_all(struct dem_state *p)
     {
         add_term(l, "work_walls", "", walls);
     }
+    if (l->driven)
+    {
+        add_term(l, "work_driven", "", driven);
+    }
     if (p->applied_forces.n > 0)
     {
         add_term(l, "work_forces", "", applied);
     }
-    total += broken - walls - applied + report_bodies(p);
+    total += broken - walls - applied - driven + report_bodies(p);
     if (p->domain.remove || l->flows)
     {
         add_term(l, "left", "", left);
@@ -186,6 +191,7 @@ static double report_all(struct dem_state *p)
 
 void dem_energy_balance_begin(struct dem_state *p)
 {
+    p->energy_balance->driven = dem_totals_any_driven(p);
     /* includes particles outside the domain, which are removed later */
     p->energy_balance->start = report_all(p);
     dem_sum_clear(&p->energy_balance->sum[DEM_ENERGY_BALANCE_OUT]);

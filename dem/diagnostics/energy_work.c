@@ -57,15 +57,40 @@ static void wall_work(struct dem_state *p, double span, int ahead)
     }
 }
 
+/* Work of what moves driven particles, against the contact forces of the last sweep over the time
+   `span` [s], and against their weight over `fall` [s]. */
+static void driven_work(struct dem_state *p, double span, double fall)
+{
+    const double *const force = dem_column(&p->particles, DEM_COLUMN_FORCE),
+                 *const torque = dem_column(&p->particles, DEM_COLUMN_TORQUE);
+
+    for (size_t i = 0; i < p->particles.n && p->energy_balance->driven; i++)
+    {
+        const struct dem_particle *const r = &p->particles.record[i];
+
+        if (r->flags & DEM_PARTICLE_DRIVEN)
+        {
+            const double power =
+                dem_vec_dot(force + 3*i, r->v) + dem_vec_dot(torque + 3*i, r->w);
+            const double weight = r->mass*dem_vec_dot(p->energy_balance->gravity, r->v);
+
+            dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_DRIVEN],
+                                   -power*span - weight*fall);
+        }
+    }
+}
+
 void dem_energy_balance_after_drift(struct dem_state *p, double dt)
 {
     gravity_work(p, dt);
+    driven_work(p, 0.5*dt, dt);
     wall_work(p, 0.5*dt, 1);
 }
 
 void dem_energy_balance_after_sweep(struct dem_state *p, double dt)
 {
     wall_work(p, 0.5*dt, 0);
+    driven_work(p, 0.5*dt, 0.0);
 }
 
 /* The velocity at the time of the position, with gravity alone: outside the domain there are rarely
@@ -187,7 +212,9 @@ void dem_energy_balance_after_kick(struct dem_energy_balance *l, const struct de
             {
                 dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_WORK], rotational_work(r, k, c));
             }
-            dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_WORK], dem_vec_dot(f, v)*k->h);
+            /* no force moves a driven particle */
+            dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_WORK],
+                                   r->flags & DEM_PARTICLE_DRIVEN ? 0.0 : dem_vec_dot(f, v)*k->h);
         }
     }
 }

@@ -341,3 +341,17 @@ double dem_totals_sauter_diameter(const struct dem_state *p)
     dem_totals_reduce_sums(p, sum, 2, value);
     return value[1] > 0.0 ? value[0]/value[1] : 0.0;
 }
+
+int dem_totals_any_driven(const struct dem_state *p)
+{
+    struct dem_sum sum;
+    double count;
+
+    dem_sum_clear(&sum);
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        dem_sum_add(&sum, p->particles.record[i].flags & DEM_PARTICLE_DRIVEN ? 1.0 : 0.0);
+    }
+    dem_totals_reduce_sums(p, &sum, 1, &count);
+    return count > 0.0;
+}

@@ -66,4 +66,7 @@ int dem_totals_max_overlap_over_ranks(struct dem_state *, struct dem_overlap *pa
 /* Collective. Sauter mean diameter of all particles, sum d^3/sum d^2 [m]; 0 without particles. */
 double dem_totals_sauter_diameter(const struct dem_state *);
 
+/* Collective. 1 if a rank has a driven particle. */
+int dem_totals_any_driven(const struct dem_state *);
+
 #endif

@@ -59,7 +59,7 @@ int dem_initial_particles_add(struct dem_initial_particles *c, struct dem_partic
                     "%s: particle %lld at (%g %g %g) m is more than %g radii of %g m from the "
                     "origin, where overlaps are lost in rounding; move it",
                     where, (long long)p.id, p.x[0], p.x[1], p.x[2], dem_max_distance, p.radius);
-        DEM_REQUIRE(!(p.flags & DEM_PARTICLE_FROZEN) || (p.v[k] == 0.0 && p.w[k] == 0.0),
+        DEM_REQUIRE((p.flags & (DEM_PARTICLE_FROZEN | DEM_PARTICLE_DRIVEN)) != DEM_PARTICLE_FROZEN || (p.v[k] == 0.0 && p.w[k] == 0.0),
                     DEM_ERROR_INPUT,
                     "%s: a frozen particle never moves, but has a velocity or spin of %g; leave it "
                     "out, or frozen",

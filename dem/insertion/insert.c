@@ -278,7 +278,7 @@ static int refuse_moving(const struct dem_insert_group *b)
 
         DEM_REQUIRE(speed == 0.0, DEM_ERROR_INPUT,
                     "%s: a frozen particle never moves, but has a velocity or spin of %g; leave it "
-                    "out, or frozen",
+                    "out, or frozen, or give driven yes",
                     b->where, speed);
     }
     return DEM_OK;
@@ -343,6 +343,10 @@ static int read_group(const struct dem_dict *dict, const struct dem_interaction_
     DEM_TRY(dem_dict_vector_or(dict, "velocity", "m/s", zero, b->velocity));
     DEM_TRY(dem_dict_vector_or(dict, "spin", "1/s", zero, b->spin));
     DEM_TRY(dem_dict_switch_or(dict, "frozen", false, &b->frozen));
+    DEM_TRY(dem_dict_switch_or(dict, "driven", false, &b->driven));
+    DEM_REQUIRE(!(b->frozen && b->driven), DEM_ERROR_INPUT,
+                "%s: frozen particles stay, driven ones keep their velocity; give one of the two",
+                b->where);
     DEM_TRY(read_type(b, r, i, w, type));
     DEM_TRY(check_masses(b, r));
     return b->frozen ? refuse_moving(b) : DEM_OK;

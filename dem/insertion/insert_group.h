@@ -22,7 +22,7 @@ struct dem_insert_group
     char where[256];                   /* starts messages: line and path */
     enum dem_insert_type type;
     int material;
-    bool frozen;
+    bool frozen, driven;
     int64_t count, seed;
     double velocity[3], spin[3];       /* m/s, 1/s */
     double diameter;                   /* m  of all particles, unless there are diameters */

@@ -30,9 +30,9 @@ static struct dem_particle make_particle(const struct dem_insert_group *b,
 
     memcpy(p.v, b->velocities ? b->velocities[number] : b->velocity, sizeof p.v);
     memcpy(p.w, b->spins ? b->spins[number] : b->spin, sizeof p.w);
-    if (b->frozen)
+    if (b->frozen || b->driven)
     {
-        p.flags |= DEM_PARTICLE_FROZEN;
+        p.flags |= b->driven ? DEM_PARTICLE_FROZEN | DEM_PARTICLE_DRIVEN : DEM_PARTICLE_FROZEN;
         p.inverse_mass = p.inverse_inertia = 0.0;
     }
     return p;
