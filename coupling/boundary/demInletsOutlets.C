@@ -293,7 +293,7 @@ Foam::List<Foam::demParticleRouting::verdict> Foam::demInletsOutlets::judge
 
     if (!outletPatch_ || mesh_.moving())
     {
-        outletPatch_.reset(new demOutletPatch(mesh_));
+        outletPatch_.reset(new demOutletPatch(mesh_, outlets_));
     }
     const List<demOutletPatch::boundaryPoint> points(outletPatch_().relate(start, end));
 
@@ -310,7 +310,7 @@ Foam::List<Foam::demParticleRouting::verdict> Foam::demInletsOutlets::judge
         const bool throughWall = at.exit >= 0 && isWall_[at.exit];
         const label outlet =
             outlets_.found(at.exit) ? at.exit
-          : !atWall && !throughWall && outlets_.found(at.patch) ? at.patch
+          : outlets_.found(at.patch) && (!throughWall || at.distance <= radius) ? at.patch
           : -1;
 
         if (outlet >= 0)

@@ -21,8 +21,8 @@ namespace Foam
     // its size
     static const scalar edgeTolerance = 1e-8;
 
-    // Centre of a face, then of its cell
-    typedef FixedList<scalar, 6> demFaceKey;
+    // 0 for a patch that comes first, else 1; centre of the face; centre of its cell
+    typedef FixedList<scalar, 7> demFaceKey;
 
     struct demFirstKey
     {
@@ -168,10 +168,11 @@ void Foam::demOutletPatch::firstFaces
             const point& c = mesh_.faceCentres()[facei];
             const point& behind = mesh_.cellCentres()[mesh_.faceOwner()[facei]];
             demFaceKey mine;
+            mine[0] = isFirst_[mesh_.boundaryMesh().whichPatch(facei)] ? 0 : 1;
             for (direction d = 0; d < 3; d++)
             {
-                mine[d] = c[d];
-                mine[3 + d] = behind[d];
+                mine[1 + d] = c[d];
+                mine[4 + d] = behind[d];
             }
             if (faces[k] < 0 || mine < keys[k])
             {
@@ -203,10 +204,16 @@ void Foam::demOutletPatch::firstFaces
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-Foam::demOutletPatch::demOutletPatch(const fvMesh& mesh)
+Foam::demOutletPatch::demOutletPatch(const fvMesh& mesh, const labelUList& first)
 :
-    mesh_(mesh)
+    mesh_(mesh),
+    isFirst_(mesh.boundaryMesh().size(), false)
 {
+    for (const label patchi : first)
+    {
+        isFirst_[patchi] = true;
+    }
+
     DynamicList<label> faces;
     for (const polyPatch& patch : mesh.boundaryMesh())
     {

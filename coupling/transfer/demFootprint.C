@@ -85,7 +85,7 @@ void Foam::demFootprint::flood(const label footprint, const image& v, const labe
     {
         for (const label facei : mesh_.cells()[queue[k]])
         {
-            if (locator_.isWall(facei) || !isWithinReach(facei, x, reach))
+            if (locator_.isBoundary(facei) || !isWithinReach(facei, x, reach))
             {
                 continue;
             }

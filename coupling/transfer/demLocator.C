@@ -58,12 +58,12 @@ void Foam::demLocator::addPlanes()
 }
 
 
-void Foam::demLocator::addOtherSide()
+void Foam::demLocator::addOtherSide(const labelUList& outlets)
 {
     const label nBoundary = mesh_.nBoundaryFaces();
     const label nInternal = mesh_.nInternalFaces();
 
-    otherRank_.setSize(nBoundary, WALL);
+    otherRank_.setSize(nBoundary, BOUNDARY);
     otherCell_.setSize(nBoundary, -1);
     shift_ = pointField(SubList<point>(mesh_.faceCentres(), nBoundary, nInternal));
 
@@ -104,6 +104,11 @@ void Foam::demLocator::addOtherSide()
             otherCell_[start + i] = patch.faceCells()[i];
         }
     }
+    for (const label patchi : outlets)
+    {
+        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+        SubList<label>(otherRank_, patch.size(), patch.start() - nInternal) = OUTLET;
+    }
     if (interface_)
     {
         for (const demSlidingInterface::link& l : interface_->links())
@@ -133,13 +138,18 @@ void Foam::demLocator::addOtherSide()
 }
 
 
-Foam::demLocator::demLocator(const fvMesh& mesh, const demSlidingInterface* sliding)
+Foam::demLocator::demLocator
+(
+    const fvMesh& mesh,
+    const labelUList& outlets,
+    const demSlidingInterface* sliding
+)
 :
     mesh_(mesh),
     interface_(sliding)
 {
     addPlanes();
-    addOtherSide();
+    addOtherSide(outlets);
 
     // collective; needed by the search tree
     (void)mesh_.tetBasePtIs();

@@ -165,11 +165,22 @@ Foam::label Foam::demLocator::farthestFace
 }
 
 
-bool Foam::demLocator::isWall(const label facei) const
+bool Foam::demLocator::isOutlet(const label facei) const
 {
     return
         facei >= mesh_.nInternalFaces()
-     && otherRank_[facei - mesh_.nInternalFaces()] == WALL;
+     && otherRank_[facei - mesh_.nInternalFaces()] == OUTLET;
+}
+
+
+bool Foam::demLocator::isBoundary(const label facei) const
+{
+    return
+        isOutlet(facei)
+     || (
+            facei >= mesh_.nInternalFaces()
+         && otherRank_[facei - mesh_.nInternalFaces()] == BOUNDARY
+        );
 }
 
 
@@ -237,13 +248,26 @@ Foam::label Foam::demLocator::farthestOpenFace(const label cell, const vector& d
     for (label slot = start_[cell]; slot < start_[cell + 1]; ++slot)
     {
         const scalar here = d & plane_[slot];
-        if (here > distance && !isWall(face_[slot]))
+        if (here > distance && !isBoundary(face_[slot]))
         {
             distance = here;
             found = face_[slot];
         }
     }
     return found;
+}
+
+
+bool Foam::demLocator::behindOutlet(const label cell, const vector& d) const
+{
+    for (label slot = start_[cell]; slot < start_[cell + 1]; ++slot)
+    {
+        if (isOutlet(face_[slot]) && (d & plane_[slot]) > 1 + onFace)
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 
@@ -275,7 +299,7 @@ Foam::demLocator::result Foam::demLocator::walk(walkState& t, demCellLocation& l
                 return INSIDE;
             }
         }
-        if (isWall(through))
+        if (isBoundary(through))
         {
             const bool onBoundary = byTriangles && -location.wCell <= onWall - 1;
 
@@ -285,6 +309,10 @@ Foam::demLocator::result Foam::demLocator::walk(walkState& t, demCellLocation& l
             through = farthestOpenFace(t.cell, d);
             if (onBoundary && (through < 0 || leavesRank(through) || ++slides > maxSlides))
             {
+                if (isOutlet(location.face) || behindOutlet(t.cell, d))
+                {
+                    return OUTSIDE;
+                }
                 normalise(location);
                 return INSIDE;
             }

@@ -103,7 +103,7 @@ void Foam::demTransfer::build()
     {
         interface_.reset(new demSlidingInterface(mesh_));
     }
-    locator_.reset(new demLocator(mesh_, interface_.get()));
+    locator_.reset(new demLocator(mesh_, outlets_, interface_.get()));
     routing_.reset(new demParticleRouting(mesh_, locator_()));
     weights_.clear();
     if (base_ == LINEAR || base_ == CENTRE)
@@ -148,9 +148,15 @@ void Foam::demTransfer::setWidths()
 }
 
 
-Foam::demTransfer::demTransfer(const fvMesh& mesh, const dictionary& coupling)
+Foam::demTransfer::demTransfer
+(
+    const fvMesh& mesh,
+    const dictionary& coupling,
+    const labelUList& outlets
+)
 :
     mesh_(mesh),
+    outlets_(outlets),
     base_(LINEAR),
     width_(0),
     smooths_(false),
