@@ -29,9 +29,10 @@ def disc_left(radius, x):
 
 def solid_volume(position, radius, edges, low, high):
     """Volume of spheres [m3] between each two edges in x and between low and high in z: discs,
-    Gauss over z."""
+    Gauss over z. The radius may be one for all."""
     near = (position[:, 2] > low - radius) & (position[:, 2] < high + radius)
     x, z = position[near, 0], position[near, 2]
+    radius = numpy.broadcast_to(radius, near.shape)[near]
     bottom, top = numpy.maximum(low - z, -radius), numpy.minimum(high - z, radius)
     volume = numpy.zeros(len(edges) - 1)
     for node, weight in zip(*GAUSS):
@@ -48,6 +49,17 @@ def velocity_sums(position, velocity, edges, low, high):
     x = position[inside, 0]
     count = numpy.histogram(x, edges)[0].astype(float)
     return count, numpy.histogram(x, edges, weights=velocity[inside, 2])[0]
+
+
+def slice_sums(position, velocity, volume, edges, height, half):
+    """The same of a slice whose profile over z is Gaussian, half as high at `half` above and below:
+    beads count at their centres. Solid volume over that of the slice, number of beads, sum of their
+    vertical velocities in each box."""
+    x, profile = position[:, 0], numpy.exp(-numpy.log(2)*((position[:, 2] - height)/half)**2)
+    depth = half*numpy.sqrt(numpy.pi/numpy.log(2))
+    solid, count, total = (numpy.histogram(x, edges, weights=profile*weight)[0]
+                           for weight in (volume, 1, velocity[:, 2]))
+    return solid/(numpy.diff(edges)*depth), count, total
 
 
 # ---- means over frames, rows are frames ----------------------------------------------------------

@@ -1,6 +1,8 @@
 """beside.py -- compare runs: rms of each profile, the pressure, and whether profiles differ by more
 than their intervals.
 
+    beside.py CASE ...      the table of these runs; the first is what the others are held against
+
 Two profiles differ in a box when their difference is larger than its 95 % interval, the root of the
 sum of the squares of theirs. Of boxes that differ by chance alone 5 % are counted; neighbours are
 not independent.
@@ -8,6 +10,8 @@ not independent.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import csv
+import sys
+from pathlib import Path
 
 PROFILES = [("voidFraction", 16.4, "void 16.4"), ("voidFraction", 31.2, "void 31.2"),
             ("velocity", 15.0, "v 15"),
@@ -57,3 +61,7 @@ def table(runs, text):
                  run.entry("processorTime", digits=0, interval=False)]
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    print(table([Run(Path(case).name, Path(case)) for case in sys.argv[1:]], "Runs side by side"))

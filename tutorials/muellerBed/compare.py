@@ -2,7 +2,7 @@
 """compare.py -- the bubbling bed against the magnetic-resonance measurements of Mueller et al.
 2008/2009.
 
-    compare.py [-from 1] [-slab 2] [CASE]    tables and pictures of a run; CASE is the folder of this file by default
+    compare.py [-from 1] [-slab 2] [-gauss] [CASE]    tables and pictures of a run; CASE is the folder of this file by default
     compare.py --selfcheck                   averages with known results, as TAP
 
 Reads the record of the beads, the pressure at plate and top, the forces on walls and the solver's
@@ -31,6 +31,7 @@ WIDTH, DEPTH = 0.044, 0.010                         # m, of the bed
 DIAMETER = 1.2e-3                                   # m, of a bead
 EDGES = numpy.linspace(0, WIDTH, 23)                # m, 22 boxes of 2 mm
 CENTRES = 0.5*(EDGES[1:] + EDGES[:-1])
+FRIT = 186.2                                        # Pa, of Allrun -frit at 0.9 m/s
 # s, a few bubbles: blocks know little of each other
 BLOCK = 0.25
 
@@ -55,27 +56,36 @@ FAST = Experiment("measured", ("DPMFoam", "sediFoam"), ROWS)
 SLOW = Experiment("measured/slow", ("Mueller", "sediFoam"), SLOW_ROWS)
 
 
-def experiment(case):
-    """Reference of the run: Allrun writes the air's velocity into system/options when it is not 0.9
-    m/s."""
+def has_option(case, name):
+    """Has Allrun written this entry into system/options?"""
     options = Path(case)/"system"/"options"
-    return SLOW if options.exists() and "speed" in options.read_text() else FAST
+    return options.exists() and re.search(rf"\b{name}\b", options.read_text()) is not None
+
+
+def experiment(case):
+    """Reference of the run: Allrun writes the air's velocity when it is not 0.9 m/s."""
+    return SLOW if has_option(case, "speed") else FAST
 
 
 class Profile:
     """One quantity at one height: raw sums of each frame, then its mean and its distance from the
-    measured points."""
+    measured points. Gaussian: a slice whose profile over the height is Gaussian instead of boxes."""
 
-    def __init__(self, quantity, height, unit, half, folder=FAST.folder):
+    def __init__(self, quantity, height, unit, half, folder=FAST.folder, gaussian=False):
         self.quantity, self.height, self.unit = quantity, height, unit
+        self.half, self.gaussian = half, gaussian
         self.low, self.high = height*1e-3 - half, height*1e-3 + half
         path = HERE/folder/f"{quantity}_{height:g}mm.csv"
         self.measured = numpy.loadtxt(path, delimiter=",", skiprows=2).T
         self.sums = []
 
-    def add(self, position, velocity):
-        if self.quantity == "voidFraction":
-            solid = averages.solid_volume(position, 0.5*DIAMETER, EDGES, self.low, self.high)
+    def add(self, position, velocity, diameter):
+        if self.gaussian:
+            solid, *moving = averages.slice_sums(position, velocity, numpy.pi/6*diameter**3, EDGES,
+                                                 self.height*1e-3, self.half)
+            self.sums.append((1 - solid/DEPTH,) if self.quantity == "voidFraction" else moving)
+        elif self.quantity == "voidFraction":
+            solid = averages.solid_volume(position, 0.5*diameter, EDGES, self.low, self.high)
             self.sums.append((1 - solid/(numpy.diff(EDGES)*DEPTH*(self.high - self.low)),))
         else:
             self.sums.append(averages.velocity_sums(position, velocity, EDGES, self.low, self.high))
@@ -106,11 +116,11 @@ class Profile:
 
 # ---- a run ---------------------------------------------------------------------------------------
 
-def read_profiles(case, start, half):
+def read_profiles(case, start, half, gaussian):
     """Profiles with the sums of all frames from `start` on, the frames' times, and the number of
     beads."""
     against = experiment(case)
-    profiles = [Profile(quantity, height, unit, half, against.folder)
+    profiles = [Profile(quantity, height, unit, half, against.folder, gaussian)
                 for quantity, height, unit, *_ in against.rows]
     listed = frames.list_frames(case)
     if not listed:
@@ -122,10 +132,10 @@ def read_profiles(case, start, half):
         sys.exit(f"compare: {len(chosen)} instants after {start:g} s are too few for an interval; run 0.1 s or more")
     count = 0
     for _, *place in chosen:
-        position, velocity = frames.read_frame(*place)
-        count = len(position)
+        beads = frames.read_frame(*place)
+        count = len(beads[0])
         for profile in profiles:
-            profile.add(position, velocity)
+            profile.add(*beads)
     times = numpy.array([frame[0] for frame in chosen])
     blocks = averages.cut_blocks(len(times), max(4, int(round((end - start)/BLOCK))))
     for profile in profiles:
@@ -152,7 +162,7 @@ class Balance:
 
         self.time, plate, *_ = frames.read_columns(case, "platePressure", "surfaceFieldValue.dat")
         _, top, *_ = frames.read_columns(case, "topPressure", "surfaceFieldValue.dat")
-        self.drop = air*(plate - top)
+        self.drop = air*(plate - top) - (FRIT if has_option(case, "frit") else 0)
         self.mean, self.interval = mean_of(self.time, self.drop, start)
         chosen = self.time > start*(1 + 1e-9)
         self.course = series.course(self.time[chosen], self.drop[chosen])
@@ -255,6 +265,8 @@ def main():
     words.add_argument("-from", dest="start", type=float, default=1.0,
                        help="s, where averages begin (at most half of the run)")
     words.add_argument("-slab", type=float, default=2.0, help="mm, half the height of the boxes")
+    words.add_argument("-gauss", action="store_true",
+                       help="a Gaussian slice, half as high at -slab, instead of boxes")
     words.add_argument("--selfcheck", action="store_true",
                        help="averages with known results, as TAP")
     words.add_argument("case", nargs="?", type=Path, default=HERE)
@@ -263,7 +275,8 @@ def main():
         import selfcheck
         sys.exit(selfcheck.run())
 
-    profiles, times, blocks, count = read_profiles(words.case, words.start, 1e-3*words.slab)
+    profiles, times, blocks, count = read_profiles(words.case, words.start, 1e-3*words.slab,
+                                                    words.gauss)
     balance = Balance(words.case, min(words.start, 0.5*times[-1]), count)
     log = read_log(words.case)
     write_result(words.case, profiles, balance, log, times[-1] - min(words.start, 0.5*times[-1]))

@@ -44,12 +44,12 @@ def list_frames(case):
 
 
 def read_frame(path, at):
-    """Positions [m] and velocities [m/s] of all beads."""
+    """Positions [m], velocities [m/s] and diameters [m] of all beads."""
     with open(path, "rb") as file:
         file.seek(at)
         count = numpy.fromfile(file, HEAD, 1)[0]["count"]
         beads = numpy.fromfile(file, BEAD, count)
-    return beads["position"].astype(float), beads["velocity"].astype(float)
+    return tuple(beads[name].astype(float) for name in ("position", "velocity", "diameter"))
 
 
 def read_columns(case, name, file):

@@ -86,7 +86,7 @@ def draw_bed(case, instants, size=(0.044, 0.010, HEIGHT), radius=RADIUS, speed=S
     figure, panels = plt.subplots(1, len(instants), figsize=(width*len(instants) + 0.5,
                                                               width*(window[3] - window[1])/(window[2] - window[0])))
     for axes, (time, *place) in zip(numpy.atleast_1d(panels), instants):
-        position, velocity = frames.read_frame(*place)
+        position, velocity, _ = frames.read_frame(*place)
         colour = colours(0.5 + 0.5*numpy.clip(velocity[:, 2]/speed, -1, 1))[:, :3]
         image = picture.draw(position, radius, colour, window, scale, towards)
         for a, b, behind in edges:

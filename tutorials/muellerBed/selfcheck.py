@@ -46,6 +46,20 @@ def check_lattice():
     return worst, 1e-3
 
 
+def check_slice():
+    """A dense even cloud of beads with v = 2 + z/mm: solid fraction and mean velocity of a Gaussian
+    slice are those at its height."""
+    z = numpy.arange(-20e-3, 60e-3, 1e-5)
+    position = numpy.stack([numpy.full(len(z), 7e-3), 0*z, z], axis=1)
+    velocity = numpy.stack([0*z, 0*z, 2 + 1e3*z], axis=1)
+    # 0.4 of a box of 2 mm by 10 mm
+    volume = numpy.full(len(z), 0.4*1e-5*2e-3*compare.DEPTH)
+    solid, count, total = averages.slice_sums(position, velocity, volume, compare.EDGES, 16.4e-3, 2e-3)
+    box = numpy.argmax(count)
+    return (abs(solid[box]/compare.DEPTH - 0.4) + abs(total[box]/count[box] - 18.4)
+            + abs(count.sum() - count[box])), 1e-6
+
+
 def check_means():
     """Three slow beads, then a fast one: 2.5 m/s by number, 4 m/s in time."""
     count, total = numpy.array([[3.0], [1.0]]), numpy.array([[3.0], [7.0]])
@@ -82,6 +96,7 @@ def check_reading():
         beads = numpy.zeros(3, frames.BEAD)
         beads["position"][:, 2] = value
         beads["velocity"][:] = [1, 2, value]
+        beads["diameter"] = 0.5*value
         return numpy.array([(time, 3)], frames.HEAD).tobytes() + beads.tobytes()
 
     with tempfile.TemporaryDirectory() as folder:
@@ -94,7 +109,7 @@ def check_reading():
                  for time, *place in frames.list_frames(folder)]
     good = len(found) == 2 and all(
         time == t and x.tolist() == [0, 0, value] and v.tolist() == [1, 2, value]
-        for (time, x, v), t, value in zip(found, (0.1, 0.2), (1, 3)))
+        and d == 0.5*value for (time, x, v, d), t, value in zip(found, (0.1, 0.2), (1, 3)))
     return 0 if good else 1, 0.5
 
 
@@ -121,7 +136,7 @@ def check_periods():
 
 
 def run():
-    checks = [check_cap, check_lattice, check_means, check_distance, check_interval, check_reading,
+    checks = [check_cap, check_lattice, check_slice, check_means, check_distance, check_interval, check_reading,
               check_course, check_periods]
     bad = 0
     for number, check in enumerate(checks, 1):

@@ -1,0 +1,57 @@
+#!/bin/bash
+# factorial.sh -- eight runs that decide what rolling resistance, unequal beads and the distributor
+# change: each of the three without and with, one core a run.
+#
+#   ./factorial.sh FOLDER [OPTION ...]    OPTIONs go to every Allrun, such as -end 10
+#
+# Copies of this case are run in FOLDER; one that has a result is not run again. All start poured at
+# random, with cells of 2 mm and E = 1e6 Pa. At the end the table: store.py -beside "WHAT RAN WHERE"
+# factorial plain=FOLDER/plain ... keeps it.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+[ $# -ge 1 ] || { sed -n '2,/^$/s/^# \{0,1\}//p' "$0"; exit 1; }
+mkdir -p "$1" || exit 1
+to=$(cd "$1" && pwd)
+shift
+cd "${0%/*}" || exit 1
+. ../../coupling/setup/environment || exit 1
+
+names=()
+for rolling in "" rolling
+do
+    for sizes in "" sizes
+    do
+        for frit in "" frit
+        do
+            name=$rolling$sizes$frit
+            names+=("${name:-plain}")
+        done
+    done
+done
+
+# one NAME OPTION ...
+one()
+{
+    local name=$1 case="$to/$1" options=(-np 1 -pour -fine -modulus 1e6)
+    shift
+    [ ! -e "$case/result.csv" ] || return 0
+    case $name in *rolling*) options+=(-rolling 0.1) ;; esac
+    case $name in *sizes*) options+=(-sizes) ;; esac
+    case $name in *frit*) options+=(-frit) ;; esac
+    rm -rf "$case" && mkdir "$case" &&
+        cp -r 0.orig constant system measured ./*.py ./*.dem Allrun Allclean "$case" &&
+        "$case/Allrun" "${options[@]}" "$@" > "$to/log.$name" 2>&1 || echo "factorial: $name failed; see $to/log.$name" >&2
+}
+
+# as many runs at once as there are cores
+for name in "${names[@]}"
+do
+    while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]
+    do
+        wait -n
+    done
+    one "$name" "$@" &
+done
+wait
+"${SUNA_PYTHON:-python3}" beside.py "${names[@]/#/$to/}"
