@@ -19,6 +19,19 @@
    overlap that matters. */
 static const double same_point = 1e-7;
 
+/* Cosine of the angle below which an edge is blunt: facets at larger angles are in reach together
+   only at overlaps of more than 6 % of the radius. */
+static const double blunt = 0.93969262078590838;           /* 20 degrees */
+
+/* Sine of an angle below which the nearer facet counts alone: the exponent of overlaps is its
+   inverse. */
+static const double coplanar = 1e-3;
+
+enum
+{
+    KEEP, DROP, CONTINUE    /* what becomes of a contact; CONTINUE: as a plane beyond its edge */
+};
+
 void dem_wall_touches_free(struct dem_wall_touches *t)
 {
     dem_memory_free(t->touch);
@@ -36,7 +49,7 @@ int dem_wall_touches_reserve(struct dem_wall_touches *t, const struct dem_wall_s
 }
 
 void dem_wall_touches_set_rows(struct dem_wall_touches *t, const struct dem_wall_search *s,
-                               const struct dem_contacts *c)
+                               const struct dem_contacts *c, const struct dem_interaction_table *laws)
 {
     for (size_t k = 0; k < s->neighbors; k++)
     {
@@ -50,6 +63,7 @@ void dem_wall_touches_set_rows(struct dem_wall_touches *t, const struct dem_wall
         if (q && q->wall)
         {
             t->touch[q->j].row = r;
+            t->touch[q->j].exponent = laws->list[q->class].pair.exponent;
         }
     }
     t->listed = 0;
@@ -105,9 +119,10 @@ static void touch_triangles(const struct dem_wall_search *s, const struct dem_wa
     }
 }
 
+/* Contact with a facet, or (whole) with its plane or surface, unbounded. */
 static void touch_facet(const struct dem_wall_search *s, const struct dem_walls *w,
                          const struct dem_wall_neighbor *near, const struct dem_particle *i,
-                         struct dem_wall_touch *t)
+                         int whole, struct dem_wall_touch *t)
 {
     const struct dem_facet *const r = &w->facet[near->facet];
     const int frame = w->wall[r->wall].frame;
@@ -115,7 +130,7 @@ static void touch_facet(const struct dem_wall_search *s, const struct dem_walls 
     double scratch[3];
     const double *const x = dem_walls_to_frame(w, r->wall, i->x, scratch);
 
-    if (dem_wall_neighbor_open(w, near))
+    if (whole || dem_wall_neighbor_open(w, near))
     {
         touch_whole(r, x, t);
     }
@@ -162,15 +177,57 @@ static double square_apart(size_t a, size_t b, const struct dem_wall_touch *touc
     return dem_vec_dot(apart, apart);
 }
 
-/* 1 when contact a duplicates b, which takes precedence: the nearest point of a belongs to facet b
-   as well, or the contact areas of both, circles of radius sqrt(R d), overlap: the points are
-   nearer to each other than this radius. */
-static int duplicates(const struct dem_wall_search *s, const struct dem_walls *w, size_t a,
-                      size_t b, double radius, const struct dem_wall_touch *touch)
+/* A point of a wall neighbor's facet, in the fixed frame: the middle of its triangle nearest to the
+   particle. */
+static void inner_point(const struct dem_wall_search *s, const struct dem_walls *w,
+                        const struct dem_wall_neighbor *near, const struct dem_particle *i,
+                        double point[3])
 {
-    return takes_precedence(b, a, touch)
-        && (square_apart(a, b, touch) < radius*(radius - touch[b].distance)
-            || lies_on(s, w, &s->neighbor[b], touch[a].point, same_point*radius));
+    const int wall = w->facet[near->facet].wall, frame = w->wall[wall].frame;
+    double scratch[3], middle[3];
+    const double *const x = dem_walls_to_frame(w, wall, i->x, scratch);
+    const struct dem_triangle *const t = &w->triangle[dem_wall_neighbor_triangle(s, w, near, x)];
+
+    for (int k = 0; k < 3; k++)
+    {
+        middle[k] = point[k] = (t->corner[0][k] + t->corner[1][k] + t->corner[2][k])/3.0;
+    }
+    if (frame >= 0)
+    {
+        dem_pose_point(&w->frame[frame].pose, middle, point);
+    }
+}
+
+/* What becomes of contact a: of the facets on which its nearest point lies the one nearest to the
+   particle decides. Where a rises from that facet, on the particle's side, the surface of a is
+   continued beyond the edge; else the contact is that of the other facet. */
+static int fate(const struct dem_wall_search *s, const struct dem_walls *w, size_t a, size_t first,
+                size_t end, const struct dem_particle *i, const struct dem_wall_touch *touch)
+{
+    const struct dem_wall_neighbor *const near = &s->neighbor[a];
+    double inside[3], into[3];
+    size_t by = end;
+
+    for (size_t b = first; b < end; b++)
+    {
+        if (b != a && takes_precedence(b, a, touch) &&
+            (by == end || takes_precedence(b, by, touch)) &&
+            lies_on(s, w, &s->neighbor[b], touch[a].point, same_point*i->radius))
+        {
+            by = b;
+        }
+    }
+    if (by == end)
+    {
+        return KEEP;
+    }
+    if (w->facet[near->facet].bent || dem_wall_neighbor_open(w, near))
+    {
+        return DROP;
+    }
+    inner_point(s, w, near, i, inside);
+    dem_vec_minus(inside, touch[a].point, into);
+    return dem_vec_dot(touch[by].normal, into) > same_point*i->radius ? CONTINUE : DROP;
 }
 
 /* Of facets that touch in the same point the first gets the contact. There the order by distance
@@ -188,25 +245,109 @@ static size_t first_there(size_t of, size_t first, double tolerance,
     return a;
 }
 
+/* The deepest of the contacts that are kept and shallower than `last`; end: none. last = end: of
+   all. */
+static size_t next_deepest(size_t last, size_t first, size_t end, double radius,
+                           const struct dem_wall_touch *touch)
+{
+    size_t deepest = end;
+
+    for (size_t k = first; k < end; k++)
+    {
+        if (touch[k].drop == KEEP && touch[k].distance < radius &&
+            (last == end || takes_precedence(last, k, touch)) &&
+            (deepest == end || takes_precedence(k, deepest, touch)))
+        {
+            deepest = k;
+        }
+    }
+    return deepest;
+}
+
+/* Contacts with facets at blunt angles to the deepest one, `leader`: one contact, see the header. */
+static void blend(size_t leader, size_t first, size_t end, const struct dem_particle *i,
+                  struct dem_wall_touch *touch)
+{
+    struct dem_wall_touch *const l = &touch[leader];
+    const double deepest = i->radius - l->distance;
+    double sum = 1.0, inverse = 0.0, along[3] = {l->normal[0], l->normal[1], l->normal[2]};
+
+    for (size_t k = first; k < end; k++)
+    {
+        const double c = dem_vec_dot(touch[k].normal, l->normal);
+
+        if (touch[k].drop || touch[k].distance >= i->radius || c <= blunt ||
+            !takes_precedence(leader, k, touch))
+        {
+            continue;
+        }
+        const double sine = sqrt(fmax(1.0 - c*c, 0.0)), r = (i->radius - touch[k].distance)/deepest;
+
+        touch[k].drop = DROP;
+        if (sine > coplanar)
+        {
+            const double share = pow(r, 1.0/sine);
+
+            sum += share;
+            inverse += share*sine;
+            for (int m = 0; m < 3; m++)
+            {
+                along[m] += share/r*touch[k].normal[m];
+            }
+        }
+    }
+    if (inverse > 0.0)
+    {
+        /* the overlap d over the deepest one; the gradient of d */
+        const double wider = pow(sum, inverse/(sum - 1.0)),
+                     slope = wider*dem_vec_norm(along)/sum,
+                     overlap = deepest*wider*pow(slope, 1.0/fmax(l->exponent, 1.0));
+
+        l->distance = i->radius - overlap;
+        for (int m = 0; m < 3; m++)
+        {
+            l->normal[m] = along[m]/dem_vec_norm(along);
+            l->point[m] = i->x[m] - l->distance*l->normal[m];
+        }
+    }
+}
+
 /* Mark first, drop afterwards: a contact may duplicate one that is a duplicate itself, down to the
    nearest one of a curved surface. */
 static void drop_duplicates(const struct dem_wall_search *s, const struct dem_walls *w,
-                            size_t first, size_t end, double radius, struct dem_wall_touch *touch)
+                            size_t first, size_t end, const struct dem_particle *i,
+                            struct dem_wall_touch *touch)
 {
+    const double radius = i->radius;
+
     for (size_t a = first; a < end; a++)
     {
-        for (size_t b = first; b < end && !touch[a].drop && touch[a].distance < radius; b++)
+        if (touch[a].distance < radius)
         {
-            touch[a].drop = b != a && duplicates(s, w, a, b, radius, touch);
+            touch[a].drop = fate(s, w, a, first, end, i, touch);
         }
     }
     for (size_t a = first; a < end; a++)
     {
-        if (!touch[a].drop && touch[a].distance < radius)
+        if (touch[a].drop == KEEP && touch[a].distance < radius)
         {
-            touch[a].drop = 1;
-            touch[first_there(a, first, same_point*radius, touch)].drop = 0;
+            touch[a].drop = DROP;
+            touch[first_there(a, first, same_point*radius, touch)].drop = KEEP;
         }
+    }
+    for (size_t a = first; a < end; a++)
+    {
+        if (touch[a].drop == CONTINUE)
+        {
+            touch_facet(s, w, &s->neighbor[a], i, 1, &touch[a]);
+            touch[a].drop = KEEP;
+        }
+    }
+    /* from the deepest contact on; what is left is at larger angles to it */
+    for (size_t leader = next_deepest(end, first, end, radius, touch); leader < end;
+         leader = next_deepest(leader, first, end, radius, touch))
+    {
+        blend(leader, first, end, i, touch);
     }
     for (size_t a = first; a < end; a++)
     {
@@ -232,13 +373,13 @@ void dem_wall_touches_update(struct dem_wall_touches *t, const struct dem_wall_s
         for (; k < t->listed && s->neighbor[t->list[k]].particle == particle; k++)
         {
             last = t->list[k];
-            touch_facet(s, w, &s->neighbor[last], i, &t->touch[last]);
+            touch_facet(s, w, &s->neighbor[last], i, 0, &t->touch[last]);
             t->touch[last].drop = 0;
             touching += t->touch[last].distance < i->radius;
         }
         if (touching > 1)
         {
-            drop_duplicates(s, w, first, last + 1, i->radius, t->touch);
+            drop_duplicates(s, w, first, last + 1, i, t->touch);
             t->shared_first[t->shared++] = first;
         }
     }

@@ -237,7 +237,8 @@ static int prune(struct dem_state *p, int rebuilt)
         status = dem_contacts_restore_history(&p->contacts, &p->particles, p->pairs.wall_facet);
     }
     DEM_TRY(dem_agree(p, status));
-    dem_wall_touches_set_rows(&p->touches, &p->pairs.wall_search, &p->contacts);
+    dem_wall_touches_set_rows(&p->touches, &p->pairs.wall_search, &p->contacts,
+                              &p->interaction_table);
     dem_halo_select_candidates(&p->halo, &p->particles, &p->contacts);
     return DEM_OK;
 }

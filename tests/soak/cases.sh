@@ -147,6 +147,19 @@ make_mixerVesselAMI2D()
         control "$function_object" "endTime $end; writeInterval 0.1; writeFormat ascii;"
 }
 
+# Beads just upstream of a propeller, in a rotating zone with sliding interfaces, on a coarser mesh than the stock one. Blades hit
+# them in the end
+make_propeller()
+{
+    stock incompressible/pimpleFoam/RAS/propeller && cp "$FOAM_TUTORIALS"/resources/geometry/propellerTip.obj.gz constant/triSurface &&
+        sed -i 's/(12 20 12)/(8 14 8)/' system/blockMeshDict && sed -i '/^functions/,/^}/d' system/controlDict &&
+        solve blockMesh && solve surfaceFeatureExtract && solve snappyHexMesh -overwrite && rm -rf 0 &&
+        solve topoSet -dict system/createInletOutletSets.topoSetDict && solve createPatch -overwrite && rm -rf 0 && cp -r 0.orig 0 &&
+        solver=pimpleFoam end=0.006 && control "$function_object" "endTime $end; writeControl adjustable; writeInterval 0.001; writeFormat ascii;"
+}
+# they keep the velocity of the inlet before the blades, 49 mm up
+check_propeller() { number "velocity upstream of the blades [m/s]" "$(state | mean 5 '$2 > 0.06')" -5 0.02; }
+
 make_pitzDaily()
 {
     stock incompressible/simpleFoam/pitzDaily && solve blockMesh && solver=simpleFoam end=2000 &&
@@ -238,7 +251,7 @@ check_hopper()
 }
 
 # The flow is that of the stock case before its first iteration, 20 m/s past and into the bike, and stands: it presses the grains
-# on the bike. (simpleFoam does not converge on this mesh with particles or without.) The ground runs with the flow
+# on the bike. (simpleFoam does not converge on this mesh with particles or without.)
 make_motorBike()
 {
     stock incompressible/simpleFoam/motorBike && cp "$FOAM_TUTORIALS/resources/geometry/motorBike.obj.gz" constant/triSurface &&
