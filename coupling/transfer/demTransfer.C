@@ -109,6 +109,10 @@ void Foam::demTransfer::build()
     if (base_ == LINEAR || base_ == CENTRE)
     {
         weights_.reset(new demLinearWeights(mesh_, interface_.get()));
+        if (evens())
+        {
+            weights_().setEven();
+        }
     }
     smoother_.reset(new demSmoother(mesh_, wedge_.get(), interface_.get()));
     limiter_.reset(new demOverpackingLimiter(mesh_, interface_.get()));
@@ -304,6 +308,10 @@ Foam::tmp<Foam::Field<Type>> Foam::demTransfer::sample(const UList<Type>& cells)
     Field<Type> smooth(cells);
     limiter_().collect(smooth);
     smoother_().smooth(smooth);
+    if (evens())
+    {
+        weights_().evenAdjoint(smooth);
+    }
 
     tmp<Field<Type>> tvalues(gather<Type>(smooth));
     if (wedge_.valid())
@@ -337,6 +345,10 @@ void Foam::demTransfer::depositUnlimited
     else if (weights_.valid())
     {
         weights_().spread(routing_().locations(), values, density);
+        if (evens())
+        {
+            weights_().even(density);
+        }
     }
     density /= mesh_.V().field();
     smoother_().smooth(density);

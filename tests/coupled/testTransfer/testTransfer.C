@@ -157,6 +157,7 @@ int main(int argc, char *argv[])
     testContinuity(mesh, "linear", kernel("linear", "linear", 0), seams(mesh));
     testContinuity(mesh, "divided", kernel("divided", "linear", 0), few);
     testContinuity(mesh, "gaussian 3 d", kernel("gaussian", "linear", 3), fewest);
+    testEven(mesh);
     testBall(mesh);
     testRelief(mesh, kernel("linear", "linear", 0), all, 0.1);
 
@@ -165,7 +166,7 @@ int main(int argc, char *argv[])
         testLinear(mesh, "linear", kernel("linear", "linear", 0), is.thin);
         if (is.orthogonal)
         {
-            testLinear(mesh, "diffusion d", kernel("diffusion", "linear", 1), is.thin);
+            testLinear(mesh, "diffusion d", kernel("diffusion", "linear", 1), is.thin, true);
         }
         testSmoother(mesh);
     }
