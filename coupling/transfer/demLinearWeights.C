@@ -256,7 +256,7 @@ Foam::demLinearWeights::demLinearWeights
 }
 
 
-// The tetrahedra are those of demLocator: cell centre, face centre and edge
+// The tetrahedra are those of demLocator: cell centre, mean of a face's points, edge
 Foam::scalarList Foam::demLinearWeights::parts() const
 {
     const pointField& points = mesh_.points();
@@ -269,7 +269,11 @@ Foam::scalarList Foam::demLinearWeights::parts() const
         for (const label facei : mesh_.cells()[celli])
         {
             const face& f = mesh_.faces()[facei];
-            const point& middle = mesh_.faceCentres()[facei];
+            point middle(Zero);
+            for (const label pointi : f)
+            {
+                middle += points[pointi]/f.size();
+            }
             scalarList corner(f.size(), Zero);
             scalar whole = 0;
 

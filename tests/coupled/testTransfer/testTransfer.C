@@ -157,7 +157,7 @@ int main(int argc, char *argv[])
     testContinuity(mesh, "linear", kernel("linear", "linear", 0), seams(mesh));
     testContinuity(mesh, "divided", kernel("divided", "linear", 0), few);
     testContinuity(mesh, "gaussian 3 d", kernel("gaussian", "linear", 3), fewest);
-    testEven(mesh);
+    testEven(mesh, is.planar);
     testBall(mesh);
     testRelief(mesh, kernel("linear", "linear", 0), all, 0.1);
 
