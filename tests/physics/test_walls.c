@@ -718,6 +718,49 @@ static void both_sides_of_a_plate(void)
     dem_free(d);
 }
 
+/* ---- a gap between two floors ---------------------------------------------------------------- */
+
+/* Two floors at one height, 1 nm apart: far less than the radius of the contact area, sqrt(R d) =
+   10 um, so that a sphere that rolls across, at rest on its spring, feels its weight and next to
+   nothing else. At the gap the overlap is less by at most gap^2/(8 R d), 1e-9 of it; the far rim
+   adds some d/R = 1e-4 (neighbor/wall_touch.h). */
+static void gap(void)
+{
+    const double R = 1e-3, k = 1000.0, g = 9.81, v = 0.1, step = 2e-6;
+    const double d = world_sphere_mass(R, 2500.0)*g/k, w = 10.0*R, from[2] = {-w, 1e-9},
+                 to[2] = {0.0, w};
+    const struct dem_new_particle p = {.position = {-500.3*v*step, 0.0, R - d},
+                                       .velocity = {v, 0.0, 0.0}, .spin = {0.0, v/R, 0.0},
+                                       .diameter = 2.0*R, .material = "a"};
+    struct dem *const world = world_begin(
+        "materials { a { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { hooke { "
+        "stiffness 1000; } gravity { acceleration (0 0 -9.81); } } time { step 2e-6; }");
+    double last = 0.0, largest = 0.0;
+
+    for (int side = 0; side < 2; side++)
+    {
+        const double a = from[side], b = to[side];
+        const double corner[18] = {a, -w, 0.0, b, -w, 0.0, b, w, 0.0,
+                                   a, -w, 0.0, b, w, 0.0, a, w, 0.0};
+
+        WORLD_TRY(dem_add_wall(world, side ? "right" : "left", "a", 2, corner));
+    }
+    WORLD_TRY(dem_add_particles(world, 1, &p));
+    WORLD_TRY(dem_setup(world));
+    for (int n = 0; n < 1000; n++)
+    {
+        world_step(world);
+        const double now = world_at(world, 0).v[2];
+
+        largest = fmax(largest, fabs(now - last)/step);
+        last = now;
+    }
+    TAP_OK(world_at(world, 0).x[0] > 0.09*R && largest < 5e-4*g,
+           "a sphere rolls across a gap of 1 nm: largest vertical acceleration %.2g of gravity",
+           largest/g);
+    dem_free(world);
+}
+
 int main(void)
 {
     static const double sizes[] = {0.4e-3, 2.5e-3, 0.03};
@@ -744,5 +787,6 @@ int main(void)
     torque();
     both_sides();
     both_sides_of_a_plate();
+    gap();
     TAP_DONE;
 }
