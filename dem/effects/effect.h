@@ -88,11 +88,13 @@ struct dem_pair_class
     /* 1  p of the normal law F ~ d^p: 1 linear, 3/2 Hertz */
     double exponent;
     double min_radius;       /* m    smallest reduced radius present */
-    double min_mass;         /* kg   smallest reduced mass present */
+    double min_mass;         /* kg   smallest reduced mass present, with added mass */
     double max_radius_sum;   /* m    largest R_i + R_j present; R_i at a wall */
     double fluid_density;    /* kg/m3  of the run's fluid; 0: none, or not uniform */
     /* 1: an effect that has_added_mass acts: reduced masses of contacts contain it */
     int inertia_has_added_mass;
+    /* kg/m3  least added mass over volume of a particle, C rho of the fluid; 0: none or unknown */
+    double added_density;
 };
 
 struct dem_effect
@@ -214,6 +216,8 @@ struct dem_effect
     /* DAMP only: the added mass coefficient that the law itself counts with these settings [1]; 0:
        none. Cannot be combined with an effect that has_added_mass. May be NULL. */
     double (*own_added_mass)(const void *settings);
+    /* FLUID with has_added_mass: smallest C, whatever the void fraction; NULL: 0 is counted on */
+    double (*least_added_mass)(const void *settings);
 
     /* FLUID only: sets the model of the eddies that the particles are in (DEM_NEEDS_TURBULENCE).
        May be NULL. */

@@ -27,9 +27,9 @@ int dem_effect_history_columns(const struct dem_effect *effect)
     return n;
 }
 
-static double sphere_mass(const struct dem_material *m, double radius)
+static double sphere_mass(double density, double radius)
 {
-    return m->density*4.0/3.0*3.14159265358979323846*radius*radius*radius;
+    return density*4.0/3.0*3.14159265358979323846*radius*radius*radius;
 }
 
 static struct dem_pair_class pair_class(const struct dem_interaction_table *r, int with_wall, int a,
@@ -46,12 +46,18 @@ static struct dem_pair_class pair_class(const struct dem_interaction_table *r, i
     c.reduced_shear = 1.0/(2.0*(2.0 - nm)*(1.0 + nm)/Em + 2.0*(2.0 - no)*(1.0 + no)/Eo);
     c.min_radius = with_wall ? Ra : Ra*Rb/(Ra + Rb);
     c.max_radius_sum = r->max_radius[a] + (with_wall ? 0.0 : r->max_radius[b]);
-    c.min_mass = with_wall ? sphere_mass(m, Ra)
-                           : 1.0/(1.0/sphere_mass(m, Ra) + 1.0/sphere_mass(o, Rb));
     for (int k = 0; k < r->chosen; k++)
     {
-        c.inertia_has_added_mass |= r->effect[k]->has_added_mass;
+        const struct dem_effect *const e = r->effect[k];
+
+        c.inertia_has_added_mass |= e->has_added_mass;
+        c.added_density +=
+            e->least_added_mass ? e->least_added_mass(r->settings[k])*r->fluid_density : 0.0;
     }
+    const double of_a = sphere_mass(m->density + c.added_density, Ra),
+                 of_b = sphere_mass(o->density + c.added_density, Rb);
+
+    c.min_mass = with_wall ? of_a : 1.0/(1.0/of_a + 1.0/of_b);
     return c;
 }
 

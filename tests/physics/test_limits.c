@@ -307,8 +307,10 @@ static void dampers(void)
 
 /* ---- impacts --------------------------------------------------------------------------------- */
 
-/* largest error of the rebound speed of 32 spheres that touch at phases of a step */
-static double rebound(double speed, double factor, const char *soft, const char *why)
+/* largest error of the rebound speed of 32 spheres that touch at phases of a step; `inertia` times
+   as heavy by added mass */
+static double rebound(double speed, double factor, const char *soft, const char *why,
+                      double inertia)
 {
     struct motion m = {.name = "hertz", .why = why, .n = 32};
     double worst = 0.0;
@@ -328,8 +330,15 @@ static double rebound(double speed, double factor, const char *soft, const char 
     }
     struct dem *const d = start(&m, step);
     const double E = 1e7/(1.0 - 0.09)/2.0,
-                 duration = world_contact_time(world_sphere_mass(R, density), R, E, speed);
+                 duration =
+                     world_contact_time(inertia*world_sphere_mass(R, density), R, E, speed);
     struct world_particle p[MAX_BODIES];
+
+    if (inertia != 1.0)
+    {
+        TAP_NEAR(step/(factor*duration/20.0), 1.0, 1e-7,
+                 "hertz: the limit is 1/20 of the duration of the impact, with added mass");
+    }
 
     world_run(d, step*ceil(1.2*duration/step + 5.0));
     world_all(d, p);
@@ -360,19 +369,31 @@ static double surface_wave(double nu)
 static void impacts(void)
 {
     const char *const soft = SOFT("hertz { stiffness 1; }");
-    const double at = rebound(1.0, 1.0, soft, "1/20 of the Hertz contact time"),
-                 beyond = rebound(1.0, 3.0, soft, "1/20 of the Hertz contact time");
+    const double at = rebound(1.0, 1.0, soft, "1/20 of the Hertz contact time", 1.0),
+                 beyond = rebound(1.0, 3.0, soft, "1/20 of the Hertz contact time", 1.0);
 
     TAP_OK(at < 1e-3, "hertz: at the limit an impact keeps its speed within %.2g %%", 100.0*at);
     TAP_OK(beyond > 5e-3, "hertz: at three times the limit within %.2g %%", 100.0*beyond);
+
+    /* bubbles: the mass that bounces is nearly all added, 20 times that of the sphere */
+    char *const bubbles = world_text(
+        "%s effects { virtualMass {} } fluid { density %.17g; viscosity 1e-30; }", soft,
+        40.0*density);
+    const double of_bubbles = rebound(1.0, 1.0, bubbles, "1/20 of the Hertz contact time", 21.0),
+                 beyond_of_bubbles =
+                     rebound(1.0, 3.0, bubbles, "1/20 of the Hertz contact time", 21.0);
+
+    TAP_OK(of_bubbles < 1e-3, "hertz, added mass: at the limit within %.2g %%", 100.0*of_bubbles);
+    TAP_OK(beyond_of_bubbles > 5e-3, "hertz, added mass: at three times the limit within %.2g %%",
+           100.0*beyond_of_bubbles);
 
     /* T_R/5 = t_c/20 at v_0; t_c ~ v^(-1/5), so at v_0/3^5 three times T_R/5 is t_c/20 */
     const double E = 1e7/(1.0 - 0.09)/2.0, m = world_sphere_mass(R, density),
                  wave = world_pi*R*sqrt(density/(1e7/2.6))/surface_wave(0.3),
                  v_0 = m*m/(R*E*E)*pow(2.8682656992/(4.0*wave), 5.0);
-    const double strict = rebound(v_0/243.0, 3.0, "", "0.2 of the Rayleigh time");
+    const double strict = rebound(v_0/243.0, 3.0, "", "0.2 of the Rayleigh time", 1.0);
 
-    TAP_OK(rebound(v_0/243.0, 1.0, "", "0.2 of the Rayleigh time") < 1e-4,
+    TAP_OK(rebound(v_0/243.0, 1.0, "", "0.2 of the Rayleigh time", 1.0) < 1e-4,
            "hertz, slow: at the Rayleigh limit an impact keeps its speed within 0.01 %%");
     TAP_OK(strict < 1e-3,
            "hertz, slow: the Rayleigh limit is strict, at three times of it within %.2g %%",

@@ -214,6 +214,8 @@ static void particles(void)
 
     memcpy(&flags, good + of_particle(0, offsetof(struct dem_particle, material)), sizeof flags);
     whole("unknown flags", of_particle(0, offsetof(struct dem_particle, material)),
+          flags | 4 << 16, "particle 0 has flags 0x4");
+    whole("driven, but not frozen", of_particle(0, offsetof(struct dem_particle, material)),
           flags | 2 << 16, "particle 0 has flags 0x2");
     whole("frozen, with inertia", of_particle(0, offsetof(struct dem_particle, material)),
           flags | 1 << 16, "particle 0, which is frozen");

@@ -21,6 +21,9 @@
  *
  *   R    radius of the smallest particle: R* at a wall, 2 R* in a pair (two equal ones are assumed)
  *
+ * With added mass (virtualMass in a fluid of known density) m* contains it, and rho is that of the
+ * particle and C times that of the fluid: this is the inertia that moves.
+ *
  * At t_c/20 the frequency of the spring is 0.10 % too high (pi^2/(24 20^2)), at three times that
  * 0.95 %. T_R/5 is the smaller limit for impacts so slow that t_c > 4 T_R, and there it is strict
  * as far as single contacts go: for an impact at 1/250 of the speed where both are equal, three
@@ -40,13 +43,14 @@
 
 #include <stdio.h>
 
-/* s: Rayleigh time of a particle of this material and radius */
-static inline double dem_impact_rayleigh_time(const struct dem_material *particle, double radius)
+/* s: Rayleigh time of a particle of this material and radius; added_density: of a pair class */
+static inline double dem_impact_rayleigh_time(const struct dem_material *particle, double radius,
+                                              double added_density)
 {
     const double nu = particle->poissons_ratio;
     const double shear = particle->youngs_modulus/(2.0*(1.0 + nu));
 
-    return 3.14159265358979324*radius*sqrt(particle->density/shear)/(0.1631*nu + 0.8766);
+    return 3.14159265358979324*radius*sqrt((particle->density + added_density)/shear)/(0.1631*nu + 0.8766);
 }
 
 /* s: 1/5 of the smaller Rayleigh time of the pair class; *material: name of the material that
@@ -55,8 +59,10 @@ static inline double dem_impact_rayleigh_limit(const struct dem_pair_class *pair
                                                const char **material)
 {
     const double radius = pair->with_wall ? pair->min_radius : 2.0*pair->min_radius;
-    const double wave_a = dem_impact_rayleigh_time(pair->a, radius);
-    const double wave_b = pair->with_wall ? wave_a : dem_impact_rayleigh_time(pair->b, radius);
+    const double wave_a = dem_impact_rayleigh_time(pair->a, radius, pair->added_density);
+    const double wave_b =
+        pair->with_wall ? wave_a
+                        : dem_impact_rayleigh_time(pair->b, radius, pair->added_density);
 
     *material = wave_b < wave_a ? pair->b->name : pair->a->name;
     return 0.2*(wave_b < wave_a ? wave_b : wave_a);

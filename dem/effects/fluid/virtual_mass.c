@@ -90,6 +90,14 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
     }
 }
 
+/* The factor of Zuber is 1 or more; that of Felderhof is less for bubbles, and is not counted on. */
+static double least_added_mass(const void *of)
+{
+    const struct virtual_mass *const own = of;
+
+    return own->correlation == FELDERHOF ? 0.0 : own->coefficient;
+}
+
 /* added mass of a single sphere over mass, rho_f/(2 rho_p) */
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)
 {
@@ -112,6 +120,7 @@ const struct dem_effect dem_virtual_mass = {
     .settings = settings,
     .prepare_bodies = prepare_bodies,
     .apply_to_bodies = apply_to_bodies,
+    .least_added_mass = least_added_mass,
     .relevance = relevance,
     .mechanism = DEM_MECHANISM_INERTIA,
 };
