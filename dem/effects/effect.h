@@ -88,12 +88,13 @@ struct dem_pair_class
     /* 1  p of the normal law F ~ d^p: 1 linear, 3/2 Hertz */
     double exponent;
     double min_radius;       /* m    smallest reduced radius present */
-    double min_mass;         /* kg   smallest reduced mass present, with added mass */
+    double min_mass;         /* kg   smallest reduced mass present, with added_density */
     double max_radius_sum;   /* m    largest R_i + R_j present; R_i at a wall */
     double fluid_density;    /* kg/m3  of the run's fluid; 0: none, or not uniform */
     /* 1: an effect that has_added_mass acts: reduced masses of contacts contain it */
     int inertia_has_added_mass;
-    /* kg/m3  least added mass over volume of a particle, C rho of the fluid; 0: none or unknown */
+    /* kg/m3  least added mass over volume of a particle, C rho of the fluid, for limits of the step;
+       0: none, unknown, or contacts turn particles, whose moment of inertia contains none */
     double added_density;
 };
 

@@ -41,6 +41,7 @@ static struct dem_pair_class pair_class(const struct dem_interaction_table *r, i
     const double Ra = r->min_radius[a], Rb = r->min_radius[b];
     struct dem_pair_class c = {
         .a = m, .b = o, .with_wall = with_wall, .fluid_density = r->fluid_density};
+    int turned = 0;
 
     c.reduced_modulus = 1.0/((1.0 - nm*nm)/Em + (1.0 - no*no)/Eo);
     c.reduced_shear = 1.0/(2.0*(2.0 - nm)*(1.0 + nm)/Em + 2.0*(2.0 - no)*(1.0 + no)/Eo);
@@ -51,9 +52,13 @@ static struct dem_pair_class pair_class(const struct dem_interaction_table *r, i
         const struct dem_effect *const e = r->effect[k];
 
         c.inertia_has_added_mass |= e->has_added_mass;
+        turned |= e->stage > DEM_STAGE_NORMAL && e->stage < DEM_STAGE_BODY &&
+                  e->stage != DEM_STAGE_DAMP;
         c.added_density +=
             e->least_added_mass ? e->least_added_mass(r->settings[k])*r->fluid_density : 0.0;
     }
+    /* no added mass resists turning: springs that turn particles set the step as without it */
+    c.added_density = turned ? 0.0 : c.added_density;
     const double of_a = sphere_mass(m->density + c.added_density, Ra),
                  of_b = sphere_mass(o->density + c.added_density, Rb);
 

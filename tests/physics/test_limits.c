@@ -387,6 +387,17 @@ static void impacts(void)
     TAP_OK(beyond_of_bubbles > 5e-3, "hertz, added mass: at three times the limit within %.2g %%",
            100.0*beyond_of_bubbles);
 
+    /* with friction they turn, without added inertia: the step is that of the sphere's own mass */
+    struct motion dry = {.name = "hertz, mindlin", .why = "1/20 of the Hertz contact time", .n = 1},
+                  wet = {.name = "hertz, mindlin, added mass", .why = dry.why, .n = 1};
+
+    dry.seed[0] = wet.seed[0] = sphere(R, -1.0);
+    dry.scene = world_text("%s effects { hertz { impactSpeed 1; } mindlin { friction 0.5; } } %s",
+                           MATERIALS, FLOOR);
+    wet.scene = world_text("%s effects { virtualMass {} } fluid { density 1e5; viscosity 1e-30; }",
+                           dry.scene);
+    TAP_OK(limit_of(&wet) == limit_of(&dry), "with friction added mass does not lengthen the step");
+
     /* T_R/5 = t_c/20 at v_0; t_c ~ v^(-1/5), so at v_0/3^5 three times T_R/5 is t_c/20 */
     const double E = 1e7/(1.0 - 0.09)/2.0, m = world_sphere_mass(R, density),
                  wave = world_pi*R*sqrt(density/(1e7/2.6))/surface_wave(0.3),

@@ -22,7 +22,9 @@
  *   R    radius of the smallest particle: R* at a wall, 2 R* in a pair (two equal ones are assumed)
  *
  * With added mass (virtualMass in a fluid of known density) m* contains it, and rho is that of the
- * particle and C times that of the fluid: this is the inertia that moves.
+ * particle and C times that of the fluid: this is the inertia that moves. Not so with friction,
+ * rolling resistance, bonds or films: they turn particles, and the moment of inertia of a sphere
+ * contains no added mass.
  *
  * At t_c/20 the frequency of the spring is 0.10 % too high (pi^2/(24 20^2)), at three times that
  * 0.95 %. T_R/5 is the smaller limit for impacts so slow that t_c > 4 T_R, and there it is strict
