@@ -40,7 +40,7 @@ one()
     case $name in *sizes*) options+=(-sizes) ;; esac
     case $name in *frit*) options+=(-frit) ;; esac
     rm -rf "$case" && mkdir "$case" &&
-        cp -r 0.orig constant system measured ./*.py ./*.dem Allrun Allclean "$case" &&
+        cp -r 0.orig constant system measured ./*.py ./*.dem column Allrun Allclean "$case" &&
         "$case/Allrun" "${options[@]}" "$@" > "$to/log.$name" 2>&1 || echo "factorial: $name failed; see $to/log.$name" >&2
 }
 

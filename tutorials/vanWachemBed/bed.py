@@ -55,7 +55,7 @@ class Bed:
         """Times, positions and velocities of the instants from `start` on."""
         for time, *place in self.listed:
             if time >= start*(1 - 1e-9):
-                yield (time, *frames.read_frame(*place))
+                yield (time, *frames.read_frame(*place)[:2])
 
     def patch(self, name):
         """Times and the mean pressure of a patch, Pa."""
