@@ -4,7 +4,8 @@
 #
 #   ./factorial.sh FOLDER [OPTION ...]    OPTIONs go to every Allrun, such as -end 10
 #
-# Copies of this case are run in FOLDER; one that has a result is not run again. All start poured at
+# Copies of this case are run in FOLDER; one that has a result is not run again, one that was stopped
+# goes on from its last written time. All start poured at
 # random, with cells of 2 mm and E = 1e6 Pa. At the end the table: store.py -beside "WHAT RAN WHERE"
 # factorial plain=FOLDER/plain ... keeps it.
 #
@@ -30,6 +31,14 @@ do
     done
 done
 
+# go_on CASE: a run that was stopped, from its last written time
+go_on()
+{
+    cd "$1" && echo "startFrom latestTime;" >> system/options &&
+        demPimpleFoam > log.demPimpleFoam.again && grep -q '^End' log.demPimpleFoam.again &&
+        "${SUNA_PYTHON:-python3}" compare.py
+}
+
 # one NAME OPTION ...
 one()
 {
@@ -39,9 +48,14 @@ one()
     case $name in *rolling*) options+=(-rolling 0.1) ;; esac
     case $name in *sizes*) options+=(-sizes) ;; esac
     case $name in *frit*) options+=(-frit) ;; esac
-    rm -rf "$case" && mkdir "$case" &&
-        cp -r 0.orig constant system measured ./*.py ./*.dem column Allrun Allclean "$case" &&
-        "$case/Allrun" "${options[@]}" "$@" > "$to/log.$name" 2>&1 || echo "factorial: $name failed; see $to/log.$name" >&2
+    if [ -e "$case/log.demPimpleFoam" ] && [ -e "$case/0.1" ]
+    then
+        go_on "$case"
+    else
+        rm -rf "$case" && mkdir "$case" &&
+            cp -r 0.orig constant system measured ./*.py ./*.dem column Allrun Allclean "$case" &&
+            "$case/Allrun" "${options[@]}" "$@"
+    fi > "$to/log.$name" 2>&1 || echo "factorial: $name failed; see $to/log.$name" >&2
 }
 
 # as many runs at once as there are cores
