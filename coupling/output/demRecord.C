@@ -230,7 +230,6 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
 
 void Foam::demRecord::prepare(::dem* d)
 {
-    demCheck(dem_contact_durations_enable(d));        // for the timing report at the end
     if (energy_)
     {
         demCheck(dem_energy_enable(d));

@@ -63,27 +63,6 @@ static void write_ranks(struct dem_text *t, const struct dem_profile *f)
         f->cuts);
 }
 
-/* Resolution of contacts by the time step. */
-static void write_accuracy(struct dem_text *t, const struct dem_profile *f)
-{
-    static const char *const more[] = {"", "more than "};
-    const int limit = 128;                                /* longer contacts are counted together */
-
-    dem_text_add(t, "    accuracy: largest overlap %.3g %% of a diameter",
-                 100.0*f->largest_overlap);
-    if (f->recorded > 0)
-    {
-        const int a = f->min_steps > limit, b = f->median_steps > limit;
-
-        dem_text_add(
-            t,
-            "; the shortest of %lld contacts observed from their beginning lasted %s%d steps, the median %s%d",
-            (long long)f->recorded, more[a], a ? limit : f->min_steps, more[b],
-            b ? limit : f->median_steps);
-    }
-    dem_text_add(t, "\n");
-}
-
 int dem_profile_write(struct dem_text *t, const struct dem_profile *f)
 {
     const double seconds = f->wall - f->outside,
@@ -105,7 +84,8 @@ int dem_profile_write(struct dem_text *t, const struct dem_profile *f)
                  ratio((double)f->contacts, (double)f->particles),
                  ratio((double)f->row_steps, (double)f->particle_steps),
                  ratio(f->bytes, (double)f->particles));
-    write_accuracy(t, f);
+    dem_text_add(t, "    accuracy: largest overlap %.3g %% of a diameter\n",
+                 100.0*f->largest_overlap);
     if (f->ranks > 1)
     {
         write_ranks(t, f);

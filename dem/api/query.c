@@ -73,13 +73,6 @@ int dem_profile_text(struct dem *d, const char **text)
     return DEM_OK;
 }
 
-int dem_contact_durations_enable(struct dem *d)
-{
-    DEM_TRY(dem_api_require_unchecked(d, "dem_contact_durations_enable"));
-    d->state.durations->asked = 1;
-    return DEM_OK;
-}
-
 int dem_orientation_enable(struct dem *d)
 {
     DEM_TRY(dem_api_require_unchecked(d, "dem_orientation_enable"));

@@ -210,7 +210,6 @@ static int set_up(const struct dem_program *prog, const struct dem_request *r, s
     DEM_TRY(r->no_output ? DEM_OK : dem_output_check(&s->output, prog));
     DEM_TRY(accept_coupling(dem_scene_dict(d), &s->coupling));
     DEM_TRY(s->output.energy > 0.0 && !r->no_output ? dem_energy_enable(d) : DEM_OK);
-    DEM_TRY(s->output.profile && !r->no_output ? dem_contact_durations_enable(d) : DEM_OK);
     DEM_TRY(s->output.orientation ? dem_orientation_enable(d) : DEM_OK);
     DEM_TRY(dem_check(d));
     s->with_gravity = dem_gravity_acceleration(d, s->gravity);

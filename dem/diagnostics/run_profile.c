@@ -7,7 +7,6 @@
 #include "diagnostics/totals.h"
 #include "diagnostics/inventory.h"
 #include "diagnostics/timers.h"
-#include "diagnostics/contact_durations.h"
 #include "parallel/collect.h"
 #include <math.h>
 
@@ -93,5 +92,4 @@ void dem_profile_take(struct dem_state *p, struct dem_profile *f)
     gather_counts(p, f);
     f->largest_overlap = fmax(p->limits.max_overlap, p->limits.overlap);
     dem_totals_reduce_max(p, &f->largest_overlap, 1);
-    dem_contact_durations_report(p, &f->recorded, &f->longer, &f->min_steps, &f->median_steps);
 }

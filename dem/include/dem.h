@@ -222,10 +222,6 @@ int dem_totals(struct dem *, struct dem_totals *);
    influence on the run. */
 int dem_profile(struct dem *, struct dem_profile *);
 
-/* Before dem_setup: record for the profile how many steps contacts last, in 256 of each 4096
-   steps. Has no influence on the run. */
-int dem_contact_durations_enable(struct dem *);
-
 /* Collective. The profile as text, the same on all ranks, valid until the next call or dem_free. */
 int dem_profile_text(struct dem *, const char **text);
 

@@ -220,10 +220,6 @@ struct dem_profile
     /* quality of the time integration */
     double largest_overlap;                   /* 1  of the smaller partner's diameter, over all
                                                  steps */
-    int64_t recorded, longer;                 /* contacts recorded from first to last step
-                                                 (dem_contact_durations_enable); of these longer
-                                                 than 128 steps */
-    int min_steps, median_steps;              /* of these: 0 without any, 129 for more than 128 */
 };
 
 /* a term of the energy balance: dem_energy */

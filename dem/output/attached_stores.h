@@ -10,7 +10,6 @@
 #define DEM_OUTPUT_ATTACHED_STORES_H
 
 #include "diagnostics/bonds.h"
-#include "diagnostics/contact_durations.h"
 #include "diagnostics/energy_balance.h"
 #include "diagnostics/lost_particles.h"
 #include "diagnostics/timers.h"
@@ -28,7 +27,6 @@ struct dem_attached_stores
     struct dem_wall_statistics wall_statistics;
     struct dem_energy_balance energy_balance;
     struct dem_timers timers;
-    struct dem_contact_durations durations;
 };
 
 /* Let the state use these stores, which are zeroed and have to live as long as it does. */
@@ -41,7 +39,6 @@ static inline void dem_attached_stores_attach(struct dem_attached_stores *a, str
     p->wall_statistics = &a->wall_statistics;
     p->energy_balance = &a->energy_balance;
     p->timers = &a->timers;
-    p->durations = &a->durations;
 }
 
 /* Free what the stores hold. */
@@ -53,7 +50,6 @@ static inline void dem_attached_stores_free(struct dem_attached_stores *a)
     dem_bonds_free(&a->bonds);
     dem_wall_statistics_free(&a->wall_statistics);
     dem_energy_balance_free(&a->energy_balance);
-    dem_contact_durations_free(&a->durations);
 }
 
 #endif

@@ -69,7 +69,6 @@ struct dem_state
     struct dem_wall_statistics *wall_statistics;  /* diagnostics/wall_statistics.h */
     struct dem_energy_balance *energy_balance;    /* diagnostics/energy_balance.h */
     struct dem_timers *timers;                    /* diagnostics/timers.h */
-    struct dem_contact_durations *durations;      /* diagnostics/contact_durations.h */
 
     int stale;                                    /* 1: rebuild in the next step; 2: there
                                                      are no lists of these particles yet */

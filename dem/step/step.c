@@ -9,7 +9,7 @@
  * 5. Sum the contact forces of each particle (sum_contacts.c), add body and fluid forces, kick
  *    velocities and spins (sweep_bodies.c). In most steps this happens during phase 4, for the
  *    particles whose contact forces are all known.
- * 6. Contact durations and averages when due. Backup, energy balance and wall statistics need the
+ * 6. Averages when due. Backup, energy balance and wall statistics need the
  *    state within phase 5 and are made there.
  *
  * All other decisions follow from what all ranks know after the all-reduce.
@@ -19,7 +19,6 @@
 #include "step/step.h"
 #include "core/clock.h"
 #include "core/memory.h"
-#include "diagnostics/contact_durations.h"
 #include "diagnostics/energy_balance.h"
 #include "diagnostics/timers.h"
 #include "diagnostics/wall_statistics.h"
@@ -223,7 +222,7 @@ static void count_work(struct dem_state *p)
 
 struct due    /* what is due in this step, and what follows from it for the sweeps */
 {
-    int backup, durations;
+    int backup;
     int fused;              /* particles are summed and kicked during the sweep of contacts */
     int observed;           /* forces or positions are read after this step */
 };
@@ -231,12 +230,12 @@ struct due    /* what is due in this step, and what follows from it for the swee
 static struct due what_is_due(const struct dem_state *p, double kick)
 {
     const int last = kick < p->dt || p->stopped;
-    struct due due = {.durations = dem_contact_durations_due(p->durations, p->steps)};
+    struct due due = {0};
 
     due.backup =
         p->backup.every > 0 && p->steps >= p->backup.steps + p->backup.every && kick == p->dt;
     due.fused = !due.backup && !p->energy_balance->open;
-    due.observed = last || due.durations || dem_grid_averages_due(p->averages, p->time);
+    due.observed = last || dem_grid_averages_due(p->averages, p->time);
     return due;
 }
 
@@ -285,12 +284,8 @@ static int sum_and_kick(struct dem_state *p, const struct due *due, struct dem_b
 }
 
 /* 6. */
-static int sample_diagnostics(struct dem_state *p, const struct due *due, int status)
+static int sample_averages(struct dem_state *p, int status)
 {
-    if (due->durations && !status)
-    {
-        status = dem_contact_durations_record(p->durations, p);
-    }
     if (dem_grid_averages_due(p->averages, p->time))
     {
         dem_timers_begin_rare_phase(p->timers, DEM_PHASE_BODIES);
@@ -336,7 +331,7 @@ static int step(struct dem_state *p, double since, double kick, int *status)
     *status = sum_and_kick(p, &due, &pass, *status);
 
     /* 6. diagnostics */
-    *status = sample_diagnostics(p, &due, *status);
+    *status = sample_averages(p, *status);
     return DEM_OK;
 }
 
