@@ -11,8 +11,10 @@
 #ifndef DEM_ADVISOR_EFFECT_COST_H
 #define DEM_ADVISOR_EFFECT_COST_H
 
-#include "simulation/dem_state.h"
+#include "core/text.h"
 #include "diagnostics/inventory.h"
+#include "effects/effect.h"
+#include "simulation/dem_state.h"
 
 struct dem;
 
@@ -37,5 +39,10 @@ int dem_effect_cost_measure(const struct dem_state *, const struct dem_inventory
 
 /* The same for a scene that is ready (dem_setup). On one rank. */
 int dem_effect_cost(struct dem *, const char *effect, double seconds, struct dem_effect_cost *);
+
+/* Append the heading of the table, with a row of the bed compared with itself; the row of an
+   effect, measured for `seconds` of processor time in a bed that has what it requires. */
+int dem_effect_cost_heading(struct dem_text *, double seconds);
+int dem_effect_cost_row(struct dem_text *, const struct dem_effect *, double seconds);
 
 #endif

@@ -99,6 +99,7 @@ void dem_free(struct dem *d)
     dem_text_free(&d->plan);
     dem_text_free(&d->warnings);
     dem_text_free(&d->impact);
+    dem_text_free(&d->effect);
     dem_text_free(&d->profile);
     dem_scene_free(&d->scene);
     dem_dict_free(d->dict);

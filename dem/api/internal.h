@@ -3,6 +3,7 @@
  *
  *   dem.c                       create and free, scene, advance, save and restore
  *   query.c                     totals, energy, losses, walls, bonds, particles, averages
+ *   effects_api.c               the list of effects as text
  *   fluid_api.c, inflow_api.c   columns of a coupled fluid; streams, patches and outlets
  *   setup.c                     from the scene to the first step, with setup_walls.c and
  *                               setup_particles.c
@@ -92,7 +93,7 @@ struct dem
     double step;                                          /* s  the longest step that dem_advance
                                                              takes */
     double planned[2];   /* s  of the last dem_plan: dem_plan_seconds */
-    struct dem_text plan, profile, warnings, impact;      /* the texts returned last */
+    struct dem_text plan, profile, warnings, impact, effect;  /* the texts returned last */
     double said_overlap, said_speed;                      /* 1, m/s  at the last dem_impact_warning
                                                              with a sentence */
     struct dem_verdicts verdicts;                         /* of that plan */

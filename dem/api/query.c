@@ -8,7 +8,6 @@
  */
 #include "api/internal.h"
 #include "core/error.h"
-#include "advisor/effect_cost.h"
 #include "advisor/profile_text.h"
 #include "diagnostics/totals.h"
 #include "diagnostics/run_profile.h"
@@ -108,6 +107,11 @@ int dem_hash(struct dem *d, uint64_t *hash)
 {
     *hash = dem_totals_fingerprint(&d->state);
     return dem_collect_status(&d->state.decomposition);
+}
+
+int dem_snapshot_hash(const char *path, uint64_t *hash)
+{
+    return dem_snapshot_fingerprint(path, hash);
 }
 
 int dem_wall_count(const struct dem *d)
@@ -324,16 +328,4 @@ int dem_averages(struct dem *d, const char *folder)
 
     fesetenv(&caller);
     return status;
-}
-
-/* ---- cost of an effect ----------------------------------------------------------------------- */
-
-int dem_effect_cost(struct dem *d, const char *effect, double seconds, struct dem_effect_cost *m)
-{
-    struct dem_inventory inventory;
-
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_effect_cost comes after dem_setup");
-    dem_inventory_take(&d->state, &inventory);
-    DEM_TRY(dem_collect_status(&d->state.decomposition));
-    return dem_effect_cost_measure(&d->state, &inventory, d->step, effect, seconds, m);
 }

@@ -1,106 +1,78 @@
 /*
- * effects.c -- `dem effects`: list the effects with their settings, from their descriptors; -cost
- * is in effects_cost.c.
+ * effects.c -- `dem effects`: list the effects with their settings, or what each costs.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "app/effects.h"
+#include "app/main.h"
 #include "core/error.h"
-#include "effects/effects.h"
-#include <math.h>
+#include "dem.h"
 #include <stdio.h>
 #include <string.h>
 
-static const char *const stages[DEM_STAGES] = {"normal", "damping", "tangential", "moment",
-                                               "bond", "film", "body", "fluid"};
+static const double measuring_time = 0.5;    /* s of processor time an effect */
 
-static void print_default(const struct dem_setting *f)
+static const char help[] =
+    "Usage: dem effects [NAME ...]\n"
+    "       dem effects -cost [NAME ...]\n\n"
+    "Lists all effects, or those named: name, stage, what it does, source; then each\n"
+    "setting with unit, default, range and meaning. The names are those of the scene's\n"
+    "effects { ... }.\n\n"
+    "    -cost   the cost of each effect instead, measured now: nanoseconds per particle\n"
+    "            and per contact, fraction of the step, bytes\n";
+
+/* Print the text of one effect, or of all (NULL); with `cost` its measured cost. */
+static int print_effect(struct dem *d, const char *effect, int cost)
 {
-    if (f->kind == DEM_SETTING_SWITCH)
-    {
-        printf("default %s", f->default_value > 0.0 ? "yes" : "no");
-    }
-    else if (isnan(f->default_value))
-    {
-        printf("required");
-    }
-    else if (f->kind == DEM_SETTING_CHOICE)
-    {
-        printf("default %s", f->choices[(int)f->default_value]);
-    }
-    else
-    {
-        printf("default %g", f->default_value);
-    }
+    const char *text;
+
+    DEM_TRY(cost ? dem_effect_cost_text(d, effect, measuring_time, &text)
+                 : dem_effect_text(d, effect, &text));
+    fputs(text, stdout);
+    fflush(stdout);
+    return DEM_OK;
 }
 
-static void print_range(const struct dem_setting *f)
+static int print_effects(struct dem *d, int names, char **name, int cost)
 {
-    if (f->kind == DEM_SETTING_NUMBER || f->kind == DEM_SETTING_VECTOR)
-    {
-        printf(", %s%g .. %g", f->min == DEM_ABOVE_ZERO ? "above " : "",
-               f->min == DEM_ABOVE_ZERO ? 0.0 : f->min, f->max);
-    }
-    for (int k = 0; f->kind == DEM_SETTING_CHOICE && f->choices[k]; k++)
-    {
-        printf("%s%s", k ? " | " : ": ", f->choices[k]);
-    }
-}
+    const char *known;
 
-static void print_effect(const struct dem_effect *e)
-{
-    printf("%-18s %-11s %s\n%-30s source: %s\n", e->name, stages[e->stage], e->summary, "",
-           e->source);
-    if (e->limitation)
+    for (int k = 0; k < names; k++)    /* all of them are known before one is measured */
     {
-        printf("%-30s limitation: %s\n", "", e->limitation);
+        DEM_TRY(dem_effect_text(d, name[k], &known));
     }
-    for (const struct dem_setting *f = e->settings; f && f->name; f++)
+    if (cost || names == 0)
     {
-        printf("    %-22s [%s] ", f->name,
-               f->kind == DEM_SETTING_SWITCH ? "switch"
-               : f->kind == DEM_SETTING_CHOICE ? "choice"
-                                               : f->unit);
-        print_default(f);
-        print_range(f);
-        printf("\n%-30s %s\n", "", f->help);
+        DEM_TRY(print_effect(d, NULL, cost));
     }
-    printf("\n");
+    for (int k = 0; k < names; k++)
+    {
+        DEM_TRY(print_effect(d, name[k], cost));
+    }
+    for (int k = 0; cost && names == 0 && (known = dem_effect_name(k)) != NULL; k++)
+    {
+        DEM_TRY(print_effect(d, known, cost));
+    }
+    return DEM_OK;
 }
 
 int dem_main_effects(struct dem_program *p, int argc, char **argv)
 {
+    struct dem *d;
+
     if (p->rank != 0)
     {
         return DEM_OK;
     }
     if (argc > 0 && strcmp(argv[0], "-help") == 0)
     {
-        printf("Usage: dem effects [NAME ...]\n"
-               "       dem effects -cost [NAME ...]\n\n"
-               "Lists all effects, or those named: name, stage, what it does, source; then each\n"
-               "setting with unit, default, range and meaning. The names are those of the scene's\n"
-               "effects { ... }.\n\n"
-               "    -cost   the cost of each effect instead, measured now: nanoseconds per "
-               "particle\n"
-               "            and per contact, fraction of the step, bytes\n");
+        fputs(help, stdout);
         return DEM_OK;
     }
-    if (argc > 0 && strcmp(argv[0], "-cost") == 0)
-    {
-        return dem_effects_cost(argc - 1, argv + 1);
-    }
-    for (int k = 0; k < argc; k++)
-    {
-        if (!dem_effects_find(argv[k]))
-        {
-            return dem_effects_unknown("dem effects", argv[k]);
-        }
-        print_effect(dem_effects_find(argv[k]));
-    }
-    for (const struct dem_effect *const *e = dem_effects; argc == 0 && *e; e++)
-    {
-        print_effect(*e);
-    }
-    return DEM_OK;
+    const int cost = argc > 0 && strcmp(argv[0], "-cost") == 0;
+
+    DEM_TRY(dem_create(&d, MPI_COMM_NULL));
+    const int status = print_effects(d, argc - cost, argv + cost, cost);
+
+    dem_free(d);
+    return status;
 }

@@ -14,7 +14,6 @@
 #include "app/walls_vtk.h"
 #include "app/walls_csv.h"
 #include "core/error.h"
-#include "checkpoint/snapshot.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -471,7 +470,7 @@ int dem_main_hash(struct dem_program *prog, int argc, char **argv)
         DEM_REQUIRE(argc == 1, DEM_ERROR_INPUT, "dem hash: %d arguments; give one snapshot", argc);
         return DEM_OK;
     }
-    DEM_TRY(dem_snapshot_fingerprint(argv[0], &hash));
+    DEM_TRY(dem_snapshot_hash(argv[0], &hash));
     if (prog->rank == 0)
     {
         printf("%016llx\n", (unsigned long long)hash);

@@ -181,6 +181,23 @@ unsigned dem_effect_traits(const char *effect);
    Returns 1 if an effect of the scene gives it, else 0. */
 int dem_gravity_acceleration(const struct dem *, double g[3]);
 
+/* ---- effects --------------------------------------------------------------------------------- */
+
+/* The name of effect number k of the library's list, from 0; NULL behind the last one. Needs no
+   simulation. */
+const char *dem_effect_name(int k);
+
+/* An effect as text: name, stage, what it does, source, limitation; each setting with unit, default,
+   range and meaning. All effects with NULL. DEM_ERROR_INPUT for a name that no effect has. The
+   simulation needs no scene. *text is valid until the next call of these two, or dem_free. */
+int dem_effect_text(struct dem *, const char *effect, const char **text);
+
+/* The cost of an effect as a row of a table, measured in this process for `seconds` [s] of processor
+   time in a bed of 2000 spheres that has what the effect requires: processor time per particle and
+   step without it, what it adds, bytes per particle and per contact. With NULL the heading of the
+   table, and a row that compares the bed with itself: the noise. As dem_effect_text otherwise. */
+int dem_effect_cost_text(struct dem *, const char *effect, double seconds, const char **text);
+
 /* ---- advance --------------------------------------------------------------------------------- */
 
 /* Collective. Advance by `duration` [s] > 0 in equal steps that are no longer than
@@ -414,6 +431,10 @@ int dem_fluid_correct(struct dem *, const double *velocity, const double *pressu
    verified, flushed to disk and renamed, so that a file of that name stays until the new one is
    complete. A snapshot loads on any number of ranks and the run continues with the same bits. */
 int dem_save(struct dem *, const char *path);
+
+/* Not collective; needs no simulation. The hash of the state in a snapshot, as dem_hash returns
+   it. */
+int dem_snapshot_hash(const char *path, uint64_t *hash);
 
 /* Start from a snapshot instead of the scene's insertions: after the scene, before dem_check.
    The file is read in dem_setup. */

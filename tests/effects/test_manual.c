@@ -11,7 +11,6 @@
 
 /* of the program, which is not in the library */
 #include "app/effects.c"
-#include "app/effects_cost.c"
 
 #include <stdlib.h>
 #include <unistd.h>

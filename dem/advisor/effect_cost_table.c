@@ -1,24 +1,18 @@
 /*
- * effects_cost.c -- `dem effects -cost`: measure the processor time and memory of each effect.
+ * effect_cost_table.c -- the table of `dem effects -cost`: processor time and memory of each effect.
  *
  * A bed of 2000 spheres of 1 mm with the effects that the measured one requires (damping a normal
  * law, rolling resistance friction ...), once with the effect and once without, in a block at rest
- * in which each sphere has 8 contacts (advisor/effect_cost.h). The first row compares the bed with
- * itself: it is the noise of the measurement.
+ * in which each sphere has 8 contacts (effect_cost.c). The first row compares the bed with itself:
+ * it is the noise of the measurement.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "app/effects.h"
-#include "dem.h"
-#include "core/error.h"
-#include "effects/effects.h"
 #include "advisor/effect_cost.h"
-#include "core/text.h"
-#include <math.h>
-#include <stdio.h>
+#include "core/error.h"
+#include "dem.h"
+#include "effects/effects.h"
 #include <string.h>
-
-static const double measuring_time = 0.5;    /* s of processor time an effect */
 
 /* ---- scenes ---------------------------------------------------------------------------------- */
 
@@ -101,7 +95,7 @@ static int make_bed(struct dem **d, const struct dem_effect *e, int with)
 
 /* ---- measurement ----------------------------------------------------------------------------- */
 
-static void print_required(const struct dem_effect *e)
+static void add_names_required(struct dem_text *row, const struct dem_effect *e)
 {
     struct dem_text t = {.n = 0};
 
@@ -112,17 +106,17 @@ static void print_required(const struct dem_effect *e)
 
         memmove(at, end + 1, strlen(end + 1) + 1);
     }
-    printf(" %s\n", t.n > 0 ? t.text : "nothing");
+    dem_text_add(row, " %s\n", t.n > 0 ? t.text : "nothing");
     dem_text_free(&t);
 }
 
-static int measure(const struct dem_effect *e)
+int dem_effect_cost_row(struct dem_text *t, const struct dem_effect *e, double seconds)
 {
     struct dem_effect_cost m, bare;
     struct dem *d;
 
     DEM_TRY(make_bed(&d, e, 1));
-    int status = dem_effect_cost(d, e->name, measuring_time, &m);
+    int status = dem_effect_cost(d, e->name, seconds, &m);
 
     dem_free(d);
     DEM_TRY(status);
@@ -130,63 +124,41 @@ static int measure(const struct dem_effect *e)
     status = dem_effect_cost(d, NULL, 0.0, &bare);
     dem_free(d);
     DEM_TRY(status);
-    printf("%-18s %7.1f %9.1f %+8.1f %%  %8.0f %9.0f   ", e->name, 1e9*m.without,
+    dem_text_add(t, "%-18s %7.1f %9.1f %+8.1f %%  %8.0f %9.0f   ", e->name, 1e9*m.without,
            1e9*(m.with - m.without), 100.0*(m.with/m.without - 1.0),
            m.particle - bare.particle, m.row - bare.row);
     if (e->stage < DEM_STAGE_BODY)
     {
-        printf("%7.1f  ", 1e9*(m.with - m.without)/DEM_EFFECT_COST_CONTACTS);
+        dem_text_add(t, "%7.1f  ", 1e9*(m.with - m.without)/DEM_EFFECT_COST_CONTACTS);
     }
     else
     {
-        printf("%7s  ", "");
+        dem_text_add(t, "%7s  ", "");
     }
-    print_required(e);
-    fflush(stdout);
-    return DEM_OK;
+    add_names_required(t, e);
+    return t->status;
 }
 
-static int measure_noise(void)
+int dem_effect_cost_heading(struct dem_text *t, double seconds)
 {
     struct dem_effect_cost m;
     struct dem *d;
 
     DEM_TRY(make_bed(&d, NULL, 0));
-    const int status = dem_effect_cost(d, NULL, measuring_time, &m);
+    const int status = dem_effect_cost(d, NULL, seconds, &m);
 
     dem_free(d);
     DEM_TRY(status);
-    printf("%-18s %7s %9s %10s  %8s %9s   %7s  %s\n", "effect", "ns", "ns more", "more", "bytes",
+    dem_text_add(t, "Processor time per particle and step in a bed at rest, %d contacts per particle; "
+                    "the fastest of several runs\n", DEM_EFFECT_COST_CONTACTS);
+    dem_text_add(t, "%-18s %7s %9s %10s  %8s %9s   %7s  %s\n", "effect", "ns", "ns more", "more", "bytes",
            "bytes", "ns", "beside");
-    printf("%-18s %7s %9s %10s  %8s %9s   %7s\n", "", "without", "with it", "", "particle",
+    dem_text_add(t, "%-18s %7s %9s %10s  %8s %9s   %7s\n", "", "without", "with it", "", "particle",
            "contact", "contact");
-    printf("%-18s %7.1f %9.1f %+8.1f %%  %8d %9d   %7.1f   %s %s %s\n", "(nothing)",
+    dem_text_add(t, "%-18s %7.1f %9.1f %+8.1f %%  %8d %9d   %7.1f   %s %s %s\n", "(nothing)",
            1e9*m.without, 1e9*(m.with - m.without), 100.0*(m.with/m.without - 1.0), 0, 0,
            1e9*(m.with - m.without)/DEM_EFFECT_COST_CONTACTS,
            dem_effects_first(DEM_STAGE_NORMAL)->name, dem_effects_first(DEM_STAGE_DAMP)->name,
            dem_effects_first(DEM_STAGE_TANGENT)->name);
-    return DEM_OK;
-}
-
-int dem_effects_cost(int argc, char **argv)
-{
-    for (int k = 0; k < argc; k++)
-    {
-        if (!dem_effects_find(argv[k]))
-        {
-            return dem_effects_unknown("dem effects -cost", argv[k]);
-        }
-    }
-    printf("Processor time per particle and step in a bed at rest, %d contacts per particle; the "
-           "fastest of several runs\n", DEM_EFFECT_COST_CONTACTS);
-    DEM_TRY(measure_noise());
-    for (int k = 0; k < argc; k++)
-    {
-        DEM_TRY(measure(dem_effects_find(argv[k])));
-    }
-    for (const struct dem_effect *const *e = dem_effects; argc == 0 && *e; e++)
-    {
-        DEM_TRY(measure(*e));
-    }
-    return DEM_OK;
+    return t->status;
 }
