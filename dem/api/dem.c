@@ -148,29 +148,11 @@ int dem_scene_text(struct dem *d, const char *text, const char *name)
     return dem_dict_read_text(&d->dict, text, name);
 }
 
-/* The path a/b/c and its value become the text "a{b{c value; }}", which is merged into the
-   scene. */
 int dem_set(struct dem *d, const char *path, const char *value)
 {
-    char text[1024] = "", close[128] = "";
-    size_t used = 0, depth = 0;
-
     DEM_TRY(dem_api_require_unchecked(d, "dem_set"));
     DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "dem_set comes after the scene has been read");
-    DEM_REQUIRE(strlen(path) + strlen(value) < sizeof text/2, DEM_ERROR_INPUT,
-                "%s = %s is too long", path, value);
-    for (const char *at = path; *at; at++)
-    {
-        text[used++] = *at == '/' ? '{' : *at;
-        depth += *at == '/';
-    }
-    DEM_REQUIRE(depth < sizeof close/2, DEM_ERROR_INPUT, "%s is nested too deeply", path);
-    for (size_t k = 0; k < depth; k++)
-    {
-        close[k] = '}';
-    }
-    snprintf(text + used, sizeof text - used, " %s; %s", value, close);
-    return dem_dict_read_more(d->dict, text, path);
+    return dem_dict_set(d->dict, path, value);
 }
 
 int dem_remove_effect(struct dem *d, const char *effect)

@@ -42,9 +42,11 @@ struct dem_entry;
 int dem_dict_read_file(struct dem_dict **d, const char *path);
 int dem_dict_read_text(struct dem_dict **d, const char *text, const char *name);
 
-/* Merge a further text into a tree, as if it were at the end of the first one. After an error free
-   the tree: it contains the entries before the error. */
-int dem_dict_read_more(struct dem_dict *d, const char *text, const char *name);
+/* Set one entry: `path` is its name with those of the dictionaries around it, "effects/dry/restitution",
+   which are made where they are missing; `value` a value or { entries }. An entry of this name is
+   replaced, a dictionary is merged. The path is the file name in messages. After an error free the
+   tree. */
+int dem_dict_set(struct dem_dict *d, const char *path, const char *value);
 void dem_dict_free(struct dem_dict *d);    /* the top only; null is allowed */
 
 /* Remove the entry of this name from the dictionary d/within, or with `deep` from each

@@ -217,10 +217,48 @@ int dem_dict_read_text(struct dem_dict **d, const char *text, const char *name)
     return read_top(d, text, strlen(text), name, false);
 }
 
-int dem_dict_read_more(struct dem_dict *d, const char *text, const char *name)
+/* A step of a path, which is to be one word. */
+static int path_step(struct dem_dict_pool *pool, const char *step, size_t length, const char *path,
+                     struct dem_token *name)
 {
-    const char *file;
+    struct dem_scan scan;
+    struct dem_token end;
 
-    DEM_TRY(dem_dict_pool_copy(d->pool, name, strlen(name), &file));
-    return read_into(d, text, strlen(text), file, false);
+    dem_dict_scan_start(&scan, step, length, path, pool);
+    DEM_TRY(dem_dict_scan(&scan, name));
+    DEM_TRY(dem_dict_scan(&scan, &end));
+    DEM_REQUIRE(dem_dict_is_name(name) && end.kind == DEM_TOKEN_END, DEM_ERROR_INPUT,
+                "%s: \"%.*s\" is no name of an entry; write words with / between them", path,
+                (int)length, step);
+    return DEM_OK;
+}
+
+int dem_dict_set(struct dem_dict *d, const char *path, const char *value)
+{
+    struct dem_reader r = {.blocks = 1};
+    struct dem_token name, end;
+    const char *file, *at = path;
+    char *text;
+    void *p;
+
+    DEM_TRY(dem_dict_pool_copy(d->pool, path, strlen(path), &file));
+    for (size_t n = strcspn(at, "/"); at[n]; n = strcspn(at, "/"))
+    {
+        DEM_TRY(path_step(d->pool, at, n, file, &name));
+        DEM_TRY(dem_dict_put_dict(d, name.text, file, 1, &d));
+        at += n + 1;
+    }
+    DEM_TRY(path_step(d->pool, at, strlen(at), file, &name));
+    /* the scanner needs the sign that ends a value */
+    DEM_TRY(dem_dict_pool_alloc(d->pool, strlen(value) + 3, &p));
+    text = p;
+    memcpy(text, value, strlen(value));
+    memcpy(text + strlen(value), " ;", 3);
+    dem_dict_scan_start(&r.scan, text, strlen(text), file, d->pool);
+    DEM_TRY(read_entry(&r, d, &name, r.blocks));
+    DEM_TRY(dem_dict_scan(&r.scan, &end));
+    DEM_TRY(dem_dict_is_sign(&end, ';') ? dem_dict_scan(&r.scan, &end) : DEM_OK);
+    DEM_REQUIRE(end.kind == DEM_TOKEN_END, DEM_ERROR_INPUT,
+                "%s: the value \"%s\" goes on after its end; set one entry at a time", file, value);
+    return DEM_OK;
 }

@@ -191,20 +191,33 @@ static void in_order(void)
 
 static void more(void)
 {
+    static const char *const bad[][2] = {{"n", "{"}, {"n", "4; m 5"}, {"n", "4 }"}, {"a/", "1"},
+                                         {"a//x", "1"}, {"a b/x", "1"}, {"n", "$nothing"},
+                                         {"n", "{ x 1; } { y 2; }"}, {"", "1"}};
     struct dem_dict *d = read_good("a { x 1; y 2; } n 3;");
     const struct dem_dict *a;
     double x = 0.0, y = 0.0, n = 0.0;
 
-    TAP_OK(!dem_dict_read_more(d, "a { x $n; }\nn 4;", "override"), "a further text");
+    TAP_OK(!dem_dict_set(d, "a/x", "$n") && !dem_dict_set(d, "n", "4"), "entries are set");
     TAP_OK(!dem_dict_sub(d, "a", &a) && !dem_dict_number(a, "x", "m", &x) &&
                !dem_dict_number(a, "y", "m", &y) && !dem_dict_number(d, "n", "1", &n) && x == 3 &&
                y == 2 && n == 4,
            "replaces entries, keeps others and can refer to the first text");
-    TAP_OK(strcmp(dem_entry_where(dem_dict_entry(d, 1)), "override, line 2") == 0,
-           "its entries have its name as position");
-    TAP_OK(dem_dict_read_more(d, "n {", "override") == DEM_ERROR_INPUT, "refused: %s",
-           dem_error_text());
+    TAP_OK(strcmp(dem_entry_where(dem_dict_entry(d, 1)), "n, line 1") == 0,
+           "their position is the path");
+    TAP_OK(!dem_dict_set(d, "b/c/x", "(1 2)") && !dem_dict_set(d, "a", "{ z 5; }") &&
+               !dem_dict_set(d, "e", "{}"), "new dictionaries, and a dictionary as value");
+    TAP_OK(!dem_dict_sub(d, "a", &a) && !dem_dict_number(a, "z", "m", &x) && x == 5 &&
+               !dem_dict_number(a, "y", "m", &y) && y == 2 && dem_dict_has(d, "e"),
+           "which is merged into one that is there");
     dem_dict_free(d);
+    for (size_t k = 0; k < sizeof bad/sizeof bad[0]; k++)
+    {
+        d = read_good("a { x 1; } n 3;");
+        TAP_OK(dem_dict_set(d, bad[k][0], bad[k][1]) == DEM_ERROR_INPUT &&
+                   strstr(dem_error_text(), bad[k][0]), "refused: %s", dem_error_text());
+        dem_dict_free(d);
+    }
 }
 
 struct spring
