@@ -7,6 +7,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demMeans.H"
+#include "demCheck.H"
+#include "dem.h"
 #include "volFields.H"
 #include "zeroGradientFvPatchField.H"
 #include "mapPolyMesh.H"
@@ -26,26 +28,6 @@ namespace functionObjects
 namespace Foam
 {
 
-static const label maxBlocks = 32;
-static const label minBlocks = 4;
-
-// 97.5 % quantile of Student's distribution for n degrees of freedom, within 1 %
-// from n = 3 on: Abramowitz and Stegun, Handbook of Mathematical Functions (1964),
-// 26.7.5
-static scalar studentQuantile(const scalar n)
-{
-    const scalar z = 1.959964, z2 = z*z;
-
-    return z*
-    (
-        1
-      + (z2 + 1)/(4*n)
-      + ((5*z2 + 16)*z2 + 3)/(96*sqr(n))
-      + (((3*z2 + 19)*z2 + 17)*z2 - 15)/(384*pow3(n))
-    );
-}
-
-
 template<class Type>
 class typedSeries
 :
@@ -56,8 +38,14 @@ class typedSeries
     const fvMesh& mesh_;
     const word name_;
 
-    //- Sum of values times weights, of each block
-    List<Field<Type>> sums_;
+    //- A column of the core's block means for each component of each cell
+    ::dem_means* means_;
+
+    // The components of a field are consecutive numbers
+    static const scalar* data(const Field<Type>& values)
+    {
+        return reinterpret_cast<const scalar*>(values.cdata());
+    }
 
     void write(const word& ending, const Field<Type>& values) const
     {
@@ -90,61 +78,53 @@ public:
     :
         mesh_(mesh),
         name_(name),
-        sums_(maxBlocks, Field<Type>(mesh.nCells(), Zero))
-    {}
-
-
-    virtual void add(const label block, const scalar weight)
+        means_(nullptr)
     {
-        sums_[block] +=
-            weight*mesh_.lookupObject<fieldType>(name_).primitiveField();
+        demCheck
+        (
+            dem_means_create
+            (
+                &means_,
+                mesh.nCells()*pTraits<Type>::nComponents
+            )
+        );
     }
 
 
-    virtual void merge()
+    virtual ~typedSeries()
     {
-        for (label k = 0; k < maxBlocks/2; k++)
-        {
-            sums_[k] = sums_[2*k] + sums_[2*k + 1];
-        }
-        for (label k = maxBlocks/2; k < maxBlocks; k++)
-        {
-            sums_[k] = Zero;
-        }
+        dem_means_free(means_);
+    }
+
+
+    virtual void add(const scalar weight)
+    {
+        dem_means_add
+        (
+            means_,
+            data(mesh_.lookupObject<fieldType>(name_).primitiveField()),
+            weight
+        );
     }
 
 
     //- The mean is that of all samples, those of the present block included
-    virtual void write(const UList<scalar>& weights) const
+    virtual label write() const
     {
-        const label n = weights.size() - 1;
-        const scalar all = sum(weights), ofFull = all - weights[n];
+        Field<Type> mean(mesh_.nCells()), interval(mesh_.nCells());
+        const label blocks = dem_means_get
+        (
+            means_,
+            const_cast<scalar*>(data(mean)),
+            const_cast<scalar*>(data(interval))
+        );
 
-        Field<Type> total(mesh_.nCells(), Zero), full(total), square(total);
-        for (label k = 0; k <= n; k++)
+        write("BlockMean", mean);
+        if (blocks >= DEM_MEANS_MIN_BLOCKS)
         {
-            total += sums_[k];
+            write("Interval", interval);
         }
-        write("BlockMean", total/all);
-
-        if (n < minBlocks)
-        {
-            return;
-        }
-
-        full = (total - sums_[n])/ofFull;
-        for (label k = 0; k < n; k++)
-        {
-            const Field<Type> off(sums_[k]/weights[k] - full);
-            square += weights[k]*cmptMultiply(off, off);
-        }
-        square /= ofFull*(n - 1);
-
-        for (direction d = 0; d < pTraits<Type>::nComponents; d++)
-        {
-            full.replace(d, studentQuantile(n - 1)*sqrt(square.component(d)));
-        }
-        write("Interval", full);
+        return blocks;
     }
 };
 
@@ -156,29 +136,7 @@ public:
 void Foam::functionObjects::demMeans::begin()
 {
     series_.clear();
-    weights_.setSize(maxBlocks);
-    weights_ = Zero;
-    fullBlocks_ = samples_ = 0;
-    samplesPerBlock_ = 1;
-}
-
-
-void Foam::functionObjects::demMeans::merge()
-{
-    forAll(series_, i)
-    {
-        series_[i].merge();
-    }
-    for (label k = 0; k < maxBlocks/2; k++)
-    {
-        weights_[k] = weights_[2*k] + weights_[2*k + 1];
-    }
-    for (label k = maxBlocks/2; k < maxBlocks; k++)
-    {
-        weights_[k] = 0;
-    }
-    fullBlocks_ = maxBlocks/2;
-    samplesPerBlock_ *= 2;
+    duration_ = 0;
 }
 
 
@@ -249,21 +207,11 @@ bool Foam::functionObjects::demMeans::execute()
         }
     }
 
-    const scalar weight = time_.deltaTValue();
     forAll(series_, i)
     {
-        series_[i].add(fullBlocks_, weight);
+        series_[i].add(time_.deltaTValue());
     }
-    weights_[fullBlocks_] += weight;
-
-    if (++samples_ == samplesPerBlock_)
-    {
-        samples_ = 0;
-        if (++fullBlocks_ == maxBlocks)
-        {
-            merge();
-        }
-    }
+    duration_ += time_.deltaTValue();
     return true;
 }
 
@@ -276,19 +224,19 @@ bool Foam::functionObjects::demMeans::write()
         return true;
     }
 
-    Log << type() << ' ' << name() << ": means over " << sum(weights_)
-        << " s in " << fullBlocks_ << " blocks";
-    if (fullBlocks_ < minBlocks)
-    {
-        Log << ", too few for an interval: it needs " << minBlocks;
-    }
-    Log << nl << endl;
-
-    const SubList<scalar> used(weights_, fullBlocks_ + 1);
+    label blocks = 0;
     forAll(series_, i)
     {
-        series_[i].write(used);
+        blocks = series_[i].write();
     }
+    Log << type() << ' ' << name() << ": means over " << duration_
+        << " s in " << blocks << " blocks";
+    if (blocks < DEM_MEANS_MIN_BLOCKS)
+    {
+        Log << ", too few for an interval: it needs "
+            << label(DEM_MEANS_MIN_BLOCKS);
+    }
+    Log << nl << endl;
     return true;
 }
 

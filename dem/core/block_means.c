@@ -31,19 +31,22 @@ static void merge_blocks(struct dem_block_means *b)
 {
     for (size_t k = 0; k < DEM_BLOCK_MEANS_MAX_BLOCKS/2; k++)
     {
+        b->weight[k] = b->weight[2*k] + b->weight[2*k + 1];
         for (size_t c = 0; c < b->columns; c++)
         {
             b->sum[k*b->columns + c] =
                 b->sum[2*k*b->columns + c] + b->sum[(2*k + 1)*b->columns + c];
         }
     }
+    memset(b->weight + DEM_BLOCK_MEANS_MAX_BLOCKS/2, 0,
+           DEM_BLOCK_MEANS_MAX_BLOCKS/2*sizeof *b->weight);
     memset(b->sum + DEM_BLOCK_MEANS_MAX_BLOCKS/2*b->columns, 0,
            DEM_BLOCK_MEANS_MAX_BLOCKS/2*b->columns*sizeof *b->sum);
     b->full = DEM_BLOCK_MEANS_MAX_BLOCKS/2;
     b->length *= 2;
 }
 
-void dem_block_means_add(struct dem_block_means *b, const double *sample)
+void dem_block_means_add(struct dem_block_means *b, const double *sample, double weight)
 {
     if (b->full == DEM_BLOCK_MEANS_MAX_BLOCKS)
     {
@@ -53,11 +56,25 @@ void dem_block_means_add(struct dem_block_means *b, const double *sample)
 
     for (size_t c = 0; c < b->columns; c++)
     {
-        block[c] += sample[c];
-        b->total[c] += sample[c];
+        block[c] += weight*sample[c];
+        b->total[c] += weight*sample[c];
     }
+    b->weight[b->full] += weight;
+    b->total_weight += weight;
     b->samples++;
     b->full = (int)(b->samples/b->length);
+}
+
+void dem_block_means_restore(struct dem_block_means *b, int64_t samples, int64_t length)
+{
+    b->samples = samples;
+    b->length = length;
+    b->full = (int)(samples/length);
+    b->total_weight = (double)samples;
+    for (int k = 0; k < DEM_BLOCK_MEANS_MAX_BLOCKS; k++)
+    {
+        b->weight[k] = k < b->full ? (double)length : k == b->full ? (double)(samples%length) : 0.0;
+    }
 }
 
 /* Two-sided 95 % points for n = 1 .. 31, from the standard table. */
@@ -78,14 +95,15 @@ static void column_means(const struct dem_block_means *b, size_t first, size_t c
 {
     for (size_t c = 0; c < count; c++)
     {
-        double sum = 0.0;
+        double sum = 0.0, weight = 0.0;
 
         for (int k = 0; k < b->full && without >= 0; k++)
         {
             sum += k == without ? 0.0 : b->sum[(size_t)k*b->columns + first + c];
+            weight += k == without ? 0.0 : b->weight[k];
         }
-        mean[c] = without >= 0 ? sum/(double)((b->full - 1)*b->length)
-                : b->samples ? b->total[first + c]/(double)b->samples : 0.0;
+        mean[c] = without >= 0 ? sum/weight
+                : b->samples ? b->total[first + c]/b->total_weight : 0.0;
     }
 }
 

@@ -18,7 +18,7 @@
  *
  *     struct dem_block_means b;
  *     DEM_TRY(dem_block_means_init(&b, columns));
- *     dem_block_means_add(&b, sample);                      `columns` numbers; once a sample
+ *     dem_block_means_add(&b, sample, weight);              `columns` numbers; once a sample
  *     dem_block_means_derive(&b, first, count, f, results, value, ci);
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -26,13 +26,15 @@
 #ifndef DEM_CORE_BLOCK_MEANS_H
 #define DEM_CORE_BLOCK_MEANS_H
 
+#include "dem_types.h"
+
 #include <stddef.h>
 #include <stdint.h>
 
 enum
 {
     DEM_BLOCK_MEANS_MAX_BLOCKS = 32,   /* limit of blocks; even */
-    DEM_BLOCK_MEANS_MIN_BLOCKS = 4,    /* fewer full blocks give no interval */
+    DEM_BLOCK_MEANS_MIN_BLOCKS = DEM_MEANS_MIN_BLOCKS,    /* fewer full blocks give no interval */
     DEM_BLOCK_MEANS_MAX_COLUMNS = 32,  /* limit of columns that one f sees */
     DEM_BLOCK_MEANS_MAX_RESULTS = 16   /* limit of results of one f */
 };
@@ -43,7 +45,9 @@ struct dem_block_means
     int64_t samples;  /* number of samples added */
     int64_t length;   /* samples in a full block */
     int full;         /* full blocks; the next one fills */
-    double *sum;      /* of each block: blocks x columns */
+    double weight[DEM_BLOCK_MEANS_MAX_BLOCKS];  /* sum of weights of each block */
+    double total_weight;                        /* and of all samples */
+    double *sum;      /* of weight times sample, of each block: blocks x columns */
     double *total;    /* of all samples: columns */
 };
 
@@ -52,8 +56,11 @@ struct dem_block_means
 int dem_block_means_init(struct dem_block_means *, size_t columns);
 void dem_block_means_free(struct dem_block_means *);
 
-/* Add one sample of `columns` numbers. */
-void dem_block_means_add(struct dem_block_means *, const double *sample);
+/* Add one sample of `columns` numbers, with a weight > 0: 1, or the time that it stands for. */
+void dem_block_means_add(struct dem_block_means *, const double *sample, double weight);
+
+/* Set the counts of a struct whose sums are restored; every sample had the weight 1. */
+void dem_block_means_restore(struct dem_block_means *, int64_t samples, int64_t length);
 
 /* Results as a function of the means of some columns; must be finite also when all means are 0. */
 typedef void dem_block_means_function(const double *mean, double *result);

@@ -425,6 +425,20 @@ double dem_fluid_relaxation(const struct dem *);
    volume, T the window. The fluid must get its opposite. */
 int dem_fluid_correct(struct dem *, const double *velocity, const double *pressure_gradient);
 
+/* ---- means ----------------------------------------------------------------------------------- */
+
+/* Means of many time series with 95 % intervals by block means (core/block_means.h); needs no
+   simulation. `columns` numbers a sample, with a weight > 0 such as the time step; free with
+   dem_means_free. DEM_ERROR_MEMORY when the blocks do not fit. */
+struct dem_means;
+int dem_means_create(struct dem_means **, size_t columns);
+void dem_means_add(struct dem_means *, const double *sample, double weight);
+void dem_means_free(struct dem_means *);    /* NULL is allowed */
+
+/* The mean of each column and half the width of its interval; NaN with fewer than
+   DEM_MEANS_MIN_BLOCKS full blocks, whose number is returned. */
+int dem_means_get(const struct dem_means *, double *mean, double *half_width);
+
 /* ---- save and restore ------------------------------------------------------------------------ */
 
 /* Collective, after dem_setup. Write a snapshot: all ranks write one temporary file, which is

@@ -222,6 +222,11 @@ struct dem_profile
                                                  steps */
 };
 
+enum
+{
+    DEM_MEANS_MIN_BLOCKS = 4  /* fewer full blocks give no interval: dem_means_get */
+};
+
 /* a term of the energy balance: dem_energy */
 struct dem_energy_item
 {

@@ -324,7 +324,7 @@ static int sample(struct dem_grid_average *g, const struct dem_state *p, int sta
     }
     if (p->decomposition.rank == 0)
     {
-        dem_block_means_add(&g->blocks, g->sample);
+        dem_block_means_add(&g->blocks, g->sample, 1.0);
     }
     return status;
 }

@@ -98,9 +98,7 @@ static void restore_sums(struct dem_grid_averages *a, const struct dem_grid_aver
 
         if (same_grid(&mine, g))
         {
-            b->samples = g->samples;
-            b->length = g->length;
-            b->full = (int)g->full;
+            dem_block_means_restore(b, g->samples, g->length);
             memcpy(b->sum, numbers, sums);
             memcpy(b->total, numbers + sums, (size_t)g->columns*sizeof *b->total);
         }

@@ -14,6 +14,7 @@
 #include "tap.h"
 
 #include "core/block_means.h"
+#include "dem.h"
 #include "core/random.h"
 
 enum
@@ -59,7 +60,7 @@ static struct outcome correlated(double a, int n)
             x = a*x + uniform(s, (uint64_t)(k + 200), 0) - 0.5;
             if (k >= 0)
             {
-                dem_block_means_add(&b, &x);
+                dem_block_means_add(&b, &x, 1.0);
             }
         }
         dem_block_means_derive(&b, 0, 1, mean_of, 1, &value, &ci);
@@ -109,7 +110,7 @@ static void ratios(void)
             const double y = 1.0 + uniform(s, (uint64_t)k, 1),
                          x = 2.0*y + uniform(s, (uint64_t)k, 2) - 0.5;
 
-            dem_block_means_add(&b, (double[]){x, y});
+            dem_block_means_add(&b, (double[]){x, y}, 1.0);
         }
         dem_block_means_derive(&b, 0, 2, ratio, 1, &value, &ci);
         width += ci/(SERIES/4);
@@ -136,7 +137,7 @@ static void means(void)
     {
         const double x = (double)k;
 
-        dem_block_means_add(&b, &x);
+        dem_block_means_add(&b, &x, 1.0);
         sum += x;
         if (k == 2)
         {
@@ -151,10 +152,30 @@ static void means(void)
     dem_block_means_free(&b);
 }
 
+/* Four samples 0, 0, 0, 8 with weights 1, 1, 1, 5: mean 5; without one of the first three the mean is
+   40/7, without the last 0. The jackknife's variance of n = 4 is (n - 1)/n times the sum of their
+   squared distances from the centre 30/7: 3/4 (3 (10/7)^2 + (30/7)^2) = 900/49. */
+static void weights(void)
+{
+    struct dem_means *m;
+    double mean, half;
+
+    TAP_OK(dem_means_create(&m, 1) == DEM_OK, "means of the public interface");
+    for (int k = 0; k < 4; k++)
+    {
+        dem_means_add(m, k < 3 ? &(double){0.0} : &(double){8.0}, k < 3 ? 1.0 : 5.0);
+    }
+    TAP_OK(dem_means_get(m, &mean, &half) == 4, "four blocks of one sample");
+    TAP_NEAR(mean, 5.0, 1e-14, "the mean counts weights");
+    TAP_NEAR(half, 3.182*30.0/7.0, 1e-12, "and so does the interval");
+    dem_means_free(m);
+}
+
 int main(void)
 {
     TAP_TRAPS;
     means();
+    weights();
     intervals();
     ratios();
     TAP_DONE;
