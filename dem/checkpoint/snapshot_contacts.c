@@ -265,7 +265,7 @@ static int load_contact(struct dem_contacts *c, const struct dem_snapshot_header
             history[m] = dem_is_stored_as(r->history_name[m], stored) ? packed[k] : history[m];
         }
     }
-    return dem_contacts_append_saved(c, &name, history);
+    return dem_contact_history_append(&c->history, &name, history);
 }
 
 static int load_contacts(const char *path, struct dem_contacts *c,

@@ -87,10 +87,11 @@ static void pack_particle(const struct items *g, size_t k, double *out)
 static void pack_contact(const struct items *g, size_t k, double *out)
 {
     const struct dem_contacts *const c = g->contacts;
-    const int near = g->row[k] < c->rows;
-    const size_t saved = near ? 0 : g->row[k] - c->rows;
+    const int near = g->row[k] < c->rows.n;
+    const size_t saved = near ? 0 : g->row[k] - c->rows.n;
     const struct dem_contact_key name =
-        near ? dem_contacts_key(c, g->particles, g->wall_facet, g->row[k]) : c->saved_key[saved];
+        near ? dem_contacts_key(c, g->particles, g->wall_facet, g->row[k])
+             : c->history.saved_key[saved];
     struct dem_contact_key written;
 
     memset(&written, 0, sizeof written);
@@ -100,12 +101,13 @@ static void pack_contact(const struct items *g, size_t k, double *out)
     memcpy(out, &written, sizeof written);
     if (near)
     {
-        dem_contacts_get_history(c, g->row[k], out + DEM_SNAPSHOT_CONTACT);
+        dem_contact_history_get(&c->history, g->row[k], out + DEM_SNAPSHOT_CONTACT);
     }
     else
     {
-        memcpy(out + DEM_SNAPSHOT_CONTACT, c->saved_history + saved*(size_t)c->history_columns,
-               (size_t)c->history_columns*sizeof *out);
+        memcpy(out + DEM_SNAPSHOT_CONTACT,
+               c->history.saved_value + saved*(size_t)c->history.columns,
+               (size_t)c->history.columns*sizeof *out);
     }
 }
 
@@ -114,20 +116,20 @@ static int list_contacts(const struct dem_particles *p, const struct dem_contact
                          uint32_t **list, size_t *n)
 {
     *n = 0;
-    DEM_TRY(DEM_NEW(*list, c->rows + c->saved + 1));
-    for (uint32_t r = 0; r < c->rows; r++)
+    DEM_TRY(DEM_NEW(*list, c->rows.n + c->history.saved + 1));
+    for (uint32_t r = 0; r < c->rows.n; r++)
     {
-        if (c->row_pair[r] != DEM_ROW_NONE && c->pair[c->row_pair[r]].i < p->n &&
-            dem_contacts_has_history(c, r))
+        if (c->rows.pair[r] != DEM_ROW_NONE && dem_contacts_pair(c, r)->i < p->n &&
+            dem_contact_history_any(&c->history, r))
         {
             (*list)[(*n)++] = r;
         }
     }
-    for (size_t k = 0; k < c->saved; k++)
+    for (size_t k = 0; k < c->history.saved; k++)
     {
-        if (c->saved_key[k].counted)
+        if (c->history.saved_key[k].counted)
         {
-            (*list)[(*n)++] = c->rows + (uint32_t)k;
+            (*list)[(*n)++] = c->rows.n + (uint32_t)k;
         }
     }
     return DEM_OK;

@@ -41,10 +41,10 @@ static void mark(struct dem_state *p, const struct listed_pair *list, size_t pai
 {
     const struct dem_contacts *const c = &p->contacts;
 
-    for (uint32_t r = 0; r < c->rows; r++)
+    for (uint32_t r = 0; r < c->rows.n; r++)
     {
         const struct dem_pair *const q =
-            c->row_pair[r] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[r]];
+            c->rows.pair[r] == DEM_ROW_NONE ? NULL : dem_contacts_pair(c, r);
 
         if (q && !q->wall)
         {
@@ -105,7 +105,7 @@ static void mark_all(struct dem_state *p, const int64_t *ids, struct listed_pair
     {
         if (effect_of_column(&p->interaction_table, p->interaction_table.history_name[m]))
         {
-            mark(p, list, pairs, p->contacts.history[m], found);
+            mark(p, list, pairs, p->contacts.history.column[m], found);
         }
     }
 }

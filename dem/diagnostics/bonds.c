@@ -39,7 +39,7 @@ static const struct dem_pair *owned_pair(const struct dem_state *p, uint32_t row
 {
     const struct dem_contacts *const c = &p->contacts;
     const struct dem_pair *const q =
-        c->row_pair[row] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[row]];
+        c->rows.pair[row] == DEM_ROW_NONE ? NULL : dem_contacts_pair(c, row);
 
     return q && q->i < p->particles.n ? q : NULL;
 }
@@ -159,9 +159,10 @@ int dem_bonds_list(struct dem_state *p, int64_t *n)
     struct dem_bonds *const b = p->bonds;
 
     *n = 0;
-    for (uint32_t row = 0; c->energy && row < c->rows; row++)
+    for (uint32_t row = 0; c->forces.energy && row < c->rows.n; row++)
     {
-        const struct dem_pair *const q = c->energy[row].bonds > 0.0 ? owned_pair(p, row) : NULL;
+        const struct dem_pair *const q =
+            c->forces.energy[row].bonds > 0.0 ? owned_pair(p, row) : NULL;
 
         if (!q)
         {
@@ -170,14 +171,14 @@ int dem_bonds_list(struct dem_state *p, int64_t *n)
         DEM_TRY(DEM_GROW(b->intact, b->intact_capacity, *n + 1));
         struct dem_bond *const new = &b->intact[(*n)++];
 
-        *new = (struct dem_bond){.stored = c->energy[row].stored};
+        *new = (struct dem_bond){.stored = c->forces.energy[row].stored};
         partner_ids(p, q, new->id);
         branch(p, q, new->branch);
         memcpy(new->position, p->particles.record[q->i].x, sizeof new->position);
-        const struct dem_contact_force contact = dem_contacts_force(c, row);
+        const struct dem_contact_force contact = dem_contact_forces_at(&c->forces, row);
 
         memcpy(new->force, contact.f, sizeof new->force);
-        memcpy(new->moment, c->moment + 3*row, sizeof new->moment);
+        memcpy(new->moment, c->forces.moment + 3*row, sizeof new->moment);
     }
     return DEM_OK;
 }

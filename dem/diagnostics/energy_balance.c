@@ -72,7 +72,8 @@ static void inertias(struct dem_state *p, const struct dem_contact_batch *b,
 
     for (int c = 0; c < DEM_BATCH_ROWS; c++)
     {
-        const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[r->row + (uint32_t)(c < r->rows ? c : r->rows - 1)]];
+        const struct dem_pair *const q =
+            dem_contacts_pair(&p->contacts, r->row + (uint32_t)(c < r->rows ? c : r->rows - 1));
         const struct dem_particle *const i = &p->particles.record[q->i], *const j = q->wall ? NULL : &p->particles.record[q->j];
         const double depth = (j ? 0.5 : 1.0)*b->overlap[c], a = i->radius - depth, other = j ? j->radius - depth : 0.0;
         const double turn = i->inverse_inertia + (j ? j->inverse_inertia : 0.0), move = i->inverse_mass + (j ? j->inverse_mass : 0.0);
@@ -208,7 +209,7 @@ void dem_energy_balance_after_effect(struct dem_state *p, const struct dem_conta
     }
     for (int c = 0; c < r->rows; c++)
     {
-        if (p->contacts.pair[p->contacts.row_pair[r->row + (uint32_t)c]].i < p->particles.n)
+        if (dem_contacts_pair(&p->contacts, r->row + (uint32_t)c)->i < p->particles.n)
         {
             const int broke = effect->stage == DEM_STAGE_BOND && b->broke[c] > s->then.broke[c];
 

@@ -31,16 +31,16 @@ static void wall_work(struct dem_state *p, double span, int ahead)
     const struct dem_contacts *const c = &p->contacts;
     struct dem_wall_surface wall;
 
-    for (int s = 0; s < c->classes && c->rows > 0 && !p->walls.all_flat_static; s++)
+    for (int s = 0; s < c->rows.classes && c->rows.n > 0 && !p->walls.all_flat_static; s++)
     {
-        const uint32_t first = c->segment[s].first;
+        const uint32_t first = c->rows.segment[s].first;
         const uint32_t end =
-            first + (p->interaction_table.list[s].pair.with_wall ? c->segment[s].count : 0);
+            first + (p->interaction_table.list[s].pair.with_wall ? c->rows.segment[s].count : 0);
 
         for (uint32_t r = first; r < end; r++)
         {
-            const struct dem_pair *const q = &c->pair[c->row_pair[r]];
-            const struct dem_contact_force contact = dem_contacts_force(c, r);
+            const struct dem_pair *const q = dem_contacts_pair(c, r);
+            const struct dem_contact_force contact = dem_contact_forces_at(&c->forces, r);
             const double *const f = contact.f;
 
             dem_wall_surface_motion(&p->walls, p->pairs.wall_facet[q->j], &p->touches.touch[q->j],
@@ -50,7 +50,8 @@ static void wall_work(struct dem_state *p, double span, int ahead)
                 dem_wall_surface_add_mesh_motion(p, q->j, p->dt, &wall);
             }
             const double power = dem_vec_dot(f, wall.velocity) +
-                                 (c->moments ? dem_vec_dot(c->moment + 3*r, wall.spin) : 0.0);
+                                 (c->forces.moments
+                                      ? dem_vec_dot(c->forces.moment + 3*r, wall.spin) : 0.0);
 
             dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_WALLS], power*span);
         }

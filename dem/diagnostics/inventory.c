@@ -105,7 +105,7 @@ static double bytes_held(const struct dem_state *p)
 void dem_inventory_take(const struct dem_state *p, struct dem_inventory *s)
 {
     double bytes[2] = {bytes_held(p), bytes_held(p)};
-    int64_t lists[2] = {(int64_t)p->contacts.pairs, 0};
+    int64_t lists[2] = {(int64_t)p->contacts.pairs.n, 0};
 
     memset(s, 0, sizeof *s);
     s->all.min_diameter = INFINITY;
@@ -115,9 +115,9 @@ void dem_inventory_take(const struct dem_state *p, struct dem_inventory *s)
         add_up(&s->all, &s->material[m]);
     }
     mean_fluid(p, s);
-    for (int c = 0; c < p->contacts.classes && p->contacts.rows > 0; c++)
+    for (int c = 0; c < p->contacts.rows.classes && p->contacts.rows.n > 0; c++)
     {
-        lists[1] += p->contacts.segment[c].count;
+        lists[1] += p->contacts.rows.segment[c].count;
     }
     dem_collect_sum_int64(&p->decomposition, lists, 2);
     dem_collect_sum_double(&p->decomposition, &bytes[0], 1);

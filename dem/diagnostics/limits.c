@@ -55,7 +55,7 @@ void dem_limits_check_record(struct dem_state *p, const struct dem_contact_works
                    : lane;
     }
     const struct dem_pair *const q =
-        &p->contacts.pair[p->contacts.row_pair[row + (uint32_t)(lane < rows ? lane : rows - 1)]];
+        dem_contacts_pair(&p->contacts, row + (uint32_t)(lane < rows ? lane : rows - 1));
     const struct dem_particle *const i = &p->particles.record[q->i];
 
     p->limits.overlap = worst;

@@ -69,9 +69,9 @@ static void append_wall(const struct dem_state *p, size_t i, char cause[DEM_LOST
     const struct dem_pair *nearest = NULL;
     double min = DBL_MAX;
 
-    for (uint32_t e = c->pair_start[i]; e < c->pair_start[i + 1]; e++)
+    for (uint32_t e = c->pairs.start[i]; e < c->pairs.start[i + 1]; e++)
     {
-        const struct dem_pair *const q = &c->pair[c->pair_entry[e] >> 1];
+        const struct dem_pair *const q = &c->pairs.pair[c->pairs.entry[e] >> 1];
 
         if (q->wall)
         {
@@ -100,11 +100,11 @@ static void append_wall(const struct dem_state *p, size_t i, char cause[DEM_LOST
    positions. */
 static double overlap_of(const struct dem_state *p, uint32_t r)
 {
-    const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[r]];
+    const struct dem_pair *const q = dem_contacts_pair(&p->contacts, r);
 
     if (q->wall)
     {
-        return dem_contacts_force(&p->contacts, r).arm;
+        return dem_contact_forces_at(&p->contacts.forces, r).arm;
     }
     const struct dem_particle *const i = &p->particles.record[q->i];
     const struct dem_particle *const j = &p->particles.record[q->j];
@@ -125,15 +125,15 @@ static uint32_t worst_row(const struct dem_state *p, size_t i, uint32_t row, dou
     uint32_t worst = DEM_ROW_NONE;
 
     *overlap = min_overlap;
-    for (uint32_t e = c->row_start[i]; e < c->row_start[i + 1]; e++)
+    for (uint32_t e = c->rows.start[i]; e < c->rows.start[i + 1]; e++)
     {
-        const uint32_t r = c->row_entry[e] >> DEM_ENTRY_ROW_SHIFT;
+        const uint32_t r = c->rows.entry[e] >> DEM_ENTRY_ROW_SHIFT;
 
-        if (r >= c->rows)
+        if (r >= c->rows.n)
         {
             continue;
         }
-        const struct dem_pair *const q = &c->pair[c->row_pair[r]];
+        const struct dem_pair *const q = dem_contacts_pair(c, r);
         const double radius = p->particles.record[q->i].radius;
         const double smaller = q->wall ? radius : fmin(radius, p->particles.record[q->j].radius);
         const double fraction = 0.5*overlap_of(p, r)/smaller;
@@ -164,7 +164,7 @@ static int append_reason(const struct dem_state *p, size_t i, uint32_t row,
 
     if (worst != DEM_ROW_NONE)
     {
-        const struct dem_pair *const pair = &p->contacts.pair[p->contacts.row_pair[worst]];
+        const struct dem_pair *const pair = dem_contacts_pair(&p->contacts, worst);
 
         if (pair->wall)
         {
@@ -201,7 +201,7 @@ int dem_lost_cause_record_crossings(struct dem_state *p)
     for (size_t k = 0; k < p->lost_particles->crossings && !status; k++)
     {
         const uint32_t row = p->lost_particles->crossed[k];
-        const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[row]];
+        const struct dem_pair *const q = dem_contacts_pair(&p->contacts, row);
         const struct dem_particle *const i = &p->particles.record[q->i];
         char cause[DEM_LOST_CAUSE_SIZE] = "";
 

@@ -86,10 +86,11 @@ int64_t dem_totals_touching(const struct dem_state *p)
     const struct dem_contacts *const c = &p->contacts;
     int64_t count = 0;
 
-    for (uint32_t r = 0; r < c->rows; r++)
+    for (uint32_t r = 0; r < c->rows.n; r++)
     {
-        count += dem_contacts_force(c, r).arm > 0.0 && c->row_pair[r] != DEM_ROW_NONE &&
-                 c->pair[c->row_pair[r]].i < p->particles.n;
+        count += dem_contact_forces_at(&c->forces, r).arm > 0.0 &&
+                 c->rows.pair[r] != DEM_ROW_NONE &&
+                 dem_contacts_pair(c, r)->i < p->particles.n;
     }
     return count;
 }
@@ -106,12 +107,12 @@ static void tally_bonds(const struct dem_state *p, struct dem_totals *t)
     {
         dem_sum_clear(&sum[k]);
     }
-    for (uint32_t r = 0; r < c->rows; r++)
+    for (uint32_t r = 0; r < c->rows.n; r++)
     {
-        if (c->row_pair[r] != DEM_ROW_NONE && c->pair[c->row_pair[r]].i < p->particles.n)
+        if (c->rows.pair[r] != DEM_ROW_NONE && dem_contacts_pair(c, r)->i < p->particles.n)
         {
-            dem_sum_add(&sum[0], c->energy[r].stored);
-            dem_sum_add(&sum[1], c->energy[r].bonds);
+            dem_sum_add(&sum[0], c->forces.energy[r].stored);
+            dem_sum_add(&sum[1], c->forces.energy[r].bonds);
         }
     }
     for (size_t i = 0; i < p->particles.n; i++)
@@ -161,7 +162,7 @@ void dem_totals_tally(struct dem_state *p, struct dem_totals *t)
                              .weight = dem_vec_norm(g)*value[7]};
     p->limits.max_overlap = fmax(p->limits.max_overlap, p->limits.overlap);
     p->limits.overlap = 0.0;
-    if (p->contacts.has_energy)
+    if (p->contacts.forces.has_energy)
     {
         tally_bonds(p, t);
     }
@@ -229,26 +230,27 @@ uint64_t dem_totals_fingerprint(const struct dem_state *p)
         dem_domain_wrap(&p->domain, &home);               /* as in a snapshot */
         total += dem_fingerprint_particle(&home);
     }
-    for (uint32_t r = 0; r < c->rows; r++)
+    for (uint32_t r = 0; r < c->rows.n; r++)
     {
         const int owned =
-            c->row_pair[r] != DEM_ROW_NONE && c->pair[c->row_pair[r]].i < p->particles.n;
+            c->rows.pair[r] != DEM_ROW_NONE && dem_contacts_pair(c, r)->i < p->particles.n;
 
-        if (owned && dem_contacts_has_history(c, r))
+        if (owned && dem_contact_history_any(&c->history, r))
         {
             const struct dem_contact_key name =
                 dem_contacts_key(c, &p->particles, p->pairs.wall_facet, r);
 
-            dem_contacts_get_history(c, r, memory);
-            total += dem_fingerprint_contact(&name, memory, c->history_columns);
+            dem_contact_history_get(&c->history, r, memory);
+            total += dem_fingerprint_contact(&name, memory, c->history.columns);
         }
     }
-    for (size_t k = 0; k < c->saved; k++)
+    for (size_t k = 0; k < c->history.saved; k++)
     {
-        total += c->saved_key[k].counted
-                     ? dem_fingerprint_contact(&c->saved_key[k],
-                                               c->saved_history + k*(size_t)c->history_columns,
-                                               c->history_columns)
+        total += c->history.saved_key[k].counted
+                     ? dem_fingerprint_contact(&c->history.saved_key[k],
+                                               c->history.saved_value +
+                                                   k*(size_t)c->history.columns,
+                                               c->history.columns)
                      : 0;
     }
     dem_collect_sum_uint64(&p->decomposition, &total, 1);
@@ -259,11 +261,11 @@ void dem_totals_max_overlap(struct dem_state *p, struct dem_overlap *pair, struc
 {
     *pair = *wall = (struct dem_overlap){.fraction = 0.0};
     dem_wall_touches_update(&p->touches, &p->pairs.wall_search, &p->walls, &p->particles);
-    for (uint32_t r = 0; r < p->contacts.rows; r++)
+    for (uint32_t r = 0; r < p->contacts.rows.n; r++)
     {
-        const struct dem_pair *const q = p->contacts.row_pair[r] == DEM_ROW_NONE
+        const struct dem_pair *const q = p->contacts.rows.pair[r] == DEM_ROW_NONE
                                              ? NULL
-                                             : &p->contacts.pair[p->contacts.row_pair[r]];
+                                             : dem_contacts_pair(&p->contacts, r);
         const struct dem_particle *const a = q ? &p->particles.record[q->i] : NULL;
         struct dem_overlap *const worst = q && q->wall ? wall : pair;
         double overlap = 0.0, radius = 1.0;

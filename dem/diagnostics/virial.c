@@ -34,7 +34,7 @@ static void direction(const struct dem_state *p, const struct dem_pair *q, doubl
 /* On i the force f acts at -lever n, on j the force -f at +lever n: both give -lever f n. */
 static void add_row(const struct dem_state *p, uint32_t row, double radius, double w[6])
 {
-    const struct dem_contact_force contact = dem_contacts_force(&p->contacts, row);
+    const struct dem_contact_force contact = dem_contact_forces_at(&p->contacts.forces, row);
     const double lever = radius - contact.arm, *const f = contact.f;
     double n[3];
 
@@ -42,7 +42,7 @@ static void add_row(const struct dem_state *p, uint32_t row, double radius, doub
     {
         return;
     }
-    direction(p, &p->contacts.pair[p->contacts.row_pair[row]], n);
+    direction(p, dem_contacts_pair(&p->contacts, row), n);
     for (int k = 0; k < 3; k++)
     {
         const int next = (k + 1)%3;
@@ -61,9 +61,9 @@ void dem_virial_sum(const struct dem_state *p, double *virial)
         double *const w = virial + 6*i;
 
         memset(w, 0, 6*sizeof *w);
-        for (uint32_t e = c->row_start[i]; e < c->row_start[i + 1]; e++)
+        for (uint32_t e = c->rows.start[i]; e < c->rows.start[i + 1]; e++)
         {
-            add_row(p, c->row_entry[e] >> DEM_ENTRY_ROW_SHIFT, p->particles.record[i].radius, w);
+            add_row(p, c->rows.entry[e] >> DEM_ENTRY_ROW_SHIFT, p->particles.record[i].radius, w);
         }
     }
 }

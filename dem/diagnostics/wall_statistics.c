@@ -35,12 +35,12 @@ int dem_wall_statistics_begin(struct dem_wall_statistics *b, int walls)
    sum. */
 static int has_force(const struct dem_contacts *c, uint32_t r)
 {
-    const struct dem_contact_force contact = dem_contacts_force(c, r);
+    const struct dem_contact_force contact = dem_contact_forces_at(&c->forces, r);
     int any = 0;
 
     for (uint32_t k = 0; k < 3; k++)
     {
-        any |= contact.f[k] != 0.0 || (c->moments && c->moment[3*r + k] != 0.0);
+        any |= contact.f[k] != 0.0 || (c->forces.moments && c->forces.moment[3*r + k] != 0.0);
     }
     return any;
 }
@@ -50,17 +50,17 @@ void dem_wall_statistics_sum_forces(const struct dem_state *p, int wall, double 
 {
     const struct dem_contacts *const c = &p->contacts;
 
-    for (int s = 0; s < c->classes && c->rows > 0; s++)
+    for (int s = 0; s < c->rows.classes && c->rows.n > 0; s++)
     {
         const uint32_t end =
-            c->segment[s].first +
-            (p->interaction_table.list[s].pair.with_wall ? c->segment[s].count : 0);
+            c->rows.segment[s].first +
+            (p->interaction_table.list[s].pair.with_wall ? c->rows.segment[s].count : 0);
 
-        for (uint32_t r = c->segment[s].first; r < end; r++)
+        for (uint32_t r = c->rows.segment[s].first; r < end; r++)
         {
-            const struct dem_pair *const q = &c->pair[c->row_pair[r]];
+            const struct dem_pair *const q = dem_contacts_pair(c, r);
             const int own_wall = p->walls.facet[p->pairs.wall_facet[q->j]].wall;
-            const struct dem_contact_force contact = dem_contacts_force(c, r);
+            const struct dem_contact_force contact = dem_contact_forces_at(&c->forces, r);
             const double f[3] = {-factor*contact.f[0], -factor*contact.f[1], -factor*contact.f[2]};
             struct dem_sum *const to = sum + (wall < 0 ? 6*own_wall : 0);
             double moment[3];
@@ -74,7 +74,8 @@ void dem_wall_statistics_sum_forces(const struct dem_state *p, int wall, double 
             {
                 dem_sum_add(&to[k], f[k]);
                 dem_sum_add(&to[3 + k], moment[k]);
-                dem_sum_add(&to[3 + k], c->moments ? -factor*c->moment[3*r + k] : 0.0);
+                dem_sum_add(&to[3 + k],
+                            c->forces.moments ? -factor*c->forces.moment[3*r + k] : 0.0);
             }
         }
     }

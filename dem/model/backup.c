@@ -19,8 +19,8 @@ int dem_backup_save(struct dem_backup *b, const struct dem_particles *p,
 {
     b->valid = 0;
     DEM_TRY(dem_particles_copy(&b->particles, p));
-    b->history.history_columns = c->history_columns;
-    b->history.saved = 0;
+    b->history.history.columns = c->history.columns;
+    b->history.history.saved = 0;
     DEM_TRY(dem_contacts_copy_saved(&b->history, c, p, wall_facet));
     b->valid = 1;
     return DEM_OK;
@@ -30,7 +30,7 @@ int dem_backup_restore(const struct dem_backup *b, struct dem_particles *p, stru
 {
     DEM_TRY(dem_particles_grow(p, b->particles.n));
     DEM_TRY(dem_particles_copy(p, &b->particles));
-    c->pairs = c->saved = 0;
-    c->rows = 0;
+    c->pairs.n = c->history.saved = 0;
+    c->rows.n = 0;
     return dem_contacts_copy_saved(c, &b->history, p, NULL);
 }

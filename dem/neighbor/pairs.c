@@ -123,11 +123,11 @@ int dem_pairs_prune(struct dem_pairs *s, const struct dem_particles *p, const st
     uint8_t *near;
 
     use_skin(s, DEM_LIST_INNER);
-    DEM_TRY(DEM_NEW(near, c->pairs + 1));
-    for (size_t k = 0; k < c->pairs; k++)
+    DEM_TRY(DEM_NEW(near, c->pairs.n + 1));
+    for (size_t k = 0; k < c->pairs.n; k++)
     {
-        near[k] = (uint8_t)(c->pair[k].wall ? is_wall_near(s, p, w, &c->pair[k])
-                                            : is_pair_near(s, p, &c->pair[k]));
+        near[k] = (uint8_t)(c->pairs.pair[k].wall ? is_wall_near(s, p, w, &c->pairs.pair[k])
+                                            : is_pair_near(s, p, &c->pairs.pair[k]));
     }
     const int status = dem_contacts_prune(c, p, near);
 

@@ -86,10 +86,10 @@ static inline int reserve(struct dem_contacts *c, size_t pairs)
 {
     const size_t capacity = pairs + pairs/8 + WIDE;
 
-    if (pairs > c->pair_capacity)
+    if (pairs > c->pairs.capacity)
     {
-        DEM_TRY(DEM_RESIZE(c->pair, c->pairs, capacity));
-        c->pair_capacity = capacity;
+        DEM_TRY(DEM_RESIZE(c->pairs.pair, c->pairs.n, capacity));
+        c->pairs.capacity = capacity;
     }
     return DEM_OK;
 }
@@ -126,7 +126,7 @@ static inline int try_pair(struct finder *f, uint32_t owned, uint32_t other)
     {
         return DEM_OK;
     }
-    f->c->pair[f->c->pairs++] =
+    f->c->pairs.pair[f->c->pairs.n++] =
         (struct dem_pair){.i = first ? a : b,
                           .j = first ? b : a,
                           .row = DEM_ROW_NONE,
@@ -148,7 +148,7 @@ static int pairs_of(struct finder *f, uint32_t e, const struct run *run, int run
     }
     DEM_TRY(DEM_GROW(f->hit, f->hit_capacity, limit));
     hits = preselect(g, run, runs, me, f->hit);
-    DEM_TRY(reserve(f->c, f->c->pairs + hits));
+    DEM_TRY(reserve(f->c, f->c->pairs.n + hits));
     for (size_t k = 0; k < hits; k++)
     {
         const uint32_t other = f->hit[k];
@@ -294,9 +294,9 @@ static int pairs_between(struct finder *f, int large)
 
 static int add_pair(struct dem_contacts *c, struct dem_pair pair)
 {
-    DEM_TRY(reserve(c, c->pairs + 1));
+    DEM_TRY(reserve(c, c->pairs.n + 1));
     pair.row = DEM_ROW_NONE;
-    c->pair[c->pairs++] = pair;
+    c->pairs.pair[c->pairs.n++] = pair;
     return DEM_OK;
 }
 
@@ -349,29 +349,29 @@ static int sort_by(struct dem_contacts *c, size_t (*bin)(const struct dem_pair *
         return DEM_OK;
     }
     DEM_TRY(DEM_NEW(start, bins + 1));
-    const int status = DEM_NEW(sorted, c->pairs + WIDE);
+    const int status = DEM_NEW(sorted, c->pairs.n + WIDE);
 
     if (status)
     {
         dem_memory_free(start);
         return status;
     }
-    for (size_t k = 0; k < c->pairs; k++)
+    for (size_t k = 0; k < c->pairs.n; k++)
     {
-        start[bin(&c->pair[k]) + 1]++;
+        start[bin(&c->pairs.pair[k]) + 1]++;
     }
     for (size_t s = 1; s <= bins; s++)
     {
         start[s] += start[s - 1];
     }
-    for (size_t k = 0; k < c->pairs; k++)
+    for (size_t k = 0; k < c->pairs.n; k++)
     {
-        sorted[start[bin(&c->pair[k])]++] = c->pair[k];
+        sorted[start[bin(&c->pairs.pair[k])]++] = c->pairs.pair[k];
     }
-    dem_memory_free(c->pair);
+    dem_memory_free(c->pairs.pair);
     dem_memory_free(start);
-    c->pair = sorted;
-    c->pair_capacity = c->pairs + WIDE;
+    c->pairs.pair = sorted;
+    c->pairs.capacity = c->pairs.n + WIDE;
     return DEM_OK;
 }
 
@@ -380,15 +380,15 @@ static int shrink(struct dem_contacts *c)
 {
     struct dem_pair *shorter;
 
-    if (c->pair_capacity <= c->pairs + c->pairs/4 + 1024)
+    if (c->pairs.capacity <= c->pairs.n + c->pairs.n/4 + 1024)
     {
         return DEM_OK;
     }
-    DEM_TRY(DEM_NEW(shorter, c->pairs + WIDE));
-    memcpy(shorter, c->pair, c->pairs*sizeof *shorter);
-    dem_memory_free(c->pair);
-    c->pair = shorter;
-    c->pair_capacity = c->pairs + WIDE;
+    DEM_TRY(DEM_NEW(shorter, c->pairs.n + WIDE));
+    memcpy(shorter, c->pairs.pair, c->pairs.n*sizeof *shorter);
+    dem_memory_free(c->pairs.pair);
+    c->pairs.pair = shorter;
+    c->pairs.capacity = c->pairs.n + WIDE;
     return DEM_OK;
 }
 
@@ -413,9 +413,9 @@ int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct
 {
     struct dem_grid g = {0};
     struct finder f = {.s = s, .p = p, .r = r, .c = c, .g = &g};
-    const size_t before = c->pairs, usual = 3*p->n;       /* a little less than in a settled bed */
+    const size_t before = c->pairs.n, usual = 3*p->n;    /* a little less than in a settled bed */
 
-    c->pairs = 0;
+    c->pairs.n = 0;
     DEM_TRY(dem_pairs_check_counts(p->n + p->ghosts, 0));
     dem_grid_choose_levels(&g, p, s->max_radius, s->outer);
     const int ready = reserve(c, before > usual ? before : usual),
@@ -425,13 +425,13 @@ int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct
     dem_memory_free(f.hit);
     DEM_TRY(status);
     DEM_TRY(wall_pairs(s, p, w, r, c));
-    DEM_TRY(dem_pairs_check_counts(p->n + p->ghosts, c->pairs));
+    DEM_TRY(dem_pairs_check_counts(p->n + p->ghosts, c->pairs.n));
     /* all rows of a particle are contiguous and in the order of particles: searches across levels
        or periodic faces find some of them late */
     DEM_TRY(sort_by(c, first_of, p->n));
-    DEM_TRY(sort_by(c, class_of, (size_t)c->classes));
+    DEM_TRY(sort_by(c, class_of, (size_t)c->rows.classes));
     DEM_TRY(shrink(c));
-    DEM_TRY(dem_contacts_build_adjacency(c, p));
+    DEM_TRY(dem_pair_list_build_adjacency(&c->pairs, p));
     dem_skins_list_made(&s->skins, DEM_LIST_OUTER);
     return dem_displacement_begin(&s->displacement[DEM_LIST_OUTER], p,
                                   s->skins.skin[DEM_LIST_OUTER]);

@@ -55,10 +55,10 @@ void dem_wall_touches_set_rows(struct dem_wall_touches *t, const struct dem_wall
     {
         t->touch[k].row = DEM_ROW_NONE;
     }
-    for (uint32_t r = 0; r < c->rows && s->neighbors > 0; r++)
+    for (uint32_t r = 0; r < c->rows.n && s->neighbors > 0; r++)
     {
         const struct dem_pair *const q =
-            c->row_pair[r] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[r]];
+            c->rows.pair[r] == DEM_ROW_NONE ? NULL : dem_contacts_pair(c, r);
 
         if (q && q->wall)
         {

@@ -82,9 +82,9 @@ static int destinations(struct dem_halo *h, const struct dem_particles *p,
         *leaving += to != me;
     }
     DEM_TRY(index_ids(p, &table, &mask));
-    for (size_t r = 0; r < 2*c->saved; r++)
+    for (size_t r = 0; r < 2*c->history.saved; r++)
     {
-        const int64_t id = r%2 ? c->saved_key[r/2].high : c->saved_key[r/2].low;
+        const int64_t id = r%2 ? c->history.saved_key[r/2].high : c->history.saved_key[r/2].low;
         const size_t i = id < 0 ? p->n : find_id(p, table, mask, id);
 
         row_owner[r] = i < p->n ? owner[i] : -1;
@@ -159,7 +159,7 @@ static int write_messages(struct dem_halo *h, const struct dem_particles *p,
                           const struct dem_contacts *c, const struct outgoing *particles_out,
                           const struct outgoing *contacts_out)
 {
-    const size_t size = dem_particles_packed_size(p), memories = (size_t)c->history_columns;
+    const size_t size = dem_particles_packed_size(p), memories = (size_t)c->history.columns;
     double *data;
 
     for (size_t i = 0, r = 0; i < particles_out->n;)
@@ -182,8 +182,8 @@ static int write_messages(struct dem_halo *h, const struct dem_particles *p,
         {
             const size_t row = contacts_out->which[r]/2;
 
-            memcpy(data, &c->saved_key[row], sizeof *c->saved_key);
-            memcpy(data + KEY, c->saved_history + row*memories, memories*sizeof *data);
+            memcpy(data, &c->history.saved_key[row], sizeof *c->history.saved_key);
+            memcpy(data + KEY, c->history.saved_value + row*memories, memories*sizeof *data);
         }
     }
     return DEM_OK;
@@ -197,7 +197,7 @@ static int pack_outgoing(struct dem_halo *h, const struct dem_particles *p,
     dem_messages_clear(&h->out);
     int status = sort_outgoing(&particles_out, owner, p->n);
 
-    status = status ? status : sort_outgoing(&contacts_out, row_owner, 2*c->saved);
+    status = status ? status : sort_outgoing(&contacts_out, row_owner, 2*c->history.saved);
     status = status ? status : write_messages(h, p, c, &particles_out, &contacts_out);
     free_outgoing(&particles_out);
     free_outgoing(&contacts_out);
@@ -206,7 +206,7 @@ static int pack_outgoing(struct dem_halo *h, const struct dem_particles *p,
 
 static int read_messages(struct dem_halo *h, struct dem_particles *p, struct dem_contacts *c)
 {
-    const size_t size = dem_particles_packed_size(p), memories = (size_t)c->history_columns;
+    const size_t size = dem_particles_packed_size(p), memories = (size_t)c->history.columns;
 
     for (int k = 0; k < h->in.ranks; k++)
     {
@@ -223,7 +223,7 @@ static int read_messages(struct dem_halo *h, struct dem_particles *p, struct dem
             struct dem_contact_key key;
 
             memcpy(&key, data, sizeof key);
-            DEM_TRY(dem_contacts_append_saved(c, &key, data + KEY));
+            DEM_TRY(dem_contact_history_append(&c->history, &key, data + KEY));
         }
     }
     return DEM_OK;
@@ -253,7 +253,7 @@ static int take_outgoing(struct dem_halo *h, struct dem_particles *p, const stru
     int *owner = NULL, *row_owner = NULL, leaving = 0;
     int status = DEM_NEW(owner, p->n + 1);
 
-    status = status ? status : DEM_NEW(row_owner, 2*c->saved + 1);
+    status = status ? status : DEM_NEW(row_owner, 2*c->history.saved + 1);
     status = status ? status : destinations(h, p, c, owner, row_owner, &leaving);
     status = status ? status : pack_outgoing(h, p, c, owner, row_owner);
     status = status || !leaving ? status : remove_outgoing(p, owner);

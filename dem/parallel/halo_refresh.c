@@ -50,10 +50,10 @@ static void mark_needed(struct dem_halo *h, const struct dem_particles *p,
                         const struct dem_contacts *c)
 {
     memset(h->needed_here, 0, p->ghosts);
-    for (uint32_t r = 0; r < c->rows; r++)
+    for (uint32_t r = 0; r < c->rows.n; r++)
     {
         const struct dem_pair *const q =
-            c->row_pair[r] == DEM_ROW_NONE ? NULL : &c->pair[c->row_pair[r]];
+            c->rows.pair[r] == DEM_ROW_NONE ? NULL : dem_contacts_pair(c, r);
 
         if (q && !q->wall && q->i >= p->n)
         {

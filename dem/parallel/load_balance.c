@@ -33,9 +33,9 @@ void dem_load_balance_count(struct dem_load_balance *b, size_t particles,
 {
     b->steps++;
     b->work += PARTICLE_WORK*(int64_t)particles;
-    for (int s = 0; s < c->classes; s++)
+    for (int s = 0; s < c->rows.classes; s++)
     {
-        b->work += ROW_WORK*(int64_t)c->segment[s].count;
+        b->work += ROW_WORK*(int64_t)c->rows.segment[s].count;
     }
 }
 
@@ -72,7 +72,7 @@ int dem_load_balance_set_weights(struct dem_load_balance *b, const struct dem_pa
     DEM_TRY(DEM_GROW(b->weight, b->weight_capacity, p->n + 1));
     for (size_t i = 0; i < p->n; i++)
     {
-        b->weight[i] = PARTICLE_WORK + ROW_WORK/2*(c->row_start[i + 1] - c->row_start[i]);
+        b->weight[i] = PARTICLE_WORK + ROW_WORK/2*(c->rows.start[i + 1] - c->rows.start[i]);
     }
     return DEM_OK;
 }

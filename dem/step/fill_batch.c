@@ -28,7 +28,7 @@ static void gather_walls(struct dem_contact_workspace *restrict t, const struct 
 
     for (int c = 0; c < b->n; c++)
     {
-        const struct dem_pair *const q = &p->contacts.pair[row_pair[c]];
+        const struct dem_pair *const q = &p->contacts.pairs.pair[row_pair[c]];
         const struct dem_particle *const i = &p->particles.record[q->i];
         const struct dem_wall_touch *const at = &p->touches.touch[q->j];
         /* behind the plane of a one-sided wall the distance is negative and n still points into the
@@ -71,7 +71,7 @@ static void gather_wall_motion(struct dem_contact_workspace *restrict t, const s
 
     for (int c = 0; c < b->n; c++)
     {
-        const struct dem_pair *const q = &p->contacts.pair[row_pair[c]];
+        const struct dem_pair *const q = &p->contacts.pairs.pair[row_pair[c]];
         const struct dem_particle *const i = &p->particles.record[q->i];
         struct dem_wall_surface wall;
 
@@ -175,7 +175,7 @@ static void gaps_of_walls(struct dem_contact_workspace *restrict t, const struct
 
     for (int c = 0; c < b->n; c++)
     {
-        const struct dem_pair *const q = &p->contacts.pair[row_pair[c]];
+        const struct dem_pair *const q = &p->contacts.pairs.pair[row_pair[c]];
         const struct dem_wall_touch *const at = &p->touches.touch[q->j];
         const double *const x = p->particles.record[q->i].x;
         const double height = (x[0] - at->point[0])*at->normal[0] +
@@ -226,7 +226,7 @@ static void random_numbers(struct dem_contact_workspace *t, const struct dem_sta
 {
     for (int c = 0; c < t->batch.n; c++)
     {
-        const struct dem_pair *const q = &p->contacts.pair[row_pair[c]];
+        const struct dem_pair *const q = &p->contacts.pairs.pair[row_pair[c]];
         const int64_t i = p->particles.record[q->i].id;
         const int64_t j = q->wall ? -1 - p->pairs.wall_facet[q->j] : p->particles.record[q->j].id;
 
@@ -270,7 +270,7 @@ void dem_contact_batch_gather(struct dem_contact_workspace *t, const struct dem_
                               const struct dem_effect_list *effects, uint32_t row, int rows)
 {
     t->batch.n = (rows + DEM_LANES - 1)/DEM_LANES*DEM_LANES;
-    dem_gather_pairs(t, p, effects->needs, p->contacts.row_partners + row);
+    dem_gather_pairs(t, p, effects->needs, p->contacts.rows.partners + row);
 }
 
 void dem_contact_batch_fill(struct dem_contact_workspace *t, const struct dem_state *p,
@@ -279,7 +279,7 @@ void dem_contact_batch_fill(struct dem_contact_workspace *t, const struct dem_st
     uint32_t padded[DEM_BATCH_ROWS];
 
     t->batch.n = (rows + DEM_LANES - 1)/DEM_LANES*DEM_LANES;
-    pad(t, p->contacts.row_pair + row, rows, padded);
+    pad(t, p->contacts.rows.pair + row, rows, padded);
     if (effects->pair.with_wall)
     {
         gather_walls(t, p, padded);

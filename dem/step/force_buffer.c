@@ -14,26 +14,27 @@ struct dem_force_buffer_slot dem_force_buffer_slot(const struct dem_contacts *c,
 {
     const uint32_t slot = row & (DEM_FORCE_BUFFER_ROWS - 1);
 
-    return c->single
-               ? (struct dem_force_buffer_slot){.single = buffered ? c->force_buffer_single + slot
-                                                                   : c->force_single + row}
-               : (struct dem_force_buffer_slot){.full = buffered ? c->force_buffer + slot
-                                                                 : c->force + row};
+    return c->forces.single
+               ? (struct dem_force_buffer_slot){.single = buffered ? c->forces.buffer_single + slot
+                                                                   : c->forces.force_single + row}
+               : (struct dem_force_buffer_slot){.full = buffered ? c->forces.buffer + slot
+                                                                 : c->forces.force + row};
 }
 
 size_t dem_force_buffer_copy_deferred(struct dem_contacts *c, size_t copied, uint32_t end)
 {
-    for (; copied < c->deferred_rows && c->deferred_row[copied] < end; copied++)
+    for (; copied < c->forces.deferred && c->forces.deferred_row[copied] < end; copied++)
     {
-        const uint32_t row = c->deferred_row[copied], slot = row & (DEM_FORCE_BUFFER_ROWS - 1);
+        const uint32_t row = c->forces.deferred_row[copied],
+                       slot = row & (DEM_FORCE_BUFFER_ROWS - 1);
 
-        if (c->single)
+        if (c->forces.single)
         {
-            c->force_single[row] = c->force_buffer_single[slot];
+            c->forces.force_single[row] = c->forces.buffer_single[slot];
         }
         else
         {
-            c->force[row] = c->force_buffer[slot];
+            c->forces.force[row] = c->forces.buffer[slot];
         }
     }
     return copied;

@@ -249,12 +249,12 @@ static void count_lists(struct dem_state *p)
     const struct dem_contacts *const c = &p->contacts;
     int64_t counted[3] = {(int64_t)p->particles.n, 0, 0};
 
-    for (size_t k = 0; p->pairs.skins.tuned && k < c->pairs; k++)
+    for (size_t k = 0; p->pairs.skins.tuned && k < c->pairs.n; k++)
     {
-        const int owned = c->pair[k].i < p->particles.n;
+        const int owned = c->pairs.pair[k].i < p->particles.n;
 
         counted[1] += owned;
-        counted[2] += owned && c->pair[k].row != DEM_ROW_NONE;
+        counted[2] += owned && c->pairs.pair[k].row != DEM_ROW_NONE;
     }
     if (p->pairs.skins.tuned)
     {

@@ -213,9 +213,9 @@ static int agree(struct dem_state *p, int status, double *max_speed)
 static void count_work(struct dem_state *p)
 {
     p->timers->particle_steps += (int64_t)p->particles.n;
-    for (int c = 0; c < p->contacts.classes; c++)
+    for (int c = 0; c < p->contacts.rows.classes; c++)
     {
-        p->timers->row_steps += p->contacts.segment[c].count;
+        p->timers->row_steps += p->contacts.rows.segment[c].count;
     }
     dem_load_balance_count(&p->load_balance, p->particles.n, &p->contacts);
 }

@@ -45,9 +45,10 @@ struct storage    /* where contact forces are: [0] deferred rows, [1] buffered r
 
 static struct storage storage_of(const struct dem_contacts *c, int unobserved)
 {
-    const void *const rows = c->single ? (const void *)c->force_single : (const void *)c->force;
+    const void *const rows = c->forces.single ? (const void *)c->forces.force_single
+                                              : (const void *)c->forces.force;
     const void *const buffer =
-        c->single ? (const void *)c->force_buffer_single : (const void *)c->force_buffer;
+        c->forces.single ? (const void *)c->forces.buffer_single : (const void *)c->forces.buffer;
 
     return unobserved && buffer
                ? (struct storage){{rows, buffer}, {UINT32_MAX, DEM_FORCE_BUFFER_ROWS - 1}}
@@ -72,7 +73,7 @@ sum(const struct dem_contacts *c, const struct dem_particle *restrict record,
     const struct dem_sum_slice *part, const int single)
 {
     const struct storage at = storage_of(c, part->unobserved);
-    const uint32_t *restrict const start = c->row_start, *restrict const entry = c->row_entry;
+    const uint32_t *restrict const start = c->rows.start, *restrict const entry = c->rows.entry;
     double *restrict force = part->force, *restrict torque = part->torque;
 
     for (size_t i = part->first; i < part->end; i++)
@@ -115,10 +116,10 @@ static void add_moments(const struct dem_contacts *c, const struct dem_sum_slice
     {
         double *const torque = part->torque + 3*(i - part->first);
 
-        for (uint32_t e = c->row_start[i]; e < c->row_start[i + 1]; e++)
+        for (uint32_t e = c->rows.start[i]; e < c->rows.start[i + 1]; e++)
         {
-            const double side = sides[c->row_entry[e] & DEM_ENTRY_SIDE];
-            const double *const m = c->moment + 3*(c->row_entry[e] >> DEM_ENTRY_ROW_SHIFT);
+            const double side = sides[c->rows.entry[e] & DEM_ENTRY_SIDE];
+            const double *const m = c->forces.moment + 3*(c->rows.entry[e] >> DEM_ENTRY_ROW_SHIFT);
 
             torque[0] += side*m[0];
             torque[1] += side*m[1];
@@ -134,8 +135,8 @@ void dem_sum_slice(const struct dem_particles *p, const struct dem_contacts *c,
     {
         return;
     }
-    (c->single ? sum_single : sum_full)(c, p->record, part);
-    if (c->moment)
+    (c->forces.single ? sum_single : sum_full)(c, p->record, part);
+    if (c->forces.moment)
     {
         add_moments(c, part);
     }
@@ -155,15 +156,15 @@ void dem_sum_bond_energies(struct dem_particles *p, const struct dem_contacts *c
     double *const lost = dem_column(p, DEM_COLUMN_LOST_ENERGY),
                   *const broken = dem_column(p, DEM_COLUMN_BROKEN_BONDS);
 
-    for (size_t i = 0; c->has_energy && i < p->n; i++)
+    for (size_t i = 0; c->forces.has_energy && i < p->n; i++)
     {
-        for (uint32_t e = c->row_start[i]; e < c->row_start[i + 1]; e++)
+        for (uint32_t e = c->rows.start[i]; e < c->rows.start[i + 1]; e++)
         {
-            const uint32_t row = c->row_entry[e] >> DEM_ENTRY_ROW_SHIFT;
-            const double fraction = row < c->rows && c->pair[c->row_pair[row]].wall ? 1.0 : 0.5;
+            const uint32_t row = c->rows.entry[e] >> DEM_ENTRY_ROW_SHIFT;
+            const double fraction = row < c->rows.n && dem_contacts_pair(c, row)->wall ? 1.0 : 0.5;
 
-            lost[i] += fraction*c->energy[row].lost;
-            broken[i] += fraction*c->energy[row].broke;
+            lost[i] += fraction*c->forces.energy[row].lost;
+            broken[i] += fraction*c->forces.energy[row].broke;
         }
     }
 }

@@ -56,7 +56,7 @@ static int list_crossings(struct dem_state *p, const struct dem_contact_workspac
 {
     for (int c = 0; c < rows; c++)
     {
-        const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[row + (uint32_t)c]];
+        const struct dem_pair *const q = dem_contacts_pair(&p->contacts, row + (uint32_t)c);
 
         if (crossed(&t->batch, c) > 0.0
             && p->walls.facet[p->pairs.wall_facet[q->j]].shape == DEM_SHAPE_TRIANGLES)
@@ -79,7 +79,7 @@ static int find_history(const struct dem_contacts *c, const struct dem_effect_en
 
     for (int m = 0; m < columns; m++)
     {
-        history[m] = c->history[entry->first_column + m] + row;
+        history[m] = c->history.column[entry->first_column + m] + row;
     }
     return columns;
 }
@@ -190,7 +190,7 @@ static void store_moments(struct dem_contacts *c, const struct dem_contact_batch
 {
     for (int k = 0; k < rows; k++)
     {
-        double *const m = c->moment + 3*(row + (uint32_t)k);
+        double *const m = c->forces.moment + 3*(row + (uint32_t)k);
 
         m[0] = b->mx[k];
         m[1] = b->my[k];
@@ -203,7 +203,7 @@ static void store_energies(struct dem_contacts *c, const struct dem_contact_batc
 {
     for (int k = 0; k < rows; k++)
     {
-        c->energy[row + (uint32_t)k] = (struct dem_contact_energy){
+        c->forces.energy[row + (uint32_t)k] = (struct dem_contact_energy){
             .stored = b->stored[k],
             .lost = b->lost[k],
             .bonds = b->bonds[k],
@@ -290,7 +290,7 @@ static int sweep_batch(struct dem_state *p, struct dem_contact_workspace *t,
     {
         store_energies(&p->contacts, &t->batch, row, rows);
     }
-    if (p->contacts.moment)
+    if (p->contacts.forces.moment)
     {
         store_moments(&p->contacts, &t->batch, row, rows);
     }
@@ -304,7 +304,7 @@ static int sweep_batch(struct dem_state *p, struct dem_contact_workspace *t,
 static void kick_ready(struct dem_body_pass *bodies, const struct dem_contacts *c, uint32_t rows)
 {
     while (bodies->next < bodies->particles->n &&
-           c->rows_needed[bodies->next/DEM_BATCH_ROWS] <= rows)
+           c->rows.needed[bodies->next/DEM_BATCH_ROWS] <= rows)
     {
         dem_bodies_kick_until(bodies, bodies->next + 1);
     }
@@ -315,15 +315,15 @@ static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int
                        struct dem_body_pass *bodies)
 {
     const struct dem_effect_list *const effects = &p->interaction_table.list[class];
-    const struct dem_segment *const seg = &p->contacts.segment[class];
+    const struct dem_segment *const seg = &p->contacts.rows.segment[class];
     const int fused =
-        dem_fused_kernel_applies(effects) && !p->energy_balance->open && !p->contacts.moment;
+        dem_fused_kernel_applies(effects) && !p->energy_balance->open && !p->contacts.forces.moment;
     const int buffered = bodies && bodies->unobserved && !effects->pair.with_wall &&
-                         dem_contacts_use_force_buffer(&p->contacts);
+                         dem_contact_forces_use_buffer(&p->contacts.forces);
     size_t deferred = 0;    /* deferred rows that are before this class or copied */
 
-    for (; buffered && deferred < p->contacts.deferred_rows &&
-           p->contacts.deferred_row[deferred] < seg->first;
+    for (; buffered && deferred < p->contacts.forces.deferred &&
+           p->contacts.forces.deferred_row[deferred] < seg->first;
          deferred++)
     {
     }
@@ -374,7 +374,7 @@ int dem_sweep_contacts_and_bodies(struct dem_state *p, double dt, const double t
     }
     for (int walls = 1; walls >= 0; walls--)
     {
-        for (int s = 0; s < p->contacts.classes; s++)
+        for (int s = 0; s < p->contacts.rows.classes; s++)
         {
             if (p->interaction_table.list[s].pair.with_wall == walls)
             {

@@ -90,7 +90,7 @@ static double overlap(const struct dem_wall_touch *t, double radius)
 /* Tangential stiffness of a contact, up to a factor common to contacts of the same materials. */
 static double weight(const struct dem_state *p, const struct dem_wall_touch *t, double radius)
 {
-    const struct dem_pair *const q = &p->contacts.pair[p->contacts.row_pair[t->row]];
+    const struct dem_pair *const q = dem_contacts_pair(&p->contacts, t->row);
     const double exponent = p->interaction_table.list[q->class].pair.exponent,
                  d = overlap(t, radius);
 
@@ -102,7 +102,8 @@ static double weight(const struct dem_state *p, const struct dem_wall_touch *t, 
 static void divide_springs(struct dem_state *p, const struct surface *s, int m)
 {
     const struct dem_wall_touch *const touch = p->touches.touch;
-    double *const *const history = p->contacts.history, total[3] = {0.0, 0.0, 0.0}, sum = 0.0;
+    double *const *const history = p->contacts.history.column;
+    double total[3] = {0.0, 0.0, 0.0}, sum = 0.0;
 
     for (size_t k = s->first; k < s->end; k++)
     {
@@ -151,13 +152,13 @@ static void transfer_numbers(struct dem_state *p, const struct surface *s)
     for (size_t k = s->first; k < s->end && ended < s->end; k++)
     {
         if (touch[k].surface == s->leader && !touch[k].drop &&
-            !dem_contacts_has_history(c, touch[k].row))
+            !dem_contact_history_any(&c->history, touch[k].row))
         {
-            for (int m = 0; m < c->history_columns; m++)
+            for (int m = 0; m < c->history.columns; m++)
             {
-                c->history[m][touch[k].row] = s->column[m] == NUMBER
-                                                  ? c->history[m][touch[ended].row]
-                                                  : c->history[m][touch[k].row];
+                c->history.column[m][touch[k].row] = s->column[m] == NUMBER
+                                                  ? c->history.column[m][touch[ended].row]
+                                                  : c->history.column[m][touch[k].row];
             }
         }
     }
@@ -173,7 +174,7 @@ static int gather_surface(struct dem_state *p, const struct surface *s)
     for (size_t k = s->first; k < s->end; k++)
     {
         const int ended = touch[k].drop && touch[k].row != DEM_ROW_NONE &&
-                          dem_contacts_has_history(&p->contacts, touch[k].row);
+                          dem_contact_history_any(&p->contacts.history, touch[k].row);
 
         if (touch[k].surface == NONE && touch[k].row != DEM_ROW_NONE &&
             (ended || overlap(&touch[k], s->radius) > 0.0) &&
@@ -215,7 +216,7 @@ static void redistribute(struct dem_state *p, const enum column *column, size_t 
         if (gather_surface(p, &s) > 1)
         {
             transfer_numbers(p, &s);
-            for (int m = 0; m < p->contacts.history_columns; m++)
+            for (int m = 0; m < p->contacts.history.columns; m++)
             {
                 if (column[m] == VECTOR)
                 {
@@ -231,7 +232,7 @@ void dem_wall_springs_redistribute(struct dem_state *p)
     const struct dem_wall_search *const s = &p->pairs.wall_search;
     enum column column[DEM_HISTORY_COLUMNS];
 
-    if (p->contacts.history_columns == 0 || p->touches.shared == 0)
+    if (p->contacts.history.columns == 0 || p->touches.shared == 0)
     {
         return;
     }

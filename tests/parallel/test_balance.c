@@ -88,7 +88,7 @@ static void shares(struct dem_decomposition *decomposition)
 static int until(struct dem_load_balance *b, const struct dem_decomposition *decomposition, double excess,
                  int most)
 {
-    const struct dem_contacts none = {.classes = 0};
+    const struct dem_contacts none = {.rows.classes = 0};
     const double others = 1.0 - excess/(ranks - 1);
     const size_t particles = (size_t)(1e6*(rank == 0 ? 1.0 + excess : others));
 

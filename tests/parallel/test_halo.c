@@ -141,10 +141,10 @@ static int64_t near(const struct dem *d)
     {
         int found = 0;
 
-        for (uint32_t r = 0; r < c->rows && !found; r++)
+        for (uint32_t r = 0; r < c->rows.n && !found; r++)
         {
-            found = c->row_pair[r] != DEM_ROW_NONE &&
-                    (c->pair[c->row_pair[r]].i == g || c->pair[c->row_pair[r]].j == g);
+            found = c->rows.pair[r] != DEM_ROW_NONE &&
+                    (dem_contacts_pair(c, r)->i == g || dem_contacts_pair(c, r)->j == g);
         }
         count += found;
     }

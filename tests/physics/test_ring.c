@@ -95,12 +95,12 @@ static void compare(int high, int round)
     }
     TAP_OK(world_tally(never).contacts > count, "%d spheres touch: %lld contacts", count,
            (long long)world_tally(never).contacts);
-    TAP_OK(dem_contacts_use_force_buffer(&never->state.contacts) == round,
+    TAP_OK(dem_contact_forces_use_buffer(&never->state.contacts.forces) == round,
            "%d spheres: there is %s ring", count, round ? "a" : "no");
     if (round)
     {
-        TAP_OK(never->state.contacts.deferred_rows > 0, "%zu rows are deferred beyond it",
-               never->state.contacts.deferred_rows);
+        TAP_OK(never->state.contacts.forces.deferred > 0, "%zu rows are deferred beyond it",
+               never->state.contacts.forces.deferred);
     }
     TAP_OK(bits(always, count) == bits(never, count),
            "%d spheres: the same bits when sampled in every step and never", count);

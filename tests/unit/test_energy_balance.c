@@ -137,8 +137,8 @@ static void set_up(void)
 
     p.particles.n = 1;
     p.particles.record = record;
-    p.contacts.pair = pair;
-    p.contacts.row_pair = row_pair;
+    p.contacts.pairs.pair = pair;
+    p.contacts.rows.pair = row_pair;
     record[0] = (struct dem_particle){.radius = 1.02,
                                       .inverse_mass = 0.5,
                                       /* some of the mass does not rotate */

@@ -137,16 +137,16 @@ static size_t list(struct found *found, size_t capacity)
     size_t n = 0;
     int sorted = 1;
 
-    for (size_t k = 0; k < c.pairs && n < capacity; k++)
+    for (size_t k = 0; k < c.pairs.n && n < capacity; k++)
     {
-        const struct dem_pair *const q = &c.pair[k];
+        const struct dem_pair *const q = &c.pairs.pair[k];
 
         memset(&found[n], 0, sizeof found[n]);
         found[n].low = p.record[q->i].id;
         found[n].high = p.record[q->j].id;
         found[n].shift = q->shift;
         found[n++].class = q->class;
-        sorted &= k == 0 || c.pair[k - 1].class <= q->class;
+        sorted &= k == 0 || c.pairs.pair[k - 1].class <= q->class;
     }
     return sorted ? n : 0;
 }
