@@ -161,7 +161,7 @@ claim "with the same means" agrees "$work/killed/out/box.csv" "$work/killed.not/
 
 # a run without output for minutes
 mkdir -p "$work/progress"
-(cd "$work/progress" && exec "$dem" run -set time/end 100 -set write/interval 100 "$work/wander.dem" > log.out 2>&1) &
+(cd "$work/progress" && exec "$dem" run -set time/end 10 -set write/interval 10 "$work/wander.dem" > log.out 2>&1) &
 slow=$!
 
 # share done, time left, steps and particle-steps a second of 1000 particles, after 10 s of the clock
