@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""form.py -- pages of docs/ have the form of a page. Prints TAP.
+
+The first sentence says what the reader can do after it ("After this page you ..."). Within two
+screens (60 lines) there is code, a formula or a picture. No line is longer than 120 characters, but
+in code, tables and links. docs/README.md links every page.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import glob
+import os
+import re
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+SCREENS = 60
+
+
+def faults(name, text, index):
+    """Sentences about what a page lacks."""
+    lines, found, fenced = text.split("\n"), [], False
+    if not re.match(r"# .+\n\nAfter this page you ", text):
+        found.append("the first sentence does not begin with After this page you")
+    if not any(re.match(r"```|    \S|!\[", line) for line in lines[:SCREENS]):
+        found.append("no code, formula or picture in the first %d lines" % SCREENS)
+    for number, line in enumerate(lines, 1):
+        if line.startswith("```"):
+            fenced = not fenced
+        elif len(line) > 120 and not fenced and not re.match(r"\||    |<!--|.*\]\(", line):
+            found.append("line %d has %d characters" % (number, len(line)))
+    if name != "README.md" and "(%s" % name not in index:
+        found.append("docs/README.md does not link it")
+    return found
+
+
+def main():
+    pages, failed = sorted(glob.glob(os.path.join(ROOT, "docs", "*.md"))), 0
+    index = open(os.path.join(ROOT, "docs", "README.md"), encoding="utf-8").read()
+    print("1..%d" % len(pages))
+    for number, page in enumerate(pages, 1):
+        name = os.path.basename(page)
+        found = faults(name, open(page, encoding="utf-8").read(), index)
+        print("%s %d - docs/%s has the form of a page" % ("not ok" if found else "ok", number, name))
+        for sentence in found:
+            print("#   " + sentence)
+        failed += bool(found)
+    return failed > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
