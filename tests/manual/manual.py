@@ -119,7 +119,7 @@ class Manual:
         path = os.path.join(self.work, page.replace("/", "_").replace(".md", ""))
         if not os.path.isdir(path):
             os.makedirs(path)
-            for name in ("dem", "tests", "tutorials", "coupling", "solvers"):
+            for name in ("dem", "tests", "tutorials", "coupling", "solvers", "docs"):
                 os.symlink(os.path.join(ROOT, name), os.path.join(path, name))
         return path
 

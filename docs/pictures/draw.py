@@ -1,0 +1,164 @@
+#!/usr/bin/env python3
+"""draw.py -- the pictures of docs/choosing.md, from stored tables of the repository.
+
+    python3 docs/pictures/draw.py [FOLDER]        writes choosing-*.png there, else beside this file
+
+Nothing is computed here: tests/cost/studies/stored, tests/coupled/noise/stored.csv and
+tutorials/muellerBed/stored hold the numbers, their dates and how to make them again. Colours are
+those of Okabe and Ito, which colour-blind readers tell apart.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import csv
+import pathlib
+import sys
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+STUDIES = ROOT/"tests/cost/studies/stored"
+BED = ROOT/"tutorials/muellerBed/stored"
+COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]
+MARKS = ["o", "s", "^", "D", "v", "P", "x"]
+plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
+                     "axes.grid": True, "grid.alpha": 0.25, "savefig.dpi": 100,
+                     "savefig.bbox": "tight", "legend.frameon": False, "lines.linewidth": 1.3,
+                     "lines.markersize": 5})
+
+
+def rows(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def series(study, name, quantity):
+    """[(level, processor time [s], error [%]), ...] of a stored cost study"""
+    return [(float(r["rung"]), float(r["processor[s]"]), 100*float(r["error"]))
+            for r in rows(STUDIES/study/"cost.csv")
+            if r["ladder"] == name and r["quantity"] == quantity]
+
+
+def line(axes, number, points, label):
+    x, y = zip(*points)
+    axes.plot(x, y, color=COLOURS[number], marker=MARKS[number], label=label)
+
+
+def save(figure, name):
+    folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else HERE
+    figure.savefig(folder/("choosing-%s.png" % name), metadata={"Software": None})
+    plt.close(figure)
+
+
+def logarithmic(axes, x, y, ticks):
+    axes.set_xscale("log", base=2)
+    axes.set_yscale("log")
+    axes.set_xticks([t for t, _ in ticks])
+    axes.set_xticklabels([text for _, text in ticks])
+    axes.minorticks_off()
+    axes.set_xlabel(x)
+    axes.set_ylabel(y)
+    axes.legend(fontsize=8)
+
+
+def step():
+    figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.1))
+    for k, (study, quantity, label) in enumerate([
+            ("damped", "kinetic", "damped impact: energy"),
+            ("oblique", "rotation", "oblique impact: rotation"),
+            ("elastic", "kinetic", "elastic impact: energy"),
+            ("bed", "rotation", "bed: rotation"), ("bed", "kinetic", "bed: energy")]):
+        line(left, k, [(n, e) for n, _, e in series(study, "step", quantity)], label)
+    logarithmic(left, "DEM step over the automatic one", "error, %",
+                [(2.0**k, "%g" % 2.0**k) for k in range(-3, 2)])
+    for k, (quantity, label) in enumerate([("kinetic", "kinetic energy"), ("force", "force on the plate"),
+                                           ("overlap", "overlap"), ("drop", "pressure drop")]):
+        line(right, k, [(0.4*n, e) for n, _, e in series("mueller", "interval", quantity)], label)
+    logarithmic(right, "fluid step, ms", "error, %", [(t, "%g" % t) for t in (0.1, 0.2, 0.4, 0.8)])
+    left.set_title("DEM step", fontsize=9)
+    right.set_title("fluid step: a bed that begins to move", fontsize=9)
+    save(figure, "step")
+
+
+def stiffness():
+    figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.1))
+    for k, (quantity, label) in enumerate([("height", "height, % of a diameter"),
+                                           ("drop", "pressure drop"),
+                                           ("void", "least void fraction")]):
+        line(left, k, [(1e7*n, e) for n, _, e in series("mueller", "stiffness", quantity)], label)
+    ticks = [(1e7*n, "%.2g MPa" % (10*n)) for n in (0.0625, 0.25, 1, 4)]
+    logarithmic(left, "Young's modulus", "error against hard beads, %", ticks)
+    base = [s for n, s, _ in series("mueller", "stiffness", "height") if n == 1][0]
+    line(right, 0, [(1e7*n, s/base) for n, s, _ in series("mueller", "stiffness", "height")],
+         "bed: fluid and particles")
+    base = [s for n, s, _ in series("oblique", "stiffness", "kinetic") if n == 1][0]
+    line(right, 1, [(1e7*n, s/base) for n, s, _ in series("oblique", "stiffness", "kinetic")
+                    if n <= 4], "particles alone")
+    logarithmic(right, "Young's modulus", "processor time over that at 10 MPa", ticks)
+    right.set_yticks([0.4, 0.5, 0.7, 1, 1.5])
+    right.set_yticklabels(["0.4", "0.5", "0.7", "1", "1.5"])
+    save(figure, "stiffness")
+
+
+def cells():
+    figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.1))
+    for k, (quantity, label) in enumerate([("drop", "pressure drop"),
+                                           ("force", "force on the plate")]):
+        line(left, k, [(2.25/n, e) for n, _, e in series("mueller", "mesh", quantity)], label)
+    logarithmic(left, "cell, diameters (kernel linear)", "error, %",
+                [(2.25/n, "%.2g" % (2.25/n)) for n in (0.5, 0.71, 1, 1.41)])
+    left.set_yticks([5, 10, 20])
+    left.set_yticklabels(["5", "10", "20"])
+    figure.subplots_adjust(wspace=0.35)
+    noise = rows(ROOT/"tests/coupled/noise/stored.csv")
+    kernels = ["gaussian", "diffusion", "linear", "divided", "particleCentre"]
+    for k, (scene, label) in enumerate([("sphere, step 2.5 ms", "cells of one size"),
+                                        ("sphere, cells 1 : 2", "cells 1 : 2"),
+                                        ("sphere, cells 1 : 8", "cells 1 : 8")]):
+        value = {r["kernel"]: 100*float(r["noise [1]"]) for r in noise if r["quantity"] == scene}
+        right.barh([n + 0.26*(1 - k) for n in range(len(kernels))], [value[n] for n in kernels],
+                   height=0.25, color=COLOURS[k], label=label)
+    right.set_yticks(range(len(kernels)))
+    right.set_yticklabels(kernels)
+    right.set_xscale("log")
+    right.set_xlim(right.get_xlim()[0], 3e4)
+    right.set_xlabel("noise of the pressure of a towed sphere, %")
+    right.legend(fontsize=8)
+    save(figure, "cells")
+
+
+def drag():
+    laws = ["gidaspow", "wenYu", "beetstra", "kochHill", "diFelice"]
+    figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.1),
+                                         gridspec_kw={"width_ratios": [2, 1]})
+    for k, law in enumerate(laws):
+        table = rows(BED/"softDrag"/law/"result.csv")
+        profiles = [r for r in table if r["quantity"] in ("voidFraction", "velocity")]
+        left.errorbar([n + 0.14*(k - 2) for n in range(len(profiles))],
+                      [float(r["rms"])/float(r["spread"]) for r in profiles],
+                      yerr=[float(r["ci95"])/float(r["spread"]) for r in profiles],
+                      color=COLOURS[k], marker=MARKS[k], ls="", capsize=2, label=law)
+        deviation = [r for r in table if r["quantity"] == "pressureDeviation"][0]
+        right.errorbar([float(deviation["rms"])], [k], xerr=[float(deviation["ci95"])],
+                       color=COLOURS[k], marker=MARKS[k], capsize=2)
+    left.axhline(1.0, color="#777777", lw=0.8)
+    left.set_ylim(0)
+    left.set_xticks(range(len(profiles)))
+    left.set_xticklabels(["%s\n%g mm" % ({"voidFraction": "void fraction"}.get(r["quantity"], "velocity"),
+                                        float(r["height_mm"])) for r in profiles], fontsize=8)
+    left.set_ylabel("difference from the measurement\nover that of a flat profile")
+    left.legend(fontsize=8)
+    right.set_yticks(range(len(laws)))
+    right.set_yticklabels(laws)
+    right.invert_yaxis()
+    right.set_xlabel("standard deviation of\nthe pressure drop, Pa")
+    figure.tight_layout()
+    save(figure, "drag")
+
+
+step()
+stiffness()
+cells()
+drag()
