@@ -1,6 +1,6 @@
 /*
  * cost_record.c -- `dem cost -record FILE GX GY GZ`: totals over all particles from the record of a
- * coupled run (docs/coupled-output.md, record), one line for each time.
+ * coupled run (docs/output.md, record), one line for each time.
  *
  *   time[s],particles,height[m],level[m],kinetic[m2/s2],diameter[m]
  *

@@ -4,7 +4,7 @@
     manual.py WORK [PAGE ...]        in a sourced environment; WORK is a folder for what runs write
 
 A comment directly before a block says how it is run; FOLDER is below the page's own folder in WORK,
-where the names of the repository's folders lead to the repository. $ROOT is the repository.
+where the names of the repository's folders lead to the repository, and drop.dem is the scene of docs/first-scene.md. $ROOT is the repository.
 
     <!-- run: FOLDER -->                    the shell commands run there, in the order of the page
     <!-- run: FOLDER; after: COMMAND -->    after a command that makes them short
@@ -113,6 +113,9 @@ class Manual:
     def __init__(self, work):
         self.work, self.number, self.failed = work, 0, 0
         self.counted, self.messages, self.helps = {}, None, {}
+        with open(os.path.join(ROOT, "docs", "first-scene.md"), encoding="utf-8") as page:
+            self.first = [b.text for b in blocks.of("", page.read())
+                          if b.marker == "test: first.dem"][0]
         self.foam = shutil.which("demPimpleFoam") and shutil.which("blockMesh")
 
     def folder(self, page):
@@ -121,6 +124,8 @@ class Manual:
             os.makedirs(path)
             for name in ("dem", "tests", "tutorials", "coupling", "solvers", "docs"):
                 os.symlink(os.path.join(ROOT, name), os.path.join(path, name))
+            with open(os.path.join(path, "drop.dem"), "w") as out:
+                out.write(self.first)
         return path
 
     def shell(self, text, folder, limit=LIMIT):
