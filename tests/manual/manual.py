@@ -178,8 +178,8 @@ class Manual:
         own = entries(re.sub(r"FoamFile[^\n]*\n", "", block.text) + more)
         settle = "start" in own
         base.pop("start")
-        if re.search(r"\bpatch \w", block.text):
-            base.pop("walls")                              # a patch that particles pass is none
+        if "materials" in own or re.search(r"\bpatch \w", block.text):
+            base.pop("walls")               # of another material; a patch that particles pass is none
         base.update(own)
         if "coupling" in own and "rho" not in own["coupling"]:
             base["coupling"] = own["coupling"].replace("{", "{ rho 1.2;", 1)
