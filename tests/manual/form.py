@@ -3,10 +3,12 @@
 
 The first sentence says what the reader can do after it ("After this page you ..."). Within two
 screens (60 lines) there is code, a formula or a picture. No line is longer than 120 characters, but
-in code, tables and links. docs/README.md links every page.
+in code, tables and links. docs/README.md links every page. The column Suna of the table of
+docs/validation.md has numbers of the stored results of the case.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import csv
 import glob
 import os
 import re
@@ -33,10 +35,37 @@ def faults(name, text, index):
     return found
 
 
+def validation(text):
+    """Rows of the table of docs/validation.md whose number no stored result of the case has."""
+    table = text.split("<!-- numbers of stored results -->")[1].split("<!-- end")[0]
+    found, stored = [], []
+    for row in table.strip().split("\n")[2:]:
+        cells = [cell.strip() for cell in row.strip("|").split("|")]
+        case = re.match(r"\[(\w+)\]", cells[0])
+        if case:
+            stored = []
+            folder = os.path.join(ROOT, "tutorials", case.group(1), "stored")
+            for path in glob.glob(os.path.join(folder, "result*.csv")):
+                with open(path, newline="") as file:
+                    stored += [cell for line in csv.reader(file) for cell in line]
+        value = cells[3].strip("*")
+        digits = len(value.partition(".")[2])
+        for cell in stored:
+            try:
+                if any("%.*f" % (digits, scale*float(cell) + shift) == value
+                       for scale in (1, 1000) for shift in (-1e-9, 1e-9)):
+                    break
+            except ValueError:
+                pass
+        else:
+            found.append("no stored result rounds to that of: " + row)
+    return found
+
+
 def main():
     pages, failed = sorted(glob.glob(os.path.join(ROOT, "docs", "*.md"))), 0
     index = open(os.path.join(ROOT, "docs", "README.md"), encoding="utf-8").read()
-    print("1..%d" % len(pages))
+    print("1..%d" % (len(pages) + 1))
     for number, page in enumerate(pages, 1):
         name = os.path.basename(page)
         found = faults(name, open(page, encoding="utf-8").read(), index)
@@ -44,7 +73,12 @@ def main():
         for sentence in found:
             print("#   " + sentence)
         failed += bool(found)
-    return failed > 0
+    found = validation(open(os.path.join(ROOT, "docs", "validation.md"), encoding="utf-8").read())
+    print("%s %d - the table of docs/validation.md has the numbers of the stored results" %
+          ("not ok" if found else "ok", len(pages) + 1))
+    for sentence in found:
+        print("#   " + sentence)
+    return failed > 0 or bool(found)
 
 
 if __name__ == "__main__":
