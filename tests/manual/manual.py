@@ -34,6 +34,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import time
 
 import blocks
 
@@ -87,7 +88,7 @@ class Messages:
         text = ""
         for folder in ("dem", "coupling", "solvers", "tests", "tutorials"):
             for path, names, files in os.walk(os.path.join(ROOT, folder)):
-                names[:] = [n for n in names if n not in ("build", "lnInclude", "stored", "beds")]
+                names[:] = [n for n in names if n not in ("build", "lnInclude", "stored", "beds", "manual")]
                 for name in files:
                     if re.search(r"\.([cCHh]|py|sh)$|^(All)?run$|^demProgress$|^study$", name):
                         own = open(os.path.join(path, name), encoding="utf-8",
@@ -360,7 +361,7 @@ class Manual:
 
     def check(self, block):
         self.number += 1
-        kind, bad, skipped = "?", None, None
+        kind, bad, skipped, began = "?", None, None, time.monotonic()
         try:
             kind, rest = self.kind(block)
             skipped = self.run(block, kind, rest)
@@ -372,6 +373,8 @@ class Manual:
         self.counted[kind] = self.counted.get(kind, 0) + 1
         print("%s %d - %s:%d %s%s" % ("not ok" if bad else "ok", self.number, block.page, block.line,
                                       what, " # SKIP " + skipped if skipped else ""), flush=True)
+        if time.monotonic() - began > 5.0:
+            print("# that took %.0f s" % (time.monotonic() - began), flush=True)
         if bad:
             self.failed += 1
             print("\n".join("#   " + line for line in bad.split("\n")), flush=True)
