@@ -1,5 +1,5 @@
 """dem_case.py -- functions shared by the cases of the program dem: its files, intervals,
-result.csv, the table in README.md.
+result.csv, the table in results.md.
 
 Interval        95 %, Student's t: of independent runs (seeds), or of blocks of time of one run.
 Each case says which. result.csv      a row a quantity: quantity, where, reference, value, ci95,
@@ -98,7 +98,7 @@ def blocks(values, number):
 # ---- results -------------------------------------------------------------------------------------
 
 class Result:
-    """Rows of result.csv, which are also those of the table in README.md."""
+    """Rows of result.csv, which are also those of the table in results.md."""
 
     def __init__(self):
         self.rows = []
@@ -121,7 +121,7 @@ class Result:
 
 
 def table(path):
-    """result.csv as a table of README.md."""
+    """result.csv as a table of results.md."""
     lines = ["| | | reference | Suna | 95 % | |", "|---|---|---|---|---|---|"]
     with open(path, newline="") as file:
         for row in csv.DictReader(file):
@@ -133,15 +133,15 @@ def table(path):
 
 def store(text, *files, name="table", result="result.csv"):
     """Keep files of this run in stored/, its result.csv under the name `result`, and put its table
-    into README.md where <!-- name --> is, under a
+    into results.md where <!-- name --> is, under a
 line with the run and the machine."""
     Path("stored").mkdir(exist_ok=True)
     shutil.copy("result.csv", Path("stored", result))
     for file in files:
         shutil.copy(file, "stored")
-    readme = Path("README.md")
-    before, found, rest = readme.read_text().partition(f"<!-- {name} -->\n")
+    page = Path("results.md")
+    before, found, rest = page.read_text().partition(f"<!-- {name} -->\n")
     if not found:
-        sys.exit(f"store: README.md has no line <!-- {name} -->")
+        sys.exit(f"store: results.md has no line <!-- {name} -->")
     after = rest.partition("<!-- end -->")[2]
-    readme.write_text(f"{before}{found}{text}:\n\n{table('result.csv')}\n<!-- end -->{after}")
+    page.write_text(f"{before}{found}{text}:\n\n{table('result.csv')}\n<!-- end -->{after}")

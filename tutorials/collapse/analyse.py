@@ -2,7 +2,7 @@
 """analyse.py -- run-out and height of collapsed columns over their aspect ratio, against measured
 scalings.
 
-    analyse.py [-store "text"]       result.csv, collapse.png (rolling.png of -rolling); with -store also stored/ and its table in README.md
+    analyse.py [-store "text"]       result.csv, collapse.png (rolling.png of -rolling); with -store also stored/ and its table in results.md
 
 Height of the deposit h(x): volume of the beads in slices of one diameter over slice and solid
 fraction of the column at rest. Run-out: where h, seen from the back wall, falls below one diameter

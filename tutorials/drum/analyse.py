@@ -2,7 +2,7 @@
 """analyse.py -- velocity across the bed of a drum, slope of its surface, torque: against measured
 ones and the balance of angular momentum.
 
-    analyse.py [-store "text"]       result.csv, drum.png; with -store also stored/ and the table of README.md
+    analyse.py [-store "text"]       result.csv, drum.png; with -store also stored/ and the table of results.md
 
 All from the means over blocks of time (block1.csv ...) and walls.csv; intervals 95 % from these
 blocks. Surface         where the solid fraction falls through 0.3, column by column; a straight

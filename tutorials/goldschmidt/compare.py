@@ -3,7 +3,7 @@
 and cost.
 
     compare.py WINDOW [-store "text"]    of runs/WINDOW.CODE.STEPS.DELTAT; runs/result.WINDOW.csv, runs/WINDOW.png; with -store
-                                         also stored/ and README.md
+                                         also stored/ and results.md
 
 CODE is dpm or suna, STEPS those in a contact, DELTAT the time step of the gas. The run of each code
 with most steps is what its others are held against.
@@ -202,13 +202,13 @@ def store(text, window, rows, sentences):
     Path("stored").mkdir(exist_ok=True)
     for file in (f"result.{window}.csv", f"{window}.png"):
         Path("stored", file).write_bytes(Path("runs", file).read_bytes())
-    readme = Path("README.md")
-    before, found, rest = readme.read_text().partition(f"<!-- {window} -->\n")
+    page = Path("results.md")
+    before, found, rest = page.read_text().partition(f"<!-- {window} -->\n")
     if not found:
-        sys.exit(f"compare.py: README.md has no line <!-- {window} -->")
+        sys.exit(f"compare.py: results.md has no line <!-- {window} -->")
     after = rest.partition("<!-- end -->")[2]
     listing = "\n".join(f"- {sentence}" for sentence in sentences)
-    readme.write_text(f"{before}{found}{text}:\n\n{table(rows)}\n\n{listing}\n<!-- end -->{after}")
+    page.write_text(f"{before}{found}{text}:\n\n{table(rows)}\n\n{listing}\n<!-- end -->{after}")
 
 
 def main():

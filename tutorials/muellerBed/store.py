@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""store.py -- copy the results of a run to stored/ and write its table into README.md.
+"""store.py -- copy the results of a run to stored/ and write its table into results.md.
 
     store.py CASE "10 s, 2 cores of ..., DATE" [NAME]
 
@@ -82,13 +82,13 @@ def keep(case, folder):
 
 
 def put(name, new):
-    """Write a table into README.md at its marker."""
-    readme = HERE/"README.md"
+    """Write a table into results.md at its marker."""
+    page = HERE/"results.md"
     head = f"<!-- table {name}".rstrip() + " -->\n"
-    text = readme.read_text()
+    text = page.read_text()
     if head not in text:
-        sys.exit(f"store: README.md has no line {head}")
-    readme.write_text(re.sub(rf"({head}).*?(<!-- end -->)",
+        sys.exit(f"store: results.md has no line {head}")
+    page.write_text(re.sub(rf"({head}).*?(<!-- end -->)",
                              lambda m: m.group(1) + new + "\n" + m.group(2), text,
                              flags=re.DOTALL))
 

@@ -2,7 +2,7 @@
 """analyse.py -- restitution in liquids over the Stokes number, and the trajectory of a bouncing
 sphere, against measurements.
 
-    analyse.py [-store "text"]       result.csv, rebound.png; with -store also stored/ and the table of README.md
+    analyse.py [-store "text"]       result.csv, rebound.png; with -store also stored/ and the table of results.md
 
 Stokes number   St = rho_p d v/(9 mu) of the impact
 Computed e      speed of parting over speed of impact, with nothing but the contact (and the film)

@@ -2,7 +2,7 @@
 """analyse.py -- slope of the heaps on the plate over friction and rolling friction, against Zhou et
 al. (2002).
 
-    analyse.py [-store "text"]       result.csv, repose.png; with -store also stored/ and the table of README.md
+    analyse.py [-store "text"]       result.csv, repose.png; with -store also stored/ and the table of results.md
 
 Height          volume of the spheres in slices of one diameter over slice and a solid fraction of
 0.57 (what it is shifts the slope's tangent

@@ -3,7 +3,7 @@
 storing them.
 
     results.py CASE "COMMAND"      keep result.csv and the pictures of CASE in CASE/stored and put the table into its
-                                   README.md, with date, kind of machine, commit, command and processor time
+                                   results.md, with date, kind of machine, commit, command and processor time
 
 A row: part, quantity, reference, ours, interval (half the width at 95 %; none where a run has
 nothing of chance), allowed (largest relative difference; none where the row is only told) and the
@@ -155,10 +155,10 @@ def store(case, command):
     today = datetime.date.today()
     head = (f"`{command}`, {today.day} {today:%B %Y}, {kind_of_machine()} that other programs used too, commit {commit}, "
             f"{processor_time(case):.0f} s of processor:\n\n")
-    readme = case/"README.md"
-    readme.write_text(re.sub(r"(<!-- table -->\n).*?(<!-- end -->)",
+    page = case/"results.md"
+    page.write_text(re.sub(r"(<!-- table -->\n).*?(<!-- end -->)",
                              lambda m: m.group(1) + head + markdown(rows) + "\n" + m.group(2),
-                             readme.read_text(), flags=re.DOTALL))
+                             page.read_text(), flags=re.DOTALL))
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 """analyse.py -- discharged mass over time, and the rate over the width of the slot, against Anand
 et al. and Beverloo's law.
 
-    analyse.py [-store "text"]       result.csv, silo.png; with -store also stored/ and the table of README.md
+    analyse.py [-store "text"]       result.csv, silo.png; with -store also stored/ and the table of results.md
 
 Rate            straight line through the mass that is out from 0.15 s to 0.45 s after the
                 opening (0.1 s to 0.25 s in the short form), when the flow is steady and the slot still covered
