@@ -75,6 +75,7 @@ Description
 #include "demStop.H"
 #include "demTrial.H"
 #include "fixedFlux.H"
+#include "fluidBudget.H"
 #include "cellVector.H"
 #include "halfCellMean.H"
 #include "faceVector.H"
@@ -182,7 +183,21 @@ int main(int argc, char *argv[])
         #include "fluidEquations.H"
         #include "continuity.H"
         cloud.correct(U, gradP);
-        #include "budget.H"
+        if (cloud.budget().on())
+        {
+            budget.endStep
+            (
+                p,
+                (
+                    toCells(netForcef)().primitiveField()
+                  + remainder.primitiveField()
+                  + drag.primitiveField()
+                   *(Us.primitiveField() - U.primitiveField())
+                )(),
+                cloud.toFluid(),
+                dsdt
+            );
+        }
 
         if (!stop.atStepEnd(runTime))
         {

@@ -1,0 +1,272 @@
+/*---------------------------------------------------------------------------*\
+    fluidBudget.C -- terms of the fluid's budget, from the matrix and the patches.
+
+    Part of Suna, CFD-DEM for OpenFOAM.
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+    Suna is free software: you can redistribute it and/or modify it under the
+    terms of the GNU General Public License as published by the Free Software
+    Foundation, either version 3 of the License, or (at your option) any later
+    version. It comes without any warranty; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fluidBudget.H"
+#include "fixedFlux.H"
+#include "fvc.H"
+#include "fvm.H"
+#include "emptyFvPatch.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Patches that exist on all ranks
+static bool isCounted(const fvPatch& patch)
+{
+    return !patch.coupled() && !isA<emptyFvPatch>(patch);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fluidBudget::keepFluxes()
+{
+    continuityDefect_ = fvc::ddt(voidFraction_)().primitiveField();
+    continuityDefect_ += fvc::div(alphaPhi_)().primitiveField();
+
+    forAll(fluxes_, patchi)
+    {
+        fluxes_[patchi] = alphaPhi_.boundaryField()[patchi];
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::fluidBudget::fluidBudget
+(
+    demBudget& budget,
+    const volVectorField& U,
+    const volScalarField& voidFraction,
+    const surfaceScalarField& alphaPhi,
+    const scalar rho
+)
+:
+    budget_(budget),
+    U_(U),
+    voidFraction_(voidFraction),
+    alphaPhi_(alphaPhi),
+    rho_(rho),
+    explicitStress_(mesh().boundary().size(), Zero),
+    fluxes_(mesh().boundary().size()),
+    flow_(mesh().boundary().size(), Zero),
+    stress_(mesh().boundary().size(), Zero),
+    continuity_(Zero),
+    iterations_(Zero)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fluidBudget::beforePredictor(const volScalarField& nuEff)
+{
+    if (!budget_.on())
+    {
+        return;
+    }
+    keepFluxes();
+
+    const volTensorField stress(nuEff*dev2(T(fvc::grad(U_))));
+
+    forAll(fluxes_, patchi)
+    {
+        if (isCounted(mesh().boundary()[patchi]))
+        {
+            explicitStress_[patchi] = gSum
+            (
+                (
+                    mesh().Sf().boundaryField()[patchi]
+                  & stress.boundaryField()[patchi]
+                )()
+            );
+        }
+    }
+}
+
+
+void Foam::fluidBudget::beforePredictor
+(
+    const volSymmTensorField& stress,
+    const fvVectorMatrix& divStress
+)
+{
+    if (!budget_.on())
+    {
+        return;
+    }
+    keepFluxes();
+
+    forAll(fluxes_, patchi)
+    {
+        if (isCounted(mesh().boundary()[patchi]))
+        {
+            // The rest of it is in the coefficients
+            explicitStress_[patchi] = gSum
+            (
+                (
+                    (
+                        mesh().Sf().boundaryField()[patchi]
+                      & stress.boundaryField()[patchi]
+                    )
+                  + cmptMultiply
+                    (
+                        divStress.internalCoeffs()[patchi],
+                        U_.boundaryField()[patchi].patchInternalField()
+                    )
+                  - divStress.boundaryCoeffs()[patchi]
+                )()
+            );
+        }
+    }
+}
+
+
+// The coefficients of a patch in UEqn contain convection and stress together;
+// convection is alphaPhi U of the patch, stress the difference
+void Foam::fluidBudget::afterCorrector
+(
+    fvVectorMatrix& UEqn,
+    const volScalarField& A,
+    const volVectorField& H,
+    const fixedFlux& fixed
+)
+{
+    if (!budget_.on())
+    {
+        return;
+    }
+
+    const scalarField& V = mesh().V();
+
+    forAll(fluxes_, patchi)
+    {
+        if (!isCounted(mesh().boundary()[patchi]))
+        {
+            continue;
+        }
+
+        const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+        const vectorField convectionAndStress
+        (
+            cmptMultiply(UEqn.internalCoeffs()[patchi], Up.patchInternalField())
+          - UEqn.boundaryCoeffs()[patchi]
+        );
+        vectorField convection(fluxes_[patchi]*Up);
+
+        if (fixed.at(patchi))
+        {
+            convection = fluxes_[patchi]*fixed.inner(patchi, Up);
+        }
+
+        flow_[patchi] = -gSum(convection);
+        stress_[patchi] =
+            explicitStress_[patchi] - gSum(convectionAndStress) - flow_[patchi];
+    }
+
+    continuity_ = gSum((V*continuityDefect_*U_.primitiveField())());
+
+    // Residual of the momentum equation for the corrected velocity
+    const volVectorField residual((UEqn & U_) - A*U_ + H);
+    iterations_ = gSum((V*residual.primitiveField())());
+}
+
+
+void Foam::fluidBudget::endStep
+(
+    const volScalarField& p,
+    const vectorField& ofFaces,
+    const vector& toFluid,
+    const volScalarField& dsdt
+)
+{
+    const scalar deltaT = mesh().time().deltaTValue(), rhoDeltaT = rho_*deltaT;
+    const scalarField& V = mesh().V();
+    const vectorField& u = U_;
+    const scalarField& e = voidFraction_;
+
+    vector faces(rhoDeltaT*gSum((V*ofFaces)()) - toFluid);
+
+    budget_.state(demBudget::VOLUME, "fluid", gSum((V*e)()));
+    budget_.state
+    (
+        demBudget::ENERGY,
+        "fluid",
+        0.5*rho_*gSum((V*e*magSqr(u))())
+    );
+
+    forAll(mesh().boundary(), patchi)
+    {
+        const fvPatch& patch = mesh().boundary()[patchi];
+
+        if (!isCounted(patch))
+        {
+            continue;
+        }
+
+        const scalarField& flux = alphaPhi_.boundaryField()[patchi];
+        const scalarField& pp = p.boundaryField()[patchi];
+        const vectorField& Up = U_.boundaryField()[patchi];
+        const vector pressureImpulse(-rhoDeltaT*gSum((patch.Sf()*pp)()));
+
+        faces -= pressureImpulse;
+
+        budget_.gain("flow:" + patch.name(), rhoDeltaT*flow_[patchi]);
+        budget_.gain("stress:" + patch.name(), rhoDeltaT*stress_[patchi]);
+        budget_.gain("pressure:" + patch.name(), pressureImpulse);
+        budget_.gain
+        (
+            demBudget::VOLUME,
+            "flow:" + patch.name(),
+            -deltaT*gSum(flux)
+        );
+        budget_.gain
+        (
+            demBudget::ENERGY,
+            "flow:" + patch.name(),
+            -rhoDeltaT*gSum((0.5*flux*magSqr(Up))())
+        );
+        budget_.gain
+        (
+            demBudget::ENERGY,
+            "pressure:" + patch.name(),
+            -rhoDeltaT*gSum((pp*flux)())
+        );
+    }
+
+    budget_.gain("continuity", rhoDeltaT*continuity_);
+    budget_.gain("iterations", rhoDeltaT*iterations_);
+    budget_.gain("faces", faces);
+    budget_.gain
+    (
+        demBudget::VOLUME,
+        "continuity",
+        deltaT
+       *gSum
+        (
+            (
+                V
+               *(
+                    fvc::div(alphaPhi_)().primitiveField()
+                  - dsdt.primitiveField()
+                )
+            )()
+        )
+    );
+    budget_.endStep();
+}
+
+// ************************************************************************* //
