@@ -9,7 +9,6 @@
 #include "diagnostics/bonds.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "core/sort.h"
 #include "parallel/collect.h"
 #include "core/vec.h"
 #include "simulation/dem_state.h"
@@ -108,19 +107,11 @@ int dem_bonds_collect(struct dem_bonds *b, const struct dem_decomposition *q, in
     const struct dem_collect_items own =
         {"broken bonds since the last output (write bonds more often)", b->broken, b->n,
          sizeof *b->broken};
-    size_t total;
-    void *all;
+    void *all = b->all;
 
-    *n = 0;
-    DEM_TRY(dem_collect_gather(q, DEM_OK, &own, &all, &total));
+    DEM_TRY(dem_collect_records(q, &own, by_time_and_ids, &all, n));
+    b->all = all;
     b->n = 0;
-    if (total > 0)
-    {
-        dem_memory_free(b->all);
-        b->all = all;
-        dem_sort_by(b->all, total, sizeof *b->all, by_time_and_ids);
-    }
-    *n = (int64_t)total;
     return DEM_OK;
 }
 

@@ -6,7 +6,6 @@
 #include "diagnostics/lost_particles.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "core/sort.h"
 #include "parallel/collect.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -51,18 +50,10 @@ int dem_lost_particles_collect(struct dem_lost_particles *l, const struct dem_de
     const struct dem_collect_items own =
         {"lost particles since the last output (write output more often)", l->loss, l->n,
          sizeof *l->loss};
-    size_t total;
-    void *all;
+    void *all = l->all;
 
-    *n = 0;
-    DEM_TRY(dem_collect_gather(q, DEM_OK, &own, &all, &total));
+    DEM_TRY(dem_collect_records(q, &own, by_time_and_id, &all, n));
+    l->all = all;
     l->n = 0;
-    if (total > 0)
-    {
-        dem_memory_free(l->all);
-        l->all = all;
-        dem_sort_by(l->all, total, sizeof *l->all, by_time_and_id);
-    }
-    *n = (int64_t)total;
     return DEM_OK;
 }

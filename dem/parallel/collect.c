@@ -5,6 +5,7 @@
  */
 #include "parallel/collect.h"
 #include "core/memory.h"
+#include "core/sort.h"
 #include "parallel/mpi_error.h"
 #include <limits.h>
 #include <stdio.h>
@@ -209,5 +210,23 @@ int dem_collect_gather(const struct dem_decomposition *d, int status,
     }
     *all = items;
     *total = n;
+    return DEM_OK;
+}
+
+int dem_collect_records(const struct dem_decomposition *d, const struct dem_collect_items *own,
+                        int (*compare)(const void *, const void *), void **all, int64_t *total)
+{
+    size_t n;
+    void *records;
+
+    *total = 0;
+    DEM_TRY(dem_collect_gather(d, DEM_OK, own, &records, &n));
+    if (n > 0)
+    {
+        dem_memory_free(*all);
+        *all = records;
+        dem_sort_by(records, n, own->size, compare);
+    }
+    *total = (int64_t)n;
     return DEM_OK;
 }

@@ -62,4 +62,9 @@ struct dem_collect_items         /* what a rank gives */
 int dem_collect_gather(const struct dem_decomposition *, int status,
                        const struct dem_collect_items *, void **all, size_t *total);
 
+/* The same in the order of `compare` (as qsort's), for records that are collected now and then: when there are any, they
+   replace the array *all. `total` is 0 on failure. */
+int dem_collect_records(const struct dem_decomposition *, const struct dem_collect_items *,
+                        int (*compare)(const void *, const void *), void **all, int64_t *total);
+
 #endif
