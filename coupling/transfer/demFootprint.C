@@ -15,7 +15,7 @@ Foam::demFootprint::demFootprint
 (
     const fvMesh& mesh,
     const demLocator& locator,
-    const demKernel& kernel
+    const demCellIntegral& kernel
 )
 :
     mesh_(mesh),

@@ -26,6 +26,9 @@ namespace Foam
 
     // Value of the Gaussian at the cut-off, in 1/b'^3
     static const scalar atCutoff = std::exp(-sqr(cutoff))/std::pow(constant::mathematical::pi, 1.5);
+
+    defineTypeNameAndDebug(demGaussianKernel, 0);
+    addToRunTimeSelectionTable(demKernel, demGaussianKernel, parts);
 }
 
 
@@ -85,17 +88,29 @@ void Foam::demGaussianKernel::measure(const label celli)
 }
 
 
-Foam::demGaussianKernel::demGaussianKernel(const fvMesh& mesh, const scalar width)
+Foam::demGaussianKernel::demGaussianKernel(const parts& p)
 :
-    mesh_(mesh),
-    b_(width/std::sqrt(varianceRatio)),
-    axes_(mesh.nCells()),
-    half_(mesh.nCells())
+    demFootprintKernel(p),
+    b_(0),
+    axes_(mesh_.nCells()),
+    half_(mesh_.nCells())
 {
+    if (p.coupling.getOrDefault<scalar>("width", 1) == 0)
+    {
+        FatalIOErrorInFunction(p.coupling)
+            << "coupling/width 0 is no width for kernel gaussian; give its width in particle"
+            << " diameters, 3 for example" << exit(FatalIOError);
+    }
     forAll(half_, celli)
     {
         measure(celli);
     }
+}
+
+
+void Foam::demGaussianKernel::setWidth(const scalar, const scalar b)
+{
+    b_ = b/std::sqrt(varianceRatio);
 }
 
 

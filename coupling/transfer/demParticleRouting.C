@@ -209,14 +209,4 @@ void Foam::demParticleRouting::searchAll()
 }
 
 
-void Foam::demParticleRouting::toCentres()
-{
-    for (demCellLocation& location : locations_)
-    {
-        location.wCell = 1;
-        location.wFace = location.wp = location.wq = 0;
-    }
-}
-
-
 // ************************************************************************* //

@@ -16,14 +16,17 @@ namespace Foam
     // counts as plane. The error is that fraction of a sphere at most and is
     // removed when the weights are normalised.
     static const scalar planeTolerance = 1e-9;
+
+    defineTypeNameAndDebug(demSphereKernel, 0);
+    addToRunTimeSelectionTable(demKernel, demSphereKernel, parts);
 }
 
 
-Foam::demSphereKernel::demSphereKernel(const fvMesh& mesh)
+Foam::demSphereKernel::demSphereKernel(const parts& p)
 :
-    mesh_(mesh),
-    plane_(mesh.nFaces(), true),
-    faceMean_(mesh.nFaces(), Zero)
+    demFootprintKernel(p),
+    plane_(mesh_.nFaces(), true),
+    faceMean_(mesh_.nFaces(), Zero)
 {
     forAll(plane_, facei)
     {

@@ -9,88 +9,40 @@
 
 #include "demTransfer.H"
 #include "demCheck.H"
-#include "demSphereKernel.H"
-#include "demGaussianKernel.H"
 #include "demSlidingInterface.H"
 
-namespace Foam
+void Foam::demTransfer::read()
 {
-    // Mean variance of the linear weights over the square of the distance between
-    // cell centres, beyond that of a cell value as a mean over the cell. In one
-    // direction the points, edges and faces of a box are half a cell from its centre
-    // and have 3/4 of the weight on the mean, the centre 1/4. That gives 3/8, less
-    // 1/12 for the particle's position in the cell and 1/12 for the size of the cell.
-    static const scalar linearVariance = 5.0/24.0;
-}
+    width_ = kernel_().uses("width") ? coupling_.getOrDefault<scalar>("width", 3) : 0;
+    minVoidFraction_ = coupling_.getOrDefault<scalar>("minVoidFraction", 0.2);
 
-
-void Foam::demTransfer::check
-(
-    const dictionary& coupling,
-    const char* name,
-    const bool used
-) const
-{
-    if (!used && coupling.found(name))
+    for (const char* entry : {"base", "width", "diameter"})
     {
-        FatalIOErrorInFunction(coupling)
-            << "coupling/" << name << " is a setting of the smoothing, which kernel "
-            << coupling.get<word>("kernel") << " does not have; take it out,"
-            << " or use kernel diffusion" << exit(FatalIOError);
+        if (!kernel_().uses(entry) && coupling_.found(entry))
+        {
+            FatalIOErrorInFunction(coupling_)
+                << "coupling/" << entry << " is a setting of the smoothing, which kernel "
+                << kernel_().type() << " does not have; take it out,"
+                << " or use kernel diffusion" << exit(FatalIOError);
+        }
     }
-}
-
-
-void Foam::demTransfer::read(const dictionary& coupling)
-{
-    // in the order of enum base
-    const wordList bases({"linear", "particleCentre", "divided", "gaussian"});
-    const wordList kernels({"diffusion", bases[0], bases[1], bases[2], bases[3]});
-    const word kernel(coupling.getOrDefault<word>("kernel", "diffusion"));
-    const word base(coupling.getOrDefault<word>("base", "linear"));
-
-    if (!kernels.found(kernel))
+    if (width_ < 0)
     {
-        demUnknown(coupling, "coupling", "kernel", kernel, kernels);
+        FatalIOErrorInFunction(coupling_)
+            << "coupling/width " << width_ << " is negative; give the width in particle"
+            << " diameters, 3 for example, 0 for no smoothing" << exit(FatalIOError);
     }
-    if (!bases.found(base) || base == "gaussian")
+    if (coupling_.getOrDefault<scalar>("diameter", 1) <= 0)
     {
-        demUnknown(coupling, "coupling", "base", base, SubList<word>(bases, 3));
-    }
-
-    smooths_ = kernel == "diffusion";
-    base_ = static_cast<enum base>(bases.find(smooths_ ? base : kernel));
-    width_ = coupling.getOrDefault<scalar>("width", 3);
-    minVoidFraction_ = coupling.getOrDefault<scalar>("minVoidFraction", 0.2);
-
-    check(coupling, "base", smooths_);
-    check(coupling, "width", smooths_ || base_ == GAUSSIAN);
-    check(coupling, "diameter", smooths_ || base_ == GAUSSIAN);
-
-    if (width_ < 0 || (width_ == 0 && base_ == GAUSSIAN))
-    {
-        FatalIOErrorInFunction(coupling)
-            << "coupling/width " << width_
-            << (width_ < 0 ? " is negative; give the"
-              : " is no width for kernel gaussian; give its")
-            << " width in particle diameters, 3 for example"
-            << (width_ < 0 ? ", 0 for no smoothing" : "") << exit(FatalIOError);
-    }
-    if (coupling.getOrDefault<scalar>("diameter", 1) <= 0)
-    {
-        FatalIOErrorInFunction(coupling)
-            << "coupling/diameter is " << coupling.get<scalar>("diameter")
+        FatalIOErrorInFunction(coupling_)
+            << "coupling/diameter is " << coupling_.get<scalar>("diameter")
             << " m; it must be positive" << exit(FatalIOError);
     }
     if (minVoidFraction_ <= 0 || minVoidFraction_ >= 1)
     {
-        FatalIOErrorInFunction(coupling)
+        FatalIOErrorInFunction(coupling_)
             << "coupling/minVoidFraction " << minVoidFraction_ << " is out of"
             << " range; give a number above 0 and below 1, 0.2 for example" << exit(FatalIOError);
-    }
-    if (!smooths_ && base_ != GAUSSIAN)
-    {
-        width_ = 0;
     }
 }
 
@@ -98,57 +50,19 @@ void Foam::demTransfer::read(const dictionary& coupling)
 void Foam::demTransfer::build()
 {
     routing_.clear();
-    footprint_.clear();
+    kernel_.clear();
     if (demSlidingInterface::any(mesh_))
     {
         interface_.reset(new demSlidingInterface(mesh_));
     }
     locator_.reset(new demLocator(mesh_, outlets_, interface_.get()));
     routing_.reset(new demParticleRouting(mesh_, locator_()));
-    weights_.clear();
-    if (base_ == LINEAR || base_ == CENTRE)
-    {
-        weights_.reset(new demLinearWeights(mesh_, interface_.get()));
-        if (evens())
-        {
-            weights_().setEven();
-        }
-    }
-    smoother_.reset(new demSmoother(mesh_, wedge_.get(), interface_.get()));
+    kernel_ = demKernel::New
+    (
+        {mesh_, coupling_, locator_(), wedge_.get(), interface_.get()}, "kernel", "diffusion"
+    );
     limiter_.reset(new demOverpackingLimiter(mesh_, interface_.get()));
-    setWidths();
-}
-
-
-void Foam::demTransfer::setWidths()
-{
-    if (smooths_)
-    {
-        smoother_().setWidth
-        (
-            width_*diameter_,
-            base_ == LINEAR ? linearVariance : 0,
-            base_ == DIVIDED ? demSphereKernel::variance*sqr(0.5*diameter_) : 0
-        );
-    }
-    footprint_.clear();
-    kernel_.clear();
-    if (base_ == DIVIDED)
-    {
-        kernel_.reset(new demSphereKernel(mesh_));
-    }
-    else if (base_ == GAUSSIAN && diameter_ > 0)
-    {
-        kernel_.reset(new demGaussianKernel(mesh_, width_*diameter_));
-    }
-    if (kernel_.valid() && wedge_.valid())
-    {
-        kernel_.reset(new demRingKernel(wedge_(), kernel_.ptr()));
-    }
-    if (kernel_.valid())
-    {
-        footprint_.reset(new demFootprint(mesh_, locator_(), kernel_()));
-    }
+    kernel_().setWidth(diameter_, width_*diameter_);
 }
 
 
@@ -160,20 +74,19 @@ Foam::demTransfer::demTransfer
 )
 :
     mesh_(mesh),
+    coupling_(coupling),
     outlets_(outlets),
-    base_(LINEAR),
     width_(0),
-    smooths_(false),
     minVoidFraction_(0),
     diameter_(0)
 {
-    read(coupling);
     demSlidingInterface::check(mesh);
     if (demWedge::is(mesh))
     {
         wedge_.reset(new demWedge(mesh));
     }
     build();
+    read();
 }
 
 
@@ -191,7 +104,7 @@ void Foam::demTransfer::setDiameter(const scalar d)
     if (d != diameter_)
     {
         diameter_ = d;
-        setWidths();
+        kernel_().setWidth(diameter_, width_*diameter_);
     }
 }
 
@@ -199,11 +112,7 @@ void Foam::demTransfer::setDiameter(const scalar d)
 // From the smallest cell of the mesh; no search for the cell of each particle
 Foam::scalar Foam::demTransfer::surfaceLayer() const
 {
-    return
-        width_ > 0 ? width_*diameter_
-      : base_ == LINEAR ? 0.5*std::cbrt(gAverage(mesh_.V().field()))
-      : base_ == DIVIDED ? 0.5*diameter_
-      : 0;
+    return width_ > 0 ? width_*diameter_ : kernel_().surfaceLayer(diameter_);
 }
 
 
@@ -246,28 +155,9 @@ Foam::demParticleRouting::lostParticles Foam::demTransfer::locate
     {
         return outside;
     }
-    if (base_ == CENTRE)
-    {
-        routing_().toCentres();
-    }
-    updateFootprints(view);
+    kernel_().update(view, routing_());
     updateDamping();
     return outside;
-}
-
-
-void Foam::demTransfer::updateFootprints(const demView& view)
-{
-    if (footprint_.valid())
-    {
-        scalarList radius(routing_().nParticles());
-        forAll(radius, i)
-        {
-            radius[i] = *dem_at(view.radius, view.stride, i);
-        }
-        routing_().toMesh(radius);
-        footprint_().update(routing_().locations(), radius);
-    }
 }
 
 
@@ -286,17 +176,10 @@ void Foam::demTransfer::updateDamping()
 
 
 template<class Type>
-Foam::tmp<Foam::Field<Type>> Foam::demTransfer::gather(const UList<Type>& cells) const
+Foam::tmp<Foam::Field<Type>> Foam::demTransfer::gather(UList<Type>& cells) const
 {
     tmp<Field<Type>> tvalues(new Field<Type>(routing_().locations().size()));
-    if (footprint_.valid())
-    {
-        footprint_().collect(cells, tvalues.ref());
-    }
-    else if (weights_.valid())
-    {
-        weights_().collect(routing_().locations(), cells, tvalues.ref());
-    }
+    kernel_().collect(routing_().locations(), cells, tvalues.ref());
     routing_().toParticles(tvalues.ref());
     return tvalues;
 }
@@ -307,11 +190,7 @@ Foam::tmp<Foam::Field<Type>> Foam::demTransfer::sample(const UList<Type>& cells)
 {
     Field<Type> smooth(cells);
     limiter_().collect(smooth);
-    smoother_().smooth(smooth);
-    if (evens())
-    {
-        weights_().evenAdjoint(smooth);
-    }
+    kernel_().smooth(smooth);
 
     tmp<Field<Type>> tvalues(gather<Type>(smooth));
     if (wedge_.valid())
@@ -338,20 +217,9 @@ void Foam::demTransfer::depositUnlimited
 
     density.setSize(mesh_.nCells());
     density = Zero;
-    if (footprint_.valid())
-    {
-        footprint_().spread(values, density);
-    }
-    else if (weights_.valid())
-    {
-        weights_().spread(routing_().locations(), values, density);
-        if (evens())
-        {
-            weights_().even(density);
-        }
-    }
+    kernel_().spread(routing_().locations(), values, density);
     density /= mesh_.V().field();
-    smoother_().smooth(density);
+    kernel_().smooth(density);
 }
 
 

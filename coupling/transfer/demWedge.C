@@ -343,7 +343,7 @@ Foam::scalar Foam::demRingKernel::integral
     const scalar angle = wedge_.angle();
     const scalar r = wedge_.radius(x);
     const scalar support = reach(radius);
-    scalar sum = kernel_().integral(celli, x, radius);
+    scalar sum = kernel_.integral(celli, x, radius);
 
     for (label k = 1; (k - 0.5)*angle < pi; ++k)
     {
@@ -354,7 +354,7 @@ Foam::scalar Foam::demRingKernel::integral
         {
             break;
         }
-        sum += 2*part*kernel_().integral(celli, wedge_.rotated(x, k*angle), radius);
+        sum += 2*part*kernel_.integral(celli, wedge_.rotated(x, k*angle), radius);
     }
     return sum;
 }

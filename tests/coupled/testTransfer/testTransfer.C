@@ -67,6 +67,7 @@ int main(int argc, char *argv[])
     argList::addBoolOption("hard", "only: totals, on cells of extreme size");
     argList::addBoolOption("wedge", "only: a wedge about z");
     argList::addBoolOption("rings", "only: two rings with a sliding interface");
+    argList::addBoolOption("own", "only: kernel box of docs/kernels.md, on cubes of 2 mm");
     argList::addBoolOption("boundary", "only: the nearest faces of the boundary");
     argList::addBoolOption("outside", "only: put a particle outside the mesh");
     const argList args(argc, argv);
@@ -123,6 +124,12 @@ int main(int argc, char *argv[])
     if (args.found("rings"))
     {
         testRings(mesh, args.globalPath()/"serial");
+        Info<< "End of claims" << endl;
+        return 0;
+    }
+    if (args.found("own"))
+    {
+        testOwn(mesh, all);
         Info<< "End of claims" << endl;
         return 0;
     }
