@@ -202,7 +202,7 @@ bool Foam::demFluid::steady(const fvMesh& mesh)
 
 Foam::tmp<Foam::volVectorField> Foam::demFluid::pressureGradient() const
 {
-    const dimensionedVector g("g", dimAcceleration, cloud_.gravity());
+    const dimensionedVector g("g", dimAcceleration, cloud_.particles().gravity());
     const volScalarField* p = mesh_.findObject<volScalarField>("p");
     const volScalarField* p_rgh = mesh_.findObject<volScalarField>("p_rgh");
     const tmp<volScalarField> trho(density());
@@ -258,13 +258,13 @@ Foam::tmp<Foam::volScalarField> Foam::demFluid::density() const
 
     if (rho && rho->dimensions() == dimDensity)
     {
-        cloud_.dict().refuseDuplicate("rho", "the solver");
+        cloud_.particles().dict().refuseDuplicate("rho", "the solver");
         return tmp<volScalarField>(*rho);
     }
     return uniform
     (
         mesh_,
-        dimensionedScalar("rho", dimDensity, cloud_.density())
+        dimensionedScalar("rho", dimDensity, cloud_.particles().fluidDensity())
     );
 }
 
@@ -276,17 +276,17 @@ Foam::tmp<Foam::volScalarField> Foam::demFluid::viscosity() const
 
     if (model)
     {
-        cloud_.dict().refuseDuplicate("nu", "the solver");
+        cloud_.particles().dict().refuseDuplicate("nu", "the solver");
         return density()*model->nu();
     }
 
     const dictionary* transport =
         mesh_.findObject<dictionary>("transportProperties");
-    const dictionary& own = cloud_.dict().coupling();
+    const dictionary& own = cloud_.particles().dict().coupling();
 
     if (transport && transport->found("nu"))
     {
-        cloud_.dict().refuseDuplicate("nu", "constant/transportProperties");
+        cloud_.particles().dict().refuseDuplicate("nu", "constant/transportProperties");
         return
             density()*dimensionedScalar("nu", dimViscosity, *transport);
     }

@@ -59,7 +59,7 @@ void Foam::demRewrite::testScene
     if (verdict)
     {
         trial().plan(U_, gradP_, rho_, mu_, "");
-        *n = trial().verdicts(*verdict);
+        *n = trial().lastPlan().verdicts(*verdict);
         cloud_.reset(trial.ptr());
     }
 }

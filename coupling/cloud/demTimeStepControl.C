@@ -59,8 +59,8 @@ void Foam::demTimeStepControl::evaluate(const bool adjust, const scalar Co, cons
     read(maxCo);
     value_[FLUID] = Co;
     value_[PARTICLES] = cloud_.courant();
-    value_[VOLUME] = cloud_.changeRate()*time_.deltaTValue();
-    value_[RELAXATION] = cloud_.relaxationRate()*time_.deltaTValue();
+    value_[VOLUME] = cloud_.volume().changeRate()*time_.deltaTValue();
+    value_[RELAXATION] = cloud_.exchange().relaxationRate()*time_.deltaTValue();
 
     Info<< "Particle Courant Number max: " << value_[PARTICLES]
         << ", change of void fraction " << value_[VOLUME];
@@ -83,8 +83,8 @@ Foam::scalar Foam::demTimeStepControl::particleRatio(const scalar deltaT, word& 
     const scalar scale = deltaT/time_.deltaTValue();
     value_[FLUID] = 0;
     value_[PARTICLES] = cloud_.courant()*scale;
-    value_[VOLUME] = cloud_.changeRate()*deltaT;
-    value_[RELAXATION] = cloud_.relaxationRate()*deltaT;
+    value_[VOLUME] = cloud_.volume().changeRate()*deltaT;
+    value_[RELAXATION] = cloud_.exchange().relaxationRate()*deltaT;
     name = this->name();
     return limitRatio();
 }

@@ -79,7 +79,7 @@ Foam::demTrial::demTrial(fvMesh& mesh, demCloud& cloud)
     cloud_(cloud),
     level_(messageStream::level),
     deltaT_(time_.deltaTValue()),
-    window_(cloud.plannedWindow()),
+    window_(cloud.lastPlan().window()),
     motion_(window_),
     begun_(0),
     measured_(0),
@@ -92,7 +92,7 @@ Foam::demTrial::demTrial(fvMesh& mesh, demCloud& cloud)
     clockBefore_(0)
 {
     const scalar particles =
-        cloud.plannedSeconds(true)/cloud.plannedSteps()/Pstream::nProcs();
+        cloud.lastPlan().seconds(true)/cloud.lastPlan().steps()/Pstream::nProcs();
 
     if (particles > longMotion)
     {
@@ -155,11 +155,11 @@ void Foam::demTrial::report(const char* how)
 {
     messageStream::level = level_;
 
-    const scalar steps = cloud_.plannedSteps();
+    const scalar steps = cloud_.lastPlan().steps();
     const scalar fluid = fluid_/measured_;
     const scalar exchange = exchange_/measured_;
-    const scalar low = cloud_.plannedSeconds(false);
-    const scalar high = max(low, cloud_.plannedSeconds(true));
+    const scalar low = cloud_.lastPlan().seconds(false);
+    const scalar high = max(low, cloud_.lastPlan().seconds(true));
     const scalar more = steps*(fluid + exchange);
     const label ranks = Pstream::nProcs();
     char number[32];

@@ -159,7 +159,7 @@ void Foam::demTrialFlow::solve(const scalar deltaT)
     const volVectorField old(U_);
     const linear<vector> onFaces(mesh_);
     const linear<scalar> scalarOnFaces(mesh_);
-    const bool twoWay = cloud_.twoWay();
+    const bool twoWay = cloud_.particles().twoWay();
 
     for (label i = 0; i < outer_; i++)
     {
@@ -178,8 +178,8 @@ void Foam::demTrialFlow::solve(const scalar deltaT)
         );
         if (twoWay)
         {
-            equation -= cloud_.force()/rho_;
-            equation += fvm::Sp(cloud_.drag()/rho_, U_);
+            equation -= cloud_.exchange().force()/rho_;
+            equation += fvm::Sp(cloud_.exchange().drag()/rho_, U_);
         }
 
         const volVectorField gradP(fv::gaussGrad<scalar>(mesh_).calcGrad(p_, "dem:trialGradP"));

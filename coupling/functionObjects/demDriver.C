@@ -12,7 +12,6 @@
 #include "fvcSurfaceIntegrate.H"
 #include "surfaceFields.H"
 #include "Time.H"
-#include <stdexcept>
 
 namespace Foam
 {
@@ -103,8 +102,8 @@ void Foam::demDriver::reportTrial()
                 fluid_.viscosity()()
             );
             trial.beginFluid();
-            flow.solve(cloud_.plannedWindow());
-            if (cloud_.twoWay() && !steady_)
+            flow.solve(cloud_.lastPlan().window());
+            if (cloud_.particles().twoWay() && !steady_)
             {
                 cloud_.correct(U, fluid_.density()());
             }
@@ -115,7 +114,7 @@ void Foam::demDriver::reportTrial()
             " this mesh; turbulence, energy and other equations come on top"
         );
     }
-    catch (const std::runtime_error& failure)
+    catch (const demFailure& failure)
     {
         trial.fail(failure.what());
     }
@@ -193,14 +192,14 @@ void Foam::demDriver::step()
 
     if (!steady_)
     {
-        force_ = cloud_.force() + cloud_.pressureReaction();
+        force_ = cloud_.exchange().force() + cloud_.exchange().pressureReaction();
         return;
     }
 
-    const volVectorField now(cloud_.force() + cloud_.pressureReaction());
-    exerted_ = total(now, cloud_.drag());
+    const volVectorField now(cloud_.exchange().force() + cloud_.exchange().pressureReaction());
+    exerted_ = total(now, cloud_.exchange().drag());
     force_ += relaxation_*(now - force_);
-    drag_ += relaxation_*(cloud_.drag() - drag_);
+    drag_ += relaxation_*(cloud_.exchange().drag() - drag_);
 }
 
 
@@ -241,18 +240,18 @@ Foam::demDriver::demDriver(const fvMesh& mesh)
     lastStep_(-1),
     from_(-VGREAT),
     until_(VGREAT),
-    relaxation_(cloud_.dict().coupling().getOrDefault<scalar>("relaxation", 0.1)),
-    force_(relaxedField(mesh, "particleForce", steady_), cloud_.force()),
-    drag_(relaxedField(mesh, "particleDrag", steady_), cloud_.drag()),
+    relaxation_(cloud_.particles().dict().coupling().getOrDefault<scalar>("relaxation", 0.1)),
+    force_(relaxedField(mesh, "particleForce", steady_), cloud_.exchange().force()),
+    drag_(relaxedField(mesh, "particleDrag", steady_), cloud_.exchange().drag()),
     exerted_(Zero)
 {
     if (relaxation_ <= 0 || relaxation_ > 1)
     {
-        FatalIOErrorInFunction(cloud_.dict().coupling())
+        FatalIOErrorInFunction(cloud_.particles().dict().coupling())
             << "relaxation is " << relaxation_ << "; it must be above 0 and at"
             << " most 1" << exit(FatalIOError);
     }
-    force_.note() = drag_.note() = cloud_.heading();
+    force_.note() = drag_.note() = cloud_.particles().heading();
 }
 
 
@@ -315,13 +314,13 @@ const Foam::volVectorField& Foam::demDriver::force()
 const Foam::volScalarField& Foam::demDriver::drag()
 {
     step();
-    return steady_ ? drag_ : cloud_.drag();
+    return steady_ ? drag_ : cloud_.exchange().drag();
 }
 
 
 void Foam::demDriver::endStep()
 {
-    if (cloud_.twoWay())
+    if (cloud_.particles().twoWay())
     {
         if (lastStep_ != mesh_.time().timeIndex())
         {

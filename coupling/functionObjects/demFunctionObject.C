@@ -157,7 +157,7 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
         UPstream::exit(0);
     }
 
-    if (driver_().cloud().twoWay())
+    if (driver_().cloud().particles().twoWay())
     {
         addSource();
     }

@@ -85,7 +85,7 @@ void Foam::fv::demMomentumSource::addSup
     (
         "rho",
         dimDensity,
-        driver().cloud().density()
+        driver().cloud().particles().fluidDensity()
     );
 
     eqn += driver().force()/rho - fvm::Sp(driver().drag()/rho, eqn.psi());

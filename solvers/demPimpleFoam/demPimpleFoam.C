@@ -79,7 +79,6 @@ Description
 #include "cellVector.H"
 #include "halfCellMean.H"
 #include "faceVector.H"
-#include <stdexcept>
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -183,7 +182,7 @@ int main(int argc, char *argv[])
         #include "fluidEquations.H"
         #include "continuity.H"
         cloud.correct(U, gradP);
-        if (cloud.budget().on())
+        if (cloud.budget().table().on())
         {
             budget.endStep
             (
@@ -194,7 +193,7 @@ int main(int argc, char *argv[])
                   + drag.primitiveField()
                    *(Us.primitiveField() - U.primitiveField())
                 )(),
-                cloud.toFluid(),
+                cloud.budget().toFluid(),
                 dsdt
             );
         }

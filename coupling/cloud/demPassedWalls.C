@@ -1,17 +1,12 @@
 /*---------------------------------------------------------------------------*\
-    demCloudPassedWalls.C -- void fraction of the patches whose velocity is given,
-    walls of the mesh that fluid passes among them.
-
-    Where the velocity and so the flux is given it is the superficial one: the void
-    fraction of the patch is 1, unless voidFraction of the start time says otherwise.
-    Elsewhere it is that of the cell behind the patch.
+    demPassedWalls.C -- void fraction of the patches whose velocity is given.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "demCloud.H"
+#include "demPassedWalls.H"
 #include "movingWallVelocityFvPatchVectorField.H"
 #include "wallFvPatch.H"
 
@@ -31,14 +26,10 @@ static bool isGiven(const fvPatchVectorField& Up)
     return Up.fixesValue() && !Up.assignable();
 }
 
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // Does fluid pass a patch that is a wall, at a given velocity? A wall that moves with
 // the mesh takes the fluid along. Collective.
-bool Foam::demCloud::isPassed(const fvPatchVectorField& Up)
+static bool isPassed(const fvPatchVectorField& Up)
 {
     if (!isGiven(Up) || isA<movingWallVelocityFvPatchVectorField>(Up))
     {
@@ -50,9 +41,12 @@ bool Foam::demCloud::isPassed(const fvPatchVectorField& Up)
         gSum(mag(Up & Sf)()) > minNormalFraction*gSum((mag(Up)*mag(Sf))());
 }
 
+} // End namespace Foam
 
-// Types of voidFraction on the patches where no file gives them. Collective.
-Foam::wordList Foam::demCloud::patchTypes(const fvMesh& mesh)
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::demPassedWalls::types(const fvMesh& mesh)
 {
     wordList types(mesh.boundary().size(), "zeroGradient");
     const volVectorField* U = mesh.findObject<volVectorField>("U");
@@ -83,9 +77,9 @@ Foam::wordList Foam::demCloud::patchTypes(const fvMesh& mesh)
 }
 
 
-// Walls without flow at the start whose velocity may change during the run, and
-// whose void fraction the user has not given
-void Foam::demCloud::findClosedWalls()
+Foam::demPassedWalls::demPassedWalls(const volScalarField& voidFraction)
+:
+    mesh_(voidFraction.mesh())
 {
     const volVectorField* U = mesh_.findObject<volVectorField>("U");
     const bool given = IOobject
@@ -100,7 +94,7 @@ void Foam::demCloud::findClosedWalls()
 
     DynamicList<label> walls;
 
-    if (!U || !volumeAveraged_ || given)
+    if (!U || given)
     {
         return;
     }
@@ -115,20 +109,20 @@ void Foam::demCloud::findClosedWalls()
          && Up.type() != "fixedValue"
          && Up.type() != "noSlip"
          && !isA<movingWallVelocityFvPatchVectorField>(Up)
-         && voidFraction_.boundaryField()[patchi].type() == "zeroGradient"
+         && voidFraction.boundaryField()[patchi].type() == "zeroGradient"
         )
         {
             walls.append(patchi);
         }
     }
 
-    closedWalls_.transfer(walls);
+    closed_.transfer(walls);
 }
 
 
-void Foam::demCloud::checkClosedWalls(const volVectorField& U) const
+void Foam::demPassedWalls::check(const volVectorField& U) const
 {
-    for (const label patchi : closedWalls_)
+    for (const label patchi : closed_)
     {
         if (isPassed(U.boundaryField()[patchi]))
         {
@@ -145,5 +139,9 @@ void Foam::demCloud::checkClosedWalls(const volVectorField& U) const
     }
 }
 
+
+// ************************************************************************* //
+
+// ************************************************************************* //
 
 // ************************************************************************* //

@@ -1,19 +1,15 @@
 /*---------------------------------------------------------------------------*\
-    demCloudWarnings.C -- what is likely to be a mistake or cannot work, told before
-    the first step and, for overlaps and long steps, during the run.
-
-    The list is the core's (dem_warnings); here are the items that need the fields
-    of the fluid.
+    demPlanWarnings.C -- what is likely to be a mistake or cannot work, told before
+    the first step.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "demCloud.H"
+#include "demPlan.H"
 #include "demCheck.H"
 #include "demFluid.H"
-#include "demTimeStepControl.H"
 #include "wallFvPatch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -47,7 +43,7 @@ static scalar patchSpeed(const volVectorField& U)
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // Patches through which fluid should enter, and where nothing says how much
-void Foam::demCloud::inletWarnings
+void Foam::demPlan::inletWarnings
 (
     const volVectorField& U,
     DynamicList<string>& warnings
@@ -82,11 +78,11 @@ void Foam::demCloud::inletWarnings
 // The exchange gives the fluid its impulse within one step. Schemes of two steps
 // add a part of the change of the last one to it: what the fluid receives in all
 // is off by half the impulse of the first step.
-void Foam::demCloud::timeSchemeWarning(DynamicList<string>& warnings) const
+void Foam::demPlan::timeSchemeWarning(DynamicList<string>& warnings) const
 {
     const word scheme(demFluid::timeScheme(mesh_));
 
-    if (reacts() && (scheme == "backward" || scheme == "CrankNicolson"))
+    if (particles_.react() && (scheme == "backward" || scheme == "CrankNicolson"))
     {
         warnings.append
         (
@@ -98,7 +94,7 @@ void Foam::demCloud::timeSchemeWarning(DynamicList<string>& warnings) const
 }
 
 
-void Foam::demCloud::warn(const volVectorField& U, struct ::dem_run_info& ahead)
+void Foam::demPlan::warn(const volVectorField& U, struct ::dem_run_info& ahead) const
 {
     DynamicList<string> own;
     inletWarnings(U, own);
@@ -113,46 +109,11 @@ void Foam::demCloud::warn(const volVectorField& U, struct ::dem_run_info& ahead)
     ahead.patch_speed = patchSpeed(U);
     ahead.resolution = transfer_.length();
 
-    demCheck(dem_warnings(dem_, &ahead, int(own.size()), sentences.cdata(), &text));
+    demCheck(dem_warnings(particles_.core(), &ahead, int(own.size()), sentences.cdata(), &text));
     if (text[0])
     {
         Info<< text << endl;
     }
 }
-
-
-// Contacts that are too soft for the speeds and weights of this run
-void Foam::demCloud::warnOfImpacts(const scalar overlap)
-{
-    const char* text = nullptr;
-
-    demCheck(dem_impact_warning(dem_, overlap, &text));
-    if (text[0])
-    {
-        Info<< "Suna: " << text << endl;
-    }
-}
-
-
-// The end of a sentence on a particle of this velocity that is outside: empty where
-// the step is short enough
-Foam::string Foam::demCloud::longStep(const vector& velocity)
-{
-    const scalar limit = demTimeStepControl::particleLimit(mesh_.time());
-    const scalar Co = mag(velocity)*window_/transfer_.length();
-
-    if (Co <= limit)
-    {
-        return string::null;
-    }
-
-    OStringStream os;
-    os  << ". " << (interval_ > 0 ? "coupling/interval " : "deltaT ") << window_
-        << " s is long: Courant number of particles " << Co << ", above " << limit
-        << " (maxParticleCo); take " << window_*limit/Co << " s"
-        << (interval_ > 0 ? "" : ", or adjustTimeStep yes");
-    return os.str();
-}
-
 
 // ************************************************************************* //

@@ -1,17 +1,16 @@
 /*---------------------------------------------------------------------------*\
-    demCloudPlan.C -- plan of a run: passes the state of the fluid and the size of
-    the mesh to the core, and prints its report of effects, time steps and cost.
+    demPlan.C -- plan of a run.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "demCloud.H"
+#include "demPlan.H"
 #include "demCheck.H"
 #include "gaussGrad.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -49,13 +48,15 @@ static scalar volumeBetween
 } // End namespace Foam
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
 // Mean cross-section of the mesh over the bed, between the heights below which
 // 10 and 90 % of the particles' volume lies [m2]; 0 without a bed
-Foam::scalar Foam::demCloud::crossSection() const
+Foam::scalar Foam::demPlan::crossSection() const
 {
     double up[3], low, high;
 
-    if (!dem_bed_slab(dem_, up, &low, &high) || high <= low)
+    if (!dem_bed_slab(particles_.core(), up, &low, &high) || high <= low)
     {
         return 0;
     }
@@ -65,15 +66,15 @@ Foam::scalar Foam::demCloud::crossSection() const
 
 
 // Fluid that enters against gravity [m3/s]
-Foam::scalar Foam::demCloud::inflow(const volVectorField& U) const
+Foam::scalar Foam::demPlan::inflow(const volVectorField& U) const
 {
-    const vector down(gravity());
+    const vector& down = particles_.gravity();
     scalar flow = 0;
 
     forAll(U.boundaryField(), patchi)
     {
         const fvPatchVectorField& velocity = U.boundaryField()[patchi];
-        const scalarField& e = voidFraction().boundaryField()[patchi];
+        const scalarField& e = volume_.ofFluid().boundaryField()[patchi];
         const vectorField& area = velocity.patch().Sf();
 
         forAll(velocity, facei)
@@ -91,9 +92,9 @@ Foam::scalar Foam::demCloud::inflow(const volVectorField& U) const
 // Void fraction below which half of the particles' volume lies [1]. Unlike the mean
 // it is that inside a bed, hardly changed by the surfaces over which the kernel
 // spreads them. 1 without particles.
-Foam::scalar Foam::demCloud::bedVoidFraction() const
+Foam::scalar Foam::demPlan::bedVoidFraction() const
 {
-    const scalarField& e = voidFraction_.primitiveField();
+    const scalarField& e = volume_.field().primitiveField();
     const scalarField solid(mesh_.V().field()*(1 - e));
     const scalar half = 0.5*gSum(solid);
     scalar low = 0, high = 1;
@@ -113,18 +114,18 @@ Foam::scalar Foam::demCloud::bedVoidFraction() const
 
 
 // What the width of the kernel takes from the drag of a bed of this void fraction
-void Foam::demCloud::planKernel(const scalar bed) const
+void Foam::demPlan::reportKernel(const scalar bed) const
 {
     const scalar layer = transfer_.surfaceLayer();
     const scalar section = crossSection();
 
-    if (!twoWay_ || layer <= 0 || section <= 0 || bed > DEM_BED_VOID_FRACTION)
+    if (!particles_.twoWay() || layer <= 0 || section <= 0 || bed > DEM_BED_VOID_FRACTION)
     {
         return;
     }
 
     const scalar volume =
-        gSum((mesh_.V().field()*(1 - voidFraction_.primitiveField()))())
+        gSum((mesh_.V().field()*(1 - volume_.field().primitiveField()))())
        /transfer_.fraction();
     const scalar height = volume/section/(1 - bed);
     const label percent = label(100*min(layer/height, scalar(1)) + 0.5);
@@ -140,23 +141,33 @@ void Foam::demCloud::planKernel(const scalar bed) const
 }
 
 
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demPlan::demPlan(const demParticles& particles, const demVoidFraction& volume)
+:
+    mesh_(particles.mesh()),
+    particles_(particles),
+    volume_(volume),
+    transfer_(particles.transfer()),
+    window_(0),
+    steps_(0)
+{}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::demCloud::plannedSeconds(const bool moving) const
+Foam::scalar Foam::demPlan::seconds(const bool moving) const
 {
     double seconds[2];
 
-    dem_plan_seconds(dem_, &seconds[0], &seconds[1]);
+    dem_plan_seconds(particles_.core(), &seconds[0], &seconds[1]);
     return seconds[moving];
 }
 
 
-void Foam::demCloud::plan
+void Foam::demPlan::report
 (
     const volVectorField& U,
-    const volVectorField& gradP,
-    const volScalarField& rho,
-    const volScalarField& mu,
     const string& limit,
     const scalar maxCo,
     const scalar reached,
@@ -167,7 +178,7 @@ void Foam::demCloud::plan
     const char* text = nullptr;
 
     struct dem_run_info ahead = {};
-    ahead.window = interval_ > 0 ? interval_ : time.deltaTValue();
+    ahead.window = particles_.interval() > 0 ? particles_.interval() : time.deltaTValue();
     ahead.duration =
         (time.endTime().value() - time.value())/time.deltaTValue()*ahead.window;
     ahead.why = limit.c_str();
@@ -180,12 +191,12 @@ void Foam::demCloud::plan
     // With a fixed scheme: fvSchemes of the case may give none for grad(U)
     const volTensorField gradU(fv::gaussGrad<vector>(mesh_).calcGrad(U, "dem:gradU"));
     ahead.vorticity = 2*gMax(mag(skew(gradU.primitiveField()))()/sqrt(scalar(2)));
-    ahead.one_way = !twoWay_;
+    ahead.one_way = !particles_.twoWay();
 
     // The flow that enters has not filled the bed yet: in it, it is faster
     const scalar crossing =
         ahead.inflow > 0 && maxCo > 0
-      ? maxCo*ahead.cell*gMin(voidFraction().primitiveField())/ahead.inflow
+      ? maxCo*ahead.cell*gMin(volume_.ofFluid().primitiveField())/ahead.inflow
       : GREAT;
     const string throughflow("maxCo, by the inlet's flow through the bed");
     const scalar longest = min(reached, crossing);
@@ -197,13 +208,12 @@ void Foam::demCloud::plan
             crossing < reached ? throughflow.c_str() : reachedBy.c_str();
     }
 
-    plannedWindow_ = ahead.reached_window > 0 ? ahead.reached_window : ahead.window;
-    plannedSteps_ = max(ahead.duration/plannedWindow_, scalar(1));
+    window_ = ahead.reached_window > 0 ? ahead.reached_window : ahead.window;
+    steps_ = max(ahead.duration/window_, scalar(1));
 
-    setFluid(U, gradP, rho, mu);
-    demCheck(dem_plan(dem_, &ahead, &text));
+    demCheck(dem_plan(particles_.core(), &ahead, &text));
     Info<< nl << text << endl;
-    planKernel(bedVoidFraction());
+    reportKernel(bedVoidFraction());
     warn(U, ahead);
 }
 

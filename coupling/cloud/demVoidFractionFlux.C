@@ -1,5 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demCloudVoidageFlux.C -- the volume flux of the particles for the continuity
+    demVoidFractionFlux.C -- the volume flux of the particles for the continuity
     equation (demPimpleFoam/voidageFlux.H): between cells, through patches, and what
     appears or vanishes inside the mesh.
 
@@ -8,7 +8,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "demCloud.H"
+#include "demVoidFraction.H"
 #include "demColumns.H"
 #include "surfaceFields.H"
 
@@ -17,7 +17,7 @@
 // `volume` of each particle that the fluid sees [m3]. Its mean velocity is its
 // displacement over the step: the velocity at the end of the step alternates
 // where light particles pack. Without fluid forces the core has no displacements.
-void Foam::demCloud::depositFlux(const UList<scalar>& volume)
+void Foam::demVoidFraction::depositFlux(const UList<scalar>& volume)
 {
     vectorField volumeFlux(view_.n);
 
@@ -27,7 +27,7 @@ void Foam::demCloud::depositFlux(const UList<scalar>& volume)
             volume[i]
            *(
                 fluid_.displacement
-              ? vectorAt(fluid_.displacement, i)/window_
+              ? vectorAt(fluid_.displacement, i)/particles_.window()
               : velocity(view_, i)
             );
     }
@@ -38,7 +38,7 @@ void Foam::demCloud::depositFlux(const UList<scalar>& volume)
 
 // Volumes that the fluid sees [m3]; `behind`: by passage, what it does not see yet
 // or any more of the particles there, on all ranks [m3]. Collective.
-Foam::tmp<Foam::scalarField> Foam::demCloud::reducedVolumes(scalarField& behind) const
+Foam::tmp<Foam::scalarField> Foam::demVoidFraction::reducedVolumes(scalarField& behind) const
 {
     tmp<scalarField> tV(new scalarField(volumes(view_)));
     scalarField& V = tV.ref();
@@ -71,7 +71,7 @@ Foam::tmp<Foam::scalarField> Foam::demCloud::reducedVolumes(scalarField& behind)
 // Streams and outlets act, and the particles' volume that comes through patches by
 // it and that appears inside the mesh is booked. New particles near an inlet are
 // those that have come through it.
-void Foam::demCloud::passWithVolumes(const volVectorField& U)
+void Foam::demVoidFraction::passWithVolumes(const volVectorField& U)
 {
     const scalar step = mesh_.time().deltaTValue();
     const bool inside = inletsOutlets_.insideMesh();
@@ -82,25 +82,24 @@ void Foam::demCloud::passWithVolumes(const volVectorField& U)
     {
         if (mesh_.moving())
         {
-            locate();
+            particles_.locate();
         }
         transfer_.deposit(reducedVolumes(behind)(), before);
     }
     const int64_t lastId = fluid_.location ? -1 : largestId(view_);
-    const bool changed = inletsOutlets_.pass(dem_, U);
+    const bool changed = particles_.passInletsOutlets(U);
     boolList isNew;
 
     if (changed)
     {
-        refresh();
+        particles_.refresh();
         isNew.setSize(view_.n);
         forAll(isNew, i)
         {
             isNew[i] =
                 fluid_.location ? fluid_.location[2*i] < 0 : idOf(view_, i) > lastId;
         }
-        locate();
-        checkIds();
+        particles_.locateInserted();
     }
 
     scalarField V(reducedVolumes(behind));
@@ -142,7 +141,7 @@ void Foam::demCloud::passWithVolumes(const volVectorField& U)
 
 // * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::demCloud::addSources(UList<scalar>& cells) const
+void Foam::demVoidFraction::addSources(UList<scalar>& cells) const
 {
     forAll(sources_, celli)
     {
@@ -151,7 +150,7 @@ void Foam::demCloud::addSources(UList<scalar>& cells) const
 }
 
 
-Foam::tmp<Foam::scalarField> Foam::demCloud::solidFlux(const label patchi) const
+Foam::tmp<Foam::scalarField> Foam::demVoidFraction::solidFlux(const label patchi) const
 {
     const label k = inletsOutlets_.passages().find(patchi);
     const scalarField& area = mesh_.magSf().boundaryField()[patchi];

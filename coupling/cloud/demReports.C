@@ -1,0 +1,125 @@
+/*---------------------------------------------------------------------------*\
+    demReports.C -- log, tables and files of a run with particles.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demReports.H"
+#include "demCheck.H"
+#include "demInteger.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::demReports::reportStep(const struct ::dem_totals& before)
+{
+    const struct dem_totals& now = particles_.totals();
+    const scalarField& e = volume_.field();
+    const demOverpackingLimiter& limiter = particles_.transfer().limiter();
+
+    Info<< "Suna: " << demInteger(now.particles).c_str() << " particles, "
+        << demInteger(now.steps - before.steps).c_str() << " DEM steps, void fraction at least "
+        << gMin(e) << ", overlap at most " << now.largest_overlap
+        << " diameters, volume error " << volume_.volumeError() << endl;
+
+    if (limiter.nOverfull())
+    {
+        Info<< "Suna: void fraction below " << particles_.transfer().minVoidFraction()
+            << " in " << limiter.nOverfull() << " cells; solid was moved to their"
+            << " neighbours, " << limiter.nFull() << " cells are at this limit now,"
+            << " minimum " << gMin(e) << "; particles are too soft, or cells too"
+            << " small for the kernel's width" << endl;
+    }
+}
+
+
+// Contacts that are too soft for the speeds and weights of this run
+void Foam::demReports::reportImpacts() const
+{
+    const char* text = nullptr;
+
+    demCheck
+    (
+        dem_impact_warning(particles_.core(), particles_.totals().largest_overlap, &text)
+    );
+    if (text[0])
+    {
+        Info<< "Suna: " << text << endl;
+    }
+}
+
+
+void Foam::demReports::writeMeans() const
+{
+    ::dem* d = particles_.core();
+    const Time& time = particles_.mesh().time();
+
+    if (!dem_averages_count(d))
+    {
+        return;
+    }
+    if (Pstream::master())
+    {
+        demTable::recordEffects(time, d);
+    }
+    demCheck(dem_averages(d, demTable::folder(time).c_str()));
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::demReports::demReports(demParticles& particles, const demVoidFraction& volume)
+:
+    particles_(particles),
+    volume_(volume),
+    record_(particles.mesh().time(), particles.dict().coupling()),
+    fields_(particles.mesh(), particles.dict().coupling()),
+    flowTable_(particles.mesh().time()),
+    losses_(particles.mesh()),
+    bonds_(particles.mesh().time()),
+    progress_(particles.mesh().time()),
+    edits_(particles.mesh().time(), particles.dict().file())
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demReports::begin()
+{
+    record_.watch(particles_.core());
+    progress_.watch(particles_.core());
+    flowTable_.begin(particles_.core(), particles_.time());
+    fields_.note(particles_.heading());
+}
+
+
+void Foam::demReports::endStep()
+{
+    const struct dem_totals before(particles_.totals());
+
+    particles_.readTotals();
+    reportStep(before);
+    progress_.end(particles_.totals().steps - before.steps);
+    edits_.report();
+    reportImpacts();
+    flowTable_.report(particles_.core(), false, particles_.time());
+    reportLosses();
+}
+
+
+void Foam::demReports::reportLosses()
+{
+    losses_.report(particles_.core(), particles_.offset());
+    bonds_.report(particles_.core(), particles_.offset());
+}
+
+
+void Foam::demReports::write()
+{
+    bonds_.writeVtk(particles_.core());
+    flowTable_.report(particles_.core(), true, particles_.time());
+    writeMeans();
+}
+
+// ************************************************************************* //
