@@ -185,13 +185,20 @@ Foam::string Foam::demParticles::lostSentence
 ) const
 {
     const string longer(window_ > 0 ? longStep(outside.velocity) : string::null);
+    const List<string> patch
+    (
+        demOutletPatch(mesh_).describe
+        (
+            pointField(1, outside.position), vectorField(1, outside.velocity)
+        )
+    );
 
     OStringStream os;
     os  << demInteger(outside.count).c_str() << " particle(s) outside the mesh, whose bounds are "
         << boundBox(mesh_.points(), true) << "; the first is particle "
         << demInteger(outside.id).c_str() << " at " << outside.position << " m, with "
         << mag(outside.velocity) << " m/s"
-        << demOutletPatch(mesh_).describe({outside.position}, {outside.velocity})[0].c_str();
+        << patch[0].c_str();
 
     if (longer.empty())
     {

@@ -108,12 +108,6 @@ Foam::demLostParticles::demLostParticles(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::string Foam::demLostParticles::exitPatch(const point& x, const vector& v)
-{
-    return describePatch(pointField(1, x), vectorField(1, v))[0];
-}
-
-
 void Foam::demLostParticles::report(::dem* d, const scalar offset)
 {
     if (Pstream::master())

@@ -25,37 +25,9 @@
  * whatever a becomes in the next window. Rotational drag is integrated on the spin in the same way
  * as b.
  *
- * Du/Dt is that of the previous window. Where a exceeds the mass of displaced fluid (Zuber's
- * formula in a dense bed), the exchange would therefore diverge for short windows. The fluid
- * also gets the response of J_other to its new velocity: R_a (u' - u - w T), where w is
- * the change of the fluid's velocity in the last window over the length of that window, and R_a = a
- * m/(m + a) for a free particle, a for a frozen one. R_a is added to R. R_a w T is subtracted from
- * J_other, and from the impulse that is carried over to the next window. In a steady flow, however
- * it varies in space, all of this is zero. In models of one cell it is stable, with the fluid free
- * or blocked, from packed to dilute: up to a void fraction of 0.5 for bubbles whatever the drag,
- * and below it with T b/m above 0.1.
- *
- * Response. What the fluid has to know of the answer to a change of its velocity over a whole
- * window T is R = dJ/du. A free particle has R = m E, E = 1 - product of exp(-b h/m). A particle
- * held by its neighbours responds more stiffly, up to b T when it cannot move at all; with R = m E
- * alone the exchange diverges there. The impulse shows which: R = |J|/|u - v(start)|, limited to
- * the range m E to b T.
- *
- * Slip factor. An incompressible fluid of void fraction e is displaced by the particles: where
- * particles gain dv the fluid loses dv (1 - e)/e, the slip changes by -dv/e, and with the pressure
- * gradient that belongs to it the force on a particle changes by -b dv/e^2. Constant u and grad p
- * do not contain this, and for T above the relaxation time the exchange then diverges in dense
- * suspensions whatever R is (found with particles, fluid and pressure in one dimension: from T b/m
- * = 0.1 at e = 0.4, density ratio 2.5). Where the coupling asks for it (column slipFactor, c =
- * 1/e^2), the slip within a window is therefore
- *
- *     u - v  ->  u - v(start) - c (v - v(start))
- *
- * This changes nothing at first order in T; R becomes m E/c with E from c b. Of the impulse of a
- * steady force F a free particle keeps the fraction (1 - exp(-Z))/Z, Z = c b T/m; drag passes the
- * rest on to the fluid (column dragFraction, the pressure response). That is how J responds to a
- * change of the pressure gradient, and the fluid has to treat it as implicitly as R. With both, the
- * exchange is stable for any T b/m from a density ratio of (1 - e)/e on.
+ * The response R of the impulses to the fluid's velocity, that of added mass, the slip factor c and
+ * the fraction of a steady force that drag passes on are those of docs/theory-coupling.md,
+ * "Exchange". With c the slip within a window is u - v(start) - c (v - v(start)).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

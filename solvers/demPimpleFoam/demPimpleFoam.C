@@ -29,7 +29,7 @@ Description
     ds/dt   change of the solid fraction over the step, from the
             particles' positions                                     [1/s]
 
-    F and K are defined in demCloudExchange.C, with the pressure response that
+    F and K are defined in demExchange.H, with the pressure response that
     adds to -e grad p while the pressure changes. Where the particles feel the
     stress (effect viscousStress) F contains their fraction of it, - s div tau,
     and div(tau) replaces div(e tau).

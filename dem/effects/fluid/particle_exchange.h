@@ -1,37 +1,17 @@
 /*
  * particle_exchange.h -- momentum exchange between particles and a coupled fluid.
  *
- * Slip factor: how much faster the slip decays because an incompressible fluid flows back while
- * particles move (step/sweep_bodies.c):
+ * Slip factor, force F - K u on the fluid (u: its velocity after the step), rate at which drag
+ * removes slip, Sauter mean diameter of a mixture, under-relaxation factor of the pressure gradient
+ * and of Du/Dt at light particles. Why they are so: docs/theory-coupling.md, "Exchange".
  *
- *   c = 1/e^2            1/e by the motion of the fluid, and 1/e by the pressure gradient it causes
- *   c = 1/e              where the drag law is that over e, which contains the part of the pressure
- *                        gradient (set III of Zhou et al. 2010)
- *
- * The force F - K u of a particle on the fluid, u the fluid velocity after the step:
- *
- *   deferred         K = R/T    F = K u* - J/T          the particle gets R (u - u*) in the next
- *                                                       step
- *   semiImplicit     K = B/T    F = K v + J_d/T - J/T   drag at the present particle velocity;
- *                                                       momentum is not conserved
+ *   c = 1/e^2, 1/e where the drag law contains the pressure gradient (set III)
+ *   deferred         K = R/T    F = K u* - J/T
+ *   semiImplicit     K = B/T    F = K v + J_d/T - J/T
  *   explicit         K = 0      F = -J/T
- *
- * The rate at which drag removes slip, and the Sauter mean diameter of a mixture:
- *
  *   1/tau = B/T/(m + a),     d = sum V/sum (V/d_i)
- *
- * Under-relaxation. Pressure gradient and Du/Dt act on a particle one step late. In one cell
- * without drag, what particles do with them returns multiplied by -lambda,
- *
- *   lambda = (1 - e)/e/(2 delta) (1 + 2 C + sqrt((1 + 2 C)^2 - 4 C delta)),  delta = rho_p/rho + C
- *
- * Above a magnitude of 1 this grows, the faster the shorter the step; drag that transmits the
- * fraction q of a force to the fluid leaves 1 - q of it. So light particles feel
- *
- *   f' = f + w (g - f),   w = 1/(1 + |lambda| (1 - q))
- *
- * with g the value in the fluid. The model of one cell is then stable for density ratios from 0.001
- * to 100, C = 0, 1/2 and Zuber's, e from 0.3, any drag (tests/effects/test_exchange.c).
+ *   w = 1/(1 + |lambda| (1 - q)),  delta = rho_p/rho + C,
+ *   lambda = (1 - e)/e/(2 delta) (1 + 2 C + sqrt((1 + 2 C)^2 - 4 C delta))
  *
  *   e        void fraction, at least 0.1                                [1]
  *   u*, v    fluid velocity before the step, particle velocity          [m/s]
@@ -39,7 +19,7 @@
  *   R, B     response dJ/du; sum of drag coefficient times time         [kg]
  *   T        the step in which fluid and particles exchange momentum    [s]
  *   m, a     mass of the particle, added mass                           [kg]
- *   C        added mass over the mass of displaced fluid                [1]
+ *   C, q     added mass over the mass of displaced fluid; fraction of a force that drag transmits
  *   V, d_i   volume and diameter of the surrounding particles           [m3], [m]
  *
  * Source: Zhou, Kuang, Chu, Yu, J. Fluid Mech. 661 (2010) 482 for the sets of equations; the
