@@ -13,18 +13,12 @@ import shutil
 import sys
 from pathlib import Path
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy
 
-OURS, REFERENCE, OTHER = "#c8401f", "#1d3557", "#6a8d73"
-
-plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
-                     "axes.grid": True,
-                     "grid.alpha": 0.25, "savefig.dpi": 130, "savefig.bbox": "tight",
-                     "legend.frameon": False,
-                     "legend.fontsize": 8})
+# what pictures look like: muellerBed has it
+sys.path.append(str(Path(__file__).resolve().parent/"muellerBed"))
+import render                                           # noqa: E402, F401
+from style import OTHER, OURS, REFERENCE, plt, save     # noqa: E402, F401
 
 KINDS = {"Float64": "<f8", "Float32": "<f4", "Int64": "<i8"}
 
@@ -52,6 +46,12 @@ def pictures(folder):
     text = (Path(folder)/"particles.pvd").read_text()
     return [(float(time), Path(folder)/name)
             for time, name in re.findall(r'timestep="([^"]+)".*?file="([^"]+)"', text)]
+
+
+def panel(title, path):
+    """The particles of a picture file, for render."""
+    at = read_vtp(path)
+    return render.Panel(title, at["points"], at["velocity"], at["diameter"])
 
 
 def read_table(path):

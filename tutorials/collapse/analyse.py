@@ -24,7 +24,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import numpy
-from dem_case import OTHER, OURS, REFERENCE, Result, interval, pictures, plt, read_vtp, store
+from dem_case import OTHER, OURS, REFERENCE, Result, interval, panel, pictures, plt, \
+    read_vtp, render, save, store
 
 D, WIDTH, LENGTH = 2e-3, 0.01, 0.032
 
@@ -49,6 +50,19 @@ def run(kind, a, seed):
     end = edges[low] + 0.5*D - D*(D - profile[low])/max(above - profile[low], 1e-12) if low else 0.0
     return height/LENGTH, (end - LENGTH)/LENGTH, profile[:3].mean()/LENGTH, (edges[:-1] + 0.5*D,
         profile)
+
+
+def draw(runs):
+    """The tallest column of spheres, or the only one: at the start, while it falls, at its end."""
+    kind, a = max(runs)
+    start = pictures(f"runs/settle.{kind}.{a:g}.1")[-1]
+    shown = pictures(f"runs/{kind}.{a:g}.1")
+    panels = [panel(f"{time - start[0]:.2f} s", path)
+              for time, path in (start, *shown[:2], shown[-1])]
+    length = max(p.position[:, 0].max() for p in panels)
+    top = panels[0].position[:, 2].max()
+    render.draw("column.png", panels, render.box((0, 0, 0), (length, WIDTH, top)), "speed",
+                numpy.sqrt(9.81*top), width=7, rows=len(panels), pixels=900)
 
 
 def lajeunesse(a):
@@ -116,9 +130,10 @@ def main():
         axes.legend()
     figure.tight_layout()
     picture = "rolling.png" if list(points) == ["rolling"] else "collapse.png"
-    figure.savefig(picture)
+    save(figure, picture)
+    draw(found)
     if sys.argv[1:2] == ["-store"]:
-        store(sys.argv[2], picture, **({"name": "rolling", "result": "rolling.csv"}
+        store(sys.argv[2], picture, "column.png", **({"name": "rolling", "result": "rolling.csv"}
                                        if picture == "rolling.png" else {}))
 
 

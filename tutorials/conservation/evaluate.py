@@ -113,11 +113,35 @@ def lattice(table):
                       found[name]/found[names[1]], allowed=0.005, source="the same law")
 
 
+def draw(rows):
+    """Each deviation beside the one that is allowed."""
+    from style import OURS, REFERENCE, plt, save
+
+    rows = [row for row in rows if row["allowed"]]
+    figure, axes = plt.subplots(figsize=(7, 0.4 + 0.13*len(rows)))
+    place = numpy.arange(len(rows))
+    axes.plot([max(abs(float(row["difference"])), 1e-17) for row in rows], place, "o", ms=4,
+              color=OURS, label="Suna")
+    axes.plot([float(row["allowed"]) for row in rows], place, "|", ms=8, mew=1.5, color=REFERENCE,
+              label="allowed")
+    groups = [row["part"].split(",")[0] for row in rows]
+    first = [k for k in range(len(rows)) if k == 0 or groups[k] != groups[k - 1]]
+    axes.set(xscale="log", xlabel="deviation from what must hold (0 is drawn at 1e-17)",
+             yticks=first, yticklabels=[groups[k] for k in first])
+    axes.invert_yaxis()
+    axes.legend(loc="lower left")
+    save(figure, HERE/"deviations.png")
+
+
 def main():
     table = results.Table()
     for part in (bodies, swarm, rest, lattice):
         part(table)
     table.write(HERE)
+    try:
+        draw(table.rows)
+    except ImportError as reason:
+        print(f"evaluate: no picture ({reason})")
 
 
 if __name__ == "__main__":

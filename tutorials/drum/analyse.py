@@ -21,7 +21,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import numpy
-from dem_case import OURS, REFERENCE, Result, interval, plt, read_table, store
+from dem_case import OURS, REFERENCE, Result, interval, panel, pictures, plt, read_table, \
+    render, save, store
 
 G = 9.81
 
@@ -152,6 +153,17 @@ def small(result):
     return numpy.array(rows)
 
 
+def draw():
+    """The small drum at the lowest speed, at its end."""
+    folder = sorted(Path("runs").glob("small.*[0-9]"))
+    if folder:
+        turn = numpy.linspace(0, 2*numpy.pi, 200)
+        rims = [numpy.stack([0.05*numpy.cos(turn), numpy.full(200, y), 0.05*numpy.sin(turn)], axis=1)
+                for y in (0.012, 0)]
+        render.draw("bed.png", [panel("", pictures(folder[0])[-1][1])], rims, "speed", 0.1,
+                    width=4, pixels=600)
+
+
 def main():
     result = Result()
     figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13, 3.8), width_ratios=(1.2, 1, 1))
@@ -183,9 +195,10 @@ def main():
         right.set(xscale="log", xlabel="Froude number w$^2$R/g", ylabel="slope [degrees]")
         right.legend()
     figure.tight_layout()
-    figure.savefig("drum.png")
+    save(figure, "drum.png")
+    draw()
     if sys.argv[1:2] == ["-store"]:
-        store(sys.argv[2], "drum.png")
+        store(sys.argv[2], "drum.png", "bed.png")
 
 
 if __name__ == "__main__":

@@ -161,9 +161,7 @@ def kernels(table):
 
 
 def draw(packings):
-    import matplotlib
-    matplotlib.use("Agg")
-    from matplotlib import pyplot as plt
+    from style import plt, save
 
     figure, axis = plt.subplots(figsize=(6.5, 4.5), layout="constrained")
     for k, p in enumerate(packings):
@@ -180,7 +178,7 @@ def draw(packings):
     axis.set(xlabel="superficial velocity [mm/s]", ylabel="pressure drop [Pa]",
              ylim=(0, 1.25*first.weight))
     axis.legend(fontsize=7)
-    figure.savefig(HERE/"curve.png", dpi=110)
+    save(figure, HERE/"curve.png")
 
 
 def main():

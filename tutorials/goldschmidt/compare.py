@@ -26,7 +26,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import numpy
-from dem_case import OURS, REFERENCE, plt
+from dem_case import OURS, REFERENCE, plt, save
 from lagrangian import DENSITY, DIAMETER, read_state
 
 # of the gas, kg/m3; its pressure on the plate over rho in DPMFoam, m2/s2
@@ -180,7 +180,7 @@ def draw(runs, window):
     panels[0].legend()
     panels[3].legend()
     figure.tight_layout()
-    figure.savefig(f"runs/{window}.png")
+    save(figure, f"runs/{window}.png")
 
 
 def number(value):

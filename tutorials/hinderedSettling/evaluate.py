@@ -126,9 +126,7 @@ def suspensions(table, points):
 
 
 def draw(points):
-    import matplotlib
-    matplotlib.use("Agg")
-    from matplotlib import pyplot as plt
+    from style import plt, save
 
     figure, axis = plt.subplots(figsize=(6.5, 4.5), layout="constrained")
     e = numpy.linspace(0.48, 0.95, 60)
@@ -147,7 +145,7 @@ def draw(points):
     axis.set_title("circles Wen and Yu, squares Di Felice, crosses random with Wen and Yu",
                    fontsize=9)
     axis.legend(fontsize=7)
-    figure.savefig(HERE/"speeds.png", dpi=110)
+    save(figure, HERE/"speeds.png")
 
 
 def main():

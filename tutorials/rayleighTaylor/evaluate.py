@@ -82,7 +82,7 @@ def fit(time, wave, k):
 
 
 def main():
-    table, curves = results.Table(), []
+    table, curves, largest = results.Table(), [], (0, 0, None)
     for run in sorted((HERE/"runs").glob("length*"), key=lambda run: [float(x)
             for x in re.findall(r"[\d.]+", run.name)]):
         length, columns = re.fullmatch(r"length([\d.]+)-columns(\d+)", run.name).groups()
@@ -105,17 +105,17 @@ def main():
         table.add(part, "k times the way that the suspension has settled by the end of the fit", 0,
                   k*(level[0] - numpy.interp(end, time, level)))
         curves.append((part, time, k*wave, exact(k, share), k*start))
+        largest = max(largest, (columns, length, run))
     table.write(HERE)
     try:
         draw(curves)
+        draw_suspension(*largest[:0:-1])
     except ImportError as reason:
         print(f"evaluate: no pictures ({reason})")
 
 
 def draw(curves):
-    import matplotlib
-    matplotlib.use("Agg")
-    from matplotlib import pyplot as plt
+    from style import plt, save
 
     figure, axis = plt.subplots(figsize=(6.5, 4.5), layout="constrained")
     for n, (part, time, wave, rate, start) in enumerate(curves):
@@ -124,7 +124,19 @@ def draw(curves):
     axis.axhline(0.5, color="k", lw=0.5)
     axis.set(xlabel="t [s]", ylabel="k a", ylim=(0.04, 3), title="points: beads, lines: theory")
     axis.legend(fontsize=7)
-    figure.savefig(HERE/"growth.png", dpi=110)
+    save(figure, HERE/"growth.png")
+
+
+def draw_suspension(case, length):
+    """The beads at four instants, seen from the front."""
+    import frames
+    import render
+    listed = frames.list_frames(case)
+    shown = [listed[round(k*(len(listed) - 1)/3)] for k in range(4)]
+    panels = [render.Panel(f"{time:.2f} s", *frames.read_frame(*place)) for time, *place in shown]
+    top = max(abs(p.velocity[:, 2]).max() for p in panels)
+    render.draw(HERE/"suspension.png", panels, render.box((0, 0, 0), (length, 0, length)),
+                "vertical", top, towards=(0, 1, 0), pixels=700)
 
 
 if __name__ == "__main__":

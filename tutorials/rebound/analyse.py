@@ -20,7 +20,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import numpy
-from dem_case import OTHER, OURS, REFERENCE, Result, pictures, plt, read_vtp, store, student
+from dem_case import OTHER, OURS, REFERENCE, Result, pictures, plt, read_vtp, save, store, student
 
 BEST = 0.97                                         # e_max, of the contact without liquid
 # Re of the impact, St: diameter [m], density and viscosity of the liquid, speed [m/s]
@@ -189,7 +189,7 @@ def main():
                  title=f"St {st}")
         axes.legend(fontsize=7)
     figure.tight_layout()
-    figure.savefig("rebound.png")
+    save(figure, "rebound.png")
     if sys.argv[1:2] == ["-store"]:
         store(sys.argv[2], "rebound.png")
 

@@ -20,7 +20,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import numpy
-from dem_case import OURS, REFERENCE, Result, interval, pictures, plt, read_vtp, store
+from dem_case import OURS, REFERENCE, Result, interval, panel, pictures, plt, read_vtp, \
+    render, save, store
 
 D, EDGE, PACKING = 5e-3, 0.1, 0.57
 
@@ -45,6 +46,17 @@ def flanks(folder):
         on = (side*x < EDGE - 2*D) & (side*x > side*inner)
         slopes.append(numpy.degrees(numpy.arctan(-side*numpy.polyfit(x[on], height[on], 1)[0])))
     return slopes, (x, height)
+
+
+def draw(runs):
+    """The heaps of the smallest and the largest friction, one above the other."""
+    panels = [panel(f"friction {friction:g}, resistance to rolling {rolling:g}",
+                    pictures(f"runs/{friction:g}-{rolling:g}.1")[-1][1])
+              for friction, rolling in (min(runs), max(runs))][:len(runs)]
+    depth = max(p.position[:, 1].max() for p in panels)
+    panels = [render.Panel(p.title, *(x[p.position[:, 2] > 0] for x in p[1:])) for p in panels]
+    render.draw("heap.png", panels, render.box((-EDGE, 0, 0), (EDGE, depth, 0.06)), "plain",
+                width=6, rows=len(panels), pixels=800)
 
 
 def main():
@@ -93,9 +105,10 @@ def main():
     right.set(xlabel="x [mm]", ylabel="height [mm]")
     right.legend()
     figure.tight_layout()
-    figure.savefig("repose.png")
+    save(figure, "repose.png")
+    draw(found)
     if sys.argv[1:2] == ["-store"]:
-        store(sys.argv[2], "repose.png")
+        store(sys.argv[2], "repose.png", "heap.png")
 
 
 if __name__ == "__main__":

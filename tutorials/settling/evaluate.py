@@ -214,9 +214,7 @@ def light(table, curves):
 # ---- pictures ------------------------------------------------------------------------------------
 
 def draw(curves, rises):
-    import matplotlib
-    matplotlib.use("Agg")
-    from matplotlib import pyplot as plt
+    from style import plt, save
 
     if "schillerNaumann" in curves:
         figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.2), layout="constrained")
@@ -238,7 +236,7 @@ def draw(curves, rises):
         right.set(xlabel="Re", ylabel="terminal velocity less the measured [%]", ylim=(-25, 40))
         right.set_title("squares, x, +, .: two-way on cells of 10, 5, 2, 1 and less d", fontsize=8)
         left.legend(fontsize=7)
-        figure.savefig(HERE/"terminal.png", dpi=110)
+        save(figure, HERE/"terminal.png")
     if rises:
         figure, axis = plt.subplots(figsize=(6, 4.2), layout="constrained")
         for (density, mass, way), (time, v, own) in rises.items():
@@ -252,7 +250,7 @@ def draw(curves, rises):
         axis.set(xlabel="t [s]", ylabel="velocity upwards [m/s]", xlim=(0, 0.24))
         axis.set_title("2 mm in water with added mass: one-way (o), two-way (x), equation (lines)",
                        fontsize=9)
-        figure.savefig(HERE/"light.png", dpi=110)
+        save(figure, HERE/"light.png")
 
 
 def main():

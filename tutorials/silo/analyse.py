@@ -20,7 +20,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import numpy
-from dem_case import OTHER, OURS, REFERENCE, Result, interval, plt, read_table, store
+from dem_case import OTHER, OURS, REFERENCE, Result, interval, plt, read_table, save, store
 
 D, DEPTH, WIDTH, BEADS = 2.24e-3, 0.0056, 0.12544, 6790
 MASS = numpy.pi/6*D**3*2500
@@ -102,7 +102,7 @@ def main():
     for axes in (left, right):
         axes.legend()
     figure.tight_layout()
-    figure.savefig("silo.png")
+    save(figure, "silo.png")
     if sys.argv[1:2] == ["-store"]:
         store(sys.argv[2], "silo.png")
 

@@ -4,10 +4,10 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import numpy
 
-import plots            # of muellerBed, in the path by results
+import plots            # of muellerBed, in the path by results, like style
 import series
+from style import OURS, REFERENCE as MEASURED, plt, save
 
-plt = plots.plt
 SHOWN = 3.0             # s of each course
 
 
@@ -20,12 +20,12 @@ def draw_course(case, start, height, pressure, measured_height, measured_pressur
             (panels[1], "pressure at 45 mm\nless its mean [Pa]", time, values - values.mean(),
              *measured_pressure)]
     for axes, name, ours_at, ours, at, theirs in rows:
-        axes.plot(ours_at - ours_at[0], ours, color=plots.OURS, lw=1.2, label="Suna")
-        axes.plot(at - at[0], theirs, "o-", ms=2.5, lw=0.8, mfc="none", color=plots.MEASURED,
+        axes.plot(ours_at - ours_at[0], ours, color=OURS, lw=1.2, label="Suna")
+        axes.plot(at - at[0], theirs, "o-", ms=2.5, lw=0.8, mfc="none", color=MEASURED,
                   label="measured, van Wachem et al. 2001")
         axes.set(ylabel=name, xlim=(0, SHOWN), xlabel="time [s]")
     panels[0].legend(loc="upper right", ncols=2, fontsize=8)
-    for at, p, colour in ((time, values, plots.OURS), (*measured_pressure, plots.MEASURED)):
+    for at, p, colour in ((time, values, OURS), (*measured_pressure, MEASURED)):
         even = series.even(at, p)[1]
         frequency, power = series.power(even)
         # Hann's window has 3/8 of the square: power over frequency, twice for the negative ones
@@ -33,11 +33,9 @@ def draw_course(case, start, height, pressure, measured_height, measured_pressur
     panels[2].set(xlim=(0, 10), ylim=(1, None), xlabel="frequency [Hz]",
                   ylabel="spectrum of the pressure\n[Pa$^2$/Hz]")
     figure.tight_layout()
-    figure.savefig(case/"course.png")
-    plt.close(figure)
+    save(figure, case/"course.png")
 
 
 def draw_bed(case, bed, height=0.2):
     chosen = sorted({max(0, len(bed.listed) - 1 - back) for back in (36, 24, 12, 0)})
-    plots.draw_bed(case, [bed.listed[k] for k in chosen], (bed.width, bed.depth, height),
-                   0.5*1.545e-3, 0.6, 6500, 2.6)
+    plots.draw_bed(case, [bed.listed[k] for k in chosen], (bed.width, bed.depth, height), 0.6)

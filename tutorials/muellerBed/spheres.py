@@ -1,4 +1,4 @@
-"""picture.py -- images of spheres in parallel projection: ray casting into a depth buffer,
+"""spheres.py -- images of spheres in parallel projection: ray casting into a depth buffer,
 lighting, shadows, ambient occlusion.
 
 Every sphere is stamped into the picture pixel by pixel, the nearest wins; its depth gives the
@@ -19,14 +19,14 @@ def axes(towards, up):
     return numpy.array([right, numpy.cross(back, right), back])
 
 
-def stamp(seen, radius, scale, origin, shape):
+def stamp(seen, radii, scale, origin, shape):
     """Depth [m] towards the camera and index of the nearest sphere in each pixel; -inf and -1 where
     there is none."""
     depth = numpy.full(shape, -numpy.inf)
     owner = numpy.full(shape, -1, dtype=numpy.int32)
-    reach = int(numpy.ceil(radius*scale)) + 1
-    offset = numpy.arange(-reach, reach + 1)
-    for i, (x, y, z) in enumerate(seen):
+    for i, ((x, y, z), radius) in enumerate(zip(seen, radii)):
+        reach = int(numpy.ceil(radius*scale)) + 1
+        offset = numpy.arange(-reach, reach + 1)
         column, row = (x - origin[0])*scale, shape[0] - (y - origin[1])*scale
         c, r = int(column) + offset, int(row) + offset
         c, r = c[(c >= 0) & (c < shape[1])], r[(r >= 0) & (r < shape[0])]
@@ -64,14 +64,14 @@ def openness(depth, radius, scale, floor):
     return numpy.clip(light, 0.25, 1)
 
 
-def in_shadow(points, spheres, radius, lamp, scale):
+def in_shadow(points, spheres, radii, lamp, scale):
     """1 in the lamp's light, 0 in shadow, smoothed over a few samples of the lamp's depth
     buffer."""
-    seen = spheres @ lamp.T
+    seen, radius = spheres @ lamp.T, radii.mean()
     origin = seen[:, :2].min(axis=0) - 2*radius
     extent = (seen[:, :2].max(axis=0) + 2*radius - origin)*scale
     shape = (int(extent[1]) + 1, int(extent[0]) + 1)
-    depth, _ = stamp(seen, radius, scale, origin, shape)
+    depth, _ = stamp(seen, radii, scale, origin, shape)
     at = points @ lamp.T
     lit = numpy.zeros(len(points))
     taps = [(-1, 0), (1, 0), (0, -1), (0, 1), (0, 0)]
@@ -83,30 +83,30 @@ def in_shadow(points, spheres, radius, lamp, scale):
     return lit/len(taps)
 
 
-def draw(spheres, radius, colour, window, scale, towards=(0.18, 1, -0.16), up=(0, 0, 1), finer=2):
-    """An image (rows, columns, 4) of spheres [m] with colours in 0 .. 1; `window` is (left, bottom,
-    right, top) [m] on the camera's plane, `scale` in pixels per metre; transparent where there is
-    nothing."""
+def draw(spheres, radii, colour, window, scale, towards=(0.18, 1, -0.16), up=(0, 0, 1), finer=2):
+    """An image (rows, columns, 4) of spheres of these radii [m] with colours in 0 .. 1; `window` is
+    (left, bottom, right, top) [m] on the camera's plane, `scale` in pixels per metre; transparent
+    where there is nothing."""
     camera = axes(towards, up)
     seen = spheres @ camera.T
     fine = scale*finer
     shape = (int(round((window[3] - window[1])*scale))*finer,
              int(round((window[2] - window[0])*scale))*finer)
-    depth, owner = stamp(seen, radius, fine, window[:2], shape)
+    depth, owner = stamp(seen, radii, fine, window[:2], shape)
     hit = owner >= 0
 
     rows, columns = numpy.nonzero(hit)
     place = numpy.stack([window[0] + (columns + 0.5)/fine, window[1] + (shape[0] - rows - 0.5)/fine,
                          depth[hit]], axis=1)
-    normal = (place - seen[owner[hit]])/radius
+    normal = (place - seen[owner[hit]])/radii[owner[hit], None]
     lamp = axes((0.55, 0.75, -1.0), up)
     towards_lamp = camera @ lamp[2]                 # in the camera's axes
-    lit = in_shadow(place @ camera, spheres, radius, lamp, fine)
+    lit = in_shadow(place @ camera, spheres, radii, lamp, fine)
 
     facing = numpy.clip(normal @ towards_lamp, 0, 1)
     halfway = towards_lamp + [0, 0, 1]
     gloss = numpy.clip(normal @ (halfway/numpy.linalg.norm(halfway)), 0, 1)**40
-    sky = openness(depth, radius, fine, seen[:, 2].min())[hit]*(0.62 + 0.38*normal[:, 1])
+    sky = openness(depth, radii.mean(), fine, seen[:, 2].min())[hit]*(0.62 + 0.38*normal[:, 1])
     shade = 0.55*sky + 0.62*facing*lit
     image = numpy.zeros(shape + (4,))
     image[hit, :3] = numpy.clip(colour[owner[hit]]*shade[:, None] + 0.22*(gloss*lit)[:, None], 0, 1)
