@@ -23,8 +23,9 @@ except ImportError:
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-COLOURS = {"kinetic": "#c8401f", "rotation": "#e09f3e", "height": "#1d3557", "overlap": "#457b9d", "force": "#2a7f62",
-           "contacts": "#7b5ea7", "restitution": "#111111", "level": "#6a994e", "void": "#8d6e63", "drop": "#b5179e"}
+# of Okabe and Ito, which colour-blind readers tell apart, and two greys
+COLOURS = {"kinetic": "#d55e00", "rotation": "#e69f00", "height": "#0072b2", "overlap": "#56b4e9", "force": "#009e73",
+           "contacts": "#cc79a7", "restitution": "#000000", "level": "#999999", "void": "#555555", "drop": "#f0e442"}
 TITLES = {"friction": "law of friction, against the scene's",
           "effects": "without each effect, against the whole scene", "step": "time step",
           "stiffness": "stiffness, against hard spheres", "precision": "precision, against double",
