@@ -7,8 +7,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demBudget.H"
+#include "demCheck.H"
 #include "Switch.H"
 #include "error.H"
+#include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -63,7 +65,7 @@ void Foam::demBudget::begin()
     }
     if (Pstream::master())
     {
-        table_.begin(dem_, columns());
+        table_.begin(dem_);
     }
 }
 
@@ -98,7 +100,7 @@ Foam::demBudget::demBudget(const Time& time, const dictionary& coupling)
     dem_(nullptr),
     interval_(0),
     since_(0),
-    table_(time, "budget.csv", 16)
+    table_(time, "budget.csv")
 {
     const dictionary record(coupling.subOrEmptyDict("record"));
 
@@ -163,7 +165,8 @@ void Foam::demBudget::endStep()
         return;
     }
 
-    std::ostream& row = table_.rows();
+    std::ostringstream row;
+    row.precision(16);
     row << time_.value() << ',' << since_;
     for (const DynamicList<item>& items : items_)
     {
@@ -176,7 +179,10 @@ void Foam::demBudget::endStep()
         row << ',' << rest;
     }
     row << '\n';
-    table_.end();
+    demCheck
+    (
+        dem_table_append(table_.rows(dem_), dem_, columns().c_str(), row.str().c_str())
+    );
 }
 
 // ************************************************************************* //

@@ -19,7 +19,7 @@ void Foam::demBonds::begin(const ::dem* d)
     {
         const fileName list(folder_/"bonds.pvd");
 
-        table_.begin(d, "time,id1,id2,x,y,z,cause,energy");
+        table_.begin(d);
         if (isFile(list, false))
         {
             rm(list);
@@ -67,17 +67,7 @@ void Foam::demBonds::report(::dem* d, const scalar offset)
 
     if (Pstream::master())
     {
-        for (int64_t k = 0; k < n; k++)
-        {
-            const double* x = broke[k].position;
-
-            table_.rows()
-                << broke[k].time + offset << ',' << broke[k].id[0] << ','
-                << broke[k].id[1] << ',' << x[0] << ',' << x[1] << ',' << x[2]
-                << ',' << dem_broken_bond_cause(broke[k].cause) << ','
-                << broke[k].energy << '\n';
-        }
-        table_.end();
+        demCheck(dem_table_add_bonds(table_.rows(d), d, n, broke, offset));
     }
 }
 

@@ -15,7 +15,7 @@
 Foam::demFlowTable::demFlowTable(const Time& time)
 :
     table_(time, "flows.csv"),
-    since_(0)
+    last_()
 {}
 
 
@@ -23,18 +23,7 @@ Foam::demFlowTable::demFlowTable(const Time& time)
 
 void Foam::demFlowTable::begin(::dem* d, const scalar now)
 {
-    const struct ::dem_flow* flow = nullptr;
-    int n = 0;
-    demCheck(dem_flows(d, &n, &flow));
-
-    particles_.setSize(n);
-    mass_.setSize(n);
-    for (int k = 0; k < n; k++)
-    {
-        particles_[k] = scalar(flow[k].particles);
-        mass_[k] = flow[k].mass;
-    }
-    since_ = now;
+    demCheck(dem_flow_sums_set(&last_, d, now));
 }
 
 
@@ -48,14 +37,11 @@ void Foam::demFlowTable::report(::dem* d, const bool rows, const scalar now)
     {
         return;
     }
-    if (Pstream::master())
+    table_.begin(d);
+    if (rows)
     {
-        table_.begin
-        (
-            d,
-            "time[s],name,way,particles,mass[kg],px[Ns],py[Ns],pz[Ns],energy[J],"
-            "waiting,rate[1/s],massRate[kg/s]"
-        );
+        demCheck(dem_table_add_flows(table_.rows(d), d, now, &last_));
+        return;
     }
 
     int64_t in = 0;
@@ -66,35 +52,9 @@ void Foam::demFlowTable::report(::dem* d, const bool rows, const scalar now)
         (flow[k].enters ? in : out) += flow[k].particles;
         waiting += flow[k].waiting;
     }
-    if (!rows)
-    {
-        Info<< "Suna: since the start " << demInteger(in).c_str()
-            << " particles entered, " << demInteger(out).c_str() << " left, "
-            << demInteger(waiting).c_str() << " wait for free space" << endl;
-        return;
-    }
-
-    const scalar perTime = now > since_ ? 1/(now - since_) : 0;
-
-    for (int k = 0; k < n; k++)
-    {
-        const struct ::dem_flow& f = flow[k];
-
-        if (Pstream::master())
-        {
-            table_.rows()
-                << now << ',' << f.name << ',' << (f.enters ? "in" : "out")
-                << ',' << f.particles << ',' << f.mass << ',' << f.momentum[0]
-                << ',' << f.momentum[1] << ',' << f.momentum[2] << ','
-                << f.energy << ',' << f.waiting << ','
-                << perTime*(f.particles - particles_[k]) << ','
-                << perTime*(f.mass - mass_[k]) << '\n';
-            table_.end();
-        }
-        particles_[k] = scalar(f.particles);
-        mass_[k] = f.mass;
-    }
-    since_ = now;
+    Info<< "Suna: since the start " << demInteger(in).c_str()
+        << " particles entered, " << demInteger(out).c_str() << " left, "
+        << demInteger(waiting).c_str() << " wait for free space" << endl;
 }
 
 // ************************************************************************* //

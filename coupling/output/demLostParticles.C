@@ -64,6 +64,7 @@ Foam::List<Foam::string> Foam::demLostParticles::describePatch
 
 void Foam::demLostParticles::writeRows
 (
+    const ::dem* d,
     const struct ::dem_loss* loss,
     const label n,
     const scalar offset
@@ -83,15 +84,14 @@ void Foam::demLostParticles::writeRows
     }
     const List<string> patch(describePatch(points, velocities));
 
-    for (label k = 0; Pstream::master() && k < n; k++)
+    List<const char*> text(n);
+    forAll(text, k)
     {
-        const double* v = loss[k].velocity;
-
-        table_.rows()
-            << loss[k].id << ',' << loss[k].time + offset << ',' << points[k].x()
-            << ',' << points[k].y() << ',' << points[k].z() << ',' << v[0]
-            << ',' << v[1] << ',' << v[2] << ',' << loss[k].diameter
-            << ",\"" << loss[k].cause << patch[k].c_str() << '"' << '\n';
+        text[k] = patch[k].c_str();
+    }
+    if (Pstream::master())
+    {
+        demCheck(dem_table_add_losses(table_.rows(d), d, n, loss, offset, text.cdata()));
     }
 }
 
@@ -110,10 +110,7 @@ Foam::demLostParticles::demLostParticles(const fvMesh& mesh)
 
 void Foam::demLostParticles::report(::dem* d, const scalar offset)
 {
-    if (Pstream::master())
-    {
-        table_.begin(d, "id,time,x,y,z,vx,vy,vz,diameter,cause");
-    }
+    table_.begin(d);
 
     const struct ::dem_loss* loss = nullptr;
     int64_t n = 0;
@@ -150,11 +147,7 @@ void Foam::demLostParticles::report(::dem* d, const scalar offset)
 
     for (int64_t first = 0; first < n; first += BLOCK)
     {
-        writeRows(loss + first, label(min(n - first, int64_t(BLOCK))), offset);
-    }
-    if (Pstream::master())
-    {
-        table_.end();
+        writeRows(d, loss + first, label(min(n - first, int64_t(BLOCK))), offset);
     }
 }
 

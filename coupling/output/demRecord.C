@@ -72,12 +72,7 @@ void Foam::demRecord::begin(const ::dem* d)
             << " coupling/record, or free disk space" << exit(FatalError);
     }
 
-    walls_.begin
-    (
-        d,
-        "time[s],wall,fx[N],fy[N],fz[N],tx[Nm],ty[Nm],tz[Nm],fx_now[N],"
-        "fy_now[N],fz_now[N],tx_now[Nm],ty_now[Nm],tz_now[Nm]"
-    );
+    walls_.begin(d);
 }
 
 
@@ -131,34 +126,13 @@ void Foam::demRecord::writeParticles(const demView& view)
 }
 
 
-// The same table as the program dem writes
 void Foam::demRecord::writeWalls(::dem* d)
 {
-    for (int wall = 0; wall < dem_wall_count(d); wall++)
-    {
-        double value[12];
-        demCheck(dem_wall_impulse(d, wall, value, value + 3));
-        demCheck(dem_wall_load(d, wall, value + 6, value + 9));
-
-        if (Pstream::master())
-        {
-            walls_.rows() << time_.value() << ',' << dem_wall_name(d, wall);
-            for (label k = 0; k < 12; k++)
-            {
-                walls_.rows() << ',' << (k < 6 ? value[k]/elapsed_ : value[k]);
-            }
-            walls_.rows() << '\n';
-        }
-    }
-    if (Pstream::master())
-    {
-        walls_.end();
-    }
-    watch(d);
+    demCheck(dem_table_add_walls(walls_.rows(d), d, time_.value(), elapsed_));
+    elapsed_ = 0;
 }
 
 
-// The same table as the program dem writes
 void Foam::demRecord::writeEnergy(::dem* d)
 {
     const ::dem_energy_item* item = nullptr;
@@ -166,24 +140,13 @@ void Foam::demRecord::writeEnergy(::dem* d)
     int n = 0;
     demCheck(dem_energy(d, &since, &n, &item));
 
-    if (!Pstream::master())
+    if (Pstream::master())
     {
-        return;
+        demCheck
+        (
+            dem_table_add_energy(energies_.rows(d), d, time_.value(), since, n, item)
+        );
     }
-    string columns("time[s],since[s]");
-    for (int k = 0; k < n; k++)
-    {
-        columns += string(",") + item[k].name + "[J]";
-    }
-    energies_.begin(d, columns);
-
-    energies_.rows() << time_.value() << ',' << since;
-    for (int k = 0; k < n; k++)
-    {
-        energies_.rows() << ',' << item[k].value;
-    }
-    energies_.rows() << '\n';
-    energies_.end();
 }
 
 
@@ -196,7 +159,7 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
     elapsed_(0),
     walls_(time, "walls.csv"),
     energy_(false),
-    energies_(time, "energy.csv", 12)
+    energies_(time, "energy.csv")
 {
     if (coupling.found("record"))
     {

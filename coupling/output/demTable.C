@@ -1,5 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demTable.C -- CSV table of a run, made with its first row.
+    demTable.C -- CSV table of a run.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
@@ -12,18 +12,20 @@
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-Foam::demTable::demTable
-(
-    const Time& time,
-    const word& name,
-    const label digits
-)
+Foam::demTable::demTable(const Time& time, const word& name)
 :
     time_(time),
-    file_(folder(time)/name),
-    dem_(nullptr),
-    digits_(digits)
-{}
+    begun_(false)
+{
+    if (folder(time).size() + name.size() + 2 > sizeof(table_.folder))
+    {
+        FatalErrorInFunction
+            << "The path of " << folder(time)/name << " is longer than "
+            << sizeof(table_.folder) << " characters; move the case to a shorter one"
+            << exit(FatalError);
+    }
+    dem_table_name(&table_, folder(time).c_str(), name.c_str(), time.startTime().value());
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -47,48 +49,29 @@ void Foam::demTable::recordEffects(const Time& time, const ::dem* d)
 
 Foam::string Foam::demTable::name() const
 {
-    return time_.relativePath(file_);
+    return time_.relativePath(fileName(table_.path));
 }
 
 
-void Foam::demTable::begin(const ::dem* d, const string& columns)
+void Foam::demTable::begin(const ::dem* d)
 {
-    if (!head_.empty())
+    if (!begun_ && Pstream::master())
     {
-        return;
+        demCheck(dem_table_begin(&table_, d, -1));
     }
-    if (isFile(file_, false))
-    {
-        rm(file_);
-    }
-    dem_ = d;
-    head_ = columns;
+    begun_ = true;
 }
 
 
-std::ostream& Foam::demTable::rows()
+const struct ::dem_table* Foam::demTable::rows(const ::dem* d)
 {
-    if (!rows_.is_open())
+    if (!Pstream::master())
     {
-        recordEffects(time_, dem_);
-        rows_.open(file_.c_str());
-        rows_.precision(int(digits_));
-        rows_ << head_ << '\n';
-        end();
+        return nullptr;
     }
-    return rows_;
-}
-
-
-void Foam::demTable::end()
-{
-    rows_.flush();
-    if (!rows_)
-    {
-        FatalErrorInFunction
-            << "Cannot write all of " << file_ << "; free disk space, or correct"
-            << " the permissions of its folder" << exit(FatalError);
-    }
+    begin(d);
+    mkDir(fileName(table_.folder));
+    return &table_;
 }
 
 // ************************************************************************* //

@@ -6,8 +6,7 @@
  */
 #include "app/energy_csv.h"
 #include "core/error.h"
-#include "app/csv_rows.h"
-#include "core/text.h"
+#include "app/run_tables.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -15,13 +14,13 @@ int dem_energy_log_begin(struct dem_energy_log *log, const struct dem_program *p
                          const struct dem_output *o, const struct dem *d)
 {
     *log = (struct dem_energy_log){.output = o, .interval = o->energy, .when = o->start};
-    snprintf(log->path, sizeof log->path, "%s/energy.csv", o->folder);
+    dem_table_name(&log->table, o->folder, "energy.csv", o->start);
     if (log->interval <= 0.0)
     {
         return DEM_OK;
     }
     return dem_program_agree(prog,
-                             prog->rank == 0 ? dem_csv_begin(log->path, 0, o, d) : DEM_OK);
+                             prog->rank == 0 ? dem_table_begin(&log->table, d, 0) : DEM_OK);
 }
 
 struct row
@@ -30,37 +29,6 @@ struct row
     int n;
     const struct dem_energy_item *item;
 };
-
-static int open_table(FILE **f, const struct dem_energy_log *log, const struct dem *d,
-                      const struct row *r)
-{
-    struct dem_text columns = {0};
-
-    dem_text_add(&columns, "time[s],since[s]");
-    for (int k = 0; k < r->n; k++)
-    {
-        dem_text_add(&columns, ",%s[J]", r->item[k].name);
-    }
-    const int status =
-        columns.status ? columns.status : dem_csv_open(f, log->path, log->output, d, columns.text);
-
-    dem_text_free(&columns);
-    return status;
-}
-
-static int write_row(const struct dem_energy_log *log, const struct dem *d, const struct row *r)
-{
-    FILE *f;
-
-    DEM_TRY(open_table(&f, log, d, r));
-    fprintf(f, "%.10g,%.10g", r->now, r->since);
-    for (int k = 0; k < r->n; k++)
-    {
-        fprintf(f, ",%.12g", r->item[k].value + 0.0);    /* no minus zero */
-    }
-    fprintf(f, "\n");
-    return dem_csv_close(f, log->path);
-}
 
 struct fastest
 {
@@ -158,7 +126,7 @@ int dem_energy_log_append(struct dem_energy_log *log, const struct dem_program *
     struct row r = {.now = now};
     int status = DEM_OK;
 
-    if (!dem_csv_is_due(log->interval, now))
+    if (!dem_is_due(log->interval, now))
     {
         return DEM_OK;
     }
@@ -166,8 +134,7 @@ int dem_energy_log_append(struct dem_energy_log *log, const struct dem_program *
     update_extremes(log, &r);
     if (prog->rank == 0)
     {
-        status = dem_output_folder(log->output);
-        status = status ? status : write_row(log, d, &r);
+        status = dem_table_add_energy(&log->table, d, r.now, r.since, r.n, r.item);
     }
     DEM_TRY(dem_program_agree(prog, status));
     return check_created(log, prog, d, &r);

@@ -13,11 +13,12 @@
 #include "dem.h"
 #include "app/main.h"
 #include "app/output_files.h"
+#include "dem_tables.h"
 
 struct dem_energy_log
 {
     const struct dem_output *output;
-    char path[640];
+    struct dem_table table;
     double interval;                 /* s  0: no rows */
     double residual, when, largest;  /* J, s, J  largest residual of all rows, its time; largest
                                         term */

@@ -4,9 +4,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "app/output_files.h"
-#include "app/bonds_csv.h"
 #include "app/walls_vtk.h"
 #include "core/error.h"
+#include "core/file.h"
 #include "core/memory.h"
 #include "core/did_you_mean.h"
 #include "output/csv_table.h"
@@ -238,15 +238,6 @@ int dem_output_check(const struct dem_output *o, const struct dem_program *prog)
     return dem_program_agree(prog, prog->rank == 0 && writes ? check_folder(o) : DEM_OK);
 }
 
-int dem_output_folder(const struct dem_output *o)
-{
-    errno = 0;
-    DEM_REQUIRE(mkdir(o->folder, 0777) == 0 || errno == EEXIST, DEM_ERROR_FILE, "cannot create the "
-                "folder %s: %s", o->folder,
-                strerror(errno));
-    return DEM_OK;
-}
-
 /* On the first rank: the file's entry in particles.pvd, and the walls when they move. */
 static int add_to_collection(const struct dem_output *o, const struct dem *d, int64_t number,
                              double time, const char *file)
@@ -281,7 +272,12 @@ static int write_vtk(const struct dem_output *o, const struct dem_program *prog,
     DEM_TRY(write_particles(o, prog, d, file));
     DEM_TRY(dem_program_agree(prog, prog->rank == 0 ? add_to_collection(o, d, number, time, file)
                                                     : DEM_OK));
-    return dem_bonds_write_vtk(d, o->folder, number, time);
+    if (!dem_has_bonds(d))
+    {
+        return DEM_OK;
+    }
+    snprintf(file, sizeof file, "bonds_%06lld.vtp", (long long)number);
+    return dem_bonds_draw(d, o->folder, file, time);
 }
 
 int dem_output_write(const struct dem_output *o, const struct dem_program *prog, struct dem *d,
@@ -289,7 +285,7 @@ int dem_output_write(const struct dem_output *o, const struct dem_program *prog,
 {
     const int folder = prog->rank == 0 && (o->vtk || o->csv || o->snapshots || dem_averages_count(d));
 
-    DEM_TRY(dem_program_agree(prog, folder ? dem_output_folder(o) : DEM_OK));
+    DEM_TRY(dem_program_agree(prog, folder ? dem_file_make_folder(o->folder) : DEM_OK));
     if (o->vtk)
     {
         DEM_TRY(write_vtk(o, prog, d, number, time));
@@ -337,7 +333,7 @@ int dem_output_last_good(const struct dem_output *o, const struct dem_program *p
 {
     char path[640];
 
-    DEM_TRY(dem_program_agree(prog, prog->rank == 0 ? dem_output_folder(o) : DEM_OK));
+    DEM_TRY(dem_program_agree(prog, prog->rank == 0 ? dem_file_make_folder(o->folder) : DEM_OK));
     if (o->vtk)
     {
         DEM_TRY(write_particles(o, prog, d, "lastGood.vtp"));

@@ -35,9 +35,6 @@ int dem_output_read(struct dem_output *, const struct dem_dict *write, const cha
 /* Collective. An error when the folder can neither be written nor created. Creates nothing. */
 int dem_output_check(const struct dem_output *, const struct dem_program *);
 
-/* Create the folder, unless it exists. */
-int dem_output_folder(const struct dem_output *);
-
 /* Collective. dem_output_write: VTK files and averages of an output. dem_output_save: its
    snapshot; of more than `keep` the oldest is removed. */
 int dem_output_write(const struct dem_output *, const struct dem_program *, struct dem *,

@@ -6,14 +6,11 @@
  */
 #include "app/main.h"
 #include "app/energy_csv.h"
-#include "app/bonds_csv.h"
-#include "app/flows_csv.h"
-#include "app/lost_csv.h"
-#include "app/csv_rows.h"
+#include "app/run_tables.h"
 #include "app/scene_options.h"
 #include "app/walls_vtk.h"
-#include "app/walls_csv.h"
 #include "core/error.h"
+#include "core/file.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -114,15 +111,14 @@ static void report(struct progress *p, const struct dem_totals *t)
 /* The run has failed: report lost particles and broken bonds, write the last backup, and add its
    path to the message. */
 static int write_last_good(const struct dem_program *prog, struct dem *d,
-                           const struct dem_output *o, struct dem_lost_log *lost, int failure)
+                           const struct dem_output *o, struct dem_run_tables *tables, int failure)
 {
     char text[DEM_ERROR_TEXT_SIZE];
     double time = 0.0;
     int status;
 
     snprintf(text, sizeof text, "%s", dem_error_text());
-    status = dem_lost_log_append(lost, prog, d);
-    status = status ? status : dem_bond_rows_append(prog, d, o);
+    status = dem_run_tables_losses(tables, prog, d);
     if (!o->last_good && !status)
     {
         return dem_error(failure, "%s", text);
@@ -149,10 +145,8 @@ struct run_state
     struct dem *d;
     struct progress p;
     struct dem_quiet quiet;
-    struct dem_lost_log lost;
-    struct dem_wall_log walls;
+    struct dem_run_tables tables;
     struct dem_energy_log energy;
-    struct dem_flow_log flows;
     struct dem_totals t;
 };
 
@@ -166,7 +160,7 @@ static int advance(struct run_state *c, double duration)
     }
     const int status = dem_advance(c->d, duration);
 
-    DEM_TRY(status && dem_ranks_agree(c->d) ? write_last_good(c->prog, c->d, o, &c->lost, status)
+    DEM_TRY(status && dem_ranks_agree(c->d) ? write_last_good(c->prog, c->d, o, &c->tables, status)
                                             : status);
     DEM_TRY(dem_totals(c->d, &c->t));
     c->p.overlap = fmax(c->p.overlap, c->t.largest_overlap);
@@ -180,7 +174,7 @@ static int save_stopped(struct run_state *c, int64_t number)
     const double began = MPI_Wtime();
     char path[640];
 
-    DEM_TRY(dem_program_agree(c->prog, c->prog->rank == 0 ? dem_output_folder(o) : DEM_OK));
+    DEM_TRY(dem_program_agree(c->prog, c->prog->rank == 0 ? dem_file_make_folder(o->folder) : DEM_OK));
     dem_output_snapshot_name(o, number, path, sizeof path);
     DEM_TRY(dem_save(c->d, path));
     DEM_TRY(dem_totals(c->d, &c->t));
@@ -209,21 +203,9 @@ static int write_output(struct run_state *c, int64_t number)
         printf("warning: %s\n", warning);
         fflush(stdout);
     }
-    DEM_TRY(dem_flow_log_append(&c->flows, c->prog, c->d, c->t.time));
-    DEM_TRY(dem_lost_log_append(&c->lost, c->prog, c->d));
-    DEM_TRY(dem_bond_rows_append(c->prog, c->d, o));
+    DEM_TRY(dem_run_tables_flows(&c->tables, c->prog, c->d, c->t.time));
+    DEM_TRY(dem_run_tables_losses(&c->tables, c->prog, c->d));
     return dem_stopped(c->d) ? save_stopped(c, number) : dem_output_save(o, c->prog, c->d, number);
-}
-
-/* The table of effects is continued or removed like the tables beside it. */
-static int begin_effects(const struct run_state *c)
-{
-    const struct dem_output *const o = &c->s->output;
-    char path[640];
-
-    snprintf(path, sizeof path, "%s/effects.csv", o->folder);
-    return dem_program_agree(c->prog,
-                             c->prog->rank == 0 ? dem_csv_begin(path, 0, o, c->d) : DEM_OK);
 }
 
 static int begin(struct run_state *c)
@@ -242,17 +224,13 @@ static int begin(struct run_state *c)
     {
         dem_set_progress(c->d, progress_interval, report_progress, &c->p);
     }
-    DEM_TRY(begin_effects(c));
-    DEM_TRY(dem_lost_log_begin(&c->lost, c->prog, o, c->d));
-    DEM_TRY(dem_flow_log_begin(&c->flows, c->prog, o, c->d));
-    DEM_TRY(dem_bond_rows_begin(c->prog, c->d, o));
+    DEM_TRY(dem_run_tables_begin(&c->tables, c->prog, o, c->d));
     DEM_TRY(dem_walls_vtk_begin(o, c->prog, c->d));
     if (start == 0.0)
     {
         DEM_TRY(dem_output_write(o, c->prog, c->d, 0, 0.0));
         DEM_TRY(dem_output_save(o, c->prog, c->d, 0));
     }
-    DEM_TRY(dem_wall_log_begin(&c->walls, c->prog, o, c->d));
     DEM_TRY(dem_energy_log_begin(&c->energy, c->prog, o, c->d));
     return start == 0.0 ? dem_energy_log_append(&c->energy, c->prog, c->d, 0.0) : DEM_OK;
 }
@@ -264,16 +242,16 @@ static int advance_to(struct run_state *c, double next)
 
     for (double due = 0.0; due < next;)
     {
-        due = dem_csv_next_due(o->energy, c->t.time, dem_csv_next_due(o->walls, c->t.time, next));
+        due = dem_next_due(o->energy, c->t.time, dem_next_due(o->walls, c->t.time, next));
         DEM_TRY(advance(c, due - c->t.time));
         if (dem_stopped(c->d))
         {
             return DEM_OK;
         }
-        DEM_TRY(dem_wall_log_append(&c->walls, c->prog, c->d, due));
+        DEM_TRY(dem_run_tables_walls(&c->tables, c->prog, c->d, due));
         const int status = dem_energy_log_append(&c->energy, c->prog, c->d, due);
 
-        DEM_TRY(status == DEM_ERROR_NUMBER ? write_last_good(c->prog, c->d, o, &c->lost, status)
+        DEM_TRY(status == DEM_ERROR_NUMBER ? write_last_good(c->prog, c->d, o, &c->tables, status)
                                            : status);
     }
     return DEM_OK;
@@ -338,7 +316,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
         }
     }
     DEM_TRY(print_profile(prog, d, &s->output));
-    dem_flow_log_print(prog, d);
+    dem_run_tables_print_flows(prog, d);
     dem_energy_log_print(&c.energy, prog);
     print_quiet(&c.quiet, prog, &c.t);
     return DEM_OK;

@@ -5,6 +5,7 @@
  */
 #include "app/walls_vtk.h"
 #include "core/error.h"
+#include "core/file.h"
 #include "core/memory.h"
 #include "output/vtk.h"
 #include <stdio.h>
@@ -60,7 +61,7 @@ int dem_walls_vtk_begin(const struct dem_output *o, const struct dem_program *pr
     if (o->vtk && n > 0 && !moves && prog->rank == 0)
     {
         snprintf(path, sizeof path, "%s/walls.vtp", o->folder);
-        status = dem_output_folder(o);
+        status = dem_file_make_folder(o->folder);
         status = status ? status : write_all(d, n, path);
     }
     return dem_program_agree(prog, status);

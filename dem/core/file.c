@@ -10,6 +10,7 @@
 
 #include <errno.h>
 #include <string.h>
+#include <sys/stat.h>
 
 enum
 {
@@ -125,6 +126,15 @@ int dem_file_load_text(const char *path, char **text)
                      "%s, line %zu: found a zero byte, and plain text has none; is this the right "
                      "file? If it is, save it as UTF-8",
                      path, line);
+}
+
+int dem_file_make_folder(const char *path)
+{
+    errno = 0;
+    DEM_REQUIRE(mkdir(path, 0777) == 0 || errno == EEXIST, DEM_ERROR_FILE,
+                "cannot create the folder %s: %s; create its parent folder, or give another one",
+                path, strerror(errno));
+    return DEM_OK;
 }
 
 bool dem_file_exists(const char *path)

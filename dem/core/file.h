@@ -37,6 +37,9 @@ int dem_file_load(const char *path, char **bytes, size_t *n);
 /* The same for plain text; DEM_ERROR_FILE with the line when it contains a zero byte. */
 int dem_file_load_text(const char *path, char **text);
 
+/* Create a folder, unless it exists; not those around it. */
+int dem_file_make_folder(const char *path);
+
 /* False only when there is no such file; true also for one that cannot be read. */
 bool dem_file_exists(const char *path);
 

@@ -1,9 +1,9 @@
 /*
- * csv_rows.c -- head line of CSV tables; at a restart, remove the rows after its time.
+ * run_table.c -- tables that grow by rows; at a restart, remove the rows after its time.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "app/csv_rows.h"
+#include "dem_tables.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/file.h"
@@ -67,66 +67,59 @@ static int rewrite(const char *path, char *text, int column, double until, const
     return dem_file_finish(&f, status);
 }
 
-int dem_csv_begin(const char *path, int column, const struct dem_output *o, const struct dem *d)
+void dem_table_name(struct dem_table *t, const char *folder, const char *file, double start)
+{
+    snprintf(t->folder, sizeof t->folder, "%s", folder);
+    snprintf(t->path, sizeof t->path, "%s/%s", folder, file);
+    t->start = start;
+}
+
+int dem_table_begin(const struct dem_table *t, const struct dem *d, int time_column)
 {
     char *text;
     size_t n;
 
-    if (!dem_file_exists(path))
+    if (!dem_file_exists(t->path))
     {
         return DEM_OK;
     }
-    if (o->start > 0.0)
+    if (t->start > 0.0 && time_column >= 0)
     {
-        DEM_TRY(dem_file_load(path, &text, &n));
+        DEM_TRY(dem_file_load(t->path, &text, &n));
         /* times are written with 10 digits */
-        const int status = rewrite(path, text, column, o->start*(1.0 + 1e-9), o->folder);
+        const int status = rewrite(t->path, text, time_column, t->start*(1.0 + 1e-9), t->folder);
 
         dem_memory_free(text);
-        return status ? status : dem_effects_record(d, o->folder, o->start);
+        return status ? status : dem_effects_record(d, t->folder, t->start);
     }
-    DEM_REQUIRE(remove(path) == 0, DEM_ERROR_FILE, "cannot remove %s of an earlier run: %s", path,
-                strerror(errno));
+    DEM_REQUIRE(remove(t->path) == 0, DEM_ERROR_FILE, "cannot remove %s of an earlier run: %s",
+                t->path, strerror(errno));
     return DEM_OK;
 }
 
-int dem_csv_open(FILE **f, const char *path, const struct dem_output *o, const struct dem *d,
-                 const char *columns)
+int dem_table_append(const struct dem_table *t, const struct dem *d, const char *columns,
+                     const char *rows)
 {
-    const int new = !dem_file_exists(path);
+    const int new = !dem_file_exists(t->path);
 
     if (new)
     {
-        DEM_TRY(dem_effects_record(d, o->folder, o->start));
+        DEM_TRY(dem_file_make_folder(t->folder));
+        DEM_TRY(dem_effects_record(d, t->folder, t->start));
     }
-    *f = fopen(path, "a");
-    DEM_REQUIRE(*f, DEM_ERROR_FILE, "cannot write %s: %s", path, strerror(errno));
+    FILE *const f = fopen(t->path, "a");
+
+    DEM_REQUIRE(f, DEM_ERROR_FILE, "cannot write %s: %s", t->path, strerror(errno));
     if (new)
     {
-        fprintf(*f, "%s\n", columns);
+        fprintf(f, "%s\n", columns);
     }
-    return DEM_OK;
-}
-
-int dem_csv_close(FILE *f, const char *path)
-{
+    fputs(rows, f);
     const int bad = ferror(f) != 0;
 
-    DEM_REQUIRE(fclose(f) == 0 && !bad, DEM_ERROR_FILE, "cannot write all of %s: %s", path,
-                strerror(errno));
+    DEM_REQUIRE(fclose(f) == 0 && !bad, DEM_ERROR_FILE,
+                "cannot write all of %s: %s; free disk space, or correct the permissions of its "
+                "folder",
+                t->path, strerror(errno));
     return DEM_OK;
-}
-
-double dem_csv_next_due(double interval, double now, double next)
-{
-    const double due = interval > 0.0 ? (floor(now/interval + 1e-6) + 1.0)*interval : next;
-
-    return due < next*(1.0 - 1e-12) ? due : next;
-}
-
-int dem_csv_is_due(double interval, double now)
-{
-    const double number = interval > 0.0 ? now/interval : 0.5;
-
-    return fabs(number - floor(number + 0.5)) <= 1e-6;
 }

@@ -1,0 +1,161 @@
+/*
+ * run_table_rows.c -- the rows of lost.csv, bonds.csv, flows.csv, walls.csv and energy.csv.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "dem_tables.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/text.h"
+
+static int append(const struct dem_table *table, const struct dem *d, const char *columns,
+                  struct dem_text *rows)
+{
+    const int status = rows->status ? rows->status
+                                    : dem_table_append(table, d, columns, rows->text);
+
+    dem_text_free(rows);
+    return status;
+}
+
+int dem_table_add_losses(const struct dem_table *table, const struct dem *d, int64_t n,
+                         const struct dem_loss *loss, double offset, const char *const *patch)
+{
+    struct dem_text t = {0};
+
+    for (int64_t k = 0; k < n; k++)
+    {
+        const double *const x = loss[k].position, *const v = loss[k].velocity;
+
+        dem_text_add(&t, "%lld,%.10g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,\"%s%s\"\n",
+                     (long long)loss[k].id, loss[k].time + offset, x[0], x[1], x[2], v[0], v[1],
+                     v[2], loss[k].diameter, loss[k].cause, patch ? patch[k] : "");
+    }
+    return append(table, d, "id,time,x,y,z,vx,vy,vz,diameter,cause", &t);
+}
+
+int dem_table_add_bonds(const struct dem_table *table, const struct dem *d, int64_t n,
+                        const struct dem_broken_bond *b, double offset)
+{
+    struct dem_text t = {0};
+
+    for (int64_t k = 0; k < n; k++)
+    {
+        const double *const x = b[k].position;
+
+        dem_text_add(&t, "%.10g,%lld,%lld,%.9g,%.9g,%.9g,%s,%.9g\n", b[k].time + offset,
+                     (long long)b[k].id[0], (long long)b[k].id[1], x[0], x[1], x[2],
+                     dem_broken_bond_cause(b[k].cause), b[k].energy);
+    }
+    return append(table, d, "time,id1,id2,x,y,z,cause,energy", &t);
+}
+
+/* ---- streams and outlets --------------------------------------------------------------------- */
+
+static void remember(struct dem_flow_sums *s, int n, const struct dem_flow *flow, double now)
+{
+    s->time = now;
+    for (int k = 0; k < n; k++)
+    {
+        s->particles[k] = (double)flow[k].particles;
+        s->mass[k] = flow[k].mass;
+    }
+}
+
+int dem_flow_sums_set(struct dem_flow_sums *s, struct dem *d, double now)
+{
+    const struct dem_flow *flow;
+    int n;
+
+    DEM_TRY(dem_flows(d, &n, &flow));
+    remember(s, n, flow, now);
+    return DEM_OK;
+}
+
+int dem_table_add_flows(const struct dem_table *table, struct dem *d, double now,
+                        struct dem_flow_sums *last)
+{
+    const double over = now > last->time ? 1.0/(now - last->time) : 0.0;
+    const struct dem_flow *flow;
+    struct dem_text t = {0};
+    int n;
+
+    DEM_TRY(dem_flows(d, &n, &flow));
+    for (int k = 0; k < n; k++)
+    {
+        const struct dem_flow *const w = &flow[k];
+
+        dem_text_add(&t, "%.10g,%s,%s,%lld,%.9g,%.9g,%.9g,%.9g,%.9g,%lld,%.9g,%.9g\n", now, w->name,
+                     w->enters ? "in" : "out", (long long)w->particles, w->mass, w->momentum[0],
+                     w->momentum[1], w->momentum[2], w->energy, (long long)w->waiting,
+                     over*((double)w->particles - last->particles[k]),
+                     over*(w->mass - last->mass[k]));
+    }
+    remember(last, n, flow, now);
+    if (!table || n == 0)
+    {
+        dem_text_free(&t);
+        return DEM_OK;
+    }
+    return append(table, d,
+                  "time[s],name,way,particles,mass[kg],px[Ns],py[Ns],pz[Ns],energy[J],waiting,"
+                  "rate[1/s],massRate[kg/s]",
+                  &t);
+}
+
+/* ---- walls ----------------------------------------------------------------------------------- */
+
+static int measure_walls(struct dem *d, double now, double elapsed, struct dem_text *t)
+{
+    for (int w = 0; w < dem_wall_count(d); w++)
+    {
+        double value[12];
+
+        DEM_TRY(dem_wall_impulse(d, w, value, value + 3));
+        DEM_TRY(dem_wall_load(d, w, value + 6, value + 9));
+        dem_text_add(t, "%.10g,%s", now, dem_wall_name(d, w));
+        for (int k = 0; k < 12; k++)
+        {
+            dem_text_add(t, ",%.9g", k < 6 ? value[k]/elapsed : value[k]);
+        }
+        dem_text_add(t, "\n");
+    }
+    return dem_wall_impulse_reset(d);
+}
+
+int dem_table_add_walls(const struct dem_table *table, struct dem *d, double now, double elapsed)
+{
+    struct dem_text t = {0};
+    const int status = measure_walls(d, now, elapsed, &t);
+
+    if (status || !table || !t.text)
+    {
+        dem_text_free(&t);
+        return status;
+    }
+    return append(table, d,
+                  "time[s],wall,fx[N],fy[N],fz[N],tx[Nm],ty[Nm],tz[Nm],fx_now[N],fy_now[N],"
+                  "fz_now[N],tx_now[Nm],ty_now[Nm],tz_now[Nm]",
+                  &t);
+}
+
+/* ---- energy ---------------------------------------------------------------------------------- */
+
+int dem_table_add_energy(const struct dem_table *table, const struct dem *d, double now,
+                         double since, int n, const struct dem_energy_item *item)
+{
+    struct dem_text columns = {0}, t = {0};
+
+    dem_text_add(&columns, "time[s],since[s]");
+    dem_text_add(&t, "%.10g,%.10g", now, since);
+    for (int k = 0; k < n; k++)
+    {
+        dem_text_add(&columns, ",%s[J]", item[k].name);
+        dem_text_add(&t, ",%.12g", item[k].value + 0.0);    /* no minus zero */
+    }
+    dem_text_add(&t, "\n");
+    const int status = columns.status ? columns.status : append(table, d, columns.text, &t);
+
+    dem_text_free(&columns);
+    return status;
+}
