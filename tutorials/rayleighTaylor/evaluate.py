@@ -82,7 +82,7 @@ def fit(time, wave, k):
 
 
 def main():
-    table, curves, largest = results.Table(), [], (0, 0, None)
+    table, curves, shown = results.Table(), [], (math.inf, 0, None)
     for run in sorted((HERE/"runs").glob("length*"), key=lambda run: [float(x)
             for x in re.findall(r"[\d.]+", run.name)]):
         length, columns = re.fullmatch(r"length([\d.]+)-columns(\d+)", run.name).groups()
@@ -105,11 +105,11 @@ def main():
         table.add(part, "k times the way that the suspension has settled by the end of the fit", 0,
                   k*(level[0] - numpy.interp(end, time, level)))
         curves.append((part, time, k*wave, exact(k, share), k*start))
-        largest = max(largest, (columns, length, run))
+        shown = min(shown, (abs(columns - 56), length, run))
     table.write(HERE)
     try:
         draw(curves)
-        draw_suspension(*largest[:0:-1])
+        draw_suspension(*shown[:0:-1])
     except ImportError as reason:
         print(f"evaluate: no pictures ({reason})")
 
