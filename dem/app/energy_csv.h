@@ -13,7 +13,6 @@
 #include "dem.h"
 #include "app/main.h"
 #include "app/output_files.h"
-#include "dem_tables.h"
 
 struct dem_energy_log
 {

@@ -9,7 +9,7 @@
 
 #include "app/main.h"
 #include "app/output_files.h"
-#include "dem_tables.h"
+#include "dem.h"
 
 struct dem_run_tables
 {

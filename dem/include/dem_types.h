@@ -370,6 +370,25 @@ enum dem_exchange
     DEM_EXCHANGE_EXPLICIT        /* explicit: the impulse of the last advance */
 };
 
+enum
+{
+    DEM_FLOWS = 64    /* limit of streams and outlets; a scene may have fewer */
+};
+
+/* a table of a run: dem_table_name */
+struct dem_table
+{
+    char folder[512], path[640];
+    double start;     /* s  time at which the run starts */
+};
+
+/* sums of streams and outlets at the last rows of flows.csv, for their rates */
+struct dem_flow_sums
+{
+    double time;                                    /* s */
+    double particles[DEM_FLOWS], mass[DEM_FLOWS];   /* 1, kg */
+};
+
 #ifdef __cplusplus
 }
 #endif

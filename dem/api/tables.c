@@ -1,9 +1,9 @@
 /*
- * run_table.c -- tables that grow by rows; at a restart, remove the rows after its time.
+ * tables.c -- tables that grow by rows; at a restart, remove the rows after its time.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "dem_tables.h"
+#include "dem.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/file.h"

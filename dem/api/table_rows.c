@@ -1,9 +1,9 @@
 /*
- * run_table_rows.c -- the rows of lost.csv, bonds.csv, flows.csv, walls.csv and energy.csv.
+ * table_rows.c -- the rows of lost.csv, bonds.csv, flows.csv, walls.csv and energy.csv.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "dem_tables.h"
+#include "dem.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/text.h"
