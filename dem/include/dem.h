@@ -475,7 +475,7 @@ int dem_restore(struct dem *, double *time);
    dem_restore and what follows still work. */
 int dem_ranks_agree(const struct dem *);
 
-/* ---- tables of a run -------------------------------------------------------------------------  */
+/* ---- tables of a run ------------------------------------------------------------------------- */
 
 /* CSV tables that grow by rows: lost.csv, bonds.csv, flows.csv, walls.csv, energy.csv, and others of
    the caller; docs/output.md describes their columns. The first line has the names of the columns;
