@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""form.py -- pages of docs/ have the form of a page. Prints TAP.
+"""form.py -- pages of docs/ and of tutorials have the form of a page. Prints TAP.
 
 The first sentence says what the reader can do after it ("After this page you ..."). Within two
 screens (60 lines) there is code, a formula or a picture. No line is longer than 120 characters, but
-in code, tables and links. docs/README.md links every page. The column Suna of the table of
+in code, tables and links. docs/README.md links every page. The page of a tutorial opens with a small
+picture, is about one screen long, and says what one should see and may change. The column Suna of the table of
 docs/validation.md has numbers of the stored results of the case.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -16,6 +17,7 @@ import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SCREENS = 60
+PICTURE = 450000      # bytes
 
 
 def faults(name, text, index):
@@ -32,6 +34,23 @@ def faults(name, text, index):
             found.append("line %d has %d characters" % (number, len(line)))
     if name != "README.md" and "(%s" % name not in index:
         found.append("docs/README.md does not link it")
+    return found
+
+
+def tutorial_faults(path):
+    """Sentences about what the page of a tutorial lacks."""
+    text, found = open(path, encoding="utf-8").read(), []
+    picture = re.match(r"# .+\n\n!\[[^\]]+\]\(([^)]+)\)", text)
+    file = picture and os.path.join(os.path.dirname(path), picture.group(1))
+    if not picture:
+        found.append("it does not open with a picture")
+    elif not os.path.exists(file) or os.path.getsize(file) > PICTURE:
+        found.append("%s is missing, or larger than %d bytes" % (file, PICTURE))
+    if text.count("\n") > SCREENS:
+        found.append("it has more than %d lines" % SCREENS)
+    for heading in ("## What you should see", "## What to change next"):
+        if heading not in text:
+            found.append("it has no heading " + heading)
     return found
 
 
@@ -65,17 +84,22 @@ def validation(text):
 def main():
     pages, failed = sorted(glob.glob(os.path.join(ROOT, "docs", "*.md"))), 0
     index = open(os.path.join(ROOT, "docs", "README.md"), encoding="utf-8").read()
-    print("1..%d" % (len(pages) + 1))
-    for number, page in enumerate(pages, 1):
-        name = os.path.basename(page)
-        found = faults(name, open(page, encoding="utf-8").read(), index)
-        print("%s %d - docs/%s has the form of a page" % ("not ok" if found else "ok", number, name))
+    cases = sorted(set(glob.glob(os.path.join(ROOT, "tutorials", "*", "README.md"))) -
+                   {os.path.join(ROOT, "tutorials", "shared", "README.md")})
+    print("1..%d" % (len(pages) + len(cases) + 1))
+    for number, page in enumerate(pages + cases, 1):
+        name = os.path.relpath(page, ROOT)
+        if page in pages:
+            found = faults(os.path.basename(page), open(page, encoding="utf-8").read(), index)
+        else:
+            found = tutorial_faults(page)
+        print("%s %d - %s has the form of a page" % ("not ok" if found else "ok", number, name))
         for sentence in found:
             print("#   " + sentence)
         failed += bool(found)
     found = validation(open(os.path.join(ROOT, "docs", "validation.md"), encoding="utf-8").read())
     print("%s %d - the table of docs/validation.md has the numbers of the stored results" %
-          ("not ok" if found else "ok", len(pages) + 1))
+          ("not ok" if found else "ok", len(pages) + len(cases) + 1))
     for sentence in found:
         print("#   " + sentence)
     return failed > 0 or bool(found)
