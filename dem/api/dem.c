@@ -74,6 +74,11 @@ int dem_create(struct dem **out, MPI_Comm comm)
     return DEM_OK;
 }
 
+int dem_create_fortran(struct dem **out, int comm)
+{
+    return dem_create(out, comm == -1 ? MPI_COMM_NULL : MPI_Comm_f2c((MPI_Fint)comm));
+}
+
 void dem_free(struct dem *d)
 {
     if (!d)
@@ -100,6 +105,7 @@ void dem_free(struct dem *d)
     dem_text_free(&d->warnings);
     dem_text_free(&d->impact);
     dem_text_free(&d->effect);
+    dem_text_free(&d->value_text);
     dem_text_free(&d->profile);
     dem_scene_free(&d->scene);
     dem_dict_free(d->dict);

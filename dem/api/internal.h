@@ -93,7 +93,7 @@ struct dem
     double step;                                          /* s  the longest step that dem_advance
                                                              takes */
     double planned[2];   /* s  of the last dem_plan: dem_plan_seconds */
-    struct dem_text plan, profile, warnings, impact, effect;  /* the texts returned last */
+    struct dem_text plan, profile, warnings, impact, effect, value_text;  /* the texts returned last */
     double said_overlap, said_speed;                      /* 1, m/s  at the last dem_impact_warning
                                                              with a sentence */
     struct dem_verdicts verdicts;                         /* of that plan */

@@ -66,6 +66,9 @@ int dem_did_you_mean_error(const char *what, const char *word, const char *const
 /* Collective. Create an empty simulation; the caller frees it with dem_free. The communicator is
    duplicated; MPI_COMM_NULL runs on one rank without MPI. On failure the pointer is NULL. */
 int dem_create(struct dem **, MPI_Comm);
+
+/* The same for other languages: the communicator's Fortran handle; -1 for MPI_COMM_NULL. */
+int dem_create_fortran(struct dem **, int comm);
 void dem_free(struct dem *);  /* collective; NULL is allowed */
 
 /* ---- scene: before dem_check ----------------------------------------------------------------- */
@@ -75,6 +78,15 @@ void dem_free(struct dem *);  /* collective; NULL is allowed */
    NULL before a scene is read; valid until dem_free. */
 struct dem_dict;
 const struct dem_dict *dem_scene_dict(const struct dem *);
+
+/* The same without that header, by path ("time/end"), for other languages. dem_scene_value: the text
+   of a value, its words separated by blanks, valid until the next call; NULL for a group, and where
+   there is no entry. dem_scene_name: the name of entry k of a group, from 0 ("" is the whole scene);
+   NULL behind the last. dem_scene_skip: nothing will read this entry or group. The first and the
+   last count as reading it. */
+const char *dem_scene_value(struct dem *, const char *path);
+const char *dem_scene_name(const struct dem *, const char *path, int k);
+void dem_scene_skip(struct dem *, const char *path);
 
 /* Read a scene, once, from a file or from a text; `name` stands for the file name in messages. */
 int dem_scene_file(struct dem *, const char *path);

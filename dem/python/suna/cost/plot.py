@@ -1,27 +1,17 @@
-#!/usr/bin/env python3
-"""plot.py -- plot cost.csv of `dem cost`: error over processor time, Pareto front, observed order.
+"""plot.py -- plot cost.csv: error over processor time, Pareto front, observed order.
 
-    python3 plot.py FOLDER/cost.csv        writes FOLDER/cost.png and FOLDER/cost.svg
+    python3 -m suna.cost.plot FOLDER/cost.csv       writes FOLDER/cost.png and FOLDER/cost.svg
 
-Installed as dem-plot in the folder of the program. SPDX-License-Identifier: GPL-3.0-or-later
+SPDX-License-Identifier: GPL-3.0-or-later
 """
 import csv
 import math
-import os
-import pathlib
-import shutil
 import sys
+from pathlib import Path
 
-try:
-    import matplotlib
-except ImportError:
-    # another Python may come first in PATH than the one that has the packages
-    python = shutil.which(os.environ.get("SUNA_PYTHON") or "/usr/bin/python3")
-    if python is None or os.path.realpath(python) == os.path.realpath(sys.executable):
-        sys.exit("dem-plot needs python3 with matplotlib (Debian: python3-matplotlib)")
-    os.execv(python, [python, *sys.argv])
+import matplotlib
 matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+import matplotlib.pyplot as plt         # noqa: E402
 
 # of Okabe and Ito, which colour-blind readers tell apart, and two greys
 COLOURS = {"kinetic": "#d55e00", "rotation": "#e69f00", "height": "#0072b2", "overlap": "#56b4e9", "force": "#009e73",
@@ -73,8 +63,8 @@ def draw_front(axes, rows):
         axes.step(*zip(*points), where="post", color="0.6", lw=5, alpha=0.35, zorder=0, label="Pareto front of the worst")
 
 
-def main():
-    path = pathlib.Path(sys.argv[1])
+def plot(path):
+    path = Path(path)
     with path.open() as file:
         rows = list(csv.DictReader(file))
     names = list(dict.fromkeys(r["ladder"] for r in rows))
@@ -99,4 +89,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    plot(sys.argv[1])

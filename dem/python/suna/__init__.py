@@ -1,0 +1,15 @@
+"""suna -- discrete elements in Python: the core of Suna with numpy arrays.
+
+    import suna
+    sim = suna.Simulation("drop.dem")
+    sim.advance(0.01)
+    print(sim.position.mean(axis=0), sim.totals["kinetic"])
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from .files import (FileError, read_cloud, read_record, read_snapshot, read_table, read_vtp, tables,
+                    times)
+from .simulation import Simulation, SunaError, Wall
+
+__all__ = ["FileError", "Simulation", "SunaError", "Wall", "read_cloud", "read_record",
+           "read_snapshot", "read_table", "read_vtp", "tables", "times"]

@@ -1,0 +1,208 @@
+"""files.py -- read what Suna writes into numpy and pandas.
+
+    read_table      CSV tables: lost, bonds, flows, walls, energy, budget, averages, particles
+    read_vtp        particles and bonds for ParaView
+    read_snapshot   the state: particles, columns, contacts with history
+    read_record     particles.bin of a coupled run
+    read_cloud      lagrangian fields of a time folder of OpenFOAM, ascii or binary
+    tables, times   all tables, and the time folders, of a coupled case
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import re
+from pathlib import Path
+
+import numpy
+
+
+class FileError(Exception):
+    """A file that is not what it should be: which, and why."""
+
+
+# ---- tables --------------------------------------------------------------------------------------
+
+def read_table(path):
+    """A pandas.DataFrame; columns by name without the unit. In its attrs: `units` by column, and
+    `effects`, the names of the acting effects from effects.csv beside it (the last row's)."""
+    import pandas
+    table = pandas.read_csv(path, comment="#")
+    units = {}
+    for name in list(table.columns):
+        found = re.fullmatch(r"(.*)\[(.*)\]", name)
+        if found:
+            units[found[1]] = found[2]
+    table = table.rename(columns=lambda name: name.split("[")[0])
+    table.attrs["units"] = units
+    effects = Path(path).with_name("effects.csv")
+    if effects.exists() and effects != Path(path):
+        table.attrs["effects"] = str(pandas.read_csv(effects)["effects"].iloc[-1]).split()
+    return table
+
+
+# ---- ParaView ------------------------------------------------------------------------------------
+
+VTK_KINDS = {"Float64": "<f8", "Float32": "<f4", "Int64": "<i8", "Int32": "<i4", "UInt8": "u1"}
+
+
+def read_vtp(path):
+    """The arrays of a .vtp file that Suna has written, by name; positions are `points`."""
+    raw = Path(path).read_bytes()
+    head, found, data = raw.partition(b"<AppendedData")
+    if not found:
+        raise FileError(f"{path}: no appended data; not a file of Suna")
+    data = data[data.index(b"_") + 1:]
+    columns = {}
+    for tag in re.findall(rb"<DataArray [^>]*>", head):
+        words = dict(re.findall(r'(\w+)="([^"]*)"', tag.decode()))
+        at, width = int(words["offset"]), int(words.get("NumberOfComponents", 1))
+        size = int.from_bytes(data[at:at + 8], "little")
+        values = numpy.frombuffer(data[at + 8:at + 8 + size], VTK_KINDS[words["type"]])
+        columns[words["Name"]] = values.reshape(-1, width) if width > 1 else values
+    return columns
+
+
+# ---- snapshots -----------------------------------------------------------------------------------
+
+FLOW = numpy.dtype([("name", "S48"), ("kind", "i8"), ("count", "i8"), ("mass", "f8"),
+                    ("momentum", "f8", 3), ("energy", "f8"), ("rate", "f8", 3), ("owed", "f8", 3)])
+HEADER = numpy.dtype([("magic", "S8"), ("order", "u8"), ("version", "u8"), ("checksum", "u8", 3),
+                      ("particles", "i8"), ("rows", "i8"), ("steps", "i8"), ("caller", "i8"),
+                      ("time", "f8"), ("window", "i8", 2), ("opened", "f8", 2),
+                      ("skins", "i8", 24), ("flows", "i8"), ("next_id", "i8"), ("flow", FLOW, 24),
+                      ("materials", "i8"), ("columns", "i8"), ("memories", "i8"),
+                      ("list", numpy.dtype([("name", "S48"), ("width", "i8")]), 128)])
+RECORD = numpy.dtype([("position", "f8", 3), ("radius", "f8"), ("velocity", "f8", 3),
+                      ("inverse_mass", "f8"), ("spin", "f8", 3), ("inverse_inertia", "f8"),
+                      ("mass", "f8"), ("id", "i8"), ("material", "u2"), ("flags", "u2"),
+                      ("image", "u4"), ("viscosity", "f8")])
+VERSION = 5
+
+
+def read_snapshot(path):
+    """The state in a snapshot: `time`, `steps`, `materials` (names), `particles` (a structured array
+    with a field for each column of the core, too), `contacts` (keys and their history, as numbers)
+    and `history` (its names)."""
+    raw = Path(path).read_bytes()
+    if len(raw) < HEADER.itemsize or raw[:4] == b"Foam":
+        raise FileError(f"{path}: {len(raw)} bytes, too few for a snapshot")
+    head = numpy.frombuffer(raw, HEADER, 1)[0]
+    if head["version"] != VERSION:
+        raise FileError(f"{path}: version {head['version']}, this reader has {VERSION}; not a "
+                        "snapshot, or one of another version of Suna")
+    names = [name.decode() for name in head["list"]["name"]]
+    materials, columns = int(head["materials"]), int(head["columns"])
+    fields = [(names[k], "f8", int(head["list"]["width"][k])) if head["list"]["width"][k] > 1
+              else (names[k], "f8") for k in range(materials, materials + columns)]
+    kind = numpy.dtype(RECORD.descr + fields)
+    n, at = int(head["particles"]), HEADER.itemsize
+    particles = numpy.frombuffer(raw, kind, n, at)
+    at += n*kind.itemsize
+    history = names[materials + columns:materials + columns + int(head["memories"])]
+    width = (int(len(raw) - head["caller"]) - at)//max(8*int(head["rows"]), 1)
+    contacts = numpy.frombuffer(raw, "f8", int(head["rows"])*width, at).reshape(-1, max(width, 1))
+    return {"time": float(head["time"]), "steps": int(head["steps"]),
+            "materials": names[:materials], "particles": particles, "contacts": contacts,
+            "history": history}
+
+
+# ---- coupled cases -------------------------------------------------------------------------------
+
+BEAD = numpy.dtype([("id", "i4"), ("position", "f4", 3), ("velocity", "f4", 3), ("diameter", "f4")])
+
+
+def read_record(path):
+    """The instants of a particles.bin, one after the other: time [s], structured array of id,
+    position, velocity, diameter. A last one that is not complete is left out."""
+    with open(path, "rb") as file:
+        while True:
+            head = file.read(16)
+            if len(head) < 16:
+                return
+            time, n = numpy.frombuffer(head, "f8", 1)[0], numpy.frombuffer(head, "i8", 1, 8)[0]
+            raw = file.read(int(n)*BEAD.itemsize)
+            if len(raw) < n*BEAD.itemsize:
+                return
+            yield float(time), numpy.frombuffer(raw, BEAD)
+
+
+def times(case):
+    """Time folders of a case with particles, in order: (time, path)."""
+    found = []
+    for folder in Path(case).iterdir():
+        try:
+            found.append((float(folder.name), folder))
+        except ValueError:
+            continue
+    return sorted((time, folder) for time, folder in found if any(folder.glob("lagrangian/*")))
+
+
+def tables(case):
+    """CSV tables of a coupled case by name; the rows of all starts, a later start replaces what an
+    earlier one has from its time on."""
+    import pandas
+    found = {}
+    folders = sorted(Path(case).glob("postProcessing/dem/*"), key=lambda path: float(path.name))
+    for folder in folders:
+        for path in folder.glob("*.csv"):
+            if path.name == "effects.csv":
+                continue
+            table, earlier = read_table(path), found.get(path.stem)
+            if earlier is not None and "time" in table:
+                kept = earlier[earlier["time"] < float(folder.name)*(1 + 1e-9)]
+                attrs = table.attrs
+                table = pandas.concat([kept, table], ignore_index=True)
+                table.attrs = attrs
+            found[path.stem] = table
+    return found
+
+
+def _foam_file(path):
+    raw = Path(path).read_bytes()
+    end = raw.index(b"}") + 1
+    head, body = raw[:end].decode(errors="replace"), raw[end:].lstrip()
+    while body.startswith(b"//"):
+        body = body.split(b"\n", 1)[1].lstrip()
+    return re.search(r"class\s+([^;]+);", head)[1], "binary" in head, body
+
+
+def _foam_list(path):
+    kind, binary, body = _foam_file(path)
+    found = re.match(rb"(\d+)\s*([({])", body)
+    if not found:
+        raise FileError(f"{path}: no list of values")
+    n, at = int(found[1]), found.end()
+    width = 3 if kind.startswith("vector") else 1
+    number = "<i4" if kind.startswith("label") else "<f8"
+    if kind == "Cloud<basicKinematicCollidingParcel>" or "positions" in Path(path).name:
+        return _positions(path, n, at, binary, body)
+    if found[2] == b"{":
+        one = numpy.array(re.findall(rb"[-+0-9.eE]+", body[at:body.rindex(b"}")]), float)
+        values = numpy.tile(one, n)
+    elif binary:
+        values = numpy.frombuffer(body, number, n*width, at)
+    else:
+        values = numpy.array(re.findall(rb"[-+0-9.eE]+", body[at:body.rindex(b")")]), float)
+    return values.reshape(-1, width) if width > 1 else values
+
+
+def _positions(path, n, at, binary, body):
+    if not binary:
+        rows = re.findall(rb"\(([^()]+)\)\s*-?\d+", body[at:])
+        return numpy.array([row.split() for row in rows], float).reshape(-1, 3)
+    # "(" 3 doubles, 1 label ")" and a line's end
+    entry = numpy.dtype([("open", "S1"), ("x", "<f8", 3), ("cell", "<i4"), ("close", "S1"),
+                         ("end", "S1")])
+    at = body.index(b"(", at)
+    rows = numpy.frombuffer(body, entry, n, at)
+    if not (rows["open"] == b"(").all():
+        raise FileError(f"{path}: not {n} positions with a cell of 32 bits each")
+    return rows["x"]
+
+
+def read_cloud(folder):
+    """Fields of the particles in a time folder by name; `positions` are n x 3 [m]."""
+    clouds = sorted(Path(folder).glob("lagrangian/*/positions"))
+    if len(clouds) != 1:
+        raise FileError(f"{folder}: {len(clouds)} clouds under lagrangian, one is wanted")
+    return {path.name: _foam_list(path) for path in sorted(clouds[0].parent.iterdir())
+            if path.name not in ("coordinates",)}
