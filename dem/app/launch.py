@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""launch.py -- beside the program as dem-cost and dem-plot: starts suna.cost with a python3 that has
-what it needs.
+"""launch.py -- beside the program as dem-cost, dem-plot and demCost: starts suna.cost with a python3
+that has what it needs.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -9,7 +9,8 @@ import shutil
 import sys
 
 HERE = os.path.dirname(os.path.realpath(__file__))
-NEEDS = {"dem-cost": ("cffi", "numpy", "scipy"), "dem-plot": ("matplotlib",)}
+NEEDS = {"dem-cost": ("cffi", "numpy", "scipy"), "demCost": ("cffi", "numpy", "scipy"),
+         "dem-plot": ("matplotlib",)}
 NAME = os.path.basename(__file__)
 
 
@@ -40,6 +41,11 @@ if NAME == "dem-plot":
         sys.exit("Usage: dem-plot FOLDER/cost.csv")
     from suna.cost.plot import plot
     plot(sys.argv[1])
-else:
-    from suna.cost.__main__ import command
-    sys.exit(command(sys.argv[1:]))
+    sys.exit()
+
+from suna.cost.__main__ import command
+
+if NAME == "demCost":
+    from suna.cost.case_command import main
+    sys.exit(command(sys.argv[1:], NAME, main))
+sys.exit(command(sys.argv[1:]))

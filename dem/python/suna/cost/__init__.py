@@ -11,6 +11,7 @@ over the same window of simulated time.
     closed_forms.py head-on impact of two bodies
     table.py        a study as a table of runs that another program made
     case.py         the series of an OpenFOAM case
+    case_command.py, __main__.py, options.py    the commands demCost and dem cost
     report.py       tables on the terminal, cost.csv, the picture
     best_buy.py     the cheapest level within the target error, in one sentence
 

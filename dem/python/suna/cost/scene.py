@@ -20,7 +20,7 @@ import numpy
 
 from ..simulation import Simulation, SunaError
 from .closed_forms import closed_forms, find_impact, vector
-from .study import Level, Run, Series, Study
+from .study import Level, Refused, Run, Series, Study
 
 UNITS = {"kinetic": "J", "rotation": "J", "height": "m", "overlap": "1", "force": "N",
          "contacts": "1", "restitution": "1"}
@@ -29,10 +29,6 @@ FRICTION = ("friction", "tangentialDamping", "adhesion")        # settings that 
 SERIES = ("step", "stiffness", "precision", "friction")
 MAX_SAMPLES = 32
 MIN_STEPS, SAMPLE_STEPS = 10, 40    # of the coarsest level: in the window, between two samples
-
-
-class Refused(Exception):
-    """What cannot be studied: the sentence."""
 
 
 class Alone:

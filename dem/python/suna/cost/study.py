@@ -18,6 +18,10 @@ import numpy
 from . import refinement
 
 
+class Refused(Exception):
+    """What cannot be studied: the sentence."""
+
+
 @dataclass
 class Run:
     steps: int
