@@ -288,6 +288,10 @@ class CaseStudy:
         log = at/"log"
         if not log.is_file():
             at.mkdir(parents=True)
+            for each in self.case.folder.iterdir():     # files that the scene may read
+                if each.is_file():
+                    shutil.copy(each, at)
+            shutil.copytree(self.case.folder/"constant", at/"constant")
             shutil.copy(self.case.folder/self.options.settle, at)
             settings = [word for name, modulus in self.case.moduli.items()
                         for word in ("-set", f"materials/{name}/youngsModulus",
@@ -315,7 +319,7 @@ class CaseStudy:
                 (to/each.name).symlink_to(each)
         if self.options.settle:
             for each in self.settle(stiffness).iterdir():
-                if each.is_dir():
+                if each.is_dir() and each.name != "constant":
                     if (to/each.name).is_symlink():
                         (to/each.name).unlink()
                     (to/each.name).symlink_to(each)
