@@ -47,6 +47,7 @@ static const char help[] =
     "            keep 3;                  of all snapshots only the last so many; default: all\n"
     "            lastGood yes; }          backups in memory; the last is written as lastGood.dem\n"
     "                                     when the run fails\n"
+    "    accuracy { target 0.01; }        search the step for errors within 1 % first, see dem cost\n"
     "-restart continues from a snapshot, on any number of ranks, with the same bits as the run\n"
     "that wrote it. SIGTERM, SIGUSR1 and SIGINT (Ctrl-C) end the run after the present step with\n"
     "a snapshot, from which -restart continues with the same bits.\n"
@@ -412,6 +413,7 @@ static int run(struct dem_program *prog, struct dem *d, const struct dem_schedul
     struct dem_totals t;
     uint64_t hash;
 
+    DEM_TRY(dem_accuracy_search(&s.accuracy, prog, s.request));
     /* before the first line is printed, to which a script may answer with a signal */
     dem_set_stop_flag(d, dem_catch_signals(NULL, 0));
     DEM_TRY(dem_totals(d, &t));
@@ -421,6 +423,7 @@ static int run(struct dem_program *prog, struct dem *d, const struct dem_schedul
     DEM_TRY(dem_hash(d, &hash));
     if (prog->rank == 0)
     {
+        dem_accuracy_print(&s.accuracy, dem_step_limit(d).used);
         printf("hash %016llx\n", (unsigned long long)hash);
     }
     return DEM_OK;

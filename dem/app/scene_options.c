@@ -208,6 +208,7 @@ static int set_up(const struct dem_program *prog, const struct dem_request *r, s
     }
     DEM_TRY(read_schedule(s, d, r->scene));
     DEM_TRY(r->no_output ? DEM_OK : dem_output_check(&s->output, prog));
+    DEM_TRY(dem_accuracy_read(&s->accuracy, dem_scene_dict(d)));
     DEM_TRY(accept_coupling(dem_scene_dict(d), &s->coupling));
     DEM_TRY(s->output.energy > 0.0 && !r->no_output ? dem_energy_enable(d) : DEM_OK);
     DEM_TRY(s->output.orientation ? dem_orientation_enable(d) : DEM_OK);
@@ -228,7 +229,7 @@ int dem_scene_open(const struct dem_program *prog, const struct dem_request *r, 
     struct dem *d;
 
     *made = NULL;
-    *s = (struct dem_schedule){.end = 0.0};
+    *s = (struct dem_schedule){.request = r};
     DEM_TRY(dem_create(&d, prog->comm));
     const int status = set_up(prog, r, d, s);
 

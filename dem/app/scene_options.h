@@ -8,6 +8,7 @@
 #define DEM_APP_SCENE_OPTIONS_H
 
 #include "dem.h"
+#include "app/accuracy.h"
 #include "app/main.h"
 #include "app/output_files.h"
 
@@ -19,6 +20,8 @@ struct dem_schedule
     struct dem_output output;
     int with_gravity;      /* 1: among the effects */
     double gravity[3];     /* m/s2 */
+    struct dem_accuracy accuracy;
+    const struct dem_request *request;
     int coupling;          /* 1: the scene has an entry `coupling`, which is not read */
 };
 

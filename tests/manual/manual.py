@@ -252,7 +252,8 @@ class Manual:
         """What a program tells of itself: its -help, and the text of a script."""
         if program not in self.helps:
             text = ""
-            if os.path.isfile(program) and open(program, "rb").read(2) == b"#!":
+            script = os.path.isfile(program) and open(program, "rb").read(2) == b"#!"
+            if script and os.path.basename(program) != "demCost":
                 text = open(program, encoding="utf-8", errors="replace").read()
                 for other in ("settings.py", "speed.py", "compare.py"):
                     beside = os.path.join(os.path.dirname(program), other)

@@ -18,7 +18,8 @@ class SunaError(Exception):
 
 
 # entries of a scene that belong to the program dem
-PROGRAM = ("time/end", "time/untilQuiet", "time/maxCreated", "write", "coupling")
+PROGRAM = ("time/end", "time/untilQuiet", "time/maxCreated", "write", "coupling",
+           "accuracy")
 
 
 def check(status):

@@ -14,6 +14,7 @@ from .report import report
 from .scene import SERIES, UNITS, Alone, SceneStudy, Together
 from .study import Refused
 from .table import read_study
+from .target import run_scene, search, write_copy
 
 HELP = """Usage: dem cost [OPTION VALUE] ... [-restart SNAPSHOT] [-set PATH VALUE] ... SCENE
 
@@ -28,7 +29,11 @@ the folder named at the end: cost.csv, cost.png and cost.svg (these need matplot
     -budget S          s of processor time for all runs together; default 60
     -runs N            runs of each level, with steps up to 4 % longer and shorter;
                        default 5, 3 to 32
-    -target E          error that the best buy must not exceed; default 0.01
+    -target E          error that the best buy must not exceed, as in 0.01 or 1%; default
+                       0.01. If given, finer steps are added within the budget until one
+                       reaches it, and the choice is written as SCENE.accurate beside the
+                       scene: bed.accurate.dem
+    -run               with -target: runs the scene with the choice, instead of writing it
     -of LIST           quantities, separated by commas: kinetic, rotation, height, overlap,
                        force, contacts, restitution; default: all that the scene has
     -series LIST       series, separated by commas: step, stiffness, precision, friction
@@ -53,7 +58,7 @@ VALUES = ("-window", "-restart", "-budget", "-runs", "-target", "-of", "-series"
 
 def read_command(arguments):
     """Scene, options, settings, restart."""
-    given, scenes = read_options(arguments, "dem cost", VALUES, ("-effects",))
+    given, scenes = read_options(arguments, "dem cost", VALUES, ("-effects", "-run"))
     if not scenes:
         raise Refused("no scene; see dem cost -help")
     if len(scenes) > 1:
@@ -64,6 +69,8 @@ def read_command(arguments):
     window = number("-window", given.get("-window"), 0, math.inf, None)
     if window == 0:
         raise Refused("-window 0; give a number of seconds above 0")
+    series = words("series", "-series", given.get("-series"), SERIES)
+    search = "-target" in given and not given.get("-effects") and (not series or "step" in series)
     name = os.path.basename(scene)
     options = SimpleNamespace(
         window=window, runs=whole("-runs", given.get("-runs"), 3, 32, 5),
@@ -71,7 +78,7 @@ def read_command(arguments):
         budget=number("-budget", given.get("-budget"), 0.1, 1e9, 60.0),
         target=fraction("-target", given.get("-target"), 0.01),
         of=words("quantity", "-of", given.get("-of"), tuple(UNITS)),
-        series=words("series", "-series", given.get("-series"), SERIES),
+        series=series, search=search, run="-run" in given,
         steps=levels("-steps", given.get("-steps"), "2,1,0.5,0.25,0.125"),
         stiffnesses=levels("-stiffnesses", given.get("-stiffnesses"), "0.0625,0.25,1,4,16"),
         folder=given.get("-folder") or (os.path.splitext(name)[0] or name) + ".cost")
@@ -87,6 +94,15 @@ def communicator():
     except ImportError:
         raise Refused("several ranks need mpi4py (Debian: python3-mpi4py)") from None
     return Together(MPI.COMM_WORLD)
+
+
+def finish_search(work, study, why):
+    if why:
+        print(f"target {study.target:g} is not reached: {why}")
+    if work.options.run:
+        sys.stdout.flush()
+        run_scene(work, study)
+    print(f"scene: {write_copy(work, study, why)}")
 
 
 def main(arguments):
@@ -109,9 +125,11 @@ def main(arguments):
             make_folder(options.folder)
         study = work.study()
         study.folder = options.folder
-        study.evaluate()
+        why = search(work, study) if options.search else study.evaluate()
         if ranks.rank == 0:
             report(study)
+        if options.search and ranks.rank == 0:
+            finish_search(work, study, why)
 
 
 def command(arguments, name="dem", run=main):

@@ -66,8 +66,7 @@ def indistinct(study, series, level):
             f"{percent(study.target, 3)} use a longer -window or more -runs")
 
 
-def none(study, series):
-    finest = next((level for level in reversed(series.levels) if level.runs), series.levels[0])
+def none(study, series, finest):
     bound, of = finest.bound()
     text = (f"no level is within {percent(study.target, 3)}: {of or 'nothing'} has {percent(bound)} "
             f"at the finest, step {finest.step:.4g} s")
@@ -97,16 +96,24 @@ def other_errors(study):
     return text
 
 
-def precision(study):
-    """Mixed precision, if it adds less than a tenth of the target and saves more than the noise of
-    timing."""
+def good_precision(study):
+    """The series of precision, if mixed adds less than a tenth of the target and saves more than the
+    noise of timing; else None."""
     for series in study.series:
         mixed = series.levels[0]
         if series.parameter == "precision" and mixed.bound()[0] <= 0.1*study.target \
                 and series.times(mixed) < 0.95:
-            return (f"; time/precision mixed adds {percent(mixed.bound()[0], 1)} and takes "
-                    f"{series.times(mixed):.2g} of the time")
-    return ""
+            return series
+    return None
+
+
+def precision(study):
+    series = good_precision(study)
+    if series is None:
+        return ""
+    mixed = series.levels[0]
+    return (f"; time/precision mixed adds {percent(mixed.bound()[0], 1)} and takes "
+            f"{series.times(mixed):.2g} of the time")
 
 
 def effects(study, series):
@@ -123,6 +130,19 @@ def effects(study, series):
             f"{percent(saved)} of the processor time")
 
 
+def choose(study):
+    """The best level of the first series: ("within", level); ("indistinct", level); ("none", the
+    finest that ran)."""
+    series = study.series[0]
+    for how, fits in (("within", lambda level: level.bound()[0] <= study.target),
+                      ("indistinct", lambda level: is_indistinct(study, series, level))):
+        found = cheapest(series, fits)
+        if found:
+            return how, found
+    return "none", next((level for level in reversed(series.levels) if level.runs),
+                        series.levels[0])
+
+
 def best_buy(study):
     first = study.series[0] if study.series else None
     if first and first.parameter == "effects":
@@ -130,8 +150,6 @@ def best_buy(study):
     if not first or not first.exact:
         what = "steps (-series step)" if study.noun == "scene" else "intervals (-series interval)"
         return f"needs the series of {what}"
-    within = cheapest(first, lambda level: level.bound()[0] <= study.target)
-    alike = cheapest(first, lambda level: is_indistinct(study, first, level))
-    text = (chosen(study, first, within) if within else
-            indistinct(study, first, alike) if alike else none(study, first))
+    how, level = choose(study)
+    text = {"within": chosen, "indistinct": indistinct, "none": none}[how](study, first, level)
     return text + other_errors(study) + precision(study)

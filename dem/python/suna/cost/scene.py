@@ -95,6 +95,7 @@ class SceneStudy:
         self.impact = find_impact(sim) if self.ranks.size == 1 else None
         self.choose_quantities(sim)
         self.closed = {q: x for q, x in closed_forms(sim, self.impact).items() if q in self.units}
+        self.ended_in_contact = False       # a run, in which an impact is not over
         self.acting = sim.effects
         self.find_moduli(sim)
         self.find_friction(sim)
@@ -168,6 +169,7 @@ class SceneStudy:
                 force = max([force] + [numpy.linalg.norm(wall.impulse[0])/between
                                        for wall in sim.walls.values()])
                 sim.reset_impulses()
+        self.ended_in_contact |= totals["contacts"] > 0
         values = {q: x/self.samples for q, x in sums.items() if q in self.units}
         if with_walls:
             values["force"] = force
@@ -311,8 +313,9 @@ class SceneStudy:
             series.append(self.precisions())
         if "friction" in self.wanted and self.friction:
             series.append(self.frictions())
+        closed = {} if self.ended_in_contact else self.closed
         study = Study("scene", "", self.window, o.target, self.units, runs=o.runs, limit=self.limit,
-                      closed=self.closed, series=series)
+                      closed=closed, series=series)
         study.find_scale = self.find_scale(study)
         study.title = (
             f"cost of {self.scene}: a window of {self.window:.4g} s from {self.start:.4g} s on, of "

@@ -1,0 +1,91 @@
+"""target.py -- `dem cost -target E`: search the cheapest step within the target error, and put it into a
+copy of the scene.
+
+The copy has the scene's text, and after it the chosen settings; of repeated entries the last one
+counts. Its entry `accuracy` tells `dem run` what was found:
+
+    accuracy { target 0.01; reached 0.0054; of kinetic; window 0.01; step 1.2e-6; }
+
+    reached   error + uncertainty of `of`, the worst quantity, over `window` [s] at `step` [s]
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import os
+from pathlib import Path
+
+from .best_buy import choose, good_precision, percent
+
+MAX_LEVELS = 16
+MORE_LEVELS = 3     # until scatter counts as chaos: that by the phase of an impact falls with the step
+
+
+def search(work, study):
+    """Add finer steps until one is within the target, or chaos hides the effect of the step, or the
+    next one would take longer than the budget. Returns why it ended, empty if within the target."""
+    series, budget = study.series[0], work.options.budget
+    chaos = len(series.levels) + MORE_LEVELS
+    while True:
+        study.scale.clear()
+        study.evaluate()
+        how, level = choose(study)
+        if how == "within":
+            return ""
+        if how == "indistinct" and len(series.levels) >= chaos:
+            return "the scatter of chaotic runs is larger than the error of the step"
+        finest = series.levels[-1]
+        if not finest.runs:
+            return "the finest step fails"
+        seconds = 2*sum(run.seconds for run in finest.runs)
+        if seconds > budget:
+            return (f"half the finest step would take {seconds:.0f} s, more than the -budget of "
+                    f"{budget:g} s")
+        if len(series.levels) == MAX_LEVELS:
+            return f"{MAX_LEVELS} levels have been tried"
+        size = finest.size/2
+        series.levels.append(work.level(f"{size:.4g}", size, work.step*size))
+
+
+def settings(work, study):
+    """Entries of the chosen level, by path."""
+    _, level = choose(study)
+    bound, of = level.bound()
+    found = {"time/step": f"{level.step:.9g}"}
+    if level.step > work.limit*(1 - 1e-9):
+        found["time/force"] = "yes"
+    if good_precision(study):
+        found["time/precision"] = "mixed"
+    return {**found, "accuracy/target": f"{study.target:g}", "accuracy/reached": f"{bound:.3g}",
+            "accuracy/of": of, "accuracy/window": f"{study.window:.9g}",
+            "accuracy/step": f"{level.step:.9g}"}
+
+
+def write_copy(work, study, why):
+    """The copy beside the scene, whose relative paths hold there; returns its path."""
+    scene = Path(work.scene)
+    copy = scene.with_name(f"{scene.stem}.accurate{scene.suffix}")
+    _, level = choose(study)
+    bound, of = level.bound()
+    text = scene.read_text().rstrip("\n") + (
+        f"\n\n// chosen by dem cost -target {study.target:g}: {of}, the worst quantity, is within "
+        f"{percent(bound)}\n" + (f"// the target is not reached: {why}\n" if why else ""))
+    blocks = {}
+    for path, value in {**work.settings, **settings(work, study)}.items():
+        folder, _, name = path.rpartition("/")
+        blocks.setdefault(folder, []).append(f"{name} {value};")
+    for folder, entries in blocks.items():
+        inner = " ".join(entries)
+        for name in reversed(folder.split("/")):
+            inner = f"{name} {{ {inner} }}"
+        text += inner + "\n"
+    copy.write_text(text)
+    return copy
+
+
+def run_scene(work, study):
+    """`dem run` of the scene with the chosen settings, in place of this program."""
+    words = [word for path, value in {**work.settings, **settings(work, study)}.items()
+             for word in ("-set", path, str(value))]
+    if work.restart:
+        words += ["-restart", work.restart]
+    program = os.environ.get("SUNA_DEM", "dem")
+    os.execvp(program, [program, "run", *words, work.scene])
