@@ -52,7 +52,7 @@ static void friction_springs(const struct dem_fused_constants *l,
                              struct dem_contact_batch *restrict b, double *restrict x,
                              double *restrict y, double *restrict z)
 {
-    const struct dem_friction friction = dem_mindlin_friction(l->mindlin, b);
+    const struct dem_friction friction = dem_friction_of(&l->mindlin->common, b);
 
     for (int c = 0; c < b->n; c++)
     {
@@ -60,7 +60,7 @@ static void friction_springs(const struct dem_fused_constants *l,
 
         r.adhesive_force = 0;
         const struct dem_slider s =
-            dem_mindlin_row(friction, &r, (dem_real)x[c], (dem_real)y[c], (dem_real)z[c]);
+            dem_friction_row(friction, &r, r.kt, (dem_real)x[c], (dem_real)y[c], (dem_real)z[c]);
 
         x[c] = s.xi_x;
         y[c] = s.xi_y;

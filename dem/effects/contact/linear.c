@@ -29,27 +29,21 @@
  */
 #include "effects/effect.h"
 
-#include "effects/contact/slider.h"
+#include "effects/contact/friction.h"
 
 struct linear
 {
-    double friction, stiffness, ratio;
-    int damping, adhesion;
+    struct dem_friction_settings common;
+    double stiffness, ratio;
 };
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(linear, friction, "1", DEM_SETTING_REQUIRED, 0.0, 100.0,
-              "mu: limit of the tangential over the normal force"),
+    DEM_FRICTION_SETTING(linear),
     DEM_SETTING(linear, stiffness, "N/m", 0.0, 0.0, INFINITY,
               "k_t; 0: ratio times k_n of the normal law"),
     DEM_SETTING(linear, ratio, "1", 2.0/7.0, 0.0, 2.0,
               "without stiffness: k_t over k_n of the normal law"),
-    DEM_SETTING_SWITCH(linear, damping, "tangentialDamping", 1,
-                     "damp slip with the damping coefficient of the normal law while the contact "
-                     "sticks"),
-    DEM_SETTING_SWITCH(linear, adhesion, "adhesion", 1,
-                     "count adhesion in the friction limit: mu (F_n + 2 F_c) with jkr, mu (F_n + "
-                     "k_c d) with hookeHysteresis"),
+    DEM_FRICTION_SWITCHES(linear),
     {0},
 };
 
@@ -77,59 +71,42 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
                            : DBL_MAX;
 }
 
+static inline __attribute__((always_inline)) dem_real
+stiffness(const void *of, const struct dem_contact_row *r)
+{
+    const struct linear *const linear = of;
+
+    return linear->stiffness*r->touching + linear->ratio*r->kn;
+}
+
+static inline __attribute__((always_inline)) dem_real
+previous(const void *of, const struct dem_contact_batch *b, const struct dem_energy *e, int c)
+{
+    const struct linear *const linear = of;
+
+    (void)b;
+    return dem_select(e->previous_overlap[c] > 0.0, linear->stiffness, 0.0)
+           + linear->ratio*e->previous_kn[c];
+}
+
+static const struct dem_friction_law law = {stiffness, previous};
+
 DEM_KERNEL
 static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
 {
-    const struct linear *linear = of;
-    const dem_real given = linear->stiffness, ratio = linear->ratio;
-    const struct dem_friction rubs = {linear->friction, linear->damping ? 1.0 : 0.0,
-                                      linear->adhesion ? 1.0 : 0.0, dem_slider_inverse_dt(b)};
-    dem_real *restrict xi_x = history[0], *restrict xi_y = history[1], *restrict xi_z = history[2];
+    const struct linear l = *(const struct linear *)of;
 
-    for (int c = 0; c < b->n; c++)
-    {
-        const struct dem_contact_row r = dem_contact_row_load(b, c);
-        const dem_real kt = given*b->touching[c] + ratio*b->kn[c];
-        struct dem_slider s = dem_slider_friction(&r, kt, rubs);
-
-        s.xi_x = xi_x[c];
-        s.xi_y = xi_y[c];
-        s.xi_z = xi_z[c];
-        s = dem_slider_load(&r, s);
-
-        xi_x[c] = s.xi_x;
-        xi_y[c] = s.xi_y;
-        xi_z[c] = s.xi_z;
-        b->kt[c] = kt;
-        dem_slider_begin(b, c, &s);
-    }
-    dem_slider_finish(b, (dem_real *const[3]){b->fx, b->fy, b->fz}, xi_x, xi_y, xi_z);
+    dem_friction_apply(law, &l, &l.common, b, history);
 }
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
 {
-    const struct linear *linear = of;
-    const struct dem_friction rubs = {linear->friction, linear->damping ? 1.0 : 0.0,
-                                      linear->adhesion ? 1.0 : 0.0, dem_slider_inverse_dt(b)};
-    const dem_real given = linear->stiffness, ratio = linear->ratio;
-    const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
+    const struct linear l = *(const struct linear *)of;
 
     (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        const struct dem_contact_row r = dem_contact_row_load(b, c);
-        struct dem_slider s = dem_slider_friction(&r, b->kt[c], rubs);
-
-        s.xi_x = x[c];
-        s.xi_y = y[c];
-        s.xi_z = z[c];
-        s.mass = e->slip_mass[c];
-        s.previous_stiffness =
-            dem_select(e->previous_overlap[c] > 0.0, given, 0.0) + ratio*e->previous_kn[c];
-        dem_slider_energy(b, c, s, e);
-    }
+    dem_friction_energy(law, &l, &l.common, b, before, e);
 }
 
 const struct dem_effect dem_linear = {

@@ -43,80 +43,62 @@
 #include "effects/contact/mindlin.h"
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(dem_mindlin, friction, "1", DEM_SETTING_REQUIRED, 0.0, 100.0,
-              "mu: limit of the tangential over the normal force"),
-    DEM_SETTING_SWITCH(dem_mindlin, damping, "tangentialDamping", 1,
-                     "damp slip with the damping coefficient of the normal law while the contact "
-                     "sticks"),
-    DEM_SETTING_SWITCH(dem_mindlin, adhesion, "adhesion", 1,
-                     "count adhesion in the friction limit: mu (F_n + 2 F_c) with jkr, mu (F_n + "
-                     "k_c d) with hookeHysteresis"),
+    DEM_FRICTION_SETTING(dem_mindlin),
+    DEM_FRICTION_SWITCHES(dem_mindlin),
     {0},
 };
 
 static const char *const history_names[] = {"shear_x", "shear_y", "shear_z", NULL};
 
-static int prepare(void *of, const struct dem_pair_class *pair)
+int dem_mindlin_modulus(const char *law, const struct dem_pair_class *pair, double *modulus)
 {
     DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
-                "mindlin between %s and %s: there is no normal law; add one to the effects, hertz "
-                "for example",
-                pair->a->name, pair->b->name);
+                "%s between %s and %s: there is no normal law; add one to the effects, hertz for "
+                "example", law, pair->a->name, pair->b->name);
     DEM_REQUIRE(
         pair->reduced_shear > 0.0 && pair->reduced_shear <= DBL_MAX, DEM_ERROR_INPUT,
-        "mindlin between %s and %s: the reduced shear modulus is %g Pa, but must be above 0 and finite; "
+        "%s between %s and %s: the reduced shear modulus is %g Pa, but must be above 0 and finite; "
         "check youngsModulus and poissonsRatio of both",
-        pair->a->name, pair->b->name, pair->reduced_shear);
-    ((struct dem_mindlin *)of)->modulus = 8.0*pair->reduced_shear;
+        law, pair->a->name, pair->b->name, pair->reduced_shear);
+    *modulus = 8.0*pair->reduced_shear;
     return DEM_OK;
 }
+
+static int prepare(void *of, const struct dem_pair_class *pair)
+{
+    return dem_mindlin_modulus("mindlin", pair, &((struct dem_mindlin *)of)->modulus);
+}
+
+static inline __attribute__((always_inline)) dem_real
+stiffness(const void *of, const struct dem_contact_row *r)
+{
+    return dem_mindlin_stiffness((dem_real)((const struct dem_mindlin *)of)->modulus, r);
+}
+
+static inline __attribute__((always_inline)) dem_real
+previous(const void *of, const struct dem_contact_batch *b, const struct dem_energy *e, int c)
+{
+    return ((const struct dem_mindlin *)of)->modulus*sqrt(b->reduced_radius[c]*e->previous_overlap[c]);
+}
+
+static const struct dem_friction_law law = {stiffness, previous};
 
 DEM_KERNEL
 static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
 {
-    const struct dem_mindlin *mindlin = of;
-    const dem_real modulus = mindlin->modulus;
-    const struct dem_friction rubs = dem_mindlin_friction(mindlin, b);
-    dem_real *restrict xi_x = history[0], *restrict xi_y = history[1], *restrict xi_z = history[2];
+    const struct dem_mindlin l = *(const struct dem_mindlin *)of;
 
-    for (int c = 0; c < b->n; c++)
-    {
-        struct dem_contact_row r = dem_contact_row_load(b, c);
-
-        r.kt = dem_mindlin_stiffness(modulus, &r);
-        const struct dem_slider s = dem_mindlin_row(rubs, &r, xi_x[c], xi_y[c], xi_z[c]);
-
-        b->kt[c] = r.kt;
-        xi_x[c] = s.xi_x;
-        xi_y[c] = s.xi_y;
-        xi_z[c] = s.xi_z;
-        dem_slider_begin(b, c, &s);
-    }
-    dem_slider_finish(b, (dem_real *const[3]){b->fx, b->fy, b->fz}, xi_x, xi_y, xi_z);
+    dem_friction_apply(law, &l, &l.common, b, history);
 }
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
 {
-    const struct dem_mindlin *mindlin = of;
-    const struct dem_friction rubs = dem_mindlin_friction(mindlin, b);
-    const dem_real modulus = mindlin->modulus;
-    const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
+    const struct dem_mindlin l = *(const struct dem_mindlin *)of;
 
     (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        const struct dem_contact_row r = dem_contact_row_load(b, c);
-        struct dem_slider s = dem_slider_friction(&r, b->kt[c], rubs);
-
-        s.xi_x = x[c];
-        s.xi_y = y[c];
-        s.xi_z = z[c];
-        s.mass = e->slip_mass[c];
-        s.previous_stiffness = modulus*sqrt(b->reduced_radius[c]*e->previous_overlap[c]);
-        dem_slider_energy(b, c, s, e);
-    }
+    dem_friction_energy(law, &l, &l.common, b, before, e);
 }
 
 const struct dem_effect dem_mindlin = {

@@ -30,24 +30,17 @@
  */
 #include "effects/effect.h"
 
-#include "effects/contact/slider.h"
+#include "effects/contact/mindlin.h"
 
 struct incremental
 {
-    double friction;
-    int damping, adhesion;
+    struct dem_friction_settings common;
     double modulus;                                       /* Pa   8 G*, derived */
 };
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(incremental, friction, "1", DEM_SETTING_REQUIRED, 0.0, 100.0,
-              "mu: limit of the tangential over the normal force"),
-    DEM_SETTING_SWITCH(incremental, damping, "tangentialDamping", 1,
-                     "damp slip with the damping coefficient of the normal law while the contact "
-                     "sticks"),
-    DEM_SETTING_SWITCH(incremental, adhesion, "adhesion", 1,
-                     "count adhesion in the friction limit: mu (F_n + 2 F_c) with jkr, mu (F_n + "
-                     "k_c d) with hookeHysteresis"),
+    DEM_FRICTION_SETTING(incremental),
+    DEM_FRICTION_SWITCHES(incremental),
     {0},
 };
 
@@ -56,82 +49,33 @@ static const char *const history_names[] = {"stretch_x", "stretch_y", "stretch_z
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
-                "mindlinIncremental between %s and %s: there is no normal law; add one to the "
-                "effects, hertz for "
-                "example", pair->a->name, pair->b->name);
-    DEM_REQUIRE(
-        pair->reduced_shear > 0.0 && pair->reduced_shear <= DBL_MAX, DEM_ERROR_INPUT,
-        "mindlinIncremental between %s and %s: the reduced shear modulus is %g Pa, but must be above 0 and finite; "
-        "check youngsModulus and poissonsRatio of both",
-        pair->a->name, pair->b->name, pair->reduced_shear);
-    ((struct incremental *)of)->modulus = 8.0*pair->reduced_shear;
-    return DEM_OK;
+    return dem_mindlin_modulus("mindlinIncremental", pair, &((struct incremental *)of)->modulus);
 }
+
+static inline __attribute__((always_inline)) dem_real
+stiffness(const void *of, const struct dem_contact_row *r)
+{
+    return dem_mindlin_stiffness((dem_real)((const struct incremental *)of)->modulus, r);
+}
+
+static const struct dem_friction_law law = {stiffness, NULL};
 
 DEM_KERNEL
 static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
 {
-    const struct incremental *incremental = of;
-    const dem_real modulus = incremental->modulus;
-    const struct dem_friction rubs = {incremental->friction, incremental->damping ? 1.0 : 0.0,
-                                      incremental->adhesion ? 1.0 : 0.0, dem_slider_inverse_dt(b)};
-    dem_real *restrict xi_x = history[0], *restrict xi_y = history[1], *restrict xi_z = history[2];
-    dem_real *restrict stiffness = history[3];
+    const struct incremental l = *(const struct incremental *)of;
 
-    for (int c = 0; c < b->n; c++)
-    {
-        const struct dem_contact_row r = dem_contact_row_load(b, c);
-        const dem_real kt = modulus*sqrt(b->reduced_radius[c]*b->overlap[c]), before = stiffness[c];
-        const dem_real keep = dem_select(before < kt, before/dem_select(kt > 0.0, kt, 1.0), 1.0);
-        struct dem_slider s = dem_slider_friction(&r, kt, rubs);
-
-        s.xi_x = keep*xi_x[c];
-        s.xi_y = keep*xi_y[c];
-        s.xi_z = keep*xi_z[c];
-        s = dem_slider_load(&r, s);
-
-        xi_x[c] = s.xi_x;
-        xi_y[c] = s.xi_y;
-        xi_z[c] = s.xi_z;
-        stiffness[c] = kt;
-        b->kt[c] = kt;
-        dem_slider_begin(b, c, &s);
-    }
-    dem_slider_finish(b, (dem_real *const[3]){b->fx, b->fy, b->fz}, xi_x, xi_y, xi_z);
+    dem_friction_apply(law, &l, &l.common, b, history);
 }
 
-/* as in mindlin.c, plus the energy lost when the spring is shortened to keep its force while k
-   grows to k': k xi^2/2 (1 - k/k') */
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
 {
-    const struct incremental *incremental = of;
-    const struct dem_friction rubs = {incremental->friction, incremental->damping ? 1.0 : 0.0,
-                                      incremental->adhesion ? 1.0 : 0.0, dem_slider_inverse_dt(b)};
-    const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2],
-                             *restrict stiffness = before[3];
+    const struct incremental l = *(const struct incremental *)of;
 
     (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        const struct dem_contact_row r = dem_contact_row_load(b, c);
-        struct dem_slider s = dem_slider_friction(&r, b->kt[c], rubs);
-        const dem_real was = stiffness[c],
-                       increase = b->touching[c]*dem_select(was < b->kt[c], b->kt[c] - was, 0.0);
-        const dem_real keep =
-            dem_select(increase > 0.0, was/dem_select(b->kt[c] > 0.0, b->kt[c], 1.0), 1.0);
-        const dem_real square = x[c]*x[c] + y[c]*y[c] + z[c]*z[c];
-
-        s.xi_x = keep*x[c];
-        s.xi_y = keep*y[c];
-        s.xi_z = keep*z[c];
-        s.mass = e->slip_mass[c];
-        s.previous_stiffness = was + increase;
-        dem_slider_energy(b, c, s, e);
-        e->lost[c] += 0.5*was*square*(1.0 - keep);
-    }
+    dem_friction_energy(law, &l, &l.common, b, before, e);
 }
 
 const struct dem_effect dem_mindlin_incremental = {
