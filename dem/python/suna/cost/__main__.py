@@ -20,8 +20,9 @@ HELP = """Usage: dem cost [OPTION VALUE] ... [-restart SNAPSHOT] [-set PATH VALU
 
 Accuracy against cost: runs a window of the scene in refinement series of the time step,
 the contact stiffness and the precision, and reports for each level the errors of mean
-quantities and the processor time; then, in one sentence, the best buy. The only output is
-the folder named at the end: cost.csv, cost.png and cost.svg (these need matplotlib).
+quantities and the processor time; then, in one sentence, the best buy. The output is the
+folder named at the end, with cost.csv, cost.png and cost.svg (these need matplotlib), and
+with -target a scene.
 
     -window T          s of simulated time; default: time/end, or what the budget allows
     -restart SNAPSHOT  the window begins at a snapshot and not at the scene's start:
@@ -71,6 +72,8 @@ def read_command(arguments):
         raise Refused("-window 0; give a number of seconds above 0")
     series = words("series", "-series", given.get("-series"), SERIES)
     search = "-target" in given and not given.get("-effects") and (not series or "step" in series)
+    if "-run" in given and not search:
+        raise Refused("-run runs what -target has found: give -target, with the series of steps")
     name = os.path.basename(scene)
     options = SimpleNamespace(
         window=window, runs=whole("-runs", given.get("-runs"), 3, 32, 5),
@@ -119,17 +122,23 @@ def main(arguments):
     else:
         ranks = communicator()
         scene, options, settings, restart = read_command(arguments)
+        if options.run and ranks.size > 1:
+            raise Refused("-run is for one rank; without it the choice is written, to be run on any "
+                          "number of ranks")
         work = SceneStudy(scene, options, settings, restart, ranks)
         work.choose_window()
         if ranks.rank == 0:
             make_folder(options.folder)
         study = work.study()
         study.folder = options.folder
-        why = search(work, study) if options.search else study.evaluate()
+        if options.search:
+            why = search(work, study)
+        else:
+            study.evaluate()
         if ranks.rank == 0:
             report(study)
-        if options.search and ranks.rank == 0:
-            finish_search(work, study, why)
+            if options.search:
+                finish_search(work, study, why)
 
 
 def command(arguments, name="dem", run=main):
@@ -139,6 +148,9 @@ def command(arguments, name="dem", run=main):
     except (Refused, SunaError) as error:
         print(f"{name}: {error}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        print(f"{name}: interrupted", file=sys.stderr)
+        return 130
     return 0
 
 

@@ -6,7 +6,8 @@ import math
 from pathlib import Path
 from types import SimpleNamespace
 
-from .case import SERIES, UNITS, Case, CaseStudy
+from .case import Case
+from .case_study import SERIES, UNITS, CaseStudy
 from .options import fraction, levels, make_folder, number, read_options, whole, words
 from .report import report
 from .study import Refused
@@ -53,6 +54,15 @@ LEVELS = {"intervals": "4,2,1,0.5", "steps": "1,0.5,0.25", "widths": "2,1.41,1,0
 KERNELS = "divided,linear,diffusion:1.5,diffusion:3"
 
 
+def kernel_words(text):
+    """(kernel, width) of each; width None: none given."""
+    found = []
+    for word in text.split(","):
+        kernel, _, width = word.partition(":")
+        found.append((kernel, number(f"-kernels {word}: width", width or None, 1e-6, 1e6, None)))
+    return found
+
+
 def closed_values(text):
     found = {}
     for part in text.split(",") if text else ():
@@ -73,7 +83,7 @@ def read_command(arguments):
     return case, SimpleNamespace(
         **options, window=number("-window", given.get("-window"), 0, math.inf, None),
         series=words("series", "-series", given.get("-series"), SERIES) or ("interval",),
-        kernels=given.get("-kernels", KERNELS).split(","), settle=given.get("-settle"),
+        kernels=kernel_words(given.get("-kernels", KERNELS)), settle=given.get("-settle"),
         runs=whole("-runs", given.get("-runs"), 1, 32, 3),
         target=fraction("-target", given.get("-target"), 0.01),
         of=words("quantity", "-of", given.get("-of"), tuple(UNITS)),

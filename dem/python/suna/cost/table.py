@@ -1,5 +1,4 @@
-"""table.py -- a study as a table of runs that another program made (case.py: runs of an OpenFOAM
-case).
+"""table.py -- a study as a table of runs that another program made.
 
 One statement a line, its words separated by commas; `ladder` and `rung` are accepted for `series` and
 `level`.
@@ -23,8 +22,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import math
 
-from .scene import Refused
-from .study import Level, Run, Series, Study
+from .study import Level, Refused, Run, Series, Study
 
 WORDS = {"title": 2, "window": 2, "target": 2, "closed": 3, "series": 5, "level": 5, "run": 3,
          "value": 5, "failed": 2}

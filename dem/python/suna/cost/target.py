@@ -11,9 +11,11 @@ counts. Its entry `accuracy` tells `dem run` what was found:
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import os
+import sys
 from pathlib import Path
 
 from .best_buy import choose, good_precision, percent
+from .study import Refused
 
 MAX_LEVELS = 16
 MORE_LEVELS = 3     # until scatter counts as chaos: that by the phase of an impact falls with the step
@@ -77,7 +79,11 @@ def write_copy(work, study, why):
         for name in reversed(folder.split("/")):
             inner = f"{name} {{ {inner} }}"
         text += inner + "\n"
-    copy.write_text(text)
+    try:
+        copy.write_text(text)
+    except OSError as error:
+        raise Refused(f"cannot write {copy}: {error.strerror}; copy the scene to a folder that can be "
+                      "written") from None
     return copy
 
 
@@ -87,5 +93,6 @@ def run_scene(work, study):
              for word in ("-set", path, str(value))]
     if work.restart:
         words += ["-restart", work.restart]
-    program = os.environ.get("SUNA_DEM", "dem")
+    beside = Path(sys.argv[0]).with_name("dem")         # of the script that dem cost starts
+    program = str(beside) if beside.is_file() else "dem"
     os.execvp(program, [program, "run", *words, work.scene])
