@@ -1,5 +1,5 @@
 /*
- * query.c -- public queries: time step, totals, profile, energy, walls, losses, flows, bonds,
+ * query.c -- public queries: version, time step, totals, profile, energy, walls, losses, flows, bonds,
  * particles, averages.
  *
  * Queries change no result of the simulation.
@@ -18,6 +18,11 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+const char *dem_version(void)
+{
+    return DEM_VERSION;
+}
 
 struct dem_step_limit dem_step_limit(const struct dem *d)
 {

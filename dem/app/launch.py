@@ -4,6 +4,7 @@ that has what it needs.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import glob
 import os
 import shutil
 import sys
@@ -12,6 +13,11 @@ HERE = os.path.dirname(os.path.realpath(__file__))
 NEEDS = {"dem-cost": ("cffi", "numpy", "scipy"), "demCost": ("cffi", "numpy", "scipy"),
          "dem-plot": ("matplotlib",)}
 NAME = os.path.basename(__file__)
+PLOT_HELP = """Usage: dem-plot FOLDER/cost.csv
+
+Draws a study of accuracy against cost: errors over processor time, as cost.png and cost.svg beside
+the table. dem cost and demCost call it at their end; this draws a stored table again.
+"""
 
 
 def lacks():
@@ -27,9 +33,10 @@ if lacks():
                  f"{' '.join('python3-' + module for module in NEEDS[NAME])})")
     os.execv(other, [other, *sys.argv])
 
-# in the source tree, or beside the installed library
+# in the source tree, below the same prefix (make install), or beside the library of ./Allwmake
 for folder in (os.path.join(HERE, "..", "python"),
-               os.path.join(os.environ.get("FOAM_USER_LIBBIN", ""), "python")):
+               *glob.glob(os.path.join(HERE, "..", "lib", "python3*", "*-packages")),
+               os.path.join(os.environ.get("FOAM_USER_LIBBIN", HERE), "python")):
     if os.path.isdir(os.path.join(folder, "suna")):
         sys.path.insert(0, folder)
         break
@@ -37,8 +44,9 @@ else:
     sys.exit(f"{NAME}: no package suna; build Suna with ./Allwmake or make -C dem")
 
 if NAME == "dem-plot":
-    if len(sys.argv) != 2:
-        sys.exit("Usage: dem-plot FOLDER/cost.csv")
+    if len(sys.argv) != 2 or sys.argv[1] in ("-help", "-h"):
+        print(PLOT_HELP, end="", file=sys.stdout if len(sys.argv) == 2 else sys.stderr)
+        sys.exit(len(sys.argv) != 2)
     from suna.cost.plot import plot
     plot(sys.argv[1])
     sys.exit()

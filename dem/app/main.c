@@ -10,6 +10,7 @@
 #include "app/main.h"
 #include "core/error.h"
 #include "core/did_you_mean.h"
+#include "dem.h"
 #include <mpi.h>
 #include <malloc.h>
 #include <stdio.h>
@@ -46,7 +47,8 @@ static void usage(FILE *to)
     {
         fprintf(to, "  %-10s %s\n", commands[k].name, commands[k].summary);
     }
-    fprintf(to, "\ndem COMMAND -help describes a command. The exit status is 0 only on success.\n");
+    fprintf(to, "\ndem COMMAND -help describes a command; dem -version prints the version. The exit status is 0\n"
+                "only on success.\n");
 }
 
 static int dispatch(struct dem_program *p, int argc, char **argv)
@@ -75,6 +77,23 @@ int dem_program_agree(const struct dem_program *p, int status)
     return worst && !status ? dem_error(worst, "another rank failed; see its message") : status;
 }
 
+/* Print the version, or the commands; returns 0 where neither is asked for. */
+static int introduce(const struct dem_program *p, int argc, char **argv)
+{
+    const int version = argc > 1 && strcmp(argv[1], "-version") == 0;
+    const int help = argc > 1 && (strcmp(argv[1], "-help") == 0 || strcmp(argv[1], "--help") == 0);
+
+    if (p->rank == 0 && version)
+    {
+        printf("Suna %s\n", dem_version());
+    }
+    else if (p->rank == 0 && (help || argc < 2))
+    {
+        usage(help ? stdout : stderr);
+    }
+    return version || help || argc < 2;
+}
+
 /* Large lists are allocated and freed during a run: have glibc return their memory to the
    system. By default it raises the threshold after the first of them and keeps the memory. */
 static void return_large_blocks(void)
@@ -101,12 +120,8 @@ int main(int argc, char **argv)
     MPI_Comm_rank(MPI_COMM_WORLD, &p.rank);
     MPI_Comm_size(MPI_COMM_WORLD, &p.ranks);
     p.comm = p.ranks > 1 ? MPI_COMM_WORLD : MPI_COMM_NULL;
-    if (argc < 2 || strcmp(argv[1], "-help") == 0 || strcmp(argv[1], "--help") == 0)
+    if (introduce(&p, argc, argv))
     {
-        if (p.rank == 0)
-        {
-            usage(argc < 2 ? stderr : stdout);
-        }
         MPI_Finalize();
         return argc < 2 ? EXIT_FAILURE : EXIT_SUCCESS;
     }

@@ -51,7 +51,15 @@
 extern "C" {
 #endif
 
+/* The version, in its one place: the build, the packages and dem_version read it here. The first
+   number, which is that of the shared library's name too, changes when a struct or a function of
+   this header changes. */
+#define DEM_VERSION "0.1.0"
+
 struct dem;
+
+/* DEM_VERSION of the library that is loaded. */
+const char *dem_version(void);
 
 /* The message of the last error of this thread; empty before the first. Valid until the next
    error. Never NULL. */

@@ -3,6 +3,7 @@ package.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -12,6 +13,7 @@ from setuptools.command.build_py import build_py
 from setuptools.dist import Distribution
 
 CORE = Path(__file__).resolve().parent.parent
+VERSION = re.search(r'#define DEM_VERSION "(.*)"', (CORE/"include"/"dem.h").read_text()).group(1)
 
 
 class WithCore(build_py):
@@ -30,6 +32,6 @@ class HasLibrary(Distribution):
         return True
 
 
-setup(name="suna", version="0.1", description="Discrete elements: the core of Suna in Python",
-      license="GPL-3.0-or-later", packages=["suna"], python_requires=">=3.9",
+setup(name="suna", version=VERSION, description="Discrete elements: the core of Suna in Python",
+      license="GPL-3.0-or-later", packages=["suna", "suna.cost"], python_requires=">=3.9",
       install_requires=["numpy", "cffi"], cmdclass={"build_py": WithCore}, distclass=HasLibrary)

@@ -7,9 +7,11 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+from ._library import ffi, lib
 from .files import (FileError, read_cloud, read_record, read_snapshot, read_table, read_vtp, tables,
                     times)
 from .simulation import Simulation, SunaError, Wall
 
+__version__ = ffi.string(lib.dem_version()).decode()
 __all__ = ["FileError", "Simulation", "SunaError", "Wall", "read_cloud", "read_record",
            "read_snapshot", "read_table", "read_vtp", "tables", "times"]

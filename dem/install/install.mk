@@ -1,0 +1,64 @@
+# install.mk -- make install and uninstall: program, libraries, headers, package suna, man pages.
+#
+#   make install PREFIX=/usr/local DESTDIR=     DESTDIR goes before every path, as packages need it
+#   make install LIBDIR=/usr/lib/x86_64-linux-gnu PYTHONDIR=...     other folders
+#   make uninstall                              with the same PREFIX, DESTDIR and folders
+#
+# All files are first made in $(BUILD)/stage, below the paths that they will have; so install copies a
+# tree, and uninstall knows what was copied. SPDX-License-Identifier: GPL-3.0-or-later
+
+PREFIX     ?= /usr/local
+BINDIR     ?= $(PREFIX)/bin
+LIBDIR     ?= $(PREFIX)/lib
+INCLUDEDIR ?= $(PREFIX)/include/suna
+MANDIR     ?= $(PREFIX)/share/man
+PYTHON     ?= $(firstword $(wildcard /usr/bin/python3) python3)
+# where this Python looks for packages below the prefix
+PYTHONDIR  ?= $(shell $(PYTHON) install/python_folder $(PREFIX))
+
+VERSION   := $(shell sed -n 's/^\#define DEM_VERSION "\(.*\)"/\1/p' include/dem.h)
+SONAME    := libdem.so.$(firstword $(subst ., ,$(VERSION)))
+STAGE      = $(BUILD)/stage
+# of Open MPI's compilers, for programs that are compiled by others
+MPI_CFLAGS = $(shell $(CC) -showme:compile)
+MPI_LIBS   = $(shell $(CC) -showme:link)
+
+.PHONY: stage install uninstall
+
+# fill TEMPLATE: into $(LIBDIR); in it the include folder as seen from that file, too
+fill = sed -e 's|@VERSION@|$(VERSION)|g' -e 's|@PREFIX@|$(PREFIX)|g' -e 's|@LIBDIR@|$(LIBDIR)|g' \
+    -e 's|@INCLUDEDIR@|$(INCLUDEDIR)|g' -e 's|@MPI_CFLAGS@|$(MPI_CFLAGS)|g' \
+    -e 's|@MPI_LIBS@|$(MPI_LIBS)|g' -e 's|@SONAME@|$(SONAME)|g' \
+    -e "s|@INCLUDE_FROM_CMAKE@|$$(realpath -ms --relative-to=$(LIBDIR)/cmake/suna $(INCLUDEDIR))|g" \
+    install/$(1) > $(STAGE)$(LIBDIR)/$(2)
+
+stage: all
+	$Qtest -n "$(PYTHONDIR)" || { echo "make install needs python3, for the package suna and the man pages;" \
+	    "PYTHON=... names one" >&2; exit 1; }
+	$(call say,stage,$(STAGE)$(PREFIX))
+	$Qrm -rf $(STAGE)
+	$Qinstall -d $(STAGE)$(BINDIR) $(STAGE)$(LIBDIR)/pkgconfig $(STAGE)$(LIBDIR)/cmake/suna
+	$Qinstall $(BUILD)/dem $(SCRIPTS) $(STAGE)$(BINDIR)
+	$Qinstall -m 644 -Dt $(STAGE)$(INCLUDEDIR) include/dem.h include/dem_types.h
+	$Qinstall -m 644 $(LIBRARY) $(STAGE)$(LIBDIR)
+	$Qinstall -m 644 $(BUILD)/libdem.so $(STAGE)$(LIBDIR)/libdem.so.$(VERSION)
+	$Qln -s libdem.so.$(VERSION) $(STAGE)$(LIBDIR)/$(SONAME)
+	$Qln -s $(SONAME) $(STAGE)$(LIBDIR)/libdem.so
+	$Q$(call fill,suna.pc.in,pkgconfig/suna.pc)
+	$Q$(call fill,sunaConfig.cmake.in,cmake/suna/sunaConfig.cmake)
+	$Q$(call fill,sunaConfigVersion.cmake.in,cmake/suna/sunaConfigVersion.cmake)
+	$Qcd python && find suna -name '*.py' -exec install -m 644 -D {} $(abspath $(STAGE))$(PYTHONDIR)/{} \;
+	$Qinstall -m 644 -Dt $(STAGE)$(PYTHONDIR)/suna/include include/dem.h include/dem_types.h
+	$Qln -s $$(realpath -ms --relative-to=$(PYTHONDIR)/suna $(LIBDIR))/$(SONAME) $(STAGE)$(PYTHONDIR)/suna/libdem.so
+	$QSUNA_PYTHON=$(PYTHON) $(PYTHON) install/manpages $(STAGE)$(MANDIR)/man1 $(VERSION) \
+	    $(patsubst %,$(STAGE)$(BINDIR)/%,dem $(notdir $(SCRIPTS)))
+
+install: stage
+	$(call say,install,$(DESTDIR)$(PREFIX))
+	$Qumask 022 && mkdir -p $(DESTDIR)/ && cp -R --remove-destination $(STAGE)/. $(DESTDIR)/
+
+# folders of ours go, those of others stay
+uninstall: stage
+	$(call say,uninstall,$(DESTDIR)$(PREFIX))
+	$Qcd $(STAGE) && find . ! -type d | while read -r file; do rm -f "$(DESTDIR)/$$file"; done
+	$Qrm -rf $(patsubst %,$(DESTDIR)%,$(INCLUDEDIR) $(LIBDIR)/cmake/suna $(PYTHONDIR)/suna)
