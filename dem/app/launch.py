@@ -8,6 +8,7 @@ import glob
 import os
 import shutil
 import sys
+from importlib.util import find_spec
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 NEEDS = {"dem-cost": ("cffi", "numpy", "scipy"), "demCost": ("cffi", "numpy", "scipy"),
@@ -21,9 +22,12 @@ the table. dem cost and demCost call it at their end; this draws a stored table 
 
 
 def lacks():
-    from importlib.util import find_spec
     return [module for module in NEEDS[NAME] if find_spec(module) is None]
 
+
+if NAME == "dem-plot" and (len(sys.argv) != 2 or sys.argv[1] in ("-help", "-h")):
+    print(PLOT_HELP, end="", file=sys.stdout if len(sys.argv) == 2 else sys.stderr)
+    sys.exit(len(sys.argv) != 2)
 
 if lacks():
     # another Python may come first in PATH than the one that has the packages
@@ -41,12 +45,10 @@ for folder in (os.path.join(HERE, "..", "python"),
         sys.path.insert(0, folder)
         break
 else:
-    sys.exit(f"{NAME}: no package suna; build Suna with ./Allwmake or make -C dem")
+    if find_spec("suna") is None:
+        sys.exit(f"{NAME}: no package suna; build Suna with ./Allwmake or make -C dem, or install it")
 
 if NAME == "dem-plot":
-    if len(sys.argv) != 2 or sys.argv[1] in ("-help", "-h"):
-        print(PLOT_HELP, end="", file=sys.stdout if len(sys.argv) == 2 else sys.stderr)
-        sys.exit(len(sys.argv) != 2)
     from suna.cost.plot import plot
     plot(sys.argv[1])
     sys.exit()

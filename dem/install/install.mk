@@ -32,7 +32,13 @@ fill = sed -e 's|@VERSION@|$(VERSION)|g' -e 's|@PREFIX@|$(PREFIX)|g' -e 's|@LIBD
     -e "s|@INCLUDE_FROM_CMAKE@|$$(realpath -ms --relative-to=$(LIBDIR)/cmake/suna $(INCLUDEDIR))|g" \
     install/$(1) > $(STAGE)$(LIBDIR)/$(2)
 
-stage: all
+$(BUILD)/man/dem.1: $(BUILD)/dem $(SCRIPTS) $(BUILD)/libdem.so install/manpages $(wildcard python/suna/cost/*.py)
+	$(call say,man,$(@D))
+	$Qrm -rf $(@D)
+	$QPYTHONPATH=python SUNA_LIBRARY=$(BUILD)/libdem.so SUNA_PYTHON=$(PYTHON) \
+	    $(PYTHON) install/manpages $(@D) $(VERSION) $(BUILD)/dem $(SCRIPTS)
+
+stage: all $(BUILD)/man/dem.1
 	$Qtest -n "$(PYTHONDIR)" || { echo "make install needs python3, for the package suna and the man pages;" \
 	    "PYTHON=... names one" >&2; exit 1; }
 	$(call say,stage,$(STAGE)$(PREFIX))
@@ -50,8 +56,7 @@ stage: all
 	$Qcd python && find suna -name '*.py' -exec install -m 644 -D {} $(abspath $(STAGE))$(PYTHONDIR)/{} \;
 	$Qinstall -m 644 -Dt $(STAGE)$(PYTHONDIR)/suna/include include/dem.h include/dem_types.h
 	$Qln -s $$(realpath -ms --relative-to=$(PYTHONDIR)/suna $(LIBDIR))/$(SONAME) $(STAGE)$(PYTHONDIR)/suna/libdem.so
-	$QSUNA_PYTHON=$(PYTHON) $(PYTHON) install/manpages $(STAGE)$(MANDIR)/man1 $(VERSION) \
-	    $(patsubst %,$(STAGE)$(BINDIR)/%,dem $(notdir $(SCRIPTS)))
+	$Qinstall -m 644 -Dt $(STAGE)$(MANDIR)/man1 $(BUILD)/man/*.1
 
 install: stage
 	$(call say,install,$(DESTDIR)$(PREFIX))
