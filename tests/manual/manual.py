@@ -245,7 +245,7 @@ class Manual:
             re.match(r"(\.|~)?/?[\w./-]+$", words[0]) and
             (words[0] in SYSTEM + ["make", "dem", "demPimpleFoam", "demCost", "demProgress"] or
              words[0].startswith("./") or
-             words[0].startswith("tests/") or words[0].startswith("dem/build"))
+             words[0].startswith(("tests/", "tutorials/", "dem/build")))
             for words in found)
 
     def help(self, program):
