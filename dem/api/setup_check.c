@@ -115,9 +115,6 @@ static int check_bonds(const struct dem *d)
 int dem_api_check_scene(struct dem *d)
 {
     DEM_TRY(dem_dict_refuse_unread(d->dict));
-    DEM_REQUIRE(!d->energy || !d->state.interaction_table.mixed, DEM_ERROR_INPUT,
-                "the energy balance would count the rounding of single precision as energy lost or "
-                "gained; use time/precision double, or no energy balance (leave out write/energy)");
     DEM_TRY(dem_streams_check(&d->scene.streams, &d->state.domain));
     if (d->load_path[0])
     {

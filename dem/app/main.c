@@ -28,7 +28,7 @@ static const struct command
     {"plan",
      "check a scene and report its effects, time step, memory and run time, without running it",
      dem_main_plan},
-    {"cost", "accuracy against processor time, over time step, stiffness and precision", NULL},
+    {"cost", "accuracy against processor time, over time step and stiffness", NULL},
     {"effects", "list the effects with their settings, units, defaults, ranges and sources",
      dem_main_effects},
     {"hash", "print the hash of a snapshot", dem_main_hash},

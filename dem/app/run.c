@@ -26,8 +26,6 @@ static const char help[] =
     "       mpirun -np N dem run SCENE\n\n"
     "Runs a scene in OpenFOAM's dictionary syntax. Of its entries these belong to the run:\n"
     "    time  { end 1; step auto;        s; auto: the longest stable step\n"
-    "            precision double;        mixed: laws and forces in single precision, positions\n"
-    "                                     and motion in double\n"
     "            maxOverlap 0.5;          these three stop the run: overlap over the diameter,\n"
     "            maxSpeed 100;            m/s,\n"
     "            maxCreated 0.05;         energy created between two rows of energy.csv, of its\n"

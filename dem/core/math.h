@@ -70,32 +70,13 @@ DEM_MATH double dem_math_from_bits(uint64_t bits)
 }
 
 /* yes ? a : b by masks, yes being 0 or 1: with ?: gcc moves the arithmetic of a and b into a branch
-   and the loop stays scalar. In single precision where a and b are float or integers. */
-#define dem_select(yes, a, b) \
-    _Generic((a) + (b), float: dem_select_single, default: dem_select_double)((yes), (a), (b))
-
-DEM_MATH double dem_select_double(int yes, double a, double b)
+   and the loop stays scalar */
+DEM_MATH double dem_select(int yes, double a, double b)
 {
     const uint64_t mask = (uint64_t)0 - (uint64_t)yes;
 
     return dem_math_from_bits((dem_math_bits(a) & mask) | (dem_math_bits(b) & ~mask));
 }
-
-DEM_MATH float dem_select_single(int yes, float a, float b)
-{
-    const uint32_t mask = (uint32_t)0 - (uint32_t)yes;
-    uint32_t first, second;
-    float x;
-
-    memcpy(&first, &a, sizeof first);
-    memcpy(&second, &b, sizeof second);
-    first = (first & mask) | (second & ~mask);
-    memcpy(&x, &first, sizeof x);
-    return x;
-}
-
-/* Square root in the precision of the argument. */
-#define dem_sqrt(x) _Generic((x), float: sqrtf, default: sqrt)(x)
 
 /* e^r - 1 - r for |r| <= ln 2 / 2; even and odd powers apart, for shorter dependences */
 DEM_MATH double dem_math_exp_tail(double r)

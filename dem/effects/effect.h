@@ -160,11 +160,11 @@ struct dem_effect
 
     /* BOND and FILM: called before the first stage; may clear overlap and touching, so that the
        contact laws do not act. May be NULL. */
-    void (*replace_contact)(const void *settings, struct dem_contact_batch *restrict, dem_real *const *history);
+    void (*replace_contact)(const void *settings, struct dem_contact_batch *restrict, double *const *history);
 
     /* FILM: called between DAMP and TANGENT; sets the adhesive force (adhesive_force), which the friction
        limit needs before `apply`, and its own column (scratch). May be NULL. */
-    void (*set_adhesion)(const void *settings, struct dem_contact_batch *restrict, dem_real *const *history);
+    void (*set_adhesion)(const void *settings, struct dem_contact_batch *restrict, double *const *history);
 
     /* Duration of an elastic impact of the smallest bodies [s] at the speed that bounds the time
        step; for the contact table of `dem plan`. NORMAL only, may be NULL. */
@@ -173,13 +173,13 @@ struct dem_effect
     /* Contact effects: add to the results of the batch. history[k] is the k-th history column at
        the rows of the batch; the caller clears it where partners do not touch (stages before
        BOND). */
-    void (*apply)(const void *settings, struct dem_contact_batch *restrict, dem_real *const *history);
+    void (*apply)(const void *settings, struct dem_contact_batch *restrict, double *const *history);
 
     /* Contact effects: energy stored and dissipated by this effect, for each row. Called right
        after `apply`, only in runs with an energy balance. `before` are the history columns before
        `apply`, `history` after it. NULL: the energy balance takes stored and lost of the batch
        (stages BOND and FILM), or else measures the work done by the effect. */
-    void (*energy)(const void *settings, const struct dem_contact_batch *restrict, dem_real *const *before, dem_real *const *history,
+    void (*energy)(const void *settings, const struct dem_contact_batch *restrict, double *const *before, double *const *history,
                    struct dem_energy *restrict);
 
     /* What depends on radius, mass, void fraction, density and viscosity only: drag laws fill the

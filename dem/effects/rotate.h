@@ -20,16 +20,16 @@
 
 struct dem_history_vector
 {
-    dem_real x, y, z;
+    double x, y, z;
 };
 
-DEM_MATH dem_real dem_rotate_dot(struct dem_history_vector a, struct dem_history_vector b)
+DEM_MATH double dem_rotate_dot(struct dem_history_vector a, struct dem_history_vector b)
 {
     return a.x*b.x + a.y*b.y + a.z*b.z;
 }
 
 /* a + f b */
-DEM_MATH struct dem_history_vector dem_rotate_add(struct dem_history_vector a, dem_real f,
+DEM_MATH struct dem_history_vector dem_rotate_add(struct dem_history_vector a, double f,
                                                   struct dem_history_vector b)
 {
     return (struct dem_history_vector){a.x + f*b.x, a.y + f*b.y, a.z + f*b.z};
@@ -37,11 +37,11 @@ DEM_MATH struct dem_history_vector dem_rotate_add(struct dem_history_vector a, d
 
 /* a, which is normal to n, rotated about n by 2 atan(q) */
 DEM_MATH struct dem_history_vector dem_rotate_about_normal(struct dem_history_vector a,
-                                                           struct dem_history_vector n, dem_real q)
+                                                           struct dem_history_vector n, double q)
 {
     const struct dem_history_vector cross = {n.y*a.z - n.z*a.y, n.z*a.x - n.x*a.z,
                                              n.x*a.y - n.y*a.x};
-    const dem_real scale = 1.0/(1.0 + q*q), cosine = (1.0 - q*q)*scale;
+    const double scale = 1.0/(1.0 + q*q), cosine = (1.0 - q*q)*scale;
 
     return dem_rotate_add((struct dem_history_vector){cosine*a.x, cosine*a.y, cosine*a.z},
                           2.0*q*scale, cross);
@@ -53,7 +53,7 @@ DEM_MATH struct dem_history_vector dem_rotate_about_normal(struct dem_history_ve
 DEM_MATH struct dem_history_vector dem_rotate_history(struct dem_history_vector a,
                                                       struct dem_history_vector increment,
                                                       struct dem_history_vector h,
-                                                      struct dem_history_vector n, dem_real q)
+                                                      struct dem_history_vector n, double q)
 {
     const struct dem_history_vector reflected = dem_rotate_add(a, -2.0*dem_rotate_dot(h, a), h);
     const struct dem_history_vector projected =

@@ -14,19 +14,19 @@
 
 struct dem_contact_row
 {
-    dem_real dt;                                        /* s    */
+    double dt;                                        /* s    */
 
     /* geometry */
-    dem_real nx, ny, nz, hx, hy, hz;                    /* 1    */
-    dem_real overlap, touching;                         /* m, 1 */
-    dem_real reduced_radius, reduced_mass, min_radius;  /* m, kg, m */
-    dem_real vn, sx, sy, sz;                            /* m/s  */
-    dem_real normal_spin;                               /* 1/s  */
-    dem_real adhesive_force;                            /* N    */
+    double nx, ny, nz, hx, hy, hz;                    /* 1    */
+    double overlap, touching;                         /* m, 1 */
+    double reduced_radius, reduced_mass, min_radius;  /* m, kg, m */
+    double vn, sx, sy, sz;                            /* m/s  */
+    double normal_spin;                               /* 1/s  */
+    double adhesive_force;                            /* N    */
 
     /* results */
-    dem_real kn, kt, eta;                               /* N/m, N/m, kg/s */
-    dem_real fn, fx, fy, fz;                            /* N    */
+    double kn, kt, eta;                               /* N/m, N/m, kg/s */
+    double fn, fx, fy, fz;                            /* N    */
 };
 
 static inline __attribute__((always_inline)) struct dem_contact_row dem_contact_row_load(

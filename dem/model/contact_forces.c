@@ -18,31 +18,30 @@ void dem_contact_forces_free(struct dem_contact_forces *c)
     dem_contact_forces_release(c);
     dem_contact_forces_clear(c);
     dem_memory_free(c->buffer);
-    dem_memory_free(c->buffer_single);
     dem_memory_free(c->deferred_row);
     memset(c, 0, sizeof *c);
 }
 
-size_t dem_contact_forces_size(const struct dem_contact_forces *c)
-{
-    return c->single ? sizeof *c->force_single : sizeof *c->force;
-}
-
-size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *c)
+static size_t bytes_beside_force(const struct dem_contact_forces *c)
 {
     return (size_t)(3*c->moments)*sizeof *c->moment + (c->has_energy ? sizeof *c->energy : 0);
 }
 
-size_t dem_contact_forces_buffer_bytes(const struct dem_contact_forces *c)
+size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *c)
 {
-    return DEM_FORCE_BUFFER_ROWS*dem_contact_forces_size(c);
+    return sizeof *c->force + bytes_beside_force(c);
+}
+
+size_t dem_contact_forces_buffer_bytes(void)
+{
+    return DEM_FORCE_BUFFER_ROWS*sizeof(struct dem_contact_force);
 }
 
 size_t dem_contact_forces_bytes(const struct dem_contact_forces *c)
 {
-    return c->moment_capacity*dem_contact_forces_bytes_per_row(c) +
-           c->capacity*dem_contact_forces_size(c) + c->deferred_capacity*sizeof *c->deferred_row +
-           (dem_contact_forces_use_buffer(c) ? dem_contact_forces_buffer_bytes(c) : 0);
+    return c->moment_capacity*bytes_beside_force(c) + c->capacity*sizeof *c->force +
+           c->deferred_capacity*sizeof *c->deferred_row +
+           (dem_contact_forces_use_buffer(c) ? dem_contact_forces_buffer_bytes() : 0);
 }
 
 /* ---- per row --------------------------------------------------------------------------------- */
@@ -75,9 +74,7 @@ void dem_contact_forces_clear(struct dem_contact_forces *c)
 void dem_contact_forces_release(struct dem_contact_forces *c)
 {
     dem_memory_free(c->force);
-    dem_memory_free(c->force_single);
     c->force = NULL;
-    c->force_single = NULL;
     c->capacity = 0;
 }
 
@@ -86,13 +83,8 @@ int dem_contact_forces_allocate(struct dem_contact_forces *c, const struct dem_c
     if (rows->n + DEM_PADDING_ROWS > c->capacity)
     {
         dem_contact_forces_release(c);
-        DEM_TRY(c->single ? DEM_NEW(c->force_single, rows->capacity)
-                          : DEM_NEW(c->force, rows->capacity));
+        DEM_TRY(DEM_NEW(c->force, rows->capacity));
         c->capacity = rows->capacity;
-    }
-    else if (c->single)
-    {
-        memset(c->force_single + rows->n, 0, DEM_PADDING_ROWS*sizeof *c->force_single);
     }
     else
     {
@@ -159,15 +151,12 @@ int dem_contact_forces_make_buffer(struct dem_contact_forces *c, struct dem_cont
 
     if (pays && !dem_contact_forces_use_buffer(c))
     {
-        DEM_TRY(c->single ? DEM_NEW(c->buffer_single, DEM_FORCE_BUFFER_ROWS)
-                          : DEM_NEW(c->buffer, DEM_FORCE_BUFFER_ROWS));
+        DEM_TRY(DEM_NEW(c->buffer, DEM_FORCE_BUFFER_ROWS));
     }
     else if (!pays)
     {
         dem_memory_free(c->buffer);
-        dem_memory_free(c->buffer_single);
         c->buffer = NULL;
-        c->buffer_single = NULL;
     }
     if (pays)
     {

@@ -27,13 +27,6 @@ struct dem_contact_force
     double t[3], spare;           /* N: n x F; torque on a side: -(radius - arm) t */
 };
 
-/* the same in single precision (mixed precision) */
-struct dem_contact_force_single
-{
-    float f[3], arm;
-    float t[3], spare;
-};
-
 /* energies of a row, see effects/batch.h */
 struct dem_contact_energy
 {
@@ -43,16 +36,15 @@ struct dem_contact_energy
 
 struct dem_contact_forces
 {
-    int single, moments, has_energy;              /* 1: in single precision; an effect makes
-                                                     moments; one acts past touching */
-    struct dem_contact_force *force;              /* per row; one of the two is NULL */
-    struct dem_contact_force_single *force_single;
+    int moments, has_energy;                      /* 1: an effect makes moments; one acts past
+                                                     touching */
+    struct dem_contact_force *force;              /* per row */
     size_t capacity;
     double *moment;                               /* 3 per row; NULL without `moments` */
     struct dem_contact_energy *energy;            /* per row; NULL without `has_energy` */
     size_t moment_capacity;                       /* rows of these two */
-    struct dem_contact_force *buffer;             /* DEM_FORCE_BUFFER_ROWS rows where it pays, */
-    struct dem_contact_force_single *buffer_single;  /* else NULL; again one of the two */
+    struct dem_contact_force *buffer;             /* DEM_FORCE_BUFFER_ROWS rows where it pays, else
+                                                     NULL */
     size_t deferred, deferred_capacity;
     uint32_t *deferred_row;                       /* rows that are summed after the buffer has been
                                                      overwritten; ascending; no walls */
@@ -61,31 +53,22 @@ struct dem_contact_forces
 /* 1 when steps whose contact forces are not read afterwards use the force buffer. */
 static inline int dem_contact_forces_use_buffer(const struct dem_contact_forces *c)
 {
-    return c->buffer || c->buffer_single;
+    return c->buffer != NULL;
 }
 
 /* Contact force of a row. After a step through the force buffer only rows of walls are valid. */
 static inline struct dem_contact_force dem_contact_forces_at(const struct dem_contact_forces *c,
                                                              uint32_t row)
 {
-    if (c->single)
-    {
-        const struct dem_contact_force_single *const s = &c->force_single[row];
-
-        return (struct dem_contact_force){.f = {s->f[0], s->f[1], s->f[2]},
-                                          .arm = s->arm,
-                                          .t = {s->t[0], s->t[1], s->t[2]}};
-    }
     return c->force[row];
 }
 
 void dem_contact_forces_free(struct dem_contact_forces *);
 
-/* Bytes held, of the force buffer, of a row without its contact force, of a contact force. */
+/* Bytes held, of the force buffer, of a row. */
 size_t dem_contact_forces_bytes(const struct dem_contact_forces *);
-size_t dem_contact_forces_buffer_bytes(const struct dem_contact_forces *);
+size_t dem_contact_forces_buffer_bytes(void);
 size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *);
-size_t dem_contact_forces_size(const struct dem_contact_forces *);
 
 /* Moments and energies of `capacity` rows, those of the first n zero. */
 int dem_contact_forces_resize(struct dem_contact_forces *, size_t n, size_t capacity);

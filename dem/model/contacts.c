@@ -18,7 +18,6 @@ int dem_contacts_init(struct dem_contacts *c, const struct dem_interaction_table
     c->history.columns = r->history_columns;
     c->forces.moments = r->moments;
     c->forces.has_energy = r->past_touching;
-    c->forces.single = r->mixed;
     return dem_contact_rows_init(&c->rows, r->classes);
 }
 
@@ -42,7 +41,7 @@ size_t dem_contacts_bytes_per_row(const struct dem_contacts *c)
 {
     return sizeof *c->rows.pair + sizeof *c->rows.partners +
            (size_t)(c->history.columns + 1)*sizeof *c->history.scratch +
-           dem_contact_forces_bytes_per_row(&c->forces) + dem_contact_forces_size(&c->forces);
+           dem_contact_forces_bytes_per_row(&c->forces);
 }
 
 size_t dem_contacts_bytes(const struct dem_contacts *c)

@@ -55,8 +55,6 @@ struct dem_interaction_table
     const struct dem_effect *effect[DEM_EFFECT_LIST_LIMIT];
     void *settings[DEM_EFFECT_LIST_LIMIT];          /* as set for all pairs */
     double fluid_density;                           /* kg/m3, of the run; 0: none, not uniform */
-    int mixed;                                      /* 1: single precision in
-                                                       the laws that allow it */
     int overrides;
     struct dem_override *override;
 

@@ -190,8 +190,7 @@ static int read_fluid(struct dem_uniform_fluid *f, const struct dem_dict *scene,
     return dem_dict_vector_or(dict, "pressureGradient", "Pa/m", hydrostatic, f->pressure_gradient);
 }
 
-static int read_time(struct dem_scene *s, const struct dem_dict *scene,
-                     struct dem_interaction_table *r)
+static int read_time(struct dem_scene *s, const struct dem_dict *scene)
 {
     const struct dem_dict *dict;
     const char *step, *precision;
@@ -220,9 +219,10 @@ static int read_time(struct dem_scene *s, const struct dem_dict *scene,
                 s->max_speed);
     DEM_TRY(dem_dict_switch_or(dict, "force", false, &s->force));
     DEM_TRY(dem_dict_word_or(dict, "precision", "double", &precision));
-    r->mixed = strcmp(precision, "mixed") == 0;
-    DEM_REQUIRE(r->mixed || strcmp(precision, "double") == 0, DEM_ERROR_INPUT,
-                "%s: precision %s; give double or mixed", dem_dict_where(dict), precision);
+    /* mixed: of earlier versions */
+    DEM_REQUIRE(strcmp(precision, "mixed") == 0 || strcmp(precision, "double") == 0,
+                DEM_ERROR_INPUT, "%s: precision %s; give double, or leave it out",
+                dem_dict_where(dict), precision);
     DEM_TRY(dem_dict_word_or(dict, "step", "auto", &step));
     if (strcmp(step, "auto") != 0)
     {
@@ -308,7 +308,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
     DEM_TRY(dem_scene_read_walls(scene, r, w));
     DEM_TRY(read_domain(d, scene));
     DEM_TRY(read_fluid(&s->fluid, scene, r));
-    DEM_TRY(read_time(s, scene, r));
+    DEM_TRY(read_time(s, scene));
     DEM_TRY(read_neighbours(s, scene));
     DEM_TRY(dem_averages_io_read(scene, &s->average, &s->averages));
     DEM_TRY(read_bonds(s, scene, r));

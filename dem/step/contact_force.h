@@ -25,16 +25,4 @@ dem_contact_force_store(struct dem_contact_force *to, dem_vec4 f[4], dem_vec4 t[
     }
 }
 
-__attribute__((always_inline)) static inline void
-dem_contact_force_store_single(struct dem_contact_force_single *to, dem_vec4 f[4], dem_vec4 t[4])
-{
-    dem_transpose4(f);
-    dem_transpose4(t);
-    for (int k = 0; k < 4; k++)
-    {
-        DEM_VEC4_SINGLE_AT(to[k].f) = DEM_VEC4_NARROW(f[k]);
-        DEM_VEC4_SINGLE_AT(to[k].t) = DEM_VEC4_NARROW(t[k]);
-    }
-}
-
 #endif

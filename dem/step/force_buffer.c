@@ -9,40 +9,27 @@
 #include "effects/effect.h"
 #include "step/contact_force.h"
 
-struct dem_force_buffer_slot dem_force_buffer_slot(const struct dem_contacts *c, uint32_t row,
-                                                   int buffered)
+struct dem_contact_force *dem_force_buffer_slot(const struct dem_contacts *c, uint32_t row,
+                                                int buffered)
 {
-    const uint32_t slot = row & (DEM_FORCE_BUFFER_ROWS - 1);
-
-    return c->forces.single
-               ? (struct dem_force_buffer_slot){.single = buffered ? c->forces.buffer_single + slot
-                                                                   : c->forces.force_single + row}
-               : (struct dem_force_buffer_slot){.full = buffered ? c->forces.buffer + slot
-                                                                 : c->forces.force + row};
+    return buffered ? c->forces.buffer + (row & (DEM_FORCE_BUFFER_ROWS - 1))
+                    : c->forces.force + row;
 }
 
 size_t dem_force_buffer_copy_deferred(struct dem_contacts *c, size_t copied, uint32_t end)
 {
     for (; copied < c->forces.deferred && c->forces.deferred_row[copied] < end; copied++)
     {
-        const uint32_t row = c->forces.deferred_row[copied],
-                       slot = row & (DEM_FORCE_BUFFER_ROWS - 1);
+        const uint32_t row = c->forces.deferred_row[copied];
 
-        if (c->forces.single)
-        {
-            c->forces.force_single[row] = c->forces.buffer_single[slot];
-        }
-        else
-        {
-            c->forces.force[row] = c->forces.buffer[slot];
-        }
+        c->forces.force[row] = c->forces.buffer[row & (DEM_FORCE_BUFFER_ROWS - 1)];
     }
     return copied;
 }
 
 DEM_KERNEL
 static void store(const struct dem_contact_batch *restrict b, double factor, int past_touching,
-                  const struct dem_force_buffer_slot *to)
+                  struct dem_contact_force *restrict to)
 {
     const double *const depth = past_touching ? b->gap : b->overlap;
     const double signed_factor = past_touching ? -factor : factor;
@@ -58,19 +45,12 @@ static void store(const struct dem_contact_batch *restrict b, double factor, int
         dem_vec4 f[4] = {fn*nx + fx, fn*ny + fy, fn*nz + fz, signed_factor*DEM_VEC4(depth + c)};
         dem_vec4 t[4] = {ny*fz - nz*fy, nz*fx - nx*fz, nx*fy - ny*fx, {0.0, 0.0, 0.0, 0.0}};
 
-        if (to->single)
-        {
-            dem_contact_force_store_single(to->single + c, f, t);
-        }
-        else
-        {
-            dem_contact_force_store(to->full + c, f, t);
-        }
+        dem_contact_force_store(to + c, f, t);
     }
 }
 
 void dem_force_buffer_store(const struct dem_contact_batch *b, double factor, int past_touching,
-                            const struct dem_force_buffer_slot *to)
+                            struct dem_contact_force *to)
 {
     store(b, factor, past_touching, to);
 }

@@ -14,22 +14,16 @@
 #include "effects/batch.h"
 #include "model/contacts.h"
 
-struct dem_force_buffer_slot    /* first record of a batch: one of the two, the other is NULL */
-{
-    struct dem_contact_force *full;           /* double precision */
-    struct dem_contact_force_single *single;  /* single precision, of runs with mixed precision */
-};
-
 /* Where the forces of the batch that begins at `row` go: into the ring buffer if `buffered` is set,
    else to the rows' own records. */
-struct dem_force_buffer_slot dem_force_buffer_slot(const struct dem_contacts *, uint32_t row,
-                                                   int buffered);
+struct dem_contact_force *dem_force_buffer_slot(const struct dem_contacts *, uint32_t row,
+                                                int buffered);
 
 /* Store the contact forces of a batch. The lever arm is the radius minus `factor` times the overlap
    (1/2 at a pair, 1 at a wall). In a class that acts past touching, the gap is a negative overlap.
    Lanes past the last row are written to the padding of their class. */
 void dem_force_buffer_store(const struct dem_contact_batch *, double factor, int past_touching,
-                            const struct dem_force_buffer_slot *);
+                            struct dem_contact_force *);
 
 /* Copy the deferred rows before `end`, which are summed after the ring buffer has wrapped around,
    to their own records. `copied`: number of deferred rows copied so far. Returns this number after

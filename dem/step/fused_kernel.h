@@ -7,10 +7,6 @@
  * of mindlin and the contact force share another. Their intermediate results need no columns, and
  * none have to be cleared.
  *
- * In a run of mixed precision, laws and forces are computed here in single precision, with half the
- * bytes and twice the lanes. The geometry is computed from positions in double precision, and the
- * contact history is stored in double precision.
- *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_STEP_FUSED_KERNEL_H
@@ -35,14 +31,6 @@ struct dem_fused_constants    /* the constants of the three laws, from their set
     double check_overlap;  /* 1  overlaps above this fraction of the smaller radius are checked */
 };
 
-struct dem_fused_columns    /* of a contact batch: number of rows, time step, columns */
-{
-    int n;
-    double dt;                                         /* s */
-    double *min_radius, *overlap, *fn, *fx, *fy, *fz;  /* filled when a row has to be
-                                                          checked against the limits */
-};
-
 /* 1 when the effect list of a class consists of these three laws and nothing else. */
 int dem_fused_kernel_applies(const struct dem_effect_list *);
 
@@ -58,10 +46,5 @@ struct dem_fused_constants dem_fused_kernel_constants(const struct dem_effect_li
 int dem_fused_kernel_run(const struct dem_fused_constants *, struct dem_contact_batch *,
                          const struct dem_gathered *, double *const *history,
                          struct dem_contact_force *);
-
-/* The same in single precision. */
-int dem_fused_kernel_run_single(const struct dem_fused_constants *,
-                                const struct dem_fused_columns *, const struct dem_gathered *,
-                                double *const *history, struct dem_contact_force_single *);
 
 #endif

@@ -1,9 +1,6 @@
 /*
- * fused_laws.h -- the four loops of fused_kernel.h, in the precision that the including file has
- * chosen (DEM_REAL).
- *
- * The contact history stays in double precision, and so do distances and overlaps (geometry.h). To
- * be included after the definition of dem_mask, an unsigned integer of the size of DEM_REAL.
+ * fused_laws.h -- the four loops of fused_kernel.h. To be included after the definition of dem_mask, an
+ * unsigned integer of the size of a double.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -25,8 +22,8 @@ DEM_KERNEL
 static void normal_forces(const struct dem_fused_constants *l, struct dem_contact_batch *restrict b,
                           const struct dem_gathered *restrict g)
 {
-    const dem_real modulus = (dem_real)l->modulus, alpha = (dem_real)l->alpha;
-    const dem_real min_force = (dem_real)l->min_force, shear = (dem_real)l->shear;
+    const double modulus = l->modulus, alpha = l->alpha;
+    const double min_force = l->min_force, shear = l->shear;
 
     for (int c = 0; c < b->n; c++)
     {
@@ -60,7 +57,7 @@ static void friction_springs(const struct dem_fused_constants *l,
 
         r.adhesive_force = 0;
         const struct dem_slider s =
-            dem_friction_row(friction, &r, r.kt, (dem_real)x[c], (dem_real)y[c], (dem_real)z[c]);
+            dem_friction_row(friction, &r, r.kt, x[c], y[c], z[c]);
 
         x[c] = s.xi_x;
         y[c] = s.xi_y;
@@ -77,16 +74,16 @@ static dem_mask contact_forces(const struct dem_fused_constants *l,
                                struct dem_contact_batch *restrict b, double *restrict x,
                                double *restrict y, double *restrict z)
 {
-    const dem_real limit = (dem_real)l->check_overlap;
+    const double limit = l->check_overlap;
     dem_mask check = 0;
 
     for (int c = 0; c < b->n; c++)
     {
         const struct dem_slider s =
-            dem_slider_end(b, c, (dem_real)x[c], (dem_real)y[c], (dem_real)z[c]);
-        const dem_real mask = b->touching[c], nx = b->nx[c], ny = b->ny[c], nz = b->nz[c];
-        const dem_real fn = mask*b->fn[c], fx = mask*s.fx, fy = mask*s.fy, fz = mask*s.fz;
-        const dem_real sum = b->fn[c] + (fx + fy + fz);
+            dem_slider_end(b, c, x[c], y[c], z[c]);
+        const double mask = b->touching[c], nx = b->nx[c], ny = b->ny[c], nz = b->nz[c];
+        const double fn = mask*b->fn[c], fx = mask*s.fx, fy = mask*s.fy, fz = mask*s.fz;
+        const double sum = b->fn[c] + (fx + fy + fz);
 
         x[c] = s.xi_x;
         y[c] = s.xi_y;

@@ -6,9 +6,6 @@
  * - overlap/2 at a pair (their sum is the distance, which conserves angular momentum) and R -
  * overlap at a wall (the contact point lies on the wall).
  *
- * Distance and overlap are computed in double precision whatever the precision of the laws: an
- * overlap is a small difference of large numbers.
- *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_STEP_GEOMETRY_H
@@ -26,16 +23,16 @@ static inline __attribute__((always_inline)) void dem_geometry_pair(const struct
                             int c, double dt, struct dem_contact_row *r)
 {
     const double x = g->rx[c], y = g->ry[c], z = g->rz[c], distance = sqrt(x*x + y*y + z*z);
-    const dem_real half = (dem_real)(0.5*dt), rx = (dem_real)x, ry = (dem_real)y,
-                   rz = (dem_real)z, d = (dem_real)distance;
-    const dem_real hx = rx - half*(dem_real)g->vx[c], hy = ry - half*(dem_real)g->vy[c],
-                   hz = rz - half*(dem_real)g->vz[c];
-    const dem_real h = dem_sqrt(hx*hx + hy*hy + hz*hz), nonzero_d = dem_select(d > 0, d, 1),
+    const double half = (0.5*dt), rx = x, ry = y,
+                   rz = z, d = distance;
+    const double hx = rx - half*g->vx[c], hy = ry - half*g->vy[c],
+                   hz = rz - half*g->vz[c];
+    const double h = sqrt(hx*hx + hy*hy + hz*hz), nonzero_d = dem_select(d > 0, d, 1),
                    nonzero_h = dem_select(h > 0, h, 1);
-    const dem_real radii = (dem_real)g->radii[c], over_mass = (dem_real)g->inverse_mass[c];
-    const dem_real radius = (dem_real)g->radius[c], other = (dem_real)g->other[c];
-    const dem_real both = nonzero_d*nonzero_h, sums = radii*over_mass, over = 1/(both*sums);
-    const dem_real over_both = over*sums, over_sums = over*both, over_d = over_both*nonzero_h,
+    const double radii = g->radii[c], over_mass = g->inverse_mass[c];
+    const double radius = g->radius[c], other = g->other[c];
+    const double both = nonzero_d*nonzero_h, sums = radii*over_mass, over = 1/(both*sums);
+    const double over_both = over*sums, over_sums = over*both, over_d = over_both*nonzero_h,
                    over_h = over_both*nonzero_d;
 
     /* coincident centres: any fixed direction is valid, as long as all ranks use the same */
@@ -45,7 +42,7 @@ static inline __attribute__((always_inline)) void dem_geometry_pair(const struct
     r->hx = dem_select(h > 0, hx*over_h, 1);
     r->hy = hy*over_h;
     r->hz = hz*over_h;
-    r->overlap = (dem_real)(g->radii[c] - distance);
+    r->overlap = (g->radii[c] - distance);
     r->reduced_radius = radius*other*(over_mass*over_sums);
     r->reduced_mass = radii*over_sums;
     r->min_radius = dem_select(radius < other, radius, other);
@@ -77,17 +74,17 @@ static inline __attribute__((always_inline)) void dem_geometry_pairs(
    `spin_factor` times half of the gathered sum of spins is the mean spin of both partners: 1 at a
    pair, 1/2 at a wall. */
 static inline __attribute__((always_inline)) void
-dem_geometry_motion(const struct dem_gathered *g, int c, dem_real spin_factor,
+dem_geometry_motion(const struct dem_gathered *g, int c, double spin_factor,
                     struct dem_contact_row *r)
 {
-    const dem_real raw = r->overlap, touch = dem_select(raw > 0, (dem_real)1, 0),
+    const double raw = r->overlap, touch = dem_select(raw > 0, 1, 0),
                    overlap = dem_select(raw > 0, raw, 0);
-    const dem_real vx = (dem_real)g->vx[c], vy = (dem_real)g->vy[c], vz = (dem_real)g->vz[c];
-    const dem_real bx = (dem_real)g->bx[c]/2, by = (dem_real)g->by[c]/2, bz = (dem_real)g->bz[c]/2;
-    const dem_real hx = r->hx, hy = r->hy, hz = r->hz;
-    const dem_real along = vx*hx + vy*hy + vz*hz;
-    const dem_real ax = (dem_real)g->ax[c] - overlap*bx, ay = (dem_real)g->ay[c] - overlap*by,
-                   az = (dem_real)g->az[c] - overlap*bz;
+    const double vx = g->vx[c], vy = g->vy[c], vz = g->vz[c];
+    const double bx = g->bx[c]/2, by = g->by[c]/2, bz = g->bz[c]/2;
+    const double hx = r->hx, hy = r->hy, hz = r->hz;
+    const double along = vx*hx + vy*hy + vz*hz;
+    const double ax = g->ax[c] - overlap*bx, ay = g->ay[c] - overlap*by,
+                   az = g->az[c] - overlap*bz;
 
     r->overlap = overlap;
     r->touching = touch;

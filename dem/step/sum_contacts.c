@@ -11,66 +11,35 @@
 /* Sign of a row's force on i, and on j. */
 static const double sides[2] = {1.0, -1.0};
 
-typedef float eight __attribute__((vector_size(32), aligned(32), may_alias));
-
-/* Load f and t of a contact force; the fourth lanes hold the arm and a spare number. Single
-   precision is converted eight numbers at once, for which gcc generates twice as fast code as for
-   two times four. `single` is a compile-time constant at every call. */
-__attribute__((always_inline)) static inline void
-load(const void *restrict force, size_t row, const int single, dem_vec4 *f, dem_vec4 *t)
-{
-    if (single)
-    {
-        typedef double wide __attribute__((vector_size(64)));
-
-        const wide both = __builtin_convertvector(
-            *(const eight *)(const void *)((const struct dem_contact_force_single *)force + row),
-            wide);
-
-        *f = __builtin_shufflevector(both, both, 0, 1, 2, 3);
-        *t = __builtin_shufflevector(both, both, 4, 5, 6, 7);
-    }
-    else
-    {
-        *f = DEM_VEC4(((const struct dem_contact_force *)force)[row].f);
-        *t = DEM_VEC4(((const struct dem_contact_force *)force)[row].t);
-    }
-}
-
 struct storage    /* where contact forces are: [0] deferred rows, [1] buffered rows */
 {
-    const void *base[2];  /* records of the rows, or the ring buffer */
-    uint32_t mask[2];     /* of the row number */
+    const struct dem_contact_force *base[2];  /* records of the rows, or the ring buffer */
+    uint32_t mask[2];                         /* of the row number */
 };
 
 static struct storage storage_of(const struct dem_contacts *c, int unobserved)
 {
-    const void *const rows = c->forces.single ? (const void *)c->forces.force_single
-                                              : (const void *)c->forces.force;
-    const void *const buffer =
-        c->forces.single ? (const void *)c->forces.buffer_single : (const void *)c->forces.buffer;
-
-    return unobserved && buffer
-               ? (struct storage){{rows, buffer}, {UINT32_MAX, DEM_FORCE_BUFFER_ROWS - 1}}
-               : (struct storage){{rows, rows}, {UINT32_MAX, UINT32_MAX}};
+    return unobserved && c->forces.buffer
+               ? (struct storage){{c->forces.force, c->forces.buffer},
+                                  {UINT32_MAX, DEM_FORCE_BUFFER_ROWS - 1}}
+               : (struct storage){{c->forces.force, c->forces.force}, {UINT32_MAX, UINT32_MAX}};
 }
 
 __attribute__((always_inline)) static inline void
-add(const struct storage *at, uint32_t entry, const int single, double radius, dem_vec4 *f,
-    dem_vec4 *t)
+add(const struct storage *at, uint32_t entry, double radius, dem_vec4 *f, dem_vec4 *t)
 {
     const uint32_t buffered = (entry & DEM_ENTRY_BUFFERED)/DEM_ENTRY_BUFFERED;
-    dem_vec4 row_f, row_t;
+    const struct dem_contact_force *const from =
+        at->base[buffered] + (entry >> DEM_ENTRY_ROW_SHIFT & at->mask[buffered]);
+    const dem_vec4 row_f = DEM_VEC4(from->f), row_t = DEM_VEC4(from->t);
 
-    load(at->base[buffered], entry >> DEM_ENTRY_ROW_SHIFT & at->mask[buffered], single, &row_f,
-         &row_t);
     *f += sides[entry & DEM_ENTRY_SIDE]*row_f;
     *t += (__builtin_shufflevector(row_f, row_f, 3, 3, 3, 3) - radius)*row_t;
 }
 
-__attribute__((always_inline)) static inline void
-sum(const struct dem_contacts *c, const struct dem_particle *restrict record,
-    const struct dem_sum_slice *part, const int single)
+DEM_KERNEL
+static void sum(const struct dem_contacts *c, const struct dem_particle *restrict record,
+                const struct dem_sum_slice *part)
 {
     const struct storage at = storage_of(c, part->unobserved);
     const uint32_t *restrict const start = c->rows.start, *restrict const entry = c->rows.entry;
@@ -85,8 +54,8 @@ sum(const struct dem_contacts *c, const struct dem_particle *restrict record,
            length */
         for (size_t k = start[i], end = start[i + 1]; k < end; k += 2)
         {
-            add(&at, entry[k], single, radius, &f, &t);
-            add(&at, entry[k + 1], single, radius, &f, &t);
+            add(&at, entry[k], radius, &f, &t);
+            add(&at, entry[k + 1], radius, &f, &t);
         }
         for (size_t k = 0; k < 3; k++)
         {
@@ -94,20 +63,6 @@ sum(const struct dem_contacts *c, const struct dem_particle *restrict record,
             *torque++ = t[k];
         }
     }
-}
-
-DEM_KERNEL
-static void sum_full(const struct dem_contacts *c, const struct dem_particle *record,
-                     const struct dem_sum_slice *part)
-{
-    sum(c, record, part, 0);
-}
-
-DEM_KERNEL
-static void sum_single(const struct dem_contacts *c, const struct dem_particle *record,
-                       const struct dem_sum_slice *part)
-{
-    sum(c, record, part, 1);
 }
 
 static void add_moments(const struct dem_contacts *c, const struct dem_sum_slice *part)
@@ -135,7 +90,7 @@ void dem_sum_slice(const struct dem_particles *p, const struct dem_contacts *c,
     {
         return;
     }
-    (c->forces.single ? sum_single : sum_full)(c, p->record, part);
+    sum(c, p->record, part);
     if (c->forces.moment)
     {
         add_moments(c, part);

@@ -227,7 +227,7 @@ struct rows    /* of a batch: the first, their number, where their forces are st
 {
     uint32_t row;
     int rows;
-    struct dem_force_buffer_slot to;
+    struct dem_contact_force *to;
 };
 
 /* A batch of a class with the usual laws between particles. */
@@ -242,19 +242,7 @@ static void sweep_fused(struct dem_state *p, struct dem_contact_workspace *t,
     find_history(&p->contacts, &effects->entry[DEM_FUSED_FRICTION], at->row, history);
     dem_contact_batch_gather(t, p, effects, at->row, at->rows);
 
-    const struct dem_fused_columns single = {
-        .n = b->n,
-        .dt = b->dt,
-        .min_radius = b->min_radius,
-        .overlap = b->overlap,
-        .fn = b->fn,
-        .fx = b->fx,
-        .fy = b->fy,
-        .fz = b->fz};
-
-    if (at->to.single
-            ? dem_fused_kernel_run_single(&constants, &single, &t->gathered, history, at->to.single)
-            : dem_fused_kernel_run(&constants, b, &t->gathered, history, at->to.full))
+    if (dem_fused_kernel_run(&constants, b, &t->gathered, history, at->to))
     {
         dem_limits_check_record(p, t, at->row, at->rows);
     }
@@ -285,7 +273,7 @@ static int sweep_batch(struct dem_state *p, struct dem_contact_workspace *t,
         DEM_TRY(dem_bonds_record(p, &t->batch, row, rows));
     }
     dem_force_buffer_store(&t->batch, effects->pair.with_wall ? 1.0 : 0.5, effects->past_touching,
-                           &at->to);
+                           at->to);
     if (effects->past_touching)
     {
         store_energies(&p->contacts, &t->batch, row, rows);

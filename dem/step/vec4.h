@@ -17,13 +17,6 @@ typedef double dem_vec4 __attribute__((vector_size(32), aligned(16), may_alias))
 #define DEM_VEC4(from) (*(const dem_vec4 *)(const void *)(from))
 #define DEM_VEC4_AT(to) (*(dem_vec4 *)(void *)(to))
 
-/* The same in single precision, and the conversions. */
-typedef float dem_vec4_single __attribute__((vector_size(16), aligned(16), may_alias));
-#define DEM_VEC4_SINGLE(from) (*(const dem_vec4_single *)(const void *)(from))
-#define DEM_VEC4_SINGLE_AT(to) (*(dem_vec4_single *)(void *)(to))
-#define DEM_VEC4_WIDEN(four) __builtin_convertvector(four, dem_vec4)
-#define DEM_VEC4_NARROW(four) __builtin_convertvector(four, dem_vec4_single)
-
 /* Transpose: rows become columns, or columns rows. */
 __attribute__((always_inline)) static inline void dem_transpose4(dem_vec4 row[4])
 {
@@ -35,19 +28,6 @@ __attribute__((always_inline)) static inline void dem_transpose4(dem_vec4 row[4]
     row[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5);
     row[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
     row[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7);
-    row[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
-}
-
-__attribute__((always_inline)) static inline void dem_transpose4_single(dem_vec4_single row[4])
-{
-    const dem_vec4_single a = __builtin_shufflevector(row[0], row[1], 0, 4, 1, 5),
-                          b = __builtin_shufflevector(row[0], row[1], 2, 6, 3, 7);
-    const dem_vec4_single c = __builtin_shufflevector(row[2], row[3], 0, 4, 1, 5),
-                          d = __builtin_shufflevector(row[2], row[3], 2, 6, 3, 7);
-
-    row[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5);
-    row[1] = __builtin_shufflevector(a, c, 2, 3, 6, 7);
-    row[2] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
     row[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
 }
 

@@ -36,8 +36,8 @@ struct impacts_effect
     const struct dem_effect *effect;
     /* large enough for any settings struct, aligned */
     double settings[32];
-    _Alignas(64) dem_real column[IMPACTS_HISTORY][DEM_BATCH_ROWS];
-    dem_real *history[IMPACTS_HISTORY];
+    _Alignas(64) double column[IMPACTS_HISTORY][DEM_BATCH_ROWS];
+    double *history[IMPACTS_HISTORY];
 };
 
 struct impacts

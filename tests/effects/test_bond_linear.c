@@ -21,8 +21,8 @@ static const struct dem_material rock = {"rock", 2500.0, 1e9, 0.25, 0.0};
 static const double pi = 3.14159265358979324, kn = 5e11, kt = 2e11, R = 1e-3, lambda = 0.8,
                     strength = 1e6;
 static struct impacts w;
-static _Alignas(64) dem_real column[COLUMNS][DEM_BATCH_ROWS];
-static dem_real *history[COLUMNS];
+static _Alignas(64) double column[COLUMNS][DEM_BATCH_ROWS];
+static double *history[COLUMNS];
 static double settings[64];
 
 static void prepare(const char *const *names, const double *values, int n)

@@ -67,7 +67,7 @@ static double uniform(int row, int use, double min, double max)
 }
 
 /* every third row is apart */
-static void random_contact(struct dem_contact_batch *b, dem_real memory[MEMORY][DEM_BATCH_ROWS],
+static void random_contact(struct dem_contact_batch *b, double memory[MEMORY][DEM_BATCH_ROWS],
                            int to, int row)
 {
     const double a = uniform(row, 0, 0.0, 6.28), z = uniform(row, 1, -1.0, 1.0),
@@ -126,7 +126,7 @@ static void random_body(struct dem_body_batch *b, int to, int row)
     b->mean_diameter[to] = uniform(row, 23, 1e-4, 1e-2);
 }
 
-static int all_finite(const dem_real *values)
+static int all_finite(const double *values)
 {
     int all = 1;
 
@@ -139,23 +139,23 @@ static int all_finite(const dem_real *values)
 
 /* how many of the columns from first to last (results and memory) hold a number that is not
    finite */
-static int bad_columns(const dem_real *first, const dem_real *last)
+static int bad_columns(const double *first, const double *last)
 {
     int bad = 0;
 
-    for (const dem_real *column = first; column <= last; column += DEM_BATCH_ROWS)
+    for (const double *column = first; column <= last; column += DEM_BATCH_ROWS)
     {
         bad += !all_finite(column);
     }
     return bad;
 }
 
-static int differs(const dem_real *first, const dem_real *last, const dem_real *other_first,
+static int differs(const double *first, const double *last, const double *other_first,
                    int row)
 {
     int bad = 0;
 
-    for (const dem_real *a = first, *b = other_first; a <= last;
+    for (const double *a = first, *b = other_first; a <= last;
          a += DEM_BATCH_ROWS, b += DEM_BATCH_ROWS)
     {
         bad += memcmp(a + row, b, sizeof *a) != 0;        /* bits, so that -0 is not 0 */
@@ -164,7 +164,7 @@ static int differs(const dem_real *first, const dem_real *last, const dem_real *
 }
 
 static void evaluate(const struct dem_effect *e, const double *settings, struct dem_contact_batch *b,
-                dem_real *const *memory)
+                double *const *memory)
 {
     if (e->set_adhesion)
     {
@@ -176,9 +176,9 @@ static void evaluate(const struct dem_effect *e, const double *settings, struct 
 static void contact_effect(const struct dem_effect *e)
 {
     static struct dem_contact_batch many, one;
-    static _Alignas(64) dem_real memory[MEMORY][DEM_BATCH_ROWS],
+    static _Alignas(64) double memory[MEMORY][DEM_BATCH_ROWS],
         memory_of_one[MEMORY][DEM_BATCH_ROWS];
-    dem_real *all[MEMORY], *alone[MEMORY];
+    double *all[MEMORY], *alone[MEMORY];
     double settings[32] = {0};
     int bad = 0;
 

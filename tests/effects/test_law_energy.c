@@ -26,7 +26,7 @@ static const double dt = 1e-6, deepest = 5e-5, apart = 5e-6;        /* s, m, m *
 static struct impacts w;
 static struct dem_energy e;
 static struct impacts_effect *normal, *law;
-static _Alignas(64) dem_real column[IMPACTS_HISTORY][DEM_BATCH_ROWS];
+static _Alignas(64) double column[IMPACTS_HISTORY][DEM_BATCH_ROWS];
 
 static const struct known
 {
@@ -85,7 +85,7 @@ static void place(int c, double overlap, double x, double y, double z)
 /* as the core's loop over contacts */
 static void evaluate(void)
 {
-    dem_real *before[IMPACTS_HISTORY];
+    double *before[IMPACTS_HISTORY];
 
     memcpy(column, law->column, sizeof column);
     normal->effect->apply(normal->settings, &w.b, normal->history);

@@ -79,7 +79,7 @@ static double alpha(const struct impacts_effect *l, double vn, double fluid, dou
     w.b.vn[0] = vn;
     w.b.viscosity[0] = fluid;
     w.b.fn[0] = 0.0;
-    dem_real *history[1] = {speed};
+    double *history[1] = {speed};
 
     dem_stokes.apply(l->settings, &w.b, history);
     return w.b.eta[0]/sqrt(2e-3*1e6);
@@ -110,7 +110,7 @@ static void by_hand(void)
     TAP_OK(speed == 0.5 && w.b.fn[0] < 0.0, "still latched; the force may attract");
     w.b.touching[0] = 0.0;
     w.b.kn[0] = 0.0;
-    dem_real *history[1] = {&speed};
+    double *history[1] = {&speed};
     dem_stokes.apply(l->settings, &w.b, history);
     TAP_OK(speed == 0.0 && w.b.eta[0] == 0.0, "apart it is cleared and no force acts");
     alpha(l, -0.2, mu, &speed);
@@ -200,7 +200,7 @@ static void added(const char *what, enum source source, const struct dem_materia
     w.b.touching[0] = 1.0;
     w.b.vn[0] = -v;
     w.b.viscosity[0] = mu;
-    dem_real *history[1] = {&speed};
+    double *history[1] = {&speed};
     dem_stokes.apply(l->settings, &w.b, history);
     TAP_NEAR(w.b.eta[0]/sqrt(w.pair.min_mass*1e6), alpha_of(0.97*exp(-35.0/St)), 1e-13,
              "added mass: %s", what);

@@ -43,7 +43,7 @@ static double evaluate(double gap, double bonded, double *stored, double *lost)
     for (int k = 0; k < w.effects; k++)
     {
         struct impacts_effect *const l = &w.effect_entry[k];
-        dem_real held[IMPACTS_HISTORY], *before[IMPACTS_HISTORY];
+        double held[IMPACTS_HISTORY], *before[IMPACTS_HISTORY];
 
         for (int m = 0; m < IMPACTS_HISTORY; m++)
         {

@@ -54,18 +54,12 @@ static inline char *world_text(const char *format, ...)
     return text;
 }
 
-/* SUNA_PRECISION=mixed in the environment: applies to all scenes that do not name a precision */
 static inline struct dem *world_begin(const char *scene)
 {
-    const char *const precision = getenv("SUNA_PRECISION");
     struct dem *d;
 
     WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
     WORLD_TRY(dem_scene_text(d, scene, "scene"));
-    if (precision && !strstr(scene, "precision"))
-    {
-        WORLD_TRY(dem_set(d, "time/precision", precision));
-    }
     return d;
 }
 

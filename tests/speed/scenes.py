@@ -110,13 +110,12 @@ def state(dem, bed, name, scene):
         return path, [line.split() for line in text]
 
 
-def suna(bed, scene, path, steps, entries=(), end=None):
+def suna(bed, scene, path, steps, end=None):
     """Processor time, bytes, kinetic energy, contacts, rebuilds, prunes, bonds; `end`: file of the
     final positions."""
     command = [bed, "run", file_of(scene["law"]), path, repr(scene["step"]), str(steps), end or "-"]
-    result = subprocess.run(command + [word for entry in box(scene) + list(entries)
+    result = subprocess.run(command + [word for entry in box(scene)
                                      for word in entry], capture_output=True, text=True)
     if result.returncode:
-        unknown = "speed: this Suna knows no precision but double: " if 'unknown entry "precision"' in result.stderr else ""
-        sys.exit(unknown + result.stderr.rstrip())
+        sys.exit(result.stderr.rstrip())
     return [float(word) for word in result.stdout.split()]

@@ -2,7 +2,7 @@
 """speed.py -- million particle-steps per second of processor time, of Suna and of another code on
 the same bed.
 
-    speed.py SCENE ... --dem DEM --bed BED [--against PEER] [--exe PATH] [--precision double|mixed] [--runs 3] [--steps N]
+    speed.py SCENE ... --dem DEM --bed BED [--against PEER] [--exe PATH] [--runs 3] [--steps N]
     speed.py all ...                    every scene against every peer that has its law; the lines are added to stored/speed.txt, too
     speed.py table                      what was stored last, as a table
     speed.py SCENE ... --compare        no clock: kinetic energy, contacts, overlap in both codes after the steps of small beds
@@ -36,7 +36,6 @@ def arguments():
     p = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     p.add_argument("--against", choices=[*PEERS, "none"], default="")
     p.add_argument("--exe", help="another build of the peer's program")
-    p.add_argument("--precision", choices=["double", "mixed"], default="double", help="of Suna")
     p.add_argument("--runs", type=int, default=3)
     p.add_argument("--steps", type=int, default=0,
                    help="0: those of the scene, a fifth of them with yade")
@@ -65,10 +64,6 @@ def program(a, name):
 def default_peer(scene):
     """The first peer that has the law."""
     return next((name for name in PEERS if scene["law"] in PEERS[name].laws), "none")
-
-
-def entries(a):
-    return [("time/precision", a.precision)] if a.precision != "double" else []
 
 
 # ---- a scene -------------------------------------------------------------------------------------
@@ -102,14 +97,13 @@ def measure(a, name, peer):
     scene = SCENES[name]
     path, particles = state(a.dem, a.bed, name, scene)
     n, result = len(particles), []
-    own = "suna" if a.precision == "double" else "suna mixed"
 
     def turn(path, steps):
-        result[:] = suna(a.bed, scene, path, steps, entries(a))
+        result[:] = suna(a.bed, scene, path, steps)
         return 1e-6*n*steps/result[0]
 
     steps = a.steps or (scene["steps"]//5 if peer == "yade" else scene["steps"])
-    line = f"{name} N={n} steps={steps} {own} "
+    line = f"{name} N={n} steps={steps} suna "
     if peer == "none":
         ours = [turn(path, steps) for _ in range(a.runs)]
         line += (f"{statistics.median(ours):.2f} Mps/s (min {min(ours):.2f} max {max(ours):.2f}) bytes/particle {result[1]/n:.0f}"
@@ -158,7 +152,7 @@ def compare(a, name, peer):
     os.makedirs(folder, exist_ok=True)
     p.set_up(folder, particles, scene)
     steps, last = a.steps or scene["steps"], os.path.join(folder, "suna.txt")
-    result = suna(a.bed, scene, path, steps, entries(a), last)
+    result = suna(a.bed, scene, path, steps, end=last)
     p.run(Run(a.bed, program(a, peer), folder, scene, p.tries(scene)[len(p.tries(scene))//2 - 1],
               steps))
     with open(last) as text:
@@ -212,7 +206,7 @@ def table():
         last = text.read().split("# ")[-1].splitlines()
     print(f"{last[0]}\n\n| scene | Suna | other | ratio (least, largest) | bytes a particle |\n|---|---|---|---|---|")
     for line in last[1:]:
-        words = line.replace("suna mixed", "suna").split()
+        words = line.split()
         at = words.index("ratio")
         search = " ".join(words[words.index("(skin") + 1:at]).rstrip(")")
         memory = words.index("bytes/particle")

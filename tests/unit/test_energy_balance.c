@@ -30,7 +30,7 @@ static struct dem_energy seen;
 static const double push = -3.0, pull[3] = {0.5, -1.0, 2.0}, moment[3] = {0.1, 0.2, -0.3};
 
 /* the same for all rows */
-static void act(const void *of, struct dem_contact_batch *restrict b, dem_real *const *memory)
+static void act(const void *of, struct dem_contact_batch *restrict b, double *const *memory)
 {
     (void)of, (void)memory;
     for (int c = 0; c < b->n; c++)
@@ -41,7 +41,7 @@ static void act(const void *of, struct dem_contact_batch *restrict b, dem_real *
     }
 }
 
-static void spring(const void *of, struct dem_contact_batch *restrict b, dem_real *const *memory)
+static void spring(const void *of, struct dem_contact_batch *restrict b, double *const *memory)
 {
     (void)of, (void)memory;
     for (int c = 0; c < b->n; c++)
@@ -51,7 +51,7 @@ static void spring(const void *of, struct dem_contact_batch *restrict b, dem_rea
 }
 
 static void report_energy(const void *of, const struct dem_contact_batch *b,
-                          dem_real *const *before, dem_real *const *memory,
+                          double *const *before, double *const *memory,
                           struct dem_energy *restrict e)
 {
     (void)of;
@@ -64,7 +64,7 @@ static void report_energy(const void *of, const struct dem_contact_batch *b,
 }
 
 static void bond_force(const void *of, struct dem_contact_batch *restrict b,
-                       dem_real *const *memory)
+                       double *const *memory)
 {
     (void)of, (void)memory;
     for (int c = 0; c < b->n; c++)
@@ -75,7 +75,7 @@ static void bond_force(const void *of, struct dem_contact_batch *restrict b,
 }
 
 static void store_history(const void *of, struct dem_contact_batch *restrict b,
-                          dem_real *const *memory)
+                          double *const *memory)
 {
     act(of, b, memory);
     for (int c = 0; c < b->n; c++)

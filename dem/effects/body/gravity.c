@@ -28,7 +28,7 @@ DEM_KERNEL
 static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
 {
     const struct gravity *gravity = of;
-    const dem_real gx = gravity->acceleration[0], gy = gravity->acceleration[1],
+    const double gx = gravity->acceleration[0], gy = gravity->acceleration[1],
                    gz = gravity->acceleration[2];
 
     for (int c = 0; c < b->n; c++)

@@ -227,21 +227,21 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 /* ---- before the contact laws --------------------------------------------------------------------------------- */
 
 DEM_KERNEL
-static void shield(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void shield(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
     const struct bond *bond = of;
-    const dem_real replaces = bond->contact == REPLACED ? 1.0 : 0.0;
+    const double replaces = bond->contact == REPLACED ? 1.0 : 0.0;
     /* a pair that never bonds again must not keep a history: it would depend on how long the
        pair has been in the list */
-    const dem_real parted = bond->make == ALWAYS ? PARTED : 0.0;
-    dem_real *restrict length = history[LENGTH], *restrict worn = history[WORN];
+    const double parted = bond->make == ALWAYS ? PARTED : 0.0;
+    double *restrict length = history[LENGTH], *restrict worn = history[WORN];
 
     for (int c = 0; c < b->n; c++)
     {
         /* a bonded pair keeps its overlap (needed by hand_over), but not the history of its
            contact */
-        const dem_real replaced = dem_select(length[c] > 0.0, replaces, 0.0);
-        const dem_real less = dem_select(worn[c] < b->overlap[c], worn[c], b->overlap[c]),
+        const double replaced = dem_select(length[c] > 0.0, replaces, 0.0);
+        const double less = dem_select(worn[c] < b->overlap[c], worn[c], b->overlap[c]),
                        left = b->overlap[c] - less;
 
         /* after a bond has broken, surfaces do not adhere before they have separated */
@@ -264,15 +264,15 @@ static double drawn(const struct bond *bond, double chance, double time)
 
 /* Makes bonds. In the first evaluation of a run, `previous_time` is -infinity: bonds are made if `time`
    has been reached; afterwards in the step that passes it. */
-static void make(const struct bond *bond, struct dem_contact_batch *b, dem_real *const *history)
+static void make(const struct bond *bond, struct dem_contact_batch *b, double *const *history)
 {
     const int once = b->previous_time < bond->time && b->time >= bond->time,
               from_now_on = b->time >= bond->time;
-    dem_real *const length = history[LENGTH];
+    double *const length = history[LENGTH];
 
     for (int c = 0; (bond->make == ALWAYS ? from_now_on : once) && !bond->idle && c < b->n; c++)
     {
-        const dem_real width = b->distance[c] - b->gap[c];
+        const double width = b->distance[c] - b->gap[c];
         const int near = b->is_primary[c] > 0.0 && b->distance[c] > 0.0 &&
                          b->distance[c] <= bond->make_distance*width;
 
@@ -302,12 +302,12 @@ static void make(const struct bond *bond, struct dem_contact_batch *b, dem_real 
 
 /* Damping coefficient of a spring with |F| = force and |v| = rate: viscous, and the fraction of
    the force. mass: effective mass or inertia. */
-DEM_MATH dem_real damper(const struct bond *bond, int motion, dem_real stiffness, dem_real force,
-                         dem_real rate, dem_real mass, dem_real dt)
+DEM_MATH double damper(const struct bond *bond, int motion, double stiffness, double force,
+                         double rate, double mass, double dt)
 {
-    const dem_real min_rate =
+    const double min_rate =
         dem_select(mass > 0.0, force*dt/dem_select(mass > 0.0, mass, 1.0), 0.0);
-    const dem_real speed = dem_select(rate > min_rate, rate, min_rate);
+    const double speed = dem_select(rate > min_rate, rate, min_rate);
 
     return 2.0*bond->damping_ratio*sqrt(stiffness*mass) +
            bond->share[motion]*force/dem_select(speed > 0.0, speed, 1.0);
@@ -315,22 +315,22 @@ DEM_MATH dem_real damper(const struct bond *bond, int motion, dem_real stiffness
 
 /* 0: the bond holds, 1: sigma breaks it, 2: tau breaks it. force: F_n, positive in compression,
    |F_t|, |T_n|, |T_t|. */
-DEM_MATH dem_real breaks(const struct bond *bond, dem_real rb, const dem_real force[4],
-                         dem_real stretched)
+DEM_MATH double breaks(const struct bond *bond, double rb, const double force[4],
+                         double stretched)
 {
-    const dem_real A = 3.14159265358979324*rb*rb,
+    const double A = 3.14159265358979324*rb*rb,
                    inverse_area = dem_select(A > 0.0, 1.0/dem_select(A > 0.0, A, 1.0), 0.0);
-    const dem_real inverse_section =
+    const double inverse_section =
         dem_select(rb > 0.0, inverse_area/dem_select(rb > 0.0, rb, 1.0), 0.0);
-    const dem_real tension = bond->abs_normal ? fabs(force[0]) : -force[0];
-    const dem_real sigma = tension*inverse_area + 4.0*force[3]*inverse_section, 
+    const double tension = bond->abs_normal ? fabs(force[0]) : -force[0];
+    const double sigma = tension*inverse_area + 4.0*force[3]*inverse_section, 
         tau = force[1]*inverse_area + 2.0*force[2]*inverse_section;
-    const dem_real sigma_limit =
+    const double sigma_limit =
         dem_select(stretched > 0.0, bond->strength_ratio, 1.0)*bond->normal_strength;
-    const dem_real tau_raw = bond->shear_strength + force[0]*inverse_area*bond->friction;
-    const dem_real tau_limit = dem_select(tau_raw > 0.0, tau_raw, 0.0);
+    const double tau_raw = bond->shear_strength + force[0]*inverse_area*bond->friction;
+    const double tau_limit = dem_select(tau_raw > 0.0, tau_raw, 0.0);
 
-    const dem_real sheared =
+    const double sheared =
         dem_select((bond->shear_strength > 0.0) & (tau >= tau_limit), 2.0, 0.0);
 
     return dem_select((bond->normal_strength > 0.0) & (sigma >= sigma_limit), 1.0, sheared);
@@ -338,47 +338,47 @@ DEM_MATH dem_real breaks(const struct bond *bond, dem_real rb, const dem_real fo
 
 /* One bond: increments of the springs, relaxation, breaking criteria, forces. In rows without a
    bond all terms are zero. */
-DEM_MATH void hold(const struct bond *bond, struct dem_contact_batch *b, dem_real *const *r, int c,
-                   dem_real decay)
+DEM_MATH void hold(const struct bond *bond, struct dem_contact_batch *b, double *const *r, int c,
+                   double decay)
 {
-    const dem_real dt = b->dt, holds = dem_select(r[LENGTH][c] > 0.0, 1.0, 0.0);
-    const dem_real rb = holds*bond->radius*b->min_radius[c], A = 3.14159265358979324*rb*rb,
+    const double dt = b->dt, holds = dem_select(r[LENGTH][c] > 0.0, 1.0, 0.0);
+    const double rb = holds*bond->radius*b->min_radius[c], A = 3.14159265358979324*rb*rb,
                    J = 0.5*A*rb*rb;
-    const dem_real kn = bond->normal_stiffness*A, kt = bond->shear_stiffness*A;
-    const dem_real kw = bond->shear_stiffness*J, kb = 0.5*bond->normal_stiffness*J;
+    const double kn = bond->normal_stiffness*A, kt = bond->shear_stiffness*A;
+    const double kw = bond->shear_stiffness*J, kb = 0.5*bond->normal_stiffness*J;
     const struct dem_bond_springs l = dem_bond_springs(b, r, c);
     const struct dem_history_vector n = l.n, slip = l.slip, turn = l.turn, u = l.u, bend = l.bend;
-    const dem_real spin = l.spin, twist = l.twist, squeezed = l.squeezed, vn = b->distance_rate[c];
-    const dem_real energy = 0.5*(kn*squeezed*squeezed + kt*dem_rotate_dot(u, u) +
+    const double spin = l.spin, twist = l.twist, squeezed = l.squeezed, vn = b->distance_rate[c];
+    const double energy = 0.5*(kn*squeezed*squeezed + kt*dem_rotate_dot(u, u) +
                                    kw*twist*twist + kb*dem_rotate_dot(bend, bend));
 
     /* forces after relaxation, and whether the bond breaks */
-    const dem_real size[4] = {decay*kn*squeezed, decay*kt*sqrt(dem_rotate_dot(u, u)),
+    const double size[4] = {decay*kn*squeezed, decay*kt*sqrt(dem_rotate_dot(u, u)),
                               decay*kw*fabs(twist),
                               decay*kb*sqrt(dem_rotate_dot(bend, bend))};
-    const dem_real width = b->distance[c] - b->gap[c];
-    const dem_real stressed = breaks(bond, rb, size, -squeezed),
+    const double width = b->distance[c] - b->gap[c];
+    const double stressed = breaks(bond, rb, size, -squeezed),
                    too_far = dem_select(b->distance[c] >= bond->break_distance*width, 3.0, 0.0);
-    const dem_real cause = dem_select(stressed > 0.0, stressed, too_far);
-    const dem_real on = dem_select(cause > 0.0, 0.0, holds), left = on*decay;
+    const double cause = dem_select(stressed > 0.0, stressed, too_far);
+    const double on = dem_select(cause > 0.0, 0.0, holds), left = on*decay;
 
     /* damping dissipates kinetic energy, relaxation and breaking elastic energy */
-    const dem_real m = b->reduced_mass[c],
+    const double m = b->reduced_mass[c],
                    I = bond->inertia*m*b->reduced_radius[c]*b->reduced_radius[c];
-    const dem_real cn = on*damper(bond, 0, kn, fabs(size[0]), fabs(vn), m, dt);
-    const dem_real ct =
+    const double cn = on*damper(bond, 0, kn, fabs(size[0]), fabs(vn), m, dt);
+    const double ct =
         on*damper(bond, 1, kt, size[1], sqrt(dem_rotate_dot(slip, slip)), m*(2.0/7.0), dt);
-    const dem_real cw = on*damper(bond, 2, kw, size[2], fabs(spin), I, dt);
-    const dem_real cb = on*damper(bond, 3, kb, size[3], sqrt(dem_rotate_dot(turn, turn)), I, dt);
-    const dem_real taken = dt*(cn*vn*vn + ct*dem_rotate_dot(slip, slip) + cw*spin*spin +
+    const double cw = on*damper(bond, 2, kw, size[2], fabs(spin), I, dt);
+    const double cb = on*damper(bond, 3, kb, size[3], sqrt(dem_rotate_dot(turn, turn)), I, dt);
+    const double taken = dt*(cn*vn*vn + ct*dem_rotate_dot(slip, slip) + cw*spin*spin +
                                  cb*dem_rotate_dot(turn, turn));
-    const dem_real other = dem_select(holds > 0.0, bond->contact == REPLACED ? 0.0 : 1.0, 1.0);
+    const double other = dem_select(holds > 0.0, bond->contact == REPLACED ? 0.0 : 1.0, 1.0);
 
     b->fn[c] = other*b->fn[c] + on*size[0] - cn*vn;
     b->fx[c] = other*b->fx[c] - left*kt*u.x - ct*slip.x;
     b->fy[c] = other*b->fy[c] - left*kt*u.y - ct*slip.y;
     b->fz[c] = other*b->fz[c] - left*kt*u.z - ct*slip.z;
-    const dem_real twist_moment = -left*kw*twist - cw*spin;
+    const double twist_moment = -left*kw*twist - cw*spin;
 
     b->mx[c] = other*b->mx[c] + twist_moment*n.x - left*kb*bend.x - cb*turn.x;
     b->my[c] = other*b->my[c] + twist_moment*n.y - left*kb*bend.y - cb*turn.y;
@@ -405,7 +405,7 @@ DEM_MATH void hold(const struct bond *bond, struct dem_contact_batch *b, dem_rea
 
 /* The contact takes over the smaller of the compressive bond force (in WORN) and the force of
    its own overlap; WORN becomes the overlap without force. */
-static void hand_over(const struct bond *bond, struct dem_contact_batch *b, dem_real *worn)
+static void hand_over(const struct bond *bond, struct dem_contact_batch *b, double *worn)
 {
     for (int c = 0; c < b->n; c++)
     {
@@ -413,13 +413,13 @@ static void hand_over(const struct bond *bond, struct dem_contact_batch *b, dem_
         {
             continue;
         }
-        const dem_real capacity = b->kn[c]*b->overlap[c],
+        const double capacity = b->kn[c]*b->overlap[c],
                        compression = worn[c] > 0.0 ? worn[c] : 0.0;
-        const dem_real taken_over = compression < capacity ? compression : capacity;
-        const dem_real share =
+        const double taken_over = compression < capacity ? compression : capacity;
+        const double share =
             capacity > 0.0 ? dem_pow(taken_over/capacity, bond->inverse_exponent) : 0.0;
 
-        const dem_real taken = bond->contact == REPLACED ? taken_over : 0.0;
+        const double taken = bond->contact == REPLACED ? taken_over : 0.0;
 
         worn[c] = bond->contact == REPLACED ? b->overlap[c]*(1.0 - share) : 0.0;
         b->fn[c] += taken;
@@ -429,10 +429,10 @@ static void hand_over(const struct bond *bond, struct dem_contact_batch *b, dem_
 }
 
 DEM_KERNEL
-static dem_real hold_all(const struct bond *bond, struct dem_contact_batch *b,
-                         dem_real *const *history, dem_real decay)
+static double hold_all(const struct bond *bond, struct dem_contact_batch *b,
+                         double *const *history, double decay)
 {
-    dem_real broken = 0.0;
+    double broken = 0.0;
 
     for (int c = 0; c < b->n; c++)
     {
@@ -445,7 +445,7 @@ static dem_real hold_all(const struct bond *bond, struct dem_contact_batch *b,
     return broken;
 }
 
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
     const struct bond *bond = of;
 
@@ -462,13 +462,13 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
    drift, from x to x', ended without force, or with F of the contact that takes over, so that the
    work done was (k x + F) (x' - x)/2 only. A bond made in this step has no length from the last
    step and no normal elongation. */
-static dem_real unspent(const struct bond *bond, const struct dem_contact_batch *b,
-                        dem_real *const *before, int c, dem_real taken_over)
+static double unspent(const struct bond *bond, const struct dem_contact_batch *b,
+                        double *const *before, int c, double taken_over)
 {
-    const dem_real rb = bond->radius*b->min_radius[c], A = 3.14159265358979324*rb*rb,
+    const double rb = bond->radius*b->min_radius[c], A = 3.14159265358979324*rb*rb,
                    J = 0.5*A*rb*rb;
     const struct dem_bond_springs l = dem_bond_springs(b, before, c);
-    const dem_real slid = dem_rotate_dot(l.u, dem_rotate_about_normal(l.slip, l.n, l.q)),
+    const double slid = dem_rotate_dot(l.u, dem_rotate_about_normal(l.slip, l.n, l.q)),
                    bent = dem_rotate_dot(l.bend, dem_rotate_about_normal(l.turn, l.n, l.q));
 
     return 0.5*b->dt*
@@ -483,16 +483,16 @@ static dem_real unspent(const struct bond *bond, const struct dem_contact_batch 
    yet: it still counts the energy that a bond just made has dissipated, and does not count the
    energy that it takes over from a bond just broken. */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
     const struct bond *bond = of;
-    const dem_real exponent = 1.0/bond->inverse_exponent, more = 1.0 + exponent;
+    const double exponent = 1.0/bond->inverse_exponent, more = 1.0 + exponent;
 
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real from = before[LENGTH][c], to = history[LENGTH][c], d = b->overlap[c];
+        const double from = before[LENGTH][c], to = history[LENGTH][c], d = b->overlap[c];
         const int replaced = bond->contact == REPLACED;
-        const dem_real share =
+        const double share =
             replaced && b->broke[c] > 0.0 && d > 0.0 ? 1.0 - history[WORN][c]/d : 0.0;
 
         e->stored[c] += share > 0.0 ? b->kn[c]*d*d*dem_pow(share, more)/more : 0.0;

@@ -26,18 +26,18 @@ enum
 struct dem_bond_springs
 {
     struct dem_history_vector n, slip, turn, u, bend;
-    dem_real q, spin, twist, squeezed;
+    double q, spin, twist, squeezed;
 };
 
 /* r: history columns after the last step; row c */
 DEM_MATH struct dem_bond_springs dem_bond_springs(const struct dem_contact_batch *b,
-                                                  dem_real *const *r, int c)
+                                                  double *const *r, int c)
 {
     const struct dem_history_vector n = {b->nx[c], b->ny[c], b->nz[c]},
                                     h = {b->hx[c], b->hy[c], b->hz[c]};
     const struct dem_history_vector s = {b->sx[c], b->sy[c], b->sz[c]},
                                     w = {b->wx[c], b->wy[c], b->wz[c]};
-    const dem_real dt = b->dt, q = 0.25*dt*b->normal_spin[c], spin = dem_rotate_dot(h, w);
+    const double dt = b->dt, q = 0.25*dt*b->normal_spin[c], spin = dem_rotate_dot(h, w);
     const struct dem_history_vector slip = dem_rotate_to_plane(s, h, n);
     const struct dem_history_vector turn =
         dem_rotate_to_plane(dem_rotate_add(w, -spin, h), h, n);

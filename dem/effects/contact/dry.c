@@ -54,11 +54,11 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 }
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
     const struct dem_dry *dry = of;
-    const dem_real alpha = dry->alpha;
-    const dem_real min_force = dem_attraction_min_force(dry->attraction);
+    const double alpha = dry->alpha;
+    const double min_force = dem_attraction_min_force(dry->attraction);
 
     (void)history;
     for (int c = 0; c < b->n; c++)
@@ -73,7 +73,7 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 }
 
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
     (void)of, (void)before, (void)history;
     dem_restitution_energy(b, e);

@@ -18,10 +18,10 @@ struct dem_dry
 };
 
 /* min_force: of dem_attraction_min_force */
-static inline __attribute__((always_inline)) void dem_dry_row(dem_real alpha, dem_real min_force,
+static inline __attribute__((always_inline)) void dem_dry_row(double alpha, double min_force,
                             struct dem_contact_row *r)
 {
-    const dem_real eta = alpha*dem_sqrt(r->reduced_mass*r->kn);
+    const double eta = alpha*sqrt(r->reduced_mass*r->kn);
 
     r->eta = eta;
     r->fn = dem_attraction(r->fn, eta*r->vn, min_force);

@@ -35,24 +35,24 @@ struct dem_friction_settings
 struct dem_friction_law
 {
     /* k_t of a row [N/m]; settings: of the law */
-    dem_real (*stiffness)(const void *settings, const struct dem_contact_row *);
+    double (*stiffness)(const void *settings, const struct dem_contact_row *);
     /* k_t of the last step, for the energy; NULL: it is kept in a fourth history column, and a
        spring keeps its force while k_t grows */
-    dem_real (*previous)(const void *settings, const struct dem_contact_batch *,
+    double (*previous)(const void *settings, const struct dem_contact_batch *,
                          const struct dem_energy *, int c);
 };
 
 static inline struct dem_friction dem_friction_of(const struct dem_friction_settings *s,
                                                   const struct dem_contact_batch *b)
 {
-    return (struct dem_friction){(dem_real)s->friction, s->damping ? 1 : 0, s->adhesion ? 1 : 0,
+    return (struct dem_friction){s->friction, s->damping ? 1 : 0, s->adhesion ? 1 : 0,
                                  dem_slider_inverse_dt(b)};
 }
 
 /* The slider of a row with stiffness kt, its spring of the last step loaded: x, y, z times keep. */
 static inline __attribute__((always_inline)) struct dem_slider
-dem_friction_row(struct dem_friction rubs, const struct dem_contact_row *r, dem_real kt,
-                 dem_real x, dem_real y, dem_real z)
+dem_friction_row(struct dem_friction rubs, const struct dem_contact_row *r, double kt,
+                 double x, double y, double z)
 {
     struct dem_slider s = dem_slider_friction(r, kt, rubs);
 
@@ -63,7 +63,7 @@ dem_friction_row(struct dem_friction rubs, const struct dem_contact_row *r, dem_
 }
 
 /* The share of the elongation that keeps the force of a spring that was softer. */
-static inline __attribute__((always_inline)) dem_real dem_friction_keep(dem_real before, dem_real kt)
+static inline __attribute__((always_inline)) double dem_friction_keep(double before, double kt)
 {
     return dem_select(before < kt, before/dem_select(kt > 0, kt, 1), 1);
 }
@@ -73,17 +73,17 @@ static inline __attribute__((always_inline)) dem_real dem_friction_keep(dem_real
 static inline __attribute__((always_inline)) void
 dem_friction_apply(struct dem_friction_law law, const void *settings,
                    const struct dem_friction_settings *common, struct dem_contact_batch *restrict b,
-                   dem_real *const *history)
+                   double *const *history)
 {
     const struct dem_friction rubs = dem_friction_of(common, b);
-    dem_real *restrict x = history[0], *restrict y = history[1], *restrict z = history[2];
-    dem_real *restrict stiffness = law.previous ? NULL : history[3];
+    double *restrict x = history[0], *restrict y = history[1], *restrict z = history[2];
+    double *restrict stiffness = law.previous ? NULL : history[3];
 
     for (int c = 0; c < b->n; c++)
     {
         const struct dem_contact_row r = dem_contact_row_load(b, c);
-        const dem_real kt = law.stiffness(settings, &r);
-        const dem_real keep = law.previous ? 1 : dem_friction_keep(stiffness[c], kt);
+        const double kt = law.stiffness(settings, &r);
+        const double keep = law.previous ? 1 : dem_friction_keep(stiffness[c], kt);
         const struct dem_slider s = dem_friction_row(rubs, &r, kt, keep*x[c], keep*y[c], keep*z[c]);
 
         x[c] = s.xi_x;
@@ -96,7 +96,7 @@ dem_friction_apply(struct dem_friction_law law, const void *settings,
         b->kt[c] = kt;
         dem_slider_begin(b, c, &s);
     }
-    dem_slider_finish(b, (dem_real *const[3]){b->fx, b->fy, b->fz}, x, y, z);
+    dem_slider_finish(b, (double *const[3]){b->fx, b->fy, b->fz}, x, y, z);
 }
 
 /* dem_effect.energy, called as dem_friction_apply. A spring that is shortened to keep its force
@@ -104,22 +104,22 @@ dem_friction_apply(struct dem_friction_law law, const void *settings,
 static inline __attribute__((always_inline)) void
 dem_friction_energy(struct dem_friction_law law, const void *settings,
                     const struct dem_friction_settings *common,
-                    const struct dem_contact_batch *restrict b, dem_real *const *before,
+                    const struct dem_contact_batch *restrict b, double *const *before,
                     struct dem_energy *restrict e)
 {
     const struct dem_friction rubs = dem_friction_of(common, b);
-    const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
-    const dem_real *restrict stiffness = law.previous ? NULL : before[3];
+    const double *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
+    const double *restrict stiffness = law.previous ? NULL : before[3];
 
     for (int c = 0; c < b->n; c++)
     {
         const struct dem_contact_row r = dem_contact_row_load(b, c);
         struct dem_slider s = dem_slider_friction(&r, b->kt[c], rubs);
-        const dem_real was = law.previous ? 0 : stiffness[c];
-        const dem_real grown = law.previous ? 0 : b->touching[c]*dem_select(was < b->kt[c],
+        const double was = law.previous ? 0 : stiffness[c];
+        const double grown = law.previous ? 0 : b->touching[c]*dem_select(was < b->kt[c],
                                                                             b->kt[c] - was, 0);
-        const dem_real keep = dem_select(grown > 0, dem_friction_keep(was, b->kt[c]), 1);
-        const dem_real square = x[c]*x[c] + y[c]*y[c] + z[c]*z[c];
+        const double keep = dem_select(grown > 0, dem_friction_keep(was, b->kt[c]), 1);
+        const double square = x[c]*x[c] + y[c]*y[c] + z[c]*z[c];
 
         s.xi_x = keep*x[c];
         s.xi_y = keep*y[c];

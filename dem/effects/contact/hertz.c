@@ -93,9 +93,9 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 }
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
-    const dem_real modulus = ((const struct dem_hertz *)of)->modulus;
+    const double modulus = ((const struct dem_hertz *)of)->modulus;
 
     (void)history;
     for (int c = 0; c < b->n; c++)
@@ -110,7 +110,7 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 
 /* elastic energy, 2/5 F_n d */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
     (void)of, (void)before, (void)history;
     for (int c = 0; c < b->n; c++)

@@ -17,10 +17,10 @@ struct dem_hertz
     double modulus;  /* Pa   4/3 E* or the stiffness, derived */
 };
 
-static inline __attribute__((always_inline)) void dem_hertz_row(dem_real modulus,
+static inline __attribute__((always_inline)) void dem_hertz_row(double modulus,
                             struct dem_contact_row *r)
 {
-    const dem_real kn = modulus*dem_sqrt(r->reduced_radius*r->overlap);
+    const double kn = modulus*sqrt(r->reduced_radius*r->overlap);
 
     r->kn = kn;
     r->fn += kn*r->overlap;

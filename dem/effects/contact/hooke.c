@@ -58,7 +58,7 @@ static double contact_time(const void *of, const struct dem_pair_class *pair)
 }
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
     (void)history;
     dem_impact_stiffness(&((const struct hooke *)of)->spring, b);
@@ -70,7 +70,7 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 
 /* elastic energy, 1/2 F_n d; k is zero where the bodies are apart */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
     (void)of, (void)before, (void)history;
     for (int c = 0; c < b->n; c++)

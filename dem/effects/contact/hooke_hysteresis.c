@@ -100,27 +100,27 @@ static double contact_time(const void *of, const struct dem_pair_class *pair)
 }
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
     const struct hysteresis *h = of;
-    const dem_real limit = h->limit, stiffer = h->stiffer, adhesion = h->adhesion;
-    const dem_real slope = 4.0*(1.0 + adhesion)/dem_select(stiffer > 0.0, stiffer, 1.0);
-    dem_real *restrict largest = history[0];
+    const double limit = h->limit, stiffer = h->stiffer, adhesion = h->adhesion;
+    const double slope = 4.0*(1.0 + adhesion)/dem_select(stiffer > 0.0, stiffer, 1.0);
+    double *restrict largest = history[0];
 
     dem_impact_stiffness(&h->spring, b);
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real k = b->kn[c], d = b->overlap[c], d_lim = limit*b->reduced_radius[c];
-        const dem_real max_overlap = dem_select(largest[c] > d, largest[c], d);
+        const double k = b->kn[c], d = b->overlap[c], d_lim = limit*b->reduced_radius[c];
+        const double max_overlap = dem_select(largest[c] > d, largest[c], d);
         const int beyond_limit = max_overlap >= d_lim;
-        const dem_real reference = dem_select(beyond_limit, d_lim, max_overlap);
-        const dem_real k_2 =
+        const double reference = dem_select(beyond_limit, d_lim, max_overlap);
+        const double k_2 =
             k*(1.0 + stiffer*dem_select(beyond_limit, 1.0,
                                             max_overlap/dem_select(d_lim > 0.0, d_lim, 1.0)));
 
         /* the unloading line, between first loading and the adhesive branch */
-        const dem_real line = k_2*(d - reference) + k*reference, load = k*d, stick = -adhesion*k*d;
-        const dem_real upper = dem_select(beyond_limit | (line < load), line, load);
+        const double line = k_2*(d - reference) + k*reference, load = k*d, stick = -adhesion*k*d;
+        const double upper = dem_select(beyond_limit | (line < load), line, load);
         const int adheres = upper < stick;
 
         largest[c] = dem_select(adheres, 0.5*(d + sqrt(d*d + slope*d_lim*d)), max_overlap);
@@ -135,17 +135,17 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 struct unloading_line
 {
     /* 1, m: k_2/k of the unloading line, and its overlap at zero force */
-    dem_real slope, start;
-    dem_real spent;                                       /* m2: plastic work of loading to d_max */
+    double slope, start;
+    double spent;                                       /* m2: plastic work of loading to d_max */
 };
 
 /* First loading to d_max takes d_max^2/2, of which unloading returns d_max^2/2 k/k_2; beyond d_lim
    nothing yields. */
-static struct unloading_line unloading_line(const struct hysteresis *h, dem_real max_overlap,
-                                            dem_real d_lim)
+static struct unloading_line unloading_line(const struct hysteresis *h, double max_overlap,
+                                            double d_lim)
 {
-    const dem_real reference = dem_select(max_overlap < d_lim, max_overlap, d_lim);
-    const dem_real slope =
+    const double reference = dem_select(max_overlap < d_lim, max_overlap, d_lim);
+    const double slope =
         1.0 + h->stiffer*dem_select(max_overlap < d_lim,
                                       max_overlap/dem_select(d_lim > 0.0, d_lim, 1.0), 1.0);
 
@@ -155,7 +155,7 @@ static struct unloading_line unloading_line(const struct hysteresis *h, dem_real
 }
 
 /* Recoverable energy on the unloading line: k_2 (d - d_0)^2/2, compressed or stretched. */
-static dem_real elastic(struct unloading_line y, dem_real d)
+static double elastic(struct unloading_line y, double d)
 {
     return 0.5*y.slope*(d - y.start)*(d - y.start);
 }
@@ -164,22 +164,22 @@ static dem_real elastic(struct unloading_line y, dem_real d)
    unloading line meets -k_c d to the present overlap, the work of the motion, a difference of
    k_c d^2/2, plus the decrease of the energy recoverable on the unloading line. */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
     const struct hysteresis *h = of;
 
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real k = b->kn[c], d = b->overlap[c], d_lim = h->limit*b->reduced_radius[c];
-        const dem_real old = dem_select(before[0][c] > d, before[0][c], d), now = history[0][c];
+        const double k = b->kn[c], d = b->overlap[c], d_lim = h->limit*b->reduced_radius[c];
+        const double old = dem_select(before[0][c] > d, before[0][c], d), now = history[0][c];
         const struct unloading_line from = unloading_line(h, old, d_lim),
                                     to = unloading_line(h, dem_select(now > d, now, d), d_lim);
         const struct unloading_line first = unloading_line(h, before[0][c], d_lim);
 
         /* d_max decreased: adhesive branch; the old unloading line met it at `meets`, at once if it
            was there before */
-        const dem_real meets = from.slope*from.start/(from.slope + h->adhesion);
-        const dem_real sticking =
+        const double meets = from.slope*from.start/(from.slope + h->adhesion);
+        const double sticking =
             0.5*h->adhesion*(meets*meets - d*d) + elastic(from, meets) - elastic(to, d);
 
         e->stored[c] = k*elastic(to, d);

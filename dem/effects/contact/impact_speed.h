@@ -138,7 +138,7 @@ static inline double dem_impact_time_limit(const struct dem_impact_spring *sprin
 static inline __attribute__((always_inline)) void
 dem_impact_stiffness(const struct dem_impact_spring *spring, struct dem_contact_batch *restrict b)
 {
-    const dem_real stiffness = spring->stiffness, scale = spring->scale;
+    const double stiffness = spring->stiffness, scale = spring->scale;
 
     if (scale > 0.0)
     {

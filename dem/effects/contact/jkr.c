@@ -96,29 +96,29 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 /* Scratch column: x of each adhering row, or 0. Adhesive force: set before friction is
    evaluated. */
 DEM_KERNEL
-static void adhere(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void adhere(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
     const struct jkr *jkr = of;
-    const dem_real scale = jkr->scale, third = 1.0/3.0, pull = jkr->work*pi;
-    const dem_real *restrict adheres = history[0];
+    const double scale = jkr->scale, third = 1.0/3.0, pull = jkr->work*pi;
+    const double *restrict adheres = history[0];
 
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real R = b->reduced_radius[c], a = dem_pow(scale*R*R, third),
+        const double R = b->reduced_radius[c], a = dem_pow(scale*R*R, third),
                        length = a*a/dem_select(R > 0.0, R, 1.0);
-        const dem_real raw = -b->gap[c]/dem_select(length > 0.0, length, 1.0),
+        const double raw = -b->gap[c]/dem_select(length > 0.0, length, 1.0),
                        D = dem_select(raw > -3.0, raw, -3.0);
 
         /* adhesion begins at contact and ends with the tail */
-        const dem_real still = dem_select(raw > -3.0, adheres[c], 0.0),
+        const double still = dem_select(raw > -3.0, adheres[c], 0.0),
                        bare = dem_select(b->bond_replaces[c] > 0.0, 0.0, 1.0);
-        const dem_real now =
+        const double now =
             dem_select(b->touching[c] > 0.0, 1.0, still)*dem_select(length > 0.0, bare, 0.0);
 
-        const dem_real B = D*(4.0/3.0), radicand = 64.0 + B*B*B,
+        const double B = D*(4.0/3.0), radicand = 64.0 + B*B*B,
                        A = dem_pow(8.0 + sqrt(dem_select(radicand > 0.0, radicand, 0.0)), third);
-        const dem_real s = 16.0/(A*A + B + B*B/(A*A)), p = sqrt(s), discriminant = 8.0/p - s;
-        const dem_real x = 0.5*(p + sqrt(dem_select(discriminant > 0.0, discriminant, 0.0))),
+        const double s = 16.0/(A*A + B + B*B/(A*A)), p = sqrt(s), discriminant = 8.0/p - s;
+        const double x = 0.5*(p + sqrt(dem_select(discriminant > 0.0, discriminant, 0.0))),
                        x3 = x*x*x;
 
         b->scratch[c] = now*x;
@@ -127,26 +127,26 @@ static void adhere(const void *of, struct dem_contact_batch *restrict b, dem_rea
 }
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
     const struct jkr *jkr = of;
-    const dem_real scale = jkr->scale, third = 1.0/3.0, pull = jkr->work*pi;
-    dem_real *restrict adheres = history[0];
+    const double scale = jkr->scale, third = 1.0/3.0, pull = jkr->work*pi;
+    double *restrict adheres = history[0];
 
     for (int c = 0; c < b->n; c++)
     {
         /* a bond may have been made after `set_adhesion` */
-        const dem_real bare = dem_select(b->bond_replaces[c] > 0.0, 0.0, 1.0), before = adheres[c],
+        const double bare = dem_select(b->bond_replaces[c] > 0.0, 0.0, 1.0), before = adheres[c],
                        now = dem_select(b->scratch[c] > 0.0, bare, 0.0);
-        const dem_real R = b->reduced_radius[c], a = dem_pow(scale*R*R, third),
+        const double R = b->reduced_radius[c], a = dem_pow(scale*R*R, third),
                        x = b->scratch[c], x3 = x*x*x, x4 = x3*x;
-        const dem_real hertz = b->kn[c]*b->overlap[c];
+        const double hertz = b->kn[c]*b->overlap[c];
 
         /* the unit of energy, E a_t^5/R^2 with reduced quantities, is (pi w/8) a_t^2 */
-        const dem_real energy = pull/8.0*a*a*x4*(8.0 + x3*(x3*(8.0/15.0) - 16.0/3.0));
+        const double energy = pull/8.0*a*a*x4*(8.0 + x3*(x3*(8.0/15.0) - 16.0/3.0));
         /* x = 1; x^3 = 4: 4.8 x^4 */
-        const dem_real pull_off = pull/8.0*a*a*3.2, snap_in = pull/8.0*a*a*30.4780;
-        const dem_real left = dem_select(bare > 0.0, pull_off, energy - 0.4*hertz*b->overlap[c]);
+        const double pull_off = pull/8.0*a*a*3.2, snap_in = pull/8.0*a*a*30.4780;
+        const double left = dem_select(bare > 0.0, pull_off, energy - 0.4*hertz*b->overlap[c]);
 
         b->fn[c] += now*(pull*R/6.0*x3*(x3 - 6.0) - hertz);
         b->stored[c] += now*energy;
@@ -157,7 +157,7 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 
 /* act has stored the energy of the whole law; 2/5 F_n d of it is already counted by hertz */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
     (void)of, (void)before;
     for (int c = 0; c < b->n; c++)

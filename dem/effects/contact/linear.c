@@ -71,7 +71,7 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
                            : DBL_MAX;
 }
 
-static inline __attribute__((always_inline)) dem_real
+static inline __attribute__((always_inline)) double
 stiffness(const void *of, const struct dem_contact_row *r)
 {
     const struct linear *const linear = of;
@@ -79,7 +79,7 @@ stiffness(const void *of, const struct dem_contact_row *r)
     return linear->stiffness*r->touching + linear->ratio*r->kn;
 }
 
-static inline __attribute__((always_inline)) dem_real
+static inline __attribute__((always_inline)) double
 previous(const void *of, const struct dem_contact_batch *b, const struct dem_energy *e, int c)
 {
     const struct linear *const linear = of;
@@ -92,7 +92,7 @@ previous(const void *of, const struct dem_contact_batch *b, const struct dem_ene
 static const struct dem_friction_law law = {stiffness, previous};
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
     const struct linear l = *(const struct linear *)of;
 
@@ -101,7 +101,7 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
     const struct linear l = *(const struct linear *)of;
 

@@ -108,25 +108,25 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 }
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
     const struct lubrication *film = of;
-    const dem_real own = film->viscosity, min_gap = film->roughness, max_gap = film->cut_off,
+    const double own = film->viscosity, min_gap = film->roughness, max_gap = film->cut_off,
                    dt = b->dt, step = b->max_dt;
     /* m  gap below which it does not act */
-    const dem_real lowest = film->contact == RESTS ? 0.0 : -INFINITY;
+    const double lowest = film->contact == RESTS ? 0.0 : -INFINITY;
 
     (void)history;
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real R = b->reduced_radius[c], m = b->reduced_mass[c], vn = b->vn[c];
-        const dem_real mu =
+        const double R = b->reduced_radius[c], m = b->reduced_mass[c], vn = b->vn[c];
+        const double mu =
             dem_select(b->gap[c] > lowest, dem_select(own > 0.0, own, b->viscosity[c]), 0.0);
-        const dem_real h = dem_select(b->gap[c] > min_gap, b->gap[c], min_gap);
-        const dem_real thin = dem_select(h < max_gap, 1.0/h - 1.0/max_gap, 0.0);
-        const dem_real film_c = b->is_primary[c]*(six_pi*mu*R*R*thin);
-        const dem_real limit = m/(4.0*step);
-        const dem_real damper = dem_select(film_c < limit, film_c, limit);
+        const double h = dem_select(b->gap[c] > min_gap, b->gap[c], min_gap);
+        const double thin = dem_select(h < max_gap, 1.0/h - 1.0/max_gap, 0.0);
+        const double film_c = b->is_primary[c]*(six_pi*mu*R*R*thin);
+        const double limit = m/(4.0*step);
+        const double damper = dem_select(film_c < limit, film_c, limit);
 
         b->fn[c] -= damper*vn;
         /* exact for an isolated pair */

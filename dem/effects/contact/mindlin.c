@@ -69,13 +69,13 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     return dem_mindlin_modulus("mindlin", pair, &((struct dem_mindlin *)of)->modulus);
 }
 
-static inline __attribute__((always_inline)) dem_real
+static inline __attribute__((always_inline)) double
 stiffness(const void *of, const struct dem_contact_row *r)
 {
-    return dem_mindlin_stiffness((dem_real)((const struct dem_mindlin *)of)->modulus, r);
+    return dem_mindlin_stiffness(((const struct dem_mindlin *)of)->modulus, r);
 }
 
-static inline __attribute__((always_inline)) dem_real
+static inline __attribute__((always_inline)) double
 previous(const void *of, const struct dem_contact_batch *b, const struct dem_energy *e, int c)
 {
     return ((const struct dem_mindlin *)of)->modulus*sqrt(b->reduced_radius[c]*e->previous_overlap[c]);
@@ -84,7 +84,7 @@ previous(const void *of, const struct dem_contact_batch *b, const struct dem_ene
 static const struct dem_friction_law law = {stiffness, previous};
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
     const struct dem_mindlin l = *(const struct dem_mindlin *)of;
 
@@ -93,7 +93,7 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
     const struct dem_mindlin l = *(const struct dem_mindlin *)of;
 

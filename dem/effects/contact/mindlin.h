@@ -18,10 +18,10 @@ struct dem_mindlin
 /* 8 G* of a class [Pa], for the law of this name; an error without a normal law or shear moduli. */
 int dem_mindlin_modulus(const char *law, const struct dem_pair_class *, double *modulus);
 
-static inline __attribute__((always_inline)) dem_real dem_mindlin_stiffness(dem_real modulus,
+static inline __attribute__((always_inline)) double dem_mindlin_stiffness(double modulus,
                             const struct dem_contact_row *r)
 {
-    return modulus*dem_sqrt(r->reduced_radius*r->overlap);
+    return modulus*sqrt(r->reduced_radius*r->overlap);
 }
 
 #endif

@@ -52,16 +52,16 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     return dem_mindlin_modulus("mindlinIncremental", pair, &((struct incremental *)of)->modulus);
 }
 
-static inline __attribute__((always_inline)) dem_real
+static inline __attribute__((always_inline)) double
 stiffness(const void *of, const struct dem_contact_row *r)
 {
-    return dem_mindlin_stiffness((dem_real)((const struct incremental *)of)->modulus, r);
+    return dem_mindlin_stiffness(((const struct incremental *)of)->modulus, r);
 }
 
 static const struct dem_friction_law law = {stiffness, NULL};
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
     const struct incremental l = *(const struct incremental *)of;
 
@@ -70,7 +70,7 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
     const struct incremental l = *(const struct incremental *)of;
 

@@ -59,19 +59,19 @@ static inline double dem_attraction_min_force(int choice)
 /* N: spring and dashpot together. Clamped, a repulsive spring force does not become attractive,
    and an attractive one is not changed. None: max(F, 0) of the whole, eq. (10) of Open DEM Japan,
    Hooke/Hysteresis normal contact model (in Japanese, 2025). */
-static inline __attribute__((always_inline)) dem_real dem_attraction(dem_real spring,
-                            dem_real dashpot, dem_real min_force)
+static inline __attribute__((always_inline)) double dem_attraction(double spring,
+                            double dashpot, double min_force)
 {
-    const dem_real sum = spring - dashpot;
+    const double sum = spring - dashpot;
 
-    const dem_real lowest = dem_select(min_force > 0, 0, min_force);
+    const double lowest = dem_select(min_force > 0, 0, min_force);
 
     return dem_select(((spring < 0) & (min_force <= 0)) | (sum >= lowest), sum, lowest);
 }
 
 /* N: adhesive force in the friction limit: none where the normal force may not attract */
-static inline __attribute__((always_inline)) dem_real dem_attraction_adhesion(dem_real adhesive,
-                            dem_real min_force)
+static inline __attribute__((always_inline)) double dem_attraction_adhesion(double adhesive,
+                            double min_force)
 {
     return dem_select(min_force > 0, 0, adhesive);
 }
@@ -86,7 +86,7 @@ static inline void dem_restitution_energy(const struct dem_contact_batch *b,
 {
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real mass = b->reduced_mass[c],
+        const double mass = b->reduced_mass[c],
                        gain = dem_select(mass > 0, b->dt/2/dem_select(mass > 0, mass, 1), 0);
 
         e->lost[c] = -b->touching[c]*e->normal_force[c]*(b->vn[c] + gain*b->fn[c])*b->dt;

@@ -38,8 +38,8 @@ static inline void dem_rolling_energy(const struct dem_contact_batch *restrict b
 {
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real power = -(e->mx[c]*b->wx[c] + e->my[c]*b->wy[c] + e->mz[c]*b->wz[c]);
-        const dem_real square = e->mx[c]*e->mx[c] + e->my[c]*e->my[c] + e->mz[c]*e->mz[c];
+        const double power = -(e->mx[c]*b->wx[c] + e->my[c]*b->wy[c] + e->mz[c]*b->wz[c]);
+        const double square = e->mx[c]*e->mx[c] + e->my[c]*e->my[c] + e->mz[c]*e->mz[c];
 
         e->lost[c] = b->touching[c]*(power - 0.5*b->dt*square/e->inertia[c])*b->dt;
     }

@@ -50,25 +50,25 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 }
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
-    const dem_real friction = ((const struct rolling_constant *)of)->friction;
-    const dem_real per_step = 0.4/dem_select(b->dt > 0.0, b->dt, 1.0);
+    const double friction = ((const struct rolling_constant *)of)->friction;
+    const double per_step = 0.4/dem_select(b->dt > 0.0, b->dt, 1.0);
 
     (void)history;
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real hx = b->hx[c], hy = b->hy[c], hz = b->hz[c], R = b->reduced_radius[c];
-        const dem_real twist = b->wx[c]*hx + b->wy[c]*hy + b->wz[c]*hz;
-        const dem_real wx = b->wx[c] - twist*hx;
-        const dem_real wy = b->wy[c] - twist*hy;
-        const dem_real wz = b->wz[c] - twist*hz;
-        const dem_real size = sqrt(wx*wx + wy*wy + wz*wz);
+        const double hx = b->hx[c], hy = b->hy[c], hz = b->hz[c], R = b->reduced_radius[c];
+        const double twist = b->wx[c]*hx + b->wy[c]*hy + b->wz[c]*hz;
+        const double wx = b->wx[c] - twist*hx;
+        const double wy = b->wy[c] - twist*hy;
+        const double wz = b->wz[c] - twist*hz;
+        const double size = sqrt(wx*wx + wy*wy + wz*wz);
 
         /* N m s: torque over spin, of friction, limited to what stops the rolling in this step */
-        const dem_real torque = dem_select(b->fn[c] > 0.0, friction*R*b->fn[c], 0.0);
-        const dem_real max_drag = per_step*b->reduced_mass[c]*R*R;
-        const dem_real drag =
+        const double torque = dem_select(b->fn[c] > 0.0, friction*R*b->fn[c], 0.0);
+        const double max_drag = per_step*b->reduced_mass[c]*R*R;
+        const double drag =
             dem_select(torque < max_drag*size, torque/dem_select(size > 0.0, size, 1.0),
                        dem_select(torque > 0.0, max_drag, 0.0));
 
@@ -80,7 +80,7 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 
 /* the moment times the spin in the middle of the kick, as far as the moment alone changes it */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
     (void)of, (void)before, (void)history;
     dem_rolling_energy(b, e);

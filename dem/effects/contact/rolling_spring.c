@@ -82,13 +82,13 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 
 /* the slider of row c, without its spring */
 static inline __attribute__((always_inline)) struct dem_slider
-slider_at(const struct dem_contact_batch *b, int c, dem_real friction, dem_real ratio,
-          dem_real twice_zeta, dem_real inverse_dt)
+slider_at(const struct dem_contact_batch *b, int c, double friction, double ratio,
+          double twice_zeta, double inverse_dt)
 {
-    const dem_real hx = b->hx[c], hy = b->hy[c], hz = b->hz[c], R = b->reduced_radius[c];
-    const dem_real twist = b->wx[c]*hx + b->wy[c]*hy + b->wz[c]*hz;
-    const dem_real stiffness = ratio*b->kn[c]*R*R;
-    const dem_real damping = twice_zeta*R*sqrt(1.4*b->reduced_mass[c]*stiffness);
+    const double hx = b->hx[c], hy = b->hy[c], hz = b->hz[c], R = b->reduced_radius[c];
+    const double twist = b->wx[c]*hx + b->wy[c]*hy + b->wz[c]*hz;
+    const double stiffness = ratio*b->kn[c]*R*R;
+    const double damping = twice_zeta*R*sqrt(1.4*b->reduced_mass[c]*stiffness);
 
     return (struct dem_slider){.stiffness = stiffness,
                                .damping = damping,
@@ -100,12 +100,12 @@ slider_at(const struct dem_contact_batch *b, int c, dem_real friction, dem_real 
 }
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
     const struct rolling_spring *rolling = of;
-    const dem_real friction = rolling->friction, ratio = rolling->ratio,
+    const double friction = rolling->friction, ratio = rolling->ratio,
                    twice_zeta = 2.0*rolling->damping, inverse_dt = dem_slider_inverse_dt(b);
-    dem_real *restrict x = history[0], *restrict y = history[1], *restrict z = history[2];
+    double *restrict x = history[0], *restrict y = history[1], *restrict z = history[2];
 
     for (int c = 0; c < b->n; c++)
     {
@@ -122,17 +122,17 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
         z[c] = s.xi_z;
         dem_slider_begin(b, c, &s);
     }
-    dem_slider_finish(b, (dem_real *const[3]){b->mx, b->my, b->mz}, x, y, z);
+    dem_slider_finish(b, (double *const[3]){b->mx, b->my, b->mz}, x, y, z);
 }
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
     const struct rolling_spring *rolling = of;
-    const dem_real friction = rolling->friction, ratio = rolling->ratio,
+    const double friction = rolling->friction, ratio = rolling->ratio,
                    twice_zeta = 2.0*rolling->damping, inverse_dt = dem_slider_inverse_dt(b);
-    const dem_real *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
+    const double *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
 
     (void)history;
     for (int c = 0; c < b->n; c++)

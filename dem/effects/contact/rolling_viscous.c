@@ -49,19 +49,19 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 }
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
-    const dem_real time = ((const struct rolling_viscous *)of)->time;
-    const dem_real per_step = 0.4/dem_select(b->dt > 0.0, b->dt, 1.0);
+    const double time = ((const struct rolling_viscous *)of)->time;
+    const double per_step = 0.4/dem_select(b->dt > 0.0, b->dt, 1.0);
 
     (void)history;
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real hx = b->hx[c], hy = b->hy[c], hz = b->hz[c], R = b->reduced_radius[c];
-        const dem_real twist = b->wx[c]*hx + b->wy[c]*hy + b->wz[c]*hz;
-        const dem_real viscous = dem_select(b->fn[c] > 0.0, time*R*b->fn[c], 0.0);
-        const dem_real max_drag = per_step*b->reduced_mass[c]*R*R;
-        const dem_real drag = dem_select(viscous < max_drag, viscous, max_drag);    /* N m s */
+        const double hx = b->hx[c], hy = b->hy[c], hz = b->hz[c], R = b->reduced_radius[c];
+        const double twist = b->wx[c]*hx + b->wy[c]*hy + b->wz[c]*hz;
+        const double viscous = dem_select(b->fn[c] > 0.0, time*R*b->fn[c], 0.0);
+        const double max_drag = per_step*b->reduced_mass[c]*R*R;
+        const double drag = dem_select(viscous < max_drag, viscous, max_drag);    /* N m s */
 
         b->mx[c] -= drag*(b->wx[c] - twist*hx);
         b->my[c] -= drag*(b->wy[c] - twist*hy);
@@ -71,7 +71,7 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 
 /* the moment times the spin in the middle of the kick, as far as the moment alone changes it */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
     (void)of, (void)before, (void)history;
     dem_rolling_energy(b, e);

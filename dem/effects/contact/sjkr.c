@@ -34,9 +34,9 @@ static const struct dem_setting settings[] = {
 };
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
-    const dem_real scale = 6.28318530717958648*((const struct sjkr *)of)->density;
+    const double scale = 6.28318530717958648*((const struct sjkr *)of)->density;
 
     (void)history;
     for (int c = 0; c < b->n; c++)
@@ -48,14 +48,14 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 
 /* energy needed to separate the surfaces; dissipated when a bond replaces the contact */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
-    const dem_real scale = 6.28318530717958648*((const struct sjkr *)of)->density;
+    const double scale = 6.28318530717958648*((const struct sjkr *)of)->density;
 
     (void)before, (void)history;
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real held = -0.5*scale*b->reduced_radius[c]*b->overlap[c]*b->overlap[c];
+        const double held = -0.5*scale*b->reduced_radius[c]*b->overlap[c]*b->overlap[c];
 
         e->stored[c] = b->bond_replaces[c] > 0.0 ? 0.0 : held;
         e->lost[c] = b->bond_replaces[c] > 1.0 ? held : 0.0;

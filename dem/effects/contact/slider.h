@@ -63,15 +63,15 @@
 
 struct dem_slider
 {
-    dem_real stiffness, damping, limit;                   /* k, c; limit of |F| */
-    dem_real inverse_dt;                                       /* 1/dt: dem_slider_inverse_dt */
+    double stiffness, damping, limit;                   /* k, c; limit of |F| */
+    double inverse_dt;                                       /* 1/dt: dem_slider_inverse_dt */
     /* s, in the contact plane of half a step ago */
-    dem_real sx, sy, sz;
+    double sx, sy, sz;
     /* xi: in, of the last step; out, of this step */
-    dem_real xi_x, xi_y, xi_z;
-    dem_real fx, fy, fz;                                  /* F, out */
+    double xi_x, xi_y, xi_z;
+    double fx, fy, fz;                                  /* F, out */
     /* for dem_slider_energy only: k of the last step; effective mass */
-    dem_real previous_stiffness, mass;
+    double previous_stiffness, mass;
 };
 
 /* Rotates the spring of the last step into the new contact plane and adds the increment: trial
@@ -79,22 +79,22 @@ struct dem_slider
 static inline __attribute__((always_inline)) struct dem_slider
 dem_slider_load(const struct dem_contact_row *r, struct dem_slider s)
 {
-    const dem_real nx = r->nx, ny = r->ny, nz = r->nz;
-    const dem_real hx = r->hx, hy = r->hy, hz = r->hz;
+    const double nx = r->nx, ny = r->ny, nz = r->nz;
+    const double hx = r->hx, hy = r->hy, hz = r->hz;
 
     /* reflect the spring into the new plane, add half of the increment; drop the components
        along n */
-    const dem_real twice = 2*(hx*s.xi_x + hy*s.xi_y + hz*s.xi_z);
-    const dem_real tilt = nx*s.sx + ny*s.sy + nz*s.sz, half = r->dt/2;
-    const dem_real sx = s.sx - tilt*nx, sy = s.sy - tilt*ny, sz = s.sz - tilt*nz;
-    const dem_real gx = half*sx, gy = half*sy, gz = half*sz;
-    const dem_real cx = s.xi_x - twice*hx + gx, cy = s.xi_y - twice*hy + gy,
+    const double twice = 2*(hx*s.xi_x + hy*s.xi_y + hz*s.xi_z);
+    const double tilt = nx*s.sx + ny*s.sy + nz*s.sz, half = r->dt/2;
+    const double sx = s.sx - tilt*nx, sy = s.sy - tilt*ny, sz = s.sz - tilt*nz;
+    const double gx = half*sx, gy = half*sy, gz = half*sz;
+    const double cx = s.xi_x - twice*hx + gx, cy = s.xi_y - twice*hy + gy,
                    cz = s.xi_z - twice*hz + gz;
 
     /* n x c lies in the plane; (n x c) x n is c in the plane */
-    const dem_real ax = ny*cz - nz*cy, ay = nz*cx - nx*cz, az = nx*cy - ny*cx;
-    const dem_real bx = ay*nz - az*ny, by = az*nx - ax*nz, bz = ax*ny - ay*nx;
-    const dem_real q = half*r->normal_spin, over = 1/(1 + q*q), cosine = (1 - q*q)*over,
+    const double ax = ny*cz - nz*cy, ay = nz*cx - nx*cz, az = nx*cy - ny*cx;
+    const double bx = ay*nz - az*ny, by = az*nx - ax*nz, bz = ax*ny - ay*nx;
+    const double q = half*r->normal_spin, over = 1/(1 + q*q), cosine = (1 - q*q)*over,
                    sine = (q + q)*over;
 
     s.sx = sx;
@@ -108,7 +108,7 @@ dem_slider_load(const struct dem_contact_row *r, struct dem_slider s)
 
 /* Trial force T of spring and dashpot (sticking). */
 static inline __attribute__((always_inline)) void dem_slider_trial_force(const struct dem_slider *s,
-                            dem_real t[3])
+                            double t[3])
 {
     t[0] = -s->stiffness*s->xi_x - s->damping*s->sx;
     t[1] = -s->stiffness*s->xi_y - s->damping*s->sy;
@@ -116,30 +116,30 @@ static inline __attribute__((always_inline)) void dem_slider_trial_force(const s
 }
 
 /* Effective stiffness k + c/dt: decrease of |T| per slip distance. */
-static inline __attribute__((always_inline)) dem_real dem_slider_effective_stiffness(
+static inline __attribute__((always_inline)) double dem_slider_effective_stiffness(
     const struct dem_slider *s)
 {
     return s->stiffness + s->damping*s->inverse_dt;
 }
 
 /* 1/dt; in the first evaluation dt is 0, and a large number keeps the dashpot from slipping */
-static inline dem_real dem_slider_inverse_dt(const struct dem_contact_batch *b)
+static inline double dem_slider_inverse_dt(const struct dem_contact_batch *b)
 {
-    return b->dt > 0 ? 1/b->dt : (dem_real)1e15;
+    return b->dt > 0 ? 1/b->dt : 1e15;
 }
 
 struct dem_slider_limited    /* result of limiting a trial force T */
 {
     /* F = force_factor T, xi' = e + spring_factor T; 1 and 0 while sticking */
-    dem_real force_factor, spring_factor;
+    double force_factor, spring_factor;
 };
 
 static inline __attribute__((always_inline)) struct dem_slider_limited dem_slider_limit_force(
-    dem_real square, dem_real limit, dem_real gives)
+    double square, double limit, double gives)
 {
-    const dem_real size = dem_sqrt(square), size_or_1 = dem_select(size > 0, size, 1),
+    const double size = sqrt(square), size_or_1 = dem_select(size > 0, size, 1),
                    h = dem_select(gives > 0, gives, 1);
-    const dem_real over = 1/(size_or_1*h);
+    const double over = 1/(size_or_1*h);
 
     return (struct dem_slider_limited){
         .force_factor = dem_select(size < limit, 1, limit*h*over),
@@ -148,7 +148,7 @@ static inline __attribute__((always_inline)) struct dem_slider_limited dem_slide
 
 /* Applies the limit: F and the new elongation. */
 static inline __attribute__((always_inline)) struct dem_slider
-dem_slider_apply_limit(struct dem_slider s, const dem_real t[3], struct dem_slider_limited slips)
+dem_slider_apply_limit(struct dem_slider s, const double t[3], struct dem_slider_limited slips)
 {
     s.xi_x = dem_select(slips.force_factor > 0, s.xi_x + slips.spring_factor*t[0], 0);
     s.xi_y = dem_select(slips.force_factor > 0, s.xi_y + slips.spring_factor*t[1], 0);
@@ -163,7 +163,7 @@ dem_slider_apply_limit(struct dem_slider s, const dem_real t[3], struct dem_slid
 static inline __attribute__((always_inline)) struct dem_slider
 dem_slider_step(const struct dem_contact_row *r, struct dem_slider s)
 {
-    dem_real t[3];
+    double t[3];
 
     s = dem_slider_load(r, s);
     dem_slider_trial_force(&s, t);
@@ -192,7 +192,7 @@ enum
 static inline __attribute__((always_inline)) void dem_slider_begin(struct dem_contact_batch *b,
                             int c, const struct dem_slider *s)
 {
-    dem_real t[3];
+    double t[3];
 
     dem_slider_trial_force(s, t);
     b->loop_scratch[DEM_SLIDER_X][c] = t[0];
@@ -205,11 +205,11 @@ static inline __attribute__((always_inline)) void dem_slider_begin(struct dem_co
 static inline __attribute__((always_inline)) void dem_slider_limit_forces(
     struct dem_contact_batch *b)
 {
-    dem_real (*const at)[DEM_BATCH_ROWS] = b->loop_scratch;
+    double (*const at)[DEM_BATCH_ROWS] = b->loop_scratch;
 
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real x = at[DEM_SLIDER_X][c], y = at[DEM_SLIDER_Y][c], z = at[DEM_SLIDER_Z][c];
+        const double x = at[DEM_SLIDER_X][c], y = at[DEM_SLIDER_Y][c], z = at[DEM_SLIDER_Z][c];
         const struct dem_slider_limited slips =
             dem_slider_limit_force(x*x + y*y + z*z, at[DEM_SLIDER_LIMIT][c],
                                    at[DEM_SLIDER_STIFFNESS][c]);
@@ -221,13 +221,13 @@ static inline __attribute__((always_inline)) void dem_slider_limit_forces(
 
 /* row c after dem_slider_limit_forces; x, y, z: its trial elongation */
 static inline __attribute__((always_inline)) struct dem_slider
-dem_slider_end(const struct dem_contact_batch *b, int c, dem_real x, dem_real y, dem_real z)
+dem_slider_end(const struct dem_contact_batch *b, int c, double x, double y, double z)
 {
     const struct dem_slider s = {.xi_x = x, .xi_y = y, .xi_z = z};
     const struct dem_slider_limited slips = {
         .force_factor = b->loop_scratch[DEM_SLIDER_LIMIT][c],
         .spring_factor = b->loop_scratch[DEM_SLIDER_STIFFNESS][c]};
-    const dem_real t[3] = {b->loop_scratch[DEM_SLIDER_X][c], b->loop_scratch[DEM_SLIDER_Y][c],
+    const double t[3] = {b->loop_scratch[DEM_SLIDER_X][c], b->loop_scratch[DEM_SLIDER_Y][c],
                            b->loop_scratch[DEM_SLIDER_Z][c]};
 
     return dem_slider_apply_limit(s, t, slips);
@@ -236,10 +236,10 @@ dem_slider_end(const struct dem_contact_batch *b, int c, dem_real x, dem_real y,
 /* f: the columns of the batch to which F is added; x, y, z: in, trial elongations; out, new
    elongations */
 static inline __attribute__((always_inline)) void
-dem_slider_finish(struct dem_contact_batch *restrict b, dem_real *const f[3], dem_real *restrict x,
-                  dem_real *restrict y, dem_real *restrict z)
+dem_slider_finish(struct dem_contact_batch *restrict b, double *const f[3], double *restrict x,
+                  double *restrict y, double *restrict z)
 {
-    dem_real *const fx = f[0], *const fy = f[1], *const fz = f[2];
+    double *const fx = f[0], *const fy = f[1], *const fz = f[2];
 
     dem_slider_limit_forces(b);
     for (int c = 0; c < b->n; c++)
@@ -258,16 +258,16 @@ dem_slider_finish(struct dem_contact_batch *restrict b, dem_real *const f[3], de
 struct dem_friction
 {
     /* mu; 1 or 0: dashpot acts; adhesive force counts in the limit */
-    dem_real friction, with_dashpot, with_adhesion;
-    dem_real inverse_dt;                                       /* 1/dt: dem_slider_inverse_dt */
+    double friction, with_dashpot, with_adhesion;
+    double inverse_dt;                                       /* 1/dt: dem_slider_inverse_dt */
 };
 
 /* The slider of friction of a row, without its spring: dashpot of the normal law, limit from the
    normal force. */
 static inline __attribute__((always_inline)) struct dem_slider
-dem_slider_friction(const struct dem_contact_row *r, dem_real stiffness, struct dem_friction rubs)
+dem_slider_friction(const struct dem_contact_row *r, double stiffness, struct dem_friction rubs)
 {
-    const dem_real normal = r->fn + rubs.with_adhesion*r->adhesive_force;
+    const double normal = r->fn + rubs.with_adhesion*r->adhesive_force;
 
     return (struct dem_slider){.stiffness = stiffness,
                                .damping = rubs.with_dashpot*r->eta,
@@ -306,19 +306,19 @@ dem_slider_energy(const struct dem_contact_batch *b, int c, struct dem_slider s,
     at_rest.sx = at_rest.sy = at_rest.sz = 0;
     const struct dem_slider from = dem_slider_load(&r, at_rest), loaded = dem_slider_load(&r, s),
                             to = dem_slider_step(&r, s);
-    const dem_real on = b->touching[c], k = on*s.stiffness, was = s.previous_stiffness, dt = b->dt;
-    const dem_real xi_x = on*to.xi_x, xi_y = on*to.xi_y, xi_z = on*to.xi_z, fx = on*to.fx,
+    const double on = b->touching[c], k = on*s.stiffness, was = s.previous_stiffness, dt = b->dt;
+    const double xi_x = on*to.xi_x, xi_y = on*to.xi_y, xi_z = on*to.xi_z, fx = on*to.fx,
                    fy = on*to.fy, fz = on*to.fz;
-    const dem_real gx = loaded.xi_x - xi_x, gy = loaded.xi_y - xi_y, gz = loaded.xi_z - xi_z;
-    const dem_real along = from.xi_x*gx + from.xi_y*gy + from.xi_z*gz,
+    const double gx = loaded.xi_x - xi_x, gy = loaded.xi_y - xi_y, gz = loaded.xi_z - xi_z;
+    const double along = from.xi_x*gx + from.xi_y*gy + from.xi_z*gz,
                    ahead = xi_x*gx + xi_y*gy + xi_z*gz;
-    const dem_real both = from.xi_x*xi_x + from.xi_y*xi_y + from.xi_z*xi_z;
+    const double both = from.xi_x*xi_x + from.xi_y*xi_y + from.xi_z*xi_z;
 
-    const dem_real gain = dt/(2*s.mass), ux = to.sx + gain*fx, uy = to.sy + gain*fy,
+    const double gain = dt/(2*s.mass), ux = to.sx + gain*fx, uy = to.sy + gain*fy,
                    uz = to.sz + gain*fz;
-    const dem_real damped = -((fx + k*xi_x)*ux + (fy + k*xi_y)*uy + (fz + k*xi_z)*uz)*dt;
-    const dem_real rubbed = -(fx*ux + fy*uy + fz*uz)*dt;
-    const dem_real lost = damped + (was*along + k*ahead)/2 - (k - was)/2*both;
+    const double damped = -((fx + k*xi_x)*ux + (fy + k*xi_y)*uy + (fz + k*xi_z)*uz)*dt;
+    const double rubbed = -(fx*ux + fy*uy + fz*uz)*dt;
+    const double lost = damped + (was*along + k*ahead)/2 - (k - was)/2*both;
 
     e->stored[c] = k/2*(xi_x*xi_x + xi_y*xi_y + xi_z*xi_z);
     e->lost[c] = dem_select((on > 0) & !(k > 0), rubbed, lost);

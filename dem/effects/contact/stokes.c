@@ -152,33 +152,33 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 }
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
     const struct stokes *stokes = of;
-    const dem_real given = stokes->viscosity, beta = stokes->beta;
-    const dem_real critical = stokes->critical, loss = stokes->loss, mass_ratio = stokes->more_mass;
-    const dem_real six_pi = 18.8495559215387594, pi2 = DEM_RESTITUTION_PI2;
+    const double given = stokes->viscosity, beta = stokes->beta;
+    const double critical = stokes->critical, loss = stokes->loss, mass_ratio = stokes->more_mass;
+    const double six_pi = 18.8495559215387594, pi2 = DEM_RESTITUTION_PI2;
     /* m/s: stands for a stored speed of zero */
-    const dem_real at_rest = 1e-30;
-    const dem_real min_force = dem_attraction_min_force(stokes->attraction);
+    const double at_rest = 1e-30;
+    const double min_force = dem_attraction_min_force(stokes->attraction);
     const int keep = stokes->speed == IMPACT;
-    dem_real *restrict impact_speed = history[0];
+    double *restrict impact_speed = history[0];
 
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real R = b->reduced_radius[c], m = b->reduced_mass[c], before = impact_speed[c];
-        const dem_real mu = dem_select(given > 0.0, given, b->viscosity[c]);
+        const double R = b->reduced_radius[c], m = b->reduced_mass[c], before = impact_speed[c];
+        const double mu = dem_select(given > 0.0, given, b->viscosity[c]);
 
         /* in the first step of a contact the history is 0 */
-        const dem_real now = dem_select(fabs(b->vn[c]) > at_rest, fabs(b->vn[c]), at_rest);
-        const dem_real kept = dem_select(before > 0.0, before, now);
-        const dem_real speed = dem_select(b->touching[c] > 0.0, dem_select(keep, kept, now), 0.0);
+        const double now = dem_select(fabs(b->vn[c]) > at_rest, fabs(b->vn[c]), at_rest);
+        const double kept = dem_select(before > 0.0, before, now);
+        const double speed = dem_select(b->touching[c] > 0.0, dem_select(keep, kept, now), 0.0);
 
         /* instantaneous: St is negative while the surfaces separate, as in LIGGGHTS */
-        const dem_real S = mass_ratio*m*speed, D = beta*(six_pi*mu*R*R);
-        const dem_real T = dem_select(keep | (b->vn[c] < 0.0), loss*S + D, fabs(loss*S - D));
-        const dem_real size = sqrt(pi2*S*S + T*T);
-        const dem_real eta = critical*(T/dem_select(size > 0.0, size, 1.0))*sqrt(m*b->kn[c]);
+        const double S = mass_ratio*m*speed, D = beta*(six_pi*mu*R*R);
+        const double T = dem_select(keep | (b->vn[c] < 0.0), loss*S + D, fabs(loss*S - D));
+        const double size = sqrt(pi2*S*S + T*T);
+        const double eta = critical*(T/dem_select(size > 0.0, size, 1.0))*sqrt(m*b->kn[c]);
 
         impact_speed[c] = speed;
         b->eta[c] = eta;
@@ -188,7 +188,7 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 }
 
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
     (void)of, (void)before, (void)history;
     dem_restitution_energy(b, e);

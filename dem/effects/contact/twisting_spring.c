@@ -84,33 +84,33 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 }
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
     const struct twisting_spring *twisting = of;
-    const dem_real friction = twisting->friction, ratio = twisting->ratio,
+    const double friction = twisting->friction, ratio = twisting->ratio,
                    twice_zeta = 2.0*twisting->damping, dt = b->dt;
-    const dem_real inverse_dt = dem_slider_inverse_dt(b);
+    const double inverse_dt = dem_slider_inverse_dt(b);
     /* 3 pi/16 */
-    const dem_real by_contact = twisting->lever == CONTACT ? 0.58904862254808623 : 0.0;
-    const dem_real by_radius = twisting->lever == REDUCED ? 1.0 : 0.0;
-    dem_real *restrict twist = history[0];
+    const double by_contact = twisting->lever == CONTACT ? 0.58904862254808623 : 0.0;
+    const double by_radius = twisting->lever == REDUCED ? 1.0 : 0.0;
+    double *restrict twist = history[0];
 
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real R = b->reduced_radius[c], a2 = R*b->overlap[c];
-        const dem_real lever = by_contact*sqrt(a2) + by_radius*R;
-        const dem_real stiffness = ratio*b->kn[c]*a2;
-        const dem_real damping = twice_zeta*R*sqrt(0.4*b->reduced_mass[c]*stiffness);
-        const dem_real rate = b->wx[c]*b->hx[c] + b->wy[c]*b->hy[c] + b->wz[c]*b->hz[c];
+        const double R = b->reduced_radius[c], a2 = R*b->overlap[c];
+        const double lever = by_contact*sqrt(a2) + by_radius*R;
+        const double stiffness = ratio*b->kn[c]*a2;
+        const double damping = twice_zeta*R*sqrt(0.4*b->reduced_mass[c]*stiffness);
+        const double rate = b->wx[c]*b->hx[c] + b->wy[c]*b->hy[c] + b->wz[c]*b->hz[c];
 
         /* sticks or slips, as in slider.h */
-        const dem_real angle = twist[c] + dt*rate;
-        const dem_real trial = -stiffness*angle - damping*rate, size = fabs(trial);
-        const dem_real limit = dem_select(b->fn[c] > 0.0, friction*lever*b->fn[c], 0.0);
-        const dem_real moment =
+        const double angle = twist[c] + dt*rate;
+        const double trial = -stiffness*angle - damping*rate, size = fabs(trial);
+        const double limit = dem_select(b->fn[c] > 0.0, friction*lever*b->fn[c], 0.0);
+        const double moment =
             dem_select(size < limit, 1.0, limit/dem_select(size > 0.0, size, 1.0))*trial;
-        const dem_real effective = stiffness + damping*inverse_dt;
-        const dem_real slipped = (moment - trial)/dem_select(effective > 0.0, effective, 1.0);
+        const double effective = stiffness + damping*inverse_dt;
+        const double slipped = (moment - trial)/dem_select(effective > 0.0, effective, 1.0);
 
         twist[c] = dem_select(limit > 0.0, dem_select(size < limit, angle, angle - slipped), 0.0);
         b->mx[c] += moment*b->nx[c];
@@ -121,23 +121,23 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 
 /* as dem_slider_energy of slider.h, for an angle */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
     const struct twisting_spring *twisting = of;
-    const dem_real *const from = before[0], *const to = history[0],
+    const double *const from = before[0], *const to = history[0],
                           inverse_dt = dem_slider_inverse_dt(b);
 
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real R = b->reduced_radius[c],
+        const double R = b->reduced_radius[c],
                        stiffness = b->touching[c]*twisting->ratio*b->kn[c]*R*b->overlap[c];
-        const dem_real was = twisting->ratio*e->previous_kn[c]*R*e->previous_overlap[c];
-        const dem_real rate = b->wx[c]*b->hx[c] + b->wy[c]*b->hy[c] + b->wz[c]*b->hz[c],
+        const double was = twisting->ratio*e->previous_kn[c]*R*e->previous_overlap[c];
+        const double rate = b->wx[c]*b->hx[c] + b->wy[c]*b->hy[c] + b->wz[c]*b->hz[c],
                        slipped = from[c] + b->dt*rate - to[c];
-        const dem_real damping = 2.0*twisting->damping*R*sqrt(0.4*b->reduced_mass[c]*stiffness);
-        const dem_real dashpot =
+        const double damping = 2.0*twisting->damping*R*sqrt(0.4*b->reduced_mass[c]*stiffness);
+        const double dashpot =
             dem_select(b->fn[c] > 0.0, damping*inverse_dt*(to[c] - from[c]), 0.0);
-        const dem_real damped =
+        const double damped =
             dashpot*(rate - 0.5*b->dt*(stiffness*to[c] + dashpot)/e->inertia[c])*b->dt;
 
         e->stored[c] = 0.5*stiffness*to[c]*to[c];

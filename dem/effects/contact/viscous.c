@@ -58,16 +58,16 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 }
 
 DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real *const *history)
+static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
     const struct viscous *viscous = of;
-    const dem_real coefficient = viscous->coefficient,
+    const double coefficient = viscous->coefficient,
                    min_force = dem_attraction_min_force(viscous->attraction);
 
     (void)history;
     for (int c = 0; c < b->n; c++)
     {
-        const dem_real eta = coefficient*b->touching[c];
+        const double eta = coefficient*b->touching[c];
 
         b->eta[c] = eta;
         b->fn[c] = dem_attraction(b->fn[c], eta*b->vn[c], min_force);
@@ -76,7 +76,7 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, dem_real
 }
 
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   dem_real *const *before, dem_real *const *history, struct dem_energy *restrict e)
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
 {
     (void)of, (void)before, (void)history;
     dem_restitution_energy(b, e);

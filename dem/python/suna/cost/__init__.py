@@ -1,7 +1,7 @@
 """suna.cost -- accuracy against cost: errors and processor time over refinement series of a scene or
 of a coupled case.
 
-A series varies one parameter: time step, contact stiffness, precision, law of friction, or each
+A series varies one parameter: time step, contact stiffness, law of friction, or each
 effect left out; interval of exchange, kernel, cells. Each level of a series is run several times
 over the same window of simulated time.
 

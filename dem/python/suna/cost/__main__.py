@@ -19,7 +19,7 @@ from .target import run_scene, search, write_copy
 HELP = """Usage: dem cost [OPTION VALUE] ... [-restart SNAPSHOT] [-set PATH VALUE] ... SCENE
 
 Accuracy against cost: runs a window of the scene in refinement series of the time step,
-the contact stiffness and the precision, and reports for each level the errors of mean
+the contact stiffness and the law of friction, and reports for each level the errors of mean
 quantities and the processor time; then, in one sentence, the best buy. The output is the
 folder named at the end, with cost.csv, cost.png and cost.svg (these need matplotlib), and
 with -target a scene.
@@ -37,7 +37,7 @@ with -target a scene.
     -run               with -target: runs the scene with the choice, instead of writing it
     -of LIST           quantities, separated by commas: kinetic, rotation, height, overlap,
                        force, contacts, restitution; default: all that the scene has
-    -series LIST       series, separated by commas: step, stiffness, precision, friction
+    -series LIST       series, separated by commas: step, stiffness, friction
                        (its three laws); default: all. -ladders is accepted too
     -effects           instead: the scene with each effect left out, the change of results
                        and the time saved

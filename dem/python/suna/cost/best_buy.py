@@ -96,26 +96,6 @@ def other_errors(study):
     return text
 
 
-def good_precision(study):
-    """The series of precision, if mixed adds less than a tenth of the target and saves more than the
-    noise of timing; else None."""
-    for series in study.series:
-        mixed = series.levels[0]
-        if series.parameter == "precision" and mixed.bound()[0] <= 0.1*study.target \
-                and series.times(mixed) < 0.95:
-            return series
-    return None
-
-
-def precision(study):
-    series = good_precision(study)
-    if series is None:
-        return ""
-    mixed = series.levels[0]
-    return (f"; time/precision mixed adds {percent(mixed.bound()[0], 1)} and takes "
-            f"{series.times(mixed):.2g} of the time")
-
-
 def effects(study, series):
     """The effects without which no quantity changes by more than the target, and their processor
     time."""
@@ -152,4 +132,4 @@ def best_buy(study):
         return f"needs the series of {what}"
     how, level = choose(study)
     text = {"within": chosen, "indistinct": indistinct, "none": none}[how](study, first, level)
-    return text + other_errors(study) + precision(study)
+    return text + other_errors(study)

@@ -18,7 +18,7 @@ COLOURS = {"kinetic": "#d55e00", "rotation": "#e69f00", "height": "#0072b2", "ov
            "contacts": "#cc79a7", "restitution": "#000000", "level": "#999999", "void": "#555555", "drop": "#f0e442"}
 TITLES = {"friction": "law of friction, against the scene's",
           "effects": "without each effect, against the whole scene", "step": "time step",
-          "stiffness": "stiffness, against hard spheres", "precision": "precision, against double",
+          "stiffness": "stiffness, against hard spheres",
           "interval": "interval of exchange", "width": "width of the kernel, against none",
           "kernel": "kernels, against the case's", "mesh": "cells"}
 

@@ -26,7 +26,7 @@ UNITS = {"kinetic": "J", "rotation": "J", "height": "m", "overlap": "1", "force"
          "contacts": "1", "restitution": "1"}
 NORMAL, TANGENT = ("hertz", "hooke", "hookeHysteresis"), ("linear", "mindlin", "mindlinIncremental")
 FRICTION = ("friction", "tangentialDamping", "adhesion")        # settings that all laws have
-SERIES = ("step", "stiffness", "precision", "friction")
+SERIES = ("step", "stiffness", "friction")
 MAX_SAMPLES = 32
 MIN_STEPS, SAMPLE_STEPS = 10, 40    # of the coarsest level: in the window, between two samples
 
@@ -193,8 +193,7 @@ class SceneStudy:
         o = self.options
         if o.effects:
             return o.runs*(len(self.acting) + 1)
-        total = 2.0 if "precision" in self.wanted else 0.0
-        total += sum(1/x for x in o.steps) if "step" in self.wanted else 0.0
+        total = sum(1/x for x in o.steps) if "step" in self.wanted else 0.0
         # number of steps: contact time ~ E^-0.4
         total += sum(x**0.4 for x in o.stiffnesses) if self.wants_stiffness() else 0.0
         total += 3.0 if "friction" in self.wanted and self.friction else 0.0
@@ -267,11 +266,6 @@ class SceneStudy:
             series.base = k if x == 1 else series.base
         return series
 
-    def precisions(self):
-        return Series("precision", "precision; errors against double", base=1, paired=True,
-                      levels=[self.level(name, size, self.step, {"time/precision": name})
-                              for name, size in (("mixed", 1.0), ("double", 0.5))])
-
     def frictions(self):
         """The scene's own law comes last: the others are compared with it."""
         own, settings = self.friction
@@ -309,8 +303,6 @@ class SceneStudy:
             series.append(self.steps())
         if self.wants_stiffness():
             series.append(self.stiffnesses())
-        if "precision" in self.wanted:
-            series.append(self.precisions())
         if "friction" in self.wanted and self.friction:
             series.append(self.frictions())
         closed = {} if self.ended_in_contact else self.closed

@@ -1,7 +1,7 @@
 """study.py -- series, levels and runs of a study; from them the errors of all quantities over their
 scales, processor times, Pareto front.
 
-Paired series (mixed precision with double, laws of friction, effects) are compared with the base run
+Paired series (laws of friction, effects) are compared with the base run
 by run, with the same steps in both: the error is the root mean square of the differences. If the
 trajectories have diverged (it exceeds a quarter of the scatter of runs), the means are compared.
 

@@ -14,7 +14,7 @@ import os
 import sys
 from pathlib import Path
 
-from .best_buy import choose, good_precision, percent
+from .best_buy import choose, percent
 from .study import Refused
 
 MAX_LEVELS = 16
@@ -54,8 +54,6 @@ def settings(work, study):
     found = {"time/step": f"{level.step:.9g}"}
     if level.step > work.limit*(1 - 1e-9):
         found["time/force"] = "yes"
-    if good_precision(study):
-        found["time/precision"] = "mixed"
     return {**found, "accuracy/target": f"{study.target:g}", "accuracy/reached": f"{bound:.3g}",
             "accuracy/of": of, "accuracy/window": f"{study.window:.9g}",
             "accuracy/step": f"{level.step:.9g}"}
