@@ -106,9 +106,6 @@ struct dem_contact_batch
     _Alignas(64) double my[DEM_BATCH_ROWS];
     _Alignas(64) double mz[DEM_BATCH_ROWS];
 
-    /* scratch between the loops of one law */
-    _Alignas(64) double loop_scratch[6][DEM_BATCH_ROWS];
-
     /* ---- energy of stages BOND and FILM, cleared by the caller for such classes ---- */
     /* J      elastic energy of the row now */
     _Alignas(64) double stored[DEM_BATCH_ROWS];

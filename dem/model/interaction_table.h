@@ -12,6 +12,7 @@
 #define DEM_MODEL_INTERACTION_TABLE_H
 
 #include "effects/effect.h"
+#include "effects/fused/fused.h"
 #include <stddef.h>
 
 enum
@@ -34,6 +35,9 @@ struct dem_effect_list
 {
     int entries;
     struct dem_effect_entry entry[DEM_EFFECT_LIST_LIMIT];
+    /* computes the first `fused` of them in one loop; NULL: none */
+    const struct dem_fused_kernel *kernel;
+    int fused;
     struct dem_pair_class pair;
     unsigned needs;               /* enum dem_needs, or-ed */
     int moments, past_touching;   /* 1: has effects of MOMENT or BOND; of BOND or FILM */

@@ -140,6 +140,18 @@ static void collect_limits(struct dem_interaction_table *r, const struct dem_eff
     }
 }
 
+/* Select the fused kernel of a list. */
+static void select_kernel(struct dem_effect_list *list)
+{
+    const struct dem_effect *effect[DEM_EFFECT_LIST_LIMIT];
+
+    for (int k = 0; k < list->entries; k++)
+    {
+        effect[k] = list->entry[k].effect;
+    }
+    list->kernel = dem_fused_find(effect, list->entries, &list->fused);
+}
+
 static int build_list(struct dem_interaction_table *r, struct dem_effect_list *list, int a, int b,
                       const int *first_column)
 {
@@ -153,6 +165,7 @@ static int build_list(struct dem_interaction_table *r, struct dem_effect_list *l
             collect_limits(r, list, &list->entry[list->entries - 1]);
         }
     }
+    select_kernel(list);
     r->needs |= list->needs;
     r->moments |= list->moments;
     r->past_touching |= list->past_touching;
@@ -272,6 +285,7 @@ static void remove_effect(struct dem_interaction_table *r, struct dem_effect_lis
                            : r->reach;
         }
     }
+    select_kernel(list);
     r->needs |= list->needs;
     r->moments |= list->moments;
     r->past_touching |= list->past_touching;

@@ -100,7 +100,15 @@ DEM_KERNEL
 static void geometry_of_pairs(struct dem_contact_batch *restrict b,
                               const struct dem_gathered *restrict g)
 {
-    dem_geometry_pairs(b, g, b->dt);
+    for (int c = 0; c < b->n; c++)
+    {
+        struct dem_contact_row r;
+
+        dem_geometry_pair(g, c, b->dt, &r);
+        dem_geometry_motion(g, c, 1.0, &r);
+        DEM_STORE(nx, ny, nz, hx, hy, hz, reduced_radius, reduced_mass, min_radius)
+        DEM_STORE(overlap, touching, vn, sx, sy, sz, normal_spin)
+    }
 }
 
 /* At a flat wall at rest the normal of half a step ago equals the present one. */
@@ -111,9 +119,11 @@ static void normals_of_walls(struct dem_contact_batch *b)
     memcpy(b->hz, b->nz, sizeof b->hz);
 }
 
+/* At a wall twice the spin of the particle was gathered, at a pair the sum of both: the factor 1/2
+   turns half of it into the mean. */
 DEM_KERNEL
-static void relative_motion(struct dem_contact_batch *restrict b,
-                            const struct dem_gathered *restrict g, double spin_factor)
+static void motion_at_walls(struct dem_contact_batch *restrict b,
+                            const struct dem_gathered *restrict g)
 {
     for (int c = 0; c < b->n; c++)
     {
@@ -125,17 +135,8 @@ static void relative_motion(struct dem_contact_batch *restrict b,
                                     .hz = b->hz[c],
                                     .overlap = b->overlap[c]};
 
-        dem_geometry_motion(g, c, spin_factor, &r);
-        b->overlap[c] = r.overlap;
-        b->touching[c] = r.touching;
-        b->vn[c] = r.vn;
-        b->sx[c] = r.sx;
-        b->sy[c] = r.sy;
-        b->sz[c] = r.sz;
-        b->normal_spin[c] = r.normal_spin;
-        b->kn[c] = b->kt[c] = b->eta[c] = 0.0;
-        b->fn[c] = b->fx[c] = b->fy[c] = b->fz[c] = 0.0;
-        b->mx[c] = b->my[c] = b->mz[c] = 0.0;
+        dem_geometry_motion(g, c, 0.5, &r);
+        DEM_STORE(overlap, touching, vn, sx, sy, sz, normal_spin)
     }
 }
 
@@ -252,25 +253,22 @@ static void fill_past_touching(struct dem_contact_workspace *t, const struct dem
     }
 }
 
-/* At a wall twice the spin of the particle was gathered, at a pair the sum of both: the factor
-   turns half of it into the mean. */
-static void motion(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
-                   int all_flat_static)
+/* ---- the batch ------------------------------------------------------------------------------- */
+
+static void fill_walls(struct dem_contact_workspace *t, const struct dem_state *p,
+                       const struct dem_effect_list *effects, const uint32_t *padded)
 {
-    relative_motion(&t->batch, &t->gathered, effects->pair.with_wall ? 0.5 : 1.0);
-    if (effects->pair.with_wall && !all_flat_static && effects->needs & DEM_NEEDS_NORMAL_SPIN)
+    gather_walls(t, p, padded);
+    normals_of_walls(&t->batch);
+    if (!p->walls.all_flat_static)
+    {
+        gather_wall_motion(t, p, padded);
+    }
+    motion_at_walls(&t->batch, &t->gathered);
+    if (!p->walls.all_flat_static && effects->needs & DEM_NEEDS_NORMAL_SPIN)
     {
         add_normal_spin_of_walls(t);
     }
-}
-
-/* ---- the batch ------------------------------------------------------------------------------- */
-
-void dem_contact_batch_gather(struct dem_contact_workspace *t, const struct dem_state *p,
-                              const struct dem_effect_list *effects, uint32_t row, int rows)
-{
-    t->batch.n = (rows + DEM_LANES - 1)/DEM_LANES*DEM_LANES;
-    dem_gather_pairs(t, p, effects->needs, p->contacts.rows.partners + row);
 }
 
 void dem_contact_batch_fill(struct dem_contact_workspace *t, const struct dem_state *p,
@@ -279,22 +277,19 @@ void dem_contact_batch_fill(struct dem_contact_workspace *t, const struct dem_st
     uint32_t padded[DEM_BATCH_ROWS];
 
     t->batch.n = (rows + DEM_LANES - 1)/DEM_LANES*DEM_LANES;
-    pad(t, p->contacts.rows.pair + row, rows, padded);
+    if (effects->pair.with_wall || effects->past_touching)
+    {
+        pad(t, p->contacts.rows.pair + row, rows, padded);
+    }
     if (effects->pair.with_wall)
     {
-        gather_walls(t, p, padded);
-        normals_of_walls(&t->batch);
-        if (!p->walls.all_flat_static)
-        {
-            gather_wall_motion(t, p, padded);
-        }
+        fill_walls(t, p, effects, padded);
     }
     else
     {
-        dem_contact_batch_gather(t, p, effects, row, rows);
+        dem_gather_pairs(t, p, effects->needs, p->contacts.rows.partners + row);
         geometry_of_pairs(&t->batch, &t->gathered);
     }
-    motion(t, effects, p->walls.all_flat_static);
     if (effects->past_touching)
     {
         fill_past_touching(t, p, effects, padded);

@@ -11,13 +11,8 @@
 #include "simulation/dem_state.h"
 
 /* Gather the partners of `rows` contact rows of one pair class from `row` on, compute geometry and
-   relative motion, and clear the results. Lanes past the last row repeat it. */
+   relative motion. Lanes past the last row repeat it. */
 void dem_contact_batch_fill(struct dem_contact_workspace *, const struct dem_state *,
                             const struct dem_effect_list *, uint32_t row, int rows);
-
-/* Only gather the partners and set the number of lanes, for rows of particle pairs: the fused
-   kernel computes the geometry itself. */
-void dem_contact_batch_gather(struct dem_contact_workspace *, const struct dem_state *,
-                              const struct dem_effect_list *, uint32_t row, int rows);
 
 #endif

@@ -48,29 +48,7 @@ static inline __attribute__((always_inline)) void dem_geometry_pair(const struct
     r->min_radius = dem_select(radius < other, radius, other);
 }
 
-/* The same for all rows of a batch. */
-static inline __attribute__((always_inline)) void dem_geometry_pairs(
-    struct dem_contact_batch *restrict b, const struct dem_gathered *restrict g, double dt)
-{
-    for (int c = 0; c < b->n; c++)
-    {
-        struct dem_contact_row r;
-
-        dem_geometry_pair(g, c, dt, &r);
-        b->nx[c] = r.nx;
-        b->ny[c] = r.ny;
-        b->nz[c] = r.nz;
-        b->hx[c] = r.hx;
-        b->hy[c] = r.hy;
-        b->hz[c] = r.hz;
-        b->overlap[c] = r.overlap;
-        b->reduced_radius[c] = r.reduced_radius;
-        b->reduced_mass[c] = r.reduced_mass;
-        b->min_radius[c] = r.min_radius;
-    }
-}
-
-/* Overlap, touching mask and relative motion from the raw overlap in r; results are cleared.
+/* Overlap, touching mask and relative motion from the raw overlap in r.
    `spin_factor` times half of the gathered sum of spins is the mean spin of both partners: 1 at a
    pair, 1/2 at a wall. */
 static inline __attribute__((always_inline)) void
@@ -93,8 +71,6 @@ dem_geometry_motion(const struct dem_gathered *g, int c, double spin_factor,
     r->sy = vy - along*hy - (az*hx - ax*hz);
     r->sz = vz - along*hz - (ax*hy - ay*hx);
     r->normal_spin = spin_factor*(bx*r->nx + by*r->ny + bz*r->nz);
-    r->kn = r->kt = r->eta = r->adhesive_force = 0;
-    r->fn = r->fx = r->fy = r->fz = 0;
 }
 
 #endif

@@ -7,7 +7,6 @@
 #include "step/sweep_contacts.h"
 #include "core/math.h"
 #include "core/memory.h"
-#include "step/fused_kernel.h"
 #include "diagnostics/lost_cause.h"
 #include "step/force_buffer.h"
 #include "step/fill_batch.h"
@@ -16,6 +15,7 @@
 #include "diagnostics/energy_balance.h"
 #include "diagnostics/lost_particles.h"
 #include "diagnostics/bonds.h"
+#include <stddef.h>
 #include <string.h>
 
 /* ---- history --------------------------------------------------------------------------------- */
@@ -142,12 +142,51 @@ static void apply_effect(struct dem_contact_workspace *t, const struct dem_effec
     }
 }
 
+static void clear_results(struct dem_contact_batch *b)
+{
+    const size_t first = offsetof(struct dem_contact_batch, kn),
+                 end = offsetof(struct dem_contact_batch, stored);
+
+    memset((char *)b + first, 0, end - first);
+}
+
+/* The first effects of the list, in one loop. Returns their number. */
+static int apply_fused(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
+                       const struct dem_contacts *c, uint32_t row)
+{
+    const void *settings[DEM_FUSED_LAWS];
+    double *history[DEM_HISTORY_COLUMNS];
+    int columns = 0, k = 0;
+
+    for (int m = 0; m < DEM_FUSED_LAWS; m++)
+    {
+        settings[m] = effects->entry[0].settings;
+        if (effects->kernel->law[m] != &dem_none)
+        {
+            settings[m] = effects->entry[k].settings;
+            columns += find_history(c, &effects->entry[k], row, history + columns);
+            k++;
+        }
+    }
+    effects->kernel->apply(settings, &t->batch, history);
+    return k;
+}
+
 static void apply_effects(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
                           const struct dem_contacts *c, uint32_t row)
 {
     double *history[DEM_HISTORY_COLUMNS];
+    int first = 0;
 
-    for (int k = 0; k < effects->entries; k++)
+    if (effects->kernel)
+    {
+        first = apply_fused(t, effects, c, row);
+    }
+    else
+    {
+        clear_results(&t->batch);
+    }
+    for (int k = first; k < effects->entries; k++)
     {
         if (is_first_after_damping(effects, k))
         {
@@ -169,6 +208,7 @@ static void apply_effects_with_energy(struct dem_state *p, struct dem_contact_wo
                                         .row = row,
                                         .rows = rows};
 
+    clear_results(&t->batch);
     dem_energy_balance_begin_batch(p, t, &r);
     for (int k = 0; k < effects->entries; k++)
     {
@@ -230,25 +270,7 @@ struct rows    /* of a batch: the first, their number, where their forces are st
     struct dem_contact_force *to;
 };
 
-/* A batch of a class with the usual laws between particles. */
-static void sweep_fused(struct dem_state *p, struct dem_contact_workspace *t,
-                        const struct dem_effect_list *effects, const struct rows *at)
-{
-    double *history[DEM_HISTORY_COLUMNS];
-    struct dem_contact_batch *const b = &t->batch;
-    const struct dem_fused_constants constants =
-        dem_fused_kernel_constants(effects, p->limits.overlap);
-
-    find_history(&p->contacts, &effects->entry[DEM_FUSED_FRICTION], at->row, history);
-    dem_contact_batch_gather(t, p, effects, at->row, at->rows);
-
-    if (dem_fused_kernel_run(&constants, b, &t->gathered, history, at->to))
-    {
-        dem_limits_check_record(p, t, at->row, at->rows);
-    }
-}
-
-/* A batch of any class: gather, apply the effects one after the other, store the forces. */
+/* A batch: gather, apply the effects, store the forces. */
 static int sweep_batch(struct dem_state *p, struct dem_contact_workspace *t,
                        const struct dem_effect_list *effects, const struct rows *at)
 {
@@ -304,8 +326,6 @@ static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int
 {
     const struct dem_effect_list *const effects = &p->interaction_table.list[class];
     const struct dem_segment *const seg = &p->contacts.rows.segment[class];
-    const int fused =
-        dem_fused_kernel_applies(effects) && !p->energy_balance->open && !p->contacts.forces.moment;
     const int buffered = bodies && bodies->unobserved && !effects->pair.with_wall &&
                          dem_contact_forces_use_buffer(&p->contacts.forces);
     size_t deferred = 0;    /* deferred rows that are before this class or copied */
@@ -325,14 +345,7 @@ static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int
                                 .to = dem_force_buffer_slot(&p->contacts, seg->first + done,
                                                             buffered)};
 
-        if (fused)
-        {
-            sweep_fused(p, t, effects, &at);
-        }
-        else
-        {
-            DEM_TRY(sweep_batch(p, t, effects, &at));
-        }
+        DEM_TRY(sweep_batch(p, t, effects, &at));
         deferred = buffered ? dem_force_buffer_copy_deferred(&p->contacts, deferred,
                                                              at.row + (uint32_t)rows)
                             : 0;

@@ -226,32 +226,29 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 
 /* ---- before the contact laws --------------------------------------------------------------------------------- */
 
-DEM_KERNEL
-static void shield(const void *of, struct dem_contact_batch *restrict b, double *const *history)
+DEM_MATH void shield_row(const struct bond *bond, struct dem_contact_row *r, double *values)
 {
-    const struct bond *bond = of;
-    const double replaces = bond->contact == REPLACED ? 1.0 : 0.0;
+    const double replaces = dem_select(bond->contact == REPLACED, 1.0, 0.0);
     /* a pair that never bonds again must not keep a history: it would depend on how long the
        pair has been in the list */
-    const double parted = bond->make == ALWAYS ? PARTED : 0.0;
-    double *restrict length = history[LENGTH], *restrict worn = history[WORN];
+    const double parted = dem_select(bond->make == ALWAYS, PARTED, 0.0);
+    const double length = values[LENGTH], worn = values[WORN];
 
-    for (int c = 0; c < b->n; c++)
-    {
-        /* a bonded pair keeps its overlap (needed by hand_over), but not the history of its
-           contact */
-        const double replaced = dem_select(length[c] > 0.0, replaces, 0.0);
-        const double less = dem_select(worn[c] < b->overlap[c], worn[c], b->overlap[c]),
-                       left = b->overlap[c] - less;
+    /* a bonded pair keeps its overlap (needed by hand_over), but not the history of its contact */
+    const double replaced = dem_select(length > 0.0, replaces, 0.0);
+    const double less = dem_select(worn < r->overlap, worn, r->overlap), left = r->overlap - less;
 
-        /* after a bond has broken, surfaces do not adhere before they have separated */
-        length[c] = dem_select((length[c] == BROKEN) & (b->overlap[c] == 0.0), parted, length[c]);
-        b->bond_replaces[c] = dem_select(length[c] == BROKEN, replaces, replaced);
-        worn[c] = less;
-        b->overlap[c] = left;
-        b->touching[c] = (1.0 - replaced)*dem_select(left > 0.0, b->touching[c], 0.0);
-    }
+    /* after a bond has broken, surfaces do not adhere before they have separated */
+    const double now = dem_select((length == BROKEN) & (r->overlap == 0.0), parted, length);
+
+    r->bond_replaces = dem_select(now == BROKEN, replaces, replaced);
+    r->overlap = left;
+    r->touching = (1.0 - replaced)*dem_select(left > 0.0, r->touching, 0.0);
+    values[LENGTH] = now;
+    values[WORN] = less;
 }
+
+DEM_CONTACT_LOOP(shield, bond, shield_row, WORN + 1, bond_replaces, overlap, touching)
 
 /* ---- making -------------------------------------------------------------------------------------------------- */
 
@@ -338,17 +335,17 @@ DEM_MATH double breaks(const struct bond *bond, double rb, const double force[4]
 
 /* One bond: increments of the springs, relaxation, breaking criteria, forces. In rows without a
    bond all terms are zero. */
-DEM_MATH void hold(const struct bond *bond, struct dem_contact_batch *b, double *const *r, int c,
-                   double decay)
+DEM_MATH void row(const struct bond *bond, struct dem_contact_row *r, double *values)
 {
-    const double dt = b->dt, holds = dem_select(r[LENGTH][c] > 0.0, 1.0, 0.0);
-    const double rb = holds*bond->radius*b->min_radius[c], A = 3.14159265358979324*rb*rb,
+    const double decay = dem_exp(-bond->relaxation*r->dt);
+    const double dt = r->dt, holds = dem_select(values[LENGTH] > 0.0, 1.0, 0.0);
+    const double rb = holds*bond->radius*r->min_radius, A = 3.14159265358979324*rb*rb,
                    J = 0.5*A*rb*rb;
     const double kn = bond->normal_stiffness*A, kt = bond->shear_stiffness*A;
     const double kw = bond->shear_stiffness*J, kb = 0.5*bond->normal_stiffness*J;
-    const struct dem_bond_springs l = dem_bond_springs(b, r, c);
+    const struct dem_bond_springs l = dem_bond_springs(r, values);
     const struct dem_history_vector n = l.n, slip = l.slip, turn = l.turn, u = l.u, bend = l.bend;
-    const double spin = l.spin, twist = l.twist, squeezed = l.squeezed, vn = b->distance_rate[c];
+    const double spin = l.spin, twist = l.twist, squeezed = l.squeezed, vn = r->distance_rate;
     const double energy = 0.5*(kn*squeezed*squeezed + kt*dem_rotate_dot(u, u) +
                                    kw*twist*twist + kb*dem_rotate_dot(bend, bend));
 
@@ -356,15 +353,15 @@ DEM_MATH void hold(const struct bond *bond, struct dem_contact_batch *b, double 
     const double size[4] = {decay*kn*squeezed, decay*kt*sqrt(dem_rotate_dot(u, u)),
                               decay*kw*fabs(twist),
                               decay*kb*sqrt(dem_rotate_dot(bend, bend))};
-    const double width = b->distance[c] - b->gap[c];
+    const double width = r->distance - r->gap;
     const double stressed = breaks(bond, rb, size, -squeezed),
-                   too_far = dem_select(b->distance[c] >= bond->break_distance*width, 3.0, 0.0);
+                   too_far = dem_select(r->distance >= bond->break_distance*width, 3.0, 0.0);
     const double cause = dem_select(stressed > 0.0, stressed, too_far);
     const double on = dem_select(cause > 0.0, 0.0, holds), left = on*decay;
 
     /* damping dissipates kinetic energy, relaxation and breaking elastic energy */
-    const double m = b->reduced_mass[c],
-                   I = bond->inertia*m*b->reduced_radius[c]*b->reduced_radius[c];
+    const double m = r->reduced_mass,
+                   I = bond->inertia*m*r->reduced_radius*r->reduced_radius;
     const double cn = on*damper(bond, 0, kn, fabs(size[0]), fabs(vn), m, dt);
     const double ct =
         on*damper(bond, 1, kt, size[1], sqrt(dem_rotate_dot(slip, slip)), m*(2.0/7.0), dt);
@@ -374,32 +371,34 @@ DEM_MATH void hold(const struct bond *bond, struct dem_contact_batch *b, double 
                                  cb*dem_rotate_dot(turn, turn));
     const double other = dem_select(holds > 0.0, bond->contact == REPLACED ? 0.0 : 1.0, 1.0);
 
-    b->fn[c] = other*b->fn[c] + on*size[0] - cn*vn;
-    b->fx[c] = other*b->fx[c] - left*kt*u.x - ct*slip.x;
-    b->fy[c] = other*b->fy[c] - left*kt*u.y - ct*slip.y;
-    b->fz[c] = other*b->fz[c] - left*kt*u.z - ct*slip.z;
+    r->fn = other*r->fn + on*size[0] - cn*vn;
+    r->fx = other*r->fx - left*kt*u.x - ct*slip.x;
+    r->fy = other*r->fy - left*kt*u.y - ct*slip.y;
+    r->fz = other*r->fz - left*kt*u.z - ct*slip.z;
     const double twist_moment = -left*kw*twist - cw*spin;
 
-    b->mx[c] = other*b->mx[c] + twist_moment*n.x - left*kb*bend.x - cb*turn.x;
-    b->my[c] = other*b->my[c] + twist_moment*n.y - left*kb*bend.y - cb*turn.y;
-    b->mz[c] = other*b->mz[c] + twist_moment*n.z - left*kb*bend.z - cb*turn.z;
-    b->stored[c] += on*decay*decay*energy;
-    b->lost[c] += holds*energy - on*decay*decay*energy + taken;
-    b->bonds[c] += on;
-    b->broke[c] += holds - on;
-    b->cause[c] = cause;
+    r->mx = other*r->mx + twist_moment*n.x - left*kb*bend.x - cb*turn.x;
+    r->my = other*r->my + twist_moment*n.y - left*kb*bend.y - cb*turn.y;
+    r->mz = other*r->mz + twist_moment*n.z - left*kb*bend.z - cb*turn.z;
+    r->stored += on*decay*decay*energy;
+    r->lost += holds*energy - on*decay*decay*energy + taken;
+    r->bonds += on;
+    r->broke += holds - on;
+    r->cause = cause;
 
-    r[SHEAR][c] = left*u.x;
-    r[SHEAR + 1][c] = left*u.y;
-    r[SHEAR + 2][c] = left*u.z;
-    r[TWIST][c] = left*twist;
-    r[BEND][c] = left*bend.x;
-    r[BEND + 1][c] = left*bend.y;
-    r[BEND + 2][c] = left*bend.z;
+    values[SHEAR] = left*u.x;
+    values[SHEAR + 1] = left*u.y;
+    values[SHEAR + 2] = left*u.z;
+    values[TWIST] = left*twist;
+    values[BEND] = left*bend.x;
+    values[BEND + 1] = left*bend.y;
+    values[BEND + 2] = left*bend.z;
     /* of a broken bond WORN is, until hand_over, its normal force */
-    r[LENGTH][c] = dem_select(holds > on, BROKEN, r[LENGTH][c] + on*(decay - 1.0)*squeezed);
-    r[WORN][c] = dem_select(holds > on, size[0], r[WORN][c]);
+    values[LENGTH] = dem_select(holds > on, BROKEN, values[LENGTH] + on*(decay - 1.0)*squeezed);
+    values[WORN] = dem_select(holds > on, size[0], values[WORN]);
 }
+
+DEM_CONTACT_LOOP(hold, bond, row, ASKED, fn, fx, fy, fz, mx, my, mz, stored, lost, bonds, broke, cause)
 
 /* ---- breaking ------------------------------------------------------------------------------------------------ */
 
@@ -428,21 +427,15 @@ static void hand_over(const struct bond *bond, struct dem_contact_batch *b, doub
     }
 }
 
-DEM_KERNEL
-static double hold_all(const struct bond *bond, struct dem_contact_batch *b,
-                         double *const *history, double decay)
+static int any_broke(const struct dem_contact_batch *b)
 {
     double broken = 0.0;
 
     for (int c = 0; c < b->n; c++)
     {
-        hold(bond, b, history, c, decay);
-    }
-    for (int c = 0; c < b->n; c++)
-    {
         broken += b->broke[c];
     }
-    return broken;
+    return broken > 0.0;
 }
 
 static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
@@ -450,7 +443,8 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, double *
     const struct bond *bond = of;
 
     make(bond, b, history);
-    if (hold_all(bond, b, history, dem_exp(-bond->relaxation*b->dt)) > 0.0)
+    hold(of, b, history);
+    if (any_broke(b))
     {
         hand_over(bond, b, history[WORN]);
     }
@@ -467,7 +461,11 @@ static double unspent(const struct bond *bond, const struct dem_contact_batch *b
 {
     const double rb = bond->radius*b->min_radius[c], A = 3.14159265358979324*rb*rb,
                    J = 0.5*A*rb*rb;
-    const struct dem_bond_springs l = dem_bond_springs(b, before, c);
+    const struct dem_contact_row r = dem_contact_row_load(b, c, dem_contact_batch_inverse_dt(b));
+    double values[DEM_LAW_HISTORY];
+
+    dem_history_load(before, BOND_HISTORY, c, values);
+    const struct dem_bond_springs l = dem_bond_springs(&r, values);
     const double slid = dem_rotate_dot(l.u, dem_rotate_about_normal(l.slip, l.n, l.q)),
                    bent = dem_rotate_dot(l.bend, dem_rotate_about_normal(l.turn, l.n, l.q));
 

@@ -6,7 +6,7 @@
 #ifndef DEM_EFFECTS_BOND_SPRINGS_H
 #define DEM_EFFECTS_BOND_SPRINGS_H
 
-#include "effects/batch.h"
+#include "effects/row.h"
 #include "effects/rotate.h"
 
 /* history columns of a bond; see `history_names` in bond_linear.c */
@@ -19,7 +19,8 @@ enum
     SHEAR,
     TWIST = SHEAR + 3,
     BEND,
-    ASKED = BEND + 3                                      /* 1    1: the scene lists this pair */
+    ASKED = BEND + 3,                                     /* 1    1: the scene lists this pair */
+    BOND_HISTORY
 };
 
 /* springs of a bond in the new frame, and their velocities */
@@ -29,15 +30,13 @@ struct dem_bond_springs
     double q, spin, twist, squeezed;
 };
 
-/* r: history columns after the last step; row c */
-DEM_MATH struct dem_bond_springs dem_bond_springs(const struct dem_contact_batch *b,
-                                                  double *const *r, int c)
+/* values: history after the last step */
+DEM_MATH struct dem_bond_springs dem_bond_springs(const struct dem_contact_row *r,
+                                                  const double *values)
 {
-    const struct dem_history_vector n = {b->nx[c], b->ny[c], b->nz[c]},
-                                    h = {b->hx[c], b->hy[c], b->hz[c]};
-    const struct dem_history_vector s = {b->sx[c], b->sy[c], b->sz[c]},
-                                    w = {b->wx[c], b->wy[c], b->wz[c]};
-    const double dt = b->dt, q = 0.25*dt*b->normal_spin[c], spin = dem_rotate_dot(h, w);
+    const struct dem_history_vector n = {r->nx, r->ny, r->nz}, h = {r->hx, r->hy, r->hz};
+    const struct dem_history_vector s = {r->sx, r->sy, r->sz}, w = {r->wx, r->wy, r->wz};
+    const double dt = r->dt, q = 0.25*dt*r->normal_spin, spin = dem_rotate_dot(h, w);
     const struct dem_history_vector slip = dem_rotate_to_plane(s, h, n);
     const struct dem_history_vector turn =
         dem_rotate_to_plane(dem_rotate_add(w, -spin, h), h, n);
@@ -50,14 +49,14 @@ DEM_MATH struct dem_bond_springs dem_bond_springs(const struct dem_contact_batch
         .turn = turn,
         .q = q,
         .spin = spin,
-        .twist = r[TWIST][c] + dt*spin,
-        .u = dem_rotate_history((struct dem_history_vector){r[SHEAR][c], r[SHEAR + 1][c],
-                                                            r[SHEAR + 2][c]},
+        .twist = values[TWIST] + dt*spin,
+        .u = dem_rotate_history((struct dem_history_vector){values[SHEAR], values[SHEAR + 1],
+                                                            values[SHEAR + 2]},
                                 slid, h, n, q),
-        .bend = dem_rotate_history((struct dem_history_vector){r[BEND][c], r[BEND + 1][c],
-                                                               r[BEND + 2][c]},
+        .bend = dem_rotate_history((struct dem_history_vector){values[BEND], values[BEND + 1],
+                                                               values[BEND + 2]},
                                    bent, h, n, q),
-        .squeezed = r[LENGTH][c] - b->distance[c]};
+        .squeezed = values[LENGTH] - r->distance};
 }
 
 #endif

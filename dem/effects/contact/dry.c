@@ -48,29 +48,13 @@ static int prepare(void *of, const struct dem_pair_class *pair)
         pair->exponent > 0.0, DEM_ERROR_INPUT,
         "dry between %s and %s: there is no normal law to damp; add one to the effects, hertz for example",
         pair->a->name, pair->b->name);
+    dry->min_force = dem_attraction_min_force(dry->attraction);
     dry->alpha =
         dem_restitution_critical(pair->exponent)*(loss/sqrt(DEM_RESTITUTION_PI2 + loss*loss));
     return DEM_OK;
 }
 
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const struct dem_dry *dry = of;
-    const double alpha = dry->alpha;
-    const double min_force = dem_attraction_min_force(dry->attraction);
-
-    (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        struct dem_contact_row r = dem_contact_row_load(b, c);
-
-        dem_dry_row(alpha, min_force, &r);
-        b->eta[c] = r.eta;
-        b->fn[c] = r.fn;
-        b->adhesive_force[c] = r.adhesive_force;
-    }
-}
+DEM_CONTACT_LOOP(apply, dem_dry, dem_dry_row, dem_dry_columns, eta, fn, adhesive_force)
 
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)

@@ -1,5 +1,5 @@
 /*
- * dry.h -- the law of dry.c for one contact row.
+ * dry.h -- the law of dry.c on one row.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -7,25 +7,23 @@
 #define DEM_EFFECTS_DRY_H
 
 #include "effects/contact/restitution.h"
-#include "effects/row.h"
-#include <math.h>
 
 struct dem_dry
 {
     double restitution;
     int attraction;
-    double alpha;                                         /* 1    derived */
+    double alpha, min_force;    /* 1, N  derived */
 };
 
-/* min_force: of dem_attraction_min_force */
-static inline __attribute__((always_inline)) void dem_dry_row(double alpha, double min_force,
-                            struct dem_contact_row *r)
+enum
 {
-    const double eta = alpha*sqrt(r->reduced_mass*r->kn);
+    dem_dry_columns = 0
+};
 
-    r->eta = eta;
-    r->fn = dem_attraction(r->fn, eta*r->vn, min_force);
-    r->adhesive_force = dem_attraction_adhesion(r->adhesive_force, min_force);
+DEM_MATH void dem_dry_row(const struct dem_dry *l, struct dem_contact_row *r, double *history)
+{
+    (void)history;
+    dem_dashpot_row(r, l->alpha*sqrt(r->reduced_mass*r->kn), l->min_force);
 }
 
 #endif

@@ -92,21 +92,7 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
     return wave;
 }
 
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const double modulus = ((const struct dem_hertz *)of)->modulus;
-
-    (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        struct dem_contact_row r = dem_contact_row_load(b, c);
-
-        dem_hertz_row(modulus, &r);
-        b->kn[c] = r.kn;
-        b->fn[c] = r.fn;
-    }
-}
+DEM_CONTACT_LOOP(apply, dem_hertz, dem_hertz_row, dem_hertz_columns, kn, fn)
 
 /* elastic energy, 2/5 F_n d */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,

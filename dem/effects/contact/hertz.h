@@ -1,5 +1,5 @@
 /*
- * hertz.h -- the law of hertz.c for one contact row.
+ * hertz.h -- the law of hertz.c on one row.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -17,13 +17,18 @@ struct dem_hertz
     double modulus;  /* Pa   4/3 E* or the stiffness, derived */
 };
 
-static inline __attribute__((always_inline)) void dem_hertz_row(double modulus,
-                            struct dem_contact_row *r)
+enum
 {
-    const double kn = modulus*sqrt(r->reduced_radius*r->overlap);
+    dem_hertz_columns = 0
+};
 
-    r->kn = kn;
-    r->fn += kn*r->overlap;
+#define dem_hertz_before DEM_NOTHING_BEFORE
+
+DEM_MATH void dem_hertz_row(const struct dem_hertz *l, struct dem_contact_row *r, double *history)
+{
+    (void)history;
+    r->kn = l->modulus*sqrt(r->reduced_radius*r->overlap);
+    r->fn += r->kn*r->overlap;
 }
 
 #endif

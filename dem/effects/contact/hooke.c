@@ -21,18 +21,12 @@
  */
 #include "effects/effect.h"
 
-#include "effects/contact/impact_speed.h"
-
-struct hooke
-{
-    double stiffness, impact_speed;
-    struct dem_impact_spring spring;                      /* derived */
-};
+#include "effects/contact/hooke.h"
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(hooke, stiffness, "N/m", 0.0, 0.0, INFINITY,
+    DEM_SETTING(dem_hooke, stiffness, "N/m", 0.0, 0.0, INFINITY,
                 "force per overlap; 0: from the materials and impactSpeed"),
-    DEM_SETTING_AS(hooke, impact_speed, "impactSpeed", "m/s", 1.0, DEM_ABOVE_ZERO, INFINITY,
+    DEM_SETTING_AS(dem_hooke, impact_speed, "impactSpeed", "m/s", 1.0, DEM_ABOVE_ZERO, INFINITY,
                    "without stiffness: k such that an impact at this speed has the largest overlap "
                    "of hertz"),
     {0},
@@ -40,7 +34,7 @@ static const struct dem_setting settings[] = {
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct hooke *hooke = of;
+    struct dem_hooke *hooke = of;
 
     hooke->spring =
         (struct dem_impact_spring){.stiffness = hooke->stiffness, .speed = hooke->impact_speed};
@@ -49,24 +43,15 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
 {
-    return dem_impact_time_limit(&((const struct hooke *)of)->spring, 1.0, pair, why);
+    return dem_impact_time_limit(&((const struct dem_hooke *)of)->spring, 1.0, pair, why);
 }
 
 static double contact_time(const void *of, const struct dem_pair_class *pair)
 {
-    return dem_impact_contact_time(&((const struct hooke *)of)->spring, 1.0, pair);
+    return dem_impact_contact_time(&((const struct dem_hooke *)of)->spring, 1.0, pair);
 }
 
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    (void)history;
-    dem_impact_stiffness(&((const struct hooke *)of)->spring, b);
-    for (int c = 0; c < b->n; c++)
-    {
-        b->fn[c] += b->kn[c]*b->overlap[c];
-    }
-}
+DEM_CONTACT_LOOP_AFTER(dem_hooke_before, apply, dem_hooke, dem_hooke_row, dem_hooke_columns, fn)
 
 /* elastic energy, 1/2 F_n d; k is zero where the bodies are apart */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
@@ -86,7 +71,7 @@ const struct dem_effect dem_hooke = {
     .source = "Cundall and Strack 1979",
     .stage = DEM_STAGE_NORMAL,
     .exponent = 1.0,
-    .size = sizeof(struct hooke),
+    .size = sizeof(struct dem_hooke),
     .settings = settings,
     .prepare = prepare,
     .time_limit = time_limit,

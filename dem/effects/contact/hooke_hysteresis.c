@@ -45,30 +45,21 @@
  */
 #include "effects/effect.h"
 
-#include "effects/contact/impact_speed.h"
-
-struct hysteresis
-{
-    double stiffness, impact_speed;
-    double unloading, adhesion, depth;
-    struct dem_impact_spring spring;  /* derived */
-    double limit;                     /* 1    d_lim over R*, derived */
-    double stiffer;                   /* 1    (k_m - k)/k, derived; 0: a linear spring */
-};
+#include "effects/contact/hooke_hysteresis.h"
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(hysteresis, stiffness, "N/m", 0.0, 0.0, INFINITY,
+    DEM_SETTING(dem_hooke_hysteresis, stiffness, "N/m", 0.0, 0.0, INFINITY,
                 "k: force per overlap of first loading; 0: from the materials "
                 "and impactSpeed"),
     DEM_SETTING_AS(
-        hysteresis, impact_speed, "impactSpeed", "m/s", 1.0, DEM_ABOVE_ZERO, INFINITY,
+        dem_hooke_hysteresis, impact_speed, "impactSpeed", "m/s", 1.0, DEM_ABOVE_ZERO, INFINITY,
         "without stiffness: k such that first loading in an impact at this speed has the "
         "largest overlap of hertz"),
-    DEM_SETTING(hysteresis, unloading, "1", DEM_SETTING_REQUIRED, 1.0, 1e6,
+    DEM_SETTING(dem_hooke_hysteresis, unloading, "1", DEM_SETTING_REQUIRED, 1.0, 1e6,
                 "k_m/k: largest stiffness of unloading over that of loading; 1: no hysteresis"),
-    DEM_SETTING(hysteresis, adhesion, "1", 0.0, 0.0, 1e6,
+    DEM_SETTING(dem_hooke_hysteresis, adhesion, "1", 0.0, 0.0, 1e6,
                 "k_c/k: stiffness of the adhesive branch over that of loading; 0: no adhesion"),
-    DEM_SETTING_AS(hysteresis, depth, "plasticDepth", "1", 0.05, 0.0, 1.0,
+    DEM_SETTING_AS(dem_hooke_hysteresis, depth, "plasticDepth", "1", 0.05, 0.0, 1.0,
                    "phi: overlap over 2 R* at which yielding ends"),
     {0},
 };
@@ -77,7 +68,7 @@ static const char *const history_names[] = {"largest_overlap", NULL};
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct hysteresis *h = of;
+    struct dem_hooke_hysteresis *h = of;
     const int plain = h->unloading <= 1.0 + 1e-12;        /* k_m/(k_m - k) is infinite */
 
     h->spring = (struct dem_impact_spring){.stiffness = h->stiffness, .speed = h->impact_speed};
@@ -88,7 +79,7 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
 {
-    const struct hysteresis *h = of;
+    const struct dem_hooke_hysteresis *h = of;
 
     return dem_impact_time_limit(&h->spring, h->unloading, pair, why);
 }
@@ -96,38 +87,11 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 /* of first loading; unloading is faster */
 static double contact_time(const void *of, const struct dem_pair_class *pair)
 {
-    return dem_impact_contact_time(&((const struct hysteresis *)of)->spring, 1.0, pair);
+    return dem_impact_contact_time(&((const struct dem_hooke_hysteresis *)of)->spring, 1.0, pair);
 }
 
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const struct hysteresis *h = of;
-    const double limit = h->limit, stiffer = h->stiffer, adhesion = h->adhesion;
-    const double slope = 4.0*(1.0 + adhesion)/dem_select(stiffer > 0.0, stiffer, 1.0);
-    double *restrict largest = history[0];
-
-    dem_impact_stiffness(&h->spring, b);
-    for (int c = 0; c < b->n; c++)
-    {
-        const double k = b->kn[c], d = b->overlap[c], d_lim = limit*b->reduced_radius[c];
-        const double max_overlap = dem_select(largest[c] > d, largest[c], d);
-        const int beyond_limit = max_overlap >= d_lim;
-        const double reference = dem_select(beyond_limit, d_lim, max_overlap);
-        const double k_2 =
-            k*(1.0 + stiffer*dem_select(beyond_limit, 1.0,
-                                            max_overlap/dem_select(d_lim > 0.0, d_lim, 1.0)));
-
-        /* the unloading line, between first loading and the adhesive branch */
-        const double line = k_2*(d - reference) + k*reference, load = k*d, stick = -adhesion*k*d;
-        const double upper = dem_select(beyond_limit | (line < load), line, load);
-        const int adheres = upper < stick;
-
-        largest[c] = dem_select(adheres, 0.5*(d + sqrt(d*d + slope*d_lim*d)), max_overlap);
-        b->fn[c] += dem_select(adheres, stick, upper);
-        b->adhesive_force[c] = -stick;
-    }
-}
+DEM_CONTACT_LOOP_AFTER(dem_hooke_hysteresis_before, apply, dem_hooke_hysteresis,
+                       dem_hooke_hysteresis_row, dem_hooke_hysteresis_columns, fn, adhesive_force)
 
 /* ---- energy ---------------------------------------------------------------------------------------------- */
 
@@ -141,7 +105,7 @@ struct unloading_line
 
 /* First loading to d_max takes d_max^2/2, of which unloading returns d_max^2/2 k/k_2; beyond d_lim
    nothing yields. */
-static struct unloading_line unloading_line(const struct hysteresis *h, double max_overlap,
+static struct unloading_line unloading_line(const struct dem_hooke_hysteresis *h, double max_overlap,
                                             double d_lim)
 {
     const double reference = dem_select(max_overlap < d_lim, max_overlap, d_lim);
@@ -166,7 +130,7 @@ static double elastic(struct unloading_line y, double d)
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)
 {
-    const struct hysteresis *h = of;
+    const struct dem_hooke_hysteresis *h = of;
 
     for (int c = 0; c < b->n; c++)
     {
@@ -189,7 +153,7 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
 
 /* 1: k_2/k after the first impact, whose overlap follows from k d^2/2 = m v^2/2, or is that of
    hertz */
-static double first_unloading(const struct hysteresis *h, const struct dem_regime *g)
+static double first_unloading(const struct dem_hooke_hysteresis *h, const struct dem_regime *g)
 {
     const double limit = h->unloading > 1.0 ? h->unloading/(h->unloading - 1.0)*2.0*h->depth : 0.0;
     const double d =
@@ -234,7 +198,7 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
  *
  * v_lim = d_lim sqrt(k/m); the partners stick where e^2 < 0.
  */
-static double rebound(const struct hysteresis *h, double k, double m, double d_lim)
+static double rebound(const struct dem_hooke_hysteresis *h, double k, double m, double d_lim)
 {
     const double km = k*h->unloading, kc = k*h->adhesion, v = h->impact_speed;
     const double d = v*sqrt(m/k);
@@ -255,7 +219,7 @@ static double rebound(const struct hysteresis *h, double k, double m, double d_l
 static void describe_pair(const void *of, const struct dem_pair_class *pair, char *line,
                           size_t size)
 {
-    const struct hysteresis *h = of;
+    const struct dem_hooke_hysteresis *h = of;
     const double m = pair->min_mass, R = pair->min_radius,
                  k = h->spring.scale > 0.0 ? h->spring.scale*pow(R*R*m, 0.2) : h->stiffness,
                  d_lim = h->limit*R, kept = rebound(h, k, m, d_lim);
@@ -271,7 +235,7 @@ static void describe_pair(const void *of, const struct dem_pair_class *pair, cha
 
 static int adhesive(const void *of)
 {
-    return ((const struct hysteresis *)of)->adhesion > 0.0;
+    return ((const struct dem_hooke_hysteresis *)of)->adhesion > 0.0;
 }
 
 const struct dem_effect dem_hooke_hysteresis = {
@@ -283,7 +247,7 @@ const struct dem_effect dem_hooke_hysteresis = {
     .stage = DEM_STAGE_NORMAL,
     .exponent = 1.0,
     .example = "unloading 5; adhesion 0.1;",
-    .size = sizeof(struct hysteresis),
+    .size = sizeof(struct dem_hooke_hysteresis),
     .settings = settings,
     .history = history_names,
     .prepare = prepare,

@@ -37,19 +37,13 @@
  */
 #include "effects/effect.h"
 
-#include "core/math.h"
+#include "effects/contact/jkr.h"
 #include <stdio.h>
-
-struct jkr
-{
-    double work;
-    double scale;  /* m    pi w/(8 E*): a_t^3 = this R*^2; derived */
-};
 
 static const double pi = 3.14159265358979324;
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING_AS(jkr, work, "workOfAdhesion", "J/m2", DEM_SETTING_REQUIRED, 0.0, INFINITY,
+    DEM_SETTING_AS(dem_jkr, work, "workOfAdhesion", "J/m2", DEM_SETTING_REQUIRED, 0.0, INFINITY,
                  "w, of both surfaces together: twice the surface energy of two equal ones; "
                  "pull-off force 3/2 pi w R*"),
     {0},
@@ -59,7 +53,7 @@ static const char *const history_names[] = {"jkr_holds", NULL};
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct jkr *jkr = of;
+    struct dem_jkr *jkr = of;
 
     DEM_REQUIRE(pair->exponent == 1.5, DEM_ERROR_INPUT,
                 "jkr between %s and %s needs hertz, which it replaces; add hertz to "
@@ -70,7 +64,7 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 }
 
 /* m: a_t for a reduced radius R */
-static double tear_off_radius(const struct jkr *jkr, double R)
+static double tear_off_radius(const struct dem_jkr *jkr, double R)
 {
     return dem_pow(jkr->scale*R*R, 1.0/3.0);
 }
@@ -93,67 +87,9 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
     return stiffness > 0.0 ? 0.05*pi*sqrt(pair->min_mass/stiffness) : DBL_MAX;
 }
 
-/* Scratch column: x of each adhering row, or 0. Adhesive force: set before friction is
-   evaluated. */
-DEM_KERNEL
-static void adhere(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const struct jkr *jkr = of;
-    const double scale = jkr->scale, third = 1.0/3.0, pull = jkr->work*pi;
-    const double *restrict adheres = history[0];
+DEM_CONTACT_LOOP(set_adhesion, dem_jkr, dem_jkr_adhesion_row, dem_jkr_columns, scratch, adhesive_force)
 
-    for (int c = 0; c < b->n; c++)
-    {
-        const double R = b->reduced_radius[c], a = dem_pow(scale*R*R, third),
-                       length = a*a/dem_select(R > 0.0, R, 1.0);
-        const double raw = -b->gap[c]/dem_select(length > 0.0, length, 1.0),
-                       D = dem_select(raw > -3.0, raw, -3.0);
-
-        /* adhesion begins at contact and ends with the tail */
-        const double still = dem_select(raw > -3.0, adheres[c], 0.0),
-                       bare = dem_select(b->bond_replaces[c] > 0.0, 0.0, 1.0);
-        const double now =
-            dem_select(b->touching[c] > 0.0, 1.0, still)*dem_select(length > 0.0, bare, 0.0);
-
-        const double B = D*(4.0/3.0), radicand = 64.0 + B*B*B,
-                       A = dem_pow(8.0 + sqrt(dem_select(radicand > 0.0, radicand, 0.0)), third);
-        const double s = 16.0/(A*A + B + B*B/(A*A)), p = sqrt(s), discriminant = 8.0/p - s;
-        const double x = 0.5*(p + sqrt(dem_select(discriminant > 0.0, discriminant, 0.0))),
-                       x3 = x*x*x;
-
-        b->scratch[c] = now*x;
-        b->adhesive_force[c] = now*(pull*R*(x3/6.0*(x3 - 6.0) + 3.0) - b->kn[c]*b->overlap[c]);
-    }
-}
-
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const struct jkr *jkr = of;
-    const double scale = jkr->scale, third = 1.0/3.0, pull = jkr->work*pi;
-    double *restrict adheres = history[0];
-
-    for (int c = 0; c < b->n; c++)
-    {
-        /* a bond may have been made after `set_adhesion` */
-        const double bare = dem_select(b->bond_replaces[c] > 0.0, 0.0, 1.0), before = adheres[c],
-                       now = dem_select(b->scratch[c] > 0.0, bare, 0.0);
-        const double R = b->reduced_radius[c], a = dem_pow(scale*R*R, third),
-                       x = b->scratch[c], x3 = x*x*x, x4 = x3*x;
-        const double hertz = b->kn[c]*b->overlap[c];
-
-        /* the unit of energy, E a_t^5/R^2 with reduced quantities, is (pi w/8) a_t^2 */
-        const double energy = pull/8.0*a*a*x4*(8.0 + x3*(x3*(8.0/15.0) - 16.0/3.0));
-        /* x = 1; x^3 = 4: 4.8 x^4 */
-        const double pull_off = pull/8.0*a*a*3.2, snap_in = pull/8.0*a*a*30.4780;
-        const double left = dem_select(bare > 0.0, pull_off, energy - 0.4*hertz*b->overlap[c]);
-
-        b->fn[c] += now*(pull*R/6.0*x3*(x3 - 6.0) - hertz);
-        b->stored[c] += now*energy;
-        b->lost[c] += dem_select(now > before, snap_in, dem_select(now < before, left, 0.0));
-        adheres[c] = now;
-    }
-}
+DEM_CONTACT_LOOP(apply, dem_jkr, dem_jkr_row, dem_jkr_columns, fn, stored, lost)
 
 /* act has stored the energy of the whole law; 2/5 F_n d of it is already counted by hertz */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
@@ -183,7 +119,7 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
 
     if (of)
     {
-        const double w = ((const struct jkr *)of)->work, energy = 0.5*g->mass*g->speed*g->speed;
+        const double w = ((const struct dem_jkr *)of)->work, energy = 0.5*g->mass*g->speed*g->speed;
 
         v->fraction = fmax(g->weight > 0.0 ? 1.5*pi*w*g->radius/g->weight : 0.0,
                            energy > 0.0 ? contact_loss(w, g)/energy : 0.0);
@@ -205,7 +141,7 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
    sqrt(2 7.09 (w^5 R*^4/E*^2)^(1/3)/m*) (Thornton and Ning 1998). */
 static int describe(const void *of, const struct dem_regime *g, char *line, size_t size)
 {
-    const double w = ((const struct jkr *)of)->work;
+    const double w = ((const struct dem_jkr *)of)->work;
 
     snprintf(
         line, size,
@@ -228,13 +164,13 @@ const struct dem_effect dem_jkr = {
     .stage = DEM_STAGE_FILM,
     .excludes = "sjkr",
     .example = "workOfAdhesion 1e-3;",
-    .size = sizeof(struct jkr),
+    .size = sizeof(struct dem_jkr),
     .settings = settings,
     .history = history_names,
     .prepare = prepare,
     .reach = reach,
     .time_limit = time_limit,
-    .set_adhesion = adhere,
+    .set_adhesion = set_adhesion,
     .apply = apply,
     .energy = energy,
     .relevance = relevance,

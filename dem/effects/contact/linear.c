@@ -29,21 +29,15 @@
  */
 #include "effects/effect.h"
 
-#include "effects/contact/friction.h"
-
-struct linear
-{
-    struct dem_friction_settings common;
-    double stiffness, ratio;
-};
+#include "effects/contact/linear.h"
 
 static const struct dem_setting settings[] = {
-    DEM_FRICTION_SETTING(linear),
-    DEM_SETTING(linear, stiffness, "N/m", 0.0, 0.0, INFINITY,
+    DEM_FRICTION_SETTING(dem_linear),
+    DEM_SETTING(dem_linear, stiffness, "N/m", 0.0, 0.0, INFINITY,
               "k_t; 0: ratio times k_n of the normal law"),
-    DEM_SETTING(linear, ratio, "1", 2.0/7.0, 0.0, 2.0,
+    DEM_SETTING(dem_linear, ratio, "1", 2.0/7.0, 0.0, 2.0,
               "without stiffness: k_t over k_n of the normal law"),
-    DEM_FRICTION_SWITCHES(linear),
+    DEM_FRICTION_SWITCHES(dem_linear),
     {0},
 };
 
@@ -51,7 +45,7 @@ static const char *const history_names[] = {"slip_x", "slip_y", "slip_z", NULL};
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct linear *linear = of;
+    struct dem_linear *linear = of;
 
     DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
                 "linear between %s and %s: there is no normal law; add one to the effects, hooke "
@@ -64,49 +58,31 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 /* the tangential oscillation of a sphere in contact has the frequency sqrt(7/2 k_t/m) */
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
 {
-    const double stiffness = ((const struct linear *)of)->stiffness;
+    const double stiffness = ((const struct dem_linear *)of)->stiffness;
 
     *why = "1/20 of half a period of the tangential spring (linear)";
     return stiffness > 0.0 ? 0.05*3.14159265358979324*sqrt(pair->min_mass/(3.5*stiffness))
                            : DBL_MAX;
 }
 
-static inline __attribute__((always_inline)) double
-stiffness(const void *of, const struct dem_contact_row *r)
+static double previous(const void *of, const struct dem_contact_batch *b,
+                       const struct dem_energy *e, int c)
 {
-    const struct linear *const linear = of;
-
-    return linear->stiffness*r->touching + linear->ratio*r->kn;
-}
-
-static inline __attribute__((always_inline)) double
-previous(const void *of, const struct dem_contact_batch *b, const struct dem_energy *e, int c)
-{
-    const struct linear *const linear = of;
+    const struct dem_linear *const linear = of;
 
     (void)b;
     return dem_select(e->previous_overlap[c] > 0.0, linear->stiffness, 0.0)
            + linear->ratio*e->previous_kn[c];
 }
 
-static const struct dem_friction_law law = {stiffness, previous};
-
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const struct linear l = *(const struct linear *)of;
-
-    dem_friction_apply(law, &l, &l.common, b, history);
-}
+DEM_CONTACT_LOOP(apply, dem_linear, dem_linear_row, dem_linear_columns, kt, fx, fy, fz)
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)
 {
-    const struct linear l = *(const struct linear *)of;
-
     (void)history;
-    dem_friction_energy(law, &l, &l.common, b, before, e);
+    dem_friction_energy(previous, of, b, before, e);
 }
 
 const struct dem_effect dem_linear = {
@@ -117,7 +93,7 @@ const struct dem_effect dem_linear = {
     .stage = DEM_STAGE_TANGENT,
     .needs = DEM_NEEDS_NORMAL_SPIN,
     .example = "friction 0.1;",
-    .size = sizeof(struct linear),
+    .size = sizeof(struct dem_linear),
     .settings = settings,
     .history = history_names,
     .clears_history = 1,

@@ -44,7 +44,7 @@
 
 #include "effects/contact/film_loss.h"
 
-#include "core/math.h"
+#include "effects/row.h"
 
 struct lubrication
 {
@@ -107,32 +107,27 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
     return c > 0.0 ? 0.2*pair->min_mass/c : DBL_MAX;
 }
 
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
+DEM_MATH void row(const struct lubrication *l, struct dem_contact_row *r, double *history)
 {
-    const struct lubrication *film = of;
-    const double own = film->viscosity, min_gap = film->roughness, max_gap = film->cut_off,
-                   dt = b->dt, step = b->max_dt;
     /* m  gap below which it does not act */
-    const double lowest = film->contact == RESTS ? 0.0 : -INFINITY;
+    const double lowest = dem_select(l->contact == RESTS, 0.0, -INFINITY);
+    const double min_gap = l->roughness, max_gap = l->cut_off;
+    const double R = r->reduced_radius, m = r->reduced_mass, vn = r->vn;
+    const double mu = dem_select(r->gap > lowest,
+                                 dem_select(l->viscosity > 0.0, l->viscosity, r->viscosity), 0.0);
+    const double h = dem_select(r->gap > min_gap, r->gap, min_gap);
+    const double thin = dem_select(h < max_gap, 1.0/h - 1.0/max_gap, 0.0);
+    const double film = r->is_primary*(six_pi*mu*R*R*thin);
+    const double limit = m/(4.0*r->max_dt);
+    const double damper = dem_select(film < limit, film, limit);
 
     (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double R = b->reduced_radius[c], m = b->reduced_mass[c], vn = b->vn[c];
-        const double mu =
-            dem_select(b->gap[c] > lowest, dem_select(own > 0.0, own, b->viscosity[c]), 0.0);
-        const double h = dem_select(b->gap[c] > min_gap, b->gap[c], min_gap);
-        const double thin = dem_select(h < max_gap, 1.0/h - 1.0/max_gap, 0.0);
-        const double film_c = b->is_primary[c]*(six_pi*mu*R*R*thin);
-        const double limit = m/(4.0*step);
-        const double damper = dem_select(film_c < limit, film_c, limit);
-
-        b->fn[c] -= damper*vn;
-        /* exact for an isolated pair */
-        b->lost[c] += damper*vn*dt*(vn - 0.5*damper*vn*dt/dem_select(m > 0.0, m, 1.0));
-    }
+    r->fn -= damper*vn;
+    /* exact for an isolated pair */
+    r->lost += damper*vn*r->dt*(vn - 0.5*damper*vn*r->dt/dem_select(m > 0.0, m, 1.0));
 }
+
+DEM_CONTACT_LOOP(apply, lubrication, row, 0, fn, lost)
 
 /* judged in use only: where a film is missing, stokes is the simpler law */
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)

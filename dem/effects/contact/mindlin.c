@@ -69,36 +69,21 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     return dem_mindlin_modulus("mindlin", pair, &((struct dem_mindlin *)of)->modulus);
 }
 
-static inline __attribute__((always_inline)) double
-stiffness(const void *of, const struct dem_contact_row *r)
+static double previous(const void *of, const struct dem_contact_batch *b,
+                       const struct dem_energy *e, int c)
 {
-    return dem_mindlin_stiffness(((const struct dem_mindlin *)of)->modulus, r);
+    return ((const struct dem_mindlin *)of)->modulus*
+           sqrt(b->reduced_radius[c]*e->previous_overlap[c]);
 }
 
-static inline __attribute__((always_inline)) double
-previous(const void *of, const struct dem_contact_batch *b, const struct dem_energy *e, int c)
-{
-    return ((const struct dem_mindlin *)of)->modulus*sqrt(b->reduced_radius[c]*e->previous_overlap[c]);
-}
-
-static const struct dem_friction_law law = {stiffness, previous};
-
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const struct dem_mindlin l = *(const struct dem_mindlin *)of;
-
-    dem_friction_apply(law, &l, &l.common, b, history);
-}
+DEM_CONTACT_LOOP(apply, dem_mindlin, dem_mindlin_row, dem_mindlin_columns, kt, fx, fy, fz)
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)
 {
-    const struct dem_mindlin l = *(const struct dem_mindlin *)of;
-
     (void)history;
-    dem_friction_energy(law, &l, &l.common, b, before, e);
+    dem_friction_energy(previous, of, b, before, e);
 }
 
 const struct dem_effect dem_mindlin = {

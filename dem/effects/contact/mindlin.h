@@ -1,5 +1,5 @@
 /*
- * mindlin.h -- the stiffness of mindlin.c for one contact row.
+ * mindlin.h -- the law of mindlin.c on one row.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -15,13 +15,22 @@ struct dem_mindlin
     double modulus;                                       /* Pa   8 G*, derived */
 };
 
+enum
+{
+    dem_mindlin_columns = 3
+};
+
 /* 8 G* of a class [Pa], for the law of this name; an error without a normal law or shear moduli. */
 int dem_mindlin_modulus(const char *law, const struct dem_pair_class *, double *modulus);
 
-static inline __attribute__((always_inline)) double dem_mindlin_stiffness(double modulus,
-                            const struct dem_contact_row *r)
+DEM_MATH double dem_mindlin_stiffness(double modulus, const struct dem_contact_row *r)
 {
     return modulus*sqrt(r->reduced_radius*r->overlap);
+}
+
+DEM_MATH void dem_mindlin_row(const struct dem_mindlin *l, struct dem_contact_row *r, double *xi)
+{
+    dem_friction_row(&l->common, r, dem_mindlin_stiffness(l->modulus, r), xi);
 }
 
 #endif

@@ -52,30 +52,26 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     return dem_mindlin_modulus("mindlinIncremental", pair, &((struct incremental *)of)->modulus);
 }
 
-static inline __attribute__((always_inline)) double
-stiffness(const void *of, const struct dem_contact_row *r)
+DEM_MATH void incremental_row(const struct incremental *l, struct dem_contact_row *r, double *h)
 {
-    return dem_mindlin_stiffness(((const struct incremental *)of)->modulus, r);
+    const double kt = dem_mindlin_stiffness(l->modulus, r), keep = dem_friction_keep(h[3], kt);
+    double xi[3] = {keep*h[0], keep*h[1], keep*h[2]};
+
+    dem_friction_row(&l->common, r, kt, xi);
+    h[0] = xi[0];
+    h[1] = xi[1];
+    h[2] = xi[2];
+    h[3] = kt;
 }
 
-static const struct dem_friction_law law = {stiffness, NULL};
-
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const struct incremental l = *(const struct incremental *)of;
-
-    dem_friction_apply(law, &l, &l.common, b, history);
-}
+DEM_CONTACT_LOOP(apply, incremental, incremental_row, 4, kt, fx, fy, fz)
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)
 {
-    const struct incremental l = *(const struct incremental *)of;
-
     (void)history;
-    dem_friction_energy(law, &l, &l.common, b, before, e);
+    dem_friction_energy(NULL, of, b, before, e);
 }
 
 const struct dem_effect dem_mindlin_incremental = {

@@ -24,7 +24,7 @@
 #define DEM_EFFECTS_RESTITUTION_H
 
 #include "core/math.h"
-#include "effects/batch.h"
+#include "effects/row.h"
 
 #define DEM_RESTITUTION_PI2 9.86960440108935862           /* pi^2 */
 
@@ -56,24 +56,18 @@ static inline double dem_attraction_min_force(int choice)
     return choice == DEM_ATTRACTION_NONE ? 1.0 : choice == DEM_ATTRACTION_CLAMPED ? 0.0 : -1e30;
 }
 
-/* N: spring and dashpot together. Clamped, a repulsive spring force does not become attractive,
-   and an attractive one is not changed. None: max(F, 0) of the whole, eq. (10) of Open DEM Japan,
-   Hooke/Hysteresis normal contact model (in Japanese, 2025). */
-static inline __attribute__((always_inline)) double dem_attraction(double spring,
-                            double dashpot, double min_force)
+/* The dashpot eta joins the spring of the row. Clamped, a repulsive spring force does not become
+   attractive, and an attractive one is not changed. None: max(F, 0) of the whole, eq. (10) of Open
+   DEM Japan, Hooke/Hysteresis normal contact model (in Japanese, 2025); and no adhesive force counts
+   in the friction limit. min_force: of dem_attraction_min_force. */
+DEM_MATH void dem_dashpot_row(struct dem_contact_row *r, double eta, double min_force)
 {
-    const double sum = spring - dashpot;
+    const double spring = r->fn, sum = spring - eta*r->vn;
+    const double lowest = dem_select(min_force > 0.0, 0.0, min_force);
 
-    const double lowest = dem_select(min_force > 0, 0, min_force);
-
-    return dem_select(((spring < 0) & (min_force <= 0)) | (sum >= lowest), sum, lowest);
-}
-
-/* N: adhesive force in the friction limit: none where the normal force may not attract */
-static inline __attribute__((always_inline)) double dem_attraction_adhesion(double adhesive,
-                            double min_force)
-{
-    return dem_select(min_force > 0, 0, adhesive);
+    r->eta = eta;
+    r->fn = dem_select(((spring < 0.0) & (min_force <= 0.0)) | (sum >= lowest), sum, lowest);
+    r->adhesive_force = dem_select(min_force > 0.0, 0.0, r->adhesive_force);
 }
 
 /* ---- energy ------------------------------------------------------------------------------------------------------ */

@@ -1,5 +1,5 @@
 /*
- * rolling.h -- energy dissipated by rolling resistances without a spring.
+ * rolling.h -- what rolling resistances without a spring share: moment, energy dissipated.
  *
  *   P dt - M^2 dt^2/(2 I)      P = -M.w                            [J]
  *
@@ -15,7 +15,7 @@
 #ifndef DEM_EFFECTS_ROLLING_H
 #define DEM_EFFECTS_ROLLING_H
 
-#include "effects/batch.h"
+#include "effects/row.h"
 #include "effects/relevance.h"
 
 #include <stddef.h>
@@ -31,6 +31,14 @@ static inline int dem_rolling_relevance(const void *settings, const struct dem_r
             ? "of the moment of friction resists rolling (Ai, Chen, Rotter, Ooi 2011)"
             : "of the moment of friction: there is no friction (Ai, Chen, Rotter, Ooi 2011)";
     return settings != NULL;
+}
+
+/* Torque over spin [N m s] that stops the rolling in one step: 2/5 m* R*^2/dt. */
+DEM_MATH double dem_rolling_max_drag(const struct dem_contact_row *r)
+{
+    const double per_step = 0.4/dem_select(r->dt > 0.0, r->dt, 1.0);
+
+    return per_step*r->reduced_mass*r->reduced_radius*r->reduced_radius;
 }
 
 static inline void dem_rolling_energy(const struct dem_contact_batch *restrict b,

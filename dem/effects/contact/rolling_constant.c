@@ -25,16 +25,10 @@
  */
 #include "effects/effect.h"
 
-#include "core/math.h"
-#include "effects/contact/rolling.h"
-
-struct rolling_constant
-{
-    double friction;
-};
+#include "effects/contact/rolling_constant.h"
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(rolling_constant, friction, "1", DEM_SETTING_REQUIRED, 0.0, 10.0,
+    DEM_SETTING(dem_rolling_constant, friction, "1", DEM_SETTING_REQUIRED, 0.0, 10.0,
               "mu_r: torque over R* F_n"),
     {0},
 };
@@ -49,34 +43,8 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     return DEM_OK;
 }
 
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const double friction = ((const struct rolling_constant *)of)->friction;
-    const double per_step = 0.4/dem_select(b->dt > 0.0, b->dt, 1.0);
-
-    (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double hx = b->hx[c], hy = b->hy[c], hz = b->hz[c], R = b->reduced_radius[c];
-        const double twist = b->wx[c]*hx + b->wy[c]*hy + b->wz[c]*hz;
-        const double wx = b->wx[c] - twist*hx;
-        const double wy = b->wy[c] - twist*hy;
-        const double wz = b->wz[c] - twist*hz;
-        const double size = sqrt(wx*wx + wy*wy + wz*wz);
-
-        /* N m s: torque over spin, of friction, limited to what stops the rolling in this step */
-        const double torque = dem_select(b->fn[c] > 0.0, friction*R*b->fn[c], 0.0);
-        const double max_drag = per_step*b->reduced_mass[c]*R*R;
-        const double drag =
-            dem_select(torque < max_drag*size, torque/dem_select(size > 0.0, size, 1.0),
-                       dem_select(torque > 0.0, max_drag, 0.0));
-
-        b->mx[c] -= drag*wx;
-        b->my[c] -= drag*wy;
-        b->mz[c] -= drag*wz;
-    }
-}
+DEM_CONTACT_LOOP(apply, dem_rolling_constant, dem_rolling_constant_row, dem_rolling_constant_columns, mx,
+                 my, mz)
 
 /* the moment times the spin in the middle of the kick, as far as the moment alone changes it */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
@@ -96,7 +64,7 @@ const struct dem_effect dem_rolling_constant = {
     .stage = DEM_STAGE_MOMENT,
     .needs = DEM_NEEDS_SPIN,
     .example = "friction 0.1;",
-    .size = sizeof(struct rolling_constant),
+    .size = sizeof(struct dem_rolling_constant),
     .settings = settings,
     .prepare = prepare,
     .apply = apply,

@@ -42,24 +42,16 @@
 #include "effects/effect.h"
 
 #include "effects/contact/rolling.h"
-#include "effects/contact/slider.h"
-
-struct rolling_spring
-{
-    double friction;
-    double stiffness;
-    double damping;
-    double ratio;                                         /* 1    K, derived */
-};
+#include "effects/contact/rolling_spring.h"
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(rolling_spring, friction, "1", DEM_SETTING_REQUIRED, 0.0, 10.0,
+    DEM_SETTING(dem_rolling_spring, friction, "1", DEM_SETTING_REQUIRED, 0.0, 10.0,
               "mu_r: largest moment over R* F_n; tangent of the largest slope at which a sphere "
               "rests"),
-    DEM_SETTING(rolling_spring, stiffness, "1", 0.0, 0.0, 3.0,
+    DEM_SETTING(dem_rolling_spring, stiffness, "1", 0.0, 0.0, 3.0,
               "K: k_r over k_n R*^2; 0: such that k_r = k_t R*^2 with k_t of mindlin. Ai et al.: "
               "2.25 friction^2"),
-    DEM_SETTING(rolling_spring, damping, "1", 0.3, 0.0, 1.0,
+    DEM_SETTING(dem_rolling_spring, damping, "1", 0.3, 0.0, 1.0,
               "zeta: damping ratio of rolling oscillations on a plane, 1 is critical; with 0 a "
               "grain at rest rocks for long"),
     {0},
@@ -69,7 +61,7 @@ static const char *const history_names[] = {"rolling_x", "rolling_y", "rolling_z
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct rolling_spring *rolling = of;
+    struct dem_rolling_spring *rolling = of;
 
     DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
                 "rollingSpring between %s and %s: there is no normal law; add one to the effects, "
@@ -80,70 +72,29 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     return DEM_OK;
 }
 
-/* the slider of row c, without its spring */
-static inline __attribute__((always_inline)) struct dem_slider
-slider_at(const struct dem_contact_batch *b, int c, double friction, double ratio,
-          double twice_zeta, double inverse_dt)
-{
-    const double hx = b->hx[c], hy = b->hy[c], hz = b->hz[c], R = b->reduced_radius[c];
-    const double twist = b->wx[c]*hx + b->wy[c]*hy + b->wz[c]*hz;
-    const double stiffness = ratio*b->kn[c]*R*R;
-    const double damping = twice_zeta*R*sqrt(1.4*b->reduced_mass[c]*stiffness);
-
-    return (struct dem_slider){.stiffness = stiffness,
-                               .damping = damping,
-                               .limit = dem_select(b->fn[c] > 0.0, friction*R*b->fn[c], 0.0),
-                               .inverse_dt = inverse_dt,
-                               .sx = b->wx[c] - twist*hx,
-                               .sy = b->wy[c] - twist*hy,
-                               .sz = b->wz[c] - twist*hz};
-}
-
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const struct rolling_spring *rolling = of;
-    const double friction = rolling->friction, ratio = rolling->ratio,
-                   twice_zeta = 2.0*rolling->damping, inverse_dt = dem_slider_inverse_dt(b);
-    double *restrict x = history[0], *restrict y = history[1], *restrict z = history[2];
-
-    for (int c = 0; c < b->n; c++)
-    {
-        const struct dem_contact_row r = dem_contact_row_load(b, c);
-        struct dem_slider s = slider_at(b, c, friction, ratio, twice_zeta, inverse_dt);
-
-        s.xi_x = x[c];
-        s.xi_y = y[c];
-        s.xi_z = z[c];
-        s = dem_slider_load(&r, s);
-
-        x[c] = s.xi_x;
-        y[c] = s.xi_y;
-        z[c] = s.xi_z;
-        dem_slider_begin(b, c, &s);
-    }
-    dem_slider_finish(b, (double *const[3]){b->mx, b->my, b->mz}, x, y, z);
-}
+DEM_CONTACT_LOOP(apply, dem_rolling_spring, dem_rolling_spring_row, dem_rolling_spring_columns, mx, my,
+                 mz)
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)
 {
-    const struct rolling_spring *rolling = of;
-    const double friction = rolling->friction, ratio = rolling->ratio,
-                   twice_zeta = 2.0*rolling->damping, inverse_dt = dem_slider_inverse_dt(b);
+    const struct dem_rolling_spring *const rolling = of;
+    const double inverse_dt = dem_contact_batch_inverse_dt(b);
     const double *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
 
     (void)history;
     for (int c = 0; c < b->n; c++)
     {
-        struct dem_slider s = slider_at(b, c, friction, ratio, twice_zeta, inverse_dt);
+        const struct dem_contact_row r = dem_contact_row_load(b, c, inverse_dt);
+        struct dem_slider s = dem_rolling_slider(rolling, &r);
 
         s.xi_x = x[c];
         s.xi_y = y[c];
         s.xi_z = z[c];
         s.mass = e->inertia[c];
-        s.previous_stiffness = ratio*e->previous_kn[c]*b->reduced_radius[c]*b->reduced_radius[c];
+        s.previous_stiffness =
+            rolling->ratio*e->previous_kn[c]*b->reduced_radius[c]*b->reduced_radius[c];
         dem_slider_energy(b, c, s, e);
     }
 }
@@ -157,7 +108,7 @@ const struct dem_effect dem_rolling_spring = {
     .stage = DEM_STAGE_MOMENT,
     .needs = DEM_NEEDS_SPIN | DEM_NEEDS_NORMAL_SPIN,
     .example = "friction 0.1;",
-    .size = sizeof(struct rolling_spring),
+    .size = sizeof(struct dem_rolling_spring),
     .settings = settings,
     .history = history_names,
     .clears_history = 1,

@@ -24,7 +24,6 @@
  */
 #include "effects/effect.h"
 
-#include "core/math.h"
 #include "effects/contact/rolling.h"
 
 struct rolling_viscous
@@ -48,26 +47,21 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     return DEM_OK;
 }
 
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
+DEM_MATH void row(const struct rolling_viscous *l, struct dem_contact_row *r, double *history)
 {
-    const double time = ((const struct rolling_viscous *)of)->time;
-    const double per_step = 0.4/dem_select(b->dt > 0.0, b->dt, 1.0);
+    const double hx = r->hx, hy = r->hy, hz = r->hz, R = r->reduced_radius;
+    const double twist = r->wx*hx + r->wy*hy + r->wz*hz;
+    const double viscous = dem_select(r->fn > 0.0, l->time*R*r->fn, 0.0);
+    const double max_drag = dem_rolling_max_drag(r);
+    const double drag = dem_select(viscous < max_drag, viscous, max_drag);    /* N m s */
 
     (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double hx = b->hx[c], hy = b->hy[c], hz = b->hz[c], R = b->reduced_radius[c];
-        const double twist = b->wx[c]*hx + b->wy[c]*hy + b->wz[c]*hz;
-        const double viscous = dem_select(b->fn[c] > 0.0, time*R*b->fn[c], 0.0);
-        const double max_drag = per_step*b->reduced_mass[c]*R*R;
-        const double drag = dem_select(viscous < max_drag, viscous, max_drag);    /* N m s */
-
-        b->mx[c] -= drag*(b->wx[c] - twist*hx);
-        b->my[c] -= drag*(b->wy[c] - twist*hy);
-        b->mz[c] -= drag*(b->wz[c] - twist*hz);
-    }
+    r->mx -= drag*(r->wx - twist*hx);
+    r->my -= drag*(r->wy - twist*hy);
+    r->mz -= drag*(r->wz - twist*hz);
 }
+
+DEM_CONTACT_LOOP(apply, rolling_viscous, row, 0, mx, my, mz)
 
 /* the moment times the spin in the middle of the kick, as far as the moment alone changes it */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,

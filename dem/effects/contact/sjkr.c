@@ -20,7 +20,7 @@
  */
 #include "effects/effect.h"
 
-#include "core/math.h"
+#include "effects/row.h"
 
 struct sjkr
 {
@@ -33,18 +33,15 @@ static const struct dem_setting settings[] = {
     {0},
 };
 
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
+DEM_MATH void row(const struct sjkr *l, struct dem_contact_row *r, double *history)
 {
-    const double scale = 6.28318530717958648*((const struct sjkr *)of)->density;
+    const double scale = 6.28318530717958648*l->density;
 
     (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        b->fn[c] -= scale*b->reduced_radius[c]*
-                    dem_select(b->bond_replaces[c] > 0.0, 0.0, b->overlap[c]);
-    }
+    r->fn -= scale*r->reduced_radius*dem_select(r->bond_replaces > 0.0, 0.0, r->overlap);
 }
+
+DEM_CONTACT_LOOP(apply, sjkr, row, 0, fn)
 
 /* energy needed to separate the surfaces; dissipated when a bond replaces the contact */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,

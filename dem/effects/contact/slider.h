@@ -64,7 +64,7 @@
 struct dem_slider
 {
     double stiffness, damping, limit;                   /* k, c; limit of |F| */
-    double inverse_dt;                                       /* 1/dt: dem_slider_inverse_dt */
+    double inverse_dt;                                    /* 1/dt */
     /* s, in the contact plane of half a step ago */
     double sx, sy, sz;
     /* xi: in, of the last step; out, of this step */
@@ -76,7 +76,7 @@ struct dem_slider
 
 /* Rotates the spring of the last step into the new contact plane and adds the increment: trial
    elongation e, and s in that plane. */
-static inline __attribute__((always_inline)) struct dem_slider
+DEM_MATH struct dem_slider
 dem_slider_load(const struct dem_contact_row *r, struct dem_slider s)
 {
     const double nx = r->nx, ny = r->ny, nz = r->nz;
@@ -107,7 +107,7 @@ dem_slider_load(const struct dem_contact_row *r, struct dem_slider s)
 }
 
 /* Trial force T of spring and dashpot (sticking). */
-static inline __attribute__((always_inline)) void dem_slider_trial_force(const struct dem_slider *s,
+DEM_MATH void dem_slider_trial_force(const struct dem_slider *s,
                             double t[3])
 {
     t[0] = -s->stiffness*s->xi_x - s->damping*s->sx;
@@ -116,16 +116,10 @@ static inline __attribute__((always_inline)) void dem_slider_trial_force(const s
 }
 
 /* Effective stiffness k + c/dt: decrease of |T| per slip distance. */
-static inline __attribute__((always_inline)) double dem_slider_effective_stiffness(
+DEM_MATH double dem_slider_effective_stiffness(
     const struct dem_slider *s)
 {
     return s->stiffness + s->damping*s->inverse_dt;
-}
-
-/* 1/dt; in the first evaluation dt is 0, and a large number keeps the dashpot from slipping */
-static inline double dem_slider_inverse_dt(const struct dem_contact_batch *b)
-{
-    return b->dt > 0 ? 1/b->dt : 1e15;
 }
 
 struct dem_slider_limited    /* result of limiting a trial force T */
@@ -134,7 +128,7 @@ struct dem_slider_limited    /* result of limiting a trial force T */
     double force_factor, spring_factor;
 };
 
-static inline __attribute__((always_inline)) struct dem_slider_limited dem_slider_limit_force(
+DEM_MATH struct dem_slider_limited dem_slider_limit_force(
     double square, double limit, double gives)
 {
     const double size = sqrt(square), size_or_1 = dem_select(size > 0, size, 1),
@@ -147,7 +141,7 @@ static inline __attribute__((always_inline)) struct dem_slider_limited dem_slide
 }
 
 /* Applies the limit: F and the new elongation. */
-static inline __attribute__((always_inline)) struct dem_slider
+DEM_MATH struct dem_slider
 dem_slider_apply_limit(struct dem_slider s, const double t[3], struct dem_slider_limited slips)
 {
     s.xi_x = dem_select(slips.force_factor > 0, s.xi_x + slips.spring_factor*t[0], 0);
@@ -160,7 +154,7 @@ dem_slider_apply_limit(struct dem_slider s, const double t[3], struct dem_slider
 }
 
 /* One step of the slider of a row; with a limit of 0 force and spring become 0. */
-static inline __attribute__((always_inline)) struct dem_slider
+DEM_MATH struct dem_slider
 dem_slider_step(const struct dem_contact_row *r, struct dem_slider s)
 {
     double t[3];
@@ -171,111 +165,6 @@ dem_slider_step(const struct dem_contact_row *r, struct dem_slider s)
                                   dem_slider_limit_force(t[0]*t[0] + t[1]*t[1] + t[2]*t[2],
                                                          s.limit,
                                                          dem_slider_effective_stiffness(&s)));
-}
-
-/*
- * The same for a batch, in three loops: in one long loop the latencies of square root and division
- * add up, in a short loop they overlap (together with the fused kernel 15 instead of 17 cycles a
- * row). The first loop is that of the effect and ends with dem_slider_begin; dem_slider_finish
- * contains the other two. The results are bitwise those of dem_slider_step.
- */
-enum
-{
-    DEM_SLIDER_X,
-    DEM_SLIDER_Y,
-    DEM_SLIDER_Z,
-    DEM_SLIDER_LIMIT,     /* after dem_slider_limit_forces: force_factor */
-    DEM_SLIDER_STIFFNESS  /* after dem_slider_limit_forces: spring_factor */
-};
-
-/* s: after dem_slider_load; the caller stores its elongation */
-static inline __attribute__((always_inline)) void dem_slider_begin(struct dem_contact_batch *b,
-                            int c, const struct dem_slider *s)
-{
-    double t[3];
-
-    dem_slider_trial_force(s, t);
-    b->loop_scratch[DEM_SLIDER_X][c] = t[0];
-    b->loop_scratch[DEM_SLIDER_Y][c] = t[1];
-    b->loop_scratch[DEM_SLIDER_Z][c] = t[2];
-    b->loop_scratch[DEM_SLIDER_LIMIT][c] = s->limit;
-    b->loop_scratch[DEM_SLIDER_STIFFNESS][c] = dem_slider_effective_stiffness(s);
-}
-
-static inline __attribute__((always_inline)) void dem_slider_limit_forces(
-    struct dem_contact_batch *b)
-{
-    double (*const at)[DEM_BATCH_ROWS] = b->loop_scratch;
-
-    for (int c = 0; c < b->n; c++)
-    {
-        const double x = at[DEM_SLIDER_X][c], y = at[DEM_SLIDER_Y][c], z = at[DEM_SLIDER_Z][c];
-        const struct dem_slider_limited slips =
-            dem_slider_limit_force(x*x + y*y + z*z, at[DEM_SLIDER_LIMIT][c],
-                                   at[DEM_SLIDER_STIFFNESS][c]);
-
-        at[DEM_SLIDER_LIMIT][c] = slips.force_factor;
-        at[DEM_SLIDER_STIFFNESS][c] = slips.spring_factor;
-    }
-}
-
-/* row c after dem_slider_limit_forces; x, y, z: its trial elongation */
-static inline __attribute__((always_inline)) struct dem_slider
-dem_slider_end(const struct dem_contact_batch *b, int c, double x, double y, double z)
-{
-    const struct dem_slider s = {.xi_x = x, .xi_y = y, .xi_z = z};
-    const struct dem_slider_limited slips = {
-        .force_factor = b->loop_scratch[DEM_SLIDER_LIMIT][c],
-        .spring_factor = b->loop_scratch[DEM_SLIDER_STIFFNESS][c]};
-    const double t[3] = {b->loop_scratch[DEM_SLIDER_X][c], b->loop_scratch[DEM_SLIDER_Y][c],
-                           b->loop_scratch[DEM_SLIDER_Z][c]};
-
-    return dem_slider_apply_limit(s, t, slips);
-}
-
-/* f: the columns of the batch to which F is added; x, y, z: in, trial elongations; out, new
-   elongations */
-static inline __attribute__((always_inline)) void
-dem_slider_finish(struct dem_contact_batch *restrict b, double *const f[3], double *restrict x,
-                  double *restrict y, double *restrict z)
-{
-    double *const fx = f[0], *const fy = f[1], *const fz = f[2];
-
-    dem_slider_limit_forces(b);
-    for (int c = 0; c < b->n; c++)
-    {
-        const struct dem_slider s = dem_slider_end(b, c, x[c], y[c], z[c]);
-
-        x[c] = s.xi_x;
-        y[c] = s.xi_y;
-        z[c] = s.xi_z;
-        fx[c] += s.fx;
-        fy[c] += s.fy;
-        fz[c] += s.fz;
-    }
-}
-
-struct dem_friction
-{
-    /* mu; 1 or 0: dashpot acts; adhesive force counts in the limit */
-    double friction, with_dashpot, with_adhesion;
-    double inverse_dt;                                       /* 1/dt: dem_slider_inverse_dt */
-};
-
-/* The slider of friction of a row, without its spring: dashpot of the normal law, limit from the
-   normal force. */
-static inline __attribute__((always_inline)) struct dem_slider
-dem_slider_friction(const struct dem_contact_row *r, double stiffness, struct dem_friction rubs)
-{
-    const double normal = r->fn + rubs.with_adhesion*r->adhesive_force;
-
-    return (struct dem_slider){.stiffness = stiffness,
-                               .damping = rubs.with_dashpot*r->eta,
-                               .limit = dem_select(normal > 0, rubs.friction*normal, 0),
-                               .inverse_dt = rubs.inverse_dt,
-                               .sx = r->sx,
-                               .sy = r->sy,
-                               .sz = r->sz};
 }
 
 /*
@@ -296,11 +185,11 @@ dem_slider_friction(const struct dem_contact_row *r, double stiffness, struct de
  * are 0. Of the energy k xi^2/2 of the last step the part is dissipated that has not become work of
  * the last drift, which ended with no force: half of k xi.s dt.
  */
-static inline __attribute__((always_inline)) void
+DEM_MATH void
 dem_slider_energy(const struct dem_contact_batch *b, int c, struct dem_slider s,
                   struct dem_energy *restrict e)
 {
-    const struct dem_contact_row r = dem_contact_row_load(b, c);
+    const struct dem_contact_row r = dem_contact_row_load(b, c, s.inverse_dt);
     struct dem_slider at_rest = s;
 
     at_rest.sx = at_rest.sy = at_rest.sz = 0;

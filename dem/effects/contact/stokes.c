@@ -48,48 +48,29 @@
 #include "effects/effect.h"
 
 #include "effects/contact/film_loss.h"
-#include "effects/contact/restitution.h"
+#include "effects/contact/stokes.h"
 #include <stdio.h>
 
-struct stokes
-{
-    double restitution;
-    double beta;
-    double viscosity;
-    double added_mass;
-    double fluid_density;
-    double density;    /* kg/m3  rho_f used, derived */
-    int speed, attraction;
-    double critical;   /* 1    alpha at critical damping, derived */
-    double loss;       /* 1    -ln e_max, derived */
-    double more_mass;  /* 1    m* with added mass over m*, derived */
-};
-
-enum
-{
-    IMPACT,
-    INSTANTANEOUS
-};
 static const char *const speeds[] = {"impact", "instantaneous", NULL};
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(stokes, restitution, "1", DEM_SETTING_REQUIRED, 0.0, 1.0,
+    DEM_SETTING(dem_stokes, restitution, "1", DEM_SETTING_REQUIRED, 0.0, 1.0,
                 "e_max: restitution without fluid"),
-    DEM_SETTING(stokes, beta, "1", 35.0, 0.0, 1e6, "ln e = ln e_max - beta/St"),
-    DEM_SETTING(stokes, viscosity, "Pa s", 0.0, 0.0, INFINITY,
+    DEM_SETTING(dem_stokes, beta, "1", 35.0, 0.0, 1e6, "ln e = ln e_max - beta/St"),
+    DEM_SETTING(dem_stokes, viscosity, "Pa s", 0.0, 0.0, INFINITY,
                 "of the fluid in the gap; 0: that of the coupled fluid"),
-    DEM_SETTING_AS(stokes, added_mass, "addedMass", "1", -1.0, 0.0, 10.0,
+    DEM_SETTING_AS(dem_stokes, added_mass, "addedMass", "1", -1.0, 0.0, 10.0,
                    "C_M: each particle has the mass m + C_M rho_f V in St; 0: none; -1, not given: "
                    "0.5 as in the fit of beta where rho_f is known, none where it is not; with "
                    "virtualMass its own"),
-    DEM_SETTING_AS(stokes, fluid_density, "fluidDensity", "kg/m3", 0.0, 0.0, INFINITY,
+    DEM_SETTING_AS(dem_stokes, fluid_density, "fluidDensity", "kg/m3", 0.0, 0.0, INFINITY,
                    "rho_f for addedMass; 0: that of the run's fluid"),
     DEM_SETTING_CHOICE(
-        stokes, speed, "speed", IMPACT, speeds,
+        dem_stokes, speed, "speed", DEM_STOKES_IMPACT, speeds,
         "v in St: of the first contact, or for comparison instantaneous as in "
         "LIGGGHTS, where restitution becomes 0.08 for 0.48 at St = 50, 0.55 for 0.68 "
         "at 100 and 0.956 for 0.937 at 1000"),
-    DEM_SETTING_CHOICE(stokes, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
+    DEM_SETTING_CHOICE(dem_stokes, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
                        "whether the contact may pull while it opens; none: never; clamped, the dashpot "
                        "never pulls, and restitution "
                        "is too high: 0.20 for 0.03, 0.54 for 0.48, 0.70 for 0.68"),
@@ -102,7 +83,7 @@ static const char *const history_names[] = {"impact_speed", NULL};
 static const double sphere_added_mass = 0.5;
 
 /* 1: C_M in St */
-static double coefficient(const struct stokes *stokes, const struct dem_pair_class *pair)
+static double coefficient(const struct dem_stokes *stokes, const struct dem_pair_class *pair)
 {
     if (stokes->added_mass >= 0.0)
     {
@@ -112,7 +93,7 @@ static double coefficient(const struct stokes *stokes, const struct dem_pair_cla
 }
 
 /* 1: reduced mass with added mass over that without; the header comment says where it is exact */
-static double more_mass(const struct stokes *stokes, const struct dem_pair_class *pair)
+static double more_mass(const struct dem_stokes *stokes, const struct dem_pair_class *pair)
 {
     const double added = coefficient(stokes, pair)*stokes->density;    /* kg/m3 */
     const double rho_a = pair->a->density, rho_b = pair->b->density;
@@ -127,7 +108,7 @@ static double more_mass(const struct stokes *stokes, const struct dem_pair_class
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct stokes *stokes = of;
+    struct dem_stokes *stokes = of;
 
     DEM_REQUIRE(
         pair->exponent > 0.0, DEM_ERROR_INPUT,
@@ -148,44 +129,11 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     stokes->critical = dem_restitution_critical(pair->exponent);
     stokes->loss = dem_restitution_loss(stokes->restitution);
     stokes->more_mass = more_mass(stokes, pair);
+    stokes->min_force = dem_attraction_min_force(stokes->attraction);
     return DEM_OK;
 }
 
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const struct stokes *stokes = of;
-    const double given = stokes->viscosity, beta = stokes->beta;
-    const double critical = stokes->critical, loss = stokes->loss, mass_ratio = stokes->more_mass;
-    const double six_pi = 18.8495559215387594, pi2 = DEM_RESTITUTION_PI2;
-    /* m/s: stands for a stored speed of zero */
-    const double at_rest = 1e-30;
-    const double min_force = dem_attraction_min_force(stokes->attraction);
-    const int keep = stokes->speed == IMPACT;
-    double *restrict impact_speed = history[0];
-
-    for (int c = 0; c < b->n; c++)
-    {
-        const double R = b->reduced_radius[c], m = b->reduced_mass[c], before = impact_speed[c];
-        const double mu = dem_select(given > 0.0, given, b->viscosity[c]);
-
-        /* in the first step of a contact the history is 0 */
-        const double now = dem_select(fabs(b->vn[c]) > at_rest, fabs(b->vn[c]), at_rest);
-        const double kept = dem_select(before > 0.0, before, now);
-        const double speed = dem_select(b->touching[c] > 0.0, dem_select(keep, kept, now), 0.0);
-
-        /* instantaneous: St is negative while the surfaces separate, as in LIGGGHTS */
-        const double S = mass_ratio*m*speed, D = beta*(six_pi*mu*R*R);
-        const double T = dem_select(keep | (b->vn[c] < 0.0), loss*S + D, fabs(loss*S - D));
-        const double size = sqrt(pi2*S*S + T*T);
-        const double eta = critical*(T/dem_select(size > 0.0, size, 1.0))*sqrt(m*b->kn[c]);
-
-        impact_speed[c] = speed;
-        b->eta[c] = eta;
-        b->fn[c] = dem_attraction(b->fn[c], eta*b->vn[c], min_force);
-        b->adhesive_force[c] = dem_attraction_adhesion(b->adhesive_force[c], min_force);
-    }
-}
+DEM_CONTACT_LOOP(apply, dem_stokes, dem_stokes_row, dem_stokes_columns, eta, fn, adhesive_force)
 
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)
@@ -196,7 +144,7 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
 
 static double own_added_mass(const void *of)
 {
-    return fmax(((const struct stokes *)of)->added_mass, 0.0);
+    return fmax(((const struct dem_stokes *)of)->added_mass, 0.0);
 }
 
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)
@@ -209,7 +157,7 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
 /* beta was fitted to St with added mass */
 static int describe(const void *of, const struct dem_regime *g, char *line, size_t size)
 {
-    const struct stokes *const stokes = of;
+    const struct dem_stokes *const stokes = of;
 
     (void)g;
     snprintf(line, size,
@@ -226,7 +174,7 @@ const struct dem_effect dem_stokes = {
     .stage = DEM_STAGE_DAMP,
     .needs = DEM_NEEDS_VISCOSITY,
     .example = "restitution 0.9;",
-    .size = sizeof(struct stokes),
+    .size = sizeof(struct dem_stokes),
     .settings = settings,
     .history = history_names,
     .prepare = prepare,

@@ -34,7 +34,6 @@
  */
 #include "effects/effect.h"
 
-#include "core/math.h"
 #include "effects/contact/slider.h"
 
 struct twisting_spring
@@ -83,41 +82,33 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     return DEM_OK;
 }
 
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
+DEM_MATH void row(const struct twisting_spring *l, struct dem_contact_row *r, double *twist)
 {
-    const struct twisting_spring *twisting = of;
-    const double friction = twisting->friction, ratio = twisting->ratio,
-                   twice_zeta = 2.0*twisting->damping, dt = b->dt;
-    const double inverse_dt = dem_slider_inverse_dt(b);
     /* 3 pi/16 */
-    const double by_contact = twisting->lever == CONTACT ? 0.58904862254808623 : 0.0;
-    const double by_radius = twisting->lever == REDUCED ? 1.0 : 0.0;
-    double *restrict twist = history[0];
+    const double by_contact = dem_select(l->lever == CONTACT, 0.58904862254808623, 0.0);
+    const double by_radius = dem_select(l->lever == REDUCED, 1.0, 0.0);
+    const double R = r->reduced_radius, a2 = R*r->overlap;
+    const double lever = by_contact*sqrt(a2) + by_radius*R;
+    const double stiffness = l->ratio*r->kn*a2;
+    const double damping = 2.0*l->damping*R*sqrt(0.4*r->reduced_mass*stiffness);
+    const double rate = r->wx*r->hx + r->wy*r->hy + r->wz*r->hz;
 
-    for (int c = 0; c < b->n; c++)
-    {
-        const double R = b->reduced_radius[c], a2 = R*b->overlap[c];
-        const double lever = by_contact*sqrt(a2) + by_radius*R;
-        const double stiffness = ratio*b->kn[c]*a2;
-        const double damping = twice_zeta*R*sqrt(0.4*b->reduced_mass[c]*stiffness);
-        const double rate = b->wx[c]*b->hx[c] + b->wy[c]*b->hy[c] + b->wz[c]*b->hz[c];
+    /* sticks or slips, as in slider.h */
+    const double angle = twist[0] + r->dt*rate;
+    const double trial = -stiffness*angle - damping*rate, size = fabs(trial);
+    const double limit = dem_select(r->fn > 0.0, l->friction*lever*r->fn, 0.0);
+    const double moment =
+        dem_select(size < limit, 1.0, limit/dem_select(size > 0.0, size, 1.0))*trial;
+    const double effective = stiffness + damping*r->inverse_dt;
+    const double slipped = (moment - trial)/dem_select(effective > 0.0, effective, 1.0);
 
-        /* sticks or slips, as in slider.h */
-        const double angle = twist[c] + dt*rate;
-        const double trial = -stiffness*angle - damping*rate, size = fabs(trial);
-        const double limit = dem_select(b->fn[c] > 0.0, friction*lever*b->fn[c], 0.0);
-        const double moment =
-            dem_select(size < limit, 1.0, limit/dem_select(size > 0.0, size, 1.0))*trial;
-        const double effective = stiffness + damping*inverse_dt;
-        const double slipped = (moment - trial)/dem_select(effective > 0.0, effective, 1.0);
-
-        twist[c] = dem_select(limit > 0.0, dem_select(size < limit, angle, angle - slipped), 0.0);
-        b->mx[c] += moment*b->nx[c];
-        b->my[c] += moment*b->ny[c];
-        b->mz[c] += moment*b->nz[c];
-    }
+    twist[0] = dem_select(limit > 0.0, dem_select(size < limit, angle, angle - slipped), 0.0);
+    r->mx += moment*r->nx;
+    r->my += moment*r->ny;
+    r->mz += moment*r->nz;
 }
+
+DEM_CONTACT_LOOP(apply, twisting_spring, row, 1, mx, my, mz)
 
 /* as dem_slider_energy of slider.h, for an angle */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
@@ -125,7 +116,7 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
 {
     const struct twisting_spring *twisting = of;
     const double *const from = before[0], *const to = history[0],
-                          inverse_dt = dem_slider_inverse_dt(b);
+                          inverse_dt = dem_contact_batch_inverse_dt(b);
 
     for (int c = 0; c < b->n; c++)
     {

@@ -22,18 +22,12 @@
  */
 #include "effects/effect.h"
 
-#include "effects/contact/restitution.h"
-
-struct viscous
-{
-    double coefficient;
-    int attraction;
-};
+#include "effects/contact/viscous.h"
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(viscous, coefficient, "kg/s", DEM_SETTING_REQUIRED, 0.0, INFINITY,
+    DEM_SETTING(dem_viscous, coefficient, "kg/s", DEM_SETTING_REQUIRED, 0.0, INFINITY,
               "c: force over normal relative velocity"),
-    DEM_SETTING_CHOICE(viscous, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
+    DEM_SETTING_CHOICE(dem_viscous, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
                      "whether the dashpot may pull while the contact opens; clamped, restitution "
                      "is higher, see dry"),
     {0},
@@ -41,39 +35,25 @@ static const struct dem_setting settings[] = {
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    (void)of;
+    struct dem_viscous *const viscous = of;
+
     DEM_REQUIRE(
         pair->exponent > 0.0, DEM_ERROR_INPUT,
         "viscous between %s and %s: there is no normal law to damp; add one to the effects, hooke for example",
         pair->a->name, pair->b->name);
+    viscous->min_force = dem_attraction_min_force(viscous->attraction);
     return DEM_OK;
 }
 
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
 {
-    const double c = ((const struct viscous *)of)->coefficient;
+    const double c = ((const struct dem_viscous *)of)->coefficient;
 
     *why = "1/5 of mass over coefficient (viscous)";
     return c > 0.0 ? 0.2*pair->min_mass/c : DBL_MAX;
 }
 
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const struct viscous *viscous = of;
-    const double coefficient = viscous->coefficient,
-                   min_force = dem_attraction_min_force(viscous->attraction);
-
-    (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double eta = coefficient*b->touching[c];
-
-        b->eta[c] = eta;
-        b->fn[c] = dem_attraction(b->fn[c], eta*b->vn[c], min_force);
-        b->adhesive_force[c] = dem_attraction_adhesion(b->adhesive_force[c], min_force);
-    }
-}
+DEM_CONTACT_LOOP(apply, dem_viscous, dem_viscous_row, dem_viscous_columns, eta, fn, adhesive_force)
 
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)
@@ -88,7 +68,7 @@ const struct dem_effect dem_viscous = {
     .source = "Cundall and Strack 1979",
     .stage = DEM_STAGE_DAMP,
     .example = "coefficient 1e-4;",
-    .size = sizeof(struct viscous),
+    .size = sizeof(struct dem_viscous),
     .settings = settings,
     .prepare = prepare,
     .time_limit = time_limit,

@@ -1,0 +1,59 @@
+/*
+ * rolling_spring.h -- the law of rolling_spring.c on one row.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_EFFECTS_ROLLING_SPRING_H
+#define DEM_EFFECTS_ROLLING_SPRING_H
+
+#include "effects/contact/slider.h"
+
+struct dem_rolling_spring
+{
+    double friction;
+    double stiffness;
+    double damping;
+    double ratio;                                         /* 1    K, derived */
+};
+
+enum
+{
+    dem_rolling_spring_columns = 3    /* theta */
+};
+
+/* the slider of a row, without its spring */
+DEM_MATH struct dem_slider dem_rolling_slider(const struct dem_rolling_spring *l,
+                                              const struct dem_contact_row *r)
+{
+    const double hx = r->hx, hy = r->hy, hz = r->hz, R = r->reduced_radius;
+    const double twist = r->wx*hx + r->wy*hy + r->wz*hz;
+    const double stiffness = l->ratio*r->kn*R*R;
+    const double damping = 2.0*l->damping*R*sqrt(1.4*r->reduced_mass*stiffness);
+
+    return (struct dem_slider){.stiffness = stiffness,
+                               .damping = damping,
+                               .limit = dem_select(r->fn > 0.0, l->friction*R*r->fn, 0.0),
+                               .inverse_dt = r->inverse_dt,
+                               .sx = r->wx - twist*hx,
+                               .sy = r->wy - twist*hy,
+                               .sz = r->wz - twist*hz};
+}
+
+DEM_MATH void dem_rolling_spring_row(const struct dem_rolling_spring *l, struct dem_contact_row *r,
+                                     double *theta)
+{
+    struct dem_slider s = dem_rolling_slider(l, r);
+
+    s.xi_x = theta[0];
+    s.xi_y = theta[1];
+    s.xi_z = theta[2];
+    s = dem_slider_step(r, s);
+    theta[0] = s.xi_x;
+    theta[1] = s.xi_y;
+    theta[2] = s.xi_z;
+    r->mx += s.fx;
+    r->my += s.fy;
+    r->mz += s.fz;
+}
+
+#endif
