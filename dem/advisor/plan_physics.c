@@ -220,14 +220,8 @@ void dem_plan_contacts(struct dem_text *t, const struct dem_plan *p)
 static void write_triangles(struct dem_text *t, const struct dem_walls *w, int wall)
 {
     const struct dem_wall *const of = &w->wall[wall];
-    int regions = 0;
-
-    for (int i = 0; i < w->facets; i++)
-    {
-        regions += w->facet[i].wall == wall;
-    }
-    dem_text_add(t, "    %-18s %zu triangles in %d flat facet%s", of->name, of->triangles, regions,
-                 regions == 1 ? "" : "s");
+    dem_text_add(t, "    %-18s %zu triangles in %d flat facet%s", of->name, of->triangles, of->facets,
+                 of->facets == 1 ? "" : "s");
     if (of->flat + of->repeats > 0)
     {
         dem_text_add(t, " (ignored: %zu without area, %zu duplicates)", of->flat, of->repeats);

@@ -83,6 +83,7 @@ int dem_sample_block_make(struct dem_sample *sample, const struct dem_state *p,
     q->stale = 2;                                         /* no neighbor lists yet */
     DEM_TRY(dem_decomposition_init(&q->decomposition, MPI_COMM_NULL, 0, 1));
     dem_halo_init(&q->halo, &q->decomposition);
+    dem_wall_store_init(&q->wall_store, &q->decomposition);
     dem_particles_init(&q->particles, p->particles.groups);
     DEM_TRY(fill(q, p, s, edge, a));
     DEM_TRY(dem_contacts_init(&q->contacts, &q->interaction_table));

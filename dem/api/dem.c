@@ -70,6 +70,7 @@ int dem_create(struct dem **out, MPI_Comm comm)
         return status;
     }
     dem_halo_init(&d->state.halo, &d->state.decomposition);
+    dem_wall_store_init(&d->state.wall_store, &d->state.decomposition);
     *out = d;
     return DEM_OK;
 }
@@ -117,6 +118,7 @@ void dem_free(struct dem *d)
     dem_contacts_free(&d->state.contacts);
     dem_particles_free(&d->state.particles);
     dem_walls_free(&d->state.walls);
+    dem_wall_store_free(&d->state.wall_store);
     dem_interaction_table_free(&d->state.interaction_table);
     dem_applied_forces_free(&d->state.applied_forces);
     dem_load_balance_free(&d->state.load_balance);

@@ -120,6 +120,9 @@ int dem_api_assign_patches(struct dem *);
    `now`, where they are. */
 int dem_api_move_wall(struct dem *, const struct dem_mesh_wall *, int now);
 
+/* Before walls are read: on which ranks triangles are given. */
+void dem_api_begin_walls(struct dem *);
+
 /* Collective. Add the walls of dem_add_wall to those of the scene; move those for which
    dem_wall_move was called. */
 int dem_api_add_mesh_walls(struct dem *);
@@ -135,7 +138,7 @@ int dem_api_begin_flows(struct dem *);
 /* Checks that need no particles, of a scene that has been read and whose walls exist. */
 int dem_api_check_scene(struct dem *);
 
-/* Once all radii are known: freeze the interaction table, choose the time step, finish the
+/* Collective. Once all radii are known: freeze the interaction table, choose the time step, finish the
    walls. */
 int dem_api_finish_physics(struct dem *);
 double dem_api_max_radius(const struct dem *);    /* m  0 without particles */

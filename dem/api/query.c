@@ -257,22 +257,10 @@ void dem_wall_info(const struct dem *d, int wall, struct dem_wall_info *f)
                                 .moves = w->frame >= 0};
 }
 
-void dem_wall_corners(const struct dem *d, int wall, double *corners)
+int dem_wall_corners(struct dem *d, int wall, double *corners)
 {
-    const struct dem_walls *const w = &d->state.walls;
-    const int moving = w->wall[wall].frame;
-
-    for (size_t t = 0; t < w->triangles; t++)
-    {
-        for (int k = 0; k < 3 && w->triangle[t].wall == wall; k++, corners += 3)
-        {
-            memcpy(corners, w->triangle[t].corner[k], 3*sizeof *corners);
-            if (moving >= 0)
-            {
-                dem_pose_point(&w->frame[moving].pose, w->triangle[t].corner[k], corners);
-            }
-        }
-    }
+    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_wall_corners comes after dem_setup");
+    return dem_wall_store_corners(&d->state.wall_store, &d->state.walls, wall, corners);
 }
 
 void dem_view(const struct dem *d, struct dem_view *v)

@@ -144,8 +144,8 @@ static int prepare_physics(struct dem *d)
         choose_skins(p, radius, skin, &max_skin);
     }
 
+    DEM_TRY(dem_wall_store_distribute(&p->wall_store, &p->walls));
     DEM_TRY(dem_contacts_init(&p->contacts, &p->interaction_table));
-    DEM_TRY(dem_api_position_mesh_walls(d));
     dem_pairs_init(&p->pairs, &p->domain, skin, p->interaction_table.reach, radius);
     if (d->scene.tuned_skins && radius > 0.0)
     {
@@ -324,6 +324,7 @@ static int read_scene(struct dem *d)
     struct dem_state *const p = &d->state;
 
     DEM_TRY(dem_scene_read_materials(d->dict, &p->interaction_table));
+    dem_api_begin_walls(d);
     DEM_TRY(dem_api_add_mesh_walls(d));
     DEM_TRY(dem_scene_read(&d->scene, d->dict, &p->interaction_table, &p->walls, &p->domain));
     DEM_TRY(dem_scene_read_forces(d->dict, &p->interaction_table, &p->applied_forces));
@@ -368,8 +369,12 @@ static int resume_averages(struct dem *d)
 
 int dem_api_read_scene(struct dem *d)
 {
-    const int status = dem_api_agree(d, read_scene(d));
+    int status = dem_api_agree(d, read_scene(d));    /* the first rank alone reads surfaces */
 
+    if (!status && !d->load_path[0])
+    {
+        status = dem_api_agree(d, dem_api_finish_physics(d));
+    }
     d->checked = status ? -1 : 1;
     return status;
 }
@@ -384,6 +389,7 @@ int dem_api_setup(struct dem *d)
     DEM_TRY(dem_api_agree(d, dem_api_create_particles(d)));
     dem_orientation_begin(&d->state.particles);
     DEM_TRY(dem_api_agree(d, prepare_physics(d)));
+    DEM_TRY(dem_api_agree(d, dem_api_position_mesh_walls(d)));
     if (d->scene.fluid.given || !d->load_path[0])
     {
         dem_api_init_fluid(d);

@@ -59,11 +59,13 @@ int dem_api_finish_physics(struct dem *d)
     {
         wall_materials[p->walls.wall[w].material] = 1;
     }
-    DEM_TRY(dem_interaction_table_freeze(&p->interaction_table, wall_materials));
-    DEM_TRY(choose_step(d));
-    DEM_TRY(check_periodic_widths(d, radius));
-    DEM_TRY(dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0));
-    return dem_domain_check_walls(&p->domain, &p->walls, radius);
+    int status = dem_interaction_table_freeze(&p->interaction_table, wall_materials);
+
+    status = status ? status : choose_step(d);
+    status = status ? status : check_periodic_widths(d, radius);
+    status = status ? status : dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0);
+    status = status ? status : dem_domain_check_walls(&p->domain, &p->walls, radius);
+    return dem_wall_store_finish(&p->wall_store, status, &p->walls);
 }
 
 double dem_api_max_radius(const struct dem *d)
@@ -122,6 +124,5 @@ int dem_api_check_scene(struct dem *d)
     }
     DEM_TRY(check_bonds(d));
     DEM_TRY(dem_insert_check_domain(&d->scene.insertion, &d->state.domain));
-    DEM_TRY(find_radii(d));
-    return dem_api_finish_physics(d);
+    return find_radii(d);
 }

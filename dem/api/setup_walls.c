@@ -1,6 +1,6 @@
 /*
- * setup_walls.c -- walls of dem_add_wall: the triangles of all ranks are gathered on each, at
- * set-up and at each movement.
+ * setup_walls.c -- walls of dem_add_wall: each rank gives its triangles. Those of a wall that moves
+ * are gathered on each rank at each movement.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -23,17 +23,21 @@ int dem_api_gather(const struct dem_state *p, size_t size, size_t n, const doubl
     return DEM_OK;
 }
 
-/* The walls sort their triangles, so the order of the ranks has no influence. */
-static int gather_wall(struct dem_state *p, int wall, const struct dem_mesh_wall *m)
+/* Collective. Hold all triangles of a wall from its first movement on. Wall neighbors keep their
+   triangles and facets, which now have other indices. */
+static int follow(struct dem_state *p, int wall)
 {
-    double *corners;
-    size_t n;
+    struct dem_wall_search *const s = &p->pairs.wall_search;
 
-    DEM_TRY(dem_api_gather(p, 9, m->n, m->triangles, &corners, &n));
-    const int status = dem_walls_add_triangles(&p->walls, wall, n, corners);
-
-    dem_memory_free(corners);
-    return status;
+    if (p->decomposition.ranks == 1 || p->walls.wall[wall].follows_mesh)
+    {
+        return DEM_OK;
+    }
+    dem_wall_search_use_indices(s, &p->walls);
+    DEM_TRY(dem_wall_store_follow(&p->wall_store, &p->walls, wall));
+    dem_wall_search_use_held(s, &p->walls);
+    return dem_collect_agree(&p->decomposition,
+                             dem_wall_search_prepare(s, &p->walls, s->radius));
 }
 
 int dem_api_move_wall(struct dem *d, const struct dem_mesh_wall *m, int now)
@@ -47,6 +51,7 @@ int dem_api_move_wall(struct dem *d, const struct dem_mesh_wall *m, int now)
     {
         wall++;
     }
+    DEM_TRY(follow(&d->state, wall));
     DEM_TRY(dem_api_gather(&d->state, 9, m->n, m->moved, &corners, &n));
     const int status = now ? dem_walls_set_corners(w, wall, n, corners)
                            : dem_walls_set_target(w, wall, n, corners);
@@ -71,15 +76,44 @@ int dem_api_add_mesh_walls(struct dem *d)
 {
     for (size_t k = 0; k < d->mesh_walls; k++)
     {
-        const struct dem_mesh_wall *const m = &d->mesh_wall[k];
+        struct dem_mesh_wall *const m = &d->mesh_wall[k];
         int material, wall;
 
         DEM_TRY(dem_interaction_table_find_material(&d->state.interaction_table, m->material,
                                                     m->name, &material));
         DEM_TRY(dem_walls_add(&d->state.walls, m->name, material, &wall));
-        DEM_TRY(gather_wall(&d->state, wall, m));
+        /* the walls sort their triangles, so the order of the ranks has no influence */
+        DEM_TRY(dem_wall_store_add(&d->state.wall_store, &d->state.walls, wall, m->n,
+                                   m->triangles));
+        dem_memory_free(m->triangles);
+        m->triangles = NULL;
     }
     return DEM_OK;
+}
+
+/* 1 when a group is placed inside walls, a mesh or a zone: each rank tests positions anywhere. */
+static int places_inside(const struct dem_dict *scene)
+{
+    const struct dem_dict *insert = NULL;
+    int inside = 0;
+
+    if (!dem_dict_has(scene, "insert") || dem_dict_sub_if(scene, "insert", &insert) || !insert)
+    {
+        return 0;
+    }
+    for (size_t k = 0; k < dem_dict_count(insert); k++)
+    {
+        const struct dem_entry *const e = dem_dict_entry(insert, k);
+        const struct dem_dict *const group = dem_entry_is_dict(e) ? dem_entry_dict(e) : NULL;
+
+        inside |= group && (dem_dict_has(group, "inside") || dem_dict_has(group, "zone"));
+    }
+    return inside;
+}
+
+void dem_api_begin_walls(struct dem *d)
+{
+    dem_wall_store_begin(&d->state.wall_store, &d->state.walls, places_inside(d->dict));
 }
 
 int dem_insert_region(struct dem *d, const char *name, int zone, int64_t n,

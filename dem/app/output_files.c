@@ -238,17 +238,6 @@ int dem_output_check(const struct dem_output *o, const struct dem_program *prog)
     return dem_program_agree(prog, prog->rank == 0 && writes ? check_folder(o) : DEM_OK);
 }
 
-/* On the first rank: the file's entry in particles.pvd, and the walls when they move. */
-static int add_to_collection(const struct dem_output *o, const struct dem *d, int64_t number,
-                             double time, const char *file)
-{
-    char path[640];
-
-    snprintf(path, sizeof path, "%s/particles.pvd", o->folder);
-    DEM_TRY(dem_vtk_collection_add(path, time, file));
-    return dem_walls_vtk_write(o, d, number, time);
-}
-
 /* Averages have no room for a comment in their CSV: effects.csv names the effects. */
 static int write_averages(const struct dem_output *o, const struct dem_program *prog, struct dem *d)
 {
@@ -266,12 +255,14 @@ static int write_averages(const struct dem_output *o, const struct dem_program *
 static int write_vtk(const struct dem_output *o, const struct dem_program *prog, struct dem *d,
                      int64_t number, double time)
 {
-    char file[64];
+    char file[64], path[640];
 
     snprintf(file, sizeof file, "particles_%06lld.vtp", (long long)number);
+    snprintf(path, sizeof path, "%s/particles.pvd", o->folder);
     DEM_TRY(write_particles(o, prog, d, file));
-    DEM_TRY(dem_program_agree(prog, prog->rank == 0 ? add_to_collection(o, d, number, time, file)
+    DEM_TRY(dem_program_agree(prog, prog->rank == 0 ? dem_vtk_collection_add(path, time, file)
                                                     : DEM_OK));
+    DEM_TRY(dem_walls_vtk_write(o, prog, d, number, time));
     if (!dem_has_bonds(d))
     {
         return DEM_OK;

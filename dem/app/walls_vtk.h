@@ -11,10 +11,11 @@
 #include "app/output_files.h"
 
 /* Collective, before the first output. Write walls.vtp, when no wall moves. */
-int dem_walls_vtk_begin(const struct dem_output *, const struct dem_program *, const struct dem *);
+int dem_walls_vtk_begin(const struct dem_output *, const struct dem_program *, struct dem *);
 
-/* On the first rank, at each output: write walls_NNNNNN.vtp and its entry in walls.pvd, when a
-   wall moves. */
-int dem_walls_vtk_write(const struct dem_output *, const struct dem *, int64_t number, double time);
+/* Collective, at each output: write walls_NNNNNN.vtp and its entry in walls.pvd, when a wall
+   moves. */
+int dem_walls_vtk_write(const struct dem_output *, const struct dem_program *, struct dem *,
+                        int64_t number, double time);
 
 #endif

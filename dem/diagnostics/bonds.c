@@ -29,7 +29,7 @@ void dem_bonds_free(struct dem_bonds *b)
 static void partner_ids(const struct dem_state *p, const struct dem_pair *q, int64_t id[2])
 {
     id[0] = p->particles.record[q->i].id;
-    id[1] = q->wall ? -1 - p->walls.facet[p->pairs.wall_facet[q->j]].wall
+    id[1] = q->wall ? -1 - p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall
                     : p->particles.record[q->j].id;
 }
 

@@ -43,7 +43,7 @@ static void wall_work(struct dem_state *p, double span, int ahead)
             const struct dem_contact_force contact = dem_contact_forces_at(&c->forces, r);
             const double *const f = contact.f;
 
-            dem_wall_surface_motion(&p->walls, p->pairs.wall_facet[q->j], &p->touches.touch[q->j],
+            dem_wall_surface_motion(&p->walls, dem_pairs_facet(&p->pairs, q->j), &p->touches.touch[q->j],
                                     ahead, &wall);
             if (dem_wall_surface_follows_mesh(p, q->j))
             {

@@ -15,7 +15,7 @@ int dem_fall_check(const struct dem_state *p)
 {
     int64_t counted[2] = {p->lost_particles->passages, (int64_t)p->particles.n};
 
-    if (p->walls.triangles == 0)
+    if (dem_walls_count_triangles(&p->walls) == 0)
     {
         return DEM_OK;
     }

@@ -99,7 +99,7 @@ static double bytes_held(const struct dem_state *p)
 {
     return (double)(dem_particles_bytes(&p->particles) + dem_contacts_bytes(&p->contacts) +
                     dem_pairs_bytes(&p->pairs) + p->touches.capacity*sizeof *p->touches.touch +
-                    p->walls.triangle_capacity*sizeof *p->walls.triangle);
+                    dem_wall_store_bytes(&p->wall_store, &p->walls));
 }
 
 void dem_inventory_take(const struct dem_state *p, struct dem_inventory *s)

@@ -94,7 +94,7 @@ static void partner_names(const struct dem_state *p, char *text, size_t size)
     if (w->j < 0)
     {
         snprintf(text, size, "particle %lld and wall %s", (long long)w->i,
-                 p->walls.wall[p->walls.facet[-1 - w->j].wall].name);
+                 p->walls.wall[dem_walls_with_facet(&p->walls, (int)(-1 - w->j))].name);
     }
     else
     {

@@ -32,7 +32,7 @@ static void append(char cause[DEM_LOST_CAUSE_SIZE], const char *format, ...)
 
 static const char *wall_name(const struct dem_state *p, const struct dem_pair *q)
 {
-    return p->walls.wall[p->walls.facet[p->pairs.wall_facet[q->j]].wall].name;
+    return p->walls.wall[p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall].name;
 }
 
 /* ---- where ----------------------------------------------------------------------------------- */

@@ -289,7 +289,7 @@ void dem_totals_max_overlap(struct dem_state *p, struct dem_overlap *pair, struc
         {
             worst->fraction = 0.5*overlap/radius;
             worst->id = a->id;
-            worst->partner = q->wall ? p->walls.facet[p->pairs.wall_facet[q->j]].wall
+            worst->partner = q->wall ? p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall
                                      : p->particles.record[q->j].id;
             memcpy(worst->x, a->x, sizeof a->x);
         }

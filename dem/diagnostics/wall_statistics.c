@@ -59,7 +59,7 @@ void dem_wall_statistics_sum_forces(const struct dem_state *p, int wall, double 
         for (uint32_t r = c->rows.segment[s].first; r < end; r++)
         {
             const struct dem_pair *const q = dem_contacts_pair(c, r);
-            const int own_wall = p->walls.facet[p->pairs.wall_facet[q->j]].wall;
+            const int own_wall = p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall;
             const struct dem_contact_force contact = dem_contact_forces_at(&c->forces, r);
             const double f[3] = {-factor*contact.f[0], -factor*contact.f[1], -factor*contact.f[2]};
             struct dem_sum *const to = sum + (wall < 0 ? 6*own_wall : 0);

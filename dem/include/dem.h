@@ -364,9 +364,10 @@ int dem_wall_impulse(struct dem *, int wall, double impulse[3], double angular_i
 /* Number of triangles of a wall, and whether it moves. */
 void dem_wall_info(const struct dem *, int wall, struct dem_wall_info *);
 
-/* Write the present corners of a wall's triangles [m], 9 numbers each, into an array of
-   9*dem_wall_info.triangles numbers. All triangles on each rank, always in the same order. */
-void dem_wall_corners(const struct dem *, int wall, double *corners);
+/* Collective. Write the present corners of a wall's triangles [m], 9 numbers each, into an array of
+   9*dem_wall_info.triangles numbers of the first rank; other ranks may give NULL. The order is
+   always the same. */
+int dem_wall_corners(struct dem *, int wall, double *corners);
 
 /* ---- particles ------------------------------------------------------------------------------- */
 

@@ -2,7 +2,7 @@
  * flows_positions.c -- find free positions for the particles of streams.
  *
  * 1. Gather the spheres near the inlet from all ranks, with their periodic images, into a grid of
- * cells.
+ * cells, and the triangles of walls.
  * 2. For each particle due, in order of its number: random trials, the same on each rank, until one
  * is clear of spheres and walls.
  * 3. Stop at the first particle without a free position; it waits, and the following ones with it.
@@ -10,6 +10,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "inflow/flows.h"
+#include "inflow/inlet_walls.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/vec.h"
@@ -53,6 +54,7 @@ struct inlet_grid    /* spheres around the inlet of one stream */
     int *head, *next;       /* first body of each cell; next body of each body */
     size_t n, body_capacity, next_capacity;
     struct body *body;
+    struct dem_inlet_walls walls;
 };
 
 /* ---- spheres near the inlet ------------------------------------------------------------------ */
@@ -228,6 +230,7 @@ static int is_clear(const struct inlet_grid *grid, const double x[3], double rad
 
 static void free_grid(struct inlet_grid *grid)
 {
+    dem_inlet_walls_free(&grid->walls);
     dem_memory_free(grid->head);
     dem_memory_free(grid->next);
     dem_memory_free(grid->body);
@@ -261,13 +264,13 @@ static int test_position(struct dem_state *p, const struct inlet_grid *grid,
     {
         return DEM_OK;
     }
-    return dem_wall_search_is_clear(&p->pairs.wall_search, &p->walls, q, clear);
+    return dem_wall_search_is_clear(grid->walls.search, grid->walls.walls, q, clear);
 }
 
 /* 1 in `passes` when the path from the inlet to x leads through a wall. A wall on the inlet itself
    does not count. */
-static int path_passes(struct dem_state *p, double radius, const double start[3],
-                       const double x[3], int *passes)
+static int path_passes(struct dem_state *p, const struct inlet_grid *grid, double radius,
+                       const double start[3], const double x[3], int *passes)
 {
     struct dem_particle from = {.radius = radius}, to = {.radius = radius};
     double along[3];
@@ -287,8 +290,8 @@ static int path_passes(struct dem_state *p, double radius, const double start[3]
     }
     dem_domain_project(&p->domain, &from);
     dem_domain_project(&p->domain, &to);
-    return dem_wall_path_passes(&p->pairs.wall_search, &p->walls, &p->domain, radius, from.x, to.x,
-                                passes);
+    return dem_wall_path_passes(grid->walls.search, grid->walls.walls, &p->domain, radius, from.x,
+                                to.x, passes);
 }
 
 /* Trials of a position and a velocity, until one is free. `found`: 1 if one was. A particle that
@@ -313,7 +316,7 @@ static int find_position(struct dem_state *p, const struct dem_stream_trial *fir
         DEM_TRY(test_position(p, grid, q, found));
         if (*found)
         {
-            DEM_TRY(path_passes(p, q->radius, start, x, &passes));
+            DEM_TRY(path_passes(p, grid, q->radius, start, x, &passes));
             if (passes)
             {
                 memcpy(q->x, start, sizeof start);
@@ -394,7 +397,8 @@ static int insert_due(struct dem_state *p, int k, struct inlet_grid *grid,
     }
 }
 
-/* Collective; a rank that has failed before (`status`) takes part. Tests the amount due first: in the majority of checks nothing is due. */
+/* Collective; a rank that has failed before (`status`) takes part. Tests the amount due first: in
+   the majority of checks nothing is due. */
 static int check_stream(struct dem_state *p, int k, int64_t step, int status)
 {
     struct dem_flows *const f = p->flows;
@@ -421,7 +425,12 @@ static int check_stream(struct dem_state *p, int k, int64_t step, int status)
         grid.min[a] -= travel;
         grid.max[a] += travel;
     }
+    double box[2][3];
+
+    memcpy(box[0], grid.min, sizeof box[0]);
+    memcpy(box[1], grid.max, sizeof box[1]);
     status = find_bodies(p, &grid, status);
+    status = dem_inlet_walls_gather(&grid.walls, p, status, box, s->sizes.max);
     status = status ? status : make_grid(&grid);
     status = status ? status : insert_due(p, k, &grid, &t);
     free_grid(&grid);

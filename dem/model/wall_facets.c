@@ -267,8 +267,8 @@ static void join(struct dem_walls *w, struct edge *edge, size_t edges, size_t *p
                 parent[rs > rt ? rs : rt] = rs > rt ? rt : rs;
                 if (!same_side(&w->triangle[s], edge[k].side, &w->triangle[t], edge[m].side))
                 {
-                    w->triangle[s].rim &= ~(1u << edge[k].side);
-                    w->triangle[t].rim &= ~(1u << edge[m].side);
+                    w->triangle[s].rim &= (uint16_t)~(1u << edge[k].side);
+                    w->triangle[t].rim &= (uint16_t)~(1u << edge[m].side);
                 }
             }
         }
@@ -277,12 +277,15 @@ static void join(struct dem_walls *w, struct edge *edge, size_t edges, size_t *p
 
 static int add_facet(struct dem_walls *w, int wall, const double normal[3], const double point[3])
 {
-    const struct dem_wall *const of = &w->wall[wall];
+    struct dem_wall *const of = &w->wall[wall];
     struct dem_facet *r;
 
     DEM_TRY(DEM_GROW(w->facet, w->facet_capacity, w->facets + 1));
-    r = &w->facet[w->facets++];
+    of->first_facet = of->facets > 0 ? of->first_facet : w->facets;
+    of->facets++;
+    r = &w->facet[w->facets];
     *r = (struct dem_facet){.wall = wall,
+                            .number = w->facets++,
                             .shape = of->shape,
                             .outside = of->outside,
                             .radius = of->radius,
@@ -344,7 +347,7 @@ static int choose_planes(struct dem_walls *w)
                 r->normal[k] = n[k]/size;
             }
             r->offset = dem_vec_dot(r->normal, w->triangle[t].corner[0]);
-            r->largest = (uint32_t)t;
+            r->largest = w->triangle[t].index;
         }
     }
     dem_memory_free(largest);
@@ -369,6 +372,7 @@ static int join_triangles(struct dem_walls *w, double scale)
                                 .triangle = t,
                                 .side = (int)(k%3)};
         w->triangle[t].rim = 7;
+        w->triangle[t].index = (uint32_t)t;
         parent[t] = t;
     }
     if (!status)
@@ -381,6 +385,29 @@ static int join_triangles(struct dem_walls *w, double scale)
     dem_memory_free(label);
     dem_memory_free(parent);
     return status;
+}
+
+static void find_boxes(struct dem_walls *w)
+{
+    for (int k = 0; k < w->frames; k++)
+    {
+        for (int a = 0; a < 3; a++)
+        {
+            w->frame[k].box[0][a] = INFINITY;
+            w->frame[k].box[1][a] = -INFINITY;
+        }
+    }
+    for (size_t t = 0; t < w->triangles; t++)
+    {
+        const struct dem_triangle *const here = &w->triangle[t];
+        struct dem_wall_frame *const f = &w->frame[w->wall[here->wall].frame];
+
+        for (int k = 0; k < 9 && w->wall[here->wall].frame >= 0; k++)
+        {
+            f->box[0][k%3] = fmin(f->box[0][k%3], here->corner[k/3][k%3]);
+            f->box[1][k%3] = fmax(f->box[1][k%3], here->corner[k/3][k%3]);
+        }
+    }
 }
 
 int dem_walls_finish(struct dem_walls *w, double scale)
@@ -397,5 +424,6 @@ int dem_walls_finish(struct dem_walls *w, double scale)
     {
         DEM_TRY(number_facets(w, NULL));
     }
+    find_boxes(w);
     return dem_walls_make_marks(w);
 }

@@ -93,20 +93,10 @@ static int add_mark(struct dem_walls *w, struct dem_mark mark)
 
 static int mark_box(struct dem_walls *w, int frame)
 {
-    double box[2][3] = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-
-    for (size_t k = 0; k < 3*w->triangles; k++)
-    {
-        const struct dem_triangle *const t = &w->triangle[k/3];
-
-        for (int a = 0; a < 3 && w->wall[t->wall].frame == frame; a++)
-        {
-            box[0][a] = fmin(box[0][a], t->corner[k%3][a]);
-            box[1][a] = fmax(box[1][a], t->corner[k%3][a]);
-        }
-    }
     for (int k = 0; k < 8; k++)
     {
+        const double (*const box)[3] = (const double (*)[3])w->frame[frame].box;
+
         DEM_TRY(add_mark(w, (struct dem_mark){
             .frame = frame,
             .at = {box[k & 1][0], box[k >> 1 & 1][1],
@@ -120,6 +110,7 @@ int dem_walls_make_marks(struct dem_walls *w)
     static const enum dem_mark_counts counts[] = {DEM_MARK_ALL, DEM_MARK_ALONG, DEM_MARK_ACROSS,
                                                   DEM_MARK_ALL};
 
+    w->marks = 0;
     for (int k = 0; k < w->walls; k++)
     {
         const struct dem_wall *const of = &w->wall[k];

@@ -48,7 +48,7 @@ static double edges_and_normal(const struct dem_triangle *t, double edge[2][3], 
 /* The plane of a facet follows its largest triangle; when that has no area, the normal stays. */
 static void update_plane(const struct dem_walls *w, struct dem_facet *r)
 {
-    const struct dem_triangle *const t = &w->triangle[r->largest];
+    const struct dem_triangle *const t = &w->triangle[dem_walls_find(w, r->largest)];
     double edge[2][3], normal[3];
     const double size = edges_and_normal(t, edge, normal);
 

@@ -33,6 +33,8 @@ int dem_walls_add(struct dem_walls *w, const char *name, int material, int *wall
     DEM_REQUIRE(strlen(name) < sizeof w->wall->name, DEM_ERROR_INPUT,
                 "wall name %s is longer than %zu characters; shorten it", name,
                 sizeof w->wall->name - 1);
+    DEM_REQUIRE(w->walls <= UINT16_MAX, DEM_ERROR_INPUT,
+                "wall %s: there are %d walls, the limit; join some of them", name, w->walls);
     DEM_TRY(DEM_GROW(w->wall, w->wall_capacity, w->walls + 1));
     *wall = w->walls++;
     w->wall[*wall] = (struct dem_wall){.material = material, .frame = -1};
@@ -95,13 +97,17 @@ static const double max_coordinate = 1e50;
 
 int dem_walls_add_triangles(struct dem_walls *w, int wall, size_t n, const double *corners)
 {
+    if (w->elsewhere)
+    {
+        return DEM_OK;
+    }
     DEM_TRY(DEM_GROW(w->triangle, w->triangle_capacity, w->triangles + n));
     for (size_t t = 0; t < n; t++)
     {
         struct dem_triangle *const new = &w->triangle[w->triangles];
 
         memcpy(new->corner, corners + 9*t, sizeof new->corner);
-        new->wall = wall;
+        new->wall = (uint16_t)wall;
         new->given_index = (uint32_t)w->wall[wall].given++;
         for (int k = 0; k < 9; k++)
         {
@@ -113,6 +119,29 @@ int dem_walls_add_triangles(struct dem_walls *w, int wall, size_t n, const doubl
         w->triangles++;
     }
     return DEM_OK;
+}
+
+size_t dem_walls_count_triangles(const struct dem_walls *w)
+{
+    size_t n = 0;
+
+    for (int k = 0; k < w->walls; k++)
+    {
+        n += w->wall[k].triangles;
+    }
+    return n;
+}
+
+int dem_walls_with_facet(const struct dem_walls *w, int number)
+{
+    int k = 0;
+
+    while (number < w->wall[k].first_facet ||
+           number >= w->wall[k].first_facet + w->wall[k].facets)
+    {
+        k++;
+    }
+    return k;
 }
 
 /* ---- heights --------------------------------------------------------------------------------- */

@@ -12,6 +12,9 @@
  * has its triangles at their present positions, but keeps the facets of the surface that was given
  * (wall_trajectory.c).
  *
+ * With several ranks, each holds the triangles near its particles and their facets, in the order and
+ * with the numbers of all (wall_records.c); which these are: parallel/wall_store.h.
+ *
  * Search for particles near walls: neighbor/wall_search.h; contact points: neighbor/wall_touch.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -50,9 +53,10 @@ struct dem_wall
                                                          makes it absorb particles, or NULL */
     int outlet;                                       /* its index among the outlets, which
                                                          counts them */
-    size_t triangles, flat, repeats;                  /* kept; dropped without area;
+    size_t triangles, flat, repeats;                  /* of all ranks: kept; dropped without area;
                                                          dropped duplicates */
     size_t given;                                     /* triangles given, before any are dropped */
+    int first_facet, facets;                          /* numbers of its facets: these */
     int follows_mesh, moves;                          /* 1: it follows a mesh; it
                                                          moves in this advance */
     double displacement;                              /* m: largest displacement of
@@ -62,9 +66,10 @@ struct dem_wall
 struct dem_triangle
 {
     double corner[3][3];          /* m */
-    int wall, facet;
-    unsigned rim;                 /* bit k: edge k -> k + 1 is on the rim of its facet */
+    int facet;                    /* its index among the facets held */
+    uint32_t index;               /* its index among the triangles of all walls and ranks, sorted */
     uint32_t given_index;         /* its index among the triangles given for its wall */
+    uint16_t wall, rim;           /* rim, bit k: edge k -> k + 1 is on the rim of its facet */
 };
 
 /* corners of a triangle at begin and end of an advance */
@@ -80,9 +85,19 @@ struct dem_facet                  /* in the wall's frame */
     double centre[3], radius;     /* m: of a cylinder (any point of its axis) or sphere */
     int wall, outside;
     enum dem_shape shape;
+    int number;                   /* among the facets of all ranks: the key of its contacts */
     int bent;                     /* 1: it follows a mesh and is no longer plane */
-    uint32_t largest;             /* largest triangle of the surface given: its plane is that of the
-                                     facet */
+    uint32_t largest;             /* `index` of the largest triangle of the surface given: its plane
+                                     is that of the facet */
+};
+
+/* a triangle and the plane of its facet, as one rank hands it to another */
+struct dem_wall_record
+{
+    struct dem_triangle triangle;  /* facet: its number */
+    double normal[3], offset;      /* of the facet, in the wall's frame */
+    uint32_t largest;
+    int bent;
 };
 
 /* reference frame of all walls with the same motion */
@@ -92,13 +107,16 @@ struct dem_wall_frame
     struct dem_pose pose;         /* present */
     struct dem_wall_displacement displacement;  /* over the last step */
     int triangles;                /* 1: has a wall of triangles */
+    double box[2][3];             /* m: of these, in the frame */
 };
 
 enum dem_list                                             /* neighbor lists, see neighbor/pairs.h */
 {
     DEM_LIST_OUTER,
     DEM_LIST_INNER,
-    DEM_LISTS
+    DEM_LISTS,
+    DEM_LIST_TRIANGLES = DEM_LISTS,  /* of marks only: the triangles that a rank holds */
+    DEM_MARK_REFERENCES
 };
 
 enum dem_mark_counts                                      /* of the displacement of a mark */
@@ -114,7 +132,8 @@ struct dem_mark
     int frame;                               /* index of the reference frame */
     enum dem_mark_counts counts;
     double at[3], normal[3];                  /* m, unit, in the wall's frame */
-    double reference[DEM_LISTS][3], last[3];  /* m, global: when lists were made, a step ago */
+    double reference[DEM_MARK_REFERENCES][3];  /* m, global: when lists were made */
+    double last[3];                           /* m, global: a step ago */
 };
 
 struct dem_walls
@@ -138,11 +157,12 @@ struct dem_walls
     struct dem_corner_trajectory *trajectory;  /* one per triangle, or NULL */
     double flatness;                           /* m: tolerance for corners to be in a plane */
     double advance;                            /* s: length of this advance */
-    double path_length, since[DEM_LISTS];      /* m: bounds of the path of corners: in
-                                                  the whole run, since lists were made */
+    double path_length;                        /* m: bounds of the path of corners: in the whole */
+    double since[DEM_MARK_REFERENCES];         /* run; since lists were made */
     int absorbing;                             /* number of walls that absorb particles */
     int all_flat_static;                       /* 1: all walls are flat and
                                                   at rest, none is driven */
+    int elsewhere;                             /* 1: triangles are given on another rank */
 };
 
 void dem_walls_free(struct dem_walls *);
@@ -158,8 +178,8 @@ int dem_walls_add_plane(struct dem_walls *, const char *name, int material, cons
 int dem_walls_add_round(struct dem_walls *, const char *name, int material, const double point[3],
                         const double *axis, double radius, int outside);
 
-/* Add n triangles to a wall, 9 numbers [m] each; dem_walls_finish drops degenerate ones and
-   duplicates. */
+/* Add n triangles to a wall, 9 numbers [m] each, unless they are given elsewhere; dem_walls_finish
+   drops degenerate ones and duplicates. */
 int dem_walls_add_triangles(struct dem_walls *, int wall, size_t n, const double *corners);
 
 /* Give a wall a motion. DEM_ERROR_INPUT when its shape cannot follow (an infinite plane can rotate
@@ -173,9 +193,36 @@ int dem_walls_finish(struct dem_walls *, double scale);
 /* Part of the above: choose the points whose displacements bound those of the walls. */
 int dem_walls_make_marks(struct dem_walls *);
 
+/* Triangles of all walls and ranks. */
+size_t dem_walls_count_triangles(const struct dem_walls *);
+
+/* The wall that has the facet of this number. */
+int dem_walls_with_facet(const struct dem_walls *, int number);
+
 /* Height [m] of x, in the wall's frame, over the unbounded surface of a facet, negative behind it,
    and the unit normal there. */
 double dem_facet_height(const struct dem_facet *, const double x[3], double normal[3]);
+
+/* ---- a part of the triangles ----------------------------------------------------------------- */
+
+/* The record of a triangle held. */
+void dem_walls_record(const struct dem_walls *, size_t triangle, struct dem_wall_record *);
+
+/* Where the triangle that has this index among all is among those held. */
+size_t dem_walls_find(const struct dem_walls *, uint32_t index);
+
+/* Hold the triangles of the records, those of walls that follow a mesh as before, and no others. */
+int dem_walls_hold(struct dem_walls *, size_t n, const struct dem_wall_record *);
+
+/* The same in `part`, which shares all but triangles and facets with the walls;
+   dem_walls_free_part frees these. */
+int dem_walls_copy_part(const struct dem_walls *, size_t n, const struct dem_wall_record *,
+                        struct dem_walls *part);
+void dem_walls_free_part(struct dem_walls *part);
+
+/* Bounding box [m] of a triangle at its present position, in the global frame. */
+void dem_walls_triangle_box(const struct dem_walls *, const struct dem_triangle *,
+                            double box[2][3]);
 
 /* ---- motion: no effect when no wall moves ---------------------------------------------------- */
 

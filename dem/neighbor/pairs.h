@@ -31,7 +31,7 @@ struct dem_pairs
     double max_radius;                        /* m: of all particles of all ranks */
     alignas(16) double shift[DEM_SHIFTS][4];  /* m, m, m, 0; read four at once */
     struct dem_wall_search wall_search;
-    int *wall_facet;                          /* facet of each wall neighbor */
+    int *wall_facet;                          /* number of the facet of each wall neighbor */
     size_t wall_facet_capacity;
 };
 
@@ -58,6 +58,12 @@ int dem_pairs_order(struct dem_pairs *, struct dem_particles *);
 int dem_pairs_find(struct dem_pairs *, const struct dem_domain *, const struct dem_particles *,
                    const struct dem_walls *, const struct dem_interaction_table *,
                    struct dem_contacts *);
+
+/* Index, among those held, of the facet of a wall neighbor. */
+static inline int dem_pairs_facet(const struct dem_pairs *s, uint32_t wall_neighbor)
+{
+    return s->wall_search.neighbor[wall_neighbor].facet;
+}
 
 /* Part of the above: DEM_ERROR_INPUT for more particles (with ghosts) or pairs on a rank than
    indices of 32 bits allow. */

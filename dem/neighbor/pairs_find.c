@@ -311,7 +311,7 @@ static int wall_pairs(struct dem_pairs *s, const struct dem_particles *p, const 
         const struct dem_particle *const me = &p->record[near->particle];
         const int material = w->wall[w->facet[near->facet].wall].material;
 
-        s->wall_facet[k] = near->facet;
+        s->wall_facet[k] = w->facet[near->facet].number;
         if (!(me->flags & DEM_PARTICLE_FROZEN))
         {
             DEM_TRY(

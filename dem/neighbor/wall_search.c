@@ -234,10 +234,6 @@ int dem_wall_search_prepare(struct dem_wall_search *s, const struct dem_walls *w
 {
     size_t *next = NULL;
 
-    if (w->triangles == 0)
-    {
-        return DEM_OK;
-    }
     dem_memory_free(s->start);
     dem_memory_free(s->entry);
     dem_memory_free(s->seen);
@@ -246,6 +242,10 @@ int dem_wall_search_prepare(struct dem_wall_search *s, const struct dem_walls *w
     s->stamp = 0;
     s->radius = radius;
     s->path_length = w->path_length;
+    if (w->triangles == 0)
+    {
+        return DEM_OK;
+    }
     size_grid(s, w, radius);
     const size_t cells = (size_t)s->cells[0]*(size_t)s->cells[1]*(size_t)s->cells[2];
 
@@ -256,6 +256,46 @@ int dem_wall_search_prepare(struct dem_wall_search *s, const struct dem_walls *w
 
     dem_memory_free(next);
     return status;
+}
+
+/* ---- other triangles held -------------------------------------------------------------------- */
+
+void dem_wall_search_use_indices(struct dem_wall_search *s, const struct dem_walls *w)
+{
+    for (size_t c = 0; c < s->candidates; c++)
+    {
+        s->candidate[c] = w->triangle[s->candidate[c]].index;
+    }
+    for (size_t k = 0; k < s->neighbors; k++)
+    {
+        s->neighbor[k].facet = w->facet[s->neighbor[k].facet].number;
+    }
+}
+
+static int facet_held(const struct dem_walls *w, int number)
+{
+    int from = 0, to = w->facets;
+
+    while (from < to)
+    {
+        const int middle = from + (to - from)/2;
+
+        from = w->facet[middle].number < number ? middle + 1 : from;
+        to = w->facet[middle].number < number ? to : middle;
+    }
+    return from;
+}
+
+void dem_wall_search_use_held(struct dem_wall_search *s, const struct dem_walls *w)
+{
+    for (size_t c = 0; c < s->candidates; c++)
+    {
+        s->candidate[c] = (uint32_t)dem_walls_find(w, s->candidate[c]);
+    }
+    for (size_t k = 0; k < s->neighbors; k++)
+    {
+        s->neighbor[k].facet = facet_held(w, s->neighbor[k].facet);
+    }
 }
 
 /* ---- search ---------------------------------------------------------------------------------- */

@@ -65,6 +65,11 @@ int dem_wall_search_gather(struct dem_wall_search *, const struct dem_walls *, i
 int dem_wall_search_push_out(struct dem_wall_search *, const struct dem_walls *,
                              struct dem_particle *, int *pushed);
 
+/* Before walls hold other triangles: wall neighbors name triangles and facets by index among all
+   ranks, and number; after it, if those are still held: by index among those held. */
+void dem_wall_search_use_indices(struct dem_wall_search *, const struct dem_walls *);
+void dem_wall_search_use_held(struct dem_wall_search *, const struct dem_walls *);
+
 /* Distance [m] of a point x, in the global frame, from the facet of a wall neighbor as contacts use
    it: negative behind a facet with one side. */
 double dem_wall_search_distance(const struct dem_wall_search *, const struct dem_walls *,

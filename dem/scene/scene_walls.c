@@ -59,8 +59,8 @@ static int read_triangles(struct dem_walls *w, const struct dem_dict *dict, int 
 static int read_file(struct dem_walls *w, const struct dem_dict *dict, int material)
 {
     const char *file;
-    double scale, *corner;
-    size_t n;
+    double scale, *corner = NULL;
+    size_t n = 0;
     int wall;
 
     DEM_TRY(dem_dict_text(dict, "file", &file));
@@ -68,8 +68,9 @@ static int read_file(struct dem_walls *w, const struct dem_dict *dict, int mater
     DEM_REQUIRE(scale > 0.0, DEM_ERROR_INPUT,
                 "%s: scale %g; give a number above 0, metres per unit of the file",
                 dem_dict_where(dict), scale);
-    DEM_TRY(dem_error_prefix(dem_stl_read(file, scale, &corner, &n),
-                             "%s: wall %s: ", dem_dict_where(dict), dem_dict_name(dict)));
+    DEM_TRY(w->elsewhere ? DEM_OK
+                         : dem_error_prefix(dem_stl_read(file, scale, &corner, &n), "%s: wall %s: ",
+                                            dem_dict_where(dict), dem_dict_name(dict)));
     int status = dem_walls_add(w, dem_dict_name(dict), material, &wall);
 
     status = status ? status : dem_walls_add_triangles(w, wall, n, corner);

@@ -13,6 +13,7 @@
 #include "model/applied_forces.h"
 #include "model/domain.h"
 #include "parallel/halo.h"
+#include "parallel/wall_store.h"
 #include "neighbor/pairs.h"
 #include "parallel/decomposition.h"
 #include "model/contacts.h"
@@ -51,6 +52,7 @@ struct dem_state
     struct dem_particles particles;
     struct dem_contacts contacts;
     struct dem_walls walls;
+    struct dem_wall_store wall_store;
     struct dem_wall_touches touches;
     struct dem_pairs pairs;
     struct dem_decomposition decomposition;

@@ -158,7 +158,7 @@ void dem_wall_surface_at(const struct dem_walls *w, int facet, const struct dem_
 int dem_wall_surface_follows_mesh(const struct dem_state *p, uint32_t wall_neighbor)
 {
     return p->walls.following > 0 &&
-           p->walls.wall[p->walls.facet[p->pairs.wall_facet[wall_neighbor]].wall].moves;
+           p->walls.wall[p->walls.facet[dem_pairs_facet(&p->pairs, wall_neighbor)].wall].moves;
 }
 
 void dem_wall_surface_mesh_motion(const struct dem_state *p, uint32_t wall_neighbor,

@@ -75,7 +75,7 @@ static void gather_wall_motion(struct dem_contact_workspace *restrict t, const s
         const struct dem_particle *const i = &p->particles.record[q->i];
         struct dem_wall_surface wall;
 
-        dem_wall_surface_at(&p->walls, p->pairs.wall_facet[q->j], i, &p->touches.touch[q->j], b->dt,
+        dem_wall_surface_at(&p->walls, dem_pairs_facet(&p->pairs, q->j), i, &p->touches.touch[q->j], b->dt,
                             &wall);
         if (dem_wall_surface_follows_mesh(p, q->j))
         {

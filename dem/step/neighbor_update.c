@@ -211,6 +211,7 @@ static int migrate(struct dem_state *p, int rebalance, int weighted)
     {
         DEM_TRY(dem_decomposition_balance(&p->decomposition, &p->particles,
                                           weighted ? p->load_balance.weight : NULL));
+        dem_wall_store_expire(&p->wall_store);
     }
     if (p->flows->arrivals > 0)
     {
@@ -263,11 +264,23 @@ static void count_lists(struct dem_state *p)
     dem_skins_count(&p->pairs.skins, counted);
 }
 
+/* Collective. The triangles that the particles of this rank may reach, and their grid. */
+static int hold_triangles(struct dem_state *p, int status)
+{
+    struct dem_wall_search *const s = &p->pairs.wall_search;
+    int changed;
+
+    status = dem_wall_store_select(&p->wall_store, status, &p->walls, &p->particles,
+                                   p->pairs.max_radius + p->pairs.outer, &changed);
+    return status || !changed ? status : dem_wall_search_prepare(s, &p->walls, s->radius);
+}
+
 /* Collective. The outer list of pairs, and from it the contact rows with their history; `status` is that of the
    migration, on which the ranks agree here. */
 static int build_lists(struct dem_state *p, int status)
 {
     dem_pairs_use_chosen_skin(&p->pairs);
+    status = hold_triangles(p, status);
     status = status ? status : dem_pairs_order(&p->pairs, &p->particles);
     status = dem_halo_build(&p->halo, status, &p->particles, &p->domain, p->pairs.max_radius,
                             p->pairs.outer);

@@ -59,7 +59,7 @@ static int list_crossings(struct dem_state *p, const struct dem_contact_workspac
         const struct dem_pair *const q = dem_contacts_pair(&p->contacts, row + (uint32_t)c);
 
         if (crossed(&t->batch, c) > 0.0
-            && p->walls.facet[p->pairs.wall_facet[q->j]].shape == DEM_SHAPE_TRIANGLES)
+            && p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].shape == DEM_SHAPE_TRIANGLES)
         {
             DEM_TRY(DEM_GROW(p->lost_particles->crossed, p->lost_particles->crossed_capacity,
                              p->lost_particles->crossings + 1));

@@ -138,6 +138,8 @@ static struct dem *create(int energy)
         "domain { x (0 %.17g); periodic (x); } insert { row { type lattice; count %d; "
         "diameter 1e-3; spacing 1.04; jitter 0.5; min (0 0 0);"
         " max (%.17g 0.00313 0.00313); velocity (0.3 0 0); seed 3; } }"
+        "walls { plate { type triangles; corners ((0 0 -1) (1 0 -1) (0 1 -1)); motion { type"
+        " translation; velocity (0 0 -1e-3); } } }"
         "averages { all { min (0 0 0); max (0.01 0.003 0.003); interval 1e-7; } }";
     const double length = 0.03120001*ranks;
     char text[1024];

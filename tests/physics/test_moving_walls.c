@@ -355,7 +355,7 @@ static void corners(void)
            "corners: they report which walls move");
     for (int w = 0; w < 2; w++)
     {
-        dem_wall_corners(d, w, at[w]);
+        TAP_OK(dem_wall_corners(d, w, at[w]) == DEM_OK, "corners: of wall %d", w);
         for (int k = 0; k < 9; k++)
         {
             off[w] = fmax(off[w], fabs(at[w][k] - (w ? turned[k] : from[k])));

@@ -93,12 +93,13 @@ class Wall:
 
     @property
     def corners(self):
-        """Corners of its triangles, n x 3 x 3 [m]; none of planes, cylinders, spheres."""
+        """Corners of its triangles, n x 3 x 3 [m], on the first rank; none of planes, cylinders,
+        spheres. Collective."""
         info = ffi.new("struct dem_wall_info *")
         lib.dem_wall_info(self._simulation._d, self._number, info)
         corners = numpy.empty((info.triangles, 3, 3))
-        lib.dem_wall_corners(self._simulation._d, self._number,
-                             ffi.cast("double *", corners.ctypes.data))
+        check(lib.dem_wall_corners(self._simulation._d, self._number,
+                                   ffi.cast("double *", corners.ctypes.data)))
         return corners
 
     def __repr__(self):
