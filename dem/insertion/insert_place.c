@@ -171,21 +171,23 @@ static int place_random(struct dem_initial_particles *c, const struct dem_insert
                                   .diameter = b->diameter,
                                   .diameters = b->diameters};
     const int64_t first = c->next_id;
-    struct dem_placed_spheres s;
-    int status = dem_placed_spheres_init(&s, q);
+    struct dem_packing_spheres s;
+    int status = dem_packing_spheres_init(&s, q);
 
     status = status ? status : dem_packing_fill(&p, c, &s);
-    for (size_t k = 0; k < s.n && !status; k++)
+    for (size_t k = 0; k < s.particles.n && !status; k++)
     {
-        if (s.sphere[k].number >= 0)    /* not of an earlier group */
-        {
-            struct dem_particle new = make_particle(b, r, s.sphere[k].x, s.sphere[k].number);
+        const struct dem_particle *const sphere = &s.particles.record[k];
 
-            new.id = first + s.sphere[k].number;
+        if (sphere->id >= 0)    /* not of an earlier group */
+        {
+            struct dem_particle new = make_particle(b, r, sphere->x, sphere->id);
+
+            new.id = first + sphere->id;
             status = dem_initial_particles_add(c, new, p.where);
         }
     }
-    dem_placed_spheres_free(&s);
+    dem_packing_spheres_free(&s);
     return status;
 }
 

@@ -11,7 +11,6 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "parallel/collect.h"
-#include "parallel/mpi_error.h"
 #include <math.h>
 #include <string.h>
 
@@ -31,6 +30,41 @@ int dem_packing_check_fraction(const struct dem_insertion_shape *v, double volum
     return DEM_OK;
 }
 
+/* ---- spheres --------------------------------------------------------------------------------- */
+
+int dem_packing_spheres_init(struct dem_packing_spheres *s, const struct dem_decomposition *of)
+{
+    memset(s, 0, sizeof *s);
+    dem_domain_init(&s->domain);
+    dem_halo_init(&s->halo, &s->decomposition);
+    dem_particles_init(&s->particles, 0);
+    return dem_decomposition_init(&s->decomposition, of->comm, of->rank, of->ranks);
+}
+
+void dem_packing_spheres_free(struct dem_packing_spheres *s)
+{
+    dem_contacts_free(&s->contacts);
+    dem_pairs_free(&s->search);
+    dem_particles_free(&s->particles);
+    dem_halo_free(&s->halo);
+    dem_decomposition_free(&s->decomposition);
+}
+
+int dem_packing_list_pairs(struct dem_packing_spheres *s, int status, double gap)
+{
+    const double skin[DEM_LISTS] = {0.0, 0.0};
+
+    dem_pairs_init(&s->search, &s->domain, skin, gap, s->max_radius);
+    DEM_TRY(dem_halo_migrate(&s->halo, status, &s->particles, &s->contacts));
+    status = gap > 0.0 ? dem_pairs_order(&s->search, &s->particles) : DEM_OK;
+    DEM_TRY(dem_halo_build(&s->halo, status, &s->particles, &s->domain, s->max_radius, gap));
+    return dem_collect_agree(&s->decomposition,
+                             dem_pairs_search(&s->search, &s->domain, &s->particles, &s->table,
+                                              &s->contacts));
+}
+
+/* ---- set-up ---------------------------------------------------------------------------------- */
+
 static double diameter_of(const struct dem_packing *p, int64_t m)
 {
     return p->diameters ? p->diameters[m] : p->diameter;
@@ -47,132 +81,75 @@ static int reaches_into(const struct dem_insertion_shape *v, const struct dem_pa
     return reaches;
 }
 
-/* The largest radius of all, and that of each grid level. The new spheres are known on all ranks,
-   earlier groups only in part. *mean is the mean diameter of the new spheres. */
-static int find_sizes(const struct dem_packing *p, const struct dem_initial_particles *c,
-                      struct dem_placed_spheres *s, double *mean)
+/* The particles of earlier groups that reach into the shape, frozen. */
+static int collect_fixed(const struct dem_packing *p, const struct dem_initial_particles *c,
+                         struct dem_packing_spheres *s)
 {
-    double sum = 0.0, max[DEM_PLACED_SPHERE_LEVELS];
+    for (size_t k = 0; k < c->n; k++)
+    {
+        if (reaches_into(p->shape, &c->particle[k]))
+        {
+            struct dem_particle fixed = {.radius = c->particle[k].radius,
+                                         .id = -1 - c->particle[k].id,
+                                         .flags = DEM_PARTICLE_FROZEN};
 
-    for (int64_t m = 0; m < (p->diameters ? p->n : 1); m++)
+            memcpy(fixed.x, c->particle[k].x, sizeof fixed.x);
+            s->max_radius = fmax(s->max_radius, fixed.radius);
+            DEM_TRY(dem_particles_add(&s->particles, &fixed));
+        }
+    }
+    return DEM_OK;
+}
+
+/* The largest radius of all; *mean is the mean diameter of the new spheres, which are known on all
+   ranks. */
+static void find_sizes(const struct dem_packing *p, struct dem_packing_spheres *s, double *mean)
+{
+    const int64_t sizes = p->diameters ? p->n : 1;
+    double sum = 0.0;
+
+    for (int64_t m = 0; m < sizes; m++)
     {
         s->max_radius = fmax(s->max_radius, 0.5*diameter_of(p, m));
         sum += diameter_of(p, m);
     }
-    for (size_t k = 0; k < c->n; k++)
-    {
-        s->max_radius = reaches_into(p->shape, &c->particle[k])
-                          ? fmax(s->max_radius, c->particle[k].radius)
-                          : s->max_radius;
-    }
-    if (s->decomposition.ranks > 1)
-    {
-        DEM_TRY_MPI(MPI_Allreduce(MPI_IN_PLACE, &s->max_radius, 1, MPI_DOUBLE, MPI_MAX,
-                                  s->decomposition.comm));
-    }
-    for (int64_t m = 0; m < (p->diameters ? p->n : 1); m++)
-    {
-        dem_placed_spheres_include_radius(s, 0.5*diameter_of(p, m));
-    }
-    for (size_t k = 0; k < c->n; k++)
-    {
-        if (reaches_into(p->shape, &c->particle[k]))
-        {
-            dem_placed_spheres_include_radius(s, c->particle[k].radius);
-        }
-    }
-    for (int k = 0; k < DEM_PLACED_SPHERE_LEVELS && s->decomposition.ranks > 1; k++)
-    {
-        max[k] = s->level[k].max_radius;
-    }
-    if (s->decomposition.ranks > 1)
-    {
-        DEM_TRY_MPI(MPI_Allreduce(MPI_IN_PLACE, max, DEM_PLACED_SPHERE_LEVELS, MPI_DOUBLE, MPI_MAX,
-                                  s->decomposition.comm));
-    }
-    for (int k = 0; k < DEM_PLACED_SPHERE_LEVELS && s->decomposition.ranks > 1; k++)
-    {
-        s->level[k].max_radius = max[k];
-    }
-    *mean = sum/(double)(p->diameters ? p->n : 1);
-    return DEM_OK;
+    dem_collect_max_double(&s->decomposition, &s->max_radius, 1);
+    *mean = sum/(double)sizes;
 }
 
-/* Spheres of earlier groups go to the ranks that own their positions, and as ghosts to others
-   within reach. */
-static int collect_fixed(const struct dem_packing *p, const struct dem_initial_particles *c,
-                         struct dem_placed_spheres *s)
-{
-    enum { OWNED, GHOST };
-
-    s->messages = 0;
-    for (size_t k = 0; k < c->n; k++)
-    {
-        struct dem_placed_sphere sphere = {.radius = c->particle[k].radius, .number = -1};
-        int sent;
-
-        if (reaches_into(p->shape, &c->particle[k]))
-        {
-            memcpy(sphere.x, c->particle[k].x, sizeof sphere.x);
-            DEM_TRY(
-                dem_placed_spheres_send_ghosts(s, &sphere, GHOST, sphere.radius + s->max_radius));
-            DEM_TRY(dem_placed_spheres_send_to_owner(s, &sphere, OWNED, &sent));
-            sphere.v[0] = 1.0;
-            DEM_TRY(sent ? DEM_OK : dem_placed_spheres_add(s, &sphere));
-        }
-    }
-    DEM_TRY(dem_placed_spheres_exchange(s));
-    for (size_t k = 0; k < s->messages; k++)
-    {
-        s->message[k].sphere.v[0] = s->message[k].kind == OWNED;
-        DEM_TRY(dem_placed_spheres_add(s, &s->message[k].sphere));
-    }
-    s->messages = 0;
-    return DEM_OK;
-}
-
-/* Decompose the shape by the positions that the spheres are tried at first. */
-static int decompose(const struct dem_packing *p, struct dem_placed_spheres *s)
+/* Decompose space by the positions that the spheres are tried at first. */
+static int decompose(const struct dem_packing *p, struct dem_packing_spheres *s)
 {
     const int64_t ranks = s->decomposition.ranks, from = p->n*s->decomposition.rank/ranks;
     const int64_t to = p->n*(s->decomposition.rank + 1)/ranks;
-    struct dem_placed_sphere *first;
+    struct dem_particle *first;
 
     if (ranks == 1)
     {
-        return dem_placed_spheres_decompose(s, 0, NULL, p->shape->min, p->shape->max);
+        return DEM_OK;
     }
     DEM_TRY(DEM_NEW(first, to - from + 1));
     for (int64_t m = from; m < to; m++)
     {
-        first[m - from] = (struct dem_placed_sphere){.radius = 0.5*diameter_of(p, m), .number = m};
+        first[m - from] = (struct dem_particle){.radius = 0.5*diameter_of(p, m), .id = m};
         (void)dem_packing_draw(p, &first[m - from], 0);
     }
-    const int status =
-        dem_placed_spheres_decompose(s, (size_t)(to - from), first, p->shape->min, p->shape->max);
+    const int status = dem_decomposition_divide(&s->decomposition, (size_t)(to - from), first->x,
+                                                sizeof *first/sizeof(double));
 
     dem_memory_free(first);
     return status;
 }
 
-/* Failures within the limits are noted on the way, so that the ranks stay in step. */
-static int limits_status(const struct dem_packing *p, const struct dem_placed_spheres *s)
-{
-    return p->shape->limits ? dem_collect_agree(&s->decomposition, p->shape->limits->status)
-                            : DEM_OK;
-}
-
 int dem_packing_fill(const struct dem_packing *p, const struct dem_initial_particles *c,
-                     struct dem_placed_spheres *s)
+                     struct dem_packing_spheres *s)
 {
     int64_t left;
     double mean_diameter;
 
-    DEM_TRY(find_sizes(p, c, s, &mean_diameter));
+    DEM_TRY(dem_collect_agree(&s->decomposition, collect_fixed(p, c, s)));
+    find_sizes(p, s, &mean_diameter);
     DEM_TRY(decompose(p, s));
-    DEM_TRY(collect_fixed(p, c, s));
     DEM_TRY(dem_packing_place(p, s, &left));
-    DEM_TRY(limits_status(p, s));
-    DEM_TRY(left > 0 ? dem_packing_relax(p, s, mean_diameter) : DEM_OK);
-    return limits_status(p, s);
+    return left > 0 ? dem_packing_relax(p, s, mean_diameter) : DEM_OK;
 }

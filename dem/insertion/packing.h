@@ -7,8 +7,9 @@
  * 2. Relaxation: overlapping spheres move apart, all at once, until no overlap is left
  *    (packing_relax.c), up to 0.57.
  *
- * Each rank works in its part of the shape. The result is a function of the seed and the diameters,
- * the same to the last bit on any number of ranks.
+ * Spheres are particles, on the rank that owns their position, with ghosts and neighbor lists like
+ * those of a run. The result is a function of the seed and the diameters, the same to the last bit
+ * on any number of ranks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -16,9 +17,10 @@
 #define DEM_INSERTION_PACKING_H
 
 #include "insertion/initial_particles.h"
-#include "insertion/placed_sphere.h"
 #include "insertion/insertion_limits.h"
 #include "insertion/insertion_shape.h"
+#include "neighbor/pairs.h"
+#include "parallel/halo.h"
 
 /* the spheres to pack, and where */
 struct dem_packing
@@ -36,24 +38,46 @@ struct dem_packing
 int dem_packing_check_fraction(const struct dem_insertion_shape *, double volume, double n,
                                const char *where);
 
+/* the spheres of a packing; ids of particles: numbers in the group, below 0 for spheres of earlier
+   groups, which are frozen */
+struct dem_packing_spheres
+{
+    struct dem_decomposition decomposition;
+    struct dem_domain domain;            /* open everywhere */
+    struct dem_halo halo;
+    struct dem_particles particles;
+    struct dem_pairs search;
+    struct dem_interaction_table table;  /* all zero: one class of pairs */
+    struct dem_contacts contacts;        /* only its pair list is used */
+    double max_radius;                   /* m  of all ranks */
+};
+
+int dem_packing_spheres_init(struct dem_packing_spheres *, const struct dem_decomposition *of);
+void dem_packing_spheres_free(struct dem_packing_spheres *);
+
 /* Collective. Pack spheres for which dem_packing_check_fraction succeeds, each no wider than the
-   shape, around the particles of earlier groups, which do not move. The results are the spheres in
-   this rank's part, in no order; those with a number below 0 are of earlier groups. */
+   shape, around the particles of earlier groups, which do not move. The results are the owned
+   particles of this rank, in no order. */
 int dem_packing_fill(const struct dem_packing *, const struct dem_initial_particles *,
-                     struct dem_placed_spheres *);
+                     struct dem_packing_spheres *);
 
 /* ---- steps of dem_packing_fill --------------------------------------------------------------- */
 
 /* Set the position of a sphere to that of its `trial`-th trial. Returns 0 when the limits of the
    shape leave none. */
-int dem_packing_draw(const struct dem_packing *, struct dem_placed_sphere *, uint64_t trial);
+int dem_packing_draw(const struct dem_packing *, struct dem_particle *, uint64_t trial);
+
+/* Collective. Send spheres to the owners of their positions, make ghosts, and list the pairs with
+   a gap below `gap` [m] in contacts.pairs. `status`: of this rank; one that has failed takes part,
+   and all ranks return an error. */
+int dem_packing_list_pairs(struct dem_packing_spheres *, int status, double gap);
 
 /* Collective. Place all new spheres at random; *left is the number of those that overlap. */
-int dem_packing_place(const struct dem_packing *, struct dem_placed_spheres *, int64_t *left);
+int dem_packing_place(const struct dem_packing *, struct dem_packing_spheres *, int64_t *left);
 
 /* Collective. Move spheres apart until no overlap is left. `mean_diameter` [m] sets the skin of
    the pair list. */
-int dem_packing_relax(const struct dem_packing *, struct dem_placed_spheres *,
+int dem_packing_relax(const struct dem_packing *, struct dem_packing_spheres *,
                       double mean_diameter);
 
 #endif

@@ -23,11 +23,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "insertion/packing.h"
-#include "insertion/packing_pairs.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/random.h"
-#include "parallel/mpi_error.h"
+#include "parallel/collect.h"
 #include <math.h>
 #include <string.h>
 
@@ -58,62 +57,98 @@ struct move
     int64_t seen;  /* OVERLAPS | WEDGED */
 };
 
+/* what the distance test reads */
+struct packed
+{
+    double x[3], radius;  /* m */
+};
+
 struct relaxation
 {
     const struct dem_packing *p;
-    struct dem_placed_spheres *s;
-    struct dem_packing_pairs pairs;
-    double unit, inverse_unit, stretch;  /* m; 1/m; 1  (1 + g) */
+    struct dem_packing_spheres *s;
+    double unit, inverse_unit, stretch, skin;  /* m; 1/m; 1  (1 + g); m */
     uint64_t sweep;
-    int64_t overlaps;                    /* pairs in this sweep, on this rank */
-    size_t move_capacity, listed_capacity;
-    struct move *move;                   /* of owned spheres and ghosts */
-    double (*listed)[3];                 /* m  owned positions when the pairs were listed */
+    int64_t overlaps;                          /* pairs in this sweep, on this rank */
+    size_t move_capacity, packed_capacity, fixed_capacity,
+        listed_capacity;
+    struct move *move;                         /* of owned spheres and ghosts */
+    struct packed *packed;                     /* the same */
+    uint8_t *fixed;                            /* the same; 1: of an earlier group */
+    double (*listed)[3];                       /* m  owned positions when the pairs were listed */
 };
+
+/* 1 + g: a packing too dense for a wide gap gets a narrower one. */
+static double stretch_of(uint64_t sweep)
+{
+    return sweep < SWEEPS/4 ? 1.01 : sweep < SWEEPS/2 ? 1.003 : 1.0005;
+}
+
+/* Spheres from index `from` on. */
+static void pack(struct relaxation *g, size_t from)
+{
+    const struct dem_particles *const q = &g->s->particles;
+
+    for (size_t i = from; i < q->n + q->ghosts; i++)
+    {
+        memcpy(g->packed[i].x, q->record[i].x, sizeof g->packed[i].x);
+        g->packed[i].radius = q->record[i].radius;
+        g->fixed[i] = q->record[i].id < 0;
+    }
+}
+
+static int store_positions(struct relaxation *g)
+{
+    const struct dem_particles *const q = &g->s->particles;
+
+    DEM_TRY(DEM_GROW(g->listed, g->listed_capacity, q->n + 1));
+    for (size_t i = 0; i < q->n; i++)
+    {
+        memcpy(g->listed[i], q->record[i].x, sizeof g->listed[i]);
+    }
+    DEM_TRY(DEM_GROW(g->packed, g->packed_capacity, q->n + q->ghosts + 1));
+    DEM_TRY(DEM_GROW(g->fixed, g->fixed_capacity, q->n + q->ghosts + 1));
+    pack(g, 0);
+    return DEM_GROW(g->move, g->move_capacity, q->n + q->ghosts + 1);
+}
 
 static int list_pairs(struct relaxation *g)
 {
-    const struct dem_placed_spheres *const s = g->s;
+    const struct dem_insertion_limits *const limits = g->p->shape->limits;
 
-    DEM_TRY(dem_packing_pairs_list(&g->pairs));
-    DEM_TRY(DEM_GROW(g->listed, g->listed_capacity, s->owned + 1));
-    for (size_t i = 0; i < s->owned; i++)
-    {
-        memcpy(g->listed[i], s->sphere[i].x, sizeof g->listed[i]);
-    }
-    return DEM_GROW(g->move, g->move_capacity, s->n + 1);
+    DEM_TRY(dem_packing_list_pairs(g->s, limits ? limits->status : DEM_OK,
+                                   g->skin + (stretch_of(0) - 1.0)*2.0*g->s->max_radius));
+    return dem_collect_agree(&g->s->decomposition, store_positions(g));
 }
 
 /* ---- one sweep ------------------------------------------------------------------------------- */
 
 /* For two spheres with the same centre: a random vector from b to a, the same on all ranks.
    Returns its length. */
-static double random_direction(const struct relaxation *g, const struct dem_packing_pair *pair,
-                               double r[3])
+static double random_direction(const struct relaxation *g, const struct dem_particle *a,
+                               const struct dem_particle *b, double r[3])
 {
-    const struct dem_placed_sphere *const a = &g->s->sphere[pair->a];
-    const struct dem_placed_sphere *const b = &g->s->sphere[pair->b];
-    const double sum = a->radius + b->radius, sign = a->number < b->number ? 1.0 : -1.0;
-    const int64_t lower = a->number < b->number ? a->number : b->number;
+    const double sum = a->radius + b->radius, sign = a->id < b->id ? 1.0 : -1.0;
+    const int64_t lower = a->id < b->id ? a->id : b->id;
+    const uint64_t number = (uint64_t)(lower < 0 ? -1 : lower);
 
     for (int k = 0; k < 3; k++)
     {
         r[k] = sign*sum
-             *(dem_random_unit(g->p->seed, (uint64_t)lower, g->sweep, USE_DIRECTION + (uint64_t)k)
-                - 0.5);
+             *(dem_random_unit(g->p->seed, number, g->sweep, USE_DIRECTION + (uint64_t)k) - 0.5);
     }
     return fmax(1e-6*sum, sqrt(r[0]*r[0] + r[1]*r[1] + r[2]*r[2]));
 }
 
-static void move_apart(struct relaxation *g, const struct dem_packing_pair *pair)
+static void move_apart(struct relaxation *g, const struct dem_pair *pair)
 {
-    const struct dem_packed_sphere *const a = &g->pairs.packed[pair->a];
-    const struct dem_packed_sphere *const b = &g->pairs.packed[pair->b];
-    const int a_stays = g->pairs.fixed[pair->a], b_stays = g->pairs.fixed[pair->b];
-    struct move *const of_a = &g->move[pair->a], *const of_b = &g->move[pair->b];
+    const struct packed *const a = &g->packed[pair->i], *const b = &g->packed[pair->j];
+    const struct dem_particle *const record = g->s->particles.record;
+    const int a_stays = g->fixed[pair->i], b_stays = g->fixed[pair->j];
+    struct move *const of_a = &g->move[pair->i], *const of_b = &g->move[pair->j];
     double r[3] = {a->x[0] - b->x[0], a->x[1] - b->x[1], a->x[2] - b->x[2]};
     const double sum = a->radius + b->radius, near = sqrt(r[0]*r[0] + r[1]*r[1] + r[2]*r[2]);
-    const double size = near < 1e-6*sum ? random_direction(g, pair, r) : near;
+    const double size = near < 1e-6*sum ? random_direction(g, &record[pair->i], &record[pair->j], r) : near;
     const double wanted = g->stretch*sum;
     const double aa = a->radius*a->radius, bb = b->radius*b->radius;
     const double move = size < wanted ? (wanted/size - 1.0)*g->inverse_unit/(aa + bb) : 0.0;
@@ -136,21 +171,22 @@ static void move_apart(struct relaxation *g, const struct dem_packing_pair *pair
 /* Select the near pairs without an unpredictable branch, then move these few. */
 static void move_pairs(struct relaxation *g)
 {
-    const struct dem_packed_sphere *const packed = g->pairs.packed;
+    const struct dem_particles *const q = &g->s->particles;
+    const struct dem_pair_list *const pairs = &g->s->contacts.pairs;
     const double square = g->stretch*g->stretch;
     uint32_t near[CHUNK];
 
-    memset(g->move, 0, g->s->n*sizeof *g->move);
+    memset(g->move, 0, (q->n + q->ghosts)*sizeof *g->move);
     g->overlaps = 0;
-    for (size_t from = 0; from < g->pairs.n; from += CHUNK)
+    for (size_t from = 0; from < pairs->n; from += CHUNK)
     {
-        const size_t to = from + CHUNK < g->pairs.n ? from + CHUNK : g->pairs.n;
+        const size_t to = from + CHUNK < pairs->n ? from + CHUNK : pairs->n;
         size_t n = 0;
 
         for (size_t k = from; k < to; k++)
         {
-            const struct dem_packed_sphere *const a = &packed[g->pairs.pair[k].a];
-            const struct dem_packed_sphere *const b = &packed[g->pairs.pair[k].b];
+            const struct packed *const a = &g->packed[pairs->pair[k].i];
+            const struct packed *const b = &g->packed[pairs->pair[k].j];
             const double x = a->x[0] - b->x[0], y = a->x[1] - b->x[1], z = a->x[2] - b->x[2];
             const double sum = a->radius + b->radius;
 
@@ -159,34 +195,26 @@ static void move_pairs(struct relaxation *g)
         }
         for (size_t k = 0; k < n; k++)
         {
-            move_apart(g, &g->pairs.pair[from + near[k]]);
+            move_apart(g, &pairs->pair[from + near[k]]);
         }
     }
 }
 
-static int sum_over_ranks(const struct relaxation *g, int64_t *count)
-{
-    if (g->s->decomposition.ranks > 1)
-    {
-        DEM_TRY_MPI(
-            MPI_Allreduce(MPI_IN_PLACE, count, 1, MPI_INT64_T, MPI_SUM, g->s->decomposition.comm));
-    }
-    return DEM_OK;
-}
-
 /* The number of new spheres that overlap, on all ranks. */
-static int count_overlaps(const struct relaxation *g, int64_t *count)
+static int64_t count_overlaps(const struct relaxation *g)
 {
-    *count = 0;
-    for (size_t i = 0; i < g->s->owned; i++)
+    int64_t count = 0;
+
+    for (size_t i = 0; i < g->s->particles.n; i++)
     {
-        *count += g->s->sphere[i].number >= 0 && (g->move[i].seen & OVERLAPS) != 0;
+        count += g->s->particles.record[i].id >= 0 && (g->move[i].seen & OVERLAPS) != 0;
     }
-    return sum_over_ranks(g, count);
+    dem_collect_sum_int64(&g->s->decomposition, &count, 1);
+    return count;
 }
 
 /* 1 when a sphere has no overlap and its momentum is negligible, which is then set to 0. */
-static int rests(struct dem_placed_sphere *s, const struct move *move)
+static int rests(struct dem_particle *s, const struct move *move)
 {
     const double *const v = s->v;
 
@@ -199,8 +227,7 @@ static int rests(struct dem_placed_sphere *s, const struct move *move)
     return 1;
 }
 
-static void move_one(const struct relaxation *g, struct dem_placed_sphere *s,
-                     const struct move *move)
+static void move_one(const struct relaxation *g, struct dem_particle *s, const struct move *move)
 {
     double q[3], from[3], along = 0.0;
 
@@ -225,53 +252,55 @@ static void move_one(const struct relaxation *g, struct dem_placed_sphere *s,
     }
 }
 
-/* Move all spheres; one that overlaps fixed spheres for long gets a new random position. *moved
-   is the largest displacement since the pairs were listed, of all ranks [m]. */
-static int move_all(struct relaxation *g, double *moved)
+/* Move all spheres; one that overlaps fixed spheres for long gets a new random position. Returns
+   the largest displacement since the pairs were listed, of all ranks [m]. */
+static double move_all(struct relaxation *g)
 {
     const int again = g->sweep%RETRY_SWEEPS == RETRY_SWEEPS - 1;
-    struct dem_placed_spheres *const s = g->s;
     double furthest = 0.0;
 
-    for (size_t i = 0; i < s->owned; i++)
+    for (size_t i = 0; i < g->s->particles.n; i++)
     {
+        struct dem_particle *const s = &g->s->particles.record[i];
         double square = 0.0;
 
-        if (s->sphere[i].number < 0 || rests(&s->sphere[i], &g->move[i]))
+        if (s->id < 0 || rests(s, &g->move[i]))
         {
             continue;
         }
         if (again && (g->move[i].seen & WEDGED) != 0)
         {
-            (void)dem_packing_draw(g->p, &s->sphere[i], FIRST_TRIAL + g->sweep);
-            memset(s->sphere[i].v, 0, sizeof s->sphere[i].v);
+            (void)dem_packing_draw(g->p, s, FIRST_TRIAL + g->sweep);
+            memset(s->v, 0, sizeof s->v);
         }
         else
         {
-            move_one(g, &s->sphere[i], &g->move[i]);
+            move_one(g, s, &g->move[i]);
         }
         for (int k = 0; k < 3; k++)
         {
-            square += (s->sphere[i].x[k] - g->listed[i][k])*(s->sphere[i].x[k] - g->listed[i][k]);
+            square += (s->x[k] - g->listed[i][k])*(s->x[k] - g->listed[i][k]);
         }
-        memcpy(g->pairs.packed[i].x, s->sphere[i].x, sizeof g->pairs.packed[i].x);
+        memcpy(g->packed[i].x, s->x, sizeof g->packed[i].x);
         furthest = square > furthest ? square : furthest;
     }
-    if (s->decomposition.ranks > 1)
-    {
-        DEM_TRY_MPI(
-            MPI_Allreduce(MPI_IN_PLACE, &furthest, 1, MPI_DOUBLE, MPI_MAX, s->decomposition.comm));
-    }
-    *moved = sqrt(furthest);
-    return DEM_OK;
+    dem_collect_max_double(&g->s->decomposition, &furthest, 1);
+    return sqrt(furthest);
 }
 
 /* ---- sweeps ---------------------------------------------------------------------------------- */
 
-/* 1 + g: a packing too dense for a wide gap gets a narrower one. */
-static double stretch_of(uint64_t sweep)
+/* The pairs at the present positions of ghosts. */
+static int update_pairs(struct relaxation *g, double moved)
 {
-    return sweep < SWEEPS/4 ? 1.01 : sweep < SWEEPS/2 ? 1.003 : 1.0005;
+    if (moved > 0.5*g->skin)
+    {
+        return list_pairs(g);
+    }
+    dem_halo_send(&g->s->halo, &g->s->particles, DEM_HALO_ALL);
+    dem_halo_receive(&g->s->halo, &g->s->particles);
+    pack(g, g->s->particles.n);
+    return DEM_OK;
 }
 
 static int sweep_all(struct relaxation *g)
@@ -282,24 +311,24 @@ static int sweep_all(struct relaxation *g)
     for (double moved = INFINITY; left > 0; g->sweep++)
     {
         g->stretch = stretch_of(g->sweep);
-        DEM_TRY(moved > 0.5*g->pairs.skin ? list_pairs(g) : dem_packing_pairs_refresh(&g->pairs));
+        DEM_TRY(update_pairs(g, moved));
         move_pairs(g);
         left = g->overlaps;
-        DEM_TRY(sum_over_ranks(g, &left));
+        dem_collect_sum_int64(&g->s->decomposition, &left, 1);
         if (left > 0 && g->sweep == SWEEPS)
         {
-            DEM_TRY(count_overlaps(g, &left));
             return dem_error(DEM_ERROR_INPUT, "%s: %lld of %lld particles still overlap after %d "
                              "sweeps of relaxation; enlarge the region, ask for fewer, use type "
-                             "lattice, or let them settle", p->where, (long long)left,
+                             "lattice, or let them settle", p->where, (long long)count_overlaps(g),
                              (long long)p->n, SWEEPS);
         }
-        DEM_TRY(left > 0 ? move_all(g, &moved) : DEM_OK);
+        moved = left > 0 ? move_all(g) : 0.0;
     }
-    return DEM_OK;
+    return dem_collect_agree(&g->s->decomposition,
+                             p->shape->limits ? p->shape->limits->status : DEM_OK);
 }
 
-int dem_packing_relax(const struct dem_packing *p, struct dem_placed_spheres *s,
+int dem_packing_relax(const struct dem_packing *p, struct dem_packing_spheres *s,
                       double mean_diameter)
 {
     const double unit = 2.0*s->max_radius*0x1p-40;
@@ -307,14 +336,12 @@ int dem_packing_relax(const struct dem_packing *p, struct dem_placed_spheres *s,
                            .s = s,
                            .unit = unit,
                            .inverse_unit = 1.0/unit,
-                           .pairs = {.s = s,
-                                     .skin = skin_fraction*mean_diameter,
-                                     .stretch = stretch_of(0)}};
+                           .skin = skin_fraction*mean_diameter};
     const int status = sweep_all(&g);
 
-    s->n = s->owned;
-    dem_packing_pairs_free(&g.pairs);
     dem_memory_free(g.move);
+    dem_memory_free(g.packed);
+    dem_memory_free(g.fixed);
     dem_memory_free(g.listed);
     return status;
 }

@@ -65,7 +65,11 @@ static inline int dem_pairs_facet(const struct dem_pairs *s, uint32_t wall_neigh
     return s->wall_search.neighbor[wall_neighbor].facet;
 }
 
-/* Part of the above: DEM_ERROR_INPUT for more particles (with ghosts) or pairs on a rank than
+/* The first part of the above: pairs of particles, in no order. */
+int dem_pairs_search(struct dem_pairs *, const struct dem_domain *, const struct dem_particles *,
+                     const struct dem_interaction_table *, struct dem_contacts *);
+
+/* Part of both: DEM_ERROR_INPUT for more particles (with ghosts) or pairs on a rank than
    indices of 32 bits allow. */
 int dem_pairs_check_counts(size_t particles, size_t pairs);
 

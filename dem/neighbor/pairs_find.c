@@ -407,9 +407,8 @@ static int find(struct finder *f, const struct dem_domain *d)
     return DEM_OK;
 }
 
-int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct dem_particles *p,
-                   const struct dem_walls *w, const struct dem_interaction_table *r,
-                   struct dem_contacts *c)
+int dem_pairs_search(struct dem_pairs *s, const struct dem_domain *d, const struct dem_particles *p,
+                     const struct dem_interaction_table *r, struct dem_contacts *c)
 {
     struct dem_grid g = {0};
     struct finder f = {.s = s, .p = p, .r = r, .c = c, .g = &g};
@@ -423,7 +422,14 @@ int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct
 
     dem_grid_clear(&g);
     dem_memory_free(f.hit);
-    DEM_TRY(status);
+    return status;
+}
+
+int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct dem_particles *p,
+                   const struct dem_walls *w, const struct dem_interaction_table *r,
+                   struct dem_contacts *c)
+{
+    DEM_TRY(dem_pairs_search(s, d, p, r, c));
     DEM_TRY(wall_pairs(s, p, w, r, c));
     DEM_TRY(dem_pairs_check_counts(p->n + p->ghosts, c->pairs.n));
     /* all rows of a particle are contiguous and in the order of particles: searches across levels
