@@ -8,9 +8,11 @@ from types import SimpleNamespace
 
 from .case import Case
 from .case_study import SERIES, UNITS, CaseStudy
+from .case_target import copy_name, write_copy
 from .options import fraction, levels, make_folder, number, read_options, whole, words
 from .report import report
 from .study import Refused
+from .target import search
 
 HELP = """Usage: demCost [OPTION VALUE] ...
 
@@ -33,7 +35,12 @@ cheapest settings that reach the target error.
     -stiffnesses LIST    levels, in the case's Young's moduli; default 0.0625,0.25,1,4
     -settle SCENE        makes the case's snapshot by `dem run SCENE`, one for each stiffness
     -runs N              per level, with deltaT up to 4 % longer and shorter; default 3
-    -target E            target of the relative error, as in 0.01 or 1%; default 0.01
+    -target E            target of the relative error, as in 0.01 or 1%; default 0.01. If given,
+                         finer intervals (with -series step: DEM steps) are added until one
+                         reaches it, and the choice is written into a copy beside the case,
+                         DIR.accurate
+    -budget S            s of processor time that the runs of a finer level may take; default
+                         600
     -of LIST             quantities: kinetic, height, level, overlap, force, void, drop;
                          default: all that the case has
     -closed LIST         exact values, as in kinetic=1e-3: errors are against these
@@ -48,7 +55,8 @@ hard spheres have no overlap. Needs demPimpleFoam or a solver with demCloud, and
 """
 
 VALUES = ("-case", "-window", "-series", "-intervals", "-steps", "-kernels", "-widths", "-meshes",
-          "-stiffnesses", "-settle", "-runs", "-target", "-of", "-closed", "-folder", "-arguments")
+          "-stiffnesses", "-settle", "-runs", "-target", "-budget", "-of", "-closed", "-folder",
+          "-arguments")
 LEVELS = {"intervals": "4,2,1,0.5", "steps": "1,0.5,0.25", "widths": "2,1.41,1,0.71",
           "meshes": "0.5,0.71,1,1.41", "stiffnesses": "0.0625,0.25,1,4"}
 KERNELS = "divided,linear,diffusion:1.5,diffusion:3"
@@ -80,9 +88,11 @@ def read_command(arguments):
     case = given.get("-case", ".")
     options = {name: levels("-" + name, given.get("-" + name), default, "case")
                for name, default in LEVELS.items()}
+    series = words("series", "-series", given.get("-series"), SERIES) or ("interval",)
     return case, SimpleNamespace(
         **options, window=number("-window", given.get("-window"), 0, math.inf, None),
-        series=words("series", "-series", given.get("-series"), SERIES) or ("interval",),
+        series=series, search="-target" in given and series[0] in ("interval", "step"),
+        budget=number("-budget", given.get("-budget"), 0.1, 1e9, 600.0),
         kernels=kernel_words(given.get("-kernels", KERNELS)), settle=given.get("-settle"),
         runs=whole("-runs", given.get("-runs"), 1, 32, 3),
         target=fraction("-target", given.get("-target"), 0.01),
@@ -98,7 +108,14 @@ def main(arguments):
         return
     case, options = read_command(arguments)
     work = CaseStudy(Case(case), options)
+    copy = copy_name(work.case) if options.search else None
     make_folder(options.folder)
     study = work.study()
-    study.evaluate()
+    why = search(work, study) if options.search else study.evaluate()
+    work.finish()
     report(study)
+    if why:
+        print(f"target {study.target:g} is not reached: {why}")
+    if copy:
+        write_copy(work, study, copy, why)
+        print(f"case: {copy}")

@@ -51,7 +51,7 @@ class Failed(Exception):
 
 class CaseStudy:
     """Options as the command has them: window, series, intervals, steps, kernels, widths, meshes,
-    stiffnesses, settle, runs, target, of, closed, folder, arguments, keep, go_on."""
+    stiffnesses, settle, runs, target, budget, of, closed, folder, arguments, keep, go_on."""
 
     def __init__(self, case, options):
         self.case, self.options = case, options
@@ -269,6 +269,12 @@ class CaseStudy:
             self.level(f"{x:g}", variant, size, step)
             for x, variant, size, step in zip(levels, variants, sizes, steps)], **more)
 
+    def finer(self, series):
+        """A level of half the finest interval, or DEM step."""
+        size, of = series.levels[-1].size/2, series.parameter
+        return self.level(f"{size:g}", replace(self.own, **{of: size}), size,
+                          self.step/self.dem_steps*size if of == "step" else None)
+
     def interval(self):
         levels = self.options.intervals
         return self.series("interval", "interval of exchange (the fluid's step): in deltaT of the "
@@ -343,13 +349,17 @@ class CaseStudy:
             f"to {self.dem_steps} DEM steps; {self.cells} cells, kernel {self.case.kernel}; {o.runs} "
             f"run{'s' if o.runs > 1 else ''} of each level, {self.samples} "
             f"sample{'s' if self.samples > 1 else ''}")
-        if not o.keep:
+        return study
+
+    def finish(self):
+        """After the last run: the copies of the case go, unless kept."""
+        if not self.options.keep:
             self.remove_runs()
         if sys.stderr.isatty():
             print(file=sys.stderr)
-        return study
 
 
 def append(file, text):
+    """Of repeated entries OpenFOAM takes the last one."""
     with open(file, "a") as out:
         out.write("\n" + text)

@@ -247,6 +247,11 @@ class SceneStudy:
             print(".", end="", file=sys.stderr, flush=True)
         return level
 
+    def finer(self, series):
+        """A level of half the finest step."""
+        size = series.levels[-1].size/2
+        return self.level(f"{size:.4g}", size, self.step*size)
+
     def steps(self):
         steps = self.options.steps
         return Series("step", "time step, in steps of the scene as it is", exact=True,

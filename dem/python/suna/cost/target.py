@@ -1,5 +1,5 @@
-"""target.py -- `dem cost -target E`: search the cheapest step within the target error, and put it into a
-copy of the scene.
+"""target.py -- `-target E` of `dem cost` and `demCost`: search the cheapest step within the target error;
+for a scene, put it into a copy (for a case: case_target.py).
 
 The copy has the scene's text, and after it the chosen settings; of repeated entries the last one
 counts. Its entry `accuracy` tells `dem run` what was found:
@@ -22,29 +22,37 @@ MORE_LEVELS = 3     # until scatter counts as chaos: that by the phase of an imp
 
 
 def search(work, study):
-    """Add finer steps until one is within the target, or chaos hides the effect of the step, or the
-    next one would take longer than the budget. Returns why it ended, empty if within the target."""
+    """Add finer levels, work.finer(series), until one is within the target, or chaos hides the effect of
+    the step, or the next one would take longer than the budget. Returns why it ended, empty if within
+    the target."""
     series, budget = study.series[0], work.options.budget
     chaos = len(series.levels) + MORE_LEVELS
+    given = dict(study.scale)
     while True:
-        study.scale.clear()
+        study.scale = dict(given)
         study.evaluate()
         how, level = choose(study)
         if how == "within":
             return ""
         if how == "indistinct" and len(series.levels) >= chaos:
-            return "the scatter of chaotic runs is larger than the error of the step"
+            return f"the scatter of chaotic runs is larger than the error of the {series.parameter}"
         finest = series.levels[-1]
         if not finest.runs:
-            return "the finest step fails"
+            return f"the finest {series.parameter} fails"
         seconds = 2*sum(run.seconds for run in finest.runs)
         if seconds > budget:
-            return (f"half the finest step would take {seconds:.0f} s, more than the -budget of "
-                    f"{budget:g} s")
+            return (f"half the finest {series.parameter} would take {seconds:.2g} s, more than the -budget "
+                    f"of {budget:g} s")
         if len(series.levels) == MAX_LEVELS:
             return f"{MAX_LEVELS} levels have been tried"
-        size = finest.size/2
-        series.levels.append(work.level(f"{size:.4g}", size, work.step*size))
+        series.levels.append(work.finer(series))
+
+
+def remark(command, study, why):
+    """Comment lines for a copy: what was found."""
+    bound, of = choose(study)[1].bound()
+    return (f"// chosen by {command} -target {study.target:g}: {of}, the worst quantity, is within "
+            f"{percent(bound)}\n" + (f"// the target is not reached: {why}\n" if why else ""))
 
 
 def settings(work, study):
@@ -63,11 +71,7 @@ def write_copy(work, study, why):
     """The copy beside the scene, whose relative paths hold there; returns its path."""
     scene = Path(work.scene)
     copy = scene.with_name(f"{scene.stem}.accurate{scene.suffix}")
-    _, level = choose(study)
-    bound, of = level.bound()
-    text = scene.read_text().rstrip("\n") + (
-        f"\n\n// chosen by dem cost -target {study.target:g}: {of}, the worst quantity, is within "
-        f"{percent(bound)}\n" + (f"// the target is not reached: {why}\n" if why else ""))
+    text = scene.read_text().rstrip("\n") + "\n\n" + remark("dem cost", study, why)
     blocks = {}
     for path, value in {**work.settings, **settings(work, study)}.items():
         folder, _, name = path.rpartition("/")
