@@ -59,15 +59,15 @@ int dem_pairs_find(struct dem_pairs *, const struct dem_domain *, const struct d
                    const struct dem_walls *, const struct dem_interaction_table *,
                    struct dem_contacts *);
 
+/* The first part of the above: pairs of particles, in no order. */
+int dem_pairs_search(struct dem_pairs *, const struct dem_domain *, const struct dem_particles *,
+                     const struct dem_interaction_table *, struct dem_contacts *);
+
 /* Index, among those held, of the facet of a wall neighbor. */
 static inline int dem_pairs_facet(const struct dem_pairs *s, uint32_t wall_neighbor)
 {
     return s->wall_search.neighbor[wall_neighbor].facet;
 }
-
-/* The first part of the above: pairs of particles, in no order. */
-int dem_pairs_search(struct dem_pairs *, const struct dem_domain *, const struct dem_particles *,
-                     const struct dem_interaction_table *, struct dem_contacts *);
 
 /* Part of both: DEM_ERROR_INPUT for more particles (with ghosts) or pairs on a rank than
    indices of 32 bits allow. */
