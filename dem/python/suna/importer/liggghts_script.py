@@ -1,0 +1,266 @@
+"""liggghts_script.py -- the commands of an input script of LIGGGHTS in the order in which it executes them.
+
+Lines are joined at a trailing &, comments are cut at #, quoted words are one word. ${name}, $x and
+$(expression) are replaced outside quotes, from the variables known at that line. `include`, `jump`,
+`label`, `next` and `if` are followed where they are decided by the script alone, so loops are unrolled.
+A condition that only a run decides is refused.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import os
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+from .liggghts_expression import Dynamic, Expression, Malformed
+from .report import CannotTranslate, Place
+
+MAX_COMMANDS = 100000       # of a script with loops
+WORD = re.compile(r'"""(.*?)"""|"([^"]*)"|\'([^\']*)\'|(\S+)', re.S)
+REFERENCE = re.compile(r"\$\{(\w+)\}|\$\(([^()]*(?:\([^()]*\)[^()]*)*)\)|\$(\w)")
+QUOTED = re.compile(r'("""(?:.|\n)*?"""|"[^"]*"|\'[^\']*\')')
+
+
+class Command(NamedTuple):
+    place: Place
+    words: list             # without quotes
+    name: str
+
+
+class Variable(NamedTuple):
+    style: str
+    values: list            # of equal and atom: one expression
+    index: int = 0
+
+
+def without_comment(line):
+    quote = ""
+    for k, c in enumerate(line):
+        if quote:
+            quote = "" if c == quote else quote
+        elif c in "\"'":
+            quote = c
+        elif c == "#":
+            return line[:k]
+    return line
+
+
+def read_lines(path):
+    """(number, text) of the commands, continued lines joined."""
+    found, text, first = [], "", 0
+    with open(path, errors="replace") as file:
+        for number, line in enumerate(file, 1):
+            line = without_comment(line.rstrip("\n\r")).rstrip()
+            first = first if text else number
+            if line.endswith("&"):
+                text += line[:-1] + " "
+                continue
+            if (text + line).strip():
+                found.append((first, text + line))
+            text = ""
+    if text.strip():
+        found.append((first, text))
+    return found
+
+
+def split(text):
+    return [next(group for group in match.groups() if group is not None)
+            for match in WORD.finditer(text)]
+
+
+class Script:
+    def __init__(self, path, report, keyword, given=()):
+        """`keyword(name)`: value of a thermo keyword, or Dynamic. `given`: (name, value) of -var."""
+        self.report, self.keyword = report, keyword
+        self.variables = {name: Variable("index", [value]) for name, value in given}
+        self.given = set(self.variables)
+        self.files, self.place = [], None
+        self._open(Path(path))
+        self.skip_jump = False
+
+    def _open(self, path):
+        self.path = path
+        self.lines, self.at = read_lines(path), 0
+
+    # ---- commands in the order of execution ------------------------------------------------------
+
+    def __iter__(self):
+        for _ in range(MAX_COMMANDS):
+            while self.at == len(self.lines) and self.files:
+                self.path, self.lines, self.at = self.files.pop()
+            if self.at == len(self.lines):
+                return
+            number, text = self.lines[self.at]
+            self.at += 1
+            self.place = Place(os.path.relpath(self.path), number)
+            yield from self._commands(text)
+        self.report.refuse(self.place, "jump", f"the script has executed {MAX_COMMANDS} commands; "
+                           "an endless loop cannot be translated")
+
+    def _commands(self, text):
+        try:
+            words = split(self.replace(text))
+            if not words:
+                return
+            control = getattr(self, "_do_" + words[0], None)
+            if control is None:
+                yield Command(self.place, words[1:], words[0])
+            elif words[0] == "if":
+                for line in self._do_if(split(text)):
+                    yield from self._commands(line)
+            else:
+                control(words[1:])
+        except IndexError:
+            self._fault(text.split()[0], "words are missing")
+        except CannotTranslate:
+            pass
+
+    def _fault(self, word, sentence):
+        self.report.refuse(self.place, word, sentence)
+
+    # ---- variables -------------------------------------------------------------------------------
+
+    def replace(self, text):
+        """References outside quotes."""
+        return "".join(part if k % 2 else self.replace_all(part)
+                       for k, part in enumerate(QUOTED.split(text)))
+
+    def replace_all(self, text):
+        return REFERENCE.sub(self._reference, text)
+
+    def _reference(self, match):
+        try:
+            if match.group(2) is not None:
+                return repr(self.evaluate(match.group(2)))
+            return self.text(match.group(1) or match.group(3))
+        except Dynamic as error:
+            self._fault(match.group(0), f"{error} is known only in a run of LIGGGHTS; write its "
+                        "value instead")
+
+    def text(self, name):
+        if name not in self.variables:
+            self._fault(f"${{{name}}}", "there is no such variable")
+        style, values, index = self.variables[name]
+        if style == "equal":
+            value = self.evaluate(values[0])
+            return str(int(value)) if value == int(value) and abs(value) < 1e15 else repr(value)
+        if style == "atom":
+            raise Dynamic(f"variable {name} of style atom")
+        return values[index]
+
+    def number(self, name):
+        text = self.text(name)
+        try:
+            return float(text)
+        except ValueError:
+            raise Malformed(f'variable {name} is "{text}", no number') from None
+
+    def evaluate(self, text):
+        try:
+            return Expression(text, self.number, self.keyword).value()
+        except Malformed as error:
+            self._fault("expression", str(error))
+
+    # ---- what decides the order ------------------------------------------------------------------
+
+    def _do_variable(self, words):
+        name, style, rest = words[0], words[1], words[2:]
+        if style == "delete":
+            self.variables.pop(name, None)
+        elif style in ("equal", "atom"):
+            self.variables[name] = Variable(style, ["".join(rest)])
+        elif name in self.given or name in self.variables and style != "string":
+            return          # of these styles the first definition holds
+        elif style in ("index", "world", "universe"):
+            self.variables[name] = Variable(style, rest)
+        elif style == "string":
+            self.variables[name] = Variable(style, [" ".join(rest)])
+        elif style in ("loop", "uloop"):
+            numbers = [int(float(word)) for word in rest if word != "pad"]
+            low, high = (1, numbers[0]) if len(numbers) == 1 else numbers[:2]
+            self.variables[name] = Variable(style, [str(k) for k in range(low, high + 1)])
+        elif style == "getenv":
+            self.variables[name] = Variable(style, [os.environ.get(rest[0], "")])
+        else:
+            self._fault(f"variable {name} {style}", "this style is not read; known: equal, atom, "
+                        "index, loop, string, getenv, world, universe, uloop")
+
+    def _do_next(self, words):
+        for name in words:
+            style, values, index = self.variables.get(name, Variable("", []))
+            if style == "":
+                self._fault(f"next {name}", "there is no such variable")
+            if style in ("universe", "uloop", "world"):
+                index = len(values)         # each partition has one value; the first one is taken
+            if index + 1 < len(values):
+                self.variables[name] = Variable(style, values, index + 1)
+            else:
+                self.variables.pop(name)
+                self.skip_jump = True
+
+    def _do_label(self, words):
+        pass
+
+    def _do_jump(self, words):
+        if self.skip_jump:
+            self.skip_jump = False
+            return
+        if words[0] != "SELF":
+            self._open(self._find(words[0], "jump"))
+        else:
+            self.at = 0
+        if len(words) > 1:
+            for k, (_, text) in enumerate(self.lines):
+                if text.split()[:2] == ["label", words[1]]:
+                    self.at = k + 1
+                    return
+            self.at = len(self.lines)
+            self._fault(f"jump {words[1]}", "there is no such label in the file")
+
+    def _do_include(self, words):
+        self.files.append((self.path, self.lines, self.at))
+        self._open(self._find(words[0], "include"))
+
+    def _find(self, name, word):
+        """LIGGGHTS looks in the folder where it runs: the folder of the script."""
+        for folder in (self.path.parent, Path(".")):
+            if (folder/name).is_file():
+                return folder/name
+        self._fault(f"{word} {name}", "there is no such file")
+
+    def _do_quit(self, words):
+        self.at, self.files = len(self.lines), []
+
+    def _do_if(self, words):
+        """The commands of the branch that holds."""
+        groups, k = [(words[1], [])], 3
+        if words[2:3] != ["then"]:
+            self._fault("if", "then is missing")
+        while k < len(words):
+            if words[k] in ("elif", "else"):
+                condition = words[k + 1] if words[k] == "elif" else "1"
+                k += words[k] == "elif"
+                groups.append((condition, []))
+            else:
+                groups[-1][1].append(words[k])
+            k += 1
+        for condition, commands in groups:
+            if self._holds(condition):
+                return commands
+        return []
+
+    def _holds(self, condition):
+        text = self.replace_all(condition)
+        match = re.fullmatch(r"\s*([^\s=!<>&|()]+)\s*(==|!=)\s*([^\s=!<>&|()]+)\s*", text)
+        try:
+            if match:
+                a, operator, b = match.groups()
+                try:
+                    a, b = float(a), float(b)
+                except ValueError:
+                    pass
+                return (a == b) == (operator == "==")
+            return self.evaluate(text) != 0
+        except Dynamic as error:
+            self._fault(f"if {condition}", f"{error} is known only in a run of LIGGGHTS; import the "
+                        "branch that is wanted")
