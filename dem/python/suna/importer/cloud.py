@@ -1,11 +1,11 @@
-"""cloud.py -- a case of OpenFOAM with colliding particles (kinematicCloudProperties) as one of Suna.
+"""cloud.py -- a case of OpenFOAM with colliding particles (kinematicCloudProperties).
 
     translate_cloud(Path("Goldschmidt"), Path("Goldschmidt.suna"), report)
 
 DPMFoam's fluid becomes demPimpleFoam's: fields of the phase lose its name (U.air is U), the inlet's
 interstitialInletVelocity becomes the superficial velocity. DPMFoam's momentum equation has pressure
-and gravity without the void fraction and drag over it: set III (docs/theory-coupling.md), and so has
-the result. icoUncoupledKinematicParcelFoam stays the solver, with its own cloud at rest, and a
+and gravity without the void fraction and drag over it: set III (docs/theory-coupling.md), and so
+has the result. icoUncoupledKinematicParcelFoam stays the solver, with its own cloud at rest, and a
 function object moves the particles.
 
 SPDX-License-Identifier: GPL-3.0-or-later

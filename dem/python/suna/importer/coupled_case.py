@@ -1,9 +1,9 @@
 """coupled_case.py -- the case that a translation makes: a copy of the OpenFOAM case of the source
 with what Suna needs.
 
-Files of the source stay byte by byte: one that is changed is kept as NAME.original, and the new file
-includes it and adds entries, which replace or are merged with those of the original. Fields are
-written anew, as OpenFOAM would read NAME.original beside them.
+Files of the source stay byte by byte: one that is changed is kept as NAME.original, and the new
+file includes it and adds entries, which replace or are merged with those of the original. Fields
+are written anew, as OpenFOAM would read NAME.original beside them.
 
 demPimpleFoam needs of a case: the application; Euler in time; schemes of its terms; linear solvers
 of p and U; PIMPLE; fixedFluxPressure at fixed inlets (docs/demPimpleFoam.md).

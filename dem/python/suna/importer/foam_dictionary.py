@@ -7,7 +7,7 @@ entry.
     d.unread()                                      entries that nobody asked for: to be reported
 
 Syntax: comments, "strings", "(patterns|of names)" as keys, lists with or without their count,
-dictionaries in lists, dimensions [ ... ] (skipped), $name, ${name}, $..name, $:name.sub, `$name;` to
+dictionaries in lists, dimensions [ ... ] (skipped), $name, ${name}, $..name, $:a.b, `$name;` to
 insert a dictionary, #include, #includeIfPresent, #{ code #}, and files that are compressed (.gz). A
 later entry replaces an earlier one, dictionaries are merged, as in OpenFOAM. Other directives stand
 as text: #calc in a value, where its reader gets an error with the line, #includeEtc and the like as
