@@ -83,7 +83,7 @@ int dem_accuracy_search(const struct dem_accuracy *a, const struct dem_program *
     printf("accuracy: searching the step for errors within %g %%\n", 100.0*a->target);
     fflush(stdout);
     MPI_Finalize();
-    const int status = dem_main_cost(n, words);
+    const int status = dem_main_python("cost", n, words);
 
     fprintf(stderr, "dem: %s\n", dem_error_text());
     _Exit(status);

@@ -1,6 +1,6 @@
 /*
- * cost.c -- `dem cost`: starts the Python program suna.cost, which makes the study, in place of this
- * one.
+ * cost.c -- `dem cost` and `dem import`: start the Python program suna.cost, which makes the study, or
+ * suna.importer, in place of this one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -14,33 +14,33 @@
 #include <string.h>
 #include <unistd.h>
 
-/* The path of dem-cost, the script beside this program. */
-static int find_script(char *path, size_t size)
+/* The path of dem-cost or dem-import, the script beside this program. */
+static int find_script(const char *command, char *path, size_t size)
 {
     const ssize_t n = readlink("/proc/self/exe", path, size - 1);
 
-    DEM_REQUIRE(n > 0 && (size_t)n + sizeof "-cost" < size, DEM_ERROR_FILE,
+    DEM_REQUIRE(n > 0 && (size_t)n + strlen(command) + 2 < size, DEM_ERROR_FILE,
                 "cannot find the folder of the program: %s", n < 0 ? strerror(errno) : "its name is "
                                                                                     "too long");
-    memcpy(path + n, "-cost", sizeof "-cost");
+    snprintf(path + n, size - (size_t)n, "-%s", command);
     DEM_REQUIRE(access(path, R_OK) == 0, DEM_ERROR_FILE, "there is no %s; make -C dem puts it beside "
                 "the program", path);
     return DEM_OK;
 }
 
-int dem_main_cost(int argc, char **argv)
+int dem_main_python(const char *command, int argc, char **argv)
 {
     const char *const named = getenv("SUNA_PYTHON");
     const char *const python = named && named[0] ? named : "python3";
     char path[1024], **arguments;
 
-    DEM_TRY(find_script(path, sizeof path));
+    DEM_TRY(find_script(command, path, sizeof path));
     DEM_TRY(DEM_NEW(arguments, argc + 3));
     arguments[0] = strdup(python);
     arguments[1] = path;
     memcpy(arguments + 2, argv, (size_t)argc*sizeof *argv);
     execvp(python, arguments);
-    return dem_error(DEM_ERROR_FILE, "dem cost needs python3 with cffi, numpy and scipy, and cannot "
-                     "start %s: %s; install it, or name another one by SUNA_PYTHON", python,
-                     strerror(errno));
+    return dem_error(DEM_ERROR_FILE, "dem %s needs python3 with cffi, numpy and scipy, and cannot "
+                     "start %s: %s; install it, or name another one by SUNA_PYTHON", command,
+                     python, strerror(errno));
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""launch.py -- beside the program as dem-cost, dem-plot and demCost: starts suna.cost with a python3
-that has what it needs.
+"""launch.py -- beside the program as dem-cost, dem-import, dem-plot and demCost: starts suna.cost or
+suna.importer with a python3 that has what it needs.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -12,7 +12,7 @@ from importlib.util import find_spec
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 NEEDS = {"dem-cost": ("cffi", "numpy", "scipy"), "demCost": ("cffi", "numpy", "scipy"),
-         "dem-plot": ("matplotlib",)}
+         "dem-import": ("cffi", "numpy"), "dem-plot": ("matplotlib",)}
 NAME = os.path.basename(__file__)
 PLOT_HELP = """Usage: dem-plot FOLDER/cost.csv
 
@@ -55,6 +55,9 @@ if NAME == "dem-plot":
 
 from suna.cost.__main__ import command
 
+if NAME == "dem-import":
+    from suna.importer.__main__ import main
+    sys.exit(command(sys.argv[1:], "dem import", main))
 if NAME == "demCost":
     from suna.cost.case_command import main
     sys.exit(command(sys.argv[1:], NAME, main))

@@ -29,6 +29,7 @@ static const struct command
      "check a scene and report its effects, time step, memory and run time, without running it",
      dem_main_plan},
     {"cost", "accuracy against processor time, over time step and stiffness", NULL},
+    {"import", "translate input of LIGGGHTS, CFDEMcoupling or OpenFOAM into a scene or case", NULL},
     {"effects", "list the effects with their settings, units, defaults, ranges and sources",
      dem_main_effects},
     {"hash", "print the hash of a snapshot", dem_main_hash},
@@ -109,9 +110,9 @@ int main(int argc, char **argv)
     int status, printer;
 
     /* another program takes the place of this one, on each rank */
-    if (argc > 1 && strcmp(argv[1], "cost") == 0)
+    if (argc > 1 && (strcmp(argv[1], "cost") == 0 || strcmp(argv[1], "import") == 0))
     {
-        (void)dem_main_cost(argc - 2, argv + 2);
+        (void)dem_main_python(argv[1], argc - 2, argv + 2);
         fprintf(stderr, "dem: %s\n", dem_error_text());
         return EXIT_FAILURE;
     }

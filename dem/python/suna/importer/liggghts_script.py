@@ -74,7 +74,7 @@ class Script:
         self.report, self.keyword = report, keyword
         self.variables = {name: Variable("index", [value]) for name, value in given}
         self.given = set(self.variables)
-        self.files, self.place = [], None
+        self.files, self.place, self.folder = [], None, Path(path).parent
         self._open(Path(path))
         self.skip_jump = False
 
@@ -92,7 +92,7 @@ class Script:
                 return
             number, text = self.lines[self.at]
             self.at += 1
-            self.place = Place(os.path.relpath(self.path), number)
+            self.place = Place(os.path.relpath(self.path, self.folder), number)
             yield from self._commands(text)
         self.report.refuse(self.place, "jump", f"the script has executed {MAX_COMMANDS} commands; "
                            "an endless loop cannot be translated")
