@@ -24,8 +24,7 @@ from .report import Place
 DPM = ("DPMFoam", "DPMDyMFoam")
 UNCOUPLED = ("icoUncoupledKinematicParcelFoam", "icoUncoupledKinematicParcelDyMFoam")
 NOT_DEM = ("is not DEM: its parcels do not touch, a model of the stress of packed particles "
-           "pushes them "
-           "apart; set up contact laws and single particles in constant/demProperties")
+           "pushes them apart; set up contact laws and single particles in constant/demProperties")
 REACTING = ("is not DEM: its parcels exchange heat and mass with the gas and do not touch")
 IDLE = """// the solver's own particles, inactive
 solution
@@ -45,10 +44,11 @@ cloudFunctions { }
 
 
 def find_cloud(folder):
-    """Names of the files of clouds in constant."""
+    """Names of the files of clouds in constant, or None."""
     names = {path.name.removesuffix(".gz")
              for path in (folder/"constant").glob("*loud*Properties*")}
-    return sorted(name for name in names if re.fullmatch(r"\w*[cC]loud\d*Properties", name))
+    return sorted(name for name in names
+                  if re.fullmatch(r"\w*[cC]loud\d*Properties", name)) or None
 
 
 def translate_cloud(source, target, report):
@@ -58,7 +58,7 @@ def translate_cloud(source, target, report):
         report.refuse(Place("constant/" + kinds[0]), kinds[0].removesuffix("Properties"), REACTING)
     if len(files) > 1:
         report.refuse(Place("constant/" + files[1]), "a second cloud", "the importer takes one")
-    CloudCase(source, target, report, files[0]).translate()
+    CloudCase(source, target, report, files[0]).make()
 
 
 class CloudCase(CoupledCase):
@@ -84,8 +84,8 @@ class CloudCase(CoupledCase):
         self.patches = read_patches(self.source, self.report)
         if self.patches is None:
             self.report.refuse(Place("constant/polyMesh"), "boundary", "there is neither a mesh "
-                                                                       "nor a "
-                               "blockMeshDict: make the mesh first, so that its patches are known")
+                               "nor a blockMeshDict: make the mesh first, so that its patches are "
+                               "known")
         self.read_particles()
         self.copy(without=(self.file.split("/")[1] + "*", *self.position_files))
         self.fluid()
@@ -96,8 +96,8 @@ class CloudCase(CoupledCase):
         sub = self.cloud.sub("subModels")
         for name in ("packingModel", "dampingModel", "isotropyModel"):
             if name in sub and sub.word(name) != "none":
-                self.report.refuse(sub.where(name), f"{sub.full(name)} {sub.word(name)} "
-                                                    "(MP-PIC)", NOT_DEM)
+                self.report.refuse(sub.where(name),
+                                   f"{sub.full(name)} {sub.word(name)} (MP-PIC)", NOT_DEM)
         for name in ("compositionModel", "phaseChangeModel", "heatTransferModel"):
             if name in sub and sub.word(name) != "none":
                 self.report.refuse(sub.where(name), f"{sub.full(name)} {sub.word(name)}", REACTING)
@@ -109,8 +109,8 @@ class CloudCase(CoupledCase):
         sub, constants = cloud.sub("subModels"), cloud.sub("constantProperties")
         model = sub.word("collisionModel", "none")
         if model != "pairCollision":
-            report.refuse(sub.where("collisionModel"), f"subModels/collisionModel "
-                                                       f"{model}", "parcels that "
+            report.refuse(sub.where("collisionModel"),
+                          f"subModels/collisionModel {model}", "parcels that "
                           "do not touch are not DEM; pairCollision has contacts")
         report.translated(sub.where("collisionModel"), "subModels/collisionModel pairCollision")
         self.read_solution()
@@ -132,11 +132,11 @@ class CloudCase(CoupledCase):
         self.coupled = solution.switch("coupled", True)
         report.translated(solution.where("coupled"), "solution/coupled", "coupling/twoWay "
                           f"{'yes' if self.coupled else 'no'}")
-        for name, why in (("transient", ""), ("cellValueSourceCorrection", "the exchange is "
-                                                                           "implicit"),
+        for name, why in (("transient", ""), ("cellValueSourceCorrection",
+                                              "the exchange is implicit"),
                           ("maxCo", "DEM steps follow from the contact time"),
-                          ("interpolationSchemes", "the kernel's weights read the fluid at "
-                                                   "particles"),
+                          ("interpolationSchemes",
+                           "the kernel's weights read the fluid at particles"),
                           ("integrationSchemes", "leapfrog, with exponential drag"),
                           ("sourceTerms", "the exchange is implicit and keeps momentum"),
                           ("calcFrequency", ""), ("maxTrackTime", ""), ("averagingMethod", "")):
@@ -157,14 +157,12 @@ class CloudCase(CoupledCase):
                        forces.where("gravity") if self.gravity else forces.place)
         if self.gravity:
             report.translated(forces.where("gravity"), "subModels/particleForces/gravity, with "
-                                                       "buoyancy "
-                              "(1 - rho/rho0)", "weight from constant/g and pressureGradient")
+                              "buoyancy (1 - rho/rho0)", "weight from constant/g and pressureGradient")
         if self.dense and "pressureGradient" in names:
             report.approximated(forces.where("pressureGradient"), "subModels/particleForces/"
                                 "pressureGradient", "equations III contain the pressure gradient "
-                                                    "of the "
-                                "flow in drag over the void fraction, so it is not added twice; "
-                                "there it is")
+                                "of the flow in drag over the void fraction, so it is not added "
+                                "twice; there it is")
         if self.dense and "sphereDrag" in names:
             report.approximated(forces.where("sphereDrag"), "subModels/particleForces/sphereDrag",
                                 "equations III divide drag by the void fraction, which this law of "
@@ -186,15 +184,15 @@ class CloudCase(CoupledCase):
             self.properties.add("start", 'snapshot "settled.dem";', injections.place)
             report.approximated(injections.place, "subModels/injectionModels", "no injection: the "
                                 "particles are those of another run. Give its file "
-                                "uniform/dem.snapshot "
-                                "as settled.dem, or write groups under insert in its place")
+                                "uniform/dem.snapshot as settled.dem, or write groups under insert "
+                                "in its place")
 
     def read_constants(self, constants):
         report = self.report
         limit = constants.number("alphaMax", None)
         if limit is not None and self.dense:
-            self.properties.add("coupling", f"minVoidFraction "
-                                            f"{1 - limit:.6g};", constants.where("alphaMax"))
+            self.properties.add("coupling",
+                                f"minVoidFraction {1 - limit:.6g};", constants.where("alphaMax"))
             report.translated(constants.where("alphaMax"), "constantProperties/alphaMax",
                               "coupling/minVoidFraction, one minus it")
         for name in ("parcelTypeId", "rhoMin", "minParcelMass", "constantVolume", "pMin"):
@@ -214,12 +212,11 @@ class CloudCase(CoupledCase):
             if none or entry.name.endswith("Coeffs") and base not in chosen:
                 report.harmless(entry.place, sub.full(entry.name), "not chosen" if not none else "")
             else:
-                report.refuse(entry.place, sub.full(entry.name), "the importer does not know this "
-                                                                 "model")
+                report.refuse(entry.place, sub.full(entry.name),
+                              "the importer does not know this model")
         for entry in self.cloud.sub("cloudFunctions").entries:
             report.harmless(entry.place, f"cloudFunctions/{entry.name}", "see docs/output.md for "
-                                                                         "what "
-                            "Suna writes")
+                            "what Suna writes")
         for name in ("solution", "constantProperties", "subModels", "cloudFunctions"):
             self.cloud.find(name)
         refuse_unread(self.cloud, report, deep=False)
@@ -228,7 +225,7 @@ class CloudCase(CoupledCase):
 
     def dpm(self):
         """DPMFoam: demPimpleFoam."""
-        report = self.report
+        report, self.command = self.report, "blockMesh; demPimpleFoam"
         transport = self.read("constant/transportProperties")
         phase = transport.word("continuousPhase")
         density = transport.number("rho." + phase)
@@ -236,13 +233,12 @@ class CloudCase(CoupledCase):
         report.translated(transport.where("rho." + phase), "rho." + phase, "coupling/rho")
         self.properties.add("coupling", "equations III;", self.control.where("application"))
         report.translated(self.control.where("application"), "equations of " + self.application,
-                          "coupling/equations III; the default, II, is exact in flows that "
-                          "change, too")
+                          "coupling/equations III; the default, II, is exact in flows that change, "
+                          "too")
         self.properties.add("coupling", "kernel linear;", self.cloud.place)
         report.approximated(self.cloud.place, "void fraction of the cells of the centres",
                             "kernel linear, as it does not jump when a particle changes cell: "
-                            "smoother "
-                            "by half a cell")
+                            "smoother by half a cell")
         report.approximated(Place(f"{self.start}/p", 1), "p", "is without the hydrostatic part in "
                             "demPimpleFoam: at the bottom lower by rho g h than there")
         if not self.coupled:
@@ -293,14 +289,13 @@ class CloudCase(CoupledCase):
     def uncoupled(self):
         """A given flow that stands: the solver stays, its cloud rests, a function object acts."""
         report, place = self.report, self.control.where("application")
+        self.command = f"blockMesh; {self.application} -cloud idle"
         report.translated(place, f"application {self.application}", f"{self.application} -cloud "
-                                                                    "idle "
-                          "with the function object demCloud")
+                          "idle with the function object demCloud")
         if self.coupled:
             report.approximated(self.cloud.sub("solution").where("coupled"), "solution/coupled yes",
                                 f"coupling/twoWay no: {self.application} does not solve for the "
-                                "fluid, so "
-                                "it feels nothing there either")
+                                "fluid, so it feels nothing there either")
         self.properties.add("coupling", "twoWay no;", self.cloud.sub("solution").where("coupled"))
         self.write("constant/idleProperties", IDLE)
         self.change("system/controlDict", "functions { particles { type demCloud; libs "
@@ -329,5 +324,5 @@ class CloudCase(CoupledCase):
             rows = "\n".join(f"    ({x:.17g} {y:.17g} {z:.17g})" for x, y, z in positions)
             (self.target/f"constant/{name}Positions").write_text(f"positions\n(\n{rows}\n);\n")
         self.write("constant/demProperties", self.properties.text(
-            f"Particles of {self.source.name} ({self.file}), translated by dem "
-            "import.", self.report))
+            f"Particles of {self.source.name} ({self.file}), translated by dem import.",
+            self.command, self.report))

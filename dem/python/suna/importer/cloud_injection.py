@@ -20,15 +20,13 @@ REFUSED_INJECTIONS = {
     "fieldActivatedInjection": "Suna's particles enter at given times, not when a field says so",
     "inflationInjection": "Suna's particles do not grow",
     "patchFlowRateInjection": "its rate follows the fluid's flux; Suna's streams have given "
-                              "rates: use "
-                              "patchInjection with massTotal and duration",
+                              "rates: use patchInjection with massTotal and duration",
     "coneNozzleInjection": "a spray nozzle; use coneInjection or patchInjection",
     "kinematicLookupTableInjection": "a table of parcels; write the particles as positionsFile of "
-                                     "a "
-                                     "manualInjection",
+                                     "a manualInjection",
     "injectedParticleInjection": "it reads parcels that another run wrote; use manualInjection",
-    "injectedParticleDistributionInjection": "it reads parcels that another run wrote; use "
-                                             "patchInjection with their distribution",
+    "injectedParticleDistributionInjection":
+    "it reads parcels that another run wrote; use patchInjection with their distribution",
 }
 
 
@@ -80,13 +78,12 @@ def manual(name, d, case, properties, report, place, word):
     parcels(d, report)
     if d.number("SOI", 0.0) > 0:
         report.refuse(d.where("SOI"), d.full("SOI"), "particles of a list are there from the "
-                                                     "start; "
-                      "let the run begin at this time")
+                      "start; let the run begin at this time")
     file = d.word("positionsFile")
     source = case.source/"constant"/file
     if existing(source) is None:
-        report.refuse(d.where("positionsFile"), d.full("positionsFile"), f"there is no file "
-                                                                         f"constant/{file}")
+        report.refuse(d.where("positionsFile"), d.full("positionsFile"),
+                      f"there is no file constant/{file}")
     positions = read_positions(source)
     case.positions[name] = positions
     report.translated(place, word, f"insert/{name}, a list of {len(positions)} particles")
@@ -123,8 +120,7 @@ def profile(d, report, *names):
         if tokens is not None and tokens and tokens[0] != "constant" and not re.fullmatch(
                 r"[-+\d.eE]+", str(tokens[0])):
             report.refuse(d.where(word), d.full(word), "changes in time; Suna's streams have "
-                                                       "constant "
-                          "rates: give the mean, or several injections")
+                          "constant rates: give the mean, or several injections")
 
 
 def stream(name, d, density, properties, report, place, word, inlet):
@@ -158,11 +154,9 @@ def cone(name, d, density, properties, report, place, word):
                        f"normal ({axis[0]:g} {axis[1]:g} {axis[2]:g}); radius {biggest:g}; "
                        f"}} velocity "
                        f"({v[0]:g} {v[1]:g} {v[2]:g}); spread ({across[0]:g} {across[1]:g} "
-                       f"{across[2]:g});"
-                       f" {size.replace('by number', 'by ' + by)} }}", place)
+                       f"{across[2]:g}); {size.replace('by number', 'by ' + by)} }}", place)
         report.approximated(place, word, "a disc of one diameter for its point, velocities "
-                                         "uniform in a "
-                            "box for the cone, within its outer angle along the axes")
+                            "uniform in a box for the cone, within its outer angle along the axes")
     for old in ("parcelsPerInjector", "thetaInner", "injectionMethod", "flowType"):
         d.find(old)
 
@@ -173,8 +167,7 @@ def zone(name, d, properties, report, place, word):
     kind, inner = cloud_sizes.distribution(size, report)
     if kind != "fixedValue":
         report.refuse(size.where("type"), size.full("type") + " " + kind, "in a zone the importer "
-                                                                          "knows "
-                      "fixedValue, as it does not know the volume")
+                      "knows fixedValue, as it does not know the volume")
     diameter, n = inner.number("value"), d.number("numberDensity")
     u = d.vector("U0", (0.0, 0.0, 0.0))
     properties.add("insert", f"{name} {{ type random; material particles; zone "

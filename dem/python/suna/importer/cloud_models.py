@@ -29,8 +29,7 @@ FORCES = {
 }
 REFUSED_FORCES = {
     "PlessisMasliyahDrag": "Suna has gidaspow, diFelice, kochHill, beetstra for the same range; "
-                           "name "
-                           "ErgunWenYuDrag here to get gidaspow",
+                           "name ErgunWenYuDrag here to get gidaspow",
     "nonSphereDrag": "Suna has spheres only",
     "distortedSphereDrag": "Suna has spheres only",
     "SRF": "particles of Suna have absolute velocities",
@@ -146,10 +145,8 @@ def add_contacts(sub, constants, properties, report):
     d = coeffs.sub(model + "Coeffs")
     e, mu, cohesion = contact(d, report, "of particles")
     report.approximated(coeffs.where("pairModel"), model, "hertz, dry, mindlin: its spring is set "
-                                                          "to "
-                        "zero when a contact slips, that of mindlin stays at the limit, so "
-                        "contacts "
-                        "that stick and slip in turn hold more")
+                        "to zero when a contact slips, that of mindlin stays at the limit, so "
+                        "contacts that stick and slip in turn hold more")
     refuse_unread(d, report)
     walls = wall_models(coeffs, report)
     values = {name: contact(inner, report, f"on {name}") for name, inner in walls.items()}
@@ -254,24 +251,21 @@ def add_patches(patches, walls, sub, properties, report, place):
                            f"{'absorb yes; ' if kind == 'stick' else ''}}}", at or place)
             if kind == "stick":
                 report.approximated(at, f"stick of {patch.name}", "particles that touch the wall "
-                                                                  "are "
-                                    "removed and counted, there they stay on it")
+                                    "are removed and counted, there they stay on it")
             elif kind:
                 report.translated(at, f"{kind} of {patch.name}", "a wall; the wall model acts")
         elif patch.type in ("symmetry", "symmetryPlane"):
             symmetry = True
             properties.add("walls", f"{patch.name} {{ material symmetry; }}", at or place)
             report.approximated(at or place, f"patch {patch.name} ({patch.type})", "a smooth "
-                                                                                   "elastic "
-                                "wall; there centres are reflected, so half a particle may stick "
-                                "out")
+                                "elastic wall; there centres are reflected, so half a particle may "
+                                "stick out")
         elif patch.type in ("patch", "mappedPatch"):
             if kind == "rebound":
                 material = next(iter(walls.values()))
                 properties.add("walls", f"{patch.name} {{ material {material}; }}", at)
                 report.approximated(at, f"rebound of {patch.name}", "a wall that particles touch "
-                                                                    "with "
-                                    "their surface; there their centres rebound")
+                                    "with their surface; there their centres rebound")
             else:
                 properties.add("outlets", f"{patch.name} {{ patch {patch.name}; }}", at or place)
                 report.translated(at or place, f"{kind or 'no interaction'} of {patch.name}",
@@ -279,8 +273,7 @@ def add_patches(patches, walls, sub, properties, report, place):
     if symmetry:
         properties.add("materials", "symmetry { density 1000; youngsModulus 1e8; }")
         properties.add("pairs", "symmetryContact { between (particles symmetry); dry { "
-                                "restitution 1; } "
-                       "mindlin { friction 0; } }")
+                       "restitution 1; } mindlin { friction 0; } }")
 
 
 # ---- dispersion ----------------------------------------------------------------------------------

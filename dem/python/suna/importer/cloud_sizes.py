@@ -89,8 +89,7 @@ def sizes(d, by, report):
                 f"min {d_in.number('minValue'):.12g}; max {d_in.number('maxValue'):.12g}; }}")
     diameters = classes(kind, d_in, report, place, word)
     report.approximated(place, word, f"{CLASSES} diameters at equal steps of its cumulative "
-                                     "curve; the "
-                        f"largest is {diameters[-1]:.4g} m")
+                        f"curve; the largest is {diameters[-1]:.4g} m")
     text = " ".join(f"{x:.6g}" for x in diameters)
     return f"sizes {{ type list; by {by}; diameters ({text}); weights ({'1 '*CLASSES}); }}"
 
@@ -99,8 +98,7 @@ def classes(kind, d, report, place, word, count=CLASSES):
     found = density(kind, d)
     if found is None:
         report.refuse(place, word, "Suna has uniform, normal and logNormal sizes, lists and "
-                                   "tables; "
-                      "give its classes as type general")
+                      "tables; give its classes as type general")
     value, low, high = found
     if not numpy.isfinite(high) or not high > low:
         report.refuse(d.where("maxValue"), d.full("maxValue"), "is not above minValue")

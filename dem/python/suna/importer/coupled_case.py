@@ -14,7 +14,7 @@ import re
 import shutil
 
 from .foam_dictionary import Dictionary, Entry, as_text, existing, file_text, read_dictionary
-from .report import Place
+from .report import CannotTranslate, Place
 
 FIXED_VELOCITY = ("fixedValue", "uniformFixedValue", "flowRateInletVelocity", "codedFixedValue",
                   "surfaceNormalFixedValue", "timeVaryingMappedFixedValue",
@@ -65,12 +65,19 @@ class CoupledCase:
     def __init__(self, source, target, report, prefix=""):
         self.source, self.target, self.report, self.prefix = source, target, report, prefix
         if target.exists():
-            report.refuse(Place(str(target)), "the result", "exists already; name another folder, "
-                                                            "or "
-                          "remove it")
+            report.refuse(Place(str(target)), "the result",
+                          "exists already; name another folder, or remove it")
         self.control = self.read("system/controlDict")
         self.start = self.start_folder()
         self.changes = {}           # file: lines that are added to it
+
+    def make(self):
+        """The case, or nothing where it cannot be translated."""
+        try:
+            self.translate()
+        except CannotTranslate:
+            shutil.rmtree(self.target, ignore_errors=True)
+            raise
 
     def read(self, name):
         return read_dictionary(self.source/name, self.prefix + name, self.report)
@@ -143,8 +150,8 @@ class CoupledCase:
             old.unlink(missing_ok=True)
         inner = as_text(field.tokens("internalField"))
         (self.zero/name).write_text(
-            header(kind, name, comments) + f"dimensions      {dimensions};\ninternalField   "
-                                           f"{inner};\n\n"
+            header(kind, name, comments) +
+            f"dimensions      {dimensions};\ninternalField   {inner};\n\n"
             "boundaryField\n{\n" + "\n".join(render(field.sub("boundaryField"), "    ")) + "\n}\n")
 
     # ---- what demPimpleFoam needs ----------------------------------------------------------------
@@ -221,8 +228,7 @@ class CoupledCase:
             if moves and inner.word("type", "none") == "zeroGradient":
                 self.report.translated(
                     inner.where("type"), f"p/{name} zeroGradient", "fixedFluxPressure: the "
-                                                                   "gradient "
-                    "inside balances the drag of particles at the inlet")
+                    "gradient inside balances the drag of particles at the inlet")
                 inner.entries = [Entry("type", inner.place, ["fixedFluxPressure"]),
                                  Entry("value", inner.place, pressure.tokens("internalField"))]
                 changed.append(name)

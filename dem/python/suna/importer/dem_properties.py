@@ -3,7 +3,7 @@ the line of the source that it comes from.
 
     properties = DemProperties()
     properties.add("materials", "glass { density 2500; youngsModulus 1e7; }", place)
-    text = properties.text(title, report)
+    text = properties.text(title, "blockMesh; demPimpleFoam", report)
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -20,8 +20,8 @@ class DemProperties:
         """One entry, or several lines of it; the places are named behind the first."""
         self.sections.setdefault(section, []).append((text, places))
 
-    def text(self, title, report):
-        lines = [f"// {title}", *report.comment(), ""]
+    def text(self, title, command, report):
+        lines = [f"// {title}", f"// To run: {command}", *report.comment(), ""]
         for section in [*SECTIONS, *(name for name in self.sections if name not in SECTIONS)]:
             if section in self.sections:
                 lines += [section, "{"]

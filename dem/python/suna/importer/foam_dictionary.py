@@ -125,8 +125,7 @@ class Dictionary:
             return float(tokens[-1])
         except (ValueError, TypeError, IndexError):
             self.report.refuse(self.where(name), self.full(name), f"{as_text(tokens)!r} is no "
-                                                                  "number; "
-                               "write one")
+                               "number; write one")
 
     def vector(self, name, *default):
         if name not in self and default:
@@ -137,8 +136,7 @@ class Dictionary:
             return float(x), float(y), float(z)
         except (ValueError, TypeError, IndexError):
             self.report.refuse(self.where(name), self.full(name), f"{as_text(tokens)!r} is no "
-                                                                  "vector; "
-                               "write one")
+                               "vector; write one")
 
     def switch(self, name, default):
         """OpenFOAM's words for yes and no; an entry without value is yes, as its presence is."""
@@ -149,8 +147,8 @@ class Dictionary:
             return True
         if str(tokens[0]).lower() in NO:
             return False
-        self.report.refuse(self.where(name), self.full(name), f"{as_text(tokens)!r} is neither "
-                                                              "yes nor no")
+        self.report.refuse(self.where(name), self.full(name),
+                           f"{as_text(tokens)!r} is neither yes nor no")
 
     def list(self, name, *default):
         """The last list of the value: words, lists, Dictionaries."""
