@@ -100,6 +100,15 @@ class Mesh:
         return x, moved
 
 
+def key(state):
+    """What a scene cannot change while it runs."""
+    gravity = None if state["gravity"] is None else tuple(state["gravity"][0])
+    return (state["model"] and state["model"].key(), state["properties"].key(), gravity,
+            tuple((name, wall.place) for name, wall in state["walls"].items()), tuple(state["outlets"]),
+            tuple(state["boundary"]), tuple(state["frozen"]), tuple(state["integrated"]),
+            tuple(state["forces"]), tuple(state["driven"]), state["flat"])
+
+
 @dataclass
 class Stage:
     """Between the beginning and the end of one `run`."""
@@ -381,7 +390,7 @@ class Translation:
             if script.is_file() and script.resolve() not in self.seen and \
                     script.resolve() != self.path.resolve() and writes_restart(script, name):
                 report = type(self.report)()
-                self.before = Translation(script, report, self.given,
+                self.before = type(self)(script, report, self.given,
                                           (*self.seen, self.path.resolve())).read()
                 self.report.rows += [row for row in report.rows if row not in self.report.rows]
                 self.take_over(self.before)
@@ -541,11 +550,15 @@ class Translation:
         skipped = ("model", "gravity", "properties", "walls", "meshes", "boundary", "box", "lost", "flat",
                    "frozen", "integrated", "forces", "outlets", "fluid", "driven", "groups")
         state = {name: copy.copy(getattr(self, name)) for name in skipped}
-        state["properties"] = copy.deepcopy(self.properties)
+        state["properties"] = self.properties.copy()
         state["particles"], state["insertions"] = self.particles, self.insertions
         state["interval"], state["wall_interval"] = self.interval, self.wall_interval
         end = self.time + steps*self.step
-        self.stages.append(Stage(self.time, end, self.step, steps, state, self.command.place, self.fresh))
+        last = self.stages[-1] if self.stages and not self.fresh else None
+        if last and last.place == self.command.place and last.step == self.step and key(last.state) == key(state):
+            last.end, last.steps, last.state = end, last.steps + steps, state       # a loop
+        else:
+            self.stages.append(Stage(self.time, end, self.step, steps, state, self.command.place, self.fresh))
         self.fresh, self.time, self.steps = False, end, self.steps + steps
         self.translated("time/end")
 

@@ -59,6 +59,11 @@ class Properties:
     def set(self, name, kind, values, place):
         self.values[name], self.places[name] = (kind, tuple(values)), place
 
+    def copy(self):
+        other = Properties()
+        other.values, other.places = dict(self.values), dict(self.places)
+        return other
+
     def has(self, name):
         return name in self.values
 

@@ -195,9 +195,9 @@ def wall(t, name, group, words):
             found.type, rest = int(rest[1]), rest[2:]
         found.primitive = rest.pop(0)
         count = {"xplane": 1, "yplane": 1, "zplane": 1, "xcylinder": 3, "ycylinder": 3, "zcylinder": 3,
-                 "general_plane": 6, "plane": 6, "general_cylinder": 7}.get(found.primitive)
+                 "general_plane": 6, "plane": 6, "general_cylinder": 7, "general_cone": 8}.get(found.primitive)
         if count is None:
-            t.refuse("known: planes, cylinders, general_plane, general_cylinder; give others as a mesh",
+            t.refuse("known: planes, cylinders, general_plane, general_cylinder, general_cone; give others as a mesh",
                      f"primitive {found.primitive}")
         found.numbers, rest = t.numbers(rest[:count], "length"), rest[count:]
     elif rest[0] == "mesh":

@@ -11,10 +11,12 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import math
 import os
+import textwrap
 
 import numpy
 
 from ..simulation import Simulation, SunaError
+from .liggghts import key
 from .liggghts_contact import Need, laws
 from .liggghts_fixes import as_name
 from .liggghts_insertion import NOW, Template, group_entries, scatter, stream_entries
@@ -23,18 +25,11 @@ from .liggghts_particles import write_table
 from .liggghts_region import AXES, Region, text, vector
 from .report import CannotTranslate, WIDTH
 
+SIDES = 96              # of a cone
 LIST = 20               # particles that are written in the scene; more go to a table
 
 
 # ---- stages of one scene --------------------------------------------------------------------------------
-
-def key(state):
-    gravity = None if state["gravity"] is None else tuple(state["gravity"][0])
-    return (state["model"] and state["model"].key(), state["properties"].key(), gravity,
-            tuple((name, wall.place) for name, wall in state["walls"].items()), tuple(state["outlets"]),
-            tuple(state["boundary"]), tuple(state["frozen"]), tuple(state["integrated"]),
-            tuple(state["forces"]), tuple(state["driven"]), state["flat"])
-
 
 def one_motion(stages):
     start, end = stages[0].start, stages[-1].end
@@ -83,7 +78,7 @@ class SceneText:
             for entry, comment in entries:
                 if len(entry) > 60 and comment:
                     lines.append(f"    {comment}")
-                    lines += broken(f"    {entry}")
+                    lines += broken(entry)
                 else:
                     lines.append(f"    {entry:{wide}}  {comment}".rstrip())
             lines.append("}")
@@ -92,14 +87,8 @@ class SceneText:
 
 def broken(entry):
     """An entry over several lines, at its blanks."""
-    lines, words = [], entry.split(" ")
-    line = ""
-    for word in words:
-        if len(line) + len(word) + 1 > WIDTH and line.strip():
-            lines.append(line.rstrip())
-            line = "        "
-        line += ("" if not line.strip() and line else " " if line else "") + word
-    return [*lines, line.rstrip()]
+    return textwrap.wrap(entry, WIDTH, initial_indent="    ", subsequent_indent="        ",
+                         break_long_words=False, break_on_hyphens=False)
 
 
 def braces(name, settings):
@@ -261,6 +250,14 @@ class SceneMaker:
 
     def add_primitive(self, wall, material):
         n, x = wall.numbers, self.landmarks()
+        if wall.primitive == "general_cone":
+            path = self.new_file(f"{as_name(wall.name)}.stl")
+            write_stl(path, frustum(numpy.array(n[1:4]), n[0], numpy.array(n[4:7]), n[7]))
+            self.report.approximated(wall.place, "primitive general_cone", f"{SIDES} flat faces around, at most "
+                                     f"{max(n[0], n[7])*(1 - math.cos(math.pi/SIDES)):.2g} m inside the cone")
+            self.scene.add("walls", f'{as_name(wall.name, "wall")} {{ type stl; material {material}; '
+                           f'file "{os.path.relpath(path)}"; }}', wall.place)
+            return
         if wall.primitive in ("general_plane", "plane") or wall.primitive.endswith("plane"):
             if len(n) == 6:
                 point, normal = numpy.array(n[:3]), numpy.array(n[3:])/numpy.linalg.norm(n[3:])
@@ -547,6 +544,18 @@ class SceneMaker:
         except SunaError as error:
             self.refuse(self.stages[-1].place, "run", f"the scene is refused: {error}")
         return limit, str(why)
+
+
+def frustum(a, ra, b, rb):
+    """Triangles of a cone without ends, from radius ra at a to rb at b."""
+    axis = (b - a)/numpy.linalg.norm(b - a)
+    u = numpy.cross(axis, numpy.eye(3)[numpy.argmin(numpy.abs(axis))])
+    u /= numpy.linalg.norm(u)
+    angle = 2*math.pi*numpy.arange(SIDES + 1)/SIDES
+    around = numpy.cos(angle)[:, None]*u + numpy.sin(angle)[:, None]*numpy.cross(axis, u)
+    low, high = a + ra*around, b + rb*around
+    found = [t for k in range(SIDES) for t in ((low[k], low[k + 1], high[k]), (high[k], low[k + 1], high[k + 1]))]
+    return [t for t in found if len({tuple(p) for p in t}) == 3]
 
 
 # ---- all scenes of a script -----------------------------------------------------------------------------

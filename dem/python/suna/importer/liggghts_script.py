@@ -15,7 +15,7 @@ from typing import NamedTuple
 from .liggghts_expression import Dynamic, Expression, Malformed
 from .report import CannotTranslate, Place
 
-MAX_COMMANDS = 100000       # of a script with loops
+MAX_COMMANDS = 500000       # of a script with loops
 WORD = re.compile(r'"""(.*?)"""|"([^"]*)"|\'([^\']*)\'|(\S+)', re.S)
 REFERENCE = re.compile(r"\$\{(\w+)\}|\$\(([^()]*(?:\([^()]*\)[^()]*)*)\)|\$(\w)")
 QUOTED = re.compile(r'("""(?:.|\n)*?"""|"[^"]*"|\'[^\']*\')')
@@ -94,8 +94,11 @@ class Script:
             self.at += 1
             self.place = Place(os.path.relpath(self.path, self.folder), number)
             yield from self._commands(text)
-        self.report.refuse(self.place, "jump", f"the script has executed {MAX_COMMANDS} commands; "
-                           "an endless loop cannot be translated")
+        try:
+            self._fault("jump", f"the script has executed {MAX_COMMANDS} commands; an endless loop cannot be "
+                        "translated")
+        except CannotTranslate:
+            pass
 
     def _commands(self, text):
         try:
@@ -205,7 +208,7 @@ class Script:
         if self.skip_jump:
             self.skip_jump = False
             return
-        if words[0] != "SELF":
+        if words[0] not in ("SELF", self.path.name):
             self._open(self._find(words[0], "jump"))
         else:
             self.at = 0

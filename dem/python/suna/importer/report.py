@@ -50,7 +50,7 @@ TRANSLATED, APPROXIMATED, HARMLESS, REFUSED = KINDS = (
 
 class Report:
     def __init__(self):
-        self.rows = []
+        self.rows, self._known = [], set()
 
     # ---- one line of the input -------------------------------------------------------------------
 
@@ -69,11 +69,12 @@ class Report:
     def refuse(self, place, word, text):
         """Raises. `text`: what Suna lacks, or what to write instead."""
         self._add(place, word, REFUSED, text)
-        raise CannotTranslate(sentence(self.rows[-1]))
+        raise CannotTranslate(sentence(Row(place, word, REFUSED, text)))
 
     def _add(self, place, word, kind, text):
         row = Row(place, word, kind, text)
-        if row not in self.rows:        # a line of a loop is read many times
+        if row not in self._known:      # a line of a loop is read many times
+            self._known.add(row)
             self.rows.append(row)
 
     # ---- the whole -------------------------------------------------------------------------------
