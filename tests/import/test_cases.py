@@ -758,6 +758,16 @@ def walls():
             "periodic")
 
 
+def units():
+    """numbers of a script in cgs stay as they are, with those of the fields"""
+    result = cfdem_case(script={"units           si": "units           cgs"})
+    effects = result.d.sub("effects")
+    assert result.d.sub("materials").sub("grains").number("density") == 2000
+    assert effects.sub("hertz").number("impactSpeed") == 100
+    assert result.has(APPROXIMATED, "DEM/in.run:1", "units cgs")
+    assert not cfdem_case().d.sub("effects").sub("hertz").entries
+
+
 def settled():
     """particles of a restart file are those of the script that writes it"""
     init = DEM + INSERT + "fix integr all nve/sphere\nrun 100\nwrite_restart post/bed.restart\n"
@@ -779,7 +789,8 @@ def cfdem_runs():
 
 
 TESTS = [syntax, meshes, dpm, restitution, forces, contacts, patches, injections, distributions,
-         not_dem, uncoupled, cfdem_words, equations, kernels, cfdem_forces, exchange, walls, settled]
+         not_dem, uncoupled, cfdem_words, equations, kernels, cfdem_forces, exchange, walls, units,
+         settled]
 RUNS = [cloud_runs, cfdem_runs]
 
 

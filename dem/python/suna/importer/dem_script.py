@@ -21,6 +21,7 @@ from .liggghts_insertion import group_entries, stream_entries
 from .liggghts_particles import write_table
 from .liggghts_region import text, vector
 from .report import HARMLESS, REFUSED, TRANSLATED, Place
+from .units import BASE, Units
 
 PRIMITIVES = {"plane": 1, "cylinder": 3}
 AXES = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}
@@ -42,11 +43,28 @@ def read_dem_script(path, top, report):
     return DemScript(path, top, report)
 
 
+class CoupledScript(Translation):
+    """A script whose numbers stay in its units: those of the mesh and of the fields beside it."""
+
+    speed = 1.0         # 1 m/s in these units
+
+    def do_units(self, words):
+        super().do_units(words)
+        if self.units.name != "si":
+            self.report.rows.pop()
+            self.approximated("all numbers stay in these units, as those of CFD are: read cm for m, g "
+                              "for kg in logs and tables" if words[0] == "cgs" else "all numbers stay "
+                              "in these units, as those of CFD are, whatever logs and tables name",
+                              f"units {words[0]}")
+            length, _, time = BASE[words[0]]
+            self.units, self.speed = Units(), time/length
+
+
 class DemScript:
     def __init__(self, path, top, report):
         self.path, self.top, self.report = path, top, report
         own = type(report)()
-        self.t = Translation(path, own).read()
+        self.t = CoupledScript(path, own).read()
         report.rows += [self.decided(row._replace(place=self.place(row.place))) for row in own.rows]
         report.raise_refused()
         self.state = self.t.stages[-1].state
@@ -76,13 +94,8 @@ class DemScript:
 
     def refuse_others(self):
         """What scenes have and coupled cases do not."""
-        if self.t.units.name != "si":
-            word = next((w for w in self.places if w.startswith("units")), "units")
-            place = self.places.get(word, Place(self.path.name))
-            self.report.refuse(place, f"units {self.t.units.name}",
-                               "the fields of CFD are in these units, too; only si is known")
-        for name, sentence in (("forces",
-                                "forces on chosen particles"), ("driven", "driven particles"),
+        for name, sentence in (("forces", "forces on chosen particles"),
+                               ("driven", "driven particles"),
                                ("frozen", "frozen particles beside others"),
                                ("fluid", "a viscosity of its own, beside the fluid")):
             if self.state[name]:
@@ -151,6 +164,8 @@ class DemScript:
             found = laws(model, model, self.state["properties"], i, j)
         except Need as error:
             self.refuse(model.place, f"property/global {error}", "the model needs it")
+        if "hertz" in found and self.t.speed != 1:
+            found["hertz"].setdefault("impactSpeed", self.t.speed)      # its default is 1 m/s
         return {name: f"{name} {{ " + "".join(
             f"{key} {value if isinstance(value, str) else text(value)}; " for key, value in
             settings.items()) + "}" for name, settings in found.items()}
