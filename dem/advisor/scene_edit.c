@@ -1,33 +1,25 @@
 /*
- * scene_edit.c -- edits of the text of a scene: finds dictionaries by their braces.
+ * scene_edit.c -- edits of the text of a scene: finds dictionaries by their braces, with the scanner of
+ * input.
  *
- * Comments and strings are skipped. An effect is in `effects { WORD { } }` and with other settings
+ * An effect is in `effects { WORD { } }` and with other settings
  * in `pairs { NAME { WORD { } } }`: both are edited. All other text stays the same, byte by byte.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/plan_rewrite.h"
+#include "input/dictionary_tree.h"
 #include <string.h>
 
 enum
 {
-    MAX_DEPTH = 64, MAX_POSITIONS = 64
+    MAX_POSITIONS = 64
 };
 
 /* position of `WORD { ... }` in the text */
 struct position
 {
     size_t name, name_end, end;                           /* end: after the closing brace */
-};
-
-struct walk
-{
-    const char *text;
-    size_t at;
-    struct position open[MAX_DEPTH];
-    int depth;
-    /* the last word; equal: none since the last brace or semicolon */
-    size_t word, word_end;
 };
 
 /* ---- finding --------------------------------------------------------------------------------------------------- */
@@ -37,128 +29,62 @@ static size_t line_end(const char *text, size_t at)
     return at + strcspn(text + at, "\n");
 }
 
-/* End of the comment or string that begins at `at`; `at` if none does. */
-static size_t after_comment(const char *text, size_t at)
-{
-    if (text[at] == '/' && text[at + 1] == '/')
-    {
-        return line_end(text, at);
-    }
-    if (text[at] == '/' && text[at + 1] == '*')
-    {
-        const char *const close = strstr(text + at + 2, "*/");
-
-        return close ? (size_t)(close + 2 - text) : at + strlen(text + at);
-    }
-    if (text[at] == '"')
-    {
-        for (at++; text[at] && text[at] != '"'; at++)
-        {
-            at += text[at] == '\\' && text[at + 1];
-        }
-        return at + (text[at] == '"');
-    }
-    return at;
-}
-
-static void take_word(struct walk *w)
-{
-    w->word = w->at;
-    while (w->text[w->at] && !strchr(" \t\r\n\f\v{};\"", w->text[w->at]) &&
-           after_comment(w->text, w->at) == w->at)
-    {
-        w->at++;
-    }
-    w->word_end = w->at;
-}
-
-/* Moves on to the end of the next dictionary. Returns 1, and the dictionary is open[depth]; 0 at
-   the end of the text. */
-static int next_closed(struct walk *w)
-{
-    while (w->text[w->at])
-    {
-        const char sign = w->text[w->at];
-        const size_t over = after_comment(w->text, w->at);
-
-        if (over > w->at)
-        {
-            w->at = over;
-        }
-        else if (sign == '{')
-        {
-            if (w->depth < MAX_DEPTH)
-            {
-                w->open[w->depth] = (struct position){w->word, w->word_end, 0};
-            }
-            w->depth++;
-            w->word = w->word_end = ++w->at;
-        }
-        else if (sign == '}')
-        {
-            w->word = w->word_end = ++w->at;
-            w->depth -= w->depth > 0;
-            if (w->depth < MAX_DEPTH)
-            {
-                w->open[w->depth].end = w->at;
-                return 1;
-            }
-        }
-        else if (sign == ';')
-        {
-            w->word = w->word_end = ++w->at;
-        }
-        else if (strchr(" \t\r\n\f\v", sign))
-        {
-            w->at++;
-        }
-        else
-        {
-            take_word(w);
-        }
-    }
-    return 0;
-}
-
 static int is(const char *text, struct position p, const char *word)
 {
     return p.name_end - p.name == strlen(word) && memcmp(text + p.name, word, strlen(word)) == 0;
 }
 
-/* The dictionaries of an effect, in the order of the text; returns their number. */
-static int find(const char *text, const char *effect, struct position position[MAX_POSITIONS])
+/* Is the dictionary open[depth] an effect, of all contacts or of a pair? */
+static int is_effect(const char *text, const struct position *open, int depth)
 {
-    struct walk w = {.text = text};
-    int n = 0;
-
-    while (next_closed(&w))
-    {
-        const int for_all = w.depth == 1 && is(text, w.open[0], "effects"),
-                  for_pair = w.depth == 2 && is(text, w.open[0], "pairs");
-
-        if ((for_all || for_pair) && is(text, w.open[w.depth], effect) && n < MAX_POSITIONS)
-        {
-            position[n++] = w.open[w.depth];
-        }
-    }
-    return n;
+    return (depth == 1 && is(text, open[0], "effects")) || (depth == 2 && is(text, open[0], "pairs"));
 }
 
-/* The last top-level dictionary of that name; returns 0 if there is none. */
-static int find_top(const char *text, const char *name, struct position *top)
+/* The dictionaries of this name, in the order of the text: effects or, with `top`, sections of the
+   scene. Returns their number. The text has been read as a scene before. */
+static int find(const char *text, const char *name, int top, struct position found[MAX_POSITIONS])
 {
-    struct walk w = {.text = text};
-    int found = 0;
+    /* last: the word before a brace */
+    struct position open[DEM_DICT_MAX_DEPTH] = {{0}}, last = {0};
+    struct dem_dict *memory;
+    struct dem_token token;
+    struct dem_scan scan;
+    int depth = 0, n = 0;
 
-    while (next_closed(&w))
+    if (dem_dict_new_top(&memory, ""))
     {
-        if (w.depth == 0 && is(text, w.open[0], name))
+        return 0;
+    }
+    dem_dict_scan_start(&scan, text, strlen(text), "", memory->pool);
+    while (!dem_dict_scan(&scan, &token) && token.kind != DEM_TOKEN_END)
+    {
+        const size_t end = (size_t)(scan.at - text);
+
+        if (token.kind == DEM_TOKEN_WORD)
         {
-            *top = w.open[0];
-            found = 1;
+            last = (struct position){end - strlen(token.text), end, 0};
+        }
+        else if (dem_dict_is_sign(&token, '{') && depth < DEM_DICT_MAX_DEPTH)
+        {
+            open[depth++] = last;
+        }
+        else if (dem_dict_is_sign(&token, '}') && depth > 0)
+        {
+            open[--depth].end = end;
+            if (n < MAX_POSITIONS && is(text, open[depth], name) &&
+                (top ? depth == 0 : is_effect(text, open, depth)))
+            {
+                found[n++] = open[depth];
+            }
+        }
+        if (dem_dict_is_sign(&token, '{') || dem_dict_is_sign(&token, '}') ||
+            dem_dict_is_sign(&token, ';'))
+        {
+            last = (struct position){0};
         }
     }
-    return found;
+    dem_dict_free(memory);
+    return n;
 }
 
 /* ---- writing --------------------------------------------------------------------------------------------------- */
@@ -185,14 +111,15 @@ static size_t line_start(const char *text, size_t at)
 
 int dem_edit_add(struct dem_text *to, const char *text, const char *effect, const char *why)
 {
-    struct position top;
+    struct position found[MAX_POSITIONS];
+    const int n = find(text, "effects", 1, found);
 
-    if (!find_top(text, "effects", &top))
+    if (n == 0)
     {
         dem_text_add(to, "%s\neffects\n{\n    %s {}    // dem plan: %s\n}\n", text, effect, why);
         return 1;
     }
-    const size_t brace = top.end - 1, start = line_start(text, brace);
+    const size_t brace = found[n - 1].end - 1, start = line_start(text, brace);
     const int alone = blank(text, start, brace);
 
     copy(to, text, 0, alone ? start : brace);
@@ -207,7 +134,7 @@ int dem_edit_rename(struct dem_text *to, const char *text, const char *effect, c
                     const char *why)
 {
     struct position position[MAX_POSITIONS];
-    const int n = find(text, effect, position);
+    const int n = find(text, effect, 0, position);
     size_t done = 0;
 
     for (int k = 0; k < n; k++)
@@ -243,7 +170,7 @@ static void comment_out(struct dem_text *to, const char *text, struct position p
 int dem_edit_comment_out(struct dem_text *to, const char *text, const char *effect, const char *why)
 {
     struct position position[MAX_POSITIONS];
-    const int n = find(text, effect, position);
+    const int n = find(text, effect, 0, position);
     size_t done = 0;
 
     for (int k = 0; k < n; k++)
