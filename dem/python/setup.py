@@ -8,7 +8,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from setuptools import setup
+from setuptools import find_packages, setup
 from setuptools.command.build_py import build_py
 from setuptools.dist import Distribution
 
@@ -33,5 +33,6 @@ class HasLibrary(Distribution):
 
 
 setup(name="suna", version=VERSION, description="Discrete elements: the core of Suna in Python",
-      license="GPL-3.0-or-later", packages=["suna", "suna.cost"], python_requires=">=3.9",
+      license="GPL-3.0-or-later", packages=find_packages(include=["suna*"]),
+      python_requires=">=3.9",
       install_requires=["numpy", "cffi"], cmdclass={"build_py": WithCore}, distclass=HasLibrary)
