@@ -223,22 +223,6 @@ double dem_interaction_table_get_number(const struct dem_interaction_table *r, c
     return number ? *number : NAN;
 }
 
-int dem_interaction_table_is_word(const struct dem_interaction_table *r, const char *effect,
-                                  const char *entry, const char *word)
-{
-    const int index = index_of(r, effect);
-    const struct dem_setting *const field =
-        index < 0 ? NULL : dem_settings_find(r->effect[index]->settings, entry);
-    int choice;
-
-    if (!field)
-    {
-        return -1;
-    }
-    memcpy(&choice, (const char *)r->settings[index] + field->offset, sizeof choice);
-    return choice >= 0 && strcmp(field->choices[choice], word) == 0;
-}
-
 const struct dem_effect *dem_interaction_table_gravity(const struct dem_interaction_table *r,
                                                        double g[3])
 {

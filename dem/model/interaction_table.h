@@ -104,11 +104,6 @@ int dem_interaction_table_set_word(struct dem_interaction_table *, const int pai
 double dem_interaction_table_get_number(const struct dem_interaction_table *, const char *effect,
                                         const char *entry);
 
-/* 1 when an entry of a chosen effect is set to that word for all pairs, 0 when it is set to another
-   one, -1 when the effect was not chosen. */
-int dem_interaction_table_is_word(const struct dem_interaction_table *, const char *effect,
-                                  const char *entry, const char *word);
-
 /* Sets g to the sum of the uniform accelerations of the chosen effects [m/s2], zero without one.
    Returns the first such effect, or NULL. */
 const struct dem_effect *dem_interaction_table_gravity(const struct dem_interaction_table *,
