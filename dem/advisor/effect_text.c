@@ -7,7 +7,7 @@
 #include <math.h>
 
 static const char *const stages[DEM_STAGES] = {"normal", "damping", "tangential", "moment",
-                                               "bond", "film", "body", "fluid"};
+                                               "bond", "film", "scalar", "body", "fluid"};
 
 static void add_default(struct dem_text *t, const struct dem_setting *f)
 {

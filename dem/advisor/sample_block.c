@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/sample_block.h"
+#include "model/scalars.h"
 #include "step/neighbor_update.h"
 #include <math.h>
 #include <string.h>
@@ -35,7 +36,6 @@ static int fill(struct dem_state *q, const struct dem_state *p, const struct dem
 
         q->particles.record[k] =
             dem_particle_sphere(k, x, d, p->interaction_table.material[material].density, material);
-        q->particles.record[k].viscosity = s->fluid_viscosity;
         if (dem_column(&q->particles, DEM_COLUMN_FLUID_DENSITY))
         {
             dem_column(&q->particles, DEM_COLUMN_FLUID_DENSITY)[k] = s->fluid_density;
@@ -45,6 +45,16 @@ static int fill(struct dem_state *q, const struct dem_state *p, const struct dem
         }
     }
     q->particles.n = (size_t)(2*edge*edge*edge);
+    for (int k = 0; k < p->interaction_table.scalars; k++)
+    {
+        const double value =
+            p->particles.n > 0 ? dem_scalar_values(&p->particles, k)[0] : 0.0;
+
+        for (size_t i = 0; i < q->particles.n; i++)
+        {
+            dem_scalar_values(&q->particles, k)[i] = value;
+        }
+    }
     return DEM_OK;
 }
 
@@ -85,6 +95,7 @@ int dem_sample_block_make(struct dem_sample *sample, const struct dem_state *p,
     dem_halo_init(&q->halo, &q->decomposition);
     dem_wall_store_init(&q->wall_store, &q->decomposition);
     dem_particles_init(&q->particles, p->particles.groups);
+    dem_particles_add_columns_of(&q->particles, &p->particles);
     DEM_TRY(fill(q, p, s, edge, a));
     DEM_TRY(dem_contacts_init(&q->contacts, &q->interaction_table));
     dem_pairs_init(&q->pairs, &q->domain, skin, q->interaction_table.reach, 0.5*d);

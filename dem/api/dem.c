@@ -458,17 +458,6 @@ static int check_fluid(const struct dem *d)
     return DEM_OK;
 }
 
-/* Contact laws read the viscosity from the particle's record. */
-static void copy_viscosity(struct dem_particles *p)
-{
-    const double *const mu = dem_column(p, DEM_COLUMN_FLUID_VISCOSITY);
-
-    for (size_t i = 0; mu && i < p->n; i++)
-    {
-        p->record[i].viscosity = mu[i];
-    }
-}
-
 static const double max_steps = 0x1p53;    /* larger whole numbers are not exact in a double */
 
 /* 1 when a window was interrupted and this advance asks for the rest of it: same end, same
@@ -496,7 +485,6 @@ int dem_advance(struct dem *d, double duration)
                 duration, d->step, max_steps);
     const int64_t steps = (int64_t)ceil(duration/d->step*(1.0 - 1e-12));
 
-    copy_viscosity(&d->state.particles);
     feholdexcept(&caller);
     int status = continues_window(d, duration)
                    ? dem_step_continue(&d->state)

@@ -5,6 +5,7 @@
  *   query.c                     totals, energy, losses, walls, bonds, particles, averages
  *   effects_api.c               the list of effects as text
  *   fluid_api.c, inflow_api.c   columns of a coupled fluid; streams, patches and outlets
+ *   scalars_api.c               particle scalars and their exchange
  *   setup.c                     from the scene to the first step, with setup_walls.c and
  *                               setup_particles.c
  *   setup_check.c               checks that need no particles
@@ -77,6 +78,8 @@ struct dem
                                                              all ranks together */
     int energy;                                           /* 1: the energy balance was asked for */
     int orientation;                                      /* 1: orientations were asked for */
+    int exchanges;                                        /* calls of dem_scalar_exchange_enable, */
+    char exchanged[DEM_SCALARS][48];                      /* and their scalars */
     int driven;                                           /* 1: there are driven particles */
     int pressure_gradient;                                /* 1: pressureGradient is among the
                                                              effects */
@@ -134,6 +137,9 @@ int dem_api_create_particles(struct dem *);
 int dem_api_find_radii(struct dem_state *);
 void dem_api_init_fluid(struct dem *);
 int dem_api_begin_flows(struct dem *);
+
+/* Mark the scalars of dem_scalar_exchange_enable; the effects are known. */
+int dem_api_enable_exchanges(struct dem *);
 
 /* Checks that need no particles, of a scene that has been read and whose walls exist. */
 int dem_api_check_scene(struct dem *);

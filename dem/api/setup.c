@@ -339,6 +339,7 @@ static int read_scene(struct dem *d)
     p->interaction_table.fluid_density =
         d->scene.fluid.given ? d->scene.fluid.density : d->fluid_density;
     DEM_TRY(decide_fluid(d));
+    DEM_TRY(dem_api_enable_exchanges(d));
     list_effects(d);
     return dem_api_check_scene(d);
 }

@@ -12,6 +12,7 @@
 #include "core/memory.h"
 #include "checkpoint/snapshot.h"
 #include "effects/fluid/particle_exchange.h"
+#include "model/scalars.h"
 #include "model/uniform_fluid.h"
 #include "parallel/collect.h"
 #include "diagnostics/totals.h"
@@ -94,6 +95,10 @@ static int store_initial(struct dem *d)
                     "domain",
                     (long long)c->particle[k].id, c->particle[k].x[0], c->particle[k].x[1],
                     c->particle[k].x[2]);
+        for (int m = 0; m < c->scalars; m++)
+        {
+            dem_scalar_values(p, m)[k] = c->scalar[k*(size_t)c->scalars + (size_t)m];
+        }
         p->record[p->n++] = c->particle[k];
     }
     return DEM_OK;
@@ -167,6 +172,13 @@ static int under_relaxes(const struct dem *d)
         && lightest < DEM_EXCHANGE_LIGHT*d->displaced_density;
 }
 
+/* 1 when contact effects read the viscosity of a fluid. */
+static int reads_viscosity(const struct dem *d)
+{
+    return d->with_fluid &&
+           (dem_interaction_table_needs(&d->state.interaction_table) & DEM_NEEDS_VISCOSITY) != 0;
+}
+
 /* The groups of columns that an effect reads or writes. */
 static unsigned column_groups(const struct dem *d)
 {
@@ -212,6 +224,32 @@ static void remove_added_mass(struct dem_particles *p)
     }
 }
 
+/* Particles of a snapshot keep the scalars that it has. The scene's entry `start` may give others;
+   scalars that neither has get the default of their row. */
+static int complete_scalars(struct dem *d)
+{
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
+    struct dem_particles *const p = &d->state.particles;
+
+    for (int k = 0; k < r->scalars; k++)
+    {
+        const struct dem_scalar_entry fallback = {.min = r->scalar[k]->default_value,
+                                                  .max = r->scalar[k]->default_value};
+        const struct dem_scalar_entry *const start = d->scene_start ? &d->scene.start_scalar[k]
+                                                                    : &fallback;
+        const int in_file = (d->snapshot_flows.scalars >> k & 1) != 0;
+
+        DEM_REQUIRE(in_file || !isnan(start->min), DEM_ERROR_INPUT,
+                    "%s has no %s, which the effects need; add start { snapshot \"FILE\"; %s "
+                    "NUMBER; }", d->load_path, r->scalar[k]->name, r->scalar[k]->name);
+        for (size_t i = 0; (start->given || !in_file) && i < p->n; i++)
+        {
+            dem_scalar_values(p, k)[i] = dem_scalar_draw(start, k, 1, (uint64_t)p->record[i].id);
+        }
+    }
+    return dem_scalars_check(p, r, " in the snapshot");
+}
+
 /* Resume the window that was interrupted when the snapshot was written. */
 static void resume_window(struct dem_state *p, const struct dem_snapshot_window *w)
 {
@@ -240,6 +278,7 @@ int dem_api_create_particles(struct dem *d)
     struct dem_snapshot s;
 
     dem_particles_init(&p->particles, column_groups(d));
+    DEM_TRY(dem_scalars_add_columns(&p->particles, &p->interaction_table, reads_viscosity(d)));
     DEM_TRY(dem_api_agree(d, dem_particles_grow(&p->particles, 1)));
     if (d->load_path[0])
     {
@@ -251,7 +290,7 @@ int dem_api_create_particles(struct dem *d)
         remove_added_mass(&p->particles);
         memcpy(&d->snapshot_skins, s.skin_tuning, sizeof d->snapshot_skins);
         d->snapshot_flows = s;
-        return DEM_OK;
+        return complete_scalars(d);
     }
     DEM_TRY(dem_insert_place(&d->scene.initial, &d->scene.insertion, &p->interaction_table,
                              &p->walls, &p->decomposition));

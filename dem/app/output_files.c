@@ -17,6 +17,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+enum
+{
+    MAX_SCALARS = 12  /* of a scene: DEM_SCALARS of effects/scalar.h */
+};
+
 /* a particle as it is written */
 struct output_particle
 {
@@ -119,7 +124,7 @@ static int copy_particles(const struct dem *d, struct output_particle **mine, in
 
 /* Collective. */
 static int write_particles(const struct dem_output *o, const struct dem_program *prog,
-                           const struct dem *d, const char *file)
+                           struct dem *d, const char *file)
 {
     struct output_particle *s;
     int64_t n;
@@ -127,7 +132,7 @@ static int write_particles(const struct dem_output *o, const struct dem_program 
     DEM_TRY(copy_particles(d, &s, &n));
     const size_t stride = sizeof *s;
     const enum dem_vtk_type real = o->wide ? DEM_VTK_DOUBLE : DEM_VTK_FLOAT32;
-    const struct dem_vtk_column columns[] =
+    struct dem_vtk_column columns[8 + MAX_SCALARS] =
     {
         {"points", s->position, stride, DEM_VTK_DOUBLE, 3},
         {"id", &s->id, stride, DEM_VTK_INT64, 1},
@@ -138,12 +143,21 @@ static int write_particles(const struct dem_output *o, const struct dem_program 
         {"force", s->force, stride, real, 3},
         {"orientation", s->orientation, stride, real, 4},
     };
+    int count = 8 - !o->orientation;
     char path[640];
 
+    for (int k = 0; k < dem_scalar_count(d); k++)
+    {
+        struct dem_scalar_info info;
+
+        dem_scalar_info(d, k, &info);
+        columns[count] = (struct dem_vtk_column){info.name, dem_scalar(d, k), sizeof(double), real, 1};
+        count += info.written;
+    }
     snprintf(path, sizeof path, "%s/%s", o->folder, file);
     const int status =
         dem_vtk_write(&(const struct dem_file_ranks){prog->comm, prog->rank, dem_heading(d)}, path,
-                      n, columns, (int)(sizeof columns/sizeof columns[0]) - !o->orientation);
+                      n, columns, count);
 
     dem_memory_free(s);
     return status;
@@ -152,9 +166,11 @@ static int write_particles(const struct dem_output *o, const struct dem_program 
 struct table    /* of particles at a time */
 {
     const struct output_particle *particle;
-    const struct dem *d;
+    struct dem *d;
     double time;
     bool orientation;
+    int scalars;
+    const double *scalar[MAX_SCALARS];
 };
 
 /* 17 digits: a double is read back with the same bits */
@@ -175,22 +191,38 @@ static int print_particle(const void *source, int64_t i, char *out, size_t size)
     {
         n += snprintf(out + n, size - (size_t)n, ",%.17g,%.17g,%.17g,%.17g", q[0], q[1], q[2], q[3]);
     }
+    for (int k = 0; k < t->scalars && n > 0 && (size_t)n < size; k++)
+    {
+        n += snprintf(out + n, size - (size_t)n, ",%.17g", t->scalar[k][i]);
+    }
     return n;
 }
 
 /* Collective. */
-static int write_csv(const struct dem_output *o, const struct dem_program *prog,
-                     const struct dem *d, int64_t number, double time)
+static int write_csv(const struct dem_output *o, const struct dem_program *prog, struct dem *d,
+                     int64_t number, double time)
 {
     struct table t = {.d = d, .time = time, .orientation = o->orientation};
     struct output_particle *s = NULL;
-    char path[640], columns[256];
+    char path[640], columns[256 + 64*MAX_SCALARS];
     int64_t n = 0;
 
     snprintf(path, sizeof path, "%s/particles_%06lld.csv", o->folder, (long long)number);
     snprintf(columns, sizeof columns,
              "time[s],id,material,diameter[m],x[m],y[m],z[m],vx[m/s],vy[m/s],vz[m/s],wx[1/s],"
              "wy[1/s],wz[1/s],fx[N],fy[N],fz[N]%s", o->orientation ? ",q0,q1,q2,q3" : "");
+    for (int k = 0; k < dem_scalar_count(d); k++)
+    {
+        const size_t length = strlen(columns);
+        struct dem_scalar_info info;
+
+        dem_scalar_info(d, k, &info);
+        if (info.written)
+        {
+            t.scalar[t.scalars++] = dem_scalar(d, k);
+            snprintf(columns + length, sizeof columns - length, ",%s[%s]", info.name, info.unit);
+        }
+    }
     DEM_TRY(dem_program_agree(prog, copy_particles(d, &s, &n)));
     t.particle = s;
     const int status = dem_csv_table_write(

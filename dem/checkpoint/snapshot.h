@@ -69,6 +69,8 @@ struct dem_snapshot                         /* the state besides particles and c
     int64_t flows, next_id;                         /* next_id: of the next inserted
                                                        particle; 0: no streams */
     struct dem_snapshot_flow flow[DEM_SNAPSHOT_FLOWS];
+    uint32_t scalars;                               /* when read: bit k: the file has scalar k of
+                                                       the interaction table */
     const struct dem_domain *domain;                /* when writing: particles are
                                                        wrapped into its periodic box */
     const struct dem_span *caller_data;             /* when writing: the caller's

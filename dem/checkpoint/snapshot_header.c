@@ -86,7 +86,7 @@ int dem_snapshot_is_name(const char *name, size_t size)
 static int is_consistent(const struct dem_snapshot_header *h, size_t found)
 {
     int good = h->materials >= 0 && h->materials <= DEM_MATERIALS && h->columns >= 0 &&
-               h->columns <= DEM_COLUMNS && h->memories >= 0 &&
+               h->columns <= DEM_COLUMNS + DEM_FURTHER_COLUMNS && h->memories >= 0 &&
                h->memories <= DEM_HISTORY_COLUMNS && h->flows >= 0 &&
                h->flows <= DEM_SNAPSHOT_FLOWS;
 

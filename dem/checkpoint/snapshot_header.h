@@ -25,7 +25,7 @@ enum
     DEM_SNAPSHOT_RECORD = (int)(sizeof(struct dem_particle)/sizeof(double)),
     DEM_SNAPSHOT_CONTACT = (int)(sizeof(struct dem_contact_key)/sizeof(double))
 };
-_Static_assert(DEM_MATERIALS + DEM_COLUMNS + DEM_HISTORY_COLUMNS <= DEM_SNAPSHOT_NAMES,
+_Static_assert(DEM_MATERIALS + DEM_COLUMNS + DEM_FURTHER_COLUMNS + DEM_HISTORY_COLUMNS <= DEM_SNAPSHOT_NAMES,
                "the header has a slot for every name");
 
 struct dem_snapshot_header

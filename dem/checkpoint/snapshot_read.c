@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "diagnostics/fingerprint.h"
+#include "effects/effects.h"
 #include "parallel/collect.h"
 #include "core/hash.h"
 #include "checkpoint/snapshot_validate.h"
@@ -117,7 +118,7 @@ static void load_columns(const struct dem_particles *p, const struct dem_snapsho
         const int64_t width = h->list[h->materials + c].width;
         double *at = own;
 
-        for (int k = 0; k < DEM_COLUMNS; k++)
+        for (int k = 0; k < p->columns; k++)
         {
             if (p->column[k].data)
             {
@@ -199,6 +200,22 @@ static int load_particles(struct dem_particles *p, const struct dem_snapshot_hea
     return status;
 }
 
+/* Bit k: the file has the column of scalar k. */
+static uint32_t find_scalars(const struct dem_snapshot_header *h,
+                             const struct dem_interaction_table *r)
+{
+    uint32_t found = 0;
+
+    for (int k = 0; k < r->scalars; k++)
+    {
+        for (int64_t c = 0; c < h->columns; c++)
+        {
+            found |= strcmp(h->list[h->materials + c].name, r->scalar[k]->name) == 0 ? 1U << k : 0U;
+        }
+    }
+    return found;
+}
+
 int dem_snapshot_read_particles(const char *path, struct dem_snapshot *s,
                                 const struct dem_decomposition *q,
                                 const struct dem_interaction_table *r, struct dem_particles *p)
@@ -216,6 +233,7 @@ int dem_snapshot_read_particles(const char *path, struct dem_snapshot *s,
                                .steps = h.steps,
                                .time = h.time,
                                .window = h.window};
+    s->scalars = find_scalars(&h, r);
     memcpy(s->skin_tuning, h.skin_tuning, sizeof s->skin_tuning);
     s->flows = h.flows;
     s->next_id = h.next_id;
@@ -253,6 +271,22 @@ int dem_snapshot_read_caller_data(const char *path, void **bytes, size_t *size)
     return status;
 }
 
+/* Of the columns that are scalars of an effect, as dem_hash counts them. `packed`: behind the record. */
+static uint64_t fingerprint_of_scalars(const struct dem_snapshot_header *h, int64_t id,
+                                       const double *packed)
+{
+    uint64_t sum = 0;
+
+    for (int64_t c = 0; c < h->columns; c++)
+    {
+        const char *const name = h->list[h->materials + c].name;
+
+        sum += dem_effects_have_scalar(name) ? dem_fingerprint_scalar(id, name, *packed) : 0;
+        packed += h->list[h->materials + c].width;
+    }
+    return sum;
+}
+
 /* A wrong checksum is reported before an invalid value, which may be a consequence of the
    damage. */
 static int compute_fingerprint(const char *path, uint64_t *fingerprint)
@@ -276,7 +310,10 @@ static int compute_fingerprint(const char *path, uint64_t *fingerprint)
         memcpy(&record, item, sizeof record);
         sum += dem_snapshot_checksum(item, 1, size);
         invalid = invalid ? invalid : dem_snapshot_validate_particle(path, &h, item);
-        *fingerprint += invalid ? 0 : dem_fingerprint_particle(&record);
+        *fingerprint += invalid ? 0
+                                : dem_fingerprint_particle(&record) +
+                                      fingerprint_of_scalars(&h, record.id,
+                                                             item + DEM_SNAPSHOT_RECORD);
     }
     for (size_t k = 0; k < (size_t)h.rows && !store.status; k++)
     {

@@ -20,7 +20,7 @@ enum
 {
     /* index in the record of a particle */
     FIRST_INTEGER = offsetof(struct dem_particle, id)/sizeof(double),
-    AFTER_INTEGERS = offsetof(struct dem_particle, viscosity)/sizeof(double)
+    AFTER_INTEGERS = offsetof(struct dem_particle, unused)/sizeof(double)
 };
 _Static_assert(sizeof(struct dem_particle) == (AFTER_INTEGERS + 1)*sizeof(double),
                "one double follows the integers of a record");
@@ -74,7 +74,7 @@ static int report_not_finite(const char *path, const struct dem_snapshot_header 
     DEM_TRY(check_finite(path, "the inverse of the mass", "1/kg", p, &p->inverse_mass, 1));
     DEM_TRY(check_finite(path, "the inverse of the moment of inertia", "1/(kg m2)", p,
                          &p->inverse_inertia, 1));
-    DEM_TRY(check_finite(path, "the fluid viscosity at the position", "Pa s", p, &p->viscosity, 1));
+    DEM_TRY(check_finite(path, "the unused number", "", p, &p->unused, 1));
     for (int64_t c = 0; c < h->columns; c++)
     {
         DEM_TRY(check_finite(path, dem_name_of_stored(h->list[h->materials + c].name), "", p, at,

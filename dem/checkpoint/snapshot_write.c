@@ -45,7 +45,7 @@ static void describe(struct dem_snapshot_header *h, const struct dem_snapshot *s
     {
         list_name(h, h->materials++, r->material[k].name, 0);
     }
-    for (int c = 0; c < DEM_COLUMNS; c++)
+    for (int c = 0; c < p->columns; c++)
     {
         if (p->column[c].data)
         {

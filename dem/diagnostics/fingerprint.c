@@ -24,6 +24,18 @@ uint64_t dem_fingerprint_particle(const struct dem_particle *r)
     return dem_hash_record(values, sizeof values, 'p');
 }
 
+uint64_t dem_fingerprint_scalar(int64_t id, const char *name, double value)
+{
+    struct dem_hash hash;
+    const double counted = value + 0.0;
+
+    dem_hash_start(&hash, 's');
+    dem_hash_bytes(&hash, &id, sizeof id);
+    dem_hash_bytes(&hash, name, strlen(name));
+    dem_hash_bytes(&hash, &counted, sizeof counted);
+    return dem_hash_value(&hash);
+}
+
 uint64_t dem_fingerprint_contact(const struct dem_contact_key *name, const double *history,
                                  int columns)
 {

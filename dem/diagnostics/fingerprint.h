@@ -16,6 +16,9 @@
 
 /* Hash of one particle, and of one contact with `columns` numbers of history. */
 uint64_t dem_fingerprint_particle(const struct dem_particle *);
+
+/* A particle scalar of it: its name and value. */
+uint64_t dem_fingerprint_scalar(int64_t id, const char *name, double value);
 uint64_t dem_fingerprint_contact(const struct dem_contact_key *, const double *history,
                                  int columns);
 

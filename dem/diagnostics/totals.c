@@ -9,6 +9,7 @@
 #include "core/memory.h"
 #include "core/vec.h"
 #include "diagnostics/fingerprint.h"
+#include "model/scalars.h"
 #include "diagnostics/wall_statistics.h"
 #include "parallel/collect.h"
 #include <math.h>
@@ -229,6 +230,11 @@ uint64_t dem_totals_fingerprint(const struct dem_state *p)
 
         dem_domain_wrap(&p->domain, &home);               /* as in a snapshot */
         total += dem_fingerprint_particle(&home);
+        for (int k = 0; k < p->interaction_table.scalars; k++)
+        {
+            total += dem_fingerprint_scalar(home.id, p->interaction_table.scalar[k]->name,
+                                            dem_scalar_values(&p->particles, k)[i]);
+        }
     }
     for (uint32_t r = 0; r < c->rows.n; r++)
     {

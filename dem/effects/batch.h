@@ -21,6 +21,9 @@ enum
     DEM_VOIDAGE_FACTORS = 2
 };
 
+struct dem_scalar_rows;       /* effects/scalar.h */
+struct dem_scalar_bodies;
+
 struct dem_contact_batch
 {
     /* rows in use, padded by the caller to whole SIMD vectors */
@@ -31,6 +34,8 @@ struct dem_contact_batch
     double max_dt;
     /* s      now, and at the previous evaluation; -infinity in the first */
     double time, previous_time;
+    /* particle scalars of the effect, in the order of its list; set before each effect */
+    const struct dem_scalar_rows *scalars;
 
     /* ---- geometry, filled by the caller ---- */
     /* 1      unit normal from j to i, now */
@@ -153,6 +158,8 @@ struct dem_body_batch
     int n;
     /* s      length of the kick that follows */
     double dt;
+    /* particle scalars of the effect, in the order of its list; set before each effect */
+    const struct dem_scalar_bodies *scalars;
 
     /* ---- the particle ---- */
     /* m       */

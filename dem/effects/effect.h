@@ -15,6 +15,7 @@
 #include "effects/batch.h"
 #include "effects/fluid/eddy.h"
 #include "effects/relevance.h"
+#include "effects/scalar.h"
 #include <stddef.h>
 
 /* A kernel is compiled for any x86-64, for AVX2 and for AVX-512; one of them is chosen at load
@@ -35,6 +36,8 @@ enum dem_stage
     /* from here on contact effects may act across a gap */
     DEM_STAGE_BOND,
     DEM_STAGE_FILM,
+    /* contact effects that exchange scalars; all forces are known */
+    DEM_STAGE_SCALAR,
     /* from here on effects act on single particles */
     DEM_STAGE_BODY,
     DEM_STAGE_FLUID,
@@ -75,6 +78,14 @@ struct dem_material
     double poissons_ratio;                                /* 1     */
     /* Pa  0: not given. Used by `dem plan` only, by no law */
     double yield_strength;
+    struct                                                /* 0: not given */
+    {
+        double conductivity;                              /* W/(m K)    */
+        double heat_capacity;                             /* J/(kg K)  specific */
+        double emissivity;                                /* 1          */
+        double real_modulus;                              /* Pa  Young's modulus of the real
+                                                             material, where that above is softer */
+    } thermal;
 };
 
 /* constants of all contacts between two materials */
@@ -137,6 +148,8 @@ struct dem_effect
     const struct dem_setting *settings;
     /* names of the history columns, ended by NULL; or NULL */
     const char *const *history;
+    /* the particle scalars that it reads or changes, ended by NULL; or NULL */
+    const struct dem_scalar *const *scalars;
     /* BOND only: the history column that is 1 for pairs listed in the scene's entry `bonds`; or
        NULL */
     const char *listed_column;

@@ -55,6 +55,20 @@ const struct dem_effect *dem_effects_drag_law(enum dem_drag range)
     return NULL;
 }
 
+int dem_effects_have_scalar(const char *name)
+{
+    int found = 0;
+
+    for (int k = 0; k < EFFECTS; k++)
+    {
+        for (const struct dem_scalar *const *s = dem_effects[k]->scalars; s && *s; s++)
+        {
+            found |= strcmp((*s)->name, name) == 0;
+        }
+    }
+    return found;
+}
+
 int dem_effect_is_alias(const struct dem_effect *effect, const char *word)
 {
     return effect->aliases && dem_alias_is_among(effect->aliases, word);

@@ -387,6 +387,30 @@ static inline const double *dem_at(const double *column, size_t stride, size_t p
     return (const double *)(const void *)((const char *)column + stride*particle);
 }
 
+/* ---- particle scalars ------------------------------------------------------------------------ */
+
+/* After dem_check. The number of particle scalars that the effects of the scene declare
+   (temperature, ...), and what is known of number k. dem_scalar_index: the number of one, or -1. */
+int dem_scalar_count(const struct dem *);
+void dem_scalar_info(const struct dem *, int k, struct dem_scalar_info *);
+int dem_scalar_index(const struct dem *, const char *name);
+
+/* After dem_setup. The values of scalar k of the owned particles, in the order of dem_view, to be read
+   or, between two advances, written. Valid until the next collective call. */
+double *dem_scalar(struct dem *, int k);
+
+/* Before dem_check. The program exchanges this scalar of the scene's effects: dem_scalar_exchange
+   gives columns also where no fluid effect of the scene exchanges it. */
+int dem_scalar_exchange_enable(struct dem *, const char *name);
+
+/* After dem_setup. The columns of the exchange of scalar k. DEM_ERROR_STATE when it is not exchanged. */
+int dem_scalar_exchange(struct dem *, int k, struct dem_scalar_exchange *);
+
+/* After the partner of the exchange is solved, with its new value s*' at the particles: leave
+   R (s*' - s*) for the next advance, s* the mean target of the last one. The partner must get its
+   opposite. */
+int dem_scalar_correct(struct dem *, int k, const double *target);
+
 /* ---- coupled fluid --------------------------------------------------------------------------- */
 
 /* After dem_check: 1 when an effect of the scene needs a fluid. */

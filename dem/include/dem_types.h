@@ -310,6 +310,35 @@ struct dem_view
                                                   dem_orientation_enable */
 };
 
+/* ---- particle scalars ------------------------------------------------------------------------ */
+
+/* a number per particle that effects of the scene declare: dem_scalar_info */
+struct dem_scalar_info
+{
+    const char *name, *unit, *help;
+    double default_value;   /* of particles without an own; NaN: the scene must give it */
+    double min, max;        /* limits */
+    int changes;            /* 1: effects change it, 0: it stays as it is given */
+    int written;            /* 1: it is written with the particles */
+    int exchanged;          /* 1: dem_scalar_exchange gives columns */
+};
+
+/* exchange of a scalar s with a fluid or the program over an advance: C ds/dt = q + B (s* - s), with
+   the capacity C and B the sum of the coefficients of effects and of the program. Columns of owned
+   particles, contiguous; in: the program writes them before dem_advance, they stay until it does so
+   again; out: it reads them after. docs/adding-an-effect.md */
+struct dem_scalar_exchange
+{
+    size_t n;                    /* particles */
+    double *source;              /* in   unit C/s  part of q */
+    double *coefficient;         /* in   C/s       part of B */
+    double *target;              /* in   unit      its s* */
+    const double *received;      /* out  unit C    J: what B has given; the partner gets its opposite */
+    const double *coefficient_time;  /* out  C     sum of B h over the steps */
+    const double *response;      /* out  C         R = dJ/ds*, bounded for particles whose s is held */
+    const double *carried_over;  /* out  unit C    of dem_scalar_correct, for the next advance */
+};
+
 /* ---- coupled fluid --------------------------------------------------------------------------- */
 
 /* columns of owned particles, contiguous: dem_fluid. The program writes the "in" ones before

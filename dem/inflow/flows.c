@@ -11,6 +11,7 @@
 #include "model/orientation.h"
 #include "parallel/collect.h"
 #include "simulation/dem_state.h"
+#include "model/scalars.h"
 #include "model/uniform_fluid.h"
 #include "diagnostics/energy_balance.h"
 #include <stdio.h>
@@ -132,19 +133,25 @@ int dem_flows_begin(struct dem_state *p, const struct dem_streams *plan,
 
 /* ---- insertion ------------------------------------------------------------------------------- */
 
-static int insert_particle(struct dem_state *p, const struct dem_particle *q)
+static int insert_particle(struct dem_state *p, const struct dem_arrival *new)
 {
+    const struct dem_particle *const q = &new->particle;
+    const struct dem_stream *const s = &p->flows->plan->stream[new->stream];
     struct dem_particles *const all = &p->particles;
     const size_t i = all->n;
 
     DEM_TRY(dem_particles_add(all, q));
+    for (int k = 0; k < p->interaction_table.scalars; k++)
+    {
+        dem_scalar_values(all, k)[i] =
+            dem_scalar_draw(&s->scalar[k], k, (uint64_t)s->seed, (uint64_t)new->number);
+    }
     if (dem_column(all, DEM_COLUMN_FLUID_VELOCITY))
     {
         dem_uniform_fluid_fill(all, i, p->flows->fluid, 0.0);
         memcpy(dem_column(all, DEM_COLUMN_START_VELOCITY) + 3*i, q->v, sizeof q->v);
         memcpy(dem_column(all, DEM_COLUMN_DISPLACEMENT) + 3*i, q->x, sizeof q->x);
         dem_column(all, DEM_COLUMN_DECAY_FACTOR)[i] = 1.0;
-        all->record[i].viscosity = dem_column(all, DEM_COLUMN_FLUID_VISCOSITY)[i];
     }
     if (p->energy_balance->open)
     {
@@ -164,7 +171,7 @@ int dem_flows_insert(struct dem_state *p)
         if (p->decomposition.ranks == 1 ||
             dem_decomposition_owner(&p->decomposition, q->x) == p->decomposition.rank)
         {
-            DEM_TRY(insert_particle(p, q));
+            DEM_TRY(insert_particle(p, &f->arrival[k]));
         }
     }
     f->arrivals = 0;

@@ -49,6 +49,7 @@ struct dem_arrival    /* a particle with a position, not yet inserted */
 {
     struct dem_particle particle;
     int stream;
+    int64_t number;               /* in its stream, from 0 */
 };
 
 struct dem_departure

@@ -335,7 +335,8 @@ static int add_arrival(struct dem_state *p, int stream, struct inlet_grid *grid,
     const size_t before = grid->n;
 
     DEM_TRY(DEM_GROW(f->arrival, f->arrival_capacity, f->arrivals + 1));
-    f->arrival[f->arrivals++] = (struct dem_arrival){.particle = *q, .stream = stream};
+    f->arrival[f->arrivals++] = (struct dem_arrival){
+        .particle = *q, .stream = stream, .number = f->flow[stream].count};
     DEM_TRY(add_images(grid, q->x, q->radius, q->radius + grid->max_radius));
     for (size_t b = before; b < grid->n; b++)
     {

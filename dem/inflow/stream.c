@@ -126,6 +126,7 @@ static int read_stream(struct dem_stream *s, const struct dem_dict *dict,
     DEM_TRY(read_rate(s, dict));
     DEM_TRY(dem_inlet_shape_read(&s->inlet, dict, s->where));
     DEM_TRY(read_velocity(s, dict));
+    DEM_TRY(dem_scalar_entries_read(dict, r, 1, s->scalar));
     DEM_TRY(dem_size_distribution_read(&s->sizes, dict));
     DEM_TRY(check_masses(s, r));
     return dem_inlet_shape_check(&s->inlet, 0.5*s->sizes.max, s->where);

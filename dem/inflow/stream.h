@@ -23,6 +23,7 @@
 #include "insertion/size_distribution.h"
 #include "checkpoint/snapshot.h"
 #include "model/interaction_table.h"
+#include "model/scalar_entry.h"
 
 enum
 {
@@ -42,6 +43,7 @@ struct dem_stream
     double velocity[3], spread[3], spin[3];  /* m/s, 1/s; velocities are uniform
                                                 in velocity +- spread */
     int with_fluid;                          /* 1: the velocity is that of the fluid at the patch */
+    struct dem_scalar_entry scalar[DEM_SCALARS];
 };
 
 struct dem_outlet

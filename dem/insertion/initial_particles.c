@@ -13,6 +13,7 @@
 void dem_initial_particles_free(struct dem_initial_particles *c)
 {
     dem_memory_free(c->particle);
+    dem_memory_free(c->scalar);
     dem_memory_free(c->group);
     memset(c, 0, sizeof *c);
 }
@@ -20,8 +21,20 @@ void dem_initial_particles_free(struct dem_initial_particles *c)
 void dem_initial_particles_release(struct dem_initial_particles *c)
 {
     dem_memory_free(c->particle);
+    dem_memory_free(c->scalar);
     c->particle = NULL;
-    c->n = c->capacity = 0;
+    c->scalar = NULL;
+    c->n = c->capacity = c->scalar_capacity = 0;
+}
+
+void dem_initial_particles_have_scalars(struct dem_initial_particles *c,
+                                        const struct dem_interaction_table *r)
+{
+    c->scalars = r->scalars;
+    for (int k = 0; k < r->scalars; k++)
+    {
+        c->default_scalar[k] = r->scalar[k]->default_value;
+    }
 }
 
 int dem_initial_particles_begin_group(struct dem_initial_particles *c, const char *group)
@@ -71,5 +84,12 @@ int dem_initial_particles_add(struct dem_initial_particles *c, struct dem_partic
     p.id = p.id < 0 ? c->next_id : p.id;
     c->next_id = p.id >= c->next_id ? p.id + 1 : c->next_id;
     c->particle[c->n++] = p;
+    if (c->scalars > 0)
+    {
+        const size_t each = (size_t)c->scalars;
+
+        DEM_TRY(DEM_GROW(c->scalar, c->scalar_capacity, c->n*each));
+        memcpy(dem_initial_particles_last_scalars(c), c->default_scalar, each*sizeof *c->scalar);
+    }
     return DEM_OK;
 }

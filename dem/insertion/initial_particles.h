@@ -9,6 +9,7 @@
 #ifndef DEM_INSERTION_INITIAL_PARTICLES_H
 #define DEM_INSERTION_INITIAL_PARTICLES_H
 
+#include "model/interaction_table.h"
 #include "model/particles.h"
 
 /* summary of one group of the scene, for the plan */
@@ -29,12 +30,25 @@ struct dem_initial_particles
 {
     size_t n, capacity;
     struct dem_particle *particle;
+    int scalars;                  /* values per particle in the next array: those of the table */
+    double *scalar, default_scalar[DEM_SCALARS];
+    size_t scalar_capacity;
     int64_t next_id;
     size_t groups, group_capacity;
     struct dem_group_summary *group;
 };
 
 void dem_initial_particles_free(struct dem_initial_particles *);
+
+/* Before the first particle: they have the scalars of this table, with default values. */
+void dem_initial_particles_have_scalars(struct dem_initial_particles *,
+                                        const struct dem_interaction_table *);
+
+/* The scalars of the particle added last. */
+static inline double *dem_initial_particles_last_scalars(struct dem_initial_particles *c)
+{
+    return c->scalar + (c->n - 1)*(size_t)c->scalars;
+}
 
 /* Begin the summary of a group; add n equal spheres (diameter [m], mass of each [kg]) to it.
    Called on each rank for the particles of all ranks. */

@@ -227,7 +227,34 @@ static int check_ids(const struct dem_insert_group *b)
     return DEM_OK;
 }
 
-static int read_list(struct dem_insert_group *b)
+/* Lists of scalars, by their names in the plural. */
+static int read_scalar_lists(struct dem_insert_group *b, const struct dem_interaction_table *r,
+                             size_t n)
+{
+    for (int k = 0; k < r->scalars; k++)
+    {
+        const struct dem_scalar *const s = r->scalar[k];
+        char plural[64];
+        size_t values;
+
+        snprintf(plural, sizeof plural, "%ss", s->name);
+        if (!dem_dict_has(b->dict, plural))
+        {
+            continue;
+        }
+        DEM_TRY(dem_dict_numbers(b->dict, plural, s->unit, &b->scalars[k], &values));
+        DEM_REQUIRE(values == n, DEM_ERROR_INPUT,
+                    "%s: %zu positions, but %zu %s; give as many of each, or one %s", b->where, n,
+                    values, plural, s->name);
+        for (size_t m = 0; m < n; m++)
+        {
+            DEM_TRY(dem_scalar_require(r, k, b->scalars[k][m], b->where));
+        }
+    }
+    return DEM_OK;
+}
+
+static int read_list(struct dem_insert_group *b, const struct dem_interaction_table *r)
 {
     size_t n, velocities = 0, spins = 0, ids = 0;
 
@@ -253,12 +280,13 @@ static int read_list(struct dem_insert_group *b)
                 "the list out",
                 b->where, n, velocities, spins);
     b->count = (int64_t)n;
+    DEM_TRY(read_scalar_lists(b, r, n));
     return check_ids(b);
 }
 
-static int read_table(struct dem_insert_group *b)
+static int read_table(struct dem_insert_group *b, const struct dem_interaction_table *r)
 {
-    DEM_TRY(dem_insert_group_read_table(b));
+    DEM_TRY(dem_insert_group_read_table(b, r));
     if (!b->diameters)
     {
         DEM_TRY(read_diameters(b, (size_t)b->count));
@@ -320,13 +348,26 @@ static int read_type(struct dem_insert_group *b, const struct dem_interaction_ta
     {
     case DEM_INSERT_LATTICE: return read_lattice(b, r);
     case DEM_INSERT_RANDOM: return read_random(b, r);
-    case DEM_INSERT_LIST: return read_list(b);
-    case DEM_INSERT_TABLE: return read_table(b);
+    case DEM_INSERT_LIST: return read_list(b, r);
+    case DEM_INSERT_TABLE: return read_table(b, r);
     default:
         return dem_error_prefix(dem_did_you_mean_error("type of insertion", type, known,
                                                        DEM_INSERT_TYPES + 1),
                                 "%s: ", b->where);
     }
+}
+
+/* The values of scalars that no list or table gives. */
+static int read_scalars(struct dem_insert_group *b, const struct dem_interaction_table *r)
+{
+    DEM_TRY(dem_scalar_entries_read(b->dict, r, 0, b->scalar));
+    for (int k = 0; k < r->scalars; k++)
+    {
+        DEM_REQUIRE(b->scalars[k] || !isnan(b->scalar[k].min), DEM_ERROR_INPUT,
+                    "%s: no %s, which the effects need; add %s with a number in %s", b->where,
+                    r->scalar[k]->name, r->scalar[k]->name, r->scalar[k]->unit);
+    }
+    return DEM_OK;
 }
 
 static int read_group(const struct dem_dict *dict, const struct dem_interaction_table *r,
@@ -348,6 +389,7 @@ static int read_group(const struct dem_dict *dict, const struct dem_interaction_
                 "%s: frozen particles stay, driven ones keep their velocity; give one of the two",
                 b->where);
     DEM_TRY(read_type(b, r, i, w, type));
+    DEM_TRY(read_scalars(b, r));
     DEM_TRY(check_masses(b, r));
     return b->frozen ? refuse_moving(b) : DEM_OK;
 }

@@ -10,6 +10,7 @@
 #include "insertion/insert.h"
 #include "insertion/insertion_limits.h"
 #include "insertion/insertion_shape.h"
+#include "model/scalar_entry.h"
 
 enum dem_insert_type
 {
@@ -39,12 +40,14 @@ struct dem_insert_group
     /* m, m/s, 1/s  of a list or table; NULL: one for all */
     const double (*positions)[3], (*velocities)[3], (*spins)[3];
     const int64_t *ids;                /* of a list or table; NULL: the next free ones */
-    void *table[5];                    /* the arrays behind the pointers above, where the group owns
+    struct dem_scalar_entry scalar[DEM_SCALARS];    /* of all particles, unless there is a list: */
+    const double *scalars[DEM_SCALARS];   /* of each of a list or table; NULL: none */
+    void *table[5 + DEM_SCALARS];                    /* the arrays behind the pointers above, where the group owns
                                           them */
 };
 
 /* Read the rows of a table. Arrays belong to the group, also after a failure. */
-int dem_insert_group_read_table(struct dem_insert_group *);
+int dem_insert_group_read_table(struct dem_insert_group *, const struct dem_interaction_table *);
 
 /* The first free id after this group, when `first` is the first free one before it. */
 int64_t dem_insert_group_next_id(const struct dem_insert_group *, int64_t first);

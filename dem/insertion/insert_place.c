@@ -11,6 +11,7 @@
 #include "core/memory.h"
 #include "core/random.h"
 #include "insertion/packing.h"
+#include "model/scalars.h"
 #include "parallel/collect.h"
 #include <math.h>
 #include <string.h>
@@ -36,6 +37,20 @@ static struct dem_particle make_particle(const struct dem_insert_group *b,
         p.inverse_mass = p.inverse_inertia = 0.0;
     }
     return p;
+}
+
+/* Add particle `number` of the group, with its scalars. */
+static int add_particle(struct dem_initial_particles *c, const struct dem_insert_group *b,
+                        const struct dem_particle *p, int64_t number)
+{
+    DEM_TRY(dem_initial_particles_add(c, *p, b->where));
+    for (int k = 0; k < c->scalars; k++)
+    {
+        dem_initial_particles_last_scalars(c)[k] =
+            b->scalars[k] ? b->scalars[k][number]
+                          : dem_scalar_draw(&b->scalar[k], k, (uint64_t)b->seed, (uint64_t)number);
+    }
+    return DEM_OK;
 }
 
 void dem_insert_group_site(const struct dem_insert_group *b, int64_t m, double x[3])
@@ -113,7 +128,7 @@ static int place_sites(struct dem_initial_particles *c, const struct dem_insert_
         dem_insert_group_site(b, b->site[k], x);
         p = make_particle(b, r, x, b->site_first + k);
         p.id = first + k;
-        DEM_TRY(dem_initial_particles_add(c, p, b->where));
+        DEM_TRY(add_particle(c, b, &p, b->site_first + k));
     }
     return DEM_OK;
 }
@@ -156,7 +171,7 @@ static int place_run(struct dem_initial_particles *c, const struct dem_insert_gr
         }
         p = make_particle(b, r, b->type == DEM_INSERT_LATTICE ? x : b->positions[m], m);
         p.id = b->ids ? b->ids[m] : first + m;
-        DEM_TRY(dem_initial_particles_add(c, p, b->where));
+        DEM_TRY(add_particle(c, b, &p, m));
     }
     return DEM_OK;
 }
@@ -184,7 +199,7 @@ static int place_random(struct dem_initial_particles *c, const struct dem_insert
             struct dem_particle new = make_particle(b, r, sphere->x, sphere->id);
 
             new.id = first + sphere->id;
-            status = dem_initial_particles_add(c, new, p.where);
+            status = add_particle(c, b, &new, sphere->id);
         }
     }
     dem_packing_spheres_free(&s);
@@ -220,6 +235,7 @@ int dem_insert_place(struct dem_initial_particles *c, struct dem_insertion *i,
                      const struct dem_interaction_table *r, const struct dem_walls *w,
                      const struct dem_decomposition *q)
 {
+    dem_initial_particles_have_scalars(c, r);
     for (size_t k = 0; k < i->n; k++)
     {
         struct dem_insert_group *const b = &i->group[k];

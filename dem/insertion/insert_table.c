@@ -7,7 +7,7 @@
  *     0, 1.5e-3, 2e-3, 1e-3, 1e-3
  *
  * The first row names the columns, in any order: x, y, z, and optionally diameter, vx, vy, vz, wx,
- * wy, wz, id. Columns are separated by a comma, a semicolon or blanks; empty rows and rows that
+ * wy, wz, id, and the names of particle scalars. Columns are separated by a comma, a semicolon or blanks; empty rows and rows that
  * begin with # are skipped. A unit may follow a name, as in x[m]; it is not read: units are SI.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -26,19 +26,22 @@
 
 enum
 {
-    DIAMETER = 9, ID, COLUMNS  /* after three vectors: position, velocity, spin */
+    DIAMETER = 9, ID,     /* after three vectors: position, velocity, spin */
+    SCALAR,               /* from here on particle scalars */
+    COLUMNS = SCALAR + DEM_SCALARS
 };
 
-static const char *const name[COLUMNS] = {"x", "y", "z", "vx", "vy", "vz",
-                                          "wx", "wy", "wz", "diameter", "id"};
+static const char *const fixed_name[SCALAR] = {"x", "y", "z", "vx", "vy", "vz",
+                                               "wx", "wy", "wz", "diameter", "id"};
 
 struct table
 {
-    const char *file;
+    const char *file, *name[COLUMNS];
     int line, columns, what[COLUMNS], present[COLUMNS];  /* the quantity in each column; 1 when
                                                             there is a column of it */
-    size_t n, capacity[5];
-    double (*vector[3])[3], *diameter;
+    int known;                                           /* number of names */
+    size_t n, capacity[5 + DEM_SCALARS];
+    double (*vector[3])[3], *diameter, *scalar[DEM_SCALARS];
     int64_t *id;
 };
 
@@ -56,13 +59,13 @@ static int read_name(struct table *t, const char *at, size_t length)
 
     snprintf(word, sizeof word, "%.*s", (int)(length < sizeof word ? length : sizeof word - 1), at);
     word[strcspn(word, "[")] = '\0';
-    while (k < COLUMNS && strcmp(word, name[k]) != 0)
+    while (k < t->known && strcmp(word, t->name[k]) != 0)
     {
         k++;
     }
-    if (k == COLUMNS)
+    if (k == t->known)
     {
-        return dem_error_prefix(dem_did_you_mean_error("column", word, name, COLUMNS),
+        return dem_error_prefix(dem_did_you_mean_error("column", word, t->name, t->known),
                                 "%s, line %d: ", t->file, t->line);
     }
     DEM_REQUIRE(!t->present[k], DEM_ERROR_INPUT, "%s, line %d: column %s comes twice; remove one",
@@ -87,7 +90,7 @@ static int read_names(struct table *t, const char *line)
 
         DEM_REQUIRE(found == 3 || (found == 0 && k > 0), DEM_ERROR_INPUT, "%s, line %d: columns "
                     "%s, %s, %s are not all there; the first row names the columns, x, y and z "
-                    "among them", t->file, t->line, name[3*k], name[3*k + 1], name[3*k + 2]);
+                    "among them", t->file, t->line, t->name[3*k], t->name[3*k + 1], t->name[3*k + 2]);
     }
     return DEM_OK;
 }
@@ -99,6 +102,12 @@ static int grow(struct table *t)
         DEM_TRY(t->present[3*k] ? DEM_GROW(t->vector[k], t->capacity[k], t->n + 1) : DEM_OK);
     }
     DEM_TRY(t->present[DIAMETER] ? DEM_GROW(t->diameter, t->capacity[3], t->n + 1) : DEM_OK);
+    for (int k = SCALAR; k < t->known; k++)
+    {
+        DEM_TRY(t->present[k]
+                    ? DEM_GROW(t->scalar[k - SCALAR], t->capacity[5 + k - SCALAR], t->n + 1)
+                    : DEM_OK);
+    }
     return t->present[ID] ? DEM_GROW(t->id, t->capacity[4], t->n + 1) : DEM_OK;
 }
 
@@ -121,7 +130,9 @@ static int read_row(struct table *t, const char *line)
         }
         else
         {
-            double *const to = k == DIAMETER ? &t->diameter[t->n] : &t->vector[k/3][t->n][k%3];
+            double *const to = k == DIAMETER  ? &t->diameter[t->n]
+                             : k >= SCALAR    ? &t->scalar[k - SCALAR][t->n]
+                                              : &t->vector[k/3][t->n][k%3];
 
             *to = strtod(at, &end);
             good = end > at && isfinite(*to);
@@ -158,11 +169,30 @@ static int read_lines(struct table *t, char *text)
     return DEM_OK;
 }
 
-int dem_insert_group_read_table(struct dem_insert_group *b)
+/* Limits of the scalars in the table. */
+static int check_scalars(const struct dem_insert_group *b, const struct dem_interaction_table *r)
 {
-    struct table t = {.line = 0};
+    for (int k = 0; k < r->scalars; k++)
+    {
+        for (int64_t m = 0; b->scalars[k] && m < b->count; m++)
+        {
+            DEM_TRY(dem_scalar_require(r, k, b->scalars[k][m], b->where));
+        }
+    }
+    return DEM_OK;
+}
+
+int dem_insert_group_read_table(struct dem_insert_group *b, const struct dem_interaction_table *r)
+{
+    struct table t = {.known = SCALAR + r->scalars};
     char *text;
     fenv_t traps;
+
+    memcpy(t.name, fixed_name, sizeof fixed_name);
+    for (int k = 0; k < r->scalars; k++)
+    {
+        t.name[SCALAR + k] = r->scalar[k]->name;
+    }
 
     DEM_TRY(dem_dict_text(b->dict, "file", &t.file));
     DEM_TRY(dem_error_prefix(dem_file_load_text(t.file, &text), "%s: ", b->where));
@@ -172,7 +202,12 @@ int dem_insert_group_read_table(struct dem_insert_group *b)
     fesetenv(&traps);
     dem_memory_free(text);
     memcpy(b->table, (void *[]){t.vector[0], t.vector[1], t.vector[2], t.diameter, t.id},
-           sizeof b->table);
+           5*sizeof *b->table);
+    for (int k = 0; k < r->scalars; k++)
+    {
+        b->table[5 + k] = t.scalar[k];
+        b->scalars[k] = t.scalar[k];
+    }
     b->positions = (const double (*)[3])t.vector[0];
     b->velocities = (const double (*)[3])t.vector[1];
     b->spins = (const double (*)[3])t.vector[2];
@@ -185,5 +220,5 @@ int dem_insert_group_read_table(struct dem_insert_group *b)
                     "%s: %s: number %lld of its diameters is %g m; give numbers above 0", b->where,
                     t.file, (long long)m + 1, t.diameter[m]);
     }
-    return status;
+    return status ? status : check_scalars(b, r);
 }

@@ -12,6 +12,8 @@
 
 #include "effects/batch.h"
 
+struct dem_contact_scalars;
+
 enum
 {
     DEM_LANES = 8  /* the number of rows is padded to a multiple of this */
@@ -37,6 +39,7 @@ struct dem_contact_workspace
 {
     struct dem_contact_batch batch;
     struct dem_gathered gathered;
+    struct dem_contact_scalars *scalars;    /* step/contact_scalars.h, of the batch; NULL: none */
 };
 
 #endif

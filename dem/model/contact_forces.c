@@ -24,7 +24,8 @@ void dem_contact_forces_free(struct dem_contact_forces *c)
 
 static size_t bytes_beside_force(const struct dem_contact_forces *c)
 {
-    return (size_t)(3*c->moments)*sizeof *c->moment + (c->has_energy ? sizeof *c->energy : 0);
+    return (size_t)(3*c->moments)*sizeof *c->moment + (c->has_energy ? sizeof *c->energy : 0) +
+           (size_t)(2*c->rates)*sizeof *c->rate;
 }
 
 size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *c)
@@ -58,6 +59,13 @@ int dem_contact_forces_resize(struct dem_contact_forces *c, size_t n, size_t cap
         DEM_TRY(DEM_RESIZE(c->energy, c->moment_capacity, capacity));
         memset(c->energy, 0, n*sizeof *c->energy);
     }
+    if (c->rates)
+    {
+        const size_t width = 2*(size_t)c->rates;
+
+        DEM_TRY(DEM_RESIZE(c->rate, width*c->moment_capacity, width*capacity));
+        memset(c->rate, 0, width*n*sizeof *c->rate);
+    }
     c->moment_capacity = capacity;
     return DEM_OK;
 }
@@ -66,8 +74,10 @@ void dem_contact_forces_clear(struct dem_contact_forces *c)
 {
     dem_memory_free(c->moment);
     dem_memory_free(c->energy);
+    dem_memory_free(c->rate);
     c->moment = NULL;
     c->energy = NULL;
+    c->rate = NULL;
     c->moment_capacity = 0;
 }
 

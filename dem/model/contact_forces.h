@@ -42,7 +42,10 @@ struct dem_contact_forces
     size_t capacity;
     double *moment;                               /* 3 per row; NULL without `moments` */
     struct dem_contact_energy *energy;            /* per row; NULL without `has_energy` */
-    size_t moment_capacity;                       /* rows of these two */
+    int rates;                                    /* particle scalars whose rates rows have */
+    double *rate;                                 /* 2 per row and scalar: what i and j receive;
+                                                     NULL without `rates` */
+    size_t moment_capacity;                       /* rows of these three */
     struct dem_contact_force *buffer;             /* DEM_FORCE_BUFFER_ROWS rows where it pays, else
                                                      NULL */
     size_t deferred, deferred_capacity;
@@ -70,9 +73,9 @@ size_t dem_contact_forces_bytes(const struct dem_contact_forces *);
 size_t dem_contact_forces_buffer_bytes(void);
 size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *);
 
-/* Moments and energies of `capacity` rows, those of the first n zero. */
+/* Moments, energies and rates of `capacity` rows, those of the first n zero. */
 int dem_contact_forces_resize(struct dem_contact_forces *, size_t n, size_t capacity);
-void dem_contact_forces_clear(struct dem_contact_forces *);    /* free these two */
+void dem_contact_forces_clear(struct dem_contact_forces *);    /* free these three */
 
 /* Contact forces of all rows, zero until a sweep writes them; that of the row past the last stays
    zero. While history is saved there are neither rows nor contact forces: this keeps the peak of

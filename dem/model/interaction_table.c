@@ -108,6 +108,38 @@ int dem_interaction_table_excludes(const struct dem_interaction_table *r,
     return 0;
 }
 
+int dem_interaction_table_find_scalar(const struct dem_interaction_table *r, const char *name)
+{
+    for (int k = 0; k < r->scalars; k++)
+    {
+        if (strcmp(r->scalar[k]->name, name) == 0)
+        {
+            return k;
+        }
+    }
+    return -1;
+}
+
+/* The scalars of an effect, unless another one has named them. */
+static int add_scalars(struct dem_interaction_table *r, const struct dem_effect *effect,
+                       const char *where)
+{
+    for (int k = 0; effect->scalars && effect->scalars[k]; k++)
+    {
+        const struct dem_scalar *const s = effect->scalars[k];
+        const int known = dem_interaction_table_find_scalar(r, s->name);
+        const int at = known < 0 ? r->scalars : known;
+
+        DEM_REQUIRE(at < DEM_SCALARS, DEM_ERROR_INPUT,
+                    "%s: the effects need more than %d particle scalars; choose fewer effects",
+                    where, DEM_SCALARS);
+        r->scalar[at] = s;
+        r->scalars += known < 0;
+        r->exchanged[at] |= effect->stage == DEM_STAGE_FLUID && s->exchange;
+    }
+    return DEM_OK;
+}
+
 int dem_interaction_table_add_effect(struct dem_interaction_table *r, const char *name,
                                      const char *where)
 {
@@ -149,7 +181,7 @@ int dem_interaction_table_add_effect(struct dem_interaction_table *r, const char
     {
         dem_settings_set_defaults(effect->settings, r->settings[index]);
     }
-    return DEM_OK;
+    return add_scalars(r, effect, where);
 }
 
 int dem_interaction_table_has_effect(const struct dem_interaction_table *r, const char *effect)

@@ -28,6 +28,8 @@ struct dem_effect_entry           /* entry of an effect list */
     const struct dem_effect *effect;
     void *settings;               /* prepared, owned by the interaction table */
     int first_column;             /* first of its history columns */
+    int scalars;                  /* number of its particle scalars, */
+    int scalar[DEM_EFFECT_SCALARS];  /* their indices in dem_interaction_table.scalar */
 };
 
 /* effects of one pair class, in the order of stages */
@@ -41,6 +43,7 @@ struct dem_effect_list
     struct dem_pair_class pair;
     unsigned needs;               /* enum dem_needs, or-ed */
     int moments, past_touching;   /* 1: has effects of MOMENT or BOND; of BOND or FILM */
+    int scalars;                  /* 1: has effects with particle scalars */
     int whole_drag;               /* bodies; 1: drag is divided by the void fraction, see
                                      dem_fluid_whole_drag */
 };
@@ -61,6 +64,9 @@ struct dem_interaction_table
     double fluid_density;                           /* kg/m3, of the run; 0: none, not uniform */
     int overrides;
     struct dem_override *override;
+    int scalars;                                    /* number of particle scalars of all effects */
+    const struct dem_scalar *scalar[DEM_SCALARS];
+    int exchanged[DEM_SCALARS];                     /* 1: with a fluid or the program */
 
     /* after freeze */
     int classes;                                    /* pair classes first, wall classes last */
@@ -71,7 +77,9 @@ struct dem_interaction_table
     int history_columns;
     const char *history_name[DEM_HISTORY_COLUMNS];  /* names of the history columns */
     unsigned needs;                                 /* of all effect lists, or-ed */
+    double capacity[DEM_SCALARS][DEM_MATERIALS];    /* C of a scalar per mass; 0: C is 1 */
     int moments, past_touching;                     /* 1: some effect list has it */
+    int contact_scalars;                            /* 1: some list of contact effects has scalars */
     double reach;                                   /* m past touching, the
                                                        largest of all effects */
     double step_limit;                              /* s: limit of the time step */
@@ -124,6 +132,18 @@ int dem_interaction_table_has_pressure_gradient(const struct dem_interaction_tab
 
 /* What the chosen effects need with their present settings: enum dem_needs, or-ed. */
 unsigned dem_interaction_table_needs(const struct dem_interaction_table *);
+
+/* Index of the particle scalar of this name, or -1. */
+int dem_interaction_table_find_scalar(const struct dem_interaction_table *, const char *name);
+
+/* C of a scalar of a particle of this material and mass [kg], see effects/scalar.h. */
+static inline double dem_interaction_table_capacity(const struct dem_interaction_table *r,
+                                                    int scalar, int material, double mass)
+{
+    const double each = r->capacity[scalar][material];
+
+    return each > 0.0 ? each*mass : 1.0;
+}
 
 /* 1 when that effect was chosen. */
 int dem_interaction_table_has_effect(const struct dem_interaction_table *, const char *effect);

@@ -106,6 +106,12 @@ static int append_effect(struct dem_interaction_table *r, struct dem_effect_list
     }
     list->pair.exponent =
         effect->stage == DEM_STAGE_NORMAL ? effect->exponent : list->pair.exponent;
+    for (int k = 0; effect->scalars && effect->scalars[k]; k++)
+    {
+        entry->scalar[entry->scalars++] =
+            dem_interaction_table_find_scalar(r, effect->scalars[k]->name);
+        list->scalars = 1;
+    }
     list->needs |= effect->needs;
     list->moments |= effect->stage == DEM_STAGE_MOMENT || effect->stage == DEM_STAGE_BOND;
     list->past_touching |= effect->stage == DEM_STAGE_BOND || effect->stage == DEM_STAGE_FILM;
@@ -169,6 +175,7 @@ static int build_list(struct dem_interaction_table *r, struct dem_effect_list *l
     r->needs |= list->needs;
     r->moments |= list->moments;
     r->past_touching |= list->past_touching;
+    r->contact_scalars |= !bodies && list->scalars;
     return DEM_OK;
 }
 
@@ -206,12 +213,30 @@ static int assign_history_columns(struct dem_interaction_table *r, int *first_co
     return DEM_OK;
 }
 
+static int set_capacities(struct dem_interaction_table *r)
+{
+    for (int k = 0; k < r->scalars; k++)
+    {
+        const struct dem_scalar *const s = r->scalar[k];
+
+        for (int m = 0; m < r->materials && s->capacity; m++)
+        {
+            r->capacity[k][m] = s->capacity(&r->material[m]);
+            DEM_REQUIRE(r->capacity[k][m] > 0.0 || r->min_radius[m] <= 0.0, DEM_ERROR_INPUT,
+                        "materials/%s has no %s, which particles with %s need; give it",
+                        r->material[m].name, s->capacity_entry, s->name);
+        }
+    }
+    return DEM_OK;
+}
+
 int dem_interaction_table_freeze(struct dem_interaction_table *r,
                                  const int wall_materials[DEM_MATERIALS])
 {
     int first_column[DEM_EFFECT_LIST_LIMIT];
 
     DEM_TRY(assign_history_columns(r, first_column));
+    DEM_TRY(set_capacities(r));
     DEM_TRY(DEM_NEW(r->list, 2*r->materials*r->materials + 1));
     memset(r->class_of, -1, sizeof r->class_of);
     r->step_limit = r->next_limit = DBL_MAX;
@@ -267,7 +292,7 @@ static void remove_effect(struct dem_interaction_table *r, struct dem_effect_lis
 
     list->entries = 0;
     list->needs = 0;
-    list->moments = list->past_touching = 0;
+    list->moments = list->past_touching = list->scalars = 0;
     for (int k = 0; k < entries; k++)
     {
         const struct dem_effect_entry entry = list->entry[k];
@@ -276,6 +301,7 @@ static void remove_effect(struct dem_interaction_table *r, struct dem_effect_lis
         {
             list->entry[list->entries++] = entry;
             list->needs |= entry.effect->needs;
+            list->scalars |= entry.scalars > 0;
             list->moments |=
                 entry.effect->stage == DEM_STAGE_MOMENT || entry.effect->stage == DEM_STAGE_BOND;
             list->past_touching |=

@@ -65,24 +65,41 @@ enum
 struct spare                                              /* temporary copy of one particle */
 {
     struct dem_particle record;
-    double column[WIDEST_COLUMN*DEM_COLUMNS];
+    double column[WIDEST_COLUMN*DEM_COLUMNS + DEM_FURTHER_COLUMNS];
 };
 
 static int is_used(const struct dem_particles *p, int c)
 {
-    return (columns[c].group & ~p->groups) == 0;
+    return (p->column[c].group & ~p->groups) == 0;
 }
 
 void dem_particles_init(struct dem_particles *p, unsigned groups)
 {
     memset(p, 0, sizeof *p);
     p->groups = groups;
+    p->columns = DEM_COLUMNS;
     memcpy(p->column, columns, sizeof columns);
+}
+
+int dem_particles_add_column(struct dem_particles *p, const char *name)
+{
+    p->column[p->columns] = (struct dem_column){name, 1, 0, NULL};
+    return p->columns++;
+}
+
+void dem_particles_add_columns_of(struct dem_particles *p, const struct dem_particles *from)
+{
+    while (p->columns < from->columns)
+    {
+        (void)dem_particles_add_column(p, from->column[p->columns].name);
+    }
+    p->ghost_step = from->ghost_step;
+    p->ghost_window = from->ghost_window;
 }
 
 void dem_particles_free(struct dem_particles *p)
 {
-    for (int c = 0; c < DEM_COLUMNS; c++)
+    for (int c = 0; c < p->columns; c++)
     {
         dem_memory_free(p->column[c].data);
     }
@@ -99,7 +116,7 @@ int dem_particles_grow(struct dem_particles *p, size_t count)
         return DEM_OK;
     }
     DEM_TRY(DEM_RESIZE(p->record, p->capacity, capacity));
-    for (int c = 0; c < DEM_COLUMNS; c++)
+    for (int c = 0; c < p->columns; c++)
     {
         const size_t width = (size_t)p->column[c].width;
 
@@ -118,7 +135,8 @@ int dem_particles_copy(struct dem_particles *p, const struct dem_particles *from
 
     DEM_TRY(DEM_RESIZE(p->record, p->capacity, capacity));
     memcpy(p->record, from->record, from->n*sizeof *p->record);
-    for (int c = 0; c < DEM_COLUMNS; c++)
+    p->columns = from->columns;
+    for (int c = 0; c < p->columns; c++)
     {
         struct dem_column *const to = &p->column[c];
         const size_t width = (size_t)from->column[c].width;
@@ -146,7 +164,7 @@ static void move(struct dem_particles *p, struct spare *spare, ptrdiff_t from, p
     const double *at = spare->column;
 
     *(to < 0 ? &spare->record : &p->record[to]) = from < 0 ? spare->record : p->record[from];
-    for (int c = 0; c < DEM_COLUMNS; c++)
+    for (int c = 0; c < p->columns; c++)
     {
         const size_t width = (size_t)p->column[c].width;
         double *const data = p->column[c].data;
@@ -223,7 +241,7 @@ size_t dem_particles_bytes_per_particle(const struct dem_particles *p)
 {
     size_t each = sizeof *p->record;
 
-    for (int c = 0; c < DEM_COLUMNS; c++)
+    for (int c = 0; c < p->columns; c++)
     {
         each += is_used(p, c) ? (size_t)p->column[c].width*sizeof *p->column[c].data : 0;
     }
@@ -239,7 +257,7 @@ size_t dem_particles_packed_size(const struct dem_particles *p)
 {
     size_t size = RECORD_DOUBLES;
 
-    for (int c = 0; c < DEM_COLUMNS; c++)
+    for (int c = 0; c < p->columns; c++)
     {
         size += is_used(p, c) ? (size_t)p->column[c].width : 0;
     }
@@ -250,7 +268,7 @@ void dem_particles_pack(const struct dem_particles *p, size_t particle, double *
 {
     memcpy(out, &p->record[particle], sizeof *p->record);
     out += RECORD_DOUBLES;
-    for (int c = 0; c < DEM_COLUMNS; c++)
+    for (int c = 0; c < p->columns; c++)
     {
         const size_t width = (size_t)p->column[c].width;
 
@@ -269,7 +287,7 @@ int dem_particles_append(struct dem_particles *p, const double *packed)
     DEM_TRY(dem_particles_grow(p, index + 1));
     memcpy(&p->record[index], packed, sizeof *p->record);
     packed += RECORD_DOUBLES;
-    for (int c = 0; c < DEM_COLUMNS; c++)
+    for (int c = 0; c < p->columns; c++)
     {
         const size_t width = (size_t)p->column[c].width;
 
@@ -290,7 +308,7 @@ int dem_particles_add(struct dem_particles *p, const struct dem_particle *record
 
     DEM_TRY(dem_particles_grow(p, index + 1));
     p->record[index] = *record;
-    for (int c = 0; c < DEM_COLUMNS; c++)
+    for (int c = 0; c < p->columns; c++)
     {
         const size_t width = (size_t)p->column[c].width;
 

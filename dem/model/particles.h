@@ -3,8 +3,8 @@
  * (column) per further quantity.
  *
  * Owned particles are [0, n), ghosts (copies of other ranks' particles) are [n, n + ghosts). Ghosts
- * have a record but no columns. The struct owns its arrays; it depends neither on the domain nor on
- * contacts or ranks.
+ * have a record, and the columns that contacts read (ghost_step, ghost_window). The struct owns its
+ * arrays; it depends neither on the domain nor on contacts or ranks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -24,7 +24,7 @@ struct dem_particle
     int64_t id;
     uint16_t material, flags;
     uint32_t image;                /* crossings of periodic faces, 10 bits per axis */
-    double viscosity;              /* Pa s: of the fluid at the particle */
+    double unused;                 /* keeps the size; stored in snapshots */
 };
 _Static_assert(sizeof(struct dem_particle) == 128, "a particle record is two cache lines");
 
@@ -104,7 +104,8 @@ enum dem_column_name
                                             of that of a pair, all of that of a wall */
     DEM_COLUMN_BROKEN_BONDS,             /* 1    bonds broken so far, counted likewise */
     DEM_COLUMN_ORIENTATION,              /* 1    unit quaternion, see model/orientation.h */
-    DEM_COLUMNS
+    DEM_COLUMNS,                         /* from here on columns of scalars, in use in this scene */
+    DEM_FURTHER_COLUMNS = 28             /* limit of their number */
 };
 
 struct dem_column
@@ -115,15 +116,30 @@ struct dem_column
     double *data;                 /* NULL when not in use */
 };
 
+struct dem_column_list             /* columns of one number each */
+{
+    int n, column[DEM_FURTHER_COLUMNS];
+};
+
 struct dem_particles
 {
     size_t n, ghosts, capacity;
     unsigned groups;              /* groups of the columns in use */
     struct dem_particle *record;
-    struct dem_column column[DEM_COLUMNS];
+    int columns;                  /* in the next array */
+    struct dem_column column[DEM_COLUMNS + DEM_FURTHER_COLUMNS];
+    struct dem_column_list ghost_step;    /* columns that ghosts have too, renewed in each step; */
+    struct dem_column_list ghost_window;  /* renewed at the start of each window */
 };
 
 void dem_particles_init(struct dem_particles *, unsigned groups);
+
+/* Before there are particles: a further column of one number, 0 at first. `name` is not copied.
+   Returns its index. */
+int dem_particles_add_column(struct dem_particles *, const char *name);
+
+/* The further columns and the lists of ghost columns of `from`, for particles just initialised. */
+void dem_particles_add_columns_of(struct dem_particles *, const struct dem_particles *from);
 void dem_particles_free(struct dem_particles *);
 
 /* Raise the capacity to at least `count` particles; contents are kept. */

@@ -14,6 +14,10 @@
 
 void dem_walls_free(struct dem_walls *w)
 {
+    for (int k = 0; k < w->walls; k++)
+    {
+        dem_memory_free(w->wall[k].scalars);
+    }
     dem_memory_free(w->wall);
     dem_memory_free(w->triangle);
     dem_memory_free(w->facet);

@@ -34,6 +34,16 @@ enum dem_shape
     DEM_SHAPE_SPHERE
 };
 
+/* condition of a wall for a particle scalar; all zero: insulated */
+struct dem_wall_scalar
+{
+    int given;                    /* 1: effects see `value` as that of the wall */
+    double value;                 /* unit */
+    double flux;                  /* unit C/(s m2)  into a particle that touches it, on pi R^2 */
+    double film;                  /* C/(s m2)       coefficient from `value`, likewise */
+    double start, end;            /* s  when it acts; insulated at other times */
+};
+
 struct dem_wall
 {
     char name[64];
@@ -51,6 +61,8 @@ struct dem_wall
     double drive[3], drive_spin[3], drive_origin[3];  /* m/s, 1/s, m, all in the wall's frame */
     const char *absorbs;                              /* name of the entry of the scene that
                                                          makes it absorb particles, or NULL */
+    struct dem_wall_scalar *scalars;                  /* one for each particle scalar; NULL:
+                                                         insulated for all */
     int outlet;                                       /* its index among the outlets, which
                                                          counts them */
     size_t triangles, flat, repeats;                  /* of all ranks: kept; dropped without area;

@@ -71,6 +71,38 @@ static int box_in_reach(const struct dem_domain *d, const double x[3], const dou
     return square < reach*reach;
 }
 
+/* ---- messages that build ghosts: records, then columns of the same particles ------------------ */
+
+static size_t ghost_doubles(const struct dem_particles *p)
+{
+    return RECORD + (size_t)p->ghost_step.n + (size_t)p->ghost_window.n;
+}
+
+static double *pack_columns(const struct dem_particles *p, const struct dem_column_list *list,
+                            const uint32_t *index, size_t count, double *out)
+{
+    for (int k = 0; k < list->n; k++)
+    {
+        const double *const column = p->column[list->column[k]].data;
+
+        for (size_t i = 0; i < count; i++)
+        {
+            *out++ = column[index[i]];
+        }
+    }
+    return out;
+}
+
+static const double *unpack_columns(struct dem_particles *p, const struct dem_column_list *list,
+                                    size_t first, size_t count, const double *in)
+{
+    for (int k = 0; k < list->n; k++, in += count)
+    {
+        memcpy(p->column[list->column[k]].data + first, in, count*sizeof *in);
+    }
+    return in;
+}
+
 static int select_ghosts(struct dem_halo *h, const struct dem_particles *p,
                          const struct dem_domain *d, double max_radius, double reach)
 {
@@ -104,14 +136,16 @@ static int select_ghosts(struct dem_halo *h, const struct dem_particles *p,
             all->start[h->send_ranks] = first;
             all->start[++h->send_ranks] = count;
             DEM_TRY(dem_messages_begin(&h->out, to_rank));
-            DEM_TRY(dem_messages_extend(&h->out, (count - first)*RECORD, &out));
+            DEM_TRY(dem_messages_extend(&h->out, (count - first)*ghost_doubles(p), &out));
             for (size_t i = first; i < count; i++, out += RECORD)
             {
                 memcpy(out, &p->record[all->index[i]], sizeof *p->record);
             }
+            out = pack_columns(p, &p->ghost_step, all->index + first, count - first, out);
+            (void)pack_columns(p, &p->ghost_window, all->index + first, count - first, out);
         }
     }
-    return DEM_GROW(h->send_buffer, h->send_capacity, count*DEM_HALO_WIDTH + 1);
+    return DEM_GROW(h->send_buffer, h->send_capacity, count*dem_halo_width(p) + 1);
 }
 
 static int read_ghosts(struct dem_halo *h, struct dem_particles *p)
@@ -124,10 +158,15 @@ static int read_ghosts(struct dem_halo *h, struct dem_particles *p)
     DEM_TRY(DEM_GROW(all->start, all->start_capacity, h->receive_ranks + 2));
     for (int k = 0; k < h->in.ranks; k++)
     {
-        const size_t count = (h->in.start[k + 1] - h->in.start[k])/RECORD;
+        const double *const data = h->in.data + h->in.start[k];
+        const size_t count = (h->in.start[k + 1] - h->in.start[k])/ghost_doubles(p),
+                     first = p->n + p->ghosts;
+        const double *at = data + count*RECORD;
 
-        DEM_TRY(dem_particles_grow(p, p->n + p->ghosts + count));
-        memcpy(&p->record[p->n + p->ghosts], h->in.data + h->in.start[k], count*sizeof *p->record);
+        DEM_TRY(dem_particles_grow(p, first + count));
+        memcpy(&p->record[first], data, count*sizeof *p->record);
+        at = unpack_columns(p, &p->ghost_step, first, count, at);
+        (void)unpack_columns(p, &p->ghost_window, first, count, at);
         h->receive_rank[k] = h->in.rank[k];
         all->start[k] = p->ghosts;
         p->ghosts += count;
@@ -139,7 +178,7 @@ static int read_ghosts(struct dem_halo *h, struct dem_particles *p)
         all->index[k] = (uint32_t)k;
     }
     DEM_TRY(DEM_GROW(h->request, h->request_capacity, h->send_ranks + h->receive_ranks + 1));
-    return DEM_GROW(h->receive_buffer, h->receive_capacity, p->ghosts*DEM_HALO_WIDTH + 1);
+    return DEM_GROW(h->receive_buffer, h->receive_capacity, p->ghosts*dem_halo_width(p) + 1);
 }
 
 int dem_halo_build(struct dem_halo *h, int status, struct dem_particles *p,

@@ -3,7 +3,7 @@
  * other ranks.
  *
  * Particles migrate with their columns and their contact history. Ghosts keep the true coordinates
- * of their originals. Ghosts are built after each rebuild and refreshed (send, receive) in each
+ * of their originals, and have the columns that contacts read (model/particles.h). Ghosts are built after each rebuild and refreshed (send, receive) in each
  * step. With one rank these functions do nothing.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -19,7 +19,7 @@
 enum
 {
     DEM_HALO_WIDTH = 9                  /* doubles sent per ghost in each step: position,
-                                           velocity, spin */
+                                           velocity, spin; then the columns ghost_step */
 };
 
 enum dem_halo_set                                       /* sets of ghosts */
@@ -56,6 +56,15 @@ struct dem_halo
     size_t needed_there_capacity, send_capacity, receive_capacity, request_capacity;
 };
 
+/* Doubles of the largest refresh of a ghost: that of a step, or that of a window. */
+static inline size_t dem_halo_width(const struct dem_particles *p)
+{
+    const size_t step = DEM_HALO_WIDTH + (size_t)p->ghost_step.n,
+                 window = 1 + (size_t)p->ghost_window.n;
+
+    return step > window ? step : window;
+}
+
 void dem_halo_init(struct dem_halo *, struct dem_decomposition *);
 void dem_halo_free(struct dem_halo *);
 
@@ -85,7 +94,8 @@ int dem_halo_reserve_candidates(struct dem_halo *, const struct dem_particles *)
 void dem_halo_select_candidates(struct dem_halo *, const struct dem_particles *,
                                 const struct dem_contacts *);
 
-/* Begin to send positions, velocities and spins for the ghosts on other ranks; does not allocate.
+/* Begin to send positions, velocities, spins and the columns ghost_step for the ghosts on other ranks;
+   does not allocate.
    One of the two functions below must complete it before any other call of this file. An error of
    MPI is recorded (collect.h) and returned by the next agreement. */
 void dem_halo_send(struct dem_halo *, const struct dem_particles *, enum dem_halo_set);
@@ -94,8 +104,8 @@ void dem_halo_send(struct dem_halo *, const struct dem_particles *, enum dem_hal
 void dem_halo_receive(struct dem_halo *, struct dem_particles *);
 void dem_halo_wait(struct dem_halo *);
 
-/* Collective. Send the fluid viscosity and the inverse inertial mass (with added mass) to the
+/* Collective. Send the inverse inertial mass (with added mass) and the columns ghost_window to the
    ghosts. */
-int dem_halo_refresh_fluid(struct dem_halo *, struct dem_particles *);
+int dem_halo_refresh_window(struct dem_halo *, struct dem_particles *);
 
 #endif

@@ -180,22 +180,62 @@ void dem_halo_wait(struct dem_halo *h)
     }
 }
 
-void dem_halo_send(struct dem_halo *h, const struct dem_particles *p, enum dem_halo_set which)
+/* `columns` is 0 where it is known at compile time that there are none. */
+__attribute__((always_inline)) static inline void pack(struct dem_halo *h,
+                                                       const struct dem_particles *p, size_t sent,
+                                                       const uint32_t *index, const int columns)
 {
-    const size_t sent = h->decomposition->ranks > 1 ? count_of(&h->send[which], h->send_ranks) : 0;
+    double *to = h->send_buffer;
 
-    for (size_t k = 0; k < sent; k++)
+    for (size_t k = 0; k < sent; k++, to += DEM_HALO_WIDTH + columns)
     {
-        const struct dem_particle *const from = &p->record[h->send[which].index[k]];
-        double *const to = h->send_buffer + DEM_HALO_WIDTH*k;
+        const struct dem_particle *const from = &p->record[index[k]];
 
         memcpy(to, from->x, sizeof from->x);
         memcpy(to + 3, from->v, sizeof from->v);
         memcpy(to + 6, from->w, sizeof from->w);
+        for (int c = 0; c < columns; c++)
+        {
+            to[DEM_HALO_WIDTH + c] = p->column[p->ghost_step.column[c]].data[index[k]];
+        }
+    }
+}
+
+void dem_halo_send(struct dem_halo *h, const struct dem_particles *p, enum dem_halo_set which)
+{
+    const size_t sent = h->decomposition->ranks > 1 ? count_of(&h->send[which], h->send_ranks) : 0;
+
+    if (p->ghost_step.n == 0)
+    {
+        pack(h, p, sent, h->send[which].index, 0);
+    }
+    else
+    {
+        pack(h, p, sent, h->send[which].index, p->ghost_step.n);
     }
     if (h->decomposition->ranks > 1)
     {
-        post(h, which, DEM_HALO_WIDTH);
+        post(h, which, DEM_HALO_WIDTH + p->ghost_step.n);
+    }
+}
+
+__attribute__((always_inline)) static inline void unpack(const struct dem_halo *h,
+                                                         struct dem_particles *p, size_t received,
+                                                         const uint32_t *index, const int columns)
+{
+    const double *data = h->receive_buffer;
+
+    for (size_t k = 0; k < received; k++, data += DEM_HALO_WIDTH + columns)
+    {
+        struct dem_particle *const to = &p->record[p->n + index[k]];
+
+        memcpy(to->x, data, sizeof to->x);
+        memcpy(to->v, data + 3, sizeof to->v);
+        memcpy(to->w, data + 6, sizeof to->w);
+        for (int c = 0; c < columns; c++)
+        {
+            p->column[p->ghost_step.column[c]].data[p->n + index[k]] = data[DEM_HALO_WIDTH + c];
+        }
     }
 }
 
@@ -205,21 +245,22 @@ void dem_halo_receive(struct dem_halo *h, struct dem_particles *p)
     const size_t received = h->decomposition->ranks > 1 ? count_of(from, h->receive_ranks) : 0;
 
     dem_halo_wait(h);
-    for (size_t k = 0; k < received; k++)
+    if (p->ghost_step.n == 0)
     {
-        struct dem_particle *const to = &p->record[p->n + from->index[k]];
-        const double *const data = h->receive_buffer + DEM_HALO_WIDTH*k;
-
-        memcpy(to->x, data, sizeof to->x);
-        memcpy(to->v, data + 3, sizeof to->v);
-        memcpy(to->w, data + 6, sizeof to->w);
+        unpack(h, p, received, from->index, 0);
+    }
+    else
+    {
+        unpack(h, p, received, from->index, p->ghost_step.n);
     }
 }
 
-int dem_halo_refresh_fluid(struct dem_halo *h, struct dem_particles *p)
+int dem_halo_refresh_window(struct dem_halo *h, struct dem_particles *p)
 {
-    enum { WIDTH = 2 };
+    const struct dem_column_list *const list = &p->ghost_window;
     const struct dem_halo_route *const to = &h->send[DEM_HALO_ALL];
+    double *out = h->send_buffer;
+    const double *in = h->receive_buffer;
 
     if (h->decomposition->ranks == 1)
     {
@@ -227,15 +268,21 @@ int dem_halo_refresh_fluid(struct dem_halo *h, struct dem_particles *p)
     }
     for (size_t k = 0; k < count_of(to, h->send_ranks); k++)
     {
-        h->send_buffer[WIDTH*k] = p->record[to->index[k]].viscosity;
-        h->send_buffer[WIDTH*k + 1] = p->record[to->index[k]].inverse_mass;
+        *out++ = p->record[to->index[k]].inverse_mass;
+        for (int c = 0; c < list->n; c++)
+        {
+            *out++ = p->column[list->column[c]].data[to->index[k]];
+        }
     }
-    post(h, DEM_HALO_ALL, WIDTH);
+    post(h, DEM_HALO_ALL, 1 + list->n);
     dem_halo_wait(h);
-    for (size_t k = 0; k < p->ghosts; k++)
+    for (size_t k = p->n; k < p->n + p->ghosts; k++)
     {
-        p->record[p->n + k].viscosity = h->receive_buffer[WIDTH*k];
-        p->record[p->n + k].inverse_mass = h->receive_buffer[WIDTH*k + 1];
+        p->record[k].inverse_mass = *in++;
+        for (int c = 0; c < list->n; c++)
+        {
+            p->column[list->column[c]].data[k] = *in++;
+        }
     }
     return DEM_OK;
 }

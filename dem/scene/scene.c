@@ -316,6 +316,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
     if (start)
     {
         DEM_TRY(dem_dict_text(start, "snapshot", &s->snapshot));
+        DEM_TRY(dem_scalar_entries_read(start, r, 0, s->start_scalar));
     }
     DEM_TRY(dem_dict_sub_if(scene, "insert", &insert));
     DEM_TRY(dem_dict_sub_if(scene, "outlets", &outlets));

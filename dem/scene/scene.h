@@ -11,7 +11,7 @@
  *     domain    { min; max; | x; y; z; periodic (x y z); flat (x y z); leaving error|remove; }
  *     insert    { NAME { type lattice|random|list|table|stream; ... } }
  *     outlets   { NAME { min; max; | cylinder; | sphere; | point; normal; | patch; } }
- *     start     { snapshot "FILE"; }                           instead of insert
+ *     start     { snapshot "FILE"; SCALAR VALUE; }             instead of insert
  *     bonds     { pairs (ID ID ...); }                         for an effect with listed bonds
  *     fluid     { velocity; density; viscosity; voidFraction; pressureGradient; }
  *                                                              uniform, without a coupled solver
@@ -33,6 +33,7 @@
 #include "model/domain.h"
 #include "model/applied_forces.h"
 #include "model/interaction_table.h"
+#include "model/scalar_entry.h"
 #include "model/walls.h"
 
 struct dem_scene
@@ -45,6 +46,7 @@ struct dem_scene
     double outer_skin, inner_skin;         /* 1  of the largest diameter */
     int tuned_skins;                       /* 1: tune them, the scene gives none */
     const char *snapshot;                  /* path to start from, or NULL */
+    struct dem_scalar_entry start_scalar[DEM_SCALARS];    /* of its particles, where given */
     struct dem_uniform_fluid fluid;
     struct dem_insertion insertion;        /* groups of particles to be placed */
     struct dem_streams streams;            /* streams and outlets */

@@ -25,6 +25,14 @@ static const struct dem_setting material_settings[] = {
                    "Poisson's ratio"),
     DEM_SETTING_AS(dem_material, yield_strength, "yieldStrength", "Pa", 0.0, 0.0, INFINITY,
                    "for the plan's check of yielding; 0: unknown"),
+    DEM_SETTING_AS(dem_material, thermal.conductivity, "conductivity", "W/(m K)", 0.0, 0.0,
+                   INFINITY, "thermal conductivity"),
+    DEM_SETTING_AS(dem_material, thermal.heat_capacity, "heatCapacity", "J/(kg K)", 0.0, 0.0,
+                   INFINITY, "specific heat capacity"),
+    DEM_SETTING_AS(dem_material, thermal.emissivity, "emissivity", "1", 0.0, 0.0, 1.0,
+                   "emissivity of the surface"),
+    DEM_SETTING_AS(dem_material, thermal.real_modulus, "realModulus", "Pa", 0.0, 0.0, INFINITY,
+                   "Young's modulus of the real material, where youngsModulus is softer; 0: the same"),
     {0},
 };
 

@@ -6,6 +6,7 @@
  */
 #include "scene/scene_internal.h"
 #include "model/material_entry.h"
+#include "model/scalar_entry.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/did_you_mean.h"
@@ -177,6 +178,7 @@ static int read_wall(void *context, const struct dem_dict *dict)
     {
         w->wall[k].absorbs = absorb ? dem_dict_name(dict) : NULL;
         w->absorbing += absorb;
+        DEM_TRY(dem_scalar_wall_read(dict, reader->interaction_table, &w->wall[k]));
         DEM_TRY(dem_scene_read_motion(w, k, dict));
     }
     return DEM_OK;

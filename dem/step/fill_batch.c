@@ -23,6 +23,7 @@
 static void gather_walls(struct dem_contact_workspace *restrict t, const struct dem_state *p,
                          const uint32_t *restrict row_pair)
 {
+    const double *const mu = dem_column(&p->particles, DEM_COLUMN_FLUID_VISCOSITY);
     struct dem_gathered *const g = &t->gathered;
     struct dem_contact_batch *const b = &t->batch;
 
@@ -57,7 +58,7 @@ static void gather_walls(struct dem_contact_workspace *restrict t, const struct 
         b->wx[c] = i->w[0];
         b->wy[c] = i->w[1];
         b->wz[c] = i->w[2];
-        b->viscosity[c] = i->viscosity;
+        b->viscosity[c] = mu && b->dt > 0.0 ? mu[q->i] : 0.0;
     }
 }
 

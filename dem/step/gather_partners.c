@@ -30,12 +30,10 @@ to_columns(dem_vec4 row[4], double *x, double *y, double *z, double *w)
     }
 }
 
-/* `spin`, `viscosity`: 1 when the relative spin, the fluid viscosity is needed. Both are
-   compile-time constants at every call. */
+/* `spin`: 1 when the relative spin is needed; a compile-time constant at every call. */
 __attribute__((always_inline)) static inline void
 gather(struct dem_contact_workspace *restrict t, const struct dem_particle *record,
-       const double (*shift)[4], const struct dem_row_partners *restrict partners, const int spin,
-       const int viscosity)
+       const double (*shift)[4], const struct dem_row_partners *restrict partners, const int spin)
 {
     const dem_vec4 sign = {-1.0, -1.0, -1.0, 1.0};
     struct dem_gathered *const g = &t->gathered;
@@ -68,10 +66,6 @@ gather(struct dem_contact_workspace *restrict t, const struct dem_particle *reco
             {
                 w[k] = wi - wj;
             }
-            if (viscosity)
-            {
-                t->batch.viscosity[c + k] = 0.5*(i->viscosity + j->viscosity);
-            }
         }
         to_columns(r, g->rx + c, g->ry + c, g->rz + c, g->radii + c);
         to_columns(v, g->vx + c, g->vy + c, g->vz + c, g->inverse_mass + c);
@@ -89,20 +83,35 @@ static void gather_basic(struct dem_contact_workspace *restrict t,
                          const struct dem_particle *record, const double (*shift)[4],
                          const struct dem_row_partners *partners)
 {
-    gather(t, record, shift, partners, 0, 0);
+    gather(t, record, shift, partners, 0);
 }
 
 DEM_KERNEL
-static void gather_all(struct dem_contact_workspace *restrict t, const struct dem_particle *record,
+static void gather_with_spin(struct dem_contact_workspace *restrict t, const struct dem_particle *record,
                        const double (*shift)[4], const struct dem_row_partners *partners)
 {
-    gather(t, record, shift, partners, 1, 1);
+    gather(t, record, shift, partners, 1);
+}
+
+/* The mean of both partners. Before the first step the fluid is not known, and viscosity is 0. */
+static void gather_viscosity(struct dem_contact_batch *restrict b, const double *restrict mu,
+                             const struct dem_row_partners *restrict partners)
+{
+    for (int c = 0; c < b->n; c++)
+    {
+        b->viscosity[c] = 0.5*(mu[partners[c].i] + mu[partners[c].j & RECORD_OF_J]);
+    }
 }
 
 void dem_gather_pairs(struct dem_contact_workspace *t, const struct dem_state *p, unsigned needs,
                       const struct dem_row_partners *partners)
 {
-    (needs & (DEM_NEEDS_SPIN | DEM_NEEDS_VISCOSITY)
-         ? gather_all
-         : gather_basic)(t, p->particles.record, p->pairs.shift, partners);
+    const double *const mu = dem_column(&p->particles, DEM_COLUMN_FLUID_VISCOSITY);
+
+    (needs & DEM_NEEDS_SPIN ? gather_with_spin : gather_basic)(t, p->particles.record,
+                                                               p->pairs.shift, partners);
+    if (needs & DEM_NEEDS_VISCOSITY && mu && t->batch.dt > 0.0)
+    {
+        gather_viscosity(&t->batch, mu, partners);
+    }
 }

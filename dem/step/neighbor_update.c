@@ -186,7 +186,8 @@ static int insert_arrivals(struct dem_state *p)
     const size_t first = p->particles.n;
     const struct dem_body_sweep backward = {
         .kick = -0.5*p->dt,
-        .energy_balance = p->energy_balance->open ? p->energy_balance : NULL};
+        .energy_balance = p->energy_balance->open ? p->energy_balance : NULL,
+        .scalars = {.table = p->interaction_table.scalars ? &p->interaction_table : NULL}};
     struct dem_body_pass pass;
 
     const int status = dem_flows_insert(p);

@@ -24,6 +24,7 @@
 #include "diagnostics/wall_statistics.h"
 #include "inflow/flows.h"
 #include "model/orientation.h"
+#include "model/scalars.h"
 #include "output/grid_averages.h"
 #include "simulation/agree.h"
 #include "step/drift.h"
@@ -35,6 +36,16 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+/* The integration of particle scalars over h [s]; 0: none, they are only read. */
+static struct dem_scalar_step scalar_step(const struct dem_state *p, double h)
+{
+    return (struct dem_scalar_step){.table =
+                                        p->interaction_table.scalars ? &p->interaction_table : NULL,
+                                    .contacts = &p->contacts,
+                                    .h = h,
+                                    .window = p->window};
+}
 
 /* ---- backup ---------------------------------------------------------------------------------- */
 
@@ -75,7 +86,9 @@ static int make_backup(struct dem_state *p, int status, double half_kick)
     if (half_kick > 0.0)
     {
         dem_sweep_bodies(&backup->particles, &p->interaction_table.bodies,
-                         &(struct dem_body_sweep){.kick = half_kick, .window = p->window});
+                         &(struct dem_body_sweep){.kick = half_kick,
+                                                  .window = p->window,
+                                                  .scalars = scalar_step(p, p->dt)});
         dem_domain_constrain(&p->domain, &backup->particles);
     }
     return DEM_OK;
@@ -251,7 +264,21 @@ static struct dem_body_sweep options(const struct dem_state *p, const struct due
         .round = flat ? NULL : p->domain.round,
         .applied = p->applied_forces.n > 0 ? &p->applied_forces : NULL,
         .time = p->time,
-        .energy_balance = p->energy_balance->open ? p->energy_balance : NULL};
+        .energy_balance = p->energy_balance->open ? p->energy_balance : NULL,
+        .scalars = scalar_step(p, p->dt)};
+}
+
+/* A value of a scalar out of its range ends the run. */
+static int check_scalars(const struct dem_state *p, const struct dem_body_pass *pass, int status)
+{
+    char when[64];
+
+    if (status || pass->bad_scalars == 0)
+    {
+        return status;
+    }
+    snprintf(when, sizeof when, " in step %lld", (long long)p->steps);
+    return dem_scalars_check(&p->particles, &p->interaction_table, when);
 }
 
 /* 5. In a fused step most particles are summed and kicked already; the pass knows which. */
@@ -280,7 +307,7 @@ static int sum_and_kick(struct dem_state *p, const struct due *due, struct dem_b
     p->next_drift_done = pass->unobserved && pass->sweep->round;
     p->fastest = dem_drift_max_speed(&pass->speeds);
     dem_timers_end_phase(p->timers, DEM_PHASE_BODIES);
-    return status;
+    return check_scalars(p, pass, status);
 }
 
 /* 6. */
@@ -351,7 +378,8 @@ static void first_kick(struct dem_state *p, double kick)
                              .time = p->time,
                              .energy_balance = p->energy_balance->open
                                                    ? p->energy_balance
-                                                   : NULL});
+                                                   : NULL,
+                             .scalars = scalar_step(p, 0.0)});
     }
     dem_domain_constrain(&p->domain, &p->particles);
     dem_timers_end_phase(p->timers, DEM_PHASE_BODIES);
@@ -393,6 +421,7 @@ static int make_steps(struct dem_state *p)
     if (!p->half_step_ahead)
     {
         dem_bodies_end_window(&p->particles, &p->domain, p->window);
+        dem_scalars_end_window(&p->particles, &p->interaction_table);
     }
     dem_timers_end_advance(p->timers);
     return DEM_OK;
@@ -412,11 +441,11 @@ int dem_step_window(struct dem_state *p, double dt, int64_t steps)
     dem_walls_move(&p->walls, p->time, 0.0);
     dem_walls_begin_advance(&p->walls, p->window);
     dem_bodies_begin_window(&p->particles, &p->interaction_table.bodies);
-    if ((p->interaction_table.needs & DEM_NEEDS_VISCOSITY ||
-         dem_column(&p->particles, DEM_COLUMN_ADDED_MASS)) &&
+    dem_scalars_begin_window(&p->particles, &p->interaction_table);
+    if ((p->particles.ghost_window.n > 0 || dem_column(&p->particles, DEM_COLUMN_ADDED_MASS)) &&
         !p->stale)
     {
-        DEM_TRY(dem_halo_refresh_fluid(&p->halo, &p->particles));
+        DEM_TRY(dem_halo_refresh_window(&p->halo, &p->particles));
     }
     dem_flows_complete_departures(p->flows, 0.5*dt - done);
     first_kick(p, 0.5*dt - done);

@@ -112,10 +112,14 @@ static int rows_in_batch(const struct dem_particles *p, size_t first)
 
 /* All body effects on a batch, with the energy balance if there is one. */
 static void apply_effects(struct dem_body_workspace *t, const struct dem_effect_list *bodies,
-                          struct dem_energy_balance *energy)
+                          struct dem_energy_balance *energy, struct dem_body_scalars *scalars)
 {
     for (int k = 0; k < bodies->entries; k++)
     {
+        if (scalars)
+        {
+            dem_body_scalars_select(scalars, &t->batch, &bodies->entry[k]);
+        }
         if (energy)
         {
             dem_energy_balance_before_body_effect(energy, &t->batch);
@@ -175,7 +179,8 @@ static void finish_applied(const struct applied *a, const struct dem_body_sweep 
     }
 }
 
-static void sweep_batch(struct dem_body_pass *pass, size_t first, int rows)
+__attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, size_t first,
+                                                  int rows)
 {
     struct dem_particles *const p = pass->particles;
     struct dem_body_workspace *const t = &pass->workspace;
@@ -199,7 +204,7 @@ static void sweep_batch(struct dem_body_pass *pass, size_t first, int rows)
     {
         dem_body_batch_gather_fluid(t, p, first, rows, s->window > 0.0 ? 1.0/s->window : 0.0);
     }
-    apply_effects(t, pass->bodies, s->energy_balance);
+    apply_effects(t, pass->bodies, s->energy_balance, pass->scalars);
     if (s->applied)
     {
         add_applied(&applied, &t->batch, s, p->record + first, rows);
@@ -247,6 +252,24 @@ static void sweep_batch(struct dem_body_pass *pass, size_t first, int rows)
     }
 }
 
+/* The same with particle scalars. Contact rows that are computed later read none of these particles, so
+   their values may change. */
+static void sweep_batch_with_scalars(struct dem_body_pass *pass, size_t first, int rows)
+{
+    const struct dem_scalar_step *const step = &pass->sweep->scalars;
+    struct dem_body_scalars scalars;
+
+    dem_body_scalars_gather(&scalars, step, pass->particles, first, rows);
+    pass->scalars = &scalars;
+    sweep_batch(pass, first, rows);
+    pass->scalars = NULL;
+    if (step->h > 0.0)
+    {
+        pass->bad_scalars +=
+            dem_body_scalars_integrate(&scalars, step, pass->particles, first, rows);
+    }
+}
+
 void dem_bodies_begin_pass(struct dem_body_pass *pass, struct dem_particles *p,
                       const struct dem_effect_list *bodies, const struct dem_body_sweep *s)
 {
@@ -255,6 +278,8 @@ void dem_bodies_begin_pass(struct dem_body_pass *pass, struct dem_particles *p,
     pass->sweep = s;
     pass->next = 0;
     pass->unobserved = s->unobserved;
+    pass->scalars = NULL;
+    pass->bad_scalars = 0;
     memset(&pass->speeds, 0, sizeof pass->speeds);
     memset(&pass->workspace, 0, sizeof pass->workspace);
     pass->workspace.batch.dt = s->kick;
@@ -264,7 +289,8 @@ void dem_bodies_kick_until(struct dem_body_pass *pass, size_t end)
 {
     for (; pass->next < end; pass->next += DEM_BATCH_ROWS)
     {
-        sweep_batch(pass, pass->next, rows_in_batch(pass->particles, pass->next));
+        (pass->sweep->scalars.table ? sweep_batch_with_scalars : sweep_batch)(
+            pass, pass->next, rows_in_batch(pass->particles, pass->next));
     }
 }
 

@@ -13,6 +13,7 @@
 #include "model/particles.h"
 #include "model/interaction_table.h"
 #include "step/body_batch.h"
+#include "step/body_scalars.h"
 #include "diagnostics/energy_balance.h"
 #include "step/drift.h"
 
@@ -33,6 +34,7 @@ struct dem_body_sweep    /* options of one sweep over all particles */
     const struct dem_applied_forces *applied;  /* NULL: none; */
     double time;                               /* s  at which they are taken */
     struct dem_energy_balance *energy_balance;  /* energy balance that sums the work; NULL: none */
+    struct dem_scalar_step scalars;             /* particle scalars, integrated before the kick */
 };
 
 /* Evaluate the body effects at the present state and kick all particles. Contact force and torque
@@ -49,6 +51,8 @@ struct dem_body_pass    /* the same sweep in parts, as far as contact forces are
     int unobserved;                             /* as in the options, or 0 after
                                               an event that reads speeds */
     struct dem_drift_speeds speeds;        /* speeds of the particles that have drifted */
+    struct dem_body_scalars *scalars;      /* of the present batch; NULL: none */
+    int bad_scalars;                       /* values of scalars out of their range */
     struct dem_body_workspace workspace;
 };
 

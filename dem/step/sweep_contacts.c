@@ -7,6 +7,7 @@
 #include "step/sweep_contacts.h"
 #include "core/math.h"
 #include "core/memory.h"
+#include "step/contact_scalars.h"
 #include "diagnostics/lost_cause.h"
 #include "step/force_buffer.h"
 #include "step/fill_batch.h"
@@ -84,6 +85,17 @@ static int find_history(const struct dem_contacts *c, const struct dem_effect_en
     return columns;
 }
 
+/* The history columns and the particle scalars of an effect. Returns the number of columns. */
+static int begin_effect(struct dem_contact_workspace *t, const struct dem_contacts *c,
+                        const struct dem_effect_entry *entry, uint32_t row, double **history)
+{
+    if (t->scalars)
+    {
+        dem_contact_scalars_select(t, entry);
+    }
+    return find_history(c, entry, row, history);
+}
+
 /* Effects that replace the contact of the surfaces, for example bonds: they clear the touching mask
    before the contact laws act. */
 static void replace_contacts(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
@@ -95,7 +107,7 @@ static void replace_contacts(struct dem_contact_workspace *t, const struct dem_e
     {
         if (effects->entry[k].effect->replace_contact)
         {
-            find_history(c, &effects->entry[k], row, history);
+            begin_effect(t, c, &effects->entry[k], row, history);
             effects->entry[k].effect->replace_contact(effects->entry[k].settings, &t->batch,
                                                       history);
         }
@@ -112,7 +124,7 @@ static void apply_adhesion(struct dem_contact_workspace *t, const struct dem_eff
     {
         if (effects->entry[k].effect->set_adhesion)
         {
-            find_history(c, &effects->entry[k], row, history);
+            begin_effect(t, c, &effects->entry[k], row, history);
             effects->entry[k].effect->set_adhesion(effects->entry[k].settings, &t->batch, history);
         }
     }
@@ -192,7 +204,7 @@ static void apply_effects(struct dem_contact_workspace *t, const struct dem_effe
         {
             apply_adhesion(t, effects, c, row);
         }
-        const int columns = find_history(c, &effects->entry[k], row, history);
+        const int columns = begin_effect(t, c, &effects->entry[k], row, history);
 
         apply_effect(t, effects, k, history, columns);
     }
@@ -217,7 +229,7 @@ static void apply_effects_with_energy(struct dem_state *p, struct dem_contact_wo
             apply_adhesion(t, effects, &p->contacts, row);
         }
         r.entry = &effects->entry[k];
-        const int columns = find_history(&p->contacts, r.entry, row, history);
+        const int columns = begin_effect(t, &p->contacts, r.entry, row, history);
 
         dem_energy_balance_before_effect(p, t, &r);
         apply_effect(t, effects, k, history, columns);
@@ -278,6 +290,10 @@ static int sweep_batch(struct dem_state *p, struct dem_contact_workspace *t,
     const int rows = at->rows;
 
     dem_contact_batch_fill(t, p, effects, row, rows);
+    if (t->scalars)
+    {
+        dem_contact_scalars_gather(t->scalars, p, &t->batch, row, rows);
+    }
     if (effects->past_touching)
     {
         replace_contacts(t, effects, &p->contacts, row);
@@ -308,6 +324,20 @@ static int sweep_batch(struct dem_state *p, struct dem_contact_workspace *t,
     return effects->pair.with_wall && count_crossings(&t->batch) > 0.0
                ? list_crossings(p, t, row, rows)
                : DEM_OK;
+}
+
+/* The same for a class with effects that read or change particle scalars. */
+static int sweep_batch_with_scalars(struct dem_state *p, struct dem_contact_workspace *t,
+                                    const struct dem_effect_list *effects, const struct rows *at)
+{
+    struct dem_contact_scalars scalars;
+
+    t->scalars = &scalars;
+    const int status = sweep_batch(p, t, effects, at);
+
+    t->scalars = NULL;
+    dem_contact_scalars_store(&scalars, &p->contacts, at->row, at->rows);
+    return status;
 }
 
 /* Kick the particles that no contact row from `rows` on acts on. */
@@ -345,7 +375,14 @@ static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int
                                 .to = dem_force_buffer_slot(&p->contacts, seg->first + done,
                                                             buffered)};
 
-        DEM_TRY(sweep_batch(p, t, effects, &at));
+        if (effects->scalars)
+        {
+            DEM_TRY(sweep_batch_with_scalars(p, t, effects, &at));
+        }
+        else
+        {
+            DEM_TRY(sweep_batch(p, t, effects, &at));
+        }
         deferred = buffered ? dem_force_buffer_copy_deferred(&p->contacts, deferred,
                                                              at.row + (uint32_t)rows)
                             : 0;

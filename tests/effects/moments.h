@@ -9,7 +9,7 @@
 
 #include "impacts.h"
 
-static const struct dem_material moments_bead = {"bead", 2500.0, 1e6, 0.25, 0.0};
+static const struct dem_material moments_bead = {"bead", 2500.0, 1e6, .poissons_ratio = 0.25};
 static const double moments_pi = 3.14159265358979324;
 
 /* one row by hand: normal z, R* = 4 mm, m* = 1 g, k_n = 1e4 N/m, overlap 1 um, pressed with 10 N */

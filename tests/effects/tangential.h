@@ -10,8 +10,10 @@
 
 /* Kharaz, Gorham, Salman, Powder Technol. 120 (2001) 281: 5 mm aluminium oxide on soda-lime glass
    at 3.9 m/s */
-static const struct dem_material tangential_oxide = {"aluminium oxide", 4000.0, 380e9, 0.23, 0.0};
-static const struct dem_material tangential_soda = {"soda-lime glass", 2500.0, 70e9, 0.25, 0.0};
+static const struct dem_material tangential_oxide =
+    {"aluminium oxide", 4000.0, 380e9, .poissons_ratio = 0.23};
+static const struct dem_material tangential_soda =
+    {"soda-lime glass", 2500.0, 70e9, .poissons_ratio = 0.25};
 static const double tangential_pi = 3.14159265358979324;
 
 /* one row at rest: normal z, R* = 4 mm, overlap 1 um, k_n = 1e6 N/m, fn = 1 kN, no tangential

@@ -17,7 +17,7 @@ enum
     COLUMNS = 10
 };
 
-static const struct dem_material rock = {"rock", 2500.0, 1e9, 0.25, 0.0};
+static const struct dem_material rock = {"rock", 2500.0, 1e9, .poissons_ratio = 0.25};
 static const double pi = 3.14159265358979324, kn = 5e11, kt = 2e11, R = 1e-3, lambda = 0.8,
                     strength = 1e6;
 static struct impacts w;

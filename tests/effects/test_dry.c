@@ -11,8 +11,8 @@
  */
 #include "impacts.h"
 
-static const struct dem_material oxide = {"aluminium oxide", 4000.0, 380e9, 0.23, 0.0};
-static const struct dem_material rigid = {"rigid", 1.0, INFINITY, 0.3, 0.0};
+static const struct dem_material oxide = {"aluminium oxide", 4000.0, 380e9, .poissons_ratio = 0.23};
+static const struct dem_material rigid = {"rigid", 1.0, INFINITY, .poissons_ratio = 0.3};
 static struct impacts w;
 
 static const double linear_stiffness = 1e6;

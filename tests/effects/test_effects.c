@@ -11,6 +11,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "bodies.h"
+#include "scalar_columns.h"
 
 #include "core/random.h"
 
@@ -23,7 +24,13 @@ enum
     MEMORY = 16
 };
 
-static const struct dem_material glass = {"glass", 2500.0, 60e9, 0.22, 0.0};
+static const struct dem_material glass = {.name = "glass",
+                                          .density = 2500.0,
+                                          .youngs_modulus = 60e9,
+                                          .poissons_ratio = 0.22,
+                                          .thermal = {.conductivity = 1.0,
+                                                      .heat_capacity = 800.0,
+                                                      .emissivity = 0.9}};
 static const struct dem_pair_class pair = {.a = &glass,
                                            .b = &glass,
                                            .reduced_modulus = 31e9,
@@ -177,7 +184,7 @@ static void contact_effect(const struct dem_effect *e)
 {
     static struct dem_contact_batch many, one;
     static _Alignas(64) double memory[MEMORY][DEM_BATCH_ROWS],
-        memory_of_one[MEMORY][DEM_BATCH_ROWS];
+        memory_of_one[MEMORY][DEM_BATCH_ROWS], rate[3][DEM_EFFECT_SCALARS][DEM_BATCH_ROWS];
     double *all[MEMORY], *alone[MEMORY];
     double settings[32] = {0};
     int bad = 0;
@@ -195,19 +202,31 @@ static void contact_effect(const struct dem_effect *e)
     {
         random_contact(&many, memory, row, row);
     }
+    scalar_columns_contacts(&many);
+    for (int row = 0; row < ROWS; row++)
+    {
+        scalar_columns_row(e, row, row);
+    }
     evaluate(e, settings, &many, all);
+    memcpy(rate, scalar_columns.result, sizeof rate);
     for (int row = 0; row < ROWS; row++)
     {
         memset(&one, 0, sizeof one);
         one.n = 1;
         random_contact(&one, memory_of_one, 0, row);
+        scalar_columns_contacts(&one);
+        scalar_columns_row(e, 0, row);
         evaluate(e, settings, &one, alone);
+        bad += differs(rate[0][0], rate[1][DEM_EFFECT_SCALARS - 1], scalar_columns.result[0][0],
+                       row);
         bad += differs(many.kn, many.broke, one.kn, row) +
                differs(memory[0], memory[MEMORY - 1], memory_of_one[0], row);
     }
     TAP_OK(bad == 0, "%s: a row has the same bits alone and among others (%d differ)", e->name,
            bad);
-    TAP_OK(bad_columns(many.kn, many.broke) + bad_columns(memory[0], memory[MEMORY - 1]) == 0,
+    TAP_OK(bad_columns(many.kn, many.broke) + bad_columns(memory[0], memory[MEMORY - 1]) +
+                   bad_columns(rate[0][0], rate[1][DEM_EFFECT_SCALARS - 1]) ==
+               0,
            "%s: all finite", e->name);
     bad = 0;
     for (int row = 2; row < ROWS && e->stage < DEM_STAGE_BOND; row += 3)
@@ -228,6 +247,7 @@ static void contact_effect(const struct dem_effect *e)
             memory[m][row] = uniform(row, 60 + m, -1e-6, 1e-6);
         }
     }
+    scalar_columns_contacts(&many);
     if (e->clears_history)
     {
         evaluate(e, settings, &many, all);
@@ -245,6 +265,7 @@ static void contact_effect(const struct dem_effect *e)
     memset(memory, 0, sizeof memory);
     many.n = DEM_BATCH_ROWS;
     many.max_dt = 1e-6;
+    scalar_columns_contacts(&many);
     evaluate(e, settings, &many, all);
     TAP_OK(bad_columns(many.kn, many.broke) == 0 && many.fn[DEM_BATCH_ROWS - 1] == 0.0 &&
                many.fx[0] == 0.0,
@@ -264,12 +285,19 @@ static void body_effect(const struct dem_effect *e)
     {
         random_body(&many, row, row);
     }
+    scalar_columns_bodies(&many);
+    for (int row = 0; row < ROWS; row++)
+    {
+        scalar_columns_row(e, row, row);
+    }
     dem_effect_apply_to_bodies(e, settings, &many);
     for (int row = 0; row < ROWS; row++)
     {
         memset(&one, 0, sizeof one);
         one.n = 1;
         random_body(&one, 0, row);
+        scalar_columns_bodies(&one);
+        scalar_columns_row(e, 0, row);
         dem_effect_apply_to_bodies(e, settings, &one);
         bad += differs(many.added_mass, many.tz, one.added_mass, row);
     }
@@ -286,6 +314,7 @@ static void body_effect(const struct dem_effect *e)
 
     memset(&many, 0, sizeof many);
     many.n = DEM_BATCH_ROWS;
+    scalar_columns_bodies(&many);
     dem_effect_apply_to_bodies(e, settings, &many);
     TAP_OK(bad_columns(many.added_mass, many.tz) == 0 && many.fx[DEM_BATCH_ROWS - 1] == 0.0 &&
                many.b[0] == 0.0,
@@ -308,6 +337,7 @@ static void declarations(const struct dem_effect *e)
     {
         random_body(&b, row, row);
     }
+    scalar_columns_bodies(&b);
     dem_effect_apply_to_bodies(e, settings, &b);
     for (int row = 0; row < ROWS; row++)
     {

@@ -11,8 +11,8 @@
  */
 #include "impacts.h"
 
-static const struct dem_material glass = {"glass", 2500.0, 1e7, 0.3, 0.0},
-                                 stone = {"stone", 2700.0, 5e7, 0.2, 0.0};
+static const struct dem_material glass = {"glass", 2500.0, 1e7, .poissons_ratio = 0.3},
+                                 stone = {"stone", 2700.0, 5e7, .poissons_ratio = 0.2};
 static const double pi = 3.14159265358979324;
 static struct impacts w;
 

@@ -16,7 +16,7 @@
 
 #include "core/random.h"
 
-static const struct dem_material bead = {"bead", 2500.0, 1e7, 0.3, 0.0};
+static const struct dem_material bead = {"bead", 2500.0, 1e7, .poissons_ratio = 0.3};
 static const double pi = 3.14159265358979324;
 static struct impacts w;
 

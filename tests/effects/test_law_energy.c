@@ -21,7 +21,7 @@ enum
     LEGS = 8, STEPS = 40
 };
 
-static const struct dem_material bead = {"bead", 2500.0, 1e7, 0.3, 0.0};
+static const struct dem_material bead = {"bead", 2500.0, 1e7, .poissons_ratio = 0.3};
 static const double dt = 1e-6, deepest = 5e-5, apart = 5e-6;        /* s, m, m */
 static struct impacts w;
 static struct dem_energy e;

@@ -19,7 +19,7 @@ enum
     LEGS = 12, STEPS = 500
 };
 
-static const struct dem_material bead = {"bead", 2500.0, 1e7, 0.3, 0.0};
+static const struct dem_material bead = {"bead", 2500.0, 1e7, .poissons_ratio = 0.3};
 static const double dt = 1e-6, deepest = 5e-5;            /* s, m: a fortieth of the diameter */
 static struct impacts w;
 

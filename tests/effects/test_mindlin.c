@@ -14,10 +14,10 @@
  */
 #include "tangential.h"
 
-static const struct dem_material oxide = {"aluminium oxide", 4000.0, 380e9, 0.23, 0.0},
-                                 soda = {"soda-lime glass", 2500.0, 70e9, 0.25, 0.0};
-static const struct dem_material aluminium = {"aluminium", 2700.0, 70e9, 0.33, 0.0},
-                                 rigid = {"rigid", 1.0, INFINITY, 0.3, 0.0};
+static const struct dem_material oxide = {"aluminium oxide", 4000.0, 380e9, .poissons_ratio = 0.23},
+                                 soda = {"soda-lime glass", 2500.0, 70e9, .poissons_ratio = 0.25};
+static const struct dem_material aluminium = {"aluminium", 2700.0, 70e9, .poissons_ratio = 0.33},
+                                 rigid = {"rigid", 1.0, INFINITY, .poissons_ratio = 0.3};
 static const double pi = 3.14159265358979324;
 static struct impacts w;
 

@@ -70,8 +70,8 @@ static const char *normal_law_for(const struct dem_effect *e)
 static int scene(const char *effects, const char *pairs)
 {
     char *const text = world_text(
-        "materials { glass { density 2500; youngsModulus 1e7; } }\nfluid { density 1000; "
-        "viscosity 1e-3; }\n"
+        "materials { glass { density 2500; youngsModulus 1e7; conductivity 1; heatCapacity 800; "
+        "emissivity 0.9; } }\nfluid { density 1000; viscosity 1e-3; }\n"
         "effects { %s }\n pairs { %s }\n time { step 1e-9; }",
         effects, pairs);
     const struct dem_new_particle seed = {.diameter = 1e-3, .material = "glass"};

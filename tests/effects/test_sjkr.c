@@ -9,7 +9,7 @@
  */
 #include "impacts.h"
 
-static const struct dem_material glass = {"glass", 2500.0, 1e7, 0.3, 0.0};
+static const struct dem_material glass = {"glass", 2500.0, 1e7, .poissons_ratio = 0.3};
 static struct impacts w;
 
 int main(void)

@@ -13,9 +13,9 @@
  */
 #include "impacts.h"
 
-static const struct dem_material steel = {"steel", 7800.0, 200e9, 0.3, 0.0},
-                                 glass = {"glass", 2540.0, 60e9, 0.23, 0.0};
-static const struct dem_material rigid = {"rigid", 1.0, INFINITY, 0.3, 0.0};
+static const struct dem_material steel = {"steel", 7800.0, 200e9, .poissons_ratio = 0.3},
+                                 glass = {"glass", 2540.0, 60e9, .poissons_ratio = 0.23};
+static const struct dem_material rigid = {"rigid", 1.0, INFINITY, .poissons_ratio = 0.3};
 static const double pi = 3.14159265358979324;
 static struct impacts w;
 

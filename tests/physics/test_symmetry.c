@@ -440,7 +440,8 @@ static void one_by_one(void)
     {
         char laws[1024] = "";
 
-        if ((*e)->stage >= DEM_STAGE_BODY ||
+        /* effects of scalars do not move particles */
+        if ((*e)->stage >= DEM_STAGE_SCALAR ||
             !TAP_OK(settings_of((*e)->name), "%s has settings here", (*e)->name))
         {
             continue;

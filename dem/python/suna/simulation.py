@@ -312,6 +312,26 @@ class Simulation:
         return self._column("orientation", 4, False)
 
     @property
+    def scalars(self):
+        """names of the particle scalars that the effects of the scene declare"""
+        return [self._scalar_info(k)["name"] for k in range(lib.dem_scalar_count(self._set))]
+
+    def _scalar_info(self, k):
+        info = ffi.new("struct dem_scalar_info *")
+        lib.dem_scalar_info(self._set, k, info)
+        return {"name": ffi.string(info.name).decode(), "unit": ffi.string(info.unit).decode()}
+
+    def scalar(self, name):
+        """a particle scalar, e.g. "temperature": a view, which may be written between two advances"""
+        k = lib.dem_scalar_index(self._set, name.encode())
+        if k < 0:
+            raise KeyError(f"no effect of the scene has the particle scalar {name}; it has "
+                           + (", ".join(self.scalars) or "none"))
+        values = column(lib.dem_scalar(self._set, k), len(self))
+        values.flags.writeable = True
+        return values
+
+    @property
     def material(self):
         """names"""
         numbers = self._column("material")

@@ -1,0 +1,124 @@
+/*
+ * scalar_entry.c -- read values of particle scalars of particles and walls.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "model/scalar_entry.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include <math.h>
+#include <string.h>
+
+int dem_scalar_require(const struct dem_interaction_table *r, int scalar, double value,
+                       const char *where)
+{
+    const struct dem_scalar *const s = r->scalar[scalar];
+
+    DEM_REQUIRE(value >= s->min && value <= s->max && isfinite(value), DEM_ERROR_INPUT,
+                "%s: %s %g %s; give a number from %g to %g", where, s->name, value, s->unit, s->min,
+                s->max);
+    return DEM_OK;
+}
+
+static int is_dict(const struct dem_dict *dict, const char *name)
+{
+    int found = 0;
+
+    for (size_t k = 0; k < dem_dict_count(dict); k++)
+    {
+        const struct dem_entry *const e = dem_dict_entry(dict, k);
+
+        found |= strcmp(dem_entry_name(e), name) == 0 && dem_entry_is_dict(e);
+    }
+    return found;
+}
+
+static int read_entry(const struct dem_dict *dict, const struct dem_scalar *s,
+                      struct dem_scalar_entry *e)
+{
+    const struct dem_dict *range;
+
+    e->given = 1;
+    if (!is_dict(dict, s->name))
+    {
+        DEM_TRY(dem_dict_number(dict, s->name, s->unit, &e->min));
+        e->max = e->min;
+        return DEM_OK;
+    }
+    DEM_TRY(dem_dict_sub(dict, s->name, &range));
+    DEM_TRY(dem_dict_number(range, "min", s->unit, &e->min));
+    DEM_TRY(dem_dict_number(range, "max", s->unit, &e->max));
+    DEM_REQUIRE(e->min <= e->max, DEM_ERROR_INPUT, "%s: %s: min %g %s is above max %g %s",
+                dem_dict_where(range), dem_dict_path(range), e->min, s->unit, e->max, s->unit);
+    return DEM_OK;
+}
+
+int dem_scalar_entries_read(const struct dem_dict *dict, const struct dem_interaction_table *r,
+                            int required, struct dem_scalar_entry entry[DEM_SCALARS])
+{
+    for (int k = 0; k < r->scalars; k++)
+    {
+        const struct dem_scalar *const s = r->scalar[k];
+
+        entry[k] = (struct dem_scalar_entry){.min = s->default_value, .max = s->default_value};
+        if (dem_dict_has(dict, s->name))
+        {
+            DEM_TRY(read_entry(dict, s, &entry[k]));
+            DEM_TRY(dem_scalar_require(r, k, entry[k].min, dem_dict_where(dict)));
+            DEM_TRY(dem_scalar_require(r, k, entry[k].max, dem_dict_where(dict)));
+        }
+        DEM_REQUIRE(!required || !isnan(entry[k].min), DEM_ERROR_INPUT,
+                    "%s: %s has no %s, which the effects need; add %s and a number in %s",
+                    dem_dict_where(dict), dem_dict_path(dict), s->name, s->name, s->unit);
+    }
+    return DEM_OK;
+}
+
+/* ---- walls ----------------------------------------------------------------------------------- */
+
+static int read_condition(const struct dem_dict *dict, const struct dem_interaction_table *r, int k,
+                          struct dem_wall_scalar *w)
+{
+    const bool value = dem_dict_has(dict, "value"), flux = dem_dict_has(dict, "flux"),
+               film = dem_dict_has(dict, "film");
+
+    DEM_REQUIRE((value && !flux) || (flux && !value && !film), DEM_ERROR_INPUT,
+                "%s: %s: give value, or value and film, or flux", dem_dict_where(dict),
+                dem_dict_path(dict));
+    DEM_TRY(dem_dict_number_or(dict, "value", r->scalar[k]->unit, 0.0, &w->value));
+    DEM_TRY(dem_dict_number_or(dict, "flux", "per m2 and s", 0.0, &w->flux));
+    DEM_TRY(dem_dict_number_or(dict, "film", "per m2 and s", 0.0, &w->film));
+    DEM_TRY(dem_dict_number_or(dict, "start", "s", -INFINITY, &w->start));
+    DEM_TRY(dem_dict_number_or(dict, "end", "s", INFINITY, &w->end));
+    DEM_REQUIRE(w->film >= 0.0, DEM_ERROR_INPUT, "%s: %s: film %g; give a number of 0 or more",
+                dem_dict_where(dict), dem_dict_path(dict), w->film);
+    DEM_REQUIRE(w->start < w->end, DEM_ERROR_INPUT, "%s: %s: start %g s is not before end %g s",
+                dem_dict_where(dict), dem_dict_path(dict), w->start, w->end);
+    w->given = value && !film;
+    return value ? dem_scalar_require(r, k, w->value, dem_dict_where(dict)) : DEM_OK;
+}
+
+int dem_scalar_wall_read(const struct dem_dict *dict, const struct dem_interaction_table *r,
+                         struct dem_wall *wall)
+{
+    const struct dem_dict *sub;
+
+    for (int k = 0; k < r->scalars; k++)
+    {
+        DEM_TRY(dem_dict_sub_if(dict, r->scalar[k]->name, &sub));
+        if (!sub)
+        {
+            continue;
+        }
+        if (!wall->scalars)
+        {
+            DEM_TRY(DEM_NEW(wall->scalars, r->scalars));
+            for (int m = 0; m < r->scalars; m++)
+            {
+                wall->scalars[m].end = -INFINITY;
+            }
+        }
+        DEM_TRY(read_condition(sub, r, k, &wall->scalars[k]));
+    }
+    return DEM_OK;
+}

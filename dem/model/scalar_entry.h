@@ -1,0 +1,38 @@
+/*
+ * scalar_entry.h -- values of particle scalars in the entries of a scene: particles and walls.
+ *
+ *     temperature 300;                         of all particles of a group, stream or snapshot
+ *     temperature { min 290; max 310; }        uniform at random
+ *     temperature { value 326; start 7; }      of a wall; or flux, or value and film
+ *
+ * The word is the name of the scalar (effects/scalar.h).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_MODEL_SCALAR_ENTRY_H
+#define DEM_MODEL_SCALAR_ENTRY_H
+
+#include "input/dictionary.h"
+#include "model/interaction_table.h"
+#include "model/walls.h"
+
+struct dem_scalar_entry
+{
+    int given;
+    double min, max;    /* equal: one value */
+};
+
+/* Read the values of all scalars of the table, in its order. Those that are not given get the default
+   of their row, or NaN with given = 0 where it has none: `required` refuses that. */
+int dem_scalar_entries_read(const struct dem_dict *, const struct dem_interaction_table *,
+                            int required, struct dem_scalar_entry entry[DEM_SCALARS]);
+
+/* DEM_ERROR_INPUT, which begins with `where`, for a value out of the limits of a scalar. */
+int dem_scalar_require(const struct dem_interaction_table *, int scalar, double value,
+                       const char *where);
+
+/* Read the conditions of a wall, for all scalars; none stays insulated. */
+int dem_scalar_wall_read(const struct dem_dict *, const struct dem_interaction_table *,
+                         struct dem_wall *);
+
+#endif

@@ -1,0 +1,86 @@
+/*
+ * contact_scalars.c -- gather scalars of the partners of a contact batch, select those of an effect,
+ * store rates.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "step/contact_scalars.h"
+#include "model/scalars.h"
+#include <string.h>
+
+static const double pi = 3.14159265358979323846;
+
+/* The condition of a wall at this time; NULL: insulated. */
+static const struct dem_wall_scalar *condition(const struct dem_state *p, const struct dem_pair *q,
+                                               int scalar)
+{
+    const int wall = p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall;
+    const struct dem_wall_scalar *const w =
+        p->walls.wall[wall].scalars ? &p->walls.wall[wall].scalars[scalar] : NULL;
+
+    return w && p->time > w->start && p->time <= w->end ? w : NULL;
+}
+
+/* What a wall gives to a particle of radius R that touches it: flux or film on the area pi R^2. A
+   given value is left to the effects. */
+static double rate_of_wall(const struct dem_wall_scalar *w, double radius, double value)
+{
+    return pi*radius*radius*(w->flux + w->film*(w->value - value));
+}
+
+void dem_contact_scalars_gather(struct dem_contact_scalars *s, const struct dem_state *p,
+                                const struct dem_contact_batch *b, uint32_t row, int rows)
+{
+    for (int k = 0; k < p->interaction_table.scalars; k++)
+    {
+        const double *const all = dem_scalar_values(&p->particles, k);
+        double *const of_i = s->value[0][k], *const of_j = s->value[1][k];
+
+        memset(s->rate[0][k], 0, sizeof s->rate[0][k]);
+        memset(s->rate[1][k], 0, sizeof s->rate[1][k]);
+        for (int c = 0; c < b->n; c++)
+        {
+            const struct dem_pair *const q =
+                dem_contacts_pair(&p->contacts, row + (uint32_t)(c < rows ? c : rows - 1));
+            const struct dem_wall_scalar *const w = q->wall ? condition(p, q, k) : NULL;
+
+            of_i[c] = all[q->i];
+            of_j[c] = !q->wall ? all[q->j] : w && w->given ? w->value : of_i[c];
+            s->rate[0][k][c] =
+                w ? b->touching[c]*rate_of_wall(w, b->min_radius[c], of_i[c]) : 0.0;
+        }
+    }
+}
+
+void dem_contact_scalars_select(struct dem_contact_workspace *t,
+                                const struct dem_effect_entry *entry)
+{
+    struct dem_contact_scalars *const s = t->scalars;
+
+    for (int m = 0; m < entry->scalars; m++)
+    {
+        const int k = entry->scalar[m];
+
+        s->rows[m] = (struct dem_scalar_rows){.i = s->value[0][k],
+                                              .j = s->value[1][k],
+                                              .rate_i = s->rate[0][k],
+                                              .rate_j = s->rate[1][k]};
+    }
+    t->batch.scalars = s->rows;
+}
+
+void dem_contact_scalars_store(const struct dem_contact_scalars *s, struct dem_contacts *contacts,
+                               uint32_t row, int rows)
+{
+    const int n = contacts->forces.rates;
+    double *to = contacts->forces.rate + 2*(size_t)n*row;
+
+    for (int c = 0; c < rows; c++)
+    {
+        for (int k = 0; k < n; k++)
+        {
+            *to++ = s->rate[0][k][c];
+            *to++ = s->rate[1][k][c];
+        }
+    }
+}
