@@ -41,4 +41,5 @@ def draw_bed(case, run):
         panels.append(render.Panel(f"{time:.2f} s", numpy.concatenate([position*mirror, position]),
                                    numpy.concatenate([velocity*mirror, velocity]),
                                    numpy.tile(diameter, 2)))
-    render.draw(case/"bed.png", panels, render.box((-0.14, 0, 0), (0.14, 0.02, 0.35)), "vertical", 1)
+    edges = render.box((-0.14, 0, 0), (0.14, 0.02, 0.35))
+    render.draw(case/"bed.png", panels, edges, "vertical", 1)

@@ -2,7 +2,9 @@
 """evaluate.py -- speed of the beads of the spouted bed of Yue et al. (2020) against their
 measurement.
 
-    evaluate.py [-test] [-from 1] [RUN]         RUN is runs/bed by default; writes result.csv, speed.png, bed.png
+    evaluate.py [-test] [-from 1] [RUN]         RUN is runs/bed by default
+
+Writes result.csv, speed.png, bed.png.
 
 At six heights over the bottom, shares of the bed's height at rest, 200 mm:
   speed     length of the mean velocity (x and z) of the beads, by number, in boxes 7 mm wide from
@@ -12,8 +14,8 @@ At six heights over the bottom, shares of the bed's height at rest, 200 mm:
 What is held, and why so:
   beads     none is lost
   exchange  1e-12, an identity
-Speeds are only reported: they are of the size of the fluctuations of a jet, and their means of a
-run of some seconds.  -test, the short form: the last two only.
+Speeds are only reported: the measurement has no interval, and the run is short. -test, the short
+form: the last two only.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -63,7 +65,8 @@ def profile(rows, blocks):
 def tell_speeds(table, run, start):
     listed = [row for row in frames.list_frames(run) if row[0] >= start*(1 - 1e-9)]
     if len(listed) < 10:
-        sys.exit(f"evaluate: {len(listed)} instants of the record after {start:g} s (-from); means take 10 at least")
+        sys.exit(f"evaluate: {len(listed)} instants of the record after {start:g} s (-from); "
+                 "means take 10 at least")
     rows = numpy.array([[sums(*frames.read_frame(*place)[:2], share*AT_REST) for share in SHARES]
                         for _, *place in listed])
     blocks = averages.cut_blocks(len(rows), 5)
@@ -71,12 +74,12 @@ def tell_speeds(table, run, start):
     for share, (speed, half) in zip(SHARES, profiles):
         (_, left), (_, right) = measured(share)
         both = 0.5*(left + right)
-        table.add(f"{share:.2f}", "speed over the jet, 0 to 7 mm", both[0], speed[0], half[0], "m/s",
-                  None, SOURCE)
-        table.add(f"{share:.2f}", "speed at its edge, 7 to 14 mm", both[1], speed[1], half[1], "m/s",
-                  None, SOURCE)
-        table.add(f"{share:.2f}", "mean speed beside it, 28 to 84 mm", both[4:12].mean(),
-                  speed[4:12].mean(), None, "m/s", None, SOURCE)
+        for what, boxes in (("speed over the jet, 0 to 7 mm", slice(0, 1)),
+                            ("speed at its edge, 7 to 14 mm", slice(1, 2)),
+                            ("mean speed beside it, 28 to 84 mm", slice(4, 12))):
+            table.add(f"{share:.2f}", what, both[boxes].mean(), speed[boxes].mean(),
+                      half[boxes][0] if boxes.stop - boxes.start == 1 else None, "m/s", None,
+                      SOURCE)
     return profiles
 
 
