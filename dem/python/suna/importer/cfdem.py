@@ -85,6 +85,9 @@ class CfdemCase(CoupledCase):
             self.report.refuse(Place("CFD/constant/polyMesh"), "boundary", "there is neither a "
                                "mesh nor a blockMeshDict: make the mesh first, so that its patches "
                                "are known")
+        if not any(patch.faces for patch in self.patches.values()):
+            self.report.refuse(Place("CFD/constant/polyMesh"), "points", "is binary: write it as text "
+                               "(foamFormatConvert), so that walls can be compared with patches")
         self.read_commands()
         self.read_script()
         number = add_equations(self.coupling, self.properties, self.report)

@@ -17,6 +17,7 @@ import numpy
 from .dem_walls import Wall
 from .liggghts import Translation
 from .liggghts_contact import Need, laws
+from .liggghts_fixes import as_name
 from .liggghts_insertion import group_entries, stream_entries
 from .liggghts_particles import write_table
 from .liggghts_region import text, vector
@@ -130,7 +131,7 @@ class DemScript:
         else:
             rest = iter(wall.numbers[1:])
             point, radius = tuple(0.0 if x else next(rest) for x in axis), wall.numbers[0]
-        return Wall(wall.name, shape, point, axis, radius, wall.type, self.place(wall.place))
+        return Wall(as_name(wall.name), shape, point, axis, radius, wall.type, self.place(wall.place))
 
     # ---- laws ------------------------------------------------------------------------------------
 

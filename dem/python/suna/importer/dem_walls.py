@@ -39,7 +39,9 @@ def place_walls(walls, patches, centre, material, properties, report, place):
     become, tolerance = {}, TOLERANCE*size(patches)
     for wall in walls:
         if (plane if wall.kind == "plane" else cylinder)(wall, patches, become, tolerance, report):
-            properties.add("walls", entry(wall, centre, material(wall.material)), wall.place)
+            name = wall.name + ("Wall" if wall.name in patches else "")
+            properties.add("walls", f"{name} {{ {entry(wall, centre, material(wall.material))} }}",
+                           wall.place)
     for name, wall in become.items():
         properties.add("walls", f"{name} {{ material {material(wall.material)}; }}", wall.place)
     for patch in patches.values():
@@ -58,15 +60,15 @@ def place_walls(walls, patches, centre, material, properties, report, place):
 
 
 def entry(wall, centre, material):
-    """The wall as an entry of `walls`."""
+    """Entries of the wall."""
     point = " ".join(f"{x:.12g}" for x in wall.point)
     if wall.kind == "cylinder":
         axis = " ".join(f"{x:g}" for x in wall.axis)
-        return (f"{wall.name} {{ type cylinder; material {material}; point ({point}); axis "
-                f"({axis}); radius {wall.radius:.12g}; particles inside; }}")
+        return (f"type cylinder; material {material}; point ({point}); axis ({axis}); "
+                f"radius {wall.radius:.12g}; particles inside;")
     side = numpy.sign(numpy.dot(wall.axis, numpy.subtract(centre, wall.point))) or 1.0
     normal = " ".join(f"{int(side)*x:g}" for x in wall.axis)
-    return f"{wall.name} {{ type plane; material {material}; point ({point}); normal ({normal}); }}"
+    return f"type plane; material {material}; point ({point}); normal ({normal});"
 
 
 def plane(wall, patches, become, tolerance, report):
