@@ -564,10 +564,13 @@ class Translation:
 
 
 def writes_restart(script, name):
-    """A script with `write_restart` or `restart` of a file of this name."""
+    """A script with `write_restart` of a file of this name. liggghts.restartCFDEM is written by the coupled run
+    of a script (writeLiggghts of CFDEMcoupling)."""
     try:
-        text = script.read_text(errors="replace")
+        rows = [line.split() for line in script.read_text(errors="replace").splitlines()]
     except OSError:
         return False
-    return any(line.split()[:1] == ["write_restart"] and line.split()[1].split("/")[-1] == name
-               for line in text.splitlines() if len(line.split()) > 1)
+    if "restartCFDEM" in name:
+        return any(row[3:4] == ["couple/cfd"] for row in rows) and \
+            not any("restartCFDEM" in word for row in rows for word in row)
+    return any(row[0] == "write_restart" and row[1].split("/")[-1] == name for row in rows if len(row) > 1)

@@ -25,7 +25,7 @@ import numpy
 
 from .liggghts_region import text, vector
 
-RSA_LIMIT = 0.30        # solid fraction at which LIGGGHTS' insert/pack ends; docs/importer.md
+RSA_LIMIT = 0.284       # solid fraction at which insert/pack of LIGGGHTS 3.8.0 ended: docs/importer.md
 BINS = 20               # of a continuous distribution in a mixture
 TRIALS = 400            # of a sphere that the importer places
 NOW = 1e9               # 1/s, rate of a packing that is due at once
@@ -82,6 +82,12 @@ class Distribution:
             found.setdefault((template.type, template.density), []).append((template, weight))
         return [(key, sum(w for _, w in rows), Distribution([t for t, _ in rows], [w for _, w in rows]))
                 for key, rows in found.items()]
+
+    def by_size(self):
+        """by_material with each template apart, the largest first: their numbers are exact, as in LIGGGHTS."""
+        order = sorted(range(len(self.weights)), key=lambda k: -self.templates[k].mean_cube())
+        return [((self.templates[k].type, self.templates[k].density), self.weights[k],
+                 Distribution([self.templates[k]], [self.weights[k]])) for k in order]
 
     def mean(self, of):
         return sum(w*of(t) for t, w in zip(self.templates, self.weights))/sum(self.weights)
@@ -204,7 +210,7 @@ def split(total, shares):
 
 def group_entries(insertion, number, material_of, frozen):
     """(name, text) of the groups of a packing at the start."""
-    parts = insertion.distribution.by_material()
+    parts = insertion.distribution.by_size()
     found = []
     for k, (n, (key, _, part)) in enumerate(zip(split(number, [share for _, share, _ in parts]), parts)):
         if n:

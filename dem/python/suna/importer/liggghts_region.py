@@ -25,7 +25,8 @@ class Region:
     """`numbers`: of the style, in SI; `parts`: of union and intersect; `corners`: n x 4 x 3 of tetrahedra."""
 
     def __init__(self, style, numbers, place, axis=None, parts=(), corners=None, outside=False):
-        self.style, self.numbers, self.place, self.axis = style, numbers, place, axis
+        self.style, self.place, self.axis = style, place, axis
+        self.numbers = tuple(float(x) for x in numbers)
         self.parts, self.corners, self.outside = parts, corners, outside
 
     # ---- a cylinder or cone: the two other axes, as in LIGGGHTS --------------------------------
