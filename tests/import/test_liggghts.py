@@ -53,7 +53,9 @@ run 1000
 """
 RUN = "run 1000\n"
 PACK = BASE[BASE.index("fix pts"):BASE.index("fix move")]
-ONE = BASE.replace(PACK, "create_atoms 1 single 0 0 0.01 units box\nset group all diameter 1e-3 density 2500\n")
+ONE = BASE.replace(
+    PACK,
+     "create_atoms 1 single 0 0 0.01 units box\nset group all diameter 1e-3 density 2500\n")
 ONE = ONE.replace("fix down", "# fix down")
 
 
@@ -97,7 +99,15 @@ def run(scene="scene.dem", *more):
     if not more:
         with suna.Simulation(scene) as sim:
             sim.advance(float(sim.value("time/end")))
-            return {name: numpy.array(getattr(sim, name)) for name in ("position", "velocity", "spin", "mass")}
+            return {
+    name: numpy.array(
+        getattr(
+            sim,
+            name)) for name in (
+                "position",
+                "velocity",
+                "spin",
+                 "mass")}
     done = subprocess.run([DEM, "run", *more, scene], capture_output=True, text=True, timeout=100)
     assert done.returncode == 0, done.stderr
     return suna.read_snapshot(f"{scene.removesuffix('.dem')}/snapshot.dem")
@@ -111,7 +121,7 @@ def line_of(script, word):
     return next(k for k, line in enumerate(script.splitlines(), 1) if word in line)
 
 
-# ---- the language ---------------------------------------------------------------------------------------
+# ---- the language ------------------------------------------------------
 
 def value(text, **variables):
     def dynamic(name):
@@ -146,41 +156,60 @@ label again
 variable total equal $k*100
 next k
 jump SELF again""").replace("run 1000", "run ${total}")
-    scene, _ = translate(script, more="# included\nvariable mu equal 0.25\nfix m4 all property/global "
-                         "coefficientFriction peratomtypepair 1 ${mu}\n")
+    scene, _ = translate(
+    script, more="# included\nvariable mu equal 0.25\nfix m4 all property/global "
+    "coefficientFriction peratomtypepair 1 ${mu}\n")
     has(scene, "friction 0.25", "step 1e-06", "end 0.0003")
     assert "more:3" in scene                # of the included file
-    script = BASE.replace("run 1000", "label loop\nvariable i loop 4\nrun 100\nnext i\njump in.test loop")
+    script = BASE.replace(
+    "run 1000",
+     "label loop\nvariable i loop 4\nrun 100\nnext i\njump in.test loop")
     has(translate(script)[0], "end 0.0004")
     refused(BASE.replace("run 1000", "label a\nvariable q equal 1\njump SELF a"), "endless loop")
-    refused(BASE.replace("run 1000", 'if "$(ke) > 0" then "run 1"\nrun 10'), "$(ke)", "only in a run")
+    refused(
+    BASE.replace(
+        "run 1000",
+        'if "$(ke) > 0" then "run 1"\nrun 10'),
+        "$(ke)",
+         "only in a run")
     refused(BASE.replace("run 1000", "run ${nothing}"), "in.test", "${nothing}", "no such variable")
     refused(BASE.replace("run 1000", "jump SELF nowhere\nrun 1"), "no such label")
 
 
 def all_faults():
     """all faults of a script are told at once, each with file, line and word"""
-    script = BASE.replace("units si", "units lj").replace("newton off", "fix a all heat/gran 300\nnonsense 1")
-    text = refused(script, "units lj", "fix heat/gran", "Suna has no heat", "nonsense", "does not know")
+    script = BASE.replace("units si", "units lj").replace(
+        "newton off", "fix a all heat/gran 300\nnonsense 1")
+    text = refused(
+    script,
+    "units lj",
+    "fix heat/gran",
+    "Suna has no heat",
+    "nonsense",
+     "does not know")
     for word in ("units lj", "fix a", "nonsense"):
         assert f"in.test:{line_of(script, word)}: " in text, text
     assert not Path("scene.dem").exists()
 
 
-# ---- each command ---------------------------------------------------------------------------------------
+# ---- each command ------------------------------------------------------
 
 def scene_of_base():
     """a plain script becomes a scene with the line of each entry, which runs"""
     scene, report = translate(BASE)
-    has(scene, "type1 { density 2500; youngsModulus 5000000; poissonsRatio 0.3; }", "hertz {}",
-        "dry { restitution 0.8; }", "mindlin { friction 0.5; }", "gravity { acceleration (0 0 -9.81); }",
-        "z0 { type plane; material type1; point (0 0 0); normal (0 0 1); }",
-        "type random; count 100; material type1; diameter 0.001; min (-0.01 -0.01 0); max (0.01 0.01 0.05);",
-        "end 0.001; step 1e-06;")
+    has(scene,
+    "type1 { density 2500; youngsModulus 5000000; poissonsRatio 0.3; }",
+    "hertz {}",
+    "dry { restitution 0.8; }",
+    "mindlin { friction 0.5; }",
+    "gravity { acceleration (0 0 -9.81); }",
+    "z0 { type plane; material type1; point (0 0 0); normal (0 0 1); }",
+    "type random; count 100; material type1; diameter 0.001; min (-0.01 -0.01 0); max (0.01 0.01 0.05);",
+     "end 0.001; step 1e-06;")
     for word in ("youngsModulus", "gravity", "fix ins"):
         assert f"in.test:{line_of(BASE, word)}" in scene, word
-    assert {row.place.line for row in report.rows} == {
-        k for k, line in enumerate(BASE.splitlines(), 1) if line and line[0] not in "# "}, "a line was left out"
+    assert {row.place.line for row in report.rows} == { k for k, line in enumerate(
+        BASE.splitlines(), 1) if line and line[0] not in "# "}, "a line was left out"
     assert len(column(run(), "position")) == 100
 
 
@@ -192,10 +221,21 @@ def units():
         assert si in cgs, si
         cgs = cgs.replace(si, other)
     assert flat(translate(cgs)[0]) == flat(translate(BASE)[0])
-    micro = ONE.replace("units si", "units micro").replace("single 0 0 0.01", "single 0 0 1e4").replace(
-        "diameter 1e-3 density 2500", "diameter 1e3 density 2.5").replace("5e6", "5e3").replace(
-        "timestep 1e-6", "timestep 1").replace("-0.01 0.01 -0.01 0.01 0 0.05", "-1e4 1e4 -1e4 1e4 0 5e4")
-    has(translate(micro)[0], "density 2500; youngsModulus 5000000", "positions ((0 0 0.01)); diameters (0.001)", "step 1e-06")
+    micro = ONE.replace(
+    "units si",
+    "units micro").replace(
+        "single 0 0 0.01",
+        "single 0 0 1e4").replace(
+            "diameter 1e-3 density 2500",
+            "diameter 1e3 density 2.5").replace(
+                "5e6",
+                "5e3").replace(
+                    "timestep 1e-6",
+                    "timestep 1").replace(
+                        "-0.01 0.01 -0.01 0.01 0 0.05",
+                         "-1e4 1e4 -1e4 1e4 0 5e4")
+    has(translate(micro)[0], "density 2500; youngsModulus 5000000",
+        "positions ((0 0 0.01)); diameters (0.001)", "step 1e-06")
     refused(BASE.replace("units si", "units real"), "units real", "cgs")
 
 
@@ -250,25 +290,50 @@ pair_style"""
                            ("hertz tangential history surface multicontact", "surface multicontact"),
                            ("hertz tangential history torsionTorque on", "twistingSpring"),
                            ("hertz tangential history blabla on", "blabla")):
-        text = refused(BASE.replace("model hertz tangential history\npair_coeff", f"model {words}\npair_coeff"), lacking)
+        text = refused(
+    BASE.replace(
+        "model hertz tangential history\npair_coeff",
+        f"model {words}\npair_coeff"),
+         lacking)
         assert f"in.test:{line_of(BASE, 'pair_style')}: " in text
-    refused(BASE.replace("hertz tangential history\npair", "hooke tangential history\npair").replace(
-        "hertz tangential history prim", "hooke tangential history prim"), "characteristicVelocity", "does not give")
+    refused(
+    BASE.replace(
+        "hertz tangential history\npair",
+        "hooke tangential history\npair").replace(
+            "hertz tangential history prim",
+            "hooke tangential history prim"),
+            "characteristicVelocity",
+             "does not give")
 
 
 def pairs():
     """two types, walls of other models: materials and pairs"""
-    script = BASE.replace("create_box 1", "create_box 2").replace("peratomtype 5e6", "peratomtype 5e6 1e7").replace(
-        "peratomtype 0.3", "peratomtype 0.3 0.2").replace("pair 1 0.8", "pair 2 0.8 0.7 0.7 0.6").replace(
-        "pair 1 0.5", "pair 2 0.5 0.4 0.4 0.3").replace("primitive type 1", "primitive type 2")
+    script = BASE.replace(
+    "create_box 1",
+    "create_box 2").replace(
+        "peratomtype 5e6",
+        "peratomtype 5e6 1e7").replace(
+            "peratomtype 0.3",
+            "peratomtype 0.3 0.2").replace(
+                "pair 1 0.8",
+                "pair 2 0.8 0.7 0.7 0.6").replace(
+                    "pair 1 0.5",
+                    "pair 2 0.5 0.4 0.4 0.3").replace(
+                        "primitive type 1",
+                         "primitive type 2")
     has(translate(script)[0], "type2 { density 2500; youngsModulus 10000000; poissonsRatio 0.2; }",
         "type1_type2 { between (type1 type2); dry { restitution 0.7; } mindlin { friction 0.4; } }",
         "z0 { type plane; material type2;")
-    rolling = BASE.replace("pair_style gran model hertz tangential history",
-                           "fix r all property/global coefficientRollingFriction peratomtypepair 1 0.1\n"
-                           "pair_style gran model hertz tangential history rolling_friction cdt")
+    rolling = BASE.replace(
+    "pair_style gran model hertz tangential history",
+    "fix r all property/global coefficientRollingFriction peratomtypepair 1 0.1\n"
+    "pair_style gran model hertz tangential history rolling_friction cdt")
     has(translate(rolling)[0], "between (type1 type1_wall); rollingConstant { friction 0; }")
-    refused(BASE.replace("hertz tangential history prim", "hooke tangential history prim"), "one normal law")
+    refused(
+    BASE.replace(
+        "hertz tangential history prim",
+        "hooke tangential history prim"),
+         "one normal law")
 
 
 def walls():
@@ -284,10 +349,29 @@ def walls():
     x = read_triangles("scene_z0.stl")
     away = numpy.hypot(x[..., 0], x[..., 1])
     assert numpy.allclose(away, 0.02 + x[..., 2]/2, atol=1e-12) and len(x) == 2*96
-    both = BASE.replace("units box\ncreate", "units box\nregion up block -0.01 0.01 -0.01 0.01 0.03 0.05 units box\ncreate")
-    both = both.replace("fix move", PACK.replace("fix pts", "fix pts2").replace("fix pdd", "fix pdd2").replace(
-        "fix ins", "fix ins2").replace("1 pts", "1 pts2").replace("template pdd", "template pdd2").replace(
-        "region box", "region up").replace("15485863", "15485867") + "fix move").replace("zplane 0.0", "zplane 0.028")
+    both = BASE.replace(
+    "units box\ncreate",
+     "units box\nregion up block -0.01 0.01 -0.01 0.01 0.03 0.05 units box\ncreate")
+    both = both.replace(
+    "fix move",
+    PACK.replace(
+        "fix pts",
+        "fix pts2").replace(
+            "fix pdd",
+            "fix pdd2").replace(
+                "fix ins",
+                "fix ins2").replace(
+                    "1 pts",
+                    "1 pts2").replace(
+                        "template pdd",
+                        "template pdd2").replace(
+                            "region box",
+                            "region up").replace(
+                                "15485863",
+                                "15485867") +
+                                "fix move").replace(
+                                    "zplane 0.0",
+                                     "zplane 0.028")
     refused(both, "both sides", f"in.test:{line_of(both, 'fix z0')}")
     write_stl(WORK/"plate.stl", [[(0, 0, 0), (1, 0, 0), (0, 1, 0)]])
     plate = (WORK/"plate.stl").read_text()
@@ -296,21 +380,46 @@ fix belt all mesh/surface/stress file plate.stl type 1 scale 2 surface_vel 1 0 0
 fix z0 all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad belt
 """
     scene, _ = translate(BASE.replace(line + "\n", mesh), plate__stl=plate)
-    has(scene, 'cad { type stl; material type1; file "scene_cad.stl"; }',
-        'belt { type stl; material type1; file "plate.stl"; scale 2; surfaceVelocity (1 0 0); }', "walls 0.0001;")
+    has(scene,
+    'cad { type stl; material type1; file "scene_cad.stl"; }',
+    'belt { type stl; material type1; file "plate.stl"; scale 2; surfaceVelocity (1 0 0); }',
+     "walls 0.0001;")
     # move by 1, then 0.01 of it; turned by 90 degrees: (0, 1, 1) becomes (0, -1, 1)
-    assert numpy.allclose(read_triangles("scene_cad.stl")[0], [[0, -.01, 0], [.01, -.01, 0], [0, -.01, .01]], atol=1e-15)
+    assert numpy.allclose(read_triangles("scene_cad.stl")[0], [
+                          [0, -.01, 0], [.01, -.01, 0], [0, -.01, .01]], atol=1e-15)
     for words, part in (("linear 1 0 0", "type translation; velocity (1 0 0);"),
                         ("rotate origin 0 0 1 axis 0 1 0 period 2.", "type rotation; origin (0 0 1); axis (0 1 0); omega "
                          "3.14159265359;"),
                         ("wiggle amplitude 0 0 0.1 period 0.5", "type oscillation; amplitude (0 0 0.1); frequency 2;")):
-        has(translate(BASE.replace(line + "\n", mesh + f"fix m all move/mesh mesh belt {words}\n"), plate__stl=plate)[0], part)
-    for words in ("riggle origin 0 0 0 axis 0 0 1 period 1 amplitude 5", "viblin axis 0 0 1 order 1 amplitude 1 phase 0 "
-                  "period 1", "linear/variable v_a v_b v_c"):
-        refused(BASE.replace(line + "\n", mesh + f"fix m all move/mesh mesh belt {words}\n"), f"move/mesh {words.split()[0]}",
-                "oscillation", plate__stl=plate)
-    refused(BASE.replace(line, "fix s all mesh/surface/stress/servo file plate.stl type 1"), "a force moves", plate__stl=plate)
-    refused(BASE.replace("plate", "plate").replace(line, "fix s all mesh/surface file nothing.stl type 1"), "no file nothing.stl")
+        has(translate(BASE.replace(line + "\n", mesh + \
+            f"fix m all move/mesh mesh belt {words}\n"), plate__stl=plate)[0], part)
+    for words in (
+    "riggle origin 0 0 0 axis 0 0 1 period 1 amplitude 5",
+    "viblin axis 0 0 1 order 1 amplitude 1 phase 0 "
+    "period 1",
+     "linear/variable v_a v_b v_c"):
+        refused(
+    BASE.replace(
+        line +
+        "\n",
+        mesh +
+        f"fix m all move/mesh mesh belt {words}\n"),
+        f"move/mesh {words.split()[0]}",
+        "oscillation",
+         plate__stl=plate)
+    refused(
+    BASE.replace(
+        line,
+        "fix s all mesh/surface/stress/servo file plate.stl type 1"),
+        "a force moves",
+         plate__stl=plate)
+    refused(
+    BASE.replace(
+        "plate",
+        "plate").replace(
+            line,
+            "fix s all mesh/surface file nothing.stl type 1"),
+             "no file nothing.stl")
 
 
 def series():
@@ -327,7 +436,8 @@ unfix z0
 run 10
 """
     scene, _ = translate(script, plate__stl=(WORK/"plate.stl").read_text())
-    assert sorted(path.name for path in Path(".").glob("*.dem")) == ["scene_1.dem", "scene_2.dem", "scene_3.dem"]
+    assert sorted(path.name for path in Path(".").glob("*.dem")
+                  ) == ["scene_1.dem", "scene_2.dem", "scene_3.dem"]
     first, second, third = (Path(f"scene_{k}.dem").read_text() for k in (1, 2, 3))
     has(first, "velocity (0 0 1); end 0.001;", "end 0.0015;")
     has(second, "type rotation; origin (0 0 0); axis (0 0 1); omega 6.28318530718; start 0.0015;", "end 0.0025;")
@@ -344,8 +454,11 @@ run 10
 
 def restart_files():
     """read_restart goes on from the script beside it that writes the file"""
-    run_script = BASE.replace(PACK, "").replace("region box block -0.01 0.01 -0.01 0.01 0 0.05 units box\ncreate_box 1 box",
-                                                "read_restart post/a.restart")
+    run_script = BASE.replace(
+    PACK,
+    "").replace(
+        "region box block -0.01 0.01 -0.01 0.01 0 0.05 units box\ncreate_box 1 box",
+         "read_restart post/a.restart")
     scene, _ = translate(run_script, in__init=BASE + "write_restart a.restart\n")
     assert "-restart init/snapshot.dem scene.dem" in scene
     run("init.dem", "-set", "write/vtk", "no")
@@ -365,13 +478,17 @@ fix pdd all particledistribution/discrete%s 15485867 2 p1 0.5 p2 0.5
     has(translate(with_mix % "")[0], "ins { type random; count 11; material type1; diameter 0.002;",
         "ins_2 { type random; count 89; material type1; diameter 0.001;")
     has(translate(with_mix % "/numberbased")[0], "count 50; material type1; diameter 0.002;")
-    flow = with_mix.replace("insert/pack", "insert/rate/region").replace("particles_in_region", "particlerate 1e4 nparticles")
-    has(translate(flow % "")[0], "diameters (0.001 0.002); weights (0.888888888889 0.111111111111);")
-    for words, part in (("uniform 0.0004 0.0006", "sizes { type uniform; min 0.0008; max 0.0012; by number; }"),
-                        ("gaussian 0.0005 0.00005", "sizes { type normal; mean 0.001; deviation 0.0001; by number; }")):
+    flow = with_mix.replace("insert/pack",
+    "insert/rate/region").replace("particles_in_region",
+     "particlerate 1e4 nparticles")
+    has(translate(flow % "")[0],
+     "diameters (0.001 0.002); weights (0.888888888889 0.111111111111);")
+    for words, part in (("uniform 0.0004 0.0006", "sizes { type uniform; min 0.0008; max 0.0012; by number; }"), (
+        "gaussian 0.0005 0.00005", "sizes { type normal; mean 0.001; deviation 0.0001; by number; }")):
         has(translate(BASE.replace("radius constant 0.0005", "radius " + words))[0], part)
     volume, one = 0.02*0.02*0.05, math.pi/6*1e-9
-    for words, count in (("volumefraction_region 0.1", 0.1*volume/one), ("mass_in_region 0.01", 0.01/2500/one)):
+    for words, count in (("volumefraction_region 0.1", 0.1*volume/one),
+                         ("mass_in_region 0.01", 0.01/2500/one)):
         has(translate(BASE.replace("particles_in_region 100", words))[0], f"count {round(count)};")
     scene, report = translate(BASE.replace("particles_in_region 100", "volumefraction_region 0.5"))
     has(scene, f"count {round(0.284*volume/one)};")
@@ -381,36 +498,65 @@ fix pdd all particledistribution/discrete%s 15485867 2 p1 0.5 p2 0.5
     rate = 100*(1e-4 + 9.81e-8/2*1.0)/0.05/1e-4
     found = float(re.search(r"type stream; rate (\S+);", flat(scene)).group(1))
     assert abs(found/rate - 1) < 1e-9, (found, rate)
-    later = BASE.replace("fix ins", "run 500\nfix ins").replace("fix move all nve/sphere\n", "").replace(
-        "run 500", "fix move all nve/sphere\nrun 500").replace("fix z0", "create_atoms 1 single 0 0 -1\nset group all "
-        "diameter 1e-3 density 2500\nfix z0").replace("single 0 0 -1", "single 0 0 0.04 units box")
+    later = BASE.replace("fix ins",
+    "run 500\nfix ins").replace("fix move all nve/sphere\n",
+    "").replace( "run 500",
+    "fix move all nve/sphere\nrun 500").replace("fix z0",
+    "create_atoms 1 single 0 0 -1\nset group all "
+    "diameter 1e-3 density 2500\nfix z0").replace("single 0 0 -1",
+     "single 0 0 0.04 units box")
     has(translate(later)[0], "type stream; rate 1000000000; count 100;", "start 0.0005;")
-    rows = BASE.replace("insert/pack", "insert/rate/region").replace("particles_in_region 100", "nparticles 50 particlerate 1e5")
+    rows = BASE.replace("insert/pack",
+    "insert/rate/region").replace("particles_in_region 100",
+     "nparticles 50 particlerate 1e5")
     has(translate(rows)[0], "type stream; rate 100000; count 50;")
     write_stl(WORK/"face.stl", [[(0, 0, .04), (.005, 0, .04), (0, .005, .04)]])
-    stream = BASE.replace(lines[-2], "fix face all mesh/surface file face.stl type 1\nfix ins all insert/stream seed 32452843 "
-                          "distributiontemplate pdd &").replace(lines[-1], "    nparticles INF massrate 0.01 vel uniform 0 0 -1 0.1 "
-                          "0 0 insertion_face face extrude_length 0.01") + "unfix ins\nrun 1000\n"
+    stream = BASE.replace(lines[-2],
+    "fix face all mesh/surface file face.stl type 1\nfix ins all insert/stream seed 32452843 "
+    "distributiontemplate pdd &").replace(lines[-1],
+    "    nparticles INF massrate 0.01 vel uniform 0 0 -1 0.1 "
+    "0 0 insertion_face face extrude_length 0.01") + "unfix ins\nrun 1000\n"
     face = (WORK/"face.stl").read_text()
-    has(translate(stream, face__stl=face)[0], 'type stream; massRate 0.01;', 'surface "face.stl"; velocity (0 0 -1); spread (0.1 0 0);',
-        "end 0.001;")
+    has(translate(stream,
+    face__stl=face)[0],
+    'type stream; massRate 0.01;',
+    'surface "face.stl"; velocity (0 0 -1); spread (0.1 0 0);',
+     "end 0.001;")
     mass = column(run(), "mass").sum()
     assert abs(mass - 1e-5) < 1.01*2500*one, mass        # to one particle
-    refused(stream.replace("vel uniform 0 0 -1 0.1 0 0 ", ""), "vel", "need a velocity", face__stl=face)
-    refused(BASE.replace("particledistribution/discrete", "particletemplate/multisphere"), "spheres only")
+    refused(
+    stream.replace(
+        "vel uniform 0 0 -1 0.1 0 0 ",
+        ""),
+        "vel",
+        "need a velocity",
+         face__stl=face)
+    refused(
+    BASE.replace(
+        "particledistribution/discrete",
+        "particletemplate/multisphere"),
+         "spheres only")
 
 
 def shapes():
     """regions: bounds, volume and points inside; a cone and a union are filled by the importer"""
     cone = Region("cone", (0, 0, 1, 2, 0, 3), None, axis="x")
-    assert abs(cone.volume()/(math.pi*7) - 1) < 0.01        # pi h (r1^2 + r1 r2 + r2^2)/3; 200000 samples: 0.3 %
+    # pi h (r1^2 + r1 r2 + r2^2)/3; 200000 samples: 0.3 %
+    assert abs(cone.volume()/(math.pi*7) - 1) < 0.01
     prism = Region("prism", (0, 2, 0, 1, 0, 1, 0.5, 0, 0), None)
-    assert abs(prism.volume()/2 - 1) < 0.01 and prism.contains([[2.4, 0.95, 0.5], [0.1, 0.9, 0.5]]).tolist() == [True, False]
+    assert abs(prism.volume()/2 - 1) < 0.01 and prism.contains(
+        [[2.4, 0.95, 0.5], [0.1, 0.9, 0.5]]).tolist() == [True, False]
     ball = Region("sphere", (0, 0, 0, 1), None)
     both = Region("intersect", (), None, parts=(ball, Region("block", (0, 9, -9, 9, -9, 9), None)))
     assert abs(both.volume()/(2/3*math.pi) - 1) < 0.01
-    for words in ("cone z 0 0 0.002 0.008 0.01 0.04 units box", "cylinder z 0 0 0.005 INF INF units box"):
-        script = BASE.replace("create_box 1 box", "create_box 1 box\nregion r " + words).replace("100 region box", "100 region r")
+    for words in ("cone z 0 0 0.002 0.008 0.01 0.04 units box",
+                  "cylinder z 0 0 0.005 INF INF units box"):
+        script = BASE.replace(
+    "create_box 1 box",
+    "create_box 1 box\nregion r " +
+    words).replace(
+        "100 region box",
+         "100 region r")
         scene, _ = translate(script)
         if "cone" in words:
             x = column(run(), "position")
@@ -419,7 +565,11 @@ def shapes():
             assert d.min() > 0.99e-3
         else:
             has(scene, "from (0 0 0); to (0 0 0.05); radius 0.005;")
-    refused(BASE.replace("region box block", "region q wedge 1 2\nregion box block"), "region wedge")
+    refused(
+    BASE.replace(
+        "region box block",
+        "region q wedge 1 2\nregion box block"),
+         "region wedge")
 
 
 def single_particles():
@@ -431,50 +581,75 @@ group two id 2
 group rest subtract all two
 fix stop two freeze
 fix move rest nve/sphere""")
-    has(translate(script)[0], "positions ((0 0 0.01)); diameters (0.001); ids (1); velocities ((0.1 0 0));",
-        "positions ((0.005 0 0.02)); diameters (0.002); ids (2); frozen yes;", "type1_2 { density 2500;")
+    has(translate(script)[0],
+    "positions ((0 0 0.01)); diameters (0.001); ids (1); velocities ((0.1 0 0));",
+    "positions ((0.005 0 0.02)); diameters (0.002); ids (2); frozen yes;",
+     "type1_2 { density 2500;")
     has(translate(script.replace("fix stop two freeze", "fix push rest addforce 0 0 1e-3"))[0],
         "push { ids (1); force (0 0 0.001); }")
-    has(translate(script.replace("freeze", "move linear 0 0 -0.1"))[0], "velocities ((0 0 -0.1)); driven yes;")
-    lattice = ONE.replace("create_atoms 1 single 0 0 0.01 units box", "lattice sc 0.002\nregion in block -0.004 0.004 "
-                          "-0.004 0.004 0.01 0.02 units box\ncreate_atoms 1 region in")
+    has(translate(script.replace("freeze", "move linear 0 0 -0.1"))
+        [0], "velocities ((0 0 -0.1)); driven yes;")
+    lattice = ONE.replace(
+    "create_atoms 1 single 0 0 0.01 units box",
+    "lattice sc 0.002\nregion in block -0.004 0.004 "
+    "-0.004 0.004 0.01 0.02 units box\ncreate_atoms 1 region in")
     scene, _ = translate(lattice)
     assert len(column(run(), "position")) == 5*5*6 and 'file "scene_particles.csv"' in scene
     data = "data\n\n2 atoms\n1 atom types\n-0.01 0.01 xlo xhi\n-0.01 0.01 ylo yhi\n0 0.05 zlo zhi\n\nAtoms\n\n" \
         "7 1 1e-3 2500 0 0 0.01\n9 1 2e-3 2500 0 0 0.02\n\nVelocities\n\n9 0 0 -1 0 0 5\n"
-    script = ONE[:ONE.index("region box")] + "read_data grains.data\n" + ONE[ONE.index("fix m1"):ONE.index("create_atoms")] + \
-        "fix move all nve/sphere\nrun 1000\n"
-    has(translate(script, grains__data=data)[0], "ids (7 9); velocities ((0 0 0) (0 0 -1)); spins ((0 0 0) (0 0 5));")
-    refused(ONE.replace("set group all diameter", "set group all charge"), "set charge", "known: diameter")
-    refused(BASE.replace("run 1000", "run 10\nset group all diameter 2e-3\nrun 10"), "cannot be changed")
+    script = ONE[:ONE.index("region box")] + "read_data grains.data\n" + ONE[ONE.index("fix m1")
+                            :ONE.index("create_atoms")] + "fix move all nve/sphere\nrun 1000\n"
+    has(translate(script, grains__data=data)[
+        0], "ids (7 9); velocities ((0 0 0) (0 0 -1)); spins ((0 0 0) (0 0 5));")
+    refused(
+    ONE.replace(
+        "set group all diameter",
+        "set group all charge"),
+        "set charge",
+         "known: diameter")
+    refused(
+    BASE.replace(
+        "run 1000",
+        "run 10\nset group all diameter 2e-3\nrun 10"),
+         "cannot be changed")
 
 
 def domain_and_output():
     """boundary, lost, two dimensions, dumps, outlets, forces of drag"""
-    scene, _ = translate(BASE.replace("boundary m m m", "boundary p f m").replace("run", "thermo_modify lost ignore\nrun"))
+    scene, _ = translate(
+    BASE.replace(
+        "boundary m m m", "boundary p f m").replace(
+            "run", "thermo_modify lost ignore\nrun"))
     has(scene, "x (-0.01 0.01); y (-0.01 0.01); periodic (x); leaving remove;")
-    has(translate(BASE.replace("newton off", "dimension 2").replace("particles_in_region 100", "particles_in_region 1"))[0],
-        "z (0 0.05); flat (z);")
-    scene, report = translate(BASE.replace("run 1000", "dump d all custom 100 a.* id x y z\ndump e all mesh/stl 10 b.*\nrun 1000"))
+    has(translate(BASE.replace("newton off", "dimension 2").replace(
+        "particles_in_region 100", "particles_in_region 1"))[0], "z (0 0.05); flat (z);")
+    scene, report = translate(
+    BASE.replace(
+        "run 1000", "dump d all custom 100 a.* id x y z\ndump e all mesh/stl 10 b.*\nrun 1000"))
     has(scene, "write { interval 0.0001; }")
     assert [row.kind for row in report.rows if row.word == "dump mesh/stl"] == [HARMLESS]
     write_stl(WORK/"gate.stl", [[(0, 0, 0), (1, 0, 0), (0, 1, 0)]])
     gate = "fix g all mesh/surface/planar file gate.stl type 1\nfix mf all massflow/mesh mesh g count once vec_side 0 0 -1 " \
         "delete_atoms yes\nrun 1000"
-    has(translate(BASE.replace("run 1000", gate), gate__stl=(WORK/"gate.stl").read_text())[0], "normal (0 0 -1);")
+    has(translate(BASE.replace("run 1000", gate), gate__stl=(
+        WORK/"gate.stl").read_text())[0], "normal (0 0 -1);")
     has(translate(BASE.replace("run 1000", "fix v all viscous 1e-6\nrun 1000"))[0],
         f"stokesDrag {{}} ".strip(), f"viscosity {1e-6/(3*math.pi*1e-3):.12g};")
     for fix, lacking in (("heat/gran initial_temperature 300", "no heat"), ("multisphere", "spheres only"),
                          ("adapt 1 atom diameter v_d", "keeps the size"), ("nve/superquadric", "spheres"), ("something/new", "does "
                           "not know this fix")):
         refused(BASE.replace("run 1000", f"fix x all {fix}\nrun 1000"), lacking, fix.split()[0])
-    refused(BASE.replace("atom_style granular", "atom_style superquadric"), "atom_style superquadric")
+    refused(
+    BASE.replace(
+        "atom_style granular",
+        "atom_style superquadric"),
+         "atom_style superquadric")
     scene, report = translate(BASE.replace("timestep 1e-6", "timestep 1e-3"))
     has(scene, "step auto;")
     assert any(row.word == "timestep" for row in report.of(APPROXIMATED))
 
 
-# ---- the command, and results -------------------------------------------------------------------------------
+# ---- the command, and results ------------------------------------------
 
 def command():
     """dem import writes scene and report, and refuses with status 1"""
@@ -486,8 +661,8 @@ def command():
     done = call("in.cup", "-report", "lines.csv")
     assert done.returncode == 0 and "dem run cup.dem" in done.stdout, done.stderr
     rows = list(csv.reader((folder/"lines.csv").open()))
-    assert rows[0] == ["file", "line", "word", "kind", "text"] and ["in.cup", str(line_of(BASE, "fix down"))] in \
-        [row[:2] for row in rows if row[3] == TRANSLATED]
+    assert rows[0] == ["file", "line", "word", "kind", "text"] and ["in.cup", str(
+        line_of(BASE, "fix down"))] in [row[:2] for row in rows if row[3] == TRANSLATED]
     (folder/"in.cup").write_text(BASE.replace("hertz", "${law}"))
     assert call("in.cup").returncode == 1
     assert call("in.cup", "-var", "law=hertz", "-o", "out.dem").returncode == 0
@@ -495,8 +670,8 @@ def command():
                                    "ITEM: ATOMS id type x y z vx vy vz radius\n5 1 0.1 0.2 0.3 1 2 3 0.01\n")
     assert call("dump.txt").returncode == 0
     assert (folder/"dump.csv").read_text().splitlines()[1] == "0.1,0.2,0.3,0.02,1,2,3,0,0,0,5"
-    for words, sentence in ((("nothing",), "there is no nothing"), ((".",), "neither"), (("-units", "lj", "dump.txt"), "-units lj"),
-                            ((), "give one file"), (("-what", "x"), 'unknown option "-what"')):
+    for words, sentence in ((("nothing",), "there is no nothing"), ((".",), "neither"), ((
+        "-units", "lj", "dump.txt"), "-units lj"), ((), "give one file"), (("-what", "x"), 'unknown option "-what"')):
         done = call(*words)
         assert done.returncode == 1 and sentence in done.stderr, (words, done.stderr)
     assert "Usage: dem import" in call("-help").stdout
@@ -505,11 +680,13 @@ def command():
 def bounce():
     """a ball falls and bounces: e of the script, as in closed form"""
     # falls by 9.5 mm: the plane is touched after sqrt(2 h/g) = 44.009 ms at 0.43173 m/s
-    script = ONE.replace("# fix down", "fix down").replace("timestep 1e-6", "timestep 1e-7").replace("run 1000", "run 460000")
+    script = ONE.replace("# fix down", "fix down").replace(
+        "timestep 1e-6", "timestep 1e-7").replace("run 1000", "run 460000")
     translate(script)
     t, h, g, e = 0.046, 0.0095, 9.81, 0.8
     impact = math.sqrt(2*h/g)
-    # Hertz' contact time 2.87 (m^2/(R E*^2 v))^(1/5) is no flight; damping makes it a few percent longer
+    # Hertz' contact time 2.87 (m^2/(R E*^2 v))^(1/5) is no flight; damping
+    # makes it a few percent longer
     m, stiff = 2500*4/3*math.pi*1.25e-10, 5e6/(2*(1 - 0.3**2))
     contact = 2.87*(m**2/(5e-4*stiff**2*g*impact))**0.2
     v = column(run(), "velocity")[0, 2]
@@ -518,9 +695,18 @@ def bounce():
 
 def friction():
     """a ball that slides on the floor rolls at 5/7 of its speed"""
-    script = ONE.replace("single 0 0 0.01", "single 0 0 0.0005").replace("# fix down", "velocity all set 0.05 0 0\nfix down")
-    script = script.replace("velocity all set 0.05 0 0\n", "").replace("fix move", "velocity all set 0.05 0 0\nfix move").replace(
-        "run 1000", "run 20000")
+    script = ONE.replace(
+    "single 0 0 0.01",
+    "single 0 0 0.0005").replace(
+        "# fix down",
+         "velocity all set 0.05 0 0\nfix down")
+    script = script.replace(
+    "velocity all set 0.05 0 0\n",
+    "").replace(
+        "fix move",
+        "velocity all set 0.05 0 0\nfix move").replace(
+            "run 1000",
+             "run 20000")
     translate(script)
     snapshot = run()
     v, w = column(snapshot, "velocity")[0, 0], column(snapshot, "spin")[0, 1]
@@ -541,8 +727,25 @@ CUP = Path(__file__).resolve().parent/"cup.in"
 # centre of mass [m] in LIGGGHTS 3.8.0 (Debian 3.8.0+repack1-9), 24 November 2026, `liggghts -var seed SEED -in cup.in`
 # with seeds 32452867, 49979687, 67867967
 CUP_HEIGHT = numpy.array([3.8082e-3, 3.8286e-3, 3.7709e-3])
-TESTS = [expressions, control_flow, all_faults, scene_of_base, units, models, pairs, walls, series, restart_files, insertion,
-         shapes, single_particles, domain_and_output, command, bounce, friction, stored]
+TESTS = [
+    expressions,
+    control_flow,
+    all_faults,
+    scene_of_base,
+    units,
+    models,
+    pairs,
+    walls,
+    series,
+    restart_files,
+    insertion,
+    shapes,
+    single_particles,
+    domain_and_output,
+    command,
+    bounce,
+    friction,
+     stored]
 
 
 def main():
@@ -556,7 +759,13 @@ def main():
         except Exception:
             failures += 1
             print(f"not ok {number} - {name}")
-            print("".join("#   " + line + "\n" for line in traceback.format_exc().splitlines()), end="", flush=True)
+            print(
+    "".join(
+        "#   " +
+        line +
+        "\n" for line in traceback.format_exc().splitlines()),
+        end="",
+         flush=True)
     print(f"1..{len(TESTS)}")
     return failures > 0
 

@@ -1,6 +1,25 @@
 """suna.importer -- `dem import`: input of other codes translated into scenes and cases of Suna.
 
     report.py       what was translated, approximated, left out as harmless; what cannot be translated
+    __main__.py     the command
+
+LIGGGHTS:
+
+    liggghts_script.py, liggghts_expression.py   commands in the order of execution, variables
+    liggghts.py, liggghts_fixes.py               commands and fixes change a state; runs are stages
+    liggghts_contact.py                          contact models as effects
+    liggghts_region.py, liggghts_mesh.py         regions; triangles and tetrahedra of files
+    liggghts_insertion.py                        templates, distributions, packings and streams
+    liggghts_particles.py, units.py              single particles, data files, dumps; units
+    liggghts_scene.py                            scenes from the stages
+
+Coupled cases:
+
+    cfdem.py, cfdem_models.py                    CFDEMcoupling
+    dem_script.py, dem_walls.py                  its DEM script, its walls beside patches
+    cloud.py, cloud_models.py, cloud_sizes.py, cloud_injection.py     OpenFOAM's clouds
+    coupled_case.py, dem_properties.py           the case that is written
+    foam_dictionary.py, mesh_patches.py          OpenFOAM's dictionaries and meshes
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

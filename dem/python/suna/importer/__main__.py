@@ -60,17 +60,19 @@ def kind_of(path):
             return translate_cfdem
         if find_cloud(path) is not None:
             return translate_cloud
-        raise CannotTranslate(f"{path}: neither CFD/constant/couplingProperties (CFDEMcoupling) nor "
-                              "constant/kinematicCloudProperties or cloudProperties (OpenFOAM); for a script of "
-                              "LIGGGHTS give the file")
+        raise CannotTranslate(
+    f"{path}: neither CFD/constant/couplingProperties (CFDEMcoupling) nor "
+    "constant/kinematicCloudProperties or cloudProperties (OpenFOAM); for a script of "
+    "LIGGGHTS give the file")
     if not path.is_file():
         raise CannotTranslate(f"there is no {path}; give a file or the folder of a case")
     if is_dump(path) or is_data(path):
         return import_particles
     with open(path, "rb") as file:
         if b"\0" in file.read(4000):
-            raise CannotTranslate(f"{path}: not text; restart files of LIGGGHTS are not read: import the script that "
-                                  "writes it, or a dump")
+            raise CannotTranslate(
+    f"{path}: not text; restart files of LIGGGHTS are not read: import the script that "
+    "writes it, or a dump")
     return import_script
 
 
@@ -97,7 +99,8 @@ def import_particles(path, output, report, variables, units):
         report.translated(place, f"type {kind}", f"{of.sum()} particles" + (
             f" of density {', '.join(f'{x:g}' for x in density)} kg/m3" if density[-1] else
             "; the density is not in a dump"))
-    return files, "in a scene: insert { particles { type table; material NAME; file \"" + files[0] + "\"; } }"
+    return files, "in a scene: insert { particles { type table; material NAME; file \"" + \
+        files[0] + "\"; } }"
 
 
 def default_output(path, translate):

@@ -26,23 +26,55 @@ from .units import BASE, Units
 from . import liggghts_fixes
 
 HARMLESS = {
-    "echo": "", "log": "", "print": "", "shell": "", "info": "", "package": "", "suffix": "", "timer": "",
-    "newton": "both partners compute a pair", "communicate": "ghosts carry what is needed",
-    "comm_modify": "", "comm_style": "", "processors": "-np of mpirun decides", "partition": "",
-    "partitioner_style": "", "balance": "", "modify_timing": "", "thermo_log": "",
-    "neighbor": "lists tune themselves", "neigh_modify": "lists tune themselves", "atom_modify": "",
-    "thermo": "a line every ten seconds; write/energy", "thermo_style": "write/energy, averages",
-    "compute": "output", "uncompute": "output", "compute_modify": "", "dump_modify": "", "fix_modify": "",
-    "soft_particles": "maxOverlap is a setting of the scene", "reset_timestep": "time goes on",
-    "pair_coeff": "", "mass": "mass follows from size and density", "undump": "", "special_bonds": "",
-    "write_dump": "output", "hardware": "", "timers": "", "variable": ""}
+    "echo": "",
+    "log": "",
+    "print": "",
+    "shell": "",
+    "info": "",
+    "package": "",
+    "suffix": "",
+    "timer": "",
+    "newton": "both partners compute a pair",
+    "communicate": "ghosts carry what is needed",
+    "comm_modify": "",
+    "comm_style": "",
+    "processors": "-np of mpirun decides",
+    "partition": "",
+    "partitioner_style": "",
+    "balance": "",
+    "modify_timing": "",
+    "thermo_log": "",
+    "neighbor": "lists tune themselves",
+    "neigh_modify": "lists tune themselves",
+    "atom_modify": "",
+    "thermo": "a line every ten seconds; write/energy",
+    "thermo_style": "write/energy, averages",
+    "compute": "output",
+    "uncompute": "output",
+    "compute_modify": "",
+    "dump_modify": "",
+    "fix_modify": "",
+    "soft_particles": "maxOverlap is a setting of the scene",
+    "reset_timestep": "time goes on",
+    "pair_coeff": "",
+    "mass": "mass follows from size and density",
+    "undump": "",
+    "special_bonds": "",
+    "write_dump": "output",
+    "hardware": "",
+    "timers": "",
+     "variable": ""}
 LACKING = {
-    "displace_atoms": "write the positions", "delete_atoms": "outlets take particles away during a run, and "
-    "a group is placed where it is wanted", "minimize": "the packing is made without overlap",
+    "displace_atoms": "write the positions",
+    "delete_atoms": "outlets take particles away during a run, and "
+    "a group is placed where it is wanted",
+    "minimize": "the packing is made without overlap",
     "coarsegraining": "Suna has no coarse graining: each particle is one sphere",
     "bond_style": "bonds of this package are not translated; see bondLinear in docs/effects.md",
     "bond_coeff": "bonds of this package are not translated; see bondLinear in docs/effects.md",
-    "kspace_style": "Suna has no long-range forces", "rerun": "", "read_dump": "import the dump by itself"}
+    "kspace_style": "Suna has no long-range forces",
+    "rerun": "",
+     "read_dump": "import the dump by itself"}
 ATOM_STYLES = ("granular", "sphere")
 
 
@@ -103,10 +135,15 @@ class Mesh:
 def key(state):
     """What a scene cannot change while it runs."""
     gravity = None if state["gravity"] is None else tuple(state["gravity"][0])
-    return (state["model"] and state["model"].key(), state["properties"].key(), gravity,
-            tuple((name, wall.place) for name, wall in state["walls"].items()), tuple(state["outlets"]),
-            tuple(state["boundary"]), tuple(state["frozen"]), tuple(state["integrated"]),
-            tuple(state["forces"]), tuple(state["driven"]), state["flat"])
+    return (
+    state["model"] and state["model"].key(), state["properties"].key(), gravity, tuple(
+        (name, wall.place) for name, wall in state["walls"].items()), tuple(
+            state["outlets"]), tuple(
+                state["boundary"]), tuple(
+                    state["frozen"]), tuple(
+                        state["integrated"]), tuple(
+                            state["forces"]), tuple(
+                                state["driven"]), state["flat"])
 
 
 @dataclass
@@ -150,7 +187,8 @@ class Translation:
             except CannotTranslate:
                 pass
             except Dynamic as error:
-                self.try_refuse(f"{error} is known only in a run of LIGGGHTS; write its value instead")
+                self.try_refuse(
+                    f"{error} is known only in a run of LIGGGHTS; write its value instead")
             except (IndexError, KeyError, ValueError) as error:
                 self.try_refuse(f"the words after it are not those of LIGGGHTS ({error})")
         if not self.stages:
@@ -173,7 +211,8 @@ class Translation:
     def word(self):
         c = self.command
         if c.name == "fix":
-            return f"fix {c.words[2]}" + (f" {c.words[3]}" if c.words[2].startswith("property") else "")
+            return f"fix {c.words[2]}" + \
+                (f" {c.words[3]}" if c.words[2].startswith("property") else "")
         return c.name
 
     def translated(self, text):
@@ -280,8 +319,9 @@ class Translation:
             return Region(style, (), place, parts=parts, outside=outside)
         if style == "mesh/tet":
             return Region(style, (), place, corners=self._tetrahedra(rest), outside=outside)
-        self.refuse("the importer knows block, sphere, cylinder, cone, prism, plane, union, intersect, "
-                    "mesh/tet", f"region {style}")
+        self.refuse(
+    "the importer knows block, sphere, cylinder, cone, prism, plane, union, intersect, "
+    "mesh/tet", f"region {style}")
 
     def _tetrahedra(self, rest):
         given = dict(zip(("file",), (rest[rest.index("file") + 1],)))
@@ -328,7 +368,9 @@ class Translation:
     def do_pair_style(self, words):
         style = words[0].replace("/omp", "")
         if style != "gran" or words[1] != "model":
-            self.refuse("known is gran model NORMAL tangential FRICTION ...", f"pair_style {' '.join(words[:2])}")
+            self.refuse(
+    "known is gran model NORMAL tangential FRICTION ...",
+     f"pair_style {' '.join(words[:2])}")
         model, rest = read_model(words[2:], self.command.place, "pair_style", self.report)
         if rest:
             self.refuse("the importer does not know this word", f"pair_style {rest[0]}")
@@ -342,7 +384,9 @@ class Translation:
         if words[0] not in ("sc", "sq", "fcc", "bcc", "none"):
             self.refuse("known: sc, sq, fcc, bcc", f"lattice {words[0]}")
         if len(words) > 2:
-            self.refuse("orient, origin, spacing are not read; write positions", f"lattice {words[2]}")
+            self.refuse(
+    "orient, origin, spacing are not read; write positions",
+     f"lattice {words[2]}")
         self.lattice = None if words[0] == "none" else (words[0], self.number(words[1], "length"))
         self.translated("create_atoms")
 
@@ -357,7 +401,10 @@ class Translation:
         else:
             self.refuse("known: single, box, region; fix insert/pack places at random",
                         f"create_atoms {words[1]}")
-        self.particles.add(x, kind, self.units.si("length", 1.0), self.units.si("density", 1.0), self.command.place)
+        self.particles.add(
+    x, kind, self.units.si(
+        "length", 1.0), self.units.si(
+            "density", 1.0), self.command.place)
         self.translated("insert: list or table")
 
     def _lattice_points(self, words):
@@ -365,10 +412,12 @@ class Translation:
             self.refuse("there is no lattice before this line")
         style, a = self.lattice
         region = self.find(self.regions, words[2], "region") if words[1] == "region" else None
-        low, high = (numpy.array(self.box)[:, k] for k in (0, 1)) if region is None else region.bounds()
+        low, high = (numpy.array(self.box)[:, k]
+                     for k in (0, 1)) if region is None else region.bounds()
         basis = {"sc": [(0, 0, 0)], "sq": [(0, 0, 0)], "bcc": [(0, 0, 0), (.5, .5, .5)],
                  "fcc": [(0, 0, 0), (.5, .5, 0), (.5, 0, .5), (0, .5, .5)]}[style]
-        axes = [numpy.arange(math.floor(lo/a) - 1, math.ceil(hi/a) + 1) for lo, hi in zip(low, high)]
+        axes = [numpy.arange(math.floor(lo/a) - 1, math.ceil(hi/a) + 1)
+                             for lo, hi in zip(low, high)]
         cells = numpy.stack(numpy.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)
         x = numpy.concatenate([(cells + numpy.array(b))*a for b in basis])
         box = numpy.array(self.box)
@@ -394,10 +443,13 @@ class Translation:
                                           (*self.seen, self.path.resolve())).read()
                 self.report.rows += [row for row in report.rows if row not in self.report.rows]
                 self.take_over(self.before)
-                self.translated(f"the particles at the end of {script.name}, which writes this file")
+                self.translated(
+                    f"the particles at the end of {script.name}, which writes this file")
                 return
-        self.refuse("restart files of LIGGGHTS cannot be read, and no script in the folder writes this one: put "
-                    "the script that does beside it, or read_data a data file", f"read_restart {words[0]}")
+        self.refuse(
+    "restart files of LIGGGHTS cannot be read, and no script in the folder writes this one: put "
+    "the script that does beside it, or read_data a data file",
+     f"read_restart {words[0]}")
 
     def take_over(self, other):
         """Continue from the end of another script: particles, box, time."""
@@ -434,7 +486,9 @@ class Translation:
                 chosen = chosen | other if style == "union" else \
                     chosen & other if style == "intersect" else chosen & ~other
         else:
-            self.refuse("known: id, type, region, union, intersect, subtract, empty", f"group {style}")
+            self.refuse(
+    "known: id, type, region, union, intersect, subtract, empty",
+     f"group {style}")
         self.groups[name] = p.id[chosen]
         self.translated("particles that are there")
 
@@ -450,7 +504,8 @@ class Translation:
             chosen = self.chosen(name)
         elif style in ("atom", "type"):
             low, _, high = name.partition("*")
-            low, high = int(low or 1), int(high or low or 1) if "*" not in name else int(high or 10**9)
+            low, high = int(low or 1), int(
+                high or low or 1) if "*" not in name else int(high or 10**9)
             of = p.id if style == "atom" else p.type
             chosen = (of >= low) & (of <= high)
         elif style == "region":
@@ -469,8 +524,9 @@ class Translation:
             elif key in kinds:
                 value = self.number(rest.pop(0), kinds[key])
                 if inserted and not self._same(key, value):
-                    self.refuse(f"{key} of particles that fix insert/... has placed cannot be changed; write it in "
-                                "their template", f"set {key}")
+                    self.refuse(
+    f"{key} of particles that fix insert/... has placed cannot be changed; write it in "
+    "their template", f"set {key}")
                 if key in ("diameter", "density"):
                     getattr(p, key)[chosen] = value
                 else:
@@ -488,8 +544,9 @@ class Translation:
         templates = [t for i in self.insertions for t in i.distribution.templates]
         if key == "density":
             return all(abs(t.density/value - 1) < 1e-9 for t in templates)
-        return key == "diameter" and all(t.style == "constant" and abs(2*t.radius[0]/value - 1) < 1e-9
-                                         for t in templates)
+        return key == "diameter" and all(
+    t.style == "constant" and abs(
+        2*t.radius[0]/value - 1) < 1e-9 for t in templates)
 
     def do_velocity(self, words):
         chosen, p = self.chosen(words[0]), self.particles
@@ -502,15 +559,17 @@ class Translation:
         else:
             self.refuse("known: set", f"velocity {words[1]}")
         if any(i.start <= self.time for i in self.insertions):
-            self.refuse("velocities of particles that fix insert/... has placed cannot be set; write vel constant "
-                        "in the fix")
+            self.refuse(
+    "velocities of particles that fix insert/... has placed cannot be set; write vel constant "
+    "in the fix")
         self.translated("insert")
 
     # ---- output ----------------------------------------------------------------------------------
 
     def do_dump(self, words):
         style = words[2]
-        if style.split("/")[0] in ("custom", "atom", "xyz", "image", "local") or style.startswith("custom"):
+        if style.split("/")[0] in ("custom", "atom", "xyz", "image",
+                       "local") or style.startswith("custom"):
             every = int(float(words[3]))
             if style != "local" and self.step and every > 0:
                 interval = every*self.step
@@ -547,18 +606,42 @@ class Translation:
         steps = int(self.number(words[0]))
         if "upto" in words:
             steps = max(0, steps - self.steps)
-        skipped = ("model", "gravity", "properties", "walls", "meshes", "boundary", "box", "lost", "flat",
-                   "frozen", "integrated", "forces", "outlets", "fluid", "driven", "groups")
+        skipped = (
+    "model",
+    "gravity",
+    "properties",
+    "walls",
+    "meshes",
+    "boundary",
+    "box",
+    "lost",
+    "flat",
+    "frozen",
+    "integrated",
+    "forces",
+    "outlets",
+    "fluid",
+    "driven",
+     "groups")
         state = {name: copy.copy(getattr(self, name)) for name in skipped}
         state["properties"] = self.properties.copy()
         state["particles"], state["insertions"] = self.particles, self.insertions
         state["interval"], state["wall_interval"] = self.interval, self.wall_interval
         end = self.time + steps*self.step
         last = self.stages[-1] if self.stages and not self.fresh else None
-        if last and last.place == self.command.place and last.step == self.step and key(last.state) == key(state):
+        if last and last.place == self.command.place and last.step == self.step and key(
+            last.state) == key(state):
             last.end, last.steps, last.state = end, last.steps + steps, state       # a loop
         else:
-            self.stages.append(Stage(self.time, end, self.step, steps, state, self.command.place, self.fresh))
+            self.stages.append(
+    Stage(
+        self.time,
+        end,
+        self.step,
+        steps,
+        state,
+        self.command.place,
+         self.fresh))
         self.fresh, self.time, self.steps = False, end, self.steps + steps
         self.translated("time/end")
 
@@ -573,4 +656,5 @@ def writes_restart(script, name):
     if "restartCFDEM" in name:
         return any(row[3:4] == ["couple/cfd"] for row in rows) and \
             not any("restartCFDEM" in word for row in rows for word in row)
-    return any(row[0] == "write_restart" and row[1].split("/")[-1] == name for row in rows if len(row) > 1)
+    return any(row[0] == "write_restart" and row[1].split(
+        "/")[-1] == name for row in rows if len(row) > 1)

@@ -18,8 +18,13 @@ from typing import NamedTuple
 
 from .report import Place
 
-SWITCHES = {"tangential_damping": "on", "limitForce": "off", "ktToKnUser": "off", "absolute_damping": "off",
-            "viscous": "off", "torsionTorque": "off"}
+SWITCHES = {
+    "tangential_damping": "on",
+    "limitForce": "off",
+    "ktToKnUser": "off",
+    "absolute_damping": "off",
+    "viscous": "off",
+     "torsionTorque": "off"}
 WITHOUT_EFFECT = ("computeElasticPotential", "computeDissipatedEnergy", "heating_normal_hertz",
                   "heating_normal_hooke", "heating_tangential_history", "heating_tracking")
 PARTS = ("tangential", "rolling_friction", "cohesion", "surface")
@@ -29,9 +34,10 @@ TANGENTIAL = ("history", "no_history", "incremental", "incremental_history", "of
 ROLLING = ("cdt", "epsd", "epsd2", "off")
 COHESION = ("sjkr", "sjkr2", "off")
 
-STOKES = ("restitution falls with the Stokes number of the impact. Suna takes the speed of the impact, "
-          "LIGGGHTS the instantaneous one, which gives 0.08 where the law says 0.48 (St 50), 0.55 for 0.68 "
-          "(100), 0.956 for 0.937 (1000)")
+STOKES = (
+    "restitution falls with the Stokes number of the impact. Suna takes the speed of the impact, "
+    "LIGGGHTS the instantaneous one, which gives 0.08 where the law says 0.48 (St 50), 0.55 for 0.68 "
+    "(100), 0.956 for 0.937 (1000)")
 
 
 class Model(NamedTuple):
@@ -81,7 +87,11 @@ class Properties:
 
 def read_model(words, place, word, report):
     """`words` after `model`: HERTZ tangential ... with switches; returns the model and the words left."""
-    parts = {"tangential": "off", "rolling_friction": "off", "cohesion": "off", "surface": "default"}
+    parts = {
+    "tangential": "off",
+    "rolling_friction": "off",
+    "cohesion": "off",
+     "surface": "default"}
     switches, k = dict(SWITCHES), 1
     normal = words[0]
     while k < len(words):
@@ -120,31 +130,45 @@ def tell(model, report):
     def near(word, text):
         report.approximated(model.place, word, text)
     if model.tangential == "history" and model.normal == "hertz":
-        near("tangential history", "mindlin: damping of slip is 1/sqrt(4 G*/E*) times that of LIGGGHTS (1.1 for "
-             "a Poisson's ratio of 0.3), and spring and dashpot together obey mu F_n; an oblique impact at 1 m/s "
-             "changes by 0.01 m/s, a settled bed by 0.02 diameters (docs/results-peers.md)")
+        near(
+    "tangential history",
+    "mindlin: damping of slip is 1/sqrt(4 G*/E*) times that of LIGGGHTS (1.1 for "
+    "a Poisson's ratio of 0.3), and spring and dashpot together obey mu F_n; an oblique impact at 1 m/s "
+    "changes by 0.01 m/s, a settled bed by 0.02 diameters (docs/results-peers.md)")
     elif model.tangential == "history":
-        near("tangential history", "linear: spring and dashpot together obey mu F_n; an oblique impact at 1 m/s "
-             "changes by up to 0.18 m/s, a settled bed by 0.005 diameters (docs/results-peers.md)")
+        near(
+    "tangential history",
+    "linear: spring and dashpot together obey mu F_n; an oblique impact at 1 m/s "
+    "changes by up to 0.18 m/s, a settled bed by 0.005 diameters (docs/results-peers.md)")
     elif model.tangential == "no_history":
-        near("tangential no_history", "linear with ratio 0: slip is damped with the coefficient of the normal law, "
-             "beside hertz 1/sqrt(4 G*/E*) times that of LIGGGHTS; no heap rests, as there")
+        near("tangential no_history",
+    "linear with ratio 0: slip is damped with the coefficient of the normal law, "
+    "beside hertz 1/sqrt(4 G*/E*) times that of LIGGGHTS; no heap rests, as there")
     elif model.tangential.startswith("incremental"):
-        near("tangential " + model.tangential, "mindlinIncremental: the spring loses force with the stiffness "
-             "while surfaces separate, so no cycle gives energy")
+        near("tangential " + model.tangential,
+    "mindlinIncremental: the spring loses force with the stiffness "
+    "while surfaces separate, so no cycle gives energy")
     if model.rolling == "cdt":
-        near("rolling_friction cdt", "rollingConstant: mu_r R* times the normal force with its damping, LIGGGHTS "
-             "without; at most what stops rolling in one step")
+        near(
+    "rolling_friction cdt",
+    "rollingConstant: mu_r R* times the normal force with its damping, LIGGGHTS "
+    "without; at most what stops rolling in one step")
     elif model.rolling == "epsd":
-        near("rolling_friction epsd", "rollingSpring with K = 2.25 mu_r^2: the limit holds for spring and dashpot "
-             "together, in LIGGGHTS for the spring")
+        near(
+    "rolling_friction epsd",
+    "rollingSpring with K = 2.25 mu_r^2: the limit holds for spring and dashpot "
+    "together, in LIGGGHTS for the spring")
     elif model.rolling == "epsd2":
-        near("rolling_friction epsd2", "rollingSpring without damping: the angle is stored, in LIGGGHTS the torque")
+        near(
+    "rolling_friction epsd2",
+     "rollingSpring without damping: the angle is stored, in LIGGGHTS the torque")
     if model.cohesion.startswith("sjkr"):
         near("cohesion " + model.cohesion, "sjkr: the area of contact to first order in the overlap")
     if model.on("limitForce"):
-        near("limitForce on", "attraction clamped: restitution is too high in both codes, 0.33 for 0.2, 0.55 for "
-             "0.5, 0.81 for 0.8")
+        near(
+    "limitForce on",
+    "attraction clamped: restitution is too high in both codes, 0.33 for 0.2, 0.55 for "
+    "0.5, 0.81 for 0.8")
     elif model.normal == "hooke/hysteresis":
         near("tangential", "the friction limit counts adhesion, mu (F_n + k_c d), in LIGGGHTS mu |F_n|")
 
@@ -171,8 +195,8 @@ def laws(model, base, properties, i, j):
             raise Need("coefficientRestitution with model hertz or hooke in place of gamman")
         found["dry"] = {"restitution": 1.0}
     elif model.on("viscous"):
-        found["stokes"] = {"restitution": value("MaximumRestitution"), "beta": abs(value("CriticalStokes")),
-                           "viscosity": value("FluidViscosity"), **damping}
+        found["stokes"] = {"restitution": value("MaximumRestitution"), "beta": abs(
+            value("CriticalStokes")), "viscosity": value("FluidViscosity"), **damping}
     else:
         found["dry"] = {"restitution": value("coefficientRestitution"), **damping}
     if base.tangential != "off":

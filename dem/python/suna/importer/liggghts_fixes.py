@@ -12,17 +12,30 @@ from .liggghts_insertion import Distribution, Insertion, Template
 from .liggghts_mesh import BadMesh, read_triangles, rotated
 
 HARMLESS = {
-    "check/timestep/gran": "too long a step is refused", "print": "output", "ave/time": "output: averages",
-    "ave/spatial": "output: averages", "ave/histo": "output", "ave/euler": "output: averages", "ave/atom": "output",
-    "ave/euler/region": "output: averages", "balance": "subdomains are balanced by themselves",
-    "property/atom": "read by no law that was translated", "property/atom/lammps": "read by no law",
-    "massflow/mesh": "output: averages, flows.csv", "massflow/mesh/face": "output: averages, flows.csv",
-    "massflow/mesh/sieve": "output", "couple/cfd": "a coupled run of Suna needs no such line",
+    "check/timestep/gran": "too long a step is refused",
+    "print": "output",
+    "ave/time": "output: averages",
+    "ave/spatial": "output: averages",
+    "ave/histo": "output",
+    "ave/euler": "output: averages",
+    "ave/atom": "output",
+    "ave/euler/region": "output: averages",
+    "balance": "subdomains are balanced by themselves",
+    "property/atom": "read by no law that was translated",
+    "property/atom/lammps": "read by no law",
+    "massflow/mesh": "output: averages, flows.csv",
+    "massflow/mesh/face": "output: averages, flows.csv",
+    "massflow/mesh/sieve": "output",
+    "couple/cfd": "a coupled run of Suna needs no such line",
     "couple/cfd/force": "a coupled run of Suna needs no such line; alone, no fluid acts",
     "couple/cfd/force/implicit": "a coupled run of Suna needs no such line; alone, no fluid acts",
     "couple/cfd/force/accumulator": "a coupled run of Suna needs no such line; alone, no fluid acts",
-    "store/state": "output", "region/variable": "output", "executionTiming": "output", "contacthistory": "",
-    "neighlist/mesh": "", "diam/max": ""}
+    "store/state": "output",
+    "region/variable": "output",
+    "executionTiming": "output",
+    "contacthistory": "",
+    "neighlist/mesh": "",
+     "diam/max": ""}
 LACKING = (
     ("heat/", "Suna has no heat"), ("chem/", "Suna has no chemistry"), ("multisphere", "Suna has spheres only"),
     ("particletemplate/", "Suna has spheres only"), ("nve/", "Suna has spheres, integrated by themselves"),
@@ -39,8 +52,13 @@ LACKING = (
     ("momentum", "Suna keeps momentum; the frame is that of the walls"), ("remove", "use outlets in the scene"),
     ("insert/pack/", "use insert/pack with a region"), ("pour", "use insert/pack or insert/stream, which replaced it"))
 INTEGRATORS = ("nve/sphere", "nve/sphere/limit", "nve/limit", "nve/sphere/omp", "nve/nonspherical")
-KINDS = {"youngsModulus": "pressure", "characteristicVelocity": "velocity", "kt": "stiffness", "gamman": "rate",
-         "cohesionEnergyDensity": "energy density", "FluidViscosity": "viscosity"}
+KINDS = {
+    "youngsModulus": "pressure",
+    "characteristicVelocity": "velocity",
+    "kt": "stiffness",
+    "gamman": "rate",
+    "cohesionEnergyDensity": "energy density",
+     "FluidViscosity": "viscosity"}
 MOVES = {"linear", "rotate", "wiggle"}
 
 
@@ -106,8 +124,9 @@ def outlet(t, name, words):
         side = numpy.array(t.numbers(words[at + 1:at + 4]))
         normal = normal if side @ normal > 0 else -normal
     t.outlets[name] = (x.mean(axis=0), normal, t.command.place)
-    t.approximated("outlets: every particle behind the plane of the mesh is removed, also beside the mesh",
-                   "delete_atoms yes")
+    t.approximated(
+    "outlets: every particle behind the plane of the mesh is removed, also beside the mesh",
+     "delete_atoms yes")
 
 
 def integrate(t, name, group, style):
@@ -118,19 +137,24 @@ def integrate(t, name, group, style):
         t.translated("particles that no fix integrates are frozen")
 
 
-# ---- materials, forces --------------------------------------------------------------------------------
+# ---- materials, forces -------------------------------------------------
 
 def property_global(t, name, group, words):
     what, kind, values = words[0], words[1], words[2:]
     if kind in ("peratomtypepair", "matrix"):
         values = values[1:]
     elif kind not in ("scalar", "peratomtype", "atomtype", "vector"):
-        t.refuse(f"known: scalar, vector, peratomtype, peratomtypepair, matrix", f"property/global {kind}")
+        t.refuse(
+    f"known: scalar, vector, peratomtype, peratomtypepair, matrix",
+     f"property/global {kind}")
     unit = KINDS.get(what, "number")
     if what == "kn":
         unit = "stiffness" if t.units.name == "si" else "number"
-    t.properties.set(what, kind, [t.number(word, unit) for word in values if word not in ("rebuild",)],
-                     t.command.place)
+    t.properties.set(
+    what, kind, [
+        t.number(
+            word, unit) for word in values if word not in (
+                "rebuild",)], t.command.place)
     t.translated("materials, effects")
 
 
@@ -138,7 +162,13 @@ def gravity(t, name, group, words):
     if words[1] != "vector":
         t.refuse("known: vector", f"fix gravity {words[1]}")
     direction = numpy.array(t.numbers(words[2:5]))
-    t.gravity = (t.number(words[0], "acceleration")*direction/numpy.linalg.norm(direction), t.command.place)
+    t.gravity = (
+    t.number(
+        words[0],
+        "acceleration")*
+        direction/
+        numpy.linalg.norm(direction),
+         t.command.place)
     t.translated("effects/gravity")
 
 
@@ -149,8 +179,11 @@ def freeze(t, name, group, words):
 
 def move(t, name, group, words):
     if words[0] != "linear":
-        t.refuse("driven particles of Suna keep one velocity; known: linear", f"fix move {words[0]}")
-    t.driven[name] = (group, [0.0 if word == "NULL" else t.number(word, "velocity") for word in words[1:4]])
+        t.refuse(
+    "driven particles of Suna keep one velocity; known: linear",
+     f"fix move {words[0]}")
+    t.driven[name] = (group, [0.0 if word == "NULL" else t.number(word, "velocity")
+                      for word in words[1:4]])
     t.translated("driven yes")
 
 
@@ -175,7 +208,7 @@ def enforce2d(t, name, group, words):
     t.translated("domain/flat")
 
 
-# ---- walls --------------------------------------------------------------------------------------------
+# ---- walls -------------------------------------------------------------
 
 def wall(t, name, group, words):
     from .liggghts import Wall
@@ -194,11 +227,22 @@ def wall(t, name, group, words):
         else:
             found.type, rest = int(rest[1]), rest[2:]
         found.primitive = rest.pop(0)
-        count = {"xplane": 1, "yplane": 1, "zplane": 1, "xcylinder": 3, "ycylinder": 3, "zcylinder": 3,
-                 "general_plane": 6, "plane": 6, "general_cylinder": 7, "general_cone": 8}.get(found.primitive)
+        count = {
+    "xplane": 1,
+    "yplane": 1,
+    "zplane": 1,
+    "xcylinder": 3,
+    "ycylinder": 3,
+    "zcylinder": 3,
+    "general_plane": 6,
+    "plane": 6,
+    "general_cylinder": 7,
+    "general_cone": 8}.get(
+        found.primitive)
         if count is None:
-            t.refuse("known: planes, cylinders, general_plane, general_cylinder, general_cone; give others as a mesh",
-                     f"primitive {found.primitive}")
+            t.refuse(
+    "known: planes, cylinders, general_plane, general_cylinder, general_cone; give others as a mesh",
+     f"primitive {found.primitive}")
         found.numbers, rest = t.numbers(rest[:count], "length"), rest[count:]
     elif rest[0] == "mesh":
         many = int(rest[rest.index("n_meshes") + 1])
@@ -255,7 +299,8 @@ def mesh(t, name, group, words):
             x, transformed, given = x + shift, transformed or bool(shift.any()), given[3:]
         elif key == "rotate":
             axis, angle = t.numbers(given[1:4]), math.radians(t.number(given[5]))
-            x, transformed, given = rotated(x, numpy.zeros(3), axis, angle), transformed or angle != 0, given[6:]
+            x, transformed, given = rotated(x, numpy.zeros(
+                3), axis, angle), transformed or angle != 0, given[6:]
         elif key == "surface_vel":
             velocity, given = t.numbers(given[:3], "velocity"), given[3:]
         elif key == "surface_ang_vel":
@@ -267,7 +312,9 @@ def mesh(t, name, group, words):
             value = given.pop(0)
             given = given[2:] if key == "reference_point" else given
             if key == "wear":
-                t.harmless("wear is not computed; the motion of the particles is the same", f"wear {value}")
+                t.harmless(
+    "wear is not computed; the motion of the particles is the same",
+     f"wear {value}")
             elif key in ("temperature", "mass_temperature"):
                 t.harmless("no law that was translated reads it", key)
             else:
@@ -292,8 +339,10 @@ def move_mesh(t, name, group, words):
     from .liggghts import Motion
     wall, kind, rest = t.find(t.meshes, words[1], "mesh"), words[2], words[3:]
     if kind not in MOVES:
-        t.refuse(f"walls of Suna move by {', '.join(sorted(MOVES))}: translation at constant velocity, rotation, "
-                 "harmonic oscillation", f"move/mesh {kind}")
+        t.refuse(
+    f"walls of Suna move by {', '.join(sorted(MOVES))}: translation at constant velocity, rotation, "
+    "harmonic oscillation",
+     f"move/mesh {kind}")
     if kind == "linear":
         values = t.numbers(rest[:3], "velocity")
     elif kind == "rotate":
@@ -311,7 +360,7 @@ def move_mesh(t, name, group, words):
                   "wiggle": "motion oscillation"}[kind])
 
 
-# ---- insertion ----------------------------------------------------------------------------------------
+# ---- insertion ---------------------------------------------------------
 
 def template(t, name, group, words):
     kind, density, style, radius = 1, t.units.si("density", 1.0), "constant", None
@@ -359,12 +408,29 @@ def distribution(by_mass):
     return add
 
 
-AMOUNTS = {"volumefraction_region": ("fraction", "number"), "particles_in_region": ("count", "number"),
-           "mass_in_region": ("mass", "mass"), "nparticles": ("count", "number"), "mass": ("mass", "mass"),
-           "particlerate": ("rate", "rate"), "massrate": ("mass_rate", "mass rate")}
-PLACING = ("maxattempt", "ntry_mc", "warn_region", "verbose", "check_dist_from_subdomain_border", "parallel",
-           "random_distribute", "compress_tags", "check_obb", "save_template", "extrude_length", "duration",
-           "duration_time")
+AMOUNTS = {
+    "volumefraction_region": (
+        "fraction", "number"), "particles_in_region": (
+            "count", "number"), "mass_in_region": (
+                "mass", "mass"), "nparticles": (
+                    "count", "number"), "mass": (
+                        "mass", "mass"), "particlerate": (
+                            "rate", "rate"), "massrate": (
+                                "mass_rate", "mass rate")}
+PLACING = (
+    "maxattempt",
+    "ntry_mc",
+    "warn_region",
+    "verbose",
+    "check_dist_from_subdomain_border",
+    "parallel",
+    "random_distribute",
+    "compress_tags",
+    "check_obb",
+    "save_template",
+    "extrude_length",
+    "duration",
+     "duration_time")
 
 
 def insertion(style):
@@ -424,8 +490,9 @@ def velocity(t, i, rest):
     if style != "constant":
         i.spread, rest = numpy.array(t.numbers(rest[:3], "velocity")), rest[3:]
         if i.style == "pack":
-            t.approximated(f"all particles of a group have the mean velocity; LIGGGHTS spreads it by {i.spread} m/s",
-                           f"vel {style}")
+            t.approximated(
+    f"all particles of a group have the mean velocity; LIGGGHTS spreads it by {i.spread} m/s",
+     f"vel {style}")
         elif style == "gaussian":
             i.spread = i.spread*math.sqrt(3)
             t.approximated("spread: uniform with the same variance", "vel gaussian")
@@ -442,14 +509,29 @@ def check(t, i):
     if i.style != "pack" and not (i.rate or i.mass_rate):
         t.refuse("particlerate or massrate is missing")
     if i.style == "rate" and not i.region.is_shape():
-        t.refuse("a stream enters in a block, cylinder or sphere; use one of these", f"region {i.region.style}")
+        t.refuse(
+    "a stream enters in a block, cylinder or sphere; use one of these",
+     f"region {i.region.style}")
 
 
 METHODS = {
-    "property/global": property_global, "gravity": gravity, "freeze": freeze, "move": move, "addforce": addforce,
-    "addtorque": addtorque, "viscous": viscous, "enforce2d": enforce2d, "wall/gran": wall, "mesh/surface": mesh,
-    "mesh/surface/planar": mesh, "mesh/surface/stress": mesh_stress, "move/mesh": move_mesh,
-    "particletemplate/sphere": template, "particledistribution/discrete": distribution(True),
+    "property/global": property_global,
+    "gravity": gravity,
+    "freeze": freeze,
+    "move": move,
+    "addforce": addforce,
+    "addtorque": addtorque,
+    "viscous": viscous,
+    "enforce2d": enforce2d,
+    "wall/gran": wall,
+    "mesh/surface": mesh,
+    "mesh/surface/planar": mesh,
+    "mesh/surface/stress": mesh_stress,
+    "move/mesh": move_mesh,
+    "particletemplate/sphere": template,
+    "particledistribution/discrete": distribution(True),
     "particledistribution/discrete/massbased": distribution(True),
-    "particledistribution/discrete/numberbased": distribution(False), "insert/pack": insertion("pack"),
-    "insert/stream": insertion("stream"), "insert/rate/region": insertion("rate")}
+    "particledistribution/discrete/numberbased": distribution(False),
+    "insert/pack": insertion("pack"),
+    "insert/stream": insertion("stream"),
+     "insert/rate/region": insertion("rate")}

@@ -55,9 +55,28 @@ class Template:
 
     def range(self):
         a = self.radius
-        return {"constant": lambda: (a[0], a[0]), "uniform": lambda: a,
-                "gaussian": lambda: (a[0] - 3*a[1], a[0] + 3*a[1]),
-                "lognormal": lambda: (math.exp(a[0] - 3*a[1]), math.exp(a[0] + 3*a[1]))}[self.style]()
+        return {
+    "constant": lambda: (
+        a[0],
+        a[0]),
+        "uniform": lambda: a,
+        "gaussian": lambda: (
+            a[0] -
+            3*
+            a[1],
+            a[0] +
+            3*
+            a[1]),
+            "lognormal": lambda: (
+                math.exp(
+                    a[0] -
+                    3*
+                    a[1]),
+                    math.exp(
+                        a[0] +
+                        3*
+                        a[1]))}[
+                            self.style]()
 
     def draw(self, random, n):
         """Radii."""
@@ -66,7 +85,13 @@ class Template:
             return numpy.full(n, a[0])
         if self.style == "uniform":
             return random.uniform(a[0], a[1], n)
-        r = random.normal(a[0], a[1], n) if self.style == "gaussian" else random.lognormal(a[0], a[1], n)
+        r = random.normal(
+    a[0],
+    a[1],
+    n) if self.style == "gaussian" else random.lognormal(
+        a[0],
+        a[1],
+         n)
         return numpy.clip(r, low, high)
 
 
@@ -80,8 +105,8 @@ class Distribution:
         found = {}
         for template, weight in zip(self.templates, self.weights):
             found.setdefault((template.type, template.density), []).append((template, weight))
-        return [(key, sum(w for _, w in rows), Distribution([t for t, _ in rows], [w for _, w in rows]))
-                for key, rows in found.items()]
+        return [(key, sum(w for _, w in rows), Distribution(
+            [t for t, _ in rows], [w for _, w in rows])) for key, rows in found.items()]
 
     def by_size(self):
         """by_material with each template apart, the largest first: their numbers are exact, as in LIGGGHTS."""
@@ -115,7 +140,8 @@ class Distribution:
             rows = []
             for t, w in zip(self.templates, self.weights):
                 many = 1 if t.style == "constant" else BINS
-                r = numpy.sort(t.draw(numpy.random.default_rng(1), 1000*many)).reshape(many, -1).mean(axis=1)
+                r = numpy.sort(t.draw(numpy.random.default_rng(1), 1000*many)
+                               ).reshape(many, -1).mean(axis=1)
                 rows += [(2*x, w/many) for x in r]
         return (f"sizes {{ type list; by number; diameters ({' '.join(text(d) for d, _ in rows)}); "
                 f"weights ({' '.join(text(w) for _, w in rows)}); }}")
@@ -164,9 +190,10 @@ class Insertion:
         elif math.isinf(n):
             n = self.mass/self.distribution.mean(Template.mass)
         if n*one > RSA_LIMIT*space:
-            report.approximated(self.place, word, f"{n:.0f} spheres fill {n*one/space:.2f} of the region. "
-                                f"LIGGGHTS gives up near {RSA_LIMIT:g}, which is inserted; give count in the "
-                                "scene for all of them (up to 0.55)")
+            report.approximated(
+    self.place, word, f"{n:.0f} spheres fill {n*one/space:.2f} of the region. "
+    f"LIGGGHTS gives up near {RSA_LIMIT:g}, which is inserted; give count in the "
+    "scene for all of them (up to 0.55)")
             n = RSA_LIMIT*space/one
         return max(1, round(n))
 
@@ -212,11 +239,15 @@ def group_entries(insertion, number, material_of, frozen):
     """(name, text) of the groups of a packing at the start."""
     parts = insertion.distribution.by_size()
     found = []
-    for k, (n, (key, _, part)) in enumerate(zip(split(number, [share for _, share, _ in parts]), parts)):
+    for k, (n, (key, _, part)) in enumerate(
+        zip(split(number, [share for _, share, _ in parts]), parts)):
         if n:
-            found.append((insertion.name_of(k), f"type random; count {n}; material {material_of(key)}; "
-                          f"{part.sizes()} {insertion.shape()} inside walls; seed {insertion.seed % 1000003 + k};"
-                          + ("" if frozen else insertion.motion()) + (" frozen yes;" if frozen else "")))
+            found.append(
+    (insertion.name_of(k),
+    f"type random; count {n}; material {material_of(key)}; "
+    f"{part.sizes()} {insertion.shape()} inside walls; seed {insertion.seed % 1000003 + k};" + (
+        "" if frozen else insertion.motion()) + (
+            " frozen yes;" if frozen else "")))
     return found
 
 
@@ -232,12 +263,13 @@ def stream_entries(insertion, amounts, material_of, where, start, end, k0=0):
             if math.isfinite(value) and value > 0:
                 value *= by_mass if name in ("massRate", "mass") else share
                 words.append(f"{name} {max(1, round(value)) if name == 'count' else text(value)};")
-        found.append((insertion.name_of(k + k0), f"type stream; {' '.join(words)} material {material_of(key)}; "
-                      f"{part.sizes()} {where}{insertion.motion()}"
-                      + (f" spread {vector(insertion.spread)};" if insertion.spread.any() else "")
-                      + (f" start {text(start)};" if start > 0 else "")
-                      + (f" end {text(end)};" if math.isfinite(end) else "")
-                      + f" seed {insertion.seed % 1000003 + k + 17*k0};"))
+        found.append((insertion.name_of(k +
+    k0), f"type stream; {' '.join(words)} material {material_of(key)}; "
+    f"{part.sizes()} {where}{insertion.motion()}" +
+    (f" spread {vector(insertion.spread)};" if insertion.spread.any() else "") +
+    (f" start {text(start)};" if start > 0 else "") +
+    (f" end {text(end)};" if math.isfinite(end) else "") +
+     f" seed {insertion.seed % 1000003 + k + 17*k0};"))
     return found
 
 

@@ -25,16 +25,18 @@ def read_triangles(path):
             [points[[c[0], c[k], c[k + 1]]] for c in cells if len(c) == 4 for k in (1, 2)]
         found = numpy.array(triangles)
     elif len(data) >= 84 and 84 + 50*struct.unpack("<I", data[80:84])[0] == len(data):
-        rows = numpy.frombuffer(data, numpy.dtype([("n", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "u2")]),
-                                offset=84)
+        rows = numpy.frombuffer(data, numpy.dtype(
+            [("n", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "u2")]), offset=84)
         found = rows["corners"].astype(float)
     else:
         words = data.decode(errors="replace").split()
         at = numpy.array([k for k, word in enumerate(words) if word.lower() == "vertex"], int)
         try:
-            found = numpy.array([[float(x) for x in words[k + 1:k + 4]] for k in at]).reshape(-1, 3, 3)
+            found = numpy.array([[float(x) for x in words[k + 1:k + 4]]
+                                for k in at]).reshape(-1, 3, 3)
         except ValueError:
-            raise BadMesh("its corners are not three numbers each, three of them in a triangle") from None
+            raise BadMesh(
+                "its corners are not three numbers each, three of them in a triangle") from None
     if len(found) == 0:
         raise BadMesh("no triangles found")
     return found

@@ -95,8 +95,10 @@ class Script:
             self.place = Place(os.path.relpath(self.path, self.folder), number)
             yield from self._commands(text)
         try:
-            self._fault("jump", f"the script has executed {MAX_COMMANDS} commands; an endless loop cannot be "
-                        "translated")
+            self._fault(
+    "jump",
+    f"the script has executed {MAX_COMMANDS} commands; an endless loop cannot be "
+    "translated")
         except CannotTranslate:
             pass
 
@@ -265,5 +267,7 @@ class Script:
                 return (a == b) == (operator == "==")
             return self.evaluate(text) != 0
         except Dynamic as error:
-            self._fault(f"if {condition}", f"{error} is known only in a run of LIGGGHTS; import the "
-                        "branch that is wanted")
+            self._fault(
+    f"if {condition}",
+    f"{error} is known only in a run of LIGGGHTS; import the "
+    "branch that is wanted")
