@@ -20,6 +20,7 @@
 #include "diagnostics/totals.h"
 #include "parallel/collect.h"
 #include "parallel/mpi_error.h"
+#include "simulation/agree.h"
 #include "step/step.h"
 #include <fenv.h>
 #include <math.h>
@@ -595,6 +596,7 @@ int dem_restore(struct dem *d, double *time)
     dem_flows_restore(p->flows);
     dem_wall_statistics_drop_forces(p->wall_statistics);
     dem_walls_rewind(&p->walls);
+    dem_unagreed_reset(&p->unagreed);
     d->restored = 1;
     p->steps = p->backup.steps;
     p->time = *time = p->backup.time;

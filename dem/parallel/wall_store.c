@@ -165,7 +165,8 @@ int dem_wall_store_finish(struct dem_wall_store *s, int status, struct dem_walls
         copy_facts(w, fact, 1);
     }
     dem_memory_free(fact);
-    return status ? status : dem_walls_make_marks(w);
+    status = status ? status : dem_walls_make_marks(w);
+    return dem_collect_agree(s->decomposition, status);
 }
 
 static size_t slice_begin(const struct dem_wall_store *s, size_t all, int rank)

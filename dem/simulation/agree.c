@@ -48,6 +48,13 @@ int dem_agree_max(struct dem_state *p, int status, double *value, int n)
     return all[n] > 0.0 ? fail_together(p, status) : DEM_OK;
 }
 
+void dem_unagreed_reset(struct dem_unagreed *u)
+{
+    u->n = 0;
+    u->bound = 0.0;
+    u->status = DEM_OK;
+}
+
 int dem_agree(struct dem_state *p, int status)
 {
     return dem_agree_max(p, status, NULL, 0);

@@ -11,12 +11,15 @@
 
 enum
 {
-    DEM_AGREE_LIMIT = 8           /* limit of n */
+    DEM_AGREE_LIMIT = DEM_UNAGREED_STEPS + 1  /* limit of n */
 };
 
 /* Collective. Each of n numbers becomes the maximum of all ranks. When a rank has failed (status
    not DEM_OK), or has recorded an error of MPI (parallel/collect.h), all return its status and have its error text. */
 int dem_agree_max(struct dem_state *, int status, double *value, int n);
+
+/* Forget the steps since the last agreement: after one, or when the state is restored. */
+void dem_unagreed_reset(struct dem_unagreed *);
 
 /* Collective. The same without numbers. */
 int dem_agree(struct dem_state *, int status);

@@ -10,6 +10,7 @@
 #ifndef DEM_SIMULATION_DEM_STATE_H
 #define DEM_SIMULATION_DEM_STATE_H
 
+#include "core/error.h"
 #include "model/applied_forces.h"
 #include "model/domain.h"
 #include "parallel/halo.h"
@@ -34,6 +35,22 @@ struct dem_limits                                          /* limits check; rese
     int64_t i, j;        /* ids of the contact; j is -1 - facet at a wall */
     double x[3];         /* m  its position */
     int lawless;         /* 1: no normal law acts in it */
+};
+
+enum
+{
+    DEM_UNAGREED_STEPS = 16       /* after so many steps the ranks agree in any case */
+};
+
+/* steps since the ranks agreed last, of this rank */
+struct dem_unagreed
+{
+    int n;
+    double moved[DEM_UNAGREED_STEPS];  /* m: largest displacement in each */
+    double bound;                      /* m: bound of their sum on all ranks, from time/maxSpeed;
+                                          infinite without it */
+    int status;                        /* of the first error, and its text */
+    char text[DEM_ERROR_TEXT_SIZE];
 };
 
 /* a function of the program that is told of the progress of an advance; dem_set_progress */
@@ -76,6 +93,7 @@ struct dem_state
                                                      are no lists of these particles yet */
     int64_t steps, rebuilds, prunes;
     int64_t agreements;                           /* all-reduces of dem_agree */
+    struct dem_unagreed unagreed;
     int64_t steps_before, steps_ahead;            /* steps before this window,
                                                      steps of this window */
     double time, dt, window;                      /* s; of positions; last step;

@@ -322,12 +322,24 @@ int dem_neighbor_rebuild(struct dem_state *p)
 /* ---- when ------------------------------------------------------------------------------------ */
 
 /* How much of a skin [m] is used up: bound on how much closer two particles, or a particle and a
-   wall, have come. */
-static double used(const struct dem_state *p, enum dem_list list)
+   wall, have come, when particles have moved by `further` since displacements were added. */
+static double used(const struct dem_state *p, enum dem_list list, double further)
 {
     const struct dem_displacement *const d = &p->pairs.displacement[list];
+    const double spread = d->spread + further;
 
-    return d->spread + fmax(d->spread, dem_walls_max_displacement(&p->walls, list, d->centre));
+    return spread + fmax(spread, dem_walls_max_displacement(&p->walls, list, d->centre));
+}
+
+int dem_neighbor_agreement_due(const struct dem_state *p, double moved)
+{
+    int due = p->stale || dem_flows_due(p) || (p->domain.remove && removal_is_due(p));
+
+    for (enum dem_list l = 0; l < DEM_LISTS && !due; l++)
+    {
+        due = !(used(p, l, moved) <= p->pairs.displacement[l].skin);
+    }
+    return due;
 }
 
 /* The bound is exhausted: measure the displacements since the list was built. Along an axis that is
@@ -381,21 +393,35 @@ static int check_lists(struct dem_state *p, int both, int stale[DEM_LISTS])
     {
         const double skin = p->pairs.displacement[l].skin;
 
-        stale[l] = used(p, l) > skin;
+        stale[l] = used(p, l, 0.0) > skin;
         if (stale[l] || both)
         {
             DEM_TRY(measure_displacements(p, l));
-            stale[l] = used(p, l) > skin;
+            stale[l] = used(p, l, 0.0) > skin;
             if (stale[l] || both)
             {
-                dem_skins_choose(&p->pairs.skins, l, 0.5*used(p, l));
+                dem_skins_choose(&p->pairs.skins, l, 0.5*used(p, l, 0.0));
             }
         }
     }
     return DEM_OK;
 }
 
-static int update_lists(struct dem_state *p, double moved, int observed)
+/* Add the displacements of n steps. Returns 1 when it is time to check the skins. */
+static int add_displacements(struct dem_pairs *s, const double *moved, int n)
+{
+    int check = 0;
+
+    for (int k = 0; k < n; k++)
+    {
+        s->displacement[DEM_LIST_OUTER].spread += moved[k];
+        s->displacement[DEM_LIST_INNER].spread += moved[k];
+        check |= dem_skins_step(&s->skins, moved[k]);
+    }
+    return check;
+}
+
+static int update_lists(struct dem_state *p, const double *moved, int n, int observed)
 {
     struct dem_pairs *const s = &p->pairs;
     int changes, stale[DEM_LISTS] = {0, 0};
@@ -408,11 +434,9 @@ static int update_lists(struct dem_state *p, double moved, int observed)
         DEM_TRY(dem_agree(p, dem_flows_find_positions(p, p->steps)));
         changes |= p->flows->arrivals > 0;
     }
-    s->displacement[DEM_LIST_OUTER].spread += moved;
-    s->displacement[DEM_LIST_INNER].spread += moved;
     if (!p->stale)
     {
-        const int both = dem_skins_step(&s->skins, moved);
+        const int both = add_displacements(s, moved, n);
 
         DEM_TRY(check_lists(p, both, stale));
         stale[DEM_LIST_OUTER] |=
@@ -486,8 +510,17 @@ static int absorb(struct dem_state *p)
     return DEM_OK;
 }
 
-int dem_neighbor_update(struct dem_state *p, double moved, int observed)
+int dem_neighbor_update(struct dem_state *p, const double *moved, int n, int observed)
 {
-    DEM_TRY(update_lists(p, moved, observed));
+    if (n > 0)
+    {
+        DEM_TRY(update_lists(p, moved, n, observed));
+    }
+    else
+    {
+        dem_timers_end_phase(p->timers, DEM_PHASE_AGREE);
+        dem_halo_receive(&p->halo, &p->particles);
+        dem_timers_end_phase(p->timers, DEM_PHASE_REFRESH);
+    }
     return p->walls.absorbing ? absorb(p) : DEM_OK;
 }

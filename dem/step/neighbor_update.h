@@ -9,11 +9,16 @@
 
 #include "simulation/dem_state.h"
 
-/* Collective, after the drift and the sending of ghost data. `moved` [m]: upper bound of the
-   displacement of any particle in this step. `observed`: 1 when positions are read after the step,
-   so that they have to be inside a periodic box up to half a skin. Ghosts are up to date
-   afterwards. */
-int dem_neighbor_update(struct dem_state *, double moved, int observed);
+/* Not collective, but the same on all ranks: 1 when they have to agree in this step, as particles
+   may have used up a skin, or may have to be inserted or removed. `moved` [m]: bound of the
+   displacement of any particle of any rank since they agreed last. */
+int dem_neighbor_agreement_due(const struct dem_state *, double moved);
+
+/* Collective, after the drift and the sending of ghost data. `moved` [m]: upper bounds of the
+   displacement of any particle in each of the n last steps; n = 0: the ranks have not agreed in this
+   step, and lists are kept. `observed`: 1 when positions are read after the step, so that they have
+   to be inside a periodic box up to half a skin. Ghosts are up to date afterwards. */
+int dem_neighbor_update(struct dem_state *, const double *moved, int n, int observed);
 
 /* Collective. Rebuild at the present positions: order of particles, ghosts, pairs, contact rows and
    their history. */

@@ -3,7 +3,8 @@
  * steps around it. The function step() below is the table of phases:
  *
  * 1. Drift positions, rotate orientations, move walls.
- * 2. All ranks agree on the largest speed, on a request to stop and on errors (one all-reduce).
+ * 2. All ranks agree on the largest speeds, on a request to stop and on errors (one all-reduce): in
+ *    each step, or every few steps where time/maxSpeed bounds how far particles can have moved.
  * 3. Update the neighbor lists: refresh ghosts, prune, or rebuild (neighbor_update.c).
  * 4. Contact forces, batch by batch (sweep_contacts.c).
  * 5. Sum the contact forces of each particle (sum_contacts.c), add body and fluid forces, kick
@@ -104,6 +105,17 @@ int dem_step_backup(struct dem_state *p)
     return make_backup(p, DEM_OK, 0.0);
 }
 
+/* Keep the first error of this rank until the ranks agree; returns it, with its text. */
+static int keep_error(struct dem_unagreed *u, int status)
+{
+    if (status && !u->status)
+    {
+        u->status = status;
+        snprintf(u->text, sizeof u->text, "%s", dem_error_text());
+    }
+    return u->status ? dem_error(u->status, "%s", u->text) : DEM_OK;
+}
+
 /* ---- phases of the step ---------------------------------------------------------------------- */
 
 /* A particle that moves by more than its radius in one step may pass another unseen; the limit is
@@ -197,29 +209,55 @@ static double drift(struct dem_state *p, double kick)
     return max_speed;
 }
 
-/* 2. *max_speed becomes that of all ranks. Ghost data is sent while ranks agree, to hide its
-   latency; when lists are rebuilt it was not needed. */
-static int agree(struct dem_state *p, int status, double *max_speed)
+/* The largest displacements [m] in the steps since the last agreement become those of all ranks. */
+static int agree_now(struct dem_state *p, double max[DEM_UNAGREED_STEPS + 1])
 {
-    double max[2] = {*max_speed, p->stop_request ? (double)*p->stop_request : 0.0};
+    struct dem_unagreed *const u = &p->unagreed;
+    int status = keep_error(u, DEM_OK), invalid = 0;
 
+    memcpy(max, u->moved, (size_t)u->n*sizeof *max);
+    max[u->n] = p->stop_request ? (double)*p->stop_request : 0.0;
+    status = dem_agree_max(p, status, max, u->n + 1);
+    for (int k = 0; k < u->n; k++)
+    {
+        invalid |= !isfinite(max[k]);
+    }
+    if (status || invalid)
+    {
+        dem_halo_wait(&p->halo);
+    }
+    DEM_TRY(status);
+    DEM_REQUIRE(!invalid, DEM_ERROR_NUMBER,
+                "a particle's velocity is not a number at step %lld; check the forces "
+                "on it, and the fluid around it",
+                (long long)p->steps);
+    p->stopped = (int)max[u->n];
+    return DEM_OK;
+}
+
+/* 2. Agree now, or in a later step when no particle below time/maxSpeed can have used up a skin until
+   then; n: number of steps agreed on. Ghost data is sent before, to hide its latency; when lists are
+   rebuilt it was not needed. `last`: 1 in the last step of a window. */
+static int agree(struct dem_state *p, double max_speed, int last,
+                 double max[DEM_UNAGREED_STEPS + 1], int *n)
+{
+    struct dem_unagreed *const u = &p->unagreed;
+    const double limit = p->limits.max_speed > 0.0 ? p->limits.max_speed : INFINITY;
+
+    u->moved[u->n++] = max_speed*p->dt;
+    u->bound += limit*p->dt;
+    *n = 0;
     if (!p->stale)
     {
         dem_halo_send(&p->halo, &p->particles, DEM_HALO_CANDIDATES);
         dem_timers_end_phase(p->timers, DEM_PHASE_REFRESH);
     }
-    status = dem_agree_max(p, status, max, 2);
-    if (status || !isfinite(max[0]))
+    if (last || u->n == DEM_UNAGREED_STEPS || dem_neighbor_agreement_due(p, u->bound))
     {
-        dem_halo_wait(&p->halo);
+        DEM_TRY(agree_now(p, max));
+        *n = u->n;
+        dem_unagreed_reset(u);
     }
-    DEM_TRY(status);
-    DEM_REQUIRE(isfinite(max[0]), DEM_ERROR_NUMBER,
-                "a particle's velocity is not a number at step %lld; check the forces "
-                "on it, and the fluid around it",
-                (long long)p->steps);
-    *max_speed = max[0];
-    p->stopped = (int)max[1];
     return DEM_OK;
 }
 
@@ -299,7 +337,7 @@ static int sum_and_kick(struct dem_state *p, const struct due *due, struct dem_b
     if (due->backup)
     {
         dem_timers_begin_rare_phase(p->timers, DEM_PHASE_SUMS);
-        status = make_backup(p, status, 0.5*p->dt);
+        status = make_backup(p, keep_error(&p->unagreed, status), 0.5*p->dt);
         dem_timers_end_rare_phase(p->timers, DEM_PHASE_BACKUP);
     }
     dem_bodies_kick_until(pass, p->particles.n);
@@ -325,24 +363,28 @@ static int sample_averages(struct dem_state *p, int status)
 /* ---- the step -------------------------------------------------------------------------------- */
 
 /* The step from `since` to p->time, with a kick [s] of dt, or of dt/2 at the end of a window. An
-   error of this rank after the agreement is left in `status` for the next one, so that all ranks
-   stop together. */
+   error of this rank after the agreement, or in a step without one, is kept for the next one, so that
+   all ranks stop together. */
 static int step(struct dem_state *p, double since, double kick, int *status)
 {
     struct dem_body_pass pass;
+    double moved[DEM_UNAGREED_STEPS + 1];
+    int agreed;
 
     /* 1. drift */
     dem_timers_begin_step(p->timers);
-    double max_speed = drift(p, kick);
+    const double max_speed = drift(p, kick);
 
+    *status = keep_error(&p->unagreed, *status);
     *status = *status ? *status : check_displacements(p, max_speed, p->dt);
+    *status = keep_error(&p->unagreed, *status);
     dem_timers_end_phase(p->timers, DEM_PHASE_DRIFT);
 
     /* 2. agree */
-    DEM_TRY(agree(p, *status, &max_speed));
+    DEM_TRY(agree(p, max_speed, kick < p->dt, moved, &agreed));
 
     /* 3. refresh ghosts, prune or rebuild */
-    DEM_TRY(dem_neighbor_update(p, max_speed*p->dt, kick < p->dt || p->stopped));
+    DEM_TRY(dem_neighbor_update(p, moved, agreed, kick < p->dt || p->stopped));
     count_work(p);
 
     const struct due due = what_is_due(p, kick);
