@@ -36,30 +36,9 @@ static double worst_of(const struct dem_contact_batch *restrict b)
     return worst;
 }
 
-/* Not 0 where a row may overlap by more than this fraction of the smaller diameter, or its force is not
-   a number. 2^-20: a margin for rounding errors. */
-DEM_KERNEL
-static uint64_t may_exceed(const struct dem_contact_batch *restrict b, double fraction)
-{
-    const double limit = 2.0*fraction*(1.0 - 0x1p-20);
-    uint64_t may = 0;
-
-    for (int c = 0; c < b->n; c++)
-    {
-        const double sum = b->fn[c] + b->fx[c] + b->fy[c] + b->fz[c];
-
-        may |= (uint64_t)((b->overlap[c] >= limit*b->min_radius[c]) | (sum*0.0 != 0.0));
-    }
-    return may;
-}
-
 void dem_limits_check_record(struct dem_state *p, const struct dem_contact_workspace *t,
                              uint32_t row, int rows)
 {
-    if (!may_exceed(&t->batch, p->limits.overlap))
-    {
-        return;
-    }
     const double worst = worst_of(&t->batch);
     int lane = 0;
 

@@ -136,11 +136,33 @@ static void split_add(const double *restrict from, int rows, double factor, doub
     }
 }
 
-void dem_body_batch_select_forces(struct dem_body_workspace *t, const struct dem_particles *p,
-                                  size_t first, int own)
+void dem_body_batch_load_forces(struct dem_body_workspace *t, const struct dem_particles *p,
+                                size_t first, int rows)
 {
-    t->force = own ? t->own_forces[0] : dem_column(p, DEM_COLUMN_FORCE) + 3*first;
-    t->torque = own ? t->own_forces[1] : dem_column(p, DEM_COLUMN_TORQUE) + 3*first;
+    const double *const force = dem_column(p, DEM_COLUMN_FORCE) + 3*first,
+                 *const torque = dem_column(p, DEM_COLUMN_TORQUE) + 3*first;
+
+    for (int c = 0; c < rows; c++)
+    {
+        memcpy(t->force[c], force + 3*c, 3*sizeof *force);
+        memcpy(t->torque[c], torque + 3*c, 3*sizeof *torque);
+        t->torque[c][3] = 0.0;
+    }
+}
+
+DEM_KERNEL
+static void gather_forces(struct dem_body_workspace *restrict t, int rows)
+{
+    for (int c = 0; c < rows; c += 4)
+    {
+        dem_vec4 f[4] = {DEM_VEC4(t->force[c]), DEM_VEC4(t->force[c + 1]),
+                         DEM_VEC4(t->force[c + 2]), DEM_VEC4(t->force[c + 3])};
+
+        dem_transpose4(f);
+        DEM_VEC4_AT(t->batch.fx + c) = f[0];
+        DEM_VEC4_AT(t->batch.fy + c) = f[1];
+        DEM_VEC4_AT(t->batch.fz + c) = f[2];
+    }
 }
 
 void dem_body_batch_gather(struct dem_body_workspace *t, const struct dem_particles *p,
@@ -162,7 +184,7 @@ void dem_body_batch_gather(struct dem_body_workspace *t, const struct dem_partic
     {
         memset(b->t, 0, 4*sizeof b->t);
     }
-    split(t->force, rows, b->fx, b->fy, b->fz);
+    gather_forces(t, rows);
 }
 
 /* The velocity of the fluid at a particle is that of the mean flow and of the eddy it is in. */
@@ -356,7 +378,6 @@ void dem_body_batch_kick_spins(struct dem_body_workspace *t, const struct dem_pa
                                size_t first, int rows, double h)
 {
     struct dem_body_batch *const b = &t->batch;
-    const double *const moment = t->torque;
     double *const spin[3] = {b->wx, b->wy, b->wz}, *const target[3] = {b->tx, b->ty, b->tz};
 
     for (int c = 0; c < rows; c++)
@@ -366,7 +387,7 @@ void dem_body_batch_kick_spins(struct dem_body_workspace *t, const struct dem_pa
 
         for (int k = 0; k < 3; k++)
         {
-            const double M = moment[3*c + k], drag = target[k][c] - b->t[c]*spin[k][c];
+            const double M = t->torque[c][k], drag = target[k][c] - b->t[c]*spin[k][c];
 
             t->spin_impulse[k][c] = h*(phi*drag - (1.0 - phi)*M);
             spin[k][c] += step*(M + drag);
@@ -392,33 +413,71 @@ void dem_body_batch_scatter_spins(const struct dem_body_workspace *t, struct dem
 
 /* ---- scatter --------------------------------------------------------------------------------- */
 
+/* Four particles: velocities from columns into records, spins by the torques; the rows of v are those
+   of the records then. */
+__attribute__((always_inline)) static inline void
+scatter_four(const struct dem_body_workspace *t, struct dem_particle *record, int c, int rows,
+             double h, dem_vec4 v[4])
+{
+    dem_transpose4(v);
+    for (int k = 0; k < 4 && c + k < rows; k++)
+    {
+        struct dem_particle *const i = &record[c + k];
+        const double factor = h*i->inverse_inertia;
+
+        DEM_VEC4_AT(i->v) = v[k];
+        DEM_VEC4_AT(i->w) += factor*DEM_VEC4(t->torque[c + k]);
+    }
+}
+
+#define VELOCITIES(c)                                                                          \
+    {DEM_VEC4(t->batch.vx + (c)), DEM_VEC4(t->batch.vy + (c)), DEM_VEC4(t->batch.vz + (c)),    \
+     DEM_VEC4(t->inverse_mass + (c))}
+
 DEM_KERNEL
 static void scatter_records(const struct dem_body_workspace *restrict t,
-                            struct dem_particle *restrict record, const double *restrict torque,
-                            int rows, double h)
+                            struct dem_particle *restrict record, int first, int rows, double h)
+{
+    for (int c = first; c < rows; c += 4)
+    {
+        dem_vec4 v[4] = VELOCITIES(c);
+
+        scatter_four(t, record, c, rows, h, v);
+    }
+}
+
+DEM_KERNEL
+static void scatter_and_drift(const struct dem_body_workspace *restrict t,
+                              struct dem_particle *restrict record, int rows, double h,
+                              const double round[4], struct dem_drift_speeds *speeds)
 {
     for (int c = 0; c < rows; c += 4)
     {
-        dem_vec4 v[4] = {DEM_VEC4(t->batch.vx + c), DEM_VEC4(t->batch.vy + c),
-                         DEM_VEC4(t->batch.vz + c), DEM_VEC4(t->inverse_mass + c)};
+        dem_vec4 v[4] = VELOCITIES(c);
+        const dem_vec4 square = v[0]*v[0] + v[1]*v[1] + v[2]*v[2];
 
-        dem_transpose4(v);
-        for (int k = 0; k < 4 && c + k < rows; k++)
-        {
-            struct dem_particle *const i = &record[c + k];
-            const double factor = h*i->inverse_inertia, *const m = torque + 3*(c + k);
-            const dem_vec4 change = {factor*m[0], factor*m[1], factor*m[2], 0.0};
-
-            DEM_VEC4_AT(i->v) = v[k];
-            DEM_VEC4_AT(i->w) += change;
-        }
+        scatter_four(t, record, c, rows, h, v);
+        dem_drift_four(record + c, v, h, round);
+        dem_drift_count_speeds(speeds, square);
     }
 }
 
 void dem_body_batch_scatter(const struct dem_body_workspace *t, struct dem_particles *p,
                             size_t first, int rows, double h)
 {
-    scatter_records(t, p->record + first, t->torque, rows, h);
+    scatter_records(t, p->record + first, 0, rows, h);
+}
+
+void dem_body_batch_scatter_and_drift(const struct dem_body_workspace *t, struct dem_particles *p,
+                                      size_t first, int rows, double h, const double round[4],
+                                      struct dem_drift_speeds *speeds)
+{
+    struct dem_particle *const record = p->record + first;
+    const int whole = rows/4*4;
+
+    scatter_and_drift(t, record, whole, h, round, speeds);
+    scatter_records(t, record, whole, rows, h);
+    dem_drift_particles(record + whole, (size_t)(rows - whole), h, round, speeds);
 }
 
 DEM_KERNEL

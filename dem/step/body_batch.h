@@ -14,6 +14,7 @@
 
 #include "effects/batch.h"
 #include "model/particles.h"
+#include "step/drift.h"
 
 struct dem_body_workspace    /* a batch of particles and its working columns */
 {
@@ -27,16 +28,14 @@ struct dem_body_workspace    /* a batch of particles and its working columns */
                                                              without the slip factor */
     _Alignas(64) double spin_impulse[3][DEM_BATCH_ROWS];  /* N m s impulse of rotational
                                                              drag in this kick */
-    double *force, *torque;                               /* N, N m: of contacts, 3 a particle:
-                                                             the particles' columns, or */
-    double own_forces[2][3*DEM_BATCH_ROWS];               /* these, when nothing reads
-                                                             contact forces after the step */
+    /* N, N m  of contacts; the fourth number of a torque is 0 */
+    _Alignas(64) double force[DEM_BATCH_ROWS][4], torque[DEM_BATCH_ROWS][4];
 };
 
-/* Select where the contact forces of the particles from `first` on are stored: in the particles'
-   columns, or with `own` = 1 in the batch itself. To be called before the other functions. */
-void dem_body_batch_select_forces(struct dem_body_workspace *, const struct dem_particles *,
-                                  size_t first, int own);
+/* Load the contact forces of the particles [first, first + rows) from their columns. They are loaded
+   or summed (sum_contacts.h) before the other functions are called. */
+void dem_body_batch_load_forces(struct dem_body_workspace *, const struct dem_particles *,
+                                size_t first, int rows);
 
 /* Gather the particles [first, first + rows) with their contact forces, and their spins if `spin`
    is set. Drag and other results are cleared. */
@@ -90,6 +89,11 @@ void dem_body_batch_scatter_spins(const struct dem_body_workspace *, struct dem_
 /* Write the new velocities back, and kick the spins by the contact torques over h [s]. */
 void dem_body_batch_scatter(const struct dem_body_workspace *, struct dem_particles *, size_t first,
                             int rows, double h);
+
+/* The same, and drift over h at once, as dem_drift_particles does. */
+void dem_body_batch_scatter_and_drift(const struct dem_body_workspace *, struct dem_particles *,
+                                      size_t first, int rows, double h, const double round[4],
+                                      struct dem_drift_speeds *);
 
 /* Add the drag impulse of the kick h [s], its decay factor and b h to the columns that are passed
    to the fluid. */

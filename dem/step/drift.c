@@ -6,37 +6,21 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/drift.h"
-#include "core/math.h"
 #include "effects/effect.h"
-#include "step/vec4.h"
 #include <math.h>
 
-/* Four records at a time. Their velocities are transposed into columns for the squares. The fourth
-   number of x and v, radius and inverse mass, is not changed. */
 DEM_KERNEL
 static void drift_fours(struct dem_particle *restrict record, size_t n, double dt,
                         const double round[4], struct dem_drift_speeds *s)
 {
-    const dem_vec4 rounding = DEM_VEC4(round);
-    const dem_vec4 step = {dt, dt, dt, 0.0};
-
     for (size_t i = 0; i + 4 <= n; i += 4)
     {
-        dem_vec4 v[4], square;
+        dem_vec4 v[4] = {DEM_VEC4(record[i].v), DEM_VEC4(record[i + 1].v),
+                         DEM_VEC4(record[i + 2].v), DEM_VEC4(record[i + 3].v)};
 
-        for (size_t k = 0; k < 4; k++)
-        {
-            v[k] = DEM_VEC4(record[i + k].v);
-            DEM_VEC4_AT(record[i + k].x) += ((step*v[k] + rounding) - rounding);
-        }
+        dem_drift_four(record + i, v, dt, round);
         dem_transpose4(v);
-        square = v[0]*v[0] + v[1]*v[1] + v[2]*v[2];
-        for (size_t k = 0; k < 4; k++)
-        {
-            s->max_square[k] =
-                dem_select(square[k] > s->max_square[k], square[k], s->max_square[k]);
-            s->invalid[k] += square[k]*0.0;
-        }
+        dem_drift_count_speeds(s, v[0]*v[0] + v[1]*v[1] + v[2]*v[2]);
     }
 }
 

@@ -28,9 +28,14 @@ size_t dem_force_buffer_copy_deferred(struct dem_contacts *c, size_t copied, uin
 }
 
 DEM_KERNEL
-static void store(const struct dem_contact_batch *restrict b, double factor, int past_touching,
-                  struct dem_contact_force *restrict to)
+static int store(const struct dem_contact_batch *restrict b, double factor, int past_touching,
+                 double max_overlap, struct dem_contact_force *restrict to)
 {
+    typedef int64_t flags __attribute__((vector_size(32)));
+
+    /* 2^-20: a margin for rounding errors */
+    const double limit = 2.0*max_overlap*(1.0 - 0x1p-20);
+    flags check = {0, 0, 0, 0};
     const double *const depth = past_touching ? b->gap : b->overlap;
     const double signed_factor = past_touching ? -factor : factor;
 
@@ -39,18 +44,23 @@ static void store(const struct dem_contact_batch *restrict b, double factor, int
         const dem_vec4 one = {1.0, 1.0, 1.0, 1.0},
                        mask = past_touching ? one : DEM_VEC4(b->touching + c);
         const dem_vec4 nx = DEM_VEC4(b->nx + c), ny = DEM_VEC4(b->ny + c), nz = DEM_VEC4(b->nz + c),
-                       fn = mask*DEM_VEC4(b->fn + c);
+                       raw = DEM_VEC4(b->fn + c), fn = mask*raw;
         const dem_vec4 fx = mask*DEM_VEC4(b->fx + c), fy = mask*DEM_VEC4(b->fy + c),
                        fz = mask*DEM_VEC4(b->fz + c);
         dem_vec4 f[4] = {fn*nx + fx, fn*ny + fy, fn*nz + fz, signed_factor*DEM_VEC4(depth + c)};
         dem_vec4 t[4] = {ny*fz - nz*fy, nz*fx - nx*fz, nx*fy - ny*fx, {0.0, 0.0, 0.0, 0.0}};
 
+        const dem_vec4 sum = raw + (fx + fy + fz);
+
+        check |= (flags)(DEM_VEC4(b->overlap + c) >= limit*DEM_VEC4(b->min_radius + c)) |
+                 (flags)(sum*0.0 != 0.0);
         dem_contact_force_store(to + c, f, t);
     }
+    return (check[0] | check[1] | check[2] | check[3]) != 0;
 }
 
-void dem_force_buffer_store(const struct dem_contact_batch *b, double factor, int past_touching,
-                            struct dem_contact_force *to)
+int dem_force_buffer_store(const struct dem_contact_batch *b, double factor, int past_touching,
+                           double max_overlap, struct dem_contact_force *to)
 {
-    store(b, factor, past_touching, to);
+    return store(b, factor, past_touching, max_overlap, to);
 }

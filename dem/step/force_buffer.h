@@ -21,9 +21,10 @@ struct dem_contact_force *dem_force_buffer_slot(const struct dem_contacts *, uin
 
 /* Store the contact forces of a batch. The lever arm is the radius minus `factor` times the overlap
    (1/2 at a pair, 1 at a wall). In a class that acts past touching, the gap is a negative overlap.
-   Lanes past the last row are written to the padding of their class. */
-void dem_force_buffer_store(const struct dem_contact_batch *, double factor, int past_touching,
-                            struct dem_contact_force *);
+   Lanes past the last row are written to the padding of their class. Returns 1 when a row may overlap
+   by more than `max_overlap` of the smaller diameter, or its force is not a number. */
+int dem_force_buffer_store(const struct dem_contact_batch *, double factor, int past_touching,
+                           double max_overlap, struct dem_contact_force *);
 
 /* Copy the deferred rows before `end`, which are summed after the ring buffer has wrapped around,
    to their own records. `copied`: number of deferred rows copied so far. Returns this number after

@@ -7,6 +7,7 @@
 #include "step/sum_contacts.h"
 #include "effects/effect.h"
 #include "step/vec4.h"
+#include <string.h>
 
 /* Sign of a row's force on i, and on j. */
 static const double sides[2] = {1.0, -1.0};
@@ -43,12 +44,12 @@ static void sum(const struct dem_contacts *c, const struct dem_particle *restric
 {
     const struct storage at = storage_of(c, part->unobserved);
     const uint32_t *restrict const start = c->rows.start, *restrict const entry = c->rows.entry;
-    double *restrict force = part->force, *restrict torque = part->torque;
 
     for (size_t i = part->first; i < part->end; i++)
     {
         const double radius = record[i].radius;
-        dem_vec4 f = {0.0, 0.0, 0.0, 0.0}, t = {0.0, 0.0, 0.0, 0.0};
+        const dem_vec4 none = {0.0, 0.0, 0.0, 0.0};
+        dem_vec4 f = none, t = none;
 
         /* two at a time, to halve the number of mispredicted loop ends; lists have an even
            length */
@@ -57,11 +58,8 @@ static void sum(const struct dem_contacts *c, const struct dem_particle *restric
             add(&at, entry[k], radius, &f, &t);
             add(&at, entry[k + 1], radius, &f, &t);
         }
-        for (size_t k = 0; k < 3; k++)
-        {
-            *force++ = f[k];
-            *torque++ = t[k];
-        }
+        DEM_VEC4_AT(part->force[i - part->first]) = f;
+        DEM_VEC4_AT(part->torque[i - part->first]) = __builtin_shufflevector(t, none, 0, 1, 2, 7);
     }
 }
 
@@ -69,7 +67,7 @@ static void add_moments(const struct dem_contacts *c, const struct dem_sum_slice
 {
     for (size_t i = part->first; i < part->end; i++)
     {
-        double *const torque = part->torque + 3*(i - part->first);
+        double *const torque = part->torque[i - part->first];
 
         for (uint32_t e = c->rows.start[i]; e < c->rows.start[i + 1]; e++)
         {
@@ -97,12 +95,34 @@ void dem_sum_slice(const struct dem_particles *p, const struct dem_contacts *c,
     }
 }
 
+/* Rows of four numbers into a column of three. */
+static void store_column(double (*from)[4], size_t n, double *column)
+{
+    for (size_t k = 0; k < n; k++)
+    {
+        memcpy(column + 3*k, from[k], 3*sizeof *column);
+    }
+}
+
+void dem_sum_store(struct dem_particles *p, const struct dem_sum_slice *part)
+{
+    const size_t n = part->end - part->first;
+
+    store_column(part->force, n, dem_column(p, DEM_COLUMN_FORCE) + 3*part->first);
+    store_column(part->torque, n, dem_column(p, DEM_COLUMN_TORQUE) + 3*part->first);
+}
+
 void dem_sum_contacts(struct dem_particles *p, const struct dem_contacts *c)
 {
-    dem_sum_slice(p, c,
-                  &(struct dem_sum_slice){.end = p->n,
-                                          .force = dem_column(p, DEM_COLUMN_FORCE),
-                                          .torque = dem_column(p, DEM_COLUMN_TORQUE)});
+    _Alignas(64) double force[DEM_BATCH_ROWS][4], torque[DEM_BATCH_ROWS][4];
+    struct dem_sum_slice part = {.force = force, .torque = torque};
+
+    for (; part.first < p->n; part.first = part.end)
+    {
+        part.end = part.first + DEM_BATCH_ROWS < p->n ? part.first + DEM_BATCH_ROWS : p->n;
+        dem_sum_slice(p, c, &part);
+        dem_sum_store(p, &part);
+    }
 }
 
 /* Each partner of a pair gets half of its energies; at a wall the particle gets all. */

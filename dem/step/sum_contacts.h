@@ -12,14 +12,18 @@
 struct dem_sum_slice                                       /* a contiguous slice of particles */
 {
     size_t first, end;       /* particles */
-    double *force, *torque;  /* results, 3 numbers a particle [N], [N m] */
-    int unobserved;               /* 1: in this step contact forces were written
-                                to the ring buffer, if there is one */
+    double (*force)[4], (*torque)[4];    /* results [N], [N m]: three components, and a fourth
+                                            number without meaning, of a torque 0 */
+    int unobserved;                      /* 1: in this step contact forces were written to the
+                                            ring buffer, if there is one */
 };
 
 /* Each particle of the slice sums its rows in the order of partner ids. */
 void dem_sum_slice(const struct dem_particles *, const struct dem_contacts *,
                    const struct dem_sum_slice *);
+
+/* The results of a slice into the columns force and torque. */
+void dem_sum_store(struct dem_particles *, const struct dem_sum_slice *);
 
 /* All particles, into the columns force and torque. */
 void dem_sum_contacts(struct dem_particles *, const struct dem_contacts *);

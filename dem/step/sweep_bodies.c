@@ -179,6 +179,27 @@ static void finish_applied(const struct applied *a, const struct dem_body_sweep 
     }
 }
 
+/* Contact forces of a batch: summed now, and stored unless nothing reads them, or as summed before. */
+static void forces_of_contacts(struct dem_body_pass *pass, size_t first, int rows)
+{
+    const struct dem_sum_slice part = {.first = first,
+                                       .end = first + (size_t)rows,
+                                       .force = pass->workspace.force,
+                                       .torque = pass->workspace.torque,
+                                       .unobserved = pass->unobserved};
+
+    if (!pass->sweep->contacts)
+    {
+        dem_body_batch_load_forces(&pass->workspace, pass->particles, first, rows);
+        return;
+    }
+    dem_sum_slice(pass->particles, pass->sweep->contacts, &part);
+    if (!pass->unobserved)
+    {
+        dem_sum_store(pass->particles, &part);
+    }
+}
+
 __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, size_t first,
                                                   int rows)
 {
@@ -188,17 +209,7 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
     const int fluid = dem_column(p, DEM_COLUMN_FLUID_VELOCITY) != NULL;
     struct applied applied;
 
-    dem_body_batch_select_forces(t, p, first, pass->unobserved);
-    if (s->contacts)
-    {
-        const struct dem_sum_slice part = {.first = first,
-                                           .end = first + (size_t)rows,
-                                           .force = t->force,
-                                           .torque = t->torque,
-                                           .unobserved = pass->unobserved};
-
-        dem_sum_slice(p, s->contacts, &part);
-    }
+    forces_of_contacts(pass, first, rows);
     dem_body_batch_gather(t, p, first, rows, (pass->bodies->needs & DEM_NEEDS_SPIN) != 0);
     if (fluid)
     {
@@ -237,7 +248,14 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
 
         dem_energy_balance_after_kick(s->energy_balance, p, &k);
     }
-    dem_body_batch_scatter(t, p, first, rows, s->kick);
+    if (pass->unobserved && s->round)
+    {
+        dem_body_batch_scatter_and_drift(t, p, first, rows, s->kick, s->round, &pass->speeds);
+    }
+    else
+    {
+        dem_body_batch_scatter(t, p, first, rows, s->kick);
+    }
     if (dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE))
     {
         dem_body_batch_scatter_spins(t, p, first, rows);
@@ -245,10 +263,6 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
     if (s->applied)
     {
         finish_applied(&applied, s, p->record + first, rows);
-    }
-    if (pass->unobserved && s->round)
-    {
-        dem_drift_particles(p->record + first, (size_t)rows, s->kick, s->round, &pass->speeds);
     }
 }
 
@@ -316,7 +330,7 @@ void dem_bodies_window_constants(struct dem_particles *p, const struct dem_effec
     {
         const int rows = rows_in_batch(p, first);
 
-        dem_body_batch_select_forces(&t, p, first, 0);
+        dem_body_batch_load_forces(&t, p, first, rows);
         dem_body_batch_gather(&t, p, first, rows, 0);
         dem_body_batch_gather_fluid(&t, p, first, rows, 0.0);
         memset(t.batch.added_mass, 0, sizeof t.batch.added_mass);

@@ -310,8 +310,11 @@ static int sweep_batch(struct dem_state *p, struct dem_contact_workspace *t,
     {
         DEM_TRY(dem_bonds_record(p, &t->batch, row, rows));
     }
-    dem_force_buffer_store(&t->batch, effects->pair.with_wall ? 1.0 : 0.5, effects->past_touching,
-                           at->to);
+    if (dem_force_buffer_store(&t->batch, effects->pair.with_wall ? 1.0 : 0.5,
+                               effects->past_touching, p->limits.overlap, at->to))
+    {
+        dem_limits_check_record(p, t, row, rows);
+    }
     if (effects->past_touching)
     {
         store_energies(&p->contacts, &t->batch, row, rows);
@@ -320,7 +323,6 @@ static int sweep_batch(struct dem_state *p, struct dem_contact_workspace *t,
     {
         store_moments(&p->contacts, &t->batch, row, rows);
     }
-    dem_limits_check_record(p, t, row, rows);
     return effects->pair.with_wall && count_crossings(&t->batch) > 0.0
                ? list_crossings(p, t, row, rows)
                : DEM_OK;

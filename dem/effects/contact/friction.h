@@ -31,10 +31,11 @@ struct dem_friction_settings
                        "count adhesion in the friction limit: mu (F_n + 2 F_c) with jkr, mu "  \
                        "(F_n + k_c d) with hookeHysteresis")
 
-/* The slider of a row with stiffness kt, without its spring: dashpot of the normal law, limit from
-   the normal force. */
+/* The slider of a row with stiffness kt and spring xi: dashpot of the normal law, limit from the normal
+   force. */
 DEM_MATH struct dem_slider dem_friction_slider(const struct dem_friction_settings *l,
-                                               const struct dem_contact_row *r, double kt)
+                                               const struct dem_contact_row *r, double kt,
+                                               const double *xi)
 {
     const double with_dashpot = l->damping != 0, with_adhesion = l->adhesion != 0;
     const double normal = r->fn + with_adhesion*r->adhesive_force;
@@ -45,26 +46,17 @@ DEM_MATH struct dem_slider dem_friction_slider(const struct dem_friction_setting
                                .inverse_dt = r->inverse_dt,
                                .sx = r->sx,
                                .sy = r->sy,
-                               .sz = r->sz};
+                               .sz = r->sz,
+                               .xi_x = xi[0],
+                               .xi_y = xi[1],
+                               .xi_z = xi[2]};
 }
 
-/* Friction with stiffness kt; xi: the spring. */
-DEM_MATH void dem_friction_row(const struct dem_friction_settings *l, struct dem_contact_row *r,
-                               double kt, double *xi)
+/* Friction of a row by this slider. */
+DEM_MATH void dem_friction_row(struct dem_contact_row *r, struct dem_slider s, double *xi)
 {
-    struct dem_slider s = dem_friction_slider(l, r, kt);
-
-    s.xi_x = xi[0];
-    s.xi_y = xi[1];
-    s.xi_z = xi[2];
-    s = dem_slider_step(r, s);
-    xi[0] = s.xi_x;
-    xi[1] = s.xi_y;
-    xi[2] = s.xi_z;
-    r->kt = kt;
-    r->fx += s.fx;
-    r->fy += s.fy;
-    r->fz += s.fz;
+    r->kt = s.stiffness;
+    dem_slider_row(r, s, (double *[3]){&r->fx, &r->fy, &r->fz}, xi);
 }
 
 /* ---- energy ------------------------------------------------------------------------------------ */
@@ -94,16 +86,15 @@ DEM_MATH void dem_friction_energy(dem_friction_previous *previous, const void *s
     for (int c = 0; c < b->n; c++)
     {
         const struct dem_contact_row r = dem_contact_row_load(b, c, inverse_dt);
-        struct dem_slider s = dem_friction_slider(l, &r, b->kt[c]);
         const double was = previous ? 0.0 : stiffness[c];
         const double grown =
             previous ? 0.0 : b->touching[c]*dem_select(was < b->kt[c], b->kt[c] - was, 0.0);
         const double keep = dem_select(grown > 0.0, dem_friction_keep(was, b->kt[c]), 1.0);
         const double square = x[c]*x[c] + y[c]*y[c] + z[c]*z[c];
 
-        s.xi_x = keep*x[c];
-        s.xi_y = keep*y[c];
-        s.xi_z = keep*z[c];
+        struct dem_slider s = dem_friction_slider(
+            l, &r, b->kt[c], (const double[3]){keep*x[c], keep*y[c], keep*z[c]});
+
         s.mass = e->slip_mass[c];
         s.previous_stiffness = previous ? previous(settings, b, e, c) : was + grown;
         dem_slider_energy(b, c, s, e);

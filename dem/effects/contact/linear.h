@@ -19,9 +19,15 @@ enum
     dem_linear_columns = 3
 };
 
+DEM_MATH struct dem_slider dem_linear_slider(const struct dem_linear *l,
+                                             const struct dem_contact_row *r, const double *xi)
+{
+    return dem_friction_slider(&l->common, r, l->stiffness*r->touching + l->ratio*r->kn, xi);
+}
+
 DEM_MATH void dem_linear_row(const struct dem_linear *l, struct dem_contact_row *r, double *xi)
 {
-    dem_friction_row(&l->common, r, l->stiffness*r->touching + l->ratio*r->kn, xi);
+    dem_friction_row(r, dem_linear_slider(l, r, xi), xi);
 }
 
 #endif

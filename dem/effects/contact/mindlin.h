@@ -28,9 +28,15 @@ DEM_MATH double dem_mindlin_stiffness(double modulus, const struct dem_contact_r
     return modulus*sqrt(r->reduced_radius*r->overlap);
 }
 
+DEM_MATH struct dem_slider dem_mindlin_slider(const struct dem_mindlin *l,
+                                              const struct dem_contact_row *r, const double *xi)
+{
+    return dem_friction_slider(&l->common, r, dem_mindlin_stiffness(l->modulus, r), xi);
+}
+
 DEM_MATH void dem_mindlin_row(const struct dem_mindlin *l, struct dem_contact_row *r, double *xi)
 {
-    dem_friction_row(&l->common, r, dem_mindlin_stiffness(l->modulus, r), xi);
+    dem_friction_row(r, dem_mindlin_slider(l, r, xi), xi);
 }
 
 #endif

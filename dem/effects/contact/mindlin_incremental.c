@@ -57,7 +57,7 @@ DEM_MATH void incremental_row(const struct incremental *l, struct dem_contact_ro
     const double kt = dem_mindlin_stiffness(l->modulus, r), keep = dem_friction_keep(h[3], kt);
     double xi[3] = {keep*h[0], keep*h[1], keep*h[2]};
 
-    dem_friction_row(&l->common, r, kt, xi);
+    dem_friction_row(r, dem_friction_slider(&l->common, r, kt, xi), xi);
     h[0] = xi[0];
     h[1] = xi[1];
     h[2] = xi[2];

@@ -87,11 +87,9 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
     for (int c = 0; c < b->n; c++)
     {
         const struct dem_contact_row r = dem_contact_row_load(b, c, inverse_dt);
-        struct dem_slider s = dem_rolling_slider(rolling, &r);
+        struct dem_slider s =
+            dem_rolling_slider(rolling, &r, (const double[3]){x[c], y[c], z[c]});
 
-        s.xi_x = x[c];
-        s.xi_y = y[c];
-        s.xi_z = z[c];
         s.mass = e->inertia[c];
         s.previous_stiffness =
             rolling->ratio*e->previous_kn[c]*b->reduced_radius[c]*b->reduced_radius[c];

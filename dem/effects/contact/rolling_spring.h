@@ -21,9 +21,8 @@ enum
     dem_rolling_spring_columns = 3    /* theta */
 };
 
-/* the slider of a row, without its spring */
 DEM_MATH struct dem_slider dem_rolling_slider(const struct dem_rolling_spring *l,
-                                              const struct dem_contact_row *r)
+                                              const struct dem_contact_row *r, const double *theta)
 {
     const double hx = r->hx, hy = r->hy, hz = r->hz, R = r->reduced_radius;
     const double twist = r->wx*hx + r->wy*hy + r->wz*hz;
@@ -36,24 +35,33 @@ DEM_MATH struct dem_slider dem_rolling_slider(const struct dem_rolling_spring *l
                                .inverse_dt = r->inverse_dt,
                                .sx = r->wx - twist*hx,
                                .sy = r->wy - twist*hy,
-                               .sz = r->wz - twist*hz};
+                               .sz = r->wz - twist*hz,
+                               .xi_x = theta[0],
+                               .xi_y = theta[1],
+                               .xi_z = theta[2]};
 }
 
 DEM_MATH void dem_rolling_spring_row(const struct dem_rolling_spring *l, struct dem_contact_row *r,
                                      double *theta)
 {
-    struct dem_slider s = dem_rolling_slider(l, r);
+    dem_slider_row(r, dem_rolling_slider(l, r, theta), (double *[3]){&r->mx, &r->my, &r->mz},
+                   theta);
+}
 
-    s.xi_x = theta[0];
-    s.xi_y = theta[1];
-    s.xi_z = theta[2];
-    s = dem_slider_step(r, s);
-    theta[0] = s.xi_x;
-    theta[1] = s.xi_y;
-    theta[2] = s.xi_z;
-    r->mx += s.fx;
-    r->my += s.fy;
-    r->mz += s.fz;
+/* in two parts, for fused kernels */
+DEM_MATH void dem_rolling_spring_begin(const struct dem_rolling_spring *l,
+                                       struct dem_contact_row *r, struct dem_slider_columns *t,
+                                       int c, double *theta)
+{
+    dem_slider_begin(r, dem_rolling_slider(l, r, theta), t, c, theta);
+}
+
+#define dem_rolling_spring_limit dem_slider_limit_forces
+
+DEM_MATH void dem_rolling_spring_end(const struct dem_slider_columns *t, int c,
+                                     struct dem_contact_row *r, double *theta)
+{
+    dem_slider_end(t, c, (double *[3]){&r->mx, &r->my, &r->mz}, theta);
 }
 
 #endif

@@ -153,9 +153,9 @@ dem_slider_apply_limit(struct dem_slider s, const double t[3], struct dem_slider
     return s;
 }
 
-/* One step of the slider of a row; with a limit of 0 force and spring become 0. */
-DEM_MATH struct dem_slider
-dem_slider_step(const struct dem_contact_row *r, struct dem_slider s)
+/* One step of the slider of a row; with a limit of 0 force and spring become 0. xi: the spring, in and
+   out. */
+DEM_MATH struct dem_slider dem_slider_step(const struct dem_contact_row *r, struct dem_slider s)
 {
     double t[3];
 
@@ -165,6 +165,79 @@ dem_slider_step(const struct dem_contact_row *r, struct dem_slider s)
                                   dem_slider_limit_force(t[0]*t[0] + t[1]*t[1] + t[2]*t[2],
                                                          s.limit,
                                                          dem_slider_effective_stiffness(&s)));
+}
+
+/* The same for the loop of a law; f, xi: force, to which F is added, and spring. */
+DEM_MATH void dem_slider_row(const struct dem_contact_row *r, struct dem_slider s, double *f[3],
+                             double *xi)
+{
+    s = dem_slider_step(r, s);
+    xi[0] = s.xi_x;
+    xi[1] = s.xi_y;
+    xi[2] = s.xi_z;
+    *f[0] += s.fx;
+    *f[1] += s.fy;
+    *f[2] += s.fz;
+}
+
+/*
+ * The same in three loops over a batch, for fused kernels: in one long loop the latencies of square
+ * roots and divisions add up, in short ones they overlap. The first loop is that of the kernel and
+ * calls dem_slider_begin, the last one dem_slider_end. The results have the bits of dem_slider_step.
+ */
+struct dem_slider_columns
+{
+    _Alignas(64) double x[DEM_BATCH_ROWS], y[DEM_BATCH_ROWS], z[DEM_BATCH_ROWS];    /* T */
+    /* limit and effective stiffness; after dem_slider_limit_forces force_factor and spring_factor */
+    _Alignas(64) double limit[DEM_BATCH_ROWS], stiffness[DEM_BATCH_ROWS];
+};
+
+/* xi: the spring; out, its trial elongation */
+DEM_MATH void dem_slider_begin(const struct dem_contact_row *r, struct dem_slider s,
+                               struct dem_slider_columns *to, int c, double *xi)
+{
+    double t[3];
+
+    s = dem_slider_load(r, s);
+    dem_slider_trial_force(&s, t);
+    xi[0] = s.xi_x;
+    xi[1] = s.xi_y;
+    xi[2] = s.xi_z;
+    to->x[c] = t[0];
+    to->y[c] = t[1];
+    to->z[c] = t[2];
+    to->limit[c] = s.limit;
+    to->stiffness[c] = dem_slider_effective_stiffness(&s);
+}
+
+DEM_MATH void dem_slider_limit_forces(struct dem_slider_columns *t, int n)
+{
+    for (int c = 0; c < n; c++)
+    {
+        const struct dem_slider_limited l =
+            dem_slider_limit_force(t->x[c]*t->x[c] + t->y[c]*t->y[c] + t->z[c]*t->z[c],
+                                   t->limit[c], t->stiffness[c]);
+
+        t->limit[c] = l.force_factor;
+        t->stiffness[c] = l.spring_factor;
+    }
+}
+
+/* f: force, to which F is added; xi: trial elongation, out: the spring */
+DEM_MATH void dem_slider_end(const struct dem_slider_columns *t, int c, double *f[3], double *xi)
+{
+    const struct dem_slider e = {.xi_x = xi[0], .xi_y = xi[1], .xi_z = xi[2]};
+    const struct dem_slider s =
+        dem_slider_apply_limit(e, (const double[3]){t->x[c], t->y[c], t->z[c]},
+                               (struct dem_slider_limited){.force_factor = t->limit[c],
+                                                           .spring_factor = t->stiffness[c]});
+
+    xi[0] = s.xi_x;
+    xi[1] = s.xi_y;
+    xi[2] = s.xi_z;
+    *f[0] += s.fx;
+    *f[1] += s.fy;
+    *f[2] += s.fz;
 }
 
 /*

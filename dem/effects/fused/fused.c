@@ -6,7 +6,7 @@
 #include "effects/fused/fused.h"
 #include <stddef.h>
 
-const struct dem_effect dem_none = {.name = "none"};
+const struct dem_effect dem_none = {.size = 0};
 
 const struct dem_fused_kernel *const dem_fused_kernels[] = {dem_fused_hertz, dem_fused_hooke,
                                                             dem_fused_adhesive, NULL};

@@ -1,5 +1,13 @@
 /*
- * fused_kernel.h -- the loop of a fused kernel, made of the row functions of its laws.
+ * fused_kernel.h -- the loops of a fused kernel, made of the row functions of its laws.
+ *
+ * 1. Normal law and damping.
+ * 2. Trial forces of the springs of friction and rolling.
+ * 3. The limits of these (slider.h).
+ * 4. Forces and moments.
+ *
+ * In one long loop the latencies of square roots and divisions would add up; in short ones those of
+ * several rows overlap.
  *
  * History is cleared where partners are apart, as step/sweep_contacts.c does after an effect.
  *
@@ -41,12 +49,18 @@ DEM_MATH void dem_none_row(const struct dem_none *l, struct dem_contact_row *r, 
 
 #define dem_none_adhesion_row dem_none_row
 
-/* What the laws of a row add to or set, except kn, which may have been set before. */
+/* A resistance to rolling without a spring has all of its moment in the first loop of a kernel. */
+#define dem_none_begin(l, r, t, c, h) dem_none_row(l, r, h)
+#define dem_none_limit(t, n) (void)(t)
+#define dem_none_end(t, c, r, h) (void)0
+#define dem_rolling_constant_begin(l, r, t, c, h) dem_rolling_constant_row(l, r, h)
+#define dem_rolling_constant_limit dem_none_limit
+#define dem_rolling_constant_end dem_none_end
+
+/* What normal law and damping add to or set, except kn, which may have been set before. */
 DEM_MATH void dem_fused_begin(struct dem_contact_row *r)
 {
-    r->kt = r->eta = r->adhesive_force = 0.0;
-    r->fn = r->fx = r->fy = r->fz = 0.0;
-    r->mx = r->my = r->mz = 0.0;
+    r->eta = r->fn = r->adhesive_force = 0.0;
 }
 
 #define DEM_FUSED_NAME(normal, damping, friction, rolling, film)                               \
@@ -72,6 +86,7 @@ DEM_MATH void dem_fused_begin(struct dem_contact_row *r)
         const struct dem_##rolling m = *(const struct dem_##rolling *)settings[3];             \
         const struct dem_##film g = *(const struct dem_##film *)settings[4];                   \
         const double inverse_dt = dem_contact_batch_inverse_dt(b);                             \
+        struct dem_slider_columns slips, rolls;                                                \
                                                                                                \
         dem_##normal##_before(&a, b);                                                          \
         DEM_INDEPENDENT_ROWS                                                                   \
@@ -80,26 +95,54 @@ DEM_MATH void dem_fused_begin(struct dem_contact_row *r)
             struct dem_contact_row r = dem_contact_row_load(b, c, inverse_dt);                 \
             double h[DEM_LAW_HISTORY];                                                         \
                                                                                                \
-            dem_history_load(history, COLUMNS, c, h);                                          \
+            dem_history_load(history, FRICTION, c, h);                                         \
+            dem_history_load(history + FILM, COLUMNS - FILM, c, h + FILM);                     \
             dem_fused_begin(&r);                                                               \
             dem_##normal##_row(&a, &r, h);                                                     \
             dem_##damping##_row(&d, &r, h + DAMPING);                                          \
             dem_##film##_adhesion_row(&g, &r, h + FILM);                                       \
-            dem_##friction##_row(&f, &r, h + FRICTION);                                        \
-            dem_##rolling##_row(&m, &r, h + ROLLING);                                          \
-            dem_history_clear_apart(&r, FILM, h);                                              \
+            dem_history_clear_apart(&r, FRICTION, h);                                          \
+            dem_history_store(h, FRICTION, c, history);                                        \
+            DEM_STORE(kn, eta, fn, adhesive_force, scratch)                                    \
+        }                                                                                      \
+        DEM_INDEPENDENT_ROWS                                                                   \
+        for (int c = 0; c < b->n; c++)                                                         \
+        {                                                                                      \
+            struct dem_contact_row r = dem_contact_row_load(b, c, inverse_dt);                 \
+            double h[DEM_LAW_HISTORY];                                                         \
+                                                                                               \
+            dem_history_load(history + FRICTION, FILM - FRICTION, c, h + FRICTION);            \
+            r.mx = r.my = r.mz = 0.0;                                                          \
+            dem_slider_begin(&r, dem_##friction##_slider(&f, &r, h + FRICTION), &slips, c,     \
+                             h + FRICTION);                                                    \
+            dem_##rolling##_begin(&m, &r, &rolls, c, h + ROLLING);                             \
+            dem_history_store(h + FRICTION, FILM - FRICTION, c, history + FRICTION);           \
+            DEM_STORE(mx, my, mz)                                                              \
+        }                                                                                      \
+        dem_slider_limit_forces(&slips, b->n);                                                 \
+        dem_##rolling##_limit(&rolls, b->n);                                                   \
+        DEM_INDEPENDENT_ROWS                                                                   \
+        for (int c = 0; c < b->n; c++)                                                         \
+        {                                                                                      \
+            struct dem_contact_row r = dem_contact_row_load(b, c, inverse_dt);                 \
+            double h[DEM_LAW_HISTORY];                                                         \
+                                                                                               \
+            dem_history_load(history + FRICTION, COLUMNS - FRICTION, c, h + FRICTION);         \
+            r.fx = r.fy = r.fz = 0.0;                                                          \
+            dem_slider_end(&slips, c, (double *[3]){&r.fx, &r.fy, &r.fz}, h + FRICTION);       \
+            dem_##rolling##_end(&rolls, c, &r, h + ROLLING);                                   \
+            dem_history_clear_apart(&r, FILM - FRICTION, h + FRICTION);                        \
             dem_##film##_row(&g, &r, h + FILM);                                                \
-            dem_history_store(h, COLUMNS, c, history);                                         \
-            DEM_STORE(__VA_ARGS__)                                                             \
+            dem_history_store(h + FRICTION, COLUMNS - FRICTION, c, history + FRICTION);        \
+            DEM_STORE(fx, fy, fz, __VA_ARGS__)                                                 \
         }                                                                                      \
     }
 
 /* kernels without and with a film */
 #define DEM_FUSED_DEFINE(normal, damping, friction, rolling)                                   \
-    DEM_FUSED_LOOP(normal, damping, friction, rolling, none, kn, fn, fx, fy, fz, mx, my, mz)
+    DEM_FUSED_LOOP(normal, damping, friction, rolling, none, mx, my, mz)
 #define DEM_FUSED_DEFINE_FILM(normal, damping, friction, rolling, film)                        \
-    DEM_FUSED_LOOP(normal, damping, friction, rolling, film, kn, fn, fx, fy, fz, mx, my, mz,   \
-                   stored, lost)
+    DEM_FUSED_LOOP(normal, damping, friction, rolling, film, mx, my, mz, fn, stored, lost)
 
 /* rows of a table of kernels */
 #define DEM_FUSED_ROW(normal, damping, friction, rolling)                                      \
