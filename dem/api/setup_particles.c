@@ -250,6 +250,23 @@ static int complete_scalars(struct dem *d)
     return dem_scalars_check(p, r, " in the snapshot");
 }
 
+/* The scene's entry start/frozen. */
+static void freeze_or_free(struct dem *d)
+{
+    for (size_t i = 0; d->scene_start && d->scene.start_frozen >= 0 && i < d->state.particles.n; i++)
+    {
+        struct dem_particle *const r = &d->state.particles.record[i];
+        const int frozen = d->scene.start_frozen;
+
+        r->flags = (uint16_t)((r->flags & ~(DEM_PARTICLE_FROZEN | DEM_PARTICLE_DRIVEN)) |
+                              (frozen ? DEM_PARTICLE_FROZEN : 0));
+        r->inverse_mass = frozen ? 0.0 : 1.0/r->mass;
+        r->inverse_inertia = frozen ? 0.0 : 1.0/(0.4*r->mass*r->radius*r->radius);
+        memset(r->v, 0, sizeof r->v);
+        memset(r->w, 0, sizeof r->w);
+    }
+}
+
 /* Resume the window that was interrupted when the snapshot was written. */
 static void resume_window(struct dem_state *p, const struct dem_snapshot_window *w)
 {
@@ -290,6 +307,7 @@ int dem_api_create_particles(struct dem *d)
         remove_added_mass(&p->particles);
         memcpy(&d->snapshot_skins, s.skin_tuning, sizeof d->snapshot_skins);
         d->snapshot_flows = s;
+        freeze_or_free(d);
         return complete_scalars(d);
     }
     DEM_TRY(dem_insert_place(&d->scene.initial, &d->scene.insertion, &p->interaction_table,

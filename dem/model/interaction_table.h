@@ -64,6 +64,8 @@ struct dem_interaction_table
     double fluid_density;                           /* kg/m3, of the run; 0: none, not uniform */
     int overrides;
     struct dem_override *override;
+    int motionless;                                 /* 1: all particles are frozen: only effects
+                                                       with scalars limit the time step */
     int scalars;                                    /* number of particle scalars of all effects */
     const struct dem_scalar *scalar[DEM_SCALARS];
     int exchanged[DEM_SCALARS];                     /* 1: with a fluid or the program */

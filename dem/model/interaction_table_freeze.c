@@ -127,7 +127,8 @@ static void collect_limits(struct dem_interaction_table *r, const struct dem_eff
                                                list->pair.with_wall ? ", at a wall" : "";
     const double reach =
         entry->effect->reach ? entry->effect->reach(entry->settings, &list->pair) : 0.0;
-    const double limit = entry->effect->time_limit
+    const int limits = entry->effect->time_limit && (entry->scalars > 0 || !r->motionless);
+    const double limit = limits
                              ? entry->effect->time_limit(entry->settings, &list->pair, &why)
                              : DBL_MAX;
 

@@ -122,7 +122,8 @@ static inline int try_pair(struct finder *f, uint32_t owned, uint32_t other)
         me->id != it->id, DEM_ERROR_INPUT,
         "particle %lld reaches its own periodic image; make the domain at least two diameters and a skin wide",
         (long long)me->id);
-    if ((mirrored && a > b) || (me->flags & it->flags & DEM_PARTICLE_FROZEN))
+    if ((mirrored && a > b) || 
+        (me->flags & it->flags & DEM_PARTICLE_FROZEN && !f->r->contact_scalars))
     {
         return DEM_OK;
     }
@@ -312,7 +313,7 @@ static int wall_pairs(struct dem_pairs *s, const struct dem_particles *p, const 
         const int material = w->wall[w->facet[near->facet].wall].material;
 
         s->wall_facet[k] = w->facet[near->facet].number;
-        if (!(me->flags & DEM_PARTICLE_FROZEN))
+        if (!(me->flags & DEM_PARTICLE_FROZEN) || r->contact_scalars)
         {
             DEM_TRY(
                 add_pair(c,

@@ -299,6 +299,22 @@ static int read_bonds(struct dem_scene *s, const struct dem_dict *scene,
     return check_bonds(s->bond_ids, s->bond_id_count, dem_dict_where(bonds));
 }
 
+/* Particles of a snapshot may be frozen, or freed. */
+static int read_frozen(struct dem_scene *s, const struct dem_dict *start,
+                       struct dem_interaction_table *r)
+{
+    bool frozen = false;
+
+    s->start_frozen = -1;
+    if (dem_dict_has(start, "frozen"))
+    {
+        DEM_TRY(dem_dict_switch(start, "frozen", &frozen));
+        s->start_frozen = frozen;
+    }
+    r->motionless = frozen;
+    return DEM_OK;
+}
+
 int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
                    struct dem_interaction_table *r, struct dem_walls *w, struct dem_domain *d)
 {
@@ -317,6 +333,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
     {
         DEM_TRY(dem_dict_text(start, "snapshot", &s->snapshot));
         DEM_TRY(dem_scalar_entries_read(start, r, 0, s->start_scalar));
+        DEM_TRY(read_frozen(s, start, r));
     }
     DEM_TRY(dem_dict_sub_if(scene, "insert", &insert));
     DEM_TRY(dem_dict_sub_if(scene, "outlets", &outlets));
@@ -328,6 +345,9 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
             DEM_TRY(dem_streams_add_wall(&s->streams, w->wall[k].absorbs, &w->wall[k].outlet));
         }
     }
+    DEM_REQUIRE(!r->motionless || s->streams.streams == 0, DEM_ERROR_INPUT,
+                "%s: start freezes all particles, but insert/%s lets others move; leave out one of "
+                "the two", dem_dict_where(start), s->streams.stream[0].name);
     DEM_TRY(insert ? dem_insert_read(&s->insertion, insert, r, w) : DEM_OK);
     DEM_REQUIRE(!start || s->insertion.n == 0, DEM_ERROR_INPUT,
                 "%s: the scene has both start and insert; keep one, or keep in insert only entries "

@@ -47,6 +47,7 @@ struct dem_scene
     int tuned_skins;                       /* 1: tune them, the scene gives none */
     const char *snapshot;                  /* path to start from, or NULL */
     struct dem_scalar_entry start_scalar[DEM_SCALARS];    /* of its particles, where given */
+    int start_frozen;                      /* 1: freeze them, 0: free them, -1: as they are */
     struct dem_uniform_fluid fluid;
     struct dem_insertion insertion;        /* groups of particles to be placed */
     struct dem_streams streams;            /* streams and outlets */

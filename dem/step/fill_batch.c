@@ -54,7 +54,7 @@ static void gather_walls(struct dem_contact_workspace *restrict t, const struct 
         g->bz[c] = 2.0*i->w[2];
         b->min_radius[c] = i->radius;
         b->reduced_radius[c] = i->radius;
-        b->reduced_mass[c] = 1.0/i->inverse_mass;
+        b->reduced_mass[c] = i->inverse_mass > 0.0 ? 1.0/i->inverse_mass : i->mass;
         b->wx[c] = i->w[0];
         b->wy[c] = i->w[1];
         b->wz[c] = i->w[2];
@@ -252,6 +252,17 @@ static void fill_past_touching(struct dem_contact_workspace *t, const struct dem
     }
 }
 
+/* Frozen partners exchange scalars, but have no inverse mass: with one, all columns are finite. No
+   force moves them. */
+static void give_frozen_pairs_mass(struct dem_contact_workspace *t)
+{
+    for (int c = 0; c < t->batch.n; c++)
+    {
+        t->gathered.inverse_mass[c] =
+            t->gathered.inverse_mass[c] > 0.0 ? t->gathered.inverse_mass[c] : 1.0;
+    }
+}
+
 /* ---- the batch ------------------------------------------------------------------------------- */
 
 static void fill_walls(struct dem_contact_workspace *t, const struct dem_state *p,
@@ -287,6 +298,10 @@ void dem_contact_batch_fill(struct dem_contact_workspace *t, const struct dem_st
     else
     {
         dem_gather_pairs(t, p, effects->needs, p->contacts.rows.partners + row);
+    if (effects->scalars)
+    {
+        give_frozen_pairs_mass(t);
+    }
         geometry_of_pairs(&t->batch, &t->gathered);
         relative_motion(&t->batch, &t->gathered, 1.0);
     }
