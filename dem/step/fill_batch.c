@@ -58,7 +58,10 @@ static void gather_walls(struct dem_contact_workspace *restrict t, const struct 
         b->wx[c] = i->w[0];
         b->wy[c] = i->w[1];
         b->wz[c] = i->w[2];
-        b->viscosity[c] = mu && b->dt > 0.0 ? mu[q->i] : 0.0;
+    }
+    for (int c = 0; mu && b->dt > 0.0 && c < b->n; c++)    /* 0 before the first step */
+    {
+        b->viscosity[c] = mu[p->contacts.pairs.pair[row_pair[c]].i];
     }
 }
 
