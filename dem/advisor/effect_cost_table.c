@@ -61,7 +61,15 @@ static int make_bed(struct dem **d, const struct dem_effect *e, int with)
 
     dem_text_add(&t, "materials { glass { density 2500; youngsModulus 1e7; conductivity 1; "
                      "heatCapacity 800; emissivity 0.9; } } fluid { density 1000; viscosity 1e-3; "
-                     "velocity (0 0 0.1); } insert { bed { type lattice; count 2000; diameter "
+                     "velocity (0 0 0.1); ");
+    for (const struct dem_scalar *const *k = e ? e->scalars : NULL; k && *k; k++)
+    {
+        if ((*k)->fluid_entry)
+        {
+            dem_text_add(&t, "%s 1; ", (*k)->fluid_entry);
+        }
+    }
+    dem_text_add(&t, "} insert { bed { type lattice; count 2000; diameter "
                      "1e-3; min (0 0 0); max (0.02 0.02 0.02); } } time { step 1e-6; } effects {");
     if (e)
     {

@@ -443,6 +443,7 @@ int dem_gravity_acceleration(const struct dem *d, double g[3])
 static int check_fluid(const struct dem *d)
 {
     DEM_TRY(dem_require_fluid(d));
+    DEM_TRY(d->coupled ? dem_api_agree(d, dem_api_require_fluid_scalars(d)) : DEM_OK);
     DEM_REQUIRE(!(d->coupled && d->driven), DEM_ERROR_INPUT,
                 "there are driven particles, which the balances of a coupled run do not know; make "
                 "them frozen, or let a wall move");

@@ -9,6 +9,7 @@
 #include "api/internal.h"
 #include "core/error.h"
 #include "effects/fluid/particle_exchange.h"
+#include "model/scalars.h"
 
 int dem_needs_fluid(const struct dem *d)
 {
@@ -58,6 +59,28 @@ void dem_fluid_whole_drag(struct dem *d, int yes)
 void dem_fluid_set_displaced(struct dem *d, double density)
 {
     d->displaced_density = density;
+}
+
+int dem_api_require_fluid_scalars(const struct dem *d)
+{
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
+    const struct dem_particles *const p = &d->state.particles;
+
+    for (int k = 0; k < r->scalars; k++)
+    {
+        const double *const value = dem_scalar_values(p, k);
+
+        for (size_t i = 0; r->scalar[k]->fluid_entry && i < p->n; i++)
+        {
+            DEM_REQUIRE(value[i] > 0.0, DEM_ERROR_INPUT,
+                        "the effects need the %s at the particles, and the coupled fluid gives %g %s "
+                        "at particle %lld; remove the effect of heat transfer, or give the fluid "
+                        "this property",
+                        r->scalar[k]->name, value[i], r->scalar[k]->unit,
+                        (long long)p->record[i].id);
+        }
+    }
+    return DEM_OK;
 }
 
 /* Effects are in the order of stages: the last one that needs a fluid is a contact law only where

@@ -141,6 +141,10 @@ int dem_api_begin_flows(struct dem *);
 /* Mark the scalars of dem_scalar_exchange_enable; the effects are known. */
 int dem_api_enable_exchanges(struct dem *);
 
+/* DEM_ERROR_INPUT when a value of the fluid that the effects read (fluid_entry) is not given at a
+   particle of this rank. */
+int dem_api_require_fluid_scalars(const struct dem *);
+
 /* Checks that need no particles, of a scene that has been read and whose walls exist. */
 int dem_api_check_scene(struct dem *);
 

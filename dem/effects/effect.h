@@ -128,6 +128,9 @@ struct dem_effect
     double exponent;
     /* FLUID only: a drag law, and what it is valid for; a scene has at most one */
     enum dem_drag drag;
+    /* FLUID only: a law of transfer: the scalar that it exchanges with the fluid; a scene has at most
+       one law for each scalar */
+    const struct dem_scalar *transfers;
     /* FLUID only: 1: the opposite of its explicit force (rx ry rz) acts on the fluid */
     int has_reaction;
     /* FLUID only: 1: prepare_bodies sets an added mass */

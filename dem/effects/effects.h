@@ -44,7 +44,10 @@
     ROW(saffman_mei)                                                                                                  \
     ROW(magnus)                                                                                                       \
     ROW(viscous_torque)                                                                                               \
-    ROW(turbulent_dispersion)
+    ROW(turbulent_dispersion)                                                                                         \
+    ROW(gunn)                                                                                                         \
+    ROW(ranz_marshall)                                                                                                \
+    ROW(wakao)
 
 #define DEM_EFFECT_DECLARE(name) extern const struct dem_effect dem_##name;
 DEM_EFFECT_ROWS(DEM_EFFECT_DECLARE)

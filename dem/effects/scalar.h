@@ -76,6 +76,9 @@ struct dem_scalar               /* a row */
     double (*capacity)(const struct dem_material *);    /* C per mass; NULL: C is 1 */
     const char *capacity_entry; /* the entry of materials that gives it */
     const char *const *exchange;    /* names of the columns of an exchange; NULL: it has none */
+    const char *fluid_entry;        /* a value of the fluid at the particle: the entry of `fluid` that
+                                       gives it, else the coupled program writes it; 0: not yet
+                                       given. NULL: a value of the particle */
 };
 
 /* A scalar of an effect at the rows of a contact batch, seen as forces are: j is the higher id or

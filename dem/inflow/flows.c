@@ -146,6 +146,7 @@ static int insert_particle(struct dem_state *p, const struct dem_arrival *new)
         dem_scalar_values(all, k)[i] =
             dem_scalar_draw(&s->scalar[k], k, (uint64_t)s->seed, (uint64_t)new->number);
     }
+    dem_scalars_begin_particle(all, &p->interaction_table, i);
     if (dem_column(all, DEM_COLUMN_FLUID_VELOCITY))
     {
         dem_uniform_fluid_fill(all, i, p->flows->fluid, 0.0);

@@ -238,7 +238,7 @@ static int read_scalar_lists(struct dem_insert_group *b, const struct dem_intera
         size_t values;
 
         snprintf(plural, sizeof plural, "%ss", s->name);
-        if (!dem_dict_has(b->dict, plural))
+        if (s->fluid_entry || !dem_dict_has(b->dict, plural))
         {
             continue;
         }

@@ -160,7 +160,8 @@ int dem_interaction_table_add_effect(struct dem_interaction_table *r, const char
                        || effect->stage == DEM_STAGE_TANGENT;
 
         DEM_REQUIRE(!(exclusive && r->effect[k]->stage == effect->stage) &&
-                        !(effect->drag && r->effect[k]->drag),
+                        !(effect->drag && r->effect[k]->drag) &&
+                        !(effect->transfers && r->effect[k]->transfers == effect->transfers),
                     DEM_ERROR_INPUT, "%s: %s and %s are of the same kind; choose only one of them",
                     where, r->effect[k]->name, name);
         DEM_REQUIRE(

@@ -61,7 +61,7 @@ int dem_scalar_entries_read(const struct dem_dict *dict, const struct dem_intera
         const struct dem_scalar *const s = r->scalar[k];
 
         entry[k] = (struct dem_scalar_entry){.min = s->default_value, .max = s->default_value};
-        if (dem_dict_has(dict, s->name))
+        if (!s->fluid_entry && dem_dict_has(dict, s->name))
         {
             DEM_TRY(read_entry(dict, s, &entry[k]));
             DEM_TRY(dem_scalar_require(r, k, entry[k].min, dem_dict_where(dict)));
@@ -105,7 +105,10 @@ int dem_scalar_wall_read(const struct dem_dict *dict, const struct dem_interacti
 
     for (int k = 0; k < r->scalars; k++)
     {
-        DEM_TRY(dem_dict_sub_if(dict, r->scalar[k]->name, &sub));
+        sub = NULL;
+        DEM_TRY(r->scalar[k]->fluid_entry
+                    ? DEM_OK
+                    : dem_dict_sub_if(dict, r->scalar[k]->name, &sub));
         if (!sub)
         {
             continue;

@@ -93,6 +93,19 @@ void dem_scalars_begin_window(struct dem_particles *p, const struct dem_interact
     }
 }
 
+void dem_scalars_begin_particle(struct dem_particles *p, const struct dem_interaction_table *r,
+                                size_t i)
+{
+    for (int k = 0; k < r->scalars; k++)
+    {
+        if (r->exchanged[k])
+        {
+            dem_scalar_exchange_values(p, r, k, DEM_SCALAR_DECAY)[i] = 1.0;
+            dem_scalar_exchange_values(p, r, k, DEM_SCALAR_START)[i] = dem_scalar_values(p, k)[i];
+        }
+    }
+}
+
 /* R = clamp(|J|/|s* - s(start)|, C (1 - decay), sum of B h), s* the mean target: as that of momentum
    to the fluid's velocity. */
 static void respond(struct dem_particles *p, const struct dem_interaction_table *r, int k)

@@ -32,6 +32,8 @@ double *dem_scalar_exchange_values(const struct dem_particles *,
 /* Begin a window: clear what is summed in it, store the values. End it: the responses, from what
    each particle received (effects/scalar.h, docs/theory-coupling.md, "Exchange"). */
 void dem_scalars_begin_window(struct dem_particles *, const struct dem_interaction_table *);
+void dem_scalars_begin_particle(struct dem_particles *, const struct dem_interaction_table *,
+                                size_t particle);    /* one that arrives within a window */
 void dem_scalars_end_window(struct dem_particles *, const struct dem_interaction_table *);
 
 /* DEM_ERROR_NUMBER for the first particle whose scalar is not a number or out of its range; `when`

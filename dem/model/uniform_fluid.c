@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "model/uniform_fluid.h"
+#include "model/scalars.h"
 #include <string.h>
 
 static void fill_vector(struct dem_particles *p, enum dem_column_name column, size_t i,
@@ -30,6 +31,10 @@ void dem_uniform_fluid_fill(struct dem_particles *p, size_t i, const struct dem_
     if (dem_column(p, DEM_COLUMN_MEAN_DIAMETER))
     {
         dem_column(p, DEM_COLUMN_MEAN_DIAMETER)[i] = mean;
+    }
+    for (int k = 0; k < f->scalars; k++)
+    {
+        dem_scalar_values(p, f->scalar[k])[i] = f->value[k];
     }
     dem_column(p, DEM_COLUMN_VOID_FRACTION)[i] = f->given ? f->void_fraction : 1.0;
     dem_column(p, DEM_COLUMN_FLUID_DENSITY)[i] = f->given ? f->density : 1.0;

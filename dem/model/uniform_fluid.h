@@ -6,6 +6,7 @@
 #ifndef DEM_MODEL_UNIFORM_FLUID_H
 #define DEM_MODEL_UNIFORM_FLUID_H
 
+#include "effects/scalar.h"
 #include "model/particles.h"
 
 struct dem_uniform_fluid                                  /* the entry fluid */
@@ -15,6 +16,10 @@ struct dem_uniform_fluid                                  /* the entry fluid */
     double velocity[3], density, viscosity, void_fraction, pressure_gradient[3];
     double acceleration[3], vorticity[3], stress[3];  /* m/s2, 1/s, N/m3: Du/Dt, curl u, div tau */
     double turbulence[2];                             /* m2/s2, m2/s3: k, epsilon */
+    /* scalars that are values of the fluid (fluid_entry): number, indices in the interaction table,
+       values */
+    int scalars, scalar[DEM_SCALARS];
+    double value[DEM_SCALARS];
 };
 
 /* Fill the fluid columns of particle i. When the scene gives no fluid they get neutral values, to

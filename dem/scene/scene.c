@@ -157,6 +157,27 @@ static int read_fluid_derivatives(struct dem_uniform_fluid *f, const struct dem_
              : DEM_OK;
 }
 
+/* Values of the fluid that are scalars of the effects. */
+static int read_fluid_scalars(struct dem_uniform_fluid *f, const struct dem_dict *dict,
+                              const struct dem_interaction_table *r)
+{
+    for (int k = 0; k < r->scalars; k++)
+    {
+        const struct dem_scalar *const s = r->scalar[k];
+        double *const value = &f->value[f->scalars];
+
+        if (s->fluid_entry)
+        {
+            DEM_TRY(dem_dict_number(dict, s->fluid_entry, s->unit, value));
+            DEM_REQUIRE(*value > 0.0 && *value <= s->max, DEM_ERROR_INPUT,
+                        "%s: fluid: %s %g %s; give a number above 0, at most %g",
+                        dem_dict_where(dict), s->fluid_entry, *value, s->unit, s->max);
+            f->scalar[f->scalars++] = k;
+        }
+    }
+    return DEM_OK;
+}
+
 static int read_fluid(struct dem_uniform_fluid *f, const struct dem_dict *scene,
                       const struct dem_interaction_table *r)
 {
@@ -181,6 +202,7 @@ static int read_fluid(struct dem_uniform_fluid *f, const struct dem_dict *scene,
                 "above 0, the last at most 1",
                 dem_dict_where(dict), f->density, f->viscosity, f->void_fraction);
     DEM_TRY(read_fluid_derivatives(f, dict, dem_interaction_table_needs(r)));
+    DEM_TRY(read_fluid_scalars(f, dict, r));
     /* the default: a fluid at rest under the scene's gravity, gradient rho g */
     dem_interaction_table_gravity(r, hydrostatic);
     for (int k = 0; k < 3; k++)

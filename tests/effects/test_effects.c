@@ -275,6 +275,7 @@ static void contact_effect(const struct dem_effect *e)
 static void body_effect(const struct dem_effect *e)
 {
     static struct dem_body_batch many, one;
+    static _Alignas(64) double rate[3][DEM_EFFECT_SCALARS][DEM_BATCH_ROWS];
     double settings[32] = {0};
     int bad = 0;
 
@@ -291,6 +292,7 @@ static void body_effect(const struct dem_effect *e)
         scalar_columns_row(e, row, row);
     }
     dem_effect_apply_to_bodies(e, settings, &many);
+    memcpy(rate, scalar_columns.result, sizeof rate);
     for (int row = 0; row < ROWS; row++)
     {
         memset(&one, 0, sizeof one);
@@ -300,14 +302,19 @@ static void body_effect(const struct dem_effect *e)
         scalar_columns_row(e, 0, row);
         dem_effect_apply_to_bodies(e, settings, &one);
         bad += differs(many.added_mass, many.tz, one.added_mass, row);
+        bad += differs(rate[0][0], rate[2][DEM_EFFECT_SCALARS - 1], scalar_columns.result[0][0],
+                       row);
     }
     TAP_OK(bad == 0, "%s: a row has the same bits alone and among others (%d differ)", e->name,
            bad);
-    TAP_OK(bad_columns(many.added_mass, many.tz) == 0, "%s: all finite", e->name);
+    TAP_OK(bad_columns(many.added_mass, many.tz) +
+                   bad_columns(rate[0][0], rate[2][DEM_EFFECT_SCALARS - 1]) == 0,
+           "%s: all finite", e->name);
     bad = 0;
     for (int row = 0; row < ROWS; row++)
     {
-        bad += many.b[row] < 0.0 || many.t[row] < 0.0 || many.added_mass[row] < 0.0;
+        bad += many.b[row] < 0.0 || many.t[row] < 0.0 || many.added_mass[row] < 0.0 ||
+               rate[1][0][row] < 0.0;
     }
     TAP_OK(bad == 0, "%s: no coefficient of drag or rotational drag and no added mass is negative",
            e->name);
@@ -407,6 +414,8 @@ static void description(const struct dem_effect *e)
     TAP_OK(!(e->drag || e->has_reaction || e->has_added_mass || e->has_rotational_drag) ||
                e->stage == DEM_STAGE_FLUID,
            "%s: only in a fluid", e->name);
+    TAP_OK(!e->transfers || (e->stage == DEM_STAGE_FLUID && e->transfers->exchange),
+           "%s: only in a fluid a scalar is transferred, which has an exchange", e->name);
     TAP_OK(!e->clears_history || (e->history && e->stage < DEM_STAGE_BOND),
            "%s: only contact laws clear history", e->name);
     TAP_OK((e->exponent > 0.0) == (e->stage == DEM_STAGE_NORMAL),
