@@ -184,7 +184,7 @@ def all_faults():
     script,
     "units lj",
     "fix heat/gran",
-    "Suna has no heat",
+    "heat is not translated",
     "nonsense",
      "does not know")
     for word in ("units lj", "fix a", "nonsense"):
@@ -635,7 +635,7 @@ def domain_and_output():
         WORK/"gate.stl").read_text())[0], "normal (0 0 -1);")
     has(translate(BASE.replace("run 1000", "fix v all viscous 1e-6\nrun 1000"))[0],
         f"stokesDrag {{}} ".strip(), f"viscosity {1e-6/(3*math.pi*1e-3):.12g};")
-    for fix, lacking in (("heat/gran initial_temperature 300", "no heat"), ("multisphere", "spheres only"),
+    for fix, lacking in (("heat/gran initial_temperature 300", "heat is not translated"), ("multisphere", "spheres only"),
                          ("adapt 1 atom diameter v_d", "keeps the size"), ("nve/superquadric", "spheres"), ("something/new", "does "
                           "not know this fix")):
         refused(BASE.replace("run 1000", f"fix x all {fix}\nrun 1000"), lacking, fix.split()[0])

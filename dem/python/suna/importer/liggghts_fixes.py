@@ -37,7 +37,8 @@ HARMLESS = {
     "neighlist/mesh": "",
      "diam/max": ""}
 LACKING = (
-    ("heat/", "Suna has no heat"), ("chem/", "Suna has no chemistry"), ("multisphere", "Suna has spheres only"),
+    ("heat/", "heat is not translated; add conduction to the scene"),
+    ("chem/", "Suna has no chemistry"), ("multisphere", "Suna has spheres only"),
     ("particletemplate/", "Suna has spheres only"), ("nve/", "Suna has spheres, integrated by themselves"),
     ("sph/", "Suna has no smoothed particle hydrodynamics"), ("wall/sph", "Suna has no smoothed particle "
      "hydrodynamics"), ("mesh/surface/stress/servo", "Suna has no wall that a force moves"),
