@@ -11,7 +11,7 @@
 #ifndef DEM_EFFECTS_FUSED_COMBINATIONS_H
 #define DEM_EFFECTS_FUSED_COMBINATIONS_H
 
-/* compiled in hertz.c */
+/* compiled in fused_hertz.c */
 #define DEM_FUSED_HERTZ(KERNEL)                                                                \
     KERNEL(hertz, dry, mindlin, none)                                                          \
     KERNEL(hertz, dry, mindlin, rolling_spring)                                                \
@@ -28,7 +28,7 @@
     KERNEL(hertz, stokes, linear, none)                                                        \
     KERNEL(hertz, stokes, linear, rolling_spring)
 
-/* in hooke.c */
+/* in fused_hooke.c */
 #define DEM_FUSED_HOOKE(KERNEL)                                                                \
     KERNEL(hooke, none, linear, none)                                                          \
     KERNEL(hooke, dry, linear, none)                                                           \
@@ -47,7 +47,7 @@
     KERNEL(hooke_hysteresis, dry, linear, none)                                                \
     KERNEL(hooke_hysteresis, dry, linear, rolling_spring)
 
-/* and with an adhesive film, whose force counts in the friction limit: in adhesive.c */
+/* and with an adhesive film, whose force counts in the friction limit: in fused_adhesive.c */
 #define DEM_FUSED_ADHESIVE(KERNEL) KERNEL(hertz, dry, mindlin, none, jkr)
 
 #endif

@@ -7,6 +7,13 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+try:
+    import cffi as _cffi
+    import numpy as _numpy
+except ModuleNotFoundError as fault:
+    raise ImportError(f"suna needs numpy and cffi, and this Python has no {fault.name}; on Debian they are "
+                      "python3-numpy and python3-cffi, of /usr/bin/python3") from fault
+
 from ._library import ffi, lib
 from .files import (FileError, read_cloud, read_record, read_snapshot, read_table, read_vtp, tables,
                     times)

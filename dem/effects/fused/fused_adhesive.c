@@ -1,5 +1,5 @@
 /*
- * adhesive.c -- the fused kernels with an adhesive film.
+ * fused_adhesive.c -- the fused kernels with an adhesive film.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

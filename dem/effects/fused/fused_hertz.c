@@ -1,5 +1,5 @@
 /*
- * hertz.c -- the fused kernels with the normal law hertz.
+ * fused_hertz.c -- the fused kernels with the normal law hertz.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

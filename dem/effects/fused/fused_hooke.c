@@ -1,5 +1,5 @@
 /*
- * hooke.c -- the fused kernels with the normal laws hooke and hookeHysteresis.
+ * fused_hooke.c -- the fused kernels with the normal laws hooke and hookeHysteresis.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
