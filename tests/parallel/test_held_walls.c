@@ -194,14 +194,22 @@ static void check_held(const struct dem *d, const struct dem *alone)
     }
 }
 
+/* The floor is even along x: of a rank the part whose columns come within reach of its subdomain, as
+   far as there are particles. The reach is below a tenth of the channel. */
 static void check_fraction(const struct dem *d)
 {
+    const struct dem_wall_store *const s = &d->state.wall_store;
     const double held = (double)d->state.walls.triangles, all = TRIANGLES + 2*TURNS;
+    double min[3], max[3];
 
-    check(ranks == 1 ? held >= all : held < all*(0.15 + 1.3/ranks), "triangles held", held,
-          all/ranks);
-    check((double)d->state.wall_store.n <= all/ranks + 1.0, "triangles stored",
-          (double)d->state.wall_store.n, all/ranks);
+    dem_decomposition_box(s->decomposition, rank, min, max);
+    const double along = fmin(max[0], s->box[1][0]) - fmax(min[0], s->box[0][0]) +
+                         2.0*(s->reach + length/ALONG);
+
+    check(ranks == 1 ? held >= all : held <= TRIANGLES*along/length + 2*TURNS, "triangles held",
+          held, TRIANGLES*along/length);
+    check(ranks == 1 || s->reach < 0.1*length, "reach, m", s->reach, 0.1*length);
+    check((double)s->n <= all/ranks + 1.0, "triangles stored", (double)s->n, all/ranks);
 }
 
 static void check_corners(struct dem *d, struct dem *alone)
