@@ -199,9 +199,9 @@ static void particles(void)
     number("another moment of inertia",
            of_particle(1, offsetof(struct dem_particle, inverse_inertia)), 1.0,
            "particle 1, which is free");
-    number("a viscosity that is not a number",
-           of_particle(1, offsetof(struct dem_particle, viscosity)), NAN,
-           "viscosity at the position of particle 1 is nan");
+    number("an unused number that is not a number",
+           of_particle(1, offsetof(struct dem_particle, unused)), NAN,
+           "the unused number of particle 1 is nan");
     number("a force that is not a number", of_particle(1, force), NAN,
            "force of particle 1 is nan");
     number("an infinite torque", of_particle(1, force + 3*8), INFINITY,
