@@ -1,5 +1,5 @@
 /*
- * user.c -- a program of somebody else: two grains fall on a floor, on all ranks of MPI. Compiled as C
+ * user.c -- a program that uses the library: two grains fall on a floor, on all ranks of MPI. Compiled as C
  * and as C++ against an installed library. Prints the version and the hash, which does not depend on
  * the number of ranks.
  *
