@@ -34,8 +34,11 @@ int dem_packing_check_fraction(const struct dem_insertion_shape *v, double volum
 
 int dem_packing_spheres_init(struct dem_packing_spheres *s, const struct dem_decomposition *of)
 {
+    const double skin[DEM_LISTS] = {0.0, 0.0};
+
     memset(s, 0, sizeof *s);
     dem_domain_init(&s->domain);
+    dem_pairs_init(&s->search, &s->domain, skin, 0.0, 0.0);
     dem_halo_init(&s->halo, &s->decomposition);
     dem_particles_init(&s->particles, 0);
     return dem_decomposition_init(&s->decomposition, of->comm, of->rank, of->ranks);
@@ -52,9 +55,7 @@ void dem_packing_spheres_free(struct dem_packing_spheres *s)
 
 int dem_packing_list_pairs(struct dem_packing_spheres *s, int status, double gap)
 {
-    const double skin[DEM_LISTS] = {0.0, 0.0};
-
-    dem_pairs_init(&s->search, &s->domain, skin, gap, s->max_radius);
+    dem_pairs_set_reach(&s->search, gap, s->max_radius);
     DEM_TRY(dem_halo_migrate(&s->halo, status, &s->particles, &s->contacts));
     status = gap > 0.0 ? dem_pairs_order(&s->search, &s->particles) : DEM_OK;
     DEM_TRY(dem_halo_build(&s->halo, status, &s->particles, &s->domain, s->max_radius, gap));

@@ -72,7 +72,7 @@ struct relaxation
     int64_t overlaps;                          /* pairs in this sweep, on this rank */
     size_t move_capacity, packed_capacity, fixed_capacity,
         listed_capacity;
-    struct move *move;                         /* of owned spheres and ghosts */
+    struct move *move;                         /* of owned spheres and ghosts; zero between sweeps */
     struct packed *packed;                     /* the same */
     uint8_t *fixed;                            /* the same; 1: of an earlier group */
     double (*listed)[3];                       /* m  owned positions when the pairs were listed */
@@ -171,12 +171,10 @@ static void move_apart(struct relaxation *g, const struct dem_pair *pair)
 /* Select the near pairs without an unpredictable branch, then move these few. */
 static void move_pairs(struct relaxation *g)
 {
-    const struct dem_particles *const q = &g->s->particles;
     const struct dem_pair_list *const pairs = &g->s->contacts.pairs;
     const double square = g->stretch*g->stretch;
     uint32_t near[CHUNK];
 
-    memset(g->move, 0, (q->n + q->ghosts)*sizeof *g->move);
     g->overlaps = 0;
     for (size_t from = 0; from < pairs->n; from += CHUNK)
     {
@@ -252,7 +250,7 @@ static void move_one(const struct relaxation *g, struct dem_particle *s, const s
     }
 }
 
-/* Move all spheres; one that overlaps fixed spheres for long gets a new random position. Returns
+/* Move all spheres and zero the displacements; one that overlaps fixed spheres for long gets a new random position. Returns
    the largest displacement since the pairs were listed, of all ranks [m]. */
 static double move_all(struct relaxation *g)
 {
@@ -262,20 +260,22 @@ static double move_all(struct relaxation *g)
     for (size_t i = 0; i < g->s->particles.n; i++)
     {
         struct dem_particle *const s = &g->s->particles.record[i];
+        const struct move move = g->move[i];
         double square = 0.0;
 
-        if (s->id < 0 || rests(s, &g->move[i]))
+        g->move[i] = (struct move){.seen = 0};
+        if (s->id < 0 || rests(s, &move))
         {
             continue;
         }
-        if (again && (g->move[i].seen & WEDGED) != 0)
+        if (again && (move.seen & WEDGED) != 0)
         {
             (void)dem_packing_draw(g->p, s, FIRST_TRIAL + g->sweep);
             memset(s->v, 0, sizeof s->v);
         }
         else
         {
-            move_one(g, s, &g->move[i]);
+            move_one(g, s, &move);
         }
         for (int k = 0; k < 3; k++)
         {
@@ -284,6 +284,7 @@ static double move_all(struct relaxation *g)
         memcpy(g->packed[i].x, s->x, sizeof g->packed[i].x);
         furthest = square > furthest ? square : furthest;
     }
+    memset(g->move + g->s->particles.n, 0, g->s->particles.ghosts*sizeof *g->move);
     dem_collect_max_double(&g->s->decomposition, &furthest, 1);
     return sqrt(furthest);
 }

@@ -106,15 +106,10 @@ size_t dem_grid_fit(struct dem_grid *g, struct dem_grid_level *l, const struct d
 
 /* ---- entries --------------------------------------------------------------------------------- */
 
-/* entries before they are sorted by cell */
-struct list
+struct dem_grid_entry
 {
-    size_t n, capacity;
-    struct entry
-    {
-        uint32_t particle, cell;
-        uint8_t shift, level;
-    } *entry;
+    uint32_t particle, cell;
+    uint8_t shift, level;
 };
 
 static uint8_t level_of(const struct dem_grid *g, double radius)
@@ -146,13 +141,13 @@ static void shifts_inside(const struct dem_domain *d, const double x[3], double 
     }
 }
 
-static void add_entry(const struct dem_grid *g, const struct dem_particle *r, const double shift[4],
-                      struct entry as, struct list *list, struct box *all)
+static void add_entry(struct dem_grid *g, const struct dem_particle *r, const double shift[4],
+                      struct dem_grid_entry as, struct box *all)
 {
     const double x[3] = {r->x[0] + shift[0], r->x[1] + shift[1], r->x[2] + shift[2]};
 
     as.level = level_of(g, r->radius);
-    list->entry[list->n++] = as;
+    g->unsorted[g->entries++] = as;
     enclose(all, x);
 }
 
@@ -160,46 +155,48 @@ static void add_entry(const struct dem_grid *g, const struct dem_particle *r, co
    particles. `all`: bounding box of the entries. */
 static int list_entries(struct dem_grid *g, const struct dem_domain *d,
                         const struct dem_particles *p, double shift[DEM_SHIFTS][4],
-                        struct list *list, struct box *all)
+                        struct box *all)
 {
     const double reach = g->gap + g->level[g->levels - 1].radius;
     const struct box owned = owned_box(p);
 
     choose_axes(g, &owned);
     *all = empty_box;
-    DEM_TRY(DEM_GROW(list->entry, list->capacity, p->n + p->ghosts + p->n/4 + DEM_SHIFTS));
+    g->entries = 0;
+    DEM_TRY(DEM_GROW(g->unsorted, g->unsorted_capacity,
+                     p->n + p->ghosts + p->n/4 + DEM_SHIFTS));
     for (size_t i = 0; i < p->n + p->ghosts; i++)
     {
         const struct dem_particle *const r = &p->record[i];
-        struct entry e = {.particle = (uint32_t)i, .shift = DEM_SHIFT_NONE};
+        struct dem_grid_entry e = {.particle = (uint32_t)i, .shift = DEM_SHIFT_NONE};
         unsigned inside[3];
 
         shifts_inside(d, r->x, reach + r->radius, &owned, inside);
         if (inside[0] == 2u && inside[1] == 2u && inside[2] == 2u)    /* most particles */
         {
-            DEM_TRY(DEM_GROW(list->entry, list->capacity, list->n + 1));
-            add_entry(g, r, shift[DEM_SHIFT_NONE], e, list, all);
+            DEM_TRY(DEM_GROW(g->unsorted, g->unsorted_capacity, g->entries + 1));
+            add_entry(g, r, shift[DEM_SHIFT_NONE], e, all);
             continue;
         }
-        DEM_TRY(DEM_GROW(list->entry, list->capacity, list->n + DEM_SHIFTS));
+        DEM_TRY(DEM_GROW(g->unsorted, g->unsorted_capacity, g->entries + DEM_SHIFTS));
         for (e.shift = 0; e.shift < DEM_SHIFTS; e.shift++)
         {
             if (inside[0] >> e.shift%3 & inside[1] >> e.shift/3%3 & inside[2] >> e.shift/9 & 1u)
             {
-                add_entry(g, r, shift[e.shift], e, list, all);
+                add_entry(g, r, shift[e.shift], e, all);
             }
         }
     }
     return DEM_OK;
 }
 
-static int size_levels(struct dem_grid *g, const struct list *list, const struct box *all)
+static int size_levels(struct dem_grid *g, const struct box *all)
 {
     size_t count[DEM_GRID_LEVELS] = {0}, cells = 0;
 
-    for (size_t e = 0; e < list->n; e++)
+    for (size_t e = 0; e < g->entries; e++)
     {
-        count[list->entry[e].level]++;
+        count[g->unsorted[e].level]++;
     }
     for (int k = 0; k < g->levels; k++)
     {
@@ -207,10 +204,12 @@ static int size_levels(struct dem_grid *g, const struct list *list, const struct
         cells += size_level(g, &g->level[k], all, count[k]);
     }
     memcpy(g->origin, all->min, sizeof g->origin);
-    return DEM_NEW(g->start, cells + 2);
+    DEM_TRY(DEM_GROW(g->start, g->start_capacity, cells + 2));
+    memset(g->start, 0, (cells + 2)*sizeof *g->start);
+    return DEM_OK;
 }
 
-static int new_entries(struct dem_grid *g, const struct box *all, size_t n)
+static void find_slack(struct dem_grid *g, const struct box *all)
 {
     double extent = 0.0;
 
@@ -221,18 +220,25 @@ static int new_entries(struct dem_grid *g, const struct box *all, size_t n)
     /* both positions and their difference are rounded to half a unit in the last place, times sqrt
        3; the factor is 4 where 3 would suffice */
     g->slack = (float)(4.0*FLT_EPSILON*(extent + g->level[g->levels - 1].edge));
-    g->entries = n;
-    DEM_TRY(DEM_NEW(g->x, n + PADDING));
-    DEM_TRY(DEM_NEW(g->y, n + PADDING));
-    DEM_TRY(DEM_NEW(g->z, n + PADDING));
-    DEM_TRY(DEM_NEW(g->radius, n + PADDING));
-    DEM_TRY(DEM_NEW(g->particle, n + 1));
-    return DEM_NEW(g->shift, n + 1);
+}
+
+static int reserve_entries(struct dem_grid *g)
+{
+    const size_t capacity = dem_memory_capacity(g->capacity, g->entries + PADDING);
+
+    DEM_TRY(DEM_RESIZE(g->x, g->capacity, capacity));
+    DEM_TRY(DEM_RESIZE(g->y, g->capacity, capacity));
+    DEM_TRY(DEM_RESIZE(g->z, g->capacity, capacity));
+    DEM_TRY(DEM_RESIZE(g->radius, g->capacity, capacity));
+    DEM_TRY(DEM_RESIZE(g->particle, g->capacity, capacity));
+    DEM_TRY(DEM_RESIZE(g->shift, g->capacity, capacity));
+    g->capacity = capacity;
+    return DEM_OK;
 }
 
 /* Position of an entry [m]. */
 static void position_of(const struct dem_particles *p, double shift[DEM_SHIFTS][4],
-                        const struct entry *e, double x[3])
+                        const struct dem_grid_entry *e, double x[3])
 {
     for (int k = 0; k < 3; k++)
     {
@@ -241,13 +247,13 @@ static void position_of(const struct dem_particles *p, double shift[DEM_SHIFTS][
 }
 
 static void put_entries(struct dem_grid *g, const struct dem_particles *p,
-                        double shift[DEM_SHIFTS][4], const struct list *list)
+                        double shift[DEM_SHIFTS][4])
 {
     double x[3];
 
-    for (size_t k = 0; k < list->n; k++)
+    for (size_t k = 0; k < g->entries; k++)
     {
-        const struct entry *const from = &list->entry[k];
+        const struct dem_grid_entry *const from = &g->unsorted[k];
         const uint32_t e = g->start[from->cell + 1]++;
 
         position_of(p, shift, from, x);
@@ -260,19 +266,20 @@ static void put_entries(struct dem_grid *g, const struct dem_particles *p,
     }
 }
 
-static int fill(struct dem_grid *g, const struct dem_domain *d, const struct dem_particles *p,
-                double shift[DEM_SHIFTS][4], struct list *list)
+int dem_grid_fill(struct dem_grid *g, const struct dem_domain *d, const struct dem_particles *p,
+                  double shift[DEM_SHIFTS][4])
 {
     const struct dem_grid_level *const last = &g->level[g->levels - 1];
     struct box all;
     double x[3];
 
-    DEM_TRY(list_entries(g, d, p, shift, list, &all));
-    DEM_TRY(size_levels(g, list, &all));
-    DEM_TRY(new_entries(g, &all, list->n));
-    for (size_t e = 0; e < list->n; e++)
+    DEM_TRY(list_entries(g, d, p, shift, &all));
+    DEM_TRY(size_levels(g, &all));
+    DEM_TRY(reserve_entries(g));
+    find_slack(g, &all);
+    for (size_t e = 0; e < g->entries; e++)
     {
-        struct entry *const to = &list->entry[e];
+        struct dem_grid_entry *const to = &g->unsorted[e];
 
         position_of(p, shift, to, x);
         to->cell = (uint32_t)cell_of(g, &g->level[to->level], x);
@@ -284,21 +291,11 @@ static int fill(struct dem_grid *g, const struct dem_domain *d, const struct dem
                     last->first +
                         (size_t)last->cells[0]*(size_t)last->cells[1]*(size_t)last->cells[2] +
                         1);
-    put_entries(g, p, shift, list);
+    put_entries(g, p, shift);
     return DEM_OK;
 }
 
-int dem_grid_fill(struct dem_grid *g, const struct dem_domain *d, const struct dem_particles *p,
-                  double shift[DEM_SHIFTS][4])
-{
-    struct list list = {0};
-    const int status = fill(g, d, p, shift, &list);
-
-    dem_memory_free(list.entry);
-    return status;
-}
-
-void dem_grid_clear(struct dem_grid *g)
+void dem_grid_free(struct dem_grid *g)
 {
     dem_memory_free(g->start);
     dem_memory_free(g->x);
@@ -307,8 +304,6 @@ void dem_grid_clear(struct dem_grid *g)
     dem_memory_free(g->radius);
     dem_memory_free(g->particle);
     dem_memory_free(g->shift);
-    g->start = g->particle = NULL;
-    g->x = g->y = g->z = g->radius = NULL;
-    g->shift = NULL;
-    g->entries = 0;
+    dem_memory_free(g->unsorted);
+    memset(g, 0, sizeof *g);
 }

@@ -34,7 +34,9 @@ struct dem_grid_level
     size_t first;                 /* index of its first cell in dem_grid.start */
 };
 
-struct dem_grid
+struct dem_grid_entry;            /* grid.c */
+
+struct dem_grid                   /* all zero: empty; its arrays serve the next search too */
 {
     double gap;                                    /* m: pairs with a smaller gap are searched */
     double origin[3];                              /* m: corner of all levels */
@@ -52,6 +54,8 @@ struct dem_grid
                                                       precision */
     uint32_t *particle;
     uint8_t *shift;                                /* shift code of the image */
+    struct dem_grid_entry *unsorted;               /* the entries before they are sorted */
+    size_t start_capacity, capacity, unsorted_capacity;
 };
 
 /* Divide the radii [m] of the owned particles into levels. max_radius [m]: largest of all ranks.
@@ -72,8 +76,7 @@ size_t dem_grid_fit(struct dem_grid *, struct dem_grid_level *, const struct dem
 int dem_grid_fill(struct dem_grid *, const struct dem_domain *, const struct dem_particles *,
                   double shift[DEM_SHIFTS][4]);
 
-/* Free what fill has allocated. */
-void dem_grid_clear(struct dem_grid *);
+void dem_grid_free(struct dem_grid *);
 
 /* Index of the cell along an axis that holds a coordinate [m] relative to the corner of the
    grid. */

@@ -8,7 +8,6 @@
 #include "neighbor/pairs.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "neighbor/grid.h"
 #include <math.h>
 #include <string.h>
 
@@ -25,11 +24,16 @@ void dem_pairs_init(struct dem_pairs *s, const struct dem_domain *d, const doubl
 {
     memset(s, 0, sizeof *s);
     dem_skins_init(&s->skins, skin, 0, 0.0, 0.0);
+    dem_pairs_set_reach(s, reach, max_radius);
+    dem_domain_shifts(d, s->shift);
+}
+
+void dem_pairs_set_reach(struct dem_pairs *s, double reach, double max_radius)
+{
     s->reach = reach;
     s->max_radius = max_radius;
     use_skin(s, DEM_LIST_OUTER);
     use_skin(s, DEM_LIST_INNER);
-    dem_domain_shifts(d, s->shift);
 }
 
 /* The lower limit of 1e-3 of the upper one is far above the rounding of positions; thinner skins
@@ -48,6 +52,7 @@ void dem_pairs_use_chosen_skin(struct dem_pairs *s)
 
 void dem_pairs_free(struct dem_pairs *s)
 {
+    dem_grid_free(&s->grid);
     dem_wall_search_free(&s->wall_search);
     dem_memory_free(s->wall_facet);
     dem_displacement_free(&s->displacement[DEM_LIST_OUTER]);

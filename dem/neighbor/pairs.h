@@ -16,6 +16,7 @@
 
 #include "model/domain.h"
 #include "neighbor/displacement.h"
+#include "neighbor/grid.h"
 #include "neighbor/skins.h"
 #include "neighbor/wall_search.h"
 #include "model/contacts.h"
@@ -30,6 +31,7 @@ struct dem_pairs
     struct dem_displacement displacement[DEM_LISTS];
     double max_radius;                        /* m: of all particles of all ranks */
     alignas(16) double shift[DEM_SHIFTS][4];  /* m, m, m, 0; read four at once */
+    struct dem_grid grid;                     /* of the last dem_pairs_search */
     struct dem_wall_search wall_search;
     int *wall_facet;                          /* number of the facet of each wall neighbor */
     size_t wall_facet_capacity;
@@ -40,6 +42,9 @@ struct dem_pairs
 void dem_pairs_init(struct dem_pairs *, const struct dem_domain *, const double skin[2],
                     double reach, double max_radius);
 void dem_pairs_free(struct dem_pairs *);
+
+/* Change the reach [m] and the largest radius [m]. */
+void dem_pairs_set_reach(struct dem_pairs *, double reach, double max_radius);
 
 /* Tune the skins between 1e-3 `max` and `max` [m], beginning with the present ones. */
 void dem_pairs_tune(struct dem_pairs *, double max);
@@ -59,7 +64,7 @@ int dem_pairs_find(struct dem_pairs *, const struct dem_domain *, const struct d
                    const struct dem_walls *, const struct dem_interaction_table *,
                    struct dem_contacts *);
 
-/* The first part of the above: pairs of particles, in no order. */
+/* The first part of the above: pairs of particles, in no order. Keeps the grid for the next search. */
 int dem_pairs_search(struct dem_pairs *, const struct dem_domain *, const struct dem_particles *,
                      const struct dem_interaction_table *, struct dem_contacts *);
 

@@ -411,17 +411,15 @@ static int find(struct finder *f, const struct dem_domain *d)
 int dem_pairs_search(struct dem_pairs *s, const struct dem_domain *d, const struct dem_particles *p,
                      const struct dem_interaction_table *r, struct dem_contacts *c)
 {
-    struct dem_grid g = {0};
-    struct finder f = {.s = s, .p = p, .r = r, .c = c, .g = &g};
+    struct finder f = {.s = s, .p = p, .r = r, .c = c, .g = &s->grid};
     const size_t before = c->pairs.n, usual = 3*p->n;    /* a little less than in a settled bed */
 
     c->pairs.n = 0;
     DEM_TRY(dem_pairs_check_counts(p->n + p->ghosts, 0));
-    dem_grid_choose_levels(&g, p, s->max_radius, s->outer);
+    dem_grid_choose_levels(&s->grid, p, s->max_radius, s->outer);
     const int ready = reserve(c, before > usual ? before : usual),
               status = ready || p->n == 0 ? ready : find(&f, d);
 
-    dem_grid_clear(&g);
     dem_memory_free(f.hit);
     return status;
 }
@@ -431,6 +429,7 @@ int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct
                    struct dem_contacts *c)
 {
     DEM_TRY(dem_pairs_search(s, d, p, r, c));
+    dem_grid_free(&s->grid);      /* a run searches rarely */
     DEM_TRY(wall_pairs(s, p, w, r, c));
     DEM_TRY(dem_pairs_check_counts(p->n + p->ghosts, c->pairs.n));
     /* all rows of a particle are contiguous and in the order of particles: searches across levels
