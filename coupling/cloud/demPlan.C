@@ -135,7 +135,8 @@ void Foam::demPlan::reportKernel(const scalar bed) const
         << " % of its pressure drop while it rests";
     if (percent > 5)
     {
-        Info<< "; take kernel linear, or a smaller width or cells";
+        Info<< (transfer_.width() > 0
+            ? "; take kernel linear, or a smaller width or cells" : "; smaller cells lose less");
     }
     Info<< nl << endl;
 }

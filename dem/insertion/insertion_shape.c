@@ -134,15 +134,17 @@ const char *dem_insertion_shape_name(const struct dem_insertion_shape *v)
 int dem_insertion_shape_check_fits(const struct dem_insertion_shape *v, double radius,
                                    const char *where)
 {
+    const double fits = radius*(1.0 - 1e-9);    /* 0.3 - 0.2 is less than 0.1 */
+
     for (int k = 0; k < 3 && v->kind == DEM_INSERTION_SHAPE_BOX; k++)
     {
-        DEM_REQUIRE(v->max[k] - v->min[k] >= 2.0*radius, DEM_ERROR_INPUT,
+        DEM_REQUIRE(v->max[k] - v->min[k] >= 2.0*fits, DEM_ERROR_INPUT,
                     "%s: the box is %g m wide along %c, less than the diameter %g m; enlarge it",
                     where, v->max[k] - v->min[k], "xyz"[k], 2.0*radius);
     }
     DEM_REQUIRE(v->kind == DEM_INSERTION_SHAPE_BOX
-                    || (v->radius >= radius
-                        && (v->kind == DEM_INSERTION_SHAPE_SPHERE || v->length >= 2.0*radius)),
+                    || (v->radius >= fits
+                        && (v->kind == DEM_INSERTION_SHAPE_SPHERE || v->length >= 2.0*fits)),
                 DEM_ERROR_INPUT, "%s: the %s is narrower than the diameter %g m; enlarge it", where,
                 dem_insertion_shape_name(v), 2.0*radius);
     return DEM_OK;
