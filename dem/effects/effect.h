@@ -57,7 +57,8 @@ enum dem_needs                                            /* optional columns of
     DEM_NEEDS_VORTICITY = 64,                             /* body: ox oy oz */
     DEM_NEEDS_STRESS = 128,                               /* body: sx sy sz */
     DEM_NEEDS_MEAN_DIAMETER = 256,                        /* body: mean_diameter */
-    DEM_NEEDS_TURBULENCE = 512                            /* body: the fluid's fluctuation in u */
+    DEM_NEEDS_TURBULENCE = 512,                           /* body: the fluid's fluctuation in u */
+    DEM_NEEDS_RADII = 1024                                /* contact with scalars: radii of both */
 };
 
 enum dem_drag                                             /* range of validity of a drag law */
@@ -139,8 +140,8 @@ struct dem_effect
     int has_rotational_drag;
     /* FLUID only: 1: the force of the full pressure gradient, which contains buoyancy */
     int has_pressure_gradient;
-    /* name of an effect that models the same thing and cannot be combined with this one; NULL:
-       none */
+    /* names of effects that model the same thing and cannot be combined with this one, separated by
+       blanks; NULL: none */
     const char *excludes;
     /* values for its required settings, as text of a scene, with which it can be tried out (`dem
        effects -cost`); NULL: none are required */

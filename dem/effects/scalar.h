@@ -39,7 +39,8 @@ enum dem_scalar_flag
     DEM_SCALAR_PARTNERS = 1,    /* contact effects read it: contact batches have the values of both
                                    partners, and ghosts have it */
     DEM_SCALAR_RATE = 2,        /* effects change it: rates are summed and integrated in each step */
-    DEM_SCALAR_WRITTEN = 4      /* it is written with the particles (VTK, CSV) */
+    DEM_SCALAR_WRITTEN = 4,     /* it is written with the particles (VTK, CSV) */
+    DEM_SCALAR_AMOUNT = 8       /* an amount: a wall has no value of it, a flux only */
 };
 
 /* Per particle, of a scalar that is exchanged with a fluid or with the program. Over a window: */
@@ -88,6 +89,8 @@ struct dem_scalar_rows
 {
     const double *i, *j;          /* unit      values of the partners */
     double *rate_i, *rate_j;      /* unit C/s  what each receives, to be added to */
+    const double *radius_i, *radius_j;    /* m  of the partners; of the particle for both at a wall
+                                             (with DEM_NEEDS_RADII) */
 };
 
 /* A scalar of an effect at the rows of a body batch. */

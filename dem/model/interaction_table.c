@@ -7,6 +7,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "model/interaction_table_internal.h"
+#include "core/aliases.h"
 #include "core/memory.h"
 #include "effects/effects.h"
 #include <float.h>
@@ -92,7 +93,7 @@ static int index_of(const struct dem_interaction_table *r, const char *name)
 
 static int excludes(const struct dem_effect *a, const struct dem_effect *b)
 {
-    return a->excludes && strcmp(a->excludes, b->name) == 0;
+    return a->excludes && dem_alias_is_among(a->excludes, b->name);
 }
 
 int dem_interaction_table_excludes(const struct dem_interaction_table *r,
@@ -166,7 +167,7 @@ int dem_interaction_table_add_effect(struct dem_interaction_table *r, const char
                     where, r->effect[k]->name, name);
         DEM_REQUIRE(
             !excludes(effect, r->effect[k]) && !excludes(r->effect[k], effect), DEM_ERROR_INPUT,
-            "%s: %s and %s model the same dissipation, which would count twice; choose only one of them",
+            "%s: %s and %s model the same force or dissipation, which would count twice; choose only one of them",
             where, r->effect[k]->name, name);
     }
     while (index > 0 && r->effect[index - 1]->stage > effect->stage)

@@ -85,6 +85,9 @@ static int read_condition(const struct dem_dict *dict, const struct dem_interact
     DEM_REQUIRE((value && !flux) || (flux && !value && !film), DEM_ERROR_INPUT,
                 "%s: %s: give value, or value and film, or flux", dem_dict_where(dict),
                 dem_dict_path(dict));
+    DEM_REQUIRE(!value || !(r->scalar[k]->flags & DEM_SCALAR_AMOUNT), DEM_ERROR_INPUT,
+                "%s: %s: a wall has no %s of its own; give flux, in %s per m2 and s",
+                dem_dict_where(dict), dem_dict_path(dict), r->scalar[k]->name, r->scalar[k]->unit);
     DEM_TRY(dem_dict_number_or(dict, "value", r->scalar[k]->unit, 0.0, &w->value));
     DEM_TRY(dem_dict_number_or(dict, "flux", "per m2 and s", 0.0, &w->flux));
     DEM_TRY(dem_dict_number_or(dict, "film", "per m2 and s", 0.0, &w->film));

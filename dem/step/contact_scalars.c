@@ -28,6 +28,19 @@ static double rate_of_wall(const struct dem_wall_scalar *w, double radius, doubl
     return pi*radius*radius*(w->flux + w->film*(w->value - value));
 }
 
+static void gather_radii(struct dem_contact_scalars *s, const struct dem_state *p,
+                         const struct dem_contact_batch *b, uint32_t row, int rows)
+{
+    for (int c = 0; c < b->n; c++)
+    {
+        const struct dem_pair *const q =
+            dem_contacts_pair(&p->contacts, row + (uint32_t)(c < rows ? c : rows - 1));
+
+        s->radius[0][c] = p->particles.record[q->i].radius;
+        s->radius[1][c] = p->particles.record[q->wall ? q->i : q->j].radius;
+    }
+}
+
 void dem_contact_scalars_gather(struct dem_contact_scalars *s, const struct dem_state *p,
                                 const struct dem_contact_batch *b, uint32_t row, int rows)
 {
@@ -50,6 +63,10 @@ void dem_contact_scalars_gather(struct dem_contact_scalars *s, const struct dem_
                 w ? b->touching[c]*rate_of_wall(w, b->min_radius[c], of_i[c]) : 0.0;
         }
     }
+    if (p->interaction_table.needs & DEM_NEEDS_RADII)
+    {
+        gather_radii(s, p, b, row, rows);
+    }
 }
 
 void dem_contact_scalars_select(struct dem_contact_workspace *t,
@@ -64,7 +81,9 @@ void dem_contact_scalars_select(struct dem_contact_workspace *t,
         s->rows[m] = (struct dem_scalar_rows){.i = s->value[0][k],
                                               .j = s->value[1][k],
                                               .rate_i = s->rate[0][k],
-                                              .rate_j = s->rate[1][k]};
+                                              .rate_j = s->rate[1][k],
+                                              .radius_i = s->radius[0],
+                                              .radius_j = s->radius[1]};
     }
     t->batch.scalars = s->rows;
 }

@@ -15,6 +15,7 @@ struct dem_contact_scalars
     struct dem_scalar_rows rows[DEM_EFFECT_SCALARS];    /* of the present effect */
     _Alignas(64) double value[2][DEM_SCALARS][DEM_BATCH_ROWS];
     _Alignas(64) double rate[2][DEM_SCALARS][DEM_BATCH_ROWS];
+    _Alignas(64) double radius[2][DEM_BATCH_ROWS];    /* with DEM_NEEDS_RADII */
 };
 
 /* Gather the values of the partners of `rows` rows, from `row` on, of a batch that has been filled.

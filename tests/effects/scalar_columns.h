@@ -21,6 +21,7 @@ static struct
     _Alignas(64) double value[2][DEM_EFFECT_SCALARS][DEM_BATCH_ROWS];
     /* contacts: of i, of j; bodies: rate, coefficient, to_target */
     _Alignas(64) double result[3][DEM_EFFECT_SCALARS][DEM_BATCH_ROWS];
+    _Alignas(64) double radius[2][DEM_BATCH_ROWS];
     struct dem_scalar_rows rows[DEM_EFFECT_SCALARS];
     struct dem_scalar_bodies bodies[DEM_EFFECT_SCALARS];
 } scalar_columns;
@@ -33,7 +34,9 @@ static inline void scalar_columns_clear(void)
         scalar_columns.rows[k] = (struct dem_scalar_rows){.i = scalar_columns.value[0][k],
                                                           .j = scalar_columns.value[1][k],
                                                           .rate_i = scalar_columns.result[0][k],
-                                                          .rate_j = scalar_columns.result[1][k]};
+                                                          .rate_j = scalar_columns.result[1][k],
+                                                          .radius_i = scalar_columns.radius[0],
+                                                          .radius_j = scalar_columns.radius[1]};
         scalar_columns.bodies[k] =
             (struct dem_scalar_bodies){.value = scalar_columns.value[0][k],
                                        .rate = scalar_columns.result[0][k],
@@ -54,9 +57,14 @@ static inline void scalar_columns_bodies(struct dem_body_batch *b)
     b->scalars = scalar_columns.bodies;
 }
 
-/* From the smallest value, or 1 % of the largest one below 1000, to that one. */
+/* Radii from 1 to 2 mm. Values from the smallest one, or 1 % of the largest one below 1000, to that one. */
 static inline void scalar_columns_row(const struct dem_effect *e, int to, int row)
 {
+    for (int side = 0; side < 2; side++)
+    {
+        scalar_columns.radius[side][to] =
+            1e-3*(1.0 + dem_random_unit(2, (uint64_t)row, DEM_EFFECT_SCALARS, (uint64_t)side));
+    }
     for (int k = 0; e->scalars && e->scalars[k]; k++)
     {
         const double max = e->scalars[k]->max < 1000.0 ? e->scalars[k]->max : 1000.0;

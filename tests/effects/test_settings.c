@@ -218,8 +218,8 @@ static int same_kind(const struct dem_effect *a, const struct dem_effect *b)
 
 static int twice(const struct dem_effect *a, const struct dem_effect *b)
 {
-    return (a->excludes && strcmp(a->excludes, b->name) == 0) ||
-           (b->excludes && strcmp(b->excludes, a->name) == 0);
+    return (a->excludes && dem_alias_is_among(a->excludes, b->name)) ||
+           (b->excludes && dem_alias_is_among(b->excludes, a->name));
 }
 
 static void contradiction(const struct dem_effect *a, const struct dem_effect *b)
