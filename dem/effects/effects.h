@@ -26,6 +26,7 @@
     ROW(bond_linear)                                                                                                  \
     ROW(jkr)                                                                                                          \
     ROW(lubrication)                                                                                                  \
+    ROW(liquid_bridge)                                                                                                \
     ROW(conduction)                                                                                                   \
     ROW(gravity)                                                                                                      \
     ROW(pressure_gradient)                                                                                            \
