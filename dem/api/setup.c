@@ -380,6 +380,12 @@ int dem_api_read_scene(struct dem *d)
     return status;
 }
 
+/* Asked for, or needed by an effect that makes heat of what contacts dissipate. */
+static int has_energy_balance(const struct dem *d)
+{
+    return d->energy || d->state.interaction_table.needs & DEM_NEEDS_DISSIPATION;
+}
+
 /* Ranks read different parts of a snapshot, so one may fail alone. */
 int dem_api_setup(struct dem *d)
 {
@@ -395,7 +401,7 @@ int dem_api_setup(struct dem *d)
     {
         dem_api_init_fluid(d);
     }
-    if (d->energy)
+    if (has_energy_balance(d))
     {
         DEM_TRY(dem_api_agree(d, dem_energy_balance_open(d->state.energy_balance,
                                                          &d->state.interaction_table)));
@@ -404,7 +410,7 @@ int dem_api_setup(struct dem *d)
     DEM_TRY(dem_api_agree(d, distribute(d)));
     DEM_TRY(dem_api_agree(d, check_start(d)));
     d->driven = dem_totals_any_driven(&d->state);
-    if (d->energy)
+    if (has_energy_balance(d))
     {
         DEM_TRY(dem_api_agree(d, begin_energy_balance(d)));
     }

@@ -153,7 +153,7 @@ static int sums_bond_energy(const struct dem_interaction_table *r)
 
     for (int k = 0; k < r->chosen; k++)
     {
-        sums |= r->effect[k]->stage == DEM_STAGE_BOND || r->effect[k]->stage == DEM_STAGE_FILM;
+        sums |= dem_effect_acts_past_touching(r->effect[k]);
     }
     return sums;
 }

@@ -30,6 +30,11 @@ int dem_energy_balance_open(struct dem_energy_balance *l, const struct dem_inter
         l->scratch->before[k] = l->scratch->column[k];
     }
     dem_interaction_table_gravity(r, l->gravity);
+    l->heat = -1;
+    for (int k = 0; k < r->scalars; k++)
+    {
+        l->heat = r->scalar[k]->flags & DEM_SCALAR_HEAT ? k : l->heat;
+    }
     l->open = l->sums_elastic = 1;
     return DEM_OK;
 }

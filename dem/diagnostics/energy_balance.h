@@ -4,6 +4,7 @@
  *
  *   total = kinetic + gravity + elastic + lost + broken - work of walls
  *           - work of other body forces + carried out - carried in
+ *           + gain of heat content - what it comes from (energy_heat.c)
  *
  * The total is constant up to the error of the integrator; its change is the residual. Each term is
  * computed by a formula of its own; none is the difference of the others.
@@ -57,12 +58,18 @@ enum dem_energy_balance_sum                                       /* of each eff
     DEM_ENERGY_BALANCE_IN,       /* J  carried in by particles that came */
     DEM_ENERGY_BALANCE_APPLIED,  /* J  work of the scene's forces on chosen particles */
     DEM_ENERGY_BALANCE_DRIVEN,   /* J  work of what moves driven particles */
+    DEM_ENERGY_BALANCE_CONTENT,  /* J  heat content at the start, negative */
+    DEM_ENERGY_BALANCE_HEATED,   /* J  dissipated in contacts whose heat partners receive */
+    DEM_ENERGY_BALANCE_HEAT_WALLS,   /* J  heat from walls */
+    DEM_ENERGY_BALANCE_HEAT_BODIES,  /* J  heat from the fluid and the program */
+    DEM_ENERGY_BALANCE_HEAT_OUT, /* J  heat content of particles that left */
+    DEM_ENERGY_BALANCE_HEAT_IN,  /* J  of particles that came */
     DEM_ENERGY_BALANCE_SUMS
 };
 
 enum
 {
-    DEM_ENERGY_BALANCE_ITEMS = 11 + DEM_ENERGY_BALANCE_SUMS_PER_EFFECT*DEM_EFFECT_LIST_LIMIT
+    DEM_ENERGY_BALANCE_ITEMS = 17 + DEM_ENERGY_BALANCE_SUMS_PER_EFFECT*DEM_EFFECT_LIST_LIMIT
 };
 
 struct dem_energy_balance_scratch    /* working columns of the current batch */
@@ -98,6 +105,8 @@ struct dem_energy_balance
                                                                elastic energies */
     double since, start;                                    /* s, J: when it began,
                                                                the total then */
+    int heat;                                               /* the particle scalar whose content is
+                                                               energy, or -1 */
     double gravity[3];                                      /* m/s2 */
     struct dem_sum *sum;                                    /* DEM_ENERGY_BALANCE_SUMS */
     struct dem_energy_balance_scratch *scratch;
@@ -148,6 +157,21 @@ void dem_energy_balance_after_sweep(struct dem_state *, double dt);
    inserted, velocity and position synchronous. */
 void dem_energy_balance_particle_out(struct dem_state *, const struct dem_particle *, double late);
 void dem_energy_balance_particle_in(struct dem_state *, const struct dem_particle *);
+
+/* ---- heat (energy_heat.c) --------------------------------------------------------------------- */
+
+/* The present content becomes the reference, and all other terms begin at 0. */
+void dem_energy_balance_begin_heat(struct dem_state *);
+
+/* After a batch (`entry` is not used): rate is what the first partner of each row receives [W]. */
+void dem_energy_balance_contact_heat(struct dem_state *, const struct dem_contact_batch *,
+                                     const struct dem_energy_balance_rows *, const double *rate);
+
+/* Add the heat content of a particle, times `sign`, exactly. */
+void dem_energy_balance_add_content(const struct dem_state *, size_t particle, double sign,
+                                    struct dem_sum *);
+
+/* ---- body forces ------------------------------------------------------------------------------ */
 
 struct dem_energy_balance_kick    /* a batch of particles after the kick */
 {

@@ -67,7 +67,7 @@ static double report_contacts(struct dem_state *p)
     double lost[DEM_EFFECT_LIST_LIMIT], total = 0.0;
 
     for (int k = 0;
-         k < p->interaction_table.chosen && p->interaction_table.effect[k]->stage < DEM_STAGE_BODY;
+         k < p->interaction_table.chosen && p->interaction_table.effect[k]->stage < DEM_STAGE_SCALAR;
          k++)
     {
         const struct dem_effect *const e = p->interaction_table.effect[k];
@@ -82,7 +82,7 @@ static double report_contacts(struct dem_state *p)
         }
     }
     for (int k = 0;
-         k < p->interaction_table.chosen && p->interaction_table.effect[k]->stage < DEM_STAGE_BODY;
+         k < p->interaction_table.chosen && p->interaction_table.effect[k]->stage < DEM_STAGE_SCALAR;
          k++)
     {
         const struct dem_effect *const e = p->interaction_table.effect[k];
@@ -138,6 +138,42 @@ static int has_stage(const struct dem_interaction_table *r, enum dem_stage stage
     return has;
 }
 
+/* Heat content gained, and where it comes from. Returns the difference, 0 to rounding, less what
+   contacts dissipated: that has become heat. */
+static double report_heat(struct dem_state *p)
+{
+    struct dem_energy_balance *const l = p->energy_balance;
+    const double heated = value_of(p, &l->sum[DEM_ENERGY_BALANCE_HEATED]),
+                 walls = value_of(p, &l->sum[DEM_ENERGY_BALANCE_HEAT_WALLS]),
+                 bodies = value_of(p, &l->sum[DEM_ENERGY_BALANCE_HEAT_BODIES]),
+                 left = value_of(p, &l->sum[DEM_ENERGY_BALANCE_HEAT_OUT]),
+                 came = value_of(p, &l->sum[DEM_ENERGY_BALANCE_HEAT_IN]);
+    struct dem_sum sum = l->sum[DEM_ENERGY_BALANCE_CONTENT];
+    double gain;
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        dem_energy_balance_add_content(p, i, 1.0, &sum);
+    }
+    dem_totals_reduce_sums(p, &sum, 1, &gain);
+    add_term(l, "heat_content", "", gain);
+    if (p->interaction_table.needs & DEM_NEEDS_DISSIPATION)
+    {
+        add_term(l, "heat_dissipated", "", heated);
+    }
+    add_term(l, "heat_walls", "", walls);
+    add_term(l, "heat_fluid", "", bodies);
+    if (p->domain.remove || l->flows)
+    {
+        add_term(l, "heat_left", "", left);
+    }
+    if (l->flows)
+    {
+        add_term(l, "heat_came", "", came);
+    }
+    return gain - heated - walls - bodies + left - came;
+}
+
 static double report_all(struct dem_state *p)
 {
     struct dem_energy_balance *const l = p->energy_balance;
@@ -186,12 +222,13 @@ static double report_all(struct dem_state *p)
     {
         add_term(l, "came", "", came);
     }
-    return total + left - came;
+    return total + left - came + (l->heat >= 0 ? report_heat(p) : 0.0);
 }
 
 void dem_energy_balance_begin(struct dem_state *p)
 {
     p->energy_balance->driven = dem_totals_any_driven(p);
+    dem_energy_balance_begin_heat(p);
     /* includes particles outside the domain, which are removed later */
     p->energy_balance->start = report_all(p);
     dem_sum_clear(&p->energy_balance->sum[DEM_ENERGY_BALANCE_OUT]);

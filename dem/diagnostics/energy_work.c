@@ -108,6 +108,8 @@ void dem_energy_balance_particle_out(struct dem_state *p, const struct dem_parti
     dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_OUT],
                            0.5*r->mass*dem_vec_dot(v, v) +
                                0.5*inertia*dem_vec_dot(r->w, r->w));
+    dem_energy_balance_add_content(p, (size_t)(r - p->particles.record), 1.0,
+                                   &p->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_OUT]);
 }
 
 void dem_energy_balance_particle_in(struct dem_state *p, const struct dem_particle *r)
@@ -117,6 +119,8 @@ void dem_energy_balance_particle_in(struct dem_state *p, const struct dem_partic
     dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_IN],
                            0.5*r->mass*dem_vec_dot(r->v, r->v) +
                                0.5*inertia*dem_vec_dot(r->w, r->w));
+    dem_energy_balance_add_content(p, (size_t)(r - p->particles.record), 1.0,
+                                   &p->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_IN]);
 }
 
 /* ---- body forces ----------------------------------------------------------------------------- */

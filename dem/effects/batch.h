@@ -122,6 +122,10 @@ struct dem_contact_batch
     _Alignas(64) double broke[DEM_BATCH_ROWS];
     /* of breaking: 1 tension, 2 shear, 3 distance */
     _Alignas(64) double cause[DEM_BATCH_ROWS];
+
+    /* J      dissipated in this step by the effects before, as the energy balance counts it (with
+              DEM_NEEDS_DISSIPATION) */
+    _Alignas(64) double dissipated[DEM_BATCH_ROWS];
 };
 
 /* energy of one effect: rows as in the contact batch */

@@ -36,7 +36,7 @@ enum dem_stage
     /* from here on contact effects may act across a gap */
     DEM_STAGE_BOND,
     DEM_STAGE_FILM,
-    /* contact effects that exchange scalars; all forces are known */
+    /* contact effects that exchange scalars; all forces are known. Across a gap: those with a reach */
     DEM_STAGE_SCALAR,
     /* from here on effects act on single particles */
     DEM_STAGE_BODY,
@@ -58,7 +58,8 @@ enum dem_needs                                            /* optional columns of
     DEM_NEEDS_STRESS = 128,                               /* body: sx sy sz */
     DEM_NEEDS_MEAN_DIAMETER = 256,                        /* body: mean_diameter */
     DEM_NEEDS_TURBULENCE = 512,                           /* body: the fluid's fluctuation in u */
-    DEM_NEEDS_RADII = 1024                                /* contact with scalars: radii of both */
+    DEM_NEEDS_RADII = 1024,                               /* contact with scalars: radii of both */
+    DEM_NEEDS_DISSIPATION = 2048                          /* contact: dissipated */
 };
 
 enum dem_drag                                             /* range of validity of a drag law */
@@ -168,7 +169,7 @@ struct dem_effect
        Returns DEM_OK or an error. The class is NULL for body effects. May be NULL. */
     int (*prepare)(void *settings, const struct dem_pair_class *);
 
-    /* BOND and FILM: the largest gap across which it acts [m]. NULL: acts in contact only. */
+    /* BOND, FILM and SCALAR: the largest gap across which it acts [m]. NULL: acts in contact only. */
     double (*reach)(const void *settings, const struct dem_pair_class *);
 
     /* The largest stable time step [s]; *why: its name in a few words, not to be freed.
@@ -246,5 +247,11 @@ struct dem_effect
        related to it. NULL: none. See dem_interaction_table_gravity. */
     void (*uniform_acceleration)(const void *settings, double g[3]);
 };
+
+/* 1 when a contact effect may act across a gap. */
+static inline int dem_effect_acts_past_touching(const struct dem_effect *e)
+{
+    return e->stage == DEM_STAGE_BOND || e->stage == DEM_STAGE_FILM || e->reach != NULL;
+}
 
 #endif

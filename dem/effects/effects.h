@@ -28,6 +28,7 @@
     ROW(lubrication)                                                                                                  \
     ROW(liquid_bridge)                                                                                                \
     ROW(conduction)                                                                                                   \
+    ROW(friction_heat)                                                                                                \
     ROW(gravity)                                                                                                      \
     ROW(pressure_gradient)                                                                                            \
     ROW(stokes_drag)                                                                                                  \

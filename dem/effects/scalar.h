@@ -40,7 +40,8 @@ enum dem_scalar_flag
                                    partners, and ghosts have it */
     DEM_SCALAR_RATE = 2,        /* effects change it: rates are summed and integrated in each step */
     DEM_SCALAR_WRITTEN = 4,     /* it is written with the particles (VTK, CSV) */
-    DEM_SCALAR_AMOUNT = 8       /* an amount: a wall has no value of it, a flux only */
+    DEM_SCALAR_AMOUNT = 8,      /* an amount: a wall has no value of it, a flux only */
+    DEM_SCALAR_HEAT = 16        /* C ds is energy [J]: the energy balance counts it; one in a scene */
 };
 
 /* Per particle, of a scalar that is exchanged with a fluid or with the program. Over a window: */

@@ -114,7 +114,7 @@ static int append_effect(struct dem_interaction_table *r, struct dem_effect_list
     }
     list->needs |= effect->needs;
     list->moments |= effect->stage == DEM_STAGE_MOMENT || effect->stage == DEM_STAGE_BOND;
-    list->past_touching |= effect->stage == DEM_STAGE_BOND || effect->stage == DEM_STAGE_FILM;
+    list->past_touching |= contact && dem_effect_acts_past_touching(effect);
     return effect->prepare ? effect->prepare(entry->settings, contact ? &list->pair : NULL)
                            : DEM_OK;
 }
@@ -305,8 +305,7 @@ static void remove_effect(struct dem_interaction_table *r, struct dem_effect_lis
             list->scalars |= entry.scalars > 0;
             list->moments |=
                 entry.effect->stage == DEM_STAGE_MOMENT || entry.effect->stage == DEM_STAGE_BOND;
-            list->past_touching |=
-                entry.effect->stage == DEM_STAGE_BOND || entry.effect->stage == DEM_STAGE_FILM;
+            list->past_touching |= dem_effect_acts_past_touching(entry.effect);
             r->reach = entry.effect->reach
                            ? fmax(r->reach, entry.effect->reach(entry.settings, &list->pair))
                            : r->reach;

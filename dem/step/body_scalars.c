@@ -101,6 +101,16 @@ static void sum_exchange(const struct dem_body_scalars *s, const struct dem_scal
     dem_scalar_exchange_values(p, r, k, DEM_SCALAR_DECAY)[i] *= 1.0 - z*phi;
 }
 
+/* For the energy balance: what the step adds, less what contacts add. */
+static void sum_heat(const struct dem_scalar_step *step, int k, size_t particle, double rate)
+{
+    const double contacts =
+        step->contacts->forces.rates ? sum_of_contacts(step->contacts, k, particle) : 0.0;
+
+    dem_sum_add(step->heat, step->h*rate);
+    dem_sum_add(step->heat, -step->h*contacts);
+}
+
 int dem_body_scalars_integrate(const struct dem_body_scalars *s, const struct dem_scalar_step *step,
                                struct dem_particles *p, size_t first, int rows)
 {
@@ -118,8 +128,13 @@ int dem_body_scalars_integrate(const struct dem_body_scalars *s, const struct de
                 step->h/dem_interaction_table_capacity(r, k, q->material, q->mass);
             const double B = s->coefficient[k][c], z = B*per_capacity;
 
-            value[c] += dem_phi(z)*per_capacity*
-                        (s->rate[k][c] + s->to_target[k][c] - B*value[c]);
+            const double rate = s->rate[k][c] + s->to_target[k][c] - B*value[c];
+
+            value[c] += dem_phi(z)*per_capacity*rate;
+            if (step->heat && r->scalar[k]->flags & DEM_SCALAR_HEAT)
+            {
+                sum_heat(step, k, first + (size_t)c, dem_phi(z)*rate);
+            }
             bad += !(value[c] >= r->scalar[k]->min && value[c] <= r->scalar[k]->max);
             if (r->exchanged[k])
             {

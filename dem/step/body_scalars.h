@@ -7,6 +7,7 @@
 #ifndef DEM_STEP_BODY_SCALARS_H
 #define DEM_STEP_BODY_SCALARS_H
 
+#include "core/sum.h"
 #include "model/contacts.h"
 #include "model/interaction_table.h"
 #include "model/particles.h"
@@ -27,6 +28,8 @@ struct dem_scalar_step
     const struct dem_contacts *contacts;        /* with the rates of rows */
     double h;                                   /* s  0: effects read scalars, none is changed */
     double window;                              /* s  over which CARRIED_OVER is spread; 0: none */
+    struct dem_sum *heat;                       /* J  of what is not from contacts, of the scalar with
+                                                   DEM_SCALAR_HEAT; NULL: not summed */
 };
 
 /* Gather the values of the particles [first, first + rows). With a step h > 0 rates begin with those

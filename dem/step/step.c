@@ -293,7 +293,11 @@ static struct due what_is_due(const struct dem_state *p, double kick)
 static struct dem_body_sweep options(const struct dem_state *p, const struct due *due, double kick)
 {
     const int flat = p->domain.flat[0] || p->domain.flat[1] || p->domain.flat[2];
+    struct dem_scalar_step scalars = scalar_step(p, p->dt);
 
+    scalars.heat = p->energy_balance->open
+                       ? &p->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_BODIES]
+                       : NULL;
     return (struct dem_body_sweep){
         .kick = kick,
         .window = p->window,
@@ -303,7 +307,7 @@ static struct dem_body_sweep options(const struct dem_state *p, const struct due
         .applied = p->applied_forces.n > 0 ? &p->applied_forces : NULL,
         .time = p->time,
         .energy_balance = p->energy_balance->open ? p->energy_balance : NULL,
-        .scalars = scalar_step(p, p->dt)};
+        .scalars = scalars};
 }
 
 /* A value of a scalar out of its range ends the run. */

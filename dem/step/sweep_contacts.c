@@ -210,6 +210,15 @@ static void apply_effects(struct dem_contact_workspace *t, const struct dem_effe
     }
 }
 
+/* What the last effect dissipated, for those that make heat of it. */
+static void add_dissipated(struct dem_contact_batch *b, const double *lost)
+{
+    for (int c = 0; c < b->n; c++)
+    {
+        b->dissipated[c] += lost[c];
+    }
+}
+
 /* The same, with the energy balance. */
 static void apply_effects_with_energy(struct dem_state *p, struct dem_contact_workspace *t,
                                       const struct dem_effect_list *effects, uint32_t row, int rows)
@@ -219,8 +228,10 @@ static void apply_effects_with_energy(struct dem_state *p, struct dem_contact_wo
                                         .memory = history,
                                         .row = row,
                                         .rows = rows};
+    const int heats = (effects->needs & DEM_NEEDS_DISSIPATION) != 0;
 
     clear_results(&t->batch);
+    memset(t->batch.dissipated, 0, sizeof t->batch.dissipated);
     dem_energy_balance_begin_batch(p, t, &r);
     for (int k = 0; k < effects->entries; k++)
     {
@@ -234,6 +245,10 @@ static void apply_effects_with_energy(struct dem_state *p, struct dem_contact_wo
         dem_energy_balance_before_effect(p, t, &r);
         apply_effect(t, effects, k, history, columns);
         dem_energy_balance_after_effect(p, t, &r);
+        if (heats)
+        {
+            add_dissipated(&t->batch, p->energy_balance->scratch->energy.lost);
+        }
     }
 }
 
@@ -339,6 +354,13 @@ static int sweep_batch_with_scalars(struct dem_state *p, struct dem_contact_work
 
     t->scalars = NULL;
     dem_contact_scalars_store(&scalars, &p->contacts, at->row, at->rows);
+    if (p->energy_balance->open && p->energy_balance->heat >= 0)
+    {
+        dem_energy_balance_contact_heat(
+            p, &t->batch,
+            &(struct dem_energy_balance_rows){.list = effects, .row = at->row, .rows = at->rows},
+            scalars.rate[0][p->energy_balance->heat]);
+    }
     return status;
 }
 

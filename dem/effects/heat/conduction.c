@@ -77,7 +77,7 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
                  conductance = s->per_radius*sqrt(pair->min_radius*max_overlap*diameter);
 
     *why = "heat capacity over the conductance of twelve contacts (conduction)";
-    return pair->min_mass*pair->a->thermal.heat_capacity/(max_contacts*conductance);
+    return pair->min_mass*dem_heat_min_capacity(pair)/(max_contacts*conductance);
 }
 
 DEM_KERNEL

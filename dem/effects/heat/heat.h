@@ -22,6 +22,14 @@ static inline double dem_heat_conductivity(const struct dem_pair_class *pair)
     return 2.0*a*b/(a + b);
 }
 
+/* The smaller heat capacity of the particles of a pair [J/(kg K)]. */
+static inline double dem_heat_min_capacity(const struct dem_pair_class *pair)
+{
+    const double a = pair->a->thermal.heat_capacity, b = pair->b->thermal.heat_capacity;
+
+    return pair->with_wall || a < b ? a : b;
+}
+
 /* E* of the real materials [Pa]: that of the scene where no real modulus is given. */
 static inline double dem_heat_real_modulus(const struct dem_pair_class *pair)
 {
