@@ -28,6 +28,7 @@
     ROW(lubrication)                                                                                                  \
     ROW(liquid_bridge)                                                                                                \
     ROW(conduction)                                                                                                   \
+    ROW(gas_film)                                                                                                     \
     ROW(friction_heat)                                                                                                \
     ROW(gravity)                                                                                                      \
     ROW(pressure_gradient)                                                                                            \

@@ -405,8 +405,8 @@ static void description(const struct dem_effect *e)
     TAP_OK(body ? e->apply_to_bodies && !e->apply && !e->history : e->apply && !e->apply_to_bodies,
            "%s: has the function of its stage", e->name);
     TAP_OK(!(e->reach || e->replace_contact) || e->stage == DEM_STAGE_BOND ||
-               e->stage == DEM_STAGE_FILM,
-           "%s: only bonds and films act beyond contact", e->name);
+               e->stage == DEM_STAGE_FILM || (e->stage == DEM_STAGE_SCALAR && !e->replace_contact),
+           "%s: only bonds, films and exchanges of scalars act beyond contact", e->name);
     TAP_OK(!e->set_adhesion || e->stage == DEM_STAGE_FILM,
            "%s: only films give a friction force before contact", e->name);
     TAP_OK(!e->prepare_bodies || e->drag || e->has_added_mass,

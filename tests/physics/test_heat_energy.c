@@ -164,5 +164,6 @@ int main(void)
     breaks();
     bed("", "", "an adiabatic bed");
     bed("temperature { value 350; }", "", "a bed in hot walls");
+    bed("temperature { value 350; }", "gasFilm { conductivity 0.026; }", "with gas films");
     TAP_DONE;
 }
