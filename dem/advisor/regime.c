@@ -23,6 +23,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/regime.h"
+#include "advisor/biot.h"
 #include "effects/fluid/drag.h"
 #include <float.h>
 #include <math.h>
@@ -295,7 +296,20 @@ static void write_cells(struct dem_text *t, const struct dem_plan *p, const stru
 static void write_contacts(struct dem_text *t, const struct dem_plan *p, const struct dem_regime *g)
 {
     const struct dem_interaction_table *const r = &p->state->interaction_table;
+    struct dem_biot biot;
     char line[200];
+
+    dem_biot_number(p, g, &biot);
+    if (biot.number > 0.0)
+    {
+        dem_text_add(t, "    Biot number of %s %s%s %.2g: %s %g\n", biot.material->name,
+                     biot.other ? "in contact with " : "in the fluid",
+                     biot.other ? biot.other->name : "", biot.number,
+                     biot.number > DEM_BIOT_LIMIT
+                         ? "the temperature in a particle is not uniform as assumed, the limit is"
+                         : "the temperature in a particle is uniform below",
+                     DEM_BIOT_LIMIT);
+    }
 
     for (int k = 0; k < r->chosen; k++)
     {

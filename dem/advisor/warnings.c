@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/warnings.h"
+#include "advisor/biot.h"
 #include "advisor/regime.h"
 #include "core/vec.h"
 #include "diagnostics/totals.h"
@@ -323,6 +324,33 @@ static void warn_of_impacts(struct list *w)
     }
 }
 
+/* ---- heat ------------------------------------------------------------------------------------ */
+
+static void warn_of_biot(struct list *w)
+{
+    struct dem_biot most;
+
+    dem_biot_number(w->p, &w->regime, &most);
+    if (most.number > DEM_BIOT_LIMIT)
+    {
+        begin(w);
+        dem_text_add(w->t, "the Biot number of %s ", most.material->name);
+        if (most.other)
+        {
+            dem_text_add(w->t, "in contact with %s", most.other->name);
+        }
+        else
+        {
+            dem_text_add(w->t, "in the fluid");
+        }
+        dem_text_add(
+            w->t,
+            " is %.2g, above %g: a particle has one temperature here, but heat spreads in it too slowly for that (materials/%s/"
+            "conductivity %g W/(m K)); temperatures lag behind\n",
+            most.number, DEM_BIOT_LIMIT, most.material->name, most.material->thermal.conductivity);
+    }
+}
+
 /* ---- the list -------------------------------------------------------------------------------- */
 
 int dem_warnings_write(struct dem_text *t, struct dem_plan *p, int coupled, int n,
@@ -344,6 +372,7 @@ int dem_warnings_write(struct dem_text *t, struct dem_plan *p, int coupled, int 
         warn_of_gravity(&w);
         warn_of_drag(&w);
         warn_of_densities(&w);
+        warn_of_biot(&w);
         warn_of_impacts(&w);
         warn_of_crossing(&w);
         DEM_TRY(warn_of_window(&w));

@@ -6,6 +6,7 @@
  *   gravity              absent, or along +y or +z
  *   no drag              a fluid, and no drag law
  *   density              below 50 kg/m3: kg/m3 meant, g/cm3 given?
+ *   Biot number          above 0.1 (biot.c)
  *   stiffness            youngsModulus above 1e10 Pa and more than 1e6 steps ahead
  *   fluid step           of more than 1e4 DEM steps: with its time
  *   fluid step           in which a particle crosses more than half of run.resolution: by its own speed,
