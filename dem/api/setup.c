@@ -133,6 +133,7 @@ static int prepare_physics(struct dem *d)
         DEM_TRY(dem_api_find_radii(p));
         dem_streams_radii(&d->scene.streams, p->interaction_table.min_radius,
                           p->interaction_table.max_radius);
+        dem_streams_ratios(&d->scene.streams, &p->interaction_table);
         DEM_TRY(dem_api_finish_physics(d));
     }
     const double radius = dem_api_max_radius(d);

@@ -79,7 +79,7 @@ double dem_api_max_radius(const struct dem *d)
     return max;
 }
 
-/* Radii by material, of particles that the scene inserts and of those that the program added. */
+/* Radii by material and ratios of parcels, of particles that the scene inserts and of those that the program added. */
 static int find_radii(struct dem *d)
 {
     struct dem_interaction_table *const r = &d->state.interaction_table;
@@ -95,7 +95,13 @@ static int find_radii(struct dem *d)
                                                     &m));
         r->min_radius[m] = r->min_radius[m] > 0.0 ? fmin(r->min_radius[m], radius) : radius;
         r->max_radius[m] = fmax(r->max_radius[m], radius);
+        if (r->parcels.used)
+        {
+            dem_interaction_table_add_parcel(r, r->parcels.ratio);
+        }
     }
+    dem_insert_ratios(&d->scene.insertion, r);
+    dem_streams_ratios(&d->scene.streams, r);
     return DEM_OK;
 }
 

@@ -104,6 +104,26 @@ static int store_initial(struct dem *d)
     return DEM_OK;
 }
 
+/* All ranks get the same range of ratios. */
+static int find_ratios(struct dem_state *p)
+{
+    struct dem_parcels_entry *const range = &p->interaction_table.parcels;
+    double min[2] = {DBL_MAX, 0.0};
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const double l = dem_scalar_values(&p->particles, range->scalar)[i];
+
+        min[0] = fmin(min[0], l);
+        min[1] = fmin(min[1], -l);
+    }
+    dem_collect_min_double(&p->decomposition, min, 2);
+    DEM_TRY(dem_collect_status(&p->decomposition));
+    range->min = min[0] < DBL_MAX ? min[0] : 0.0;
+    range->max = -min[1];
+    return DEM_OK;
+}
+
 int dem_api_find_radii(struct dem_state *p)
 {
     /* the smallest radii, then the negative of the largest: one reduction */
@@ -128,7 +148,7 @@ int dem_api_find_radii(struct dem_state *p)
         p->interaction_table.min_radius[m] = min[m] < DBL_MAX ? min[m] : 0.0;
         p->interaction_table.max_radius[m] = -min[DEM_MATERIALS + m];
     }
-    return DEM_OK;
+    return p->interaction_table.parcels.used ? find_ratios(p) : DEM_OK;
 }
 
 /* A uniform fluid fills the columns once; with a coupled one every particle is marked as not yet
@@ -239,7 +259,7 @@ static int complete_scalars(struct dem *d)
                                                                     : &fallback;
         const int in_file = (d->snapshot_flows.scalars >> k & 1) != 0;
 
-        DEM_REQUIRE(in_file || !isnan(start->min), DEM_ERROR_INPUT,
+        DEM_REQUIRE(in_file || start->given || !isnan(r->scalar[k]->default_value), DEM_ERROR_INPUT,
                     "%s has no %s, which the effects need; add start { snapshot \"FILE\"; %s "
                     "NUMBER; }", d->load_path, r->scalar[k]->name, r->scalar[k]->name);
         for (size_t i = 0; (start->given || !in_file) && i < p->n; i++)

@@ -200,6 +200,17 @@ static int load_particles(struct dem_particles *p, const struct dem_snapshot_hea
     return status;
 }
 
+static int has_column(const struct dem_snapshot_header *h, const char *name)
+{
+    int found = 0;
+
+    for (int64_t c = 0; c < h->columns; c++)
+    {
+        found |= strcmp(h->list[h->materials + c].name, name) == 0;
+    }
+    return found;
+}
+
 /* Bit k: the file has the column of scalar k. */
 static uint32_t find_scalars(const struct dem_snapshot_header *h,
                              const struct dem_interaction_table *r)
@@ -208,10 +219,7 @@ static uint32_t find_scalars(const struct dem_snapshot_header *h,
 
     for (int k = 0; k < r->scalars; k++)
     {
-        for (int64_t c = 0; c < h->columns; c++)
-        {
-            found |= strcmp(h->list[h->materials + c].name, r->scalar[k]->name) == 0 ? 1U << k : 0U;
-        }
+        found |= has_column(h, r->scalar[k]->name) ? 1U << k : 0U;
     }
     return found;
 }
@@ -228,6 +236,9 @@ int dem_snapshot_read_particles(const char *path, struct dem_snapshot *s,
     status = status ? status : load_particles(p, &h, r, packed, count, path);
     dem_memory_free(packed);
     DEM_TRY(status);
+    DEM_REQUIRE(r->parcels.used || !has_column(&h, dem_parcel_ratio.name), DEM_ERROR_INPUT,
+                "%s: its particles are parcels, but the scene has none; add parcels { ratio 1; }, "
+                "their own ratios are in the snapshot", path);
     *s = (struct dem_snapshot){.particles = h.particles,
                                .rows = h.rows,
                                .steps = h.steps,

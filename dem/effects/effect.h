@@ -72,6 +72,15 @@ enum dem_drag                                             /* range of validity o
     DEM_DRAG_BED                                          /* single sphere to packed bed */
 };
 
+/* how a law acts on parcels (effects/parcels.h) of the ratio l */
+enum dem_parcels
+{
+    DEM_PARCELS_REFUSED,    /* it has no rule */
+    DEM_PARCELS_SAME,       /* as on any particle: similar by itself, or by mass or volume */
+    DEM_PARCELS_SETTINGS,   /* contact: prepare multiplies settings by powers of l */
+    DEM_PARCELS_GRAINS      /* fluid: l^3 times as on a grain of 1/l of the diameter */
+};
+
 struct dem_material
 {
     char name[48];
@@ -109,6 +118,8 @@ struct dem_pair_class
     /* kg/m3  least added mass over volume of a particle, C rho of the fluid, for limits of the step;
        0: none, unknown, or contacts turn particles, whose moment of inertia contains none */
     double added_density;
+    /* 1  smallest and largest ratio of the parcels of the run (effects/parcels.h); 0: none */
+    double min_parcel_ratio, max_parcel_ratio;
 };
 
 struct dem_effect
@@ -124,6 +135,8 @@ struct dem_effect
     /* a sentence: what the law does not do though users may expect it; or NULL */
     const char *limitation;
     enum dem_stage stage;
+    /* its rule for parcels */
+    enum dem_parcels parcels;
     /* enum dem_needs, or-ed */
     unsigned needs;
     /* NORMAL only: p of F ~ d^p */

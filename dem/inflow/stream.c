@@ -127,7 +127,8 @@ static int read_stream(struct dem_stream *s, const struct dem_dict *dict,
     DEM_TRY(dem_inlet_shape_read(&s->inlet, dict, s->where));
     DEM_TRY(read_velocity(s, dict));
     DEM_TRY(dem_scalar_entries_read(dict, r, 1, s->scalar));
-    DEM_TRY(dem_size_distribution_read(&s->sizes, dict));
+    DEM_TRY(dem_scalar_entries_parcel_ratio(r, s->scalar, s->where, &s->ratio));
+    DEM_TRY(dem_size_distribution_read(&s->sizes, dict, s->ratio));
     DEM_TRY(check_masses(s, r));
     return dem_inlet_shape_check(&s->inlet, 0.5*s->sizes.max, s->where);
 }
@@ -263,6 +264,14 @@ void dem_streams_radii(const struct dem_streams *s, double *min, double *max)
 
         min[t->material] = min[t->material] > 0.0 ? fmin(min[t->material], smallest) : smallest;
         max[t->material] = fmax(max[t->material], largest);
+    }
+}
+
+void dem_streams_ratios(const struct dem_streams *s, struct dem_interaction_table *r)
+{
+    for (int k = 0; r->parcels.used && k < s->streams; k++)
+    {
+        dem_interaction_table_add_parcel(r, s->stream[k].ratio);
     }
 }
 

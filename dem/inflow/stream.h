@@ -44,6 +44,7 @@ struct dem_stream
                                                 in velocity +- spread */
     int with_fluid;                          /* 1: the velocity is that of the fluid at the patch */
     struct dem_scalar_entry scalar[DEM_SCALARS];
+    double ratio;                                /* 1  of its parcels; 1: none */
 };
 
 struct dem_outlet
@@ -77,6 +78,9 @@ void dem_streams_free(struct dem_streams *);
 /* Extend the smallest and the largest radius [m], by material, to those of the streams; 0 means
    none so far. */
 void dem_streams_radii(const struct dem_streams *, double *min, double *max);
+
+/* Extend the range of ratios of parcels by those of the streams. */
+void dem_streams_ratios(const struct dem_streams *, struct dem_interaction_table *);
 
 /* Refuse inlets that lie outside the domain, and patches that no mesh has supplied. */
 int dem_streams_check(const struct dem_streams *, const struct dem_domain *);

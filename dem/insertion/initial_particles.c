@@ -33,7 +33,7 @@ void dem_initial_particles_have_scalars(struct dem_initial_particles *c,
     c->scalars = r->scalars;
     for (int k = 0; k < r->scalars; k++)
     {
-        c->default_scalar[k] = r->scalar[k]->default_value;
+        c->default_scalar[k] = dem_interaction_table_default(r, k);
     }
 }
 

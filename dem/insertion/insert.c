@@ -88,7 +88,7 @@ static int read_lattice_box(struct dem_insert_group *b)
                 "%s: a lattice has one diameter and fills a box; use type random, or diameter, min "
                 "and max",
                 b->where);
-    DEM_TRY(dem_size_distribution_read(&sizes, b->dict));
+    DEM_TRY(dem_size_distribution_read(&sizes, b->dict, b->ratio));
     b->diameter = sizes.min;
     return read_region(b, &sizes);
 }
@@ -175,7 +175,7 @@ static int read_random(struct dem_insert_group *b, const struct dem_interaction_
 {
     struct dem_size_distribution sizes;
     double volume = 0.0;
-    int status = dem_size_distribution_read(&sizes, b->dict);
+    int status = dem_size_distribution_read(&sizes, b->dict, b->ratio);
 
     status = status ? status : read_drawn(b, r, &sizes);
     dem_size_distribution_free(&sizes);
@@ -357,10 +357,27 @@ static int read_type(struct dem_insert_group *b, const struct dem_interaction_ta
     }
 }
 
-/* The values of scalars that no list or table gives. */
-static int read_scalars(struct dem_insert_group *b, const struct dem_interaction_table *r)
+/* Diameters of a list or table are those of grains; each parcel has its ratio, or that of the group. */
+static int enlarge_grains(struct dem_insert_group *b, const double *ratios)
 {
-    DEM_TRY(dem_scalar_entries_read(b->dict, r, 0, b->scalar));
+    const double grain = b->diameter;
+
+    b->diameter = b->ratio*grain;
+    if (b->diameters || ratios)
+    {
+        DEM_TRY(DEM_NEW(b->drawn, b->count));
+    }
+    for (int64_t m = 0; b->drawn && m < b->count; m++)
+    {
+        b->drawn[m] = (ratios ? ratios[m] : b->ratio)*(b->diameters ? b->diameters[m] : grain);
+    }
+    b->diameters = b->drawn;
+    return DEM_OK;
+}
+
+/* What a scalar must have that no list or table gives. */
+static int check_scalars(const struct dem_insert_group *b, const struct dem_interaction_table *r)
+{
     for (int k = 0; k < r->scalars; k++)
     {
         DEM_REQUIRE(b->scalars[k] || !isnan(b->scalar[k].min), DEM_ERROR_INPUT,
@@ -388,8 +405,14 @@ static int read_group(const struct dem_dict *dict, const struct dem_interaction_
     DEM_REQUIRE(!(b->frozen && b->driven), DEM_ERROR_INPUT,
                 "%s: frozen particles stay, driven ones keep their velocity; give one of the two",
                 b->where);
+    DEM_TRY(dem_scalar_entries_read(dict, r, 0, b->scalar));
+    DEM_TRY(dem_scalar_entries_parcel_ratio(r, b->scalar, b->where, &b->ratio));
     DEM_TRY(read_type(b, r, i, w, type));
-    DEM_TRY(read_scalars(b, r));
+    if (r->parcels.used && (b->type == DEM_INSERT_LIST || b->type == DEM_INSERT_TABLE))
+    {
+        DEM_TRY(enlarge_grains(b, b->scalars[r->parcels.scalar]));
+    }
+    DEM_TRY(check_scalars(b, r));
     DEM_TRY(check_masses(b, r));
     return b->frozen ? refuse_moving(b) : DEM_OK;
 }

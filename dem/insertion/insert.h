@@ -40,6 +40,9 @@ void dem_insert_free(struct dem_insertion *);
 /* Extend the ranges of radii [m], one a material, by those of the groups; 0 means none yet. */
 void dem_insert_radii(const struct dem_insertion *, double *min, double *max);
 
+/* Extend the range of ratios of parcels by those of the groups. */
+void dem_insert_ratios(const struct dem_insertion *, struct dem_interaction_table *);
+
 /* The first id above those of all groups. Refuse an id that occurs twice, in the groups or among
    these n others. */
 int64_t dem_insert_next_id(const struct dem_insertion *);

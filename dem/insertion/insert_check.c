@@ -27,6 +27,20 @@ void dem_insert_radii(const struct dem_insertion *i, double *min, double *max)
     }
 }
 
+void dem_insert_ratios(const struct dem_insertion *i, struct dem_interaction_table *r)
+{
+    for (size_t k = 0; r->parcels.used && k < i->n; k++)
+    {
+        const struct dem_insert_group *const b = &i->group[k];
+        const double *const ratios = b->scalars[r->parcels.scalar];
+
+        for (int64_t m = 0; m < (ratios ? b->count : 1); m++)
+        {
+            dem_interaction_table_add_parcel(r, ratios ? ratios[m] : b->ratio);
+        }
+    }
+}
+
 /* ---- ids ------------------------------------------------------------------------------------- */
 
 int64_t dem_insert_group_next_id(const struct dem_insert_group *b, int64_t first)

@@ -26,9 +26,11 @@ struct dem_insert_group
     bool frozen, driven;
     int64_t count, seed;
     double velocity[3], spin[3];       /* m/s, 1/s */
+    double ratio;                      /* 1  of its parcels, unless there is a list; 1: none */
     double diameter;                   /* m  of all particles, unless there are diameters */
     const double *diameters;           /* m  of each, on all ranks; NULL: one for all */
-    double *drawn;                     /* m  the array behind diameters, where the group owns it */
+    double *drawn;                     /* m  the array behind diameters, where they are computed;
+                                          owned */
     struct dem_insertion_shape shape;  /* of a lattice or a random group */
     double pitch, amplitude;           /* m  between lattice sites; range of the jitter */
     int64_t sites[3];                  /* of the lattice along x, y, z */

@@ -290,11 +290,10 @@ static int read_sizes(struct dem_size_distribution *s, const struct dem_dict *di
     }
 }
 
-int dem_size_distribution_read(struct dem_size_distribution *s, const struct dem_dict *group)
+static int read_diameters(struct dem_size_distribution *s, const struct dem_dict *group)
 {
     const struct dem_dict *dict;
 
-    memset(s, 0, sizeof *s);
     DEM_TRY(dem_dict_sub_if(group, "sizes", &dict));
     DEM_REQUIRE(!dict || !dem_dict_has(group, "diameter"), DEM_ERROR_INPUT,
                 "%s: both diameter and sizes; keep one", dem_dict_where(group));
@@ -306,6 +305,20 @@ int dem_size_distribution_read(struct dem_size_distribution *s, const struct dem
     DEM_REQUIRE(s->min > 0.0, DEM_ERROR_INPUT, "%s: diameter %g m; give a number above 0",
                 dem_dict_where(group), s->min);
     s->max = s->min;
+    return DEM_OK;
+}
+
+int dem_size_distribution_read(struct dem_size_distribution *s, const struct dem_dict *group,
+                               double factor)
+{
+    memset(s, 0, sizeof *s);
+    DEM_TRY(read_diameters(s, group));
+    s->min *= factor;
+    s->max *= factor;
+    for (int k = 0; k < s->n; k++)
+    {
+        s->diameter[k] *= factor;
+    }
     return DEM_OK;
 }
 

@@ -31,8 +31,10 @@ struct dem_size_distribution
     double *below;     /* 1  cumulative number fraction up to and including the node */
 };
 
-/* Read `diameter` or `sizes` of a group. To be freed also after a failure. */
-int dem_size_distribution_read(struct dem_size_distribution *, const struct dem_dict *group);
+/* Read `diameter` or `sizes` of a group and multiply all by a factor (1; l of parcels). To be freed
+   also after a failure. */
+int dem_size_distribution_read(struct dem_size_distribution *, const struct dem_dict *group,
+                               double factor);
 void dem_size_distribution_free(struct dem_size_distribution *);
 
 /* Mean volume of a particle [m3]; between nodes with the mean diameter of both, to 1e-5 for

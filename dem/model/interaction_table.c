@@ -121,24 +121,48 @@ int dem_interaction_table_find_scalar(const struct dem_interaction_table *r, con
     return -1;
 }
 
-/* The scalars of an effect, unless another one has named them. */
+/* A scalar, unless it is there already; *at: its index. */
+static int add_scalar(struct dem_interaction_table *r, const struct dem_scalar *s,
+                      const char *where, int *at)
+{
+    const int known = dem_interaction_table_find_scalar(r, s->name);
+
+    *at = known < 0 ? r->scalars : known;
+    DEM_REQUIRE(*at < DEM_SCALARS, DEM_ERROR_INPUT,
+                "%s: the effects need more than %d particle scalars; choose fewer effects", where,
+                DEM_SCALARS);
+    r->scalar[*at] = s;
+    r->scalars += known < 0;
+    return DEM_OK;
+}
+
 static int add_scalars(struct dem_interaction_table *r, const struct dem_effect *effect,
                        const char *where)
 {
+    int at;
+
     for (int k = 0; effect->scalars && effect->scalars[k]; k++)
     {
-        const struct dem_scalar *const s = effect->scalars[k];
-        const int known = dem_interaction_table_find_scalar(r, s->name);
-        const int at = known < 0 ? r->scalars : known;
-
-        DEM_REQUIRE(at < DEM_SCALARS, DEM_ERROR_INPUT,
-                    "%s: the effects need more than %d particle scalars; choose fewer effects",
-                    where, DEM_SCALARS);
-        r->scalar[at] = s;
-        r->scalars += known < 0;
-        r->exchanged[at] |= effect->stage == DEM_STAGE_FLUID && s->exchange;
+        DEM_TRY(add_scalar(r, effect->scalars[k], where, &at));
+        r->exchanged[at] |= effect->stage == DEM_STAGE_FLUID && effect->scalars[k]->exchange;
     }
     return DEM_OK;
+}
+
+int dem_interaction_table_use_parcels(struct dem_interaction_table *r, double ratio,
+                                      const char *where)
+{
+    r->parcels.used = 1;
+    r->parcels.ratio = ratio;
+    return add_scalar(r, &dem_parcel_ratio, where, &r->parcels.scalar);
+}
+
+void dem_interaction_table_add_parcel(struct dem_interaction_table *r, double ratio)
+{
+    struct dem_parcels_entry *const p = &r->parcels;
+
+    p->min = p->min > 0.0 ? fmin(p->min, ratio) : ratio;
+    p->max = fmax(p->max, ratio);
 }
 
 int dem_interaction_table_add_effect(struct dem_interaction_table *r, const char *name,

@@ -13,6 +13,7 @@
 
 #include "effects/effect.h"
 #include "effects/fused/fused.h"
+#include "effects/parcels.h"
 #include <stddef.h>
 
 enum
@@ -30,6 +31,15 @@ struct dem_effect_entry           /* entry of an effect list */
     int first_column;             /* first of its history columns */
     int scalars;                  /* number of its particle scalars, */
     int scalar[DEM_EFFECT_SCALARS];  /* their indices in dem_interaction_table.scalar */
+    int grains;                   /* 1: acts on the grains of parcels (step/parcels.h) */
+};
+
+struct dem_parcels_entry          /* the entry parcels of a scene */
+{
+    int used;
+    int scalar;                   /* index of parcelRatio */
+    double ratio;                 /* 1  of particles without an own */
+    double min, max;              /* 1  smallest and largest of the run; 0: none yet */
 };
 
 /* effects of one pair class, in the order of stages */
@@ -44,6 +54,8 @@ struct dem_effect_list
     unsigned needs;               /* enum dem_needs, or-ed */
     int moments, past_touching;   /* 1: has effects of MOMENT or BOND; of BOND or FILM */
     int scalars;                  /* 1: has effects with particle scalars */
+    int grains;                   /* 1: has effects on the grains of parcels, */
+    int parcel_scalar;            /* whose ratio is this scalar */
     int whole_drag;               /* bodies; 1: drag is divided by the void fraction, see
                                      dem_fluid_whole_drag */
 };
@@ -69,6 +81,7 @@ struct dem_interaction_table
     int scalars;                                    /* number of particle scalars of all effects */
     const struct dem_scalar *scalar[DEM_SCALARS];
     int exchanged[DEM_SCALARS];                     /* 1: with a fluid or the program */
+    struct dem_parcels_entry parcels;
 
     /* after freeze */
     int classes;                                    /* pair classes first, wall classes last */
@@ -134,6 +147,21 @@ int dem_interaction_table_has_pressure_gradient(const struct dem_interaction_tab
 
 /* What the chosen effects need with their present settings: enum dem_needs, or-ed. */
 unsigned dem_interaction_table_needs(const struct dem_interaction_table *);
+
+/* Let particles be parcels (effects/parcels.h). */
+int dem_interaction_table_use_parcels(struct dem_interaction_table *, double ratio,
+                                      const char *where);
+
+/* Extend the range of ratios by that of a particle. */
+void dem_interaction_table_add_parcel(struct dem_interaction_table *, double ratio);
+
+/* The value of a scalar for particles without an own; not a number where there is none. */
+static inline double dem_interaction_table_default(const struct dem_interaction_table *r,
+                                                   int scalar)
+{
+    return r->parcels.used && scalar == r->parcels.scalar ? r->parcels.ratio
+                                                          : r->scalar[scalar]->default_value;
+}
 
 /* Index of the particle scalar of this name, or -1. */
 int dem_interaction_table_find_scalar(const struct dem_interaction_table *, const char *name);

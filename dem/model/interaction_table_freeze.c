@@ -41,6 +41,9 @@ static struct dem_pair_class pair_class(const struct dem_interaction_table *r, i
     const double Ra = r->min_radius[a], Rb = r->min_radius[b];
     struct dem_pair_class c = {
         .a = m, .b = o, .with_wall = with_wall, .fluid_density = r->fluid_density};
+
+    c.min_parcel_ratio = r->parcels.min;
+    c.max_parcel_ratio = r->parcels.max;
     int turned = 0;
 
     c.reduced_modulus = 1.0/((1.0 - nm*nm)/Em + (1.0 - no*no)/Eo);
@@ -64,6 +67,24 @@ static struct dem_pair_class pair_class(const struct dem_interaction_table *r, i
 
     c.min_mass = with_wall ? of_a : 1.0/(1.0/of_a + 1.0/of_b);
     return c;
+}
+
+/* A mean diameter is that of parcels: with one ratio, l times that of the grains. */
+static int check_parcels(const struct dem_interaction_table *r, const struct dem_effect_entry *e)
+{
+    const struct dem_effect *const effect = e->effect;
+    const unsigned extra = effect->extra_needs ? effect->extra_needs(e->settings) : 0;
+
+    DEM_REQUIRE(effect->parcels != DEM_PARCELS_REFUSED, DEM_ERROR_INPUT,
+                "%s has no rule for parcels (docs/parcels.md); leave it out of the effects, or "
+                "leave out parcels", effect->name);
+    DEM_REQUIRE(r->parcels.min == r->parcels.max ||
+                    !((effect->needs | extra) & DEM_NEEDS_MEAN_DIAMETER),
+                DEM_ERROR_INPUT,
+                "%s needs the mean diameter of the grains, which is not known with parcels of "
+                "ratios from %g to %g; give all the same parcelRatio, or choose another setting",
+                effect->name, r->parcels.min, r->parcels.max);
+    return DEM_OK;
 }
 
 static int append_effect(struct dem_interaction_table *r, struct dem_effect_list *list, int index,
@@ -104,6 +125,10 @@ static int append_effect(struct dem_interaction_table *r, struct dem_effect_list
         }
         DEM_TRY(status);
     }
+    DEM_TRY(r->parcels.used ? check_parcels(r, entry) : DEM_OK);
+    entry->grains = r->parcels.used && effect->parcels == DEM_PARCELS_GRAINS;
+    list->grains |= entry->grains;
+    list->parcel_scalar = r->parcels.scalar;
     list->pair.exponent =
         effect->stage == DEM_STAGE_NORMAL ? effect->exponent : list->pair.exponent;
     for (int k = 0; effect->scalars && effect->scalars[k]; k++)

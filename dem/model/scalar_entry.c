@@ -59,8 +59,9 @@ int dem_scalar_entries_read(const struct dem_dict *dict, const struct dem_intera
     for (int k = 0; k < r->scalars; k++)
     {
         const struct dem_scalar *const s = r->scalar[k];
+        const double value = dem_interaction_table_default(r, k);
 
-        entry[k] = (struct dem_scalar_entry){.min = s->default_value, .max = s->default_value};
+        entry[k] = (struct dem_scalar_entry){.min = value, .max = value};
         if (!s->fluid_entry && dem_dict_has(dict, s->name))
         {
             DEM_TRY(read_entry(dict, s, &entry[k]));
@@ -71,6 +72,19 @@ int dem_scalar_entries_read(const struct dem_dict *dict, const struct dem_intera
                     "%s: %s has no %s, which the effects need; add %s and a number in %s",
                     dem_dict_where(dict), dem_dict_path(dict), s->name, s->name, s->unit);
     }
+    return DEM_OK;
+}
+
+int dem_scalar_entries_parcel_ratio(const struct dem_interaction_table *r,
+                                    const struct dem_scalar_entry entry[DEM_SCALARS],
+                                    const char *where, double *ratio)
+{
+    const struct dem_scalar_entry *const e = &entry[r->parcels.scalar];
+
+    *ratio = r->parcels.used ? e->min : 1.0;
+    DEM_REQUIRE(!r->parcels.used || e->min == e->max, DEM_ERROR_INPUT,
+                "%s: parcelRatio from %g to %g; give one number, by which the diameters of the "
+                "grains are multiplied", where, e->min, e->max);
     return DEM_OK;
 }
 
@@ -108,8 +122,10 @@ int dem_scalar_wall_read(const struct dem_dict *dict, const struct dem_interacti
 
     for (int k = 0; k < r->scalars; k++)
     {
+        const unsigned of_contacts = DEM_SCALAR_PARTNERS | DEM_SCALAR_RATE;
+
         sub = NULL;
-        DEM_TRY(r->scalar[k]->fluid_entry
+        DEM_TRY(r->scalar[k]->fluid_entry || !(r->scalar[k]->flags & of_contacts)
                     ? DEM_OK
                     : dem_dict_sub_if(dict, r->scalar[k]->name, &sub));
         if (!sub)

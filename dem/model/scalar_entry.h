@@ -31,6 +31,12 @@ int dem_scalar_entries_read(const struct dem_dict *, const struct dem_interactio
 int dem_scalar_require(const struct dem_interaction_table *, int scalar, double value,
                        const char *where);
 
+/* The ratio of the parcels of a group or stream, by which its diameters, those of grains, are
+   multiplied; 1 in a scene without parcels. */
+int dem_scalar_entries_parcel_ratio(const struct dem_interaction_table *,
+                                    const struct dem_scalar_entry entry[DEM_SCALARS],
+                                    const char *where, double *ratio);
+
 /* Read the conditions of a wall, for all scalars; none stays insulated. */
 int dem_scalar_wall_read(const struct dem_dict *, const struct dem_interaction_table *,
                          struct dem_wall *);

@@ -212,6 +212,22 @@ static int read_fluid(struct dem_uniform_fluid *f, const struct dem_dict *scene,
     return dem_dict_vector_or(dict, "pressureGradient", "Pa/m", hydrostatic, f->pressure_gradient);
 }
 
+/* Particles are parcels of grains. */
+static int read_parcels(struct dem_interaction_table *r, const struct dem_dict *scene)
+{
+    const struct dem_dict *dict;
+    double ratio;
+
+    DEM_TRY(dem_dict_sub_if(scene, "parcels", &dict));
+    if (!dict)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_dict_number(dict, "ratio", "1", &ratio));
+    DEM_TRY(dem_interaction_table_use_parcels(r, ratio, dem_dict_where(dict)));
+    return dem_scalar_require(r, r->parcels.scalar, ratio, dem_dict_where(dict));
+}
+
 static int read_time(struct dem_scene *s, const struct dem_dict *scene)
 {
     const struct dem_dict *dict;
@@ -343,6 +359,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
     const struct dem_dict *insert, *outlets, *start;
 
     DEM_TRY(dem_scene_read_interactions(scene, r));
+    DEM_TRY(read_parcels(r, scene));
     DEM_TRY(dem_scene_read_walls(scene, r, w));
     DEM_TRY(read_domain(d, scene));
     DEM_TRY(read_fluid(&s->fluid, scene, r));

@@ -33,8 +33,10 @@
  */
 #include "step/sweep_bodies.h"
 #include "core/math.h"
+#include "model/scalars.h"
 #include "step/body_batch.h"
 #include "step/eddies.h"
+#include "step/parcels.h"
 #include "step/sum_contacts.h"
 #include <math.h>
 #include <string.h>
@@ -110,21 +112,40 @@ static int rows_in_batch(const struct dem_particles *p, size_t first)
     return p->n - first < DEM_BATCH_ROWS ? (int)(p->n - first) : DEM_BATCH_ROWS;
 }
 
+/* An effect in a scene with particle scalars. */
+static void apply_with_scalars(const struct dem_effect_entry *e, struct dem_body_batch *b,
+                               const struct dem_effect_list *bodies,
+                               struct dem_body_scalars *scalars)
+{
+    dem_body_scalars_select(scalars, b, e);
+    if (e->grains)
+    {
+        dem_parcels_apply(e, b, scalars->value[bodies->parcel_scalar]);
+    }
+    else
+    {
+        e->effect->apply_to_bodies(e->settings, b);
+    }
+}
+
 /* All body effects on a batch, with the energy balance if there is one. */
 static void apply_effects(struct dem_body_workspace *t, const struct dem_effect_list *bodies,
                           struct dem_energy_balance *energy, struct dem_body_scalars *scalars)
 {
     for (int k = 0; k < bodies->entries; k++)
     {
-        if (scalars)
-        {
-            dem_body_scalars_select(scalars, &t->batch, &bodies->entry[k]);
-        }
         if (energy)
         {
             dem_energy_balance_before_body_effect(energy, &t->batch);
         }
-        bodies->entry[k].effect->apply_to_bodies(bodies->entry[k].settings, &t->batch);
+        if (scalars)
+        {
+            apply_with_scalars(&bodies->entry[k], &t->batch, bodies, scalars);
+        }
+        else
+        {
+            bodies->entry[k].effect->apply_to_bodies(bodies->entry[k].settings, &t->batch);
+        }
         if (energy)
         {
             dem_energy_balance_after_body_effect(energy, &t->batch, k);
@@ -319,6 +340,31 @@ void dem_sweep_bodies(struct dem_particles *p, const struct dem_effect_list *bod
 
 /* ---- windows --------------------------------------------------------------------------------- */
 
+/* prepare_bodies of all effects; on grains, where the particles are parcels. */
+static void prepare_effects(struct dem_body_batch *b, const struct dem_particles *p,
+                            const struct dem_effect_list *bodies, size_t first, int rows)
+{
+    double ratio[DEM_BATCH_ROWS];
+
+    for (int c = 0; bodies->grains && c < DEM_BATCH_ROWS; c++)
+    {
+        ratio[c] = dem_scalar_values(p, bodies->parcel_scalar)[first + (size_t)(c < rows ? c : 0)];
+    }
+    for (int k = 0; k < bodies->entries; k++)
+    {
+        const struct dem_effect_entry *const e = &bodies->entry[k];
+
+        if (e->effect->prepare_bodies && e->grains)
+        {
+            dem_parcels_prepare(e, b, ratio);
+        }
+        else if (e->effect->prepare_bodies)
+        {
+            e->effect->prepare_bodies(e->settings, b);
+        }
+    }
+}
+
 void dem_bodies_window_constants(struct dem_particles *p, const struct dem_effect_list *bodies)
 {
     const int voidage = dem_column(p, DEM_COLUMN_VOIDAGE_FACTOR_FIRST) != NULL,
@@ -334,13 +380,7 @@ void dem_bodies_window_constants(struct dem_particles *p, const struct dem_effec
         dem_body_batch_gather(&t, p, first, rows, 0);
         dem_body_batch_gather_fluid(&t, p, first, rows, 0.0);
         memset(t.batch.added_mass, 0, sizeof t.batch.added_mass);
-        for (int k = 0; k < bodies->entries; k++)
-        {
-            if (bodies->entry[k].effect->prepare_bodies)
-            {
-                bodies->entry[k].effect->prepare_bodies(bodies->entry[k].settings, &t.batch);
-            }
-        }
+        prepare_effects(&t.batch, p, bodies, first, rows);
         if (voidage)
         {
             dem_body_batch_store_voidage_factors(&t, p, first, rows);

@@ -54,6 +54,7 @@ const struct dem_effect dem_gravity = {
     .summary = "weight, m g",
     .source = "Newton 1687",
     .stage = DEM_STAGE_BODY,
+    .parcels = DEM_PARCELS_SAME,
     .example = "acceleration (0 0 -9.81);",
     .size = sizeof(struct gravity),
     .settings = settings,

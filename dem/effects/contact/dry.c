@@ -69,6 +69,7 @@ const struct dem_effect dem_dry = {
     .summary = "viscous damping that gives the same coefficient of restitution at any impact speed",
     .source = "Antypov and Elliott 2011; Tsuji, Tanaka, Ishida 1992",
     .stage = DEM_STAGE_DAMP,
+    .parcels = DEM_PARCELS_SAME,
     .example = "restitution 0.9;",
     .size = sizeof(struct dem_dry),
     .settings = settings,

@@ -122,6 +122,7 @@ const struct dem_effect dem_hertz = {
     .summary = "elastic repulsion of smooth spheres, F_n = 4/3 E* sqrt(R*) d^(3/2)",
     .source = "Hertz 1882",
     .stage = DEM_STAGE_NORMAL,
+    .parcels = DEM_PARCELS_SAME,
     .exponent = 1.5,
     .size = sizeof(struct dem_hertz),
     .settings = settings,

@@ -22,6 +22,7 @@
 #include "effects/effect.h"
 
 #include "effects/contact/hooke.h"
+#include "effects/parcels.h"
 
 static const struct dem_setting settings[] = {
     DEM_SETTING(dem_hooke, stiffness, "N/m", 0.0, 0.0, INFINITY,
@@ -36,6 +37,7 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 {
     struct dem_hooke *hooke = of;
 
+    DEM_TRY(dem_parcels_scale(pair, "hooke", "stiffness", 1, &hooke->stiffness));
     hooke->spring =
         (struct dem_impact_spring){.stiffness = hooke->stiffness, .speed = hooke->impact_speed};
     return dem_impact_prepare(&hooke->spring, "hooke", pair);
@@ -70,6 +72,7 @@ const struct dem_effect dem_hooke = {
     .summary = "elastic repulsion by a linear spring, F_n = k d",
     .source = "Cundall and Strack 1979",
     .stage = DEM_STAGE_NORMAL,
+    .parcels = DEM_PARCELS_SETTINGS,
     .exponent = 1.0,
     .size = sizeof(struct dem_hooke),
     .settings = settings,

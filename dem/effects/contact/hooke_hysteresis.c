@@ -46,6 +46,7 @@
 #include "effects/effect.h"
 
 #include "effects/contact/hooke_hysteresis.h"
+#include "effects/parcels.h"
 
 static const struct dem_setting settings[] = {
     DEM_SETTING(dem_hooke_hysteresis, stiffness, "N/m", 0.0, 0.0, INFINITY,
@@ -71,6 +72,7 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     struct dem_hooke_hysteresis *h = of;
     const int plain = h->unloading <= 1.0 + 1e-12;        /* k_m/(k_m - k) is infinite */
 
+    DEM_TRY(dem_parcels_scale(pair, "hookeHysteresis", "stiffness", 1, &h->stiffness));
     h->spring = (struct dem_impact_spring){.stiffness = h->stiffness, .speed = h->impact_speed};
     h->stiffer = plain ? 0.0 : h->unloading - 1.0;
     h->limit = plain ? 0.0 : h->unloading/h->stiffer*2.0*h->depth;
@@ -245,6 +247,7 @@ const struct dem_effect dem_hooke_hysteresis = {
         "elastic-plastic, adhesive contact of linear springs: loading k, unloading k_2, adhesion k_c",
     .source = "Luding 2008; Walton and Braun 1986",
     .stage = DEM_STAGE_NORMAL,
+    .parcels = DEM_PARCELS_SETTINGS,
     .exponent = 1.0,
     .example = "unloading 5; adhesion 0.1;",
     .size = sizeof(struct dem_hooke_hysteresis),

@@ -38,6 +38,7 @@
 #include "effects/effect.h"
 
 #include "effects/contact/jkr.h"
+#include "effects/parcels.h"
 #include <stdio.h>
 
 static const double pi = 3.14159265358979324;
@@ -59,6 +60,7 @@ static int prepare(void *of, const struct dem_pair_class *pair)
                 "jkr between %s and %s needs hertz, which it replaces; add hertz to "
                 "the effects",
                 pair->a->name, pair->b->name);
+    DEM_TRY(dem_parcels_scale(pair, "jkr", "workOfAdhesion", 1, &jkr->work));
     jkr->scale = pi*jkr->work/(8.0*pair->reduced_modulus);
     return DEM_OK;
 }
@@ -162,6 +164,7 @@ const struct dem_effect dem_jkr = {
         "adhesion of elastic spheres after Johnson, Kendall and Roberts, beyond contact up to the pull-off distance",
     .source = "Johnson, Kendall, Roberts 1971; Thornton and Ning 1998",
     .stage = DEM_STAGE_FILM,
+    .parcels = DEM_PARCELS_SETTINGS,
     .excludes = "sjkr",
     .example = "workOfAdhesion 1e-3;",
     .size = sizeof(struct dem_jkr),

@@ -30,6 +30,7 @@
 #include "effects/effect.h"
 
 #include "effects/contact/linear.h"
+#include "effects/parcels.h"
 
 static const struct dem_setting settings[] = {
     DEM_FRICTION_SETTING(dem_linear),
@@ -51,6 +52,7 @@ static int prepare(void *of, const struct dem_pair_class *pair)
                 "linear between %s and %s: there is no normal law; add one to the effects, hooke "
                 "for example",
                 pair->a->name, pair->b->name);
+    DEM_TRY(dem_parcels_scale(pair, "linear", "stiffness", 1, &linear->stiffness));
     linear->ratio = linear->stiffness > 0.0 ? 0.0 : linear->ratio;
     return DEM_OK;
 }
@@ -91,6 +93,7 @@ const struct dem_effect dem_linear = {
     .summary = "friction: a linear spring in the contact plane that slips at mu F_n",
     .source = "Cundall and Strack 1979; Coulomb",
     .stage = DEM_STAGE_TANGENT,
+    .parcels = DEM_PARCELS_SETTINGS,
     .needs = DEM_NEEDS_NORMAL_SPIN,
     .example = "friction 0.1;",
     .size = sizeof(struct dem_linear),

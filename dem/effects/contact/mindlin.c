@@ -91,6 +91,7 @@ const struct dem_effect dem_mindlin = {
     .summary = "friction: a tangential spring of 8 G* sqrt(R* d) that slips at mu F_n",
     .source = "Mindlin 1949; Coulomb",
     .stage = DEM_STAGE_TANGENT,
+    .parcels = DEM_PARCELS_SAME,
     .needs = DEM_NEEDS_NORMAL_SPIN,
     .example = "friction 0.1;",
     .size = sizeof(struct dem_mindlin),

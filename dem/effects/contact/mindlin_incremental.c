@@ -84,6 +84,7 @@ const struct dem_effect dem_mindlin_incremental = {
         "length a cycle; mindlin does not",
     .source = "Mindlin and Deresiewicz 1953; Thornton, Cummins, Cleary 2013; Coulomb",
     .stage = DEM_STAGE_TANGENT,
+    .parcels = DEM_PARCELS_SAME,
     .needs = DEM_NEEDS_NORMAL_SPIN,
     .example = "friction 0.1;",
     .size = sizeof(struct incremental),

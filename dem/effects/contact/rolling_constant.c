@@ -62,6 +62,7 @@ const struct dem_effect dem_rolling_constant = {
                   "heap must rest take rollingSpring",
     .source = "Ai, Chen, Rotter, Ooi 2011, type A; Zhou, Wright, Yang, Xu, Yu 1999",
     .stage = DEM_STAGE_MOMENT,
+    .parcels = DEM_PARCELS_SAME,
     .needs = DEM_NEEDS_SPIN,
     .example = "friction 0.1;",
     .size = sizeof(struct dem_rolling_constant),

@@ -104,6 +104,7 @@ const struct dem_effect dem_rolling_spring = {
         "rolling resistance: a rotational spring that slips at mu_r R* F_n, with an optional dashpot",
     .source = "Ai, Chen, Rotter, Ooi 2011, type C; Iwashita and Oda 1998",
     .stage = DEM_STAGE_MOMENT,
+    .parcels = DEM_PARCELS_SAME,
     .needs = DEM_NEEDS_SPIN | DEM_NEEDS_NORMAL_SPIN,
     .example = "friction 0.1;",
     .size = sizeof(struct dem_rolling_spring),

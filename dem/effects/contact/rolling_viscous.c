@@ -25,6 +25,7 @@
 #include "effects/effect.h"
 
 #include "effects/contact/rolling.h"
+#include "effects/parcels.h"
 
 struct rolling_viscous
 {
@@ -39,12 +40,12 @@ static const struct dem_setting settings[] = {
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    (void)of;
     DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
                 "rollingViscous between %s and %s: there is no normal law; add one to the effects, "
                 "hertz for "
                 "example", pair->a->name, pair->b->name);
-    return DEM_OK;
+    return dem_parcels_scale(pair, "rollingViscous", "time", 1,
+                             &((struct rolling_viscous *)of)->time);
 }
 
 DEM_MATH void row(const struct rolling_viscous *l, struct dem_contact_row *r, double *history)
@@ -88,6 +89,7 @@ const struct dem_effect dem_rolling_viscous = {
                   "rollingSpring",
     .source = "Brilliantov and Poeschel 1998; Ai, Chen, Rotter, Ooi 2011, type B",
     .stage = DEM_STAGE_MOMENT,
+    .parcels = DEM_PARCELS_SETTINGS,
     .needs = DEM_NEEDS_SPIN,
     .example = "time 1e-3;",
     .size = sizeof(struct rolling_viscous),

@@ -86,6 +86,7 @@ const struct dem_effect dem_sjkr = {
     .summary = "cohesion in proportion to the area of contact, -w 2 pi R* d",
     .source = "after Johnson, Kendall, Roberts 1971, simplified",
     .stage = DEM_STAGE_FILM,
+    .parcels = DEM_PARCELS_SAME,
     .example = "energyDensity 1e3;",
     .size = sizeof(struct sjkr),
     .settings = settings,

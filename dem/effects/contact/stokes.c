@@ -49,6 +49,7 @@
 
 #include "effects/contact/film_loss.h"
 #include "effects/contact/stokes.h"
+#include "effects/parcels.h"
 #include <stdio.h>
 
 static const char *const speeds[] = {"impact", "instantaneous", NULL};
@@ -120,6 +121,8 @@ static int prepare(void *of, const struct dem_pair_class *pair)
         DEM_ERROR_INPUT,
         "stokes: fluidDensity %g kg/m3, but the fluid of the run has %g kg/m3; remove fluidDensity from stokes",
         stokes->fluid_density, pair->fluid_density);
+    /* St of a parcel is l times that of the grain */
+    DEM_TRY(dem_parcels_scale(pair, "stokes", "beta", 1, &stokes->beta));
     stokes->density = stokes->fluid_density > 0.0 ? stokes->fluid_density : pair->fluid_density;
     DEM_REQUIRE(
         stokes->added_mass <= 0.0 || stokes->density > 0.0, DEM_ERROR_INPUT,
@@ -172,6 +175,7 @@ const struct dem_effect dem_stokes = {
         "viscous damping in a fluid: restitution e_max exp(-beta/St), St the Stokes number of the impact",
     .source = "Legendre, Zenit, Daniel, Guiraud 2006",
     .stage = DEM_STAGE_DAMP,
+    .parcels = DEM_PARCELS_SETTINGS,
     .needs = DEM_NEEDS_VISCOSITY,
     .example = "restitution 0.9;",
     .size = sizeof(struct dem_stokes),

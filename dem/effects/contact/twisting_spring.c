@@ -160,6 +160,7 @@ const struct dem_effect dem_twisting_spring = {
         "torsional resistance about the normal: the elastic torsion of the contact, which slips",
     .source = "Reissner and Sagoci 1944; Lubkin 1951; Marshall 2009",
     .stage = DEM_STAGE_MOMENT,
+    .parcels = DEM_PARCELS_SAME,
     .needs = DEM_NEEDS_SPIN,
     .example = "friction 0.1;",
     .size = sizeof(struct twisting_spring),

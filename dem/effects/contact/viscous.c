@@ -23,6 +23,7 @@
 #include "effects/effect.h"
 
 #include "effects/contact/viscous.h"
+#include "effects/parcels.h"
 
 static const struct dem_setting settings[] = {
     DEM_SETTING(dem_viscous, coefficient, "kg/s", DEM_SETTING_REQUIRED, 0.0, INFINITY,
@@ -41,6 +42,7 @@ static int prepare(void *of, const struct dem_pair_class *pair)
         pair->exponent > 0.0, DEM_ERROR_INPUT,
         "viscous between %s and %s: there is no normal law to damp; add one to the effects, hooke for example",
         pair->a->name, pair->b->name);
+    DEM_TRY(dem_parcels_scale(pair, "viscous", "coefficient", 2, &viscous->coefficient));
     viscous->min_force = dem_attraction_min_force(viscous->attraction);
     return DEM_OK;
 }
@@ -67,6 +69,7 @@ const struct dem_effect dem_viscous = {
     .summary = "viscous damping with a given coefficient, -c v_n",
     .source = "Cundall and Strack 1979",
     .stage = DEM_STAGE_DAMP,
+    .parcels = DEM_PARCELS_SETTINGS,
     .example = "coefficient 1e-4;",
     .size = sizeof(struct dem_viscous),
     .settings = settings,

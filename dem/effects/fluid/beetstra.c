@@ -107,6 +107,7 @@ const struct dem_effect dem_beetstra = {
         "drag from packed to dilute, for one or several sizes, fitted to lattice-Boltzmann simulations",
     .source = "Beetstra, van der Hoef, Kuipers 2007",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_GRAINS,
     .drag = DEM_DRAG_BED,
     .needs = DEM_NEEDS_FLUID,
     .size = sizeof(struct beetstra),

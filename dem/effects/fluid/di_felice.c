@@ -43,6 +43,7 @@ const struct dem_effect dem_di_felice = {
         "drag from packed to dilute, that of a single sphere times a power of the void fraction that depends on Re",
     .source = "Di Felice 1994; Dallavalle 1948",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_GRAINS,
     .drag = DEM_DRAG_BED,
     .needs = DEM_NEEDS_FLUID,
     .apply_to_bodies = apply_to_bodies,

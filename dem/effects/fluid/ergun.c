@@ -38,6 +38,7 @@ const struct dem_effect dem_ergun = {
     .summary = "drag in a packed bed, Ergun's pressure drop; not for dilute flow",
     .source = "Ergun 1952",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_GRAINS,
     .drag = DEM_DRAG_PACKED,
     .needs = DEM_NEEDS_FLUID,
     .apply_to_bodies = apply_to_bodies,

@@ -105,6 +105,7 @@ const struct dem_effect dem_gidaspow = {
         "drag of Ergun below void fraction 0.8, of Wen and Yu above, with a smooth transition or a switch",
     .source = "Gidaspow 1994; Lu and Gidaspow 2003",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_GRAINS,
     .drag = DEM_DRAG_BED,
     .needs = DEM_NEEDS_FLUID,
     .size = sizeof(struct gidaspow),

@@ -73,6 +73,7 @@ const struct dem_effect dem_koch_hill = {
         "drag from packed to dilute, fitted to lattice-Boltzmann simulations of random arrays",
     .source = "Hill, Koch, Ladd 2001; Koch and Hill 2001",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_GRAINS,
     .drag = DEM_DRAG_BED,
     .needs = DEM_NEEDS_FLUID,
     .prepare_bodies = prepare_bodies,

@@ -51,6 +51,7 @@ const struct dem_effect dem_pressure_gradient = {
     .summary = "force of the full pressure gradient of the fluid, -V grad p; contains buoyancy",
     .source = "Zhou, Kuang, Chu, Yu 2010",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_SAME,
     .has_pressure_gradient = 1,
     .needs = DEM_NEEDS_FLUID,
     .apply_to_bodies = apply_to_bodies,

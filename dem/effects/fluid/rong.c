@@ -40,6 +40,7 @@ const struct dem_effect dem_rong = {
         "drag from packed to dilute, the form of Di Felice fitted to lattice-Boltzmann simulations of packings",
     .source = "Rong, Dong, Yu 2013",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_GRAINS,
     .drag = DEM_DRAG_BED,
     .needs = DEM_NEEDS_FLUID,
     .apply_to_bodies = apply_to_bodies,

@@ -81,6 +81,7 @@ const struct dem_effect dem_saffman_mei = {
     .summary = "Saffman lift: on a sphere that lags behind a shear flow, towards faster fluid",
     .source = "Saffman 1965; Mei 1992",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_GRAINS,
     .has_reaction = 1,
     .needs = DEM_NEEDS_FLUID | DEM_NEEDS_VORTICITY,
     .apply_to_bodies = apply_to_bodies,

@@ -36,6 +36,7 @@ const struct dem_effect dem_schiller_naumann = {
     .summary = "drag on a single sphere, 1 + 0.15 Re^0.687 times the Stokes drag, for dilute flow",
     .source = "Schiller and Naumann 1933",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_GRAINS,
     .drag = DEM_DRAG_SINGLE,
     .needs = DEM_NEEDS_FLUID,
     .apply_to_bodies = apply_to_bodies,

@@ -34,6 +34,7 @@ const struct dem_effect dem_stokes_drag = {
     .summary = "Stokes drag on a single sphere in creeping flow, 3 pi mu d (u - v)",
     .source = "Stokes 1851",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_GRAINS,
     .drag = DEM_DRAG_CREEPING,
     .needs = DEM_NEEDS_FLUID,
     .apply_to_bodies = apply_to_bodies,

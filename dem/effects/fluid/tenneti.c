@@ -61,6 +61,7 @@ const struct dem_effect dem_tenneti = {
         "drag from packed to dilute, fitted to particle-resolved simulations of equal spheres",
     .source = "Tenneti, Garg, Subramaniam 2011",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_GRAINS,
     .drag = DEM_DRAG_BED,
     .needs = DEM_NEEDS_FLUID,
     .prepare_bodies = prepare_bodies,

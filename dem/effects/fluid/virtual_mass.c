@@ -113,6 +113,7 @@ const struct dem_effect dem_virtual_mass = {
         "virtual (added) mass: C rho V (Du/Dt - dv/dt), as part of the inertia of the particle",
     .source = "Auton, Hunt, Prud'homme 1988; Zuber 1964; Felderhof 1991",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_SAME,
     .has_reaction = 1,
     .has_added_mass = 1,
     .needs = DEM_NEEDS_FLUID | DEM_NEEDS_ACCELERATION,

@@ -53,6 +53,7 @@ const struct dem_effect dem_viscous_stress = {
     .summary = "force of the viscous stress of the mean flow, V div tau",
     .source = "Zhou, Kuang, Chu, Yu 2010",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_SAME,
     .has_reaction = 1,
     .needs = DEM_NEEDS_FLUID | DEM_NEEDS_STRESS,
     .apply_to_bodies = apply_to_bodies,

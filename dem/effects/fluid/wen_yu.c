@@ -49,6 +49,7 @@ const struct dem_effect dem_wen_yu = {
     .summary = "drag in a suspension, e^-2.65 times that of a single sphere",
     .source = "Wen and Yu 1966",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_GRAINS,
     .drag = DEM_DRAG_SUSPENSION,
     .needs = DEM_NEEDS_FLUID,
     .prepare_bodies = prepare_bodies,

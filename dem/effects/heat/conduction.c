@@ -103,6 +103,7 @@ const struct dem_effect dem_conduction = {
     .summary = "heat through contacts: Q = 2 k a (T_j - T_i)",
     .source = "Batchelor and O'Brien 1977; area: Zhou, Yu, Zulli 2010",
     .stage = DEM_STAGE_SCALAR,
+    .parcels = DEM_PARCELS_SAME,
     .scalars = dem_temperature_only,
     .size = sizeof(struct conduction),
     .settings = settings,

@@ -41,6 +41,7 @@ const struct dem_effect dem_gunn = {
     .summary = "heat transfer between fluid and particles, single sphere to packed bed",
     .source = "Gunn 1978",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_GRAINS,
     .needs = DEM_NEEDS_FLUID,
     .transfers = &dem_temperature,
     .scalars = dem_heat_transfer_scalars,

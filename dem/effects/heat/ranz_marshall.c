@@ -38,6 +38,7 @@ const struct dem_effect dem_ranz_marshall = {
     .summary = "heat transfer between fluid and a single sphere, for dilute flow",
     .source = "Ranz and Marshall 1952",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_GRAINS,
     .needs = DEM_NEEDS_FLUID,
     .transfers = &dem_temperature,
     .scalars = dem_heat_transfer_scalars,

@@ -39,6 +39,7 @@ const struct dem_effect dem_wakao = {
     .summary = "heat transfer between fluid and particles of a packed bed",
     .source = "Wakao and Kaguei 1982",
     .stage = DEM_STAGE_FLUID,
+    .parcels = DEM_PARCELS_GRAINS,
     .needs = DEM_NEEDS_FLUID,
     .transfers = &dem_temperature,
     .scalars = dem_heat_transfer_scalars,
