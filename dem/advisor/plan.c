@@ -6,6 +6,11 @@
 #include "advisor/plan.h"
 #include <math.h>
 
+double dem_plan_sauter_diameter(const struct dem_plan *p)
+{
+    return p->inventory.all.volume/(3.14159265358979323846/6.0*p->inventory.all.squares);
+}
+
 int dem_plan_suspension(const struct dem_plan *p, struct dem_suspension *b)
 {
     const struct dem_material_inventory *const all = &p->inventory.all;
@@ -18,7 +23,7 @@ int dem_plan_suspension(const struct dem_plan *p, struct dem_suspension *b)
     }
     dem_interaction_table_gravity(&p->state->interaction_table, g);
     *b = (struct dem_suspension){
-        .diameter = all->volume/(3.14159265358979323846/6.0*all->squares),
+        .diameter = all->volume/(3.14159265358979323846/6.0*all->grain_squares),
         .density = all->mass/all->volume,
         .fluid_density = given->given ? given->density : p->inventory.fluid_density,
         .viscosity = given->given ? given->viscosity : p->inventory.fluid_viscosity,
@@ -39,6 +44,7 @@ int dem_plan_write(struct dem_text *t, struct dem_plan *p)
     dem_plan_contacts(t, p);
     dem_plan_walls(t, p);
     dem_plan_particles(t, p);
+    dem_plan_parcels(t, p);
     dem_plan_inflow(t, p);
     dem_plan_bed(t, p);
     dem_plan_fluid(t, p);

@@ -51,6 +51,7 @@ void dem_plan_effects(struct dem_text *, const struct dem_plan *);     /* plan_p
 void dem_plan_contacts(struct dem_text *, const struct dem_plan *);
 void dem_plan_walls(struct dem_text *, const struct dem_plan *);
 void dem_plan_particles(struct dem_text *, const struct dem_plan *);
+void dem_plan_parcels(struct dem_text *, const struct dem_plan *);      /* plan_parcels.c */
 void dem_plan_inflow(struct dem_text *, const struct dem_plan *);       /* plan_inflow.c */
 void dem_plan_step(struct dem_text *, const struct dem_plan *);        /* plan_cost.c */
 void dem_plan_fluid(struct dem_text *, const struct dem_plan *);
@@ -62,7 +63,11 @@ void dem_plan_cost(struct dem_text *, struct dem_plan *);
    unknown. */
 double dem_plan_width(const struct dem_plan *, int axis);
 
-/* Fills in the fluid and the spheres with their mean properties; returns 0 if the scene has no
+/* m: Sauter diameter of the particles. */
+double dem_plan_sauter_diameter(const struct dem_plan *);
+
+/* Fills in the fluid and the spheres, grains where the particles are parcels, with their mean
+   properties; returns 0 if the scene has no
    fluid or no particles. */
 int dem_plan_suspension(const struct dem_plan *, struct dem_suspension *);
 

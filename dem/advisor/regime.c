@@ -266,7 +266,7 @@ static void write_flow(struct dem_text *t, const struct dem_plan *p, const struc
    of single cells, and 3 to 5 common practice. */
 static void write_cells(struct dem_text *t, const struct dem_plan *p, const struct dem_regime *g)
 {
-    const double cell = p->run.cell/g->suspension.diameter;
+    const double cell = p->run.cell/dem_plan_sauter_diameter(p);
 
     if (cell > 0.0)
     {

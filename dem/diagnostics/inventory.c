@@ -7,18 +7,22 @@
  */
 #include "diagnostics/inventory.h"
 #include "diagnostics/totals.h"
+#include "model/scalars.h"
 #include "parallel/collect.h"
 #include <math.h>
 #include <string.h>
 
 enum
 {
-    SUMS = 6                                              /* of one material */
+    SUMS = 8                                              /* of one material */
 };
 
 static void count_particles(const struct dem_state *p, int material,
                             struct dem_material_inventory *s)
 {
+    const struct dem_parcels_entry *const parcels = &p->interaction_table.parcels;
+    const double *const ratio =
+        parcels->used ? dem_scalar_values(&p->particles, parcels->scalar) : NULL;
     struct dem_sum sum[SUMS];
     double value[SUMS], range[2] = {INFINITY, 0.0};
     int64_t count[2] = {0, 0};
@@ -32,7 +36,9 @@ static void count_particles(const struct dem_state *p, int material,
         const struct dem_particle *const r = &p->particles.record[i];
         const double d = 2.0*r->radius, volume = dem_particle_volume(r),
                      moving = r->flags & DEM_PARTICLE_FROZEN ? 0.0 : 1.0;
-        const double term[SUMS] = {d, d*d, volume, r->mass, moving*volume, moving*r->mass};
+        const double l = ratio ? ratio[i] : 1.0;
+        const double term[SUMS] = {d, d*d, volume, r->mass, moving*volume, moving*r->mass, l*l*l,
+                                   l*d*d};
 
         if (r->material != material)
         {
@@ -59,7 +65,9 @@ static void count_particles(const struct dem_state *p, int material,
                                          .volume = value[2],
                                          .mass = value[3],
                                          .moving_volume = value[4],
-                                         .moving_mass = value[5]};
+                                         .moving_mass = value[5],
+                                         .grains = value[6],
+                                         .grain_squares = value[7]};
 }
 
 static void add_up(struct dem_material_inventory *all, const struct dem_material_inventory *s)
@@ -74,6 +82,8 @@ static void add_up(struct dem_material_inventory *all, const struct dem_material
     all->mass += s->mass;
     all->moving_volume += s->moving_volume;
     all->moving_mass += s->moving_mass;
+    all->grains += s->grains;
+    all->grain_squares += s->grain_squares;
 }
 
 static void mean_fluid(const struct dem_state *p, struct dem_inventory *s)

@@ -16,6 +16,8 @@ struct dem_material_inventory    /* particles of one material, or of all */
                                                  infinite and 0 without particles */
     double diameters, squares, volume, mass;  /* m, m2, m3, kg: sums over particles */
     double moving_volume, moving_mass;        /* m3, kg: of particles that are not frozen */
+    double grains, grain_squares;             /* 1, m2: sums over the grains of parcels; of particles
+                                                 without parcels */
 };
 
 struct dem_inventory
