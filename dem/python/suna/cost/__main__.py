@@ -11,7 +11,7 @@ from types import SimpleNamespace
 from ..simulation import SunaError
 from .options import fraction, levels, make_folder, number, read_options, whole, words
 from .report import report
-from .scene import SERIES, UNITS, Alone, SceneStudy, Together
+from .scene import ON_REQUEST, SERIES, UNITS, Alone, SceneStudy, Together
 from .study import Refused
 from .table import read_study
 from .target import run_scene, search, write_copy
@@ -38,12 +38,14 @@ with -target a scene.
     -of LIST           quantities, separated by commas: kinetic, rotation, height, overlap,
                        force, contacts, restitution; default: all that the scene has
     -series LIST       series, separated by commas: step, stiffness, friction
-                       (its three laws); default: all. -ladders is accepted too
+                       (its three laws); default: all. -ladders is accepted too. Only if
+                       named: parcels, the ratio of parcels
     -effects           instead: the scene with each effect left out, the change of results
                        and the time saved
     -steps LIST        levels, as multiples of the scene's step; default 2,1,0.5,0.25,0.125
     -stiffnesses LIST  levels, as multiples of all Young's moduli;
                        default 0.0625,0.25,1,4,16
+    -parcels LIST      levels, as multiples of parcels/ratio of the scene; default 3,2,1.5,1
     -folder NAME       default: the scene's name without its extension, and .cost
 
     dem cost -judge TABLE FOLDER
@@ -54,7 +56,7 @@ For an OpenFOAM case: demCost -help.
 """
 
 VALUES = ("-window", "-restart", "-budget", "-runs", "-target", "-of", "-series", "-steps",
-          "-stiffnesses", "-folder", "-set")
+          "-stiffnesses", "-parcels", "-folder", "-set")
 
 
 def read_command(arguments):
@@ -70,7 +72,7 @@ def read_command(arguments):
     window = number("-window", given.get("-window"), 0, math.inf, None)
     if window == 0:
         raise Refused("-window 0; give a number of seconds above 0")
-    series = words("series", "-series", given.get("-series"), SERIES)
+    series = words("series", "-series", given.get("-series"), SERIES + ON_REQUEST)
     search = "-target" in given and not given.get("-effects") and (not series or "step" in series)
     if "-run" in given and not search:
         raise Refused("-run runs what -target has found: give -target, with the series of steps")
@@ -84,6 +86,7 @@ def read_command(arguments):
         series=series, search=search, run="-run" in given,
         steps=levels("-steps", given.get("-steps"), "2,1,0.5,0.25,0.125"),
         stiffnesses=levels("-stiffnesses", given.get("-stiffnesses"), "0.0625,0.25,1,4,16"),
+        parcels=levels("-parcels", given.get("-parcels"), "3,2,1.5,1"),
         folder=given.get("-folder") or (os.path.splitext(name)[0] or name) + ".cost")
     return scene, options, given["-set"], given.get("-restart")
 

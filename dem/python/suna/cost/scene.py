@@ -27,6 +27,7 @@ UNITS = {"kinetic": "J", "rotation": "J", "height": "m", "overlap": "1", "force"
 NORMAL, TANGENT = ("hertz", "hooke", "hookeHysteresis"), ("linear", "mindlin", "mindlinIncremental")
 FRICTION = ("friction", "tangentialDamping", "adhesion")        # settings that all laws have
 SERIES = ("step", "stiffness", "friction")
+ON_REQUEST = ("parcels",)           # series that are run only if they are named
 MAX_SAMPLES = 32
 MIN_STEPS, SAMPLE_STEPS = 10, 40    # of the coarsest level: in the window, between two samples
 
@@ -99,6 +100,8 @@ class SceneStudy:
         self.acting = sim.effects
         self.find_moduli(sim)
         self.find_friction(sim)
+        if o.series and "parcels" in o.series:
+            self.check_parcels(sim, totals)
         sim.close()
 
     def choose_quantities(self, sim):
@@ -136,6 +139,25 @@ class SceneStudy:
         if self.friction is None and self.options.series and "friction" in self.options.series:
             raise Refused("-series friction: the scene has no law of friction, or settings of its "
                           "own for some pairs; leave it out")
+
+    def check_parcels(self, sim, totals):
+        """The ratio of the scene; one level must have the mass of another."""
+        if self.from_snapshot:
+            raise Refused("-series parcels from a snapshot, whose particles have their sizes; leave it "
+                          "out, or begin at the scene's start")
+        self.ratio = float(sim.value("parcels/ratio") or 1)
+        if min(self.options.parcels)*self.ratio < 1:
+            raise Refused(f"-parcels {min(self.options.parcels):g} times the scene's ratio "
+                          f"{self.ratio:g} is below single grains; give larger levels")
+        with self.open(self.parcel_settings(self.options.parcels[0])) as other:
+            coarse = other.totals["mass"]
+        if not 0.95*totals["mass"] < coarse < 1.05*totals["mass"]:
+            raise Refused(f"-series parcels: the coarsest level has {coarse:.4g} kg, the scene "
+                          f"{totals['mass']:.4g} kg, so they are no longer the same bed; give mass "
+                          "or solidFraction in insert, not count or positions")
+
+    def parcel_settings(self, level):
+        return {"parcels/ratio": level*self.ratio}
 
     # ---- one run ---------------------------------------------------------------------------------
 
@@ -196,6 +218,8 @@ class SceneStudy:
         total = sum(1/x for x in o.steps) if "step" in self.wanted else 0.0
         # number of steps: contact time ~ E^-0.4
         total += sum(x**0.4 for x in o.stiffnesses) if self.wants_stiffness() else 0.0
+        # number of parcels, and of steps
+        total += sum(x**-4 for x in o.parcels) if "parcels" in self.wanted else 0.0
         total += 3.0 if "friction" in self.wanted and self.friction else 0.0
         return o.runs*total
 
@@ -220,7 +244,8 @@ class SceneStudy:
         """The window of the options, or the one that the budget allows."""
         o = self.options
         window = o.window or self.affordable_window(self.end - self.start)
-        coarsest = max(1.0, o.steps[0] if "step" in self.wanted else 1.0)
+        coarsest = max(1.0, o.steps[0] if "step" in self.wanted else 1.0,
+                       o.parcels[0] if "parcels" in self.wanted else 1.0)
         steps = window/self.step/coarsest
         if steps < MIN_STEPS:
             raise Refused(f"a window of {window:.3g} s has only {steps:.3g} steps of the coarsest "
@@ -281,6 +306,19 @@ class SceneStudy:
         return Series("friction", "law of friction, with the same settings; changes against the "
                       "scene's", levels=levels, base=len(levels) - 1, paired=True)
 
+    def parcels(self):
+        """The step over its limit is the same in all levels. The finest last: the others are compared
+        with it."""
+        series = Series("parcels", "ratio of parcels, in that of the scene; changes against the finest",
+                        "parcels/ratio", paired=True, without=("restitution",))
+        for x in self.options.parcels:
+            settings = self.parcel_settings(x) if x != 1 or self.ratio != 1 else {}
+            with self.open({"time/step": "auto", **settings}) as sim:
+                size = sim.step[1]/self.limit
+            series.levels.append(self.level(f"{x:.4g}", x, self.step*size, settings))
+        series.base = len(series.levels) - 1
+        return series
+
     def effects(self):
         levels = [self.level(name, 40.0 - k, self.step, without=name)
                   for k, name in enumerate(self.acting)]
@@ -310,6 +348,8 @@ class SceneStudy:
             series.append(self.stiffnesses())
         if "friction" in self.wanted and self.friction:
             series.append(self.frictions())
+        if "parcels" in self.wanted:
+            series.append(self.parcels())
         closed = {} if self.ended_in_contact else self.closed
         study = Study("scene", "", self.window, o.target, self.units, runs=o.runs, limit=self.limit,
                       closed=closed, series=series)
