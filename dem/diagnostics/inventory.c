@@ -14,15 +14,12 @@
 
 enum
 {
-    SUMS = 8                                              /* of one material */
+    SUMS = 6                                              /* of one material */
 };
 
 static void count_particles(const struct dem_state *p, int material,
                             struct dem_material_inventory *s)
 {
-    const struct dem_parcels_entry *const parcels = &p->interaction_table.parcels;
-    const double *const ratio =
-        parcels->used ? dem_scalar_values(&p->particles, parcels->scalar) : NULL;
     struct dem_sum sum[SUMS];
     double value[SUMS], range[2] = {INFINITY, 0.0};
     int64_t count[2] = {0, 0};
@@ -36,9 +33,7 @@ static void count_particles(const struct dem_state *p, int material,
         const struct dem_particle *const r = &p->particles.record[i];
         const double d = 2.0*r->radius, volume = dem_particle_volume(r),
                      moving = r->flags & DEM_PARTICLE_FROZEN ? 0.0 : 1.0;
-        const double l = ratio ? ratio[i] : 1.0;
-        const double term[SUMS] = {d, d*d, volume, r->mass, moving*volume, moving*r->mass, l*l*l,
-                                   l*d*d};
+        const double term[SUMS] = {d, d*d, volume, r->mass, moving*volume, moving*r->mass};
 
         if (r->material != material)
         {
@@ -66,8 +61,34 @@ static void count_particles(const struct dem_state *p, int material,
                                          .mass = value[3],
                                          .moving_volume = value[4],
                                          .moving_mass = value[5],
-                                         .grains = value[6],
-                                         .grain_squares = value[7]};
+                                         .grains = (double)count[0],
+                                         .grain_squares = value[1]};
+}
+
+/* sum of l^3, and of l^3 (D/l)^2 */
+static void count_grains(const struct dem_state *p, int material, struct dem_material_inventory *s)
+{
+    const double *const ratio =
+        dem_scalar_values(&p->particles, p->interaction_table.parcels.scalar);
+    struct dem_sum sum[2];
+    double value[2];
+
+    dem_sum_clear(&sum[0]);
+    dem_sum_clear(&sum[1]);
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const struct dem_particle *const r = &p->particles.record[i];
+        const double l = ratio[i], D = 2.0*r->radius;
+
+        if (r->material == material)
+        {
+            dem_sum_add(&sum[0], l*l*l);
+            dem_sum_add(&sum[1], l*D*D);
+        }
+    }
+    dem_totals_reduce_sums(p, sum, 2, value);
+    s->grains = value[0];
+    s->grain_squares = value[1];
 }
 
 static void add_up(struct dem_material_inventory *all, const struct dem_material_inventory *s)
@@ -122,6 +143,10 @@ void dem_inventory_take(const struct dem_state *p, struct dem_inventory *s)
     for (int m = 0; m < p->interaction_table.materials; m++)
     {
         count_particles(p, m, &s->material[m]);
+        if (p->interaction_table.parcels.used)
+        {
+            count_grains(p, m, &s->material[m]);
+        }
         add_up(&s->all, &s->material[m]);
     }
     mean_fluid(p, s);

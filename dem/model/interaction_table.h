@@ -29,9 +29,9 @@ struct dem_effect_entry           /* entry of an effect list */
     const struct dem_effect *effect;
     void *settings;               /* prepared, owned by the interaction table */
     int first_column;             /* first of its history columns */
-    int scalars;                  /* number of its particle scalars, */
-    int scalar[DEM_EFFECT_SCALARS];  /* their indices in dem_interaction_table.scalar */
-    int grains;                   /* 1: acts on the grains of parcels (step/parcels.h) */
+    short scalars;                /* number of its particle scalars */
+    short grains;                 /* 1: acts on the grains of parcels (step/parcels.h) */
+    int scalar[DEM_EFFECT_SCALARS];  /* indices of its scalars in dem_interaction_table.scalar */
 };
 
 struct dem_parcels_entry          /* the entry parcels of a scene */

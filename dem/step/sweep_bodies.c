@@ -112,10 +112,12 @@ static int rows_in_batch(const struct dem_particles *p, size_t first)
     return p->n - first < DEM_BATCH_ROWS ? (int)(p->n - first) : DEM_BATCH_ROWS;
 }
 
-/* An effect in a scene with particle scalars. */
-static void apply_with_scalars(const struct dem_effect_entry *e, struct dem_body_batch *b,
-                               const struct dem_effect_list *bodies,
-                               struct dem_body_scalars *scalars)
+/* An effect in a scene with particle scalars; not inlined, so that other scenes have not an
+   instruction of it. */
+__attribute__((noinline)) static void apply_with_scalars(const struct dem_effect_entry *e,
+                                                         struct dem_body_batch *b,
+                                                         const struct dem_effect_list *bodies,
+                                                         struct dem_body_scalars *scalars)
 {
     dem_body_scalars_select(scalars, b, e);
     if (e->grains)
