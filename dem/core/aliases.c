@@ -46,6 +46,7 @@ static const struct
     {"unloading", "kn2k2Max kn2k2max", ""},
     {"plasticDepth", "phiF phi_F", ""},
     {"energyDensity", "cohesionEnergyDensity", ""},
+    {"parcels", "coarsegraining coarseGraining coarsegrain coarseGrain CGP", ""},
     {"meanDiameter", "sauter d32 d_32", ""},
 };
 
