@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""parcels.py -- the bubbling bed with single beads and with parcels: height, pressure drop, mixing, cost.
+
+    parcels.py [-from 0.6] CASE ...     runs of Allrun -parcels; a table in Markdown
+
+Height    of the centre of mass, and below which 95 % of the mass is; means over time, with 95 % of
+          blocks of 0.15 s
+Pressure  between plate and top, likewise
+Mixing    Lacey's index (../drum/parcels.py) of the beads that lie in the upper half at the start, in
+          cells of 11 mm, at the end
+Cost      of the log: processor time of the solver, and of it that of particles and of the exchange
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import argparse
+import re
+from pathlib import Path
+
+import numpy
+from scipy.stats import t as student
+
+import frames
+
+BLOCK, CELL = 0.15, 0.011
+
+
+def blocks(times, values, start):
+    """Mean and half of the 95 % interval, from blocks."""
+    later = times >= start - 1e-9
+    number = ((times[later] - start + 1e-9)/BLOCK).astype(int)
+    means = [values[later][number == k].mean() for k in range(int(number.max()) + 1)
+             if (number == k).sum() > 1]
+    half = student.ppf(0.975, len(means) - 1)*numpy.std(means, ddof=1)/len(means)**0.5
+    return numpy.mean(means), half
+
+
+def lacey(position, upper):
+    _, cell, n = numpy.unique(numpy.floor(position[:, [0, 2]]/CELL), axis=0, return_inverse=True,
+                              return_counts=True)
+    fraction = numpy.bincount(cell.ravel(), weights=upper)/n
+    c = upper.mean()
+    spread, unmixed = (n*(fraction - c)**2).sum()/n.sum(), c*(1 - c)
+    return (unmixed - spread)/(unmixed - unmixed*len(n)/n.sum())
+
+
+def read_ids(path, at):
+    with open(path, "rb") as file:
+        file.seek(at)
+        count = numpy.fromfile(file, frames.HEAD, 1)[0]["count"]
+        return numpy.fromfile(file, frames.BEAD, count)["id"].argsort()
+
+
+def row(case, start):
+    times, centre, top, upper, mixed = [], [], [], None, 0.0
+    for time, path, at in frames.list_frames(case):
+        position, _, _ = frames.read_frame(path, at)
+        position = position[read_ids(path, at)]
+        z = position[:, 2]
+        upper = (z > numpy.median(z)).astype(float) if upper is None else upper
+        times.append(time)
+        centre.append(z.mean())
+        top.append(numpy.quantile(z, 0.95))
+        mixed = lacey(position, upper)
+    times = numpy.array(times)
+    plate, above = (frames.read_columns(case, name, "surfaceFieldValue.dat")
+                    for name in ("platePressure", "topPressure"))
+    density = frames.entry(Path(case)/"constant/transportProperties", "rho")
+    log = (Path(case)/"log.demPimpleFoam").read_text()
+    processor = re.findall(r"profile of fluid and coupling: wall clock .*, processor ([\d.]+) s", log)[-1]
+    of = {name: float(seconds) for name, seconds in
+          re.findall(r"^    (\w+) +[\d.]+ % +[\d.e+-]+ s +([\d.e+-]+) s$", log.split(
+              "profile of fluid and coupling")[-1], re.MULTILINE)}
+    return (len(upper), *blocks(times, numpy.array(centre), start),
+            *blocks(times, numpy.array(top), start),
+            *blocks(plate[0], density*(plate[1] - above[1]), start), mixed, times[-1],
+            float(processor), of["particles"])
+
+
+def main():
+    options = argparse.ArgumentParser()
+    options.add_argument("-from", dest="start", type=float, default=0.6)
+    options.add_argument("case", nargs="+")
+    given = options.parse_args()
+    print("| case | parcels | centre [mm] | 95 % below [mm] | pressure drop [Pa] | mixing | to [s] "
+          "| processor [s] | of particles [s] |")
+    print("|---|---|---|---|---|---|---|---|---|")
+    for case in given.case:
+        n, c, dc, t, dt, p, dp, m, end, seconds, particles = row(case, given.start)
+        print(f"| {Path(case).name} | {n} | {1e3*c:.1f} ± {1e3*dc:.1f} | {1e3*t:.1f} ± {1e3*dt:.1f} "
+              f"| {p:.1f} ± {dp:.1f} | {m:.2f} | {end:.2f} | {seconds:.0f} | {particles:.1f} |")
+
+
+if __name__ == "__main__":
+    main()
