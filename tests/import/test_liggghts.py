@@ -99,15 +99,8 @@ def run(scene="scene.dem", *more):
     if not more:
         with suna.Simulation(scene) as sim:
             sim.advance(float(sim.value("time/end")))
-            return {
-    name: numpy.array(
-        getattr(
-            sim,
-            name)) for name in (
-                "position",
-                "velocity",
-                "spin",
-                 "mass")}
+            return {name: numpy.array(getattr(sim, name))
+                    for name in ("position", "velocity", "spin", "mass")}
     done = subprocess.run([DEM, "run", *more, scene], capture_output=True, text=True, timeout=100)
     assert done.returncode == 0, done.stderr
     return suna.read_snapshot(f"{scene.removesuffix('.dem')}/snapshot.dem")
@@ -131,12 +124,15 @@ def value(text, **variables):
 
 def expressions():
     """expressions have LIGGGHTS' precedence, functions and references"""
-    for text, expected in (("1+2*3", 7), ("2^3^2", 64), ("-2^2", 4), ("2^-1", 0.5), ("(1+2)*3", 9), ("7%4", 3),
-                           ("1 < 2 && 3 >= 3", 1), ("1==2 || !0", 1), ("sqrt(16)/ln(exp(2))", 2), (".5e1", 5),
-                           ("cos(PI)", -1), ("atan2(1,1)*4/PI", 1), ("v_a*v_b", 6), ("round(2.5)", 3), ("log(100)", 2)):
+    for text, expected in (("1+2*3", 7), ("2^3^2", 64), ("-2^2", 4), ("2^-1", 0.5), ("(1+2)*3", 9),
+                           ("7%4", 3), ("1 < 2 && 3 >= 3", 1), ("1==2 || !0", 1),
+                           ("sqrt(16)/ln(exp(2))", 2), (".5e1", 5), ("cos(PI)", -1),
+                           ("atan2(1,1)*4/PI", 1), ("v_a*v_b", 6), ("round(2.5)", 3),
+                           ("log(100)", 2)):
         assert abs(value(text, a=2.0, b=3.0) - expected) < 1e-12, text
-    for text, error in (("1+", Malformed), ("(1", Malformed), ("1/0", Malformed), ("1 2", Malformed), ("ke", Dynamic),
-                        ("c_1", Dynamic), ("f_a[1]", Dynamic), ("x[3]", Dynamic), ("mass(all)", Dynamic)):
+    for text, error in (("1+", Malformed), ("(1", Malformed), ("1/0", Malformed),
+                        ("1 2", Malformed), ("ke", Dynamic), ("c_1", Dynamic), ("f_a[1]", Dynamic),
+                        ("x[3]", Dynamic), ("mass(all)", Dynamic)):
         try:
             value(text)
         except error:
@@ -156,22 +152,17 @@ label again
 variable total equal $k*100
 next k
 jump SELF again""").replace("run 1000", "run ${total}")
-    scene, _ = translate(
-    script, more="# included\nvariable mu equal 0.25\nfix m4 all property/global "
-    "coefficientFriction peratomtypepair 1 ${mu}\n")
+    scene, _ = translate(script,
+                         more="# included\nvariable mu equal 0.25\nfix m4 all property/global "
+                         "coefficientFriction peratomtypepair 1 ${mu}\n")
     has(scene, "friction 0.25", "step 1e-06", "end 0.0003")
     assert "more:3" in scene                # of the included file
-    script = BASE.replace(
-    "run 1000",
-     "label loop\nvariable i loop 4\nrun 100\nnext i\njump in.test loop")
+    script = BASE.replace("run 1000",
+                          "label loop\nvariable i loop 4\nrun 100\nnext i\njump in.test loop")
     has(translate(script)[0], "end 0.0004")
     refused(BASE.replace("run 1000", "label a\nvariable q equal 1\njump SELF a"), "endless loop")
-    refused(
-    BASE.replace(
-        "run 1000",
-        'if "$(ke) > 0" then "run 1"\nrun 10'),
-        "$(ke)",
-         "only in a run")
+    refused(BASE.replace("run 1000", 'if "$(ke) > 0" then "run 1"\nrun 10'), "$(ke)",
+            "only in a run")
     refused(BASE.replace("run 1000", "run ${nothing}"), "in.test", "${nothing}", "no such variable")
     refused(BASE.replace("run 1000", "jump SELF nowhere\nrun 1"), "no such label")
 
@@ -180,13 +171,8 @@ def all_faults():
     """all faults of a script are told at once, each with file, line and word"""
     script = BASE.replace("units si", "units lj").replace(
         "newton off", "fix a all heat/gran 300\nnonsense 1")
-    text = refused(
-    script,
-    "units lj",
-    "fix heat/gran",
-    "heat is not translated",
-    "nonsense",
-     "does not know")
+    text = refused(script, "units lj", "fix heat/gran", "heat is not translated", "nonsense",
+                   "does not know")
     for word in ("units lj", "fix a", "nonsense"):
         assert f"in.test:{line_of(script, word)}: " in text, text
     assert not Path("scene.dem").exists()
@@ -216,24 +202,18 @@ def scene_of_base():
 def units():
     """cgs and micro are converted, others refused"""
     cgs = BASE
-    for si, other in (("units si", "units cgs"), ("-0.01 0.01 -0.01 0.01 0 0.05", "-1 1 -1 1 0 5"), ("5e6", "5e7"),
-                      ("9.81", "981"), ("constant 2500", "constant 2.5"), ("constant 0.0005", "constant 0.05")):
+    for si, other in (("units si", "units cgs"), ("-0.01 0.01 -0.01 0.01 0 0.05", "-1 1 -1 1 0 5"),
+                      ("5e6", "5e7"), ("9.81", "981"), ("constant 2500", "constant 2.5"),
+                      ("constant 0.0005", "constant 0.05")):
         assert si in cgs, si
         cgs = cgs.replace(si, other)
     assert flat(translate(cgs)[0]) == flat(translate(BASE)[0])
-    micro = ONE.replace(
-    "units si",
-    "units micro").replace(
-        "single 0 0 0.01",
-        "single 0 0 1e4").replace(
-            "diameter 1e-3 density 2500",
-            "diameter 1e3 density 2.5").replace(
-                "5e6",
-                "5e3").replace(
-                    "timestep 1e-6",
-                    "timestep 1").replace(
-                        "-0.01 0.01 -0.01 0.01 0 0.05",
-                         "-1e4 1e4 -1e4 1e4 0 5e4")
+    micro = ONE.replace("units si", "units micro").replace("single 0 0 0.01",
+                                                           "single 0 0 1e4").replace(
+        "diameter 1e-3 density 2500", "diameter 1e3 density 2.5").replace("5e6",
+                                                                          "5e3").replace(
+        "timestep 1e-6", "timestep 1").replace("-0.01 0.01 -0.01 0.01 0 0.05",
+                                               "-1e4 1e4 -1e4 1e4 0 5e4")
     has(translate(micro)[0], "density 2500; youngsModulus 5000000",
         "positions ((0 0 0.01)); diameters (0.001)", "step 1e-06")
     refused(BASE.replace("units si", "units real"), "units real", "cgs")
@@ -255,28 +235,40 @@ fix q2 all property/global MaximumRestitution peratomtypepair 1 0.95
 fix q3 all property/global CriticalStokes peratomtypepair 1 -35
 pair_style"""
     seen = set()
-    for words, *parts in (
-            ("hertz tangential off", "hertz {} dry { restitution 0.8; } } walls"),
-            ("hertz tangential no_history", "linear { ratio 0; friction 0.5; }"),
-            ("hertz tangential incremental", "mindlinIncremental { friction 0.5; }"),
-            ("hertz tangential incremental_history", "mindlinIncremental { friction 0.5; }"),
-            ("hooke tangential history", "hooke { impactSpeed 2; }", "linear { ratio 1; friction 0.5; }"),
-            ("hooke tangential history ktToKnUser on", "linear { ratio 0.285714285714; friction 0.5; }"),
-            ("hooke/hysteresis tangential history", "hookeHysteresis { unloading 3; adhesion 0.5; plasticDepth 0.04; "
-             "impactSpeed 2; }"),
-            ("hertz/stiffness tangential history", "hertz { stiffness 100000; }", "dry { restitution 1; }"),
-            ("hooke/stiffness tangential history absolute_damping on", "hooke { stiffness 100000; }",
-             "viscous { coefficient 0; }"),
-            ("hertz tangential history rolling_friction off cohesion off", "mindlin { friction 0.5; }"),
-            ("hertz tangential history rolling_friction cdt", "rollingConstant { friction 0.1; }"),
-            ("hertz tangential history rolling_friction epsd", "rollingSpring { friction 0.1; stiffness 0.0225; "
-             "damping 0.2; }"),
-            ("hertz tangential history rolling_friction epsd2", "rollingSpring { friction 0.1; damping 0; }"),
-            ("hertz tangential history cohesion sjkr", "sjkr { energyDensity 1000; }"),
-            ("hertz tangential history cohesion sjkr2", "sjkr { energyDensity 2000; }"),
-            ("hertz tangential history limitForce on", "dry { restitution 0.8; attraction clamped; }"),
-            ("hertz tangential history tangential_damping off", "mindlin { friction 0.5; tangentialDamping no; }"),
-            ("hertz tangential history viscous on", "stokes { restitution 0.95; beta 35; viscosity 0.001; }")):
+    for words, *parts in (("hertz tangential off", "hertz {} dry { restitution 0.8; } } walls"),
+                          ("hertz tangential no_history", "linear { ratio 0; friction 0.5; }"),
+                          ("hertz tangential incremental", "mindlinIncremental { friction 0.5; }"),
+                          ("hertz tangential incremental_history",
+                           "mindlinIncremental { friction 0.5; }"),
+                          ("hooke tangential history", "hooke { impactSpeed 2; }",
+                           "linear { ratio 1; friction 0.5; }"),
+                          ("hooke tangential history ktToKnUser on",
+                           "linear { ratio 0.285714285714; friction 0.5; }"),
+                          ("hooke/hysteresis tangential history",
+                           "hookeHysteresis { unloading 3; adhesion 0.5; plasticDepth 0.04; "
+                           "impactSpeed 2; }"),
+                          ("hertz/stiffness tangential history", "hertz { stiffness 100000; }",
+                           "dry { restitution 1; }"),
+                          ("hooke/stiffness tangential history absolute_damping on",
+                           "hooke { stiffness 100000; }", "viscous { coefficient 0; }"),
+                          ("hertz tangential history rolling_friction off cohesion off",
+                           "mindlin { friction 0.5; }"),
+                          ("hertz tangential history rolling_friction cdt",
+                           "rollingConstant { friction 0.1; }"),
+                          ("hertz tangential history rolling_friction epsd",
+                           "rollingSpring { friction 0.1; stiffness 0.0225; " "damping 0.2; }"),
+                          ("hertz tangential history rolling_friction epsd2",
+                           "rollingSpring { friction 0.1; damping 0; }"),
+                          ("hertz tangential history cohesion sjkr",
+                           "sjkr { energyDensity 1000; }"),
+                          ("hertz tangential history cohesion sjkr2",
+                           "sjkr { energyDensity 2000; }"),
+                          ("hertz tangential history limitForce on",
+                           "dry { restitution 0.8; attraction clamped; }"),
+                          ("hertz tangential history tangential_damping off",
+                           "mindlin { friction 0.5; tangentialDamping no; }"),
+                          ("hertz tangential history viscous on",
+                           "stokes { restitution 0.95; beta 35; viscosity 0.001; }")):
         script = BASE.replace("hertz tangential history", words).replace("pair_style", more)
         scene, _ = translate(script)
         has(scene, *parts)
@@ -284,43 +276,32 @@ pair_style"""
             sim.setup()
         seen.update(words.split())
     assert {*NORMAL, *TANGENTIAL, *ROLLING, *COHESION} <= seen
-    for words, lacking in (("luding tangential history", "model luding"), ("hertz tangential strange", "tangential strange"),
-                           ("hertz tangential history rolling_friction epsd3", "rolling_friction epsd3"),
-                           ("hertz tangential history cohesion washino/capillary/viscous", "liquid bridges"),
-                           ("hertz tangential history surface multicontact", "surface multicontact"),
+    for words, lacking in (("luding tangential history", "model luding"),
+                           ("hertz tangential strange", "tangential strange"),
+                           ("hertz tangential history rolling_friction epsd3",
+                            "rolling_friction epsd3"),
+                           ("hertz tangential history cohesion washino/capillary/viscous",
+                            "liquid bridges"),
+                           ("hertz tangential history surface multicontact",
+                            "surface multicontact"),
                            ("hertz tangential history torsionTorque on", "twistingSpring"),
                            ("hertz tangential history blabla on", "blabla")):
-        text = refused(
-    BASE.replace(
-        "model hertz tangential history\npair_coeff",
-        f"model {words}\npair_coeff"),
-         lacking)
+        text = refused(BASE.replace("model hertz tangential history\npair_coeff",
+                                    f"model {words}\npair_coeff"), lacking)
         assert f"in.test:{line_of(BASE, 'pair_style')}: " in text
-    refused(
-    BASE.replace(
-        "hertz tangential history\npair",
-        "hooke tangential history\npair").replace(
-            "hertz tangential history prim",
-            "hooke tangential history prim"),
-            "characteristicVelocity",
-             "does not give")
+    refused(BASE.replace("hertz tangential history\npair",
+                         "hooke tangential history\npair").replace("hertz tangential history prim",
+                                                                   "hooke tangential history prim"),
+            "characteristicVelocity", "does not give")
 
 
 def pairs():
     """two types, walls of other models: materials and pairs"""
-    script = BASE.replace(
-    "create_box 1",
-    "create_box 2").replace(
-        "peratomtype 5e6",
-        "peratomtype 5e6 1e7").replace(
-            "peratomtype 0.3",
-            "peratomtype 0.3 0.2").replace(
-                "pair 1 0.8",
-                "pair 2 0.8 0.7 0.7 0.6").replace(
-                    "pair 1 0.5",
-                    "pair 2 0.5 0.4 0.4 0.3").replace(
-                        "primitive type 1",
-                         "primitive type 2")
+    script = BASE.replace("create_box 1", "create_box 2").replace("peratomtype 5e6",
+                                                                  "peratomtype 5e6 1e7").replace(
+        "peratomtype 0.3", "peratomtype 0.3 0.2").replace("pair 1 0.8",
+                                                          "pair 2 0.8 0.7 0.7 0.6").replace(
+        "pair 1 0.5", "pair 2 0.5 0.4 0.4 0.3").replace("primitive type 1", "primitive type 2")
     has(translate(script)[0], "type2 { density 2500; youngsModulus 10000000; poissonsRatio 0.2; }",
         "type1_type2 { between (type1 type2); dry { restitution 0.7; } mindlin { friction 0.4; } }",
         "z0 { type plane; material type2;")
@@ -329,19 +310,18 @@ def pairs():
     "fix r all property/global coefficientRollingFriction peratomtypepair 1 0.1\n"
     "pair_style gran model hertz tangential history rolling_friction cdt")
     has(translate(rolling)[0], "between (type1 type1_wall); rollingConstant { friction 0; }")
-    refused(
-    BASE.replace(
-        "hertz tangential history prim",
-        "hooke tangential history prim"),
-         "one normal law")
+    refused(BASE.replace("hertz tangential history prim", "hooke tangential history prim"),
+            "one normal law")
 
 
 def walls():
     """planes, cylinders, cones, meshes: sides, shear, motion, transformed files"""
     line = next(row for row in BASE.splitlines() if row.startswith("fix z0"))
-    for words, part in (("xplane -0.01", "point (-0.01 0 0); normal (1 0 0);"), ("yplane 0.01", "normal (0 -1 0);"),
+    for words, part in (("xplane -0.01", "point (-0.01 0 0); normal (1 0 0);"),
+                        ("yplane 0.01", "normal (0 -1 0);"),
                         ("zcylinder 0.02 0 0", "axis (0 0 1); radius 0.02; particles inside;"),
-                        ("xcylinder 0.005 0.5 0", "point (0 0.5 0); axis (1 0 0); radius 0.005; particles outside;"),
+                        ("xcylinder 0.005 0.5 0",
+                         "point (0 0.5 0); axis (1 0 0); radius 0.005; particles outside;"),
                         ("zplane 0 shear x 0.3", "surfaceVelocity (0.3 0 0);"),
                         ("general_plane 0 0 -1 0 0 2", "point (0 0 -1); normal (0 0 1);")):
         has(translate(BASE.replace(line, line.replace("zplane 0.0", words)))[0], part)
@@ -380,39 +360,26 @@ fix belt all mesh/surface/stress file plate.stl type 1 scale 2 surface_vel 1 0 0
 fix z0 all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad belt
 """
     scene, _ = translate(BASE.replace(line + "\n", mesh), plate__stl=plate)
-    has(scene,
-    'cad { type stl; material type1; file "scene_cad.stl"; }',
-    'belt { type stl; material type1; file "plate.stl"; scale 2; surfaceVelocity (1 0 0); }',
-     "walls 0.0001;")
+    has(scene, 'cad { type stl; material type1; file "scene_cad.stl"; }',
+        'belt { type stl; material type1; file "plate.stl"; scale 2; surfaceVelocity (1 0 0); }',
+        "walls 0.0001;")
     # move by 1, then 0.01 of it; turned by 90 degrees: (0, 1, 1) becomes (0, -1, 1)
     assert numpy.allclose(read_triangles("scene_cad.stl")[0], [
                           [0, -.01, 0], [.01, -.01, 0], [0, -.01, .01]], atol=1e-15)
     for words, part in (("linear 1 0 0", "type translation; velocity (1 0 0);"),
-                        ("rotate origin 0 0 1 axis 0 1 0 period 2.", "type rotation; origin (0 0 1); axis (0 1 0); omega "
-                         "3.14159265359;"),
-                        ("wiggle amplitude 0 0 0.1 period 0.5", "type oscillation; amplitude (0 0 0.1); frequency 2;")):
+                        ("rotate origin 0 0 1 axis 0 1 0 period 2.",
+                         "type rotation; origin (0 0 1); axis (0 1 0); omega " "3.14159265359;"),
+                        ("wiggle amplitude 0 0 0.1 period 0.5",
+                         "type oscillation; amplitude (0 0 0.1); frequency 2;")):
         has(translate(BASE.replace(line + "\n", mesh + \
             f"fix m all move/mesh mesh belt {words}\n"), plate__stl=plate)[0], part)
-    for words in (
-    "riggle origin 0 0 0 axis 0 0 1 period 1 amplitude 5",
-    "viblin axis 0 0 1 order 1 amplitude 1 phase 0 "
-    "period 1",
-     "linear/variable v_a v_b v_c"):
-        refused(
-    BASE.replace(
-        line +
-        "\n",
-        mesh +
-        f"fix m all move/mesh mesh belt {words}\n"),
-        f"move/mesh {words.split()[0]}",
-        "oscillation",
-         plate__stl=plate)
-    refused(
-    BASE.replace(
-        line,
-        "fix s all mesh/surface/stress/servo file plate.stl type 1"),
-        "a force moves",
-         plate__stl=plate)
+    for words in ("riggle origin 0 0 0 axis 0 0 1 period 1 amplitude 5",
+                  "viblin axis 0 0 1 order 1 amplitude 1 phase 0 " "period 1",
+                  "linear/variable v_a v_b v_c"):
+        refused(BASE.replace(line + "\n", mesh + f"fix m all move/mesh mesh belt {words}\n"),
+                f"move/mesh {words.split()[0]}", "oscillation", plate__stl=plate)
+    refused(BASE.replace(line, "fix s all mesh/surface/stress/servo file plate.stl type 1"),
+            "a force moves", plate__stl=plate)
     refused(
     BASE.replace(
         "plate",
@@ -440,7 +407,8 @@ run 10
                   ) == ["scene_1.dem", "scene_2.dem", "scene_3.dem"]
     first, second, third = (Path(f"scene_{k}.dem").read_text() for k in (1, 2, 3))
     has(first, "velocity (0 0 1); end 0.001;", "end 0.0015;")
-    has(second, "type rotation; origin (0 0 0); axis (0 0 1); omega 6.28318530718; start 0.0015;", "end 0.0025;")
+    has(second, "type rotation; origin (0 0 0); axis (0 0 1); omega 6.28318530718; start 0.0015;",
+        "end 0.0025;")
     assert "dem run -restart scene_2/snapshot.dem scene_3.dem" in third and "z0" not in flat(third)
     assert numpy.allclose(read_triangles("scene_2_cad.stl")[..., 2], -0.499)
     assert "insert" not in flat(second)
@@ -454,11 +422,10 @@ run 10
 
 def restart_files():
     """read_restart goes on from the script beside it that writes the file"""
-    run_script = BASE.replace(
-    PACK,
-    "").replace(
+    run_script = BASE.replace(PACK,
+                              "").replace(
         "region box block -0.01 0.01 -0.01 0.01 0 0.05 units box\ncreate_box 1 box",
-         "read_restart post/a.restart")
+        "read_restart post/a.restart")
     scene, _ = translate(run_script, in__init=BASE + "write_restart a.restart\n")
     assert "-restart init/snapshot.dem scene.dem" in scene
     run("init.dem", "-set", "write/vtk", "no")
@@ -482,9 +449,11 @@ fix pdd all particledistribution/discrete%s 15485867 2 p1 0.5 p2 0.5
     "insert/rate/region").replace("particles_in_region",
      "particlerate 1e4 nparticles")
     has(translate(flow % "")[0],
-     "diameters (0.001 0.002); weights (0.888888888889 0.111111111111);")
-    for words, part in (("uniform 0.0004 0.0006", "sizes { type uniform; min 0.0008; max 0.0012; by number; }"), (
-        "gaussian 0.0005 0.00005", "sizes { type normal; mean 0.001; deviation 0.0001; by number; }")):
+        "diameters (0.001 0.002); weights (0.888888888889 0.111111111111);")
+    for words, part in (("uniform 0.0004 0.0006",
+                         "sizes { type uniform; min 0.0008; max 0.0012; by number; }"),
+                        ("gaussian 0.0005 0.00005",
+                         "sizes { type normal; mean 0.001; deviation 0.0001; by number; }")):
         has(translate(BASE.replace("radius constant 0.0005", "radius " + words))[0], part)
     volume, one = 0.02*0.02*0.05, math.pi/6*1e-9
     for words, count in (("volumefraction_region 0.1", 0.1*volume/one),
@@ -517,25 +486,14 @@ fix pdd all particledistribution/discrete%s 15485867 2 p1 0.5 p2 0.5
     "    nparticles INF massrate 0.01 vel uniform 0 0 -1 0.1 "
     "0 0 insertion_face face extrude_length 0.01") + "unfix ins\nrun 1000\n"
     face = (WORK/"face.stl").read_text()
-    has(translate(stream,
-    face__stl=face)[0],
-    'type stream; massRate 0.01;',
-    'surface "face.stl"; velocity (0 0 -1); spread (0.1 0 0);',
-     "end 0.001;")
+    has(translate(stream, face__stl=face)[0], 'type stream; massRate 0.01;',
+        'surface "face.stl"; velocity (0 0 -1); spread (0.1 0 0);', "end 0.001;")
     mass = column(run(), "mass").sum()
     assert abs(mass - 1e-5) < 1.01*2500*one, mass        # to one particle
-    refused(
-    stream.replace(
-        "vel uniform 0 0 -1 0.1 0 0 ",
-        ""),
-        "vel",
-        "need a velocity",
-         face__stl=face)
-    refused(
-    BASE.replace(
-        "particledistribution/discrete",
-        "particletemplate/multisphere"),
-         "spheres only")
+    refused(stream.replace("vel uniform 0 0 -1 0.1 0 0 ", ""), "vel", "need a velocity",
+            face__stl=face)
+    refused(BASE.replace("particledistribution/discrete", "particletemplate/multisphere"),
+            "spheres only")
 
 
 def shapes():
@@ -551,12 +509,8 @@ def shapes():
     assert abs(both.volume()/(2/3*math.pi) - 1) < 0.01
     for words in ("cone z 0 0 0.002 0.008 0.01 0.04 units box",
                   "cylinder z 0 0 0.005 INF INF units box"):
-        script = BASE.replace(
-    "create_box 1 box",
-    "create_box 1 box\nregion r " +
-    words).replace(
-        "100 region box",
-         "100 region r")
+        script = BASE.replace("create_box 1 box", "create_box 1 box\nregion r "
+                              + words).replace("100 region box", "100 region r")
         scene, _ = translate(script)
         if "cone" in words:
             x = column(run(), "position")
@@ -565,11 +519,8 @@ def shapes():
             assert d.min() > 0.99e-3
         else:
             has(scene, "from (0 0 0); to (0 0 0.05); radius 0.005;")
-    refused(
-    BASE.replace(
-        "region box block",
-        "region q wedge 1 2\nregion box block"),
-         "region wedge")
+    refused(BASE.replace("region box block", "region q wedge 1 2\nregion box block"),
+            "region wedge")
 
 
 def single_particles():
@@ -582,36 +533,28 @@ group rest subtract all two
 fix stop two freeze
 fix move rest nve/sphere""")
     has(translate(script)[0],
-    "positions ((0 0 0.01)); diameters (0.001); ids (1); velocities ((0.1 0 0));",
-    "positions ((0.005 0 0.02)); diameters (0.002); ids (2); frozen yes;",
-     "type1_2 { density 2500;")
+        "positions ((0 0 0.01)); diameters (0.001); ids (1); velocities ((0.1 0 0));",
+        "positions ((0.005 0 0.02)); diameters (0.002); ids (2); frozen yes;",
+        "type1_2 { density 2500;")
     has(translate(script.replace("fix stop two freeze", "fix push rest addforce 0 0 1e-3"))[0],
         "push { ids (1); force (0 0 0.001); }")
     has(translate(script.replace("freeze", "move linear 0 0 -0.1"))
         [0], "velocities ((0 0 -0.1)); driven yes;")
-    lattice = ONE.replace(
-    "create_atoms 1 single 0 0 0.01 units box",
-    "lattice sc 0.002\nregion in block -0.004 0.004 "
-    "-0.004 0.004 0.01 0.02 units box\ncreate_atoms 1 region in")
+    lattice = ONE.replace("create_atoms 1 single 0 0 0.01 units box",
+                          "lattice sc 0.002\nregion in block -0.004 0.004 "
+                          "-0.004 0.004 0.01 0.02 units box\ncreate_atoms 1 region in")
     scene, _ = translate(lattice)
     assert len(column(run(), "position")) == 5*5*6 and 'file "scene_particles.csv"' in scene
     data = "data\n\n2 atoms\n1 atom types\n-0.01 0.01 xlo xhi\n-0.01 0.01 ylo yhi\n0 0.05 zlo zhi\n\nAtoms\n\n" \
         "7 1 1e-3 2500 0 0 0.01\n9 1 2e-3 2500 0 0 0.02\n\nVelocities\n\n9 0 0 -1 0 0 5\n"
-    script = ONE[:ONE.index("region box")] + "read_data grains.data\n" + ONE[ONE.index("fix m1")
-                            :ONE.index("create_atoms")] + "fix move all nve/sphere\nrun 1000\n"
+    script = ONE[:ONE.index("region box")] + "read_data grains.data\n" + ONE[ONE.index(
+        "fix m1") :ONE.index("create_atoms")] + "fix move all nve/sphere\nrun 1000\n"
     has(translate(script, grains__data=data)[
         0], "ids (7 9); velocities ((0 0 0) (0 0 -1)); spins ((0 0 0) (0 0 5));")
-    refused(
-    ONE.replace(
-        "set group all diameter",
-        "set group all charge"),
-        "set charge",
-         "known: diameter")
-    refused(
-    BASE.replace(
-        "run 1000",
-        "run 10\nset group all diameter 2e-3\nrun 10"),
-         "cannot be changed")
+    refused(ONE.replace("set group all diameter", "set group all charge"), "set charge",
+            "known: diameter")
+    refused(BASE.replace("run 1000", "run 10\nset group all diameter 2e-3\nrun 10"),
+            "cannot be changed")
 
 
 def domain_and_output():
@@ -635,15 +578,14 @@ def domain_and_output():
         WORK/"gate.stl").read_text())[0], "normal (0 0 -1);")
     has(translate(BASE.replace("run 1000", "fix v all viscous 1e-6\nrun 1000"))[0],
         f"stokesDrag {{}} ".strip(), f"viscosity {1e-6/(3*math.pi*1e-3):.12g};")
-    for fix, lacking in (("heat/gran initial_temperature 300", "heat is not translated"), ("multisphere", "spheres only"),
-                         ("adapt 1 atom diameter v_d", "keeps the size"), ("nve/superquadric", "spheres"), ("something/new", "does "
-                          "not know this fix")):
+    for fix, lacking in (("heat/gran initial_temperature 300", "heat is not translated"),
+                         ("multisphere", "spheres only"),
+                         ("adapt 1 atom diameter v_d", "keeps the size"),
+                         ("nve/superquadric", "spheres"),
+                         ("something/new", "does " "not know this fix")):
         refused(BASE.replace("run 1000", f"fix x all {fix}\nrun 1000"), lacking, fix.split()[0])
-    refused(
-    BASE.replace(
-        "atom_style granular",
-        "atom_style superquadric"),
-         "atom_style superquadric")
+    refused(BASE.replace("atom_style granular", "atom_style superquadric"),
+            "atom_style superquadric")
     scene, report = translate(BASE.replace("timestep 1e-6", "timestep 1e-3"))
     has(scene, "step auto;")
     assert any(row.word == "timestep" for row in report.of(APPROXIMATED))
@@ -666,12 +608,14 @@ def command():
     (folder/"in.cup").write_text(BASE.replace("hertz", "${law}"))
     assert call("in.cup").returncode == 1
     assert call("in.cup", "-var", "law=hertz", "-o", "out.dem").returncode == 0
-    (folder/"dump.txt").write_text("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n"
-                                   "ITEM: ATOMS id type x y z vx vy vz radius\n5 1 0.1 0.2 0.3 1 2 3 0.01\n")
+    (folder/"dump.txt").write_text(
+        "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n"
+        "ITEM: ATOMS id type x y z vx vy vz radius\n5 1 0.1 0.2 0.3 1 2 3 0.01\n")
     assert call("dump.txt").returncode == 0
     assert (folder/"dump.csv").read_text().splitlines()[1] == "0.1,0.2,0.3,0.02,1,2,3,0,0,0,5"
-    for words, sentence in ((("nothing",), "there is no nothing"), ((".",), "neither"), ((
-        "-units", "lj", "dump.txt"), "-units lj"), ((), "give one file"), (("-what", "x"), 'unknown option "-what"')):
+    for words, sentence in ((("nothing",), "there is no nothing"), ((".",), "neither"),
+                            (("-units", "lj", "dump.txt"), "-units lj"), ((), "give one file"),
+                            (("-what", "x"), 'unknown option "-what"')):
         done = call(*words)
         assert done.returncode == 1 and sentence in done.stderr, (words, done.stderr)
     assert "Usage: dem import" in call("-help").stdout
@@ -727,25 +671,9 @@ CUP = Path(__file__).resolve().parent/"cup.in"
 # centre of mass [m] in LIGGGHTS 3.8.0 (Debian 3.8.0+repack1-9), 24 November 2026, `liggghts -var seed SEED -in cup.in`
 # with seeds 32452867, 49979687, 67867967
 CUP_HEIGHT = numpy.array([3.8082e-3, 3.8286e-3, 3.7709e-3])
-TESTS = [
-    expressions,
-    control_flow,
-    all_faults,
-    scene_of_base,
-    units,
-    models,
-    pairs,
-    walls,
-    series,
-    restart_files,
-    insertion,
-    shapes,
-    single_particles,
-    domain_and_output,
-    command,
-    bounce,
-    friction,
-     stored]
+TESTS = [expressions, control_flow, all_faults, scene_of_base, units, models, pairs, walls, series,
+         restart_files, insertion, shapes, single_particles, domain_and_output, command, bounce,
+         friction, stored]
 
 
 def main():
@@ -759,13 +687,8 @@ def main():
         except Exception:
             failures += 1
             print(f"not ok {number} - {name}")
-            print(
-    "".join(
-        "#   " +
-        line +
-        "\n" for line in traceback.format_exc().splitlines()),
-        end="",
-         flush=True)
+            print("".join("#   " + line + "\n" for line in traceback.format_exc().splitlines()),
+                  end="", flush=True)
     print(f"1..{len(TESTS)}")
     return failures > 0
 

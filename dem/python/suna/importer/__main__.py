@@ -61,9 +61,9 @@ def kind_of(path):
         if find_cloud(path) is not None:
             return translate_cloud
         raise CannotTranslate(
-    f"{path}: neither CFD/constant/couplingProperties (CFDEMcoupling) nor "
-    "constant/kinematicCloudProperties or cloudProperties (OpenFOAM); for a script of "
-    "LIGGGHTS give the file")
+            f"{path}: neither CFD/constant/couplingProperties (CFDEMcoupling) nor "
+            "constant/kinematicCloudProperties or cloudProperties (OpenFOAM); for a script of "
+            "LIGGGHTS give the file")
     if not path.is_file():
         raise CannotTranslate(f"there is no {path}; give a file or the folder of a case")
     if is_dump(path) or is_data(path):
@@ -71,8 +71,8 @@ def kind_of(path):
     with open(path, "rb") as file:
         if b"\0" in file.read(4000):
             raise CannotTranslate(
-    f"{path}: not text; restart files of LIGGGHTS are not read: import the script that "
-    "writes it, or a dump")
+                f"{path}: not text; restart files of LIGGGHTS are not read: import the script that "
+                "writes it, or a dump")
     return import_script
 
 

@@ -63,7 +63,7 @@ HARMLESS = {
     "write_dump": "output",
     "hardware": "",
     "timers": "",
-     "variable": ""}
+    "variable": ""}
 LACKING = {
     "displace_atoms": "write the positions",
     "delete_atoms": "outlets take particles away during a run, and "
@@ -74,7 +74,7 @@ LACKING = {
     "bond_coeff": "bonds of this package are not translated; see bondLinear in docs/effects.md",
     "kspace_style": "Suna has no long-range forces",
     "rerun": "",
-     "read_dump": "import the dump by itself"}
+    "read_dump": "import the dump by itself"}
 ATOM_STYLES = ("granular", "sphere")
 
 
@@ -135,15 +135,11 @@ class Mesh:
 def key(state):
     """What a scene cannot change while it runs."""
     gravity = None if state["gravity"] is None else tuple(state["gravity"][0])
-    return (
-    state["model"] and state["model"].key(), state["properties"].key(), gravity, tuple(
-        (name, wall.place) for name, wall in state["walls"].items()), tuple(
-            state["outlets"]), tuple(
-                state["boundary"]), tuple(
-                    state["frozen"]), tuple(
-                        state["integrated"]), tuple(
-                            state["forces"]), tuple(
-                                state["driven"]), state["flat"])
+    return (state["model"] and state["model"].key(), state["properties"].key(), gravity,
+            tuple((name, wall.place) for name, wall in state["walls"].items()),
+            tuple(state["outlets"]), tuple(state["boundary"]), tuple(state["frozen"]),
+            tuple(state["integrated"]), tuple(state["forces"]), tuple(state["driven"]),
+            state["flat"])
 
 
 @dataclass
@@ -320,8 +316,8 @@ class Translation:
         if style == "mesh/tet":
             return Region(style, (), place, corners=self._tetrahedra(rest), outside=outside)
         self.refuse(
-    "the importer knows block, sphere, cylinder, cone, prism, plane, union, intersect, "
-    "mesh/tet", f"region {style}")
+            "the importer knows block, sphere, cylinder, cone, prism, plane, union, intersect, "
+            "mesh/tet", f"region {style}")
 
     def _tetrahedra(self, rest):
         given = dict(zip(("file",), (rest[rest.index("file") + 1],)))
@@ -368,9 +364,8 @@ class Translation:
     def do_pair_style(self, words):
         style = words[0].replace("/omp", "")
         if style != "gran" or words[1] != "model":
-            self.refuse(
-    "known is gran model NORMAL tangential FRICTION ...",
-     f"pair_style {' '.join(words[:2])}")
+            self.refuse("known is gran model NORMAL tangential FRICTION ...",
+                        f"pair_style {' '.join(words[:2])}")
         model, rest = read_model(words[2:], self.command.place, "pair_style", self.report)
         if rest:
             self.refuse("the importer does not know this word", f"pair_style {rest[0]}")
@@ -384,9 +379,8 @@ class Translation:
         if words[0] not in ("sc", "sq", "fcc", "bcc", "none"):
             self.refuse("known: sc, sq, fcc, bcc", f"lattice {words[0]}")
         if len(words) > 2:
-            self.refuse(
-    "orient, origin, spacing are not read; write positions",
-     f"lattice {words[2]}")
+            self.refuse("orient, origin, spacing are not read; write positions",
+                        f"lattice {words[2]}")
         self.lattice = None if words[0] == "none" else (words[0], self.number(words[1], "length"))
         self.translated("create_atoms")
 
@@ -401,10 +395,8 @@ class Translation:
         else:
             self.refuse("known: single, box, region; fix insert/pack places at random",
                         f"create_atoms {words[1]}")
-        self.particles.add(
-    x, kind, self.units.si(
-        "length", 1.0), self.units.si(
-            "density", 1.0), self.command.place)
+        self.particles.add(x, kind, self.units.si("length", 1.0), self.units.si("density", 1.0),
+                           self.command.place)
         self.translated("insert: list or table")
 
     def _lattice_points(self, words):
@@ -417,7 +409,7 @@ class Translation:
         basis = {"sc": [(0, 0, 0)], "sq": [(0, 0, 0)], "bcc": [(0, 0, 0), (.5, .5, .5)],
                  "fcc": [(0, 0, 0), (.5, .5, 0), (.5, 0, .5), (0, .5, .5)]}[style]
         axes = [numpy.arange(math.floor(lo/a) - 1, math.ceil(hi/a) + 1)
-                             for lo, hi in zip(low, high)]
+                for lo, hi in zip(low, high)]
         cells = numpy.stack(numpy.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)
         x = numpy.concatenate([(cells + numpy.array(b))*a for b in basis])
         box = numpy.array(self.box)
@@ -440,7 +432,7 @@ class Translation:
                     script.resolve() != self.path.resolve() and writes_restart(script, name):
                 report = type(self.report)()
                 self.before = type(self)(script, report, self.given,
-                                          (*self.seen, self.path.resolve())).read()
+                                         (*self.seen, self.path.resolve())).read()
                 self.report.rows += [row for row in report.rows if row not in self.report.rows]
                 self.take_over(self.before)
                 self.translated(
@@ -486,9 +478,8 @@ class Translation:
                 chosen = chosen | other if style == "union" else \
                     chosen & other if style == "intersect" else chosen & ~other
         else:
-            self.refuse(
-    "known: id, type, region, union, intersect, subtract, empty",
-     f"group {style}")
+            self.refuse("known: id, type, region, union, intersect, subtract, empty",
+                        f"group {style}")
         self.groups[name] = p.id[chosen]
         self.translated("particles that are there")
 
@@ -544,9 +535,8 @@ class Translation:
         templates = [t for i in self.insertions for t in i.distribution.templates]
         if key == "density":
             return all(abs(t.density/value - 1) < 1e-9 for t in templates)
-        return key == "diameter" and all(
-    t.style == "constant" and abs(
-        2*t.radius[0]/value - 1) < 1e-9 for t in templates)
+        return key == "diameter" and all(t.style == "constant"
+                                         and abs(2*t.radius[0]/value - 1) < 1e-9 for t in templates)
 
     def do_velocity(self, words):
         chosen, p = self.chosen(words[0]), self.particles
@@ -569,7 +559,7 @@ class Translation:
     def do_dump(self, words):
         style = words[2]
         if style.split("/")[0] in ("custom", "atom", "xyz", "image",
-                       "local") or style.startswith("custom"):
+                                   "local") or style.startswith("custom"):
             every = int(float(words[3]))
             if style != "local" and self.step and every > 0:
                 interval = every*self.step
@@ -606,23 +596,8 @@ class Translation:
         steps = int(self.number(words[0]))
         if "upto" in words:
             steps = max(0, steps - self.steps)
-        skipped = (
-    "model",
-    "gravity",
-    "properties",
-    "walls",
-    "meshes",
-    "boundary",
-    "box",
-    "lost",
-    "flat",
-    "frozen",
-    "integrated",
-    "forces",
-    "outlets",
-    "fluid",
-    "driven",
-     "groups")
+        skipped = ("model", "gravity", "properties", "walls", "meshes", "boundary", "box", "lost",
+                   "flat", "frozen", "integrated", "forces", "outlets", "fluid", "driven", "groups")
         state = {name: copy.copy(getattr(self, name)) for name in skipped}
         state["properties"] = self.properties.copy()
         state["particles"], state["insertions"] = self.particles, self.insertions
@@ -633,15 +608,8 @@ class Translation:
             last.state) == key(state):
             last.end, last.steps, last.state = end, last.steps + steps, state       # a loop
         else:
-            self.stages.append(
-    Stage(
-        self.time,
-        end,
-        self.step,
-        steps,
-        state,
-        self.command.place,
-         self.fresh))
+            self.stages.append(Stage(self.time, end, self.step, steps, state, self.command.place,
+                                     self.fresh))
         self.fresh, self.time, self.steps = False, end, self.steps + steps
         self.translated("time/end")
 

@@ -24,7 +24,7 @@ SWITCHES = {
     "ktToKnUser": "off",
     "absolute_damping": "off",
     "viscous": "off",
-     "torsionTorque": "off"}
+    "torsionTorque": "off"}
 WITHOUT_EFFECT = ("computeElasticPotential", "computeDissipatedEnergy", "heating_normal_hertz",
                   "heating_normal_hooke", "heating_tangential_history", "heating_tracking")
 PARTS = ("tangential", "rolling_friction", "cohesion", "surface")
@@ -87,11 +87,8 @@ class Properties:
 
 def read_model(words, place, word, report):
     """`words` after `model`: HERTZ tangential ... with switches; returns the model and the words left."""
-    parts = {
-    "tangential": "off",
-    "rolling_friction": "off",
-    "cohesion": "off",
-     "surface": "default"}
+    parts = {"tangential": "off", "rolling_friction": "off", "cohesion": "off",
+             "surface": "default"}
     switches, k = dict(SWITCHES), 1
     normal = words[0]
     while k < len(words):
@@ -136,41 +133,38 @@ def tell(model, report):
     "a Poisson's ratio of 0.3), and spring and dashpot together obey mu F_n; an oblique impact at 1 m/s "
     "changes by 0.01 m/s, a settled bed by 0.02 diameters (docs/results-peers.md)")
     elif model.tangential == "history":
-        near(
-    "tangential history",
-    "linear: spring and dashpot together obey mu F_n; an oblique impact at 1 m/s "
-    "changes by up to 0.18 m/s, a settled bed by 0.005 diameters (docs/results-peers.md)")
+        near("tangential history",
+             "linear: spring and dashpot together obey mu F_n; an oblique impact at 1 m/s "
+             "changes by up to 0.18 m/s, a settled bed by 0.005 diameters (docs/results-peers.md)")
     elif model.tangential == "no_history":
         near("tangential no_history",
-    "linear with ratio 0: slip is damped with the coefficient of the normal law, "
-    "beside hertz 1/sqrt(4 G*/E*) times that of LIGGGHTS; no heap rests, as there")
+             "linear with ratio 0: slip is damped with the coefficient of the normal law, "
+             "beside hertz 1/sqrt(4 G*/E*) times that of LIGGGHTS; no heap rests, as there")
     elif model.tangential.startswith("incremental"):
         near("tangential " + model.tangential,
-    "mindlinIncremental: the spring loses force with the stiffness "
-    "while surfaces separate, so no cycle gives energy")
+             "mindlinIncremental: the spring loses force with the stiffness "
+             "while surfaces separate, so no cycle gives energy")
     if model.rolling == "cdt":
-        near(
-    "rolling_friction cdt",
-    "rollingConstant: mu_r R* times the normal force with its damping, LIGGGHTS "
-    "without; at most what stops rolling in one step")
+        near("rolling_friction cdt",
+             "rollingConstant: mu_r R* times the normal force with its damping, LIGGGHTS "
+             "without; at most what stops rolling in one step")
     elif model.rolling == "epsd":
-        near(
-    "rolling_friction epsd",
-    "rollingSpring with K = 2.25 mu_r^2: the limit holds for spring and dashpot "
-    "together, in LIGGGHTS for the spring")
+        near("rolling_friction epsd",
+             "rollingSpring with K = 2.25 mu_r^2: the limit holds for spring and dashpot "
+             "together, in LIGGGHTS for the spring")
     elif model.rolling == "epsd2":
-        near(
-    "rolling_friction epsd2",
-     "rollingSpring without damping: the angle is stored, in LIGGGHTS the torque")
+        near("rolling_friction epsd2",
+             "rollingSpring without damping: the angle is stored, in LIGGGHTS the torque")
     if model.cohesion.startswith("sjkr"):
-        near("cohesion " + model.cohesion, "sjkr: the area of contact to first order in the overlap")
+        near("cohesion " + model.cohesion,
+             "sjkr: the area of contact to first order in the overlap")
     if model.on("limitForce"):
-        near(
-    "limitForce on",
-    "attraction clamped: restitution is too high in both codes, 0.33 for 0.2, 0.55 for "
-    "0.5, 0.81 for 0.8")
+        near("limitForce on",
+             "attraction clamped: restitution is too high in both codes, 0.33 for 0.2, 0.55 for "
+             "0.5, 0.81 for 0.8")
     elif model.normal == "hooke/hysteresis":
-        near("tangential", "the friction limit counts adhesion, mu (F_n + k_c d), in LIGGGHTS mu |F_n|")
+        near("tangential",
+             "the friction limit counts adhesion, mu (F_n + k_c d), in LIGGGHTS mu |F_n|")
 
 
 class Need(Exception):

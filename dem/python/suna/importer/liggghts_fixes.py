@@ -36,22 +36,31 @@ HARMLESS = {
     "contacthistory": "",
     "neighlist/mesh": "",
      "diam/max": ""}
-LACKING = (
-    ("heat/", "heat is not translated; add conduction to the scene"),
-    ("chem/", "Suna has no chemistry"), ("multisphere", "Suna has spheres only"),
-    ("particletemplate/", "Suna has spheres only"), ("nve/", "Suna has spheres, integrated by themselves"),
-    ("sph/", "Suna has no smoothed particle hydrodynamics"), ("wall/sph", "Suna has no smoothed particle "
-     "hydrodynamics"), ("mesh/surface/stress/servo", "Suna has no wall that a force moves"),
-    ("mesh/surface/stress/6dof", "Suna has no wall that a force moves"), ("break/", "Suna has no breakage"),
-    ("multicontact", "Suna treats each contact by itself"), ("adapt", "Suna keeps the size of a particle; "
-     "insert/pack of Suna reaches a solid fraction of 0.55 without growth"),
-    ("scale/diameter", "Suna keeps the size of a particle"), ("bond/create", "bonds of this package are not "
-     "translated; see bondLinear in docs/effects.md"), ("couple/cfd/", "Suna couples no such field"),
-    ("couple/pascal", "Suna has no model inside the particles"), ("wall/region", "give the wall as a mesh"),
-    ("buoyancy", "use fluid and pressureGradient in the scene"), ("setforce", "Suna sets no force; frozen, driven"),
-    ("spring", "Suna has no such force"), ("deform", "the domain keeps its size"),
-    ("momentum", "Suna keeps momentum; the frame is that of the walls"), ("remove", "use outlets in the scene"),
-    ("insert/pack/", "use insert/pack with a region"), ("pour", "use insert/pack or insert/stream, which replaced it"))
+LACKING = (("heat/", "heat is not translated; add conduction to the scene"),
+           ("chem/", "Suna has no chemistry"), ("multisphere", "Suna has spheres only"),
+           ("particletemplate/", "Suna has spheres only"),
+           ("nve/", "Suna has spheres, integrated by themselves"),
+           ("sph/", "Suna has no smoothed particle hydrodynamics"),
+           ("wall/sph", "Suna has no smoothed particle " "hydrodynamics"),
+           ("mesh/surface/stress/servo", "Suna has no wall that a force moves"),
+           ("mesh/surface/stress/6dof", "Suna has no wall that a force moves"),
+           ("break/", "Suna has no breakage"),
+           ("multicontact", "Suna treats each contact by itself"),
+           ("adapt", "Suna keeps the size of a particle; "
+            "insert/pack of Suna reaches a solid fraction of 0.55 without growth"),
+           ("scale/diameter", "Suna keeps the size of a particle"),
+           ("bond/create", "bonds of this package are not "
+            "translated; see bondLinear in docs/effects.md"),
+           ("couple/cfd/", "Suna couples no such field"),
+           ("couple/pascal", "Suna has no model inside the particles"),
+           ("wall/region", "give the wall as a mesh"),
+           ("buoyancy", "use fluid and pressureGradient in the scene"),
+           ("setforce", "Suna sets no force; frozen, driven"), ("spring", "Suna has no such force"),
+           ("deform", "the domain keeps its size"),
+           ("momentum", "Suna keeps momentum; the frame is that of the walls"),
+           ("remove", "use outlets in the scene"),
+           ("insert/pack/", "use insert/pack with a region"),
+           ("pour", "use insert/pack or insert/stream, which replaced it"))
 INTEGRATORS = ("nve/sphere", "nve/sphere/limit", "nve/limit", "nve/sphere/omp", "nve/nonspherical")
 KINDS = {
     "youngsModulus": "pressure",
@@ -59,7 +68,7 @@ KINDS = {
     "kt": "stiffness",
     "gamman": "rate",
     "cohesionEnergyDensity": "energy density",
-     "FluidViscosity": "viscosity"}
+    "FluidViscosity": "viscosity"}
 MOVES = {"linear", "rotate", "wiggle"}
 
 
@@ -126,8 +135,8 @@ def outlet(t, name, words):
         normal = normal if side @ normal > 0 else -normal
     t.outlets[name] = (x.mean(axis=0), normal, t.command.place)
     t.approximated(
-    "outlets: every particle behind the plane of the mesh is removed, also beside the mesh",
-     "delete_atoms yes")
+        "outlets: every particle behind the plane of the mesh is removed, also beside the mesh",
+        "delete_atoms yes")
 
 
 def integrate(t, name, group, style):
@@ -145,17 +154,14 @@ def property_global(t, name, group, words):
     if kind in ("peratomtypepair", "matrix"):
         values = values[1:]
     elif kind not in ("scalar", "peratomtype", "atomtype", "vector"):
-        t.refuse(
-    f"known: scalar, vector, peratomtype, peratomtypepair, matrix",
-     f"property/global {kind}")
+        t.refuse(f"known: scalar, vector, peratomtype, peratomtypepair, matrix",
+                 f"property/global {kind}")
     unit = KINDS.get(what, "number")
     if what == "kn":
         unit = "stiffness" if t.units.name == "si" else "number"
-    t.properties.set(
-    what, kind, [
-        t.number(
-            word, unit) for word in values if word not in (
-                "rebuild",)], t.command.place)
+    t.properties.set(what, kind,
+                     [t.number(word, unit) for word in values if word not in ("rebuild",)],
+                     t.command.place)
     t.translated("materials, effects")
 
 
@@ -163,13 +169,8 @@ def gravity(t, name, group, words):
     if words[1] != "vector":
         t.refuse("known: vector", f"fix gravity {words[1]}")
     direction = numpy.array(t.numbers(words[2:5]))
-    t.gravity = (
-    t.number(
-        words[0],
-        "acceleration")*
-        direction/
-        numpy.linalg.norm(direction),
-         t.command.place)
+    t.gravity = (t.number(words[0], "acceleration")*direction/numpy.linalg.norm(direction),
+                 t.command.place)
     t.translated("effects/gravity")
 
 
@@ -180,9 +181,8 @@ def freeze(t, name, group, words):
 
 def move(t, name, group, words):
     if words[0] != "linear":
-        t.refuse(
-    "driven particles of Suna keep one velocity; known: linear",
-     f"fix move {words[0]}")
+        t.refuse("driven particles of Suna keep one velocity; known: linear",
+                 f"fix move {words[0]}")
     t.driven[name] = (group, [0.0 if word == "NULL" else t.number(word, "velocity")
                       for word in words[1:4]])
     t.translated("driven yes")
@@ -228,18 +228,9 @@ def wall(t, name, group, words):
         else:
             found.type, rest = int(rest[1]), rest[2:]
         found.primitive = rest.pop(0)
-        count = {
-    "xplane": 1,
-    "yplane": 1,
-    "zplane": 1,
-    "xcylinder": 3,
-    "ycylinder": 3,
-    "zcylinder": 3,
-    "general_plane": 6,
-    "plane": 6,
-    "general_cylinder": 7,
-    "general_cone": 8}.get(
-        found.primitive)
+        count = {"xplane": 1, "yplane": 1, "zplane": 1, "xcylinder": 3, "ycylinder": 3,
+                 "zcylinder": 3, "general_plane": 6, "plane": 6, "general_cylinder": 7,
+                 "general_cone": 8}.get(found.primitive)
         if count is None:
             t.refuse(
     "known: planes, cylinders, general_plane, general_cylinder, general_cone; give others as a mesh",
@@ -307,15 +298,14 @@ def mesh(t, name, group, words):
         elif key == "surface_ang_vel":
             origin, axis = t.numbers(given[1:4], "length"), t.numbers(given[5:8])
             spin, given = (*origin, *axis, t.number(given[9], "spin")), given[10:]
-        elif key in ("curvature", "curvature_tolerant", "heal", "verbose", "precision", "min_feature_length",
-                     "temperature", "mass_temperature", "reference_point", "stress", "wear", "region",
-                     "read_cell_data", "optimizeMeshSpacing"):
+        elif key in ("curvature", "curvature_tolerant", "heal", "verbose", "precision",
+                     "min_feature_length", "temperature", "mass_temperature", "reference_point",
+                     "stress", "wear", "region", "read_cell_data", "optimizeMeshSpacing"):
             value = given.pop(0)
             given = given[2:] if key == "reference_point" else given
             if key == "wear":
-                t.harmless(
-    "wear is not computed; the motion of the particles is the same",
-     f"wear {value}")
+                t.harmless("wear is not computed; the motion of the particles is the same",
+                           f"wear {value}")
             elif key in ("temperature", "mass_temperature"):
                 t.harmless("no law that was translated reads it", key)
             else:
@@ -411,27 +401,16 @@ def distribution(by_mass):
 
 AMOUNTS = {
     "volumefraction_region": (
-        "fraction", "number"), "particles_in_region": (
-            "count", "number"), "mass_in_region": (
-                "mass", "mass"), "nparticles": (
-                    "count", "number"), "mass": (
-                        "mass", "mass"), "particlerate": (
-                            "rate", "rate"), "massrate": (
-                                "mass_rate", "mass rate")}
-PLACING = (
-    "maxattempt",
-    "ntry_mc",
-    "warn_region",
-    "verbose",
-    "check_dist_from_subdomain_border",
-    "parallel",
-    "random_distribute",
-    "compress_tags",
-    "check_obb",
-    "save_template",
-    "extrude_length",
-    "duration",
-     "duration_time")
+    "fraction", "number"), "particles_in_region": (
+    "count", "number"), "mass_in_region": (
+    "mass", "mass"), "nparticles": (
+    "count", "number"), "mass": (
+    "mass", "mass"), "particlerate": (
+    "rate", "rate"), "massrate": (
+    "mass_rate", "mass rate")}
+PLACING = ("maxattempt", "ntry_mc", "warn_region", "verbose", "check_dist_from_subdomain_border",
+           "parallel", "random_distribute", "compress_tags", "check_obb", "save_template",
+           "extrude_length", "duration", "duration_time")
 
 
 def insertion(style):
@@ -510,9 +489,8 @@ def check(t, i):
     if i.style != "pack" and not (i.rate or i.mass_rate):
         t.refuse("particlerate or massrate is missing")
     if i.style == "rate" and not i.region.is_shape():
-        t.refuse(
-    "a stream enters in a block, cylinder or sphere; use one of these",
-     f"region {i.region.style}")
+        t.refuse("a stream enters in a block, cylinder or sphere; use one of these",
+                 f"region {i.region.style}")
 
 
 METHODS = {
@@ -535,4 +513,4 @@ METHODS = {
     "particledistribution/discrete/numberbased": distribution(False),
     "insert/pack": insertion("pack"),
     "insert/stream": insertion("stream"),
-     "insert/rate/region": insertion("rate")}
+    "insert/rate/region": insertion("rate")}

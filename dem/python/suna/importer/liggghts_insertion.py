@@ -25,7 +25,7 @@ import numpy
 
 from .liggghts_region import text, vector
 
-RSA_LIMIT = 0.284       # solid fraction at which insert/pack of LIGGGHTS 3.8.0 ended: docs/importer.md
+RSA_LIMIT = 0.284  # solid fraction at which insert/pack of LIGGGHTS 3.8.0 ended: docs/importer.md
 BINS = 20               # of a continuous distribution in a mixture
 TRIALS = 400            # of a sphere that the importer places
 NOW = 1e9               # 1/s, rate of a packing that is due at once
@@ -55,28 +55,10 @@ class Template:
 
     def range(self):
         a = self.radius
-        return {
-    "constant": lambda: (
-        a[0],
-        a[0]),
-        "uniform": lambda: a,
-        "gaussian": lambda: (
-            a[0] -
-            3*
-            a[1],
-            a[0] +
-            3*
-            a[1]),
-            "lognormal": lambda: (
-                math.exp(
-                    a[0] -
-                    3*
-                    a[1]),
-                    math.exp(
-                        a[0] +
-                        3*
-                        a[1]))}[
-                            self.style]()
+        return {"constant": lambda: (a[0], a[0]), "uniform": lambda: a,
+                "gaussian": lambda: (a[0] - 3*a[1], a[0] + 3*a[1]),
+                "lognormal": lambda: (math.exp(a[0] - 3*a[1]),
+                                      math.exp(a[0] + 3*a[1]))}[self.style]()
 
     def draw(self, random, n):
         """Radii."""
@@ -85,13 +67,8 @@ class Template:
             return numpy.full(n, a[0])
         if self.style == "uniform":
             return random.uniform(a[0], a[1], n)
-        r = random.normal(
-    a[0],
-    a[1],
-    n) if self.style == "gaussian" else random.lognormal(
-        a[0],
-        a[1],
-         n)
+        r = random.normal(a[0], a[1], n) if self.style == "gaussian" else random.lognormal(a[0],
+                                                                                           a[1], n)
         return numpy.clip(r, low, high)
 
 
@@ -263,13 +240,13 @@ def stream_entries(insertion, amounts, material_of, where, start, end, k0=0):
             if math.isfinite(value) and value > 0:
                 value *= by_mass if name in ("massRate", "mass") else share
                 words.append(f"{name} {max(1, round(value)) if name == 'count' else text(value)};")
-        found.append((insertion.name_of(k +
-    k0), f"type stream; {' '.join(words)} material {material_of(key)}; "
-    f"{part.sizes()} {where}{insertion.motion()}" +
-    (f" spread {vector(insertion.spread)};" if insertion.spread.any() else "") +
-    (f" start {text(start)};" if start > 0 else "") +
-    (f" end {text(end)};" if math.isfinite(end) else "") +
-     f" seed {insertion.seed % 1000003 + k + 17*k0};"))
+        found.append((insertion.name_of(k + k0),
+                      f"type stream; {' '.join(words)} material {material_of(key)}; "
+                      f"{part.sizes()} {where}{insertion.motion()}" +
+                      (f" spread {vector(insertion.spread)};" if insertion.spread.any() else "") +
+                      (f" start {text(start)};" if start > 0 else "") +
+                      (f" end {text(end)};" if math.isfinite(end) else "")
+                      + f" seed {insertion.seed % 1000003 + k + 17*k0};"))
     return found
 
 

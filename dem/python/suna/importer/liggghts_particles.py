@@ -33,8 +33,9 @@ class Particles:
     def add(self, x, type, diameter, density, place, id=None, v=0.0, w=0.0):
         n, first = len(x), int(self.id.max()) + 1 if len(self) else 1
         self.id = numpy.append(self.id, numpy.arange(first, first + n) if id is None else id)
-        for name, value, width in (("type", type, ()), ("diameter", diameter, ()), ("density", density, ()),
-                                   ("x", x, (3,)), ("v", v, (3,)), ("w", w, (3,))):
+        for name, value, width in (("type", type, ()), ("diameter", diameter, ()),
+                                   ("density", density, ()), ("x", x, (3,)), ("v", v, (3,)),
+                                   ("w", w, (3,))):
             old = getattr(self, name)
             new = numpy.broadcast_to(numpy.asarray(value, old.dtype), (n, *width))
             setattr(self, name, numpy.concatenate([old, new]))

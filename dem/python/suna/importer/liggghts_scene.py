@@ -45,11 +45,9 @@ def series(translation, report):
         last = found[-1] if found and not stage.fresh else None
         if last and last[-1].steps <= 1 and len(
             last) == 1 and key(last[0].state) != key(stage.state):
-            report.harmless(
-    last[0].place,
-    "run",
-    "the single step before other commands is part of the scene that "
-    "follows")
+            report.harmless(last[0].place, "run",
+                            "the single step before other commands is part of the scene that "
+                            "follows")
             stage.start, stage.fresh = last[0].start, last[0].fresh
             found[-1] = [stage]
         elif last and key(last[0].state) == key(stage.state) and one_motion([*last, stage]):
@@ -63,18 +61,8 @@ def series(translation, report):
 
 class SceneText:
     """Sections in the order of the manual, each entry with the line that it comes from."""
-    ORDER = (
-    "materials",
-    "effects",
-    "pairs",
-    "walls",
-    "domain",
-    "insert",
-    "outlets",
-    "forces",
-    "fluid",
-    "time",
-     "write")
+    ORDER = ("materials", "effects", "pairs", "walls", "domain", "insert", "outlets", "forces",
+             "fluid", "time", "write")
 
     def __init__(self):
         self.sections = {name: [] for name in self.ORDER}
@@ -153,8 +141,8 @@ class SceneMaker:
     def material(self, kind, density=None, place=None, model=None):
         """Name of the material of a type; a wall takes one of its type, whatever its density."""
         for name, row in self.materials.items():
-            if row[0] == kind and row[1] in (
-    density, row[1] if density is None else None) and row[2] == model:
+            if row[0] == kind and row[1] in (density, row[1] if density is None
+                                             else None) and row[2] == model:
                 return name
         if density is None:
             density = next((row[1] for row in self.materials.values()), 1000.0)
@@ -175,16 +163,12 @@ class SceneMaker:
                 e, nu = (self.need(properties, word, kind)
                          for word in ("youngsModulus", "poissonsRatio"))
             except Need as need:
-                self.refuse(
-    self.state["model"].place,
-    f"property/global {need}",
-     "this property is missing")
+                self.refuse(self.state["model"].place, f"property/global {need}",
+                            "this property is missing")
             nu = min(nu, 0.49999)
-            s.add(
-    "materials",
-    f"{name} {{ density {text(density)}; youngsModulus {text(e)}; poissonsRatio "
-    f"{text(nu)}; }}",
-     properties.places["youngsModulus"])
+            s.add("materials",
+                  f"{name} {{ density {text(density)}; youngsModulus {text(e)}; poissonsRatio "
+                  f"{text(nu)}; }}", properties.places["youngsModulus"])
         base = self.state["model"]
         names = list(self.materials)
         main = self.of_particles[0] if self.of_particles else names[0] if names else None
@@ -218,34 +202,21 @@ class SceneMaker:
         base = self.state["model"]
         model = self.materials[a][2] or self.materials[b][2] or base
         try:
-            return laws(
-    model,
-    base,
-    self.state["properties"],
-    self.materials[a][0],
-     self.materials[b][0])
+            return laws(model, base, self.state["properties"], self.materials[a][0],
+                        self.materials[b][0])
         except Need as need:
-            self.refuse(
-    model.place,
-    f"property/global {need}",
-    "the model needs this property, which the script "
-    "does not give")
+            self.refuse(model.place, f"property/global {need}",
+                        "the model needs this property, which the script " "does not give")
         except IndexError:
-            self.refuse(
-    model.place,
-    "property/global",
-    f"a property has no value for types {self.materials[a][0]} "
-    f"and {self.materials[b][0]}")
+            self.refuse(model.place, "property/global",
+                        f"a property has no value for types {self.materials[a][0]} "
+                        f"and {self.materials[b][0]}")
 
     def source(self, effect, base):
-        word = {
-    "dry": "coefficientRestitution",
-    "mindlin": "coefficientFriction",
-    "linear": "coefficientFriction",
-    "mindlinIncremental": "coefficientFriction",
-    "sjkr": "cohesionEnergyDensity",
-    "rollingConstant": "coefficientRollingFriction",
-     "rollingSpring": "coefficientRollingFriction"}.get(effect)
+        word = {"dry": "coefficientRestitution", "mindlin": "coefficientFriction",
+                "linear": "coefficientFriction", "mindlinIncremental": "coefficientFriction",
+                "sjkr": "cohesionEnergyDensity", "rollingConstant": "coefficientRollingFriction",
+                "rollingSpring": "coefficientRollingFriction"}.get(effect)
         return self.state["properties"].places.get(word, base.place)
 
     # ---- walls -----------------------------------------------------------------------------------
@@ -282,11 +253,9 @@ class SceneMaker:
         """1 or -1: where the particles are of a surface; distances of the landmarks from it."""
         sides = {int(s) for s in numpy.sign(distance) if s}
         if len(sides) > 1:
-            self.refuse(
-    wall.place,
-    wall.primitive,
-    "particles are on both sides of this wall, and a wall of Suna has "
-    "one; give it as a mesh, which has two")
+            self.refuse(wall.place, wall.primitive,
+                        "particles are on both sides of this wall, and a wall of Suna has "
+                        "one; give it as a mesh, which has two")
         return sides.pop() if sides else 1
 
     def add_primitive(self, wall, material):
@@ -297,9 +266,9 @@ class SceneMaker:
             self.report.approximated(
     wall.place, "primitive general_cone", f"{SIDES} flat faces around, at most "
     f"{max(n[0], n[7])*(1 - math.cos(math.pi/SIDES)):.2g} m inside the cone")
-            self.scene.add(
-    "walls", f'{as_name(wall.name, "wall")} {{ type stl; material {material}; '
-    f'file "{os.path.relpath(path)}"; }}', wall.place)
+            self.scene.add("walls",
+                           f'{as_name(wall.name, "wall")} {{ type stl; material {material}; '
+                           f'file "{os.path.relpath(path)}"; }}', wall.place)
             return
         if wall.primitive in ("general_plane", "plane") or wall.primitive.endswith("plane"):
             if len(n) == 6:
@@ -319,13 +288,11 @@ class SceneMaker:
             away = numpy.linalg.norm(numpy.cross(x - point, axis), axis=1)
             side = "inside" if self.side(wall, n[0] - away) > 0 else "outside"
             body = (
-    f"type cylinder; material {material}; point {vector(point)}; axis {vector(axis)}; "
-    f"radius {text(n[0])}; particles {side};")
+                f"type cylinder; material {material}; point {vector(point)}; axis {vector(axis)}; "
+                f"radius {text(n[0])}; particles {side};")
             if wall.velocity and numpy.linalg.norm(numpy.cross(axis, wall.velocity)) > 0:
-                self.refuse(
-    wall.place,
-    "shear",
-     "along the axis of a cylinder only; surface_ang_vel of a mesh turns it")
+                self.refuse(wall.place, "shear",
+                            "along the axis of a cylinder only; surface_ang_vel of a mesh turns it")
         if wall.velocity:
             body += f" surfaceVelocity {vector(wall.velocity)};"
         self.scene.add("walls", f"{as_name(wall.name, 'wall')} {{ {body} }}", wall.place)
@@ -433,30 +400,14 @@ class SceneMaker:
         frozen &= ~driven
         rows = sorted(set(zip(p.type, p.density, frozen, driven)))
         for k, (kind, density, still, pushed) in enumerate(rows):
-            which = (
-    p.type == kind) & (
-        p.density == density) & (
-            frozen == still) & (
+            which = (p.type == kind) & (p.density == density) & (frozen == still) & (
                 driven == pushed)
-            self.write_particles(
-    f"particles{k + 1 if len(rows) > 1 else ''}",
-    p.x[which],
-    p.diameter[which],
-    numpy.where(
-        still,
-        0.0,
-        v[which]),
-        numpy.where(
-            still,
-            0.0,
-            p.w[which]),
-            p.id[which],
-            self.material(
-                int(kind),
-                float(density)),
-                (" frozen yes;" if still else "") + (
-                    " driven yes;" if pushed else ""),
-                     p.place)
+            self.write_particles(f"particles{k + 1 if len(rows) > 1 else ''}", p.x[which],
+                                 p.diameter[which], numpy.where(still, 0.0, v[which]),
+                                 numpy.where(still, 0.0, p.w[which]), p.id[which],
+                                 self.material(int(kind), float(density)),
+                                 (" frozen yes;" if still else "") +
+                                 (" driven yes;" if pushed else ""), p.place)
 
     def write_particles(self, name, x, d, v, w, id, material, more, place):
         if len(x) > LIST:
@@ -485,11 +436,9 @@ class SceneMaker:
                 self.scatter(i, number)
         elif i.start >= self.start and not i.every or i.start >= self.start:
             if not i.region.is_shape():
-                self.refuse(
-    i.place,
-    f"region {i.region.style}",
-    "a packing during a run is in a block, cylinder or "
-    "sphere; use one of these")
+                self.refuse(i.place, f"region {i.region.style}",
+                            "a packing during a run is in a block, cylinder or "
+                            "sphere; use one of these")
             for name, body in stream_entries(
                 i, {"rate": NOW, "count": number}, self.of_key, i.shape(), i.start, math.inf):
                 self.scene.add("insert", f"{name} {{ {body} }}", i.place)
@@ -512,25 +461,19 @@ class SceneMaker:
                 ), i.start + i.every, i.end if i.end < self.end else math.inf, k0=1):
                     self.scene.add("insert", f"{name} {{ {body} }}", i.place)
             elif events > 0:
-                self.report.approximated(
-    i.place,
-    f"{word} insert_every",
-    "only once: nothing moves the particles out "
-    "of the region")
+                self.report.approximated(i.place, f"{word} insert_every",
+                                         "only once: nothing moves the particles out "
+                                         "of the region")
 
     def scatter(self, i, number):
         placed = scatter(i, number)
         if len(placed) < number:
-            self.report.approximated(
-    i.place,
-    "insert/pack",
-    f"{len(placed)} of {number} spheres found a position in "
-    f"{i.region.style}")
+            self.report.approximated(i.place, "insert/pack",
+                                     f"{len(placed)} of {number} spheres found a position in "
+                                     f"{i.region.style}")
         else:
-            self.report.translated(
-    i.place,
-    "insert/pack",
-     f"placed by the importer in {i.region.style}")
+            self.report.translated(i.place, "insert/pack",
+                                   f"placed by the importer in {i.region.style}")
         first = 1 + int(self.particles.id.max()) if len(self.particles) else 1
         for k, key in enumerate(sorted({key for _, _, key in placed})):
             rows = [(x, r) for x, r, other in placed if other == key]
@@ -544,19 +487,16 @@ class SceneMaker:
 
     def add_stream(self, i):
         if self.is_frozen(i.group):
-            self.refuse(
-    i.place,
-    f"insert/{i.style}",
-    "no fix nve/sphere moves these particles, and a stream of Suna "
-    "moves")
+            self.refuse(i.place, f"insert/{i.style}",
+                        "no fix nve/sphere moves these particles, and a stream of Suna " "moves")
         amounts = {"rate": i.rate, "massRate": i.mass_rate, "count": i.count, "mass": i.mass}
         if i.face is not None:
             path, scale = i.face.path, i.face.scale
             if i.face.transformed:
                 path, scale = self.new_file(f"{i.face.name}.stl"), 1.0
                 write_stl(path, i.face.triangles)
-            where = f'surface "{os.path.relpath(path)}";' + \
-                                                (f" scale {text(scale)};" if scale != 1 else "")
+            where = f'surface "{os.path.relpath(path)}";' + (f" scale {text(scale)};" if scale != 1
+                                                             else "")
             if not i.velocity.any():
                 self.refuse(
     i.place,
@@ -570,43 +510,31 @@ class SceneMaker:
 
     def add_outlets(self):
         for name, (point, normal, place) in self.state["outlets"].items():
-            self.scene.add(
-    "outlets",
-    f"{as_name(name)} {{ point {vector(point)}; normal {vector(normal)}; }}",
-     place)
+            self.scene.add("outlets",
+                           f"{as_name(name)} {{ point {vector(point)}; normal {vector(normal)}; }}",
+                           place)
 
     def add_forces(self):
         for name, (group, kind, values, place) in self.state["forces"].items():
             ids = "" if group == "all" else f"ids ({' '.join(str(k) for k in self.state['groups'].get(group, ()))}); "
             if ids == "ids (); ":
-                self.refuse(
-    place,
-    f"fix {name}",
-     f"group {group} has no particles that the script names")
+                self.refuse(place, f"fix {name}",
+                            f"group {group} has no particles that the script names")
             self.scene.add("forces", f"{as_name(name)} {{ {ids}{kind} {vector(values)}; }}", place)
 
     def add_fluid(self):
         if self.state["fluid"] is None:
             return
         gamma, place = self.state["fluid"]
-        sizes = {
-    round(
-        2*
-        t.range()[k],
-        15) for i in self.insertions for t in i.distribution.templates for k in (
-            0,
-             1)}
+        sizes = {round(2*t.range()[k], 15) for i in self.insertions
+                 for t in i.distribution.templates for k in (0, 1)}
         sizes |= set(numpy.round(self.particles.diameter, 15))
         if len(sizes) != 1:
-            self.refuse(
-    place,
-    "fix viscous",
-     "stokesDrag grows with the diameter: it is the same only for one size")
+            self.refuse(place, "fix viscous",
+                        "stokesDrag grows with the diameter: it is the same only for one size")
         self.scene.add("effects", "stokesDrag {}", place)
-        self.scene.add(
-    "fluid",
-    f"density 1e-6; viscosity {text(gamma/(3*math.pi*sizes.pop()))};",
-     place)
+        self.scene.add("fluid", f"density 1e-6; viscosity {text(gamma/(3*math.pi*sizes.pop()))};",
+                       place)
 
     # ---- time and output -------------------------------------------------------------------------
 
@@ -652,9 +580,8 @@ class SceneMaker:
     f"p{k} {{ type list; material {name}; positions (({text(away*k)} 0 {text(away)})); "
     f"diameter {text(d)}; }}")
         for name in self.materials:
-            parts.add(
-    "walls",
-     f"{name} {{ type plane; material {name}; point (0 0 0); normal (0 0 1); }}")
+            parts.add("walls",
+                      f"{name} {{ type plane; material {name}; point (0 0 0); normal (0 0 1); }}")
         try:
             with Simulation(parts.text([])) as sim:
                 step, limit, why = sim.setup().step

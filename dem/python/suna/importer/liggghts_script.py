@@ -267,7 +267,6 @@ class Script:
                 return (a == b) == (operator == "==")
             return self.evaluate(text) != 0
         except Dynamic as error:
-            self._fault(
-    f"if {condition}",
-    f"{error} is known only in a run of LIGGGHTS; import the "
-    "branch that is wanted")
+            self._fault(f"if {condition}",
+                        f"{error} is known only in a run of LIGGGHTS; import the "
+                        "branch that is wanted")
