@@ -1,17 +1,23 @@
 """suna.importer -- `dem import`: input of other codes translated into scenes and cases of Suna.
 
-    report.py       what was translated, approximated, left out as harmless; what cannot be translated
+    report.py       what was translated, approximated, left out as harmless; what cannot be
+                    translated
     __main__.py     the command
 
 LIGGGHTS:
 
     liggghts_script.py, liggghts_expression.py   commands in the order of execution, variables
-    liggghts.py, liggghts_fixes.py               commands and fixes change a state; runs are stages
+    liggghts.py, liggghts_state.py               commands change a state; runs are stages
+    liggghts_head.py, liggghts_atoms.py          commands: box and laws; particles one by one
+    liggghts_restart.py                          read_restart: the script that writes the file
+    liggghts_fixes.py, liggghts_wall_fixes.py, liggghts_insert_fixes.py     fixes
     liggghts_contact.py                          contact models as effects
     liggghts_region.py, liggghts_mesh.py         regions; triangles and tetrahedra of files
     liggghts_insertion.py                        templates, distributions, packings and streams
     liggghts_particles.py, units.py              single particles, data files, dumps; units
-    liggghts_scene.py                            scenes from the stages
+    liggghts_scene.py, scene_text.py             scenes from the stages
+    liggghts_scene_laws.py, liggghts_scene_walls.py, liggghts_scene_particles.py,
+    liggghts_scene_time.py                       their sections
 
 Coupled cases:
 

@@ -1,5 +1,5 @@
-"""__main__.py -- `dem import`: recognises the input of another code and writes a scene or a case of Suna.
-Also python3 -m suna.importer.
+"""__main__.py -- `dem import`: recognises the input of another code and writes a scene or a case of
+Suna. Also python3 -m suna.importer.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -4,8 +4,8 @@
 
 The fluid's side is copied from CFD: fields U and p, boundary conditions of voidfraction, system.
 The DEM script that couplingProperties names (twoWayMPIProps/liggghtsPath) goes through the importer
-of LIGGGHTS; what it says of particles becomes constant/demProperties. Where it reads a restart file,
-the particles are those of the script beside it that writes the file: its insertion becomes
+of LIGGGHTS; what it says of particles becomes constant/demProperties. Where it reads a restart
+file, the particles are those of the script beside it that writes the file: its insertion becomes
 `insert`, and `demPimpleFoam -settle` lets them settle in the mesh's own walls for as long as that
 script runs.
 
@@ -86,7 +86,8 @@ class CfdemCase(CoupledCase):
                                "mesh nor a blockMeshDict: make the mesh first, so that its patches "
                                "are known")
         if not any(patch.faces for patch in self.patches.values()):
-            self.report.refuse(Place("CFD/constant/polyMesh"), "points", "is binary: write it as text "
+            self.report.refuse(Place("CFD/constant/polyMesh"), "points",
+                               "is binary: write it as text "
                                "(foamFormatConvert), so that walls can be compared with patches")
         self.read_commands()
         self.read_script()

@@ -157,7 +157,8 @@ class CloudCase(CoupledCase):
                        forces.where("gravity") if self.gravity else forces.place)
         if self.gravity:
             report.translated(forces.where("gravity"), "subModels/particleForces/gravity, with "
-                              "buoyancy (1 - rho/rho0)", "weight from constant/g and pressureGradient")
+                              "buoyancy (1 - rho/rho0)",
+                              "weight from constant/g and pressureGradient")
         if self.dense and "pressureGradient" in names:
             report.approximated(forces.where("pressureGradient"), "subModels/particleForces/"
                                 "pressureGradient", "equations III contain the pressure gradient "

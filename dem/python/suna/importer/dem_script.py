@@ -17,11 +17,11 @@ import numpy
 from .dem_walls import Wall
 from .liggghts import Translation
 from .liggghts_contact import Need, laws
-from .liggghts_fixes import as_name
 from .liggghts_insertion import group_entries, stream_entries
 from .liggghts_particles import write_table
 from .liggghts_region import text, vector
 from .report import HARMLESS, REFUSED, TRANSLATED, Place
+from .scene_text import as_name
 from .units import BASE, Units
 
 PRIMITIVES = {"plane": 1, "cylinder": 3}
@@ -53,9 +53,9 @@ class CoupledScript(Translation):
         super().do_units(words)
         if self.units.name != "si":
             self.report.rows.pop()
-            self.approximated("all numbers stay in these units, as those of CFD are: read cm for m, g "
-                              "for kg in logs and tables" if words[0] == "cgs" else "all numbers stay "
-                              "in these units, as those of CFD are, whatever logs and tables name",
+            named = ": read cm for m, g for kg in logs and tables" if words[0] == "cgs" else \
+                ", whatever logs and tables name"
+            self.approximated("all numbers stay in these units, as those of CFD are" + named,
                               f"units {words[0]}")
             length, _, time = BASE[words[0]]
             self.units, self.speed = Units(), time/length
@@ -131,7 +131,8 @@ class DemScript:
         else:
             rest = iter(wall.numbers[1:])
             point, radius = tuple(0.0 if x else next(rest) for x in axis), wall.numbers[0]
-        return Wall(as_name(wall.name), shape, point, axis, radius, wall.type, self.place(wall.place))
+        return Wall(as_name(wall.name), shape, point, axis, radius, wall.type,
+                    self.place(wall.place))
 
     # ---- laws ------------------------------------------------------------------------------------
 

@@ -1,13 +1,14 @@
-"""liggghts_contact.py -- contact models of LIGGGHTS (`pair_style gran model ...`, `fix wall/gran model ...`) as
-effects with settings.
+"""liggghts_contact.py -- contact models of LIGGGHTS (`pair_style gran model ...`, `fix wall/gran
+model ...`) as effects with settings.
 
-`laws(model, properties, i, j)` gives {effect: {setting: value}} for a contact of types i and j. The effects
-of a scene are those of its particles; `pairs` has what differs, for types and for walls whose model is
-another one: friction, rolling resistance or cohesion that a wall lacks is 0 there.
+`laws(model, properties, i, j)` gives {effect: {setting: value}} for a contact of types i and j. The
+effects of a scene are those of its particles; `pairs` has what differs, for types and for walls
+whose model is another one: friction, rolling resistance or cohesion that a wall lacks is 0 there.
 
     hertz, hooke                the same force; hooke with impactSpeed = characteristicVelocity
     hooke/hysteresis            hookeHysteresis; beside it hooke of a wall is unloading 1
-    tangential history          mindlin beside hertz, else linear with k_t = k_n (2/7 with ktToKnUser)
+    tangential history          mindlin beside hertz, else linear with k_t = k_n
+                                (2/7 with ktToKnUser)
     no_history                  linear with k_t = 0: the dashpot alone, up to mu F_n
     cdt, epsd, epsd2            rollingConstant, rollingSpring (K = 2.25 mu_r^2; K of k_t R*^2)
     sjkr, sjkr2                 sjkr; twice the energy density
@@ -36,8 +37,8 @@ COHESION = ("sjkr", "sjkr2", "off")
 
 STOKES = (
     "restitution falls with the Stokes number of the impact. Suna takes the speed of the impact, "
-    "LIGGGHTS the instantaneous one, which gives 0.08 where the law says 0.48 (St 50), 0.55 for 0.68 "
-    "(100), 0.956 for 0.937 (1000)")
+    "LIGGGHTS the instantaneous one, which gives 0.08 where the law says 0.48 (St 50), 0.55 for "
+    "0.68 (100), 0.956 for 0.937 (1000)")
 
 
 class Model(NamedTuple):
@@ -86,7 +87,8 @@ class Properties:
 
 
 def read_model(words, place, word, report):
-    """`words` after `model`: HERTZ tangential ... with switches; returns the model and the words left."""
+    """`words` after `model`: HERTZ tangential ... with switches; returns the model and the words
+    left."""
     parts = {"tangential": "off", "rolling_friction": "off", "cohesion": "off",
              "surface": "default"}
     switches, k = dict(SWITCHES), 1
@@ -127,11 +129,11 @@ def tell(model, report):
     def near(word, text):
         report.approximated(model.place, word, text)
     if model.tangential == "history" and model.normal == "hertz":
-        near(
-    "tangential history",
-    "mindlin: damping of slip is 1/sqrt(4 G*/E*) times that of LIGGGHTS (1.1 for "
-    "a Poisson's ratio of 0.3), and spring and dashpot together obey mu F_n; an oblique impact at 1 m/s "
-    "changes by 0.01 m/s, a settled bed by 0.02 diameters (docs/results-peers.md)")
+        near("tangential history",
+             "mindlin: damping of slip is 1/sqrt(4 G*/E*) times that of LIGGGHTS (1.1 for a "
+             "Poisson's ratio of 0.3), and spring and dashpot together obey mu F_n; an oblique "
+             "impact at 1 m/s changes by 0.01 m/s, a settled bed by 0.02 diameters "
+             "(docs/results-peers.md)")
     elif model.tangential == "history":
         near("tangential history",
              "linear: spring and dashpot together obey mu F_n; an oblique impact at 1 m/s "
@@ -237,9 +239,11 @@ def friction_law(base):
 
 
 def fits(model, base):
-    """A wall with this model can be a wall of a scene whose particles have the base: else a sentence."""
+    """A wall with this model can be a wall of a scene whose particles have the base: else a
+    sentence."""
     if model.normal != base.normal and (model.normal, base.normal) != ("hooke", "hooke/hysteresis"):
-        return f"model {model.normal} beside {base.normal} of pair_style: a scene has one normal law"
+        return (f"model {model.normal} beside {base.normal} of pair_style: a scene has one normal "
+                "law")
     for part in ("tangential", "rolling", "cohesion"):
         mine, theirs = getattr(model, part), getattr(base, part)
         if mine not in (theirs, "off") and not (part == "cohesion" and theirs != "off"):

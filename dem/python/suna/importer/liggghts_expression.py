@@ -1,11 +1,11 @@
-"""liggghts_expression.py -- values of the expressions in an input script of LIGGGHTS: `variable x equal ...`,
-`$(...)`, conditions of `if`.
+"""liggghts_expression.py -- values of the expressions in an input script of LIGGGHTS: `variable x
+equal ...`, `$(...)`, conditions of `if`.
 
 Operators by rising precedence: ||, &&, == !=, < <= > >=, + -, * / %, ^, and - and ! before a value.
 All are left-associative, as in LIGGGHTS, where -2^2 is 4. Angles are in rad.
 
-A value that only a run has (thermo keywords, computes, fixes, particles) raises Dynamic with its word.
-Random numbers are those of Python, not of LIGGGHTS.
+A value that only a run has (thermo keywords, computes, fixes, particles) raises Dynamic with its
+word. Random numbers are those of Python, not of LIGGGHTS.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -47,8 +47,8 @@ class Malformed(Exception):
 
 
 class Expression:
-    """`variable(name)` gives the value of another variable, `keyword(name)` that of a thermo keyword;
-    both raise Dynamic where there is none."""
+    """`variable(name)` gives the value of another variable, `keyword(name)` that of a thermo
+    keyword; both raise Dynamic where there is none."""
 
     def __init__(self, text, variable, keyword):
         self.text, self.variable, self.keyword = text, variable, keyword

@@ -1,4 +1,5 @@
-"""liggghts_insertion.py -- templates, distributions and insertion of LIGGGHTS as groups and streams.
+"""liggghts_insertion.py -- templates, distributions and insertion of LIGGGHTS as groups and
+streams.
 
     insert/pack at the start, once       a group of type random: count, mass or solid fraction
     insert/pack later, once              a stream that is due at once, with a limit of count or mass
@@ -6,9 +7,9 @@
     insert/stream                        a stream through the face (surface)
     insert/rate/region                   a stream in the region
 
-Weights of particledistribution/discrete are by mass, of /numberbased by number; they are converted with
-the mean mass of each template. One material of Suna has one density, so a distribution over several
-types or densities becomes several groups, each with its fraction.
+Weights of particledistribution/discrete are by mass, of /numberbased by number; they are converted
+with the mean mass of each template. One material of Suna has one density, so a distribution over
+several types or densities becomes several groups, each with its fraction.
 
 A packing repeated every T refills what has left the region, at most all of it: with speed v and
 acceleration g along the way of length H the mean rate is N min(1, (v T + g T^2/2)/H)/T.
@@ -86,7 +87,8 @@ class Distribution:
             [t for t, _ in rows], [w for _, w in rows])) for key, rows in found.items()]
 
     def by_size(self):
-        """by_material with each template apart, the largest first: their numbers are exact, as in LIGGGHTS."""
+        """by_material with each template apart, the largest first: their numbers are exact, as in
+        LIGGGHTS."""
         order = sorted(range(len(self.weights)), key=lambda k: -self.templates[k].mean_cube())
         return [((self.templates[k].type, self.templates[k].density), self.weights[k],
                  Distribution([self.templates[k]], [self.weights[k]])) for k in order]
@@ -111,7 +113,8 @@ class Distribution:
             return "sizes { " + {
                 "uniform": f"type uniform; min {text(2*a[0])}; max {text(2*a[1])};",
                 "gaussian": f"type normal; mean {text(2*a[0])}; deviation {text(2*a[1])};",
-                "lognormal": f"type logNormal; median {text(2*math.exp(a[0]))}; deviation {text(a[1])};",
+                "lognormal": f"type logNormal; median {text(2*math.exp(a[0]))}; "
+                f"deviation {text(a[1])};",
             }[t.style] + " by number; }"
         else:
             rows = []
@@ -167,10 +170,9 @@ class Insertion:
         elif math.isinf(n):
             n = self.mass/self.distribution.mean(Template.mass)
         if n*one > RSA_LIMIT*space:
-            report.approximated(
-    self.place, word, f"{n:.0f} spheres fill {n*one/space:.2f} of the region. "
-    f"LIGGGHTS gives up near {RSA_LIMIT:g}, which is inserted; give count in the "
-    "scene for all of them (up to 0.55)")
+            report.approximated(self.place, word, f"{n:.0f} spheres fill {n*one/space:.2f} of the "
+                                f"region. LIGGGHTS gives up near {RSA_LIMIT:g}, which is inserted; "
+                                "give count in the scene for all of them (up to 0.55)")
             n = RSA_LIMIT*space/one
         return max(1, round(n))
 
@@ -251,8 +253,8 @@ def stream_entries(insertion, amounts, material_of, where, start, end, k0=0):
 
 
 def scatter(insertion, number):
-    """Positions without overlap in any region, radii, (type, density) of each: random sequential addition,
-    the largest first."""
+    """Positions without overlap in any region, radii, (type, density) of each: random sequential
+    addition, the largest first."""
     random = numpy.random.default_rng(insertion.seed)
     r, keys = insertion.distribution.draw(random, number)
     order = numpy.argsort(-r, kind="stable")

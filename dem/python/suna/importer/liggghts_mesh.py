@@ -1,7 +1,8 @@
-"""liggghts_mesh.py -- triangles and tetrahedra of mesh files: STL (text and binary) and VTK (legacy, text).
+"""liggghts_mesh.py -- triangles and tetrahedra of mesh files: STL (text and binary) and VTK
+(legacy, text).
 
-read_triangles, write_stl: n x 3 x 3 corners. Text STL is written with 17 digits, so corners keep double
-precision. `rotated` turns points about an axis through an origin.
+read_triangles, write_stl: n x 3 x 3 corners. Text STL is written with 17 digits, so corners keep
+double precision. `rotated` turns points about an axis through an origin.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

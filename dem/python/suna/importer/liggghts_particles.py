@@ -1,8 +1,9 @@
-"""liggghts_particles.py -- particles that a script names one by one (create_atoms, read_data), and tables of
-particles from data files and dumps.
+"""liggghts_particles.py -- particles that a script names one by one (create_atoms, read_data), and
+tables of particles from data files and dumps.
 
-A data file is that of atom_style granular or sphere: id, type, diameter, density, x, y, z. A dump is
-that of `dump custom`, with the columns x y z (or xu, xs) and radius or diameter. Its last frame counts.
+A data file is that of atom_style granular or sphere: id, type, diameter, density, x, y, z. A dump
+is that of `dump custom`, with the columns x y z (or xu, xs) and radius or diameter. Its last frame
+counts.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

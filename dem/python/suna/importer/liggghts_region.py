@@ -1,7 +1,8 @@
 """liggghts_region.py -- regions of LIGGGHTS: shapes for insertion, points inside, volume.
 
-The scene inserts in boxes, cylinders and spheres. Of the others (cone, prism, union, intersect, tetrahedra)
-only `contains` is used: a packing in one of them is placed by the importer (liggghts_insertion.py).
+The scene inserts in boxes, cylinders and spheres. Of the others (cone, prism, union, intersect,
+tetrahedra) only `contains` is used: a packing in one of them is placed by the importer
+(liggghts_insertion.py).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -22,7 +23,8 @@ def vector(values):
 
 
 class Region:
-    """`numbers`: of the style, in SI; `parts`: of union and intersect; `corners`: n x 4 x 3 of tetrahedra."""
+    """`numbers`: of the style, in SI; `parts`: of union and intersect; `corners`: n x 4 x 3 of
+    tetrahedra."""
 
     def __init__(self, style, numbers, place, axis=None, parts=(), corners=None, outside=False):
         self.style, self.place, self.axis = style, place, axis
@@ -138,7 +140,8 @@ class Region:
         ends = numpy.empty((2, 3))
         ends[:, b], ends[:, c] = n[0], n[1]
         ends[:, a] = n[3] - margin, n[4] + margin
-        return f"cylinder {{ from {vector(ends[0])}; to {vector(ends[1])}; radius {text(n[2] + margin)}; }}"
+        return (f"cylinder {{ from {vector(ends[0])}; to {vector(ends[1])}; "
+                f"radius {text(n[2] + margin)}; }}")
 
     def thickness(self):
         """Of the largest sphere that fits, the diameter."""

@@ -1,9 +1,10 @@
-"""liggghts_script.py -- the commands of an input script of LIGGGHTS in the order in which it executes them.
+"""liggghts_script.py -- the commands of an input script of LIGGGHTS in the order in which it
+executes them.
 
 Lines are joined at a trailing &, comments are cut at #, quoted words are one word. ${name}, $x and
 $(expression) are replaced outside quotes, from the variables known at that line. `include`, `jump`,
-`label`, `next` and `if` are followed where they are decided by the script alone, so loops are unrolled.
-A condition that only a run decides is refused.
+`label`, `next` and `if` are followed where they are decided by the script alone, so loops are
+unrolled. A condition that only a run decides is refused.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -70,7 +71,8 @@ def split(text):
 
 class Script:
     def __init__(self, path, report, keyword, given=()):
-        """`keyword(name)`: value of a thermo keyword, or Dynamic. `given`: (name, value) of -var."""
+        """`keyword(name)`: value of a thermo keyword, or Dynamic. `given`: (name, value) of
+        -var."""
         self.report, self.keyword = report, keyword
         self.variables = {name: Variable("index", [value]) for name, value in given}
         self.given = set(self.variables)
@@ -95,10 +97,8 @@ class Script:
             self.place = Place(os.path.relpath(self.path, self.folder), number)
             yield from self._commands(text)
         try:
-            self._fault(
-    "jump",
-    f"the script has executed {MAX_COMMANDS} commands; an endless loop cannot be "
-    "translated")
+            self._fault("jump", f"the script has executed {MAX_COMMANDS} commands; an endless loop "
+                        "cannot be translated")
         except CannotTranslate:
             pass
 

@@ -1,5 +1,5 @@
-"""report.py -- what became of each line of the input: translated, approximated, without effect on the
-answer, or refused.
+"""report.py -- what became of each line of the input: translated, approximated, without effect on
+the answer, or refused.
 
 A translator calls one method for each line that it reads, so nothing is left out in silence:
 
@@ -8,10 +8,10 @@ A translator calls one method for each line that it reads, so nothing is left ou
     report.translated(place, "fix gravity", "effects/gravity")
     report.approximated(place, "viscous", "restitution falls with St; 0.68 for 0.69 at St 100")
     report.harmless(place, "neighbor", "lists tune themselves")
-    report.refuse(place, "atom_style ellipsoid", "Suna has spheres only")     # raises CannotTranslate
+    report.refuse(place, "atom_style ellipsoid", "Suna has spheres only")   # raises CannotTranslate
 
-`refuse` raises. A translator that reads on to find the other faults, too, catches CannotTranslate for
-each line and calls `raise_refused` at the end.
+`refuse` raises. A translator that reads on to find the other faults, too, catches CannotTranslate
+for each line and calls `raise_refused` at the end.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -1,0 +1,165 @@
+"""liggghts_atoms.py -- particles that a script of LIGGGHTS names one by one: create_atoms,
+read_data, groups, and values that the script sets.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import math
+
+import numpy
+
+from .liggghts_particles import BadFile, read_data
+
+SET = {"diameter": "length", "density": "density", "vx": "velocity", "vy": "velocity",
+       "vz": "velocity", "omegax": "spin", "omegay": "spin", "omegaz": "spin", "x": "length",
+       "y": "length", "z": "length"}
+
+
+class Atoms:
+    """Commands of a Translation (liggghts.py)."""
+
+    def do_lattice(self, words):
+        if words[0] not in ("sc", "sq", "fcc", "bcc", "none"):
+            self.refuse("known: sc, sq, fcc, bcc", f"lattice {words[0]}")
+        if len(words) > 2:
+            self.refuse("orient, origin, spacing are not read; write positions",
+                        f"lattice {words[2]}")
+        self.lattice = None if words[0] == "none" else (words[0], self.number(words[1], "length"))
+        self.translated("create_atoms")
+
+    def do_create_atoms(self, words):
+        kind = int(words[0])
+        if words[1] == "single":
+            x = numpy.array([self.numbers(words[2:5], "length")])
+            if "units" not in words and self.lattice:
+                x = x*self.lattice[1]
+        elif words[1] in ("box", "region"):
+            x = self._lattice_points(words)
+        else:
+            self.refuse("known: single, box, region; fix insert/pack places at random",
+                        f"create_atoms {words[1]}")
+        self.particles.add(x, kind, self.units.si("length", 1.0), self.units.si("density", 1.0),
+                           self.command.place)
+        self.translated("insert: list or table")
+
+    def _lattice_points(self, words):
+        if self.lattice is None:
+            self.refuse("there is no lattice before this line")
+        style, a = self.lattice
+        region = self.find(self.regions, words[2], "region") if words[1] == "region" else None
+        box = numpy.array(self.box)
+        low, high = box.T if region is None else region.bounds()
+        basis = {"sc": [(0, 0, 0)], "sq": [(0, 0, 0)], "bcc": [(0, 0, 0), (.5, .5, .5)],
+                 "fcc": [(0, 0, 0), (.5, .5, 0), (.5, 0, .5), (0, .5, .5)]}[style]
+        axes = [numpy.arange(math.floor(lo/a) - 1, math.ceil(hi/a) + 1)
+                for lo, hi in zip(low, high)]
+        cells = numpy.stack(numpy.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)
+        x = numpy.concatenate([(cells + numpy.array(b))*a for b in basis])
+        x = x[((x >= box[:, 0]) & (x < box[:, 1])).all(axis=1)]
+        return x if region is None else x[region.contains(x)]
+
+    def do_read_data(self, words):
+        try:
+            found, box = read_data(self.file(words[0]), self.units, self.command.place)
+        except BadFile as error:
+            self.refuse(f"{words[0]}: {error}")
+        self.particles = found
+        self.box = box if box is not None else self.box
+        self.translated(f"{len(found)} particles: a table")
+
+    def do_group(self, words):
+        name, style = words[0], words[1]
+        p = self.particles
+        if style == "id":
+            chosen = numpy.zeros(len(p), bool)
+            for word in words[2:]:
+                low, _, rest = word.partition(":")
+                chosen |= (p.id >= int(low)) & (p.id <= int((rest or low).split(":")[0]))
+        elif style == "type":
+            chosen = numpy.isin(p.type, [int(word) for word in words[2:] if word.isdigit()])
+        elif style == "region":
+            chosen = self.find(self.regions, words[2], "region").contains(p.x)
+        elif style == "empty":
+            chosen = numpy.zeros(len(p), bool)
+        elif style in ("union", "intersect", "subtract"):
+            each = [self.chosen(other) for other in words[2:]]
+            chosen = each[0]
+            for other in each[1:]:
+                chosen = chosen | other if style == "union" else \
+                    chosen & other if style == "intersect" else chosen & ~other
+        else:
+            self.refuse("known: id, type, region, union, intersect, subtract, empty",
+                        f"group {style}")
+        self.groups[name] = p.id[chosen]
+        self.translated("particles that are there")
+
+    def chosen(self, group):
+        if group == "all":
+            return numpy.ones(len(self.particles), bool)
+        return numpy.isin(self.particles.id, self.find(self.groups, group, "group"))
+
+    def do_set(self, words):
+        chosen, rest = self._chosen_by(words[0], words[1]), list(words[2:])
+        while rest:
+            key = rest.pop(0)
+            if key == "type":
+                self.particles.type[chosen] = int(rest.pop(0))
+            elif key in SET:
+                self._set(chosen, key, self.number(rest.pop(0), SET[key]))
+            elif key.startswith("property/"):
+                self.harmless(f"{rest.pop(0)} is read by no law that was translated", f"set {key}")
+                del rest[:1]
+            else:
+                self.refuse(f"known: {', '.join(SET)}, type", f"set {key}")
+        self.translated("insert")
+
+    def _chosen_by(self, style, name):
+        """Of `set STYLE NAME`: which of the particles, as bools."""
+        p = self.particles
+        if style == "group":
+            return self.chosen(name)
+        if style == "region":
+            return self.find(self.regions, name, "region").contains(p.x)
+        if style not in ("atom", "type"):
+            self.refuse("known: group, atom, type, region", f"set {style}")
+        low, star, high = name.partition("*")
+        low, high = int(low or 1), int(high or (10**9 if star else low) or 1)
+        of = p.id if style == "atom" else p.type
+        return (of >= low) & (of <= high)
+
+    def _inserted(self):
+        """Particles of fix insert/... are there, which only a run knows."""
+        return self.restarted is not None or any(i.start <= self.time for i in self.insertions)
+
+    def _set(self, chosen, key, value):
+        p = self.particles
+        if self._inserted() and not self._same(key, value):
+            self.refuse(f"{key} of particles that fix insert/... has placed cannot be changed; "
+                        "write it in their template", f"set {key}")
+        if key in ("diameter", "density"):
+            getattr(p, key)[chosen] = value
+        else:
+            column = p.w if key.startswith("omega") else p.v if key.startswith("v") else p.x
+            column[chosen, "xyz".index(key[-1])] = value
+
+    def _same(self, key, value):
+        """The inserted particles have this value anyway."""
+        templates = [t for i in self.insertions for t in i.distribution.templates]
+        if key == "density":
+            return all(abs(t.density/value - 1) < 1e-9 for t in templates)
+        return key == "diameter" and all(
+            t.style == "constant" and abs(2*t.radius[0]/value - 1) < 1e-9 for t in templates)
+
+    def do_velocity(self, words):
+        chosen, p = self.chosen(words[0]), self.particles
+        if words[1] == "set":
+            for k, word in enumerate(words[2:5]):
+                if word != "NULL":
+                    p.v[chosen, k] = self.number(word, "velocity")
+        elif words[1] == "angular":
+            p.w[chosen] = self.numbers(words[2:5], "spin")
+        else:
+            self.refuse("known: set", f"velocity {words[1]}")
+        if any(i.start <= self.time for i in self.insertions):
+            self.refuse("velocities of particles that fix insert/... has placed cannot be set; "
+                        "write vel constant in the fix")
+        self.translated("insert")

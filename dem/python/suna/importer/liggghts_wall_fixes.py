@@ -1,0 +1,202 @@
+"""liggghts_wall_fixes.py -- walls and meshes of LIGGGHTS: fix wall/gran, mesh/surface, move/mesh.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import math
+
+import numpy
+
+from .liggghts_contact import fits, read_model
+from .liggghts_mesh import BadMesh, read_triangles, rotated
+from .liggghts_state import Mesh, Motion, Wall
+
+EDGES = "edges are joined by geometry; force is in walls.csv"
+MESH_HARMLESS = {               # empty: EDGES
+    "curvature": "",
+    "curvature_tolerant": "",
+    "heal": "",
+    "verbose": "",
+    "precision": "",
+    "min_feature_length": "",
+    "temperature": "no law that was translated reads it",
+    "mass_temperature": "no law that was translated reads it",
+    "reference_point": "",
+    "stress": "",
+    "wear": "wear is not computed; the motion of the particles is the same",
+    "region": "",
+    "read_cell_data": "",
+    "optimizeMeshSpacing": ""}
+# shapes of wall/gran primitive: how many numbers
+PRIMITIVES = {"xplane": 1, "yplane": 1, "zplane": 1, "xcylinder": 3, "ycylinder": 3,
+              "zcylinder": 3, "general_plane": 6, "plane": 6, "general_cylinder": 7,
+              "general_cone": 8}
+MOVES = {"linear", "rotate", "wiggle"}
+
+
+def wall(t, name, group, words):
+    if words[0] != "model":
+        t.refuse("known is wall/gran model NORMAL ...", f"fix wall/gran {words[0]}")
+    model, rest = read_model(words[1:], t.command.place, "fix wall/gran", t.report)
+    if t.model is None:
+        t.refuse("pair_style comes before the walls")
+    misfit = fits(model, t.model)
+    if misfit:
+        t.refuse(misfit)
+    found = Wall(name, model, t.command.place)
+    if rest[0] == "primitive":
+        rest = read_primitive(t, found, rest)
+    elif rest[0] == "mesh":
+        rest = read_meshes(t, found, rest)
+    else:
+        t.refuse("known: primitive, mesh", f"fix wall/gran {rest[0]}")
+    read_wall_keywords(t, found, rest)
+    if found.meshes and found.velocity:
+        t.refuse("shear is for primitive walls; surface_vel of the mesh", "shear")
+    t.walls[name] = found
+    t.translated("walls")
+
+
+def read_primitive(t, found, rest):
+    """Type, shape and numbers of a primitive; returns the words left."""
+    at = 2 if rest[1] == "type" else 1
+    found.type, found.primitive, rest = int(rest[at]), rest[at + 1], rest[at + 2:]
+    count = PRIMITIVES.get(found.primitive)
+    if count is None:
+        t.refuse("known: planes, cylinders, general_plane, general_cylinder, general_cone; give "
+                 "others as a mesh", f"primitive {found.primitive}")
+    found.numbers = t.numbers(rest[:count], "length")
+    return rest[count:]
+
+
+def read_meshes(t, found, rest):
+    """Names of the meshes; returns the words left."""
+    many = int(rest[rest.index("n_meshes") + 1])
+    at = rest.index("meshes") + 1
+    found.meshes = tuple(rest[at:at + many])
+    for name in found.meshes:
+        t.find(t.meshes, name, "mesh")
+    return rest[at + many:]
+
+
+def read_wall_keywords(t, found, rest):
+    while rest:
+        key = rest.pop(0)
+        if key == "shear":
+            axis, speed = rest.pop(0), rest.pop(0)
+            v = [0.0, 0.0, 0.0]
+            v["xyz".index(axis)] = t.number(speed, "velocity")
+            found.velocity = tuple(v)
+        elif key in ("store_force", "store_force_contact", "contact_area", "heat", "track_energy"):
+            t.harmless("output", key)
+            rest.pop(0)
+        elif key == "temperature":
+            t.harmless("no law that was translated reads it", key)
+            rest.pop(0)
+        else:
+            t.refuse("the importer does not know this word", f"fix wall/gran {key}")
+
+
+def mesh(t, name, group, words):
+    given, found = list(words), Mesh(name, None, None, 0, t.command.place)
+    while given:
+        key = given.pop(0)
+        if key == "type":
+            found.type = int(given.pop(0))
+        elif key in GEOMETRY:
+            given = GEOMETRY[key](t, found, given)
+        elif key in MESH_HARMLESS:
+            value = given.pop(0)
+            given = given[2:] if key == "reference_point" else given
+            t.harmless(MESH_HARMLESS[key] or EDGES, f"wear {value}" if key == "wear" else key)
+        elif key == "element_exclusion_list":
+            t.harmless("exact repeats and slivers are left out anyway", key)
+            given = given[2:]
+        else:
+            t.refuse("the importer does not know this word", f"fix mesh/surface {key}")
+    if found.triangles is None:
+        t.refuse("file is missing")
+    t.meshes[name] = found
+    t.translated("walls or inlet, where it is used")
+
+
+# ---- geometry of a mesh, in the order of the words; each returns the words left ----------------
+
+def mesh_file(t, found, given):
+    found.path = t.file(given[0])
+    try:
+        found.triangles = read_triangles(found.path)*t.units.si("length", 1.0)
+    except (BadMesh, ValueError, UnicodeDecodeError) as error:
+        t.refuse(f"{found.path}: {error}", "file")
+    found.scale = t.units.si("length", 1.0)
+    found.transformed = found.path.suffix.lower() != ".stl"
+    return given[1:]
+
+
+def mesh_scale(t, found, given):
+    factor = t.number(given[0])
+    found.triangles, found.scale = found.triangles*factor, found.scale*factor
+    return given[1:]
+
+
+def mesh_move(t, found, given):
+    shift = numpy.array(t.numbers(given[:3], "length"))
+    found.triangles = found.triangles + shift
+    found.transformed |= bool(shift.any())
+    return given[3:]
+
+
+def mesh_rotate(t, found, given):
+    axis, angle = t.numbers(given[1:4]), math.radians(t.number(given[5]))
+    found.triangles = rotated(found.triangles, numpy.zeros(3), axis, angle)
+    found.transformed |= angle != 0
+    return given[6:]
+
+
+def mesh_velocity(t, found, given):
+    found.velocity = t.numbers(given[:3], "velocity")
+    return given[3:]
+
+
+def mesh_spin(t, found, given):
+    origin, axis = t.numbers(given[1:4], "length"), t.numbers(given[5:8])
+    found.spin = (*origin, *axis, t.number(given[9], "spin"))
+    return given[10:]
+
+
+GEOMETRY = {"file": mesh_file, "scale": mesh_scale, "move": mesh_move, "rotate": mesh_rotate,
+            "surface_vel": mesh_velocity, "surface_ang_vel": mesh_spin}
+
+
+def mesh_stress(t, name, group, words):
+    mesh(t, name, group, words)
+    t.wall_interval = True
+
+
+def move_mesh(t, name, group, words):
+    wall, kind, rest = t.find(t.meshes, words[1], "mesh"), words[2], words[3:]
+    if kind not in MOVES:
+        t.refuse(f"walls of Suna move by {', '.join(sorted(MOVES))}: translation at constant "
+                 "velocity, rotation, harmonic oscillation", f"move/mesh {kind}")
+    if kind == "linear":
+        values = t.numbers(rest[:3], "velocity")
+    elif kind == "rotate":
+        origin, axis = t.numbers(rest[1:4], "length"), t.numbers(rest[5:8])
+        values = (*origin, *axis, 2*math.pi/t.number(rest[9], "time"))
+    else:
+        values = (*t.numbers(rest[1:4], "length"), 1/t.number(rest[5], "time"))
+    if any(m.end > t.time for m in wall.motions):
+        t.refuse(f"mesh {wall.name} has a motion already, and a wall of Suna has one at a time")
+    if t.time == 0 and kind == "linear" and not any(values):
+        t.harmless("at rest")
+        return
+    wall.motions.append(Motion(kind, values, t.time, t.command.place, name=name))
+    t.translated({"linear": "motion translation", "rotate": "motion rotation",
+                  "wiggle": "motion oscillation"}[kind])
+
+
+METHODS = {
+    "wall/gran": wall,
+    "mesh/surface": mesh,
+    "mesh/surface/planar": mesh,
+    "mesh/surface/stress": mesh_stress,
+    "move/mesh": move_mesh}
