@@ -1,7 +1,8 @@
-"""test_liggghts.py FOLDER -- `dem import` of LIGGGHTS: expressions and control flow, each command, each
-refusal, and the results of runs against closed forms. Prints TAP.
+"""test_liggghts.py FOLDER -- `dem import` of LIGGGHTS: expressions and control flow, each command,
+each refusal, and the results of runs against closed forms and LIGGGHTS. Prints TAP.
 
-The scripts are of our own writing and stand below as text; a test changes a line and looks at the scene.
+The scripts are of our own writing and stand below as text; a test changes a line and looks at the
+scene.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -95,7 +96,7 @@ def refused(script, *words, **files):
 
 
 def run(scene="scene.dem", *more):
-    """The state at time/end: a dict of columns, without starting the program unless there are options."""
+    """The state at time/end: a dict of columns; the program is started only if there are options."""
     if not more:
         with suna.Simulation(scene) as sim:
             sim.advance(float(sim.value("time/end")))
@@ -170,9 +171,9 @@ jump SELF again""").replace("run 1000", "run ${total}")
 def all_faults():
     """all faults of a script are told at once, each with file, line and word"""
     script = BASE.replace("units si", "units lj").replace(
-        "newton off", "fix a all heat/gran 300\nnonsense 1")
-    text = refused(script, "units lj", "fix heat/gran", "heat is not translated", "nonsense",
-                   "does not know")
+        "newton off", "fix a all heat/gran/radiation 300\nnonsense 1")
+    text = refused(script, "units lj", "fix heat/gran/radiation", "Suna has no such heat",
+                   "nonsense", "does not know")
     for word in ("units lj", "fix a", "nonsense"):
         assert f"in.test:{line_of(script, word)}: " in text, text
     assert not Path("scene.dem").exists()
@@ -578,7 +579,7 @@ def domain_and_output():
         WORK/"gate.stl").read_text())[0], "normal (0 0 -1);")
     has(translate(BASE.replace("run 1000", "fix v all viscous 1e-6\nrun 1000"))[0],
         f"stokesDrag {{}} ".strip(), f"viscosity {1e-6/(3*math.pi*1e-3):.12g};")
-    for fix, lacking in (("heat/gran initial_temperature 300", "heat is not translated"),
+    for fix, lacking in (("heat/gran/radiation", "no such heat"),
                          ("multisphere", "spheres only"),
                          ("adapt 1 atom diameter v_d", "keeps the size"),
                          ("nve/superquadric", "spheres"),
@@ -589,6 +590,61 @@ def domain_and_output():
     scene, report = translate(BASE.replace("timestep 1e-6", "timestep 1e-3"))
     has(scene, "step auto;")
     assert any(row.word == "timestep" for row in report.of(APPROXIMATED))
+
+
+HEAT = """fix h1 all property/global thermalConductivity peratomtype 50
+fix h2 all property/global thermalCapacity peratomtype 500
+fix h all heat/gran initial_temperature 310
+"""
+WARM = BASE.replace("timestep", HEAT + "timestep").replace("plane 0.0", "plane 0.0 temperature 400")
+CONDUCTIVITY = f"conductivity {50*math.sqrt(2*math.pi):.12g}; heatCapacity 500;"
+
+
+def heat():
+    """fix heat/gran becomes conduction with the temperatures of particles and walls"""
+    scene, report = translate(WARM)
+    has(scene, CONDUCTIVITY + " }", "conduction { area overlap; }", "temperature { value 400; }",
+        "temperature 310; }")
+    assert [row.place.line for row in report.of(APPROXIMATED) if row.word == "fix heat/gran"] == [
+        line_of(WARM, "fix h all")]
+    with suna.Simulation("scene.dem") as sim:
+        sim.advance(1e-5)
+        assert numpy.allclose(sim.scalar("temperature"), 310)
+    has(translate(WARM.replace("all_in yes", "all_in yes set_property Temp 350"))[0],
+        "temperature 350; }")
+    one = ONE.replace("timestep", HEAT + "timestep")
+    has(translate(one.replace("run 1000", "set atom 1 property/atom Temp 350\nrun 1000"))[0],
+        "temperatures (350);")
+    cgs = WARM.replace("ity peratomtype 500", "ity peratomtype 5e6").replace(
+        "ity peratomtype 50\n", "ity peratomtype 5e6\n").replace("units si", "units cgs")
+    has(translate(cgs)[0], CONDUCTIVITY)        # erg/(s cm K), erg/(g K)
+
+
+def area_correction():
+    """area_correction of fix heat/gran becomes realModulus, and what differs is told"""
+    corrected = WARM.replace("310", "310 area_correction yes")
+    refused(corrected, "property/global youngsModulusOriginal")
+    corrected = corrected.replace(
+        "fix h2", "fix h3 all property/global youngsModulusOriginal peratomtype 5e9\nfix h2")
+    scene, report = translate(corrected)
+    has(scene, "realModulus 5000000000; }", "conduction {}")
+    assert any("corrects them only" in row.text for row in report.of(APPROXIMATED))
+    hooke = corrected.replace("model hertz", "model hooke").replace(
+        "fix h2", "fix v all property/global characteristicVelocity scalar 1\nfix h2")
+    assert any("beside hooke" in row.text for row in translate(hooke)[1].of(APPROXIMATED))
+
+
+def refused_heat():
+    """heat that conduction has not is refused: sources, fixed areas, what begins or changes in a run"""
+    for text, *words in (
+            (WARM.replace("run", "set region box property/atom heatSource 1\nrun"), "heatSource"),
+            (WARM.replace("310", "310 contact_area constant 1e-6"), "contact_area constant"),
+            (WARM.replace("400", "400 contact_area projection"), "contact_area projection"),
+            (WARM.replace("h all heat", "h some heat"), "fix heat/gran some"),
+            (BASE.replace(RUN, "run 10\n" + HEAT + "run 10\n"), "fix heat/gran", "begins after"),
+            (WARM.replace(RUN, "run 10\nset region box property/atom Temp 350\nrun 10\n"),
+             "set Temp", "set_property")):
+        refused(text, *words)
 
 
 # ---- the command, and results ------------------------------------------
@@ -667,13 +723,33 @@ def stored():
     assert abs(height - CUP_HEIGHT.mean()) < 3*CUP_HEIGHT.std(ddof=1), height
 
 
+def conduction():
+    """a chain between two walls has the temperatures that LIGGGHTS gives it"""
+    for correction, expected, share in (("no", CHAIN, 5e-3),
+                                        ("yes", CORRECTED_CHAIN, 5e-3*0.01**(2/3))):
+        translate(CHAIN_SCRIPT.read_text().replace("${correction}", correction))
+        with suna.Simulation("scene.dem") as sim:
+            sim.advance(float(sim.value("time/end")))
+            order = numpy.argsort(sim.position[:, 2])
+            found = numpy.array(sim.scalar("temperature"))[order]
+        # Suna conducts more by at most d/(4 R), 5e-3; LIGGGHTS writes 6 digits
+        assert abs(found - expected).max() < share*100 + 1e-3, (correction, found - expected)
+
+
+CHAIN_SCRIPT = Path(__file__).resolve().parent/"chain.in"
+# temperatures [K] in LIGGGHTS 3.8.0, 24 November 2026,
+# `liggghts -var correction no -in chain.in`, and yes
+CHAIN = numpy.array([360.597, 330.715, 313.113, 304.859, 301.87, 301.497, 302.639, 304.665, 306.136,
+                     304.759])
+CORRECTED_CHAIN = numpy.array([328.737, 305.133, 300.654, 300.064, 300.007, 300.028, 300.265,
+                               301.945, 309.562, 323.829])
 CUP = Path(__file__).resolve().parent/"cup.in"
 # centre of mass [m] in LIGGGHTS 3.8.0 (Debian 3.8.0+repack1-9), 24 November 2026, `liggghts -var seed SEED -in cup.in`
 # with seeds 32452867, 49979687, 67867967
 CUP_HEIGHT = numpy.array([3.8082e-3, 3.8286e-3, 3.7709e-3])
 TESTS = [expressions, control_flow, all_faults, scene_of_base, units, models, pairs, walls, series,
-         restart_files, insertion, shapes, single_particles, domain_and_output, command, bounce,
-         friction, stored]
+         restart_files, insertion, shapes, single_particles, domain_and_output, heat,
+         area_correction, refused_heat, command, bounce, friction, stored, conduction]
 
 
 def main():

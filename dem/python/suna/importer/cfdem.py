@@ -13,7 +13,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import re
 
-from .cfdem_models import add_equations, add_exchange, add_forces, add_kernel
+from .cfdem_models import HEAT, add_equations, add_exchange, add_forces, add_kernel
 from .coupled_case import CoupledCase
 from .dem_properties import DemProperties
 from .dem_script import read_dem_script
@@ -27,10 +27,8 @@ SOLVERS = ("cfdemSolverPiso", "cfdemSolverPimple", "cfdemSolverPimpleImEx",
 REFUSED_SOLVERS = {
     "cfdemSolverIB": "resolved particles (immersed boundary); Suna's particles are not larger "
                      "than cells",
-    "cfdemSolverPisoScalar": "heat and species between fluid and particles, which Suna's coupled "
-                             "cases lack",
-    "cfdemSolverPisoSTM": "heat and species between fluid and particles, which Suna's coupled "
-                          "cases lack",
+    "cfdemSolverPisoScalar": HEAT,
+    "cfdemSolverPisoSTM": HEAT,
     "cfdemSolverRhoPimple": "a compressible gas in a dense bed; demPimpleFoam is incompressible",
     "cfdemSolverMultiphase": "two fluids with surface tension; see interFoam in "
                              "docs/coupled-case.md",

@@ -28,7 +28,8 @@ DRAG = tuple(name for name in FORCES if name.endswith("Drag"))
 DIAGNOSTICS = ("particleCellVolume", "particleVolume", "volWeightedAverage",
                "totalMomentumExchange", "fieldStore", "fieldTimeAverage", "fieldVolWeighted",
                "checkCouplingInterval", "averageSlipVel", "particleProbe", "typeConcentration")
-HEAT = "Suna's coupled cases have no heat and no species between fluid and particles"
+HEAT = ("heat and species between fluid and particles are not translated; add gunn for heat to "
+        "constant/demProperties by hand")
 RESOLVED = "a resolved particle (immersed boundary); Suna's particles are not larger than cells"
 REFUSED_FORCES = {
     "LaEuScalarTemp": HEAT, "scalarGeneralExchange": HEAT, "heatTransferGunn": HEAT,

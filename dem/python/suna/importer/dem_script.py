@@ -95,6 +95,9 @@ class DemScript:
 
     def refuse_others(self):
         """What scenes have and coupled cases do not."""
+        if self.state["heat"] is not None:
+            self.refuse(self.state["heat"].place, "fix heat/gran", "heat is not translated in "
+                        "coupled cases; add conduction and gunn to constant/demProperties by hand")
         for name, sentence in (("forces", "forces on chosen particles"),
                                ("driven", "driven particles"),
                                ("frozen", "frozen particles beside others"),

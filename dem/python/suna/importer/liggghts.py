@@ -94,7 +94,7 @@ class Translation(Head, Atoms, Restart):
         self.particles, self.groups, self.integrated, self.frozen = Particles(), {}, [], []
         self.forces, self.outlets, self.interval, self.wall_interval = {}, {}, None, None
         self.fluid, self.lattice, self.fresh, self.restarted = None, None, True, None
-        self.driven = {}
+        self.driven, self.heat = {}, None
 
     # ---- the script ------------------------------------------------------------------------------
 
@@ -225,7 +225,8 @@ class Translation(Head, Atoms, Restart):
         if "upto" in words:
             steps = max(0, steps - self.steps)
         copied = ("model", "gravity", "properties", "walls", "meshes", "boundary", "box", "lost",
-                  "flat", "frozen", "integrated", "forces", "outlets", "fluid", "driven", "groups")
+                  "flat", "frozen", "integrated", "forces", "outlets", "fluid", "driven", "groups",
+                  "heat")
         state = {name: copy.copy(getattr(self, name)) for name in copied}
         state["properties"] = self.properties.copy()
         state["particles"], state["insertions"] = self.particles, self.insertions

@@ -7,6 +7,7 @@ import math
 
 import numpy
 
+from .liggghts_heat import set_particles
 from .liggghts_particles import BadFile, read_data
 
 SET = {"diameter": "length", "density": "density", "vx": "velocity", "vy": "velocity",
@@ -106,8 +107,9 @@ class Atoms:
             elif key in SET:
                 self._set(chosen, key, self.number(rest.pop(0), SET[key]))
             elif key.startswith("property/"):
-                self.harmless(f"{rest.pop(0)} is read by no law that was translated", f"set {key}")
-                del rest[:1]
+                name, word, rest = rest[0], rest[1:2], rest[2:]
+                if self.heat is None or not set_particles(self, chosen, name, *word):
+                    self.harmless(f"{name} is read by no law that was translated", f"set {key}")
             else:
                 self.refuse(f"known: {', '.join(SET)}, type", f"set {key}")
         self.translated("insert")
@@ -126,13 +128,13 @@ class Atoms:
         of = p.id if style == "atom" else p.type
         return (of >= low) & (of <= high)
 
-    def _inserted(self):
+    def inserted(self):
         """Particles of fix insert/... are there, which only a run knows."""
         return self.restarted is not None or any(i.start <= self.time for i in self.insertions)
 
     def _set(self, chosen, key, value):
         p = self.particles
-        if self._inserted() and not self._same(key, value):
+        if self.inserted() and not self._same(key, value):
             self.refuse(f"{key} of particles that fix insert/... has placed cannot be changed; "
                         "write it in their template", f"set {key}")
         if key in ("diameter", "density"):

@@ -6,7 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import numpy
 
-from . import liggghts_insert_fixes, liggghts_wall_fixes
+from . import liggghts_heat, liggghts_insert_fixes, liggghts_wall_fixes
 from .scene_text import as_name
 
 FLUID = "a coupled run of Suna needs no such line; alone, no fluid acts"
@@ -35,7 +35,7 @@ HARMLESS = {
     "contacthistory": "",
     "neighlist/mesh": "",
     "diam/max": ""}
-LACKING = (("heat/", "heat is not translated; add conduction to the scene"),
+LACKING = (("heat/", "Suna has no such heat; known: heat/gran, heat/gran/conduction"),
            ("chem/", "Suna has no chemistry"), ("multisphere", "Suna has spheres only"),
            ("particletemplate/", "Suna has spheres only"),
            ("nve/", "Suna has spheres, integrated by themselves"),
@@ -50,6 +50,8 @@ LACKING = (("heat/", "heat is not translated; add conduction to the scene"),
            ("scale/diameter", "Suna keeps the size of a particle"),
            ("bond/create", "bonds of this package are not translated; see bondLinear in "
             "docs/effects.md"),
+           ("couple/cfd/convection", "heat exchange with the fluid is not translated; add gunn to "
+            "constant/demProperties by hand"),
            ("couple/cfd/", "Suna couples no such field"),
            ("couple/pascal", "Suna has no model inside the particles"),
            ("wall/region", "give the wall as a mesh"),
@@ -67,7 +69,10 @@ KINDS = {
     "kt": "stiffness",
     "gamman": "rate",
     "cohesionEnergyDensity": "energy density",
-    "FluidViscosity": "viscosity"}
+    "FluidViscosity": "viscosity",
+    "thermalConductivity": "conductivity",
+    "thermalCapacity": "heat capacity",
+    "youngsModulusOriginal": "pressure"}
 
 
 def add(t, name, group, style, words):
@@ -99,6 +104,8 @@ def remove(t, name):
                 motion.end = min(motion.end, t.time)
     if style == "gravity":
         t.gravity = None
+    if t.heat is not None and t.heat.name == name:
+        t.heat = None
     t.integrated = [row for row in t.integrated if row[0] != name]
     t.frozen = [row for row in t.frozen if row[0] != name]
     t.forces = {key: value for key, value in t.forces.items() if key != name}
@@ -210,5 +217,7 @@ METHODS = {
     "addtorque": addtorque,
     "viscous": viscous,
     "enforce2d": enforce2d,
+    "heat/gran": liggghts_heat.conduction,
+    "heat/gran/conduction": liggghts_heat.conduction,
     **liggghts_wall_fixes.METHODS,
     **liggghts_insert_fixes.METHODS}

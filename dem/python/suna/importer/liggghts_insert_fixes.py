@@ -152,7 +152,11 @@ def orientation(t, i, rest):
 
 
 def set_property(t, i, rest):
-    t.harmless("no law that was translated reads it", "set_property")
+    if rest[0] == "Temp":
+        i.temperature = t.number(rest[1])
+        t.translated("temperature, where there is fix heat/gran")
+    else:
+        t.harmless("no law that was translated reads it", "set_property")
     return rest[2:]
 
 

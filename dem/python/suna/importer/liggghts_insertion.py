@@ -158,6 +158,8 @@ class Insertion:
     rate: float = 0.0               # 1/s
     mass_rate: float = 0.0          # kg/s
     all_in: bool = False
+    temperature: float = 0.0        # K; 0: that of fix heat/gran
+    scalars: str = ""               # entries of particle scalars
 
     # ---- amounts ---------------------------------------------------------------------------------
 
@@ -218,15 +220,14 @@ def group_entries(insertion, number, material_of, frozen):
     """(name, text) of the groups of a packing at the start."""
     parts = insertion.distribution.by_size()
     found = []
-    for k, (n, (key, _, part)) in enumerate(
-        zip(split(number, [share for _, share, _ in parts]), parts)):
+    numbers = split(number, [share for _, share, _ in parts])
+    state = " frozen yes;" if frozen else insertion.motion()
+    for k, (n, (key, _, part)) in enumerate(zip(numbers, parts)):
         if n:
-            found.append(
-    (insertion.name_of(k),
-    f"type random; count {n}; material {material_of(key)}; "
-    f"{part.sizes()} {insertion.shape()} inside walls; seed {insertion.seed % 1000003 + k};" + (
-        "" if frozen else insertion.motion()) + (
-            " frozen yes;" if frozen else "")))
+            found.append((insertion.name_of(k),
+                          f"type random; count {n}; material {material_of(key)}; {part.sizes()} "
+                          f"{insertion.shape()} inside walls; seed {insertion.seed % 1000003 + k};"
+                          f"{state}{insertion.scalars}"))
     return found
 
 
@@ -244,7 +245,7 @@ def stream_entries(insertion, amounts, material_of, where, start, end, k0=0):
                 words.append(f"{name} {max(1, round(value)) if name == 'count' else text(value)};")
         found.append((insertion.name_of(k + k0),
                       f"type stream; {' '.join(words)} material {material_of(key)}; "
-                      f"{part.sizes()} {where}{insertion.motion()}" +
+                      f"{part.sizes()} {where}{insertion.motion()}{insertion.scalars}" +
                       (f" spread {vector(insertion.spread)};" if insertion.spread.any() else "") +
                       (f" start {text(start)};" if start > 0 else "") +
                       (f" end {text(end)};" if math.isfinite(end) else "")

@@ -26,6 +26,7 @@ class Particles:
         self.type = numpy.empty(0, int)
         self.x, self.v, self.w = (numpy.empty((0, 3)) for _ in range(3))
         self.diameter, self.density = numpy.empty(0), numpy.empty(0)
+        self.temperature = numpy.empty(0)       # K; 0: that of fix heat/gran
         self.place = None
 
     def __len__(self):
@@ -36,21 +37,25 @@ class Particles:
         self.id = numpy.append(self.id, numpy.arange(first, first + n) if id is None else id)
         for name, value, width in (("type", type, ()), ("diameter", diameter, ()),
                                    ("density", density, ()), ("x", x, (3,)), ("v", v, (3,)),
-                                   ("w", w, (3,))):
+                                   ("w", w, (3,)), ("temperature", 0.0, ())):
             old = getattr(self, name)
             new = numpy.broadcast_to(numpy.asarray(value, old.dtype), (n, *width))
             setattr(self, name, numpy.concatenate([old, new]))
         self.place = self.place or place
 
     def keep(self, which):
-        for name in ("id", "type", "x", "v", "w", "diameter", "density"):
+        for name in ("id", "type", "x", "v", "w", "diameter", "density", "temperature"):
             setattr(self, name, getattr(self, name)[which])
 
 
-def write_table(path, x, diameter, v, w, id):
+def write_table(path, x, diameter, v, w, id, temperature=None):
     columns = numpy.column_stack([x, diameter, v, w])
+    names = list(COLUMNS)
+    if temperature is not None:
+        columns = numpy.column_stack([columns, temperature])
+        names.insert(-1, "temperature")
     with open(path, "w") as file:
-        file.write(",".join(COLUMNS) + "\n")
+        file.write(",".join(names) + "\n")
         for row, number in zip(columns, id):
             file.write(",".join(f"{value:.12g}" for value in row) + f",{int(number)}\n")
 

@@ -73,6 +73,7 @@ class SceneMaker(Laws, Walls, Groups, Times):
             self.refuse(self.stages[0].place, "run", "there is no pair_style gran before this line")
         self.particles = self.state["particles"]
         self.insertions = [i for i in self.state["insertions"] if i.start < self.end]
+        self.check_heat()
         self.find_materials()
         self.add_walls()
         self.add_domain()
@@ -83,6 +84,15 @@ class SceneMaker(Laws, Walls, Groups, Times):
         self.add_contacts()
         self.add_time()
         return self.scene
+
+    def check_heat(self):
+        """Temperatures begin with the particles: a snapshot without them has Suna's default."""
+        heat, stages = self.state["heat"], self.t.stages
+        k = stages.index(self.stages[0])
+        before = stages[k - 1] if k else self.t.before.stages[-1] if self.t.before else None
+        if heat and self.restart and before.state["heat"] is None:
+            self.refuse(heat.place, "fix heat/gran", "begins after a run, and the snapshot has no "
+                        "temperatures; write it before the first run")
 
     def new_file(self, ending):
         path = f"{self.name}_{ending}"

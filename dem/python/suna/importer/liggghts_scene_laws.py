@@ -3,6 +3,7 @@ models of a script of LIGGGHTS.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+from . import liggghts_heat
 from .liggghts_contact import Need, laws
 from .liggghts_region import text, vector
 from .scene_text import braces
@@ -49,6 +50,9 @@ class Laws:
             self.scene.add("effects", f"gravity {{ acceleration {vector(g)}; }}", place)
         for effect, settings in common.items():
             self.scene.add("effects", braces(effect, settings), self.source(effect, base))
+        if self.state["heat"] is not None:
+            settings = liggghts_heat.effect(self.state["heat"], base, self.report)
+            self.scene.add("effects", braces("conduction", settings), self.state["heat"].place)
         for k, a in enumerate(names):
             for b in names[k:]:
                 if a in self.of_particles or b in self.of_particles:
@@ -60,12 +64,14 @@ class Laws:
             try:
                 e, nu = (self.need(properties, word, kind)
                          for word in ("youngsModulus", "poissonsRatio"))
+                thermal = "" if self.state["heat"] is None else liggghts_heat.of_material(
+                    self.state["heat"], properties, kind, self.need)
             except Need as need:
                 self.refuse(self.state["model"].place, f"property/global {need}",
                             "this property is missing")
             self.scene.add("materials",
                            f"{name} {{ density {text(density)}; youngsModulus {text(e)}; "
-                           f"poissonsRatio {text(min(nu, 0.49999))}; }}",
+                           f"poissonsRatio {text(min(nu, 0.49999))};{thermal} }}",
                            properties.places["youngsModulus"])
 
     def add_pair(self, a, b, common):

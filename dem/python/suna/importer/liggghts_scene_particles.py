@@ -26,6 +26,8 @@ class Groups:
         if not self.restart:
             self.add_particles()
         for i in self.insertions:
+            heat = self.state["heat"]
+            i.scalars = f" temperature {text(i.temperature or heat.temperature)};" if heat else ""
             if i.region is not None:
                 i.region = self.clipped(i.region)
             if i.style == "pack":
@@ -57,12 +59,18 @@ class Groups:
                                  numpy.where(still, 0.0, p.w[which]), p.id[which],
                                  self.material(int(kind), float(density)),
                                  (" frozen yes;" if still else "") +
-                                 (" driven yes;" if pushed else ""), p.place)
+                                 (" driven yes;" if pushed else ""), p.place,
+                                 self.temperatures(p.temperature[which]))
 
-    def write_particles(self, name, x, d, v, w, id, material, more, place):
+    def temperatures(self, own):
+        """Of single particles: their own ones or the initial one; None without heat."""
+        heat = self.state["heat"]
+        return None if heat is None else numpy.where(own > 0, own, heat.temperature)
+
+    def write_particles(self, name, x, d, v, w, id, material, more, place, temperature=None):
         if len(x) > LIST:
             path = self.new_file(name + ".csv")
-            write_table(path, x, d, v, w, id)
+            write_table(path, x, d, v, w, id, temperature)
             body = f'type table; material {material}; file "{os.path.relpath(path)}";'
         else:
             body = f"type list; material {material}; positions ({' '.join(map(vector, x))}); " \
@@ -71,6 +79,8 @@ class Groups:
                 body += f" velocities ({' '.join(map(vector, v))});"
             if w.any():
                 body += f" spins ({' '.join(map(vector, w))});"
+            if temperature is not None:
+                body += f" temperatures ({' '.join(map(text, temperature))});"
         self.scene.add("insert", f"{name} {{ {body}{more} }}", place)
 
     def add_packing(self, i):
@@ -140,7 +150,8 @@ class Groups:
             v = numpy.zeros((n, 3)) if still else numpy.broadcast_to(i.velocity, (n, 3))
             self.write_particles(i.name_of(k), x, numpy.array([2*row[1] for row in rows]), v,
                                  numpy.broadcast_to(i.spin, (n, 3)), numpy.arange(first, first + n),
-                                 self.of_key(key), " frozen yes;" if still else "", i.place)
+                                 self.of_key(key), " frozen yes;" if still else "", i.place,
+                                 self.temperatures(numpy.full(n, i.temperature)))
             first += n
 
     def add_stream(self, i):

@@ -7,6 +7,7 @@ import os
 
 import numpy
 
+from .liggghts_heat import AREA
 from .liggghts_mesh import write_stl
 from .liggghts_region import AXES, text, vector
 from .scene_text import as_name
@@ -61,6 +62,7 @@ class Walls:
         body = self.plane(wall) if wall.primitive.endswith("plane") else self.cylinder(wall)
         if wall.velocity:
             body += f" surfaceVelocity {vector(wall.velocity)};"
+        body += self.temperature(wall, wall.temperature)
         kind, rest = body.split(" ", 1)
         self.scene.add("walls", f"{as_name(wall.name, 'wall')} {{ type {kind} "
                        f"material {material}; {rest} }}", wall.place)
@@ -73,7 +75,8 @@ class Walls:
         self.report.approximated(wall.place, "primitive general_cone", f"{SIDES} flat faces "
                                  f"around, at most {inside:.2g} m inside the cone")
         self.scene.add("walls", f'{as_name(wall.name, "wall")} {{ type stl; material {material}; '
-                       f'file "{os.path.relpath(path)}"; }}', wall.place)
+                       f'file "{os.path.relpath(path)}";'
+                       f"{self.temperature(wall, wall.temperature)} }}", wall.place)
 
     def plane(self, wall):
         n = wall.numbers
@@ -116,9 +119,18 @@ class Walls:
         if mesh.spin:
             body += f" surfaceRotation {{ origin {vector(mesh.spin[:3])}; " \
                 f"axis {vector(mesh.spin[3:6])}; omega {text(mesh.spin[6])}; }}"
+        body += self.temperature(wall, mesh.temperature)
         if motion:
             body += " " + self.motion(motion)
         self.scene.add("walls", f"{as_name(mesh.name, 'wall')} {{ {body} }}", mesh.place)
+
+    def temperature(self, wall, value):
+        """Entry of a wall."""
+        if self.state["heat"] is None or not value:
+            return ""
+        if wall.area != "overlap":
+            self.refuse(wall.place, f"contact_area {wall.area}", AREA)
+        return f" temperature {{ value {text(value)}; }}"
 
     def motion(self, m):
         v = m.values

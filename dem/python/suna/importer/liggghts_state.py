@@ -24,6 +24,8 @@ class Wall:
     meshes: tuple = ()
     velocity: tuple = ()            # shear: of the surface
     rotation: float = 0.0           # shear of a cylinder about its axis
+    temperature: float = 0.0        # K; 0: none
+    area: str = "overlap"           # of a contact that conducts
 
 
 @dataclass
@@ -47,6 +49,7 @@ class Mesh:
     transformed: bool = False       # beyond `scale`
     velocity: tuple = ()
     spin: tuple = ()                # origin, axis, omega
+    temperature: float = 0.0        # K; 0: none
     motions: list = field(default_factory=list)
 
     def at(self, time):
@@ -73,7 +76,7 @@ def key(state):
             tuple((name, wall.place) for name, wall in state["walls"].items()),
             tuple(state["outlets"]), tuple(state["boundary"]), tuple(state["frozen"]),
             tuple(state["integrated"]), tuple(state["forces"]), tuple(state["driven"]),
-            state["flat"])
+            state["flat"], state["heat"] and state["heat"].key())
 
 
 @dataclass

@@ -18,7 +18,6 @@ MESH_HARMLESS = {               # empty: EDGES
     "verbose": "",
     "precision": "",
     "min_feature_length": "",
-    "temperature": "no law that was translated reads it",
     "mass_temperature": "no law that was translated reads it",
     "reference_point": "",
     "stress": "",
@@ -86,14 +85,26 @@ def read_wall_keywords(t, found, rest):
             v = [0.0, 0.0, 0.0]
             v["xyz".index(axis)] = t.number(speed, "velocity")
             found.velocity = tuple(v)
-        elif key in ("store_force", "store_force_contact", "contact_area", "heat", "track_energy"):
+        elif key in ("store_force", "store_force_contact", "heat", "track_energy"):
             t.harmless("output", key)
             rest.pop(0)
+        elif key == "contact_area":
+            found.area = rest.pop(0)
+            if found.area == "constant":
+                rest.pop(0)
+            t.harmless("without heat" if t.heat is None else "", key)
         elif key == "temperature":
-            t.harmless("no law that was translated reads it", key)
-            rest.pop(0)
+            found.temperature = wall_temperature(t, rest.pop(0))
         else:
             t.refuse("the importer does not know this word", f"fix wall/gran {key}")
+
+
+def wall_temperature(t, word):
+    if t.heat is None:
+        t.harmless("no effect without fix heat/gran", "temperature")
+    else:
+        t.translated("temperature of the wall")
+    return t.number(word)
 
 
 def mesh(t, name, group, words):
@@ -102,8 +113,8 @@ def mesh(t, name, group, words):
         key = given.pop(0)
         if key == "type":
             found.type = int(given.pop(0))
-        elif key in GEOMETRY:
-            given = GEOMETRY[key](t, found, given)
+        elif key in MESH_WORDS:
+            given = MESH_WORDS[key](t, found, given)
         elif key in MESH_HARMLESS:
             value = given.pop(0)
             given = given[2:] if key == "reference_point" else given
@@ -119,7 +130,7 @@ def mesh(t, name, group, words):
     t.translated("walls or inlet, where it is used")
 
 
-# ---- geometry of a mesh, in the order of the words; each returns the words left ----------------
+# ---- words of a mesh, in the order of the script; each returns the words left ------------------
 
 def mesh_file(t, found, given):
     found.path = t.file(given[0])
@@ -163,8 +174,14 @@ def mesh_spin(t, found, given):
     return given[10:]
 
 
-GEOMETRY = {"file": mesh_file, "scale": mesh_scale, "move": mesh_move, "rotate": mesh_rotate,
-            "surface_vel": mesh_velocity, "surface_ang_vel": mesh_spin}
+def mesh_temperature(t, found, given):
+    found.temperature = wall_temperature(t, given[0])
+    return given[1:]
+
+
+MESH_WORDS = {"file": mesh_file, "scale": mesh_scale, "move": mesh_move, "rotate": mesh_rotate,
+              "surface_vel": mesh_velocity, "surface_ang_vel": mesh_spin,
+              "temperature": mesh_temperature}
 
 
 def mesh_stress(t, name, group, words):

@@ -12,7 +12,7 @@ POWERS = {"length": (1, 0, 0), "mass": (0, 1, 0), "time": (0, 0, 1), "number": (
           "density": (-3, 1, 0), "pressure": (-1, 1, -2), "energy density": (-1, 1, -2),
           "force": (1, 1, -2), "torque": (2, 1, -2), "stiffness": (0, 1, -2), "damping": (0, 1, -1),
           "viscosity": (-1, 1, -1), "mass rate": (0, 1, -1), "rate": (0, 0, -1),
-          "surface energy": (0, 1, -2)}
+          "surface energy": (0, 1, -2), "conductivity": (1, 1, -3), "heat capacity": (2, 0, -2)}
 
 
 class Units:
