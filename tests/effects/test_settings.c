@@ -11,6 +11,7 @@
  */
 #include "physics/world.h"
 
+#include "core/aliases.h"
 #include "effects/effects.h"
 
 /* text of a setting in place of a valid value; NULL: left out */
