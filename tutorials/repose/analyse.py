@@ -73,6 +73,14 @@ def main():
         rows.append((friction, rolling, *angle))
         result.add("slope of the heap", f"friction {friction:g} rolling {rolling:g}",
                    zhou(friction, rolling), *angle, "degrees")
+    wet = [flanks(folder) for folder in sorted(Path("runs").glob("wet.?")) if folder.is_dir()]
+    if wet:
+        dry = found[(0.6, 0.04)]
+        result.add("slope of the heap", "wet friction 0.6 rolling 0.04",
+                   numpy.mean([slopes for slopes, _ in dry]),
+                   *interval(numpy.concatenate([slopes for slopes, _ in wet])), "degrees")
+        spheres = [numpy.mean([height.sum() for _, (_, height) in runs]) for runs in (wet, dry)]
+        result.add("spheres that stay", "wet over dry", None, spheres[0]/spheres[1], None, "1")
     rows = numpy.array(rows)
     for name, vary, fixed, at, reference in (("friction", 0, 1, 0.04, 0.49),
                                              ("resistance to rolling", 1, 0, 0.4, 0.18)):
