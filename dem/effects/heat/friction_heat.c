@@ -68,6 +68,7 @@ const struct dem_effect dem_friction_heat = {
     .summary = "heat of friction and damping: what contacts dissipate heats the two partners",
     .source = "energy balance; half each: Jaeger 1942",
     .stage = DEM_STAGE_SCALAR,
+    .parcels = DEM_PARCELS_SAME,
     .needs = DEM_NEEDS_DISSIPATION,
     .scalars = dem_temperature_only,
     .size = sizeof(struct friction_heat),
