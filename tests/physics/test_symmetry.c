@@ -43,6 +43,7 @@ static const char *const settings[][2] = {
     {"twistingSpring", "friction 0.3; lever reduced; damping 0.2;"},
     {"sjkr", "energyDensity 3e5;"},
     {"jkr", "workOfAdhesion 1;"},
+    {"liquidBridge", "surfaceTension 0.5; viscosity 0.02; roughness 1e-6;"},
     {"lubrication", "viscosity 0.02; roughness 1e-6; cutOff 1e-4;"},
     {"bondLinear",
      "normalStiffness 3e8; shearStiffness 1e8; make always; makeDistance 1.005; breakDistance 1.05;"
@@ -194,8 +195,13 @@ static struct dem *start(const char *laws, int wall, const struct frame *f,
                    "effects { %s } %s time { step %.17g; maxOverlap 0.3; }",
                    laws, floor, time_step);
     struct dem *const d = world(scene, N, given);
+    const int wet = dem_scalar_index(d, "liquidVolume");
 
     free(scene);
+    for (int i = 0; wet >= 0 && i < N; i++)
+    {
+        dem_scalar(d, wet)[i] = 1e-11;      /* m3, 2 % of a sphere of 1 mm */
+    }
     world_all(d, before);
     return d;
 }

@@ -34,7 +34,8 @@ static const char *const stored_history[] = {"bond_length", "bond_worn", "bond_s
                                              "twist", "shear_x", "shear_y",
                                              "shear_z",      "jkr_holds", "slip_x",
                                              "slip_y", "slip_z", "largest_overlap",
-                                             "rolling_x", "rolling_y", "rolling_z"};
+                                             "rolling_x", "rolling_y", "rolling_z",
+                                             "bridge_volume"};
 
 enum
 {
