@@ -144,7 +144,7 @@ class Script:
 
     def text(self, name):
         if name not in self.variables:
-            self._fault(f"${{{name}}}", "there is no such variable")
+            self._fault(f"${{{name}}}", f"there is no such variable; give -var {name}=VALUE")
         style, values, index = self.variables[name]
         if style == "equal":
             value = self.evaluate(values[0])
