@@ -70,7 +70,8 @@ LACKING = {
     "delete_atoms": "outlets take particles away during a run, and "
     "a group is placed where it is wanted",
     "minimize": "the packing is made without overlap",
-    "coarsegraining": "it is parcels { ratio NUMBER; } in the scene (docs/parcels.md), with the sizes of the grains",
+    "coarsegraining": "it is parcels { ratio NUMBER; } in the scene (docs/parcels.md), with the "
+    "sizes of the grains",
     "bond_style": "bonds of this package are not translated; see bondLinear in docs/effects.md",
     "bond_coeff": "bonds of this package are not translated; see bondLinear in docs/effects.md",
     "kspace_style": "Suna has no long-range forces",
