@@ -1,8 +1,9 @@
 /*
  * liquid_bridge.c -- liquid bridges between wet particles, and between wet particles and walls.
  *
- *   F_n = -2 pi R g cos(theta) X(H) - (3/2) pi mu R^2 X(h)^2/h v_n      X(x) = 1 - x/sqrt(x^2 + 2 V/(pi R))
- *   F_t = -6 pi mu R* (8/15 ln(R* over h) + 0.9588) v_t                  h = max(H, h_r)
+ *   F_n = -2 pi R g cos(theta) X(H) - (3/2) pi mu R^2 X(h)^2/h v_n
+ *   F_t = -6 pi mu R* (8/15 ln(R* over h) + 0.9588) v_t
+ *   X(x) = 1 - x/sqrt(x^2 + 2 V/(pi R))        h = max(H, h_r)
  *
  *   H      gap between the surfaces; 0 in contact                  [m]
  *   V      volume of the bridge, fixed while it lasts (history)    [m3]
@@ -26,16 +27,16 @@
  * particle at a wall all of it. Liquid is thus kept to rounding.
  *
  * Energy: the capillary force has the potential 2 pi R g cos(theta) (H - sqrt(H^2 + 2 V/(pi R))),
- * here zero at rupture. What a bridge gains when it forms, the work needed to break it, is counted as
- * lost at that moment: the loss of one loop of approach and separation.
+ * here zero at rupture. What a bridge gains when it forms, the work needed to break it, is counted
+ * as lost at that moment: the loss of one loop of approach and separation.
  *
- * The viscous damper is limited to m*_/(4 dt), that of slip to 2/7 of it, as in lubrication.c, which
- * also says why the viscous force rests while surfaces touch. With the largest step, 0.2 m*_/c at
- * h_r, the limiters are never active.
+ * The viscous damper is limited to m* / (4 dt), that of slip to 2/7 of it, as in lubrication.c,
+ * which also says why the viscous force rests while surfaces touch. With the largest step, 0.2 m* / c
+ * at h_r, the limiters are never active.
  *
  * Source: capillary force: Rabinovich, Esayanur, Moudgil, Langmuir 21 (2005) 10992, without its
- * term of the wetted cap; viscous: Pitois, Moucheront, Chateau, J. Colloid Interface Sci. 231 (2000)
- * 26, and Goldman, Cox, Brenner, Chem. Eng. Sci. 22 (1967) 637; rupture: Lian, Thornton, Adams, J.
+ * term of the wetted cap; viscous: Pitois, Moucheront, Chateau, J. Colloid Interface Sci. 231
+ * (2000) 26, and Goldman, Cox, Brenner, Chem. Eng. Sci. 22 (1967) 637; rupture: Lian, Thornton, Adams, J.
  * Colloid Interface Sci. 161 (1993) 138; volume: Shi, McCarthy, Powder Technol. 184 (2008) 64.
  * Not here: weight of the liquid, flow of liquid between bridges, bridges that merge, later rupture
  * at speed, evaporation. A bridge ends, too, where another facet of a wall takes over the contact.
@@ -188,7 +189,7 @@ DEM_MATH void viscous_row(const struct bridge *l, struct dem_contact_row *r, dou
                + ct*slip*r->dt*(1.0 - 1.75*ct*r->dt/some_m);
 }
 
-/* `offered`: what a bridge that forms takes from both partners [m3]; volume: of the bridge, history. */
+/* `offered`: what a bridge that forms takes from both partners; volume: of the bridge, history [m3]. */
 DEM_MATH void row(const struct bridge *l, struct dem_contact_row *r, double offered, double *volume)
 {
     const double R = 2.0*r->reduced_radius, pull = l->pull*R, third = 1.0/3.0;
