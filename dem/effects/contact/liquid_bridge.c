@@ -31,13 +31,13 @@
  * as lost at that moment: the loss of one loop of approach and separation.
  *
  * The viscous damper is limited to m* / (4 dt), that of slip to 2/7 of it, as in lubrication.c,
- * which also says why the viscous force rests while surfaces touch. With the largest step, 0.2 m* / c
- * at h_r, the limiters are never active.
+ * which also says why the viscous force rests while surfaces touch. With the largest step,
+ * 0.2 m* / c at h_r, the limiters are never active.
  *
  * Source: capillary force: Rabinovich, Esayanur, Moudgil, Langmuir 21 (2005) 10992, without its
  * term of the wetted cap; viscous: Pitois, Moucheront, Chateau, J. Colloid Interface Sci. 231
- * (2000) 26, and Goldman, Cox, Brenner, Chem. Eng. Sci. 22 (1967) 637; rupture: Lian, Thornton, Adams, J.
- * Colloid Interface Sci. 161 (1993) 138; volume: Shi, McCarthy, Powder Technol. 184 (2008) 64.
+ * (2000) 26, and Goldman, Cox, Brenner, Chem. Eng. Sci. 22 (1967) 637; rupture: Lian, Thornton, Adams,
+ * J. Colloid Interface Sci. 161 (1993) 138; volume: Shi, McCarthy, Powder Technol. 184 (2008) 64.
  * Not here: weight of the liquid, flow of liquid between bridges, bridges that merge, later rupture
  * at speed, evaporation. A bridge ends, too, where another facet of a wall takes over the contact.
  *
@@ -189,7 +189,7 @@ DEM_MATH void viscous_row(const struct bridge *l, struct dem_contact_row *r, dou
                + ct*slip*r->dt*(1.0 - 1.75*ct*r->dt/some_m);
 }
 
-/* `offered`: what a bridge that forms takes from both partners; volume: of the bridge, history [m3]. */
+/* `offered`: what a bridge that forms takes [m3]; volume: of the bridge, history. */
 DEM_MATH void row(const struct bridge *l, struct dem_contact_row *r, double offered, double *volume)
 {
     const double R = 2.0*r->reduced_radius, pull = l->pull*R, third = 1.0/3.0;
@@ -211,7 +211,7 @@ DEM_MATH void row(const struct bridge *l, struct dem_contact_row *r, double offe
 
     r->fn -= holds*now.force;
     r->stored += holds*(now.energy - torn.energy);
-    /* the force jumps at the end of the drift, of which it has done, or not done, half of the work */
+    /* the force jumps at the end of the drift, and has done half of its work, or missed half */
     r->lost += dem_select(holds > held, half_way*now.force - (now.energy - torn.energy),
                           dem_select(holds < held, half_way*was.force + was.energy - torn.energy,
                                      0.0));
