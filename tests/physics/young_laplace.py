@@ -5,8 +5,8 @@
 
 The meridian r(s), z(s) of the surface starts at the contact line on the sphere, at the filling
 angle b, with the given contact angle, and must be normal to the plane of symmetry, which gives p.
-The volume gives b. The force is that at the neck, 2 pi r - pi p r^2. Lengths are in radii, forces over
-2 pi R surface tension. Weight of the liquid is neglected.
+The volume gives b. The force is that at the neck, 2 pi r - pi p r^2. Lengths are in radii, forces
+over 2 pi R surface tension. Weight of the liquid is neglected.
 
     python3 young_laplace.py > liquid_bridge_young_laplace.csv        minutes
 

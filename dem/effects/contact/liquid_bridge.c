@@ -36,8 +36,9 @@
  *
  * Source: capillary force: Rabinovich, Esayanur, Moudgil, Langmuir 21 (2005) 10992, without its
  * term of the wetted cap; viscous: Pitois, Moucheront, Chateau, J. Colloid Interface Sci. 231
- * (2000) 26, and Goldman, Cox, Brenner, Chem. Eng. Sci. 22 (1967) 637; rupture: Lian, Thornton, Adams,
- * J. Colloid Interface Sci. 161 (1993) 138; volume: Shi, McCarthy, Powder Technol. 184 (2008) 64.
+ * (2000) 26, and Goldman, Cox, Brenner, Chem. Eng. Sci. 22 (1967) 637; rupture: Lian, Thornton,
+ * Adams, J. Colloid Interface Sci. 161 (1993) 138; volume: Shi, McCarthy, Powder Technol. 184 (2008)
+ * 64.
  * Not here: weight of the liquid, flow of liquid between bridges, bridges that merge, later rupture
  * at speed, evaporation. A bridge ends, too, where another facet of a wall takes over the contact.
  *
