@@ -29,6 +29,7 @@
     ROW(liquid_bridge)                                                                                                \
     ROW(conduction)                                                                                                   \
     ROW(gas_film)                                                                                                     \
+    ROW(radiation)                                                                                                    \
     ROW(friction_heat)                                                                                                \
     ROW(gravity)                                                                                                      \
     ROW(pressure_gradient)                                                                                            \
