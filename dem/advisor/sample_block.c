@@ -47,8 +47,10 @@ static int fill(struct dem_state *q, const struct dem_state *p, const struct dem
     q->particles.n = (size_t)(2*edge*edge*edge);
     for (int k = 0; k < p->interaction_table.scalars; k++)
     {
-        const double value =
-            p->particles.n > 0 ? dem_scalar_values(&p->particles, k)[0] : 0.0;
+        const double given = dem_interaction_table_default(&p->interaction_table, k);
+        const double value = p->particles.n > 0 ? dem_scalar_values(&p->particles, k)[0]
+                             : isnan(given)     ? 0.0
+                                                : given;
 
         for (size_t i = 0; i < q->particles.n; i++)
         {
