@@ -22,6 +22,10 @@ void Foam::demCloud::advance
 )
 {
     volume_.passInletsOutlets(U);
+    if (heat_.valid())
+    {
+        heat_().countPassed();
+    }
 
     // Else in correct()
     if (!particlesFirst_ && (!particles_.twoWay() || particles_.interval() > 0))
@@ -31,6 +35,10 @@ void Foam::demCloud::advance
 
     // With the weights of the mesh at which the particles were located
     exchange_.toParticles(U, gradP, rho, mu);
+    if (heat_.valid())
+    {
+        heat_().toParticles();
+    }
     profile_.end(demProfile::SAMPLE);
 
     reports_.beginStep();
@@ -40,6 +48,10 @@ void Foam::demCloud::advance
     particles_.locate();
     volume_.deposit();
     exchange_.toFluid();
+    if (heat_.valid())
+    {
+        heat_().toFluid();
+    }
     profile_.end(demProfile::DEPOSIT);
 }
 
@@ -104,6 +116,10 @@ Foam::demCloud::demCloud
     exchange_.prepare();
     particles_.setUp();
     exchange_.begin();
+    if (demHeatExchange::needed(particles_))
+    {
+        heat_.reset(new demHeatExchange(particles_));
+    }
     reports_.begin();
     budget_.begin();
     particles_.reportStep();
@@ -244,6 +260,10 @@ void Foam::demCloud::plan
 )
 {
     exchange_.toParticles(U, gradP, rho, mu);
+    if (heat_.valid())
+    {
+        heat_().toParticles();
+    }
     plan_.report(U, limit, maxCo, reached, reachedBy);
 }
 

@@ -6,7 +6,9 @@
  */
 #include "api/internal.h"
 #include "core/error.h"
+#include "diagnostics/totals.h"
 #include "model/scalars.h"
+#include "parallel/collect.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -108,4 +110,12 @@ int dem_scalar_correct(struct dem *d, int k, const double *target)
         over[i] = time > 0.0 ? x.response[i]*(target[i] - to_target[i]/time) : 0.0;
     }
     return DEM_OK;
+}
+
+int dem_scalar_total(struct dem *d, int k, double *total)
+{
+    DEM_REQUIRE(d->is_set_up && k >= 0 && k < d->state.interaction_table.scalars, DEM_ERROR_STATE,
+                "dem_scalar_total: there is no scalar %d; it comes after dem_setup", k);
+    *total = dem_totals_scalar(&d->state, k);
+    return dem_collect_status(&d->state.decomposition);
 }

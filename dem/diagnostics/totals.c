@@ -43,6 +43,24 @@ static double kinetic(const struct dem_particle *r)
     return 0.5*r->mass*dem_vec_dot(r->v, r->v) + 0.5*inertia*dem_vec_dot(r->w, r->w);
 }
 
+double dem_totals_scalar(const struct dem_state *p, int k)
+{
+    const double *const value = dem_scalar_values(&p->particles, k);
+    struct dem_sum sum;
+    double total;
+
+    dem_sum_clear(&sum);
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const struct dem_particle *const r = &p->particles.record[i];
+
+        dem_sum_add(&sum, value[i]*dem_interaction_table_capacity(&p->interaction_table, k,
+                                                                  r->material, r->mass));
+    }
+    dem_totals_reduce_sums(p, &sum, 1, &total);
+    return total;
+}
+
 double dem_totals_max_speed(const struct dem_state *p)
 {
     double squared = 0.0;

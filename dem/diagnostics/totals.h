@@ -28,6 +28,9 @@ void dem_totals_tally(struct dem_state *, struct dem_totals *);
    id. */
 int64_t dem_totals_touching(const struct dem_state *);
 
+/* Collective. Sum of C s of a scalar s with the capacity C over all particles (effects/scalar.h). */
+double dem_totals_scalar(const struct dem_state *, int scalar);
+
 /* Collective. Number of particles with more kinetic energy than `energy` [J]. */
 int64_t dem_totals_moving(const struct dem_state *, double energy);
 

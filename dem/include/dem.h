@@ -411,6 +411,10 @@ int dem_scalar_exchange(struct dem *, int k, struct dem_scalar_exchange *);
    opposite. */
 int dem_scalar_correct(struct dem *, int k, const double *target);
 
+/* Collective, after dem_setup. The sum of C s over all particles, of scalar k with the capacity C: of
+   the temperature, the heat of the particles above 0 K [J]. */
+int dem_scalar_total(struct dem *, int k, double *total);
+
 /* ---- coupled fluid --------------------------------------------------------------------------- */
 
 /* After dem_check: 1 when an effect of the scene needs a fluid. */

@@ -6,6 +6,7 @@
  * - Particles in one well-mixed cell of fluid, exchanged implicitly: energy is conserved, and all
  *   tends to the mixed temperature, for windows of 0.1 to 100 tau and 1 to 1000 times the fluid's
  *   heat capacity; with the response of explicit exchange it would not.
+ * - The heat of all particles is the sum of m c T.
  * - The response of particles that enter within a window is bounded by that of a held temperature.
  * - A scene has one law; what a law needs of the fluid must be given, once.
  *
@@ -221,6 +222,24 @@ static void test_cell(void)
     TAP_OK(relax(1.0, 10.0, 400, 0, &lost) > 10.0, "an explicit exchange is unstable there");
 }
 
+static void test_total(void)
+{
+    struct dem *const s = particles(800.0);
+    const double *const T = scalar(s, "temperature");
+    double sum = 0.0, total = 0.0;
+    struct dem_view v;
+
+    dem_view(s, &v);
+    for (size_t i = 0; i < v.n; i++)
+    {
+        sum += 800.0*world_take(&v, i).mass*T[i];
+    }
+    WORLD_TRY(dem_scalar_total(s, dem_scalar_index(s, "temperature"), &total));
+    TAP_NEAR(total, sum, 1e-15*N*sum, "heat of all particles (J)");
+    TAP_OK(dem_scalar_total(s, 99, &total) == DEM_ERROR_STATE, "%s", dem_error_text());
+    dem_free(s);
+}
+
 /* ---- particles that enter ---------------------------------------------------------------------- */
 
 /* As for all others: C (1 - exp(-B t/C)) <= R <= B t, with the time t that they have been there. */
@@ -286,6 +305,7 @@ int main(void)
     TAP_TRAPS;
     test_stream();
     test_cell();
+    test_total();
     test_entering();
     test_input();
     TAP_DONE;
