@@ -55,7 +55,10 @@ Description
     Turbulence models are those of the volume-averaged flow
     (volumeAveragedTurbulenceModel.H).
 
-    Not included: heat, species, more than one fluid, mesh refinement.
+    Where the scene transfers heat between fluid and particles the fluid has a
+    temperature (fluidTemperature.H).
+
+    Not included: species, more than one fluid, mesh refinement.
 
 \*---------------------------------------------------------------------------*/
 
@@ -76,6 +79,7 @@ Description
 #include "demTrial.H"
 #include "fixedFlux.H"
 #include "fluidBudget.H"
+#include "fluidTemperature.H"
 #include "cellVector.H"
 #include "halfCellMean.H"
 #include "faceVector.H"
@@ -182,6 +186,10 @@ int main(int argc, char *argv[])
         #include "fluidEquations.H"
         #include "continuity.H"
         cloud.correct(U, gradP);
+        if (temperature)
+        {
+            temperature->correct();
+        }
         if (cloud.budget().table().on())
         {
             budget.endStep

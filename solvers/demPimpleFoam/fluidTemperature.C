@@ -1,0 +1,240 @@
+/*---------------------------------------------------------------------------*\
+    fluidTemperature.C -- temperature of the fluid, which exchanges heat with particles.
+
+    Part of Suna, CFD-DEM for OpenFOAM.
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+    Suna is free software: you can redistribute it and/or modify it under the
+    terms of the GNU General Public License as published by the Free Software
+    Foundation, either version 3 of the License, or (at your option) any later
+    version. It comes without any warranty; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fluidTemperature.H"
+#include "fvCFD.H"
+#include "fvOptions.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static IOobject temperatureFile(const fvMesh& mesh, const demHeatExchange& exchange)
+{
+    IOobject io
+    (
+        "T",
+        mesh.time().timeName(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::AUTO_WRITE
+    );
+
+    if (!io.typeHeaderOk<volScalarField>(true))
+    {
+        FatalErrorInFunction
+            << exchange.reason().c_str() << ", but " << io.instance() << " has no field T;"
+            << " give the temperature of the fluid [K] in " << io.instance()
+            << "/T, or leave the effect out" << exit(FatalError);
+    }
+    return io;
+}
+
+
+// A number of transportProperties above zero
+static dimensionedScalar positive
+(
+    const dictionary& transport,
+    const word& name,
+    const dimensionSet& dimensions,
+    const char* what,
+    const demHeatExchange& exchange
+)
+{
+    if (!transport.found(name))
+    {
+        FatalIOErrorInFunction(transport)
+            << exchange.reason().c_str() << ", which needs the " << what
+            << " of the fluid: add " << name << " to constant/transportProperties"
+            << exit(FatalIOError);
+    }
+
+    const dimensionedScalar value(name, dimensions, transport);
+
+    if (value.value() <= 0)
+    {
+        FatalIOErrorInFunction(transport)
+            << name << ", the " << what << " of the fluid, is " << value.value()
+            << "; it must be positive" << exit(FatalIOError);
+    }
+    return value;
+}
+
+
+static volScalarField uniform(const fvMesh& mesh, const dimensionedScalar& value)
+{
+    return volScalarField
+    (
+        IOobject("dem:" + value.name(), mesh.time().timeName(), mesh),
+        mesh,
+        value
+    );
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::fluidTemperature::fluidTemperature
+(
+    demCloud& cloud,
+    const dictionary& transport,
+    const volScalarField& voidFraction,
+    const surfaceScalarField& alphaPhi,
+    const dimensionedScalar& rho
+)
+:
+    exchange_(cloud.heat()),
+    twoWay_(cloud.particles().twoWay()),
+    voidFraction_(voidFraction),
+    alphaPhi_(alphaPhi),
+    T_(temperatureFile(voidFraction.mesh(), exchange_), voidFraction.mesh()),
+    kappa_
+    (
+        uniform
+        (
+            T_.mesh(),
+            positive
+            (
+                transport,
+                "kappa",
+                dimPower/dimLength/dimTemperature,
+                "thermal conductivity [W/m/K]",
+                exchange_
+            )
+        )
+    ),
+    Cp_
+    (
+        uniform
+        (
+            T_.mesh(),
+            positive
+            (
+                transport,
+                "Cp",
+                dimSpecificHeatCapacity,
+                "specific heat capacity [J/kg/K]",
+                exchange_
+            )
+        )
+    ),
+    rhoCp_(rho*dimensionedScalar("Cp", dimSpecificHeatCapacity, transport)),
+    Prt_
+    (
+        transport.found("Prt")
+      ? positive(transport, "Prt", dimless, "turbulent Prandtl number", exchange_)
+      : dimensionedScalar("Prt", dimless, 0.85)
+    ),
+    beta_
+    (
+        transport.found("beta")
+      ? dimensionedScalar("beta", dimless/dimTemperature, transport)
+      : dimensionedScalar(dimless/dimTemperature, Zero)
+    ),
+    TRef_
+    (
+        transport.found("beta")
+      ? positive
+        (
+            transport, "TRef", dimTemperature, "temperature [K] of density rho", exchange_
+        )
+      : dimensionedScalar(dimTemperature, Zero)
+    ),
+    received_(0)
+{
+    exchange_.setFluid(T_, kappa_, Cp_);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::surfaceScalarField> Foam::fluidTemperature::buoyancy
+(
+    const dimensionedVector& g
+) const
+{
+    return -beta_*(fvc::interpolate(T_) - TRef_)*(g & T_.mesh().Sf());
+}
+
+
+void Foam::fluidTemperature::solve(const volScalarField& nut)
+{
+    const fvMesh& mesh = T_.mesh();
+    fv::options& fvOptions(fv::options::New(mesh));
+    const volScalarField alphaEff
+    (
+        "alphaEff",
+        voidFraction_*(kappa_/rhoCp_ + nut/Prt_)
+    );
+    const volScalarField continuityError(fvc::ddt(voidFraction_) + fvc::div(alphaPhi_));
+
+    fvScalarMatrix TEqn
+    (
+        fvm::ddt(voidFraction_, T_)
+      + fvm::div(alphaPhi_, T_)
+      - fvm::Sp(continuityError, T_)
+      - fvm::laplacian(alphaEff, T_)
+     ==
+        exchange_.source()/rhoCp_
+      - fvm::Sp(exchange_.coefficient()/rhoCp_, T_)
+      + fvOptions(T_)
+    );
+
+    TEqn.relax();
+    fvOptions.constrain(TEqn);
+    TEqn.solve();
+    fvOptions.correct(T_);
+
+    scalar rate =
+        gSum((mesh.V().field()*continuityError.primitiveField()*T_.primitiveField())());
+
+    // Convection and conduction
+    forAll(T_.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& Tp = T_.boundaryField()[patchi];
+
+        if (!Tp.coupled())
+        {
+            rate +=
+                gSum
+                (
+                    (
+                        TEqn.boundaryCoeffs()[patchi]
+                      - TEqn.internalCoeffs()[patchi]*Tp.patchInternalField()
+                    )()
+                );
+        }
+    }
+    received_ = rhoCp_.value()*mesh.time().deltaTValue()*rate;
+}
+
+
+void Foam::fluidTemperature::correct()
+{
+    if (twoWay_)
+    {
+        const scalarField& V = T_.mesh().V();
+
+        exchange_.correct
+        (
+            T_.primitiveField(),
+            rhoCp_.value()*gSum((V*voidFraction_.primitiveField()*T_.primitiveField())()),
+            received_
+        );
+    }
+}
+
+// ************************************************************************* //
