@@ -94,13 +94,7 @@ void Foam::demDriver::reportTrial()
         while (trial.next())
         {
             trial.beginExchange();
-            cloud_.evolve
-            (
-                U,
-                fluid_.pressureGradient()(),
-                fluid_.density()(),
-                fluid_.viscosity()()
-            );
+            evolve();
             trial.beginFluid();
             flow.solve(cloud_.lastPlan().window());
             if (cloud_.particles().twoWay() && !steady_)
@@ -158,6 +152,22 @@ void Foam::demDriver::checkStep()
 }
 
 
+void Foam::demDriver::evolve()
+{
+    if (heat_)
+    {
+        heat_->beginStep();
+    }
+    cloud_.evolve
+    (
+        fluid_.velocity(),
+        fluid_.pressureGradient()(),
+        fluid_.density()(),
+        fluid_.viscosity()()
+    );
+}
+
+
 void Foam::demDriver::step()
 {
     if (lastStep_ == mesh_.time().timeIndex())
@@ -181,14 +191,7 @@ void Foam::demDriver::step()
     }
     lastStep_ = mesh_.time().timeIndex();
     checkStep();
-
-    cloud_.evolve
-    (
-        fluid_.velocity(),
-        fluid_.pressureGradient()(),
-        fluid_.density()(),
-        fluid_.viscosity()()
-    );
+    evolve();
 
     if (!steady_)
     {
@@ -252,10 +255,39 @@ Foam::demDriver::demDriver(const fvMesh& mesh)
             << " most 1" << exit(FatalIOError);
     }
     force_.note() = drag_.note() = cloud_.particles().heading();
+
+    if (cloud_.transfersHeat())
+    {
+        if (steady_)
+        {
+            FatalErrorInFunction
+                << cloud_.heat().reason().c_str() << ", but this solver is steady"
+                << " (ddtSchemes), and heat is exchanged over a time step; take a"
+                << " transient solver, or leave the effect out" << exit(FatalError);
+        }
+        heat_.reset(new demThermoHeat(mesh, cloud_.heat()));
+    }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::demDriver& Foam::demDriver::of(const fvMesh& mesh, const word& source)
+{
+    const demDriver* found = mesh.findObject<demDriver>(typeName);
+
+    if (!found)
+    {
+        FatalErrorInFunction
+            << "There are no particles for source " << source << ": add to"
+            << " functions in system/controlDict" << nl
+            << "    particles { type demCloud; libs (\"libdemCoupling.so\"); }"
+            << nl << "(demPimpleFoam has its own and needs neither.)"
+            << exit(FatalError);
+    }
+    return const_cast<demDriver&>(*found);
+}
+
 
 void Foam::demDriver::refuseTopologyChange() const
 {
@@ -318,6 +350,16 @@ const Foam::volScalarField& Foam::demDriver::drag()
 }
 
 
+void Foam::demDriver::addHeat(fvMatrix<scalar>& eqn)
+{
+    step();
+    if (heat_)
+    {
+        heat_->addTo(eqn);
+    }
+}
+
+
 void Foam::demDriver::endStep()
 {
     if (cloud_.particles().twoWay())
@@ -341,6 +383,10 @@ void Foam::demDriver::endStep()
         else
         {
             cloud_.correct(fluid_.velocity(), fluid_.density()());
+            if (heat_)
+            {
+                heat_->correct(fluid_.density()());
+            }
         }
     }
     else

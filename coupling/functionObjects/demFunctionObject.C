@@ -7,6 +7,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demFunctionObject.H"
+#include "demEnergySource.H"
 #include "demMomentumSource.H"
 #include "fvOptions.H"
 #include "mapPolyMesh.H"
@@ -74,13 +75,14 @@ static void checkControl(const dictionary& dict)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::functionObjects::demFunctionObject::addSource()
+template<class Source>
+void Foam::functionObjects::demFunctionObject::addSource(const word& name)
 {
     fv::optionList& sources = fv::options::New(mesh_);
 
     forAll(sources, i)
     {
-        if (isA<fv::demMomentumSource>(sources[i]))
+        if (isA<Source>(sources[i]))
         {
             return;
         }
@@ -91,16 +93,16 @@ void Foam::functionObjects::demFunctionObject::addSource()
         FatalErrorInFunction
             << "The coupling is two-way, and this case has its own file"
             << " fvOptions; add to it" << nl
-            << "    particles { type demMomentumSource;"
+            << "    " << name << " { type " << Source::typeName << ';'
             << " libs (\"libdemCoupling.so\"); }" << exit(FatalError);
     }
 
     dictionary dict;
-    dict.add("type", fv::demMomentumSource::typeName);
+    dict.add("type", Source::typeName);
 
     const label n = sources.size();
     sources.setSize(n + 1);
-    sources.set(n, fv::option::New(name(), dict, mesh_).ptr());
+    sources.set(n, fv::option::New(name, dict, mesh_).ptr());
 }
 
 
@@ -159,7 +161,11 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
 
     if (driver_().cloud().particles().twoWay())
     {
-        addSource();
+        addSource<fv::demMomentumSource>(name);
+        if (driver_().cloud().transfersHeat())
+        {
+            addSource<fv::demEnergySource>(name + "Heat");
+        }
     }
 
     FatalIOError.throwExceptions(throwingIO);

@@ -20,25 +20,6 @@ namespace fv
 }
 }
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::demDriver& Foam::fv::demMomentumSource::driver() const
-{
-    const demDriver* found = mesh_.findObject<demDriver>(demDriver::typeName);
-
-    if (!found)
-    {
-        FatalErrorInFunction
-            << "There are no particles for source " << name_ << ": add to"
-            << " functions in system/controlDict" << nl
-            << "    particles { type demCloud; libs (\"libdemCoupling.so\"); }"
-            << nl << "(demPimpleFoam has its own and needs neither.)"
-            << exit(FatalError);
-    }
-    return const_cast<demDriver&>(*found);
-}
-
-
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::fv::demMomentumSource::demMomentumSource
@@ -76,7 +57,9 @@ void Foam::fv::demMomentumSource::addSup
     const label
 )
 {
-    if (!driver().active())
+    demDriver& driver = demDriver::of(mesh_, name_);
+
+    if (!driver.active())
     {
         return;
     }
@@ -85,10 +68,10 @@ void Foam::fv::demMomentumSource::addSup
     (
         "rho",
         dimDensity,
-        driver().cloud().particles().fluidDensity()
+        driver.cloud().particles().fluidDensity()
     );
 
-    eqn += driver().force()/rho - fvm::Sp(driver().drag()/rho, eqn.psi());
+    eqn += driver.force()/rho - fvm::Sp(driver.drag()/rho, eqn.psi());
 }
 
 
@@ -99,12 +82,14 @@ void Foam::fv::demMomentumSource::addSup
     const label
 )
 {
-    if (!driver().active())
+    demDriver& driver = demDriver::of(mesh_, name_);
+
+    if (!driver.active())
     {
         return;
     }
 
-    eqn += driver().force() - fvm::Sp(driver().drag(), eqn.psi());
+    eqn += driver.force() - fvm::Sp(driver.drag(), eqn.psi());
 }
 
 // ************************************************************************* //
