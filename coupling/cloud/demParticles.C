@@ -421,7 +421,7 @@ void Foam::demParticles::write(dictionary& numbers)
     demCheck(dem_save(dem_, file.c_str()));
     demSnapshot::writeNumbers(mesh_.time(), numbers);
     refresh();
-    demWriter::write(mesh_, view_, transfer_.inMeshFrame(view_), location(), heading());
+    demWriter::write(mesh_, dem_, view_, transfer_.inMeshFrame(view_), location(), heading());
 }
 
 // ************************************************************************* //

@@ -24,11 +24,31 @@ static const fileName cloudFolder("lagrangian/particles");
 
 // One particle as numbers, sent to the rank that writes it:
 // 0 cell, 1 position, 4 velocity, 7 spin, 10 contact force, 13 diameter,
-// 14 mass, 15 id, 16 material, 17 flags, 18 true position
+// 14 mass, 15 id, 16 material, 17 flags, 18 true position, 21 first of the scalars
 enum { N_NUMBERS = 21 };
+
+// Numbers of the particle scalars that are written
+static labelList writtenScalars(const ::dem* d)
+{
+    DynamicList<label> written;
+
+    for (int k = 0; k < dem_scalar_count(d); k++)
+    {
+        struct ::dem_scalar_info info;
+        dem_scalar_info(d, k, &info);
+        if (info.written)
+        {
+            written.append(k);
+        }
+    }
+    return labelList(written);
+}
+
 
 static void pack
 (
+    ::dem* d,
+    const labelUList& scalars,
     const struct ::dem_view& v,
     const struct ::dem_view& folded,
     const double* address,
@@ -56,12 +76,15 @@ static void pack
     to.append(*reinterpret_cast<const uint16_t*>(at));
 
     for (int k = 0; k < 3; k++) to.append(truePosition[k]);
+    for (const label k : scalars) to.append(dem_scalar(d, k)[i]);
 }
 
 
 // Send each particle to the rank of its cell
 static List<scalar> distribute
 (
+    ::dem* d,
+    const labelUList& scalars,
     const struct ::dem_view& v,
     const struct ::dem_view& folded,
     const double* address
@@ -71,7 +94,7 @@ static List<scalar> distribute
 
     for (size_t i = 0; i < v.n; i++)
     {
-        pack(v, folded, address, i, out[label(address[2*i])]);
+        pack(d, scalars, v, folded, address, i, out[label(address[2*i])]);
     }
 
     if (!Pstream::parRun())
@@ -139,7 +162,8 @@ static void writePositions
 (
     const fvMesh& mesh,
     const string& heading,
-    const UList<scalar>& all
+    const UList<scalar>& all,
+    const label each
 )
 {
     const IOobject io(fileOf(mesh, "positions", heading));
@@ -148,9 +172,9 @@ static void writePositions
     OFstream os(io.objectPath());
     os.precision(15);
     io.writeHeader(os, "Cloud<passiveParticle>");
-    os  << all.size()/N_NUMBERS << nl << "(" << nl;
+    os  << all.size()/each << nl << "(" << nl;
 
-    for (label at = 0; at < all.size(); at += N_NUMBERS)
+    for (label at = 0; at < all.size(); at += each)
     {
         os  << three(all, at + 1) << ' ' << label(all[at]) << nl;
     }
@@ -178,15 +202,16 @@ static void writeField
 (
     const IOobject& io,
     const UList<scalar>& all,
+    const label each,
     const label first,
     const From& from
 )
 {
-    IOField<Type> field(io, all.size()/N_NUMBERS);
+    IOField<Type> field(io, all.size()/each);
 
     forAll(field, i)
     {
-        field[i] = from(all, N_NUMBERS*i + first);
+        field[i] = from(all, each*i + first);
     }
     field.write();
 }
@@ -206,13 +231,16 @@ int64_t Foam::demWriter::maxId()
 void Foam::demWriter::write
 (
     const fvMesh& mesh,
+    ::dem* d,
     const struct ::dem_view& view,
     const struct ::dem_view& folded,
     const double* address,
     const string& heading
 )
 {
-    const List<scalar> all(distribute(view, folded, address));
+    const labelList scalars(writtenScalars(d));
+    const label each = N_NUMBERS + scalars.size();
+    const List<scalar> all(distribute(d, scalars, view, folded, address));
 
     const auto one = [](const UList<scalar>& n, const label at)
     {
@@ -228,19 +256,25 @@ void Foam::demWriter::write
         return fileOf(mesh, name, heading);
     };
 
-    writePositions(mesh, heading, all);
+    writePositions(mesh, heading, all, each);
     writeProperties(mesh, heading);
-    writeField<vector>(io("U"), all, 4, three);
-    writeField<vector>(io("omega"), all, 7, three);
-    writeField<vector>(io("contactForce"), all, 10, three);
-    writeField<scalar>(io("d"), all, 13, one);
-    writeField<scalar>(io("mass"), all, 14, one);
-    writeField<label>(io("id"), all, 15, whole);
-    writeField<label>(io("material"), all, 16, whole);
-    writeField<label>(io("flags"), all, 17, whole);
+    writeField<vector>(io("U"), all, each, 4, three);
+    writeField<vector>(io("omega"), all, each, 7, three);
+    writeField<vector>(io("contactForce"), all, each, 10, three);
+    writeField<scalar>(io("d"), all, each, 13, one);
+    writeField<scalar>(io("mass"), all, each, 14, one);
+    writeField<label>(io("id"), all, each, 15, whole);
+    writeField<label>(io("material"), all, each, 16, whole);
+    writeField<label>(io("flags"), all, each, 17, whole);
     if (folded.position != view.position)
     {
-        writeField<vector>(io("place"), all, 18, three);
+        writeField<vector>(io("place"), all, each, 18, three);
+    }
+    forAll(scalars, k)
+    {
+        struct ::dem_scalar_info info;
+        dem_scalar_info(d, scalars[k], &info);
+        writeField<scalar>(io(info.name), all, each, N_NUMBERS + k, one);
     }
 }
 
