@@ -34,9 +34,9 @@ static IOobject temperatureFile(const fvMesh& mesh, const demHeatExchange& excha
     if (!io.typeHeaderOk<volScalarField>(true))
     {
         FatalErrorInFunction
-            << exchange.reason().c_str() << ", but " << io.instance() << " has no field T;"
-            << " give the temperature of the fluid [K] in " << io.instance()
-            << "/T, or leave the effect out" << exit(FatalError);
+            << exchange.reason().c_str() << ", but there is no field "
+            << io.instance().c_str() << "/T; give it, the temperature of the fluid [K],"
+            << " or leave the effect out" << exit(FatalError);
     }
     return io;
 }
