@@ -318,7 +318,7 @@ static void test_conduction(void)
 /* ---- entries --------------------------------------------------------------------------------- */
 
 static const char physics[] = "materials { glass { density 2500; youngsModulus 1e7; heatCapacity 800; "
-                              "conductivity 1; } } ";
+                              "conductivity 1; emissivity 0.5; } } ";
 
 static void claim_sizes(const char *what, const char *rest, double smallest, double largest,
                         double mass)
