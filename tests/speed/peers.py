@@ -18,6 +18,7 @@ import shutil
 import scenes
 
 DENSITY, YOUNG, POISSON, RESTITUTION, FRICTION = 2500.0, 5e6, 0.25, 0.9, 0.3    # of equal.dem
+ROLLING = 0.1                                                                   # of rolling.dem
 LOSS = -math.log(RESTITUTION)/math.hypot(math.log(RESTITUTION), math.pi)
 # of bonded.dem
 BOND = dict(normal=5e9, shear=2e9, radius=0.5e-3, stiffness=2500.0, ratio=0.4, reach=1.02)
@@ -153,7 +154,8 @@ class Liggghts(Lammps):
     """One grid only: with `neighbor ... multi` LIGGGHTS 3.8.0 takes granular styles, lists no pair
     and lets spheres pass each other."""
     program = package = "liggghts"
-    laws = {"equal": "hertz", "sizes": "hertz", "ratio": "hertz", "hysteresis": "hooke/hysteresis"}
+    laws = {"equal": "hertz", "sizes": "hertz", "ratio": "hertz", "hysteresis": "hooke/hysteresis",
+            "rolling": "hertz", "hopper": "hertz"}
     grids, digits = ("bin",), '"%d %.12g %.12g %.12g %.12g"'
 
     def head(self):
@@ -165,7 +167,13 @@ class Liggghts(Lammps):
                  f"fix m2 all property/global poissonsRatio peratomtype {POISSON}",
                  f"fix m3 all property/global coefficientRestitution peratomtypepair 1 {RESTITUTION}",
                  f"fix m4 all property/global coefficientFriction peratomtypepair 1 {FRICTION}"]
-        options = ""
+        options, mesh = "", []
+        if scene["law"] == "rolling":
+            model += " rolling_friction epsd2"
+            lines += [f"fix m5 all property/global coefficientRollingFriction peratomtypepair 1 {ROLLING}"]
+        if scene["law"] == "hopper":
+            mesh = [f"fix cone all mesh/surface file {os.path.join(scenes.HERE, 'hopper.stl')} type 1",
+                    f"fix hopper all wall/gran {model} mesh n_meshes 1 meshes cone"]
         if scene["law"] == "hysteresis":
             options = " tangential_damping off"
             lines += ["fix m5 all property/global characteristicVelocity scalar 1",
@@ -174,7 +182,7 @@ class Liggghts(Lammps):
                       "fix m8 all property/global coefficientPlasticityDepth peratomtypepair 1 0.05"]
         return lines + [f"pair_style gran {model}{options}", "pair_coeff * *",
                         "fix pull all gravity 9.81 vector 0 0 -1",
-                        f"fix floor all wall/gran {model} primitive type 1 zplane 0.0{options}"]
+                        f"fix floor all wall/gran {model} primitive type 1 zplane 0.0{options}"] + mesh
 
 
 class Yade:

@@ -33,12 +33,15 @@ SCENES = {
     "agitatedRatio100k": dict(RATIO, speed=0.7, steps=1000),
     "bonded20k": dict(EQUAL, law="bonded", bed="equal", speed=0.02),
     "hysteresis20k": dict(EQUAL, law="hysteresis"),
+    "rolling20k": dict(EQUAL, law="rolling", bed="equal"),
+    "hopper50k": dict(EQUAL, law="hopper", width=0.08, steps=800),
     "small": SMALL,
     "smallRest": dict(SMALL, speed=0.0, steps=100),
     "smallSizes": dict(SMALL, law="sizes", width=0.02, spheres=500, height=0.009, mean=1.6e-3,
                        classes=(2e-3,)),
     "smallBonded": dict(SMALL, law="bonded", bed="equal", speed=0.02),
     "smallHysteresis": dict(SMALL, law="hysteresis"),
+    "smallRolling": dict(SMALL, law="rolling", bed="equal"),
 }
 FULL = [name for name in SCENES if not name.startswith("small")]
 
