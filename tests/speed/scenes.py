@@ -17,6 +17,7 @@ BEDS = os.path.join(HERE, "beds")
 # mean diameter [m]. Exceptions: `bed`, the scene that settles it (default: that of the law).
 # `spheres` and `height`: of another bed than that of the scene. `classes`: diameters at which
 # another class of size begins, for searches with classes. `young`: stiffness other than 5e6 Pa.
+# `mesh`: file of triangles that the scene reads where it runs.
 EQUAL = dict(law="equal", width=0.025, copies=1, speed=0.0, step=2e-6, steps=2000, mean=1e-3)
 SMALL = dict(EQUAL, width=0.01, speed=0.5, steps=500, spheres=500, height=0.006)
 SIZES = dict(law="sizes", width=0.04, copies=5, speed=0.0, step=2e-6, steps=600, mean=1.6e-3,
@@ -34,7 +35,7 @@ SCENES = {
     "bonded20k": dict(EQUAL, law="bonded", bed="equal", speed=0.02),
     "hysteresis20k": dict(EQUAL, law="hysteresis"),
     "rolling20k": dict(EQUAL, law="rolling", bed="equal"),
-    "hopper50k": dict(EQUAL, law="hopper", width=0.08, steps=800),
+    "hopper50k": dict(EQUAL, law="hopper", width=0.08, steps=800, mesh="hopper.stl"),
     "small": SMALL,
     "smallRest": dict(SMALL, speed=0.0, steps=100),
     "smallSizes": dict(SMALL, law="sizes", width=0.02, spheres=500, height=0.009, mean=1.6e-3,
@@ -75,6 +76,8 @@ def settled(dem, bed, scene):
     snapshot = os.path.join(folder, "settled", "snapshot.dem")
     if not os.path.exists(os.path.join(folder, "done")):
         os.makedirs(folder, exist_ok=True)
+        if "mesh" in scene:
+            shutil.copy(os.path.join(HERE, scene["mesh"]), folder)
         print(f"# settling {name} (once)", flush=True)
         other = []
         if "spheres" in scene:
