@@ -52,7 +52,8 @@ struct dem_effect_list
     int fused;
     struct dem_pair_class pair;
     unsigned needs;               /* enum dem_needs, or-ed */
-    int moments, past_touching;   /* 1: has effects of MOMENT or BOND; of BOND or FILM */
+    int moments, past_touching;   /* 1: has effects of MOMENT or BOND; effects that act
+                                     across a gap */
     int scalars;                  /* 1: has effects with particle scalars */
     int grains;                   /* 1: has effects on the grains of parcels, */
     int parcel_scalar;            /* whose ratio is this scalar */

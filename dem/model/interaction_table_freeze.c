@@ -40,10 +40,8 @@ static struct dem_pair_class pair_class(const struct dem_interaction_table *r, i
                  Eo = o->youngs_modulus;
     const double Ra = r->min_radius[a], Rb = r->min_radius[b];
     struct dem_pair_class c = {
-        .a = m, .b = o, .with_wall = with_wall, .fluid_density = r->fluid_density};
-
-    c.min_parcel_ratio = r->parcels.min;
-    c.max_parcel_ratio = r->parcels.max;
+        .a = m, .b = o, .with_wall = with_wall, .fluid_density = r->fluid_density,
+        .min_parcel_ratio = r->parcels.min, .max_parcel_ratio = r->parcels.max};
     int turned = 0;
 
     c.reduced_modulus = 1.0/((1.0 - nm*nm)/Em + (1.0 - no*no)/Eo);

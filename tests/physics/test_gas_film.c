@@ -81,18 +81,7 @@ static double mass(double R)
 
 static double temperature(struct dem *d, int64_t id)
 {
-    const double *const all = dem_scalar(d, dem_scalar_index(d, "temperature"));
-    struct dem_view v;
-
-    dem_view(d, &v);
-    for (size_t n = 0; n < v.n; n++)
-    {
-        if (world_id(&v, n) == id)
-        {
-            return all[n];
-        }
-    }
-    return NAN;
+    return world_scalar(d, "temperature", id);
 }
 
 /* From the heat that a frozen sphere at 400 K loses in a step to one, or a wall, of 300 K. `soft`:

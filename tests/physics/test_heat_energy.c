@@ -28,18 +28,7 @@ static double mass(void)
 
 static double temperature(struct dem *d, int64_t id)
 {
-    const double *const all = dem_scalar(d, dem_scalar_index(d, "temperature"));
-    struct dem_view v;
-
-    dem_view(d, &v);
-    for (size_t n = 0; n < v.n; n++)
-    {
-        if (world_id(&v, n) == id)
-        {
-            return all[n];
-        }
-    }
-    return NAN;
+    return world_scalar(d, "temperature", id);
 }
 
 /* Rounding of the temperatures in a run, at 400 K: half a unit in the last place a step. */

@@ -17,18 +17,7 @@ static const double c = 464.0, rho = 7800.0, sigma = 5.670374419e-8, a_T = 1000.
 
 static double temperature(struct dem *d, int64_t id)
 {
-    const double *const all = dem_scalar(d, dem_scalar_index(d, "temperature"));
-    struct dem_view v;
-
-    dem_view(d, &v);
-    for (size_t n = 0; n < v.n; n++)
-    {
-        if (world_id(&v, n) == id)
-        {
-            return all[n];
-        }
-    }
-    return NAN;
+    return world_scalar(d, "temperature", id);
 }
 
 /* Two spheres, or a sphere and a wall (L = 0), at the distance l: what a gains [W]. */

@@ -148,6 +148,24 @@ static inline struct world_particle world_at(const struct dem *d, int64_t id)
     exit(1);
 }
 
+/* a particle scalar of particle `id` */
+static inline double world_scalar(struct dem *d, const char *name, int64_t id)
+{
+    const double *const all = dem_scalar(d, dem_scalar_index(d, name));
+    struct dem_view v;
+
+    dem_view(d, &v);
+    for (size_t k = 0; k < v.n; k++)
+    {
+        if (world_id(&v, k) == id)
+        {
+            return all[k];
+        }
+    }
+    printf("Bail out! there is no particle %lld\n", (long long)id);
+    exit(1);
+}
+
 /* force on the wall of this name */
 static inline void world_wall(struct dem *d, const char *name, double force[3])
 {

@@ -32,7 +32,7 @@
  *
  * Source: Rong and Horio, Proc. 2nd Int. Conf. on CFD in the Minerals and Process Industries (1999)
  * 65; film of the larger sphere, walls: Musser, PhD thesis, West Virginia University (2011), as in
- * MFIX. Not here: resistance of the spheres, radiation.
+ * MFIX. Not here: resistance of the spheres.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
