@@ -6,22 +6,21 @@
 Slope   of the centre of mass about the axis, which is that of a plane surface; mean from 1 s on, with
         95 % of blocks of 0.25 s
 Speed   sqrt(mean square of velocity), likewise
-Mixing  Lacey's index M = (s0^2 - s^2)/(s0^2 - sr^2) of the beads that lie in the upper half at 0.25 s,
-        in cells of 12 mm: s^2 the variance of their fraction c, weighted by the beads of the cells,
-        s0^2 = c (1 - c) unmixed, sr^2 = s0^2/n at random with n particles a cell; 0 unmixed, 1 random
+Mixing  Lacey's index of the beads that lie in the upper half at 0.25 s, in cells of 12 mm (mixing.py)
 Cost    of the log: particles, steps, processor time; none of a run that has not ended
-
-Source: Lacey, J. Appl. Chem. 4 (1954) 257.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import argparse
 import csv
 import re
+import sys
 from pathlib import Path
 
 import numpy
-from scipy.stats import t as student
+
+sys.path.append(str(Path(__file__).resolve().parent.parent/"muellerBed"))
+from mixing import blocks, lacey, processor_time        # noqa: E402
 
 REST, STEADY, BLOCK, CELL = 0.25, 1.0, 0.25, 0.012
 
@@ -37,27 +36,6 @@ def read(path):
     return table[0, 0], table[:, 2], table[:, 3], numpy.sqrt((table[:, 4:]**2).sum(axis=1))
 
 
-def lacey(x, z, upper):
-    _, cell, n = numpy.unique(numpy.floor(numpy.column_stack((x, z))/CELL), axis=0, return_inverse=True,
-                              return_counts=True)
-    fraction = numpy.bincount(cell.ravel(), weights=upper)/n
-    c = upper.mean()
-    unmixed = c*(1 - c)
-    spread = (n*(fraction - c)**2).sum()/n.sum()
-    at_random = unmixed*len(n)/n.sum()
-    return (unmixed - spread)/(unmixed - at_random)
-
-
-def blocks(times, values):
-    """Mean and half of the 95 % interval, from blocks."""
-    steady = times >= STEADY
-    number = ((times[steady] - STEADY + 1e-9)/BLOCK).astype(int)
-    means = [values[steady][number == k].mean() for k in range(int(number.max()) + 1)
-             if (number == k).sum() > 1]
-    half = student.ppf(0.975, len(means) - 1)*numpy.std(means, ddof=1)/len(means)**0.5
-    return numpy.mean(means), half
-
-
 def row(folder, end):
     times, slope, speed, mixed, upper = [], [], [], {}, None
     for path in sorted(Path(folder).glob("particles_*.csv")):
@@ -70,13 +48,13 @@ def row(folder, end):
         slope.append(numpy.degrees(numpy.arctan2(abs(x.mean()), -z.mean())))
         speed.append((v**2).mean()**0.5)
         if upper is not None:
-            mixed[round(time, 2)] = lacey(x, z, upper)
+            mixed[round(time, 2)] = lacey(numpy.column_stack((x, z)), upper, CELL)
     log = Path(f"{folder}.log").read_text()
-    ended = re.search(r"processor ([\d.]+) s, (\d+) steps", log)
-    processor, steps = ended.groups() if ended else ("nan", 0)
+    steps = re.search(r"^profile: .* (\d+) steps$", log, re.MULTILINE)
     times = numpy.array(times)
-    return (len(upper), int(steps), float(processor), *blocks(times, numpy.array(slope)),
-            *blocks(times, numpy.array(speed)), *(mixed.get(t, numpy.nan) for t in (1.5, 3.0, 4.5)))
+    return (len(upper), steps[1] if steps else "not ended", processor_time(log),
+            *blocks(times, numpy.array(slope), STEADY, BLOCK),
+            *blocks(times, numpy.array(speed), STEADY, BLOCK), *(mixed.get(t, numpy.nan) for t in (1.5, 3.0, 4.5)))
 
 
 def main():

@@ -6,7 +6,7 @@
 Height    of the centre of mass, and below which 95 % of the mass is; means over time, with 95 % of
           blocks of 0.15 s
 Pressure  between plate and top, likewise
-Mixing    Lacey's index (../drum/parcels.py) of the beads that lie in the upper half at the start, in
+Mixing    Lacey's index (mixing.py) of the beads that lie in the upper half at the start, in
           cells of 11 mm, at the end
 Cost      of the log: processor time of the solver, and of it that of particles and of the exchange
 
@@ -17,30 +17,11 @@ import re
 from pathlib import Path
 
 import numpy
-from scipy.stats import t as student
 
 import frames
+from mixing import blocks, lacey, processor_time
 
 BLOCK, CELL = 0.15, 0.011
-
-
-def blocks(times, values, start):
-    """Mean and half of the 95 % interval, from blocks."""
-    later = times >= start - 1e-9
-    number = ((times[later] - start + 1e-9)/BLOCK).astype(int)
-    means = [values[later][number == k].mean() for k in range(int(number.max()) + 1)
-             if (number == k).sum() > 1]
-    half = student.ppf(0.975, len(means) - 1)*numpy.std(means, ddof=1)/len(means)**0.5
-    return numpy.mean(means), half
-
-
-def lacey(position, upper):
-    _, cell, n = numpy.unique(numpy.floor(position[:, [0, 2]]/CELL), axis=0, return_inverse=True,
-                              return_counts=True)
-    fraction = numpy.bincount(cell.ravel(), weights=upper)/n
-    c = upper.mean()
-    spread, unmixed = (n*(fraction - c)**2).sum()/n.sum(), c*(1 - c)
-    return (unmixed - spread)/(unmixed - unmixed*len(n)/n.sum())
 
 
 def read_ids(path, at):
@@ -60,20 +41,19 @@ def row(case, start):
         times.append(time)
         centre.append(z.mean())
         top.append(numpy.quantile(z, 0.95))
-        mixed = lacey(position, upper)
+        mixed = lacey(position[:, [0, 2]], upper, CELL)
     times = numpy.array(times)
     plate, above = (frames.read_columns(case, name, "surfaceFieldValue.dat")
                     for name in ("platePressure", "topPressure"))
     density = frames.entry(Path(case)/"constant/transportProperties", "rho")
     log = (Path(case)/"log.demPimpleFoam").read_text()
-    processor = re.findall(r"profile of fluid and coupling: wall clock .*, processor ([\d.]+) s", log)[-1]
     of = {name: float(seconds) for name, seconds in
           re.findall(r"^    (\w+) +[\d.]+ % +[\d.e+-]+ s +([\d.e+-]+) s$", log.split(
               "profile of fluid and coupling")[-1], re.MULTILINE)}
-    return (len(upper), *blocks(times, numpy.array(centre), start),
-            *blocks(times, numpy.array(top), start),
-            *blocks(plate[0], density*(plate[1] - above[1]), start), mixed, times[-1],
-            float(processor), of["particles"])
+    return (len(upper), *blocks(times, numpy.array(centre), start, BLOCK),
+            *blocks(times, numpy.array(top), start, BLOCK),
+            *blocks(plate[0], density*(plate[1] - above[1]), start, BLOCK), mixed, times[-1],
+            processor_time(log, "profile of fluid and coupling"), of["particles"])
 
 
 def main():
