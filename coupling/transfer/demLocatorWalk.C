@@ -224,6 +224,23 @@ void Foam::demLocator::cross(const label facei, walkState& t) const
 }
 
 
+void Foam::demLocator::setPeriods(const vector& period)
+{
+    for (vector& shift : shift_)
+    {
+        const vector mesh(shift);
+
+        for (direction k = 0; k < 3 && mag(mesh) > 0; k++)
+        {
+            if (period[k] > 0)
+            {
+                shift[k] = mag(mesh[k]) < 0.5*mag(mesh) ? 0 : sign(mesh[k])*period[k];
+            }
+        }
+    }
+}
+
+
 Foam::point Foam::demLocator::centre(const label cell) const
 {
     return cell >= 0 && cell < mesh_.nCells() ? mesh_.cellCentres()[cell] : point::zero;

@@ -142,6 +142,7 @@ Foam::demParticleRouting::lostParticles Foam::demTransfer::locate
         build();
     }
     limiter_().clear();
+    locator_().setPeriods(vector(view.period[0], view.period[1], view.period[2]));
     if (wedge_.valid())
     {
         wedge_().rotateIn(view);

@@ -281,6 +281,7 @@ void dem_view(const struct dem *d, struct dem_view *v)
                            .force = dem_column(p, DEM_COLUMN_FORCE),
                            .torque = dem_column(p, DEM_COLUMN_TORQUE),
                            .orientation = dem_column(p, DEM_COLUMN_ORIENTATION)};
+    memcpy(v->period, d->state.domain.length, sizeof v->period);
 }
 
 int dem_virial(struct dem *d, double *virial)

@@ -308,6 +308,8 @@ struct dem_view
     const double *force, *torque;              /* N, N m  of contacts, contiguous, 3 each */
     const double *orientation;                 /* contiguous, 4 each; NULL without
                                                   dem_orientation_enable */
+    double period[3];                          /* m  length of the box along periodic axes, 0 along
+                                                  others: positions that differ by it are one */
 };
 
 /* ---- particle scalars ------------------------------------------------------------------------ */
