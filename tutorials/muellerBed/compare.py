@@ -193,7 +193,7 @@ def read_log(case):
         "processor": last(rf"ExecutionTime = {number} s"),
         "fluid": last(rf"time spent on fluid {number} s"),
         "particles": last(rf"time spent on fluid .* particles {number} s"),
-        "exchange": last(rf"time spent on fluid .* exchange {number} s"),
+        "transfer": last(rf"time spent on fluid .* exchange {number} s"),
         "exchange": worst(rf"exchange error {number}", max),
         "overlap": worst(rf"overlap at most {number}", max),
         "void": worst(rf"void fraction at least {number}", min),
@@ -257,7 +257,7 @@ def report(profiles, against, times, blocks, balance, log):
     print(f"exchange of momentum: largest relative error {log['exchange']:.1e}; largest overlap {100*log['overlap']:.2f} % of d, "
           f"least void fraction in a cell {log['void']:.3f}")
     print(f"wall time {log['wall']:.0f} s: fluid {log['fluid']:.0f} s, particles {log['particles']:.0f} s, "
-          f"exchange {log['exchange']:.0f} s\n")
+          f"exchange {log['transfer']:.0f} s\n")
 
 
 def main():
