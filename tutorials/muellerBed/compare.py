@@ -117,8 +117,8 @@ class Profile:
 # ---- a run ---------------------------------------------------------------------------------------
 
 def read_profiles(case, start, half, gaussian):
-    """Profiles with the sums of all frames from `start` on, the frames' times, and the number of
-    beads."""
+    """Profiles with the sums of all frames from `start` on, the frames' times, blocks, and the sum of d^3 of
+    the beads [m3]."""
     against = experiment(case)
     profiles = [Profile(quantity, height, unit, half, against.folder, gaussian)
                 for quantity, height, unit, *_ in against.rows]
@@ -130,17 +130,17 @@ def read_profiles(case, start, half, gaussian):
     chosen = [frame for frame in listed if frame[0] > start*(1 + 1e-9)]
     if len(chosen) < 4:
         sys.exit(f"compare: {len(chosen)} instants after {start:g} s are too few for an interval; run 0.1 s or more")
-    count = 0
+    cubes = 0                                       # m3, sum of d^3
     for _, *place in chosen:
         beads = frames.read_frame(*place)
-        count = len(beads[0])
+        cubes = (beads[2]**3).sum()
         for profile in profiles:
             profile.add(*beads)
     times = numpy.array([frame[0] for frame in chosen])
     blocks = averages.cut_blocks(len(times), max(4, int(round((end - start)/BLOCK))))
     for profile in profiles:
         profile.average(blocks)
-    return profiles, times, len(blocks), count
+    return profiles, times, len(blocks), cubes
 
 
 def mean_of(time, values, start):
@@ -153,12 +153,12 @@ def mean_of(time, values, start):
 class Balance:
     """Forces that carry the beads, over the cross-section of the bed [Pa]."""
 
-    def __init__(self, case, start, count):
+    def __init__(self, case, start, cubes):
         air = frames.entry(case/"constant/transportProperties", "rho")
         beads = frames.entry(case/"constant/demProperties", "density")
         area = WIDTH*DEPTH
         # less buoyancy, as p is without rho g
-        self.weight = count*numpy.pi/6*DIAMETER**3*(beads - air)*9.81/area
+        self.weight = cubes*numpy.pi/6*(beads - air)*9.81/area
 
         self.time, plate, *_ = frames.read_columns(case, "platePressure", "surfaceFieldValue.dat")
         _, top, *_ = frames.read_columns(case, "topPressure", "surfaceFieldValue.dat")
@@ -275,9 +275,9 @@ def main():
         import selfcheck
         sys.exit(selfcheck.run())
 
-    profiles, times, blocks, count = read_profiles(words.case, words.start, 1e-3*words.slab,
+    profiles, times, blocks, cubes = read_profiles(words.case, words.start, 1e-3*words.slab,
                                                     words.gauss)
-    balance = Balance(words.case, min(words.start, 0.5*times[-1]), count)
+    balance = Balance(words.case, min(words.start, 0.5*times[-1]), cubes)
     log = read_log(words.case)
     write_result(words.case, profiles, balance, log, times[-1] - min(words.start, 0.5*times[-1]))
     report(profiles, experiment(words.case), times, blocks, balance, log)

@@ -21,11 +21,11 @@ def draw_speeds(case, shares, centres, profiles, measured):
             axes.plot(1e3*x, of, mark, ms=3.5, mfc="none", color=colour,
                       label=f"measured, {side}, Yue et al. 2020")
         axes.set_title(f"at {share:.2f} of the height at rest", loc="left", fontsize=9.5)
-        axes.set(xlim=(0, 140), ylim=(0, None))
     for axes in panels[1]:
         axes.set_xlabel("distance from the middle [mm]")
     for axes in panels[:, 0]:
         axes.set_ylabel("speed of the beads [m/s]")
+    panels[0, 0].set(xlim=(0, 140), ylim=(0, None))     # of all, after the last curve
     panels[0, 2].legend(loc="upper right", fontsize=8)
     figure.tight_layout()
     save(figure, case/"speed.png")
