@@ -157,6 +157,47 @@ def program():
     assert numpy.allclose(last["velocity"][a], state["velocity"][b], rtol=1e-6, atol=1e-6)
 
 
+def vtk():
+    """to_vtk writes the points and arrays that the program writes of the same state"""
+    program_step = "-set write/interval 0.03 -set write/folder '\"vtk\"' -set time/end 0.03"
+    assert os.system(f'{os.environ["DEM"]} run {program_step} scene.dem > log 2>&1') == 0
+    sim = suna.Simulation(Path("scene.dem"))
+    sim.advance(0.03)
+    sim.to_vtk("own.vtp")
+    own, other = (suna.read_vtp(name) for name in ("own.vtp", "vtk/particles_000001.vtp"))
+    assert set(other) - set(own) == {"material"}, set(other) ^ set(own)
+    a, b = numpy.argsort(own["id"]), numpy.argsort(other["id"])
+    for name in ("id", "points", "diameter", "velocity", "spin", "force"):
+        assert numpy.array_equal(own[name][a].astype(other[name].dtype), other[name][b]), name
+    assert numpy.array_equal(own["connectivity"], other["connectivity"])
+
+
+def resting():
+    """a grain at rest on a floor: its virial is -weight times radius; the heat of three grains is m c T"""
+    sim = suna.Simulation(SCENE.split("insert")[0].replace("restitution 0.7", "restitution 0.2"))
+    sim.add_particles([[0, 0, 0.499e-3]], 1e-3, "glass")
+    sim.advance(0.3)
+    expected = -sim.mass[0]*9.81*sim.position[0, 2]
+    assert abs(sim.virial[0, 2]/expected - 1) < 1e-3, (sim.virial[0], expected)
+    assert abs(sim.virial[0, :2]).max() < 1e-3*abs(expected)
+    assert "particle-steps" in sim.profile() and sim.warnings(1.0) == ""
+    assert "WARNINGS" in suna.Simulation(SCENE.replace("-9.81", "9.81")).warnings(1.0)
+    warm = suna.Simulation(SCENE.split("walls")[0].replace("effects {", "effects { conduction {}").replace(
+        "density 2500;", "density 2500; conductivity 1; heatCapacity 800;"))
+    warm.add_particles(2e-3*numpy.eye(3), 1e-3, "glass")
+    warm.scalar("temperature")[:] = 300
+    assert abs(warm.total("temperature")/(warm.mass.sum()*800*300) - 1) < 1e-14
+
+
+def grid():
+    """averages of the scene's grids are written where the program says"""
+    sim = suna.Simulation(SCENE + "averages { box { min (-0.005 -0.005 0); max (0.005 0.005 0.02); cells (1 1 2); interval 1e-3; } }")
+    sim.advance(2e-3)
+    Path("averages").mkdir()
+    sim.averages("averages")
+    assert "solid" in suna.read_table("averages/box.csv").columns.str.cat(), suna.read_table("averages/box.csv").columns
+
+
 def progress():
     """a callback is called while it advances"""
     calls = []
@@ -191,8 +232,8 @@ def plots():
 
 
 def main():
-    tests = [views, free_fall, scenes, errors, restart, energies, load, files, program, progress,
-             interrupted, plots]
+    tests = [views, free_fall, scenes, errors, restart, energies, load, files, program, vtk, resting,
+             grid, progress, interrupted, plots]
     os.chdir(tempfile.mkdtemp(dir=sys.argv[1]))
     failed = 0
     print(f"1..{len(tests)}")

@@ -14,8 +14,7 @@ At six heights over the bottom, shares of the bed's height at rest, 200 mm:
 What is held, and why so:
   beads     none is lost
   exchange  1e-12, an identity
-Speeds are only reported: the measurement has no interval, and the run is short. -test, the short
-form: the last two only.
+Speeds are only reported: the measurement has no interval. -test, the short form: balances only.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

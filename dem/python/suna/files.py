@@ -61,6 +61,30 @@ def read_vtp(path):
     return columns
 
 
+def write_vtp(path, columns):
+    """Write arrays as points for ParaView; positions are `points`."""
+    n = len(columns["points"])
+    kinds = {numpy.dtype(kind): name for name, kind in VTK_KINDS.items()}
+    tags, parts, at = {}, [], 0
+    verts = {"connectivity": numpy.arange(n), "offsets": numpy.arange(1, n + 1)}
+    for name, values in {**columns, **verts}.items():
+        data = numpy.ascontiguousarray(values).tobytes()
+        width = values.shape[1] if values.ndim > 1 else 1
+        tags[name] = (f'<DataArray type="{kinds[values.dtype]}" Name="{name}" '
+                      f'NumberOfComponents="{width}" format="appended" offset="{at}"/>')
+        parts.append(len(data).to_bytes(8, "little") + data)
+        at += len(parts[-1])
+    text = "\n".join((
+        '<?xml version="1.0"?>',
+        '<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">',
+        f'<PolyData><Piece NumberOfPoints="{n}" NumberOfVerts="{n}">',
+        f'<Points>{tags.pop("points")}</Points>',
+        f'<Verts>{tags.pop("connectivity")}{tags.pop("offsets")}</Verts>',
+        "<PointData>", *tags.values(), "</PointData>", "</Piece></PolyData>",
+        '<AppendedData encoding="raw">', "_"))
+    Path(path).write_bytes(text.encode() + b"".join(parts) + b"\n</AppendedData>\n</VTKFile>\n")
+
+
 # ---- snapshots -----------------------------------------------------------------------------------
 
 FLOW = numpy.dtype([("name", "S48"), ("kind", "i8"), ("count", "i8"), ("mass", "f8"),

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy
 
 from ._library import ffi, lib
+from .files import write_vtp
 
 
 class SunaError(Exception):
@@ -426,6 +427,42 @@ class Simulation:
                  "energy": f.energy, "waiting": f.waiting}
                 for f in (flow[0][k] for k in range(n[0]))]
 
+    @property
+    def virial(self):
+        """Contact stress times volume of each particle [J], n x 6: xx yy zz xy yz zx, tension positive;
+        0 before the first step."""
+        values = numpy.empty((len(self), 6))
+        check(lib.dem_virial(self._set, ffi.from_buffer("double[]", values)))
+        return values
+
+    def total(self, name):
+        """The sum over all particles of capacity times the particle scalar, e.g. the heat of
+        "temperature" above 0 K [J]. Collective."""
+        k, value = lib.dem_scalar_index(self._set, name.encode()), ffi.new("double *")
+        if k < 0:
+            raise KeyError(f"no effect of the scene has the particle scalar {name}")
+        check(lib.dem_scalar_total(self._set, k, value))
+        return value[0]
+
+    def averages(self, folder):
+        """Write NAME.csv and NAME.vti of each grid of the scene's `averages` that has samples into
+        the folder, which must exist. Collective."""
+        check(lib.dem_averages(self._set, os.fspath(folder).encode()))
+
+    def profile(self):
+        """Where the time of the run since the first step went, as text. Collective."""
+        text = ffi.new("char **")
+        check(lib.dem_profile_text(self._set, ffi.cast("const char **", text)))
+        return ffi.string(text[0]).decode()
+
+    def warnings(self, duration):
+        """What of the scene is likely to be a mistake in a run of this duration [s], as text; "" when
+        there is nothing. Collective."""
+        info, text = ffi.new("struct dem_run_info *"), ffi.new("char **")
+        info.duration = duration
+        check(lib.dem_warnings(self._set, info, 0, ffi.NULL, ffi.cast("const char **", text)))
+        return ffi.string(text[0]).decode()
+
     def plan(self, duration):
         """The plan of a run of this duration [s] as text: effects, steps, memory, time. Collective."""
         info, text = ffi.new("struct dem_run_info *"), ffi.new("char **")
@@ -438,6 +475,14 @@ class Simulation:
     def save(self, path):
         """Write a snapshot. Collective."""
         check(lib.dem_save(self._set, os.fspath(path).encode()))
+
+    def to_vtk(self, path):
+        """Write the particles of this rank for ParaView (.vtp), with the names of the program's files:
+        id, diameter, velocity, spin, force, and the particle scalars."""
+        write_vtp(path, {
+            "points": self.position, "id": self.id, "diameter": 2*self.radius,
+            "velocity": self.velocity, "spin": self.spin, "force": self.force,
+            **{name: self.scalar(name) for name in self.scalars}})
 
     def plot(self, axes=None, colour=None, plane="xz"):
         """Draw the particles as circles with matplotlib; `colour`: a number for each, else the
