@@ -478,9 +478,10 @@ class Simulation:
 
     def to_vtk(self, path):
         """Write the particles of this rank for ParaView (.vtp), with the names of the program's files:
-        id, diameter, velocity, spin, force, and the particle scalars."""
+        id, material, diameter, velocity, spin, force, and the particle scalars."""
         write_vtp(path, {
-            "points": self.position, "id": self.id, "diameter": 2*self.radius,
+            "points": self.position, "id": self.id,
+            "material": self._column("material").astype(numpy.int64), "diameter": 2*self.radius,
             "velocity": self.velocity, "spin": self.spin, "force": self.force,
             **{name: self.scalar(name) for name in self.scalars}})
 
