@@ -15,15 +15,21 @@ static const double sides[2] = {1.0, -1.0};
 struct storage    /* where contact forces are: [0] deferred rows, [1] buffered rows */
 {
     const struct dem_contact_force *base[2];  /* records of the rows, or the ring buffer */
+    const struct dem_contact_moment *moment[2];    /* likewise, if there are moments */
     uint32_t mask[2];                         /* of the row number */
 };
 
 static struct storage storage_of(const struct dem_contacts *c, int unobserved)
 {
-    return unobserved && c->forces.buffer
-               ? (struct storage){{c->forces.force, c->forces.buffer},
+    const struct dem_contact_forces *const f = &c->forces;
+
+    return unobserved && f->buffer
+               ? (struct storage){{f->force, f->buffer},
+                                  {f->moment, f->moment_buffer},
                                   {UINT32_MAX, DEM_FORCE_BUFFER_ROWS - 1}}
-               : (struct storage){{c->forces.force, c->forces.force}, {UINT32_MAX, UINT32_MAX}};
+               : (struct storage){{f->force, f->force},
+                                  {f->moment, f->moment},
+                                  {UINT32_MAX, UINT32_MAX}};
 }
 
 __attribute__((always_inline)) static inline void
@@ -38,9 +44,21 @@ add(const struct storage *at, uint32_t entry, double radius, dem_vec4 *f, dem_ve
     *t += (__builtin_shufflevector(row_f, row_f, 3, 3, 3, 3) - radius)*row_t;
 }
 
-DEM_KERNEL
-static void sum(const struct dem_contacts *c, const struct dem_particle *restrict record,
-                const struct dem_sum_slice *part)
+__attribute__((always_inline)) static inline void
+add_moment(const struct storage *at, uint32_t entry, dem_vec4 *t)
+{
+    const uint32_t buffered = (entry & DEM_ENTRY_BUFFERED)/DEM_ENTRY_BUFFERED;
+    const struct dem_contact_moment *const from =
+        at->moment[buffered] + (entry >> DEM_ENTRY_ROW_SHIFT & at->mask[buffered]);
+
+    *t += sides[entry & DEM_ENTRY_SIDE]*DEM_VEC4(from->m);
+}
+
+/* `moments`: 1 when rows have moments; a compile-time constant at every call. Those of a particle
+   are added after its forces. */
+__attribute__((always_inline)) static inline void
+sum(const struct dem_contacts *c, const struct dem_particle *restrict record,
+    const struct dem_sum_slice *part, const int moments)
 {
     const struct storage at = storage_of(c, part->unobserved);
     const uint32_t *restrict const start = c->rows.start, *restrict const entry = c->rows.entry;
@@ -58,40 +76,37 @@ static void sum(const struct dem_contacts *c, const struct dem_particle *restric
             add(&at, entry[k], radius, &f, &t);
             add(&at, entry[k + 1], radius, &f, &t);
         }
+        for (size_t k = start[i], end = start[i + 1]; moments && k < end; k += 2)
+        {
+            add_moment(&at, entry[k], &t);
+            add_moment(&at, entry[k + 1], &t);
+        }
         DEM_VEC4_AT(part->force[i - part->first]) = f;
         DEM_VEC4_AT(part->torque[i - part->first]) = __builtin_shufflevector(t, none, 0, 1, 2, 7);
     }
 }
 
-static void add_moments(const struct dem_contacts *c, const struct dem_sum_slice *part)
+DEM_KERNEL
+static void sum_forces(const struct dem_contacts *c, const struct dem_particle *restrict record,
+                       const struct dem_sum_slice *part)
 {
-    for (size_t i = part->first; i < part->end; i++)
-    {
-        double *const torque = part->torque[i - part->first];
+    sum(c, record, part, 0);
+}
 
-        for (uint32_t e = c->rows.start[i]; e < c->rows.start[i + 1]; e++)
-        {
-            const double side = sides[c->rows.entry[e] & DEM_ENTRY_SIDE];
-            const double *const m = c->forces.moment + 3*(c->rows.entry[e] >> DEM_ENTRY_ROW_SHIFT);
-
-            torque[0] += side*m[0];
-            torque[1] += side*m[1];
-            torque[2] += side*m[2];
-        }
-    }
+DEM_KERNEL
+static void sum_forces_and_moments(const struct dem_contacts *c,
+                                   const struct dem_particle *restrict record,
+                                   const struct dem_sum_slice *part)
+{
+    sum(c, record, part, 1);
 }
 
 void dem_sum_slice(const struct dem_particles *p, const struct dem_contacts *c,
                    const struct dem_sum_slice *part)
 {
-    if (part->first == part->end)
+    if (part->first < part->end)
     {
-        return;
-    }
-    sum(c, p->record, part);
-    if (c->forces.moment)
-    {
-        add_moments(c, part);
+        (c->forces.moment ? sum_forces_and_moments : sum_forces)(c, p->record, part);
     }
 }
 
