@@ -132,7 +132,7 @@ class Run:
 
     def folders(self):
         """Times at which the beads were written, with their folders."""
-        found = [(float(path.parts[-3]), path.parent) for path in
+        found = [(float(path.parts[-4]), path.parent) for path in
                  self.run.glob("[0-9]*/lagrangian/particles/temperature")]
         return sorted(found)
 
