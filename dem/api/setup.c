@@ -425,7 +425,8 @@ int dem_api_setup(struct dem *d)
         d->scene.average[k].comment = d->heading;
     }
     DEM_TRY(dem_api_agree(d, dem_grid_averages_init(d->state.averages, d->scene.average,
-                                                    d->scene.averages, d->state.time,
+                                                    d->scene.averages,
+                                                    &d->state.interaction_table, d->state.time,
                                                     d->state.decomposition.rank == 0)));
     DEM_TRY(dem_api_agree(d, resume_averages(d)));
     dem_timers_begin(d->state.timers, d->state.rebuilds, d->state.prunes, d->state.agreements);

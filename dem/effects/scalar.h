@@ -4,8 +4,8 @@
  *
  * A row is a constant that effects list by its address; effects that list the same row share the
  * scalar. From the row follow storage, sorting, ghosts, migration, backup, snapshots, the entries of
- * scenes (insertion, streams, walls, start), output and the calls dem_scalar of dem.h. A scene whose
- * effects list none has none.
+ * scenes (insertion, streams, walls, start), output, means on grids and the calls dem_scalar of dem.h. A scene
+ * whose effects list none has none.
  *
  * A scalar with a rate obeys, over a time step h,
  *
@@ -39,7 +39,7 @@ enum dem_scalar_flag
     DEM_SCALAR_PARTNERS = 1,    /* contact effects read it: contact batches have the values of both
                                    partners, and ghosts have it */
     DEM_SCALAR_RATE = 2,        /* effects change it: rates are summed and integrated in each step */
-    DEM_SCALAR_WRITTEN = 4,     /* it is written with the particles (VTK, CSV) */
+    DEM_SCALAR_WRITTEN = 4,     /* it is written with the particles (VTK, CSV), and averaged on grids */
     DEM_SCALAR_AMOUNT = 8,      /* an amount: a wall has no value of it, a flux only */
     DEM_SCALAR_HEAT = 16        /* C ds is energy [J]: the energy balance counts it; one in a scene */
 };

@@ -349,9 +349,9 @@ int dem_wall_count(const struct dem *);
 const char *dem_wall_name(const struct dem *, int wall);
 int dem_wall_load(struct dem *, int wall, double force[3], double torque[3]);
 
-/* Averages on the grids of the scene's `averages`, sampled during dem_advance. dem_averages: the
-   first rank writes NAME.csv and NAME.vti of each grid that has samples into the folder, which
-   must exist. All ranks call it; only the first can fail. */
+/* Averages on the grids of the scene's `averages`, also of particle scalars, sampled during
+   dem_advance. dem_averages: the first rank writes NAME.csv and NAME.vti of each grid that has
+   samples into the folder, which must exist. All ranks call it; only the first can fail. */
 int dem_averages_count(const struct dem *);
 int dem_averages(struct dem *, const char *folder);
 

@@ -1,18 +1,9 @@
 /*
- * grid_averages.c -- deposit particles on grids, sum samples in blocks and compute means with intervals.
+ * grid_averages.c -- what is averaged on grids: volume, mass, momentum, kinetic flux m v v and virial of the particles,
+ * and their scalars; means with intervals.
  *
- * 1. Each particle's volume, mass, momentum, kinetic flux m v v and virial are distributed over the
- *    cells that it overlaps.
- * 2. The contributions are converted to integers, so that the sum over particles and ranks does not
- *    depend on the order.
- * 3. Each sample is added to the block sums (core/block_means.h) on the first rank.
- * 4. When the files are written, the quantities of grid_averages.h follow from the means.
- *
- * Unit of the integers: the largest contribution of one particle anywhere over 2^b. b leaves enough
- * bits for all particles in one cell; with a million particles b = 42, which is 2e-13 of the
- * largest. A cell wider than a periodic box contains a particle up to three times along that axis,
- * which takes two bits more. So no sum can overflow. A contribution that is not finite, or too
- * large for products of means, ends the run.
+ * Sums are those of output/grid_sums.h. When the files are written, the quantities of grid_averages.h follow from the
+ * means. Each scalar has sums of its own, so that the others are the same in a scene without it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -20,10 +11,12 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/vec.h"
-#include "parallel/collect.h"
-#include "simulation/dem_state.h"
 #include "diagnostics/virial.h"
+#include "model/scalars.h"
+#include "simulation/dem_state.h"
+#include <ctype.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,10 +29,14 @@ enum
     VIRIAL = FLUX + 6,
     COLUMNS = VIRIAL + 6,
 
-    KINDS = 5,                /* columns of one unit have one scale */
-    RESULTS = 12,
+    WEIGHT = 0,               /* of a scalar */
+    WEIGHTED,
+    SCALAR_COLUMNS,
 
-    MAX_BITS = 61             /* of a sum, without its sign */
+    KINDS = 5,                /* columns of one unit have one scale */
+    FIELDS = 5,
+    RESULTS = 12,
+    NAME = 64
 };
 
 static const int kind_of[COLUMNS] = {0, 1, 2, 2, 2, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4};
@@ -48,8 +45,10 @@ static const char *const kind_name[KINDS] = {"volume", "mass", "momentum", "m v 
                                              "virial of its contacts"};
 static const char *const kind_unit[KINDS] = {"m3", "kg", "kg m/s", "J", "J"};
 
-/* Limit of a contribution of one particle, SI units: squares of sums of squares stay finite. */
-static const double max_contribution = 1e60;
+static const int scalar_kind_of[SCALAR_COLUMNS] = {0, 1};
+static const char *const scalar_kind_name[SCALAR_COLUMNS] = {"a weight of its particle scalars of",
+                                                             "a particle scalar times its weight of"};
+static const char *const scalar_kind_unit[SCALAR_COLUMNS] = {"(SI)", "(SI)"};
 
 static const double max_samples = 0x1p53;    /* integers that are exact in a double */
 
@@ -59,31 +58,40 @@ static const double same_time = 1e-6;
 
 /* ---- set-up ---------------------------------------------------------------------------------- */
 
-static size_t cells_of(const struct dem_grid_average *g)
-{
-    return (size_t)g->entry.cells[0]*(size_t)g->entry.cells[1]*(size_t)g->entry.cells[2];
-}
-
 /* Number of the first sample after a time: the same with a restart as without. */
 static int64_t number_after(const struct dem_averages_entry *p, double time)
 {
     return (int64_t)fmin(floor((time - p->start)/p->interval + same_time), max_samples) + 1;
 }
 
+static int init_grid(struct dem_grid_average *g, const struct dem_interaction_table *r, double time,
+                     int collects)
+{
+    g->next = time > g->entry.start ? number_after(&g->entry, time) : 0;
+    DEM_TRY(dem_grid_sums_init(&g->sums, &g->entry, COLUMNS, collects));
+    for (int k = 0; k < r->scalars; k++)
+    {
+        if (r->scalar[k]->flags & DEM_SCALAR_WRITTEN)
+        {
+            struct dem_scalar_average *const s = &g->scalar[g->scalars++];
+
+            s->index = k;
+            s->name = r->scalar[k]->name;
+            DEM_TRY(dem_grid_sums_init(&s->sums, &g->entry, SCALAR_COLUMNS, collects));
+        }
+    }
+    return DEM_OK;
+}
+
 int dem_grid_averages_init(struct dem_grid_averages *a, const struct dem_averages_entry *entry,
-                           int n, double time, int collects)
+                           int n, const struct dem_interaction_table *r, double time, int collects)
 {
     DEM_TRY(DEM_NEW(a->grid, (size_t)n + 1));
     a->grids = n;
     for (int k = 0; k < n; k++)
     {
-        struct dem_grid_average *const g = &a->grid[k];
-
-        g->entry = entry[k];
-        g->next = time > g->entry.start ? number_after(&g->entry, time) : 0;
-        DEM_TRY(DEM_NEW(g->sum, COLUMNS*cells_of(g)));
-        DEM_TRY(DEM_NEW(g->sample, COLUMNS*cells_of(g)));
-        DEM_TRY(dem_block_means_init(&g->blocks, collects ? COLUMNS*cells_of(g) : 0));
+        a->grid[k].entry = entry[k];
+        DEM_TRY(init_grid(&a->grid[k], r, time, collects));
     }
     return DEM_OK;
 }
@@ -92,58 +100,24 @@ void dem_grid_averages_free(struct dem_grid_averages *a)
 {
     for (int k = 0; k < a->grids; k++)
     {
-        dem_memory_free(a->grid[k].sum);
-        dem_memory_free(a->grid[k].sample);
+        dem_grid_sums_free(&a->grid[k].sums);
+        for (int s = 0; s < a->grid[k].scalars; s++)
+        {
+            dem_grid_sums_free(&a->grid[k].scalar[s].sums);
+        }
         dem_memory_free(a->grid[k].virial);
-        dem_block_means_free(&a->grid[k].blocks);
     }
     dem_memory_free(a->grid);
     *a = (struct dem_grid_averages){.grids = 0};
 }
 
-/* ---- overlap of a sphere and cells ----------------------------------------------------------- */
-
-struct slab                 /* the cells along one axis that a sphere overlaps */
-{
-    int first, count;
-    double lower, width;    /* m: lower edge of the grid, width of a cell */
-    double x, radius;
-};
-
-static struct slab slab_of(const struct dem_averages_entry *p, int axis, double x, double radius)
-{
-    const double width = (p->max[axis] - p->min[axis])/(double)p->cells[axis];
-    const double from = floor((x - radius - p->min[axis])/width),
-                 to = floor((x + radius - p->min[axis])/width);
-    const int first = from < 0.0 ? 0 : from > p->cells[axis] ? p->cells[axis] : (int)from;
-    const int last = to < 0.0 ? -1 : to >= p->cells[axis] ? p->cells[axis] - 1 : (int)to;
-
-    return (struct slab){.first = first,
-                         .count = last - first + 1,
-                         .lower = p->min[axis],
-                         .width = width,
-                         .x = x,
-                         .radius = radius};
-}
-
-/* Fraction of the sphere's volume below a plane. */
-static double below(const struct slab *s, double plane)
-{
-    const double h = fmax(-1.0, fmin(1.0, (plane - s->x)/s->radius));
-
-    return 0.25*(2.0 + 3.0*h - h*h*h);
-}
-
-static double slab_fraction(const struct slab *s, int cell)
-{
-    return below(s, s->lower + (double)(cell + 1)*s->width) -
-           below(s, s->lower + (double)cell*s->width);
-}
-
 /* ---- one sample ------------------------------------------------------------------------------ */
 
-static void particle_values(const struct dem_particle *q, const double *virial, double out[COLUMNS])
+static void particle_values(const struct dem_grid_columns *s, const struct dem_state *p,
+                            size_t particle, double *out)
 {
+    const struct dem_particle *const q = &p->particles.record[particle];
+
     out[VOLUME] = dem_particle_volume(q);
     out[MASS] = q->mass;
     for (int k = 0; k < 3; k++)
@@ -152,179 +126,55 @@ static void particle_values(const struct dem_particle *q, const double *virial, 
         out[FLUX + k] = q->mass*q->v[k]*q->v[k];
         out[FLUX + 3 + k] = q->mass*q->v[k]*q->v[(k + 1)%3];
     }
-    memcpy(out + VIRIAL, virial, 6*sizeof *out);
+    memcpy(out + VIRIAL, s->virial + 6*particle, 6*sizeof *out);
 }
 
-/* DEM_ERROR_NUMBER with the first particle of this rank that has a contribution above the limit. */
-static int refuse_contribution(const struct dem_grid_average *g, const struct dem_state *p)
+/* The weight is the capacity, else 1 for an amount, else the mass. */
+static void scalar_values(const struct dem_grid_columns *s, const struct dem_state *p,
+                          size_t particle, double *out)
 {
-    double out[COLUMNS];
+    const struct dem_interaction_table *const r = &p->interaction_table;
+    const struct dem_particle *const q = &p->particles.record[particle];
+    const struct dem_scalar *const row = r->scalar[s->scalar];
 
-    for (size_t i = 0; i < p->particles.n; i++)
-    {
-        const struct dem_particle *const q = &p->particles.record[i];
-
-        particle_values(q, g->virial + 6*i, out);
-        for (int c = 0; c < COLUMNS; c++)
-        {
-            DEM_REQUIRE(
-                isless(fabs(out[c]), max_contribution), DEM_ERROR_NUMBER,
-                "averages/%s: particle %lld at (%g %g %g) m with (%g %g %g) m/s has %s %g %s in step %lld, the "
-                "limit is %g; look at the forces on it, or use a smaller time/step",
-                g->entry.name, (long long)q->id, q->x[0], q->x[1], q->x[2], q->v[0], q->v[1],
-                q->v[2], kind_name[kind_of[c]], out[c], kind_unit[kind_of[c]], (long long)p->steps,
-                max_contribution);
-        }
-    }
-    return DEM_OK;
-}
-
-/* Extra bits for several periodic images of one particle in one cell. */
-static int bits_of_images(const struct dem_averages_entry *a, const struct dem_domain *d)
-{
-    int bits = 0;
-
-    for (int k = 0; k < 3; k++)
-    {
-        bits += d->periodic[k] &&
-                        (a->max[k] - a->min[k])/(double)a->cells[k] > d->length[k]*(1.0 + 1e-9)
-                    ? 2
-                    : 0;
-    }
-    return bits;
-}
-
-/* Collective. Binary exponent by which each kind of number is scaled. Computed from maxima and
-   an integer count, hence equal on all ranks. Returns 0 when a contribution is too large. n: particles of this rank. */
-static int scales(const struct dem_grid_average *g, const struct dem_state *p, size_t n,
-                  int scale[KINDS])
-{
-    double largest[KINDS] = {0.0}, out[COLUMNS];
-    int64_t count = (int64_t)n;
-    int bits = 0, good = 1;
-
-    for (size_t i = 0; i < n; i++)
-    {
-        particle_values(&p->particles.record[i], g->virial + 6*i, out);
-        for (int c = 0; c < COLUMNS; c++)
-        {
-            double *const max = &largest[kind_of[c]];
-
-            *max = islessequal(fabs(out[c]), *max) ? *max : isnan(out[c]) ? INFINITY : fabs(out[c]);
-        }
-    }
-    dem_collect_max_double(&p->decomposition, largest, KINDS);
-    dem_collect_sum_int64(&p->decomposition, &count, 1);
-    while (count >> bits)
-    {
-        bits++;
-    }
-    for (int k = 0; k < KINDS; k++)
-    {
-        int exponent;
-
-        good = good && largest[k] < max_contribution;
-        frexp(good ? largest[k] : 0.0, &exponent);
-        scale[k] = MAX_BITS - bits - bits_of_images(&g->entry, &p->domain) - exponent;
-    }
-    return good;
-}
-
-/* Add the values of one sphere at x to the cells that it overlaps. */
-static void deposit(struct dem_grid_average *g, const double x[3], double radius,
-                    const double value[COLUMNS])
-{
-    struct slab s[3];
-
-    for (int k = 0; k < 3; k++)
-    {
-        s[k] = slab_of(&g->entry, k, x[k], radius);
-    }
-    for (int z = s[2].first; z < s[2].first + s[2].count; z++)
-    {
-        const double sz = slab_fraction(&s[2], z);
-
-        for (int y = s[1].first; y < s[1].first + s[1].count; y++)
-        {
-            const double sy = sz*slab_fraction(&s[1], y);
-
-            for (int h = s[0].first; h < s[0].first + s[0].count; h++)
-            {
-                const double fraction = sy*slab_fraction(&s[0], h);
-                int64_t *const sum =
-                    g->sum +
-                    COLUMNS*((size_t)h + (size_t)g->entry.cells[0]*
-                                               ((size_t)y + (size_t)g->entry.cells[1]*(size_t)z));
-
-                for (int c = 0; c < COLUMNS; c++)
-                {
-                    sum[c] += llrint(fraction*value[c]);
-                }
-            }
-        }
-    }
-}
-
-/* Every particle at its position and at its periodic images, which may overlap the grid too. */
-static void deposit_all(struct dem_grid_average *g, const struct dem_state *p, size_t n,
-                        const int scale[KINDS])
-{
-    const int *const periodic = p->domain.periodic;
-    double out[COLUMNS];
-
-    for (size_t i = 0; i < n; i++)
-    {
-        const struct dem_particle *const q = &p->particles.record[i];
-
-        particle_values(q, g->virial + 6*i, out);
-        for (int c = 0; c < COLUMNS; c++)
-        {
-            out[c] = ldexp(out[c], scale[kind_of[c]]);
-        }
-        for (int a = -periodic[0]; a <= periodic[0]; a++)
-        {
-            for (int b = -periodic[1]; b <= periodic[1]; b++)
-            {
-                for (int c = -periodic[2]; c <= periodic[2]; c++)
-                {
-                    const double x[3] = {q->x[0] + a*p->domain.length[0],
-                                         q->x[1] + b*p->domain.length[1],
-                                         q->x[2] + c*p->domain.length[2]};
-
-                    deposit(g, x, q->radius, out);
-                }
-            }
-        }
-    }
+    out[WEIGHT] = row->capacity
+                      ? dem_interaction_table_capacity(r, s->scalar, q->material, q->mass)
+                  : row->flags & DEM_SCALAR_AMOUNT ? 1.0
+                                                   : q->mass;
+    out[WEIGHTED] = out[WEIGHT]*dem_scalar_values(&p->particles, s->scalar)[particle];
 }
 
 /* Collective; a rank without memory takes part without particles. */
 static int sample(struct dem_grid_average *g, const struct dem_state *p, int status)
 {
-    const size_t cells = cells_of(g), numbers = COLUMNS*cells;
     const int short_of_memory = DEM_GROW(g->virial, g->virial_capacity, 6*(p->particles.n + 1));
     const size_t n = short_of_memory ? 0 : p->particles.n;
-    int scale[KINDS];
 
     status = status ? status : short_of_memory;
     if (!short_of_memory)
     {
         dem_virial_sum(p, g->virial);
     }
-    if (!scales(g, p, n, scale))                              /* the same on all ranks */
+    const struct dem_grid_columns mechanics = {.columns = COLUMNS,
+                                               .kinds = KINDS,
+                                               .kind_of = kind_of,
+                                               .kind_name = kind_name,
+                                               .kind_unit = kind_unit,
+                                               .virial = g->virial,
+                                               .values = particle_values};
+
+    status = dem_grid_sums_sample(&g->sums, &g->entry, &mechanics, p, n, status);
+    for (int k = 0; k < g->scalars; k++)
     {
-        return status ? status : refuse_contribution(g, p);
-    }
-    memset(g->sum, 0, numbers*sizeof *g->sum);
-    deposit_all(g, p, n, scale);
-    dem_collect_sum_int64_to_first(&p->decomposition, g->sum, numbers);
-    for (size_t k = 0; k < numbers && p->decomposition.rank == 0; k++)
-    {
-        g->sample[k] = ldexp((double)g->sum[k], -scale[kind_of[k%COLUMNS]]);
-    }
-    if (p->decomposition.rank == 0)
-    {
-        dem_block_means_add(&g->blocks, g->sample, 1.0);
+        const struct dem_grid_columns scalar = {.columns = SCALAR_COLUMNS,
+                                                .kinds = SCALAR_COLUMNS,
+                                                .kind_of = scalar_kind_of,
+                                                .kind_name = scalar_kind_name,
+                                                .kind_unit = scalar_kind_unit,
+                                                .scalar = g->scalar[k].index,
+                                                .values = scalar_values};
+
+        status = dem_grid_sums_sample(&g->scalar[k].sums, &g->entry, &scalar, p, n, status);
     }
     return status;
 }
@@ -397,25 +247,59 @@ static void divide_by_volume(double *out, double volume)
     }
 }
 
-static int save(const struct dem_grid_average *g, const char *folder)
+/* The mean of a scalar. */
+static void ratio(const double *mean, double *out)
 {
-    const size_t cells = cells_of(g);
-    double volume = 1.0, *value, *ci;
+    out[0] = mean[WEIGHT] > 0.0 ? mean[WEIGHTED]/mean[WEIGHT] : 0.0;
+}
 
-    DEM_TRY(DEM_NEW(value, 2*RESULTS*cells));
-    ci = value + RESULTS*cells;
+/* The name of the mean of a scalar: that of the scalar, or particleName where one of `fields` has it. */
+static void name_scalar(const char *scalar, const struct dem_averages_quantity *field, int fields,
+                        char name[NAME])
+{
+    int taken = 0;
+
+    for (int k = 0; k < fields; k++)
+    {
+        taken = taken || strcmp(field[k].name, scalar) == 0;
+    }
+    snprintf(name, NAME, taken ? "particle%c%s" : "%c%s",
+             taken ? toupper((unsigned char)scalar[0]) : scalar[0], scalar + 1);
+}
+
+/* Means of all cells, `stride` numbers a cell: RESULTS, then one for each scalar. */
+static void derive(const struct dem_grid_average *g, size_t stride, double *value, double *ci)
+{
+    double volume = 1.0;
+
     for (int k = 0; k < 3; k++)
     {
         volume *= (g->entry.max[k] - g->entry.min[k])/(double)g->entry.cells[k];
     }
-    for (size_t c = 0; c < cells; c++)
+    for (size_t c = 0; c < dem_averages_cells(&g->entry); c++, value += stride, ci += stride)
     {
-        dem_block_means_derive(&g->blocks, COLUMNS*c, COLUMNS, results, RESULTS,
-                               value + RESULTS*c, ci + RESULTS*c);
-        divide_by_volume(value + RESULTS*c, volume);
-        divide_by_volume(ci + RESULTS*c, volume);
+        dem_block_means_derive(&g->sums.blocks, COLUMNS*c, COLUMNS, results, RESULTS, value, ci);
+        divide_by_volume(value, volume);
+        divide_by_volume(ci, volume);
+        for (int k = 0; k < g->scalars; k++)
+        {
+            dem_block_means_derive(&g->scalar[k].sums.blocks, SCALAR_COLUMNS*c, SCALAR_COLUMNS,
+                                   ratio, 1, value + RESULTS + k, ci + RESULTS + k);
+        }
     }
-    const struct dem_averages_quantity field[] =
+}
+
+static int save(const struct dem_grid_average *g, const struct dem_interaction_table *r,
+                const char *folder)
+{
+    const size_t stride = RESULTS + (size_t)g->scalars, numbers = stride*dem_averages_cells(&g->entry);
+    char name[DEM_SCALARS][NAME];
+    double *value, *ci;
+
+    DEM_TRY(DEM_NEW(value, 2*numbers));
+    ci = value + numbers;
+    derive(g, stride, value, ci);
+    struct dem_averages_quantity field[FIELDS + DEM_SCALARS] =
     {
         {"solidFraction", "1", 1, value, ci},
         {"bulkDensity", "kg/m3", 1, value + 1, ci + 1},
@@ -423,8 +307,13 @@ static int save(const struct dem_grid_average *g, const char *folder)
         {"temperature", "m2/s2", 1, value + 5, ci + 5},
         {"stress", "Pa", 6, value + 6, ci + 6},
     };
-    const int status = dem_averages_io_write(folder, &g->entry, field,
-                                             (int)(sizeof field/sizeof *field), RESULTS);
+    for (int k = 0; k < g->scalars; k++)
+    {
+        name_scalar(g->scalar[k].name, field, FIELDS, name[k]);
+        field[FIELDS + k] = (struct dem_averages_quantity){
+            name[k], r->scalar[g->scalar[k].index]->unit, 1, value + RESULTS + k, ci + RESULTS + k};
+    }
+    const int status = dem_averages_io_write(folder, &g->entry, field, FIELDS + g->scalars, stride);
 
     dem_memory_free(value);
     return status;
@@ -435,9 +324,9 @@ int dem_grid_averages_write(const struct dem_grid_averages *a, const struct dem_
 {
     for (int k = 0; k < a->grids && p->decomposition.rank == 0; k++)
     {
-        if (a->grid[k].blocks.samples > 0)
+        if (a->grid[k].sums.blocks.samples > 0)
         {
-            DEM_TRY(save(&a->grid[k], folder));
+            DEM_TRY(save(&a->grid[k], &p->interaction_table, folder));
         }
     }
     return DEM_OK;

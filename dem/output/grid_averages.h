@@ -8,11 +8,15 @@
  *   temperature     (<m v.v>/<m> - |<m v>/<m>|^2)/3        [m2/s2] about the mean over time
  *   stress          (<W> - <m v v> + <m v><m v>/<m>)/Vc    [Pa]    contacts and motion, tension > 0
  *
- *   < > mean over samples; Vc volume of the cell; W virial of the contacts (diagnostics/virial.h)
+ *   a scalar        <w s>/<w>                              [unit]  each particle scalar that is written
+ *
+ *   < > mean over samples; Vc volume of the cell; W virial of the contacts (diagnostics/virial.h);
+ *   w capacity of the particle, where the scalar s has one (effects/scalar.h), else its mass, and 1
+ *   for an amount
  *
  * The fraction of a particle that belongs to a cell is the product of its fractions in three slabs,
  * each the volume of a sphere between two parallel planes: exact where only faces of one direction
- * cut the sphere; the sum over cells is always its volume. Mass, momentum and virial are
+ * cut the sphere; the sum over cells is always its volume. Mass, momentum, virial and scalars are
  * distributed like the volume.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -20,20 +24,28 @@
 #ifndef DEM_OUTPUT_GRID_AVERAGES_H
 #define DEM_OUTPUT_GRID_AVERAGES_H
 
-#include "core/block_means.h"
-#include "output/averages_io.h"
 #include "checkpoint/snapshot.h"
+#include "model/interaction_table.h"
+#include "output/grid_sums.h"
 
 struct dem_state;
+
+struct dem_scalar_average             /* accumulators of a particle scalar */
+{
+    int index;                   /* of the interaction table */
+    const char *name;
+    struct dem_grid_sums sums;
+};
 
 struct dem_grid_average               /* accumulators of one grid */
 {
     struct dem_averages_entry entry;
     int64_t next;                /* number of the next sample */
-    int64_t *sum;                /* cells x 17 integers: sums do not depend on the order */
-    double *sample, *virial;
+    struct dem_grid_sums sums;   /* all but scalars */
+    double *virial;
     size_t virial_capacity;
-    struct dem_block_means blocks;    /* on the first rank */
+    int scalars;
+    struct dem_scalar_average scalar[DEM_SCALARS];
 };
 
 struct dem_grid_averages
@@ -42,10 +54,10 @@ struct dem_grid_averages
     int grids;
 };
 
-/* Set up n grids (names stay the caller's). Samples before `time` [s] are skipped. Only the rank
-   with `collects` (the first) allocates block sums. */
+/* Set up n grids (names stay the caller's), with the scalars of the frozen table. Samples before
+   `time` [s] are skipped. Only the rank with `collects` (the first) allocates block sums. */
 int dem_grid_averages_init(struct dem_grid_averages *, const struct dem_averages_entry *, int n,
-                           double time, int collects);
+                           const struct dem_interaction_table *, double time, int collects);
 void dem_grid_averages_free(struct dem_grid_averages *);
 
 /* 1 when a sample of a grid is due at this time [s]. */
@@ -64,7 +76,7 @@ int dem_grid_averages_write(const struct dem_grid_averages *, const struct dem_s
 /* Save and restore the sums of the first rank, for a restart. dem_grid_averages_spans describes them
    as spans of memory that are valid until the next sample; the caller frees *record and *span.
    dem_grid_averages_restore restores them from the bytes of the file `path`: a grid continues when
-   its name, box, cells, start and interval are unchanged, and begins anew otherwise. */
+   its name, box, cells, start and interval are unchanged, and begins anew otherwise; so does each scalar of it. */
 struct dem_grid_average_record;
 int dem_grid_averages_spans(const struct dem_grid_averages *, struct dem_grid_average_record **,
                             struct dem_span **, int *n);

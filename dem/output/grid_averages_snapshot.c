@@ -1,9 +1,9 @@
 /*
  * grid_averages_snapshot.c -- save time averages in a snapshot and restore them after a restart.
  *
- * For each grid: a record (struct dem_grid_average_record, stored raw), the block sums, the sums of all
- * samples; cells times columns numbers each. The bits are the machine's, like those of the whole
- * snapshot, which also has the checksum.
+ * For each grid, and for each scalar on it: a record (struct dem_grid_average_record, stored raw), the block sums, the
+ * sums of all samples; cells times columns numbers each. The record of a scalar is named SCALAR/GRID; no grid has a /
+ * in its name. The bits are the machine's, like those of the whole snapshot, which also has the checksum.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -17,7 +17,7 @@
 
 enum
 {
-    SPANS = 3    /* of a grid: record, block sums, sums of all samples */
+    SPANS = 3    /* of a grid or a scalar on it: record, block sums, sums of all samples */
 };
 
 static const int64_t max_samples = (int64_t)1 << 53;
@@ -31,21 +31,24 @@ struct dem_grid_average_record
     int64_t cells[3], columns, samples, length, full;
 };
 
-static struct dem_grid_average_record describe(const struct dem_grid_average *g)
+/* scalar: its name; "" for the sums of all else. */
+static struct dem_grid_average_record describe(const struct dem_averages_entry *entry,
+                                               const char *scalar,
+                                               const struct dem_block_means *blocks)
 {
-    struct dem_grid_average_record out = {.start = g->entry.start,
-                                          .interval = g->entry.interval,
-                                          .columns = (int64_t)g->blocks.columns,
-                                          .samples = g->blocks.samples,
-                                          .length = g->blocks.length,
-                                          .full = g->blocks.full};
+    struct dem_grid_average_record out = {.start = entry->start,
+                                          .interval = entry->interval,
+                                          .columns = (int64_t)blocks->columns,
+                                          .samples = blocks->samples,
+                                          .length = blocks->length,
+                                          .full = blocks->full};
 
-    snprintf(out.name, sizeof out.name, "%s", g->entry.name);
+    snprintf(out.name, sizeof out.name, "%s%s%s", scalar, scalar[0] ? "/" : "", entry->name);
     for (int k = 0; k < 3; k++)
     {
-        out.min[k] = g->entry.min[k];
-        out.max[k] = g->entry.max[k];
-        out.cells[k] = g->entry.cells[k];
+        out.min[k] = entry->min[k];
+        out.max[k] = entry->max[k];
+        out.cells[k] = entry->cells[k];
     }
     return out;
 }
@@ -56,21 +59,38 @@ static size_t used_of(const struct dem_grid_average_record *g)
     return (size_t)(g->full < DEM_BLOCK_MEANS_MAX_BLOCKS ? g->full + 1 : g->full);
 }
 
+static void span_of(struct dem_grid_average_record *record, const struct dem_block_means *b,
+                    struct dem_span *s)
+{
+    s[0] = (struct dem_span){record, sizeof *record};
+    s[1] = (struct dem_span){b->sum, used_of(record)*b->columns*sizeof *b->sum};
+    s[2] = (struct dem_span){b->total, b->columns*sizeof *b->total};
+}
+
 int dem_grid_averages_spans(const struct dem_grid_averages *a,
                             struct dem_grid_average_record **record, struct dem_span **span, int *n)
 {
-    *n = SPANS*a->grids;
-    DEM_TRY(DEM_NEW(*record, a->grids + 1));
+    int sets = 0, at = 0;
+
+    for (int k = 0; k < a->grids; k++)
+    {
+        sets += 1 + a->grid[k].scalars;
+    }
+    *n = SPANS*sets;
+    DEM_TRY(DEM_NEW(*record, sets + 1));
     DEM_TRY(DEM_NEW(*span, *n + 1));
     for (int k = 0; k < a->grids; k++)
     {
-        const struct dem_block_means *const b = &a->grid[k].blocks;
-        struct dem_span *const s = *span + SPANS*k;
+        const struct dem_grid_average *const g = &a->grid[k];
 
-        (*record)[k] = describe(&a->grid[k]);
-        s[0] = (struct dem_span){&(*record)[k], sizeof **record};
-        s[1] = (struct dem_span){b->sum, used_of(&(*record)[k])*b->columns*sizeof *b->sum};
-        s[2] = (struct dem_span){b->total, b->columns*sizeof *b->total};
+        (*record)[at] = describe(&g->entry, "", &g->sums.blocks);
+        span_of(&(*record)[at], &g->sums.blocks, *span + SPANS*at);
+        at++;
+        for (int s = 0; s < g->scalars; s++, at++)
+        {
+            (*record)[at] = describe(&g->entry, g->scalar[s].name, &g->scalar[s].sums.blocks);
+            span_of(&(*record)[at], &g->scalar[s].sums.blocks, *span + SPANS*at);
+        }
     }
     return DEM_OK;
 }
@@ -86,21 +106,33 @@ static int same_grid(const struct dem_grid_average_record *a,
            memcmp(&a->interval, &b->interval, sizeof a->interval) == 0;
 }
 
+static void restore_set(const struct dem_averages_entry *entry, const char *scalar,
+                        struct dem_block_means *b, const struct dem_grid_average_record *g,
+                        const char *numbers)
+{
+    const size_t sums = used_of(g)*(size_t)g->columns*sizeof(double);
+    const struct dem_grid_average_record mine = describe(entry, scalar, b);
+
+    if (same_grid(&mine, g))
+    {
+        dem_block_means_restore(b, g->samples, g->length);
+        memcpy(b->sum, numbers, sums);
+        memcpy(b->total, numbers + sums, (size_t)g->columns*sizeof *b->total);
+    }
+}
+
 static void restore_sums(struct dem_grid_averages *a, const struct dem_grid_average_record *g,
                          const char *numbers)
 {
-    const size_t sums = used_of(g)*(size_t)g->columns*sizeof(double);
-
     for (int k = 0; k < a->grids; k++)
     {
-        struct dem_block_means *const b = &a->grid[k].blocks;
-        const struct dem_grid_average_record mine = describe(&a->grid[k]);
+        struct dem_grid_average *const mine = &a->grid[k];
 
-        if (same_grid(&mine, g))
+        restore_set(&mine->entry, "", &mine->sums.blocks, g, numbers);
+        for (int s = 0; s < mine->scalars; s++)
         {
-            dem_block_means_restore(b, g->samples, g->length);
-            memcpy(b->sum, numbers, sums);
-            memcpy(b->total, numbers + sums, (size_t)g->columns*sizeof *b->total);
+            restore_set(&mine->entry, mine->scalar[s].name, &mine->scalar[s].sums.blocks, g,
+                        numbers);
         }
     }
 }

@@ -10,6 +10,8 @@
  * - A column of spheres at rest: stress is the sum of contact force times branch vector over the
  *   volume.
  * - Friction at a wall is a shear stress of half of force times branch.
+ * - Of spheres of known temperatures in known cells the mean is that of the mixed heat, over the cell and over
+ *   time; scalars without a capacity are weighted by mass, amounts by number.
  *
  * Sources: volume of a spherical cap; statics; kinetic theory of two streams.
  *
@@ -316,6 +318,124 @@ static void wall_friction(int k)
     free(scene);
 }
 
+static void set_scalar(struct dem *d, const char *name, const double *value, size_t n)
+{
+    const int64_t *id;
+    double *const all = dem_scalar(d, dem_scalar_index(d, name));
+    struct dem_view v;
+
+    dem_view(d, &v);
+    TAP_OK(all && v.n == n, "%s: a scalar of %zu particles", name, n);
+    id = v.id;
+    for (size_t k = 0; k < v.n; k++, id = (const int64_t *)((const char *)id + v.stride))
+    {
+        all[k] = value[*id];
+    }
+}
+
+static int columns_named(const char *name)
+{
+    int found = 0;
+
+    for (int k = 0; k < table.columns; k++)
+    {
+        found += strcmp(table.name[k], name) == 0;
+    }
+    return found;
+}
+
+/* Three spheres, two of steel and one of wax; the first is cut in half by the face of the two lower cells, the second
+   is whole in cell 1, the third as well. Cell 2 is empty. */
+static void scalars(void)
+{
+    enum { N = 3 };
+    const double d[N] = {2e-3, 3e-3, 4e-3}, rho[N] = {7800.0, 7800.0, 900.0}, c[N] = {464.0, 464.0, 2100.0},
+                 z[N] = {0.01, 0.013, 0.017}, later[N] = {450.0, 310.0, 280.0};
+    const double T[N] = {400.0, 300.0, 350.0}, L[N] = {1e-12, 5e-12, 3e-12};
+    double heat[2][2] = {{0.0}}, amount[2] = {0.0}, number[2] = {0.0};
+    struct dem_new_particle seed[N];
+    char *const scene = world_text(
+        "materials { steel { density 7800; youngsModulus 1e7; conductivity 42; heatCapacity 464; }"
+        "            wax { density 900; youngsModulus 1e7; conductivity 0.3; heatCapacity 2100; } }"
+        "effects { hertz {} conduction {} liquidBridge { surfaceTension 0.07; contactAngle 0; } }"
+        "time { step 1e-6; }"
+        "averages { box { min (-0.005 -0.005 0); max (0.005 0.005 0.03); cells (1 1 3); interval 1e-6; } }");
+
+    for (int k = 0; k < N; k++)
+    {
+        seed[k] = (struct dem_new_particle){.position = {0.0, 0.0, z[k]},
+                                            .diameter = d[k],
+                                            .id = k,
+                                            .material = k < 2 ? "steel" : "wax"};
+        for (int cell = 0; cell < 2; cell++)
+        {
+            const double part = k ? (double)cell : 0.5, C = part*rho[k]*world_pi/6.0*d[k]*d[k]*d[k]*c[k];
+
+            heat[cell][0] += C;
+            heat[cell][1] += C*(0.75*T[k] + 0.25*later[k]);
+            amount[cell] += part*L[k];
+            number[cell] += part;
+        }
+    }
+    struct dem *const w = world(scene, N, seed);
+
+    set_scalar(w, "temperature", T, N);
+    set_scalar(w, "liquidVolume", L, N);
+    world_run(w, 6e-6);
+    set_scalar(w, "temperature", later, N);
+    world_run(w, 2e-6);
+    read_table(w, "box");
+    TAP_NEAR(at(0, "particleTemperature"), heat[0][1]/heat[0][0], 400.0*digits, "cell of one half sphere: its temperature");
+    TAP_NEAR(at(1, "particleTemperature"), heat[1][1]/heat[1][0], 400.0*digits, "cell of 2.5 spheres: that of the mixed heat");
+    TAP_NEAR(at(1, "liquidVolume"), amount[1]/number[1], 5e-12*digits, "an amount: mean per particle");
+    TAP_NEAR(at(0, "liquidVolume"), 1e-12, 1e-12*digits, "and of the half sphere alone");
+    TAP_OK(at(2, "particleTemperature") == 0.0 && at(2, "liquidVolume") == 0.0, "0 in an empty cell");
+    TAP_OK(at(1, "particleTemperature_ci95") > 0.0 && at(1, "temperature") < 1e-12 && at(1, "liquidVolume_ci95") < 1e-20,
+           "an interval where it changed in time; granular temperature beside it");
+    TAP_OK(columns_named("temperature") == 1 && columns_named("particleTemperature") == 1, "each name once");
+    dem_free(w);
+    free(scene);
+}
+
+/* A scalar without a capacity: the fluid's temperature at the particles, and the ratio of parcels. */
+static void scalars_by_mass(void)
+{
+    struct dem_new_particle seed[2];
+    const double d[2] = {1e-3, 2e-3}, T[2] = {300.0, 390.0}, m[2] = {1.0, 8.0};
+    char *scene = world_text(
+        "materials { glass { density 2500; youngsModulus 1e7; conductivity 1; heatCapacity 800; } }"
+        "effects { hertz {} gidaspow {} gunn {} pressureGradient {} } time { step 1e-6; }"
+        "fluid { density 1.2; viscosity 1.8e-5; velocity (0 0 0); temperature 300; conductivity 0.026; heatCapacity 1007; }"
+        "averages { box { min (-0.005 -0.005 0); max (0.005 0.005 0.03); interval 1e-6; } }");
+
+    for (int k = 0; k < 2; k++)
+    {
+        seed[k] = (struct dem_new_particle){
+            .position = {0.0, 0.0, 0.01 + 0.01*k}, .diameter = d[k], .id = k, .material = "glass"};
+    }
+    struct dem *w = world(scene, 2, seed);
+
+    set_scalar(w, "fluidTemperature", T, 2);
+    world_run(w, 2e-6);
+    read_table(w, "box");
+    TAP_NEAR(at(0, "fluidTemperature"), (m[0]*T[0] + m[1]*T[1])/9.0, 400.0*digits, "without a capacity: by mass");
+    TAP_OK(columns_named("fluidConductivity") == 0, "a scalar that is not written has no mean");
+    dem_free(w);
+    free(scene);
+
+    scene = world_text(
+        "%s effects { hertz {} } parcels { ratio 2; }"
+        "insert { two { type list; diameters (1e-3 2e-3); parcelRatios (3 1.5); positions ((0 0 0.01) (0 0 0.02)); } }"
+        "time { step 1e-6; } averages { box { min (-0.005 -0.005 0); max (0.005 0.005 0.03); interval 1e-6; } }",
+        material);
+    w = world(scene, 0, NULL);
+    world_run(w, 2e-6);
+    read_table(w, "box");
+    TAP_NEAR(at(0, "parcelRatio"), 2.25, 3.0*digits, "ratio of two parcels of one mass");
+    dem_free(w);
+    free(scene);
+}
+
 int main(void)
 {
     TAP_TRAPS;
@@ -333,6 +453,8 @@ int main(void)
     {
         wall_friction(k);
     }
+    scalars();
+    scalars_by_mass();
     rmdir(folder);
     TAP_DONE;
 }

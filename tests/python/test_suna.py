@@ -196,6 +196,16 @@ def grid():
     Path("averages").mkdir()
     sim.averages("averages")
     assert "solid" in suna.read_table("averages/box.csv").columns.str.cat(), suna.read_table("averages/box.csv").columns
+    warm = suna.Simulation(SCENE.split("walls")[0].replace("effects {", "effects { conduction {}").replace(
+        "density 2500;", "density 2500; conductivity 1; heatCapacity 800;") +
+        "averages { warm { min (-0.005 -0.005 0); max (0.005 0.005 0.02); interval 1e-3; } }")
+    warm.add_particles([[0, 0, 0.005], [0, 0, 0.012]], [1e-3, 2e-3], "glass")
+    warm.scalar("temperature")[:] = [300, 390]
+    warm.advance(1e-3)
+    warm.averages("averages")
+    table = suna.read_table("averages/warm.csv")
+    mean = table["particleTemperature"][0]
+    assert abs(mean/((300 + 8*390)/9) - 1) < 1e-8 and table.attrs["units"]["particleTemperature"] == "K", mean
 
 
 def progress():

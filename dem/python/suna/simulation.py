@@ -446,7 +446,7 @@ class Simulation:
 
     def averages(self, folder):
         """Write NAME.csv and NAME.vti of each grid of the scene's `averages` that has samples into
-        the folder, which must exist. Collective."""
+        the folder, which must exist. Particle scalars have columns, too. Collective."""
         check(lib.dem_averages(self._set, os.fspath(folder).encode()))
 
     def profile(self):
