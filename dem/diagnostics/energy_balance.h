@@ -157,8 +157,8 @@ void dem_energy_balance_after_effect(struct dem_state *, const struct dem_contac
 void dem_energy_balance_after_drift(struct dem_state *, double dt);
 void dem_energy_balance_after_sweep(struct dem_state *, double dt);
 
-/* A particle is about to be removed, its velocity behind its position by `late` [s]; or is
-   inserted, velocity and position synchronous. */
+/* A particle, of the records, is about to be removed, its velocity behind its position by `late` [s];
+   or has been inserted, velocity and position synchronous. */
 void dem_energy_balance_particle_out(struct dem_state *, const struct dem_particle *, double late);
 void dem_energy_balance_particle_in(struct dem_state *, const struct dem_particle *);
 

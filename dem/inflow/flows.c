@@ -156,7 +156,7 @@ static int insert_particle(struct dem_state *p, const struct dem_arrival *new)
     }
     if (p->energy_balance->open)
     {
-        dem_energy_balance_particle_in(p, q);
+        dem_energy_balance_particle_in(p, &all->record[i]);
     }
     return DEM_OK;
 }
