@@ -62,7 +62,7 @@ void dem_memory_need_count(const struct dem_state *p, const struct dem_inventory
     need->row = (double)dem_contacts_bytes_per_row(&p->contacts);
     need->bed = n*(need->particle + capacity*(pairs*need->pair + rows*need->row));
     need->bed += n*rows > DEM_FORCE_BUFFER_ROWS
-                     ? (double)dem_contact_forces_buffer_bytes()
+                     ? (double)dem_contact_forces_buffer_bytes(&p->contacts.forces)
                      : 0.0;
     need->copy = n*sizeof(double)*(double)dem_particles_packed_size(&p->particles);
     if (p->contacts.history.columns > 0)

@@ -169,7 +169,7 @@ int dem_bonds_list(struct dem_state *p, int64_t *n)
         const struct dem_contact_force contact = dem_contact_forces_at(&c->forces, row);
 
         memcpy(new->force, contact.f, sizeof new->force);
-        memcpy(new->moment, c->forces.moment + 3*row, sizeof new->moment);
+        memcpy(new->moment, c->forces.moment[row].m, sizeof new->moment);
     }
     return DEM_OK;
 }

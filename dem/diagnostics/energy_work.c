@@ -51,7 +51,7 @@ static void wall_work(struct dem_state *p, double span, int ahead)
             }
             const double power = dem_vec_dot(f, wall.velocity) +
                                  (c->forces.moments
-                                      ? dem_vec_dot(c->forces.moment + 3*r, wall.spin) : 0.0);
+                                      ? dem_vec_dot(c->forces.moment[r].m, wall.spin) : 0.0);
 
             dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_WALLS], power*span);
         }

@@ -40,7 +40,7 @@ static int has_force(const struct dem_contacts *c, uint32_t r)
 
     for (uint32_t k = 0; k < 3; k++)
     {
-        any |= contact.f[k] != 0.0 || (c->forces.moments && c->forces.moment[3*r + k] != 0.0);
+        any |= contact.f[k] != 0.0 || (c->forces.moments && c->forces.moment[r].m[k] != 0.0);
     }
     return any;
 }
@@ -75,7 +75,7 @@ void dem_wall_statistics_sum_forces(const struct dem_state *p, int wall, double 
                 dem_sum_add(&to[k], f[k]);
                 dem_sum_add(&to[3 + k], moment[k]);
                 dem_sum_add(&to[3 + k],
-                            c->forces.moments ? -factor*c->forces.moment[3*r + k] : 0.0);
+                            c->forces.moments ? -factor*c->forces.moment[r].m[k] : 0.0);
             }
         }
     }

@@ -13,18 +13,26 @@
 #include "effects/batch.h"
 #include <string.h>
 
+static void free_buffer(struct dem_contact_forces *c)
+{
+    dem_memory_free(c->buffer);
+    dem_memory_free(c->moment_buffer);
+    c->buffer = NULL;
+    c->moment_buffer = NULL;
+}
+
 void dem_contact_forces_free(struct dem_contact_forces *c)
 {
     dem_contact_forces_release(c);
     dem_contact_forces_clear(c);
-    dem_memory_free(c->buffer);
+    free_buffer(c);
     dem_memory_free(c->deferred_row);
     memset(c, 0, sizeof *c);
 }
 
 static size_t bytes_beside_force(const struct dem_contact_forces *c)
 {
-    return (size_t)(3*c->moments)*sizeof *c->moment + (c->has_energy ? sizeof *c->energy : 0) +
+    return (c->moments ? sizeof *c->moment : 0) + (c->has_energy ? sizeof *c->energy : 0) +
            (size_t)(2*c->rates)*sizeof *c->rate;
 }
 
@@ -33,16 +41,16 @@ size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *c)
     return sizeof *c->force + bytes_beside_force(c);
 }
 
-size_t dem_contact_forces_buffer_bytes(void)
+size_t dem_contact_forces_buffer_bytes(const struct dem_contact_forces *c)
 {
-    return DEM_FORCE_BUFFER_ROWS*sizeof(struct dem_contact_force);
+    return DEM_FORCE_BUFFER_ROWS*(sizeof *c->buffer + (c->moments ? sizeof *c->moment_buffer : 0));
 }
 
 size_t dem_contact_forces_bytes(const struct dem_contact_forces *c)
 {
     return c->moment_capacity*bytes_beside_force(c) + c->capacity*sizeof *c->force +
            c->deferred_capacity*sizeof *c->deferred_row +
-           (dem_contact_forces_use_buffer(c) ? dem_contact_forces_buffer_bytes() : 0);
+           (dem_contact_forces_use_buffer(c) ? dem_contact_forces_buffer_bytes(c) : 0);
 }
 
 /* ---- per row --------------------------------------------------------------------------------- */
@@ -51,8 +59,8 @@ int dem_contact_forces_resize(struct dem_contact_forces *c, size_t n, size_t cap
 {
     if (c->moments)
     {
-        DEM_TRY(DEM_RESIZE(c->moment, 3*c->moment_capacity, 3*capacity));
-        memset(c->moment, 0, 3*n*sizeof *c->moment);
+        DEM_TRY(DEM_RESIZE(c->moment, c->moment_capacity, capacity));
+        memset(c->moment, 0, n*sizeof *c->moment);
     }
     if (c->has_energy)
     {
@@ -162,11 +170,11 @@ int dem_contact_forces_make_buffer(struct dem_contact_forces *c, struct dem_cont
     if (pays && !dem_contact_forces_use_buffer(c))
     {
         DEM_TRY(DEM_NEW(c->buffer, DEM_FORCE_BUFFER_ROWS));
+        DEM_TRY(c->moments ? DEM_NEW(c->moment_buffer, DEM_FORCE_BUFFER_ROWS) : DEM_OK);
     }
     else if (!pays)
     {
-        dem_memory_free(c->buffer);
-        c->buffer = NULL;
+        free_buffer(c);
     }
     if (pays)
     {

@@ -27,6 +27,13 @@ struct dem_contact_force
     double t[3], spare;           /* N: n x F; torque on a side: -(radius - arm) t */
 };
 
+/* moment of a row that acts on its sides whatever the lever arms, of rolling or of a bond; half a
+   cache line */
+struct dem_contact_moment
+{
+    double m[3], spare;           /* N m on i; the opposite on j */
+};
+
 /* energies of a row, see effects/batch.h */
 struct dem_contact_energy
 {
@@ -40,7 +47,7 @@ struct dem_contact_forces
                                                      touching */
     struct dem_contact_force *force;              /* per row */
     size_t capacity;
-    double *moment;                               /* 3 per row; NULL without `moments` */
+    struct dem_contact_moment *moment;            /* per row; NULL without `moments` */
     struct dem_contact_energy *energy;            /* per row; NULL without `has_energy` */
     int rates;                                    /* particle scalars whose rates rows have */
     double *rate;                                 /* 2 per row and scalar: what i and j receive;
@@ -48,6 +55,7 @@ struct dem_contact_forces
     size_t moment_capacity;                       /* rows of these three */
     struct dem_contact_force *buffer;             /* DEM_FORCE_BUFFER_ROWS rows where it pays, else
                                                      NULL */
+    struct dem_contact_moment *moment_buffer;     /* as many, with `moments` */
     size_t deferred, deferred_capacity;
     uint32_t *deferred_row;                       /* rows that are summed after the buffer has been
                                                      overwritten; ascending; no walls */
@@ -70,7 +78,7 @@ void dem_contact_forces_free(struct dem_contact_forces *);
 
 /* Bytes held, of the force buffer, of a row. */
 size_t dem_contact_forces_bytes(const struct dem_contact_forces *);
-size_t dem_contact_forces_buffer_bytes(void);
+size_t dem_contact_forces_buffer_bytes(const struct dem_contact_forces *);
 size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *);
 
 /* Moments, energies and rates of `capacity` rows, those of the first n zero. */

@@ -148,8 +148,11 @@ int dem_contact_rows_build_adjacency(struct dem_contact_rows *c, const struct de
             ready = needs > ready ? needs : ready;
         }
         c->needed[i/DEM_BATCH_ROWS] = ready;
-        c->entry[at] = c->n << DEM_ENTRY_ROW_SHIFT;
-        at += at%2;
+        if (at == c->start[i])
+        {
+            c->entry[at++] = c->n << DEM_ENTRY_ROW_SHIFT;
+        }
+        c->entry[at - 1] |= DEM_ENTRY_LAST;
     }
     c->start[n] = at;
     return DEM_OK;

@@ -16,7 +16,8 @@ enum                                                      /* bits of an entry, b
 {
     DEM_ENTRY_SIDE = 1,      /* 1: of j */
     DEM_ENTRY_BUFFERED = 2,  /* 1: still in the force buffer when summed */
-    DEM_ENTRY_ROW_SHIFT = 2  /* number of bits below the row */
+    DEM_ENTRY_LAST = 4,      /* 1: the last one of its particle */
+    DEM_ENTRY_ROW_SHIFT = 3  /* number of bits below the row */
 };
 
 enum
@@ -55,9 +56,9 @@ struct dem_contact_rows
     struct dem_segment *segment;         /* one per class */
     int classes;
     size_t start_capacity, entry_capacity, needed_capacity;
-    uint32_t *start, *entry;             /* of each owned particle: 4 row + 2 buffered + side;
-                                            padded to an even number with the row past the last,
-                                            whose force is zero */
+    uint32_t *start, *entry;             /* of each owned particle: row and bits, at least one: where
+                                            there is no row the one past the last, whose force is
+                                            zero */
     uint32_t *needed;                    /* per batch of owned particles: number of pair rows that
                                             must be computed (with all wall rows) before this batch
                                             and all before it can be summed */

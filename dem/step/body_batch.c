@@ -144,9 +144,9 @@ void dem_body_batch_load_forces(struct dem_body_workspace *t, const struct dem_p
 
     for (int c = 0; c < rows; c++)
     {
-        memcpy(t->force[c], force + 3*c, 3*sizeof *force);
-        memcpy(t->torque[c], torque + 3*c, 3*sizeof *torque);
-        t->torque[c][3] = 0.0;
+        memcpy(t->contacts[c].force, force + 3*c, 3*sizeof *force);
+        memcpy(t->contacts[c].torque, torque + 3*c, 3*sizeof *torque);
+        t->contacts[c].torque[3] = 0.0;
     }
 }
 
@@ -155,8 +155,9 @@ static void gather_forces(struct dem_body_workspace *restrict t, int rows)
 {
     for (int c = 0; c < rows; c += 4)
     {
-        dem_vec4 f[4] = {DEM_VEC4(t->force[c]), DEM_VEC4(t->force[c + 1]),
-                         DEM_VEC4(t->force[c + 2]), DEM_VEC4(t->force[c + 3])};
+        const struct dem_contact_sum *const s = t->contacts + c;
+        dem_vec4 f[4] = {DEM_VEC4(s[0].force), DEM_VEC4(s[1].force), DEM_VEC4(s[2].force),
+                         DEM_VEC4(s[3].force)};
 
         dem_transpose4(f);
         DEM_VEC4_AT(t->batch.fx + c) = f[0];
@@ -387,7 +388,7 @@ void dem_body_batch_kick_spins(struct dem_body_workspace *t, const struct dem_pa
 
         for (int k = 0; k < 3; k++)
         {
-            const double M = t->torque[c][k], drag = target[k][c] - b->t[c]*spin[k][c];
+            const double M = t->contacts[c].torque[k], drag = target[k][c] - b->t[c]*spin[k][c];
 
             t->spin_impulse[k][c] = h*(phi*drag - (1.0 - phi)*M);
             spin[k][c] += step*(M + drag);
@@ -426,7 +427,7 @@ scatter_four(const struct dem_body_workspace *t, struct dem_particle *record, in
         const double factor = h*i->inverse_inertia;
 
         DEM_VEC4_AT(i->v) = v[k];
-        DEM_VEC4_AT(i->w) += factor*DEM_VEC4(t->torque[c + k]);
+        DEM_VEC4_AT(i->w) += factor*DEM_VEC4(t->contacts[c + k].torque);
     }
 }
 

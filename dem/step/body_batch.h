@@ -15,6 +15,7 @@
 #include "effects/batch.h"
 #include "model/particles.h"
 #include "step/drift.h"
+#include "step/sum_contacts.h"
 
 struct dem_body_workspace    /* a batch of particles and its working columns */
 {
@@ -28,8 +29,7 @@ struct dem_body_workspace    /* a batch of particles and its working columns */
                                                              without the slip factor */
     _Alignas(64) double spin_impulse[3][DEM_BATCH_ROWS];  /* N m s impulse of rotational
                                                              drag in this kick */
-    /* N, N m  of contacts; the fourth number of a torque is 0 */
-    _Alignas(64) double force[DEM_BATCH_ROWS][4], torque[DEM_BATCH_ROWS][4];
+    struct dem_contact_sum contacts[DEM_BATCH_ROWS + 1];   /* sums; one more is read */
 };
 
 /* Load the contact forces of the particles [first, first + rows) from their columns. They are loaded

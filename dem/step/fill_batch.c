@@ -100,6 +100,7 @@ static void gather_wall_motion(struct dem_contact_workspace *restrict t, const s
 
 /* ---- geometry -------------------------------------------------------------------------------- */
 
+/* In one loop, because the roots and the division of the first part leave time for the second. */
 DEM_KERNEL
 static void geometry_of_pairs(struct dem_contact_batch *restrict b,
                               const struct dem_gathered *restrict g)
@@ -109,7 +110,9 @@ static void geometry_of_pairs(struct dem_contact_batch *restrict b,
         struct dem_contact_row r;
 
         dem_geometry_pair(g, c, b->dt, &r);
-        DEM_STORE(nx, ny, nz, hx, hy, hz, overlap, reduced_radius, reduced_mass, min_radius)
+        dem_geometry_motion(g, c, 1.0, &r);
+        DEM_STORE(nx, ny, nz, hx, hy, hz, reduced_radius, reduced_mass, min_radius)
+        DEM_STORE(overlap, touching, vn, sx, sy, sz, normal_spin)
     }
 }
 
@@ -121,11 +124,11 @@ static void normals_of_walls(struct dem_contact_batch *b)
     memcpy(b->hz, b->nz, sizeof b->hz);
 }
 
-/* At a wall twice the spin of the particle was gathered, at a pair the sum of both: the factor turns half
-   of it into the mean. */
+/* At a wall twice the spin of the particle was gathered, at a pair the sum of both: half of the half of
+   it is the mean. */
 DEM_KERNEL
-static void relative_motion(struct dem_contact_batch *restrict b,
-                            const struct dem_gathered *restrict g, double spin_factor)
+static void motion_at_walls(struct dem_contact_batch *restrict b,
+                            const struct dem_gathered *restrict g)
 {
     for (int c = 0; c < b->n; c++)
     {
@@ -137,7 +140,7 @@ static void relative_motion(struct dem_contact_batch *restrict b,
                                     .hz = b->hz[c],
                                     .overlap = b->overlap[c]};
 
-        dem_geometry_motion(g, c, spin_factor, &r);
+        dem_geometry_motion(g, c, 0.5, &r);
         DEM_STORE(overlap, touching, vn, sx, sy, sz, normal_spin)
     }
 }
@@ -277,7 +280,7 @@ static void fill_walls(struct dem_contact_workspace *t, const struct dem_state *
     {
         gather_wall_motion(t, p, padded);
     }
-    relative_motion(&t->batch, &t->gathered, 0.5);
+    motion_at_walls(&t->batch, &t->gathered);
     if (!p->walls.all_flat_static && effects->needs & DEM_NEEDS_NORMAL_SPIN)
     {
         add_normal_spin_of_walls(t);
@@ -301,12 +304,11 @@ void dem_contact_batch_fill(struct dem_contact_workspace *t, const struct dem_st
     else
     {
         dem_gather_pairs(t, p, effects->needs, p->contacts.rows.partners + row);
-    if (effects->scalars)
-    {
-        give_frozen_pairs_mass(t);
-    }
+        if (effects->scalars)
+        {
+            give_frozen_pairs_mass(t);
+        }
         geometry_of_pairs(&t->batch, &t->gathered);
-        relative_motion(&t->batch, &t->gathered, 1.0);
     }
     if (effects->past_touching)
     {

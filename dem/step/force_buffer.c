@@ -9,11 +9,15 @@
 #include "effects/effect.h"
 #include "step/contact_force.h"
 
-struct dem_contact_force *dem_force_buffer_slot(const struct dem_contacts *c, uint32_t row,
-                                                int buffered)
+struct dem_force_slot dem_force_buffer_slot(const struct dem_contacts *c, uint32_t row,
+                                            int buffered)
 {
-    return buffered ? c->forces.buffer + (row & (DEM_FORCE_BUFFER_ROWS - 1))
-                    : c->forces.force + row;
+    const struct dem_contact_forces *const f = &c->forces;
+    const uint32_t place = buffered ? row & (DEM_FORCE_BUFFER_ROWS - 1) : row;
+    struct dem_contact_moment *const moment = buffered ? f->moment_buffer : f->moment;
+
+    return (struct dem_force_slot){.force = (buffered ? f->buffer : f->force) + place,
+                                   .moment = moment ? moment + place : NULL};
 }
 
 size_t dem_force_buffer_copy_deferred(struct dem_contacts *c, size_t copied, uint32_t end)
@@ -23,6 +27,10 @@ size_t dem_force_buffer_copy_deferred(struct dem_contacts *c, size_t copied, uin
         const uint32_t row = c->forces.deferred_row[copied];
 
         c->forces.force[row] = c->forces.buffer[row & (DEM_FORCE_BUFFER_ROWS - 1)];
+        if (c->forces.moment)
+        {
+            c->forces.moment[row] = c->forces.moment_buffer[row & (DEM_FORCE_BUFFER_ROWS - 1)];
+        }
     }
     return copied;
 }
@@ -59,8 +67,29 @@ static int store(const struct dem_contact_batch *restrict b, double factor, int 
     return (check[0] | check[1] | check[2] | check[3]) != 0;
 }
 
-int dem_force_buffer_store(const struct dem_contact_batch *b, double factor, int past_touching,
-                           double max_overlap, struct dem_contact_force *to)
+DEM_KERNEL
+static void store_moments(const struct dem_contact_batch *restrict b,
+                          struct dem_contact_moment *restrict to)
 {
-    return store(b, factor, past_touching, max_overlap, to);
+    for (int c = 0; c < b->n; c += 4)
+    {
+        dem_vec4 m[4] = {DEM_VEC4(b->mx + c), DEM_VEC4(b->my + c), DEM_VEC4(b->mz + c),
+                         {0.0, 0.0, 0.0, 0.0}};
+
+        dem_transpose4(m);
+        for (int k = 0; k < 4; k++)
+        {
+            DEM_VEC4_AT(to[c + k].m) = m[k];
+        }
+    }
+}
+
+int dem_force_buffer_store(const struct dem_contact_batch *b, double factor, int past_touching,
+                           double max_overlap, struct dem_force_slot to)
+{
+    if (to.moment)
+    {
+        store_moments(b, to.moment);
+    }
+    return store(b, factor, past_touching, max_overlap, to.force);
 }

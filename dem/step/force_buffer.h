@@ -14,17 +14,23 @@
 #include "effects/batch.h"
 #include "model/contacts.h"
 
+struct dem_force_slot                       /* of the rows of a batch */
+{
+    struct dem_contact_force *force;
+    struct dem_contact_moment *moment;      /* NULL: the scene has none */
+};
+
 /* Where the forces of the batch that begins at `row` go: into the ring buffer if `buffered` is set,
    else to the rows' own records. */
-struct dem_contact_force *dem_force_buffer_slot(const struct dem_contacts *, uint32_t row,
-                                                int buffered);
+struct dem_force_slot dem_force_buffer_slot(const struct dem_contacts *, uint32_t row,
+                                            int buffered);
 
-/* Store the contact forces of a batch. The lever arm is the radius minus `factor` times the overlap
+/* Store the contact forces and moments of a batch. The lever arm is the radius minus `factor` times the overlap
    (1/2 at a pair, 1 at a wall). In a class that acts past touching, the gap is a negative overlap.
    Lanes past the last row are written to the padding of their class. Returns 1 when a row may overlap
    by more than `max_overlap` of the smaller diameter, or its force is not a number. */
 int dem_force_buffer_store(const struct dem_contact_batch *, double factor, int past_touching,
-                           double max_overlap, struct dem_contact_force *);
+                           double max_overlap, struct dem_force_slot);
 
 /* Copy the deferred rows before `end`, which are summed after the ring buffer has wrapped around,
    to their own records. `copied`: number of deferred rows copied so far. Returns this number after

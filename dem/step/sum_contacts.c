@@ -9,113 +9,136 @@
 #include "step/vec4.h"
 #include <string.h>
 
+typedef int64_t mask8 __attribute__((vector_size(64), aligned(16)));
+typedef int64_t mask4 __attribute__((vector_size(32), aligned(16), may_alias));
+
 /* Sign of a row's force on i, and on j. */
 static const double sides[2] = {1.0, -1.0};
 
 struct storage    /* where contact forces are: [0] deferred rows, [1] buffered rows */
 {
     const struct dem_contact_force *base[2];  /* records of the rows, or the ring buffer */
+    const struct dem_contact_moment *moment[2];    /* likewise, if there are moments */
     uint32_t mask[2];                         /* of the row number */
 };
 
 static struct storage storage_of(const struct dem_contacts *c, int unobserved)
 {
-    return unobserved && c->forces.buffer
-               ? (struct storage){{c->forces.force, c->forces.buffer},
+    const struct dem_contact_forces *const f = &c->forces;
+
+    return unobserved && f->buffer
+               ? (struct storage){{f->force, f->buffer},
+                                  {f->moment, f->moment_buffer},
                                   {UINT32_MAX, DEM_FORCE_BUFFER_ROWS - 1}}
-               : (struct storage){{c->forces.force, c->forces.force}, {UINT32_MAX, UINT32_MAX}};
+               : (struct storage){{f->force, f->force},
+                                  {f->moment, f->moment},
+                                  {UINT32_MAX, UINT32_MAX}};
 }
 
-__attribute__((always_inline)) static inline void
-add(const struct storage *at, uint32_t entry, double radius, dem_vec4 *f, dem_vec4 *t)
-{
-    const uint32_t buffered = (entry & DEM_ENTRY_BUFFERED)/DEM_ENTRY_BUFFERED;
-    const struct dem_contact_force *const from =
-        at->base[buffered] + (entry >> DEM_ENTRY_ROW_SHIFT & at->mask[buffered]);
-    const dem_vec4 row_f = DEM_VEC4(from->f), row_t = DEM_VEC4(from->t);
+/* The address of what an entry adds, in `base` of the storage. */
+#define ROW_OF(at, base, entry)                                                                \
+    ((at)->base[(entry)/DEM_ENTRY_BUFFERED & 1] +                                              \
+     ((entry) >> DEM_ENTRY_ROW_SHIFT & (at)->mask[(entry)/DEM_ENTRY_BUFFERED & 1]))
 
-    *f += sides[entry & DEM_ENTRY_SIDE]*row_f;
-    *t += (__builtin_shufflevector(row_f, row_f, 3, 3, 3, 3) - radius)*row_t;
+/* Adds {f, arm, t, spare} of a row, times its sign and times the lever arm. */
+__attribute__((always_inline)) static inline void
+add(const struct storage *at, uint32_t entry, double radius, dem_vec8 *sum)
+{
+    const dem_vec8 row = DEM_VEC8(ROW_OF(at, base, entry)->f);
+    const double side = sides[entry & DEM_ENTRY_SIDE];
+    const dem_vec8 sign = {side, side, side, side, side, side, side, side};
+    const dem_vec8 lever = __builtin_shufflevector(row, row, 3, 3, 3, 3, 3, 3, 3, 3) - radius;
+
+    *sum += __builtin_shufflevector(sign, lever, 0, 1, 2, 3, 12, 13, 14, 15)*row;
+}
+
+/* The sums of the slice, without a branch that depends on the number of rows of a particle: the sum so far
+   is stored for each row, and cleared after the last one. */
+__attribute__((always_inline)) static inline void
+sum(const struct dem_contacts *c, const struct dem_particle *restrict record,
+    const struct dem_sum_slice *part)
+{
+    const struct storage at = storage_of(c, part->unobserved);
+    const uint32_t *const entry = c->rows.entry, *const end = entry + c->rows.start[part->end];
+    struct dem_contact_sum *restrict to = part->sum;
+    dem_vec8 total = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+
+    record += part->first;
+    for (const uint32_t *e = entry + c->rows.start[part->first]; e < end; e++)
+    {
+        const int64_t last = *e/DEM_ENTRY_LAST & 1, keep = last - 1;
+
+        add(&at, *e, record->radius, &total);
+        DEM_VEC8_AT(to->force) = total;
+        total = (dem_vec8)((mask8)total & (mask8){keep, keep, keep, keep, keep, keep, keep, keep});
+        to += last;
+        record += last;
+    }
+}
+
+/* Moments of the rows, added to the torques of the slice, likewise: after the last row of a particle goes on
+   the torque of the next one. */
+__attribute__((always_inline)) static inline void
+add_moments(const struct dem_contacts *c, const struct dem_sum_slice *part)
+{
+    const struct storage at = storage_of(c, part->unobserved);
+    const uint32_t *const entry = c->rows.entry, *const end = entry + c->rows.start[part->end];
+    struct dem_contact_sum *to = part->sum;
+    dem_vec4 total = DEM_VEC4(to->torque);
+
+    for (const uint32_t *e = entry + c->rows.start[part->first]; e < end; e++)
+    {
+        const int64_t last = *e/DEM_ENTRY_LAST & 1, keep = last - 1;
+        const mask4 same = {keep, keep, keep, keep};
+
+        total += sides[*e & DEM_ENTRY_SIDE]*DEM_VEC4(ROW_OF(&at, moment, *e)->m);
+        DEM_VEC4_AT(to->torque) = total;
+        total = (dem_vec4)(((mask4)total & same) | (*(const mask4 *)to[1].torque & ~same));
+        to += last;
+    }
 }
 
 DEM_KERNEL
-static void sum(const struct dem_contacts *c, const struct dem_particle *restrict record,
-                const struct dem_sum_slice *part)
+static void sum_forces(const struct dem_contacts *c, const struct dem_particle *restrict record,
+                       const struct dem_sum_slice *part)
 {
-    const struct storage at = storage_of(c, part->unobserved);
-    const uint32_t *restrict const start = c->rows.start, *restrict const entry = c->rows.entry;
-
-    for (size_t i = part->first; i < part->end; i++)
-    {
-        const double radius = record[i].radius;
-        const dem_vec4 none = {0.0, 0.0, 0.0, 0.0};
-        dem_vec4 f = none, t = none;
-
-        /* two at a time, to halve the number of mispredicted loop ends; lists have an even
-           length */
-        for (size_t k = start[i], end = start[i + 1]; k < end; k += 2)
-        {
-            add(&at, entry[k], radius, &f, &t);
-            add(&at, entry[k + 1], radius, &f, &t);
-        }
-        DEM_VEC4_AT(part->force[i - part->first]) = f;
-        DEM_VEC4_AT(part->torque[i - part->first]) = __builtin_shufflevector(t, none, 0, 1, 2, 7);
-    }
+    sum(c, record, part);
 }
 
-static void add_moments(const struct dem_contacts *c, const struct dem_sum_slice *part)
+DEM_KERNEL
+static void sum_forces_and_moments(const struct dem_contacts *c,
+                                   const struct dem_particle *restrict record,
+                                   const struct dem_sum_slice *part)
 {
-    for (size_t i = part->first; i < part->end; i++)
-    {
-        double *const torque = part->torque[i - part->first];
-
-        for (uint32_t e = c->rows.start[i]; e < c->rows.start[i + 1]; e++)
-        {
-            const double side = sides[c->rows.entry[e] & DEM_ENTRY_SIDE];
-            const double *const m = c->forces.moment + 3*(c->rows.entry[e] >> DEM_ENTRY_ROW_SHIFT);
-
-            torque[0] += side*m[0];
-            torque[1] += side*m[1];
-            torque[2] += side*m[2];
-        }
-    }
+    sum(c, record, part);
+    add_moments(c, part);
 }
 
 void dem_sum_slice(const struct dem_particles *p, const struct dem_contacts *c,
                    const struct dem_sum_slice *part)
 {
-    if (part->first == part->end)
+    if (part->first < part->end)
     {
-        return;
-    }
-    sum(c, p->record, part);
-    if (c->forces.moment)
-    {
-        add_moments(c, part);
-    }
-}
-
-/* Rows of four numbers into a column of three. */
-static void store_column(double (*from)[4], size_t n, double *column)
-{
-    for (size_t k = 0; k < n; k++)
-    {
-        memcpy(column + 3*k, from[k], 3*sizeof *column);
+        (c->forces.moment ? sum_forces_and_moments : sum_forces)(c, p->record, part);
     }
 }
 
 void dem_sum_store(struct dem_particles *p, const struct dem_sum_slice *part)
 {
-    const size_t n = part->end - part->first;
+    double *const force = dem_column(p, DEM_COLUMN_FORCE) + 3*part->first,
+                  *const torque = dem_column(p, DEM_COLUMN_TORQUE) + 3*part->first;
 
-    store_column(part->force, n, dem_column(p, DEM_COLUMN_FORCE) + 3*part->first);
-    store_column(part->torque, n, dem_column(p, DEM_COLUMN_TORQUE) + 3*part->first);
+    for (size_t k = 0; k < part->end - part->first; k++)
+    {
+        memcpy(force + 3*k, part->sum[k].force, 3*sizeof *force);
+        memcpy(torque + 3*k, part->sum[k].torque, 3*sizeof *torque);
+    }
 }
 
 void dem_sum_contacts(struct dem_particles *p, const struct dem_contacts *c)
 {
-    _Alignas(64) double force[DEM_BATCH_ROWS][4], torque[DEM_BATCH_ROWS][4];
-    struct dem_sum_slice part = {.force = force, .torque = torque};
+    struct dem_contact_sum sums[DEM_BATCH_ROWS + 1];
+    struct dem_sum_slice part = {.sum = sums};
 
     for (; part.first < p->n; part.first = part.end)
     {

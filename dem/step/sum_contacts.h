@@ -9,11 +9,16 @@
 #include "model/contacts.h"
 #include "model/particles.h"
 
+struct dem_contact_sum     /* of the rows of a particle; a cache line */
+{
+    _Alignas(64) double force[4];    /* N    three components, and a number without meaning */
+    double torque[4];                /* N m  three components, and 0 */
+};
+
 struct dem_sum_slice                                       /* a contiguous slice of particles */
 {
     size_t first, end;       /* particles */
-    double (*force)[4], (*torque)[4];    /* results [N], [N m]: three components, and a fourth
-                                            number without meaning, of a torque 0 */
+    struct dem_contact_sum *sum;         /* results, of particle `first` in [0] */
     int unobserved;                      /* 1: in this step contact forces were written to the
                                             ring buffer, if there is one */
 };

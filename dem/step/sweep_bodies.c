@@ -207,8 +207,7 @@ static void forces_of_contacts(struct dem_body_pass *pass, size_t first, int row
 {
     const struct dem_sum_slice part = {.first = first,
                                        .end = first + (size_t)rows,
-                                       .force = pass->workspace.force,
-                                       .torque = pass->workspace.torque,
+                                       .sum = pass->workspace.contacts,
                                        .unobserved = pass->unobserved};
 
     if (!pass->sweep->contacts)

@@ -252,19 +252,6 @@ static void apply_effects_with_energy(struct dem_state *p, struct dem_contact_wo
     }
 }
 
-static void store_moments(struct dem_contacts *c, const struct dem_contact_batch *b, uint32_t row,
-                          int rows)
-{
-    for (int k = 0; k < rows; k++)
-    {
-        double *const m = c->forces.moment + 3*(row + (uint32_t)k);
-
-        m[0] = b->mx[k];
-        m[1] = b->my[k];
-        m[2] = b->mz[k];
-    }
-}
-
 static void store_energies(struct dem_contacts *c, const struct dem_contact_batch *b, uint32_t row,
                            int rows)
 {
@@ -294,7 +281,7 @@ struct rows    /* of a batch: the first, their number, where their forces are st
 {
     uint32_t row;
     int rows;
-    struct dem_contact_force *to;
+    struct dem_force_slot to;
 };
 
 /* A batch: gather, apply the effects, store the forces. */
@@ -333,10 +320,6 @@ static int sweep_batch(struct dem_state *p, struct dem_contact_workspace *t,
     if (effects->past_touching)
     {
         store_energies(&p->contacts, &t->batch, row, rows);
-    }
-    if (p->contacts.forces.moment)
-    {
-        store_moments(&p->contacts, &t->batch, row, rows);
     }
     return effects->pair.with_wall && count_crossings(&t->batch) > 0.0
                ? list_crossings(p, t, row, rows)

@@ -1,6 +1,6 @@
 /*
  * vec4.h -- four numbers stored side by side, e.g. {x, y, z, radius} of a particle record, in one
- * vector register.
+ * vector register; eight of them, a cache line, likewise.
  *
  * Four records are transposed into four columns in registers, and back: several times faster than
  * number by number, with the same bits.
@@ -16,6 +16,11 @@ typedef double dem_vec4 __attribute__((vector_size(32), aligned(16), may_alias))
    calling convention without AVX. */
 #define DEM_VEC4(from) (*(const dem_vec4 *)(const void *)(from))
 #define DEM_VEC4_AT(to) (*(dem_vec4 *)(void *)(to))
+
+typedef double dem_vec8 __attribute__((vector_size(64), aligned(16), may_alias));
+
+#define DEM_VEC8(from) (*(const dem_vec8 *)(const void *)(from))
+#define DEM_VEC8_AT(to) (*(dem_vec8 *)(void *)(to))
 
 /* Transpose: rows become columns, or columns rows. */
 __attribute__((always_inline)) static inline void dem_transpose4(dem_vec4 row[4])

@@ -31,16 +31,15 @@ struct dem_friction_settings
                        "count adhesion in the friction limit: mu (F_n + 2 F_c) with jkr, mu "  \
                        "(F_n + k_c d) with hookeHysteresis")
 
-/* The slider of a row with stiffness kt and spring xi: dashpot of the normal law, limit from the normal
-   force. */
+/* The slider of a row with stiffness r->kt and spring xi: dashpot of the normal law, limit from the
+   normal force. */
 DEM_MATH struct dem_slider dem_friction_slider(const struct dem_friction_settings *l,
-                                               const struct dem_contact_row *r, double kt,
-                                               const double *xi)
+                                               const struct dem_contact_row *r, const double *xi)
 {
     const double with_dashpot = l->damping != 0, with_adhesion = l->adhesion != 0;
     const double normal = r->fn + with_adhesion*r->adhesive_force;
 
-    return (struct dem_slider){.stiffness = kt,
+    return (struct dem_slider){.stiffness = r->kt,
                                .damping = with_dashpot*r->eta,
                                .limit = dem_select(normal > 0.0, l->friction*normal, 0.0),
                                .inverse_dt = r->inverse_dt,
@@ -53,10 +52,10 @@ DEM_MATH struct dem_slider dem_friction_slider(const struct dem_friction_setting
 }
 
 /* Friction of a row by this slider. */
-DEM_MATH void dem_friction_row(struct dem_contact_row *r, struct dem_slider s, double *xi)
+DEM_MATH void dem_friction_row(const struct dem_friction_settings *l, struct dem_contact_row *r,
+                               double *xi)
 {
-    r->kt = s.stiffness;
-    dem_slider_row(r, s, (double *[3]){&r->fx, &r->fy, &r->fz}, xi);
+    dem_slider_row(r, dem_friction_slider(l, r, xi), (double *[3]){&r->fx, &r->fy, &r->fz}, xi);
 }
 
 /* ---- energy ------------------------------------------------------------------------------------ */
@@ -93,7 +92,7 @@ DEM_MATH void dem_friction_energy(dem_friction_previous *previous, const void *s
         const double square = x[c]*x[c] + y[c]*y[c] + z[c]*z[c];
 
         struct dem_slider s = dem_friction_slider(
-            l, &r, b->kt[c], (const double[3]){keep*x[c], keep*y[c], keep*z[c]});
+            l, &r, (const double[3]){keep*x[c], keep*y[c], keep*z[c]});
 
         s.mass = e->slip_mass[c];
         s.previous_stiffness = previous ? previous(settings, b, e, c) : was + grown;

@@ -19,15 +19,16 @@ enum
     dem_linear_columns = 3
 };
 
-DEM_MATH struct dem_slider dem_linear_slider(const struct dem_linear *l,
-                                             const struct dem_contact_row *r, const double *xi)
+/* k_t [N/m] */
+DEM_MATH double dem_linear_stiffness(const struct dem_linear *l, const struct dem_contact_row *r)
 {
-    return dem_friction_slider(&l->common, r, l->stiffness*r->touching + l->ratio*r->kn, xi);
+    return l->stiffness*r->touching + l->ratio*r->kn;
 }
 
 DEM_MATH void dem_linear_row(const struct dem_linear *l, struct dem_contact_row *r, double *xi)
 {
-    dem_friction_row(r, dem_linear_slider(l, r, xi), xi);
+    r->kt = dem_linear_stiffness(l, r);
+    dem_friction_row(&l->common, r, xi);
 }
 
 #endif

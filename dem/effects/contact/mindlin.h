@@ -23,20 +23,16 @@ enum
 /* 8 G* of a class [Pa], for the law of this name; an error without a normal law or shear moduli. */
 int dem_mindlin_modulus(const char *law, const struct dem_pair_class *, double *modulus);
 
-DEM_MATH double dem_mindlin_stiffness(double modulus, const struct dem_contact_row *r)
+/* k_t [N/m] */
+DEM_MATH double dem_mindlin_stiffness(const struct dem_mindlin *l, const struct dem_contact_row *r)
 {
-    return modulus*sqrt(r->reduced_radius*r->overlap);
-}
-
-DEM_MATH struct dem_slider dem_mindlin_slider(const struct dem_mindlin *l,
-                                              const struct dem_contact_row *r, const double *xi)
-{
-    return dem_friction_slider(&l->common, r, dem_mindlin_stiffness(l->modulus, r), xi);
+    return l->modulus*sqrt(r->reduced_radius*r->overlap);
 }
 
 DEM_MATH void dem_mindlin_row(const struct dem_mindlin *l, struct dem_contact_row *r, double *xi)
 {
-    dem_friction_row(r, dem_mindlin_slider(l, r, xi), xi);
+    r->kt = dem_mindlin_stiffness(l, r);
+    dem_friction_row(&l->common, r, xi);
 }
 
 #endif

@@ -32,15 +32,9 @@
 
 #include "effects/contact/mindlin.h"
 
-struct incremental
-{
-    struct dem_friction_settings common;
-    double modulus;                                       /* Pa   8 G*, derived */
-};
-
 static const struct dem_setting settings[] = {
-    DEM_FRICTION_SETTING(incremental),
-    DEM_FRICTION_SWITCHES(incremental),
+    DEM_FRICTION_SETTING(dem_mindlin),
+    DEM_FRICTION_SWITCHES(dem_mindlin),
     {0},
 };
 
@@ -49,22 +43,24 @@ static const char *const history_names[] = {"stretch_x", "stretch_y", "stretch_z
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    return dem_mindlin_modulus("mindlinIncremental", pair, &((struct incremental *)of)->modulus);
+    return dem_mindlin_modulus("mindlinIncremental", pair, &((struct dem_mindlin *)of)->modulus);
 }
 
-DEM_MATH void incremental_row(const struct incremental *l, struct dem_contact_row *r, double *h)
+DEM_MATH void incremental_row(const struct dem_mindlin *l, struct dem_contact_row *r, double *h)
 {
-    const double kt = dem_mindlin_stiffness(l->modulus, r), keep = dem_friction_keep(h[3], kt);
+    r->kt = dem_mindlin_stiffness(l, r);
+
+    const double keep = dem_friction_keep(h[3], r->kt);
     double xi[3] = {keep*h[0], keep*h[1], keep*h[2]};
 
-    dem_friction_row(r, dem_friction_slider(&l->common, r, kt, xi), xi);
+    dem_friction_row(&l->common, r, xi);
     h[0] = xi[0];
     h[1] = xi[1];
     h[2] = xi[2];
-    h[3] = kt;
+    h[3] = r->kt;
 }
 
-DEM_CONTACT_LOOP(apply, incremental, incremental_row, 4, kt, fx, fy, fz)
+DEM_CONTACT_LOOP(apply, dem_mindlin, incremental_row, 4, kt, fx, fy, fz)
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
@@ -87,7 +83,7 @@ const struct dem_effect dem_mindlin_incremental = {
     .parcels = DEM_PARCELS_SAME,
     .needs = DEM_NEEDS_NORMAL_SPIN,
     .example = "friction 0.1;",
-    .size = sizeof(struct incremental),
+    .size = sizeof(struct dem_mindlin),
     .settings = settings,
     .history = history_names,
     .clears_history = 1,

@@ -1,7 +1,7 @@
 /*
  * fused_kernel.h -- the loops of a fused kernel, made of the row functions of its laws.
  *
- * 1. Normal law and damping.
+ * 1. Normal law, damping and the stiffness of friction, which shares a root with hertz.
  * 2. Trial forces of the springs of friction and rolling.
  * 3. The limits of these (slider.h).
  * 4. Forces and moments.
@@ -101,9 +101,10 @@ DEM_MATH void dem_fused_begin(struct dem_contact_row *r)
             dem_##normal##_row(&a, &r, h);                                                     \
             dem_##damping##_row(&d, &r, h + DAMPING);                                          \
             dem_##film##_adhesion_row(&g, &r, h + FILM);                                       \
+            r.kt = dem_##friction##_stiffness(&f, &r);                                         \
             dem_history_clear_apart(&r, FRICTION, h);                                          \
             dem_history_store(h, FRICTION, c, history);                                        \
-            DEM_STORE(kn, eta, fn, adhesive_force, scratch)                                    \
+            DEM_STORE(kn, kt, eta, fn, adhesive_force, scratch)                                \
         }                                                                                      \
         DEM_INDEPENDENT_ROWS                                                                   \
         for (int c = 0; c < b->n; c++)                                                         \
@@ -113,7 +114,7 @@ DEM_MATH void dem_fused_begin(struct dem_contact_row *r)
                                                                                                \
             dem_history_load(history + FRICTION, FILM - FRICTION, c, h + FRICTION);            \
             r.mx = r.my = r.mz = 0.0;                                                          \
-            dem_slider_begin(&r, dem_##friction##_slider(&f, &r, h + FRICTION), &slips, c,     \
+            dem_slider_begin(&r, dem_friction_slider(&f.common, &r, h + FRICTION), &slips, c,  \
                              h + FRICTION);                                                    \
             dem_##rolling##_begin(&m, &r, &rolls, c, h + ROLLING);                             \
             dem_history_store(h + FRICTION, FILM - FRICTION, c, history + FRICTION);           \
