@@ -26,9 +26,11 @@ const char *dem_version(void)
 
 struct dem_step_limit dem_step_limit(const struct dem *d)
 {
-    struct dem_step_limit s = {.limit = d->state.interaction_table.step_limit, .used = d->step};
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
+    struct dem_step_limit s = {.limit = d->state.paused ? r->scalar_limit : r->step_limit,
+                               .used = d->step};
 
-    snprintf(s.why, sizeof s.why, "%s", d->state.interaction_table.why);
+    snprintf(s.why, sizeof s.why, "%s", d->state.paused ? r->scalar_why : r->why);
     return s;
 }
 
@@ -37,6 +39,7 @@ int dem_totals(struct dem *d, struct dem_totals *t)
     const struct dem_flows *const f = d->state.flows;
 
     dem_totals_tally(&d->state, t);
+    d->pause.overlap = fmax(d->pause.overlap, t->largest_overlap);
     for (int k = 0; k < f->n; k++)
     {
         *(f->flow[k].kind != DEM_FLOW_OUTLET ? &t->inserted : &t->removed) += f->flow[k].count;

@@ -62,6 +62,7 @@ int dem_api_finish_physics(struct dem *d)
     int status = dem_interaction_table_freeze(&p->interaction_table, wall_materials);
 
     status = status ? status : choose_step(d);
+    status = status ? status : dem_api_check_pause(d);
     status = status ? status : check_periodic_widths(d, radius);
     status = status ? status : dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0);
     status = status ? status : dem_domain_check_walls(&p->domain, &p->walls, radius);

@@ -1,5 +1,6 @@
 /*
- * until_quiet.c -- time/untilQuiet: test whether the particles have been at rest for long enough.
+ * until_quiet.c -- time/untilQuiet and time/pauseAtRest: test whether the particles have been at rest
+ * for long enough.
  *
  *     untilQuiet { kinetic 1e-6; moving 0.01; imbalance 0.01; lasting 0.1; }
  *
@@ -50,14 +51,14 @@ static int check_settings(const struct dem_quiet *q, const struct dem_dict *dict
     return DEM_OK;
 }
 
-int dem_quiet_read(const struct dem *d, struct dem_quiet *q)
+int dem_api_read_quiet(const struct dem *d, const char *entry, struct dem_quiet *q)
 {
     const struct dem_dict *time, *dict = NULL;
 
     *q = (struct dem_quiet){.kinetic = 1e-6, .moving = 0.01, .imbalance = 0.01, .since = INFINITY,
                             .tested = -INFINITY};
     DEM_TRY(dem_dict_sub_if(d->dict, "time", &time));
-    DEM_TRY(time ? dem_dict_sub_if(time, "untilQuiet", &dict) : DEM_OK);
+    DEM_TRY(time ? dem_dict_sub_if(time, entry, &dict) : DEM_OK);
     if (!dict)
     {
         return DEM_OK;
@@ -73,16 +74,26 @@ int dem_quiet_read(const struct dem *d, struct dem_quiet *q)
     return check_settings(q, dict);
 }
 
+int dem_quiet_read(const struct dem *d, struct dem_quiet *q)
+{
+    return dem_api_read_quiet(d, "untilQuiet", q);
+}
+
 /* Without gravity there is no energy of falling to compare with, and no time of falling. */
-int dem_quiet_check(const struct dem *d, const struct dem_quiet *q)
+int dem_api_check_quiet(const struct dem *d, const char *entry, const struct dem_quiet *q)
 {
     double g[3];
     const int any = dem_gravity_acceleration(d, g) && dem_vec_dot(g, g) > 0.0;
 
     DEM_REQUIRE(!q->wanted || any || (q->speed > 0.0 && q->lasting > 0.0), DEM_ERROR_INPUT,
-                "time/untilQuiet compares with the energy of falling by a diameter, but there is "
-                "no gravity; give speed and lasting, or add gravity");
+                "time/%s compares with the energy of falling by a diameter, but there is "
+                "no gravity; give speed and lasting, or add gravity", entry);
     return DEM_OK;
+}
+
+int dem_quiet_check(const struct dem *d, const struct dem_quiet *q)
+{
+    return dem_api_check_quiet(d, "untilQuiet", q);
 }
 
 /* Rounded to a power of 2, so that a restart with other particles has the same windows. */
@@ -97,7 +108,7 @@ int64_t dem_quiet_tests(const struct dem *d, const struct dem_quiet *q, double i
     }
     if (q->lasting > 0.0)
     {
-        return (int64_t)fmax(1.0, ceil(5.0*interval/q->lasting));
+        return (int64_t)fmax(1.0, fmin(0x1p53, ceil(5.0*interval/q->lasting)));
     }
     (void)dem_gravity_acceleration(d, g);
     const double fall = sqrt(2.0*radius/dem_vec_norm(g));

@@ -27,7 +27,7 @@ void dem_flows_free(struct dem_flows *f)
 
 int dem_flows_due(const struct dem_state *p)
 {
-    return p->flows->n > 0 && !p->flows->asked && p->steps%DEM_FLOW_STEPS == 0;
+    return p->flows->n > 0 && !p->flows->asked && !p->paused && p->steps%DEM_FLOW_STEPS == 0;
 }
 
 /* ---- beginning ------------------------------------------------------------------------------- */
@@ -156,7 +156,7 @@ static int insert_particle(struct dem_state *p, const struct dem_arrival *new)
     }
     if (p->energy_balance->open)
     {
-        dem_energy_balance_particle_in(p, q);
+        dem_energy_balance_particle_in(p, &all->record[i]);
     }
     return DEM_OK;
 }

@@ -238,13 +238,51 @@ static void free_grid(struct inlet_grid *grid)
 
 /* ---- a stream -------------------------------------------------------------------------------- */
 
-/* 1 when the next particle, of this mass, is due and within the limits of the stream. */
+/* 1 when the next particle, of this mass, is within the limits of the stream. */
+static int is_within(const struct dem_stream *s, const struct dem_snapshot_flow *f, double mass)
+{
+    return f->count < s->count && !(f->mass + 0.5*mass > s->mass);
+}
+
+/* 1 when it is due, too. */
 static int is_due(const struct dem_stream *s, const struct dem_snapshot_flow *f, double due,
                   double mass)
 {
-    const int within = f->count < s->count && !(f->mass + 0.5*mass > s->mass);
+    return is_within(s, f, mass) &&
+           (s->by_mass ? due + tolerance*mass >= mass : due + tolerance >= 1.0);
+}
 
-    return within && (s->by_mass ? due + tolerance*mass >= mass : due + tolerance >= 1.0);
+/* kg  of the next particle */
+static double next_mass(const struct dem_state *p, int k)
+{
+    const struct dem_stream *const s = &p->flows->plan->stream[k];
+
+    return p->interaction_table.material[s->material].density*
+           dem_sphere_volume(0.5*dem_stream_diameter(s, p->flows->flow[k].count));
+}
+
+/* particles or kg  due now and not yet inserted */
+static double amount_owed(const struct dem_state *p, int k)
+{
+    const struct dem_stream *const s = &p->flows->plan->stream[k];
+    const struct dem_snapshot_flow *const row = &p->flows->flow[k];
+
+    return row->owed + dem_stream_amount_due(s, row->since, p->time) -
+           (s->by_mass ? row->mass : (double)row->count);
+}
+
+int dem_flows_stream_is_open(const struct dem_state *p, int k)
+{
+    return is_within(&p->flows->plan->stream[k], &p->flows->flow[k], next_mass(p, k));
+}
+
+int dem_flows_stream_acts(const struct dem_state *p, int k)
+{
+    const struct dem_stream *const s = &p->flows->plan->stream[k];
+    const int now = p->time >= s->start*(1.0 - 1e-12) && p->time < s->end;
+
+    return (now && dem_flows_stream_is_open(p, k)) ||
+           is_due(s, &p->flows->flow[k], amount_owed(p, k), next_mass(p, k));
 }
 
 /* 1 in `clear` when the particle overlaps no sphere and no wall and lies in the domain; then it is
@@ -405,10 +443,7 @@ static int check_stream(struct dem_state *p, int k, int64_t step, int status)
     struct dem_flows *const f = p->flows;
     const struct dem_stream *const s = &f->plan->stream[k];
     struct dem_snapshot_flow *const row = &f->flow[k];
-    const double due = row->owed + dem_stream_amount_due(s, row->since, p->time) -
-                       (s->by_mass ? row->mass : (double)row->count);
-    const double mass = p->interaction_table.material[s->material].density*
-                        dem_sphere_volume(0.5*dem_stream_diameter(s, row->count));
+    const double due = amount_owed(p, k), mass = next_mass(p, k);
     struct dem_stream_trial t = {.step = step,
                                  .ago = p->time - fmax(row->last, fmin(s->start, p->time))};
     struct inlet_grid grid = {.domain = &p->domain, .stream = s, .max_radius = 0.5*s->sizes.max};

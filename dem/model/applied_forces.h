@@ -14,6 +14,7 @@
 
 struct dem_applied_force
 {
+    const char *name;            /* of its entry in the scene */
     double force[3], torque[3];  /* N, N m */
     double start, end;           /* s  from start on, before end */
     double min[3], max[3];       /* m  the centre lies between them; infinite: anywhere */

@@ -88,6 +88,8 @@ static int read_force(void *of, const struct dem_dict *dict)
                 dem_dict_where(dict), MAX_FORCES);
     struct dem_applied_force *const f = &a->force[a->n++];
 
+    f->name = dem_dict_name(dict);
+
     DEM_REQUIRE(dem_dict_has(dict, "force") || dem_dict_has(dict, "torque"), DEM_ERROR_INPUT,
                 "%s: forces/%s has neither force (N) nor torque (N m); give one of them",
                 dem_dict_where(dict), dem_dict_name(dict));

@@ -18,7 +18,8 @@ static const struct dem_wall_scalar *condition(const struct dem_state *p, const 
     const struct dem_wall_scalar *const w =
         p->walls.wall[wall].scalars ? &p->walls.wall[wall].scalars[scalar] : NULL;
 
-    return w && p->time > w->start && p->time <= w->end ? w : NULL;
+    /* times are sums of steps: a step that ends at the start, to rounding, is before it */
+    return w && p->time > w->start*(1.0 + 1e-12) && p->time <= w->end*(1.0 + 1e-12) ? w : NULL;
 }
 
 /* What a wall gives to a particle of radius R that touches it: flux or film on the area pi R^2. A

@@ -19,7 +19,7 @@ class SunaError(Exception):
 
 
 # entries of a scene that belong to the program dem
-PROGRAM = ("time/end", "time/untilQuiet", "time/maxCreated", "write", "coupling",
+PROGRAM = ("time/end", "time/untilQuiet", "time/pauseAtRest", "time/maxCreated", "write", "coupling",
            "accuracy")
 
 
