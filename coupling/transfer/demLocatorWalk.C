@@ -230,12 +230,11 @@ void Foam::demLocator::setPeriods(const vector& period)
     {
         const vector mesh(shift);
 
+        // no part of it along the other axes, where face centres differ by rounding
         for (direction k = 0; k < 3 && mag(mesh) > 0; k++)
         {
-            if (period[k] > 0)
-            {
-                shift[k] = mag(mesh[k]) < 0.5*mag(mesh) ? 0 : sign(mesh[k])*period[k];
-            }
+            const bool along = mag(mesh[k]) > 0.5*mag(mesh);
+            shift[k] = !along ? 0 : period[k] > 0 ? sign(mesh[k])*period[k] : mesh[k];
         }
     }
 }
