@@ -22,15 +22,14 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "api/internal.h"
+#include "api/pause_events.h"
 #include "core/error.h"
 #include "core/vec.h"
 #include "diagnostics/energy_balance.h"
 #include "diagnostics/totals.h"
-#include "inflow/flows.h"
 #include "input/dictionary.h"
 #include "parallel/collect.h"
 #include <fenv.h>
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -80,118 +79,9 @@ int64_t dem_pause_tests(const struct dem *d, double interval)
     return dem_quiet_tests(d, &d->pause.rest, interval);
 }
 
-/* ---- what begins and ends -------------------------------------------------------------------- */
-
-struct event
-{
-    double from;         /* s  it comes after this time */
-    int mechanics;       /* 1: of mechanics only; 0: or the condition of a wall for a scalar */
-    double time;         /* s  infinite: none */
-    char what[200];
-};
-
-/* s  times are sums of steps: up to here they are the same */
-static double after(double time)
-{
-    return time + 1e-12*fabs(time);
-}
-
-struct candidate
-{
-    double time;
-    const char *kind, *name, *does;
-};
-
-static void consider(struct event *e, const struct candidate *c)
-{
-    if (c->time > after(e->from) && c->time < e->time)
-    {
-        e->time = c->time;
-        snprintf(e->what, sizeof e->what, "%s %s %s", c->kind, c->name, c->does);
-    }
-}
-
-static const struct dem_motion *motion_of(const struct dem_state *p, const struct dem_wall *w)
-{
-    const struct dem_motion *const m = w->frame >= 0 ? &p->walls.frame[w->frame].motion : NULL;
-
-    return m && m->kind != DEM_MOTION_REST ? m : NULL;
-}
-
-static void consider_wall(struct event *e, const struct dem_state *p, const struct dem_wall *w)
-{
-    const struct dem_motion *const m = motion_of(p, w);
-
-    if (m)
-    {
-        consider(e, &(struct candidate){m->start, "wall", w->name, "begins to move"});
-        consider(e, &(struct candidate){m->end, "wall", w->name, "comes to rest"});
-    }
-    for (int k = 0; !e->mechanics && w->scalars && k < p->interaction_table.scalars; k++)
-    {
-        const struct dem_wall_scalar *const s = &w->scalars[k];
-
-        consider(e, &(struct candidate){s->start, "condition of wall", w->name, "begins"});
-        consider(e, &(struct candidate){s->end, "condition of wall", w->name, "ends"});
-    }
-}
-
-/* The first event after `from`. */
-static struct event next_event(const struct dem_state *p, double from, int mechanics)
-{
-    const struct dem_streams *const plan = p->flows->plan;
-    struct event e = {.from = from, .mechanics = mechanics, .time = INFINITY};
-
-    for (int w = 0; w < p->walls.walls; w++)
-    {
-        consider_wall(&e, p, &p->walls.wall[w]);
-    }
-    for (int k = 0; plan && k < plan->streams; k++)
-    {
-        const struct dem_stream *const s = &plan->stream[k];
-        const double start = dem_flows_stream_is_open(p, k) ? s->start : INFINITY;
-
-        consider(&e, &(struct candidate){start, "stream", s->name, "begins"});
-    }
-    for (int k = 0; k < p->applied_forces.n; k++)
-    {
-        const struct dem_applied_force *const f = &p->applied_forces.force[k];
-
-        consider(&e, &(struct candidate){f->start, "force", f->name, "begins"});
-        consider(&e, &(struct candidate){f->end, "force", f->name, "ends"});
-    }
-    return e;
-}
-
-/* 1 while this wall is in motion; `always`: from the start of the run to its end. */
-static int wall_moves(const struct dem_state *p, const struct dem_wall *w, int always)
-{
-    const struct dem_motion *const m = motion_of(p, w);
-
-    return w->driven || w->moves ||
-           (m && (always ? m->start <= 0.0 && m->end == INFINITY
-                         : after(p->time) >= m->start && after(p->time) < m->end));
-}
-
-/* 1 when something moves now that rest cannot show. */
-static int is_moved(const struct dem_state *p)
-{
-    int moved = 0;
-
-    for (int w = 0; w < p->walls.walls; w++)
-    {
-        moved |= wall_moves(p, &p->walls.wall[w], 0);
-    }
-    for (int k = 0; p->flows->plan && k < p->flows->plan->streams; k++)
-    {
-        moved |= dem_flows_stream_acts(p, k);
-    }
-    return moved;
-}
-
 double dem_pause_until(const struct dem *d)
 {
-    return d->state.paused ? next_event(&d->state, d->state.time, 0).time : INFINITY;
+    return d->state.paused ? dem_events_next(&d->state, d->state.time, 0).time : INFINITY;
 }
 
 /* ---- check ----------------------------------------------------------------------------------- */
@@ -223,7 +113,7 @@ static int refuse_motion(const struct dem *d)
 
     for (int w = 0; w < p->walls.walls; w++)
     {
-        DEM_REQUIRE(!wall_moves(p, &p->walls.wall[w], 1), DEM_ERROR_INPUT,
+        DEM_REQUIRE(!dem_events_wall_moves(p, &p->walls.wall[w], 1), DEM_ERROR_INPUT,
                     "time/%s: wall %s moves from the start to the end, so mechanics never pause; "
                     "leave the entry out, or give its motion an end", entry, p->walls.wall[w].name);
     }
@@ -367,10 +257,10 @@ int dem_resume(struct dem *d)
 
 static int resume_when_due(struct dem *d)
 {
-    const struct event e = next_event(&d->state, d->pause.updated, 1);
-    const int begins = e.time <= after(d->state.time);
+    const struct dem_event e = dem_events_next(&d->state, d->pause.updated, 1);
+    const int begins = e.time <= dem_events_after(d->state.time);
 
-    if (!begins && !is_moved(&d->state))
+    if (!begins && !dem_events_act(&d->state))
     {
         d->pause.updated = d->state.time;
         return DEM_OK;
@@ -382,7 +272,7 @@ static int resume_when_due(struct dem *d)
 
 static void tell_pause(struct dem *d, const struct dem_totals *t)
 {
-    const struct event e = next_event(&d->state, d->state.time, 1);
+    const struct dem_event e = dem_events_next(&d->state, d->state.time, 1);
     char until[240] = "the end";
 
     if (isfinite(e.time))
@@ -398,14 +288,14 @@ static void tell_pause(struct dem *d, const struct dem_totals *t)
 
 static int pause_when_at_rest(struct dem *d, const struct dem_totals *totals)
 {
-    const struct event e = next_event(&d->state, d->pause.updated, 1);
+    const struct dem_event e = dem_events_next(&d->state, d->pause.updated, 1);
     struct dem_totals t = *totals;
 
     t.largest_overlap = d->pause.overlap;
     d->pause.overlap = 0.0;
     DEM_TRY(dem_quiet_test(d, &d->pause.rest, &t));
     d->pause.updated = d->state.time;
-    if (e.time <= after(d->state.time) || is_moved(&d->state))
+    if (e.time <= dem_events_after(d->state.time) || dem_events_act(&d->state))
     {
         forget_rest(d);
     }

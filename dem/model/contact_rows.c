@@ -111,8 +111,11 @@ int dem_contact_rows_number(struct dem_contact_rows *c, struct dem_pair_list *p,
                             const uint8_t *near, size_t particles, const uint32_t **from)
 {
     /* grow by little: rows take most of all memory */
-    const size_t limit = count_rows(c, p, near),
-                 capacity = limit <= c->capacity ? c->capacity : limit + limit/64;
+    const size_t limit = count_rows(c, p, near), most = UINT32_MAX >> DEM_ENTRY_ROW_SHIFT;
+
+    DEM_REQUIRE(limit <= most, DEM_ERROR_MEMORY, "a rank has %zu candidate contacts; the limit is %zu; use "
+                "more ranks", limit, most);
+    const size_t capacity = limit <= c->capacity ? c->capacity : limit + limit/64;
 
     DEM_TRY(DEM_RESIZE(c->pair, c->capacity, capacity));
     DEM_TRY(DEM_RESIZE(c->partners, c->capacity, capacity));

@@ -29,7 +29,7 @@ struct dem_body_workspace    /* a batch of particles and its working columns */
                                                              without the slip factor */
     _Alignas(64) double spin_impulse[3][DEM_BATCH_ROWS];  /* N m s impulse of rotational
                                                              drag in this kick */
-    struct dem_contact_sum contacts[DEM_BATCH_ROWS + 1];   /* sums; one more is read */
+    struct dem_contact_sum contacts[DEM_BATCH_ROWS + 1];   /* sums, and one that struct dem_sum_slice asks for */
 };
 
 /* Load the contact forces of the particles [first, first + rows) from their columns. They are loaded

@@ -124,8 +124,8 @@ static void normals_of_walls(struct dem_contact_batch *b)
     memcpy(b->hz, b->nz, sizeof b->hz);
 }
 
-/* At a wall twice the spin of the particle was gathered, at a pair the sum of both: half of the half of
-   it is the mean. */
+/* At a wall twice the spin of the particle was gathered: a quarter of it is the mean of particle and
+   wall at rest. */
 DEM_KERNEL
 static void motion_at_walls(struct dem_contact_batch *restrict b,
                             const struct dem_gathered *restrict g)

@@ -35,7 +35,7 @@ static struct storage storage_of(const struct dem_contacts *c, int unobserved)
                                   {UINT32_MAX, UINT32_MAX}};
 }
 
-/* The address of what an entry adds, in `base` of the storage. */
+/* The record of an entry's row in `base`, one of the two arrays of the storage. */
 #define ROW_OF(at, base, entry)                                                                \
     ((at)->base[(entry)/DEM_ENTRY_BUFFERED & 1] +                                              \
      ((entry) >> DEM_ENTRY_ROW_SHIFT & (at)->mask[(entry)/DEM_ENTRY_BUFFERED & 1]))

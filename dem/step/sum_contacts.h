@@ -18,7 +18,8 @@ struct dem_contact_sum     /* of the rows of a particle; a cache line */
 struct dem_sum_slice                                       /* a contiguous slice of particles */
 {
     size_t first, end;       /* particles */
-    struct dem_contact_sum *sum;         /* results, of particle `first` in [0] */
+    struct dem_contact_sum *sum;         /* results, of particle `first` in [0]; one more than the
+                                            slice has is read, but not used */
     int unobserved;                      /* 1: in this step contact forces were written to the
                                             ring buffer, if there is one */
 };

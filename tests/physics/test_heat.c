@@ -26,19 +26,6 @@ static double mass(double density)
     return density*4.0/3.0*world_pi*R*R*R;
 }
 
-/* by id */
-static void temperatures(struct dem *d, double *T)
-{
-    const double *const all = dem_scalar(d, dem_scalar_index(d, "temperature"));
-    struct dem_view v;
-
-    dem_view(d, &v);
-    for (size_t n = 0; n < v.n; n++)
-    {
-        T[world_id(&v, n)] = all[n];
-    }
-}
-
 /* Frozen spheres along z between walls at z = 0 and above. Walls overlap by twice as much as pairs:
    with R* = R there their conductance is 2 H. */
 static struct dem *chain(double low, double high, const double T[N], double step)
@@ -77,7 +64,7 @@ static void test_chain(void)
     struct dem *d = chain(300.0, 400.0, T, dt);
 
     world_run(d, 20000.0*dt);
-    temperatures(d, T);
+    world_scalars(d, "temperature", T);
     for (int n = 0; n < N; n++)
     {
         worst = fmax(worst, fabs(T[n] - (300.0 + 100.0*(n + 0.5)/N)));
@@ -99,7 +86,7 @@ static void test_chain(void)
         }
         d = chain(350.0, 350.0, T, dt);
         world_run(d, steps*dt);
-        temperatures(d, T);
+        world_scalars(d, "temperature", T);
         for (int n = 0; n < N; n++)
         {
             worst = fmax(worst, fabs(T[n] - 350.0 - 50.0*decay*sin(m*world_pi*(n + 0.5)/N)));
@@ -130,7 +117,7 @@ static double pair_conductance(const char *extra, const char *area, double modul
 
     free(text);
     world_step(d);
-    temperatures(d, T);
+    world_scalars(d, "temperature", T);
     const double H = Ca*(400.0 - T[0])/(1e-3*100.0);
 
     TAP_NEAR(Ca*T[0] + Cb*T[1], Ca*400.0 + Cb*300.0, 1e-15*(Ca*400.0 + Cb*300.0)*2.0,
@@ -178,7 +165,7 @@ static void test_frozen_start(void)
                  H = 84.0*sqrt(0.5*R*overlap);
 
     world_run(d, step);
-    temperatures(d, T);
+    world_scalars(d, "temperature", T);
     dem_view(d, &v);
     TAP_OK(step > 1e3*moving, "step %g s instead of %g s", step, moving);
     TAP_NEAR(T[0] - T[1], 100.0*(1.0 - 2.0*step*H/C), 1e-8*100.0, "it conducts in this step");
@@ -188,7 +175,7 @@ static void test_frozen_start(void)
     dem_free(d);
     text = world_text("%s start { snapshot \"test_heat.dem\"; temperature 350; }", physics);
     d = world(text, 0, NULL);
-    temperatures(d, T);
+    world_scalars(d, "temperature", T);
     TAP_OK(T[0] == 350.0 && T[1] == 350.0, "start may give other temperatures");
     free(text);
     dem_free(d);

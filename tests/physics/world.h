@@ -148,6 +148,19 @@ static inline struct world_particle world_at(const struct dem *d, int64_t id)
     exit(1);
 }
 
+/* a particle scalar of all particles of one rank, by id */
+static inline void world_scalars(struct dem *d, const char *name, double *value)
+{
+    const double *const all = dem_scalar(d, dem_scalar_index(d, name));
+    struct dem_view v;
+
+    dem_view(d, &v);
+    for (size_t k = 0; k < v.n; k++)
+    {
+        value[world_id(&v, k)] = all[k];
+    }
+}
+
 /* a particle scalar of particle `id` */
 static inline double world_scalar(struct dem *d, const char *name, int64_t id)
 {

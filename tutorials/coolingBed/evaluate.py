@@ -250,13 +250,10 @@ def main():
     table.write(HERE)
     if words.test:
         return
-    try:
+    with results.pictures():
         import draw
-    except ImportError as reason:
-        print(f"evaluate: no pictures ({reason})")
-        return
-    draw.draw_cooling(HERE, run, WINDOW)
-    draw.draw_bed(HERE, run)
+        draw.draw_cooling(HERE, run, WINDOW)
+        draw.draw_bed(HERE, run)
 
 
 if __name__ == "__main__":

@@ -187,10 +187,8 @@ def main():
     report(table, packings)
     kernels(table)
     table.write(HERE)
-    try:
+    with results.pictures():
         draw(packings)
-    except ImportError as reason:
-        print(f"evaluate: no pictures ({reason})")
 
 
 if __name__ == "__main__":

@@ -153,10 +153,8 @@ def main():
     lattices(table, points)
     suspensions(table, points)
     table.write(HERE)
-    try:
+    with results.pictures():
         draw(points)
-    except ImportError as reason:
-        print(f"evaluate: no pictures ({reason})")
 
 
 if __name__ == "__main__":

@@ -260,10 +260,8 @@ def main():
     tank(table)
     light(table, rises)
     table.write(HERE)
-    try:
+    with results.pictures():
         draw(curves, rises)
-    except ImportError as reason:
-        print(f"evaluate: no pictures ({reason})")
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@ source of the reference.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import contextlib
 import csv
 import datetime
 import re
@@ -132,6 +133,15 @@ def markdown(rows):
 
 
 # ---- storing -------------------------------------------------------------------------------------
+
+@contextlib.contextmanager
+def pictures():
+    """`with results.pictures():` around what needs matplotlib: without it a sentence, no error."""
+    try:
+        yield
+    except ImportError as reason:
+        print(f"{Path(sys.argv[0]).stem}: no pictures ({reason})")
+
 
 def kind_of_machine():
     try:

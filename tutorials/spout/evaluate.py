@@ -105,13 +105,10 @@ def main():
     table.write(HERE)
     if words.test:
         return
-    try:
+    with results.pictures():
         import draw
-    except ImportError as reason:
-        print(f"evaluate: no pictures ({reason})")
-        return
-    draw.draw_speeds(HERE, SHARES, CENTRES, profiles, [measured(share) for share in SHARES])
-    draw.draw_bed(HERE, words.run)
+        draw.draw_speeds(HERE, SHARES, CENTRES, profiles, [measured(share) for share in SHARES])
+        draw.draw_bed(HERE, words.run)
 
 
 if __name__ == "__main__":

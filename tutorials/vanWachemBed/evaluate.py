@@ -129,14 +129,11 @@ def main():
     pressure = tell_pressure(table, bed, words.start)
     tell_balance(table, bed, words.start, least)
     table.write(HERE)
-    try:
+    with results.pictures():
         import draw
-    except ImportError as reason:
-        print(f"evaluate: no pictures ({reason})")
-        return
-    draw.draw_course(HERE, words.start, height, pressure, measured("height.csv"),
-                     measured("pressure.csv"))
-    draw.draw_bed(HERE, bed)
+        draw.draw_course(HERE, words.start, height, pressure, measured("height.csv"),
+                         measured("pressure.csv"))
+        draw.draw_bed(HERE, bed)
 
 
 if __name__ == "__main__":
