@@ -138,6 +138,15 @@ Foam::demFields::demFields(const fvMesh& mesh, const dictionary& coupling)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::demFields::prepare(::dem* d) const
+{
+    if (stress_)
+    {
+        demCheck(dem_virial_enable(d));
+    }
+}
+
+
 void Foam::demFields::note(const string& heading)
 {
     if (alpha_)

@@ -91,6 +91,7 @@ struct dem
                                                              all ranks together */
     int energy;                                           /* 1: the energy balance was asked for */
     int orientation;                                      /* 1: orientations were asked for */
+    int virial;                                           /* 1: dem_virial will be called */
     int exchanges;                                        /* calls of dem_scalar_exchange_enable, */
     char exchanged[DEM_SCALARS][48];                      /* and their scalars */
     int driven;                                           /* 1: there are driven particles */

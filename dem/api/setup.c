@@ -147,6 +147,7 @@ static int prepare_physics(struct dem *d)
 
     DEM_TRY(dem_wall_store_distribute(&p->wall_store, &p->walls));
     DEM_TRY(dem_contacts_init(&p->contacts, &p->interaction_table));
+    p->contacts.forces.keep |= d->virial || d->scene.averages > 0;
     dem_pairs_init(&p->pairs, &p->domain, skin, p->interaction_table.reach, radius);
     if (d->scene.tuned_skins && radius > 0.0)
     {
@@ -429,10 +430,6 @@ int dem_api_setup(struct dem *d)
                                                     d->scene.averages,
                                                     &d->state.interaction_table, d->state.time,
                                                     d->state.decomposition.rank == 0)));
-    DEM_TRY(dem_api_agree(d, d->scene.averages > 0    /* they sample the virial */
-                                 ? dem_contact_forces_keep(&d->state.contacts.forces,
-                                                           &d->state.contacts.rows)
-                                 : DEM_OK));
     DEM_TRY(dem_api_agree(d, resume_averages(d)));
     dem_timers_begin(d->state.timers, d->state.rebuilds, d->state.prunes, d->state.agreements);
     d->state.halo.refresh_traffic = d->state.halo.in.sent = (struct dem_traffic){0, 0};

@@ -11,11 +11,18 @@
 #include "core/memory.h"
 #include <string.h>
 
+enum
+{
+    ROWS_PER_DEFERRED = 8    /* at least, where there is a ring: deferred rows are written twice */
+};
+
 void dem_contact_forces_free(struct dem_contact_forces *c)
 {
     dem_contact_forces_release(c);
     dem_contact_forces_clear(c);
     dem_memory_free(c->kept_row);
+    dem_memory_free(c->deferred);
+    dem_memory_free(c->deferred_before);
     memset(c, 0, sizeof *c);
 }
 
@@ -36,13 +43,16 @@ size_t dem_contact_forces_ring_bytes(const struct dem_contact_forces *c)
 
 size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *c, int ring)
 {
-    return (ring && !c->keep ? 0 : bytes_of_place(c)) + bytes_of_row(c);
+    return (ring ? bytes_of_place(c)/ROWS_PER_DEFERRED : 0) +
+           (!ring || c->keep ? bytes_of_place(c) : 0) + bytes_of_row(c);
 }
 
 size_t dem_contact_forces_bytes(const struct dem_contact_forces *c)
 {
     return (c->capacity + c->row_force_capacity)*bytes_of_place(c) +
-           c->row_capacity*bytes_of_row(c) + c->kept_capacity*sizeof *c->kept_row;
+           c->row_capacity*bytes_of_row(c) + c->kept_capacity*sizeof *c->kept_row +
+           c->deferred_capacity*sizeof *c->deferred +
+           c->before_capacity*sizeof *c->deferred_before;
 }
 
 /* ---- energies and rates ---------------------------------------------------------------------- */
@@ -139,145 +149,142 @@ int dem_contact_forces_allocate(struct dem_contact_forces *c, const struct dem_c
     return allocate_rows(c, rows);
 }
 
-int dem_contact_forces_keep(struct dem_contact_forces *c, const struct dem_contact_rows *rows)
-{
-    c->keep = 1;
-    return c->force ? allocate_rows(c, rows) : DEM_OK;
-}
-
 /* ---- places ---------------------------------------------------------------------------------- */
 
-/* 1 when the row is still in the ring when the particle is summed: at the end of the batch that holds
-   the last row needed. */
-static int is_in_ring(const struct dem_contact_rows *r, uint32_t row, size_t particle)
+enum
 {
-    return r->needed[particle/DEM_BATCH_ROWS] + 2*DEM_BATCH_ROWS <= row + DEM_FORCE_BUFFER_ROWS;
+    WORD = 64    /* rows of a word of `deferred` */
+};
+
+/* The oldest row in the ring when the particles of a batch are summed: at the end of the batch of rows
+   that holds the last one needed. */
+static int64_t oldest_in_ring(const struct dem_contact_rows *r, size_t particle)
+{
+    return (int64_t)r->needed[particle/DEM_BATCH_ROWS] + 2*DEM_BATCH_ROWS - DEM_FORCE_BUFFER_ROWS;
 }
 
-static const struct dem_pair *pair_of(const struct dem_contact_rows *r,
-                                      const struct dem_pair_list *p, uint32_t row)
-{
-    return row >= r->n || r->pair[row] == DEM_ROW_NONE ? NULL : &p->pair[r->pair[row]];
-}
-
-static int is_deferred(const struct dem_contact_rows *r, const struct dem_pair *q, uint32_t row,
-                       size_t n)
-{
-    return (q->i < n && !is_in_ring(r, row, q->i)) || (q->j < n && !is_in_ring(r, row, q->j));
-}
-
-static size_t count_deferred(const struct dem_contact_rows *r, const struct dem_pair_list *p,
-                             size_t n)
-{
-    size_t count = 0;
-
-    for (uint32_t row = 0; row < r->n; row++)
-    {
-        const struct dem_pair *const q = pair_of(r, p, row);
-
-        count += q && !q->wall && is_deferred(r, q, row, n);
-    }
-    return count;
-}
-
-static int keep_row(struct dem_contact_forces *c, uint32_t row)
-{
-    DEM_TRY(DEM_GROW(c->kept_row, c->kept_capacity, c->kept + 1));
-    c->kept_row[c->kept++] = row;
-    return DEM_OK;
-}
-
-/* Whole batches, because a batch is stored as a whole. */
-static int place_walls(struct dem_contact_forces *c, struct dem_contact_rows *r,
-                       const struct dem_pair_list *p)
+/* Classes of walls are last: their first row, or the number of rows. */
+static uint32_t find_walls(const struct dem_contact_rows *r, const struct dem_pair_list *p)
 {
     for (int s = 0; s < r->classes; s++)
     {
-        struct dem_segment *const segment = &r->segment[s];
-        const int wall = segment->count > 0 && pair_of(r, p, segment->first)->wall;
+        const struct dem_segment *const segment = &r->segment[s];
 
-        segment->place = c->ring + (uint32_t)c->kept;
-        for (uint32_t k = 0; wall && k < (segment->count + DEM_BATCH_ROWS - 1)/DEM_BATCH_ROWS*
-                                            DEM_BATCH_ROWS; k++)
+        if (segment->count > 0 && p->pair[r->pair[segment->first]].wall)
         {
-            DEM_TRY(keep_row(c, segment->first + k));
+            return segment->first;
+        }
+    }
+    return r->n;
+}
+
+/* Marks the rows before `walls` that a particle sums when they are no more in the ring. *count: their
+   number. */
+static int mark_deferred(struct dem_contact_forces *c, const struct dem_contact_rows *r,
+                         uint32_t walls, size_t n, size_t *count)
+{
+    const size_t words = r->n/WORD + 1;
+
+    DEM_TRY(DEM_GROW(c->deferred, c->deferred_capacity, words));
+    DEM_TRY(DEM_GROW(c->deferred_before, c->before_capacity, words));
+    memset(c->deferred, 0, words*sizeof *c->deferred);
+    for (size_t i = 0; i < n; i++)
+    {
+        const int64_t oldest = oldest_in_ring(r, i);
+
+        for (uint32_t e = r->start[i]; e < r->start[i + 1]; e++)
+        {
+            const uint32_t row = r->entry[e] >> DEM_ENTRY_PLACE_SHIFT;
+            const uint64_t marked = (row < walls) & (row < oldest);
+
+            c->deferred[row/WORD] |= marked << row%WORD;
+        }
+    }
+    *count = 0;
+    for (size_t k = 0; k < words; k++)
+    {
+        c->deferred_before[k] = (uint32_t)*count;
+        *count += (size_t)__builtin_popcountll(c->deferred[k]);
+    }
+    return DEM_OK;
+}
+
+/* Behind the ring: the place without a row, then those of walls, then the deferred ones. */
+static int list_kept(struct dem_contact_forces *c, const struct dem_contact_rows *r, uint32_t walls,
+                     size_t deferred)
+{
+    c->kept = 1 + r->n - walls + deferred;
+    DEM_TRY(DEM_GROW(c->kept_row, c->kept_capacity, c->kept));
+    uint32_t *to = c->kept_row;
+
+    *to++ = r->n;
+    for (uint32_t row = walls; row < r->n; row++)
+    {
+        *to++ = row;
+    }
+    c->first_deferred = (size_t)(to - c->kept_row);
+    for (uint32_t k = 0; k*WORD < r->n; k++)
+    {
+        for (uint64_t left = c->deferred[k]; left; left &= left - 1)
+        {
+            *to++ = k*WORD + (uint32_t)__builtin_ctzll(left);
         }
     }
     return DEM_OK;
 }
 
-static int place_deferred(struct dem_contact_forces *c, const struct dem_contact_rows *r,
-                          const struct dem_pair_list *p, size_t n)
+static uint32_t place_of_deferred(const struct dem_contact_forces *c, uint32_t row)
 {
-    c->first_deferred = c->kept;
-    for (uint32_t row = 0; row < r->n; row++)
-    {
-        const struct dem_pair *const q = pair_of(r, p, row);
+    const uint64_t before = c->deferred[row/WORD] & ((UINT64_C(1) << row%WORD) - 1);
 
-        DEM_TRY(q && !q->wall && is_deferred(r, q, row, n) ? keep_row(c, row) : DEM_OK);
-    }
-    return DEM_OK;
-}
-
-static uint32_t find_deferred(const struct dem_contact_forces *c, uint32_t row)
-{
-    size_t low = c->first_deferred, high = c->kept - 1;
-
-    while (low < high)
-    {
-        const size_t middle = low + (high - low)/2;
-
-        low = c->kept_row[middle] < row ? middle + 1 : low;
-        high = c->kept_row[middle] < row ? high : middle;
-    }
-    return c->ring + (uint32_t)low;
-}
-
-/* The place that a particle reads a row from. */
-static uint32_t place_of(const struct dem_contact_forces *c, const struct dem_contact_rows *r,
-                         const struct dem_pair_list *p, uint32_t row, size_t particle)
-{
-    const struct dem_pair *const q = pair_of(r, p, row);
-
-    return !q                             ? c->ring
-           : q->wall                      ? r->segment[q->class].place + row -
-                                                r->segment[q->class].first
-           : is_in_ring(r, row, particle) ? row & (c->ring - 1)
-                                          : find_deferred(c, row);
+    return c->ring + (uint32_t)c->first_deferred + c->deferred_before[row/WORD] +
+           (uint32_t)__builtin_popcountll(before);
 }
 
 static void place_entries(const struct dem_contact_forces *c, struct dem_contact_rows *r,
-                          const struct dem_pair_list *p, size_t n)
+                          uint32_t walls, size_t n)
 {
     enum { BITS = (1 << DEM_ENTRY_PLACE_SHIFT) - 1 };
 
     for (size_t i = 0; i < n; i++)
     {
+        const int64_t oldest = oldest_in_ring(r, i);
+
         for (uint32_t e = r->start[i]; e < r->start[i + 1]; e++)
         {
-            r->entry[e] = place_of(c, r, p, r->entry[e] >> DEM_ENTRY_PLACE_SHIFT, i)
-                              << DEM_ENTRY_PLACE_SHIFT |
-                          (r->entry[e] & BITS);
+            const uint32_t row = r->entry[e] >> DEM_ENTRY_PLACE_SHIFT;
+            const uint32_t place = row >= r->n    ? c->ring
+                                   : row >= walls ? c->ring + 1 + (row - walls)
+                                   : row < oldest ? place_of_deferred(c, row)
+                                                  : row & (c->ring - 1);
+
+            r->entry[e] = place << DEM_ENTRY_PLACE_SHIFT | (r->entry[e] & BITS);
         }
+    }
+    for (int s = 0; s < r->classes; s++)
+    {
+        r->segment[s].place = c->ring + 1 + (r->segment[s].first - walls);
     }
 }
 
 int dem_contact_forces_place_rows(struct dem_contact_forces *c, struct dem_contact_rows *r,
                                   const struct dem_pair_list *p, size_t n)
 {
-    /* deferred rows are written twice: at most 1 in 8 */
-    enum { ROWS_PER_DEFERRED = 8 };
+    const uint32_t walls = find_walls(r, p);
+    size_t deferred;
 
     c->ring = 0;
     c->kept = 0;
-    if (r->n <= DEM_FORCE_BUFFER_ROWS || ROWS_PER_DEFERRED*count_deferred(r, p, n) > r->n)
+    if (r->n <= DEM_FORCE_BUFFER_ROWS)
     {
         return DEM_OK;
     }
-    c->ring = DEM_FORCE_BUFFER_ROWS;
-    DEM_TRY(keep_row(c, r->n));
-    DEM_TRY(place_walls(c, r, p));
-    DEM_TRY(place_deferred(c, r, p, n));
-    place_entries(c, r, p, n);
+    DEM_TRY(mark_deferred(c, r, walls, n, &deferred));
+    if (ROWS_PER_DEFERRED*deferred <= r->n)
+    {
+        c->ring = DEM_FORCE_BUFFER_ROWS;
+        DEM_TRY(list_kept(c, r, walls, deferred));
+        place_entries(c, r, walls, n);
+    }
     return DEM_OK;
 }

@@ -49,7 +49,7 @@ struct dem_contact_forces
     int moments, has_energy;                      /* 1: an effect makes moments; one acts past
                                                      touching */
     int keep;                                     /* 1: after an observed step the forces of all rows
-                                                     are read */
+                                                     are read: bonds, virial */
     uint32_t ring;                                /* DEM_FORCE_BUFFER_ROWS, or 0: no ring */
     struct dem_contact_force *force;              /* per place */
     struct dem_contact_moment *moment;            /* per place; NULL without `moments` */
@@ -59,6 +59,9 @@ struct dem_contact_forces
     size_t kept, kept_capacity;
     size_t first_deferred;                        /* the first of kept_row that is deferred;
                                                      ascending from there on */
+    uint64_t *deferred;                           /* a bit per row: 1 where it is deferred */
+    uint32_t *deferred_before;                    /* per word of these: bits before it */
+    size_t deferred_capacity, before_capacity;    /* words */
     struct dem_contact_force *row_force;          /* per row; NULL without ring or without `keep` */
     struct dem_contact_moment *row_moment;
     size_t row_force_capacity;
@@ -108,7 +111,7 @@ static inline uint32_t dem_contact_forces_row(const struct dem_contact_forces *c
 
 void dem_contact_forces_free(struct dem_contact_forces *);
 
-/* Bytes held; of the ring; of a row in a scene without ring, or with one. */
+/* Bytes held; of the ring; of a row in a scene without ring, or at most with one. */
 size_t dem_contact_forces_bytes(const struct dem_contact_forces *);
 size_t dem_contact_forces_ring_bytes(const struct dem_contact_forces *);
 size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *, int ring);
@@ -125,9 +128,6 @@ void dem_contact_forces_clear(struct dem_contact_forces *);    /* free these */
 /* Forces and moments, zero until a sweep writes them. While history is saved there are neither rows
    nor contact forces: this keeps the peak of memory low. */
 int dem_contact_forces_allocate(struct dem_contact_forces *, const struct dem_contact_rows *);
-
-/* From the next observed step on, keep the forces of all rows. */
-int dem_contact_forces_keep(struct dem_contact_forces *, const struct dem_contact_rows *);
 void dem_contact_forces_release(struct dem_contact_forces *);
 
 #endif

@@ -9,8 +9,8 @@
 #include "core/memory.h"
 #include "step/contact_scalars.h"
 #include "diagnostics/lost_cause.h"
-#include "step/force_buffer.h"
 #include "step/fill_batch.h"
+#include "step/store_forces.h"
 #include "step/wall_springs.h"
 #include "diagnostics/limits.h"
 #include "diagnostics/energy_balance.h"
@@ -312,7 +312,7 @@ static int sweep_batch(struct dem_state *p, struct dem_contact_workspace *t,
     {
         DEM_TRY(dem_bonds_record(p, &t->batch, row, rows));
     }
-    if (dem_force_buffer_store(&t->batch, effects->pair.with_wall ? 1.0 : 0.5,
+    if (dem_store_forces(&t->batch, effects->pair.with_wall ? 1.0 : 0.5,
                                effects->past_touching, p->limits.overlap, at->to))
     {
         dem_limits_check_record(p, t, row, rows);
@@ -373,7 +373,7 @@ static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int
             seg->count - done < DEM_BATCH_ROWS ? (int)(seg->count - done) : DEM_BATCH_ROWS;
         const struct rows at = {.row = seg->first + done,
                                 .rows = rows,
-                                .to = dem_force_buffer_slot(
+                                .to = dem_store_slot(
                                     forces, dem_contact_forces_place(forces, seg, with_wall,
                                                                      seg->first + done))};
 
@@ -387,11 +387,11 @@ static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int
         }
         if (observed)
         {
-            dem_force_buffer_observe(&p->contacts, &at.to, at.row, rows, p->particles.n);
+            dem_store_observed(&p->contacts, &at.to, at.row, rows, p->particles.n);
         }
         if (!with_wall)
         {
-            *deferred = dem_force_buffer_copy_deferred(forces, *deferred, at.row + (uint32_t)rows);
+            *deferred = dem_store_deferred(forces, *deferred, at.row + (uint32_t)rows);
         }
         if (bodies && !with_wall)
         {

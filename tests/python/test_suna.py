@@ -174,7 +174,8 @@ def vtk():
 
 def resting():
     """a grain at rest on a floor: its virial is -weight times radius; the heat of three grains is m c T"""
-    sim = suna.Simulation(SCENE.split("insert")[0].replace("restitution 0.7", "restitution 0.2"))
+    sim = suna.Simulation(SCENE.split("insert")[0].replace("restitution 0.7", "restitution 0.2"),
+                          virial=True)
     sim.add_particles([[0, 0, 0.499e-3]], 1e-3, "glass")
     sim.advance(0.3)
     expected = -sim.mass[0]*9.81*sim.position[0, 2]

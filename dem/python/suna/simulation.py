@@ -116,6 +116,7 @@ class Simulation:
     comm          a communicator of mpi4py; without one a single rank without MPI
     energy        keep the energy balance
     orientation   integrate the orientation of particles
+    virial        keep contact forces for the property virial
     without       an effect to leave out
 
     Particles may be added (add_particles, add_wall) until the first use of anything else, which
@@ -124,7 +125,7 @@ class Simulation:
     """
 
     def __init__(self, scene, settings=None, start=None, comm=None, energy=False,
-                 orientation=False, without=None):
+                 orientation=False, virial=False, without=None):
         out = ffi.new("struct dem **")
         self._d = None
         check(lib.dem_create_fortran(out, -1 if comm is None else comm.py2f()))
@@ -143,6 +144,8 @@ class Simulation:
                 check(lib.dem_energy_enable(self._d))
             if orientation:
                 check(lib.dem_orientation_enable(self._d))
+            if virial:
+                check(lib.dem_virial_enable(self._d))
         except BaseException:
             self.close()
             raise
@@ -429,8 +432,8 @@ class Simulation:
 
     @property
     def virial(self):
-        """Contact stress times volume of each particle [J], n x 6: xx yy zz xy yz zx, tension positive;
-        0 before the first step."""
+        """Contact stress times volume of each particle [J], n x 6: xx yy zz xy yz zx, tension positive.
+        Needs Simulation(..., virial=True)."""
         values = numpy.empty((len(self), 6))
         check(lib.dem_virial(self._set, ffi.from_buffer("double[]", values)))
         return values

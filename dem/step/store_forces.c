@@ -1,22 +1,22 @@
 /*
- * force_buffer.c -- store the forces and lever arms of a contact batch in the places of its rows.
+ * store_forces.c -- forces and lever arms of a contact batch, from columns into the records of its rows.
  *
  * With T = n x F the torque is -a T on both sides, a the lever arm of that side (see geometry.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "step/force_buffer.h"
+#include "step/store_forces.h"
 #include "effects/effect.h"
-#include "step/contact_force.h"
+#include "step/vec4.h"
 #include <string.h>
 
-struct dem_force_slot dem_force_buffer_slot(const struct dem_contact_forces *c, uint32_t place)
+struct dem_force_slot dem_store_slot(const struct dem_contact_forces *c, uint32_t place)
 {
     return (struct dem_force_slot){.force = c->force + place,
                                    .moment = c->moment ? c->moment + place : NULL};
 }
 
-size_t dem_force_buffer_copy_deferred(struct dem_contact_forces *c, size_t copied, uint32_t end)
+size_t dem_store_deferred(struct dem_contact_forces *c, size_t copied, uint32_t end)
 {
     for (; c->ring && c->first_deferred + copied < c->kept; copied++)
     {
@@ -36,7 +36,7 @@ size_t dem_force_buffer_copy_deferred(struct dem_contact_forces *c, size_t copie
     return copied;
 }
 
-void dem_force_buffer_observe(struct dem_contacts *c, const struct dem_force_slot *from,
+void dem_store_observed(struct dem_contacts *c, const struct dem_force_slot *from,
                               uint32_t row, int rows, size_t n)
 {
     struct dem_contact_forces *const f = &c->forces;
@@ -82,7 +82,14 @@ static int store(const struct dem_contact_batch *restrict b, double factor, int 
 
         check |= (flags)(DEM_VEC4(b->overlap + c) >= limit*DEM_VEC4(b->min_radius + c)) |
                  (flags)(sum*0.0 != 0.0);
-        dem_contact_force_store(to + c, f, t);
+
+        dem_transpose4(f);
+        dem_transpose4(t);
+        for (int k = 0; k < 4; k++)
+        {
+            DEM_VEC4_AT(to[c + k].f) = f[k];
+            DEM_VEC4_AT(to[c + k].t) = t[k];
+        }
     }
     return (check[0] | check[1] | check[2] | check[3]) != 0;
 }
@@ -104,7 +111,7 @@ static void store_moments(const struct dem_contact_batch *restrict b,
     }
 }
 
-int dem_force_buffer_store(const struct dem_contact_batch *b, double factor, int past_touching,
+int dem_store_forces(const struct dem_contact_batch *b, double factor, int past_touching,
                            double max_overlap, struct dem_force_slot to)
 {
     if (to.moment)
