@@ -59,11 +59,11 @@ void dem_memory_need_count(const struct dem_state *p, const struct dem_inventory
     dem_memory_need_lists(p, s, &pairs, &rows);
     need->particle = (double)dem_particles_bytes_per_particle(&p->particles) + 8.0*sizeof(uint32_t);
     need->pair = (double)dem_contacts_bytes_per_pair(&p->contacts);
-    need->row = (double)dem_contacts_bytes_per_row(&p->contacts);
+    const int ring = n*rows > DEM_FORCE_BUFFER_ROWS;
+
+    need->row = (double)dem_contacts_bytes_per_row(&p->contacts, ring);
     need->bed = n*(need->particle + capacity*(pairs*need->pair + rows*need->row));
-    need->bed += n*rows > DEM_FORCE_BUFFER_ROWS
-                     ? (double)dem_contact_forces_buffer_bytes(&p->contacts.forces)
-                     : 0.0;
+    need->bed += ring ? (double)dem_contact_forces_ring_bytes(&p->contacts.forces) : 0.0;
     need->copy = n*sizeof(double)*(double)dem_particles_packed_size(&p->particles);
     if (p->contacts.history.columns > 0)
     {

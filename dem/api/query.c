@@ -287,9 +287,18 @@ void dem_view(const struct dem *d, struct dem_view *v)
     memcpy(v->period, d->state.domain.length, sizeof v->period);
 }
 
+int dem_keep_contact_forces(struct dem *d)
+{
+    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_keep_contact_forces comes after dem_setup");
+    return dem_contact_forces_keep(&d->state.contacts.forces, &d->state.contacts.rows);
+}
+
 int dem_virial(struct dem *d, double *virial)
 {
     DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_virial comes after dem_setup");
+    DEM_REQUIRE(d->state.contacts.forces.keep, DEM_ERROR_STATE,
+                "dem_virial: the forces of contacts are not kept; call dem_keep_contact_forces before "
+                "dem_advance");
     memset(virial, 0, 6*d->state.particles.n*sizeof *virial);
     /* after a load or restore there are no lists before the first step */
     if (d->state.stale < 2)

@@ -209,8 +209,7 @@ static int distribute(struct dem *d)
     p->stale = 1;
     DEM_TRY(dem_collect_agree(&p->decomposition, refuse_overlap(p, d->scene.max_start_overlap)));
     DEM_TRY(dem_bond_pairs_mark(p, d->scene.bond_ids, d->scene.bond_id_count));
-    DEM_TRY(dem_sweep_contacts(p, 0.0, (const double[2]){-INFINITY, p->time}));
-    dem_sum_contacts(&p->particles, &p->contacts);
+    DEM_TRY(dem_sweep_contacts_and_sum(p, 0.0, (const double[2]){-INFINITY, p->time}));
     dem_sum_bond_energies(&p->particles, &p->contacts);
     p->limits.overlap = 0.0;
     return DEM_OK;
@@ -219,7 +218,8 @@ static int distribute(struct dem *d)
 static int begin_energy(struct dem *d)
 {
     struct dem_state *const p = &d->state;
-    int status = dem_sweep_contacts(p, 0.0, (const double[2]){p->time, p->time});
+    int status =
+        dem_sweep_contacts_and_bodies(p, 0.0, (const double[2]){p->time, p->time}, NULL);
 
     status = dem_collect_agree(&p->decomposition, status);
     if (!status)
@@ -423,6 +423,10 @@ int dem_api_setup(struct dem *d)
                                                     d->scene.averages,
                                                     &d->state.interaction_table, d->state.time,
                                                     d->state.decomposition.rank == 0)));
+    DEM_TRY(dem_api_agree(d, d->scene.averages > 0    /* they sample the virial */
+                                 ? dem_contact_forces_keep(&d->state.contacts.forces,
+                                                           &d->state.contacts.rows)
+                                 : DEM_OK));
     DEM_TRY(dem_api_agree(d, resume_averages(d)));
     dem_timers_begin(d->state.timers, d->state.rebuilds, d->state.prunes, d->state.agreements);
     d->state.halo.refresh_traffic = d->state.halo.in.sent = (struct dem_traffic){0, 0};

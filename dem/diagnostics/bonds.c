@@ -166,10 +166,8 @@ int dem_bonds_list(struct dem_state *p, int64_t *n)
         partner_ids(p, q, new->id);
         branch(p, q, new->branch);
         memcpy(new->position, p->particles.record[q->i].x, sizeof new->position);
-        const struct dem_contact_force contact = dem_contact_forces_at(&c->forces, row);
-
-        memcpy(new->force, contact.f, sizeof new->force);
-        memcpy(new->moment, c->forces.moment[row].m, sizeof new->moment);
+        memcpy(new->force, dem_contact_forces_of_row(&c->forces, row)->f, sizeof new->force);
+        memcpy(new->moment, dem_contact_moments_of_row(&c->forces, row)->m, sizeof new->moment);
     }
     return DEM_OK;
 }

@@ -40,8 +40,7 @@ static void wall_work(struct dem_state *p, double span, int ahead)
         for (uint32_t r = first; r < end; r++)
         {
             const struct dem_pair *const q = dem_contacts_pair(c, r);
-            const struct dem_contact_force contact = dem_contact_forces_at(&c->forces, r);
-            const double *const f = contact.f;
+            const double *const f = dem_contacts_wall_force(c, r)->f;
 
             dem_wall_surface_motion(&p->walls, dem_pairs_facet(&p->pairs, q->j), &p->touches.touch[q->j],
                                     ahead, &wall);
@@ -51,7 +50,7 @@ static void wall_work(struct dem_state *p, double span, int ahead)
             }
             const double power = dem_vec_dot(f, wall.velocity) +
                                  (c->forces.moments
-                                      ? dem_vec_dot(c->forces.moment[r].m, wall.spin) : 0.0);
+                                      ? dem_vec_dot(dem_contacts_wall_moment(c, r)->m, wall.spin) : 0.0);
 
             dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_WALLS], power*span);
         }

@@ -104,7 +104,7 @@ static double overlap_of(const struct dem_state *p, uint32_t r)
 
     if (q->wall)
     {
-        return dem_contact_forces_at(&p->contacts.forces, r).arm;
+        return dem_contacts_wall_force(&p->contacts, r)->arm;
     }
     const struct dem_particle *const i = &p->particles.record[q->i];
     const struct dem_particle *const j = &p->particles.record[q->j];
@@ -127,7 +127,8 @@ static uint32_t worst_row(const struct dem_state *p, size_t i, uint32_t row, dou
     *overlap = min_overlap;
     for (uint32_t e = c->rows.start[i]; e < c->rows.start[i + 1]; e++)
     {
-        const uint32_t r = c->rows.entry[e] >> DEM_ENTRY_ROW_SHIFT;
+        const uint32_t r = 
+            dem_contact_forces_row(&c->forces, &c->rows, i, c->rows.entry[e]);
 
         if (r >= c->rows.n)
         {

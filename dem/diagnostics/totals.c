@@ -102,16 +102,7 @@ static void add_particle(struct dem_sum sum[SUMS], const struct dem_particle *r)
 
 int64_t dem_totals_touching(const struct dem_state *p)
 {
-    const struct dem_contacts *const c = &p->contacts;
-    int64_t count = 0;
-
-    for (uint32_t r = 0; r < c->rows.n; r++)
-    {
-        count += dem_contact_forces_at(&c->forces, r).arm > 0.0 &&
-                 c->rows.pair[r] != DEM_ROW_NONE &&
-                 dem_contacts_pair(c, r)->i < p->particles.n;
-    }
-    return count;
+    return p->contacts.rows.n > 0 ? p->contacts.forces.touching : 0;
 }
 
 /* Elastic energy and intact bonds are counted by the owner of the lower id; energy lost and broken

@@ -34,8 +34,9 @@ static void direction(const struct dem_state *p, const struct dem_pair *q, doubl
 /* On i the force f acts at -lever n, on j the force -f at +lever n: both give -lever f n. */
 static void add_row(const struct dem_state *p, uint32_t row, double radius, double w[6])
 {
-    const struct dem_contact_force contact = dem_contact_forces_at(&p->contacts.forces, row);
-    const double lever = radius - contact.arm, *const f = contact.f;
+    const struct dem_contact_force *const contact =
+        dem_contact_forces_of_row(&p->contacts.forces, row);
+    const double lever = radius - contact->arm, *const f = contact->f;
     double n[3];
 
     if (f[0] == 0.0 && f[1] == 0.0 && f[2] == 0.0)
@@ -63,7 +64,8 @@ void dem_virial_sum(const struct dem_state *p, double *virial)
         memset(w, 0, 6*sizeof *w);
         for (uint32_t e = c->rows.start[i]; e < c->rows.start[i + 1]; e++)
         {
-            add_row(p, c->rows.entry[e] >> DEM_ENTRY_ROW_SHIFT, p->particles.record[i].radius, w);
+            add_row(p, dem_contact_forces_row(&c->forces, &c->rows, i, c->rows.entry[e]),
+                    p->particles.record[i].radius, w);
         }
     }
 }

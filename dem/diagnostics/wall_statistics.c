@@ -35,12 +35,12 @@ int dem_wall_statistics_begin(struct dem_wall_statistics *b, int walls)
    sum. */
 static int has_force(const struct dem_contacts *c, uint32_t r)
 {
-    const struct dem_contact_force contact = dem_contact_forces_at(&c->forces, r);
+    const double *const f = dem_contacts_wall_force(c, r)->f;
     int any = 0;
 
     for (uint32_t k = 0; k < 3; k++)
     {
-        any |= contact.f[k] != 0.0 || (c->forces.moments && c->forces.moment[r].m[k] != 0.0);
+        any |= f[k] != 0.0 || (c->forces.moments && dem_contacts_wall_moment(c, r)->m[k] != 0.0);
     }
     return any;
 }
@@ -60,8 +60,9 @@ void dem_wall_statistics_sum_forces(const struct dem_state *p, int wall, double 
         {
             const struct dem_pair *const q = dem_contacts_pair(c, r);
             const int own_wall = p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall;
-            const struct dem_contact_force contact = dem_contact_forces_at(&c->forces, r);
-            const double f[3] = {-factor*contact.f[0], -factor*contact.f[1], -factor*contact.f[2]};
+            const double *const on_particle = dem_contacts_wall_force(c, r)->f;
+            const double f[3] = {-factor*on_particle[0], -factor*on_particle[1],
+                                 -factor*on_particle[2]};
             struct dem_sum *const to = sum + (wall < 0 ? 6*own_wall : 0);
             double moment[3];
 
@@ -75,7 +76,7 @@ void dem_wall_statistics_sum_forces(const struct dem_state *p, int wall, double 
                 dem_sum_add(&to[k], f[k]);
                 dem_sum_add(&to[3 + k], moment[k]);
                 dem_sum_add(&to[3 + k],
-                            c->forces.moments ? -factor*c->forces.moment[r].m[k] : 0.0);
+                            c->forces.moments ? -factor*dem_contacts_wall_moment(c, r)->m[k] : 0.0);
             }
         }
     }

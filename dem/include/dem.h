@@ -395,8 +395,13 @@ void dem_view(const struct dem *, struct dem_view *);
 /* Contact stress times volume [J] of each particle of the view: xx yy zz xy yz zx of the sum of
    force times branch vector over its contacts, tension positive (diagnostics/virial.h). Sums
    over a region divided by its volume are the contact stress. `virial` has 6 numbers a particle;
-   all are 0 after a load or restore, before the first step. */
+   all are 0 after a load or restore, before the first step. DEM_ERROR_STATE before
+   dem_keep_contact_forces. */
 int dem_virial(struct dem *, double *virial);
+
+/* From the next advance on, keep the forces of all contacts after it, for dem_virial: 64 bytes a
+   candidate contact, 170 to 190 a particle of a dense bed. After dem_setup. */
+int dem_keep_contact_forces(struct dem *);
 const char *dem_material_name(const struct dem *, int material);  /* "" for an unknown number */
 
 /* The value of a particle in a column with a stride [byte]. */

@@ -1,23 +1,26 @@
 /*
- * contact_forces.h -- what the effects leave at each contact row, and the force buffer.
+ * contact_forces.h -- what the effects leave at each contact row: forces, moments, energies, rates of
+ * particle scalars.
  *
- * Most rows are summed shortly after they are computed. In a step whose contact forces are not read
- * afterwards they pass through a ring buffer of DEM_FORCE_BUFFER_ROWS rows that stays in the
- * second-level cache, instead of through memory. Rows that are summed later (deferred) or that
- * belong to walls are stored at their own index as well. The buffer pays when at most one row in
- * eight is deferred.
+ * Forces and moments lie in places. In a small scene the place of a row is its number. In a large one
+ * rows of pairs pass through a ring buffer of DEM_FORCE_BUFFER_ROWS places that stays in the
+ * second-level cache, instead of through memory: a particle is summed shortly after its last row has
+ * been computed. Rows that are summed later (deferred) are copied to a place of their own behind the
+ * ring, and so are those of walls. The ring is used where at most one row in eight is deferred.
+ *
+ * After a step all contact forces are there only where something reads them: see `keep`.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_MODEL_CONTACT_FORCES_H
 #define DEM_MODEL_CONTACT_FORCES_H
 
+#include "effects/batch.h"
 #include "model/contact_rows.h"
 
 enum
 {
-    DEM_FORCE_BUFFER_ROWS = 4096  /* contact forces in the force buffer, 256 kB: two layers of a bed
-                                     of 40 by 40 */
+    DEM_FORCE_BUFFER_ROWS = 4096  /* places of the ring, 256 kB: two layers of a bed of 40 by 40 */
 };
 
 /* contact force of a row; one cache line */
@@ -45,55 +48,86 @@ struct dem_contact_forces
 {
     int moments, has_energy;                      /* 1: an effect makes moments; one acts past
                                                      touching */
-    struct dem_contact_force *force;              /* per row */
-    size_t capacity;
-    struct dem_contact_moment *moment;            /* per row; NULL without `moments` */
+    int keep;                                     /* 1: after an observed step the forces of all rows
+                                                     are read */
+    uint32_t ring;                                /* DEM_FORCE_BUFFER_ROWS, or 0: no ring */
+    struct dem_contact_force *force;              /* per place */
+    struct dem_contact_moment *moment;            /* per place; NULL without `moments` */
+    size_t capacity;                              /* places */
+    uint32_t *kept_row;                           /* row of each place behind the ring; the first
+                                                     has no row, and force 0 */
+    size_t kept, kept_capacity;
+    size_t first_deferred;                        /* the first of kept_row that is deferred;
+                                                     ascending from there on */
+    struct dem_contact_force *row_force;          /* per row; NULL without ring or without `keep` */
+    struct dem_contact_moment *row_moment;
+    size_t row_force_capacity;
     struct dem_contact_energy *energy;            /* per row; NULL without `has_energy` */
     int rates;                                    /* particle scalars whose rates rows have */
     double *rate;                                 /* 2 per row and scalar: what i and j receive;
                                                      NULL without `rates` */
-    size_t moment_capacity;                       /* rows of these three */
-    struct dem_contact_force *buffer;             /* DEM_FORCE_BUFFER_ROWS rows where it pays, else
-                                                     NULL */
-    struct dem_contact_moment *moment_buffer;     /* as many, with `moments` */
-    size_t deferred, deferred_capacity;
-    uint32_t *deferred_row;                       /* rows that are summed after the buffer has been
-                                                     overwritten; ascending; no walls */
+    size_t row_capacity;                          /* rows of these two */
+    int64_t touching;                             /* rows with overlap in the last observed step whose
+                                                     i is owned */
 };
 
-/* 1 when steps whose contact forces are not read afterwards use the force buffer. */
-static inline int dem_contact_forces_use_buffer(const struct dem_contact_forces *c)
+/* Force and moment of any row after an observed step, with `keep`. */
+static inline const struct dem_contact_force *
+dem_contact_forces_of_row(const struct dem_contact_forces *c, uint32_t row)
 {
-    return c->buffer != NULL;
+    return (c->ring ? c->row_force : c->force) + row;
 }
 
-/* Contact force of a row. After a step through the force buffer only rows of walls are valid. */
-static inline struct dem_contact_force dem_contact_forces_at(const struct dem_contact_forces *c,
-                                                             uint32_t row)
+static inline const struct dem_contact_moment *
+dem_contact_moments_of_row(const struct dem_contact_forces *c, uint32_t row)
 {
-    return c->force[row];
+    return (c->ring ? c->row_moment : c->moment) + row;
+}
+
+/* The place of the first row of a batch. */
+static inline uint32_t dem_contact_forces_place(const struct dem_contact_forces *c,
+                                                const struct dem_segment *segment, int with_wall,
+                                                uint32_t row)
+{
+    return with_wall || !c->ring ? segment->place + (row - segment->first) : row & (c->ring - 1);
+}
+
+/* The row of an entry of a particle; the one past the last where the entry has none. */
+static inline uint32_t dem_contact_forces_row(const struct dem_contact_forces *c,
+                                              const struct dem_contact_rows *rows, size_t particle,
+                                              uint32_t entry)
+{
+    const uint32_t place = entry >> DEM_ENTRY_PLACE_SHIFT;
+    /* the oldest row in the ring when this particle is summed */
+    const uint32_t oldest = rows->needed[particle/DEM_BATCH_ROWS] + 2*DEM_BATCH_ROWS - c->ring;
+
+    return !c->ring          ? place
+           : place < c->ring ? oldest + ((place - oldest) & (c->ring - 1))
+                             : c->kept_row[place - c->ring];
 }
 
 void dem_contact_forces_free(struct dem_contact_forces *);
 
-/* Bytes held, of the force buffer, of a row. */
+/* Bytes held; of the ring; of a row in a scene without ring, or with one. */
 size_t dem_contact_forces_bytes(const struct dem_contact_forces *);
-size_t dem_contact_forces_buffer_bytes(const struct dem_contact_forces *);
-size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *);
+size_t dem_contact_forces_ring_bytes(const struct dem_contact_forces *);
+size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *, int ring);
 
-/* Moments, energies and rates of `capacity` rows, those of the first n zero. */
+/* After rows and adjacency are built: choose whether there is a ring, and give rows their places:
+   those of entries and segments change. n: owned particles. */
+int dem_contact_forces_place_rows(struct dem_contact_forces *, struct dem_contact_rows *,
+                                  const struct dem_pair_list *, size_t n);
+
+/* Energies and rates of `capacity` rows, those of the first n zero. */
 int dem_contact_forces_resize(struct dem_contact_forces *, size_t n, size_t capacity);
-void dem_contact_forces_clear(struct dem_contact_forces *);    /* free these three */
+void dem_contact_forces_clear(struct dem_contact_forces *);    /* free these */
 
-/* Contact forces of all rows, zero until a sweep writes them; that of the row past the last stays
-   zero. While history is saved there are neither rows nor contact forces: this keeps the peak of
-   memory low. */
+/* Forces and moments, zero until a sweep writes them. While history is saved there are neither rows
+   nor contact forces: this keeps the peak of memory low. */
 int dem_contact_forces_allocate(struct dem_contact_forces *, const struct dem_contact_rows *);
-void dem_contact_forces_release(struct dem_contact_forces *);
 
-/* After rows and adjacency are built: mark the entries that are summed from the force buffer, list
-   the deferred rows, and allocate the buffer where it pays. n: owned particles. */
-int dem_contact_forces_make_buffer(struct dem_contact_forces *, struct dem_contact_rows *,
-                                   const struct dem_pair_list *, size_t n);
+/* From the next observed step on, keep the forces of all rows. */
+int dem_contact_forces_keep(struct dem_contact_forces *, const struct dem_contact_rows *);
+void dem_contact_forces_release(struct dem_contact_forces *);
 
 #endif

@@ -67,7 +67,7 @@ static void number_rows(struct dem_contact_rows *c, struct dem_pair_list *p, con
 
     for (int s = 0; s < c->classes; s++)
     {
-        c->segment[s].first = row;
+        c->segment[s].first = c->segment[s].place = row;
         for (; k < p->n && p->pair[k].class == s; k++)
         {
             struct dem_pair *const q = &p->pair[k];
@@ -111,7 +111,9 @@ int dem_contact_rows_number(struct dem_contact_rows *c, struct dem_pair_list *p,
                             const uint8_t *near, size_t particles, const uint32_t **from)
 {
     /* grow by little: rows take most of all memory */
-    const size_t limit = count_rows(c, p, near), most = UINT32_MAX >> DEM_ENTRY_ROW_SHIFT;
+    /* the places of a force buffer come before those of rows */
+    const size_t limit = count_rows(c, p, near),
+                 most = (UINT32_MAX >> DEM_ENTRY_PLACE_SHIFT) - (1 << 14);
 
     DEM_REQUIRE(limit <= most, DEM_ERROR_MEMORY, "a rank has %zu candidate contacts; the limit is %zu; use "
                 "more ranks", limit, most);
@@ -120,7 +122,7 @@ int dem_contact_rows_number(struct dem_contact_rows *c, struct dem_pair_list *p,
     DEM_TRY(DEM_RESIZE(c->pair, c->capacity, capacity));
     DEM_TRY(DEM_RESIZE(c->partners, c->capacity, capacity));
     c->capacity = capacity;
-    DEM_TRY(grow_entries(c, 2*limit + particles + 1));
+    DEM_TRY(grow_entries(c, 2*limit + DEM_ENTRIES_AT_ONCE*(particles + 1)));
     number_rows(c, p, near, c->entry);
     *from = c->entry;
     return DEM_OK;
@@ -146,14 +148,14 @@ int dem_contact_rows_build_adjacency(struct dem_contact_rows *c, const struct de
             const uint32_t near = q->row != DEM_ROW_NONE,
                            needs = (near & !q->wall) ? q->row + 1 : 0;
 
-            c->entry[at] = q->row << DEM_ENTRY_ROW_SHIFT | (p->entry[e] & DEM_ENTRY_SIDE);
+            c->entry[at] = q->row << DEM_ENTRY_PLACE_SHIFT | (p->entry[e] & DEM_ENTRY_SIDE);
             at += near;
             ready = needs > ready ? needs : ready;
         }
         c->needed[i/DEM_BATCH_ROWS] = ready;
-        if (at == c->start[i])
+        while (at == c->start[i] || (at - c->start[i])%DEM_ENTRIES_AT_ONCE)
         {
-            c->entry[at++] = c->n << DEM_ENTRY_ROW_SHIFT;
+            c->entry[at++] = c->n << DEM_ENTRY_PLACE_SHIFT;
         }
         c->entry[at - 1] |= DEM_ENTRY_LAST;
     }

@@ -17,7 +17,7 @@ int dem_contacts_init(struct dem_contacts *c, const struct dem_interaction_table
     memset(c, 0, sizeof *c);
     c->history.columns = r->history_columns;
     c->forces.moments = r->moments;
-    c->forces.has_energy = r->past_touching;
+    c->forces.has_energy = c->forces.keep = r->past_touching;
     c->forces.rates = r->contact_scalars ? r->listed : 0;
     return dem_contact_rows_init(&c->rows, r->classes);
 }
@@ -38,11 +38,11 @@ size_t dem_contacts_bytes_per_pair(const struct dem_contacts *c)
 }
 
 /* During a rebuild saved history takes the memory that contact forces have otherwise. */
-size_t dem_contacts_bytes_per_row(const struct dem_contacts *c)
+size_t dem_contacts_bytes_per_row(const struct dem_contacts *c, int ring)
 {
     return sizeof *c->rows.pair + sizeof *c->rows.partners +
            (size_t)(c->history.columns + 1)*sizeof *c->history.scratch +
-           dem_contact_forces_bytes_per_row(&c->forces);
+           dem_contact_forces_bytes_per_row(&c->forces, ring);
 }
 
 size_t dem_contacts_bytes(const struct dem_contacts *c)
@@ -61,7 +61,7 @@ int dem_contacts_prune(struct dem_contacts *c, const struct dem_particles *p, co
     DEM_TRY(dem_contact_forces_resize(&c->forces, c->rows.n + DEM_PADDING_ROWS,
                                       c->rows.capacity));
     DEM_TRY(dem_contact_rows_build_adjacency(&c->rows, &c->pairs, p->n));
-    DEM_TRY(dem_contact_forces_make_buffer(&c->forces, &c->rows, &c->pairs, p->n));
+    DEM_TRY(dem_contact_forces_place_rows(&c->forces, &c->rows, &c->pairs, p->n));
     return c->history.saved > 0 ? DEM_OK : dem_contact_forces_allocate(&c->forces, &c->rows);
 }
 

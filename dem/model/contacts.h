@@ -30,13 +30,30 @@ static inline struct dem_pair *dem_contacts_pair(const struct dem_contacts *c, u
     return &c->pairs.pair[c->rows.pair[row]];
 }
 
+/* The force, and the moment, of a row of walls. */
+static inline const struct dem_contact_force *
+dem_contacts_wall_force(const struct dem_contacts *c, uint32_t row)
+{
+    const struct dem_segment *const s = &c->rows.segment[dem_contacts_pair(c, row)->class];
+
+    return &c->forces.force[s->place + (row - s->first)];
+}
+
+static inline const struct dem_contact_moment *
+dem_contacts_wall_moment(const struct dem_contacts *c, uint32_t row)
+{
+    const struct dem_segment *const s = &c->rows.segment[dem_contacts_pair(c, row)->class];
+
+    return &c->forces.moment[s->place + (row - s->first)];
+}
+
 int dem_contacts_init(struct dem_contacts *, const struct dem_interaction_table *);
 void dem_contacts_free(struct dem_contacts *);
 
-/* Bytes held; bytes of one pair and of one contact row. */
+/* Bytes held; bytes of one pair; of one contact row, in a scene with a force buffer or without. */
 size_t dem_contacts_bytes(const struct dem_contacts *);
 size_t dem_contacts_bytes_per_pair(const struct dem_contacts *);
-size_t dem_contacts_bytes_per_row(const struct dem_contacts *);
+size_t dem_contacts_bytes_per_row(const struct dem_contacts *, int ring);
 
 /* Make rows of the pairs marked in `near` (one byte per pair). Rows that stay keep their
    history. */

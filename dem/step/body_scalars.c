@@ -19,8 +19,10 @@ static double sum_of_contacts(const struct dem_contacts *c, int scalar, size_t p
 
     for (uint32_t e = rows->start[particle]; e < rows->start[particle + 1]; e++)
     {
-        sum += c->forces.rate[width*(rows->entry[e] >> DEM_ENTRY_ROW_SHIFT) + 2*(size_t)scalar +
-                              (rows->entry[e] & DEM_ENTRY_SIDE)];
+        const uint32_t entry = rows->entry[e],
+                       row = dem_contact_forces_row(&c->forces, rows, particle, entry);
+
+        sum += c->forces.rate[width*row + 2*(size_t)scalar + (entry & DEM_ENTRY_SIDE)];
     }
     return sum;
 }

@@ -1,5 +1,5 @@
 /*
- * force_buffer.c -- store the forces and lever arms of a contact batch in the records of its rows.
+ * force_buffer.c -- store the forces and lever arms of a contact batch in the places of its rows.
  *
  * With T = n x F the torque is -a T on both sides, a the lever arm of that side (see geometry.h).
  *
@@ -8,31 +8,51 @@
 #include "step/force_buffer.h"
 #include "effects/effect.h"
 #include "step/contact_force.h"
+#include <string.h>
 
-struct dem_force_slot dem_force_buffer_slot(const struct dem_contacts *c, uint32_t row,
-                                            int buffered)
+struct dem_force_slot dem_force_buffer_slot(const struct dem_contact_forces *c, uint32_t place)
 {
-    const struct dem_contact_forces *const f = &c->forces;
-    const uint32_t place = buffered ? row & (DEM_FORCE_BUFFER_ROWS - 1) : row;
-    struct dem_contact_moment *const moment = buffered ? f->moment_buffer : f->moment;
-
-    return (struct dem_force_slot){.force = (buffered ? f->buffer : f->force) + place,
-                                   .moment = moment ? moment + place : NULL};
+    return (struct dem_force_slot){.force = c->force + place,
+                                   .moment = c->moment ? c->moment + place : NULL};
 }
 
-size_t dem_force_buffer_copy_deferred(struct dem_contacts *c, size_t copied, uint32_t end)
+size_t dem_force_buffer_copy_deferred(struct dem_contact_forces *c, size_t copied, uint32_t end)
 {
-    for (; copied < c->forces.deferred && c->forces.deferred_row[copied] < end; copied++)
+    for (; c->ring && c->first_deferred + copied < c->kept; copied++)
     {
-        const uint32_t row = c->forces.deferred_row[copied];
+        const size_t to = c->ring + c->first_deferred + copied;
+        const uint32_t row = c->kept_row[c->first_deferred + copied], place = row & (c->ring - 1);
 
-        c->forces.force[row] = c->forces.buffer[row & (DEM_FORCE_BUFFER_ROWS - 1)];
-        if (c->forces.moment)
+        if (row >= end)
         {
-            c->forces.moment[row] = c->forces.moment_buffer[row & (DEM_FORCE_BUFFER_ROWS - 1)];
+            break;
+        }
+        c->force[to] = c->force[place];
+        if (c->moment)
+        {
+            c->moment[to] = c->moment[place];
         }
     }
     return copied;
+}
+
+void dem_force_buffer_observe(struct dem_contacts *c, const struct dem_force_slot *from,
+                              uint32_t row, int rows, size_t n)
+{
+    struct dem_contact_forces *const f = &c->forces;
+
+    for (int k = 0; k < rows; k++)
+    {
+        f->touching += from->force[k].arm > 0.0 && dem_contacts_pair(c, row + (uint32_t)k)->i < n;
+    }
+    if (f->row_force)
+    {
+        memcpy(f->row_force + row, from->force, (size_t)rows*sizeof *from->force);
+    }
+    if (f->row_moment)
+    {
+        memcpy(f->row_moment + row, from->moment, (size_t)rows*sizeof *from->moment);
+    }
 }
 
 DEM_KERNEL

@@ -1,10 +1,6 @@
 /*
- * force_buffer.h -- where the contact forces of a batch are stored: one record a row, or the ring
- * buffer of model/contacts.h.
- *
- * In an unobserved step nothing but the sum over each particle reads contact forces. Then most of
- * them are written to the ring buffer, which stays in cache, and read again before it wraps around.
- * Deferred rows are summed later than that; their forces are copied to their own records as well.
+ * force_buffer.h -- store the contact forces of a batch in the places of its rows
+ * (model/contact_forces.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -20,10 +16,8 @@ struct dem_force_slot                       /* of the rows of a batch */
     struct dem_contact_moment *moment;      /* NULL: the scene has none */
 };
 
-/* Where the forces of the batch that begins at `row` go: into the ring buffer if `buffered` is set,
-   else to the rows' own records. */
-struct dem_force_slot dem_force_buffer_slot(const struct dem_contacts *, uint32_t row,
-                                            int buffered);
+/* The places of a batch, from that of its first row on. */
+struct dem_force_slot dem_force_buffer_slot(const struct dem_contact_forces *, uint32_t place);
 
 /* Store the contact forces and moments of a batch. The lever arm is the radius minus `factor` times the overlap
    (1/2 at a pair, 1 at a wall). In a class that acts past touching, the gap is a negative overlap.
@@ -32,9 +26,14 @@ struct dem_force_slot dem_force_buffer_slot(const struct dem_contacts *, uint32_
 int dem_force_buffer_store(const struct dem_contact_batch *, double factor, int past_touching,
                            double max_overlap, struct dem_force_slot);
 
-/* Copy the deferred rows before `end`, which are summed after the ring buffer has wrapped around,
-   to their own records. `copied`: number of deferred rows copied so far. Returns this number after
-   the call. */
-size_t dem_force_buffer_copy_deferred(struct dem_contacts *, size_t copied, uint32_t end);
+/* Copy the deferred rows before `end`, which are summed after the ring has wrapped around, to their
+   own places. `copied`: number of deferred rows copied so far. Returns this number after the
+   call. */
+size_t dem_force_buffer_copy_deferred(struct dem_contact_forces *, size_t copied, uint32_t end);
+
+/* In an observed step: count the contacts of owned particles in a batch, and keep its forces per row
+   where they are asked for. n: owned particles. */
+void dem_force_buffer_observe(struct dem_contacts *, const struct dem_force_slot *, uint32_t row,
+                              int rows, size_t n);
 
 #endif

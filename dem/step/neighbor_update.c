@@ -197,7 +197,7 @@ static int insert_arrivals(struct dem_state *p)
         update_uniform_fluid(p);                          /* collective */
         dem_bodies_begin_pass(&pass, &p->particles, &p->interaction_table.bodies, &backward);
         pass.next = first;
-        dem_bodies_kick_until(&pass, p->particles.n);
+        dem_bodies_work_until(&pass, p->particles.n);
         dem_domain_constrain(&p->domain, &p->particles);
     }
     return status;

@@ -302,7 +302,7 @@ static struct dem_body_sweep options(const struct dem_state *p, const struct due
     return (struct dem_body_sweep){
         .kick = kick,
         .window = p->window,
-        .contacts = due->fused ? &p->contacts : NULL,
+        .contacts = &p->contacts,
         .unobserved = due->fused && !due->observed,
         .round = flat ? NULL : p->domain.round,
         .applied = p->applied_forces.n > 0 ? &p->applied_forces : NULL,
@@ -324,14 +324,11 @@ static int check_scalars(const struct dem_state *p, const struct dem_body_pass *
     return dem_scalars_check(&p->particles, &p->interaction_table, when);
 }
 
-/* 5. In a fused step most particles are summed and kicked already; the pass knows which. */
+/* 5. Most particles are summed already, and in a fused step kicked; the pass knows which. */
 static int sum_and_kick(struct dem_state *p, const struct due *due, struct dem_body_pass *pass,
                         int status)
 {
-    if (!due->fused)
-    {
-        dem_sum_contacts(&p->particles, &p->contacts);
-    }
+    dem_bodies_finish_sums(pass);
     if (p->energy_balance->open)
     {
         dem_energy_balance_after_sweep(p, p->dt);
@@ -345,7 +342,7 @@ static int sum_and_kick(struct dem_state *p, const struct due *due, struct dem_b
         status = make_backup(p, keep_error(&p->unagreed, status), 0.5*p->dt);
         dem_timers_end_rare_phase(p->timers, DEM_PHASE_BACKUP);
     }
-    dem_bodies_kick_until(pass, p->particles.n);
+    dem_bodies_work_until(pass, p->particles.n);
     dem_domain_constrain(&p->domain, &p->particles);
     p->next_drift_done = pass->unobserved && pass->sweep->round;
     p->fastest = dem_drift_max_speed(&pass->speeds);
@@ -397,8 +394,8 @@ static int step(struct dem_state *p, double since, double kick, int *status)
 
     /* 4. contacts */
     dem_bodies_begin_pass(&pass, &p->particles, &p->interaction_table.bodies, &sweep);
-    *status = dem_sweep_contacts_and_bodies(p, p->dt, (const double[2]){since, p->time},
-                                            due.fused ? &pass : NULL);
+    pass.work = due.fused ? DEM_BODIES_SUM_AND_KICK : DEM_BODIES_SUM;
+    *status = dem_sweep_contacts_and_bodies(p, p->dt, (const double[2]){since, p->time}, &pass);
     dem_timers_end_phase(p->timers, DEM_PHASE_CONTACTS);
 
     /* 5. sums, body and fluid forces, kick */

@@ -1,6 +1,6 @@
 /*
  * sum_contacts.c -- sum contact forces over the rows of each particle, in the order of partner ids
- * that model/contacts.h lays out.
+ * that model/contact_rows.h lays out.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -15,36 +15,22 @@ typedef int64_t mask4 __attribute__((vector_size(32), aligned(16), may_alias));
 /* Sign of a row's force on i, and on j. */
 static const double sides[2] = {1.0, -1.0};
 
-struct storage    /* where contact forces are: [0] deferred rows, [1] buffered rows */
-{
-    const struct dem_contact_force *base[2];  /* records of the rows, or the ring buffer */
-    const struct dem_contact_moment *moment[2];    /* likewise, if there are moments */
-    uint32_t mask[2];                         /* of the row number */
-};
+_Static_assert(sizeof(struct dem_contact_force) == 8 << DEM_ENTRY_PLACE_SHIFT &&
+                   sizeof(struct dem_contact_moment) == 4 << DEM_ENTRY_PLACE_SHIFT,
+               "records of a place follow from an entry without a shift");
 
-static struct storage storage_of(const struct dem_contacts *c, int unobserved)
+/* The record of an entry's place: `bytes` are those of a record over 2^DEM_ENTRY_PLACE_SHIFT. */
+__attribute__((always_inline)) static inline const void *record_of(const void *records,
+                                                                   uint32_t entry, size_t bytes)
 {
-    const struct dem_contact_forces *const f = &c->forces;
-
-    return unobserved && f->buffer
-               ? (struct storage){{f->force, f->buffer},
-                                  {f->moment, f->moment_buffer},
-                                  {UINT32_MAX, DEM_FORCE_BUFFER_ROWS - 1}}
-               : (struct storage){{f->force, f->force},
-                                  {f->moment, f->moment},
-                                  {UINT32_MAX, UINT32_MAX}};
+    return (const char *)records + bytes*(entry & ~((1u << DEM_ENTRY_PLACE_SHIFT) - 1));
 }
-
-/* The record of an entry's row in `base`, one of the two arrays of the storage. */
-#define ROW_OF(at, base, entry)                                                                \
-    ((at)->base[(entry)/DEM_ENTRY_BUFFERED & 1] +                                              \
-     ((entry) >> DEM_ENTRY_ROW_SHIFT & (at)->mask[(entry)/DEM_ENTRY_BUFFERED & 1]))
 
 /* Adds {f, arm, t, spare} of a row, times its sign and times the lever arm. */
 __attribute__((always_inline)) static inline void
-add(const struct storage *at, uint32_t entry, double radius, dem_vec8 *sum)
+add(const struct dem_contact_forces *at, uint32_t entry, double radius, dem_vec8 *sum)
 {
-    const dem_vec8 row = DEM_VEC8(ROW_OF(at, base, entry)->f);
+    const dem_vec8 row = DEM_VEC8(record_of(at->force, entry, 8));
     const double side = sides[entry & DEM_ENTRY_SIDE];
     const dem_vec8 sign = {side, side, side, side, side, side, side, side};
     const dem_vec8 lever = __builtin_shufflevector(row, row, 3, 3, 3, 3, 3, 3, 3, 3) - radius;
@@ -52,23 +38,24 @@ add(const struct storage *at, uint32_t entry, double radius, dem_vec8 *sum)
     *sum += __builtin_shufflevector(sign, lever, 0, 1, 2, 3, 12, 13, 14, 15)*row;
 }
 
-/* The sums of the slice, without a branch that depends on the number of rows of a particle: the sum so far
-   is stored for each row, and cleared after the last one. */
+/* The sums of the slice, without a branch that depends on the number of rows of a particle: the sum
+   so far is stored after every DEM_ENTRIES_AT_ONCE, and cleared after the last of them. */
 __attribute__((always_inline)) static inline void
 sum(const struct dem_contacts *c, const struct dem_particle *restrict record,
     const struct dem_sum_slice *part)
 {
-    const struct storage at = storage_of(c, part->unobserved);
+    const struct dem_contact_forces at = c->forces;
     const uint32_t *const entry = c->rows.entry, *const end = entry + c->rows.start[part->end];
     struct dem_contact_sum *restrict to = part->sum;
     dem_vec8 total = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 
     record += part->first;
-    for (const uint32_t *e = entry + c->rows.start[part->first]; e < end; e++)
+    for (const uint32_t *e = entry + c->rows.start[part->first]; e < end; e += DEM_ENTRIES_AT_ONCE)
     {
-        const int64_t last = *e/DEM_ENTRY_LAST & 1, keep = last - 1;
+        const int64_t last = e[1]/DEM_ENTRY_LAST & 1, keep = last - 1;
 
-        add(&at, *e, record->radius, &total);
+        add(&at, e[0], record->radius, &total);
+        add(&at, e[1], record->radius, &total);
         DEM_VEC8_AT(to->force) = total;
         total = (dem_vec8)((mask8)total & (mask8){keep, keep, keep, keep, keep, keep, keep, keep});
         to += last;
@@ -76,22 +63,23 @@ sum(const struct dem_contacts *c, const struct dem_particle *restrict record,
     }
 }
 
-/* Moments of the rows, added to the torques of the slice, likewise: after the last row of a particle goes on
-   the torque of the next one. */
+/* Moments of the rows, added to the torques of the slice, likewise: after the last row of a particle
+   goes on the torque of the next one. */
 __attribute__((always_inline)) static inline void
 add_moments(const struct dem_contacts *c, const struct dem_sum_slice *part)
 {
-    const struct storage at = storage_of(c, part->unobserved);
+    const struct dem_contact_moment *const moment = c->forces.moment;
     const uint32_t *const entry = c->rows.entry, *const end = entry + c->rows.start[part->end];
     struct dem_contact_sum *to = part->sum;
     dem_vec4 total = DEM_VEC4(to->torque);
 
-    for (const uint32_t *e = entry + c->rows.start[part->first]; e < end; e++)
+    for (const uint32_t *e = entry + c->rows.start[part->first]; e < end; e += DEM_ENTRIES_AT_ONCE)
     {
-        const int64_t last = *e/DEM_ENTRY_LAST & 1, keep = last - 1;
+        const int64_t last = e[1]/DEM_ENTRY_LAST & 1, keep = last - 1;
         const mask4 same = {keep, keep, keep, keep};
 
-        total += sides[*e & DEM_ENTRY_SIDE]*DEM_VEC4(ROW_OF(&at, moment, *e)->m);
+        total += sides[e[0] & DEM_ENTRY_SIDE]*DEM_VEC4(record_of(moment, e[0], 4));
+        total += sides[e[1] & DEM_ENTRY_SIDE]*DEM_VEC4(record_of(moment, e[1], 4));
         DEM_VEC4_AT(to->torque) = total;
         total = (dem_vec4)(((mask4)total & same) | (*(const mask4 *)to[1].torque & ~same));
         to += last;
@@ -135,19 +123,6 @@ void dem_sum_store(struct dem_particles *p, const struct dem_sum_slice *part)
     }
 }
 
-void dem_sum_contacts(struct dem_particles *p, const struct dem_contacts *c)
-{
-    struct dem_contact_sum sums[DEM_BATCH_ROWS + 1];
-    struct dem_sum_slice part = {.sum = sums};
-
-    for (; part.first < p->n; part.first = part.end)
-    {
-        part.end = part.first + DEM_BATCH_ROWS < p->n ? part.first + DEM_BATCH_ROWS : p->n;
-        dem_sum_slice(p, c, &part);
-        dem_sum_store(p, &part);
-    }
-}
-
 /* Each partner of a pair gets half of its energies; at a wall the particle gets all. */
 void dem_sum_bond_energies(struct dem_particles *p, const struct dem_contacts *c)
 {
@@ -158,7 +133,7 @@ void dem_sum_bond_energies(struct dem_particles *p, const struct dem_contacts *c
     {
         for (uint32_t e = c->rows.start[i]; e < c->rows.start[i + 1]; e++)
         {
-            const uint32_t row = c->rows.entry[e] >> DEM_ENTRY_ROW_SHIFT;
+            const uint32_t row = dem_contact_forces_row(&c->forces, &c->rows, i, c->rows.entry[e]);
             const double fraction = row < c->rows.n && dem_contacts_pair(c, row)->wall ? 1.0 : 0.5;
 
             lost[i] += fraction*c->forces.energy[row].lost;

@@ -20,8 +20,6 @@ struct dem_sum_slice                                       /* a contiguous slice
     size_t first, end;       /* particles */
     struct dem_contact_sum *sum;         /* results, of particle `first` in [0]; one more than the
                                             slice has is read, but not used */
-    int unobserved;                      /* 1: in this step contact forces were written to the
-                                            ring buffer, if there is one */
 };
 
 /* Each particle of the slice sums its rows in the order of partner ids. */
@@ -30,9 +28,6 @@ void dem_sum_slice(const struct dem_particles *, const struct dem_contacts *,
 
 /* The results of a slice into the columns force and torque. */
 void dem_sum_store(struct dem_particles *, const struct dem_sum_slice *);
-
-/* All particles, into the columns force and torque. */
-void dem_sum_contacts(struct dem_particles *, const struct dem_contacts *);
 
 /* Add the energies lost [J] and the bonds broken in the last sweep to the columns lost and broken
    of the particles. */

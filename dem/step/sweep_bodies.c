@@ -202,21 +202,21 @@ static void finish_applied(const struct applied *a, const struct dem_body_sweep 
     }
 }
 
-/* Contact forces of a batch: summed now, and stored unless nothing reads them, or as summed before. */
+/* Contact forces of a batch: summed now, and stored unless nothing reads them, or as summed
+   before. */
 static void forces_of_contacts(struct dem_body_pass *pass, size_t first, int rows)
 {
     const struct dem_sum_slice part = {.first = first,
                                        .end = first + (size_t)rows,
-                                       .sum = pass->workspace.contacts,
-                                       .unobserved = pass->unobserved};
+                                       .sum = pass->workspace.contacts};
 
-    if (!pass->sweep->contacts)
+    if (pass->work == DEM_BODIES_KICK)
     {
         dem_body_batch_load_forces(&pass->workspace, pass->particles, first, rows);
         return;
     }
     dem_sum_slice(pass->particles, pass->sweep->contacts, &part);
-    if (!pass->unobserved)
+    if (pass->work == DEM_BODIES_SUM || !pass->unobserved)
     {
         dem_sum_store(pass->particles, &part);
     }
@@ -309,6 +309,7 @@ static void sweep_batch_with_scalars(struct dem_body_pass *pass, size_t first, i
 void dem_bodies_begin_pass(struct dem_body_pass *pass, struct dem_particles *p,
                       const struct dem_effect_list *bodies, const struct dem_body_sweep *s)
 {
+    pass->work = s->contacts ? DEM_BODIES_SUM_AND_KICK : DEM_BODIES_KICK;
     pass->particles = p;
     pass->bodies = bodies;
     pass->sweep = s;
@@ -321,12 +322,26 @@ void dem_bodies_begin_pass(struct dem_body_pass *pass, struct dem_particles *p,
     pass->workspace.batch.dt = s->kick;
 }
 
-void dem_bodies_kick_until(struct dem_body_pass *pass, size_t end)
+void dem_bodies_work_until(struct dem_body_pass *pass, size_t end)
 {
+    void (*const work)(struct dem_body_pass *, size_t, int) =
+        pass->work == DEM_BODIES_SUM      ? forces_of_contacts
+        : pass->sweep->scalars.table      ? sweep_batch_with_scalars
+                                          : sweep_batch;
+
     for (; pass->next < end; pass->next += DEM_BATCH_ROWS)
     {
-        (pass->sweep->scalars.table ? sweep_batch_with_scalars : sweep_batch)(
-            pass, pass->next, rows_in_batch(pass->particles, pass->next));
+        work(pass, pass->next, rows_in_batch(pass->particles, pass->next));
+    }
+}
+
+void dem_bodies_finish_sums(struct dem_body_pass *pass)
+{
+    if (pass->work == DEM_BODIES_SUM)
+    {
+        dem_bodies_work_until(pass, pass->particles->n);
+        pass->work = DEM_BODIES_KICK;
+        pass->next = 0;
     }
 }
 
@@ -336,7 +351,7 @@ void dem_sweep_bodies(struct dem_particles *p, const struct dem_effect_list *bod
     struct dem_body_pass pass;
 
     dem_bodies_begin_pass(&pass, p, bodies, s);
-    dem_bodies_kick_until(&pass, p->n);
+    dem_bodies_work_until(&pass, p->n);
 }
 
 /* ---- windows --------------------------------------------------------------------------------- */

@@ -42,12 +42,20 @@ struct dem_body_sweep    /* options of one sweep over all particles */
 void dem_sweep_bodies(struct dem_particles *, const struct dem_effect_list *bodies,
                       const struct dem_body_sweep *);
 
+enum dem_bodies_work
+{
+    DEM_BODIES_SUM_AND_KICK,
+    DEM_BODIES_SUM,     /* contact forces are summed into the columns force and torque; no kick */
+    DEM_BODIES_KICK     /* by the forces in these columns */
+};
+
 struct dem_body_pass    /* the same sweep in parts, as far as contact forces are known */
 {
+    enum dem_bodies_work work;
     struct dem_particles *particles;
     const struct dem_effect_list *bodies;  /* effect list of the body effects */
     const struct dem_body_sweep *sweep;
-    size_t next;                           /* first particle that has not been kicked */
+    size_t next;                           /* first particle that has not been worked on */
     int unobserved;                             /* as in the options, or 0 after
                                               an event that reads speeds */
     struct dem_drift_speeds speeds;        /* speeds of the particles that have drifted */
@@ -61,9 +69,11 @@ struct dem_body_pass    /* the same sweep in parts, as far as contact forces are
 void dem_bodies_begin_pass(struct dem_body_pass *, struct dem_particles *,
                       const struct dem_effect_list *bodies, const struct dem_body_sweep *);
 
-/* The particles up to `end`, in whole batches of DEM_BATCH_ROWS: sum their contact forces if the
-   options say so, evaluate the body effects, kick. */
-void dem_bodies_kick_until(struct dem_body_pass *, size_t end);
+/* The work of the pass on the particles up to `end`, in whole batches of DEM_BATCH_ROWS. */
+void dem_bodies_work_until(struct dem_body_pass *, size_t end);
+
+/* In a pass that only sums: the rest of the sums; then the pass begins again with the kick. */
+void dem_bodies_finish_sums(struct dem_body_pass *);
 
 /* Begin a coupling window: clear the columns that are passed to the fluid, and compute what is
    constant over its steps. */

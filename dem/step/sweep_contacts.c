@@ -347,31 +347,25 @@ static int sweep_batch_with_scalars(struct dem_state *p, struct dem_contact_work
     return status;
 }
 
-/* Kick the particles that no contact row from `rows` on acts on. */
-static void kick_ready(struct dem_body_pass *bodies, const struct dem_contacts *c, uint32_t rows)
+/* Sum, or kick, too, the particles that no contact row from `rows` on acts on. */
+static void finish_ready(struct dem_body_pass *bodies, const struct dem_contacts *c, uint32_t rows)
 {
     while (bodies->next < bodies->particles->n &&
            c->rows.needed[bodies->next/DEM_BATCH_ROWS] <= rows)
     {
-        dem_bodies_kick_until(bodies, bodies->next + 1);
+        dem_bodies_work_until(bodies, bodies->next + 1);
     }
 }
 
-/* All batches of a pair class; with `bodies`, particles are kicked as soon as they can be. */
+/* All batches of a pair class; with `bodies`, particles are summed, or kicked, too, as soon as they
+   can be. `deferred`: rows of this kind that are copied. */
 static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int class,
-                       struct dem_body_pass *bodies)
+                       size_t *deferred, struct dem_body_pass *bodies)
 {
     const struct dem_effect_list *const effects = &p->interaction_table.list[class];
     const struct dem_segment *const seg = &p->contacts.rows.segment[class];
-    const int buffered = bodies && bodies->unobserved && !effects->pair.with_wall &&
-                         dem_contact_forces_use_buffer(&p->contacts.forces);
-    size_t deferred = 0;    /* deferred rows that are before this class or copied */
-
-    for (; buffered && deferred < p->contacts.forces.deferred &&
-           p->contacts.forces.deferred_row[deferred] < seg->first;
-         deferred++)
-    {
-    }
+    struct dem_contact_forces *const forces = &p->contacts.forces;
+    const int with_wall = effects->pair.with_wall, observed = !bodies || !bodies->unobserved;
 
     for (uint32_t done = 0; done < seg->count; done += DEM_BATCH_ROWS)
     {
@@ -379,8 +373,9 @@ static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int
             seg->count - done < DEM_BATCH_ROWS ? (int)(seg->count - done) : DEM_BATCH_ROWS;
         const struct rows at = {.row = seg->first + done,
                                 .rows = rows,
-                                .to = dem_force_buffer_slot(&p->contacts, seg->first + done,
-                                                            buffered)};
+                                .to = dem_force_buffer_slot(
+                                    forces, dem_contact_forces_place(forces, seg, with_wall,
+                                                                     seg->first + done))};
 
         if (effects->scalars)
         {
@@ -390,12 +385,17 @@ static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int
         {
             DEM_TRY(sweep_batch(p, t, effects, &at));
         }
-        deferred = buffered ? dem_force_buffer_copy_deferred(&p->contacts, deferred,
-                                                             at.row + (uint32_t)rows)
-                            : 0;
-        if (bodies && !effects->pair.with_wall)
+        if (observed)
         {
-            kick_ready(bodies, &p->contacts, seg->first + done + (uint32_t)rows);
+            dem_force_buffer_observe(&p->contacts, &at.to, at.row, rows, p->particles.n);
+        }
+        if (!with_wall)
+        {
+            *deferred = dem_force_buffer_copy_deferred(forces, *deferred, at.row + (uint32_t)rows);
+        }
+        if (bodies && !with_wall)
+        {
+            finish_ready(bodies, &p->contacts, seg->first + done + (uint32_t)rows);
         }
     }
     return DEM_OK;
@@ -405,8 +405,10 @@ int dem_sweep_contacts_and_bodies(struct dem_state *p, double dt, const double t
                                   struct dem_body_pass *bodies)
 {
     struct dem_contact_workspace t;
+    size_t deferred = 0;
 
     memset(&t, 0, sizeof t);
+    p->contacts.forces.touching = 0;
     t.batch.dt = dt;
     t.batch.max_dt = p->max_dt;
     t.batch.previous_time = time[0];
@@ -423,22 +425,30 @@ int dem_sweep_contacts_and_bodies(struct dem_state *p, double dt, const double t
         {
             if (p->interaction_table.list[s].pair.with_wall == walls)
             {
-                DEM_TRY(sweep_class(p, &t, s, bodies));
+                DEM_TRY(sweep_class(p, &t, s, &deferred, bodies));
             }
         }
-        /* particles that crossed a wall are reported with their present speed: none is kicked
-           before the report is made */
+        /* particles that crossed a wall are reported with their present speed: from here on they are
+           summed only, and kicked after the report */
         if (bodies && p->lost_particles->crossings > 0)
         {
             bodies->unobserved = 0;
-            bodies = NULL;
+            bodies->work = DEM_BODIES_SUM;
         }
     }
     DEM_TRY(dem_lost_cause_record_crossings(p));
     return dem_limits_check_status(p);
 }
 
-int dem_sweep_contacts(struct dem_state *p, double dt, const double time[2])
+int dem_sweep_contacts_and_sum(struct dem_state *p, double dt, const double time[2])
 {
-    return dem_sweep_contacts_and_bodies(p, dt, time, NULL);
+    const struct dem_body_sweep sums = {.contacts = &p->contacts};
+    struct dem_body_pass pass;
+
+    dem_bodies_begin_pass(&pass, &p->particles, &p->interaction_table.bodies, &sums);
+    pass.work = DEM_BODIES_SUM;
+    const int status = dem_sweep_contacts_and_bodies(p, dt, time, &pass);
+
+    dem_bodies_finish_sums(&pass);
+    return status;
 }
