@@ -39,7 +39,6 @@ static int fill(struct dem_state *q, const struct dem_state *p, const struct dem
         if (dem_column(&q->particles, DEM_COLUMN_FLUID_DENSITY))
         {
             dem_column(&q->particles, DEM_COLUMN_FLUID_DENSITY)[k] = s->fluid_density;
-            dem_column(&q->particles, DEM_COLUMN_FLUID_VISCOSITY)[k] = s->fluid_viscosity;
             dem_column(&q->particles, DEM_COLUMN_VOID_FRACTION)[k] = 0.4;
             dem_column(&q->particles, DEM_COLUMN_SLIP_FACTOR)[k] = 1.0;
         }

@@ -9,6 +9,7 @@
 #include "api/internal.h"
 #include "core/error.h"
 #include "effects/fluid/particle_exchange.h"
+#include "effects/fluid/viscosity.h"
 #include "model/scalars.h"
 
 int dem_needs_fluid(const struct dem *d)
@@ -29,7 +30,8 @@ int dem_fluid(struct dem *d, struct dem_fluid *f)
                             .pressure_gradient = dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT),
                             .void_fraction = dem_column(p, DEM_COLUMN_VOID_FRACTION),
                             .density = dem_column(p, DEM_COLUMN_FLUID_DENSITY),
-                            .viscosity = dem_column(p, DEM_COLUMN_FLUID_VISCOSITY),
+                            .viscosity = dem_scalar_values_of(p, &d->state.interaction_table,
+                                                              dem_fluid_viscosity.name),
                             .acceleration = dem_column(p, DEM_COLUMN_FLUID_ACCELERATION),
                             .vorticity = dem_column(p, DEM_COLUMN_VORTICITY),
                             .stress = dem_column(p, DEM_COLUMN_STRESS),
@@ -66,7 +68,7 @@ int dem_api_require_fluid_scalars(const struct dem *d)
     const struct dem_interaction_table *const r = &d->state.interaction_table;
     const struct dem_particles *const p = &d->state.particles;
 
-    for (int k = 0; k < r->scalars; k++)
+    for (int k = 0; k < r->listed; k++)
     {
         const double *const value = dem_scalar_values(p, k);
 
@@ -141,7 +143,7 @@ int dem_fluid_correct(struct dem *d, const double *velocity, const double *press
     double *const carried_over = dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE);
     double *const change = dem_column(p, DEM_COLUMN_FLUID_CHANGE);
 
-    DEM_REQUIRE(d->with_fluid, DEM_ERROR_STATE, "dem_fluid_correct without fluid effects");
+    DEM_REQUIRE(u, DEM_ERROR_STATE, "dem_fluid_correct without fluid effects");
     for (size_t i = 0; i < p->n; i++)
     {
         const double volume = d->pressure_gradient ? dem_particle_volume(&p->record[i]) : 0.0;
@@ -177,7 +179,7 @@ int dem_fluid_reaction(const struct dem *d, enum dem_exchange how, double window
     const double *const response =
         dem_column(p, how == DEM_EXCHANGE_DEFERRED ? DEM_COLUMN_RESPONSE : DEM_COLUMN_DRAG_TIME);
 
-    DEM_REQUIRE(d->with_fluid, DEM_ERROR_STATE, "dem_fluid_reaction without fluid effects");
+    DEM_REQUIRE(u, DEM_ERROR_STATE, "dem_fluid_reaction without fluid effects");
     DEM_REQUIRE(window > 0.0, DEM_ERROR_INPUT,
                 "dem_fluid_reaction: a window of %g s; give a time above 0", window);
     for (size_t i = 0; i < p->n; i++)

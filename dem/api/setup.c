@@ -58,20 +58,14 @@ static int decide_fluid(struct dem *d)
     const struct dem_effect *has_own = NULL;
     double viscosity = 0.0;
 
+    d->fluid_user = dem_interaction_table_fluid_user(&d->state.interaction_table);
+    d->with_fluid = d->fluid_user != NULL;
     for (int k = 0; k < d->state.interaction_table.chosen; k++)
     {
         const struct dem_effect *const effect = d->state.interaction_table.effect[k];
-        const double own = effect->needs & DEM_NEEDS_VISCOSITY
-                             ? dem_interaction_table_get_number(&d->state.interaction_table,
-                                                                effect->name, "viscosity")
-                             : 0.0;
+        const double own =
+            dem_interaction_table_own_viscosity(&d->state.interaction_table, effect);
 
-        if (effect->needs & DEM_NEEDS_FLUID
-            || (effect->needs & DEM_NEEDS_VISCOSITY && own == 0.0))
-        {
-            d->with_fluid = 1;
-            d->fluid_user = effect;
-        }
         viscosity = own > 0.0 ? own : viscosity;
         has_own = own > 0.0 ? effect : has_own;
     }

@@ -192,14 +192,9 @@ static int under_relaxes(const struct dem *d)
         && lightest < DEM_EXCHANGE_LIGHT*d->displaced_density;
 }
 
-/* 1 when contact effects read the viscosity of a fluid. */
-static int reads_viscosity(const struct dem *d)
-{
-    return d->with_fluid &&
-           (dem_interaction_table_needs(&d->state.interaction_table) & DEM_NEEDS_VISCOSITY) != 0;
-}
-
-/* The groups of columns that an effect reads or writes. */
+/* The groups of columns that an effect reads or writes. A uniform fluid that no body effect
+   reads needs none: contact laws read scalars of it. A coupled program always finds those of the
+   fluid. */
 static unsigned column_groups(const struct dem *d)
 {
     static const struct
@@ -214,7 +209,8 @@ static unsigned column_groups(const struct dem *d)
     };
     const struct dem_interaction_table *const r = &d->state.interaction_table;
     const unsigned needs = dem_interaction_table_needs(r);
-    unsigned groups = (d->with_fluid ? DEM_GROUP_FLUID : 0)
+    const int acts = needs & DEM_NEEDS_FLUID || !d->scene.fluid.given;
+    unsigned groups = (d->with_fluid && acts ? DEM_GROUP_FLUID : 0)
                     | (sums_bond_energy(r) ? DEM_GROUP_PAIR_ENERGY : 0)
                     | (d->orientation ? DEM_GROUP_ORIENTATION : 0)
                     | (under_relaxes(d) ? DEM_GROUP_UNDER_RELAXATION : 0);
@@ -316,7 +312,7 @@ int dem_api_create_particles(struct dem *d)
     struct dem_snapshot s;
 
     dem_particles_init(&p->particles, column_groups(d));
-    DEM_TRY(dem_scalars_add_columns(&p->particles, &p->interaction_table, reads_viscosity(d)));
+    DEM_TRY(dem_scalars_add_columns(&p->particles, &p->interaction_table));
     DEM_TRY(dem_api_agree(d, dem_particles_grow(&p->particles, 1)));
     if (d->load_path[0])
     {

@@ -7,6 +7,7 @@
  */
 #include "diagnostics/inventory.h"
 #include "diagnostics/totals.h"
+#include "effects/fluid/viscosity.h"
 #include "model/scalars.h"
 #include "parallel/collect.h"
 #include <math.h>
@@ -110,13 +111,14 @@ static void add_up(struct dem_material_inventory *all, const struct dem_material
 static void mean_fluid(const struct dem_state *p, struct dem_inventory *s)
 {
     const double *const rho = dem_column(&p->particles, DEM_COLUMN_FLUID_DENSITY);
-    const double *const mu = dem_column(&p->particles, DEM_COLUMN_FLUID_VISCOSITY);
+    const double *const mu = dem_scalar_values_of(
+        &p->particles, &p->interaction_table, dem_fluid_viscosity.name);
     struct dem_sum sum[2];
     double value[2];
 
     dem_sum_clear(&sum[0]);
     dem_sum_clear(&sum[1]);
-    for (size_t i = 0; rho && i < p->particles.n; i++)
+    for (size_t i = 0; rho && mu && i < p->particles.n; i++)
     {
         dem_sum_add(&sum[0], rho[i]);
         dem_sum_add(&sum[1], mu[i]);

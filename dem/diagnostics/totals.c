@@ -239,7 +239,7 @@ uint64_t dem_totals_fingerprint(const struct dem_state *p)
 
         dem_domain_wrap(&p->domain, &home);               /* as in a snapshot */
         total += dem_fingerprint_particle(&home);
-        for (int k = 0; k < p->interaction_table.scalars; k++)
+        for (int k = 0; k < p->interaction_table.listed; k++)
         {
             total += dem_fingerprint_scalar(home.id, p->interaction_table.scalar[k]->name,
                                             dem_scalar_values(&p->particles, k)[i]);

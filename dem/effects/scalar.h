@@ -26,6 +26,7 @@
 #define DEM_EFFECTS_SCALAR_H
 
 #include "effects/batch.h"
+#include <stddef.h>
 
 enum
 {
@@ -66,6 +67,15 @@ enum dem_scalar_column
 
 struct dem_material;
 
+/* The columns of batches that a scalar fills, at these offsets; 0: none. */
+struct dem_scalar_batch
+{
+    size_t contact;             /* in struct dem_contact_batch: mean of both partners, value of the
+                                   particle at a wall; 0 in the first evaluation of a run */
+    unsigned contact_needs;     /* enum dem_needs: of the contact effects that read it */
+    size_t body;                /* in struct dem_body_batch, with DEM_NEEDS_FLUID */
+};
+
 struct dem_scalar               /* a row */
 {
     const char *name;           /* word of scenes, and of the column in files and snapshots */
@@ -81,6 +91,9 @@ struct dem_scalar               /* a row */
     const char *fluid_entry;        /* a value of the fluid at the particle: the entry of `fluid` that
                                        gives it, else the coupled program writes it; 0: not yet
                                        given. NULL: a value of the particle */
+    struct dem_scalar_batch batch;  /* laws read it there, not in `scalars` of the batch: a value of
+                                       the fluid with a place in the usual batch. Such rows are not
+                                       in the lists of effects, and have no rate */
 };
 
 /* A scalar of an effect at the rows of a contact batch, seen as forces are: j is the higher id or

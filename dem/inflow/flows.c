@@ -147,9 +147,9 @@ static int insert_particle(struct dem_state *p, const struct dem_arrival *new)
             dem_scalar_draw(&s->scalar[k], k, (uint64_t)s->seed, (uint64_t)new->number);
     }
     dem_scalars_begin_particle(all, &p->interaction_table, i);
+    dem_uniform_fluid_fill(all, i, p->flows->fluid, 0.0);
     if (dem_column(all, DEM_COLUMN_FLUID_VELOCITY))
     {
-        dem_uniform_fluid_fill(all, i, p->flows->fluid, 0.0);
         memcpy(dem_column(all, DEM_COLUMN_START_VELOCITY) + 3*i, q->v, sizeof q->v);
         memcpy(dem_column(all, DEM_COLUMN_DISPLACEMENT) + 3*i, q->x, sizeof q->x);
         dem_column(all, DEM_COLUMN_DECAY_FACTOR)[i] = 1.0;

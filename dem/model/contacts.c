@@ -18,7 +18,7 @@ int dem_contacts_init(struct dem_contacts *c, const struct dem_interaction_table
     c->history.columns = r->history_columns;
     c->forces.moments = r->moments;
     c->forces.has_energy = c->forces.keep = r->past_touching;
-    c->forces.rates = r->contact_scalars ? r->scalars : 0;
+    c->forces.rates = r->contact_scalars ? r->listed : 0;
     return dem_contact_rows_init(&c->rows, r->classes);
 }
 

@@ -10,6 +10,7 @@
 #include "core/aliases.h"
 #include "core/memory.h"
 #include "effects/effects.h"
+#include "effects/fluid/viscosity.h"
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -133,6 +134,7 @@ static int add_scalar(struct dem_interaction_table *r, const struct dem_scalar *
                 DEM_SCALARS);
     r->scalar[*at] = s;
     r->scalars += known < 0;
+    r->listed += known < 0 && !s->batch.body;
     return DEM_OK;
 }
 
@@ -147,6 +149,39 @@ static int add_scalars(struct dem_interaction_table *r, const struct dem_effect 
         r->exchanged[at] |= effect->stage == DEM_STAGE_FLUID && effect->scalars[k]->exchange;
     }
     return DEM_OK;
+}
+
+double dem_interaction_table_own_viscosity(const struct dem_interaction_table *r,
+                                           const struct dem_effect *effect)
+{
+    return effect->needs & DEM_NEEDS_VISCOSITY
+             ? dem_interaction_table_get_number(r, effect->name, "viscosity")
+             : 0.0;
+}
+
+const struct dem_effect *dem_interaction_table_fluid_user(const struct dem_interaction_table *r)
+{
+    const struct dem_effect *user = NULL;
+
+    for (int k = 0; k < r->chosen; k++)
+    {
+        const struct dem_effect *const e = r->effect[k];
+
+        user = e->needs & DEM_NEEDS_FLUID ||
+                       (e->needs & DEM_NEEDS_VISCOSITY &&
+                        dem_interaction_table_own_viscosity(r, e) == 0.0)
+                   ? e
+                   : user;
+    }
+    return user;
+}
+
+int dem_interaction_table_add_fluid_scalars(struct dem_interaction_table *r, const char *where)
+{
+    int at;
+
+    return dem_interaction_table_fluid_user(r) ? add_scalar(r, &dem_fluid_viscosity, where, &at)
+                                               : DEM_OK;
 }
 
 int dem_interaction_table_use_parcels(struct dem_interaction_table *r, double ratio,

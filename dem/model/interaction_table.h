@@ -79,7 +79,9 @@ struct dem_interaction_table
     struct dem_override *override;
     int motionless;                                 /* 1: all particles are frozen: only effects
                                                        with scalars limit the time step */
-    int scalars;                                    /* number of particle scalars of all effects */
+    int scalars;                                    /* number of particle scalars, */
+    int listed;                                     /* the first of them: those in lists of effects;
+                                                       the others fill columns of batches */
     const struct dem_scalar *scalar[DEM_SCALARS];
     int exchanged[DEM_SCALARS];                     /* 1: with a fluid or the program */
     struct dem_parcels_entry parcels;
@@ -151,6 +153,19 @@ int dem_interaction_table_has_pressure_gradient(const struct dem_interaction_tab
 
 /* What the chosen effects need with their present settings: enum dem_needs, or-ed. */
 unsigned dem_interaction_table_needs(const struct dem_interaction_table *);
+
+/* The last effect that takes its values from a fluid, or NULL. An effect that reads the viscosity and
+   has a setting of it does not. */
+const struct dem_effect *dem_interaction_table_fluid_user(const struct dem_interaction_table *);
+
+/* After all effects: add the scalars that fill columns of batches, if an effect takes values from a
+   fluid. */
+int dem_interaction_table_add_fluid_scalars(struct dem_interaction_table *, const char *where);
+
+/* The setting `viscosity` of an effect that reads the viscosity; 0 when it takes that of the fluid,
+   or reads none. */
+double dem_interaction_table_own_viscosity(const struct dem_interaction_table *,
+                                           const struct dem_effect *);
 
 /* Let particles be parcels (effects/parcels.h). */
 int dem_interaction_table_use_parcels(struct dem_interaction_table *, double ratio,

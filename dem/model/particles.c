@@ -17,7 +17,6 @@ static const struct dem_column columns[DEM_COLUMNS] = {
     [DEM_COLUMN_PRESSURE_GRADIENT] = {"pressureGradient", 3, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_VOID_FRACTION] = {"voidFraction", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_FLUID_DENSITY] = {"fluidDensity", 1, DEM_GROUP_FLUID, NULL},
-    [DEM_COLUMN_FLUID_VISCOSITY] = {"fluidViscosity", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_FLUID_ACCELERATION] = {"fluidAcceleration", 3,
                                        DEM_GROUP_FLUID | DEM_GROUP_ACCELERATION, NULL},
     [DEM_COLUMN_VORTICITY] = {"fluidVorticity", 3, DEM_GROUP_FLUID | DEM_GROUP_VORTICITY, NULL},
@@ -95,6 +94,7 @@ void dem_particles_add_columns_of(struct dem_particles *p, const struct dem_part
     }
     p->ghost_step = from->ghost_step;
     p->ghost_window = from->ghost_window;
+    p->batch = from->batch;
 }
 
 void dem_particles_free(struct dem_particles *p)

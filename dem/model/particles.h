@@ -67,7 +67,6 @@ enum dem_column_name
     DEM_COLUMN_PRESSURE_GRADIENT,
     DEM_COLUMN_VOID_FRACTION,
     DEM_COLUMN_FLUID_DENSITY,
-    DEM_COLUMN_FLUID_VISCOSITY,
     DEM_COLUMN_FLUID_ACCELERATION,
     DEM_COLUMN_VORTICITY,
     DEM_COLUMN_STRESS,
@@ -106,7 +105,8 @@ enum dem_column_name
     DEM_COLUMN_BROKEN_BONDS,             /* 1    bonds broken so far, counted likewise */
     DEM_COLUMN_ORIENTATION,              /* 1    unit quaternion, see model/orientation.h */
     DEM_COLUMNS,                         /* from here on columns of scalars, in use in this scene */
-    DEM_FURTHER_COLUMNS = 28             /* limit of their number */
+    DEM_FURTHER_COLUMNS = 28,            /* limit of their number */
+    DEM_BATCH_COLUMNS = 4                /* limit of those that fill columns of batches */
 };
 
 struct dem_column
@@ -122,6 +122,16 @@ struct dem_column_list             /* columns of one number each */
     int n, column[DEM_FURTHER_COLUMNS];
 };
 
+struct dem_batch_columns           /* columns that are copied to columns of batches */
+{
+    int n;
+    struct
+    {
+        int column;
+        const struct dem_scalar_batch *to;    /* where, see effects/scalar.h */
+    } at[DEM_BATCH_COLUMNS];
+};
+
 struct dem_particles
 {
     size_t n, ghosts, capacity;
@@ -131,6 +141,7 @@ struct dem_particles
     struct dem_column column[DEM_COLUMNS + DEM_FURTHER_COLUMNS];
     struct dem_column_list ghost_step;    /* columns that ghosts have too, renewed in each step; */
     struct dem_column_list ghost_window;  /* renewed at the start of each window */
+    struct dem_batch_columns batch;
 };
 
 void dem_particles_init(struct dem_particles *, unsigned groups);

@@ -19,8 +19,19 @@ static void add_to(struct dem_column_list *list, int column)
     list->column[list->n++] = column;
 }
 
-int dem_scalars_add_columns(struct dem_particles *p, const struct dem_interaction_table *r,
-                            int viscosity)
+/* A column that batches have, and ghosts if an effect of contacts reads it. */
+static void add_batch_column(struct dem_particles *p, const struct dem_interaction_table *r,
+                             const struct dem_scalar *s, int column)
+{
+    if (dem_interaction_table_needs(r) & s->batch.contact_needs)
+    {
+        add_to(&p->ghost_window, column);
+    }
+    p->batch.at[p->batch.n].column = column;
+    p->batch.at[p->batch.n++].to = &s->batch;
+}
+
+int dem_scalars_add_columns(struct dem_particles *p, const struct dem_interaction_table *r)
 {
     int columns = r->scalars;
 
@@ -40,6 +51,10 @@ int dem_scalars_add_columns(struct dem_particles *p, const struct dem_interactio
             add_to(r->scalar[k]->flags & DEM_SCALAR_RATE ? &p->ghost_step : &p->ghost_window,
                    column);
         }
+        if (k >= r->listed)
+        {
+            add_batch_column(p, r, r->scalar[k], column);
+        }
     }
     for (int k = 0; k < r->scalars; k++)
     {
@@ -48,11 +63,15 @@ int dem_scalars_add_columns(struct dem_particles *p, const struct dem_interactio
             (void)dem_particles_add_column(p, r->scalar[k]->exchange[c]);
         }
     }
-    if (viscosity)
-    {
-        add_to(&p->ghost_window, DEM_COLUMN_FLUID_VISCOSITY);
-    }
     return DEM_OK;
+}
+
+double *dem_scalar_values_of(const struct dem_particles *p, const struct dem_interaction_table *r,
+                             const char *name)
+{
+    const int scalar = dem_interaction_table_find_scalar(r, name);
+
+    return scalar < 0 ? NULL : dem_scalar_values(p, scalar);
 }
 
 double *dem_scalar_exchange_values(const struct dem_particles *p,

@@ -13,16 +13,19 @@
 #include "model/particles.h"
 #include "model/scalar_entry.h"
 
-/* Add the columns of all scalars to particles just initialised, and choose those that ghosts have.
-   viscosity: 1 when contact effects read the fluid viscosity. */
-int dem_scalars_add_columns(struct dem_particles *, const struct dem_interaction_table *,
-                            int viscosity);
+/* Add the columns of all scalars to particles just initialised, and choose those that ghosts and
+   batches have. */
+int dem_scalars_add_columns(struct dem_particles *, const struct dem_interaction_table *);
 
 /* The values of a scalar. */
 static inline double *dem_scalar_values(const struct dem_particles *p, int scalar)
 {
     return p->column[DEM_COLUMNS + scalar].data;
 }
+
+/* The values of a scalar by name; NULL when the scene does not have it. */
+double *dem_scalar_values_of(const struct dem_particles *, const struct dem_interaction_table *,
+                             const char *name);
 
 /* A column of the exchange of a scalar; NULL when it is not exchanged. */
 double *dem_scalar_exchange_values(const struct dem_particles *,

@@ -19,6 +19,14 @@ static void fill_vector(struct dem_particles *p, enum dem_column_name column, si
 void dem_uniform_fluid_fill(struct dem_particles *p, size_t i, const struct dem_uniform_fluid *f,
                       double mean)
 {
+    for (int k = 0; k < f->scalars; k++)
+    {
+        dem_scalar_values(p, f->scalar[k])[i] = f->value[k];
+    }
+    if (!dem_column(p, DEM_COLUMN_FLUID_VELOCITY))    /* no effect needs more */
+    {
+        return;
+    }
     fill_vector(p, DEM_COLUMN_FLUID_ACCELERATION, i, f->acceleration);
     fill_vector(p, DEM_COLUMN_VORTICITY, i, f->vorticity);
     fill_vector(p, DEM_COLUMN_STRESS, i, f->stress);
@@ -32,13 +40,8 @@ void dem_uniform_fluid_fill(struct dem_particles *p, size_t i, const struct dem_
     {
         dem_column(p, DEM_COLUMN_MEAN_DIAMETER)[i] = mean;
     }
-    for (int k = 0; k < f->scalars; k++)
-    {
-        dem_scalar_values(p, f->scalar[k])[i] = f->value[k];
-    }
     dem_column(p, DEM_COLUMN_VOID_FRACTION)[i] = f->given ? f->void_fraction : 1.0;
     dem_column(p, DEM_COLUMN_FLUID_DENSITY)[i] = f->given ? f->density : 1.0;
-    dem_column(p, DEM_COLUMN_FLUID_VISCOSITY)[i] = f->given ? f->viscosity : 1.0;
     dem_column(p, DEM_COLUMN_SLIP_FACTOR)[i] = 1.0;
     dem_column(p, DEM_COLUMN_COUPLING_INDEX)[2*i] =
         dem_column(p, DEM_COLUMN_COUPLING_INDEX)[2*i + 1] = -1.0;

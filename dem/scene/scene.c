@@ -360,6 +360,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
 
     DEM_TRY(dem_scene_read_interactions(scene, r));
     DEM_TRY(read_parcels(r, scene));
+    DEM_TRY(dem_interaction_table_add_fluid_scalars(r, dem_dict_where(scene)));
     DEM_TRY(dem_scene_read_walls(scene, r, w));
     DEM_TRY(read_domain(d, scene));
     DEM_TRY(read_fluid(&s->fluid, scene, r));

@@ -10,6 +10,7 @@
 #include "core/math.h"
 #include "effects/fluid/drag.h"
 #include "effects/effect.h"
+#include "effects/scalar.h"
 #include "step/eddies.h"
 #include "step/vec4.h"
 #include <stddef.h>
@@ -35,7 +36,6 @@ static const struct
 {
     {DEM_COLUMN_VOID_FRACTION, offsetof(struct dem_body_batch, void_fraction)},
     {DEM_COLUMN_FLUID_DENSITY, offsetof(struct dem_body_batch, density)},
-    {DEM_COLUMN_FLUID_VISCOSITY, offsetof(struct dem_body_batch, viscosity)},
     {DEM_COLUMN_MEAN_DIAMETER, offsetof(struct dem_body_batch, mean_diameter)},
     {DEM_COLUMN_ADDED_MASS, offsetof(struct dem_body_batch, added_mass)},
 };
@@ -227,6 +227,11 @@ void dem_body_batch_gather_fluid(struct dem_body_workspace *t, const struct dem_
         {
             memcpy(column_at(b, scalars[k].offset), from + first, size);
         }
+    }
+    for (int k = 0; k < p->batch.n; k++)
+    {
+        memcpy(column_at(b, p->batch.at[k].to->body),
+               p->column[p->batch.at[k].column].data + first, size);
     }
     if (dem_column(p, DEM_COLUMN_EDDY))
     {

@@ -51,7 +51,7 @@ static void add_exchange(struct dem_body_scalars *s, const struct dem_scalar_ste
 void dem_body_scalars_gather(struct dem_body_scalars *s, const struct dem_scalar_step *step,
                              const struct dem_particles *p, size_t first, int rows)
 {
-    for (int k = 0; k < step->table->scalars; k++)
+    for (int k = 0; k < step->table->listed; k++)
     {
         const double *const value = dem_scalar_values(p, k) + first;
 
@@ -119,7 +119,7 @@ int dem_body_scalars_integrate(const struct dem_body_scalars *s, const struct de
     const struct dem_interaction_table *const r = step->table;
     int bad = 0;
 
-    for (int k = 0; k < r->scalars; k++)
+    for (int k = 0; k < r->listed; k++)
     {
         double *const value = dem_scalar_values(p, k) + first;
 

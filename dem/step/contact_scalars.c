@@ -45,7 +45,7 @@ static void gather_radii(struct dem_contact_scalars *s, const struct dem_state *
 void dem_contact_scalars_gather(struct dem_contact_scalars *s, const struct dem_state *p,
                                 const struct dem_contact_batch *b, uint32_t row, int rows)
 {
-    for (int k = 0; k < p->interaction_table.scalars; k++)
+    for (int k = 0; k < p->interaction_table.listed; k++)
     {
         const double *const all = dem_scalar_values(&p->particles, k);
         double *const of_i = s->value[0][k], *const of_j = s->value[1][k];

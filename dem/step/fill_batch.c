@@ -23,7 +23,6 @@
 static void gather_walls(struct dem_contact_workspace *restrict t, const struct dem_state *p,
                          const uint32_t *restrict row_pair)
 {
-    const double *const mu = dem_column(&p->particles, DEM_COLUMN_FLUID_VISCOSITY);
     struct dem_gathered *const g = &t->gathered;
     struct dem_contact_batch *const b = &t->batch;
 
@@ -59,9 +58,21 @@ static void gather_walls(struct dem_contact_workspace *restrict t, const struct 
         b->wy[c] = i->w[1];
         b->wz[c] = i->w[2];
     }
-    for (int c = 0; mu && b->dt > 0.0 && c < b->n; c++)    /* 0 before the first step */
+}
+
+/* Scalars that have columns in the batch: the value of the particle. */
+static void gather_scalars_at_walls(struct dem_contact_batch *b, const struct dem_state *p,
+                                    unsigned needs, const uint32_t *row_pair)
+{
+    for (int k = 0; k < p->particles.batch.n; k++)
     {
-        b->viscosity[c] = mu[p->contacts.pairs.pair[row_pair[c]].i];
+        double *const to = dem_contact_batch_column(b, &p->particles, k, needs);
+
+        for (int c = 0; to && c < b->n; c++)
+        {
+            to[c] = dem_batch_column_values(&p->particles,
+                                            k)[p->contacts.pairs.pair[row_pair[c]].i];
+        }
     }
 }
 
@@ -275,6 +286,7 @@ static void fill_walls(struct dem_contact_workspace *t, const struct dem_state *
                        const struct dem_effect_list *effects, const uint32_t *padded)
 {
     gather_walls(t, p, padded);
+    gather_scalars_at_walls(&t->batch, p, effects->needs, padded);
     normals_of_walls(&t->batch);
     if (!p->walls.all_flat_static)
     {

@@ -93,25 +93,28 @@ static void gather_with_spin(struct dem_contact_workspace *restrict t, const str
     gather(t, record, shift, partners, 1);
 }
 
-/* The mean of both partners. Before the first step the fluid is not known, and viscosity is 0. */
-static void gather_viscosity(struct dem_contact_batch *restrict b, const double *restrict mu,
-                             const struct dem_row_partners *restrict partners)
+/* The mean of both partners. */
+static void gather_mean(int n, double *restrict to, const double *restrict value,
+                        const struct dem_row_partners *restrict partners)
 {
-    for (int c = 0; c < b->n; c++)
+    for (int c = 0; c < n; c++)
     {
-        b->viscosity[c] = 0.5*(mu[partners[c].i] + mu[partners[c].j & RECORD_OF_J]);
+        to[c] = 0.5*(value[partners[c].i] + value[partners[c].j & RECORD_OF_J]);
     }
 }
 
 void dem_gather_pairs(struct dem_contact_workspace *t, const struct dem_state *p, unsigned needs,
                       const struct dem_row_partners *partners)
 {
-    const double *const mu = dem_column(&p->particles, DEM_COLUMN_FLUID_VISCOSITY);
+    double *to;
 
     (needs & DEM_NEEDS_SPIN ? gather_with_spin : gather_basic)(t, p->particles.record,
                                                                p->pairs.shift, partners);
-    if (needs & DEM_NEEDS_VISCOSITY && mu && t->batch.dt > 0.0)
+    for (int k = 0; k < p->particles.batch.n; k++)
     {
-        gather_viscosity(&t->batch, mu, partners);
+        if ((to = dem_contact_batch_column(&t->batch, &p->particles, k, needs)) != NULL)
+        {
+            gather_mean(t->batch.n, to, dem_batch_column_values(&p->particles, k), partners);
+        }
     }
 }

@@ -6,13 +6,31 @@
 #ifndef DEM_STEP_GATHER_PARTNERS_H
 #define DEM_STEP_GATHER_PARTNERS_H
 
+#include "effects/scalar.h"
 #include "model/contact_batch.h"
 #include "simulation/dem_state.h"
 
-/* Fill the gathered columns, and the optional columns spin and viscosity, for all lanes. `first`:
-   partners of the first lane; those of the other lanes follow. `needs`: optional columns that the
-   effect list of the class uses (enum dem_needs). */
+/* Fill the gathered columns, and the optional columns spin and those of scalars, for all lanes.
+   `first`: partners of the first lane; those of the other lanes follow. `needs`: optional columns
+   that the effect list of the class uses (enum dem_needs). */
 void dem_gather_pairs(struct dem_contact_workspace *, const struct dem_state *, unsigned needs,
                       const struct dem_row_partners *first);
+
+/* The column of a batch that the k-th scalar of dem_particles.batch fills, or NULL when no effect
+   with these needs reads it. In the first evaluation of a run the fluid is not known: there it stays
+   0. */
+static inline double *dem_contact_batch_column(struct dem_contact_batch *b,
+                                               const struct dem_particles *p, int k, unsigned needs)
+{
+    const struct dem_scalar_batch *const to = p->batch.at[k].to;
+
+    return needs & to->contact_needs && b->dt > 0.0 ? (double *)(void *)((char *)b + to->contact)
+                                                    : NULL;
+}
+
+static inline const double *dem_batch_column_values(const struct dem_particles *p, int k)
+{
+    return p->column[p->batch.at[k].column].data;
+}
 
 #endif

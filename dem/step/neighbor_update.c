@@ -187,7 +187,7 @@ static int insert_arrivals(struct dem_state *p)
     const struct dem_body_sweep backward = {
         .kick = -0.5*p->dt,
         .energy_balance = p->energy_balance->open ? p->energy_balance : NULL,
-        .scalars = {.table = p->interaction_table.scalars ? &p->interaction_table : NULL}};
+        .scalars = {.table = p->interaction_table.listed ? &p->interaction_table : NULL}};
     struct dem_body_pass pass;
 
     const int status = dem_flows_insert(p);

@@ -42,7 +42,7 @@
 static struct dem_scalar_step scalar_step(const struct dem_state *p, double h)
 {
     return (struct dem_scalar_step){.table =
-                                        p->interaction_table.scalars ? &p->interaction_table : NULL,
+                                        p->interaction_table.listed ? &p->interaction_table : NULL,
                                     .contacts = &p->contacts,
                                     .h = h,
                                     .window = p->window};

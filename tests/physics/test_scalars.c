@@ -9,6 +9,9 @@
  *   of relaxation; what it receives is what the sphere gained; the response is bounded.
  * - Insertion: one value, a range, a list, a table; a value out of range is refused.
  * - A scene without scalars has no column, no rate and no ghost column for them.
+ * - The viscosity of the fluid is a scalar that contact laws read as the mean of both partners: same
+ *   bits whether it is a setting, that of a uniform fluid, or written by a program. In a uniform fluid
+ *   that acts on no particle it is the only column.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -218,6 +221,126 @@ static void test_nothing(void)
     dem_free(d);
 }
 
+/* ---- viscosity ------------------------------------------------------------------------------- */
+
+enum
+{
+    STEPS = 400
+};
+
+/* Two spheres that collide with each other, and the second with a wall. */
+static struct dem *impacts(const char *stokes, const char *rest)
+{
+    const struct dem_new_particle seed[2] = {
+        {.position = {-1.01e-3, 0.0, 1e-4}, .velocity = {0.3, 0.0, 0.0}, .diameter = 2e-3,
+         .id = 0, .material = "steel"},
+        {.position = {1.01e-3, 0.0, 0.0}, .velocity = {0.0, 0.1, 0.0}, .diameter = 2e-3,
+         .id = 1, .material = "steel"}};
+    char *const text = world_text(
+        "materials { steel { density 7800; youngsModulus 1e8; } }"
+        "effects { hertz { } stokes { restitution 0.95; %s } mindlin { friction 0.3; } }"
+        "walls { end { type plane; point (2.03e-3 0 0); normal (-1 0 0); } }"
+        "domain { min (-1 -1 -1); max (1 1 1); } time { step 1e-6; } %s", stokes, rest);
+    struct dem *const d = world_begin(text);
+
+    dem_fluid_set_density(d, 1000.0);    /* of a coupled fluid; else that of the scene counts */
+    WORLD_TRY(dem_add_particles(d, 2, seed));
+    WORLD_TRY(dem_setup(d));
+    free(text);
+    return d;
+}
+
+/* Hash after the impacts; `mu`, if given: what a program writes for the two spheres [Pa s]. */
+static uint64_t collide(struct dem *d, const double *mu)
+{
+    for (int n = 0; n < STEPS; n++)
+    {
+        struct dem_fluid f;
+        struct dem_view v;
+
+        if (mu)
+        {
+            WORLD_TRY(dem_fluid(d, &f));
+            dem_view(d, &v);
+            for (size_t i = 0; i < v.n; i++)
+            {
+                f.viscosity[i] = mu[world_id(&v, i)];
+            }
+        }
+        world_step(d);
+    }
+    TAP_OK(world_at(d, 0).v[0] < 0.1 && world_at(d, 1).v[0] < 0.0, "both have hit: %g %g m/s",
+           world_at(d, 0).v[0], world_at(d, 1).v[0]);
+    const uint64_t hash = world_hash(d);
+
+    dem_free(d);
+    return hash;
+}
+
+static size_t bytes(const struct dem *d)
+{
+    return dem_particles_bytes_per_particle(&d->state.particles);
+}
+
+static void test_viscosity(void)
+{
+    const double both[2] = {0.25, 0.25}, thick[2] = {0.375, 0.375}, apart[2] = {0.125, 0.375};
+    struct dem *const setting = impacts("viscosity 0.25; fluidDensity 1000;", ""),
+               *const uniform = impacts("", "fluid { density 1000; viscosity 0.25; }"),
+               *const coupled = impacts("", "");
+
+    TAP_OK(dem_scalar_count(setting) == 0 && bytes(setting) == 176,
+           "with a viscosity of its own the law needs no column");
+    TAP_OK(dem_scalar_count(uniform) == 1 && dem_scalar_index(uniform, "fluidViscosity") == 0
+               && dem_scalar(uniform, 0)[0] == 0.25,
+           "in a fluid the viscosity is a scalar");
+    TAP_OK(bytes(uniform) == 184 && uniform->state.contacts.forces.rates == 0
+               && !dem_column(&uniform->state.particles, DEM_COLUMN_FLUID_VELOCITY),
+           "and the only column: %zu bytes", bytes(uniform));
+    TAP_OK(uniform->state.particles.ghost_window.n == 1, "which ghosts have");
+    TAP_OK(dem_fluid_reaction(uniform, DEM_EXCHANGE_EXPLICIT, 1.0, NULL, NULL) == DEM_ERROR_STATE,
+           "such a fluid gets no force: %s", dem_error_text());
+    TAP_OK(dem_column(&coupled->state.particles, DEM_COLUMN_FLUID_VELOCITY) != NULL,
+           "a coupled program finds all columns");
+
+    const uint64_t as_set = collide(setting, NULL);
+
+    TAP_OK(collide(uniform, NULL) == as_set, "a uniform fluid gives the bits of the setting");
+    TAP_OK(collide(coupled, both) == as_set, "and so does a program");
+    TAP_OK(collide(impacts("", ""), apart) != as_set, "at the wall the viscosity is that of the sphere");
+    TAP_OK(collide(impacts("", ""), thick) != as_set, "a viscosity of half as much again counts");
+}
+
+/* Between two spheres alone it is the mean of both. */
+static void test_mean_viscosity(void)
+{
+    const double mu[2][2] = {{0.25, 0.25}, {0.125, 0.375}};
+    struct world_particle q[2];
+
+    for (int k = 0; k < 2; k++)
+    {
+        struct dem *const d = impacts("", "");
+
+        for (int n = 0; n < 120; n++)    /* before the wall is touched */
+        {
+            struct dem_fluid f;
+            struct dem_view v;
+
+            WORLD_TRY(dem_fluid(d, &f));
+            dem_view(d, &v);
+            for (size_t i = 0; i < v.n; i++)
+            {
+                f.viscosity[i] = mu[k][world_id(&v, i)];
+            }
+            world_step(d);
+        }
+        q[k] = world_at(d, 0);
+        dem_free(d);
+    }
+    TAP_OK(q[0].v[0] < 0.25, "the spheres have touched: %g m/s", q[0].v[0]);
+    TAP_OK(memcmp(q[0].v, q[1].v, sizeof q[0].v) == 0, "0.125 and 0.375 Pa s act as 0.25");
+}
+
 int main(void)
 {
     TAP_TRAPS;
@@ -226,5 +349,7 @@ int main(void)
     test_exchange();
     test_insertion();
     test_nothing();
+    test_viscosity();
+    test_mean_viscosity();
     TAP_DONE;
 }

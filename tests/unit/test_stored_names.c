@@ -17,7 +17,7 @@
 /* In the order of enum dem_column_name. */
 static const char *const stored_columns[] =
     {"force", "torque", "fluidVelocity", "pressureGradient",
-     "voidFraction", "fluidDensity", "fluidViscosity", "fluidAcceleration",
+     "voidFraction", "fluidDensity", "fluidAcceleration",
      "fluidVorticity", "fluidStress", "meanDiameter", "fluidTurbulence", "eddy", "counterflow",
      "place", "dragImpulse", "kept", "dragTime",
      "startVelocity", "way",          "response", "passed",
