@@ -232,7 +232,7 @@ void Foam::demDict::addFrameMotion()
             wall.add("material", material(patch));
             wall.add("surfaceRotation", frame.surfaceRotation());
             dictionary walls(dict_.subOrEmptyDict("walls"));
-            walls.add(patch.name(), wall);
+            walls.add(patch.name(), wall, true);    // merged with other entries of the wall
             dict_.set("walls", walls);
             Info<< "Suna: the surface of wall " << patch.name() << " rotates by "
                 << frame.omega() << " rad/s with its zone (MRF)" << endl;
