@@ -20,11 +20,11 @@ namespace Foam
 // As in the header of the table
 static const char* const suffix_[] =
 {
-    ".px", ".py", ".pz", ".volume", ".mass", ".energy"
+    ".px", ".py", ".pz", ".volume", ".mass", ".energy", ".heat"
 };
 static const char* const unit_[] =
 {
-    "[Ns]", "[Ns]", "[Ns]", "[m3]", "[kg]", "[J]"
+    "[Ns]", "[Ns]", "[Ns]", "[m3]", "[kg]", "[J]", "[J]"
 };
 
 } // End namespace Foam
@@ -44,7 +44,10 @@ Foam::string Foam::demBudget::columns() const
         {
             names += "," + i.name + ending;
         }
-        names += ",rest" + ending;
+        if (items_[which].size())
+        {
+            names += ",rest" + ending;
+        }
     }
     return names;
 }
@@ -176,7 +179,10 @@ void Foam::demBudget::endStep()
             row << ',' << i.value;
             rest += i.state ? i.value - i.begin : -i.value;
         }
-        row << ',' << rest;
+        if (items.size())
+        {
+            row << ',' << rest;
+        }
     }
     row << '\n';
     demCheck

@@ -118,7 +118,7 @@ Foam::demCloud::demCloud
     exchange_.begin();
     if (demHeatExchange::needed(particles_))
     {
-        heat_.reset(new demHeatExchange(particles_));
+        heat_.reset(new demHeatExchange(particles_, budget_.table()));
     }
     reports_.begin();
     budget_.begin();

@@ -10,6 +10,7 @@
 #include "demCheck.H"
 #include "demColumns.H"
 #include "demFieldAt.H"
+#include "demRecord.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -91,11 +92,47 @@ Foam::scalar Foam::demHeatExchange::error
 }
 
 
+void Foam::demHeatExchange::gain(const std::string& name, const scalar heat)
+{
+    received_ += heat;
+    if (budget_.on())
+    {
+        budget_.gain(demBudget::HEAT, name, heat);
+    }
+}
+
+
+void Foam::demHeatExchange::countContacts()
+{
+    const ::dem_energy_item* item = nullptr;
+    double since;
+    int n = 0;
+
+    demCheck(dem_energy(particles_.core(), &since, &n, &item));
+    for (int k = 0; k < n; k++)
+    {
+        const std::string name(item[k].name);
+
+        if (name == "heat_walls")
+        {
+            gain("walls", item[k].value - ofWalls_);
+            ofWalls_ = item[k].value;
+        }
+        else if (name == "heat_dissipated")
+        {
+            gain("friction", item[k].value - ofFriction_);
+            ofFriction_ = item[k].value;
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-Foam::demHeatExchange::demHeatExchange(demParticles& particles)
+Foam::demHeatExchange::demHeatExchange(demParticles& particles, demBudget& budget)
 :
     particles_(particles),
+    budget_(budget),
     transfer_(particles.transfer()),
     temperature_(dem_scalar_index(particles.core(), "temperature")),
     fluidTemperature_(dem_scalar_index(particles.core(), "fluidTemperature")),
@@ -118,6 +155,9 @@ Foam::demHeatExchange::demHeatExchange(demParticles& particles)
     ),
     ofParticles_(this->particles() + owed()),
     received_(0),
+    counted_(demRecord::energy(particles.dict().coupling())),
+    ofWalls_(0),
+    ofFriction_(0),
     maxError_(0)
 {}
 
@@ -157,7 +197,7 @@ void Foam::demHeatExchange::countPassed()
     const scalar before = ofParticles_;
 
     ofParticles_ = particles() + owed();
-    received_ += ofParticles_ - before;
+    gain("passed", ofParticles_ - before);
 }
 
 
@@ -205,7 +245,7 @@ void Foam::demHeatExchange::correct
 (
     const UList<scalar>& temperature,
     const scalar ofFluid,
-    const scalar received
+    const UList<contribution>& received
 )
 {
     const scalarField target(transfer_.sample(temperature));
@@ -217,7 +257,21 @@ void Foam::demHeatExchange::correct
     const scalar inParticles = particles();
     const scalar toCome = owed();
     ofParticles_ = inParticles + toCome;
-    received_ += received/transfer_.fraction();
+
+    for (const contribution& c : received)
+    {
+        gain(c.name, c.heat/transfer_.fraction());
+    }
+    if (counted_)
+    {
+        countContacts();
+    }
+    if (budget_.on())
+    {
+        budget_.state(demBudget::HEAT, "fluid", fluid);
+        budget_.state(demBudget::HEAT, "particles", inParticles);
+        budget_.state(demBudget::HEAT, "owed", toCome);
+    }
 
     Info<< "Suna: heat fluid " << fluid << " particles " << inParticles
         << " owed " << toCome << " sum " << fluid + ofParticles_

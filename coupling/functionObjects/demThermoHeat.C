@@ -102,7 +102,7 @@ void Foam::demThermoHeat::correct(const volScalarField& rho)
     (
         (T_ + (he - energy_)/Cpv_)(),
         gSum((mesh.V().field()*rho.primitiveField()*he)()),
-        0
+        UList<demHeatExchange::contribution>()
     );
 }
 

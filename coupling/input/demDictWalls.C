@@ -139,7 +139,7 @@ void Foam::demDict::checkMaterial
 
 
 // The position of a patch is that of the mesh; its surface may have a tangential
-// velocity
+// velocity, and a temperature
 void Foam::demDict::checkPatchWall(const entry& e) const
 {
     const std::string where("walls/" + e.keyword());
@@ -155,7 +155,10 @@ void Foam::demDict::checkPatchWall(const entry& e) const
     const dictionary& wall = e.dict();
     const wordHashSet known
     (
-        {"type", "material", "surfaceVelocity", "surfaceRotation", "absorb"}
+        {
+            "type", "material", "surfaceVelocity", "surfaceRotation", "absorb",
+            "temperature"
+        }
     );
 
     forAllConstIters(wall, iter)
@@ -171,7 +174,7 @@ void Foam::demDict::checkPatchWall(const entry& e) const
             FatalIOErrorInFunction(wall)
                 << where.c_str() << " is made from a patch; such a wall has the"
                 << " position of the mesh, a material, surfaceVelocity,"
-                << " surfaceRotation and absorb, nothing else. Take"
+                << " surfaceRotation, absorb and temperature, nothing else. Take"
                 << " out " << key << exit(FatalIOError);
         }
     }
@@ -181,7 +184,7 @@ void Foam::demDict::checkPatchWall(const entry& e) const
 
 
 // Give the core the settings of patch walls other than their triangles and material
-void Foam::demDict::addPatchMotion(const entry& e)
+void Foam::demDict::addPatchSettings(const entry& e)
 {
     dictionary plain(e.dict());
     plain.remove("type");
@@ -229,7 +232,7 @@ void Foam::demDict::addFrameMotion()
             wall.add("material", material(patch));
             wall.add("surfaceRotation", frame.surfaceRotation());
             dictionary walls(dict_.subOrEmptyDict("walls"));
-            walls.add(patch.name(), wall);
+            walls.add(patch.name(), wall, true);    // merged with other entries of the wall
             dict_.set("walls", walls);
             Info<< "Suna: the surface of wall " << patch.name() << " rotates by "
                 << frame.omega() << " rad/s with its zone (MRF)" << endl;
@@ -318,7 +321,7 @@ void Foam::demDict::separatePatchWalls()
     // Only now all patch walls are known
     forAllConstIters(patches_, iter)
     {
-        addPatchMotion(*iter);
+        addPatchSettings(*iter);
     }
 
     if (walls.empty())

@@ -158,7 +158,7 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
     interval_(0),
     elapsed_(0),
     walls_(time, "walls.csv"),
-    energy_(false),
+    energy_(energy(coupling)),
     energies_(time, "energy.csv")
 {
     if (coupling.found("record"))
@@ -176,7 +176,6 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
             }
         }
         const scalar interval = record.get<scalar>("interval");
-        energy_ = record.getOrDefault<Switch>("energy", false);
 
         if (interval < SMALL)
         {
@@ -190,6 +189,12 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::demRecord::energy(const dictionary& coupling)
+{
+    return coupling.subOrEmptyDict("record").getOrDefault<Switch>("energy", false);
+}
+
 
 void Foam::demRecord::prepare(::dem* d)
 {

@@ -17,20 +17,6 @@
 #include "fvm.H"
 #include "emptyFvPatch.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-// Patches that exist on all ranks
-static bool isCounted(const fvPatch& patch)
-{
-    return !patch.coupled() && !isA<emptyFvPatch>(patch);
-}
-
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fluidBudget::keepFluxes()
@@ -71,6 +57,12 @@ Foam::fluidBudget::fluidBudget
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::fluidBudget::isCounted(const fvPatch& patch)
+{
+    return !patch.coupled() && !isA<emptyFvPatch>(patch);
+}
+
 
 void Foam::fluidBudget::beforePredictor(const volScalarField& nuEff)
 {

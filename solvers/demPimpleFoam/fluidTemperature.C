@@ -12,6 +12,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fluidTemperature.H"
+#include "fluidBudget.H"
 #include "fvCFD.H"
 #include "fvOptions.H"
 
@@ -152,8 +153,7 @@ Foam::fluidTemperature::fluidTemperature
             transport, "TRef", dimTemperature, "temperature [K] of density rho", exchange_
         )
       : dimensionedScalar(dimTemperature, Zero)
-    ),
-    received_(0)
+    )
 {
     exchange_.setFluid(T_, kappa_, Cp_);
 }
@@ -181,6 +181,8 @@ void Foam::fluidTemperature::solve(const volScalarField& nut)
     );
     const volScalarField continuityError(fvc::ddt(voidFraction_) + fvc::div(alphaPhi_));
 
+    const tmp<fvScalarMatrix> sources(fvOptions(T_));
+
     fvScalarMatrix TEqn
     (
         fvm::ddt(voidFraction_, T_)
@@ -190,7 +192,7 @@ void Foam::fluidTemperature::solve(const volScalarField& nut)
      ==
         exchange_.source()/rhoCp_
       - fvm::Sp(exchange_.coefficient()/rhoCp_, T_)
-      + fvOptions(T_)
+      + sources()
     );
 
     TEqn.relax();
@@ -198,27 +200,43 @@ void Foam::fluidTemperature::solve(const volScalarField& nut)
     TEqn.solve();
     fvOptions.correct(T_);
 
-    scalar rate =
-        gSum((mesh.V().field()*continuityError.primitiveField()*T_.primitiveField())());
+    const scalar rhoCpDeltaT = rhoCp_.value()*mesh.time().deltaTValue();
+    const scalarField& V = mesh.V();
 
-    // Convection and conduction
+    // The coefficients of a patch contain convection and conduction together; convection
+    // is alphaPhi T of the patch, conduction the difference
+    received_.clear();
     forAll(T_.boundaryField(), patchi)
     {
         const fvPatchScalarField& Tp = T_.boundaryField()[patchi];
 
-        if (!Tp.coupled())
+        if (fluidBudget::isCounted(Tp.patch()))
         {
-            rate +=
-                gSum
+            const scalar total = gSum
+            (
                 (
-                    (
-                        TEqn.boundaryCoeffs()[patchi]
-                      - TEqn.internalCoeffs()[patchi]*Tp.patchInternalField()
-                    )()
-                );
+                    TEqn.boundaryCoeffs()[patchi]
+                  - TEqn.internalCoeffs()[patchi]*Tp.patchInternalField()
+                )()
+            );
+            const scalar flow = -gSum((alphaPhi_.boundaryField()[patchi]*Tp)());
+            const std::string& name = Tp.patch().name();
+
+            received_.append({"flow:" + name, rhoCpDeltaT*flow});
+            received_.append({"conduction:" + name, rhoCpDeltaT*(total - flow)});
         }
     }
-    received_ = rhoCp_.value()*mesh.time().deltaTValue()*rate;
+    received_.append
+    ({
+        "continuity",
+        rhoCpDeltaT
+       *gSum((V*continuityError.primitiveField()*T_.primitiveField())())
+    });
+    if (fvOptions.appliesToField(T_.name()))
+    {
+        const volScalarField rate(sources() & T_);
+        received_.append({"sources", rhoCpDeltaT*gSum((V*rate.primitiveField())())});
+    }
 }
 
 
