@@ -350,12 +350,12 @@ const Foam::volScalarField& Foam::demDriver::drag()
 }
 
 
-void Foam::demDriver::addHeat(fvMatrix<scalar>& eqn)
+void Foam::demDriver::addHeat(const volScalarField& rho, fvMatrix<scalar>& eqn)
 {
     step();
     if (heat_)
     {
-        heat_->addTo(eqn);
+        heat_->addTo(rho, eqn);
     }
 }
 

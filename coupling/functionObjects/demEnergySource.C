@@ -62,7 +62,7 @@ bool Foam::fv::demEnergySource::read(const dictionary& dict)
 
 void Foam::fv::demEnergySource::addSup
 (
-    const volScalarField&,
+    const volScalarField& rho,
     fvMatrix<scalar>& eqn,
     const label
 )
@@ -71,7 +71,7 @@ void Foam::fv::demEnergySource::addSup
 
     if (driver.active())
     {
-        driver.addHeat(eqn);
+        driver.addHeat(rho, eqn);
     }
 }
 

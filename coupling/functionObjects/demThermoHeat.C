@@ -57,7 +57,7 @@ void Foam::demThermoHeat::beginStep()
 }
 
 
-void Foam::demThermoHeat::addTo(fvMatrix<scalar>& eqn)
+void Foam::demThermoHeat::addTo(const volScalarField& rho, fvMatrix<scalar>& eqn)
 {
     const fvMesh& mesh = thermo_.T().mesh();
     volScalarField::Internal explicitPart("dem:heatExplicit", exchange_.source()());
@@ -76,6 +76,7 @@ void Foam::demThermoHeat::addTo(fvMatrix<scalar>& eqn)
         coefficient[celli] = K/Cpv_[celli];
     }
 
+    rho_ = rho.primitiveField();
     eqn += explicitPart - fvm::Sp(coefficient, eqn.psi());
     asked_ = mesh.time().timeIndex();
 }
@@ -96,13 +97,20 @@ void Foam::demThermoHeat::correct(const volScalarField& rho)
             << exit(FatalError);
     }
 
+    const scalarField& V = mesh.V();
     const scalarField& he = thermo_.he();
+
+    const demHeatExchange::contribution density
+    {
+        "density",
+        gSum((V*(rho.primitiveField() - rho_)*he)())
+    };
 
     exchange_.correct
     (
         (T_ + (he - energy_)/Cpv_)(),
-        gSum((mesh.V().field()*rho.primitiveField()*he)()),
-        UList<demHeatExchange::contribution>()
+        gSum((V*rho.primitiveField()*he)()),
+        List<demHeatExchange::contribution>(1, density)
     );
 }
 
