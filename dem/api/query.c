@@ -299,8 +299,8 @@ int dem_virial(struct dem *d, double *virial)
     DEM_REQUIRE(d->is_set_up && d->virial, DEM_ERROR_STATE,
                 "dem_virial comes after dem_setup, and dem_virial_enable before it");
     memset(virial, 0, 6*d->state.particles.n*sizeof *virial);
-    /* after a load or restore there are no lists before the first step */
-    if (d->state.stale < 2)
+    /* after a load, a restore or a step that failed there are no lists */
+    if (d->state.stale < 2 && d->state.contacts.rows.n > 0)
     {
         dem_virial_sum(&d->state, virial);
     }

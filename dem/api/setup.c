@@ -141,7 +141,7 @@ static int prepare_physics(struct dem *d)
 
     DEM_TRY(dem_wall_store_distribute(&p->wall_store, &p->walls));
     DEM_TRY(dem_contacts_init(&p->contacts, &p->interaction_table));
-    p->contacts.forces.keep |= d->virial || d->scene.averages > 0;
+    p->contacts.forces.all_rows |= d->virial || d->scene.averages > 0;
     dem_pairs_init(&p->pairs, &p->domain, skin, p->interaction_table.reach, radius);
     if (d->scene.tuned_skins && radius > 0.0)
     {

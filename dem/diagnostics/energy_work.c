@@ -48,9 +48,10 @@ static void wall_work(struct dem_state *p, double span, int ahead)
             {
                 dem_wall_surface_add_mesh_motion(p, q->j, p->dt, &wall);
             }
-            const double power = dem_vec_dot(f, wall.velocity) +
-                                 (c->forces.moments
-                                      ? dem_vec_dot(dem_contacts_wall_moment(c, r)->m, wall.spin) : 0.0);
+            const double turning = c->forces.moments ? dem_vec_dot(dem_contacts_wall_moment(c, r)->m,
+                                                                   wall.spin)
+                                                     : 0.0;
+            const double power = dem_vec_dot(f, wall.velocity) + turning;
 
             dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_WALLS], power*span);
         }

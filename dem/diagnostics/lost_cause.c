@@ -127,7 +127,7 @@ static uint32_t worst_row(const struct dem_state *p, size_t i, uint32_t row, dou
     *overlap = min_overlap;
     for (uint32_t e = c->rows.start[i]; e < c->rows.start[i + 1]; e++)
     {
-        const uint32_t r = 
+        const uint32_t r =
             dem_contact_forces_row(&c->forces, &c->rows, i, c->rows.entry[e]);
 
         if (r >= c->rows.n)

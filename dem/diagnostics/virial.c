@@ -64,8 +64,12 @@ void dem_virial_sum(const struct dem_state *p, double *virial)
         memset(w, 0, 6*sizeof *w);
         for (uint32_t e = c->rows.start[i]; e < c->rows.start[i + 1]; e++)
         {
-            add_row(p, dem_contact_forces_row(&c->forces, &c->rows, i, c->rows.entry[e]),
-                    p->particles.record[i].radius, w);
+            const uint32_t row = dem_contact_forces_row(&c->forces, &c->rows, i, c->rows.entry[e]);
+
+            if (row < c->rows.n)
+            {
+                add_row(p, row, p->particles.record[i].radius, w);
+            }
         }
     }
 }

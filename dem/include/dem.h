@@ -397,7 +397,7 @@ void dem_view(const struct dem *, struct dem_view *);
    over a region divided by its volume are the contact stress. `virial` has 6 numbers a particle;
    all are 0 after a load or restore, before the first step.
    dem_virial_enable, called before dem_setup, keeps the forces of all contacts for it: 64 bytes a
-   candidate contact, some 180 a particle of a dense bed. */
+   candidate contact, 96 with moments; some 180 a particle of a dense bed. */
 int dem_virial_enable(struct dem *);
 int dem_virial(struct dem *, double *virial);
 const char *dem_material_name(const struct dem *, int material);  /* "" for an unknown number */

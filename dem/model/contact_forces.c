@@ -1,5 +1,5 @@
 /*
- * contact_forces.c -- memory of the contact forces; places of the rows.
+ * contact_forces.c -- memory of the contact forces; slots of the rows.
  *
  * A batch of particles is summed as soon as the last row that it needs has been computed. A row that
  * is then still in the ring is read from there; a row that has been overwritten is deferred.
@@ -20,13 +20,13 @@ void dem_contact_forces_free(struct dem_contact_forces *c)
 {
     dem_contact_forces_release(c);
     dem_contact_forces_clear(c);
-    dem_memory_free(c->kept_row);
+    dem_memory_free(c->slot_row);
     dem_memory_free(c->deferred);
     dem_memory_free(c->deferred_before);
     memset(c, 0, sizeof *c);
 }
 
-static size_t bytes_of_place(const struct dem_contact_forces *c)
+static size_t bytes_of_slot(const struct dem_contact_forces *c)
 {
     return sizeof *c->force + (c->moments ? sizeof *c->moment : 0);
 }
@@ -38,19 +38,19 @@ static size_t bytes_of_row(const struct dem_contact_forces *c)
 
 size_t dem_contact_forces_ring_bytes(const struct dem_contact_forces *c)
 {
-    return DEM_FORCE_BUFFER_ROWS*bytes_of_place(c);
+    return DEM_FORCE_BUFFER_ROWS*bytes_of_slot(c);
 }
 
 size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *c, int ring)
 {
-    return (ring ? bytes_of_place(c)/ROWS_PER_DEFERRED : 0) +
-           (!ring || c->keep ? bytes_of_place(c) : 0) + bytes_of_row(c);
+    return (ring ? bytes_of_slot(c)/ROWS_PER_DEFERRED : 0) +
+           (!ring || c->all_rows ? bytes_of_slot(c) : 0) + bytes_of_row(c);
 }
 
 size_t dem_contact_forces_bytes(const struct dem_contact_forces *c)
 {
-    return (c->capacity + c->row_force_capacity)*bytes_of_place(c) +
-           c->row_capacity*bytes_of_row(c) + c->kept_capacity*sizeof *c->kept_row +
+    return (c->capacity + c->row_force_capacity)*bytes_of_slot(c) +
+           c->row_capacity*bytes_of_row(c) + c->slot_row_capacity*sizeof *c->slot_row +
            c->deferred_capacity*sizeof *c->deferred +
            c->before_capacity*sizeof *c->deferred_before;
 }
@@ -118,50 +118,46 @@ static int allocate(struct dem_contact_force **force, struct dem_contact_moment 
     return DEM_OK;
 }
 
+/* Zero: what entries without a row read. */
+static void clear(struct dem_contact_force *force, struct dem_contact_moment *moment, size_t first,
+                  size_t n)
+{
+    memset(force + first, 0, n*sizeof *force);
+    if (moment)
+    {
+        memset(moment + first, 0, n*sizeof *moment);
+    }
+}
+
 static int allocate_rows(struct dem_contact_forces *c, const struct dem_contact_rows *rows)
 {
-    if (!c->ring || !c->keep)
+    if (!c->ring || !c->all_rows)
     {
         release(&c->row_force, &c->row_moment, &c->row_force_capacity);
         return DEM_OK;
     }
-    return allocate(&c->row_force, &c->row_moment, &c->row_force_capacity, c->moments,
-                    rows->n + DEM_PADDING_ROWS, rows->capacity);
-}
-
-static void clear_places(struct dem_contact_forces *c, size_t first, size_t n)
-{
-    memset(c->force + first, 0, n*sizeof *c->force);
-    if (c->moment)
-    {
-        memset(c->moment + first, 0, n*sizeof *c->moment);
-    }
+    DEM_TRY(allocate(&c->row_force, &c->row_moment, &c->row_force_capacity, c->moments,
+                     rows->n + DEM_PADDING_ROWS, rows->capacity));
+    clear(c->row_force, c->row_moment, rows->n, DEM_PADDING_ROWS);
+    return DEM_OK;
 }
 
 int dem_contact_forces_allocate(struct dem_contact_forces *c, const struct dem_contact_rows *rows)
 {
-    const size_t n = c->ring ? c->ring + c->kept : rows->n + DEM_PADDING_ROWS;
+    const size_t n = c->ring ? c->ring + c->own_slots : rows->n + DEM_PADDING_ROWS;
 
     DEM_TRY(allocate(&c->force, &c->moment, &c->capacity, c->moments, n,
-                     c->ring ? n + c->kept/8 : rows->capacity));
-    /* that of entries without a row */
-    clear_places(c, c->ring ? c->ring : rows->n, c->ring ? 1 : DEM_PADDING_ROWS);
+                     c->ring ? n + c->own_slots/8 : rows->capacity));
+    clear(c->force, c->moment, c->ring ? c->ring : rows->n, c->ring ? 1 : DEM_PADDING_ROWS);
     return allocate_rows(c, rows);
 }
 
-/* ---- places ---------------------------------------------------------------------------------- */
+/* ---- slots ---------------------------------------------------------------------------------- */
 
 enum
 {
     WORD = 64    /* rows of a word of `deferred` */
 };
-
-/* The oldest row in the ring when the particles of a batch are summed: at the end of the batch of rows
-   that holds the last one needed. */
-static int64_t oldest_in_ring(const struct dem_contact_rows *r, size_t particle)
-{
-    return (int64_t)r->needed[particle/DEM_BATCH_ROWS] + 2*DEM_BATCH_ROWS - DEM_FORCE_BUFFER_ROWS;
-}
 
 /* Classes of walls are last: their first row, or the number of rows. */
 static uint32_t find_walls(const struct dem_contact_rows *r, const struct dem_pair_list *p)
@@ -190,11 +186,11 @@ static int mark_deferred(struct dem_contact_forces *c, const struct dem_contact_
     memset(c->deferred, 0, words*sizeof *c->deferred);
     for (size_t i = 0; i < n; i++)
     {
-        const int64_t oldest = oldest_in_ring(r, i);
+        const int64_t oldest = dem_contact_forces_oldest(r, i);
 
         for (uint32_t e = r->start[i]; e < r->start[i + 1]; e++)
         {
-            const uint32_t row = r->entry[e] >> DEM_ENTRY_PLACE_SHIFT;
+            const uint32_t row = r->entry[e] >> DEM_ENTRY_SLOT_SHIFT;
             const uint64_t marked = (row < walls) & (row < oldest);
 
             c->deferred[row/WORD] |= marked << row%WORD;
@@ -209,20 +205,21 @@ static int mark_deferred(struct dem_contact_forces *c, const struct dem_contact_
     return DEM_OK;
 }
 
-/* Behind the ring: the place without a row, then those of walls, then the deferred ones. */
-static int list_kept(struct dem_contact_forces *c, const struct dem_contact_rows *r, uint32_t walls,
-                     size_t deferred)
+/* Behind the ring: the slot without a row, then those of walls, then the deferred ones. */
+static int list_own_slots(struct dem_contact_forces *c, const struct dem_contact_rows *r,
+                          uint32_t walls, size_t deferred)
 {
-    c->kept = 1 + r->n - walls + deferred;
-    DEM_TRY(DEM_GROW(c->kept_row, c->kept_capacity, c->kept));
-    uint32_t *to = c->kept_row;
+    const size_t n = 1 + r->n - walls + deferred;
+
+    DEM_TRY(DEM_GROW(c->slot_row, c->slot_row_capacity, n));
+    uint32_t *to = c->slot_row;
 
     *to++ = r->n;
     for (uint32_t row = walls; row < r->n; row++)
     {
         *to++ = row;
     }
-    c->first_deferred = (size_t)(to - c->kept_row);
+    c->first_deferred = (size_t)(to - c->slot_row);
     for (uint32_t k = 0; k*WORD < r->n; k++)
     {
         for (uint64_t left = c->deferred[k]; left; left &= left - 1)
@@ -230,10 +227,12 @@ static int list_kept(struct dem_contact_forces *c, const struct dem_contact_rows
             *to++ = k*WORD + (uint32_t)__builtin_ctzll(left);
         }
     }
+    c->own_slots = n;
+    c->ring = DEM_FORCE_BUFFER_ROWS;
     return DEM_OK;
 }
 
-static uint32_t place_of_deferred(const struct dem_contact_forces *c, uint32_t row)
+static uint32_t slot_of_deferred(const struct dem_contact_forces *c, uint32_t row)
 {
     const uint64_t before = c->deferred[row/WORD] & ((UINT64_C(1) << row%WORD) - 1);
 
@@ -241,40 +240,43 @@ static uint32_t place_of_deferred(const struct dem_contact_forces *c, uint32_t r
            (uint32_t)__builtin_popcountll(before);
 }
 
-static void place_entries(const struct dem_contact_forces *c, struct dem_contact_rows *r,
+static void assign_entries(const struct dem_contact_forces *c, struct dem_contact_rows *r,
                           uint32_t walls, size_t n)
 {
-    enum { BITS = (1 << DEM_ENTRY_PLACE_SHIFT) - 1 };
+    enum { BITS = (1 << DEM_ENTRY_SLOT_SHIFT) - 1 };
 
     for (size_t i = 0; i < n; i++)
     {
-        const int64_t oldest = oldest_in_ring(r, i);
+        const int64_t oldest = dem_contact_forces_oldest(r, i);
 
         for (uint32_t e = r->start[i]; e < r->start[i + 1]; e++)
         {
-            const uint32_t row = r->entry[e] >> DEM_ENTRY_PLACE_SHIFT;
-            const uint32_t place = row >= r->n    ? c->ring
+            const uint32_t row = r->entry[e] >> DEM_ENTRY_SLOT_SHIFT;
+            const uint32_t slot = row >= r->n    ? c->ring
                                    : row >= walls ? c->ring + 1 + (row - walls)
-                                   : row < oldest ? place_of_deferred(c, row)
+                                   : row < oldest ? slot_of_deferred(c, row)
                                                   : row & (c->ring - 1);
 
-            r->entry[e] = place << DEM_ENTRY_PLACE_SHIFT | (r->entry[e] & BITS);
+            r->entry[e] = slot << DEM_ENTRY_SLOT_SHIFT | (r->entry[e] & BITS);
         }
     }
     for (int s = 0; s < r->classes; s++)
     {
-        r->segment[s].place = c->ring + 1 + (r->segment[s].first - walls);
+        if (r->segment[s].first >= walls)
+        {
+            r->segment[s].slot = c->ring + 1 + (r->segment[s].first - walls);
+        }
     }
 }
 
-int dem_contact_forces_place_rows(struct dem_contact_forces *c, struct dem_contact_rows *r,
+int dem_contact_forces_assign_slots(struct dem_contact_forces *c, struct dem_contact_rows *r,
                                   const struct dem_pair_list *p, size_t n)
 {
     const uint32_t walls = find_walls(r, p);
     size_t deferred;
 
     c->ring = 0;
-    c->kept = 0;
+    c->own_slots = 0;
     if (r->n <= DEM_FORCE_BUFFER_ROWS)
     {
         return DEM_OK;
@@ -282,9 +284,8 @@ int dem_contact_forces_place_rows(struct dem_contact_forces *c, struct dem_conta
     DEM_TRY(mark_deferred(c, r, walls, n, &deferred));
     if (ROWS_PER_DEFERRED*deferred <= r->n)
     {
-        c->ring = DEM_FORCE_BUFFER_ROWS;
-        DEM_TRY(list_kept(c, r, walls, deferred));
-        place_entries(c, r, walls, n);
+        DEM_TRY(list_own_slots(c, r, walls, deferred));
+        assign_entries(c, r, walls, n);
     }
     return DEM_OK;
 }

@@ -2,13 +2,16 @@
  * contact_forces.h -- what the effects leave at each contact row: forces, moments, energies, rates of
  * particle scalars.
  *
- * Forces and moments lie in places. In a small scene the place of a row is its number. In a large one
- * rows of pairs pass through a ring buffer of DEM_FORCE_BUFFER_ROWS places that stays in the
- * second-level cache, instead of through memory: a particle is summed shortly after its last row has
- * been computed. Rows that are summed later (deferred) are copied to a place of their own behind the
- * ring, and so are those of walls. The ring is used where at most one row in eight is deferred.
+ * Forces and moments are records in slots. In a small scene the slot of a row is its number. In a
+ * large one rows of pairs pass through the first DEM_FORCE_BUFFER_ROWS slots, a ring buffer that stays
+ * in the second-level cache: a particle is summed shortly after its last row has been computed, and
+ * then the slot is used again. Rows that are summed later are deferred: they are copied to slots of
+ * their own behind the ring. Rows of walls have slots of their own, too. The ring is used where at most
+ * one row in eight is deferred.
  *
- * After a step all contact forces are there only where something reads them: see `keep`.
+ * So after a step only rows of walls have their forces. `all_rows` keeps those of all rows after an
+ * observed step. A step is observed if something reads the state after it: the end of a window, a
+ * sample, a backup, the energy balance.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -20,7 +23,8 @@
 
 enum
 {
-    DEM_FORCE_BUFFER_ROWS = 4096  /* places of the ring, 256 kB: two layers of a bed of 40 by 40 */
+    DEM_FORCE_BUFFER_ROWS = 4096  /* slots of the ring, 256 kB of forces: two layers of a bed of 40 by
+                                     40 */
 };
 
 /* contact force of a row; one cache line */
@@ -48,21 +52,20 @@ struct dem_contact_forces
 {
     int moments, has_energy;                      /* 1: an effect makes moments; one acts past
                                                      touching */
-    int keep;                                     /* 1: after an observed step the forces of all rows
-                                                     are read: bonds, virial */
-    uint32_t ring;                                /* DEM_FORCE_BUFFER_ROWS, or 0: no ring */
-    struct dem_contact_force *force;              /* per place */
-    struct dem_contact_moment *moment;            /* per place; NULL without `moments` */
-    size_t capacity;                              /* places */
-    uint32_t *kept_row;                           /* row of each place behind the ring; the first
-                                                     has no row, and force 0 */
-    size_t kept, kept_capacity;
-    size_t first_deferred;                        /* the first of kept_row that is deferred;
-                                                     ascending from there on */
+    int all_rows;                                 /* 1: bonds, averages or the virial read the forces
+                                                     of all rows */
+    uint32_t ring;                                /* slots of the ring: DEM_FORCE_BUFFER_ROWS, or 0 */
+    struct dem_contact_force *force;              /* per slot */
+    struct dem_contact_moment *moment;            /* per slot; NULL without `moments` */
+    size_t capacity;                              /* slots */
+    size_t own_slots, slot_row_capacity;          /* slots behind the ring: */
+    uint32_t *slot_row;                           /* the row of each; the first has none, the force 0 */
+    size_t first_deferred;                        /* from this one on they are of deferred rows,
+                                                     ascending; before it of walls */
     uint64_t *deferred;                           /* a bit per row: 1 where it is deferred */
     uint32_t *deferred_before;                    /* per word of these: bits before it */
     size_t deferred_capacity, before_capacity;    /* words */
-    struct dem_contact_force *row_force;          /* per row; NULL without ring or without `keep` */
+    struct dem_contact_force *row_force;          /* per row; NULL without ring or `all_rows` */
     struct dem_contact_moment *row_moment;
     size_t row_force_capacity;
     struct dem_contact_energy *energy;            /* per row; NULL without `has_energy` */
@@ -70,11 +73,11 @@ struct dem_contact_forces
     double *rate;                                 /* 2 per row and scalar: what i and j receive;
                                                      NULL without `rates` */
     size_t row_capacity;                          /* rows of these two */
-    int64_t touching;                             /* rows with overlap in the last observed step whose
-                                                     i is owned */
+    int64_t touching;                             /* rows with overlap whose i is owned; valid after
+                                                     an observed step */
 };
 
-/* Force and moment of any row after an observed step, with `keep`. */
+/* Force and moment of any row after an observed step, with `all_rows`. */
 static inline const struct dem_contact_force *
 dem_contact_forces_of_row(const struct dem_contact_forces *c, uint32_t row)
 {
@@ -87,12 +90,21 @@ dem_contact_moments_of_row(const struct dem_contact_forces *c, uint32_t row)
     return (c->ring ? c->row_moment : c->moment) + row;
 }
 
-/* The place of the first row of a batch. */
-static inline uint32_t dem_contact_forces_place(const struct dem_contact_forces *c,
-                                                const struct dem_segment *segment, int with_wall,
-                                                uint32_t row)
+/* The slot of the first row of a batch. */
+static inline uint32_t dem_contact_forces_slot(const struct dem_contact_forces *c,
+                                               const struct dem_segment *segment, int with_wall,
+                                               uint32_t row)
 {
-    return with_wall || !c->ring ? segment->place + (row - segment->first) : row & (c->ring - 1);
+    return with_wall || !c->ring ? segment->slot + (row - segment->first) : row & (c->ring - 1);
+}
+
+/* The oldest row in the ring when a particle is summed, at the end of the batch of rows that holds the
+   last one it needs; below 0 while the ring has not been filled. */
+static inline int64_t dem_contact_forces_oldest(const struct dem_contact_rows *rows,
+                                                size_t particle)
+{
+    return (int64_t)rows->needed[particle/DEM_BATCH_ROWS] + 2*DEM_BATCH_ROWS -
+           DEM_FORCE_BUFFER_ROWS;
 }
 
 /* The row of an entry of a particle; the one past the last where the entry has none. */
@@ -100,33 +112,32 @@ static inline uint32_t dem_contact_forces_row(const struct dem_contact_forces *c
                                               const struct dem_contact_rows *rows, size_t particle,
                                               uint32_t entry)
 {
-    const uint32_t place = entry >> DEM_ENTRY_PLACE_SHIFT;
-    /* the oldest row in the ring when this particle is summed */
-    const uint32_t oldest = rows->needed[particle/DEM_BATCH_ROWS] + 2*DEM_BATCH_ROWS - c->ring;
+    const uint32_t slot = entry >> DEM_ENTRY_SLOT_SHIFT;
+    const uint32_t oldest = (uint32_t)dem_contact_forces_oldest(rows, particle);
 
-    return !c->ring          ? place
-           : place < c->ring ? oldest + ((place - oldest) & (c->ring - 1))
-                             : c->kept_row[place - c->ring];
+    return !c->ring         ? slot
+           : slot < c->ring ? oldest + ((slot - oldest) & (c->ring - 1))
+                            : c->slot_row[slot - c->ring];
 }
 
 void dem_contact_forces_free(struct dem_contact_forces *);
 
-/* Bytes held; of the ring; of a row in a scene without ring, or at most with one. */
+/* Bytes held; of the ring; of a row of a pair in a scene without ring, or at most with one. */
 size_t dem_contact_forces_bytes(const struct dem_contact_forces *);
 size_t dem_contact_forces_ring_bytes(const struct dem_contact_forces *);
 size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *, int ring);
 
-/* After rows and adjacency are built: choose whether there is a ring, and give rows their places:
-   those of entries and segments change. n: owned particles. */
-int dem_contact_forces_place_rows(struct dem_contact_forces *, struct dem_contact_rows *,
-                                  const struct dem_pair_list *, size_t n);
+/* After rows and adjacency are built: choose whether there is a ring, and assign slots to entries and
+   segments, which have the numbers of rows so far. n: owned particles. */
+int dem_contact_forces_assign_slots(struct dem_contact_forces *, struct dem_contact_rows *,
+                                    const struct dem_pair_list *, size_t n);
 
 /* Energies and rates of `capacity` rows, those of the first n zero. */
 int dem_contact_forces_resize(struct dem_contact_forces *, size_t n, size_t capacity);
 void dem_contact_forces_clear(struct dem_contact_forces *);    /* free these */
 
-/* Forces and moments, zero until a sweep writes them. While history is saved there are neither rows
-   nor contact forces: this keeps the peak of memory low. */
+/* Forces and moments, to be written by a sweep; those of entries without a row are zero. While history
+   is saved there are neither rows nor contact forces: this keeps the peak of memory low. */
 int dem_contact_forces_allocate(struct dem_contact_forces *, const struct dem_contact_rows *);
 void dem_contact_forces_release(struct dem_contact_forces *);
 

@@ -40,8 +40,8 @@ void dem_contact_rows_clear(struct dem_contact_rows *c)
 size_t dem_contact_rows_bytes(const struct dem_contact_rows *c)
 {
     return c->capacity*(sizeof *c->pair + sizeof *c->partners) +
-           c->start_capacity*sizeof *c->start +
-           c->entry_capacity*sizeof *c->entry;
+           c->start_capacity*sizeof *c->start + c->entry_capacity*sizeof *c->entry +
+           c->needed_capacity*sizeof *c->needed;
 }
 
 static size_t count_rows(const struct dem_contact_rows *c, const struct dem_pair_list *p,
@@ -67,7 +67,7 @@ static void number_rows(struct dem_contact_rows *c, struct dem_pair_list *p, con
 
     for (int s = 0; s < c->classes; s++)
     {
-        c->segment[s].first = c->segment[s].place = row;
+        c->segment[s].first = c->segment[s].slot = row;
         for (; k < p->n && p->pair[k].class == s; k++)
         {
             struct dem_pair *const q = &p->pair[k];
@@ -111,9 +111,9 @@ int dem_contact_rows_number(struct dem_contact_rows *c, struct dem_pair_list *p,
                             const uint8_t *near, size_t particles, const uint32_t **from)
 {
     /* grow by little: rows take most of all memory */
-    /* the places of a force buffer come before those of rows */
+    /* slots are 32 bits; with a ring there are some thousands more than rows (contact_forces.h) */
     const size_t limit = count_rows(c, p, near),
-                 most = (UINT32_MAX >> DEM_ENTRY_PLACE_SHIFT) - (1 << 14);
+                 most = (UINT32_MAX >> DEM_ENTRY_SLOT_SHIFT) - (1 << 14);
 
     DEM_REQUIRE(limit <= most, DEM_ERROR_MEMORY, "a rank has %zu candidate contacts; the limit is %zu; use "
                 "more ranks", limit, most);
@@ -148,14 +148,14 @@ int dem_contact_rows_build_adjacency(struct dem_contact_rows *c, const struct de
             const uint32_t near = q->row != DEM_ROW_NONE,
                            needs = (near & !q->wall) ? q->row + 1 : 0;
 
-            c->entry[at] = q->row << DEM_ENTRY_PLACE_SHIFT | (p->entry[e] & DEM_ENTRY_SIDE);
+            c->entry[at] = q->row << DEM_ENTRY_SLOT_SHIFT | (p->entry[e] & DEM_ENTRY_SIDE);
             at += near;
             ready = needs > ready ? needs : ready;
         }
         c->needed[i/DEM_BATCH_ROWS] = ready;
         while (at == c->start[i] || (at - c->start[i])%DEM_ENTRIES_AT_ONCE)
         {
-            c->entry[at++] = c->n << DEM_ENTRY_PLACE_SHIFT;
+            c->entry[at++] = c->n << DEM_ENTRY_SLOT_SHIFT;
         }
         c->entry[at - 1] |= DEM_ENTRY_LAST;
     }

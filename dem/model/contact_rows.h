@@ -12,11 +12,11 @@
 
 #include "model/pair_list.h"
 
-enum                           /* bits of an entry, below the place of the contact force of its row */
+enum                           /* bits of an entry, below the slot of the contact force of its row */
 {
     DEM_ENTRY_SIDE = 1,        /* 1: of j */
     DEM_ENTRY_LAST = 2,        /* 1: the last one of its particle */
-    DEM_ENTRY_PLACE_SHIFT = 3, /* so that place times the size of a contact force is 8 times the
+    DEM_ENTRY_SLOT_SHIFT = 3,  /* so that slot times the size of a contact force is 8 times the
                                   entry without bits */
     DEM_ENTRIES_AT_ONCE = 2    /* a particle has a multiple of this */
 };
@@ -45,8 +45,8 @@ struct dem_row_partners
 struct dem_segment
 {
     uint32_t first, count;
-    uint32_t place;               /* of the contact force of the first row, where it has one that
-                                     lasts (contact_forces.h) */
+    uint32_t slot;                /* of the contact force of the first row (contact_forces.h); with a
+                                     ring only of walls */
 };
 
 struct dem_contact_rows
@@ -59,9 +59,9 @@ struct dem_contact_rows
     struct dem_segment *segment;         /* one per class */
     int classes;
     size_t start_capacity, entry_capacity, needed_capacity;
-    uint32_t *start, *entry;             /* of each owned particle: place and bits, made up to a
+    uint32_t *start, *entry;             /* of each owned particle: slot and bits, made up to a
                                             multiple of DEM_ENTRIES_AT_ONCE, and at least that, by
-                                            the row past the last, whose force is zero */
+                                            entries without a row, whose force is zero */
     uint32_t *needed;                    /* per batch of owned particles: number of pair rows that
                                             must be computed (with all wall rows) before this batch
                                             and all before it can be summed */
@@ -72,8 +72,8 @@ void dem_contact_rows_free(struct dem_contact_rows *);
 size_t dem_contact_rows_bytes(const struct dem_contact_rows *);
 
 /* Make a row of each pair marked in `near` (one byte per pair), then the adjacency of the owned
-   particles, of this number; places are rows. *from: former index of each row, DEM_ROW_NONE for a new one; valid
-   until dem_contact_rows_build_adjacency, which needs its memory. */
+   particles, of this number; its slots are rows. *from: former index of each row, DEM_ROW_NONE for a
+   new one; valid until dem_contact_rows_build_adjacency, which needs its memory. */
 int dem_contact_rows_number(struct dem_contact_rows *, struct dem_pair_list *, const uint8_t *near,
                             size_t particles, const uint32_t **from);
 int dem_contact_rows_build_adjacency(struct dem_contact_rows *, const struct dem_pair_list *,

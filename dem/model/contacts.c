@@ -17,7 +17,7 @@ int dem_contacts_init(struct dem_contacts *c, const struct dem_interaction_table
     memset(c, 0, sizeof *c);
     c->history.columns = r->history_columns;
     c->forces.moments = r->moments;
-    c->forces.has_energy = c->forces.keep = r->past_touching;
+    c->forces.has_energy = c->forces.all_rows = r->past_touching;
     c->forces.rates = r->contact_scalars ? r->listed : 0;
     return dem_contact_rows_init(&c->rows, r->classes);
 }
@@ -61,7 +61,7 @@ int dem_contacts_prune(struct dem_contacts *c, const struct dem_particles *p, co
     DEM_TRY(dem_contact_forces_resize(&c->forces, c->rows.n + DEM_PADDING_ROWS,
                                       c->rows.capacity));
     DEM_TRY(dem_contact_rows_build_adjacency(&c->rows, &c->pairs, p->n));
-    DEM_TRY(dem_contact_forces_place_rows(&c->forces, &c->rows, &c->pairs, p->n));
+    DEM_TRY(dem_contact_forces_assign_slots(&c->forces, &c->rows, &c->pairs, p->n));
     return c->history.saved > 0 ? DEM_OK : dem_contact_forces_allocate(&c->forces, &c->rows);
 }
 

@@ -36,7 +36,7 @@ dem_contacts_wall_force(const struct dem_contacts *c, uint32_t row)
 {
     const struct dem_segment *const s = &c->rows.segment[dem_contacts_pair(c, row)->class];
 
-    return &c->forces.force[s->place + (row - s->first)];
+    return &c->forces.force[s->slot + (row - s->first)];
 }
 
 static inline const struct dem_contact_moment *
@@ -44,7 +44,7 @@ dem_contacts_wall_moment(const struct dem_contacts *c, uint32_t row)
 {
     const struct dem_segment *const s = &c->rows.segment[dem_contacts_pair(c, row)->class];
 
-    return &c->forces.moment[s->place + (row - s->first)];
+    return &c->forces.moment[s->slot + (row - s->first)];
 }
 
 int dem_contacts_init(struct dem_contacts *, const struct dem_interaction_table *);

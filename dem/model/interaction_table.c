@@ -132,6 +132,9 @@ static int add_scalar(struct dem_interaction_table *r, const struct dem_scalar *
     DEM_REQUIRE(*at < DEM_SCALARS, DEM_ERROR_INPUT,
                 "%s: the effects need more than %d particle scalars; choose fewer effects", where,
                 DEM_SCALARS);
+    DEM_REQUIRE(known >= 0 || s->batch.body || r->scalars == r->listed, DEM_ERROR_INPUT,
+                "%s: the particle scalar %s comes after those with columns in batches; list it before "
+                "them", where, s->name);
     r->scalar[*at] = s;
     r->scalars += known < 0;
     r->listed += known < 0 && !s->batch.body;

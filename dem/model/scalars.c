@@ -20,15 +20,19 @@ static void add_to(struct dem_column_list *list, int column)
 }
 
 /* A column that batches have, and ghosts if an effect of contacts reads it. */
-static void add_batch_column(struct dem_particles *p, const struct dem_interaction_table *r,
-                             const struct dem_scalar *s, int column)
+static int add_batch_column(struct dem_particles *p, const struct dem_interaction_table *r,
+                            const struct dem_scalar *s, int column)
 {
+    DEM_REQUIRE(p->batch.n < DEM_BATCH_COLUMNS, DEM_ERROR_INPUT,
+                "particle scalar %s: batches have more than %d columns of scalars", s->name,
+                (int)DEM_BATCH_COLUMNS);
     if (dem_interaction_table_needs(r) & s->batch.contact_needs)
     {
         add_to(&p->ghost_window, column);
     }
     p->batch.at[p->batch.n].column = column;
     p->batch.at[p->batch.n++].to = &s->batch;
+    return DEM_OK;
 }
 
 int dem_scalars_add_columns(struct dem_particles *p, const struct dem_interaction_table *r)
@@ -53,7 +57,7 @@ int dem_scalars_add_columns(struct dem_particles *p, const struct dem_interactio
         }
         if (k >= r->listed)
         {
-            add_batch_column(p, r, r->scalar[k], column);
+            DEM_TRY(add_batch_column(p, r, r->scalar[k], column));
         }
     }
     for (int k = 0; k < r->scalars; k++)

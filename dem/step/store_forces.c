@@ -10,34 +10,34 @@
 #include "step/vec4.h"
 #include <string.h>
 
-struct dem_force_slot dem_store_slot(const struct dem_contact_forces *c, uint32_t place)
+struct dem_batch_forces dem_store_target(const struct dem_contact_forces *c, uint32_t slot)
 {
-    return (struct dem_force_slot){.force = c->force + place,
-                                   .moment = c->moment ? c->moment + place : NULL};
+    return (struct dem_batch_forces){.force = c->force + slot,
+                                     .moment = c->moment ? c->moment + slot : NULL};
 }
 
 size_t dem_store_deferred(struct dem_contact_forces *c, size_t copied, uint32_t end)
 {
-    for (; c->ring && c->first_deferred + copied < c->kept; copied++)
+    for (; c->ring && c->first_deferred + copied < c->own_slots; copied++)
     {
         const size_t to = c->ring + c->first_deferred + copied;
-        const uint32_t row = c->kept_row[c->first_deferred + copied], place = row & (c->ring - 1);
+        const uint32_t row = c->slot_row[c->first_deferred + copied], slot = row & (c->ring - 1);
 
         if (row >= end)
         {
             break;
         }
-        c->force[to] = c->force[place];
+        c->force[to] = c->force[slot];
         if (c->moment)
         {
-            c->moment[to] = c->moment[place];
+            c->moment[to] = c->moment[slot];
         }
     }
     return copied;
 }
 
-void dem_store_observed(struct dem_contacts *c, const struct dem_force_slot *from,
-                              uint32_t row, int rows, size_t n)
+void dem_store_observed(struct dem_contacts *c, const struct dem_batch_forces *from, uint32_t row,
+                        int rows, size_t n)
 {
     struct dem_contact_forces *const f = &c->forces;
 
@@ -112,7 +112,7 @@ static void store_moments(const struct dem_contact_batch *restrict b,
 }
 
 int dem_store_forces(const struct dem_contact_batch *b, double factor, int past_touching,
-                           double max_overlap, struct dem_force_slot to)
+                     double max_overlap, struct dem_batch_forces to)
 {
     if (to.moment)
     {

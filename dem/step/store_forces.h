@@ -1,5 +1,5 @@
 /*
- * store_forces.h -- store the contact forces of a batch in the places of its rows
+ * store_forces.h -- store the contact forces of a batch in the slots of its rows
  * (model/contact_forces.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -10,30 +10,30 @@
 #include "effects/batch.h"
 #include "model/contacts.h"
 
-struct dem_force_slot                       /* of the rows of a batch */
+struct dem_batch_forces                       /* of the rows of a batch */
 {
     struct dem_contact_force *force;
     struct dem_contact_moment *moment;      /* NULL: the scene has none */
 };
 
-/* The places of a batch, from that of its first row on. */
-struct dem_force_slot dem_store_slot(const struct dem_contact_forces *, uint32_t place);
+/* The slots of a batch, from that of its first row on. */
+struct dem_batch_forces dem_store_target(const struct dem_contact_forces *, uint32_t slot);
 
-/* Store the contact forces and moments of a batch. The lever arm is the radius minus `factor` times the overlap
-   (1/2 at a pair, 1 at a wall). In a class that acts past touching, the gap is a negative overlap.
-   Lanes past the last row are written to the padding of their class. Returns 1 when a row may overlap
-   by more than `max_overlap` of the smaller diameter, or its force is not a number. */
+/* Store the contact forces and moments of a batch. The lever arm is the radius minus `factor` times
+   the overlap (1/2 at a pair, 1 at a wall). In a class that acts past touching, the gap is a negative
+   overlap. Lanes past the last row are written to the padding of their class. Returns 1 when a row may
+   overlap by more than `max_overlap` of the smaller diameter, or its force is not a number. */
 int dem_store_forces(const struct dem_contact_batch *, double factor, int past_touching,
-                           double max_overlap, struct dem_force_slot);
+                     double max_overlap, struct dem_batch_forces);
 
 /* Copy the deferred rows before `end`, which are summed after the ring has wrapped around, to their
-   own places. `copied`: number of deferred rows copied so far. Returns this number after the
+   own slots. `copied`: number of deferred rows copied so far. Returns this number after the
    call. */
 size_t dem_store_deferred(struct dem_contact_forces *, size_t copied, uint32_t end);
 
 /* In an observed step: count the contacts of owned particles in a batch, and keep its forces per row
    where they are asked for. n: owned particles. */
-void dem_store_observed(struct dem_contacts *, const struct dem_force_slot *, uint32_t row,
-                              int rows, size_t n);
+void dem_store_observed(struct dem_contacts *, const struct dem_batch_forces *, uint32_t row,
+                        int rows, size_t n);
 
 #endif

@@ -15,15 +15,16 @@ typedef int64_t mask4 __attribute__((vector_size(32), aligned(16), may_alias));
 /* Sign of a row's force on i, and on j. */
 static const double sides[2] = {1.0, -1.0};
 
-_Static_assert(sizeof(struct dem_contact_force) == 8 << DEM_ENTRY_PLACE_SHIFT &&
-                   sizeof(struct dem_contact_moment) == 4 << DEM_ENTRY_PLACE_SHIFT,
-               "records of a place follow from an entry without a shift");
+_Static_assert(DEM_ENTRIES_AT_ONCE == 2, "the loops below take two entries at a time");
+_Static_assert(sizeof(struct dem_contact_force) == 8 << DEM_ENTRY_SLOT_SHIFT &&
+                   sizeof(struct dem_contact_moment) == 4 << DEM_ENTRY_SLOT_SHIFT,
+               "records of a slot follow from an entry without a shift");
 
-/* The record of an entry's place: `bytes` are those of a record over 2^DEM_ENTRY_PLACE_SHIFT. */
+/* The record of an entry's slot: `bytes` are those of a record over 2^DEM_ENTRY_SLOT_SHIFT. */
 __attribute__((always_inline)) static inline const void *record_of(const void *records,
                                                                    uint32_t entry, size_t bytes)
 {
-    return (const char *)records + bytes*(entry & ~((1u << DEM_ENTRY_PLACE_SHIFT) - 1));
+    return (const char *)records + bytes*(entry & ~((1u << DEM_ENTRY_SLOT_SHIFT) - 1));
 }
 
 /* Adds {f, arm, t, spare} of a row, times its sign and times the lever arm. */

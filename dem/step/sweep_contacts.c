@@ -281,7 +281,7 @@ struct rows    /* of a batch: the first, their number, where their forces are st
 {
     uint32_t row;
     int rows;
-    struct dem_force_slot to;
+    struct dem_batch_forces to;
 };
 
 /* A batch: gather, apply the effects, store the forces. */
@@ -312,8 +312,8 @@ static int sweep_batch(struct dem_state *p, struct dem_contact_workspace *t,
     {
         DEM_TRY(dem_bonds_record(p, &t->batch, row, rows));
     }
-    if (dem_store_forces(&t->batch, effects->pair.with_wall ? 1.0 : 0.5,
-                               effects->past_touching, p->limits.overlap, at->to))
+    if (dem_store_forces(&t->batch, effects->pair.with_wall ? 1.0 : 0.5, effects->past_touching,
+                         p->limits.overlap, at->to))
     {
         dem_limits_check_record(p, t, row, rows);
     }
@@ -347,7 +347,7 @@ static int sweep_batch_with_scalars(struct dem_state *p, struct dem_contact_work
     return status;
 }
 
-/* Sum, or kick, too, the particles that no contact row from `rows` on acts on. */
+/* Sum the particles that no contact row from `rows` on acts on, and kick them if the pass does. */
 static void finish_ready(struct dem_body_pass *bodies, const struct dem_contacts *c, uint32_t rows)
 {
     while (bodies->next < bodies->particles->n &&
@@ -357,8 +357,8 @@ static void finish_ready(struct dem_body_pass *bodies, const struct dem_contacts
     }
 }
 
-/* All batches of a pair class; with `bodies`, particles are summed, or kicked, too, as soon as they
-   can be. `deferred`: rows of this kind that are copied. */
+/* All batches of a pair class; with `bodies`, particles are worked on as soon as they can be.
+   *deferred: deferred rows copied so far, over all classes. */
 static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int class,
                        size_t *deferred, struct dem_body_pass *bodies)
 {
@@ -373,8 +373,8 @@ static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int
             seg->count - done < DEM_BATCH_ROWS ? (int)(seg->count - done) : DEM_BATCH_ROWS;
         const struct rows at = {.row = seg->first + done,
                                 .rows = rows,
-                                .to = dem_store_slot(
-                                    forces, dem_contact_forces_place(forces, seg, with_wall,
+                                .to = dem_store_target(
+                                    forces, dem_contact_forces_slot(forces, seg, with_wall,
                                                                      seg->first + done))};
 
         if (effects->scalars)

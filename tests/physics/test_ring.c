@@ -1,13 +1,13 @@
 /*
- * test_ring.c -- output does not change the run: the force buffer (model/contacts.h).
+ * test_ring.c -- output does not change the run: the force buffer (model/contact_forces.h).
  *
- * Between two outputs contact forces go through a ring buffer and are not stored.
+ * Contact forces go through a ring buffer, and are kept after a step of output only.
  * - A layer of touching spheres ends with the same bits, forces included, whether its means are
  *   sampled in every step, in some or in none.
  * - With periodic faces across it some rows exceed the ring and are deferred; a scene of few rows
  *   has no ring.
  *
- * Reference: a step with output, which stores every contact force at its own index.
+ * Reference: a step with output, which keeps every contact force.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -101,8 +101,8 @@ static void compare(int high, int round)
     {
         const struct dem_contact_forces *const f = &never->state.contacts.forces;
 
-        TAP_OK(f->kept > f->first_deferred, "%zu rows are deferred beyond it",
-               f->kept - f->first_deferred);
+        TAP_OK(f->own_slots > f->first_deferred, "%zu rows are deferred beyond it",
+               f->own_slots - f->first_deferred);
     }
     TAP_OK(bits(always, count) == bits(never, count),
            "%d spheres: the same bits when sampled in every step and never", count);
