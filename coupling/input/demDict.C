@@ -153,15 +153,20 @@ void Foam::demDict::readStart(const bool settle)
     }
 
     dict_.subDict("start").readEntry("snapshot", snapshot_);
-    dict_.remove("start");
     snapshot_.expand();
 
     if (!snapshot_.isAbsolute())
     {
         snapshot_ = mesh_.time().globalPath()/snapshot_;
     }
-    if (!settle)
+    if (settle)
     {
+        dict_.remove("start");
+    }
+    else
+    {
+        // frozen and particle scalars are the core's to read
+        dict_.subDict("start").set("snapshot", snapshot_);
         dropGroups(false);
     }
 }

@@ -36,6 +36,12 @@ static int fill(struct dem_state *q, const struct dem_state *p, const struct dem
 
         q->particles.record[k] =
             dem_particle_sphere(k, x, d, p->interaction_table.material[material].density, material);
+        if (p->interaction_table.motionless)              /* frozen, so that any step is stable */
+        {
+            q->particles.record[k].flags = DEM_PARTICLE_FROZEN;
+            q->particles.record[k].inverse_mass = 0.0;
+            q->particles.record[k].inverse_inertia = 0.0;
+        }
         if (dem_column(&q->particles, DEM_COLUMN_FLUID_DENSITY))
         {
             dem_column(&q->particles, DEM_COLUMN_FLUID_DENSITY)[k] = s->fluid_density;

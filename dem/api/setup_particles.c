@@ -240,6 +240,13 @@ static void remove_added_mass(struct dem_particles *p)
     }
 }
 
+/* 1 when the scene has the entry `start` and the run begins by it: from its snapshot, or from one that
+   dem_start names. */
+static int has_start(const struct dem *d)
+{
+    return d->scene.snapshot && d->start_checked;
+}
+
 /* Particles of a snapshot keep the scalars that it has. The scene's entry `start` may give others;
    scalars that neither has get the default of their row. */
 static int complete_scalars(struct dem *d)
@@ -251,8 +258,8 @@ static int complete_scalars(struct dem *d)
     {
         const struct dem_scalar_entry fallback = {.min = r->scalar[k]->default_value,
                                                   .max = r->scalar[k]->default_value};
-        const struct dem_scalar_entry *const start = d->scene_start ? &d->scene.start_scalar[k]
-                                                                    : &fallback;
+        const struct dem_scalar_entry *const start = has_start(d) ? &d->scene.start_scalar[k]
+                                                                  : &fallback;
         const int in_file = (d->snapshot_flows.scalars >> k & 1) != 0;
 
         DEM_REQUIRE(in_file || start->given || !isnan(r->scalar[k]->default_value), DEM_ERROR_INPUT,
@@ -269,7 +276,7 @@ static int complete_scalars(struct dem *d)
 /* The scene's entry start/frozen. */
 static void freeze_or_free(struct dem *d)
 {
-    for (size_t i = 0; d->scene_start && d->scene.start_frozen >= 0 && i < d->state.particles.n; i++)
+    for (size_t i = 0; has_start(d) && d->scene.start_frozen >= 0 && i < d->state.particles.n; i++)
     {
         struct dem_particle *const r = &d->state.particles.record[i];
         const int frozen = d->scene.start_frozen;

@@ -524,10 +524,10 @@ int dem_snapshot_hash(const char *path, uint64_t *hash);
    The file is read in dem_setup. */
 int dem_load(struct dem *, const char *path);
 
-/* The same for a state that another run has made, as the scene's entry `start` does: dem_setup
-   refuses an overlap with a wall of more than 0.05 of a diameter that is also more than twice the
-   largest between particles. dem_start_overlap: what it found, after dem_setup; zeros without a
-   check. */
+/* The same for a state that another run has made, as the scene's entry `start` does, whose other
+   entries hold if the scene has one: dem_setup refuses an overlap with a wall of more than 0.05 of a
+   diameter that is also more than twice the largest between particles. dem_start_overlap: what it
+   found, after dem_setup; zeros without a check. */
 int dem_start(struct dem *, const char *path);
 void dem_start_overlap(const struct dem *, struct dem_start_overlap *);
 

@@ -6,7 +6,8 @@
  * - Two spheres exchange what the difference of temperatures decays by, at unlike conductivities and
  *   capacities; their energy is kept to rounding.
  * - The radius of a contact that is softer than real is that of the real one under the same force.
- * - Particles that a scene freezes at its start conduct as before, and only heat limits the step.
+ * - Particles that a scene freezes at its start conduct as before, and only heat limits the step; the
+ *   plan of such a scene is made.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -171,6 +172,12 @@ static void test_frozen_start(void)
     TAP_NEAR(T[0] - T[1], 100.0*(1.0 - 2.0*step*H/C), 1e-8*100.0, "it conducts in this step");
     TAP_OK(fabs(fabs(world_at(d, 0).x[0] - world_at(d, 1).x[0]) - (2.0*R - overlap)) < 1e-15,
            "and does not move");
+
+    /* the plan times spheres of its own at this step: they are frozen, too */
+    const char *report;
+
+    TAP_OK(dem_plan(d, &(struct dem_run_info){.duration = 1.0}, &report) == DEM_OK,
+           "its plan is made at this step: %s", dem_error_text());
     free(text);
     dem_free(d);
     text = world_text("%s start { snapshot \"test_heat.dem\"; temperature 350; }", physics);

@@ -1,0 +1,74 @@
+"""draw.py -- Nu over U beside the measured law; the bed, cut open, with the hot spheres coloured by
+temperature.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import numpy
+
+import evaluate
+import render           # of muellerBed, in the path by results, like spheres and style
+import spheres
+from style import COLOURS, OURS, OTHER, REFERENCE, plt, save
+
+ZERO = 273.15
+LOOKS = {"wakao": (OURS, "o"), "gunn": (OTHER, "s"), "ranzMarshall": (COLOURS[3], "^")}
+HEAT = plt.get_cmap("autumn_r")
+
+
+def draw_nusselt(case, found, lifting):
+    sizes = sorted({ds for _, ds, _, _ in found})
+    figure, places = plt.subplots(1, len(sizes), figsize=(8, 3.4))
+    for axes, ds in zip(places, sizes):
+        run = found[0][0]
+        speed = numpy.linspace(0.4, 1.02*max(row[0].speed for row in found)/lifting, 200)
+        axes.plot(speed, evaluate.measured(numpy.minimum(speed, 1)*lifting, ds, run.db, run.nu), "-",
+                  color=REFERENCE, lw=1.5, label="measured, Collier et al. 2004")
+        for law, (colour, mark) in LOOKS.items():
+            rows = [row for row in found if row[1] == ds and row[0].law == law and row[0].plain]
+            axes.errorbar([row[0].speed/lifting for row in rows], [row[2] for row in rows],
+                          [row[3] or 0 for row in rows], fmt=mark, color=colour, ms=4.5, capsize=2, lw=1,
+                          label=f"Suna, {law}")
+        rows = [row for row in found if row[1] == ds and row[0].conducts]
+        axes.plot([row[0].speed/lifting for row in rows], [row[2] for row in rows], "x", color="black",
+                  ms=7, label="Suna, wakao and conduction")
+        axes.axvline(1, color="0.7", lw=0.8, zorder=0)
+        axes.set(xlabel="U/Umf", ylabel="Nu", ylim=(0, None), title=f"spheres of {1e3*ds:g} mm")
+    places[-1].legend(loc="lower right", fontsize=7)
+    figure.tight_layout()
+    save(figure, case/"nusselt.png")
+
+
+def draw_bed(case, runs, height=0.16):
+    """A bed at rest and a moving one at three instants, beads in front of the middle left out."""
+    still = next(run for run in runs if run.law == "wakao" and not run.moves)
+    moving = [run for run in runs if run.law == "wakao" and run.moves and run.plain]
+    panels = [(still, len(still.time) - 1)]
+    if moving:
+        run = moving[len(moving)//2]
+        panels += [(run, int(numpy.argmin(abs(run.time - time)))) for time in (1, 2.5, run.time[-1])]
+    figure, places = plt.subplots(1, len(panels), squeeze=False, figsize=(1.9*len(panels) + 0.5, 4.4))
+    for axes, (run, k) in zip(places.flat, panels):
+        lines = render.box((0, 0, 0), (run.high[0], run.high[1], height))
+        camera = spheres.axes(render.FRONT, (0, 0, 1))
+        ends = numpy.concatenate([line @ camera.T for line in lines])[:, :2]
+        window = (*(ends.min(axis=0) - 1e-3), *(ends.max(axis=0) + 1e-3))
+        folder = run.folders[k]
+        place = evaluate.column(folder/"positions")[:, :3]
+        diameter = numpy.resize(evaluate.column(folder/"d")[:, 0], len(place))
+        hot = evaluate.column(folder/"material")[:, 0] == 0
+        share = (evaluate.column(folder/"temperature")[:, 0] - run.cold)/120
+        paint = numpy.where(hot[:, None], HEAT(numpy.clip(share, 0, 1))[:, :3], (0.80, 0.86, 0.92))
+        shown = (hot | (place[:, 1] > 0.5*run.high[1])) & (place[:, 2] < height)
+        picture = spheres.draw(place[shown], 0.5*diameter[shown], paint[shown], window,
+                               420/(window[2] - window[0]), render.FRONT)
+        axes.imshow(picture, extent=(window[0], window[2], window[1], window[3]), zorder=1)
+        for line in lines:
+            at = line @ camera.T
+            axes.plot(at[:, 0], at[:, 1], color="0.55", lw=0.8, zorder=0)
+        axes.set(xlim=window[0::2], ylim=window[1::2])
+        axes.set_title(f"{run.speed:g} m/s, {run.time[k]:g} s", fontsize=8)
+        axes.axis("off")
+    bar = figure.colorbar(plt.cm.ScalarMappable(plt.Normalize(20, 140), HEAT), ax=places, shrink=0.6,
+                          pad=0.01, aspect=25)
+    bar.set_label("bronze [C]", fontsize=8)
+    save(figure, case/"bed.png", dpi=140)
