@@ -22,11 +22,12 @@ int dem_scalar_require(const struct dem_interaction_table *r, int scalar, double
     return DEM_OK;
 }
 
-static bool has_scalar(const struct dem_effect *effect, const char *name)
+/* `last`: the last stage that counts. */
+static bool has_scalar(const struct dem_effect *effect, enum dem_stage last, const char *name)
 {
     for (const struct dem_scalar *const *s = effect->scalars; s && *s; s++)
     {
-        if (!(*s)->fluid_entry && strcmp((*s)->name, name) == 0)
+        if (!(*s)->fluid_entry && effect->stage <= last && strcmp((*s)->name, name) == 0)
         {
             return true;
         }
@@ -34,33 +35,34 @@ static bool has_scalar(const struct dem_effect *effect, const char *name)
     return false;
 }
 
-/* Entries with the name of a scalar that only effects which the scene does not have know. */
-static int refuse_foreign(const struct dem_dict *dict, const struct dem_interaction_table *r)
+/* Refuse the name of a scalar that no effect of the scene has, with those that have it. */
+static int refuse_unused(const struct dem_dict *dict, const struct dem_interaction_table *r,
+                         enum dem_stage last)
 {
     for (size_t k = 0; k < dem_dict_count(dict); k++)
     {
         const struct dem_entry *const e = dem_dict_entry(dict, k);
         char effects[256] = "";
-        bool known = false;
+        bool used = false;
 
-        for (int m = 0; m < r->scalars; m++)
+        for (int m = 0; m < r->chosen; m++)
         {
-            known = known || strcmp(r->scalar[m]->name, dem_entry_name(e)) == 0;
+            used = used || has_scalar(r->effect[m], last, dem_entry_name(e));
         }
-        for (int m = 0; !known && dem_effects[m]; m++)
+        for (int m = 0; !used && dem_effects[m]; m++)
         {
             const size_t n = strlen(effects);
 
-            if (has_scalar(dem_effects[m], dem_entry_name(e)))
+            if (has_scalar(dem_effects[m], last, dem_entry_name(e)))
             {
                 snprintf(effects + n, sizeof effects - n, "%s%s", n > 0 ? ", " : "",
                          dem_effects[m]->name);
             }
         }
         DEM_REQUIRE(!*effects, DEM_ERROR_INPUT,
-                    "%s: unknown entry \"%s\" in %s; particles have it only with one of these "
-                    "effects: %s. Add one, or remove the entry", dem_entry_where(e),
-                    dem_entry_name(e), dem_dict_path(dict), effects);
+                    "%s: unknown entry \"%s\" in %s; it acts only with one of these effects: %s. "
+                    "Add one, or remove the entry", dem_entry_where(e), dem_entry_name(e),
+                    dem_dict_path(dict), effects);
     }
     return DEM_OK;
 }
@@ -101,7 +103,7 @@ static int read_entry(const struct dem_dict *dict, const struct dem_scalar *s,
 int dem_scalar_entries_read(const struct dem_dict *dict, const struct dem_interaction_table *r,
                             int required, struct dem_scalar_entry entry[DEM_SCALARS])
 {
-    DEM_TRY(refuse_foreign(dict, r));
+    DEM_TRY(refuse_unused(dict, r, DEM_STAGES));
     for (int k = 0; k < r->scalars; k++)
     {
         const struct dem_scalar *const s = r->scalar[k];
@@ -166,7 +168,8 @@ int dem_scalar_wall_read(const struct dem_dict *dict, const struct dem_interacti
 {
     const struct dem_dict *sub;
 
-    DEM_TRY(refuse_foreign(dict, r));
+    /* what a wall gives is a rate of a contact */
+    DEM_TRY(refuse_unused(dict, r, DEM_STAGE_SCALAR));
     for (int k = 0; k < r->scalars; k++)
     {
         const unsigned of_contacts = DEM_SCALAR_PARTNERS | DEM_SCALAR_RATE;
