@@ -121,7 +121,7 @@ Foam::demCloud::demCloud
         heat_.reset(new demHeatExchange(particles_, budget_.table()));
     }
     reports_.begin();
-    budget_.begin();
+    budget_.begin(volumeAveraged);
     particles_.reportStep();
 
     volume_.note(particles_.heading());

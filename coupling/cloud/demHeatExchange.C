@@ -194,6 +194,12 @@ void Foam::demHeatExchange::setFluid
 
 void Foam::demHeatExchange::countPassed()
 {
+    // Without reaction there is no balance
+    if (!particles_.twoWay())
+    {
+        return;
+    }
+
     const scalar before = ofParticles_;
 
     ofParticles_ = particles() + owed();

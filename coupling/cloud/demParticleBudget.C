@@ -48,15 +48,40 @@ Foam::demParticleBudget::demParticleBudget
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::demParticleBudget::begin()
+void Foam::demParticleBudget::begin(const bool volumeAveraged)
 {
     budget_.watch(particles_.core());
-    if (budget_.on() && !(particles_.volumeAveraged() && particles_.needsFluid()))
+    if (!budget_.on())
+    {
+        return;
+    }
+
+    string reason;
+
+    if (!volumeAveraged)
+    {
+        reason =
+            "the equations of this solver have no void fraction; take it out, or take"
+            " demPimpleFoam. The log has the momentum of fluid and particles in each"
+            " step, and the heat where it is exchanged";
+    }
+    else if (!particles_.twoWay())
+    {
+        reason =
+            "twoWay is no, so the fluid receives nothing from the particles; take it"
+            " out, or give twoWay yes";
+    }
+    else if (!particles_.needsFluid())
+    {
+        reason =
+            "no effect of the fluid is in effects, so nothing is exchanged; take it out,"
+            " or add a drag law, for example gidaspow {}";
+    }
+
+    if (!reason.empty())
     {
         FatalIOErrorInFunction(particles_.dict().coupling())
-            << "coupling/record/budget needs a fluid and particles that"
-            << " exchange momentum in demPimpleFoam; take it out, or give"
-            << " twoWay yes and a drag law in effects"
+            << "coupling/record/budget is yes, but " << reason.c_str()
             << exit(FatalIOError);
     }
 }

@@ -6,7 +6,9 @@
 #include "model/scalar_entry.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "effects/effects.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 int dem_scalar_require(const struct dem_interaction_table *r, int scalar, double value,
@@ -17,6 +19,51 @@ int dem_scalar_require(const struct dem_interaction_table *r, int scalar, double
     DEM_REQUIRE(value >= s->min && value <= s->max && isfinite(value), DEM_ERROR_INPUT,
                 "%s: %s %g %s; give a number from %g to %g", where, s->name, value, s->unit, s->min,
                 s->max);
+    return DEM_OK;
+}
+
+/* `last`: the last stage that counts. */
+static bool has_scalar(const struct dem_effect *effect, enum dem_stage last, const char *name)
+{
+    for (const struct dem_scalar *const *s = effect->scalars; s && *s; s++)
+    {
+        if (!(*s)->fluid_entry && effect->stage <= last && strcmp((*s)->name, name) == 0)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Refuse the name of a scalar that no effect of the scene has, with those that have it. */
+static int refuse_unused(const struct dem_dict *dict, const struct dem_interaction_table *r,
+                         enum dem_stage last)
+{
+    for (size_t k = 0; k < dem_dict_count(dict); k++)
+    {
+        const struct dem_entry *const e = dem_dict_entry(dict, k);
+        char effects[256] = "";
+        bool used = false;
+
+        for (int m = 0; m < r->chosen; m++)
+        {
+            used = used || has_scalar(r->effect[m], last, dem_entry_name(e));
+        }
+        for (int m = 0; !used && dem_effects[m]; m++)
+        {
+            const size_t n = strlen(effects);
+
+            if (has_scalar(dem_effects[m], last, dem_entry_name(e)))
+            {
+                snprintf(effects + n, sizeof effects - n, "%s%s", n > 0 ? ", " : "",
+                         dem_effects[m]->name);
+            }
+        }
+        DEM_REQUIRE(!*effects, DEM_ERROR_INPUT,
+                    "%s: unknown entry \"%s\" in %s; it acts only with one of these effects: %s. "
+                    "Add one, or remove the entry", dem_entry_where(e), dem_entry_name(e),
+                    dem_dict_path(dict), effects);
+    }
     return DEM_OK;
 }
 
@@ -56,6 +103,7 @@ static int read_entry(const struct dem_dict *dict, const struct dem_scalar *s,
 int dem_scalar_entries_read(const struct dem_dict *dict, const struct dem_interaction_table *r,
                             int required, struct dem_scalar_entry entry[DEM_SCALARS])
 {
+    DEM_TRY(refuse_unused(dict, r, DEM_STAGES));
     for (int k = 0; k < r->scalars; k++)
     {
         const struct dem_scalar *const s = r->scalar[k];
@@ -120,6 +168,8 @@ int dem_scalar_wall_read(const struct dem_dict *dict, const struct dem_interacti
 {
     const struct dem_dict *sub;
 
+    /* what a wall gives is a rate of a contact */
+    DEM_TRY(refuse_unused(dict, r, DEM_STAGE_SCALAR));
     for (int k = 0; k < r->scalars; k++)
     {
         const unsigned of_contacts = DEM_SCALAR_PARTNERS | DEM_SCALAR_RATE;

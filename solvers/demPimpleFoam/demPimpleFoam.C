@@ -77,6 +77,7 @@ Description
 #include "demSettle.H"
 #include "demStop.H"
 #include "demTrial.H"
+#include "checkTimeScheme.H"
 #include "fixedFlux.H"
 #include "fluidBudget.H"
 #include "fluidTemperature.H"
@@ -138,7 +139,8 @@ int main(int argc, char *argv[])
 
     pimpleControl pimple(mesh);
 
-    #include "checkTimeScheme.H"
+    checkTimeScheme(mesh, "ddt(voidFraction)");
+    checkTimeScheme(mesh, "ddt(voidFraction,U)");
     #include "createTimeControls.H"
     #include "createFields.H"
 

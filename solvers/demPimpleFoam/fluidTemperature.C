@@ -12,6 +12,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fluidTemperature.H"
+#include "checkTimeScheme.H"
 #include "fluidBudget.H"
 #include "fvCFD.H"
 #include "fvOptions.H"
@@ -155,6 +156,7 @@ Foam::fluidTemperature::fluidTemperature
       : dimensionedScalar(dimTemperature, Zero)
     )
 {
+    checkTimeScheme(T_.mesh(), "ddt(voidFraction,T)");
     exchange_.setFluid(T_, kappa_, Cp_);
 }
 
@@ -170,7 +172,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fluidTemperature::buoyancy
 }
 
 
-void Foam::fluidTemperature::solve(const volScalarField& nut)
+void Foam::fluidTemperature::solve(const volScalarField& nut, const bool last)
 {
     const fvMesh& mesh = T_.mesh();
     fv::options& fvOptions(fv::options::New(mesh));
@@ -200,8 +202,22 @@ void Foam::fluidTemperature::solve(const volScalarField& nut)
     TEqn.solve();
     fvOptions.correct(T_);
 
-    const scalar rhoCpDeltaT = rhoCp_.value()*mesh.time().deltaTValue();
-    const scalarField& V = mesh.V();
+    if (last)
+    {
+        count(TEqn, sources(), continuityError);
+    }
+}
+
+
+void Foam::fluidTemperature::count
+(
+    const fvScalarMatrix& TEqn,
+    const fvScalarMatrix& sources,
+    const volScalarField& continuityError
+)
+{
+    const scalar rhoCpDeltaT = rhoCp_.value()*T_.mesh().time().deltaTValue();
+    const scalarField& V = T_.mesh().V();
 
     // The coefficients of a patch contain convection and conduction together; convection
     // is alphaPhi T of the patch, conduction the difference
@@ -232,9 +248,9 @@ void Foam::fluidTemperature::solve(const volScalarField& nut)
         rhoCpDeltaT
        *gSum((V*continuityError.primitiveField()*T_.primitiveField())())
     });
-    if (fvOptions.appliesToField(T_.name()))
+    if (fv::options::New(T_.mesh()).appliesToField(T_.name()))
     {
-        const volScalarField rate(sources() & T_);
+        const volScalarField rate(sources & T_);
         received_.append({"sources", rhoCpDeltaT*gSum((V*rate.primitiveField())())});
     }
 }
