@@ -303,6 +303,7 @@ static struct dem_body_sweep options(const struct dem_state *p, const struct due
         .kick = kick,
         .window = p->window,
         .contacts = &p->contacts,
+        .sums_first = !due->fused,
         .unobserved = due->fused && !due->observed,
         .round = flat ? NULL : p->domain.round,
         .applied = p->applied_forces.n > 0 ? &p->applied_forces : NULL,
@@ -394,7 +395,6 @@ static int step(struct dem_state *p, double since, double kick, int *status)
 
     /* 4. contacts */
     dem_bodies_begin_pass(&pass, &p->particles, &p->interaction_table.bodies, &sweep);
-    pass.work = due.fused ? DEM_BODIES_SUM_AND_KICK : DEM_BODIES_SUM;
     *status = dem_sweep_contacts_and_bodies(p, p->dt, (const double[2]){since, p->time}, &pass);
     dem_timers_end_phase(p->timers, DEM_PHASE_CONTACTS);
 

@@ -309,7 +309,9 @@ static void sweep_batch_with_scalars(struct dem_body_pass *pass, size_t first, i
 void dem_bodies_begin_pass(struct dem_body_pass *pass, struct dem_particles *p,
                       const struct dem_effect_list *bodies, const struct dem_body_sweep *s)
 {
-    pass->work = s->contacts ? DEM_BODIES_SUM_AND_KICK : DEM_BODIES_KICK;
+    pass->work = !s->contacts    ? DEM_BODIES_KICK
+                 : s->sums_first ? DEM_BODIES_SUM
+                                 : DEM_BODIES_SUM_AND_KICK;
     pass->particles = p;
     pass->bodies = bodies;
     pass->sweep = s;

@@ -25,6 +25,8 @@ struct dem_body_sweep    /* options of one sweep over all particles */
                                                    exchange is spread over this; 0: none */
     const struct dem_contacts *contacts;        /* contact forces to be summed first, while
                                                    they are in cache; NULL: summed already */
+    int sums_first;                             /* 1: a pass sums all particles before it
+                                                   kicks (dem_bodies_finish_sums) */
     int unobserved;                                  /* 1: nothing reads forces or positions before
                                                    the next step: forces are not stored, */
     const double *round;                        /* and kicked particles drift at once,

@@ -442,11 +442,10 @@ int dem_sweep_contacts_and_bodies(struct dem_state *p, double dt, const double t
 
 int dem_sweep_contacts_and_sum(struct dem_state *p, double dt, const double time[2])
 {
-    const struct dem_body_sweep sums = {.contacts = &p->contacts};
+    const struct dem_body_sweep sums = {.contacts = &p->contacts, .sums_first = 1};
     struct dem_body_pass pass;
 
     dem_bodies_begin_pass(&pass, &p->particles, &p->interaction_table.bodies, &sums);
-    pass.work = DEM_BODIES_SUM;
     const int status = dem_sweep_contacts_and_bodies(p, dt, time, &pass);
 
     dem_bodies_finish_sums(&pass);

@@ -6,8 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import numpy
 
 import evaluate
-import render           # of muellerBed, in the path by results, like spheres and style
-import spheres
+import render           # of muellerBed, in the path by results, like style
 from style import COLOURS, OURS, REFERENCE, SPEEDS, plt, save
 
 ZERO = 273.15
@@ -39,27 +38,16 @@ def draw_bed(case, run, height=0.12, panels=4):
         return
     chosen = sorted({round(k) for k in numpy.linspace(0, len(folders) - 1, panels)})
     lines = render.box((0, 0, 0), (run.width, run.depth, height))
-    camera = spheres.axes(render.FRONT, (0, 0, 1))
-    ends = numpy.concatenate([line @ camera.T for line in lines])[:, :2]
-    window = (*(ends.min(axis=0) - 1e-3), *(ends.max(axis=0) + 1e-3))
-    shape = (window[3] - window[1])/(window[2] - window[0])
     figure, places = plt.subplots(1, len(chosen), squeeze=False,
-                                  figsize=(2.4*len(chosen) + 0.5, 2.4*shape))
+                                  figsize=(2.4*len(chosen) + 0.5, 2.4*render.shape(lines)))
     for axes, k in zip(places.flat, chosen):
         time, folder = folders[k]
         position, temperature = evaluate.beads_of(folder)
         # relative to the mean of the instant: by how much a bead lags
         share = 0.5 + (temperature - temperature.mean())/8
-        picture = spheres.draw(position, numpy.full(len(position), 0.5*run.diameter),
-                               SPEEDS(numpy.clip(share, 0, 1))[:, :3], window,
-                               420/(window[2] - window[0]), render.FRONT)
-        axes.imshow(picture, extent=(window[0], window[2], window[1], window[3]), zorder=1)
-        for line in lines:
-            at = line @ camera.T
-            axes.plot(at[:, 0], at[:, 1], color="0.55", lw=0.8, zorder=0)
-        axes.set(xlim=window[0::2], ylim=window[1::2])
+        render.view(axes, lines, position, numpy.full(len(position), 0.5*run.diameter),
+                    SPEEDS(numpy.clip(share, 0, 1))[:, :3], pixels=420)
         axes.set_title(f"{time:g} s, mean {temperature.mean() - ZERO:.1f} C", fontsize=8)
-        axes.axis("off")
     bar = figure.colorbar(plt.cm.ScalarMappable(plt.Normalize(-4, 4), SPEEDS), ax=places, shrink=0.7,
                           pad=0.01, aspect=25, extend="both")
     bar.set_label("above the mean of the instant [K]", fontsize=8)

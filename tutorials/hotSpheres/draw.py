@@ -6,8 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import numpy
 
 import evaluate
-import render           # of muellerBed, in the path by results, like spheres and style
-import spheres
+import render           # of muellerBed, in the path by results, like style
 from style import COLOURS, OURS, OTHER, REFERENCE, plt, save
 
 ZERO = 273.15
@@ -49,9 +48,6 @@ def draw_bed(case, runs, height=0.16):
     figure, places = plt.subplots(1, len(panels), squeeze=False, figsize=(1.9*len(panels) + 0.5, 4.4))
     for axes, (run, k) in zip(places.flat, panels):
         lines = render.box((0, 0, 0), (run.high[0], run.high[1], height))
-        camera = spheres.axes(render.FRONT, (0, 0, 1))
-        ends = numpy.concatenate([line @ camera.T for line in lines])[:, :2]
-        window = (*(ends.min(axis=0) - 1e-3), *(ends.max(axis=0) + 1e-3))
         folder = run.folders[k]
         place = evaluate.column(folder/"positions")[:, :3]
         diameter = numpy.resize(evaluate.column(folder/"d")[:, 0], len(place))
@@ -59,15 +55,8 @@ def draw_bed(case, runs, height=0.16):
         share = (evaluate.column(folder/"temperature")[:, 0] - run.cold)/120
         paint = numpy.where(hot[:, None], HEAT(numpy.clip(share, 0, 1))[:, :3], (0.80, 0.86, 0.92))
         shown = (hot | (place[:, 1] > 0.5*run.high[1])) & (place[:, 2] < height)
-        picture = spheres.draw(place[shown], 0.5*diameter[shown], paint[shown], window,
-                               420/(window[2] - window[0]), render.FRONT)
-        axes.imshow(picture, extent=(window[0], window[2], window[1], window[3]), zorder=1)
-        for line in lines:
-            at = line @ camera.T
-            axes.plot(at[:, 0], at[:, 1], color="0.55", lw=0.8, zorder=0)
-        axes.set(xlim=window[0::2], ylim=window[1::2])
+        render.view(axes, lines, place[shown], 0.5*diameter[shown], paint[shown], pixels=420)
         axes.set_title(f"{run.speed:g} m/s, {run.time[k]:g} s", fontsize=8)
-        axes.axis("off")
     bar = figure.colorbar(plt.cm.ScalarMappable(plt.Normalize(20, 140), HEAT), ax=places, shrink=0.6,
                           pad=0.01, aspect=25)
     bar.set_label("bronze [C]", fontsize=8)

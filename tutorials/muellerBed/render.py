@@ -35,29 +35,44 @@ def colours(panel, quantity, top):
     return SPEEDS(numpy.clip(numpy.linalg.norm(panel.velocity, axis=1)/top, 0, 1))[:, :3]
 
 
-def figure(panels, lines, quantity, top, towards=FRONT, width=2.7, pixels=500, rows=1):
-    """A figure with the panels side by side; `lines`: arrays of points [m], drawn behind the
-    particles if they lie behind their middle; `width` [inches] of a panel."""
-    camera = spheres.axes(towards, (0, 0, 1))
-    ends = numpy.concatenate([line @ camera.T for line in lines])[:, :2]
+def frame(lines, towards=FRONT):
+    """Left, lower, right and upper end [m] of what the camera sees of lines, with a margin."""
+    ends = numpy.concatenate([line @ spheres.axes(towards, (0, 0, 1)).T for line in lines])[:, :2]
     margin = 0.01*numpy.ptp(ends, axis=0).max()
-    window = (*(ends.min(axis=0) - margin), *(ends.max(axis=0) + margin))
-    extent = (window[0], window[2], window[1], window[3])
-    scale = pixels/(window[2] - window[0])
-    columns = -(-len(panels)//rows)
-    shape = (window[3] - window[1])/(window[2] - window[0])
-    drawn, places = plt.subplots(rows, columns, squeeze=False,
-                                 figsize=(width*columns + 0.5, rows*width*shape))
+    return (*(ends.min(axis=0) - margin), *(ends.max(axis=0) + margin))
+
+
+def shape(lines, towards=FRONT):
+    """Height over width of the frame of lines."""
+    window = frame(lines, towards)
+    return (window[3] - window[1])/(window[2] - window[0])
+
+
+def view(axes, lines, position, radius, colour, towards=FRONT, pixels=500):
+    """Draw spheres into axes; `lines`: arrays of points [m], drawn behind the spheres if they lie behind
+    their own middle; `pixels`: of the width."""
+    camera = spheres.axes(towards, (0, 0, 1))
+    window = frame(lines, towards)
     middle = numpy.mean([line.mean(axis=0) for line in lines], axis=0)[1]
+    picture = spheres.draw(position, radius, colour, window, pixels/(window[2] - window[0]), towards)
+    for line in lines:
+        at = line @ camera.T
+        axes.plot(at[:, 0], at[:, 1], color="0.55", lw=0.8,
+                  zorder=0 if line[:, 1].mean() > middle else 3)
+    axes.imshow(picture, extent=(window[0], window[2], window[1], window[3]), zorder=1,
+                interpolation="antialiased")
+    axes.set(xlim=window[0::2], ylim=window[1::2])
+    axes.axis("off")
+
+
+def figure(panels, lines, quantity, top, towards=FRONT, width=2.7, pixels=500, rows=1):
+    """A figure with the panels side by side, each as `view` draws it; `width` [inches] of a panel."""
+    columns = -(-len(panels)//rows)
+    drawn, places = plt.subplots(rows, columns, squeeze=False,
+                                 figsize=(width*columns + 0.5, rows*width*shape(lines, towards)))
     for axes, panel in zip(places.flat, panels):
-        picture = spheres.draw(panel.position, 0.5*panel.diameter, colours(panel, quantity, top),
-                               window, scale, towards)
-        for line in lines:
-            at = line @ camera.T
-            axes.plot(at[:, 0], at[:, 1], color="0.55", lw=0.8,
-                      zorder=0 if line[:, 1].mean() > middle else 3)
-        axes.imshow(picture, extent=extent, zorder=1, interpolation="antialiased")
-        axes.set(xlim=window[0::2], ylim=window[1::2])
+        view(axes, lines, panel.position, 0.5*panel.diameter, colours(panel, quantity, top), towards,
+             pixels)
         axes.set_title(panel.title, fontsize=9, y=0.97)
     for axes in places.flat:
         axes.axis("off")
