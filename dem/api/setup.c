@@ -22,9 +22,9 @@
 #include "diagnostics/totals.h"
 #include "model/orientation.h"
 #include "parallel/collect.h"
+#include "step/body_window.h"
 #include "step/neighbor_update.h"
 #include "step/sum_contacts.h"
-#include "step/sweep_bodies.h"
 #include "step/sweep_contacts.h"
 #include <math.h>
 #include <stdio.h>

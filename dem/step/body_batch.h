@@ -32,6 +32,12 @@ struct dem_body_workspace    /* a batch of particles and its working columns */
     struct dem_contact_sum contacts[DEM_BATCH_ROWS + 1];   /* sums, and one that struct dem_sum_slice asks for */
 };
 
+/* Particles in the batch that begins at `first`. */
+static inline int dem_body_batch_rows(const struct dem_particles *p, size_t first)
+{
+    return p->n - first < DEM_BATCH_ROWS ? (int)(p->n - first) : DEM_BATCH_ROWS;
+}
+
 /* Load the contact forces of the particles [first, first + rows) from their columns. They are loaded
    or summed (sum_contacts.h) before the other functions are called. */
 void dem_body_batch_load_forces(struct dem_body_workspace *, const struct dem_particles *,

@@ -16,6 +16,7 @@
 #include "diagnostics/lost_particles.h"
 #include "inflow/flows.h"
 #include "diagnostics/totals.h"
+#include "step/body_window.h"
 #include "step/sweep_bodies.h"
 #include "diagnostics/timers.h"
 #include "parallel/collect.h"

@@ -28,6 +28,7 @@
 #include "model/scalars.h"
 #include "output/grid_averages.h"
 #include "simulation/agree.h"
+#include "step/body_window.h"
 #include "step/drift.h"
 #include "step/eddies.h"
 #include "step/neighbor_update.h"

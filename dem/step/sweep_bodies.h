@@ -8,7 +8,6 @@
 #define DEM_STEP_SWEEP_BODIES_H
 
 #include "model/applied_forces.h"
-#include "model/domain.h"
 #include "model/contacts.h"
 #include "model/particles.h"
 #include "model/interaction_table.h"
@@ -76,17 +75,5 @@ void dem_bodies_work_until(struct dem_body_pass *, size_t end);
 
 /* In a pass that only sums: the rest of the sums; then the pass begins again with the kick. */
 void dem_bodies_finish_sums(struct dem_body_pass *);
-
-/* Begin a coupling window: clear the columns that are passed to the fluid, and compute what is
-   constant over its steps. */
-void dem_bodies_begin_window(struct dem_particles *, const struct dem_effect_list *bodies);
-
-/* Only the constants of the window, voidage factors of drag laws and added mass: for a window that
-   is continued. */
-void dem_bodies_window_constants(struct dem_particles *, const struct dem_effect_list *bodies);
-
-/* End a coupling window of length `window` [s]: compute the response R of each particle from its
-   drag impulse (see sweep_bodies.c). */
-void dem_bodies_end_window(struct dem_particles *, const struct dem_domain *, double window);
 
 #endif

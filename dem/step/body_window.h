@@ -1,0 +1,25 @@
+/*
+ * body_window.h -- begin and end of a coupling window, for the effects on single particles.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_STEP_BODY_WINDOW_H
+#define DEM_STEP_BODY_WINDOW_H
+
+#include "model/domain.h"
+#include "model/interaction_table.h"
+#include "model/particles.h"
+
+/* Begin a coupling window: clear the columns that are passed to the fluid, and compute what is
+   constant over its steps. */
+void dem_bodies_begin_window(struct dem_particles *, const struct dem_effect_list *bodies);
+
+/* Only the constants of the window, voidage factors of drag laws and added mass: for a window that
+   is continued. */
+void dem_bodies_window_constants(struct dem_particles *, const struct dem_effect_list *bodies);
+
+/* End a coupling window of length `window` [s]: compute the response R of each particle from its
+   drag impulse (see body_window.c). */
+void dem_bodies_end_window(struct dem_particles *, const struct dem_domain *, double window);
+
+#endif
