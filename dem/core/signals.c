@@ -45,5 +45,8 @@ const volatile sig_atomic_t *dem_catch_signals(const int *except, int exceptions
 
 const char *dem_signal_name(int signal)
 {
-    return signal == SIGTERM ? "SIGTERM" : signal == SIGUSR1 ? "SIGUSR1" : "SIGINT";
+    return signal == SIGTERM ? "SIGTERM"
+         : signal == SIGUSR1 ? "SIGUSR1"
+         : signal == SIGINT  ? "SIGINT"
+                             : "";
 }
