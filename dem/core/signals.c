@@ -80,8 +80,11 @@ void dem_keep_signals(void)
 
 const char *dem_signal_name(int signal)
 {
-    return signal == SIGTERM ? "SIGTERM" : signal == SIGUSR1 ? "SIGUSR1"
-         : signal == SIGINT ? "SIGINT" : "the file stop";
+    return signal == SIGTERM         ? "SIGTERM"
+         : signal == SIGUSR1       ? "SIGUSR1"
+         : signal == SIGINT        ? "SIGINT"
+         : signal == DEM_STOP_FILE ? "the file stop"
+                                   : "";
 }
 
 /* ---- the file -------------------------------------------------------------------------------- */
