@@ -400,12 +400,14 @@ static void find_boxes(struct dem_walls *w)
     for (size_t t = 0; t < w->triangles; t++)
     {
         const struct dem_triangle *const here = &w->triangle[t];
-        struct dem_wall_frame *const f = &w->frame[w->wall[here->wall].frame];
+        const int frame = w->wall[here->wall].frame;
 
-        for (int k = 0; k < 9 && w->wall[here->wall].frame >= 0; k++)
+        for (int k = 0; k < 9 && frame >= 0; k++)
         {
-            f->box[0][k%3] = fmin(f->box[0][k%3], here->corner[k/3][k%3]);
-            f->box[1][k%3] = fmax(f->box[1][k%3], here->corner[k/3][k%3]);
+            double(*const box)[3] = w->frame[frame].box;
+
+            box[0][k%3] = fmin(box[0][k%3], here->corner[k/3][k%3]);
+            box[1][k%3] = fmax(box[1][k%3], here->corner[k/3][k%3]);
         }
     }
 }
