@@ -52,7 +52,8 @@ static void add_along_face(const double direction[3], const double normal[3], do
 /* Velocity of the surface in itself at the point x, both in the wall's frame: a belt in the
    direction `drive`, a belt around an axis, a solid that turns:
 
-     |drive| unit(P drive) + speed unit(P (axis x d)) + spin x d,   d = x - origin, P v = v - (v.n) n
+     |drive| unit(P drive) + speed unit(P (axis x d)) + spin x d
+     d = x - origin,  P v = v - (v.n) n
 
    n is the normal of the face also where the contact is on its edge, so a ball leaves the end of a
    belt with the velocity of the belt. */
@@ -70,8 +71,8 @@ static void velocity_in_surface(const struct dem_wall *of, const struct dem_face
     add_along_face(around, n, of->drive_speed, own);
 }
 
-/* Add the motion of a surface in itself, like a conveyor belt. Its component along the normal of the
-   contact is ignored: a surface that slides in itself does not push. */
+/* Add the motion of a surface in itself, like a conveyor belt. Its component along the normal of
+   the contact is ignored: a surface that slides in itself does not push. */
 static void add_surface_velocity(const struct dem_walls *w, const struct dem_facet *r,
                                  const struct dem_wall_touch *at, struct dem_wall_surface *surface)
 {

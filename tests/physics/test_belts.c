@@ -5,8 +5,8 @@
  * A sphere at rest on a belt of speed V slides for V/(3.5 mu g) with the friction mu m g along the
  * belt, then rolls at 2/7 V; the belt has done the work 2/7 m V^2 then.
  *
- * - surfaceVelocity on a face inclined by 30 and by 80 degrees: V is its magnitude, the direction is
- *   its projection; plane, triangles, triangles in a turned and in a moving frame.
+ * - surfaceVelocity on a face inclined by 30 and by 80 degrees: V is its magnitude, the direction
+ *   is its projection; plane, triangles, triangles in a turned and in a moving frame.
  * - A face across the velocity has no direction: it stays at rest.
  * - surfaceRotation with a speed, on a closed loop of facets around a pulley that is no cylinder:
  *   each facet runs forward, in the sense of the axis, at V, for particles inside of the loop, too;
@@ -223,9 +223,9 @@ static void rounds(void)
 
     for (int k = 0; k < 2; k++)
     {
-        char *const wall = world_text("type %s; radius %g; particles outside;"
-                                      " surfaceRotation { origin (0 0 0); axis (0 1 0); speed %g; }",
-                                      shape[k], A, V);
+        char *const wall = world_text(
+            "type %s; radius %g; particles outside;"
+            " surfaceRotation { origin (0 0 0); axis (0 1 0); speed %g; }", shape[k], A, V);
 
         rolls(wall, &f, still, k ? "roller" : "sphere");
         free(wall);
