@@ -70,6 +70,8 @@ struct dem_wall
                                                          dropped duplicates */
     size_t given;                                     /* triangles given, before any are dropped */
     int first_facet, facets;                          /* numbers of its facets: these */
+    double push;                                      /* m/s: largest speed along its own normal
+                                                         that its motion gives to its surface */
     int follows_mesh, moves;                          /* 1: it follows a mesh; it
                                                          moves in this advance */
     double displacement;                              /* m: largest displacement of
@@ -205,6 +207,9 @@ int dem_walls_finish(struct dem_walls *, double scale);
 
 /* Part of the above: choose the points whose displacements bound those of the walls. */
 int dem_walls_make_marks(struct dem_walls *);
+
+/* Part of it: the speeds with which motions push particles. */
+void dem_walls_find_push(struct dem_walls *);
 
 /* Triangles of all walls and ranks. */
 size_t dem_walls_count_triangles(const struct dem_walls *);
