@@ -310,9 +310,19 @@ static void warn_of_impact(struct list *w, const char *what, const char *name, d
 static void warn_of_impacts(struct list *w)
 {
     const struct dem_streams *const s = &w->p->scene->streams;
+    const struct dem_walls *const walls = &w->p->state->walls;
     const int drag = has_drag(&w->p->state->interaction_table);
+    int fastest = 0;
 
     warn_of_impact(w, "the fastest particle", "", w->speed);
+    for (int k = 0; k < walls->walls; k++)
+    {
+        fastest = walls->wall[k].push > walls->wall[fastest].push ? k : fastest;
+    }
+    if (walls->walls > 0)
+    {
+        warn_of_impact(w, "walls/", walls->wall[fastest].name, walls->wall[fastest].push);
+    }
     for (int k = 0; k < s->streams; k++)
     {
         warn_of_impact(w, "insert/", s->stream[k].name,

@@ -14,6 +14,27 @@
 #include <float.h>
 #include <math.h>
 
+/* The step resolves oscillations and rotations of walls. */
+static void limit_step_by_walls(struct dem_interaction_table *r, const struct dem_walls *w)
+{
+    const char *why;
+
+    for (int k = 0; k < w->frames && !r->motionless; k++)
+    {
+        const double limit = dem_motion_time_limit(&w->frame[k].motion, &why);
+        int wall = 0;
+
+        while (wall < w->walls && w->wall[wall].frame != k)
+        {
+            wall++;
+        }
+        if (wall < w->walls)
+        {
+            dem_interaction_table_limit_step(r, limit, why, w->wall[wall].name);
+        }
+    }
+}
+
 static int choose_step(struct dem *d)
 {
     const struct dem_interaction_table *const r = &d->state.interaction_table;
@@ -61,6 +82,10 @@ int dem_api_finish_physics(struct dem *d)
     }
     int status = dem_interaction_table_freeze(&p->interaction_table, wall_materials);
 
+    if (!status)
+    {
+        limit_step_by_walls(&p->interaction_table, &p->walls);
+    }
     status = status ? status : choose_step(d);
     status = status ? status : dem_api_check_pause(d);
     status = status ? status : check_periodic_widths(d, radius);

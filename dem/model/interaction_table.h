@@ -202,6 +202,11 @@ int dem_interaction_table_has_effect(const struct dem_interaction_table *, const
 int dem_interaction_table_freeze(struct dem_interaction_table *,
                                  const int wall_materials[DEM_MATERIALS]);
 
+/* Bound the time step of a frozen table by a limit [s] that is not an effect's. `why`, followed by
+   `suffix`, names it. */
+void dem_interaction_table_limit_step(struct dem_interaction_table *, double limit,
+                                      const char *why, const char *suffix);
+
 /* A shallow copy of a frozen table, for a second state: effect lists of its own, settings shared
    with the original, which must outlive the copy. The copy is freed with the second function. */
 int dem_interaction_table_share(const struct dem_interaction_table *,

@@ -142,6 +142,23 @@ static int append_effect(struct dem_interaction_table *r, struct dem_effect_list
                            : DEM_OK;
 }
 
+void dem_interaction_table_limit_step(struct dem_interaction_table *r, double limit,
+                                      const char *why, const char *suffix)
+{
+    if (limit < r->step_limit)
+    {
+        r->next_limit = r->step_limit;
+        memcpy(r->next_why, r->why, sizeof r->why);
+        r->step_limit = limit;
+        snprintf(r->why, sizeof r->why, "%s%s", why, suffix);
+    }
+    else if (limit < r->next_limit)
+    {
+        r->next_limit = limit;
+        snprintf(r->next_why, sizeof r->next_why, "%s%s", why, suffix);
+    }
+}
+
 /* Limit of the time step and reach of one entry. */
 static void collect_limits(struct dem_interaction_table *r, const struct dem_effect_list *list,
                            const struct dem_effect_entry *entry)
@@ -161,18 +178,7 @@ static void collect_limits(struct dem_interaction_table *r, const struct dem_eff
         r->scalar_limit = limit;
         snprintf(r->scalar_why, sizeof r->scalar_why, "%s%s", why, suffix);
     }
-    if (limit < r->step_limit)
-    {
-        r->next_limit = r->step_limit;
-        memcpy(r->next_why, r->why, sizeof r->why);
-        r->step_limit = limit;
-        snprintf(r->why, sizeof r->why, "%s%s", why, suffix);
-    }
-    else if (limit < r->next_limit)
-    {
-        r->next_limit = limit;
-        snprintf(r->next_why, sizeof r->next_why, "%s%s", why, suffix);
-    }
+    dem_interaction_table_limit_step(r, limit, why, suffix);
 }
 
 /* Select the fused kernel of a list. */

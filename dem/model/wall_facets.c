@@ -427,5 +427,6 @@ int dem_walls_finish(struct dem_walls *w, double scale)
         DEM_TRY(number_facets(w, NULL));
     }
     find_boxes(w);
+    dem_walls_find_push(w);
     return dem_walls_make_marks(w);
 }

@@ -57,8 +57,9 @@ struct dem_wall
     int frame;                                        /* index of its reference frame in
                                                          dem_walls, or -1: at rest */
     int driven;                                       /* 1: the surface slides in itself (conveyor),
-                                                         with drive + spin x (x - origin) */
+                                                         see simulation/wall_surface.c */
     double drive[3], drive_spin[3], drive_origin[3];  /* m/s, 1/s, m, all in the wall's frame */
+    double drive_axis[3], drive_speed;                /* unit, m/s: of a belt around an axis */
     const char *absorbs;                              /* name of the entry of the scene that
                                                          makes it absorb particles, or NULL */
     struct dem_wall_scalar *scalars;                  /* one for each particle scalar; NULL:
@@ -69,6 +70,8 @@ struct dem_wall
                                                          dropped duplicates */
     size_t given;                                     /* triangles given, before any are dropped */
     int first_facet, facets;                          /* numbers of its facets: these */
+    double push;                                      /* m/s: largest speed along its own normal
+                                                         that its motion gives to its surface */
     int follows_mesh, moves;                          /* 1: it follows a mesh; it
                                                          moves in this advance */
     double displacement;                              /* m: largest displacement of
@@ -204,6 +207,9 @@ int dem_walls_finish(struct dem_walls *, double scale);
 
 /* Part of the above: choose the points whose displacements bound those of the walls. */
 int dem_walls_make_marks(struct dem_walls *);
+
+/* Part of it: the speeds with which motions push particles. */
+void dem_walls_find_push(struct dem_walls *);
 
 /* Triangles of all walls and ranks. */
 size_t dem_walls_count_triangles(const struct dem_walls *);

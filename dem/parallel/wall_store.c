@@ -17,7 +17,7 @@
 enum
 {
     RECORD = (int)(sizeof(struct dem_wall_record)/sizeof(double)), /* doubles of a record */
-    FACTS = 6                                                      /* numbers of a wall, of a box */
+    FACTS = 7                                            /* numbers of a wall; a box has 6 */
 };
 _Static_assert(sizeof(struct dem_wall_record)%sizeof(double) == 0,
                "the record of a triangle is sent as doubles");
@@ -124,7 +124,7 @@ static void copy_facts(struct dem_walls *w, double *fact, int back)
     {
         struct dem_wall *const of = &w->wall[k];
         const double facts[FACTS] = {(double)of->triangles, (double)of->flat, (double)of->repeats,
-                                     (double)of->given, of->first_facet, of->facets};
+                                     (double)of->given, of->first_facet, of->facets, of->push};
 
         if (!back)
         {
@@ -137,6 +137,7 @@ static void copy_facts(struct dem_walls *w, double *fact, int back)
         of->given = (size_t)fact[3];
         of->first_facet = (int)fact[4];
         of->facets = (int)fact[5];
+        of->push = fact[6];
     }
     for (int k = 0; k < w->frames; k++, fact += FACTS)
     {
