@@ -114,7 +114,7 @@ def remove(t, name):
 
 def harmless(t, name, style, words):
     if style.startswith("massflow/mesh") and "delete_atoms" in words and \
-            words[words.index("delete_atoms") + 1] == "yes":
+            words[words.after("delete_atoms")] == "yes":
         outlet(t, name, words)
         return
     t.harmless(HARMLESS[style])
@@ -122,15 +122,15 @@ def harmless(t, name, style, words):
 
 def outlet(t, name, words):
     """Particles behind the plane of the mesh are removed."""
-    mesh = t.find(t.meshes, words[words.index("mesh") + 1], "mesh")
+    mesh = t.find(t.meshes, words[words.after("mesh")], "mesh")
     x = mesh.triangles.reshape(-1, 3)
     normal = numpy.cross(*(mesh.triangles[0][1:] - mesh.triangles[0][0]))
     normal /= numpy.linalg.norm(normal)
     if numpy.abs((x - x[0]) @ normal).max() > 1e-6*numpy.ptp(x):
         t.refuse("the mesh is not plane; give outlets in the scene", "delete_atoms yes")
     if "vec_side" in words:
-        at = words.index("vec_side")
-        side = numpy.array(t.numbers(words[at + 1:at + 4]))
+        at = words.after("vec_side")
+        side = t.direction(words[at:at + 3])
         normal = normal if side @ normal > 0 else -normal
     t.outlets[name] = (x.mean(axis=0), normal, t.command.place)
     t.approximated(
@@ -167,9 +167,7 @@ def property_global(t, name, group, words):
 def gravity(t, name, group, words):
     if words[1] != "vector":
         t.refuse("known: vector", f"fix gravity {words[1]}")
-    direction = numpy.array(t.numbers(words[2:5]))
-    t.gravity = (t.number(words[0], "acceleration")*direction/numpy.linalg.norm(direction),
-                 t.command.place)
+    t.gravity = (t.number(words[0], "acceleration")*t.direction(words[2:5]), t.command.place)
     t.translated("effects/gravity")
 
 

@@ -10,11 +10,12 @@ A translator calls one method for each line that it reads, so nothing is left ou
     report.harmless(place, "neighbor", "lists tune themselves")
     report.refuse(place, "atom_style ellipsoid", "Suna has spheres only")   # raises CannotTranslate
 
-`refuse` raises. A translator that reads on to find the other faults, too, catches CannotTranslate
-for each line and calls `raise_refused` at the end.
+`refuse` raises. A translator that reads on to find the other faults, too, reads each line in a block
+`with collected():` and calls `raise_refused` at the end.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import contextlib
 import csv
 import textwrap
 from typing import NamedTuple
@@ -37,6 +38,15 @@ class CannotTranslate(Refused):
     """The sentence: file, line, word, what Suna lacks or what to write instead."""
 
 
+@contextlib.contextmanager
+def collected():
+    """Refusals in this block are in the report; the block ends there, what follows goes on."""
+    try:
+        yield
+    except CannotTranslate:
+        pass
+
+
 class Row(NamedTuple):
     place: Place
     word: str
@@ -51,6 +61,7 @@ TRANSLATED, APPROXIMATED, HARMLESS, REFUSED = KINDS = (
 class Report:
     def __init__(self):
         self.rows, self._known = [], set()
+        self.at = None          # Place of the input that is being read
 
     # ---- one line of the input -------------------------------------------------------------------
 
