@@ -26,6 +26,7 @@ from .liggghts_script import Script, is_file
 from .liggghts_state import Stage, key
 from .liggghts_words import MOST, BadWords, as_number, as_whole
 from .report import Place, collected
+from .scene_text import Names
 from .units import Units
 from . import liggghts_fixes
 
@@ -100,7 +101,7 @@ class Translation(Head, Atoms, Restart):
         self.particles, self.groups, self.integrated, self.frozen = Particles(), {}, [], []
         self.forces, self.outlets, self.interval, self.wall_interval = {}, {}, None, None
         self.fluid, self.lattice, self.fresh, self.restarted = None, None, True, None
-        self.driven, self.heat = {}, None
+        self.driven, self.heat, self.names = {}, None, Names()
 
     # ---- the script ------------------------------------------------------------------------------
 

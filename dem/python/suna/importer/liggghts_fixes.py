@@ -7,7 +7,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import numpy
 
 from . import liggghts_heat, liggghts_insert_fixes, liggghts_wall_fixes
-from .scene_text import as_name
 
 FLUID = "a coupled run of Suna needs no such line; alone, no fluid acts"
 HARMLESS = {
@@ -95,7 +94,7 @@ def add(t, name, group, style, words):
 def remove(t, name):
     style = t.fixes.pop(name)
     for insertion in t.insertions:
-        if insertion.name == as_name(name):
+        if insertion.fix == name:
             insertion.end = min(insertion.end, t.time)
     t.walls = {key: wall for key, wall in t.walls.items() if key != name}
     for mesh in t.meshes.values():

@@ -76,7 +76,9 @@ def distribution(by_mass):
 
 def insertion(style):
     def add(t, name, group, words):
-        rest, i = words[:], Insertion(as_name(name), style, group, None, t.command.place, t.time)
+        own = t.names.free("insert", as_name(name))
+        rest = words[:]
+        i = Insertion(name, own, style, group, None, t.command.place, t.time)
         while rest:
             key = rest.pop(0)
             if key in AMOUNTS:

@@ -64,19 +64,19 @@ class Walls:
             body += f" surfaceVelocity {vector(wall.velocity)};"
         body += self.temperature(wall, wall.temperature)
         kind, rest = body.split(" ", 1)
-        self.scene.add("walls", f"{as_name(wall.name, 'wall')} {{ type {kind} "
-                       f"material {material}; {rest} }}", wall.place)
+        self.scene.named("walls", as_name(wall.name, "wall"),
+                         f"type {kind} material {material}; {rest}", wall.place)
 
     def add_cone(self, wall, material):
         n = wall.numbers
-        path = self.new_file(f"{as_name(wall.name)}.stl")
+        path = self.new_file(f"{wall.name}.stl")
         write_stl(path, frustum(numpy.array(n[1:4]), n[0], numpy.array(n[4:7]), n[7]))
         inside = max(n[0], n[7])*(1 - math.cos(math.pi/SIDES))
         self.report.approximated(wall.place, "primitive general_cone", f"{SIDES} flat faces "
                                  f"around, at most {inside:.2g} m inside the cone")
-        self.scene.add("walls", f'{as_name(wall.name, "wall")} {{ type stl; material {material}; '
-                       f'file "{os.path.relpath(path)}";'
-                       f"{self.temperature(wall, wall.temperature)} }}", wall.place)
+        self.scene.named("walls", as_name(wall.name, "wall"),
+                         f'type stl; material {material}; file "{os.path.relpath(path)}";'
+                         f"{self.temperature(wall, wall.temperature)}", wall.place)
 
     def plane(self, wall):
         n = wall.numbers
@@ -122,7 +122,7 @@ class Walls:
         body += self.temperature(wall, mesh.temperature)
         if motion:
             body += " " + self.motion(motion)
-        self.scene.add("walls", f"{as_name(mesh.name, 'wall')} {{ {body} }}", mesh.place)
+        self.scene.named("walls", as_name(mesh.name, "wall"), body, mesh.place)
 
     def temperature(self, wall, value):
         """Entry of a wall."""
