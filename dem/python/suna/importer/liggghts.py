@@ -60,6 +60,7 @@ HARMLESS = {
     "dump_modify": "",
     "fix_modify": "",
     "soft_particles": "maxOverlap is a setting of the scene",
+    "hard_particles": "any Young's modulus is taken",
     "reset_timestep": "time goes on",
     "pair_coeff": "",
     "mass": "mass follows from size and density",

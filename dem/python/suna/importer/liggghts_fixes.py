@@ -11,30 +11,32 @@ from . import liggghts_heat, liggghts_insert_fixes, liggghts_wall_fixes
 FLUID = "a coupled run of Suna needs no such line; alone, no fluid acts"
 HARMLESS = {
     "check/timestep/gran": "too long a step is refused",
-    "print": "output",
-    "ave/time": "output: averages",
-    "ave/spatial": "output: averages",
-    "ave/histo": "output",
-    "ave/euler": "output: averages",
-    "ave/atom": "output",
-    "ave/euler/region": "output: averages",
     "balance": "subdomains are balanced by themselves",
     "property/atom": "read by no law that was translated",
     "property/atom/lammps": "read by no law",
-    "massflow/mesh": "output: averages, flows.csv",
-    "massflow/mesh/face": "output: averages, flows.csv",
-    "massflow/mesh/sieve": "output",
     "couple/cfd": "a coupled run of Suna needs no such line",
     "couple/cfd/force": FLUID,
     "couple/cfd/force/implicit": FLUID,
     "couple/cfd/force/accumulator": FLUID,
-    "store/state": "output",
     "region/variable": "output",
     "executionTiming": "output",
     "contacthistory": "",
     "neighlist/mesh": "",
     "diam/max": ""}
-LACKING = (("heat/", "Suna has no such heat; known: heat/gran, heat/gran/conduction"),
+LOST = {                        # output that no entry of the scene writes: what does it
+    "print": "write { energy } has energies and momentum; in Python any text (docs/python.md)",
+    "ave/time": "see averages and write { energy } in docs/output.md",
+    "ave/spatial": "see averages in docs/output.md",
+    "ave/histo": "make it from averages or from the particles' files",
+    "ave/euler": "see averages in docs/output.md",
+    "ave/euler/region": "see averages in docs/output.md",
+    "ave/atom": "the particles' files have the values of the moment",
+    "store/state": "the particles' files have the values of the moment",
+    "massflow/mesh": "flows.csv has what passes inlets and outlets; averages in a region have the "
+    "mean velocity",
+    "massflow/mesh/face": "averages in a region have the mean velocity"}
+LACKING = (("massflow/mesh/sieve", "Suna has no sieve: particles pass a wall or do not"),
+           ("heat/", "Suna has no such heat; known: heat/gran, heat/gran/conduction"),
            ("chem/", "Suna has no chemistry"), ("multisphere", "Suna has spheres only"),
            ("particletemplate/", "Suna has spheres only"),
            ("nve/", "Suna has spheres, integrated by themselves"),
@@ -61,6 +63,7 @@ LACKING = (("heat/", "Suna has no such heat; known: heat/gran, heat/gran/conduct
            ("remove", "use outlets in the scene"),
            ("insert/pack/", "use insert/pack with a region"),
            ("pour", "use insert/pack or insert/stream, which replaced it"))
+PAIRS = ("peratomtypepair", "atomtypepair", "matrix")
 INTEGRATORS = ("nve/sphere", "nve/sphere/limit", "nve/limit", "nve/sphere/omp", "nve/nonspherical")
 KINDS = {
     "youngsModulus": "pressure",
@@ -83,7 +86,9 @@ def add(t, name, group, style, words):
     elif style in INTEGRATORS:
         integrate(t, name, group, style)
     elif style in HARMLESS:
-        harmless(t, name, style, words)
+        t.harmless(HARMLESS[style])
+    elif style in LOST:
+        output(t, name, style, words)
     else:
         del t.fixes[name]
         text = next((text for start, text in LACKING if style.startswith(start)),
@@ -111,12 +116,19 @@ def remove(t, name):
     t.driven = {key: value for key, value in t.driven.items() if key != name}
 
 
-def harmless(t, name, style, words):
-    if style.startswith("massflow/mesh") and "delete_atoms" in words and \
-            words[words.after("delete_atoms")] == "yes":
-        outlet(t, name, words)
-        return
-    t.harmless(HARMLESS[style])
+def output(t, name, style, words):
+    """Says what is not written."""
+    what = f'"{words[1]}", every {words[0]} steps, is not printed' if style == "print" else \
+        "its values are not written"
+    if style.startswith("massflow/mesh"):
+        what = f"mass and number of particles through {words[words.after('mesh')]} are not counted"
+        if "delete_atoms" in words and words[words.after("delete_atoms")] == "yes":
+            outlet(t, name, words)
+            what = "the list of particles that leave is not written"
+    file = next((key for key in ("file", "append") if key in words), "")
+    if file:
+        what += f", nor the file {words[words.after(file)]}"
+    t.report.lost(t.command.place, f"fix {style}", f"{what}; {LOST[style]}")
 
 
 def outlet(t, name, words):
@@ -149,17 +161,19 @@ def integrate(t, name, group, style):
 
 def property_global(t, name, group, words):
     what, kind, values = words[0], words[1], words[2:]
-    if kind in ("peratomtypepair", "matrix"):
-        values = values[1:]
+    if kind in PAIRS:
+        columns, values = t.whole(values[0], 1), values[1:]
     elif kind not in ("scalar", "peratomtype", "atomtype", "vector"):
         t.refuse("known: scalar, vector, peratomtype, peratomtypepair, matrix",
                  f"property/global {kind}")
+    values = [word for word in values if word != "rebuild"]
+    if not values or kind in PAIRS and len(values) != columns**2:
+        t.refuse(f"{len(values)} values are not the number that {kind} needs",
+                 f"property/global {what}")
     unit = KINDS.get(what, "number")
     if what == "kn":
         unit = "stiffness" if t.units.name == "si" else "number"
-    t.properties.set(what, kind,
-                     [t.number(word, unit) for word in values if word not in ("rebuild",)],
-                     t.command.place)
+    t.properties.set(what, kind, [t.number(word, unit) for word in values], t.command.place)
     t.translated("materials, effects")
 
 

@@ -7,6 +7,7 @@ import os
 
 import numpy
 
+from .liggghts_contact import fits
 from .liggghts_heat import AREA
 from .liggghts_mesh import write_stl
 from .liggghts_region import AXES, text, vector
@@ -35,6 +36,9 @@ class Walls:
     def add_walls(self):
         base, made = self.state["model"], {}
         for wall in self.state["walls"].values():
+            misfit = fits(wall.model, base)
+            if misfit:
+                self.refuse(wall.place, wall.model.word, misfit)
             model = None if wall.model.key() == base.key() else wall.model
             if wall.primitive:
                 self.add_primitive(wall, self.material(wall.type, model=model))

@@ -6,7 +6,7 @@ import math
 
 import numpy
 
-from .liggghts_contact import fits, read_model
+from .liggghts_contact import read_model
 from .liggghts_mesh import BadMesh, read_triangles, rotated
 from .liggghts_state import Mesh, Motion, Wall
 
@@ -36,11 +36,6 @@ def wall(t, name, group, words):
     if words[0] != "model":
         t.refuse("known is wall/gran model NORMAL ...", f"fix wall/gran {words[0]}")
     model, rest = read_model(words[1:], t.command.place, "fix wall/gran", t.report)
-    if t.model is None:
-        t.refuse("pair_style comes before the walls")
-    misfit = fits(model, t.model)
-    if misfit:
-        t.refuse(misfit)
     found = Wall(name, model, t.command.place)
     if rest[0] == "primitive":
         rest = read_primitive(t, found, rest)

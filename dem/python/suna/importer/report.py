@@ -1,5 +1,5 @@
 """report.py -- what became of each line of the input: translated, approximated, without effect on
-the answer, or refused.
+the answer, output that is lost, or refused.
 
 A translator calls one method for each line that it reads, so nothing is left out in silence:
 
@@ -54,8 +54,8 @@ class Row(NamedTuple):
     text: str
 
 
-TRANSLATED, APPROXIMATED, HARMLESS, REFUSED = KINDS = (
-    "translated", "approximated", "no effect", "refused")
+TRANSLATED, APPROXIMATED, LOST, HARMLESS, REFUSED = KINDS = (
+    "translated", "approximated", "lost output", "no effect", "refused")
 
 
 class Report:
@@ -73,8 +73,13 @@ class Report:
         """Something near to it; `text` is what acts instead, and by how much the answer changes."""
         self._add(place, word, APPROXIMATED, text)
 
+    def lost(self, place, word, text):
+        """Output that the script writes and Suna does not; `text` is what, and what to use."""
+        self._add(place, word, LOST, text)
+
     def harmless(self, place, word, text=""):
-        """Not translated, without effect on the answer: numerical lists, output, messages."""
+        """Not translated, without effect on the answer: numerical lists, messages, output that Suna
+        writes in its own way."""
         self._add(place, word, HARMLESS, text)
 
     def refuse(self, place, word, text):
@@ -104,9 +109,10 @@ class Report:
             "nothing was read"
 
     def comment(self):
-        """Approximations and what has no effect, as comment lines for the head of the result."""
+        """What differs, is lost or has no effect, as comment lines for the head of the result."""
         lines = []
         for kind, title in ((APPROXIMATED, "Approximated, with the effect on the answer:"),
+                            (LOST, "Output of the source that is not written:"),
                             (HARMLESS, "Not translated, without effect on the answer:")):
             rows = self.of(kind)
             if rows:
