@@ -200,13 +200,18 @@ void dem_pose_point(const struct dem_pose *p, const double in[3], double out[3])
     }
 }
 
+void dem_pose_direction_to_frame(const struct dem_pose *p, const double in[3], double out[3])
+{
+    for (int k = 0; k < 3; k++)
+    {
+        out[k] = p->rotation[0][k]*in[0] + p->rotation[1][k]*in[1] + p->rotation[2][k]*in[2];
+    }
+}
+
 void dem_pose_to_frame(const struct dem_pose *p, const double in[3], double out[3])
 {
     double d[3];
 
     dem_vec_minus(in, p->shift, d);
-    for (int k = 0; k < 3; k++)
-    {
-        out[k] = p->rotation[0][k]*d[0] + p->rotation[1][k]*d[1] + p->rotation[2][k]*d[2];
-    }
+    dem_pose_direction_to_frame(p, d, out);
 }

@@ -69,10 +69,11 @@ void dem_wall_displacement_velocity(const struct dem_wall_displacement *, const 
 void dem_wall_displacement_rotate_back(const struct dem_wall_displacement *, const double n[3],
                                        double before[3]);
 
-/* From the wall's frame to the global frame: a point, a direction. Back: a point. `in` and `out`
+/* From the wall's frame to the global frame: a point, a direction. Back: the same. `in` and `out`
    must be different arrays. */
 void dem_pose_point(const struct dem_pose *, const double in[3], double out[3]);
 void dem_pose_direction(const struct dem_pose *, const double in[3], double out[3]);
 void dem_pose_to_frame(const struct dem_pose *, const double in[3], double out[3]);
+void dem_pose_direction_to_frame(const struct dem_pose *, const double in[3], double out[3]);
 
 #endif

@@ -57,8 +57,9 @@ struct dem_wall
     int frame;                                        /* index of its reference frame in
                                                          dem_walls, or -1: at rest */
     int driven;                                       /* 1: the surface slides in itself (conveyor),
-                                                         with drive + spin x (x - origin) */
+                                                         see simulation/wall_surface.c */
     double drive[3], drive_spin[3], drive_origin[3];  /* m/s, 1/s, m, all in the wall's frame */
+    double drive_axis[3], drive_speed;                /* unit, m/s: of a belt around an axis */
     const char *absorbs;                              /* name of the entry of the scene that
                                                          makes it absorb particles, or NULL */
     struct dem_wall_scalar *scalars;                  /* one for each particle scalar; NULL:
