@@ -50,16 +50,18 @@ static const char help[] =
     "    accuracy { target 0.01; }        search the step for errors within 1 % first, see dem cost\n"
     "-restart continues from a snapshot, on any number of ranks, with the same bits as the run\n"
     "that wrote it. SIGTERM, SIGUSR1 and SIGINT (Ctrl-C) end the run after the present step with\n"
-    "a snapshot, from which -restart continues with the same bits.\n"
+    "a snapshot, from which -restart continues with the same bits. So does a file `stop` in the\n"
+    "folder of the output (touch NAME/stop), which needs neither mpirun nor the batch system.\n"
     "-set overrides an entry: -set effects/dry/restitution 0.8, or -set time/end=1\n"
     "dem effects lists the effects.\n";
 
-/* s of the clock between lines of progress */
-static const double progress_interval = 10.0;
+/* s of the clock between lines of progress, and between looks for the file stop */
+static const double progress_interval = 10.0, look_interval = 1.0;
 
 struct progress
 {
-    double started;            /* s  wall clock at the start */
+    double started, printed;   /* s  wall clock at the start, at the last line */
+    char stop_file[640];
     double from, end;          /* s  simulated time at the start, at the end */
     double overlap;            /* 1  largest since the last line; dem_totals resets its own */
     int64_t steps, particles;  /*    steps at the start; particles at the last output */
@@ -73,15 +75,27 @@ static double seconds_left(const struct progress *p, double time)
     return done > 0.0 ? (MPI_Wtime() - p->started)/done*(p->end - time) : 0.0;
 }
 
-/* called by dem_set_progress */
-static void report_progress(void *of, double time, int64_t steps)
+static void report_progress(const struct progress *p, double time, int64_t steps)
 {
-    const struct progress *const p = of;
     const double rate = (double)(steps - p->steps)/(MPI_Wtime() - p->started);
 
     printf("progress %.1f %%, %.0f s left, %.3g steps/s, %.3g particle-steps/s\n",
            100.0*time/p->end, seconds_left(p, time), rate, rate*(double)p->particles);
     fflush(stdout);
+}
+
+/* called by dem_set_progress on the first rank */
+static void watch(void *of, double time, int64_t steps)
+{
+    struct progress *const p = of;
+
+    dem_stop_file_look(p->stop_file);
+    dem_keep_signals();
+    if (MPI_Wtime() - p->printed >= progress_interval)
+    {
+        p->printed = MPI_Wtime();
+        report_progress(p, time, steps);
+    }
 }
 
 static void report_bonds(const struct dem_totals *t)
@@ -221,9 +235,11 @@ static int begin(struct run_state *c)
     c->p.end = c->s->end;
     c->p.steps = c->t.steps;
     c->p.particles = c->t.particles;
+    c->p.printed = MPI_Wtime();
+    snprintf(c->p.stop_file, sizeof c->p.stop_file, "%s/stop", o->folder);
     if (c->prog->rank == 0)
     {
-        dem_set_progress(c->d, progress_interval, report_progress, &c->p);
+        dem_set_progress(c->d, look_interval, watch, &c->p);
     }
     DEM_TRY(dem_run_tables_begin(&c->tables, c->prog, o, c->d));
     DEM_TRY(dem_walls_vtk_begin(o, c->prog, c->d));
@@ -419,6 +435,22 @@ static int warn(const struct dem_program *prog, struct dem *d, double duration)
     return DEM_OK;
 }
 
+/* A file `stop` from before the start would end this run. */
+static int clear_stop_file(const struct dem_output *o)
+{
+    char path[640];
+    int found;
+
+    snprintf(path, sizeof path, "%s/stop", o->folder);
+    DEM_TRY(dem_stop_file_clear(path, &found));
+    if (found)
+    {
+        printf("the file %s, which was there before this run, is removed; made again, it ends the "
+               "run\n", path);
+    }
+    return DEM_OK;
+}
+
 static int announce(const struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
 {
     const struct dem_step_limit step = dem_step_limit(d);
@@ -462,6 +494,7 @@ static int run(struct dem_program *prog, struct dem *d, const struct dem_schedul
     dem_set_stop_flag(d, dem_catch_signals(NULL, 0));
     DEM_TRY(dem_totals(d, &t));
     s.output.start = t.time;
+    DEM_TRY(dem_program_agree(prog, prog->rank == 0 ? clear_stop_file(&s.output) : DEM_OK));
     DEM_TRY(announce(prog, d, &s));
     DEM_TRY(advance_to_end(prog, d, &s));
     DEM_TRY(dem_hash(d, &hash));

@@ -239,10 +239,23 @@ int dem_stopped(const struct dem *);
    Returns where the number of the last one is stored, 0 before the first. A second SIGINT ends the
    program. */
 const volatile sig_atomic_t *dem_catch_signals(const int *except, int exceptions);
-const char *dem_signal_name(int signal);                  /* of these three */
+const char *dem_signal_name(int signal);                  /* of these three, and of DEM_STOP_FILE */
+
+/* Take signals of dem_catch_signals back from a library that has put a handler of its own there. */
+void dem_keep_signals(void);
+
+/* A stop for a run that signals do not reach: a file, as a rule `stop` in the run's folder.
+   dem_stop_file_look, between two steps on one rank, also in the function of dem_set_progress: look
+   for it, at most once a second of the clock; when it is there, remove it and store DEM_STOP_FILE
+   where dem_catch_signals stores the number of a signal.
+   dem_stop_file_clear, before the first step: remove one that was there before; *found: 1 when it was.
+   An error when it is there and cannot be removed. */
+int dem_stop_file_clear(const char *path, int *found);
+void dem_stop_file_look(const char *path);
 
 /* From now on dem_advance calls `report` on this rank, at most once in `seconds` of the clock, with
-   `self`, the simulated time [s] and the number of steps made so far. It must not call the library.
+   `self`, the simulated time [s] and the number of steps made so far. Of the library it may call
+   dem_stop_file_look and dem_keep_signals only.
    NULL ends it. */
 void dem_set_progress(struct dem *, double seconds,
                       void (*report)(void *self, double time, int64_t steps), void *self);
