@@ -99,8 +99,11 @@ const volatile sig_atomic_t *dem_repeated_signal(void)
 
 const char *dem_signal_name(int signal)
 {
-    return signal == SIGTERM ? "SIGTERM" : signal == SIGUSR1 ? "SIGUSR1"
-         : signal == SIGINT ? "SIGINT" : "the file stop";
+    return signal == SIGTERM         ? "SIGTERM"
+         : signal == SIGUSR1       ? "SIGUSR1"
+         : signal == SIGINT        ? "SIGINT"
+         : signal == DEM_STOP_FILE ? "the file stop"
+                                   : "";
 }
 
 /* ---- the file -------------------------------------------------------------------------------- */
