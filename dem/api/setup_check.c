@@ -82,14 +82,16 @@ static double wall_reach(const struct dem *d, double radius)
 int dem_api_finish_physics(struct dem *d)
 {
     struct dem_state *const p = &d->state;
-    int wall_materials[DEM_MATERIALS] = {0};
+    int made_of[DEM_PARTNERS][DEM_MATERIALS] = {{0}};
     const double radius = dem_api_max_radius(d);
 
     for (int w = 0; w < p->walls.walls; w++)
     {
-        wall_materials[p->walls.wall[w].material] = 1;
+        const struct dem_wall *const wall = &p->walls.wall[w];
+
+        made_of[DEM_PARTNER_WALL + wall->frictionless][wall->material] = 1;
     }
-    int status = dem_interaction_table_freeze(&p->interaction_table, wall_materials);
+    int status = dem_interaction_table_freeze(&p->interaction_table, made_of);
 
     if (!status)
     {

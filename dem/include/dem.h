@@ -257,6 +257,10 @@ void dem_keep_signals(void);
 int dem_stop_file_clear(const char *path, int *found);
 void dem_stop_file_look(const char *path);
 
+/* Where the number of a second request is stored, a signal or the file, that comes two seconds or
+   more after the first: stop without waiting. 0 before. Needs no simulation. */
+const volatile sig_atomic_t *dem_repeated_signal(void);
+
 /* From now on dem_advance calls `report` on this rank, at most once in `seconds` of the clock, with
    `self`, the simulated time [s] and the number of steps made so far. Of the library it may call
    dem_stop_file_look and dem_keep_signals only.

@@ -53,6 +53,8 @@ struct dem_wall
 {
     char name[64];
     int material;
+    int frictionless;                                 /* 1: contacts have the normal force and its
+                                                         damping only */
     enum dem_shape shape;
     int outside;                                      /* cylinder, sphere: 1 when
                                                          particles are outside */

@@ -330,7 +330,8 @@ static int wall_pairs(struct dem_pairs *s, const struct dem_particles *p, const 
     {
         const struct dem_wall_neighbor *const near = &s->wall_search.neighbor[k];
         const struct dem_particle *const me = &p->record[near->particle];
-        const int material = w->wall[w->facet[near->facet].wall].material;
+        const struct dem_wall *const wall = &w->wall[w->facet[near->facet].wall];
+        const int *const class = r->class_of[DEM_PARTNER_WALL + wall->frictionless][me->material];
 
         s->wall_facet[k] = facet_key(w, near, me);
         if (!(me->flags & DEM_PARTICLE_FROZEN) || r->contact_scalars)
@@ -342,7 +343,7 @@ static int wall_pairs(struct dem_pairs *s, const struct dem_particles *p, const 
                              .j = (uint32_t)k,
                              .shift = DEM_SHIFT_NONE,
                              .wall = 1,
-                             .class = (uint16_t)r->class_of[1][me->material][material]}));
+                             .class = (uint16_t)class[wall->material]}));
         }
     }
     return DEM_OK;
