@@ -214,7 +214,8 @@ class DemScript:
                 self.report.refuse(place, f"region {i.region.style}", "known are block, cylinder "
                                    "and sphere")
             if i.style == "pack" and i.every == 0:
-                entries = group_entries(i, i.number(self.report, word), material, frozen)
+                entries = group_entries(i, i.numbers(self.report, word, self.t.box), material,
+                                        frozen)
                 # off the mesh's boundary: the walls are its patches
                 entries = [(name, entry.replace("inside walls;", "inside mesh;"))
                            for name, entry in entries]
