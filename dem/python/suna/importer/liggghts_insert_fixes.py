@@ -19,8 +19,7 @@ AMOUNTS = {                     # attribute of Insertion, kind of number
     "particlerate": ("rate", "rate"),
     "massrate": ("mass_rate", "mass rate")}
 RADII = {"constant": 1, "uniform": 2, "gaussian": 2, "lognormal": 2}    # how many numbers
-PLACING = ("maxattempt", "ntry_mc", "warn_region", "verbose", "check_dist_from_subdomain_border",
-           "parallel", "random_distribute", "compress_tags", "check_obb", "save_template",
+PLACING = ("ntry_mc", "warn_region", "verbose", "parallel", "random_distribute", "compress_tags", "check_obb", "save_template",
            "extrude_length", "duration", "duration_time")
 
 
@@ -138,7 +137,16 @@ def overlap_check(t, i, word):
         t.approximated("Suna inserts without overlap", "overlapcheck no")
 
 
-ONE_WORD = {"seed": seed, "distributiontemplate": of_templates, "insert_every": every,
+def attempts(t, i, word):
+    i.tries = t.whole(word, 1, 10000)
+
+
+def off_border(t, i, word):
+    i.off_border = word == "yes"
+
+
+ONE_WORD = {"maxattempt": attempts, "check_dist_from_subdomain_border": off_border,
+            "seed": seed, "distributiontemplate": of_templates, "insert_every": every,
             "every": every, "insert_every_time": every_time, "start": start, "region": region,
             "insertion_face": face, "all_in": all_in, "overlapcheck": overlap_check}
 
