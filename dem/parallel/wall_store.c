@@ -17,7 +17,8 @@
 enum
 {
     RECORD = (int)(sizeof(struct dem_wall_record)/sizeof(double)), /* doubles of a record */
-    FACTS = 6                                                      /* numbers of a wall, of a box */
+    FACTS = 10                                                     /* numbers of a wall; a box takes
+                                                                      six */
 };
 _Static_assert(sizeof(struct dem_wall_record)%sizeof(double) == 0,
                "the record of a triangle is sent as doubles");
@@ -124,7 +125,9 @@ static void copy_facts(struct dem_walls *w, double *fact, int back)
     {
         struct dem_wall *const of = &w->wall[k];
         const double facts[FACTS] = {(double)of->triangles, (double)of->flat, (double)of->repeats,
-                                     (double)of->given, of->first_facet, of->facets};
+                                     (double)of->given, of->first_facet, of->facets,
+                                     of->area, of->centroid[0], of->centroid[1],
+                                     of->centroid[2]};
 
         if (!back)
         {
@@ -137,6 +140,8 @@ static void copy_facts(struct dem_walls *w, double *fact, int back)
         of->given = (size_t)fact[3];
         of->first_facet = (int)fact[4];
         of->facets = (int)fact[5];
+        of->area = fact[6];
+        memcpy(of->centroid, fact + 7, sizeof of->centroid);
     }
     for (int k = 0; k < w->frames; k++, fact += FACTS)
     {
