@@ -126,6 +126,47 @@ const double *dem_walls_to_frame(const struct dem_walls *w, int wall, const doub
     return own;
 }
 
+/* ---- speed along the normal ------------------------------------------------------------------ */
+
+/* At the point x of the wall's frame, where the normal of a flat wall is n. */
+static void add_push(const struct dem_walls *w, struct dem_wall *of, const double x[3],
+                     const double n[3])
+{
+    double v[3], at[3], normal[3];
+
+    if (of->frame < 0)
+    {
+        return;
+    }
+    dem_pose_point(&w->frame[of->frame].base, x, at);
+    dem_pose_direction(&w->frame[of->frame].base, n, normal);
+    dem_motion_velocity(&w->frame[of->frame].motion, at, v);
+    const double along = dem_vec_dot(v, normal), square = dem_vec_dot(v, v);
+
+    of->push = fmax(of->push, of->shape == DEM_SHAPE_SPHERE ? sqrt(square)
+                              : of->shape == DEM_SHAPE_CYLINDER
+                                  ? sqrt(fmax(square - along*along, 0.0))
+                                  : fabs(along));
+}
+
+void dem_walls_find_push(struct dem_walls *w)
+{
+    for (int k = 0; k < w->walls; k++)
+    {
+        w->wall[k].push = 0.0;
+        if (w->wall[k].shape != DEM_SHAPE_TRIANGLES)
+        {
+            add_push(w, &w->wall[k], w->wall[k].point, w->wall[k].normal);
+        }
+    }
+    for (size_t k = 0; k < 3*w->triangles; k++)
+    {
+        const struct dem_triangle *const t = &w->triangle[k/3];
+
+        add_push(w, &w->wall[t->wall], t->corner[k%3], w->facet[t->facet].normal);
+    }
+}
+
 /* ---- marks ----------------------------------------------------------------------------------- */
 
 static int add_mark(struct dem_walls *w, struct dem_mark mark)
@@ -207,6 +248,7 @@ void dem_walls_move(struct dem_walls *w, double time, double dt)
     for (int k = 0; k < w->frames; k++)
     {
         pose_at(&w->frame[k], time, &w->frame[k].pose);
+        dem_walls_make_pose_periodic(w, &w->frame[k]);
         dem_motion_displacement(&w->frame[k].motion, time, dt, &w->frame[k].displacement);
     }
     for (size_t k = 0; k < w->marks; k++)

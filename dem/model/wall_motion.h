@@ -62,6 +62,14 @@ struct dem_wall_displacement
 /* Pose of the reference frame at a time [s]. */
 void dem_motion_pose(const struct dem_motion *, double time, struct dem_pose *);
 
+/* Velocity [m/s] with which the motion carries the point x [m] of the base: the largest one
+   of an oscillation. */
+void dem_motion_velocity(const struct dem_motion *, const double x[3], double v[3]);
+
+/* Longest time step [s] that resolves an oscillation or rotation that acts after time 0; DBL_MAX
+   without one. *why: the criterion, to be followed by the name of the wall. */
+double dem_motion_time_limit(const struct dem_motion *, const char **why);
+
 /* Displacement over the step of length dt [s] that ends at `time` [s]; dt = 0 gives the velocity
    then. */
 void dem_motion_displacement(const struct dem_motion *, double time, double dt,
@@ -79,10 +87,11 @@ void dem_wall_displacement_rotate_back(const struct dem_wall_displacement *, con
 void dem_pose_product(const struct dem_pose *a, const struct dem_pose *b, struct dem_pose *product);
 void dem_pose_inverse(const struct dem_pose *, struct dem_pose *inverse);
 
-/* From the wall's frame to the global frame: a point, a direction. Back: a point. `in` and `out`
+/* From the wall's frame to the global frame: a point, a direction. Back: the same. `in` and `out`
    must be different arrays. */
 void dem_pose_point(const struct dem_pose *, const double in[3], double out[3]);
 void dem_pose_direction(const struct dem_pose *, const double in[3], double out[3]);
 void dem_pose_to_frame(const struct dem_pose *, const double in[3], double out[3]);
+void dem_pose_direction_to_frame(const struct dem_pose *, const double in[3], double out[3]);
 
 #endif

@@ -757,7 +757,7 @@ def walls():
     refused(lambda: cfdem_case(script={"boundary        f f f": "boundary p f f"}), "DEM/in.run", 3,
             "periodic")
     d = cfdem_case(script={"fix  inner all": "fix  sides all"}).d.sub("walls")
-    assert d.sub("sidesWall").word("type") == "plane"
+    assert d.sub("sides_2").word("type") == "plane"
     pipe = cfdem_case(script={"zcylinder 0.0075": "zcylinder 0.004"}).d.sub("walls").sub("pipe")
     assert pipe.number("radius") == 0.004 and pipe.word("particles") == "inside"
     assert pipe.vector("point") == (0.005, 0.005, 0)

@@ -227,7 +227,7 @@ class DemScript:
                                    "insert/rate/region; let particles enter by a stream through a "
                                    "patch")
             for name, entry in entries:
-                properties.add("insert", f"{name} {{ {entry} }}", place)
+                properties.named("insert", name, entry, place)
         self.add_placed(properties, folder, frozen)
         if self.settle is not None:
             place = self.places.get("read_restart")
@@ -251,7 +251,7 @@ class DemScript:
                 write_table(folder/f"constant/{name}.csv", p.x[of], p.diameter[of], p.v[of],
                             p.w[of], p.id[of])
                 entry = f'type table; {head} file "constant/{name}.csv";'
-            properties.add("insert", f"{name} {{ {entry} }}", self.place(p.place))
+            properties.named("insert", name, entry, self.place(p.place))
 
     def amounts(self):
         """(mean cube of the diameter, number, centre) of each group."""

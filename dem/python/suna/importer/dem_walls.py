@@ -37,11 +37,12 @@ def place_walls(walls, patches, centre, material, properties, report, place):
     """Adds walls and outlets to the properties. `centre`: of the particles, which are on that side
     of planes; `material(type)`: its name; `place`: where outlets are said to come from."""
     become, tolerance = {}, TOLERANCE*size(patches)
+    for name in patches:
+        properties.names.free("walls", name)        # these are the walls of the patches
     for wall in walls:
         if (plane if wall.kind == "plane" else cylinder)(wall, patches, become, tolerance, report):
-            name = wall.name + ("Wall" if wall.name in patches else "")
-            properties.add("walls", f"{name} {{ {entry(wall, centre, material(wall.material))} }}",
-                           wall.place)
+            properties.named("walls", wall.name, entry(wall, centre, material(wall.material)),
+                             wall.place)
     for name, wall in become.items():
         properties.add("walls", f"{name} {{ material {material(wall.material)}; }}", wall.place)
     for patch in patches.values():

@@ -30,11 +30,11 @@ def template(t, name, group, words):
     while rest:
         key = rest.pop(0)
         if key == "atom_type":
-            kind = int(rest.pop(0))
+            kind = t.atom_type(rest.pop(0))
         elif key == "density":
             if rest[0] != "constant":
                 t.refuse("a material has one density; write constant", f"density {rest[0]}")
-            density, rest = t.number(rest[1], "density"), rest[2:]
+            density, rest = t.positive(rest[1], "density"), rest[2:]
         elif key == "radius":
             style, radius, rest = radii(t, rest)
         elif key in ("volume_limit", "relative"):
@@ -62,9 +62,11 @@ def radii(t, rest):
 
 def distribution(by_mass):
     def add(t, name, group, words):
-        rows = words[2:2 + 2*int(words[1])]
+        rows = words[2:2 + 2*t.whole(words[1], 1, 1000)]
         found = [t.find(t.templates, key, "particletemplate") for key in rows[0::2]]
         weights = numpy.array([t.number(word) for word in rows[1::2]])
+        if (weights < 0).any() or not weights.any():
+            t.refuse(f"weights {' '.join(rows[1::2])}: none is below 0, and one is above")
         if by_mass:
             weights = weights/[template.mass() for template in found]
         t.distributions[name] = Distribution(found, list(weights/weights.sum()))
@@ -74,7 +76,9 @@ def distribution(by_mass):
 
 def insertion(style):
     def add(t, name, group, words):
-        rest, i = list(words), Insertion(as_name(name), style, group, None, t.command.place, t.time)
+        own = t.names.free("insert", as_name(name))
+        rest = words[:]
+        i = Insertion(name, own, style, group, None, t.command.place, t.time)
         while rest:
             key = rest.pop(0)
             if key in AMOUNTS:
@@ -98,7 +102,7 @@ def insertion(style):
 # ---- words with one value ----------------------------------------------
 
 def seed(t, i, word):
-    i.seed = int(float(word))
+    i.seed = t.whole(word)
 
 
 def of_templates(t, i, word):

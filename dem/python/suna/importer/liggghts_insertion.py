@@ -138,7 +138,8 @@ class Distribution:
 @dataclass
 class Insertion:
     """A fix insert/..., in SI and s."""
-    name: str
+    fix: str
+    name: str                       # in the scene
     style: str                      # pack, stream, rate
     group: str
     distribution: Distribution
@@ -206,8 +207,6 @@ class Insertion:
             return self.region.entries()
         return self.region.entries(self.distribution.largest())
 
-    def name_of(self, k):
-        return self.name if k == 0 else f"{self.name}_{k + 1}"
 
 
 def split(total, shares):
@@ -224,7 +223,7 @@ def group_entries(insertion, number, material_of, frozen):
     state = " frozen yes;" if frozen else insertion.motion()
     for k, (n, (key, _, part)) in enumerate(zip(numbers, parts)):
         if n:
-            found.append((insertion.name_of(k),
+            found.append((insertion.name,
                           f"type random; count {n}; material {material_of(key)}; {part.sizes()} "
                           f"{insertion.shape()} inside walls; seed {insertion.seed % 1000003 + k};"
                           f"{state}{insertion.scalars}"))
@@ -243,7 +242,7 @@ def stream_entries(insertion, amounts, material_of, where, start, end, k0=0):
             if math.isfinite(value) and value > 0:
                 value *= by_mass if name in ("massRate", "mass") else share
                 words.append(f"{name} {max(1, round(value)) if name == 'count' else text(value)};")
-        found.append((insertion.name_of(k + k0),
+        found.append((insertion.name + ("_refill" if k0 else ""),
                       f"type stream; {' '.join(words)} material {material_of(key)}; "
                       f"{part.sizes()} {where}{insertion.motion()}{insertion.scalars}" +
                       (f" spread {vector(insertion.spread)};" if insertion.spread.any() else "") +
