@@ -118,7 +118,7 @@ double dem_api_max_radius(const struct dem *d)
 }
 
 /* Radii by material and ratios of parcels, of particles that the scene inserts and of those that the program added. */
-static int find_radii(struct dem *d)
+int dem_api_add_radii(struct dem *d)
 {
     struct dem_interaction_table *const r = &d->state.interaction_table;
     int m;
@@ -168,5 +168,5 @@ int dem_api_check_scene(struct dem *d)
     }
     DEM_TRY(check_bonds(d));
     DEM_TRY(dem_insert_check_domain(&d->scene.insertion, &d->state.domain));
-    return find_radii(d);
+    return dem_api_add_radii(d);
 }

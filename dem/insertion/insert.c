@@ -454,17 +454,33 @@ int dem_insert_read(struct dem_insertion *i, const struct dem_dict *insert,
     return dem_insert_refuse_duplicates(i, 0, NULL);
 }
 
+const char *dem_insert_name(const struct dem_insertion *i, size_t k)
+{
+    return dem_dict_name(i->group[k].dict);
+}
+
+static void free_group(struct dem_insert_group *b)
+{
+    dem_memory_free(b->drawn);
+    dem_memory_free(b->site);
+    dem_insertion_limits_free(b->limits);
+    for (size_t t = 0; t < sizeof b->table/sizeof *b->table; t++)
+    {
+        dem_memory_free(b->table[t]);
+    }
+}
+
+void dem_insert_drop(struct dem_insertion *i, size_t k)
+{
+    free_group(&i->group[k]);
+    memmove(&i->group[k], &i->group[k + 1], (--i->n - k)*sizeof *i->group);
+}
+
 void dem_insert_free(struct dem_insertion *i)
 {
     for (size_t k = 0; k < i->n; k++)
     {
-        dem_memory_free(i->group[k].drawn);
-        dem_memory_free(i->group[k].site);
-        dem_insertion_limits_free(i->group[k].limits);
-        for (size_t t = 0; t < sizeof i->group[k].table/sizeof *i->group[k].table; t++)
-        {
-            dem_memory_free(i->group[k].table[t]);
-        }
+        free_group(&i->group[k]);
     }
     dem_memory_free(i->group);
     dem_insertion_regions_free(&i->regions);

@@ -641,8 +641,42 @@ static int join_triangles(struct dem_walls *w, double scale)
     return status;
 }
 
+/* Area and centroid of the triangles of each wall. */
+static void measure(struct dem_walls *w)
+{
+    for (size_t t = 0; t < w->triangles; t++)
+    {
+        const struct dem_triangle *const here = &w->triangle[t];
+        struct dem_wall *const of = &w->wall[here->wall];
+        double n[3];
+        const double area = 0.5*area_vector(here, n);
+
+        of->area += area;
+        for (int k = 0; k < 3; k++)
+        {
+            of->centroid[k] +=
+                area*(here->corner[0][k] + here->corner[1][k] + here->corner[2][k])/3.0;
+        }
+    }
+    for (int k = 0; k < w->walls; k++)
+    {
+        for (int a = 0; a < 3 && w->wall[k].area > 0.0; a++)
+        {
+            w->wall[k].centroid[a] /= w->wall[k].area;
+        }
+    }
+}
+
+/* Which frames have walls of triangles, and their boxes. */
 static void find_boxes(struct dem_walls *w)
 {
+    for (int k = 0; k < w->walls; k++)
+    {
+        if (w->wall[k].frame >= 0)
+        {
+            w->frame[w->wall[k].frame].triangles |= w->wall[k].shape == DEM_SHAPE_TRIANGLES;
+        }
+    }
     for (int k = 0; k < w->frames; k++)
     {
         for (int a = 0; a < 3; a++)
@@ -684,6 +718,7 @@ int dem_walls_finish(struct dem_walls *w, double scale)
         find_boxes(w);
         DEM_TRY(number_facets(w, NULL));
     }
+    measure(w);
     dem_walls_find_push(w);
     return dem_walls_make_marks(w);
 }

@@ -132,13 +132,20 @@ void dem_walls_swept_extent(const struct dem_walls *w, const struct dem_triangle
     extent[1] = -INFINITY;
     for (int k = 0; k < 3; k++)
     {
+        double at[3];
+
+        memcpy(at, t->corner[k], sizeof at);
+        if (m && w->frame[frame].resumed)
+        {
+            dem_pose_point(&w->frame[frame].base, t->corner[k], at);
+        }
         if (m && m->kind == DEM_MOTION_ROTATION)
         {
-            add_rotating(m, t->corner[k], axis, extent);
+            add_rotating(m, at, axis, extent);
         }
         else
         {
-            add_to_extent(t->corner[k][axis], extent);
+            add_to_extent(at[axis], extent);
         }
     }
     if (m && m->kind != DEM_MOTION_ROTATION)
@@ -162,9 +169,14 @@ static int comes_near(const struct dem_walls *w, const struct dem_wall_frame *f,
     double range[2];
 
     travel(&f->motion, k, range);
+    range[0] += f->base.shift[k];
+    range[1] += f->base.shift[k];
     return f->triangles && (f->box[0][k] + range[0] < w->face[0][k] + w->reach ||
                             f->box[1][k] + range[1] > w->face[1][k] - w->reach);
 }
+
+/* 1: of a product of a few rotations about one axis */
+static const double round_off = 1e-12;
 
 void dem_walls_choose_periods(struct dem_walls *w)
 {
@@ -174,7 +186,8 @@ void dem_walls_choose_periods(struct dem_walls *w)
 
         for (int k = 0; k < 3; k++)
         {
-            const int can = f->motion.kind != DEM_MOTION_ROTATION || is_along(f->motion.axis, k);
+            const int can = (f->motion.kind != DEM_MOTION_ROTATION || is_along(f->motion.axis, k))
+                         && fabs(f->base.rotation[k][k] - 1.0) < round_off;
 
             f->period[k] = w->period[k] > 0.0 && can && comes_near(w, f, k) ? w->period[k] : 0.0;
         }
@@ -193,16 +206,15 @@ void dem_walls_make_pose_periodic(const struct dem_walls *w, struct dem_wall_fra
 
     for (int k = 0; k < 3; k++)
     {
-        if (f->period[k] > 0.0 && f->motion.kind == DEM_MOTION_ROTATION)
+        if (f->period[k] > 0.0)
         {
-            for (int m = 0; m < 3; m++)
+            const int rotates = f->motion.kind == DEM_MOTION_ROTATION;
+
+            for (int m = 0; m < 3 && (rotates || f->resumed); m++)
             {
                 p->rotation[k][m] = p->rotation[m][k] = m == k ? 1.0 : 0.0;
             }
-            p->shift[k] = 0.0;
-        }
-        else if (f->period[k] > 0.0)
-        {
+            p->shift[k] = rotates ? f->base.shift[k] : p->shift[k];
             const double s = w->unit[k]*rint(p->shift[k]/w->unit[k]);
 
             p->shift[k] = remainder(s, f->period[k]) +
