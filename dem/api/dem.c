@@ -135,9 +135,18 @@ void dem_free(struct dem *d)
 
 int dem_api_require_unchecked(const struct dem *d, const char *call)
 {
-    DEM_REQUIRE(d->checked >= 0, DEM_ERROR_STATE, "%s after a scene that dem_check refused; call "
-                "dem_free and start again", call);
+    DEM_REQUIRE(d->checked >= 0, DEM_ERROR_STATE, "%s after a dem_check or dem_setup that failed; "
+                "call dem_free and start again", call);
     DEM_REQUIRE(!d->checked, DEM_ERROR_STATE, "%s comes before dem_check and dem_setup", call);
+    return DEM_OK;
+}
+
+int dem_api_require_count(const char *call, const char *items, int64_t n)
+{
+    DEM_REQUIRE(n >= 0, DEM_ERROR_INPUT, "%s: %lld %s; give 0 or more", call, (long long)n, items);
+    /* 128 bytes an item or less */
+    DEM_REQUIRE(n < INT64_MAX/128, DEM_ERROR_MEMORY, "%s: %lld %s are more than memory can hold",
+                call, (long long)n, items);
     return DEM_OK;
 }
 
@@ -176,12 +185,13 @@ int dem_remove_effect(struct dem *d, const char *effect)
 
 /* ---- walls and particles of the program ------------------------------------------------------ */
 
-int dem_add_wall(struct dem *d, const char *name, const char *material, int64_t n,
-                 const double *triangles)
+static int add_wall(struct dem *d, const char *name, const char *material, int64_t n,
+                    const double *triangles)
 {
     struct dem_mesh_wall *w;
 
     DEM_TRY(dem_api_require_unchecked(d, "dem_add_wall"));
+    DEM_TRY(dem_api_require_count("dem_add_wall", "triangles", n));
     DEM_REQUIRE(strlen(name) < sizeof w->name && strlen(material) < sizeof w->material,
                 DEM_ERROR_INPUT, "wall %s of %s: a name longer than %zu characters; shorten it",
                 name, material, sizeof w->material - 1);
@@ -194,6 +204,12 @@ int dem_add_wall(struct dem *d, const char *name, const char *material, int64_t 
     memcpy(w->triangles, triangles, 9*w->n*sizeof *triangles);
     d->mesh_walls++;
     return DEM_OK;
+}
+
+int dem_add_wall(struct dem *d, const char *name, const char *material, int64_t n,
+                 const double *triangles)
+{
+    return dem_api_agree(d, add_wall(d, name, material, n, triangles));
 }
 
 /* The original triangles stay; each call overwrites the moved ones. */
@@ -222,12 +238,13 @@ int dem_wall_move(struct dem *d, const char *name, int64_t n, const double *tria
                 "dem_wall_move: there is no wall %s of dem_add_wall", name);
     DEM_REQUIRE(!d->state.paused, DEM_ERROR_STATE, "dem_wall_move: wall %s is to move while "
                 "mechanics are paused; call dem_resume before", name);
-    DEM_TRY(copy_moved_corners(&d->mesh_wall[k], n, triangles));
+    DEM_TRY(dem_api_agree(d, copy_moved_corners(&d->mesh_wall[k], n, triangles)));
     return d->is_set_up ? dem_api_move_wall(d, &d->mesh_wall[k], 0) : DEM_OK;
 }
 
 static int add_particles(struct dem *d, int64_t n, const struct dem_new_particle *added)
 {
+    DEM_TRY(dem_api_require_count("dem_add_particles", "particles", n));
     DEM_TRY(DEM_GROW(d->initial_material, d->initial_capacity, d->initial.n + (size_t)n + 1));
     for (int64_t k = 0; k < n; k++)
     {
@@ -297,11 +314,14 @@ int dem_check(struct dem *d)
 
 int dem_setup(struct dem *d)
 {
-    DEM_REQUIRE(d->checked >= 0, DEM_ERROR_STATE, "dem_setup after a scene that dem_check refused; "
-                "call dem_free and start again");
+    DEM_REQUIRE(d->checked >= 0, DEM_ERROR_STATE, "dem_setup after a dem_check or dem_setup that "
+                "failed; call dem_free and start again");
     DEM_REQUIRE(!d->is_set_up, DEM_ERROR_STATE, "dem_setup has been called already; call it once");
     DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "dem_setup comes after the scene has been read");
-    return without_traps(d, dem_api_setup);
+    const int status = without_traps(d, dem_api_setup);
+
+    d->checked = status ? -1 : d->checked;
+    return status;
 }
 
 const struct dem_dict *dem_scene_dict(const struct dem *d)
@@ -339,10 +359,12 @@ int dem_warnings(struct dem *d, const struct dem_run_info *run, int n, const cha
 {
     struct dem_plan plan = {.state = &d->state, .scene = &d->scene, .run = *run, .step = d->step};
     const char *const *repeats, **sentences;
-    const size_t repeated = dem_dict_repeats(d->dict, &repeats);
     fenv_t caller;
 
     DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_warnings comes after dem_setup");
+    DEM_TRY(dem_api_require_count("dem_warnings", "sentences", n));
+    const size_t repeated = dem_dict_repeats(d->dict, &repeats);
+
     DEM_TRY(DEM_NEW(sentences, repeated + (size_t)n + 1));
     for (size_t k = 0; k < repeated + (size_t)n; k++)
     {
@@ -389,6 +411,8 @@ int dem_bed_slab(const struct dem *d, double up[3], double *low, double *high)
     struct dem_bed_packing bed;
     const int found = d->is_set_up && dem_bed_packing_measure(&d->state, &bed);
 
+    memset(up, 0, 3*sizeof *up);
+    *low = *high = 0.0;
     if (found)
     {
         memcpy(up, bed.up, sizeof bed.up);

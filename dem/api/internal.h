@@ -136,13 +136,17 @@ void dem_api_save_rest(const struct dem *, struct dem_snapshot *);
 /* DEM_ERROR_STATE, with the name of the call, when it comes after dem_check or dem_setup. */
 int dem_api_require_unchecked(const struct dem *, const char *call);
 
+/* An error when n, the number of `items` given in a call, is below 0 or above what memory can hold. */
+int dem_api_require_count(const char *call, const char *items, int64_t n);
+
 /* Collective. All ranks fail when one does: a rank without an error of its own reports that
    another one failed. */
 int dem_api_agree(const struct dem *, int status);
 
-/* Collective. Concatenate n items of `size` doubles from each rank, in the order of the ranks;
+/* Collective. Concatenate n items of `size` doubles from each rank, in the order of the ranks. A rank
+   that has failed before, with this status, takes part, and all ranks fail.
    *items belongs to the caller (dem_memory_free) and is set only on success; NULL without items. */
-int dem_api_gather(const struct dem_state *, size_t size, size_t n, const double *mine,
+int dem_api_gather(const struct dem_state *, int status, size_t size, size_t n, const double *mine,
                    double **items, size_t *number);
 
 /* Give the triangles of the patches to the streams that enter through them. */

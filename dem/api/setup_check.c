@@ -70,17 +70,28 @@ static int check_periodic_widths(const struct dem *d, double radius)
     return DEM_OK;
 }
 
+/* How far from a wall a particle can be that is compared with it: skins that are tuned are at most a
+   diameter. */
+static double wall_reach(const struct dem *d, double radius)
+{
+    const double skin = d->scene.tuned_skins ? 1.0 : fmax(1.0, d->scene.outer_skin);
+
+    return radius + 2.0*radius*skin + d->state.interaction_table.reach;
+}
+
 int dem_api_finish_physics(struct dem *d)
 {
     struct dem_state *const p = &d->state;
-    int wall_materials[DEM_MATERIALS] = {0};
+    int made_of[DEM_PARTNERS][DEM_MATERIALS] = {{0}};
     const double radius = dem_api_max_radius(d);
 
     for (int w = 0; w < p->walls.walls; w++)
     {
-        wall_materials[p->walls.wall[w].material] = 1;
+        const struct dem_wall *const wall = &p->walls.wall[w];
+
+        made_of[DEM_PARTNER_WALL + wall->frictionless][wall->material] = 1;
     }
-    int status = dem_interaction_table_freeze(&p->interaction_table, wall_materials);
+    int status = dem_interaction_table_freeze(&p->interaction_table, made_of);
 
     if (!status)
     {
@@ -89,6 +100,7 @@ int dem_api_finish_physics(struct dem *d)
     status = status ? status : choose_step(d);
     status = status ? status : dem_api_check_pause(d);
     status = status ? status : check_periodic_widths(d, radius);
+    dem_domain_make_walls_periodic(&p->domain, wall_reach(d, radius), &p->walls);
     status = status ? status : dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0);
     status = status ? status : dem_domain_check_walls(&p->domain, &p->walls, radius);
     return dem_wall_store_finish(&p->wall_store, status, &p->walls);

@@ -53,6 +53,9 @@ static int add_every_nth(struct dem *d, int64_t *id)
 
         DEM_TRY(complete(d, k, &whole));
         whole.id = id[k] = whole.id < 0 ? next : whole.id;
+        DEM_REQUIRE(whole.id < INT64_MAX, DEM_ERROR_INPUT,
+                    "dem_add_particles: id %lld leaves no next one; give a smaller number",
+                    (long long)whole.id);
         next = id[k] >= next ? id[k] + 1 : next;
         dem_initial_particles_count(c, 1, 2.0*whole.radius, whole.mass, whole.material);
         if (k%(size_t)d->state.decomposition.ranks == (size_t)d->state.decomposition.rank)

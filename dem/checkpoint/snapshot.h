@@ -84,7 +84,7 @@ struct dem_snapshot                         /* the state besides particles and c
 int dem_snapshot_write(const char *path, const struct dem_snapshot *,
                        const struct dem_decomposition *, const struct dem_interaction_table *,
                        const struct dem_particles *, const struct dem_contacts *,
-                       const int *wall_facet);
+                       const struct dem_facet_key *wall_facet);
 
 /* Collective. Read first the particles (each rank a slice of the file), then, when these have
    migrated to their owners, the contacts: again a slice each, which is sent to the owners of

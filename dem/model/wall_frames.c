@@ -202,6 +202,7 @@ void dem_walls_move(struct dem_walls *w, double time, double dt)
     for (int k = 0; k < w->frames; k++)
     {
         dem_motion_pose(&w->frame[k].motion, time, &w->frame[k].pose);
+        dem_walls_make_pose_periodic(w, &w->frame[k]);
         dem_motion_displacement(&w->frame[k].motion, time, dt, &w->frame[k].displacement);
     }
     for (size_t k = 0; k < w->marks; k++)

@@ -112,6 +112,7 @@ int dem_walls_add_triangles(struct dem_walls *w, int wall, size_t n, const doubl
 
         memcpy(new->corner, corners + 9*t, sizeof new->corner);
         new->wall = (uint16_t)wall;
+        new->place = DEM_SHIFT_NONE;
         new->given_index = (uint32_t)w->wall[wall].given++;
         for (int k = 0; k < 9; k++)
         {

@@ -39,6 +39,14 @@ class Text(str):
     """A "string"; as a key it is a regular expression."""
 
 
+def matches(pattern, name):
+    """A key that is no regular expression matches only itself."""
+    try:
+        return re.fullmatch(pattern, name) is not None
+    except re.error:
+        return pattern == name
+
+
 class Entry:
     """name, place, and a Dictionary or a list of tokens: words, Text, lists, Dictionaries."""
 
@@ -69,18 +77,16 @@ class Dictionary:
 
     def find(self, name):
         """The entry of this name, or the last one whose pattern matches it; None. Marks it read."""
-        for entry in self.entries:
-            if entry.name == name and not entry.pattern:
-                entry.read = True
-                return entry
-        for entry in reversed(self.entries):
-            if entry.pattern and re.fullmatch(entry.name, name):
-                entry.read = True
-                return entry
+        plain = [e for e in self.entries if e.name == name and not e.pattern]
+        found = plain or [e for e in self.entries if e.pattern and matches(e.name, name)][-1:]
+        for entry in found[:1]:
+            entry.read = True
+            self.report.at = entry.place
+            return entry
         return None
 
     def __contains__(self, name):
-        return any(re.fullmatch(e.name, name) if e.pattern else e.name == name
+        return any(matches(e.name, name) if e.pattern else e.name == name
                    for e in self.entries)
 
     def where(self, name=None):
