@@ -4,12 +4,14 @@ law.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import math
+import re
 
 import numpy
 
 from .liggghts_contact import read_model, tell
 from .liggghts_mesh import BadMesh, read_tetrahedra
 from .liggghts_region import AXES, Region
+from .liggghts_words import BadWords
 from .units import BASE, Units
 
 ATOM_STYLES = ("granular", "sphere")
@@ -38,7 +40,10 @@ class Head:
         self.translated("domain/flat" if self.flat else "")
 
     def do_boundary(self, words):
-        self.boundary = list(words)
+        for word in words[:3]:
+            if not re.fullmatch("[pfsm]{1,2}", word):
+                raise BadWords(f'"{word}" is none of p, f, s, m')
+        self.boundary = words[:3]
         self.translated("domain")
 
     def do_create_box(self, words):

@@ -103,18 +103,19 @@ class Script:
             lines = read_lines(path)
             self.known[path] = lines, labels(lines)
         self.path, self.lines, self.at = path, self.known[path][0], 0
+        self.name = os.path.relpath(path, self.folder)
 
     # ---- commands in the order of execution ------------------------------------------------------
 
     def __iter__(self):
         for _ in range(MAX_COMMANDS):
             while self.at == len(self.lines) and self.files:
-                self.path, self.lines, self.at = self.files.pop()
+                self.path, self.name, self.lines, self.at = self.files.pop()
             if self.at == len(self.lines):
                 return
             number, text = self.lines[self.at]
             self.at += 1
-            self.place = Place(os.path.relpath(self.path, self.folder), number)
+            self.place = Place(self.name, number)
             yield from self._commands(text)
         with collected():
             self._fault("jump", f"the script has executed {MAX_COMMANDS} commands, the limit; an "
@@ -261,7 +262,7 @@ class Script:
         if len(self.files) == MAX_FILES:
             self._fault(f"include {words[0]}", f"is the file {MAX_FILES + 1} that is included in "
                         "another one; does a file include itself?")
-        self.files.append((self.path, self.lines, self.at))
+        self.files.append((self.path, self.name, self.lines, self.at))
         self._open(path)
 
     def _find(self, name, word):
