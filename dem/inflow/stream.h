@@ -69,7 +69,8 @@ struct dem_streams
 /* Read the streams of `insert` and the outlets of `outlets`, each of which may be NULL. The
    dictionaries must outlive the result. */
 int dem_streams_read(struct dem_streams *, const struct dem_dict *insert,
-                     const struct dem_dict *outlets, const struct dem_interaction_table *);
+                     const struct dem_dict *outlets, const struct dem_interaction_table *,
+                     const struct dem_domain *);
 /* Add the outlet that counts what walls of this entry of the scene absorb, unless it is there;
    *outlet: its index. */
 int dem_streams_add_wall(struct dem_streams *, const char *name, int *outlet);
