@@ -388,6 +388,12 @@ int dem_stream_draw_position(const struct dem_stream *s, const struct dem_stream
     return !s->inlet.patch || dem_vec_dot(v, inward) > 0.0;
 }
 
+/* A box, cylinder or sphere. */
+static int is_region(const struct dem_outlet *o)
+{
+    return !o->plane && !o->patch && !o->wall;
+}
+
 int dem_outlet_holds(const struct dem_outlet *o, const double x[3])
 {
     if (o->plane)
@@ -397,5 +403,22 @@ int dem_outlet_holds(const struct dem_outlet *o, const double x[3])
                    (x[2] - o->shape.from[2])*o->shape.axis[2] >
                0.0;
     }
-    return !o->patch && !o->wall && dem_insertion_shape_contains(&o->shape, x);
+    return is_region(o) && dem_insertion_shape_contains(&o->shape, x);
+}
+
+int dem_outlet_meets(const struct dem_outlet *o, const double from[3], const double step[3],
+                     const double part[2])
+{
+    return is_region(o) && dem_insertion_shape_meets(&o->shape, from, step, part);
+}
+
+int dem_streams_have_regions(const struct dem_streams *s)
+{
+    int any = 0;
+
+    for (int k = 0; k < s->outlets; k++)
+    {
+        any |= is_region(&s->outlet[k]);
+    }
+    return any;
 }

@@ -111,4 +111,12 @@ double dem_stream_max_travel(const struct dem_stream *, double ago, double radiu
 /* 1 when the outlet contains the point x [m]. */
 int dem_outlet_holds(const struct dem_outlet *, const double x[3]);
 
+/* 1 when a part (insertion_shape.h) of a path meets the outlet and its region. An outlet behind a
+   plane needs no path: a particle that was not there before ends there. */
+int dem_outlet_meets(const struct dem_outlet *, const double from[3], const double step[3],
+                     const double part[2]);
+
+/* 1 when any outlet is a region, which a fast particle may pass between two checks. */
+int dem_streams_have_regions(const struct dem_streams *);
+
 #endif

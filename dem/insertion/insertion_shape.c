@@ -1,6 +1,6 @@
 /*
- * insertion_shape.c -- read a box, cylinder or sphere; volume, point inside, uniform random points,
- * projection into it.
+ * insertion_shape.c -- read a box, cylinder or sphere; volume, points and paths inside, uniform random
+ * points, projection into it.
  *
  * Random points of a circle or a ball are points of the square or cube around it, drawn again when
  * they lie outside: no sine or cosine, whose last bits depend on the library.
@@ -249,6 +249,66 @@ int dem_insertion_shape_contains(const struct dem_insertion_shape *v, const doub
     return dem_vec_dot(r, r) - h*h <= v->radius*v->radius
         && (v->kind == DEM_INSERTION_SHAPE_SPHERE || (h >= 0.0 && h <= v->length));
 }
+
+/* ---- paths ----------------------------------------------------------------------------------- */
+
+/* Quotients are formed only where they are in 0 .. 1, so that none overflows. */
+int dem_insertion_shape_clip(double at, double step, double low, double high, double part[2])
+{
+    const double size = fabs(step);
+    const double in = step < 0.0 ? at - high : low - at, out = step < 0.0 ? at - low : high - at;
+
+    if (in > size || out < 0.0)
+    {
+        return 0;
+    }
+    part[0] = in > 0.0 && in/size > part[0] ? in/size : part[0];
+    part[1] = out < size && out/size < part[1] ? out/size : part[1];
+    return part[0] <= part[1];
+}
+
+int dem_insertion_shape_meets(const struct dem_insertion_shape *v, const double from[3],
+                              const double step[3], const double part[2])
+{
+    double inside[2] = {part[0], part[1]}, r[3], across[3];
+
+    if (v->kind == DEM_INSERTION_SHAPE_BOX)
+    {
+        int meets = 1;
+
+        for (int k = 0; k < 3; k++)
+        {
+            meets = meets && dem_insertion_shape_clip(from[k], step[k], v->min[k], v->max[k], inside);
+        }
+        return meets;
+    }
+    dem_vec_minus(from, v->from, r);
+    const double h = dem_vec_dot(r, v->axis), along = dem_vec_dot(step, v->axis);
+
+    if (v->kind == DEM_INSERTION_SHAPE_CYLINDER
+        && !dem_insertion_shape_clip(h, along, 0.0, v->length, inside))
+    {
+        return 0;
+    }
+    for (int k = 0; k < 3; k++)    /* the axis of a sphere is 0 */
+    {
+        r[k] -= h*v->axis[k];
+        across[k] = step[k] - along*v->axis[k];
+    }
+    /* the path is nearest to the axis at t = -r.across/across^2, or at an end of its part */
+    const double square = dem_vec_dot(across, across), to = -dem_vec_dot(r, across);
+    const double t = to <= inside[0]*square ? inside[0]
+                   : to >= inside[1]*square ? inside[1]
+                                            : to/square;
+
+    for (int k = 0; k < 3; k++)
+    {
+        r[k] += t*across[k];
+    }
+    return dem_vec_dot(r, r) <= v->radius*v->radius;
+}
+
+/* ---- confinement ----------------------------------------------------------------------------- */
 
 static void confine_to_box(const struct dem_insertion_shape *v, double radius, double x[3])
 {

@@ -66,6 +66,14 @@ int dem_insertion_shape_draw(const struct dem_insertion_shape *, double radius, 
 /* 1 when a point is inside. */
 int dem_insertion_shape_contains(const struct dem_insertion_shape *, const double x[3]);
 
+/* 1 when any point of the path from + t step, t in part[0] .. part[1] within 0 .. 1, is inside. */
+int dem_insertion_shape_meets(const struct dem_insertion_shape *, const double from[3],
+                              const double step[3], const double part[2]);
+
+/* Shorten `part` of the path at + t step, t in 0 .. 1, to where it is in low .. high. Returns 0 when
+   nothing is left. */
+int dem_insertion_shape_clip(double at, double step, double low, double high, double part[2]);
+
 /* Set `side`: two unit vectors normal to the axis and to each other. */
 void dem_insertion_shape_sides(struct dem_insertion_shape *);
 
