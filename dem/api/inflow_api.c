@@ -138,6 +138,7 @@ int dem_flow_apply(struct dem *d, int *changed)
                 "dem_setup, and dem_flow_on_request before it");
     DEM_REQUIRE(!d->state.half_step_ahead, DEM_ERROR_STATE,
                 "dem_flow_apply comes between two advances");
+    DEM_TRY(dem_api_require_sound(d, "dem_flow_apply"));
     feholdexcept(&caller);
     const int status =
         dem_flows_between_windows(&d->state, d->outgoing_count, d->outgoing, changed);

@@ -12,6 +12,7 @@
 #include "core/did_you_mean.h"
 #include "dem.h"
 #include <mpi.h>
+#include <errno.h>
 #include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -88,6 +89,22 @@ int dem_program_agree(const struct dem_program *p, int status)
     return worst && !status ? dem_error(worst, "another rank failed; see its message") : status;
 }
 
+int dem_program_check_output(const struct dem_program *p, int status)
+{
+    if (p->rank > 0)
+    {
+        return status;
+    }
+    errno = 0;
+    const int bad = fflush(stdout) != 0 || ferror(stdout);
+
+    /* an earlier failure has left no reason */
+    return bad && status == DEM_OK
+             ? dem_error(DEM_ERROR_FILE, "cannot write all to standard output: %s",
+                         errno ? strerror(errno) : "its disk is full, or its reader has ended")
+             : status;
+}
+
 /* Print the version, or the commands; returns 0 where neither is asked for. */
 static int introduce(const struct dem_program *p, int argc, char **argv)
 {
@@ -134,10 +151,16 @@ int main(int argc, char **argv)
     p.comm = p.ranks > 1 ? MPI_COMM_WORLD : MPI_COMM_NULL;
     if (introduce(&p, argc, argv))
     {
+        status = dem_program_check_output(&p, DEM_OK);
+        if (status)
+        {
+            fprintf(stderr, "dem: %s\n", dem_error_text());
+        }
         MPI_Finalize();
-        return argc < 2 ? EXIT_FAILURE : EXIT_SUCCESS;
+        return argc < 2 || status ? EXIT_FAILURE : EXIT_SUCCESS;
     }
     status = command ? command->run(&p, argc - 2, argv + 2) : refuse(argv[1]);
+    status = dem_program_agree(&p, dem_program_check_output(&p, status));
     /* print the message once, on the first rank that has it */
     printer = p.ranks;
     if (status != DEM_OK && strncmp(dem_error_text(), "another rank failed", 19) != 0)

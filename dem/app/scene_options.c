@@ -208,7 +208,7 @@ static int set_up(const struct dem_program *prog, const struct dem_request *r, s
         DEM_TRY(dem_load(d, r->restart));
     }
     DEM_TRY(read_schedule(s, d, r->scene));
-    DEM_TRY(r->no_output ? DEM_OK : dem_output_check(&s->output, prog));
+    DEM_TRY(r->no_output ? DEM_OK : dem_output_check(&s->output, prog, r->scene));
     DEM_TRY(dem_accuracy_read(&s->accuracy, dem_scene_dict(d)));
     DEM_TRY(accept_coupling(dem_scene_dict(d), &s->coupling));
     DEM_TRY(s->output.energy > 0.0 && !r->no_output ? dem_energy_enable(d) : DEM_OK);

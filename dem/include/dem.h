@@ -243,10 +243,27 @@ int dem_stopped(const struct dem *);
    Returns where the number of the last one is stored, 0 before the first. A second SIGINT ends the
    program. */
 const volatile sig_atomic_t *dem_catch_signals(const int *except, int exceptions);
-const char *dem_signal_name(int signal);                  /* of these three; "" for others */
+const char *dem_signal_name(int signal);                  /* of these and DEM_STOP_FILE; else "" */
+
+/* Take signals of dem_catch_signals back from a library that has put a handler of its own there. */
+void dem_keep_signals(void);
+
+/* A stop for a run that signals do not reach: a file, as a rule `stop` in the run's folder.
+   dem_stop_file_look, between two steps on one rank, also in the function of dem_set_progress: look
+   for it, at most once a second of the clock; when it is there, remove it and store DEM_STOP_FILE
+   where dem_catch_signals stores the number of a signal.
+   dem_stop_file_clear, before the first step: remove one that was there before; *found: 1 when it was.
+   An error when it is there and cannot be removed. */
+int dem_stop_file_clear(const char *path, int *found);
+void dem_stop_file_look(const char *path);
+
+/* Where the number of a second request is stored, a signal or the file, that comes two seconds or
+   more after the first: stop without waiting. 0 before. Needs no simulation. */
+const volatile sig_atomic_t *dem_repeated_signal(void);
 
 /* From now on dem_advance calls `report` on this rank, at most once in `seconds` of the clock, with
-   `self`, the simulated time [s] and the number of steps made so far. It must not call the library.
+   `self`, the simulated time [s] and the number of steps made so far. Of the library it may call
+   dem_stop_file_look and dem_keep_signals only.
    NULL ends it. */
 void dem_set_progress(struct dem *, double seconds,
                       void (*report)(void *self, double time, int64_t steps), void *self);
@@ -522,15 +539,17 @@ int dem_means_get(const struct dem_means *, double *mean, double *half_width);
 
 /* Collective, after dem_setup. Write a snapshot: all ranks write one temporary file, which is
    verified, flushed to disk and renamed, so that a file of that name stays until the new one is
-   complete. A snapshot loads on any number of ranks and the run continues with the same bits. */
+   complete. A snapshot loads on any number of ranks and the run continues with the same bits. After a
+   dem_advance that failed it is refused, until dem_restore: a good snapshot stays. */
 int dem_save(struct dem *, const char *path);
 
 /* Not collective; needs no simulation. The hash of the state in a snapshot, as dem_hash returns
    it. */
 int dem_snapshot_hash(const char *path, uint64_t *hash);
 
-/* Start from a snapshot instead of the scene's insertions: after the scene, before dem_check.
-   The file is read in dem_setup. */
+/* Continue from a snapshot: after the scene, before dem_check. The file is read in dem_setup. The scene
+   may be an edited one: groups of `insert` that the snapshot does not have are inserted, walls go on
+   from where they stood, and dem_warnings names every difference. */
 int dem_load(struct dem *, const char *path);
 
 /* The same for a state that another run has made, as the scene's entry `start` does, whose other

@@ -81,8 +81,8 @@ class Laws:
         differ = {e: values for e, values in differ.items() if values}
         if differ:
             model = self.materials[b][2] or self.materials[a][2] or self.state["model"]
-            self.scene.add("pairs", f"{a}_{b} {{ between ({a} {b}); "
-                           + " ".join(braces(e, v) for e, v in differ.items()) + " }", model.place)
+            self.scene.named("pairs", f"{a}_{b}", f"between ({a} {b}); " + " ".join(
+                braces(e, v) for e, v in differ.items()), model.place)
 
     def need(self, properties, name, kind):
         if not properties.has(name):

@@ -6,7 +6,7 @@ import math
 
 import numpy
 
-from .liggghts_contact import fits, read_model
+from .liggghts_contact import read_model
 from .liggghts_mesh import BadMesh, read_triangles, rotated
 from .liggghts_state import Mesh, Motion, Wall
 
@@ -36,11 +36,6 @@ def wall(t, name, group, words):
     if words[0] != "model":
         t.refuse("known is wall/gran model NORMAL ...", f"fix wall/gran {words[0]}")
     model, rest = read_model(words[1:], t.command.place, "fix wall/gran", t.report)
-    if t.model is None:
-        t.refuse("pair_style comes before the walls")
-    misfit = fits(model, t.model)
-    if misfit:
-        t.refuse(misfit)
     found = Wall(name, model, t.command.place)
     if rest[0] == "primitive":
         rest = read_primitive(t, found, rest)
@@ -58,7 +53,7 @@ def wall(t, name, group, words):
 def read_primitive(t, found, rest):
     """Type, shape and numbers of a primitive; returns the words left."""
     at = 2 if rest[1] == "type" else 1
-    found.type, found.primitive, rest = int(rest[at]), rest[at + 1], rest[at + 2:]
+    found.type, found.primitive, rest = t.atom_type(rest[at]), rest[at + 1], rest[at + 2:]
     count = PRIMITIVES.get(found.primitive)
     if count is None:
         t.refuse("known: planes, cylinders, general_plane, general_cylinder, general_cone; give "
@@ -69,8 +64,8 @@ def read_primitive(t, found, rest):
 
 def read_meshes(t, found, rest):
     """Names of the meshes; returns the words left."""
-    many = int(rest[rest.index("n_meshes") + 1])
-    at = rest.index("meshes") + 1
+    many = t.whole(rest[rest.after("n_meshes")], 1, 1000)
+    at = rest.after("meshes")
     found.meshes = tuple(rest[at:at + many])
     for name in found.meshes:
         t.find(t.meshes, name, "mesh")
@@ -108,11 +103,11 @@ def wall_temperature(t, word):
 
 
 def mesh(t, name, group, words):
-    given, found = list(words), Mesh(name, None, None, 0, t.command.place)
+    given, found = words[:], Mesh(name, None, None, 0, t.command.place)
     while given:
         key = given.pop(0)
         if key == "type":
-            found.type = int(given.pop(0))
+            found.type = t.atom_type(given.pop(0))
         elif key in MESH_WORDS:
             given = MESH_WORDS[key](t, found, given)
         elif key in MESH_HARMLESS:
@@ -144,7 +139,7 @@ def mesh_file(t, found, given):
 
 
 def mesh_scale(t, found, given):
-    factor = t.number(given[0])
+    factor = t.positive(given[0])
     found.triangles, found.scale = found.triangles*factor, found.scale*factor
     return given[1:]
 
@@ -157,7 +152,7 @@ def mesh_move(t, found, given):
 
 
 def mesh_rotate(t, found, given):
-    axis, angle = t.numbers(given[1:4]), math.radians(t.number(given[5]))
+    axis, angle = t.direction(given[1:4]), math.radians(t.number(given[5]))
     found.triangles = rotated(found.triangles, numpy.zeros(3), axis, angle)
     found.transformed |= angle != 0
     return given[6:]
@@ -169,7 +164,7 @@ def mesh_velocity(t, found, given):
 
 
 def mesh_spin(t, found, given):
-    origin, axis = t.numbers(given[1:4], "length"), t.numbers(given[5:8])
+    origin, axis = t.numbers(given[1:4], "length"), t.direction(given[5:8])
     found.spin = (*origin, *axis, t.number(given[9], "spin"))
     return given[10:]
 
@@ -197,10 +192,10 @@ def move_mesh(t, name, group, words):
     if kind == "linear":
         values = t.numbers(rest[:3], "velocity")
     elif kind == "rotate":
-        origin, axis = t.numbers(rest[1:4], "length"), t.numbers(rest[5:8])
-        values = (*origin, *axis, 2*math.pi/t.number(rest[9], "time"))
+        origin, axis = t.numbers(rest[1:4], "length"), t.direction(rest[5:8])
+        values = (*origin, *axis, 2*math.pi/t.nonzero(rest[9], "time"))
     else:
-        values = (*t.numbers(rest[1:4], "length"), 1/t.number(rest[5], "time"))
+        values = (*t.numbers(rest[1:4], "length"), 1/t.positive(rest[5], "time"))
     if any(m.end > t.time for m in wall.motions):
         t.refuse(f"mesh {wall.name} has a motion already, and a wall of Suna has one at a time")
     if t.time == 0 and kind == "linear" and not any(values):
