@@ -127,9 +127,10 @@ int dem_insert_region(struct dem *d, const char *name, int zone, int64_t n,
     DEM_REQUIRE(strlen(name) < sizeof g->surface->name, DEM_ERROR_INPUT,
                 "zone %s: a name longer than %zu characters; shorten it", name,
                 sizeof g->surface->name - 1);
-    DEM_TRY(DEM_GROW(g->surface, g->capacity, g->n + 1));
-    DEM_TRY(dem_api_gather(&d->state, dem_api_require_count("dem_insert_region", "triangles", n), 9,
-                           (size_t)n, triangles, &corners, &total));
+    int status = dem_api_require_count("dem_insert_region", "triangles", n);
+
+    status = status ? status : DEM_GROW(g->surface, g->capacity, g->n + 1);
+    DEM_TRY(dem_api_gather(&d->state, status, 9, (size_t)n, triangles, &corners, &total));
     struct dem_closed_surface *const s = &g->surface[g->n++];
 
     *s = (struct dem_closed_surface){.what = zone ? "zone" : "mesh", .zone = zone};
