@@ -23,7 +23,7 @@ int dem_program_check_output(const struct dem_program *, int status);
 /* Run a command with the arguments after its name. Returns a status of core/error.h. */
 int dem_main_run(struct dem_program *, int argc, char **argv);
 int dem_main_plan(struct dem_program *, int argc, char **argv);
-/* cost, import: Python programs. Does not return, except for an error; before MPI_Init. */
+/* cost, plot, import: Python programs. Does not return, except for an error; before MPI_Init. */
 int dem_main_python(const char *command, int argc, char **argv);
 int dem_main_effects(struct dem_program *, int argc, char **argv);
 int dem_main_hash(struct dem_program *, int argc, char **argv);

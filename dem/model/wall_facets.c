@@ -573,43 +573,6 @@ static int choose_planes(struct dem_walls *w)
     return DEM_OK;
 }
 
-/* The axes along which a particle may reach two images of a facet, which needs one that is almost a
-   period long. */
-static int find_distinct(struct dem_walls *w)
-{
-    double (*extent)[2][3];
-
-    DEM_TRY(DEM_NEW(extent, w->facets + 1));
-    for (int k = 0; k < 3*w->facets; k++)
-    {
-        extent[k/3][0][k%3] = INFINITY;
-        extent[k/3][1][k%3] = -INFINITY;
-    }
-    for (size_t t = 0; t < w->triangles; t++)
-    {
-        const int facet = w->triangle[t].facet;
-        double corner[3];
-
-        for (int k = 0; k < 9; k++)
-        {
-            dem_walls_place_corner(w, &w->triangle[t], k/3, corner);
-            extent[facet][0][k%3] = fmin(extent[facet][0][k%3], corner[k%3]);
-            extent[facet][1][k%3] = fmax(extent[facet][1][k%3], corner[k%3]);
-        }
-    }
-    for (int k = 0; k < 3*w->facets; k++)
-    {
-        struct dem_facet *const r = &w->facet[k/3];
-        const double period = dem_walls_period(w, w->wall[r->wall].frame)[k%3],
-                     length = extent[k/3][1][k%3] - extent[k/3][0][k%3];
-
-        r->distinct |= (uint8_t)((period > 0.0 && !(r->endless >> k%3 & 1) &&
-                                  length > period - 2.0*w->reach) << k%3);
-    }
-    dem_memory_free(extent);
-    return DEM_OK;
-}
-
 static int join_triangles(struct dem_walls *w, double scale)
 {
     struct edge *edge = NULL;
@@ -711,7 +674,7 @@ int dem_walls_finish(struct dem_walls *w, double scale)
         dem_walls_choose_periods(w);
         DEM_TRY(join_triangles(w, scale));
         DEM_TRY(choose_planes(w));
-        DEM_TRY(w->periodic ? find_distinct(w) : DEM_OK);
+        DEM_TRY(w->periodic ? dem_walls_compare_images(w) : DEM_OK);
     }
     else
     {

@@ -293,6 +293,9 @@ static inline const double *dem_walls_from_image(const double period[3], const i
 void dem_walls_place_corner(const struct dem_walls *, const struct dem_triangle *, int k,
                             double corner[3]);
 
+/* Part of dem_walls_finish: how facets lie to their own images, `endless` and `distinct`. */
+int dem_walls_compare_images(struct dem_walls *);
+
 /* Once boxes and motions of reference frames are known: which of these have periodic images. */
 void dem_walls_choose_periods(struct dem_walls *);
 

@@ -19,8 +19,7 @@ AMOUNTS = {                     # attribute of Insertion, kind of number
     "particlerate": ("rate", "rate"),
     "massrate": ("mass_rate", "mass rate")}
 RADII = {"constant": 1, "uniform": 2, "gaussian": 2, "lognormal": 2}    # how many numbers
-PLACING = ("maxattempt", "ntry_mc", "warn_region", "verbose", "check_dist_from_subdomain_border",
-           "parallel", "random_distribute", "compress_tags", "check_obb", "save_template",
+PLACING = ("ntry_mc", "warn_region", "verbose", "parallel", "random_distribute", "compress_tags", "check_obb", "save_template",
            "extrude_length", "duration", "duration_time")
 
 
@@ -50,7 +49,9 @@ def template(t, name, group, words):
 def radii(t, rest):
     """Style and numbers of `radius`, and the words left."""
     style = rest.pop(0)
-    if rest[0] in ("number", "mass"):
+    if rest[0] == "mass":
+        t.refuse("drawn by mass; write number, with its numbers", f"radius {style} mass")
+    if rest[0] == "number":
         rest.pop(0)
     if style not in RADII:
         t.refuse("known: constant, uniform, gaussian, lognormal", f"radius {style}")
@@ -138,7 +139,16 @@ def overlap_check(t, i, word):
         t.approximated("Suna inserts without overlap", "overlapcheck no")
 
 
-ONE_WORD = {"seed": seed, "distributiontemplate": of_templates, "insert_every": every,
+def attempts(t, i, word):
+    i.tries = t.whole(word, 1, 10000)
+
+
+def off_border(t, i, word):
+    i.off_border = word == "yes"
+
+
+ONE_WORD = {"maxattempt": attempts, "check_dist_from_subdomain_border": off_border,
+            "seed": seed, "distributiontemplate": of_templates, "insert_every": every,
             "every": every, "insert_every_time": every_time, "start": start, "region": region,
             "insertion_face": face, "all_in": all_in, "overlapcheck": overlap_check}
 

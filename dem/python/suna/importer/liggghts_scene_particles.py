@@ -84,19 +84,20 @@ class Groups:
         self.scene.named("insert", name, body + more, place)
 
     def add_packing(self, i):
-        number = i.number(self.report, "insert/pack")
+        numbers = i.numbers(self.report, "insert/pack", self.box)
+        number = sum(numbers)
         if i.start <= self.start and not self.restart:
-            self.add_packing_at_start(i, number)
+            self.add_packing_at_start(i, numbers)
         elif i.start >= self.start:
             self.add_packing_later(i, number)
         if i.every and i.end > self.start + i.every and i.region.is_shape():
             self.add_refill(i, number)
 
-    def add_packing_at_start(self, i, number):
+    def add_packing_at_start(self, i, numbers):
         if not i.region.is_shape():
-            self.scatter(i, number)
+            self.scatter(i, sum(numbers))
             return
-        for name, body in group_entries(i, number, self.of_key, self.is_frozen(i.group)):
+        for name, body in group_entries(i, numbers, self.of_key, self.is_frozen(i.group)):
             self.scene.named("insert", name, body, i.place)
 
     def add_packing_later(self, i, number):
