@@ -11,14 +11,14 @@
 #include <stdio.h>
 #include <string.h>
 
-int dem_api_gather(const struct dem_state *p, size_t size, size_t n, const double *mine,
+int dem_api_gather(const struct dem_state *p, int status, size_t size, size_t n, const double *mine,
                    double **items, size_t *number)
 {
     const struct dem_collect_items own = {"triangles of a wall or patch (make it of several)", mine,
                                           n, size*sizeof *mine};
     void *all;
 
-    DEM_TRY(dem_collect_gather(&p->decomposition, DEM_OK, &own, &all, number));
+    DEM_TRY(dem_collect_gather(&p->decomposition, status, &own, &all, number));
     *items = all;
     return DEM_OK;
 }
@@ -52,7 +52,7 @@ int dem_api_move_wall(struct dem *d, const struct dem_mesh_wall *m, int now)
         wall++;
     }
     DEM_TRY(follow(&d->state, wall));
-    DEM_TRY(dem_api_gather(&d->state, 9, m->n, m->moved, &corners, &n));
+    DEM_TRY(dem_api_gather(&d->state, DEM_OK, 9, m->n, m->moved, &corners, &n));
     const int status = now ? dem_walls_set_corners(w, wall, n, corners)
                            : dem_walls_set_target(w, wall, n, corners);
 
@@ -130,7 +130,8 @@ int dem_insert_region(struct dem *d, const char *name, int zone, int64_t n,
                 "zone %s: a name longer than %zu characters; shorten it", name,
                 sizeof g->surface->name - 1);
     DEM_TRY(DEM_GROW(g->surface, g->capacity, g->n + 1));
-    DEM_TRY(dem_api_gather(&d->state, 9, (size_t)n, triangles, &corners, &total));
+    DEM_TRY(dem_api_gather(&d->state, dem_api_require_count("dem_insert_region", "triangles", n), 9,
+                           (size_t)n, triangles, &corners, &total));
     struct dem_closed_surface *const s = &g->surface[g->n++];
 
     *s = (struct dem_closed_surface){.what = zone ? "zone" : "mesh", .zone = zone};

@@ -218,7 +218,7 @@ static int set_up(const struct dem_program *prog, const struct dem_request *r, s
                   struct dem_schedule *s)
 {
     DEM_TRY(dem_program_agree(prog, read_scene(r, d, s)));
-    DEM_TRY(r->no_output ? DEM_OK : dem_output_check(&s->output, prog));
+    DEM_TRY(r->no_output ? DEM_OK : dem_output_check(&s->output, prog, r->scene));
     DEM_TRY(dem_check(d));
     s->with_gravity = dem_gravity_acceleration(d, s->gravity);
     DEM_TRY(dem_quiet_check(d, &s->quiet));

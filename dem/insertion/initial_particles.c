@@ -78,10 +78,10 @@ int dem_initial_particles_add(struct dem_initial_particles *c, struct dem_partic
                     "out, or frozen",
                     where, p.v[k] != 0.0 ? p.v[k] : p.w[k]);
     }
+    p.id = p.id < 0 ? c->next_id : p.id;
     DEM_REQUIRE(p.id < INT64_MAX, DEM_ERROR_INPUT,
                 "%s: id %lld leaves no next one; give a smaller number", where, (long long)p.id);
     DEM_TRY(DEM_GROW(c->particle, c->capacity, c->n + 1));
-    p.id = p.id < 0 ? c->next_id : p.id;
     c->next_id = p.id >= c->next_id ? p.id + 1 : c->next_id;
     c->particle[c->n++] = p;
     if (c->scalars > 0)

@@ -436,6 +436,8 @@ int dem_insert_is_stream(const struct dem_dict *group)
 int dem_insert_read(struct dem_insertion *i, const struct dem_dict *insert,
                     const struct dem_interaction_table *r, const struct dem_walls *w)
 {
+    int64_t next = 0;
+
     for (size_t k = 0; k < dem_dict_count(insert); k++)
     {
         const struct dem_entry *const e = dem_dict_entry(insert, k);
@@ -448,22 +450,45 @@ int dem_insert_read(struct dem_insertion *i, const struct dem_dict *insert,
             continue;
         }
         DEM_TRY(DEM_GROW(i->group, i->capacity, i->n + 1));
-        DEM_TRY(read_group(dem_entry_dict(e), r, i, w, &i->group[i->n++]));
+        struct dem_insert_group *const b = &i->group[i->n++];
+
+        DEM_TRY(read_group(dem_entry_dict(e), r, i, w, b));
+        DEM_REQUIRE(b->ids || b->count <= INT64_MAX - next, DEM_ERROR_INPUT,
+                    "%s: %lld more ids from %lld on pass the largest, %lld; "
+                    "give smaller ids to the groups before it",
+                    b->where, (long long)b->count, (long long)next, (long long)INT64_MAX - 1);
+        next = dem_insert_group_next_id(b, next);
     }
     return dem_insert_refuse_duplicates(i, 0, NULL);
+}
+
+const char *dem_insert_name(const struct dem_insertion *i, size_t k)
+{
+    return dem_dict_name(i->group[k].dict);
+}
+
+static void free_group(struct dem_insert_group *b)
+{
+    dem_memory_free(b->drawn);
+    dem_memory_free(b->site);
+    dem_insertion_limits_free(b->limits);
+    for (size_t t = 0; t < sizeof b->table/sizeof *b->table; t++)
+    {
+        dem_memory_free(b->table[t]);
+    }
+}
+
+void dem_insert_drop(struct dem_insertion *i, size_t k)
+{
+    free_group(&i->group[k]);
+    memmove(&i->group[k], &i->group[k + 1], (--i->n - k)*sizeof *i->group);
 }
 
 void dem_insert_free(struct dem_insertion *i)
 {
     for (size_t k = 0; k < i->n; k++)
     {
-        dem_memory_free(i->group[k].drawn);
-        dem_memory_free(i->group[k].site);
-        dem_insertion_limits_free(i->group[k].limits);
-        for (size_t t = 0; t < sizeof i->group[k].table/sizeof *i->group[k].table; t++)
-        {
-            dem_memory_free(i->group[k].table[t]);
-        }
+        free_group(&i->group[k]);
     }
     dem_memory_free(i->group);
     dem_insertion_regions_free(&i->regions);

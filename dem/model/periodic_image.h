@@ -27,6 +27,11 @@ static inline int dem_shift_axis(int code, int axis)
     return (axis == 0 ? code%3 : axis == 1 ? code/3%3 : code/9) - 1;
 }
 
+static inline int dem_shift_code(int x, int y, int z)
+{
+    return x + 1 + 3*(y + 1) + 9*(z + 1);
+}
+
 static inline uint32_t dem_image_part(uint32_t image, int axis)
 {
     return image >> axis*DEM_IMAGE_BITS & DEM_IMAGE_MASK;

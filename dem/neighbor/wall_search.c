@@ -27,6 +27,7 @@ void dem_wall_search_free(struct dem_wall_search *s)
     dem_memory_free(s->entry);
     dem_memory_free(s->neighbor);
     dem_memory_free(s->candidate);
+    dem_memory_free(s->image);
     dem_memory_free(s->seen);
     memset(s, 0, sizeof *s);
 }
@@ -96,18 +97,23 @@ double dem_triangle_nearest(const struct dem_triangle *t, const double x[3], dou
 
 double dem_wall_search_nearest(const struct dem_wall_search *s, const struct dem_walls *w,
                                const struct dem_wall_neighbor *near, const double x[3],
-                               double point[3])
+                               double point[3], double away[3])
 {
-    double best = DBL_MAX, here[3];
+    double best = DBL_MAX, here[3], moved[3];
 
     for (uint32_t c = near->first; c < near->first + near->count; c++)
     {
-        const double square = dem_triangle_nearest(&w->triangle[s->candidate[c]], x, here);
+        const double *const from = dem_wall_from_candidate(s, w, c, x, moved);
+        const double square = dem_triangle_nearest(&w->triangle[s->candidate[c]], from, here);
 
         if (square < best)
         {
             best = square;
-            memcpy(point, here, sizeof here);
+            dem_vec_minus(from, here, away);
+            for (int k = 0; k < 3; k++)
+            {
+                point[k] = from == x ? here[k] : here[k] + (x[k] - from[k]);
+            }
         }
     }
     return sqrt(best);
@@ -117,14 +123,14 @@ double dem_wall_search_distance(const struct dem_wall_search *s, const struct de
                                 const struct dem_wall_neighbor *near, const double global[3])
 {
     const struct dem_facet *const r = &w->facet[near->facet];
-    double local_x[3], there[3];
+    double local_x[3], there[3], away[3];
     const double *const x = dem_walls_to_frame(w, r->wall, global, local_x);
 
     if (!dem_wall_neighbor_open(w, near))
     {
-        return dem_wall_search_nearest(s, w, near, x, there);
+        return dem_wall_search_nearest(s, w, near, x, there, away);
     }
-    const double h = dem_facet_height(r, x, there);
+    const double h = dem_facet_height(r, dem_wall_from_facet(w, near, x, away), there);
 
     return r->shape == DEM_SHAPE_TRIANGLES ? fabs(h) : h;
 }
@@ -307,7 +313,7 @@ static int add_neighbor(struct dem_wall_search *s, uint32_t particle, int facet,
     *near = &s->neighbor[s->neighbors++];
     **near = (struct dem_wall_neighbor){.particle = particle,
                                         .facet = facet,
-                                        .open = open,
+                                        .open = (uint8_t)open,
                                         .first = (uint32_t)s->candidates};
     return DEM_OK;
 }
@@ -338,8 +344,9 @@ static inline double plane_height(const struct dem_walls *w, uint32_t t, const d
     return dem_vec_dot(r->normal, x) - r->offset;
 }
 
-int dem_wall_search_gather(struct dem_wall_search *s, const struct dem_walls *w, int frame,
-                           const double x[3], double reach)
+/* Without images. */
+static int gather_at(struct dem_wall_search *s, const struct dem_walls *w, int frame,
+                     const double x[3], double reach)
 {
     double box[2][3], nearest[3];
     int from[3], to[3];
@@ -373,21 +380,127 @@ int dem_wall_search_gather(struct dem_wall_search *s, const struct dem_walls *w,
     return DEM_OK;
 }
 
-static void sort_by_facet(const struct dem_walls *w, uint32_t *t, size_t n)
+static int gather_image(struct dem_wall_search *s, const struct dem_walls *w, int frame,
+                        const double x[3], double reach, struct dem_wall_image image)
 {
-    for (size_t k = 1; k < n; k++)
+    size_t first = s->candidates;
+    double moved[3];
+
+    DEM_TRY(gather_at(s, w, frame,
+                      dem_walls_from_image(dem_walls_period(w, frame), image.n, x, moved), reach));
+    DEM_TRY(DEM_GROW(s->image, s->image_capacity, s->candidates + 1));
+    for (; first < s->candidates; first++)
     {
-        const uint32_t here = t[k];
+        s->image[first] = image;
+    }
+    return DEM_OK;
+}
+
+int dem_wall_search_gather(struct dem_wall_search *s, const struct dem_walls *w, int frame,
+                           const double x[3], double reach)
+{
+    int range[3][2];
+
+    if (!w->periodic)
+    {
+        return gather_at(s, w, frame, x, reach);
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        const double grid[2] = {s->origin[k], s->origin[k] + s->cells[k]*s->edge},
+                     around[2] = {x[k] - reach, x[k] + reach};
+
+        dem_walls_image_range(dem_walls_period(w, frame)[k], grid, around, range[k]);
+    }
+    for (int a = range[0][0]; a <= range[0][1]; a++)
+    {
+        for (int b = range[1][0]; b <= range[1][1]; b++)
+        {
+            for (int c = range[2][0]; c <= range[2][1]; c++)
+            {
+                DEM_TRY(gather_image(s, w, frame, x, reach,
+                                     (struct dem_wall_image){{(int8_t)a, (int8_t)b, (int8_t)c}}));
+            }
+        }
+    }
+    return DEM_OK;
+}
+
+/* a triangle or an image of one, and the facet */
+struct found
+{
+    uint32_t triangle;
+    int facet;
+    struct dem_wall_image image, of_facet;
+};
+
+static struct found found_at(const struct dem_wall_search *s, const struct dem_walls *w, size_t c)
+{
+    const struct dem_triangle *const t = &w->triangle[s->candidate[c]];
+    struct found f = {.triangle = s->candidate[c], .facet = t->facet};
+
+    if (s->image)
+    {
+        f.image = s->image[c];
+        for (int k = 0; k < 3; k++)
+        {
+            f.of_facet.n[k] = (int8_t)(w->facet[t->facet].endless >> k & 1
+                                           ? 0 : f.image.n[k] - dem_shift_axis(t->place, k));
+        }
+    }
+    return f;
+}
+
+static int compare_images(const struct dem_wall_image *a, const struct dem_wall_image *b)
+{
+    int order = 0;
+
+    for (int k = 0; k < 3 && order == 0; k++)
+    {
+        order = (a->n[k] > b->n[k]) - (a->n[k] < b->n[k]);
+    }
+    return order;
+}
+
+/* By facet, image of the facet, triangle, image of the triangle. */
+static int comes_after(const struct found *a, const struct found *b)
+{
+    const int facets = (a->facet > b->facet) - (a->facet < b->facet),
+              images = compare_images(&a->of_facet, &b->of_facet),
+              triangles = (a->triangle > b->triangle) - (a->triangle < b->triangle);
+
+    return (facets      ? facets
+            : images    ? images
+            : triangles ? triangles
+                        : compare_images(&a->image, &b->image)) > 0;
+}
+
+static void sort_by_facet(struct dem_wall_search *s, const struct dem_walls *w, size_t first)
+{
+    for (size_t k = first + 1; k < s->candidates; k++)
+    {
+        const struct found here = found_at(s, w, k);
         size_t m = k;
 
-        for (;
-             m > 0 && (w->triangle[t[m - 1]].facet > w->triangle[here].facet ||
-                       (w->triangle[t[m - 1]].facet == w->triangle[here].facet && t[m - 1] > here));
-             m--)
+        for (; m > first; m--)
         {
-            t[m] = t[m - 1];
+            const struct found before = found_at(s, w, m - 1);
+
+            if (!comes_after(&before, &here))
+            {
+                break;
+            }
+            s->candidate[m] = before.triangle;
+            if (s->image)
+            {
+                s->image[m] = before.image;
+            }
         }
-        t[m] = here;
+        s->candidate[m] = here.triangle;
+        if (s->image)
+        {
+            s->image[m] = here.image;
+        }
     }
 }
 
@@ -412,7 +525,7 @@ static int find_triangulated(struct dem_wall_search *s, const struct dem_walls *
     const size_t first = s->candidates;
     const double reach = p->radius + skin;
     struct dem_wall_neighbor *near = NULL;
-    double local_x[3];
+    double local_x[3], moved[3];
 
     DEM_TRY(dem_wall_search_gather(s, w, -1, p->x, reach));
     for (int k = 0; k < w->frames; k++)
@@ -423,21 +536,23 @@ static int find_triangulated(struct dem_wall_search *s, const struct dem_walls *
             DEM_TRY(dem_wall_search_gather(s, w, k, local_x, reach));
         }
     }
-    if (s->candidates > first)                            /* s->candidate may be NULL otherwise */
-    {
-        sort_by_facet(w, s->candidate + first, s->candidates - first);
-    }
+    sort_by_facet(s, w, first);
     for (size_t c = first; c < s->candidates; c++)
     {
-        const struct dem_triangle *const t = &w->triangle[s->candidate[c]];
+        const struct found f = found_at(s, w, c);
+        const struct dem_triangle *const t = &w->triangle[f.triangle];
+        const double *const x = dem_walls_to_frame(w, t->wall, p->x, local_x);
 
-        if (!near || near->facet != t->facet)
+        if (!near || near->facet != f.facet ||
+            memcmp(near->image, f.of_facet.n, sizeof near->image) != 0)
         {
-            DEM_TRY(add_neighbor(s, particle, t->facet, 1, &near));
+            DEM_TRY(add_neighbor(s, particle, f.facet, 1, &near));
             near->first = (uint32_t)c;
+            memcpy(near->image, f.of_facet.n, sizeof near->image);
         }
         near->count++;
-        near->open &= !rim_in_reach(t, dem_walls_to_frame(w, t->wall, p->x, local_x), reach);
+        near->open &= (uint8_t)!rim_in_reach(
+            t, dem_wall_from_candidate(s, w, (uint32_t)c, x, moved), reach);
     }
     return DEM_OK;
 }
@@ -487,11 +602,11 @@ static double distance_and_normal(const struct dem_wall_search *s, const struct 
                                   double normal[3])
 {
     const struct dem_facet *const r = &w->facet[near->facet];
-    double point[3];
+    double point[3], away[3];
 
     if (dem_wall_neighbor_open(w, near))
     {
-        const double h = dem_facet_height(r, x, normal);
+        const double h = dem_facet_height(r, dem_wall_from_facet(w, near, x, away), normal);
         const int behind = r->shape == DEM_SHAPE_TRIANGLES && h < 0.0;
 
         for (int k = 0; k < 3; k++)
@@ -500,11 +615,11 @@ static double distance_and_normal(const struct dem_wall_search *s, const struct 
         }
         return behind ? -h : h;
     }
-    const double distance = dem_wall_search_nearest(s, w, near, x, point);
+    const double distance = dem_wall_search_nearest(s, w, near, x, point, away);
 
     for (int k = 0; k < 3; k++)
     {
-        normal[k] = distance > 0.0 ? (x[k] - point[k])/distance : 0.0;
+        normal[k] = distance > 0.0 ? away[k]/distance : 0.0;
     }
     return distance;
 }
@@ -544,20 +659,22 @@ int dem_wall_search_push_out(struct dem_wall_search *s, const struct dem_walls *
     return DEM_OK;
 }
 
-uint32_t dem_wall_neighbor_triangle(const struct dem_wall_search *s, const struct dem_walls *w,
-                                    const struct dem_wall_neighbor *near, const double x[3])
+uint32_t dem_wall_neighbor_candidate(const struct dem_wall_search *s, const struct dem_walls *w,
+                                     const struct dem_wall_neighbor *near, const double x[3])
 {
-    uint32_t nearest = s->candidate[near->first];
-    double best = INFINITY, on[3];
+    uint32_t nearest = near->first;
+    double best = INFINITY, on[3], moved[3];
 
     for (uint32_t c = near->first; c < near->first + near->count; c++)
     {
-        const double square = dem_triangle_nearest(&w->triangle[s->candidate[c]], x, on);
+        const double square =
+            dem_triangle_nearest(&w->triangle[s->candidate[c]],
+                                 dem_wall_from_candidate(s, w, c, x, moved), on);
 
         if (square < best)
         {
             best = square;
-            nearest = s->candidate[c];
+            nearest = c;
         }
     }
     return nearest;

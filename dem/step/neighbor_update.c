@@ -269,6 +269,7 @@ static int hold_triangles(struct dem_state *p, int status)
 static int build_lists(struct dem_state *p, int status)
 {
     dem_pairs_use_chosen_skin(&p->pairs);
+    dem_walls_wrap(&p->walls);
     status = hold_triangles(p, status);
     status = status ? status : dem_pairs_order(&p->pairs, &p->particles);
     status = dem_halo_build(&p->halo, status, &p->particles, &p->domain, p->pairs.max_radius,

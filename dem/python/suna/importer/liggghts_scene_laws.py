@@ -81,8 +81,8 @@ class Laws:
         differ = {e: values for e, values in differ.items() if values}
         if differ:
             model = self.materials[b][2] or self.materials[a][2] or self.state["model"]
-            self.scene.add("pairs", f"{a}_{b} {{ between ({a} {b}); "
-                           + " ".join(braces(e, v) for e, v in differ.items()) + " }", model.place)
+            self.scene.named("pairs", f"{a}_{b}", f"between ({a} {b}); " + " ".join(
+                braces(e, v) for e, v in differ.items()), model.place)
 
     def need(self, properties, name, kind):
         if not properties.has(name):
@@ -96,8 +96,7 @@ class Laws:
             return laws(model, base, self.state["properties"], self.materials[a][0],
                         self.materials[b][0])
         except Need as need:
-            self.refuse(model.place, f"property/global {need}",
-                        "the model needs this property, which the script does not give")
+            self.refuse(model.place, f"property/global {need}", need.why)
         except IndexError:
             self.refuse(model.place, "property/global",
                         f"a property has no value for types {self.materials[a][0]} "
