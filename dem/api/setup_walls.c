@@ -75,9 +75,11 @@ int dem_api_add_mesh_walls(struct dem *d)
         struct dem_mesh_wall *const m = &d->mesh_wall[k];
         int material, wall;
 
-        DEM_TRY(dem_interaction_table_find_material(&d->state.interaction_table, m->material,
-                                                    m->name, &material));
-        DEM_TRY(dem_walls_add(&d->state.walls, m->name, material, &wall));
+        int status = dem_interaction_table_find_material(&d->state.interaction_table, m->material,
+                                                         m->name, &material);
+
+        status = status ? status : dem_walls_add(&d->state.walls, m->name, material, &wall);
+        DEM_TRY(dem_api_agree(d, status));
         /* the walls sort their triangles, so the order of the ranks has no influence */
         DEM_TRY(dem_wall_store_add(&d->state.wall_store, &d->state.walls, wall, m->n,
                                    m->triangles));
