@@ -11,7 +11,9 @@
 #include "app/walls_vtk.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/folder_lock.h"
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,16 +52,18 @@ static const char help[] =
     "    accuracy { target 0.01; }        search the step for errors within 1 % first, see dem cost\n"
     "-restart continues from a snapshot, on any number of ranks, with the same bits as the run\n"
     "that wrote it. SIGTERM, SIGUSR1 and SIGINT (Ctrl-C) end the run after the present step with\n"
-    "a snapshot, from which -restart continues with the same bits.\n"
+    "a snapshot, from which -restart continues with the same bits. So does a file `stop` in the\n"
+    "folder of the output (touch NAME/stop), which needs neither mpirun nor the batch system.\n"
     "-set overrides an entry: -set effects/dry/restitution 0.8, or -set time/end=1\n"
     "dem effects lists the effects.\n";
 
-/* s of the clock between lines of progress */
-static const double progress_interval = 10.0;
+/* s of the clock between lines of progress, and between looks for the file stop */
+static const double progress_interval = 10.0, look_interval = 1.0;
 
 struct progress
 {
-    double started;            /* s  wall clock at the start */
+    double started, printed;   /* s  wall clock at the start, at the last line */
+    char stop_file[640];
     double from, end;          /* s  simulated time at the start, at the end */
     double overlap;            /* 1  largest since the last line; dem_totals resets its own */
     int64_t steps, particles;  /*    steps at the start; particles at the last output */
@@ -73,15 +77,27 @@ static double seconds_left(const struct progress *p, double time)
     return done > 0.0 ? (MPI_Wtime() - p->started)/done*(p->end - time) : 0.0;
 }
 
-/* called by dem_set_progress */
-static void report_progress(void *of, double time, int64_t steps)
+static void report_progress(const struct progress *p, double time, int64_t steps)
 {
-    const struct progress *const p = of;
     const double rate = (double)(steps - p->steps)/(MPI_Wtime() - p->started);
 
     printf("progress %.1f %%, %.0f s left, %.3g steps/s, %.3g particle-steps/s\n",
            100.0*time/p->end, seconds_left(p, time), rate, rate*(double)p->particles);
     fflush(stdout);
+}
+
+/* called by dem_set_progress on the first rank */
+static void watch(void *of, double time, int64_t steps)
+{
+    struct progress *const p = of;
+
+    dem_stop_file_look(p->stop_file);
+    dem_keep_signals();
+    if (MPI_Wtime() - p->printed >= progress_interval)
+    {
+        p->printed = MPI_Wtime();
+        report_progress(p, time, steps);
+    }
 }
 
 static void report_bonds(const struct dem_totals *t)
@@ -221,9 +237,11 @@ static int begin(struct run_state *c)
     c->p.end = c->s->end;
     c->p.steps = c->t.steps;
     c->p.particles = c->t.particles;
+    c->p.printed = MPI_Wtime();
+    snprintf(c->p.stop_file, sizeof c->p.stop_file, "%s/stop", o->folder);
     if (c->prog->rank == 0)
     {
-        dem_set_progress(c->d, progress_interval, report_progress, &c->p);
+        dem_set_progress(c->d, look_interval, watch, &c->p);
     }
     DEM_TRY(dem_run_tables_begin(&c->tables, c->prog, o, c->d));
     DEM_TRY(dem_walls_vtk_begin(o, c->prog, c->d));
@@ -419,6 +437,22 @@ static int warn(const struct dem_program *prog, struct dem *d, double duration)
     return DEM_OK;
 }
 
+/* A file `stop` from before the start would end this run. */
+static int clear_stop_file(const struct dem_output *o)
+{
+    char path[640];
+    int found;
+
+    snprintf(path, sizeof path, "%s/stop", o->folder);
+    DEM_TRY(dem_stop_file_clear(path, &found));
+    if (found)
+    {
+        printf("the file %s, which was there before this run, is removed; made again, it ends the "
+               "run\n", path);
+    }
+    return DEM_OK;
+}
+
 static int announce(const struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
 {
     const struct dem_step_limit step = dem_step_limit(d);
@@ -451,32 +485,61 @@ static int announce(const struct dem_program *prog, struct dem *d, const struct 
     return warn(prog, d, fmax(0.0, s->end - t.time));
 }
 
+/* One run at a time in the folder. */
+static int lock_folder(struct dem_folder_lock *lock, const struct dem_output *o)
+{
+    DEM_TRY(dem_file_make_folder(o->folder));
+    DEM_TRY(dem_folder_lock(lock, o->folder));
+    if (lock->before[0])
+    {
+        printf("the lock of an earlier run in %s, %s, which has ended, is taken over\n", o->folder,
+               lock->before);
+    }
+    return clear_stop_file(o);
+}
+
+static int run_scene(struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
+{
+    uint64_t hash;
+
+    DEM_TRY(announce(prog, d, s));
+    DEM_TRY(advance_to_end(prog, d, s));
+    DEM_TRY(dem_hash(d, &hash));
+    if (prog->rank == 0)
+    {
+        dem_accuracy_print(&s->accuracy, dem_step_limit(d).used);
+        printf("hash %016llx\n", (unsigned long long)hash);
+    }
+    return DEM_OK;
+}
+
 static int run(struct dem_program *prog, struct dem *d, const struct dem_schedule *scheduled)
 {
+    struct dem_folder_lock lock = {.file = 0};
     struct dem_schedule s = *scheduled;
     struct dem_totals t;
-    uint64_t hash;
 
     DEM_TRY(dem_accuracy_search(&s.accuracy, prog, s.request));
     /* before the first line is printed, to which a script may answer with a signal */
     dem_set_stop_flag(d, dem_catch_signals(NULL, 0));
     DEM_TRY(dem_totals(d, &t));
     s.output.start = t.time;
-    DEM_TRY(announce(prog, d, &s));
-    DEM_TRY(advance_to_end(prog, d, &s));
-    DEM_TRY(dem_hash(d, &hash));
-    if (prog->rank == 0)
-    {
-        dem_accuracy_print(&s.accuracy, dem_step_limit(d).used);
-        printf("hash %016llx\n", (unsigned long long)hash);
-    }
-    return DEM_OK;
+    int status = prog->rank == 0 && dem_output_writes(&s.output, d)
+                   ? lock_folder(&lock, &s.output)
+                   : DEM_OK;
+
+    status = dem_program_agree(prog, status);
+    status = status ? status : run_scene(prog, d, &s);
+    dem_folder_unlock(&lock);
+    return status;
 }
 
 int dem_main_run(struct dem_program *prog, int argc, char **argv)
 {
     const struct dem_command command = {.name = "run", .help = help, .run = run};
 
+    /* a reader of the log that ends (head, less) must not end the run */
+    signal(SIGPIPE, SIG_IGN);
     return dem_command_run(prog, &command, argc, argv);
 }
 

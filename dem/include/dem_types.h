@@ -121,6 +121,11 @@ struct dem_scene_rewriter
 
 /* ---- advance --------------------------------------------------------------------------------- */
 
+enum
+{
+    DEM_STOP_FILE = 1000    /* asked to stop by a file; other numbers are those of signals */
+};
+
 /* time step of a scene: dem_step_limit */
 struct dem_step_limit
 {

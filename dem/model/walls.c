@@ -126,6 +126,7 @@ int dem_walls_add_triangles(struct dem_walls *w, int wall, size_t n, const doubl
 
         memcpy(new->corner, corners + 9*t, sizeof new->corner);
         new->wall = (uint16_t)wall;
+        new->place = DEM_SHIFT_NONE;
         new->given_index = (uint32_t)w->wall[wall].given++;
         for (int k = 0; k < 9; k++)
         {
@@ -160,6 +161,34 @@ int dem_walls_with_facet(const struct dem_walls *w, int number)
         k++;
     }
     return k;
+}
+
+/* ---- form ------------------------------------------------------------------------------------ */
+
+void dem_walls_form(const struct dem_wall *w, double form[DEM_WALL_FORM])
+{
+    const int triangles = w->shape == DEM_SHAPE_TRIANGLES;
+
+    memset(form, 0, DEM_WALL_FORM*sizeof *form);
+    memcpy(form, triangles ? w->centroid : w->point, 3*sizeof *form);
+    memcpy(form + 3, w->normal, sizeof w->normal);
+    form[6] = triangles ? w->area : w->radius;
+}
+
+int dem_walls_same_form(const double *a, const double *b, int triangles)
+{
+    /* 1  of the size of the wall: ten times the rounding of a corner in a text of six digits */
+    static const double rounding = 1e-5;
+
+    if (!triangles)
+    {
+        return memcmp(a, b, DEM_WALL_FORM*sizeof *a) == 0;
+    }
+    double moved[3];
+
+    dem_vec_minus(a, b, moved);
+    return fabs(a[6] - b[6]) <= rounding*a[6]
+        && dem_vec_norm(moved) <= rounding*(sqrt(a[6]) + dem_vec_norm(a));
 }
 
 /* ---- heights --------------------------------------------------------------------------------- */

@@ -14,17 +14,13 @@
    angles are finite. */
 static const double max_rate = 1e15, max_time = 1e15;
 
-/* A rotation: origin, unit axis and angular velocity. */
-static int read_turn(const struct dem_dict *dict, double origin[3], double axis[3], double *omega)
+/* Origin and unit axis of a rotation. */
+static int read_axis(const struct dem_dict *dict, double origin[3], double axis[3])
 {
     DEM_TRY(dem_dict_vector(dict, "origin", "m", origin));
     DEM_TRY(dem_dict_vector(dict, "axis", "1", axis));
-    DEM_TRY(dem_dict_number(dict, "omega", "rad/s", omega));
     const double size = dem_vec_norm(axis);
 
-    DEM_REQUIRE(fabs(*omega) < max_rate, DEM_ERROR_INPUT,
-                "%s: omega %g rad/s; give a number below %g", dem_dict_where(dict), *omega,
-                max_rate);
     DEM_REQUIRE(size > 0.0 && isfinite(size), DEM_ERROR_INPUT,
                 "%s: axis (%g %g %g) has no direction; give a vector along it",
                 dem_dict_where(dict), axis[0], axis[1], axis[2]);
@@ -32,6 +28,15 @@ static int read_turn(const struct dem_dict *dict, double origin[3], double axis[
     {
         axis[k] /= size;
     }
+    return DEM_OK;
+}
+
+static int read_omega(const struct dem_dict *dict, double *omega)
+{
+    DEM_TRY(dem_dict_number(dict, "omega", "rad/s", omega));
+    DEM_REQUIRE(fabs(*omega) < max_rate, DEM_ERROR_INPUT,
+                "%s: omega %g rad/s; give a number below %g", dem_dict_where(dict), *omega,
+                max_rate);
     return DEM_OK;
 }
 
@@ -73,7 +78,8 @@ static int read_motion(const struct dem_dict *dict, struct dem_motion *m)
     if (strcmp(type, known[1]) == 0)
     {
         m->kind = DEM_MOTION_ROTATION;
-        return read_turn(dict, m->origin, m->axis, &m->omega);
+        DEM_TRY(read_axis(dict, m->origin, m->axis));
+        return read_omega(dict, &m->omega);
     }
     if (strcmp(type, known[2]) == 0)
     {
@@ -84,25 +90,38 @@ static int read_motion(const struct dem_dict *dict, struct dem_motion *m)
                             "%s: ", dem_dict_where(dict));
 }
 
+/* A surface that turns like a solid (omega), or a belt around an axis (speed). */
+static int read_surface_rotation(const struct dem_dict *dict, struct dem_wall *wall)
+{
+    const bool belt = dem_dict_has(dict, "speed");
+    double omega;
+
+    DEM_REQUIRE(belt != dem_dict_has(dict, "omega"), DEM_ERROR_INPUT,
+                "%s: give omega [rad/s] for a surface that turns like a solid, or speed [m/s] for "
+                "a belt around the axis, one of the two", dem_dict_where(dict));
+    DEM_TRY(read_axis(dict, wall->drive_origin, wall->drive_axis));
+    if (belt)
+    {
+        return dem_dict_number(dict, "speed", "m/s", &wall->drive_speed);
+    }
+    DEM_TRY(read_omega(dict, &omega));
+    for (int k = 0; k < 3; k++)
+    {
+        wall->drive_spin[k] = wall->drive_axis[k]*omega;
+    }
+    return DEM_OK;
+}
+
 /* Velocity of the surface relative to the wall, as of a conveyor belt. */
 static int read_surface_velocity(const struct dem_dict *dict, struct dem_wall *wall)
 {
     static const double zero[3] = {0.0, 0.0, 0.0};
     const struct dem_dict *turn;
-    double omega;
 
     DEM_TRY(dem_dict_vector_or(dict, "surfaceVelocity", "m/s", zero, wall->drive));
     DEM_TRY(dem_dict_sub_if(dict, "surfaceRotation", &turn));
     wall->driven = turn || dem_dict_has(dict, "surfaceVelocity");
-    if (turn)
-    {
-        DEM_TRY(read_turn(turn, wall->drive_origin, wall->drive_spin, &omega));
-        for (int k = 0; k < 3; k++)
-        {
-            wall->drive_spin[k] *= omega;
-        }
-    }
-    return DEM_OK;
+    return turn ? read_surface_rotation(turn, wall) : DEM_OK;
 }
 
 int dem_scene_read_motion(struct dem_walls *w, int wall, const struct dem_dict *dict)

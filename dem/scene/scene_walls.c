@@ -159,15 +159,21 @@ static int read_wall(void *context, const struct dem_dict *dict)
                       ? first + 1
                       : w->walls;
 
-    bool absorb;
+    bool absorb, frictionless;
 
     DEM_TRY(dem_dict_switch_or(dict, "absorb", false, &absorb));
+    DEM_TRY(dem_dict_switch_or(dict, "frictionless", false, &frictionless));
     for (int k = first; k < end; k++)
     {
         w->wall[k].absorbs = absorb ? dem_dict_name(dict) : NULL;
+        w->wall[k].frictionless = frictionless;
         w->absorbing += absorb;
         DEM_TRY(dem_scalar_wall_read(dict, reader->interaction_table, &w->wall[k]));
         DEM_TRY(dem_scene_read_motion(w, k, dict));
+        DEM_REQUIRE(!(frictionless && w->wall[k].driven), DEM_ERROR_INPUT,
+                    "%s: wall %s is frictionless, so the velocity of its surface moves no particle; "
+                    "take out frictionless, or surfaceVelocity and surfaceRotation",
+                    dem_dict_where(dict), w->wall[k].name);
     }
     return DEM_OK;
 }

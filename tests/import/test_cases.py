@@ -20,8 +20,10 @@ from scipy.special import erfinv
 
 from suna.importer import cfdem, cfdem_models, cloud, cloud_injection, cloud_models, cloud_sizes
 from suna.importer.foam_dictionary import read_dictionary
+from suna.importer.liggghts_mesh import read_triangles, write_stl
 from suna.importer.mesh_patches import read_patches
-from suna.importer.report import APPROXIMATED, HARMLESS, CannotTranslate, Report
+from suna.importer.mesh_surfaces import distance, samples
+from suna.importer.report import APPROXIMATED, HARMLESS, TRANSLATED, CannotTranslate, Report
 
 WORK = Path(sys.argv[1])/"cases"
 
@@ -757,10 +759,62 @@ def walls():
     refused(lambda: cfdem_case(script={"boundary        f f f": "boundary p f f"}), "DEM/in.run", 3,
             "periodic")
     d = cfdem_case(script={"fix  inner all": "fix  sides all"}).d.sub("walls")
-    assert d.sub("sidesWall").word("type") == "plane"
+    assert d.sub("sides_2").word("type") == "plane"
     pipe = cfdem_case(script={"zcylinder 0.0075": "zcylinder 0.004"}).d.sub("walls").sub("pipe")
     assert pipe.number("radius") == 0.004 and pipe.word("particles") == "inside"
     assert pipe.vector("point") == (0.005, 0.005, 0)
+
+
+def quad(a, b, c, d):
+    return [(a, b, c), (a, c, d)]
+
+
+def surfaces():
+    """triangles of the script that lie on patches become these patches, with their distance"""
+    x = numpy.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)])*0.01
+    top = x + (0, 0, 0.04)
+    tub = numpy.array([t for k in range(4) for t in quad(x[k], x[k - 3], top[k - 3], top[k])])
+    floor = numpy.array(quad(*x))
+
+    def case(triangles, **more):
+        path = WORK/"wall.stl"
+        write_stl(path, triangles)
+        lines = [line for line in DEM.splitlines() if "primitive" not in line]
+        lines += ["fix  cad all mesh/surface file cad.stl type 1", "fix  w all wall/gran model hertz "
+                  "tangential history mesh n_meshes 1 meshes cad\n"]
+        return cfdem_case(files={"DEM/in.run": "\n".join(lines) + INSERT + RUN + "run 0\n",
+                                 "DEM/cad.stl": path.read_text()}, **more)
+
+    def entries(result, name):
+        return [str(name) for name, _ in result.d.sub(name).subs()]
+
+    result = case(numpy.concatenate([tub, floor]))
+    assert entries(result, "walls") == ["inlet", "sides"] and entries(result, "outlets") == ["outlet"]
+    line = len([line for line in DEM.splitlines() if "primitive" not in line]) + 1
+    assert result.has(APPROXIMATED, f"in.run:{line}", "inlet (becomes a wall)", "sides (is already")
+    # 1/20 of a diameter off the patch: told; larger than the mesh: what lies outside does not count
+    assert case(floor + (0, 0, 5e-5)).has(APPROXIMATED, "inlet (becomes", "up to 5e-05 m")
+    assert entries(case((floor - 0.005)*(9, 9, 1) + (0, 0, 0.005)), "walls") == ["inlet"]
+    assert case(floor + (0, 0, 0.05)).has(APPROXIMATED, "outside the mesh")
+    # a baffle, and a plate that covers half of the inlet, stay
+    for triangles, word in ((floor + (0, 0, 0.02), "from the patches, more than 0.0001 m"),
+                            (floor*(1, 0.5, 1), "only a part of patch inlet")):
+        result = case(triangles)
+        assert entries(result, "walls") == ["cad"] and "inlet" in entries(result, "outlets")
+        assert result.d.sub("walls").sub("cad").word("file") == "cad.stl" and result.has(
+            TRANSLATED, word)
+        assert numpy.allclose(read_triangles(WORK/"result/constant/triSurface/cad.stl"), triangles)
+    # round walls: corners of both lie on the cylinder, the largest distance is between them
+    angle = 2*math.pi*numpy.arange(24)/24
+    ring = numpy.column_stack([numpy.cos(angle), numpy.sin(angle), 0*angle])
+    high = ring + (0, 0, 1)
+    pipe = numpy.array([t for k in range(24) for t in quad(ring[k - 1], ring[k], high[k], high[k - 1])])
+    assert distance(samples(pipe, 0.05), pipe, 0.05).max() < 1e-12
+    coarse = [t for k in range(0, 24, 2) for t in quad(
+        ring[k - 2], ring[k], high[k], high[k - 2])]
+    # sagitta of a chord of 30 degrees less a part of that of 15 degrees
+    away = distance(samples(pipe, 0.02), numpy.array(coarse), 0.02).max()
+    assert 0.9*(1 - math.cos(math.pi/12)) < away < 1 - math.cos(math.pi/12), away
 
 
 def units():
@@ -794,7 +848,7 @@ def cfdem_runs():
 
 
 TESTS = [syntax, meshes, dpm, restitution, forces, contacts, patches, injections, distributions,
-         not_dem, uncoupled, cfdem_words, equations, kernels, cfdem_forces, exchange, walls, units,
+         not_dem, uncoupled, cfdem_words, equations, kernels, cfdem_forces, exchange, walls, surfaces, units,
          settled]
 RUNS = [cloud_runs, cfdem_runs]
 

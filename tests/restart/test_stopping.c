@@ -7,6 +7,8 @@
  *   leave, means.
  * - Continued with another step dt' it differs by at most half a kick: for a sphere in free fall g
  *   (dt - dt')/2.
+ * - A file asks for it as a signal does, is looked for once a second, and is removed.
+ * - A handler that a library puts in the place of the one that was asked for is put back.
  *
  * Source: the contract of dem_set_stop_flag in dem.h; the leapfrog is exact under constant
  * acceleration.
@@ -14,6 +16,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "physics/world.h"
+#include <sys/stat.h>
+#include <unistd.h>
 
 static const char heap[] =
     "materials { glass { density 2500; youngsModulus 5e5; } }"
@@ -182,6 +186,68 @@ static void other_steps(void)
              "shorter steps: height error at most that times the remaining time");
 }
 
+static int make(const char *path)
+{
+    FILE *const f = fopen(path, "w");
+
+    return f && fclose(f) == 0;
+}
+
+static void stop_file(void)
+{
+    const volatile sig_atomic_t *const caught = dem_catch_signals(NULL, 0);
+    char path[80];
+    int found;
+
+    snprintf(path, sizeof path, "%s/stop", folder);
+    TAP_OK(dem_stop_file_clear(path, &found) == DEM_OK && !found, "no file before the start");
+    dem_stop_file_look(path);
+    TAP_OK(*caught == 0, "no file: nothing is asked for");
+    TAP_OK(make(path), "a file is made");
+    dem_stop_file_look(path);
+    TAP_OK(*caught == 0 && access(path, F_OK) == 0, "within a second there is no second look");
+    sleep(1);
+    dem_stop_file_look(path);
+    TAP_OK(*caught == DEM_STOP_FILE && access(path, F_OK) != 0, "after a second it is seen and removed");
+    TAP_OK(strcmp(dem_signal_name(*caught), "the file stop") == 0, "its name in messages");
+    TAP_OK(make(path) && dem_stop_file_clear(path, &found) == DEM_OK && found && access(path, F_OK) != 0,
+           "one from before the start is removed");
+    snprintf(path, sizeof path, "%s/stop/", folder);
+    TAP_OK(mkdir(path, 0700) == 0, "a folder of that name");
+    snprintf(path, sizeof path, "%s/stop/x", folder);
+    TAP_OK(make(path), "that is not empty");
+    snprintf(path, sizeof path, "%s/stop", folder);
+    TAP_OK(dem_stop_file_clear(path, &found) == DEM_ERROR_FILE && found
+               && strstr(dem_error_text(), "cannot be removed"), "what cannot be removed is an error");
+}
+
+static void of_a_library(int number)
+{
+    (void)number;
+}
+
+static void kept_signals(void)
+{
+    static const int except = SIGUSR1;
+    const volatile sig_atomic_t *const caught = dem_catch_signals(&except, 1);
+
+    signal(SIGTERM, of_a_library);
+    signal(SIGUSR1, of_a_library);
+    dem_keep_signals();
+    raise(SIGTERM);
+    TAP_OK(*caught == SIGTERM, "a handler that was replaced is put back");
+    raise(SIGUSR1);
+    TAP_OK(*caught == SIGTERM, "one that was not asked for stays the other's");
+    raise(SIGINT);
+    TAP_OK(*caught == SIGINT, "SIGINT is caught");
+    dem_keep_signals();
+    struct sigaction present;
+
+    TAP_OK(sigaction(SIGINT, NULL, &present) == 0 && present.sa_handler == SIG_DFL,
+           "the second SIGINT ends the program, as before");
+    signal(SIGTERM, SIG_DFL);
+}
+
 int main(void)
 {
     TAP_TRAPS;
@@ -193,6 +259,8 @@ int main(void)
     same_bits();
     stop_reports();
     other_steps();
+    stop_file();
+    kept_signals();
     if (system(NULL))
     {
         char *const command = world_text("rm -r %s", folder);

@@ -3,12 +3,15 @@ Suna. Also python3 -m suna.importer.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import contextlib
 import os
 import sys
 from pathlib import Path
 
 from ..cost.__main__ import command
 from ..cost.options import read_options
+from ..cost.study import Refused
+from ..simulation import SunaError
 from .liggghts import Translation
 from .liggghts_particles import BadFile, is_data, is_dump, read_data, read_dump, write_table
 from .liggghts_scene import write_scenes
@@ -34,6 +37,7 @@ cannot be translated is an error that names line and word, and nothing is writte
 """
 
 VALUES = ("-o", "-report", "-var", "-units")
+FAULT = "here the importer fails by a fault of its own"
 
 
 def read_command(arguments):
@@ -86,8 +90,8 @@ def import_particles(path, output, report, variables, units):
     place = Place(os.path.relpath(path))
     try:
         p = read_dump(path, units, place) if is_dump(path) else read_data(path, units, place)[0]
-    except (BadFile, ValueError) as error:
-        report.refuse(place, "Atoms", str(error))
+    except BadFile as error:
+        report.refuse(place._replace(line=error.line), "Atoms", str(error))
     files, stem = [], output.removesuffix(".csv")
     kinds = sorted(set(p.type))
     for kind in kinds:
@@ -113,6 +117,21 @@ def default_output(path, translate):
     return path.resolve().name + ".suna"
 
 
+@contextlib.contextmanager
+def sentences(path, report):
+    """Faults of files, and of the importer itself, as sentences with the line that was read."""
+    try:
+        yield
+    except (Refused, SunaError):
+        raise
+    except OSError as error:
+        raise CannotTranslate(f"{error.filename or path}: {error.strerror or error}; check the "
+                              "path and its permissions") from None
+    except Exception as error:
+        raise CannotTranslate(f"{report.at or path}: {FAULT} ({type(error).__name__}: {error}); "
+                              "please report it with this input") from error
+
+
 def main(arguments):
     if arguments and arguments[0] in ("-help", "-h"):
         print(HELP, end="")
@@ -124,11 +143,12 @@ def main(arguments):
     translate, report = kind_of(path), Report()
     output = given.get("-o") or default_output(path, translate)
     try:
-        if path.is_dir():
-            translate(path, Path(output), report)
-            files, hint = [output], ""
-        else:
-            files, hint = translate(path, output, report, variables, Units(units))
+        with sentences(path, report):
+            if path.is_dir():
+                translate(path, Path(output), report)
+                files, hint = [output], ""
+            else:
+                files, hint = translate(path, output, report, variables, Units(units))
     finally:
         if "-report" in given:
             report.write_csv(given["-report"])

@@ -19,6 +19,7 @@ from .dem_properties import DemProperties
 from .dem_script import read_dem_script
 from .dem_walls import place_walls
 from .foam_dictionary import Dictionary, as_text, existing
+from .liggghts_mesh import write_stl
 from .mesh_patches import COUPLED, read_patches
 from .report import Place
 
@@ -98,6 +99,9 @@ class CfdemCase(CoupledCase):
         self.read_density()
         self.copy(without=INPUT + tuple(name + "_*" for name in INPUT))
         self.dem.add_particles(self.properties, self.target)
+        for name, triangles in self.surfaces.items():
+            (self.target/"constant/triSurface").mkdir(exist_ok=True)
+            write_stl(self.target/f"constant/triSurface/{name}.stl", triangles)
         self.write_fluid()
         self.write_changes()
         settle = "demPimpleFoam -settle; " if self.dem.settle is not None else ""
@@ -231,8 +235,9 @@ class CfdemCase(CoupledCase):
         report.translated(place, name, "constant/demProperties")
         self.dem = read_dem_script(path, top, report)
         self.dem.add_laws(self.properties)
-        place_walls(self.dem.walls, self.patches, self.dem.centre, self.dem.material,
-                    self.properties, report, self.coupling.place)
+        self.surfaces = place_walls(self.dem.walls, self.patches,
+                                    (self.dem.centre, self.dem.diameter), self.dem.material,
+                                    self.properties, report, self.coupling.place)
         self.check_periodic()
 
     def check_periodic(self):
@@ -253,9 +258,10 @@ class CfdemCase(CoupledCase):
                           "there is no such field: the fluid's density")
         tokens = self.field("rho").tokens("internalField")
         place = self.field("rho").where("internalField")
-        if tokens[0] != "uniform":
+        if tokens[:1] != ["uniform"]:
             report.refuse(place, "rho", "is not uniform; demPimpleFoam has one density")
-        self.properties.add("coupling", f"rho {float(tokens[1]):.12g};", place)
+        density = self.field("rho").positive("internalField")
+        self.properties.add("coupling", f"rho {density:.12g};", place)
         report.translated(place, "rho", "coupling/rho")
 
     def write_fluid(self):

@@ -228,7 +228,8 @@ class CloudCase(CoupledCase):
         """DPMFoam: demPimpleFoam."""
         report, self.command = self.report, "blockMesh; demPimpleFoam"
         transport = self.read("constant/transportProperties")
-        phase = transport.word("continuousPhase")
+        phase = transport.word("continuousPhase" if "continuousPhase" in transport else
+                               "continuousPhaseName")
         density = transport.number("rho." + phase)
         self.properties.add("coupling", f"rho {density:.12g};", transport.where("rho." + phase))
         report.translated(transport.where("rho." + phase), "rho." + phase, "coupling/rho")

@@ -7,6 +7,8 @@ the line of the source that it comes from.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+from .scene_text import Names
+
 SECTIONS = ("materials", "effects", "pairs", "walls", "domain", "insert", "start", "outlets",
             "time", "coupling")
 COLUMN = 60         # of the comments
@@ -14,11 +16,15 @@ COLUMN = 60         # of the comments
 
 class DemProperties:
     def __init__(self):
-        self.sections = {}
+        self.sections, self.names = {}, Names()
 
     def add(self, section, text, *places):
         """One entry, or several lines of it; the places are named behind the first."""
         self.sections.setdefault(section, []).append((text, places))
+
+    def named(self, section, name, body, *places):
+        """NAME { body }, under a name of its own."""
+        self.add(section, f"{self.names.free(section, name)} {{ {body} }}", *places)
 
     def text(self, title, command, report):
         lines = [f"// {title}", f"// To run: {command}", *report.comment(), ""]

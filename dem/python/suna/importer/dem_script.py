@@ -73,8 +73,10 @@ class DemScript:
         self.settle = self.t.before.time if self.t.before else None
         self.places = {row.word: row.place for row in report.rows}
         self.periodic = self.places.get("boundary") if "p" in self.t.boundary else None
+        if self.state["model"] is None:
+            report.refuse(Place(self.path.name), "pair_style", "is missing")
         self.refuse_others()
-        self.walls = [self.wall(wall) for wall in self.state["walls"].values()]
+        self.walls = [one for wall in self.state["walls"].values() for one in self.wall(wall)]
         self.densities = self.find_densities()
 
     def place(self, place):
@@ -117,10 +119,7 @@ class DemScript:
             self.refuse(wall.place, "fix wall/gran",
                         "walls of coupled cases have the laws of the particles")
         if wall.meshes:
-            self.refuse(wall.place, "fix wall/gran mesh",
-                        "walls of triangles are wall patches of the mesh, or "
-                        "surfaces of constant/triSurface: write walls { NAME { type surface; "
-                        "file; } }")
+            return [self.mesh(self.state["meshes"][name]) for name in wall.meshes]
         if wall.velocity or wall.rotation:
             self.refuse(wall.place, "fix wall/gran shear",
                         "write surfaceVelocity of the patch under walls")
@@ -134,8 +133,19 @@ class DemScript:
         else:
             rest = iter(wall.numbers[1:])
             point, radius = tuple(0.0 if x else next(rest) for x in axis), wall.numbers[0]
-        return Wall(as_name(wall.name), shape, point, axis, radius, wall.type,
-                    self.place(wall.place))
+        return [Wall(as_name(wall.name), shape, point, axis, radius, wall.type,
+                     self.place(wall.place))]
+
+    def mesh(self, mesh):
+        if mesh.motions:
+            self.refuse(mesh.motions[0].place, "fix move/mesh", "walls that move are not "
+                        "translated in coupled cases; write walls { NAME { type surface; file; "
+                        "motion { } } }")
+        if mesh.velocity and any(mesh.velocity) or mesh.spin:
+            self.refuse(mesh.place, "surface_vel", "write surfaceVelocity or surfaceRotation of "
+                        "the patch under walls")
+        return Wall(as_name(mesh.name), "mesh", (), (), 0.0, mesh.type, self.place(mesh.place),
+                    mesh.triangles)
 
     # ---- laws ------------------------------------------------------------------------------------
 
@@ -168,7 +178,7 @@ class DemScript:
         try:
             found = laws(model, model, self.state["properties"], i, j)
         except Need as error:
-            self.refuse(model.place, f"property/global {error}", "the model needs it")
+            self.refuse(model.place, f"property/global {error}", error.why)
         if "hertz" in found and self.t.speed != 1:
             found["hertz"].setdefault("impactSpeed", self.t.speed)      # its default is 1 m/s
         return {name: f"{name} {{ " + "".join(
@@ -176,8 +186,6 @@ class DemScript:
             settings.items()) + "}" for name, settings in found.items()}
 
     def add_laws(self, properties):
-        if self.state["model"] is None:
-            self.report.refuse(Place(self.path.name), "pair_style", "is missing")
         given, model = self.state["properties"], self.place(self.state["model"].place)
         for name in ("youngsModulus", "poissonsRatio"):
             if not given.has(name):
@@ -214,7 +222,8 @@ class DemScript:
                 self.report.refuse(place, f"region {i.region.style}", "known are block, cylinder "
                                    "and sphere")
             if i.style == "pack" and i.every == 0:
-                entries = group_entries(i, i.number(self.report, word), material, frozen)
+                entries = group_entries(i, i.numbers(self.report, word, self.t.box), material,
+                                        frozen)
                 # off the mesh's boundary: the walls are its patches
                 entries = [(name, entry.replace("inside walls;", "inside mesh;"))
                            for name, entry in entries]
@@ -227,7 +236,7 @@ class DemScript:
                                    "insert/rate/region; let particles enter by a stream through a "
                                    "patch")
             for name, entry in entries:
-                properties.add("insert", f"{name} {{ {entry} }}", place)
+                properties.named("insert", name, entry, place)
         self.add_placed(properties, folder, frozen)
         if self.settle is not None:
             place = self.places.get("read_restart")
@@ -251,7 +260,7 @@ class DemScript:
                 write_table(folder/f"constant/{name}.csv", p.x[of], p.diameter[of], p.v[of],
                             p.w[of], p.id[of])
                 entry = f'type table; {head} file "constant/{name}.csv";'
-            properties.add("insert", f"{name} {{ {entry} }}", self.place(p.place))
+            properties.named("insert", name, entry, self.place(p.place))
 
     def amounts(self):
         """(mean cube of the diameter, number, centre) of each group."""
@@ -268,9 +277,16 @@ class DemScript:
     @property
     def diameter(self):
         """Of the mean volume."""
-        rows = self.amounts()
+        rows = self.particles()
         return (sum(n*cube for cube, n, _ in rows)/sum(n for _, n, _ in rows))**(1/3)
 
     @property
     def centre(self):
-        return self.amounts()[0][2]
+        return self.particles()[0][2]
+
+    def particles(self):
+        rows = self.amounts()
+        if not rows:
+            self.report.refuse(Place(self.path.name), "particles", "the script inserts none, and "
+                               "names no restart file of a script that does")
+        return rows

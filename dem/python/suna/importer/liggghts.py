@@ -14,15 +14,19 @@ import copy
 import math
 from pathlib import Path
 
+import numpy
+
 from .liggghts_atoms import Atoms
 from .liggghts_contact import Properties
 from .liggghts_expression import Dynamic
 from .liggghts_head import Head
 from .liggghts_particles import Particles
 from .liggghts_restart import Restart
-from .liggghts_script import Script
+from .liggghts_script import Script, is_file
 from .liggghts_state import Stage, key
-from .report import CannotTranslate, Place
+from .liggghts_words import MOST, BadWords, as_number, as_whole
+from .report import Place, collected
+from .scene_text import Names
 from .units import Units
 from . import liggghts_fixes
 
@@ -56,7 +60,7 @@ HARMLESS = {
     "dump_modify": "",
     "fix_modify": "",
     "soft_particles": "maxOverlap is a setting of the scene",
-    "reset_timestep": "time goes on",
+    "hard_particles": "any Young's modulus is taken",
     "pair_coeff": "",
     "mass": "mass follows from size and density",
     "undump": "",
@@ -78,11 +82,13 @@ LACKING = {
     "rerun": "",
     "read_dump": "import the dump by itself"}
 
+MOST_TYPES = 1000
+
 
 class Translation(Head, Atoms, Restart):
     def __init__(self, path, report, variables=(), seen=()):
         self.path, self.report, self.given, self.seen = Path(path), report, variables, seen
-        self.stages, self.restarts, self.before = [], [], None
+        self.stages, self.before, self.in_run = [], None, False
         self.clear()
 
     def clear(self):
@@ -95,7 +101,7 @@ class Translation(Head, Atoms, Restart):
         self.particles, self.groups, self.integrated, self.frozen = Particles(), {}, [], []
         self.forces, self.outlets, self.interval, self.wall_interval = {}, {}, None, None
         self.fluid, self.lattice, self.fresh, self.restarted = None, None, True, None
-        self.driven, self.heat = {}, None
+        self.driven, self.heat, self.names = {}, None, Names()
 
     # ---- the script ------------------------------------------------------------------------------
 
@@ -103,21 +109,19 @@ class Translation(Head, Atoms, Restart):
         self.script = Script(self.path, self.report, self.keyword, self.given)
         for command in self.script:
             self.command = command
-            try:
-                self.execute(command)
-            except CannotTranslate:
-                pass
-            except Dynamic as error:
-                self.try_refuse(
-                    f"{error} is known only in a run of LIGGGHTS; write its value instead")
-            except (IndexError, KeyError, ValueError) as error:
-                self.try_refuse(f"the words after it are not those of LIGGGHTS ({error})")
+            self.report.at = command.place
+            with collected():
+                try:
+                    self.execute(command)
+                except Dynamic as error:
+                    self.refuse(
+                        f"{error} is known only in a run of LIGGGHTS; write its value instead")
+                except BadWords as error:
+                    self.refuse(str(error))
         if not self.stages:
-            place = Place(str(self.path.name), self.script.place.line if self.script.place else 0)
-            try:
-                self.report.refuse(place, "run", "the script runs no step that can be translated")
-            except CannotTranslate:
-                pass
+            with collected():
+                self.report.refuse(self.script.place or Place(self.path.name), "run",
+                                   "the script runs no step that can be translated")
         return self
 
     def execute(self, command):
@@ -131,10 +135,10 @@ class Translation(Head, Atoms, Restart):
 
     def word(self):
         c = self.command
-        if c.name == "fix":
-            return f"fix {c.words[2]}" + \
-                (f" {c.words[3]}" if c.words[2].startswith("property") else "")
-        return c.name
+        if c.name != "fix":
+            return c.name
+        style = c.words.get(2)
+        return f"fix {style}{' ' + c.words.get(3) if style.startswith('property') else ''}".rstrip()
 
     def translated(self, text):
         self.report.translated(self.command.place, self.word(), text)
@@ -148,14 +152,10 @@ class Translation(Head, Atoms, Restart):
     def refuse(self, text, word=None):
         self.report.refuse(self.command.place, word or self.word(), text)
 
-    def try_refuse(self, text):
-        try:
-            self.refuse(text)
-        except CannotTranslate:
-            pass
-
     def keyword(self, name):
         """Thermo keywords that the script alone decides."""
+        if self.in_run and name in ("step", "time"):
+            raise Dynamic(name)
         if name == "step":
             return float(self.steps)
         if name == "dt" and self.step:
@@ -165,11 +165,52 @@ class Translation(Head, Atoms, Restart):
         raise Dynamic(name)
 
     def number(self, word, kind="number"):
-        value = self.script.number(word[2:]) if word.startswith("v_") else float(word)
-        return self.units.si(kind, value)
+        if word.startswith("v_"):
+            self.in_run = True          # LIGGGHTS evaluates it in each step
+            try:
+                value = self.script.number(word[2:])
+            finally:
+                self.in_run = False
+        else:
+            value = as_number(word)
+        value = self.units.si(kind, value)
+        if not math.isfinite(value):
+            raise BadWords(f'"{word}" is too large')
+        return value
 
     def numbers(self, words, kind="number"):
         return tuple(self.number(word, kind) for word in words)
+
+    def positive(self, word, kind="number"):
+        value = self.number(word, kind)
+        if value <= 0:
+            raise BadWords(f'"{word}" is not above 0')
+        return value
+
+    def nonzero(self, word, kind="number"):
+        value = self.number(word, kind)
+        if value == 0:
+            raise BadWords(f'"{word}" is 0')
+        return value
+
+    def direction(self, words):
+        """A vector of length 1."""
+        vector = numpy.array(self.numbers(words))
+        size = numpy.linalg.norm(vector)
+        if not 0 < size < math.inf:
+            raise BadWords(f'"{" ".join(words)}" is no direction')
+        return vector/size
+
+    def no_more(self, words):
+        """The words that are left have to be `units box`."""
+        if words and words != ["units", "box"]:
+            raise BadWords(f'"{words[0]}" is not known here')
+
+    def whole(self, word, low=0, high=MOST):
+        return as_whole(word if not word.startswith("v_") else self.script.text(word[2:]), low, high)
+
+    def atom_type(self, word):
+        return self.whole(word, 1, MOST_TYPES)
 
     def find(self, of, name, what):
         if name not in of:
@@ -179,7 +220,7 @@ class Translation(Head, Atoms, Restart):
     def file(self, name):
         """A file that the script reads, relative to its folder or to where dem import runs."""
         for folder in (self.script.path.parent, self.path.parent, Path(".")):
-            if (folder/name).is_file():
+            if is_file(folder/name):
                 return folder/name
         self.refuse(f"there is no file {name}; give it, relative to the script's folder")
 
@@ -189,7 +230,7 @@ class Translation(Head, Atoms, Restart):
         style = words[2]
         if style.startswith("custom") or \
                 style.split("/")[0] in ("atom", "xyz", "image", "local"):
-            every = int(float(words[3]))
+            every = self.whole(words[3])
             if style != "local" and self.step and every > 0:
                 interval = every*self.step
                 self.interval = min(self.interval or math.inf, interval)
@@ -203,7 +244,7 @@ class Translation(Head, Atoms, Restart):
         name, group, style = words[0], words[1], words[2].replace("/omp", "")
         if name in self.fixes:
             self._remove(name)
-        liggghts_fixes.add(self, name, group, style, list(words[3:]))
+        liggghts_fixes.add(self, name, group, style, words[3:])
 
     def do_unfix(self, words):
         if words[0] not in self.fixes:
@@ -215,6 +256,10 @@ class Translation(Head, Atoms, Restart):
     def _remove(self, name):
         liggghts_fixes.remove(self, name)
 
+    def do_reset_timestep(self, words):
+        self.steps = self.whole(words[0])
+        self.harmless("time goes on")
+
     def do_clear(self, words):
         self.clear()
         self.translated("a scene of its own follows")
@@ -222,9 +267,11 @@ class Translation(Head, Atoms, Restart):
     def do_run(self, words):
         if self.step is None:
             self.refuse("there is no timestep before this line")
-        steps = int(self.number(words[0]))
+        steps = self.whole(words[0])
         if "upto" in words:
             steps = max(0, steps - self.steps)
+        if "every" in words and words[words.after("every") + 1:] != ["NULL"]:
+            self.refuse("commands during a run are not followed; write several runs", "run every")
         copied = ("model", "gravity", "properties", "walls", "meshes", "boundary", "box", "lost",
                   "flat", "frozen", "integrated", "forces", "outlets", "fluid", "driven", "groups",
                   "heat")

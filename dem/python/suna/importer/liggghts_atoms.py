@@ -9,6 +9,7 @@ import numpy
 
 from .liggghts_heat import set_particles
 from .liggghts_particles import BadFile, read_data
+from .liggghts_words import MOST
 
 SET = {"diameter": "length", "density": "density", "vx": "velocity", "vy": "velocity",
        "vz": "velocity", "omegax": "spin", "omegay": "spin", "omegaz": "spin", "x": "length",
@@ -28,10 +29,10 @@ class Atoms:
         self.translated("create_atoms")
 
     def do_create_atoms(self, words):
-        kind = int(words[0])
+        kind = self.atom_type(words[0])
         if words[1] == "single":
             x = numpy.array([self.numbers(words[2:5], "length")])
-            if "units" not in words and self.lattice:
+            if self.lattice and "box" not in words:
                 x = x*self.lattice[1]
         elif words[1] in ("box", "region"):
             x = self._lattice_points(words)
@@ -45,6 +46,8 @@ class Atoms:
     def _lattice_points(self, words):
         if self.lattice is None:
             self.refuse("there is no lattice before this line")
+        if self.box is None:
+            self.refuse("there is no create_box before this line")
         style, a = self.lattice
         region = self.find(self.regions, words[2], "region") if words[1] == "region" else None
         box = numpy.array(self.box)
@@ -62,7 +65,7 @@ class Atoms:
         try:
             found, box = read_data(self.file(words[0]), self.units, self.command.place)
         except BadFile as error:
-            self.refuse(f"{words[0]}: {error}")
+            self.refuse(f"{words[0]}:{error.line}: {error}")
         self.particles = found
         self.box = box if box is not None else self.box
         self.translated(f"{len(found)} particles: a table")
@@ -74,17 +77,17 @@ class Atoms:
             chosen = numpy.zeros(len(p), bool)
             for word in words[2:]:
                 low, _, rest = word.partition(":")
-                chosen |= (p.id >= int(low)) & (p.id <= int((rest or low).split(":")[0]))
+                high = (rest or low).split(":")[0]
+                chosen |= (p.id >= self.whole(low)) & (p.id <= self.whole(high))
         elif style == "type":
-            chosen = numpy.isin(p.type, [int(word) for word in words[2:] if word.isdigit()])
+            chosen = numpy.isin(p.type, [self.atom_type(word) for word in words[2:]])
         elif style == "region":
             chosen = self.find(self.regions, words[2], "region").contains(p.x)
         elif style == "empty":
             chosen = numpy.zeros(len(p), bool)
         elif style in ("union", "intersect", "subtract"):
-            each = [self.chosen(other) for other in words[2:]]
-            chosen = each[0]
-            for other in each[1:]:
+            chosen = self.chosen(words[2])
+            for other in map(self.chosen, words[3:]):
                 chosen = chosen | other if style == "union" else \
                     chosen & other if style == "intersect" else chosen & ~other
         else:
@@ -99,16 +102,16 @@ class Atoms:
         return numpy.isin(self.particles.id, self.find(self.groups, group, "group"))
 
     def do_set(self, words):
-        chosen, rest = self._chosen_by(words[0], words[1]), list(words[2:])
+        chosen, rest = self._chosen_by(words[0], words[1]), words[2:]
         while rest:
             key = rest.pop(0)
             if key == "type":
-                self.particles.type[chosen] = int(rest.pop(0))
+                self.particles.type[chosen] = self.atom_type(rest.pop(0))
             elif key in SET:
                 self._set(chosen, key, self.number(rest.pop(0), SET[key]))
             elif key.startswith("property/"):
-                name, word, rest = rest[0], rest[1:2], rest[2:]
-                if self.heat is None or not set_particles(self, chosen, name, *word):
+                name, word, rest = rest[0], rest[1], rest[2:]
+                if self.heat is None or not set_particles(self, chosen, name, word):
                     self.harmless(f"{name} is read by no law that was translated", f"set {key}")
             else:
                 self.refuse(f"known: {', '.join(SET)}, type", f"set {key}")
@@ -124,7 +127,8 @@ class Atoms:
         if style not in ("atom", "type"):
             self.refuse("known: group, atom, type, region", f"set {style}")
         low, star, high = name.partition("*")
-        low, high = int(low or 1), int(high or (10**9 if star else low) or 1)
+        low = self.whole(low or "1")
+        high = self.whole(high) if high else MOST if star else low
         of = p.id if style == "atom" else p.type
         return (of >= low) & (of <= high)
 
@@ -153,6 +157,7 @@ class Atoms:
 
     def do_velocity(self, words):
         chosen, p = self.chosen(words[0]), self.particles
+        self.no_more(words[5:])
         if words[1] == "set":
             for k, word in enumerate(words[2:5]):
                 if word != "NULL":

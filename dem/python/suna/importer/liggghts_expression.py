@@ -13,6 +13,8 @@ import math
 import random
 import re
 
+from .liggghts_words import BadWords
+
 TOKEN = re.compile(r"""\s*(?:
     (?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?) |
     (?P<name>[A-Za-z_][A-Za-z0-9_]*) |
@@ -42,7 +44,7 @@ class Dynamic(Exception):
     """The value of this word exists only in a run."""
 
 
-class Malformed(Exception):
+class Malformed(BadWords):
     """The expression has a fault: the sentence."""
 
 
@@ -63,12 +65,16 @@ class Expression:
 
     def value(self):
         try:
-            value = self._level(0)
+            value = float(self._level(0))
+        except RecursionError:
+            raise Malformed(f'"{self.text[:20]}...": too many brackets') from None
         except (ZeroDivisionError, ValueError, OverflowError, TypeError) as error:
             raise Malformed(f'"{self.text}": {error}') from None
         if self.at < len(self.tokens):
             raise Malformed(f'"{self.text}": {self.tokens[self.at][1]} is not expected')
-        return float(value)
+        if not math.isfinite(value):
+            raise Malformed(f'"{self.text}": the value is not finite')
+        return value
 
     def _next(self):
         if self.at == len(self.tokens):

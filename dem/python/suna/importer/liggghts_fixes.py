@@ -7,35 +7,36 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import numpy
 
 from . import liggghts_heat, liggghts_insert_fixes, liggghts_wall_fixes
-from .scene_text import as_name
 
 FLUID = "a coupled run of Suna needs no such line; alone, no fluid acts"
 HARMLESS = {
     "check/timestep/gran": "too long a step is refused",
-    "print": "output",
-    "ave/time": "output: averages",
-    "ave/spatial": "output: averages",
-    "ave/histo": "output",
-    "ave/euler": "output: averages",
-    "ave/atom": "output",
-    "ave/euler/region": "output: averages",
     "balance": "subdomains are balanced by themselves",
     "property/atom": "read by no law that was translated",
     "property/atom/lammps": "read by no law",
-    "massflow/mesh": "output: averages, flows.csv",
-    "massflow/mesh/face": "output: averages, flows.csv",
-    "massflow/mesh/sieve": "output",
     "couple/cfd": "a coupled run of Suna needs no such line",
     "couple/cfd/force": FLUID,
     "couple/cfd/force/implicit": FLUID,
     "couple/cfd/force/accumulator": FLUID,
-    "store/state": "output",
     "region/variable": "output",
     "executionTiming": "output",
     "contacthistory": "",
     "neighlist/mesh": "",
     "diam/max": ""}
-LACKING = (("heat/", "Suna has no such heat; known: heat/gran, heat/gran/conduction"),
+LOST = {                        # output that no entry of the scene writes: what does it
+    "print": "write { energy } has energies and momentum; in Python any text (docs/python.md)",
+    "ave/time": "see averages and write { energy } in docs/output.md",
+    "ave/spatial": "see averages in docs/output.md",
+    "ave/histo": "make it from averages or from the particles' files",
+    "ave/euler": "see averages in docs/output.md",
+    "ave/euler/region": "see averages in docs/output.md",
+    "ave/atom": "the particles' files have the values of the moment",
+    "store/state": "the particles' files have the values of the moment",
+    "massflow/mesh": "flows.csv has what passes inlets and outlets; averages in a region have the "
+    "mean velocity",
+    "massflow/mesh/face": "averages in a region have the mean velocity"}
+LACKING = (("massflow/mesh/sieve", "Suna has no sieve: particles pass a wall or do not"),
+           ("heat/", "Suna has no such heat; known: heat/gran, heat/gran/conduction"),
            ("chem/", "Suna has no chemistry"), ("multisphere", "Suna has spheres only"),
            ("particletemplate/", "Suna has spheres only"),
            ("nve/", "Suna has spheres, integrated by themselves"),
@@ -62,12 +63,15 @@ LACKING = (("heat/", "Suna has no such heat; known: heat/gran, heat/gran/conduct
            ("remove", "use outlets in the scene"),
            ("insert/pack/", "use insert/pack with a region"),
            ("pour", "use insert/pack or insert/stream, which replaced it"))
+PAIRS = ("peratomtypepair", "atomtypepair", "matrix")
 INTEGRATORS = ("nve/sphere", "nve/sphere/limit", "nve/limit", "nve/sphere/omp", "nve/nonspherical")
 KINDS = {
     "youngsModulus": "pressure",
     "characteristicVelocity": "velocity",
-    "kt": "stiffness",
     "gamman": "rate",
+    "gammat": "rate",
+    "gamman_abs": "damping",
+    "gammat_abs": "damping",
     "cohesionEnergyDensity": "energy density",
     "FluidViscosity": "viscosity",
     "thermalConductivity": "conductivity",
@@ -84,7 +88,9 @@ def add(t, name, group, style, words):
     elif style in INTEGRATORS:
         integrate(t, name, group, style)
     elif style in HARMLESS:
-        harmless(t, name, style, words)
+        t.harmless(HARMLESS[style])
+    elif style in LOST:
+        output(t, name, style, words)
     else:
         del t.fixes[name]
         text = next((text for start, text in LACKING if style.startswith(start)),
@@ -95,7 +101,7 @@ def add(t, name, group, style, words):
 def remove(t, name):
     style = t.fixes.pop(name)
     for insertion in t.insertions:
-        if insertion.name == as_name(name):
+        if insertion.fix == name:
             insertion.end = min(insertion.end, t.time)
     t.walls = {key: wall for key, wall in t.walls.items() if key != name}
     for mesh in t.meshes.values():
@@ -112,25 +118,32 @@ def remove(t, name):
     t.driven = {key: value for key, value in t.driven.items() if key != name}
 
 
-def harmless(t, name, style, words):
-    if style.startswith("massflow/mesh") and "delete_atoms" in words and \
-            words[words.index("delete_atoms") + 1] == "yes":
-        outlet(t, name, words)
-        return
-    t.harmless(HARMLESS[style])
+def output(t, name, style, words):
+    """Says what is not written."""
+    what = f'"{words[1]}", every {words[0]} steps, is not printed' if style == "print" else \
+        "its values are not written"
+    if style.startswith("massflow/mesh"):
+        what = f"mass and number of particles through {words[words.after('mesh')]} are not counted"
+        if "delete_atoms" in words and words[words.after("delete_atoms")] == "yes":
+            outlet(t, name, words)
+            what = "the list of particles that leave is not written"
+    file = next((key for key in ("file", "append") if key in words), "")
+    if file:
+        what += f", nor the file {words[words.after(file)]}"
+    t.report.lost(t.command.place, f"fix {style}", f"{what}; {LOST[style]}")
 
 
 def outlet(t, name, words):
     """Particles behind the plane of the mesh are removed."""
-    mesh = t.find(t.meshes, words[words.index("mesh") + 1], "mesh")
+    mesh = t.find(t.meshes, words[words.after("mesh")], "mesh")
     x = mesh.triangles.reshape(-1, 3)
     normal = numpy.cross(*(mesh.triangles[0][1:] - mesh.triangles[0][0]))
     normal /= numpy.linalg.norm(normal)
     if numpy.abs((x - x[0]) @ normal).max() > 1e-6*numpy.ptp(x):
         t.refuse("the mesh is not plane; give outlets in the scene", "delete_atoms yes")
     if "vec_side" in words:
-        at = words.index("vec_side")
-        side = numpy.array(t.numbers(words[at + 1:at + 4]))
+        at = words.after("vec_side")
+        side = t.direction(words[at:at + 3])
         normal = normal if side @ normal > 0 else -normal
     t.outlets[name] = (x.mean(axis=0), normal, t.command.place)
     t.approximated(
@@ -150,26 +163,27 @@ def integrate(t, name, group, style):
 
 def property_global(t, name, group, words):
     what, kind, values = words[0], words[1], words[2:]
-    if kind in ("peratomtypepair", "matrix"):
-        values = values[1:]
+    if kind in PAIRS:
+        columns, values = t.whole(values[0], 1), values[1:]
     elif kind not in ("scalar", "peratomtype", "atomtype", "vector"):
         t.refuse("known: scalar, vector, peratomtype, peratomtypepair, matrix",
                  f"property/global {kind}")
+    values = [word for word in values if word != "rebuild"]
+    if not values or kind in PAIRS and len(values) != columns**2:
+        t.refuse(f"{len(values)} values are not the number that {kind} needs",
+                 f"property/global {what}")
     unit = KINDS.get(what, "number")
-    if what == "kn":
+    if what in ("kn", "kt"):
         unit = "stiffness" if t.units.name == "si" else "number"
-    t.properties.set(what, kind,
-                     [t.number(word, unit) for word in values if word not in ("rebuild",)],
-                     t.command.place)
+    t.properties.set(what, kind, [t.number(word, unit) for word in values], t.command.place)
     t.translated("materials, effects")
 
 
 def gravity(t, name, group, words):
     if words[1] != "vector":
         t.refuse("known: vector", f"fix gravity {words[1]}")
-    direction = numpy.array(t.numbers(words[2:5]))
-    t.gravity = (t.number(words[0], "acceleration")*direction/numpy.linalg.norm(direction),
-                 t.command.place)
+    t.no_more(words[5:])
+    t.gravity = (t.number(words[0], "acceleration")*t.direction(words[2:5]), t.command.place)
     t.translated("effects/gravity")
 
 
@@ -182,17 +196,20 @@ def move(t, name, group, words):
     if words[0] != "linear":
         t.refuse("driven particles of Suna keep one velocity; known: linear",
                  f"fix move {words[0]}")
+    t.no_more(words[4:])
     t.driven[name] = (group, [0.0 if word == "NULL" else t.number(word, "velocity")
                       for word in words[1:4]])
     t.translated("driven yes")
 
 
 def addforce(t, name, group, words):
+    t.no_more(words[3:])
     t.forces[name] = (group, "force", t.numbers(words[:3], "force"), t.command.place)
     t.translated("forces")
 
 
 def addtorque(t, name, group, words):
+    t.no_more(words[3:])
     t.forces[name] = (group, "torque", t.numbers(words[:3], "torque"), t.command.place)
     t.translated("forces")
 
@@ -201,6 +218,7 @@ def viscous(t, name, group, words):
     if group != "all" or len(words) > 1:
         t.refuse("known is one coefficient for all particles", "fix viscous")
     t.fluid = (t.number(words[0], "damping"), t.command.place)
+    t.translated("stokesDrag in a fluid with this coefficient, for one size")
 
 
 def enforce2d(t, name, group, words):

@@ -4,12 +4,14 @@ law.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import math
+import re
 
 import numpy
 
 from .liggghts_contact import read_model, tell
 from .liggghts_mesh import BadMesh, read_tetrahedra
 from .liggghts_region import AXES, Region
+from .liggghts_words import BadWords
 from .units import BASE, Units
 
 ATOM_STYLES = ("granular", "sphere")
@@ -38,7 +40,10 @@ class Head:
         self.translated("domain/flat" if self.flat else "")
 
     def do_boundary(self, words):
-        self.boundary = list(words)
+        for word in words[:3]:
+            if not re.fullmatch("[pfsm]{1,2}", word):
+                raise BadWords(f'"{word}" is none of p, f, s, m')
+        self.boundary = words[:3]
         self.translated("domain")
 
     def do_create_box(self, words):
@@ -48,18 +53,18 @@ class Head:
 
     def do_thermo_modify(self, words):
         if "lost" in words:
-            self.lost = words[words.index("lost") + 1]
+            self.lost = words[words.after("lost")]
         self.harmless("domain/leaving" if "lost" in words else "")
 
     def do_timestep(self, words):
-        self.step = self.number(words[0], "time")
+        self.step = self.positive(words[0], "time")
         self.translated("time/step")
 
     def do_pair_style(self, words):
         style = words[0].replace("/omp", "")
-        if style != "gran" or words[1] != "model":
+        if style != "gran" or words.get(1) != "model":
             self.refuse("known is gran model NORMAL tangential FRICTION ...",
-                        f"pair_style {' '.join(words[:2])}")
+                        f"pair_style {words[0]} {words.get(1)}")
         model, rest = read_model(words[2:], self.command.place, "pair_style", self.report)
         if rest:
             self.refuse("the importer does not know this word", f"pair_style {rest[0]}")
@@ -70,13 +75,15 @@ class Head:
     # ---- regions ---------------------------------------------------------------------------------
 
     def do_region(self, words):
-        name, style, rest = words[0], words[1], list(words[2:])
-        outside = False
+        name, style, rest = words[0], words[1], words[2:]
+        outside, unit = False, "lattice"
         while len(rest) > 2 and rest[-2] in ("units", "side", "volume_limit"):
-            if rest[-2] == "units" and rest[-1] == "lattice" and self.lattice is None:
-                self.refuse("units lattice without a lattice")
+            unit = rest[-1] if rest[-2] == "units" else unit
             outside |= rest[-2:] == ["side", "out"]
             rest = rest[:-2]
+        if unit == "lattice" and self.lattice is not None:
+            self.refuse("lengths in units of the lattice are not read; write units box with "
+                        "lengths", f"region {style}")
         made = self._region(style, rest, outside)
         self.regions[name] = made
         self.translated(f"{style}, where it is used")
@@ -109,7 +116,7 @@ class Head:
         if style == "plane":
             return Region(style, self.numbers(rest[:6], "length"), place, outside=outside)
         if style in ("union", "intersect"):
-            parts = [self.find(self.regions, name, "region") for name in rest[1:1 + int(rest[0])]]
+            parts = [self.find(self.regions, name, "region") for name in rest[1:1 + self.whole(rest[0], 1, 1000)]]
             return Region(style, (), place, parts=parts, outside=outside)
         if style == "mesh/tet":
             return Region(style, (), place, corners=self._tetrahedra(rest), outside=outside)
@@ -118,17 +125,17 @@ class Head:
             "mesh/tet", f"region {style}")
 
     def _tetrahedra(self, rest):
-        given = dict(zip(("file",), (rest[rest.index("file") + 1],)))
+        name = rest[rest.after("file")]
         try:
-            x = read_tetrahedra(self.file(given["file"]))*self.units.si("length", 1.0)
+            x = read_tetrahedra(self.file(name))*self.units.si("length", 1.0)
         except BadMesh as error:
-            self.refuse(f"{given['file']}: {error}", "region mesh/tet")
-        x = x*self.number(rest[rest.index("scale") + 1])
+            self.refuse(f"{name}: {error}", "region mesh/tet")
+        x = x*self.positive(rest[rest.after("scale")])
         if "move" in rest:
-            at = rest.index("move")
-            x = x + numpy.array(self.numbers(rest[at + 1:at + 4], "length"))
+            at = rest.after("move")
+            x = x + numpy.array(self.numbers(rest[at:at + 3], "length"))
         if "rotate" in rest:
-            at = rest.index("rotate")
-            if any(self.numbers(rest[at + 1:at + 4])):
+            at = rest.after("rotate")
+            if any(self.numbers(rest[at:at + 3])):
                 self.refuse("a rotation of mesh/tet is not read; rotate the file", "rotate")
         return x

@@ -19,8 +19,7 @@ AMOUNTS = {                     # attribute of Insertion, kind of number
     "particlerate": ("rate", "rate"),
     "massrate": ("mass_rate", "mass rate")}
 RADII = {"constant": 1, "uniform": 2, "gaussian": 2, "lognormal": 2}    # how many numbers
-PLACING = ("maxattempt", "ntry_mc", "warn_region", "verbose", "check_dist_from_subdomain_border",
-           "parallel", "random_distribute", "compress_tags", "check_obb", "save_template",
+PLACING = ("ntry_mc", "warn_region", "verbose", "parallel", "random_distribute", "compress_tags", "check_obb", "save_template",
            "extrude_length", "duration", "duration_time")
 
 
@@ -30,11 +29,11 @@ def template(t, name, group, words):
     while rest:
         key = rest.pop(0)
         if key == "atom_type":
-            kind = int(rest.pop(0))
+            kind = t.atom_type(rest.pop(0))
         elif key == "density":
             if rest[0] != "constant":
                 t.refuse("a material has one density; write constant", f"density {rest[0]}")
-            density, rest = t.number(rest[1], "density"), rest[2:]
+            density, rest = t.positive(rest[1], "density"), rest[2:]
         elif key == "radius":
             style, radius, rest = radii(t, rest)
         elif key in ("volume_limit", "relative"):
@@ -50,7 +49,9 @@ def template(t, name, group, words):
 def radii(t, rest):
     """Style and numbers of `radius`, and the words left."""
     style = rest.pop(0)
-    if rest[0] in ("number", "mass"):
+    if rest[0] == "mass":
+        t.refuse("drawn by mass; write number, with its numbers", f"radius {style} mass")
+    if rest[0] == "number":
         rest.pop(0)
     if style not in RADII:
         t.refuse("known: constant, uniform, gaussian, lognormal", f"radius {style}")
@@ -62,9 +63,11 @@ def radii(t, rest):
 
 def distribution(by_mass):
     def add(t, name, group, words):
-        rows = words[2:2 + 2*int(words[1])]
+        rows = words[2:2 + 2*t.whole(words[1], 1, 1000)]
         found = [t.find(t.templates, key, "particletemplate") for key in rows[0::2]]
         weights = numpy.array([t.number(word) for word in rows[1::2]])
+        if (weights < 0).any() or not weights.any():
+            t.refuse(f"weights {' '.join(rows[1::2])}: none is below 0, and one is above")
         if by_mass:
             weights = weights/[template.mass() for template in found]
         t.distributions[name] = Distribution(found, list(weights/weights.sum()))
@@ -74,7 +77,9 @@ def distribution(by_mass):
 
 def insertion(style):
     def add(t, name, group, words):
-        rest, i = list(words), Insertion(as_name(name), style, group, None, t.command.place, t.time)
+        own = t.names.free("insert", as_name(name))
+        rest = words[:]
+        i = Insertion(name, own, style, group, None, t.command.place, t.time)
         while rest:
             key = rest.pop(0)
             if key in AMOUNTS:
@@ -98,7 +103,7 @@ def insertion(style):
 # ---- words with one value ----------------------------------------------
 
 def seed(t, i, word):
-    i.seed = int(float(word))
+    i.seed = t.whole(word)
 
 
 def of_templates(t, i, word):
@@ -134,7 +139,16 @@ def overlap_check(t, i, word):
         t.approximated("Suna inserts without overlap", "overlapcheck no")
 
 
-ONE_WORD = {"seed": seed, "distributiontemplate": of_templates, "insert_every": every,
+def attempts(t, i, word):
+    i.tries = t.whole(word, 1, 10000)
+
+
+def off_border(t, i, word):
+    i.off_border = word == "yes"
+
+
+ONE_WORD = {"maxattempt": attempts, "check_dist_from_subdomain_border": off_border,
+            "seed": seed, "distributiontemplate": of_templates, "insert_every": every,
             "every": every, "insert_every_time": every_time, "start": start, "region": region,
             "insertion_face": face, "all_in": all_in, "overlapcheck": overlap_check}
 

@@ -14,8 +14,8 @@ several types or densities becomes several groups, each with its fraction.
 A packing repeated every T refills what has left the region, at most all of it: with speed v and
 acceleration g along the way of length H the mean rate is N min(1, (v T + g T^2/2)/H)/T.
 
-LIGGGHTS places at random without pushing and gives up after `maxattempt` trials; above RSA_LIMIT of
-the region's volume it inserts less than asked for, and so does the translation.
+LIGGGHTS places at random without pushing and gives up after a number of trials: a packing has as
+many spheres as it would have placed (liggghts_packing.py).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -24,11 +24,12 @@ from dataclasses import dataclass, field
 
 import numpy
 
+from .liggghts_packing import SAFE, count_placed
 from .liggghts_region import text, vector
 
-RSA_LIMIT = 0.284  # solid fraction at which insert/pack of LIGGGHTS 3.8.0 ended: docs/importer.md
 BINS = 20               # of a continuous distribution in a mixture
 TRIALS = 400            # of a sphere that the importer places
+MOST_FILLED = 100       # volume of the spheres over the region: more is a mistake
 NOW = 1e9               # 1/s, rate of a packing that is due at once
 
 
@@ -138,7 +139,8 @@ class Distribution:
 @dataclass
 class Insertion:
     """A fix insert/..., in SI and s."""
-    name: str
+    fix: str
+    name: str                       # in the scene
     style: str                      # pack, stream, rate
     group: str
     distribution: Distribution
@@ -158,25 +160,41 @@ class Insertion:
     rate: float = 0.0               # 1/s
     mass_rate: float = 0.0          # kg/s
     all_in: bool = False
+    tries: int = 50                 # maxattempt: trials for each sphere of a packing
+    off_border: bool = True         # a radius away from the faces of the box
     temperature: float = 0.0        # K; 0: that of fix heat/gran
     scalars: str = ""               # entries of particle scalars
 
     # ---- amounts ---------------------------------------------------------------------------------
 
-    def number(self, report, word):
-        """Particles of a packing, at most what LIGGGHTS can place."""
+    def numbers(self, report, word, box):
+        """Particles of a packing of each size (by_size), as many as LIGGGHTS can place in its
+        `box`."""
         one, space = self.distribution.mean(Template.volume), self.region.volume()
         n = self.count
         if self.fraction:
             n = self.fraction*space/one
         elif math.isinf(n):
             n = self.mass/self.distribution.mean(Template.mass)
-        if n*one > RSA_LIMIT*space:
-            report.approximated(self.place, word, f"{n:.0f} spheres fill {n*one/space:.2f} of the "
-                                f"region. LIGGGHTS gives up near {RSA_LIMIT:g}, which is inserted; "
-                                "give count in the scene for all of them (up to 0.55)")
-            n = RSA_LIMIT*space/one
-        return max(1, round(n))
+        if not 0 < n*one < MOST_FILLED*space:
+            report.refuse(self.place, word, f"{n:.4g} spheres of {one:.4g} m3 in a region of "
+                          f"{space:.4g} m3; check the amount, the radius and the region")
+        parts = self.distribution.by_size()
+        wanted = split(max(1, round(n)), [share for _, share, _ in parts])
+        if n*one < SAFE*space:
+            return wanted
+        radii = [part.mean(Template.mean_cube)**(1/3) for _, _, part in parts]
+        corners = None if box is None or not self.off_border else numpy.array(box).T
+        placed = count_placed(wanted, radii, self.region, self.all_in, self.tries, corners)
+        if sum(placed) < sum(wanted):
+            if not sum(placed):
+                report.refuse(self.place, word, "no sphere fits into the region")
+            report.approximated(
+                self.place, word, f"{sum(wanted)} spheres fill {n*one/space:.2f} of the region. "
+                f"LIGGGHTS gives up after {self.tries} trials for each, with about {sum(placed)} "
+                "spheres in place, the largest ones first: these are inserted; give count in the "
+                "scene for all of them (up to a solid fraction of 0.55)")
+        return placed
 
     def refill_rate(self, number, gravity):
         """1/s, see the head of this file."""
@@ -206,8 +224,6 @@ class Insertion:
             return self.region.entries()
         return self.region.entries(self.distribution.largest())
 
-    def name_of(self, k):
-        return self.name if k == 0 else f"{self.name}_{k + 1}"
 
 
 def split(total, shares):
@@ -216,15 +232,14 @@ def split(total, shares):
     return numpy.diff(numpy.concatenate([[0], ends]))
 
 
-def group_entries(insertion, number, material_of, frozen):
-    """(name, text) of the groups of a packing at the start."""
+def group_entries(insertion, numbers, material_of, frozen):
+    """(name, text) of the groups of a packing at the start; `numbers`: of each size."""
     parts = insertion.distribution.by_size()
     found = []
-    numbers = split(number, [share for _, share, _ in parts])
     state = " frozen yes;" if frozen else insertion.motion()
     for k, (n, (key, _, part)) in enumerate(zip(numbers, parts)):
         if n:
-            found.append((insertion.name_of(k),
+            found.append((insertion.name,
                           f"type random; count {n}; material {material_of(key)}; {part.sizes()} "
                           f"{insertion.shape()} inside walls; seed {insertion.seed % 1000003 + k};"
                           f"{state}{insertion.scalars}"))
@@ -243,7 +258,7 @@ def stream_entries(insertion, amounts, material_of, where, start, end, k0=0):
             if math.isfinite(value) and value > 0:
                 value *= by_mass if name in ("massRate", "mass") else share
                 words.append(f"{name} {max(1, round(value)) if name == 'count' else text(value)};")
-        found.append((insertion.name_of(k + k0),
+        found.append((insertion.name + ("_refill" if k0 else ""),
                       f"type stream; {' '.join(words)} material {material_of(key)}; "
                       f"{part.sizes()} {where}{insertion.motion()}{insertion.scalars}" +
                       (f" spread {vector(insertion.spread)};" if insertion.spread.any() else "") +

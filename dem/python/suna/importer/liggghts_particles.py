@@ -2,7 +2,7 @@
 tables of particles from data files and dumps.
 
 A data file is that of atom_style granular or sphere: id, type, diameter, density, x, y, z. A dump
-is that of `dump custom`, with the columns x y z (or xu, xs) and radius or diameter. Its last frame
+is that of `dump custom`, with the columns x y z (or xu) and radius or diameter. Its last frame
 counts.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -11,11 +11,20 @@ import re
 
 import numpy
 
+from .liggghts_words import MOST
+
+GRANULAR = ("id", "type", "diameter", "density", "x", "y", "z")     # a row of section Atoms
+NUMBERS = (*GRANULAR, "xu", "yu", "zu", "vx", "vy", "vz", "omegax", "omegay", "omegaz", "radius")
+LARGEST = 1e100         # of a number, in any unit
 COLUMNS = ("x", "y", "z", "diameter", "vx", "vy", "vz", "wx", "wy", "wz", "id")
 
 
 class BadFile(Exception):
-    """The sentence."""
+    """The sentence, and its line; 0: the file as a whole."""
+
+    def __init__(self, sentence, line=0):
+        super().__init__(sentence)
+        self.line = line
 
 
 class Particles:
@@ -67,36 +76,70 @@ def is_data(path):
     return bool(re.search(r"^\s*\d+\s+atoms\b", head, re.M)) and "ITEM:" not in head
 
 
+def table(rows, lines, names):
+    """Columns by name; the words of each row become finite numbers, `id` and `type` whole ones."""
+    for row, line in zip(rows, lines):
+        if len(row) < len(names):
+            raise BadFile(f"{len(row)} words where {' '.join(names)} are expected", line)
+    found = {name: column([row[k] for row in rows], lines, name) for k, name in enumerate(names)
+             if name in NUMBERS}
+    own = numpy.zeros(len(rows), bool)
+    own[numpy.unique(found.get("id", range(len(rows))), return_index=True)[1]] = True
+    if not own.all():
+        k = int(numpy.argmin(own))
+        raise BadFile(f"id {found['id'][k]} is there twice", lines[k])
+    return found
+
+
+def column(words, lines, name):
+    try:
+        found = numpy.array(words, float)
+    except ValueError:
+        found = numpy.full(len(words), numpy.nan)
+    if name not in ("id", "type"):
+        good = abs(found) <= LARGEST
+    else:
+        good = (found == numpy.floor(found)) & (found >= 1) & (found <= MOST)
+    if not good.all():
+        k = int(numpy.argmin(good))
+        raise BadFile(f'"{words[k]}" is no {name}', lines[k])
+    return found.astype(int) if name in ("id", "type") else found
+
+
+def require(good, what, lines):
+    if not good.all():
+        raise BadFile(f"{what} is not above 0", lines[int(numpy.argmin(good))])
+
+
 def read_data(path, units, place):
     """Particles, corners of the box or None."""
     with open(path, errors="replace") as file:
-        lines = [line.split("#")[0].split() for line in file.read().splitlines()[1:]]
+        text = file.read().splitlines()
     box, found, section, speeds = numpy.full((3, 2), numpy.nan), Particles(), "", {}
-    rows = []
-    for words in lines:
-        if not words:
+    rows, lines = [], []
+    for line, words in enumerate((row.split("#")[0].split() for row in text), 1):
+        if line == 1 or not words:
             continue
         if len(words) == 4 and words[2:] in (["xlo", "xhi"], ["ylo", "yhi"], ["zlo", "zhi"]):
-            box["xyz".index(words[2][0])] = [units.si("length", float(x)) for x in words[:2]]
+            box["xyz".index(words[2][0])] = units.si("length", 1.0)*column(words[:2], [line]*2,
+                                                                           "coordinate")
         elif words[0].isalpha():
             section = words[0]
         elif section == "Atoms":
             rows.append(words)
+            lines.append(line)
         elif section == "Velocities":
-            speeds[int(words[0])] = [float(x) for x in words[1:7]]
-    try:
-        table = numpy.array([row[:7] for row in rows], float).reshape(-1, 7)
-    except ValueError:
-        raise BadFile("section Atoms is not id type diameter density x y z, the form of atom_style "
-                      "granular") from None
-    if len(table) == 0:
-        raise BadFile("no section Atoms with particles found")
-    id = table[:, 0].astype(int)
-    motion = numpy.array([(speeds.get(k, []) + [0.0]*6)[:6] for k in id])
+            speeds[words[0]] = column((words[1:] + ["0"]*6)[:6], [line]*6, "velocity")
+    if not rows:
+        raise BadFile("no section Atoms with particles found", len(text))
+    given = table(rows, lines, GRANULAR)
+    motion = numpy.array([speeds.get(row[0], numpy.zeros(6)) for row in rows])
     si = units.si
-    found.add(table[:, 4:7]*si("length", 1.0), table[:, 1], table[:, 2]*si("length", 1.0),
-              table[:, 3]*si("density", 1.0), place, id, motion[:, :3]*si("velocity", 1.0),
-              motion[:, 3:]*si("spin", 1.0))
+    require(given["density"] > 0, "the density", lines)
+    require(given["diameter"] > 0, "the diameter", lines)
+    found.add(numpy.column_stack([given[axis] for axis in "xyz"])*si("length", 1.0), given["type"],
+              given["diameter"]*si("length", 1.0), given["density"]*si("density", 1.0), place,
+              given["id"], motion[:, :3]*si("velocity", 1.0), motion[:, 3:]*si("spin", 1.0))
     return found, None if numpy.isnan(box).any() else box
 
 
@@ -111,26 +154,30 @@ def read_dump(path, units, place):
         lines = file.read().splitlines()
     starts = [k for k, line in enumerate(lines) if line.startswith("ITEM: ATOMS")]
     if not starts:
-        raise BadFile("no ITEM: ATOMS found")
+        raise BadFile("no ITEM: ATOMS found", len(lines))
+    first = starts[-1] + 1
     names = lines[starts[-1]].split()[2:]
-    rows = [line.split() for line in lines[starts[-1] + 1:]]
-    end = next((k for k, row in enumerate(rows) if row[:1] == ["ITEM:"]), len(rows))
-    columns = {name: [row[k] for row in rows[:end]] for k, name in enumerate(names)}
+    end = next((k for k, line in enumerate(lines[first:], first)
+                if line.startswith("ITEM:") or not line.strip()), len(lines))
+    if end == first:
+        raise BadFile("the last frame has no particle", first)
+    at = range(first + 1, end + 1)
+    columns = table([line.split() for line in lines[first:end]], at, names)
 
     def get(*choices):
-        name = next((c for c in choices if c in columns), None)
-        return None if name is None else numpy.array(columns[name], float)
+        return next((columns[c] for c in choices if c in columns), None)
     x = [get(axis, axis + "u") for axis in "xyz"]
     radius, diameter = get("radius"), get("diameter")
     if any(column is None for column in x) or radius is None and diameter is None:
-        raise BadFile(f"its columns are {' '.join(names)}; needed are x y z and radius or diameter")
+        raise BadFile(f"its columns are {' '.join(names)}; needed are x y z and radius or diameter",
+                      first)
     n, found = len(x[0]), Particles()
     zero = numpy.zeros(n)
     v = numpy.column_stack([zero if (c := get("v" + axis)) is None else c for axis in "xyz"])
     w = numpy.column_stack([zero if (c := get("omega" + axis)) is None else c for axis in "xyz"])
+    size = diameter if radius is None else 2*radius
+    require(size > 0, "the size", at)
     length, id, kind = units.si("length", 1.0), get("id"), get("type")
     found.add(numpy.column_stack(x)*length, numpy.ones(n) if kind is None else kind,
-              (diameter if radius is None else 2*radius)*length, 0.0, place,
-              None if id is None else id.astype(int), v*units.si("velocity", 1.0),
-              w*units.si("spin", 1.0))
+              size*length, 0.0, place, id, v*units.si("velocity", 1.0), w*units.si("spin", 1.0))
     return found

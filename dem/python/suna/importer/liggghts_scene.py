@@ -22,7 +22,7 @@ from .liggghts_scene_time import Times
 from .liggghts_scene_walls import Walls
 from .liggghts_state import key
 from .report import CannotTranslate
-from .scene_text import SceneText, as_name
+from .scene_text import Names, SceneText, as_name
 
 
 # ---- stages of one scene -----------------------------------------------
@@ -62,7 +62,7 @@ class SceneMaker(Laws, Walls, Groups, Times):
         self.t, self.stages, self.name, self.report = translation, stages, name, report
         self.state, self.start, self.end = stages[-1].state, stages[0].start, stages[-1].end
         self.restart, self.scene = restart, SceneText()
-        self.materials, self.files = {}, []
+        self.materials, self.names = {}, Names()
         self.box = self.state["box"]
 
     def refuse(self, place, word, sentence):
@@ -95,9 +95,9 @@ class SceneMaker(Laws, Walls, Groups, Times):
                         "temperatures; write it before the first run")
 
     def new_file(self, ending):
-        path = f"{self.name}_{ending}"
-        self.files.append(path)
-        return path
+        """Path of a file beside the scene, a name with a dot and its kind."""
+        name, _, kind = ending.rpartition(".")
+        return f"{self.names.free('files', self.name + '_' + as_name(name))}.{kind}"
 
     def add_domain(self):
         if self.box is None:
@@ -121,9 +121,8 @@ class SceneMaker(Laws, Walls, Groups, Times):
 
     def add_outlets(self):
         for name, (point, normal, place) in self.state["outlets"].items():
-            self.scene.add("outlets",
-                           f"{as_name(name)} {{ point {vector(point)}; normal {vector(normal)}; }}",
-                           place)
+            self.scene.named("outlets", as_name(name),
+                             f"point {vector(point)}; normal {vector(normal)};", place)
 
     def add_forces(self):
         for name, (group, kind, values, place) in self.state["forces"].items():
@@ -134,7 +133,7 @@ class SceneMaker(Laws, Walls, Groups, Times):
                     self.refuse(place, f"fix {name}",
                                 f"group {group} has no particles that the script names")
                 ids = f"ids ({' '.join(map(str, chosen))}); "
-            self.scene.add("forces", f"{as_name(name)} {{ {ids}{kind} {vector(values)}; }}", place)
+            self.scene.named("forces", as_name(name), f"{ids}{kind} {vector(values)};", place)
 
     def add_fluid(self):
         if self.state["fluid"] is None:

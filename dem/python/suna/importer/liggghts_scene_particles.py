@@ -81,23 +81,24 @@ class Groups:
                 body += f" spins ({' '.join(map(vector, w))});"
             if temperature is not None:
                 body += f" temperatures ({' '.join(map(text, temperature))});"
-        self.scene.add("insert", f"{name} {{ {body}{more} }}", place)
+        self.scene.named("insert", name, body + more, place)
 
     def add_packing(self, i):
-        number = i.number(self.report, "insert/pack")
+        numbers = i.numbers(self.report, "insert/pack", self.box)
+        number = sum(numbers)
         if i.start <= self.start and not self.restart:
-            self.add_packing_at_start(i, number)
+            self.add_packing_at_start(i, numbers)
         elif i.start >= self.start:
             self.add_packing_later(i, number)
         if i.every and i.end > self.start + i.every and i.region.is_shape():
             self.add_refill(i, number)
 
-    def add_packing_at_start(self, i, number):
+    def add_packing_at_start(self, i, numbers):
         if not i.region.is_shape():
-            self.scatter(i, number)
+            self.scatter(i, sum(numbers))
             return
-        for name, body in group_entries(i, number, self.of_key, self.is_frozen(i.group)):
-            self.scene.add("insert", f"{name} {{ {body} }}", i.place)
+        for name, body in group_entries(i, numbers, self.of_key, self.is_frozen(i.group)):
+            self.scene.named("insert", name, body, i.place)
 
     def add_packing_later(self, i, number):
         if not i.region.is_shape():
@@ -128,7 +129,7 @@ class Groups:
 
     def add_streams(self, i, amounts, where, start, end, k0=0):
         for name, body in stream_entries(i, amounts, self.of_key, where, start, end, k0):
-            self.scene.add("insert", f"{name} {{ {body} }}", i.place)
+            self.scene.named("insert", name, body, i.place)
 
     def end_of(self, i):
         return i.end if i.end < self.end else math.inf
@@ -143,12 +144,12 @@ class Groups:
             self.report.translated(i.place, "insert/pack",
                                    f"placed by the importer in {i.region.style}")
         first = 1 + int(self.particles.id.max()) if len(self.particles) else 1
-        for k, key in enumerate(sorted({key for _, _, key in placed})):
+        for key in sorted({key for _, _, key in placed}):
             rows = [(x, r) for x, r, other in placed if other == key]
             x, n = numpy.array([row[0] for row in rows]), len(rows)
             still = self.is_frozen(i.group)
             v = numpy.zeros((n, 3)) if still else numpy.broadcast_to(i.velocity, (n, 3))
-            self.write_particles(i.name_of(k), x, numpy.array([2*row[1] for row in rows]), v,
+            self.write_particles(i.name, x, numpy.array([2*row[1] for row in rows]), v,
                                  numpy.broadcast_to(i.spin, (n, 3)), numpy.arange(first, first + n),
                                  self.of_key(key), " frozen yes;" if still else "", i.place,
                                  self.temperatures(numpy.full(n, i.temperature)))

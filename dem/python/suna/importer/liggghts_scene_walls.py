@@ -7,6 +7,7 @@ import os
 
 import numpy
 
+from .liggghts_contact import fits
 from .liggghts_heat import AREA
 from .liggghts_mesh import write_stl
 from .liggghts_region import AXES, text, vector
@@ -35,6 +36,9 @@ class Walls:
     def add_walls(self):
         base, made = self.state["model"], {}
         for wall in self.state["walls"].values():
+            misfit = fits(wall.model, base)
+            if misfit:
+                self.refuse(wall.place, wall.model.word, misfit)
             model = None if wall.model.key() == base.key() else wall.model
             if wall.primitive:
                 self.add_primitive(wall, self.material(wall.type, model=model))
@@ -64,19 +68,19 @@ class Walls:
             body += f" surfaceVelocity {vector(wall.velocity)};"
         body += self.temperature(wall, wall.temperature)
         kind, rest = body.split(" ", 1)
-        self.scene.add("walls", f"{as_name(wall.name, 'wall')} {{ type {kind} "
-                       f"material {material}; {rest} }}", wall.place)
+        self.scene.named("walls", as_name(wall.name, "wall"),
+                         f"type {kind} material {material}; {rest}", wall.place)
 
     def add_cone(self, wall, material):
         n = wall.numbers
-        path = self.new_file(f"{as_name(wall.name)}.stl")
+        path = self.new_file(f"{wall.name}.stl")
         write_stl(path, frustum(numpy.array(n[1:4]), n[0], numpy.array(n[4:7]), n[7]))
         inside = max(n[0], n[7])*(1 - math.cos(math.pi/SIDES))
         self.report.approximated(wall.place, "primitive general_cone", f"{SIDES} flat faces "
                                  f"around, at most {inside:.2g} m inside the cone")
-        self.scene.add("walls", f'{as_name(wall.name, "wall")} {{ type stl; material {material}; '
-                       f'file "{os.path.relpath(path)}";'
-                       f"{self.temperature(wall, wall.temperature)} }}", wall.place)
+        self.scene.named("walls", as_name(wall.name, "wall"),
+                         f'type stl; material {material}; file "{os.path.relpath(path)}";'
+                         f"{self.temperature(wall, wall.temperature)}", wall.place)
 
     def plane(self, wall):
         n = wall.numbers
@@ -122,7 +126,7 @@ class Walls:
         body += self.temperature(wall, mesh.temperature)
         if motion:
             body += " " + self.motion(motion)
-        self.scene.add("walls", f"{as_name(mesh.name, 'wall')} {{ {body} }}", mesh.place)
+        self.scene.named("walls", as_name(mesh.name, "wall"), body, mesh.place)
 
     def temperature(self, wall, value):
         """Entry of a wall."""

@@ -4,19 +4,26 @@ executes them.
 Lines are joined at a trailing &, comments are cut at #, quoted words are one word. ${name}, $x and
 $(expression) are replaced outside quotes, from the variables known at that line. `include`, `jump`,
 `label`, `next` and `if` are followed where they are decided by the script alone, so loops are
-unrolled. A condition that only a run decides is refused.
+unrolled. A condition that only a run decides is refused. Commands, nested files, nested variables
+and the length of a line are limited, so an endless loop ends with a sentence.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import functools
 import os
 import re
 from pathlib import Path
 from typing import NamedTuple
 
 from .liggghts_expression import Dynamic, Expression, Malformed
-from .report import CannotTranslate, Place
+from .liggghts_words import BadWords, Words, as_number, as_whole
+from .report import Place, collected
 
-MAX_COMMANDS = 500000       # of a script with loops
+MAX_COMMANDS = 100000       # executed, of a script with loops
+MAX_FILES = 16              # included in one another, as in LIGGGHTS
+MAX_LINE = 100000           # characters, with variables replaced
+MAX_DEPTH = 20              # of variables that use variables
+MAX_VALUES = 10000          # of variables that a line needs
 WORD = re.compile(r'"""(.*?)"""|"([^"]*)"|\'([^\']*)\'|(\S+)', re.S)
 REFERENCE = re.compile(r"\$\{(\w+)\}|\$\(([^()]*(?:\([^()]*\)[^()]*)*)\)|\$(\w)")
 QUOTED = re.compile(r'("""(?:.|\n)*?"""|"[^"]*"|\'[^\']*\')')
@@ -24,13 +31,13 @@ QUOTED = re.compile(r'("""(?:.|\n)*?"""|"[^"]*"|\'[^\']*\')')
 
 class Command(NamedTuple):
     place: Place
-    words: list             # without quotes
+    words: Words            # without quotes
     name: str
 
 
 class Variable(NamedTuple):
     style: str
-    values: list            # of equal and atom: one expression
+    values: object          # list or range; of equal and atom: one expression
     index: int = 0
 
 
@@ -48,25 +55,42 @@ def without_comment(line):
 
 def read_lines(path):
     """(number, text) of the commands, continued lines joined."""
-    found, text, first = [], "", 0
+    found, parts, first = [], [], 0
     with open(path, errors="replace") as file:
-        for number, line in enumerate(file, 1):
+        for number, line in enumerate([*file, ""], 1):
             line = without_comment(line.rstrip("\n\r")).rstrip()
-            first = first if text else number
-            if line.endswith("&"):
-                text += line[:-1] + " "
-                continue
-            if (text + line).strip():
-                found.append((first, text + line))
-            text = ""
-    if text.strip():
-        found.append((first, text))
+            first = first if parts else number
+            parts.append(line.removesuffix("&"))
+            if not line.endswith("&"):
+                text = " ".join(parts)
+                if text.strip():
+                    found.append((first, text))
+                parts = []
     return found
 
 
+def labels(lines):
+    """Number of the line that follows each label; the first one counts."""
+    rows = [(text.split(), k) for k, (_, text) in enumerate(lines, 1)]
+    return {words[1]: k for words, k in reversed(rows) if words[0] == "label" and len(words) > 1}
+
+
+def is_file(path):
+    """A regular file; no name that the system refuses is one."""
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False
+
+
 def split(text):
-    return [next(group for group in match.groups() if group is not None)
-            for match in WORD.finditer(text)]
+    return Words(split_once(text))
+
+
+@functools.lru_cache(10000)
+def split_once(text):
+    return tuple(next(group for group in match.groups() if group is not None)
+                 for match in WORD.finditer(text))
 
 
 class Script:
@@ -76,49 +100,60 @@ class Script:
         self.report, self.keyword = report, keyword
         self.variables = {name: Variable("index", [value]) for name, value in given}
         self.given = set(self.variables)
-        self.files, self.place, self.folder = [], None, Path(path).parent
+        self.files, self.place, self.folder, self.known = [], None, Path(path).parent, {}
+        self.skip_jump, self.depth, self.evaluated = False, 0, 0
         self._open(Path(path))
-        self.skip_jump = False
 
     def _open(self, path):
-        self.path = path
-        self.lines, self.at = read_lines(path), 0
+        if path not in self.known:
+            lines = read_lines(path)
+            self.known[path] = lines, labels(lines)
+        self.path, self.lines, self.at = path, self.known[path][0], 0
+        self.name = os.path.relpath(path, self.folder)
 
     # ---- commands in the order of execution ------------------------------------------------------
 
     def __iter__(self):
         for _ in range(MAX_COMMANDS):
             while self.at == len(self.lines) and self.files:
-                self.path, self.lines, self.at = self.files.pop()
+                self.path, self.name, self.lines, self.at = self.files.pop()
             if self.at == len(self.lines):
                 return
             number, text = self.lines[self.at]
             self.at += 1
-            self.place = Place(os.path.relpath(self.path, self.folder), number)
+            self.place = Place(self.name, number)
             yield from self._commands(text)
-        try:
-            self._fault("jump", f"the script has executed {MAX_COMMANDS} commands; an endless loop "
-                        "cannot be translated")
-        except CannotTranslate:
-            pass
+        with collected():
+            self._fault("jump", f"the script has executed {MAX_COMMANDS} commands, the limit; an "
+                        "endless loop cannot be translated (is next missing?)")
 
     def _commands(self, text):
-        try:
-            words = split(self.replace(text))
-            if not words:
-                return
-            control = getattr(self, "_do_" + words[0], None)
-            if control is None:
-                yield Command(self.place, words[1:], words[0])
-            elif words[0] == "if":
-                for line in self._do_if(split(text)):
+        self.report.at, self.evaluated = self.place, 0
+        with collected():
+            words = self._words(text)
+            if words.get(0) == "if":
+                for line in self._branch(split(text)):
                     yield from self._commands(line)
-            else:
-                control(words[1:])
-        except IndexError:
-            self._fault(text.split()[0], "words are missing")
-        except CannotTranslate:
-            pass
+            elif words:
+                yield Command(self.place, words[1:], words[0])
+
+    def _words(self, text):
+        """Words of a command that is left to do; what decides the order is done."""
+        words = split(self.replace(text))
+        control = CONTROL.get(words.get(0))
+        if control is None:
+            return words
+        try:
+            control(self, words[1:])
+        except BadWords as error:
+            self._fault(words[0], str(error))
+        return Words()
+
+    def _branch(self, words):
+        try:
+            return self._do_if(words)
+        except BadWords as error:
+            self._fault("if", str(error))
 
     def _fault(self, word, sentence):
         self.report.refuse(self.place, word, sentence)
@@ -127,8 +162,14 @@ class Script:
 
     def replace(self, text):
         """References outside quotes."""
-        return "".join(part if k % 2 else self.replace_all(part)
-                       for k, part in enumerate(QUOTED.split(text)))
+        if "$" not in text:
+            return text
+        found = "".join(part if k % 2 else self.replace_all(part)
+                        for k, part in enumerate(QUOTED.split(text)))
+        if len(found) > MAX_LINE:
+            self._fault(text.split()[0], f"its variables make a line of {len(found)} characters; "
+                        f"the limit is {MAX_LINE}")
+        return found
 
     def replace_all(self, text):
         return REFERENCE.sub(self._reference, text)
@@ -151,20 +192,22 @@ class Script:
             return str(int(value)) if value == int(value) and abs(value) < 1e15 else repr(value)
         if style == "atom":
             raise Dynamic(f"variable {name} of style atom")
-        return values[index]
+        return str(values[index])
 
     def number(self, name):
-        text = self.text(name)
-        try:
-            return float(text)
-        except ValueError:
-            raise Malformed(f'variable {name} is "{text}", no number') from None
+        return as_number(self.text(name), f"number, the value of variable {name}")
 
     def evaluate(self, text):
+        self.evaluated += 1
+        if self.depth == MAX_DEPTH or self.evaluated > MAX_VALUES:
+            self._fault(f'"{text}"', "a variable needs itself, or too many others")
+        self.depth += 1
         try:
             return Expression(text, self.number, self.keyword).value()
         except Malformed as error:
             self._fault("expression", str(error))
+        finally:
+            self.depth -= 1
 
     # ---- what decides the order ------------------------------------------------------------------
 
@@ -177,13 +220,15 @@ class Script:
         elif name in self.given or name in self.variables and style != "string":
             return          # of these styles the first definition holds
         elif style in ("index", "world", "universe"):
-            self.variables[name] = Variable(style, rest)
+            self.variables[name] = Variable(style, [rest[0], *rest[1:]])
         elif style == "string":
             self.variables[name] = Variable(style, [" ".join(rest)])
         elif style in ("loop", "uloop"):
-            numbers = [int(float(word)) for word in rest if word != "pad"]
-            low, high = (1, numbers[0]) if len(numbers) == 1 else numbers[:2]
-            self.variables[name] = Variable(style, [str(k) for k in range(low, high + 1)])
+            numbers = Words(as_whole(word) for word in rest if word != "pad")
+            low, high = numbers[:2] if len(numbers) > 1 else (1, numbers[0])
+            if low > high:
+                raise BadWords(f"the loop from {low} to {high} has no turn")
+            self.variables[name] = Variable(style, range(low, high + 1))
         elif style == "getenv":
             self.variables[name] = Variable(style, [os.environ.get(rest[0], "")])
         else:
@@ -215,21 +260,23 @@ class Script:
         else:
             self.at = 0
         if len(words) > 1:
-            for k, (_, text) in enumerate(self.lines):
-                if text.split()[:2] == ["label", words[1]]:
-                    self.at = k + 1
-                    return
-            self.at = len(self.lines)
-            self._fault(f"jump {words[1]}", "there is no such label in the file")
+            found = self.known[self.path][1].get(words[1])
+            self.at = len(self.lines) if found is None else found
+            if found is None:
+                self._fault(f"jump {words[1]}", "there is no such label in the file")
 
     def _do_include(self, words):
-        self.files.append((self.path, self.lines, self.at))
-        self._open(self._find(words[0], "include"))
+        path = self._find(words[0], "include")
+        if len(self.files) == MAX_FILES:
+            self._fault(f"include {words[0]}", f"is the file {MAX_FILES + 1} that is included in "
+                        "another one; does a file include itself?")
+        self.files.append((self.path, self.name, self.lines, self.at))
+        self._open(path)
 
     def _find(self, name, word):
         """LIGGGHTS looks in the folder where it runs: the folder of the script."""
         for folder in (self.path.parent, Path(".")):
-            if (folder/name).is_file():
+            if is_file(folder/name):
                 return folder/name
         self._fault(f"{word} {name}", "there is no such file")
 
@@ -239,7 +286,7 @@ class Script:
     def _do_if(self, words):
         """The commands of the branch that holds."""
         groups, k = [(words[1], [])], 3
-        if words[2:3] != ["then"]:
+        if words[2] != "then":
             self._fault("if", "then is missing")
         while k < len(words):
             if words[k] in ("elif", "else"):
@@ -270,3 +317,7 @@ class Script:
             self._fault(f"if {condition}",
                         f"{error} is known only in a run of LIGGGHTS; import the "
                         "branch that is wanted")
+
+
+CONTROL = {"variable": Script._do_variable, "next": Script._do_next, "label": Script._do_label,
+           "jump": Script._do_jump, "include": Script._do_include, "quit": Script._do_quit}

@@ -6,7 +6,7 @@ import math
 
 import numpy
 
-from .liggghts_contact import fits, read_model
+from .liggghts_contact import read_model
 from .liggghts_mesh import BadMesh, read_triangles, rotated
 from .liggghts_state import Mesh, Motion, Wall
 
@@ -36,11 +36,6 @@ def wall(t, name, group, words):
     if words[0] != "model":
         t.refuse("known is wall/gran model NORMAL ...", f"fix wall/gran {words[0]}")
     model, rest = read_model(words[1:], t.command.place, "fix wall/gran", t.report)
-    if t.model is None:
-        t.refuse("pair_style comes before the walls")
-    misfit = fits(model, t.model)
-    if misfit:
-        t.refuse(misfit)
     found = Wall(name, model, t.command.place)
     if rest[0] == "primitive":
         rest = read_primitive(t, found, rest)
@@ -58,7 +53,7 @@ def wall(t, name, group, words):
 def read_primitive(t, found, rest):
     """Type, shape and numbers of a primitive; returns the words left."""
     at = 2 if rest[1] == "type" else 1
-    found.type, found.primitive, rest = int(rest[at]), rest[at + 1], rest[at + 2:]
+    found.type, found.primitive, rest = t.atom_type(rest[at]), rest[at + 1], rest[at + 2:]
     count = PRIMITIVES.get(found.primitive)
     if count is None:
         t.refuse("known: planes, cylinders, general_plane, general_cylinder, general_cone; give "
@@ -69,8 +64,8 @@ def read_primitive(t, found, rest):
 
 def read_meshes(t, found, rest):
     """Names of the meshes; returns the words left."""
-    many = int(rest[rest.index("n_meshes") + 1])
-    at = rest.index("meshes") + 1
+    many = t.whole(rest[rest.after("n_meshes")], 1, 1000)
+    at = rest.after("meshes")
     found.meshes = tuple(rest[at:at + many])
     for name in found.meshes:
         t.find(t.meshes, name, "mesh")
@@ -83,6 +78,8 @@ def read_wall_keywords(t, found, rest):
         if key == "shear":
             axis, speed = rest.pop(0), rest.pop(0)
             v = [0.0, 0.0, 0.0]
+            if axis not in ("x", "y", "z") or found.primitive == axis + "plane":
+                t.refuse("is along a plane: x, y or z, not its normal", f"shear {axis}")
             v["xyz".index(axis)] = t.number(speed, "velocity")
             found.velocity = tuple(v)
         elif key in ("store_force", "store_force_contact", "heat", "track_energy"):
@@ -108,12 +105,14 @@ def wall_temperature(t, word):
 
 
 def mesh(t, name, group, words):
-    given, found = list(words), Mesh(name, None, None, 0, t.command.place)
+    given, found = words[:], Mesh(name, None, None, 0, t.command.place)
     while given:
         key = given.pop(0)
         if key == "type":
-            found.type = int(given.pop(0))
+            found.type = t.atom_type(given.pop(0))
         elif key in MESH_WORDS:
+            if found.triangles is None and key != "file":
+                t.refuse("file comes before it", f"fix mesh/surface {key}")
             given = MESH_WORDS[key](t, found, given)
         elif key in MESH_HARMLESS:
             value = given.pop(0)
@@ -126,6 +125,8 @@ def mesh(t, name, group, words):
             t.refuse("the importer does not know this word", f"fix mesh/surface {key}")
     if found.triangles is None:
         t.refuse("file is missing")
+    if found.spin:
+        tell_spin(t, found)
     t.meshes[name] = found
     t.translated("walls or inlet, where it is used")
 
@@ -144,7 +145,7 @@ def mesh_file(t, found, given):
 
 
 def mesh_scale(t, found, given):
-    factor = t.number(given[0])
+    factor = t.positive(given[0])
     found.triangles, found.scale = found.triangles*factor, found.scale*factor
     return given[1:]
 
@@ -157,7 +158,7 @@ def mesh_move(t, found, given):
 
 
 def mesh_rotate(t, found, given):
-    axis, angle = t.numbers(given[1:4]), math.radians(t.number(given[5]))
+    axis, angle = t.direction(given[1:4]), math.radians(t.number(given[5]))
     found.triangles = rotated(found.triangles, numpy.zeros(3), axis, angle)
     found.transformed |= angle != 0
     return given[6:]
@@ -169,9 +170,24 @@ def mesh_velocity(t, found, given):
 
 
 def mesh_spin(t, found, given):
-    origin, axis = t.numbers(given[1:4], "length"), t.numbers(given[5:8])
+    origin, axis = t.numbers(given[1:4], "length"), t.direction(given[5:8])
     found.spin = (*origin, *axis, t.number(given[9], "spin"))
     return given[10:]
+
+
+def tell_spin(t, found):
+    """LIGGGHTS turns the velocity omega x r into each face and keeps its magnitude; Suna's surface
+    turns as a solid, whose part along the normal does not push."""
+    edges = found.triangles[:, 1:] - found.triangles[:, :1]
+    normal = numpy.cross(edges[:, 0], edges[:, 1])
+    normal /= numpy.maximum(numpy.linalg.norm(normal, axis=1), 1e-300)[:, None]
+    v = numpy.cross(found.spin[3:6], found.triangles.mean(axis=1) - found.spin[:3])
+    size = numpy.linalg.norm(v, axis=1)
+    into = numpy.abs((v*normal).sum(axis=1)) > 0.1*size     # 0.1: 0.5 % of the speed along the face
+    if into.any():
+        t.approximated(f"{into.sum()} of {len(into)} faces are not along the rotation: there "
+                       "LIGGGHTS' surface has the speed omega r along the face, Suna's its part "
+                       "along the face", "surface_ang_vel")
 
 
 def mesh_temperature(t, found, given):
@@ -197,10 +213,10 @@ def move_mesh(t, name, group, words):
     if kind == "linear":
         values = t.numbers(rest[:3], "velocity")
     elif kind == "rotate":
-        origin, axis = t.numbers(rest[1:4], "length"), t.numbers(rest[5:8])
-        values = (*origin, *axis, 2*math.pi/t.number(rest[9], "time"))
+        origin, axis = t.numbers(rest[1:4], "length"), t.direction(rest[5:8])
+        values = (*origin, *axis, 2*math.pi/t.nonzero(rest[9], "time"))
     else:
-        values = (*t.numbers(rest[1:4], "length"), 1/t.number(rest[5], "time"))
+        values = (*t.numbers(rest[1:4], "length"), 1/t.positive(rest[5], "time"))
     if any(m.end > t.time for m in wall.motions):
         t.refuse(f"mesh {wall.name} has a motion already, and a wall of Suna has one at a time")
     if t.time == 0 and kind == "linear" and not any(values):

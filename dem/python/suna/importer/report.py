@@ -1,5 +1,5 @@
 """report.py -- what became of each line of the input: translated, approximated, without effect on
-the answer, or refused.
+the answer, output that is lost, or refused.
 
 A translator calls one method for each line that it reads, so nothing is left out in silence:
 
@@ -10,11 +10,12 @@ A translator calls one method for each line that it reads, so nothing is left ou
     report.harmless(place, "neighbor", "lists tune themselves")
     report.refuse(place, "atom_style ellipsoid", "Suna has spheres only")   # raises CannotTranslate
 
-`refuse` raises. A translator that reads on to find the other faults, too, catches CannotTranslate
-for each line and calls `raise_refused` at the end.
+`refuse` raises. A translator that reads on to find the other faults, too, reads each line in a block
+`with collected():` and calls `raise_refused` at the end.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import contextlib
 import csv
 import textwrap
 from typing import NamedTuple
@@ -37,6 +38,15 @@ class CannotTranslate(Refused):
     """The sentence: file, line, word, what Suna lacks or what to write instead."""
 
 
+@contextlib.contextmanager
+def collected():
+    """Refusals in this block are in the report; the block ends there, what follows goes on."""
+    try:
+        yield
+    except CannotTranslate:
+        pass
+
+
 class Row(NamedTuple):
     place: Place
     word: str
@@ -44,13 +54,14 @@ class Row(NamedTuple):
     text: str
 
 
-TRANSLATED, APPROXIMATED, HARMLESS, REFUSED = KINDS = (
-    "translated", "approximated", "no effect", "refused")
+TRANSLATED, APPROXIMATED, LOST, HARMLESS, REFUSED = KINDS = (
+    "translated", "approximated", "lost output", "no effect", "refused")
 
 
 class Report:
     def __init__(self):
         self.rows, self._known = [], set()
+        self.at = None          # Place of the input that is being read
 
     # ---- one line of the input -------------------------------------------------------------------
 
@@ -62,8 +73,13 @@ class Report:
         """Something near to it; `text` is what acts instead, and by how much the answer changes."""
         self._add(place, word, APPROXIMATED, text)
 
+    def lost(self, place, word, text):
+        """Output that the script writes and Suna does not; `text` is what, and what to use."""
+        self._add(place, word, LOST, text)
+
     def harmless(self, place, word, text=""):
-        """Not translated, without effect on the answer: numerical lists, output, messages."""
+        """Not translated, without effect on the answer: numerical lists, messages, output that Suna
+        writes in its own way."""
         self._add(place, word, HARMLESS, text)
 
     def refuse(self, place, word, text):
@@ -93,9 +109,10 @@ class Report:
             "nothing was read"
 
     def comment(self):
-        """Approximations and what has no effect, as comment lines for the head of the result."""
+        """What differs, is lost or has no effect, as comment lines for the head of the result."""
         lines = []
         for kind, title in ((APPROXIMATED, "Approximated, with the effect on the answer:"),
+                            (LOST, "Output of the source that is not written:"),
                             (HARMLESS, "Not translated, without effect on the answer:")):
             rows = self.of(kind)
             if rows:

@@ -2,10 +2,27 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import re
 import textwrap
 
 from .liggghts_region import text
 from .report import WIDTH
+
+
+class Names:
+    """Names that are given once in each section."""
+
+    def __init__(self):
+        self._taken = {}
+
+    def free(self, section, name):
+        """The name, with a number if the section has it already: x, x_2, x_3."""
+        taken, found, k = self._taken.setdefault(section, set()), name, 1
+        while found in taken:
+            k += 1
+            found = f"{name}_{k}"
+        taken.add(found)
+        return found
 
 
 class SceneText:
@@ -14,10 +31,14 @@ class SceneText:
              "fluid", "time", "write")
 
     def __init__(self):
-        self.sections = {name: [] for name in self.ORDER}
+        self.sections, self.names = {name: [] for name in self.ORDER}, Names()
 
     def add(self, section, entry, place=None):
         self.sections[section].append((entry, "" if place is None else f"// {place}"))
+
+    def named(self, section, name, body, place=None):
+        """NAME { body }, under a name of its own."""
+        self.add(section, f"{self.names.free(section, name)} {{ {body} }}", place)
 
     def text(self, head):
         lines = list(head) + [""]
@@ -49,5 +70,5 @@ def braces(name, settings):
 
 def as_name(name, start="fix"):
     """A word of a scene."""
-    name = "".join(c if c.isalnum() or c == "_" else "_" for c in name)
+    name = re.sub(r"\W", "_", name, flags=re.A)
     return name if name[:1].isalpha() else start + name
