@@ -96,8 +96,7 @@ class Laws:
             return laws(model, base, self.state["properties"], self.materials[a][0],
                         self.materials[b][0])
         except Need as need:
-            self.refuse(model.place, f"property/global {need}",
-                        "the model needs this property, which the script does not give")
+            self.refuse(model.place, f"property/global {need}", need.why)
         except IndexError:
             self.refuse(model.place, "property/global",
                         f"a property has no value for types {self.materials[a][0]} "
