@@ -539,15 +539,17 @@ int dem_means_get(const struct dem_means *, double *mean, double *half_width);
 
 /* Collective, after dem_setup. Write a snapshot: all ranks write one temporary file, which is
    verified, flushed to disk and renamed, so that a file of that name stays until the new one is
-   complete. A snapshot loads on any number of ranks and the run continues with the same bits. */
+   complete. A snapshot loads on any number of ranks and the run continues with the same bits. After a
+   dem_advance that failed it is refused, until dem_restore: a good snapshot stays. */
 int dem_save(struct dem *, const char *path);
 
 /* Not collective; needs no simulation. The hash of the state in a snapshot, as dem_hash returns
    it. */
 int dem_snapshot_hash(const char *path, uint64_t *hash);
 
-/* Start from a snapshot instead of the scene's insertions: after the scene, before dem_check.
-   The file is read in dem_setup. */
+/* Continue from a snapshot: after the scene, before dem_check. The file is read in dem_setup. The scene
+   may be an edited one: groups of `insert` that the snapshot does not have are inserted, walls go on
+   from where they stood, and dem_warnings names every difference. */
 int dem_load(struct dem *, const char *path);
 
 /* The same for a state that another run has made, as the scene's entry `start` does, whose other

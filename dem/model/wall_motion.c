@@ -225,6 +225,35 @@ void dem_pose_direction(const struct dem_pose *p, const double in[3], double out
     }
 }
 
+void dem_pose_product(const struct dem_pose *a, const struct dem_pose *b, struct dem_pose *product)
+{
+    for (int i = 0; i < 3; i++)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            product->rotation[i][k] = a->rotation[i][0]*b->rotation[0][k]
+                                    + a->rotation[i][1]*b->rotation[1][k]
+                                    + a->rotation[i][2]*b->rotation[2][k];
+        }
+    }
+    dem_pose_point(a, b->shift, product->shift);
+}
+
+void dem_pose_inverse(const struct dem_pose *p, struct dem_pose *inverse)
+{
+    for (int i = 0; i < 3; i++)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            inverse->rotation[i][k] = p->rotation[k][i];
+        }
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        inverse->shift[k] = -dem_vec_dot(inverse->rotation[k], p->shift);
+    }
+}
+
 void dem_pose_point(const struct dem_pose *p, const double in[3], double out[3])
 {
     for (int k = 0; k < 3; k++)

@@ -26,6 +26,7 @@
 #ifndef DEM_MODEL_WALLS_H
 #define DEM_MODEL_WALLS_H
 
+#include "core/name_index.h"
 #include "model/periodic_image.h"
 #include "model/wall_motion.h"
 #include <stddef.h>
@@ -47,6 +48,11 @@ struct dem_wall_scalar
     double flux;                  /* unit C/(s m2)  into a particle that touches it, on pi R^2 */
     double film;                  /* C/(s m2)       coefficient from `value`, likewise */
     double start, end;            /* s  when it acts; insulated at other times */
+};
+
+enum
+{
+    DEM_WALL_FORM = 7             /* numbers that describe the form of a wall */
 };
 
 struct dem_wall
@@ -75,6 +81,7 @@ struct dem_wall
                                                          counts them */
     size_t triangles, flat, repeats;                  /* of all ranks: kept; dropped without area;
                                                          dropped duplicates */
+    double area, centroid[3];                         /* m2, m: of its triangles, in its frame */
     size_t given;                                     /* triangles given, before any are dropped */
     int first_facet, facets;                          /* numbers of its facets: these */
     double push;                                      /* m/s: largest speed along its own normal
@@ -128,10 +135,12 @@ struct dem_wall_record
     uint8_t endless, distinct;
 };
 
-/* reference frame of all walls with the same motion */
+/* reference frame of all walls with the same motion and base */
 struct dem_wall_frame
 {
     struct dem_motion motion;
+    struct dem_pose base;         /* where the motion begins, see wall_motion.h */
+    int resumed;                  /* 1: the base is not the identity */
     struct dem_pose pose;         /* present */
     struct dem_wall_displacement displacement;  /* over the last step */
     int triangles;                /* 1: has a wall of triangles */
@@ -171,6 +180,7 @@ struct dem_walls
     int walls;
     struct dem_wall *wall;
     size_t wall_capacity;
+    struct dem_name_index names;               /* of walls */
     size_t triangles, triangle_capacity;
     struct dem_triangle *triangle;
     int facets;
@@ -203,6 +213,9 @@ struct dem_walls
 
 void dem_walls_free(struct dem_walls *);
 
+/* Index of the wall of this name; the number of walls when there is none. */
+int dem_walls_named(const struct dem_walls *, const char *name);
+
 /* Add a wall of triangles, or a plane. Names must be unique (DEM_ERROR_INPUT). `wall`: index of the
    wall. */
 int dem_walls_add(struct dem_walls *, const char *name, int material, int *wall);
@@ -221,6 +234,17 @@ int dem_walls_add_triangles(struct dem_walls *, int wall, size_t n, const double
 /* Give a wall a motion. DEM_ERROR_INPUT when its shape cannot follow (an infinite plane can rotate
    about its normal only). */
 int dem_walls_set_motion(struct dem_walls *, int wall, const struct dem_motion *);
+
+/* Before the walls are finished: a wall that had another motion, with this base, until `time` [s]
+   goes on from its pose then, with its motion from now on. The same motion keeps the base. */
+int dem_walls_resume_motion(struct dem_walls *, int wall, const struct dem_motion *was,
+                            const struct dem_pose *base, double time);
+
+/* After the walls are finished: normal or axis, point, radius; or area and centroid of triangles.
+   dem_walls_same_form: 1 when two of them are of the same wall. Triangles may differ by the rounding
+   of a file that was written with six digits. */
+void dem_walls_form(const struct dem_wall *, double form[DEM_WALL_FORM]);
+int dem_walls_same_form(const double *a, const double *b, int triangles);
 
 /* Join triangles to facets. `scale` [m]: the largest particle radius, from which the tolerances of
    welding and flatness follow. */
@@ -273,6 +297,9 @@ static inline const double *dem_walls_from_image(const double period[3], const i
 /* A corner of a triangle at its place in the facet. */
 void dem_walls_place_corner(const struct dem_walls *, const struct dem_triangle *, int k,
                             double corner[3]);
+
+/* Part of dem_walls_finish: how facets lie to their own images, `endless` and `distinct`. */
+int dem_walls_compare_images(struct dem_walls *);
 
 /* Once boxes and motions of reference frames are known: which of these have periodic images. */
 void dem_walls_choose_periods(struct dem_walls *);

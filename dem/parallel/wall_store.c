@@ -17,7 +17,7 @@
 enum
 {
     RECORD = (int)(sizeof(struct dem_wall_record)/sizeof(double)), /* doubles of a record */
-    FACTS = 7                                            /* numbers of a wall; a box has 6 */
+    FACTS = 11                                           /* numbers of a wall; a box has 6 */
 };
 _Static_assert(sizeof(struct dem_wall_record)%sizeof(double) == 0,
                "the record of a triangle is sent as doubles");
@@ -124,7 +124,9 @@ static void copy_facts(struct dem_walls *w, double *fact, int back)
     {
         struct dem_wall *const of = &w->wall[k];
         const double facts[FACTS] = {(double)of->triangles, (double)of->flat, (double)of->repeats,
-                                     (double)of->given, of->first_facet, of->facets, of->push};
+                                     (double)of->given, of->first_facet, of->facets, of->push,
+                                     of->area, of->centroid[0], of->centroid[1],
+                                     of->centroid[2]};
 
         if (!back)
         {
@@ -138,6 +140,8 @@ static void copy_facts(struct dem_walls *w, double *fact, int back)
         of->first_facet = (int)fact[4];
         of->facets = (int)fact[5];
         of->push = fact[6];
+        of->area = fact[7];
+        memcpy(of->centroid, fact + 8, sizeof of->centroid);
     }
     for (int k = 0; k < w->frames; k++, fact += FACTS)
     {

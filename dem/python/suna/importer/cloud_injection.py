@@ -13,6 +13,7 @@ import numpy
 from . import cloud_sizes
 from .cloud_models import PARCELS, refuse_unread
 from .foam_dictionary import existing, file_text
+from .report import Place
 
 # ---- injection -----------------------------------------------------------------------------------
 
@@ -43,12 +44,18 @@ def parcels(d, report):
     return basis == "mass"
 
 
-def read_positions(path):
+def read_positions(path, place, report):
     """Vectors of a list file of OpenFOAM."""
     text = re.sub(r"//[^\n]*|/\*.*?\*/", " ", file_text(existing(path)), flags=re.S)
     text = re.sub(r"FoamFile\s*\{.*?\}", " ", text, flags=re.S)
     inner = re.search(r"\((.*)\)", text, flags=re.S)
-    return numpy.array(re.findall(r"[-+]?[\d.]+(?:[eE][-+]?\d+)?", inner[1]), float).reshape(-1, 3)
+    try:
+        found = numpy.array(re.sub(r"[()]", " ", inner[1]).split() if inner else [], float)
+    except ValueError:
+        found = numpy.empty(0)
+    if len(found) == 0 or len(found) % 3 or not numpy.isfinite(found).all():
+        report.refuse(place, "positions", "is no list of points ( (x y z) ... )")
+    return found.reshape(-1, 3)
 
 
 def add_injection(name, d, case, density, properties, report, cloud):
@@ -84,7 +91,7 @@ def manual(name, d, case, properties, report, place, word):
     if existing(source) is None:
         report.refuse(d.where("positionsFile"), d.full("positionsFile"),
                       f"there is no file constant/{file}")
-    positions = read_positions(source)
+    positions = read_positions(source, Place(f"constant/{file}"), report)
     case.positions[name] = positions
     report.translated(place, word, f"insert/{name}, a list of {len(positions)} particles")
     diameters = cloud_sizes.diameters(d.sub("sizeDistribution"), len(positions), report)
@@ -100,7 +107,7 @@ def manual(name, d, case, properties, report, place, word):
 def rate(d, density, report):
     """`rate` or `massRate` of a stream, and by what its sizes count."""
     by_mass = parcels(d, report)
-    duration, total = d.number("duration"), d.number("massTotal", 0.0)
+    duration, total = d.positive("duration"), d.number("massTotal", 0.0)
     per_second = d.number("parcelsPerSecond", 0.0)
     if "massFlowRate" in d:
         total = d.number("massFlowRate")*duration
@@ -138,7 +145,9 @@ def stream(name, d, density, properties, report, place, word, inlet):
 def cone(name, d, density, properties, report, place, word):
     profile(d, report, "flowRateProfile", "Umag", "thetaInner", "thetaOuter")
     for one, two in d.list("positionAxis", []) or [(d.list("position"), d.list("direction"))]:
-        at, axis = (numpy.array([float(x) for x in v]) for v in (one, two))
+        at, axis = (numpy.array(d.numbers("type", v, 3, "vector")) for v in (one, two))
+        if not axis.any():
+            report.refuse(place, word, "its axis has no direction")
         axis = axis/numpy.linalg.norm(axis)
         angle, speed = math.radians(d.number("thetaOuter")), d.number("Umag")
         across = speed*math.sin(angle)*numpy.sqrt(numpy.maximum(0, 1 - axis**2))

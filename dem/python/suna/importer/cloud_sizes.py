@@ -50,12 +50,16 @@ def density(kind, d):
             return numpy.exp(-rate*(x - low))
     elif kind == "multiNormal":
         inner = d.sub("distribution") if "distribution" in d else d
-        parts = [[float(x) for x in inner.list(name)]
+        parts = [inner.numbers(name, inner.list(name))
                  for name in ("expectation", "variance", "strength")]
         def value(x):
             return sum(s*numpy.exp(-0.5*((x - mu)/sigma)**2) for mu, sigma, s in zip(*parts))
     elif kind == "general":
-        rows = numpy.array([[float(x) for x in row] for row in d.list("distribution")])
+        rows = numpy.array([d.numbers("distribution", row, 2, "pair of numbers")
+                            for row in d.list("distribution")])
+        if len(rows) < 2:
+            d.report.refuse(d.where("distribution"), d.full("distribution"),
+                            "has two rows or more")
         low, high = rows[0, 0], rows[-1, 0]
         def value(x):
             return numpy.interp(x, rows[:, 0], rows[:, 1])

@@ -19,10 +19,12 @@ not know, where foreign files must be read to their end.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import gzip
+import math
 import re
 
 from .report import Place
 
+MAX_DEPTH = 50
 YES, NO = ("yes", "on", "true", "y", "t"), ("no", "off", "false", "n", "f", "none")
 # comments, strings and code first; then signs; then words, in which brackets may stand in pairs
 TOKEN = re.compile(r"""
@@ -33,6 +35,10 @@ TOKEN = re.compile(r"""
   | (?P<sign>   [;{}()\[\]] )
   | (?P<word>   (?: \$\{[^{}\s]*\} | [^\s;{}()\[\]"] | \((?:[^\s;{}()"]|\([^\s;{}()"]*\))*\) )+ )
 """, re.S | re.X)
+
+
+def shorten(text, most):
+    return text if len(text) <= most else text[:most] + "..."
 
 
 class Text(str):
@@ -126,23 +132,39 @@ class Dictionary:
     def number(self, name, *default):
         if name not in self and default:
             return default[0]
-        tokens = self.tokens(name)
+        return self.numbers(name, self.tokens(name)[-1:], 1, "number")[0]
+
+    def positive(self, name, *default):
+        value = self.number(name, *default)
+        if value is not None and value <= 0:
+            self.report.refuse(self.where(name), self.full(name), f"{value:g} is not above 0")
+        return value
+
+    def numbers(self, name, tokens, many=None, what="list of numbers"):
+        """Finite numbers, all these tokens of an entry; `many`: how many there are."""
         try:
-            return float(tokens[-1])
-        except (ValueError, TypeError, IndexError):
-            self.report.refuse(self.where(name), self.full(name), f"{as_text(tokens)!r} is no "
-                               "number; write one")
+            found = [float(x) for x in tokens]
+        except (ValueError, TypeError):
+            found = [math.nan]
+        if len(found) != (many or len(found)) or not all(map(math.isfinite, found)):
+            self.report.refuse(self.where(name), self.full(name),
+                               f"{shorten(as_text(tokens), 60)!r} is no {what}; write one")
+        return found
+
+    def indices(self, name, tokens, below):
+        """Whole numbers from 0."""
+        found = self.numbers(name, tokens)
+        if not all(x == int(x) and 0 <= x < below for x in found):
+            self.report.refuse(self.where(name), self.full(name), f"{as_text(tokens)!r} are not "
+                               f"numbers of points from 0 to {below - 1}")
+        return [int(x) for x in found]
 
     def vector(self, name, *default):
         if name not in self and default:
             return default[0]
         tokens = self.tokens(name)
-        try:
-            x, y, z = tokens[-1]
-            return float(x), float(y), float(z)
-        except (ValueError, TypeError, IndexError):
-            self.report.refuse(self.where(name), self.full(name), f"{as_text(tokens)!r} is no "
-                               "vector; write one")
+        given = tokens[-1] if tokens and isinstance(tokens[-1], list) else tokens
+        return tuple(self.numbers(name, given, 3, "vector"))
 
     def switch(self, name, default):
         """OpenFOAM's words for yes and no; an entry without value is yes, as its presence is."""
@@ -234,8 +256,8 @@ def file_text(path):
 
 
 class Reader:
-    def __init__(self, path, name, report):
-        self.path, self.name, self.report = path, name, report
+    def __init__(self, path, name, report, depth=0):
+        self.path, self.name, self.report, self.depth = path, name, report, depth
         self.tokens, line, at = [], 1, 0
         text = file_text(existing(path))
         while at < len(text):
@@ -253,7 +275,8 @@ class Reader:
         self.at = 0
 
     def place(self):
-        return Place(self.name, self.tokens[min(self.at, len(self.tokens) - 1)][1])
+        rest = self.tokens[self.at:self.at + 1] or self.tokens[-1:]
+        return Place(self.name, rest[0][1] if rest else 1)
 
     def peek(self):
         return self.tokens[self.at][0] if self.at < len(self.tokens) else None
@@ -273,11 +296,20 @@ class Reader:
                                f"'{sign}' is missing after {what}")
         self.at += 1
 
+    def deeper(self, by):
+        """Of brackets and included files, which are in one another."""
+        self.depth += by
+        if self.depth > MAX_DEPTH:
+            self.report.refuse(self.place(), self.peek() or "#include", f"{MAX_DEPTH} brackets or "
+                               "files in one another are the limit; does a file include itself?")
+
     def dictionary(self, d, closing):
         """Entries up to } or the end of the file."""
+        self.deeper(1)
         while self.at < len(self.tokens):
             if closing and self.next_is("}"):
                 self.at += 1
+                self.deeper(-1)
                 return d
             if self.next_is(";"):
                 self.at += 1
@@ -285,6 +317,7 @@ class Reader:
                 self.entry(d)
         if closing:
             self.report.refuse(d.place, d.path or "{", "has no closing }")
+        self.deeper(-1)
         return d
 
     def entry(self, d):
@@ -315,6 +348,7 @@ class Reader:
     def value(self, d, end, name):
         """Tokens up to the sign `end`, which is left."""
         value = []
+        self.deeper(1)
         while self.at < len(self.tokens) and not self.next_is(end):
             if self.next_is("}"):
                 self.expect(end, name)
@@ -342,6 +376,7 @@ class Reader:
                     value.append(token)
                 else:
                     value += macro.value if isinstance(macro.value, list) else [macro.value]
+        self.deeper(-1)
         return value
 
     def include(self, d, directive, place):
@@ -353,7 +388,7 @@ class Reader:
             self.report.refuse(place, f'{directive} "{wanted}"', "there is no such file")
         name = str(self.path.parent/wanted) if wanted.startswith("/") else \
             "/".join([*self.name.split("/")[:-1], wanted])
-        Reader(path, name, self.report).dictionary(d, False)
+        Reader(path, name, self.report, self.depth).dictionary(d, False)
 
 
 def read_dictionary(path, name, report):

@@ -4,12 +4,14 @@ law.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import math
+import re
 
 import numpy
 
 from .liggghts_contact import read_model, tell
 from .liggghts_mesh import BadMesh, read_tetrahedra
 from .liggghts_region import AXES, Region
+from .liggghts_words import BadWords
 from .units import BASE, Units
 
 ATOM_STYLES = ("granular", "sphere")
@@ -38,7 +40,10 @@ class Head:
         self.translated("domain/flat" if self.flat else "")
 
     def do_boundary(self, words):
-        self.boundary = list(words)
+        for word in words[:3]:
+            if not re.fullmatch("[pfsm]{1,2}", word):
+                raise BadWords(f'"{word}" is none of p, f, s, m')
+        self.boundary = words[:3]
         self.translated("domain")
 
     def do_create_box(self, words):
@@ -71,12 +76,14 @@ class Head:
 
     def do_region(self, words):
         name, style, rest = words[0], words[1], words[2:]
-        outside = False
+        outside, unit = False, "lattice"
         while len(rest) > 2 and rest[-2] in ("units", "side", "volume_limit"):
-            if rest[-2] == "units" and rest[-1] == "lattice" and self.lattice is None:
-                self.refuse("units lattice without a lattice")
+            unit = rest[-1] if rest[-2] == "units" else unit
             outside |= rest[-2:] == ["side", "out"]
             rest = rest[:-2]
+        if unit == "lattice" and self.lattice is not None:
+            self.refuse("lengths in units of the lattice are not read; write units box with "
+                        "lengths", f"region {style}")
         made = self._region(style, rest, outside)
         self.regions[name] = made
         self.translated(f"{style}, where it is used")

@@ -9,6 +9,7 @@ and the length of a line are limited, so an endless loop ends with a sentence.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import functools
 import os
 import re
 from pathlib import Path
@@ -83,7 +84,12 @@ def is_file(path):
 
 
 def split(text):
-    return Words(next(group for group in match.groups() if group is not None)
+    return Words(split_once(text))
+
+
+@functools.lru_cache(10000)
+def split_once(text):
+    return tuple(next(group for group in match.groups() if group is not None)
                  for match in WORD.finditer(text))
 
 
@@ -103,18 +109,19 @@ class Script:
             lines = read_lines(path)
             self.known[path] = lines, labels(lines)
         self.path, self.lines, self.at = path, self.known[path][0], 0
+        self.name = os.path.relpath(path, self.folder)
 
     # ---- commands in the order of execution ------------------------------------------------------
 
     def __iter__(self):
         for _ in range(MAX_COMMANDS):
             while self.at == len(self.lines) and self.files:
-                self.path, self.lines, self.at = self.files.pop()
+                self.path, self.name, self.lines, self.at = self.files.pop()
             if self.at == len(self.lines):
                 return
             number, text = self.lines[self.at]
             self.at += 1
-            self.place = Place(os.path.relpath(self.path, self.folder), number)
+            self.place = Place(self.name, number)
             yield from self._commands(text)
         with collected():
             self._fault("jump", f"the script has executed {MAX_COMMANDS} commands, the limit; an "
@@ -155,6 +162,8 @@ class Script:
 
     def replace(self, text):
         """References outside quotes."""
+        if "$" not in text:
+            return text
         found = "".join(part if k % 2 else self.replace_all(part)
                         for k, part in enumerate(QUOTED.split(text)))
         if len(found) > MAX_LINE:
@@ -261,7 +270,7 @@ class Script:
         if len(self.files) == MAX_FILES:
             self._fault(f"include {words[0]}", f"is the file {MAX_FILES + 1} that is included in "
                         "another one; does a file include itself?")
-        self.files.append((self.path, self.lines, self.at))
+        self.files.append((self.path, self.name, self.lines, self.at))
         self._open(path)
 
     def _find(self, name, word):

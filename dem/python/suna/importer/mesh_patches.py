@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy
 
 from .foam_dictionary import Dictionary, existing, file_text, read_dictionary
+from .report import Place
 
 # of constraint types, on which particles need neither wall nor outlet
 COUPLED = ("cyclic", "cyclicAMI", "cyclicACMI", "cyclicSlip", "processor")
@@ -40,7 +41,7 @@ def block_mesh_dict(folder):
 def read_patches(folder, report):
     """None: there is no mesh yet, and no blockMeshDict."""
     if existing(folder/"constant/polyMesh/boundary"):
-        return from_poly_mesh(folder)
+        return from_poly_mesh(folder, report)
     name = block_mesh_dict(folder)
     if name is None:
         return None
@@ -51,17 +52,20 @@ def read_patches(folder, report):
 
 def from_block_mesh(d):
     scale = d.number("scale", 1.0)*d.number("convertToMeters", 1.0)
-    vertices = scale*numpy.array([[float(x) for x in v] for v in d.list("vertices")
-                                  if isinstance(v, list)])
+    vertices = scale*numpy.array([d.numbers("vertices", v, 3, "vector")
+                                  for v in d.list("vertices") if isinstance(v, list)])
     arcs = {}
     edges = d.list("edges", [])
     for i, word in enumerate(edges):
         if word == "arc" and len(edges) > i + 3 and isinstance(edges[i + 3], list):
-            arcs[frozenset((int(edges[i + 1]), int(edges[i + 2])))] = \
-                scale*numpy.array([float(x) for x in edges[i + 3]])
+            ends = d.indices("edges", edges[i + 1:i + 3], len(vertices))
+            arcs[frozenset(ends)] = \
+                scale*numpy.array(d.numbers("edges", edges[i + 3], 3, "vector"))
 
     def corners(face):
-        face = [int(x) for x in face]
+        face = d.indices("vertices", face, len(vertices))
+        if len(face) < 3:
+            d.report.refuse(d.place, "faces", "a face has three points or more")
         points = [vertices[i] for i in face]
         for i, j in zip(face, [*face[1:], face[0]]):
             if frozenset((i, j)) in arcs:
@@ -72,6 +76,8 @@ def from_block_mesh(d):
     if "patches" in d:              # TYPE NAME ( faces )
         tokens = d.list("patches")
         for kind, name, faces in zip(tokens[::3], tokens[1::3], tokens[2::3]):
+            if not isinstance(faces, list):
+                d.report.refuse(d.where("patches"), "patches", "are not TYPE NAME ( faces ) each")
             patches[str(name)] = Patch(str(name), str(kind), [corners(face) for face in faces])
     tokens = d.list("boundary", [])
     for name, inner in zip(tokens, tokens[1:]):
@@ -96,7 +102,7 @@ def outer_faces(d, corners, patches):
     blocks = d.list("blocks")
     for i, word in enumerate(blocks):
         if word == "hex":
-            block = [int(x) for x in blocks[i + 1]]
+            block = d.numbers("blocks", blocks[i + 1] if len(blocks) > i + 1 else [], 8, "block")
             for side in SIDES:
                 face = tuple(block[k] for k in side)
                 key = frozenset(face)
@@ -119,7 +125,15 @@ def body(path):
     return re.sub(r"^.*?FoamFile\s*\{.*?\}\s*\d*\s*\(", "", text, count=1, flags=re.S)
 
 
-def from_poly_mesh(folder):
+def from_poly_mesh(folder, report):
+    try:
+        return poly_mesh(folder)
+    except (ValueError, KeyError, IndexError) as error:
+        report.refuse(Place("constant/polyMesh/boundary"), "mesh", "points, faces and boundary do "
+                      f"not fit together ({error}); write the mesh anew")
+
+
+def poly_mesh(folder):
     mesh = folder/"constant/polyMesh"
     points = faces = None
     if existing(mesh/"points") and existing(mesh/"faces"):
