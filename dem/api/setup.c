@@ -212,7 +212,8 @@ static int distribute(struct dem *d)
     DEM_TRY(
         dem_collect_agree(&p->decomposition, dem_domain_project_all(&p->domain, &p->particles)));
     DEM_TRY(dem_decomposition_balance(&p->decomposition, &p->particles, NULL));
-    DEM_TRY(dem_halo_migrate(&p->halo, DEM_OK, &p->particles, &p->contacts));
+    DEM_TRY(dem_collect_agree(&p->decomposition, dem_halo_migrate(&p->halo, DEM_OK, &p->particles,
+                                                                  &p->contacts)));
     p->stale = 2;
     dem_walls_move(&p->walls, p->time, 0.0);
     if (d->load_path[0])

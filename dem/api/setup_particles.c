@@ -216,7 +216,8 @@ static unsigned column_groups(const struct dem *d)
     unsigned groups = (d->with_fluid && acts ? DEM_GROUP_FLUID : 0)
                     | (sums_bond_energy(r) ? DEM_GROUP_PAIR_ENERGY : 0)
                     | (d->orientation ? DEM_GROUP_ORIENTATION : 0)
-                    | (under_relaxes(d) ? DEM_GROUP_UNDER_RELAXATION : 0);
+                    | (under_relaxes(d) ? DEM_GROUP_UNDER_RELAXATION : 0)
+                    | (dem_streams_have_regions(&d->scene.streams) ? DEM_GROUP_OUTLETS : 0);
 
     for (size_t k = 0; k < sizeof required/sizeof required[0]; k++)
     {

@@ -195,7 +195,7 @@ static void read_slice(struct dem_parallel_file *s, const struct dem_decompositi
                        const struct dem_snapshot_header *h, struct bundle *b)
 {
     int64_t first, count;
-    double *row;
+    double *row = NULL;
 
     dem_snapshot_slice(q, h->rows, &first, &count);
     s->status = DEM_NEW(row, CHUNK*b->size);

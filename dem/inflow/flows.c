@@ -124,6 +124,10 @@ int dem_flows_begin(struct dem_state *p, const struct dem_streams *plan,
         return DEM_OK;
     }
     p->energy_balance->flows = 1;
+    if (!from || from->flows == 0)
+    {
+        dem_flows_end_check(p);
+    }
     add_flow(f, "domain", DEM_FLOW_OUTLET);
     resume(&f->flow[f->n - 1], NULL, from, p->time);
     f->next_id = dem_flows_first_free_id(p);
@@ -190,7 +194,7 @@ int dem_flows_insert(struct dem_state *p)
 
 /* ---- removal --------------------------------------------------------------------------------- */
 
-int dem_flows_outlet(const struct dem_flows *f, const double x[3])
+int dem_flows_outlet_at(const struct dem_flows *f, const double x[3])
 {
     for (int k = 0; f->n > 0 && k < f->plan->outlets; k++)
     {

@@ -26,6 +26,7 @@ struct dem_insertion
     size_t n, capacity;
     struct dem_insert_group *group;
     struct dem_insertion_regions regions;  /* to which groups point; before they are read */
+    const struct dem_domain *domain;       /* likewise */
 };
 
 /* 1 when a group of `insert` comes in during the run (inflow/stream.h). */

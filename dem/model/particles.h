@@ -57,6 +57,7 @@ enum dem_column_group
     DEM_GROUP_ADDED_MASS = 512,       /* added mass */
     DEM_GROUP_ROTATIONAL_DRAG = 1024, /* rotational drag */
     DEM_GROUP_TURBULENCE = 4096,      /* effects that need the fluid's turbulence */
+    DEM_GROUP_OUTLETS = 8192,         /* outlets that are regions */
     DEM_GROUP_UNDER_RELAXATION = 2048 /* light particles in a fluid that they displace */
 };
 
@@ -105,6 +106,8 @@ enum dem_column_name
                                             of that of a pair, all of that of a wall */
     DEM_COLUMN_BROKEN_BONDS,             /* 1    bonds broken so far, counted likewise */
     DEM_COLUMN_ORIENTATION,              /* 1    unit quaternion, see model/orientation.h */
+    DEM_COLUMN_CHECKED_POSITION,         /* m, 1 4: at the last check of outlets
+                                            (inflow/outlet_path.c) */
     DEM_COLUMNS,                         /* from here on columns of scalars, in use in this scene */
     DEM_FURTHER_COLUMNS = 28,            /* limit of their number */
     DEM_BATCH_COLUMNS = 4                /* limit of those that fill columns of batches */

@@ -232,6 +232,10 @@ fix p6 all property/global coefficientAdhesionStiffness peratomtypepair 1 0.5
 fix p7 all property/global coefficientPlasticityDepth peratomtypepair 1 0.04
 fix p8 all property/global kn peratomtypepair 1 1e5
 fix p9 all property/global gamman peratomtypepair 1 0
+fix r1 all property/global gammat peratomtypepair 1 0
+fix r2 all property/global gamman_abs peratomtypepair 1 2e-3
+fix r3 all property/global gammat_abs peratomtypepair 1 2e-3
+fix r4 all property/global kt peratomtypepair 1 4e4
 fix q1 all property/global FluidViscosity peratomtypepair 1 1e-3
 fix q2 all property/global MaximumRestitution peratomtypepair 1 0.95
 fix q3 all property/global CriticalStokes peratomtypepair 1 -35
@@ -250,9 +254,10 @@ pair_style"""
                            "hookeHysteresis { unloading 3; adhesion 0.5; plasticDepth 0.04; "
                            "impactSpeed 2; }"),
                           ("hertz/stiffness tangential history", "hertz { stiffness 100000; }",
-                           "dry { restitution 1; }"),
+                           "dry { restitution 1; }", "linear { ratio 0.4; friction 0.5; }"),
                           ("hooke/stiffness tangential history absolute_damping on",
-                           "hooke { stiffness 100000; }", "viscous { coefficient 0; }"),
+                           "hooke { stiffness 100000; }", "viscous { coefficient 0.002; }",
+                           "linear { ratio 0.4; friction 0.5; }"),
                           ("hertz tangential history rolling_friction off cohesion off",
                            "mindlin { friction 0.5; }"),
                           ("hertz tangential history rolling_friction cdt",

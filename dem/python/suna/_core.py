@@ -17,7 +17,7 @@ import numpy
 from ._arguments import SunaError
 from ._library import ffi, lib
 
-RAISED = 1000    # in the flag that ends an advance: a function of the caller raised an exception
+RAISED = 2000    # in the flag that ends an advance: a function of the caller raised an exception
 
 
 def string(pointer):

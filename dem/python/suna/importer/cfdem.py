@@ -258,9 +258,10 @@ class CfdemCase(CoupledCase):
                           "there is no such field: the fluid's density")
         tokens = self.field("rho").tokens("internalField")
         place = self.field("rho").where("internalField")
-        if tokens[0] != "uniform":
+        if tokens[:1] != ["uniform"]:
             report.refuse(place, "rho", "is not uniform; demPimpleFoam has one density")
-        self.properties.add("coupling", f"rho {float(tokens[1]):.12g};", place)
+        density = self.field("rho").positive("internalField")
+        self.properties.add("coupling", f"rho {density:.12g};", place)
         report.translated(place, "rho", "coupling/rho")
 
     def write_fluid(self):

@@ -61,7 +61,6 @@ HARMLESS = {
     "fix_modify": "",
     "soft_particles": "maxOverlap is a setting of the scene",
     "hard_particles": "any Young's modulus is taken",
-    "reset_timestep": "time goes on",
     "pair_coeff": "",
     "mass": "mass follows from size and density",
     "undump": "",
@@ -89,7 +88,7 @@ MOST_TYPES = 1000
 class Translation(Head, Atoms, Restart):
     def __init__(self, path, report, variables=(), seen=()):
         self.path, self.report, self.given, self.seen = Path(path), report, variables, seen
-        self.stages, self.restarts, self.before = [], [], None
+        self.stages, self.before, self.in_run = [], None, False
         self.clear()
 
     def clear(self):
@@ -155,6 +154,8 @@ class Translation(Head, Atoms, Restart):
 
     def keyword(self, name):
         """Thermo keywords that the script alone decides."""
+        if self.in_run and name in ("step", "time"):
+            raise Dynamic(name)
         if name == "step":
             return float(self.steps)
         if name == "dt" and self.step:
@@ -164,7 +165,14 @@ class Translation(Head, Atoms, Restart):
         raise Dynamic(name)
 
     def number(self, word, kind="number"):
-        value = self.script.number(word[2:]) if word.startswith("v_") else as_number(word)
+        if word.startswith("v_"):
+            self.in_run = True          # LIGGGHTS evaluates it in each step
+            try:
+                value = self.script.number(word[2:])
+            finally:
+                self.in_run = False
+        else:
+            value = as_number(word)
         value = self.units.si(kind, value)
         if not math.isfinite(value):
             raise BadWords(f'"{word}" is too large')
@@ -192,6 +200,11 @@ class Translation(Head, Atoms, Restart):
         if not 0 < size < math.inf:
             raise BadWords(f'"{" ".join(words)}" is no direction')
         return vector/size
+
+    def no_more(self, words):
+        """The words that are left have to be `units box`."""
+        if words and words != ["units", "box"]:
+            raise BadWords(f'"{words[0]}" is not known here')
 
     def whole(self, word, low=0, high=MOST):
         return as_whole(word if not word.startswith("v_") else self.script.text(word[2:]), low, high)
@@ -243,6 +256,10 @@ class Translation(Head, Atoms, Restart):
     def _remove(self, name):
         liggghts_fixes.remove(self, name)
 
+    def do_reset_timestep(self, words):
+        self.steps = self.whole(words[0])
+        self.harmless("time goes on")
+
     def do_clear(self, words):
         self.clear()
         self.translated("a scene of its own follows")
@@ -253,6 +270,8 @@ class Translation(Head, Atoms, Restart):
         steps = self.whole(words[0])
         if "upto" in words:
             steps = max(0, steps - self.steps)
+        if "every" in words and words[words.after("every") + 1:] != ["NULL"]:
+            self.refuse("commands during a run are not followed; write several runs", "run every")
         copied = ("model", "gravity", "properties", "walls", "meshes", "boundary", "box", "lost",
                   "flat", "frozen", "integrated", "forces", "outlets", "fluid", "driven", "groups",
                   "heat")

@@ -32,7 +32,7 @@ class Atoms:
         kind = self.atom_type(words[0])
         if words[1] == "single":
             x = numpy.array([self.numbers(words[2:5], "length")])
-            if "units" not in words and self.lattice:
+            if self.lattice and "box" not in words:
                 x = x*self.lattice[1]
         elif words[1] in ("box", "region"):
             x = self._lattice_points(words)
@@ -157,6 +157,7 @@ class Atoms:
 
     def do_velocity(self, words):
         chosen, p = self.chosen(words[0]), self.particles
+        self.no_more(words[5:])
         if words[1] == "set":
             for k, word in enumerate(words[2:5]):
                 if word != "NULL":

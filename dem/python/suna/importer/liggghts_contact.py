@@ -8,13 +8,14 @@ whose model is another one: friction, rolling resistance or cohesion that a wall
     hertz, hooke                the same force; hooke with impactSpeed = characteristicVelocity
     hooke/hysteresis            hookeHysteresis; beside it hooke of a wall is unloading 1
     tangential history          mindlin beside hertz, else linear with k_t = k_n
-                                (2/7 with ktToKnUser)
+                                (2/7 with ktToKnUser); k_t = kt of .../stiffness
     no_history                  linear with k_t = 0: the dashpot alone, up to mu F_n
     cdt, epsd, epsd2            rollingConstant, rollingSpring (K = 2.25 mu_r^2; K of k_t R*^2)
     sjkr, sjkr2                 sjkr; twice the energy density
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import math
 from typing import NamedTuple
 
 from .report import Place
@@ -78,9 +79,11 @@ class Properties:
         kind, values = self.values[name]
         if kind == "scalar" or len(values) == 1:
             return values[0]
-        if j is None or kind in ("peratomtype", "atomtype", "vector"):
-            return values[i - 1]
-        return values[(i - 1)*round(len(values)**0.5) + j - 1]
+        pairs = j is not None and kind not in ("peratomtype", "atomtype", "vector")
+        n = math.isqrt(len(values)) if pairs else len(values)
+        if i > n or pairs and j > n:
+            raise Need(name, f"has no value for type {i}" + (f" and {j}" if pairs else ""))
+        return values[(i - 1)*n + j - 1] if pairs else values[i - 1]
 
     def key(self):
         return tuple(sorted(self.values.items()))
@@ -128,7 +131,10 @@ def tell(model, report):
     """What of a model is not quite the same."""
     def near(word, text):
         report.approximated(model.place, word, text)
-    if model.tangential == "history" and model.normal == "hertz":
+    if model.normal.endswith("/stiffness") and model.tangential == "history":
+        near("tangential history", "linear with ratio kt/kn: spring and dashpot together obey "
+             "mu F_n")
+    elif model.tangential == "history" and model.normal == "hertz":
         near("tangential history",
              "mindlin: damping of slip is 1/sqrt(4 G*/E*) times that of LIGGGHTS (1.1 for a "
              "Poisson's ratio of 0.3), and spring and dashpot together obey mu F_n; an oblique "
@@ -170,7 +176,12 @@ def tell(model, report):
 
 
 class Need(Exception):
-    """A property that the model needs and the script does not give."""
+    """A property that the model needs and the script does not give, or one that has to be another:
+    `why`."""
+
+    def __init__(self, name, why="the model needs this property, which the script does not give"):
+        super().__init__(name)
+        self.why = why
 
 
 def laws(model, base, properties, i, j):
@@ -185,18 +196,21 @@ def laws(model, base, properties, i, j):
     found[normal] = settings
     damping = {"attraction": "clamped"} if model.on("limitForce") else {}
     if model.normal == "hooke/stiffness" and model.on("absolute_damping"):
-        found["viscous"] = {"coefficient": value("gamman"), **damping}
+        found["viscous"] = {"coefficient": value("gamman_abs"), **damping}
+        check_slip(model, value("gammat_abs"), value("gamman_abs"), "gammat_abs")
     elif model.normal.endswith("/stiffness"):
         if value("gamman") != 0:
-            raise Need("coefficientRestitution with model hertz or hooke in place of gamman")
+            raise Need("gamman", "Suna damps by the restitution or by a coefficient in kg/s; write "
+                       "model hertz or hooke with coefficientRestitution")
         found["dry"] = {"restitution": 1.0}
+        check_slip(model, value("gammat"), 0.0, "gammat")
     elif model.on("viscous"):
         found["stokes"] = {"restitution": value("MaximumRestitution"), "beta": abs(
             value("CriticalStokes")), "viscosity": value("FluidViscosity"), **damping}
     else:
         found["dry"] = {"restitution": value("coefficientRestitution"), **damping}
     if base.tangential != "off":
-        law, settings = friction_law(base)
+        law, settings = friction_law(base, value)
         settings["friction"] = value("coefficientFriction") if model.tangential != "off" else 0.0
         if not model.on("tangential_damping"):
             settings["tangentialDamping"] = "no"
@@ -230,9 +244,18 @@ def normal_law(model, base, value):
             "hooke/stiffness": lambda: ("hooke", {"stiffness": value("kn")})}[model.normal]()
 
 
-def friction_law(base):
+def check_slip(model, given, normal, name):
+    """Suna damps slip with the coefficient of the normal direction, or not at all."""
+    if model.on("tangential_damping") and model.tangential != "off" and given != normal:
+        raise Need(name, f"{given:g} is not {normal:g}: Suna damps slip with the coefficient of "
+                   "the normal direction; write this one, or tangential_damping off")
+
+
+def friction_law(base, value):
     if base.tangential == "no_history":
         return "linear", {"ratio": 0.0}
+    if base.normal.endswith("/stiffness") and base.tangential == "history":
+        return "linear", {"ratio": value("kt")/value("kn")}
     if base.normal.startswith("hertz"):
         return ("mindlin" if base.tangential == "history" else "mindlinIncremental"), {}
     return "linear", {"ratio": 2/7 if base.on("ktToKnUser") and base.normal == "hooke" else 1.0}

@@ -68,8 +68,10 @@ INTEGRATORS = ("nve/sphere", "nve/sphere/limit", "nve/limit", "nve/sphere/omp", 
 KINDS = {
     "youngsModulus": "pressure",
     "characteristicVelocity": "velocity",
-    "kt": "stiffness",
     "gamman": "rate",
+    "gammat": "rate",
+    "gamman_abs": "damping",
+    "gammat_abs": "damping",
     "cohesionEnergyDensity": "energy density",
     "FluidViscosity": "viscosity",
     "thermalConductivity": "conductivity",
@@ -171,7 +173,7 @@ def property_global(t, name, group, words):
         t.refuse(f"{len(values)} values are not the number that {kind} needs",
                  f"property/global {what}")
     unit = KINDS.get(what, "number")
-    if what == "kn":
+    if what in ("kn", "kt"):
         unit = "stiffness" if t.units.name == "si" else "number"
     t.properties.set(what, kind, [t.number(word, unit) for word in values], t.command.place)
     t.translated("materials, effects")
@@ -180,6 +182,7 @@ def property_global(t, name, group, words):
 def gravity(t, name, group, words):
     if words[1] != "vector":
         t.refuse("known: vector", f"fix gravity {words[1]}")
+    t.no_more(words[5:])
     t.gravity = (t.number(words[0], "acceleration")*t.direction(words[2:5]), t.command.place)
     t.translated("effects/gravity")
 
@@ -193,17 +196,20 @@ def move(t, name, group, words):
     if words[0] != "linear":
         t.refuse("driven particles of Suna keep one velocity; known: linear",
                  f"fix move {words[0]}")
+    t.no_more(words[4:])
     t.driven[name] = (group, [0.0 if word == "NULL" else t.number(word, "velocity")
                       for word in words[1:4]])
     t.translated("driven yes")
 
 
 def addforce(t, name, group, words):
+    t.no_more(words[3:])
     t.forces[name] = (group, "force", t.numbers(words[:3], "force"), t.command.place)
     t.translated("forces")
 
 
 def addtorque(t, name, group, words):
+    t.no_more(words[3:])
     t.forces[name] = (group, "torque", t.numbers(words[:3], "torque"), t.command.place)
     t.translated("forces")
 
@@ -212,6 +218,7 @@ def viscous(t, name, group, words):
     if group != "all" or len(words) > 1:
         t.refuse("known is one coefficient for all particles", "fix viscous")
     t.fluid = (t.number(words[0], "damping"), t.command.place)
+    t.translated("stokesDrag in a fluid with this coefficient, for one size")
 
 
 def enforce2d(t, name, group, words):

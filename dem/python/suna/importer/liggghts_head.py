@@ -76,12 +76,14 @@ class Head:
 
     def do_region(self, words):
         name, style, rest = words[0], words[1], words[2:]
-        outside = False
+        outside, unit = False, "lattice"
         while len(rest) > 2 and rest[-2] in ("units", "side", "volume_limit"):
-            if rest[-2] == "units" and rest[-1] == "lattice" and self.lattice is None:
-                self.refuse("units lattice without a lattice")
+            unit = rest[-1] if rest[-2] == "units" else unit
             outside |= rest[-2:] == ["side", "out"]
             rest = rest[:-2]
+        if unit == "lattice" and self.lattice is not None:
+            self.refuse("lengths in units of the lattice are not read; write units box with "
+                        "lengths", f"region {style}")
         made = self._region(style, rest, outside)
         self.regions[name] = made
         self.translated(f"{style}, where it is used")

@@ -49,7 +49,9 @@ def template(t, name, group, words):
 def radii(t, rest):
     """Style and numbers of `radius`, and the words left."""
     style = rest.pop(0)
-    if rest[0] in ("number", "mass"):
+    if rest[0] == "mass":
+        t.refuse("drawn by mass; write number, with its numbers", f"radius {style} mass")
+    if rest[0] == "number":
         rest.pop(0)
     if style not in RADII:
         t.refuse("known: constant, uniform, gaussian, lognormal", f"radius {style}")

@@ -67,8 +67,7 @@ class Laws:
                 thermal = "" if self.state["heat"] is None else liggghts_heat.of_material(
                     self.state["heat"], properties, kind, self.need)
             except Need as need:
-                self.refuse(self.state["model"].place, f"property/global {need}",
-                            "this property is missing")
+                self.refuse(self.state["model"].place, f"property/global {need}", need.why)
             self.scene.add("materials",
                            f"{name} {{ density {text(density)}; youngsModulus {text(e)}; "
                            f"poissonsRatio {text(min(nu, 0.49999))};{thermal} }}",
@@ -96,12 +95,7 @@ class Laws:
             return laws(model, base, self.state["properties"], self.materials[a][0],
                         self.materials[b][0])
         except Need as need:
-            self.refuse(model.place, f"property/global {need}",
-                        "the model needs this property, which the script does not give")
-        except IndexError:
-            self.refuse(model.place, "property/global",
-                        f"a property has no value for types {self.materials[a][0]} "
-                        f"and {self.materials[b][0]}")
+            self.refuse(model.place, f"property/global {need}", need.why)
 
     def source(self, effect, base):
         word = {"dry": "coefficientRestitution", "mindlin": "coefficientFriction",

@@ -9,6 +9,7 @@ and the length of a line are limited, so an endless loop ends with a sentence.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import functools
 import os
 import re
 from pathlib import Path
@@ -83,7 +84,12 @@ def is_file(path):
 
 
 def split(text):
-    return Words(next(group for group in match.groups() if group is not None)
+    return Words(split_once(text))
+
+
+@functools.lru_cache(10000)
+def split_once(text):
+    return tuple(next(group for group in match.groups() if group is not None)
                  for match in WORD.finditer(text))
 
 
@@ -156,6 +162,8 @@ class Script:
 
     def replace(self, text):
         """References outside quotes."""
+        if "$" not in text:
+            return text
         found = "".join(part if k % 2 else self.replace_all(part)
                         for k, part in enumerate(QUOTED.split(text)))
         if len(found) > MAX_LINE:

@@ -78,6 +78,8 @@ def read_wall_keywords(t, found, rest):
         if key == "shear":
             axis, speed = rest.pop(0), rest.pop(0)
             v = [0.0, 0.0, 0.0]
+            if axis not in ("x", "y", "z") or found.primitive == axis + "plane":
+                t.refuse("is along a plane: x, y or z, not its normal", f"shear {axis}")
             v["xyz".index(axis)] = t.number(speed, "velocity")
             found.velocity = tuple(v)
         elif key in ("store_force", "store_force_contact", "heat", "track_energy"):
@@ -109,6 +111,8 @@ def mesh(t, name, group, words):
         if key == "type":
             found.type = t.atom_type(given.pop(0))
         elif key in MESH_WORDS:
+            if found.triangles is None and key != "file":
+                t.refuse("file comes before it", f"fix mesh/surface {key}")
             given = MESH_WORDS[key](t, found, given)
         elif key in MESH_HARMLESS:
             value = given.pop(0)
@@ -121,6 +125,8 @@ def mesh(t, name, group, words):
             t.refuse("the importer does not know this word", f"fix mesh/surface {key}")
     if found.triangles is None:
         t.refuse("file is missing")
+    if found.spin:
+        tell_spin(t, found)
     t.meshes[name] = found
     t.translated("walls or inlet, where it is used")
 
@@ -167,6 +173,21 @@ def mesh_spin(t, found, given):
     origin, axis = t.numbers(given[1:4], "length"), t.direction(given[5:8])
     found.spin = (*origin, *axis, t.number(given[9], "spin"))
     return given[10:]
+
+
+def tell_spin(t, found):
+    """LIGGGHTS turns the velocity omega x r into each face and keeps its magnitude; Suna's surface
+    turns as a solid, whose part along the normal does not push."""
+    edges = found.triangles[:, 1:] - found.triangles[:, :1]
+    normal = numpy.cross(edges[:, 0], edges[:, 1])
+    normal /= numpy.maximum(numpy.linalg.norm(normal, axis=1), 1e-300)[:, None]
+    v = numpy.cross(found.spin[3:6], found.triangles.mean(axis=1) - found.spin[:3])
+    size = numpy.linalg.norm(v, axis=1)
+    into = numpy.abs((v*normal).sum(axis=1)) > 0.1*size     # 0.1: 0.5 % of the speed along the face
+    if into.any():
+        t.approximated(f"{into.sum()} of {len(into)} faces are not along the rotation: there "
+                       "LIGGGHTS' surface has the speed omega r along the face, Suna's its part "
+                       "along the face", "surface_ang_vel")
 
 
 def mesh_temperature(t, found, given):
