@@ -73,6 +73,24 @@ void Foam::demCloud::reportMomentum(const vector& ofMesh, const vector& moreOwed
 }
 
 
+void Foam::demCloud::returnToParticles
+(
+    const volVectorField& U,
+    const volVectorField& gradP,
+    const volVectorField& onFluid
+)
+{
+    try
+    {
+        exchange_.correct(U, gradP, onFluid);
+    }
+    catch (const demFailure& failure)
+    {
+        fail(failure.what());
+    }
+}
+
+
 void Foam::demCloud::fail(const string& sentence)
 {
     string also;
@@ -210,7 +228,7 @@ void Foam::demCloud::correct(const volVectorField& U, const volVectorField& grad
 
         const volVectorField onFluid(exchange_.onFluid(U, gradP));
         budget_.addExchange(U, onFluid);
-        exchange_.correct(U, gradP, onFluid);
+        returnToParticles(U, gradP, onFluid);
 
         const vector impulse(exchange_.pressureImpulse(gradP));
         budget_.addPressureImpulse(impulse);
@@ -237,12 +255,30 @@ void Foam::demCloud::correct(const volVectorField& U, const volScalarField& rho)
 
         const volVectorField onFluid(exchange_.onFluid(U, exchange_.pressureGradient()));
         budget_.addExchange(U, onFluid);
-        exchange_.correct(U, exchange_.pressureGradient(), onFluid);
+        returnToParticles(U, exchange_.pressureGradient(), onFluid);
 
         const vectorField& u = U;
         const scalarField& density = rho;
         reportMomentum(gSum((mesh_.V().field()*density*u)()), vector::zero);
         profile_.end(demProfile::CORRECT);
+    }
+}
+
+
+void Foam::demCloud::correctHeat
+(
+    const UList<scalar>& temperature,
+    const scalar ofFluid,
+    const UList<demHeatExchange::contribution>& received
+)
+{
+    try
+    {
+        heat_().correct(temperature, ofFluid, received);
+    }
+    catch (const demFailure& failure)
+    {
+        fail(failure.what());
     }
 }
 

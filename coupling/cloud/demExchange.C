@@ -10,6 +10,7 @@
 #include "demCheck.H"
 #include "demColumns.H"
 #include "demFieldAt.H"
+#include "demSelfCheck.H"
 #include "demSnapshot.H"
 #include "demTurbulenceProduction.H"
 
@@ -303,6 +304,7 @@ void Foam::demExchange::correct
                transfer_.toFullCircle()
            )
         << endl;
+    demSelfCheck::momentum(balance_.ofLargestTerm());
 
     forAll(gradient, i)
     {

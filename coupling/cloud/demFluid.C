@@ -96,7 +96,7 @@ Foam::demFluid::demFluid(const fvMesh& mesh, const demCloud& cloud)
     // Fields that are missing are an error now, not in the first step
     velocity();
     pressureGradient();
-    viscosity();
+    checkViscosity(viscosity()());
 
     if (!mesh.foundObject<volScalarField>("p"))
     {
@@ -269,6 +269,20 @@ Foam::tmp<Foam::volScalarField> Foam::demFluid::density() const
 }
 
 
+void Foam::demFluid::checkViscosity(const volScalarField& mu)
+{
+    const scalar least = gMin(mu.primitiveField());
+
+    if (!(least > 0))
+    {
+        FatalErrorInFunction
+            << "The viscosity of the fluid is " << least << " Pa s; it must be positive: correct"
+            << " nu or mu in constant/transportProperties, thermophysicalProperties or coupling of "
+            << demDict::name() << exit(FatalError);
+    }
+}
+
+
 Foam::tmp<Foam::volScalarField> Foam::demFluid::viscosity() const
 {
     const turbulenceModel* model =
@@ -298,15 +312,7 @@ Foam::tmp<Foam::volScalarField> Foam::demFluid::viscosity() const
             << exit(FatalIOError);
     }
 
-    const dimensionedScalar nu("nu", dimViscosity, own);
-
-    if (nu.value() <= 0)
-    {
-        FatalIOErrorInFunction(own)
-            << "coupling/nu is " << nu.value() << " m2/s; it must be positive"
-            << exit(FatalIOError);
-    }
-    return density()*nu;
+    return density()*dimensionedScalar("nu", dimViscosity, own);
 }
 
 // ************************************************************************* //

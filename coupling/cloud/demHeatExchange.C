@@ -11,6 +11,7 @@
 #include "demColumns.H"
 #include "demFieldAt.H"
 #include "demRecord.H"
+#include "demSelfCheck.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -256,7 +257,10 @@ void Foam::demHeatExchange::correct
 {
     const scalarField target(transfer_.sample(temperature));
 
-    Info<< "Suna: heat exchange error " << error(temperature, target) << endl;
+    const scalar off = error(temperature, target);
+
+    Info<< "Suna: heat exchange error " << off << endl;
+    demSelfCheck::heat(off);
     demCheck(dem_scalar_correct(particles_.core(), temperature_, target.cdata()));
 
     const scalar fluid = ofFluid/transfer_.fraction();

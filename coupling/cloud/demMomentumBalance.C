@@ -15,6 +15,7 @@
 Foam::demMomentumBalance::demMomentumBalance()
 :
     maxError_(0),
+    ofLargestTerm_(0),
     maxMoved_(0)
 {}
 
@@ -36,6 +37,7 @@ Foam::scalar Foam::demMomentumBalance::exchange
     vector toFluid(Zero);
     vector toParticles(Zero);
     scalar moved = 0;
+    scalar terms = 0;
 
     forAll(V, celli)
     {
@@ -53,18 +55,21 @@ Foam::scalar Foam::demMomentumBalance::exchange
 
         toParticles += J + correction;
         moved += mag(J) + mag(correction);
+        terms += fluid.response[i]*(mag(velocity[i]) + mag(vectorAt(fluid.velocity, i)));
     }
 
     reduce(toFluid, sumOp<vector>());
     reduce(toParticles, sumOp<vector>());
     reduce(moved, sumOp<scalar>());
+    reduce(terms, sumOp<scalar>());
 
     // Where fluid and particles move together nothing is exchanged but the
     // round-off of F - K u: then relative to the largest exchange so far
     maxMoved_ = max(maxMoved_, moved);
-    const scalar error =
-        mag(whole & (toFluid + fraction*toParticles))
-       /(max(moved, 1e-3*maxMoved_) + VSMALL);
+    const scalar difference = mag(whole & (toFluid + fraction*toParticles));
+    const scalar error = difference/(max(moved, 1e-3*maxMoved_) + VSMALL);
+
+    ofLargestTerm_ = difference/(max(terms, max(moved, 1e-3*maxMoved_)) + VSMALL);
     maxError_ = max(maxError_, error);
     return error;
 }

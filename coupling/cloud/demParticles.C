@@ -12,6 +12,7 @@
 #include "demCommunicator.H"
 #include "demFluid.H"
 #include "demInteger.H"
+#include "demMeshCheck.H"
 #include "demOutletPatch.H"
 #include "demRegions.H"
 #include "demRotatingFrame.H"
@@ -19,7 +20,6 @@
 #include "demSnapshot.H"
 #include "demTimeStepControl.H"
 #include "demWriter.H"
-#include "OSspecific.H"
 #include "StringStream.H"
 #include "Time.H"
 
@@ -38,6 +38,7 @@ static const fvMesh& supported(const fvMesh& mesh, const bool volumeAveraged)
 {
     demSlidingInterface::check(mesh);
     demRotatingFrame::check(mesh, volumeAveraged);
+    demMeshCheck::check(mesh);
     return mesh;
 }
 
@@ -45,6 +46,19 @@ static const fvMesh& supported(const fvMesh& mesh, const bool volumeAveraged)
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::demParticles::checkDeltaT() const
+{
+    const scalar deltaT = mesh_.time().deltaTValue();
+
+    if (deltaT <= 0)
+    {
+        FatalErrorInFunction
+            << "deltaT is " << deltaT << " s; give a time step above 0 in"
+            << " system/controlDict" << exit(FatalError);
+    }
+}
+
 
 // A steady solver needs coupling/interval, a transient one must not have it
 void Foam::demParticles::checkInterval() const
@@ -94,7 +108,7 @@ void Foam::demParticles::load()
     inletsOutlets_.add(dem_);
     demRegions(mesh_, dict_).add(dem_);
 
-    const fileName start(demSnapshot::start(mesh_.time(), dict_));
+    const fileName start(demSnapshot::start(mesh_, dict_));
     if (!start.empty())
     {
         demCheck
@@ -261,6 +275,7 @@ Foam::demParticles::demParticles
     offset_(0),
     totals_()
 {
+    checkDeltaT();
     checkInterval();
     load();
 }
@@ -281,6 +296,7 @@ void Foam::demParticles::setUp()
         dem_fluid_set_density(dem_, fluidDensity());
     }
     demCheck(dem_setup(dem_));
+    dem_set_stop_flag(dem_, dem_repeated_signal());
     refresh();
     reportStart();
     readTotals();
@@ -319,6 +335,7 @@ void Foam::demParticles::beginStep()
     const Time& time = mesh_.time();
     const bool steady = interval_ > 0;
 
+    checkDeltaT();
     if (mesh_.moving() && steady)
     {
         FatalErrorInFunction
@@ -384,6 +401,11 @@ void Foam::demParticles::advance()
     {
         throw demFailure(dem_error_text());
     }
+    if (const int signal = dem_stopped(dem_))
+    {
+        throw demFailure(string("stopped within a fluid step by a second signal, ")
+            + dem_signal_name(signal));
+    }
 }
 
 
@@ -407,19 +429,8 @@ Foam::tmp<Foam::scalarField> Foam::demParticles::sample(const volScalarField& fi
 
 void Foam::demParticles::write(dictionary& numbers)
 {
-    const fileName file(demSnapshot::present(mesh_.time()));
-    if (Pstream::master())
-    {
-        mkDir(file.path());
-    }
-
-    // No rank may open a file before the master has made the folder
-    bool made = true;
-    reduce(made, andOp<bool>());
-
     numbers.add("diameter", diameter_);
-    demCheck(dem_save(dem_, file.c_str()));
-    demSnapshot::writeNumbers(mesh_.time(), numbers);
+    demSnapshot::write(mesh_, dem_, numbers);
     refresh();
     demWriter::write(mesh_, dem_, view_, transfer_.inMeshFrame(view_), location(), heading());
 }

@@ -10,7 +10,11 @@
 #include "demPlan.H"
 #include "demCheck.H"
 #include "demFluid.H"
+#include "IOdictionary.H"
+#include "OSspecific.H"
+#include "StringStream.H"
 #include "wallFvPatch.H"
+#include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -35,6 +39,25 @@ static scalar patchSpeed(const volVectorField& U)
         }
     }
     return returnReduce(fastest, maxOp<scalar>());
+}
+
+// Is the library of a decomposition method a stand-in that only says that it is one?
+// OpenFOAM has these in a folder `dummy`, the last of the library path.
+static bool isDummy(const word& method)
+{
+    const fileName library("lib" + method + "Decomp.so");
+
+    std::istringstream folders(getEnv("LD_LIBRARY_PATH"));
+    std::string folder;
+
+    while (std::getline(folders, folder, ':'))
+    {
+        if (isFile(fileName(folder)/library, false))
+        {
+            return fileName(folder).name() == "dummy";
+        }
+    }
+    return false;
 }
 
 } // End namespace Foam
@@ -94,11 +117,88 @@ void Foam::demPlan::timeSchemeWarning(DynamicList<string>& warnings) const
 }
 
 
+// Patches that are neither walls nor passages: particles there are lost
+void Foam::demPlan::openPatchWarning(DynamicList<string>& warnings) const
+{
+    DynamicList<word> open;
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if
+        (
+            patch.type() == polyPatch::typeName
+         && !particles_.dict().isWall(patch)
+         && !particles_.inletsOutlets().passages().found(patch.index())
+        )
+        {
+            open.append(patch.name());
+        }
+    }
+    if (open.size())
+    {
+        OStringStream os;
+        os  << "particles that reach patch " << flatOutput(open) << " end the run: let them leave"
+            << " by outlets { NAME { patch " << open[0] << "; } }, or make it a wall of the particles"
+            << " by coupling { walls (" << open[0] << "); }";
+        warnings.append(os.str());
+    }
+}
+
+
+// Files that the run, or decomposePar, does not read as the user expects
+void Foam::demPlan::filesWarnings(DynamicList<string>& warnings) const
+{
+    const Time& time = mesh_.time();
+    const fileName constant(time.globalPath()/time.constant());
+    const IOdictionary decomposition
+    (
+        IOobject
+        (
+            "decomposeParDict",
+            time.system(),
+            time,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    const word method(decomposition.getOrDefault<word>("method", word::null));
+    DynamicList<string> found;
+
+    for (const fileName& region : readDir(constant, fileName::DIRECTORY))
+    {
+        if (isFile(constant/region/demDict::name(), false))
+        {
+            found.append
+            (
+                "constant/" + region + "/" + demDict::name() + " is not read, also with a region:"
+                " put it into constant/"
+            );
+        }
+    }
+    if (!Pstream::parRun() && !method.empty() && isDummy(method))
+    {
+        found.append
+        (
+            "method " + method + " of system/decomposeParDict is not in this OpenFOAM (only a"
+            " stand-in), so decomposePar will fail: take hierarchical or simple"
+        );
+    }
+
+    // All ranks need the same list, and only the first surely sees the files
+    List<string> ofAll(found);
+    demBroadcast(ofAll);
+    warnings.append(ofAll);
+}
+
+
 void Foam::demPlan::warn(const volVectorField& U, struct ::dem_run_info& ahead) const
 {
     DynamicList<string> own;
     inletWarnings(U, own);
     timeSchemeWarning(own);
+    openPatchWarning(own);
+    filesWarnings(own);
     List<const char*> sentences(own.size());
     const char* text = nullptr;
 

@@ -10,6 +10,7 @@
 #include "demCheck.H"
 #include "demCommunicator.H"
 #include "demInteger.H"
+#include "demMeshCheck.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "Time.H"
@@ -136,6 +137,7 @@ Foam::scalar Foam::demSettle::limit() const
 void Foam::demSettle::build()
 {
     check();
+    demMeshCheck::check(mesh_);
     demCreate(dem_);
     demCheck
     (

@@ -7,6 +7,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demVoidFraction.H"
+#include "demSelfCheck.H"
 #include "demSnapshot.H"
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
@@ -46,6 +47,7 @@ Foam::demVoidFraction::demVoidFraction(demParticles& particles)
         dimensionedScalar("clear", dimless, 1)
     ),
     deposited_(0),
+    volumeError_(0),
     changeRate_(demSnapshot::readNumber(mesh_.time(), "changeRate"))
 {
     if (particles_.volumeAveraged())
@@ -122,15 +124,9 @@ void Foam::demVoidFraction::deposit()
         depositFlux(V);
     }
     changeRate_ = max(gMax(dsdt_.primitiveField()), -gMin(dsdt_.primitiveField()));
-}
-
-
-Foam::scalar Foam::demVoidFraction::volumeError() const
-{
-    const scalarField& e = voidFraction_;
-    const scalar solid = gSum(mesh_.V().field()*(1 - e));
-
-    return mag(solid - deposited_)/(deposited_ + VSMALL);
+    volumeError_ =
+        mag(gSum((mesh_.V().field()*solid.field())()) - deposited_)/(deposited_ + VSMALL);
+    demSelfCheck::volume(volumeError_);
 }
 
 // ************************************************************************* //

@@ -1,5 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demStop.C -- signals that end a coupled run with its state written.
+    demStop.C -- signals, and a file, that end a coupled run with its state written.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
@@ -7,13 +7,26 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demStop.H"
+#include "demCheck.H"
 #include "debug.H"
 #include "PstreamReduceOps.H"
-#include "dem.h"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static fileName stopFile(const Time& time)
+{
+    return time.globalPath()/"stop";
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-Foam::demStop::demStop()
+Foam::demStop::demStop(const Time& time)
 :
     caught_(nullptr),
     stopped_(false)
@@ -24,13 +37,36 @@ Foam::demStop::demStop()
         debug::optimisationSwitch("writeNowSignal", -1)
     };
     caught_ = dem_catch_signals(ofFoam, 2);
+
+    int found = 0;
+    if (Pstream::master())
+    {
+        demCheck(dem_stop_file_clear(stopFile(time).c_str(), &found));
+    }
+    if (found)
+    {
+        Info<< "Suna: the file stop, which was there before this run, is removed; made again, it"
+            << " ends the run" << endl;
+    }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::demStop::look(const Time& time)
+{
+    if (Pstream::master())
+    {
+        dem_stop_file_look(stopFile(time).c_str());
+    }
+}
+
+
 bool Foam::demStop::atStepEnd(const Time& time)
 {
+    look(time);
+    dem_keep_signals();
+
     const label signal = returnReduce(label(*caught_), maxOp<label>());
 
     if (stopped_ || signal == 0)

@@ -265,7 +265,7 @@ Foam::demDriver::demDriver(const fvMesh& mesh)
                 << " (ddtSchemes), and heat is exchanged over a time step; take a"
                 << " transient solver, or leave the effect out" << exit(FatalError);
         }
-        heat_.reset(new demThermoHeat(mesh, cloud_.heat()));
+        heat_.reset(new demThermoHeat(mesh, cloud_));
     }
 }
 

@@ -148,7 +148,7 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
     // Outside a period of its own it would not notice a signal
     if (!dict.found("timeStart") && !dict.found("timeEnd"))
     {
-        stop_.reset(new demStop);
+        stop_.reset(new demStop(time_));
     }
 
     if (dict.getOrDefault("plan", false))

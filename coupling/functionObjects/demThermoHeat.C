@@ -13,10 +13,11 @@
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-Foam::demThermoHeat::demThermoHeat(const fvMesh& mesh, demHeatExchange& exchange)
+Foam::demThermoHeat::demThermoHeat(const fvMesh& mesh, demCloud& cloud)
 :
-    exchange_(exchange),
-    thermo_(thermo(mesh, exchange)),
+    cloud_(cloud),
+    exchange_(cloud.heat()),
+    thermo_(thermo(mesh, exchange_)),
     kappa_("dem:kappa", thermo_.kappa()),
     Cp_("dem:Cp", thermo_.Cp()),
     asked_(-1)
@@ -106,7 +107,7 @@ void Foam::demThermoHeat::correct(const volScalarField& rho)
         gSum((V*(rho.primitiveField() - rho_)*he)())
     };
 
-    exchange_.correct
+    cloud_.correctHeat
     (
         (T_ + (he - energy_)/Cpv_)(),
         gSum((V*rho.primitiveField()*he)()),

@@ -297,6 +297,7 @@ Foam::demDict::demDict
     coupling_.readIfPresent("walls", extraWalls_);
     checkPatchNames();
     separatePatchWalls();
+    addMirrors();
     addFrameMotion();
     demDomain(mesh_).complete(dict_, emptyWalls());
     resolveGravity();

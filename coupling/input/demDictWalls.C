@@ -15,6 +15,8 @@
 #include "demRotatingFrame.H"
 #include "DynamicList.H"
 #include "processorPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
+#include "symmetryPolyPatch.H"
 #include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -157,7 +159,7 @@ void Foam::demDict::checkPatchWall(const entry& e) const
     (
         {
             "type", "material", "surfaceVelocity", "surfaceRotation", "absorb",
-            "temperature"
+            "frictionless", "temperature"
         }
     );
 
@@ -174,7 +176,7 @@ void Foam::demDict::checkPatchWall(const entry& e) const
             FatalIOErrorInFunction(wall)
                 << where.c_str() << " is made from a patch; such a wall has the"
                 << " position of the mesh, a material, surfaceVelocity,"
-                << " surfaceRotation, absorb and temperature, nothing else. Take"
+                << " surfaceRotation, absorb, frictionless and temperature, nothing else. Take"
                 << " out " << key << exit(FatalIOError);
         }
     }
@@ -208,6 +210,71 @@ void Foam::demDict::addPatchSettings(const entry& e)
 }
 
 
+// Give the core these settings of a patch, besides other entries of the wall
+void Foam::demDict::addToWall(const polyPatch& patch, const dictionary& settings)
+{
+    dictionary wall(settings);
+    wall.add("type", "patch");
+    wall.add("material", material(patch));
+
+    dictionary walls(dict_.subOrEmptyDict("walls"));
+    walls.add(patch.name(), wall, true);
+    dict_.set("walls", walls);
+}
+
+
+// Does the scene say what the patch is to particles: a wall, an inlet or an outlet?
+bool Foam::demDict::isNamed(const polyPatch& patch) const
+{
+    bool named = extraWalls_.match(patch.name()) || patches_.found(patch.name());
+
+    for (const char* list : {"insert", "outlets"})
+    {
+        const dictionary groups(dict_.subOrEmptyDict(list));
+        for (const entry& group : groups)
+        {
+            named = named
+             || (
+                    group.isDict()
+                 && group.dict().getOrDefault<word>("patch", word::null) == patch.name()
+                );
+        }
+    }
+    return named;
+}
+
+
+// A symmetry plane of the fluid mirrors the particles as well
+bool Foam::demDict::isMirror(const polyPatch& patch) const
+{
+    return
+        (isA<symmetryPlanePolyPatch>(patch) || isA<symmetryPolyPatch>(patch))
+     && !isNamed(patch);
+}
+
+
+void Foam::demDict::addMirrors()
+{
+    DynamicList<word> names;
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isMirror(patch))
+        {
+            dictionary settings;
+            settings.add("frictionless", true);
+            addToWall(patch, settings);
+            names.append(patch.name());
+        }
+    }
+    if (names.size())
+    {
+        Info<< "Suna: frictionless walls, as symmetry planes: " << flatOutput(names)
+            << "; an entry of walls for the patch makes it another wall" << endl;
+    }
+}
+
+
 // Walls in a zone that rotates (MRF) have its velocity, unless the user gives another
 void Foam::demDict::addFrameMotion()
 {
@@ -215,7 +282,11 @@ void Foam::demDict::addFrameMotion()
     {
         for (const polyPatch& patch : mesh_.boundaryMesh())
         {
-            if (demPassable::is(patch) || !isWall(patch) || !frame.rotates(patch))
+            if
+            (
+                demPassable::is(patch) || !isWall(patch) || isMirror(patch)
+             || !frame.rotates(patch)
+            )
             {
                 continue;
             }
@@ -227,13 +298,9 @@ void Foam::demDict::addFrameMotion()
             }
             frame.checkWall(patch);
 
-            dictionary wall;
-            wall.add("type", "patch");
-            wall.add("material", material(patch));
-            wall.add("surfaceRotation", frame.surfaceRotation());
-            dictionary walls(dict_.subOrEmptyDict("walls"));
-            walls.add(patch.name(), wall, true);    // merged with other entries of the wall
-            dict_.set("walls", walls);
+            dictionary settings;
+            settings.add("surfaceRotation", frame.surfaceRotation());
+            addToWall(patch, settings);
             Info<< "Suna: the surface of wall " << patch.name() << " rotates by "
                 << frame.omega() << " rad/s with its zone (MRF)" << endl;
         }
@@ -353,7 +420,8 @@ bool Foam::demDict::isWall(const polyPatch& patch) const
     return
         isA<wallPolyPatch>(patch)
      || extraWalls_.match(patch.name())
-     || patches_.found(patch.name());
+     || patches_.found(patch.name())
+     || isMirror(patch);
 }
 
 
@@ -363,7 +431,12 @@ Foam::word Foam::demDict::material(const polyPatch& patch) const
     const wordList known(materials());
     word name(known[0]);
 
-    if (!(wall && wall->readIfPresent("material", name)) && known.size() != 1)
+    // A particle meets its own image at a mirror: any material will do
+    if
+    (
+        !(wall && wall->readIfPresent("material", name)) && known.size() != 1
+     && !isMirror(patch)
+    )
     {
         FatalIOErrorInFunction(dict_)
             << "What is wall " << patch.name() << " made of? Add"

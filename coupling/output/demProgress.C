@@ -7,13 +7,15 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demProgress.H"
+#include "demStop.H"
 #include <cstdio>
 
 namespace Foam
 {
 
-//- [s] of the clock between lines
+//- [s] of the clock between lines, and between looks for a request to stop
 static const scalar silence = 10;
+static const scalar between = 1;
 
 } // End namespace Foam
 
@@ -38,6 +40,7 @@ Foam::demProgress::demProgress(const Time& time)
 void Foam::demProgress::tell(void* self, double time, int64_t steps)
 {
     demProgress& p = *static_cast<demProgress*>(self);
+    demStop::look(p.time_);
     const scalar part = p.window_ > 0 ? (time - p.start_)/p.window_ : 0;
 
     p.say
@@ -94,7 +97,7 @@ void Foam::demProgress::watch(::dem* d)
 {
     if (Pstream::master())
     {
-        dem_set_progress(d, silence, tell, this);
+        dem_set_progress(d, between, tell, this);
     }
 }
 

@@ -8,9 +8,8 @@
 
 #include "demWriter.H"
 #include "demColumns.H"
+#include "IOdictionary.H"
 #include "IOField.H"
-#include "OFstream.H"
-#include "OSspecific.H"
 #include "PstreamBuffers.H"
 #include "Time.H"
 #include "DynamicList.H"
@@ -158,42 +157,55 @@ static IOobject fileOf
 }
 
 
-static void writePositions
-(
-    const fvMesh& mesh,
-    const string& heading,
-    const UList<scalar>& all,
-    const label each
-)
+// The file `positions`, as an object so that the file handler writes it
+class positionsFile
+:
+    public regIOobject
 {
-    const IOobject io(fileOf(mesh, "positions", heading));
-    mkDir(io.path());
+    const UList<scalar>& all_;
+    const label each_;
 
-    OFstream os(io.objectPath());
-    os.precision(15);
-    io.writeHeader(os, "Cloud<passiveParticle>");
-    os  << all.size()/each << nl << "(" << nl;
 
-    for (label at = 0; at < all.size(); at += each)
+public:
+
+    positionsFile(const IOobject& io, const UList<scalar>& all, const label each)
+    :
+        regIOobject(io),
+        all_(all),
+        each_(each)
+    {}
+
+    virtual const word& type() const
     {
-        os  << three(all, at + 1) << ' ' << label(all[at]) << nl;
+        static const word name("Cloud<passiveParticle>", false);
+        return name;
     }
-    os  << ")" << nl;
-}
+
+    virtual bool writeData(Ostream& os) const
+    {
+        const int before = os.precision(15);
+
+        os  << all_.size()/each_ << nl << "(" << nl;
+        for (label at = 0; at < all_.size(); at += each_)
+        {
+            os  << three(all_, at + 1) << ' ' << label(all_[at]) << nl;
+        }
+        os  << ")" << nl;
+        os.precision(before);
+        return !os.bad();
+    }
+};
 
 
 // Without this file readers expect barycentric coordinates
 static void writeProperties(const fvMesh& mesh, const string& heading)
 {
-    const IOobject io
+    IOdictionary properties
     (
         fileOf(mesh, "cloudProperties", heading, fileName("uniform")/cloudFolder)
     );
-    mkDir(io.path());
-
-    OFstream os(io.objectPath());
-    io.writeHeader(os, "dictionary");
-    os  << "geometry        positions;" << nl;
+    properties.add("geometry", word("positions"));
+    demWriteAscii(properties);
 }
 
 
@@ -256,7 +268,7 @@ void Foam::demWriter::write
         return fileOf(mesh, name, heading);
     };
 
-    writePositions(mesh, heading, all, each);
+    demWriteAscii(positionsFile(io("positions"), all, each));
     writeProperties(mesh, heading);
     writeField<vector>(io("U"), all, each, 4, three);
     writeField<vector>(io("omega"), all, each, 7, three);

@@ -69,7 +69,10 @@ void dem_plan_parcels(struct dem_text *t, const struct dem_plan *p)
     const double n = (double)all->n, grain = grains.diameter, mean = cbrt(all->grains/n);
 
     dem_text_add(t, "Parcels\n    ratio %g", parcels->min);
-    dem_text_add(t, parcels->max > parcels->min ? " to %g" : "", parcels->max);
+    if (parcels->max > parcels->min)
+    {
+        dem_text_add(t, " to %g", parcels->max);
+    }
     dem_text_add(t, ": %.0f parcels of %.6g grains, of Sauter diameter %.4g m\n", n, all->grains,
                  grain);
     write_limit(t, narrowest(p), across, grain, "the narrowest width");

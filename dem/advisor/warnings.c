@@ -41,6 +41,13 @@ static int has_particles(const struct list *w)
 
 /* ---- walls, gravity, drag -------------------------------------------------------------------- */
 
+static int has_law(const struct list *w, const struct dem_wall *wall)
+{
+    return dem_interaction_table_wall_has_law(&w->p->state->interaction_table,
+                                              DEM_PARTNER_WALL + wall->frictionless,
+                                              wall->material);
+}
+
 static void warn_of_walls(struct list *w)
 {
     const struct dem_walls *const walls = &w->p->state->walls;
@@ -48,8 +55,7 @@ static void warn_of_walls(struct list *w)
 
     for (int k = 0; k < walls->walls; k++)
     {
-        all += dem_interaction_table_wall_has_law(&w->p->state->interaction_table,
-                                                  walls->wall[k].material) == 0;
+        all += !has_law(w, &walls->wall[k]);
     }
     if (all == 0 || !has_particles(w))
     {
@@ -59,8 +65,7 @@ static void warn_of_walls(struct list *w)
     dem_text_add(w->t, "no contact law acts between particles and wall%s", all > 1 ? "s" : "");
     for (int k = 0; k < walls->walls && listed < 8; k++)
     {
-        if (!dem_interaction_table_wall_has_law(&w->p->state->interaction_table,
-                                                walls->wall[k].material))
+        if (!has_law(w, &walls->wall[k]))
         {
             dem_text_add(w->t, "%s %s", listed++ ? "," : "", walls->wall[k].name);
         }
@@ -310,9 +315,19 @@ static void warn_of_impact(struct list *w, const char *what, const char *name, d
 static void warn_of_impacts(struct list *w)
 {
     const struct dem_streams *const s = &w->p->scene->streams;
+    const struct dem_walls *const walls = &w->p->state->walls;
     const int drag = has_drag(&w->p->state->interaction_table);
+    int fastest = 0;
 
     warn_of_impact(w, "the fastest particle", "", w->speed);
+    for (int k = 0; k < walls->walls; k++)
+    {
+        fastest = walls->wall[k].push > walls->wall[fastest].push ? k : fastest;
+    }
+    if (walls->walls > 0)
+    {
+        warn_of_impact(w, "walls/", walls->wall[fastest].name, walls->wall[fastest].push);
+    }
     for (int k = 0; k < s->streams; k++)
     {
         warn_of_impact(w, "insert/", s->stream[k].name,

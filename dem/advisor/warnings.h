@@ -11,9 +11,9 @@
  *   fluid step           of more than 1e4 DEM steps: with its time
  *   fluid step           in which a particle crosses more than half of run.resolution: by its own speed,
  *                        that of a stream, or what fluid and gravity give to it in the step
- *   impact speed         particles, streams or a fluid with drag faster than impactSpeed, where the
- *                        overlap of such an impact is above 5 % of a diameter; above 20 % also
- *                        slower ones
+ *   impact speed         particles, streams, a wall (along its normal) or a fluid with drag faster
+ *                        than impactSpeed, where the overlap of such an impact is above 5 % of a
+ *                        diameter; above 20 % also slower ones
  *
  * Largest overlap d of an impact at v, with the contact time t_c at impactSpeed v_0 and the exponent p
  * of the normal law (F ~ d^p):

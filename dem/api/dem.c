@@ -8,7 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "api/internal.h"
+#include "api/restart.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "core/memory.h"
@@ -57,6 +57,7 @@ int dem_create(struct dem **out, MPI_Comm comm)
         dem_interaction_table_init(&d->state.interaction_table);
         status = dem_decomposition_init(&d->state.decomposition, own, rank, ranks);
     }
+    status = dem_collect_agree(&(struct dem_decomposition){.comm = own, .ranks = ranks}, status);
     if (status)
     {
         if (d)
@@ -110,6 +111,13 @@ void dem_free(struct dem *d)
     dem_text_free(&d->value_text);
     dem_text_free(&d->profile);
     dem_scene_free(&d->scene);
+    dem_snapshot_scene_free(&d->before);
+    dem_memory_free(d->reformed);
+    for (size_t k = 0; k < d->notes; k++)
+    {
+        dem_memory_free(d->note[k]);
+    }
+    dem_memory_free(d->note);
     dem_dict_free(d->dict);
     dem_halo_free(&d->state.halo);
     dem_pairs_free(&d->state.pairs);
@@ -135,9 +143,26 @@ void dem_free(struct dem *d)
 
 int dem_api_require_unchecked(const struct dem *d, const char *call)
 {
-    DEM_REQUIRE(d->checked >= 0, DEM_ERROR_STATE, "%s after a scene that dem_check refused; call "
-                "dem_free and start again", call);
+    DEM_REQUIRE(d->checked >= 0, DEM_ERROR_STATE, "%s after a dem_check or dem_setup that failed; "
+                "call dem_free and start again", call);
     DEM_REQUIRE(!d->checked, DEM_ERROR_STATE, "%s comes before dem_check and dem_setup", call);
+    return DEM_OK;
+}
+
+int dem_api_require_sound(const struct dem *d, const char *call)
+{
+    DEM_REQUIRE(!d->failed, DEM_ERROR_STATE, "%s after a dem_advance that failed, which has left "
+                "particles in the middle of a step; go back to the last good state with dem_restore "
+                "(dem_backup_every makes it), or load the last snapshot", call);
+    return DEM_OK;
+}
+
+int dem_api_require_count(const char *call, const char *items, int64_t n)
+{
+    DEM_REQUIRE(n >= 0, DEM_ERROR_INPUT, "%s: %lld %s; give 0 or more", call, (long long)n, items);
+    /* 128 bytes an item or less */
+    DEM_REQUIRE(n < INT64_MAX/128, DEM_ERROR_MEMORY, "%s: %lld %s are more than memory can hold",
+                call, (long long)n, items);
     return DEM_OK;
 }
 
@@ -176,12 +201,13 @@ int dem_remove_effect(struct dem *d, const char *effect)
 
 /* ---- walls and particles of the program ------------------------------------------------------ */
 
-int dem_add_wall(struct dem *d, const char *name, const char *material, int64_t n,
-                 const double *triangles)
+static int add_wall(struct dem *d, const char *name, const char *material, int64_t n,
+                    const double *triangles)
 {
     struct dem_mesh_wall *w;
 
     DEM_TRY(dem_api_require_unchecked(d, "dem_add_wall"));
+    DEM_TRY(dem_api_require_count("dem_add_wall", "triangles", n));
     DEM_REQUIRE(strlen(name) < sizeof w->name && strlen(material) < sizeof w->material,
                 DEM_ERROR_INPUT, "wall %s of %s: a name longer than %zu characters; shorten it",
                 name, material, sizeof w->material - 1);
@@ -194,6 +220,12 @@ int dem_add_wall(struct dem *d, const char *name, const char *material, int64_t 
     memcpy(w->triangles, triangles, 9*w->n*sizeof *triangles);
     d->mesh_walls++;
     return DEM_OK;
+}
+
+int dem_add_wall(struct dem *d, const char *name, const char *material, int64_t n,
+                 const double *triangles)
+{
+    return dem_api_agree(d, add_wall(d, name, material, n, triangles));
 }
 
 /* The original triangles stay; each call overwrites the moved ones. */
@@ -222,12 +254,13 @@ int dem_wall_move(struct dem *d, const char *name, int64_t n, const double *tria
                 "dem_wall_move: there is no wall %s of dem_add_wall", name);
     DEM_REQUIRE(!d->state.paused, DEM_ERROR_STATE, "dem_wall_move: wall %s is to move while "
                 "mechanics are paused; call dem_resume before", name);
-    DEM_TRY(copy_moved_corners(&d->mesh_wall[k], n, triangles));
+    DEM_TRY(dem_api_agree(d, copy_moved_corners(&d->mesh_wall[k], n, triangles)));
     return d->is_set_up ? dem_api_move_wall(d, &d->mesh_wall[k], 0) : DEM_OK;
 }
 
 static int add_particles(struct dem *d, int64_t n, const struct dem_new_particle *added)
 {
+    DEM_TRY(dem_api_require_count("dem_add_particles", "particles", n));
     DEM_TRY(DEM_GROW(d->initial_material, d->initial_capacity, d->initial.n + (size_t)n + 1));
     for (int64_t k = 0; k < n; k++)
     {
@@ -297,11 +330,14 @@ int dem_check(struct dem *d)
 
 int dem_setup(struct dem *d)
 {
-    DEM_REQUIRE(d->checked >= 0, DEM_ERROR_STATE, "dem_setup after a scene that dem_check refused; "
-                "call dem_free and start again");
+    DEM_REQUIRE(d->checked >= 0, DEM_ERROR_STATE, "dem_setup after a dem_check or dem_setup that "
+                "failed; call dem_free and start again");
     DEM_REQUIRE(!d->is_set_up, DEM_ERROR_STATE, "dem_setup has been called already; call it once");
     DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "dem_setup comes after the scene has been read");
-    return without_traps(d, dem_api_setup);
+    const int status = without_traps(d, dem_api_setup);
+
+    d->checked = status ? -1 : d->checked;
+    return status;
 }
 
 const struct dem_dict *dem_scene_dict(const struct dem *d)
@@ -339,18 +375,21 @@ int dem_warnings(struct dem *d, const struct dem_run_info *run, int n, const cha
 {
     struct dem_plan plan = {.state = &d->state, .scene = &d->scene, .run = *run, .step = d->step};
     const char *const *repeats, **sentences;
-    const size_t repeated = dem_dict_repeats(d->dict, &repeats);
     fenv_t caller;
 
     DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_warnings comes after dem_setup");
-    DEM_TRY(DEM_NEW(sentences, repeated + (size_t)n + 1));
-    for (size_t k = 0; k < repeated + (size_t)n; k++)
+    DEM_TRY(dem_api_require_count("dem_warnings", "sentences", n));
+    const size_t repeated = dem_dict_repeats(d->dict, &repeats), told = repeated + d->notes;
+
+    DEM_TRY(DEM_NEW(sentences, told + (size_t)n + 1));
+    for (size_t k = 0; k < told + (size_t)n; k++)
     {
-        sentences[k] = k < repeated ? repeats[k] : own[k - repeated];
+        sentences[k] = k < repeated ? repeats[k]
+                     : k < told ? d->note[k - repeated] : own[k - told];
     }
     dem_text_free(&d->warnings);
     feholdexcept(&caller);
-    int status = dem_warnings_write(&d->warnings, &plan, d->coupled, (int)repeated + n, sentences);
+    int status = dem_warnings_write(&d->warnings, &plan, d->coupled, (int)told + n, sentences);
 
     status = status ? status : dem_collect_status(&d->state.decomposition);
     fesetenv(&caller);
@@ -389,6 +428,8 @@ int dem_bed_slab(const struct dem *d, double up[3], double *low, double *high)
     struct dem_bed_packing bed;
     const int found = d->is_set_up && dem_bed_packing_measure(&d->state, &bed);
 
+    memset(up, 0, 3*sizeof *up);
+    *low = *high = 0.0;
     if (found)
     {
         memcpy(up, bed.up, sizeof bed.up);
@@ -480,6 +521,7 @@ int dem_advance(struct dem *d, double duration)
     fenv_t caller;
 
     DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_advance comes after dem_setup");
+    DEM_TRY(dem_api_require_sound(d, "dem_advance"));
     DEM_REQUIRE(isgreater(duration, 0.0) && isfinite(duration), DEM_ERROR_INPUT,
                 "duration %g s; give a time above 0", duration);
     DEM_TRY(check_fluid(d));
@@ -497,6 +539,7 @@ int dem_advance(struct dem *d, double duration)
 
     status = status ? status : dem_fall_check(&d->state);
     fesetenv(&caller);
+    d->failed = status != DEM_OK;
     d->ranks_apart = status != DEM_OK && status != DEM_ERROR_NUMBER && status != DEM_ERROR_LOST;
     return status;
 }
@@ -522,10 +565,23 @@ int dem_stopped(const struct dem *d)
 
 /* ---- save and restore ------------------------------------------------------------------------ */
 
+/* The scene goes behind the averages. */
+static int add_scene(struct dem *d, struct dem_snapshot_scene *scene, struct dem_span **span, int *n)
+{
+    size_t capacity = (size_t)*n;
+
+    DEM_TRY(dem_api_describe_scene(d, scene));
+    DEM_TRY(DEM_GROW(*span, capacity, (size_t)*n + DEM_SNAPSHOT_SCENE_SPANS));
+    dem_snapshot_scene_spans(scene, *span + *n);
+    *n += DEM_SNAPSHOT_SCENE_SPANS;
+    return DEM_OK;
+}
+
 static int write_snapshot(struct dem *d, const char *path, struct dem_snapshot *s)
 {
     struct dem_state *const p = &d->state;
     struct dem_grid_average_record *record = NULL;
+    struct dem_snapshot_scene scene = {.text = NULL};
     struct dem_span *span = NULL;
     int status = DEM_OK;
 
@@ -534,11 +590,16 @@ static int write_snapshot(struct dem *d, const char *path, struct dem_snapshot *
     {
         status = dem_grid_averages_spans(p->averages, &record, &span, &s->caller_data_count);
     }
+    if (p->decomposition.rank == 0)
+    {
+        status = status ? status : add_scene(d, &scene, &span, &s->caller_data_count);
+    }
     status = dem_api_agree(d, status);
     s->caller_data = span;
     status = status ? status
                     : dem_snapshot_write(path, s, &p->decomposition, &p->interaction_table,
                                          &p->particles, &p->contacts, p->pairs.wall_facet);
+    dem_snapshot_scene_free(&scene);
     dem_memory_free(record);
     dem_memory_free(span);
     return status;
@@ -550,6 +611,7 @@ int dem_save(struct dem *d, const char *path)
     struct dem_snapshot s = {.steps = p->steps, .time = p->time, .domain = &p->domain};
 
     DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_save comes after dem_setup");
+    DEM_TRY(dem_api_require_sound(d, "dem_save"));
     memcpy(s.skin_tuning, &p->pairs.skins, sizeof p->pairs.skins);
     s.flows = p->flows->n;
     s.next_id = p->flows->next_id;
@@ -575,6 +637,7 @@ int dem_backup_every(struct dem *d, int64_t steps)
     fenv_t caller;
 
     DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_backup_every comes after dem_setup");
+    DEM_TRY(dem_api_require_sound(d, "dem_backup_every"));
     DEM_REQUIRE(steps >= 0, DEM_ERROR_INPUT, "backups every %lld steps; give a number above 0, or "
                 "0 for none", (long long)steps);
     d->state.backup.every = steps;
@@ -602,6 +665,7 @@ int dem_restore(struct dem *d, double *time)
     dem_walls_rewind(&p->walls);
     dem_unagreed_reset(&p->unagreed);
     d->restored = 1;
+    d->failed = 0;
     p->steps = p->backup.steps;
     p->time = *time = p->backup.time;
     p->limits.overlap = 0.0;

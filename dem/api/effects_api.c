@@ -19,7 +19,7 @@ const char *dem_effect_name(int k)
         e++;
         k--;
     }
-    return *e ? (*e)->name : NULL;
+    return k >= 0 && *e ? (*e)->name : NULL;
 }
 
 /* The effect of this name; *text is to be set to d->effect, which is empty then. */

@@ -180,6 +180,9 @@ int dem_fluid_reaction(const struct dem *d, enum dem_exchange how, double window
         dem_column(p, how == DEM_EXCHANGE_DEFERRED ? DEM_COLUMN_RESPONSE : DEM_COLUMN_DRAG_TIME);
 
     DEM_REQUIRE(u, DEM_ERROR_STATE, "dem_fluid_reaction without fluid effects");
+    DEM_REQUIRE(how <= DEM_EXCHANGE_EXPLICIT, DEM_ERROR_INPUT,
+                "dem_fluid_reaction: there is no time level %d; give one of enum dem_exchange",
+                (int)how);
     DEM_REQUIRE(window > 0.0, DEM_ERROR_INPUT,
                 "dem_fluid_reaction: a window of %g s; give a time above 0", window);
     for (size_t i = 0; i < p->n; i++)

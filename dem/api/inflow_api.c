@@ -82,12 +82,14 @@ static int find_patch(struct dem *d, const char *name, struct dem_flow_patch **p
 int dem_flow_patch(struct dem *d, const char *name, int64_t n, const double *triangles,
                    const double *velocity)
 {
-    struct dem_flow_patch *patch;
-    double *mine;    /* 12 numbers a triangle, as in struct dem_flow_patch */
+    struct dem_flow_patch *patch = NULL;
+    double *mine = NULL, *all;    /* 12 numbers a triangle, as in struct dem_flow_patch */
+    size_t total;
+    int status = dem_api_require_count("dem_flow_patch", "triangles", n);
 
-    DEM_TRY(find_patch(d, name, &patch));
-    DEM_TRY(DEM_NEW(mine, 12*(size_t)n + 1));
-    for (size_t t = 0; t < (size_t)n; t++)
+    status = status ? status : find_patch(d, name, &patch);
+    status = status ? status : DEM_NEW(mine, 12*(size_t)n + 1);
+    for (size_t t = 0; t < (size_t)n && !status; t++)
     {
         memcpy(mine + 12*t, triangles + 9*t, 9*sizeof *mine);
         if (velocity)
@@ -95,14 +97,13 @@ int dem_flow_patch(struct dem *d, const char *name, int64_t n, const double *tri
             memcpy(mine + 12*t + 9, velocity + 3*t, 3*sizeof *mine);
         }
     }
-    dem_memory_free(patch->triangles);
-    patch->triangles = NULL;
-    patch->n = 0;
-    const int status = dem_api_gather(&d->state, 12, (size_t)n, mine, &patch->triangles, &patch->n);
-
+    status = dem_api_gather(&d->state, status, 12, (size_t)n, mine, &all, &total);
     dem_memory_free(mine);
     DEM_TRY(status);
-    return d->checked ? give_to_streams(d, patch) : DEM_OK;
+    dem_memory_free(patch->triangles);
+    patch->triangles = all;
+    patch->n = total;
+    return d->checked ? dem_api_agree(d, give_to_streams(d, patch)) : DEM_OK;
 }
 
 int dem_flow_remove(struct dem *d, const char *patch, int64_t n, const int64_t *id)
@@ -119,6 +120,7 @@ int dem_flow_remove(struct dem *d, const char *patch, int64_t n, const int64_t *
                 "dem_flow_remove: patch %s is no outlet of the scene; add outlets { NAME { patch "
                 "%s; } }",
                 patch, patch);
+    DEM_TRY(dem_api_require_count("dem_flow_remove", "ids", n));
     for (int64_t k = 0; k < n; k++)
     {
         DEM_TRY(DEM_GROW(d->outgoing, d->outgoing_capacity, d->outgoing_count + 1));
@@ -136,6 +138,7 @@ int dem_flow_apply(struct dem *d, int *changed)
                 "dem_setup, and dem_flow_on_request before it");
     DEM_REQUIRE(!d->state.half_step_ahead, DEM_ERROR_STATE,
                 "dem_flow_apply comes between two advances");
+    DEM_TRY(dem_api_require_sound(d, "dem_flow_apply"));
     feholdexcept(&caller);
     const int status =
         dem_flows_between_windows(&d->state, d->outgoing_count, d->outgoing, changed);

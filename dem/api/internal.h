@@ -8,6 +8,7 @@
  *   scalars_api.c               particle scalars and their exchange
  *   setup.c                     from the scene to the first step, with setup_walls.c and
  *                               setup_particles.c
+ *   restart.c, restart_insert.c  a scene that differs from that of its snapshot
  *   setup_check.c               checks that need no particles
  *   until_quiet.c               the test of rest, time/untilQuiet
  *   pause.c                     mechanics paused at rest, time/pauseAtRest
@@ -20,7 +21,7 @@
 #include "dem.h"
 #include "scene/scene.h"
 #include "diagnostics/totals.h"
-#include "checkpoint/snapshot.h"
+#include "checkpoint/snapshot_scene.h"
 #include "advisor/plan.h"
 #include "output/attached_stores.h"
 #include "simulation/dem_state.h"
@@ -87,6 +88,7 @@ struct dem
     struct dem_pause pause;
     int restored;                                         /* 1: dem_restore was called; averages
                                                              hold later samples */
+    int failed;                                           /* 1: the last dem_advance has failed */
     int ranks_apart;                                      /* 1: the last dem_advance did not fail on
                                                              all ranks together */
     int energy;                                           /* 1: the energy balance was asked for */
@@ -103,6 +105,16 @@ struct dem
     double fluid_density;                                 /* kg/m3  dem_fluid_set_density */
     struct dem_overlap start_pair, start_wall;            /* largest ones at a start that is
                                                              checked */
+    struct dem_snapshot_scene before;                     /* of the loaded snapshot (api/restart.h) */
+    char (*reformed)[64];                                 /* its walls whose form the scene has
+                                                             changed */
+    size_t reformed_walls, reformed_capacity;
+    char **note;                                          /* sentences on its differences */
+    size_t notes, note_capacity;
+    int inserts;                                          /* 1: groups are new at this restart */
+    int program_particles;                                /* 1: dem_add_particles was called */
+    int64_t next_id;                                      /* the first id that no particle has had,
+                                                             streams apart */
     struct dem_skins snapshot_skins;                      /* skins of the neighbor lists in the
                                                              loaded snapshot */
     struct dem_snapshot snapshot_flows;                   /* its streams and outlets */
@@ -136,13 +148,20 @@ void dem_api_save_rest(const struct dem *, struct dem_snapshot *);
 /* DEM_ERROR_STATE, with the name of the call, when it comes after dem_check or dem_setup. */
 int dem_api_require_unchecked(const struct dem *, const char *call);
 
+/* DEM_ERROR_STATE, with the name of the call, after a dem_advance that failed. */
+int dem_api_require_sound(const struct dem *, const char *call);
+
+/* An error when n, the number of `items` given in a call, is below 0 or above what memory can hold. */
+int dem_api_require_count(const char *call, const char *items, int64_t n);
+
 /* Collective. All ranks fail when one does: a rank without an error of its own reports that
    another one failed. */
 int dem_api_agree(const struct dem *, int status);
 
-/* Collective. Concatenate n items of `size` doubles from each rank, in the order of the ranks;
+/* Collective. Concatenate n items of `size` doubles from each rank, in the order of the ranks. A rank
+   that has failed before, with this status, takes part, and all ranks fail.
    *items belongs to the caller (dem_memory_free) and is set only on success; NULL without items. */
-int dem_api_gather(const struct dem_state *, size_t size, size_t n, const double *mine,
+int dem_api_gather(const struct dem_state *, int status, size_t size, size_t n, const double *mine,
                    double **items, size_t *number);
 
 /* Give the triangles of the patches to the streams that enter through them. */
@@ -164,6 +183,9 @@ int dem_api_position_mesh_walls(struct dem *);
    over all ranks into the interaction table; fill the fluid columns; start streams and outlets. */
 int dem_api_create_particles(struct dem *);
 int dem_api_find_radii(struct dem_state *);
+int dem_api_add_radii(struct dem *);              /* of groups, streams and dem_add_particles */
+int dem_api_store_initial(struct dem *, size_t from);    /* initial particles, from number `from` on */
+int dem_api_join_initial(struct dem *);
 void dem_api_init_fluid(struct dem *);
 int dem_api_begin_flows(struct dem *);
 

@@ -27,6 +27,11 @@ const char *dem_version(void)
 struct dem_step_limit dem_step_limit(const struct dem *d)
 {
     const struct dem_interaction_table *const r = &d->state.interaction_table;
+
+    if (d->step <= 0.0)
+    {
+        return (struct dem_step_limit){.why = ""};
+    }
     struct dem_step_limit s = {.limit = d->state.paused ? r->scalar_limit : r->step_limit,
                                .used = d->step};
 
@@ -38,6 +43,7 @@ int dem_totals(struct dem *d, struct dem_totals *t)
 {
     const struct dem_flows *const f = d->state.flows;
 
+    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_totals comes after dem_setup");
     dem_totals_tally(&d->state, t);
     d->pause.overlap = fmax(d->pause.overlap, t->largest_overlap);
     for (int k = 0; k < f->n; k++)
@@ -107,12 +113,14 @@ int dem_energy(struct dem *d, double *since, int *n, const struct dem_energy_ite
 
 int dem_count_moving(struct dem *d, double energy, int64_t *n)
 {
+    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_count_moving comes after dem_setup");
     *n = dem_totals_moving(&d->state, energy);
     return dem_collect_status(&d->state.decomposition);
 }
 
 int dem_hash(struct dem *d, uint64_t *hash)
 {
+    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_hash comes after dem_setup");
     *hash = dem_totals_fingerprint(&d->state);
     return dem_collect_status(&d->state.decomposition);
 }
@@ -127,15 +135,29 @@ int dem_wall_count(const struct dem *d)
     return d->state.walls.walls;
 }
 
+static int is_wall(const struct dem *d, int wall)
+{
+    return wall >= 0 && wall < d->state.walls.walls;
+}
+
 const char *dem_wall_name(const struct dem *d, int wall)
 {
-    return d->state.walls.wall[wall].name;
+    return is_wall(d, wall) ? d->state.walls.wall[wall].name : "";
+}
+
+/* A number from outside; `call` needs it. */
+static int require_wall(const struct dem *d, int wall, const char *call)
+{
+    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "%s comes after dem_setup", call);
+    DEM_REQUIRE(is_wall(d, wall), DEM_ERROR_INPUT,
+                "%s: there is no wall %d; the scene has %d, numbered from 0", call, wall,
+                d->state.walls.walls);
+    return DEM_OK;
 }
 
 int dem_wall_load(struct dem *d, int wall, double force[3], double torque[3])
 {
-    DEM_REQUIRE(wall >= 0 && wall < d->state.walls.walls, DEM_ERROR_INPUT, "wall %d; there are %d",
-                wall, d->state.walls.walls);
+    DEM_TRY(require_wall(d, wall, "dem_wall_load"));
     dem_totals_wall_force(&d->state, wall, force, torque);
     return dem_collect_status(&d->state.decomposition);
 }
@@ -242,16 +264,20 @@ int dem_wall_impulse_reset(struct dem *d)
 
 int dem_wall_impulse(struct dem *d, int wall, double impulse[3], double angular_impulse[3])
 {
+    DEM_TRY(require_wall(d, wall, "dem_wall_impulse"));
     DEM_REQUIRE(d->state.wall_statistics->sum, DEM_ERROR_STATE,
                 "dem_wall_impulse comes after dem_wall_impulse_reset");
-    DEM_REQUIRE(wall >= 0 && wall < d->state.walls.walls, DEM_ERROR_INPUT, "wall %d; there are %d",
-                wall, d->state.walls.walls);
     dem_totals_wall_impulse(&d->state, wall, impulse, angular_impulse);
     return dem_collect_status(&d->state.decomposition);
 }
 
 void dem_wall_info(const struct dem *d, int wall, struct dem_wall_info *f)
 {
+    *f = (struct dem_wall_info){0};
+    if (!is_wall(d, wall))
+    {
+        return;
+    }
     const struct dem_wall *const w = &d->state.walls.wall[wall];
 
     *f = (struct dem_wall_info){.triangles = (int64_t)w->triangles,
@@ -262,7 +288,7 @@ void dem_wall_info(const struct dem *d, int wall, struct dem_wall_info *f)
 
 int dem_wall_corners(struct dem *d, int wall, double *corners)
 {
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_wall_corners comes after dem_setup");
+    DEM_TRY(require_wall(d, wall, "dem_wall_corners"));
     return dem_wall_store_corners(&d->state.wall_store, &d->state.walls, wall, corners);
 }
 
@@ -271,6 +297,11 @@ void dem_view(const struct dem *d, struct dem_view *v)
     const struct dem_particles *const p = &d->state.particles;
     const struct dem_particle *const r = p->record;
 
+    *v = (struct dem_view){0};
+    if (!d->is_set_up || !r)
+    {
+        return;
+    }
     *v = (struct dem_view){.n = p->n,
                            .stride = sizeof *r,
                            .position = r->x,
@@ -321,6 +352,7 @@ int dem_averages_count(const struct dem *d)
 
 int dem_effects_record(const struct dem *d, const char *folder, double start)
 {
+    DEM_REQUIRE(d->checked > 0, DEM_ERROR_STATE, "dem_effects_record comes after dem_check");
     return dem_effects_table_begin(folder, start, dem_effect_names(d));
 }
 
@@ -328,6 +360,7 @@ int dem_averages(struct dem *d, const char *folder)
 {
     fenv_t caller;
 
+    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_averages comes after dem_setup");
     feholdexcept(&caller);    /* squares of samples may overflow */
     const int status = dem_grid_averages_write(d->state.averages, &d->state, folder);
 

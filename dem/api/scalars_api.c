@@ -17,8 +17,18 @@ int dem_scalar_count(const struct dem *d)
     return d->state.interaction_table.scalars;
 }
 
+static int is_scalar(const struct dem *d, int k)
+{
+    return k >= 0 && k < d->state.interaction_table.scalars;
+}
+
 void dem_scalar_info(const struct dem *d, int k, struct dem_scalar_info *info)
 {
+    *info = (struct dem_scalar_info){.name = "", .unit = "", .help = ""};
+    if (!is_scalar(d, k))
+    {
+        return;
+    }
     const struct dem_scalar *const s = d->state.interaction_table.scalar[k];
 
     *info = (struct dem_scalar_info){.name = s->name,
@@ -39,7 +49,7 @@ int dem_scalar_index(const struct dem *d, const char *name)
 
 double *dem_scalar(struct dem *d, int k)
 {
-    return dem_scalar_values(&d->state.particles, k);
+    return d->is_set_up && is_scalar(d, k) ? dem_scalar_values(&d->state.particles, k) : NULL;
 }
 
 /* ---- exchange -------------------------------------------------------------------------------- */
@@ -79,7 +89,7 @@ static double *column(const struct dem *d, int k, enum dem_scalar_column which)
 
 int dem_scalar_exchange(struct dem *d, int k, struct dem_scalar_exchange *x)
 {
-    DEM_REQUIRE(d->is_set_up && k >= 0 && k < d->state.interaction_table.scalars
+    DEM_REQUIRE(d->is_set_up && is_scalar(d, k)
                     && d->state.interaction_table.exchanged[k],
                 DEM_ERROR_STATE,
                 "dem_scalar_exchange: no scalar %d is exchanged; it comes after dem_setup, and "
@@ -114,7 +124,7 @@ int dem_scalar_correct(struct dem *d, int k, const double *target)
 
 int dem_scalar_total(struct dem *d, int k, double *total)
 {
-    DEM_REQUIRE(d->is_set_up && k >= 0 && k < d->state.interaction_table.scalars, DEM_ERROR_STATE,
+    DEM_REQUIRE(d->is_set_up && is_scalar(d, k), DEM_ERROR_STATE,
                 "dem_scalar_total: there is no scalar %d; it comes after dem_setup", k);
     *total = dem_totals_scalar(&d->state, k);
     return dem_collect_status(&d->state.decomposition);

@@ -14,7 +14,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "api/internal.h"
+#include "api/restart.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "checkpoint/snapshot.h"
@@ -125,11 +125,10 @@ static int prepare_physics(struct dem *d)
     if (d->load_path[0])
     {
         DEM_TRY(dem_api_find_radii(p));
-        dem_streams_radii(&d->scene.streams, p->interaction_table.min_radius,
-                          p->interaction_table.max_radius);
-        dem_streams_ratios(&d->scene.streams, &p->interaction_table);
+        DEM_TRY(dem_api_agree(d, dem_api_add_radii(d)));
         DEM_TRY(dem_api_finish_physics(d));
     }
+    DEM_TRY(dem_api_insert_new_groups(d));
     const double radius = dem_api_max_radius(d);
     double skin[2] = {2.0*radius*d->scene.outer_skin, 2.0*radius*d->scene.inner_skin};
     double max_skin = 2.0*radius;
@@ -151,12 +150,13 @@ static int prepare_physics(struct dem *d)
     return dem_wall_search_prepare(&p->pairs.wall_search, &p->walls, radius > 0.0 ? radius : 1.0);
 }
 
-/* A larger overlap at the start is an error in the input, not a contact. */
-static int refuse_overlap(struct dem_state *p, double limit)
+/* A larger overlap at the start is an error in the input, not a contact. `flags`: of particles with one
+   of them only; 0: of all. */
+static int refuse_overlap(struct dem_state *p, double limit, unsigned flags)
 {
     struct dem_overlap pair, wall;
 
-    dem_totals_max_overlap(p, &pair, &wall);
+    dem_totals_max_overlap(p, flags, &pair, &wall);
     DEM_REQUIRE(wall.fraction <= limit || wall.fraction <= pair.fraction,
                 DEM_ERROR_INPUT,
                 "particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the "
@@ -189,6 +189,20 @@ static int refuse_other_walls(struct dem *d)
     return DEM_OK;
 }
 
+static int read_contacts(struct dem *d)
+{
+    struct dem_state *const p = &d->state;
+    struct dem_snapshot_facets facets;
+    int status = dem_api_agree(d, dem_api_map_facets(d, &facets));
+
+    status = status ? status
+                    : dem_snapshot_read_contacts(d->load_path, &p->decomposition,
+                                                 &p->interaction_table, &p->particles, &facets,
+                                                 &p->contacts);
+    dem_memory_free(facets.number);
+    return status;
+}
+
 /* Send particles to their owners. Without a snapshot also build the first lists, refuse
    overlaps, and compute the forces with which the first half kick begins; a snapshot holds them. */
 static int distribute(struct dem *d)
@@ -198,17 +212,17 @@ static int distribute(struct dem *d)
     DEM_TRY(
         dem_collect_agree(&p->decomposition, dem_domain_project_all(&p->domain, &p->particles)));
     DEM_TRY(dem_decomposition_balance(&p->decomposition, &p->particles, NULL));
-    DEM_TRY(dem_halo_migrate(&p->halo, DEM_OK, &p->particles, &p->contacts));
+    DEM_TRY(dem_collect_agree(&p->decomposition, dem_halo_migrate(&p->halo, DEM_OK, &p->particles,
+                                                                  &p->contacts)));
     p->stale = 2;
     dem_walls_move(&p->walls, p->time, 0.0);
     if (d->load_path[0])
     {
-        return dem_snapshot_read_contacts(d->load_path, &p->decomposition, &p->interaction_table,
-                                          &p->particles, &p->contacts);
+        return read_contacts(d);
     }
     DEM_TRY(dem_neighbor_rebuild(p));
     p->stale = 1;
-    DEM_TRY(dem_collect_agree(&p->decomposition, refuse_overlap(p, d->scene.max_start_overlap)));
+    DEM_TRY(dem_collect_agree(&p->decomposition, refuse_overlap(p, d->scene.max_start_overlap, 0)));
     DEM_TRY(dem_bond_pairs_mark(p, d->scene.bond_ids, d->scene.bond_id_count));
     DEM_TRY(dem_sweep_contacts_and_sum(p, 0.0, (const double[2]){-INFINITY, p->time}));
     dem_sum_bond_energies(&p->particles, &p->contacts);
@@ -279,6 +293,28 @@ static int begin_energy_balance(struct dem *d)
         return DEM_OK;
     }
     return with_lists(d, begin_energy);
+}
+
+static int refuse_new_overlap(struct dem *d)
+{
+    return refuse_overlap(&d->state, d->scene.max_start_overlap, DEM_PARTICLE_NEW);
+}
+
+/* Particles that are inserted at a restart. */
+static int check_inserted(struct dem *d)
+{
+    struct dem_particles *const p = &d->state.particles;
+
+    if (!d->inserts || !d->load_path[0])
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(with_lists(d, refuse_new_overlap));
+    for (size_t i = 0; i < p->n; i++)
+    {
+        p->record[i].flags &= (uint16_t)~DEM_PARTICLE_NEW;
+    }
+    return DEM_OK;
 }
 
 /* Particles of the scene's entry `start`, or of dem_start. */
@@ -406,6 +442,7 @@ int dem_api_setup(struct dem *d)
     DEM_TRY(dem_api_agree(d, dem_api_resume_pause(d)));
     DEM_TRY(dem_api_agree(d, distribute(d)));
     DEM_TRY(dem_api_agree(d, check_start(d)));
+    DEM_TRY(dem_api_agree(d, check_inserted(d)));
     d->driven = dem_totals_any_driven(&d->state);
     if (has_energy_balance(d))
     {

@@ -14,6 +14,27 @@
 #include <float.h>
 #include <math.h>
 
+/* The step resolves oscillations and rotations of walls. */
+static void limit_step_by_walls(struct dem_interaction_table *r, const struct dem_walls *w)
+{
+    const char *why;
+
+    for (int k = 0; k < w->frames && !r->motionless; k++)
+    {
+        const double limit = dem_motion_time_limit(&w->frame[k].motion, &why);
+        int wall = 0;
+
+        while (wall < w->walls && w->wall[wall].frame != k)
+        {
+            wall++;
+        }
+        if (wall < w->walls)
+        {
+            dem_interaction_table_limit_step(r, limit, why, w->wall[wall].name);
+        }
+    }
+}
+
 static int choose_step(struct dem *d)
 {
     const struct dem_interaction_table *const r = &d->state.interaction_table;
@@ -31,11 +52,29 @@ static int choose_step(struct dem *d)
     return DEM_OK;
 }
 
+/* Positions along a periodic axis are multiples of its unit of length. A unit of 1e-6 radii is a
+   hundredth of an overlap of 1e-4 radii, a small one. */
+static const double coarsest_unit = 1e-6;
+
+static double min_radius(const struct dem *d)
+{
+    double min = INFINITY;
+
+    for (int m = 0; m < DEM_MATERIALS; m++)
+    {
+        const double radius = d->state.interaction_table.min_radius[m];
+
+        min = radius > 0.0 ? fmin(min, radius) : min;
+    }
+    return min;
+}
+
 /* In a periodic domain that is too narrow a particle touches its own image (neighbor/pairs.c
-   refuses it in a snapshot). */
+   refuses it in a snapshot); in one that is too wide, overlaps are lost in rounding. */
 static int check_periodic_widths(const struct dem *d, double radius)
 {
     const struct dem_domain *const box = &d->state.domain;
+    const double least = min_radius(d);
     const double min = 2.0*radius*(1.0 + d->scene.outer_skin) + d->state.interaction_table.reach;
 
     for (int k = 0; k < 3; k++)
@@ -45,25 +84,47 @@ static int check_periodic_widths(const struct dem *d, double radius)
                     "its own periodic image; make the domain at least two diameters and a skin "
                     "wide",
                     "xyz"[k], box->length[k], 2.0*radius);
+        DEM_REQUIRE(!box->periodic[k] || box->unit[k] <= coarsest_unit*least, DEM_ERROR_INPUT,
+                    "domain: periodic along %c from %g to %g m, where positions are multiples of "
+                    "%.3g m; the limit is %.3g m, %g of the smallest radius, or overlaps are lost "
+                    "in rounding; make the domain smaller, or move it to the origin",
+                    "xyz"[k], box->min[k], box->max[k], box->unit[k], coarsest_unit*least,
+                    coarsest_unit);
     }
     return DEM_OK;
+}
+
+/* How far from a wall a particle can be that is compared with it: skins that are tuned are at most a
+   diameter. */
+static double wall_reach(const struct dem *d, double radius)
+{
+    const double skin = d->scene.tuned_skins ? 1.0 : fmax(1.0, d->scene.outer_skin);
+
+    return radius + 2.0*radius*skin + d->state.interaction_table.reach;
 }
 
 int dem_api_finish_physics(struct dem *d)
 {
     struct dem_state *const p = &d->state;
-    int wall_materials[DEM_MATERIALS] = {0};
+    int made_of[DEM_PARTNERS][DEM_MATERIALS] = {{0}};
     const double radius = dem_api_max_radius(d);
 
     for (int w = 0; w < p->walls.walls; w++)
     {
-        wall_materials[p->walls.wall[w].material] = 1;
-    }
-    int status = dem_interaction_table_freeze(&p->interaction_table, wall_materials);
+        const struct dem_wall *const wall = &p->walls.wall[w];
 
+        made_of[DEM_PARTNER_WALL + wall->frictionless][wall->material] = 1;
+    }
+    int status = dem_interaction_table_freeze(&p->interaction_table, made_of);
+
+    if (!status)
+    {
+        limit_step_by_walls(&p->interaction_table, &p->walls);
+    }
     status = status ? status : choose_step(d);
     status = status ? status : dem_api_check_pause(d);
     status = status ? status : check_periodic_widths(d, radius);
+    dem_domain_make_walls_periodic(&p->domain, wall_reach(d, radius), &p->walls);
     status = status ? status : dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0);
     status = status ? status : dem_domain_check_walls(&p->domain, &p->walls, radius);
     return dem_wall_store_finish(&p->wall_store, status, &p->walls);
@@ -81,7 +142,7 @@ double dem_api_max_radius(const struct dem *d)
 }
 
 /* Radii by material and ratios of parcels, of particles that the scene inserts and of those that the program added. */
-static int find_radii(struct dem *d)
+int dem_api_add_radii(struct dem *d)
 {
     struct dem_interaction_table *const r = &d->state.interaction_table;
     int m;
@@ -131,5 +192,5 @@ int dem_api_check_scene(struct dem *d)
     }
     DEM_TRY(check_bonds(d));
     DEM_TRY(dem_insert_check_domain(&d->scene.insertion, &d->state.domain));
-    return find_radii(d);
+    return dem_api_add_radii(d);
 }

@@ -7,7 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "api/internal.h"
+#include "api/restart.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "checkpoint/snapshot.h"
@@ -53,6 +53,9 @@ static int add_every_nth(struct dem *d, int64_t *id)
 
         DEM_TRY(complete(d, k, &whole));
         whole.id = id[k] = whole.id < 0 ? next : whole.id;
+        DEM_REQUIRE(whole.id < INT64_MAX, DEM_ERROR_INPUT,
+                    "dem_add_particles: id %lld leaves no next one; give a smaller number",
+                    (long long)whole.id);
         next = id[k] >= next ? id[k] + 1 : next;
         dem_initial_particles_count(c, 1, 2.0*whole.radius, whole.mass, whole.material);
         if (k%(size_t)d->state.decomposition.ranks == (size_t)d->state.decomposition.rank)
@@ -64,7 +67,7 @@ static int add_every_nth(struct dem *d, int64_t *id)
 }
 
 /* Particles of dem_add_particles join those that the scene inserts. */
-static int join_initial(struct dem *d)
+int dem_api_join_initial(struct dem *d)
 {
     int64_t *id;
 
@@ -81,25 +84,25 @@ static int join_initial(struct dem *d)
     return status;
 }
 
-/* Copy this rank's part into the particle arrays. */
-static int store_initial(struct dem *d)
+/* Append this rank's part to the particle arrays. */
+int dem_api_store_initial(struct dem *d, size_t from)
 {
     const struct dem_initial_particles *const c = &d->scene.initial;
     struct dem_particles *const p = &d->state.particles;
 
-    DEM_TRY(dem_particles_grow(p, c->n + 1));
-    for (size_t k = 0; k < c->n; k++)
+    DEM_TRY(dem_particles_grow(p, p->n + c->n - from + 1));
+    for (size_t k = from; k < c->n; k++)
     {
         DEM_REQUIRE(dem_domain_contains(&d->state.domain, c->particle[k].x), DEM_ERROR_INPUT,
                     "particle %lld at (%g %g %g) m is outside the domain; move it, or enlarge the "
                     "domain",
                     (long long)c->particle[k].id, c->particle[k].x[0], c->particle[k].x[1],
                     c->particle[k].x[2]);
+        DEM_TRY(dem_particles_add(p, &c->particle[k]));
         for (int m = 0; m < c->scalars; m++)
         {
-            dem_scalar_values(p, m)[k] = c->scalar[k*(size_t)c->scalars + (size_t)m];
+            dem_scalar_values(p, m)[p->n - 1] = c->scalar[k*(size_t)c->scalars + (size_t)m];
         }
-        p->record[p->n++] = c->particle[k];
     }
     return DEM_OK;
 }
@@ -213,7 +216,8 @@ static unsigned column_groups(const struct dem *d)
     unsigned groups = (d->with_fluid && acts ? DEM_GROUP_FLUID : 0)
                     | (sums_bond_energy(r) ? DEM_GROUP_PAIR_ENERGY : 0)
                     | (d->orientation ? DEM_GROUP_ORIENTATION : 0)
-                    | (under_relaxes(d) ? DEM_GROUP_UNDER_RELAXATION : 0);
+                    | (under_relaxes(d) ? DEM_GROUP_UNDER_RELAXATION : 0)
+                    | (dem_streams_have_regions(&d->scene.streams) ? DEM_GROUP_OUTLETS : 0);
 
     for (size_t k = 0; k < sizeof required/sizeof required[0]; k++)
     {
@@ -318,6 +322,7 @@ int dem_api_create_particles(struct dem *d)
     struct dem_state *const p = &d->state;
     struct dem_snapshot s;
 
+    d->program_particles = d->initial.n > 0;
     dem_particles_init(&p->particles, column_groups(d));
     DEM_TRY(dem_scalars_add_columns(&p->particles, &p->interaction_table));
     DEM_TRY(dem_api_agree(d, dem_particles_grow(&p->particles, 1)));
@@ -332,13 +337,14 @@ int dem_api_create_particles(struct dem *d)
         memcpy(&d->snapshot_skins, s.skin_tuning, sizeof d->snapshot_skins);
         d->snapshot_flows = s;
         freeze_or_free(d);
-        return complete_scalars(d);
+        DEM_TRY(dem_api_agree(d, complete_scalars(d)));
+        return dem_api_compare_scene(d);
     }
     DEM_TRY(dem_insert_place(&d->scene.initial, &d->scene.insertion, &p->interaction_table,
                              &p->walls, &p->decomposition));
-    DEM_TRY(join_initial(d));
+    DEM_TRY(dem_api_join_initial(d));
     dem_insert_free(&d->scene.insertion);
-    DEM_TRY(store_initial(d));
+    DEM_TRY(dem_api_store_initial(d, 0));
     dem_initial_particles_release(&d->scene.initial);
     dem_initial_particles_release(&d->initial);
     dem_memory_free(d->initial_material);

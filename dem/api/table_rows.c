@@ -12,7 +12,8 @@ static int append(const struct dem_table *table, const struct dem *d, const char
                   struct dem_text *rows)
 {
     const int status = rows->status ? rows->status
-                                    : dem_table_append(table, d, columns, rows->text);
+                     : rows->text   ? dem_table_append(table, d, columns, rows->text)
+                                    : DEM_OK;
 
     dem_text_free(rows);
     return status;

@@ -70,8 +70,20 @@ static int rewrite(const char *path, char *text, int column, double until, const
 void dem_table_name(struct dem_table *t, const char *folder, const char *file, double start)
 {
     snprintf(t->folder, sizeof t->folder, "%s", folder);
-    snprintf(t->path, sizeof t->path, "%s/%s", folder, file);
+    const int n = snprintf(t->path, sizeof t->path, "%s/%s", folder, file);
+
     t->start = start;
+    if (strlen(folder) >= sizeof t->folder || n >= (int)sizeof t->path)
+    {
+        t->path[0] = '\0';
+    }
+}
+
+static int require_path(const struct dem_table *t)
+{
+    DEM_REQUIRE(t->path[0], DEM_ERROR_INPUT, "the path of a table is longer than %zu characters: "
+                "%.40s...; use a folder with a shorter path", sizeof t->folder - 1, t->folder);
+    return DEM_OK;
 }
 
 int dem_table_begin(const struct dem_table *t, const struct dem *d, int time_column)
@@ -79,6 +91,7 @@ int dem_table_begin(const struct dem_table *t, const struct dem *d, int time_col
     char *text;
     size_t n;
 
+    DEM_TRY(require_path(t));
     if (!dem_file_exists(t->path))
     {
         return DEM_OK;
@@ -100,6 +113,7 @@ int dem_table_begin(const struct dem_table *t, const struct dem *d, int time_col
 int dem_table_append(const struct dem_table *t, const struct dem *d, const char *columns,
                      const char *rows)
 {
+    DEM_TRY(require_path(t));
     const int new = !dem_file_exists(t->path);
 
     if (new)

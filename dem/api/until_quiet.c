@@ -57,6 +57,7 @@ int dem_api_read_quiet(const struct dem *d, const char *entry, struct dem_quiet 
 
     *q = (struct dem_quiet){.kinetic = 1e-6, .moving = 0.01, .imbalance = 0.01, .since = INFINITY,
                             .tested = -INFINITY};
+    DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "time/%s is read after the scene has been read", entry);
     DEM_TRY(dem_dict_sub_if(d->dict, "time", &time));
     DEM_TRY(time ? dem_dict_sub_if(time, entry, &dict) : DEM_OK);
     if (!dict)

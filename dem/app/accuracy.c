@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static int read_found(struct dem_accuracy *a, const struct dem_dict *dict)

@@ -1,6 +1,6 @@
 /*
- * cost.c -- `dem cost` and `dem import`: start the Python program suna.cost, which makes the study, or
- * suna.importer, in place of this one.
+ * cost.c -- `dem cost`, `dem plot` and `dem import`: start suna.cost, which makes the study or draws
+ * it, or suna.importer, Python programs, in place of this one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -14,7 +14,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* The path of dem-cost or dem-import, the script beside this program. */
+/* The path of dem-cost, dem-plot or dem-import, the script beside this program. */
 static int find_script(const char *command, char *path, size_t size)
 {
     const ssize_t n = readlink("/proc/self/exe", path, size - 1);
@@ -40,7 +40,7 @@ int dem_main_python(const char *command, int argc, char **argv)
     arguments[1] = path;
     memcpy(arguments + 2, argv, (size_t)argc*sizeof *argv);
     execvp(python, arguments);
-    return dem_error(DEM_ERROR_FILE, "dem %s needs python3 with cffi, numpy and scipy, and cannot "
-                     "start %s: %s; install it, or name another one by SUNA_PYTHON", command,
-                     python, strerror(errno));
+    return dem_error(DEM_ERROR_FILE, "dem %s is written in Python, and cannot start %s: %s; install "
+                     "python3-cffi, python3-numpy, python3-scipy and python3-matplotlib (Debian), or "
+                     "name another Python by SUNA_PYTHON", command, python, strerror(errno));
 }

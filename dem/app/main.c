@@ -12,12 +12,13 @@
 #include "core/did_you_mean.h"
 #include "dem.h"
 #include <mpi.h>
+#include <errno.h>
 #include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* the commands, in the order of -help */
+/* the commands, in the order of -help; NULL: a program in Python */
 static const struct command
 {
     const char *name, *summary;
@@ -29,6 +30,7 @@ static const struct command
      "check a scene and report its effects, time step, memory and run time, without running it",
      dem_main_plan},
     {"cost", "accuracy against processor time, over time step and stiffness", NULL},
+    {"plot", "draw a table of dem cost or demCost again", NULL},
     {"import", "translate input of LIGGGHTS, CFDEMcoupling or OpenFOAM into a scene or case", NULL},
     {"effects", "list the effects with their settings, units, defaults, ranges and sources",
      dem_main_effects},
@@ -52,19 +54,28 @@ static void usage(FILE *to)
                 "only on success.\n");
 }
 
-static int dispatch(struct dem_program *p, int argc, char **argv)
+/* NULL for a word that is no command */
+static const struct command *find(const char *name)
+{
+    for (int k = 0; k < COMMANDS; k++)
+    {
+        if (strcmp(name, commands[k].name) == 0)
+        {
+            return &commands[k];
+        }
+    }
+    return NULL;
+}
+
+static int refuse(const char *name)
 {
     const char *known[COMMANDS];
 
     for (int k = 0; k < COMMANDS; k++)
     {
         known[k] = commands[k].name;
-        if (strcmp(argv[1], known[k]) == 0)
-        {
-            return commands[k].run(p, argc - 2, argv + 2);
-        }
     }
-    return dem_did_you_mean_error("command", argv[1], known, COMMANDS);
+    return dem_did_you_mean_error("command", name, known, COMMANDS);
 }
 
 int dem_program_agree(const struct dem_program *p, int status)
@@ -76,6 +87,22 @@ int dem_program_agree(const struct dem_program *p, int status)
         MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, p->comm);
     }
     return worst && !status ? dem_error(worst, "another rank failed; see its message") : status;
+}
+
+int dem_program_check_output(const struct dem_program *p, int status)
+{
+    if (p->rank > 0)
+    {
+        return status;
+    }
+    errno = 0;
+    const int bad = fflush(stdout) != 0 || ferror(stdout);
+
+    /* an earlier failure has left no reason */
+    return bad && status == DEM_OK
+             ? dem_error(DEM_ERROR_FILE, "cannot write all to standard output: %s",
+                         errno ? strerror(errno) : "its disk is full, or its reader has ended")
+             : status;
 }
 
 /* Print the version, or the commands; returns 0 where neither is asked for. */
@@ -106,11 +133,12 @@ static void return_large_blocks(void)
 
 int main(int argc, char **argv)
 {
+    const struct command *const command = argc > 1 ? find(argv[1]) : NULL;
     struct dem_program p = {.comm = MPI_COMM_NULL};
     int status, printer;
 
     /* another program takes the place of this one, on each rank */
-    if (argc > 1 && (strcmp(argv[1], "cost") == 0 || strcmp(argv[1], "import") == 0))
+    if (command && !command->run)
     {
         (void)dem_main_python(argv[1], argc - 2, argv + 2);
         fprintf(stderr, "dem: %s\n", dem_error_text());
@@ -123,10 +151,16 @@ int main(int argc, char **argv)
     p.comm = p.ranks > 1 ? MPI_COMM_WORLD : MPI_COMM_NULL;
     if (introduce(&p, argc, argv))
     {
+        status = dem_program_check_output(&p, DEM_OK);
+        if (status)
+        {
+            fprintf(stderr, "dem: %s\n", dem_error_text());
+        }
         MPI_Finalize();
-        return argc < 2 ? EXIT_FAILURE : EXIT_SUCCESS;
+        return argc < 2 || status ? EXIT_FAILURE : EXIT_SUCCESS;
     }
-    status = dispatch(&p, argc, argv);
+    status = command ? command->run(&p, argc - 2, argv + 2) : refuse(argv[1]);
+    status = dem_program_agree(&p, dem_program_check_output(&p, status));
     /* print the message once, on the first rank that has it */
     printer = p.ranks;
     if (status != DEM_OK && strncmp(dem_error_text(), "another rank failed", 19) != 0)

@@ -17,10 +17,13 @@ struct dem_program
 /* Collective. Fails on all ranks when one has failed; the others say that another one did. */
 int dem_program_agree(const struct dem_program *, int status);
 
+/* On the first rank: an error when standard output has not taken all that was printed. */
+int dem_program_check_output(const struct dem_program *, int status);
+
 /* Run a command with the arguments after its name. Returns a status of core/error.h. */
 int dem_main_run(struct dem_program *, int argc, char **argv);
 int dem_main_plan(struct dem_program *, int argc, char **argv);
-/* cost, import: Python programs. Does not return, except for an error; before MPI_Init. */
+/* cost, plot, import: Python programs. Does not return, except for an error; before MPI_Init. */
 int dem_main_python(const char *command, int argc, char **argv);
 int dem_main_effects(struct dem_program *, int argc, char **argv);
 int dem_main_hash(struct dem_program *, int argc, char **argv);

@@ -263,11 +263,45 @@ static int check_folder(const struct dem_output *o)
     return DEM_OK;
 }
 
-int dem_output_check(const struct dem_output *o, const struct dem_program *prog)
+static int writes_files(const struct dem_output *o)
 {
-    const int writes = o->vtk || o->csv || o->snapshots || o->walls > 0.0 || o->energy > 0.0;
+    return o->vtk || o->csv || o->snapshots || o->walls > 0.0 || o->energy > 0.0;
+}
 
-    return dem_program_agree(prog, prog->rank == 0 && writes ? check_folder(o) : DEM_OK);
+int dem_output_writes(const struct dem_output *o, const struct dem *d)
+{
+    return writes_files(o) || dem_averages_count(d) > 0;
+}
+
+/* A snapshot, which is renamed to its name, must not replace the scene. */
+static int check_scene(const struct dem_output *o, const char *scene)
+{
+    static const char *const files[] = {"snapshot.dem", "lastGood.dem"};
+    struct stat found, own;
+
+    for (int k = 0; k < 2 && stat(scene, &own) == 0; k++)
+    {
+        char path[640];
+
+        snprintf(path, sizeof path, "%s/%s", o->folder, files[k]);
+        DEM_REQUIRE(stat(path, &found) != 0 || found.st_dev != own.st_dev
+                        || found.st_ino != own.st_ino,
+                    DEM_ERROR_INPUT, "the run would overwrite its scene %s by %s; give the scene "
+                    "another name, or give another write/folder", scene, path);
+    }
+    return DEM_OK;
+}
+
+static int check_place(const struct dem_output *o, const char *scene)
+{
+    DEM_TRY(check_folder(o));
+    return check_scene(o, scene);
+}
+
+int dem_output_check(const struct dem_output *o, const struct dem_program *prog, const char *scene)
+{
+    return dem_program_agree(prog, prog->rank == 0 && writes_files(o) ? check_place(o, scene)
+                                                                      : DEM_OK);
 }
 
 /* Averages have no room for a comment in their CSV: effects.csv names the effects. */

@@ -32,8 +32,12 @@ struct dem_output
    without its extension. */
 int dem_output_read(struct dem_output *, const struct dem_dict *write, const char *scene);
 
-/* Collective. An error when the folder can neither be written nor created. Creates nothing. */
-int dem_output_check(const struct dem_output *, const struct dem_program *);
+/* Collective. An error when the folder can neither be written nor created, or when a snapshot would
+   overwrite the scene. Creates nothing. */
+int dem_output_check(const struct dem_output *, const struct dem_program *, const char *scene);
+
+/* 1 when the run writes files into the folder, whatever happens in it. */
+int dem_output_writes(const struct dem_output *, const struct dem *);
 
 /* Collective. dem_output_write: VTK files and averages of an output. dem_output_save: its
    snapshot; of more than `keep` the oldest is removed. */

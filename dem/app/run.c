@@ -11,7 +11,9 @@
 #include "app/walls_vtk.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/folder_lock.h"
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -483,33 +485,61 @@ static int announce(const struct dem_program *prog, struct dem *d, const struct 
     return warn(prog, d, fmax(0.0, s->end - t.time));
 }
 
+/* One run at a time in the folder. */
+static int lock_folder(struct dem_folder_lock *lock, const struct dem_output *o)
+{
+    DEM_TRY(dem_file_make_folder(o->folder));
+    DEM_TRY(dem_folder_lock(lock, o->folder));
+    if (lock->before[0])
+    {
+        printf("the lock of an earlier run in %s, %s, which has ended, is taken over\n", o->folder,
+               lock->before);
+    }
+    return clear_stop_file(o);
+}
+
+static int run_scene(struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
+{
+    uint64_t hash;
+
+    DEM_TRY(announce(prog, d, s));
+    DEM_TRY(advance_to_end(prog, d, s));
+    DEM_TRY(dem_hash(d, &hash));
+    if (prog->rank == 0)
+    {
+        dem_accuracy_print(&s->accuracy, dem_step_limit(d).used);
+        printf("hash %016llx\n", (unsigned long long)hash);
+    }
+    return DEM_OK;
+}
+
 static int run(struct dem_program *prog, struct dem *d, const struct dem_schedule *scheduled)
 {
+    struct dem_folder_lock lock = {.file = 0};
     struct dem_schedule s = *scheduled;
     struct dem_totals t;
-    uint64_t hash;
 
     DEM_TRY(dem_accuracy_search(&s.accuracy, prog, s.request));
     /* before the first line is printed, to which a script may answer with a signal */
     dem_set_stop_flag(d, dem_catch_signals(NULL, 0));
     DEM_TRY(dem_totals(d, &t));
     s.output.start = t.time;
-    DEM_TRY(dem_program_agree(prog, prog->rank == 0 ? clear_stop_file(&s.output) : DEM_OK));
-    DEM_TRY(announce(prog, d, &s));
-    DEM_TRY(advance_to_end(prog, d, &s));
-    DEM_TRY(dem_hash(d, &hash));
-    if (prog->rank == 0)
-    {
-        dem_accuracy_print(&s.accuracy, dem_step_limit(d).used);
-        printf("hash %016llx\n", (unsigned long long)hash);
-    }
-    return DEM_OK;
+    int status = prog->rank == 0 && dem_output_writes(&s.output, d)
+                   ? lock_folder(&lock, &s.output)
+                   : DEM_OK;
+
+    status = dem_program_agree(prog, status);
+    status = status ? status : run_scene(prog, d, &s);
+    dem_folder_unlock(&lock);
+    return status;
 }
 
 int dem_main_run(struct dem_program *prog, int argc, char **argv)
 {
     const struct dem_command command = {.name = "run", .help = help, .run = run};
 
+    /* a reader of the log that ends (head, less) must not end the run */
+    signal(SIGPIPE, SIG_IGN);
     return dem_command_run(prog, &command, argc, argv);
 }
 

@@ -9,7 +9,7 @@
  *      of inlet streams and outlets, names (materials, columns, history)
  *   2. particles: record and columns
  *   3. contacts with history: ids and history
- *   4. data of the caller
+ *   4. data of the caller: averages, then the scene (snapshot_scene.h)
  *
  * Columns, history and materials are matched by name when loading (checkpoint/stored_names.h); data of the file that the scene
  * does not use are ignored. No rank holds more than its slice of the file: blocks are packed,
@@ -84,7 +84,7 @@ struct dem_snapshot                         /* the state besides particles and c
 int dem_snapshot_write(const char *path, const struct dem_snapshot *,
                        const struct dem_decomposition *, const struct dem_interaction_table *,
                        const struct dem_particles *, const struct dem_contacts *,
-                       const int *wall_facet);
+                       const struct dem_facet_key *wall_facet);
 
 /* Collective. Read first the particles (each rank a slice of the file), then, when these have
    migrated to their owners, the contacts: again a slice each, which is sent to the owners of
@@ -93,11 +93,17 @@ int dem_snapshot_write(const char *path, const struct dem_snapshot *,
 int dem_snapshot_read_particles(const char *path, struct dem_snapshot *,
                                 const struct dem_decomposition *,
                                 const struct dem_interaction_table *, struct dem_particles *);
+struct dem_snapshot_facets        /* new numbers of facets of walls; all zero: as in the file */
+{
+    int n;
+    int *number;                  /* of each facet of the file, or -1: its contacts are dropped */
+};
+
 int dem_snapshot_read_contacts(const char *path, const struct dem_decomposition *,
                                const struct dem_interaction_table *, const struct dem_particles *,
-                               struct dem_contacts *);
+                               const struct dem_snapshot_facets *, struct dem_contacts *);
 
-/* The caller's data; NULL when there are none, or on failure. Free *bytes with dem_memory_free. Not
+/* The caller's data without the scene; NULL when there are none, or on failure. Free *bytes with dem_memory_free. Not
    collective. */
 int dem_snapshot_read_caller_data(const char *path, void **bytes, size_t *size);
 

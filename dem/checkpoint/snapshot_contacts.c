@@ -195,7 +195,7 @@ static void read_slice(struct dem_parallel_file *s, const struct dem_decompositi
                        const struct dem_snapshot_header *h, struct bundle *b)
 {
     int64_t first, count;
-    double *row;
+    double *row = NULL;
 
     dem_snapshot_slice(q, h->rows, &first, &count);
     s->status = DEM_NEW(row, CHUNK*b->size);
@@ -268,10 +268,23 @@ static int load_contact(struct dem_contacts *c, const struct dem_snapshot_header
     return dem_contact_history_append(&c->history, &name, history);
 }
 
+/* 0 when the contact is with a facet that this run does not have. */
+static int renumber(const struct dem_snapshot_facets *facets, struct dem_contact_key *name)
+{
+    if (facets->n > 0 && name->high < 0)
+    {
+        const int64_t was = -1 - name->high;
+
+        name->high = was < facets->n && facets->number[was] >= 0 ? -1 - facets->number[was] : 0;
+        return name->high < 0;
+    }
+    return 1;
+}
+
 static int load_contacts(const char *path, struct dem_contacts *c,
                          const struct dem_snapshot_header *h, const struct dem_interaction_table *r,
                          const struct dem_decomposition *q, const struct dem_particles *p,
-                         const struct bundle *b)
+                         const struct dem_snapshot_facets *facets, const struct bundle *b)
 {
     struct entry *own = NULL;
     int status = list_own(q, p, &own);
@@ -284,7 +297,7 @@ static int load_contacts(const char *path, struct dem_contacts *c,
         struct dem_contact_key name;
 
         memcpy(&name, row, sizeof name);
-        if (!is_duplicate(q, own, p->n, &name, b->to[k]))
+        if (!is_duplicate(q, own, p->n, &name, b->to[k]) && renumber(facets, &name))
         {
             name.counted = (uint32_t)(owner_of(own, p->n, name.low) >= 0);
             status = load_contact(c, h, r, name, row + DEM_SNAPSHOT_CONTACT);
@@ -341,7 +354,7 @@ static int send_to_owners(const char *path, const struct dem_decomposition *q,
 
 int dem_snapshot_read_contacts(const char *path, const struct dem_decomposition *q,
                                const struct dem_interaction_table *r, const struct dem_particles *p,
-                               struct dem_contacts *c)
+                               const struct dem_snapshot_facets *facets, struct dem_contacts *c)
 {
     struct dem_parallel_file store;
     struct dem_snapshot_header h;
@@ -359,7 +372,7 @@ int dem_snapshot_read_contacts(const char *path, const struct dem_decomposition 
     int status = dem_parallel_file_close(&store);
 
     status = status || q->ranks == 1 ? status : send_to_owners(path, q, p, &b);
-    status = status ? status : load_contacts(path, c, &h, r, q, p, &b);
+    status = status ? status : load_contacts(path, c, &h, r, q, p, facets, &b);
     release(&b);
     return status;
 }

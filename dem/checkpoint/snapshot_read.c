@@ -13,6 +13,7 @@
 #include "effects/effects.h"
 #include "parallel/collect.h"
 #include "core/hash.h"
+#include "checkpoint/snapshot_scene.h"
 #include "checkpoint/snapshot_validate.h"
 #include "checkpoint/stored_names.h"
 #include <fenv.h>
@@ -260,16 +261,18 @@ int dem_snapshot_read_caller_data(const char *path, void **bytes, size_t *size)
 {
     struct dem_parallel_file store;
     struct dem_snapshot_header h;
+    struct dem_snapshot_scene_tail tail;
+    size_t scene;
 
     *bytes = NULL;
     *size = 0;
     DEM_TRY(dem_snapshot_open(&store, &alone, path, &h));
-    if (h.caller_data > 0)
+    store.status = dem_snapshot_scene_size(&store, &h, &tail, &scene);
+    if (!store.status && (size_t)h.caller_data > scene)
     {
-        store.status = dem_memory_new(bytes, (size_t)h.caller_data, 1);
-        dem_parallel_file_read(&store, dem_snapshot_caller_data_offset(&h), *bytes,
-                               (size_t)h.caller_data);
-        *size = (size_t)h.caller_data;
+        *size = (size_t)h.caller_data - scene;
+        store.status = dem_memory_new(bytes, *size, 1);
+        dem_parallel_file_read(&store, dem_snapshot_caller_data_offset(&h), *bytes, *size);
     }
     const int status = dem_parallel_file_close(&store);
 

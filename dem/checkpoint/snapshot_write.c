@@ -69,7 +69,7 @@ struct items                /* what one rank writes: particles or contacts */
     const struct dem_particles *particles;
     const struct dem_domain *domain;
     const struct dem_contacts *contacts;
-    const int *wall_facet;
+    const struct dem_facet_key *wall_facet;
     const uint32_t *row;    /* near rows; from contacts->rows on: saved history */
 };
 
@@ -210,7 +210,7 @@ static void write_header(struct dem_parallel_file *store, const struct dem_snaps
 int dem_snapshot_write(const char *path, const struct dem_snapshot *s,
                        const struct dem_decomposition *q, const struct dem_interaction_table *r,
                        const struct dem_particles *p, const struct dem_contacts *c,
-                       const int *wall_facet)
+                       const struct dem_facet_key *wall_facet)
 {
     struct dem_parallel_file store;
     struct dem_snapshot_header h;

@@ -14,6 +14,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 static const int signals[] = {SIGTERM, SIGUSR1, SIGINT};
@@ -25,11 +26,24 @@ enum
 
 static int ours[SIGNALS];        /* 1: dem_catch_signals has taken this signal */
 
-static volatile sig_atomic_t caught;
+static volatile sig_atomic_t caught, repeated;
+static volatile time_t first;
 
-static void store(int signal)
+/* One request may arrive twice at once, from mpirun and from the batch system. */
+static const time_t apart = 2;   /* s */
+
+/* time() may be called in a handler. */
+static void store(int request)
 {
-    caught = signal;
+    if (!caught)
+    {
+        first = time(NULL);
+    }
+    else if (time(NULL) - first >= apart)
+    {
+        repeated = request;
+    }
+    caught = request;
 }
 
 static void take(int signal)
@@ -78,10 +92,18 @@ void dem_keep_signals(void)
     }
 }
 
+const volatile sig_atomic_t *dem_repeated_signal(void)
+{
+    return &repeated;
+}
+
 const char *dem_signal_name(int signal)
 {
-    return signal == SIGTERM ? "SIGTERM" : signal == SIGUSR1 ? "SIGUSR1"
-         : signal == SIGINT ? "SIGINT" : "the file stop";
+    return signal == SIGTERM         ? "SIGTERM"
+         : signal == SIGUSR1       ? "SIGUSR1"
+         : signal == SIGINT        ? "SIGINT"
+         : signal == DEM_STOP_FILE ? "the file stop"
+                                   : "";
 }
 
 /* ---- the file -------------------------------------------------------------------------------- */
@@ -109,6 +131,6 @@ void dem_stop_file_look(const char *path)
     if (access(path, F_OK) == 0)
     {
         (void)remove(path);    /* the run ends in any case */
-        caught = DEM_STOP_FILE;
+        store(DEM_STOP_FILE);
     }
 }

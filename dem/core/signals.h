@@ -13,6 +13,7 @@
 
 const volatile sig_atomic_t *dem_catch_signals(const int *except, int exceptions);
 void dem_keep_signals(void);
+const volatile sig_atomic_t *dem_repeated_signal(void);
 const char *dem_signal_name(int signal);
 int dem_stop_file_clear(const char *path, int *found);
 void dem_stop_file_look(const char *path);

@@ -61,7 +61,7 @@ void dem_limits_check_record(struct dem_state *p, const struct dem_contact_works
     p->limits.overlap = worst;
     p->limits.lawless = !dem_effect_list_has_law(&p->interaction_table.list[q->class]);
     p->limits.i = i->id;
-    p->limits.j = q->wall ? -1 - p->pairs.wall_facet[q->j] : p->particles.record[q->j].id;
+    p->limits.j = q->wall ? -1 - p->pairs.wall_facet[q->j].number : p->particles.record[q->j].id;
     memcpy(p->limits.x, i->x, sizeof i->x);
 }
 

@@ -194,9 +194,14 @@ void dem_lost_cause_outside(const struct dem_state *p, size_t i, char cause[DEM_
     }
 }
 
+/* A wall with two sides turns its normal round where the centre passes. The overlap was half of a
+   diameter then: where maxOverlap is not larger, the run ends, as at a wall with one side. */
+static const double overlap_of_passage = 0.5*(1.0 + 0x1p-20);
+
 int dem_lost_cause_record_crossings(struct dem_state *p)
 {
-    const struct dem_pair *lawless = NULL;
+    const struct dem_pair *lawless = NULL, *first = NULL;
+    char reason[DEM_LOST_CAUSE_SIZE] = "";
     int status = DEM_OK;
 
     for (size_t k = 0; k < p->lost_particles->crossings && !status; k++)
@@ -207,6 +212,8 @@ int dem_lost_cause_record_crossings(struct dem_state *p)
         char cause[DEM_LOST_CAUSE_SIZE] = "";
 
         append(cause, "passed wall %s at %.3g m/s", wall_name(p, q), dem_vec_norm(i->v));
+        const size_t length = strlen(cause);
+
         if (!dem_effect_list_has_law(&p->interaction_table.list[q->class]))
         {
             append(cause, ": no contact law acts between them");
@@ -218,6 +225,11 @@ int dem_lost_cause_record_crossings(struct dem_state *p)
                 cause,
                 ": too fast or too heavy for the stiffness of their contact; use a stiffer material");
         }
+        if (!first)
+        {
+            first = q;
+            snprintf(reason, sizeof reason, "%s", cause + length);
+        }
         status = dem_lost_particles_add(p->lost_particles, i, p->time, 0, cause);
     }
     p->lost_particles->passages += (int64_t)p->lost_particles->crossings;
@@ -227,5 +239,10 @@ int dem_lost_cause_record_crossings(struct dem_state *p)
         "particle %lld has passed wall %s at time %g s: no contact law acts between them; add a normal law to effects, hertz {} "
         "for example",
         (long long)p->particles.record[lawless->i].id, wall_name(p, lawless), p->time);
+    DEM_REQUIRE(
+        status || !first || p->limits.limit > overlap_of_passage, DEM_ERROR_LOST,
+        "particle %lld has passed wall %s at time %g s, with an overlap of half of a diameter; the limit time/maxOverlap is "
+        "%g%s",
+        (long long)p->particles.record[first->i].id, wall_name(p, first), p->time, p->limits.limit, reason);
     return status;
 }

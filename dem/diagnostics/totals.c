@@ -272,15 +272,24 @@ uint64_t dem_totals_fingerprint(const struct dem_state *p)
     return total;
 }
 
-void dem_totals_max_overlap(struct dem_state *p, struct dem_overlap *pair, struct dem_overlap *wall)
+/* 1 when a partner has one of these flags. */
+static int has_flags(const struct dem_state *p, const struct dem_pair *q, unsigned flags)
+{
+    return (p->particles.record[q->i].flags & flags)
+        || (!q->wall && (p->particles.record[q->j].flags & flags));
+}
+
+void dem_totals_max_overlap(struct dem_state *p, unsigned flags, struct dem_overlap *pair,
+                            struct dem_overlap *wall)
 {
     *pair = *wall = (struct dem_overlap){.fraction = 0.0};
     dem_wall_touches_update(&p->touches, &p->pairs.wall_search, &p->walls, &p->particles);
     for (uint32_t r = 0; r < p->contacts.rows.n; r++)
     {
-        const struct dem_pair *const q = p->contacts.rows.pair[r] == DEM_ROW_NONE
-                                             ? NULL
-                                             : dem_contacts_pair(&p->contacts, r);
+        const struct dem_pair *const any = p->contacts.rows.pair[r] == DEM_ROW_NONE
+                                               ? NULL
+                                               : dem_contacts_pair(&p->contacts, r);
+        const struct dem_pair *const q = any && (!flags || has_flags(p, any, flags)) ? any : NULL;
         const struct dem_particle *const a = q ? &p->particles.record[q->i] : NULL;
         struct dem_overlap *const worst = q && q->wall ? wall : pair;
         double overlap = 0.0, radius = 1.0;
@@ -336,7 +345,7 @@ static int max_over_ranks(const struct dem_decomposition *q, struct dem_overlap 
 int dem_totals_max_overlap_over_ranks(struct dem_state *p, struct dem_overlap *pair,
                                       struct dem_overlap *wall)
 {
-    dem_totals_max_overlap(p, pair, wall);
+    dem_totals_max_overlap(p, 0, pair, wall);
     DEM_TRY(max_over_ranks(&p->decomposition, pair));
     return max_over_ranks(&p->decomposition, wall);
 }

@@ -62,7 +62,9 @@ struct dem_overlap
     double x[3];          /* m  of the particle */
 };
 
-void dem_totals_max_overlap(struct dem_state *, struct dem_overlap *pair, struct dem_overlap *wall);
+/* flags: of contacts of particles with one of these flags only; 0: of all. */
+void dem_totals_max_overlap(struct dem_state *, unsigned flags, struct dem_overlap *pair,
+                            struct dem_overlap *wall);
 int dem_totals_max_overlap_over_ranks(struct dem_state *, struct dem_overlap *pair,
                                       struct dem_overlap *wall);
 

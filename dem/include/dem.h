@@ -12,7 +12,10 @@
  *
  * Return values: functions that can fail return DEM_OK (0) or another status (DEM_ERROR_...);
  * dem_error_text() then gives one sentence with the thing, the value, the limit and the cure. A
- * call out of order returns DEM_ERROR_STATE.
+ * call out of order returns DEM_ERROR_STATE. Functions that return no status may be called at any
+ * time and with any number: before what they describe exists, and for a number out of range,
+ * numbers and counts are 0, texts are empty and pointers to data are NULL, unless the comment says
+ * otherwise.
  *
  * Collective: such a function is called by all ranks of the communicator together and fails on all
  * of them together.
@@ -133,8 +136,8 @@ int dem_add_particles(struct dem *, int64_t n, const struct dem_new_particle *);
 /* ---- check and set-up ------------------------------------------------------------------------ */
 
 /* Collective. Read the scene and check all that can be checked before particles are placed,
-   which may take long. Entries that nothing has read are refused. After an error the simulation
-   can only be freed. */
+   which may take long. Entries that nothing has read are refused. After an error, also of
+   dem_setup, the simulation can only be freed. */
 int dem_check(struct dem *);
 
 /* Collective. Set up: check, unless dem_check has done it; insert the particles or load the
@@ -168,7 +171,8 @@ int dem_warnings(struct dem *, const struct dem_run_info *, int n, const char *c
 int dem_impact_warning(struct dem *, double overlap, const char **text);
 
 /* Collective, after dem_setup. The slab of the bed between 10 and 90 % of the volume of the particles
-   that move: heights x . up [m], up against gravity. Returns 0 without gravity or such particles. */
+   that move: heights x . up [m], up against gravity. Returns 0, and zeros, without gravity or such
+   particles. */
 int dem_bed_slab(const struct dem *, double up[3], double *low, double *high);
 
 /* Returns the number of verdicts of the last dem_plan. They are valid until the next one. */
@@ -203,7 +207,7 @@ int dem_gravity_acceleration(const struct dem *, double g[3]);
 
 /* ---- effects --------------------------------------------------------------------------------- */
 
-/* The name of effect number k of the library's list, from 0; NULL behind the last one. Needs no
+/* The name of effect number k of the library's list, from 0; NULL for another number. Needs no
    simulation. */
 const char *dem_effect_name(int k);
 
@@ -239,7 +243,7 @@ int dem_stopped(const struct dem *);
    Returns where the number of the last one is stored, 0 before the first. A second SIGINT ends the
    program. */
 const volatile sig_atomic_t *dem_catch_signals(const int *except, int exceptions);
-const char *dem_signal_name(int signal);                  /* of these three, and of DEM_STOP_FILE */
+const char *dem_signal_name(int signal);                  /* of these and DEM_STOP_FILE; else "" */
 
 /* Take signals of dem_catch_signals back from a library that has put a handler of its own there. */
 void dem_keep_signals(void);
@@ -253,6 +257,10 @@ void dem_keep_signals(void);
 int dem_stop_file_clear(const char *path, int *found);
 void dem_stop_file_look(const char *path);
 
+/* Where the number of a second request is stored, a signal or the file, that comes two seconds or
+   more after the first: stop without waiting. 0 before. Needs no simulation. */
+const volatile sig_atomic_t *dem_repeated_signal(void);
+
 /* From now on dem_advance calls `report` on this rank, at most once in `seconds` of the clock, with
    `self`, the simulated time [s] and the number of steps made so far. Of the library it may call
    dem_stop_file_look and dem_keep_signals only.
@@ -260,7 +268,8 @@ void dem_stop_file_look(const char *path);
 void dem_set_progress(struct dem *, double seconds,
                       void (*report)(void *self, double time, int64_t steps), void *self);
 
-/* The longest stable step and the step in use. After dem_check; with a snapshot after dem_setup. */
+/* The longest stable step and the step in use. After dem_check; with a snapshot after dem_setup;
+   zeros before. */
 struct dem_step_limit dem_step_limit(const struct dem *);
 
 /* ---- totals, profile, energy ----------------------------------------------------------------- */
@@ -374,8 +383,9 @@ int dem_bonds_draw(struct dem *, const char *folder, const char *file, double ti
 
 /* ---- walls and averages ---------------------------------------------------------------------- */
 
-/* Walls are numbered from 0 to dem_wall_count - 1. dem_wall_load, collective: the present force
-   of particles on a wall [N], and its torque about the origin [N m]. */
+/* After dem_check walls are numbered from 0 to dem_wall_count - 1. dem_wall_name: "" for another
+   number. dem_wall_load, collective: the present force of particles on a wall [N], and its torque
+   about the origin [N m]. */
 int dem_wall_count(const struct dem *);
 const char *dem_wall_name(const struct dem *, int wall);
 int dem_wall_load(struct dem *, int wall, double force[3], double torque[3]);
@@ -392,7 +402,7 @@ int dem_averages(struct dem *, const char *folder);
 int dem_wall_impulse_reset(struct dem *);
 int dem_wall_impulse(struct dem *, int wall, double impulse[3], double angular_impulse[3]);
 
-/* Number of triangles of a wall, and whether it moves. */
+/* Number of triangles of a wall, and whether it moves; zeros for a number that no wall has. */
 void dem_wall_info(const struct dem *, int wall, struct dem_wall_info *);
 
 /* Collective. Write the present corners of a wall's triangles [m], 9 numbers each, into an array of
@@ -402,7 +412,8 @@ int dem_wall_corners(struct dem *, int wall, double *corners);
 
 /* ---- particles ------------------------------------------------------------------------------- */
 
-/* The particles that this rank owns: pointers into the library's arrays, for reading. */
+/* The particles that this rank owns: pointers into the library's arrays, for reading. All is 0
+   before dem_setup. */
 void dem_view(const struct dem *, struct dem_view *);
 
 /* Contact stress times volume [J] of each particle of the view: xx yy zz xy yz zx of the sum of
@@ -424,13 +435,15 @@ static inline const double *dem_at(const double *column, size_t stride, size_t p
 /* ---- particle scalars ------------------------------------------------------------------------ */
 
 /* After dem_check. The number of particle scalars that the effects of the scene declare
-   (temperature, ...), and what is known of number k. dem_scalar_index: the number of one, or -1. */
+   (temperature, ...), and what is known of number k: zeros and empty texts for another number.
+   dem_scalar_index: the number of one, or -1. */
 int dem_scalar_count(const struct dem *);
 void dem_scalar_info(const struct dem *, int k, struct dem_scalar_info *);
 int dem_scalar_index(const struct dem *, const char *name);
 
 /* After dem_setup. The values of scalar k of the owned particles, in the order of dem_view, to be read
-   or, between two advances, written. Valid until the next collective call. */
+   or, between two advances, written. Valid until the next collective call. NULL for another number,
+   and before. */
 double *dem_scalar(struct dem *, int k);
 
 /* Before dem_check. The program exchanges this scalar of the scene's effects: dem_scalar_exchange
@@ -526,15 +539,17 @@ int dem_means_get(const struct dem_means *, double *mean, double *half_width);
 
 /* Collective, after dem_setup. Write a snapshot: all ranks write one temporary file, which is
    verified, flushed to disk and renamed, so that a file of that name stays until the new one is
-   complete. A snapshot loads on any number of ranks and the run continues with the same bits. */
+   complete. A snapshot loads on any number of ranks and the run continues with the same bits. After a
+   dem_advance that failed it is refused, until dem_restore: a good snapshot stays. */
 int dem_save(struct dem *, const char *path);
 
 /* Not collective; needs no simulation. The hash of the state in a snapshot, as dem_hash returns
    it. */
 int dem_snapshot_hash(const char *path, uint64_t *hash);
 
-/* Start from a snapshot instead of the scene's insertions: after the scene, before dem_check.
-   The file is read in dem_setup. */
+/* Continue from a snapshot: after the scene, before dem_check. The file is read in dem_setup. The scene
+   may be an edited one: groups of `insert` that the snapshot does not have are inserted, walls go on
+   from where they stood, and dem_warnings names every difference. */
 int dem_load(struct dem *, const char *path);
 
 /* The same for a state that another run has made, as the scene's entry `start` does, whose other
@@ -565,7 +580,8 @@ int dem_ranks_agree(const struct dem *);
    the file is made with the first row, and effects.csv beside it names the effects of the run. What
    follows is called on one rank, unless it says collective. */
 
-/* Name a table, for example "lost.csv" in a folder. Touches no file. */
+/* Name a table, for example "lost.csv" in a folder. Touches no file. The calls below refuse a folder
+   whose path is too long. */
 void dem_table_name(struct dem_table *, const char *folder, const char *file, double start);
 
 /* Before the first row: what an earlier run may have left. The file is removed if the run starts at

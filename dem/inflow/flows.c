@@ -84,7 +84,7 @@ static void add_flow(struct dem_flows *f, const char *name, int kind)
     row->kind = kind;
 }
 
-static int64_t first_free_id(const struct dem_state *p)
+int64_t dem_flows_first_free_id(const struct dem_state *p)
 {
     int64_t next = 0;
 
@@ -124,14 +124,33 @@ int dem_flows_begin(struct dem_state *p, const struct dem_streams *plan,
         return DEM_OK;
     }
     p->energy_balance->flows = 1;
+    if (!from || from->flows == 0)
+    {
+        dem_flows_end_check(p);
+    }
     add_flow(f, "domain", DEM_FLOW_OUTLET);
     resume(&f->flow[f->n - 1], NULL, from, p->time);
-    f->next_id = first_free_id(p);
+    f->next_id = dem_flows_first_free_id(p);
     f->next_id = from && from->next_id > f->next_id ? from->next_id : f->next_id;
     return DEM_OK;
 }
 
 /* ---- insertion ------------------------------------------------------------------------------- */
+
+void dem_flows_begin_columns(struct dem_state *p, size_t i, const struct dem_uniform_fluid *fluid)
+{
+    struct dem_particles *const all = &p->particles;
+    const struct dem_particle *const q = &all->record[i];
+
+    dem_scalars_begin_particle(all, &p->interaction_table, i);
+    dem_uniform_fluid_fill(all, i, fluid, 0.0);
+    if (dem_column(all, DEM_COLUMN_FLUID_VELOCITY))
+    {
+        memcpy(dem_column(all, DEM_COLUMN_START_VELOCITY) + 3*i, q->v, sizeof q->v);
+        memcpy(dem_column(all, DEM_COLUMN_DISPLACEMENT) + 3*i, q->x, sizeof q->x);
+        dem_column(all, DEM_COLUMN_DECAY_FACTOR)[i] = 1.0;
+    }
+}
 
 static int insert_particle(struct dem_state *p, const struct dem_arrival *new)
 {
@@ -146,14 +165,7 @@ static int insert_particle(struct dem_state *p, const struct dem_arrival *new)
         dem_scalar_values(all, k)[i] =
             dem_scalar_draw(&s->scalar[k], k, (uint64_t)s->seed, (uint64_t)new->number);
     }
-    dem_scalars_begin_particle(all, &p->interaction_table, i);
-    dem_uniform_fluid_fill(all, i, p->flows->fluid, 0.0);
-    if (dem_column(all, DEM_COLUMN_FLUID_VELOCITY))
-    {
-        memcpy(dem_column(all, DEM_COLUMN_START_VELOCITY) + 3*i, q->v, sizeof q->v);
-        memcpy(dem_column(all, DEM_COLUMN_DISPLACEMENT) + 3*i, q->x, sizeof q->x);
-        dem_column(all, DEM_COLUMN_DECAY_FACTOR)[i] = 1.0;
-    }
+    dem_flows_begin_columns(p, i, p->flows->fluid);
     if (p->energy_balance->open)
     {
         dem_energy_balance_particle_in(p, &all->record[i]);
@@ -182,7 +194,7 @@ int dem_flows_insert(struct dem_state *p)
 
 /* ---- removal --------------------------------------------------------------------------------- */
 
-int dem_flows_outlet(const struct dem_flows *f, const double x[3])
+int dem_flows_outlet_at(const struct dem_flows *f, const double x[3])
 {
     for (int k = 0; f->n > 0 && k < f->plan->outlets; k++)
     {

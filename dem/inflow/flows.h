@@ -7,6 +7,10 @@
  * In a run whose fluid has to know of all particles beforehand, the program chooses the time,
  * between two windows (dem.h, dem_flow).
  *
+ * Outlets. A particle is removed when the straight line from its position at the last check to the
+ * present one meets an outlet, so that none passes a thin one. These positions are a column of the
+ * particles, which scenes with a region among their outlets have.
+ *
  * Position. All ranks gather the particles near an inlet, and then each rank makes the same trials
  * and finds the same positions: nothing depends on the decomposition. A position is accepted when
  * it is clear of spheres and walls and its centre is in the domain. Particle number k of a stream
@@ -89,6 +93,13 @@ void dem_flows_free(struct dem_flows *);
 int dem_flows_begin(struct dem_state *, const struct dem_streams *,
                     const struct dem_snapshot *from);
 
+/* Collective. The first id above those of all particles. */
+int64_t dem_flows_first_free_id(const struct dem_state *);
+
+/* The columns of a particle that is inserted as number i: those of the fluid, and those that the
+   begin of a window sets. */
+void dem_flows_begin_columns(struct dem_state *, size_t i, const struct dem_uniform_fluid *);
+
 /* 1 when streams and outlets are checked in this step. */
 int dem_flows_due(const struct dem_state *);
 
@@ -122,8 +133,14 @@ int dem_flows_between_windows(struct dem_state *, size_t n, struct dem_outgoing_
    the reaction of their contact forces. The removed momentum gets the opposite impulse. */
 void dem_flows_complete_departures(struct dem_flows *, double kick);
 
-/* Index of the outlet that contains x [m], or DEM_FLOW_NONE. */
-int dem_flows_outlet(const struct dem_flows *, const double x[3]);
+/* Index of the outlet that particle i contains or has met since the last check, or DEM_FLOW_NONE. */
+int dem_flows_outlet(const struct dem_state *, size_t i);
+
+/* Index of the outlet that contains a position in the domain [m], or DEM_FLOW_NONE. */
+int dem_flows_outlet_at(const struct dem_flows *, const double x[3]);
+
+/* At the end of a check: the present position of each owned particle is its last one. */
+void dem_flows_end_check(struct dem_state *);
 
 /* Index of the outlet of the wall that has absorbed the particle, or DEM_FLOW_NONE. */
 int dem_flows_absorbed(const struct dem_flows *, const struct dem_particle *);

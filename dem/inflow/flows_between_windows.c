@@ -28,20 +28,18 @@ static int by_id(const void *a, const void *b)
 
 /* The outlet that removes a particle now: the one listed by the program, or one of the scene; else
    DEM_FLOW_NONE. */
-static int flow_of(const struct dem_state *p, const struct dem_particle *q,
+static int flow_of(const struct dem_state *p, size_t i,
                    const struct dem_outgoing_particle *outgoing, size_t n)
 {
+    const struct dem_particle *const q = &p->particles.record[i];
     const struct dem_outgoing_particle key = {.id = q->id};
     const struct dem_outgoing_particle *const found =
         n > 0 ? bsearch(&key, outgoing, n, sizeof *outgoing, by_id) : NULL;
-    struct dem_particle home = *q;
-
-    dem_domain_wrap(&p->domain, &home);
     const int absorbed = dem_flows_absorbed(p->flows, q);
 
     return found ? found->flow
            : absorbed != DEM_FLOW_NONE ? absorbed
-                                       : dem_flows_outlet(p->flows, home.x);
+                                       : dem_flows_outlet(p, i);
 }
 
 /* The momentum removed includes the impulses that were to act in the next windows (carried over
@@ -78,7 +76,7 @@ static int remove_outgoing(struct dem_state *p, const struct dem_outgoing_partic
     *stay = 0;
     for (size_t i = 0; i < p->particles.n; i++)
     {
-        const int flow = flow_of(p, &p->particles.record[i], outgoing, n);
+        const int flow = flow_of(p, i, outgoing, n);
 
         if (flow == DEM_FLOW_NONE)
         {
@@ -136,6 +134,7 @@ int dem_flows_between_windows(struct dem_state *p, size_t n, struct dem_outgoing
         *changed = 1;
         status = apply_changes(p, order, stay);
     }
+    dem_flows_end_check(p);
     dem_memory_free(order);
     return status;
 }

@@ -298,7 +298,7 @@ static int test_position(struct dem_state *p, const struct inlet_grid *grid,
     }
     dem_domain_wrap(&p->domain, q);
     if (!dem_domain_contains(&p->domain, q->x) ||
-        dem_flows_outlet(p->flows, q->x) != DEM_FLOW_NONE)
+        dem_flows_outlet_at(p->flows, q->x) != DEM_FLOW_NONE)
     {
         return DEM_OK;
     }

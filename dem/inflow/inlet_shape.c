@@ -175,10 +175,15 @@ int dem_inlet_shape_read(struct dem_inlet_shape *m, const struct dem_dict *group
 
 /* ---- queries --------------------------------------------------------------------------------- */
 
-int dem_inlet_shape_check(const struct dem_inlet_shape *m, double radius, const char *where)
+int dem_inlet_shape_check(struct dem_inlet_shape *m, const struct dem_domain *d, double radius,
+                          const char *where)
 {
-    return m->kind == DEM_INLET_REGION ? dem_insertion_shape_check_fits(&m->shape, radius, where)
-                                       : DEM_OK;
+    if (m->kind != DEM_INLET_REGION)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_insertion_shape_open(&m->shape, d, where));
+    return dem_insertion_shape_check_fits(&m->shape, radius, where);
 }
 
 double dem_inlet_shape_area(const struct dem_inlet_shape *m)

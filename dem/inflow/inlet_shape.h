@@ -8,7 +8,7 @@
  *     patch inlet;                                               triangles of a mesh, supplied by
  *                                                                the program
  *
- * In a region the whole sphere lies inside; on a face its centre lies on the face. A particle that
+ * In a region the whole sphere lies inside, except at periodic faces; on a face its centre lies on the face. A particle that
  * enters through a face has been moving since a random time between two checks, so that the stream
  * has no layers.
  *
@@ -49,8 +49,10 @@ void dem_inlet_shape_free(struct dem_inlet_shape *);
 int dem_inlet_shape_set_triangles(struct dem_inlet_shape *, size_t n, const double *corners,
                                   const double *flow);
 
-/* Refuse a region that cannot hold a sphere of this radius [m]. */
-int dem_inlet_shape_check(const struct dem_inlet_shape *, double radius, const char *where);
+/* Open the sides of a region on periodic faces. Refuse one that overlaps its own image or cannot hold
+   a sphere of this radius [m]. */
+int dem_inlet_shape_check(struct dem_inlet_shape *, const struct dem_domain *, double radius,
+                          const char *where);
 
 /* Bounding box of all positions of centres [m]. */
 void dem_inlet_shape_bounds(const struct dem_inlet_shape *, double min[3], double max[3]);

@@ -113,7 +113,7 @@ static int check_masses(const struct dem_stream *s, const struct dem_interaction
 }
 
 static int read_stream(struct dem_stream *s, const struct dem_dict *dict,
-                       const struct dem_interaction_table *r)
+                       const struct dem_interaction_table *r, const struct dem_domain *d)
 {
     const char *type;
 
@@ -130,7 +130,7 @@ static int read_stream(struct dem_stream *s, const struct dem_dict *dict,
     DEM_TRY(dem_scalar_entries_parcel_ratio(r, s->scalar, s->where, &s->ratio));
     DEM_TRY(dem_size_distribution_read(&s->sizes, dict, s->ratio));
     DEM_TRY(check_masses(s, r));
-    return dem_inlet_shape_check(&s->inlet, 0.5*s->sizes.max, s->where);
+    return dem_inlet_shape_check(&s->inlet, d, 0.5*s->sizes.max, s->where);
 }
 
 static int read_outlet(struct dem_outlet *o, const struct dem_dict *dict)
@@ -189,7 +189,8 @@ static int check_names(const struct dem_streams *s)
 }
 
 int dem_streams_read(struct dem_streams *s, const struct dem_dict *insert,
-                     const struct dem_dict *outlets, const struct dem_interaction_table *r)
+                     const struct dem_dict *outlets, const struct dem_interaction_table *r,
+                     const struct dem_domain *d)
 {
     for (size_t k = 0; insert && k < dem_dict_count(insert); k++)
     {
@@ -198,7 +199,7 @@ int dem_streams_read(struct dem_streams *s, const struct dem_dict *insert,
         if (dem_entry_is_dict(e) && dem_insert_is_stream(dem_entry_dict(e)))
         {
             DEM_TRY(DEM_GROW(s->stream, s->stream_capacity, s->streams + 1));
-            DEM_TRY(read_stream(&s->stream[s->streams++], dem_entry_dict(e), r));
+            DEM_TRY(read_stream(&s->stream[s->streams++], dem_entry_dict(e), r, d));
         }
     }
     for (size_t k = 0; outlets && k < dem_dict_count(outlets); k++)
@@ -307,7 +308,10 @@ int dem_streams_check(const struct dem_streams *s, const struct dem_domain *d)
 {
     for (int k = 0; k < s->streams; k++)
     {
-        DEM_TRY(check_inlet(&s->stream[k], d));
+        const struct dem_stream *const one = &s->stream[k];
+
+        DEM_TRY(check_inlet(one, d));
+        DEM_TRY(dem_initial_particles_check_spin(one->where, one->spin, 0.5*one->sizes.max));
     }
     for (int k = 0; k < s->outlets; k++)
     {
@@ -387,6 +391,12 @@ int dem_stream_draw_position(const struct dem_stream *s, const struct dem_stream
     return !s->inlet.patch || dem_vec_dot(v, inward) > 0.0;
 }
 
+/* A box, cylinder or sphere. */
+static int is_region(const struct dem_outlet *o)
+{
+    return !o->plane && !o->patch && !o->wall;
+}
+
 int dem_outlet_holds(const struct dem_outlet *o, const double x[3])
 {
     if (o->plane)
@@ -396,5 +406,22 @@ int dem_outlet_holds(const struct dem_outlet *o, const double x[3])
                    (x[2] - o->shape.from[2])*o->shape.axis[2] >
                0.0;
     }
-    return !o->patch && !o->wall && dem_insertion_shape_contains(&o->shape, x);
+    return is_region(o) && dem_insertion_shape_contains(&o->shape, x);
+}
+
+int dem_outlet_meets(const struct dem_outlet *o, const double from[3], const double step[3],
+                     const double part[2])
+{
+    return is_region(o) && dem_insertion_shape_meets(&o->shape, from, step, part);
+}
+
+int dem_streams_have_regions(const struct dem_streams *s)
+{
+    int any = 0;
+
+    for (int k = 0; k < s->outlets; k++)
+    {
+        any |= is_region(&s->outlet[k]);
+    }
+    return any;
 }

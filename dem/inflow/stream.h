@@ -69,7 +69,8 @@ struct dem_streams
 /* Read the streams of `insert` and the outlets of `outlets`, each of which may be NULL. The
    dictionaries must outlive the result. */
 int dem_streams_read(struct dem_streams *, const struct dem_dict *insert,
-                     const struct dem_dict *outlets, const struct dem_interaction_table *);
+                     const struct dem_dict *outlets, const struct dem_interaction_table *,
+                     const struct dem_domain *);
 /* Add the outlet that counts what walls of this entry of the scene absorb, unless it is there;
    *outlet: its index. */
 int dem_streams_add_wall(struct dem_streams *, const char *name, int *outlet);
@@ -109,5 +110,13 @@ double dem_stream_max_travel(const struct dem_stream *, double ago, double radiu
 
 /* 1 when the outlet contains the point x [m]. */
 int dem_outlet_holds(const struct dem_outlet *, const double x[3]);
+
+/* 1 when a part (insertion_shape.h) of a path meets the outlet and its region. An outlet behind a
+   plane needs no path: a particle that was not there before ends there. */
+int dem_outlet_meets(const struct dem_outlet *, const double from[3], const double step[3],
+                     const double part[2]);
+
+/* 1 when any outlet is a region, which a fast particle may pass between two checks. */
+int dem_streams_have_regions(const struct dem_streams *);
 
 #endif

@@ -115,6 +115,12 @@ const char *dem_entry_token(const struct dem_entry *e, size_t i);
 int dem_dict_each(const struct dem_dict *d, const char *name,
                   int (*read)(void *, const struct dem_dict *), void *context);
 
+/* Append a line for each entry of these sections: its path and its value, a long value as its hash; a
+   dictionary has a line with {}. Marks nothing as read. */
+struct dem_text;
+void dem_dict_flatten(const struct dem_dict *d, const char *const *section, int sections,
+                      struct dem_text *t);
+
 /* Sentences on entries that are given twice in the same braces of a file, of the whole tree; the
    array belongs to it. */
 size_t dem_dict_repeats(const struct dem_dict *d, const char *const **sentences);

@@ -7,7 +7,7 @@
  *   lattice   simple cubic in a box, from the bottom layer up; spacing in diameters,
  *             jitter as a fraction of the gap between neighbors
  *   random    random positions in a box, cylinder or sphere, without overlap with earlier groups
- *             (packing.h), sizes from a distribution (size_distribution.h)
+ *             and periodic images (packing.h), sizes from a distribution (size_distribution.h)
  *   list      positions ((x y z) ...), with one diameter or as many, velocities, spins, ids
  *   table     the same from the rows of a file (insert_table.c)
  *
@@ -36,7 +36,7 @@ static const double
 /* ---- region ---------------------------------------------------------------------------------- */
 
 /* A mesh or zone is its own region, unless a shape is given within it. */
-static int read_shape(struct dem_insert_group *b)
+static int read_shape(struct dem_insert_group *b, const struct dem_domain *d)
 {
     const struct dem_closed_surface *const s = b->limits ? b->limits->surface : NULL;
     const bool whole = s && !dem_dict_has(b->dict, "min") && !dem_dict_has(b->dict, "max")
@@ -54,15 +54,21 @@ static int read_shape(struct dem_insert_group *b)
         DEM_TRY(dem_insertion_shape_read(&b->shape, b->dict));
     }
     b->shape.limits = b->limits;
+    DEM_TRY(dem_insertion_shape_open(&b->shape, d, b->where));
+    if (b->type == DEM_INSERT_LATTICE)
+    {
+        memset(b->shape.open, 0, sizeof b->shape.open);    /* its sites are half a pitch inside */
+    }
     DEM_REQUIRE(!s || whole || !dem_dict_has(b->dict, "solidFraction"), DEM_ERROR_INPUT,
                 "%s: solidFraction of a part of the mesh, whose volume is not known; give count or "
                 "mass, or a zone without a box, cylinder or sphere", b->where);
     return DEM_OK;
 }
 
-static int read_region(struct dem_insert_group *b, const struct dem_size_distribution *sizes)
+static int read_region(struct dem_insert_group *b, const struct dem_domain *d,
+                       const struct dem_size_distribution *sizes)
 {
-    DEM_TRY(read_shape(b));
+    DEM_TRY(read_shape(b, d));
     for (int k = 0; k < 3; k++)
     {
         const double wide = b->shape.max[k] - b->shape.min[k];
@@ -78,7 +84,7 @@ static int read_region(struct dem_insert_group *b, const struct dem_size_distrib
 
 /* ---- lattice --------------------------------------------------------------------------------- */
 
-static int read_lattice_box(struct dem_insert_group *b)
+static int read_lattice_box(struct dem_insert_group *b, const struct dem_domain *d)
 {
     struct dem_size_distribution sizes;
 
@@ -90,7 +96,7 @@ static int read_lattice_box(struct dem_insert_group *b)
                 b->where);
     DEM_TRY(dem_size_distribution_read(&sizes, b->dict, b->ratio));
     b->diameter = sizes.min;
-    return read_region(b, &sizes);
+    return read_region(b, d, &sizes);
 }
 
 static int read_pitch(struct dem_insert_group *b)
@@ -108,12 +114,13 @@ static int read_pitch(struct dem_insert_group *b)
     return DEM_OK;
 }
 
-static int read_lattice(struct dem_insert_group *b, const struct dem_interaction_table *r)
+static int read_lattice(struct dem_insert_group *b, const struct dem_interaction_table *r,
+                        const struct dem_domain *d)
 {
     struct dem_amount amount;
     double sites = 1.0;
 
-    DEM_TRY(read_lattice_box(b));
+    DEM_TRY(read_lattice_box(b, d));
     DEM_TRY(read_pitch(b));
     const double one = pi/6.0*b->diameter*b->diameter*b->diameter;
 
@@ -154,12 +161,12 @@ static int read_lattice(struct dem_insert_group *b, const struct dem_interaction
 /* A large group that cannot fit is refused by its mean volume before diameters are drawn, a
    small one by the drawn volume. */
 static int read_drawn(struct dem_insert_group *b, const struct dem_interaction_table *r,
-                      const struct dem_size_distribution *sizes)
+                      const struct dem_domain *d, const struct dem_size_distribution *sizes)
 {
     const double mean = dem_size_distribution_mean_volume(sizes);
     struct dem_amount amount;
 
-    DEM_TRY(read_region(b, sizes));
+    DEM_TRY(read_region(b, d, sizes));
     DEM_TRY(dem_amount_read(&amount, b, r, mean));
     const double expected = amount.count > 0 ? (double)amount.count*mean : amount.volume;
 
@@ -171,13 +178,14 @@ static int read_drawn(struct dem_insert_group *b, const struct dem_interaction_t
     return DEM_OK;
 }
 
-static int read_random(struct dem_insert_group *b, const struct dem_interaction_table *r)
+static int read_random(struct dem_insert_group *b, const struct dem_interaction_table *r,
+                       const struct dem_domain *d)
 {
     struct dem_size_distribution sizes;
     double volume = 0.0;
     int status = dem_size_distribution_read(&sizes, b->dict, b->ratio);
 
-    status = status ? status : read_drawn(b, r, &sizes);
+    status = status ? status : read_drawn(b, r, d, &sizes);
     dem_size_distribution_free(&sizes);
     DEM_TRY(status);
     for (int64_t k = 0; k < b->count; k++)
@@ -259,6 +267,8 @@ static int read_list(struct dem_insert_group *b, const struct dem_interaction_ta
     size_t n, velocities = 0, spins = 0, ids = 0;
 
     DEM_TRY(dem_dict_vectors(b->dict, "positions", "m", &b->positions, &n));
+    DEM_REQUIRE(n > 0, DEM_ERROR_INPUT,
+                "%s: the list positions is empty; give at least one, or remove the group", b->where);
     DEM_TRY(read_diameters(b, n));
     if (dem_dict_has(b->dict, "velocities"))
     {
@@ -346,8 +356,8 @@ static int read_type(struct dem_insert_group *b, const struct dem_interaction_ta
     }
     switch (k)
     {
-    case DEM_INSERT_LATTICE: return read_lattice(b, r);
-    case DEM_INSERT_RANDOM: return read_random(b, r);
+    case DEM_INSERT_LATTICE: return read_lattice(b, r, i->domain);
+    case DEM_INSERT_RANDOM: return read_random(b, r, i->domain);
     case DEM_INSERT_LIST: return read_list(b, r);
     case DEM_INSERT_TABLE: return read_table(b, r);
     default:
@@ -428,6 +438,8 @@ int dem_insert_is_stream(const struct dem_dict *group)
 int dem_insert_read(struct dem_insertion *i, const struct dem_dict *insert,
                     const struct dem_interaction_table *r, const struct dem_walls *w)
 {
+    int64_t next = 0;
+
     for (size_t k = 0; k < dem_dict_count(insert); k++)
     {
         const struct dem_entry *const e = dem_dict_entry(insert, k);
@@ -440,22 +452,45 @@ int dem_insert_read(struct dem_insertion *i, const struct dem_dict *insert,
             continue;
         }
         DEM_TRY(DEM_GROW(i->group, i->capacity, i->n + 1));
-        DEM_TRY(read_group(dem_entry_dict(e), r, i, w, &i->group[i->n++]));
+        struct dem_insert_group *const b = &i->group[i->n++];
+
+        DEM_TRY(read_group(dem_entry_dict(e), r, i, w, b));
+        DEM_REQUIRE(b->ids || b->count <= INT64_MAX - next, DEM_ERROR_INPUT,
+                    "%s: %lld more ids from %lld on pass the largest, %lld; "
+                    "give smaller ids to the groups before it",
+                    b->where, (long long)b->count, (long long)next, (long long)INT64_MAX - 1);
+        next = dem_insert_group_next_id(b, next);
     }
     return dem_insert_refuse_duplicates(i, 0, NULL);
+}
+
+const char *dem_insert_name(const struct dem_insertion *i, size_t k)
+{
+    return dem_dict_name(i->group[k].dict);
+}
+
+static void free_group(struct dem_insert_group *b)
+{
+    dem_memory_free(b->drawn);
+    dem_memory_free(b->site);
+    dem_insertion_limits_free(b->limits);
+    for (size_t t = 0; t < sizeof b->table/sizeof *b->table; t++)
+    {
+        dem_memory_free(b->table[t]);
+    }
+}
+
+void dem_insert_drop(struct dem_insertion *i, size_t k)
+{
+    free_group(&i->group[k]);
+    memmove(&i->group[k], &i->group[k + 1], (--i->n - k)*sizeof *i->group);
 }
 
 void dem_insert_free(struct dem_insertion *i)
 {
     for (size_t k = 0; k < i->n; k++)
     {
-        dem_memory_free(i->group[k].drawn);
-        dem_memory_free(i->group[k].site);
-        dem_insertion_limits_free(i->group[k].limits);
-        for (size_t t = 0; t < sizeof i->group[k].table/sizeof *i->group[k].table; t++)
-        {
-            dem_memory_free(i->group[k].table[t]);
-        }
+        free_group(&i->group[k]);
     }
     dem_memory_free(i->group);
     dem_insertion_regions_free(&i->regions);

@@ -26,6 +26,7 @@ struct dem_insertion
     size_t n, capacity;
     struct dem_insert_group *group;
     struct dem_insertion_regions regions;  /* to which groups point; before they are read */
+    const struct dem_domain *domain;       /* likewise */
 };
 
 /* 1 when a group of `insert` comes in during the run (inflow/stream.h). */
@@ -36,6 +37,10 @@ int dem_insert_is_stream(const struct dem_dict *group);
 int dem_insert_read(struct dem_insertion *, const struct dem_dict *insert,
                     const struct dem_interaction_table *, const struct dem_walls *);
 void dem_insert_free(struct dem_insertion *);
+
+/* The name of group k; leave it out, before particles are placed. */
+const char *dem_insert_name(const struct dem_insertion *, size_t k);
+void dem_insert_drop(struct dem_insertion *, size_t k);
 
 /* Extend the ranges of radii [m], one a material, by those of the groups; 0 means none yet. */
 void dem_insert_radii(const struct dem_insertion *, double *min, double *max);

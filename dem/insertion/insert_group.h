@@ -65,6 +65,7 @@ static inline double dem_insert_group_diameter(const struct dem_insert_group *b,
 
 /* Collective. Place this rank's part of a group and append it to the particles. */
 int dem_insert_group_place(struct dem_initial_particles *, const struct dem_insert_group *,
-                           const struct dem_interaction_table *, const struct dem_decomposition *);
+                           const struct dem_interaction_table *, const struct dem_domain *,
+                           const struct dem_decomposition *);
 
 #endif

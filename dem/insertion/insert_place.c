@@ -135,7 +135,7 @@ static int place_sites(struct dem_initial_particles *c, const struct dem_insert_
 
 /* Collective. With limits: the search for walls, and the sites of a lattice. */
 static int prepare_limits(struct dem_insert_group *b, const struct dem_walls *w,
-                          const struct dem_decomposition *q)
+                          const struct dem_domain *d, const struct dem_decomposition *q)
 {
     double radius = 0.0;
 
@@ -147,7 +147,7 @@ static int prepare_limits(struct dem_insert_group *b, const struct dem_walls *w,
     {
         radius = fmax(radius, 0.5*dem_insert_group_diameter(b, m));
     }
-    DEM_TRY(dem_collect_agree(q, dem_insertion_limits_prepare(b->limits, w, radius)));
+    DEM_TRY(dem_collect_agree(q, dem_insertion_limits_prepare(b->limits, w, d, radius)));
     return b->type == DEM_INSERT_LATTICE ? take_sites(b, q) : DEM_OK;
 }
 
@@ -177,9 +177,11 @@ static int place_run(struct dem_initial_particles *c, const struct dem_insert_gr
 }
 
 static int place_random(struct dem_initial_particles *c, const struct dem_insert_group *b,
-                        const struct dem_interaction_table *r, const struct dem_decomposition *q)
+                        const struct dem_interaction_table *r, const struct dem_domain *d,
+                        const struct dem_decomposition *q)
 {
     const struct dem_packing p = {.shape = &b->shape,
+                                  .domain = d,
                                   .where = b->where,
                                   .seed = (uint64_t)b->seed,
                                   .n = b->count,
@@ -187,7 +189,7 @@ static int place_random(struct dem_initial_particles *c, const struct dem_insert
                                   .diameters = b->diameters};
     const int64_t first = c->next_id;
     struct dem_packing_spheres s;
-    int status = dem_packing_spheres_init(&s, q);
+    int status = dem_collect_agree(q, dem_packing_spheres_init(&s, d, q));
 
     status = status ? status : dem_packing_fill(&p, c, &s);
     for (size_t k = 0; k < s.particles.n && !status; k++)
@@ -207,9 +209,10 @@ static int place_random(struct dem_initial_particles *c, const struct dem_insert
 }
 
 int dem_insert_group_place(struct dem_initial_particles *c, const struct dem_insert_group *b,
-                           const struct dem_interaction_table *r, const struct dem_decomposition *q)
+                           const struct dem_interaction_table *r, const struct dem_domain *d,
+                           const struct dem_decomposition *q)
 {
-    return b->type == DEM_INSERT_RANDOM ? place_random(c, b, r, q)
+    return b->type == DEM_INSERT_RANDOM ? place_random(c, b, r, d, q)
          : b->limits ? place_sites(c, b, r)
                                            : place_run(c, b, r, q);
 }
@@ -241,7 +244,7 @@ int dem_insert_place(struct dem_initial_particles *c, struct dem_insertion *i,
         struct dem_insert_group *const b = &i->group[k];
         const int64_t first = c->next_id;
 
-        DEM_TRY(prepare_limits(b, w, q));
+        DEM_TRY(prepare_limits(b, w, i->domain, q));
         int status = summarize(c, b, r);
 
         /* memory for all of them at once, so that too many fail before any is placed */
@@ -251,7 +254,8 @@ int dem_insert_place(struct dem_initial_particles *c, struct dem_insertion *i,
             dem_collect_agree(q, status ? dem_error_prefix(status, "%s: %lld particles: ", b->where,
                                                            (long long)b->count)
                                         : DEM_OK);
-        DEM_TRY(status ? status : dem_collect_agree(q, dem_insert_group_place(c, b, r, q)));
+        DEM_TRY(status);
+        DEM_TRY(dem_collect_agree(q, dem_insert_group_place(c, b, r, i->domain, q)));
         c->next_id = dem_insert_group_next_id(b, first);
     }
     return DEM_OK;

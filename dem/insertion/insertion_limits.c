@@ -147,10 +147,34 @@ void dem_insertion_regions_free(struct dem_insertion_regions *g)
 /* ---- test ------------------------------------------------------------------------------------ */
 
 int dem_insertion_limits_prepare(struct dem_insertion_limits *l, const struct dem_walls *walls,
-                                 double radius)
+                                 const struct dem_domain *domain, double radius)
 {
     l->walls = walls;
+    l->domain = domain;
     return dem_wall_search_prepare(&l->search, walls, radius);
+}
+
+/* Does the surface contain x or one of its periodic images? x is in the domain. */
+static int surface_contains(const struct dem_insertion_limits *l, const double x[3])
+{
+    const struct dem_domain *const d = l->domain;
+    double image[3];
+
+    for (int code = 0; code < DEM_SHIFTS; code++)
+    {
+        int exists = 1;
+
+        for (int k = 0; k < 3; k++)
+        {
+            image[k] = x[k] + dem_shift_axis(code, k)*d->length[k];
+            exists &= d->periodic[k] || dem_shift_axis(code, k) == 0;
+        }
+        if (exists && dem_closed_surface_contains(l->surface, image))
+        {
+            return 1;
+        }
+    }
+    return 0;
 }
 
 int dem_insertion_limits_allow(struct dem_insertion_limits *l, double radius, const double x[3])
@@ -159,17 +183,18 @@ int dem_insertion_limits_allow(struct dem_insertion_limits *l, double radius, co
     int clear = 0;
 
     memcpy(sphere.x, x, sizeof sphere.x);
+    dem_domain_wrap(l->domain, &sphere);
     const int status = dem_wall_search_is_clear(&l->search, l->walls, &sphere, &clear);
 
     l->status = l->status ? l->status : status;
-    return clear && (!l->surface || dem_closed_surface_contains(l->surface, x));
+    return clear && (!l->surface || surface_contains(l, sphere.x));
 }
 
 void dem_insertion_limits_confine(struct dem_insertion_limits *l, double radius,
                                   const double from[3], double x[3])
 {
     struct dem_particle sphere = {.radius = radius*(1.0 + gap)};
-    double step[3];
+    double step[3], shift[3];
     int pushed = 1, status = DEM_OK;
 
     dem_vec_minus(x, from, step);
@@ -178,12 +203,24 @@ void dem_insertion_limits_confine(struct dem_insertion_limits *l, double radius,
 
     for (int k = 0; k < 3; k++)
     {
-        sphere.x[k] = from[k] + share*step[k];
+        sphere.x[k] = shift[k] = from[k] + share*step[k];
+    }
+    dem_domain_wrap(l->domain, &sphere);
+    for (int k = 0; k < 3; k++)    /* from x to the image in the domain, where the walls are */
+    {
+        const double length = l->domain->length[k];
+
+        shift[k] = length > 0.0 ? length*rint((sphere.x[k] - shift[k])/length) : 0.0;
     }
     for (int k = 0; k < PUSHES && pushed && !status; k++)
     {
         status = dem_wall_search_push_out(&l->search, l->walls, &sphere, &pushed);
     }
     l->status = l->status ? l->status : status;
-    memcpy(x, dem_insertion_limits_allow(l, radius, sphere.x) ? sphere.x : from, 3*sizeof *x);
+    const int allowed = dem_insertion_limits_allow(l, radius, sphere.x);
+
+    for (int k = 0; k < 3; k++)
+    {
+        x[k] = allowed ? sphere.x[k] - shift[k] : from[k];
+    }
 }

@@ -16,6 +16,7 @@
 
 #include "insertion/closed_surface.h"
 #include "input/dictionary.h"
+#include "model/domain.h"
 #include "neighbor/wall_search.h"
 
 /* the surfaces that a scene may name */
@@ -30,6 +31,7 @@ struct dem_insertion_limits
     const struct dem_closed_surface *surface;  /* NULL: walls only */
     struct dem_closed_surface own;             /* of a wall, to which `surface` points then */
     const struct dem_walls *walls;
+    const struct dem_domain *domain;
     struct dem_wall_search search;
     int status;                                /* the first failure: memory, or no place for a
                                                   sphere */
@@ -43,9 +45,10 @@ void dem_insertion_limits_free(struct dem_insertion_limits *);
 
 /* Before the calls below, once walls are finished. radius [m]: the largest of the group. */
 int dem_insertion_limits_prepare(struct dem_insertion_limits *, const struct dem_walls *,
-                                 double radius);
+                                 const struct dem_domain *, double radius);
 
-/* 1 when a sphere may lie at x. */
+/* 1 when a sphere may lie at x, that is at the image of x in the domain; the image that lies inside
+   the surface may be another one. */
 int dem_insertion_limits_allow(struct dem_insertion_limits *, double radius, const double x[3]);
 
 /* A sphere at `from`, which is allowed, is to go to x: move x out of the walls that it overlaps;

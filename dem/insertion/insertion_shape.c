@@ -1,6 +1,6 @@
 /*
- * insertion_shape.c -- read a box, cylinder or sphere; volume, point inside, uniform random points,
- * projection into it.
+ * insertion_shape.c -- read a box, cylinder or sphere; volume, points and paths inside, uniform random
+ * points, projection into it.
  *
  * Random points of a circle or a ball are points of the square or cube around it, drawn again when
  * they lie outside: no sine or cosine, whose last bits depend on the library.
@@ -105,7 +105,62 @@ int dem_insertion_shape_read(struct dem_insertion_shape *v, const struct dem_dic
                     : read_box(v, group);
 }
 
+/* ---- periodic faces -------------------------------------------------------------------------- */
+
+/* of the width of the domain: positions this near to a face lie on it */
+static const double on_face = 1e-9;
+
+static int is_face(const struct dem_domain *d, int k, double x)
+{
+    return fmin(fabs(x - d->min[k]), fabs(x - d->max[k])) <= on_face*d->length[k];
+}
+
+int dem_insertion_shape_open(struct dem_insertion_shape *v, const struct dem_domain *d,
+                             const char *where)
+{
+    for (int k = 0; k < 3; k++)
+    {
+        const double wide = v->max[k] - v->min[k];
+        const int whole = wide >= d->length[k]*(1.0 - on_face);
+
+        DEM_REQUIRE(!d->periodic[k] || wide <= d->length[k]*(1.0 + on_face), DEM_ERROR_INPUT,
+                    "%s: the %s is %g m wide along %c, where the domain is periodic and %g m wide, "
+                    "so it overlaps its own image; make it as wide as the domain, or less",
+                    where, dem_insertion_shape_name(v), wide, "xyz"[k], d->length[k]);
+        v->period[k] = d->length[k];
+        for (int side = 0; side < 2 && d->periodic[k]; side++)
+        {
+            const int open = whole || is_face(d, k, side ? v->max[k] : v->min[k]);
+            const int end = v->axis[k] > 0.0 ? side : 1 - side;
+
+            v->open[k][side] = v->kind == DEM_INSERTION_SHAPE_BOX && open;
+            v->open_end[end] |= v->kind == DEM_INSERTION_SHAPE_CYLINDER && open
+                             && fabs(v->axis[k]) > 1.0 - 1e-12;
+        }
+    }
+    return DEM_OK;
+}
+
+/* What to add to x to come to the periodic image that is nearest to the middle of the shape. */
+static double image_shift(const struct dem_insertion_shape *v, int k, double x)
+{
+    const double middle = 0.5*(v->min[k] + v->max[k]), period = v->period[k];
+
+    return period > 0.0 ? period*rint((middle - x)/period) : 0.0;
+}
+
 /* ---- queries --------------------------------------------------------------------------------- */
+
+/* The distances that a sphere keeps from both sides of a box. */
+static double inset(const struct dem_insertion_shape *v, int k, int side, double radius)
+{
+    return v->open[k][side] ? 0.0 : radius;
+}
+
+static double end_inset(const struct dem_insertion_shape *v, int end, double radius)
+{
+    return v->open_end[end] ? 0.0 : radius;
+}
 
 double dem_insertion_shape_volume(const struct dem_insertion_shape *v)
 {
@@ -138,13 +193,15 @@ int dem_insertion_shape_check_fits(const struct dem_insertion_shape *v, double r
 
     for (int k = 0; k < 3 && v->kind == DEM_INSERTION_SHAPE_BOX; k++)
     {
-        DEM_REQUIRE(v->max[k] - v->min[k] >= 2.0*fits, DEM_ERROR_INPUT,
+        DEM_REQUIRE(v->max[k] - v->min[k] >= inset(v, k, 0, fits) + inset(v, k, 1, fits),
+                    DEM_ERROR_INPUT,
                     "%s: the box is %g m wide along %c, less than the diameter %g m; enlarge it",
                     where, v->max[k] - v->min[k], "xyz"[k], 2.0*radius);
     }
     DEM_REQUIRE(v->kind == DEM_INSERTION_SHAPE_BOX
                     || (v->radius >= fits
-                        && (v->kind == DEM_INSERTION_SHAPE_SPHERE || v->length >= 2.0*fits)),
+                        && (v->kind == DEM_INSERTION_SHAPE_SPHERE
+                            || v->length >= end_inset(v, 0, fits) + end_inset(v, 1, fits))),
                 DEM_ERROR_INPUT, "%s: the %s is narrower than the diameter %g m; enlarge it", where,
                 dem_insertion_shape_name(v), 2.0*radius);
     return DEM_OK;
@@ -153,14 +210,16 @@ int dem_insertion_shape_check_fits(const struct dem_insertion_shape *v, double r
 int dem_insertion_shape_draw(const struct dem_insertion_shape *v, double radius, const double u[3],
                              double x[3])
 {
-    const double d = 2.0*radius, free = v->radius - radius;
+    const double free = v->radius - radius, base = end_inset(v, 0, radius);
     const double a = (2.0*u[0] - 1.0)*free, b = (2.0*u[1] - 1.0)*free, c = (2.0*u[2] - 1.0)*free;
-    const double h = radius + (v->length - d)*u[2];
+    const double h = base + (v->length - (base + end_inset(v, 1, radius)))*u[2];
 
     for (int k = 0; k < 3; k++)
     {
+        const double low = inset(v, k, 0, radius), both = low + inset(v, k, 1, radius);
+
         x[k] = v->kind == DEM_INSERTION_SHAPE_BOX
-                 ? v->min[k] + 0.5*d + (v->max[k] - v->min[k] - d)*u[k]
+                 ? v->min[k] + low + (v->max[k] - v->min[k] - both)*u[k]
              : v->kind == DEM_INSERTION_SHAPE_CYLINDER
                  ? v->from[k] + h*v->axis[k] + a*v->side[0][k] + b*v->side[1][k]
                  : v->from[k]
@@ -191,26 +250,99 @@ int dem_insertion_shape_contains(const struct dem_insertion_shape *v, const doub
         && (v->kind == DEM_INSERTION_SHAPE_SPHERE || (h >= 0.0 && h <= v->length));
 }
 
+/* ---- paths ----------------------------------------------------------------------------------- */
+
+/* Quotients are formed only where they are in 0 .. 1, so that none overflows. */
+int dem_insertion_shape_clip(double at, double step, double low, double high, double part[2])
+{
+    const double size = fabs(step);
+    const double in = step < 0.0 ? at - high : low - at, out = step < 0.0 ? at - low : high - at;
+
+    if (in > size || out < 0.0)
+    {
+        return 0;
+    }
+    part[0] = in > 0.0 && in/size > part[0] ? in/size : part[0];
+    part[1] = out < size && out/size < part[1] ? out/size : part[1];
+    return part[0] <= part[1];
+}
+
+int dem_insertion_shape_meets(const struct dem_insertion_shape *v, const double from[3],
+                              const double step[3], const double part[2])
+{
+    double inside[2] = {part[0], part[1]}, r[3], across[3];
+
+    if (v->kind == DEM_INSERTION_SHAPE_BOX)
+    {
+        int meets = 1;
+
+        for (int k = 0; k < 3; k++)
+        {
+            meets = meets && dem_insertion_shape_clip(from[k], step[k], v->min[k], v->max[k], inside);
+        }
+        return meets;
+    }
+    dem_vec_minus(from, v->from, r);
+    const double h = dem_vec_dot(r, v->axis), along = dem_vec_dot(step, v->axis);
+
+    if (v->kind == DEM_INSERTION_SHAPE_CYLINDER
+        && !dem_insertion_shape_clip(h, along, 0.0, v->length, inside))
+    {
+        return 0;
+    }
+    for (int k = 0; k < 3; k++)    /* the axis of a sphere is 0 */
+    {
+        r[k] -= h*v->axis[k];
+        across[k] = step[k] - along*v->axis[k];
+    }
+    /* the path is nearest to the axis at t = -r.across/across^2, or at an end of its part */
+    const double square = dem_vec_dot(across, across), to = -dem_vec_dot(r, across);
+    const double t = to <= inside[0]*square ? inside[0]
+                   : to >= inside[1]*square ? inside[1]
+                                            : to/square;
+
+    for (int k = 0; k < 3; k++)
+    {
+        r[k] += t*across[k];
+    }
+    return dem_vec_dot(r, r) <= v->radius*v->radius;
+}
+
+/* ---- confinement ----------------------------------------------------------------------------- */
+
+static void confine_to_box(const struct dem_insertion_shape *v, double radius, double x[3])
+{
+    for (int k = 0; k < 3; k++)
+    {
+        if (!v->open[k][0] || !v->open[k][1])
+        {
+            const double shift = image_shift(v, k, x[k]), there = x[k] + shift;
+            const double low = v->min[k] + inset(v, k, 0, radius);
+            const double high = v->max[k] - inset(v, k, 1, radius);
+            const double at = there > low ? there : low;
+
+            x[k] = (at < high ? at : high) - shift;    /* no fmin: packing calls this often */
+        }
+    }
+}
+
 void dem_insertion_shape_confine(const struct dem_insertion_shape *v, double radius, double x[3])
 {
+    double shift[3];
+
+    if (v->kind == DEM_INSERTION_SHAPE_BOX)
+    {
+        confine_to_box(v, radius, x);
+        return;
+    }
     const double free = v->radius - radius;
     double r[3], h = 0.0;
 
     for (int k = 0; k < 3; k++)
     {
-        r[k] = x[k] - v->from[k];
+        shift[k] = image_shift(v, k, x[k]);
+        r[k] = x[k] + shift[k] - v->from[k];
         h += r[k]*v->axis[k];    /* the axis of a sphere is 0 */
-    }
-    for (int k = 0; k < 3 && v->kind == DEM_INSERTION_SHAPE_BOX; k++)
-    {
-        const double low = v->min[k] + radius, high = v->max[k] - radius;
-        const double at = x[k] > low ? x[k] : low;
-
-        x[k] = at < high ? at : high;    /* no call of fmin: packing calls this often */
-    }
-    if (v->kind == DEM_INSERTION_SHAPE_BOX)
-    {
-        return;
     }
     for (int k = 0; k < 3; k++)
     {
@@ -218,10 +350,12 @@ void dem_insertion_shape_confine(const struct dem_insertion_shape *v, double rad
     }
     const double size = dem_vec_norm(r), keep = size > free ? free/size : 1.0;
 
-    h = fmin(fmax(h, radius), v->length - radius);
+    h = v->open_end[0] && v->open_end[1]
+          ? h
+          : fmin(fmax(h, end_inset(v, 0, radius)), v->length - end_inset(v, 1, radius));
     for (int k = 0; k < 3; k++)
     {
         x[k] = v->from[k] + keep*r[k]
-             + (v->kind == DEM_INSERTION_SHAPE_CYLINDER ? h*v->axis[k] : 0.0);
+             + (v->kind == DEM_INSERTION_SHAPE_CYLINDER ? h*v->axis[k] : 0.0) - shift[k];
     }
 }

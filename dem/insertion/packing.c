@@ -32,13 +32,13 @@ int dem_packing_check_fraction(const struct dem_insertion_shape *v, double volum
 
 /* ---- spheres --------------------------------------------------------------------------------- */
 
-int dem_packing_spheres_init(struct dem_packing_spheres *s, const struct dem_decomposition *of)
+int dem_packing_spheres_init(struct dem_packing_spheres *s, const struct dem_domain *domain,
+                             const struct dem_decomposition *of)
 {
     const double skin[DEM_LISTS] = {0.0, 0.0};
 
     memset(s, 0, sizeof *s);
-    dem_domain_init(&s->domain);
-    dem_pairs_init(&s->search, &s->domain, skin, 0.0, 0.0);
+    dem_pairs_init(&s->search, domain, skin, 0.0, 0.0);
     dem_halo_init(&s->halo, &s->decomposition);
     dem_particles_init(&s->particles, 0);
     return dem_decomposition_init(&s->decomposition, of->comm, of->rank, of->ranks);
@@ -53,15 +53,21 @@ void dem_packing_spheres_free(struct dem_packing_spheres *s)
     dem_decomposition_free(&s->decomposition);
 }
 
-int dem_packing_list_pairs(struct dem_packing_spheres *s, int status, double gap)
+int dem_packing_list_pairs(const struct dem_packing *p, struct dem_packing_spheres *s, int status,
+                           double gap)
 {
     dem_pairs_set_reach(&s->search, gap, s->max_radius);
-    DEM_TRY(dem_halo_migrate(&s->halo, status, &s->particles, &s->contacts));
-    status = gap > 0.0 ? dem_pairs_order(&s->search, &s->particles) : DEM_OK;
-    DEM_TRY(dem_halo_build(&s->halo, status, &s->particles, &s->domain, s->max_radius, gap));
-    return dem_collect_agree(&s->decomposition,
-                             dem_pairs_search(&s->search, &s->domain, &s->particles, &s->table,
-                                              &s->contacts));
+    for (size_t i = 0; i < s->particles.n; i++)
+    {
+        dem_domain_wrap(p->domain, &s->particles.record[i]);
+    }
+    status = dem_halo_migrate(&s->halo, status, &s->particles, &s->contacts);
+    status = status || !(gap > 0.0) ? status : dem_pairs_order(&s->search, &s->particles);
+    status = dem_halo_build(&s->halo, status, &s->particles, p->domain, s->max_radius, gap);
+    status = status ? status
+                    : dem_pairs_search(&s->search, p->domain, &s->particles, &s->table,
+                                       &s->contacts);
+    return dem_collect_agree(&s->decomposition, status);
 }
 
 /* ---- set-up ---------------------------------------------------------------------------------- */
@@ -71,13 +77,20 @@ static double diameter_of(const struct dem_packing *p, int64_t m)
     return p->diameters ? p->diameters[m] : p->diameter;
 }
 
-static int reaches_into(const struct dem_insertion_shape *v, const struct dem_particle *q)
+/* Does a particle, or an image of it, reach into the shape, or at open sides as far as the spheres
+   there, of this radius [m] at most? */
+static int reaches_into(const struct dem_insertion_shape *v, const struct dem_particle *q,
+                        double largest)
 {
     int reaches = 1;
 
     for (int k = 0; k < 3; k++)
     {
-        reaches &= q->x[k] + q->radius > v->min[k] && q->x[k] - q->radius < v->max[k];
+        const double reach = q->radius + (v->period[k] > 0.0 ? largest : 0.0);
+        const double low = v->min[k] - reach, high = v->max[k] + reach, period = v->period[k];
+        const double x = period > 0.0 ? q->x[k] + period*ceil((low - q->x[k])/period) : q->x[k];
+
+        reaches &= x > low && x < high;
     }
     return reaches;
 }
@@ -86,9 +99,15 @@ static int reaches_into(const struct dem_insertion_shape *v, const struct dem_pa
 static int collect_fixed(const struct dem_packing *p, const struct dem_initial_particles *c,
                          struct dem_packing_spheres *s)
 {
+    double largest = 0.5*p->diameter;
+
+    for (int64_t m = 0; p->diameters && m < p->n; m++)
+    {
+        largest = fmax(largest, 0.5*p->diameters[m]);
+    }
     for (size_t k = 0; k < c->n; k++)
     {
-        if (reaches_into(p->shape, &c->particle[k]))
+        if (reaches_into(p->shape, &c->particle[k], largest))
         {
             struct dem_particle fixed = {.radius = c->particle[k].radius,
                                          .id = -1 - c->particle[k].id,
@@ -123,21 +142,22 @@ static int decompose(const struct dem_packing *p, struct dem_packing_spheres *s)
 {
     const int64_t ranks = s->decomposition.ranks, from = p->n*s->decomposition.rank/ranks;
     const int64_t to = p->n*(s->decomposition.rank + 1)/ranks;
-    struct dem_particle *first;
+    struct dem_particle *first = NULL;
 
     if (ranks == 1)
     {
         return DEM_OK;
     }
-    DEM_TRY(DEM_NEW(first, to - from + 1));
-    for (int64_t m = from; m < to; m++)
+    int status = dem_collect_agree(&s->decomposition, DEM_NEW(first, to - from + 1));
+
+    for (int64_t m = from; m < to && !status; m++)
     {
         first[m - from] = (struct dem_particle){.radius = 0.5*diameter_of(p, m), .id = m};
         (void)dem_packing_draw(p, &first[m - from], 0);
     }
-    const int status = dem_decomposition_divide(&s->decomposition, (size_t)(to - from), first->x,
-                                                sizeof *first/sizeof(double));
-
+    status = status ? status
+                    : dem_decomposition_divide(&s->decomposition, (size_t)(to - from), first->x,
+                                               sizeof *first/sizeof(double));
     dem_memory_free(first);
     return status;
 }

@@ -53,6 +53,7 @@ int dem_packing_draw(const struct dem_packing *p, struct dem_particle *s, uint64
         inside = dem_insertion_shape_draw(p->shape, s->radius, u, s->x)
               && (!limits || dem_insertion_limits_allow(limits, s->radius, s->x));
     }
+    dem_domain_wrap(p->domain, s);
     return inside;
 }
 
@@ -146,10 +147,10 @@ static void place_free(struct dem_packing_spheres *s, uint8_t *taken, int64_t co
 static int try_all(const struct dem_packing *p, struct dem_packing_spheres *s, uint64_t round,
                    int status, int64_t count[2])
 {
-    uint8_t *taken;
+    uint8_t *taken = NULL;
 
     status = status ? status : draw_all(p, s, round);
-    DEM_TRY(dem_packing_list_pairs(s, status, 0.0));
+    DEM_TRY(dem_packing_list_pairs(p, s, status, 0.0));
     status = DEM_NEW(taken, s->particles.n + s->particles.ghosts + 1);
     count[0] = count[1] = 0;
     if (!status)

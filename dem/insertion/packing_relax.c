@@ -7,7 +7,7 @@
  *
  *   q_i   displacement of sphere i by its overlaps                                             [m]
  *   d_i   its displacement in this sweep, d_i' in the last one; x_i position                   [m]
- *   r_ij  vector from j to i, r its length                                                     [m]
+ *   r_ij  vector from j, or its nearest image, to i, r its length                              [m]
  *   R     radius                                                                               [m]
  *   w_ij  R_j^2/(R_i^2 + R_j^2), so that the smaller one moves more; 1 where j is fixed        [1]
  *   g     gap to which pairs are moved apart, 0.01: saves most of the slow convergence         [1]
@@ -116,7 +116,7 @@ static int list_pairs(struct relaxation *g)
 {
     const struct dem_insertion_limits *const limits = g->p->shape->limits;
 
-    DEM_TRY(dem_packing_list_pairs(g->s, limits ? limits->status : DEM_OK,
+    DEM_TRY(dem_packing_list_pairs(g->p, g->s, limits ? limits->status : DEM_OK,
                                    g->skin + (stretch_of(0) - 1.0)*2.0*g->s->max_radius));
     return dem_collect_agree(&g->s->decomposition, store_positions(g));
 }
@@ -146,7 +146,9 @@ static void move_apart(struct relaxation *g, const struct dem_pair *pair)
     const struct dem_particle *const record = g->s->particles.record;
     const int a_stays = g->fixed[pair->i], b_stays = g->fixed[pair->j];
     struct move *const of_a = &g->move[pair->i], *const of_b = &g->move[pair->j];
-    double r[3] = {a->x[0] - b->x[0], a->x[1] - b->x[1], a->x[2] - b->x[2]};
+    const double *const shift = g->s->search.shift[pair->shift];
+    double r[3] = {a->x[0] - b->x[0] + shift[0], a->x[1] - b->x[1] + shift[1],
+                   a->x[2] - b->x[2] + shift[2]};
     const double sum = a->radius + b->radius, near = sqrt(r[0]*r[0] + r[1]*r[1] + r[2]*r[2]);
     const double size = near < 1e-6*sum ? random_direction(g, &record[pair->i], &record[pair->j], r) : near;
     const double wanted = g->stretch*sum;
@@ -168,32 +170,54 @@ static void move_apart(struct relaxation *g, const struct dem_pair *pair)
     }
 }
 
-/* Select the near pairs without an unpredictable branch, then move these few. */
+/* Select the near ones of `n` pairs without an unpredictable branch; returns their number.
+   `periodic` is known at compile time: without periodic axes no shift is read. */
+__attribute__((always_inline)) static inline size_t
+select_near(const struct relaxation *g, const struct dem_pair *pair, size_t n, uint32_t *near,
+            const int periodic)
+{
+    const double square = g->stretch*g->stretch;
+    size_t found = 0;
+
+    for (size_t k = 0; k < n; k++)
+    {
+        const struct packed *const a = &g->packed[pair[k].i], *const b = &g->packed[pair[k].j];
+        double x = a->x[0] - b->x[0], y = a->x[1] - b->x[1], z = a->x[2] - b->x[2];
+        const double sum = a->radius + b->radius;
+
+        if (periodic)
+        {
+            const double *const shift = g->s->search.shift[pair[k].shift];
+
+            x += shift[0];
+            y += shift[1];
+            z += shift[2];
+        }
+
+        near[found] = (uint32_t)k;
+        found += x*x + y*y + z*z < square*(sum*sum);
+    }
+    return found;
+}
+
+/* Sum the displacements of all spheres. */
 static void move_pairs(struct relaxation *g)
 {
+    const int *const axis = g->p->domain->periodic, periodic = axis[0] | axis[1] | axis[2];
     const struct dem_pair_list *const pairs = &g->s->contacts.pairs;
-    const double square = g->stretch*g->stretch;
     uint32_t near[CHUNK];
 
     g->overlaps = 0;
     for (size_t from = 0; from < pairs->n; from += CHUNK)
     {
-        const size_t to = from + CHUNK < pairs->n ? from + CHUNK : pairs->n;
-        size_t n = 0;
+        const struct dem_pair *const pair = pairs->pair + from;
+        const size_t all = from + CHUNK < pairs->n ? CHUNK : pairs->n - from;
+        const size_t n = periodic ? select_near(g, pair, all, near, 1)
+                                  : select_near(g, pair, all, near, 0);
 
-        for (size_t k = from; k < to; k++)
-        {
-            const struct packed *const a = &g->packed[pairs->pair[k].i];
-            const struct packed *const b = &g->packed[pairs->pair[k].j];
-            const double x = a->x[0] - b->x[0], y = a->x[1] - b->x[1], z = a->x[2] - b->x[2];
-            const double sum = a->radius + b->radius;
-
-            near[n] = (uint32_t)(k - from);
-            n += x*x + y*y + z*z < square*(sum*sum);
-        }
         for (size_t k = 0; k < n; k++)
         {
-            move_apart(g, &pairs->pair[from + near[k]]);
+            move_apart(g, &pair[near[k]]);
         }
     }
 }

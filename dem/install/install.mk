@@ -36,7 +36,7 @@ $(BUILD)/man/dem.1: $(BUILD)/dem $(SCRIPTS) $(BUILD)/libdem.so install/manpages 
 	$(call say,man,$(@D))
 	$Qrm -rf $(@D)
 	$QPYTHONPATH=python SUNA_LIBRARY=$(BUILD)/libdem.so SUNA_PYTHON=$(PYTHON) \
-	    $(PYTHON) install/manpages $(@D) $(VERSION) $(BUILD)/dem $(SCRIPTS)
+	    $(PYTHON) install/manpages $(@D) $(VERSION) $(BUILD)/dem
 
 stage: all $(BUILD)/man/dem.1
 	$Qtest -n "$(PYTHONDIR)" || { echo "make install needs python3, for the package suna and the man pages;" \

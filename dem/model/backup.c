@@ -15,7 +15,7 @@ void dem_backup_free(struct dem_backup *b)
 }
 
 int dem_backup_save(struct dem_backup *b, const struct dem_particles *p,
-                    const struct dem_contacts *c, const int *wall_facet)
+                    const struct dem_contacts *c, const struct dem_facet_key *wall_facet)
 {
     b->valid = 0;
     DEM_TRY(dem_particles_copy(&b->particles, p));

@@ -28,7 +28,7 @@ void dem_backup_free(struct dem_backup *);
 /* Copy the owned particles and the history of all contacts that have one. `wall_facet`: the facet
    of each wall neighbor. DEM_OK, or an error when memory runs out; then there is no copy. */
 int dem_backup_save(struct dem_backup *, const struct dem_particles *, const struct dem_contacts *,
-                    const int *wall_facet);
+                    const struct dem_facet_key *wall_facet);
 
 /* Put the copy back. The contacts then have no pairs; their history is saved history, which the
    next rebuild assigns to the new rows. */

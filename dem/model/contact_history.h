@@ -16,6 +16,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* the facet of a wall neighbor in the keys of contacts */
+struct dem_facet_key
+{
+    int number;
+    uint32_t image;               /* as that of a pair (periodic_image.h), along the axes where a
+                                     particle may touch two images of the facet */
+};
+
 /* key of a contact whose history is saved */
 struct dem_contact_key
 {

@@ -68,14 +68,15 @@ int dem_contacts_prune(struct dem_contacts *c, const struct dem_particles *p, co
 /* ---- history --------------------------------------------------------------------------------- */
 
 struct dem_contact_key dem_contacts_key(const struct dem_contacts *c, const struct dem_particles *p,
-                                        const int *wall_facet, uint32_t row)
+                                        const struct dem_facet_key *wall_facet, uint32_t row)
 {
     const struct dem_pair *const q = dem_contacts_pair(c, row);
     const struct dem_particle *const i = &p->record[q->i];
 
     if (q->wall)
     {
-        return (struct dem_contact_key){.low = i->id, .high = -1 - wall_facet[q->j]};
+        return (struct dem_contact_key){.low = i->id, .high = -1 - wall_facet[q->j].number,
+                                        .image = wall_facet[q->j].image};
     }
     const struct dem_particle *const j = &p->record[q->j];
 
@@ -92,7 +93,7 @@ static int has_history(const struct dem_contacts *c, uint32_t row)
 /* Append the rows of `from` that have history to the saved history h. Each contact is counted by
    the owner of its lower particle. */
 static int save_rows(struct dem_contact_history *h, const struct dem_contacts *from,
-                     const struct dem_particles *p, const int *wall_facet)
+                     const struct dem_particles *p, const struct dem_facet_key *wall_facet)
 {
     double values[DEM_HISTORY_COLUMNS];
     size_t more = 0;
@@ -117,7 +118,7 @@ static int save_rows(struct dem_contact_history *h, const struct dem_contacts *f
 }
 
 int dem_contacts_save_history(struct dem_contacts *c, const struct dem_particles *p,
-                              const int *wall_facet)
+                              const struct dem_facet_key *wall_facet)
 {
     dem_contact_forces_release(&c->forces);
     DEM_TRY(save_rows(&c->history, c, p, wall_facet));
@@ -128,7 +129,7 @@ int dem_contacts_save_history(struct dem_contacts *c, const struct dem_particles
 }
 
 int dem_contacts_copy_saved(struct dem_contacts *c, const struct dem_contacts *from,
-                            const struct dem_particles *p, const int *wall_facet)
+                            const struct dem_particles *p, const struct dem_facet_key *wall_facet)
 {
     const struct dem_contact_history *const h = &from->history;
 
@@ -141,7 +142,7 @@ int dem_contacts_copy_saved(struct dem_contacts *c, const struct dem_contacts *f
 }
 
 int dem_contacts_restore_history(struct dem_contacts *c, const struct dem_particles *p,
-                                 const int *wall_facet)
+                                 const struct dem_facet_key *wall_facet)
 {
     struct dem_contact_hash hash;
 

@@ -61,19 +61,19 @@ int dem_contacts_prune(struct dem_contacts *, const struct dem_particles *, cons
 
 /* Key of a row for saved history. `wall_facet`: the facet of each wall neighbor. */
 struct dem_contact_key dem_contacts_key(const struct dem_contacts *, const struct dem_particles *,
-                                        const int *wall_facet, uint32_t row);
+                                        const struct dem_facet_key *wall_facet, uint32_t row);
 
 /* Before a rebuild: save the history of every row that has one, and free the rows. */
 int dem_contacts_save_history(struct dem_contacts *, const struct dem_particles *,
-                              const int *wall_facet);
+                              const struct dem_facet_key *wall_facet);
 
 /* Append the saved history of `from` and the history of its rows to the saved history here; `from`
    is not changed. */
 int dem_contacts_copy_saved(struct dem_contacts *, const struct dem_contacts *from,
-                            const struct dem_particles *, const int *wall_facet);
+                            const struct dem_particles *, const struct dem_facet_key *wall_facet);
 
 /* After a rebuild: assign saved history to the rows with the same keys, then empty it. */
 int dem_contacts_restore_history(struct dem_contacts *, const struct dem_particles *,
-                                 const int *wall_facet);
+                                 const struct dem_facet_key *wall_facet);
 
 #endif

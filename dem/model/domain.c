@@ -6,6 +6,7 @@
  */
 #include "model/domain.h"
 #include "core/error.h"
+#include "core/memory.h"
 #include <math.h>
 #include <string.h>
 
@@ -155,47 +156,21 @@ void dem_domain_constrain(const struct dem_domain *d, struct dem_particles *p)
 
 /* ---- walls at periodic faces ----------------------------------------------------------------- */
 
-/* Slope along a periodic axis below which a wall counts as straight: the error of the gap is then
-   half of the squared slope, 1e-3 of a radius. */
-static const double max_slope = 0.05;
-
-/* Extent of a triangle along an axis, in the global frame at its present position. */
-static void triangle_extent(const struct dem_walls *w, const struct dem_triangle *t, int axis,
-                            double extent[2])
+void dem_domain_make_walls_periodic(const struct dem_domain *d, double reach, struct dem_walls *w)
 {
-    const int moving = w->wall[t->wall].frame;
-
-    extent[0] = INFINITY;
-    extent[1] = -INFINITY;
+    w->reach = reach;
     for (int k = 0; k < 3; k++)
     {
-        double world[3];
-
-        memcpy(world, t->corner[k], sizeof world);
-        if (moving >= 0)
-        {
-            dem_pose_point(&w->frame[moving].pose, t->corner[k], world);
-        }
-        extent[0] = fmin(extent[0], world[axis]);
-        extent[1] = fmax(extent[1], world[axis]);
+        w->periodic |= d->periodic[k];
+        w->period[k] = d->length[k];
+        w->unit[k] = d->unit[k];
+        w->face[0][k] = d->min[k];
+        w->face[1][k] = d->max[k];
     }
 }
 
-static double triangle_slope(const struct dem_walls *w, const struct dem_triangle *t, int axis)
-{
-    const int moving = w->wall[t->wall].frame;
-    double normal[3];
-
-    memcpy(normal, w->facet[t->facet].normal, sizeof normal);
-    if (moving >= 0)
-    {
-        dem_pose_direction(&w->frame[moving].pose, w->facet[t->facet].normal, normal);
-    }
-    return fabs(normal[axis]);
-}
-
-/* The same for a wall without triangles. A plane or an inclined cylinder that crosses the axis
-   extends to infinity; a wall parallel to the axis has an empty extent. */
+/* Extent along an axis of a wall without triangles. A plane or an inclined cylinder that crosses the
+   axis extends to infinity; a wall parallel to the axis has an empty extent. */
 static void primitive_extent(const struct dem_wall *w, int axis, double extent[2])
 {
     const double along = fabs(w->normal[axis]);
@@ -209,9 +184,12 @@ static void primitive_extent(const struct dem_wall *w, int axis, double extent[2
     extent[1] = parallel ? -INFINITY : bounded ? w->point[axis] + w->radius : INFINITY;
 }
 
-static int check_extent(const struct dem_domain *d, int axis, double radius, const double extent[2],
-                        const char *name)
+static int check_primitive(const struct dem_domain *d, int axis, double radius,
+                           const struct dem_wall *of)
 {
+    double extent[2];
+
+    primitive_extent(of, axis, extent);
     for (int side = 0; side < 2; side++)
     {
         const double face = side ? d->max[axis] : d->min[axis];
@@ -220,34 +198,127 @@ static int check_extent(const struct dem_domain *d, int axis, double radius, con
             extent[0] >= face + radius || extent[1] <= face - radius, DEM_ERROR_INPUT,
             "wall %s comes nearer than a radius (%g m) to the periodic face %s %c = %g m of domain and does not run "
             "straight through it: particles beyond the face would not touch the wall and would overlap it when they "
-            "are wrapped; move the wall away from the face, or remove %c from domain/periodic",
-            name, radius, side ? "max" : "min", "xyz"[axis], face, "xyz"[axis]);
+            "are wrapped; move the wall away from the face, build it from triangles, or remove %c from "
+            "domain/periodic",
+            of->name, radius, side ? "max" : "min", "xyz"[axis], face, "xyz"[axis]);
     }
     return DEM_OK;
 }
 
-int dem_domain_check_walls(const struct dem_domain *d, const struct dem_walls *w, double radius)
+static int is_across(const double axis[3], int k)
 {
+    return axis[(k + 1)%3] != 0.0 || axis[(k + 2)%3] != 0.0;
+}
+
+/* A rotation about another axis than a periodic one takes images apart. */
+static int check_rotation(const struct dem_domain *d, int axis, double radius,
+                          const struct dem_walls *w, const struct dem_triangle *t)
+{
+    const struct dem_wall *const of = &w->wall[t->wall];
+    const struct dem_motion *const m = of->frame < 0 ? NULL : &w->frame[of->frame].motion;
+    const int rotates = m && m->kind == DEM_MOTION_ROTATION && is_across(m->axis, axis);
+    const double *const about = rotates ? m->axis : of->drive_spin;
     double extent[2];
 
+    if (!rotates && !(of->driven && is_across(of->drive_spin, axis)))
+    {
+        return DEM_OK;
+    }
+    dem_walls_swept_extent(w, t, axis, extent);
+    for (int side = 0; side < 2; side++)
+    {
+        const double face = side ? d->max[axis] : d->min[axis];
+
+        DEM_REQUIRE(
+            extent[0] >= face + radius || extent[1] <= face - radius, DEM_ERROR_INPUT,
+            "wall %s: %s about (%g %g %g) brings it nearer than a radius (%g m) to the periodic face %s %c = %g m "
+            "of domain, where only a rotation about %c is periodic; move the wall away from the face, or remove %c "
+            "from domain/periodic",
+            of->name, rotates ? "its rotation" : "surfaceRotation", about[0], about[1], about[2], radius,
+            side ? "max" : "min", "xyz"[axis], face, "xyz"[axis], "xyz"[axis]);
+    }
+    return DEM_OK;
+}
+
+/* Slope along a periodic axis below which a surface counts as straight. */
+static const double max_slope = 0.05;
+
+/* Fraction of a period by which a surface that ends at both faces may be longer: round-off of its
+   corners in single precision. */
+static const double longer = 1e-6;
+
+/* A surface longer than the period lies beside its image; where it is straight both are one. */
+static int check_length(const struct dem_walls *w, int axis, const double (*extent)[2])
+{
+    const double period = w->period[axis];
+
+    for (size_t t = 0; t < w->triangles; t++)
+    {
+        const struct dem_triangle *const here = &w->triangle[t];
+        const double length = extent[here->wall][1] - extent[here->wall][0],
+                     slope = fabs(w->facet[here->facet].normal[axis]);
+        double own[2] = {INFINITY, -INFINITY};
+
+        for (int k = 0; k < 3; k++)
+        {
+            own[0] = fmin(own[0], here->corner[k][axis]);
+            own[1] = fmax(own[1], here->corner[k][axis]);
+        }
+        DEM_REQUIRE(length <= period*(1.0 + longer) || slope <= max_slope ||
+                        (own[0] >= extent[here->wall][1] - period &&
+                         own[1] <= extent[here->wall][0] + period),
+                    DEM_ERROR_INPUT,
+                    "wall %s is %g m long along %c, the periodic domain %g m, and where it meets its own image it "
+                    "is not straight (slope %.2g, the limit is %g); cut it off at the periodic faces, or remove %c "
+                    "from domain/periodic",
+                    w->wall[here->wall].name, length, "xyz"[axis], period, slope, max_slope,
+                    "xyz"[axis]);
+    }
+    return DEM_OK;
+}
+
+static int check_lengths(const struct dem_walls *w, int axis)
+{
+    double (*extent)[2];
+
+    DEM_TRY(DEM_NEW(extent, w->walls + 1));
+    for (int k = 0; k < w->walls; k++)
+    {
+        extent[k][0] = INFINITY;
+        extent[k][1] = -INFINITY;
+    }
+    for (size_t t = 0; t < w->triangles; t++)
+    {
+        double *const of = extent[w->triangle[t].wall];
+
+        for (int k = 0; k < 3; k++)
+        {
+            of[0] = fmin(of[0], w->triangle[t].corner[k][axis]);
+            of[1] = fmax(of[1], w->triangle[t].corner[k][axis]);
+        }
+    }
+    const int status = check_length(w, axis, (const double (*)[2])extent);
+
+    dem_memory_free(extent);
+    return status;
+}
+
+int dem_domain_check_walls(const struct dem_domain *d, const struct dem_walls *w, double radius)
+{
     for (int axis = 0; axis < 3; axis++)
     {
         for (int k = 0; d->periodic[axis] && k < w->walls; k++)
         {
             if (w->wall[k].shape != DEM_SHAPE_TRIANGLES)
             {
-                primitive_extent(&w->wall[k], axis, extent);
-                DEM_TRY(check_extent(d, axis, radius, extent, w->wall[k].name));
+                DEM_TRY(check_primitive(d, axis, radius, &w->wall[k]));
             }
         }
         for (size_t t = 0; d->periodic[axis] && t < w->triangles; t++)
         {
-            if (triangle_slope(w, &w->triangle[t], axis) > max_slope)
-            {
-                triangle_extent(w, &w->triangle[t], axis, extent);
-                DEM_TRY(check_extent(d, axis, radius, extent, w->wall[w->triangle[t].wall].name));
-            }
+            DEM_TRY(check_rotation(d, axis, radius, w, &w->triangle[t]));
         }
+        DEM_TRY(d->periodic[axis] && w->triangles > 0 ? check_lengths(w, axis) : DEM_OK);
     }
     return DEM_OK;
 }

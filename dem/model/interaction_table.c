@@ -264,13 +264,14 @@ int dem_effect_list_has_law(const struct dem_effect_list *list)
     return normal;
 }
 
-int dem_interaction_table_wall_has_law(const struct dem_interaction_table *r, int wall_material)
+int dem_interaction_table_wall_has_law(const struct dem_interaction_table *r,
+                                       enum dem_partner wall, int wall_material)
 {
     int all = 1;
 
     for (int m = 0; m < r->materials; m++)
     {
-        const int c = r->class_of[1][m][wall_material];
+        const int c = r->class_of[wall][m][wall_material];
 
         all &= c < 0 || r->max_radius[m] <= 0.0 || dem_effect_list_has_law(&r->list[c]);
     }

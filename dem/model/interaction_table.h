@@ -24,6 +24,15 @@ enum
     DEM_OVERRIDES = 256          /* limit of the settings for one pair of materials */
 };
 
+/* the other side of a contact: first index of class_of */
+enum dem_partner
+{
+    DEM_PARTNER_PARTICLE,
+    DEM_PARTNER_WALL,
+    DEM_PARTNER_FRICTIONLESS,    /* a wall with the normal force and its damping only */
+    DEM_PARTNERS
+};
+
 struct dem_effect_entry           /* entry of an effect list */
 {
     const struct dem_effect *effect;
@@ -90,8 +99,9 @@ struct dem_interaction_table
     int classes;                                    /* pair classes first, wall classes last */
     struct dem_effect_list *list;
     struct dem_effect_list bodies;
-    int class_of[2][DEM_MATERIALS][DEM_MATERIALS];  /* [with wall][particle material][other
-                                                       material], -1: none */
+    int class_of[DEM_PARTNERS][DEM_MATERIALS][DEM_MATERIALS];  /* [enum dem_partner][particle
+                                                                  material][other material], -1:
+                                                                  none */
     int history_columns;
     const char *history_name[DEM_HISTORY_COLUMNS];  /* names of the history columns */
     unsigned needs;                                 /* of all effect lists, or-ed */
@@ -145,8 +155,10 @@ int dem_interaction_table_excludes(const struct dem_interaction_table *, const s
 /* 1 when a normal law acts. */
 int dem_effect_list_has_law(const struct dem_effect_list *);
 
-/* After freeze. 0 when particles of some material have no normal law at walls of this material. */
-int dem_interaction_table_wall_has_law(const struct dem_interaction_table *, int wall_material);
+/* After freeze. 0 when particles of some material have no normal law at walls of this material and
+   kind. */
+int dem_interaction_table_wall_has_law(const struct dem_interaction_table *, enum dem_partner,
+                                       int wall_material);
 
 /* 1 when an effect of the full pressure gradient was chosen, which contains buoyancy. */
 int dem_interaction_table_has_pressure_gradient(const struct dem_interaction_table *);
@@ -197,10 +209,15 @@ static inline double dem_interaction_table_capacity(const struct dem_interaction
 /* 1 when that effect was chosen. */
 int dem_interaction_table_has_effect(const struct dem_interaction_table *, const char *effect);
 
-/* Build and prepare all effect lists. Reads the smallest and largest radii; wall_materials[m] is 1
-   when a wall is made of material m. DEM_ERROR_INPUT when a setting is missing. */
+/* Build and prepare all effect lists. Reads the smallest and largest radii; walls[partner][m] is 1
+   when a wall of this kind is made of material m. DEM_ERROR_INPUT when a setting is missing. */
 int dem_interaction_table_freeze(struct dem_interaction_table *,
-                                 const int wall_materials[DEM_MATERIALS]);
+                                 int walls[DEM_PARTNERS][DEM_MATERIALS]);
+
+/* Bound the time step of a frozen table by a limit [s] that is not an effect's. `why`, followed by
+   `suffix`, names it. */
+void dem_interaction_table_limit_step(struct dem_interaction_table *, double limit,
+                                      const char *why, const char *suffix);
 
 /* A shallow copy of a frozen table, for a second state: effect lists of its own, settings shared
    with the original, which must outlive the copy. The copy is freed with the second function. */

@@ -4,7 +4,8 @@
  * 1. Give each effect its history columns; they are the same in all classes, so a contact row has
  *    one layout.
  * 2. For each pair of materials present, and each material with a wall: copy the settings, apply
- *    those of the pair, let each effect prepare itself.
+ *    those of the pair, let each effect prepare itself. Frictionless walls have a class of their own
+ *    without the effects along the wall and past touching.
  * 3. Collect the limit of the time step and the largest reach past touching.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -142,6 +143,23 @@ static int append_effect(struct dem_interaction_table *r, struct dem_effect_list
                            : DEM_OK;
 }
 
+void dem_interaction_table_limit_step(struct dem_interaction_table *r, double limit,
+                                      const char *why, const char *suffix)
+{
+    if (limit < r->step_limit)
+    {
+        r->next_limit = r->step_limit;
+        memcpy(r->next_why, r->why, sizeof r->why);
+        r->step_limit = limit;
+        snprintf(r->why, sizeof r->why, "%s%s", why, suffix);
+    }
+    else if (limit < r->next_limit)
+    {
+        r->next_limit = limit;
+        snprintf(r->next_why, sizeof r->next_why, "%s%s", why, suffix);
+    }
+}
+
 /* Limit of the time step and reach of one entry. */
 static void collect_limits(struct dem_interaction_table *r, const struct dem_effect_list *list,
                            const struct dem_effect_entry *entry)
@@ -161,18 +179,7 @@ static void collect_limits(struct dem_interaction_table *r, const struct dem_eff
         r->scalar_limit = limit;
         snprintf(r->scalar_why, sizeof r->scalar_why, "%s%s", why, suffix);
     }
-    if (limit < r->step_limit)
-    {
-        r->next_limit = r->step_limit;
-        memcpy(r->next_why, r->why, sizeof r->why);
-        r->step_limit = limit;
-        snprintf(r->why, sizeof r->why, "%s%s", why, suffix);
-    }
-    else if (limit < r->next_limit)
-    {
-        r->next_limit = limit;
-        snprintf(r->next_why, sizeof r->next_why, "%s%s", why, suffix);
-    }
+    dem_interaction_table_limit_step(r, limit, why, suffix);
 }
 
 /* Select the fused kernel of a list. */
@@ -187,14 +194,24 @@ static void select_kernel(struct dem_effect_list *list)
     list->kernel = dem_fused_find(effect, list->entries, &list->fused);
 }
 
-static int build_list(struct dem_interaction_table *r, struct dem_effect_list *list, int a, int b,
-                      const int *first_column)
+/* 1 when a frictionless wall has no effect of this stage. */
+static int is_left_out(enum dem_stage stage)
+{
+    return stage == DEM_STAGE_TANGENT || stage == DEM_STAGE_MOMENT || stage == DEM_STAGE_BOND
+        || stage == DEM_STAGE_FILM;
+}
+
+static int build_list(struct dem_interaction_table *r, struct dem_effect_list *list,
+                      enum dem_partner partner, int a, int b, const int *first_column)
 {
     const int bodies = list == &r->bodies;
 
     for (int k = 0; k < r->chosen; k++)
     {
-        if (bodies == (r->effect[k]->stage >= DEM_STAGE_BODY))
+        const enum dem_stage stage = r->effect[k]->stage;
+
+        if (bodies == (stage >= DEM_STAGE_BODY)
+            && !(partner == DEM_PARTNER_FRICTIONLESS && is_left_out(stage)))
         {
             DEM_TRY(append_effect(r, list, k, first_column[k], a, b));
             collect_limits(r, list, &list->entry[list->entries - 1]);
@@ -208,19 +225,35 @@ static int build_list(struct dem_interaction_table *r, struct dem_effect_list *l
     return DEM_OK;
 }
 
-static int add_class(struct dem_interaction_table *r, int with_wall, int a, int b,
+static int add_class(struct dem_interaction_table *r, enum dem_partner partner, int a, int b,
                      const int *first_column)
 {
     struct dem_effect_list *const list = &r->list[r->classes];
 
-    list->pair = pair_class(r, with_wall, a, b);
-    r->class_of[with_wall][a][b] = r->classes;
-    if (!with_wall)
+    list->pair = pair_class(r, partner != DEM_PARTNER_PARTICLE, a, b);
+    r->class_of[partner][a][b] = r->classes;
+    if (partner == DEM_PARTNER_PARTICLE)
     {
-        r->class_of[0][b][a] = r->classes;
+        r->class_of[partner][b][a] = r->classes;
     }
     r->classes++;
-    return build_list(r, list, a, b, first_column);
+    return build_list(r, list, partner, a, b, first_column);
+}
+
+static int add_wall_classes(struct dem_interaction_table *r, enum dem_partner partner,
+                            const int materials[DEM_MATERIALS], const int *first_column)
+{
+    for (int a = 0; a < r->materials; a++)
+    {
+        for (int b = 0; b < r->materials; b++)
+        {
+            if (r->min_radius[a] > 0.0 && materials[b])
+            {
+                DEM_TRY(add_class(r, partner, a, b, first_column));
+            }
+        }
+    }
+    return DEM_OK;
 }
 
 static int assign_history_columns(struct dem_interaction_table *r, int *first_column)
@@ -260,13 +293,13 @@ static int set_capacities(struct dem_interaction_table *r)
 }
 
 int dem_interaction_table_freeze(struct dem_interaction_table *r,
-                                 const int wall_materials[DEM_MATERIALS])
+                                 int walls[DEM_PARTNERS][DEM_MATERIALS])
 {
     int first_column[DEM_EFFECT_LIST_LIMIT];
 
     DEM_TRY(assign_history_columns(r, first_column));
     DEM_TRY(set_capacities(r));
-    DEM_TRY(DEM_NEW(r->list, 2*r->materials*r->materials + 1));
+    DEM_TRY(DEM_NEW(r->list, DEM_PARTNERS*r->materials*r->materials + 1));
     memset(r->class_of, -1, sizeof r->class_of);
     r->step_limit = r->next_limit = r->scalar_limit = DBL_MAX;
     snprintf(r->why, sizeof r->why, "no effect bounds it");
@@ -277,21 +310,15 @@ int dem_interaction_table_freeze(struct dem_interaction_table *r,
         {
             if (r->min_radius[a] > 0.0 && r->min_radius[b] > 0.0)
             {
-                DEM_TRY(add_class(r, 0, a, b, first_column));
+                DEM_TRY(add_class(r, DEM_PARTNER_PARTICLE, a, b, first_column));
             }
         }
     }
-    for (int a = 0; a < r->materials; a++)
+    for (enum dem_partner k = DEM_PARTNER_WALL; k < DEM_PARTNERS; k++)
     {
-        for (int b = 0; b < r->materials; b++)
-        {
-            if (r->min_radius[a] > 0.0 && wall_materials[b])
-            {
-                DEM_TRY(add_class(r, 1, a, b, first_column));
-            }
-        }
+        DEM_TRY(add_wall_classes(r, k, walls[k], first_column));
     }
-    return build_list(r, &r->bodies, -1, -1, first_column);
+    return build_list(r, &r->bodies, DEM_PARTNER_PARTICLE, -1, -1, first_column);
 }
 
 int dem_interaction_table_share(const struct dem_interaction_table *r,

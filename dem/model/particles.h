@@ -36,6 +36,7 @@ enum dem_particle_flag
     DEM_PARTICLE_FROZEN = 1,         /* no force moves it; its velocity and spin stay */
     DEM_PARTICLE_DRIVEN = 2,         /* besides frozen: with a velocity or spin of its own */
     DEM_PARTICLE_PAUSED = 4,         /* besides frozen: until mechanics are resumed */
+    DEM_PARTICLE_NEW = 8,            /* inserted at a restart, during the set-up only */
     DEM_PARTICLE_ABSORBED = 0xff00,  /* 1 + the index of the outlet of the wall that has absorbed it,
                                         until it is removed; 0: none */
     DEM_PARTICLE_ABSORBED_SHIFT = 8
@@ -56,6 +57,7 @@ enum dem_column_group
     DEM_GROUP_ADDED_MASS = 512,       /* added mass */
     DEM_GROUP_ROTATIONAL_DRAG = 1024, /* rotational drag */
     DEM_GROUP_TURBULENCE = 4096,      /* effects that need the fluid's turbulence */
+    DEM_GROUP_OUTLETS = 8192,         /* outlets that are regions */
     DEM_GROUP_UNDER_RELAXATION = 2048 /* light particles in a fluid that they displace */
 };
 
@@ -104,6 +106,8 @@ enum dem_column_name
                                             of that of a pair, all of that of a wall */
     DEM_COLUMN_BROKEN_BONDS,             /* 1    bonds broken so far, counted likewise */
     DEM_COLUMN_ORIENTATION,              /* 1    unit quaternion, see model/orientation.h */
+    DEM_COLUMN_CHECKED_POSITION,         /* m, 1 4: at the last check of outlets
+                                            (inflow/outlet_path.c) */
     DEM_COLUMNS,                         /* from here on columns of scalars, in use in this scene */
     DEM_FURTHER_COLUMNS = 28,            /* limit of their number */
     DEM_BATCH_COLUMNS = 4                /* limit of those that fill columns of batches */

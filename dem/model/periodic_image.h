@@ -27,6 +27,11 @@ static inline int dem_shift_axis(int code, int axis)
     return (axis == 0 ? code%3 : axis == 1 ? code/3%3 : code/9) - 1;
 }
 
+static inline int dem_shift_code(int x, int y, int z)
+{
+    return x + 1 + 3*(y + 1) + 9*(z + 1);
+}
+
 static inline uint32_t dem_image_part(uint32_t image, int axis)
 {
     return image >> axis*DEM_IMAGE_BITS & DEM_IMAGE_MASK;
@@ -38,6 +43,15 @@ static inline uint32_t dem_image_add(uint32_t image, int axis, int by)
 
     return (image & ~((uint32_t)DEM_IMAGE_MASK << at)) |
            ((dem_image_part(image, axis) + (uint32_t)by) & DEM_IMAGE_MASK) << at;
+}
+
+/* How often a particle has crossed the faces of an axis between two counters, at most 511 times. */
+static inline int dem_image_difference(uint32_t now, uint32_t before, int axis)
+{
+    const uint32_t more = dem_image_part(now, axis) - dem_image_part(before, axis);
+    const int half = 1 << (DEM_IMAGE_BITS - 1);
+
+    return (int)((more + (uint32_t)half) & DEM_IMAGE_MASK) - half;
 }
 
 static inline uint32_t dem_image_of_pair(int shift, uint32_t image_i, uint32_t image_j)

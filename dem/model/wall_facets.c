@@ -6,12 +6,15 @@
  * 3. Join triangles that share an edge and are coplanar (union-find); mark edges on the rim of a
  *    facet: all triangles at such an edge are on one side of it. Two are there at the edge of a
  *    plate without thickness, a baffle, whose sides are cut along different diagonals.
+ *    Along periodic axes corners and edges are those of the images, too: each has its place, a
+ *    number of periods, and union-find adds up the places along its links. A facet that comes back
+ *    to where it began by a period is joined to its own image, endless.
  * 4. Number the facets in the order of the sorted triangles; the plane is that of the largest
  *    triangle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "model/walls.h"
+#include "model/wall_corners.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/sort.h"
@@ -25,25 +28,11 @@ static const double weld_tolerance = 1e-6;
 
 /* ---- sorting and duplicates ------------------------------------------------------------------ */
 
-static int compare_corners(const void *a, const void *b)
-{
-    const double *const p = a, *const q = b;
-
-    for (int k = 0; k < 3; k++)
-    {
-        if (p[k] < q[k] || p[k] > q[k])
-        {
-            return p[k] < q[k] ? -1 : 1;
-        }
-    }
-    return 0;
-}
-
 /* Corners of a triangle in sorted order: independent of the first corner and of the orientation. */
 static void sort_corners(const struct dem_triangle *t, double key[3][3])
 {
     memcpy(key, t->corner, sizeof t->corner);
-    dem_sort_by(key, 3, sizeof key[0], compare_corners);
+    dem_sort_by(key, 3, sizeof key[0], dem_walls_compare_corners);
 }
 
 static int compare_triangles(const void *a, const void *b)
@@ -56,7 +45,7 @@ static int compare_triangles(const void *a, const void *b)
     sort_corners(t, q);
     for (int k = 0; k < 3 && order == 0; k++)
     {
-        order = compare_corners(p[k], q[k]);
+        order = dem_walls_compare_corners(p[k], q[k]);
     }
     return order;
 }
@@ -130,76 +119,124 @@ static int drop_degenerate(struct dem_walls *w, double scale)
     return DEM_OK;
 }
 
-/* ---- welding --------------------------------------------------------------------------------- */
-
-struct corner
-{
-    double x[3];
-    size_t at;                    /* 3 triangle + corner */
-};
-
-static int compare_corner_positions(const void *a, const void *b)
-{
-    return compare_corners(((const struct corner *)a)->x, ((const struct corner *)b)->x);
-}
-
-/* Label the corners so that coincident ones share a label: sort by x, compare within the
-   tolerance. */
-static int weld_corners(const struct dem_walls *w, double tolerance, size_t *label)
-{
-    struct corner *c;
-
-    DEM_TRY(DEM_NEW(c, 3*w->triangles + 1));
-    for (size_t k = 0; k < 3*w->triangles; k++)
-    {
-        memcpy(c[k].x, w->triangle[k/3].corner[k%3], sizeof c[k].x);
-        c[k].at = k;
-    }
-    dem_sort_by(c, 3*w->triangles, sizeof *c, compare_corner_positions);
-    for (size_t k = 0; k < 3*w->triangles; k++)
-    {
-        label[c[k].at] = c[k].at;
-        for (size_t m = k; m-- > 0 && c[k].x[0] - c[m].x[0] <= tolerance;)
-        {
-            double d[3];
-
-            dem_vec_minus(c[k].x, c[m].x, d);
-            if (dem_vec_norm(d) <= tolerance)
-            {
-                label[c[k].at] = label[c[m].at];
-                break;
-            }
-        }
-    }
-    dem_memory_free(c);
-    return DEM_OK;
-}
-
 /* ---- facets ---------------------------------------------------------------------------------- */
 
 struct edge
 {
     size_t a, b, triangle;
     int side;
+    int16_t from[3], along[3];    /* periods: of its end a, and from there to its end b */
 };
 
 static int compare_edges(const void *p, const void *q)
 {
     const struct edge *const e = p, *const f = q;
-    const int first = (e->a > f->a) - (e->a < f->a), second = (e->b > f->b) - (e->b < f->b);
+    const int first = (e->a > f->a) - (e->a < f->a), second = (e->b > f->b) - (e->b < f->b),
+              third = memcmp(e->along, f->along, sizeof e->along);
 
     return first ? first
            : second ? second
+           : third  ? third
                     : (e->triangle > f->triangle) - (e->triangle < f->triangle);
 }
 
-static size_t root(size_t *parent, size_t t)
+static int same_edge(const struct edge *e, const struct edge *f)
 {
-    while (parent[t] != t)
+    return e->a == f->a && e->b == f->b && memcmp(e->along, f->along, sizeof e->along) == 0;
+}
+
+/* 1 when the first of the numbers that is not 0 is negative. */
+static int is_negative(const int16_t n[3])
+{
+    return n[0] < 0 || (n[0] == 0 && (n[1] < 0 || (n[1] == 0 && n[2] < 0)));
+}
+
+/* From the end with the lower label; between images of one corner in the positive direction. */
+static void make_edge(const struct dem_vertex *vertex, size_t k, struct edge *e)
+{
+    const struct dem_vertex *a = &vertex[k], *b = &vertex[k/3*3 + (k + 1)%3];
+    int16_t along[3];
+
+    for (int m = 0; m < 3; m++)
     {
-        t = parent[t] = parent[parent[t]];
+        along[m] = (int16_t)(b->period[m] - a->period[m]);
+    }
+    if (b->label < a->label || (b->label == a->label && is_negative(along)))
+    {
+        const struct dem_vertex *const other = a;
+
+        a = b;
+        b = other;
+    }
+    *e = (struct edge){.a = a->label, .b = b->label, .triangle = k/3, .side = (int)(k%3)};
+    for (int m = 0; m < 3; m++)
+    {
+        e->from[m] = a->period[m];
+        e->along[m] = (int16_t)(b->period[m] - a->period[m]);
+    }
+}
+
+/* of union-find: a triangle, displaced by `offset` periods, lies where it belongs beside its parent */
+struct link
+{
+    size_t parent;
+    int offset[3];
+    uint8_t endless;              /* of a root, see struct dem_facet */
+};
+
+/* The root of a triangle, and the offset of the triangle from there. */
+static size_t find_root(struct link *link, size_t t, int offset[3])
+{
+    memset(offset, 0, 3*sizeof *offset);
+    while (link[t].parent != t)
+    {
+        const struct link *const up = &link[link[t].parent];
+
+        for (int k = 0; k < 3; k++)
+        {
+            link[t].offset[k] += up->offset[k];           /* 0 of a root */
+            offset[k] += link[t].offset[k];
+        }
+        t = link[t].parent = up->parent;
     }
     return t;
+}
+
+/* Triangle t, displaced by `offset` periods, continues triangle s: one facet. Where they are of one
+   facet already and the offset differs by a period from that in it, the facet is endless. */
+static void unite(struct link *link, size_t s, size_t t, const int offset[3])
+{
+    int of_s[3], of_t[3], total[3], differs = 0;
+    const size_t rs = find_root(link, s, of_s), rt = find_root(link, t, of_t);
+
+    for (int k = 0; k < 3; k++)
+    {
+        total[k] = of_s[k] + offset[k] - of_t[k];
+        differs += abs(total[k]);
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        if (rs == rt)
+        {
+            link[rs].endless |= (uint8_t)((differs == 1 && total[k] != 0) << k);
+        }
+        else
+        {
+            link[rs < rt ? rt : rs].offset[k] = rs < rt ? total[k] : -total[k];
+        }
+    }
+    link[rs < rt ? rt : rs].parent = rs < rt ? rs : rt;
+    link[rs < rt ? rs : rt].endless |= link[rs < rt ? rt : rs].endless;
+}
+
+static void displace(const struct dem_walls *w, const int offset[3], struct dem_triangle *t)
+{
+    const double *const period = dem_walls_period(w, w->wall[t->wall].frame);
+
+    for (int k = 0; k < 9; k++)
+    {
+        t->corner[k/3][k%3] += offset[k%3]*period[k%3];
+    }
 }
 
 /* Measured from the plane of the larger triangle: the plane of a sliver is dominated by
@@ -251,26 +288,37 @@ static int same_side(const struct dem_triangle *s, int side, const struct dem_tr
     return dem_vec_dot(a, b) > 0.5*dem_vec_norm(a)*dem_vec_norm(b);
 }
 
-static void join(struct dem_walls *w, struct edge *edge, size_t edges, size_t *parent,
+static void join_at(struct dem_walls *w, const struct edge *e, const struct edge *f,
+                    struct link *link, double tolerance)
+{
+    struct dem_triangle *const s = &w->triangle[e->triangle], *const t = &w->triangle[f->triangle];
+    struct dem_triangle moved = *t;
+    int offset[3];
+
+    for (int k = 0; k < 3; k++)
+    {
+        offset[k] = e->from[k] - f->from[k];
+    }
+    displace(w, offset, &moved);
+    if (coplanar(s, &moved, tolerance))
+    {
+        unite(link, e->triangle, f->triangle, offset);
+        if (!same_side(s, e->side, t, f->side))
+        {
+            s->rim &= (uint8_t)~(1u << e->side);
+            t->rim &= (uint8_t)~(1u << f->side);
+        }
+    }
+}
+
+static void join(struct dem_walls *w, const struct edge *edge, size_t edges, struct link *link,
                  double tolerance)
 {
     for (size_t k = 0; k < edges; k++)
     {
-        for (size_t m = k + 1; m < edges && edge[m].a == edge[k].a && edge[m].b == edge[k].b; m++)
+        for (size_t m = k + 1; m < edges && same_edge(&edge[k], &edge[m]); m++)
         {
-            const size_t s = edge[k].triangle, t = edge[m].triangle;
-
-            if (coplanar(&w->triangle[s], &w->triangle[t], tolerance))
-            {
-                const size_t rs = root(parent, s), rt = root(parent, t);
-
-                parent[rs > rt ? rs : rt] = rs > rt ? rt : rs;
-                if (!same_side(&w->triangle[s], edge[k].side, &w->triangle[t], edge[m].side))
-                {
-                    w->triangle[s].rim &= (uint16_t)~(1u << edge[k].side);
-                    w->triangle[t].rim &= (uint16_t)~(1u << edge[m].side);
-                }
-            }
+            join_at(w, &edge[k], &edge[m], link, tolerance);
         }
     }
 }
@@ -297,7 +345,25 @@ static int add_facet(struct dem_walls *w, int wall, const double normal[3], cons
     return DEM_OK;
 }
 
-static int number_facets(struct dem_walls *w, size_t *parent)
+/* Where a triangle belongs in its facet. Along an axis where that is endless all places are one. */
+static int set_place(const struct dem_walls *w, const int offset[3], int endless,
+                     struct dem_triangle *t)
+{
+    int place[3];
+
+    for (int k = 0; k < 3; k++)
+    {
+        place[k] = endless >> k & 1 ? 0 : offset[k];
+        DEM_REQUIRE(abs(place[k]) <= 1, DEM_ERROR_INPUT,
+                    "wall %s: a plane part of it passes through the periodic faces of domain along %c "
+                    "more than once, the limit is once; cut this part into walls of their own",
+                    w->wall[t->wall].name, "xyz"[k]);
+    }
+    t->place = (uint8_t)dem_shift_code(place[0], place[1], place[2]);
+    return DEM_OK;
+}
+
+static int number_facets(struct dem_walls *w, struct link *link)
 {
     for (int k = 0; k < w->walls; k++)
     {
@@ -309,7 +375,8 @@ static int number_facets(struct dem_walls *w, size_t *parent)
     for (size_t t = 0; t < w->triangles; t++)
     {
         struct dem_triangle *const here = &w->triangle[t];
-        const size_t first = root(parent, t);
+        int offset[3];
+        const size_t first = find_root(link, t, offset);
         double n[3];
 
         if (first == t)
@@ -322,8 +389,10 @@ static int number_facets(struct dem_walls *w, size_t *parent)
             }
             here->facet = w->facets;
             DEM_TRY(add_facet(w, here->wall, n, here->corner[0]));
+            w->facet[here->facet].endless = link[t].endless;
         }
         here->facet = w->triangle[first].facet;
+        DEM_TRY(set_place(w, offset, link[first].endless, here));
     }
     return DEM_OK;
 }
@@ -342,11 +411,7 @@ static int choose_planes(struct dem_walls *w)
         if (size > largest[w->triangle[t].facet])
         {
             largest[w->triangle[t].facet] = size;
-            for (int k = 0; k < 3; k++)
-            {
-                r->normal[k] = n[k]/size;
-            }
-            r->offset = dem_vec_dot(r->normal, w->triangle[t].corner[0]);
+            dem_walls_set_plane(w, r, &w->triangle[t], size, n);
             r->largest = w->triangle[t].index;
         }
     }
@@ -357,38 +422,70 @@ static int choose_planes(struct dem_walls *w)
 static int join_triangles(struct dem_walls *w, double scale)
 {
     struct edge *edge = NULL;
-    size_t *label = NULL, *parent = NULL;
+    struct dem_vertex *vertex = NULL;
+    struct link *link = NULL;
     int status = DEM_NEW(edge, 3*w->triangles + 1);
 
-    status = status ? status : DEM_NEW(label, 3*w->triangles + 1);
-    status = status ? status : DEM_NEW(parent, w->triangles + 1);
-    status = status ? status : weld_corners(w, weld_tolerance*scale, label);
+    status = status ? status : DEM_NEW(vertex, 3*w->triangles + 1);
+    status = status ? status : DEM_NEW(link, w->triangles + 1);
+    status = status ? status : dem_walls_weld_corners(w, weld_tolerance*scale, vertex);
     for (size_t k = 0; k < 3*w->triangles && !status; k++)
     {
-        const size_t t = k/3, a = label[k], b = label[3*t + (k + 1)%3];
+        const size_t t = k/3;
 
-        edge[k] = (struct edge){.a = a < b ? a : b,
-                                .b = a < b ? b : a,
-                                .triangle = t,
-                                .side = (int)(k%3)};
+        make_edge(vertex, k, &edge[k]);
         w->triangle[t].rim = 7;
         w->triangle[t].index = (uint32_t)t;
-        parent[t] = t;
+        link[t].parent = t;
     }
     if (!status)
     {
         dem_sort_by(edge, 3*w->triangles, sizeof *edge, compare_edges);
-        join(w, edge, 3*w->triangles, parent, weld_tolerance*scale);
-        status = number_facets(w, parent);
+        join(w, edge, 3*w->triangles, link, weld_tolerance*scale);
+        status = number_facets(w, link);
     }
     dem_memory_free(edge);
-    dem_memory_free(label);
-    dem_memory_free(parent);
+    dem_memory_free(vertex);
+    dem_memory_free(link);
     return status;
 }
 
+/* Area and centroid of the triangles of each wall. */
+static void measure(struct dem_walls *w)
+{
+    for (size_t t = 0; t < w->triangles; t++)
+    {
+        const struct dem_triangle *const here = &w->triangle[t];
+        struct dem_wall *const of = &w->wall[here->wall];
+        double n[3];
+        const double area = 0.5*area_vector(here, n);
+
+        of->area += area;
+        for (int k = 0; k < 3; k++)
+        {
+            of->centroid[k] +=
+                area*(here->corner[0][k] + here->corner[1][k] + here->corner[2][k])/3.0;
+        }
+    }
+    for (int k = 0; k < w->walls; k++)
+    {
+        for (int a = 0; a < 3 && w->wall[k].area > 0.0; a++)
+        {
+            w->wall[k].centroid[a] /= w->wall[k].area;
+        }
+    }
+}
+
+/* Which frames have walls of triangles, and their boxes. */
 static void find_boxes(struct dem_walls *w)
 {
+    for (int k = 0; k < w->walls; k++)
+    {
+        if (w->wall[k].frame >= 0)
+        {
+            w->frame[w->wall[k].frame].triangles |= w->wall[k].shape == DEM_SHAPE_TRIANGLES;
+        }
+    }
     for (int k = 0; k < w->frames; k++)
     {
         for (int a = 0; a < 3; a++)
@@ -400,12 +497,14 @@ static void find_boxes(struct dem_walls *w)
     for (size_t t = 0; t < w->triangles; t++)
     {
         const struct dem_triangle *const here = &w->triangle[t];
-        struct dem_wall_frame *const f = &w->frame[w->wall[here->wall].frame];
+        const int frame = w->wall[here->wall].frame;
 
-        for (int k = 0; k < 9 && w->wall[here->wall].frame >= 0; k++)
+        for (int k = 0; k < 9 && frame >= 0; k++)
         {
-            f->box[0][k%3] = fmin(f->box[0][k%3], here->corner[k/3][k%3]);
-            f->box[1][k%3] = fmax(f->box[1][k%3], here->corner[k/3][k%3]);
+            double(*const box)[3] = w->frame[frame].box;
+
+            box[0][k%3] = fmin(box[0][k%3], here->corner[k/3][k%3]);
+            box[1][k%3] = fmax(box[1][k%3], here->corner[k/3][k%3]);
         }
     }
 }
@@ -417,13 +516,18 @@ int dem_walls_finish(struct dem_walls *w, double scale)
     if (w->triangles > 0)
     {
         DEM_TRY(drop_degenerate(w, scale));
+        find_boxes(w);
+        dem_walls_choose_periods(w);
         DEM_TRY(join_triangles(w, scale));
         DEM_TRY(choose_planes(w));
+        DEM_TRY(w->periodic ? dem_walls_compare_images(w) : DEM_OK);
     }
     else
     {
+        find_boxes(w);
         DEM_TRY(number_facets(w, NULL));
     }
-    find_boxes(w);
+    measure(w);
+    dem_walls_find_push(w);
     return dem_walls_make_marks(w);
 }

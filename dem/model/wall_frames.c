@@ -48,25 +48,69 @@ static int same_motion(const struct dem_motion *a, const struct dem_motion *b)
            memcmp(&a->omega, &b->omega, sizeof a->omega) == 0;
 }
 
-int dem_walls_set_motion(struct dem_walls *w, int wall, const struct dem_motion *m)
+static int same_pose(const struct dem_pose *a, const struct dem_pose *b)
 {
-    struct dem_wall *const of = &w->wall[wall];
+    return memcmp(a, b, sizeof *a) == 0;
+}
+
+static void pose_at(const struct dem_wall_frame *f, double time, struct dem_pose *pose)
+{
+    struct dem_pose motion;
+
+    if (!f->resumed)
+    {
+        dem_motion_pose(&f->motion, time, pose);
+        return;
+    }
+    dem_motion_pose(&f->motion, time, &motion);
+    dem_pose_product(&motion, &f->base, pose);
+}
+
+static int use_frame(struct dem_walls *w, int wall, const struct dem_motion *m,
+                     const struct dem_pose *base)
+{
     int k = 0;
 
-    DEM_TRY(check_shape(of, m));
-    while (k < w->frames && !same_motion(&w->frame[k].motion, m))
+    while (k < w->frames
+           && !(same_motion(&w->frame[k].motion, m) && same_pose(&w->frame[k].base, base)))
     {
         k++;
     }
     if (k == w->frames)
     {
         DEM_TRY(DEM_GROW(w->frame, w->frame_capacity, w->frames + 1));
-        w->frame[w->frames++] = (struct dem_wall_frame){.motion = *m};
-        dem_motion_pose(m, 0.0, &w->frame[k].pose);
+        w->frame[w->frames++] = (struct dem_wall_frame){
+            .motion = *m, .base = *base, .resumed = !same_pose(base, &dem_pose_identity)};
+        pose_at(&w->frame[k], 0.0, &w->frame[k].pose);
     }
-    of->frame = k;
-    w->frame[k].triangles |= of->shape == DEM_SHAPE_TRIANGLES;
+    w->wall[wall].frame = k;
     return DEM_OK;
+}
+
+int dem_walls_set_motion(struct dem_walls *w, int wall, const struct dem_motion *m)
+{
+    DEM_TRY(check_shape(&w->wall[wall], m));
+    return use_frame(w, wall, m, &dem_pose_identity);
+}
+
+int dem_walls_resume_motion(struct dem_walls *w, int wall, const struct dem_motion *was,
+                            const struct dem_pose *base, double time)
+{
+    static const struct dem_motion rest = {.kind = DEM_MOTION_REST};
+    const int frame = w->wall[wall].frame;
+    const struct dem_motion now = frame < 0 ? rest : w->frame[frame].motion;
+    const struct dem_wall_frame before = {
+        .motion = *was, .base = *base, .resumed = !same_pose(base, &dem_pose_identity)};
+    struct dem_pose stood, motion, back, goes_on = *base;
+
+    if (!same_motion(was, &now))
+    {
+        pose_at(&before, time, &stood);
+        dem_motion_pose(&now, time, &motion);
+        dem_pose_inverse(&motion, &back);
+        dem_pose_product(&back, &stood, &goes_on);
+    }
+    return same_pose(&goes_on, &dem_pose_identity) ? DEM_OK : use_frame(w, wall, &now, &goes_on);
 }
 
 const double *dem_walls_to_frame(const struct dem_walls *w, int wall, const double x[3],
@@ -80,6 +124,47 @@ const double *dem_walls_to_frame(const struct dem_walls *w, int wall, const doub
     }
     dem_pose_to_frame(&w->frame[frame].pose, x, own);
     return own;
+}
+
+/* ---- speed along the normal ------------------------------------------------------------------ */
+
+/* At the point x of the wall's frame, where the normal of a flat wall is n. */
+static void add_push(const struct dem_walls *w, struct dem_wall *of, const double x[3],
+                     const double n[3])
+{
+    double v[3], at[3], normal[3];
+
+    if (of->frame < 0)
+    {
+        return;
+    }
+    dem_pose_point(&w->frame[of->frame].base, x, at);
+    dem_pose_direction(&w->frame[of->frame].base, n, normal);
+    dem_motion_velocity(&w->frame[of->frame].motion, at, v);
+    const double along = dem_vec_dot(v, normal), square = dem_vec_dot(v, v);
+
+    of->push = fmax(of->push, of->shape == DEM_SHAPE_SPHERE ? sqrt(square)
+                              : of->shape == DEM_SHAPE_CYLINDER
+                                  ? sqrt(fmax(square - along*along, 0.0))
+                                  : fabs(along));
+}
+
+void dem_walls_find_push(struct dem_walls *w)
+{
+    for (int k = 0; k < w->walls; k++)
+    {
+        w->wall[k].push = 0.0;
+        if (w->wall[k].shape != DEM_SHAPE_TRIANGLES)
+        {
+            add_push(w, &w->wall[k], w->wall[k].point, w->wall[k].normal);
+        }
+    }
+    for (size_t k = 0; k < 3*w->triangles; k++)
+    {
+        const struct dem_triangle *const t = &w->triangle[k/3];
+
+        add_push(w, &w->wall[t->wall], t->corner[k%3], w->facet[t->facet].normal);
+    }
 }
 
 /* ---- marks ----------------------------------------------------------------------------------- */
@@ -162,7 +247,8 @@ void dem_walls_move(struct dem_walls *w, double time, double dt)
     w->displacement = 0.0;
     for (int k = 0; k < w->frames; k++)
     {
-        dem_motion_pose(&w->frame[k].motion, time, &w->frame[k].pose);
+        pose_at(&w->frame[k], time, &w->frame[k].pose);
+        dem_walls_make_pose_periodic(w, &w->frame[k]);
         dem_motion_displacement(&w->frame[k].motion, time, dt, &w->frame[k].displacement);
     }
     for (size_t k = 0; k < w->marks; k++)

@@ -5,6 +5,7 @@
  */
 #include "model/wall_motion.h"
 #include "core/vec.h"
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -88,6 +89,38 @@ void dem_motion_pose(const struct dem_motion *m, double time, struct dem_pose *p
         p->shift[k] =
             m->kind == DEM_MOTION_TRANSLATION ? m->velocity[k]*in_motion : m->amplitude[k]*s;
     }
+}
+
+void dem_motion_velocity(const struct dem_motion *m, const double x[3], double v[3])
+{
+    double d[3], around[3];
+
+    dem_vec_minus(x, m->origin, d);
+    dem_vec_cross(m->axis, d, around);
+    for (int k = 0; k < 3; k++)
+    {
+        v[k] = m->kind == DEM_MOTION_ROTATION      ? m->omega*around[k]
+               : m->kind == DEM_MOTION_OSCILLATION ? 2.0*pi*m->frequency*m->amplitude[k]
+                                                   : m->velocity[k];
+    }
+}
+
+/* Steps in a period. At 60 the work of a wall that shakes grains is within 1 %: the error falls as
+   34/N^2. A round wall that rotates seems to move along its normal by pi/N of its surface speed,
+   the chord of a point of it; at 360 by 0.9 %. */
+static const double oscillation_steps = 60.0, rotation_steps = 360.0;
+
+double dem_motion_time_limit(const struct dem_motion *m, const char **why)
+{
+    const int rotates = m->kind == DEM_MOTION_ROTATION;
+    const double rate = rotates                              ? fabs(m->omega)/(2.0*pi)
+                        : m->kind == DEM_MOTION_OSCILLATION ? m->frequency
+                                                             : 0.0;
+
+    *why = rotates ? "1/360 of a revolution of wall " : "1/60 of the period of wall ";
+    return rate > 0.0 && m->end > 0.0
+               ? 1.0/(rate*(rotates ? rotation_steps : oscillation_steps))
+               : DBL_MAX;
 }
 
 /* ---- displacements per step ------------------------------------------------------------------ */
@@ -189,6 +222,35 @@ void dem_pose_direction(const struct dem_pose *p, const double in[3], double out
     for (int k = 0; k < 3; k++)
     {
         out[k] = dem_vec_dot(p->rotation[k], in);
+    }
+}
+
+void dem_pose_product(const struct dem_pose *a, const struct dem_pose *b, struct dem_pose *product)
+{
+    for (int i = 0; i < 3; i++)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            product->rotation[i][k] = a->rotation[i][0]*b->rotation[0][k]
+                                    + a->rotation[i][1]*b->rotation[1][k]
+                                    + a->rotation[i][2]*b->rotation[2][k];
+        }
+    }
+    dem_pose_point(a, b->shift, product->shift);
+}
+
+void dem_pose_inverse(const struct dem_pose *p, struct dem_pose *inverse)
+{
+    for (int i = 0; i < 3; i++)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            inverse->rotation[i][k] = p->rotation[k][i];
+        }
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        inverse->shift[k] = -dem_vec_dot(inverse->rotation[k], p->shift);
     }
 }
 

@@ -1,15 +1,17 @@
 /*
  * wall_motion.h -- prescribed rigid motion of walls as a function of time.
  *
- * The motion is a closed formula of time, so a restart needs no stored pose. The corners and planes
- * of a wall are stored, searched and numbered in its own reference frame X, where the wall is when
- * nothing moves. The motion gives the pose of this frame:
+ * The motion is a closed formula of time. The corners and planes of a wall are stored, searched and
+ * numbered in its own reference frame X, where the wall is when nothing moves. The motion gives the
+ * pose of this frame:
  *
- *   x = Q X + s,   translation   s = v T
+ *   x = Q (B X) + s,   translation   s = v T
  *                  oscillation   s = a sin(2 pi f T + phase)
  *                  rotation      Q: by the angle omega T about the axis through the origin o,
  *                                s = o - Q o
  *
+ *   B   base: the identity, unless a restart has changed the motion of the wall. Then it is the pose
+ *       with which the wall goes on from where it stood (wall_frames.c)
  *   T   time since the start, limited to [0, end - start]; outside the wall rests             [s]
  *
  * The velocity of a point of the wall is that of the chord of the last step, (x(t) - x(t - dt))/dt,
@@ -44,6 +46,10 @@ struct dem_pose                                           /* of a reference fram
     double rotation[3][3], shift[3];  /* 1, m */
 };
 
+/* of a frame that is where its wall was given */
+static const struct dem_pose dem_pose_identity = {
+    .rotation = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+
 /* displacement by a motion over the last step */
 struct dem_wall_displacement
 {
@@ -55,6 +61,14 @@ struct dem_wall_displacement
 
 /* Pose of the reference frame at a time [s]. */
 void dem_motion_pose(const struct dem_motion *, double time, struct dem_pose *);
+
+/* Velocity [m/s] with which the motion carries the point x [m] of the base: the largest one
+   of an oscillation. */
+void dem_motion_velocity(const struct dem_motion *, const double x[3], double v[3]);
+
+/* Longest time step [s] that resolves an oscillation or rotation that acts after time 0; DBL_MAX
+   without one. *why: the criterion, to be followed by the name of the wall. */
+double dem_motion_time_limit(const struct dem_motion *, const char **why);
 
 /* Displacement over the step of length dt [s] that ends at `time` [s]; dt = 0 gives the velocity
    then. */
@@ -68,6 +82,10 @@ void dem_wall_displacement_velocity(const struct dem_wall_displacement *, const 
 /* The direction one step ago of what is now the direction n of the wall. */
 void dem_wall_displacement_rotate_back(const struct dem_wall_displacement *, const double n[3],
                                        double before[3]);
+
+/* The pose that applies b first, then a; the inverse of a pose. The results must be other structs. */
+void dem_pose_product(const struct dem_pose *a, const struct dem_pose *b, struct dem_pose *product);
+void dem_pose_inverse(const struct dem_pose *, struct dem_pose *inverse);
 
 /* From the wall's frame to the global frame: a point, a direction. Back: the same. `in` and `out`
    must be different arrays. */

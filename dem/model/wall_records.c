@@ -60,7 +60,9 @@ void dem_walls_record(const struct dem_walls *w, size_t triangle, struct dem_wal
     *r = (struct dem_wall_record){.triangle = w->triangle[triangle],
                                   .offset = f->offset,
                                   .largest = f->largest,
-                                  .bent = f->bent};
+                                  .bent = f->bent,
+                                  .endless = f->endless,
+                                  .distinct = f->distinct};
     r->triangle.facet = f->number;
     memcpy(r->normal, f->normal, sizeof r->normal);
 }
@@ -115,6 +117,8 @@ static int make_facets(const struct dem_walls *w, size_t n, const struct dem_wal
                                     .wall = record[item].triangle.wall,
                                     .number = record[item].triangle.facet,
                                     .bent = record[item].bent,
+                                    .endless = record[item].endless,
+                                    .distinct = record[item].distinct,
                                     .largest = record[item].largest};
             memcpy(f->normal, record[item].normal, sizeof f->normal);
             memcpy(f->centre, record[item].triangle.corner[0], sizeof f->centre);

@@ -52,22 +52,19 @@ static void update_plane(const struct dem_walls *w, struct dem_facet *r)
     double edge[2][3], normal[3];
     const double size = edges_and_normal(t, edge, normal);
 
-    for (int k = 0; k < 3 && size > 0.0; k++)
-    {
-        r->normal[k] = normal[k]/size;
-    }
-    r->offset = dem_vec_dot(r->normal, t->corner[0]);
+    dem_walls_set_plane(w, r, t, size, normal);
     r->bent = 0;
 }
 
 static int leaves_plane(const struct dem_walls *w, const struct dem_triangle *t)
 {
     const struct dem_facet *const r = &w->facet[t->facet];
-    double worst = 0.0;
+    double worst = 0.0, corner[3];
 
     for (int k = 0; k < 3; k++)
     {
-        worst = fmax(worst, fabs(dem_vec_dot(r->normal, t->corner[k]) - r->offset));
+        dem_walls_place_corner(w, t, k, corner);
+        worst = fmax(worst, fabs(dem_vec_dot(r->normal, corner) - r->offset));
     }
     return worst > w->flatness;
 }
@@ -89,7 +86,7 @@ static void update_planes(struct dem_walls *w, int all)
 
         if (of->follows_mesh && (of->moves || all))
         {
-            w->facet[w->triangle[t].facet].bent |= leaves_plane(w, &w->triangle[t]);
+            w->facet[w->triangle[t].facet].bent |= (uint16_t)leaves_plane(w, &w->triangle[t]);
         }
     }
 }

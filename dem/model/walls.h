@@ -8,6 +8,10 @@
  * triangles were given. Planes, cylinders and spheres are one facet each and have one side;
  * triangles have two.
  *
+ * Along periodic axes triangles have images: facets continue through a periodic face, and a particle
+ * touches whatever image is near. No image is stored: a particle is compared with a triangle at its
+ * own position less a whole number of periods (wall_images.c).
+ *
  * A moving wall is stored in its own reference frame (wall_motion.h). A wall that follows a mesh
  * has its triangles at their present positions, but keeps the facets of the surface that was given
  * (wall_trajectory.c).
@@ -22,6 +26,8 @@
 #ifndef DEM_MODEL_WALLS_H
 #define DEM_MODEL_WALLS_H
 
+#include "core/name_index.h"
+#include "model/periodic_image.h"
 #include "model/wall_motion.h"
 #include <stddef.h>
 #include <stdint.h>
@@ -44,10 +50,17 @@ struct dem_wall_scalar
     double start, end;            /* s  when it acts; insulated at other times */
 };
 
+enum
+{
+    DEM_WALL_FORM = 7             /* numbers that describe the form of a wall */
+};
+
 struct dem_wall
 {
     char name[64];
     int material;
+    int frictionless;                                 /* 1: contacts have the normal force and its
+                                                         damping only */
     enum dem_shape shape;
     int outside;                                      /* cylinder, sphere: 1 when
                                                          particles are outside */
@@ -68,8 +81,11 @@ struct dem_wall
                                                          counts them */
     size_t triangles, flat, repeats;                  /* of all ranks: kept; dropped without area;
                                                          dropped duplicates */
+    double area, centroid[3];                         /* m2, m: of its triangles, in its frame */
     size_t given;                                     /* triangles given, before any are dropped */
     int first_facet, facets;                          /* numbers of its facets: these */
+    double push;                                      /* m/s: largest speed along its own normal
+                                                         that its motion gives to its surface */
     int follows_mesh, moves;                          /* 1: it follows a mesh; it
                                                          moves in this advance */
     double displacement;                              /* m: largest displacement of
@@ -82,7 +98,10 @@ struct dem_triangle
     int facet;                    /* its index among the facets held */
     uint32_t index;               /* its index among the triangles of all walls and ranks, sorted */
     uint32_t given_index;         /* its index among the triangles given for its wall */
-    uint16_t wall, rim;           /* rim, bit k: edge k -> k + 1 is on the rim of its facet */
+    uint16_t wall;
+    uint8_t rim;                  /* bit k: edge k -> k + 1 is on the rim of its facet */
+    uint8_t place;                /* shift code: periods from here to its place in the facet, which
+                                     is connected */
 };
 
 /* corners of a triangle at begin and end of an advance */
@@ -99,7 +118,9 @@ struct dem_facet                  /* in the wall's frame */
     int wall, outside;
     enum dem_shape shape;
     int number;                   /* among the facets of all ranks: the key of its contacts */
-    int bent;                     /* 1: it follows a mesh and is no longer plane */
+    uint16_t bent;                /* 1: it follows a mesh and is no longer plane */
+    uint8_t endless;              /* bit k: along axis k it is joined to its own periodic image */
+    uint8_t distinct;             /* bit k: along axis k a particle may touch two of its images */
     uint32_t largest;             /* `index` of the largest triangle of the surface given: its plane
                                      is that of the facet */
 };
@@ -110,17 +131,22 @@ struct dem_wall_record
     struct dem_triangle triangle;  /* facet: its number */
     double normal[3], offset;      /* of the facet, in the wall's frame */
     uint32_t largest;
-    int bent;
+    uint16_t bent;
+    uint8_t endless, distinct;
 };
 
-/* reference frame of all walls with the same motion */
+/* reference frame of all walls with the same motion and base */
 struct dem_wall_frame
 {
     struct dem_motion motion;
+    struct dem_pose base;         /* where the motion begins, see wall_motion.h */
+    int resumed;                  /* 1: the base is not the identity */
     struct dem_pose pose;         /* present */
     struct dem_wall_displacement displacement;  /* over the last step */
     int triangles;                /* 1: has a wall of triangles */
     double box[2][3];             /* m: of these, in the frame */
+    double period[3];             /* m: of the images of its triangles; 0: none along this axis */
+    double turns[3];              /* whole periods taken off the displacement of the frame */
 };
 
 enum dem_list                                             /* neighbor lists, see neighbor/pairs.h */
@@ -154,6 +180,7 @@ struct dem_walls
     int walls;
     struct dem_wall *wall;
     size_t wall_capacity;
+    struct dem_name_index names;               /* of walls */
     size_t triangles, triangle_capacity;
     struct dem_triangle *triangle;
     int facets;
@@ -176,9 +203,18 @@ struct dem_walls
     int all_flat_static;                       /* 1: all walls are flat and
                                                   at rest, none is driven */
     int elsewhere;                             /* 1: triangles are given on another rank */
+    int periodic;                              /* 1: triangles have periodic images; for these: */
+    double period[3], unit[3];                 /* m: of periodic axes, else 0; positions along them
+                                                  are multiples of the unit */
+    double face[2][3];                         /* m: the periodic faces */
+    double reach;                              /* m: what is further from a periodic face is not
+                                                  compared with particles beyond it */
 };
 
 void dem_walls_free(struct dem_walls *);
+
+/* Index of the wall of this name; the number of walls when there is none. */
+int dem_walls_named(const struct dem_walls *, const char *name);
 
 /* Add a wall of triangles, or a plane. Names must be unique (DEM_ERROR_INPUT). `wall`: index of the
    wall. */
@@ -199,12 +235,85 @@ int dem_walls_add_triangles(struct dem_walls *, int wall, size_t n, const double
    about its normal only). */
 int dem_walls_set_motion(struct dem_walls *, int wall, const struct dem_motion *);
 
+/* Before the walls are finished: a wall that had another motion, with this base, until `time` [s]
+   goes on from its pose then, with its motion from now on. The same motion keeps the base. */
+int dem_walls_resume_motion(struct dem_walls *, int wall, const struct dem_motion *was,
+                            const struct dem_pose *base, double time);
+
+/* After the walls are finished: normal or axis, point, radius; or area and centroid of triangles.
+   dem_walls_same_form: 1 when two of them are of the same wall. Triangles may differ by the rounding
+   of a file that was written with six digits. */
+void dem_walls_form(const struct dem_wall *, double form[DEM_WALL_FORM]);
+int dem_walls_same_form(const double *a, const double *b, int triangles);
+
 /* Join triangles to facets. `scale` [m]: the largest particle radius, from which the tolerances of
    welding and flatness follow. */
 int dem_walls_finish(struct dem_walls *, double scale);
 
+/* Part of the above: the plane of a facet is that of this triangle, with the area vector `area` of
+   length `size` [m2]. Without an area the normal stays. */
+void dem_walls_set_plane(const struct dem_walls *, struct dem_facet *, const struct dem_triangle *,
+                         double size, const double area[3]);
+
 /* Part of the above: choose the points whose displacements bound those of the walls. */
 int dem_walls_make_marks(struct dem_walls *);
+
+/* Part of it: the speeds with which motions push particles. */
+void dem_walls_find_push(struct dem_walls *);
+
+/* ---- periodic images: no effect without periodic axes ----------------------------------------- */
+
+/* Largest number of periods between a triangle and its image that a particle meets. */
+enum
+{
+    DEM_WALL_IMAGES = 100
+};
+
+/* The images [n, n] of an extent that may meet another one [m]: all that meet it; 0 without a period. */
+void dem_walls_image_range(double period, const double extent[2], const double other[2],
+                           int range[2]);
+
+/* The period [m] of the images of triangles with this reference frame, -1: at rest. */
+static inline const double *dem_walls_period(const struct dem_walls *w, int frame)
+{
+    return frame < 0 ? w->period : w->frame[frame].period;
+}
+
+/* Where x is when the image that is n periods off is taken back: x itself, or written to `moved`. */
+static inline const double *dem_walls_from_image(const double period[3], const int8_t n[3],
+                                                 const double x[3], double moved[3])
+{
+    if (!(n[0] | n[1] | n[2]))
+    {
+        return x;
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        moved[k] = x[k] - n[k]*period[k];
+    }
+    return moved;
+}
+
+/* A corner of a triangle at its place in the facet. */
+void dem_walls_place_corner(const struct dem_walls *, const struct dem_triangle *, int k,
+                            double corner[3]);
+
+/* Part of dem_walls_finish: how facets lie to their own images, `endless` and `distinct`. */
+int dem_walls_compare_images(struct dem_walls *);
+
+/* Once boxes and motions of reference frames are known: which of these have periodic images. */
+void dem_walls_choose_periods(struct dem_walls *);
+
+/* Round the pose of a frame that has images, so that these are exact, and take the turns off. */
+void dem_walls_make_pose_periodic(const struct dem_walls *, struct dem_wall_frame *);
+
+/* When lists are made: take whole periods off the displacements of frames. */
+void dem_walls_wrap(struct dem_walls *);
+
+/* Extent [m] along an axis of a triangle during the whole motion of its wall, without its periodic
+   images. */
+void dem_walls_swept_extent(const struct dem_walls *, const struct dem_triangle *, int axis,
+                            double extent[2]);
 
 /* Triangles of all walls and ranks. */
 size_t dem_walls_count_triangles(const struct dem_walls *);

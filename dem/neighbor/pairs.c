@@ -66,7 +66,8 @@ size_t dem_pairs_bytes(const struct dem_pairs *s)
            dem_displacement_bytes(&s->displacement[DEM_LIST_OUTER]) +
            dem_displacement_bytes(&s->displacement[DEM_LIST_INNER]) +
            s->wall_search.neighbor_capacity*sizeof *s->wall_search.neighbor +
-           s->wall_search.candidate_capacity*sizeof *s->wall_search.candidate;
+           s->wall_search.candidate_capacity*sizeof *s->wall_search.candidate +
+           s->wall_search.image_capacity*sizeof *s->wall_search.image;
 }
 
 int dem_pairs_order(struct dem_pairs *s, struct dem_particles *p)

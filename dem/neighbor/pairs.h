@@ -33,7 +33,7 @@ struct dem_pairs
     alignas(16) double shift[DEM_SHIFTS][4];  /* m, m, m, 0; read four at once */
     struct dem_grid grid;                     /* of the last dem_pairs_search */
     struct dem_wall_search wall_search;
-    int *wall_facet;                          /* number of the facet of each wall neighbor */
+    struct dem_facet_key *wall_facet;         /* facet of each wall neighbor */
     size_t wall_facet_capacity;
 };
 

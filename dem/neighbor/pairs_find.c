@@ -301,6 +301,26 @@ static int add_pair(struct dem_contacts *c, struct dem_pair pair)
     return DEM_OK;
 }
 
+static struct dem_facet_key facet_key(const struct dem_walls *w,
+                                      const struct dem_wall_neighbor *near,
+                                      const struct dem_particle *me)
+{
+    const struct dem_facet *const r = &w->facet[near->facet];
+    const int frame = w->wall[r->wall].frame;
+    struct dem_facet_key key = {.number = r->number};
+
+    for (int k = 0; k < 3; k++)
+    {
+        const int turns = frame < 0 ? 0 : (int)fmod(w->frame[frame].turns[k], DEM_IMAGE_MASK + 1);
+
+        key.image = r->distinct >> k & 1
+                        ? dem_image_add(key.image, k, turns - near->image[k] -
+                                                          (int)dem_image_part(me->image, k))
+                        : key.image;
+    }
+    return key;
+}
+
 static int wall_pairs(struct dem_pairs *s, const struct dem_particles *p, const struct dem_walls *w,
                       const struct dem_interaction_table *r, struct dem_contacts *c)
 {
@@ -310,9 +330,10 @@ static int wall_pairs(struct dem_pairs *s, const struct dem_particles *p, const 
     {
         const struct dem_wall_neighbor *const near = &s->wall_search.neighbor[k];
         const struct dem_particle *const me = &p->record[near->particle];
-        const int material = w->wall[w->facet[near->facet].wall].material;
+        const struct dem_wall *const wall = &w->wall[w->facet[near->facet].wall];
+        const int *const class = r->class_of[DEM_PARTNER_WALL + wall->frictionless][me->material];
 
-        s->wall_facet[k] = w->facet[near->facet].number;
+        s->wall_facet[k] = facet_key(w, near, me);
         if (!(me->flags & DEM_PARTICLE_FROZEN) || r->contact_scalars)
         {
             DEM_TRY(
@@ -322,7 +343,7 @@ static int wall_pairs(struct dem_pairs *s, const struct dem_particles *p, const 
                              .j = (uint32_t)k,
                              .shift = DEM_SHIFT_NONE,
                              .wall = 1,
-                             .class = (uint16_t)r->class_of[1][me->material][material]}));
+                             .class = (uint16_t)class[wall->material]}));
         }
     }
     return DEM_OK;

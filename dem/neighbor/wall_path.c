@@ -121,7 +121,11 @@ static int piece_passes(struct dem_wall_search *s, const struct dem_walls *w, in
                                        (0.5 + margin)*dem_vec_norm(along)));
         for (size_t c = first; c < s->candidates; c++)
         {
-            *passes |= meets_triangle(&w->triangle[s->candidate[c]], from, to);
+            double here[3], there[3];
+
+            *passes |= meets_triangle(&w->triangle[s->candidate[c]],
+                                      dem_wall_from_candidate(s, w, (uint32_t)c, from, here),
+                                      dem_wall_from_candidate(s, w, (uint32_t)c, to, there));
         }
         s->candidates = first;
     }

@@ -1,6 +1,5 @@
 /*
- * wall_search.c -- grid of triangles; for each particle the facets within reach; nearest points of
- * triangles.
+ * wall_search.c -- for each particle the facets within reach; nearest points of triangles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -12,21 +11,13 @@
 #include <math.h>
 #include <string.h>
 
-/* A triangle is skipped when the plane of its facet is out of reach. The factor is far above
-   round-off and the tolerance of flatness. */
-static const double reach_margin = 1.001;
-
-enum
-{
-    MAX_CELLS = 1 << 21
-};
-
 void dem_wall_search_free(struct dem_wall_search *s)
 {
     dem_memory_free(s->start);
     dem_memory_free(s->entry);
     dem_memory_free(s->neighbor);
     dem_memory_free(s->candidate);
+    dem_memory_free(s->image);
     dem_memory_free(s->seen);
     memset(s, 0, sizeof *s);
 }
@@ -96,18 +87,23 @@ double dem_triangle_nearest(const struct dem_triangle *t, const double x[3], dou
 
 double dem_wall_search_nearest(const struct dem_wall_search *s, const struct dem_walls *w,
                                const struct dem_wall_neighbor *near, const double x[3],
-                               double point[3])
+                               double point[3], double away[3])
 {
-    double best = DBL_MAX, here[3];
+    double best = DBL_MAX, here[3], moved[3];
 
     for (uint32_t c = near->first; c < near->first + near->count; c++)
     {
-        const double square = dem_triangle_nearest(&w->triangle[s->candidate[c]], x, here);
+        const double *const from = dem_wall_from_candidate(s, w, c, x, moved);
+        const double square = dem_triangle_nearest(&w->triangle[s->candidate[c]], from, here);
 
         if (square < best)
         {
             best = square;
-            memcpy(point, here, sizeof here);
+            dem_vec_minus(from, here, away);
+            for (int k = 0; k < 3; k++)
+            {
+                point[k] = from == x ? here[k] : here[k] + (x[k] - from[k]);
+            }
         }
     }
     return sqrt(best);
@@ -117,145 +113,16 @@ double dem_wall_search_distance(const struct dem_wall_search *s, const struct de
                                 const struct dem_wall_neighbor *near, const double global[3])
 {
     const struct dem_facet *const r = &w->facet[near->facet];
-    double local_x[3], there[3];
+    double local_x[3], there[3], away[3];
     const double *const x = dem_walls_to_frame(w, r->wall, global, local_x);
 
     if (!dem_wall_neighbor_open(w, near))
     {
-        return dem_wall_search_nearest(s, w, near, x, there);
+        return dem_wall_search_nearest(s, w, near, x, there, away);
     }
-    const double h = dem_facet_height(r, x, there);
+    const double h = dem_facet_height(r, dem_wall_from_facet(w, near, x, away), there);
 
     return r->shape == DEM_SHAPE_TRIANGLES ? fabs(h) : h;
-}
-
-/* ---- the grid -------------------------------------------------------------------------------- */
-
-static void triangle_box(const struct dem_triangle *t, double box[2][3])
-{
-    for (int k = 0; k < 3; k++)
-    {
-        box[0][k] = fmin(t->corner[0][k], fmin(t->corner[1][k], t->corner[2][k]));
-        box[1][k] = fmax(t->corner[0][k], fmax(t->corner[1][k], t->corner[2][k]));
-    }
-}
-
-static void cell_range(const struct dem_wall_search *s, double box[2][3], double margin,
-                       int from[3], int to[3])
-{
-    for (int k = 0; k < 3; k++)
-    {
-        const double a = floor((box[0][k] - margin - s->origin[k])/s->edge);
-        const double b = floor((box[1][k] + margin - s->origin[k])/s->edge);
-
-        from[k] = a < 0.0 ? 0 : a > s->cells[k] ? s->cells[k] : (int)a;
-        to[k] = b < -1.0 ? -1 : b > s->cells[k] - 1 ? s->cells[k] - 1 : (int)b;
-    }
-}
-
-/* For each cell that the box of a triangle meets: count it (entry NULL), or store the triangle in
-   it. */
-static void count_or_store(struct dem_wall_search *s, const struct dem_walls *w, size_t *next,
-                           uint32_t *entry)
-{
-    for (size_t t = 0; t < w->triangles; t++)
-    {
-        double box[2][3];
-        int from[3], to[3];
-
-        triangle_box(&w->triangle[t], box);
-        cell_range(s, box, 1e-9*s->edge, from, to);
-        for (int z = from[2]; z <= to[2]; z++)
-        {
-            for (int y = from[1]; y <= to[1]; y++)
-            {
-                for (int x = from[0]; x <= to[0]; x++)
-                {
-                    const size_t cell =
-                        ((size_t)z*(size_t)s->cells[1] + (size_t)y)*(size_t)s->cells[0] +
-                        (size_t)x;
-
-                    if (entry)
-                    {
-                        entry[next[cell]] = (uint32_t)t;
-                    }
-                    next[cell]++;
-                }
-            }
-        }
-    }
-}
-
-static void size_grid(struct dem_wall_search *s, const struct dem_walls *w, double radius)
-{
-    double all[2][3] = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}},
-           cells = 1.0;
-
-    for (size_t t = 0; t < w->triangles; t++)
-    {
-        double box[2][3];
-
-        triangle_box(&w->triangle[t], box);
-        for (int k = 0; k < 3; k++)
-        {
-            all[0][k] = fmin(all[0][k], box[0][k]);
-            all[1][k] = fmax(all[1][k], box[1][k]);
-        }
-    }
-    s->edge = 3.0*radius;
-    do
-    {
-        cells = 1.0;
-        for (int k = 0; k < 3; k++)
-        {
-            s->origin[k] = all[0][k];
-            cells *= s->cells[k] = (int)fmin(2.0*MAX_CELLS, (all[1][k] - all[0][k])/s->edge) + 1;
-        }
-        s->edge *= cells > MAX_CELLS ? 1.26 : 1.0;
-    } while (cells > MAX_CELLS);
-}
-
-/* next: one number a cell, zero. */
-static int fill_grid(struct dem_wall_search *s, const struct dem_walls *w, size_t cells,
-                     size_t *next)
-{
-    count_or_store(s, w, next, NULL);
-    for (size_t c = 0; c < cells; c++)
-    {
-        s->start[c + 1] = s->start[c] + next[c];
-        next[c] = s->start[c];
-    }
-    DEM_TRY(DEM_NEW(s->entry, s->start[cells] + 1));
-    count_or_store(s, w, next, s->entry);
-    return DEM_OK;
-}
-
-int dem_wall_search_prepare(struct dem_wall_search *s, const struct dem_walls *w, double radius)
-{
-    size_t *next = NULL;
-
-    dem_memory_free(s->start);
-    dem_memory_free(s->entry);
-    dem_memory_free(s->seen);
-    s->start = NULL;                                      /* an allocation that fails leaves them so */
-    s->entry = s->seen = NULL;
-    s->stamp = 0;
-    s->radius = radius;
-    s->path_length = w->path_length;
-    if (w->triangles == 0)
-    {
-        return DEM_OK;
-    }
-    size_grid(s, w, radius);
-    const size_t cells = (size_t)s->cells[0]*(size_t)s->cells[1]*(size_t)s->cells[2];
-
-    DEM_TRY(DEM_NEW(s->start, cells + 1));
-    DEM_TRY(DEM_NEW(s->seen, w->triangles));
-    DEM_TRY(DEM_NEW(next, cells + 1));
-    const int status = fill_grid(s, w, cells, next);
-
-    dem_memory_free(next);
-    return status;
 }
 
 /* ---- other triangles held -------------------------------------------------------------------- */
@@ -307,7 +174,7 @@ static int add_neighbor(struct dem_wall_search *s, uint32_t particle, int facet,
     *near = &s->neighbor[s->neighbors++];
     **near = (struct dem_wall_neighbor){.particle = particle,
                                         .facet = facet,
-                                        .open = open,
+                                        .open = (uint8_t)open,
                                         .first = (uint32_t)s->candidates};
     return DEM_OK;
 }
@@ -331,63 +198,81 @@ static int find_primitives(struct dem_wall_search *s, const struct dem_walls *w,
     return DEM_OK;
 }
 
-static inline double plane_height(const struct dem_walls *w, uint32_t t, const double x[3])
+/* a triangle or an image of one, and the facet */
+struct found
 {
-    const struct dem_facet *const r = &w->facet[w->triangle[t].facet];
+    uint32_t triangle;
+    int facet;
+    struct dem_wall_image image, of_facet;
+};
 
-    return dem_vec_dot(r->normal, x) - r->offset;
-}
-
-int dem_wall_search_gather(struct dem_wall_search *s, const struct dem_walls *w, int frame,
-                           const double x[3], double reach)
+static struct found found_at(const struct dem_wall_search *s, const struct dem_walls *w, size_t c)
 {
-    double box[2][3], nearest[3];
-    int from[3], to[3];
+    const struct dem_triangle *const t = &w->triangle[s->candidate[c]];
+    struct found f = {.triangle = s->candidate[c], .facet = t->facet};
 
-    memcpy(box[0], x, sizeof box[0]);
-    memcpy(box[1], x, sizeof box[1]);
-    cell_range(s, box, reach, from, to);
-    s->stamp++;
-    for (int z = from[2]; z <= to[2]; z++)
+    if (s->image)
     {
-        for (int y = from[1]; y <= to[1]; y++)
+        f.image = s->image[c];
+        for (int k = 0; k < 3; k++)
         {
-            const size_t row = ((size_t)z*(size_t)s->cells[1] + (size_t)y)*(size_t)s->cells[0];
-
-            for (size_t e = s->start[row + (size_t)from[0]];
-                 from[0] <= to[0] && e < s->start[row + (size_t)to[0] + 1]; e++)
-            {
-                const uint32_t t = s->entry[e];
-
-                if (s->seen[t] != s->stamp && w->wall[w->triangle[t].wall].frame == frame &&
-                    fabs(plane_height(w, t, x)) < reach_margin*reach &&
-                    dem_triangle_nearest(&w->triangle[t], x, nearest) < reach*reach)
-                {
-                    DEM_TRY(DEM_GROW(s->candidate, s->candidate_capacity, s->candidates + 1));
-                    s->candidate[s->candidates++] = t;
-                }
-                s->seen[t] = s->stamp;
-            }
+            f.of_facet.n[k] = (int8_t)(w->facet[t->facet].endless >> k & 1
+                                           ? 0 : f.image.n[k] - dem_shift_axis(t->place, k));
         }
     }
-    return DEM_OK;
+    return f;
 }
 
-static void sort_by_facet(const struct dem_walls *w, uint32_t *t, size_t n)
+static int compare_images(const struct dem_wall_image *a, const struct dem_wall_image *b)
 {
-    for (size_t k = 1; k < n; k++)
+    int order = 0;
+
+    for (int k = 0; k < 3 && order == 0; k++)
     {
-        const uint32_t here = t[k];
+        order = (a->n[k] > b->n[k]) - (a->n[k] < b->n[k]);
+    }
+    return order;
+}
+
+/* By facet, image of the facet, triangle, image of the triangle. */
+static int comes_after(const struct found *a, const struct found *b)
+{
+    const int facets = (a->facet > b->facet) - (a->facet < b->facet),
+              images = compare_images(&a->of_facet, &b->of_facet),
+              triangles = (a->triangle > b->triangle) - (a->triangle < b->triangle);
+
+    return (facets      ? facets
+            : images    ? images
+            : triangles ? triangles
+                        : compare_images(&a->image, &b->image)) > 0;
+}
+
+static void sort_by_facet(struct dem_wall_search *s, const struct dem_walls *w, size_t first)
+{
+    for (size_t k = first + 1; k < s->candidates; k++)
+    {
+        const struct found here = found_at(s, w, k);
         size_t m = k;
 
-        for (;
-             m > 0 && (w->triangle[t[m - 1]].facet > w->triangle[here].facet ||
-                       (w->triangle[t[m - 1]].facet == w->triangle[here].facet && t[m - 1] > here));
-             m--)
+        for (; m > first; m--)
         {
-            t[m] = t[m - 1];
+            const struct found before = found_at(s, w, m - 1);
+
+            if (!comes_after(&before, &here))
+            {
+                break;
+            }
+            s->candidate[m] = before.triangle;
+            if (s->image)
+            {
+                s->image[m] = before.image;
+            }
         }
-        t[m] = here;
+        s->candidate[m] = here.triangle;
+        if (s->image)
+        {
+            s->image[m] = here.image;
+        }
     }
 }
 
@@ -412,7 +297,7 @@ static int find_triangulated(struct dem_wall_search *s, const struct dem_walls *
     const size_t first = s->candidates;
     const double reach = p->radius + skin;
     struct dem_wall_neighbor *near = NULL;
-    double local_x[3];
+    double local_x[3], moved[3];
 
     DEM_TRY(dem_wall_search_gather(s, w, -1, p->x, reach));
     for (int k = 0; k < w->frames; k++)
@@ -423,21 +308,23 @@ static int find_triangulated(struct dem_wall_search *s, const struct dem_walls *
             DEM_TRY(dem_wall_search_gather(s, w, k, local_x, reach));
         }
     }
-    if (s->candidates > first)                            /* s->candidate may be NULL otherwise */
-    {
-        sort_by_facet(w, s->candidate + first, s->candidates - first);
-    }
+    sort_by_facet(s, w, first);
     for (size_t c = first; c < s->candidates; c++)
     {
-        const struct dem_triangle *const t = &w->triangle[s->candidate[c]];
+        const struct found f = found_at(s, w, c);
+        const struct dem_triangle *const t = &w->triangle[f.triangle];
+        const double *const x = dem_walls_to_frame(w, t->wall, p->x, local_x);
 
-        if (!near || near->facet != t->facet)
+        if (!near || near->facet != f.facet ||
+            memcmp(near->image, f.of_facet.n, sizeof near->image) != 0)
         {
-            DEM_TRY(add_neighbor(s, particle, t->facet, 1, &near));
+            DEM_TRY(add_neighbor(s, particle, f.facet, 1, &near));
             near->first = (uint32_t)c;
+            memcpy(near->image, f.of_facet.n, sizeof near->image);
         }
         near->count++;
-        near->open &= !rim_in_reach(t, dem_walls_to_frame(w, t->wall, p->x, local_x), reach);
+        near->open &= (uint8_t)!rim_in_reach(
+            t, dem_wall_from_candidate(s, w, (uint32_t)c, x, moved), reach);
     }
     return DEM_OK;
 }
@@ -487,11 +374,11 @@ static double distance_and_normal(const struct dem_wall_search *s, const struct 
                                   double normal[3])
 {
     const struct dem_facet *const r = &w->facet[near->facet];
-    double point[3];
+    double point[3], away[3];
 
     if (dem_wall_neighbor_open(w, near))
     {
-        const double h = dem_facet_height(r, x, normal);
+        const double h = dem_facet_height(r, dem_wall_from_facet(w, near, x, away), normal);
         const int behind = r->shape == DEM_SHAPE_TRIANGLES && h < 0.0;
 
         for (int k = 0; k < 3; k++)
@@ -500,11 +387,11 @@ static double distance_and_normal(const struct dem_wall_search *s, const struct 
         }
         return behind ? -h : h;
     }
-    const double distance = dem_wall_search_nearest(s, w, near, x, point);
+    const double distance = dem_wall_search_nearest(s, w, near, x, point, away);
 
     for (int k = 0; k < 3; k++)
     {
-        normal[k] = distance > 0.0 ? (x[k] - point[k])/distance : 0.0;
+        normal[k] = distance > 0.0 ? away[k]/distance : 0.0;
     }
     return distance;
 }
@@ -544,20 +431,22 @@ int dem_wall_search_push_out(struct dem_wall_search *s, const struct dem_walls *
     return DEM_OK;
 }
 
-uint32_t dem_wall_neighbor_triangle(const struct dem_wall_search *s, const struct dem_walls *w,
-                                    const struct dem_wall_neighbor *near, const double x[3])
+uint32_t dem_wall_neighbor_candidate(const struct dem_wall_search *s, const struct dem_walls *w,
+                                     const struct dem_wall_neighbor *near, const double x[3])
 {
-    uint32_t nearest = s->candidate[near->first];
-    double best = INFINITY, on[3];
+    uint32_t nearest = near->first;
+    double best = INFINITY, on[3], moved[3];
 
     for (uint32_t c = near->first; c < near->first + near->count; c++)
     {
-        const double square = dem_triangle_nearest(&w->triangle[s->candidate[c]], x, on);
+        const double square =
+            dem_triangle_nearest(&w->triangle[s->candidate[c]],
+                                 dem_wall_from_candidate(s, w, c, x, moved), on);
 
         if (square < best)
         {
             best = square;
-            nearest = s->candidate[c];
+            nearest = c;
         }
     }
     return nearest;

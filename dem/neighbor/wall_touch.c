@@ -78,14 +78,16 @@ void dem_wall_touches_set_rows(struct dem_wall_touches *t, const struct dem_wall
     }
 }
 
-/* The whole plane or curved surface of a facet. Triangles have two sides, all other shapes one. */
-static inline void touch_whole(const struct dem_facet *r, const double x[3],
+/* The whole plane or curved surface of a facet, which sees the particle at `from`. Triangles have two
+   sides, all other shapes one. */
+static inline void touch_whole(const struct dem_facet *r, const double from[3], const double x[3],
                                struct dem_wall_touch *t)
 {
     const int flat = r->shape == DEM_SHAPE_PLANE || r->shape == DEM_SHAPE_TRIANGLES;
     double round[3];
     const double *const normal = flat ? r->normal : round;
-    const double h = flat ? dem_vec_dot(r->normal, x) - r->offset : dem_facet_height(r, x, round);
+    const double h =
+        flat ? dem_vec_dot(r->normal, from) - r->offset : dem_facet_height(r, from, round);
     const double side = r->shape != DEM_SHAPE_TRIANGLES || h >= 0.0 ? 1.0 : -1.0;
 
     t->distance = side*h;
@@ -101,21 +103,25 @@ static void touch_triangles(const struct dem_wall_search *s, const struct dem_wa
                             struct dem_wall_touch *t)
 {
     struct dem_wall_touch face;
-    double away[3];
+    double moved[3], away[3], apart[3];
+    const double *const from = dem_wall_from_facet(w, near, x, moved);
 
-    t->distance = dem_wall_search_nearest(s, w, near, x, t->point);
-    touch_whole(&w->facet[near->facet], x, &face);
-    dem_vec_minus(face.point, t->point, away);
-    if ((dem_vec_norm(away) < same_point*radius && !w->facet[near->facet].bent) ||
+    t->distance = dem_wall_search_nearest(s, w, near, x, t->point, away);
+    touch_whole(&w->facet[near->facet], from, x, &face);
+    for (int k = 0; k < 3; k++)
+    {
+        apart[k] = away[k] - face.distance*face.normal[k];
+    }
+    if ((dem_vec_norm(apart) < same_point*radius && !w->facet[near->facet].bent) ||
         t->distance == 0.0)
     {
         /* inside a facet: the plane's own normal, free of the round-off at edges */
-        touch_whole(&w->facet[near->facet], x, t);
+        touch_whole(&w->facet[near->facet], from, x, t);
         return;
     }
     for (int k = 0; k < 3; k++)
     {
-        t->normal[k] = (x[k] - t->point[k])/t->distance;
+        t->normal[k] = away[k]/t->distance;
     }
 }
 
@@ -127,12 +133,12 @@ static void touch_facet(const struct dem_wall_search *s, const struct dem_walls 
     const struct dem_facet *const r = &w->facet[near->facet];
     const int frame = w->wall[r->wall].frame;
     struct dem_wall_touch own;
-    double scratch[3];
+    double scratch[3], moved[3];
     const double *const x = dem_walls_to_frame(w, r->wall, i->x, scratch);
 
     if (whole || dem_wall_neighbor_open(w, near))
     {
-        touch_whole(r, x, t);
+        touch_whole(r, dem_wall_from_facet(w, near, x, moved), x, t);
     }
     else
     {
@@ -151,14 +157,15 @@ static int lies_on(const struct dem_wall_search *s, const struct dem_walls *w,
                    const struct dem_wall_neighbor *near, const double point[3], double tolerance)
 {
     const struct dem_facet *const r = &w->facet[near->facet];
-    double on[3], scratch[3], normal[3];
+    double on[3], scratch[3], moved[3], normal[3];
     const double *const x = dem_walls_to_frame(w, r->wall, point, scratch);
 
     if (dem_wall_neighbor_open(w, near))
     {
-        return fabs(dem_facet_height(r, x, normal)) < tolerance;
+        return fabs(dem_facet_height(r, dem_wall_from_facet(w, near, x, moved), normal)) <
+               tolerance;
     }
-    return dem_wall_search_nearest(s, w, near, x, on) < tolerance;
+    return dem_wall_search_nearest(s, w, near, x, on, moved) < tolerance;
 }
 
 /* 1 when b takes precedence over a: a strict order, so that no two contacts are dropped in favour
@@ -184,13 +191,17 @@ static void inner_point(const struct dem_wall_search *s, const struct dem_walls 
                         double point[3])
 {
     const int wall = w->facet[near->facet].wall, frame = w->wall[wall].frame;
-    double scratch[3], middle[3];
+    double scratch[3], middle[3], moved[3];
     const double *const x = dem_walls_to_frame(w, wall, i->x, scratch);
-    const struct dem_triangle *const t = &w->triangle[dem_wall_neighbor_triangle(s, w, near, x)];
+    const uint32_t candidate = dem_wall_neighbor_candidate(s, w, near, x);
+    const struct dem_triangle *const t = &w->triangle[s->candidate[candidate]];
+    const double *const from = dem_wall_from_candidate(s, w, candidate, x, moved);
 
     for (int k = 0; k < 3; k++)
     {
-        middle[k] = point[k] = (t->corner[0][k] + t->corner[1][k] + t->corner[2][k])/3.0;
+        middle[k] = (t->corner[0][k] + t->corner[1][k] + t->corner[2][k])/3.0;
+        middle[k] += from == x ? 0.0 : x[k] - from[k];
+        point[k] = middle[k];
     }
     if (frame >= 0)
     {

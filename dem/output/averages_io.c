@@ -43,15 +43,29 @@ static int read_cells(const struct dem_dict *d, int cells[3])
     return DEM_OK;
 }
 
+/* 1 when a run or a coupled run writes a table of this name into the folder of the averages. */
+static int is_taken(const char *name)
+{
+    static const char *const tables[] = {"effects", "energy", "walls", "flows", "lost", "bonds",
+                                         "budget"};
+    int taken = strncmp(name, "particles_", 10) == 0;
+
+    for (size_t k = 0; k < sizeof tables/sizeof *tables; k++)
+    {
+        taken |= strcmp(name, tables[k]) == 0;
+    }
+    return taken;
+}
+
 static int read_plan(struct dem_averages_entry *p, const struct dem_dict *d)
 {
     p->name = dem_dict_name(d);
     DEM_REQUIRE(!strchr(p->name, '/'), DEM_ERROR_INPUT,
                 "%s: the name %s is used as a file name and cannot hold a /", dem_dict_where(d),
                 p->name);
-    DEM_REQUIRE(strcmp(p->name, "effects") != 0, DEM_ERROR_INPUT,
-                "%s: effects.csv is the table of the effects that act; give these averages another "
-                "name", dem_dict_where(d));
+    DEM_REQUIRE(!is_taken(p->name), DEM_ERROR_INPUT,
+                "%s: averages named %s would overwrite %s.csv, which the run writes; give these "
+                "averages another name", dem_dict_where(d), p->name, p->name);
     DEM_TRY(dem_dict_vector(d, "min", "m", p->min));
     DEM_TRY(dem_dict_vector(d, "max", "m", p->max));
     for (int k = 0; k < 3; k++)

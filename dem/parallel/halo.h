@@ -78,7 +78,8 @@ int dem_halo_find_neighbors(struct dem_halo *, const struct dem_domain *, double
 
 /* Collective. Send every particle to the rank that owns its position, with the saved history of its
    contacts. Removes all ghosts. `status`, here and in the next function: of this rank; one that has
-   failed takes part, and all ranks return an error. */
+   failed takes part, and all ranks return an error. A rank without memory for what it receives
+   fails alone: agree on the result, or pass it on as the status of the next collective call. */
 int dem_halo_migrate(struct dem_halo *, int status, struct dem_particles *, struct dem_contacts *);
 
 /* Collective. Build the ghosts: copies of all particles that may come within `reach` [m] past

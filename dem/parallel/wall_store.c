@@ -17,7 +17,7 @@
 enum
 {
     RECORD = (int)(sizeof(struct dem_wall_record)/sizeof(double)), /* doubles of a record */
-    FACTS = 6                                                      /* numbers of a wall, of a box */
+    FACTS = 11                                           /* numbers of a wall; a box has 6 */
 };
 _Static_assert(sizeof(struct dem_wall_record)%sizeof(double) == 0,
                "the record of a triangle is sent as doubles");
@@ -124,7 +124,9 @@ static void copy_facts(struct dem_walls *w, double *fact, int back)
     {
         struct dem_wall *const of = &w->wall[k];
         const double facts[FACTS] = {(double)of->triangles, (double)of->flat, (double)of->repeats,
-                                     (double)of->given, of->first_facet, of->facets};
+                                     (double)of->given, of->first_facet, of->facets, of->push,
+                                     of->area, of->centroid[0], of->centroid[1],
+                                     of->centroid[2]};
 
         if (!back)
         {
@@ -137,6 +139,9 @@ static void copy_facts(struct dem_walls *w, double *fact, int back)
         of->given = (size_t)fact[3];
         of->first_facet = (int)fact[4];
         of->facets = (int)fact[5];
+        of->push = fact[6];
+        of->area = fact[7];
+        memcpy(of->centroid, fact + 8, sizeof of->centroid);
     }
     for (int k = 0; k < w->frames; k++, fact += FACTS)
     {
@@ -165,6 +170,7 @@ int dem_wall_store_finish(struct dem_wall_store *s, int status, struct dem_walls
         copy_facts(w, fact, 1);
     }
     dem_memory_free(fact);
+    dem_walls_choose_periods(w);
     status = status ? status : dem_walls_make_marks(w);
     return dem_collect_agree(s->decomposition, status);
 }
@@ -262,35 +268,80 @@ static int boxes_meet(double a[2][3], double b[2][3], double reach)
     return meet;
 }
 
-static int select_records(struct dem_wall_store *s, const struct dem_walls *w,
-                          struct selected *list)
+/* The ranks near an image of a triangle, `n` periods off. */
+static int select_image(struct dem_wall_store *s, const double period[3], double box[2][3],
+                        const int n[3], uint32_t record, struct selected *list)
 {
-    for (size_t t = 0; t < s->n; t++)
-    {
-        const struct dem_triangle *const triangle = &s->record[t].triangle;
-        double box[2][3];
+    double image[2][3];
 
-        dem_walls_triangle_box(w, triangle, box);
-        if (!w->wall[triangle->wall].follows_mesh && boxes_meet(box, s->box, s->reach))
+    for (int k = 0; k < 6; k++)
+    {
+        image[k/3][k%3] = box[k/3][k%3] + n[k%3]*period[k%3];
+    }
+    return boxes_meet(image, s->box, s->reach)
+               ? descend(s, image, 0, s->decomposition->ranks, record, list)
+               : DEM_OK;
+}
+
+static int select_record(struct dem_wall_store *s, const struct dem_walls *w, uint32_t record,
+                         struct selected *list)
+{
+    const struct dem_triangle *const triangle = &s->record[record].triangle;
+    const double *const period = dem_walls_period(w, w->wall[triangle->wall].frame);
+    double box[2][3];
+    int range[3][2], n[3];
+
+    dem_walls_triangle_box(w, triangle, box);
+    for (int k = 0; k < 3; k++)
+    {
+        dem_walls_image_range(period[k], (const double[2]){box[0][k], box[1][k]},
+                              (const double[2]){s->box[0][k] - s->reach, s->box[1][k] + s->reach},
+                              range[k]);
+    }
+    for (n[0] = range[0][0]; n[0] <= range[0][1]; n[0]++)
+    {
+        for (n[1] = range[1][0]; n[1] <= range[1][1]; n[1]++)
         {
-            DEM_TRY(descend(s, box, 0, s->decomposition->ranks, (uint32_t)t, list));
+            for (n[2] = range[2][0]; n[2] <= range[2][1]; n[2]++)
+            {
+                DEM_TRY(select_image(s, period, box, n, record, list));
+            }
         }
     }
     return DEM_OK;
 }
 
+static int select_records(struct dem_wall_store *s, const struct dem_walls *w,
+                          struct selected *list)
+{
+    for (size_t t = 0; t < s->n; t++)
+    {
+        if (!w->wall[s->record[t].triangle.wall].follows_mesh)
+        {
+            DEM_TRY(select_record(s, w, (uint32_t)t, list));
+        }
+    }
+    return DEM_OK;
+}
+
+/* Each record once to each rank, whatever images of it are near. */
 static int write_messages(struct dem_wall_store *s, const struct selected *list)
 {
     double *data;
 
     for (size_t k = 0; k < list->n; k++)
     {
-        if (k == 0 || list->pair[k].lo != list->pair[k - 1].lo)
+        const struct dem_sort_pair *const here = &list->pair[k], *const before = here - (k > 0);
+
+        if (k == 0 || here->lo != before->lo)
         {
-            DEM_TRY(dem_messages_begin(&s->out, (int)list->pair[k].lo));
+            DEM_TRY(dem_messages_begin(&s->out, (int)here->lo));
         }
-        DEM_TRY(dem_messages_extend(&s->out, RECORD, &data));
-        memcpy(data, &s->record[list->pair[k].index], sizeof *s->record);
+        if (k == 0 || here->lo != before->lo || here->index != before->index)
+        {
+            DEM_TRY(dem_messages_extend(&s->out, RECORD, &data));
+            memcpy(data, &s->record[here->index], sizeof *s->record);
+        }
     }
     return DEM_OK;
 }
@@ -434,23 +485,19 @@ int dem_wall_store_follow(struct dem_wall_store *s, struct dem_walls *w, int wal
 }
 
 /* 1 when a box, or a periodic image of it, comes within reach of the other. */
-static int meets_image(const struct dem_domain *d, double shift[][4], double box[2][3],
-                       double other[2][3], double reach)
+static int meets_image(const struct dem_domain *d, double box[2][3], double other[2][3],
+                       double reach)
 {
-    int meets = 0;
+    int meets = 1, range[2];
 
-    for (int code = 0; code < DEM_SHIFTS; code++)
+    for (int k = 0; k < 3; k++)
     {
-        double image[2][3];
-        int there = 1;
+        const double extent[2] = {box[0][k], box[1][k]},
+                     around[2] = {other[0][k] - reach, other[1][k] + reach};
 
-        for (int k = 0; k < 3; k++)
-        {
-            image[0][k] = box[0][k] + shift[code][k];
-            image[1][k] = box[1][k] + shift[code][k];
-            there &= dem_shift_axis(code, k) == 0 || d->periodic[k];
-        }
-        meets |= there && boxes_meet(image, other, reach);
+        dem_walls_image_range(d->length[k], extent, around, range);
+        meets &= d->periodic[k] ? range[0] <= range[1]
+                                : extent[0] <= around[1] && extent[1] >= around[0];
     }
     return meets;
 }
@@ -460,11 +507,9 @@ int dem_wall_store_gather(const struct dem_wall_store *s, int status, const stru
                           struct dem_walls *near)
 {
     struct dem_wall_record *own = NULL, *all = NULL;
-    double shift[DEM_SHIFTS][4];
     size_t n = 0, total;
 
     *near = (struct dem_walls){.walls = 0};
-    dem_domain_shifts(d, shift);
     status = status ? status : DEM_NEW(own, s->n + 1);
     for (size_t t = 0; t < s->n && !status; t++)
     {
@@ -472,7 +517,7 @@ int dem_wall_store_gather(const struct dem_wall_store *s, int status, const stru
 
         dem_walls_triangle_box(w, &s->record[t].triangle, here);
         if (!w->wall[s->record[t].triangle.wall].follows_mesh &&
-            meets_image(d, shift, box, here, reach))
+            meets_image(d, box, here, reach))
         {
             own[n++] = s->record[t];
         }

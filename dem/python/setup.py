@@ -1,5 +1,8 @@
-"""setup.py -- pip install ./dem/python builds the core (make) and puts library and headers into the
-package.
+"""setup.py -- build the core (make) and put library and headers into the package; put its sources into
+a source distribution, which has no dem/ around it.
+
+    pip install ./dem/python
+    python3 -c 'from setuptools.build_meta import build_sdist; build_sdist("dist")'     in dem/python
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -8,12 +11,17 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from setuptools import find_packages, setup
+from setuptools import setup
 from setuptools.command.build_py import build_py
+from setuptools.command.sdist import sdist
 from setuptools.dist import Distribution
 
-CORE = Path(__file__).resolve().parent.parent
+HERE = Path(__file__).resolve().parent
+# of a source distribution, or of the tree
+CORE = HERE/"core" if (HERE/"core").is_dir() else HERE.parent
 VERSION = re.search(r'#define DEM_VERSION "(.*)"', (CORE/"include"/"dem.h").read_text()).group(1)
+# what `make shared` reads: sources lie at most three folders deep
+SOURCES = ("Makefile", "Make/*", "install/*", "*/*.[ch]", "*/*/*.[ch]")
 
 
 class WithCore(build_py):
@@ -27,12 +35,25 @@ class WithCore(build_py):
             shutil.copy(CORE/"include"/header, target/"include")
 
 
+class WithSources(sdist):
+    def make_release_tree(self, base_dir, files):
+        super().make_release_tree(base_dir, files)
+        for pattern in SOURCES:
+            for file in CORE.glob(pattern):
+                name = file.relative_to(CORE)
+                # links of wmake, objects
+                if file.is_file() and not {"lnInclude", "build", "python"} & set(name.parts):
+                    target = Path(base_dir)/"core"/name
+                    target.parent.mkdir(parents=True, exist_ok=True)
+                    shutil.copy(file, target)
+        licence = HERE.parent.parent/"COPYING"
+        if licence.exists():
+            shutil.copy(licence, base_dir)
+
+
 class HasLibrary(Distribution):
     def has_ext_modules(self):
         return True
 
 
-setup(name="suna", version=VERSION, description="Discrete elements: the core of Suna in Python",
-      license="GPL-3.0-or-later", packages=find_packages(include=["suna*"]),
-      python_requires=">=3.9",
-      install_requires=["numpy", "cffi"], cmdclass={"build_py": WithCore}, distclass=HasLibrary)
+setup(version=VERSION, cmdclass={"build_py": WithCore, "sdist": WithSources}, distclass=HasLibrary)

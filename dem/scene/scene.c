@@ -377,7 +377,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
     }
     DEM_TRY(dem_dict_sub_if(scene, "insert", &insert));
     DEM_TRY(dem_dict_sub_if(scene, "outlets", &outlets));
-    DEM_TRY(dem_streams_read(&s->streams, insert, outlets, r));
+    DEM_TRY(dem_streams_read(&s->streams, insert, outlets, r, d));
     for (int k = 0; k < w->walls; k++)
     {
         if (w->wall[k].absorbs)
@@ -388,6 +388,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
     DEM_REQUIRE(!r->motionless || s->streams.streams == 0, DEM_ERROR_INPUT,
                 "%s: start freezes all particles, but insert/%s lets others move; leave out one of "
                 "the two", dem_dict_where(start), s->streams.stream[0].name);
+    s->insertion.domain = d;
     DEM_TRY(insert ? dem_insert_read(&s->insertion, insert, r, w) : DEM_OK);
     DEM_REQUIRE(!start || s->insertion.n == 0, DEM_ERROR_INPUT,
                 "%s: the scene has both start and insert; keep one, or keep in insert only entries "

@@ -110,18 +110,6 @@ static int read_round(struct dem_walls *w, const struct dem_dict *dict, int mate
                                radius, strcmp(side, sides[1]) == 0);
 }
 
-/* Index of the wall of this name; the number of walls when there is none. */
-static int find_wall(const struct dem_walls *w, const char *name)
-{
-    int k = 0;
-
-    while (k < w->walls && strcmp(w->wall[k].name, name) != 0)
-    {
-        k++;
-    }
-    return k;
-}
-
 /* Add the walls of an entry; `first` is the index of the first of them. */
 static int read_shape(const struct wall_reader *reader, const struct dem_dict *dict, int *first)
 {
@@ -150,7 +138,7 @@ static int read_shape(const struct wall_reader *reader, const struct dem_dict *d
         return dem_error_prefix(dem_did_you_mean_error("type of wall", type, known, 8),
                                 "%s: ", dem_dict_where(dict));
     default:
-        *first = find_wall(w, dem_dict_name(dict));
+        *first = dem_walls_named(w, dem_dict_name(dict));
         DEM_REQUIRE(*first < w->walls, DEM_ERROR_INPUT,
                     "%s: wall %s is a %s, but no mesh provides it; run it in OpenFOAM, or use type "
                     "plane, box, cylinder, sphere, triangles or stl",
@@ -171,15 +159,21 @@ static int read_wall(void *context, const struct dem_dict *dict)
                       ? first + 1
                       : w->walls;
 
-    bool absorb;
+    bool absorb, frictionless;
 
     DEM_TRY(dem_dict_switch_or(dict, "absorb", false, &absorb));
+    DEM_TRY(dem_dict_switch_or(dict, "frictionless", false, &frictionless));
     for (int k = first; k < end; k++)
     {
         w->wall[k].absorbs = absorb ? dem_dict_name(dict) : NULL;
+        w->wall[k].frictionless = frictionless;
         w->absorbing += absorb;
         DEM_TRY(dem_scalar_wall_read(dict, reader->interaction_table, &w->wall[k]));
         DEM_TRY(dem_scene_read_motion(w, k, dict));
+        DEM_REQUIRE(!(frictionless && w->wall[k].driven), DEM_ERROR_INPUT,
+                    "%s: wall %s is frictionless, so the velocity of its surface moves no particle; "
+                    "take out frictionless, or surfaceVelocity and surfaceRotation",
+                    dem_dict_where(dict), w->wall[k].name);
     }
     return DEM_OK;
 }

@@ -211,12 +211,15 @@ void dem_wall_surface_mesh_motion(const struct dem_state *p, uint32_t wall_neigh
                                   double velocity[3], double spin[3])
 {
     const struct dem_wall_search *const s = &p->pairs.wall_search;
-    const double *const x = p->particles.record[s->neighbor[wall_neighbor].particle].x;
+    const struct dem_wall_neighbor *const near = &s->neighbor[wall_neighbor];
+    const uint32_t candidate = dem_wall_neighbor_candidate(
+        s, &p->walls, near, p->particles.record[near->particle].x);
+    double moved[3];
 
-    dem_walls_surface_motion(&p->walls,
-                             dem_wall_neighbor_triangle(s, &p->walls, &s->neighbor[wall_neighbor],
-                                                        x),
-                             p->touches.touch[wall_neighbor].point, velocity, spin);
+    dem_walls_surface_motion(&p->walls, s->candidate[candidate],
+                             dem_wall_from_candidate(s, &p->walls, candidate,
+                                                     p->touches.touch[wall_neighbor].point, moved),
+                             velocity, spin);
 }
 
 void dem_wall_surface_add_mesh_motion(const struct dem_state *p, uint32_t wall_neighbor, double dt,

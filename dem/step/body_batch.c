@@ -464,7 +464,7 @@ static void scatter_and_drift(const struct dem_body_workspace *restrict t,
 
         scatter_four(t, record, c, rows, h, v);
         dem_drift_four(record + c, v, h, round);
-        dem_drift_count_speeds(speeds, square);
+        dem_drift_count_speeds(speeds, &square);
     }
 }
 

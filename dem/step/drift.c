@@ -20,7 +20,9 @@ static void drift_fours(struct dem_particle *restrict record, size_t n, double d
 
         dem_drift_four(record + i, v, dt, round);
         dem_transpose4(v);
-        dem_drift_count_speeds(s, v[0]*v[0] + v[1]*v[1] + v[2]*v[2]);
+        const dem_vec4 square = v[0]*v[0] + v[1]*v[1] + v[2]*v[2];
+
+        dem_drift_count_speeds(s, &square);
     }
 }
 

@@ -31,8 +31,10 @@ dem_drift_four(struct dem_particle *record, const dem_vec4 v[4], double dt, cons
 }
 
 __attribute__((always_inline)) static inline void
-dem_drift_count_speeds(struct dem_drift_speeds *s, dem_vec4 square)
+dem_drift_count_speeds(struct dem_drift_speeds *s, const dem_vec4 *squares)
 {
+    const dem_vec4 square = *squares;
+
     for (int k = 0; k < 4; k++)
     {
         s->max_square[k] = dem_select(square[k] > s->max_square[k], square[k], s->max_square[k]);

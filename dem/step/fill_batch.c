@@ -245,7 +245,7 @@ static void random_numbers(struct dem_contact_workspace *t, const struct dem_sta
     {
         const struct dem_pair *const q = &p->contacts.pairs.pair[row_pair[c]];
         const int64_t i = p->particles.record[q->i].id;
-        const int64_t j = q->wall ? -1 - p->pairs.wall_facet[q->j] : p->particles.record[q->j].id;
+        const int64_t j = q->wall ? -1 - p->pairs.wall_facet[q->j].number : p->particles.record[q->j].id;
 
         t->batch.pair_random[c] = dem_random_unit((uint64_t)i, (uint64_t)j, 0, 0);
     }

@@ -73,19 +73,6 @@ static int removal_is_due(const struct dem_state *p)
     return !p->domain.remove || p->steps%REMOVAL_STEPS == 0;
 }
 
-/* The outlet at the wrapped position of a particle, or DEM_FLOW_NONE. */
-static int outlet_of(const struct dem_state *p, const struct dem_particle *q)
-{
-    struct dem_particle wrapped = *q;
-
-    if (p->flows->n == 0)
-    {
-        return DEM_FLOW_NONE;
-    }
-    dem_domain_wrap(&p->domain, &wrapped);
-    return dem_flows_outlet(p->flows, wrapped.x);
-}
-
 /* `removes`: 1 on all ranks when any particle has to be removed now. */
 static int check_removals(struct dem_state *p, int *removes)
 {
@@ -102,7 +89,7 @@ static int check_removals(struct dem_state *p, int *removes)
         const struct dem_particle *const q = &p->particles.record[i];
 
         outside = p->domain.remove && !dem_domain_contains(&p->domain, q->x) ? 1.0 : outside;
-        outside = outlets_due && outlet_of(p, q) != DEM_FLOW_NONE ? 1.0 : outside;
+        outside = outlets_due && dem_flows_outlet(p, i) != DEM_FLOW_NONE ? 1.0 : outside;
     }
     DEM_TRY(dem_agree_max(p, DEM_OK, &outside, 1));
     *removes = outside > 0.0;
@@ -123,7 +110,7 @@ static int wrap_and_remove(struct dem_state *p, int weighted)
     for (size_t i = 0; i < n && !status; i++)
     {
         dem_domain_wrap(&p->domain, &record[i]);
-        const int outlet = dem_flows_outlet(p->flows, record[i].x);
+        const int outlet = dem_flows_outlet(p, i);
         const int absorbed = p->walls.absorbing && !p->flows->asked
                                  ? dem_flows_absorbed(p->flows, &record[i])
                                  : DEM_FLOW_NONE;
@@ -282,6 +269,7 @@ static int hold_triangles(struct dem_state *p, int status)
 static int build_lists(struct dem_state *p, int status)
 {
     dem_pairs_use_chosen_skin(&p->pairs);
+    dem_walls_wrap(&p->walls);
     status = hold_triangles(p, status);
     status = status ? status : dem_pairs_order(&p->pairs, &p->particles);
     status = dem_halo_build(&p->halo, status, &p->particles, &p->domain, p->pairs.max_radius,
@@ -515,7 +503,13 @@ int dem_neighbor_update(struct dem_state *p, const double *moved, int n, int obs
 {
     if (n > 0)
     {
+        const int checked = dem_flows_due(p);
+
         DEM_TRY(update_lists(p, moved, n, observed));
+        if (checked)
+        {
+            dem_flows_end_check(p);
+        }
     }
     else
     {

@@ -120,9 +120,22 @@ static int keep_error(struct dem_unagreed *u, int status)
 
 /* ---- phases of the step ---------------------------------------------------------------------- */
 
-/* A particle that moves by more than its radius in one step may pass another unseen; the limit is
-   the smallest radius of the materials with contact effects. Speeds above time/maxSpeed and above
-   the speed of light are errors, too. */
+/* m: displacement of walls in the last step towards which a particle may have moved, with two sides:
+   behind a wall with one side it is found anyway. */
+static double two_sided_displacement(const struct dem_walls *w)
+{
+    int moves = w->following > 0;
+
+    for (int k = 0; k < w->frames; k++)
+    {
+        moves |= w->frame[k].triangles;
+    }
+    return moves ? w->displacement : 0.0;
+}
+
+/* A particle that moves by more than its radius in one step may pass another, or triangles, unseen,
+   and so may triangles that move towards it; the limit is the smallest radius of the materials with
+   contact effects. Speeds above time/maxSpeed and above the speed of light are errors, too. */
 static int check_displacements(const struct dem_state *p, double max_speed, double dt)
 {
     const double light = dem_particle_max_speed;
@@ -143,8 +156,11 @@ static int check_displacements(const struct dem_state *p, double max_speed, doub
         "a wall moves by %.3g m in step %lld at time %g s; the limit is %g m, the radius of the smallest particle, or it may miss a "
         "contact; use a smaller time/step, or a slower motion",
         p->walls.displacement, (long long)p->steps, p->time, min_radius);
-    for (size_t i = 0; (max_speed*dt > min_radius || max_speed > limit || max_speed > light) &&
-                       i < p->particles.n;
+    const double wall = two_sided_displacement(&p->walls);
+
+    for (size_t i = 0;
+         (max_speed*dt + wall > min_radius || max_speed > limit || max_speed > light) &&
+         i < p->particles.n;
          i++)
     {
         const struct dem_particle *const q = &p->particles.record[i];
@@ -173,6 +189,11 @@ static int check_displacements(const struct dem_state *p, double max_speed, doub
             "or it may miss a contact; use a smaller time/step, or check the forces on it",
             (long long)q->id, q->x[0], q->x[1], q->x[2], speed*dt, (long long)p->steps, speed,
             q->radius);
+        DEM_REQUIRE(
+            speed*dt + wall <= q->radius, DEM_ERROR_NUMBER,
+            "particle %lld at (%g %g %g) m moves by %.3g m in step %lld and a wall by %.3g m; the limit of the sum is %g m, "
+            "its radius, or they may miss a contact; use a smaller time/step, or a slower motion",
+            (long long)q->id, q->x[0], q->x[1], q->x[2], speed*dt, (long long)p->steps, wall, q->radius);
     }
     return DEM_OK;
 }

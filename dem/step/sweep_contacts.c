@@ -51,7 +51,12 @@ static double count_crossings(const struct dem_contact_batch *restrict b)
     return count;
 }
 
-/* Only walls of triangles have two sides. */
+/* Triangles have two sides, and a solid cylinder or sphere that is thinner than a particle. */
+static int has_two_sides(const struct dem_facet *r)
+{
+    return r->shape == DEM_SHAPE_TRIANGLES || (r->shape != DEM_SHAPE_PLANE && r->outside);
+}
+
 static int list_crossings(struct dem_state *p, const struct dem_contact_workspace *t, uint32_t row,
                           int rows)
 {
@@ -60,7 +65,7 @@ static int list_crossings(struct dem_state *p, const struct dem_contact_workspac
         const struct dem_pair *const q = dem_contacts_pair(&p->contacts, row + (uint32_t)c);
 
         if (crossed(&t->batch, c) > 0.0
-            && p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].shape == DEM_SHAPE_TRIANGLES)
+            && has_two_sides(&p->walls.facet[dem_pairs_facet(&p->pairs, q->j)]))
         {
             DEM_TRY(DEM_GROW(p->lost_particles->crossed, p->lost_particles->crossed_capacity,
                              p->lost_particles->crossings + 1));

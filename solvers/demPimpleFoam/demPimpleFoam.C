@@ -72,6 +72,7 @@ Description
 #include "emptyFvPatch.H"
 #include "demCloud.H"
 #include "demDrivingForce.H"
+#include "demFluid.H"
 #include "demTimeStepControl.H"
 #include "demRewrite.H"
 #include "demSettle.H"
@@ -147,7 +148,7 @@ int main(int argc, char *argv[])
     Info<< "\nStarting time loop\n" << endl;
 
     demTimeStepControl stepControl(runTime, cloud);
-    demStop stop;
+    demStop stop(runTime);
     bool planned = false;
 
     while (runTime.run())

@@ -98,6 +98,7 @@ Foam::fluidTemperature::fluidTemperature
     const dimensionedScalar& rho
 )
 :
+    cloud_(cloud),
     exchange_(cloud.heat()),
     twoWay_(cloud.particles().twoWay()),
     voidFraction_(voidFraction),
@@ -262,7 +263,7 @@ void Foam::fluidTemperature::correct()
     {
         const scalarField& V = T_.mesh().V();
 
-        exchange_.correct
+        cloud_.correctHeat
         (
             T_.primitiveField(),
             rhoCp_.value()*gSum((V*voidFraction_.primitiveField()*T_.primitiveField())()),

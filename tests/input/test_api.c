@@ -6,6 +6,9 @@
  * - Particles of the caller and of the scene never share an id.
  * - A frozen particle does not move under any force.
  * - Lattices stay in their box.
+ * - Each query before the set-up, and after one that failed, is refused or returns nothing; so is each
+ *   number of a wall, scalar, effect or item that does not exist. Run it with
+ *   -fsanitize=address,undefined after a change of the calls.
  *
  * Source: the contract in dem.h.
  *
@@ -198,10 +201,248 @@ static void lattices(void)
     }
 }
 
+/* ---- calls before their time, and numbers out of range --------------------------------------- */
+
+#define REFUSED_STATE(call) refused_state(call, #call)
+
+static int wrong;    /* calls that returned something else */
+
+static void refused_state(int status, const char *call)
+{
+    if (status != DEM_ERROR_STATE || !strstr(dem_error_text(), "dem_setup"))
+    {
+        TAP_NOTE("%s: status %d: %s", call, status, status ? dem_error_text() : "");
+        wrong++;
+    }
+}
+
+/* Queries that return a status */
+static void refuse_queries(struct dem *d)
+{
+    const struct dem_energy_item *item;
+    const struct dem_run_info run = {.duration = 1.0};
+    const struct dem_broken_bond *broken;
+    const struct dem_bond *bond;
+    const struct dem_loss *loss;
+    const struct dem_flow *flow;
+    struct dem_flow_sums sums = {0};
+    struct dem_scalar_exchange x;
+    struct dem_profile profile;
+    struct dem_totals t;
+    double a[3], b[3];
+    const char *text;
+    uint64_t hash;
+    int64_t n;
+    int k;
+
+    REFUSED_STATE(dem_totals(d, &t));
+    REFUSED_STATE(dem_hash(d, &hash));
+    REFUSED_STATE(dem_count_moving(d, 0.0, &n));
+    REFUSED_STATE(dem_profile(d, &profile));
+    REFUSED_STATE(dem_profile_text(d, &text));
+    REFUSED_STATE(dem_energy(d, a, &k, &item));
+    REFUSED_STATE(dem_lost(d, &n, &loss));
+    REFUSED_STATE(dem_flows(d, &k, &flow));
+    REFUSED_STATE(dem_flow_apply(d, &k));
+    REFUSED_STATE(dem_bonds(d, &n, &bond));
+    REFUSED_STATE(dem_broken_bonds(d, &n, &broken));
+    REFUSED_STATE(dem_bonds_draw(d, ".", "x", 0.0));
+    REFUSED_STATE(dem_wall_load(d, 0, a, b));
+    REFUSED_STATE(dem_wall_impulse_reset(d));
+    REFUSED_STATE(dem_wall_impulse(d, 0, a, b));
+    REFUSED_STATE(dem_wall_corners(d, 0, NULL));
+    REFUSED_STATE(dem_averages(d, "."));
+    REFUSED_STATE(dem_virial(d, a));
+    REFUSED_STATE(dem_plan(d, &run, &text));
+    REFUSED_STATE(dem_warnings(d, &run, 0, NULL, &text));
+    REFUSED_STATE(dem_impact_warning(d, 0.0, &text));
+    REFUSED_STATE(dem_pause_update(d, &t, &text));
+    REFUSED_STATE(dem_resume(d));
+    REFUSED_STATE(dem_scalar_exchange(d, 0, &x));
+    REFUSED_STATE(dem_scalar_correct(d, 0, a));
+    REFUSED_STATE(dem_scalar_total(d, 0, a));
+    REFUSED_STATE(dem_save(d, "x"));
+    REFUSED_STATE(dem_backup_every(d, 1));
+    REFUSED_STATE(dem_advance(d, 1.0));
+    REFUSED_STATE(dem_flow_sums_set(&sums, d, 0.0));
+    REFUSED_STATE(dem_table_add_flows(NULL, d, 0.0, &sums));
+}
+
+/* Queries that return none */
+static int returns_nothing(struct dem *d)
+{
+    const struct dem_verdict *verdict;
+    struct dem_start_overlap start;
+    struct dem_view v;
+    double a[3], low, high;
+
+    dem_view(d, &v);
+    dem_start_overlap(d, &start);
+    dem_plan_seconds(d, &low, &high);
+    return v.n == 0 && !v.position && !v.radius && !v.flags && !v.force && !dem_scalar(d, 0)
+        && start.wall == 0.0 && low == 0.0 && high == 0.0 && dem_verdicts(d, &verdict) == 0
+        && dem_bed_slab(d, a, &low, &high) == 0 && a[2] == 0.0 && high == 0.0
+        && dem_fluid_relaxation(d) == 0.0 && dem_fluid_under_relax(d) == 1.0
+        && dem_stopped(d) == 0 && dem_paused(d) == 0;
+}
+
+static void before(struct dem *d, const char *when)
+{
+    wrong = 0;
+    refuse_queries(d);
+    TAP_OK(wrong == 0, "%s: each query is refused as one that comes after dem_setup", when);
+    TAP_OK(returns_nothing(d), "%s: what returns no status returns nothing", when);
+}
+
+static void unready(void)
+{
+    const struct dem_new_particle overlap[2] =
+        {{.diameter = 1e-3, .id = -1, .material = "glass"},
+         {.position = {1e-4, 0, 0}, .diameter = 1e-3, .id = -1, .material = "glass"}};
+    const struct dem_run_info run = {.duration = 1.0};
+    struct dem_quiet quiet;
+    const char *text;
+    struct dem *d;
+    int wanted;
+
+    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
+    before(d, "without a scene");
+    refused(dem_quiet_read(d, &quiet), "scene", "dem_quiet_read without a scene");
+    refused(dem_pause_enable(d, &wanted), "scene", "dem_pause_enable without a scene");
+    refused(dem_warnings(d, &run, 0, NULL, &text), "dem_setup", "dem_warnings without a scene");
+    refused(dem_effects_record(d, ".", 0.0), "dem_check", "dem_effects_record before dem_check");
+    TAP_OK(dem_step_limit(d).used == 0.0 && dem_step_limit(d).limit == 0.0
+               && dem_wall_count(d) == 0 && dem_wall_name(d, 0)[0] == '\0',
+           "without a scene there is no step and no wall");
+    WORLD_TRY(dem_scene_text(d, materials, "scene"));
+    before(d, "with a scene");
+    WORLD_TRY(dem_add_particles(d, 2, overlap));
+    WORLD_TRY(dem_check(d));
+    before(d, "after dem_check");
+    refused(dem_setup(d), "overlap", "two particles at one place");
+    before(d, "after a set-up that failed");
+    refused(dem_setup(d), "start again", "dem_setup again");
+    refused(dem_add_particles(d, 2, overlap), "start again", "particles after a set-up that failed");
+    dem_free(d);
+}
+
+static int no_wall(const struct dem *d, int wall)
+{
+    struct dem_wall_info w = {.triangles = 7, .moves = 1};
+
+    dem_wall_info(d, wall, &w);
+    return dem_wall_name(d, wall)[0] == '\0' && w.triangles == 0 && w.moves == 0;
+}
+
+static int no_scalar(struct dem *d, int k)
+{
+    struct dem_scalar_info s = {.written = 1};
+
+    dem_scalar_info(d, k, &s);
+    return s.name[0] == '\0' && s.unit[0] == '\0' && s.help[0] == '\0' && s.written == 0
+        && !dem_scalar(d, k);
+}
+
+static void ranges(void)
+{
+    static const char scene[] =
+        "materials { glass { density 2500; youngsModulus 1e7; conductivity 1; heatCapacity 800; } }"
+        "effects { hertz {} conduction {} }"
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }";
+    const struct dem_new_particle one =
+        {.position = {0, 0, 1}, .diameter = 1e-3, .id = -1, .material = "glass"};
+    static const int numbers[] = {-1, 1, 99, INT32_MAX, INT32_MIN};
+    struct dem *const d = world(scene, 1, &one);
+    struct dem_scalar_exchange x;
+    double force[3], torque[3], total, coefficient;
+    int walls = 0, scalars = 0, names = 0, loads = 0;
+
+    WORLD_TRY(dem_wall_impulse_reset(d));
+    for (size_t k = 0; k < sizeof numbers/sizeof *numbers; k++)
+    {
+        const int n = numbers[k];
+
+        walls += no_wall(d, n);
+        scalars += no_scalar(d, n) && dem_scalar_exchange(d, n, &x) && dem_scalar_total(d, n, &total);
+        names += dem_material_name(d, n)[0] == '\0' && (n == 1 || n == 99 || !dem_effect_name(n));
+        loads += dem_wall_load(d, n, force, torque) == DEM_ERROR_INPUT
+              && dem_wall_impulse(d, n, force, torque) == DEM_ERROR_INPUT
+              && dem_wall_corners(d, n, force) == DEM_ERROR_INPUT;
+    }
+    TAP_OK(walls == 5, "a number that no wall has: no name, zeros");
+    TAP_OK(loads == 5, "load, impulse and corners of such a wall are refused");
+    TAP_OK(scalars == 5, "a number that no scalar has: no name, no values, no total");
+    TAP_OK(names == 5, "a number that no material or effect has: no name");
+    TAP_OK(strcmp(dem_wall_name(d, 0), "floor") == 0 && dem_scalar(d, 0)
+               && dem_scalar_index(d, "temperature") == 0 && dem_scalar_index(d, "") == -1,
+           "the first of each is there");
+    TAP_OK(strcmp(dem_signal_name(SIGINT), "SIGINT") == 0 && dem_signal_name(0)[0] == '\0'
+               && strcmp(dem_broken_bond_cause(-1), "unknown") == 0
+               && dem_scene_name(d, "", -1) == NULL && dem_effect_traits("") == 0,
+           "signals, causes, entries and traits that do not exist");
+    refused(dem_fluid_reaction(d, DEM_EXCHANGE_DEFERRED, 1.0, &coefficient, force), "fluid",
+            "the reaction on a fluid that is not there");
+    dem_free(d);
+}
+
+static void counts(void)
+{
+    const struct dem_new_particle seed = {.diameter = 1e-3, .material = "glass"};
+    const double triangle[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, velocity[3] = {0, 0, 0};
+    const struct dem_run_info run = {.duration = 1.0};
+    const int64_t id = 0;
+    struct dem *d = world_begin(materials);
+    const char *text;
+
+    refused(dem_add_wall(d, "w", "glass", -1, triangle), "dem_add_wall: -1 triangles",
+            "a wall of -1 triangles");
+    refused(dem_add_wall(d, "w", "glass", INT64_MAX, triangle), "more than memory",
+            "a wall of very many triangles");
+    refused(dem_insert_region(d, "r", 0, -1, triangle), "-1 triangles", "a region of -1 triangles");
+    refused(dem_flow_patch(d, "p", -1, triangle, velocity), "-1 triangles", "a patch of -1 triangles");
+    refused(dem_flow_patch(d, "p", INT64_MIN, triangle, velocity), "triangles",
+            "a patch of fewest triangles");
+    refused(dem_add_particles(d, -1, &seed), "-1 particles", "-1 particles");
+    refused(dem_add_particles(d, INT64_MAX, &seed), "more than memory", "very many particles");
+    WORLD_TRY(dem_add_wall(d, "w", "glass", 1, triangle));
+    refused(dem_wall_move(d, "w", -1, triangle), "-1", "a wall that moves with -1 triangles");
+    dem_free(d);
+    d = world_begin("materials { glass { density 2500; youngsModulus 1e7; } } effects { hertz {} } "
+                    "outlets { o { patch p; } } time { step 1e-6; }");
+    WORLD_TRY(dem_flow_on_request(d));
+    WORLD_TRY(dem_setup(d));
+    refused(dem_flow_remove(d, "p", -1, &id), "-1 ids", "-1 particles that leave");
+    refused(dem_warnings(d, &run, -1, NULL, &text), "-1 sentences", "-1 sentences of the program");
+    dem_free(d);
+}
+
+static void tables(void)
+{
+    struct dem *const d = world("materials { glass { density 2500; youngsModulus 1e7; } } "
+                                "effects { hertz {} } time { step 1e-6; }", 0, NULL);
+    struct dem_table t;
+    char folder[700];
+
+    memset(folder, 'x', sizeof folder - 1);
+    folder[sizeof folder - 1] = '\0';
+    dem_table_name(&t, folder, "lost.csv", 0.0);
+    refused(dem_table_begin(&t, d, 0), "longer than", "a table in a folder whose path is too long");
+    refused(dem_table_append(&t, d, "a", "1\n"), "longer than", "its rows");
+    dem_table_name(&t, "/nowhere/at/all", "lost.csv", 0.0);
+    TAP_OK(dem_table_add_losses(&t, d, 0, NULL, 0.0, NULL) == 0
+               && dem_table_add_bonds(&t, d, -1, NULL, 0.0) == 0,
+           "a table without rows is not made");
+    dem_free(d);
+}
+
 int main(void)
 {
     TAP_TRAPS;
     order();
+    unready();
+    ranges();
+    counts();
+    tables();
     particles();
     ids();
     frozen();

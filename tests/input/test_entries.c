@@ -67,6 +67,7 @@ static const struct row
     {"walls/ramp/corners", "((0.2 0 0.1) (0.3 0 0.1) (0.2 0.1 0.1))", VECTORS, 1},
     {"walls/ramp/surfaceVelocity", "(0 1 0)", VECTOR, 0},
     {"walls/ramp/absorb", "no", SWITCH, 0},
+    {"walls/cup/frictionless", "no", SWITCH, 0},
     {"walls/drum/type", "cylinder", WORD, 1},
     {"walls/drum/material", "steel", WORD, 1},
     {"walls/drum/point", "(0 0 0)", VECTOR, 1},

@@ -481,7 +481,7 @@ int main(void)
     TAP_TRAPS;
     belt(floor_plane, "motion { type translation; velocity (0.1 0 0); }", "moving plane");
     belt(floor_mesh, "motion { type translation; velocity (0.1 0 0); }", "moving triangles");
-    belt(floor_plane, "surfaceVelocity (0.1 0 0.3);", "belt");
+    belt(floor_plane, "surfaceVelocity (0.06 0 0.08);", "belt");
     clamped();
     bounce(floor_plane, "motion { type translation; velocity (0 0 0.2); }", 0.2,
            "elastic, towards a plane");

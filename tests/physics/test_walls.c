@@ -10,6 +10,9 @@
  * - Two walls in one plane act as one floor.
  * - The torque on a wall about the origin is the angular momentum that a sphere loses.
  * - A wall of triangles stops a sphere from either side.
+ * - A frictionless wall has the normal force and its damping only: spin and velocity along it stay,
+ *   and a bounce has the bits of a scene without the other effects; other walls of the same material
+ *   keep them.
  *
  * Sources: geometry and statics.
  *
@@ -761,6 +764,66 @@ static void gap(void)
     dem_free(world);
 }
 
+/* A sphere thrown at a floor, or at a wall beside it, with spin; 1: after the bounce. */
+static struct world_particle thrown(const char *effects, const char *floor, int at_side)
+{
+    const struct dem_new_particle seed = {.position = {5e-3, 5e-3, 5e-3},
+                                          .velocity = {at_side ? -1.0 : 0.3, 0.2,
+                                                       at_side ? 0.3 : -1.0},
+                                          .spin = {20.0, -30.0, 40.0},
+                                          .diameter = 2.0*R,
+                                          .material = "glass"};
+    char *const scene = world_text(
+        "%s effects { hertz {} dry { restitution 0.9; } %s } time { step 4e-6; } walls {"
+        " floor { type plane; material glass; point (0 0 0); normal (0 0 1); %s }"
+        " side { type plane; material glass; point (0 0 0); normal (1 0 0); } }",
+        materials, effects, floor);
+    struct dem *const d = world(scene, 1, &seed);
+
+    free(scene);
+    world_run(d, 8e-3);
+    const struct world_particle p = world_at(d, 0);
+
+    dem_free(d);
+    return p;
+}
+
+static void frictionless(void)
+{
+    static const char rough[] =
+        "mindlin { friction 0.3; } rollingConstant { friction 0.1; } twistingSpring { friction 0.1; }"
+        " lubrication { viscosity 1e-3; roughness 1e-6; cutOff 1e-4; }";
+    const struct world_particle mirror = thrown(rough, "frictionless yes;", 0),
+                                smooth_wall = thrown("", "", 0), floor = thrown(rough, "", 0),
+                                side = thrown(rough, "frictionless yes;", 1),
+                                rough_side = thrown(rough, "", 1);
+
+    TAP_OK(mirror.v[2] > 0.85 && mirror.v[0] == 0.3 && mirror.v[1] == 0.2 && mirror.w[0] == 20.0
+               && mirror.w[1] == -30.0 && mirror.w[2] == 40.0,
+           "frictionless: velocity along the wall and spin stay, exactly");
+    TAP_OK(memcmp(mirror.x, smooth_wall.x, sizeof mirror.x) == 0
+               && memcmp(mirror.v, smooth_wall.v, sizeof mirror.v) == 0,
+           "frictionless: the bits of a scene without the other effects");
+    TAP_OK(floor.v[0] != 0.3 && floor.w[0] != 20.0,
+           "frictionless: the same wall without the word has friction");
+    TAP_OK(memcmp(side.v, rough_side.v, sizeof side.v) == 0 && side.v[1] != 0.2,
+           "frictionless: another wall of the same material keeps its friction");
+}
+
+static void refuse_driven_mirror(void)
+{
+    struct dem *const d = world_begin(
+        "materials { glass { density 2500; youngsModulus 1e7; } } effects { hertz {} dry {"
+        " restitution 0.9; } } walls { belt { type plane; point (0 0 0); normal (0 0 1);"
+        " frictionless yes; surfaceVelocity (1 0 0); } } insert { one { type list; diameter 1e-3;"
+        " positions ((0 0 0.01)); } }");
+
+    TAP_OK(dem_setup(d) == DEM_ERROR_INPUT
+               && strstr(dem_error_text(), "belt is frictionless, so the velocity of its surface"),
+           "frictionless: with a surface velocity refused");
+    dem_free(d);
+}
+
 int main(void)
 {
     static const double sizes[] = {0.4e-3, 2.5e-3, 0.03};
@@ -788,5 +851,7 @@ int main(void)
     both_sides();
     both_sides_of_a_plate();
     gap();
+    frictionless();
+    refuse_driven_mirror();
     TAP_DONE;
 }

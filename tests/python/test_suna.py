@@ -8,12 +8,12 @@ import sys
 import tempfile
 import threading
 import time
-import traceback
 from pathlib import Path
 
 import numpy
 
 import suna
+from tap import run_tests
 
 SCENE = """
 materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.25; } }
@@ -33,23 +33,15 @@ def refused(call, *words):
     raise AssertionError("nothing was raised")
 
 
-def views():
-    """arrays are views of the core: read-only, and they show the next state without a copy"""
+def copies():
+    """arrays are those of the core at the moment of the call"""
     sim = suna.Simulation(SCENE)
     x, m, r = sim.position, sim.mass, sim.radius
-    assert x.shape == (300, 3) and len(sim) == 300 and not x.flags.writeable
+    assert x.shape == (300, 3) and len(sim) == 300
     assert numpy.allclose(m, 2500*4/3*numpy.pi*r**3, rtol=1e-14)
-    again = sim.position
-    assert x.__array_interface__["data"][0] == again.__array_interface__["data"][0]
-    try:
-        x[0] = 0
-        raise AssertionError("a view can be written")
-    except ValueError:
-        pass
-    before = x.copy()
+    before = x[numpy.argsort(sim.id), 2]
     sim.advance(1e-3)
-    fall = before[:, 2] - sim.position[numpy.argsort(sim.id), 2][numpy.argsort(numpy.argsort(sim.id))]
-    assert (fall > 0).sum() > 200
+    assert (before - sim.position[numpy.argsort(sim.id), 2] > 0).sum() > 200
 
 
 def free_fall():
@@ -186,7 +178,7 @@ def resting():
     warm = suna.Simulation(SCENE.split("walls")[0].replace("effects {", "effects { conduction {}").replace(
         "density 2500;", "density 2500; conductivity 1; heatCapacity 800;"))
     warm.add_particles(2e-3*numpy.eye(3), 1e-3, "glass")
-    warm.scalar("temperature")[:] = 300
+    warm.set_scalar("temperature", 300)
     assert abs(warm.total("temperature")/(warm.mass.sum()*800*300) - 1) < 1e-14
 
 
@@ -201,7 +193,7 @@ def grid():
         "density 2500;", "density 2500; conductivity 1; heatCapacity 800;") +
         "averages { warm { min (-0.005 -0.005 0); max (0.005 0.005 0.02); interval 1e-3; } }")
     warm.add_particles([[0, 0, 0.005], [0, 0, 0.012]], [1e-3, 2e-3], "glass")
-    warm.scalar("temperature")[:] = [300, 390]
+    warm.set_scalar("temperature", [300, 390])
     warm.advance(1e-3)
     warm.averages("averages")
     table = suna.read_table("averages/warm.csv")
@@ -242,22 +234,7 @@ def plots():
     assert "effects" in sim.plan(1.0).lower()
 
 
-def main():
-    tests = [views, free_fall, scenes, errors, restart, energies, load, files, program, vtk, resting,
-             grid, progress, interrupted, plots]
-    os.chdir(tempfile.mkdtemp(dir=sys.argv[1]))
-    failed = 0
-    print(f"1..{len(tests)}")
-    for number, test in enumerate(tests, 1):
-        try:
-            test()
-            print(f"ok {number} - {test.__doc__}")
-        except Exception:       # noqa: B902
-            failed += 1
-            print(f"not ok {number} - {test.__doc__}")
-            print("".join("#   " + line + "\n" for line in traceback.format_exc().splitlines()))
-    return failed > 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    os.chdir(tempfile.mkdtemp(dir=sys.argv[1]))
+    sys.exit(run_tests(copies, free_fall, scenes, errors, restart, energies, load, files, program, vtk,
+                       resting, grid, progress, interrupted, plots))

@@ -56,18 +56,39 @@ static inline double dem_attraction_min_force(int choice)
     return choice == DEM_ATTRACTION_NONE ? 1.0 : choice == DEM_ATTRACTION_CLAMPED ? 0.0 : -1e30;
 }
 
-/* The dashpot eta joins the spring of the row. Clamped, a repulsive spring force does not become
+/* The damping force joins the spring of the row. Clamped, a repulsive spring force does not become
    attractive, and an attractive one is not changed. None: max(F, 0) of the whole, eq. (10) of Open
    DEM Japan, Hooke/Hysteresis normal contact model (in Japanese, 2025); and no adhesive force counts
    in the friction limit. min_force: of dem_attraction_min_force. */
-DEM_MATH void dem_dashpot_row(struct dem_contact_row *r, double eta, double min_force)
+DEM_MATH void dem_damping_row(struct dem_contact_row *r, double eta, double damping,
+                              double min_force)
 {
-    const double spring = r->fn, sum = spring - eta*r->vn;
+    const double spring = r->fn, sum = spring - damping;
     const double lowest = dem_select(min_force > 0.0, 0.0, min_force);
 
     r->eta = eta;
     r->fn = dem_select(((spring < 0.0) & (min_force <= 0.0)) | (sum >= lowest), sum, lowest);
     r->adhesive_force = dem_select(min_force > 0.0, 0.0, r->adhesive_force);
+}
+
+/* A dashpot on the velocity of half a step ago. */
+DEM_MATH void dem_dashpot_row(struct dem_contact_row *r, double eta, double min_force)
+{
+    dem_damping_row(r, eta, eta*r->vn, min_force);
+}
+
+/* A dashpot on the velocity in the middle of the kick, as far as this contact alone changes it:
+
+     F = F_s - eta (v_n + a F),  a = dt/(2 m*),  so  F = F_s - eta (v_n + a F_s)/(1 + a eta)
+
+   Of second order in the step, and stable with any eta. With the velocity before the kick an impact
+   of 20 steps that returns 0.17 of its speed would return 6 % less, one that returns 0.05 20 %. */
+DEM_MATH void dem_centred_dashpot_row(struct dem_contact_row *r, double eta, double min_force)
+{
+    const double mass = r->reduced_mass,
+                 a = dem_select(mass > 0.0, 0.5*r->dt/dem_select(mass > 0.0, mass, 1.0), 0.0);
+
+    dem_damping_row(r, eta, eta*(r->vn + a*r->fn)/(1.0 + a*eta), min_force);
 }
 
 /* ---- energy ------------------------------------------------------------------------------------------------------ */

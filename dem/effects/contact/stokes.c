@@ -1,7 +1,7 @@
 /*
  * stokes.c -- normal dashpot in a fluid: restitution by the Stokes number of the impact.
  *
- *   F_n = ... - eta v_n,       eta = alpha(e) sqrt(m* k_n)
+ *   F_n = ... - eta v_n,       eta = alpha(e) sqrt(m* k_n),  v_n in the middle of the kick
  *   ln e = ln e_max - beta/St,  St = m* v/(6 pi mu R*^2)
  *
  *   v      |normal relative velocity| in the first step of the contact, kept until the surfaces

@@ -54,8 +54,8 @@ DEM_MATH void dem_stokes_row(const struct dem_stokes *l, struct dem_contact_row 
     const double size = sqrt(pi2*S*S + T*T);
 
     impact_speed[0] = speed;
-    dem_dashpot_row(r, l->critical*(T/dem_select(size > 0.0, size, 1.0))*sqrt(m*r->kn),
-                    l->min_force);
+    dem_centred_dashpot_row(
+        r, l->critical*(T/dem_select(size > 0.0, size, 1.0))*sqrt(m*r->kn), l->min_force);
 }
 
 #endif

@@ -9,6 +9,8 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import functools
+import os
 import re
 from pathlib import Path
 
@@ -19,8 +21,22 @@ class FileError(Exception):
     """A file that is not what it should be: which, and why."""
 
 
+def reader(read):
+    """A reader that raises FileError for a damaged file, whatever is met first in it."""
+    @functools.wraps(read)
+    def guarded(path):
+        try:
+            return read(path)
+        except (FileError, ImportError, OSError):
+            raise
+        except Exception as error:
+            raise FileError(f"{path}: damaged, or not a file of Suna: {error}") from error
+    return guarded
+
+
 # ---- tables --------------------------------------------------------------------------------------
 
+@reader
 def read_table(path):
     """A pandas.DataFrame; columns by name without the unit. In its attrs: `units` by column, and
     `effects`, the names of the acting effects from effects.csv beside it (the last row's)."""
@@ -44,6 +60,7 @@ def read_table(path):
 VTK_KINDS = {"Float64": "<f8", "Float32": "<f4", "Int64": "<i8", "Int32": "<i4", "UInt8": "u1"}
 
 
+@reader
 def read_vtp(path):
     """The arrays of a .vtp file that Suna has written, by name; positions are `points`."""
     raw = Path(path).read_bytes()
@@ -102,6 +119,7 @@ RECORD = numpy.dtype([("position", "f8", 3), ("radius", "f8"), ("velocity", "f8"
 VERSION = 5
 
 
+@reader
 def read_snapshot(path):
     """The state in a snapshot: `time`, `steps`, `materials` (names), `particles` (a structured array
     with a field for each column of the core, too), `contacts` (keys and their history, as numbers)
@@ -113,6 +131,8 @@ def read_snapshot(path):
     if head["version"] != VERSION:
         raise FileError(f"{path}: version {head['version']}, this reader has {VERSION}; not a "
                         "snapshot, or one of another version of Suna")
+    if min(int(head[name]) for name in ("particles", "rows", "materials", "columns", "memories")) < 0:
+        raise FileError(f"{path}: a number below 0 in its head; damaged")
     names = [name.decode() for name in head["list"]["name"]]
     materials, columns = int(head["materials"]), int(head["columns"])
     fields = [(names[k], "f8", int(head["list"]["width"][k])) if head["list"]["width"][k] > 1
@@ -137,16 +157,18 @@ BEAD = numpy.dtype([("id", "i4"), ("position", "f4", 3), ("velocity", "f4", 3), 
 def read_record(path):
     """The instants of a particles.bin, one after the other: time [s], structured array of id,
     position, velocity, diameter. A last one that is not complete is left out."""
-    with open(path, "rb") as file:
+    with Path(path).open("rb") as file:
+        size = os.fstat(file.fileno()).st_size
         while True:
             head = file.read(16)
             if len(head) < 16:
                 return
             time, n = numpy.frombuffer(head, "f8", 1)[0], numpy.frombuffer(head, "i8", 1, 8)[0]
-            raw = file.read(int(n)*BEAD.itemsize)
-            if len(raw) < n*BEAD.itemsize:
+            if n < 0:
+                raise FileError(f"{path}: {n} particles at byte {file.tell() - 8}; damaged, or not a record")
+            if int(n)*BEAD.itemsize > size - file.tell():
                 return
-            yield float(time), numpy.frombuffer(raw, BEAD)
+            yield float(time), numpy.frombuffer(file.read(int(n)*BEAD.itemsize), BEAD)
 
 
 def times(case):
@@ -223,6 +245,7 @@ def _positions(path, n, at, binary, body):
     return rows["x"]
 
 
+@reader
 def read_cloud(folder):
     """Fields of the particles in a time folder by name; `positions` are n x 3 [m]."""
     clouds = sorted(Path(folder).glob("lagrangian/*/positions"))

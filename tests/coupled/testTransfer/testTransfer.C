@@ -21,6 +21,8 @@
 #include "testShapes.H"
 #include "testRings.H"
 #include "testWedge.H"
+#include "demParticles.H"
+#include "demSelfCheck.H"
 #include <ctime>
 
 using namespace Foam;
@@ -51,6 +53,36 @@ static void timing(const fvMesh& mesh, const kind& is)
         Info<< "# " << name << ", microseconds per particle: locate " << brief(micro*(located - start)).c_str()
             << ", deposit " << brief(micro*(deposited - located)).c_str()
             << ", sample " << brief(micro*(sampled - deposited)).c_str() << endl;
+    }
+}
+
+
+// Does this self-check end the run at this error?
+static bool ends(void (*check)(const scalar), const scalar error)
+{
+    try
+    {
+        check(error);
+    }
+    catch (const demFailure& failure)
+    {
+        return std::string(failure.what()).find("above the limit of 1e-06") != std::string::npos;
+    }
+    return false;
+}
+
+
+static void testLimits()
+{
+    const scalar none = std::numeric_limits<scalar>::quiet_NaN();
+
+    for (void (*check)(const scalar) : {demSelfCheck::momentum, demSelfCheck::heat, demSelfCheck::volume})
+    {
+        claim
+        (
+            !ends(check, 0) && !ends(check, 9e-7) && ends(check, 2e-6) && ends(check, none),
+            "a balance that does not close ends the run above", 1e-6
+        );
     }
 }
 
@@ -96,6 +128,7 @@ int main(int argc, char *argv[])
             returnReduce(s.count == 1 && s.id == first + 37 && s.velocity == vector(37, 1, 0), andOp<bool>()) && away < 1e-12,
             "a particle outside the mesh is named on all ranks, its place differs by", away
         );
+        testLimits();
         Info<< "End of claims" << endl;
         return 0;
     }

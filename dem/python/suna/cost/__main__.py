@@ -148,6 +148,11 @@ def command(arguments, name="dem", run=main):
     """The exit status of a command whose words go to `run`."""
     try:
         run(arguments)
+        sys.stdout.flush()
+    except OSError as error:
+        print(f"{name}: {error.filename or 'standard output'}: {error.strerror}", file=sys.stderr)
+        sys.stdout = None  # what is left in it cannot be written at the exit either
+        return 1
     except (Refused, SunaError) as error:
         print(f"{name}: {error}", file=sys.stderr)
         return 1

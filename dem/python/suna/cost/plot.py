@@ -1,17 +1,23 @@
-"""plot.py -- plot cost.csv: error over processor time, Pareto front, observed order.
-
-    python3 -m suna.cost.plot FOLDER/cost.csv       writes FOLDER/cost.png and FOLDER/cost.svg
+"""plot.py -- `dem plot FOLDER/cost.csv`: error over processor time, Pareto front, observed order.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import csv
 import math
-import sys
 from pathlib import Path
 
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt         # noqa: E402
+
+from .options import read_options       # noqa: E402
+from .study import Refused              # noqa: E402
+
+HELP = """Usage: dem plot FOLDER/cost.csv
+
+Draws a study of accuracy against cost: errors over processor time, as cost.png and cost.svg beside
+the table. dem cost and demCost call it at their end; this draws a stored table again.
+"""
 
 # of Okabe and Ito, which colour-blind readers tell apart, and two greys
 COLOURS = {"kinetic": "#d55e00", "rotation": "#e69f00", "height": "#0072b2", "overlap": "#56b4e9", "force": "#009e73",
@@ -88,5 +94,16 @@ def plot(path):
         figure.savefig(path.with_suffix("." + ending), metadata={"Date": None} if ending == "svg" else None)
 
 
-if __name__ == "__main__":
-    plot(sys.argv[1])
+def main(arguments):
+    if arguments and arguments[0] in ("-help", "-h"):
+        print(HELP, end="")
+        return
+    tables = read_options(arguments, "dem plot", ())[1]
+    if len(tables) != 1:
+        raise Refused("give one table; see dem plot -help")
+    try:
+        plot(tables[0])
+    except OSError as error:
+        raise Refused(f"{tables[0]}: {error.strerror}") from None
+    except (KeyError, ValueError, csv.Error, UnicodeDecodeError):
+        raise Refused(f"{tables[0]} is no table of dem cost or demCost; give their cost.csv") from None

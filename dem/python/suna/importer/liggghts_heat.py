@@ -68,12 +68,12 @@ def set_particles(t, chosen, name, word):
     """`set ... property/atom NAME VALUE`."""
     if name in ("heatSource", "heatFlux"):
         t.refuse("conduction has no source of heat in a particle; give a wall a flux, or add to "
-                 'sim.scalar("temperature") between two advances in Python', f"set {name}")
+                 'sim.set_scalar("temperature", values) between two advances in Python', f"set {name}")
     if name != "Temp":
         return False
     if t.inserted():
         t.refuse("temperatures of particles that fix insert/... has placed cannot be set; write "
-                 "set_property in the fix, or sim.scalar(\"temperature\") between two advances in "
+                 "set_property in the fix, or sim.set_scalar(\"temperature\", values) between two advances in "
                  "Python", "set Temp")
     t.particles.temperature[chosen] = t.number(word)
     return True

@@ -1,0 +1,75 @@
+/*---------------------------------------------------------------------------*\
+    demSelfCheck.C -- limits of the balances that the coupling keeps by construction.
+
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demSelfCheck.H"
+#include "demParticles.H"
+#include "StringStream.H"
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static const scalar largestError = 1e-6;
+
+
+// Not a number is above the limit, too: a comparison that raises no exception
+static void check(const scalar error, const char* what, const char* cause)
+{
+    if (std::islessequal(error, largestError))
+    {
+        return;
+    }
+
+    OStringStream os;
+    os  << what << " is " << error << ", above the limit of " << largestError << ": " << cause;
+    throw demFailure(os.str());
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::demSelfCheck::momentum(const scalar error)
+{
+    check
+    (
+        error,
+        "the error of the exchange of momentum, relative to its largest term,",
+        "fluid and particles do not receive the same impulse. The fluid's velocity is not a"
+        " number, or particles are in cells that overlap or that the solver does not solve"
+    );
+}
+
+
+void Foam::demSelfCheck::heat(const scalar error)
+{
+    check
+    (
+        error,
+        "the error of the exchange of heat, relative to its largest term,",
+        "fluid and particles do not receive the same heat. The fluid's temperature is not a"
+        " number, or particles are in cells that overlap or that the solver does not solve"
+    );
+}
+
+
+void Foam::demSelfCheck::volume(const scalar error)
+{
+    check
+    (
+        error,
+        "the error of the particles' volume in the mesh",
+        "cells lack volume of particles, or have too much. The mesh is smaller than the"
+        " particles in it, or its cells overlap (checkMesh)"
+    );
+}
+
+// ************************************************************************* //
