@@ -57,6 +57,7 @@ int dem_create(struct dem **out, MPI_Comm comm)
         dem_interaction_table_init(&d->state.interaction_table);
         status = dem_decomposition_init(&d->state.decomposition, own, rank, ranks);
     }
+    status = dem_collect_agree(&(struct dem_decomposition){.comm = own, .ranks = ranks}, status);
     if (status)
     {
         if (d)

@@ -194,8 +194,8 @@ static int accept_coupling(const struct dem_dict *scene, int *present)
     return DEM_OK;
 }
 
-static int set_up(const struct dem_program *prog, const struct dem_request *r, struct dem *d,
-                  struct dem_schedule *s)
+/* Each rank reads the scene and the options by itself. */
+static int read_scene(const struct dem_request *r, struct dem *d, struct dem_schedule *s)
 {
     DEM_TRY(dem_scene_file(d, r->scene));
     for (int k = 0; k < r->sets; k++)
@@ -208,11 +208,17 @@ static int set_up(const struct dem_program *prog, const struct dem_request *r, s
         DEM_TRY(dem_load(d, r->restart));
     }
     DEM_TRY(read_schedule(s, d, r->scene));
-    DEM_TRY(r->no_output ? DEM_OK : dem_output_check(&s->output, prog, r->scene));
     DEM_TRY(dem_accuracy_read(&s->accuracy, dem_scene_dict(d)));
     DEM_TRY(accept_coupling(dem_scene_dict(d), &s->coupling));
     DEM_TRY(s->output.energy > 0.0 && !r->no_output ? dem_energy_enable(d) : DEM_OK);
-    DEM_TRY(s->output.orientation ? dem_orientation_enable(d) : DEM_OK);
+    return s->output.orientation ? dem_orientation_enable(d) : DEM_OK;
+}
+
+static int set_up(const struct dem_program *prog, const struct dem_request *r, struct dem *d,
+                  struct dem_schedule *s)
+{
+    DEM_TRY(dem_program_agree(prog, read_scene(r, d, s)));
+    DEM_TRY(r->no_output ? DEM_OK : dem_output_check(&s->output, prog, r->scene));
     DEM_TRY(dem_check(d));
     s->with_gravity = dem_gravity_acceleration(d, s->gravity);
     DEM_TRY(dem_quiet_check(d, &s->quiet));

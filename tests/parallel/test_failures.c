@@ -3,8 +3,9 @@
  *
  * - An error of MPI on the library's communicator is returned as DEM_ERROR_MPI with MPI's text and
  *   does not abort.
- * - When one rank runs out of memory in a collective call, all ranks return an error and none
- *   waits: also while they insert and pack spheres, open streams and mark bonds.
+ * - When one rank runs out of memory in a collective call, or gives it a number of items below 0, all
+ *   ranks return an error and none waits: also while they insert and pack spheres, open streams and
+ *   mark bonds.
  *
  *     mpirun -np N test_failures    N >= 2; prints failures; status 0 if there are none
  *
@@ -155,6 +156,7 @@ static struct dem *create_packed(int energy)
         "inside walls; } feed { type stream; diameter 1e-3; rate 1e6; min (0 0 0.01); "
         "max (0.004 0.004 0.012); count 5; } } bonds { pairs (0 1); }"
         "outlets { sink { min (0 0 0.015); max (0.004 0.004 0.016); } }";
+    static const double plate[9] = {0.0, 0.0, 0.018, 0.004, 0.0, 0.018, 0.0, 0.004, 0.018};
     const struct dem_new_particle extra[2] = {
         {.position = {0.001, 0.001, 0.014}, .diameter = 1e-3, .id = -1, .material = "glass"},
         {.position = {0.003, 0.003, 0.014}, .diameter = 1e-3, .id = -1, .material = "glass"}};
@@ -162,6 +164,7 @@ static struct dem *create_packed(int energy)
 
     try(dem_create(&d, MPI_COMM_WORLD));
     try(dem_scene_text(d, scene, "packed"));
+    try(dem_add_wall(d, "plate", "glass", 1, plate));
     try(dem_add_particles(d, 2, extra));
     try(energy ? dem_energy_enable(d) : DEM_OK);
     library_comm = d->state.decomposition.comm;
@@ -189,6 +192,35 @@ static struct dem *create(int energy)
     try(energy ? dem_energy_enable(d) : DEM_OK);
     library_comm = d->state.decomposition.comm;
     return d;
+}
+
+/* The saved row goes on with a stream. */
+static struct dem *create_started(int energy)
+{
+    char text[512];
+    struct dem *d;
+
+    snprintf(text, sizeof text,
+             "materials { glass { density 2500; youngsModulus 1e6; } } effects { hertz {} "
+             "dry { restitution 0.5; } mindlin { friction 0.3; } } domain { x (0 %.17g); "
+             "periodic (x); } start { snapshot \"%s\"; } insert { feed { type stream; rate 10; "
+             "diameter 1e-3; min (0 0 0.01); max (0.01 0.01 0.02); } } walls { floor { type plane; "
+             "point (0 0 -1); normal (0 0 1); } }", 0.03120001*ranks, snapshot);
+    try(dem_create(&d, MPI_COMM_WORLD));
+    try(dem_scene_text(d, text, "started"));
+    try(energy ? dem_energy_enable(d) : DEM_OK);
+    library_comm = d->state.decomposition.comm;
+    return d;
+}
+
+static int call_create(struct dem *unused)
+{
+    struct dem *d;
+    const int status = dem_create(&d, MPI_COMM_WORLD);
+
+    (void)unused;
+    dem_free(d);
+    return status;
 }
 
 static int call_totals(struct dem *d)
@@ -268,6 +300,38 @@ static int call_load(struct dem *d)
 {
     try(dem_load(d, snapshot));
     return dem_setup(d);
+}
+
+static const double triangle[9] = {0, 0, 5, 1, 0, 5, 0, 1, 5};
+static int64_t triangles = 1;    /* of this rank, in the next call */
+
+static int call_add_wall(struct dem *d)
+{
+    return dem_add_wall(d, "added", "glass", triangles, triangle);
+}
+
+static int call_move_wall(struct dem *d)
+{
+    try(dem_add_wall(d, "added", "glass", 1, triangle));
+    return dem_wall_move(d, "added", triangles, triangle);
+}
+
+static int call_patch(struct dem *d)
+{
+    return dem_flow_patch(d, "inlet", triangles, triangle, NULL);
+}
+
+static int call_region(struct dem *d)
+{
+    static const double corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const int of[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    double surface[36];
+
+    for (int k = 0; k < 12; k++)
+    {
+        memcpy(surface + 3*k, corners[of[k/3][k%3]], sizeof corners[0]);
+    }
+    return dem_insert_region(d, "", 0, triangles < 0 ? triangles : rank == 0 ? 4 : 0, surface);
 }
 
 typedef int call(struct dem *);
@@ -373,7 +437,12 @@ static void no_memory(void)
         {"", "dem_load", call_load, 1},
         {"", "dem_setup", call_setup, 1},
         {"", "dem_advance", call_advance, 0},
+        {"", "dem_add_wall", call_add_wall, 1},
+        {"", "dem_flow_patch", call_patch, 1},
+        {"", "dem_insert_region", call_region, 1},
     };
+    static const struct trial create_again = {"", "dem_create", call_create, 0};
+    static const struct trial of_start = {"", "dem_setup with a start", call_setup, 1};
     static const struct trial of_packing[] =
     {
         {"", "dem_setup of a packing", call_setup, 1},
@@ -384,9 +453,41 @@ static void no_memory(void)
     {
         memory(&trials[k], create);
     }
+    if (ranks > 2)    /* would repeat what two ranks have shown */
+    {
+        return;
+    }
     for (size_t k = 0; k < sizeof of_packing/sizeof *of_packing; k++)
     {
         memory(&of_packing[k], create_packed);
+    }
+    memory(&of_start, create_started);
+    memory(&create_again, create_started);
+}
+
+/* ---- numbers of items ------------------------------------------------------------------------ */
+
+static void wrong_counts(void)
+{
+    static const struct trial trials[] =
+    {
+        {"", "dem_add_wall", call_add_wall, 1},
+        {"", "dem_wall_move", call_move_wall, 1},
+        {"", "dem_flow_patch", call_patch, 1},
+        {"", "dem_insert_region", call_region, 1},
+    };
+
+    for (size_t k = 0; k < sizeof trials/sizeof *trials; k++)
+    {
+        struct dem *const d = create(0);
+
+        triangles = rank == 1 ? -1 : 1;
+        const int status = trials[k].call(d);
+
+        triangles = 1;
+        check(status == DEM_ERROR_INPUT, "one rank gives -1 triangles", trials[k].name, status,
+              DEM_ERROR_INPUT);
+        dem_free(d);
     }
 }
 
@@ -491,6 +592,7 @@ int main(int argc, char **argv)
     dem_decomposition_free(&p);
     mpi_errors();
     no_memory();
+    wrong_counts();
     clean_up();
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
     MPI_Finalize();
