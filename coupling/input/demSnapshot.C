@@ -25,17 +25,14 @@ static const fileName snapshotFile("uniform/dem.snapshot");
 static const fileName numbersFile("uniform/dem.kernel");
 
 
-// A file or folder of a time as the file handler finds it, this rank's; or empty. Collective.
-static fileName find(const Time& time, const word& instant, const fileName& name)
-{
-    return fileHandler().filePath(time.path()/instant/name);
-}
-
-
-// As the first rank finds it, the same on all ranks. Collective.
+// A file or folder of a time, the first rank's, as the file handler finds it; or empty. The same
+// on all ranks, which must ask for one name: the handlers communicate. Collective.
 static fileName findFirst(const Time& time, const word& instant, const fileName& name)
 {
-    fileName file(find(time, instant, name));
+    fileName file(time.path()/instant/name);
+
+    demBroadcast(file);
+    file = fileHandler().filePath(file);
     demBroadcast(file);
     return file;
 }
@@ -68,7 +65,7 @@ static bool onMaster(const fileName& file)
 }
 
 
-// A file or folder of the present time that only a run with particles writes; empty without.
+// A file or folder of the present time, of any rank, that only a run with particles writes; empty without.
 // Collective.
 static fileName trace(const Time& time)
 {
@@ -78,7 +75,8 @@ static fileName trace(const Time& time)
         {fileName("lagrangian/particles"), numbersFile, fileName("uniform/lagrangian/particles")}
     )
     {
-        const bool found = !find(time, time.timeName(), name).empty();
+        const bool first = !findFirst(time, time.timeName(), name).empty();
+        const bool found = first || exists(time.path()/time.timeName()/name);
 
         if (returnReduce(found, orOp<bool>()))
         {
