@@ -25,14 +25,44 @@ static const fileName snapshotFile("uniform/dem.snapshot");
 static const fileName numbersFile("uniform/dem.kernel");
 
 
-// A file or folder of a time, the first rank's, as the file handler finds it; or empty. The same
-// on all ranks, which must ask for one name: the handlers communicate. Collective.
+// Folders of the first rank, where file handlers write: the collated one first, as OpenFOAM
+// reads. (Handlers that search communicate, but not in the same way on all ranks.)
+static fileNameList caseFolders(const Time& time)
+{
+    fileNameList folders;
+
+    if (time.processorCase())
+    {
+        const std::string collated("processors" + std::to_string(Pstream::nProcs()));
+
+        for (const fileName& folder : readDir(time.globalPath(), fileName::DIRECTORY))
+        {
+            if (folder == collated || folder.find(collated + "_0-") == 0)
+            {
+                folders.append(time.globalPath()/folder);
+            }
+        }
+    }
+    folders.append(time.path());
+    return folders;
+}
+
+
+// A file or folder of a time, of the first rank; or empty. Collective.
 static fileName findFirst(const Time& time, const word& instant, const fileName& name)
 {
-    fileName file(time.path()/instant/name);
+    fileName file;
 
-    demBroadcast(file);
-    file = fileHandler().filePath(file);
+    if (Pstream::master())
+    {
+        for (const fileName& folder : caseFolders(time))
+        {
+            if (file.empty() && exists(folder/instant/name))
+            {
+                file = folder/instant/name;
+            }
+        }
+    }
     demBroadcast(file);
     return file;
 }
@@ -105,7 +135,8 @@ static void checkIdentity(const Time& time, const fileName& snapshot, const dict
     if (Time::timeName(written) != time.timeName() && off > 1e-6*mag(time.value()))
     {
         FatalErrorInFunction
-            << snapshot.c_str() << " is of time " << written << " s, but the run starts at "
+            << snapshot.c_str() << " is of time "
+            << Time::timeName(written) << " s, but the run starts at "
             << time.timeName() << " s; put back the files dem.snapshot and dem.kernel of this"
             << " time. To begin a new run with these particles give start { snapshot <file>; } in"
             << " constant/" << demDict::name() << "; if only the folder was renamed, correct"
