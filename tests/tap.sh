@@ -9,6 +9,7 @@
 #   collect                   waits for these and prints them
 #   skip "what" why           prints "ok ... # SKIP why"
 #   ranks N command ...       the command on N ranks, ended after SUNA_TEST_LIMIT seconds (default 120)
+#                             (other programs: after 600, see watch)
 #   printed_hash FILE         the fingerprint that a run printed
 #   picture FILE NAME:BYTES   the items of a .vtp file, one a line, sorted: the named columns (the first
 #   ...                       is "points") with their bytes per item; the same lines from any ranks
@@ -29,7 +30,10 @@ then
     exit 1
 fi
 work=$(mktemp -d) || exit 1
-[ -n "${SUNA_KEEP-}" ] || trap 'rm -rf "$work"' EXIT
+"${BASH_SOURCE[0]%/*}/watch" $$ &
+watch=$!
+disown        # so that `wait` does not wait for it
+trap 'kill "$watch"; [ -n "${SUNA_KEEP-}" ] || rm -rf "$work"' EXIT
 claims=0 failures=0 run_limit=${SUNA_TEST_LIMIT:-120}
 
 # with more ranks than cores: waiting ranks yield, else every exchange costs a time slice of the scheduler
@@ -134,7 +138,7 @@ c_test()
     if make --no-print-directory -C "$here/../../dem" BUILD="$build" "$build/tests/$1" > \
         "$work/c_test.log" 2>&1
     then
-        (cd "$here/.." && "$build/tests/$1") || failures=$((failures + 1))
+        (cd "$here/.." && timeout -k 5 "${SUNA_TEST_LIMIT:-600}" "$build/tests/$1") || failures=$((failures + 1))
     else
         claim "$1 can be built" false || sed 's/^/#   /' "$work/c_test.log" | tail -n 20
     fi

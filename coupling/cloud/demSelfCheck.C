@@ -16,19 +16,19 @@
 namespace Foam
 {
 
-static const scalar limit = 1e-6;
+static const scalar largestError = 1e-6;
 
 
 // Not a number is above the limit, too: a comparison that raises no exception
 static void check(const scalar error, const char* what, const char* cause)
 {
-    if (std::islessequal(error, limit))
+    if (std::islessequal(error, largestError))
     {
         return;
     }
 
     OStringStream os;
-    os  << what << " is " << error << ", above the limit of " << limit << ": " << cause;
+    os  << what << " is " << error << ", above the limit of " << largestError << ": " << cause;
     throw demFailure(os.str());
 }
 

@@ -21,7 +21,8 @@ static const label sampleSize = 20000;
 
 static void refuseOverset(const fvMesh& mesh)
 {
-    word by(mesh.type().find("Overset") == string::npos ? word::null : mesh.type());
+    const word& type = static_cast<const polyMesh&>(mesh).type();
+    word by(type.find("Overset") == string::npos ? word::null : type);
 
     for (const polyPatch& patch : mesh.boundaryMesh())
     {

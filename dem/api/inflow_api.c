@@ -82,12 +82,12 @@ static int find_patch(struct dem *d, const char *name, struct dem_flow_patch **p
 int dem_flow_patch(struct dem *d, const char *name, int64_t n, const double *triangles,
                    const double *velocity)
 {
-    struct dem_flow_patch *patch;
-    double *mine = NULL;    /* 12 numbers a triangle, as in struct dem_flow_patch */
-
-    DEM_TRY(find_patch(d, name, &patch));
+    struct dem_flow_patch *patch = NULL;
+    double *mine = NULL, *all;    /* 12 numbers a triangle, as in struct dem_flow_patch */
+    size_t total;
     int status = dem_api_require_count("dem_flow_patch", "triangles", n);
 
+    status = status ? status : find_patch(d, name, &patch);
     status = status ? status : DEM_NEW(mine, 12*(size_t)n + 1);
     for (size_t t = 0; t < (size_t)n && !status; t++)
     {
@@ -97,13 +97,13 @@ int dem_flow_patch(struct dem *d, const char *name, int64_t n, const double *tri
             memcpy(mine + 12*t + 9, velocity + 3*t, 3*sizeof *mine);
         }
     }
-    dem_memory_free(patch->triangles);
-    patch->triangles = NULL;
-    patch->n = 0;
-    status = dem_api_gather(&d->state, status, 12, (size_t)n, mine, &patch->triangles, &patch->n);
+    status = dem_api_gather(&d->state, status, 12, (size_t)n, mine, &all, &total);
     dem_memory_free(mine);
     DEM_TRY(status);
-    return d->checked ? give_to_streams(d, patch) : DEM_OK;
+    dem_memory_free(patch->triangles);
+    patch->triangles = all;
+    patch->n = total;
+    return d->checked ? dem_api_agree(d, give_to_streams(d, patch)) : DEM_OK;
 }
 
 int dem_flow_remove(struct dem *d, const char *patch, int64_t n, const int64_t *id)

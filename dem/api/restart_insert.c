@@ -96,8 +96,11 @@ static int tell(struct dem *d)
 
     for (size_t k = 0; k < c->groups; k++)
     {
-        DEM_TRY(dem_api_note(d, "restart: insert/%s is new: its %lld particles are inserted now",
-                             c->group[k].name, (long long)c->group[k].n));
+        const int of_program = d->initial.n > 0 && k + 1 == c->groups;
+
+        DEM_TRY(dem_api_note(d, "restart: %s%s is new: its %lld particles are inserted now",
+                             of_program ? "" : "insert/", c->group[k].name,
+                             (long long)c->group[k].n));
     }
     return DEM_OK;
 }

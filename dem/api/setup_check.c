@@ -52,11 +52,29 @@ static int choose_step(struct dem *d)
     return DEM_OK;
 }
 
+/* Positions along a periodic axis are multiples of its unit of length. A unit of 1e-6 radii is a
+   hundredth of an overlap of 1e-4 radii, a small one. */
+static const double coarsest_unit = 1e-6;
+
+static double min_radius(const struct dem *d)
+{
+    double min = INFINITY;
+
+    for (int m = 0; m < DEM_MATERIALS; m++)
+    {
+        const double radius = d->state.interaction_table.min_radius[m];
+
+        min = radius > 0.0 ? fmin(min, radius) : min;
+    }
+    return min;
+}
+
 /* In a periodic domain that is too narrow a particle touches its own image (neighbor/pairs.c
-   refuses it in a snapshot). */
+   refuses it in a snapshot); in one that is too wide, overlaps are lost in rounding. */
 static int check_periodic_widths(const struct dem *d, double radius)
 {
     const struct dem_domain *const box = &d->state.domain;
+    const double least = min_radius(d);
     const double min = 2.0*radius*(1.0 + d->scene.outer_skin) + d->state.interaction_table.reach;
 
     for (int k = 0; k < 3; k++)
@@ -66,6 +84,12 @@ static int check_periodic_widths(const struct dem *d, double radius)
                     "its own periodic image; make the domain at least two diameters and a skin "
                     "wide",
                     "xyz"[k], box->length[k], 2.0*radius);
+        DEM_REQUIRE(!box->periodic[k] || box->unit[k] <= coarsest_unit*least, DEM_ERROR_INPUT,
+                    "domain: periodic along %c from %g to %g m, where positions are multiples of "
+                    "%.3g m; the limit is %.3g m, %g of the smallest radius, or overlaps are lost "
+                    "in rounding; make the domain smaller, or move it to the origin",
+                    "xyz"[k], box->min[k], box->max[k], box->unit[k], coarsest_unit*least,
+                    coarsest_unit);
     }
     return DEM_OK;
 }

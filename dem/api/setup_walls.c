@@ -43,14 +43,10 @@ static int follow(struct dem_state *p, int wall)
 int dem_api_move_wall(struct dem *d, const struct dem_mesh_wall *m, int now)
 {
     struct dem_walls *const w = &d->state.walls;
+    const int wall = dem_walls_named(w, m->name);
     double *corners;
-    int wall = 0;
     size_t n;
 
-    while (wall < w->walls && strcmp(w->wall[wall].name, m->name) != 0)
-    {
-        wall++;
-    }
     DEM_TRY(follow(&d->state, wall));
     DEM_TRY(dem_api_gather(&d->state, DEM_OK, 9, m->n, m->moved, &corners, &n));
     const int status = now ? dem_walls_set_corners(w, wall, n, corners)
@@ -129,9 +125,10 @@ int dem_insert_region(struct dem *d, const char *name, int zone, int64_t n,
     DEM_REQUIRE(strlen(name) < sizeof g->surface->name, DEM_ERROR_INPUT,
                 "zone %s: a name longer than %zu characters; shorten it", name,
                 sizeof g->surface->name - 1);
-    DEM_TRY(DEM_GROW(g->surface, g->capacity, g->n + 1));
-    DEM_TRY(dem_api_gather(&d->state, dem_api_require_count("dem_insert_region", "triangles", n), 9,
-                           (size_t)n, triangles, &corners, &total));
+    int status = dem_api_require_count("dem_insert_region", "triangles", n);
+
+    status = status ? status : DEM_GROW(g->surface, g->capacity, g->n + 1);
+    DEM_TRY(dem_api_gather(&d->state, status, 9, (size_t)n, triangles, &corners, &total));
     struct dem_closed_surface *const s = &g->surface[g->n++];
 
     *s = (struct dem_closed_surface){.what = zone ? "zone" : "mesh", .zone = zone};

@@ -84,6 +84,9 @@ static int report_not_finite(const char *path, const struct dem_snapshot_header 
     return DEM_OK;
 }
 
+/* radii from the origin, where overlaps of 1e-4 radii are lost; without a domain particles fly far */
+static const double max_distance = 1e12;
+
 /* Radius, position, velocity and spin. */
 static int check_motion(const char *path, const struct dem_particle *p)
 {
@@ -94,11 +97,11 @@ static int check_motion(const char *path, const struct dem_particle *p)
         "%s is damaged: particle %lld has a radius of %g m, which must be above 0; use another one",
         path, (long long)p->id, p->radius);
     DEM_REQUIRE(
-        fmax(fabs(p->x[0]), fmax(fabs(p->x[1]), fabs(p->x[2]))) <= dem_max_distance*p->radius,
+        fmax(fabs(p->x[0]), fmax(fabs(p->x[1]), fabs(p->x[2]))) <= max_distance*p->radius,
         DEM_ERROR_FILE,
         "%s is damaged: particle %lld at (%g %g %g) m is more than %g radii of %g m from the origin, where double precision cannot resolve overlaps; "
         "use another one",
-        path, (long long)p->id, p->x[0], p->x[1], p->x[2], dem_max_distance, p->radius);
+        path, (long long)p->id, p->x[0], p->x[1], p->x[2], max_distance, p->radius);
     DEM_REQUIRE(
         dem_vec_dot(p->v, p->v) <= limit, DEM_ERROR_FILE,
         "%s is damaged: particle %lld has velocity (%g %g %g) m/s, the limit is %g m/s, the "

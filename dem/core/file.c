@@ -75,14 +75,28 @@ int dem_file_finish(struct dem_file *f, int status)
     return status;
 }
 
+int dem_file_refuse_others(const char *path)
+{
+    struct stat s;
+
+    DEM_REQUIRE(stat(path, &s) != 0 || S_ISREG(s.st_mode), DEM_ERROR_FILE,
+                "cannot read %s: it is a %s; give a file with the data", path,
+                S_ISDIR(s.st_mode)    ? "folder"
+                : S_ISFIFO(s.st_mode) ? "pipe"
+                                      : "device or socket");
+    return DEM_OK;
+}
+
 int dem_file_load(const char *path, char **bytes, size_t *n)
 {
-    FILE *stream = fopen(path, "rb");
     size_t capacity = 0, got = 1;
     int status = DEM_OK;
 
     *bytes = NULL;
     *n = 0;
+    DEM_TRY(dem_file_refuse_others(path));
+    FILE *const stream = fopen(path, "rb");
+
     DEM_REQUIRE(stream, DEM_ERROR_FILE, "cannot open %s: %s", path, strerror(errno));
     while (got > 0 && status == DEM_OK)
     {
@@ -137,14 +151,10 @@ int dem_file_make_folder(const char *path)
     return DEM_OK;
 }
 
+/* Where a folder of the path is none, or is closed to us, the writer has the sentence. */
 bool dem_file_exists(const char *path)
 {
-    FILE *stream = fopen(path, "rb");
+    struct stat s;
 
-    if (stream)
-    {
-        fclose(stream);
-        return true;
-    }
-    return errno != ENOENT;
+    return stat(path, &s) == 0 || (errno != ENOENT && errno != ENOTDIR && errno != EACCES);
 }

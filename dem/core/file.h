@@ -31,6 +31,9 @@ int dem_file_begin(struct dem_file *f, const char *path);
 /* Close the file and rename it to path, or remove it when `status` or a write failed. */
 int dem_file_finish(struct dem_file *f, int status);
 
+/* Refuse a folder, pipe, socket or device: reading it would fail late, wait or never end. */
+int dem_file_refuse_others(const char *path);
+
 /* All bytes of a file, followed by a zero byte; the caller frees them with dem_memory_free. */
 int dem_file_load(const char *path, char **bytes, size_t *n);
 
@@ -40,7 +43,7 @@ int dem_file_load_text(const char *path, char **text);
 /* Create a folder, unless it exists; not those around it. */
 int dem_file_make_folder(const char *path);
 
-/* False only when there is no such file; true also for one that cannot be read. */
+/* True also for a file that cannot be read. */
 bool dem_file_exists(const char *path);
 
 #endif

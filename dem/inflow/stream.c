@@ -308,7 +308,10 @@ int dem_streams_check(const struct dem_streams *s, const struct dem_domain *d)
 {
     for (int k = 0; k < s->streams; k++)
     {
-        DEM_TRY(check_inlet(&s->stream[k], d));
+        const struct dem_stream *const one = &s->stream[k];
+
+        DEM_TRY(check_inlet(one, d));
+        DEM_TRY(dem_initial_particles_check_spin(one->where, one->spin, 0.5*one->sizes.max));
     }
     for (int k = 0; k < s->outlets; k++)
     {

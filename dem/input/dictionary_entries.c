@@ -151,20 +151,6 @@ const char *dem_dict_path(const struct dem_dict *d)
     return text;
 }
 
-static bool remove_entry(struct dem_dict *d, const char *name)
-{
-    for (size_t i = 0; i < d->count; i++)
-    {
-        if (strcmp(d->entries[i]->name, name) == 0)
-        {
-            memmove(d->entries + i, d->entries + i + 1, (d->count - i - 1)*sizeof *d->entries);
-            d->count--;
-            return true;
-        }
-    }
-    return false;
-}
-
 bool dem_dict_remove(struct dem_dict *d, const char *within, bool deep, const char *name)
 {
     const struct dem_entry *const e = dem_dict_find(d, within, strlen(within));
@@ -177,9 +163,10 @@ bool dem_dict_remove(struct dem_dict *d, const char *within, bool deep, const ch
     for (size_t i = 0; i < e->dict->count && deep; i++)
     {
         found =
-            (e->dict->entries[i]->dict && remove_entry(e->dict->entries[i]->dict, name)) || found;
+            (e->dict->entries[i]->dict && dem_dict_remove_entry(e->dict->entries[i]->dict, name))
+            || found;
     }
-    return deep ? found : remove_entry(e->dict, name);
+    return deep ? found : dem_dict_remove_entry(e->dict, name);
 }
 
 static const char *location(struct dem_dict_pool *pool, const char *file, int line)

@@ -165,6 +165,7 @@ static int read_included(struct dem_reader *r, struct dem_dict *d, const char *p
     memcpy(full, r->scan.file, folder);
     memcpy(full + folder, path, strlen(path) + 1);
     status = load(d->pool, full, &text, &length);
+    status = status == DEM_OK ? dem_dict_count_file(d->pool, length) : status;
     if (status != DEM_OK)
     {
         return dem_error_prefix(status, "%s, line %d: ", r->scan.file, line);

@@ -1,8 +1,8 @@
 /*
  * dictionary_tree.c -- the tree of a dictionary and the memory pool that holds all of it.
  *
- * Entries keep the order of the text; a name is found by linear search (scenes have tens of
- * entries; only lists are long). Copies made for macros are counted: `b $a $a; c $b $b; ...`
+ * Entries keep the order of the text; one table of the tree finds a name in its dictionary, so that
+ * reading takes linear time. Copies made for macros are counted: `b $a $a; c $b $b; ...`
  * doubles with every line, and must end in an error message before memory is full.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/memory.h"
+#include "core/name_index.h"
 
 #include <stdalign.h>
 #include <stdio.h>
@@ -20,6 +21,7 @@ enum
 {
     CHUNK = 1 << 14,      /* smallest allocation [byte] */
     MAX_REPEATS = 100,    /* sentences on entries given twice */
+    MAX_FILES = 1000,     /* that one tree includes, each as often as it is read */
     MAX_COPIES = 4000000  /* entries and words that macros may copy: 100 MB */
 };
 
@@ -28,10 +30,17 @@ struct dem_dict_pool
 {
     const char **repeats;    /* sentences on entries given twice */
     size_t repeat_count, repeat_capacity;
+    struct dem_entry **entry;       /* all of the tree; null: removed */
+    size_t entries, entry_capacity;
+    struct dem_name_index names;    /* of these */
     char *chunk;
     size_t used, capacity;  /* of the chunk [byte] */
     size_t copies;          /* made by macros so far */
+    size_t files, bytes;    /* included so far */
 };
+
+/* bytes of included files: more than any list of positions that memory holds */
+static const size_t max_bytes = (size_t)1 << 30;
 
 enum
 {
@@ -111,6 +120,18 @@ static int count_copy(struct dem_dict_pool *pool)
     return DEM_OK;
 }
 
+int dem_dict_count_file(struct dem_dict_pool *pool, size_t bytes)
+{
+    DEM_REQUIRE(++pool->files <= MAX_FILES, DEM_ERROR_INPUT,
+                "more than %d files are included; does one include another many times?", MAX_FILES);
+    pool->bytes += bytes;
+    DEM_REQUIRE(pool->bytes <= max_bytes, DEM_ERROR_INPUT,
+                "included files have more than %zu bytes together; include each once, or insert "
+                "particles with type table",
+                max_bytes);
+    return DEM_OK;
+}
+
 int dem_dict_new_top(struct dem_dict **d, const char *file)
 {
     struct dem_dict_pool *pool = NULL;
@@ -154,6 +175,11 @@ void dem_dict_free(struct dem_dict *d)
         dem_memory_free(pool->chunk);
         pool->chunk = previous;
     }
+    if (pool)
+    {
+        dem_name_index_free(&pool->names);
+        dem_memory_free(pool->entry);
+    }
     dem_memory_free(pool);
 }
 
@@ -174,13 +200,23 @@ int dem_dict_new(struct dem_dict *parent, const char *name, const char *file, in
     return DEM_OK;
 }
 
+static uint64_t hash_in(const struct dem_dict *d, const char *name, size_t length)
+{
+    return dem_name_hash(name, length, (uint64_t)(uintptr_t)d);
+}
+
 struct dem_entry *dem_dict_find(const struct dem_dict *d, const char *name, size_t length)
 {
-    for (size_t i = 0; i < d->count; i++)
+    const uint64_t hash = hash_in(d, name, length);
+    size_t at = 0, k;
+
+    while (dem_name_index_next(&d->pool->names, hash, &at, &k))
     {
-        if (strncmp(d->entries[i]->name, name, length) == 0 && d->entries[i]->name[length] == '\0')
+        struct dem_entry *const e = d->pool->entry[k];
+
+        if (e && e->parent == d && strncmp(e->name, name, length) == 0 && e->name[length] == '\0')
         {
-            return d->entries[i];
+            return e;
         }
     }
     return NULL;
@@ -204,20 +240,43 @@ int dem_dict_new_entry(struct dem_dict *parent, const char *name, const char *fi
 int dem_dict_put(struct dem_entry *e)
 {
     struct dem_dict *d = e->parent;
+    struct dem_dict_pool *const pool = d->pool;
+    const struct dem_entry *const old = dem_dict_find(d, e->name, strlen(e->name));
     void *entries = d->entries;
 
-    for (size_t i = 0; i < d->count; i++)
+    if (old)
     {
-        if (strcmp(d->entries[i]->name, e->name) == 0)
-        {
-            d->entries[i] = e;
-            return DEM_OK;
-        }
+        e->place = old->place;
+        e->number = old->number;
+        d->entries[e->place] = pool->entry[e->number] = e;
+        return DEM_OK;
     }
-    DEM_TRY(dem_dict_pool_grow(d->pool, &entries, &d->capacity, d->count + 1, sizeof *d->entries));
+    DEM_TRY(dem_dict_pool_grow(pool, &entries, &d->capacity, d->count + 1, sizeof *d->entries));
     d->entries = entries;
-    d->entries[d->count++] = e;
+    DEM_TRY(DEM_GROW(pool->entry, pool->entry_capacity, pool->entries + 1));
+    e->place = d->count;
+    e->number = pool->entries;
+    DEM_TRY(dem_name_index_add(&pool->names, hash_in(d, e->name, strlen(e->name)), e->number));
+    d->entries[d->count++] = pool->entry[pool->entries++] = e;
     return DEM_OK;
+}
+
+bool dem_dict_remove_entry(struct dem_dict *d, const char *name)
+{
+    struct dem_entry *const e = dem_dict_find(d, name, strlen(name));
+
+    if (!e)
+    {
+        return false;
+    }
+    for (size_t i = e->place + 1; i < d->count; i++)
+    {
+        d->entries[i]->place--;
+        d->entries[i - 1] = d->entries[i];
+    }
+    d->count--;
+    d->pool->entry[e->number] = NULL;
+    return true;
 }
 
 int dem_dict_put_dict(struct dem_dict *d, const char *name, const char *file, int line,

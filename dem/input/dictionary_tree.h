@@ -37,6 +37,7 @@ struct dem_entry
     bool used;
     struct dem_dict *dict;     /* null for a value */
     struct dem_dict *parent;   /* contains the entry */
+    size_t place, number;      /* index among the entries of the parent, of the tree */
     struct dem_token *tokens;  /* of a value */
     size_t count, capacity;
     size_t items;              /* dictionaries among the tokens */
@@ -70,6 +71,9 @@ int dem_dict_pool_copy(struct dem_dict_pool *pool, const char *text, size_t leng
 int dem_dict_pool_grow(struct dem_dict_pool *pool, void **array, size_t *capacity, size_t count,
                        size_t size);
 
+/* Count an included file; an error beyond the limits of one tree. */
+int dem_dict_count_file(struct dem_dict_pool *pool, size_t bytes);
+
 /* The tree. An entry is first created outside the dictionary (new), then added in place of the
    one of its name (put); put_dict keeps an existing dictionary. Names and files must come from
    the pool. */
@@ -80,6 +84,7 @@ struct dem_entry *dem_dict_find(const struct dem_dict *d, const char *name, size
 int dem_dict_new_entry(struct dem_dict *parent, const char *name, const char *file, int line,
                        struct dem_entry **e);
 int dem_dict_put(struct dem_entry *e);
+bool dem_dict_remove_entry(struct dem_dict *d, const char *name);    /* false: there is none */
 int dem_dict_put_dict(struct dem_dict *d, const char *name, const char *file, int line,
                       struct dem_dict **sub);
 int dem_dict_append(struct dem_entry *e, struct dem_token token);

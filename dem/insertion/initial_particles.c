@@ -6,6 +6,7 @@
 #include "insertion/initial_particles.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "core/vec.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -59,6 +60,19 @@ void dem_initial_particles_count(struct dem_initial_particles *c, int64_t n, dou
     g->mass += (double)n*mass;
 }
 
+/* By components first: the square of a huge spin overflows. */
+int dem_initial_particles_check_spin(const char *where, const double w[3], double radius)
+{
+    const double most = dem_particle_max_speed/radius;
+
+    DEM_REQUIRE(fmax(fabs(w[0]), fmax(fabs(w[1]), fabs(w[2]))) <= most && dem_vec_norm(w) <= most,
+                DEM_ERROR_INPUT,
+                "%s: a particle of radius %g m has spin (%g %g %g) 1/s; the limit is %g 1/s, at "
+                "which its surface moves at the speed of light; give a smaller spin",
+                where, radius, w[0], w[1], w[2], most);
+    return DEM_OK;
+}
+
 int dem_initial_particles_add(struct dem_initial_particles *c, struct dem_particle p,
                               const char *where)
 {
@@ -78,6 +92,7 @@ int dem_initial_particles_add(struct dem_initial_particles *c, struct dem_partic
                     "out, or frozen",
                     where, p.v[k] != 0.0 ? p.v[k] : p.w[k]);
     }
+    DEM_TRY(dem_initial_particles_check_spin(where, p.w, p.radius));
     p.id = p.id < 0 ? c->next_id : p.id;
     DEM_REQUIRE(p.id < INT64_MAX, DEM_ERROR_INPUT,
                 "%s: id %lld leaves no next one; give a smaller number", where, (long long)p.id);

@@ -22,9 +22,9 @@ struct dem_group_summary
     double volume, mass;                     /* m3, kg */
 };
 
-/* radii; the largest distance from the origin: positions are rounded to 1e-4 radii there, the
-   size of a typical overlap */
-static const double dem_max_distance = 1e12;
+/* radii; the largest distance from the origin at the start: positions are rounded to 1e-6 radii
+   there, a hundredth of a small overlap */
+static const double dem_max_distance = 1e10;
 
 struct dem_initial_particles
 {
@@ -55,6 +55,9 @@ static inline double *dem_initial_particles_last_scalars(struct dem_initial_part
 int dem_initial_particles_begin_group(struct dem_initial_particles *, const char *group);
 void dem_initial_particles_count(struct dem_initial_particles *, int64_t n, double diameter,
                                  double mass, int material);
+
+/* An error for a spin [1/s] at which the surface of a sphere moves faster than light. */
+int dem_initial_particles_check_spin(const char *where, const double w[3], double radius);
 
 /* Add a particle; id < 0 takes the next free id. An error for numbers that are not finite or out
    of range; `where` starts the message. */

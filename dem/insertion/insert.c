@@ -267,6 +267,8 @@ static int read_list(struct dem_insert_group *b, const struct dem_interaction_ta
     size_t n, velocities = 0, spins = 0, ids = 0;
 
     DEM_TRY(dem_dict_vectors(b->dict, "positions", "m", &b->positions, &n));
+    DEM_REQUIRE(n > 0, DEM_ERROR_INPUT,
+                "%s: the list positions is empty; give at least one, or remove the group", b->where);
     DEM_TRY(read_diameters(b, n));
     if (dem_dict_has(b->dict, "velocities"))
     {

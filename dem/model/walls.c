@@ -19,6 +19,7 @@ void dem_walls_free(struct dem_walls *w)
         dem_memory_free(w->wall[k].scalars);
     }
     dem_memory_free(w->wall);
+    dem_name_index_free(&w->names);
     dem_memory_free(w->triangle);
     dem_memory_free(w->facet);
     dem_memory_free(w->frame);
@@ -27,19 +28,32 @@ void dem_walls_free(struct dem_walls *w)
     memset(w, 0, sizeof *w);
 }
 
+int dem_walls_named(const struct dem_walls *w, const char *name)
+{
+    const uint64_t hash = dem_name_hash(name, strlen(name), 0);
+    size_t at = 0, k = 0;
+
+    while (dem_name_index_next(&w->names, hash, &at, &k))
+    {
+        if (strcmp(w->wall[k].name, name) == 0)
+        {
+            return (int)k;
+        }
+    }
+    return w->walls;
+}
+
 int dem_walls_add(struct dem_walls *w, const char *name, int material, int *wall)
 {
-    for (int k = 0; k < w->walls; k++)
-    {
-        DEM_REQUIRE(strcmp(w->wall[k].name, name) != 0, DEM_ERROR_INPUT,
-                    "wall %s is given twice; rename one of them", name);
-    }
+    DEM_REQUIRE(dem_walls_named(w, name) == w->walls, DEM_ERROR_INPUT,
+                "wall %s is given twice; rename one of them", name);
     DEM_REQUIRE(strlen(name) < sizeof w->wall->name, DEM_ERROR_INPUT,
                 "wall name %s is longer than %zu characters; shorten it", name,
                 sizeof w->wall->name - 1);
     DEM_REQUIRE(w->walls <= UINT16_MAX, DEM_ERROR_INPUT,
                 "wall %s: there are %d walls, the limit; join some of them", name, w->walls);
     DEM_TRY(DEM_GROW(w->wall, w->wall_capacity, w->walls + 1));
+    DEM_TRY(dem_name_index_add(&w->names, dem_name_hash(name, strlen(name), 0), (size_t)w->walls));
     *wall = w->walls++;
     w->wall[*wall] = (struct dem_wall){.material = material, .frame = -1};
     memcpy(w->wall[*wall].name, name, strlen(name));

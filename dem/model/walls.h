@@ -26,6 +26,7 @@
 #ifndef DEM_MODEL_WALLS_H
 #define DEM_MODEL_WALLS_H
 
+#include "core/name_index.h"
 #include "model/periodic_image.h"
 #include "model/wall_motion.h"
 #include <stddef.h>
@@ -179,6 +180,7 @@ struct dem_walls
     int walls;
     struct dem_wall *wall;
     size_t wall_capacity;
+    struct dem_name_index names;               /* of walls */
     size_t triangles, triangle_capacity;
     struct dem_triangle *triangle;
     int facets;
@@ -210,6 +212,9 @@ struct dem_walls
 };
 
 void dem_walls_free(struct dem_walls *);
+
+/* Index of the wall of this name; the number of walls when there is none. */
+int dem_walls_named(const struct dem_walls *, const char *name);
 
 /* Add a wall of triangles, or a plane. Names must be unique (DEM_ERROR_INPUT). `wall`: index of the
    wall. */

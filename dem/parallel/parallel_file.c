@@ -6,6 +6,7 @@
 #define _POSIX_C_SOURCE 200809L                           /* fsync, fileno */
 
 #include "parallel/parallel_file.h"
+#include "core/file.h"
 #include "parallel/mpi_error.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -91,6 +92,12 @@ static int open_file(struct dem_parallel_file *s, const struct dem_file_ranks *b
     s->by = *by;
     memcpy(s->path, path, strlen(path) + 1);
     part_name(s, name, sizeof name);
+    s->status = s->writing ? DEM_OK : dem_file_refuse_others(name);
+    if (on_any_rank(s, s->status != DEM_OK))
+    {
+        return s->status ? s->status
+                         : dem_error(DEM_ERROR_FILE, "another rank cannot read %s", name);
+    }
     errno = 0;
     if (is_serial(s))
     {

@@ -110,18 +110,6 @@ static int read_round(struct dem_walls *w, const struct dem_dict *dict, int mate
                                radius, strcmp(side, sides[1]) == 0);
 }
 
-/* Index of the wall of this name; the number of walls when there is none. */
-static int find_wall(const struct dem_walls *w, const char *name)
-{
-    int k = 0;
-
-    while (k < w->walls && strcmp(w->wall[k].name, name) != 0)
-    {
-        k++;
-    }
-    return k;
-}
-
 /* Add the walls of an entry; `first` is the index of the first of them. */
 static int read_shape(const struct wall_reader *reader, const struct dem_dict *dict, int *first)
 {
@@ -150,7 +138,7 @@ static int read_shape(const struct wall_reader *reader, const struct dem_dict *d
         return dem_error_prefix(dem_did_you_mean_error("type of wall", type, known, 8),
                                 "%s: ", dem_dict_where(dict));
     default:
-        *first = find_wall(w, dem_dict_name(dict));
+        *first = dem_walls_named(w, dem_dict_name(dict));
         DEM_REQUIRE(*first < w->walls, DEM_ERROR_INPUT,
                     "%s: wall %s is a %s, but no mesh provides it; run it in OpenFOAM, or use type "
                     "plane, box, cylinder, sphere, triangles or stl",

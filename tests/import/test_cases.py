@@ -277,6 +277,7 @@ def dpm():
     assert d.sub("effects").sub("gidaspow").word("blend") == "switch"
     assert d.sub("effects").sub("mindlin").number("friction") == 0.52
     assert abs(d.sub("effects").sub("dry").number("restitution") - 0.84466) < 1e-4
+    assert result.has("translated", "restitution", "on walls"), result.report.of("translated")
     assert d.sub("pairs").sub("wallContact").sub("mindlin").number("friction") == 0.43
     assert d.sub("walls").sub("sides").word("material") == "wall"
     assert "inlet" in d.sub("walls") and d.sub("outlets").sub("outlet").word("patch") == "outlet"

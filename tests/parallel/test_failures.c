@@ -3,8 +3,9 @@
  *
  * - An error of MPI on the library's communicator is returned as DEM_ERROR_MPI with MPI's text and
  *   does not abort.
- * - When one rank runs out of memory in a collective call, all ranks return an error and none
- *   waits: also while they insert and pack spheres, open streams and mark bonds.
+ * - When one rank runs out of memory in a collective call, or gives it a number of items below 0, all
+ *   ranks return an error and none waits: also while they insert and pack spheres, open streams and
+ *   mark bonds.
  *
  *     mpirun -np N test_failures    N >= 2; prints failures; status 0 if there are none
  *
@@ -301,6 +302,38 @@ static int call_load(struct dem *d)
     return dem_setup(d);
 }
 
+static const double triangle[9] = {0, 0, 5, 1, 0, 5, 0, 1, 5};
+static int64_t triangles = 1;    /* of this rank, in the next call */
+
+static int call_add_wall(struct dem *d)
+{
+    return dem_add_wall(d, "added", "glass", triangles, triangle);
+}
+
+static int call_move_wall(struct dem *d)
+{
+    try(dem_add_wall(d, "added", "glass", 1, triangle));
+    return dem_wall_move(d, "added", triangles, triangle);
+}
+
+static int call_patch(struct dem *d)
+{
+    return dem_flow_patch(d, "inlet", triangles, triangle, NULL);
+}
+
+static int call_region(struct dem *d)
+{
+    static const double corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const int of[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    double surface[36];
+
+    for (int k = 0; k < 12; k++)
+    {
+        memcpy(surface + 3*k, corners[of[k/3][k%3]], sizeof corners[0]);
+    }
+    return dem_insert_region(d, "", 0, triangles < 0 ? triangles : rank == 0 ? 4 : 0, surface);
+}
+
 typedef int call(struct dem *);
 
 struct trial
@@ -404,6 +437,9 @@ static void no_memory(void)
         {"", "dem_load", call_load, 1},
         {"", "dem_setup", call_setup, 1},
         {"", "dem_advance", call_advance, 0},
+        {"", "dem_add_wall", call_add_wall, 1},
+        {"", "dem_flow_patch", call_patch, 1},
+        {"", "dem_insert_region", call_region, 1},
     };
     static const struct trial create_again = {"", "dem_create", call_create, 0};
     static const struct trial of_start = {"", "dem_setup with a start", call_setup, 1};
@@ -427,6 +463,32 @@ static void no_memory(void)
     }
     memory(&of_start, create_started);
     memory(&create_again, create_started);
+}
+
+/* ---- numbers of items ------------------------------------------------------------------------ */
+
+static void wrong_counts(void)
+{
+    static const struct trial trials[] =
+    {
+        {"", "dem_add_wall", call_add_wall, 1},
+        {"", "dem_wall_move", call_move_wall, 1},
+        {"", "dem_flow_patch", call_patch, 1},
+        {"", "dem_insert_region", call_region, 1},
+    };
+
+    for (size_t k = 0; k < sizeof trials/sizeof *trials; k++)
+    {
+        struct dem *const d = create(0);
+
+        triangles = rank == 1 ? -1 : 1;
+        const int status = trials[k].call(d);
+
+        triangles = 1;
+        check(status == DEM_ERROR_INPUT, "one rank gives -1 triangles", trials[k].name, status,
+              DEM_ERROR_INPUT);
+        dem_free(d);
+    }
 }
 
 /* ---- reductions and gathers ------------------------------------------------------------------ */
@@ -530,6 +592,7 @@ int main(int argc, char **argv)
     dem_decomposition_free(&p);
     mpi_errors();
     no_memory();
+    wrong_counts();
     clean_up();
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
     MPI_Finalize();

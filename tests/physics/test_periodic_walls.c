@@ -106,7 +106,7 @@ static struct result roll(const char *text, double duration)
 static struct result roll_on(char *walls)
 {
     char *const text = scene(rough, along_x, walls);
-    const struct result r = roll(text, 0.4);
+    const struct result r = roll(text, 0.25);
 
     free(text);
     free(walls);
@@ -332,7 +332,7 @@ static void test_moving(void)
     static const char *const motion[] = {
         "motion { type oscillation; amplitude (0.003 0 0); frequency 20; }",
         "motion { type translation; velocity (0.3 0 0); }",
-        "motion { type translation; velocity (-0.3 0.1 0); start 0.1; end 0.2; }",
+        "motion { type translation; velocity (-0.3 0.1 0); start 0.1; end 0.15; }",
         "motion { type oscillation; amplitude (0 0 1e-4); frequency 20; }"};
 
     for (int k = 0; k < 4; k++)

@@ -1,8 +1,11 @@
-# stops.sh -- part of run: runs stopped by signals.
+# stops.sh -- part of run: runs stopped by signals, and by the file stop.
 #
 # A signal ends a run with a snapshot from which it continues with the same bits and tables, after
-# any number of stops and changes of ranks. A run that is killed while it writes leaves its last
-# complete snapshot.
+# any number of stops and changes of ranks; so does the file. A run that is killed while it writes
+# leaves its last complete snapshot.
+#
+# Signals are sent when the run has reached a time, of which a row of a table or a line of its log
+# tells, so that it does not matter how fast the machine is. Each wait ends after $run_limit seconds.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -17,6 +20,21 @@ begun()
         sleep 0.05
     done
     echo "#   $1 does not begin"
+    false
+}
+
+# reached FILE PATTERN COUNT: wait until so many lines of the file match, or the run has ended
+reached()
+{
+    local k found
+    for ((k = 0; k < 50*run_limit; k++))
+    do
+        found=$(grep -cs -e "$2" "$work/$1")
+        [ "${found:-0}" -lt "$3" ] || return 0
+        kill -0 "$runner" 2> /dev/null || return 1
+        sleep 0.02
+    done
+    echo "#   $1 has not $3 lines $2"
     false
 }
 
@@ -49,19 +67,41 @@ over()
     return $status
 }
 
-# stop FOLDER RANKS SIGNAL DELAY ARGUMENT ...: a run stopped so many seconds after its start ends
-# properly and reports it
+# stopped FOLDER WHAT: the run has ended properly and reports what has stopped it
+stopped()
+{
+    over && grep -q "^stopped by $2 at t .* -restart $file continues" "$work/$1/log.out" \
+        && same "$("$dem" hash "$work/$1/$file")" "$(printed_hash "$work/$1/log.out")" \
+        || { sed 's/^/#   /' "$work/$1/log.out" "$work/$1/log.err"; false; }
+}
+
+# stop FOLDER RANKS SIGNAL TIME ARGUMENT ...: a run that gets a signal when walls.csv has the row of
+# this time
 stop()
 {
-    local folder=$1 n=$2 signal=$3 delay=$4
+    local folder=$1 n=$2 signal=$3 time=$4
     shift 4
     start "$folder" "$n" "$@"
-    begun "$folder" && sleep "$delay"
-    kill -"$signal" "$runner"
-    over && grep -q "^stopped by SIG$signal at t .* -restart $file continues" "$work/$folder/log.out" \
-        && same "$("$dem" hash "$work/$folder/$file")" "$(printed_hash "$work/$folder/log.out")" \
-        || { sed 's/^/#   /' "$work/$folder/log.out" "$work/$folder/log.err"; false; }
+    begun "$folder" && reached "$folder/out/walls.csv" "^$time," 1 && kill -"$signal" "$runner"
+    stopped "$folder" "SIG$signal"
 }
+
+# mpirun passes SIGUSR1 to what it has started
+passes_signals()
+{
+    local k
+    (cd "$work" && exec mpirun -np 2 bash -c \
+        'trap "exit 0" USR1; touch ready.$OMPI_COMM_WORLD_RANK; for k in {1..100}; do sleep 0.1; done; exit 1') &
+    runner=$!
+    for ((k = 0; k < 200; k++))
+    do
+        [ ! -e "$work/ready.0" -o ! -e "$work/ready.1" ] || break
+        sleep 0.05
+    done
+    kill -USR1 $runner
+    wait $runner
+}
+claim "mpirun passes SIGUSR1 on; otherwise export HWLOC_COMPONENTS=-opencl (docs/output.md)" passes_signals
 
 c_test restart/test_snapshot
 c_test restart/test_stopping
@@ -69,7 +109,7 @@ c_test restart/test_stopping
 # ---- signals -------------------------------------------------------------------------------------
 
 # grains that cross periodic faces, bonded ones that break and leave, and their tables, which a
-# series of stops must not change; one window, as long as the run
+# series of stops must not change; windows as long as the time between rows of walls.csv
 cat > "$work/wander.dem" << 'END'
 materials { glass { density 2500; youngsModulus 1e7; } }
 effects
@@ -86,10 +126,10 @@ insert
 }
 averages { box { min (0 0 0); max (0.02 0.02 0.02); cells (2 2 4); interval 1e-4; } }
 time { end 0.04; }
-write { interval 0.04; vtk no; folder "out"; snapshot last; }
+write { interval 0.04; walls 0.002; vtk no; folder "out"; snapshot last; }
 END
 file=out/snapshot.dem
-whole=$(simulate wander.whole 2 "$work/wander.dem")
+whole=$(simulate wander.whole 1 "$work/wander.dem")
 claim "stops: a run without any, bonds break and grains leave" [ -n "$whole" -a -s "$work/wander.whole/out/bonds.csv" \
     -a -s "$work/wander.whole/out/lost.csv" ]
 # positions in tables must not depend on when particles are wrapped into the periodic box
@@ -103,11 +143,11 @@ do
     later "lists rebuilt at other times, outer skin $skin: bonds.csv and lost.csv are the same to the last digit" tables_with_skin $skin
 done
 collect
-claim "stopped by SIGUSR1 on 1 rank" stop wander 1 USR1 0.3 "$work/wander.dem"
+claim "stopped by SIGUSR1 on 1 rank" stop wander 1 USR1 0.004 "$work/wander.dem"
 go_from=(-restart "$file" "$work/wander.dem")
-claim "continued on 3 ranks, stopped again" stop wander 3 USR1 0.3 "${go_from[@]}"
-claim "continued on 1 rank, stopped by SIGTERM" stop wander 1 TERM 0.1 "${go_from[@]}"
-claim "continued on 2 ranks, stopped again" stop wander 2 USR1 0.2 "${go_from[@]}"
+claim "continued on 3 ranks, stopped again" stop wander 3 USR1 0.012 "${go_from[@]}"
+claim "continued on 1 rank, stopped by SIGTERM" stop wander 1 TERM 0.018 "${go_from[@]}"
+claim "continued on 2 ranks, stopped again" stop wander 2 USR1 0.026 "${go_from[@]}"
 claim "and on 2 to its end: the same bits" ends_as "$whole" wander 2 "${go_from[@]}"
 for table in bonds lost box
 do
@@ -118,11 +158,33 @@ claim "the windows were those of the run without a stop" same "$(grep -vc "^#" "
 # snapshot all and no: with all the file has the number of the next output; with no it is
 # snapshot.dem
 file=out/snapshot_000001.dem
-claim "snapshot all: the number of the next output" stop wander.all 1 TERM 0.2 -set write/snapshot all "$work/wander.dem"
+claim "snapshot all: the number of the next output" stop wander.all 1 TERM 0.004 -set write/snapshot all "$work/wander.dem"
 file=out/snapshot.dem
-claim "snapshot no: there is one all the same" stop wander.no 1 TERM 0.2 -set write/snapshot no "$work/wander.dem"
+claim "snapshot no: there is one all the same" stop wander.no 1 TERM 0.004 -set write/snapshot no "$work/wander.dem"
 simulate kept 1 -set time/end 0.006 -set write/interval 0.001 -set write/snapshot all -set write/keep 2 "$work/wander.dem" > /dev/null
 claim "keep 2: the last two of seven" same "$(cd "$work/kept/out" && echo snapshot*)" "snapshot_000005.dem snapshot_000006.dem"
+
+# ---- the file stop -------------------------------------------------------------------------------
+
+# by_file FOLDER RANKS ARGUMENT ...: a run whose folder gets the file when walls.csv has a row; it is
+# looked for once a second, so the run is a long one
+by_file()
+{
+    local folder=$1
+    start "$@" -set time/end 10 "$work/wander.dem"
+    begun "$folder" && reached "$folder/out/walls.csv" "^0.002," 1 && touch "$work/$folder/out/stop"
+    stopped "$folder" "the file stop" && [ ! -e "$work/$folder/out/stop" ]
+}
+for n in 1 3
+do
+    claim "the file stop ends a run on $n ranks, and is removed" by_file "by.file.$n" $n
+done
+mkdir -p "$work/by.file.before/out"
+touch "$work/by.file.before/out/stop"
+simulate by.file.before 1 -set time/end 0.002 "$work/wander.dem" > /dev/null
+claim "one from before the start is removed, which is told" grep -q \
+    "^the file out/stop, which was there before this run, is removed" "$work/by.file.before/log.out"
+claim "... and the run goes to its end" lacks "$work/by.file.before/log.out" "^stopped by"
 
 # ---- kill -9 -------------------------------------------------------------------------------------
 
@@ -140,7 +202,7 @@ do
     n=$((k%4 == 0 ? 2 : 1))
     start killed $n "${from[@]}" "${killing[@]}"
     begun killed
-    sleep "0.0$((RANDOM%100))"
+    reached killed/log.out "^t " $((1 + RANDOM%30))
     if [ $n -eq 1 ]
     then
         kill -9 $runner

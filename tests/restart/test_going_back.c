@@ -3,13 +3,15 @@
  *
  * - A run that returns to its backup continues with the same bits, friction included.
  * - Backups within a window do not change the bits and are made by all ranks at the same step.
- * - After a failure the last good state is restored completely; a failed state is never backed up.
+ * - After a failure the last good state is restored completely; a failed state is never backed up,
+ *   saved or advanced: a snapshot of before stays, bit for bit.
  *
  * Source: the contract in dem.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "physics/world.h"
+#include <unistd.h>
 
 static const char heap[] =
     "materials { glass { density 2500; youngsModulus 2e6; } }"
@@ -98,19 +100,33 @@ static void failure(void)
 {
     char *const scene = world_text("%s effects { gidaspow {} }", heap);
     struct dem *const d = world(scene, 0, NULL);
+    static char file[] = "/tmp/going_back.XXXXXX";
+    const int made = mkstemp(file);
+    uint64_t saved = 0;
     double time = 0.0;
 
+    TAP_OK(made >= 0 && close(made) == 0, "a file for the snapshot");
     give_fluid(d, 0.5);
     WORLD_TRY(dem_backup_every(d, 100));
     world_run(d, 1050*step);
     const uint64_t before = hash_of(d);
 
+    WORLD_TRY(dem_save(d, file));
     WORLD_TRY(dem_backup_every(d, 100));
     give_fluid(d, (double)NAN);
     TAP_OK(dem_advance(d, 500*step) != 0, "a velocity that is not a number ends the run: %s",
            dem_error_text());
-    TAP_OK(dem_backup_every(d, 0) == 0, "a failed state is not backed up");
+    TAP_OK(dem_backup_every(d, 0) != 0 && strstr(dem_error_text(), "dem_restore"),
+           "a failed state is not backed up");
+    TAP_OK(dem_save(d, file) != 0 && strstr(dem_error_text(), "dem_restore"),
+           "it is not saved: %s", dem_error_text());
+    TAP_OK(dem_snapshot_hash(file, &saved) == 0 && saved == before, "the good snapshot stays");
+    TAP_OK(dem_advance(d, step) != 0 && strstr(dem_error_text(), "dem_restore"),
+           "it is not advanced");
     WORLD_TRY(dem_restore(d, &time));
+    TAP_OK(dem_save(d, file) == 0 && dem_snapshot_hash(file, &saved) == 0 && saved == before,
+           "the restored state is saved");
+    remove(file);
     TAP_OK(time == 1050*step && hash_of(d) == before, "the previous state is restored completely");
     give_fluid(d, 0.5);
     TAP_OK(dem_advance(d, 500*step) == 0, "it continues with a valid fluid");

@@ -73,6 +73,8 @@ class DemScript:
         self.settle = self.t.before.time if self.t.before else None
         self.places = {row.word: row.place for row in report.rows}
         self.periodic = self.places.get("boundary") if "p" in self.t.boundary else None
+        if self.state["model"] is None:
+            report.refuse(Place(self.path.name), "pair_style", "is missing")
         self.refuse_others()
         self.walls = [one for wall in self.state["walls"].values() for one in self.wall(wall)]
         self.densities = self.find_densities()
@@ -176,7 +178,7 @@ class DemScript:
         try:
             found = laws(model, model, self.state["properties"], i, j)
         except Need as error:
-            self.refuse(model.place, f"property/global {error}", "the model needs it")
+            self.refuse(model.place, f"property/global {error}", error.why)
         if "hertz" in found and self.t.speed != 1:
             found["hertz"].setdefault("impactSpeed", self.t.speed)      # its default is 1 m/s
         return {name: f"{name} {{ " + "".join(
@@ -184,8 +186,6 @@ class DemScript:
             settings.items()) + "}" for name, settings in found.items()}
 
     def add_laws(self, properties):
-        if self.state["model"] is None:
-            self.report.refuse(Place(self.path.name), "pair_style", "is missing")
         given, model = self.state["properties"], self.place(self.state["model"].place)
         for name in ("youngsModulus", "poissonsRatio"):
             if not given.has(name):

@@ -15,6 +15,7 @@ whose model is another one: friction, rolling resistance or cohesion that a wall
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import math
 from typing import NamedTuple
 
 from .report import Place
@@ -78,9 +79,11 @@ class Properties:
         kind, values = self.values[name]
         if kind == "scalar" or len(values) == 1:
             return values[0]
-        if j is None or kind in ("peratomtype", "atomtype", "vector"):
-            return values[i - 1]
-        return values[(i - 1)*round(len(values)**0.5) + j - 1]
+        pairs = j is not None and kind not in ("peratomtype", "atomtype", "vector")
+        n = math.isqrt(len(values)) if pairs else len(values)
+        if i > n or pairs and j > n:
+            raise Need(name, f"has no value for type {i}" + (f" and {j}" if pairs else ""))
+        return values[(i - 1)*n + j - 1] if pairs else values[i - 1]
 
     def key(self):
         return tuple(sorted(self.values.items()))

@@ -67,8 +67,7 @@ class Laws:
                 thermal = "" if self.state["heat"] is None else liggghts_heat.of_material(
                     self.state["heat"], properties, kind, self.need)
             except Need as need:
-                self.refuse(self.state["model"].place, f"property/global {need}",
-                            "this property is missing")
+                self.refuse(self.state["model"].place, f"property/global {need}", need.why)
             self.scene.add("materials",
                            f"{name} {{ density {text(density)}; youngsModulus {text(e)}; "
                            f"poissonsRatio {text(min(nu, 0.49999))};{thermal} }}",
@@ -97,10 +96,6 @@ class Laws:
                         self.materials[b][0])
         except Need as need:
             self.refuse(model.place, f"property/global {need}", need.why)
-        except IndexError:
-            self.refuse(model.place, "property/global",
-                        f"a property has no value for types {self.materials[a][0]} "
-                        f"and {self.materials[b][0]}")
 
     def source(self, effect, base):
         word = {"dry": "coefficientRestitution", "mindlin": "coefficientFriction",

@@ -1,0 +1,81 @@
+/*
+ * test_full_disk.c -- files that cannot be written to their end.
+ *
+ * Where files may have 4 kB only, as on a full disk, a snapshot, the means of a grid and the rows of
+ * a table fail with the file's name and the reason, and a snapshot of before stays.
+ *
+ * Source: the contracts in dem.h; setrlimit of POSIX.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/world.h"
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+static const char heap[] =
+    "materials { glass { density 2500; youngsModulus 2e6; } }"
+    "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.6; } }"
+    "walls { cup { type box; min (0 0 0); max (0.01 0.01 0.1); } }"
+    "insert { grains { type lattice; count 60; diameter 2e-3; min (0 0 0); max (0.01 0.01 0.1); } }"
+    "averages { grid { min (0 0 0); max (0.01 0.01 0.1); cells (10 10 10); interval 1e-3; } }"
+    "time { step 1e-5; }";
+
+static char folder[] = "/tmp/full_disk.XXXXXX";
+
+static void limit(rlim_t bytes)
+{
+    struct rlimit l;
+
+    TAP_OK(getrlimit(RLIMIT_FSIZE, &l) == 0, "limit of the size of files");
+    l.rlim_cur = bytes;
+    TAP_OK(setrlimit(RLIMIT_FSIZE, &l) == 0, "... is set");
+}
+
+static int fails(int status, const char *file)
+{
+    return status == DEM_ERROR_FILE && strstr(dem_error_text(), file)
+        && strstr(dem_error_text(), "File too large");
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+    if (!mkdtemp(folder))
+    {
+        world_end("mkdtemp");
+    }
+    signal(SIGXFSZ, SIG_IGN);    /* a write returns EFBIG instead */
+    struct dem *const d = world(heap, 0, NULL);
+    struct dem_table table;
+    char file[64], *const rows = calloc(1, 8192);
+    uint64_t before, after;
+
+    snprintf(file, sizeof file, "%s/state.dem", folder);
+    dem_table_name(&table, folder, "own.csv", 0.0);
+    memset(rows, '1', 8190);
+    rows[8190] = '\n';
+    world_run(d, 0.01);
+    WORLD_TRY(dem_save(d, file));
+    WORLD_TRY(dem_snapshot_hash(file, &before));
+    world_run(d, 0.01);
+    limit(4096);
+    TAP_OK(fails(dem_save(d, file), "state.dem"), "a snapshot: %s", dem_error_text());
+    TAP_OK(fails(dem_averages(d, folder), "grid.csv"), "means: %s", dem_error_text());
+    TAP_OK(fails(dem_table_append(&table, d, "a", rows), "own.csv"), "a table: %s", dem_error_text());
+    limit(RLIM_INFINITY);
+    TAP_OK(dem_snapshot_hash(file, &after) == 0 && after == before, "the snapshot of before stays");
+    WORLD_TRY(dem_save(d, file));
+    TAP_OK(dem_snapshot_hash(file, &after) == 0 && after == world_hash(d),
+           "with space again the run saves");
+    free(rows);
+    dem_free(d);
+    if (system(NULL))
+    {
+        char *const command = world_text("rm -r %s", folder);
+
+        TAP_OK(system(command) == 0, "the folder is removed");
+        free(command);
+    }
+    TAP_DONE;
+}
