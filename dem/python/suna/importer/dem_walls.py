@@ -28,7 +28,7 @@ from .mesh_surfaces import distance, samples, triangles_of
 TOLERANCE = 1e-3        # of the mesh's size: planes and cylinders
 NEAR = 0.1              # of a diameter: triangles, whose round faces have other corners
 TOUCHED = 0.05          # of a patch lies on the triangles: more than along an edge
-POINTS = 40             # along the mesh's size, where surfaces are compared
+POINTS = 20             # along the mesh's size, where surfaces are compared
 
 
 class Wall(NamedTuple):
