@@ -805,6 +805,8 @@ def surfaces():
         assert result.d.sub("walls").sub("cad").word("file") == "cad.stl" and result.has(
             TRANSLATED, word)
         assert numpy.allclose(read_triangles(WORK/"result/constant/triSurface/cad.stl"), triangles)
+    refused(lambda: case(floor, mesh={"inlet { type patch;": "inlet { type cyclic; neighbourPatch "
+                                      "outlet;"}), "DEM/in.run", line, "coupled patch inlet")
     # round walls: corners of both lie on the cylinder, the largest distance is between them
     angle = 2*math.pi*numpy.arange(24)/24
     ring = numpy.column_stack([numpy.cos(angle), numpy.sin(angle), 0*angle])

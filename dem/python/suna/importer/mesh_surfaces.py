@@ -12,7 +12,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import numpy
 from scipy.spatial import cKDTree
 
-NEAR = 24
+NEAR = 12
 PIECES = 200000         # of all triangles together, at most
 
 
