@@ -12,7 +12,6 @@
 #include "app/walls_vtk.h"
 #include "core/error.h"
 #include "core/file.h"
-#include "core/folder_lock.h"
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
