@@ -44,7 +44,8 @@ static int has_particles(const struct list *w)
 static int has_law(const struct list *w, const struct dem_wall *wall)
 {
     return dem_interaction_table_wall_has_law(&w->p->state->interaction_table,
-                                              DEM_PARTNER_WALL + wall->frictionless,
+                                              wall->frictionless ? DEM_PARTNER_FRICTIONLESS
+                                                                 : DEM_PARTNER_WALL,
                                               wall->material);
 }
 
