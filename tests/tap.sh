@@ -138,7 +138,7 @@ c_test()
     if make --no-print-directory -C "$here/../../dem" BUILD="$build" "$build/tests/$1" > \
         "$work/c_test.log" 2>&1
     then
-        (cd "$here/.." && timeout -k 5 "$run_limit" "$build/tests/$1") || failures=$((failures + 1))
+        (cd "$here/.." && timeout -k 5 "${SUNA_TEST_LIMIT:-600}" "$build/tests/$1") || failures=$((failures + 1))
     else
         claim "$1 can be built" false || sed 's/^/#   /' "$work/c_test.log" | tail -n 20
     fi

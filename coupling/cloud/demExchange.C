@@ -304,7 +304,10 @@ void Foam::demExchange::correct
                transfer_.toFullCircle()
            )
         << endl;
-    demSelfCheck::momentum(balance_.ofLargestTerm());
+    if (scheme_.conserves())
+    {
+        demSelfCheck::momentum(balance_.ofLargestTerm());
+    }
 
     forAll(gradient, i)
     {

@@ -12,7 +12,6 @@
 #include "demFluid.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
-#include "StringStream.H"
 #include "wallFvPatch.H"
 #include <sstream>
 
@@ -120,7 +119,8 @@ void Foam::demPlan::timeSchemeWarning(DynamicList<string>& warnings) const
 // Patches that are neither walls nor passages: particles there are lost
 void Foam::demPlan::openPatchWarning(DynamicList<string>& warnings) const
 {
-    DynamicList<word> open;
+    string open;
+    word first;
 
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
@@ -131,16 +131,18 @@ void Foam::demPlan::openPatchWarning(DynamicList<string>& warnings) const
          && !particles_.inletsOutlets().passages().found(patch.index())
         )
         {
-            open.append(patch.name());
+            first = open.empty() ? patch.name() : first;
+            open += (open.empty() ? "" : ", ") + patch.name();
         }
     }
-    if (open.size())
+    if (!open.empty())
     {
-        OStringStream os;
-        os  << "particles that reach patch " << flatOutput(open) << " end the run: let them leave"
-            << " by outlets { NAME { patch " << open[0] << "; } }, or make it a wall of the particles"
-            << " by coupling { walls (" << open[0] << "); }";
-        warnings.append(os.str());
+        warnings.append
+        (
+            "particles that reach patch " + open + " end the run: let them leave by outlets { NAME"
+            " { patch " + first + "; } }, or make it a wall of the particles by coupling { walls ("
+          + first + "); }"
+        );
     }
 }
 

@@ -205,7 +205,8 @@ void Foam::demSettle::advance()
 
 void Foam::demSettle::save()
 {
-    const fileName root(mesh_.time().globalPath());
+    fileName root(mesh_.time().globalPath());
+    demBroadcast(root);
     const bool named = !dict_.snapshot().empty();
     const fileName file(named ? dict_.snapshot() : root/"settled.dem");
 

@@ -1,5 +1,6 @@
 /*---------------------------------------------------------------------------*\
-    demStop.C -- signals, and a file, that end a coupled run with its state written.
+    demStop.C -- signals, and a file, that end a coupled run with its state written;
+    one run at a time in a case.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
@@ -31,6 +32,18 @@ Foam::demStop::demStop(const Time& time)
     caught_(nullptr),
     stopped_(false)
 {
+    lock_.file = 0;
+    lock_.before[0] = '\0';
+    if (Pstream::master())
+    {
+        demCheck(dem_folder_lock(&lock_, time.globalPath().c_str()));
+    }
+    if (lock_.before[0])
+    {
+        Info<< "Suna: the lock of an earlier run in this case, " << lock_.before
+            << ", which has ended, is taken over" << endl;
+    }
+
     const int ofFoam[] =
     {
         debug::optimisationSwitch("stopAtWriteNowSignal", -1),
@@ -48,6 +61,12 @@ Foam::demStop::demStop(const Time& time)
         Info<< "Suna: the file stop, which was there before this run, is removed; made again, it"
             << " ends the run" << endl;
     }
+}
+
+
+Foam::demStop::~demStop()
+{
+    dem_folder_unlock(&lock_);
 }
 
 

@@ -145,18 +145,18 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
     driver_.reset(new demDriver(mesh_));
     read(dict);
 
-    // Outside a period of its own it would not notice a signal
-    if (!dict.found("timeStart") && !dict.found("timeEnd"))
-    {
-        stop_.reset(new demStop(time_));
-    }
-
     if (dict.getOrDefault("plan", false))
     {
         driver_().reportPlan();
         driver_().reportTrial();
         Info<< "End\n" << endl;
         UPstream::exit(0);
+    }
+
+    // Outside a period of its own it would not notice a signal
+    if (!dict.found("timeStart") && !dict.found("timeEnd"))
+    {
+        stop_.reset(new demStop(time_));
     }
 
     if (driver_().cloud().particles().twoWay())

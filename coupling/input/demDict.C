@@ -159,6 +159,7 @@ void Foam::demDict::readStart(const bool settle)
     {
         snapshot_ = mesh_.time().globalPath()/snapshot_;
     }
+    demBroadcast(snapshot_);            // the roots of the ranks may differ
     if (settle)
     {
         dict_.remove("start");

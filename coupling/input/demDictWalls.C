@@ -262,7 +262,7 @@ void Foam::demDict::addMirrors()
         if (isMirror(patch))
         {
             dictionary settings;
-            settings.add("frictionless", true);
+            settings.add("frictionless", word("yes"));
             addToWall(patch, settings);
             names.append(patch.name());
         }

@@ -25,17 +25,44 @@ static const fileName snapshotFile("uniform/dem.snapshot");
 static const fileName numbersFile("uniform/dem.kernel");
 
 
-// A file or folder of a time as the file handler finds it, this rank's; or empty. Collective.
-static fileName find(const Time& time, const word& instant, const fileName& name)
+// Folders of the first rank, where file handlers write: the collated one first, as OpenFOAM
+// reads. (Handlers that search communicate, but not in the same way on all ranks.)
+static fileNameList caseFolders(const Time& time)
 {
-    return fileHandler().filePath(time.path()/instant/name);
+    fileNameList folders;
+
+    if (time.processorCase())
+    {
+        const std::string collated("processors" + std::to_string(Pstream::nProcs()));
+
+        for (const fileName& folder : readDir(time.globalPath(), fileName::DIRECTORY))
+        {
+            if (folder == collated || folder.find(collated + "_0-") == 0)
+            {
+                folders.append(time.globalPath()/folder);
+            }
+        }
+    }
+    folders.append(time.path());
+    return folders;
 }
 
 
-// As the first rank finds it, the same on all ranks. Collective.
+// A file or folder of a time, of the first rank; or empty. Collective.
 static fileName findFirst(const Time& time, const word& instant, const fileName& name)
 {
-    fileName file(find(time, instant, name));
+    fileName file;
+
+    if (Pstream::master())
+    {
+        for (const fileName& folder : caseFolders(time))
+        {
+            if (file.empty() && exists(folder/instant/name))
+            {
+                file = folder/instant/name;
+            }
+        }
+    }
     demBroadcast(file);
     return file;
 }
@@ -68,7 +95,7 @@ static bool onMaster(const fileName& file)
 }
 
 
-// A file or folder of the present time that only a run with particles writes; empty without.
+// A file or folder of the present time, of any rank, that only a run with particles writes; empty without.
 // Collective.
 static fileName trace(const Time& time)
 {
@@ -78,7 +105,8 @@ static fileName trace(const Time& time)
         {fileName("lagrangian/particles"), numbersFile, fileName("uniform/lagrangian/particles")}
     )
     {
-        const bool found = !find(time, time.timeName(), name).empty();
+        const bool first = !findFirst(time, time.timeName(), name).empty();
+        const bool found = first || exists(time.path()/time.timeName()/name);
 
         if (returnReduce(found, orOp<bool>()))
         {
@@ -107,7 +135,8 @@ static void checkIdentity(const Time& time, const fileName& snapshot, const dict
     if (Time::timeName(written) != time.timeName() && off > 1e-6*mag(time.value()))
     {
         FatalErrorInFunction
-            << snapshot.c_str() << " is of time " << written << " s, but the run starts at "
+            << snapshot.c_str() << " is of time "
+            << Time::timeName(written) << " s, but the run starts at "
             << time.timeName() << " s; put back the files dem.snapshot and dem.kernel of this"
             << " time. To begin a new run with these particles give start { snapshot <file>; } in"
             << " constant/" << demDict::name() << "; if only the folder was renamed, correct"

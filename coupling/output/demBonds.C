@@ -38,7 +38,10 @@ Foam::demBonds::demBonds(const Time& time)
     table_(time, "bonds.csv"),
     begun_(false),
     broken_(0)
-{}
+{
+    // All ranks open one file, also where their cases have different roots
+    demBroadcast(folder_);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -78,6 +78,20 @@ static void warn_of_walls(struct list *w)
         all > listed ? " and others" : "");
 }
 
+/* Contacts of a driven particle with what is not free either are not computed. */
+static void warn_of_driven(struct list *w)
+{
+    if (dem_totals_any_driven(w->p->state) && w->p->state->walls.walls > 0)
+    {
+        begin(w);
+        dem_text_add(
+            w->t,
+            "driven particles pass through walls, and through frozen and other driven particles: neither partner is "
+            "free, so there is no force, also in walls.csv; to press on a particle, leave it free and move the wall "
+            "(walls/NAME/motion)\n");
+    }
+}
+
 static void warn_of_gravity(struct list *w)
 {
     const char *const entry = w->coupled ? "constant/g" : "effects/gravity/acceleration";
@@ -385,6 +399,7 @@ int dem_warnings_write(struct dem_text *t, struct dem_plan *p, int coupled, int 
     if (has_particles(&w))
     {
         warn_of_walls(&w);
+        warn_of_driven(&w);
         warn_of_gravity(&w);
         warn_of_drag(&w);
         warn_of_densities(&w);

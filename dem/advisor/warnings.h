@@ -3,6 +3,7 @@
  * step: one numbered list, each item with the entry to change.
  *
  *   no contact law       walls, and no normal law acts between them and particles
+ *   driven               driven particles and walls, between which there is no force
  *   gravity              absent, or along +y or +z
  *   no drag              a fluid, and no drag law
  *   density              below 50 kg/m3: kg/m3 meant, g/cm3 given?

@@ -8,7 +8,7 @@
  *   scalars_api.c               particle scalars and their exchange
  *   setup.c                     from the scene to the first step, with setup_walls.c and
  *                               setup_particles.c
- *   restart.c, restart_insert.c  a scene that differs from that of its snapshot
+ *   restart.c, restart_walls.c, restart_insert.c  a scene that differs from that of its snapshot
  *   setup_check.c               checks that need no particles
  *   until_quiet.c               the test of rest, time/untilQuiet
  *   pause.c                     mechanics paused at rest, time/pauseAtRest

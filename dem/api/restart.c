@@ -1,6 +1,5 @@
 /*
- * restart.c -- compare the scene of a restart with the one of its snapshot, line by line, and let
- * walls go on.
+ * restart.c -- compare the scene of a restart with the one of its snapshot, line by line.
  *
  * Both scenes are lines "path value" (dem_dict_flatten), sorted by path. A line with @ names a group
  * whose particles have been inserted.
@@ -8,14 +7,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "api/restart.h"
+#include "api/scene_lines.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "core/sort.h"
 #include "core/text.h"
 #include "input/dictionary.h"
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* the entries that the core and the coupling take; write and accuracy change no result */
@@ -37,64 +35,6 @@ int dem_api_note(struct dem *d, const char *format, ...)
     DEM_TRY(DEM_GROW(d->note, d->note_capacity, d->notes + 1));
     DEM_TRY(DEM_NEW(d->note[d->notes], sizeof text));
     memcpy(d->note[d->notes++], text, n < 0 ? 1 : sizeof text);
-    return DEM_OK;
-}
-
-/* ---- text ------------------------------------------------------------------------------------ */
-
-struct line
-{
-    const char *path, *value;     /* not ended by zeros */
-    size_t length, size;          /* of the path, of the value */
-};
-
-struct lines
-{
-    struct line *line;
-    size_t n;
-};
-
-/* A / comes before all else, so that the entries of a dictionary follow it at once. */
-static int compare_lines(const void *a, const void *b)
-{
-    const struct line *const p = a, *const q = b;
-    const size_t n = p->length < q->length ? p->length : q->length;
-
-    for (size_t k = 0; k < n; k++)
-    {
-        const int c = p->path[k] == '/' ? 0 : (unsigned char)p->path[k];
-        const int e = q->path[k] == '/' ? 0 : (unsigned char)q->path[k];
-
-        if (c != e)
-        {
-            return c - e;
-        }
-    }
-    return (p->length > q->length) - (p->length < q->length);
-}
-
-static int split(const char *text, struct lines *all)
-{
-    size_t n = 0;
-
-    for (const char *c = text; *c; c++)
-    {
-        n += *c == '\n';
-    }
-    DEM_TRY(DEM_NEW(all->line, n + 1));
-    for (const char *at = text, *end; (end = strchr(at, '\n')); at = end + 1)
-    {
-        const char *const blank = memchr(at, ' ', (size_t)(end - at));
-
-        if (at[0] != '@' && blank)
-        {
-            all->line[all->n++] = (struct line){.path = at,
-                                                .value = blank + 1,
-                                                .length = (size_t)(blank - at),
-                                                .size = (size_t)(end - blank) - 1};
-        }
-    }
-    dem_sort_by(all->line, all->n, sizeof *all->line, compare_lines);
     return DEM_OK;
 }
 
@@ -132,7 +72,8 @@ static void add_marks(const struct dem *d, struct dem_text *t)
     {
         const struct dem_entry *const e = dem_dict_entry(insert, k);
 
-        if (!dem_insert_is_stream(dem_entry_dict(e)) && !has_mark(before, group_mark, dem_entry_name(e)))
+        if (!dem_insert_is_stream(dem_entry_dict(e))
+            && !has_mark(before, group_mark, dem_entry_name(e)))
         {
             dem_text_add(t, "%s%s\n", group_mark, dem_entry_name(e));
         }
@@ -183,140 +124,32 @@ int dem_api_describe_scene(const struct dem *d, struct dem_snapshot_scene *s)
     return status;
 }
 
-/* ---- what becomes of a difference ------------------------------------------------------------ */
-
-enum change
-{
-    CHANGED, NEW, GONE
-};
-
-/* a rule for a section, an entry of its dictionaries ("" is the dictionary itself, NULL any) */
-static const struct rule
-{
-    const char *section, *entry, *becomes[3];
-} rules[] =
-{
-    {"walls", "motion",
-     {"the wall goes on from where it stood, with this motion",
-      "the wall goes on from where it stood, with this motion",
-      "the wall stays where it stood"}},
-    {"walls", "", {"", "the wall stands where the scene puts it", "its contacts have ended"}},
-    {"insert", "", {"", "the stream begins now", "its particles stay"}},
-    {"outlets", "", {"", "it acts from now on", "its sums are not continued"}},
-    {"averages", NULL,
-     {"the means of this grid begin anew", "the means of this grid begin now",
-      "the means of this grid end"}},
-    {"bonds", NULL,
-     {"not applied, a list makes bonds at the start of a run only",
-      "not applied, a list makes bonds at the start of a run only",
-      "not applied, the bonds stay"}},
-    {NULL, NULL, {"it applies from now on", "it applies from now on", "it applies no longer"}},
-};
-
-static const char not_again[] =
-    "not applied, the particles of this group are in the snapshot; give the group another name to "
-    "insert it again";
-
-static const char anew[] =
-    "the wall begins anew where the scene puts it, without the history of its contacts";
-
-/* entries that give a wall its form and place */
-static const char *const forms[] = {"type", "point", "normal", "centre", "axis", "radius",
-                                    "particles", "min", "max", "corners", "file", "scale"};
-
-/* Component k of a path, from 0, into `part`; "" behind the last. */
-static const char *component(const struct line *l, int k, char part[64])
-{
-    const char *at = l->path, *const end = l->path + l->length;
-    const char *slash = at;
-
-    for (int c = 0; c <= k; c++)
-    {
-        at = c == 0 ? at : slash < end ? slash + 1 : end;
-        slash = memchr(at, '/', (size_t)(end - at));
-        slash = slash ? slash : end;
-    }
-    snprintf(part, 64, "%.*s", (int)(slash - at), at);
-    return part;
-}
-
-static int is_form(const char *entry)
-{
-    int found = 0;
-
-    for (size_t k = 0; k < sizeof forms/sizeof *forms; k++)
-    {
-        found |= strcmp(entry, forms[k]) == 0;
-    }
-    return found;
-}
-
-/* 1 when the group of `insert` that this line belongs to is a stream. */
-static int is_stream(const struct lines *all, const struct line *l)
-{
-    char path[128], name[64];
-    const int n = snprintf(path, sizeof path, "insert/%s/type", component(l, 1, name));
-    const struct line key = {.path = path, .length = (size_t)n};
-    size_t from = 0, to = all->n;
-
-    while (from < to)
-    {
-        const size_t middle = from + (to - from)/2;
-
-        from = compare_lines(&all->line[middle], &key) < 0 ? middle + 1 : from;
-        to = compare_lines(&all->line[middle], &key) < 0 ? to : middle;
-    }
-    return from < all->n && compare_lines(&all->line[from], &key) == 0
-        && all->line[from].size == 6 && memcmp(all->line[from].value, "stream", 6) == 0;
-}
-
-static const char *what_becomes(const struct lines *all, const struct line *l, enum change change)
-{
-    char section[64], entry[64];
-    const struct rule *r = rules;
-
-    component(l, 0, section);
-    component(l, 2, entry);
-    if (strcmp(section, "walls") == 0 && is_form(entry))
-    {
-        return anew;
-    }
-    if (strcmp(section, "insert") == 0 && entry[0] && !is_stream(all, l))
-    {
-        return not_again;
-    }
-    while (r->section
-           && !(strcmp(r->section, section) == 0 && (!r->entry || strcmp(r->entry, entry) == 0)))
-    {
-        r++;
-    }
-    return r->becomes[change];
-}
-
 /* ---- comparison ------------------------------------------------------------------------------ */
 
 struct comparison
 {
     struct dem *d;
-    struct lines before, now;
+    struct dem_scene_lines before, now;
 };
 
 /* A wall whose form has changed does not go on. */
-static int remember_form(struct dem *d, const struct line *l)
+static int remember_form(struct dem *d, const struct dem_scene_line *l)
 {
     char name[64], part[64];
 
-    if (strcmp(component(l, 0, part), "walls") != 0 || !is_form(component(l, 2, part)))
+    if (strcmp(dem_scene_line_part(l, 0, part), "walls") != 0
+        || !dem_scene_line_is_form(dem_scene_line_part(l, 2, part)))
     {
         return DEM_OK;
     }
     DEM_TRY(DEM_GROW(d->reformed, d->reformed_capacity, d->reformed_walls + 1));
     snprintf(d->reformed[d->reformed_walls++], sizeof *d->reformed, "%s",
-             component(l, 1, name));
+             dem_scene_line_part(l, 1, name));
     return DEM_OK;
 }
 
-static int is_left_out(const struct comparison *c, const struct line *l, enum change change)
+static int is_left_out(const struct comparison *c, const struct dem_scene_line *l,
+                       enum dem_line_change change)
 {
     char part[64];
 
@@ -325,22 +158,25 @@ static int is_left_out(const struct comparison *c, const struct line *l, enum ch
         return 1;
     }
     /* new groups have their sentence when they are inserted */
-    return change == NEW && strcmp(component(l, 0, part), "insert") == 0
-        && component(l, 1, part)[0] && !component(l, 2, part)[0] && !is_stream(&c->now, l);
+    return change == DEM_LINE_NEW && strcmp(dem_scene_line_part(l, 0, part), "insert") == 0
+        && dem_scene_line_part(l, 1, part)[0] && !dem_scene_line_part(l, 2, part)[0]
+        && !dem_scene_line_is_stream(&c->now, l);
 }
 
-static int tell(struct comparison *c, const struct line *was, const struct line *is)
+static int tell(struct comparison *c, const struct dem_scene_line *was,
+                const struct dem_scene_line *is)
 {
-    const enum change change = was && is ? CHANGED : is ? NEW : GONE;
-    const struct line *const l = is ? is : was;
-    const char *const becomes = what_becomes(is ? &c->now : &c->before, l, change);
+    const enum dem_line_change change =
+        was && is ? DEM_LINE_CHANGED : is ? DEM_LINE_NEW : DEM_LINE_GONE;
+    const struct dem_scene_line *const l = is ? is : was;
+    const char *const becomes = dem_scene_line_becomes(is ? &c->now : &c->before, l, change);
 
     DEM_TRY(remember_form(c->d, l));
     if (is_left_out(c, l, change))
     {
         return DEM_OK;
     }
-    if (change == CHANGED)
+    if (change == DEM_LINE_CHANGED)
     {
         return dem_api_note(c->d, "restart: %.*s was %.*s, now %.*s: %s", (int)l->length, l->path,
                             (int)was->size, was->value, (int)is->size, is->value, becomes);
@@ -349,19 +185,19 @@ static int tell(struct comparison *c, const struct line *was, const struct line 
 
     return dem_api_note(c->d, "restart: %.*s%s%.*s is %s: %s", (int)l->length, l->path,
                         whole ? "" : " ", whole ? 0 : (int)l->size, l->value,
-                        change == NEW ? "new" : "gone", becomes);
+                        change == DEM_LINE_NEW ? "new" : "gone", becomes);
 }
 
 /* A section as a whole is not told of, but its entries are. */
-static int is_section(const struct line *l)
+static int is_section(const struct dem_scene_line *l)
 {
     return !memchr(l->path, '/', l->length);
 }
 
 /* The line behind those of the same dictionary. */
-static size_t skip(const struct lines *all, size_t k)
+static size_t skip(const struct dem_scene_lines *all, size_t k)
 {
-    const struct line *const head = &all->line[k];
+    const struct dem_scene_line *const head = &all->line[k];
     size_t next = k + 1;
 
     while (next < all->n && !is_section(head) && all->line[next].length > head->length
@@ -373,58 +209,15 @@ static size_t skip(const struct lines *all, size_t k)
     return next;
 }
 
-/* The number at the begin of a value, and what follows. */
-static int take_number(const char **at, const char *end, double *number)
-{
-    char word[64], *rest;
-    const size_t left = (size_t)(end - *at), n = left < sizeof word - 1 ? left : sizeof word - 1;
-
-    memcpy(word, *at, n);
-    word[n] = '\0';
-    word[strcspn(word, " ()")] = '\0';
-    *number = strtod(word, &rest);
-    *at += strlen(word);
-    return word[0] && !*rest;
-}
-
-/* The same words, and the same numbers: 0.1 and 1e-1. */
-static int same_value(const struct line *a, const struct line *b)
-{
-    const char *p = a->value, *q = b->value, *const p_end = p + a->size, *const q_end = q + b->size;
-
-    while (p < p_end && q < q_end)
-    {
-        const char *const word = p, *const other = q;
-        double x, y;
-        const int numbers = take_number(&p, p_end, &x) & take_number(&q, q_end, &y);
-
-        if (!(numbers && x == y)
-            && (p - word != q - other || memcmp(word, other, (size_t)(p - word)) != 0))
-        {
-            return 0;
-        }
-        while (p < p_end && q < q_end && *p == *q && strchr(" ()", *p))
-        {
-            p++;
-            q++;
-        }
-        if (p == word)
-        {
-            break;    /* different signs */
-        }
-    }
-    return p == p_end && q == q_end;
-}
-
 static int compare_texts(struct comparison *c)
 {
     size_t i = 0, j = 0;
 
     while (i < c->before.n || j < c->now.n)
     {
-        const struct line *const was = i < c->before.n ? &c->before.line[i] : NULL;
-        const struct line *const is = j < c->now.n ? &c->now.line[j] : NULL;
-        const int order = !was ? 1 : !is ? -1 : compare_lines(was, is);
+        const struct dem_scene_line *const was = i < c->before.n ? &c->before.line[i] : NULL;
+        const struct dem_scene_line *const is = j < c->now.n ? &c->now.line[j] : NULL;
+        const int order = !was ? 1 : !is ? -1 : dem_scene_lines_compare(was, is);
 
         if (order < 0)
         {
@@ -438,7 +231,7 @@ static int compare_texts(struct comparison *c)
         }
         else
         {
-            DEM_TRY(same_value(was, is) ? DEM_OK : tell(c, was, is));
+            DEM_TRY(dem_scene_lines_same(was, is) ? DEM_OK : tell(c, was, is));
             i++;
             j++;
         }
@@ -452,8 +245,8 @@ static int compare(struct dem *d)
     struct dem_text now = {0};
     int status = write_text(d, &now);
 
-    status = status ? status : split(d->before.text, &c.before);
-    status = status ? status : split(now.text ? now.text : "", &c.now);
+    status = status ? status : dem_scene_lines_split(d->before.text, &c.before);
+    status = status ? status : dem_scene_lines_split(now.text ? now.text : "", &c.now);
     status = status ? status : compare_texts(&c);
     dem_memory_free(c.before.line);
     dem_memory_free(c.now.line);
@@ -477,115 +270,6 @@ static int check_periodic(const struct dem *d)
                     "domain of the snapshot, or take its particles into a new run with start { "
                     "snapshot; }", d->load_path, was[0] != 0.0 ? "" : "not ", "xyz"[k], was[1],
                     was[2], box->periodic[k] ? "periodic" : "not");
-    }
-    return DEM_OK;
-}
-
-/* ---- walls ----------------------------------------------------------------------------------- */
-
-/* The wall of the snapshot with this name, as a rule number k; NULL: none. */
-static const struct dem_snapshot_wall *find_wall(const struct dem_snapshot_scene *s, int k,
-                                                 const char *name)
-{
-    if (k < s->tail.walls && strcmp(s->wall[k].name, name) == 0)
-    {
-        return &s->wall[k];
-    }
-    for (int64_t w = 0; w < s->tail.walls; w++)
-    {
-        if (strcmp(s->wall[w].name, name) == 0)
-        {
-            return &s->wall[w];
-        }
-    }
-    return NULL;
-}
-
-static int is_reformed(const struct dem *d, const char *name)
-{
-    int found = 0;
-
-    for (size_t k = 0; k < d->reformed_walls; k++)
-    {
-        found |= strcmp(d->reformed[k], name) == 0;
-    }
-    return found;
-}
-
-/* Of triangles the form is known only when the walls are finished. */
-static int is_same_wall(const struct dem *d, const struct dem_wall *of,
-                        const struct dem_snapshot_wall *was, int finished)
-{
-    const int triangles = of->shape == DEM_SHAPE_TRIANGLES;
-    double form[DEM_WALL_FORM];
-
-    dem_walls_form(of, form);
-    return was && was->shape == of->shape && was->outside == of->outside
-        && !is_reformed(d, of->name) && (triangles && !finished ? 1
-                                         : dem_walls_same_form(form, was->form, triangles));
-}
-
-static int resume_walls(struct dem *d)
-{
-    struct dem_walls *const w = &d->state.walls;
-
-    for (int k = 0; k < w->walls; k++)
-    {
-        const struct dem_snapshot_wall *const was = find_wall(&d->before, k, w->wall[k].name);
-
-        DEM_TRY(is_same_wall(d, &w->wall[k], was, 0)
-                    ? dem_walls_resume_motion(w, k, &was->motion, &was->base, d->state.time)
-                    : DEM_OK);
-    }
-    return DEM_OK;
-}
-
-/* A wall that has the facets of the snapshot. */
-static int keeps_facets(const struct dem *d, const struct dem_wall *of,
-                        const struct dem_snapshot_wall *was)
-{
-    return is_same_wall(d, of, was, 1) && was->facets == of->facets
-        && was->triangles == (int64_t)of->triangles;
-}
-
-int dem_api_map_facets(struct dem *d, struct dem_snapshot_facets *map)
-{
-    const struct dem_walls *const w = &d->state.walls;
-    int changes = d->before.text && d->before.tail.walls != w->walls;
-    int64_t facets = 0;
-
-    *map = (struct dem_snapshot_facets){.n = 0};
-    for (int k = 0; d->before.text && k < w->walls; k++)
-    {
-        const struct dem_snapshot_wall *const was = find_wall(&d->before, k, w->wall[k].name);
-        const int keeps = keeps_facets(d, &w->wall[k], was);
-
-        changes |= !keeps || was->first_facet != w->wall[k].first_facet;
-        if (was && !keeps && is_same_wall(d, &w->wall[k], was, 0) && !d->start_checked)
-        {
-            DEM_TRY(dem_api_note(d, "restart: wall %s has other triangles than in the snapshot: it "
-                                 "goes on without the history of its contacts", was->name));
-        }
-    }
-    if (!changes)
-    {
-        return DEM_OK;
-    }
-    for (int64_t k = 0; k < d->before.tail.walls; k++)
-    {
-        facets += d->before.wall[k].facets;
-    }
-    DEM_TRY(DEM_NEW(map->number, facets + 1));
-    map->n = (int)facets;
-    memset(map->number, -1, (size_t)facets*sizeof *map->number);
-    for (int k = 0; k < w->walls; k++)
-    {
-        const struct dem_snapshot_wall *const was = find_wall(&d->before, k, w->wall[k].name);
-
-        for (int f = 0; keeps_facets(d, &w->wall[k], was) && f < w->wall[k].facets; f++)
-        {
-            map->number[was->first_facet + f] = w->wall[k].first_facet + f;
-        }
     }
     return DEM_OK;
 }
@@ -640,7 +324,7 @@ int dem_api_compare_scene(struct dem *d)
     {
         DEM_TRY(check_periodic(d));
         DEM_TRY(compare(d));
-        DEM_TRY(resume_walls(d));
+        DEM_TRY(dem_api_resume_walls(d));
     }
     else
     {

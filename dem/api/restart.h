@@ -26,6 +26,10 @@ int dem_api_compare_scene(struct dem *);
 /* Collective, when the walls are finished: insert the new groups. */
 int dem_api_insert_new_groups(struct dem *);
 
+/* When the scenes have been compared and before the walls are finished: walls whose form is the same go
+   on from where they stood. */
+int dem_api_resume_walls(struct dem *);
+
 /* New numbers of the facets of the snapshot's walls; the caller frees them. */
 int dem_api_map_facets(struct dem *, struct dem_snapshot_facets *);
 

@@ -6,12 +6,12 @@
  */
 #include "app/main.h"
 #include "app/energy_csv.h"
+#include "app/run_announce.h"
 #include "app/run_tables.h"
 #include "app/scene_options.h"
 #include "app/walls_vtk.h"
 #include "core/error.h"
 #include "core/file.h"
-#include "core/folder_lock.h"
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
@@ -385,57 +385,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
     return DEM_OK;
 }
 
-/* ---- log before the first step --------------------------------------------------------------- */
-
-/* Triangles that were left out of walls, which the user may not know of. */
-static void announce_walls(const struct dem *d)
-{
-    for (int w = 0; w < dem_wall_count(d); w++)
-    {
-        struct dem_wall_info f;
-
-        dem_wall_info(d, w, &f);
-        if (f.flat + f.repeats > 0)
-        {
-            printf("wall %s: %lld triangles; left out %lld without area, %lld given before\n",
-                   dem_wall_name(d, w), (long long)f.triangles, (long long)f.flat,
-                   (long long)f.repeats);
-        }
-    }
-}
-
-static void announce_gravity(const struct dem_schedule *s)
-{
-    const double *const g = s->gravity;
-
-    if (g[0] != 0.0 || g[1] != 0.0 || g[2] != 0.0)
-    {
-        printf("gravity (%g %g %g) m/s2\n", g[0], g[1], g[2]);
-    }
-    else
-    {
-        printf("no gravity: effects/gravity is %s\n", s->with_gravity ? "zero" : "not there");
-    }
-}
-
-/* What is likely to be a mistake, as a list; nothing to run, nothing to warn of. */
-static int warn(const struct dem_program *prog, struct dem *d, double duration)
-{
-    const struct dem_run_info ahead = {.duration = duration};
-    const char *text;
-
-    if (duration <= 0.0)
-    {
-        return DEM_OK;
-    }
-    DEM_TRY(dem_warnings(d, &ahead, 0, NULL, &text));
-    if (prog->rank == 0)
-    {
-        fputs(text, stdout);
-        fflush(stdout);
-    }
-    return DEM_OK;
-}
+/* ---- the run --------------------------------------------------------------------------------- */
 
 /* A file `stop` from before the start would end this run. */
 static int clear_stop_file(const struct dem_output *o)
@@ -453,43 +403,14 @@ static int clear_stop_file(const struct dem_output *o)
     return DEM_OK;
 }
 
-static int announce(const struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
+/* One run at a time writes into the folder. */
+static int take_folder(struct dem_folder_lock *lock, const struct dem_output *o, const struct dem *d)
 {
-    const struct dem_step_limit step = dem_step_limit(d);
-    struct dem_totals t;
-
-    DEM_TRY(dem_totals(d, &t));
-    if (prog->rank == 0)
+    if (dem_output_writes(o, d))
     {
-        printf("Suna: %lld particles, %d walls, %d rank%s\nstep %.4g s, limit %.4g s: %s\n",
-               (long long)t.particles, dem_wall_count(d), prog->ranks, prog->ranks > 1 ? "s" : "",
-               step.used, step.limit, step.why);
-        announce_gravity(s);
-        if (dem_fluid_effect_names(d)[0])
-        {
-            printf("fluid effects: %s\n", dem_fluid_effect_names(d));
-        }
-        if (s->coupling)
-        {
-            printf("coupling is not read: that entry is for coupled runs in OpenFOAM\n");
-        }
-        announce_walls(d);
-        if (t.time >= s->end*(1.0 - 1e-12))
-        {
-            printf("nothing to run: time continues from the snapshot, and its %.6g s are "
-                   "time/end\n",
-                   t.time);
-        }
-        fflush(stdout);
+        DEM_TRY(dem_file_make_folder(o->folder));
+        DEM_TRY(dem_folder_lock(lock, o->folder));
     }
-    return warn(prog, d, fmax(0.0, s->end - t.time));
-}
-
-/* One run at a time in the folder. */
-static int lock_folder(struct dem_folder_lock *lock, const struct dem_output *o)
-{
-    DEM_TRY(dem_file_make_folder(o->folder));
-    DEM_TRY(dem_folder_lock(lock, o->folder));
     if (lock->before[0])
     {
         printf("the lock of an earlier run in %s, %s, which has ended, is taken over\n", o->folder,
@@ -502,7 +423,7 @@ static int run_scene(struct dem_program *prog, struct dem *d, const struct dem_s
 {
     uint64_t hash;
 
-    DEM_TRY(announce(prog, d, s));
+    DEM_TRY(dem_run_announce(prog, d, s));
     DEM_TRY(advance_to_end(prog, d, s));
     DEM_TRY(dem_hash(d, &hash));
     if (prog->rank == 0)
@@ -524,11 +445,9 @@ static int run(struct dem_program *prog, struct dem *d, const struct dem_schedul
     dem_set_stop_flag(d, dem_catch_signals(NULL, 0));
     DEM_TRY(dem_totals(d, &t));
     s.output.start = t.time;
-    int status = prog->rank == 0 && dem_output_writes(&s.output, d)
-                   ? lock_folder(&lock, &s.output)
-                   : DEM_OK;
+    int status =
+        dem_program_agree(prog, prog->rank == 0 ? take_folder(&lock, &s.output, d) : DEM_OK);
 
-    status = dem_program_agree(prog, status);
     status = status ? status : run_scene(prog, d, &s);
     dem_folder_unlock(&lock);
     return status;

@@ -7,6 +7,7 @@
 
 #include "core/folder_lock.h"
 #include "core/error.h"
+#include "dem_types.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -96,8 +97,8 @@ static int take(struct dem_folder_lock *l, const char *folder, int *again)
 
     read_owner(l->file, l->before, &pid, host);
     DEM_REQUIRE(reason != EAGAIN && (reason == 0 || is_over(pid, host)), DEM_ERROR_STATE,
-                "another run writes into the folder %s: %s; give this run another write/folder, or "
-                "wait%s", folder, l->before[0] ? l->before : "its process is not known",
+                "another run writes into the folder %s: %s; give this run another folder, or wait%s",
+                folder, l->before[0] ? l->before : "its process is not known",
                 reason == EAGAIN ? "" : "; if it has ended, remove the file lock there");
     *again = !is_same_file(l->file, l->path);
     DEM_REQUIRE(*again || write_owner(l->file), DEM_ERROR_FILE, "cannot write %s: %s", l->path,
@@ -116,8 +117,8 @@ int dem_folder_lock(struct dem_folder_lock *l, const char *folder)
         if (l->file < 0)
         {
             l->file = 0;
-            return dem_error(DEM_ERROR_FILE, "cannot write %s: %s; give another write/folder",
-                             l->path, strerror(errno));
+            return dem_error(DEM_ERROR_FILE, "cannot write %s: %s; give another folder", l->path,
+                             strerror(errno));
         }
         const int status = take(l, folder, &again);
 
@@ -129,7 +130,7 @@ int dem_folder_lock(struct dem_folder_lock *l, const char *folder)
         DEM_TRY(status);
     }
     DEM_REQUIRE(!again, DEM_ERROR_STATE, "other runs take and remove %s all the time; give another "
-                "write/folder", l->path);
+                "folder", l->path);
     return DEM_OK;
 }
 

@@ -77,6 +77,21 @@ static const struct dem_effect *effect_of_column(const struct dem_interaction_ta
     return NULL;
 }
 
+/* Collective. 1 when both particles of the pair exist, frozen or driven: such pairs have no row. */
+static int neither_is_free(const struct dem_state *p, const struct listed_pair *pair)
+{
+    int64_t fixed = 0;
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const struct dem_particle *const q = &p->particles.record[i];
+
+        fixed += (q->id == pair->low || q->id == pair->high) && q->flags & DEM_PARTICLE_FROZEN;
+    }
+    dem_collect_sum_int64(&p->decomposition, &fixed, 1);
+    return fixed == 2;
+}
+
 static int check_found(const struct dem_state *p, const struct listed_pair *list, size_t pairs,
                        uint8_t *found)
 {
@@ -88,6 +103,10 @@ static int check_found(const struct dem_state *p, const struct listed_pair *list
     {
         const int duplicate = k > 0 && compare(&list[k], &list[k - 1]) == 0;
 
+        DEM_REQUIRE(found[k] || duplicate || !neither_is_free(p, &list[k]), DEM_ERROR_INPUT,
+                    "bonds/pairs: particles %lld and %lld are frozen or driven, so neither is free "
+                    "to move and a bond between them would do nothing; take the pair off the list, "
+                    "or set one of them free", (long long)list[k].low, (long long)list[k].high);
         DEM_REQUIRE(found[k] || duplicate, DEM_ERROR_INPUT,
                     "bonds/pairs: particles %lld and %lld do not exist or are farther apart than "
                     "breakDistance of %s; correct the list, or raise makeDistance and "

@@ -257,6 +257,13 @@ void dem_keep_signals(void);
 int dem_stop_file_clear(const char *path, int *found);
 void dem_stop_file_look(const char *path);
 
+/* On one rank: lock a folder, which must exist, by a file `lock` with process and host. The kernel
+   frees the lock of a process that has been killed; the next run takes the file over, and `before`
+   names the process. DEM_ERROR_STATE when another run has the folder. dem_folder_unlock removes
+   the file; it does nothing without a lock. */
+int dem_folder_lock(struct dem_folder_lock *, const char *folder);
+void dem_folder_unlock(struct dem_folder_lock *);
+
 /* Where the number of a second request is stored, a signal or the file, that comes two seconds or
    more after the first: stop without waiting. 0 before. Needs no simulation. */
 const volatile sig_atomic_t *dem_repeated_signal(void);

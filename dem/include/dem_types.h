@@ -425,6 +425,14 @@ struct dem_flow_sums
     double particles[DEM_FLOWS], mass[DEM_FLOWS];   /* 1, kg */
 };
 
+/* a folder that one run at a time writes into */
+struct dem_folder_lock
+{
+    int file;               /* descriptor; 0: not locked */
+    char path[640];
+    char before[300];       /* "process 123 on host box" of a run that has left its lock; or "" */
+};
+
 #ifdef __cplusplus
 }
 #endif

@@ -49,8 +49,8 @@ void dem_inlet_shape_free(struct dem_inlet_shape *);
 int dem_inlet_shape_set_triangles(struct dem_inlet_shape *, size_t n, const double *corners,
                                   const double *flow);
 
-/* Open the sides of a region on periodic faces. Refuse one that overlaps its own image or cannot hold
-   a sphere of this radius [m]. */
+/* Open the sides of a region on periodic faces. Refuse one that overlaps its own image or cannot
+   hold a sphere of this radius [m]. */
 int dem_inlet_shape_check(struct dem_inlet_shape *, const struct dem_domain *, double radius,
                           const char *where);
 

@@ -65,7 +65,8 @@ static int outlet_on_path(const struct dem_flows *f, const struct dem_domain *d,
 
     for (int k = 0; k < 3; k++)
     {
-        const double low = fmin(from[k], from[k] + step[k]), high = fmax(from[k], from[k] + step[k]);
+        const double low = fmin(from[k], from[k] + step[k]),
+                     high = fmax(from[k], from[k] + step[k]);
 
         if (d->periodic[k])
         {

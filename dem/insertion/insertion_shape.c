@@ -1,6 +1,6 @@
 /*
- * insertion_shape.c -- read a box, cylinder or sphere; volume, points and paths inside, uniform random
- * points, projection into it.
+ * insertion_shape.c -- read a box, cylinder or sphere; volume, points and paths inside, uniform
+ * random points, projection into it.
  *
  * Random points of a circle or a ball are points of the square or cube around it, drawn again when
  * they lie outside: no sine or cosine, whose last bits depend on the library.
@@ -278,7 +278,8 @@ int dem_insertion_shape_meets(const struct dem_insertion_shape *v, const double 
 
         for (int k = 0; k < 3; k++)
         {
-            meets = meets && dem_insertion_shape_clip(from[k], step[k], v->min[k], v->max[k], inside);
+            meets = meets
+                 && dem_insertion_shape_clip(from[k], step[k], v->min[k], v->max[k], inside);
         }
         return meets;
     }

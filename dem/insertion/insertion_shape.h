@@ -33,8 +33,9 @@ struct dem_insertion_shape
     double from[3], axis[3], side[2][3];  /* m, 1, 1  of a cylinder: base, unit vectors; of a
                                              sphere: centre */
     double length, radius;                /* m */
-    double period[3];                     /* m  width of the domain along its periodic axes, else 0 */
-    int open[3][2], open_end[2];          /* 1: on a periodic face: sides of a box; ends of a cylinder */
+    double period[3];                     /* m  width of a periodic domain along an axis, else 0 */
+    int open[3][2], open_end[2];          /* 1: on a periodic face: sides of a box, ends of a
+                                             cylinder */
     struct dem_insertion_limits *limits;  /* further limits, which belong to the group, or NULL */
     double region;                        /* m3  of the whole mesh or zone, when that is the shape;
                                              0: that of the box, cylinder or sphere */

@@ -205,10 +205,15 @@ static int check_primitive(const struct dem_domain *d, int axis, double radius,
     return DEM_OK;
 }
 
-static int is_across(const double axis[3], int k)
+/* 1 when a vector is not along an axis, to this fraction of its length. */
+static int is_across(const double v[3], int axis, double fraction)
 {
-    return axis[(k + 1)%3] != 0.0 || axis[(k + 2)%3] != 0.0;
+    return fmax(fabs(v[(axis + 1)%3]), fabs(v[(axis + 2)%3])) > fraction*fabs(v[axis]);
 }
+
+/* A surface whose rotation leans by less than this off a periodic axis has the velocity of its
+   images to round-off. */
+static const double leaning = 1e-12;
 
 /* A rotation about another axis than a periodic one takes images apart. */
 static int check_rotation(const struct dem_domain *d, int axis, double radius,
@@ -216,11 +221,12 @@ static int check_rotation(const struct dem_domain *d, int axis, double radius,
 {
     const struct dem_wall *const of = &w->wall[t->wall];
     const struct dem_motion *const m = of->frame < 0 ? NULL : &w->frame[of->frame].motion;
-    const int rotates = m && m->kind == DEM_MOTION_ROTATION && is_across(m->axis, axis);
+    const int rotates = m && m->kind == DEM_MOTION_ROTATION &&
+                        is_across(m->axis, axis, 0.0);
     const double *const about = rotates ? m->axis : of->drive_spin;
     double extent[2];
 
-    if (!rotates && !(of->driven && is_across(of->drive_spin, axis)))
+    if (!rotates && !(of->driven && is_across(of->drive_spin, axis, leaning)))
     {
         return DEM_OK;
     }
@@ -243,12 +249,13 @@ static int check_rotation(const struct dem_domain *d, int axis, double radius,
 /* Slope along a periodic axis below which a surface counts as straight. */
 static const double max_slope = 0.05;
 
-/* Fraction of a period by which a surface that ends at both faces may be longer: round-off of its
-   corners in single precision. */
-static const double longer = 1e-6;
+/* Fraction of a radius by which a surface that ends at both faces may be longer: round-off of its
+   corners in a file. */
+static const double longer = 1e-3;
 
 /* A surface longer than the period lies beside its image; where it is straight both are one. */
-static int check_length(const struct dem_walls *w, int axis, const double (*extent)[2])
+static int check_length(const struct dem_walls *w, int axis, double radius,
+                        const double (*extent)[2])
 {
     const double period = w->period[axis];
 
@@ -264,7 +271,7 @@ static int check_length(const struct dem_walls *w, int axis, const double (*exte
             own[0] = fmin(own[0], here->corner[k][axis]);
             own[1] = fmax(own[1], here->corner[k][axis]);
         }
-        DEM_REQUIRE(length <= period*(1.0 + longer) || slope <= max_slope ||
+        DEM_REQUIRE(length <= period + longer*radius || slope <= max_slope ||
                         (own[0] >= extent[here->wall][1] - period &&
                          own[1] <= extent[here->wall][0] + period),
                     DEM_ERROR_INPUT,
@@ -277,7 +284,7 @@ static int check_length(const struct dem_walls *w, int axis, const double (*exte
     return DEM_OK;
 }
 
-static int check_lengths(const struct dem_walls *w, int axis)
+static int check_lengths(const struct dem_walls *w, int axis, double radius)
 {
     double (*extent)[2];
 
@@ -297,7 +304,7 @@ static int check_lengths(const struct dem_walls *w, int axis)
             of[1] = fmax(of[1], w->triangle[t].corner[k][axis]);
         }
     }
-    const int status = check_length(w, axis, (const double (*)[2])extent);
+    const int status = check_length(w, axis, radius, (const double (*)[2])extent);
 
     dem_memory_free(extent);
     return status;
@@ -318,7 +325,7 @@ int dem_domain_check_walls(const struct dem_domain *d, const struct dem_walls *w
         {
             DEM_TRY(check_rotation(d, axis, radius, w, &w->triangle[t]));
         }
-        DEM_TRY(d->periodic[axis] && w->triangles > 0 ? check_lengths(w, axis) : DEM_OK);
+        DEM_TRY(d->periodic[axis] && w->triangles > 0 ? check_lengths(w, axis, radius) : DEM_OK);
     }
     return DEM_OK;
 }

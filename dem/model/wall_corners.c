@@ -28,8 +28,8 @@ int dem_walls_compare_corners(const void *a, const void *b)
 }
 
 /* Single precision of coordinates, as of a binary STL file: by this fraction of them the ends of a
-   surface may miss each other at a periodic face. */
-static const double single_precision = 1.2e-7;
+   surface may miss each other at a periodic face, but by no more than a multiple of the tolerance. */
+static const double single_precision = 1.2e-7, most = 1e3;
 
 struct corner
 {
@@ -143,7 +143,8 @@ int dem_walls_weld_corners(const struct dem_walls *w, double tolerance,
         memcpy(c[k].x, w->triangle[k/3].corner[k%3], sizeof c[k].x);
         for (int a = 0; a < 3 && w->periodic; a++)
         {
-            across_faces = fmax(across_faces, single_precision*fabs(c[k].x[a]));
+            across_faces = fmax(across_faces, fmin(single_precision*fabs(c[k].x[a]),
+                                                   most*tolerance));
         }
     }
     for (int axis = 0; axis < 3 && w->periodic && !status; axis++)

@@ -98,8 +98,10 @@ static inline const double *dem_wall_from_facet(const struct dem_walls *w,
                                                 const struct dem_wall_neighbor *near,
                                                 const double x[3], double moved[3])
 {
-    return dem_walls_from_image(
-        dem_walls_period(w, w->wall[w->facet[near->facet].wall].frame), near->image, x, moved);
+    return near->image[0] | near->image[1] | near->image[2]
+               ? dem_walls_from_image(dem_walls_period(w, w->wall[w->facet[near->facet].wall].frame),
+                                      near->image, x, moved)
+               : x;
 }
 
 static inline const double *dem_wall_from_candidate(const struct dem_wall_search *s,

@@ -96,10 +96,10 @@ static int read_surface_rotation(const struct dem_dict *dict, struct dem_wall *w
     const bool belt = dem_dict_has(dict, "speed");
     double omega;
 
+    DEM_TRY(read_axis(dict, wall->drive_origin, wall->drive_axis));
     DEM_REQUIRE(belt != dem_dict_has(dict, "omega"), DEM_ERROR_INPUT,
                 "%s: give omega [rad/s] for a surface that turns like a solid, or speed [m/s] for "
                 "a belt around the axis, one of the two", dem_dict_where(dict));
-    DEM_TRY(read_axis(dict, wall->drive_origin, wall->drive_axis));
     if (belt)
     {
         return dem_dict_number(dict, "speed", "m/s", &wall->drive_speed);

@@ -277,6 +277,7 @@ def dpm():
     assert d.sub("effects").sub("gidaspow").word("blend") == "switch"
     assert d.sub("effects").sub("mindlin").number("friction") == 0.52
     assert abs(d.sub("effects").sub("dry").number("restitution") - 0.84466) < 1e-4
+    assert result.has("translated", "restitution", "on walls"), result.report.of("translated")
     assert d.sub("pairs").sub("wallContact").sub("mindlin").number("friction") == 0.43
     assert d.sub("walls").sub("sides").word("material") == "wall"
     assert "inlet" in d.sub("walls") and d.sub("outlets").sub("outlet").word("patch") == "outlet"
@@ -804,6 +805,8 @@ def surfaces():
         assert result.d.sub("walls").sub("cad").word("file") == "cad.stl" and result.has(
             TRANSLATED, word)
         assert numpy.allclose(read_triangles(WORK/"result/constant/triSurface/cad.stl"), triangles)
+    refused(lambda: case(floor, mesh={"inlet { type patch;": "inlet { type cyclic; neighbourPatch "
+                                      "outlet;"}), "DEM/in.run", line, "coupled patch inlet")
     # round walls: corners of both lie on the cylinder, the largest distance is between them
     angle = 2*math.pi*numpy.arange(24)/24
     ring = numpy.column_stack([numpy.cos(angle), numpy.sin(angle), 0*angle])

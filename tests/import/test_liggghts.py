@@ -26,7 +26,8 @@ from suna.importer.liggghts_mesh import read_triangles, write_stl
 from suna.importer.liggghts_packing import count_placed
 from suna.importer.liggghts_region import Region
 from suna.importer.liggghts_scene import write_scenes
-from suna.importer.report import APPROXIMATED, HARMLESS, TRANSLATED, CannotTranslate, Report
+from suna.importer.report import (APPROXIMATED, HARMLESS, LOST, TRANSLATED, CannotTranslate,
+                                  Report)
 
 DEM, WORK = os.environ["DEM"], Path(sys.argv[1])/"liggghts"
 
@@ -178,6 +179,51 @@ def all_faults():
     for word in ("units lj", "fix a", "nonsense"):
         assert f"in.test:{line_of(script, word)}: " in text, text
     assert not Path("scene.dem").exists()
+
+
+def short_commands():
+    """a command that ends too early, or has a word that is no number, is a sentence with its line"""
+    for number, line in enumerate(BASE.splitlines(), 1):
+        words = line.split()
+        if not words or words[0] not in ("region", "fix", "timestep", "run", "units", "create_box",
+                                         "pair_style", "boundary"):
+            continue
+        for count in range(1, len(words)):
+            script = BASE.replace(line + "\n", " ".join(words[:count]) + "\n")
+            try:
+                translate(script)
+            except CannotTranslate as error:
+                assert re.match(r"in\.test:\d+: ", str(error)), (words[:count], str(error))
+    for old, new in (("constant 0.0005", "constant nan"), ("9.81", "9.81e999"), ("0.05 units", "x units"),
+                     ("in_region 100", "in_region 1e400"), ("vector 0 0 -1", "vector 0 0 0"),
+                     ("timestep 1e-6", "timestep 0"), ("run 1000", "run 1.5"),
+                     ("peratomtypepair 1 0.8", "peratomtypepair 2 0.8"), ("run 1000", "run v_none")):
+        # a continued line has the number of its first one
+        line = line_of(BASE, "fix ins" if "in_region" in old else old)
+        refused(BASE.replace(old, new), f"in.test:{line}: ")
+    data = "x\n\n2 atoms\n\nAtoms\n\n1 1 1e-3 2500 0 0 0\n%s\n"
+    script = BASE.replace(PACK, "read_data grains.data\n")
+    for row in ("2 1 1e-3", "2 1 nan 2500 0 0 0", "2 1 -1 2500 0 0 0", "1 1 1e-3 2500 1 0 0",
+                "2 x 1e-3 2500 1 0 0"):
+        refused(script, "grains.data:8: ", f"in.test:{line_of(script, 'read_data')}: ",
+                grains__data=data % row)
+
+
+def endless():
+    """a script without an end, or with a word that grows without one, ends with a sentence"""
+    first = line_of(BASE, "run 1000")
+    for lines, *words in (
+            ("variable a loop 1000000000\nlabel x\nnext a\njump SELF x", "100000 commands"),
+            ("label x\njump SELF x", f"in.test:{first + 1}: ", "100000 commands"),
+            ("include in.test", f"in.test:{first}: include in.test", "include itself"),
+            ("variable a equal v_a+1\nrun ${a}", f"in.test:{first + 1}: ", "needs itself"),
+            ("variable a0 equal 1\n" + "".join(f"variable a{k + 1} equal v_a{k}+v_a{k}\n"
+             for k in range(18)) + "run ${a18}", "too many others"),
+            (f"variable a equal {'('*5000}1{')'*5000}\nrun ${{a}}", "too many brackets"),
+            ("variable s string abcdefgh\nlabel x\nvariable s string $s$s\njump SELF x",
+             "the limit is 100000"), ("variable a loop 5 3", f"in.test:{first}: ", "no turn"),
+            ("lattice sc 1e-7\ncreate_atoms 1 box", f"in.test:{first + 1}: ", "positions")):
+        refused(BASE.replace(RUN, lines + "\n" + RUN), *words)
 
 
 # ---- each command ------------------------------------------------------
@@ -394,6 +440,94 @@ fix z0 all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad b
             line,
             "fix s all mesh/surface file nothing.stl type 1"),
              "no file nothing.stl")
+
+
+def names():
+    """each entry of a scene has a name of its own, whatever the fixes of the script are called"""
+    mix = """fix p1 all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.0005
+fix p2 all particletemplate/sphere 15485867 atom_type 1 density constant 2500 radius constant 0.00075
+fix pdd all particledistribution/discrete 32452843 2 p1 0.5 p2 0.5
+"""
+    script = BASE.replace(PACK[:PACK.index("fix ins")], mix).replace("insert_every once",
+                                                                     "insert_every 100")
+    script = script.replace("fix z0", "fix a-b all wall/gran model hertz tangential history "
+                            "primitive type 1 xplane -0.01\nfix a_b all wall/gran model hertz "
+                            "tangential history primitive type 1 xplane 0.01\nfix z0")
+    scene, _ = translate(script)
+    has(scene, "ins { type random;", "ins_2 { type random;", "ins_refill { type stream;",
+        "a_b { type plane;", "a_b_2 { type plane;")
+    with suna.Simulation("scene.dem") as sim:
+        assert len(sim.walls) == 3 and len(sim.position) == 100
+
+
+def belt():
+    """surface_vel on an inclined face is the speed along it, and what turns off its faces is told"""
+    c, s = math.cos(math.pi/6), math.sin(math.pi/6)
+    x = [numpy.array([c*a, b, s*a]) for a, b in ((-.1, -.1), (1, -.1), (1, .1), (-.1, .1))]
+    write_stl(WORK/"belt.stl", [x[:3], [x[0], x[2], x[3]]])
+    file = (WORK/"belt.stl").read_text()
+    script = ONE.replace("timestep 1e-6", "timestep 1e-5").replace("5e6", "1e7").replace(
+        "pair 1 0.8", "pair 1 0.3").replace("single 0 0 0.01", f"single {-.005*s} 0 {.005*c}").replace(
+        "diameter 1e-3", "diameter 1e-2").replace("# fix down all gravity 9.81 vector 0 0 -1",
+                                                   f"fix down all gravity 9.81 vector {s} 0 {-c}")
+    line = next(line for line in script.splitlines() if "fix z0" in line)
+    script = script.replace(line, "fix belt all mesh/surface file belt.stl type 1 surface_vel 1 0 0\n"
+                            "fix z0 all wall/gran model hertz tangential history mesh n_meshes 1 "
+                            "meshes belt").replace("run 1000", "run 40000")
+    has(translate(script, belt__stl=file)[0], "surfaceVelocity (1 0 0);")
+    v = column(run(), "velocity")[0]
+    # LIGGGHTS 3.8.0: 0.28606 m/s; 2/7 m/s of rolling without loss, both within 2e-3 of it
+    assert abs(v @ (c, 0, s) - 0.28606) < 1e-3 and abs(v @ (-s, 0, c)) < 1e-3, v
+    spin = script.replace("surface_vel 1 0 0", "surface_ang_vel origin 0 0 0 axis 0 1 0 omega 3")
+    assert any(row.word == "surface_ang_vel" and "2 of 2 faces" in row.text
+               for row in translate(spin, belt__stl=file)[1].of(APPROXIMATED))
+    spin = spin.replace("axis 0 1 0", f"axis {-s} 0 {c}")
+    assert not any(row.word == "surface_ang_vel" for row in translate(spin, belt__stl=file)[1].rows)
+
+
+def other_meanings():
+    """a word whose meaning in Suna differs is told or refused, never translated in silence"""
+    stiff = BASE.replace("model hertz", "model hooke/stiffness").replace("fix m3", """fix k1 all property/global kn peratomtypepair 1 1e5
+fix k2 all property/global kt peratomtypepair 1 3e4
+fix k3 all property/global gamman peratomtypepair 1 0
+fix k4 all property/global gammat peratomtypepair 1 0
+fix m3""")
+    has(translate(stiff)[0], "linear { ratio 0.3; friction 0.5; }")
+    refused(stiff.replace("gammat peratomtypepair 1 0", "gammat peratomtypepair 1 5"), "gammat",
+            "Suna damps slip")
+    plane = BASE.replace("zplane 0.0", "zplane 0.0 shear z 0.1")
+    refused(plane, f"in.test:{line_of(plane, 'shear')}", "not its normal")
+    refused(ONE.replace("run 1000", "variable f equal step*1e-6\nfix x all addforce v_f 0 0\nrun 1000"),
+            "step is known only in a run")
+    for line in ("velocity all set 0 0 1 sum yes", "fix x all addforce 0 0 1 region box",
+                 "fix x all move linear 0 0 1 units lattice"):
+        refused(ONE.replace(RUN, line + "\n" + RUN), "is not known here")
+    refused(BASE.replace(RUN, 'run 1000 every 10 "print x"\n'), "run every")
+    refused(BASE.replace("radius constant", "radius uniform mass"), "radius uniform mass")
+    two = BASE.replace("region box", "lattice sc 0.001\nregion r sphere 0 0 0 1\nregion box", 1)
+    refused(two, f"in.test:{line_of(two, 'region r')}", "units of the lattice")
+
+
+def lost_output():
+    """output that the scene does not write is named, with what to use, also at its head"""
+    script = BASE.replace("newton off", "hard_particles yes").replace("peratomtypepair", "atomtypepair")
+    write_stl(WORK/"gate.stl", [[(0, 0, 0), (1, 0, 0), (0, 1, 0)]])
+    script = script.replace(RUN, """fix g all mesh/surface/planar file gate.stl type 1
+fix mf all massflow/mesh mesh g count multiple vec_side 0 0 -1 file mass.txt
+fix pr all print 10 "the time" file said.txt
+""" + RUN)
+    # a wall before pair_style
+    wall = next(line for line in script.splitlines() if "fix z0" in line) + "\n"
+    script = script.replace(wall, "").replace("pair_style", wall + "pair_style")
+    scene, report = translate(script, gate__stl=(WORK/"gate.stl").read_text())
+    rows = {row.word: row.text for row in report.of(LOST)}
+    assert "mass.txt" in rows["fix massflow/mesh"] and "through g are not counted" in \
+        rows["fix massflow/mesh"]
+    assert '"the time", every 10 steps' in rows["fix print"] and "said.txt" in rows["fix print"]
+    assert "// Output of the source that is not written:" in scene
+    has(scene, "z0 { type plane;", "restitution 0.8")
+    script = script.replace("model hertz tangential history primitive", "model hooke primitive")
+    refused(script, f"in.test:{line_of(script, 'fix z0')}: fix wall/gran", "one normal law")
 
 
 def series():
@@ -778,7 +912,8 @@ CUP = Path(__file__).resolve().parent/"cup.in"
 # centre of mass [m] in LIGGGHTS 3.8.0 (Debian 3.8.0+repack1-9), 24 November 2026, `liggghts -var seed SEED -in cup.in`
 # with seeds 32452867, 49979687, 67867967
 CUP_HEIGHT = numpy.array([3.8082e-3, 3.8286e-3, 3.7709e-3])
-TESTS = [expressions, control_flow, all_faults, scene_of_base, units, models, pairs, walls, series,
+TESTS = [expressions, control_flow, all_faults, short_commands, endless, scene_of_base, units, models, pairs, walls, names, belt,
+         other_meanings, lost_output, series,
          restart_files, insertion, placed, shapes, single_particles, domain_and_output, heat,
          area_correction, refused_heat, command, bounce, friction, stored, conduction]
 

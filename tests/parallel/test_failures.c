@@ -27,7 +27,7 @@
 enum
 {
     MANY = 300,
-    LIMIT = 30    /* s  a rank that waits for so long in one trial ends the test */
+    LIMIT = 60    /* s  a rank that waits for so long in one trial ends the test */
 };
 
 static int rank, ranks, failed;

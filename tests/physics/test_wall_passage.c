@@ -2,11 +2,11 @@
  * test_wall_passage.c -- a wall with two sides that passes through a particle ends the run, as a
  * plane does.
  *
- * An impact at v on a wall overlaps by (5/4 m v^2/(4/3 E* sqrt R))^(2/5): at 50 m/s by 0.9, at 10 by
- * a quarter of a diameter here.
+ * An impact at v on a wall overlaps by (5/4 m v^2/(4/3 E* sqrt R))^(2/5): at 50 m/s by 0.9, at 10
+ * by a quarter of a diameter here.
  *
- * - At 10 m/s the sphere is thrown off by a plane and by triangles alike; at 50 m/s both end the run:
- *   triangles that move, triangles at rest, a paddle that turns, triangles that a program moves,
+ * - At 10 m/s the sphere is thrown off by a plane and by triangles alike; at 50 m/s both end the
+ *   run: triangles that move, triangles at rest, a paddle that turns, triangles that a program moves,
  *   wires thinner than the sphere.
  * - A sphere between two sheets that close ends the run.
  * - With time/maxOverlap above 0.5 the passage is listed and the run goes on.
@@ -98,8 +98,8 @@ int main(void)
     run("w { " PLANE UP("50") " }", "", above, 0.0, "limit is 0.5", "a plane at 50 m/s");
     run("w { " SHEET("0") UP("50") " }", "", above, 0.0, half, "triangles at 50 m/s");
     run("w { " SHEET("0") " }", "", above, -50.0, half, "a sphere at 50 m/s on triangles");
-    run("w { " SHEET("0") " motion { type rotation; origin (-0.045 0 0); axis (0 -1 0); omega 1e3; }"
-        " }", "", tip, 0.0, half, "a paddle whose blade has 50 m/s there");
+    run("w { " SHEET("0") " motion { type rotation; origin (-0.045 0 0); axis (0 -1 0); "
+        "omega 1e3; } }", "", tip, 0.0, half, "a paddle whose blade has 50 m/s there");
     run("w { type cylinder; point (0 0 0); axis (0 1 0); radius 1e-4; particles outside;"
         UP("50") " }", "", between, 0.0, half, "a wire at 50 m/s");
     run("low { " SHEET("0") UP("20") " } high { " SHEET("0.0012") UP("-20") " }", "", between, 0.0,

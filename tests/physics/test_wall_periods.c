@@ -14,6 +14,7 @@
  *   motions, translations, and motions that ended before the run.
  * - A wall whose speed along its normal makes impacts overlap by more than 5 % is in the warnings;
  *   a floor that slides in its plane, and a drum that rotates about its axis, are not.
+ * - Driven particles feel no walls: told where there are both.
  *
  * Source: the driven linear oscillator.
  *
@@ -112,6 +113,24 @@ static void warned(const char *wall, int told, const char *what)
 #define DRUM                                                                                      \
     "type cylinder; point (0 0 0); axis (0 1 0); radius 0.5; particles inside; motion { type "
 
+/* One driven sphere above a floor, or without. */
+static void driven(const char *walls, int told)
+{
+    const struct dem_run_info run = {.duration = 1.0};
+    char *const scene = world_text(
+        "materials { a { density 2500; youngsModulus 1e7; } } effects { hertz {} } walls { %s } "
+        "insert { g { type list; diameter 1e-3; positions ((0 0 1)); velocity (0 0 -1); "
+        "driven yes; } }", walls);
+    struct dem *const d = world(scene, 0, NULL);
+    const char *text;
+
+    WORLD_TRY(dem_warnings(d, &run, 0, NULL, &text));
+    TAP_OK((strstr(text, "driven particles pass through walls") != NULL) == told,
+           "a driven sphere %s a wall", told ? "and" : "without");
+    dem_free(d);
+    free(scene);
+}
+
 int main(void)
 {
     TAP_TRAPS;
@@ -133,5 +152,7 @@ int main(void)
     warned(PLANE "translation; velocity (50 0 0); }", 0, "a floor that slides");
     warned(SHEET "translation; velocity (50 0 0); }", 0, "a floor of triangles that slides");
     warned(DRUM "rotation; origin (0 0 0); axis (0 1 0); omega 100; }", 0, "a drum");
+    driven("w { type plane; point (0 0 0); normal (0 0 1); }", 1);
+    driven("", 0);
     TAP_DONE;
 }

@@ -24,7 +24,7 @@ static const char *const stored_columns[] =
      "pending", "underRelaxation", "owedPressureImpulse",
      "swarmFirst", "swarmSecond", "addedMass",
      "fluidChange", "foreseen", "otherImpulse", "turnImpulse",
-     "lostEnergy", "brokenBonds", "orientation"};
+     "lostEnergy", "brokenBonds", "orientation", "checkedPosition"};
 
 static const char *const stored_history[] = {"bond_length", "bond_worn", "bond_shear_x",
                                              "bond_shear_y", "bond_shear_z", "bond_twist",

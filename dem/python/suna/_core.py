@@ -52,9 +52,10 @@ class Core:
 
     def __init__(self, comm):
         out = ffi.new("struct dem **")
-        self._d, self._lock, self._advances, self._comm = None, threading.RLock(), False, comm
+        self._d, self._lock, self._advances = None, threading.RLock(), False
         check(lib.dem_create_fortran(out, -1 if comm is None else comm.py2f()))
-        self._d = out[0]
+        # as the core, which duplicates it too: the caller may free it
+        self._d, self._comm = out[0], comm.Dup() if comm else None
 
     @property
     def closed(self):
@@ -81,6 +82,8 @@ class Core:
             with self.use() as d:
                 self._d = None
                 lib.dem_free(d)
+                if self._comm is not None:
+                    self._comm.Free()
 
     def advance(self, duration, progress, every):
         """dem_advance. An exception of progress ends it after a step, on all ranks, and is raised
@@ -110,7 +113,10 @@ class Core:
             # it may have been set on one rank in the last step, which the core does not tell others
             reason = max(self._comm.allgather(reason))
         if fault is not None:
-            raise fault
+            try:
+                raise fault
+            finally:
+                fault = None    # its traceback holds this frame
         check(status)
         if reason == RAISED:
             raise SunaError("the progress function of another rank raised an exception, which ended "

@@ -47,7 +47,10 @@ def load():
     ffi.cdef("typedef struct ompi_communicator_t *MPI_Comm; typedef int sig_atomic_t;")
     for name in ("dem_types.h", "dem.h"):
         ffi.cdef(declarations((headers/name).read_text()))
-    return ffi, ffi.dlopen(str(library))
+    try:
+        return ffi, ffi.dlopen(str(library))
+    except OSError as error:
+        raise ImportError(f"suna: {error}; build it again with make -C dem") from None
 
 
 ffi, lib = load()

@@ -149,7 +149,8 @@ def add_contacts(sub, constants, properties, report):
                         "contacts that stick and slip in turn hold more")
     refuse_unread(d, report)
     walls = wall_models(coeffs, report)
-    values = {name: contact(inner, report, f"on {name}") for name, inner in walls.items()}
+    values = {name: contact(inner, report, f"on {name or 'walls'}")
+              for name, inner in walls.items()}
     cohesive = cohesion or any(energy for _, _, energy in values.values())
 
     properties.add("effects", "hertz {}", d.where("b"))

@@ -28,7 +28,7 @@ from .mesh_surfaces import distance, samples, triangles_of
 TOLERANCE = 1e-3        # of the mesh's size: planes and cylinders
 NEAR = 0.1              # of a diameter: triangles, whose round faces have other corners
 TOUCHED = 0.05          # of a patch lies on the triangles: more than along an edge
-POINTS = 40             # along the mesh's size, where surfaces are compared
+POINTS = 20             # along the mesh's size, where surfaces are compared
 
 
 class Wall(NamedTuple):
@@ -159,12 +159,16 @@ class Boundary:
         away = distance(points, self.triangles, self.spacing)
         found = [name for name in self.samples if (
             self.beside(name, wall.triangles) <= self.tolerance).mean() > TOUCHED]
-        coupled = [name for name in found if self.patches[name].type in COUPLED]
-        if away.max() > self.tolerance or coupled:
+        if away.max() > self.tolerance:
             report.translated(wall.place, wall.name, "a wall of type surface inside the mesh: it "
                               f"is up to {away.max():.3g} m from the patches, more than "
                               f"{self.tolerance:.3g} m, {NEAR:g} diameters")
             return True
+        coupled = [name for name in found if self.patches[name].type in COUPLED]
+        if coupled:
+            report.refuse(wall.place, wall.name, f"a wall on the coupled patch {coupled[0]}, "
+                          "through which particles of Suna pass")
+        found = [name for name in found if self.patches[name].type != "empty"]
         others = [name for name in found if self.patches[name].type != "wall"]
         beside = {name: self.beside(name, self.walls).max() for name in others}
         part = [name for name in others if beside[name] > self.tolerance]

@@ -37,10 +37,6 @@ TOKEN = re.compile(r"""
 """, re.S | re.X)
 
 
-def shorten(text, most):
-    return text if len(text) <= most else text[:most] + "..."
-
-
 class Text(str):
     """A "string"; as a key it is a regular expression."""
 
@@ -148,7 +144,7 @@ class Dictionary:
             found = [math.nan]
         if len(found) != (many or len(found)) or not all(map(math.isfinite, found)):
             self.report.refuse(self.where(name), self.full(name),
-                               f"{shorten(as_text(tokens), 60)!r} is no {what}; write one")
+                               f"{as_text(tokens)[:60]!r} is no {what}; write one")
         return found
 
     def indices(self, name, tokens, below):

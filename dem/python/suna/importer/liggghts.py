@@ -207,7 +207,8 @@ class Translation(Head, Atoms, Restart):
             raise BadWords(f'"{words[0]}" is not known here')
 
     def whole(self, word, low=0, high=MOST):
-        return as_whole(word if not word.startswith("v_") else self.script.text(word[2:]), low, high)
+        text = self.script.text(word[2:]) if word.startswith("v_") else word
+        return as_whole(text, low, high)
 
     def atom_type(self, word):
         return self.whole(word, 1, MOST_TYPES)

@@ -15,6 +15,8 @@ SET = {"diameter": "length", "density": "density", "vx": "velocity", "vy": "velo
        "vz": "velocity", "omegax": "spin", "omegay": "spin", "omegaz": "spin", "x": "length",
        "y": "length", "z": "length"}
 
+MOST_POINTS = 5e6       # of a lattice
+
 
 class Atoms:
     """Commands of a Translation (liggghts.py)."""
@@ -25,7 +27,7 @@ class Atoms:
         if len(words) > 2:
             self.refuse("orient, origin, spacing are not read; write positions",
                         f"lattice {words[2]}")
-        self.lattice = None if words[0] == "none" else (words[0], self.number(words[1], "length"))
+        self.lattice = None if words[0] == "none" else (words[0], self.positive(words[1], "length"))
         self.translated("create_atoms")
 
     def do_create_atoms(self, words):
@@ -54,6 +56,11 @@ class Atoms:
         low, high = box.T if region is None else region.bounds()
         basis = {"sc": [(0, 0, 0)], "sq": [(0, 0, 0)], "bcc": [(0, 0, 0), (.5, .5, .5)],
                  "fcc": [(0, 0, 0), (.5, .5, 0), (.5, 0, .5), (0, .5, .5)]}[style]
+        low, high = numpy.maximum(low, box[:, 0]), numpy.minimum(high, box[:, 1])
+        count = len(basis)*numpy.prod((high - low)/a + 2)
+        if not count < MOST_POINTS:
+            self.refuse(f"a lattice of {a:g} m has {count:.3g} positions here; the limit is "
+                        f"{MOST_POINTS:g}", f"create_atoms {words[1]}")
         axes = [numpy.arange(math.floor(lo/a) - 1, math.ceil(hi/a) + 1)
                 for lo, hi in zip(low, high)]
         cells = numpy.stack(numpy.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)

@@ -116,7 +116,8 @@ class Head:
         if style == "plane":
             return Region(style, self.numbers(rest[:6], "length"), place, outside=outside)
         if style in ("union", "intersect"):
-            parts = [self.find(self.regions, name, "region") for name in rest[1:1 + self.whole(rest[0], 1, 1000)]]
+            names = rest[1:1 + self.whole(rest[0], 1, 1000)]
+            parts = [self.find(self.regions, name, "region") for name in names]
             return Region(style, (), place, parts=parts, outside=outside)
         if style == "mesh/tet":
             return Region(style, (), place, corners=self._tetrahedra(rest), outside=outside)

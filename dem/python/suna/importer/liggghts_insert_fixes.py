@@ -19,8 +19,8 @@ AMOUNTS = {                     # attribute of Insertion, kind of number
     "particlerate": ("rate", "rate"),
     "massrate": ("mass_rate", "mass rate")}
 RADII = {"constant": 1, "uniform": 2, "gaussian": 2, "lognormal": 2}    # how many numbers
-PLACING = ("ntry_mc", "warn_region", "verbose", "parallel", "random_distribute", "compress_tags", "check_obb", "save_template",
-           "extrude_length", "duration", "duration_time")
+PLACING = ("ntry_mc", "warn_region", "verbose", "parallel", "random_distribute", "compress_tags",
+           "check_obb", "save_template", "extrude_length", "duration", "duration_time")
 
 
 def template(t, name, group, words):

@@ -1,5 +1,5 @@
-"""liggghts_packing.py -- how many spheres insert/pack of LIGGGHTS places: random sequential addition
-that ends after a number of trials.
+"""liggghts_packing.py -- how many spheres insert/pack of LIGGGHTS places: random sequential
+addition that ends after a number of trials.
 
 LIGGGHTS inserts the largest spheres first. It draws a position in the region (with all_in at least
 a radius from its surface), drops it where it overlaps with a sphere that is there, or lies nearer

@@ -11,7 +11,7 @@ import re
 
 import numpy
 
-from .liggghts_words import MOST
+from .liggghts_words import MOST, NUMBER
 
 GRANULAR = ("id", "type", "diameter", "density", "x", "y", "z")     # a row of section Atoms
 NUMBERS = (*GRANULAR, "xu", "yu", "zu", "vx", "vy", "vz", "omegax", "omegay", "omegaz", "radius")
@@ -95,7 +95,8 @@ def column(words, lines, name):
     try:
         found = numpy.array(words, float)
     except ValueError:
-        found = numpy.full(len(words), numpy.nan)
+        found = numpy.array([float(word) if NUMBER.fullmatch(word) else numpy.nan
+                             for word in words])
     if name not in ("id", "type"):
         good = abs(found) <= LARGEST
     else:

@@ -1,4 +1,4 @@
-"""mesh_surfaces.py -- distances between triangles: of a wall of another code, and of a mesh's patches.
+"""mesh_surfaces.py -- distances of walls of triangles from the patches of a mesh.
 
     samples(triangles, spacing)             points inside the triangles, none on their edges
     distance(points, triangles, spacing)    of each point to the nearest triangle
@@ -12,7 +12,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import numpy
 from scipy.spatial import cKDTree
 
-NEAR = 24
+NEAR = 12
 PIECES = 200000         # of all triangles together, at most
 
 
@@ -35,7 +35,8 @@ def refined(triangles, spacing):
             return x
         a, b, c = numpy.moveaxis(x[long], 1, 0)
         ab, bc, ca = (a + b)/2, (b + c)/2, (c + a)/2
-        cut = [numpy.stack(t, axis=1) for t in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))]
+        four = ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))
+        cut = [numpy.stack(corners, axis=1) for corners in four]
         x = numpy.concatenate([x[~long], *cut])
 
 

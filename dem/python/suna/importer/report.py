@@ -10,8 +10,8 @@ A translator calls one method for each line that it reads, so nothing is left ou
     report.harmless(place, "neighbor", "lists tune themselves")
     report.refuse(place, "atom_style ellipsoid", "Suna has spheres only")   # raises CannotTranslate
 
-`refuse` raises. A translator that reads on to find the other faults, too, reads each line in a block
-`with collected():` and calls `raise_refused` at the end.
+`refuse` raises. A translator that reads on to find the other faults, too, reads each line in a
+block `with collected():` and calls `raise_refused` at the end.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -1,0 +1,14 @@
+/*
+ * run_announce.h -- what `dem run` prints before the first step.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_APP_RUN_ANNOUNCE_H
+#define DEM_APP_RUN_ANNOUNCE_H
+
+#include "app/scene_options.h"
+
+/* Collective. */
+int dem_run_announce(const struct dem_program *, struct dem *, const struct dem_schedule *);
+
+#endif
