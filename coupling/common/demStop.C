@@ -17,6 +17,18 @@
 namespace Foam
 {
 
+//- Of the case; static, so that it also goes when a run exits with an error
+static struct caseLock
+{
+    struct dem_folder_lock file;
+
+    ~caseLock()
+    {
+        dem_folder_unlock(&file);
+    }
+} lock;
+
+
 static fileName stopFile(const Time& time)
 {
     return time.globalPath()/"stop";
@@ -32,15 +44,13 @@ Foam::demStop::demStop(const Time& time)
     caught_(nullptr),
     stopped_(false)
 {
-    lock_.file = 0;
-    lock_.before[0] = '\0';
     if (Pstream::master())
     {
-        demCheck(dem_folder_lock(&lock_, time.globalPath().c_str()));
+        demCheck(dem_folder_lock(&lock.file, time.globalPath().c_str()));
     }
-    if (lock_.before[0])
+    if (lock.file.before[0])
     {
-        Info<< "Suna: the lock of an earlier run in this case, " << lock_.before
+        Info<< "Suna: the lock of an earlier run in this case, " << lock.file.before
             << ", which has ended, is taken over" << endl;
     }
 
@@ -66,7 +76,7 @@ Foam::demStop::demStop(const Time& time)
 
 Foam::demStop::~demStop()
 {
-    dem_folder_unlock(&lock_);
+    dem_folder_unlock(&lock.file);
 }
 
 

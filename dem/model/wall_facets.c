@@ -203,22 +203,23 @@ static size_t find_root(struct link *link, size_t t, int offset[3])
 }
 
 /* Triangle t, displaced by `offset` periods, continues triangle s: one facet. Where they are of one
-   facet already and the offset differs by a period from that in it, the facet is endless. */
+   facet already and the offset differs from that in it along one axis, the facet is endless: its
+   images by one period lie in its plane. */
 static void unite(struct link *link, size_t s, size_t t, const int offset[3])
 {
-    int of_s[3], of_t[3], total[3], differs = 0;
+    int of_s[3], of_t[3], total[3], axes = 0;
     const size_t rs = find_root(link, s, of_s), rt = find_root(link, t, of_t);
 
     for (int k = 0; k < 3; k++)
     {
         total[k] = of_s[k] + offset[k] - of_t[k];
-        differs += abs(total[k]);
+        axes += total[k] != 0;
     }
     for (int k = 0; k < 3; k++)
     {
         if (rs == rt)
         {
-            link[rs].endless |= (uint8_t)((differs == 1 && total[k] != 0) << k);
+            link[rs].endless |= (uint8_t)((axes == 1 && total[k] != 0) << k);
         }
         else
         {

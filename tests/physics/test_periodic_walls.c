@@ -181,6 +181,7 @@ static void test_rolling(void)
     rolls_as_on_plane(&expected, flat(-0.7*L, 0.3*L, ""), "plate that ends inside the domain");
     rolls_as_on_plane(&expected, flat(-2.0*R, L + 2.0*R, ""), "plate longer than the period");
     rolls_as_on_plane(&expected, flat(-3.3*L, 4.1*L, ""), "plate of many periods");
+    rolls_as_on_plane(&expected, flat(-L, 2.0*L, ""), "plate of three whole periods");
     rolls_as_on_plane(&expected, cut_unevenly(), "plate cut in different ways at both faces");
     rolls_as_on_plane(&expected, in_pieces(), "plate of two pieces");
     rolls_as_on_plane(&expected, in_single_precision(), "plate in single precision");
