@@ -33,7 +33,9 @@ work=$(mktemp -d) || exit 1
 "${BASH_SOURCE[0]%/*}/watch" $$ &
 watch=$!
 disown        # so that `wait` does not wait for it
-trap 'kill "$watch"; [ -n "${SUNA_KEEP-}" ] || rm -rf "$work"' EXIT
+# not a process that got its number
+end_watch() { [ "$(cut -d' ' -f4 "/proc/$watch/stat" 2> /dev/null)" != $$ ] || kill "$watch"; }
+trap 'end_watch; [ -n "${SUNA_KEEP-}" ] || rm -rf "$work"' EXIT
 claims=0 failures=0 run_limit=${SUNA_TEST_LIMIT:-120}
 
 # with more ranks than cores: waiting ranks yield, else every exchange costs a time slice of the scheduler
