@@ -39,9 +39,14 @@ Foam::scalar Foam::demMomentumBalance::exchange
     scalar moved = 0;
     scalar terms = 0;
 
+    // Fluid and particles at rest have velocities of round-off: an impulse that moves
+    // neither by 1e-9 of a cell in a window is no term to compare with
+    const scalar least = 1e-9*cbrt(gAverage(V))/window;
+
     forAll(V, celli)
     {
         toFluid += window*V[celli]*force[celli];
+        terms += window*V[celli]*mag(force[celli]);
     }
 
     forAll(velocity, i)
@@ -55,7 +60,9 @@ Foam::scalar Foam::demMomentumBalance::exchange
 
         toParticles += J + correction;
         moved += mag(J) + mag(correction);
-        terms += fluid.response[i]*(mag(velocity[i]) + mag(vectorAt(fluid.velocity, i)));
+        terms +=
+            fluid.response[i]
+           *(mag(velocity[i]) + mag(vectorAt(fluid.velocity, i)) + least);
     }
 
     reduce(toFluid, sumOp<vector>());
