@@ -328,8 +328,10 @@ int dem_api_create_particles(struct dem *d)
     DEM_TRY(dem_api_agree(d, dem_particles_grow(&p->particles, 1)));
     if (d->load_path[0])
     {
-        DEM_TRY(dem_snapshot_read_particles(d->load_path, &s, &p->decomposition,
-                                            &p->interaction_table, &p->particles));
+        /* a rank may have the only particle that is refused */
+        DEM_TRY(dem_api_agree(d, dem_snapshot_read_particles(d->load_path, &s, &p->decomposition,
+                                                             &p->interaction_table,
+                                                             &p->particles)));
         p->time = s.time;
         p->steps = s.steps;
         resume_window(p, &s.window);
