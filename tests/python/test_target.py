@@ -96,7 +96,8 @@ def settling():
             lambda t: 0.5*M*(end*(1 - exp(-t/tau)))**2)
 
 
-CASES = {damped: 1e-3, viscous: 1e-3, oil: 0.01, impact: 1e-4, weight: 1e-3, sliding: 0.01,
+# oil: at 1 % the phase of the first contact step still shows, which the estimate cannot see
+CASES = {damped: 1e-3, viscous: 1e-3, oil: 1e-3, impact: 1e-4, weight: 1e-3, sliding: 0.01,
          rolling: 0.01, settling: 0.01}
 
 
