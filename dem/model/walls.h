@@ -263,10 +263,11 @@ void dem_walls_find_push(struct dem_walls *);
 
 /* ---- periodic images: no effect without periodic axes ----------------------------------------- */
 
-/* Largest number of periods between a triangle and its image that a particle meets. */
+/* Largest number of periods between a triangle and its image that a particle meets. Small, as a plate
+   much larger than the domain has this number of images around each particle, squared. */
 enum
 {
-    DEM_WALL_IMAGES = 100
+    DEM_WALL_IMAGES = 2
 };
 
 /* The images [n, n] of an extent that may meet another one [m]: all that meet it; 0 without a period. */
