@@ -28,6 +28,7 @@ static void check(const scalar error, const char* what, const char* cause)
     }
 
     OStringStream os;
+    os.precision(3);            // whatever the case writes with
     os  << what << " is " << error << ", above the limit of " << largestError << ": " << cause;
     throw demFailure(os.str());
 }

@@ -148,7 +148,8 @@ int main(int argc, char *argv[])
     Info<< "\nStarting time loop\n" << endl;
 
     demTimeStepControl stepControl(runTime, cloud);
-    demStop stop(runTime);
+    // A plan takes no lock of the case: it may be made beside a run
+    autoPtr<demStop> stop(args.found("plan") ? nullptr : new demStop(runTime));
     bool planned = false;
 
     while (runTime.run())
@@ -209,7 +210,7 @@ int main(int argc, char *argv[])
             );
         }
 
-        if (!stop.atStepEnd(runTime))
+        if (!stop->atStepEnd(runTime))
         {
             runTime.write();
         }

@@ -2,9 +2,9 @@
  * bed.c -- a bed of spheres as text, and the time that Suna takes for it.
  *
  *    bed state SCENE SNAPSHOT COPIES WIDTH SPEED
- *        prints the particles of a snapshot, repeated COPIES times along x every WIDTH [m] (also
- *        the period
- *        along x and y), with a random velocity up to SPEED [m/s] along each axis added
+ *        prints the particles of a snapshot, repeated COPIES times along x every WIDTH [m], the
+ *        snapshot's period along x and y, with a random velocity up to SPEED [m/s] along each axis
+ *        added
  *    bed run SCENE STATE STEP STEPS END [PATH VALUE ...]
  *        runs STEPS steps of STEP [s] from such a text; prints processor time [s], bytes, kinetic
  *        energy
@@ -138,10 +138,13 @@ static int state(char **argument)
 {
     const long copies = strtol(argument[2], NULL, 10);
     const double width = strtod(argument[3], NULL), speed = strtod(argument[4], NULL);
+    char side[64];
     struct dem_view v;
     struct dem *d;
 
+    snprintf(side, sizeof side, "(0 %s)", argument[3]);
     if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argument[0]) ||
+        dem_set(d, "domain/x", side) || dem_set(d, "domain/y", side) ||
         dem_load(d, argument[1]) || dem_setup(d))
     {
         return fail(dem_error_text());
