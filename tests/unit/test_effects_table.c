@@ -1,10 +1,13 @@
 /*
- * effects.csv: a row where effects change, none where they do not; a run that begins earlier replaces what came later; effects
- * found in tables of an earlier version go where their time is.
+ * test_effects_table.c -- effects.csv, the table of effects and the times from which they act.
+ *
+ * - It has a row where effects change, and none where they do not.
+ * - A run that begins earlier replaces the later rows.
+ * - Effects found in tables of an earlier version go where their time is.
+ *
+ * Reference: the text of the file, written by hand.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * Judges: the text of the file, written by hand.
  */
 #include "tap.h"
 
