@@ -47,14 +47,8 @@ static double six_volumes(const double t[3][3])
     return dem_vec_dot(t[first], cross);
 }
 
-/* Bounding box and volume. Returns the size of the sum of all areas with their directions, of the
-   sum of their sizes: 0 when closed. */
-static double measure(struct dem_closed_surface *s)
+static void bound(struct dem_closed_surface *s)
 {
-    struct dem_sum volume;
-    double sum[3] = {0.0, 0.0, 0.0}, sizes = 0.0;
-
-    dem_sum_clear(&volume);
     for (int k = 0; k < 3; k++)
     {
         s->min[k] = INFINITY;
@@ -62,26 +56,58 @@ static double measure(struct dem_closed_surface *s)
     }
     for (size_t t = 0; t < s->n; t++)
     {
-        double ab[3], ac[3], area[3];
-
         for (int c = 0; c < 9; c++)
         {
             s->min[c%3] = fmin(s->min[c%3], s->corner[t][c/3][c%3]);
             s->max[c%3] = fmax(s->max[c%3], s->corner[t][c/3][c%3]);
         }
-        dem_vec_minus(s->corner[t][1], s->corner[t][0], ab);
-        dem_vec_minus(s->corner[t][2], s->corner[t][0], ac);
+    }
+}
+
+/* Volume. Returns the share of the area that is open: over a closed surface the areas A with their
+   directions add up to 0, and the products x A to the volume times the unit tensor. The second
+   finds a straight tube without ends. */
+static double measure(struct dem_closed_surface *s)
+{
+    struct dem_sum volume;
+    double sum[3] = {0.0, 0.0, 0.0}, moment[3][3] = {{0.0}}, sizes = 0.0, extent = 0.0;
+
+    dem_sum_clear(&volume);
+    for (size_t t = 0; t < s->n; t++)
+    {
+        const double (*const x)[3] = (const double (*)[3])s->corner[t];
+        double ab[3], ac[3], area[3];
+
+        dem_vec_minus(x[1], x[0], ab);
+        dem_vec_minus(x[2], x[0], ac);
         dem_vec_cross(ab, ac, area);
         for (int k = 0; k < 3; k++)
         {
+            const double centre = (x[0][k] + x[1][k] + x[2][k])/3.0 - 0.5*(s->min[k] + s->max[k]);
+
+            extent = fmax(extent, s->max[k] - s->min[k]);
             sum[k] += area[k];
+            for (int l = 0; l < 3; l++)
+            {
+                moment[k][l] += centre*area[l];
+            }
         }
         sizes += dem_vec_norm(area);
-        dem_sum_add(&volume, six_volumes((const double (*)[3])s->corner[t]));
+        dem_sum_add(&volume, six_volumes(x));
     }
     dem_sum_normalise(&volume);
     s->volume = fabs(dem_sum_value(&volume))/6.0;
-    return sizes > 0.0 ? dem_vec_norm(sum)/sizes : 1.0;
+
+    double gap = sizes > 0.0 ? dem_vec_norm(sum)/sizes : 1.0;
+    const double mean = (moment[0][0] + moment[1][1] + moment[2][2])/3.0;
+
+    for (int k = 0; sizes > 0.0 && k < 9; k++)
+    {
+        const double closed = k%4 == 0 ? mean : 0.0;
+
+        gap = fmax(gap, fabs(moment[k/3][k%3] - closed)/(sizes*extent));
+    }
+    return gap;
 }
 
 /* ---- grid ------------------------------------------------------------------------------------ */
@@ -183,12 +209,13 @@ int dem_closed_surface_init(struct dem_closed_surface *s, size_t n, double *corn
 {
     s->n = n;
     s->corner = (double (*)[3][3])(void *)corners;
+    bound(s);
     const double gap = measure(s);
 
     DEM_REQUIRE(n > 0 && n < UINT32_MAX && gap <= max_gap && s->volume > 0.0, DEM_ERROR_INPUT,
-                "%s %s of %zu triangles has no inside: its areas add up to %.3g of their sum, the "
-                "limit is %g; the surface must be closed, with all triangles outward",
-                s->what, s->name, n, gap, max_gap);
+                "%s %s of %zu triangles has no inside: it is open by %.3g of its area, the limit "
+                "is %g; the surface must be closed, also at periodic faces, with all triangles "
+                "outward", s->what, s->name, n, gap, max_gap);
     return make_grid(s);
 }
 

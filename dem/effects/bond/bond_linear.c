@@ -110,22 +110,22 @@ static const struct dem_setting settings[] = {
     DEM_SETTING_AS(bond, shear_stiffness, "shearStiffness", "Pa/m", DEM_SETTING_REQUIRED, 0.0,
                    INFINITY, "force per area and slip: shear modulus over length"),
     DEM_SETTING(bond, radius, "1", 1.0, DEM_ABOVE_ZERO, 10.0,
-                "lambda: radius of the bond over that of the smaller partner"),
+                "lambda: radius of the bond over the radius of the smaller partner"),
     DEM_SETTING_CHOICE(
         bond, make, "make", ONCE, makings,
-        "when bonds are made: once at time, always from time on, or once at time for the pairs of the scene's entry bonds"),
+        "when bonds are made: once at time, always from time on, or once at time for the pairs "
+        "in bonds"),
     DEM_SETTING(bond, time, "s", 0.0, 0.0, INFINITY, "at which bonds are made (see make)"),
     DEM_SETTING_AS(bond, make_distance, "makeDistance", "1", 1.001, DEM_ABOVE_ZERO, 10.0,
                    "bonds are made up to this distance of the centres over R_i + R_j"),
     DEM_SETTING(bond, probability, "1", 1.0, 0.0, 1.0, "that a pair within makeDistance is bonded"),
     DEM_SETTING_COUNT(bond, seed, "seed", 1.0, 0.0, 1e15, "of the random numbers of probability"),
     DEM_SETTING_SWITCH(bond, redraw, "redraw", 0,
-                       "probability is drawn anew each time that a pair comes within makeDistance, "
-                       "not once for all times"),
+                       "draw probability again each time a pair comes within makeDistance"),
     DEM_SETTING_SWITCH(bond, walls, "walls", 0, "bonds are also made to walls"),
     DEM_SETTING_CHOICE(bond, contact, "contact", REPLACED, contacts,
-                       "contact laws of a bonded pair: replaced by the bond until it breaks, or "
-                       "acting parallel to it"),
+                       "contact laws of a bonded pair: replaced by the bond, or acting parallel "
+                       "to it"),
     DEM_SETTING_AS(bond, damping_ratio, "dampingRatio", "1", 0.0, 0.0, 1.0,
                    "zeta: viscous damping, 1 is critical for an isolated pair"),
     DEM_SETTING_AS(bond, damping_share, "dampingShare", "1", 0.0, 0.0, 1.0,

@@ -32,10 +32,9 @@ static const struct dem_setting settings[] = {
     DEM_SETTING(dem_dry, restitution, "1", DEM_SETTING_REQUIRED, 0.0, 1.0,
                 "speed after a normal impact over speed before"),
     DEM_SETTING_CHOICE(dem_dry, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
-                       "whether the contact may pull while it opens; none: never, max(F, 0) of spring "
-                       "and dashpot, adhesive springs of the normal law too; clamped, the dashpot never "
-                       "pulls, and restitution is too high: 0.33 for 0.2, 0.55 for 0.5, 0.81 for "
-                       "0.8, 0.90 for 0.9"),
+                       "whether the contact may pull while it opens; clamped: the dashpot never "
+                       "pulls, and restitution is too high, 0.55 for 0.5, 0.81 for 0.8; none: "
+                       "max(F, 0), which removes the adhesion of the normal law, too"),
     {0},
 };
 

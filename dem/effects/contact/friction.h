@@ -25,8 +25,8 @@ struct dem_friction_settings
 
 #define DEM_FRICTION_SWITCHES(type)                                                            \
     DEM_SETTING_SWITCH(type, common.damping, "tangentialDamping", 1,                           \
-                       "damp slip with the damping coefficient of the normal law while the "   \
-                       "contact sticks"),                                                      \
+                       "damping with the coefficient of the normal law while the contact "     \
+                       "sticks"),                                                              \
     DEM_SETTING_SWITCH(type, common.adhesion, "adhesion", 1,                                   \
                        "count adhesion in the friction limit: mu (F_n + 2 F_c) with jkr, mu "  \
                        "(F_n + k_c d) with hookeHysteresis")

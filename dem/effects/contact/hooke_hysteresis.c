@@ -54,12 +54,12 @@ static const struct dem_setting settings[] = {
                 "and impactSpeed"),
     DEM_SETTING_AS(
         dem_hooke_hysteresis, impact_speed, "impactSpeed", "m/s", 1.0, DEM_ABOVE_ZERO, INFINITY,
-        "without stiffness: k such that first loading in an impact at this speed has the "
-        "largest overlap of hertz"),
+        "without stiffness: k such that an impact at this speed has the largest overlap of "
+        "hertz"),
     DEM_SETTING(dem_hooke_hysteresis, unloading, "1", DEM_SETTING_REQUIRED, 1.0, 1e6,
-                "k_m/k: largest stiffness of unloading over that of loading; 1: no hysteresis"),
+                "k_m/k: largest stiffness of unloading over loading; 1: no hysteresis"),
     DEM_SETTING(dem_hooke_hysteresis, adhesion, "1", 0.0, 0.0, 1e6,
-                "k_c/k: stiffness of the adhesive branch over that of loading; 0: no adhesion"),
+                "k_c/k: stiffness of the adhesive branch over loading; 0: no adhesion"),
     DEM_SETTING_AS(dem_hooke_hysteresis, depth, "plasticDepth", "1", 0.05, 0.0, 1.0,
                    "phi: overlap over 2 R* at which yielding ends"),
     {0},

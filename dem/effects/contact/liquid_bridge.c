@@ -75,16 +75,14 @@ static const struct dem_setting settings[] = {
     DEM_SETTING(bridge, viscosity, "Pa s", 0.0, 0.0, INFINITY,
                 "of the liquid; 0: no viscous force"),
     DEM_SETTING(bridge, roughness, "m", 0.0, 0.0, INFINITY,
-                "height of the asperities: the smallest film thickness of the viscous force, which "
-                "needs it"),
+                "height of the asperities: the thinnest film; viscosity needs it"),
     DEM_SETTING_AS(bridge, max_volume, "maxVolume", "1", 0.05, DEM_ABOVE_ZERO, 0.1,
                    "largest volume of a bridge over R^3 of the smaller particle; a larger one "
                    "widens the pair search"),
     DEM_SETTING_AS(bridge, min_volume, "minVolume", "m3", 0.0, 0.0, INFINITY,
                    "smaller bridges do not form"),
     DEM_SETTING_CHOICE(bridge, contact, "contact", RESTS, contacts,
-                       "whether the viscous force acts while surfaces touch; acting, it dissipates "
-                       "more the longer the contact lasts"),
+                       "whether the viscous force acts while surfaces touch"),
     {0},
 };
 

@@ -63,17 +63,17 @@ static const char *const contacts[] = {"acts", "rests", NULL};
 
 static const struct dem_setting settings[] = {
     DEM_SETTING(lubrication, viscosity, "Pa s", 0.0, 0.0, INFINITY,
-                "of the fluid in the gap; 0: that of the coupled fluid"),
+                "of the fluid in the gap; 0: of the run's fluid"),
     DEM_SETTING(lubrication, roughness, "m", DEM_SETTING_REQUIRED, DEM_ABOVE_ZERO, INFINITY,
-                "height of the asperities: the smallest film thickness"),
+                "height of the asperities: the thinnest film"),
     DEM_SETTING_AS(lubrication, cut_off, "cutOff", "m", DEM_SETTING_REQUIRED, DEM_ABOVE_ZERO,
                    INFINITY,
-                   "gap beyond which the force is zero; choose it much smaller than the radius "
-                   "(where the law holds) and much larger than roughness"),
+                   "gap beyond which the force is zero; much smaller than the radius, much "
+                   "larger than roughness"),
     DEM_SETTING_CHOICE(
         lubrication, contact, "contact", RESTS, contacts,
-        "whether the film acts while surfaces touch; acting, it dissipates more the "
-        "longer the contact lasts, all of the speed where particles are softer than real"),
+        "whether the film acts while surfaces touch; it then stops particles that are softer "
+        "than real"),
     {0},
 };
 

@@ -52,8 +52,8 @@ static const struct dem_setting settings[] = {
               "K: k_r over k_n R*^2; 0: such that k_r = k_t R*^2 with k_t of mindlin. Ai et al.: "
               "2.25 friction^2"),
     DEM_SETTING(dem_rolling_spring, damping, "1", 0.3, 0.0, 1.0,
-              "zeta: damping ratio of rolling oscillations on a plane, 1 is critical; with 0 a "
-              "grain at rest rocks for long"),
+              "zeta: damping ratio of rolling oscillations on a plane, 1 is critical; with 0 "
+              "grains rock for long"),
     {0},
 };
 

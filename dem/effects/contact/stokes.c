@@ -59,22 +59,19 @@ static const struct dem_setting settings[] = {
                 "e_max: restitution without fluid"),
     DEM_SETTING(dem_stokes, beta, "1", 35.0, 0.0, 1e6, "ln e = ln e_max - beta/St"),
     DEM_SETTING(dem_stokes, viscosity, "Pa s", 0.0, 0.0, INFINITY,
-                "of the fluid in the gap; 0: that of the coupled fluid"),
+                "of the fluid in the gap; 0: of the run's fluid"),
     DEM_SETTING_AS(dem_stokes, added_mass, "addedMass", "1", -1.0, 0.0, 10.0,
-                   "C_M: each particle has the mass m + C_M rho_f V in St; 0: none; -1, not given: "
-                   "0.5 as in the fit of beta where rho_f is known, none where it is not; with "
-                   "virtualMass its own"),
+                   "C_M: mass m + C_M rho_f V in St; -1, not given: 0.5 where rho_f is known, "
+                   "as in the fit of beta; with virtualMass its own"),
     DEM_SETTING_AS(dem_stokes, fluid_density, "fluidDensity", "kg/m3", 0.0, 0.0, INFINITY,
-                   "rho_f for addedMass; 0: that of the run's fluid"),
+                   "rho_f for addedMass; 0: of the run's fluid"),
     DEM_SETTING_CHOICE(
         dem_stokes, speed, "speed", DEM_STOKES_IMPACT, speeds,
-        "v in St: of the first contact, or for comparison instantaneous as in "
-        "LIGGGHTS, where restitution becomes 0.08 for 0.48 at St = 50, 0.55 for 0.68 "
-        "at 100 and 0.956 for 0.937 at 1000"),
+        "v in St: of the first contact, or instantaneous as in LIGGGHTS, where restitution "
+        "becomes 0.55 for 0.68 at St = 100"),
     DEM_SETTING_CHOICE(dem_stokes, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
-                       "whether the contact may pull while it opens; none: never; clamped, the dashpot "
-                       "never pulls, and restitution "
-                       "is too high: 0.20 for 0.03, 0.54 for 0.48, 0.70 for 0.68"),
+                       "as for dry; clamped, restitution is too high: 0.54 for 0.48, 0.70 for "
+                       "0.68"),
     {0},
 };
 

@@ -48,11 +48,9 @@ static const char *const means[] = {"given", "around", NULL};
 
 static const struct dem_setting settings[] = {
     DEM_SETTING_AS(beetstra, mean_diameter, "meanDiameter", "m", 0.0, 0.0, INFINITY,
-                 "Sauter mean of the mixture, sum d^3/sum d^2; 0: the diameter of the particle "
-                 "itself"),
+                 "Sauter mean of the mixture, sum d^3/sum d^2; 0: the particle's own diameter"),
     DEM_SETTING_CHOICE(beetstra, mean, "mean", GIVEN, means,
-                     "given: meanDiameter; around: the Sauter mean of the surrounding particles, "
-                     "with the kernel of the coupling"),
+                     "meanDiameter, or the Sauter mean of the surrounding particles"),
     {0},
 };
 

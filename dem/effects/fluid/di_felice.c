@@ -40,7 +40,8 @@ const struct dem_effect dem_di_felice = {
     .name = "diFelice",
     .aliases = "DiFelice DiFeliceDrag",
     .summary =
-        "drag from packed to dilute, that of a single sphere times a power of the void fraction that depends on Re",
+        "drag from packed to dilute, single sphere times a power of the void fraction that "
+        "depends on Re",
     .source = "Di Felice 1994; Dallavalle 1948",
     .stage = DEM_STAGE_FLUID,
     .parcels = DEM_PARCELS_GRAINS,

@@ -46,7 +46,7 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
 const struct dem_effect dem_wen_yu = {
     .name = "wenYu",
     .aliases = "WenYuDrag",
-    .summary = "drag in a suspension, e^-2.65 times that of a single sphere",
+    .summary = "drag in a suspension, e^-2.65 times the drag on a single sphere",
     .source = "Wen and Yu 1966",
     .stage = DEM_STAGE_FLUID,
     .parcels = DEM_PARCELS_GRAINS,

@@ -47,9 +47,8 @@ static const double max_overlap = 0.01, max_contacts = 12.0;
 
 static const struct dem_setting settings[] = {
     DEM_SETTING_CHOICE(conduction, area, "area", AREA_FORCE, areas,
-                       "contact radius of the real material where realModulus is above "
-                       "youngsModulus: under the same force, in an impact of the same speed, or at "
-                       "the same overlap (no correction)"),
+                       "with realModulus, contact radius of the real material: under the same "
+                       "force, in an impact at the same speed, or uncorrected"),
     {0},
 };
 
