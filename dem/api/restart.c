@@ -276,19 +276,13 @@ static int check_periodic(const struct dem *d)
 
 /* ---- groups ---------------------------------------------------------------------------------- */
 
-/* A snapshot without a scene has all groups. */
-static int is_inserted(const struct dem *d, const char *mark, const char *name)
-{
-    return !d->before.text || has_mark(d->before.text, mark, name);
-}
-
 /* A group that an edit of the scene has left out for a while. */
 static int tell_of_return(struct dem *d, const char *group)
 {
     char path[128];
 
     snprintf(path, sizeof path, "insert/%s {}", group);
-    return !d->before.text || has_mark(d->before.text, path, "")
+    return has_mark(d->before.text, path, "")
              ? DEM_OK
              : dem_api_note(d, "restart: insert/%s is back in the scene: its particles were inserted "
                             "before, and are not inserted again", group);
@@ -300,13 +294,13 @@ static int keep_new_groups(struct dem *d)
     {
         const char *const name = dem_insert_name(&d->scene.insertion, k - 1);
 
-        if (is_inserted(d, group_mark, name))
+        if (has_mark(d->before.text, group_mark, name))
         {
             DEM_TRY(tell_of_return(d, name));
             dem_insert_drop(&d->scene.insertion, k - 1);
         }
     }
-    if (d->initial.n > 0 && is_inserted(d, program_mark, ""))
+    if (d->initial.n > 0 && has_mark(d->before.text, program_mark, ""))
     {
         dem_initial_particles_release(&d->initial);
     }
@@ -320,16 +314,8 @@ int dem_api_compare_scene(struct dem *d)
     {
         return DEM_OK;    /* particles for another run */
     }
-    if (d->before.text)
-    {
-        DEM_TRY(check_periodic(d));
-        DEM_TRY(compare(d));
-        DEM_TRY(dem_api_resume_walls(d));
-    }
-    else
-    {
-        DEM_TRY(dem_api_note(d, "restart: %s has no scene to compare with: changes of the scene are "
-                             "not told, and no group of insert is inserted", d->load_path));
-    }
+    DEM_TRY(check_periodic(d));
+    DEM_TRY(compare(d));
+    DEM_TRY(dem_api_resume_walls(d));
     return keep_new_groups(d);
 }

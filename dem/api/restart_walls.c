@@ -77,11 +77,11 @@ static int keeps_facets(const struct dem *d, const struct dem_wall *of,
 int dem_api_map_facets(struct dem *d, struct dem_snapshot_facets *map)
 {
     const struct dem_walls *const w = &d->state.walls;
-    int changes = d->before.text && d->before.tail.walls != w->walls;
+    int changes = d->before.tail.walls != w->walls;
     int64_t facets = 0;
 
     *map = (struct dem_snapshot_facets){.n = 0};
-    for (int k = 0; d->before.text && k < w->walls; k++)
+    for (int k = 0; k < w->walls; k++)
     {
         const struct dem_snapshot_wall *const was = find_wall(&d->before, k, w->wall[k].name);
         const int keeps = keeps_facets(d, &w->wall[k], was);

@@ -7,7 +7,6 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/file.h"
-#include "output/effects_table.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -25,46 +24,21 @@ static double number(const char *line, int column)
     return line ? strtod(line, NULL) : 1e300;
 }
 
-/* A comment with the effects, as the tables of earlier versions have it above their columns and
-   where a restart changed them: the names in it, else NULL. */
-static const char *effects_in(const char *line)
+/* Write the names of the columns and the rows up to a time. */
+static int rewrite(const char *path, char *text, int column, double until)
 {
-    static const char words[] = "# effects: ";
-
-    return strncmp(line, words, sizeof words - 1) == 0 ? line + sizeof words - 1 : NULL;
-}
-
-/* Write the names of the columns and the rows up to a time. Effects in comments go to effects.csv,
-   from the row below them on. */
-static int rewrite(const char *path, char *text, int column, double until, const char *folder)
-{
-    const char *effects = NULL;
     struct dem_file f;
-    int head = 1, status = DEM_OK;
 
     DEM_TRY(dem_file_begin(&f, path));
-    for (char *line = text, *end; !status && (end = strchr(line, '\n')); line = end + 1)
+    for (char *line = text, *end; (end = strchr(line, '\n')); line = end + 1)
     {
         *end = 0;
-        if (line[0] == '#')
-        {
-            effects = effects_in(line) ? effects_in(line) : effects;
-            continue;
-        }
-        const double time = head ? until : number(line, column);
-
-        if (head || time <= until)
+        if (line == text || number(line, column) <= until)
         {
             fprintf(f.stream, "%s\n", line);
         }
-        if (!head && time <= until && effects)
-        {
-            status = dem_effects_table_add(folder, time, effects);
-            effects = NULL;
-        }
-        head = 0;
     }
-    return dem_file_finish(&f, status);
+    return dem_file_finish(&f, DEM_OK);
 }
 
 void dem_table_name(struct dem_table *t, const char *folder, const char *file, double start)
@@ -100,7 +74,7 @@ int dem_table_begin(const struct dem_table *t, const struct dem *d, int time_col
     {
         DEM_TRY(dem_file_load(t->path, &text, &n));
         /* times are written with 10 digits */
-        const int status = rewrite(t->path, text, time_column, t->start*(1.0 + 1e-9), t->folder);
+        const int status = rewrite(t->path, text, time_column, t->start*(1.0 + 1e-9));
 
         dem_memory_free(text);
         return status ? status : dem_effects_record(d, t->folder, t->start);

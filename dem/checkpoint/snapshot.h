@@ -11,7 +11,7 @@
  *   3. contacts with history: ids and history
  *   4. data of the caller: averages, then the scene (snapshot_scene.h)
  *
- * Columns, history and materials are matched by name when loading (checkpoint/stored_names.h); data of the file that the scene
+ * Columns, history and materials are matched by name when loading; data of the file that the scene
  * does not use are ignored. No rank holds more than its slice of the file: blocks are packed,
  * summed and written one after the other.
  *

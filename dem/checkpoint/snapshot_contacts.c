@@ -19,7 +19,6 @@
 #include "core/memory.h"
 #include "core/sort.h"
 #include "checkpoint/snapshot_validate.h"
-#include "checkpoint/stored_names.h"
 #include "parallel/collect.h"
 #include "parallel/sparse_exchange.h"
 #include <stdlib.h>
@@ -262,7 +261,7 @@ static int load_contact(struct dem_contacts *c, const struct dem_snapshot_header
 
         for (int m = 0; m < r->history_columns; m++)
         {
-            history[m] = dem_is_stored_as(r->history_name[m], stored) ? packed[k] : history[m];
+            history[m] = strcmp(r->history_name[m], stored) == 0 ? packed[k] : history[m];
         }
     }
     return dem_contact_history_append(&c->history, &name, history);

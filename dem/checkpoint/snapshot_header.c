@@ -117,12 +117,9 @@ static int read_header(struct dem_parallel_file *s, struct dem_snapshot_header *
     DEM_TRY(s->status);
     DEM_REQUIRE(h->order == dem_snapshot_order, DEM_ERROR_FILE,
                 "%s was written on a machine of another byte order, or is damaged", s->path);
-    DEM_REQUIRE(
-        h->version == DEM_SNAPSHOT_VERSION || h->version == DEM_SNAPSHOT_WITHOUT_SCENE,
-        DEM_ERROR_FILE,
-        "%s is of version %llu, this program reads versions %d and %d; write it again with this "
-        "program", s->path, (unsigned long long)h->version, DEM_SNAPSHOT_WITHOUT_SCENE,
-        DEM_SNAPSHOT_VERSION);
+    DEM_REQUIRE(h->version == DEM_SNAPSHOT_VERSION, DEM_ERROR_FILE,
+                "%s is of version %llu, this program reads version %d; write it again with this "
+                "program", s->path, (unsigned long long)h->version, DEM_SNAPSHOT_VERSION);
     const uint64_t sum = dem_snapshot_header_checksum(h);
 
     DEM_REQUIRE(

@@ -15,7 +15,6 @@
 #include "core/hash.h"
 #include "checkpoint/snapshot_scene.h"
 #include "checkpoint/snapshot_validate.h"
-#include "checkpoint/stored_names.h"
 #include <fenv.h>
 #include <math.h>
 #include <string.h>
@@ -108,7 +107,7 @@ static int map_materials(const char *path, const struct dem_snapshot_header *h,
     return DEM_OK;
 }
 
-/* Match columns by their stored names: a column of the scene that is not in the file stays zero. `packed`
+/* Match columns by name: a column of the scene that is not in the file stays zero. `packed`
    (the file) and `own` (this run) point behind the record. */
 static void load_columns(const struct dem_particles *p, const struct dem_snapshot_header *h,
                          const double *packed, double *own)
@@ -123,7 +122,7 @@ static void load_columns(const struct dem_particles *p, const struct dem_snapsho
         {
             if (p->column[k].data)
             {
-                if (dem_is_stored_as(p->column[k].name, stored) && p->column[k].width == width)
+                if (strcmp(p->column[k].name, stored) == 0 && p->column[k].width == width)
                 {
                     memcpy(at, packed, (size_t)width*sizeof *at);
                 }

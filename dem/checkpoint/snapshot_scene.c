@@ -69,10 +69,6 @@ int dem_snapshot_scene_size(struct dem_parallel_file *file, const struct dem_sna
 
     *t = (struct dem_snapshot_scene_tail){.walls = 0};
     *size = 0;
-    if (h->version == DEM_SNAPSHOT_WITHOUT_SCENE)
-    {
-        return DEM_OK;
-    }
     if (all >= sizeof *t)
     {
         dem_parallel_file_read(file, dem_snapshot_caller_data_offset(h) + all - sizeof *t, t,
@@ -145,7 +141,7 @@ static int read_parts(const char *path, struct dem_snapshot_scene *s)
     DEM_TRY(dem_snapshot_open(&file, &(const struct dem_file_ranks){.comm = MPI_COMM_NULL}, path,
                               &h));
     file.status = dem_snapshot_scene_size(&file, &h, &s->tail, &size);
-    if (!file.status && size > 0)
+    if (!file.status)
     {
         const size_t at = dem_snapshot_caller_data_offset(&h) + (size_t)h.caller_data - size;
 
@@ -154,10 +150,8 @@ static int read_parts(const char *path, struct dem_snapshot_scene *s)
         dem_parallel_file_read(&file, at, s->wall, wall_bytes(&s->tail));
         dem_parallel_file_read(&file, at + wall_bytes(&s->tail), s->text, text_bytes(&s->tail));
     }
-    const int read = size > 0;
-
     DEM_TRY(dem_parallel_file_close(&file));
-    return read ? check(path, s) : DEM_OK;
+    return check(path, s);
 }
 
 static int broadcast(const struct dem_decomposition *q, struct dem_snapshot_scene *s)
@@ -167,10 +161,6 @@ static int broadcast(const struct dem_decomposition *q, struct dem_snapshot_scen
         return DEM_OK;
     }
     DEM_TRY_MPI(MPI_Bcast(&s->tail, (int)sizeof s->tail, MPI_BYTE, 0, q->comm));
-    if (s->tail.text == 0)
-    {
-        return DEM_OK;
-    }
     int status = q->rank > 0 ? DEM_NEW(s->wall, s->tail.walls + 1) : DEM_OK;
 
     status = status || q->rank == 0 ? status : DEM_NEW(s->text, s->tail.text);

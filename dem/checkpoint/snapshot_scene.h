@@ -8,8 +8,6 @@
  *   2. text: lines, filled with zeros to whole 8-byte words
  *   3. struct dem_snapshot_scene_tail, stored raw: the sizes of 1 and 2
  *
- * Snapshots of version 5 do not have it.
- *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_CHECKPOINT_SNAPSHOT_SCENE_H
@@ -43,8 +41,8 @@ struct dem_snapshot_scene
 {
     struct dem_snapshot_scene_tail tail;
     struct dem_snapshot_wall *wall;
-    char *text;                   /* NULL: the snapshot has no scene. Lines of dem_dict_flatten,
-                                     and one for each group that was inserted */
+    char *text;                   /* lines of dem_dict_flatten, and one for each group that
+                                     was inserted */
 };
 
 void dem_snapshot_scene_free(struct dem_snapshot_scene *);

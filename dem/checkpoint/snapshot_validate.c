@@ -7,7 +7,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "checkpoint/snapshot_validate.h"
-#include "checkpoint/stored_names.h"
 #include "core/error.h"
 #include "core/vec.h"
 #include "insertion/initial_particles.h"
@@ -77,7 +76,7 @@ static int report_not_finite(const char *path, const struct dem_snapshot_header 
     DEM_TRY(check_finite(path, "the unused number", "", p, &p->unused, 1));
     for (int64_t c = 0; c < h->columns; c++)
     {
-        DEM_TRY(check_finite(path, dem_name_of_stored(h->list[h->materials + c].name), "", p, at,
+        DEM_TRY(check_finite(path, h->list[h->materials + c].name, "", p, at,
                              (int)h->list[h->materials + c].width));
         at += h->list[h->materials + c].width;
     }
@@ -182,7 +181,7 @@ int dem_snapshot_validate_contact(const char *path, const struct dem_snapshot_he
     memcpy(&name, packed, sizeof name);
     for (int64_t m = 0; m < h->memories; m++)
     {
-        const char *const what = dem_name_of_stored(h->list[h->materials + h->columns + m].name);
+        const char *const what = h->list[h->materials + h->columns + m].name;
 
         DEM_REQUIRE(isfinite(history[m]) || name.high < 0, DEM_ERROR_FILE,
                     "%s is damaged: the contact of particles %lld and %lld "

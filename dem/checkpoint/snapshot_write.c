@@ -11,7 +11,6 @@
 #include "core/memory.h"
 #include "core/hash.h"
 #include "checkpoint/snapshot_header.h"
-#include "checkpoint/stored_names.h"
 #include "parallel/collect.h"
 #include <string.h>
 
@@ -49,14 +48,12 @@ static void describe(struct dem_snapshot_header *h, const struct dem_snapshot *s
     {
         if (p->column[c].data)
         {
-            list_name(h, h->materials + h->columns++, dem_stored_name(p->column[c].name),
-                      p->column[c].width);
+            list_name(h, h->materials + h->columns++, p->column[c].name, p->column[c].width);
         }
     }
     for (int m = 0; m < r->history_columns; m++)
     {
-        list_name(h, h->materials + h->columns + h->memories++, dem_stored_name(r->history_name[m]),
-                  1);
+        list_name(h, h->materials + h->columns + h->memories++, r->history_name[m], 1);
     }
 }
 

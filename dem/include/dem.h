@@ -593,8 +593,7 @@ void dem_table_name(struct dem_table *, const char *folder, const char *file, do
 
 /* Before the first row: what an earlier run may have left. The file is removed if the run starts at
    0 or time_column is negative; else the rows with a time after the start are, the number in
-   time_column (from 0). Comments of earlier versions, which name the effects, are moved into
-   effects.csv. */
+   time_column (from 0). */
 int dem_table_begin(const struct dem_table *, const struct dem *, int time_column);
 
 /* Append lines, each with its line's end. A new table gets the line `columns`. The folder is made,

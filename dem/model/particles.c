@@ -1,8 +1,6 @@
 /*
  * particles.c -- grows, copies, reorders and packs the records and columns of particles.
  *
- * Snapshots match columns by name: a renamed column needs a row in checkpoint/stored_names.c.
- *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "model/particles.h"

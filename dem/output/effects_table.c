@@ -1,5 +1,5 @@
 /*
- * effects_table.c -- write effects.csv anew with one more row in its place.
+ * effects_table.c -- write effects.csv anew with one more row.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -24,11 +24,12 @@ static void add_row(struct dem_text *t, const char **last, double time, const ch
     *last = effects;
 }
 
-/* The old rows before `end` with the new one among them: behind those of its time and before. */
-static void merge(struct dem_text *t, char *old, double end, double time, const char *effects)
+/* The old rows before `time`, then the new one. */
+static void merge(struct dem_text *t, char *old, double time, const char *effects)
 {
+    /* times are written with 10 digits */
+    const double end = time - 1e-9*fabs(time);
     const char *last = NULL;
-    int added = 0;
 
     dem_text_add(t, "%s\n", head);
     for (char *line = old, *next; line && *line; line = next)
@@ -40,21 +41,12 @@ static void merge(struct dem_text *t, char *old, double end, double time, const 
         }
         char *const names = strchr(line, ',');
 
-        if (strcmp(line, head) == 0 || !names || strtod(line, NULL) >= end)
+        if (strcmp(line, head) != 0 && names && strtod(line, NULL) < end)
         {
-            continue;
+            add_row(t, &last, strtod(line, NULL), names + 1);
         }
-        if (!added && strtod(line, NULL) > time)
-        {
-            add_row(t, &last, time, effects);
-            added = 1;
-        }
-        add_row(t, &last, strtod(line, NULL), names + 1);
     }
-    if (!added)
-    {
-        add_row(t, &last, time, effects);
-    }
+    add_row(t, &last, time, effects);
 }
 
 static int write_anew(const char *path, const struct dem_text *t)
@@ -66,7 +58,7 @@ static int write_anew(const char *path, const struct dem_text *t)
     return dem_file_finish(&f, DEM_OK);
 }
 
-static int enter(const char *folder, double end, double time, const char *effects)
+int dem_effects_table_begin(const char *folder, double time, const char *effects)
 {
     struct dem_text path = {0}, t = {0};
     char *old = NULL;
@@ -80,22 +72,11 @@ static int enter(const char *folder, double end, double time, const char *effect
     }
     if (!status)
     {
-        merge(&t, old, end, time, effects);
+        merge(&t, old, time, effects);
         status = t.status ? t.status : write_anew(path.text, &t);
     }
     dem_memory_free(old);
     dem_text_free(&t);
     dem_text_free(&path);
     return status;
-}
-
-int dem_effects_table_add(const char *folder, double time, const char *effects)
-{
-    return enter(folder, INFINITY, time, effects);
-}
-
-int dem_effects_table_begin(const char *folder, double time, const char *effects)
-{
-    /* times are written with 10 digits */
-    return enter(folder, time - 1e-9*fabs(time), time, effects);
 }

@@ -13,11 +13,9 @@
 #ifndef DEM_OUTPUT_EFFECTS_TABLE_H
 #define DEM_OUTPUT_EFFECTS_TABLE_H
 
-/* Enter the effects (names, separated by spaces) that act from a time [s] on into
-   FOLDER/effects.csv. Rows are in the order of their times, and one that repeats the effects of the
-   row above is left out. dem_effects_table_begin: a run begins at this time, so that rows of an
-   earlier one from then on are removed. By one rank. */
-int dem_effects_table_add(const char *folder, double time, const char *effects);
+/* Enter the effects (names, separated by spaces) of a run that begins at this time [s] into
+   FOLDER/effects.csv. Rows of an earlier run from then on are removed, and a row that repeats the
+   effects of the row above is left out. By one rank. */
 int dem_effects_table_begin(const char *folder, double time, const char *effects);
 
 #endif

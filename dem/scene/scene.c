@@ -231,7 +231,7 @@ static int read_parcels(struct dem_interaction_table *r, const struct dem_dict *
 static int read_time(struct dem_scene *s, const struct dem_dict *scene)
 {
     const struct dem_dict *dict;
-    const char *step, *precision;
+    const char *step;
 
     s->max_overlap = 0.5;
     s->max_start_overlap = 0.05;
@@ -256,11 +256,6 @@ static int read_time(struct dem_scene *s, const struct dem_dict *scene)
                 "%s: maxSpeed %g m/s; give a number above 0, or leave it out", dem_dict_where(dict),
                 s->max_speed);
     DEM_TRY(dem_dict_switch_or(dict, "force", false, &s->force));
-    DEM_TRY(dem_dict_word_or(dict, "precision", "double", &precision));
-    /* mixed: of earlier versions */
-    DEM_REQUIRE(strcmp(precision, "mixed") == 0 || strcmp(precision, "double") == 0,
-                DEM_ERROR_INPUT, "%s: precision %s; give double, or leave it out",
-                dem_dict_where(dict), precision);
     DEM_TRY(dem_dict_word_or(dict, "step", "auto", &step));
     if (strcmp(step, "auto") != 0)
     {

@@ -15,7 +15,7 @@
  *     bonds     { pairs (ID ID ...); }                         for an effect with listed bonds
  *     fluid     { velocity; density; viscosity; voidFraction; pressureGradient; }
  *                                                              uniform, without a coupled solver
- *     time      { end; step auto|NUMBER; maxOverlap; maxSpeed; force; precision; }
+ *     time      { end; step auto|NUMBER; maxOverlap; maxSpeed; force; }
  *     neighbours{ outerSkin; innerSkin; }
  *     averages  { NAME { min; max; cells; start; end; interval; } }
  *     write     { ... }                                        read by the program
