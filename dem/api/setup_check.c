@@ -11,6 +11,7 @@
  */
 #include "api/internal.h"
 #include "core/error.h"
+#include "model/wall_periods.h"
 #include <float.h>
 #include <math.h>
 

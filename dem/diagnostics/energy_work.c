@@ -41,12 +41,14 @@ static void wall_work(struct dem_state *p, double span, int ahead)
         {
             const struct dem_pair *const q = dem_contacts_pair(c, r);
             const double *const f = dem_contacts_wall_force(c, r)->f;
+            const struct dem_wall_touch *const at = &p->touches.touch[q->j];
+            const int facet = dem_pairs_facet(&p->pairs, q->j);
 
-            dem_wall_surface_motion(&p->walls, dem_pairs_facet(&p->pairs, q->j), &p->touches.touch[q->j],
-                                    ahead, &wall);
-            if (dem_wall_surface_follows_mesh(p, q->j))
+            dem_wall_surface_motion(&p->walls, facet, at, ahead, &wall);
+            if (dem_wall_surface_follows_mesh(&p->walls, facet))
             {
-                dem_wall_surface_add_mesh_motion(p, q->j, p->dt, &wall);
+                dem_wall_surface_add_mesh_motion(&p->walls, &p->pairs.wall_search, q->j,
+                                                 p->particles.record[q->i].x, at, p->dt, &wall);
             }
             const double turning = c->forces.moments ? dem_vec_dot(dem_contacts_wall_moment(c, r)->m,
                                                                    wall.spin)

@@ -20,7 +20,6 @@
 
 #include "model/periodic_image.h"
 #include "model/particles.h"
-#include "model/walls.h"
 #include <stdalign.h>
 
 struct dem_domain
@@ -59,16 +58,6 @@ int dem_domain_project_all(const struct dem_domain *, struct dem_particles *);
 
 /* Set velocities across flat axes and spins out of the plane to zero. */
 void dem_domain_constrain(const struct dem_domain *, struct dem_particles *);
-
-/* Before walls are finished: their triangles get periodic images. `reach` [m]: a particle is compared
-   with what is that near. */
-void dem_domain_make_walls_periodic(const struct dem_domain *, double reach, struct dem_walls *);
-
-/* DEM_ERROR_INPUT for a wall that comes nearer than a particle's radius [m] to a periodic face and
-   that has no images there: a plane, cylinder or sphere that does not run straight through the face;
-   triangles that rotate about another axis; a surface that is longer than the period and does not
-   run straight through it. */
-int dem_domain_check_walls(const struct dem_domain *, const struct dem_walls *, double radius);
 
 /* 1 when the position lies inside along all bounded axes, and within 1024 boxes along periodic
    ones. */

@@ -1,11 +1,10 @@
 /*
- * scalar_entry.c -- read values of particle scalars of particles and walls.
+ * scalar_entry.c -- read values of particle scalars.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "model/scalar_entry.h"
 #include "core/error.h"
-#include "core/memory.h"
 #include "effects/effects.h"
 #include <math.h>
 #include <stdio.h>
@@ -35,9 +34,8 @@ static bool has_scalar(const struct dem_effect *effect, enum dem_stage last, con
     return false;
 }
 
-/* Refuse the name of a scalar that no effect of the scene has, with those that have it. */
-static int refuse_unused(const struct dem_dict *dict, const struct dem_interaction_table *r,
-                         enum dem_stage last)
+int dem_scalar_refuse_unused(const struct dem_dict *dict, const struct dem_interaction_table *r,
+                             enum dem_stage last)
 {
     for (size_t k = 0; k < dem_dict_count(dict); k++)
     {
@@ -103,7 +101,7 @@ static int read_entry(const struct dem_dict *dict, const struct dem_scalar *s,
 int dem_scalar_entries_read(const struct dem_dict *dict, const struct dem_interaction_table *r,
                             int required, struct dem_scalar_entry entry[DEM_SCALARS])
 {
-    DEM_TRY(refuse_unused(dict, r, DEM_STAGES));
+    DEM_TRY(dem_scalar_refuse_unused(dict, r, DEM_STAGES));
     for (int k = 0; k < r->scalars; k++)
     {
         const struct dem_scalar *const s = r->scalar[k];
@@ -133,64 +131,5 @@ int dem_scalar_entries_parcel_ratio(const struct dem_interaction_table *r,
     DEM_REQUIRE(!r->parcels.used || e->min == e->max, DEM_ERROR_INPUT,
                 "%s: parcelRatio from %g to %g; give one number, by which the diameters of the "
                 "grains are multiplied", where, e->min, e->max);
-    return DEM_OK;
-}
-
-/* ---- walls ----------------------------------------------------------------------------------- */
-
-static int read_condition(const struct dem_dict *dict, const struct dem_interaction_table *r, int k,
-                          struct dem_wall_scalar *w)
-{
-    const bool value = dem_dict_has(dict, "value"), flux = dem_dict_has(dict, "flux"),
-               film = dem_dict_has(dict, "film");
-
-    DEM_REQUIRE((value && !flux) || (flux && !value && !film), DEM_ERROR_INPUT,
-                "%s: %s: give value, or value and film, or flux", dem_dict_where(dict),
-                dem_dict_path(dict));
-    DEM_REQUIRE(!value || !(r->scalar[k]->flags & DEM_SCALAR_AMOUNT), DEM_ERROR_INPUT,
-                "%s: %s: a wall has no %s of its own; give flux, in %s per m2 and s",
-                dem_dict_where(dict), dem_dict_path(dict), r->scalar[k]->name, r->scalar[k]->unit);
-    DEM_TRY(dem_dict_number_or(dict, "value", r->scalar[k]->unit, 0.0, &w->value));
-    DEM_TRY(dem_dict_number_or(dict, "flux", "per m2 and s", 0.0, &w->flux));
-    DEM_TRY(dem_dict_number_or(dict, "film", "per m2 and s", 0.0, &w->film));
-    DEM_TRY(dem_dict_number_or(dict, "start", "s", -INFINITY, &w->start));
-    DEM_TRY(dem_dict_number_or(dict, "end", "s", INFINITY, &w->end));
-    DEM_REQUIRE(w->film >= 0.0, DEM_ERROR_INPUT, "%s: %s: film %g; give a number of 0 or more",
-                dem_dict_where(dict), dem_dict_path(dict), w->film);
-    DEM_REQUIRE(w->start < w->end, DEM_ERROR_INPUT, "%s: %s: start %g s is not before end %g s",
-                dem_dict_where(dict), dem_dict_path(dict), w->start, w->end);
-    w->given = value && !film;
-    return value ? dem_scalar_require(r, k, w->value, dem_dict_where(dict)) : DEM_OK;
-}
-
-int dem_scalar_wall_read(const struct dem_dict *dict, const struct dem_interaction_table *r,
-                         struct dem_wall *wall)
-{
-    const struct dem_dict *sub;
-
-    /* what a wall gives is a rate of a contact */
-    DEM_TRY(refuse_unused(dict, r, DEM_STAGE_SCALAR));
-    for (int k = 0; k < r->scalars; k++)
-    {
-        const unsigned of_contacts = DEM_SCALAR_PARTNERS | DEM_SCALAR_RATE;
-
-        sub = NULL;
-        DEM_TRY(r->scalar[k]->fluid_entry || !(r->scalar[k]->flags & of_contacts)
-                    ? DEM_OK
-                    : dem_dict_sub_if(dict, r->scalar[k]->name, &sub));
-        if (!sub)
-        {
-            continue;
-        }
-        if (!wall->scalars)
-        {
-            DEM_TRY(DEM_NEW(wall->scalars, r->scalars));
-            for (int m = 0; m < r->scalars; m++)
-            {
-                wall->scalars[m].end = -INFINITY;
-            }
-        }
-        DEM_TRY(read_condition(sub, r, k, &wall->scalars[k]));
-    }
     return DEM_OK;
 }

@@ -1,11 +1,10 @@
 /*
- * scalar_entry.h -- values of particle scalars in the entries of a scene: particles and walls.
+ * scalar_entry.h -- values of particle scalars in the entries of a scene.
  *
  *     temperature 300;                         of all particles of a group, stream or snapshot
  *     temperature { min 290; max 310; }        uniform at random
- *     temperature { value 326; start 7; }      of a wall; or flux, or value and film
  *
- * The word is the name of the scalar (effects/scalar.h).
+ * The word is the name of the scalar (effects/scalar.h). Walls: wall_scalars.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -14,7 +13,6 @@
 
 #include "input/dictionary.h"
 #include "model/interaction_table.h"
-#include "model/walls.h"
 
 struct dem_scalar_entry
 {
@@ -37,8 +35,9 @@ int dem_scalar_entries_parcel_ratio(const struct dem_interaction_table *,
                                     const struct dem_scalar_entry entry[DEM_SCALARS],
                                     const char *where, double *ratio);
 
-/* Read the conditions of a wall, for all scalars; none stays insulated. */
-int dem_scalar_wall_read(const struct dem_dict *, const struct dem_interaction_table *,
-                         struct dem_wall *);
+/* Refuse the name of a scalar that no effect of the scene has, with those that have it. `last`: the
+   last stage that counts. */
+int dem_scalar_refuse_unused(const struct dem_dict *, const struct dem_interaction_table *,
+                             enum dem_stage last);
 
 #endif

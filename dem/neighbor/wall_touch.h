@@ -29,8 +29,6 @@
 #define DEM_NEIGHBOR_WALL_TOUCH_H
 
 #include "neighbor/wall_search.h"
-#include "model/contacts.h"
-#include "model/interaction_table.h"
 
 struct dem_wall_touch
 {
@@ -38,7 +36,7 @@ struct dem_wall_touch
                                               DBL_MAX when dropped or without a row */
     int drop;                              /* 1: another facet has this contact */
     double exponent;                       /* m of its normal law */
-    uint32_t row;                          /* its contact row, or DEM_ROW_NONE */
+    uint32_t row;                          /* its contact row, or DEM_ROW_NONE (wall_rows.h) */
     uint32_t surface;                      /* scratch of wall_springs */
 };
 
@@ -59,10 +57,6 @@ void dem_wall_touches_free(struct dem_wall_touches *);
 /* Allocate one contact point per wall neighbor; after every search, which makes the previous ones
    invalid. */
 int dem_wall_touches_reserve(struct dem_wall_touches *, const struct dem_wall_search *);
-
-/* Assign the contact rows; after every prune. */
-void dem_wall_touches_set_rows(struct dem_wall_touches *, const struct dem_wall_search *,
-                               const struct dem_contacts *, const struct dem_interaction_table *);
 
 /* Compute the contact points of the wall neighbors that have rows, at the present positions. */
 void dem_wall_touches_update(struct dem_wall_touches *, const struct dem_wall_search *,

@@ -6,7 +6,7 @@
  */
 #include "scene/scene_internal.h"
 #include "model/material_entry.h"
-#include "model/scalar_entry.h"
+#include "model/wall_scalars.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/did_you_mean.h"

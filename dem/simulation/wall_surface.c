@@ -5,7 +5,6 @@
  */
 #include "simulation/wall_surface.h"
 #include "core/vec.h"
-#include "simulation/dem_state.h"
 #include <math.h>
 #include <string.h>
 
@@ -201,40 +200,29 @@ void dem_wall_surface_at(const struct dem_walls *w, int facet, const struct dem_
 
 /* ---- walls that follow a mesh ---------------------------------------------------------------- */
 
-int dem_wall_surface_follows_mesh(const struct dem_state *p, uint32_t wall_neighbor)
+int dem_wall_surface_follows_mesh(const struct dem_walls *w, int facet)
 {
-    return p->walls.following > 0 &&
-           p->walls.wall[p->walls.facet[dem_pairs_facet(&p->pairs, wall_neighbor)].wall].moves;
+    return w->following > 0 && w->wall[w->facet[facet].wall].moves;
 }
 
-void dem_wall_surface_mesh_motion(const struct dem_state *p, uint32_t wall_neighbor,
-                                  double velocity[3], double spin[3])
-{
-    const struct dem_wall_search *const s = &p->pairs.wall_search;
-    const struct dem_wall_neighbor *const near = &s->neighbor[wall_neighbor];
-    const uint32_t candidate = dem_wall_neighbor_candidate(
-        s, &p->walls, near, p->particles.record[near->particle].x);
-    double moved[3];
-
-    dem_walls_surface_motion(&p->walls, s->candidate[candidate],
-                             dem_wall_from_candidate(s, &p->walls, candidate,
-                                                     p->touches.touch[wall_neighbor].point, moved),
-                             velocity, spin);
-}
-
-void dem_wall_surface_add_mesh_motion(const struct dem_state *p, uint32_t wall_neighbor, double dt,
+void dem_wall_surface_add_mesh_motion(const struct dem_walls *w, const struct dem_wall_search *s,
+                                      uint32_t wall_neighbor, const double x[3],
+                                      const struct dem_wall_touch *at, double dt,
                                       struct dem_wall_surface *surface)
 {
-    const double *const n = p->touches.touch[wall_neighbor].normal;
-    double velocity[3], spin[3], back[3];
+    const uint32_t candidate =
+        dem_wall_neighbor_candidate(s, w, &s->neighbor[wall_neighbor], x);
+    double moved[3], velocity[3], spin[3], back[3];
 
-    dem_wall_surface_mesh_motion(p, wall_neighbor, velocity, spin);
-    dem_vec_cross(spin, n, back);
+    dem_walls_surface_motion(w, s->candidate[candidate],
+                             dem_wall_from_candidate(s, w, candidate, at->point, moved),
+                             velocity, spin);
+    dem_vec_cross(spin, at->normal, back);
     for (int k = 0; k < 3; k++)
     {
         surface->velocity[k] += velocity[k];
         surface->spin[k] += spin[k];
-        surface->half_step_normal[k] = n[k] - 0.5*dt*back[k];
+        surface->half_step_normal[k] = at->normal[k] - 0.5*dt*back[k];
     }
     const double size = dem_vec_norm(surface->half_step_normal);
 

@@ -32,16 +32,14 @@ struct dem_wall_surface
 void dem_wall_surface_motion(const struct dem_walls *, int facet, const struct dem_wall_touch *,
                              int ahead, struct dem_wall_surface *);
 
-struct dem_state;
+/* 1 when the facet follows a mesh and moves in this window. */
+int dem_wall_surface_follows_mesh(const struct dem_walls *, int facet);
 
-/* 1 when the facet of this wall neighbor follows a mesh and moves in this window. */
-int dem_wall_surface_follows_mesh(const struct dem_state *, uint32_t wall_neighbor);
-
-/* Velocity [m/s] and spin [1/s] of such a surface at the contact; and the same added to the other
-   motion of the wall. */
-void dem_wall_surface_mesh_motion(const struct dem_state *, uint32_t wall_neighbor,
-                                  double velocity[3], double spin[3]);
-void dem_wall_surface_add_mesh_motion(const struct dem_state *, uint32_t wall_neighbor, double dt,
+/* Add the velocity and spin of such a surface to the other motion of the wall, at the contact with a
+   particle at x [m]. */
+void dem_wall_surface_add_mesh_motion(const struct dem_walls *, const struct dem_wall_search *,
+                                      uint32_t wall_neighbor, const double x[3],
+                                      const struct dem_wall_touch *, double dt,
                                       struct dem_wall_surface *);
 
 /* All properties of the wall at the contact of particle i, but for the motion of a mesh. */

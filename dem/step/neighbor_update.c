@@ -12,6 +12,7 @@
 #include "simulation/agree.h"
 #include "diagnostics/lost_cause.h"
 #include "model/uniform_fluid.h"
+#include "neighbor/wall_rows.h"
 #include "diagnostics/energy_balance.h"
 #include "diagnostics/lost_particles.h"
 #include "inflow/flows.h"
