@@ -13,7 +13,7 @@
 #include "dem.h"
 #include "scene/scene.h"
 #include "advisor/time_estimate.h"
-#include "advisor/bed_packing.h"
+#include "diagnostics/bed_packing.h"
 #include "advisor/minimum_fluidisation.h"
 #include "core/text.h"
 #include "simulation/dem_state.h"

@@ -14,10 +14,9 @@
 #include "core/memory.h"
 #include "checkpoint/snapshot.h"
 #include "effects/effects.h"
-#include "advisor/plan.h"
-#include "advisor/warnings.h"
 #include "diagnostics/fall_check.h"
 #include "diagnostics/totals.h"
+#include "diagnostics/bed_packing.h"
 #include "parallel/collect.h"
 #include "parallel/mpi_error.h"
 #include "simulation/agree.h"
@@ -105,6 +104,7 @@ void dem_free(struct dem *d)
     dem_memory_free(d->initial_material);
     dem_initial_particles_free(&d->initial);
     dem_text_free(&d->plan);
+    dem_memory_free(d->verdicts);
     dem_text_free(&d->warnings);
     dem_text_free(&d->impact);
     dem_text_free(&d->effect);
@@ -345,84 +345,6 @@ const struct dem_dict *dem_scene_dict(const struct dem *d)
     return d->dict;
 }
 
-int dem_plan(struct dem *d, const struct dem_run_info *run, const char **text)
-{
-    struct dem_plan plan = {.state = &d->state, .scene = &d->scene, .run = *run, .step = d->step};
-    fenv_t caller;
-
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_plan comes after dem_setup");
-    dem_text_free(&d->plan);
-    feholdexcept(&caller);
-    int status = dem_plan_write(&d->plan, &plan);
-
-    status = status ? status : dem_collect_status(&d->state.decomposition);
-    fesetenv(&caller);
-    *text = d->plan.text;
-    d->verdicts = plan.verdicts;
-    d->planned[0] = plan.at_rest;
-    d->planned[1] = plan.moving;
-    return status;
-}
-
-void dem_plan_seconds(const struct dem *d, double *at_rest, double *moving)
-{
-    *at_rest = d->planned[0];
-    *moving = d->planned[1];
-}
-
-int dem_warnings(struct dem *d, const struct dem_run_info *run, int n, const char *const *own,
-                 const char **text)
-{
-    struct dem_plan plan = {.state = &d->state, .scene = &d->scene, .run = *run, .step = d->step};
-    const char *const *repeats, **sentences;
-    fenv_t caller;
-
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_warnings comes after dem_setup");
-    DEM_TRY(dem_api_require_count("dem_warnings", "sentences", n));
-    const size_t repeated = dem_dict_repeats(d->dict, &repeats), told = repeated + d->notes;
-
-    DEM_TRY(DEM_NEW(sentences, told + (size_t)n + 1));
-    for (size_t k = 0; k < told + (size_t)n; k++)
-    {
-        sentences[k] = k < repeated ? repeats[k]
-                     : k < told ? d->note[k - repeated] : own[k - told];
-    }
-    dem_text_free(&d->warnings);
-    feholdexcept(&caller);
-    int status = dem_warnings_write(&d->warnings, &plan, d->coupled, (int)told + n, sentences);
-
-    status = status ? status : dem_collect_status(&d->state.decomposition);
-    fesetenv(&caller);
-    dem_memory_free(sentences);
-    *text = d->warnings.text ? d->warnings.text : "";
-    return status;
-}
-
-int dem_impact_warning(struct dem *d, double overlap, const char **text)
-{
-    struct dem_impact impact;
-    fenv_t caller;
-
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_impact_warning comes after dem_setup");
-    dem_text_free(&d->impact);
-    feholdexcept(&caller);
-    const double speed = dem_totals_max_speed(&d->state);
-
-    dem_impact_at(&d->state.interaction_table, speed, &impact);
-    if (overlap > DEM_IMPACT_OVERLAP && overlap > 1.5*d->said_overlap)
-    {
-        d->said_overlap = overlap;
-        dem_impact_describe_overlap(&impact, overlap, speed, &d->impact);
-    }
-    else if (speed > 1.5*d->said_speed && dem_impact_describe(&impact, speed, &d->impact))
-    {
-        d->said_speed = speed;
-    }
-    fesetenv(&caller);
-    *text = d->impact.text ? d->impact.text : "";
-    return d->impact.status ? d->impact.status : dem_collect_status(&d->state.decomposition);
-}
-
 int dem_bed_slab(const struct dem *d, double up[3], double *low, double *high)
 {
     struct dem_bed_packing bed;
@@ -437,12 +359,6 @@ int dem_bed_slab(const struct dem *d, double up[3], double *low, double *high)
         *high = bed.high;
     }
     return found;
-}
-
-int dem_verdicts(const struct dem *d, const struct dem_verdict **verdict)
-{
-    *verdict = d->verdicts.verdict;
-    return d->verdicts.n;
 }
 
 const char *dem_heading(const struct dem *d)

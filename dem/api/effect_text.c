@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "advisor/effect_text.h"
+#include "api/effect_text.h"
 #include <math.h>
 
 static const char *const stages[DEM_STAGES] = {"normal", "damping", "tangential", "moment",

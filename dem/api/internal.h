@@ -22,7 +22,7 @@
 #include "scene/scene.h"
 #include "diagnostics/totals.h"
 #include "checkpoint/snapshot_scene.h"
-#include "advisor/plan.h"
+#include "core/text.h"
 #include "output/attached_stores.h"
 #include "simulation/dem_state.h"
 
@@ -125,10 +125,13 @@ struct dem
     struct dem_text plan, profile, warnings, impact, effect, value_text;  /* the texts returned last */
     double said_overlap, said_speed;                      /* 1, m/s  at the last dem_impact_warning
                                                              with a sentence */
-    struct dem_verdicts verdicts;                         /* of that plan */
+    struct dem_verdicts *verdicts;                        /* of that plan; NULL: none yet */
     char heading[DEM_HEADING + 800], fluid_effects[400];  /* "effects: " and all names; names of
                                                              fluid effects */
 };
+
+/* The effect of this name; the caller sets *text to d->effect, which is empty then. */
+int dem_api_begin_effect_text(struct dem *, const char *name, const struct dem_effect **);
 
 /* dem_quiet_read and dem_quiet_check for this entry of `time`. */
 int dem_api_read_quiet(const struct dem *, const char *entry, struct dem_quiet *);

@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "advisor/profile_text.h"
+#include "api/profile_text.h"
 #include "core/error.h"
 #include <string.h>
 

@@ -3,8 +3,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_ADVISOR_PROFILE_TEXT_H
-#define DEM_ADVISOR_PROFILE_TEXT_H
+#ifndef DEM_API_PROFILE_TEXT_H
+#define DEM_API_PROFILE_TEXT_H
 
 #include "dem.h"
 #include "core/text.h"

@@ -8,7 +8,7 @@
  */
 #include "api/internal.h"
 #include "core/error.h"
-#include "advisor/profile_text.h"
+#include "api/profile_text.h"
 #include "diagnostics/totals.h"
 #include "diagnostics/run_profile.h"
 #include "diagnostics/virial.h"

@@ -5,7 +5,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "advisor/bed_packing.h"
+#include "diagnostics/bed_packing.h"
 #include "parallel/collect.h"
 #include <math.h>
 

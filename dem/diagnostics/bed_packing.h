@@ -10,8 +10,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_ADVISOR_BED_PACKING_H
-#define DEM_ADVISOR_BED_PACKING_H
+#ifndef DEM_DIAGNOSTICS_BED_PACKING_H
+#define DEM_DIAGNOSTICS_BED_PACKING_H
 
 #include "simulation/dem_state.h"
 
