@@ -6,12 +6,12 @@
 #include "advisor/effect_cost.h"
 #include "advisor/plan.h"
 #include "advisor/warnings.h"
-#include "api/internal.h"
+#include "case/internal.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "diagnostics/totals.h"
+#include "records/totals.h"
 #include "input/dictionary.h"
-#include "parallel/collect.h"
+#include "ranks/collect.h"
 #include <fenv.h>
 
 int dem_plan(struct dem *d, const struct dem_run_info *run, const char **text)

@@ -13,7 +13,7 @@
 #include "core/random.h"
 #include "step/gather_partners.h"
 #include "step/geometry.h"
-#include "simulation/wall_surface.h"
+#include "walls/wall_surface.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>

@@ -10,7 +10,7 @@
 #include "unit/tap.h"
 
 /* of the program, which is not in the library */
-#include "app/effects.c"
+#include "app/command_effects.c"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -114,7 +114,7 @@ int main(void)
            "dem effects dry");
     TAP_OK(print(1, unknown) == DEM_ERROR_INPUT && strstr(dem_error_text(), "hertz"), "%s",
            dem_error_text());
-    shown("../dem/effects/contact/sjkr.c");
+    shown("../dem/laws/contact/sjkr.c");
     shown("effects/test_sjkr.c");
     TAP_DONE;
 }

@@ -8,9 +8,9 @@
  */
 #include "tap.h"
 
-#include "checkpoint/stored_names.h"
-#include "effects/effects.h"
-#include "model/particles.h"
+#include "records/stored_names.h"
+#include "laws/effects.h"
+#include "particles/particles.h"
 
 #include <string.h>
 
