@@ -1,15 +1,18 @@
 /*
- * effects.csv: a row where effects change, none where they do not; a run that begins earlier replaces what came later.
+ * test_effects_table.c -- effects.csv, the table of effects and the times from which they act.
+ *
+ * - It has a row where effects change, and none where they do not.
+ * - A run that begins earlier replaces the later rows.
+ *
+ * Reference: the text of the file, written by hand.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * Judges: the text of the file, written by hand.
  */
 #include "tap.h"
 
 #include "core/file.h"
 #include "core/memory.h"
-#include "output/effects_table.h"
+#include "run/effects_table.h"
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
