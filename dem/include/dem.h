@@ -317,24 +317,6 @@ int dem_quiet_check(const struct dem *, const struct dem_quiet *);
 int64_t dem_quiet_tests(const struct dem *, const struct dem_quiet *, double interval);
 int dem_quiet_test(struct dem *, struct dem_quiet *, const struct dem_totals *);
 
-/* Mechanics paused at rest, as time/pauseAtRest asks for: positions, contacts and their history stay,
-   velocities are zero, and particle scalars alone change, in steps of their own limit.
-   dem_pause_enable, before dem_check: read the entry; *wanted: 1 when the scene has it. dem_check then
-   refuses scenes in which a pause serves nothing or would miss what moves.
-   dem_pause_tests: the number of tests of rest in an interval [s].
-   dem_pause_until: end the next dem_advance here at the latest, where something begins or ends that
-   the scene has a time for [s]; infinite while mechanics run.
-   dem_pause_update, collective, between two advances, with the present totals: pause after rest for
-   long enough, resume when a wall, a stream or a force begins; *text: a sentence when it did, else "",
-   valid until the next call.
-   dem_resume, collective: take mechanics up at once, before the program moves something. */
-int dem_pause_enable(struct dem *, int *wanted);
-int64_t dem_pause_tests(const struct dem *, double interval);
-double dem_pause_until(const struct dem *);
-int dem_pause_update(struct dem *, const struct dem_totals *, const char **text);
-int dem_resume(struct dem *);
-int dem_paused(const struct dem *);
-
 /* Collective. A 64-bit hash of particles and contact history, the same on any number of ranks. */
 int dem_hash(struct dem *, uint64_t *hash);
 
@@ -424,7 +406,7 @@ int dem_wall_corners(struct dem *, int wall, double *corners);
 void dem_view(const struct dem *, struct dem_view *);
 
 /* Contact stress times volume [J] of each particle of the view: xx yy zz xy yz zx of the sum of
-   force times branch vector over its contacts, tension positive (diagnostics/virial.h). Sums
+   force times branch vector over its contacts, tension positive (records/virial.h). Sums
    over a region divided by its volume are the contact stress. `virial` has 6 numbers a particle;
    all are 0 after a load or restore, before the first step.
    dem_virial_enable, called before dem_setup, keeps the forces of all contacts for it: 64 bytes a
@@ -499,12 +481,12 @@ int dem_require_fluid(const struct dem *);
 void dem_fluid_set_density(struct dem *, double density);
 
 /* After an advance, where the column exists: set under_relaxation for the next one
-   (effects/fluid/particle_exchange.h). Returns the smallest factor of this rank, 1 without. */
+   (laws/fluid/particle_exchange.h). Returns the smallest factor of this rank, 1 without. */
 double dem_fluid_under_relax(struct dem *);
 
 /* A value for the column slip_factor where continuity makes the fluid displace and particles get
    the correction for its new velocity: 1/e^2, or 1/e with whole drag; e limited to 0.1 and above
-   (effects/fluid/particle_exchange.h). */
+   (laws/fluid/particle_exchange.h). */
 double dem_fluid_slip_factor(const struct dem *, double void_fraction);
 
 /* A value for the column mean_diameter [m], the Sauter mean: from sum V [m3] and sum V/d [m2] of

@@ -192,7 +192,7 @@ enum
     DEM_PROFILE_PHASES = 11  /* phases of a step, and the time outside dem_advance */
 };
 
-/* cost of the run since dem_setup: dem_profile; docs/program-dem.md explains it */
+/* cost of the run since dem_setup: dem_profile; docs/output.md explains it */
 struct dem_profile
 {
     int ranks;
@@ -397,7 +397,7 @@ struct dem_fluid
                                             the particle has not received yet */
 };
 
-/* time level of drag in the fluid's equation: effects/fluid/particle_exchange.h */
+/* time level of drag in the fluid's equation: laws/fluid/particle_exchange.h */
 enum dem_exchange
 {
     DEM_EXCHANGE_DEFERRED,       /* implicit in the new fluid velocity; particles get the

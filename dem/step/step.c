@@ -20,14 +20,14 @@
 #include "step/step.h"
 #include "core/clock.h"
 #include "core/memory.h"
-#include "diagnostics/energy_balance.h"
-#include "diagnostics/timers.h"
-#include "diagnostics/wall_statistics.h"
-#include "inflow/flows.h"
-#include "model/orientation.h"
-#include "model/scalars.h"
-#include "output/grid_averages.h"
-#include "simulation/agree.h"
+#include "records/energy_balance.h"
+#include "records/timers.h"
+#include "records/wall_statistics.h"
+#include "sources/flows.h"
+#include "particles/orientation.h"
+#include "particles/scalars.h"
+#include "records/grid_averages.h"
+#include "ranks/agree.h"
 #include "step/body_window.h"
 #include "step/drift.h"
 #include "step/eddies.h"
@@ -85,7 +85,6 @@ static int make_backup(struct dem_state *p, int status, double half_kick)
     dem_flows_backup(p->flows);
     backup->time = p->time;
     backup->steps = p->steps;
-    backup->paused = p->paused;
     if (half_kick > 0.0)
     {
         dem_sweep_bodies(&backup->particles, &p->interaction_table.bodies,

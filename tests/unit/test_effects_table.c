@@ -12,7 +12,7 @@
 
 #include "core/file.h"
 #include "core/memory.h"
-#include "output/effects_table.h"
+#include "run/effects_table.h"
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
