@@ -1,14 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demPimpleFoam.C -- transient, incompressible flow coupled with particles.
 
-    Part of Suna, CFD-DEM for OpenFOAM.
-    SPDX-License-Identifier: GPL-3.0-or-later
-
-    Suna is free software: you can redistribute it and/or modify it under the
-    terms of the GNU General Public License as published by the Free Software
-    Foundation, either version 3 of the License, or (at your option) any later
-    version. It comes without any warranty; see COPYING.
-
 Application
     demPimpleFoam
 
@@ -60,6 +52,9 @@ Description
 
     Not included: species, more than one fluid, mesh refinement.
 
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
