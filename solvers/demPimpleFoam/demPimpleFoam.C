@@ -31,9 +31,9 @@ Description
     at rest is exact. The particles receive the full pressure gradient,
     rho (grad p + g), which includes buoyancy.
 
-    Sets I and III of the same paper are there for comparison (entry equations,
-    demCouplingScheme): grad p acts on the fluid in full, and the reaction is
-    that to the whole force, or to drag over e.
+    Sets I and III of the same paper are available for comparison (entry equations,
+    demCouplingScheme): grad p acts on the fluid in full, and the reaction is to the
+    whole force (I) or to drag over e (III).
 
     The momentum equation is interpolated to the faces as it stands, with drag
     in it (pEqn.H). There the pressure gradient balances the particles' force on
@@ -44,11 +44,9 @@ Description
     before and after the step enter the time derivatives and ds/dt, fluxes are
     relative to the faces, and wall patches move the walls of the particles.
 
-    Turbulence models are those of the volume-averaged flow
-    (volumeAveragedTurbulenceModel.H).
-
-    Where the scene transfers heat between fluid and particles the fluid has a
-    temperature (fluidTemperature.H).
+    Turbulence models are OpenFOAM's, weighted by the void fraction
+    (volumeAveragedTurbulenceModel.H). If the scene transfers heat between fluid and
+    particles, the fluid has a temperature (fluidTemperature.H).
 
     Not included: species, more than one fluid, mesh refinement.
 
@@ -111,7 +109,7 @@ int main(int argc, char *argv[])
 
     #include "setRootCaseLists.H"
     #include "createTime.H"
-    // A plan leaves no files, neither those of function objects
+    // A plan writes no files: no function objects
     if (args.found("plan"))
     {
         runTime.functionObjects().off();
@@ -143,7 +141,7 @@ int main(int argc, char *argv[])
     Info<< "\nStarting time loop\n" << endl;
 
     demTimeStepControl stepControl(runTime, cloud);
-    // A plan takes no lock of the case: it may be made beside a run
+    // A plan takes no lock of the case, so it may run beside a run
     autoPtr<demStop> stop(args.found("plan") ? nullptr : new demStop(runTime));
     bool planned = false;
 

@@ -101,7 +101,7 @@ void Foam::fluidBudget::beforePredictor
     {
         if (isCounted(mesh().boundary()[patchi]))
         {
-            // The rest of it is in the coefficients
+            // The coefficients contain the rest of the stress
             explicitStress_[patchi] = gSum
             (
                 (
