@@ -12,9 +12,9 @@
 #define DEM_ADVISOR_EFFECT_COST_H
 
 #include "core/text.h"
-#include "diagnostics/inventory.h"
-#include "effects/effect.h"
-#include "simulation/dem_state.h"
+#include "records/inventory.h"
+#include "laws/effect.h"
+#include "ranks/dem_state.h"
 
 struct dem;
 

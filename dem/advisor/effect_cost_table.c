@@ -11,7 +11,7 @@
 #include "advisor/effect_cost.h"
 #include "core/error.h"
 #include "dem.h"
-#include "effects/effects.h"
+#include "laws/effects.h"
 #include <string.h>
 
 /* ---- scenes ---------------------------------------------------------------------------------- */

@@ -13,7 +13,7 @@
 #include "dem.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "effects/effects.h"
+#include "laws/effects.h"
 #include "core/file.h"
 #include <errno.h>
 #include <stdio.h>

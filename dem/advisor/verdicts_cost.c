@@ -4,9 +4,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/regime.h"
-#include "effects/effects.h"
+#include "laws/effects.h"
 #include "advisor/effect_cost.h"
-#include "diagnostics/totals.h"
+#include "records/totals.h"
 #include <math.h>
 
 static const double long_enough = 0.2;                    /* s of processor time */

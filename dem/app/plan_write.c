@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "app/plan.h"
+#include "app/command_plan.h"
 #include "core/error.h"
 #include <stdio.h>
 

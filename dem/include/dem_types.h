@@ -397,7 +397,7 @@ struct dem_fluid
                                             the particle has not received yet */
 };
 
-/* time level of drag in the fluid's equation: effects/fluid/particle_exchange.h */
+/* time level of drag in the fluid's equation: laws/fluid/particle_exchange.h */
 enum dem_exchange
 {
     DEM_EXCHANGE_DEFERRED,       /* implicit in the new fluid velocity; particles get the

@@ -9,7 +9,7 @@
 #include "unit/tap.h"
 
 /* of the program, which is not in the library */
-#include "app/effects.c"
+#include "app/command_effects.c"
 
 #include <stdlib.h>
 #include <unistd.h>
