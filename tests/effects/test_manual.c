@@ -1,7 +1,7 @@
 /*
  * test_manual.c -- the list of laws in the manual is current.
  *
- * - The table in docs/effects.md is what the program prints.
+ * - The program prints the table of docs/effects.md.
  * - `dem effects WORD` prints one entry, and an unknown word is refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

@@ -6,10 +6,10 @@
  *   integration, with and without added mass. A massless bubble starts with an acceleration of 2 g.
  * - Impacts in liquid return the requested restitution, with the added mass, also between a bubble
  *   and a bead.
- * - The momentum reported to a coupled fluid, and the impulse carried over, are what the particles
- *   received.
- * - In an accelerating fluid every particle moves as the balance of added mass and pressure
- *   gradient states.
+ * - The momentum reported to a coupled fluid plus the impulse carried over equal the momentum that
+ *   the particles received.
+ * - In an accelerating fluid every particle moves by the balance of added mass and pressure
+ *   gradient.
  * - A spin decays exponentially to half the vorticity, in one step or in a thousand.
  * - Lift bends a path as its law states.
  * - The reported relaxation rate of drag includes the added mass.

@@ -1,10 +1,10 @@
 /*
  * test_radiation.c -- thermal radiation between near spheres and walls.
  *
- * - Rays from one sphere hit another, and the near part of a plane, as often as the view factor says:
- *   exactly for planes, within 6 % for spheres that touch, within 1 % for those farther apart.
- * - What grey spheres exchange is that of resistances in series; a pair keeps its energy.
- * - There is none beyond the reach.
+ * - The view factor is the fraction of rays from a sphere that hit another, or the near part of a
+ *   plane: exactly for planes, within 6 % for spheres that touch, within 1 % farther apart.
+ * - Grey spheres exchange heat as through resistances in series; a pair conserves its energy.
+ * - There is no radiation beyond the reach.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

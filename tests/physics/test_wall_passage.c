@@ -6,12 +6,12 @@
  * by a quarter of a diameter here.
  *
  * - At 10 m/s the sphere is thrown off by a plane and by triangles alike; at 50 m/s both end the
- *   run: triangles that move, triangles at rest, a paddle that turns, triangles that a program moves,
- *   wires thinner than the sphere.
+ *   run: triangles that move, triangles at rest, a paddle that turns, triangles that a program
+ *   moves, wires thinner than the sphere.
  * - A sphere between two sheets that close ends the run.
  * - With time/maxOverlap above 0.5 the passage is listed and the run goes on.
  * - A sphere and a sheet that together move by more than its radius in a step are refused.
- * - A sphere that rolls off the rim of a sheet, its centre beyond the sheet's plane, is none.
+ * - A sphere that rolls off the rim of a sheet, its centre beyond the sheet's plane, does not count.
  *
  * Source: Johnson, Contact Mechanics (1985), section 11.4.
  *

@@ -2,8 +2,7 @@
  * test_walls.c -- walls of triangles: seams, corners, edges, tips, faulty meshes.
  *
  * - A sphere that slides over a plane cut into random triangles, in any orientation, has the normal
- *   force m g and no disturbance at seams; where the coordinates allow, the bits are those of a
- *   plane.
+ *   force m g and no disturbance at seams; where the coordinates allow, it has the bits of a plane.
  * - Sliver, degenerate, repeated and flipped triangles and T-joints change nothing.
  * - In a corner of three walls the forces balance the weight, with planes and with triangles.
  * - A concave edge is two contacts, a convex edge or tip one, in any orientation.
@@ -11,8 +10,8 @@
  * - The torque on a wall about the origin is the angular momentum that a sphere loses.
  * - A wall of triangles stops a sphere from either side.
  * - A frictionless wall has the normal force and its damping only: spin and velocity along it stay,
- *   and a bounce has the bits of a scene without the other effects; other walls of the same material
- *   keep them.
+ *   and a bounce has the bits of a scene without the other effects; other walls of the same
+ *   material keep them.
  *
  * Sources: geometry and statics.
  *
