@@ -1,8 +1,7 @@
 """test_liggghts.py FOLDER -- `dem import` of LIGGGHTS: expressions and control flow, each command,
 each refusal, and the results of runs against closed forms and LIGGGHTS. Prints TAP.
 
-The scripts are of our own writing and stand below as text; a test changes a line and looks at the
-scene.
+The scripts are our own, as text below; a test changes a line and checks the scene.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -486,7 +485,7 @@ def belt():
 
 
 def other_meanings():
-    """a word whose meaning in Suna differs is told or refused, never translated in silence"""
+    """a word with another meaning in Suna is reported or refused, never translated in silence"""
     stiff = BASE.replace("model hertz", "model hooke/stiffness").replace("fix m3", """fix k1 all property/global kn peratomtypepair 1 1e5
 fix k2 all property/global kt peratomtypepair 1 3e4
 fix k3 all property/global gamman peratomtypepair 1 0
@@ -649,7 +648,7 @@ def placed():
             (cylinder, 0.4, True, 50, 1452), (cylinder, 0.4, False, 50, 1749)):
         n = round(fraction*region.volume()/one)
         found = count_placed([n], [1e-3], region, all_in, tries, None)[0]
-        # the number of a random sequence scatters by 0.5 %, and so does that of LIGGGHTS
+        # the number of a random sequence scatters by 0.5 %, and so does LIGGGHTS' number
         assert abs(found/expected - 1) < 0.02, (region.style, fraction, all_in, tries, found)
     region = Region("block", block, None)
     wanted = [round(0.2*region.volume()/one/k) for k in (8, 1)]

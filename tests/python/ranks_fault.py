@@ -1,6 +1,6 @@
-"""ranks_fault.py -- an exception in the progress function of one rank ends the advance on all ranks,
-in its course and in its last step, and the run can go on. The first rank prints "ended". On one rank
-there is no other one, and nothing is tested but the exception itself.
+"""ranks_fault.py -- an exception in the progress function of one rank ends the advance on all
+ranks, in its course and in its last step, and the run can continue. The first rank prints "ended".
+On a single rank only the exception itself is tested.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

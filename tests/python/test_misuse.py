@@ -1,5 +1,5 @@
-"""test_misuse.py -- no use of the package ends the process or takes a value for another one: arrays
-outlive their simulation, copies, closed simulations, exceptions of callbacks, threads, and wrong
+"""test_misuse.py -- no misuse of the package ends the process or mistakes a value: arrays that
+outlive their simulation, copies, closed simulations, exceptions of callbacks, threads. Wrong
 arguments are refused with a sentence. Prints TAP.
 
 SPDX-License-Identifier: GPL-3.0-or-later

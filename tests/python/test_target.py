@@ -1,9 +1,8 @@
-"""test_target.py -- `dem cost -target` finds steps within the target: eight scenes whose kinetic energy
-has a closed form that the search does not use, or uses as one quantity of several. Prints TAP.
+"""test_target.py -- `dem cost -target` finds steps within the target for eight scenes. Prints TAP.
 
-The chosen scene is run, and the mean kinetic energy of translation over the samples of the search
-is compared with the mean of the closed form. dem run prints that the wish is met, or that it is
-not.
+The kinetic energy has a closed form that the search does not use, or uses as one quantity of
+several. The chosen scene is run, and its mean kinetic energy of translation over the samples of the
+search is compared with the closed form. dem run prints whether the target is met.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -145,7 +144,7 @@ def wish():
 
 
 def longer():
-    """a longer step than that of the search: not met"""
+    """a longer step than the search found: not met"""
     text = call("run", "-set", "time/step", "1e-5", "-set", "time/force", "yes", "damped.accurate.dem")
     assert re.search("^accuracy: target 0.1 %, NOT met: the step is 1e-05 s", text, re.M), text
 
