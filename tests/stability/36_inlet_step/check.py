@@ -1,5 +1,5 @@
-"""Gas enters at 20 m/s at once, or within 50 ms: both bounded, the step adapts, the bed has the
-same weight.
+"""Gas enters at 20 m/s at once, or within 50 ms: both runs stay bounded, the step adapts, and the
+bed keeps its weight.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
