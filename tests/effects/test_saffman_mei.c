@@ -5,7 +5,7 @@
  *   slower.
  * - At small Re_p the force is Saffman's 1.615 mu d w sqrt(Re_shear); in the range of Mei's fit it
  *   is Mei's, with the second branch at Re_p = 100.
- * - Without slip, without shear and for slip along the vorticity there is none.
+ * - Without slip, without shear and for slip along the vorticity there is no lift.
  * - The force is normal to slip and vorticity.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

@@ -793,7 +793,7 @@ def surfaces():
     assert entries(result, "walls") == ["inlet", "sides"] and entries(result, "outlets") == ["outlet"]
     line = len([line for line in DEM.splitlines() if "primitive" not in line]) + 1
     assert result.has(APPROXIMATED, f"in.run:{line}", "inlet (becomes a wall)", "sides (is already")
-    # 1/20 of a diameter off the patch: told; larger than the mesh: what lies outside does not count
+    # 1/20 of a diameter off the patch: reported; larger than the mesh: only the part inside counts
     assert case(floor + (0, 0, 5e-5)).has(APPROXIMATED, "inlet (becomes", "up to 5e-05 m")
     assert entries(case((floor - 0.005)*(9, 9, 1) + (0, 0, 0.005)), "walls") == ["inlet"]
     assert case(floor + (0, 0, 0.05)).has(APPROXIMATED, "outside the mesh")

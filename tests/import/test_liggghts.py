@@ -170,7 +170,7 @@ jump SELF again""").replace("run 1000", "run ${total}")
 
 
 def all_faults():
-    """all faults of a script are told at once, each with file, line and word"""
+    """all faults of a script are reported at once, each with file, line and word"""
     script = BASE.replace("units si", "units lj").replace(
         "newton off", "fix a all heat/gran/radiation 300\nnonsense 1")
     text = refused(script, "units lj", "fix heat/gran/radiation", "Suna has no such heat",
@@ -460,7 +460,7 @@ fix pdd all particledistribution/discrete 32452843 2 p1 0.5 p2 0.5
 
 
 def belt():
-    """surface_vel on an inclined face is the speed along it, and what turns off its faces is told"""
+    """surface_vel on an inclined face is the speed along it; one that leaves a face is reported"""
     c, s = math.cos(math.pi/6), math.sin(math.pi/6)
     x = [numpy.array([c*a, b, s*a]) for a, b in ((-.1, -.1), (1, -.1), (1, .1), (-.1, .1))]
     write_stl(WORK/"belt.stl", [x[:3], [x[0], x[2], x[3]]])
@@ -785,7 +785,7 @@ def heat():
 
 
 def area_correction():
-    """area_correction of fix heat/gran becomes realModulus, and what differs is told"""
+    """area_correction of fix heat/gran becomes realModulus, and differences are reported"""
     corrected = WARM.replace("310", "310 area_correction yes")
     refused(corrected, "property/global youngsModulusOriginal")
     corrected = corrected.replace(

@@ -54,9 +54,9 @@ static void settles(void)
     for (int k = 0; k < rows; k++)
     {
         const double *const row = table + COLUMNS*k;
-        /* drag's coefficient is that of the kick's start: first order, 1e-4 at 2e-5 s; without
+        /* drag's coefficient is taken at the kick's start: first order, 1e-4 at 2e-5 s; without
            added mass the bubble of 1.2 kg/m3 relaxes in 3e-6 s, far below the step, so it has its
-           terminal speed but for that lag */
+           terminal speed except for that lag */
         const double with = fall(row[0], "virtualMass {}", 2e-5, 0.05),
                      without = fall(row[0], "", 2e-5, 0.05);
 
@@ -223,8 +223,8 @@ static void give(struct dem *d, int k, struct dem_fluid *f)
     }
 }
 
-/* Windows with changing added mass: the momentum given to the fluid (J and R (u' - u)) is that of
-   the particles and the carried-over impulse. */
+/* Windows with changing added mass: the fluid gets the momentum (J and R (u' - u)) that particles
+   and carried-over impulse lose. */
 static void exchanges(double density)
 {
     char *const scene = world_text(

@@ -11,7 +11,8 @@
  * - A sphere between two sheets that close ends the run.
  * - With time/maxOverlap above 0.5 the passage is listed and the run goes on.
  * - A sphere and a sheet that together move by more than its radius in a step are refused.
- * - A sphere that rolls off the rim of a sheet, its centre beyond the sheet's plane, does not count.
+ * - A sphere that rolls off the rim of a sheet, its centre beyond the sheet's plane, does not
+ *   count.
  *
  * Source: Johnson, Contact Mechanics (1985), section 11.4.
  *
@@ -99,7 +100,7 @@ int main(void)
     run("w { " SHEET("0") UP("50") " }", "", above, 0.0, half, "triangles at 50 m/s");
     run("w { " SHEET("0") " }", "", above, -50.0, half, "a sphere at 50 m/s on triangles");
     run("w { " SHEET("0") " motion { type rotation; origin (-0.045 0 0); axis (0 -1 0); "
-        "omega 1e3; } }", "", tip, 0.0, half, "a paddle whose blade has 50 m/s there");
+        "omega 1e3; } }", "", tip, 0.0, half, "a paddle with a blade at 50 m/s there");
     run("w { type cylinder; point (0 0 0); axis (0 1 0); radius 1e-4; particles outside;"
         UP("50") " }", "", between, 0.0, half, "a wire at 50 m/s");
     run("low { " SHEET("0") UP("20") " } high { " SHEET("0.0012") UP("-20") " }", "", between, 0.0,

@@ -1,6 +1,6 @@
 /*
  * test_wall_periods.c -- the step that the core chooses resolves walls that oscillate or rotate
- * fast; walls faster than impactSpeed are told before the run.
+ * fast; the run warns of walls faster than impactSpeed before it starts.
  *
  * A sphere lies on a spring with a dashpot (hooke, dry) on a wall that shakes by A sin(w t). In the
  * steady state the wall does the work per time

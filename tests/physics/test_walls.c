@@ -594,8 +594,8 @@ static void angular_momentum(const struct world_particle *p, double out[3])
     }
 }
 
-/* A sphere that spins, slides, rolls and twists in a box far from the origin: the angular momentum
-   it loses is that of the box. */
+/* A sphere that spins, slides, rolls and twists in a box far from the origin: the box gets the
+   angular momentum that it loses. */
 static void torque(void)
 {
     static const double min[3] = {0.5, -0.2, 0.3}, max[3] = {0.506, -0.195, 0.305};
@@ -714,7 +714,7 @@ static void both_sides_of_a_plate(void)
         wrong += p.v[2] > -1.0 || p.v[2] < -1.0 || fabs(p.x[2] + 4.0*R) > 1e-9;
     }
     TAP_OK(wrong == 0,
-           "beside a plate whose sides are cut along different diagonals spheres fly on (%d wrong)",
+           "beside a plate with sides cut along different diagonals spheres fly on (%d wrong)",
            wrong);
     free(scene);
     dem_free(d);

@@ -31,7 +31,7 @@ world = MPI.COMM_WORLD
 expected = "Fault" if world.rank == world.size - 1 else "SunaError the progress function of another rank"
 sim = suna.Simulation(SCENE, comm=world)
 step = sim.step[0]
-# progress is told after each 16 steps: in the last step of the first advance, then in the middle
+# progress is reported after each 16 steps: in the last step of the first advance, then in the middle
 found = [outcome(sim, 16*step), outcome(sim, 64*step)]
 sim.advance(step)
 all_ranks = world.gather(all(text.startswith(expected) for text in found) or found)

@@ -273,7 +273,7 @@ def texts():
 
 
 def failed():
-    """a set-up that failed is not tried again on what it has left; a scene is told why"""
+    """a failed set-up is not repeated on its remains; a scene reports why"""
     sim = suna.Simulation(PHYSICS)
     sim.add_particles([[0, 0, 0], [1e-4, 0, 0]], 1e-3, "glass")
     refused(sim.setup, "overlap")

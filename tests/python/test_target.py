@@ -150,7 +150,7 @@ def longer():
 
 
 def short():
-    """a budget that is too small: not reached, and told in the copy"""
+    """a budget that is too small: not reached, and the copy says so"""
     text = call("cost", "-series", "step", "-budget", "0.1", "-target", "1e-9", "weight.dem")
     assert re.search("^target 1e-09 is not reached: half the finest step would take", text, re.M), text
     assert "// the target is not reached" in (FOLDER/"weight.accurate.dem").read_text()
