@@ -35,8 +35,8 @@ Description
     demCouplingScheme): grad p acts on the fluid in full, and the reaction is to the
     whole force (I) or to drag over e (III).
 
-    The momentum equation is interpolated to the faces as it stands, with drag
-    in it (pEqn.H). There the pressure gradient balances the particles' force on
+    The momentum equation is interpolated to the faces as a whole, with drag
+    (pEqn.H). There the pressure gradient balances the particles' force on
     one stencil, so a sharp bed surface causes no checkerboard pressure, and a
     thin first cell above a distributor carries the full flux.
 

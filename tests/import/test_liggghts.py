@@ -442,7 +442,7 @@ fix z0 all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad b
 
 
 def names():
-    """each entry of a scene has a name of its own, whatever the fixes of the script are called"""
+    """each entry of a scene has its own name, whatever the fixes of the script are called"""
     mix = """fix p1 all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.0005
 fix p2 all particletemplate/sphere 15485867 atom_type 1 density constant 2500 radius constant 0.00075
 fix pdd all particledistribution/discrete 32452843 2 p1 0.5 p2 0.5
@@ -561,7 +561,7 @@ run 10
 
 
 def restart_files():
-    """read_restart goes on from the script beside it that writes the file"""
+    """read_restart continues from the script beside it that writes the file"""
     run_script = BASE.replace(PACK,
                               "").replace(
         "region box block -0.01 0.01 -0.01 0.01 0 0.05 units box\ncreate_box 1 box",

@@ -194,7 +194,7 @@ static struct dem *create(int energy)
     return d;
 }
 
-/* The saved row goes on with a stream. */
+/* The saved row continues with a stream. */
 static struct dem *create_started(int energy)
 {
     char text[512];

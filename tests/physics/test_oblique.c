@@ -95,7 +95,7 @@ static void kharaz(const char *name, const char *laws)
         const struct world_particle p = world_at(d, k);
         const double et = p.v[0]/(speed*sin(angle)), rebound = atan2(p.v[0], p.v[2])*180.0/world_pi;
 
-        /* from 30 degrees on it slides all the way: exact but for the step. Sticking depends on the
+        /* from 30 degrees on it slides all the way: exact except for the step. Sticking depends on the
            law of the spring between slip and stick: 2 %; near the normal the speed is a difference
            of small numbers, 2 % of e_t = 1. */
         const double share = t[0] >= 30.0 ? 3e-3 : 2e-2;

@@ -9,7 +9,7 @@
  *   run: triangles that move, triangles at rest, a paddle that turns, triangles that a program
  *   moves, wires thinner than the sphere.
  * - A sphere between two sheets that close ends the run.
- * - With time/maxOverlap above 0.5 the passage is listed and the run goes on.
+ * - With time/maxOverlap above 0.5 the passage is listed and the run continues.
  * - A sphere and a sheet that together move by more than its radius in a step are refused.
  * - A sphere that rolls off the rim of a sheet, its centre beyond the sheet's plane, does not
  *   count.
@@ -50,7 +50,7 @@ static void run(const char *walls, const char *time, const double x[3], double v
     struct dem *const d = begin(walls, time, x, v);
     const int status = dem_advance(d, 1e-3);
 
-    TAP_OK((status != DEM_OK) == (words != NULL), "%s: %s", what, words ? "ends" : "goes on");
+    TAP_OK((status != DEM_OK) == (words != NULL), "%s: %s", what, words ? "ends" : "continues");
     if (words)
     {
         TAP_OK(status && strstr(dem_error_text(), words), "%s: says %s", what, words);

@@ -97,7 +97,7 @@ def read_only():
 
 
 def copies():
-    """a simulation is neither copied nor pickled, and goes on after the attempt"""
+    """a simulation is neither copied nor pickled, and continues after the attempt"""
     sim = suna.Simulation(SCENE).setup()
     for call in (copy.copy, copy.deepcopy, pickle.dumps, lambda sim: copy.deepcopy(sim.walls)):
         try:

@@ -86,7 +86,7 @@ def errors():
 
 
 def restart():
-    """a run that goes on from a snapshot has the same bits"""
+    """a run that continues from a snapshot has the same bits"""
     whole = suna.Simulation(SCENE)
     whole.advance(0.01)
     whole.save("half.dem")
@@ -210,7 +210,7 @@ def progress():
 
 
 def interrupted():
-    """Ctrl-C ends an advance after a step; the run can go on"""
+    """Ctrl-C ends an advance after a step; the run can continue"""
     sim = suna.Simulation(SCENE).setup()
     threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
     began = time.monotonic()

@@ -133,7 +133,7 @@ def check(case, target):
 
 
 def wish():
-    """a wish in the scene: the search, then the run in one command"""
+    """a target in the scene: the search, then the run in one command"""
     scene, _ = damped()
     (FOLDER/"wish.dem").write_text(scene + "accuracy { target 0.002; }\nwrite { vtk no; }\n")
     # the program is not on PATH
@@ -178,7 +178,7 @@ def main():
         try:
             run()
             print(f"ok {number} - {name}", flush=True)
-        except Exception as error:      # a test goes on to the next
+        except Exception as error:      # continue with the next test
             print("# " + str(error).replace("\n", "\n# "))
             print(f"not ok {number} - {name}", flush=True)
     print(f"1..{len(checks)}")
