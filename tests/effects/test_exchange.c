@@ -114,7 +114,7 @@ static void suspensions(void)
     }
     TAP_OK(with == cells, "with under-relaxation: %d of %d suspensions are stable", with, cells);
     TAP_OK(without < cells - 100, "without: %d of %d", without, cells);
-    TAP_OK(light == 0, "particles of %g times the density need none", DEM_EXCHANGE_LIGHT);
+    TAP_OK(light == 0, "particles of %g times the density need no factor", DEM_EXCHANGE_LIGHT);
 }
 
 int main(void)

@@ -89,7 +89,7 @@ int main(void)
         printed[strlen(printed) - 1] = '\0';
         const int line = different_line(block, printed);
 
-        TAP_OK(line == 0, "the block is what dem effects prints%s",
+        TAP_OK(line == 0, "dem effects prints the block%s",
                line ? "; make -C dem manual brings it up to date" : "");
         if (line)
         {

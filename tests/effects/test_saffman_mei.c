@@ -61,9 +61,9 @@ int main(void)
              "the step at Re_p = 40 is the published one");
 
     in_shear(d, rho, mu, 0.0, G);
-    TAP_OK(b.rx[0] == 0.0 && b.ry[0] == 0.0, "without slip: none");
+    TAP_OK(b.rx[0] == 0.0 && b.ry[0] == 0.0, "without slip: no lift");
     in_shear(d, rho, mu, w, 0.0);
-    TAP_OK(b.rx[0] == 0.0 && b.ry[0] == 0.0, "without shear: none");
+    TAP_OK(b.rx[0] == 0.0 && b.ry[0] == 0.0, "without shear: no lift");
     in_shear(d, rho, 0.0, w, G);
     TAP_OK(b.ry[0] == 0.0, "without viscosity: none");
     in_shear(d, rho, mu, 1e-200, 1e-200);

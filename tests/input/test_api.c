@@ -289,7 +289,7 @@ static void before(struct dem *d, const char *when)
     wrong = 0;
     refuse_queries(d);
     TAP_OK(wrong == 0, "%s: each query is refused as one that comes after dem_setup", when);
-    TAP_OK(returns_nothing(d), "%s: what returns no status returns nothing", when);
+    TAP_OK(returns_nothing(d), "%s: calls without a status return nothing", when);
 }
 
 static void unready(void)

@@ -21,7 +21,7 @@ copied()
     local from to
     while read -r from to; do [ -e "$root/$from" ] || return 1; done < <(line COPY)
 }
-claim "what the container copies is there" copied
+claim "the files that the container copies exist" copied
 if command -v demPimpleFoam > /dev/null && [ -n "${WM_PROJECT_DIR-}" ]
 then
     claim "the entry point of the container runs demPimpleFoam" "$python" -c '

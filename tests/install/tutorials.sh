@@ -29,7 +29,7 @@ claim "it reports by case" \
     eval 'grep -q "^good .* completed$" "$work/said" && grep -q "^bad .* FAILED" "$work/said"'
 claim "tutorials/Allrun refuses an unknown case and names those there are" \
     eval 'ends 1 "$fake/Allrun" other && grep -q "bad good" "$work/said"'
-claim "tutorials/Allclean removes what both have written" \
+claim "tutorials/Allclean removes the files of both" \
     eval 'ends 0 "$fake/Allclean" && [ ! -e "$fake/good/result.csv" ] && [ ! -e "$fake/good/log.Allrun" ]'
 claim "tutorials/Alltest ends with 1 where a case has no claim, and names it" \
     eval 'ends 1 "$fake/Alltest" && grep -q "^bad .*NOT RUN" "$work/said"'

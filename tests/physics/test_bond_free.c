@@ -572,7 +572,7 @@ static void reported_bonds(double along, double across, int cause, const char *m
     TAP_NEAR(stored, 0.5*kn*A*along*along + 0.5*kt*A*across*across, 1e-3*stored,
              "%s: its energy", more);
     WORLD_TRY(dem_broken_bonds(d, &n, &broke));
-    TAP_OK(n == 0, "%s: none broken yet", more);
+    TAP_OK(n == 0, "%s: no bond broken yet", more);
     for (int k = 0; k < 10000 && world_tally(d).broken == 0.0; k++)
     {
         chain_set(d, 7, v, none);

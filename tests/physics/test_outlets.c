@@ -221,7 +221,7 @@ static void test_program(void)
         world_run(d, window);
         WORLD_TRY(dem_flow_apply(d, &changed));
     }
-    TAP_OK(removed(d, 0) == 1, "an outlet that the program checks removes what has passed it");
+    TAP_OK(removed(d, 0) == 1, "an outlet that the program checks removes a particle that passed it");
     dem_free(d);
 }
 

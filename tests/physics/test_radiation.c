@@ -47,7 +47,7 @@ static double gain(double R, double L, double l, double e, const char *settings)
     {
         const double of_b = world_sphere_mass(L, rho)*c*(temperature(d, 1) - b_T)/dt;
 
-        TAP_NEAR(gained + of_b, 0.0, 4.0*C*a_T*DBL_EPSILON/dt, "what one loses the other receives");
+        TAP_NEAR(gained + of_b, 0.0, 4.0*C*a_T*DBL_EPSILON/dt, "one receives the heat that the other loses");
     }
     dem_free(d);
     return gained;

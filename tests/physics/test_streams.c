@@ -266,7 +266,7 @@ static void test_walls(void)
     TAP_OK(world_tally(d).particles > 100,
            "%lld between a plane, a sphere and a sheet of triangles",
            (long long)world_tally(d).particles);
-    TAP_OK(min_clearance(d) >= 0.0, "they touch none of the walls and are not behind them");
+    TAP_OK(min_clearance(d) >= 0.0, "they touch no wall and are not behind one");
     dem_free(d);
 }
 
