@@ -223,7 +223,7 @@ Foam::tmp<Foam::volVectorField> Foam::demFluid::pressureGradient() const
 }
 
 
-// Of the pressure field of the solver
+// Full pressure gradient from the pressure field of the solver
 Foam::tmp<Foam::volVectorField> Foam::demFluid::solverGradient
 (
     const volScalarField* p,

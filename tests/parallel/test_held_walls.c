@@ -149,7 +149,7 @@ static void move(struct dem *d, int alone, double risen)
     free(corner);
 }
 
-/* ---- what a rank holds ----------------------------------------------------------------------- */
+/* ---- the triangles of a rank ----------------------------------------------------------------- */
 
 /* For each particle as many wall neighbors, with the same facets and triangles, as among all. */
 static void check_held(const struct dem *d, const struct dem *alone)

@@ -160,7 +160,7 @@ static void against_integration(void)
     }
 }
 
-/* ---- against what is published --------------------------------------------------------------- */
+/* ---- against published values ---------------------------------------------------------------- */
 
 /* one impact on the plane; *pushed: normal impulse of repulsion [N s], summed over the steps */
 static struct world_particle one(const struct set *s, int material, int law, const char *damping,

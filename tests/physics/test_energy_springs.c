@@ -94,7 +94,7 @@ static double impact(double reduced_mass, double reduced_radius)
     return world_contact_time(reduced_mass, reduced_radius, 0.5*E/(1.0 - nu*nu), 1.0);
 }
 
-/* Of impacts at 1 m/s at 5 to 65 degrees, spinning: mean residual over the energy at the start, and
+/* For impacts at 1 m/s at 5 to 65 degrees, spinning: mean residual over the energy at the start, and
    its largest. */
 static void impacts(const struct scene *s, double step, double other, double result[2])
 {

@@ -94,7 +94,7 @@ static void collides(const char *effects, double lost_fraction, const char *clai
     dem_free(d);
 }
 
-/* A bond that is pulled apart loses what it has stored: its partners are heated by that. */
+/* A bond that is pulled apart loses its stored energy, which heats its partners. */
 static void breaks(void)
 {
     const double dt = 1e-7;

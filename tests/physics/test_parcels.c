@@ -89,7 +89,7 @@ static void test_impacts(void)
     }
 }
 
-/* rise of the temperature [K] in such an impact, by what the contact dissipates */
+/* rise of the temperature [K] in such an impact, by dissipation in the contact */
 static double heated(double l)
 {
     char *const text = world_text(

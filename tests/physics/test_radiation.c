@@ -20,7 +20,7 @@ static double temperature(struct dem *d, int64_t id)
     return world_scalar(d, "temperature", id);
 }
 
-/* Two spheres, or a sphere and a wall (L = 0), at the distance l: what a gains [W]. */
+/* Two spheres, or a sphere and a wall (L = 0), at the distance l: gain of a [W]. */
 static double gain(double R, double L, double l, double e, const char *settings)
 {
     const double dt = 1e-2, C = world_sphere_mass(R, rho)*c;

@@ -571,7 +571,7 @@ static void over_the_edge(void)
         {
             break;
         }
-        /* the elastic energy of an overlap of 1e-5 m is 2/5 F d: 1e-3 of what the fall gives */
+        /* the elastic energy of an overlap of 1e-5 m is 2/5 F d: 1e-3 of the energy of the fall */
         const double energy = 0.5*mass*(p.v[0]*p.v[0] + p.v[2]*p.v[2]) + mass*g*p.x[2];
 
         start = k == 0 ? energy : start;
