@@ -4,8 +4,8 @@
     csv_tables.py FILE ...            by Python's csv module
     csv_tables.py -pandas FILE ...    by pandas.read_csv(FILE)
 
-The first line has the names of the columns, each other one as many fields, numbers but for the columns of words below. No comments.
-Prints what is wrong; the exit status is 0 when nothing is.
+The first line names the columns; every other line has as many fields, numbers except in the columns
+of words below. No comments. Prints each fault; the exit status is 0 if there is none.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -31,7 +31,7 @@ def by_csv(path):
         return
     names = rows[0]
     if len(set(names)) < len(names) or any(is_number(name) or not name or name[0] == "#" for name in names):
-        yield f"the first line is not that of the columns: {','.join(names)[:80]}"
+        yield f"the first line does not name the columns: {','.join(names)[:80]}"
     for n, row in enumerate(rows[1:], 2):
         if len(row) != len(names):
             yield f"line {n}: {len(row)} fields, not {len(names)}"

@@ -364,8 +364,7 @@ Foam::labelList Foam::demInletsOutlets::reduceVolumes
 
                 if (h < distance[i]*d)
                 {
-                    // Outside: along the normal of the nearest triangle, and not
-                    // beside its edge
+                    // Outside: on the normal of the nearest triangle, not beside it
                     const vector n((p[t + 1] - p[t]) ^ (p[t + 2] - p[t]));
                     beyond[i] = (n & (x - p[t])) > 0.9*h*mag(n);
                     distance[i] = h/d;
@@ -375,7 +374,7 @@ Foam::labelList Foam::demInletsOutlets::reduceVolumes
         }
     }
 
-    // A particle that has passed an outlet counts with no volume, at any distance
+    // A particle that has passed an outlet displaces no fluid, at any distance
     forAll(outgoingId_, k)
     {
         forAll(volume, i)

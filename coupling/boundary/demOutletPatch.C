@@ -108,7 +108,7 @@ Foam::labelList Foam::demOutletPatch::nearest
 
 Foam::scalar Foam::demOutletPatch::exitDistance(const point& from, const point& to) const
 {
-    // Each face by itself: which faces a search tree tests depends on the others
+    // Test each face: which faces a search tree tests depends on the others
     const vector line(to - from);
     const vector reach(maxRoundOff*mesh_.bounds().mag()*vector::one);
     const treeBoundBox box(min(from, to) - reach, max(from, to) + reach);

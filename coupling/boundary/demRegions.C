@@ -19,7 +19,7 @@
 namespace Foam
 {
 
-// Between ranks, where the mesh goes on
+// Between ranks: inside the mesh
 static bool isCut(const polyPatch& patch)
 {
     return isA<processorPolyPatch>(patch) && !isA<processorCyclicPolyPatch>(patch);
@@ -91,7 +91,7 @@ Foam::List<double> Foam::demRegions::surface(const bitSet& inside) const
     const labelList& neighbour = mesh_.faceNeighbour();
     DynamicList<double> corners;
 
-    // 1 for the cells inside; across processor faces that of the other rank
+    // 1 for the cells inside; across processor faces the other rank's value
     labelList flags(mesh_.nCells());
     labelList across;
     forAll(flags, celli)

@@ -56,7 +56,7 @@ static List<double> triangles
 }
 
 
-// Triangles of a surface file: the master reads all, the other ranks have none
+// Triangles of a surface file: the master reads them all, the other ranks have none
 static List<double> triangles(const Time& time, const dictionary& wall)
 {
     List<double> corners;

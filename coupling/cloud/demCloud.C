@@ -95,7 +95,7 @@ void Foam::demCloud::fail(const string& sentence)
 {
     string also;
 
-    // Otherwise ranks failed at different places and must not communicate
+    // Otherwise ranks have failed at different places and must not communicate
     if (dem_ranks_agree(particles_.core()))
     {
         if (trial_)

@@ -29,7 +29,7 @@ Foam::demUnderRelaxation Foam::demExchange::underRelaxation() const
 }
 
 
-// Told where the particles would oscillate without it, and again when it falls
+// Logged once, if the particles would oscillate without it, and again whenever it falls
 void Foam::demExchange::reportRelaxation()
 {
     const scalar factor =
@@ -285,7 +285,7 @@ void Foam::demExchange::correct
     }
     else
     {
-        // The velocity of before: no impulse is carried over
+        // The same velocity as before: no impulse is carried over
         forAll(velocity, i)
         {
             velocity[i] = vectorAt(fluid_.velocity, i);

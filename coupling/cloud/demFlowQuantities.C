@@ -86,8 +86,8 @@ void Foam::demFlowQuantities::setMeanDiameter() const
     scalarField V(volumes(particles_.view()));
     scalarField volume, perDiameter;
 
-    // Of whole spheres, as below, also near patches where the void fraction
-    // contains a fraction of their volume
+    // Whole spheres, as below, even near patches, where the void fraction counts only a
+    // fraction of their volume
     transfer_.deposit(V, volume);
     forAll(V, i)
     {
@@ -150,7 +150,7 @@ void Foam::demFlowQuantities::updateAcceleration(const volVectorField& U)
         a = U & gradU;
     }
 
-    // In a rotating frame the old velocity is that of the frame's past
+    // In a rotating frame du/dt, below, is the derivative in that frame (demRotatingFrame.H)
     for (const demRotatingFrame& frame : frames_)
     {
         for (const label celli : frame.cells())

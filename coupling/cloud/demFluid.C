@@ -93,7 +93,7 @@ Foam::demFluid::demFluid(const fvMesh& mesh, const demCloud& cloud)
     mesh_(mesh),
     cloud_(cloud)
 {
-    // Fields that are missing are an error now, not in the first step
+    // Refuse missing fields now, not in the first step
     velocity();
     pressureGradient();
     checkViscosity(viscosity()());
@@ -223,7 +223,7 @@ Foam::tmp<Foam::volVectorField> Foam::demFluid::pressureGradient() const
 }
 
 
-// Of the pressure field of the solver
+// Full pressure gradient from the pressure field of the solver
 Foam::tmp<Foam::volVectorField> Foam::demFluid::solverGradient
 (
     const volScalarField* p,

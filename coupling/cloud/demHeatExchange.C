@@ -53,7 +53,7 @@ Foam::scalar Foam::demHeatExchange::owed() const
 }
 
 
-// Of the exchange, relative to the sum of the magnitudes of its terms J, R T* and R T'
+// Error of the exchange, relative to the sum of the magnitudes of its terms J, R T* and R T'
 Foam::scalar Foam::demHeatExchange::error
 (
     const UList<scalar>& temperature,

@@ -1,5 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demLastGood.C -- the last good state, for a run whose particles fail.
+    demLastGood.C -- keeps the last good state, written if the particles fail.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.

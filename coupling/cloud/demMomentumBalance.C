@@ -70,8 +70,8 @@ Foam::scalar Foam::demMomentumBalance::exchange
     reduce(moved, sumOp<scalar>());
     reduce(terms, sumOp<scalar>());
 
-    // Where fluid and particles move together nothing is exchanged but the
-    // round-off of F - K u: then relative to the largest exchange so far
+    // If fluid and particles move together only round-off of F - K u is exchanged:
+    // then compare with the largest exchange so far
     maxMoved_ = max(maxMoved_, moved);
     const scalar difference = mag(whole & (toFluid + fraction*toParticles));
     const scalar error = difference/(max(moved, 1e-3*maxMoved_) + VSMALL);

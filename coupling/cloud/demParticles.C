@@ -28,11 +28,11 @@
 namespace Foam
 {
 
-// Of a diameter; less is nothing to warn of
+// Fraction of a diameter; do not warn below it
 static const scalar slightOverlap = 1e-3;
 
 
-// Refuses interfaces and frames first: other checks would find what follows from them,
+// Refuses interfaces and frames first: other checks would report their consequences,
 // such as periodic patches of a zone that slides
 static const fvMesh& supported(const fvMesh& mesh, const bool volumeAveraged)
 {
@@ -125,7 +125,7 @@ void Foam::demParticles::load()
 }
 
 
-// A snapshot made in other walls overlaps those of the mesh
+// A snapshot made with other walls overlaps the walls of the mesh
 void Foam::demParticles::reportStart() const
 {
     struct dem_start_overlap start;
@@ -228,8 +228,8 @@ Foam::string Foam::demParticles::lostSentence
 }
 
 
-// The end of a sentence on a particle of this velocity that is outside: empty where
-// the step is short enough
+// End of a message on a particle of this velocity that is outside: empty if the step is
+// short enough
 Foam::string Foam::demParticles::longStep(const vector& velocity) const
 {
     const scalar limit = demTimeStepControl::particleLimit(mesh_.time());

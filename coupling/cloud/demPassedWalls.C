@@ -1,5 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demPassedWalls.C -- void fraction of the patches whose velocity is given.
+    demPassedWalls.C -- void fraction of patches of given velocity.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
@@ -15,12 +15,12 @@
 namespace Foam
 {
 
-// Flux through a patch over the largest one of the same speeds: below it a wall
-// slides in itself, as a rotating one does on flat faces
+// Flux through a patch over the largest possible one at the same speeds: below this a
+// wall slides in its own plane, such as a rotating wall with flat faces
 static const scalar minNormalFraction = 1e-3;
 
 
-// Is the velocity given, and not that of an outlet?
+// Is the velocity given, other than at an outlet?
 static bool isGiven(const fvPatchVectorField& Up)
 {
     return Up.fixesValue() && !Up.assignable();

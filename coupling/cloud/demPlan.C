@@ -16,8 +16,7 @@ namespace Foam
 {
 
 // Volume of the cells between two heights x . up [m3]. A cell counts with the
-// fraction of its height that lies in between: exact for cells whose section is
-// constant along it.
+// fraction of its height that lies in between: exact for cells of constant section.
 static scalar volumeBetween
 (
     const fvMesh& mesh,
@@ -89,9 +88,9 @@ Foam::scalar Foam::demPlan::inflow(const volVectorField& U) const
 }
 
 
-// Void fraction below which half of the particles' volume lies [1]. Unlike the mean
-// it is that inside a bed, hardly changed by the surfaces over which the kernel
-// spreads them. 1 without particles.
+// Void fraction below which half of the particles' volume lies [1]; 1 without particles.
+// Unlike the mean it hardly depends on the surface of a bed, over which the kernel
+// spreads particles.
 Foam::scalar Foam::demPlan::bedVoidFraction() const
 {
     const scalarField& e = volume_.field().primitiveField();
@@ -113,7 +112,7 @@ Foam::scalar Foam::demPlan::bedVoidFraction() const
 }
 
 
-// What the width of the kernel takes from the drag of a bed of this void fraction
+// Drag that the width of the kernel removes from a bed of this void fraction
 void Foam::demPlan::reportKernel(const scalar bed) const
 {
     const scalar layer = transfer_.surfaceLayer();
@@ -189,12 +188,12 @@ void Foam::demPlan::report
     ahead.cell = cbrt(gMin(mesh_.V().field()));
     ahead.speed = gMax(mag(U.primitiveField()));
 
-    // With a fixed scheme: fvSchemes of the case may give none for grad(U)
+    // With a fixed scheme, as the case's fvSchemes may have none for grad(U)
     const volTensorField gradU(fv::gaussGrad<vector>(mesh_).calcGrad(U, "dem:gradU"));
     ahead.vorticity = 2*gMax(mag(skew(gradU.primitiveField()))()/sqrt(scalar(2)));
     ahead.one_way = !particles_.twoWay();
 
-    // The flow that enters has not filled the bed yet: in it, it is faster
+    // The entering flow has not filled the bed yet; inside the bed it is faster
     const scalar crossing =
         ahead.inflow > 0 && maxCo > 0
       ? maxCo*ahead.cell*gMin(volume_.ofFluid().primitiveField())/ahead.inflow

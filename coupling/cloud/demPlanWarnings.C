@@ -1,6 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demPlanWarnings.C -- what is likely to be a mistake or cannot work, told before
-    the first step.
+    demPlanWarnings.C -- reports likely mistakes before the first step.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
@@ -97,9 +96,9 @@ void Foam::demPlan::inletWarnings
 }
 
 
-// The exchange gives the fluid its impulse within one step. Schemes of two steps
-// add a part of the change of the last one to it: what the fluid receives in all
-// is off by half the impulse of the first step.
+// The exchange gives the fluid its impulse within one step. Schemes of two steps add
+// a part of the previous change: the total impulse on the fluid is then off by half
+// the impulse of the first step.
 void Foam::demPlan::timeSchemeWarning(DynamicList<string>& warnings) const
 {
     const word scheme(demFluid::timeScheme(mesh_));
@@ -116,7 +115,7 @@ void Foam::demPlan::timeSchemeWarning(DynamicList<string>& warnings) const
 }
 
 
-// Patches that are neither walls nor passages: particles there are lost
+// Patches that are neither walls nor passages: particles are lost there
 void Foam::demPlan::openPatchWarning(DynamicList<string>& warnings) const
 {
     string open;

@@ -25,7 +25,7 @@ static const char* const phaseNames[demProfile::nPhases] =
 };
 
 
-// Of the process, all threads [s]
+// Processor time of the process, all threads [s]
 static scalar processorClock()
 {
     return scalar(std::clock())/CLOCKS_PER_SEC;

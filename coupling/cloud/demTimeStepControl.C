@@ -11,7 +11,7 @@
 
 namespace Foam
 {
-    // Step over the relaxation time of particles, above which it is reported
+    // Step over the relaxation time of particles; reported above this
     static const scalar relaxationWarning = 1;
 }
 

@@ -110,8 +110,8 @@ void Foam::demVoidFraction::deposit()
 
     if (particles_.twoWay())
     {
-        // From the void fractions, so that it agrees with their ddt. In a mesh
-        // that moves, of volumes of the cell before and after, per its new one
+        // From the void fractions, so that it agrees with their ddt. In a moving mesh
+        // with the cell's volumes before and after, divided by the new one
         if (mesh_.moving())
         {
             old *= mesh_.V0().field()/mesh_.V().field();

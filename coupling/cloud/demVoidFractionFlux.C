@@ -1,7 +1,7 @@
 /*---------------------------------------------------------------------------*\
     demVoidFractionFlux.C -- the volume flux of the particles for the continuity
-    equation (demPimpleFoam/voidageFlux.H): between cells, through patches, and what
-    appears or vanishes inside the mesh.
+    equation (demPimpleFoam/voidageFlux.H): between cells, through patches, and sources
+    inside the mesh.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
@@ -36,8 +36,8 @@ void Foam::demVoidFraction::depositFlux(const UList<scalar>& volume)
 }
 
 
-// Volumes that the fluid sees [m3]; `behind`: by passage, what it does not see yet
-// or any more of the particles there, on all ranks [m3]. Collective.
+// Volumes that the fluid sees [m3]; `behind`: by passage, the volume of the particles
+// there that it does not see yet or any more, on all ranks [m3]. Collective.
 Foam::tmp<Foam::scalarField> Foam::demVoidFraction::reducedVolumes(scalarField& behind) const
 {
     tmp<scalarField> tV(new scalarField(volumes(view_)));
@@ -68,9 +68,8 @@ Foam::tmp<Foam::scalarField> Foam::demVoidFraction::reducedVolumes(scalarField& 
 }
 
 
-// Streams and outlets act, and the particles' volume that comes through patches by
-// it and that appears inside the mesh is booked. New particles near an inlet are
-// those that have come through it.
+// Let streams and outlets act, and book the particle volume that they move through
+// patches and create inside the mesh. New particles near an inlet came through it.
 void Foam::demVoidFraction::passWithVolumes(const volVectorField& U)
 {
     const scalar step = mesh_.time().deltaTValue();

@@ -41,7 +41,7 @@ static IOobject relaxedField(const fvMesh& mesh, const word& name, const bool wr
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-// Walls that moved while the particles stood still would pass through them
+// Walls that move while the particles stand still would pass through them
 void Foam::demDriver::refuseLateStart() const
 {
     const Time& time = mesh_.time();

@@ -153,7 +153,7 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
         UPstream::exit(0);
     }
 
-    // Outside a period of its own it would not notice a signal
+    // Outside its own period it would not notice a signal
     if (!dict.found("timeStart") && !dict.found("timeEnd"))
     {
         stop_.reset(new demStop(time_));

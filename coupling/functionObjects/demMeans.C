@@ -108,7 +108,7 @@ public:
     }
 
 
-    //- The mean is that of all samples, those of the present block included
+    //- The mean includes all samples, also of the present block
     virtual label write() const
     {
         Field<Type> mean(mesh_.nCells()), interval(mesh_.nCells());

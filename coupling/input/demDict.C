@@ -166,7 +166,7 @@ void Foam::demDict::readStart(const bool settle)
     }
     else
     {
-        // frozen and particle scalars are the core's to read
+        // The core reads frozen and particle scalars
         dict_.subDict("start").set("snapshot", snapshot_);
         dropGroups(false);
     }

@@ -140,8 +140,8 @@ void Foam::demDict::checkMaterial
 }
 
 
-// The position of a patch is that of the mesh; its surface may have a tangential
-// velocity, and a temperature
+// The mesh gives the position of a patch; its surface may have a tangential velocity
+// and a temperature
 void Foam::demDict::checkPatchWall(const entry& e) const
 {
     const std::string where("walls/" + e.keyword());
@@ -210,7 +210,7 @@ void Foam::demDict::addPatchSettings(const entry& e)
 }
 
 
-// Give the core these settings of a patch, besides other entries of the wall
+// Give the core these settings of a patch, in addition to other entries of the wall
 void Foam::demDict::addToWall(const polyPatch& patch, const dictionary& settings)
 {
     dictionary wall(settings);
@@ -385,7 +385,7 @@ void Foam::demDict::separatePatchWalls()
         walls.remove(names[i]);
     }
 
-    // Only now all patch walls are known
+    // All patch walls are known only now
     forAllConstIters(patches_, iter)
     {
         addPatchSettings(*iter);

@@ -18,7 +18,7 @@
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // Translation from this half of a cyclic pair to the other, over all ranks; false if
-// it is not a translation. Faces whose other half is on another rank are in
+// it is not a translation. Faces with their other half on another rank are in
 // processorCyclic patches.
 bool Foam::demDomain::translation(const cyclicPolyPatch& half, vector& offset) const
 {

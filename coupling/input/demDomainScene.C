@@ -24,7 +24,7 @@ bool Foam::demDomain::lists
 
     if (!e || !e->isStream())
     {
-        return false;                       // the core reports a dictionary as error
+        return false;                       // the core refuses a dictionary
     }
     for (const token& t : e->stream())
     {
@@ -37,7 +37,7 @@ bool Foam::demDomain::lists
 }
 
 
-// Limits of an axis in the scene must be those of the mesh
+// Limits of an axis in the scene must agree with the mesh
 void Foam::demDomain::checkLimits
 (
     const dictionary& domain,
@@ -81,7 +81,7 @@ void Foam::demDomain::checkLimits
 }
 
 
-// Periodic axes in the scene must be those of the mesh
+// Periodic axes in the scene must agree with the mesh
 void Foam::demDomain::checkPeriodic(const dictionary& domain) const
 {
     for (direction k = 0; k < 3; k++)

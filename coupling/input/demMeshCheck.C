@@ -42,7 +42,7 @@ static void refuseOverset(const fvMesh& mesh)
 }
 
 
-// Cells of this rank whose centres are tested
+// Cells of this rank for the test of centres
 static labelList sample(const fvMesh& mesh)
 {
     const label all = returnReduce(mesh.nCells(), sumOp<label>());
@@ -68,7 +68,7 @@ static labelList sample(const fvMesh& mesh)
 }
 
 
-// Is the point behind all faces of the cell? Of a cell that is not convex only a part is.
+// Is the point behind all faces of the cell? In a concave cell only some points are.
 static bool isInside(const fvMesh& mesh, const point& x, const label celli)
 {
     return mesh.pointInCell(x, celli, polyMesh::FACE_PLANES);

@@ -16,8 +16,8 @@
 
 namespace Foam
 {
-    // Sine of the angle by which the velocity of a surface of revolution may lean off
-    // its faces: chords of a circle of 16 faces lean by half of that at their ends
+    // Sine of the largest angle between the velocity of a surface of revolution and its
+    // faces: at the ends of chords of a circle of 16 faces it is half of this
     static const scalar maxLean = 0.2;
 }
 

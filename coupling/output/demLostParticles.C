@@ -21,7 +21,7 @@ namespace Foam
 // Largest number of ids on a line of the log; the file has all
 enum { MAX_IDS = 10 };
 
-// Losses whose patch is searched for at once
+// Number of losses in one search for patches
 enum { BLOCK = 100000 };
 
 static void reportIds
@@ -70,8 +70,8 @@ void Foam::demLostParticles::writeRows
     const scalar offset
 )
 {
-    // The cause of a removed particle is completed by a patch; that of one which
-    // passed through a wall names the wall already
+    // Append a patch to the cause of a removed particle; if a particle passed through
+    // a wall, the cause names the wall already
     pointField points(n);
     vectorField velocities(n, Zero);
     for (label k = 0; k < n; k++)

@@ -13,7 +13,7 @@
 namespace Foam
 {
 
-//- [s] of the clock between lines, and between looks for a request to stop
+//- Wall-clock time [s] between lines, and between checks for a request to stop
 static const scalar silence = 10;
 static const scalar between = 1;
 

@@ -133,7 +133,7 @@ static inline vector three(const UList<scalar>& numbers, const label at)
 }
 
 
-// The note of every file names the active effects, as that of the fields does
+// The note of every file names the active effects, as in the fields
 static IOobject fileOf
 (
     const fvMesh& mesh,

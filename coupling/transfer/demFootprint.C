@@ -154,7 +154,7 @@ void Foam::demFootprint::sort(const UList<demCellLocation>& locations)
     }
     for (label i = 0; i < nLocal_; ++i)
     {
-        // no cell has a part of the kernel: use the particle's own cell
+        // no cell contains a part of the kernel: use the particle's own cell
         if (sum[i] <= 0)
         {
             footprint_.append(i);

@@ -117,8 +117,7 @@ void Foam::demFootprint::floodAll
 }
 
 
-// Build the map between locations and their remote footprints: the owner of each
-// is informed of it
+// Build the map between locations and their remote footprints: inform the owner of each
 void Foam::demFootprint::connectRemote()
 {
     labelListList send(Pstream::nProcs()), remote(Pstream::nProcs());

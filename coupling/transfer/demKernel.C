@@ -36,8 +36,8 @@ autoPtr<demKernel> demKernel::New(const parts& p, const char* entry, const word&
 
 // * * * * * * * * * * * * * * * * linear  * * * * * * * * * * * * * * * * * * //
 
-//- Linear weights (demLinearWeights). They reproduce linear fields; smoothed, cells pass
-//  on what these weights give them too much of an even bed
+//- Linear weights (demLinearWeights). They reproduce linear fields; when smoothed, cells
+//  first pass on the excess that these weights give them in an even bed
 class demLinearKernel
 :
     public demKernel
@@ -87,10 +87,11 @@ public:
         mesh_(p.mesh)
     {}
 
-    //- Mean over the positions in a cell, beyond that of a cell value as a mean over the
-    //  cell. In one direction the points, edges and faces of a box are half a cell from
-    //  its centre and have 3/4 of the weight on the mean, the centre 1/4. That gives 3/8,
-    //  less 1/12 for the particle's position in the cell and 1/12 for the size of the cell.
+    //- Mean variance over the positions in a cell, beyond the variance of a cell value
+    //  that is a mean over the cell. In one direction the points, edges and faces of a box
+    //  are half a cell from its centre and have on average 3/4 of the weight, the centre
+    //  1/4. That gives 3/8, less 1/12 for the particle's position in the cell and 1/12 for
+    //  the size of the cell.
     virtual bool variance(const scalar, scalar& c, scalar& a) const
     {
         c = 5.0/24.0;

@@ -14,9 +14,9 @@
 namespace Foam
 {
 
-// The component of k normal to a wall is suppressed by adding the dyad of the
-// normal to the covariance, times this factor: what is left of it changes weights
-// by a thousandth at most
+// To suppress the component of k normal to a wall, the dyad of the normal times this
+// factor is added to the covariance. The remainder changes weights by a thousandth at
+// most.
 static const scalar wallFactor = 1e3;
 
 // The set of cell centres around a point is flat in a direction if its variance
@@ -256,7 +256,7 @@ Foam::demLinearWeights::demLinearWeights
 }
 
 
-// The tetrahedra are those of demLocator: cell centre, mean of a face's points, edge
+// The tetrahedra of demLocator: cell centre, mean of a face's points, edge
 Foam::scalarList Foam::demLinearWeights::parts() const
 {
     const pointField& points = mesh_.points();

@@ -1,6 +1,6 @@
 /*---------------------------------------------------------------------------*\
-    demLocator.C -- set-up of the cell search: face planes of the cells, other side
-    of boundary faces.
+    demLocator.C -- sets up the cell search: face planes of the cells, other side of
+    boundary faces.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.

@@ -22,9 +22,9 @@ namespace Foam
     // both find such a point; its weights agree to this precision.
     static const scalar onFace = 1e-9;
 
-    // Up to this distance, in the same unit, the triangles of the face decide and
-    // not its plane, as it may be warped; and always after so many cells, as planes
-    // may lead in circles
+    // Up to this distance, in the same unit, the triangles of a face decide, not its
+    // plane, as it may be warped; always after this number of cells, as planes may lead
+    // in circles
     static const scalar nearFace = 1.2;
     static const label maxPlaneSteps = 50;
 
@@ -37,8 +37,8 @@ namespace Foam
     static const scalar onWall = 1.1;
     static const label maxSlides = 3;
 
-    // A point that several passages of an interface leave behind a face of it lies in a
-    // gap between the two sides, up to this distance in the same unit
+    // A point that is still behind a face of an interface after several passages lies in
+    // a gap between the two sides, up to this distance in the same unit
     static const label maxPassages = 4;
     static const scalar inGap = 2;
 }
@@ -230,7 +230,7 @@ void Foam::demLocator::setPeriods(const vector& period)
     {
         const vector mesh(shift);
 
-        // no part of it along the other axes, where face centres differ by rounding
+        // nothing along the other axes, where face centres differ by rounding
         for (direction k = 0; k < 3 && mag(mesh) > 0; k++)
         {
             const bool along = mag(mesh[k]) > 0.5*mag(mesh);

@@ -118,8 +118,7 @@ void Foam::demOverpackingLimiter::setTransport
         remaining_[c] = through[c] > 0 ? mesh_.V()[c]*after[c]/through[c] : 1;
     }
 
-    // Number of exchanges between ranks: until the inflow over coupled faces does not
-    // change any more
+    // Exchange between ranks until the inflow over coupled faces no longer changes
     scalarField volume(mesh_.V().field()*before);
     nExchanges_ = 0;
     nExchanges_ = transport(volume, mesh_.globalData().nTotalCells());

@@ -1,6 +1,6 @@
 /*---------------------------------------------------------------------------*\
-    demParticleRouting.C -- mesh side of the particle-to-cell routing: answer queries by a
-    walk over all ranks.
+    demParticleRouting.C -- mesh side of the particle-to-cell routing: answers queries by
+    a walk over all ranks.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.

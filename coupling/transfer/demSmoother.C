@@ -1,5 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demSmoother.C -- smooth cell values by explicit diffusion; conserves totals,
+    demSmoother.C -- smooths cell values by explicit diffusion; conserves totals and
     makes no new extremes.
 
     This file is part of Suna, free software under the GNU General Public
@@ -14,7 +14,7 @@
 
 namespace Foam
 {
-    // Fraction of its value that a lump may give away in one sub-step, at most
+    // Largest fraction of its value that a lump may give away in one sub-step
     static const scalar maxGiven = 2.0/3.0;
 
     // Smoothing width over the thickness of the thinnest cells that are not lumped:

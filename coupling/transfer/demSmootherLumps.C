@@ -4,9 +4,9 @@
 
     The values of two lumps of volumes V_a, V_b with the conductance k = S.d/d.d
     between them approach each other at the rate k (1/V_a + 1/V_b) [1/m2], which
-    is 2/h^2 for two equal boxes of thickness h. In a round each lump is joined with
-    one neighbour at most, pairs of the highest rate first, of equal ones that of
-    the first face. The thickness doubles with each round.
+    is 2/h^2 for two equal boxes of thickness h. Each round joins a lump with one
+    neighbour at most: the pair with the highest rate first, and among equal rates the
+    pair with the first face. The thickness doubles with each round.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.

@@ -1,5 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demTransfer.C -- locate particles, deposit their values on the mesh, sample
+    demTransfer.C -- locates particles, deposits their values on the mesh, samples
     fields at them.
 
     This file is part of Suna, free software under the GNU General Public

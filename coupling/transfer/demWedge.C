@@ -1,6 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demWedge.C -- particles in a full circle coupled to a fluid mesh that is a
-    sector.
+    demWedge.C -- couples particles in a full circle to a fluid mesh that is a sector.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.

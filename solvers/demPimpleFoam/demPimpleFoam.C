@@ -1,14 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demPimpleFoam.C -- transient, incompressible flow coupled with particles.
 
-    Part of Suna, CFD-DEM for OpenFOAM.
-    SPDX-License-Identifier: GPL-3.0-or-later
-
-    Suna is free software: you can redistribute it and/or modify it under the
-    terms of the GNU General Public License as published by the Free Software
-    Foundation, either version 3 of the License, or (at your option) any later
-    version. It comes without any warranty; see COPYING.
-
 Application
     demPimpleFoam
 
@@ -39,12 +31,12 @@ Description
     at rest is exact. The particles receive the full pressure gradient,
     rho (grad p + g), which includes buoyancy.
 
-    Sets I and III of the same paper are there for comparison (entry equations,
-    demCouplingScheme): grad p acts on the fluid in full, and the reaction is
-    that to the whole force, or to drag over e.
+    Sets I and III of the same paper are available for comparison (entry equations,
+    demCouplingScheme): grad p acts on the fluid in full, and the reaction is to the
+    whole force (I) or to drag over e (III).
 
-    The momentum equation is interpolated to the faces as it stands, with drag
-    in it (pEqn.H). There the pressure gradient balances the particles' force on
+    The momentum equation is interpolated to the faces as a whole, with drag
+    (pEqn.H). There the pressure gradient balances the particles' force on
     one stencil, so a sharp bed surface causes no checkerboard pressure, and a
     thin first cell above a distributor carries the full flux.
 
@@ -52,14 +44,15 @@ Description
     before and after the step enter the time derivatives and ds/dt, fluxes are
     relative to the faces, and wall patches move the walls of the particles.
 
-    Turbulence models are those of the volume-averaged flow
-    (volumeAveragedTurbulenceModel.H).
-
-    Where the scene transfers heat between fluid and particles the fluid has a
-    temperature (fluidTemperature.H).
+    Turbulence models are OpenFOAM's, weighted by the void fraction
+    (volumeAveragedTurbulenceModel.H). If the scene transfers heat between fluid and
+    particles, the fluid has a temperature (fluidTemperature.H).
 
     Not included: species, more than one fluid, mesh refinement.
 
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
@@ -116,7 +109,7 @@ int main(int argc, char *argv[])
 
     #include "setRootCaseLists.H"
     #include "createTime.H"
-    // A plan leaves no files, neither those of function objects
+    // A plan writes no files: no function objects
     if (args.found("plan"))
     {
         runTime.functionObjects().off();
@@ -148,7 +141,7 @@ int main(int argc, char *argv[])
     Info<< "\nStarting time loop\n" << endl;
 
     demTimeStepControl stepControl(runTime, cloud);
-    // A plan takes no lock of the case: it may be made beside a run
+    // A plan takes no lock of the case, so it may run beside a run
     autoPtr<demStop> stop(args.found("plan") ? nullptr : new demStop(runTime));
     bool planned = false;
 

@@ -1,14 +1,9 @@
 /*---------------------------------------------------------------------------*\
     fluidTemperature.C -- temperature of the fluid, which exchanges heat with particles.
 
-    Part of Suna, CFD-DEM for OpenFOAM.
+    This file is part of Suna, free software under the GNU General Public
+    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
-
-    Suna is free software: you can redistribute it and/or modify it under the
-    terms of the GNU General Public License as published by the Free Software
-    Foundation, either version 3 of the License, or (at your option) any later
-    version. It comes without any warranty; see COPYING.
-
 \*---------------------------------------------------------------------------*/
 
 #include "fluidTemperature.H"

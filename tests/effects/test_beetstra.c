@@ -3,8 +3,8 @@
  *
  * - Tabulated values; Stokes' drag for a single creeping sphere; Carman's in a creeping packing;
  *   the paper's slope at large Re.
- * - In a mixture the total drag is that of spheres of the Sauter mean, and each sphere has a share
- *   in proportion to d^2.
+ * - A mixture has the total drag of spheres of the Sauter mean, and each sphere has a share in
+ *   proportion to d^2.
  * - Equal spheres with their own diameter as mean have the drag without a mean.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -29,8 +29,8 @@ static double paper(double e, double re)
                (1.0 + pow(10.0, 3.0*s)*pow(re, -0.5*(1.0 + 4.0*s)));
 }
 
-/* three sizes in one fluid with one slip: the sum of their drags in a unit volume against that of
-   the Sauter mean */
+/* three sizes in one fluid with one slip: the sum of their drags in a unit volume against the drag
+   of spheres of the Sauter mean */
 static void mixture(double e, double slip)
 {
     static const double d[3] = {0.5e-3, 1e-3, 2e-3},

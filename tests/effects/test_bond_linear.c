@@ -169,7 +169,7 @@ static int bonded_after(int redraw, const int *meets, int steps)
     return bonded;
 }
 
-/* p = 0.3: after three meetings 1 - 0.7^3 = 0.657 of the pairs are bonded when each is drawn anew,
+/* p = 0.3: after three meetings 1 - 0.7^3 = 0.657 of the pairs are bonded when each is drawn again,
    and 0.3 when they are drawn once; staying near is one meeting. Four standard deviations. */
 static void drawn_again(void)
 {

@@ -1,8 +1,8 @@
 /*
  * test_effects.c -- properties of all effects of the list.
  *
- * - Each declares what the manual needs, is found by its name, and an unknown name is refused with
- *   a suggestion.
+ * - Each declares what the manual needs and is found by its name; an unknown name is refused with a
+ *   suggestion.
  * - The result of a row has the same bits wherever it is in the batch and however many rows there
  *   are (whole vectors or the remainder).
  * - Rows of zeros (padding) and rows without contact give zeros and raise no floating-point trap.

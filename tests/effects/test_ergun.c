@@ -2,7 +2,7 @@
  * test_ergun.c -- drag of Ergun.
  *
  * - In a fixed bed it gives Ergun's pressure drop, at any size, fluid and void fraction.
- * - It is that of gidaspow where gidaspow is switched and dense.
+ * - It equals gidaspow's drag where gidaspow is switched and dense.
  * - For a single creeping sphere it vanishes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

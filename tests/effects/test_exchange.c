@@ -4,7 +4,8 @@
  * - The slip factor is 1/e^2, or 1/e with whole drag, and bounded below e = 0.1.
  * - The three schemes give the fluid the impulse J if its velocity has not changed, and the stated
  *   part of a change otherwise.
- * - The Sauter mean of two sizes is that of their volumes and surfaces, and 0 without particles.
+ * - The Sauter mean of two sizes follows from their volumes and surfaces, and is 0 without
+ *   particles.
  * - In a model of one cell the exchange of particles that displace the fluid is stable with the
  *   under-relaxation factor, and unstable without.
  *
@@ -113,7 +114,7 @@ static void suspensions(void)
     }
     TAP_OK(with == cells, "with under-relaxation: %d of %d suspensions are stable", with, cells);
     TAP_OK(without < cells - 100, "without: %d of %d", without, cells);
-    TAP_OK(light == 0, "particles of %g times the density need none", DEM_EXCHANGE_LIGHT);
+    TAP_OK(light == 0, "particles of %g times the density need no factor", DEM_EXCHANGE_LIGHT);
 }
 
 int main(void)
@@ -148,7 +149,7 @@ int main(void)
     TAP_NEAR(1.0/dem_exchange_under_relaxation(0.7, 0.0, 0.5, 0.0) - 1.0,
              0.3/0.7*(2.0 + sqrt(3.0)), 1e-14, "the eigenvalue of bubbles");
     TAP_NEAR(1.0/dem_exchange_under_relaxation(0.5, 0.25, 0.0, 0.0) - 1.0, 4.0, 1e-14,
-             "and without added mass: that of the density ratio");
+             "and without added mass: the density ratio's");
     TAP_OK(dem_exchange_under_relaxation(1.0, 0.001, 0.5, 0.0) == 1.0 &&
                dem_exchange_under_relaxation(0.4, 0.001, 0.5, 1.0) == 1.0,
            "none of a single particle, and none where drag transmits all");

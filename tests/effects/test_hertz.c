@@ -128,7 +128,7 @@ static void limits(void)
     TAP_OK(strcmp(why, "1/20 of the Hertz contact time of glass-glass at 20 m/s") == 0,
            "says why: %s", why);
 
-    /* at a wall the Rayleigh time is that of the particle, and the reduced radius is its radius */
+    /* at a wall the Rayleigh time is the particle's, and the reduced radius is its radius */
     impacts_wall(&w, &glass, &soft, 0.01);
     impacts_add(&w, &dem_hertz, "impactSpeed", 1e-9);
     TAP_NEAR(dem_hertz.time_limit(w.effect_entry[0].settings, &w.pair, &why), 0.2*rayleigh,

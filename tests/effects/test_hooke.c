@@ -4,7 +4,7 @@
  * - The force is k d; k is given, or such that an impact at the characteristic speed has the
  *   overlap of Hertz (note of Open DEM Japan, eq. (1)).
  * - An impact lasts pi sqrt(m/k), overlaps by v sqrt(m/k) and loses no speed.
- * - With dry damping the restitution is the one set; clamped it is that of the closed form.
+ * - With dry damping the restitution is the one set; clamped it has the closed form.
  * - The step limits name their reason.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

@@ -2,8 +2,7 @@
  * test_hooke_hysteresis.c -- the hysteretic linear law (Luding 2008).
  *
  * - A scripted path of loading, unloading, attraction and reloading has the forces, history and
- *   work of an independent program (hysteresis_loop.csv); special points are those of the closed
- *   forms.
+ *   work of an independent program (hysteresis_loop.csv); special points agree with closed forms.
  * - Impacts return the closed form of e(v), below and above the speed at which yielding ends, or
  *   stick without gaining energy.
  * - No closed loop gives work; a second evaluation changes nothing.
@@ -234,7 +233,7 @@ static void sticking(void)
        energy */
     TAP_NEAR(fmax(worst, 0.0), 0.0, 0.01,
              "stuck for 100000 steps: the energy of the oscillation grows by %.2g at most", worst);
-    TAP_OK(before < 0.5*m*v*v && widest <= 0.81*d_lim, "it is less than that of the impact");
+    TAP_OK(before < 0.5*m*v*v && widest <= 0.81*d_lim, "it is less than the energy of the impact");
     for (int c = 0; c < 16; c++)
     {
         if (w.b.touching[c] == 0.0)
@@ -390,9 +389,9 @@ static void limits_of_law(void)
     TAP_OK(pull < 0.0, "dry, clamped: this is an attraction");
 }
 
-/* With attraction none the contact never pulls, the adhesive branch neither: unloading returns
-   (k d_max)^2/(2 k_2) whatever k_c, so e is that of k_c = 0, sqrt(k/k_2) below v_lim (Walton and
-   Braun), where the contact would stick with its adhesion. Friction at zero force is zero. */
+/* With attraction none the contact never pulls, not even on the adhesive branch: unloading returns
+   (k d_max)^2/(2 k_2) for any k_c, so e is the same as for k_c = 0, sqrt(k/k_2) below v_lim (Walton
+   and Braun), where the contact would stick with its adhesion. Friction at zero force is zero. */
 static void no_tension(void)
 {
     static const double speed[] = {0.1, 0.5, 1.0, 2.0};

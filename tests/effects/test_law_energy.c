@@ -6,9 +6,9 @@
  *   the change of elastic energy plus the loss, to round-off, while the spring sticks, slips,
  *   stiffens and softens, and in the step in which the contact ends.
  * - A contact that ends within one step loses the energy k xi^2/2 of its spring. If it also slips
- *   by s it loses half of k xi s more, because the step ends without a force.
- * - The dashpot of a sphere that sticks and turns freely takes c v (v + F dt/2 m) dt in a step, with
- *   the velocity in the middle of the kick.
+ *   by s it loses k xi s/2 more, because the step ends without a force.
+ * - The dashpot of a sphere that sticks and turns freely takes c v (v + F dt/2 m) dt in a step,
+ *   with the velocity in the middle of the kick.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -101,7 +101,7 @@ static void evaluate(void)
     law->effect->energy(law->settings, &w.b, before, law->history, &e);
 }
 
-/* Work of this step's force, and of that of the previous step. */
+/* Work of this step's force, and of the previous step's. */
 static double power(int c, const double f[6])
 {
     return -(f[0]*w.b.sx[c] + f[1]*w.b.sy[c] + f[3]*w.b.wx[c] + f[4]*w.b.wy[c] + f[5]*w.b.wz[c])*dt;

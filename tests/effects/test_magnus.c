@@ -3,9 +3,9 @@
  *
  * - A sphere that spins as if rolling forward while it flies is pushed down.
  * - At small Re_p the lift is Rubinow and Keller's pi R^3 rho W x v.
- * - At larger Re_p and spin it is the fraction of Loth and Dorgan, each of whose coefficients is
+ * - At larger Re_p and spin it is the fraction of Loth and Dorgan; each of their coefficients is
  *   tested to four digits.
- * - At rest and without spin there is none.
+ * - At rest and without spin there is no lift.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

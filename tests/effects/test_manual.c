@@ -1,7 +1,7 @@
 /*
  * test_manual.c -- the list of laws in the manual is current.
  *
- * - The table in docs/effects.md is what the program prints.
+ * - The program prints the table of docs/effects.md.
  * - `dem effects WORD` prints one entry, and an unknown word is refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -89,7 +89,7 @@ int main(void)
         printed[strlen(printed) - 1] = '\0';
         const int line = different_line(block, printed);
 
-        TAP_OK(line == 0, "the block is what dem effects prints%s",
+        TAP_OK(line == 0, "dem effects prints the block%s",
                line ? "; make -C dem manual brings it up to date" : "");
         if (line)
         {

@@ -1,7 +1,7 @@
 /*
  * test_pressure_gradient.c -- the force -V grad p.
  *
- * In a fluid at rest it is Archimedes' buoyancy: with gravity a body as dense as the fluid floats.
+ * In a fluid at rest it is Archimedes' buoyancy: under gravity a body as dense as the fluid floats.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

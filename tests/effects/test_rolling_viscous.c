@@ -24,7 +24,7 @@ static void torque(void)
     l = moments_row(&w, &dem_rolling_viscous, "time", 1e9);
     w.b.wx[0] = 30.0;
     moments_evaluate(&w, l);
-    TAP_NEAR(w.b.mx[0], -30.0*0.4*1e-3*0.004*0.004/1e-6, 1e-13, "at most what stops it in a step");
+    TAP_NEAR(w.b.mx[0], -30.0*0.4*1e-3*0.004*0.004/1e-6, 1e-13, "at most the torque that stops it in a step");
 }
 
 static void slowing(void)

@@ -5,7 +5,7 @@
  *   slower.
  * - At small Re_p the force is Saffman's 1.615 mu d w sqrt(Re_shear); in the range of Mei's fit it
  *   is Mei's, with the second branch at Re_p = 100.
- * - Without slip, without shear and for slip along the vorticity there is none.
+ * - Without slip, without shear and for slip along the vorticity there is no lift.
  * - The force is normal to slip and vorticity.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -61,9 +61,9 @@ int main(void)
              "the step at Re_p = 40 is the published one");
 
     in_shear(d, rho, mu, 0.0, G);
-    TAP_OK(b.rx[0] == 0.0 && b.ry[0] == 0.0, "without slip: none");
+    TAP_OK(b.rx[0] == 0.0 && b.ry[0] == 0.0, "without slip: no lift");
     in_shear(d, rho, mu, w, 0.0);
-    TAP_OK(b.rx[0] == 0.0 && b.ry[0] == 0.0, "without shear: none");
+    TAP_OK(b.rx[0] == 0.0 && b.ry[0] == 0.0, "without shear: no lift");
     in_shear(d, rho, 0.0, w, G);
     TAP_OK(b.ry[0] == 0.0, "without viscosity: none");
     in_shear(d, rho, mu, 1e-200, 1e-200);

@@ -34,7 +34,7 @@ int main(void)
     {
         TAP_OK(G(1.0, re) == body_drag(&dem_wen_yu, NULL, 1.0, re),
                "Wen and Yu's for a single sphere, Re = %g", re);
-        /* the superficial Re of a row at e = 0.4 is 0.4 of that of the law; rounding of Re */
+        /* the superficial Re of a row at e = 0.4 is 0.4 times the law's Re; rounding of Re */
         TAP_NEAR(G(0.4, 0.4*re)/G(1.0, re), 1.0, 1e-14,
                  "the same in a suspension, with interstitial slip, Re = %g", re);
     }

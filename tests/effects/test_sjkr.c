@@ -21,8 +21,7 @@ int main(void)
     impacts_add(&w, &dem_hooke, "stiffness", k);
     struct impacts_effect *const l = impacts_add(&w, &dem_sjkr, "energyDensity", density);
 
-    /* two spheres of 1 mm, 1 um into each other: the circle's radius is that of a sphere cut 0.5 um
-       below its top */
+    /* two spheres of 1 mm, 1 um into each other: the circle of a sphere cut 0.5 um below its top */
     const double h = 0.5e-6, area = pi*h*(2.0*1e-3 - h);
 
     w.b.n = 1;

@@ -5,9 +5,9 @@
  *   and between spheres.
  * - The speed is latched until the surfaces separate.
  * - St -> 0 gives critical damping; no limit gives an infinity.
- * - The viscosity is that of the setting, else that of the fluid. Added mass enters St: half of the
- *   displaced fluid wherever its density is known, unless the setting says otherwise or the inertia
- *   has it already.
+ * - The viscosity comes from the setting, else from the fluid. Added mass enters St: half of the
+ *   displaced fluid if its density is known, unless the setting says otherwise or the inertia
+ *   already contains it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -257,7 +257,7 @@ int main(void)
     added("sphere and wall, density alone", DENSITY, &glass, &rigid, 0.003, 0.0, 1);
     added("sphere and wall, density of the run", OF_RUN, &glass, &rigid, 0.003, 0.0, 1);
     added("equal spheres, density of the run", OF_RUN, &glass, &glass, 0.003, 0.003, 0);
-    added("not twice with that of the inertia", IN_INERTIA, &glass, &rigid, 0.003, 0.0, 1);
+    added("not twice if the inertia contains it", IN_INERTIA, &glass, &rigid, 0.003, 0.0, 1);
     added("sphere and wall", GIVEN, &glass, &rigid, 0.003, 0.0, 1);
     added("equal spheres", GIVEN, &glass, &glass, 0.003, 0.003, 0);
     added("same density, different size", GIVEN, &glass, &glass, 0.003, 0.001, 0);

@@ -5,10 +5,10 @@
  *   its unloading line, sjkr, jkr in contact and on its tail.
  * - Loading, unloading, sticking and reloading of hookeHysteresis: the work of the motion is stored
  *   or lost.
- * - jkr loses at touching, at separation and where a bond seals it what the force of Johnson,
- *   Kendall and Roberts gives when integrated over the radius of the contact area; both losses of
- *   a contact together are the 7.09 (w^5 R*^4/E*^2)^(1/3) of Thornton and Ning.
- * - sjkr loses its energy where a bond replaces the contact.
+ * - jkr loses energy at touching, at separation and when a bond seals the contact: the force of
+ *   Johnson, Kendall and Roberts integrated over the radius of the contact area. Touching and
+ *   separation together lose the 7.09 (w^5 R*^4/E*^2)^(1/3) of Thornton and Ning.
+ * - sjkr loses its energy when a bond replaces the contact.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

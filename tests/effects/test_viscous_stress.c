@@ -1,5 +1,5 @@
 /*
- * test_viscous_stress.c -- the force V div tau, of which the fluid gets the opposite.
+ * test_viscous_stress.c -- the force V div tau on a particle, with its reaction on the fluid.
  *
  * In steady flow through a straight tube, where div tau = grad p, it cancels the pressure gradient:
  * a sphere that moves with the fluid has no net force.

@@ -1,8 +1,8 @@
 /*
  * test_viscous_torque.c -- torque of a viscous fluid.
  *
- * - At small Re it is pi mu d^3 times half the vorticity less the spin; at larger Re the fit of
- *   Dennis and others, continuous in between.
+ * - At small Re the torque is pi mu d^3 times (half the vorticity less the spin); at larger Re the
+ *   fit of Dennis and others, continuous in between.
  * - Target spin and coefficient belong together: a sphere that rotates with the fluid has no
  *   torque.
  *

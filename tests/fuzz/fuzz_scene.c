@@ -1,10 +1,10 @@
 /*
- * fuzz_scene.c -- any bytes as the text of a scene: read and checked as by dem plan, up to the placing
- * of particles.
+ * fuzz_scene.c -- any bytes as the text of a scene: read and checked as by dem plan, up to the
+ * placing of particles.
  *
- * A zero byte ends the text, as in a string. Files that it names are looked for in the current
- * folder. Entries that the program and the coupling read (time/end and others, write, coupling) are
- * read here, as they would be refused as unknown otherwise.
+ * A zero byte ends the text, as in a string. Files that it names are searched for in the current
+ * folder. The harness also reads the entries of the program and of the coupling (time/end and
+ * others, write, coupling), which would otherwise be refused as unknown.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,6 +1,6 @@
 /*
- * fuzz_snapshot.c -- any bytes as a snapshot: corrected so that reading does not refuse it at once,
- * read, and advanced by one step.
+ * fuzz_snapshot.c -- any bytes as a snapshot: corrected so that the reader does not refuse it
+ * immediately, read, and advanced by one step.
  *
  * The checksums would exclude nearly all inputs. So magic, byte order, version and the three
  * checksums are corrected, and the file gets the length that its header describes, if that is below

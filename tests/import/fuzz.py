@@ -1,9 +1,9 @@
-"""fuzz.py FOLDER [SECONDS [FIRST]] -- inputs of `dem import` with words that are exchanged, lost or
-doubled: each ends within LIMIT seconds in a scene or case that the core reads, or in one sentence
-with file and line. Prints TAP.
+"""fuzz.py FOLDER [SECONDS [FIRST]] -- `dem import` of inputs with exchanged, lost or doubled words
+ends within LIMIT seconds in a scene or case that the core reads, or in one sentence with file and
+line. Prints TAP.
 
 Input N is made from the seed texts (test_liggghts.py, test_cases.py) with the random numbers of N
-alone. FIRST: its number; with SECONDS 0 only this one is read, and its folder stays.
+alone. FIRST: number of the first input; with SECONDS 0 only this one is read, and its folder stays.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -31,7 +31,7 @@ from suna.importer.units import Units
 WORK = Path(sys.argv[1]).resolve()/"fuzz"
 SECONDS = float(sys.argv[2]) if len(sys.argv) > 2 else 300.0 if os.environ.get("SUNA_LONG") else 10.0
 FIRST = int(sys.argv[3]) if len(sys.argv) > 3 else 1
-LIMIT = 10          # s of the processor for one input: many times those of the largest seed
+LIMIT = 10          # s of processor time for one input: many times the largest seed's
 WAIT = 120          # s of the clock
 MEMORY = 4 << 30
 EVIL = ("", "0", "-1", "1", "nan", "inf", "-inf", "1e308", "-1e308", "1e-308", "1e999", "0x10", "1_0",

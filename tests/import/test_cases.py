@@ -1,7 +1,7 @@
 """test_cases.py FOLDER -- `dem import` of coupled cases: each word of OpenFOAM's clouds and of
 CFDEMcoupling has its place in the result, or a sentence with file, line and word. Prints TAP.
 
-The cases are of our own writing and stand below as text; a test changes a word and looks at the result.
+The cases are our own, as text below; a test changes a word and checks the result.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -793,7 +793,7 @@ def surfaces():
     assert entries(result, "walls") == ["inlet", "sides"] and entries(result, "outlets") == ["outlet"]
     line = len([line for line in DEM.splitlines() if "primitive" not in line]) + 1
     assert result.has(APPROXIMATED, f"in.run:{line}", "inlet (becomes a wall)", "sides (is already")
-    # 1/20 of a diameter off the patch: told; larger than the mesh: what lies outside does not count
+    # 1/20 of a diameter off the patch: reported; larger than the mesh: only the part inside counts
     assert case(floor + (0, 0, 5e-5)).has(APPROXIMATED, "inlet (becomes", "up to 5e-05 m")
     assert entries(case((floor - 0.005)*(9, 9, 1) + (0, 0, 0.005)), "walls") == ["inlet"]
     assert case(floor + (0, 0, 0.05)).has(APPROXIMATED, "outside the mesh")
@@ -815,13 +815,13 @@ def surfaces():
     assert distance(samples(pipe, 0.05), pipe, 0.05).max() < 1e-12
     coarse = [t for k in range(0, 24, 2) for t in quad(
         ring[k - 2], ring[k], high[k], high[k - 2])]
-    # sagitta of a chord of 30 degrees less a part of that of 15 degrees
+    # sagitta of a chord of 30 degrees less a part of the sagitta of 15 degrees
     away = distance(samples(pipe, 0.02), numpy.array(coarse), 0.02).max()
     assert 0.9*(1 - math.cos(math.pi/12)) < away < 1 - math.cos(math.pi/12), away
 
 
 def units():
-    """numbers of a script in cgs stay as they are, with those of the fields"""
+    """numbers of a script in cgs stay unchanged, and so do the numbers of the fields"""
     result = cfdem_case(script={"units           si": "units           cgs"})
     effects = result.d.sub("effects")
     assert result.d.sub("materials").sub("grains").number("density") == 2000
@@ -831,7 +831,7 @@ def units():
 
 
 def settled():
-    """particles of a restart file are those of the script that writes it"""
+    """particles of a restart file come from the script that writes it"""
     init = DEM + INSERT + "fix integr all nve/sphere\nrun 100\nwrite_restart post/bed.restart\n"
     again = DEM.replace("region          reg block 0 0.01 0 0.01 0 0.04 units box\n"
                         "create_box      1 reg\n", "read_restart ../DEM/post/bed.restart\n")

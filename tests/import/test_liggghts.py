@@ -1,8 +1,7 @@
 """test_liggghts.py FOLDER -- `dem import` of LIGGGHTS: expressions and control flow, each command,
 each refusal, and the results of runs against closed forms and LIGGGHTS. Prints TAP.
 
-The scripts are of our own writing and stand below as text; a test changes a line and looks at the
-scene.
+The scripts are our own, as text below; a test changes a line and checks the scene.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -171,7 +170,7 @@ jump SELF again""").replace("run 1000", "run ${total}")
 
 
 def all_faults():
-    """all faults of a script are told at once, each with file, line and word"""
+    """all faults of a script are reported at once, each with file, line and word"""
     script = BASE.replace("units si", "units lj").replace(
         "newton off", "fix a all heat/gran/radiation 300\nnonsense 1")
     text = refused(script, "units lj", "fix heat/gran/radiation", "Suna has no such heat",
@@ -443,7 +442,7 @@ fix z0 all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad b
 
 
 def names():
-    """each entry of a scene has a name of its own, whatever the fixes of the script are called"""
+    """each entry of a scene has its own name, whatever the fixes of the script are called"""
     mix = """fix p1 all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.0005
 fix p2 all particletemplate/sphere 15485867 atom_type 1 density constant 2500 radius constant 0.00075
 fix pdd all particledistribution/discrete 32452843 2 p1 0.5 p2 0.5
@@ -461,7 +460,7 @@ fix pdd all particledistribution/discrete 32452843 2 p1 0.5 p2 0.5
 
 
 def belt():
-    """surface_vel on an inclined face is the speed along it, and what turns off its faces is told"""
+    """surface_vel on an inclined face is the speed along it; one that leaves a face is reported"""
     c, s = math.cos(math.pi/6), math.sin(math.pi/6)
     x = [numpy.array([c*a, b, s*a]) for a, b in ((-.1, -.1), (1, -.1), (1, .1), (-.1, .1))]
     write_stl(WORK/"belt.stl", [x[:3], [x[0], x[2], x[3]]])
@@ -486,7 +485,7 @@ def belt():
 
 
 def other_meanings():
-    """a word whose meaning in Suna differs is told or refused, never translated in silence"""
+    """a word with another meaning in Suna is reported or refused, never translated in silence"""
     stiff = BASE.replace("model hertz", "model hooke/stiffness").replace("fix m3", """fix k1 all property/global kn peratomtypepair 1 1e5
 fix k2 all property/global kt peratomtypepair 1 3e4
 fix k3 all property/global gamman peratomtypepair 1 0
@@ -562,7 +561,7 @@ run 10
 
 
 def restart_files():
-    """read_restart goes on from the script beside it that writes the file"""
+    """read_restart continues from the script beside it that writes the file"""
     run_script = BASE.replace(PACK,
                               "").replace(
         "region box block -0.01 0.01 -0.01 0.01 0 0.05 units box\ncreate_box 1 box",
@@ -649,7 +648,7 @@ def placed():
             (cylinder, 0.4, True, 50, 1452), (cylinder, 0.4, False, 50, 1749)):
         n = round(fraction*region.volume()/one)
         found = count_placed([n], [1e-3], region, all_in, tries, None)[0]
-        # the number of a random sequence scatters by 0.5 %, and so does that of LIGGGHTS
+        # the number of a random sequence scatters by 0.5 %, and so does LIGGGHTS' number
         assert abs(found/expected - 1) < 0.02, (region.style, fraction, all_in, tries, found)
     region = Region("block", block, None)
     wanted = [round(0.2*region.volume()/one/k) for k in (8, 1)]
@@ -786,7 +785,7 @@ def heat():
 
 
 def area_correction():
-    """area_correction of fix heat/gran becomes realModulus, and what differs is told"""
+    """area_correction of fix heat/gran becomes realModulus, and differences are reported"""
     corrected = WARM.replace("310", "310 area_correction yes")
     refused(corrected, "property/global youngsModulusOriginal")
     corrected = corrected.replace(

@@ -6,8 +6,8 @@
  * - Particles of the caller and of the scene never share an id.
  * - A frozen particle does not move under any force.
  * - Lattices stay in their box.
- * - Each query before the set-up, and after one that failed, is refused or returns nothing; so is each
- *   number of a wall, scalar, effect or item that does not exist. Run it with
+ * - Each query before the set-up, and after one that failed, is refused or returns nothing; so is
+ *   each number of a wall, scalar, effect or item that does not exist. Run it with
  *   -fsanitize=address,undefined after a change of the calls.
  *
  * Source: the contract in dem.h.
@@ -118,7 +118,7 @@ static void particles(void)
     free(periodic);
 }
 
-/* Automatic ids follow those of the scene, in any order of calls. */
+/* Automatic ids follow the scene's, in any order of calls. */
 static void ids(void)
 {
     const struct dem_new_particle seed[2] =
@@ -289,7 +289,7 @@ static void before(struct dem *d, const char *when)
     wrong = 0;
     refuse_queries(d);
     TAP_OK(wrong == 0, "%s: each query is refused as one that comes after dem_setup", when);
-    TAP_OK(returns_nothing(d), "%s: what returns no status returns nothing", when);
+    TAP_OK(returns_nothing(d), "%s: calls without a status return nothing", when);
 }
 
 static void unready(void)
@@ -422,7 +422,7 @@ static void tables(void)
     memset(folder, 'x', sizeof folder - 1);
     folder[sizeof folder - 1] = '\0';
     dem_table_name(&t, folder, "lost.csv", 0.0);
-    refused(dem_table_begin(&t, d, 0), "longer than", "a table in a folder whose path is too long");
+    refused(dem_table_begin(&t, d, 0), "longer than", "a table in a folder with a path that is too long");
     refused(dem_table_append(&t, d, "a", "1\n"), "longer than", "its rows");
     dem_table_name(&t, "/nowhere/at/all", "lost.csv", 0.0);
     TAP_OK(dem_table_add_losses(&t, d, 0, NULL, 0.0, NULL) == 0

@@ -5,8 +5,8 @@
  * - Refused before particles are placed, by a sentence that names the entry (and the line, where a
  *   ; is missing): left out where it has no default, misspelt, empty, of the wrong kind, too short
  *   a list, not a number, beyond a double or an integer, in other letters, without its semicolon.
- * - With 0, negative numbers, 1e300 or 1e-300 in its place the scene is refused likewise or runs,
- *   without a crash or an endless loop.
+ * - With 0, negative numbers, 1e300 or 1e-300 in its place the scene is refused in the same way or
+ *   runs, without a crash or an endless loop.
  *
  * The valid scene is the table below; a case replaces one value of it. Then each setting of each
  * effect is tested in a scene of that effect. Entries that only the program reads are tested in
@@ -223,7 +223,7 @@ static const char *const extreme[KINDS][10] = {
 struct fault
 {
     int row;
-    /* in place of those of the row; no value: left out */
+    /* in place of the row's; no value: left out */
     const char *name, *value, *end;
 };
 

@@ -3,8 +3,8 @@
  *
  * - The harnesses for scenes, snapshots, tables and surfaces end with success or one sentence, with
  *   floating-point traps on, for each seed file and for 200 mutations of it.
- * - A snapshot whose header describes more than the file has, with corrected checksums, is refused
- *   as damaged.
+ * - A snapshot with a header that describes more than the file has, with corrected checksums, is
+ *   refused as damaged.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

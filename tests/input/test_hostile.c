@@ -1,5 +1,5 @@
 /*
- * test_hostile.c -- files and numbers that no user means are refused at once, with one sentence.
+ * test_hostile.c -- files and numbers that no user intends are refused quickly, with one sentence.
  *
  * - A folder, a pipe and a device as scene, include, table, surface and snapshot.
  * - Includes that multiply: a limit for files, whether deep or flat.

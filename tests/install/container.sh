@@ -1,5 +1,5 @@
-# container.sh -- claims about the Dockerfile; part of `run`. There is no Docker in a test: its lines
-# are read, and in a long run executed in a fresh Debian made by debootstrap (root, 20 minutes, 3 GB).
+# container.sh -- claims about the Dockerfile; part of `run`. Tests have no Docker: they read its
+# lines, and in a long run execute them in a fresh Debian made by debootstrap (root, 20 minutes, 3 GB).
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 recipe=$root/Dockerfile
@@ -21,7 +21,7 @@ copied()
     local from to
     while read -r from to; do [ -e "$root/$from" ] || return 1; done < <(line COPY)
 }
-claim "what the container copies is there" copied
+claim "the files that the container copies exist" copied
 if command -v demPimpleFoam > /dev/null && [ -n "${WM_PROJECT_DIR-}" ]
 then
     claim "the entry point of the container runs demPimpleFoam" "$python" -c '

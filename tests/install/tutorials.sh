@@ -1,5 +1,5 @@
 # tutorials.sh -- claims about tutorials/Allrun, Allclean and Alltest, with two cases of a few lines;
-# part of `run`. The true cases run in the suites tutorials and grains.
+# part of `run`. The real cases run in the suites tutorials and grains.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 make_cases()
@@ -20,7 +20,7 @@ ends()
     "$@" > "$work/said" 2>&1
     [ $? = "$status" ] || { sed 's/^/#   /' "$work/said"; return 1; }
 }
-claim "two cases, one of which fails" eval '(make_cases)'
+claim "two cases, one that fails" eval '(make_cases)'
 fake=$work/tree/tutorials
 claim "tutorials/Allrun -test of a case that completes ends with 0" ends 0 "$fake/Allrun" -test good
 claim "its log is in the case, which got the option" grep -q -- '-test$' "$fake/good/log.Allrun"
@@ -29,7 +29,7 @@ claim "it reports by case" \
     eval 'grep -q "^good .* completed$" "$work/said" && grep -q "^bad .* FAILED" "$work/said"'
 claim "tutorials/Allrun refuses an unknown case and names those there are" \
     eval 'ends 1 "$fake/Allrun" other && grep -q "bad good" "$work/said"'
-claim "tutorials/Allclean removes what both have written" \
+claim "tutorials/Allclean removes the files of both" \
     eval 'ends 0 "$fake/Allclean" && [ ! -e "$fake/good/result.csv" ] && [ ! -e "$fake/good/log.Allrun" ]'
 claim "tutorials/Alltest ends with 1 where a case has no claim, and names it" \
     eval 'ends 1 "$fake/Alltest" && grep -q "^bad .*NOT RUN" "$work/said"'

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""form.py -- pages of docs/ and of tutorials have the form of a page. Prints TAP.
+"""form.py -- checks the form of the pages of docs/ and of the tutorials. Prints TAP.
 
 The first sentence says what the reader can do after it ("After this page you ..."). Within two
-screens (60 lines) there is code, a formula or a picture. No line is longer than 120 characters, but
-in code, tables and links. docs/README.md links every page. The page of a tutorial opens with a small
-picture, is about one screen long, and says what one should see and may change. The column Suna of the table of
-docs/results.md has numbers of the stored results of the case.
+screens (60 lines) there is code, a formula or a picture. No line is longer than 120 characters,
+except in code, tables and links. docs/README.md links every page. The page of a tutorial opens with
+a small picture, is about one screen long, and says what to expect and what to change. The column
+Suna of the table of docs/results.md has numbers of the stored results of the case.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -55,7 +55,7 @@ def tutorial_faults(path):
 
 
 def validation(text):
-    """Rows of the table of docs/results.md whose number no stored result of the case has."""
+    """Rows of the table of docs/results.md with a number that no stored result of the case has."""
     table = text.split("<!-- numbers of stored results -->")[1].split("<!-- end")[0]
     found, stored = [], []
     for row in table.strip().split("\n")[2:]:
@@ -77,7 +77,7 @@ def validation(text):
             except ValueError:
                 pass
         else:
-            found.append("no stored result rounds to that of: " + row)
+            found.append("no stored result rounds to the number of: " + row)
     return found
 
 

@@ -64,7 +64,7 @@ class Wrong(Exception):
 
 
 def entries(text):
-    """The entries of a dictionary at its top level, {word: text}; None if it is none."""
+    """The entries of a dictionary at its top level, {word: text}; None if it is no dictionary."""
     text = re.sub(r"/\*.*?\*/|//[^\n]*", "", text, flags=re.S)
     found, at = {}, 0
     while text[at:].strip():
@@ -181,7 +181,7 @@ class Manual:
         settle = "start" in own
         base.pop("start")
         if "materials" in own or re.search(r"\bpatch \w", block.text):
-            base.pop("walls")               # of another material; a patch that particles pass is none
+            base.pop("walls")               # of another material; a patch that particles pass is no wall
         base.update(own)
         if "coupling" in own and "rho" not in own["coupling"]:
             base["coupling"] = own["coupling"].replace("{", "{ rho 1.2;", 1)

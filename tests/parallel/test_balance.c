@@ -3,8 +3,8 @@
  *
  * - Each rank has its fraction of the weights to 1 %.
  * - An imbalance that a repartition cannot reduce causes no further one.
- * - A growing imbalance causes one when its accumulated loss has reached the price of a
- *   repartition, on all ranks together.
+ * - A growing imbalance causes a repartition, on all ranks together, when its accumulated loss
+ *   reaches the price of one.
  *
  *     mpirun -np N test_balance    prints failures; status 0 if there are none
  *

@@ -3,14 +3,14 @@
  *
  * - An error of MPI on the library's communicator is returned as DEM_ERROR_MPI with MPI's text and
  *   does not abort.
- * - When one rank runs out of memory in a collective call, or gives it a number of items below 0, all
- *   ranks return an error and none waits: also while they insert and pack spheres, open streams and
- *   mark bonds.
+ * - When one rank runs out of memory in a collective call, or gives it a number of items below 0,
+ *   all ranks return an error and none waits: also while they insert and pack spheres, open streams
+ *   and mark bonds.
  *
  *     mpirun -np N test_failures    N >= 2; prints failures; status 0 if there are none
  *
- * MPI calls of the library pass through functions of this file (profiling interface of MPI). A call
- * that is to fail makes a broadcast from an invalid root on the same communicator instead, which
+ * MPI calls of the library pass through functions of this file (profiling interface of MPI). To
+ * make a call fail, they broadcast from an invalid root on the same communicator instead, which
  * invokes its error handler. Every allocation of the core goes through aligned_alloc, which fails
  * once on the second rank.
  *
@@ -194,7 +194,7 @@ static struct dem *create(int energy)
     return d;
 }
 
-/* The saved row goes on with a stream. */
+/* The saved row continues with a stream. */
 static struct dem *create_started(int energy)
 {
     char text[512];

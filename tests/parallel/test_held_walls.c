@@ -10,8 +10,8 @@
  *
  *     mpirun -np N test_held_walls    prints failures; status 0 if there are none
  *
- * Reference: the same run on each rank alone, and every triangle against every particle. The channel
- * is a wavy floor along x, without a facet of two triangles; the triangles are given by all ranks in
+ * Reference: the same run on each rank alone, and every triangle against every particle. The
+ * channel is a wavy floor along x, without a facet of two triangles; all ranks give triangles in
  * turn.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -149,7 +149,7 @@ static void move(struct dem *d, int alone, double risen)
     free(corner);
 }
 
-/* ---- what a rank holds ----------------------------------------------------------------------- */
+/* ---- the triangles of a rank ----------------------------------------------------------------- */
 
 /* For each particle as many wall neighbors, with the same facets and triangles, as among all. */
 static void check_held(const struct dem *d, const struct dem *alone)
@@ -194,8 +194,8 @@ static void check_held(const struct dem *d, const struct dem *alone)
     }
 }
 
-/* The floor is even along x: of a rank the part whose columns come within reach of its subdomain, as
-   far as there are particles. The reach is below a tenth of the channel. */
+/* The floor is even along x: a rank's part has the columns within reach of its subdomain, as far as
+   there are particles. The reach is below a tenth of the channel. */
 static void check_fraction(const struct dem *d)
 {
     const struct dem_wall_store *const s = &d->state.wall_store;
@@ -239,7 +239,7 @@ static void check_same(struct dem *d, struct dem *alone, const char *what)
     try(dem_hash(alone, &there));
     check(here == there, what, (double)here, (double)there);
     try(dem_totals(d, &total));
-    check(total.particles > 620, "particles, with those of the stream", (double)total.particles,
+    check(total.particles > 620, "particles, with the stream's", (double)total.particles,
           620.0);
 }
 

@@ -199,7 +199,7 @@ static void compare(const char *folder, size_t k)
              worst, place, cases[k].why);
     if (cases[k].first_order)
     {
-        TAP_NEAR(worst/half, 2.0, 0.2, "%s: half the step leaves 1/%.2f of it", name,
+        TAP_NEAR(worst/half, 2.0, 0.2, "%s: half the step leaves 1/%.2f of the error", name,
                  worst/half);       /* terms of order 2: 5 % */
     }
     else if (cases[k].within > 1e-6)

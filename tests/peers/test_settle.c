@@ -3,7 +3,7 @@
  * hookeHysteresis.
  *
  * Single trajectories agree until collisions have amplified round-off and the differences of a
- * step; the duration is printed. Then the beds must agree in height of the centre of mass and
+ * step; the test prints for how long. Then the beds must agree in height of the centre of mass and
  * kinetic energy over time, height, and contacts per sphere, as closely as two runs of Suna that
  * differ by a nanometre at the start.
  *

@@ -10,8 +10,8 @@
  * - A column of spheres at rest: stress is the sum of contact force times branch vector over the
  *   volume.
  * - Friction at a wall is a shear stress of half of force times branch.
- * - Of spheres of known temperatures in known cells the mean is that of the mixed heat, over the cell and over
- *   time; scalars without a capacity are weighted by mass, amounts by number.
+ * - The mean temperature of spheres of known temperatures is the mixed temperature, over a cell and
+ *   over time; scalars without a capacity are weighted by mass, amounts by number.
  *
  * Sources: volume of a spherical cap; statics; kinetic theory of two streams.
  *
@@ -386,7 +386,7 @@ static void scalars(void)
     world_run(w, 2e-6);
     read_table(w, "box");
     TAP_NEAR(at(0, "particleTemperature"), heat[0][1]/heat[0][0], 400.0*digits, "cell of one half sphere: its temperature");
-    TAP_NEAR(at(1, "particleTemperature"), heat[1][1]/heat[1][0], 400.0*digits, "cell of 2.5 spheres: that of the mixed heat");
+    TAP_NEAR(at(1, "particleTemperature"), heat[1][1]/heat[1][0], 400.0*digits, "cell of 2.5 spheres: the mixed temperature");
     TAP_NEAR(at(1, "liquidVolume"), amount[1]/number[1], 5e-12*digits, "an amount: mean per particle");
     TAP_NEAR(at(0, "liquidVolume"), 1e-12, 1e-12*digits, "and of the half sphere alone");
     TAP_OK(at(2, "particleTemperature") == 0.0 && at(2, "liquidVolume") == 0.0, "0 in an empty cell");

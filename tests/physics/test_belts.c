@@ -1,9 +1,9 @@
 /*
- * test_belts.c -- surfaces that slide in themselves: conveyor belts on inclined and turned faces,
+ * test_belts.c -- walls with a surface velocity: conveyor belts on inclined and turned faces,
  * around pulleys, on round walls.
  *
  * A sphere at rest on a belt of speed V slides for V/(3.5 mu g) with the friction mu m g along the
- * belt, then rolls at 2/7 V; the belt has done the work 2/7 m V^2 then.
+ * belt, then rolls at 2/7 V; by then the belt has done the work 2/7 m V^2.
  *
  * - surfaceVelocity on a face inclined by 30 and by 80 degrees: V is its magnitude, the direction
  *   is its projection; plane, triangles, triangles in a turned and in a moving frame.
@@ -118,7 +118,7 @@ static void inclined(double degrees)
     free(corners);
 }
 
-/* The belt's work is 2/7 m V^2, of which half is heat; nothing is left over. */
+/* The belt's work is 2/7 m V^2; half of it is heat, and nothing is left over. */
 static void work(void)
 {
     struct dem_new_particle seed = {

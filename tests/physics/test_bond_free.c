@@ -10,8 +10,8 @@
  *   in force, under compression and under tension.
  * - Adhesion between bonded surfaces acts only after they have separated and met again.
  * - A sphere bonded to a wall hangs and oscillates.
- * - A pair that meets, is bonded, is pushed apart and breaks keeps its energy to second order in the
- *   step: its force has a kink where it begins and one where it ends.
+ * - A pair that meets, is bonded, is pushed apart and breaks keeps its energy to second order in
+ *   the step: its force has a kink where it begins and one where it ends.
  * - A removed particle takes its own bonds along and no others.
  * - Bonds that hold and bonds that broke are reported with force, energy and cause.
  *
@@ -309,8 +309,7 @@ static void hand_over(void)
     dem_free(d);
 }
 
-/* Surfaces of a bonded pair, and those of a broken one that have not separated since, do not
-   adhere. */
+/* Surfaces of a bonded pair, and of a broken one that have not separated since, do not adhere. */
 static void adhesion_of_bonded(const char *adhesion, double pull)
 {
     const double E = 1e9/(2.0*(1.0 - 0.0625)),
@@ -573,7 +572,7 @@ static void reported_bonds(double along, double across, int cause, const char *m
     TAP_NEAR(stored, 0.5*kn*A*along*along + 0.5*kt*A*across*across, 1e-3*stored,
              "%s: its energy", more);
     WORLD_TRY(dem_broken_bonds(d, &n, &broke));
-    TAP_OK(n == 0, "%s: none broken yet", more);
+    TAP_OK(n == 0, "%s: no bond broken yet", more);
     for (int k = 0; k < 10000 && world_tally(d).broken == 0.0; k++)
     {
         chain_set(d, 7, v, none);

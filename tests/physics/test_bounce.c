@@ -7,8 +7,8 @@
  *   coefficient.
  * - The following bounces have the heights of the same formula, on a stiff spring R + (h - R) e^(2
  *   n) (1 %).
- * - Two spheres squeezed in a gap oscillate as an independent integration (0.05 % of a diameter),
- *   and come to rest at the static positions.
+ * - Two spheres squeezed in a gap oscillate as an independent integration predicts (0.05 % of a
+ *   diameter), and come to rest at the static positions.
  * - Newton's cradle of three spheres on linear springs: final speeds of the exact solution.
  *
  * Sources: Garg, Galvin, Li, Pannala, Powder Technol. 220 (2012) 122; bounce_spring.csv,

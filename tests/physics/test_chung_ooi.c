@@ -1,8 +1,8 @@
 /*
  * test_chung_ooi.c -- tests 4 to 8 of Chung and Ooi: oblique impacts with every law of friction.
  *
- * - Tests 4 to 6: speeds and spins of an independent integration of the same law; in full sliding
- *   those of a rigid body; those that Chung and Ooi published.
+ * - Tests 4 to 6: speeds and spins agree with an independent integration of the same law, with a
+ *   rigid body in full sliding, and with the values that Chung and Ooi published.
  * - The friction impulse of a sliding impact is mu times the normal impulse, with every law of
  *   friction and damping.
  * - Test 7: matching spins of two equal spheres do not change.
@@ -160,7 +160,7 @@ static void against_integration(void)
     }
 }
 
-/* ---- against what is published --------------------------------------------------------------- */
+/* ---- against published values ---------------------------------------------------------------- */
 
 /* one impact on the plane; *pushed: normal impulse of repulsion [N s], summed over the steps */
 static struct world_particle one(const struct set *s, int material, int law, const char *damping,
@@ -187,7 +187,7 @@ static void published_4(const double *t)
     double pushed;
     const struct world_particle p =
         one(&sets[0], 0, 0, "dry { restitution 0.98; }", 3.9*cos(a), 3.9*sin(a), 0.0, &pushed);
-    /* from 30 degrees on it slides throughout, and the error is that of reading the figures, 1 % of
+    /* from 30 degrees on it slides throughout, and only reading the figures adds an error, 1 % of
        the largest value; below, laws of friction differ between slip and stick: 3 % */
     const double share = t[1] >= 30.0 ? 1e-2 : 3e-2;
 
@@ -367,7 +367,7 @@ static void matching_spins(void)
     }
 }
 
-/* -slip after/slip before as a function of x is that of test 6: friction knows 2/7 m*, pressure
+/* -slip after/slip before is the same function of x as in test 6: friction knows 2/7 m*, pressure
    m* */
 static void heavy_partner(const double *table, int rows)
 {

@@ -1,9 +1,9 @@
 /*
  * test_conservation.c -- conservation of momentum, angular momentum and energy.
  *
- * - A thousand colliding spheres with friction and damping keep their momentum to round-off in a
- *   periodic box, and in open space their angular momentum, too.
- * - Without friction and damping they keep their energy; with either the energy only decreases.
+ * - A thousand colliding spheres with friction and damping conserve momentum to round-off in a
+ *   periodic box, and in open space angular momentum, too.
+ * - Without friction and damping they conserve energy; with either the energy only decreases.
  * - Spheres in a box with walls of e = 1 and mu = 0 do not slow down.
  * - Crossing periodic faces changes no velocity and keeps a contact.
  *
@@ -133,7 +133,7 @@ static void periodic_momentum(void)
            100*after.kinetic/before.kinetic);
     /* 1000 spheres, some 1000 kicks of round-off 1e-16 each of a share of the sum: a random walk */
     TAP_NEAR(largest(after.p, before.p), 0.0, 1e-13*before.p_scale, "periodic: momentum is kept");
-    /* the exact sum of the totals against that of this test */
+    /* the exact sum of the totals against this test's sum */
     TAP_NEAR(largest(t.momentum, after.p), 0.0, 1e-14*before.p_scale,
              "periodic: the reported totals have the same momentum");
     dem_free(d);

@@ -1,16 +1,16 @@
 /*
  * test_dispersion.c -- turbulent dispersion of particles in homogeneous turbulence.
  *
- * Of a velocity u' of the fluid with variance U^2 and autocorrelation exp(-t/T) a particle of
- * relaxation time tau, at rest at first, has
+ * In a fluid velocity u' of variance U^2 and autocorrelation exp(-t/T), a particle of relaxation
+ * time tau, initially at rest, has
  *
  *   x(t) = int (1 - exp(-(t - s)/tau)) u'(s) ds,   <x^2>/(2 t) -> U^2 T,   <v^2> -> U^2 T/(T + tau)
  *
- * so in the long run it is dispersed like the fluid, whatever its mass (Tchen 1947; Hinze 1975).
+ * so in the long run it disperses like the fluid, whatever its mass (Tchen 1947; Hinze 1975).
  * <x^2> at finite times is 2 U^2 int f g, with f = 1 - exp(-a/tau) and g' = f - g/T.
  *
  * - Light and heavy particles have these variances.
- * - Particles that fall through the eddies have the time 1/(1/T + w/L) instead of T.
+ * - Particles that fall through the eddies at w have the time 1/(1/T + w/L) instead of T.
  * - Without kinetic energy there is no dispersion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

@@ -272,7 +272,7 @@ static void fluid(void)
 
     TAP_NEAR(energy_term(d, "work_pressureGradient")/fall, 1000.0/rho, 1e-7,
              /* second order: kicks and drifts */
-             "the work of buoyancy is rho/rho_p of that of gravity");
+             "the work of buoyancy is rho/rho_p of the work of gravity");
     TAP_OK(fabs(energy_term(d, "residual")) < 1e-7*fabs(fall), "settling: residual %.2g",
            energy_term(d, "residual")/fall);   /* of the same order */
     dem_free(d);
@@ -355,8 +355,8 @@ static void shakes(const char *motion, const char *what)
            residual[1]);
 }
 
-/* The balance starts from the energies of the loaded state; the bits are those of a run without the
-   balance. */
+/* The balance starts from the energies of the loaded state; a run without the balance has the same
+   bits. */
 static void restart(void)
 {
     const char *const file = "energy_state.dem";
@@ -395,8 +395,8 @@ static void restart(void)
                      "loaded: elastic energy of contacts");
             TAP_NEAR(energy_term(d, "elastic_mindlin"), friction, 2e-2*friction,
                      "loaded: elastic energy of friction springs");
-            /* sliding springs are cut to the limit with the dashpot at the present velocity, not
-               that of half a step before */
+            /* sliding springs are cut to the limit with the dashpot at the present velocity, not at
+               the velocity half a step before */
             TAP_OK(energy_term(d, "lost_dry") == 0.0 && energy_term(d, "residual") == 0.0,
                    "loaded: losses and residual start at 0");
         }

@@ -2,8 +2,8 @@
  * test_energy_laws.c -- the energy balance closes for every contact law among many colliding
  * spheres.
  *
- * The kinetic energy lost is what the laws report as stored and dissipated. The residual is small
- * and decreases with the step: by 2 for dashpots and force jumps, by 4 for elastic laws.
+ * The laws report the kinetic energy lost as stored and dissipated. The residual is small and
+ * decreases when the step is halved: by 2 for dashpots and force jumps, by 4 for elastic laws.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -5,8 +5,8 @@
  * - A sphere that sticks during an impact of a quarter period of the friction or rolling spring
  *   loses all energy of slip or spin.
  * - Oblique impacts with damping and friction lose as much kinetic energy as the balance reports,
- *   to an error that decreases with the step: equal spheres, two sizes, a bubble whose added mass
- *   does not rotate.
+ *   to an error that decreases with the step: equal spheres, two sizes, a bubble with added mass
+ *   that does not rotate.
  * - The same with resistance to rolling and twisting, with bonds that break in the step in which
  *   they are made, and for a sphere that rolls to rest on a damped spring.
  *
@@ -94,7 +94,7 @@ static double impact(double reduced_mass, double reduced_radius)
     return world_contact_time(reduced_mass, reduced_radius, 0.5*E/(1.0 - nu*nu), 1.0);
 }
 
-/* Of impacts at 1 m/s at 5 to 65 degrees, spinning: mean residual over the energy at the start, and
+/* For impacts at 1 m/s at 5 to 65 degrees, spinning: mean residual over the energy at the start, and
    its largest. */
 static void impacts(const struct scene *s, double step, double other, double result[2])
 {
@@ -138,12 +138,12 @@ static void oblique(const char *what, const struct scene *s, double other)
     impacts(s, tc/20.0, other, coarse);
     impacts(s, tc/80.0, other, fine);
     TAP_OK(coarse[1] < 1e-2,
-           "%s: the kinetic energy lost is that of the balance, to %.2g at worst at the "
+           "%s: the balance reports the kinetic energy lost, to %.2g at worst at the "
            "automatic step", what,
            coarse[1]);
     /* dashpots are of first order: 4 expected, more with contributions of second order */
     TAP_OK(fine[0] < coarse[0]/3.0,
-           "to %.2g in the mean of impacts, %.2g at a quarter of the step", coarse[0], fine[0]);
+           "to %.2g on average over impacts, %.2g at a quarter of the step", coarse[0], fine[0]);
 }
 
 /* ---- rolling to rest ------------------------------------------------------------------------- */
@@ -227,8 +227,8 @@ int main(void)
     impacts(&brittle, impact(0.5*m, 0.5*R)/80.0, R, broken);
     TAP_OK(
         broken[1] < 1e-2,
-        "bonds that break in the step that makes them: the kinetic energy lost is that of the "
-        "balance, to %.2g at worst",
+        "bonds that break in the step that makes them: the balance reports the kinetic energy "
+        "lost, to %.2g at worst",
         broken[1]);
 
     const double fine = rolls(2e-6, &lost), coarse = rolls(8e-6, &lost);

@@ -3,7 +3,7 @@
  *
  * - No velocity across the plane and no spin out of it, also in a container of irregular triangles
  *   and under gravity across the plane.
- * - In the plane the bits are those of three dimensions between planes.
+ * - Motion in the plane has the bits of three dimensions between planes.
  * - A restarted run has the bits of the uninterrupted one.
  * - The energy balance closes as in three dimensions.
  * - Streams insert onto the plane.
@@ -151,7 +151,7 @@ int main(void)
     TAP_OK(apart(two, three) == 0.0, "in the plane the same bits as in three dimensions");
     TAP_OK(world_at(two, 0).v[0] != 0.0, "and the spheres do move");
 
-    /* a stream whose inlet is thicker than a sphere, and whose velocities scatter */
+    /* a stream with an inlet thicker than a sphere and scattered velocities */
     struct dem *const stream = world(
         world_text(
             "%s domain { z (-9e-4 1.5e-3); flat (z); } insert { rain { type stream; diameter 1e-3;"

@@ -1,14 +1,14 @@
 /*
  * test_fluid_heat.c -- heat transfer between particles and a fluid.
  *
- * - A sphere that a stream cools has the temperature of the closed form, exp(-t/tau), at any ratio of
- *   the step to tau.
- * - Particles in one well-mixed cell of fluid, exchanged implicitly: energy is conserved, and all
- *   tends to the mixed temperature, for windows of 0.1 to 100 tau and 1 to 1000 times the fluid's
- *   heat capacity; with the response of explicit exchange it would not.
+ * - A sphere that a stream cools has the temperature of the closed form, exp(-t/tau), at any ratio
+ *   of the step to tau.
+ * - Implicit exchange between particles and one well-mixed cell of fluid conserves energy and ends
+ *   at the mixed temperature, for windows of 0.1 to 100 tau and 1 to 1000 times the fluid's heat
+ *   capacity; explicit exchange would not.
  * - The heat of all particles is the sum of m c T.
- * - The response of particles that enter within a window is bounded by that of a held temperature.
- * - A scene has one law; what a law needs of the fluid must be given, once.
+ * - The response of particles that enter within a window is no larger than at a held temperature.
+ * - A scene has one law, and must give each fluid property that it needs, once.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -43,7 +43,7 @@ static void test_stream(void)
         struct dem *const s = world(text, 0, NULL);
 
         world_run(s, steps*step);
-        /* exponents have the rounding of `steps` products; T that of 400 K */
+        /* exponents have the rounding of `steps` products; T the rounding of 400 K */
         TAP_NEAR(dem_scalar(s, dem_scalar_index(s, "temperature"))[0],
                  300.0 + 100.0*exp(-ratio*steps), 400.0*3e-16*steps,
                  "a stream cools a sphere: %d steps of %g tau", steps, ratio);

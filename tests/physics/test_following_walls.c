@@ -3,7 +3,7 @@
  * ms).
  *
  * - A sphere moves up with a rising floor and presses with its weight.
- * - It takes up the velocity of a floor that moves sideways, as Coulomb friction states.
+ * - It takes up the velocity of a floor that moves sideways by Coulomb friction.
  * - On a turntable it describes the circle of the closed form.
  * - Where part of a floor rises, a sphere rises with that part and has one contact, also on seams.
  * - A triangle that stretches drags with its velocity under the sphere.
@@ -241,8 +241,8 @@ static double drag_force(void (*how)(double, const double *, double *))
     return force;
 }
 
-/* In a triangle that stretches the velocity depends on position: at 4 mm it is that of a floor that
-   creeps. */
+/* In a triangle that stretches the velocity depends on position: at 4 mm it is the velocity of a
+   floor that creeps. */
 static void stretch(void)
 {
     const double due = drag_force(creeps);

@@ -6,10 +6,10 @@
  *   integration, with and without added mass. A massless bubble starts with an acceleration of 2 g.
  * - Impacts in liquid return the requested restitution, with the added mass, also between a bubble
  *   and a bead.
- * - The momentum reported to a coupled fluid, and the impulse carried over, are what the particles
- *   received.
- * - In an accelerating fluid every particle moves as the balance of added mass and pressure
- *   gradient states.
+ * - The momentum reported to a coupled fluid plus the impulse carried over equal the momentum that
+ *   the particles received.
+ * - In an accelerating fluid every particle moves by the balance of added mass and pressure
+ *   gradient.
  * - A spin decays exponentially to half the vorticity, in one step or in a thousand.
  * - Lift bends a path as its law states.
  * - The reported relaxation rate of drag includes the added mass.
@@ -54,9 +54,9 @@ static void settles(void)
     for (int k = 0; k < rows; k++)
     {
         const double *const row = table + COLUMNS*k;
-        /* drag's coefficient is that of the kick's start: first order, 1e-4 at 2e-5 s; without
+        /* drag's coefficient is taken at the kick's start: first order, 1e-4 at 2e-5 s; without
            added mass the bubble of 1.2 kg/m3 relaxes in 3e-6 s, far below the step, so it has its
-           terminal speed but for that lag */
+           terminal speed except for that lag */
         const double with = fall(row[0], "virtualMass {}", 2e-5, 0.05),
                      without = fall(row[0], "", 2e-5, 0.05);
 
@@ -223,8 +223,8 @@ static void give(struct dem *d, int k, struct dem_fluid *f)
     }
 }
 
-/* Windows with changing added mass: the momentum given to the fluid (J and R (u' - u)) is that of
-   the particles and the carried-over impulse. */
+/* Windows with changing added mass: the fluid gets the momentum (J and R (u' - u)) that particles
+   and carried-over impulse lose. */
 static void exchanges(double density)
 {
     char *const scene = world_text(

@@ -1,8 +1,8 @@
 /*
  * test_gas_film.c -- heat through the gas between spheres.
  *
- * - The conductance of a pair, and of a sphere and a wall, is the published integral, by quadrature:
- *   apart, near, touching, softer than real, of like and unlike radii.
+ * - The conductance of a pair, and of a sphere and a wall, is the published integral, by
+ *   quadrature: apart, near, touching, softer than real, of like and unlike radii.
  * - It is zero beyond the thickness of the film, and small just within it.
  * - A chain with gaps between two walls has the temperatures of these resistances in series.
  *
@@ -85,7 +85,7 @@ static double temperature(struct dem *d, int64_t id)
 }
 
 /* From the heat that a frozen sphere at 400 K loses in a step to one, or a wall, of 300 K. `soft`:
-   E over that of the real material; the overlap is that of the real one over soft^(2/3). */
+   E over the real material's; the overlap is the real one over soft^(2/3). */
 static double conductance(const struct film *f, double soft)
 {
     const double dt = 1.0, overlap = f->gap < 0.0 ? f->gap*pow(soft, -2.0/3.0) : f->gap;

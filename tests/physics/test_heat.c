@@ -1,13 +1,13 @@
 /*
  * test_heat.c -- conduction of heat through contacts.
  *
- * - A chain of spheres between two walls of given temperature: steady temperatures are those of
- *   resistances in series; a mode of the chain decays as the explicit step says.
- * - Two spheres exchange what the difference of temperatures decays by, at unlike conductivities and
- *   capacities; their energy is kept to rounding.
- * - The radius of a contact that is softer than real is that of the real one under the same force.
- * - Particles that a scene freezes at its start conduct as before, and only heat limits the step; the
- *   plan of such a scene is made.
+ * - A chain of spheres between two walls of given temperature has the steady temperatures of
+ *   resistances in series; a mode of the chain decays by the factor of the explicit step.
+ * - Two spheres of unlike conductivities and capacities approach each other at the rate of the
+ *   closed form; their energy is conserved to rounding.
+ * - A contact that is softer than real has the radius of the real one under the same force.
+ * - Particles that a scene freezes at its start conduct as before, and only heat limits the step;
+ *   the plan of such a scene works.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -142,7 +142,7 @@ static void test_pair(void)
              "no correction when asked");
 }
 
-/* a pair that pushes itself apart: frozen from its snapshot it stays, and its step is that of heat */
+/* a pair that pushes itself apart: frozen from its snapshot it stays, and heat limits its step */
 static void test_frozen_start(void)
 {
     static const char *const physics =

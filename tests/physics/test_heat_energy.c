@@ -1,12 +1,12 @@
 /*
  * test_heat_energy.c -- heat in the energy balance, and heat of friction and damping.
  *
- * - A sphere that slides until it rolls dissipates m v^2/7: it and the wall are heated by half of it,
- *   or it alone where the wall is insulated.
- * - Two spheres that collide are heated alike, by half of 1 - e^2 of the energy of their impact each.
+ * - A sphere that slides until it rolls dissipates m v^2/7. Half of it heats the sphere, half the
+ *   wall; all of it heats the sphere if the wall is insulated.
+ * - Two spheres that collide receive the same heat, each half of 1 - e^2 of the impact energy.
  * - Broken bonds and plastic work heat their partners.
- * - What a particle gains comes from contacts, walls and the fluid, to the rounding of its
- *   temperature: an adiabatic bed in motion keeps its heat but for what it dissipates.
+ * - A particle gains heat from contacts, walls and the fluid only, to the rounding of its
+ *   temperature: the heat of an adiabatic bed in motion grows by the dissipated energy alone.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -94,7 +94,7 @@ static void collides(const char *effects, double lost_fraction, const char *clai
     dem_free(d);
 }
 
-/* A bond that is pulled apart loses what it has stored: its partners are heated by that. */
+/* A bond that is pulled apart loses its stored energy, which heats its partners. */
 static void breaks(void)
 {
     const double dt = 1e-7;

@@ -289,8 +289,8 @@ struct shell
     double fraction, neighbors_of;
 };
 
-/* Of spheres of diameter 1 in a cube of this edge, those further than `rim` from its faces: their
-   solid fraction, and how many others have their centres within `reach` in the mean. */
+/* Spheres of diameter 1 in a cube of this edge, further than `rim` from its faces: their solid
+   fraction, and the mean number of others with centres within `reach`. */
 static struct shell neighbors_of(double edge, double rim, double reach)
 {
     double inner = 0.0, found = 0.0;
@@ -331,7 +331,7 @@ static void insert_cube(double fraction, int count, double edge)
 
 /* The first order is g(r) = 1 + 8 phi (1 - 3/4 r + r^3/16) for r in 1 .. 2, for hard spheres in
    equilibrium and for random addition alike (Widom, J. Chem. Phys. 44 (1966) 3888); from r = 1 to
-   1.2 it is 1 + 2.06 phi in the mean. 2300 pairs are counted to 2 %, the next order adds 0.01. */
+   1.2 its mean is 1 + 2.06 phi. 2300 pairs are counted to 2 %, the next order adds 0.01. */
 static void test_dilute(void)
 {
     const double edge = cbrt(20000.0*world_pi/6.0/0.05);
@@ -344,9 +344,9 @@ static void test_dilute(void)
              "neighbors of hard spheres at a solid fraction of %.4f", s.fraction);
 }
 
-/* Bernal and Mason, Nature 188 (1960) 910: of 476 balls poured to a solid fraction of 0.60 each has
-   7.1 others within 1.05 diameters in the mean; the fraction is known to 0.01, which is 0.3 of them
-   (here 6.4 at 0.567, 6.9 at 0.588). At the walls there is less in the box than inside. */
+/* Bernal and Mason, Nature 188 (1960) 910: 476 balls poured to a solid fraction of 0.60 have a mean
+   of 7.1 others within 1.05 diameters; the fraction is known to 0.01, which is 0.3 of them (here
+   6.4 at 0.567, 6.9 at 0.588). The box is less dense at its walls than inside. */
 static void test_dense(void)
 {
     const double edge = cbrt(4000.0*world_pi/6.0/0.55);

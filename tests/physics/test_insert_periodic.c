@@ -132,7 +132,7 @@ static void test_box(void)
     insert("x y z", "insert { g { type random; solidFraction 0.5; diameter 1e-3; min (0 0 0); "
                     "max (0.012 0.012 0.012); } }");
     TAP_NEAR((double)got.n*world_pi/6.0*1e-9, 0.5*width*width*width, world_pi/12.0*1e-9,
-             "the solid fraction is that of the whole domain, %zu spheres", got.n);
+             "the solid fraction holds for the whole domain, %zu spheres", got.n);
     for (int k = 0; k < 3; k++)
     {
         TAP_NEAR(unevenness(k), 0.0, noise(), "box: uniform in planes across %c", "xyz"[k]);

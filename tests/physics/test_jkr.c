@@ -121,7 +121,7 @@ static void collide(double times)
     dem_free(d);
 }
 
-/* A sphere adheres without load to a plate whose surface moves: friction drags it at its limit. */
+/* A sphere adheres without load to a plate with a moving surface: friction at its limit drags it. */
 static void dragged(const char *law, const char *more, double hertz)
 {
     /* in balance at x^3 = 6: see jkr.c; at a wall R* = R */
@@ -161,8 +161,8 @@ static void dragged(const char *law, const char *more, double hertz)
 }
 
 /* Two spheres in balance (x^3 = 6 in jkr.c); at 1 us a bond replaces their contact. The adhesion
-   holds -4.8 6^(4/3) pi w a_t^2/8 = -7.09 (w^5 R*^4/E*^2)^(1/3) 52.33/33.68, of which the part of
-   hertz, 8/15 E* sqrt(R*) d^(5/2), is booked by the bond. */
+   holds -4.8 6^(4/3) pi w a_t^2/8 = -7.09 (w^5 R*^4/E*^2)^(1/3) 52.33/33.68; the bond books the
+   part of hertz, 8/15 E* sqrt(R*) d^(5/2). */
 static void sealed(void)
 {
     const double Rs = 0.5*R, Es = reduced(), a = pow(world_pi*w*Rs*Rs/(8.0*Es), 1.0/3.0),

@@ -1,11 +1,11 @@
 /*
- * test_limits.c -- the limit of the time step of each effect: at the limit the error is the one
- * that the effect's header gives, at three times the limit it is far larger.
+ * test_limits.c -- the limit of the time step of each effect: at the limit the error has the value
+ * in the effect's head comment; at three times the limit it is far larger.
  *
  * Oscillations. The leapfrog of a spring with the frequency w obeys v(t + dt) + v(t - dt) =
  * 2 cos(w' dt) v(t) with sin(w' dt/2) = w dt/2, so that w' is too high by w^2 dt^2/24: 0.10 % where
  * dt is 1/20 of half a period, 0.68 % where it is 1/5 of the limit of stability 2/w. The closed
- * form of w is that of the physics; w' is measured in the core.
+ * form of w comes from the physics; w' is measured in the core.
  *
  * Dampers. A dashpot c alone makes v decay as exp(-c t/m). In a step of q m/c, 1 - q is left: the
  * rate is too high by -ln(1 - q)/q - 1.
@@ -168,7 +168,7 @@ static void springs(void)
     sticks.seed[0].velocity[0] = 1e-8;
     oscillates(&sticks);
 
-    /* with a ratio the limit is that of hooke: w dt/2 = sqrt(7/2 2) pi/40 */
+    /* with a ratio the limit equals hooke's: w dt/2 = sqrt(7/2 2) pi/40 */
     const double x = sqrt(7.0)*world_pi/40.0;
 
     sticks.name = "linear, ratio 2";
@@ -375,7 +375,7 @@ static void impacts(void)
     TAP_OK(at < 1e-3, "hertz: at the limit an impact keeps its speed within %.2g %%", 100.0*at);
     TAP_OK(beyond > 5e-3, "hertz: at three times the limit within %.2g %%", 100.0*beyond);
 
-    /* bubbles: the mass that bounces is nearly all added, 20 times that of the sphere */
+    /* bubbles: the mass that bounces is nearly all added, 20 times the sphere's */
     char *const bubbles = world_text(
         "%s effects { virtualMass {} } fluid { density %.17g; viscosity 1e-30; }", soft,
         40.0*density);
@@ -387,7 +387,7 @@ static void impacts(void)
     TAP_OK(beyond_of_bubbles > 5e-3, "hertz, added mass: at three times the limit within %.2g %%",
            100.0*beyond_of_bubbles);
 
-    /* with friction they turn, without added inertia: the step is that of the sphere's own mass */
+    /* with friction they turn, without added inertia: the sphere's own mass sets the step */
     struct motion dry = {.name = "hertz, mindlin", .why = "1/20 of the Hertz contact time", .n = 1},
                   wet = {.name = "hertz, mindlin, added mass", .why = dry.why, .n = 1};
 

@@ -3,13 +3,13 @@
  *
  * - Two spheres, equal and unequal, and a sphere and a wall: the capillary force at each gap is the
  *   published formula, to rounding; none before contact; rupture at the distance of Lian et al.
- * - That formula is as near to solutions of the Young-Laplace equation as docs/liquid-bridge.md
- *   says.
+ * - The formula deviates from solutions of the Young-Laplace equation by no more than
+ *   docs/liquid-bridge.md states.
  * - Viscous force on approach and in shear; it rests in contact unless asked to act.
  * - A bounce loses the work of rupture, in closed form; below that energy the spheres stay
  *   together.
- * - Liquid is kept to rounding when bridges form and break, also around a sphere with twelve
- *   neighbors, which never gives more than it has; a particle at a wall gets back what it gave.
+ * - Liquid is conserved to rounding when bridges form and break, also around a sphere with twelve
+ *   neighbors, which never gives more than it has; a particle gets back the liquid it gave a wall.
  * - An oblique impact of unequal spheres keeps momentum and angular momentum; the energy balance
  *   closes.
  * - Wrong combinations are refused.
@@ -119,7 +119,7 @@ static void test_force(const struct pulled *w)
         after = gap > S ? fabs(found) : after;
     }
     /* gaps are rounded to 1e-19 m, of a force that changes over 1e-5 m and more; 1e-12 m for 0 */
-    TAP_NEAR(worst, 0.0, 1e-6, "%s: the force is that of Rabinovich et al.", w->name);
+    TAP_NEAR(worst, 0.0, 1e-6, "%s: the force of Rabinovich et al.", w->name);
     TAP_NEAR(last, S, 1.01*speed*step, "%s: ruptures at %.3g m", w->name, S);
     TAP_OK(after == 0.0, "%s: and no force after", w->name);
     TAP_NEAR(liquid, 0.0, 1e-14*all, "%s: liquid of particles and bridge is kept", w->name);
@@ -219,7 +219,7 @@ static void test_viscous(void)
     const double slip = (-y*0.5 + x*0.2)/r, tangential = (-y*a.f[0] + x*a.f[1])/r;
 
     TAP_NEAR(tangential/(-6.0*world_pi*mu*reduced*(8.0/15.0*log(reduced/gap) + 0.9588)*slip), 1.0,
-             2e-3, "tangential force of Goldman et al.");    /* slip is that of half a step ago */
+             2e-3, "tangential force of Goldman et al.");    /* slip of half a step ago */
     dem_free(d);
 
     d = viscous("", -1e-6, in);

@@ -38,7 +38,7 @@ static double stopped_speed(double R, double m)
     return six_pi*mu*R*R/m*(log(cut_off/roughness) - 1.0 + roughness/cut_off);
 }
 
-/* Approach from beyond the cut-off until the gap is that of the roughness; the loss of relative
+/* Approach from beyond the cut-off until the gap equals the roughness. Returns the loss of relative
    speed. */
 static double approach(double step, int wall)
 {

@@ -1,8 +1,8 @@
 /*
  * test_moments.c -- resistance to rolling and twisting.
  *
- * - An oblique impact of two unequal spinning spheres keeps momentum and angular momentum, has the
- *   same result in rotated axes, and loses energy.
+ * - An oblique impact of two unequal spinning spheres conserves momentum and angular momentum, has
+ *   the same result in rotated axes, and loses energy.
  * - A sphere rolls 7 v^2/(10 mu_r g) over a plane and over a floor of triangles.
  * - On a slope below mu_r the rolling spring holds it; above it rolls down with 5/7 g (sin - mu_r
  *   cos).

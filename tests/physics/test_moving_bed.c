@@ -136,7 +136,7 @@ static void pass(const struct slide *s)
            t[0].largest_overlap);
     for (int k = 1; k < CASES; k++)
     {
-        TAP_OK(hash[k] == hash[0], "%s: with %s the bits are those of skins of 2 diameters",
+        TAP_OK(hash[k] == hash[0], "%s: with %s the same bits as with skins of 2 diameters",
                s->name, skins[k][0] ? skins[k] : "tuned skins");
     }
     TAP_OK(again.rebuilds == t[3].rebuilds && again.prunes == t[3].prunes,

@@ -217,7 +217,7 @@ static void turntable(const char *shape, const char *what)
 
 /* ---- round walls ----------------------------------------------------------------------------- */
 
-/* An open tube along y of so many facets, whose centres lie at `radius`. */
+/* An open tube along y of this number of facets, with their centres at `radius`. */
 static char *tube(double radius, int facets, double start)
 {
     const size_t capacity = 400*(size_t)facets + 100;
@@ -401,7 +401,7 @@ static void pendulum(void)
     const double period = 2.0*world_pi*sqrt(1.4*(D - R)/g)*(1.0 + start*start/16.0);
 
     TAP_NEAR(4.0*quarter, period, 1e-3*period,
-             "in a round tube: the period is that of 7/5 of the length");
+             "in a round tube: the period belongs to 7/5 of the length");
     TAP_NEAR(sqrt(off/all), 0.0, 2e-3,
              "in a round tube: friction is 2/7 of the weight's component along the wall");
     dem_free(d);

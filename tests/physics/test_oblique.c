@@ -2,10 +2,10 @@
  * test_oblique.c -- oblique impacts on a plane and of pairs, with Hertz-Mindlin and with linear
  * springs.
  *
- * - In full sliding the tangential speed and spin are those of rigid sliding; below, those of a
+ * - In full sliding the tangential speed and spin agree with rigid sliding, below it with a
  *   sticking Hertz-Mindlin contact. The spin has the sign of rolling.
- * - Two equal spheres of opposite spin do not change it; those of like spin exchange mu times the
- *   normal impulse. Angular momentum is kept.
+ * - Two equal spheres of opposite spin keep it; spheres of like spin exchange mu times the normal
+ *   impulse. Angular momentum is conserved.
  * - Angles of rebound agree with the measurement, and with the results of MFiX-DEM for its DEM05
  *   within the tolerance of its authors.
  *
@@ -95,7 +95,7 @@ static void kharaz(const char *name, const char *laws)
         const struct world_particle p = world_at(d, k);
         const double et = p.v[0]/(speed*sin(angle)), rebound = atan2(p.v[0], p.v[2])*180.0/world_pi;
 
-        /* from 30 degrees on it slides all the way: exact but for the step. Sticking depends on the
+        /* from 30 degrees on it slides all the way: exact except for the step. Sticking depends on the
            law of the spring between slip and stick: 2 %; near the normal the speed is a difference
            of small numbers, 2 % of e_t = 1. */
         const double share = t[0] >= 30.0 ? 3e-3 : 2e-2;
@@ -104,7 +104,7 @@ static void kharaz(const char *name, const char *laws)
         const double normal = speed*cos(angle),
                      lever =
                          t[0] >= 30.0 ? 1.0 - mean_overlap(laws, p.mass, modulus, normal)/radius : 1.0;
-        /* in sticking, the spin depends on the oscillation of the spring: 2 % of that of rolling */
+        /* in sticking, the spin depends on the oscillation of the spring: 2 % of rolling */
         const double spin = t[0] >= 30.0 ? share*t[2] : share*fmax(t[2], speed*sin(angle)/radius);
 
         TAP_NEAR(et, t[1], share*t[1], "%g degrees: e_t %.4f", t[0], et);

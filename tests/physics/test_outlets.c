@@ -1,12 +1,12 @@
 /*
  * test_outlets.c -- outlets remove particles that pass them between two checks.
  *
- * - Of particles in free flight, a thin box, disc (a short cylinder) and sphere remove those whose
- *   path meets them, and no others, at tens of thicknesses between two checks.
+ * - A thin box, disc (a short cylinder) and sphere remove the particles in free flight that cross
+ *   them, and no others, at tens of thicknesses between two checks.
  * - The same through periodic faces: the path is tested where it leads through the domain.
  * - A particle that starts in an outlet and has left it before the first check is removed.
  * - A run continued from a snapshot between two checks removes the same particles.
- * - Outlets that the program checks between two advances miss none either.
+ * - Outlets that the program checks between two advances miss no particle either.
  * - Particles have the column of positions only in scenes with a region among their outlets.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -221,7 +221,7 @@ static void test_program(void)
         world_run(d, window);
         WORLD_TRY(dem_flow_apply(d, &changed));
     }
-    TAP_OK(removed(d, 0) == 1, "an outlet that the program checks removes what has passed it");
+    TAP_OK(removed(d, 0) == 1, "an outlet that the program checks removes a particle that passed it");
     dem_free(d);
 }
 

@@ -1,17 +1,17 @@
 /*
  * test_parcels.c -- parcels of l^3 grains.
  *
- * - An impact of two parcels is similar to that of two grains, with each contact law that has a rule:
- *   the same restitution, overlap over the diameter and heat per mass, l times the duration. So is the
- *   rolling of a parcel, with each resistance to rolling.
- * - In a fluid a parcel has the velocity and the temperature of a grain, with each law of drag, lift,
- *   added mass and heat transfer; its impulse from the fluid and its response are l^3 times those of
- *   a grain, and momentum is kept.
- * - A row of parcels conducts as the rows of grains that it stands for.
- * - Diameters of lattices, random groups, lists, tables and streams are those of grains, and the mass
+ * - Impacts of two parcels and of two grains are similar, with each contact law that has a scaling
+ *   rule: the same restitution, overlap over the diameter and heat per mass, l times the duration.
+ *   So is the rolling of a parcel, with each resistance to rolling.
+ * - In a fluid a parcel has the velocity and the temperature of a grain, with each law of drag,
+ *   lift, added mass and heat transfer; its impulse from the fluid and its response are l^3 times
+ *   the grain's, and momentum is conserved.
+ * - A row of parcels conducts as the rows of grains that it represents.
+ * - Diameters in lattices, random groups, lists, tables and streams are the grains', and the mass
  *   of a group is as given.
- * - A law without a rule is refused by its name, and so are wrong entries, ratios that differ where a
- *   law needs one, and the snapshot of parcels in a scene without.
+ * - Refused: a law without a rule, by its name; wrong entries; different ratios where a law needs
+ *   one; a snapshot of parcels in a scene without parcels.
  * - A scene without parcels has no column for them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -89,7 +89,7 @@ static void test_impacts(void)
     }
 }
 
-/* rise of the temperature [K] in such an impact, by what the contact dissipates */
+/* rise of the temperature [K] in such an impact, by dissipation in the contact */
 static double heated(double l)
 {
     char *const text = world_text(
@@ -162,7 +162,7 @@ static void test_rolling(void)
         TAP_OK(fabs(grain - start/0.1) > 1e-4, "%s: the spin of a grain changes to %g", laws[k],
                grain);
         TAP_NEAR(spin_of(laws[k], start, 3.0), grain, 1e-9,
-                 "as that of a parcel of l = 3 does");                           /* as above */
+                 "as a parcel of l = 3 does");                           /* as above */
     }
 }
 
@@ -246,7 +246,7 @@ static void compare_falls(const char *name, const char *law)
             TAP_NEAR(parcel.v[k], grain.v[k], 1e-12*size, "%s, l = %g: velocity %c of a grain", name,
                      l, 'x' + k);
             TAP_NEAR(parcel.impulse[k]/n, grain.impulse[k], 1e-12*grain.mass*size,
-                     "impulse l^3 times that of a grain");
+                     "impulse l^3 times a grain's");
         }
         TAP_NEAR(parcel.response/n/grain.mass, grain.response/grain.mass, 1e-12, "response too");
         TAP_NEAR(isnan(grain.temperature) ? 0.0 : parcel.temperature/grain.temperature - 1.0, 0.0,
@@ -305,7 +305,7 @@ static double resistance(int n, double l)
     return 100.0*D*D/heat;
 }
 
-/* longer rows have the same contacts at walls: the difference is that of 8 grains or 4 parcels */
+/* longer rows have the same contacts at walls: the difference belongs to 8 grains or 4 parcels */
 static void test_conduction(void)
 {
     const double of_grains = resistance(16, 1.0) - resistance(8, 1.0),

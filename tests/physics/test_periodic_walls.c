@@ -1,18 +1,19 @@
 /*
- * test_periodic_walls.c -- walls of triangles at periodic faces are periodic as particles are.
+ * test_periodic_walls.c -- walls of triangles at periodic faces are periodic, as particles are.
  *
- * - A ball rolls over the seam of a plate with the bits of a plane: cut in any way, ending anywhere,
- *   longer than the period, with corners in single precision. A flow down a chute, too.
+ * - A ball rolls over the seam of a plate with the bits of a plane, for a plate cut in any way,
+ *   ending anywhere, longer than the period, or with corners in single precision; so does a flow
+ *   down a chute.
  * - A groove, a ridge and a step on a periodic face act as inside the domain, on one ball and on
  *   many, and energy is conserved.
- * - A plate that oscillates, or moves without end, along a periodic axis; a tube that rotates about
- *   one; a floor that follows a mesh.
+ * - So do moving walls: a plate that oscillates, or moves without end, along a periodic axis; a
+ *   tube that rotates about one; a floor that follows a mesh.
  * - A restart and other skins do not change the bits.
  * - Absorbing walls, streams and groups placed inside walls see images.
- * - What cannot be periodic is refused.
+ * - Walls that cannot be periodic are refused.
  *
- * References: the same surface as a plane; the same surface with the periodic face elsewhere; the same
- * surface in a domain without periodic faces.
+ * References: the same surface as a plane; the same surface with the periodic face elsewhere; the
+ * same surface in a domain without periodic faces.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -142,7 +143,7 @@ static char *cut_unevenly(void)
     return text;
 }
 
-/* In several pieces, of which some lie beyond the faces. */
+/* In several pieces, some beyond the faces. */
 static char *in_pieces(void)
 {
     struct mesh m = {0};
@@ -252,7 +253,7 @@ static void test_chute(void)
 
 /* ---- edges on the face ----------------------------------------------------------------------- */
 
-/* A surface along y whose section is a line through n points (x, z), begun at x = `from`. */
+/* A surface along y; its section is a line through n points (x, z), begun at x = `from`. */
 static char *profile(int n, const double (*at)[2], double from, const char *more)
 {
     struct mesh m = {0};

@@ -3,16 +3,15 @@
  *
  * - Contact time, step, weight, pressure drop, minimum fluidisation, terminal velocity, response
  *   time, number of steps.
- * - Minimum fluidisation is that of the bed's own void fraction, or of an assumed one, which is
- *   reported.
- * - The expansion by the scene's drag law is reported with that of Richardson and Zaki.
+ * - Minimum fluidisation uses the bed's own void fraction, or an assumed one, which is reported.
+ * - The expansion by the scene's drag law is reported beside Richardson and Zaki's.
  * - Drag is judged by the scene's own law.
  * - A fluid given through the fluid columns gives the same as one in the scene.
- * - Bytes are those of the allocator, before and after settling; the timed block is as large as the
+ * - Bytes agree with the allocator, before and after settling; the timed block is as large as the
  *   bed.
  * - The estimated time of a dense bed agrees with the measured one within a factor of 2.
  * - Planning changes no particle.
- * - With hookeHysteresis stiffness, limit overlap and restitution by yielding are those of tabulated
+ * - With hookeHysteresis stiffness, limit overlap and restitution by yielding agree with tabulated
  *   loops.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -146,7 +145,7 @@ static double ergun(double d, double rho_p, double rho, double mu, double e)
 }
 
 /* The bed of Goldschmidt: 24750 glass beads of 2.5 mm on 150 x 15 mm; Wen and Yu's velocity and the
-   pressure drop are those of a table computed elsewhere (spheres of 2526 kg/m3 in air of 1.2 kg/m3,
+   pressure drop from a table computed elsewhere (spheres of 2526 kg/m3 in air of 1.2 kg/m3,
    1.2e-5 Pa s). */
 static void test_bed_in_scene(void)
 {

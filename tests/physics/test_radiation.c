@@ -1,10 +1,10 @@
 /*
  * test_radiation.c -- thermal radiation between near spheres and walls.
  *
- * - Rays from one sphere hit another, and the near part of a plane, as often as the view factor says:
- *   exactly for planes, within 6 % for spheres that touch, within 1 % for those farther apart.
- * - What grey spheres exchange is that of resistances in series; a pair keeps its energy.
- * - There is none beyond the reach.
+ * - The view factor is the fraction of rays from a sphere that hit another, or the near part of a
+ *   plane: exactly for planes, within 6 % for spheres that touch, within 1 % farther apart.
+ * - Grey spheres exchange heat as through resistances in series; a pair conserves its energy.
+ * - There is no radiation beyond the reach.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -20,7 +20,7 @@ static double temperature(struct dem *d, int64_t id)
     return world_scalar(d, "temperature", id);
 }
 
-/* Two spheres, or a sphere and a wall (L = 0), at the distance l: what a gains [W]. */
+/* Two spheres, or a sphere and a wall (L = 0), at the distance l: gain of a [W]. */
 static double gain(double R, double L, double l, double e, const char *settings)
 {
     const double dt = 1e-2, C = world_sphere_mass(R, rho)*c;
@@ -47,7 +47,7 @@ static double gain(double R, double L, double l, double e, const char *settings)
     {
         const double of_b = world_sphere_mass(L, rho)*c*(temperature(d, 1) - b_T)/dt;
 
-        TAP_NEAR(gained + of_b, 0.0, 4.0*C*a_T*DBL_EPSILON/dt, "what one loses the other receives");
+        TAP_NEAR(gained + of_b, 0.0, 4.0*C*a_T*DBL_EPSILON/dt, "one receives the heat that the other loses");
     }
     dem_free(d);
     return gained;

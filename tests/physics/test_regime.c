@@ -1,8 +1,8 @@
 /*
- * test_regime.c -- verdicts of `dem plan` for scenes whose regime is known from the literature.
+ * test_regime.c -- verdicts of `dem plan` for scenes in regimes known from the literature.
  *
- * For each effect the plan reports the number and whether the effect is needed, negligible or
- * missing: Gondret's balls in oil, glass in water, bubbles, dust, powders of Geldart's groups A to
+ * For each effect the plan reports its number and whether it is needed, negligible or missing:
+ * Gondret's balls in oil, glass in water, bubbles, dust, powders of Geldart's groups A to
  * C, the beds of Mueller and Goldschmidt, grains in a pipe, a suspension, a drum, a hopper,
  * tablets, and yielding steel (Johnson). Other effects are not reported. A negligible effect is
  * reported with its cost.

@@ -1,17 +1,17 @@
 /*
  * test_scalars.c -- particle scalars, with the temperature of `conduction`.
  *
- * - Four spheres in a ring: the difference of their temperatures decays as the explicit step says,
- *   to rounding; the mean stays.
- * - Walls: a given value, a film and a flux heat a sphere as the closed forms of the step say; a wall
+ * - Four spheres in a ring: the difference of their temperatures decays by the factor of the
+ *   explicit step, to rounding; the mean stays.
+ * - Walls: a given value, a film and a flux heat a sphere by the closed forms of the step; a wall
  *   without an entry is insulated.
- * - The program's source and coefficient are integrated exactly, at any ratio of the step to the time
- *   of relaxation; what it receives is what the sphere gained; the response is bounded.
+ * - The program's source and coefficient are integrated exactly, at any ratio of the step to the
+ *   relaxation time; the program gets the sphere's gain; the response is bounded.
  * - Insertion: one value, a range, a list, a table; a value out of range is refused.
  * - A scene without scalars has no column, no rate and no ghost column for them.
- * - The viscosity of the fluid is a scalar that contact laws read as the mean of both partners: same
- *   bits whether it is a setting, that of a uniform fluid, or written by a program. In a uniform fluid
- *   that acts on no particle it is the only column.
+ * - The viscosity of the fluid is a scalar that contact laws read as the mean of both partners,
+ *   with the same bits from a setting, from a uniform fluid, or written by a program. In a uniform
+ *   fluid that acts on no particle it is the only column.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -154,7 +154,7 @@ static void test_exchange(void)
                  "received and source make the gain");
         TAP_OK(x.response[0] > 0.0 && x.response[0] <= b*t*(1.0 + 1e-12)
                    && x.response[0] >= C*(1.0 - rest)*(1.0 - 1e-12),
-               "response between that of a free value and of a held one");
+               "response between a free value's and a held one's");
         /* the partner's value rises by 1: the particle gets R in the next advance */
         const double one = target + 1.0, R_ = x.response[0], before = at(d, 0);
 
@@ -243,7 +243,7 @@ static struct dem *impacts(const char *stokes, const char *rest)
         "domain { min (-1 -1 -1); max (1 1 1); } time { step 1e-6; } %s", stokes, rest);
     struct dem *const d = world_begin(text);
 
-    dem_fluid_set_density(d, 1000.0);    /* of a coupled fluid; else that of the scene counts */
+    dem_fluid_set_density(d, 1000.0);    /* of a coupled fluid; else the scene's counts */
     WORLD_TRY(dem_add_particles(d, 2, seed));
     WORLD_TRY(dem_setup(d));
     free(text);
@@ -307,7 +307,7 @@ static void test_viscosity(void)
 
     TAP_OK(collide(uniform, NULL) == as_set, "a uniform fluid gives the bits of the setting");
     TAP_OK(collide(coupled, both) == as_set, "and so does a program");
-    TAP_OK(collide(impacts("", ""), apart) != as_set, "at the wall the viscosity is that of the sphere");
+    TAP_OK(collide(impacts("", ""), apart) != as_set, "at the wall the viscosity is the sphere's");
     TAP_OK(collide(impacts("", ""), thick) != as_set, "a viscosity of half as much again counts");
 }
 

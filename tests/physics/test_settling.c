@@ -43,8 +43,8 @@ static void liquid(void)
     }
     const double last = -world_at(d, 0).v[2];
 
-    /* drag is exact within a kick but for its coefficient, which is that of the kick's start: some
-       1e-5 at step/tau = 6e-4 */
+    /* drag is exact within a kick except for its coefficient, taken at the kick's start: some 1e-5
+       at step/tau = 6e-4 */
     TAP_OK(rows == 21, "liquid: %d rows", rows);
     TAP_NEAR(worst_v, 0.0, 1e-4, "liquid: speed within %.1e of the reference at all times",
              worst_v);

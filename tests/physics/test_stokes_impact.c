@@ -1,12 +1,12 @@
 /*
  * test_stokes_impact.c -- restitution in a viscous fluid through the whole core: e_max exp(-35/St).
  *
- * - St is that of the speed at first contact: on a wall St = rho_p d v/(9 mu), for two equal
- *   spheres at the same relative speed twice that.
- * - At the automatic step, too, within 1 %: Hertz and Hooke, from St 5, where next to nothing
+ * - St uses the speed at first contact: on a wall St = rho_p d v/(9 mu), twice that for two equal
+ *   spheres at the same relative speed.
+ * - The automatic step gives e within 1 %, with Hertz and Hooke, from St 5, where almost no speed
  *   returns, to 5000.
  * - A cluster of spheres with a million times the viscosity of water, far above critical damping,
- *   keeps its momentum and gains no energy.
+ *   conserves momentum and gains no energy.
  * - The speed stays latched when lists are rebuilt and when a snapshot interrupts the contact.
  * - The restitution lies in the range of measurements, also in the five liquids of Gondret et al.,
  *   with added mass, by the settings or by the density of the run's fluid, and without.
@@ -83,7 +83,7 @@ static struct dem *start(double stokes, int pair, double step, double outer_skin
     return d;
 }
 
-/* Mean speed of separation over that of approach. */
+/* Mean speed of separation over the speed of approach. */
 static double restitution(struct dem *d, double stokes, int pair)
 {
     double mean = 0.0;

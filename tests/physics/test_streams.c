@@ -2,8 +2,8 @@
  * test_streams.c -- streams and outlets of particles.
  *
  * Streams:
- * - The number inserted is that of the rate, by number or by mass, to one particle, from start to
- *   end or limit.
+ * - The number inserted follows the rate, by number or by mass, to one particle, from start to end
+ *   or limit.
  * - Particle k has the diameter of particle k of a group with that seed, whether or not it had to
  *   wait.
  * - Inserted particles overlap no particle, wall or periodic image, and lie in the region or have
@@ -13,7 +13,7 @@
  *   fall.
  * - A patch normal to an axis inserts the number due at any speed.
  * - Drag that stops a particle in less than a step gives it the velocity of the fluid.
- * - A stream whose rate is changed to kg/s at a restart has no deficit from before.
+ * - A stream with a rate changed to kg/s at a restart has no deficit from before.
  * - No particle is inserted into a fluid that the caller provides before the caller has announced
  *   it.
  *
@@ -266,7 +266,7 @@ static void test_walls(void)
     TAP_OK(world_tally(d).particles > 100,
            "%lld between a plane, a sphere and a sheet of triangles",
            (long long)world_tally(d).particles);
-    TAP_OK(min_clearance(d) >= 0.0, "they touch none of the walls and are not behind them");
+    TAP_OK(min_clearance(d) >= 0.0, "they touch no wall and are not behind one");
     dem_free(d);
 }
 

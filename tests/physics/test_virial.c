@@ -2,12 +2,13 @@
  * test_virial.c -- the virial of contacts, dem_virial.
  *
  * A block of 3000 spheres, compressed between periodic faces along y and z, is drawn apart along x:
- * contacts open, and prunes of the lists leave fewer contact rows. With elastic repulsion alone a pair
- * gives
+ * contacts open, and prunes of the lists leave fewer contact rows. With elastic repulsion alone a
+ * pair gives
  *
- *     tr W = -F l,    F = 4/3 E* sqrt(R*) d^(3/2),    d = 2 R - l,    l the distance of the centres
+ *     tr W = -F l,    F = 4/3 E* sqrt(R*) d^(3/2),    d = 2 R - l,    l: distance of the centres
  *
- * Reference: the sum of -F l over all pairs, from the positions. After an advance that failed it is 0.
+ * Reference: the sum of -F l over all pairs, from the positions. After an advance that failed it is
+ * 0.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -153,7 +154,7 @@ int main(void)
             const double expected = of_pairs(d);
 
             /* rounding: positions of up to 0.05 m are known to 7e-18 m, overlaps of 1e-6 m to 1e-11 */
-            TAP_NEAR(trace(d), expected, 1e-10*fabs(expected), "step %d: that of all pairs", k);
+            TAP_NEAR(trace(d), expected, 1e-10*fabs(expected), "step %d: the sum over all pairs", k);
         }
         else
         {

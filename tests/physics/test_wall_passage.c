@@ -6,12 +6,13 @@
  * by a quarter of a diameter here.
  *
  * - At 10 m/s the sphere is thrown off by a plane and by triangles alike; at 50 m/s both end the
- *   run: triangles that move, triangles at rest, a paddle that turns, triangles that a program moves,
- *   wires thinner than the sphere.
+ *   run: triangles that move, triangles at rest, a paddle that turns, triangles that a program
+ *   moves, wires thinner than the sphere.
  * - A sphere between two sheets that close ends the run.
- * - With time/maxOverlap above 0.5 the passage is listed and the run goes on.
+ * - With time/maxOverlap above 0.5 the passage is listed and the run continues.
  * - A sphere and a sheet that together move by more than its radius in a step are refused.
- * - A sphere that rolls off the rim of a sheet, its centre beyond the sheet's plane, is none.
+ * - A sphere that rolls off the rim of a sheet, its centre beyond the sheet's plane, does not
+ *   count.
  *
  * Source: Johnson, Contact Mechanics (1985), section 11.4.
  *
@@ -49,7 +50,7 @@ static void run(const char *walls, const char *time, const double x[3], double v
     struct dem *const d = begin(walls, time, x, v);
     const int status = dem_advance(d, 1e-3);
 
-    TAP_OK((status != DEM_OK) == (words != NULL), "%s: %s", what, words ? "ends" : "goes on");
+    TAP_OK((status != DEM_OK) == (words != NULL), "%s: %s", what, words ? "ends" : "continues");
     if (words)
     {
         TAP_OK(status && strstr(dem_error_text(), words), "%s: says %s", what, words);
@@ -99,7 +100,7 @@ int main(void)
     run("w { " SHEET("0") UP("50") " }", "", above, 0.0, half, "triangles at 50 m/s");
     run("w { " SHEET("0") " }", "", above, -50.0, half, "a sphere at 50 m/s on triangles");
     run("w { " SHEET("0") " motion { type rotation; origin (-0.045 0 0); axis (0 -1 0); "
-        "omega 1e3; } }", "", tip, 0.0, half, "a paddle whose blade has 50 m/s there");
+        "omega 1e3; } }", "", tip, 0.0, half, "a paddle with a blade at 50 m/s there");
     run("w { type cylinder; point (0 0 0); axis (0 1 0); radius 1e-4; particles outside;"
         UP("50") " }", "", between, 0.0, half, "a wire at 50 m/s");
     run("low { " SHEET("0") UP("20") " } high { " SHEET("0.0012") UP("-20") " }", "", between, 0.0,

@@ -1,6 +1,6 @@
 /*
  * test_wall_periods.c -- the step that the core chooses resolves walls that oscillate or rotate
- * fast; walls faster than impactSpeed are told before the run.
+ * fast; the run warns of walls faster than impactSpeed before it starts.
  *
  * A sphere lies on a spring with a dashpot (hooke, dry) on a wall that shakes by A sin(w t). In the
  * steady state the wall does the work per time
@@ -10,11 +10,11 @@
  * - The automatic step gives P within 1 % at three and ten times the natural frequency, and the
  *   energy balance closes within 1 % of the work.
  * - The limit names the wall, is 1/60 of the period of an oscillation and 1/360 of a revolution,
- *   and bounds a given step; no limit from slow
- *   motions, translations, and motions that ended before the run.
- * - A wall whose speed along its normal makes impacts overlap by more than 5 % is in the warnings;
- *   a floor that slides in its plane, and a drum that rotates about its axis, are not.
- * - Driven particles feel no walls: told where there are both.
+ *   and bounds a given step. Slow motions, translations, and motions that ended before the run set
+ *   no limit.
+ * - The warnings name a wall with a normal speed that makes impacts overlap by more than 5 %, but
+ *   not a floor that slides in its plane or a drum that rotates about its axis.
+ * - A scene with walls and driven particles, which do not feel them, is warned about.
  *
  * Source: the driven linear oscillator.
  *

@@ -2,8 +2,7 @@
  * test_walls.c -- walls of triangles: seams, corners, edges, tips, faulty meshes.
  *
  * - A sphere that slides over a plane cut into random triangles, in any orientation, has the normal
- *   force m g and no disturbance at seams; where the coordinates allow, the bits are those of a
- *   plane.
+ *   force m g and no disturbance at seams; where the coordinates allow, it has the bits of a plane.
  * - Sliver, degenerate, repeated and flipped triangles and T-joints change nothing.
  * - In a corner of three walls the forces balance the weight, with planes and with triangles.
  * - A concave edge is two contacts, a convex edge or tip one, in any orientation.
@@ -11,8 +10,8 @@
  * - The torque on a wall about the origin is the angular momentum that a sphere loses.
  * - A wall of triangles stops a sphere from either side.
  * - A frictionless wall has the normal force and its damping only: spin and velocity along it stay,
- *   and a bounce has the bits of a scene without the other effects; other walls of the same material
- *   keep them.
+ *   and a bounce has the bits of a scene without the other effects; other walls of the same
+ *   material keep them.
  *
  * Sources: geometry and statics.
  *
@@ -572,7 +571,7 @@ static void over_the_edge(void)
         {
             break;
         }
-        /* the elastic energy of an overlap of 1e-5 m is 2/5 F d: 1e-3 of what the fall gives */
+        /* the elastic energy of an overlap of 1e-5 m is 2/5 F d: 1e-3 of the energy of the fall */
         const double energy = 0.5*mass*(p.v[0]*p.v[0] + p.v[2]*p.v[2]) + mass*g*p.x[2];
 
         start = k == 0 ? energy : start;
@@ -595,8 +594,8 @@ static void angular_momentum(const struct world_particle *p, double out[3])
     }
 }
 
-/* A sphere that spins, slides, rolls and twists in a box far from the origin: the angular momentum
-   it loses is that of the box. */
+/* A sphere that spins, slides, rolls and twists in a box far from the origin: the box gets the
+   angular momentum that it loses. */
 static void torque(void)
 {
     static const double min[3] = {0.5, -0.2, 0.3}, max[3] = {0.506, -0.195, 0.305};
@@ -715,7 +714,7 @@ static void both_sides_of_a_plate(void)
         wrong += p.v[2] > -1.0 || p.v[2] < -1.0 || fabs(p.x[2] + 4.0*R) > 1e-9;
     }
     TAP_OK(wrong == 0,
-           "beside a plate whose sides are cut along different diagonals spheres fly on (%d wrong)",
+           "beside a plate with sides cut along different diagonals spheres fly on (%d wrong)",
            wrong);
     free(scene);
     dem_free(d);

@@ -1,8 +1,8 @@
-"""fuzz.py SEED CALLS -- random calls of the package with random arguments, in a process of its own:
-it may refuse them with a SunaError or FileError, or raise what the callback raises, and nothing else;
-it must not end by a signal. Random files are given to the readers, too.
+"""fuzz.py SEED CALLS -- random calls of the package with random arguments, in a separate process:
+each may only succeed, be refused with a SunaError or FileError, or raise what its callback raises; no
+signal may end the process. The readers get random files, too.
 
-Prints the number of calls and of those refused. Run it for longer after a change of the package:
+Prints the number of calls and of refusals. Run it for longer after a change of the package:
 
     for seed in $(seq 100 200); do python3 fuzz.py $seed 2000 || echo "seed $seed"; done
 

@@ -1,6 +1,6 @@
-"""ranks_fault.py -- an exception in the progress function of one rank ends the advance on all ranks,
-in its course and in its last step, and the run can go on. The first rank prints "ended". On one rank
-there is no other one, and nothing is tested but the exception itself.
+"""ranks_fault.py -- an exception in the progress function of one rank ends the advance on all
+ranks, in its course and in its last step, and the run can continue. The first rank prints "ended".
+On a single rank only the exception itself is tested.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -31,7 +31,7 @@ world = MPI.COMM_WORLD
 expected = "Fault" if world.rank == world.size - 1 else "SunaError the progress function of another rank"
 sim = suna.Simulation(SCENE, comm=world)
 step = sim.step[0]
-# progress is told after each 16 steps: in the last step of the first advance, then in the middle
+# progress is reported after each 16 steps: in the last step of the first advance, then in the middle
 found = [outcome(sim, 16*step), outcome(sim, 64*step)]
 sim.advance(step)
 all_ranks = world.gather(all(text.startswith(expected) for text in found) or found)

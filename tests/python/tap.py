@@ -6,7 +6,7 @@ import traceback
 
 
 def run_tests(*tests):
-    """True when one has failed; a test goes on to the next."""
+    """Runs all tests, also after a failure; True if one has failed."""
     failed = 0
     print(f"1..{len(tests)}")
     for number, test in enumerate(tests, 1):

@@ -1,5 +1,5 @@
-"""test_misuse.py -- no use of the package ends the process or takes a value for another one: arrays
-outlive their simulation, copies, closed simulations, exceptions of callbacks, threads, and wrong
+"""test_misuse.py -- no misuse of the package ends the process or mistakes a value: arrays that
+outlive their simulation, copies, closed simulations, exceptions of callbacks, threads. Wrong
 arguments are refused with a sentence. Prints TAP.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -97,7 +97,7 @@ def read_only():
 
 
 def copies():
-    """a simulation is neither copied nor pickled, and goes on after the attempt"""
+    """a simulation is neither copied nor pickled, and continues after the attempt"""
     sim = suna.Simulation(SCENE).setup()
     for call in (copy.copy, copy.deepcopy, pickle.dumps, lambda sim: copy.deepcopy(sim.walls)):
         try:
@@ -273,7 +273,7 @@ def texts():
 
 
 def failed():
-    """a set-up that failed is not tried again on what it has left; a scene is told why"""
+    """a failed set-up is not repeated on its remains; a scene reports why"""
     sim = suna.Simulation(PHYSICS)
     sim.add_particles([[0, 0, 0], [1e-4, 0, 0]], 1e-3, "glass")
     refused(sim.setup, "overlap")

@@ -1,9 +1,9 @@
 """test_refinement.py -- evaluation of a refinement series. Prints TAP.
 
 - A smooth series returns the value, the order and the errors it was made from.
-- Where the scatter is a property of the scene, the 95 % interval contains the true value in 95 of
-  100 series.
-- Where the means do not converge, no value is claimed.
+- If the scatter is a property of the scene, the 95 % interval contains the true value in 95 of 100
+  series.
+- If the means do not converge, no value is claimed.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

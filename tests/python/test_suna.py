@@ -1,4 +1,4 @@
-"""test_suna.py -- the package suna: what it returns is that of the core and of the files. Prints TAP.
+"""test_suna.py -- the package suna returns the numbers of the core and of its files. Prints TAP.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -34,7 +34,7 @@ def refused(call, *words):
 
 
 def copies():
-    """arrays are those of the core at the moment of the call"""
+    """arrays hold the core's state at the moment of the call"""
     sim = suna.Simulation(SCENE)
     x, m, r = sim.position, sim.mass, sim.radius
     assert x.shape == (300, 3) and len(sim) == 300
@@ -86,7 +86,7 @@ def errors():
 
 
 def restart():
-    """a run that goes on from a snapshot has the same bits"""
+    """a run that continues from a snapshot has the same bits"""
     whole = suna.Simulation(SCENE)
     whole.advance(0.01)
     whole.save("half.dem")
@@ -210,7 +210,7 @@ def progress():
 
 
 def interrupted():
-    """Ctrl-C ends an advance after a step; the run can go on"""
+    """Ctrl-C ends an advance after a step; the run can continue"""
     sim = suna.Simulation(SCENE).setup()
     threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
     began = time.monotonic()

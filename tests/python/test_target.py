@@ -1,9 +1,8 @@
-"""test_target.py -- `dem cost -target` finds steps within the target: eight scenes whose kinetic energy
-has a closed form that the search does not use, or uses as one quantity of several. Prints TAP.
+"""test_target.py -- `dem cost -target` finds steps within the target for eight scenes. Prints TAP.
 
-The chosen scene is run, and the mean kinetic energy of translation over the samples of the search
-is compared with the mean of the closed form. dem run prints that the wish is met, or that it is
-not.
+The kinetic energy has a closed form that the search does not use, or uses as one quantity of
+several. The chosen scene is run, and its mean kinetic energy of translation over the samples of the
+search is compared with the closed form. dem run prints whether the target is met.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -134,7 +133,7 @@ def check(case, target):
 
 
 def wish():
-    """a wish in the scene: the search, then the run in one command"""
+    """a target in the scene: the search, then the run in one command"""
     scene, _ = damped()
     (FOLDER/"wish.dem").write_text(scene + "accuracy { target 0.002; }\nwrite { vtk no; }\n")
     # the program is not on PATH
@@ -145,13 +144,13 @@ def wish():
 
 
 def longer():
-    """a longer step than that of the search: not met"""
+    """a longer step than the search found: not met"""
     text = call("run", "-set", "time/step", "1e-5", "-set", "time/force", "yes", "damped.accurate.dem")
     assert re.search("^accuracy: target 0.1 %, NOT met: the step is 1e-05 s", text, re.M), text
 
 
 def short():
-    """a budget that is too small: not reached, and told in the copy"""
+    """a budget that is too small: not reached, and the copy says so"""
     text = call("cost", "-series", "step", "-budget", "0.1", "-target", "1e-9", "weight.dem")
     assert re.search("^target 1e-09 is not reached: half the finest step would take", text, re.M), text
     assert "// the target is not reached" in (FOLDER/"weight.accurate.dem").read_text()
@@ -179,7 +178,7 @@ def main():
         try:
             run()
             print(f"ok {number} - {name}", flush=True)
-        except Exception as error:      # a test goes on to the next
+        except Exception as error:      # continue with the next test
             print("# " + str(error).replace("\n", "\n# "))
             print(f"not ok {number} - {name}", flush=True)
     print(f"1..{len(checks)}")

@@ -1,8 +1,8 @@
 # cases.sh -- the cases of ./run: make_NAME leaves a mesh and says which solver runs it, check_NAME compares a number.
 #
-# A stock case is a tutorial (FOAM_TUTORIALS), copied and meshed as its own Allrun does, and the files of ./NAME laid over it:
-# constant/demProperties, and for demPimpleFoam what that solver reads. The recipe is that of docs/coupled-case.md.
-# Cases without a stock name are ours, all of their files are in ./NAME or written here.
+# A stock case is a tutorial (FOAM_TUTORIALS), copied and meshed as in its own Allrun, with the files of ./NAME on top:
+# constant/demProperties, and for demPimpleFoam the files that solver reads, as docs/coupled-case.md describes.
+# Cases without a stock name are ours; all of their files are in ./NAME or written here.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -24,7 +24,7 @@ ours()
         cp -r 0.orig 0
 }
 
-# control TEXT ...: entries that come after those of the controlDict and so replace them
+# control TEXT ...: entries at the end of controlDict, which replace earlier ones
 control()
 {
     printf '%s\n' "$@" >> system/controlDict
@@ -253,8 +253,8 @@ check_hopper()
         "$(awk 'BEGIN { print 1e3*1.03*964*0.55*sqrt(9.81)*6.2e-3*exp(1.5*log(0.03 - 1.4*6e-3)) }')" 0.4
 }
 
-# The flow is that of the stock case before its first iteration, 20 m/s past and into the bike, and stands: it presses the grains
-# on the bike. (simpleFoam does not converge on this mesh with particles or without.)
+# The flow is the stock case's before its first iteration, 20 m/s past and into the bike, and frozen: it presses the grains
+# on the bike. (simpleFoam does not converge on this mesh, with or without particles.)
 make_motorBike()
 {
     stock incompressible/simpleFoam/motorBike && cp "$FOAM_TUTORIALS/resources/geometry/motorBike.obj.gz" constant/triSurface &&

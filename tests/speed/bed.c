@@ -14,9 +14,9 @@
  *        runs another program; the last line has its processor time [s] and bytes
  *
  * A line of the text: id, diameter, position, velocity, spin. Contacts start without history, as in
- * the codes compared with. Time is that of dem_advance after a first step, which makes the first
- * lists, times STEPS/(STEPS - 1). Bytes are the peak of the process beyond its memory before there
- * were particles.
+ * the other codes. Time is the time of dem_advance after a first step, which makes the first lists,
+ * multiplied by STEPS/(STEPS - 1). Bytes are the peak of the process beyond its memory before there
+ * are particles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -282,7 +282,7 @@ static int run(int arguments, char **argument)
 
 /* ---- spend ----------------------------------------------------------------------------------- */
 
-/* The peak memory of a process includes that of its parent before the start: so its parent is this
+/* The peak memory of a process includes its parent's before the start; so its parent is this
    program, which has little. */
 static int spend(char **argument)
 {

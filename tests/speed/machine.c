@@ -4,9 +4,9 @@
  *     machine prints the clock [GHz], then for each working set its size [bytes] and bandwidth
  *     [GB/s]
  *
- * The clock is that of a chain of dependent additions, one a cycle. Bandwidth is that of a(i) =
- * b(i) + s c(i), McCalpin's triad, with 32 bytes an element, as a line that is written is read
- * first: two arrays in, one in and out. Best of several repetitions.
+ * The clock rate comes from a chain of dependent additions, one a cycle. The bandwidth comes from
+ * McCalpin's triad, a(i) = b(i) + s c(i), with 32 bytes an element, as a line that is written is
+ * read first: two arrays in, one in and out. Best of several repetitions.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -4,7 +4,7 @@ output.
 A peer has: program, package (Debian's), laws {law of a scene: its own}, tries(scene) (settings of
 its search to choose the fastest of), set_up(folder, particles, scene), run(run) -> processor time
 of the steps [s], most memory of the process [bytes], and after it energy(folder) -> kinetic energy
-[J], end(folder) -> the final positions as rows of diameter, x, y, z, bonds(folder). README.md tells
+[J], end(folder) -> the final positions as rows of diameter, x, y, z, bonds(folder). README.md lists
 where laws differ.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -92,7 +92,7 @@ class Lammps:
             out.write("\n".join(lines) + "\n")
 
     def run(self, r):
-        """The time of the process less that of a run without steps, which reads and makes lists."""
+        """The time of the process less a run without steps, which reads and makes lists."""
         self.write_input(r, 0)
         rest, _ = scenes.spent(r.bed, [r.exe, "-in", "in.txt"], r.folder, "log.rest")
         self.write_input(r, r.steps)

@@ -1,7 +1,8 @@
 """scenes.py -- the beds that speed.py measures, and the runs of Suna.
 
 A scene is a bed at rest, settled once and kept in beds/, repeated along x, with a random velocity
-added. Every code starts from the same text of it: id, diameter, position, velocity, spin a line.
+added. Every code starts from the same text, one particle a line: id, diameter, position, velocity,
+spin.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -14,8 +15,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 BEDS = os.path.join(HERE, "beds")
 
 # contact law; width along x and y [m], copies along x; random speed added [m/s]; step [s], steps;
-# mean diameter [m]. Exceptions: `bed`, the scene that settles it (default: that of the law).
-# `spheres` and `height`: of another bed than that of the scene. `classes`: diameters at which
+# mean diameter [m]. Exceptions: `bed`, the scene that settles it (default: the law's).
+# `spheres` and `height`: of a bed other than the scene's. `classes`: diameters at which
 # another class of size begins, for searches with classes. `young`: stiffness other than 5e6 Pa.
 # `mesh`: file of triangles that the scene reads where it runs.
 EQUAL = dict(law="equal", width=0.025, copies=1, speed=0.0, step=2e-6, steps=2000, mean=1e-3)

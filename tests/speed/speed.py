@@ -9,9 +9,9 @@ the same bed.
 
 DEM and BED are the program dem and the one made of bed.c. Both codes start from the same text of
 particles, take the same step and have the same laws (README.md has what differs), on one
-core. They take turns; the medians are printed, and the smallest and the largest ratio of a turn. The
-other code runs with the fastest of several settings of its search, found first. Its time is that of
-the process less that of a run of no steps, which reads and lists; Suna's begins after a first step.
+core. They take turns; it prints the medians, and the smallest and the largest ratio of a turn. The
+other code runs with the fastest of several settings of its search, found first. Its time is the
+process's less a run of no steps, which reads and lists; Suna's begins after a first step.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -38,7 +38,7 @@ def arguments():
     p.add_argument("--exe", help="another build of the peer's program")
     p.add_argument("--runs", type=int, default=3)
     p.add_argument("--steps", type=int, default=0,
-                   help="0: those of the scene, a fifth of them with yade")
+                   help="0: the scene's, a fifth of them with yade")
     p.add_argument("--compare", action="store_true")
     p.add_argument("--dem", required=True)
     p.add_argument("--bed", required=True)
@@ -225,7 +225,7 @@ def main():
             sys.exit(f"speed: {name} stands alone")
         peer = a.against or default_peer(SCENES[name])
         if peer != "none" and SCENES[name]["law"] not in PEERS[peer].laws:
-            sys.exit(f"speed: {peer} has no law like that of {name}; {default_peer(SCENES[name])} has")
+            sys.exit(f"speed: {peer} has no law like the one of {name}; {default_peer(SCENES[name])} has")
         print(compare(a, name, peer) if a.compare else measure(a, name, peer), flush=True)
     return None
 

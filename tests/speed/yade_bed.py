@@ -48,8 +48,8 @@ below = material
 if not bonded:
     # YADE treats a flat body as a sphere of its partner's size, half the reduced radius: with E*
     # and G* larger by sqrt(2), by its means
-# (sum of compliances; halves of G and nu, k_t ~ G/(2 - nu)), the contact with the floor is that of
-# a plane
+    # (sum of compliances; halves of G and nu, k_t ~ G/(2 - nu)), the contact with the floor behaves
+    # as with a plane
     nu, less = job["poisson"], 2.0**0.5 - 1.0
     a, b = (1.0 + nu)/(less*(1.0 - nu**2)), 2.0*2.0**0.5/(2.0 - nu)
     other = (1.0 + a - b*(2.0 - 0.5*nu))/(a - 0.5*b)

@@ -5,9 +5,9 @@
  *   correlated.
  * - A ratio of means has the interval of the delta method.
  *
- * References: series with known means: uniform numbers in (0, 1), and x' = a x + noise, whose mean
- * has the variance s2/n (1 + a)/(1 - a), s2 = noise variance/(1 - a^2), so that its interval is
- * sqrt((1 + a)/(1 - a)) times that of as many independent samples.
+ * References: series with known means: uniform numbers in (0, 1), and x' = a x + noise. The mean of
+ * the latter has the variance s2/n (1 + a)/(1 - a), s2 = noise variance/(1 - a^2), so its interval
+ * is sqrt((1 + a)/(1 - a)) times wider than with as many independent samples.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -39,7 +39,7 @@ static void ratio(const double *mean, double *result)
 
 struct outcome
 {
-    /* fraction of series whose interval contains the true mean; mean half width */
+    /* fraction of series with the true mean in the interval; mean half width */
     double covered, width;
 };
 
@@ -90,7 +90,7 @@ static void intervals(void)
              "correlated samples (a = 0.8): 95 of 100 (%.3f)", correlated_samples.covered);
     const double wide = 2.09*noise/sqrt(1.0 - 0.64)*sqrt(9.0/5000.0);
 
-    TAP_NEAR(correlated_samples.width, wide, 0.06*wide, "the width is three times that of independent samples");
+    TAP_NEAR(correlated_samples.width, wide, 0.06*wide, "the width is three times the width for independent samples");
 }
 
 /* mean x/mean y, x = y + noise: variance by the delta method is var(x - r y)/(n <y>^2) */
@@ -119,7 +119,7 @@ static void ratios(void)
     }
     const double expected = 2.09*sqrt(1.0/12.0/n)/1.5;
 
-    TAP_NEAR(width, expected, 0.06*expected, "the interval of a ratio is that of the delta method");
+    TAP_NEAR(width, expected, 0.06*expected, "a ratio has the interval of the delta method");
     TAP_NEAR(covered/(SERIES/4), 0.95, 0.04,
              "it contains the true ratio");      /* four times sqrt(0.05 0.95/500) */
 }

@@ -248,7 +248,7 @@ static void fields(void)
            && !dem_dict_settings(dry, spring_fields, &s), "a struct from its table of fields");
     TAP_OK(s.restitution == 0.8 && s.direction[1] == 1 && s.count == 3 && s.law == 1 && s.on == 0,
            "with its values");
-    TAP_OK(dem_dict_refuse_unread(d) == DEM_OK, "all of it was read");
+    TAP_OK(dem_dict_refuse_unread(d) == DEM_OK, "all entries were read");
     dem_dict_free(d);
 }
 

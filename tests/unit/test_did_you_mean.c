@@ -1,8 +1,8 @@
 /*
  * test_did_you_mean.c -- suggestions for unknown words.
  *
- * A mistyped word gets the nearest known one, a word of another code its alias, any other word no
- * guess; all get the list of known words.
+ * A mistyped word gets the nearest known word, a word of another code its name here, any other word
+ * no guess; all get the list of known words.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

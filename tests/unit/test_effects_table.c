@@ -48,7 +48,7 @@ int main(void)
     dem_effects_table_begin(folder, 0.6, "hertz dry mindlin");
     holds("0,hertz dry\n0.6,hertz dry mindlin\n", "from before that");
     dem_effects_table_begin(folder, 0.0, "hooke");
-    holds("0,hooke\n", "all anew");
+    holds("0,hooke\n", "all again");
     TAP_OK(dem_effects_table_begin("/nowhere/at/all", 0.0, "hertz") != 0, "no folder, no table");
     unlink(path);
     rmdir(folder);

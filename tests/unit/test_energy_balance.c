@@ -193,7 +193,7 @@ int main(void)
     TAP_NEAR(sum_of(&with_energy, DEM_ENERGY_BALANCE_LOST), 6.0*0.25, 1e-15,
              "an effect with an energy function is called with its history before and after");
     TAP_NEAR(sum_of(&with_energy, DEM_ENERGY_BALANCE_ELASTIC), 6.0*7.0, 1e-15,
-             "elastic energies stay those of the last sweep that reports them");
+             "elastic energies stay as in the last sweep that reports them");
     TAP_NEAR(seen.previous_overlap[3], 0.01, 1e-14, "the overlap before the drift");
     TAP_NEAR(seen.previous_kn[3], 1000.0*0.1, 1e-12, "the previous stiffness, by the normal law");
     TAP_NEAR(seen.previous_overlap[7], 0.01, 1e-14, "the overlap before separation");

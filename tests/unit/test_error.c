@@ -1,6 +1,6 @@
 /*
- * test_error.c -- the sentence of an error is kept whole, per thread, with its context in front;
- * the status is returned.
+ * test_error.c -- an error keeps its whole sentence, per thread, with its context in front, and
+ * returns its status.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

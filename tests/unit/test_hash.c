@@ -94,8 +94,8 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Records like those of particles: consecutive ids, signs, zeros. By chance two of 80000 agree once
-   in 6e9 such sets. */
+/* Records similar to particles: consecutive ids, signs, zeros. By chance two of 80000 agree once in
+   6e9 such sets. */
 static void near_records(void)
 {
     enum { N = 80000 };

@@ -5,8 +5,7 @@
  * - The same bits in a scalar call, in a vector loop, at any optimisation and from any compiler.
  *
  * The reference of accuracy is the C library's long double functions: with 64-bit mantissas their
- * last place is 1/2048 of that of a double. The reference of bits is a stored hash over 40000
- * results.
+ * last place is 1/2048 of a double's. The reference of bits is a stored hash over 40000 results.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -118,7 +117,7 @@ static void accuracy(void)
     accurate("log10", call_log10, log10l, between, 0.5, 2.0, 2.1);
 }
 
-/* the relative error of pow is required to be below 1e-14; that of powl is below 1e-18 */
+/* the relative error of pow must be below 1e-14; powl's is below 1e-18 */
 static void accuracy_of_pow(void)
 {
     double worst = 0.0, worst_square = 0.0;

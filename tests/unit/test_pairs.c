@@ -1,8 +1,9 @@
 /*
- * test_pairs.c -- the pair list is that of a search over all pairs.
+ * test_pairs.c -- the pair list agrees with a search over all pairs.
  *
- * - None is missing, none is there twice, each has the right periodic shift: for equal sizes and up
- *   to 1:30, in open and periodic boxes, with ghosts and frozen particles, in any order of storage.
+ * - No pair is missing or listed twice, and each has the right periodic shift: for equal sizes and
+ *   up to 1:30, in open and periodic boxes, with ghosts and frozen particles, in any order of
+ *   storage.
  * - Sizes far apart are divided into levels, similar sizes are not.
  * - More particles or pairs than a 32-bit index can number are refused.
  *

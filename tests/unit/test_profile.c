@@ -3,10 +3,10 @@
  *
  * - The phases of one rank add up to the elapsed time by another reading of the clock, whether each
  *   step is timed or one in many.
- * - The processor time of the phases adds up to that of the process, and is less than the clock
- *   where the process sleeps.
+ * - The processor time of the phases adds up to the process's, and is less than the clock's while
+ *   the process sleeps.
  * - Counts agree with a known scene; measuring changes nothing.
- * - The largest overlap of pairs that meet is that of Hertz.
+ * - The largest overlap of pairs that meet agrees with Hertz.
  *
  * References: the clock read before and after; a bed with a known number of contact rows.
  *
@@ -104,7 +104,7 @@ static void times(int n, int steps)
     /* rounding of the sum of many differences of one clock: 1e-9 s is a thousand times that */
     TAP_OK(f.wall - f.outside <= between - before + 1e-9 && f.wall - f.outside > 0.0,
            "%d spheres: the remainder is the time of the advance", n);
-    TAP_NEAR(busy, f.processor, 1e-9*f.processor, "%d spheres: their processor times add up to that of the process", n);
+    TAP_NEAR(busy, f.processor, 1e-9*f.processor, "%d spheres: their processor times add up to the process's", n);
     TAP_OK(f.processor >= busy_requested - busy_ready && f.processor <= busy_reported - busy_before,
            "%d spheres: %.4g s of processor time: between %.4g and %.4g s", n, f.processor,
            busy_requested - busy_ready, busy_reported - busy_before);

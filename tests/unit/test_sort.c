@@ -43,7 +43,7 @@ static int same(const struct dem_sort_pair *a, const struct dem_sort_pair *b, in
     return 1;
 }
 
-/* keys whose bits outside the mask are those of `rest` */
+/* keys with the bits of `rest` outside the mask */
 static void check(const char *what, int n, uint64_t mask_hi, uint64_t mask_lo, uint64_t rest)
 {
     for (int i = 0; i < n; i++)

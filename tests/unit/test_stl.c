@@ -3,7 +3,7 @@
  *
  * - Both give the same triangles, whatever the case, spaces and normals; several solids give one
  *   list.
- * - A binary file whose header begins with "solid" is read as binary.
+ * - A binary file with a header that begins with "solid" is read as binary.
  * - A file that is truncated anywhere, is of another kind or contains a value that is not a number
  *   is refused with its line or triangle.
  *

@@ -2,12 +2,11 @@
     testTransfer -- tests of demTransfer on the mesh of the case; `run` says what
     they prove.
 
-    Prints "ok - claim" or "not ok - claim", with what was measured. Particles
-    are made by hand and belong to ranks that have nothing to do with the mesh.
-    Options give the properties of the mesh: -planar faces, -orthogonal, -uniform,
-    -periodic in all directions, -thin: one cell and periodic in z, -corner: a
-    quarter is cut away. In parallel the results are compared with
-    those that a serial run left in the case's file `serial`.
+    Prints "ok - claim" or "not ok - claim", with the measured value. Particles are
+    made by hand and belong to ranks independent of the mesh. Options give the
+    properties of the mesh: -planar faces, -orthogonal, -uniform, -periodic in all
+    directions, -thin: one cell and periodic in z, -corner: a quarter is cut away.
+    A parallel run compares with the file `serial` that a serial run left in the case.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.

@@ -1,4 +1,4 @@
-"""Restitution of the first bounce, and the velocity of the large sphere after it: m/M (1 + e) v.
+"""The first bounce has the set restitution, and gives the large sphere the velocity m/M (1 + e) v.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -27,7 +27,7 @@ def check(c):
                                                                       for p in grain), 0)
         c.below("pocket: consecutive outputs at one position",
                 longest(grain, lambda a, b: math.dist(a.x, b.x) < 1e-6), 1)
-        # that of the floor is 0.31; a dozen impacts at once
+        # the floor's is 0.31; a dozen impacts at once
         c.below("pocket: largest speed, m/s", max(math.hypot(*p.v) for p in grain), 5.0)
     run = c.run("groove.dem", {}, name="groove")
     if c.runs_to_end(run):

@@ -11,7 +11,7 @@ def check(c):
         if c.runs_to_end(run):
             # 25 contact times later: separated, or still in slow recovery
             last = run.snapshots()[-1][0]
-            c.below("e = 0, %s: speed of the rebound over that of the impact" % law, abs(last.v[2]),
+            c.below("e = 0, %s: rebound speed over impact speed" % law, abs(last.v[2]),
                     limit)
             c.below("e = 0, %s: overlap left, over the radius" % law,
                     max(1e-3 - last.x[2], 0.0)/1e-3, 1e-3)

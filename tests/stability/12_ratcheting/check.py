@@ -1,12 +1,12 @@
 """A contact under an oscillating normal force does not creep.
 
 At the smallest normal force the friction limit equals the weight, so the force of inertia, in
-proportion to the
-square of the frequency, slips: the motion is slow, and a faster one shows this dependence.
+proportion to the square of the frequency, slips: the motion is slow, and a faster one shows this
+dependence.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-HARD = "friction springs whose limit and stiffness oscillate"
+HARD = "friction springs with an oscillating limit and stiffness"
 MASS, MU = 2500.0*4.18879020478639e-9, 0.3
 # E*, G* of glass on glass
 MODULUS, SHEAR = 1e7/(2.0*0.91), 1e7/(4.0*1.7*1.3)

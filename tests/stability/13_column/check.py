@@ -1,4 +1,8 @@
-"""Statics of a column: sums over the contacts. SPDX-License-Identifier: GPL-3.0-or-later"""
+"""A column of 200 spheres at rest has the force on the floor, the overlap at the floor and the
+height of statics: sums over the contacts, for Hertzian and linear springs.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 HARD = "200 contacts in a row: slow waves, small errors that add up"
 # N; m, of the top centre without overlap
 WEIGHT, TOP = 2.0538999e-2, 0.399

@@ -1,4 +1,4 @@
-"""Final speeds of a row of equal spheres, by an independent integration.
+"""A row of equal spheres has the final speeds of an independent integration.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -19,6 +19,6 @@ def check(c):
                     name="%s%d" % (law, n))
         if c.runs_to_end(run):
             last = run.snapshots()[-1]
-            c.below("%s, %d spheres: largest deviation of a speed, over that of the impact" %
+            c.below("%s, %d spheres: largest deviation of a speed, over the impact speed" %
                     (law, n),
                     max(abs(last[k].v[0] - v) for k, v in enumerate(speeds)), 0.005)

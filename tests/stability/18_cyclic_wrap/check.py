@@ -29,7 +29,7 @@ def check(c):
     if c.runs_to_end(run):
         last = run.snapshots()[-1]
         one = 4.0/3.0*1e7/(4.0*0.91)*(0.5e-3)**0.5*(2e-3 - side)**1.5             # N, a contact
-        c.below("27 in a lattice: largest force on one over that of a contact",
+        c.below("27 in a lattice: largest force on one over a contact's",
                 max(abs(f) for p in last.particles.values() for f in p.columns["force"])/one, 1e-10)
         c.below("... speed, m/s", max(abs(v) for p in last.particles.values() for v in p.v), 1e-9)
     run = lattice(c, "uneven", side, 0)

@@ -1,4 +1,4 @@
-"""On 4 ranks (-long: 2 and 3, too) each position and velocity is that of one rank.
+"""A run on 4 ranks (-long: 2 and 3, too) has the positions and velocities of a run on one.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -16,7 +16,7 @@ def check(c):
         rows = run.wall("plate")
         f = [-r["fz_now"] for r in rows]
         seen.append((f[0], (f[0] - f[9])/(1e-3*(rows[9]["time"] - rows[0]["time"]))))
-    # twelve digits of a force, of which a tenth is left
+    # twelve digits of a force; a tenth of it is left
     c.near("slope of unloading, N/m", seen[1][1], 5000.0, 1e-6*5000.0)
     for what, k in (("force", 0), ("slope", 1)):
         for side, n in (("below", 0), ("above", 2)):

@@ -79,7 +79,7 @@ def exchange(c, ratio):
     c.below(what + "change of momentum, relative", max(abs(x/2e-3 - 1.0) for x in sums), 1e-8)
     fast = [sum(v[0] for _, v in case.particles("%g" % (1e-3*k)).values())/1000
             for k in range(1, 21)]
-    c.holds(what + "velocities stay between 0 and that of the start (%.3f %.3f %.3f ...)" %
+    c.holds(what + "velocities stay between 0 and the initial one (%.3f %.3f %.3f ...)" %
             tuple(fast[:3]), all(-1e-3 <= v <= 1.0 for v in fast), str(fast))
     c.near(what + "velocity after 20 steps, m/s", fast[-1], 2.0/3.0 + math.exp(-3.0*20*ratio)/3.0,
            0.01)

@@ -1,5 +1,5 @@
-"""A cell with more solid than its volume: solid volume exact, void fraction and pressure bounded,
-and reported.
+"""A cell with more solid than its volume keeps the solid volume exactly, has a bounded void
+fraction and pressure, and is reported.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -1,5 +1,6 @@
-"""The same sphere on cells from five diameters to a fifth of a diameter; a thousand spheres in a
-cell, one in ten cells.
+"""The solid volume is exact on cells from five diameters to a fifth of a diameter, with a thousand
+spheres in a cell and with one in ten cells; the drag of a sphere on finer cells differs little from
+its drag on cells of 5 diameters.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -1,4 +1,5 @@
-"""A settling sphere, coupled every 1, 10, 100 and 1000 of its steps.
+"""A sphere coupled every 1, 10, 100 and 1000 of its steps settles at one speed; an interval above
+its response time is reported.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

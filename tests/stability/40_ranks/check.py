@@ -1,4 +1,4 @@
-"""No particle, one, and all on one rank: the same on four ranks.
+"""Four ranks have the results of one: without particles, with one, and with all on one rank.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -1,7 +1,7 @@
 """coupled.py -- the cases with a fluid, 30 to 37, in DPMFoam (icoUncoupledKinematicParcelFoam for
 one-way coupling).
 
-Scenes and criteria are those of ../NN_name/check.py; differences are noted at each case.
+Scenes and criteria come from ../NN_name/check.py; each case notes its differences.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

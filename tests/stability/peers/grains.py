@@ -1,5 +1,5 @@
-"""grains.py -- the cases without a fluid, 01 to 23: each a scene (scene.py) that every code runs, and
-the criterion of ../NN_name/check.py on the frames returned.
+"""grains.py -- the cases without a fluid, 01 to 23: each a scene (scene.py) that every code runs,
+and the criterion of ../NN_name/check.py on the frames returned.
 
 A case is a function of c: c.run(scene, name) -> Run, or None after a row with the cause of the
 failure; c.below, c.near, c.holds: rows.
@@ -199,7 +199,7 @@ def ends(c):
     s.plane("z", 0.0, 1)
     run = c.run(s, "zero")
     if run:
-        c.below("e = 0: speed of the rebound over that of the impact", abs(run.last.grains[0].v[2]),
+        c.below("e = 0: rebound speed over impact speed", abs(run.last.grains[0].v[2]),
                 0.02)
     for what, fit in (("", False), (", damping by its fit", True))[:2 if c.peer == "lammps" else 1]:
         s = Scene(step=2e-6, end=5.0, every=0.02, restitution=1.0, friction=0.0,
@@ -290,7 +290,7 @@ def column(c):
     if run:
         last = run.last.grains
         c.near("overlap on the floor over 1.25253e-5 m", (R - last[0].x[2])/1.25253e-5, 1.0, 1e-5)
-        c.near("sinking of the top over that of the reference",
+        c.near("sinking of the top over the reference",
                (0.399 - last[199].x[2])/(0.399 - 0.39599403592), 1.0, 1e-5)
         c.below("largest sum of forces on one, over the weight of all",
                 max(size(g.f) for g in last.values())/(200*MASS*9.80665), 1e-5)

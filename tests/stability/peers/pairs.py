@@ -35,7 +35,7 @@ def wrap(c):
                         for a, i in enumerate((k % 3, k//3 % 3, k//9))])
         run = c.run(s, "lattice%g%s" % (off, "tight" if more else ""))
         if run and not off:
-            c.below(what + ": largest force on one over that of a contact",
+            c.below(what + ": largest force on one over a contact's",
                     max(size(g.f) for g in run.last.grains.values())/one, 1e-10)
             c.below(what + ": largest speed, m/s", max(size(g.v) for g in run.last.grains.values()),
                     1e-9)
@@ -79,8 +79,8 @@ def escape(c):
 
 
 def touching(places, speeds, side):
-    """Spheres that overlap others, also through faces, cell by cell; and those of them that
-    approach one that they overlap."""
+    """Spheres that overlap others, also through faces, cell by cell; and the ones among them that
+    approach an overlapping sphere."""
     n, cells, met, nearing = 16, {}, set(), set()
     for k, x in places.items():
         cells.setdefault(tuple(int(a/side*n) % n for a in x), []).append(k)
@@ -98,10 +98,10 @@ def touching(places, speeds, side):
 
 
 def sticking(c):
-    """A pair whose adhesion is a hundred times its stiffness comes together and stays; 10^5 steps.
+    """A pair with an adhesion of a hundred times its stiffness comes together and stays, 10^5 steps.
 
-Relative speed 0.6 m/s: at 0.1 m/s, that of ../22_strong_sticking, the rebound exceeds the adhesion
-in every code.
+Relative speed 0.6 m/s: at the 0.1 m/s of ../22_strong_sticking the rebound exceeds the adhesion in
+every code.
 """
     s = Scene(step=1e-6, end=0.1, every=1e-3, law="hysteresis", restitution=1.0,
               spring=dict(stiffness=1000.0, unloading=5.0, adhesion=100.0, depth=0.05),

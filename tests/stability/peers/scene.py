@@ -37,7 +37,7 @@ class Scene:
             ""), k.pop("box", None)
         self.rolling, self.viscous, self.ranks, self.more = k.pop("rolling", None), k.pop("viscous",
             0.0), k.pop("ranks", 1), k.pop("more", {})
-        self.impact = k.pop("impact", 1.0)                  # m/s, for laws whose spring needs it
+        self.impact = k.pop("impact", 1.0)                  # m/s, for springs that need it
         self.grains, self.planes, self.triangles = [], [], []
         if k:
             raise TypeError("a scene has no %s" % ", ".join(k))

@@ -1,6 +1,6 @@
 """
-triangles.py -- the cases whose walls are surface files, 09 and 10, in the codes that have such
-walls; as grains.py.
+triangles.py -- the cases with surface files as walls, 09 and 10, in the codes that have such walls;
+as grains.py.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -50,7 +50,7 @@ FAULTS = [("sound", FLOOR), ("a triangle without area on the spot",
 
 
 def faults(c):
-    """A sphere rests on a floor whose surface file has faults: refused or reported, and no force
+    """A sphere rests on a floor from a surface file with faults: refused or reported, and no force
     counted twice."""
     for what, triangles in FAULTS:
         worst, how = 0.0, ""

@@ -1,4 +1,5 @@
-"""Scenes drawn at random, many at a time in one program (test_random_scenes.c).
+"""Random scenes stay finite, conserve what they must, and have the same bits after a restart and on
+3 ranks; many scenes run in one program (test_random_scenes.c).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -12,7 +13,7 @@ TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..")
 def check(c):
     build = os.path.dirname(os.path.abspath(c.dem))
     program = os.path.join(build, "tests", "stability", "test_random_scenes")
-    # those of the program, which mutations changes in a copy
+    # the program's sources, which mutations changes in a copy
     sources = os.environ.get("DEM_SOURCES") or os.path.join(TOP, "dem")
     made = subprocess.run(["make", "--no-print-directory", "-C", sources, "BUILD=" + build,
                            program], capture_output=True, text=True)

@@ -6,10 +6,10 @@ steps.
 
 Both codes start from the same table of spheres with the same laws. Each turn runs the whole series
 in Suna (dem cost) and then in LIGGGHTS, with the same numbers of steps in each run of a level. dem
-cost evaluates both tables (-judge), each against its own limit or the closed form. The time of
-LIGGGHTS is that of its process less that of a run without steps (the minimum of three); its skin is
-the fastest of four. The time of Suna is that of its steps. BED: tests/speed/bed.c, built, which
-reads the settled bed. Results go to ../stored/peers.
+cost evaluates both tables (-judge), each against its own limit or the closed form. LIGGGHTS' time
+is its process's less a run without steps (the minimum of three); its skin is the fastest of four.
+Suna's time covers its steps. BED: tests/speed/bed.c, built, which reads the settled bed. Results go
+to ../stored/peers.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -137,8 +137,7 @@ def liggghts_rest(scene, folder, skin):
 
 
 def liggghts_once(scene, folder, steps, skin, rest):
-    """Processor time of the steps [s], kinetic energy and that of rotation [J], means of the
-    samples."""
+    """Processor time of the steps [s], kinetic and rotational energy [J], means of the samples."""
     deck(scene, folder, steps, scene["looks"], skin)
     whole = run(["liggghts", "-in", "in.txt", "-log", "none"], folder, "log.liggghts")
     printed = [line.split() for line in (folder/"log.liggghts").read_text().splitlines()]
