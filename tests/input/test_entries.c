@@ -174,7 +174,6 @@ static const struct row
     {"time/maxOverlap", "0.5", NUMBER, 0},
     {"time/maxStartOverlap", "0.05", NUMBER, 0},
     {"time/force", "no", SWITCH, 0},
-    {"time/precision", "double", WORD, 0},
 };
 
 enum
