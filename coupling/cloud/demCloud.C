@@ -112,16 +112,11 @@ void Foam::demCloud::fail(const string& sentence)
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-Foam::demCloud::demCloud
-(
-    const fvMesh& mesh,
-    const bool volumeAveraged,
-    const word& file
-)
+Foam::demCloud::demCloud(const fvMesh& mesh, const bool volumeAveraged)
 :
     mesh_(mesh),
     particlesFirst_(volumeAveraged),
-    particles_(mesh, volumeAveraged, file),
+    particles_(mesh, volumeAveraged),
     volume_(particles_),
     exchange_(particles_, volume_, volumeAveraged),
     budget_(particles_, exchange_),

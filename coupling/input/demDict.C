@@ -252,19 +252,14 @@ void Foam::demDict::reportGravity(const char* source) const
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-Foam::demDict::demDict
-(
-    const polyMesh& mesh,
-    const word& file,
-    const bool settle
-)
+Foam::demDict::demDict(const polyMesh& mesh, const bool settle)
 :
     mesh_(mesh),
     dict_
     (
         IOobject
         (
-            file,
+            name(),
             mesh.time().constant(),
             mesh.time(),
             IOobject::MUST_READ,

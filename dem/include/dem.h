@@ -178,12 +178,6 @@ int dem_bed_slab(const struct dem *, double up[3], double *low, double *high);
 /* Returns the number of verdicts of the last dem_plan. They are valid until the next one. */
 int dem_verdicts(const struct dem *, const struct dem_verdict **);
 
-/* Put the verdicts into the file of a scene: effects that are needed are added to `effects`, or
-   replace another law; negligible ones are commented out; each with its reason. The old text is
-   kept as SCENE.before, which must not exist yet. Each edit is checked, and plans are repeated
-   until they ask for nothing more. Called by one rank. After an error the file is as it was. */
-int dem_scene_rewrite(const struct dem_scene_rewriter *);
-
 /* After dem_check. The comment at the head of result files: "effects: " and the names of all active
    effects, in the order of their stages. dem_effect_names: the names only;
    dem_fluid_effect_names: those of fluid effects. Valid until dem_free. */

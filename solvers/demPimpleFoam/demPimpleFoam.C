@@ -74,7 +74,6 @@ Description
 #include "demDrivingForce.H"
 #include "demFluid.H"
 #include "demTimeStepControl.H"
-#include "demRewrite.H"
 #include "demSettle.H"
 #include "demStop.H"
 #include "demTrial.H"
@@ -102,13 +101,6 @@ int main(int argc, char *argv[])
     );
     argList::addBoolOption
     (
-        "write",
-        "With -plan: write the effects that the case needs into"
-        " constant/demProperties, comment out those that are negligible"
-    );
-
-    argList::addBoolOption
-    (
         "settle",
         "Settle the particles of insert in the walls of the mesh, without the"
         " fluid, until they rest; write the snapshot for start, then stop"
@@ -129,13 +121,6 @@ int main(int argc, char *argv[])
         demSettle(mesh).run();
         Info<< "End\n" << endl;
         return 0;
-    }
-
-    if (args.found("write") && !args.found("plan"))
-    {
-        FatalErrorInFunction
-            << "-write goes with -plan, whose choice of effects it writes; give"
-            << " both or neither" << exit(FatalError);
     }
 
     pimpleControl pimple(mesh);
@@ -165,11 +150,6 @@ int main(int argc, char *argv[])
                 U, gradP, rho, mu(), stepLimit, maxCo, stepReached, stepReachedBy
             );
             planned = true;
-        }
-        if (args.found("write"))
-        {
-            const volScalarField muFluid(mu());
-            demRewrite(mesh, true, U, gradP, rho, muFluid).write();
         }
         if (args.found("plan"))
         {
