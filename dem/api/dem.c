@@ -359,15 +359,7 @@ int dem_plan(struct dem *d, const struct dem_run_info *run, const char **text)
     fesetenv(&caller);
     *text = d->plan.text;
     d->verdicts = plan.verdicts;
-    d->planned[0] = plan.at_rest;
-    d->planned[1] = plan.moving;
     return status;
-}
-
-void dem_plan_seconds(const struct dem *d, double *at_rest, double *moving)
-{
-    *at_rest = d->planned[0];
-    *moving = d->planned[1];
 }
 
 int dem_warnings(struct dem *d, const struct dem_run_info *run, int n, const char *const *own,

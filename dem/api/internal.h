@@ -121,7 +121,6 @@ struct dem
     struct dem_flow flow[DEM_SNAPSHOT_FLOWS];             /* as returned last by dem_flows */
     double step;                                          /* s  the longest step that dem_advance
                                                              takes */
-    double planned[2];   /* s  of the last dem_plan: dem_plan_seconds */
     struct dem_text plan, profile, warnings, impact, effect, value_text;  /* the texts returned last */
     double said_overlap, said_speed;                      /* 1, m/s  at the last dem_impact_warning
                                                              with a sentence */

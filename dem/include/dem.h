@@ -154,10 +154,6 @@ int dem_setup(struct dem *);
    steps. No particle moves; views stay valid. */
 int dem_plan(struct dem *, const struct dem_run_info *, const char **text);
 
-/* Processor time of the particles, on all ranks, in the run of the last dem_plan [s]: as a bed at
-   rest, and with particles at `impactSpeed`. 0 before it, and without particles. */
-void dem_plan_seconds(const struct dem *, double *at_rest, double *moving);
-
 /* Collective, as dem_plan. What of the scene is likely to be a mistake or cannot work, as a numbered
    list under the line WARNINGS, each item with the entry to change; *text is "" when there is
    nothing. `own`: n sentences of the program, which come first. Valid until the next call. */

@@ -76,7 +76,6 @@ Description
 #include "demTimeStepControl.H"
 #include "demSettle.H"
 #include "demStop.H"
-#include "demTrial.H"
 #include "checkTimeScheme.H"
 #include "fixedFlux.H"
 #include "fluidBudget.H"
@@ -154,7 +153,6 @@ int main(int argc, char *argv[])
         if (args.found("plan"))
         {
             #include "checkSchemes.H"
-            #include "trialSteps.H"
             break;
         }
 
