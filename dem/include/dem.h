@@ -203,14 +203,8 @@ const char *dem_effect_name(int k);
 
 /* An effect as text: name, stage, what it does, source, limitation; each setting with unit, default,
    range and meaning. All effects with NULL. DEM_ERROR_INPUT for a name that no effect has. The
-   simulation needs no scene. *text is valid until the next call of these two, or dem_free. */
+   simulation needs no scene. *text is valid until the next call, or dem_free. */
 int dem_effect_text(struct dem *, const char *effect, const char **text);
-
-/* The cost of an effect as a row of a table, measured in this process for `seconds` [s] of processor
-   time in a bed of 2000 spheres that has what the effect requires: processor time per particle and
-   step without it, what it adds, bytes per particle and per contact. With NULL the heading of the
-   table, and a row that compares the bed with itself: the noise. As dem_effect_text otherwise. */
-int dem_effect_cost_text(struct dem *, const char *effect, double seconds, const char **text);
 
 /* ---- advance --------------------------------------------------------------------------------- */
 
