@@ -498,8 +498,7 @@ double dem_sauter_diameter(double volume, double per_diameter);
 /* The force of each particle on the fluid after an advance by `window` [s]: F - K u, with u the
    fluid's new velocity at the particle. `coefficient` gets K [kg/s], 1 each, `force` gets F [N],
    3 each. */
-int dem_fluid_reaction(const struct dem *, enum dem_exchange, double window, double *coefficient,
-                       double *force);
+int dem_fluid_reaction(const struct dem *, double window, double *coefficient, double *force);
 
 /* The largest rate at which drag takes up the slip of a particle of this rank [1/s]: b/(m + a),
    with b the mean drag coefficient over the last advance in a fluid of given velocity and a the

@@ -380,15 +380,6 @@ struct dem_fluid
                                             the particle has not received yet */
 };
 
-/* time level of drag in the fluid's equation: effects/fluid/particle_exchange.h */
-enum dem_exchange
-{
-    DEM_EXCHANGE_DEFERRED,       /* implicit in the new fluid velocity; particles get the
-                                    correction in the next advance */
-    DEM_EXCHANGE_SEMI_IMPLICIT,  /* implicit in the fluid, with the present particle velocity */
-    DEM_EXCHANGE_EXPLICIT        /* explicit: the impulse of the last advance */
-};
-
 enum
 {
     DEM_FLOWS = 64    /* limit of streams and outlets; a scene may have fewer */

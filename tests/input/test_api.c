@@ -379,7 +379,7 @@ static void ranges(void)
                && strcmp(dem_broken_bond_cause(-1), "unknown") == 0
                && dem_scene_name(d, "", -1) == NULL && dem_effect_traits("") == 0,
            "signals, causes, entries and traits that do not exist");
-    refused(dem_fluid_reaction(d, DEM_EXCHANGE_DEFERRED, 1.0, &coefficient, force), "fluid",
+    refused(dem_fluid_reaction(d, 1.0, &coefficient, force), "fluid",
             "the reaction on a fluid that is not there");
     dem_free(d);
 }
