@@ -1,9 +1,9 @@
-"""dem_case.py -- functions shared by the cases of the program dem: its files, intervals,
-result.csv, the table in results.md.
+"""dem_case.py -- functions shared by the cases of the program dem: files, intervals, result.csv,
+the table in results.md.
 
-Interval        95 %, Student's t: of independent runs (seeds), or of blocks of time of one run.
-Each case says which. result.csv      a row a quantity: quantity, where, reference, value, ci95,
-unit; what has no reference leaves it empty
+Intervals are 95 % by Student's t, of independent runs (seeds) or of blocks of time of one run; each
+case says which. A row of result.csv has quantity, where, reference, value, ci95 and unit; the
+reference is empty if there is none.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -17,7 +17,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/biot.h"
-#include "effects/effects.h"
+#include "laws/effects.h"
 #include <string.h>
 
 static const double pi = 3.14159265358979324, overlap_ratio = 0.01;

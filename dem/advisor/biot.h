@@ -7,7 +7,7 @@
 #define DEM_ADVISOR_BIOT_H
 
 #include "advisor/plan.h"
-#include "effects/relevance.h"
+#include "laws/relevance.h"
 
 #define DEM_BIOT_LIMIT 0.1    /* above it a particle has no uniform temperature */
 

@@ -6,8 +6,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/minimum_fluidisation.h"
-#include "effects/effects.h"
-#include "effects/fluid/drag.h"
+#include "laws/effects.h"
+#include "laws/fluid/drag.h"
 #include <math.h>
 #include <string.h>
 

@@ -39,8 +39,8 @@
 #ifndef DEM_ADVISOR_MINIMUM_FLUIDISATION_H
 #define DEM_ADVISOR_MINIMUM_FLUIDISATION_H
 
-#include "effects/relevance.h"
-#include "model/interaction_table.h"
+#include "laws/relevance.h"
+#include "laws/interaction_table.h"
 
 /* void fraction at minimum fluidisation of a bed that is not known, 14^(-1/3) */
 #define DEM_SUSPENSION_VOID_FRACTION 0.41491326668312173

@@ -11,13 +11,13 @@
 #define DEM_ADVISOR_PLAN_H
 
 #include "dem.h"
-#include "scene/scene.h"
+#include "case/scene.h"
 #include "advisor/time_estimate.h"
-#include "advisor/bed_packing.h"
+#include "records/bed_packing.h"
 #include "advisor/minimum_fluidisation.h"
 #include "core/text.h"
-#include "simulation/dem_state.h"
-#include "diagnostics/inventory.h"
+#include "ranks/dem_state.h"
+#include "records/inventory.h"
 
 enum
 {

@@ -24,7 +24,7 @@
  */
 #include "advisor/regime.h"
 #include "advisor/biot.h"
-#include "effects/fluid/drag.h"
+#include "laws/fluid/drag.h"
 #include <float.h>
 #include <math.h>
 #include <stdio.h>

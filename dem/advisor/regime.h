@@ -9,7 +9,7 @@
 #define DEM_ADVISOR_REGIME_H
 
 #include "advisor/plan.h"
-#include "effects/relevance.h"
+#include "laws/relevance.h"
 
 /* Fills in the numbers that are known. */
 void dem_regime_set(const struct dem_plan *, struct dem_regime *);

@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/sample_block.h"
-#include "model/scalars.h"
+#include "particles/scalars.h"
 #include "step/neighbor_update.h"
 #include <math.h>
 #include <string.h>

@@ -11,9 +11,9 @@
 #ifndef DEM_ADVISOR_SAMPLE_BLOCK_H
 #define DEM_ADVISOR_SAMPLE_BLOCK_H
 
-#include "output/attached_stores.h"
-#include "simulation/dem_state.h"
-#include "diagnostics/inventory.h"
+#include "step/attached_stores.h"
+#include "ranks/dem_state.h"
+#include "records/inventory.h"
 
 struct dem_sample
 {

@@ -9,7 +9,7 @@
  */
 #include "advisor/time_estimate.h"
 #include "advisor/sample_block.h"
-#include "diagnostics/totals.h"
+#include "records/totals.h"
 #include "step/neighbor_update.h"
 #include "step/step.h"
 #include <math.h>

@@ -6,8 +6,8 @@
 #ifndef DEM_ADVISOR_TIME_ESTIMATE_H
 #define DEM_ADVISOR_TIME_ESTIMATE_H
 
-#include "simulation/dem_state.h"
-#include "diagnostics/inventory.h"
+#include "ranks/dem_state.h"
+#include "records/inventory.h"
 
 struct dem_memory_need                                           /* bytes, between rebuilds */
 {

@@ -1,5 +1,5 @@
 /*
- * verdicts.c -- which effects a scene needs: the relevance that each effect states (effects/relevance.h),
+ * verdicts.c -- which effects a scene needs: the relevance that each effect states (laws/relevance.h),
  * in the order of mechanisms, and the drag laws, judged by their range of validity.
  *
  * Drag, the law in use or one proposed:
@@ -21,8 +21,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/regime.h"
-#include "effects/effects.h"
-#include "effects/fluid/drag.h"
+#include "laws/effects.h"
+#include "laws/fluid/drag.h"
 #include <math.h>
 #include <stdio.h>
 

@@ -9,9 +9,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/regime.h"
-#include "effects/effects.h"
+#include "laws/effects.h"
 #include "advisor/sample_block.h"
-#include "diagnostics/totals.h"
+#include "records/totals.h"
 #include "step/step.h"
 #include <math.h>
 #include <string.h>

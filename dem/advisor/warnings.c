@@ -7,7 +7,7 @@
 #include "advisor/biot.h"
 #include "advisor/regime.h"
 #include "core/vec.h"
-#include "diagnostics/totals.h"
+#include "records/totals.h"
 #include <math.h>
 #include <string.h>
 

@@ -9,8 +9,8 @@
 #include "core/file.h"
 #include "core/memory.h"
 #include "core/did_you_mean.h"
-#include "output/csv_table.h"
-#include "output/vtk.h"
+#include "records/csv_table.h"
+#include "records/vtk.h"
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -19,7 +19,7 @@
 
 enum
 {
-    MAX_SCALARS = 12  /* of a scene: DEM_SCALARS of effects/scalar.h */
+    MAX_SCALARS = 12  /* of a scene: DEM_SCALARS of laws/scalar.h */
 };
 
 /* a particle as it is written */

@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/memory.h"
-#include "output/vtk.h"
+#include "records/vtk.h"
 #include <stdio.h>
 
 /* The number of triangles; *moves: 1 when one of their walls moves. */

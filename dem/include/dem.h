@@ -408,7 +408,7 @@ int dem_wall_corners(struct dem *, int wall, double *corners);
 void dem_view(const struct dem *, struct dem_view *);
 
 /* Contact stress times volume [J] of each particle of the view: xx yy zz xy yz zx of the sum of
-   force times branch vector over its contacts, tension positive (diagnostics/virial.h). Sums
+   force times branch vector over its contacts, tension positive (records/virial.h). Sums
    over a region divided by its volume are the contact stress. `virial` has 6 numbers a particle;
    all are 0 after a load or restore, before the first step.
    dem_virial_enable, called before dem_setup, keeps the forces of all contacts for it: 64 bytes a
@@ -483,12 +483,12 @@ int dem_require_fluid(const struct dem *);
 void dem_fluid_set_density(struct dem *, double density);
 
 /* After an advance, where the column exists: set under_relaxation for the next one
-   (effects/fluid/particle_exchange.h). Returns the smallest factor of this rank, 1 without. */
+   (laws/fluid/particle_exchange.h). Returns the smallest factor of this rank, 1 without. */
 double dem_fluid_under_relax(struct dem *);
 
 /* A value for the column slip_factor where continuity makes the fluid displace and particles get
    the correction for its new velocity: 1/e^2, or 1/e with whole drag; e limited to 0.1 and above
-   (effects/fluid/particle_exchange.h). */
+   (laws/fluid/particle_exchange.h). */
 double dem_fluid_slip_factor(const struct dem *, double void_fraction);
 
 /* A value for the column mean_diameter [m], the Sauter mean: from sum V [m3] and sum V/d [m2] of
@@ -576,8 +576,7 @@ void dem_table_name(struct dem_table *, const char *folder, const char *file, do
 
 /* Before the first row: what an earlier run may have left. The file is removed if the run starts at
    0 or time_column is negative; else the rows with a time after the start are, the number in
-   time_column (from 0). Comments of earlier versions, which name the effects, are moved into
-   effects.csv. */
+   time_column (from 0). */
 int dem_table_begin(const struct dem_table *, const struct dem *, int time_column);
 
 /* Append lines, each with its line's end. A new table gets the line `columns`. The folder is made,

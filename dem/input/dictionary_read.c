@@ -33,6 +33,9 @@ static int read_entry(struct dem_reader *r, struct dem_dict *d, const struct dem
     struct dem_entry *e;
     struct dem_dict *sub;
 
+    DEM_REQUIRE(!strpbrk(name->text, ",\"\n\r"), DEM_ERROR_INPUT,
+                "%s, line %d: the name of this entry has a comma, a quote or a line end, which "
+                "would break the rows of tables; use other characters", r->scan.file, name->line);
     DEM_TRY(dem_dict_scan(&r->scan, &t));
     if (dem_dict_is_sign(&t, '{'))
     {

@@ -8,9 +8,9 @@
  */
 #include "step/body_batch.h"
 #include "core/math.h"
-#include "effects/fluid/drag.h"
-#include "effects/effect.h"
-#include "effects/scalar.h"
+#include "laws/fluid/drag.h"
+#include "laws/effect.h"
+#include "laws/scalar.h"
 #include "step/eddies.h"
 #include "step/vec4.h"
 #include <stddef.h>

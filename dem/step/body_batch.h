@@ -12,8 +12,8 @@
 #ifndef DEM_STEP_BODY_BATCH_H
 #define DEM_STEP_BODY_BATCH_H
 
-#include "effects/batch.h"
-#include "model/particles.h"
+#include "laws/batch.h"
+#include "particles/particles.h"
 #include "step/drift.h"
 #include "step/sum_contacts.h"
 

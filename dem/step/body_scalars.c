@@ -8,7 +8,7 @@
  */
 #include "step/body_scalars.h"
 #include "core/math.h"
-#include "model/scalars.h"
+#include "particles/scalars.h"
 #include <string.h>
 
 static double sum_of_contacts(const struct dem_contacts *c, int scalar, size_t particle)

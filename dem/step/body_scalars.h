@@ -1,6 +1,6 @@
 /*
  * body_scalars.h -- particle scalars of a batch of particles: rates of contacts, effects and the
- * program, and their integration over a step (effects/scalar.h).
+ * program, and their integration over a step (laws/scalar.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -8,9 +8,9 @@
 #define DEM_STEP_BODY_SCALARS_H
 
 #include "core/sum.h"
-#include "model/contacts.h"
-#include "model/interaction_table.h"
-#include "model/particles.h"
+#include "contacts/contacts.h"
+#include "laws/interaction_table.h"
+#include "particles/particles.h"
 
 struct dem_body_scalars
 {

@@ -8,10 +8,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/body_window.h"
-#include "model/scalars.h"
+#include "particles/scalars.h"
 #include "step/body_batch.h"
 #include "step/eddies.h"
-#include "step/parcels.h"
+#include "step/parcel_forces.h"
 #include <math.h>
 #include <string.h>
 

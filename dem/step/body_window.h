@@ -6,9 +6,9 @@
 #ifndef DEM_STEP_BODY_WINDOW_H
 #define DEM_STEP_BODY_WINDOW_H
 
-#include "model/domain.h"
-#include "model/interaction_table.h"
-#include "model/particles.h"
+#include "particles/domain.h"
+#include "laws/interaction_table.h"
+#include "particles/particles.h"
 
 /* Begin a coupling window: clear the columns that are passed to the fluid, and compute what is
    constant over its steps. */

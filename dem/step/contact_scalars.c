@@ -5,7 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/contact_scalars.h"
-#include "model/scalars.h"
+#include "particles/scalars.h"
 #include <string.h>
 
 static const double pi = 3.14159265358979323846;

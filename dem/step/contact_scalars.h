@@ -1,14 +1,14 @@
 /*
  * contact_scalars.h -- particle scalars of a contact batch: values of both partners, rates that
- * effects add to, rates of walls (effects/scalar.h).
+ * effects add to, rates of walls (laws/scalar.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_STEP_CONTACT_SCALARS_H
 #define DEM_STEP_CONTACT_SCALARS_H
 
-#include "model/contact_batch.h"
-#include "simulation/dem_state.h"
+#include "contacts/contact_batch.h"
+#include "ranks/dem_state.h"
 
 struct dem_contact_scalars
 {

@@ -6,7 +6,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/drift.h"
-#include "effects/effect.h"
+#include "laws/effect.h"
 #include <math.h>
 
 DEM_KERNEL

@@ -8,7 +8,7 @@
 #define DEM_STEP_DRIFT_H
 
 #include "core/math.h"
-#include "model/particles.h"
+#include "particles/particles.h"
 #include "step/vec4.h"
 
 struct dem_drift_speeds    /* speeds so far, in four lanes; start with zeros */

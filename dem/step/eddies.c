@@ -1,5 +1,5 @@
 /*
- * eddies.c -- the turbulent eddies that particles are in: effects/fluid/eddy.h for all particles.
+ * eddies.c -- the turbulent eddies that particles are in: laws/fluid/eddy.h for all particles.
  *
  * Time in an eddy passes once a step, before its forces. A new particle has none left, so it enters
  * an eddy in its first step.
@@ -7,7 +7,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/eddies.h"
-#include "effects/effect.h"
+#include "laws/effect.h"
 #include <math.h>
 
 void dem_eddies_velocity(const struct dem_particles *p, size_t i, double u[3])

@@ -6,8 +6,8 @@
 #ifndef DEM_STEP_EDDIES_H
 #define DEM_STEP_EDDIES_H
 
-#include "model/interaction_table.h"
-#include "model/particles.h"
+#include "laws/interaction_table.h"
+#include "particles/particles.h"
 
 /* Time dt [s] passes; particles whose time in an eddy is over enter another one. Nothing without an
    effect that has eddies. `step`: number of the step, for the random numbers. */

@@ -13,7 +13,7 @@
 #include "core/random.h"
 #include "step/gather_partners.h"
 #include "step/geometry.h"
-#include "simulation/wall_surface.h"
+#include "walls/wall_surface.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -89,12 +89,14 @@ static void gather_wall_motion(struct dem_contact_workspace *restrict t, const s
         const struct dem_pair *const q = &p->contacts.pairs.pair[row_pair[c]];
         const struct dem_particle *const i = &p->particles.record[q->i];
         struct dem_wall_surface wall;
+        const struct dem_wall_touch *const at = &p->touches.touch[q->j];
+        const int facet = dem_pairs_facet(&p->pairs, q->j);
 
-        dem_wall_surface_at(&p->walls, dem_pairs_facet(&p->pairs, q->j), i, &p->touches.touch[q->j], b->dt,
-                            &wall);
-        if (dem_wall_surface_follows_mesh(p, q->j))
+        dem_wall_surface_at(&p->walls, facet, i, at, b->dt, &wall);
+        if (dem_wall_surface_follows_mesh(&p->walls, facet))
         {
-            dem_wall_surface_add_mesh_motion(p, q->j, b->dt, &wall);
+            dem_wall_surface_add_mesh_motion(&p->walls, &p->pairs.wall_search, q->j, i->x, at,
+                                             b->dt, &wall);
         }
         g->vx[c] -= wall.velocity[0];
         g->vy[c] -= wall.velocity[1];

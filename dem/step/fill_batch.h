@@ -7,8 +7,8 @@
 #ifndef DEM_STEP_FILL_BATCH_H
 #define DEM_STEP_FILL_BATCH_H
 
-#include "model/contact_batch.h"
-#include "simulation/dem_state.h"
+#include "contacts/contact_batch.h"
+#include "ranks/dem_state.h"
 
 /* Gather the partners of `rows` contact rows of one pair class from `row` on, compute geometry and
    relative motion. Lanes past the last row repeat it. */

@@ -6,9 +6,9 @@
 #ifndef DEM_STEP_GATHER_PARTNERS_H
 #define DEM_STEP_GATHER_PARTNERS_H
 
-#include "effects/scalar.h"
-#include "model/contact_batch.h"
-#include "simulation/dem_state.h"
+#include "laws/scalar.h"
+#include "contacts/contact_batch.h"
+#include "ranks/dem_state.h"
 
 /* Fill the gathered columns, and the optional columns spin and those of scalars, for all lanes.
    `first`: partners of the first lane; those of the other lanes follow. `needs`: optional columns

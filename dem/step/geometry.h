@@ -12,8 +12,8 @@
 #define DEM_STEP_GEOMETRY_H
 
 #include "core/math.h"
-#include "effects/row.h"
-#include "model/contact_batch.h"
+#include "laws/row.h"
+#include "contacts/contact_batch.h"
 #include <math.h>
 
 /* Of a pair: the normals of now and of half a step ago, the raw overlap (negative where there is a

@@ -9,17 +9,18 @@
  */
 #include "step/neighbor_update.h"
 #include "core/memory.h"
-#include "simulation/agree.h"
-#include "diagnostics/lost_cause.h"
-#include "model/uniform_fluid.h"
-#include "diagnostics/energy_balance.h"
-#include "diagnostics/lost_particles.h"
-#include "inflow/flows.h"
-#include "diagnostics/totals.h"
+#include "ranks/agree.h"
+#include "records/lost_cause.h"
+#include "particles/uniform_fluid.h"
+#include "contacts/wall_rows.h"
+#include "records/energy_balance.h"
+#include "records/lost_particles.h"
+#include "sources/flows.h"
+#include "records/totals.h"
 #include "step/body_window.h"
 #include "step/sweep_bodies.h"
-#include "diagnostics/timers.h"
-#include "parallel/collect.h"
+#include "records/timers.h"
+#include "ranks/collect.h"
 #include <math.h>
 
 /* Particles that have left the domain are removed at steps that are multiples of this, not when

@@ -7,7 +7,7 @@
 #ifndef DEM_STEP_NEIGHBOR_UPDATE_H
 #define DEM_STEP_NEIGHBOR_UPDATE_H
 
-#include "simulation/dem_state.h"
+#include "ranks/dem_state.h"
 
 /* Not collective, but the same on all ranks: 1 when they have to agree in this step, as particles
    may have used up a skin, or may have to be inserted or removed. `moved` [m]: bound of the

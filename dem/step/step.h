@@ -6,7 +6,7 @@
 #ifndef DEM_STEP_STEP_H
 #define DEM_STEP_STEP_H
 
-#include "simulation/dem_state.h"
+#include "ranks/dem_state.h"
 
 /* Collective. Advance `steps` time steps of dt [s] in one coupling window: a half kick at its start
    and at its end, full kicks between, so that positions and velocities are synchronous before and

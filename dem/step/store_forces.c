@@ -6,7 +6,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/store_forces.h"
-#include "effects/effect.h"
+#include "laws/effect.h"
 #include "step/vec4.h"
 #include <string.h>
 

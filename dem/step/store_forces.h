@@ -1,14 +1,14 @@
 /*
  * store_forces.h -- store the contact forces of a batch in the slots of its rows
- * (model/contact_forces.h).
+ * (contacts/contact_forces.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_STEP_STORE_FORCES_H
 #define DEM_STEP_STORE_FORCES_H
 
-#include "effects/batch.h"
-#include "model/contacts.h"
+#include "laws/batch.h"
+#include "contacts/contacts.h"
 
 struct dem_batch_forces                       /* of the rows of a batch */
 {

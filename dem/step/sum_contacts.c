@@ -1,11 +1,11 @@
 /*
  * sum_contacts.c -- sum contact forces over the rows of each particle, in the order of partner ids
- * that model/contact_rows.h lays out.
+ * that contacts/contact_rows.h lays out.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/sum_contacts.h"
-#include "effects/effect.h"
+#include "laws/effect.h"
 #include "step/vec4.h"
 #include <string.h>
 

@@ -6,8 +6,8 @@
 #ifndef DEM_STEP_SUM_CONTACTS_H
 #define DEM_STEP_SUM_CONTACTS_H
 
-#include "model/contacts.h"
-#include "model/particles.h"
+#include "contacts/contacts.h"
+#include "particles/particles.h"
 
 struct dem_contact_sum     /* of the rows of a particle; a cache line */
 {

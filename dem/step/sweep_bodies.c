@@ -30,7 +30,7 @@
 #include "step/sweep_bodies.h"
 #include "core/math.h"
 #include "step/body_batch.h"
-#include "step/parcels.h"
+#include "step/parcel_forces.h"
 #include "step/sum_contacts.h"
 #include <string.h>
 

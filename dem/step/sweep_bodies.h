@@ -7,13 +7,13 @@
 #ifndef DEM_STEP_SWEEP_BODIES_H
 #define DEM_STEP_SWEEP_BODIES_H
 
-#include "model/applied_forces.h"
-#include "model/contacts.h"
-#include "model/particles.h"
-#include "model/interaction_table.h"
+#include "particles/applied_forces.h"
+#include "contacts/contacts.h"
+#include "particles/particles.h"
+#include "laws/interaction_table.h"
 #include "step/body_batch.h"
 #include "step/body_scalars.h"
-#include "diagnostics/energy_balance.h"
+#include "records/energy_balance.h"
 #include "step/drift.h"
 
 struct dem_body_sweep    /* options of one sweep over all particles */

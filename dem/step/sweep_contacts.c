@@ -8,14 +8,14 @@
 #include "core/math.h"
 #include "core/memory.h"
 #include "step/contact_scalars.h"
-#include "diagnostics/lost_cause.h"
+#include "records/lost_cause.h"
 #include "step/fill_batch.h"
 #include "step/store_forces.h"
 #include "step/wall_springs.h"
-#include "diagnostics/limits.h"
-#include "diagnostics/energy_balance.h"
-#include "diagnostics/lost_particles.h"
-#include "diagnostics/bonds.h"
+#include "step/limits.h"
+#include "records/energy_balance.h"
+#include "records/lost_particles.h"
+#include "records/bonds.h"
 #include <stddef.h>
 #include <string.h>
 

@@ -6,7 +6,7 @@
 #ifndef DEM_STEP_SWEEP_CONTACTS_H
 #define DEM_STEP_SWEEP_CONTACTS_H
 
-#include "simulation/dem_state.h"
+#include "ranks/dem_state.h"
 #include "step/sweep_bodies.h"
 
 /* Contact force of every row at time[1]; the last sweep was at time[0] [s]. Advances the contact

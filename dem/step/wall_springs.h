@@ -21,7 +21,7 @@
  * more, with the w of the deepest contact; its other history goes to contacts that are new.
  *
  * The rotation of springs with the pair, also on a rotating wall, is done by the effects
- * (effects/rotate.h).
+ * (laws/rotate.h).
  *
  * A vector is a history of three consecutive names of which the first ends in _x. The history of
  * effects of the stages BOND and FILM stays with the facet where it was made.
@@ -31,7 +31,7 @@
 #ifndef DEM_STEP_WALL_SPRINGS_H
 #define DEM_STEP_WALL_SPRINGS_H
 
-#include "simulation/dem_state.h"
+#include "ranks/dem_state.h"
 
 /* Redistribute the history of wall contacts; after the contact points are known, before the effects
    act. */

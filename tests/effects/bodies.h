@@ -6,7 +6,7 @@
 #ifndef TESTS_EFFECTS_BODIES_H
 #define TESTS_EFFECTS_BODIES_H
 
-#include "effects/effects.h"
+#include "laws/effects.h"
 #include "unit/tap.h"
 
 #include <string.h>

@@ -19,7 +19,7 @@
 #ifndef TESTS_EFFECTS_IMPACTS_H
 #define TESTS_EFFECTS_IMPACTS_H
 
-#include "effects/effects.h"
+#include "laws/effects.h"
 #include "unit/tap.h"
 
 #include <stdlib.h>

@@ -13,7 +13,7 @@
 #define TESTS_EFFECTS_SCALAR_COLUMNS_H
 
 #include "core/random.h"
-#include "effects/effect.h"
+#include "laws/effect.h"
 #include <string.h>
 
 static struct

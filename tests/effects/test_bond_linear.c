@@ -9,7 +9,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "effects/bond/bond_springs.h"
+#include "laws/bond/bond_springs.h"
 #include "impacts.h"
 
 enum

@@ -11,7 +11,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "unit/tap.h"
-#include "effects/fluid/particle_exchange.h"
+#include "laws/fluid/particle_exchange.h"
 #include <math.h>
 
 /* ---- one cell ------------------------------------------------------------------------------------------------ */

@@ -12,7 +12,7 @@
 #include "physics/world.h"
 
 #include "core/aliases.h"
-#include "effects/effects.h"
+#include "laws/effects.h"
 
 /* text of a setting in place of a valid value; NULL: left out */
 struct fault

@@ -8,7 +8,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "fuzz.h"
-#include "snapshot.h"
+#include "fuzz_snapshot.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

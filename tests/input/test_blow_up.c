@@ -6,7 +6,7 @@
  * - A force so large that the sums of the means (momentum, m v v) cannot be represented.
  * - Values that can be summed are accepted: 1e8 m/s.
  *
- * Source: the contract of output/grid_averages.h.
+ * Source: the contract of records/grid_averages.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -18,7 +18,7 @@
  */
 #include "physics/world.h"
 
-#include "effects/effects.h"
+#include "laws/effects.h"
 #include <sys/resource.h>
 #include <unistd.h>
 

@@ -11,16 +11,16 @@
 #include "unit/tap.h"
 
 #define LLVMFuzzerTestOneInput dem_fuzz_snapshot
-#include "fuzz/snapshot.c"
+#include "fuzz/fuzz_snapshot.c"
 #undef LLVMFuzzerTestOneInput
 #define LLVMFuzzerTestOneInput dem_fuzz_table
-#include "fuzz/table.c"
+#include "fuzz/fuzz_table.c"
 #undef LLVMFuzzerTestOneInput
 #define LLVMFuzzerTestOneInput dem_fuzz_stl
-#include "fuzz/stl.c"
+#include "fuzz/fuzz_stl.c"
 #undef LLVMFuzzerTestOneInput
 #define LLVMFuzzerTestOneInput dem_fuzz_scene
-#include "fuzz/scene.c"
+#include "fuzz/fuzz_scene.c"
 #undef LLVMFuzzerTestOneInput
 #include "fuzz/fuzz.c"
 

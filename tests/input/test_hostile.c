@@ -5,7 +5,8 @@
  * - Includes that multiply: a limit for files, whether deep or flat.
  * - 20 000 names are read in linear time: walls, groups, outlets, means, entries, words of lists.
  * - Periodic axes and positions so far out that overlaps are lost in rounding.
- * - Spins at which surfaces are faster than light; ids beyond the largest; an empty list.
+ * - Spins at which surfaces are faster than light; ids beyond the largest; an empty list; names that
+ *   break the rows of tables.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -234,6 +235,8 @@ int main(void)
                   "b { type list; diameter 1e-3; positions ((1 0 0)); } }");
     refused_scene("the list positions is empty",
                   "insert { g { type list; diameter 1e-3; positions (); } }");
+    refused_scene("line 1: the name of this entry has a comma", "walls { a,b { type plane; point (0 0 0); "
+                  "normal (0 0 1); } }");
     snprintf(pipe, sizeof pipe, "rm -r %s", folder);
     TAP_OK(system(pipe) == 0, "its files are removed");
     TAP_DONE;

@@ -5,7 +5,7 @@ The first sentence says what the reader can do after it ("After this page you ..
 screens (60 lines) there is code, a formula or a picture. No line is longer than 120 characters, but
 in code, tables and links. docs/README.md links every page. The page of a tutorial opens with a small
 picture, is about one screen long, and says what one should see and may change. The column Suna of the table of
-docs/validation.md has numbers of the stored results of the case.
+docs/results.md has numbers of the stored results of the case.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -55,7 +55,7 @@ def tutorial_faults(path):
 
 
 def validation(text):
-    """Rows of the table of docs/validation.md whose number no stored result of the case has."""
+    """Rows of the table of docs/results.md whose number no stored result of the case has."""
     table = text.split("<!-- numbers of stored results -->")[1].split("<!-- end")[0]
     found, stored = [], []
     for row in table.strip().split("\n")[2:]:
@@ -97,8 +97,8 @@ def main():
         for sentence in found:
             print("#   " + sentence)
         failed += bool(found)
-    found = validation(open(os.path.join(ROOT, "docs", "validation.md"), encoding="utf-8").read())
-    print("%s %d - the table of docs/validation.md has the numbers of the stored results" %
+    found = validation(open(os.path.join(ROOT, "docs", "results.md"), encoding="utf-8").read())
+    print("%s %d - the table of docs/results.md has the numbers of the stored results" %
           ("not ok" if found else "ok", len(pages) + len(cases) + 1))
     for sentence in found:
         print("#   " + sentence)

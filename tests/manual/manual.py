@@ -14,6 +14,7 @@ where the names of the repository's folders lead to the repository, and drop.dem
     <!-- case: ENTRIES -->                  demProperties of the bed of docs/first-bed.md, likewise
     <!-- controlDict -->                    added to system/controlDict of that bed
     <!-- text: WHY -->                      neither run nor looked up
+    <!-- excerpt: FILE -->                  a part of this file of the repository
     <!-- file: ... -->, <!-- dem effects -->, <!-- test: ... -->     compared by another suite
 
 Without a comment a block is recognised:
@@ -311,7 +312,7 @@ class Manual:
     def kind(self, block):
         """how a block is run, the rest of its marker"""
         marker = block.marker or ""
-        match = re.match(r"(run|save|scene|case|text|test|file):\s*(.*)$", marker, flags=re.S)
+        match = re.match(r"(run|save|scene|case|text|test|file|excerpt):\s*(.*)$", marker, flags=re.S)
         if match:
             kind, rest = match.groups()
             return ("elsewhere", "") if kind in ("test", "file") else (kind, rest)
@@ -345,6 +346,10 @@ class Manual:
             os.makedirs(os.path.dirname(name), exist_ok=True)
             with open(name, "w") as out:
                 out.write(block.text)
+        elif kind == "excerpt":
+            with open(os.path.join(ROOT, first), encoding="utf-8") as file:
+                if block.text not in file.read():
+                    raise Wrong("no part of " + first)
         elif kind == "scene":
             self.scene(block, rest)
         elif kind == "case":

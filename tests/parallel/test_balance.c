@@ -8,13 +8,13 @@
  *
  *     mpirun -np N test_balance    prints failures; status 0 if there are none
  *
- * Reference: sums of weights by rank; the price in parallel/load_balance.c, 10 steps of mean work.
+ * Reference: sums of weights by rank; the price in ranks/load_balance.c, 10 steps of mean work.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "core/random.h"
-#include "parallel/decomposition.h"
-#include "parallel/load_balance.h"
+#include "ranks/decomposition.h"
+#include "ranks/load_balance.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

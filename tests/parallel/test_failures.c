@@ -16,9 +16,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "api/internal.h"
+#include "case/internal.h"
 #include "core/memory.h"
-#include "parallel/collect.h"
+#include "ranks/collect.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

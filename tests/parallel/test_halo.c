@@ -14,7 +14,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "api/internal.h"
+#include "case/internal.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

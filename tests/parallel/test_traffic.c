@@ -19,7 +19,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "api/internal.h"
+#include "case/internal.h"
 #include "step/neighbor_update.h"
 #include <math.h>
 #include <stdio.h>

@@ -11,7 +11,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "physics/bonds.h"
+#include "physics/bonded.h"
 
 struct line                                               /* m, rad, m, Hz */
 {

@@ -17,7 +17,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "physics/bonds.h"
+#include "physics/bonded.h"
 
 #include "core/random.h"
 

@@ -13,7 +13,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "physics/bonds.h"
+#include "physics/bonded.h"
 
 static const char limits[] = "normalStrength 1e7; shearStrength 5e6;";
 

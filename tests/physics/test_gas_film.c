@@ -14,7 +14,7 @@
 
 static const double k = 0.026, c = 464.0, rho = 7800.0;
 
-struct film    /* as effects/heat/gas_film.c names them; wall: 1 */
+struct film    /* as laws/heat/gas_film.c names them; wall: 1 */
 {
     double R, L, gap, s0, t;
     int wall;

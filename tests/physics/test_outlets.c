@@ -11,7 +11,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "api/internal.h"
+#include "case/internal.h"
 #include "core/random.h"
 #include "physics/world.h"
 

@@ -17,8 +17,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "world.h"
-#include "api/internal.h"
-#include "effects/effects.h"
+#include "case/internal.h"
+#include "laws/effects.h"
 
 #include <math.h>
 

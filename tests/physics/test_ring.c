@@ -1,5 +1,5 @@
 /*
- * test_ring.c -- output does not change the run: the force buffer (model/contact_forces.h).
+ * test_ring.c -- output does not change the run: the force buffer (contacts/contact_forces.h).
  *
  * Contact forces go through a ring buffer, and are kept after a step of output only.
  * - A layer of touching spheres ends with the same bits, forces included, whether its means are
@@ -13,7 +13,7 @@
  */
 #include "physics/world.h"
 
-#include "api/internal.h"
+#include "case/internal.h"
 
 #include <math.h>
 

@@ -16,7 +16,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "world.h"
-#include "api/internal.h"
+#include "case/internal.h"
 
 #include <math.h>
 

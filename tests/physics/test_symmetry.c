@@ -15,7 +15,7 @@
 #include "physics/world.h"
 
 #include "core/random.h"
-#include "effects/effects.h"
+#include "laws/effects.h"
 
 enum
 {

@@ -13,7 +13,7 @@
  */
 #include "physics/world.h"
 
-#include "api/internal.h"
+#include "case/internal.h"
 
 #include <math.h>
 

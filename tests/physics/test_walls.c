@@ -726,7 +726,7 @@ static void both_sides_of_a_plate(void)
 /* Two floors at one height, 1 nm apart: far less than the radius of the contact area, sqrt(R d) =
    10 um, so that a sphere that rolls across, at rest on its spring, feels its weight and next to
    nothing else. At the gap the overlap is less by at most gap^2/(8 R d), 1e-9 of it; the far rim
-   adds some d/R = 1e-4 (neighbor/wall_touch.h). */
+   adds some d/R = 1e-4 (walls/wall_touch.h). */
 static void gap(void)
 {
     const double R = 1e-3, k = 1000.0, g = 9.81, v = 0.1, step = 2e-6;

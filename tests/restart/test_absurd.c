@@ -15,14 +15,14 @@
  *     the
  *                                         last particles or row: for tests on many ranks
  *
- * Source: the contract of checkpoint/snapshot_validate.h.
+ * Source: the contract of records/snapshot_validate.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "physics/world.h"
 
 #include "core/hash.h"
-#include "checkpoint/snapshot_header.h"
+#include "records/snapshot_header.h"
 
 #include <unistd.h>
 

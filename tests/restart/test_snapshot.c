@@ -6,14 +6,14 @@
  * - A failed write leaves the old file unchanged.
  * - Offsets beyond 4 GB are written and read.
  *
- * Source: the contract of checkpoint/snapshot.h and parallel/parallel_file.h.
+ * Source: the contract of records/snapshot.h and ranks/parallel_file.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "physics/world.h"
 
-#include "checkpoint/snapshot.h"
-#include "parallel/parallel_file.h"
+#include "records/snapshot.h"
+#include "ranks/parallel_file.h"
 
 #include <unistd.h>
 

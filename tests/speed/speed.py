@@ -8,7 +8,7 @@ the same bed.
     speed.py SCENE ... --compare        no clock: kinetic energy, contacts, overlap in both codes after the steps of small beds
 
 DEM and BED are the program dem and the one made of bed.c. Both codes start from the same text of
-particles, take the same step and have the same laws (docs/benchmarks.md has what differs), on one
+particles, take the same step and have the same laws (README.md has what differs), on one
 core. They take turns; the medians are printed, and the smallest and the largest ratio of a turn. The
 other code runs with the fastest of several settings of its search, found first. Its time is that of
 the process less that of a run of no steps, which reads and lists; Suna's begins after a first step.

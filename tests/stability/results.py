@@ -1,5 +1,5 @@
 """results.py -- a run of the program and its output files, read with the standard library only:
-tables, pictures (dem/output/vtk.h) and snapshots (dem/checkpoint/snapshot_head.h).
+tables, pictures (dem/records/vtk.h) and snapshots (dem/records/snapshot_header.h).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

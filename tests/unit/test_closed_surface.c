@@ -14,7 +14,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/random.h"
-#include "insertion/closed_surface.h"
+#include "sources/closed_surface.h"
 
 #include <string.h>
 

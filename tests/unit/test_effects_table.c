@@ -1,16 +1,18 @@
 /*
- * effects.csv: a row where effects change, none where they do not; a run that begins earlier replaces what came later; effects
- * found in tables of an earlier version go where their time is.
+ * test_effects_table.c -- effects.csv, the table of effects and the times from which they act.
+ *
+ * - It has a row where effects change, and none where they do not.
+ * - A run that begins earlier replaces the later rows.
+ *
+ * Reference: the text of the file, written by hand.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * Judges: the text of the file, written by hand.
  */
 #include "tap.h"
 
 #include "core/file.h"
 #include "core/memory.h"
-#include "output/effects_table.h"
+#include "run/effects_table.h"
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -47,13 +49,6 @@ int main(void)
     holds("0,hertz dry\n0.6,hertz dry mindlin\n", "from before that");
     dem_effects_table_begin(folder, 0.0, "hooke");
     holds("0,hooke\n", "all anew");
-
-    dem_effects_table_begin(folder, 0.9, "hooke dry");
-    dem_effects_table_add(folder, 0.3, "hooke viscous");
-    holds("0,hooke\n0.3,hooke viscous\n0.9,hooke dry\n", "found for a time in between");
-    dem_effects_table_add(folder, 0.4, "hooke viscous");
-    dem_effects_table_add(folder, 0.95, "hooke dry");
-    holds("0,hooke\n0.3,hooke viscous\n0.9,hooke dry\n", "what is there already is not repeated");
     TAP_OK(dem_effects_table_begin("/nowhere/at/all", 0.0, "hertz") != 0, "no folder, no table");
     unlink(path);
     rmdir(folder);

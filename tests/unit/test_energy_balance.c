@@ -13,9 +13,9 @@
  */
 #include "unit/tap.h"
 
-#include "diagnostics/energy_balance.h"
-#include "simulation/dem_state.h"
-#include "model/contact_batch.h"
+#include "records/energy_balance.h"
+#include "ranks/dem_state.h"
+#include "contacts/contact_batch.h"
 
 #include <string.h>
 

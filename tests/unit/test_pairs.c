@@ -13,8 +13,8 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/random.h"
-#include "neighbor/grid.h"
-#include "neighbor/pairs.h"
+#include "contacts/grid.h"
+#include "contacts/pairs.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -16,7 +16,7 @@
 
 #include "core/clock.h"
 #include "dem.h"
-#include "diagnostics/timers.h"
+#include "records/timers.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

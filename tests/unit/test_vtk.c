@@ -10,7 +10,7 @@
 #include "core/memory.h"
 #include "core/random.h"
 #include "core/file.h"
-#include "output/vtk.h"
+#include "records/vtk.h"
 
 #include <stdlib.h>
 #include <string.h>

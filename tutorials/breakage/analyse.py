@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""analyse.py -- bonds that break in the impact of a ball, over its speed.
+"""analyse.py -- broken bonds over the impact speed of a ball.
 
     analyse.py [-store TEXT]      result.csv, breakage.png, ball.png; -store keeps them in stored/
 
-Damage is the number of broken bonds over that of bonds at the start. It grows with the logarithm of
-the speed (Thornton, Yin, Adams, J. Phys. D 29 (1996) 424), until nothing is left to break.
+Damage is the number of broken bonds over the number of bonds at the start. It grows with the
+logarithm of the speed (Thornton, Yin, Adams, J. Phys. D 29 (1996) 424) until nothing is left to
+break.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

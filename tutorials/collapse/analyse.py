@@ -1,21 +1,16 @@
 #!/usr/bin/env python3
-"""analyse.py -- run-out and height of collapsed columns over their aspect ratio, against measured
+"""analyse.py -- run-out and height of collapsed columns over their aspect ratio, beside measured
 scalings.
 
-    analyse.py [-store "text"]       result.csv, collapse.png (rolling.png of -rolling); with -store also stored/ and its table in results.md
+    analyse.py [-store "text"]       result.csv, collapse.png (rolling.png with -rolling);
+                                     with -store also stored/ and its table in results.md
 
-Height of the deposit h(x): volume of the beads in slices of one diameter over slice and solid
-fraction of the column at rest. Run-out: where h, seen from the back wall, falls below one diameter
-for good; beads that roll on alone do not count. Column: length L as it stands, height 2 <z>, which
-is that of an even column. Interval: 95 % of independent runs (seeds).
-
-Measured, with (L_end - L)/L = l1 a below a_0 and l2 a^(2/3) above, H_end/L = a or l4 a^(2/5):
-    Lajeunesse, Monnier, Homsy, Phys. Fluids 17 (2005) 103302: glass beads on glued beads, l1 1.8, l2 2.3, a_0 3 (numbers as given by
-    Lagree, Staron, Popinet, J. Fluid Mech. 686 (2011) 378)
-    Lube, Huppert, Sparks, Freundt, Phys. Rev. E 72 (2005) 041301: sand, rice, sugar, l1 1.2 (a < 1.8), l2 1.9 (a > 2.8), l4 0.65
-and in channels wide enough that their walls do not count, (L_end - L)/L ~ a^(0.9 +- 0.1) and
-H_end/L ~ a^0.4 (in narrow ones a^0.65 and a^0.5):
-    Balmforth, Kerswell, J. Fluid Mech. 538 (2005) 399
+Height    of the deposit h(x): volume of the beads in slices of one diameter, over slice and solid
+          fraction of the column at rest
+Run-out   where h, seen from the back wall, falls below one diameter for good; single beads that
+          roll on do not count
+Column    its length L at rest; its height is 2 <z>, as for an even column
+Interval  95 % of independent runs (seeds)
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

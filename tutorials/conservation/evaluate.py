@@ -1,12 +1,12 @@
 """evaluate.py -- exact properties of the coupled equations.
 
-  bodies   2 g at 1 m/s and 1 g at rest, drag between them: their momentum stays, they come to one
-  velocity, neither overshoots it,
-           however long the step. Exact: v_f = v (1 - exp(-(m_p + m_f) t/(m_f tau))), v the common velocity
+  bodies   2 g at 1 m/s and 1 g at rest, drag between them: momentum stays, both reach one velocity,
+           neither overshoots it, for any step. Exact, with the common velocity v:
+           v_f = v (1 - exp(-(m_p + m_f) t/(m_f tau)))
   swarm    momentum of 1000 spheres and the liquid in a periodic box stays
-  rest     spheres as heavy as the liquid stay where they are
-  lattice  the pressure gradient of a uniform flow through a uniform lattice is Ergun's, in each set
-  of equations, on any cells
+  rest     neutrally buoyant spheres do not move
+  lattice  uniform flow through a uniform lattice has Ergun's pressure gradient, with each set of
+           equations on any cells
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -1,26 +1,26 @@
 #!/usr/bin/env python3
-"""evaluate.py -- the mean temperature of the bed over time against closed forms, and the balance of
-heat.
+"""evaluate.py -- the mean temperature of the bed over time beside closed forms, and the heat
+balance.
 
     evaluate.py [-test] [-from 0.5] [RUN]       RUN is runs/bed by default; writes result.csv, temperature.csv,
                                                 cooling.png, bed.png
 
-Closed forms, with M c of all beads and C = rho Cp u A of the air, u(t) that of the plate:
-  perfect   the air leaves at the mean temperature of the beads: M c dT/dt = -C (T - T_in)
-  fastest   it leaves as hot as the hottest bead, T_0:            M c dT/dt = -C (T_0 - T_in)
-  slowest   what exceeds minimum fluidisation passes unheated in bubbles, the rest leaves at T:
-                                                                  M c dT/dt = -C u_mf/u (T - T_in)
-u_mf is that of the run's own law of drag and void fraction, from the log.
+Closed forms, with M c of all beads and C = rho Cp u A of the air, u(t) at the plate:
+  perfect   air leaves at the mean temperature of the beads:     M c dT/dt = -C (T - T_in)
+  fastest   air leaves as hot as the hottest bead, T_0:          M c dT/dt = -C (T_0 - T_in)
+  slowest   air beyond minimum fluidisation passes unheated in bubbles, the rest leaves at T:
+                                                                 M c dT/dt = -C u_mf/u (T - T_in)
+u_mf is for the run's own drag law and void fraction, from the log.
 
-What is held, and why so:
-  rate      heat that beads lose over C (T - T_in), means of 0.1 s, from 0.5 s on; 10 %: air that passes
-            in bubbles leaves colder, a top of the bed that is hotter than its mean lets it leave hotter
+Bounds and their reasons:
+  rate      heat that beads lose over C (T - T_in), means of 0.1 s, from 0.5 s on; 10 %: air that
+            passes in bubbles leaves colder, a hot top of the bed lets it leave hotter
   fastest   no run may cool the beads faster: the second law
-  heat      sum of fluid and beads less what came through patches, over what the beads lost; 1e-6: the
-            tolerance for T and the log's 12 digits
+  heat      sum of fluid and beads less what came through patches, over what the beads lost; 1e-6:
+            the tolerance for T and the 12 digits of the log
   exchange  1e-12, an identity
-Spread of the temperatures and the plate's conduction are only reported. -test, the short form: rate at
-rest (5 %), before the bed bubbles, and balances.
+The spread of the temperatures and the conduction through the plate are only reported. -test, the
+short form: the rate at rest (5 %), before the bed bubbles, and balances.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
-"""analyse.py -- velocity across the bed of a drum, slope of its surface, torque: against measured
-ones and the balance of angular momentum.
+"""analyse.py -- velocity across the bed of a drum, slope of its surface and torque, beside
+measurements and the balance of angular momentum.
 
     analyse.py [-store "text"]       result.csv, drum.png; with -store also stored/ and the table of results.md
 
-All from the means over blocks of time (block1.csv ...) and walls.csv; intervals 95 % from these
-blocks. Surface         where the solid fraction falls through 0.3, column by column; a straight
-line through the middle half of the drum's width Velocity        along that slope, on the normal to
-it through the axis; of the mass in cells of one bead Torque          of the beads on the drum;
-their weight's lever about the axis must be the same when the motion is steady: M g x_c Turning
-angular momentum of the beads about the axis over that of the same beads fixed to the drum
+All come from the means over blocks of time (block1.csv ...) and from walls.csv; intervals are 95 %
+from these blocks.
+
+Surface   where the solid fraction falls through 0.3, column by column; a straight line through the
+          middle half of the drum's width
+Velocity  along that slope, on the normal to it through the axis; of the mass in cells of one bead
+Torque    of the beads on the drum; in steady motion it equals the lever of their weight, M g x_c
+Turning   angular momentum of the beads about the axis, over the same beads fixed to the drum
 
 Measured: measured/alizadeh2013.csv, and 27 degrees for the slope, Alizadeh et al., AIChE J. 59
 (2013) 1894.

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""parcels.py -- the drum with single beads and with parcels: slope, speed, mixing, cost, side by side.
+"""parcels.py -- the drum with single beads and with parcels: slope, speed, mixing, cost.
 
     parcels.py [-to SECONDS] FOLDER ...     runs of parcels.dem, each with FOLDER.log beside it; a table
 
-Slope   of the centre of mass about the axis, which is that of a plane surface; mean from 1 s on, with
-        95 % of blocks of 0.25 s
+Slope   of the center of mass about the axis, as of a plane surface; mean from 1 s on, with 95 % of
+        blocks of 0.25 s
 Speed   sqrt(mean square of velocity), likewise
-Mixing  Lacey's index of the beads that lie in the upper half at 0.25 s, in cells of 12 mm (mixing.py)
-Cost    of the log: particles, steps, processor time; none of a run that has not ended
+Mixing  Lacey's index of the beads in the upper half at 0.25 s, in cells of 12 mm (mixing.py)
+Cost    from the log: particles, steps, processor time; none if the run has not ended
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -1,18 +1,17 @@
-"""evaluate.py -- pressure drop of a bed over the superficial velocity, increasing and decreasing;
-minimum fluidisation.
+"""evaluate.py -- pressure drop of a bed over the superficial velocity, rising and falling; minimum
+fluidisation.
 
 References
-  Ergun    Chem. Eng. Prog. 48 (1952) 89, at the bed's own void fraction, layer by layer of the
-  mesh, while it is fixed
-           and for the flow relative to the beads: a bed that is relieved of its weight grows, by about 1 % of the flow here
-  weight   of the beads less buoyancy, over the cross-section: what fluid that lifts them must carry
-  knee     where Ergun's drop, at the void fractions of the fixed bed, reaches the weight; ours
-  where the straight line does
-           through what was measured below 0.7 of it
+  Ergun    Chem. Eng. Prog. 48 (1952) 89, for the fixed bed, at the bed's own void fraction in each
+           layer of the mesh and for the flow relative to the beads: a bed that is relieved of its
+           weight grows, here by about 1 % of the flow
+  weight   of the beads less buoyancy over the cross-section, which fluid that lifts them carries
+  knee     where Ergun's pressure drop at the void fractions of the fixed bed reaches the weight;
+           ours: where a straight line through the values below 0.7 of the weight does
   Wen-Yu   Wen and Yu, AIChE J. 12 (1966) 610: Re = (33.7^2 + 0.0408 Ar)^0.5 - 33.7, without the
-  void fraction
+           void fraction
 
-Intervals are from packings.
+Intervals come from packings.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

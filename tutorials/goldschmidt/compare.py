@@ -1,21 +1,22 @@
 #!/usr/bin/env python3
 """compare.py -- runs of one bed in DPMFoam and Suna: motion of the bed, error against finer steps,
-and cost.
+cost.
 
-    compare.py WINDOW [-store "text"]    of runs/WINDOW.CODE.STEPS.DELTAT; runs/result.WINDOW.csv, runs/WINDOW.png; with -store
-                                         also stored/ and results.md
+    compare.py WINDOW [-store "text"]    reads runs/WINDOW.CODE.STEPS.DELTAT, writes
+                                         runs/result.WINDOW.csv and runs/WINDOW.png;
+                                         with -store also stored/ and results.md
 
-CODE is dpm or suna, STEPS those in a contact, DELTAT the time step of the gas. The run of each code
-with most steps is what its others are held against.
+CODE is dpm or suna, STEPS the steps in a contact, DELTAT the time step of the gas. The reference of
+each code is its run with most steps.
 
-height          of the centre of mass, less that at the first output, m; its error over what it
-changes by kinetic         energy of the particles' motion, J fluctuation     the same about the
-mean velocity in boxes of 15 mm, J: what collisions make and take pressure        drop over the bed,
-mean since the output before, Pa; without the gas' own weight. Its error leaves out the first, in
-                which the gas is set in motion
-error           rms over the outputs, of rms of what it is held against
-processor       OpenFOAM's ExecutionTime from the end of the first gas step on, s, and the same for
-that step; output included, set-up not
+height       of the center of mass, less its value at the first output [m]; error over its change
+kinetic      energy of the particles' motion [J]
+fluctuation  the same about the mean velocity in boxes of 15 mm [J]: collisions decide it
+pressure     drop over the bed, mean since the previous output, without the weight of the gas [Pa];
+             its error leaves out the first output, in which the gas is set in motion
+error        rms over the outputs, over the rms of the reference
+processor    OpenFOAM's ExecutionTime [s] from the end of the first gas step on, plus the same for
+             that step; with output, without set-up
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""lagrangian.py -- read particles of a time folder, of OpenFOAM's clouds or of Suna, ascii or
-binary; write an initial state for either code.
+"""lagrangian.py -- read the particles in a time folder of OpenFOAM's clouds or of Suna, ascii or
+binary, and write an initial state for either code.
 
     lagrangian.py FOLDER suna        positions and velocities, as entries of demProperties, on standard output
     lagrangian.py FOLDER dpm         the same as a table of kinematicLookupTableInjection

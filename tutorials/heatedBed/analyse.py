@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""analyse.py -- a heated bed: temperatures at three depths over time, beside those measured.
+"""analyse.py -- temperatures at three depths of a heated bed over time, beside the measured ones.
 
     analyse.py [-store TEXT]      result.csv, bed.png, heating.png; -store keeps them in stored/
 
-A sensor is the mean of the spheres within two diameters of the middle of the box and one of the depth below
-the lid. The reference at the end is a straight line through what was measured after 3400 s, at 3995 s.
+A sensor is the mean of the spheres within two diameters of the middle of the box and one diameter
+of the depth below the lid. The reference is a straight line through the points after 3400 s, at
+3995 s.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

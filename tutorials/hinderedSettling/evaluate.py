@@ -1,12 +1,12 @@
-"""evaluate.py -- settling speeds of suspensions, of lattices and random ones.
+"""evaluate.py -- settling speeds of lattices and of random suspensions.
 
 References
-  balance   the speed v at which the law carries the suspension: zero net flux, so slip v/e; drag on
-  a sphere e V (rho_p - rho) g, as the
-            pressure gradient of the suspension's weight carries the rest. Wen and Yu 1966; Di Felice 1994
+  balance   the speed v at which the drag law carries the suspension: zero net flux, so slip v/e,
+            and drag on a sphere e V (rho_p - rho) g; the pressure gradient of the suspension's
+            weight carries the rest. Laws: Wen and Yu 1966; Di Felice 1994
   measured  Garside and Al-Dibouni, Ind. Eng. Chem. Process Des. Dev. 16 (1977) 206: v = v_t e^n,
-  (5.1 - n)/(n - 2.7) = 0.1 Re_t^0.9;
-            Richardson and Zaki, Trans. Inst. Chem. Eng. 32 (1954) 35. v_t by Schiller and Naumann
+            (5.1 - n)/(n - 2.7) = 0.1 Re_t^0.9; Richardson and Zaki, Trans. Inst. Chem. Eng. 32
+            (1954) 35. v_t by Schiller and Naumann
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

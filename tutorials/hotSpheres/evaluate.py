@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""evaluate.py -- Nusselt numbers of hot spheres in a bed of larger beads against the law that was
-measured.
+"""evaluate.py -- Nusselt numbers of hot spheres in a bed of larger beads beside the measured law.
 
     evaluate.py [-test]         reads runs/*; writes result.csv, nusselt.png, bed.png
 
@@ -8,26 +7,26 @@ The measured law, Collier, Hayhurst, Richardson and Scott (2004), in air:
 
     Nu = 2 + 0.90 Re^0.62 (ds/db)^0.2,   Re = rho U ds/mu
 
-  U        superficial velocity; above minimum fluidisation the minimum fluidisation velocity
+  U        superficial velocity, at most the minimum fluidisation velocity
   ds, db   diameters of the hot sphere and of the beads
 
-As in the experiment h comes from the rate at which a sphere of temperature T cools, and the air's
-temperature is that of the inlet:
+As in the experiment, h follows from the rate at which a sphere of temperature T cools in air of the
+inlet's temperature:
 
     h = -m c/(pi ds^2) d ln(T - T_in)/dt,   Nu = h ds/k
 
-from 0.2 s on in a bed at rest, from 1 s on in one that moves. Times in which a sphere is nearer to
-the plate than two beads are left out: there bubbles have not formed yet. Intervals are over the
-spheres of a size. Properties of air are those of constant/transportProperties, in run and law.
+from 0.2 s on in a bed at rest, from 1 s on in a moving bed. Times at which a sphere is within two
+bead diameters of the plate are left out: bubbles have not formed there. Intervals are over the
+spheres of a size. Properties of air come from constant/transportProperties, in run and law.
 
-Minimum fluidisation is where a U + b U^2, fitted to the pressure drops of the runs at rest, is the
-bed's weight less buoyancy.
+Minimum fluidisation is where a U + b U^2, fitted to the pressure drops of the runs at rest, equals
+the bed's weight less buoyancy.
 
-What is held, and why so:
-  wakao    Nu of the law that is for packed beds, 30 %: less than what lies between the three laws
-  own law  at rest the spheres' Nu, with the air's temperature and velocity at the sphere, is that of
-           the law that was put in; 5 %: the velocity is interpolated between cells of 2.5 beads
-  exponent of Nu over U above minimum fluidisation, 0 by the measured law; 0.15
+Bounds and their reasons:
+  wakao     Nu of this law for packed beds, 30 %: less than the spread of the three laws
+  own law   at rest, Nu with temperature and velocity of the air at the sphere equals the law in
+            use; 5 %: the velocity is interpolated between cells of 2.5 beads
+  exponent  of Nu over U above minimum fluidisation, 0 by the measured law; 0.15
   heat, exchange: identities, see coolingBed
 The other two laws and conduction are only reported.
 

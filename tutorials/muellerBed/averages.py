@@ -1,16 +1,14 @@
 """averages.py -- profiles across the bed from positions and velocities of the beads, with
 intervals.
 
-Void fraction   the volume of beads in each box (a slab of the whole depth around the height, cut in
-x), spheres cut
-                exactly where they stick out; no field and no kernel of the run enters.
-Velocity        of the beads whose centres are in the box. Two means that differ where bubbles pass,
-because few beads
-                are fast and many are slow:
-                  number  every bead counts once: sum of velocities over sum of beads
-                  time    every instant counts once: mean over time of the box's mean
-Interval        95 %, from blocks of time: the estimate without one block after the other
-(jackknife), Student's t.
+Void fraction  from the volume of beads in each box (a slab of the whole depth around the height,
+               cut in x); spheres are cut exactly at its faces. No field and no kernel of the run
+               enters
+Velocity       of the beads whose centers are in the box. Two means, which differ where bubbles pass
+               because few beads are fast and many are slow:
+                 number  every bead counts once: sum of velocities over number of beads
+                 time    every instant counts once: mean over time of the mean in the box
+Interval       95 %, from blocks of time: jackknife over the blocks, Student's t
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

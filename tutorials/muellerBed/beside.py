@@ -1,11 +1,10 @@
 """beside.py -- compare runs: rms of each profile, the pressure, and whether profiles differ by more
 than their intervals.
 
-    beside.py CASE ...      the table of these runs; the first is what the others are held against
+    beside.py CASE ...      the table of these runs; the first is the reference
 
-Two profiles differ in a box when their difference is larger than its 95 % interval, the root of the
-sum of the squares of theirs. Of boxes that differ by chance alone 5 % are counted; neighbours are
-not independent.
+Two profiles differ in a box if their difference exceeds its 95 % interval, the root of the sum of
+the squares of both. By chance 5 % of the boxes differ; neighbours are not independent.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

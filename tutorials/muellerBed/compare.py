@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
-"""compare.py -- the bubbling bed against the magnetic-resonance measurements of Mueller et al.
+"""compare.py -- the bubbling bed beside the magnetic-resonance measurements of Mueller et al.
 2008/2009.
 
-    compare.py [-from 1] [-slab 2] [-gauss] [CASE]    tables and pictures of a run; CASE is the folder of this file by default
-    compare.py --selfcheck                   averages with known results, as TAP
+    compare.py [-from 1] [-slab 2] [-gauss] [CASE]    tables and pictures of a run; CASE is this
+                                                      folder by default
+    compare.py --selfcheck                            averages with known results, as TAP
 
-Reads the record of the beads, the pressure at plate and top, the forces on walls and the solver's
-log. Writes into CASE
-    result.csv      one row a quantity: rms difference from the measured points, their own spread, 95 % interval of rms
-    profiles.csv    the profiles themselves with their 95 % intervals
+Reads the record of the beads, the pressure at plate and top, the forces on walls and the log of the
+solver. Writes into CASE
+    result.csv      a row a quantity: rms difference from the measured points, their spread,
+                    95 % interval of rms
+    profiles.csv    the profiles with their 95 % intervals
     profiles.png pressure.png bed.png
 
 SPDX-License-Identifier: GPL-3.0-or-later

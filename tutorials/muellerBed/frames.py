@@ -1,9 +1,9 @@
 """frames.py -- read the results of a run: the record of the beads, pressures, forces on walls.
 
-particles.bin holds a block an instant: time [s] (double), number n (int64), then n times id,
+particles.bin holds a block for each instant: time [s] (double), number n (int64), then n times id,
 position [m], velocity [m/s], diameter [m]; surfaceFieldValue.dat is columns of text, walls.csv a
-table. Each lies in a folder named after the time at which the run started or went on; what a later
-start repeats replaces what an earlier one wrote.
+table. Each lies in a folder named after the time at which the run started or continued; a later
+start replaces what an earlier one wrote for the same times.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

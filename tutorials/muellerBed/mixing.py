@@ -1,5 +1,5 @@
-"""mixing.py -- what runs with parcels are compared by: Lacey's index of mixing, means with intervals,
-processor time. Of parcels.py here and in tutorials/drum.
+"""mixing.py -- quantities that compare runs with parcels: Lacey's index of mixing, means with
+intervals, processor time. Used by parcels.py here and in tutorials/drum.
 
 Source: Lacey, J. Appl. Chem. 4 (1954) 257.
 

@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
-"""parcels.py -- the bubbling bed with single beads and with parcels: height, pressure drop, mixing, cost.
+"""parcels.py -- the bubbling bed with single beads and with parcels: height, pressure drop, mixing,
+cost.
 
     parcels.py [-from 0.6] CASE ...     runs of Allrun -parcels; a table in Markdown
 
-Height    of the centre of mass, and below which 95 % of the mass is; means over time, with 95 % of
+Height    of the center of mass, and below which 95 % of the mass is; means over time, with 95 % of
           blocks of 0.15 s
 Pressure  between plate and top, likewise
-Mixing    Lacey's index (mixing.py) of the beads that lie in the upper half at the start, in
-          cells of 11 mm: where the means begin, in the middle, at the end
-Cost      of the log: processor time of the solver, and of it that of particles and of the exchange
+Mixing    Lacey's index (mixing.py) of the beads in the upper half at the start, in cells of 11 mm:
+          where the means begin, in the middle, at the end
+Cost      from the log: processor time of the solver, of the particles and of the exchange
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -1,13 +1,13 @@
 """series.py -- frequency and amplitude of a time series, with intervals.
 
-Rate        upward crossings of the mean per second. One counts when the series has been `BAND`
-standard deviations below
-            the mean before and is as far above it afterwards, so that noise about the mean does not. The interval is that
-            of the mean period: periods follow each other as nearly independent draws.
-Dominant    the frequency at which the spectrum is largest: mean of the spectra of blocks of three
-periods and 1 s at least,
-            Hann's window. The interval is the jackknife over blocks, and never less than half of what a block can tell apart.
-Deviation   the standard deviation; jackknife over the same blocks.
+Rate       upward crossings of the mean per second. A crossing counts if the series was `BAND`
+           standard deviations below the mean before it and is as far above it afterwards, so noise
+           about the mean does not count. The interval is of the mean period: periods are nearly
+           independent
+Dominant   the frequency at which the spectrum is largest: mean of the spectra of blocks of three
+           periods and at least 1 s, Hann's window. The interval is the jackknife over blocks, but
+           at least half of the resolution of a block
+Deviation  the standard deviation; jackknife over the same blocks
 
 Intervals are half widths at 95 %.
 

@@ -1,10 +1,9 @@
-"""spheres.py -- images of spheres in parallel projection: ray casting into a depth buffer,
-lighting, shadows, ambient occlusion.
+"""spheres.py -- images of spheres in parallel projection: depth buffer, lighting, shadows, ambient
+occlusion.
 
-Every sphere is stamped into the picture pixel by pixel, the nearest wins; its depth gives the
-normal. Light comes from one side with a shadow (a second depth buffer, seen from the lamp), and
-from the whole sky as far as neighbours leave it open (the depth against the depth around it, at
-several widths).
+Every sphere is drawn pixel by pixel, and the nearest wins; its depth gives the normal. One lamp
+casts shadows (a second depth buffer, seen from the lamp). The whole sky lights a pixel as far as
+its neighbours leave it open (its depth against the depth around it, at several widths).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

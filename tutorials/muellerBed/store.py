@@ -10,8 +10,7 @@ table of that name.
     store.py -beside "WHAT RAN WHERE" NAME LABEL=CASE ...
 
 Runs side by side, a row each, in the table of that name; their result.csv and profiles.csv go to
-stored/NAME/LABEL. The first is what the others are held against. A CASE may be a folder in stored/,
-of another day.
+stored/NAME/LABEL. The first is the reference. A CASE may be a folder in stored/.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -2,19 +2,20 @@
 
 References: the growth rate s of two deep layers of liquids of the same kinematic viscosity,
 
-  short form   s^2 + 2 nu k^2 s - A g k = 0,    A = (rho_m - rho)/(rho_m + rho),    rho_m = rho +
-  alpha (rho_p - rho) exact        s^2 = A g k (1 - k/q),    q^2 = k^2 + s/nu,    for small A
+  short form   s^2 + 2 nu k^2 s - A g k = 0,   A = (rho_m - rho)/(rho_m + rho),
+                                               rho_m = rho + alpha (rho_p - rho)
+  exact        s^2 = A g k (1 - k/q),          q^2 = k^2 + s/nu,    for small A
 
-(Chandrasekhar, Hydrodynamic and Hydromagnetic Stability (1961), chapter X). The short form knows
-the friction of the waves outside only; they slide past each other at the interface, and what a
-layer of thickness 1/q there takes is more. The exact one follows from nu (D^2 - k^2)(D^2 - q^2) w =
-(2 A g k^2/s) w(0) delta(z), whose solution is exp(-k|z|)/k - exp(-q|z|)/q. A suspension of beads
-whose relaxation is short is such a liquid as long as they settle little in the meantime. On cells
-of length h the kernel rounds the step of density over about h, which takes k h from s^2 and k h/2
-from s (of a step that falls off exponentially over h it would be 1/(1 + k h)).
+(Chandrasekhar, Hydrodynamic and Hydromagnetic Stability (1961), chapter X). The short form includes
+only the friction outside the interface. The liquids also slide past each other at the interface,
+and a layer of thickness 1/q there takes more. The exact form follows from nu (D^2 - k^2)(D^2 - q^2)
+w = (2 A g k^2/s) w(0) delta(z), with the solution exp(-k|z|)/k - exp(-q|z|)/q. A suspension of
+beads with a short relaxation time is such a liquid as long as the beads settle little in the
+meantime. On cells of length h the kernel smooths the density step over about h, which takes k h
+from s^2 and k h/2 from s (a step that falls off exponentially over h: 1/(1 + k h)).
 
-Ours: the wave is that of the beads of the lowest row; a starts at rest, so a = a_0 cosh s t is
-fitted while k a < 0.5.
+Ours: the wave of the lowest row of beads. It starts at rest, so a = a_0 cosh s t is fitted while
+k a < 0.5.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

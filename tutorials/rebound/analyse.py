@@ -1,17 +1,18 @@
 #!/usr/bin/env python3
-"""analyse.py -- restitution in liquids over the Stokes number, and the trajectory of a bouncing
-sphere, against measurements.
+"""analyse.py -- restitution in liquids over the Stokes number, and flights of a bouncing sphere,
+beside measurements.
 
     analyse.py [-store "text"]       result.csv, rebound.png; with -store also stored/ and the table of results.md
 
-Stokes number   St = rho_p d v/(9 mu) of the impact
-Computed e      speed of parting over speed of impact, with nothing but the contact (and the film)
-acting Measured e      out of the flights measured by Gondret et al. (2002): speeds at the plate
-from parabolas through the first five points after
-                and the last five before an impact, all but those within 0.1 mm of the plate; intervals from the scatter of the points;
-                at St 27 none was recorded before the impact: that speed is the Reynolds number's, taken as exact
-Bands           where most of the e/e_max measured by Gondret et al. and by Joseph et al. (2001)
-lie, as far as their figures can be read
+Stokes number  St = rho_p d v/(9 mu) of the impact
+Computed e     rebound speed over impact speed; only the contact (and the film) acts
+Measured e     from the flights of Gondret et al. (2002): speeds at the plate from parabolas through
+               the last five points before an impact and the first five after it, without points
+               within 0.1 mm of the plate; intervals from the scatter of the points. At St 27 no
+               point was recorded before the impact: its speed follows from the Reynolds number,
+               taken as exact
+Bands          most of the e/e_max measured by Gondret et al. and by Joseph et al. (2001), as far as
+               their figures can be read
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

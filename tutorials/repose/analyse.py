@@ -1,17 +1,21 @@
 #!/usr/bin/env python3
-"""analyse.py -- slope of the heaps on the plate over friction and rolling friction, against Zhou et
-al. (2002).
+"""analyse.py -- slope of the heaps on the plate over friction and rolling resistance, beside Zhou
+et al. (2002).
 
     analyse.py [-store "text"]       result.csv, repose.png; with -store also stored/ and the table of results.md
 
-Height          volume of the spheres in slices of one diameter over slice and a solid fraction of
-0.57 (what it is shifts the slope's tangent
-                by as much: 1 % of 0.57 is 0.3 degrees at 25 degrees)
-Slope           straight line through each flank, from two diameters off the plate's edge to where
-the heap is four fifths of its top Interval        95 %, both flanks of each run (seed) Zhou et al.
-angle = 68.61 f^0.27 f_w^0.22 r^0.06 r_w^0.12 d^-0.2 degrees, r and r_w the lever of the rolling
-resistance between spheres and at
-                the plate in mm, d in mm: Zhou, Xu, Yu, Zulli, Powder Technol. 125 (2002) 45. r = 0.25 d times our coefficient, r_w = 0.5 d.
+Height    volume of the spheres in slices of one diameter, over slice and a solid fraction of 0.57
+          (1 % of it shifts the slope by 0.3 degrees at 25 degrees)
+Slope     straight line through each flank, from two diameters inside the edge of the plate to four
+          fifths of the top
+Interval  95 %, both flanks of each run (seed)
+
+Zhou, Xu, Yu, Zulli, Powder Technol. 125 (2002) 45:
+
+    angle = 68.61 f^0.27 f_w^0.22 r^0.06 r_w^0.12 d^-0.2 degrees
+
+with d and the levers of rolling resistance r (between spheres) and r_w (at the plate) in mm;
+r = 0.25 d and r_w = 0.5 d times our coefficient.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

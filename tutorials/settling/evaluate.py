@@ -3,14 +3,14 @@ with added mass.
 
 References
   law       the law's own terminal velocity, from its equation solved here (Stokes; Schiller and
-  Naumann 1933, 0.44 above
-            Re 1000; Dallavalle's in Di Felice 1994)
-  measured  Brown and Lawler, J. Environ. Eng. 129 (2003) 222: C = 24/Re (1 + 0.150 Re^0.681) +
-  0.407/(1 + 8710/Re), said to be
-            fitted to 480 measurements of lone spheres, corrected for walls, Re < 2e5; the formula was written from memory, without its text at hand
+            Naumann 1933, 0.44 above Re 1000; Dallavalle's in Di Felice 1994)
+  measured  Brown and Lawler, J. Environ. Eng. 129 (2003) 222:
+            C = 24/Re (1 + 0.150 Re^0.681) + 0.407/(1 + 8710/Re), said to be fitted to 480
+            measurements of single spheres, corrected for walls, Re < 2e5; the formula was written
+            from memory, without its text at hand
   tank      ten Cate et al., Phys. Fluids 14 (2002) 4012
   equation  (m + C m_f) dv/dt = (m - m_f) g - drag, C 0.5 with added mass, integrated here with
-  steps of 10 us
+            steps of 10 us
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

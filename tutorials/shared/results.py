@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""results.py -- functions shared by the validating tutorials: rows of a table, intervals, cost, and
-storing them.
+"""results.py -- functions shared by the validating tutorials: rows of a table, intervals, cost,
+storing.
 
-    results.py CASE "COMMAND"      keep result.csv and the pictures of CASE in CASE/stored and put the table into its
-                                   results.md, with date, kind of machine, commit, command and processor time
+    results.py CASE "COMMAND"      keep result.csv and the pictures of CASE in CASE/stored; put the
+                                   table into results.md, with date, kind of machine, commit,
+                                   command and processor time
 
-A row: part, quantity, reference, ours, interval (half the width at 95 %; none where a run has
-nothing of chance), allowed (largest relative difference; none where the row is only told) and the
-source of the reference.
+A row has part, quantity, reference, ours, interval (half the width at 95 %, none if a run has no
+chance), allowed (largest relative difference, none if the row is only reported) and the source of
+the reference.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

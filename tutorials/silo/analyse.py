@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
-"""analyse.py -- discharged mass over time, and the rate over the width of the slot, against Anand
-et al. and Beverloo's law.
+"""analyse.py -- discharged mass over time, and the rate over the width of the slot, beside Anand et
+al. and Beverloo's law.
 
     analyse.py [-store "text"]       result.csv, silo.png; with -store also stored/ and the table of results.md
 
-Rate            straight line through the mass that is out from 0.15 s to 0.45 s after the
-                opening (0.1 s to 0.25 s in the short form), when the flow is steady and the slot still covered
-Interval        95 %, from five blocks of that time in each run (seed), taken together
-Beverloo        W = C rho_b sqrt(g) b (w - k d)^1.5, for a slot w wide and b deep, C = 1.03, k = 1.4
-(Brown and Richards 1970; Nedderman, Statics
-                and Kinematics of Granular Materials, 1992); rho_b of the lower 40 mm of the bed before the opening
-Anand et al.    measured/anand2008.csv: their simulation of this bin, slot and bead, Chem. Eng. Sci.
-63 (2008) 5821
+Rate          straight line through the discharged mass from 0.15 s to 0.45 s after the opening
+              (0.1 s to 0.25 s in the short form): the flow is steady, the slot still covered
+Interval      95 %, from five blocks of that time in each run (seed), taken together
+Beverloo      W = C rho_b sqrt(g) b (w - k d)^1.5 for a slot w wide and b deep, C = 1.03, k = 1.4
+              (Brown and Richards 1970; Nedderman, Statics and Kinematics of Granular Materials,
+              1992); rho_b of the lower 40 mm of the bed before the opening
+Anand et al.  measured/anand2008.csv: their simulation of this bin, slot and bead, Chem. Eng. Sci.
+              63 (2008) 5821
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

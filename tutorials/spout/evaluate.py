@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
-"""evaluate.py -- speed of the beads of the spouted bed of Yue et al. (2020) against their
+"""evaluate.py -- speed of the beads in the spouted bed of Yue et al. (2020) beside their
 measurement.
 
     evaluate.py [-test] [-from 1] [RUN]         RUN is runs/bed by default
 
 Writes result.csv, speed.png, bed.png.
 
-At six heights over the bottom, shares of the bed's height at rest, 200 mm:
-  speed     length of the mean velocity (x and z) of the beads, by number, in boxes 7 mm wide from
-            the middle and 8 mm high. The measured speed has minima where the mean velocity turns
-            round, between the spout and the beads that fall beside it: it is that of the mean, too.
+At six heights above the bottom, in units of the bed at rest, 200 mm:
+  speed     magnitude of the mean velocity (x and z) of the beads, by number, in boxes 7 mm wide
+            from the middle and 8 mm high. The measured speed has minima where the mean velocity
+            changes sign, beside the spout, so it is of the mean, too
   measured  mean of the points at the left and at the right, as the run is a quarter of the bed
-What is held, and why so:
+Bounds and their reasons:
   beads     none is lost
   exchange  1e-12, an identity
 Speeds are only reported: the measurement has no interval. -test, the short form: balances only.

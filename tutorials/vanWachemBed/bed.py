@@ -1,13 +1,12 @@
 """bed.py -- results of a run of this bed: heights, pressures, and the forces that carry the beads.
 
-Height      of an instant, from the beads alone. The bed is cut into columns of 5 mm over its whole
-depth and these into
-            boxes of 4 mm; a column's level is where the share of solids falls through 0.1 for the last time on the way
-            up, straight between the boxes' middles; the bed's height is the mean of the columns'. At 0.1 beads cover
-            half of what a camera sees through this depth: 1 - exp(-3/2 0.1 8/1.545) = 0.54.
-Balance     pressure drop, plate and walls carry weight less buoyancy, what beads gain of momentum
-and what the gas
-            does, all from means over the time between two instants of the record.
+Height   of an instant, from the beads alone: the bed is cut into columns of 5 mm over its whole
+         depth and these into boxes of 4 mm. The level of a column is where its solid fraction falls
+         through 0.1 for the last time on the way up, interpolated between the middles of the boxes;
+         the height is the mean over the columns. At 0.1 the beads cover half of the view through
+         this depth: 1 - exp(-3/2 0.1 8/1.545) = 0.54
+Balance  pressure drop, plate and walls carry weight less buoyancy, the gain of momentum of the
+         beads and of the gas, all from means over the time between two instants of the record
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

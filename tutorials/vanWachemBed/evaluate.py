@@ -1,21 +1,20 @@
 #!/usr/bin/env python3
-"""evaluate.py -- height and pressure of the bed of van Wachem et al. (2001) against their
+"""evaluate.py -- height and pressure of the bed of van Wachem et al. (2001) beside their
 measurements.
 
     evaluate.py [-test] [-from 1.5] [RUN]       RUN is runs/bed by default; writes result.csv, course.png, bed.png
 
-What is held, and why so:
-  height      mean over time; 15 %: what is measured there is the level of a splashing surface, and
-  the measured mean is
-              one of 2 s, five periods, in which it goes from 94 to 149 mm
-  frequency   of the pressure 45 mm above the plate, upward crossings of its mean per second; 2.2 Hz
-  by the four high peaks
-              of the measured points, 0.5 Hz: twice the scatter of the periods among them and about what 3 s allow
-  balance     1 %; an identity but for the momentum of the air that leaves
-  exchange    1e-12, an identity
-Amplitudes are only reported: no known code reproduces them. -test, the short form: the balances only.
+Bounds and their reasons:
+  height     mean over time; 15 %: the measurement is the level of a splashing surface, and its mean
+             covers 2 s, five periods, in which it goes from 94 to 149 mm
+  frequency  of the pressure 45 mm above the plate, upward crossings of its mean per second; 2.2 Hz
+             by the four high peaks of the measured points, bound 0.5 Hz: twice the scatter of the
+             periods among them and about what 3 s allow
+  balance    1 %; an identity but for the momentum of the leaving air
+  exchange   1e-12, an identity
+Amplitudes are only reported: no known code reproduces them. -test, the short form: balances only.
 
-References are the measured points themselves by the same evaluation, with its intervals.
+References are the measured points, evaluated in the same way, with their intervals.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

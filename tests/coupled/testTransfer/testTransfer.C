@@ -1,5 +1,6 @@
 /*---------------------------------------------------------------------------*\
-    testTransfer -- tests of demTransfer on the mesh of the case.
+    testTransfer -- tests of demTransfer on the mesh of the case; `run` says what
+    they prove.
 
     Prints "ok - claim" or "not ok - claim", with what was measured. Particles
     are made by hand and belong to ranks that have nothing to do with the mesh.

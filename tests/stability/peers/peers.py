@@ -1,5 +1,5 @@
 """peers.py -- cases of tests/stability in other codes, by the same criteria. Called by run; results:
-docs/results-hard-cases.md.
+docs/results.md.
 
     peers.py [CASE|PEER ...] [-keep FOLDER]       a case by number or a part of its name
 

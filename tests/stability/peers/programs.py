@@ -1,5 +1,5 @@
 """programs.py -- a scene (scene.py) for each code: its deck, its run, its frames.
-docs/results-hard-cases.md has the translation.
+README.md has the translation.
 
     PEERS[name].there() -> why it cannot run, or None
     PEERS[name].run(scene, folder) -> Run

@@ -38,8 +38,8 @@ with -target a scene.
     -of LIST           quantities, separated by commas: kinetic, rotation, height, overlap,
                        force, contacts, restitution; default: all that the scene has
     -series LIST       series, separated by commas: step, stiffness, friction
-                       (its three laws); default: all. -ladders is accepted too. Only if
-                       named: parcels, the ratio of parcels
+                       (its three laws); default: all. Only if named:
+                       parcels, the ratio of parcels
     -effects           instead: the scene with each effect left out, the change of results
                        and the time saved
     -steps LIST        levels, as multiples of the scene's step; default 2,1,0.5,0.25,0.125

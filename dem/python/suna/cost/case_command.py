@@ -24,7 +24,7 @@ cheapest settings that reach the target error.
     -case DIR            the case; default: this folder. It is copied, never changed
     -window T            simulated time from its start on [s]; default: to its endTime
     -series LIST         refinement series: of interval, step, kernel, width, mesh,
-                         stiffness, separated by commas; default: interval; also -ladders
+                         stiffness, separated by commas; default: interval
     -intervals LIST      levels, in deltaT of the case; default 4,2,1,0.5
     -steps LIST          levels, in the DEM step of the case; default 1,0.5,0.25
     -kernels LIST        kernels, as in diffusion:3,linear (width after the colon);

@@ -14,7 +14,7 @@ Limits: two particles, or one and a plane at rest, on one line, without spin, wi
 only; other scenes have no closed form here.
 
 Source: Hertz 1882 as in Johnson, Contact Mechanics (1985), 11.4; for e of dry see
-dem/effects/contact/restitution.h.
+dem/laws/contact/restitution.h.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

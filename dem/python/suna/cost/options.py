@@ -71,12 +71,10 @@ def words(what, name, text, known):
 
 
 def read_options(arguments, command, values, flags=()):
-    """Options by name, and the other words. -set takes two words or PATH=VALUE, and may be repeated.
-    -ladders is the old name of -series."""
+    """Options by name, and the other words. -set takes two words or PATH=VALUE, and may be repeated."""
     given, plain, rest = {"-set": []}, [], list(arguments)
     while rest:
         word = rest.pop(0)
-        word = "-series" if word == "-ladders" else word
         if word in flags:
             given[word] = True
         elif word not in values:

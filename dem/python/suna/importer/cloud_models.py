@@ -5,7 +5,7 @@ Each table says what becomes of a word: an effect with its settings, or the sent
 
 The damping coefficient alpha of the spring-slider-dashpot models is Tsuji's, eta = alpha sqrt(m* k)
 d^(1/4), and gives the coefficient of restitution e = exp(-pi alpha/sqrt(5 - alpha^2)) at any speed
-(dem/effects/contact/dry.c). Their cohesion, an energy density times the area of the overlap's lens,
+(dem/laws/contact/dry.c). Their cohesion, an energy density times the area of the overlap's lens,
 is 2 pi R* d for small overlaps d: the effect sjkr.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -45,7 +45,7 @@ PARCELS = "parcels of several particles are not DEM: they do not touch as partic
 
 
 def restitution(alpha):
-    """Of Tsuji's damping coefficient: dem/effects/contact/dry.c."""
+    """Of Tsuji's damping coefficient: dem/laws/contact/dry.c."""
     return math.exp(-math.pi*alpha/math.sqrt(5 - alpha**2)) if alpha < math.sqrt(5) else 0.0
 
 

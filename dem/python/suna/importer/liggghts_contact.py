@@ -139,11 +139,11 @@ def tell(model, report):
              "mindlin: damping of slip is 1/sqrt(4 G*/E*) times that of LIGGGHTS (1.1 for a "
              "Poisson's ratio of 0.3), and spring and dashpot together obey mu F_n; an oblique "
              "impact at 1 m/s changes by 0.01 m/s, a settled bed by 0.02 diameters "
-             "(docs/results-peers.md)")
+             "(docs/results.md)")
     elif model.tangential == "history":
         near("tangential history",
              "linear: spring and dashpot together obey mu F_n; an oblique impact at 1 m/s "
-             "changes by up to 0.18 m/s, a settled bed by 0.005 diameters (docs/results-peers.md)")
+             "changes by up to 0.18 m/s, a settled bed by 0.005 diameters (docs/results.md)")
     elif model.tangential == "no_history":
         near("tangential no_history",
              "linear with ratio 0: slip is damped with the coefficient of the normal law, "

@@ -1,0 +1,321 @@
+/*
+ * restart.c -- compare the scene of a restart with the one of its snapshot, line by line.
+ *
+ * Both scenes are lines "path value" (dem_dict_flatten), sorted by path. A line with @ names a group
+ * whose particles have been inserted.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "case/restart.h"
+#include "case/scene_lines.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/text.h"
+#include "input/dictionary.h"
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* the entries that the core and the coupling take; write and accuracy change no result */
+static const char *const sections[] = {
+    "materials", "effects", "pairs", "parcels", "walls", "domain", "insert", "outlets", "bonds",
+    "fluid", "forces", "time", "neighbours", "averages", "coupling"};
+
+static const char group_mark[] = "@group ", program_mark[] = "@program";
+
+int dem_api_note(struct dem *d, const char *format, ...)
+{
+    char text[1024];
+    va_list arguments;
+
+    va_start(arguments, format);
+    const int n = vsnprintf(text, sizeof text, format, arguments);
+
+    va_end(arguments);
+    DEM_TRY(DEM_GROW(d->note, d->note_capacity, d->notes + 1));
+    DEM_TRY(DEM_NEW(d->note[d->notes], sizeof text));
+    memcpy(d->note[d->notes++], text, n < 0 ? 1 : sizeof text);
+    return DEM_OK;
+}
+
+/* 1 when this line is in the text, for lines with @. */
+static int has_mark(const char *text, const char *mark, const char *name)
+{
+    char line[256];
+    const int n = snprintf(line, sizeof line, "%s%s\n", mark, name);
+
+    for (const char *at = text; n > 0 && at && *at; at = strchr(at, '\n'), at = at ? at + 1 : NULL)
+    {
+        if (strncmp(at, line, (size_t)n) == 0)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* The groups that were inserted before, and those of this scene. */
+static void add_marks(const struct dem *d, struct dem_text *t)
+{
+    const char *const before = d->start_checked || !d->before.text ? "" : d->before.text;
+    const struct dem_dict *insert = NULL;
+
+    for (const char *at = before, *end; (end = strchr(at, '\n')); at = end + 1)
+    {
+        if (at[0] == '@')
+        {
+            dem_text_add(t, "%.*s\n", (int)(end - at), at);
+        }
+    }
+    (void)dem_dict_sub_if(d->dict, "insert", &insert);
+    for (size_t k = 0; insert && k < dem_dict_count(insert); k++)
+    {
+        const struct dem_entry *const e = dem_dict_entry(insert, k);
+
+        if (!dem_insert_is_stream(dem_entry_dict(e))
+            && !has_mark(before, group_mark, dem_entry_name(e)))
+        {
+            dem_text_add(t, "%s%s\n", group_mark, dem_entry_name(e));
+        }
+    }
+    if (d->program_particles && !has_mark(before, program_mark, ""))
+    {
+        dem_text_add(t, "%s\n", program_mark);
+    }
+}
+
+static int write_text(const struct dem *d, struct dem_text *t)
+{
+    dem_dict_flatten(d->dict, sections, (int)(sizeof sections/sizeof *sections), t);
+    add_marks(d, t);
+    return t->status;
+}
+
+int dem_api_describe_scene(const struct dem *d, struct dem_snapshot_scene *s)
+{
+    const struct dem_state *const p = &d->state;
+    struct dem_text t = {0};
+
+    *s = (struct dem_snapshot_scene){.text = NULL};
+    int status = write_text(d, &t);
+
+    s->tail.text = (int64_t)(t.n/8 + 1)*8;    /* ends in a zero */
+    s->tail.walls = p->walls.walls;
+    s->tail.next_id = d->next_id > p->flows->next_id ? d->next_id : p->flows->next_id;
+    status = status ? status : DEM_NEW(s->text, s->tail.text);
+    status = status ? status : DEM_NEW(s->wall, s->tail.walls + 1);
+    if (!status && t.n > 0)
+    {
+        memcpy(s->text, t.text, t.n);
+    }
+    for (int k = 0; k < p->walls.walls && !status; k++)
+    {
+        s->wall[k] = dem_snapshot_scene_wall(&p->walls, k);
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        const int periodic = p->domain.periodic[k];
+
+        s->tail.domain[k][0] = periodic;
+        s->tail.domain[k][1] = periodic ? p->domain.min[k] : 0.0;
+        s->tail.domain[k][2] = periodic ? p->domain.max[k] : 0.0;
+    }
+    dem_text_free(&t);
+    return status;
+}
+
+/* ---- comparison ------------------------------------------------------------------------------ */
+
+struct comparison
+{
+    struct dem *d;
+    struct dem_scene_lines before, now;
+};
+
+/* A wall whose form has changed does not go on. */
+static int remember_form(struct dem *d, const struct dem_scene_line *l)
+{
+    char name[64], part[64];
+
+    if (strcmp(dem_scene_line_part(l, 0, part), "walls") != 0
+        || !dem_scene_line_is_form(dem_scene_line_part(l, 2, part)))
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(DEM_GROW(d->reformed, d->reformed_capacity, d->reformed_walls + 1));
+    snprintf(d->reformed[d->reformed_walls++], sizeof *d->reformed, "%s",
+             dem_scene_line_part(l, 1, name));
+    return DEM_OK;
+}
+
+static int is_left_out(const struct comparison *c, const struct dem_scene_line *l,
+                       enum dem_line_change change)
+{
+    char part[64];
+
+    if (l->length == 8 && memcmp(l->path, "time/end", 8) == 0)
+    {
+        return 1;
+    }
+    /* new groups have their sentence when they are inserted */
+    return change == DEM_LINE_NEW && strcmp(dem_scene_line_part(l, 0, part), "insert") == 0
+        && dem_scene_line_part(l, 1, part)[0] && !dem_scene_line_part(l, 2, part)[0]
+        && !dem_scene_line_is_stream(&c->now, l);
+}
+
+static int tell(struct comparison *c, const struct dem_scene_line *was,
+                const struct dem_scene_line *is)
+{
+    const enum dem_line_change change =
+        was && is ? DEM_LINE_CHANGED : is ? DEM_LINE_NEW : DEM_LINE_GONE;
+    const struct dem_scene_line *const l = is ? is : was;
+    const char *const becomes = dem_scene_line_becomes(is ? &c->now : &c->before, l, change);
+
+    DEM_TRY(remember_form(c->d, l));
+    if (is_left_out(c, l, change))
+    {
+        return DEM_OK;
+    }
+    if (change == DEM_LINE_CHANGED)
+    {
+        return dem_api_note(c->d, "restart: %.*s was %.*s, now %.*s: %s", (int)l->length, l->path,
+                            (int)was->size, was->value, (int)is->size, is->value, becomes);
+    }
+    const int whole = l->size == 2 && memcmp(l->value, "{}", 2) == 0;
+
+    return dem_api_note(c->d, "restart: %.*s%s%.*s is %s: %s", (int)l->length, l->path,
+                        whole ? "" : " ", whole ? 0 : (int)l->size, l->value,
+                        change == DEM_LINE_NEW ? "new" : "gone", becomes);
+}
+
+/* A section as a whole is not told of, but its entries are. */
+static int is_section(const struct dem_scene_line *l)
+{
+    return !memchr(l->path, '/', l->length);
+}
+
+/* The line behind those of the same dictionary. */
+static size_t skip(const struct dem_scene_lines *all, size_t k)
+{
+    const struct dem_scene_line *const head = &all->line[k];
+    size_t next = k + 1;
+
+    while (next < all->n && !is_section(head) && all->line[next].length > head->length
+           && memcmp(all->line[next].path, head->path, head->length) == 0
+           && all->line[next].path[head->length] == '/')
+    {
+        next++;
+    }
+    return next;
+}
+
+static int compare_texts(struct comparison *c)
+{
+    size_t i = 0, j = 0;
+
+    while (i < c->before.n || j < c->now.n)
+    {
+        const struct dem_scene_line *const was = i < c->before.n ? &c->before.line[i] : NULL;
+        const struct dem_scene_line *const is = j < c->now.n ? &c->now.line[j] : NULL;
+        const int order = !was ? 1 : !is ? -1 : dem_scene_lines_compare(was, is);
+
+        if (order < 0)
+        {
+            DEM_TRY(is_section(was) ? DEM_OK : tell(c, was, NULL));
+            i = skip(&c->before, i);
+        }
+        else if (order > 0)
+        {
+            DEM_TRY(is_section(is) ? DEM_OK : tell(c, NULL, is));
+            j = skip(&c->now, j);
+        }
+        else
+        {
+            DEM_TRY(dem_scene_lines_same(was, is) ? DEM_OK : tell(c, was, is));
+            i++;
+            j++;
+        }
+    }
+    return DEM_OK;
+}
+
+static int compare(struct dem *d)
+{
+    struct comparison c = {.d = d};
+    struct dem_text now = {0};
+    int status = write_text(d, &now);
+
+    status = status ? status : dem_scene_lines_split(d->before.text, &c.before);
+    status = status ? status : dem_scene_lines_split(now.text ? now.text : "", &c.now);
+    status = status ? status : compare_texts(&c);
+    dem_memory_free(c.before.line);
+    dem_memory_free(c.now.line);
+    dem_text_free(&now);
+    return status;
+}
+
+static int check_periodic(const struct dem *d)
+{
+    const struct dem_domain *const box = &d->state.domain;
+
+    for (int k = 0; k < 3; k++)
+    {
+        const double *const was = d->before.tail.domain[k];
+        const int same = (was[0] != 0.0) == (box->periodic[k] != 0)
+                      && (was[0] == 0.0 || (was[1] == box->min[k] && was[2] == box->max[k]));
+
+        DEM_REQUIRE(same, DEM_ERROR_INPUT,
+                    "%s: its domain is %speriodic along %c, from %g to %g m, and the scene's is %s "
+                    "or has other limits; contacts of the snapshot cross these faces: give the "
+                    "domain of the snapshot, or take its particles into a new run with start { "
+                    "snapshot; }", d->load_path, was[0] != 0.0 ? "" : "not ", "xyz"[k], was[1],
+                    was[2], box->periodic[k] ? "periodic" : "not");
+    }
+    return DEM_OK;
+}
+
+/* ---- groups ---------------------------------------------------------------------------------- */
+
+/* A group that an edit of the scene has left out for a while. */
+static int tell_of_return(struct dem *d, const char *group)
+{
+    char path[128];
+
+    snprintf(path, sizeof path, "insert/%s {}", group);
+    return has_mark(d->before.text, path, "")
+             ? DEM_OK
+             : dem_api_note(d, "restart: insert/%s is back in the scene: its particles were inserted "
+                            "before, and are not inserted again", group);
+}
+
+static int keep_new_groups(struct dem *d)
+{
+    for (size_t k = d->scene.insertion.n; k > 0; k--)
+    {
+        const char *const name = dem_insert_name(&d->scene.insertion, k - 1);
+
+        if (has_mark(d->before.text, group_mark, name))
+        {
+            DEM_TRY(tell_of_return(d, name));
+            dem_insert_drop(&d->scene.insertion, k - 1);
+        }
+    }
+    if (d->initial.n > 0 && has_mark(d->before.text, program_mark, ""))
+    {
+        dem_initial_particles_release(&d->initial);
+    }
+    return dem_insert_check_domain(&d->scene.insertion, &d->state.domain);
+}
+
+int dem_api_compare_scene(struct dem *d)
+{
+    DEM_TRY(dem_snapshot_read_scene(d->load_path, &d->state.decomposition, &d->before));
+    if (d->start_checked)
+    {
+        return DEM_OK;    /* particles for another run */
+    }
+    DEM_TRY(check_periodic(d));
+    DEM_TRY(compare(d));
+    DEM_TRY(dem_api_resume_walls(d));
+    return keep_new_groups(d);
+}

@@ -1,0 +1,42 @@
+/*
+ * restart.h -- a restart with a scene that differs from that of the snapshot. What the snapshot
+ * holds wins; every difference is a sentence, which dem_warnings lists.
+ *
+ *   groups of insert    new ones are inserted at the restart; those of the snapshot are not again
+ *   walls               go on from where they stood, with the motion of the scene from then on
+ *   periodic axes       a change is refused: contacts cross their faces
+ *   all else            applies from then on
+ *
+ * Used by setup.c and setup_particles.c, in this order.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_CASE_RESTART_H
+#define DEM_CASE_RESTART_H
+
+#include "case/internal.h"
+
+/* The scene of the run, for its snapshots; the caller frees it. On the first rank. */
+int dem_api_describe_scene(const struct dem *, struct dem_snapshot_scene *);
+
+/* Collective, when the particles of the snapshot have been read: read its scene and compare. Keeps of
+   the groups and the particles of the program those that are new. */
+int dem_api_compare_scene(struct dem *);
+
+/* Collective, when the walls are finished: insert the new groups. */
+int dem_api_insert_new_groups(struct dem *);
+
+/* When the scenes have been compared and before the walls are finished: walls whose form is the same go
+   on from where they stood. */
+int dem_api_resume_walls(struct dem *);
+
+/* New numbers of the facets of the snapshot's walls; the caller frees them. */
+int dem_api_map_facets(struct dem *, struct dem_snapshot_facets *);
+
+/* Add a sentence. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+int dem_api_note(struct dem *, const char *format, ...);
+
+#endif

@@ -1,0 +1,76 @@
+/*
+ * scene.h -- reader of scenes: materials, effects, walls, domain, particles and parameters of the
+ * run.
+ *
+ *     materials { NAME { density; youngsModulus; poissonsRatio; } }
+ *     effects   { WORD { SETTING VALUE; } }                    physical models, for all contacts
+ *     pairs     { NAME { between (A B); WORD { SETTING VALUE; } } }
+ *                                                              other settings for two materials
+ *     walls     { NAME { type plane|box|cylinder|sphere|triangles|stl|patch|surface;
+ *                        material; motion { ... } ... } }
+ *     domain    { min; max; | x; y; z; periodic (x y z); flat (x y z); leaving error|remove; }
+ *     insert    { NAME { type lattice|random|list|table|stream; ... } }
+ *     outlets   { NAME { min; max; | cylinder; | sphere; | point; normal; | patch; } }
+ *     start     { snapshot "FILE"; SCALAR VALUE; }             instead of insert
+ *     bonds     { pairs (ID ID ...); }                         for an effect with listed bonds
+ *     fluid     { velocity; density; viscosity; voidFraction; pressureGradient; }
+ *                                                              uniform, without a coupled solver
+ *     time      { end; step auto|NUMBER; maxOverlap; maxSpeed; force; }
+ *     neighbours{ outerSkin; innerSkin; }
+ *     averages  { NAME { min; max; cells; start; end; interval; } }
+ *     write     { ... }                                        read by the program
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_CASE_SCENE_H
+#define DEM_CASE_SCENE_H
+
+#include "particles/uniform_fluid.h"
+#include "records/averages_io.h"
+#include "input/dictionary.h"
+#include "sources/insert.h"
+#include "sources/stream.h"
+#include "particles/domain.h"
+#include "particles/applied_forces.h"
+#include "laws/interaction_table.h"
+#include "particles/scalar_entry.h"
+#include "walls/walls.h"
+
+struct dem_scene
+{
+    double step;                           /* s; 0: automatic */
+    bool force;                            /* accept a time step above the limit */
+    double max_overlap;                    /* 1  of a diameter */
+    double max_start_overlap;              /* 1  of a diameter, at the start */
+    double max_speed;                      /* m/s  0: no limit */
+    double outer_skin, inner_skin;         /* 1  of the largest diameter */
+    int tuned_skins;                       /* 1: tune them, the scene gives none */
+    const char *snapshot;                  /* path to start from, or NULL */
+    struct dem_scalar_entry start_scalar[DEM_SCALARS];    /* of its particles, where given */
+    int start_frozen;                      /* 1: freeze them, 0: free them, -1: as they are */
+    struct dem_uniform_fluid fluid;
+    struct dem_insertion insertion;        /* groups of particles to be placed */
+    struct dem_streams streams;            /* streams and outlets */
+    struct dem_initial_particles initial;  /* particles of all groups, once placed */
+    struct dem_averages_entry *average;    /* grids of time averages */
+    int averages;
+    const int64_t *bond_ids;               /* ids of bonded pairs, two each; NULL: no list */
+    size_t bond_id_count;
+};
+
+/* Read the materials; call this first, because walls and particles added through the API need
+   them. */
+int dem_scene_read_materials(const struct dem_dict *, struct dem_interaction_table *);
+
+/* Read all other entries that the core needs; `write` and time/end are left to the program.
+   Strings and lists of the scene belong to the dictionary, which must outlive it.
+   DEM_ERROR_INPUT with file, line and cure. */
+int dem_scene_read(struct dem_scene *, const struct dem_dict *, struct dem_interaction_table *,
+                   struct dem_walls *, struct dem_domain *);
+void dem_scene_free(struct dem_scene *);
+
+/* The entry forces. Materials must have been read. */
+int dem_scene_read_forces(const struct dem_dict *, const struct dem_interaction_table *,
+                          struct dem_applied_forces *);
+
+#endif

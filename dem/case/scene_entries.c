@@ -1,0 +1,74 @@
+/*
+ * scene_entries.c -- entries of the scene that belong to the program, by path.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "case/internal.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "input/dictionary.h"
+#include <string.h>
+
+/* The entry of a path; NULL: there is none. Groups on the way count as read. */
+static const struct dem_entry *find(const struct dem_dict *d, const char *path)
+{
+    const struct dem_entry *found = NULL;
+
+    while (d && path)
+    {
+        const size_t n = strcspn(path, "/");
+
+        found = NULL;
+        for (size_t k = 0; k < dem_dict_count(d) && !found; k++)
+        {
+            const struct dem_entry *const e = dem_dict_entry(d, k);
+
+            found = strlen(dem_entry_name(e)) == n && strncmp(dem_entry_name(e), path, n) == 0
+                        ? e
+                        : NULL;
+        }
+        path = path[n] ? path + n + 1 : NULL;
+        d = found && dem_entry_is_dict(found) ? dem_entry_dict(found) : NULL;
+    }
+    return path ? NULL : found;
+}
+
+const char *dem_scene_value(struct dem *d, const char *path)
+{
+    const struct dem_entry *const e = d->dict ? find(d->dict, path) : NULL;
+
+    dem_text_free(&d->value_text);
+    if (!e || dem_entry_is_dict(e))
+    {
+        return NULL;
+    }
+    for (size_t k = 0; k < dem_entry_tokens(e); k++)
+    {
+        dem_text_add(&d->value_text, "%s%s", k > 0 ? " " : "", dem_entry_token(e, k));
+    }
+    return d->value_text.status ? NULL : d->value_text.text ? d->value_text.text : "";
+}
+
+const char *dem_scene_name(const struct dem *d, const char *path, int k)
+{
+    const struct dem_entry *const group = d->dict && path[0] ? find(d->dict, path) : NULL;
+    const struct dem_dict *const in =
+        !path[0] ? d->dict : group && dem_entry_is_dict(group) ? dem_entry_dict(group) : NULL;
+    const struct dem_entry *const e = in && k >= 0 ? dem_dict_entry(in, (size_t)k) : NULL;
+
+    return e ? dem_entry_name(e) : NULL;
+}
+
+void dem_scene_skip(struct dem *d, const char *path)
+{
+    const struct dem_entry *const e = d->dict ? find(d->dict, path) : NULL;
+
+    if (e && dem_entry_is_dict(e))
+    {
+        dem_dict_mark_read(dem_entry_dict(e));
+    }
+    else if (e)
+    {
+        (void)dem_entry_token(e, 0);
+    }
+}

@@ -1,0 +1,22 @@
+/*
+ * scene_internal.h -- internal interface of the files scene*.c: readers of the entries that have a
+ * file of their own, in the order in which scene.c calls them.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_CASE_SCENE_INTERNAL_H
+#define DEM_CASE_SCENE_INTERNAL_H
+
+#include "case/scene.h"
+
+/* The entries effects and pairs; call dem_scene_read_materials before. */
+int dem_scene_read_interactions(const struct dem_dict *, struct dem_interaction_table *);
+
+/* The entry walls; appended to those that were added through the API. */
+int dem_scene_read_walls(const struct dem_dict *, const struct dem_interaction_table *,
+                         struct dem_walls *);
+
+/* motion, surfaceVelocity and surfaceRotation of one wall. */
+int dem_scene_read_motion(struct dem_walls *, int wall, const struct dem_dict *);
+
+#endif

@@ -1,0 +1,197 @@
+/*
+ * setup_check.c -- checks of a scene that need no particles, before these are placed, which may
+ * take long.
+ *
+ * Unknown entries, effects that lack a setting, walls without an area, a time step that is too
+ * long, groups outside the domain. The radii follow from the scene; with them the interaction table
+ * is frozen and the walls are finished. A snapshot brings its own radii: then both wait until it
+ * has been read (setup.c).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "case/internal.h"
+#include "core/error.h"
+#include "walls/wall_periods.h"
+#include <float.h>
+#include <math.h>
+
+/* The step resolves oscillations and rotations of walls. */
+static void limit_step_by_walls(struct dem_interaction_table *r, const struct dem_walls *w)
+{
+    const char *why;
+
+    for (int k = 0; k < w->frames && !r->motionless; k++)
+    {
+        const double limit = dem_motion_time_limit(&w->frame[k].motion, &why);
+        int wall = 0;
+
+        while (wall < w->walls && w->wall[wall].frame != k)
+        {
+            wall++;
+        }
+        if (wall < w->walls)
+        {
+            dem_interaction_table_limit_step(r, limit, why, w->wall[wall].name);
+        }
+    }
+}
+
+static int choose_step(struct dem *d)
+{
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
+
+    d->step = d->state.max_dt = d->scene.step > 0.0 ? d->scene.step : r->step_limit;
+    DEM_REQUIRE(d->scene.step <= r->step_limit || d->scene.force, DEM_ERROR_INPUT,
+                "time step %g s exceeds %.3g s (%s); use at most that, a softer material, or "
+                "time/force yes",
+                d->scene.step, r->step_limit, r->why);
+    DEM_REQUIRE(d->step > DBL_MIN, DEM_ERROR_INPUT, "the time step is %g s (%s); check the "
+                "materials, diameters and settings: one of them is unrealistic", d->step,
+                d->scene.step > 0.0 ? "time/step" : r->why);
+    DEM_REQUIRE(d->step < DBL_MAX, DEM_ERROR_INPUT,
+                "no effect bounds the time step; give time/step");
+    return DEM_OK;
+}
+
+/* Positions along a periodic axis are multiples of its unit of length. A unit of 1e-6 radii is a
+   hundredth of an overlap of 1e-4 radii, a small one. */
+static const double coarsest_unit = 1e-6;
+
+static double min_radius(const struct dem *d)
+{
+    double min = INFINITY;
+
+    for (int m = 0; m < DEM_MATERIALS; m++)
+    {
+        const double radius = d->state.interaction_table.min_radius[m];
+
+        min = radius > 0.0 ? fmin(min, radius) : min;
+    }
+    return min;
+}
+
+/* In a periodic domain that is too narrow a particle touches its own image (contacts/pairs.c
+   refuses it in a snapshot); in one that is too wide, overlaps are lost in rounding. */
+static int check_periodic_widths(const struct dem *d, double radius)
+{
+    const struct dem_domain *const box = &d->state.domain;
+    const double least = min_radius(d);
+    const double min = 2.0*radius*(1.0 + d->scene.outer_skin) + d->state.interaction_table.reach;
+
+    for (int k = 0; k < 3; k++)
+    {
+        DEM_REQUIRE(!box->periodic[k] || box->length[k] >= min, DEM_ERROR_INPUT,
+                    "domain: periodic along %c and %g m wide, so that a particle of %g m reaches "
+                    "its own periodic image; make the domain at least two diameters and a skin "
+                    "wide",
+                    "xyz"[k], box->length[k], 2.0*radius);
+        DEM_REQUIRE(!box->periodic[k] || box->unit[k] <= coarsest_unit*least, DEM_ERROR_INPUT,
+                    "domain: periodic along %c from %g to %g m, where positions are multiples of "
+                    "%.3g m; the limit is %.3g m, %g of the smallest radius, or overlaps are lost "
+                    "in rounding; make the domain smaller, or move it to the origin",
+                    "xyz"[k], box->min[k], box->max[k], box->unit[k], coarsest_unit*least,
+                    coarsest_unit);
+    }
+    return DEM_OK;
+}
+
+/* How far from a wall a particle can be that is compared with it: skins that are tuned are at most a
+   diameter. */
+static double wall_reach(const struct dem *d, double radius)
+{
+    const double skin = d->scene.tuned_skins ? 1.0 : fmax(1.0, d->scene.outer_skin);
+
+    return radius + 2.0*radius*skin + d->state.interaction_table.reach;
+}
+
+int dem_api_finish_physics(struct dem *d)
+{
+    struct dem_state *const p = &d->state;
+    int made_of[DEM_PARTNERS][DEM_MATERIALS] = {{0}};
+    const double radius = dem_api_max_radius(d);
+
+    for (int w = 0; w < p->walls.walls; w++)
+    {
+        const struct dem_wall *const wall = &p->walls.wall[w];
+
+        made_of[DEM_PARTNER_WALL + wall->frictionless][wall->material] = 1;
+    }
+    int status = dem_interaction_table_freeze(&p->interaction_table, made_of);
+
+    if (!status)
+    {
+        limit_step_by_walls(&p->interaction_table, &p->walls);
+    }
+    status = status ? status : choose_step(d);
+    status = status ? status : dem_api_check_pause(d);
+    status = status ? status : check_periodic_widths(d, radius);
+    dem_domain_make_walls_periodic(&p->domain, wall_reach(d, radius), &p->walls);
+    status = status ? status : dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0);
+    status = status ? status : dem_domain_check_walls(&p->domain, &p->walls, radius);
+    return dem_wall_store_finish(&p->wall_store, status, &p->walls);
+}
+
+double dem_api_max_radius(const struct dem *d)
+{
+    double max = 0.0;
+
+    for (int m = 0; m < DEM_MATERIALS; m++)
+    {
+        max = fmax(max, d->state.interaction_table.max_radius[m]);
+    }
+    return max;
+}
+
+/* Radii by material and ratios of parcels, of particles that the scene inserts and of those that the program added. */
+int dem_api_add_radii(struct dem *d)
+{
+    struct dem_interaction_table *const r = &d->state.interaction_table;
+    int m;
+
+    dem_insert_radii(&d->scene.insertion, r->min_radius, r->max_radius);
+    dem_streams_radii(&d->scene.streams, r->min_radius, r->max_radius);
+    for (size_t k = 0; k < d->initial.n; k++)
+    {
+        const double radius = d->initial.particle[k].radius;
+
+        DEM_TRY(dem_interaction_table_find_material(r, d->initial_material[k], "dem_add_particles",
+                                                    &m));
+        r->min_radius[m] = r->min_radius[m] > 0.0 ? fmin(r->min_radius[m], radius) : radius;
+        r->max_radius[m] = fmax(r->max_radius[m], radius);
+        if (r->parcels.used)
+        {
+            dem_interaction_table_add_parcel(r, r->parcels.ratio);
+        }
+    }
+    dem_insert_ratios(&d->scene.insertion, r);
+    dem_streams_ratios(&d->scene.streams, r);
+    return DEM_OK;
+}
+
+/* Without particles of the program all ids are known from the scene. */
+static int check_bonds(const struct dem *d)
+{
+    const int64_t *const id = d->scene.bond_ids, n = dem_insert_next_id(&d->scene.insertion);
+
+    for (size_t k = 0; k + 1 < d->scene.bond_id_count && d->initial.n == 0; k += 2)
+    {
+        DEM_REQUIRE(id[k] < n && id[k + 1] < n, DEM_ERROR_INPUT,
+                    "bonds/pairs: %lld and %lld, but the scene has ids below %lld only; correct "
+                    "the list",
+                    (long long)id[k], (long long)id[k + 1], (long long)n);
+    }
+    return DEM_OK;
+}
+
+int dem_api_check_scene(struct dem *d)
+{
+    DEM_TRY(dem_dict_refuse_unread(d->dict));
+    DEM_TRY(dem_streams_check(&d->scene.streams, &d->state.domain));
+    if (d->load_path[0])
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(check_bonds(d));
+    DEM_TRY(dem_insert_check_domain(&d->scene.insertion, &d->state.domain));
+    return dem_api_add_radii(d);
+}

@@ -1,0 +1,137 @@
+/*
+ * setup_walls.c -- walls of dem_add_wall: each rank gives its triangles. Those of a wall that moves
+ * are gathered on each rank at each movement.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "case/internal.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "ranks/collect.h"
+#include <stdio.h>
+#include <string.h>
+
+int dem_api_gather(const struct dem_state *p, int status, size_t size, size_t n, const double *mine,
+                   double **items, size_t *number)
+{
+    const struct dem_collect_items own = {"triangles of a wall or patch (make it of several)", mine,
+                                          n, size*sizeof *mine};
+    void *all;
+
+    DEM_TRY(dem_collect_gather(&p->decomposition, status, &own, &all, number));
+    *items = all;
+    return DEM_OK;
+}
+
+/* Collective. Hold all triangles of a wall from its first movement on. Wall neighbors keep their
+   triangles and facets, which now have other indices. */
+static int follow(struct dem_state *p, int wall)
+{
+    struct dem_wall_search *const s = &p->pairs.wall_search;
+
+    if (p->decomposition.ranks == 1 || p->walls.wall[wall].follows_mesh)
+    {
+        return DEM_OK;
+    }
+    dem_wall_search_use_indices(s, &p->walls);
+    DEM_TRY(dem_wall_store_follow(&p->wall_store, &p->walls, wall));
+    dem_wall_search_use_held(s, &p->walls);
+    return dem_collect_agree(&p->decomposition,
+                             dem_wall_search_prepare(s, &p->walls, s->radius));
+}
+
+int dem_api_move_wall(struct dem *d, const struct dem_mesh_wall *m, int now)
+{
+    struct dem_walls *const w = &d->state.walls;
+    const int wall = dem_walls_named(w, m->name);
+    double *corners;
+    size_t n;
+
+    DEM_TRY(follow(&d->state, wall));
+    DEM_TRY(dem_api_gather(&d->state, DEM_OK, 9, m->n, m->moved, &corners, &n));
+    const int status = now ? dem_walls_set_corners(w, wall, n, corners)
+                           : dem_walls_set_target(w, wall, n, corners);
+
+    dem_memory_free(corners);
+    return status;
+}
+
+int dem_api_position_mesh_walls(struct dem *d)
+{
+    for (size_t k = 0; k < d->mesh_walls; k++)
+    {
+        if (d->mesh_wall[k].moved)
+        {
+            DEM_TRY(dem_api_move_wall(d, &d->mesh_wall[k], 1));
+        }
+    }
+    return DEM_OK;
+}
+
+int dem_api_add_mesh_walls(struct dem *d)
+{
+    for (size_t k = 0; k < d->mesh_walls; k++)
+    {
+        struct dem_mesh_wall *const m = &d->mesh_wall[k];
+        int material, wall;
+
+        int status = dem_interaction_table_find_material(&d->state.interaction_table, m->material,
+                                                         m->name, &material);
+
+        status = status ? status : dem_walls_add(&d->state.walls, m->name, material, &wall);
+        DEM_TRY(dem_api_agree(d, status));
+        /* the walls sort their triangles, so the order of the ranks has no influence */
+        DEM_TRY(dem_wall_store_add(&d->state.wall_store, &d->state.walls, wall, m->n,
+                                   m->triangles));
+        dem_memory_free(m->triangles);
+        m->triangles = NULL;
+    }
+    return DEM_OK;
+}
+
+/* 1 when a group is placed inside walls, a mesh or a zone: each rank tests positions anywhere. */
+static int places_inside(const struct dem_dict *scene)
+{
+    const struct dem_dict *insert = NULL;
+    int inside = 0;
+
+    if (!dem_dict_has(scene, "insert") || dem_dict_sub_if(scene, "insert", &insert) || !insert)
+    {
+        return 0;
+    }
+    for (size_t k = 0; k < dem_dict_count(insert); k++)
+    {
+        const struct dem_entry *const e = dem_dict_entry(insert, k);
+        const struct dem_dict *const group = dem_entry_is_dict(e) ? dem_entry_dict(e) : NULL;
+
+        inside |= group && (dem_dict_has(group, "inside") || dem_dict_has(group, "zone"));
+    }
+    return inside;
+}
+
+void dem_api_begin_walls(struct dem *d)
+{
+    dem_wall_store_begin(&d->state.wall_store, &d->state.walls, places_inside(d->dict));
+}
+
+int dem_insert_region(struct dem *d, const char *name, int zone, int64_t n,
+                      const double *triangles)
+{
+    struct dem_insertion_regions *const g = &d->scene.insertion.regions;
+    double *corners;
+    size_t total;
+
+    DEM_TRY(dem_api_require_unchecked(d, "dem_insert_region"));
+    DEM_REQUIRE(strlen(name) < sizeof g->surface->name, DEM_ERROR_INPUT,
+                "zone %s: a name longer than %zu characters; shorten it", name,
+                sizeof g->surface->name - 1);
+    int status = dem_api_require_count("dem_insert_region", "triangles", n);
+
+    status = status ? status : DEM_GROW(g->surface, g->capacity, g->n + 1);
+    DEM_TRY(dem_api_gather(&d->state, status, 9, (size_t)n, triangles, &corners, &total));
+    struct dem_closed_surface *const s = &g->surface[g->n++];
+
+    *s = (struct dem_closed_surface){.what = zone ? "zone" : "mesh", .zone = zone};
+    snprintf(s->name, sizeof s->name, "%s", name);
+    return dem_api_agree(d, dem_closed_surface_init(s, total, corners));
+}

@@ -1,0 +1,144 @@
+/*
+ * contact_forces.h -- what the effects leave at each contact row: forces, moments, energies, rates of
+ * particle scalars.
+ *
+ * Forces and moments are records in slots. In a small scene the slot of a row is its number. In a
+ * large one rows of pairs pass through the first DEM_FORCE_BUFFER_ROWS slots, a ring buffer that stays
+ * in the second-level cache: a particle is summed shortly after its last row has been computed, and
+ * then the slot is used again. Rows that are summed later are deferred: they are copied to slots of
+ * their own behind the ring. Rows of walls have slots of their own, too. The ring is used where at most
+ * one row in eight is deferred.
+ *
+ * So after a step only rows of walls have their forces. `all_rows` keeps those of all rows after an
+ * observed step. A step is observed if something reads the state after it: the end of a window, a
+ * sample, a backup, the energy balance.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_CONTACTS_CONTACT_FORCES_H
+#define DEM_CONTACTS_CONTACT_FORCES_H
+
+#include "laws/batch.h"
+#include "contacts/contact_rows.h"
+
+enum
+{
+    DEM_FORCE_BUFFER_ROWS = 4096  /* slots of the ring, 256 kB of forces: two layers of a bed of 40 by
+                                     40 */
+};
+
+/* contact force of a row; one cache line */
+struct dem_contact_force
+{
+    double f[3], arm;             /* N on i; m: the lever arm of a side is radius - arm */
+    double t[3], spare;           /* N: n x F; torque on a side: -(radius - arm) t */
+};
+
+/* moment of a row that acts on its sides whatever the lever arms, of rolling or of a bond; half a
+   cache line */
+struct dem_contact_moment
+{
+    double m[3], spare;           /* N m on i; the opposite on j */
+};
+
+/* energies of a row, see laws/batch.h */
+struct dem_contact_energy
+{
+    double stored, lost;          /* J, J in the last step */
+    double bonds, broke;          /* bonds that hold, that broke in the last step */
+};
+
+struct dem_contact_forces
+{
+    int moments, has_energy;                      /* 1: an effect makes moments; one acts past
+                                                     touching */
+    int all_rows;                                 /* 1: bonds, averages or the virial read the forces
+                                                     of all rows */
+    uint32_t ring;                                /* slots of the ring: DEM_FORCE_BUFFER_ROWS, or 0 */
+    struct dem_contact_force *force;              /* per slot */
+    struct dem_contact_moment *moment;            /* per slot; NULL without `moments` */
+    size_t capacity;                              /* slots */
+    size_t own_slots, slot_row_capacity;          /* slots behind the ring: */
+    uint32_t *slot_row;                           /* the row of each; the first has none, the force 0 */
+    size_t first_deferred;                        /* from this one on they are of deferred rows,
+                                                     ascending; before it of walls */
+    uint64_t *deferred;                           /* a bit per row: 1 where it is deferred */
+    uint32_t *deferred_before;                    /* per word of these: bits before it */
+    size_t deferred_capacity, before_capacity;    /* words */
+    struct dem_contact_force *row_force;          /* per row; NULL without ring or `all_rows` */
+    struct dem_contact_moment *row_moment;
+    size_t row_force_capacity;
+    struct dem_contact_energy *energy;            /* per row; NULL without `has_energy` */
+    int rates;                                    /* particle scalars whose rates rows have */
+    double *rate;                                 /* 2 per row and scalar: what i and j receive;
+                                                     NULL without `rates` */
+    size_t row_capacity;                          /* rows of these two */
+    int64_t touching;                             /* rows with overlap whose i is owned; valid after
+                                                     an observed step */
+};
+
+/* Force and moment of any row after an observed step, with `all_rows`. */
+static inline const struct dem_contact_force *
+dem_contact_forces_of_row(const struct dem_contact_forces *c, uint32_t row)
+{
+    return (c->ring ? c->row_force : c->force) + row;
+}
+
+static inline const struct dem_contact_moment *
+dem_contact_moments_of_row(const struct dem_contact_forces *c, uint32_t row)
+{
+    return (c->ring ? c->row_moment : c->moment) + row;
+}
+
+/* The slot of the first row of a batch. */
+static inline uint32_t dem_contact_forces_slot(const struct dem_contact_forces *c,
+                                               const struct dem_segment *segment, int with_wall,
+                                               uint32_t row)
+{
+    return with_wall || !c->ring ? segment->slot + (row - segment->first) : row & (c->ring - 1);
+}
+
+/* The oldest row in the ring when a particle is summed, at the end of the batch of rows that holds the
+   last one it needs; below 0 while the ring has not been filled. */
+static inline int64_t dem_contact_forces_oldest(const struct dem_contact_rows *rows,
+                                                size_t particle)
+{
+    return (int64_t)rows->needed[particle/DEM_BATCH_ROWS] + 2*DEM_BATCH_ROWS -
+           DEM_FORCE_BUFFER_ROWS;
+}
+
+/* The row of an entry of a particle; the one past the last where the entry has none. */
+static inline uint32_t dem_contact_forces_row(const struct dem_contact_forces *c,
+                                              const struct dem_contact_rows *rows, size_t particle,
+                                              uint32_t entry)
+{
+    const uint32_t slot = entry >> DEM_ENTRY_SLOT_SHIFT;
+    const uint32_t oldest = (uint32_t)dem_contact_forces_oldest(rows, particle);
+
+    return !c->ring         ? slot
+           : slot < c->ring ? oldest + ((slot - oldest) & (c->ring - 1))
+                            : c->slot_row[slot - c->ring];
+}
+
+void dem_contact_forces_free(struct dem_contact_forces *);
+
+/* Bytes held; of the ring; of a row of a pair in a scene without ring, or at most with one. */
+size_t dem_contact_forces_bytes(const struct dem_contact_forces *);
+size_t dem_contact_forces_ring_bytes(const struct dem_contact_forces *);
+size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *, int ring);
+
+/* After rows and adjacency are built: choose whether there is a ring, and assign slots to entries and
+   segments, which have the numbers of rows so far. n: owned particles. */
+int dem_contact_forces_assign_slots(struct dem_contact_forces *, struct dem_contact_rows *,
+                                    const struct dem_pair_list *, size_t n);
+
+/* Energies and rates of `capacity` rows, those of the first n zero. */
+int dem_contact_forces_resize(struct dem_contact_forces *, size_t n, size_t capacity);
+void dem_contact_forces_clear(struct dem_contact_forces *);    /* free these */
+
+/* Forces and moments, to be written by a sweep; those of entries without a row are zero. While history
+   is saved there are neither rows nor contact forces: this keeps the peak of memory low. */
+int dem_contact_forces_allocate(struct dem_contact_forces *, const struct dem_contact_rows *);
+void dem_contact_forces_release(struct dem_contact_forces *);
+
+#endif

@@ -1,0 +1,153 @@
+/*
+ * pair_list.c -- the pairs of each owned particle, in the order in which it sums them.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "contacts/pair_list.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/sort.h"
+#include <string.h>
+
+void dem_pair_list_free(struct dem_pair_list *c)
+{
+    dem_memory_free(c->pair);
+    dem_memory_free(c->start);
+    dem_memory_free(c->entry);
+    memset(c, 0, sizeof *c);
+}
+
+size_t dem_pair_list_bytes(const struct dem_pair_list *c)
+{
+    return c->capacity*sizeof *c->pair + c->entry_capacity*sizeof *c->entry +
+           c->start_capacity*sizeof *c->start;
+}
+
+/* The order of a particle's sum: partner id, then image; walls after all particles, by facet (the
+   list of wall neighbors is in that order). */
+static int comes_later(const struct dem_pair_list *c, const struct dem_particles *p, uint32_t a,
+                       uint32_t b)
+{
+    const struct dem_pair *const s = &c->pair[a >> 1], *const t = &c->pair[b >> 1];
+
+    if (s->wall || t->wall)
+    {
+        return s->wall > t->wall || (s->wall && t->wall && s->j > t->j);
+    }
+    const int64_t is = p->record[a & 1 ? s->i : s->j].id, it = p->record[b & 1 ? t->i : t->j].id;
+
+    return is > it || (is == it && s->shift > t->shift);
+}
+
+static void sort_by_insertion(const struct dem_pair_list *c, const struct dem_particles *p,
+                              uint32_t *entry, uint32_t count)
+{
+    for (uint32_t k = 1; k < count; k++)
+    {
+        const uint32_t here = entry[k];
+        uint32_t m = k;
+
+        for (; m > 0 && comes_later(c, p, entry[m - 1], here); m--)
+        {
+            entry[m] = entry[m - 1];
+        }
+        entry[m] = here;
+    }
+}
+
+/* The same in linear time: a large particle may have thousands of small neighbours. `pair`:
+   capacity 2 count. */
+static void sort_by_radix(const struct dem_pair_list *c, const struct dem_particles *p,
+                          uint32_t *entry, uint32_t count, struct dem_sort_pair *pair)
+{
+    for (uint32_t k = 0; k < count; k++)
+    {
+        const struct dem_pair *const q = &c->pair[entry[k] >> 1];
+        const uint64_t other =
+            q->wall ? (uint64_t)1 << 63 | q->j : (uint64_t)p->record[entry[k] & 1 ? q->i : q->j].id;
+
+        pair[k] =
+            (struct dem_sort_pair){.hi = other, .lo = q->wall ? 0 : q->shift, .index = entry[k]};
+    }
+    dem_sort_pairs(pair, count, pair + count);
+    for (uint32_t k = 0; k < count; k++)
+    {
+        entry[k] = pair[k].index;
+    }
+}
+
+static int sort_entries(struct dem_pair_list *c, const struct dem_particles *p)
+{
+    /* limit of insertion sort; equal spheres: about 15 */
+    enum { INSERTION_LIMIT = 32 };
+
+    struct dem_sort_pair *pair = NULL;
+    size_t capacity = 0;
+
+    for (size_t i = 0; i < p->n; i++)
+    {
+        uint32_t *const entry = c->entry + c->start[i];
+        const uint32_t count = c->start[i + 1] - c->start[i];
+
+        if (count <= INSERTION_LIMIT)
+        {
+            sort_by_insertion(c, p, entry, count);
+            continue;
+        }
+        const int grown = DEM_GROW(pair, capacity, 2*(size_t)count);
+
+        if (grown)
+        {
+            dem_memory_free(pair);
+            return grown;
+        }
+        sort_by_radix(c, p, entry, count, pair);
+    }
+    dem_memory_free(pair);
+    return DEM_OK;
+}
+
+int dem_pair_list_build_adjacency(struct dem_pair_list *c, const struct dem_particles *p)
+{
+    const size_t n = p->n, capacity = dem_memory_capacity(c->start_capacity, n + 2);
+
+    DEM_TRY(DEM_RESIZE(c->start, c->start_capacity, capacity));
+    c->start_capacity = capacity;
+    memset(c->start, 0, (n + 2)*sizeof *c->start);
+    for (size_t k = 0; k < c->n; k++)
+    {
+        const struct dem_pair *const q = &c->pair[k];
+
+        if (q->i < n)
+        {
+            c->start[q->i + 2]++;
+        }
+        if (!q->wall && q->j < n)
+        {
+            c->start[q->j + 2]++;
+        }
+    }
+    for (size_t i = 2; i < n + 2; i++)
+    {
+        c->start[i] += c->start[i - 1];
+    }
+    const size_t entries = c->start[n + 1],
+                 entry_capacity = dem_memory_capacity(c->entry_capacity, entries);
+
+    DEM_TRY(DEM_RESIZE(c->entry, c->entry_capacity, entry_capacity));
+    c->entry_capacity = entry_capacity;
+    for (size_t k = 0; k < c->n; k++)
+    {
+        const struct dem_pair *const q = &c->pair[k];
+
+        if (q->i < n)
+        {
+            c->entry[c->start[q->i + 1]++] = (uint32_t)(2*k);
+        }
+        if (!q->wall && q->j < n)
+        {
+            c->entry[c->start[q->j + 1]++] = (uint32_t)(2*k + 1);
+        }
+    }
+    return sort_entries(c, p);
+}

@@ -1,0 +1,17 @@
+/*
+ * wall_rows.h -- the contact rows of wall neighbors.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_CONTACTS_WALL_ROWS_H
+#define DEM_CONTACTS_WALL_ROWS_H
+
+#include "contacts/contacts.h"
+#include "laws/interaction_table.h"
+#include "walls/wall_touch.h"
+
+/* Assign the contact rows; after every prune. */
+void dem_wall_touches_set_rows(struct dem_wall_touches *, const struct dem_wall_search *,
+                               const struct dem_contacts *, const struct dem_interaction_table *);
+
+#endif

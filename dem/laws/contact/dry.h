@@ -1,0 +1,29 @@
+/*
+ * dry.h -- the law of dry.c on one row.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_LAWS_DRY_H
+#define DEM_LAWS_DRY_H
+
+#include "laws/contact/restitution.h"
+
+struct dem_dry
+{
+    double restitution;
+    int attraction;
+    double alpha, min_force;    /* 1, N  derived */
+};
+
+enum
+{
+    dem_dry_columns = 0
+};
+
+DEM_MATH void dem_dry_row(const struct dem_dry *l, struct dem_contact_row *r, double *history)
+{
+    (void)history;
+    dem_dashpot_row(r, l->alpha*sqrt(r->reduced_mass*r->kn), l->min_force);
+}
+
+#endif

@@ -1,0 +1,34 @@
+/*
+ * hertz.h -- the law of hertz.c on one row.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_LAWS_HERTZ_H
+#define DEM_LAWS_HERTZ_H
+
+#include "core/math.h"
+#include "laws/row.h"
+#include <math.h>
+
+struct dem_hertz
+{
+    double impact_speed;
+    double stiffness;
+    double modulus;  /* Pa   4/3 E* or the stiffness, derived */
+};
+
+enum
+{
+    dem_hertz_columns = 0
+};
+
+#define dem_hertz_before DEM_NOTHING_BEFORE
+
+DEM_MATH void dem_hertz_row(const struct dem_hertz *l, struct dem_contact_row *r, double *history)
+{
+    (void)history;
+    r->kn = l->modulus*sqrt(r->reduced_radius*r->overlap);
+    r->fn += r->kn*r->overlap;
+}
+
+#endif

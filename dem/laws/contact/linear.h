@@ -1,0 +1,34 @@
+/*
+ * linear.h -- the law of linear.c on one row.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_LAWS_LINEAR_H
+#define DEM_LAWS_LINEAR_H
+
+#include "laws/contact/friction.h"
+
+struct dem_linear
+{
+    struct dem_friction_settings common;
+    double stiffness, ratio;
+};
+
+enum
+{
+    dem_linear_columns = 3
+};
+
+/* k_t [N/m] */
+DEM_MATH double dem_linear_stiffness(const struct dem_linear *l, const struct dem_contact_row *r)
+{
+    return l->stiffness*r->touching + l->ratio*r->kn;
+}
+
+DEM_MATH void dem_linear_row(const struct dem_linear *l, struct dem_contact_row *r, double *xi)
+{
+    r->kt = dem_linear_stiffness(l, r);
+    dem_friction_row(&l->common, r, xi);
+}
+
+#endif

@@ -1,0 +1,111 @@
+/*
+ * restitution.h -- dashpot coefficient for a given coefficient of restitution.
+ *
+ *   eta = alpha sqrt(m* k_n),    alpha = sqrt(2 (p + 1)) * L/sqrt(pi^2 + L^2),    L = -ln e
+ *
+ *   eta  force per normal relative velocity                        [kg/s]
+ *   m*   reduced mass                                              [kg]
+ *   k_n  secant stiffness of the normal law F = k_n d ~ d^p        [N/m]
+ *   p    exponent of the normal law: 1 linear, 3/2 Hertz           [1]
+ *
+ * With a dashpot ~ d^((p-1)/2) a change of variables turns the equation of motion into the linear
+ * one, so e does not depend on the impact speed and alpha is exact: p = 1 gives the textbook value
+ * 2 L/sqrt(pi^2 + L^2), p = 3/2 the sqrt(5) L/sqrt(pi^2 + L^2) of Hu et al. L/sqrt(pi^2 + L^2) is 0
+ * for e = 1, and 1 (critical damping) for e = 0. Both hold if the force may be attractive at the
+ * end of the contact; clamped at zero, restitution is higher. A spring that is itself attractive
+ * (adhesion) is never clamped.
+ *
+ * Source: Antypov and Elliott, EPL 94 (2011) 50004; Hu, Hu, Jian, Liu, Wan, J. Computers 6, no. 5
+ * (2011).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_LAWS_RESTITUTION_H
+#define DEM_LAWS_RESTITUTION_H
+
+#include "core/math.h"
+#include "laws/row.h"
+
+#define DEM_RESTITUTION_PI2 9.86960440108935862           /* pi^2 */
+
+/* sqrt(2 (p + 1)): alpha at critical damping */
+static inline double dem_restitution_critical(double exponent)
+{
+    return sqrt(2.0*(exponent + 1.0));
+}
+
+/* -ln e; 1e9 for e = 0: from there on L/sqrt(pi^2 + L^2) is 1 in double precision */
+static inline double dem_restitution_loss(double e)
+{
+    return e > 0.0 ? 0.0 - dem_log(e) : 1e9;
+}
+
+/* ---- attraction at the end of a contact: the dashpot pulls harder than the spring repels --------- */
+
+enum
+{
+    DEM_ATTRACTION_ALLOWED,
+    DEM_ATTRACTION_CLAMPED,
+    DEM_ATTRACTION_NONE
+};
+static const char *const dem_attractions[] = {"allowed", "clamped", "none", NULL};
+
+/* N: the smallest normal force that this choice allows; above 0: as 0, for attractive springs too */
+static inline double dem_attraction_min_force(int choice)
+{
+    return choice == DEM_ATTRACTION_NONE ? 1.0 : choice == DEM_ATTRACTION_CLAMPED ? 0.0 : -1e30;
+}
+
+/* The damping force joins the spring of the row. Clamped, a repulsive spring force does not become
+   attractive, and an attractive one is not changed. None: max(F, 0) of the whole, eq. (10) of Open
+   DEM Japan, Hooke/Hysteresis normal contact model (in Japanese, 2025); and no adhesive force counts
+   in the friction limit. min_force: of dem_attraction_min_force. */
+DEM_MATH void dem_damping_row(struct dem_contact_row *r, double eta, double damping,
+                              double min_force)
+{
+    const double spring = r->fn, sum = spring - damping;
+    const double lowest = dem_select(min_force > 0.0, 0.0, min_force);
+
+    r->eta = eta;
+    r->fn = dem_select(((spring < 0.0) & (min_force <= 0.0)) | (sum >= lowest), sum, lowest);
+    r->adhesive_force = dem_select(min_force > 0.0, 0.0, r->adhesive_force);
+}
+
+/* A dashpot on the velocity of half a step ago. */
+DEM_MATH void dem_dashpot_row(struct dem_contact_row *r, double eta, double min_force)
+{
+    dem_damping_row(r, eta, eta*r->vn, min_force);
+}
+
+/* A dashpot on the velocity in the middle of the kick, as far as this contact alone changes it:
+
+     F = F_s - eta (v_n + a F),  a = dt/(2 m*),  so  F = F_s - eta (v_n + a F_s)/(1 + a eta)
+
+   Of second order in the step, and stable with any eta. With the velocity before the kick an impact
+   of 20 steps that returns 0.17 of its speed would return 6 % less, one that returns 0.05 20 %. */
+DEM_MATH void dem_centred_dashpot_row(struct dem_contact_row *r, double eta, double min_force)
+{
+    const double mass = r->reduced_mass,
+                 a = dem_select(mass > 0.0, 0.5*r->dt/dem_select(mass > 0.0, mass, 1.0), 0.0);
+
+    dem_damping_row(r, eta, eta*(r->vn + a*r->fn)/(1.0 + a*eta), min_force);
+}
+
+/* ---- energy ------------------------------------------------------------------------------------------------------ */
+
+/* J: dissipated by the dashpot: its force, clamped or not, times the velocity in the middle of
+   the kick, as far as this contact alone changes it: eta v_n (v_n + F_n dt/2 m*) dt. With v_n
+   before the kick instead, an impact with e = 0.9 and 20 steps would count 0.5 % too much. */
+static inline void dem_restitution_energy(const struct dem_contact_batch *b,
+                                          struct dem_energy *restrict e)
+{
+    for (int c = 0; c < b->n; c++)
+    {
+        const double mass = b->reduced_mass[c],
+                       gain = dem_select(mass > 0, b->dt/2/dem_select(mass > 0, mass, 1), 0);
+
+        e->lost[c] = -b->touching[c]*e->normal_force[c]*(b->vn[c] + gain*b->fn[c])*b->dt;
+    }
+}
+
+#endif

@@ -1,0 +1,42 @@
+/*
+ * rolling_constant.h -- the law of rolling_constant.c on one row.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_LAWS_ROLLING_CONSTANT_H
+#define DEM_LAWS_ROLLING_CONSTANT_H
+
+#include "laws/contact/rolling.h"
+
+struct dem_rolling_constant
+{
+    double friction;
+};
+
+enum
+{
+    dem_rolling_constant_columns = 0
+};
+
+DEM_MATH void dem_rolling_constant_row(const struct dem_rolling_constant *l,
+                                       struct dem_contact_row *r, double *history)
+{
+    const double hx = r->hx, hy = r->hy, hz = r->hz, R = r->reduced_radius;
+    const double twist = r->wx*hx + r->wy*hy + r->wz*hz;
+    const double wx = r->wx - twist*hx, wy = r->wy - twist*hy, wz = r->wz - twist*hz;
+    const double size = sqrt(wx*wx + wy*wy + wz*wz);
+
+    /* N m s: torque over spin, of friction, limited to what stops the rolling in this step */
+    const double torque = dem_select(r->fn > 0.0, l->friction*R*r->fn, 0.0);
+    const double max_drag = dem_rolling_max_drag(r);
+    const double drag =
+        dem_select(torque < max_drag*size, torque/dem_select(size > 0.0, size, 1.0),
+                   dem_select(torque > 0.0, max_drag, 0.0));
+
+    (void)history;
+    r->mx -= drag*wx;
+    r->my -= drag*wy;
+    r->mz -= drag*wz;
+}
+
+#endif

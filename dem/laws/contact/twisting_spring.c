@@ -1,0 +1,174 @@
+/*
+ * twisting_spring.c -- torsional resistance: a rotational spring about the normal.
+ *
+ *   M = (-k_w theta - c_w w_n) n,   |M| <= L max(F_n, 0)
+ *   k_w = 16/3 G_w a^3,   c_w = 2 zeta sqrt(k_w I),   I = 2/5 m* R*^2
+ *
+ *   M      moment on i, the opposite on j                          [N m]
+ *   theta  twist angle, the integral of w_n (history)              [rad]
+ *   w_n    relative spin (w_i - w_j).n                             [1/s]
+ *   a      radius of the contact circle, sqrt(R* d)                [m]
+ *   G_w    1/G_w = sum 1/G, G = E/(2 (1 + nu)) of both partners    [Pa]
+ *   F_n    total normal force, repulsion positive                  [N]
+ *   L      friction coefficient times lever arm: 3 pi/16 mu a (Hertz pressure), or mu R*       [m]
+ *   mu     coefficient of friction, a setting                      [1]
+ *   zeta   damping ratio, a setting                                [1]
+ *
+ * With the lever `contact`, mu is the coefficient of sliding friction: each ring of the circle
+ * slides under the Hertz pressure, 2 pi int r^2 mu p(r) dr = 3 pi/16 mu a F_n. With `reduced`, mu
+ * R* models a roughness or a flat that is larger than the contact circle of two spheres. k_w is the
+ * torsional stiffness of two elastic bodies bonded over the circle. It is computed from k_n of the
+ * normal law as 4 (G_w/E*) k_n a^2, which is the same with hertz and also defined for any other
+ * normal law.
+ *
+ * I is the inertia of a sphere spinning on a wall, for which zeta = 1 is critical; two equal
+ * spheres have 4 times that and are damped by zeta/2.
+ *
+ * Source: torsion: Reissner and Sagoci, J. Appl. Phys. 15 (1944) 652; Lubkin, J. Appl. Mech. 18
+ * (1951) 183; as a contact law: Marshall, J. Comput. Phys. 228 (2009) 1541. Changed from Marshall:
+ * k_w is the elastic stiffness, not k_t a^2/2, and the limit is 3 pi/16 for the Hertz pressure, not
+ * 2/3 for a uniform one.
+ * Not here: slip and twist under a common friction limit; slip that begins at the rim.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "laws/effect.h"
+
+#include "laws/contact/slider.h"
+
+struct twisting_spring
+{
+    double friction;
+    int lever;
+    double damping;
+    double ratio;                                         /* 1    k_w per k_n a^2, derived */
+};
+
+enum
+{
+    CONTACT,
+    REDUCED
+};
+static const char *const levers[] = {"contact", "reduced", NULL};
+
+static const struct dem_setting settings[] = {
+    DEM_SETTING(twisting_spring, friction, "1", DEM_SETTING_REQUIRED, 0.0, 100.0,
+              "mu: coefficient of friction"),
+    DEM_SETTING_CHOICE(twisting_spring, lever, "lever", CONTACT, levers,
+                     "largest moment over mu F_n: 3 pi/16 of the contact radius, or the reduced "
+                     "radius"),
+    DEM_SETTING(twisting_spring, damping, "1", 0.0, 0.0, 1.0,
+              "zeta: damping ratio of a sphere on a plane in torsional oscillation, 1 is critical"),
+    {0},
+};
+
+static const char *const history_names[] = {"twist", NULL};
+
+/* Pa: G_w; a rigid partner has an infinite modulus and adds nothing */
+static double torsion_modulus(const struct dem_material *a, const struct dem_material *b)
+{
+    return 1.0/(2.0*(1.0 + a->poissons_ratio)/a->youngs_modulus +
+                  2.0*(1.0 + b->poissons_ratio)/b->youngs_modulus);
+}
+
+static int prepare(void *of, const struct dem_pair_class *pair)
+{
+    DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
+                "twistingSpring between %s and %s: there is no normal law; add one to the effects, "
+                "hertz for "
+                "example", pair->a->name, pair->b->name);
+    ((struct twisting_spring *)of)->ratio =
+        4.0*torsion_modulus(pair->a, pair->b)/pair->reduced_modulus;
+    return DEM_OK;
+}
+
+DEM_MATH void row(const struct twisting_spring *l, struct dem_contact_row *r, double *twist)
+{
+    /* 3 pi/16 */
+    const double by_contact = dem_select(l->lever == CONTACT, 0.58904862254808623, 0.0);
+    const double by_radius = dem_select(l->lever == REDUCED, 1.0, 0.0);
+    const double R = r->reduced_radius, a2 = R*r->overlap;
+    const double lever = by_contact*sqrt(a2) + by_radius*R;
+    const double stiffness = l->ratio*r->kn*a2;
+    const double damping = 2.0*l->damping*R*sqrt(0.4*r->reduced_mass*stiffness);
+    const double rate = r->wx*r->hx + r->wy*r->hy + r->wz*r->hz;
+
+    /* sticks or slips, as in slider.h */
+    const double angle = twist[0] + r->dt*rate;
+    const double trial = -stiffness*angle - damping*rate, size = fabs(trial);
+    const double limit = dem_select(r->fn > 0.0, l->friction*lever*r->fn, 0.0);
+    const double moment =
+        dem_select(size < limit, 1.0, limit/dem_select(size > 0.0, size, 1.0))*trial;
+    const double effective = stiffness + damping*r->inverse_dt;
+    const double slipped = (moment - trial)/dem_select(effective > 0.0, effective, 1.0);
+
+    twist[0] = dem_select(limit > 0.0, dem_select(size < limit, angle, angle - slipped), 0.0);
+    r->mx += moment*r->nx;
+    r->my += moment*r->ny;
+    r->mz += moment*r->nz;
+}
+
+DEM_CONTACT_LOOP(apply, twisting_spring, row, 1, mx, my, mz)
+
+/* as dem_slider_energy of slider.h, for an angle */
+static void energy(const void *of, const struct dem_contact_batch *restrict b,
+                   double *const *before, double *const *history, struct dem_energy *restrict e)
+{
+    const struct twisting_spring *twisting = of;
+    const double *const from = before[0], *const to = history[0],
+                          inverse_dt = dem_contact_batch_inverse_dt(b);
+
+    for (int c = 0; c < b->n; c++)
+    {
+        const double R = b->reduced_radius[c],
+                       stiffness = b->touching[c]*twisting->ratio*b->kn[c]*R*b->overlap[c];
+        const double was = twisting->ratio*e->previous_kn[c]*R*e->previous_overlap[c];
+        const double rate = b->wx[c]*b->hx[c] + b->wy[c]*b->hy[c] + b->wz[c]*b->hz[c],
+                       slipped = from[c] + b->dt*rate - to[c];
+        const double damping = 2.0*twisting->damping*R*sqrt(0.4*b->reduced_mass[c]*stiffness);
+        const double dashpot =
+            dem_select(b->fn[c] > 0.0, damping*inverse_dt*(to[c] - from[c]), 0.0);
+        const double damped =
+            dashpot*(rate - 0.5*b->dt*(stiffness*to[c] + dashpot)/e->inertia[c])*b->dt;
+
+        e->stored[c] = 0.5*stiffness*to[c]*to[c];
+        e->lost[c] = damped + 0.5*(was*from[c] + stiffness*to[c])*slipped -
+                     0.5*(stiffness - was)*from[c]*to[c];
+    }
+}
+
+/* In use: its largest moment over R* mu F_n: 3 pi/16 sqrt(d/R*) mu_t/mu at the overlap d of an
+   impact, or mu_t/mu. */
+static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)
+{
+    const struct twisting_spring *const twisting = of;
+
+    if (!twisting)
+    {
+        return 0;
+    }
+    v->fraction =
+        (twisting->lever == REDUCED ? 1.0 : 3.0*3.14159265358979324/16.0*sqrt(g->overlap))*
+        twisting->friction /(g->friction > 0.0 ? g->friction : 1.0);
+    v->quantity = "of the moment of friction resists twisting (Marshall 2009)";
+    return 1;
+}
+
+const struct dem_effect dem_twisting_spring = {
+    .name = "twistingSpring",
+    .summary =
+        "torsional resistance about the normal: the elastic torsion of the contact, which slips",
+    .source = "Reissner and Sagoci 1944; Lubkin 1951; Marshall 2009",
+    .stage = DEM_STAGE_MOMENT,
+    .parcels = DEM_PARCELS_SAME,
+    .needs = DEM_NEEDS_SPIN,
+    .example = "friction 0.1;",
+    .size = sizeof(struct twisting_spring),
+    .settings = settings,
+    .history = history_names,
+    .prepare = prepare,
+    .apply = apply,
+    .energy = energy,
+    .relevance = relevance,
+    .mechanism = DEM_MECHANISM_TWISTING,
+};

@@ -1,0 +1,30 @@
+/*
+ * viscous.h -- the law of viscous.c on one row.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_LAWS_VISCOUS_H
+#define DEM_LAWS_VISCOUS_H
+
+#include "laws/contact/restitution.h"
+
+struct dem_viscous
+{
+    double coefficient;
+    int attraction;
+    double min_force;    /* N  derived */
+};
+
+enum
+{
+    dem_viscous_columns = 0
+};
+
+DEM_MATH void dem_viscous_row(const struct dem_viscous *l, struct dem_contact_row *r,
+                              double *history)
+{
+    (void)history;
+    dem_dashpot_row(r, l->coefficient*r->touching, l->min_force);
+}
+
+#endif

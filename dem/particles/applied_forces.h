@@ -1,0 +1,40 @@
+/*
+ * applied_forces.h -- forces and torques that a scene prescribes for chosen particles.
+ *
+ * A particle is chosen by all conditions that are given: its id, its material, a box in which its
+ * centre is, and the time. Nothing is stored with particles, so choice and force are the same on
+ * any number of ranks and after a restart.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_PARTICLES_APPLIED_FORCES_H
+#define DEM_PARTICLES_APPLIED_FORCES_H
+
+#include "particles/particles.h"
+
+struct dem_applied_force
+{
+    const char *name;            /* of its entry in the scene */
+    double force[3], torque[3];  /* N, N m */
+    double start, end;           /* s  from start on, before end */
+    double min[3], max[3];       /* m  the centre lies between them; infinite: anywhere */
+    int material;                /* -1: any */
+    int64_t *ids;                /* in rising order; NULL: all */
+    size_t count;
+};
+
+struct dem_applied_forces
+{
+    struct dem_applied_force *force;
+    int n;
+    int torques;                 /* 1: some torque is not zero */
+};
+
+void dem_applied_forces_free(struct dem_applied_forces *);
+
+/* Force [N] and torque [N m] on a particle at this time [s]; 0 if there is none. Frozen particles
+   have none. */
+int dem_applied_forces_at(const struct dem_applied_forces *, const struct dem_particle *,
+                          double time, double force[3], double torque[3]);
+
+#endif

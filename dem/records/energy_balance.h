@@ -1,0 +1,217 @@
+/*
+ * energy_balance.h -- energy balance of the particles: where their energy comes from and where it
+ * goes.
+ *
+ *   total = kinetic + gravity + elastic + lost + broken + paused - work of walls
+ *           - work of other body forces + carried out - carried in
+ *           + gain of heat content - what it comes from (energy_heat.c)
+ *
+ * The total is constant up to the error of the integrator; its change is the residual. Each term is
+ * computed by a formula of its own; none is the difference of the others.
+ *
+ *   drift   positions move with the velocity of half a step ago, so the forces before and after the
+ *           drift each do half of the work. Rows report elastic energy as a function of their
+ *           positions, and heat for the drift: by `energy` of struct dem_effect, or, for an effect
+ *           without it, the work of its force (reported as measured).
+ *   gravity m g times the displacement of the particles: wrapping at periodic faces does no work.
+ *   walls   force on the particle times the velocity of the wall's surface, half of it with the
+ *           forces before the drift.
+ *   kick    body forces except gravity: force times the mean of the velocities before and after,
+ *           which is exact. For drag, impulse times u is work of the fluid, impulse times (u - v)
+ *           is lost.
+ *
+ * paused  kinetic energy that is removed where mechanics pause (run/pause.c).
+ *
+ * All sums are exact (core/sum.h), and each row is counted by the owner of its lower id: the same
+ * digits on any number of ranks. The balance begins in dem_setup and again at every restart. A run
+ * without it has no column, no sum and no copy for it.
+ *
+ * Order of the error: second in the time step for what is elastic, yields, slips or breaks; first
+ * with dashpots, rolling resistance and discontinuous forces. The springs of ended contacts and of
+ * broken bonds are taken to hold the energy of a step ago plus what the drift supplied with that
+ * force alone. Not included: the energy in contacts of a particle that leaves the domain; the work
+ * of the force on a moving wall in the first half step after a restart (a snapshot does not hold
+ * the force of each wall).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_RECORDS_ENERGY_BALANCE_H
+#define DEM_RECORDS_ENERGY_BALANCE_H
+
+#include "core/sum.h"
+#include "dem_types.h"
+#include "particles/particles.h"
+#include "laws/interaction_table.h"
+
+struct dem_state;
+struct dem_contact_workspace;
+
+enum dem_energy_balance_sum                                       /* of each effect: */
+{
+    DEM_ENERGY_BALANCE_ELASTIC,  /* J  elastic energy in the last sweep that summed it */
+    DEM_ENERGY_BALANCE_LOST,     /* J  heat since the start */
+    DEM_ENERGY_BALANCE_WORK,     /* J  on particles, since the start: body effects */
+    DEM_ENERGY_BALANCE_SUMS_PER_EFFECT,
+    /* of the whole: J  work of gravity */
+    DEM_ENERGY_BALANCE_GRAVITY = DEM_ENERGY_BALANCE_SUMS_PER_EFFECT*DEM_EFFECT_LIST_LIMIT,
+    DEM_ENERGY_BALANCE_BROKEN,   /* J  lost by bonds that broke */
+    DEM_ENERGY_BALANCE_PAUSED,   /* J  kinetic energy removed where mechanics paused */
+    DEM_ENERGY_BALANCE_WALLS,    /* J  work of walls on particles */
+    DEM_ENERGY_BALANCE_OUT,      /* J  carried out by particles that left */
+    DEM_ENERGY_BALANCE_IN,       /* J  carried in by particles that came */
+    DEM_ENERGY_BALANCE_APPLIED,  /* J  work of the scene's forces on chosen particles */
+    DEM_ENERGY_BALANCE_DRIVEN,   /* J  work of what moves driven particles */
+    DEM_ENERGY_BALANCE_CONTENT,  /* J  heat content at the start, negative */
+    DEM_ENERGY_BALANCE_HEATED,   /* J  dissipated in contacts whose heat partners receive */
+    DEM_ENERGY_BALANCE_HEAT_WALLS,   /* J  heat from walls */
+    DEM_ENERGY_BALANCE_HEAT_BODIES,  /* J  heat from the fluid and the program */
+    DEM_ENERGY_BALANCE_HEAT_OUT, /* J  heat content of particles that left */
+    DEM_ENERGY_BALANCE_HEAT_IN,  /* J  of particles that came */
+    DEM_ENERGY_BALANCE_SUMS
+};
+
+enum
+{
+    DEM_ENERGY_BALANCE_ITEMS = 18 + DEM_ENERGY_BALANCE_SUMS_PER_EFFECT*DEM_EFFECT_LIST_LIMIT
+};
+
+struct dem_energy_balance_scratch    /* working columns of the current batch */
+{
+    const struct dem_effect *effect[DEM_EFFECT_LIST_LIMIT];  /* in the order of their sums */
+    struct dem_energy energy;
+    struct dem_contact_batch was;                            /* the batch with the overlap of a
+                                                                step ago, for the normal law */
+    double rate[DEM_BATCH_ROWS];                             /* m/s  rate of change
+                                                                of the distance */
+    double *before[DEM_HISTORY_COLUMNS];
+    _Alignas(64) double column[DEM_HISTORY_COLUMNS][DEM_BATCH_ROWS];
+    struct                                                   /* forces and energies of the batch
+                                                                before the effect acted */
+    {
+        double fn[DEM_BATCH_ROWS], fx[DEM_BATCH_ROWS], fy[DEM_BATCH_ROWS], fz[DEM_BATCH_ROWS],
+            mx[DEM_BATCH_ROWS], my[DEM_BATCH_ROWS], mz[DEM_BATCH_ROWS];
+        double stored[DEM_BATCH_ROWS], lost[DEM_BATCH_ROWS], broke[DEM_BATCH_ROWS];
+    } then;
+    double force[3][DEM_BATCH_ROWS];                         /* N    on particles before
+                                                                the effect acted */
+    double own[DEM_EFFECT_LIST_LIMIT][3][DEM_BATCH_ROWS];    /* N    of each body effect */
+};
+
+struct dem_energy_balance
+{
+    int open;                                               /* 1: this run has an energy balance */
+    int driven;                                             /* 1: there are driven particles */
+    int flows;                                              /* 1: the run has streams or outlets */
+    int pauses;                                             /* 1: mechanics may pause */
+    int begun;                                              /* 1: heat is summed; 0 in the sweep
+                                                               that the balance begins with */
+    int sums_elastic;                                       /* 1: the next sweep sums
+                                                               elastic energies */
+    double since, start;                                    /* s, J: when it began,
+                                                               the total then */
+    int heat;                                               /* the particle scalar whose content is
+                                                               energy, or -1 */
+    double gravity[3];                                      /* m/s2 */
+    struct dem_sum *sum;                                    /* DEM_ENERGY_BALANCE_SUMS */
+    struct dem_energy_balance_scratch *scratch;
+    int items;
+    struct dem_energy_item item[DEM_ENERGY_BALANCE_ITEMS];  /* as reported last */
+};
+
+/* Before the first sweep, with the final interaction table. */
+int dem_energy_balance_open(struct dem_energy_balance *, const struct dem_interaction_table *);
+void dem_energy_balance_free(struct dem_energy_balance *);
+
+/* Collective. After a sweep that summed elastic energies: the present total becomes the reference
+   of the residual. */
+void dem_energy_balance_begin(struct dem_state *);
+
+/* Collective, at the end of a window. Compute all terms, as `items` entries of `item`. */
+void dem_energy_balance_report(struct dem_state *);
+
+/* ---- contacts: a batch of the sweep ---------------------------------------------------------- */
+
+struct dem_energy_balance_rows    /* one effect applied to a batch */
+{
+    const struct dem_effect_list *list;
+    const struct dem_effect_entry *entry;
+    double **memory;  /* its history columns at the rows of the batch */
+    uint32_t row;     /* the first; */
+    int rows;         /* their number without padding */
+};
+
+/* Before the first batch of a sweep; before the first effect of a batch (`link` is not used);
+   before and after each effect. */
+void dem_energy_balance_begin_sweep(struct dem_energy_balance *);
+void dem_energy_balance_begin_batch(struct dem_state *, const struct dem_contact_workspace *,
+                                    const struct dem_energy_balance_rows *);
+void dem_energy_balance_before_effect(struct dem_state *, const struct dem_contact_workspace *,
+                                      const struct dem_energy_balance_rows *);
+void dem_energy_balance_after_effect(struct dem_state *, const struct dem_contact_workspace *,
+                                     const struct dem_energy_balance_rows *);
+
+/* ---- work ------------------------------------------------------------------------------------ */
+
+/* Work over the drift dt [s]: after the drift and the motion of walls, before lists change; and
+   after the sweep that follows. */
+void dem_energy_balance_after_drift(struct dem_state *, double dt);
+void dem_energy_balance_after_sweep(struct dem_state *, double dt);
+
+/* A particle, of the records, is about to be removed, its velocity behind its position by `late` [s];
+   or has been inserted, velocity and position synchronous. */
+void dem_energy_balance_particle_out(struct dem_state *, const struct dem_particle *, double late);
+void dem_energy_balance_particle_in(struct dem_state *, const struct dem_particle *);
+
+/* A particle is about to lose its velocity and spin: mechanics pause. */
+void dem_energy_balance_particle_paused(struct dem_energy_balance *, const struct dem_particle *);
+
+/* ---- heat (energy_heat.c) --------------------------------------------------------------------- */
+
+/* The present content becomes the reference, and all other terms begin at 0. */
+void dem_energy_balance_begin_heat(struct dem_state *);
+
+/* After a batch (`entry` is not used): rate is what the first partner of each row receives [W]. */
+void dem_energy_balance_contact_heat(struct dem_state *, const struct dem_contact_batch *,
+                                     const struct dem_energy_balance_rows *, const double *rate);
+
+/* Add the heat content of a particle, times `sign`, exactly. */
+void dem_energy_balance_add_content(const struct dem_state *, size_t particle, double sign,
+                                    struct dem_sum *);
+
+/* ---- body forces ------------------------------------------------------------------------------ */
+
+struct dem_energy_balance_kick    /* a batch of particles after the kick */
+{
+    const struct dem_effect_list *bodies;
+    const struct dem_body_batch *batch;  /* with velocities after the kick */
+    const double *j[3];                  /* N s  impulse of drag */
+    const double *spin_impulse[3];               /* N m s  impulse of rotational drag; the
+                                            batch then holds the spins after */
+    size_t first;
+    int rows;
+    double h, window;                    /* s */
+};
+
+void dem_energy_balance_before_body_effect(struct dem_energy_balance *,
+                                           const struct dem_body_batch *);
+void dem_energy_balance_after_body_effect(struct dem_energy_balance *,
+                                          const struct dem_body_batch *, int entry);
+void dem_energy_balance_after_kick(struct dem_energy_balance *, const struct dem_particles *,
+                                   const struct dem_energy_balance_kick *);
+
+/* ---- internal -------------------------------------------------------------------------------- */
+
+/* The first sum of an effect; DEM_ENERGY_BALANCE_SUMS_PER_EFFECT sums follow each other. */
+struct dem_sum *dem_energy_balance_sums_of(const struct dem_energy_balance *,
+                                           const struct dem_effect *);
+
+/* Adds only values that are not zero: most are. */
+static inline void dem_energy_balance_add(struct dem_sum *s, double value)
+{
+    if (value != 0.0)
+    {
+        dem_sum_add(s, value);
+    }
+}
+
+#endif

@@ -1,0 +1,251 @@
+/*
+ * energy_report.c -- the terms of the energy balance by name, and their total.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "core/vec.h"
+#include "records/energy_balance.h"
+#include "records/totals.h"
+#include "ranks/dem_state.h"
+#include <stdio.h>
+#include <string.h>
+
+/* Append a term, by name. */
+static void add_term(struct dem_energy_balance *l, const char *kind, const char *of, double value)
+{
+    struct dem_energy_item *const item = &l->item[l->items++];
+
+    snprintf(item->name, sizeof item->name, "%s%s", kind, of);
+    item->value = value;
+}
+
+/* Kinetic energies of translation and rotation [J]; the same on all ranks. */
+static void kinetic_energies(const struct dem_state *p, double value[2])
+{
+    struct dem_sum sum[2];
+
+    dem_sum_clear(&sum[0]);
+    dem_sum_clear(&sum[1]);
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const struct dem_particle *const r = &p->particles.record[i];
+        const double inertia = 0.4*r->mass*r->radius*r->radius;
+
+        dem_sum_add(&sum[0], 0.5*r->mass*dem_vec_dot(r->v, r->v));
+        dem_sum_add(&sum[1], 0.5*inertia*dem_vec_dot(r->w, r->w));
+    }
+    dem_totals_reduce_sums(p, sum, 2, value);
+}
+
+static double value_of(const struct dem_state *p, const struct dem_sum *own)
+{
+    struct dem_sum sum = *own;
+    double value;
+
+    dem_totals_reduce_sums(p, &sum, 1, &value);
+    return value;
+}
+
+/* A contact law without history is a function of the overlap, or of overlap and motion: it has no
+   spring to report, or no heat. */
+static int has_elastic(const struct dem_effect *e)
+{
+    return e->energy ? e->stage == DEM_STAGE_NORMAL || e->stage >= DEM_STAGE_BOND ||
+                           (e->stage > DEM_STAGE_DAMP && e->history)
+                     : e->stage >= DEM_STAGE_BOND;
+}
+
+static int has_lost(const struct dem_effect *e)
+{
+    return e->stage != DEM_STAGE_NORMAL || e->history;
+}
+
+/* The terms of contact effects: elastic energy, then heat. Returns their sum. */
+static double report_contacts(struct dem_state *p)
+{
+    struct dem_energy_balance *const l = p->energy_balance;
+    double lost[DEM_EFFECT_LIST_LIMIT], total = 0.0;
+
+    for (int k = 0;
+         k < p->interaction_table.chosen && p->interaction_table.effect[k]->stage < DEM_STAGE_SCALAR;
+         k++)
+    {
+        const struct dem_effect *const e = p->interaction_table.effect[k];
+        const double stored =
+            value_of(p, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_ELASTIC]);
+
+        lost[k] = value_of(p, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_LOST]);
+        total += stored + lost[k];
+        if (has_elastic(e))
+        {
+            add_term(l, "elastic_", e->name, stored);
+        }
+    }
+    for (int k = 0;
+         k < p->interaction_table.chosen && p->interaction_table.effect[k]->stage < DEM_STAGE_SCALAR;
+         k++)
+    {
+        const struct dem_effect *const e = p->interaction_table.effect[k];
+
+        if (!e->energy && e->stage < DEM_STAGE_BOND)
+        {
+            add_term(l, "measured_", e->name, lost[k]);
+        }
+        else if (has_lost(e))
+        {
+            add_term(l, "lost_", e->name, lost[k]);
+        }
+    }
+    return total;
+}
+
+/* The heat of drag and the work of the fluid and of other body forces. Returns heat minus work. */
+static double report_bodies(struct dem_state *p)
+{
+    struct dem_energy_balance *const l = p->energy_balance;
+    double total = 0.0;
+
+    for (int k = 0; k < p->interaction_table.chosen; k++)
+    {
+        const struct dem_effect *const e = p->interaction_table.effect[k];
+
+        if (e->stage >= DEM_STAGE_BODY && !e->uniform_acceleration)
+        {
+            const double lost =
+                value_of(p, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_LOST]);
+            const double work =
+                value_of(p, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_WORK]);
+
+            if (e->drag)
+            {
+                add_term(l, "lost_", e->name, lost);
+            }
+            add_term(l, "work_", e->name, work);
+            total += lost - work;
+        }
+    }
+    return total;
+}
+
+static int has_stage(const struct dem_interaction_table *r, enum dem_stage stage)
+{
+    int has = 0;
+
+    for (int k = 0; k < r->chosen; k++)
+    {
+        has |= r->effect[k]->stage == stage;
+    }
+    return has;
+}
+
+/* Heat content gained, and where it comes from. Returns the difference, 0 to rounding, less what
+   contacts dissipated: that has become heat. */
+static double report_heat(struct dem_state *p)
+{
+    struct dem_energy_balance *const l = p->energy_balance;
+    const double heated = value_of(p, &l->sum[DEM_ENERGY_BALANCE_HEATED]),
+                 walls = value_of(p, &l->sum[DEM_ENERGY_BALANCE_HEAT_WALLS]),
+                 bodies = value_of(p, &l->sum[DEM_ENERGY_BALANCE_HEAT_BODIES]),
+                 left = value_of(p, &l->sum[DEM_ENERGY_BALANCE_HEAT_OUT]),
+                 came = value_of(p, &l->sum[DEM_ENERGY_BALANCE_HEAT_IN]);
+    struct dem_sum sum = l->sum[DEM_ENERGY_BALANCE_CONTENT];
+    double gain;
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        dem_energy_balance_add_content(p, i, 1.0, &sum);
+    }
+    dem_totals_reduce_sums(p, &sum, 1, &gain);
+    add_term(l, "heat_content", "", gain);
+    if (p->interaction_table.needs & DEM_NEEDS_DISSIPATION)
+    {
+        add_term(l, "heat_dissipated", "", heated);
+    }
+    add_term(l, "heat_walls", "", walls);
+    add_term(l, "heat_fluid", "", bodies);
+    if (p->domain.remove || l->flows)
+    {
+        add_term(l, "heat_left", "", left);
+    }
+    if (l->flows)
+    {
+        add_term(l, "heat_came", "", came);
+    }
+    return gain - heated - walls - bodies + left - came;
+}
+
+static double report_all(struct dem_state *p)
+{
+    struct dem_energy_balance *const l = p->energy_balance;
+    const double fell = value_of(p, &l->sum[DEM_ENERGY_BALANCE_GRAVITY]),
+                 broken = value_of(p, &l->sum[DEM_ENERGY_BALANCE_BROKEN]);
+    const double walls = value_of(p, &l->sum[DEM_ENERGY_BALANCE_WALLS]),
+                 left = value_of(p, &l->sum[DEM_ENERGY_BALANCE_OUT]);
+    const double driven = value_of(p, &l->sum[DEM_ENERGY_BALANCE_DRIVEN]);
+    const double applied = value_of(p, &l->sum[DEM_ENERGY_BALANCE_APPLIED]);
+    const double came = value_of(p, &l->sum[DEM_ENERGY_BALANCE_IN]),
+                 paused = value_of(p, &l->sum[DEM_ENERGY_BALANCE_PAUSED]);
+    double kinetic[2], g[3], total;
+    const struct dem_effect *const potential =
+        dem_interaction_table_gravity(&p->interaction_table, g);
+
+    l->items = 0;
+    kinetic_energies(p, kinetic);
+    add_term(l, "kinetic_translation", "", kinetic[0]);
+    add_term(l, "kinetic_rotation", "", kinetic[1]);
+    if (potential)
+    {
+        add_term(l, potential->name, "", -fell);
+    }
+    total = kinetic[0] + kinetic[1] - fell + report_contacts(p);
+    if (has_stage(&p->interaction_table, DEM_STAGE_BOND))
+    {
+        add_term(l, "broken", "", broken);
+    }
+    if (l->pauses)
+    {
+        add_term(l, "lost_pause", "", paused);
+    }
+    if (!p->walls.all_flat_static)
+    {
+        add_term(l, "work_walls", "", walls);
+    }
+    if (l->driven)
+    {
+        add_term(l, "work_driven", "", driven);
+    }
+    if (p->applied_forces.n > 0)
+    {
+        add_term(l, "work_forces", "", applied);
+    }
+    total += broken + paused - walls - applied - driven + report_bodies(p);
+    if (p->domain.remove || l->flows)
+    {
+        add_term(l, "left", "", left);
+    }
+    if (l->flows)
+    {
+        add_term(l, "came", "", came);
+    }
+    return total + left - came + (l->heat >= 0 ? report_heat(p) : 0.0);
+}
+
+void dem_energy_balance_begin(struct dem_state *p)
+{
+    p->energy_balance->driven = dem_totals_any_driven(p);
+    dem_energy_balance_begin_heat(p);
+    /* includes particles outside the domain, which are removed later */
+    p->energy_balance->start = report_all(p);
+    dem_sum_clear(&p->energy_balance->sum[DEM_ENERGY_BALANCE_OUT]);
+    p->energy_balance->since = p->time;
+    p->energy_balance->begun = 1;
+}
+
+void dem_energy_balance_report(struct dem_state *p)
+{
+    struct dem_energy_balance *const l = p->energy_balance;
+    const double total = report_all(p);
+
+    add_term(l, "total", "", total);
+    add_term(l, "residual", "", total - l->start);
+}

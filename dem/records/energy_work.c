@@ -1,0 +1,236 @@
+/*
+ * energy_work.c -- energy balance: the work of gravity, of moving walls and of body forces, and the
+ * energy of particles that enter or leave.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "core/vec.h"
+#include "records/energy_balance.h"
+#include "ranks/dem_state.h"
+#include "walls/wall_surface.h"
+#include <string.h>
+
+/* Work of gravity over the drift. */
+static void gravity_work(struct dem_state *p, double dt)
+{
+    const double *const g = p->energy_balance->gravity;
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const struct dem_particle *const r = &p->particles.record[i];
+
+        dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_GRAVITY],
+                               r->mass*dem_vec_dot(g, r->v)*dt);
+    }
+}
+
+/* Work of moving walls with the forces of the last sweep, over the time `span` [s] of the drift
+   behind it, or with `ahead` = 1 of the drift after it, in which the walls have already moved. */
+static void wall_work(struct dem_state *p, double span, int ahead)
+{
+    const struct dem_contacts *const c = &p->contacts;
+    struct dem_wall_surface wall;
+
+    for (int s = 0; s < c->rows.classes && c->rows.n > 0 && !p->walls.all_flat_static; s++)
+    {
+        const uint32_t first = c->rows.segment[s].first;
+        const uint32_t end =
+            first + (p->interaction_table.list[s].pair.with_wall ? c->rows.segment[s].count : 0);
+
+        for (uint32_t r = first; r < end; r++)
+        {
+            const struct dem_pair *const q = dem_contacts_pair(c, r);
+            const double *const f = dem_contacts_wall_force(c, r)->f;
+            const struct dem_wall_touch *const at = &p->touches.touch[q->j];
+            const int facet = dem_pairs_facet(&p->pairs, q->j);
+
+            dem_wall_surface_motion(&p->walls, facet, at, ahead, &wall);
+            if (dem_wall_surface_follows_mesh(&p->walls, facet))
+            {
+                dem_wall_surface_add_mesh_motion(&p->walls, &p->pairs.wall_search, q->j,
+                                                 p->particles.record[q->i].x, at, p->dt, &wall);
+            }
+            const double turning = c->forces.moments ? dem_vec_dot(dem_contacts_wall_moment(c, r)->m,
+                                                                   wall.spin)
+                                                     : 0.0;
+            const double power = dem_vec_dot(f, wall.velocity) + turning;
+
+            dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_WALLS], power*span);
+        }
+    }
+}
+
+/* Work of what moves driven particles, against the contact forces of the last sweep over the time
+   `span` [s], and against their weight over `fall` [s]. */
+static void driven_work(struct dem_state *p, double span, double fall)
+{
+    const double *const force = dem_column(&p->particles, DEM_COLUMN_FORCE),
+                 *const torque = dem_column(&p->particles, DEM_COLUMN_TORQUE);
+
+    for (size_t i = 0; i < p->particles.n && p->energy_balance->driven; i++)
+    {
+        const struct dem_particle *const r = &p->particles.record[i];
+
+        if (r->flags & DEM_PARTICLE_DRIVEN)
+        {
+            const double power =
+                dem_vec_dot(force + 3*i, r->v) + dem_vec_dot(torque + 3*i, r->w);
+            const double weight = r->mass*dem_vec_dot(p->energy_balance->gravity, r->v);
+
+            dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_DRIVEN],
+                                   -power*span - weight*fall);
+        }
+    }
+}
+
+void dem_energy_balance_after_drift(struct dem_state *p, double dt)
+{
+    gravity_work(p, dt);
+    driven_work(p, 0.5*dt, dt);
+    wall_work(p, 0.5*dt, 1);
+}
+
+void dem_energy_balance_after_sweep(struct dem_state *p, double dt)
+{
+    wall_work(p, 0.5*dt, 0);
+    driven_work(p, 0.5*dt, 0.0);
+}
+
+/* The velocity at the time of the position, with gravity alone: outside the domain there are rarely
+   contacts. */
+void dem_energy_balance_particle_out(struct dem_state *p, const struct dem_particle *r, double late)
+{
+    const double inertia = 0.4*r->mass*r->radius*r->radius;
+    double v[3];
+
+    for (int k = 0; k < 3; k++)
+    {
+        v[k] = r->v[k] + late*r->mass*r->inverse_mass*p->energy_balance->gravity[k];
+    }
+    dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_OUT],
+                           0.5*r->mass*dem_vec_dot(v, v) +
+                               0.5*inertia*dem_vec_dot(r->w, r->w));
+    dem_energy_balance_add_content(p, (size_t)(r - p->particles.record), 1.0,
+                                   &p->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_OUT]);
+}
+
+void dem_energy_balance_particle_in(struct dem_state *p, const struct dem_particle *r)
+{
+    const double inertia = 0.4*r->mass*r->radius*r->radius;
+
+    dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_IN],
+                           0.5*r->mass*dem_vec_dot(r->v, r->v) +
+                               0.5*inertia*dem_vec_dot(r->w, r->w));
+    dem_energy_balance_add_content(p, (size_t)(r - p->particles.record), 1.0,
+                                   &p->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_IN]);
+}
+
+void dem_energy_balance_particle_paused(struct dem_energy_balance *l, const struct dem_particle *r)
+{
+    const double inertia = 0.4*r->mass*r->radius*r->radius;
+
+    dem_energy_balance_add(&l->sum[DEM_ENERGY_BALANCE_PAUSED],
+                           0.5*r->mass*dem_vec_dot(r->v, r->v) +
+                               0.5*inertia*dem_vec_dot(r->w, r->w));
+}
+
+/* ---- body forces ----------------------------------------------------------------------------- */
+
+void dem_energy_balance_before_body_effect(struct dem_energy_balance *l,
+                                           const struct dem_body_batch *b)
+{
+    for (int c = 0; c < b->n; c++)
+    {
+        l->scratch->force[0][c] = b->fx[c] + b->rx[c];
+        l->scratch->force[1][c] = b->fy[c] + b->ry[c];
+        l->scratch->force[2][c] = b->fz[c] + b->rz[c];
+    }
+}
+
+void dem_energy_balance_after_body_effect(struct dem_energy_balance *l,
+                                          const struct dem_body_batch *b, int entry)
+{
+    double (*const own)[DEM_BATCH_ROWS] = l->scratch->own[entry];
+
+    for (int c = 0; c < b->n; c++)
+    {
+        own[0][c] = b->fx[c] + b->rx[c] - l->scratch->force[0][c];
+        own[1][c] = b->fy[c] + b->ry[c] - l->scratch->force[1][c];
+        own[2][c] = b->fz[c] + b->rz[c] - l->scratch->force[2][c];
+    }
+}
+
+/* Impulse times the fluid's velocity is work of the fluid, the rest is heat; and the work of the
+   impulse carried over from the last exchange. */
+static void drag_work(struct dem_sum *sum, const struct dem_particles *p,
+                      const struct dem_energy_balance_kick *k, int c, const double v[3])
+{
+    const struct dem_body_batch *const b = k->batch;
+    const double *const impulse =
+        dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE) + 3*(k->first + (size_t)c);
+    const double j[3] = {k->j[0][c], k->j[1][c], k->j[2][c]}, u[3] = {b->ux[c], b->uy[c], b->uz[c]};
+    const double work = dem_vec_dot(j, u),
+                 carried_over = k->window > 0.0 ? dem_vec_dot(impulse, v)*k->h/k->window : 0.0;
+
+    dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_WORK], work + carried_over);
+    dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_LOST], work - dem_vec_dot(j, v));
+}
+
+/* Work taken by the added mass: -a dv times the mean velocity. */
+static double added_mass_work(const struct dem_particle *r, const struct dem_body_batch *b, int c,
+                              const double v[3])
+{
+    const double gain[3] = {b->vx[c] - r->v[0], b->vy[c] - r->v[1], b->vz[c] - r->v[2]};
+
+    return -b->added_mass[c]*dem_vec_dot(gain, v);
+}
+
+/* Impulse of rotational drag times the mean spin. */
+static double rotational_work(const struct dem_particle *r, const struct dem_energy_balance_kick *k,
+                              int c)
+{
+    const struct dem_body_batch *const b = k->batch;
+    const double w[3] = {0.5*(r->w[0] + b->wx[c]), 0.5*(r->w[1] + b->wy[c]),
+                         0.5*(r->w[2] + b->wz[c])};
+    const double turn[3] = {k->spin_impulse[0][c], k->spin_impulse[1][c], k->spin_impulse[2][c]};
+
+    return dem_vec_dot(turn, w);
+}
+
+void dem_energy_balance_after_kick(struct dem_energy_balance *l, const struct dem_particles *p,
+                                   const struct dem_energy_balance_kick *k)
+{
+    for (int e = 0; e < k->bodies->entries; e++)
+    {
+        const struct dem_effect *const effect = k->bodies->entry[e].effect;
+        struct dem_sum *const sum = dem_energy_balance_sums_of(l, effect);
+        double (*const own)[DEM_BATCH_ROWS] = l->scratch->own[e];
+        const int potential = effect->uniform_acceleration != NULL;    /* see gravity_work */
+
+        for (int c = 0; c < k->rows && !potential; c++)
+        {
+            const struct dem_particle *const r = &p->record[k->first + (size_t)c];
+            const double v[3] = {0.5*(r->v[0] + k->batch->vx[c]),
+                                 0.5*(r->v[1] + k->batch->vy[c]),
+                                 0.5*(r->v[2] + k->batch->vz[c])};
+            const double f[3] = {own[0][c], own[1][c], own[2][c]};
+
+            if (effect->drag && r->inverse_mass > 0.0)
+            {
+                drag_work(sum, p, k, c, v);
+            }
+            if (effect->has_added_mass)
+            {
+                dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_WORK],
+                                       added_mass_work(r, k->batch, c, v));
+            }
+            if (effect->has_rotational_drag)
+            {
+                dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_WORK], rotational_work(r, k, c));
+            }
+            /* no force moves a driven particle */
+            dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_WORK],
+                                   r->flags & DEM_PARTICLE_DRIVEN ? 0.0 : dem_vec_dot(f, v)*k->h);
+        }
+    }
+}

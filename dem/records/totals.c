@@ -1,0 +1,383 @@
+/*
+ * totals.c -- exact sums over particles and contact rows, independent of the order of ranks and
+ * particles.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "records/totals.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/vec.h"
+#include "records/fingerprint.h"
+#include "particles/scalars.h"
+#include "records/wall_statistics.h"
+#include "ranks/collect.h"
+#include <math.h>
+#include <string.h>
+
+void dem_totals_reduce_sums(const struct dem_state *p, struct dem_sum *sum, int count,
+                            double *value)
+{
+    for (int k = 0; k < count; k++)
+    {
+        dem_sum_normalise(&sum[k]);
+        dem_collect_sum_int64(&p->decomposition, sum[k].part, DEM_SUM_PARTS);
+        value[k] = dem_sum_value(&sum[k]);
+    }
+}
+
+void dem_totals_reduce_max(const struct dem_state *p, double *value, int count)
+{
+    dem_collect_max_double(&p->decomposition, value, (size_t)count);
+}
+
+enum
+{
+    SUMS = 8                                              /* of a tally */
+};
+
+static double kinetic(const struct dem_particle *r)
+{
+    const double inertia = 0.4*r->mass*r->radius*r->radius;
+
+    return 0.5*r->mass*dem_vec_dot(r->v, r->v) + 0.5*inertia*dem_vec_dot(r->w, r->w);
+}
+
+double dem_totals_scalar(const struct dem_state *p, int k)
+{
+    const double *const value = dem_scalar_values(&p->particles, k);
+    struct dem_sum sum;
+    double total;
+
+    dem_sum_clear(&sum);
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const struct dem_particle *const r = &p->particles.record[i];
+
+        dem_sum_add(&sum, value[i]*dem_interaction_table_capacity(&p->interaction_table, k,
+                                                                  r->material, r->mass));
+    }
+    dem_totals_reduce_sums(p, &sum, 1, &total);
+    return total;
+}
+
+double dem_totals_max_speed(const struct dem_state *p)
+{
+    double squared = 0.0;
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const double *const v = p->particles.record[i].v;
+
+        squared = fmax(squared, dem_vec_dot(v, v));
+    }
+    dem_totals_reduce_max(p, &squared, 1);
+    return sqrt(squared);
+}
+
+int64_t dem_totals_moving(const struct dem_state *p, double energy)
+{
+    int64_t n = 0;
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        n += kinetic(&p->particles.record[i]) > energy;
+    }
+    dem_collect_sum_int64(&p->decomposition, &n, 1);
+    return n;
+}
+
+static void add_particle(struct dem_sum sum[SUMS], const struct dem_particle *r)
+{
+    dem_sum_add(&sum[0], kinetic(r));
+    for (int k = 0; k < 3; k++)
+    {
+        dem_sum_add(&sum[1 + k], r->mass*r->v[k]);
+    }
+    dem_sum_add(&sum[4], dem_particle_volume(r));
+    dem_sum_add(&sum[5], r->mass);
+    dem_sum_add(&sum[6], r->flags & DEM_PARTICLE_FROZEN ? 0.0 : 2.0*r->radius);
+    dem_sum_add(&sum[7], r->flags & DEM_PARTICLE_FROZEN ? 0.0 : r->mass);
+}
+
+int64_t dem_totals_touching(const struct dem_state *p)
+{
+    return p->contacts.rows.n > 0 ? p->contacts.forces.touching : 0;
+}
+
+/* Elastic energy and intact bonds are counted by the owner of the lower id; energy lost and broken
+   bonds are particle columns. */
+static void tally_bonds(const struct dem_state *p, struct dem_totals *t)
+{
+    const struct dem_contacts *const c = &p->contacts;
+    struct dem_sum sum[4];
+    double value[4];
+
+    for (int k = 0; k < 4; k++)
+    {
+        dem_sum_clear(&sum[k]);
+    }
+    for (uint32_t r = 0; r < c->rows.n; r++)
+    {
+        if (c->rows.pair[r] != DEM_ROW_NONE && dem_contacts_pair(c, r)->i < p->particles.n)
+        {
+            dem_sum_add(&sum[0], c->forces.energy[r].stored);
+            dem_sum_add(&sum[1], c->forces.energy[r].bonds);
+        }
+    }
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        dem_sum_add(&sum[2], dem_column(&p->particles, DEM_COLUMN_LOST_ENERGY)[i]);
+        dem_sum_add(&sum[3], dem_column(&p->particles, DEM_COLUMN_BROKEN_BONDS)[i]);
+    }
+    dem_totals_reduce_sums(p, sum, 4, value);
+    t->stored = value[0];
+    t->bonds = (int64_t)value[1];
+    t->lost = value[2];
+    t->broken = value[3];
+}
+
+void dem_totals_tally(struct dem_state *p, struct dem_totals *t)
+{
+    struct dem_sum sum[SUMS];
+    double value[SUMS], g[3];
+    int64_t count[2] = {(int64_t)p->particles.n, dem_totals_touching(p)};
+
+    for (int k = 0; k < SUMS; k++)
+    {
+        dem_sum_clear(&sum[k]);
+    }
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        add_particle(sum, &p->particles.record[i]);
+    }
+    dem_totals_reduce_sums(p, sum, SUMS, value);
+    dem_interaction_table_gravity(&p->interaction_table, g);
+    dem_collect_sum_int64(&p->decomposition, count, 2);
+    dem_collect_max_double(&p->decomposition, &p->limits.overlap, 1);
+    *t = (struct dem_totals){.particles = count[0],
+                             .steps = p->steps,
+                             .contacts = count[1],
+                             .rebuilds = p->rebuilds,
+                             .prunes = p->prunes,
+                             .time = p->time,
+                             .kinetic = value[0],
+                             .largest_overlap = p->limits.overlap,
+                             .momentum = {value[1], value[2], value[3]},
+                             .volume = value[4],
+                             .mass = value[5],
+                             .fall_energy = count[0] > 0 ? dem_vec_norm(g)*value[7]*value[6]/
+                                                               (double)count[0]
+                                                         : 0.0,
+                             .weight = dem_vec_norm(g)*value[7]};
+    p->limits.max_overlap = fmax(p->limits.max_overlap, p->limits.overlap);
+    p->limits.overlap = 0.0;
+    if (p->contacts.forces.has_energy)
+    {
+        tally_bonds(p, t);
+    }
+}
+
+double dem_totals_extent(const struct dem_state *p, const double along[3])
+{
+    const double size = dem_vec_norm(along);
+    double limit[2] = {-INFINITY, -INFINITY};    /* the largest, and of the negative */
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const struct dem_particle *const r = &p->particles.record[i];
+        const double at = dem_vec_dot(r->x, along)/size;
+
+        if (!(r->flags & DEM_PARTICLE_FROZEN))
+        {
+            limit[0] = fmax(limit[0], at);
+            limit[1] = fmax(limit[1], -at);
+        }
+    }
+    dem_collect_max_double(&p->decomposition, limit, 2);
+    return isfinite(limit[0]) ? limit[0] + limit[1] : 0.0;
+}
+
+void dem_totals_wall_force(const struct dem_state *p, int wall, double force[3], double torque[3])
+{
+    struct dem_sum sum[6];
+    double value[6];
+
+    for (int k = 0; k < 6; k++)
+    {
+        dem_sum_clear(&sum[k]);
+    }
+    dem_wall_statistics_sum_forces(p, wall, 1.0, sum);
+    dem_totals_reduce_sums(p, sum, 6, value);
+    memcpy(force, value, 3*sizeof *force);
+    memcpy(torque, value + 3, 3*sizeof *torque);
+}
+
+void dem_totals_wall_impulse(const struct dem_state *p, int wall, double impulse[3],
+                             double twist[3])
+{
+    struct dem_sum sum[6];
+    double value[6];
+
+    memcpy(sum, p->wall_statistics->sum + 6*wall, sizeof sum);
+    dem_totals_reduce_sums(p, sum, 6, value);
+    memcpy(impulse, value, 3*sizeof *impulse);
+    memcpy(twist, value + 3, 3*sizeof *twist);
+}
+
+/* ---- fingerprint ----------------------------------------------------------------------------- */
+
+uint64_t dem_totals_fingerprint(const struct dem_state *p)
+{
+    const struct dem_contacts *const c = &p->contacts;
+    double memory[DEM_HISTORY_COLUMNS];
+    uint64_t total = 0;
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        struct dem_particle home = p->particles.record[i];
+
+        dem_domain_wrap(&p->domain, &home);               /* as in a snapshot */
+        total += dem_fingerprint_particle(&home);
+        for (int k = 0; k < p->interaction_table.listed; k++)
+        {
+            total += dem_fingerprint_scalar(home.id, p->interaction_table.scalar[k]->name,
+                                            dem_scalar_values(&p->particles, k)[i]);
+        }
+    }
+    for (uint32_t r = 0; r < c->rows.n; r++)
+    {
+        const int owned =
+            c->rows.pair[r] != DEM_ROW_NONE && dem_contacts_pair(c, r)->i < p->particles.n;
+
+        if (owned && dem_contact_history_any(&c->history, r))
+        {
+            const struct dem_contact_key name =
+                dem_contacts_key(c, &p->particles, p->pairs.wall_facet, r);
+
+            dem_contact_history_get(&c->history, r, memory);
+            total += dem_fingerprint_contact(&name, memory, c->history.columns);
+        }
+    }
+    for (size_t k = 0; k < c->history.saved; k++)
+    {
+        total += c->history.saved_key[k].counted
+                     ? dem_fingerprint_contact(&c->history.saved_key[k],
+                                               c->history.saved_value +
+                                                   k*(size_t)c->history.columns,
+                                               c->history.columns)
+                     : 0;
+    }
+    dem_collect_sum_uint64(&p->decomposition, &total, 1);
+    return total;
+}
+
+/* 1 when a partner has one of these flags. */
+static int has_flags(const struct dem_state *p, const struct dem_pair *q, unsigned flags)
+{
+    return (p->particles.record[q->i].flags & flags)
+        || (!q->wall && (p->particles.record[q->j].flags & flags));
+}
+
+void dem_totals_max_overlap(struct dem_state *p, unsigned flags, struct dem_overlap *pair,
+                            struct dem_overlap *wall)
+{
+    *pair = *wall = (struct dem_overlap){.fraction = 0.0};
+    dem_wall_touches_update(&p->touches, &p->pairs.wall_search, &p->walls, &p->particles);
+    for (uint32_t r = 0; r < p->contacts.rows.n; r++)
+    {
+        const struct dem_pair *const any = p->contacts.rows.pair[r] == DEM_ROW_NONE
+                                               ? NULL
+                                               : dem_contacts_pair(&p->contacts, r);
+        const struct dem_pair *const q = any && (!flags || has_flags(p, any, flags)) ? any : NULL;
+        const struct dem_particle *const a = q ? &p->particles.record[q->i] : NULL;
+        struct dem_overlap *const worst = q && q->wall ? wall : pair;
+        double overlap = 0.0, radius = 1.0;
+
+        if (q && q->wall)
+        {
+            overlap = a->radius - p->touches.touch[q->j].distance;
+            radius = a->radius;
+        }
+        else if (q)
+        {
+            const struct dem_particle *const b = &p->particles.record[q->j];
+            const double *const s = p->pairs.shift[q->shift];
+            const double d[3] = {a->x[0] - b->x[0] + s[0], a->x[1] - b->x[1] + s[1],
+                                 a->x[2] - b->x[2] + s[2]};
+
+            overlap = a->radius + b->radius - dem_vec_norm(d);
+            radius = fmin(a->radius, b->radius);
+        }
+        if (q && 0.5*overlap/radius > worst->fraction)
+        {
+            worst->fraction = 0.5*overlap/radius;
+            worst->id = a->id;
+            worst->partner = q->wall ? p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall
+                                     : p->particles.record[q->j].id;
+            memcpy(worst->x, a->x, sizeof a->x);
+        }
+    }
+}
+
+/* Each rank gives its own; the largest is that of all, the lowest id among equal ones. */
+static int max_over_ranks(const struct dem_decomposition *q, struct dem_overlap *worst)
+{
+    const struct dem_collect_items own = {"overlaps", worst, 1, sizeof *worst};
+    struct dem_overlap *each;
+    void *all;
+    size_t n;
+
+    DEM_TRY(dem_collect_gather(q, DEM_OK, &own, &all, &n));
+    each = all;
+    for (size_t k = 0; k < n; k++)
+    {
+        if (each[k].fraction > worst->fraction
+            || (each[k].fraction >= worst->fraction && each[k].id < worst->id))
+        {
+            *worst = each[k];
+        }
+    }
+    dem_memory_free(all);
+    return DEM_OK;
+}
+
+int dem_totals_max_overlap_over_ranks(struct dem_state *p, struct dem_overlap *pair,
+                                      struct dem_overlap *wall)
+{
+    dem_totals_max_overlap(p, 0, pair, wall);
+    DEM_TRY(max_over_ranks(&p->decomposition, pair));
+    return max_over_ranks(&p->decomposition, wall);
+}
+
+double dem_totals_sauter_diameter(const struct dem_state *p)
+{
+    struct dem_sum sum[2];
+    double value[2];
+
+    dem_sum_clear(&sum[0]);
+    dem_sum_clear(&sum[1]);
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const double d = 2.0*p->particles.record[i].radius;
+
+        dem_sum_add(&sum[0], d*d*d);
+        dem_sum_add(&sum[1], d*d);
+    }
+    dem_totals_reduce_sums(p, sum, 2, value);
+    return value[1] > 0.0 ? value[0]/value[1] : 0.0;
+}
+
+int dem_totals_any_driven(const struct dem_state *p)
+{
+    struct dem_sum sum;
+    double count;
+
+    dem_sum_clear(&sum);
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        dem_sum_add(&sum, p->particles.record[i].flags & DEM_PARTICLE_DRIVEN ? 1.0 : 0.0);
+    }
+    dem_totals_reduce_sums(p, &sum, 1, &count);
+    return count > 0.0;
+}

@@ -1,0 +1,75 @@
+/*
+ * virial.c -- each particle sums the contribution of its rows in the same fixed order as its force.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "records/virial.h"
+#include "core/vec.h"
+#include <string.h>
+
+/* Unit vector from the partner or the wall to particle i of the row. */
+static void direction(const struct dem_state *p, const struct dem_pair *q, double n[3])
+{
+    const struct dem_particle *const i = &p->particles.record[q->i];
+
+    if (q->wall)
+    {
+        memcpy(n, p->touches.touch[q->j].normal, 3*sizeof *n);
+        return;
+    }
+    const struct dem_particle *const j = &p->particles.record[q->j];
+
+    for (int k = 0; k < 3; k++)
+    {
+        n[k] = i->x[k] - j->x[k] + p->pairs.shift[q->shift][k];
+    }
+    const double length = dem_vec_norm(n);
+
+    for (int k = 0; k < 3; k++)
+    {
+        n[k] = length > 0.0 ? n[k]/length : 0.0;
+    }
+}
+
+/* On i the force f acts at -lever n, on j the force -f at +lever n: both give -lever f n. */
+static void add_row(const struct dem_state *p, uint32_t row, double radius, double w[6])
+{
+    const struct dem_contact_force *const contact =
+        dem_contact_forces_of_row(&p->contacts.forces, row);
+    const double lever = radius - contact->arm, *const f = contact->f;
+    double n[3];
+
+    if (f[0] == 0.0 && f[1] == 0.0 && f[2] == 0.0)
+    {
+        return;
+    }
+    direction(p, dem_contacts_pair(&p->contacts, row), n);
+    for (int k = 0; k < 3; k++)
+    {
+        const int next = (k + 1)%3;
+
+        w[k] -= lever*f[k]*n[k];
+        w[3 + k] -= 0.5*lever*(f[k]*n[next] + f[next]*n[k]);
+    }
+}
+
+void dem_virial_sum(const struct dem_state *p, double *virial)
+{
+    const struct dem_contacts *const c = &p->contacts;
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        double *const w = virial + 6*i;
+
+        memset(w, 0, 6*sizeof *w);
+        for (uint32_t e = c->rows.start[i]; e < c->rows.start[i + 1]; e++)
+        {
+            const uint32_t row = dem_contact_forces_row(&c->forces, &c->rows, i, c->rows.entry[e]);
+
+            if (row < c->rows.n)
+            {
+                add_row(p, row, p->particles.record[i].radius, w);
+            }
+        }
+    }
+}

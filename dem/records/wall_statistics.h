@@ -1,0 +1,46 @@
+/*
+ * wall_statistics.h -- the impulse that particles have given to each wall: force times kick, step
+ * by step, as the particles got it.
+ *
+ * With the weights of the kicks (half a step at both ends of a window) the impulse on the walls
+ * equals what the particles have lost by them, to round-off. Only the first half kick after a
+ * restart is missing: a snapshot holds the force on each particle, but not which wall exerted it.
+ * Sums are exact, so they do not depend on ranks and order.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_RECORDS_WALL_STATISTICS_H
+#define DEM_RECORDS_WALL_STATISTICS_H
+
+#include "core/sum.h"
+
+struct dem_state;
+
+struct dem_wall_statistics
+{
+    struct dem_sum *sum;   /* 6 a wall: N s, N m s about the origin; NULL: not asked for */
+    int walls;
+    struct dem_sum *saved;  /* N, N m: saved force of the last sweep,
+                              its rows are gone; NULL: rows exist */
+};
+
+/* Start the sums at zero. */
+int dem_wall_statistics_begin(struct dem_wall_statistics *, int walls);
+void dem_wall_statistics_free(struct dem_wall_statistics *);
+
+/* The forces of the last sweep act for `kick` [s]. */
+void dem_wall_statistics_add_kick(struct dem_state *, double kick);
+
+/* Contact rows are about to be deleted, and no sweep follows before the next kick: save their
+   forces. */
+int dem_wall_statistics_save_forces(struct dem_state *);
+
+/* The state has been restored from a backup: drop the saved forces. */
+void dem_wall_statistics_drop_forces(struct dem_wall_statistics *);
+
+/* Add the force and torque of the last sweep on one wall (-1: on each of all walls), times
+   `factor`, to 6 sums a wall. */
+void dem_wall_statistics_sum_forces(const struct dem_state *, int wall, double factor,
+                                    struct dem_sum *);
+
+#endif

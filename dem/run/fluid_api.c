@@ -1,0 +1,215 @@
+/*
+ * fluid_api.c -- exchange with a coupled fluid: columns of fluid values at the particles, and
+ * forces of particles on the fluid.
+ *
+ * The formulas are those of laws/fluid/particle_exchange.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "case/internal.h"
+#include "core/error.h"
+#include "laws/fluid/particle_exchange.h"
+#include "laws/fluid/viscosity.h"
+#include "particles/scalars.h"
+
+int dem_needs_fluid(const struct dem *d)
+{
+    return d->with_fluid;
+}
+
+int dem_fluid(struct dem *d, struct dem_fluid *f)
+{
+    const struct dem_particles *const p = &d->state.particles;
+
+    DEM_REQUIRE(!d->scene.fluid.given, DEM_ERROR_INPUT,
+                "the scene gives a uniform fluid, but it is coupled to a running one; remove the "
+                "entry fluid");
+    d->coupled = 1;
+    *f = (struct dem_fluid){.n = p->n,
+                            .velocity = dem_column(p, DEM_COLUMN_FLUID_VELOCITY),
+                            .pressure_gradient = dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT),
+                            .void_fraction = dem_column(p, DEM_COLUMN_VOID_FRACTION),
+                            .density = dem_column(p, DEM_COLUMN_FLUID_DENSITY),
+                            .viscosity = dem_scalar_values_of(p, &d->state.interaction_table,
+                                                              dem_fluid_viscosity.name),
+                            .acceleration = dem_column(p, DEM_COLUMN_FLUID_ACCELERATION),
+                            .vorticity = dem_column(p, DEM_COLUMN_VORTICITY),
+                            .stress = dem_column(p, DEM_COLUMN_STRESS),
+                            .mean_diameter = dem_column(p, DEM_COLUMN_MEAN_DIAMETER),
+                            .turbulence = dem_column(p, DEM_COLUMN_TURBULENCE),
+                            .other_impulse = dem_column(p, DEM_COLUMN_OTHER_IMPULSE),
+                            .angular_impulse = dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE),
+                            .slip_factor = dem_column(p, DEM_COLUMN_SLIP_FACTOR),
+                            .location = dem_column(p, DEM_COLUMN_COUPLING_INDEX),
+                            .drag_time = dem_column(p, DEM_COLUMN_DRAG_TIME),
+                            .drag_impulse = dem_column(p, DEM_COLUMN_DRAG_IMPULSE),
+                            .response = dem_column(p, DEM_COLUMN_RESPONSE),
+                            .displacement = dem_column(p, DEM_COLUMN_DISPLACEMENT),
+                            .transmitted_fraction = dem_column(p, DEM_COLUMN_DRAG_FRACTION),
+                            .carried_over_impulse = dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE),
+                            .under_relaxation = dem_column(p, DEM_COLUMN_UNDER_RELAXATION),
+                            .owed_pressure_impulse =
+                                dem_column(p, DEM_COLUMN_OWED_PRESSURE_IMPULSE)};
+    return DEM_OK;
+}
+
+void dem_fluid_whole_drag(struct dem *d, int yes)
+{
+    d->state.interaction_table.bodies.whole_drag = yes;
+}
+
+void dem_fluid_set_displaced(struct dem *d, double density)
+{
+    d->displaced_density = density;
+}
+
+int dem_api_require_fluid_scalars(const struct dem *d)
+{
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
+    const struct dem_particles *const p = &d->state.particles;
+
+    for (int k = 0; k < r->listed; k++)
+    {
+        const double *const value = dem_scalar_values(p, k);
+
+        for (size_t i = 0; r->scalar[k]->fluid_entry && i < p->n; i++)
+        {
+            DEM_REQUIRE(value[i] > 0.0, DEM_ERROR_INPUT,
+                        "the effects need the %s at the particles, and the coupled fluid gives %g %s "
+                        "at particle %lld; remove the effect of heat transfer, or give the fluid "
+                        "this property",
+                        r->scalar[k]->name, value[i], r->scalar[k]->unit,
+                        (long long)p->record[i].id);
+        }
+    }
+    return DEM_OK;
+}
+
+/* Effects are in the order of stages: the last one that needs a fluid is a contact law only where
+   its viscosity is all that is missing. */
+int dem_require_fluid(const struct dem *d)
+{
+    if (!d->with_fluid || d->scene.fluid.given || d->coupled)
+    {
+        return DEM_OK;
+    }
+    DEM_REQUIRE(d->fluid_user->needs & DEM_NEEDS_FLUID, DEM_ERROR_INPUT,
+                "effects/%s has no viscosity, and there is no fluid; give effects/%s/viscosity, "
+                "add fluid { density; viscosity; velocity; } or run it in OpenFOAM",
+                d->fluid_user->name, d->fluid_user->name);
+    return dem_error(DEM_ERROR_INPUT,
+                     "effects/%s needs a fluid, and there is none; add fluid { density; "
+                     "viscosity; velocity; } or run it in OpenFOAM", d->fluid_user->name);
+}
+
+void dem_fluid_set_density(struct dem *d, double density)
+{
+    d->fluid_density = density;
+}
+
+double dem_fluid_under_relax(struct dem *d)
+{
+    const struct dem_particles *const p = &d->state.particles;
+    const double *const added = dem_column(p, DEM_COLUMN_ADDED_MASS);
+    const double *const void_fraction = dem_column(p, DEM_COLUMN_VOID_FRACTION);
+    const double *const density = dem_column(p, DEM_COLUMN_FLUID_DENSITY);
+    const double *const transmitted = dem_column(p, DEM_COLUMN_DRAG_FRACTION);
+    double *const factor = dem_column(p, DEM_COLUMN_UNDER_RELAXATION);
+    double min = 1.0;
+
+    for (size_t i = 0; factor && i < p->n; i++)
+    {
+        const struct dem_particle *const r = &p->record[i];
+        const double displaced = density[i]*dem_particle_volume(r);
+        const int moves = r->inverse_mass > 0.0 && displaced > 0.0;
+
+        factor[i] = moves ? dem_exchange_under_relaxation(void_fraction[i], r->mass/displaced,
+                                                          added ? added[i]/displaced : 0.0,
+                                                          transmitted[i])
+                          : 1.0;
+        min = factor[i] < min ? factor[i] : min;
+    }
+    return min;
+}
+
+int dem_fluid_correct(struct dem *d, const double *velocity, const double *pressure_gradient)
+{
+    struct dem_particles *const p = &d->state.particles;
+    const double *const u = dem_column(p, DEM_COLUMN_FLUID_VELOCITY);
+    const double *const g = dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT);
+    const double *const R = dem_column(p, DEM_COLUMN_RESPONSE);
+    const double *const transmitted = dem_column(p, DEM_COLUMN_DRAG_FRACTION);
+    const double *const predicted = dem_column(p, DEM_COLUMN_PREDICTED_ADDED_IMPULSE);
+    double *const carried_over = dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE);
+    double *const change = dem_column(p, DEM_COLUMN_FLUID_CHANGE);
+
+    DEM_REQUIRE(u, DEM_ERROR_STATE, "dem_fluid_correct without fluid effects");
+    for (size_t i = 0; i < p->n; i++)
+    {
+        const double volume = d->pressure_gradient ? dem_particle_volume(&p->record[i]) : 0.0;
+        const double Q = transmitted[i]*volume*d->state.window;
+
+        for (size_t k = 3*i; k < 3*i + 3; k++)
+        {
+            carried_over[k] = R[i]*(velocity[k] - u[k]) + Q*(pressure_gradient[k] - g[k])
+                            - (predicted ? predicted[k] : 0.0);
+            if (change)
+            {
+                change[k] = (velocity[k] - u[k])/d->state.window;
+            }
+        }
+    }
+    return DEM_OK;
+}
+
+/* ---- forces on the fluid --------------------------------------------------------------------- */
+
+double dem_fluid_slip_factor(const struct dem *d, double void_fraction)
+{
+    return dem_exchange_slip_factor(void_fraction, d->state.interaction_table.bodies.whole_drag);
+}
+
+int dem_fluid_reaction(const struct dem *d, double window, double *coefficient, double *force)
+{
+    const struct dem_particles *const p = &d->state.particles;
+    const double *const drag = dem_column(p, DEM_COLUMN_DRAG_IMPULSE);
+    const double *const other = dem_column(p, DEM_COLUMN_OTHER_IMPULSE);
+    const double *const u = dem_column(p, DEM_COLUMN_FLUID_VELOCITY);
+    const double *const response = dem_column(p, DEM_COLUMN_RESPONSE);
+
+    DEM_REQUIRE(u, DEM_ERROR_STATE, "dem_fluid_reaction without fluid effects");
+    DEM_REQUIRE(window > 0.0, DEM_ERROR_INPUT,
+                "dem_fluid_reaction: a window of %g s; give a time above 0", window);
+    for (size_t i = 0; i < p->n; i++)
+    {
+        coefficient[i] = response[i]/window;
+        for (size_t k = 0; k < 3; k++)
+        {
+            const double impulse = other ? drag[3*i + k] + other[3*i + k] : drag[3*i + k];
+
+            force[3*i + k] = dem_exchange_force(coefficient[i], u[3*i + k], impulse, window);
+        }
+    }
+    return DEM_OK;
+}
+
+double dem_fluid_relaxation(const struct dem *d)
+{
+    const struct dem_state *const p = &d->state;
+    const double *const time = dem_column(&p->particles, DEM_COLUMN_DRAG_TIME);
+    double max = 0.0;
+
+    for (size_t i = 0; time && p->window > 0.0 && i < p->particles.n; i++)
+    {
+        const double rate =
+            dem_exchange_rate(time[i], p->window, p->particles.record[i].inverse_mass);
+
+        max = rate > max ? rate : max;
+    }
+    return max;
+}
+
+double dem_sauter_diameter(double volume, double per_diameter)
+{
+    return dem_exchange_sauter(volume, per_diameter);
+}

@@ -1,0 +1,131 @@
+/*
+ * scalars_api.c -- particle scalars: what a scene has, their values, and their exchange with a fluid
+ * or the program.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "case/internal.h"
+#include "core/error.h"
+#include "records/totals.h"
+#include "particles/scalars.h"
+#include "ranks/collect.h"
+#include <stdio.h>
+#include <string.h>
+
+int dem_scalar_count(const struct dem *d)
+{
+    return d->state.interaction_table.scalars;
+}
+
+static int is_scalar(const struct dem *d, int k)
+{
+    return k >= 0 && k < d->state.interaction_table.scalars;
+}
+
+void dem_scalar_info(const struct dem *d, int k, struct dem_scalar_info *info)
+{
+    *info = (struct dem_scalar_info){.name = "", .unit = "", .help = ""};
+    if (!is_scalar(d, k))
+    {
+        return;
+    }
+    const struct dem_scalar *const s = d->state.interaction_table.scalar[k];
+
+    *info = (struct dem_scalar_info){.name = s->name,
+                                     .unit = s->unit,
+                                     .help = s->help,
+                                     .default_value = s->default_value,
+                                     .min = s->min,
+                                     .max = s->max,
+                                     .changes = (s->flags & DEM_SCALAR_RATE) != 0,
+                                     .written = (s->flags & DEM_SCALAR_WRITTEN) != 0,
+                                     .exchanged = d->state.interaction_table.exchanged[k]};
+}
+
+int dem_scalar_index(const struct dem *d, const char *name)
+{
+    return dem_interaction_table_find_scalar(&d->state.interaction_table, name);
+}
+
+double *dem_scalar(struct dem *d, int k)
+{
+    return d->is_set_up && is_scalar(d, k) ? dem_scalar_values(&d->state.particles, k) : NULL;
+}
+
+/* ---- exchange -------------------------------------------------------------------------------- */
+
+int dem_scalar_exchange_enable(struct dem *d, const char *name)
+{
+    DEM_TRY(dem_api_require_unchecked(d, "dem_scalar_exchange_enable"));
+    DEM_REQUIRE(strlen(name) < sizeof d->exchanged[0], DEM_ERROR_INPUT,
+                "dem_scalar_exchange_enable: name %s is longer than %zu characters", name,
+                sizeof d->exchanged[0] - 1);
+    DEM_REQUIRE(d->exchanges < DEM_SCALARS, DEM_ERROR_STATE,
+                "dem_scalar_exchange_enable: called more than %d times", DEM_SCALARS);
+    snprintf(d->exchanged[d->exchanges++], sizeof d->exchanged[0], "%s", name);
+    return DEM_OK;
+}
+
+int dem_api_enable_exchanges(struct dem *d)
+{
+    struct dem_interaction_table *const r = &d->state.interaction_table;
+
+    for (int e = 0; e < d->exchanges; e++)
+    {
+        const int k = dem_interaction_table_find_scalar(r, d->exchanged[e]);
+
+        DEM_REQUIRE(k >= 0 && r->scalar[k]->exchange, DEM_ERROR_INPUT,
+                    "the program exchanges %s, but no effect of the scene has this scalar; add one",
+                    d->exchanged[e]);
+        r->exchanged[k] = 1;
+    }
+    return DEM_OK;
+}
+
+static double *column(const struct dem *d, int k, enum dem_scalar_column which)
+{
+    return dem_scalar_exchange_values(&d->state.particles, &d->state.interaction_table, k, which);
+}
+
+int dem_scalar_exchange(struct dem *d, int k, struct dem_scalar_exchange *x)
+{
+    DEM_REQUIRE(d->is_set_up && is_scalar(d, k)
+                    && d->state.interaction_table.exchanged[k],
+                DEM_ERROR_STATE,
+                "dem_scalar_exchange: no scalar %d is exchanged; it comes after dem_setup, and "
+                "dem_scalar_exchange_enable before", k);
+    *x = (struct dem_scalar_exchange){.n = d->state.particles.n,
+                                      .source = column(d, k, DEM_SCALAR_SOURCE),
+                                      .coefficient = column(d, k, DEM_SCALAR_COEFFICIENT),
+                                      .target = column(d, k, DEM_SCALAR_TARGET),
+                                      .received = column(d, k, DEM_SCALAR_RECEIVED),
+                                      .coefficient_time = column(d, k, DEM_SCALAR_TIME),
+                                      .response = column(d, k, DEM_SCALAR_RESPONSE),
+                                      .carried_over = column(d, k, DEM_SCALAR_CARRIED_OVER)};
+    return DEM_OK;
+}
+
+int dem_scalar_correct(struct dem *d, int k, const double *target)
+{
+    struct dem_scalar_exchange x;
+
+    DEM_TRY(dem_scalar_exchange(d, k, &x));
+    double *const over = column(d, k, DEM_SCALAR_CARRIED_OVER);
+    const double *const to_target = column(d, k, DEM_SCALAR_TARGET_TIME);
+
+    for (size_t i = 0; i < x.n; i++)
+    {
+        const double time = x.coefficient_time[i];
+
+        over[i] = time > 0.0 ? x.response[i]*(target[i] - to_target[i]/time) : 0.0;
+    }
+    return DEM_OK;
+}
+
+int dem_scalar_total(struct dem *d, int k, double *total)
+{
+    DEM_REQUIRE(d->is_set_up && is_scalar(d, k), DEM_ERROR_STATE,
+                "dem_scalar_total: there is no scalar %d; it comes after dem_setup", k);
+    *total = dem_totals_scalar(&d->state, k);
+    return dem_collect_status(&d->state.decomposition);
+}

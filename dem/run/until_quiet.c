@@ -1,0 +1,166 @@
+/*
+ * until_quiet.c -- time/untilQuiet and time/pauseAtRest: test whether the particles have been at rest
+ * for long enough.
+ *
+ *     untilQuiet { kinetic 1e-6; moving 0.01; imbalance 0.01; lasting 0.1; }
+ *
+ * At rest, in one test:
+ *   1. at most the fraction `moving` of the particles have more kinetic energy than `kinetic` times
+ *      the mean energy of falling by the mean diameter, or than a particle of the mean mass at
+ *      `speed`. It is a fraction and not a mean, because without rolling resistance a few spheres
+ *      may roll for ever;
+ *   2. since the last test the net force on all particles was at most `imbalance` times their
+ *      weight, |P - P'| <= imbalance M |g| (t - t'), with P the momentum. A soft tall bed swings:
+ *      at the turning point all particles are slow at once, but their weight is not carried.
+ *
+ * Both must hold for `lasting`. Its default is the longer of the fall by the height of the bed and
+ * the period of its slowest elastic mode,
+ *
+ *     sqrt(2 H/|g|) max(1, 4 sqrt(o))                                                          [s]
+ *
+ *   H   extent of the moving particles along g, and a mean diameter                            [m]
+ *   o   largest overlap since the last test, of a diameter                                     [1]
+ *
+ * The second is that of a column fixed at its foot, 4 H/c: under its weight it is shortened by
+ * u = |g| H^2/(2 c^2), so that H/c = sqrt(2 u/|g|), and u <= o H.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "case/internal.h"
+#include "core/error.h"
+#include "core/vec.h"
+#include "records/totals.h"
+#include "input/dictionary.h"
+#include "ranks/collect.h"
+#include <fenv.h>
+#include <math.h>
+#include <string.h>
+
+static int check_settings(const struct dem_quiet *q, const struct dem_dict *dict)
+{
+    DEM_REQUIRE(q->moving >= 0.0 && q->moving < 1.0, DEM_ERROR_INPUT, "%s: moving %g; give the "
+                "fraction of particles that may still move, 0 to 1",
+                dem_dict_where(dict), q->moving);
+    DEM_REQUIRE(q->kinetic > 0.0 && q->speed >= 0.0
+                    && (q->speed > 0.0 || !dem_dict_has(dict, "speed"))
+                    && (q->lasting > 0.0 || !dem_dict_has(dict, "lasting"))
+                    && q->imbalance > 0.0,
+                DEM_ERROR_INPUT,
+                "%s: kinetic %g, speed %g m/s, lasting %g s, imbalance %g; give numbers above 0",
+                dem_dict_where(dict), q->kinetic, q->speed, q->lasting, q->imbalance);
+    return DEM_OK;
+}
+
+int dem_api_read_quiet(const struct dem *d, const char *entry, struct dem_quiet *q)
+{
+    const struct dem_dict *time, *dict = NULL;
+
+    *q = (struct dem_quiet){.kinetic = 1e-6, .moving = 0.01, .imbalance = 0.01, .since = INFINITY,
+                            .tested = -INFINITY};
+    DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "time/%s is read after the scene has been read", entry);
+    DEM_TRY(dem_dict_sub_if(d->dict, "time", &time));
+    DEM_TRY(time ? dem_dict_sub_if(time, entry, &dict) : DEM_OK);
+    if (!dict)
+    {
+        return DEM_OK;
+    }
+    q->wanted = 1;
+    DEM_REQUIRE(!dem_dict_has(dict, "kinetic") || !dem_dict_has(dict, "speed"), DEM_ERROR_INPUT,
+                "%s: both kinetic and speed; keep one", dem_dict_where(dict));
+    DEM_TRY(dem_dict_number_or(dict, "kinetic", "1", q->kinetic, &q->kinetic));
+    DEM_TRY(dem_dict_number_or(dict, "speed", "m/s", 0.0, &q->speed));
+    DEM_TRY(dem_dict_number_or(dict, "lasting", "s", 0.0, &q->lasting));
+    DEM_TRY(dem_dict_number_or(dict, "moving", "1", q->moving, &q->moving));
+    DEM_TRY(dem_dict_number_or(dict, "imbalance", "1", q->imbalance, &q->imbalance));
+    return check_settings(q, dict);
+}
+
+int dem_quiet_read(const struct dem *d, struct dem_quiet *q)
+{
+    return dem_api_read_quiet(d, "untilQuiet", q);
+}
+
+/* Without gravity there is no energy of falling to compare with, and no time of falling. */
+int dem_api_check_quiet(const struct dem *d, const char *entry, const struct dem_quiet *q)
+{
+    double g[3];
+    const int any = dem_gravity_acceleration(d, g) && dem_vec_dot(g, g) > 0.0;
+
+    DEM_REQUIRE(!q->wanted || any || (q->speed > 0.0 && q->lasting > 0.0), DEM_ERROR_INPUT,
+                "time/%s compares with the energy of falling by a diameter, but there is "
+                "no gravity; give speed and lasting, or add gravity", entry);
+    return DEM_OK;
+}
+
+int dem_quiet_check(const struct dem *d, const struct dem_quiet *q)
+{
+    return dem_api_check_quiet(d, "untilQuiet", q);
+}
+
+/* Rounded to a power of 2, so that a restart with other particles has the same windows. */
+int64_t dem_quiet_tests(const struct dem *d, const struct dem_quiet *q, double interval)
+{
+    const double radius = dem_api_max_radius(d);
+    double g[3] = {0.0, 0.0, 0.0};
+
+    if (!q->wanted)
+    {
+        return 1;
+    }
+    if (q->lasting > 0.0)
+    {
+        return (int64_t)fmax(1.0, fmin(0x1p53, ceil(5.0*interval/q->lasting)));
+    }
+    (void)dem_gravity_acceleration(d, g);
+    const double fall = sqrt(2.0*radius/dem_vec_norm(g));
+
+    return (int64_t)exp2(fmax(0.0, fmin(30.0, rint(log2(interval/fall)))));
+}
+
+static double default_lasting(struct dem *d, const struct dem_totals *t, const double g[3])
+{
+    const double size = dem_vec_norm(g);
+    const double diameter = t->weight > 0.0 ? t->fall_energy/t->weight : 0.0;
+    const double high = dem_totals_extent(&d->state, g) + diameter;
+
+    return sqrt(2.0*high/size)*fmax(1.0, 4.0*sqrt(t->largest_overlap));
+}
+
+/* 1 when the net force since the last test is small. */
+static int balanced(const struct dem_quiet *q, const struct dem_totals *t)
+{
+    double net[3];
+
+    dem_vec_minus(t->momentum, q->momentum, net);
+    return t->weight == 0.0
+        || (t->time > q->tested
+            && dem_vec_norm(net) <= q->imbalance*t->weight*(t->time - q->tested));
+}
+
+int dem_quiet_test(struct dem *d, struct dem_quiet *q, const struct dem_totals *t)
+{
+    const double n = t->particles > 0 ? (double)t->particles : 1.0;
+    double g[3];
+    fenv_t caller;
+
+    if (!q->wanted)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_count_moving(d,
+                             q->speed > 0.0 ? 0.5*t->mass/n*q->speed*q->speed
+                                            : q->kinetic*t->fall_energy/n,
+                             &q->move));
+    feholdexcept(&caller);
+    const int falls = dem_gravity_acceleration(d, g) && t->weight > 0.0;
+
+    q->wait = q->lasting > 0.0 || !falls ? q->lasting : default_lasting(d, t, g);
+    q->since = (double)q->move > q->moving*(double)t->particles || !balanced(q, t) ? INFINITY
+             : isfinite(q->since) ? q->since
+                                  : t->time;
+    q->reached = t->time - q->since >= q->wait*(1.0 - 1e-9);
+    q->tested = t->time;
+    memcpy(q->momentum, t->momentum, sizeof q->momentum);
+    fesetenv(&caller);
+    return dem_collect_status(&d->state.decomposition);
+}

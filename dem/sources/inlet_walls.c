@@ -1,0 +1,28 @@
+/*
+ * inlet_walls.c -- see inlet_walls.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "sources/inlet_walls.h"
+#include "core/error.h"
+
+int dem_inlet_walls_gather(struct dem_inlet_walls *i, struct dem_state *p, int status,
+                           double box[2][3], double reach)
+{
+    *i = (struct dem_inlet_walls){.walls = &p->walls, .search = &p->pairs.wall_search};
+    if (p->decomposition.ranks == 1 || dem_walls_count_triangles(&p->walls) == 0)
+    {
+        return status;
+    }
+    i->walls = &i->near;
+    i->search = &i->near_search;
+    DEM_TRY(dem_wall_store_gather(&p->wall_store, status, &p->walls, &p->domain, box, reach,
+                                  &i->near));
+    return dem_wall_search_prepare(&i->near_search, &i->near, p->pairs.wall_search.radius);
+}
+
+void dem_inlet_walls_free(struct dem_inlet_walls *i)
+{
+    dem_walls_free_part(&i->near);
+    dem_wall_search_free(&i->near_search);
+}

@@ -1,0 +1,130 @@
+/*
+ * outlet_path.c -- the outlet that a particle has met on the straight line from its position at the
+ * last check.
+ *
+ * The column DEM_COLUMN_CHECKED_POSITION holds this position and the image counter that belongs to
+ * it. With the counters the displacement is exact along periodic axes, whenever the particle was
+ * wrapped. The line leads through images of the domain; the part in each is tested there, so an
+ * outlet acts where it lies in the domain.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "sources/flows.h"
+#include "ranks/dem_state.h"
+#include <math.h>
+#include <string.h>
+
+/* numbers of the column: x, y, z, and 1 + the image counter; all 0 before the first check */
+enum
+{
+    LAST = 4
+};
+
+/* Finite, and in the box along periodic axes. */
+static int is_wrapped(const struct dem_domain *d, const double x[3])
+{
+    int wrapped = 1;
+
+    for (int k = 0; k < 3; k++)
+    {
+        wrapped = wrapped && isfinite(x[k]) &&
+                  (!d->periodic[k] || (x[k] >= d->min[k] && x[k] <= d->max[k]));
+    }
+    return wrapped;
+}
+
+/* Test the part of the path that lies in the domain when it is shifted by `at` boxes. */
+static int outlet_in_image(const struct dem_flows *f, const struct dem_domain *d,
+                           const double from[3], const double step[3], const int at[3])
+{
+    double part[2] = {0.0, 1.0}, image[3];
+
+    for (int k = 0; k < 3; k++)
+    {
+        image[k] = from[k] + at[k]*d->length[k];
+        if (d->periodic[k] &&
+            !dem_insertion_shape_clip(image[k], step[k], d->min[k], d->max[k], part))
+        {
+            return DEM_FLOW_NONE;
+        }
+    }
+    for (int k = 0; k < f->plan->outlets; k++)
+    {
+        if (dem_outlet_meets(&f->plan->outlet[k], image, step, part))
+        {
+            return f->plan->streams + k;
+        }
+    }
+    return DEM_FLOW_NONE;
+}
+
+static int outlet_on_path(const struct dem_flows *f, const struct dem_domain *d,
+                          const double from[3], const double step[3])
+{
+    int first[3] = {0, 0, 0}, last[3] = {0, 0, 0}, at[3], outlet = DEM_FLOW_NONE;
+
+    for (int k = 0; k < 3; k++)
+    {
+        const double low = fmin(from[k], from[k] + step[k]),
+                     high = fmax(from[k], from[k] + step[k]);
+
+        if (d->periodic[k])
+        {
+            first[k] = (int)ceil((d->min[k] - high)/d->length[k]);
+            last[k] = (int)floor((d->max[k] - low)/d->length[k]);
+        }
+    }
+    for (at[2] = first[2]; at[2] <= last[2]; at[2]++)
+    {
+        for (at[1] = first[1]; at[1] <= last[1]; at[1]++)
+        {
+            for (at[0] = first[0]; at[0] <= last[0] && outlet == DEM_FLOW_NONE; at[0]++)
+            {
+                outlet = outlet_in_image(f, d, from, step, at);
+            }
+        }
+    }
+    return outlet;
+}
+
+int dem_flows_outlet(const struct dem_state *p, size_t i)
+{
+    const double *const column = dem_column(&p->particles, DEM_COLUMN_CHECKED_POSITION);
+    struct dem_particle q = p->particles.record[i];
+    double from[3], step[3];
+
+    if (p->flows->n == 0)
+    {
+        return DEM_FLOW_NONE;
+    }
+    dem_domain_wrap(&p->domain, &q);
+    const int holds = dem_flows_outlet_at(p->flows, q.x);
+
+    if (holds != DEM_FLOW_NONE || !column || column[LAST*i + 3] <= 0.0 ||
+        !is_wrapped(&p->domain, q.x))
+    {
+        return holds;
+    }
+    for (size_t k = 0; k < 3; k++)
+    {
+        const uint32_t image = (uint32_t)(column[LAST*i + 3] - 1.0);
+
+        step[k] = q.x[k] - column[LAST*i + k] +
+                  dem_image_difference(q.image, image, (int)k)*p->domain.length[k];
+        from[k] = q.x[k] - step[k];
+    }
+    return outlet_on_path(p->flows, &p->domain, from, step);
+}
+
+void dem_flows_end_check(struct dem_state *p)
+{
+    double *const column = dem_column(&p->particles, DEM_COLUMN_CHECKED_POSITION);
+
+    for (size_t i = 0; column && i < p->particles.n; i++)
+    {
+        const struct dem_particle *const q = &p->particles.record[i];
+
+        memcpy(column + LAST*i, q->x, sizeof q->x);
+        column[LAST*i + 3] = 1.0 + (double)q->image;
+    }
+}

@@ -1,0 +1,427 @@
+/*
+ * stream.c -- read streams and outlets; amounts due, and trial positions of particle number k.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "sources/stream.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/random.h"
+#include "core/did_you_mean.h"
+#include "core/vec.h"
+#include "particles/initial_particles.h"
+#include "sources/insert.h"
+#include "laws/material_entry.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum
+{
+    USE_SPREAD = 201,  /* sequences of random numbers: three for the velocity, */
+    USE_PLACE = 1001   /* and from here on four a trial for the position */
+};
+
+/* A centre on a face of a mesh belongs to no cell, and a face of four corners is not flat: centres
+   are moved inward by this fraction of the radius. */
+static const double behind_face = 1e-3;
+
+/* ---- reading --------------------------------------------------------------------------------- */
+
+static int read_name(char *name, const struct dem_dict *dict, const char *where)
+{
+    DEM_REQUIRE(strlen(dem_dict_name(dict)) < DEM_FLOW_NAME, DEM_ERROR_INPUT,
+                "%s: a name longer than %d characters; shorten it", where, DEM_FLOW_NAME - 1);
+    snprintf(name, DEM_FLOW_NAME, "%s", dem_dict_name(dict));
+    return DEM_OK;
+}
+
+static int read_rate(struct dem_stream *s, const struct dem_dict *dict)
+{
+    s->by_mass = dem_dict_has(dict, "massRate");
+    DEM_REQUIRE(s->by_mass + dem_dict_has(dict, "rate") == 1, DEM_ERROR_INPUT,
+                "%s: %s of rate (particles a second) and massRate (kg/s); "
+                "give one of them",
+                s->where, s->by_mass ? "both" : "none");
+    DEM_TRY(dem_dict_number(dict, s->by_mass ? "massRate" : "rate", s->by_mass ? "kg/s" : "1/s",
+                            &s->rate));
+    DEM_REQUIRE(s->rate > 0.0, DEM_ERROR_INPUT, "%s: %s %g; give a number above 0", s->where,
+                s->by_mass ? "massRate" : "rate", s->rate);
+    DEM_TRY(dem_dict_number_or(dict, "start", "s", 0.0, &s->start));
+    DEM_TRY(dem_dict_number_or(dict, "end", "s", INFINITY, &s->end));
+    DEM_REQUIRE(s->start < s->end, DEM_ERROR_INPUT,
+                "%s: start %g s is not before end %g s; give an earlier one", s->where, s->start,
+                s->end);
+    DEM_TRY(dem_dict_int64_or(dict, "count", INT64_MAX, &s->count));
+    DEM_REQUIRE(s->count > 0, DEM_ERROR_INPUT, "%s: count %lld; give 1 or more, or leave it out",
+                s->where, (long long)s->count);
+    DEM_TRY(dem_dict_number_or(dict, "mass", "kg", INFINITY, &s->mass));
+    DEM_REQUIRE(s->mass > 0.0, DEM_ERROR_INPUT,
+                "%s: mass %g kg; give a number above 0, or leave it out", s->where, s->mass);
+    return DEM_OK;
+}
+
+/* `velocity fluid;` is for patches; a particle that enters through a face needs a velocity. */
+static int read_velocity(struct dem_stream *s, const struct dem_dict *dict)
+{
+    static const double zero[3] = {0.0, 0.0, 0.0};
+    const char *word = "fluid";
+
+    if (s->inlet.patch && dem_dict_has(dict, "velocity"))
+    {
+        s->with_fluid = dem_dict_word(dict, "velocity", &word) == DEM_OK;
+    }
+    else
+    {
+        s->with_fluid = s->inlet.patch != NULL;
+    }
+    DEM_REQUIRE(!s->with_fluid || strcmp(word, "fluid") == 0, DEM_ERROR_INPUT,
+                "%s: velocity %s; give fluid, or a vector in m/s", s->where, word);
+    if (!s->with_fluid)
+    {
+        DEM_TRY(dem_dict_vector_or(dict, "velocity", "m/s", zero, s->velocity));
+    }
+    DEM_TRY(dem_dict_vector_or(dict, "spread", "m/s", zero, s->spread));
+    DEM_TRY(dem_dict_vector_or(dict, "spin", "1/s", zero, s->spin));
+    for (int k = 0; k < 3; k++)
+    {
+        DEM_REQUIRE(s->spread[k] >= 0.0, DEM_ERROR_INPUT,
+                    "%s: spread (%g %g %g) m/s; give numbers of 0 or more", s->where, s->spread[0],
+                    s->spread[1], s->spread[2]);
+    }
+    DEM_REQUIRE(s->with_fluid || s->inlet.kind == DEM_INLET_REGION ||
+                    dem_vec_norm(s->velocity) > 0.0,
+                DEM_ERROR_INPUT,
+                "%s: particles that enter through a face need a velocity; give velocity", s->where);
+    return DEM_OK;
+}
+
+static int check_masses(const struct dem_stream *s, const struct dem_interaction_table *r)
+{
+    const double d[2] = {s->sizes.min, s->sizes.max};
+
+    for (int k = 0; k < 2; k++)
+    {
+        const double mass = r->material[s->material].density*dem_sphere_volume(0.5*d[k]);
+
+        DEM_REQUIRE(
+            isnormal(mass*d[k]*d[k]) && isnormal(1.0/(mass*d[k]*d[k])), DEM_ERROR_INPUT,
+            "%s: diameter %g m of %s, density %g kg/m3, makes a mass of %g kg, outside the range of numbers; correct them",
+            s->where, d[k], r->material[s->material].name, r->material[s->material].density, mass);
+    }
+    return DEM_OK;
+}
+
+static int read_stream(struct dem_stream *s, const struct dem_dict *dict,
+                       const struct dem_interaction_table *r, const struct dem_domain *d)
+{
+    const char *type;
+
+    memset(s, 0, sizeof *s);
+    snprintf(s->where, sizeof s->where, "%s: %s", dem_dict_where(dict), dem_dict_path(dict));
+    DEM_TRY(dem_dict_word(dict, "type", &type));
+    DEM_TRY(read_name(s->name, dict, s->where));
+    DEM_TRY(dem_material_entry_read(dict, r, &s->material));
+    DEM_TRY(dem_dict_int64_or(dict, "seed", 1, &s->seed));
+    DEM_TRY(read_rate(s, dict));
+    DEM_TRY(dem_inlet_shape_read(&s->inlet, dict, s->where));
+    DEM_TRY(read_velocity(s, dict));
+    DEM_TRY(dem_scalar_entries_read(dict, r, 1, s->scalar));
+    DEM_TRY(dem_scalar_entries_parcel_ratio(r, s->scalar, s->where, &s->ratio));
+    DEM_TRY(dem_size_distribution_read(&s->sizes, dict, s->ratio));
+    DEM_TRY(check_masses(s, r));
+    return dem_inlet_shape_check(&s->inlet, d, 0.5*s->sizes.max, s->where);
+}
+
+static int read_outlet(struct dem_outlet *o, const struct dem_dict *dict)
+{
+    const int plane = dem_dict_has(dict, "point") || dem_dict_has(dict, "normal");
+    const int boxed = dem_dict_has(dict, "min") || dem_dict_has(dict, "max");
+    const int shapes = plane + boxed + dem_dict_has(dict, "cylinder") +
+                       dem_dict_has(dict, "sphere") + dem_dict_has(dict, "patch");
+    char where[256];
+
+    memset(o, 0, sizeof *o);
+    snprintf(where, sizeof where, "%s: %s", dem_dict_where(dict), dem_dict_path(dict));
+    DEM_TRY(read_name(o->name, dict, where));
+    DEM_REQUIRE(
+        shapes == 1, DEM_ERROR_INPUT,
+        "%s: %s of min and max, cylinder, sphere, point and normal, patch; give one of them", where,
+        shapes ? "more than one" : "none");
+    if (dem_dict_has(dict, "patch"))
+    {
+        return dem_dict_word(dict, "patch", &o->patch);
+    }
+    o->plane = plane;
+    if (plane)
+    {
+        DEM_TRY(dem_dict_vector(dict, "point", "m", o->shape.from));
+        DEM_TRY(dem_dict_vector(dict, "normal", "1", o->shape.axis));
+        DEM_REQUIRE(dem_vec_norm(o->shape.axis) > 0.0, DEM_ERROR_INPUT,
+                    "%s: the normal is zero; give the direction out of the domain", where);
+        return DEM_OK;
+    }
+    DEM_TRY(dem_insertion_shape_read(&o->shape, dict));
+    return dem_insertion_shape_check_fits(&o->shape, 0.0, where);
+}
+
+/* A stream and an outlet of the same name could not be distinguished in tables. */
+static int check_names(const struct dem_streams *s)
+{
+    for (int o = 0; o < s->outlets; o++)
+    {
+        DEM_REQUIRE(
+            strcmp(s->outlet[o].name, "domain") != 0, DEM_ERROR_INPUT,
+            "outlets/domain: this name is reserved for particles that leave the domain; give "
+            "another one");
+        for (int k = 0; k < s->streams; k++)
+        {
+            DEM_REQUIRE(strcmp(s->outlet[o].name, s->stream[k].name) != 0, DEM_ERROR_INPUT,
+                        "insert/%s and outlets/%s have the same name; rename one of them",
+                        s->outlet[o].name, s->outlet[o].name);
+        }
+    }
+    /* one more is used for the domain */
+    DEM_REQUIRE(s->streams + s->outlets < DEM_SNAPSHOT_FLOWS, DEM_ERROR_INPUT,
+                "%d streams and %d outlets; the limit is %d in all; join some", s->streams,
+                s->outlets, DEM_SNAPSHOT_FLOWS - 1);
+    return DEM_OK;
+}
+
+int dem_streams_read(struct dem_streams *s, const struct dem_dict *insert,
+                     const struct dem_dict *outlets, const struct dem_interaction_table *r,
+                     const struct dem_domain *d)
+{
+    for (size_t k = 0; insert && k < dem_dict_count(insert); k++)
+    {
+        const struct dem_entry *const e = dem_dict_entry(insert, k);
+
+        if (dem_entry_is_dict(e) && dem_insert_is_stream(dem_entry_dict(e)))
+        {
+            DEM_TRY(DEM_GROW(s->stream, s->stream_capacity, s->streams + 1));
+            DEM_TRY(read_stream(&s->stream[s->streams++], dem_entry_dict(e), r, d));
+        }
+    }
+    for (size_t k = 0; outlets && k < dem_dict_count(outlets); k++)
+    {
+        const struct dem_entry *const e = dem_dict_entry(outlets, k);
+
+        DEM_REQUIRE(dem_entry_is_dict(e), DEM_ERROR_INPUT,
+                    "%s: outlets holds regions like %s { point (0 0 0); normal (0 0 -1); }",
+                    dem_entry_where(e), dem_entry_name(e));
+        DEM_TRY(DEM_GROW(s->outlet, s->outlet_capacity, s->outlets + 1));
+        DEM_TRY(read_outlet(&s->outlet[s->outlets++], dem_entry_dict(e)));
+    }
+    return check_names(s);
+}
+
+int dem_streams_add_wall(struct dem_streams *s, const char *name, int *outlet)
+{
+    for (int k = 0; k < s->outlets; k++)
+    {
+        const int same = strcmp(s->outlet[k].name, name) == 0;
+
+        DEM_REQUIRE(
+            !same || s->outlet[k].wall, DEM_ERROR_INPUT,
+            "walls/%s absorbs particles and is counted by its name, which an outlet has too; rename one of them",
+            name);
+        if (same)
+        {
+            *outlet = k;
+            return DEM_OK;
+        }
+    }
+    DEM_REQUIRE(strlen(name) < DEM_FLOW_NAME, DEM_ERROR_INPUT,
+                "walls/%s absorbs particles and is counted by its name, which has %zu "
+                "characters; the limit is %zu",
+                name, strlen(name), (size_t)DEM_FLOW_NAME - 1);
+    DEM_TRY(DEM_GROW(s->outlet, s->outlet_capacity, s->outlets + 1));
+    *outlet = s->outlets;
+    s->outlet[s->outlets] = (struct dem_outlet){.wall = 1};
+    snprintf(s->outlet[s->outlets++].name, DEM_FLOW_NAME, "%s", name);
+    return check_names(s);
+}
+
+void dem_streams_free(struct dem_streams *s)
+{
+    for (int k = 0; k < s->streams; k++)
+    {
+        dem_size_distribution_free(&s->stream[k].sizes);
+        dem_inlet_shape_free(&s->stream[k].inlet);
+    }
+    dem_memory_free(s->stream);
+    dem_memory_free(s->outlet);
+    memset(s, 0, sizeof *s);
+}
+
+/* ---- queries --------------------------------------------------------------------------------- */
+
+void dem_streams_radii(const struct dem_streams *s, double *min, double *max)
+{
+    for (int k = 0; k < s->streams; k++)
+    {
+        const struct dem_stream *const t = &s->stream[k];
+        const double smallest = 0.5*t->sizes.min, largest = 0.5*t->sizes.max;
+
+        min[t->material] = min[t->material] > 0.0 ? fmin(min[t->material], smallest) : smallest;
+        max[t->material] = fmax(max[t->material], largest);
+    }
+}
+
+void dem_streams_ratios(const struct dem_streams *s, struct dem_interaction_table *r)
+{
+    for (int k = 0; r->parcels.used && k < s->streams; k++)
+    {
+        dem_interaction_table_add_parcel(r, s->stream[k].ratio);
+    }
+}
+
+/* Inlets on patches of a mesh are checked by the program that has the mesh. */
+static int check_inlet(const struct dem_stream *s, const struct dem_domain *d)
+{
+    const double edge = s->inlet.kind == DEM_INLET_REGION ? 0.5*s->sizes.min : 0.0,
+                 radius = 0.5*s->sizes.min;
+    double min[3], max[3];
+
+    DEM_REQUIRE(!s->inlet.patch || s->inlet.n > 0, DEM_ERROR_INPUT,
+                "%s: patch %s, but no mesh has supplied it; run it in OpenFOAM, or give a "
+                "region or a surface",
+                s->where, s->inlet.patch);
+    dem_inlet_shape_bounds(&s->inlet, min, max);
+    for (int k = 0; k < 3; k++)
+    {
+        DEM_REQUIRE(
+            fmax(fabs(min[k]), fabs(max[k])) <= dem_max_distance*radius, DEM_ERROR_INPUT,
+            "%s: it reaches from %g to %g m along %c, more than "
+            "%g radii of %g m from the origin, where double precision does not resolve overlaps; move it",
+            s->where, min[k], max[k], "xyz"[k], dem_max_distance, radius);
+        DEM_REQUIRE(
+            d->periodic[k] || (min[k] + edge >= d->min[k] && max[k] - edge <= d->max[k]),
+            DEM_ERROR_INPUT,
+            "%s: from %g to %g m along %c it is not inside the domain, %g to %g m; make it smaller, or enlarge the domain",
+            s->where, min[k], max[k], "xyz"[k], d->min[k], d->max[k]);
+    }
+    return DEM_OK;
+}
+
+int dem_streams_check(const struct dem_streams *s, const struct dem_domain *d)
+{
+    for (int k = 0; k < s->streams; k++)
+    {
+        const struct dem_stream *const one = &s->stream[k];
+
+        DEM_TRY(check_inlet(one, d));
+        DEM_TRY(dem_initial_particles_check_spin(one->where, one->spin, 0.5*one->sizes.max));
+    }
+    for (int k = 0; k < s->outlets; k++)
+    {
+        DEM_REQUIRE(!s->outlet[k].patch || s->meshed, DEM_ERROR_INPUT,
+                    "outlets/%s: patch %s, but there is no mesh; run it in OpenFOAM, or give a "
+                    "region",
+                    s->outlet[k].name, s->outlet[k].patch);
+    }
+    return DEM_OK;
+}
+
+double dem_stream_amount_due(const struct dem_stream *s, double since, double time)
+{
+    return s->rate*fmax(0.0, fmin(time, s->end) - fmax(since, s->start));
+}
+
+double dem_stream_diameter(const struct dem_stream *s, int64_t k)
+{
+    return dem_size_distribution_draw(&s->sizes, (uint64_t)s->seed, (uint64_t)k);
+}
+
+double dem_stream_mean_mass(const struct dem_stream *s, const struct dem_interaction_table *r)
+{
+    return r->material[s->material].density*dem_size_distribution_mean_volume(&s->sizes);
+}
+
+double dem_stream_max_travel(const struct dem_stream *s, double ago, double radius)
+{
+    /* twice, to be above any round-off */
+    const double behind = s->inlet.patch ? 2.0*behind_face*radius : 0.0;
+    double fastest = 0.0;
+
+    for (size_t t = 0; s->with_fluid && t < s->inlet.n; t++)
+    {
+        fastest = fmax(fastest, dem_vec_norm(s->inlet.flow[t]));
+    }
+    return s->inlet.kind == DEM_INLET_REGION
+               ? 0.0
+               : behind + ago*(fastest + dem_vec_norm(s->velocity) + dem_vec_norm(s->spread));
+}
+
+int dem_stream_draw_position(const struct dem_stream *s, const struct dem_stream_trial *t,
+                             double x[3], double v[3], double start[3])
+{
+    const uint64_t seed = (uint64_t)s->seed, number = (uint64_t)t->number, step = (uint64_t)t->step,
+                   use = USE_PLACE + 4*(uint64_t)t->trial;
+    size_t triangle;
+    double u[3], inward[3];
+
+    for (unsigned k = 0; k < 3; k++)
+    {
+        u[k] = dem_random_unit(seed, number, step, use + k);
+    }
+    if (!dem_inlet_shape_draw(&s->inlet, t->radius, u, x, &triangle))
+    {
+        return 0;
+    }
+    const double moving = s->inlet.kind == DEM_INLET_REGION
+                              ? 0.0
+                              : t->ago*dem_random_unit(seed, number, step, use + 3);
+
+    dem_inlet_shape_inward(&s->inlet, triangle, inward);
+    for (unsigned k = 0; k < 3; k++)
+    {
+        v[k] = (s->with_fluid ? s->inlet.flow[triangle][k] : s->velocity[k])
+               + s->spread[k]*(2.0*dem_random_unit(seed, number, 0, USE_SPREAD + k) - 1.0);
+        start[k] = x[k];
+        x[k] += moving*v[k];
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        const double behind = s->inlet.patch ? behind_face*t->radius*inward[k] : 0.0;
+
+        start[k] += behind;
+        x[k] += behind;
+    }
+    return !s->inlet.patch || dem_vec_dot(v, inward) > 0.0;
+}
+
+/* A box, cylinder or sphere. */
+static int is_region(const struct dem_outlet *o)
+{
+    return !o->plane && !o->patch && !o->wall;
+}
+
+int dem_outlet_holds(const struct dem_outlet *o, const double x[3])
+{
+    if (o->plane)
+    {
+        return (x[0] - o->shape.from[0])*o->shape.axis[0] +
+                   (x[1] - o->shape.from[1])*o->shape.axis[1] +
+                   (x[2] - o->shape.from[2])*o->shape.axis[2] >
+               0.0;
+    }
+    return is_region(o) && dem_insertion_shape_contains(&o->shape, x);
+}
+
+int dem_outlet_meets(const struct dem_outlet *o, const double from[3], const double step[3],
+                     const double part[2])
+{
+    return is_region(o) && dem_insertion_shape_meets(&o->shape, from, step, part);
+}
+
+int dem_streams_have_regions(const struct dem_streams *s)
+{
+    int any = 0;
+
+    for (int k = 0; k < s->outlets; k++)
+    {
+        any |= is_region(&s->outlet[k]);
+    }
+    return any;
+}

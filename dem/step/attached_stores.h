@@ -1,0 +1,55 @@
+/*
+ * attached_stores.h -- the stores of upper layers that the step fills, owned together and attached to the state by pointers.
+ *
+ * The state lies below diagnostics, inflow and output, so it knows their stores by pointer only. What makes a state, the public
+ * interface or a timed sample, makes one of these beside it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_STEP_ATTACHED_STORES_H
+#define DEM_STEP_ATTACHED_STORES_H
+
+#include "records/bonds.h"
+#include "records/energy_balance.h"
+#include "records/lost_particles.h"
+#include "records/timers.h"
+#include "records/wall_statistics.h"
+#include "sources/flows.h"
+#include "records/grid_averages.h"
+#include "ranks/dem_state.h"
+
+struct dem_attached_stores
+{
+    struct dem_grid_averages averages;
+    struct dem_flows flows;
+    struct dem_lost_particles lost_particles;
+    struct dem_bonds bonds;
+    struct dem_wall_statistics wall_statistics;
+    struct dem_energy_balance energy_balance;
+    struct dem_timers timers;
+};
+
+/* Let the state use these stores, which are zeroed and have to live as long as it does. */
+static inline void dem_attached_stores_attach(struct dem_attached_stores *a, struct dem_state *p)
+{
+    p->averages = &a->averages;
+    p->flows = &a->flows;
+    p->lost_particles = &a->lost_particles;
+    p->bonds = &a->bonds;
+    p->wall_statistics = &a->wall_statistics;
+    p->energy_balance = &a->energy_balance;
+    p->timers = &a->timers;
+}
+
+/* Free what the stores hold. */
+static inline void dem_attached_stores_free(struct dem_attached_stores *a)
+{
+    dem_grid_averages_free(&a->averages);
+    dem_flows_free(&a->flows);
+    dem_lost_particles_free(&a->lost_particles);
+    dem_bonds_free(&a->bonds);
+    dem_wall_statistics_free(&a->wall_statistics);
+    dem_energy_balance_free(&a->energy_balance);
+}
+
+#endif

@@ -1,0 +1,17 @@
+/*
+ * fall_check.h -- a bed that falls through its walls ends the run.
+ *
+ * Where time/maxOverlap is above 0.5, single passages are reported only (lost_particles.h); more than
+ * 10, and than 1 % of the particles, are an error. Elsewhere each is one (lost_cause.h). A passage through a wall at which no normal law acts is one at once (lost_cause.h).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_STEP_FALL_CHECK_H
+#define DEM_STEP_FALL_CHECK_H
+
+#include "ranks/dem_state.h"
+
+/* Collective. DEM_OK, or DEM_ERROR_LOST. */
+int dem_fall_check(const struct dem_state *);
+
+#endif

@@ -1,0 +1,109 @@
+/*
+ * limits.c -- largest overlap and forces that are not a number, batch by batch; at the end of the
+ * sweep an error message if needed.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "step/limits.h"
+#include "core/error.h"
+#include "core/math.h"
+#include "laws/effect.h"
+#include <stdio.h>
+#include <string.h>
+
+/* Largest overlap as a fraction of the smaller diameter; 1e30, above every limit, if a force is not
+   a number. */
+DEM_KERNEL
+static double worst_of(const struct dem_contact_batch *restrict b)
+{
+    double max[DEM_LANES] = {0.0}, bad[DEM_LANES] = {0.0}, worst = 0.0;
+
+    for (int c = 0; c < b->n; c += DEM_LANES)
+    {
+        for (int k = 0; k < DEM_LANES; k++)
+        {
+            const double fraction = 0.5*b->overlap[c + k]/b->min_radius[c + k];
+
+            max[k] = dem_select(fraction > max[k], fraction, max[k]);
+            bad[k] += (b->fn[c + k] + b->fx[c + k] + b->fy[c + k] + b->fz[c + k])*0.0;
+        }
+    }
+    for (int k = 0; k < DEM_LANES; k++)
+    {
+        worst = max[k] > worst ? max[k] : worst;
+        worst = bad[k] == 0.0 ? worst : 1e30;
+    }
+    return worst;
+}
+
+void dem_limits_check_record(struct dem_state *p, const struct dem_contact_workspace *t,
+                             uint32_t row, int rows)
+{
+    const double worst = worst_of(&t->batch);
+    int lane = 0;
+
+    if (worst <= p->limits.overlap)
+    {
+        return;
+    }
+    for (int c = 0; c < t->batch.n; c++)
+    {
+        const double force = t->batch.fn[c] + t->batch.fx[c] + t->batch.fy[c] + t->batch.fz[c];
+
+        lane = force*0.0 != 0.0 || 0.5*t->batch.overlap[c]/t->batch.min_radius[c] == worst
+                   ? c
+                   : lane;
+    }
+    const struct dem_pair *const q =
+        dem_contacts_pair(&p->contacts, row + (uint32_t)(lane < rows ? lane : rows - 1));
+    const struct dem_particle *const i = &p->particles.record[q->i];
+
+    p->limits.overlap = worst;
+    p->limits.lawless = !dem_effect_list_has_law(&p->interaction_table.list[q->class]);
+    p->limits.i = i->id;
+    p->limits.j = q->wall ? -1 - p->pairs.wall_facet[q->j].number : p->particles.record[q->j].id;
+    memcpy(p->limits.x, i->x, sizeof i->x);
+}
+
+/* The partners of the worst row, as text. */
+static void partner_names(const struct dem_state *p, char *text, size_t size)
+{
+    const struct dem_limits *const w = &p->limits;
+
+    if (w->j < 0)
+    {
+        snprintf(text, size, "particle %lld and wall %s", (long long)w->i,
+                 p->walls.wall[dem_walls_with_facet(&p->walls, (int)(-1 - w->j))].name);
+    }
+    else
+    {
+        snprintf(text, size, "particles %lld and %lld", (long long)w->i, (long long)w->j);
+    }
+}
+
+int dem_limits_check_status(const struct dem_state *p)
+{
+    const struct dem_limits *const w = &p->limits;
+    char names[160];
+
+    if (w->overlap <= w->limit)
+    {
+        return DEM_OK;
+    }
+    partner_names(p, names, sizeof names);
+    DEM_REQUIRE(
+        w->overlap < 1e29, DEM_ERROR_NUMBER,
+        "the force between %s near (%g %g %g) m is not a number at step %lld; check their input, or the fluid "
+        "around them",
+        names, w->x[0], w->x[1], w->x[2], (long long)p->steps);
+    DEM_REQUIRE(
+        !w->lawless, DEM_ERROR_NUMBER,
+        "%s near (%g %g %g) m pass through each other at time %g s: no contact law acts between them; add a normal law to "
+        "effects, hertz {} for example",
+        names, w->x[0], w->x[1], w->x[2], p->time);
+    return dem_error(
+        DEM_ERROR_NUMBER,
+        "%s near (%g %g %g) m overlap by %.3g of a diameter at step %lld, the limit is %g; use a "
+        "smaller step or a stiffer material, or raise time/maxOverlap",
+        names, w->x[0], w->x[1], w->x[2], w->overlap, (long long)p->steps, w->limit);
+}

@@ -1,0 +1,97 @@
+/*
+ * wall_motion.h -- prescribed rigid motion of walls as a function of time.
+ *
+ * The motion is a closed formula of time. The corners and planes of a wall are stored, searched and
+ * numbered in its own reference frame X, where the wall is when nothing moves. The motion gives the
+ * pose of this frame:
+ *
+ *   x = Q (B X) + s,   translation   s = v T
+ *                  oscillation   s = a sin(2 pi f T + phase)
+ *                  rotation      Q: by the angle omega T about the axis through the origin o,
+ *                                s = o - Q o
+ *
+ *   B   base: the identity, unless a restart has changed the motion of the wall. Then it is the pose
+ *       with which the wall goes on from where it stood (wall_frames.c)
+ *   T   time since the start, limited to [0, end - start]; outside the wall rests             [s]
+ *
+ * The velocity of a point of the wall is that of the chord of the last step, (x(t) - x(t - dt))/dt,
+ * the same definition as for particles: what moves with the wall has exactly no slip.
+ *
+ * Which wall has which motion, and the bound of its displacement for the lists: walls.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_WALLS_WALL_MOTION_H
+#define DEM_WALLS_WALL_MOTION_H
+
+enum dem_motion_kind
+{
+    DEM_MOTION_REST,
+    DEM_MOTION_TRANSLATION,
+    DEM_MOTION_ROTATION,
+    DEM_MOTION_OSCILLATION
+};
+
+struct dem_motion
+{
+    enum dem_motion_kind kind;
+    double start, end;                      /* s */
+    double velocity[3];                     /* m/s  translation */
+    double amplitude[3], frequency, phase;  /* m, 1/s, rad: oscillation */
+    double origin[3], axis[3], omega;       /* m, unit, rad/s: rotation */
+};
+
+struct dem_pose                                           /* of a reference frame: Q and s */
+{
+    double rotation[3][3], shift[3];  /* 1, m */
+};
+
+/* of a frame that is where its wall was given */
+static const struct dem_pose dem_pose_identity = {
+    .rotation = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+
+/* displacement by a motion over the last step */
+struct dem_wall_displacement
+{
+    double velocity[3];              /* m/s: of translation */
+    double origin[3], axis[3];       /* m, unit: of rotation */
+    double sine, versine;            /* of the angle of rotation: sin, 1 - cos */
+    double sine_rate, versine_rate;  /* 1/s: the same over dt; omega and 0 when dt is 0 */
+};
+
+/* Pose of the reference frame at a time [s]. */
+void dem_motion_pose(const struct dem_motion *, double time, struct dem_pose *);
+
+/* Velocity [m/s] with which the motion carries the point x [m] of the base: the largest one
+   of an oscillation. */
+void dem_motion_velocity(const struct dem_motion *, const double x[3], double v[3]);
+
+/* Longest time step [s] that resolves an oscillation or rotation that acts after time 0; DBL_MAX
+   without one. *why: the criterion, to be followed by the name of the wall. */
+double dem_motion_time_limit(const struct dem_motion *, const char **why);
+
+/* Displacement over the step of length dt [s] that ends at `time` [s]; dt = 0 gives the velocity
+   then. */
+void dem_motion_displacement(const struct dem_motion *, double time, double dt,
+                             struct dem_wall_displacement *);
+
+/* Velocity [m/s] of the material point of the wall that is at x [m] now. */
+void dem_wall_displacement_velocity(const struct dem_wall_displacement *, const double x[3],
+                                    double v[3]);
+
+/* The direction one step ago of what is now the direction n of the wall. */
+void dem_wall_displacement_rotate_back(const struct dem_wall_displacement *, const double n[3],
+                                       double before[3]);
+
+/* The pose that applies b first, then a; the inverse of a pose. The results must be other structs. */
+void dem_pose_product(const struct dem_pose *a, const struct dem_pose *b, struct dem_pose *product);
+void dem_pose_inverse(const struct dem_pose *, struct dem_pose *inverse);
+
+/* From the wall's frame to the global frame: a point, a direction. Back: the same. `in` and `out`
+   must be different arrays. */
+void dem_pose_point(const struct dem_pose *, const double in[3], double out[3]);
+void dem_pose_direction(const struct dem_pose *, const double in[3], double out[3]);
+void dem_pose_to_frame(const struct dem_pose *, const double in[3], double out[3]);
+void dem_pose_direction_to_frame(const struct dem_pose *, const double in[3], double out[3]);
+
+#endif

@@ -1,0 +1,12 @@
+/*
+ * fuzz_snapshot.h -- make a snapshot of the scene of fuzz_snapshot.c.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef FUZZ_SNAPSHOT_H
+#define FUZZ_SNAPSHOT_H
+
+/* Write the state after some steps; 0 on success. */
+int fuzz_snapshot(const char *path, int steps);
+
+#endif
