@@ -51,8 +51,7 @@ void Foam::demCouplingScheme::checkGiven(const word& name, const bool volumeAver
 Foam::demCouplingScheme::demCouplingScheme(const demDict& dict, const bool volumeAveraged)
 :
     dict_(dict),
-    set_(II),
-    underRelaxes_(dict.coupling().getOrDefault("underRelaxation", true))
+    set_(II)
 {
     const word chosen(dict.coupling().getOrDefault<word>("equations", sets[II]));
     const label index = sets.find(chosen);
@@ -63,7 +62,6 @@ Foam::demCouplingScheme::demCouplingScheme(const demDict& dict, const bool volum
     }
     set_ = equations(index);
     checkGiven("equations", volumeAveraged);
-    checkGiven("underRelaxation", volumeAveraged);
     checkGiven("mixtureFlux", volumeAveraged);
 }
 

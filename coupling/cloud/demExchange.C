@@ -138,7 +138,7 @@ Foam::demExchange::demExchange
 
 void Foam::demExchange::prepare()
 {
-    if (particles_.volumeAveraged() && scheme_.underRelaxes())
+    if (particles_.volumeAveraged() && !scheme_.wholeDrag())
     {
         dem_fluid_set_displaced(particles_.core(), particles_.fluidDensity());
     }

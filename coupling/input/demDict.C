@@ -60,8 +60,7 @@ void Foam::demDict::checkCoupling() const
     ({
         "twoWay", "rho", "nu", "walls", "diameter", "interval", "relaxation",
         "kernel", "width", "base", "minVoidFraction", "record", "fields",
-        "lastGood", "equations", "underRelaxation",
-        "mixtureFlux"
+        "lastGood", "equations", "mixtureFlux"
     });
 
     forAllConstIters(coupling_, iter)
