@@ -98,10 +98,6 @@ void Foam::demCloud::fail(const string& sentence)
     // Otherwise ranks have failed at different places and must not communicate
     if (dem_ranks_agree(particles_.core()))
     {
-        if (trial_)
-        {
-            throw demFailure(sentence);
-        }
         reports_.reportLosses();
         also = lastGood_.save([this] { write(); });
     }
@@ -112,23 +108,17 @@ void Foam::demCloud::fail(const string& sentence)
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-Foam::demCloud::demCloud
-(
-    const fvMesh& mesh,
-    const bool volumeAveraged,
-    const word& file
-)
+Foam::demCloud::demCloud(const fvMesh& mesh, const bool volumeAveraged)
 :
     mesh_(mesh),
     particlesFirst_(volumeAveraged),
-    particles_(mesh, volumeAveraged, file),
+    particles_(mesh, volumeAveraged),
     volume_(particles_),
     exchange_(particles_, volume_, volumeAveraged),
     budget_(particles_, exchange_),
     reports_(particles_, volume_),
     lastGood_(particles_, volumeAveraged),
-    plan_(particles_, volume_),
-    trial_(false)
+    plan_(particles_, volume_)
 {
     reports_.prepare();
     exchange_.prepare();
@@ -163,9 +153,9 @@ Foam::demCloud::~demCloud()
     const char* text = nullptr;
 
     profile_.end(demProfile::FLUID);
-    Info<< "Suna: time spent on fluid " << demProfile::fluid(profile_.spent())
+    Info<< "Suna: time spent on fluid " << profile_.fluid()
         << " s, particles " << profile_.spent(demProfile::PARTICLES)
-        << " s, exchange " << demProfile::exchange(profile_.spent())
+        << " s, exchange " << profile_.exchange()
         << " s; largest exchange error " << exchange_.balance().maxError() << nl << endl;
     if (!dem_profile_text(particles_.core(), &text))
     {
@@ -188,10 +178,7 @@ void Foam::demCloud::evolve
     profile_.end(demProfile::FLUID);
     profile_.countStep();
     particles_.beginStep();
-    if (!trial_)
-    {
-        lastGood_.backup();
-    }
+    lastGood_.backup();
 
     try
     {
@@ -202,12 +189,6 @@ void Foam::demCloud::evolve
         fail(failure.what());
     }
 
-    if (trial_)
-    {
-        particles_.refresh();
-        particles_.readTotals();
-        return;
-    }
     reports_.endStep();
     particles_.refresh();
     budget_.addParticles();

@@ -1,5 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demCouplingScheme.C -- reads and checks the set of equations and the scheme.
+    demCouplingScheme.C -- reads and checks the set of equations.
 
     This file is part of Suna, free software under the GNU General Public
     License, version 3 or any later version, without any warranty.
@@ -18,28 +18,6 @@ namespace Foam
 {
 
 static const wordList sets({"I", "II", "III"});
-
-// In the order of dem_exchange of dem.h
-static const wordList exchanges({"deferred", "semiImplicit", "explicit"});
-
-// Index of the chosen word among the known ones
-static label choice
-(
-    const dictionary& coupling,
-    const word& name,
-    const wordList& known,
-    const word& defaultWord
-)
-{
-    const word chosen(coupling.getOrDefault<word>(name, defaultWord));
-    const label index = known.find(chosen);
-
-    if (index < 0)
-    {
-        demUnknown(coupling, "coupling", name.c_str(), chosen, known);
-    }
-    return index;
-}
 
 } // End namespace Foam
 
@@ -73,20 +51,18 @@ void Foam::demCouplingScheme::checkGiven(const word& name, const bool volumeAver
 Foam::demCouplingScheme::demCouplingScheme(const demDict& dict, const bool volumeAveraged)
 :
     dict_(dict),
-    set_(equations(choice(dict.coupling(), "equations", sets, "II"))),
-    exchange_
-    (
-        ::dem_exchange
-        (
-            choice(dict.coupling(), "exchange", exchanges, "deferred")
-        )
-    ),
-    underRelaxes_(dict.coupling().getOrDefault("underRelaxation", true))
+    set_(II)
 {
+    const word chosen(dict.coupling().getOrDefault<word>("equations", sets[II]));
+    const label index = sets.find(chosen);
+
+    if (index < 0)
+    {
+        demUnknown(dict.coupling(), "coupling", "equations", chosen, sets);
+    }
+    set_ = equations(index);
     checkGiven("equations", volumeAveraged);
-    checkGiven("underRelaxation", volumeAveraged);
     checkGiven("mixtureFlux", volumeAveraged);
-    checkGiven("exchange", true);
 }
 
 

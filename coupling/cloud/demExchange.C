@@ -138,7 +138,7 @@ Foam::demExchange::demExchange
 
 void Foam::demExchange::prepare()
 {
-    if (particles_.volumeAveraged() && scheme_.underRelaxes())
+    if (particles_.volumeAveraged() && !scheme_.wholeDrag())
     {
         dem_fluid_set_displaced(particles_.core(), particles_.fluidDensity());
     }
@@ -193,11 +193,10 @@ void Foam::demExchange::toParticles
     quantities_.set(U, mu);
 
     // Slip factor
-    const bool slipDecaysFaster = particles_.volumeAveraged() && scheme_.isDeferred();
     for (size_t i = 0; i < fluid_.n; i++)
     {
         fluid_.slip_factor[i] =
-            slipDecaysFaster
+            particles_.volumeAveraged()
           ? dem_fluid_slip_factor(particles_.core(), fluid_.void_fraction[i])
           : 1;
     }
@@ -218,14 +217,13 @@ void Foam::demExchange::toFluid()
             dem_fluid_reaction
             (
                 particles_.core(),
-                scheme_.exchange(),
                 particles_.window(),
                 response.begin(),
                 reinterpret_cast<scalar*>(reaction.begin())
             )
         );
 
-        if (particles_.volumeAveraged() && scheme_.isDeferred() && !scheme_.wholeDrag())
+        if (particles_.volumeAveraged() && !scheme_.wholeDrag())
         {
             depositPressureResponse(reaction);
         }
@@ -262,34 +260,22 @@ void Foam::demExchange::correct
 )
 {
     const bool relaxed = demUnderRelaxation::active(fluid_);
-    vectorField velocity(view_.n);
+    const vectorField velocity(transfer_.sample(U));
     vectorField gradient(view_.n, Zero);    // its change at the particles
     vectorField reached(relaxed ? view_.n : 0);
 
-    if (scheme_.isDeferred())
+    if (relaxed)
     {
-        velocity = transfer_.sample(U);
-        if (relaxed)
+        reached = transfer_.sample(gradP);
+        gradient = underRelaxation().next(reached);
+        forAll(gradient, i)
         {
-            reached = transfer_.sample(gradP);
-            gradient = underRelaxation().next(reached);
-            forAll(gradient, i)
-            {
-                gradient[i] -= vectorAt(fluid_.pressure_gradient, i);
-            }
-        }
-        else if (!scheme_.wholeDrag())
-        {
-            gradient = transfer_.sample(volVectorField(gradP - gradP_));
+            gradient[i] -= vectorAt(fluid_.pressure_gradient, i);
         }
     }
-    else
+    else if (!scheme_.wholeDrag())
     {
-        // The same velocity as before: no impulse is carried over
-        forAll(velocity, i)
-        {
-            velocity[i] = vectorAt(fluid_.velocity, i);
-        }
+        gradient = transfer_.sample(volVectorField(gradP - gradP_));
     }
 
     Info<< "Suna: exchange error "
@@ -304,10 +290,7 @@ void Foam::demExchange::correct
                transfer_.toFullCircle()
            )
         << endl;
-    if (scheme_.conserves())
-    {
-        demSelfCheck::momentum(balance_.ofLargestTerm());
-    }
+    demSelfCheck::momentum(balance_.ofLargestTerm());
 
     forAll(gradient, i)
     {

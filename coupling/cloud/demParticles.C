@@ -251,15 +251,10 @@ Foam::string Foam::demParticles::longStep(const vector& velocity) const
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-Foam::demParticles::demParticles
-(
-    const fvMesh& mesh,
-    const bool volumeAveraged,
-    const word& file
-)
+Foam::demParticles::demParticles(const fvMesh& mesh, const bool volumeAveraged)
 :
     mesh_(supported(mesh, volumeAveraged)),
-    dict_(mesh, file),
+    dict_(mesh),
     twoWay_(dict_.coupling().getOrDefault("twoWay", true)),
     volumeAveraged_(volumeAveraged && twoWay_),
     inletsOutlets_(mesh, dict_),

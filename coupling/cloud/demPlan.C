@@ -148,22 +148,11 @@ Foam::demPlan::demPlan(const demParticles& particles, const demVoidFraction& vol
     mesh_(particles.mesh()),
     particles_(particles),
     volume_(volume),
-    transfer_(particles.transfer()),
-    window_(0),
-    steps_(0)
+    transfer_(particles.transfer())
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::demPlan::seconds(const bool moving) const
-{
-    double seconds[2];
-
-    dem_plan_seconds(particles_.core(), &seconds[0], &seconds[1]);
-    return seconds[moving];
-}
-
 
 void Foam::demPlan::report
 (
@@ -207,9 +196,6 @@ void Foam::demPlan::report
         ahead.reached_why =
             crossing < reached ? throughflow.c_str() : reachedBy.c_str();
     }
-
-    window_ = ahead.reached_window > 0 ? ahead.reached_window : ahead.window;
-    steps_ = max(ahead.duration/window_, scalar(1));
 
     demCheck(dem_plan(particles_.core(), &ahead, &text));
     Info<< nl << text << endl;

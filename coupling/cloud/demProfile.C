@@ -75,15 +75,15 @@ void Foam::demProfile::end(const phase which)
 }
 
 
-Foam::scalar Foam::demProfile::fluid(const scalar time[nPhases])
+Foam::scalar Foam::demProfile::fluid() const
 {
-    return time[MOMENTUM] + time[PRESSURE] + time[FLUID];
+    return spent_[MOMENTUM] + spent_[PRESSURE] + spent_[FLUID];
 }
 
 
-Foam::scalar Foam::demProfile::exchange(const scalar time[nPhases])
+Foam::scalar Foam::demProfile::exchange() const
 {
-    return time[SAMPLE] + time[DEPOSIT] + time[CORRECT] + time[OUTPUT];
+    return spent_[SAMPLE] + spent_[DEPOSIT] + spent_[CORRECT] + spent_[OUTPUT];
 }
 
 

@@ -227,7 +227,7 @@ void Foam::demSettle::save()
 Foam::demSettle::demSettle(const fvMesh& mesh)
 :
     mesh_(mesh),
-    dict_(mesh, demDict::name(), true),
+    dict_(mesh, true),
     walls_(mesh, dict_),
     regions_(mesh, dict_),
     dem_(nullptr),

@@ -7,8 +7,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demDriver.H"
-#include "demTrial.H"
-#include "demTrialFlow.H"
 #include "fvcSurfaceIntegrate.H"
 #include "surfaceFields.H"
 #include "Time.H"
@@ -71,47 +69,6 @@ void Foam::demDriver::reportPlan()
         steady_ ? "interval of coupling"
       : adjusts ? "the solver's adjustTimeStep" : "deltaT of controlDict"
     );
-}
-
-
-void Foam::demDriver::reportTrial()
-{
-    fvMesh& mesh = const_cast<fvMesh&>(mesh_);
-
-    if (!demTrialFlow::possible(mesh_))
-    {
-        return;
-    }
-
-    const volVectorField& U = fluid_.velocity();
-    const scalar rho = gAverage(fluid_.density()().primitiveField());
-    const scalar mu = gAverage(fluid_.viscosity()().primitiveField());
-    demTrialFlow flow(mesh, cloud_, U, rho, mu/rho);
-    demTrial trial(mesh, cloud_);
-
-    try
-    {
-        while (trial.next())
-        {
-            trial.beginExchange();
-            evolve();
-            trial.beginFluid();
-            flow.solve(cloud_.lastPlan().window());
-            if (cloud_.particles().twoWay() && !steady_)
-            {
-                cloud_.correct(U, fluid_.density()());
-            }
-        }
-        trial.report
-        (
-            "estimated by momentum and pressure equations with this case's linear solvers on"
-            " this mesh; turbulence, energy and other equations come on top"
-        );
-    }
-    catch (const demFailure& failure)
-    {
-        trial.fail(failure.what());
-    }
 }
 
 

@@ -148,7 +148,6 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
     if (dict.getOrDefault("plan", false))
     {
         driver_().reportPlan();
-        driver_().reportTrial();
         Info<< "End\n" << endl;
         UPstream::exit(0);
     }

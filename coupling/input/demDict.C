@@ -60,8 +60,7 @@ void Foam::demDict::checkCoupling() const
     ({
         "twoWay", "rho", "nu", "walls", "diameter", "interval", "relaxation",
         "kernel", "width", "base", "minVoidFraction", "record", "fields",
-        "lastGood", "equations", "exchange", "underRelaxation",
-        "mixtureFlux"
+        "lastGood", "equations", "mixtureFlux"
     });
 
     forAllConstIters(coupling_, iter)
@@ -252,19 +251,14 @@ void Foam::demDict::reportGravity(const char* source) const
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-Foam::demDict::demDict
-(
-    const polyMesh& mesh,
-    const word& file,
-    const bool settle
-)
+Foam::demDict::demDict(const polyMesh& mesh, const bool settle)
 :
     mesh_(mesh),
     dict_
     (
         IOobject
         (
-            file,
+            name(),
             mesh.time().constant(),
             mesh.time(),
             IOobject::MUST_READ,

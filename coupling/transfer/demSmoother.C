@@ -279,21 +279,6 @@ void Foam::demSmoother::setWidth(const scalar width, const scalar c, const scala
 }
 
 
-Foam::label Foam::demSmoother::nLumped() const
-{
-    label count = 0;
-    if (lump_.size())
-    {
-        labelList cells(volume_.size(), Zero);
-        for (const label l : lump_)
-        {
-            count += ++cells[l] == 2;
-        }
-    }
-    return returnReduce(count, sumOp<label>());
-}
-
-
 // * * * * * * * * * * * * * * * use  * * * * * * * * * * * * * * * * * * * * //
 
 template<class Type>

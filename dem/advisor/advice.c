@@ -1,9 +1,8 @@
 /*
- * advice.c -- the public calls that advise: plan, verdicts, warnings, cost of effects.
+ * advice.c -- the public calls that advise: plan, verdicts, warnings.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "advisor/effect_cost.h"
 #include "advisor/plan.h"
 #include "advisor/warnings.h"
 #include "case/internal.h"
@@ -32,15 +31,7 @@ int dem_plan(struct dem *d, const struct dem_run_info *run, const char **text)
     {
         *d->verdicts = plan.verdicts;
     }
-    d->planned[0] = plan.at_rest;
-    d->planned[1] = plan.moving;
     return status;
-}
-
-void dem_plan_seconds(const struct dem *d, double *at_rest, double *moving)
-{
-    *at_rest = d->planned[0];
-    *moving = d->planned[1];
 }
 
 int dem_warnings(struct dem *d, const struct dem_run_info *run, int n, const char *const *own,
@@ -100,25 +91,4 @@ int dem_verdicts(const struct dem *d, const struct dem_verdict **verdict)
 {
     *verdict = d->verdicts ? d->verdicts->verdict : NULL;
     return d->verdicts ? d->verdicts->n : 0;
-}
-
-int dem_effect_cost_text(struct dem *d, const char *effect, double seconds, const char **text)
-{
-    const struct dem_effect *e;
-
-    DEM_TRY(dem_api_begin_effect_text(d, effect, &e));
-    DEM_TRY(e ? dem_effect_cost_row(&d->effect, e, seconds)
-              : dem_effect_cost_heading(&d->effect, seconds));
-    *text = d->effect.text;
-    return DEM_OK;
-}
-
-int dem_effect_cost(struct dem *d, const char *effect, double seconds, struct dem_effect_cost *m)
-{
-    struct dem_inventory inventory;
-
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_effect_cost comes after dem_setup");
-    dem_inventory_take(&d->state, &inventory);
-    DEM_TRY(dem_collect_status(&d->state.decomposition));
-    return dem_effect_cost_measure(&d->state, &inventory, d->step, effect, seconds, m);
 }

@@ -39,8 +39,6 @@ struct dem_plan                                           /* data of the paragra
     struct dem_inventory inventory;
     struct dem_step_cost step_cost;
     struct dem_verdicts verdicts;                         /* set by dem_plan_regime */
-    double at_rest, moving;                               /* s  processor time of all ranks for the
-                                                             run ahead, set by dem_plan_cost */
 };
 
 /* Collective. Fills in survey and pace, writes all paragraphs. Returns DEM_OK or an error. */
@@ -57,7 +55,7 @@ void dem_plan_step(struct dem_text *, const struct dem_plan *);        /* plan_c
 void dem_plan_fluid(struct dem_text *, const struct dem_plan *);
 int dem_plan_regime(struct dem_text *, struct dem_plan *);             /* regime.c; collective */
 void dem_plan_bed(struct dem_text *, const struct dem_plan *);
-void dem_plan_cost(struct dem_text *, struct dem_plan *);
+void dem_plan_cost(struct dem_text *, const struct dem_plan *);
 
 /* m: width of the domain along an axis, 0 to 2, between planes or periodic boundaries; 0
    unknown. */

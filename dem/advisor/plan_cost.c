@@ -321,7 +321,7 @@ static double impact_speed(const struct dem_interaction_table *r)
     return NAN;
 }
 
-void dem_plan_cost(struct dem_text *t, struct dem_plan *p)
+void dem_plan_cost(struct dem_text *t, const struct dem_plan *p)
 {
     const struct dem_run_info *const run = &p->run;
     const struct dem_pairs *const s = &p->state->pairs;
@@ -347,8 +347,6 @@ void dem_plan_cost(struct dem_text *t, struct dem_plan *p)
     const double steps = steps_of(span, p->step)*duration/span;
     const double at_rest = steps*n*p->step_cost.step;
 
-    p->at_rest = p->moving = at_rest;
-
     dem_text_add(t,
                  "    %.4g s ahead: %.4g steps, %.4g particle-steps: %s of processor time at rest",
                  duration, steps, steps*n, dem_text_time(at_rest));
@@ -359,8 +357,8 @@ void dem_plan_cost(struct dem_text *t, struct dem_plan *p)
             (p->step_cost.rebuild/s->half_outer + p->step_cost.prune/s->half_inner);
         const double limit = steps*n*(p->step_cost.rebuild + p->step_cost.step);
 
-        p->moving = fmin(at_rest + lists, limit);
-        dem_text_add(t, ", %s with particles at %g m/s", dem_text_time(p->moving), speed);
+        dem_text_add(t, ", %s with particles at %g m/s", dem_text_time(fmin(at_rest + lists, limit)),
+                     speed);
     }
     dem_text_add(t, "%s\n", run->window > 0.0 ? ", for the particles alone" : "");
 }

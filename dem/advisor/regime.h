@@ -21,7 +21,7 @@ const void *dem_regime_settings(const struct dem_plan *, const struct dem_effect
 /* Adds a verdict on each effect that is in use, and on each one that is not and is called for. */
 void dem_verdicts_add(struct dem_plan *, const struct dem_regime *);
 
-/* Collective. Measures the cost of each negligible effect (effect_cost.h). */
+/* Collective. Measures the cost of each negligible effect. */
 int dem_verdicts_measure_costs(struct dem_plan *);
 
 #endif

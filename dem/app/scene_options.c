@@ -10,49 +10,24 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The option of the command with this name or alias; NULL: none. */
-static struct dem_option *find_option(const struct dem_request *r, const char *word)
-{
-    for (int k = 0; k < r->options; k++)
-    {
-        const struct dem_option *const o = &r->option[k];
-
-        if (strcmp(o->name, word) == 0 || (o->alias && strcmp(o->alias, word) == 0))
-        {
-            return &r->option[k];
-        }
-    }
-    return NULL;
-}
-
 /* A word that begins with - and was not read: its value is missing, or it is unknown. */
-static int refuse_option(const struct dem_request *r, const char *command, const char *word)
+static int refuse_option(const char *command, const char *word)
 {
-    const char *known[DEM_MAX_OPTIONS + 3] = {"-restart", "-set", "-help"};
+    const char *const known[] = {"-restart", "-set", "-help"};
 
-    for (int k = 0; k < r->options; k++)
-    {
-        known[3 + k] = r->option[k].name;
-    }
-    DEM_REQUIRE(strcmp(word, "-restart") != 0 && strcmp(word, "-set") != 0 && !find_option(r, word),
-                DEM_ERROR_INPUT, "%s lacks its value%s; see dem %s -help", word,
+    DEM_REQUIRE(strcmp(word, "-restart") != 0 && strcmp(word, "-set") != 0, DEM_ERROR_INPUT,
+                "%s lacks its value%s; see dem %s -help", word,
                 strcmp(word, "-set") == 0 ? "s" : "", command);
-    return dem_did_you_mean_error("option", word, known, 3 + r->options);
+    return dem_did_you_mean_error("option", word, known, 3);
 }
 
-int dem_request_read(struct dem_request *r, const char *command, int argc, char **argv)
+static int read_request(struct dem_request *r, const char *command, int argc, char **argv)
 {
     for (int k = 0; k < argc; k++)
     {
-        struct dem_option *const own = find_option(r, argv[k]);
-
         if (strcmp(argv[k], "-help") == 0)
         {
             r->help = 1;
-        }
-        else if (own && (own->flag || k + 1 < argc))
-        {
-            own->given = own->flag ? "" : argv[++k];
         }
         else if (strcmp(argv[k], "-restart") == 0 && k + 1 < argc)
         {
@@ -74,7 +49,7 @@ int dem_request_read(struct dem_request *r, const char *command, int argc, char 
         }
         else if (argv[k][0] == '-')
         {
-            return refuse_option(r, command, argv[k]);
+            return refuse_option(command, argv[k]);
         }
         else
         {
@@ -201,7 +176,6 @@ static int read_scene(const struct dem_request *r, struct dem *d, struct dem_sch
     {
         DEM_TRY(dem_set(d, r->set[k][0], r->set[k][1]));
     }
-    DEM_TRY(r->without ? dem_remove_effect(d, r->without) : DEM_OK);
     if (r->restart)
     {
         DEM_TRY(dem_load(d, r->restart));
@@ -209,7 +183,7 @@ static int read_scene(const struct dem_request *r, struct dem *d, struct dem_sch
     DEM_TRY(read_schedule(s, d, r->scene));
     DEM_TRY(dem_accuracy_read(&s->accuracy, dem_scene_dict(d)));
     DEM_TRY(accept_coupling(dem_scene_dict(d), &s->coupling));
-    DEM_TRY(s->output.energy > 0.0 && !r->no_output ? dem_energy_enable(d) : DEM_OK);
+    DEM_TRY(s->output.energy > 0.0 ? dem_energy_enable(d) : DEM_OK);
     return s->output.orientation ? dem_orientation_enable(d) : DEM_OK;
 }
 
@@ -217,7 +191,7 @@ static int set_up(const struct dem_program *prog, const struct dem_request *r, s
                   struct dem_schedule *s)
 {
     DEM_TRY(dem_program_agree(prog, read_scene(r, d, s)));
-    DEM_TRY(r->no_output ? DEM_OK : dem_output_check(&s->output, prog, r->scene));
+    DEM_TRY(dem_output_check(&s->output, prog, r->scene));
     DEM_TRY(dem_check(d));
     s->with_gravity = dem_gravity_acceleration(d, s->gravity);
     DEM_TRY(dem_quiet_check(d, &s->quiet));
@@ -229,8 +203,10 @@ static int set_up(const struct dem_program *prog, const struct dem_request *r, s
     return count_steps(s, d);
 }
 
-int dem_scene_open(const struct dem_program *prog, const struct dem_request *r, struct dem **made,
-                   struct dem_schedule *s)
+/* Read, check and set up the scene of a command line. The caller frees the simulation; NULL after
+   an error. */
+static int open_scene(const struct dem_program *prog, const struct dem_request *r,
+                      struct dem **made, struct dem_schedule *s)
 {
     struct dem *d;
 
@@ -254,7 +230,7 @@ int dem_command_run(struct dem_program *prog, const struct dem_command *c, int a
     struct dem_schedule s;
     struct dem *d;
 
-    DEM_TRY(dem_request_read(&r, c->name, argc, argv));
+    DEM_TRY(read_request(&r, c->name, argc, argv));
     if (r.help)
     {
         if (prog->rank == 0)
@@ -263,7 +239,7 @@ int dem_command_run(struct dem_program *prog, const struct dem_command *c, int a
         }
         return DEM_OK;
     }
-    DEM_TRY(dem_scene_open(prog, &r, &d, &s));
+    DEM_TRY(open_scene(prog, &r, &d, &s));
     const int status = c->run(prog, d, &s);
 
     dem_free(d);

@@ -27,29 +27,15 @@ struct dem_schedule
 
 enum
 {
-    DEM_MAX_SETS = 64,  /* -set options on a command line */
-    DEM_MAX_OPTIONS = 16
-};
-
-/* an option of one command */
-struct dem_option
-{
-    const char *name, *alias;  /* "-window"; another name that is accepted, or NULL */
-    int flag;                  /* 1: it takes no value */
-    const char *given;         /* its value, "" for a flag; NULL when it is not given */
+    DEM_MAX_SETS = 64  /* -set options on a command line */
 };
 
 /* a command line */
 struct dem_request
 {
     const char *scene, *restart;
-    const char *set[2*DEM_MAX_SETS][2];  /* path and value; half is for what a command sets
-                                            itself */
+    const char *set[DEM_MAX_SETS][2];  /* path and value */
     int sets, help;
-    const char *without;                 /* an effect that is left out of the scene; NULL: none */
-    int no_output;                       /* 1: no output files, no energy balance */
-    struct dem_option *option;
-    int options;
 };
 
 struct dem_command
@@ -58,17 +44,9 @@ struct dem_command
     int (*run)(struct dem_program *, struct dem *, const struct dem_schedule *);
 };
 
-/* Read the arguments [-restart SNAPSHOT] [-set PATH VALUE | -set PATH=VALUE] ... SCENE, and the
-   command's own options. Strings point into argv, where the `=` becomes the end of the path. */
-int dem_request_read(struct dem_request *, const char *command, int argc, char **argv);
-
-/* Collective. Read, check and set up the scene of a command line. The caller frees the
-   simulation; NULL after an error. */
-int dem_scene_open(const struct dem_program *, const struct dem_request *, struct dem **,
-                   struct dem_schedule *);
-
-/* Collective. Run a command: read the arguments, print its help or set up the scene, call
-   `run`, free. */
+/* Collective. Run a command: read the arguments [-restart SNAPSHOT]
+   [-set PATH VALUE | -set PATH=VALUE] ... SCENE, print its help or set up the scene, call `run`,
+   free. Strings of the request point into argv, where the `=` becomes the end of the path. */
 int dem_command_run(struct dem_program *, const struct dem_command *, int argc, char **argv);
 
 #endif

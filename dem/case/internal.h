@@ -97,7 +97,6 @@ struct dem
     struct dem_flow flow[DEM_SNAPSHOT_FLOWS];             /* as returned last by dem_flows */
     double step;                                          /* s  the longest step that dem_advance
                                                              takes */
-    double planned[2];   /* s  of the last dem_plan: dem_plan_seconds */
     struct dem_text plan, profile, warnings, impact, effect, value_text;  /* the texts returned last */
     double said_overlap, said_speed;                      /* 1, m/s  at the last dem_impact_warning
                                                              with a sentence */
@@ -105,9 +104,6 @@ struct dem
     char heading[DEM_HEADING + 800], fluid_effects[400];  /* "effects: " and all names; names of
                                                              fluid effects */
 };
-
-/* The effect of this name; the caller sets *text to d->effect, which is empty then. */
-int dem_api_begin_effect_text(struct dem *, const char *name, const struct dem_effect **);
 
 /* DEM_ERROR_STATE, with the name of the call, when it comes after dem_check or dem_setup. */
 int dem_api_require_unchecked(const struct dem *, const char *call);

@@ -154,10 +154,6 @@ int dem_setup(struct dem *);
    steps. No particle moves; views stay valid. */
 int dem_plan(struct dem *, const struct dem_run_info *, const char **text);
 
-/* Processor time of the particles, on all ranks, in the run of the last dem_plan [s]: as a bed at
-   rest, and with particles at `impactSpeed`. 0 before it, and without particles. */
-void dem_plan_seconds(const struct dem *, double *at_rest, double *moving);
-
 /* Collective, as dem_plan. What of the scene is likely to be a mistake or cannot work, as a numbered
    list under the line WARNINGS, each item with the entry to change; *text is "" when there is
    nothing. `own`: n sentences of the program, which come first. Valid until the next call. */
@@ -177,12 +173,6 @@ int dem_bed_slab(const struct dem *, double up[3], double *low, double *high);
 
 /* Returns the number of verdicts of the last dem_plan. They are valid until the next one. */
 int dem_verdicts(const struct dem *, const struct dem_verdict **);
-
-/* Put the verdicts into the file of a scene: effects that are needed are added to `effects`, or
-   replace another law; negligible ones are commented out; each with its reason. The old text is
-   kept as SCENE.before, which must not exist yet. Each edit is checked, and plans are repeated
-   until they ask for nothing more. Called by one rank. After an error the file is as it was. */
-int dem_scene_rewrite(const struct dem_scene_rewriter *);
 
 /* After dem_check. The comment at the head of result files: "effects: " and the names of all active
    effects, in the order of their stages. dem_effect_names: the names only;
@@ -213,14 +203,8 @@ const char *dem_effect_name(int k);
 
 /* An effect as text: name, stage, what it does, source, limitation; each setting with unit, default,
    range and meaning. All effects with NULL. DEM_ERROR_INPUT for a name that no effect has. The
-   simulation needs no scene. *text is valid until the next call of these two, or dem_free. */
+   simulation needs no scene. *text is valid until the next call, or dem_free. */
 int dem_effect_text(struct dem *, const char *effect, const char **text);
-
-/* The cost of an effect as a row of a table, measured in this process for `seconds` [s] of processor
-   time in a bed of 2000 spheres that has what the effect requires: processor time per particle and
-   step without it, what it adds, bytes per particle and per contact. With NULL the heading of the
-   table, and a row that compares the bed with itself: the noise. As dem_effect_text otherwise. */
-int dem_effect_cost_text(struct dem *, const char *effect, double seconds, const char **text);
 
 /* ---- advance --------------------------------------------------------------------------------- */
 
@@ -496,8 +480,7 @@ double dem_sauter_diameter(double volume, double per_diameter);
 /* The force of each particle on the fluid after an advance by `window` [s]: F - K u, with u the
    fluid's new velocity at the particle. `coefficient` gets K [kg/s], 1 each, `force` gets F [N],
    3 each. */
-int dem_fluid_reaction(const struct dem *, enum dem_exchange, double window, double *coefficient,
-                       double *force);
+int dem_fluid_reaction(const struct dem *, double window, double *coefficient, double *force);
 
 /* The largest rate at which drag takes up the slip of a particle of this rank [1/s]: b/(m + a),
    with b the mean drag coefficient over the last advance in a fluid of given velocity and a the

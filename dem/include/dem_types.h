@@ -102,23 +102,6 @@ struct dem_verdict
     const char *missing_setting;  /* the setting that the user must give for it, or NULL */
 };
 
-/* scene file and callbacks of dem_scene_rewrite */
-struct dem_scene_rewriter
-{
-    const char *scene;  /* path; SCENE.part exists during the call */
-
-    /* Check the scene whose text is in `file`: NULL, or a message why it is refused. With
-       `verdict` not NULL also plan it and return the verdicts, which must stay valid until the
-       next call that asks for them. */
-    const char *(*evaluate)(void *self, const char *file, const struct dem_verdict **verdict,
-                            int *n);
-
-    /* Called once, at the end: what was changed, and what the user has to do. */
-    void (*report)(void *self, const char *lines);
-
-    void *self;         /* passed to both */
-};
-
 /* ---- advance --------------------------------------------------------------------------------- */
 
 enum
@@ -395,15 +378,6 @@ struct dem_fluid
     double *owed_pressure_impulse;       /* in/out  N s  3 each, for the program: impulse of the
                                             pressure gradient, without its hydrostatic part, that
                                             the particle has not received yet */
-};
-
-/* time level of drag in the fluid's equation: laws/fluid/particle_exchange.h */
-enum dem_exchange
-{
-    DEM_EXCHANGE_DEFERRED,       /* implicit in the new fluid velocity; particles get the
-                                    correction in the next advance */
-    DEM_EXCHANGE_SEMI_IMPLICIT,  /* implicit in the fluid, with the present particle velocity */
-    DEM_EXCHANGE_EXPLICIT        /* explicit: the impulse of the last advance */
 };
 
 enum

@@ -157,8 +157,8 @@ struct dem_effect
     /* names of effects that model the same thing and cannot be combined with this one, separated by
        blanks; NULL: none */
     const char *excludes;
-    /* values for its required settings, as text of a scene, with which it can be tried out (`dem
-       effects -cost`); NULL: none are required */
+    /* values for its required settings, as text of a scene, with which tests try it out; NULL: none
+       are required */
     const char *example;
     /* bytes of the settings struct; 0 for none */
     size_t size;

@@ -31,18 +31,6 @@ const struct dem_effect *dem_effects_find(const char *name)
     return NULL;
 }
 
-const struct dem_effect *dem_effects_first(enum dem_stage stage)
-{
-    for (int k = 0; k < EFFECTS; k++)
-    {
-        if (dem_effects[k]->stage == stage)
-        {
-            return dem_effects[k];
-        }
-    }
-    return NULL;
-}
-
 const struct dem_effect *dem_effects_drag_law(enum dem_drag range)
 {
     for (int k = 0; k < EFFECTS; k++)

@@ -63,9 +63,6 @@ extern const struct dem_effect *const dem_effects[];
 /* The effect with this name, or NULL. */
 const struct dem_effect *dem_effects_find(const char *name);
 
-/* The first effect of the list in that stage. */
-const struct dem_effect *dem_effects_first(enum dem_stage);
-
 /* The first drag law of the list with that range of validity. */
 const struct dem_effect *dem_effects_drag_law(enum dem_drag);
 

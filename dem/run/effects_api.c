@@ -20,18 +20,12 @@ const char *dem_effect_name(int k)
     return k >= 0 && *e ? (*e)->name : NULL;
 }
 
-int dem_api_begin_effect_text(struct dem *d, const char *name, const struct dem_effect **e)
-{
-    dem_text_free(&d->effect);
-    *e = name ? dem_effects_find(name) : NULL;
-    return name && !*e ? dem_effects_unknown("effects", name) : DEM_OK;
-}
-
 int dem_effect_text(struct dem *d, const char *effect, const char **text)
 {
-    const struct dem_effect *e;
+    const struct dem_effect *const e = effect ? dem_effects_find(effect) : NULL;
 
-    DEM_TRY(dem_api_begin_effect_text(d, effect, &e));
+    DEM_TRY(effect && !e ? dem_effects_unknown("effects", effect) : DEM_OK);
+    dem_text_free(&d->effect);
     for (const struct dem_effect *const *other = dem_effects; *other; other++)
     {
         if (!e || e == *other)

@@ -169,34 +169,25 @@ double dem_fluid_slip_factor(const struct dem *d, double void_fraction)
     return dem_exchange_slip_factor(void_fraction, d->state.interaction_table.bodies.whole_drag);
 }
 
-int dem_fluid_reaction(const struct dem *d, enum dem_exchange how, double window,
-                       double *coefficient, double *force)
+int dem_fluid_reaction(const struct dem *d, double window, double *coefficient, double *force)
 {
     const struct dem_particles *const p = &d->state.particles;
     const double *const drag = dem_column(p, DEM_COLUMN_DRAG_IMPULSE);
     const double *const other = dem_column(p, DEM_COLUMN_OTHER_IMPULSE);
     const double *const u = dem_column(p, DEM_COLUMN_FLUID_VELOCITY);
-    const double *const response =
-        dem_column(p, how == DEM_EXCHANGE_DEFERRED ? DEM_COLUMN_RESPONSE : DEM_COLUMN_DRAG_TIME);
+    const double *const response = dem_column(p, DEM_COLUMN_RESPONSE);
 
     DEM_REQUIRE(u, DEM_ERROR_STATE, "dem_fluid_reaction without fluid effects");
-    DEM_REQUIRE(how <= DEM_EXCHANGE_EXPLICIT, DEM_ERROR_INPUT,
-                "dem_fluid_reaction: there is no time level %d; give one of enum dem_exchange",
-                (int)how);
     DEM_REQUIRE(window > 0.0, DEM_ERROR_INPUT,
                 "dem_fluid_reaction: a window of %g s; give a time above 0", window);
     for (size_t i = 0; i < p->n; i++)
     {
-        coefficient[i] = how == DEM_EXCHANGE_EXPLICIT ? 0.0 : response[i]/window;
+        coefficient[i] = response[i]/window;
         for (size_t k = 0; k < 3; k++)
         {
             const double impulse = other ? drag[3*i + k] + other[3*i + k] : drag[3*i + k];
-            const double at = how == DEM_EXCHANGE_DEFERRED ? u[3*i + k] : p->record[i].v[k];
 
-            force[3*i + k] =
-                dem_exchange_force(coefficient[i], at,
-                                   how == DEM_EXCHANGE_SEMI_IMPLICIT ? drag[3*i + k] : 0.0,
-                                   impulse, window);
+            force[3*i + k] = dem_exchange_force(coefficient[i], u[3*i + k], impulse, window);
         }
     }
     return DEM_OK;

@@ -67,10 +67,8 @@ Description
 #include "demDrivingForce.H"
 #include "demFluid.H"
 #include "demTimeStepControl.H"
-#include "demRewrite.H"
 #include "demSettle.H"
 #include "demStop.H"
-#include "demTrial.H"
 #include "checkTimeScheme.H"
 #include "fixedFlux.H"
 #include "fluidBudget.H"
@@ -95,13 +93,6 @@ int main(int argc, char *argv[])
     );
     argList::addBoolOption
     (
-        "write",
-        "With -plan: write the effects that the case needs into"
-        " constant/demProperties, comment out those that are negligible"
-    );
-
-    argList::addBoolOption
-    (
         "settle",
         "Settle the particles of insert in the walls of the mesh, without the"
         " fluid, until they rest; write the snapshot for start, then stop"
@@ -122,13 +113,6 @@ int main(int argc, char *argv[])
         demSettle(mesh).run();
         Info<< "End\n" << endl;
         return 0;
-    }
-
-    if (args.found("write") && !args.found("plan"))
-    {
-        FatalErrorInFunction
-            << "-write goes with -plan, whose choice of effects it writes; give"
-            << " both or neither" << exit(FatalError);
     }
 
     pimpleControl pimple(mesh);
@@ -159,15 +143,9 @@ int main(int argc, char *argv[])
             );
             planned = true;
         }
-        if (args.found("write"))
-        {
-            const volScalarField muFluid(mu());
-            demRewrite(mesh, true, U, gradP, rho, muFluid).write();
-        }
         if (args.found("plan"))
         {
             #include "checkSchemes.H"
-            #include "trialSteps.H"
             break;
         }
 

@@ -276,9 +276,8 @@ static int returns_nothing(struct dem *d)
 
     dem_view(d, &v);
     dem_start_overlap(d, &start);
-    dem_plan_seconds(d, &low, &high);
     return v.n == 0 && !v.position && !v.radius && !v.flags && !v.force && !dem_scalar(d, 0)
-        && start.wall == 0.0 && low == 0.0 && high == 0.0 && dem_verdicts(d, &verdict) == 0
+        && start.wall == 0.0 && dem_verdicts(d, &verdict) == 0
         && dem_bed_slab(d, a, &low, &high) == 0 && a[2] == 0.0 && high == 0.0
         && dem_fluid_relaxation(d) == 0.0 && dem_fluid_under_relax(d) == 1.0
         && dem_stopped(d) == 0;
@@ -376,7 +375,7 @@ static void ranges(void)
                && strcmp(dem_broken_bond_cause(-1), "unknown") == 0
                && dem_scene_name(d, "", -1) == NULL && dem_effect_traits("") == 0,
            "signals, causes, entries and traits that do not exist");
-    refused(dem_fluid_reaction(d, DEM_EXCHANGE_DEFERRED, 1.0, &coefficient, force), "fluid",
+    refused(dem_fluid_reaction(d, 1.0, &coefficient, force), "fluid",
             "the reaction on a fluid that is not there");
     dem_free(d);
 }

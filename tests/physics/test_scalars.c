@@ -298,7 +298,7 @@ static void test_viscosity(void)
                && !dem_column(&uniform->state.particles, DEM_COLUMN_FLUID_VELOCITY),
            "and the only column: %zu bytes", bytes(uniform));
     TAP_OK(uniform->state.particles.ghost_window.n == 1, "which ghosts have");
-    TAP_OK(dem_fluid_reaction(uniform, DEM_EXCHANGE_EXPLICIT, 1.0, NULL, NULL) == DEM_ERROR_STATE,
+    TAP_OK(dem_fluid_reaction(uniform, 1.0, NULL, NULL) == DEM_ERROR_STATE,
            "such a fluid gets no force: %s", dem_error_text());
     TAP_OK(dem_column(&coupled->state.particles, DEM_COLUMN_FLUID_VELOCITY) != NULL,
            "a coupled program finds all columns");

@@ -6,25 +6,22 @@
  * and of Du/Dt at light particles. Why they are so: docs/theory-coupling.md, "Exchange".
  *
  *   c = 1/e^2, 1/e where the drag law contains the pressure gradient (set III)
- *   deferred         K = R/T    F = K u* - J/T
- *   semiImplicit     K = B/T    F = K v + J_d/T - J/T
- *   explicit         K = 0      F = -J/T
+ *   K = R/T,  F = K u* - J/T
  *   1/tau = B/T/(m + a),     d = sum V/sum (V/d_i)
  *   w = 1/(1 + |lambda| (1 - q)),  delta = rho_p/rho + C,
  *   lambda = (1 - e)/e/(2 delta) (1 + 2 C + sqrt((1 + 2 C)^2 - 4 C delta))
  *
  *   e        void fraction, at least 0.1                                [1]
- *   u*, v    fluid velocity before the step, particle velocity          [m/s]
- *   J, J_d   impulse on the particle in the step, and its drag part     [N s]
+ *   u*       fluid velocity before the step                             [m/s]
+ *   J        impulse on the particle in the step                        [N s]
  *   R, B     response dJ/du; sum of drag coefficient times time         [kg]
  *   T        the step in which fluid and particles exchange momentum    [s]
  *   m, a     mass of the particle, added mass                           [kg]
  *   C, q     added mass over the mass of displaced fluid; fraction of a force that drag transmits
  *   V, d_i   volume and diameter of the surrounding particles           [m3], [m]
  *
- * Source: Zhou, Kuang, Chu, Yu, J. Fluid Mech. 661 (2010) 482 for the sets of equations; the
- * semi-implicit form is that of Xu and Yu, Chem. Eng. Sci. 52 (1997) 2785, as in most codes;
- * Sauter, VDI-Forschungsheft 279 (1926).
+ * Source: Zhou, Kuang, Chu, Yu, J. Fluid Mech. 661 (2010) 482 for the sets of equations; Sauter,
+ * VDI-Forschungsheft 279 (1926).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -44,12 +41,11 @@ static inline double dem_exchange_slip_factor(double void_fraction, int whole_dr
     return whole_drag ? 1.0/e : 1.0/(e*e);
 }
 
-/* One component of F [N]: coefficient is K, velocity that which K multiplies (u*, v or 0), held
-   the part of the impulse that K contains [N s] (J_d or 0), impulse J, window T. */
-static inline double dem_exchange_force(double coefficient, double velocity, double held,
-                                        double impulse, double window)
+/* One component of F [N]: coefficient is K, velocity u*, impulse J, window T. */
+static inline double dem_exchange_force(double coefficient, double velocity, double impulse,
+                                        double window)
 {
-    return coefficient*velocity + held/window - impulse/window;
+    return coefficient*velocity - impulse/window;
 }
 
 /* 1/tau [1/s]; drag_time is B, over_inertia 1/(m + a) */

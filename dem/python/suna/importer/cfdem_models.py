@@ -264,11 +264,11 @@ def add_exchange(d, properties, report):
             elif "KslLimit" in props:
                 report.approximated(props.where("KslLimit"), "KslLimit", "no limit: the exchange "
                                     "is stable without one")
-            report.approximated(place, "implicitCouple", "exchange deferred: implicit and keeps "
+            report.approximated(place, "implicitCouple", "the exchange is implicit and keeps "
                                 "momentum; there the fluid gets a drag that particles did not feel")
         elif name == "explicitCouple":
             report.approximated(place, "explicitCouple",
-                                "exchange deferred: implicit and keeps momentum")
+                                "the exchange is implicit and keeps momentum")
         elif name not in ("off", "noCouple"):
             report.refuse(place, f"momCoupleModels {name}",
                           "known are implicitCouple, explicitCouple, off")
