@@ -32,9 +32,7 @@ static const char help[] =
     "            maxSpeed 100;            m/s,\n"
     "            maxCreated 0.05;         energy created between two rows of energy.csv, of its\n"
     "                                     largest term\n"
-    "            untilQuiet {}            end earlier, when the particles rest\n"
-    "            pauseAtRest {} }         at rest compute particle scalars alone, in their longer\n"
-    "                                     step, until something moves\n"
+    "            untilQuiet {} }          end earlier, when the particles rest\n"
     "    write { interval 0.01;           s of simulated time between outputs\n"
     "            folder \"NAME\";           default: the scene's name without its extension\n"
     "            vtk yes;                 particles_*.vtp and particles.pvd for ParaView, walls\n"
@@ -311,18 +309,9 @@ struct tests
 static struct tests tests_of_rest(const struct run_state *c)
 {
     const double interval = c->s->interval;
-    const int64_t checks = c->s->pauses ? dem_pause_tests(c->d, interval)
-                                        : dem_quiet_tests(c->d, &c->quiet, interval);
+    const int64_t checks = dem_quiet_tests(c->d, &c->quiet, interval);
 
     return (struct tests){checks, interval/(double)checks};
-}
-
-/* The number of the next test; in a pause that of the next output, as there is none before. */
-static int64_t next_test(const struct run_state *c, const struct tests *test)
-{
-    const int64_t k = (int64_t)floor(c->t.time/test->part + 1e-6) + 1;
-
-    return dem_paused(c->d) ? (k + test->checks - 1)/test->checks*test->checks : k;
 }
 
 static double time_of_test(const struct run_state *c, const struct tests *test, int64_t k)
@@ -331,23 +320,8 @@ static double time_of_test(const struct run_state *c, const struct tests *test, 
                                : (double)(k/test->checks)*c->s->interval, c->s->end);
 }
 
-/* Pause or resume mechanics when that is due. */
-static int update_pause(struct run_state *c)
-{
-    const char *text;
-
-    DEM_TRY(dem_pause_update(c->d, &c->t, &text));
-    if (c->prog->rank == 0 && text[0])
-    {
-        printf("%s\n", text);
-        fflush(stdout);
-    }
-    return DEM_OK;
-}
-
 /* Outputs are at integer multiples of the interval, so that a restarted run has the same
-   windows. Each interval is divided into `checks` parts, after which rest is tested. In a pause there
-   are no tests, but a part ends where something begins. */
+   windows. Each interval is divided into `checks` parts, after which rest is tested. */
 static int advance_to_end(struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
 {
     struct run_state c = {.prog = prog,
@@ -360,9 +334,9 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
     DEM_TRY(begin(&c));
     while (c.t.time < s->end*(1.0 - 1e-12) && !c.quiet.reached)
     {
-        const int64_t k = next_test(&c, &test), number = (k + test.checks - 1)/test.checks;
-        const double planned = time_of_test(&c, &test, k), event = dem_pause_until(d),
-                     next = event < planned*(1.0 - 1e-12) ? event : planned;
+        const int64_t k = (int64_t)floor(c.t.time/test.part + 1e-6) + 1,
+                      number = (k + test.checks - 1)/test.checks;
+        const double next = time_of_test(&c, &test, k);
 
         DEM_TRY(advance_to(&c, next));
         if (dem_stopped(d))
@@ -371,8 +345,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
             return print_profile(prog, d, &s->output);
         }
         DEM_TRY(dem_quiet_test(d, &c.quiet, &c.t));
-        DEM_TRY(update_pause(&c));
-        if (next == planned && (k%test.checks == 0 || c.quiet.reached || next == s->end))
+        if (k%test.checks == 0 || c.quiet.reached || next == s->end)
         {
             DEM_TRY(dem_output_write(&s->output, prog, d, number, next));
             DEM_TRY(write_output(&c, number));

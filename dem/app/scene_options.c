@@ -131,7 +131,6 @@ static int read_schedule(struct dem_schedule *s, struct dem *d, const char *path
     DEM_TRY(dem_dict_number(time, "end", "s", &s->end));
     DEM_REQUIRE(s->end > 0.0, DEM_ERROR_INPUT, "time/end %g s; give a time above 0", s->end);
     DEM_TRY(dem_quiet_read(d, &s->quiet));
-    DEM_TRY(dem_pause_enable(d, &s->pauses));
     DEM_TRY(dem_dict_sub_if(scene, "write", &write));
     s->interval = s->end;
     if (write)

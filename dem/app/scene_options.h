@@ -17,7 +17,6 @@ struct dem_schedule
 {
     double end, interval;  /* s */
     struct dem_quiet quiet;
-    int pauses;            /* 1: time/pauseAtRest */
     struct dem_output output;
     int with_gravity;      /* 1: among the effects */
     double gravity[3];     /* m/s2 */

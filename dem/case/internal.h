@@ -35,17 +35,6 @@ struct dem_flow_patch
     double *triangles;  /* n times 9 coordinates [m] and 3 of the fluid's velocity [m/s] */
 };
 
-/* time/pauseAtRest: mechanics paused at rest */
-struct dem_pause
-{
-    struct dem_quiet rest;      /* the test of rest; not `wanted`: the run never pauses */
-    double overlap;             /* 1  largest since that test */
-    double scene_step;          /* s  its entry `step`; 0: auto */
-    double step, moving_step;   /* s  longest step in a pause; otherwise */
-    double updated;             /* s  what begins up to then has been seen */
-    char text[400];
-};
-
 struct dem
 {
     struct dem_state state;
@@ -73,7 +62,6 @@ struct dem
                                                              `start`: time begins at 0 */
     int start_checked;                                    /* 1: its overlap with the walls is
                                                              checked (dem_start) */
-    struct dem_pause pause;
     int restored;                                         /* 1: dem_restore was called; averages
                                                              hold later samples */
     int failed;                                           /* 1: the last dem_advance has failed */
@@ -120,21 +108,6 @@ struct dem
 
 /* The effect of this name; the caller sets *text to d->effect, which is empty then. */
 int dem_api_begin_effect_text(struct dem *, const char *name, const struct dem_effect **);
-
-/* dem_quiet_read and dem_quiet_check for this entry of `time`. */
-int dem_api_read_quiet(const struct dem *, const char *entry, struct dem_quiet *);
-int dem_api_check_quiet(const struct dem *, const char *entry, const struct dem_quiet *);
-
-/* After freeze: refuse a scene in which pausing serves nothing, or would miss what moves; choose the
-   step of the pause. Nothing unless dem_pause_enable found the entry. */
-int dem_api_check_pause(struct dem *);
-
-/* Collective, at the end of the set-up: particles of a snapshot that are paused stay so or are freed;
-   the test of rest continues. */
-int dem_api_resume_pause(struct dem *);
-
-/* Copy the test of rest into the row of a snapshot behind its flows. */
-void dem_api_save_rest(const struct dem *, struct dem_snapshot *);
 
 /* DEM_ERROR_STATE, with the name of the call, when it comes after dem_check or dem_setup. */
 int dem_api_require_unchecked(const struct dem *, const char *call);

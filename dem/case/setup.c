@@ -451,7 +451,6 @@ int dem_api_setup(struct dem *d)
                                                          &d->state.interaction_table)));
     }
     DEM_TRY(dem_api_agree(d, dem_api_begin_flows(d)));
-    DEM_TRY(dem_api_agree(d, dem_api_resume_pause(d)));
     DEM_TRY(dem_api_agree(d, distribute(d)));
     DEM_TRY(dem_api_agree(d, check_start(d)));
     DEM_TRY(dem_api_agree(d, check_inserted(d)));

@@ -123,7 +123,6 @@ int dem_api_finish_physics(struct dem *d)
         limit_step_by_walls(&p->interaction_table, &p->walls);
     }
     status = status ? status : choose_step(d);
-    status = status ? status : dem_api_check_pause(d);
     status = status ? status : check_periodic_widths(d, radius);
     dem_domain_make_walls_periodic(&p->domain, wall_reach(d, radius), &p->walls);
     status = status ? status : dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0);

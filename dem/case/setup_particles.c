@@ -286,8 +286,7 @@ static void freeze_or_free(struct dem *d)
         struct dem_particle *const r = &d->state.particles.record[i];
         const int frozen = d->scene.start_frozen;
 
-        r->flags = (uint16_t)((r->flags & ~(DEM_PARTICLE_FROZEN | DEM_PARTICLE_DRIVEN |
-                                            DEM_PARTICLE_PAUSED)) |
+        r->flags = (uint16_t)((r->flags & ~(DEM_PARTICLE_FROZEN | DEM_PARTICLE_DRIVEN)) |
                               (frozen ? DEM_PARTICLE_FROZEN : 0));
         r->inverse_mass = frozen ? 0.0 : 1.0/r->mass;
         r->inverse_inertia = frozen ? 0.0 : 1.0/(0.4*r->mass*r->radius*r->radius);

@@ -317,24 +317,6 @@ int dem_quiet_check(const struct dem *, const struct dem_quiet *);
 int64_t dem_quiet_tests(const struct dem *, const struct dem_quiet *, double interval);
 int dem_quiet_test(struct dem *, struct dem_quiet *, const struct dem_totals *);
 
-/* Mechanics paused at rest, as time/pauseAtRest asks for: positions, contacts and their history stay,
-   velocities are zero, and particle scalars alone change, in steps of their own limit.
-   dem_pause_enable, before dem_check: read the entry; *wanted: 1 when the scene has it. dem_check then
-   refuses scenes in which a pause serves nothing or would miss what moves.
-   dem_pause_tests: the number of tests of rest in an interval [s].
-   dem_pause_until: end the next dem_advance here at the latest, where something begins or ends that
-   the scene has a time for [s]; infinite while mechanics run.
-   dem_pause_update, collective, between two advances, with the present totals: pause after rest for
-   long enough, resume when a wall, a stream or a force begins; *text: a sentence when it did, else "",
-   valid until the next call.
-   dem_resume, collective: take mechanics up at once, before the program moves something. */
-int dem_pause_enable(struct dem *, int *wanted);
-int64_t dem_pause_tests(const struct dem *, double interval);
-double dem_pause_until(const struct dem *);
-int dem_pause_update(struct dem *, const struct dem_totals *, const char **text);
-int dem_resume(struct dem *);
-int dem_paused(const struct dem *);
-
 /* Collective. A 64-bit hash of particles and contact history, the same on any number of ranks. */
 int dem_hash(struct dem *, uint64_t *hash);
 

@@ -192,7 +192,7 @@ enum
     DEM_PROFILE_PHASES = 11  /* phases of a step, and the time outside dem_advance */
 };
 
-/* cost of the run since dem_setup: dem_profile; docs/program-dem.md explains it */
+/* cost of the run since dem_setup: dem_profile; docs/output.md explains it */
 struct dem_profile
 {
     int ranks;

@@ -241,10 +241,6 @@ struct dem_effect
        bonds. NULL: never. */
     int (*adhesive)(const void *settings);
 
-    /* 1 if with these settings its force changes while positions, velocities, walls and fluid stay.
-       NULL: never. */
-    int (*changes_at_rest)(const void *settings);
-
     /* BOND only: 1 if these settings make bonds of the pairs that the scene lists in its entry
        `bonds`, else 0. NULL: the effect does not read the list. */
     int (*makes_listed)(const void *settings);

@@ -114,9 +114,6 @@ struct dem_interaction_table
     char why[160];                                  /* the criterion that gives it */
     double next_limit;                              /* s: second smallest limit */
     char next_why[160];                             /* the criterion that gives it */
-    double scalar_limit;                            /* s: limit of the effects that change particle
-                                                       scalars */
-    char scalar_why[160];                           /* the criterion that gives it */
 };
 
 void dem_interaction_table_init(struct dem_interaction_table *);

@@ -174,11 +174,6 @@ static void collect_limits(struct dem_interaction_table *r, const struct dem_eff
                              : DBL_MAX;
 
     r->reach = reach > r->reach ? reach : r->reach;
-    if (entry->scalars > 0 && limit < r->scalar_limit)
-    {
-        r->scalar_limit = limit;
-        snprintf(r->scalar_why, sizeof r->scalar_why, "%s%s", why, suffix);
-    }
     dem_interaction_table_limit_step(r, limit, why, suffix);
 }
 
@@ -301,9 +296,8 @@ int dem_interaction_table_freeze(struct dem_interaction_table *r,
     DEM_TRY(set_capacities(r));
     DEM_TRY(DEM_NEW(r->list, DEM_PARTNERS*r->materials*r->materials + 1));
     memset(r->class_of, -1, sizeof r->class_of);
-    r->step_limit = r->next_limit = r->scalar_limit = DBL_MAX;
+    r->step_limit = r->next_limit = DBL_MAX;
     snprintf(r->why, sizeof r->why, "no effect bounds it");
-    snprintf(r->scalar_why, sizeof r->scalar_why, "no effect bounds it");
     for (int a = 0; a < r->materials; a++)
     {
         for (int b = a; b < r->materials; b++)

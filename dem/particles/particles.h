@@ -35,7 +35,6 @@ enum dem_particle_flag
 {
     DEM_PARTICLE_FROZEN = 1,         /* no force moves it; its velocity and spin stay */
     DEM_PARTICLE_DRIVEN = 2,         /* besides frozen: with a velocity or spin of its own */
-    DEM_PARTICLE_PAUSED = 4,         /* besides frozen: until mechanics are resumed */
     DEM_PARTICLE_NEW = 8,            /* inserted at a restart, during the set-up only */
     DEM_PARTICLE_ABSORBED = 0xff00,  /* 1 + the index of the outlet of the wall that has absorbed it,
                                         until it is removed; 0: none */

@@ -18,7 +18,6 @@ struct dem_backup
     int valid;                       /* 1: there is a copy */
     int64_t steps;                   /* number of steps at the copy */
     double time;                     /* s, of the copy */
-    int paused;                      /* 1: mechanics were paused */
     struct dem_particles particles;  /* owned particles only */
     struct dem_contacts history;     /* saved history only: no pairs, no rows */
 };

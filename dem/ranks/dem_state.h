@@ -89,8 +89,6 @@ struct dem_state
     struct dem_energy_balance *energy_balance;    /* records/energy_balance.h */
     struct dem_timers *timers;                    /* records/timers.h */
 
-    int paused;                                   /* 1: mechanics are paused (run/pause.c): only
-                                                     particle scalars change */
     int stale;                                    /* 1: rebuild in the next step; 2: there
                                                      are no lists of these particles yet */
     int64_t steps, rebuilds, prunes;

@@ -2,7 +2,7 @@
  * energy_balance.h -- energy balance of the particles: where their energy comes from and where it
  * goes.
  *
- *   total = kinetic + gravity + elastic + lost + broken + paused - work of walls
+ *   total = kinetic + gravity + elastic + lost + broken - work of walls
  *           - work of other body forces + carried out - carried in
  *           + gain of heat content - what it comes from (energy_heat.c)
  *
@@ -19,8 +19,6 @@
  *   kick    body forces except gravity: force times the mean of the velocities before and after,
  *           which is exact. For drag, impulse times u is work of the fluid, impulse times (u - v)
  *           is lost.
- *
- * paused  kinetic energy that is removed where mechanics pause (run/pause.c).
  *
  * All sums are exact (core/sum.h), and each row is counted by the owner of its lower id: the same
  * digits on any number of ranks. The balance begins in dem_setup and again at every restart. A run
@@ -55,7 +53,6 @@ enum dem_energy_balance_sum                                       /* of each eff
     /* of the whole: J  work of gravity */
     DEM_ENERGY_BALANCE_GRAVITY = DEM_ENERGY_BALANCE_SUMS_PER_EFFECT*DEM_EFFECT_LIST_LIMIT,
     DEM_ENERGY_BALANCE_BROKEN,   /* J  lost by bonds that broke */
-    DEM_ENERGY_BALANCE_PAUSED,   /* J  kinetic energy removed where mechanics paused */
     DEM_ENERGY_BALANCE_WALLS,    /* J  work of walls on particles */
     DEM_ENERGY_BALANCE_OUT,      /* J  carried out by particles that left */
     DEM_ENERGY_BALANCE_IN,       /* J  carried in by particles that came */
@@ -102,7 +99,6 @@ struct dem_energy_balance
     int open;                                               /* 1: this run has an energy balance */
     int driven;                                             /* 1: there are driven particles */
     int flows;                                              /* 1: the run has streams or outlets */
-    int pauses;                                             /* 1: mechanics may pause */
     int begun;                                              /* 1: heat is summed; 0 in the sweep
                                                                that the balance begins with */
     int sums_elastic;                                       /* 1: the next sweep sums
@@ -161,9 +157,6 @@ void dem_energy_balance_after_sweep(struct dem_state *, double dt);
    or has been inserted, velocity and position synchronous. */
 void dem_energy_balance_particle_out(struct dem_state *, const struct dem_particle *, double late);
 void dem_energy_balance_particle_in(struct dem_state *, const struct dem_particle *);
-
-/* A particle is about to lose its velocity and spin: mechanics pause. */
-void dem_energy_balance_particle_paused(struct dem_energy_balance *, const struct dem_particle *);
 
 /* ---- heat (energy_heat.c) --------------------------------------------------------------------- */
 

@@ -183,8 +183,7 @@ static double report_all(struct dem_state *p)
                  left = value_of(p, &l->sum[DEM_ENERGY_BALANCE_OUT]);
     const double driven = value_of(p, &l->sum[DEM_ENERGY_BALANCE_DRIVEN]);
     const double applied = value_of(p, &l->sum[DEM_ENERGY_BALANCE_APPLIED]);
-    const double came = value_of(p, &l->sum[DEM_ENERGY_BALANCE_IN]),
-                 paused = value_of(p, &l->sum[DEM_ENERGY_BALANCE_PAUSED]);
+    const double came = value_of(p, &l->sum[DEM_ENERGY_BALANCE_IN]);
     double kinetic[2], g[3], total;
     const struct dem_effect *const potential =
         dem_interaction_table_gravity(&p->interaction_table, g);
@@ -202,10 +201,6 @@ static double report_all(struct dem_state *p)
     {
         add_term(l, "broken", "", broken);
     }
-    if (l->pauses)
-    {
-        add_term(l, "lost_pause", "", paused);
-    }
     if (!p->walls.all_flat_static)
     {
         add_term(l, "work_walls", "", walls);
@@ -218,7 +213,7 @@ static double report_all(struct dem_state *p)
     {
         add_term(l, "work_forces", "", applied);
     }
-    total += broken + paused - walls - applied - driven + report_bodies(p);
+    total += broken - walls - applied - driven + report_bodies(p);
     if (p->domain.remove || l->flows)
     {
         add_term(l, "left", "", left);

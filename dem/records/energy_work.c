@@ -125,15 +125,6 @@ void dem_energy_balance_particle_in(struct dem_state *p, const struct dem_partic
                                    &p->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_IN]);
 }
 
-void dem_energy_balance_particle_paused(struct dem_energy_balance *l, const struct dem_particle *r)
-{
-    const double inertia = 0.4*r->mass*r->radius*r->radius;
-
-    dem_energy_balance_add(&l->sum[DEM_ENERGY_BALANCE_PAUSED],
-                           0.5*r->mass*dem_vec_dot(r->v, r->v) +
-                               0.5*inertia*dem_vec_dot(r->w, r->w));
-}
-
 /* ---- body forces ----------------------------------------------------------------------------- */
 
 void dem_energy_balance_before_body_effect(struct dem_energy_balance *l,

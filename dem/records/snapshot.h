@@ -52,8 +52,7 @@ enum
 struct dem_snapshot_flow
 {
     char name[48];
-    int64_t kind, count;                 /* kind: 1 stream by number, 3 stream by mass, 2 outlet,
-                                            4 the test of rest (run/pause.c) */
+    int64_t kind, count;                 /* kind: 1 stream by number, 3 stream by mass, 2 outlet */
     double mass, momentum[3], energy;    /* kg, kg m/s, J */
     double rate, start, end;             /* of a stream: present settings */
     double owed, since, last;            /* of a stream: particles or kg due at time `since` [s];

@@ -120,8 +120,7 @@ static int check_motion(const char *path, const struct dem_particle *p)
 static int check_inertia(const char *path, const struct dem_particle *p)
 {
     const double inertia_ratio = 0.4*p->mass*p->radius*p->radius*p->inverse_inertia;
-    const int of_frozen = DEM_PARTICLE_DRIVEN | DEM_PARTICLE_PAUSED,
-              known = DEM_PARTICLE_FROZEN | of_frozen | DEM_PARTICLE_ABSORBED,
+    const int known = DEM_PARTICLE_FROZEN | DEM_PARTICLE_DRIVEN | DEM_PARTICLE_ABSORBED,
               frozen = p->flags & DEM_PARTICLE_FROZEN,
               immobile = p->inverse_mass == 0.0 && p->inverse_inertia == 0.0;
 
@@ -129,12 +128,11 @@ static int check_inertia(const char *path, const struct dem_particle *p)
         p->mass > 0.0, DEM_ERROR_FILE,
         "%s is damaged: particle %lld has a mass of %g kg, which must be above 0; use another one",
         path, (long long)p->id, p->mass);
-    DEM_REQUIRE((p->flags & ~known) == 0 && (frozen || !(p->flags & of_frozen)),
+    DEM_REQUIRE((p->flags & ~known) == 0 && (frozen || !(p->flags & DEM_PARTICLE_DRIVEN)),
                 DEM_ERROR_FILE,
                 "%s is damaged: particle %lld has flags %#x, and the only valid ones are %#x, "
-                "driven (%#x) and paused (%#x) only with frozen (%#x); use another one",
-                path, (long long)p->id, p->flags, known, DEM_PARTICLE_DRIVEN, DEM_PARTICLE_PAUSED,
-                DEM_PARTICLE_FROZEN);
+                "driven (%#x) only with frozen (%#x); use another one",
+                path, (long long)p->id, p->flags, known, DEM_PARTICLE_DRIVEN, DEM_PARTICLE_FROZEN);
     DEM_REQUIRE(
         frozen ? immobile
                : p->inverse_mass > 0.0 && p->inverse_mass*p->mass < 1.0 + 1e-9 &&

@@ -226,8 +226,6 @@ int dem_wall_move(struct dem *d, const char *name, int64_t n, const double *tria
     }
     DEM_REQUIRE(k < d->mesh_walls, DEM_ERROR_INPUT,
                 "dem_wall_move: there is no wall %s of dem_add_wall", name);
-    DEM_REQUIRE(!d->state.paused, DEM_ERROR_STATE, "dem_wall_move: wall %s is to move while "
-                "mechanics are paused; call dem_resume before", name);
     DEM_TRY(dem_api_agree(d, copy_moved_corners(&d->mesh_wall[k], n, triangles)));
     return d->is_set_up ? dem_api_move_wall(d, &d->mesh_wall[k], 0) : DEM_OK;
 }
@@ -490,7 +488,6 @@ int dem_save(struct dem *d, const char *path)
     s.flows = p->flows->n;
     s.next_id = p->flows->next_id;
     memcpy(s.flow, p->flows->flow, (size_t)p->flows->n*sizeof *s.flow);
-    dem_api_save_rest(d, &s);
     if (p->half_step_ahead)
     {
         s.window = (struct dem_snapshot_window){.ahead = p->steps_ahead,
@@ -545,7 +542,5 @@ int dem_restore(struct dem *d, double *time)
     p->limits.overlap = 0.0;
     p->stale = 2;
     p->half_step_ahead = 0;
-    p->paused = p->backup.paused;
-    d->step = p->paused ? d->pause.step : d->pause.moving_step;
     return DEM_OK;
 }

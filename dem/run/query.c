@@ -32,10 +32,9 @@ struct dem_step_limit dem_step_limit(const struct dem *d)
     {
         return (struct dem_step_limit){.why = ""};
     }
-    struct dem_step_limit s = {.limit = d->state.paused ? r->scalar_limit : r->step_limit,
-                               .used = d->step};
+    struct dem_step_limit s = {.limit = r->step_limit, .used = d->step};
 
-    snprintf(s.why, sizeof s.why, "%s", d->state.paused ? r->scalar_why : r->why);
+    snprintf(s.why, sizeof s.why, "%s", r->why);
     return s;
 }
 
@@ -45,7 +44,6 @@ int dem_totals(struct dem *d, struct dem_totals *t)
 
     DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_totals comes after dem_setup");
     dem_totals_tally(&d->state, t);
-    d->pause.overlap = fmax(d->pause.overlap, t->largest_overlap);
     for (int k = 0; k < f->n; k++)
     {
         *(f->flow[k].kind != DEM_FLOW_OUTLET ? &t->inserted : &t->removed) += f->flow[k].count;

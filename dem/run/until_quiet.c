@@ -1,6 +1,5 @@
 /*
- * until_quiet.c -- time/untilQuiet and time/pauseAtRest: test whether the particles have been at rest
- * for long enough.
+ * until_quiet.c -- time/untilQuiet: test whether the particles have been at rest for long enough.
  *
  *     untilQuiet { kinetic 1e-6; moving 0.01; imbalance 0.01; lasting 0.1; }
  *
@@ -51,15 +50,15 @@ static int check_settings(const struct dem_quiet *q, const struct dem_dict *dict
     return DEM_OK;
 }
 
-int dem_api_read_quiet(const struct dem *d, const char *entry, struct dem_quiet *q)
+int dem_quiet_read(const struct dem *d, struct dem_quiet *q)
 {
     const struct dem_dict *time, *dict = NULL;
 
     *q = (struct dem_quiet){.kinetic = 1e-6, .moving = 0.01, .imbalance = 0.01, .since = INFINITY,
                             .tested = -INFINITY};
-    DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "time/%s is read after the scene has been read", entry);
+    DEM_REQUIRE(d->dict, DEM_ERROR_STATE, "time/untilQuiet is read after the scene has been read");
     DEM_TRY(dem_dict_sub_if(d->dict, "time", &time));
-    DEM_TRY(time ? dem_dict_sub_if(time, entry, &dict) : DEM_OK);
+    DEM_TRY(time ? dem_dict_sub_if(time, "untilQuiet", &dict) : DEM_OK);
     if (!dict)
     {
         return DEM_OK;
@@ -75,26 +74,16 @@ int dem_api_read_quiet(const struct dem *d, const char *entry, struct dem_quiet 
     return check_settings(q, dict);
 }
 
-int dem_quiet_read(const struct dem *d, struct dem_quiet *q)
-{
-    return dem_api_read_quiet(d, "untilQuiet", q);
-}
-
 /* Without gravity there is no energy of falling to compare with, and no time of falling. */
-int dem_api_check_quiet(const struct dem *d, const char *entry, const struct dem_quiet *q)
+int dem_quiet_check(const struct dem *d, const struct dem_quiet *q)
 {
     double g[3];
     const int any = dem_gravity_acceleration(d, g) && dem_vec_dot(g, g) > 0.0;
 
     DEM_REQUIRE(!q->wanted || any || (q->speed > 0.0 && q->lasting > 0.0), DEM_ERROR_INPUT,
-                "time/%s compares with the energy of falling by a diameter, but there is "
-                "no gravity; give speed and lasting, or add gravity", entry);
+                "time/untilQuiet compares with the energy of falling by a diameter, but there is "
+                "no gravity; give speed and lasting, or add gravity");
     return DEM_OK;
-}
-
-int dem_quiet_check(const struct dem *d, const struct dem_quiet *q)
-{
-    return dem_api_check_quiet(d, "untilQuiet", q);
 }
 
 /* Rounded to a power of 2, so that a restart with other particles has the same windows. */

@@ -27,7 +27,7 @@ void dem_flows_free(struct dem_flows *f)
 
 int dem_flows_due(const struct dem_state *p)
 {
-    return p->flows->n > 0 && !p->flows->asked && !p->paused && p->steps%DEM_FLOW_STEPS == 0;
+    return p->flows->n > 0 && !p->flows->asked && p->steps%DEM_FLOW_STEPS == 0;
 }
 
 /* ---- beginning ------------------------------------------------------------------------------- */

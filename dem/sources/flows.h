@@ -103,11 +103,6 @@ void dem_flows_begin_columns(struct dem_state *, size_t i, const struct dem_unif
 /* 1 when streams and outlets are checked in this step. */
 int dem_flows_due(const struct dem_state *);
 
-/* 1 when stream k inserts particles at the present time, or has one that waits for a position; and
-   when it is below the limits of its number and mass. */
-int dem_flows_stream_acts(const struct dem_state *, int k);
-int dem_flows_stream_is_open(const struct dem_state *, int k);
-
 /* Collective. Find positions for the particles due at this time; `arrivals` is the number of those
    that have one. `step` seeds the random numbers. */
 int dem_flows_find_positions(struct dem_state *, int64_t step);

@@ -271,20 +271,6 @@ static double amount_owed(const struct dem_state *p, int k)
            (s->by_mass ? row->mass : (double)row->count);
 }
 
-int dem_flows_stream_is_open(const struct dem_state *p, int k)
-{
-    return is_within(&p->flows->plan->stream[k], &p->flows->flow[k], next_mass(p, k));
-}
-
-int dem_flows_stream_acts(const struct dem_state *p, int k)
-{
-    const struct dem_stream *const s = &p->flows->plan->stream[k];
-    const int now = p->time >= s->start*(1.0 - 1e-12) && p->time < s->end;
-
-    return (now && dem_flows_stream_is_open(p, k)) ||
-           is_due(s, &p->flows->flow[k], amount_owed(p, k), next_mass(p, k));
-}
-
 /* 1 in `clear` when the particle overlaps no sphere and no wall and lies in the domain; then it is
    wrapped. */
 static int test_position(struct dem_state *p, const struct inlet_grid *grid,

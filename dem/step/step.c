@@ -85,7 +85,6 @@ static int make_backup(struct dem_state *p, int status, double half_kick)
     dem_flows_backup(p->flows);
     backup->time = p->time;
     backup->steps = p->steps;
-    backup->paused = p->paused;
     if (half_kick > 0.0)
     {
         dem_sweep_bodies(&backup->particles, &p->interaction_table.bodies,

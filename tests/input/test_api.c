@@ -256,8 +256,6 @@ static void refuse_queries(struct dem *d)
     REFUSED_STATE(dem_plan(d, &run, &text));
     REFUSED_STATE(dem_warnings(d, &run, 0, NULL, &text));
     REFUSED_STATE(dem_impact_warning(d, 0.0, &text));
-    REFUSED_STATE(dem_pause_update(d, &t, &text));
-    REFUSED_STATE(dem_resume(d));
     REFUSED_STATE(dem_scalar_exchange(d, 0, &x));
     REFUSED_STATE(dem_scalar_correct(d, 0, a));
     REFUSED_STATE(dem_scalar_total(d, 0, a));
@@ -283,7 +281,7 @@ static int returns_nothing(struct dem *d)
         && start.wall == 0.0 && low == 0.0 && high == 0.0 && dem_verdicts(d, &verdict) == 0
         && dem_bed_slab(d, a, &low, &high) == 0 && a[2] == 0.0 && high == 0.0
         && dem_fluid_relaxation(d) == 0.0 && dem_fluid_under_relax(d) == 1.0
-        && dem_stopped(d) == 0 && dem_paused(d) == 0;
+        && dem_stopped(d) == 0;
 }
 
 static void before(struct dem *d, const char *when)
@@ -303,12 +301,10 @@ static void unready(void)
     struct dem_quiet quiet;
     const char *text;
     struct dem *d;
-    int wanted;
 
     WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
     before(d, "without a scene");
     refused(dem_quiet_read(d, &quiet), "scene", "dem_quiet_read without a scene");
-    refused(dem_pause_enable(d, &wanted), "scene", "dem_pause_enable without a scene");
     refused(dem_warnings(d, &run, 0, NULL, &text), "dem_setup", "dem_warnings without a scene");
     refused(dem_effects_record(d, ".", 0.0), "dem_check", "dem_effects_record before dem_check");
     TAP_OK(dem_step_limit(d).used == 0.0 && dem_step_limit(d).limit == 0.0

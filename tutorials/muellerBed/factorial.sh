@@ -1,13 +1,12 @@
 #!/bin/bash
-# factorial.sh -- eight runs that decide what rolling resistance, unequal beads and the distributor
-# change: each of the three without and with, one core a run.
+# factorial.sh -- eight runs with and without rolling resistance, unequal beads and a frit, one
+# core a run.
 #
 #   ./factorial.sh FOLDER [OPTION ...]    OPTIONs go to every Allrun, such as -end 10
 #
-# Copies of this case are run in FOLDER; one that has a result is not run again, one that was stopped
-# goes on from its last written time. All start poured at
-# random, with cells of 2 mm and E = 1e6 Pa. At the end the table: store.py -beside "WHAT RAN WHERE"
-# factorial plain=FOLDER/plain ... keeps it.
+# Copies of this case run in FOLDER; a finished run is kept, a stopped one continues from its last
+# written time. All start poured at random, with cells of 2 mm and E = 1e6 Pa. At the end the table;
+# to keep it: store.py -beside "WHAT RAN WHERE" factorial plain=FOLDER/plain ...
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 

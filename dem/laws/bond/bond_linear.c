@@ -507,11 +507,6 @@ static int makes_listed(const void *of)
     return ((const struct bond *)of)->make == LISTED;
 }
 
-static int changes_at_rest(const void *of)
-{
-    return ((const struct bond *)of)->relaxation > 0.0;
-}
-
 static int adhesive(const void *of)
 {
     (void)of;
@@ -537,6 +532,5 @@ const struct dem_effect dem_bond_linear = {
     .replace_contact = shield,
     .apply = apply,
     .energy = energy,
-    .changes_at_rest = changes_at_rest,
     .adhesive = adhesive,
 };

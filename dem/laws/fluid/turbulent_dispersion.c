@@ -48,13 +48,6 @@ static void eddies(const void *of, struct dem_eddies *e)
     e->seed = (uint64_t)own->seed;
 }
 
-/* eddies come and go */
-static int changes_at_rest(const void *of)
-{
-    (void)of;
-    return 1;
-}
-
 /* u' is part of the fluid's velocity already */
 static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
 {
@@ -74,5 +67,4 @@ const struct dem_effect dem_turbulent_dispersion = {
     .settings = settings,
     .apply_to_bodies = apply_to_bodies,
     .eddies = eddies,
-    .changes_at_rest = changes_at_rest,
 };

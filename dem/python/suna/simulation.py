@@ -14,7 +14,7 @@ from ._library import ffi, lib
 from .files import write_vtp
 
 # entries of a scene that belong to the program dem
-PROGRAM = ("time/end", "time/untilQuiet", "time/pauseAtRest", "time/maxCreated", "write", "coupling",
+PROGRAM = ("time/end", "time/untilQuiet", "time/maxCreated", "write", "coupling",
            "accuracy")
 
 
