@@ -4,34 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/plan.h"
-#include <math.h>
-
-double dem_plan_sauter_diameter(const struct dem_plan *p)
-{
-    return p->inventory.all.volume/(3.14159265358979323846/6.0*p->inventory.all.squares);
-}
-
-int dem_plan_suspension(const struct dem_plan *p, struct dem_suspension *b)
-{
-    const struct dem_material_inventory *const all = &p->inventory.all;
-    const struct dem_uniform_fluid *const given = &p->scene->fluid;
-    double g[3];
-
-    if (all->n == 0)
-    {
-        return 0;
-    }
-    dem_interaction_table_gravity(&p->state->interaction_table, g);
-    *b = (struct dem_suspension){
-        .diameter = all->volume/(3.14159265358979323846/6.0*all->grain_squares),
-        .density = all->mass/all->volume,
-        .fluid_density = given->given ? given->density : p->inventory.fluid_density,
-        .viscosity = given->given ? given->viscosity : p->inventory.fluid_viscosity,
-        .gravity = sqrt(g[0]*g[0] + g[1]*g[1] + g[2]*g[2]),
-        .feels_gradient = dem_interaction_table_has_pressure_gradient(
-            &p->state->interaction_table)};
-    return b->fluid_density > 0.0 && b->viscosity > 0.0;
-}
 
 int dem_plan_write(struct dem_text *t, struct dem_plan *p)
 {

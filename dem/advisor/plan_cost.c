@@ -54,32 +54,6 @@ void dem_plan_step(struct dem_text *t, const struct dem_plan *p)
 
 /* ---- bed ----------------------------------------------------------------------------------------------------- */
 
-/* m: width of the domain along an axis: between two planes that face each other, or periodic; 0
-   unknown. */
-static double width(const struct dem_state *p, int axis)
-{
-    double low = -INFINITY, high = INFINITY;
-
-    if (p->domain.periodic[axis])
-    {
-        return p->domain.length[axis];
-    }
-    for (int k = 0; k < p->walls.walls; k++)
-    {
-        const struct dem_wall *const w = &p->walls.wall[k];
-        const double along = w->shape == DEM_SHAPE_PLANE ? w->normal[axis] : 0.0;
-
-        low = along == 1.0 ? fmax(low, w->point[axis]) : low;
-        high = along == -1.0 ? fmin(high, w->point[axis]) : high;
-    }
-    return isfinite(high - low) && high > low ? high - low : 0.0;
-}
-
-double dem_plan_width(const struct dem_plan *p, int axis)
-{
-    return width(p->state, axis);
-}
-
 /* 1 if the cross-section normal to an axis may vary because of this wall: it is neither a plane
    normal or parallel to the axis nor a cylinder around it. */
 static int varies(const struct dem_wall *w, int axis)
@@ -92,9 +66,10 @@ static int varies(const struct dem_wall *w, int axis)
 
 /* m2: constant cross-section normal to an axis: of the narrowest tube, between planes, or
    periodic; 0 unknown. */
-static double constant_section(const struct dem_state *p, int axis)
+static double constant_section(const struct dem_plan *plan, int axis)
 {
-    const double flat = width(p, (axis + 1)%3)*width(p, (axis + 2)%3);
+    const struct dem_state *const p = plan->state;
+    const double flat = dem_plan_width(plan, (axis + 1)%3)*dem_plan_width(plan, (axis + 2)%3);
     double min_area = flat > 0.0 ? flat : INFINITY;
 
     for (int k = 0; k < p->walls.walls; k++)
@@ -123,7 +98,7 @@ static double cross_section(const struct dem_plan *p, const double g[3])
     {
         if (g[axis] != 0.0 && g[(axis + 1)%3] == 0.0 && g[(axis + 2)%3] == 0.0)
         {
-            return constant_section(p->state, axis);
+            return constant_section(p, axis);
         }
     }
     return 0.0;

@@ -60,29 +60,6 @@ static double narrowest(const struct dem_plan *p)
     return isfinite(smallest) ? smallest : 0.0;
 }
 
-static const void *settings_in(const struct dem_effect_list *list, const struct dem_effect *effect)
-{
-    for (int k = 0; k < list->entries; k++)
-    {
-        if (list->entry[k].effect == effect)
-        {
-            return list->entry[k].settings;
-        }
-    }
-    return NULL;
-}
-
-const void *dem_regime_settings(const struct dem_plan *p, const struct dem_effect *effect)
-{
-    const struct dem_interaction_table *const r = &p->state->interaction_table;
-
-    if (effect->stage >= DEM_STAGE_BODY)
-    {
-        return settings_in(&r->bodies, effect);
-    }
-    return r->classes > 0 ? settings_in(&r->list[0], effect) : NULL;
-}
-
 /* The effect in use of a stage, NULL without one. */
 static const struct dem_effect *effect_at(const struct dem_plan *p, enum dem_stage stage)
 {

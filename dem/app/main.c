@@ -78,17 +78,6 @@ static int refuse(const char *name)
     return dem_did_you_mean_error("command", name, known, COMMANDS);
 }
 
-int dem_program_agree(const struct dem_program *p, int status)
-{
-    int worst = status;
-
-    if (p->comm != MPI_COMM_NULL)
-    {
-        MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, p->comm);
-    }
-    return worst && !status ? dem_error(worst, "another rank failed; see its message") : status;
-}
-
 int dem_program_check_output(const struct dem_program *p, int status)
 {
     if (p->rank > 0)

@@ -124,7 +124,8 @@ int dem_api_agree(const struct dem *, int status);
 int dem_api_gather(const struct dem_state *, int status, size_t size, size_t n, const double *mine,
                    double **items, size_t *number);
 
-/* Give the triangles of the patches to the streams that enter through them. */
+/* Give the triangles of the patches, of one or of all, to the streams that enter through them. */
+int dem_api_give_patch(struct dem *, const struct dem_flow_patch *);
 int dem_api_assign_patches(struct dem *);
 
 /* Collective. Set where the triangles of a wall will be at the end of the next advance; with
@@ -148,9 +149,6 @@ int dem_api_store_initial(struct dem *, size_t from);    /* initial particles, f
 int dem_api_join_initial(struct dem *);
 void dem_api_init_fluid(struct dem *);
 int dem_api_begin_flows(struct dem *);
-
-/* Mark the scalars of dem_scalar_exchange_enable; the effects are known. */
-int dem_api_enable_exchanges(struct dem *);
 
 /* DEM_ERROR_INPUT when a value of the fluid that the effects read (fluid_entry) is not given at a
    particle of this rank. */

@@ -12,7 +12,6 @@
 #include "core/memory.h"
 #include "core/text.h"
 #include "input/dictionary.h"
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -22,21 +21,6 @@ static const char *const sections[] = {
     "fluid", "forces", "time", "neighbours", "averages", "coupling"};
 
 static const char group_mark[] = "@group ", program_mark[] = "@program";
-
-int dem_api_note(struct dem *d, const char *format, ...)
-{
-    char text[1024];
-    va_list arguments;
-
-    va_start(arguments, format);
-    const int n = vsnprintf(text, sizeof text, format, arguments);
-
-    va_end(arguments);
-    DEM_TRY(DEM_GROW(d->note, d->note_capacity, d->notes + 1));
-    DEM_TRY(DEM_NEW(d->note[d->notes], sizeof text));
-    memcpy(d->note[d->notes++], text, n < 0 ? 1 : sizeof text);
-    return DEM_OK;
-}
 
 /* 1 when this line is in the text, for lines with @. */
 static int has_mark(const char *text, const char *mark, const char *name)

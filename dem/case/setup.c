@@ -351,6 +351,23 @@ static void list_effects(struct dem *d)
     }
 }
 
+/* Mark the scalars of dem_scalar_exchange_enable. */
+static int enable_exchanges(struct dem *d)
+{
+    struct dem_interaction_table *const r = &d->state.interaction_table;
+
+    for (int e = 0; e < d->exchanges; e++)
+    {
+        const int k = dem_interaction_table_find_scalar(r, d->exchanged[e]);
+
+        DEM_REQUIRE(k >= 0 && r->scalar[k]->exchange, DEM_ERROR_INPUT,
+                    "the program exchanges %s, but no effect of the scene has this scalar; add one",
+                    d->exchanged[e]);
+        r->exchanged[k] = 1;
+    }
+    return DEM_OK;
+}
+
 static int read_scene(struct dem *d)
 {
     struct dem_state *const p = &d->state;
@@ -371,14 +388,9 @@ static int read_scene(struct dem *d)
     p->interaction_table.fluid_density =
         d->scene.fluid.given ? d->scene.fluid.density : d->fluid_density;
     DEM_TRY(decide_fluid(d));
-    DEM_TRY(dem_api_enable_exchanges(d));
+    DEM_TRY(enable_exchanges(d));
     list_effects(d);
     return dem_api_check_scene(d);
-}
-
-int dem_api_agree(const struct dem *d, int status)
-{
-    return dem_collect_agree(&d->state.decomposition, status);
 }
 
 /* Sums of the averages when the snapshot was written. The snapshot of the scene's entry `start`

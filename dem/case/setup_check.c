@@ -130,17 +130,6 @@ int dem_api_finish_physics(struct dem *d)
     return dem_wall_store_finish(&p->wall_store, status, &p->walls);
 }
 
-double dem_api_max_radius(const struct dem *d)
-{
-    double max = 0.0;
-
-    for (int m = 0; m < DEM_MATERIALS; m++)
-    {
-        max = fmax(max, d->state.interaction_table.max_radius[m]);
-    }
-    return max;
-}
-
 /* Radii by material and ratios of parcels, of particles that the scene inserts and of those that the program added. */
 int dem_api_add_radii(struct dem *d)
 {

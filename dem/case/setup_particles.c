@@ -18,6 +18,7 @@
 #include "records/totals.h"
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* The k-th particle of dem_add_particles, with the density of its material. */
@@ -351,5 +352,23 @@ int dem_api_create_particles(struct dem *d)
     dem_memory_free(d->initial_material);
     d->initial_material = NULL;
     d->initial_capacity = 0;
+    return DEM_OK;
+}
+
+/* ---- snapshots to begin from ----------------------------------------------------------------- */
+
+int dem_load(struct dem *d, const char *path)
+{
+    DEM_TRY(dem_api_require_unchecked(d, "dem_load"));
+    DEM_REQUIRE(strlen(path) < sizeof d->load_path, DEM_ERROR_INPUT, "path %s is longer than %zu "
+                "characters", path, sizeof d->load_path - 1);
+    snprintf(d->load_path, sizeof d->load_path, "%s", path);
+    return DEM_OK;
+}
+
+int dem_start(struct dem *d, const char *path)
+{
+    DEM_TRY(dem_load(d, path));
+    d->start_checked = 1;
     return DEM_OK;
 }

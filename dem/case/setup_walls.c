@@ -11,18 +11,6 @@
 #include <stdio.h>
 #include <string.h>
 
-int dem_api_gather(const struct dem_state *p, int status, size_t size, size_t n, const double *mine,
-                   double **items, size_t *number)
-{
-    const struct dem_collect_items own = {"triangles of a wall or patch (make it of several)", mine,
-                                          n, size*sizeof *mine};
-    void *all;
-
-    DEM_TRY(dem_collect_gather(&p->decomposition, status, &own, &all, number));
-    *items = all;
-    return DEM_OK;
-}
-
 /* Collective. Hold all triangles of a wall from its first movement on. Wall neighbors keep their
    triangles and facets, which now have other indices. */
 static int follow(struct dem_state *p, int wall)

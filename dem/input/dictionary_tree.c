@@ -1,9 +1,8 @@
 /*
- * dictionary_tree.c -- the tree of a dictionary and the memory pool that holds all of it.
+ * dictionary_tree.c -- the tree of a dictionary.
  *
  * Entries keep the order of the text; one table of the tree finds a name in its dictionary, so that
- * reading takes linear time. Copies made for macros are counted: `b $a $a; c $b $b; ...`
- * doubles with every line, and must end in an error message before memory is full.
+ * reading takes linear time.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -11,126 +10,14 @@
 
 #include "core/error.h"
 #include "core/memory.h"
-#include "core/name_index.h"
 
-#include <stdalign.h>
 #include <stdio.h>
 #include <string.h>
 
 enum
 {
-    CHUNK = 1 << 14,      /* smallest allocation [byte] */
-    MAX_REPEATS = 100,    /* sentences on entries given twice */
-    MAX_FILES = 1000,     /* that one tree includes, each as often as it is read */
-    MAX_COPIES = 4000000  /* entries and words that macros may copy: 100 MB */
+    MAX_REPEATS = 100     /* sentences on entries given twice */
 };
-
-/* A chunk begins with the pointer to the previous one. */
-struct dem_dict_pool
-{
-    const char **repeats;    /* sentences on entries given twice */
-    size_t repeat_count, repeat_capacity;
-    struct dem_entry **entry;       /* all of the tree; null: removed */
-    size_t entries, entry_capacity;
-    struct dem_name_index names;    /* of these */
-    char *chunk;
-    size_t used, capacity;  /* of the chunk [byte] */
-    size_t copies;          /* made by macros so far */
-    size_t files, bytes;    /* included so far */
-};
-
-/* bytes of included files: more than any list of positions that memory holds */
-static const size_t max_bytes = (size_t)1 << 30;
-
-enum
-{
-    LINK_SIZE =
-        (sizeof(char *) + alignof(max_align_t) - 1)/alignof(max_align_t)*alignof(max_align_t)
-};
-
-static int new_chunk(struct dem_dict_pool *pool, size_t size)
-{
-    const size_t bytes = LINK_SIZE + (size > CHUNK ? size : CHUNK);
-    char *chunk = NULL;
-
-    DEM_TRY(DEM_NEW(chunk, bytes));
-    memcpy(chunk, &pool->chunk, sizeof pool->chunk);
-    pool->chunk = chunk;
-    pool->capacity = bytes;
-    pool->used = LINK_SIZE;
-    return DEM_OK;
-}
-
-int dem_dict_pool_alloc(struct dem_dict_pool *pool, size_t size, void **p)
-{
-    const size_t step = alignof(max_align_t);
-
-    DEM_REQUIRE(size < SIZE_MAX/4, DEM_ERROR_MEMORY,
-                "a dictionary asks for %zu bytes at once; shorten its lists", size);
-    size = (size + step - 1)/step*step;
-    if (!pool->chunk || pool->capacity - pool->used < size)
-    {
-        DEM_TRY(new_chunk(pool, size));
-    }
-    *p = pool->chunk + pool->used;
-    pool->used += size;
-    return DEM_OK;
-}
-
-int dem_dict_pool_copy(struct dem_dict_pool *pool, const char *text, size_t length,
-                       const char **copy)
-{
-    void *p;
-
-    DEM_TRY(dem_dict_pool_alloc(pool, length + 1, &p));
-    if (length > 0)
-    {
-        memcpy(p, text, length);
-    }
-    *copy = p;
-    return DEM_OK;
-}
-
-int dem_dict_pool_grow(struct dem_dict_pool *pool, void **array, size_t *capacity, size_t count,
-                       size_t size)
-{
-    const size_t larger = 2**capacity > count ? 2**capacity : (count > 4 ? count : 4);
-    void *p;
-
-    if (count <= *capacity)
-    {
-        return DEM_OK;
-    }
-    DEM_TRY(dem_dict_pool_alloc(pool, larger*size, &p));
-    if (*capacity > 0)
-    {
-        memcpy(p, *array, *capacity*size);
-    }
-    *array = p;
-    *capacity = larger;
-    return DEM_OK;
-}
-
-static int count_copy(struct dem_dict_pool *pool)
-{
-    DEM_REQUIRE(++pool->copies <= MAX_COPIES, DEM_ERROR_INPUT,
-                "macros copy more than %d words; write the long list once, or read it from a file "
-                "of its own",
-                MAX_COPIES);
-    return DEM_OK;
-}
-
-int dem_dict_count_file(struct dem_dict_pool *pool, size_t bytes)
-{
-    DEM_REQUIRE(++pool->files <= MAX_FILES, DEM_ERROR_INPUT,
-                "more than %d files are included; does one include another many times?", MAX_FILES);
-    pool->bytes += bytes;
-    DEM_REQUIRE(pool->bytes <= max_bytes, DEM_ERROR_INPUT,
-                "included files have more than %zu bytes together; include each once, or insert "
-                "particles with type table",
-                max_bytes);
-    return DEM_OK;
-}
 
 int dem_dict_new_top(struct dem_dict **d, const char *file)
 {
@@ -167,20 +54,10 @@ void dem_dict_free(struct dem_dict *d)
 {
     struct dem_dict_pool *pool = d ? d->pool : NULL;
 
-    while (pool && pool->chunk)
-    {
-        char *previous;
-
-        memcpy(&previous, pool->chunk, sizeof previous);
-        dem_memory_free(pool->chunk);
-        pool->chunk = previous;
-    }
     if (pool)
     {
-        dem_name_index_free(&pool->names);
-        dem_memory_free(pool->entry);
+        dem_dict_pool_free(pool);
     }
-    dem_memory_free(pool);
 }
 
 int dem_dict_new(struct dem_dict *parent, const char *name, const char *file, int line,
@@ -359,7 +236,7 @@ int dem_dict_append_copies(struct dem_entry *e, const struct dem_entry *from, in
     {
         struct dem_token token = from->tokens[i];
 
-        DEM_TRY(count_copy(e->parent->pool));
+        DEM_TRY(dem_dict_count_copy(e->parent->pool));
         if (token.dict)
         {
             struct dem_dict *item;
@@ -383,7 +260,7 @@ int dem_dict_merge(struct dem_dict *into, const struct dem_dict *from)
     {
         const struct dem_entry *e = from->entries[i];
 
-        DEM_TRY(count_copy(into->pool));
+        DEM_TRY(dem_dict_count_copy(into->pool));
         if (e->dict)
         {
             struct dem_dict *sub;

@@ -10,6 +10,7 @@
 #ifndef DEM_INPUT_DICTIONARY_TREE_H
 #define DEM_INPUT_DICTIONARY_TREE_H
 
+#include "core/name_index.h"
 #include "input/dictionary.h"
 
 enum dem_token_kind
@@ -63,16 +64,34 @@ struct dem_dict_known_names
     size_t count, capacity;
 };
 
-/* Memory of one tree. dem_dict_pool_alloc: zeroed, aligned for any type. dem_dict_pool_grow makes
-   an array hold count elements and keeps its contents. */
+/* Memory of one tree. A chunk begins with the pointer to the previous one. */
+struct dem_dict_pool
+{
+    const char **repeats;    /* sentences on entries given twice */
+    size_t repeat_count, repeat_capacity;
+    struct dem_entry **entry;       /* all of the tree; null: removed */
+    size_t entries, entry_capacity;
+    struct dem_name_index names;    /* of these */
+    char *chunk;
+    size_t used, capacity;  /* of the chunk [byte] */
+    size_t copies;          /* made by macros so far */
+    size_t files, bytes;    /* included so far */
+};
+
+/* dem_dict_pool_alloc: zeroed, aligned for any type. dem_dict_pool_grow makes an array hold count
+   elements and keeps its contents. */
 int dem_dict_pool_alloc(struct dem_dict_pool *pool, size_t size, void **p);
 int dem_dict_pool_copy(struct dem_dict_pool *pool, const char *text, size_t length,
                        const char **copy);
 int dem_dict_pool_grow(struct dem_dict_pool *pool, void **array, size_t *capacity, size_t count,
                        size_t size);
 
-/* Count an included file; an error beyond the limits of one tree. */
+void dem_dict_pool_free(struct dem_dict_pool *pool);
+
+/* Count an included file, or an entry or word that a macro copies; an error beyond the limits of one
+   tree. */
 int dem_dict_count_file(struct dem_dict_pool *pool, size_t bytes);
+int dem_dict_count_copy(struct dem_dict_pool *pool);
 
 /* The tree. An entry is first created outside the dictionary (new), then added in place of the
    one of its name (put); put_dict keeps an existing dictionary. Names and files must come from

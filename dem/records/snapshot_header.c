@@ -1,5 +1,5 @@
 /*
- * snapshot_header.c -- sizes, offsets and checksums of a snapshot; open a file and check its header.
+ * snapshot_header.c -- checksums of a snapshot; open a file and check its header.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -14,33 +14,6 @@ const char dem_snapshot_magic[8] = "SUNADEM";
 const uint64_t dem_snapshot_order = 0x0102030405060708u;
 
 static const int64_t max_width = 16;    /* of a column; the widest has 4 numbers */
-
-size_t dem_snapshot_particle_doubles(const struct dem_snapshot_header *h)
-{
-    size_t size = DEM_SNAPSHOT_RECORD;
-
-    for (int64_t c = 0; c < h->columns; c++)
-    {
-        size += (size_t)h->list[h->materials + c].width;
-    }
-    return size;
-}
-
-size_t dem_snapshot_contact_doubles(const struct dem_snapshot_header *h)
-{
-    return DEM_SNAPSHOT_CONTACT + (size_t)h->memories;
-}
-
-size_t dem_snapshot_contacts_offset(const struct dem_snapshot_header *h)
-{
-    return sizeof *h + (size_t)h->particles*dem_snapshot_particle_doubles(h)*sizeof(double);
-}
-
-size_t dem_snapshot_caller_data_offset(const struct dem_snapshot_header *h)
-{
-    return dem_snapshot_contacts_offset(h) +
-           (size_t)h->rows*dem_snapshot_contact_doubles(h)*sizeof(double);
-}
 
 void dem_snapshot_slice(const struct dem_decomposition *q, int64_t n, int64_t *first,
                         int64_t *count)

@@ -15,7 +15,6 @@
 #include "records/snapshot.h"
 #include "laws/effects.h"
 #include "step/fall_check.h"
-#include "records/totals.h"
 #include "records/bed_packing.h"
 #include "ranks/collect.h"
 #include "ranks/mpi_error.h"
@@ -141,31 +140,6 @@ void dem_free(struct dem *d)
 
 /* ---- scene ----------------------------------------------------------------------------------- */
 
-int dem_api_require_unchecked(const struct dem *d, const char *call)
-{
-    DEM_REQUIRE(d->checked >= 0, DEM_ERROR_STATE, "%s after a dem_check or dem_setup that failed; "
-                "call dem_free and start again", call);
-    DEM_REQUIRE(!d->checked, DEM_ERROR_STATE, "%s comes before dem_check and dem_setup", call);
-    return DEM_OK;
-}
-
-int dem_api_require_sound(const struct dem *d, const char *call)
-{
-    DEM_REQUIRE(!d->failed, DEM_ERROR_STATE, "%s after a dem_advance that failed, which has left "
-                "particles in the middle of a step; go back to the last good state with dem_restore "
-                "(dem_backup_every makes it), or load the last snapshot", call);
-    return DEM_OK;
-}
-
-int dem_api_require_count(const char *call, const char *items, int64_t n)
-{
-    DEM_REQUIRE(n >= 0, DEM_ERROR_INPUT, "%s: %lld %s; give 0 or more", call, (long long)n, items);
-    /* 128 bytes an item or less */
-    DEM_REQUIRE(n < INT64_MAX/128, DEM_ERROR_MEMORY, "%s: %lld %s are more than memory can hold",
-                call, (long long)n, items);
-    return DEM_OK;
-}
-
 int dem_scene_file(struct dem *d, const char *path)
 {
     DEM_TRY(dem_api_require_unchecked(d, "dem_scene_file"));
@@ -287,22 +261,6 @@ int dem_add_particles(struct dem *d, int64_t n, const struct dem_new_particle *a
 
     fesetenv(&caller);
     return status;
-}
-
-int dem_load(struct dem *d, const char *path)
-{
-    DEM_TRY(dem_api_require_unchecked(d, "dem_load"));
-    DEM_REQUIRE(strlen(path) < sizeof d->load_path, DEM_ERROR_INPUT, "path %s is longer than %zu "
-                "characters", path, sizeof d->load_path - 1);
-    snprintf(d->load_path, sizeof d->load_path, "%s", path);
-    return DEM_OK;
-}
-
-int dem_start(struct dem *d, const char *path)
-{
-    DEM_TRY(dem_load(d, path));
-    d->start_checked = 1;
-    return DEM_OK;
 }
 
 /* ---- check, set-up, plan --------------------------------------------------------------------- */

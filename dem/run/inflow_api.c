@@ -22,41 +22,6 @@ int dem_flow_on_request(struct dem *d)
     return DEM_OK;
 }
 
-static int give_to_streams(struct dem *d, const struct dem_flow_patch *patch)
-{
-    double *corners = NULL, *velocity = NULL;
-    int status = DEM_NEW(corners, 9*patch->n + 1);
-
-    status = status ? status : DEM_NEW(velocity, 3*patch->n + 1);
-    for (size_t t = 0; t < patch->n && !status; t++)
-    {
-        memcpy(corners + 9*t, patch->triangles + 12*t, 9*sizeof *corners);
-        memcpy(velocity + 3*t, patch->triangles + 12*t + 9, 3*sizeof *velocity);
-    }
-    for (int k = 0; k < d->scene.streams.streams && !status; k++)
-    {
-        struct dem_inlet_shape *const m = &d->scene.streams.stream[k].inlet;
-
-        if (m->patch && strcmp(m->patch, patch->name) == 0)
-        {
-            status = dem_inlet_shape_set_triangles(m, patch->n, corners, velocity);
-        }
-    }
-    dem_memory_free(corners);
-    dem_memory_free(velocity);
-    return status;
-}
-
-int dem_api_assign_patches(struct dem *d)
-{
-    d->scene.streams.meshed = d->flow_on_request;
-    for (size_t k = 0; k < d->patches; k++)
-    {
-        DEM_TRY(give_to_streams(d, &d->patch[k]));
-    }
-    return DEM_OK;
-}
-
 static int find_patch(struct dem *d, const char *name, struct dem_flow_patch **patch)
 {
     size_t k = 0;
@@ -103,7 +68,7 @@ int dem_flow_patch(struct dem *d, const char *name, int64_t n, const double *tri
     dem_memory_free(patch->triangles);
     patch->triangles = all;
     patch->n = total;
-    return d->checked ? dem_api_agree(d, give_to_streams(d, patch)) : DEM_OK;
+    return d->checked ? dem_api_agree(d, dem_api_give_patch(d, patch)) : DEM_OK;
 }
 
 int dem_flow_remove(struct dem *d, const char *patch, int64_t n, const int64_t *id)

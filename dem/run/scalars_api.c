@@ -66,22 +66,6 @@ int dem_scalar_exchange_enable(struct dem *d, const char *name)
     return DEM_OK;
 }
 
-int dem_api_enable_exchanges(struct dem *d)
-{
-    struct dem_interaction_table *const r = &d->state.interaction_table;
-
-    for (int e = 0; e < d->exchanges; e++)
-    {
-        const int k = dem_interaction_table_find_scalar(r, d->exchanged[e]);
-
-        DEM_REQUIRE(k >= 0 && r->scalar[k]->exchange, DEM_ERROR_INPUT,
-                    "the program exchanges %s, but no effect of the scene has this scalar; add one",
-                    d->exchanged[e]);
-        r->exchanged[k] = 1;
-    }
-    return DEM_OK;
-}
-
 static double *column(const struct dem *d, int k, enum dem_scalar_column which)
 {
     return dem_scalar_exchange_values(&d->state.particles, &d->state.interaction_table, k, which);

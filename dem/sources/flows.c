@@ -194,18 +194,6 @@ int dem_flows_insert(struct dem_state *p)
 
 /* ---- removal --------------------------------------------------------------------------------- */
 
-int dem_flows_outlet_at(const struct dem_flows *f, const double x[3])
-{
-    for (int k = 0; f->n > 0 && k < f->plan->outlets; k++)
-    {
-        if (dem_outlet_holds(&f->plan->outlet[k], x))
-        {
-            return f->plan->streams + k;
-        }
-    }
-    return DEM_FLOW_NONE;
-}
-
 int dem_flows_absorbed(const struct dem_flows *f, const struct dem_particle *q)
 {
     const int mark = (q->flags & DEM_PARTICLE_ABSORBED) >> DEM_PARTICLE_ABSORBED_SHIFT;

@@ -43,17 +43,6 @@ void dem_insert_ratios(const struct dem_insertion *i, struct dem_interaction_tab
 
 /* ---- ids ------------------------------------------------------------------------------------- */
 
-int64_t dem_insert_group_next_id(const struct dem_insert_group *b, int64_t first)
-{
-    int64_t next = first + (b->ids ? 0 : b->count);
-
-    for (int64_t m = 0; b->ids && m < b->count; m++)
-    {
-        next = b->ids[m] >= next ? b->ids[m] + 1 : next;
-    }
-    return next;
-}
-
 int64_t dem_insert_next_id(const struct dem_insertion *i)
 {
     int64_t next = 0;

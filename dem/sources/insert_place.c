@@ -9,17 +9,11 @@
 #include "sources/insert_group.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "core/random.h"
 #include "sources/packing.h"
 #include "particles/scalars.h"
 #include "ranks/collect.h"
 #include <math.h>
 #include <string.h>
-
-enum
-{
-    USE_JITTER = 101  /* stream of random numbers */
-};
 
 static struct dem_particle make_particle(const struct dem_insert_group *b,
                                          const struct dem_interaction_table *r, const double x[3],
@@ -51,23 +45,6 @@ static int add_particle(struct dem_initial_particles *c, const struct dem_insert
                           : dem_scalar_draw(&b->scalar[k], k, (uint64_t)b->seed, (uint64_t)number);
     }
     return DEM_OK;
-}
-
-void dem_insert_group_site(const struct dem_insert_group *b, int64_t m, double x[3])
-{
-    const int64_t *const n = b->sites, at[3] = {m%n[0], m/n[0]%n[1], m/(n[0]*n[1])};
-    const struct dem_insertion_shape *const v = &b->shape;
-
-    for (int k = 0; k < 3; k++)
-    {
-        const double wide = (v->max[k] - v->min[k])/(double)n[k];
-        const double pitch = k == 2 && wide > b->pitch ? b->pitch : wide;
-        const double jitter =
-            dem_random_unit((uint64_t)b->seed, (uint64_t)m, 0, USE_JITTER + (uint64_t)k) - 0.5;
-
-        x[k] = v->min[k] + ((double)at[k] + 0.5)*pitch
-             + fmin(b->amplitude, wide - b->diameter)*jitter;
-    }
 }
 
 /* ---- lattice with limits --------------------------------------------------------------------- */

@@ -20,6 +20,18 @@ enum
     LAST = 4
 };
 
+int dem_flows_outlet_at(const struct dem_flows *f, const double x[3])
+{
+    for (int k = 0; f->n > 0 && k < f->plan->outlets; k++)
+    {
+        if (dem_outlet_holds(&f->plan->outlet[k], x))
+        {
+            return f->plan->streams + k;
+        }
+    }
+    return DEM_FLOW_NONE;
+}
+
 /* Finite, and in the box along periodic axes. */
 static int is_wrapped(const struct dem_domain *d, const double x[3])
 {

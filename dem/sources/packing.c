@@ -31,46 +31,6 @@ int dem_packing_check_fraction(const struct dem_insertion_shape *v, double volum
     return DEM_OK;
 }
 
-/* ---- spheres --------------------------------------------------------------------------------- */
-
-int dem_packing_spheres_init(struct dem_packing_spheres *s, const struct dem_domain *domain,
-                             const struct dem_decomposition *of)
-{
-    const double skin[DEM_LISTS] = {0.0, 0.0};
-
-    memset(s, 0, sizeof *s);
-    dem_pairs_init(&s->search, domain, skin, 0.0, 0.0);
-    dem_halo_init(&s->halo, &s->decomposition);
-    dem_particles_init(&s->particles, 0);
-    return dem_decomposition_init(&s->decomposition, of->comm, of->rank, of->ranks);
-}
-
-void dem_packing_spheres_free(struct dem_packing_spheres *s)
-{
-    dem_contacts_free(&s->contacts);
-    dem_pairs_free(&s->search);
-    dem_particles_free(&s->particles);
-    dem_halo_free(&s->halo);
-    dem_decomposition_free(&s->decomposition);
-}
-
-int dem_packing_list_pairs(const struct dem_packing *p, struct dem_packing_spheres *s, int status,
-                           double gap)
-{
-    dem_pairs_set_reach(&s->search, gap, s->max_radius);
-    for (size_t i = 0; i < s->particles.n; i++)
-    {
-        dem_domain_wrap(p->domain, &s->particles.record[i]);
-    }
-    status = dem_halo_migrate(&s->halo, status, &s->particles, &s->contacts);
-    status = status || !(gap > 0.0) ? status : dem_pairs_order(&s->search, &s->particles);
-    status = dem_halo_build(&s->halo, status, &s->particles, p->domain, s->max_radius, gap);
-    status = status ? status
-                    : dem_pairs_search(&s->search, p->domain, &s->particles, &s->table,
-                                       &s->contacts);
-    return dem_collect_agree(&s->decomposition, status);
-}
-
 /* ---- set-up ---------------------------------------------------------------------------------- */
 
 static double diameter_of(const struct dem_packing *p, int64_t m)

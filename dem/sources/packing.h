@@ -62,6 +62,12 @@ void dem_packing_spheres_free(struct dem_packing_spheres *);
 int dem_packing_fill(const struct dem_packing *, const struct dem_initial_particles *,
                      struct dem_packing_spheres *);
 
+enum
+{
+    DEM_PACKING_LIMITED_DRAWS = 100000  /* points for one trial where walls or a mesh leave an unknown
+                                           part of the shape */
+};
+
 /* ---- steps of dem_packing_fill --------------------------------------------------------------- */
 
 /* Set the position of a sphere to that of its `trial`-th trial, wrapped into the domain. Returns 0

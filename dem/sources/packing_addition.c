@@ -16,14 +16,10 @@
 #include "sources/packing.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "core/random.h"
 #include "ranks/collect.h"
 
 enum
 {
-    USE_PLACE = 201,  /* stream of random numbers */
-    DRAWS = 1000,     /* points for one trial; each lies inside with a probability above 0.5 */
-    LIMITED_DRAWS = 100000,  /* the same where walls or a mesh leave an unknown part of the shape */
     OCTAVES = 12,     /* of diameters; the last holds all smaller ones */
     ROUNDS = 64,
     SCARCE = 16       /* the last round places fewer than one in so many */
@@ -37,26 +33,6 @@ static int is_tried(const struct dem_particle *s)
     return s->v[0] > placed;
 }
 
-int dem_packing_draw(const struct dem_packing *p, struct dem_particle *s, uint64_t trial)
-{
-    struct dem_insertion_limits *const limits = p->shape->limits;
-    const uint64_t draws = limits ? LIMITED_DRAWS : DRAWS;
-    double u[3];
-    int inside = 0;
-
-    for (uint64_t draw = trial*draws; draw < (trial + 1)*draws && !inside; draw++)
-    {
-        for (int k = 0; k < 3; k++)
-        {
-            u[k] = dem_random_unit(p->seed, (uint64_t)s->id, draw, USE_PLACE + (uint64_t)k);
-        }
-        inside = dem_insertion_shape_draw(p->shape, s->radius, u, s->x)
-              && (!limits || dem_insertion_limits_allow(limits, s->radius, s->x));
-    }
-    dem_domain_wrap(p->domain, s);
-    return inside;
-}
-
 /* A sphere of this rank found no place off the walls and inside the mesh. */
 static int no_place(const struct dem_packing *p, const struct dem_particle *s)
 {
@@ -66,7 +42,7 @@ static int no_place(const struct dem_packing *p, const struct dem_particle *s)
         "from (%g %g %g) to (%g %g %g) m, in %d trials; enlarge the region, or ask for "
         "smaller ones",
         p->where, 2.0*s->radius, p->shape->min[0], p->shape->min[1], p->shape->min[2],
-        p->shape->max[0], p->shape->max[1], p->shape->max[2], LIMITED_DRAWS);
+        p->shape->max[0], p->shape->max[1], p->shape->max[2], DEM_PACKING_LIMITED_DRAWS);
 }
 
 /* The octave of a radius below the largest; the last holds all smaller ones. */

@@ -7,7 +7,6 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include <math.h>
-#include <string.h>
 
 void dem_domain_make_walls_periodic(const struct dem_domain *d, double reach, struct dem_walls *w)
 {

@@ -131,4 +131,7 @@ uint32_t dem_wall_neighbor_candidate(const struct dem_wall_search *, const struc
    distance [m2]. */
 double dem_triangle_nearest(const struct dem_triangle *, const double x[3], double nearest[3]);
 
+/* The same for the edge from a to b. */
+double dem_edge_nearest(const double a[3], const double b[3], const double x[3], double nearest[3]);
+
 #endif
