@@ -116,7 +116,7 @@ RECORD = numpy.dtype([("position", "f8", 3), ("radius", "f8"), ("velocity", "f8"
                       ("inverse_mass", "f8"), ("spin", "f8", 3), ("inverse_inertia", "f8"),
                       ("mass", "f8"), ("id", "i8"), ("material", "u2"), ("flags", "u2"),
                       ("image", "u4"), ("unused", "f8")])
-VERSIONS = 5, 6    # 6 adds the scene to the data behind the contacts, which are not read here
+VERSION = 7    # DEM_SNAPSHOT_VERSION
 
 
 @reader
@@ -128,9 +128,9 @@ def read_snapshot(path):
     if len(raw) < HEADER.itemsize or raw[:4] == b"Foam":
         raise FileError(f"{path}: {len(raw)} bytes, too few for a snapshot")
     head = numpy.frombuffer(raw, HEADER, 1)[0]
-    if head["version"] not in VERSIONS:
-        raise FileError(f"{path}: version {head['version']}, this reader has {VERSIONS[0]} and "
-                        f"{VERSIONS[1]}; not a snapshot, or one of another version of Suna")
+    if head["version"] != VERSION:
+        raise FileError(f"{path}: version {head['version']}, this reader has {VERSION}; not a "
+                        "snapshot, or one of another version of Suna")
     if min(int(head[name]) for name in ("particles", "rows", "materials", "columns", "memories")) < 0:
         raise FileError(f"{path}: a number below 0 in its head; damaged")
     names = [name.decode() for name in head["list"]["name"]]
