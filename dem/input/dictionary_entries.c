@@ -134,6 +134,9 @@ static int refuse_unread_items(const struct dem_entry *e)
 
 int dem_dict_refuse_unread(const struct dem_dict *d)
 {
+    /* queries return no status */
+    DEM_REQUIRE(!d->pool->failed, DEM_ERROR_MEMORY,
+                "%s: no memory for the names of entries; use fewer particles or more ranks", d->file);
     for (size_t i = 0; i < d->count; i++)
     {
         const struct dem_entry *e = d->entries[i];

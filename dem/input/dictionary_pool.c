@@ -35,7 +35,10 @@ static int new_chunk(struct dem_dict_pool *pool, size_t size)
     const size_t bytes = LINK_SIZE + (size > CHUNK ? size : CHUNK);
     char *chunk = NULL;
 
-    DEM_TRY(DEM_NEW(chunk, bytes));
+    const int status = DEM_NEW(chunk, bytes);
+
+    pool->failed = pool->failed || status;
+    DEM_TRY(status);
     memcpy(chunk, &pool->chunk, sizeof pool->chunk);
     pool->chunk = chunk;
     pool->capacity = bytes;

@@ -76,6 +76,7 @@ struct dem_dict_pool
     size_t used, capacity;  /* of the chunk [byte] */
     size_t copies;          /* made by macros so far */
     size_t files, bytes;    /* included so far */
+    bool failed;            /* there was no memory for a chunk */
 };
 
 /* dem_dict_pool_alloc: zeroed, aligned for any type. dem_dict_pool_grow makes an array hold count
