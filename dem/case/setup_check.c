@@ -82,9 +82,9 @@ static int check_periodic_widths(const struct dem *d, double radius)
     {
         DEM_REQUIRE(!box->periodic[k] || box->length[k] >= min, DEM_ERROR_INPUT,
                     "domain: periodic along %c and %g m wide, so that a particle of %g m reaches "
-                    "its own periodic image; make the domain at least two diameters and a skin "
-                    "wide",
-                    "xyz"[k], box->length[k], 2.0*radius);
+                    "its own periodic image; make the domain at least %g m wide, a diameter, the "
+                    "outer skin and the reach of films and bonds",
+                    "xyz"[k], box->length[k], 2.0*radius, min);
         DEM_REQUIRE(!box->periodic[k] || box->unit[k] <= coarsest_unit*least, DEM_ERROR_INPUT,
                     "domain: periodic along %c from %g to %g m, where positions are multiples of "
                     "%.3g m; the limit is %.3g m, %g of the smallest radius, or overlaps are lost "

@@ -120,7 +120,7 @@ static inline int try_pair(struct finder *f, uint32_t owned, uint32_t other)
 
     DEM_REQUIRE(
         me->id != it->id, DEM_ERROR_INPUT,
-        "particle %lld reaches its own periodic image; make the domain at least two diameters and a skin wide",
+        "particle %lld reaches its own periodic image; make the domain wider than a diameter and the outer skin",
         (long long)me->id);
     if ((mirrored && a > b) || 
         (me->flags & it->flags & DEM_PARTICLE_FROZEN && !f->r->contact_scalars))
