@@ -1,5 +1,5 @@
 /*
- * parcels.c -- evaluate fluid effects on the grains of parcels.
+ * parcel_forces.c -- evaluate fluid effects on the grains of parcels.
  *
  *   result += l^3 result(R/l, V/l^3, m/l^3)
  *
