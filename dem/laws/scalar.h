@@ -3,9 +3,9 @@
  * declare: temperature, volume of liquid, ...
  *
  * A row is a constant that effects list by its address; effects that list the same row share the
- * scalar. From the row follow storage, sorting, ghosts, migration, backup, snapshots, the entries of
- * scenes (insertion, streams, walls, start), output, means on grids and the calls dem_scalar of dem.h. A scene
- * whose effects list none has none.
+ * scalar. From the row follow storage, sorting, ghosts, migration, backup, snapshots, the entries
+ * of scenes (insertion, streams, walls, start), output, means on grids and the calls dem_scalar of
+ * dem.h. A scene whose effects list none has none.
  *
  * A scalar with a rate obeys, over a time step h,
  *

@@ -1,12 +1,14 @@
 /*
  * collect.h -- reductions, gathers and agreement over the ranks of a decomposition.
  *
- * All functions are collective, and with one rank they make no MPI call. Those without a status record the first error of
- * MPI in the decomposition and go on, so that the ranks stay in step. The next agreement (dem_agree, dem_collect_agree)
- * turns a recorded error into an error of all ranks; a public call that makes no agreement returns dem_collect_status.
+ * All functions are collective, and with one rank they make no MPI call. Those without a status
+ * record the first error of MPI in the decomposition and go on, so that the ranks stay in step. The
+ * next agreement (dem_agree, dem_collect_agree) turns a recorded error into an error of all ranks;
+ * a public call that makes no agreement returns dem_collect_status.
  *
- * The result of a reduction is the same on all ranks. Integers and maxima do not depend on the order of the ranks; sums of
- * doubles do, so only quantities that change no result of the simulation are summed as doubles.
+ * The result of a reduction is the same on all ranks. Integers and maxima do not depend on the
+ * order of the ranks; sums of doubles do, so only quantities that change no result of the
+ * simulation are summed as doubles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
