@@ -97,7 +97,7 @@ struct dem_scalar               /* a row */
 };
 
 /* A scalar of an effect at the rows of a contact batch, seen as forces are: j is the higher id or
-   the wall. The value of a wall is that of the scene; at one without a given value it is that of the
+   the wall. The scene gives the value of a wall; a wall without a given value has the value of the
    particle, so that differences vanish. */
 struct dem_scalar_rows
 {

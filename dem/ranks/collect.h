@@ -58,9 +58,9 @@ struct dem_collect_items         /* what a rank gives */
     size_t n, size;              /* number of items, bytes of one */
 };
 
-/* The items of all ranks on every rank, those of the first rank first. `status`: a rank that has failed before takes part,
-   and all ranks return an error. `all`: a new array, which the caller frees with dem_memory_free; `total`: number of
-   items. On failure they are NULL and 0. */
+/* The items of all ranks on every rank, in the order of ranks. `status`: a rank that has failed before
+   takes part, and all ranks return an error. `all`: a new array, which the caller frees with
+   dem_memory_free; `total`: number of items. On failure they are NULL and 0. */
 int dem_collect_gather(const struct dem_decomposition *, int status,
                        const struct dem_collect_items *, void **all, size_t *total);
 
