@@ -1,6 +1,6 @@
 /*
- * scalar.h -- particle scalars: numbers per particle, besides those of the record, that effects
- * declare: temperature, volume of liquid, ...
+ * scalar.h -- particle scalars: numbers per particle, besides the record's, that effects declare:
+ * temperature, volume of liquid, ...
  *
  * A row is a constant that effects list by its address; effects that list the same row share the
  * scalar. From the row follow storage, sorting, ghosts, migration, backup, snapshots, the entries

@@ -53,7 +53,7 @@ struct dem_unagreed
     char text[DEM_ERROR_TEXT_SIZE];
 };
 
-/* a function of the program that is told of the progress of an advance; dem_set_progress */
+/* the program's function that follows an advance; dem_set_progress */
 struct dem_progress
 {
     void (*report)(void *self, double time, int64_t steps);   /* NULL: none */
@@ -107,7 +107,7 @@ struct dem_state
                                                      velocities are half a step ahead */
     const volatile sig_atomic_t *stop_request;    /* not 0: stop after this step;
                                                      NULL: no such request */
-    struct dem_progress progress;                 /* told during an advance */
+    struct dem_progress progress;                 /* called during an advance */
     int stopped;                                  /* value of the request at the
                                                      stop, maximum of ranks */
     double max_dt;                                /* s; limit of the time step of any window */

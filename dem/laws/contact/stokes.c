@@ -6,7 +6,7 @@
  *
  *   v      |normal relative velocity| in the first step of the contact, kept until the surfaces
  *          separate (history)                                      [m/s]
- *   mu     viscosity, a setting or that of the coupled fluid       [Pa s]
+ *   mu     viscosity, a setting or the coupled fluid's             [Pa s]
  *   m*     reduced mass, added mass of the fluid included          [kg]
  *   R*     reduced radius                                          [m]
  *   e_max  restitution without fluid                               [1]
@@ -40,7 +40,7 @@
  * (2001) 329. Eq. (8) of Open DEM Japan, Hooke/Hysteresis normal contact model (in Japanese, 2025)
  * takes its ln e "by the Stokes number", without a formula. Changed from other implementations: ln
  * e_max - beta/St with St > 0 (a plus sign and a velocity that is negative on approach return too
- * much); the speed is that of first contact, see above.
+ * much); the speed is taken at first contact, see above.
  * Not here: lubrication before contact. It cannot be combined with lubrication: e already contains
  * the loss in the film.
  *
