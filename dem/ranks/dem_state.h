@@ -1,9 +1,8 @@
 /*
- * dem_state.h -- the state of a simulation on one rank: all data of the model, lists and
- * diagnostics.
+ * dem_state.h -- the state of a simulation on one rank: particles, walls, laws, lists, records.
  *
- * The time step and the API pass the whole state; functions of lower layers take only the parts
- * that they need.
+ * The time step and the public calls pass the whole state; functions of lower folders take only the
+ * parts that they need.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
